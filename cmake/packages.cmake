@@ -1,0 +1,28 @@
+# The packages in the order in which data flows. A package may include only packages to its left: each is a target of its own whose
+# include path holds its predecessors and nothing else, so that a wrong #include does not compile. All of them make one libsuture.so.
+set(SUTURE_ALL_PACKAGES base mesh constraints partition elasticity subdomain contact interface precond solver report)
+set(SUTURE_PACKAGES "${SUTURE_ALL_PACKAGES}" CACHE STRING "Packages to build: a leading part of the list, for work on one of them")
+
+# suture_package(name SOURCES a.cpp b.cpp LINK suture::x): one folder under packages/.
+function(suture_package name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINK" ${ARGN})
+  # <suture/name/X.hpp> is packages/name/X.hpp
+  set(root ${CMAKE_BINARY_DIR}/include/${name})
+  file(MAKE_DIRECTORY ${root}/suture)
+  file(CREATE_LINK ${CMAKE_CURRENT_SOURCE_DIR} ${root}/suture/${name} SYMBOLIC)
+
+  add_library(suture_${name} OBJECT ${ARG_SOURCES})
+  target_include_directories(suture_${name} PUBLIC ${root})
+  target_compile_options(suture_${name} PRIVATE ${SUTURE_WARNINGS})
+  target_link_libraries(suture_${name} PUBLIC suture_options suture::trilinos suture::eigen PRIVATE ${ARG_LINK})
+  foreach(predecessor ${SUTURE_ALL_PACKAGES})
+    if(predecessor STREQUAL name)
+      break()
+    endif()
+    target_include_directories(suture_${name} PUBLIC ${CMAKE_BINARY_DIR}/include/${predecessor})
+  endforeach()
+
+  target_sources(suture PRIVATE $<TARGET_OBJECTS:suture_${name}>)
+  target_link_libraries(suture PRIVATE ${ARG_LINK})
+  target_include_directories(suture PUBLIC $<BUILD_INTERFACE:${root}>)
+endfunction()

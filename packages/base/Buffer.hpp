@@ -1,0 +1,100 @@
+#pragma once
+#include <suture/base/Errors.hpp>
+
+#include <cstring>
+#include <map>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace suture {
+
+/// Packs plain values, strings, vectors and maps into bytes for a message; same order out as in.
+class Packer {
+ public:
+  template <typename T>
+  std::enable_if_t<std::is_trivially_copyable_v<T>> put(const T& value) {
+    bytes_.append(reinterpret_cast<const char*>(&value), sizeof(T));
+  }
+  void put(const std::string& text) {
+    put(text.size());
+    bytes_.append(text);
+  }
+  template <typename T>
+  void put(const std::vector<T>& values) {
+    put(values.size());
+    if constexpr (std::is_trivially_copyable_v<T>) {
+      bytes_.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
+    } else {
+      for (const T& value : values) put(value);
+    }
+  }
+  template <typename K, typename V>
+  void put(const std::map<K, V>& values) {
+    put(values.size());
+    for (const auto& [key, value] : values) {
+      put(key);
+      put(value);
+    }
+  }
+  const std::string& bytes() const { return bytes_; }
+
+ private:
+  std::string bytes_;
+};
+
+/// Reads what a Packer wrote. \throws InternalError when there is less than is asked for.
+class Unpacker {
+ public:
+  explicit Unpacker(std::string bytes) : bytes_(std::move(bytes)) {}
+
+  template <typename T>
+  std::enable_if_t<std::is_trivially_copyable_v<T>> get(T& value) {
+    std::memcpy(static_cast<void*>(&value), take(sizeof(T)), sizeof(T));
+  }
+  void get(std::string& text) {
+    const std::size_t n = get<std::size_t>();
+    text.assign(take(n), n);
+  }
+  template <typename T>
+  void get(std::vector<T>& values) {
+    const std::size_t n = get<std::size_t>();
+    values.resize(n);
+    if constexpr (std::is_trivially_copyable_v<T>) {
+      const char* from = take(n * sizeof(T));
+      if (n > 0) std::memcpy(static_cast<void*>(values.data()), from, n * sizeof(T));
+    } else {
+      for (T& value : values) get(value);
+    }
+  }
+  template <typename K, typename V>
+  void get(std::map<K, V>& values) {
+    const std::size_t n = get<std::size_t>();
+    values.clear();
+    for (std::size_t i = 0; i < n; ++i) {
+      K key;
+      get(key);
+      get(values[key]);
+    }
+  }
+  template <typename T>
+  T get() {
+    T value;
+    get(value);
+    return value;
+  }
+  bool done() const { return at_ == bytes_.size(); }
+
+ private:
+  const char* take(std::size_t n) {
+    if (n > bytes_.size() - at_) throw InternalError("a message ended before its last field");
+    const char* from = bytes_.data() + at_;
+    at_ += n;
+    return from;
+  }
+
+  std::string bytes_;
+  std::size_t at_ = 0;
+};
+
+}  // namespace suture

@@ -1,0 +1,30 @@
+#pragma once
+#include <suture/base/Types.hpp>
+
+#include <functional>
+#include <string>
+
+namespace suture {
+
+/// Runs `local` on every rank and turns an exception on any of them into the same exception on all, so that no rank waits in a
+/// collective for one that left. The problems of InputErrors of several ranks are merged (each once). Collective. `local` must not
+/// communicate. `what` names the work in the message of an exception that is not one of ours ("reading the mesh: bad_alloc").
+/// \throws Error  of the kind of the lowest rank that failed (std::bad_alloc becomes EnvironmentError, other ones InternalError).
+void collectively(const Comm& comm, const std::string& what, const std::function<void()>& local);
+
+/// Runs `root` on rank 0 only, with the same promise. Collective.
+void collectivelyOnRoot(const Comm& comm, const std::string& what, const std::function<void()>& root);
+
+/// Sends a string from rank 0 to all. Collective.
+std::string broadcast(const Comm& comm, const std::string& text);
+
+/// All ranks' byte strings on rank 0, in the order of ranks (empty elsewhere). Collective.
+std::vector<std::string> gatherOnRoot(const Comm& comm, const std::string& bytes);
+
+/// Rank 0 gives one byte string a rank; every rank gets its own. Collective.
+std::string scatterFromRoot(const Comm& comm, const std::vector<std::string>& bytes);
+
+/// All ranks' byte strings on every rank, in the order of ranks. Collective.
+std::vector<std::string> allGather(const Comm& comm, const std::string& bytes);
+
+}  // namespace suture

@@ -1,0 +1,86 @@
+#pragma once
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace suture {
+
+/// What a program that meets the error returns; the contract with users' scripts.
+enum class ExitCode : int { Done = 0, CommandLine = 2, Input = 3, Numerical = 4, Environment = 5, Internal = 70, Stopped = 75 };
+
+/// Base of all errors of Suture. The library throws; only drivers print and exit.
+class Error : public std::runtime_error {
+ public:
+  Error(ExitCode code, const std::string& message) : std::runtime_error(message), code_(code) {}
+  ExitCode code() const { return code_; }
+
+ private:
+  ExitCode code_;
+};
+
+/// One thing wrong with the input: where (path in the scene file, or the file itself) and what was found against what is expected.
+struct Problem {
+  std::string path;
+  std::string message;
+};
+
+/// Everything that is wrong with a scene, its mesh or its groups: all problems at once.
+class InputError : public Error {
+ public:
+  explicit InputError(std::vector<Problem> problems);
+  InputError(const std::string& path, const std::string& message) : InputError(std::vector<Problem>{{path, message}}) {}
+  const std::vector<Problem>& problems() const { return problems_; }
+
+ private:
+  std::vector<Problem> problems_;
+};
+
+/// Wrong command line.
+class CommandLineError : public Error {
+ public:
+  explicit CommandLineError(const std::string& message) : Error(ExitCode::CommandLine, message) {}
+};
+
+/// Not converged, breakdown, singular where it must not be.
+class NumericalError : public Error {
+ public:
+  explicit NumericalError(const std::string& message) : Error(ExitCode::Numerical, message) {}
+};
+
+/// The machine: no memory, an unwritable folder, a library without a feature.
+class EnvironmentError : public Error {
+ public:
+  explicit EnvironmentError(const std::string& message) : Error(ExitCode::Environment, message) {}
+};
+
+/// A bug of ours: a condition that the code itself should guarantee.
+class InternalError : public Error {
+ public:
+  explicit InternalError(const std::string& message) : Error(ExitCode::Internal, message) {}
+};
+
+/// Collects problems so that the user sees all of them at once.
+class Problems {
+ public:
+  void add(const std::string& path, const std::string& message) { list_.push_back({path, message}); }
+  bool empty() const { return list_.empty(); }
+  const std::vector<Problem>& list() const { return list_; }
+  /// \throws InputError  with all of them, if there are any.
+  void throwIfAny() const {
+    if (!list_.empty()) throw InputError(list_);
+  }
+
+ private:
+  std::vector<Problem> list_;
+};
+
+/// The candidate nearest to `name` (edit distance, case ignored), or "" if none is close enough to be meant.
+std::string nearestName(const std::string& name, const std::vector<std::string>& candidates);
+
+/// "no such <kind> 'name'. Did you mean 'x'? Known here: a, b, c": the sentence for every unknown name.
+std::string unknownName(const std::string& kind, const std::string& name, const std::vector<std::string>& candidates);
+
+/// "a, b, c"; long lists are cut after `most` names with "... (N in all)".
+std::string joinNames(const std::vector<std::string>& names, std::size_t most = 30);
+
+}  // namespace suture

@@ -1,0 +1,59 @@
+#pragma once
+#include <suture/base/Types.hpp>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace suture {
+
+/// A file of HDF5, opened by all ranks of a communicator together. The only place that includes HDF5.
+///
+/// A file for writing is written under a temporary name in the same folder and renamed by close(), so that a reader never sees half a
+/// file; without close() (an exception) the temporary file is removed. Paths are absolute within the file ("/VTKHDF/Points"), groups
+/// on the way are made. All functions are collective over the communicator. Errors: EnvironmentError when the file cannot be written,
+/// InputError when it cannot be read, is not HDF5, is truncated, or lacks what is asked for (names file and path).
+class Hdf5File {
+ public:
+  static Hdf5File create(const Comm& comm, const std::string& path);
+  static Hdf5File open(const Comm& comm, const std::string& path);
+  Hdf5File(Hdf5File&&) noexcept;
+  Hdf5File& operator=(Hdf5File&&) noexcept;
+  ~Hdf5File();
+
+  void group(const std::string& path);
+
+  /// A dataset of `components` columns (1: a vector) whose rows are those of rank 0, then of rank 1, ...; each rank gives its own rows.
+  void write(const std::string& path, const std::vector<double>& values, int components = 1);
+  void write(const std::string& path, const std::vector<int>& values, int components = 1);
+  void write(const std::string& path, const std::vector<GlobalId>& values, int components = 1);
+  void write(const std::string& path, const std::vector<unsigned char>& values, int components = 1);
+  /// One text, the same on all ranks (variable length UTF-8).
+  void write(const std::string& path, const std::string& text);
+
+  /// Attributes of a group or dataset that exists.
+  void attribute(const std::string& path, const std::string& name, const std::string& text);
+  /// ASCII, fixed length: what VTKHDF wants for its Type.
+  void fixedAttribute(const std::string& path, const std::string& name, const std::string& text);
+  void attribute(const std::string& path, const std::string& name, const std::vector<GlobalId>& values);
+  void attribute(const std::string& path, const std::string& name, double value);
+
+  /// The whole dataset on every rank.
+  std::vector<double> readReals(const std::string& path) const;
+  std::vector<int> readInts(const std::string& path) const;
+  std::string readText(const std::string& path) const;
+  std::string readTextAttribute(const std::string& path, const std::string& name) const;
+  bool has(const std::string& path) const;
+  /// Names of the members of a group, sorted.
+  std::vector<std::string> members(const std::string& path) const;
+
+  /// Flushes and, for a file being written, renames it into place.
+  void close();
+
+ private:
+  struct Impl;
+  explicit Hdf5File(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace suture

@@ -1,0 +1,77 @@
+#pragma once
+#include <suture/base/Errors.hpp>
+#include <suture/base/Schema.hpp>
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+
+namespace suture {
+
+/// Open table of the strategies of one kind: name -> how to make it, and the schema of its own parameters. A user's shared library adds
+/// its own from a static object:
+///
+///     static const suture::Registration<suture::Weighting> mine("Mine", schema, [](const Parameters& p) { return ...; });
+///
+/// `Base::kind()` names the kind in messages ("weighting"). Our own strategies are added by `registerBuiltIns` of their package, which
+/// the table calls when it is first used, so that no linker drops them.
+template <typename Base>
+class Registry {
+ public:
+  /// The parameters are those of the strategy's own sublist.
+  using Maker = std::function<std::unique_ptr<Base>(const Parameters&)>;
+
+  static Registry& instance() {
+    static Registry registry;
+    static const bool filled = (registerBuiltIns(registry), true);
+    (void)filled;
+    return registry;
+  }
+
+  /// \throws InternalError  if the name is taken.
+  void add(const std::string& name, const Schema& schema, Maker maker) {
+    if (!entries_.emplace(name, Entry{schema, std::move(maker)}).second)
+      throw InternalError(std::string("two strategies of the kind '") + Base::kind() + "' are named '" + name + "'");
+  }
+
+  bool has(const std::string& name) const { return entries_.count(name) > 0; }
+
+  /// \throws InputError  for an unknown name, with the nearest and all known ones.
+  std::unique_ptr<Base> make(const std::string& name, const Parameters& own) const {
+    const auto found = entries_.find(name);
+    if (found == entries_.end()) throw InputError(Base::kind(), unknownName(Base::kind(), name, names()));
+    return found->second.maker(own);
+  }
+
+  std::vector<std::string> names() const {
+    std::vector<std::string> all;
+    for (const auto& entry : entries_) all.push_back(entry.first);
+    return all;
+  }
+
+  /// name -> schema, as Schema::choice takes it.
+  std::map<std::string, Schema> schemas() const {
+    std::map<std::string, Schema> all;
+    for (const auto& [name, entry] : entries_) all.emplace(name, entry.schema);
+    return all;
+  }
+
+ private:
+  struct Entry {
+    Schema schema;
+    Maker maker;
+  };
+  // Found by argument-dependent lookup in the package of Base: void registerBuiltIns(Registry<Base>&).
+  std::map<std::string, Entry> entries_;
+};
+
+/// Adds a strategy while the program or a plugin is loaded.
+template <typename Base>
+struct Registration {
+  Registration(const std::string& name, const Schema& schema, typename Registry<Base>::Maker maker) {
+    Registry<Base>::instance().add(name, schema, std::move(maker));
+  }
+};
+
+}  // namespace suture

@@ -1,0 +1,110 @@
+#pragma once
+#include <suture/base/Types.hpp>
+
+#include <limits>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace suture {
+
+/// The interval a number must lie in; an open end excludes its value.
+struct Range {
+  double low = -std::numeric_limits<double>::infinity();
+  double high = std::numeric_limits<double>::infinity();
+  bool lowOpen = false;
+  bool highOpen = false;
+  std::string note;  ///< appended to the error, e.g. "an incompressible body needs a mixed element"
+
+  static Range any() { return {}; }
+  static Range positive() { return {0.0, std::numeric_limits<double>::infinity(), true, false, {}}; }
+  static Range atLeast(double low) { return {low, std::numeric_limits<double>::infinity(), false, false, {}}; }
+  bool contains(double x) const { return (lowOpen ? x > low : x >= low) && (highOpen ? x < high : x <= high); }
+  std::string text() const;  ///< "> 0", "in [0, 0.5)"
+};
+
+/// One description of a parameter list: the strict reader, the documentation (suture_schema), the defaults and the messages all come
+/// from it. A class that takes parameters has `static Schema schema()`; a package composes those of its classes.
+///
+/// Built by chaining:  Schema("what this list is").real("Tolerance", 1e-8, "...", Range::positive()).list("Amesos2", ...);
+class Schema {
+ public:
+  enum class Kind { Integer, Real, Boolean, Text, Reals, Integers, Texts };
+  using Value = std::variant<long long, double, bool, std::string, std::vector<double>, std::vector<int>, std::vector<std::string>>;
+
+  struct Parameter {
+    std::string name;
+    Kind kind = Kind::Text;
+    std::optional<Value> fallback;  ///< the default; without one the parameter is required (or optional, below)
+    bool optional = false;          ///< may be absent and then has no value
+    std::string doc;
+    std::string unit;                  ///< "length", "stress", "" for none
+    Range range;                       ///< of numbers, and of each entry of Reals / Integers
+    std::vector<std::string> allowed;  ///< of Text: the names it may have; empty means any
+    std::vector<std::string> allowedDocs;
+    std::vector<std::string> words;  ///< Text that may also be a number in `range` ("None | Automatic | value"): the words
+    bool numberToo = false;
+  };
+
+  explicit Schema(std::string doc = "") : doc_(std::move(doc)) {}
+
+  Schema& integer(const std::string& name, std::optional<int> fallback, const std::string& doc, Range range = Range::any());
+  Schema& real(const std::string& name, std::optional<double> fallback, const std::string& doc, Range range = Range::any(),
+               const std::string& unit = "");
+  Schema& boolean(const std::string& name, std::optional<bool> fallback, const std::string& doc);
+  Schema& text(const std::string& name, std::optional<std::string> fallback, const std::string& doc);
+  Schema& oneOf(const std::string& name, std::optional<std::string> fallback, const std::vector<std::string>& allowed,
+                const std::string& doc);
+  /// One of `words`, or a number in `range`; stored as text.
+  Schema& wordOrNumber(const std::string& name, const std::string& fallback, const std::vector<std::string>& words, Range range,
+                       const std::string& doc);
+  Schema& reals(const std::string& name, std::optional<std::vector<double>> fallback, const std::string& doc, const std::string& unit = "",
+                Range range = Range::any());
+  Schema& texts(const std::string& name, std::optional<std::vector<std::string>> fallback, const std::string& doc);
+  /// The parameter added last may be absent (has no default, is not required).
+  Schema& optional();
+
+  /// A sublist with a fixed name. A required one must be present in the scene; the others are filled with defaults.
+  Schema& list(const std::string& name, Schema schema, bool required = false);
+  /// Sublists that the user names, all of the same form ("Bodies/<name>"); `least` of them must be there.
+  Schema& each(const std::string& placeholder, Schema schema, int least = 0);
+  /// Parameters that the user names, all real ("Mesh/Constants/<name>").
+  Schema& eachReal(const std::string& placeholder, const std::string& doc);
+
+  /// `Type` plus a sublist of the same name with that choice's own parameters. Sublists of choices not taken are checked, too.
+  /// \param names  choice -> its schema (documentation in its doc)
+  Schema& choice(const std::string& parameter, const std::string& fallback, const std::map<std::string, Schema>& names,
+                 const std::string& doc);
+
+  const std::string& doc() const { return doc_; }
+  const std::vector<Parameter>& parameters() const { return parameters_; }
+  const std::vector<std::pair<std::string, Schema>>& lists() const { return lists_; }
+  bool requiredList(const std::string& name) const;
+  const Schema* userLists() const { return userLists_.get(); }
+  const std::string& userListPlaceholder() const { return userListPlaceholder_; }
+  int leastUserLists() const { return leastUserLists_; }
+  bool userReals() const { return !userRealPlaceholder_.empty(); }
+  const std::string& userRealPlaceholder() const { return userRealPlaceholder_; }
+  const std::string& userRealDoc() const { return userRealDoc_; }
+  /// Parameter or null.
+  const Parameter* find(const std::string& name) const;
+  const Schema* findList(const std::string& name) const;
+
+  /// The whole schema, documented. `format`: "text", "xml" (a scene with all defaults), "markdown".
+  std::string document(const std::string& format) const;
+
+ private:
+  std::string doc_;
+  std::vector<Parameter> parameters_;
+  std::vector<std::pair<std::string, Schema>> lists_;
+  std::vector<std::string> requiredLists_;
+  std::shared_ptr<const Schema> userLists_;
+  std::string userListPlaceholder_;
+  int leastUserLists_ = 0;
+  std::string userRealPlaceholder_, userRealDoc_;
+};
+
+}  // namespace suture

@@ -1,0 +1,53 @@
+#pragma once
+#include <suture/base/Types.hpp>
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace suture {
+
+/// Wall time of the named phases of a run, in the order in which they first began. One object a run, handed down; no global state.
+class Timers {
+ public:
+  /// Adds the time between construction and destruction to a phase; phases do not nest.
+  class Scope {
+   public:
+    Scope(Timers& timers, const std::string& phase);
+    ~Scope();
+    Scope(const Scope&) = delete;
+    Scope& operator=(const Scope&) = delete;
+
+   private:
+    Timers& timers_;
+    std::string phase_;
+    double begin_;
+  };
+
+  struct Statistics {
+    std::string phase;
+    double min, avg, max;  ///< seconds over ranks
+  };
+
+  void add(const std::string& phase, double seconds);
+  double seconds(const std::string& phase) const;
+  /// Seconds since the object was made.
+  double total() const;
+  Timers();
+
+  /// Over all ranks; every rank must know the same phases (a rank that never entered one counts 0). Collective.
+  std::vector<Statistics> statistics(const Comm& comm) const;
+
+  /// Seconds of a monotonic clock.
+  static double now();
+
+ private:
+  double begin_;
+  std::vector<std::string> order_;
+  std::map<std::string, double> seconds_;
+};
+
+/// Resident memory's high water mark of this process [MB].
+double peakMemoryMb();
+
+}  // namespace suture

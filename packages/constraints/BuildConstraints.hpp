@@ -1,0 +1,26 @@
+#pragma once
+#include <suture/base/Schema.hpp>
+#include <suture/constraints/Constraints.hpp>
+#include <suture/mesh/Mesh.hpp>
+
+namespace suture {
+
+/// Schemas of the scene's lists `Boundary Conditions` (one condition, all types, loads included) and `Contact` (one line).
+Schema boundaryConditionSchema();
+Schema contactSchema();
+
+/// Turns the scene's boundary conditions and contact lines into nodal rules, pairs and pieces. Local (rank 0).
+///
+/// Nodal rules: each condition gives rows (direction, value) at its nodes: Displacement a row a prescribed component, Bilateral the row
+/// (averaged outward normal, 0). At a node where several meet, equal directions with equal values pass; a second independent direction
+/// fixes the node; contradictory ones are an error. A contact node without prescribed component gets the axes (normal, tangent) of
+/// its pair if it is in exactly one; with a prescribed component its rule stays as it is (the contact row is then scaled, not rotated).
+///
+/// \param conditions  the scene's list `Boundary Conditions`;  \param contact  the scene's list `Contact`
+/// \throws InputError  all of: unknown group (nearest, known); a group used in contradictory roles (contact side and displacement on the
+///                     whole of it, both sides of one contact the same group or the same body, a side in two contacts); sides that do
+///                     not match (how many nodes on each, how many without partner, how far); a side that is not on the boundary;
+///                     contradictory prescribed values (place, the two conditions).
+Constraints buildConstraints(const Mesh& mesh, const Parameters& conditions, const Parameters& contact);
+
+}  // namespace suture

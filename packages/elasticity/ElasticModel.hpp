@@ -1,0 +1,72 @@
+#pragma once
+#include <suture/base/Schema.hpp>
+#include <suture/mesh/CellBlock.hpp>
+
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace suture {
+
+/// Isotropic linear elastic material. Young modulus [stress], Poisson ratio [-].
+struct Material {
+  std::string name;
+  double young = 0.0;
+  double poisson = 0.0;
+};
+
+enum class PlaneModel { Strain, Stress };
+
+/// A load of the scene: on a named side group, or on the volume of a body.
+struct Load {
+  enum class Kind { Traction, Pressure, BodyForce };
+  Kind kind = Kind::Traction;
+  std::string group;     ///< side group, or the body's name for BodyForce ("" : all bodies)
+  Point value{0, 0, 0};  ///< traction [stress], body force [force / volume]; Pressure: value[0], > 0 pushes into the body
+};
+
+/// Materials of the bodies, the plane model and the loads: what the scene says about physics. The same on all ranks.
+struct ElasticModel {
+  PlaneModel plane = PlaneModel::Strain;
+  std::vector<std::string> bodies;  ///< as in the scene's list `Bodies`
+  std::vector<Material> materialOfBody;
+  std::vector<Load> loads;
+};
+
+/// Schemas of `Model` (added to the scene's top list), one entry of `Bodies`, one of `Materials`.
+void addModelParameters(Schema& scene);
+Schema bodySchema();
+Schema materialSchema();
+
+/// Local, the same on all ranks. \param scene  the whole resolved scene (Model, Bodies, Materials, Boundary Conditions).
+/// \throws InputError  unknown material of a body (nearest name), a body force on an unknown body.
+ElasticModel makeElasticModel(const Parameters& scene);
+
+/// Stress-strain matrix in Voigt order (xx, yy, xy; engineering shear). 3 x 3 in 2D.
+Matrix elasticity(const Material& material, PlaneModel plane, int dimension);
+
+/// Calls `take(element, K)` with the stiffness matrix of every element, in Cartesian components, node-major: dof dimension * node + k.
+/// Through Intrepid2's bases and cubature, exact for affine cells; any Cell. [force / length, per unit thickness in 2D]. Local.
+void elementStiffnesses(const CellBlock& block, const Material& material, PlaneModel plane,
+                        const std::function<void(int element, ConstLocalView stiffness)>& take);
+/// The same with a material for each element (the whole mesh).
+void elementStiffnesses(const CellBlock& block, const std::function<const Material&(int element)>& materialOf, PlaneModel plane,
+                        const std::function<void(int element, ConstLocalView stiffness)>& take);
+
+/// Nodal forces (nodes x dimension, node-major, Cartesian) of a traction vector or pressure on sides, and of a body force on elements.
+/// Consistent: integrals against the shape functions. Added to `forces`. Local.
+void addSideLoad(const CellBlock& block, const std::vector<Side>& sides, const Load& load, Vector& forces);
+void addBodyForce(const CellBlock& block, const std::vector<int>& elements, const Load& load, Vector& forces);
+
+/// Stresses at element centroids: elements x 4 (xx, yy, zz, xy) in 2D, tension positive. `displacement`: node-major, Cartesian. Local.
+Matrix elementStresses(const CellBlock& block, const std::function<const Material&(int element)>& materialOf, PlaneModel plane,
+                       const Vector& displacement);
+
+/// Rows of in-plane principal stresses and their directions, from rows of `elementStresses`: (s1 >= s2, angle of the first axis [rad]).
+Matrix principalStresses(const Matrix& stresses);
+
+/// von Mises stress of each row.
+Vector vonMises(const Matrix& stresses);
+
+}  // namespace suture

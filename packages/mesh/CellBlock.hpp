@@ -1,0 +1,38 @@
+#pragma once
+#include <suture/base/Types.hpp>
+#include <suture/mesh/Cell.hpp>
+
+#include <vector>
+
+namespace suture {
+
+/// A side of an element.
+struct Side {
+  int element;
+  int side;  ///< number in cellInfo(...).sideNodes
+};
+
+/// Elements and their nodes, numbered from 0: what assembly needs to know of a mesh. The whole mesh and the mesh of a subdomain are both
+/// made of one, so that elasticity serves both.
+struct CellBlock {
+  int dimension = 2;
+  std::vector<double> coordinates;  ///< nodes x dimension [length]
+  std::vector<Cell> cells;          ///< shape of each element
+  std::vector<int> offsets{0};      ///< elements + 1
+  std::vector<int> connectivity;    ///< nodes of element e: connectivity[offsets[e] .. offsets[e+1])
+
+  int nodes() const { return static_cast<int>(coordinates.size()) / dimension; }
+  int elements() const { return static_cast<int>(cells.size()); }
+  Span<const int> nodesOf(int element) const {
+    return {connectivity.data() + offsets[element], std::size_t(offsets[element + 1] - offsets[element])};
+  }
+  Point point(int node) const {
+    Point p{0, 0, 0};
+    for (int k = 0; k < dimension; ++k) p[k] = coordinates[std::size_t(node) * dimension + k];
+    return p;
+  }
+  /// Nodes of a side, end points first, so that the body lies on the left of the way from the first to the second.
+  std::vector<int> nodesOf(const Side& side) const;
+};
+
+}  // namespace suture

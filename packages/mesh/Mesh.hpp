@@ -1,0 +1,31 @@
+#pragma once
+#include <suture/mesh/CellBlock.hpp>
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace suture {
+
+/// The mesh of a scene: bodies that share no node, and named groups of elements and of boundary sides. It lives on rank 0 (empty
+/// elsewhere) until it is cut and distributed.
+struct Mesh : CellBlock {
+  std::string source;                                     ///< file, for messages
+  std::map<std::string, std::vector<int>> elementGroups;  ///< "surface groups": bodies, named subdomains
+  std::map<std::string, std::vector<Side>> sideGroups;    ///< "curve groups": boundary conditions, contact sides
+  std::vector<std::string> bodies;                        ///< names, in the order of the scene; see assignBodies()
+  std::vector<int> bodyOfElement;
+  std::vector<int> bodyOfNode;
+
+  std::vector<std::string> elementGroupNames() const;
+  std::vector<std::string> sideGroupNames() const;
+  /// Hexadecimal hash of coordinates, elements and groups, for provenance.
+  std::string hash() const;
+};
+
+/// Gives every element its body: `names` are element groups. Then checks the mesh as a whole.
+/// \throws InputError  all of: a body that is no group (nearest name, known groups); an element in two bodies or in none; two bodies that
+///                     share a node; orphan nodes; inverted or zero-area elements (names place and area).  Local (rank 0).
+void assignBodies(Mesh& mesh, const std::vector<std::string>& names);
+
+}  // namespace suture

@@ -1,0 +1,39 @@
+#pragma once
+#include <suture/base/Schema.hpp>
+#include <suture/constraints/Constraints.hpp>
+#include <suture/mesh/Mesh.hpp>
+
+#include <string>
+#include <vector>
+
+namespace suture {
+
+/// Who owns which element, which subdomains make a contact group, and which rank they live on. On all ranks but for subdomainOfElement,
+/// which only rank 0 has.
+struct Partition {
+  std::vector<int> subdomainOfElement;     ///< rank 0 only
+  std::vector<std::string> names;          ///< of the subdomains: group name, or "<body> <number>"
+  std::vector<int> bodyOf;                 ///< subdomain -> body
+  std::vector<int> elementsOf;             ///< subdomain -> number of elements
+  std::vector<int> groupOf;                ///< subdomain -> contact group, or -1
+  std::vector<std::vector<int>> groups;    ///< contact group -> its subdomains, ascending
+  std::vector<std::vector<int>> piecesOf;  ///< contact group -> its contact pieces
+  std::vector<int> rankOf;                 ///< subdomain -> rank; the subdomains of a group share one
+  int subdomains() const { return static_cast<int>(names.size()); }
+};
+
+/// The scene's list `Partition`.
+Schema partitionSchema();
+
+/// Cuts the mesh: METIS, each body on its own in proportion to its elements (at least one subdomain a body), connected through sides,
+/// fixed seed; or the element groups that match a pattern, each inside one body. Then finds contact groups (all subdomains that touch a
+/// piece; pieces that share a subdomain make one group) and places subdomains on ranks (groups whole, loads balanced by elements). The
+/// same result for the same mesh on any number of ranks, but for rankOf. Collective.
+///
+/// \param keepGroupsWhole  false for the formulation Contact On The Interface, which needs no group on one rank
+/// \throws InputError  unknown pattern (known groups), an element in two subdomains or in none, a named subdomain in two bodies or not
+///                     connected, more subdomains than elements, fewer subdomains than bodies.
+Partition makePartition(const Comm& comm, const Mesh& mesh, const Constraints& constraints, const Parameters& partition,
+                        bool keepGroupsWhole = true);
+
+}  // namespace suture

@@ -1,0 +1,42 @@
+#pragma once
+#include <suture/base/Types.hpp>
+#include <suture/constraints/Constraints.hpp>
+#include <suture/mesh/CellBlock.hpp>
+#include <suture/mesh/Mesh.hpp>
+#include <suture/partition/Partition.hpp>
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace suture {
+
+/// All that a rank knows of one of its subdomains: elements, loaded sides, constraints, contact pairs and neighbours, in local numbers.
+struct SubdomainMesh : CellBlock {
+  int id = -1;
+  int body = -1;
+  int group = -1;  ///< contact group, or -1
+  std::string name;
+  std::vector<GlobalId> globalNodes;                    ///< local -> node of the mesh, ascending
+  std::vector<GlobalId> globalElements;                 ///< local -> element of the mesh, ascending
+  std::map<std::string, std::vector<Side>> sideGroups;  ///< the mesh's side groups as far as they lie here
+  std::vector<NodeRule> rules;                          ///< node: local
+  std::vector<int> sharedOffsets{0}, sharedWith;        ///< nodes + 1; of each local node the other subdomains of its body that hold it
+
+  /// A contact pair one of whose nodes is here (both, never: the sides are of two bodies).
+  struct ContactEnd {
+    ContactPair pair;  ///< nodeA / nodeB: numbers of the mesh
+    int node;          ///< local
+    int side;          ///< +1: A, -1: B
+  };
+  std::vector<ContactEnd> contactEnds;
+
+  Span<const int> others(int node) const {
+    return {sharedWith.data() + sharedOffsets[node], std::size_t(sharedOffsets[node + 1] - sharedOffsets[node])};
+  }
+};
+
+/// Sends every subdomain to its rank. Collective. The result is in ascending order of ids.
+std::vector<SubdomainMesh> distribute(const Comm& comm, const Mesh& mesh, const Constraints& constraints, const Partition& partition);
+
+}  // namespace suture
