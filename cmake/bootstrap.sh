@@ -1,0 +1,88 @@
+#!/bin/sh
+# Everything from a bare Debian 12 to a result, in one command, from any folder and without a terminal:
+#   sh cmake/bootstrap.sh run     install what is missing, build, solve the tunnel scene on two ranks and draw it
+#   sh cmake/bootstrap.sh build   install what is missing and build into build/
+#   sh cmake/bootstrap.sh test    build and run all tests but those labelled long
+# The environment may set BUILD (another build folder) and JOBS (parallel compilations).
+set -eu
+
+usage() {
+  echo "usage: sh cmake/bootstrap.sh run | build | test" >&2
+  exit 2
+}
+[ $# -eq 1 ] || usage
+case $1 in run | build | test) ;; *) usage ;; esac
+
+root=$(CDPATH='' cd -- "$(dirname -- "$0")/.." && pwd)
+cd "$root"
+build=${BUILD:-build}
+
+# Names of Debian 12. Trilinos' CMake configuration wants the components it was built with, and the libraries that they link.
+packages="g++ cmake ninja-build ccache git pkg-config openmpi-bin libopenmpi-dev
+  libtrilinos-tpetra-dev libtrilinos-belos-dev libtrilinos-amesos2-dev libtrilinos-teuchos-dev libtrilinos-kokkos-dev
+  libtrilinos-kokkos-kernels-dev libtrilinos-trilinosss-dev libtrilinos-epetra-dev libtrilinos-epetraext-dev libtrilinos-triutils-dev
+  libtrilinos-aztecoo-dev libtrilinos-xpetra-dev libtrilinos-thyra-dev libtrilinos-rtop-dev libtrilinos-shylu-dev
+  libtrilinos-intrepid2-dev libtrilinos-shards-dev libtrilinos-sacado-dev libptscotch-dev libmumps-dev
+  libmetis-dev libsuitesparse-dev libeigen3-dev libhdf5-openmpi-dev libgmsh-dev libopenblas-dev libcli11-dev nlohmann-json3-dev
+  python3 python3-numpy python3-h5py python3-matplotlib python3-vtk9"
+
+asRoot() {
+  if [ "$(id -u)" -eq 0 ]; then
+    "$@"
+  elif command -v sudo >/dev/null 2>&1; then
+    sudo "$@"
+  else
+    echo "bootstrap: neither root nor sudo; as root, run: apt-get install --no-install-recommends$missing" >&2
+    exit 5
+  fi
+}
+
+install() { asRoot env DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends "$@" </dev/null; }
+
+# A distribution without dpkg gets no packages from here; configuring tells what it lacks.
+installMissing() {
+  command -v dpkg-query >/dev/null 2>&1 || return 0
+  # shellcheck disable=SC2086  # a list of words
+  have=$(dpkg-query -W -f '${Package}=${db:Status-Status}\n' $packages 2>/dev/null || true)
+  missing=
+  for package in $packages; do
+    printf '%s\n' "$have" | grep -qxF "$package=installed" || missing="$missing $package"
+  done
+  [ -n "$missing" ] || return 0
+  echo "bootstrap: installing$missing"
+  # The lists may be missing or older than the archive: they are fetched only when they are absent or the installation fails with them.
+  # shellcheck disable=SC2086
+  if ! apt-cache show libtrilinos-tpetra-dev >/dev/null 2>&1 || ! install $missing; then
+    asRoot apt-get update -q </dev/null
+    # shellcheck disable=SC2086
+    install $missing
+  fi
+}
+
+configureAndBuild() {
+  # Through cmake, not ninja, so that a build folder made with another generator serves as well.
+  if [ ! -f "$build/CMakeCache.txt" ]; then
+    cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release </dev/null
+  fi
+  cmake --build "$build" --parallel "${JOBS:-$(nproc)}" </dev/null
+}
+
+export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 # a container has no other user
+export OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1                  # the ranks are the parallelism
+
+installMissing
+configureAndBuild
+case $1 in
+  run)
+    out=$build/tunnel_out
+    mpirun --oversubscribe -np 2 "$build/drivers/suture_solve" input/tunnel/tunnel.xml --output "$out" </dev/null
+    "$build/drivers/suture_plot" "$out" </dev/null
+    case $out in /*) ;; *) out=$root/$out ;; esac
+    echo
+    echo "The pictures of the run:"
+    ls "$out"/*.png
+    ;;
+  test)
+    ctest --test-dir "$build" --output-on-failure -LE long </dev/null
+    ;;
+esac
