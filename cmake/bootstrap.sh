@@ -60,8 +60,10 @@ installMissing() {
 }
 
 configureAndBuild() {
-  # Through cmake, not ninja, so that a build folder made with another generator serves as well.
-  if [ ! -f "$build/CMakeCache.txt" ]; then
+  # A build folder that exists keeps its generator and its options.
+  if [ -f "$build/CMakeCache.txt" ]; then
+    cmake -S . -B "$build" </dev/null
+  else
     cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release </dev/null
   fi
   cmake --build "$build" --parallel "${JOBS:-$(nproc)}" </dev/null

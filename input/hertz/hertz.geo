@@ -1,0 +1,67 @@
+// Elastic cylinder on an elastic plane (Hertz), the right half of it: x = 0 is a plane of symmetry. Lengths in units of the scene.
+//
+//      cylinder_top                The lower right quarter of a disc of radius R about (0, R), and a block of Lx x Ly below y = 0.
+//      +-----------+               The disc touches the block in the origin.
+//      |          /
+//      | cylinder |                Contact sides: x = 0 .. reach * a, with nodes at the same x = 0, h, 2 h, ... on both, so that
+//      |         /                 every node of the arc stands exactly above one of the plane; h = a / resolution, a the half
+//      |       _/                  width that Hertz' theory gives. Away from the contact the elements grow linearly with the
+//      |____,-'  cylinder_contact  distance.
+//      +--------------------+
+//      |     block_contact  |      Sides at x = 0: cylinder_axis, block_axis.
+//      |  block             |
+//      |                    |
+//      +--------------------+ block_bottom
+DefineConstant[ R = {8}, Lx = {32}, Ly = {32}, a = {0.96277}, resolution = {16}, reach = {1.25}, growth = {0.12}, hmax = {2} ];
+h = a / resolution;
+n = Round(reach * resolution);  // elements along the contact sides
+xe = n * h;
+
+// The cylinder: its contact side first, node by node.
+axis = newp; Point(axis) = {0, R, 0};
+c0 = newp;
+For i In {0:n}
+  Point(c0 + i) = {i*h, R - Sqrt(R*R - i*h*i*h), 0};
+EndFor
+crest = newp; Point(crest) = {R, R, 0};
+ca = newl;
+For i In {1:n}
+  Circle(ca + i - 1) = {c0 + i - 1, axis, c0 + i};
+EndFor
+cb = newl; Circle(cb) = {c0 + n, axis, crest};
+cc = newl; Line(cc) = {crest, axis};
+cd = newl; Line(cd) = {axis, c0};
+Curve Loop(1) = {ca:ca+n-1, cb, cc, cd};
+Plane Surface(1) = {1};
+
+// The block.
+b0 = newp;
+For i In {0:n}
+  Point(b0 + i) = {i*h, 0, 0};
+EndFor
+b1 = newp; Point(b1) = {Lx, 0, 0}; Point(b1 + 1) = {Lx, -Ly, 0}; Point(b1 + 2) = {0, -Ly, 0};
+ba = newl;
+For i In {1:n}
+  Line(ba + i - 1) = {b0 + i - 1, b0 + i};
+EndFor
+bb = newl; Line(bb) = {b0 + n, b1};
+bc = newl; Line(bc) = {b1, b1 + 1};
+bd = newl; Line(bd) = {b1 + 1, b1 + 2};
+be = newl; Line(be) = {b1 + 2, b0};
+Curve Loop(2) = {ba:ba+n-1, bb, bc, bd, be};
+Plane Surface(2) = {2};
+
+Transfinite Curve{ca:ca+n-1, ba:ba+n-1} = 2;  // one element each
+Field[1] = MathEval;
+Field[1].F = Sprintf("Min(%g,%g+%g*Max(0,Sqrt(x*x+y*y)-%g))", hmax, h, growth, 1.2*xe);
+Background Field = 1;
+Mesh.MeshSizeExtendFromBoundary = 0; Mesh.MeshSizeFromPoints = 0; Mesh.Algorithm = 6;
+
+Physical Surface("cylinder") = {1};
+Physical Surface("block") = {2};
+Physical Curve("cylinder_contact") = {ca:ca+n-1};
+Physical Curve("cylinder_top") = {cc};
+Physical Curve("cylinder_axis") = {cd};
+Physical Curve("block_contact") = {ba:ba+n-1};
+Physical Curve("block_bottom") = {bd};
+Physical Curve("block_axis") = {be};
