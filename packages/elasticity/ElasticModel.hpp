@@ -40,17 +40,21 @@ Schema bodySchema();
 Schema materialSchema();
 
 /// Local, the same on all ranks. \param scene  the whole resolved scene (Model, Bodies, Materials, Boundary Conditions).
-/// \throws InputError  unknown material of a body (nearest name), a body force on an unknown body.
+/// Loads are the boundary conditions of type Traction, Pressure (on `Group`) and Body Force (on `Body`, all bodies without it).
+/// \throws InputError  all of: unknown material of a body (nearest name), a body force on an unknown body, a load's `Value` of the wrong
+///                     length.
 ElasticModel makeElasticModel(const Parameters& scene);
 
-/// Stress-strain matrix in Voigt order (xx, yy, xy; engineering shear). 3 x 3 in 2D.
+/// Stress-strain matrix in Voigt order with engineering shear: 3 x 3 (xx, yy, xy) in 2D; 6 x 6, normals first, in 3D, where `plane` means
+/// nothing. [stress]
 Matrix elasticity(const Material& material, PlaneModel plane, int dimension);
 
 /// Calls `take(element, K)` with the stiffness matrix of every element, in Cartesian components, node-major: dof dimension * node + k.
 /// Through Intrepid2's bases and cubature, exact for affine cells; any Cell. [force / length, per unit thickness in 2D]. Local.
+/// K is exactly symmetric and valid during the call only. \throws InputError  for an inverted or folded element.
 void elementStiffnesses(const CellBlock& block, const Material& material, PlaneModel plane,
                         const std::function<void(int element, ConstLocalView stiffness)>& take);
-/// The same with a material for each element (the whole mesh).
+/// The same with a material for each element (the whole mesh). A lambda must say `-> const Material&`; what it refers to outlives the call.
 void elementStiffnesses(const CellBlock& block, const std::function<const Material&(int element)>& materialOf, PlaneModel plane,
                         const std::function<void(int element, ConstLocalView stiffness)>& take);
 
@@ -63,10 +67,11 @@ void addBodyForce(const CellBlock& block, const std::vector<int>& elements, cons
 Matrix elementStresses(const CellBlock& block, const std::function<const Material&(int element)>& materialOf, PlaneModel plane,
                        const Vector& displacement);
 
-/// Rows of in-plane principal stresses and their directions, from rows of `elementStresses`: (s1 >= s2, angle of the first axis [rad]).
+/// Rows of in-plane principal stresses and their directions, from rows of `elementStresses`: (s1 >= s2, angle of the first axis [rad],
+/// in (-pi/2, pi/2] from the x axis, counter-clockwise).
 Matrix principalStresses(const Matrix& stresses);
 
-/// von Mises stress of each row.
+/// von Mises stress of each row of `elementStresses`, the stress across the plane included.
 Vector vonMises(const Matrix& stresses);
 
 }  // namespace suture

@@ -1,0 +1,114 @@
+#include <Teuchos_Array.hpp>
+#include <Teuchos_ParameterList.hpp>
+#include <algorithm>
+#include <suture/base/Errors.hpp>
+#include <suture/base/SceneReader.hpp>
+#include <suture/elasticity/ElasticModel.hpp>
+
+namespace suture {
+
+void addModelParameters(Schema& scene) {
+  scene.oneOf("Model", "Plane Strain", {"Plane Strain", "Plane Stress"},
+              "How the third dimension is treated: no strain across the plane (long bodies), or no stress across it (thin sheets).");
+}
+
+Schema bodySchema() {
+  return Schema("A body: named like its surface group in the mesh.")
+      .text("Material", std::nullopt, "Name of its entry in the list Materials.");
+}
+
+Schema materialSchema() {
+  Range poisson;
+  poisson.low = -1.0;
+  poisson.high = 0.5;
+  poisson.lowOpen = poisson.highOpen = true;
+  poisson.note = "an incompressible body needs a mixed element: Bodies/<name>/Element";
+  return Schema("A material, named by the user.")
+      .oneOf("Type", "Isotropic", {"Isotropic"}, "The law: isotropic linear elasticity.")
+      .real("Young Modulus", std::nullopt, "Stress over strain in a bar pulled along its axis.", Range::positive(), "stress")
+      .real("Poisson Ratio", std::nullopt, "Contraction across over extension along a bar.", poisson);
+}
+
+Matrix elasticity(const Material& material, PlaneModel plane, int dimension) {
+  const double young = material.young, nu = material.poisson;
+  const double shear = young / (2.0 * (1.0 + nu));
+  // Plane stress: the Lame constant that remains after the stress across has been eliminated.
+  const bool sheet = dimension == 2 && plane == PlaneModel::Stress;
+  const double lambda = sheet ? young * nu / (1.0 - nu * nu) : young * nu / ((1.0 + nu) * (1.0 - 2.0 * nu));
+  const int normals = dimension, voigt = dimension == 2 ? 3 : 6;
+  Matrix d = Matrix::Zero(voigt, voigt);
+  d.topLeftCorner(normals, normals).setConstant(lambda);
+  d.diagonal().head(normals).array() += 2.0 * shear;
+  d.diagonal().tail(voigt - normals).setConstant(shear);
+  return d;
+}
+
+namespace {
+
+Load::Kind kindOf(const std::string& type) {
+  if (type == "Traction") return Load::Kind::Traction;
+  if (type == "Pressure") return Load::Kind::Pressure;
+  return Load::Kind::BodyForce;
+}
+
+bool isLoad(const std::string& type) { return type == "Traction" || type == "Pressure" || type == "Body Force"; }
+
+std::string textOf(const Parameters& list, const std::string& name) {
+  return list.isType<std::string>(name) ? list.get<std::string>(name) : std::string();
+}
+
+Load loadOf(const Parameters& condition, const std::vector<std::string>& bodies, Problems& problems) {
+  Load load;
+  const std::string type = textOf(condition, "Type");
+  load.kind = kindOf(type);
+  load.group = textOf(condition, load.kind == Load::Kind::BodyForce ? "Body" : "Group");
+  if (load.kind == Load::Kind::BodyForce && !load.group.empty() && std::find(bodies.begin(), bodies.end(), load.group) == bodies.end())
+    problems.add(pathOf(condition, "Body"), unknownName("body", load.group, bodies));
+
+  std::vector<double> value;
+  if (condition.isType<Teuchos::Array<double>>("Value")) value = condition.get<Teuchos::Array<double>>("Value").toVector();
+  const std::size_t expected = load.kind == Load::Kind::Pressure ? 1 : 2;
+  if (value.size() != expected)
+    problems.add(pathOf(condition, "Value"), "found " + std::to_string(value.size()) + " numbers, but a condition of type " + type +
+                                                 " needs " +
+                                                 (expected == 1 ? "one: the pressure, positive when it pushes into the body"
+                                                                : "two: the components along x and y, as {0.0, -1.0}"));
+  else
+    std::copy(value.begin(), value.end(), load.value.begin());
+  return load;
+}
+
+}  // namespace
+
+ElasticModel makeElasticModel(const Parameters& scene) {
+  ElasticModel model;
+  Problems problems;
+  model.plane = textOf(scene, "Model") == "Plane Stress" ? PlaneModel::Stress : PlaneModel::Strain;
+
+  const Parameters& bodies = scene.sublist("Bodies");
+  const Parameters& materials = scene.sublist("Materials");
+  const std::vector<std::string> known = sublistNames(materials);
+  model.bodies = sublistNames(bodies);
+  for (const std::string& body : model.bodies) {
+    Material material;
+    material.name = bodies.sublist(body).get<std::string>("Material");
+    if (std::find(known.begin(), known.end(), material.name) == known.end()) {
+      problems.add(pathOf(bodies.sublist(body), "Material"), unknownName("material", material.name, known));
+    } else {
+      const Parameters& own = materials.sublist(material.name);
+      material.young = own.get<double>("Young Modulus");
+      material.poisson = own.get<double>("Poisson Ratio");
+    }
+    model.materialOfBody.push_back(material);
+  }
+
+  if (scene.isSublist("Boundary Conditions")) {
+    const Parameters& conditions = scene.sublist("Boundary Conditions");
+    for (const std::string& name : sublistNames(conditions))
+      if (isLoad(textOf(conditions.sublist(name), "Type"))) model.loads.push_back(loadOf(conditions.sublist(name), model.bodies, problems));
+  }
+  problems.throwIfAny();
+  return model;
+}
+
+}  // namespace suture

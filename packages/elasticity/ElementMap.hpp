@@ -1,0 +1,58 @@
+#pragma once
+#include <suture/elasticity/ReferenceElement.hpp>
+#include <suture/mesh/CellBlock.hpp>
+
+namespace suture {
+
+/// The map from the reference element to an element of the mesh, at the points of a rule. On the stack: the inner loops of assembly
+/// allocate nothing. Two-dimensional cells.
+class ElementMap {
+ public:
+  ElementMap(const CellBlock& block, int element, const ReferenceElement& reference);
+
+  /// Moves to a quadrature point. \throws InputError  when the element is folded there (a curved element of a bad mesh); names the place.
+  void at(int point);
+
+  /// Weight of the point times the determinant of the map [area].
+  double measure() const { return measure_; }
+  /// Gradient of shape function `a` in the mesh's coordinates [1 / length].
+  const double* gradient(int a) const { return gradients_[a]; }
+
+ private:
+  void failFolded(double determinant) const;
+
+  const CellBlock& block_;
+  int element_;
+  const ReferenceElement& reference_;
+  double x_[ReferenceElement::maxNodes][2];
+  double gradients_[ReferenceElement::maxNodes][2];
+  double measure_ = 0.0;
+};
+
+inline ElementMap::ElementMap(const CellBlock& block, int element, const ReferenceElement& reference)
+    : block_(block), element_(element), reference_(reference) {
+  const int* nodes = block.connectivity.data() + block.offsets[element];
+  for (int a = 0; a < reference.nodes; ++a)
+    for (int k = 0; k < 2; ++k) x_[a][k] = block.coordinates[std::size_t(nodes[a]) * 2 + k];
+}
+
+inline void ElementMap::at(int point) {
+  const double* g = reference_.gradientsAt(point);
+  double xu = 0, xv = 0, yu = 0, yv = 0;  // d(x, y) / d(reference coordinates u, v)
+  for (int a = 0; a < reference_.nodes; ++a) {
+    xu += x_[a][0] * g[2 * a];
+    xv += x_[a][0] * g[2 * a + 1];
+    yu += x_[a][1] * g[2 * a];
+    yv += x_[a][1] * g[2 * a + 1];
+  }
+  const double determinant = xu * yv - xv * yu;
+  if (!(determinant > 0.0)) failFolded(determinant);
+  const double inverse = 1.0 / determinant;
+  for (int a = 0; a < reference_.nodes; ++a) {
+    gradients_[a][0] = (yv * g[2 * a] - yu * g[2 * a + 1]) * inverse;
+    gradients_[a][1] = (xu * g[2 * a + 1] - xv * g[2 * a]) * inverse;
+  }
+  measure_ = determinant * reference_.weights[point];
+}
+
+}  // namespace suture

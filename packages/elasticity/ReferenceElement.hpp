@@ -1,0 +1,38 @@
+#pragma once
+#include <suture/mesh/Cell.hpp>
+
+#include <vector>
+
+namespace suture {
+
+/// Shape functions of a reference element, tabulated at the points of a quadrature rule. Made once a shape by Intrepid2's bases and
+/// cubature; loops over elements need nothing else of it.
+struct ReferenceElement {
+  static constexpr int maxNodes = 9;  ///< of all cells: a bound for arrays on the stack
+
+  int nodes = 0;
+  int points = 0;
+  int dimension = 2;
+  std::vector<double> weights;    ///< points
+  std::vector<double> values;     ///< points x nodes
+  std::vector<double> gradients;  ///< points x nodes x dimension, with respect to reference coordinates
+
+  const double* valuesAt(int point) const { return values.data() + std::size_t(point) * nodes; }
+  const double* gradientsAt(int point) const { return gradients.data() + std::size_t(point) * nodes * dimension; }
+};
+
+/// What a rule is for. All are exact on affine cells with constant data.
+enum class Rule : int {
+  Stiffness = 0,  ///< products of gradients: degree 2 (p - 1) on triangles, 2 p in each direction on quadrilaterals
+  Load = 1,       ///< products of a shape function with a factor of order p
+  Centroid = 2    ///< the one-point rule
+};
+
+/// Local. Kokkos must be initialised (Tpetra::ScopeGuard does that). \throws InternalError if it is not.
+const ReferenceElement& referenceElement(Cell cell, Rule rule);
+
+/// The trace of the cells' shape functions on a side of 2 or 3 nodes (end points first), on the reference interval [-1, 1]. Exact for
+/// pressure on curved sides, too. Local. \throws InternalError as above, or for another number of nodes.
+const ReferenceElement& referenceSide(int nodes);
+
+}  // namespace suture
