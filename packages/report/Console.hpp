@@ -1,0 +1,15 @@
+#pragma once
+#include <suture/report/Run.hpp>
+
+#include <iosfwd>
+
+namespace suture {
+
+/// First line of the console: version, title, ranks, sizes. Local; rank 0's stream.
+void printHeader(std::ostream& console, const Comm& comm, const SceneFile& scene, const ProblemSize& size);
+
+/// Last lines of the console: converged or why not, contact figures, phases, memory, files. Collective; prints on rank 0, and only if
+/// its `console` is not null.
+void printFooter(std::ostream* console, const Run& run);
+
+}  // namespace suture

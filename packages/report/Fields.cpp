@@ -1,0 +1,98 @@
+#include <cmath>
+#include <map>
+#include <suture/report/Fields.hpp>
+#include <suture/report/Provenance.hpp>
+#include <suture/report/Units.hpp>
+#include <suture/report/VtkHdf.hpp>
+
+namespace suture {
+namespace {
+
+// All that a rank writes: the grid and its arrays, side by side.
+struct BodyFields {
+  GridPart grid;
+  std::vector<double> displacement;
+  std::vector<GlobalId> nodeId;
+  std::vector<double> stress, principal, direction1, direction2, vonMises;
+  std::vector<int> subdomain, body;
+  std::vector<GlobalId> elementId;
+};
+
+// Numbers of the subdomain's nodes in the grid; a node that another subdomain of this rank has brought is not repeated.
+std::vector<GlobalId> addNodes(const SubdomainMesh& mesh, const Vector& u, std::map<GlobalId, GlobalId>& known, BodyFields& all) {
+  std::vector<GlobalId> number;
+  for (int n = 0; n < mesh.nodes(); ++n) {
+    const auto [at, added] = known.emplace(mesh.globalNodes[std::size_t(n)], GlobalId(known.size()));
+    number.push_back(at->second);
+    if (!added) continue;
+    const Point x = mesh.point(n);
+    all.grid.points.insert(all.grid.points.end(), x.begin(), x.end());
+    for (int k = 0; k < 3; ++k) all.displacement.push_back(k < mesh.dimension ? u[n * mesh.dimension + k] : 0.0);
+    all.nodeId.push_back(at->first);
+  }
+  return number;
+}
+
+void addCells(const SubdomainMesh& mesh, const std::vector<GlobalId>& number, BodyFields& all) {
+  for (int e = 0; e < mesh.elements(); ++e) {
+    for (const int n : mesh.nodesOf(e)) all.grid.connectivity.push_back(number[std::size_t(n)]);
+    all.grid.offsets.push_back(GlobalId(all.grid.connectivity.size()));
+    all.grid.types.push_back(static_cast<unsigned char>(cellInfo(mesh.cells[std::size_t(e)]).vtkType));
+    all.subdomain.push_back(mesh.id);
+    all.body.push_back(mesh.body);
+    all.elementId.push_back(mesh.globalElements[std::size_t(e)]);
+  }
+}
+
+void addStresses(const SubdomainMesh& mesh, const ElasticModel& model, const Vector& u, BodyFields& all) {
+  const Material& material = model.materialOfBody[std::size_t(mesh.body)];
+  const auto materialOf = [&](int) -> const Material& { return material; };
+  const Matrix stress = elementStresses(mesh, materialOf, model.plane, u);
+  const Matrix principal = principalStresses(stress);
+  const Vector mises = vonMises(stress);
+  for (int e = 0; e < mesh.elements(); ++e) {
+    const double xx = stress(e, 0), yy = stress(e, 1), zz = stress(e, 2), xy = stress(e, 3);
+    const double c = std::cos(principal(e, 2)), s = std::sin(principal(e, 2));
+    all.stress.insert(all.stress.end(), {xx, yy, zz, xy, 0.0, 0.0});
+    all.principal.insert(all.principal.end(), {principal(e, 0), principal(e, 1), zz});
+    all.direction1.insert(all.direction1.end(), {c, s, 0.0});
+    all.direction2.insert(all.direction2.end(), {-s, c, 0.0});
+    all.vonMises.push_back(mises[e]);
+  }
+}
+
+BodyFields gather(const Run& run) {
+  BodyFields all;
+  std::map<GlobalId, GlobalId> known;
+  for (std::size_t s = 0; s < run.subdomains.size(); ++s) {
+    const SubdomainMesh& mesh = run.subdomains[s];
+    const Vector& u = run.solution.displacement[s];
+    addCells(mesh, addNodes(mesh, u, known, all), all);
+    addStresses(mesh, run.model, u, all);
+  }
+  return all;
+}
+
+}  // namespace
+
+void writeFields(const Run& run, const std::string& path) {
+  const Units units = unitsOf(*run.scene.parameters);
+  const BodyFields all = gather(run);
+  VtkHdf file(run.comm, path, all.grid);
+  file.pointData({"Displacement", 3, units.length, "x, y, z; along the axes"}, all.displacement);
+  file.pointData({"NodeId", 1, "", "number of the node in the mesh, from 0"}, all.nodeId);
+  file.cellData({"Stress", 6, units.stress, "XX YY ZZ XY YZ XZ; at the centroid; tension positive"}, all.stress);
+  file.cellData({"PrincipalStress", 3, units.stress, "larger in-plane, smaller in-plane, out of plane; at the centroid; tension positive"},
+                all.principal);
+  file.cellData({"PrincipalDirection1", 3, "", "unit vector of the larger in-plane principal stress"}, all.direction1);
+  file.cellData({"PrincipalDirection2", 3, "", "unit vector of the smaller in-plane principal stress"}, all.direction2);
+  file.cellData({"VonMises", 1, units.stress, "at the centroid; never negative"}, all.vonMises);
+  file.cellData({"Subdomain", 1, "", "number of the subdomain, from 0; names in /Record/Subdomains"}, all.subdomain);
+  file.cellData({"Body", 1, "", "number of the body, from 0; names in /Record/Bodies"}, all.body);
+  file.cellData({"ElementId", 1, "", "number of the element in the mesh, from 0"}, all.elementId);
+  writeProvenance(run, file.file());
+  writeNames(run, file.file());
+  file.close();
+}
+
+}  // namespace suture

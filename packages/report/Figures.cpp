@@ -1,0 +1,56 @@
+#include <Teuchos_CommHelpers.hpp>
+#include <algorithm>
+#include <cmath>
+#include <suture/report/Figures.hpp>
+
+namespace suture {
+
+ContactFigures contactFigures(const std::vector<PairResult>& pairs, int pieces) {
+  ContactFigures all;
+  all.pairs = int(pairs.size());
+  all.forceOnB.assign(std::size_t(pieces), Point{0, 0, 0});
+  all.pressureOf.assign(std::size_t(pieces), 0.0);
+  all.gapOf.assign(std::size_t(pieces), 0.0);
+  all.pairsOf.assign(std::size_t(pieces), 0);
+  all.activeOf.assign(std::size_t(pieces), 0);
+  for (const PairResult& pair : pairs) {
+    const bool closed = pair.status != PairStatus::Open;
+    all.active += closed;
+    all.maxPressure = std::max(all.maxPressure, pair.pressure);
+    all.maxGap = std::max(all.maxGap, pair.gap);
+    all.maxPenetration = std::max(all.maxPenetration, -pair.gap);
+    if (pair.piece < 0 || pair.piece >= pieces) continue;
+    const auto piece = std::size_t(pair.piece);
+    // The normal points from A to B, hence a compressive force pushes B along it.
+    for (int k = 0; k < 3; ++k) all.forceOnB[piece][std::size_t(k)] += pair.force * pair.normal[std::size_t(k)];
+    all.pressureOf[piece] = std::max(all.pressureOf[piece], pair.pressure);
+    all.gapOf[piece] = std::max(all.gapOf[piece], pair.gap);
+    all.pairsOf[piece] += 1;
+    all.activeOf[piece] += closed;
+  }
+  return all;
+}
+
+double maxDisplacement(const Run& run) {
+  double squared = 0.0;
+  for (std::size_t s = 0; s < run.subdomains.size(); ++s) {
+    const int d = run.subdomains[s].dimension;
+    const Vector& u = run.solution.displacement[s];
+    for (int n = 0; n < run.subdomains[s].nodes(); ++n) squared = std::max(squared, u.segment(n * d, d).squaredNorm());
+  }
+  double all = 0.0;
+  Teuchos::reduceAll(run.comm, Teuchos::REDUCE_MAX, squared, Teuchos::outArg(all));
+  return std::sqrt(all);
+}
+
+Memory peakMemory(const Comm& comm) {
+  const double mine = peakMemoryMb();
+  Memory memory{};
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_MIN, mine, Teuchos::outArg(memory.min));
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, mine, Teuchos::outArg(memory.max));
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, mine, Teuchos::outArg(memory.sum));
+  memory.avg = memory.sum / comm.getSize();
+  return memory;
+}
+
+}  // namespace suture

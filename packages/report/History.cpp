@@ -1,0 +1,15 @@
+#include <suture/report/Format.hpp>
+#include <suture/report/History.hpp>
+#include <suture/report/OutputFolder.hpp>
+
+namespace suture {
+
+void writeHistory(const std::vector<OuterRow>& rows, const std::string& path) {
+  std::string text = "iteration,pcg,condition,residual,euclidean,active,changed,energy,step,seconds\n";
+  for (const OuterRow& row : rows)
+    text += format("%d,%d,%.17g,%.17g,%.17g,%d,%d,%.17g,%.17g,%.6f\n", row.iteration, row.pcg, row.condition, row.residual, row.euclidean,
+                   row.active, row.changed, row.energy, row.step, row.seconds);
+  writeTextFile(path, text);
+}
+
+}  // namespace suture

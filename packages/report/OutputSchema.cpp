@@ -1,0 +1,26 @@
+#include <Teuchos_ParameterList.hpp>
+#include <filesystem>
+#include <suture/report/OutputSchema.hpp>
+
+namespace suture {
+
+Schema outputSchema() {
+  return Schema("What a run leaves behind.")
+      .text("Folder", "", "Output folder, made if missing, relative to the current folder. Empty: the name of the scene file with '_out'.")
+      .boolean("Fields", true,
+               "Write the fields (fields_0000.vtkhdf, contact_0000.vtkhdf); history.csv and summary.json are always written.");
+}
+
+std::string outputFolder(const SceneFile& scene) {
+  const Parameters& all = *scene.parameters;
+  if (all.isSublist("Output")) {
+    const Parameters& output = all.sublist("Output");
+    if (output.isType<std::string>("Folder")) {
+      const std::string folder = output.get<std::string>("Folder");
+      if (!folder.empty()) return folder;
+    }
+  }
+  return std::filesystem::path(scene.path).stem().string() + "_out";
+}
+
+}  // namespace suture

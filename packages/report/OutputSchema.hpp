@@ -1,0 +1,15 @@
+#pragma once
+#include <suture/base/SceneReader.hpp>
+#include <suture/base/Schema.hpp>
+
+#include <string>
+
+namespace suture {
+
+/// The scene's list `Output`.
+Schema outputSchema();
+
+/// Where a run writes: `Output/Folder`, or the name of the scene file with "_out" in the current folder. Local.
+std::string outputFolder(const SceneFile& scene);
+
+}  // namespace suture

@@ -1,0 +1,103 @@
+#include <Teuchos_Comm.hpp>
+#include <Teuchos_ParameterList.hpp>
+#include <algorithm>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <suture/base/Buffer.hpp>
+#include <suture/base/Collective.hpp>
+#include <suture/base/Version.hpp>
+#include <suture/report/Provenance.hpp>
+
+namespace suture {
+namespace {
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) {
+    // A value with blanks ("Outer Solver/Type=Chord") is quoted, so that the line can be given to a shell again.
+    const bool quote = word.empty() || word.find_first_of(" \t\"'$*?()<>|&;\\") != std::string::npos;
+    std::string quoted = word;
+    for (std::size_t at = 0; quote && (at = quoted.find('\'', at)) != std::string::npos; at += 4) quoted.replace(at, 1, "'\\''");
+    text += (text.empty() ? "" : " ") + (quote ? "'" + quoted + "'" : word);
+  }
+  return text;
+}
+
+GlobalId seedOf(const Parameters& scene) {
+  if (!scene.isSublist("Partition") || !scene.sublist("Partition").isSublist("METIS")) return 0;
+  const Parameters& metis = scene.sublist("Partition").sublist("METIS");
+  return metis.isType<int>("Seed") ? metis.get<int>("Seed") : 0;
+}
+
+// A name as one step of an HDF5 path.
+std::string step(std::string name) {
+  std::replace(name.begin(), name.end(), '/', '_');
+  return name;
+}
+
+std::vector<double> endPoints(const std::vector<SubdomainMesh>& subdomains, const std::string& group) {
+  std::vector<double> rows;
+  for (const SubdomainMesh& mesh : subdomains) {
+    const auto found = mesh.sideGroups.find(group);
+    if (found == mesh.sideGroups.end()) continue;
+    for (const Side& side : found->second) {
+      const std::vector<int> nodes = mesh.nodesOf(side);
+      for (int end = 0; end < 2; ++end) {
+        const Point x = mesh.point(nodes[std::size_t(end)]);
+        rows.insert(rows.end(), x.begin(), x.end());
+      }
+    }
+  }
+  return rows;
+}
+
+}  // namespace
+
+void writeProvenance(const Run& run, Hdf5File& file) {
+  const nlohmann::json libraries = libraryVersions();
+  file.group("/Record");
+  file.attribute("/Record", "ranks", std::vector<GlobalId>{run.comm.getSize()});
+  file.attribute("/Record", "seed", std::vector<GlobalId>{seedOf(*run.scene.parameters)});
+  file.write("/Record/Input", run.scene.text);
+  file.write("/Record/InputPath", run.scene.path);
+  file.write("/Record/Resolved", toXml(*run.scene.parameters));
+  file.write("/Record/MeshHash", broadcast(run.comm, run.meshHash));
+  file.write("/Record/Version", version());
+  file.write("/Record/Commit", commit());
+  file.write("/Record/Libraries", libraries.dump());
+  file.write("/Record/CommandLine", joined(run.commandLine));
+}
+
+void writeNames(const Run& run, Hdf5File& file) {
+  // Every rank knows its own subdomains only, and with them only some of the side groups.
+  Packer mine;
+  std::map<int, std::string> ownNames;
+  std::vector<std::string> ownGroups;
+  for (const SubdomainMesh& mesh : run.subdomains) {
+    ownNames[mesh.id] = mesh.name;
+    for (const auto& group : mesh.sideGroups) ownGroups.push_back(group.first);
+  }
+  mine.put(ownNames);
+  mine.put(ownGroups);
+  std::map<int, std::string> names;
+  std::set<std::string> groups;
+  for (const std::string& bytes : allGather(run.comm, mine.bytes())) {
+    Unpacker theirs(bytes);
+    std::map<int, std::string> theirNames;
+    std::vector<std::string> theirGroups;
+    theirs.get(theirNames);
+    theirs.get(theirGroups);
+    names.insert(theirNames.begin(), theirNames.end());
+    groups.insert(theirGroups.begin(), theirGroups.end());
+  }
+
+  nlohmann::json subdomains = nlohmann::json::array();
+  for (const auto& [id, name] : names) subdomains.push_back(name);
+  file.write("/Record/Subdomains", subdomains.dump());
+  file.write("/Record/Bodies", nlohmann::json(run.model.bodies).dump());
+  file.group("/Record/SideGroups");
+  for (const std::string& group : groups) file.write("/Record/SideGroups/" + step(group), endPoints(run.subdomains, group), 6);
+}
+
+}  // namespace suture

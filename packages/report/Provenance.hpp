@@ -1,0 +1,16 @@
+#pragma once
+#include <suture/base/Hdf5File.hpp>
+#include <suture/report/Run.hpp>
+
+namespace suture {
+
+/// /Record: where a file comes from. Texts Input (the scene verbatim), InputPath, Resolved (XML), MeshHash, Version, Commit, Libraries
+/// (JSON: library -> version), CommandLine; attributes `ranks` and `seed` of the group. Nothing that differs between two equal runs.
+/// Collective.
+void writeProvenance(const Run& run, Hdf5File& file);
+
+/// Names that pictures need: texts Bodies and Subdomains (JSON lists in the order of the numbers in the fields), and for each side group of
+/// the mesh a dataset /Record/SideGroups/<name>, a row a side: x, y, z of its first and of its second end point. Collective.
+void writeNames(const Run& run, Hdf5File& file);
+
+}  // namespace suture

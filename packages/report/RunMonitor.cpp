@@ -1,0 +1,49 @@
+#include <ostream>
+#include <suture/base/Errors.hpp>
+#include <suture/report/Format.hpp>
+#include <suture/report/RunMonitor.hpp>
+
+namespace suture {
+namespace {
+
+// 0 stands for "no inner iteration, no estimate".
+std::string condition(double value) {
+  if (value <= 0.0) return "-";
+  return value < 1e5 ? format("%.1f", value) : format("%.1e", value);
+}
+
+}  // namespace
+
+RunMonitor::RunMonitor(std::ostream* console, bool verbose, bool strict) : console_(console), verbose_(verbose), strict_(strict) {}
+
+void RunMonitor::auxiliary(const AuxiliaryRow& row) {
+  if (!console_) return;
+  const char* what = row.contact ? "auxiliary problem (all pairs closed)" : "linear problem";
+  if (row.pcg == 0)
+    *console_ << format("%s   no interface iteration", what) << std::endl;
+  else
+    *console_ << format("%s  %5d PCG    condition %s    %.1e", what, row.pcg, condition(row.condition).c_str(), row.tolerance) << std::endl;
+}
+
+void RunMonitor::outer(const OuterRow& row) {
+  if (console_) {
+    if (rows_.empty()) *console_ << "  k   PCG   condition   residual   active  changed         energy    seconds\n";
+    *console_ << format("%3d%6d%12s%11.1e%9d%9d%15.4e%11.2f", row.iteration, row.pcg, condition(row.condition).c_str(), row.residual,
+                        row.active, row.changed, row.energy, row.seconds)
+              << std::endl;
+  }
+  rows_.push_back(row);
+}
+
+void RunMonitor::note(const std::string& text) {
+  const bool warning = text.rfind("warning: ", 0) == 0;
+  if (warning && strict_) throw InputError("--strict", text);
+  notes_.push_back(text);
+  if (console_) *console_ << (warning ? "   " : "   note: ") << text << std::endl;
+}
+
+void RunMonitor::inner(int iteration, double relativeResidual) {
+  if (console_ && verbose_) *console_ << format("         inner %4d   %.3e\n", iteration, relativeResidual);
+}
+
+}  // namespace suture

@@ -1,0 +1,36 @@
+#pragma once
+#include <suture/base/Monitor.hpp>
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace suture {
+
+/// Listens to the run; writes the table on the console (rank 0's `console`, null on the others and for --quiet) and collects the rows of
+/// history.csv. Local: every rank has one and collects the same rows.
+///
+/// A note that begins with "warning: " is a warning: something was repaired or assumed for the user.
+class RunMonitor : public Monitor {
+ public:
+  /// \param verbose  prints the inner iterations, too
+  /// \param strict   turns a warning into an error (--strict)
+  RunMonitor(std::ostream* console, bool verbose, bool strict = false);
+  void auxiliary(const AuxiliaryRow& row) override;
+  void outer(const OuterRow& row) override;
+  /// \throws InputError  for a warning, when strict; on every rank, since every rank is told the same
+  void note(const std::string& text) override;
+  void inner(int iteration, double relativeResidual) override;
+  bool wantsInner() const override { return verbose_; }
+
+  const std::vector<OuterRow>& rows() const { return rows_; }
+  const std::vector<std::string>& notes() const { return notes_; }
+
+ private:
+  std::ostream* console_;
+  bool verbose_, strict_;
+  std::vector<OuterRow> rows_;
+  std::vector<std::string> notes_;
+};
+
+}  // namespace suture

@@ -1,0 +1,115 @@
+#include <Teuchos_Comm.hpp>
+#include <Teuchos_ParameterList.hpp>
+#include <nlohmann/json.hpp>
+#include <suture/base/Collective.hpp>
+#include <suture/base/Version.hpp>
+#include <suture/report/Figures.hpp>
+#include <suture/report/OutputFolder.hpp>
+#include <suture/report/ParametersJson.hpp>
+#include <suture/report/Summary.hpp>
+
+using Json = nlohmann::ordered_json;
+
+namespace suture {
+namespace {
+
+Json components(const Point& vector, int dimension) {
+  Json all = Json::array();
+  for (int k = 0; k < dimension; ++k) all.push_back(vector[std::size_t(k)]);
+  return all;
+}
+
+std::string textOf(const Parameters& list, const std::string& name) {
+  return list.isType<std::string>(name) ? list.get<std::string>(name) : std::string();
+}
+
+Json auxiliary(const AuxiliaryRow& row) {
+  return {{"iterations", row.pcg},
+          {"condition", row.condition},
+          {"tolerance", row.tolerance},
+          {"residual", row.residual},
+          {"contact", row.contact}};
+}
+
+Json outer(const Solution& answer) {
+  return {{"solver", answer.outerSolver},
+          {"iterations", answer.outerIterations},
+          {"pcg_total", answer.pcgTotal},
+          {"residual", answer.residual},
+          {"estimates", answer.estimates}};
+}
+
+Json contact(const Run& run, int dimension) {
+  const ContactFigures all = contactFigures(run.solution.pairs, run.size.pieces);
+  Json contact = {{"pieces", run.size.pieces},
+                  {"pairs", all.pairs},
+                  {"active", all.active},
+                  {"max_pressure", all.maxPressure},
+                  {"force", Json::object()},
+                  {"max_gap", all.maxGap},
+                  {"max_penetration", all.maxPenetration},
+                  {"by_piece", Json::object()}};
+  for (std::size_t p = 0; p < run.pieces.size() && p < all.forceOnB.size(); ++p) {
+    contact["force"][run.pieces[p].name] = components(all.forceOnB[p], dimension);
+    contact["by_piece"][run.pieces[p].name] = {
+        {"pairs", all.pairsOf[p]}, {"active", all.activeOf[p]}, {"max_pressure", all.pressureOf[p]}, {"max_gap", all.gapOf[p]}};
+  }
+  return contact;
+}
+
+}  // namespace
+
+void writeSummary(const Run& run, ExitCode code, const std::string& path) {
+  const int dimension = dimensionOf(run);
+  const double largest = maxDisplacement(run);
+  const std::vector<Timers::Statistics> statistics = run.timers.statistics(run.comm);
+  const Memory memory = peakMemory(run.comm);
+
+  collectivelyOnRoot(run.comm, "writing summary.json", [&] {
+    const Solution& answer = run.solution;
+    const Parameters& parameters = *run.scene.parameters;
+    Json phases = Json::object();
+    for (const Timers::Statistics& phase : statistics) phases[phase.phase] = {{"min", phase.min}, {"avg", phase.avg}, {"max", phase.max}};
+    Json versions = {{"suture", version()}, {"commit", commit()}};
+    for (const auto& [library, number] : libraryVersions()) versions[library] = number;
+
+    const Json summary = {
+        {"title", textOf(parameters, "Title")},
+        {"scene", run.scene.path},
+        {"units", textOf(parameters, "Units")},
+        {"converged", answer.converged},
+        {"exit_code", int(code)},
+        {"failure", answer.failure},
+        {"dimension", dimension},
+        {"dofs", run.size.dofs},
+        {"nodes", run.size.nodes},
+        {"elements", run.size.elements},
+        {"subdomains", run.size.subdomains},
+        {"groups", run.size.groups},
+        {"ranks", run.comm.getSize()},
+        {"interface_dofs", run.size.interfaceDofs},
+        {"auxiliary", auxiliary(answer.auxiliary)},
+        {"outer", outer(answer)},
+        {"contact", contact(run, dimension)},
+        {"energy", answer.energy},
+        {"max_displacement", largest},
+        {"equilibrium",
+         {{"applied", components(answer.applied, dimension)},
+          {"reactions", components(answer.reactions, dimension)},
+          {"imbalance", answer.imbalance}}},
+        {"error", Json::object()},  // against an exact solution: of scenes that have one
+        {"notes", run.monitor.notes()},
+        {"phases", phases},
+        {"seconds", run.timers.total()},
+        {"peak_memory_mb", {{"min", memory.min}, {"avg", memory.avg}, {"max", memory.max}, {"sum", memory.sum}}},
+        {"mesh_hash", run.meshHash},
+        {"command_line", run.commandLine},
+        {"versions", versions},
+        {"parameters", toJson(parameters)},
+    };
+    // Text that is not UTF-8 (a title in Latin-1) must not lose the results of a run.
+    writeTextFile(path, summary.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  });
+}
+
+}  // namespace suture

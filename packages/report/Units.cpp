@@ -1,0 +1,31 @@
+#include <Teuchos_ParameterList.hpp>
+#include <sstream>
+#include <suture/report/Units.hpp>
+
+namespace suture {
+namespace {
+
+std::string trimmed(const std::string& text) {
+  const auto first = text.find_first_not_of(" \t\n");
+  return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(" \t\n") - first + 1);
+}
+
+}  // namespace
+
+Units unitsOf(const Parameters& scene) {
+  Units units;
+  if (!scene.isType<std::string>("Units")) return units;
+  std::istringstream names(scene.get<std::string>("Units"));
+  const auto next = [&](const std::string& quantity) {
+    std::string name;
+    std::getline(names, name, ',');
+    name = trimmed(name);
+    return name.empty() ? quantity : name;
+  };
+  units.length = next("length");
+  units.force = next("force");
+  units.stress = next("stress");
+  return units;
+}
+
+}  // namespace suture
