@@ -1,0 +1,197 @@
+#!/usr/bin/python3
+"""Runs suture_solve on a scene and checks what it must give: exit code, messages, figures.
+
+    check_run.py CASES.json CASE --solve build/drivers/suture_solve --work FOLDER [--ranks N] [--mpirun "mpirun --oversubscribe"]
+
+A file of cases is either one case (the expected.json beside a scene; CASE is then "-") or {"defaults": {...}, "cases": {name: {...}}}.
+A case has, all but "scene" with a default:
+
+    scene       the scene file, relative to the file of cases
+    edit        [[old, new], ...]: replacements in a copy of the scene, each of which must be found; the geometry is copied with it
+    arguments   of suture_solve; {work} is the folder of the test (emptied before), {scenes} the scene's own
+    files       {name: text}: files made in {work} before the run
+    exit_code   what the program must return (0)
+    timeout     seconds (100)
+    message     texts that must occur in the output;  "never": texts that must not;  "once": texts that must occur exactly once
+    against     arguments of a second run on one rank, for the figures difference.*
+    checks      [{"key" or "figure": ..., and "value" with "relative" or "absolute" (neither: exactly), or "min" and "max", "source": ...}]
+
+A "key" is a dotted path into summary.json, norm(path) of a vector, abs(path), or several of these joined by " + ". A "figure" is a function
+of test/validation/figures.py that reads the fields of the run.
+"""
+import argparse
+import glob
+import json
+import math
+import os
+import re
+import shutil
+import signal
+import subprocess
+import sys
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "validation"))
+
+
+def lookUp(summary, path):
+    value = summary
+    for name in path.split("."):
+        value = value[int(name)] if isinstance(value, list) else value[name]
+    return value
+
+
+def evaluate(summary, key):
+    """The number that a key names."""
+    total = None
+    for term in key.split(" + "):
+        function, path = re.fullmatch(r"(?:(norm|abs)\()?([^()]+?)\)?", term.strip()).groups()
+        value = lookUp(summary, path)
+        if function == "norm":
+            value = math.sqrt(sum(x * x for x in value))
+        elif function == "abs":
+            value = abs(value)
+        total = value if total is None else total + value
+    return total
+
+
+def judge(check, value):
+    """Empty if the value passes, or what is wrong with it."""
+    wrong = []
+    if isinstance(value, float) and not math.isfinite(value):
+        return "is not finite"
+    if "value" in check:
+        expected = check["value"]
+        if "relative" in check or "absolute" in check:
+            band = check.get("relative", 0.0) * abs(expected) + check.get("absolute", 0.0)
+            if not abs(value - expected) <= band:
+                wrong.append(f"expected {expected:.8g} +- {band:.2g}")
+        elif value != expected:
+            wrong.append(f"expected {expected!r}")
+    if "min" in check and not value >= check["min"]:
+        wrong.append(f"expected at least {check['min']:.8g}")
+    if "max" in check and not value <= check["max"]:
+        wrong.append(f"expected at most {check['max']:.8g}")
+    if not any(k in check for k in ("value", "min", "max")):
+        wrong.append("the check compares with nothing")
+    return ", ".join(wrong)
+
+
+def run(command, timeout):
+    """Output (both streams) and exit code; the code is None when the time was over."""
+    process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+                               errors="replace", start_new_session=True)
+    try:
+        output, _ = process.communicate(timeout=timeout)
+        return output, process.returncode
+    except subprocess.TimeoutExpired:
+        os.killpg(process.pid, signal.SIGTERM)  # the session that was started above: mpirun and its ranks
+        try:
+            output, _ = process.communicate(timeout=5)
+        except subprocess.TimeoutExpired:
+            os.killpg(process.pid, signal.SIGKILL)
+            output, _ = process.communicate()
+        return output, None
+
+
+def editedScene(scene, edits, work):
+    """A copy of the scene in `work` with replacements; the mesh files beside it come along."""
+    with open(scene) as file:
+        text = file.read()
+    for old, new in edits:
+        if old not in text:
+            sys.exit(f"check_run: the scene has no '{old}' to replace: the case is out of date")
+        text = text.replace(old, new)
+    for pattern in ("*.geo", "*.msh", "*.h5"):
+        for name in glob.glob(os.path.join(os.path.dirname(scene), pattern)):
+            shutil.copy(name, work)
+    copy = os.path.join(work, os.path.basename(scene))
+    with open(copy, "w") as file:
+        file.write(text)
+    return copy
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("file")
+    parser.add_argument("case")
+    parser.add_argument("--solve", required=True)
+    parser.add_argument("--work", required=True)
+    parser.add_argument("--ranks", type=int, default=1)
+    parser.add_argument("--mpirun", default="mpirun --oversubscribe")
+    options = parser.parse_args()
+
+    with open(options.file) as file:
+        table = json.load(file)
+    case = dict(table) if options.case == "-" else {**table.get("defaults", {}), **table["cases"][options.case]}
+    folder = os.path.dirname(os.path.abspath(options.file))
+    work = os.path.abspath(options.work)
+    shutil.rmtree(work, ignore_errors=True)
+    os.makedirs(work)
+
+    scene = os.path.normpath(os.path.join(folder, case["scene"]))
+    scenes = os.path.dirname(scene)
+    fill = lambda text: text.replace("{work}", work).replace("{scenes}", scenes)
+    for name, text in case.get("files", {}).items():
+        with open(os.path.join(work, name), "w") as file:
+            file.write(text)
+    if "edit" in case:
+        scene = editedScene(scene, [[fill(a), fill(b)] for a, b in case["edit"]], work)
+
+    def solve(ranks, arguments, output):
+        command = options.mpirun.split() + ["-np", str(ranks), os.path.abspath(options.solve), scene]
+        if "--output" not in arguments:
+            command += ["--output", output]
+        command += [fill(a) for a in arguments]
+        print("$", " ".join(f"'{c}'" if " " in c else c for c in command), flush=True)
+        text, code = run(command, case.get("timeout", 100))
+        print(text, flush=True)
+        return text, code
+
+    failures = []
+    output = os.path.join(work, "out")
+    text, code = solve(options.ranks, case.get("arguments", []), output)
+    expectedCode = case.get("exit_code", 0)
+    if code != expectedCode:
+        failures.append("no end within the time" if code is None else f"exit code {code}, expected {expectedCode}")
+    for fragment in case.get("message", []):
+        if fill(fragment) not in text:
+            failures.append(f"the output does not say: {fill(fragment)}")
+    for fragment in case.get("once", []):
+        if text.count(fill(fragment)) != 1:
+            failures.append(f"the output says {text.count(fill(fragment))} times instead of once: {fill(fragment)}")
+    for fragment in case.get("never", []):
+        if fill(fragment) in text:
+            failures.append(f"the output says: {fill(fragment)}")
+
+    reference = os.path.join(work, "reference")
+    if "against" in case and not failures:
+        _, code = solve(1, case["against"], reference)
+        if code != 0:
+            failures.append(f"the run to compare with returned {code}")
+
+    checks = case.get("checks", [])
+    if checks and not failures:
+        import figures
+
+        with open(os.path.join(output, "summary.json")) as file:
+            summary = json.load(file)
+        for check in checks:
+            name = check.get("key") or check["figure"]
+            try:
+                value = evaluate(summary, check["key"]) if "key" in check else figures.figure(name, output, reference)
+                wrong = judge(check, value)
+            except (KeyError, IndexError, TypeError, OSError) as error:
+                value, wrong = None, f"cannot be evaluated: {error!r}"
+            shown = f"{value:.9g}" if isinstance(value, float) else value
+            print(f"{'FAIL' if wrong else ' ok '} {name} = {shown}" + (f"   {wrong}; source: {check.get('source', 'own')}" if wrong else ""))
+            if wrong:
+                failures.append(f"{name} = {shown}: {wrong}")
+
+    if failures:
+        print("\n".join(["", f"{len(failures)} failed:"] + ["  " + f for f in failures]))
+        sys.exit(1)
+    print("passed")
+
+
+if __name__ == "__main__":
+    main()
