@@ -53,12 +53,12 @@ class Unpacker {
     std::memcpy(static_cast<void*>(&value), take(sizeof(T)), sizeof(T));
   }
   void get(std::string& text) {
-    const std::size_t n = get<std::size_t>();
+    const std::size_t n = takeCount(1);
     text.assign(take(n), n);
   }
   template <typename T>
   void get(std::vector<T>& values) {
-    const std::size_t n = get<std::size_t>();
+    const std::size_t n = takeCount(std::is_trivially_copyable_v<T> ? sizeof(T) : 1);
     values.resize(n);
     if constexpr (std::is_trivially_copyable_v<T>) {
       const char* from = take(n * sizeof(T));
@@ -69,7 +69,7 @@ class Unpacker {
   }
   template <typename K, typename V>
   void get(std::map<K, V>& values) {
-    const std::size_t n = get<std::size_t>();
+    const std::size_t n = takeCount(1);
     values.clear();
     for (std::size_t i = 0; i < n; ++i) {
       K key;
@@ -86,12 +86,10 @@ class Unpacker {
   bool done() const { return at_ == bytes_.size(); }
 
  private:
-  const char* take(std::size_t n) {
-    if (n > bytes_.size() - at_) throw InternalError("a message ended before its last field");
-    const char* from = bytes_.data() + at_;
-    at_ += n;
-    return from;
-  }
+  /// The next `n` bytes. In a source of its own: inlined, gcc 12 takes the bytes of a short string for uninitialised.
+  const char* take(std::size_t n);
+  /// A number of things of at least `size` bytes each, checked before memory is asked for them.
+  std::size_t takeCount(std::size_t size);
 
   std::string bytes_;
   std::size_t at_ = 0;

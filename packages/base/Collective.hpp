@@ -3,6 +3,8 @@
 
 #include <functional>
 #include <string>
+#include <type_traits>
+#include <vector>
 
 namespace suture {
 
@@ -17,6 +19,19 @@ void collectivelyOnRoot(const Comm& comm, const std::string& what, const std::fu
 
 /// Sends a string from rank 0 to all. Collective.
 std::string broadcast(const Comm& comm, const std::string& text);
+
+/// Sends `count` bytes from rank 0 to all, in pieces that MPI can count. Every rank must give the same count. Collective.
+void broadcastBytes(const Comm& comm, void* bytes, std::size_t count);
+
+/// Sends a vector of plain values from rank 0 to all; elsewhere it is resized. Collective.
+template <typename T>
+void broadcast(const Comm& comm, std::vector<T>& values) {
+  static_assert(std::is_trivially_copyable_v<T>, "only plain values travel as bytes");
+  unsigned long long size = values.size();
+  broadcastBytes(comm, &size, sizeof(size));
+  values.resize(size);
+  broadcastBytes(comm, values.data(), size * sizeof(T));
+}
 
 /// All ranks' byte strings on rank 0, in the order of ranks (empty elsewhere). Collective.
 std::vector<std::string> gatherOnRoot(const Comm& comm, const std::string& bytes);

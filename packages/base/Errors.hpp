@@ -77,6 +77,9 @@ class Problems {
 /// The candidate nearest to `name` (edit distance, case ignored), or "" if none is close enough to be meant.
 std::string nearestName(const std::string& name, const std::vector<std::string>& candidates);
 
+/// " Did you mean 'x'? Known here: a, b, c": what follows the full stop after any unknown name. Candidates are listed sorted.
+std::string suggestion(const std::string& name, std::vector<std::string> candidates);
+
 /// "no such <kind> 'name'. Did you mean 'x'? Known here: a, b, c": the sentence for every unknown name.
 std::string unknownName(const std::string& kind, const std::string& name, const std::vector<std::string>& candidates);
 

@@ -47,6 +47,7 @@ class Schema {
     std::vector<std::string> allowedDocs;
     std::vector<std::string> words;  ///< Text that may also be a number in `range` ("None | Automatic | value"): the words
     bool numberToo = false;
+    bool choice = false;  ///< Text whose allowed names have a sublist each, see Schema::choice
   };
 
   explicit Schema(std::string doc = "") : doc_(std::move(doc)) {}
@@ -63,11 +64,13 @@ class Schema {
                        const std::string& doc);
   Schema& reals(const std::string& name, std::optional<std::vector<double>> fallback, const std::string& doc, const std::string& unit = "",
                 Range range = Range::any());
+  Schema& integers(const std::string& name, std::optional<std::vector<int>> fallback, const std::string& doc, Range range = Range::any());
   Schema& texts(const std::string& name, std::optional<std::vector<std::string>> fallback, const std::string& doc);
   /// The parameter added last may be absent (has no default, is not required).
   Schema& optional();
 
   /// A sublist with a fixed name. A required one must be present in the scene; the others are filled with defaults.
+  /// \throws InternalError  if the name is taken by a parameter or list already (as all the functions here that add a name).
   Schema& list(const std::string& name, Schema schema, bool required = false);
   /// Sublists that the user names, all of the same form ("Bodies/<name>"); `least` of them must be there.
   Schema& each(const std::string& placeholder, Schema schema, int least = 0);
@@ -75,6 +78,8 @@ class Schema {
   Schema& eachReal(const std::string& placeholder, const std::string& doc);
 
   /// `Type` plus a sublist of the same name with that choice's own parameters. Sublists of choices not taken are checked, too.
+  /// Parameters without a default in a choice's list are demanded of the choice taken only.
+  /// \param fallback  the default; "" makes the parameter required
   /// \param names  choice -> its schema (documentation in its doc)
   Schema& choice(const std::string& parameter, const std::string& fallback, const std::map<std::string, Schema>& names,
                  const std::string& doc);
@@ -94,9 +99,13 @@ class Schema {
   const Schema* findList(const std::string& name) const;
 
   /// The whole schema, documented. `format`: "text", "xml" (a scene with all defaults), "markdown".
+  /// \throws CommandLineError  for another format.
   std::string document(const std::string& format) const;
 
  private:
+  Parameter& add(const std::string& name, Kind kind, const std::string& doc);
+  void claim(const std::string& name) const;
+
   std::string doc_;
   std::vector<Parameter> parameters_;
   std::vector<std::pair<std::string, Schema>> lists_;
@@ -106,5 +115,11 @@ class Schema {
   int leastUserLists_ = 0;
   std::string userRealPlaceholder_, userRealDoc_;
 };
+
+/// "int", "double", "bool", "string", "Array(double)", ...: the `type` attribute of a parameter of this kind.
+std::string typeName(Schema::Kind kind);
+
+/// A default as it is written in the value attribute: "1e-08", "{1, 0}", "true". Numbers are the shortest that read back exactly.
+std::string valueText(const Schema::Value& value);
 
 }  // namespace suture

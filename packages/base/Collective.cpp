@@ -1,0 +1,239 @@
+#include "Collective.hpp"
+
+#include <Teuchos_Comm.hpp>
+#include <Teuchos_DefaultMpiComm.hpp>
+#include <algorithm>
+#include <limits>
+#include <new>
+
+#include "Buffer.hpp"
+#include "Errors.hpp"
+#include "MpiHandle.hpp"
+
+namespace suture {
+namespace {
+
+/// MPI counts in int: longer messages go in rounds of this many bytes a rank, so that all ranks' pieces together can still be counted.
+std::size_t roundBytes(int ranks) {
+  return std::min<std::size_t>(std::size_t(1) << 26, std::numeric_limits<int>::max() / static_cast<std::size_t>(ranks));
+}
+
+/// What every rank sends in one round, and where it lies in the round's buffer.
+struct Round {
+  std::vector<int> counts, places;
+  int total = 0;
+
+  Round(const std::vector<unsigned long long>& sizes, std::size_t begin, std::size_t most) {
+    for (const unsigned long long size : sizes) {
+      const int count = size > begin ? static_cast<int>(std::min<std::size_t>(size - begin, most)) : 0;
+      counts.push_back(count);
+      places.push_back(total);
+      total += count;
+    }
+  }
+};
+
+/// An exception on its way to the other ranks.
+struct Failure {
+  int code = 0;
+  std::string message;
+  std::vector<Problem> problems;
+
+  std::string packed() const {
+    Packer packer;
+    packer.put(code);
+    packer.put(message);
+    packer.put(problems.size());
+    for (const Problem& problem : problems) {
+      packer.put(problem.path);
+      packer.put(problem.message);
+    }
+    return packer.bytes();
+  }
+
+  static Failure unpacked(const std::string& bytes) {
+    Unpacker unpacker(bytes);
+    Failure failure;
+    unpacker.get(failure.code);
+    unpacker.get(failure.message);
+    failure.problems.resize(unpacker.get<std::size_t>());
+    for (Problem& problem : failure.problems) {
+      unpacker.get(problem.path);
+      unpacker.get(problem.message);
+    }
+    return failure;
+  }
+
+  [[noreturn]] void raise() const {
+    switch (static_cast<ExitCode>(code)) {
+      case ExitCode::Input:
+        throw InputError(problems);
+      case ExitCode::CommandLine:
+        throw CommandLineError(message);
+      case ExitCode::Numerical:
+        throw NumericalError(message);
+      case ExitCode::Environment:
+        throw EnvironmentError(message);
+      case ExitCode::Internal:
+        throw InternalError(message);
+      default:
+        throw Error(static_cast<ExitCode>(code), message);
+    }
+  }
+};
+
+/// Runs `work`; true and what happened if it threw.
+bool fails(const std::string& what, const std::function<void()>& work, Failure& failure) {
+  try {
+    work();
+    return false;
+  } catch (const InputError& error) {
+    failure = {static_cast<int>(error.code()), error.what(), error.problems()};
+  } catch (const Error& error) {
+    failure = {static_cast<int>(error.code()), error.what(), {}};
+  } catch (const std::bad_alloc&) {
+    failure = {static_cast<int>(ExitCode::Environment), what + ": not enough memory", {}};
+  } catch (const std::exception& error) {
+    failure = {static_cast<int>(ExitCode::Internal), what + ": " + error.what(), {}};
+  } catch (...) {
+    failure = {static_cast<int>(ExitCode::Internal), what + ": an exception of unknown type", {}};
+  }
+  return true;
+}
+
+/// A plain Error with the code of an InputError has no problems of its own to show: its message is the problem.
+void completeProblems(Failure& failure) {
+  if (failure.code == static_cast<int>(ExitCode::Input) && failure.problems.empty()) failure.problems.push_back({"", failure.message});
+}
+
+}  // namespace
+
+MPI_Comm mpiComm(const Comm& comm) {
+  const auto* mpi = dynamic_cast<const Teuchos::MpiComm<int>*>(&comm);
+  return mpi ? (*mpi->getRawMpiComm())() : MPI_COMM_SELF;
+}
+
+void collectively(const Comm& comm, const std::string& what, const std::function<void()>& local) {
+  Failure mine;
+  const bool failed = fails(what, local, mine);
+  if (failed) completeProblems(mine);
+  if (comm.getSize() == 1) {
+    if (failed) mine.raise();
+    return;
+  }
+  int first = failed ? comm.getRank() : comm.getSize();
+  MPI_Allreduce(MPI_IN_PLACE, &first, 1, MPI_INT, MPI_MIN, mpiComm(comm));
+  if (first == comm.getSize()) return;
+
+  const std::vector<std::string> all = allGather(comm, failed ? mine.packed() : std::string());
+  Failure raised = Failure::unpacked(all[first]);
+  if (raised.code == static_cast<int>(ExitCode::Input)) {
+    for (int rank = first + 1; rank < comm.getSize(); ++rank) {
+      if (all[rank].empty()) continue;
+      for (const Problem& problem : Failure::unpacked(all[rank]).problems) {
+        const auto same = [&](const Problem& other) { return other.path == problem.path && other.message == problem.message; };
+        if (std::none_of(raised.problems.begin(), raised.problems.end(), same)) raised.problems.push_back(problem);
+      }
+    }
+  }
+  raised.raise();
+}
+
+void collectivelyOnRoot(const Comm& comm, const std::string& what, const std::function<void()>& root) {
+  collectively(comm, what, [&] {
+    if (comm.getRank() == 0) root();
+  });
+}
+
+void broadcastBytes(const Comm& comm, void* bytes, std::size_t count) {
+  if (comm.getSize() == 1) return;
+  const std::size_t most = roundBytes(1);
+  for (std::size_t at = 0; at < count; at += most) {
+    MPI_Bcast(static_cast<char*>(bytes) + at, static_cast<int>(std::min(most, count - at)), MPI_BYTE, 0, mpiComm(comm));
+  }
+}
+
+std::string broadcast(const Comm& comm, const std::string& text) {
+  unsigned long long size = text.size();
+  broadcastBytes(comm, &size, sizeof(size));
+  std::string all = comm.getRank() == 0 ? text : std::string(size, '\0');
+  broadcastBytes(comm, all.data(), all.size());
+  return all;
+}
+
+std::vector<std::string> gatherOnRoot(const Comm& comm, const std::string& bytes) {
+  if (comm.getSize() == 1) return {bytes};
+  const int ranks = comm.getSize();
+  const bool root = comm.getRank() == 0;
+  const MPI_Comm mpi = mpiComm(comm);
+  // Every rank knows all sizes: the number of rounds is the same everywhere.
+  const unsigned long long mine = bytes.size();
+  std::vector<unsigned long long> sizes(ranks);
+  MPI_Allgather(&mine, 1, MPI_UNSIGNED_LONG_LONG, sizes.data(), 1, MPI_UNSIGNED_LONG_LONG, mpi);
+
+  std::vector<std::string> all(root ? ranks : 0);
+  std::string buffer;
+  const std::size_t most = roundBytes(ranks);
+  const std::size_t longest = *std::max_element(sizes.begin(), sizes.end());
+  for (std::size_t at = 0; at < longest; at += most) {
+    const Round round(sizes, at, most);
+    if (root) buffer.resize(round.total);
+    MPI_Gatherv(bytes.data() + std::min(at, bytes.size()), round.counts[comm.getRank()], MPI_BYTE, buffer.data(), round.counts.data(),
+                round.places.data(), MPI_BYTE, 0, mpi);
+    for (int rank = 0; root && rank < ranks; ++rank) all[rank].append(buffer, round.places[rank], round.counts[rank]);
+  }
+  return all;
+}
+
+std::string scatterFromRoot(const Comm& comm, const std::vector<std::string>& bytes) {
+  const int ranks = comm.getSize();
+  const bool root = comm.getRank() == 0;
+  collectivelyOnRoot(comm, "distributing data", [&] {
+    if (bytes.size() != static_cast<std::size_t>(ranks))
+      throw InternalError("scatterFromRoot was given " + std::to_string(bytes.size()) + " strings for " + std::to_string(ranks) + " ranks");
+  });
+  if (ranks == 1) return bytes[0];
+  std::vector<unsigned long long> sizes(ranks);
+  for (int rank = 0; root && rank < ranks; ++rank) sizes[rank] = bytes[rank].size();
+  broadcastBytes(comm, sizes.data(), sizes.size() * sizeof(sizes[0]));
+
+  std::string mine, buffer;
+  const std::size_t most = roundBytes(ranks);
+  const std::size_t longest = *std::max_element(sizes.begin(), sizes.end());
+  for (std::size_t at = 0; at < longest; at += most) {
+    const Round round(sizes, at, most);
+    buffer.clear();
+    for (int rank = 0; root && rank < ranks; ++rank) {
+      if (round.counts[rank] > 0) buffer.append(bytes[rank], at, round.counts[rank]);
+    }
+    const int count = round.counts[comm.getRank()];
+    const std::size_t have = mine.size();
+    mine.resize(have + count);
+    MPI_Scatterv(buffer.data(), round.counts.data(), round.places.data(), MPI_BYTE, mine.data() + have, count, MPI_BYTE, 0, mpiComm(comm));
+  }
+  return mine;
+}
+
+std::vector<std::string> allGather(const Comm& comm, const std::string& bytes) {
+  if (comm.getSize() == 1) return {bytes};
+  const int ranks = comm.getSize();
+  const MPI_Comm mpi = mpiComm(comm);
+  const unsigned long long mine = bytes.size();
+  std::vector<unsigned long long> sizes(ranks);
+  MPI_Allgather(&mine, 1, MPI_UNSIGNED_LONG_LONG, sizes.data(), 1, MPI_UNSIGNED_LONG_LONG, mpi);
+
+  std::vector<std::string> all(ranks);
+  std::string buffer;
+  const std::size_t most = roundBytes(ranks);
+  const std::size_t longest = *std::max_element(sizes.begin(), sizes.end());
+  for (std::size_t at = 0; at < longest; at += most) {
+    const Round round(sizes, at, most);
+    buffer.resize(round.total);
+    MPI_Allgatherv(bytes.data() + std::min(at, bytes.size()), round.counts[comm.getRank()], MPI_BYTE, buffer.data(), round.counts.data(),
+                   round.places.data(), MPI_BYTE, mpi);
+    for (int rank = 0; rank < ranks; ++rank) all[rank].append(buffer, round.places[rank], round.counts[rank]);
+  }
+  return all;
+}
+
+}  // namespace suture

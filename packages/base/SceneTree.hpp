@@ -1,0 +1,41 @@
+#pragma once
+#include <suture/base/Errors.hpp>
+
+#include <list>
+#include <string>
+#include <vector>
+
+namespace suture {
+
+/// A parameter as it stands in the file or behind --set, nothing converted yet.
+struct RawParameter {
+  std::string name;
+  std::string type;  ///< the attribute `type`; empty: not given
+  std::string value;
+  bool hasValue = true;
+  bool isSet = false;  ///< by --set
+};
+
+/// A list as it stands in the file. Names are unique within a list, over parameters and lists together.
+struct RawList {
+  std::string name;
+  std::vector<RawParameter> parameters;
+  std::list<RawList> lists;  ///< in the order of the file
+
+  const RawParameter* parameter(const std::string& name) const;
+  RawParameter* parameter(const std::string& name);
+  const RawList* list(const std::string& name) const;
+  RawList* list(const std::string& name);
+};
+
+/// "Contact/fault above": the path of an entry of a list; `list` is empty for the top list. Local.
+std::string joinPath(const std::string& list, const std::string& entry);
+
+/// XML text to tree. Duplicates, foreign elements, stray text, missing names and values go to `problems`, and reading continues;
+/// text that is no XML ends it (the problem names the line) and gives an empty tree. Local.
+RawList parseTree(const std::string& text, const std::string& path, Problems& problems);
+
+/// Writes "Path/To/Parameter=value" into the tree; lists on the way are made. What the path means is checked with the tree. Local.
+void applyOverride(RawList& top, const std::string& assignment, Problems& problems);
+
+}  // namespace suture
