@@ -1,0 +1,29 @@
+# Installation: libsuture.so with its headers, the programs, and what find_package(Suture) needs. A project downstream links Suture::suture
+# and gets Trilinos, MPI and Eigen with it.
+include(CMakePackageConfigHelpers)
+
+set(SUTURE_CONFIG_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/Suture)
+foreach(target options trilinos eigen)
+  set_target_properties(suture_${target} PROPERTIES EXPORT_NAME ${target})
+endforeach()
+install(TARGETS suture suture_options suture_trilinos suture_eigen EXPORT SutureTargets)
+install(EXPORT SutureTargets NAMESPACE Suture:: DESTINATION ${SUTURE_CONFIG_DIR})
+install(DIRECTORY ${CMAKE_SOURCE_DIR}/packages/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/suture FILES_MATCHING PATTERN "*.hpp")
+
+# The programs find the library beside themselves, wherever the folder is moved to.
+file(RELATIVE_PATH suture_bin_to_lib /${CMAKE_INSTALL_BINDIR} /${CMAKE_INSTALL_LIBDIR})
+foreach(program suture_solve suture_study suture_schema)
+  if(TARGET ${program})
+    set_target_properties(${program} PROPERTIES INSTALL_RPATH "$ORIGIN/${suture_bin_to_lib}")
+    install(TARGETS ${program})
+  endif()
+endforeach()
+if(EXISTS ${CMAKE_SOURCE_DIR}/drivers/plot/suture_plot)
+  install(PROGRAMS ${CMAKE_SOURCE_DIR}/drivers/plot/suture_plot DESTINATION ${CMAKE_INSTALL_BINDIR})
+endif()
+install(FILES ${CMAKE_SOURCE_DIR}/LICENSE ${CMAKE_SOURCE_DIR}/README.md ${CMAKE_SOURCE_DIR}/CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+
+configure_package_config_file(${CMAKE_SOURCE_DIR}/cmake/SutureConfig.cmake.in ${CMAKE_BINARY_DIR}/SutureConfig.cmake
+  INSTALL_DESTINATION ${SUTURE_CONFIG_DIR} NO_SET_AND_CHECK_MACRO)
+write_basic_package_version_file(${CMAKE_BINARY_DIR}/SutureConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${CMAKE_BINARY_DIR}/SutureConfig.cmake ${CMAKE_BINARY_DIR}/SutureConfigVersion.cmake DESTINATION ${SUTURE_CONFIG_DIR})
