@@ -1,0 +1,185 @@
+#include <Teuchos_UnitTestHarness.hpp>
+#include <suture/base/Errors.hpp>
+#include <suture/subdomain/CholmodFactor.hpp>
+
+#include <Eigen/Dense>
+#include <random>
+
+namespace suture {
+namespace {
+
+using Sparse = Eigen::SparseMatrix<double>;
+using Form = CholmodOptions::Form;
+using Ordering = CholmodOptions::Ordering;
+
+// Bilinear squares of an elastic body (both Lame constants 1), written here from the formulas: nodes (nx+1) x (ny+1), nothing held; its
+// kernel are the three rigid modes. Scaled by 24 all entries are whole numbers, so that translations are in the kernel without rounding.
+Sparse floatingBody(int nx, int ny) {
+  const double g = std::sqrt(1.0 / 3.0);  // two-point Gauss quadrature
+  Eigen::Matrix3d d;
+  d << 3, 1, 0, 1, 3, 0, 0, 0, 1;
+  Eigen::Matrix<double, 8, 8> k = Eigen::Matrix<double, 8, 8>::Zero();
+  const double sx[4] = {-1, 1, 1, -1}, sy[4] = {-1, -1, 1, 1};
+  for (double x : {-g, g})
+    for (double y : {-g, g}) {
+      Eigen::Matrix<double, 3, 8> b = Eigen::Matrix<double, 3, 8>::Zero();
+      for (int a = 0; a < 4; ++a) {
+        const double dx = sx[a] * (1 + sy[a] * y) / 2, dy = sy[a] * (1 + sx[a] * x) / 2;
+        b(0, 2 * a) = b(2, 2 * a + 1) = dx;
+        b(1, 2 * a + 1) = b(2, 2 * a) = dy;
+      }
+      k += b.transpose() * d * b / 4;
+    }
+  k = (24 * k).array().round();
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int j = 0; j < ny; ++j)
+    for (int i = 0; i < nx; ++i) {
+      const int n = j * (nx + 1) + i, nodes[4] = {n, n + 1, n + nx + 2, n + nx + 1};
+      for (int r = 0; r < 8; ++r)
+        for (int s = 0; s < 8; ++s) entries.emplace_back(2 * nodes[r / 2] + r % 2, 2 * nodes[s / 2] + s % 2, k(r, s));
+    }
+  Sparse a(2 * (nx + 1) * (ny + 1), 2 * (nx + 1) * (ny + 1));
+  a.setFromTriplets(entries.begin(), entries.end());
+  return a;
+}
+
+Sparse randomDefinite(int n, unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> value(-1, 1);
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int e = 0; e < 3 * n; ++e) {
+    const int i = int(random() % n), j = int(random() % n);
+    const double v = value(random);
+    entries.emplace_back(i, j, v);
+    entries.emplace_back(j, i, v);
+    entries.emplace_back(i, i, 2 * std::abs(v));  // diagonally dominant
+    entries.emplace_back(j, j, 2 * std::abs(v));
+  }
+  for (int i = 0; i < n; ++i) entries.emplace_back(i, i, 0.1);
+  Sparse a(n, n);
+  a.setFromTriplets(entries.begin(), entries.end());
+  return a;
+}
+
+std::vector<CholmodOptions> everyWay(int trailing) {
+  std::vector<CholmodOptions> all;
+  for (Ordering ordering : {Ordering::Amd, Ordering::ConstrainedAmd, Ordering::Metis})
+    for (Form form : {Form::Automatic, Form::Simplicial, Form::Supernodal}) {
+      CholmodOptions options;
+      options.ordering = ordering;
+      options.form = form;
+      options.trailing = trailing;
+      all.push_back(options);
+    }
+  return all;
+}
+
+Matrix denseSchur(const Matrix& a, int trailing) {
+  const int n = int(a.rows()), i = n - trailing;
+  return a.bottomRightCorner(trailing, trailing) -
+         a.bottomLeftCorner(trailing, i) * a.topLeftCorner(i, i).ldlt().solve(a.topRightCorner(i, trailing));
+}
+
+double difference(const Matrix& a, const Matrix& b) { return (a - b).norm() / b.norm(); }
+
+TEUCHOS_UNIT_TEST(CholmodFactor, SolvesLikeADenseFactorisation) {
+  const Sparse a = randomDefinite(150, 7);
+  const Matrix dense(a), rhs = Matrix::Random(150, 37);  // more columns than go through L at once
+  const Matrix expected = dense.ldlt().solve(rhs);
+  for (int trailing : {0, 31, 150})
+    for (const CholmodOptions& options : everyWay(trailing)) {
+      const CholmodFactor factor(a, options);
+      Matrix x = rhs;
+      factor.solve(x);
+      TEST_COMPARE(difference(x, expected), <, 1e-13);
+      Matrix one = rhs.col(3);
+      factor.solve(one);
+      TEST_COMPARE(difference(one, expected.col(3)), <, 1e-13);
+    }
+}
+
+TEUCHOS_UNIT_TEST(CholmodFactor, ReadsTheLowerTriangleOnly) {
+  const Sparse a = randomDefinite(60, 3), lower = a.triangularView<Eigen::Lower>();
+  Matrix x = Matrix::Random(60, 2), y = x;
+  CholmodFactor(a).solve(x);
+  CholmodFactor(lower).solve(y);
+  TEST_EQUALITY(difference(x, y), 0.0);
+}
+
+TEUCHOS_UNIT_TEST(CholmodFactor, SolvesWithTheLeadingBlock) {
+  const Sparse a = randomDefinite(150, 11);
+  const int trailing = 40, leading = 110;
+  const Matrix rhs = Matrix::Random(leading, 5);
+  const Matrix expected = Matrix(a).topLeftCorner(leading, leading).ldlt().solve(rhs);
+  for (const CholmodOptions& options : everyWay(trailing)) {
+    const CholmodFactor factor(a, options);
+    Matrix x = rhs, one = rhs.col(1);
+    factor.solveLeading(x);
+    factor.solveLeading(one);
+    TEST_COMPARE(difference(x, expected), <, 1e-13);
+    TEST_COMPARE(difference(one, expected.col(1)), <, 1e-13);
+  }
+}
+
+TEUCHOS_UNIT_TEST(CholmodFactor, SchurComplementIsTheDenseOne) {
+  const Sparse a = randomDefinite(120, 5);
+  for (int trailing : {1, 25, 120})
+    for (CholmodOptions options : everyWay(trailing)) {
+      TEST_COMPARE(difference(CholmodFactor(a, options).trailingSchur(), denseSchur(Matrix(a), trailing)), <, 1e-13);
+      options.shift = CholmodFactor::trailingDiagonal(a, trailing);
+      TEST_COMPARE(difference(CholmodFactor(a, options).trailingSchur(), denseSchur(Matrix(a), trailing)), <, 1e-13);
+    }
+}
+
+TEUCHOS_UNIT_TEST(CholmodFactor, SchurComplementOfAFloatingBodyHasTheTranslationsInItsKernel) {
+  const int nx = 16, ny = 20, trailing = 2 * (nx + 1);  // the upper edge
+  const Sparse a = floatingBody(nx, ny);
+  for (CholmodOptions options : everyWay(trailing)) {
+    options.shift = CholmodFactor::trailingDiagonal(a, trailing);
+    const Matrix s = CholmodFactor(a, options).trailingSchur();
+    for (int k = 0; k < 2; ++k) {
+      Vector z = Vector::Zero(trailing);
+      for (int i = k; i < trailing; i += 2) z[i] = 1;
+      TEST_COMPARE((s * z).cwiseAbs().maxCoeff(), <, 1e-14 * (s.cwiseAbs() * z).maxCoeff());
+    }
+    // nothing but the three rigid motions costs no energy
+    const Vector values = Eigen::SelfAdjointEigenSolver<Matrix>(s).eigenvalues();
+    TEST_COMPARE(values[2], <, 1e-13 * values[trailing - 1]);
+    TEST_COMPARE(values[3], >, 1e-3 * values[trailing - 1]);
+  }
+}
+
+TEUCHOS_UNIT_TEST(CholmodFactor, RefusesASingularMatrix) {
+  for (const CholmodOptions& options : everyWay(10)) TEST_THROW(CholmodFactor(floatingBody(12, 9), options), NumericalError);
+  Sparse indefinite = randomDefinite(30, 2);
+  indefinite.coeffRef(17, 17) = -1;
+  TEST_THROW(CholmodFactor{indefinite}, NumericalError);
+}
+
+TEUCHOS_UNIT_TEST(CholmodFactor, RefusesSizesThatDoNotFit) {
+  const Sparse a = randomDefinite(20, 1);
+  CholmodOptions options;
+  options.trailing = 21;
+  TEST_THROW(CholmodFactor(a, options), InternalError);
+  options.trailing = 4;
+  options.shift = Vector::Ones(3);
+  TEST_THROW(CholmodFactor(a, options), InternalError);
+  Matrix rhs = Matrix::Ones(19, 1);
+  TEST_THROW(CholmodFactor(a).solve(rhs), InternalError);
+}
+
+TEUCHOS_UNIT_TEST(CholmodFactor, CountsItsWork) {
+  const int n = 30;
+  Sparse diagonal(n, n);
+  diagonal.setIdentity();
+  const CholmodFactor factor(diagonal);
+  TEST_EQUALITY(factor.statistics().factorEntries, double(n));
+  TEST_EQUALITY(factor.statistics().smallestPivot, 1.0);
+  TEST_EQUALITY(factor.statistics().ordering, std::string("AMD"));
+  // a full matrix: n (n + 1) / 2 entries whatever the order
+  const Sparse full = Matrix(Matrix::Ones(n, n) + n * Matrix::Identity(n, n)).sparseView();
+  TEST_EQUALITY(CholmodFactor(full).statistics().factorEntries, n * (n + 1) / 2.0);
+}
+
+}  // namespace
+}  // namespace suture
