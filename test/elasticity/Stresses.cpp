@@ -1,0 +1,84 @@
+#include <Teuchos_UnitTestHarness.hpp>
+#include <suture/elasticity/ElasticModel.hpp>
+
+#include "SampleCells.hpp"
+
+using namespace suture;
+
+namespace {
+
+const Material steel{"steel", 210e9, 0.3};
+const Material& steelOf(int) { return steel; }
+
+// Stresses of the linear displacement u = G x on one element.
+Vector stressOf(const CellBlock& block, const Eigen::Matrix2d& gradient, PlaneModel plane) {
+  Vector u(2 * block.nodes());
+  for (int i = 0; i < block.nodes(); ++i) u.segment<2>(2 * i) = gradient * Eigen::Vector2d(block.point(i)[0], block.point(i)[1]);
+  return elementStresses(block, steelOf, plane, u).row(0).transpose();
+}
+
+Eigen::Matrix2d gradient(double xx, double xy, double yx, double yy) {
+  Eigen::Matrix2d g;
+  g << xx, xy, yx, yy;
+  return g;
+}
+
+Matrix rows(std::initializer_list<std::array<double, 4>> all) {
+  Matrix m(all.size(), 4);
+  int i = 0;
+  for (const auto& row : all) {
+    for (int k = 0; k < 4; ++k) m(i, k) = row[k];
+    ++i;
+  }
+  return m;
+}
+
+}  // namespace
+
+TEUCHOS_UNIT_TEST(Stresses, FollowHookesLawInThreeDimensions) {
+  // The law written the other way round: strains from stresses, e_xx = (s_xx - nu (s_yy + s_zz)) / E, and so on.
+  const double exx = 1e-3, eyy = -4e-4, half = 3e-4;  // half the engineering shear
+  const double e = steel.young, nu = steel.poisson;
+  for (Cell cell : sample::cells())
+    for (const CellBlock& block : {sample::distorted(cell), sample::curved(cell)})
+      for (PlaneModel plane : {PlaneModel::Strain, PlaneModel::Stress}) {
+        // An added rotation must change nothing.
+        const Vector s = stressOf(block, gradient(exx, half + 0.01, half - 0.01, eyy), plane);
+        TEST_COMPARE(std::abs((s[0] - nu * (s[1] + s[2])) / e - exx), <, 1e-15);
+        TEST_COMPARE(std::abs((s[1] - nu * (s[0] + s[2])) / e - eyy), <, 1e-15);
+        TEST_COMPARE(std::abs(s[3] * (1 + nu) / e - half), <, 1e-15);
+        if (plane == PlaneModel::Strain) {
+          TEST_COMPARE(std::abs((s[2] - nu * (s[0] + s[1])) / e), <, 1e-15);
+        } else {
+          TEST_EQUALITY(s[2], 0.0);
+        }
+      }
+}
+
+TEUCHOS_UNIT_TEST(Stresses, AreTensionPositive) {
+  const Vector s = stressOf(sample::distorted(Cell::Triangle3), gradient(1e-3, 0, 0, 0), PlaneModel::Stress);
+  TEST_COMPARE(s[0], >, 0.0);
+}
+
+TEUCHOS_UNIT_TEST(Stresses, HavePrincipalValuesThatAreThoseOfTheTurnedTensor) {
+  const double s1 = 5e6, s2 = -2e6;
+  for (double angle : {0.0, 0.3, 1.2, -0.7, -1.5}) {
+    const double c = std::cos(angle), s = std::sin(angle);
+    const Matrix tensor = rows({{s1 * c * c + s2 * s * s, s1 * s * s + s2 * c * c, 7e7, (s1 - s2) * s * c}});
+    const Matrix principal = principalStresses(tensor);
+    TEST_FLOATING_EQUALITY(principal(0, 0), s1, 1e-13);
+    TEST_FLOATING_EQUALITY(principal(0, 1), s2, 1e-13);
+    TEST_COMPARE(std::abs(principal(0, 2) - angle), <, 1e-13);
+  }
+}
+
+TEUCHOS_UNIT_TEST(Stresses, HaveTheVonMisesStressOfKnownCases) {
+  const double t = 3e6;
+  const Vector v = vonMises(rows({{t, 0, 0, 0}, {t, t, t, 0}, {0, 0, 0, t}, {t, t, 0, 0}, {0, 0, -t, 0}, {t, -t, 0, 0}}));
+  TEST_FLOATING_EQUALITY(v[0], t, 1e-14);                   // uniaxial
+  TEST_COMPARE(std::abs(v[1]), <, 1e-6);                    // hydrostatic
+  TEST_FLOATING_EQUALITY(v[2], std::sqrt(3.0) * t, 1e-14);  // pure shear
+  TEST_FLOATING_EQUALITY(v[3], t, 1e-14);                   // equibiaxial: as uniaxial across
+  TEST_FLOATING_EQUALITY(v[4], t, 1e-14);
+  TEST_FLOATING_EQUALITY(v[5], std::sqrt(3.0) * t, 1e-14);  // pure shear, turned by 45 degrees
+}
