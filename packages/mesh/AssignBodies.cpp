@@ -1,0 +1,110 @@
+#include <suture/base/Errors.hpp>
+#include <suture/mesh/CellGeometry.hpp>
+#include <suture/mesh/Mesh.hpp>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace suture {
+
+namespace {
+
+// "7 elements (the first at (1, 2))" -- or "1 element (at (1, 2))"
+std::string howManyAndWhere(std::size_t count, const std::string& what, const std::string& place) {
+  return std::to_string(count) + " " + what + (count == 1 ? " (at " : "s (the first at ") + place + ")";
+}
+
+void checkShapes(const Mesh& mesh, Problems& problems) {
+  std::vector<int> inverted, flat;
+  for (int e = 0; e < mesh.elements(); ++e) {
+    const double diameter = diameterOf(mesh, e);
+    const double jacobian = smallestJacobian(mesh, e);
+    // relative to the element's own size; a sliver of aspect ratio 1e8 still passes
+    if (!(jacobian > 1e-12 * diameter * diameter)) (jacobian < -1e-12 * diameter * diameter ? inverted : flat).push_back(e);
+  }
+  const auto report = [&](const std::vector<int>& bad, const std::string& what) {
+    if (bad.empty()) return;
+    char area[40];
+    std::snprintf(area, sizeof area, "%.6g", signedArea(mesh, bad[0]));
+    problems.add("Mesh", mesh.source + ": " + howManyAndWhere(bad.size(), what, placeText(centreOf(mesh, bad[0]), mesh.dimension)) +
+                             "; element " + std::to_string(bad[0]) + " has the area " + area + ", expected a positive one");
+  };
+  report(inverted, "inverted element");
+  report(flat, "element without area");
+}
+
+void checkNodes(const Mesh& mesh, Problems& problems) {
+  std::vector<char> used(mesh.nodes(), 0);
+  for (const int node : mesh.connectivity) used[node] = 1;
+  const std::size_t orphans = std::count(used.begin(), used.end(), 0);
+  if (orphans == 0) return;
+  const int first = static_cast<int>(std::find(used.begin(), used.end(), 0) - used.begin());
+  problems.add("Mesh", mesh.source + ": " + howManyAndWhere(orphans, "node", placeText(mesh.point(first), mesh.dimension)) +
+                           " in no element, and so in no body");
+}
+
+}  // namespace
+
+void assignBodies(Mesh& mesh, const std::vector<std::string>& names) {
+  Problems problems;
+  mesh.bodies = names;
+  mesh.bodyOfElement.assign(mesh.elements(), -1);
+  mesh.bodyOfNode.assign(mesh.nodes(), -1);
+
+  bool allKnown = true;
+  for (int body = 0; body < static_cast<int>(names.size()); ++body) {
+    const auto group = mesh.elementGroups.find(names[body]);
+    if (group == mesh.elementGroups.end()) {
+      allKnown = false;
+      problems.add("Bodies/" + names[body],
+                   "in the mesh " + mesh.source + ": " + unknownName("surface group", names[body], mesh.elementGroupNames()));
+      continue;
+    }
+    std::map<int, std::vector<int>> twice;  // other body -> elements
+    for (const int e : group->second) {
+      if (mesh.bodyOfElement[e] >= 0 && mesh.bodyOfElement[e] != body) twice[mesh.bodyOfElement[e]].push_back(e);
+      mesh.bodyOfElement[e] = body;
+    }
+    for (const auto& [other, elements] : twice)
+      problems.add("Bodies/" + names[body],
+                   howManyAndWhere(elements.size(), "element", placeText(centreOf(mesh, elements[0]), mesh.dimension)) +
+                       " also in the body '" + names[other] + "'; an element belongs to one body");
+  }
+
+  // With a body missing, its elements and nodes would only repeat that error.
+  if (allKnown) {
+    std::vector<int> homeless;
+    std::map<std::pair<int, int>, std::vector<int>> shared;  // bodies -> nodes
+    for (int e = 0; e < mesh.elements(); ++e) {
+      const int body = mesh.bodyOfElement[e];
+      if (body < 0) {
+        homeless.push_back(e);
+        continue;
+      }
+      for (const int node : mesh.nodesOf(e)) {
+        int& owner = mesh.bodyOfNode[node];
+        if (owner >= 0 && owner != body) {
+          std::vector<int>& nodes = shared[std::minmax(owner, body)];
+          if (std::find(nodes.begin(), nodes.end(), node) == nodes.end()) nodes.push_back(node);
+        } else {
+          owner = body;
+        }
+      }
+    }
+    if (!homeless.empty())
+      problems.add("Bodies", "the mesh " + mesh.source + " has " +
+                                 howManyAndWhere(homeless.size(), "element", placeText(centreOf(mesh, homeless[0]), mesh.dimension)) +
+                                 " in none of the bodies (" + joinNames(names) +
+                                 "). Surface groups: " + joinNames(mesh.elementGroupNames()));
+    for (const auto& [pair, nodes] : shared)
+      problems.add("Bodies/" + names[pair.first],
+                   "shares " + howManyAndWhere(nodes.size(), "node", placeText(mesh.point(nodes[0]), mesh.dimension)) + " with the body '" +
+                       names[pair.second] +
+                       "'; bodies share no nodes: mesh each as a shape of its own (in Gmsh: no BooleanFragments across)");
+  }
+  checkNodes(mesh, problems);
+  checkShapes(mesh, problems);
+  problems.throwIfAny();
+}
+
+}  // namespace suture

@@ -1,0 +1,24 @@
+#pragma once
+#include <suture/mesh/CellBlock.hpp>
+
+#include <string>
+
+namespace suture {
+
+/// Smallest determinant of the Jacobian of the map from the reference cell (vertices at -1 and 1, or at 0 and 1 of a triangle) among the
+/// nodes of the element: negative or zero where the element is turned over or collapsed. [area] Local.
+double smallestJacobian(const CellBlock& block, int element);
+
+/// Area of the polygon of an element's vertices, positive when they run counter-clockwise. [area] Local.
+double signedArea(const CellBlock& block, int element);
+
+/// Mean of an element's vertices. Local.
+Point centreOf(const CellBlock& block, int element);
+
+/// Longest distance between two vertices of an element. [length] Local.
+double diameterOf(const CellBlock& block, int element);
+
+/// "(x, y)" for messages; six digits.
+std::string placeText(const Point& point, int dimension = 2);
+
+}  // namespace suture

@@ -1,0 +1,24 @@
+#pragma once
+#include <suture/mesh/Mesh.hpp>
+
+#include <map>
+#include <string>
+
+namespace suture {
+
+/// What a scene says about reading a .geo or .msh file.
+struct GmshInput {
+  std::string path;
+  std::map<std::string, double> constants;  ///< override the values of DefineConstant (.geo only)
+  double meshSizeFactor = 1.0;              ///< multiplies all mesh sizes (.geo only)
+};
+
+/// Reads a .msh file, or meshes a .geo file, through libgmsh. Only named physical surfaces and curves become groups; only nodes of
+/// elements are kept, in the order of Gmsh's numbers. Surfaces meshed clockwise as a whole are turned round. Gmsh's global state is
+/// made and removed here: a program must not use Gmsh itself meanwhile. Local (rank 0).
+/// \throws InputError        Gmsh's own errors; unknown constants (nearest, known); no elements; a cell of another kind; a node outside the
+///                           plane z = 0; a curve element that is no side of an element, or lies inside the material
+/// \throws EnvironmentError  Suture was built without Gmsh (SUTURE_GMSH=OFF)
+Mesh readGmsh(const GmshInput& input);
+
+}  // namespace suture

@@ -1,0 +1,28 @@
+#pragma once
+#include <suture/mesh/CellBlock.hpp>
+
+#include <vector>
+
+namespace suture {
+
+/// All sides of all elements by their two end points: whose side is a given segment, and does it lie on the boundary?
+class SideTable {
+ public:
+  explicit SideTable(const CellBlock& block);
+
+  /// The sides (none, one, or two in a sound mesh) that join nodes a and b, in ascending order of elements. Local.
+  std::vector<Side> between(int a, int b) const;
+
+  /// Whether a side belongs to its element only. Local.
+  bool onBoundary(const Side& side) const;
+
+ private:
+  struct Entry {
+    int low, high;  ///< end points
+    Side side;
+  };
+  const CellBlock& block_;
+  std::vector<Entry> entries_;  ///< sorted by end points, then element
+};
+
+}  // namespace suture
