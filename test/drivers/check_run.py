@@ -4,9 +4,9 @@
     check_run.py CASES.json CASE --solve build/drivers/suture_solve --work FOLDER [--ranks N] [--mpirun "mpirun --oversubscribe"]
 
 A file of cases is either one case (the expected.json beside a scene; CASE is then "-") or {"defaults": {...}, "cases": {name: {...}}}.
-A case has, all but "scene" with a default:
+A case has, all but "scene" with a default; the arguments of a table's defaults come before its own:
 
-    scene       the scene file, relative to the file of cases
+    scene       the scene file, relative to the file of cases; or "scene_path", given to the program as it is, {work} filled in
     edit        [[old, new], ...]: replacements in a copy of the scene, each of which must be found; the geometry is copied with it
     arguments   of suture_solve; {work} is the folder of the test (emptied before), {scenes} the scene's own
     files       {name: text}: files made in {work} before the run
@@ -122,18 +122,26 @@ def main():
 
     with open(options.file) as file:
         table = json.load(file)
-    case = dict(table) if options.case == "-" else {**table.get("defaults", {}), **table["cases"][options.case]}
+    if options.case == "-":
+        case = table
+    else:
+        defaults, own = table.get("defaults", {}), table["cases"][options.case]
+        case = {**defaults, **own, "arguments": defaults.get("arguments", []) + own.get("arguments", [])}
     folder = os.path.dirname(os.path.abspath(options.file))
     work = os.path.abspath(options.work)
     shutil.rmtree(work, ignore_errors=True)
     os.makedirs(work)
 
     scene = os.path.normpath(os.path.join(folder, case["scene"]))
-    scenes = os.path.dirname(scene)
-    fill = lambda text: text.replace("{work}", work).replace("{scenes}", scenes)
+
+    def fill(text):
+        return text.replace("{work}", work).replace("{scenes}", os.path.dirname(scene))
+
     for name, text in case.get("files", {}).items():
         with open(os.path.join(work, name), "w") as file:
             file.write(text)
+    if "scene_path" in case:
+        scene = fill(case["scene_path"])
     if "edit" in case:
         scene = editedScene(scene, [[fill(a), fill(b)] for a, b in case["edit"]], work)
 
