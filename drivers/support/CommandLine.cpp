@@ -1,0 +1,52 @@
+#include "CommandLine.hpp"
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <suture/base/Errors.hpp>
+#include <suture/base/Version.hpp>
+#include <vector>
+
+#include "Program.hpp"
+
+namespace suture {
+namespace {
+
+std::vector<std::string> optionNames(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options())
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  return names;
+}
+
+// CLI11 says which word it did not expect; the user wants to know which one he may have meant.
+std::string complaint(const CLI::App& app, const CLI::ParseError& error) {
+  const std::vector<std::string> extra = app.remaining();
+  if (error.get_name() == "ExtrasError" && !extra.empty() && extra.front().rfind("--", 0) == 0)
+    return unknownName("option", extra.front().substr(0, extra.front().find('=')), optionNames(app));
+  return error.what();
+}
+
+}  // namespace
+
+std::optional<int> parseCommandLine(int argc, char* argv[], const std::string& name, const std::string& purpose,
+                                    const std::function<void(CLI::App&)>& describe) {
+  CLI::App app(purpose, name);
+  app.set_version_flag("--version", name + " " + version() + " (" + commit() + ")", "Print version and commit");
+  app.get_formatter()->column_width(34);
+  describe(app);
+  try {
+    app.parse(argc, argv);
+    return std::nullopt;
+  } catch (const CLI::CallForHelp&) {
+    if (isFirstProcess()) std::cout << app.help() << std::flush;
+  } catch (const CLI::CallForVersion& text) {
+    if (isFirstProcess()) std::cout << text.what() << std::endl;
+  } catch (const CLI::ParseError& error) {
+    const Explanation answer = explain(name, "", CommandLineError(complaint(app, error)));
+    if (isFirstProcess()) std::cerr << answer.message << std::flush;
+    return int(answer.code);
+  }
+  return 0;
+}
+
+}  // namespace suture

@@ -1,0 +1,131 @@
+#include "Program.hpp"
+
+#include <mpi.h>
+
+#include <Teuchos_Comm.hpp>
+#include <Tpetra_Core.hpp>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <iostream>
+#include <new>
+#include <thread>
+
+// OpenBLAS reads its environment when it is loaded, before main; without OpenBLAS in the program the symbol is absent.
+extern "C" void openblas_set_num_threads(int) __attribute__((weak));
+
+namespace suture {
+namespace {
+
+constexpr double patience = 10.0;  // seconds for the other ranks to arrive, once one has failed
+
+void oneThreadARank() {
+  setenv("OMP_NUM_THREADS", "1", 0);
+  if (openblas_set_num_threads && !std::getenv("OPENBLAS_NUM_THREADS")) openblas_set_num_threads(1);
+}
+
+void print(const std::string& message) {
+  std::cout.flush();
+  std::fputs(message.c_str(), stderr);
+  std::fflush(stderr);
+}
+
+[[noreturn]] void abortAll(const std::string& message) {
+  print(message);
+  MPI_Abort(MPI_COMM_WORLD, int(ExitCode::Internal));
+  std::_Exit(int(ExitCode::Internal));
+}
+
+// The worst code of all ranks; the message of the first rank that has one is printed. `comm` is ours alone, so that no message of the
+// work that was left behind can meet one of these.
+int settle(MPI_Comm comm, int code, const std::string& message) {
+  int worst = 0, done = 0;
+  MPI_Request request;
+  MPI_Iallreduce(&code, &worst, 1, MPI_INT, MPI_MAX, comm, &request);
+  const double begin = MPI_Wtime();
+  // A rank that has succeeded waits as long as it takes: the one it waits for comes, or aborts.
+  for (MPI_Test(&request, &done, MPI_STATUS_IGNORE); !done; MPI_Test(&request, &done, MPI_STATUS_IGNORE)) {
+    if (!message.empty() && MPI_Wtime() - begin > patience)
+      abortAll(message + "  This rank failed alone, the others still wait for it: aborting.\n");
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  int rank, ranks, first;
+  MPI_Comm_rank(comm, &rank);
+  MPI_Comm_size(comm, &ranks);
+  const int speaks = message.empty() ? ranks : rank;
+  MPI_Allreduce(&speaks, &first, 1, MPI_INT, MPI_MIN, comm);
+  if (rank == first) print(message);
+  return worst;
+}
+
+std::string plural(std::size_t n, const std::string& noun) { return std::to_string(n) + " " + noun + (n == 1 ? "" : "s"); }
+
+// Lines after the first are indented below it.
+std::string indented(const std::string& text) {
+  std::string result;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    result += text[i];
+    if (text[i] != '\n') continue;
+    while (i + 1 < text.size() && text[i + 1] == ' ') ++i;
+    if (i + 1 < text.size()) result += "    ";
+  }
+  return result;
+}
+
+std::string inputErrors(const std::string& name, const std::string& subject, const std::vector<Problem>& problems) {
+  std::string text = name + ": " + plural(problems.size(), "error") + (subject.empty() ? "" : " in " + subject) + "\n";
+  for (const Problem& problem : problems)
+    text += "  " + (problem.path.empty() ? "" : problem.path + ": ") + indented(problem.message) + "\n";
+  return text;
+}
+
+}  // namespace
+
+Explanation explain(const std::string& name, const std::string& subject, const std::exception& error) {
+  const std::string begin = name + ": ", of = subject.empty() ? "" : " " + subject;
+  if (const auto* input = dynamic_cast<const InputError*>(&error)) return {input->code(), inputErrors(name, subject, input->problems())};
+  if (dynamic_cast<const std::bad_alloc*>(&error)) return {ExitCode::Environment, begin + "out of memory" + of + "\n"};
+  const std::string what = indented(error.what()) + "\n";
+  if (const auto* ours = dynamic_cast<const Error*>(&error); ours && ours->code() != ExitCode::Internal) {
+    if (ours->code() == ExitCode::CommandLine) return {ours->code(), begin + what + "  '" + name + " --help' lists the options\n"};
+    if (ours->code() == ExitCode::Numerical) return {ours->code(), begin + "no solution of" + of + "\n  " + what};
+    return {ours->code(), begin + what};
+  }
+  return {ExitCode::Internal,
+          begin + "internal error" + of + "\n  " + what + "  This is a bug of Suture: please report it with the scene.\n"};
+}
+
+int runProgram(const std::string& name, const std::string& subject, const std::function<ExitCode(const CommPtr& comm)>& work) {
+  oneThreadARank();
+  // Kokkos would look for options of its own in ours.
+  int argc = 1;
+  std::string program = name;
+  char* arguments[] = {program.data(), nullptr};
+  char** argv = arguments;
+  const Tpetra::ScopeGuard scope(&argc, &argv);
+  MPI_Comm own;
+  MPI_Comm_dup(MPI_COMM_WORLD, &own);
+  std::set_terminate([] { abortAll("suture: terminated by an exception that nobody caught\n"); });
+
+  Explanation end{ExitCode::Done, ""};
+  try {
+    end.code = work(Tpetra::getDefaultComm());
+  } catch (const std::exception& error) {
+    end = explain(name, subject, error);
+  } catch (...) {
+    end = {ExitCode::Internal, name + ": internal error: an exception of unknown type\n"};
+  }
+  const int code = settle(own, int(end.code), end.message);
+  MPI_Comm_free(&own);
+  return code;
+}
+
+bool isFirstProcess() {
+  for (const char* variable : {"OMPI_COMM_WORLD_RANK", "PMIX_RANK", "PMI_RANK", "SLURM_PROCID"})
+    if (const char* rank = std::getenv(variable)) return std::string(rank) == "0";
+  return true;
+}
+
+std::ostream* consoleOf(const Comm& comm, bool quiet) { return quiet || comm.getRank() != 0 ? nullptr : &std::cout; }
+
+}  // namespace suture

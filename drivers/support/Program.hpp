@@ -1,0 +1,32 @@
+#pragma once
+#include <suture/base/Errors.hpp>
+#include <suture/base/Types.hpp>
+
+#include <exception>
+#include <functional>
+#include <iosfwd>
+#include <string>
+
+namespace suture {
+
+/// Runs the work of a driver between the beginning and the end of MPI and returns the exit code of the program, the same on all ranks.
+/// What the work throws is printed once (see explain()). When a rank fails alone, while the others wait for it in a collective, the last
+/// resort after ten seconds is its message and MPI_Abort(70). One thread a rank, unless the environment says otherwise.
+/// \param name     of the program, for messages;  \param subject  the file it works on
+int runProgram(const std::string& name, const std::string& subject, const std::function<ExitCode(const CommPtr& comm)>& work);
+
+/// The exit code of an exception, and the message for the user in the form of STYLE.md: "suture_solve: 3 errors in scene.xml", then a line
+/// "  path: message" each. Local.
+struct Explanation {
+  ExitCode code;
+  std::string message;
+};
+Explanation explain(const std::string& name, const std::string& subject, const std::exception& error);
+
+/// Whether this process is the first of its mpirun, also before MPI begins: a help text is printed once.
+bool isFirstProcess();
+
+/// Standard output on rank 0, null on the others and when quiet.
+std::ostream* consoleOf(const Comm& comm, bool quiet);
+
+}  // namespace suture
