@@ -18,7 +18,7 @@ struct Partition {
   std::vector<int> groupOf;                ///< subdomain -> contact group, or -1
   std::vector<std::vector<int>> groups;    ///< contact group -> its subdomains, ascending
   std::vector<std::vector<int>> piecesOf;  ///< contact group -> its contact pieces
-  std::vector<int> rankOf;                 ///< subdomain -> rank; the subdomains of a group share one
+  std::vector<int> rankOf;                 ///< subdomain -> rank; the subdomains of a group share one, if groups are kept whole
   int subdomains() const { return static_cast<int>(names.size()); }
 };
 
@@ -30,9 +30,11 @@ Schema partitionSchema();
 /// piece; pieces that share a subdomain make one group) and places subdomains on ranks (groups whole, loads balanced by elements). The
 /// same result for the same mesh on any number of ranks, but for rankOf. Collective.
 ///
-/// \param keepGroupsWhole  false for the formulation Contact On The Interface, which needs no group on one rank
+/// \param partition        the scene's list `Partition`. With METIS/Subdomains = Automatic their number may depend on that of the ranks.
+/// \param keepGroupsWhole  false for the formulation Contact On The Interface, which needs no group on one rank; groups are found all the
+///                         same
 /// \throws InputError  unknown pattern (known groups), an element in two subdomains or in none, a named subdomain in two bodies or not
-///                     connected, more subdomains than elements, fewer subdomains than bodies.
+///                     connected, more subdomains than elements, fewer subdomains than connected parts of the bodies.
 Partition makePartition(const Comm& comm, const Mesh& mesh, const Constraints& constraints, const Parameters& partition,
                         bool keepGroupsWhole = true);
 

@@ -1,0 +1,37 @@
+#pragma once
+#include <suture/base/Schema.hpp>
+#include <suture/mesh/Mesh.hpp>
+
+#include <string>
+#include <vector>
+
+namespace suture {
+
+/// Which element is in which subdomain: the result of cutting a mesh.
+struct Cut {
+  std::vector<int> subdomainOfElement;
+  std::vector<std::string> names;  ///< of the subdomains
+  std::vector<int> bodyOf;         ///< subdomain -> body
+};
+
+/// Schemas of the lists `METIS` and `Named Groups`.
+Schema metisSchema();
+Schema namedGroupsSchema();
+
+/// Every body on its own, in proportion to its elements; a body of several disconnected parts, each part on its own.
+/// \param own    the list `METIS`
+/// \param ranks  at least so many subdomains are made by Subdomains = Automatic where the elements allow it
+/// \throws InputError  more subdomains than elements, fewer than connected parts of the bodies. Local (rank 0).
+Cut cutByMetis(const Mesh& mesh, const Parameters& own, int ranks);
+
+/// Every element group that matches the pattern is a subdomain, in alphabetical order.
+/// \param own  the list `Named Groups`
+/// \throws InputError  all of: no group matches, an element in two of them or in none, a group without elements, in two bodies or not
+///                     connected through sides. Local (rank 0).
+Cut cutByNamedGroups(const Mesh& mesh, const Parameters& own);
+
+/// The number of subdomains that Automatic stands for: one for every 800 elements (a subdomain of some thousand unknowns factors in
+/// milliseconds and fits the cache), at least `pieces`, and at least `ranks` as long as each has 50 elements. Local.
+int automaticSubdomains(int elements, int pieces, int ranks);
+
+}  // namespace suture

@@ -1,0 +1,95 @@
+#include <Teuchos_ParameterList.hpp>
+#include <algorithm>
+#include <cmath>
+#include <suture/base/Errors.hpp>
+#include <suture/base/SceneReader.hpp>
+#include <suture/partition/Apportion.hpp>
+#include <suture/partition/Cut.hpp>
+#include <suture/partition/ElementGraph.hpp>
+#include <suture/partition/MetisCut.hpp>
+
+namespace suture {
+
+Schema metisSchema() {
+  return Schema("Every body is cut on its own by METIS, in proportion to its elements; all subdomains are connected through element sides.")
+      .wordOrNumber(
+          "Subdomains", "Automatic", {"Automatic"}, Range::atLeast(1),
+          "How many in all, at least one a body. Automatic: one for about 800 elements, and at least one a rank while each has 50 "
+          "elements; only then does the cut depend on the number of ranks.")
+      .integer("Seed", 1, "Of METIS' random numbers: the same seed gives the same subdomains.", Range::atLeast(0));
+}
+
+int automaticSubdomains(int elements, int pieces, int ranks) {
+  return std::max({pieces, (elements + 400) / 800, std::min(ranks, elements / 50)});
+}
+
+namespace {
+
+// A connected part of a body.
+struct Piece {
+  int body;
+  std::vector<int> elements;
+};
+
+// Body by body, so that the numbers of a body's subdomains follow each other.
+std::vector<Piece> piecesOfBodies(const Mesh& mesh, const ElementGraph& graph) {
+  std::vector<Piece> pieces;
+  for (std::vector<int>& elements : components(graph, mesh.bodyOfElement).elements) {
+    const int body = mesh.bodyOfElement[elements.front()];
+    pieces.push_back({body, std::move(elements)});
+  }
+  std::stable_sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) { return a.body < b.body; });
+  return pieces;
+}
+
+std::string describe(const Mesh& mesh, const std::vector<Piece>& pieces) {
+  std::vector<int> count(mesh.bodies.size(), 0);
+  for (const Piece& piece : pieces) ++count[piece.body];
+  std::string text = std::to_string(mesh.bodies.size()) + (mesh.bodies.size() == 1 ? " body" : " bodies");
+  for (std::size_t body = 0; body < count.size(); ++body)
+    if (count[body] > 1) text += ", '" + mesh.bodies[body] + "' of " + std::to_string(count[body]) + " disconnected parts";
+  return text;
+}
+
+int wantedSubdomains(const Mesh& mesh, const std::vector<Piece>& pieces, const Parameters& own, int ranks) {
+  const std::string text = own.get<std::string>("Subdomains");
+  const int elements = mesh.elements(), least = static_cast<int>(pieces.size());
+  if (text == "Automatic") return automaticSubdomains(elements, least, ranks);
+  const double number = std::stod(text);  // the reader has checked that it is one
+  const std::string path = pathOf(own, "Subdomains");
+  if (number != std::floor(number)) throw InputError(path, text + " is not a whole number");
+  if (number > elements)
+    throw InputError(
+        path, text + " subdomains are more than the " + std::to_string(elements) + " elements of the mesh; every subdomain needs one");
+  if (number < least)
+    throw InputError(path, text + (number == 1 ? " subdomain is" : " subdomains are") + " too few for " + describe(mesh, pieces) +
+                               ": a subdomain lies in one body and is connected, so at least " + std::to_string(least) + " are needed");
+  return static_cast<int>(number);
+}
+
+}  // namespace
+
+Cut cutByMetis(const Mesh& mesh, const Parameters& own, int ranks) {
+  const ElementGraph graph = elementGraph(mesh);
+  const std::vector<Piece> pieces = piecesOfBodies(mesh, graph);
+  const int wanted = wantedSubdomains(mesh, pieces, own, ranks);
+  std::vector<int> sizes;
+  for (const Piece& piece : pieces) sizes.push_back(static_cast<int>(piece.elements.size()));
+  const std::vector<int> parts = apportion(sizes, wanted);
+
+  Cut cut;
+  cut.subdomainOfElement.assign(mesh.elements(), -1);
+  std::vector<int> numberInBody(mesh.bodies.size(), 0);
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const int first = static_cast<int>(cut.names.size());
+    const std::vector<int> partOf = metisCut(subgraph(graph, pieces[i].elements), parts[i], own.get<int>("Seed"));
+    for (std::size_t k = 0; k < partOf.size(); ++k) cut.subdomainOfElement[pieces[i].elements[k]] = first + partOf[k];
+    for (int part = 0; part < parts[i]; ++part) {
+      cut.bodyOf.push_back(pieces[i].body);
+      cut.names.push_back(mesh.bodies[pieces[i].body] + " " + std::to_string(++numberInBody[pieces[i].body]));
+    }
+  }
+  return cut;
+}
+
+}  // namespace suture

@@ -1,0 +1,34 @@
+#pragma once
+#include <suture/base/Types.hpp>
+#include <suture/mesh/CellBlock.hpp>
+
+#include <vector>
+
+namespace suture {
+
+/// The dual graph of a mesh: elements are neighbours when they share a side. Compressed rows, neighbours ascending.
+struct ElementGraph {
+  std::vector<int> offsets{0};  ///< elements + 1
+  std::vector<int> neighbours;
+
+  int elements() const { return static_cast<int>(offsets.size()) - 1; }
+  Span<const int> of(int element) const {
+    return {neighbours.data() + offsets[element], std::size_t(offsets[element + 1] - offsets[element])};
+  }
+};
+
+/// Local. \throws InputError  when more than two elements share a side; names the place.
+ElementGraph elementGraph(const CellBlock& block);
+
+/// The graph of some of the elements, in their order. Local.
+ElementGraph subgraph(const ElementGraph& graph, const std::vector<int>& elements);
+
+/// Connected components of equally labelled elements.
+struct Components {
+  std::vector<int> of;                     ///< element -> component
+  std::vector<std::vector<int>> elements;  ///< of each component, ascending; components in the order of their first elements
+  int count() const { return static_cast<int>(elements.size()); }
+};
+Components components(const ElementGraph& graph, const std::vector<int>& labels);
+
+}  // namespace suture

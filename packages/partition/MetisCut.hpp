@@ -1,0 +1,12 @@
+#pragma once
+#include <suture/partition/ElementGraph.hpp>
+
+#include <vector>
+
+namespace suture {
+
+/// Cuts a connected graph into exactly `parts` parts, none empty, each connected: METIS, then repaired by makeConnected(). The same seed
+/// gives the same parts. Needs 1 <= parts <= elements. Local. \throws InternalError  when METIS fails.
+std::vector<int> metisCut(const ElementGraph& graph, int parts, int seed);
+
+}  // namespace suture

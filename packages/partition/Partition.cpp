@@ -1,0 +1,99 @@
+#include <Teuchos_Comm.hpp>
+#include <Teuchos_ParameterList.hpp>
+#include <algorithm>
+#include <suture/base/Buffer.hpp>
+#include <suture/base/Collective.hpp>
+#include <suture/base/Errors.hpp>
+#include <suture/partition/ContactGroups.hpp>
+#include <suture/partition/Cut.hpp>
+#include <suture/partition/NodeSubdomains.hpp>
+#include <suture/partition/Partition.hpp>
+#include <suture/partition/Placement.hpp>
+
+namespace suture {
+
+Schema partitionSchema() {
+  return Schema("How the bodies are cut into subdomains.")
+      .choice("Type", "METIS", {{"METIS", metisSchema()}, {"Named Groups", namedGroupsSchema()}},
+              "METIS cuts automatically; Named Groups takes surface groups of the mesh.");
+}
+
+namespace {
+
+// The subdomains of a group are one unit where they must stay together, every other subdomain is one by itself.
+std::vector<int> placeSubdomains(const Partition& cut, bool keepGroupsWhole, int ranks) {
+  std::vector<int> unitOf(cut.subdomains(), -1), unitOfGroup(cut.groups.size(), -1);
+  std::vector<long long> weights;
+  for (int s = 0; s < cut.subdomains(); ++s) {
+    const int group = keepGroupsWhole ? cut.groupOf[s] : -1;
+    int unit = group >= 0 ? unitOfGroup[group] : -1;
+    if (unit < 0) {
+      unit = static_cast<int>(weights.size());
+      weights.push_back(0);
+      if (group >= 0) unitOfGroup[group] = unit;
+    }
+    unitOf[s] = unit;
+    weights[unit] += cut.elementsOf[s];
+  }
+  const std::vector<int> rankOfUnit = placeOnRanks(weights, ranks);
+  std::vector<int> rankOf;
+  for (int unit : unitOf) rankOf.push_back(rankOfUnit[unit]);
+  return rankOf;
+}
+
+Partition partitionOnRoot(const Mesh& mesh, const Constraints& constraints, const Parameters& own, bool keepGroupsWhole, int ranks) {
+  const std::string type = own.get<std::string>("Type");
+  Cut cut = type == "METIS" ? cutByMetis(mesh, own.sublist(type), ranks) : cutByNamedGroups(mesh, own.sublist(type));
+  Partition all;
+  all.subdomainOfElement = std::move(cut.subdomainOfElement);
+  all.names = std::move(cut.names);
+  all.bodyOf = std::move(cut.bodyOf);
+  all.elementsOf.assign(all.names.size(), 0);
+  for (int s : all.subdomainOfElement) ++all.elementsOf[s];
+  ContactGroups contact = contactGroups(constraints, nodeSubdomains(mesh, all.subdomainOfElement, all.subdomains()), all.subdomains());
+  all.groupOf = std::move(contact.groupOf);
+  all.groups = std::move(contact.groups);
+  all.piecesOf = std::move(contact.piecesOf);
+  all.rankOf = placeSubdomains(all, keepGroupsWhole, ranks);
+  return all;
+}
+
+std::string pack(const Partition& all) {
+  Packer packer;
+  packer.put(all.names);
+  packer.put(all.bodyOf);
+  packer.put(all.elementsOf);
+  packer.put(all.groupOf);
+  packer.put(all.groups);
+  packer.put(all.piecesOf);
+  packer.put(all.rankOf);
+  return packer.bytes();
+}
+
+void unpack(const std::string& bytes, Partition& all) {
+  Unpacker unpacker(bytes);
+  unpacker.get(all.names);
+  unpacker.get(all.bodyOf);
+  unpacker.get(all.elementsOf);
+  unpacker.get(all.groupOf);
+  unpacker.get(all.groups);
+  unpacker.get(all.piecesOf);
+  unpacker.get(all.rankOf);
+}
+
+}  // namespace
+
+Partition makePartition(const Comm& comm, const Mesh& mesh, const Constraints& constraints, const Parameters& partition,
+                        bool keepGroupsWhole) {
+  Partition all;
+  std::string bytes;
+  collectivelyOnRoot(comm, "partition", [&] {
+    all = partitionOnRoot(mesh, constraints, partition, keepGroupsWhole, comm.getSize());
+    bytes = pack(all);
+  });
+  bytes = broadcast(comm, bytes);
+  if (comm.getRank() != 0) unpack(bytes, all);
+  return all;
+}
+
+}  // namespace suture
