@@ -1,0 +1,61 @@
+#pragma once
+#include <suture/base/Types.hpp>
+#include <suture/mesh/CellBlock.hpp>
+
+#include <limits>
+#include <map>
+#include <vector>
+
+namespace suture {
+
+/// A named group of sides seen as lines through nodes: outward normals, tributary lengths and the order of the nodes along it. Plane.
+class BoundaryLine {
+ public:
+  BoundaryLine(const CellBlock& block, const std::vector<Side>& sides);
+
+  struct Node {
+    Point weightedNormal{0, 0, 0};                             ///< integral of (outward normal x hat function of the node) [length]
+    double tributary = 0.0;                                    ///< integral of the hat function [length]
+    double spacing = std::numeric_limits<double>::infinity();  ///< distance to the nearest neighbour along the line [length]
+    std::vector<Point> sideNormals;                            ///< unit outward normals of the sides that meet here
+  };
+
+  /// Nodes that follow each other, with the body on the left. A closed chain begins at its lowest node, which is not repeated at the end.
+  struct Chain {
+    std::vector<int> nodes;
+    std::vector<double> arc;  ///< length of the way from the first node [length]
+    bool closed = false;
+  };
+
+  const std::map<int, Node>& nodes() const { return nodes_; }
+  const Node& at(int node) const { return nodes_.at(node); }
+  /// Unit outward normal, averaged over the sides by their lengths.
+  Point normal(int node) const;
+  /// Connected chains, in ascending order of their lowest nodes; empty if the line branches.
+  const std::vector<Chain>& chains() const { return chains_; }
+  /// Nodes that three or more sides of the group share.
+  const std::vector<int>& branchings() const { return branchings_; }
+
+ private:
+  void addSide(const CellBlock& block, const std::vector<int>& nodes);
+  void makeChains(const CellBlock& block);
+
+  std::map<int, Node> nodes_;
+  std::map<int, int> next_, previous_;
+  std::vector<int> branchings_;
+  std::vector<Chain> chains_;
+};
+
+/// Plane vectors, for the constraints' geometry.
+double dot(const Point& a, const Point& b);
+double cross(const Point& a, const Point& b);
+double norm(const Point& a);
+Point minus(const Point& a, const Point& b);
+/// a / |a|; components that are mere rounding (below 1e-9) become zero, so that straight axis-parallel lines have exact normals.
+Point unit(const Point& a);
+/// A quarter turn to the left.
+Point turned(const Point& a);
+/// Between two directions, 0 .. pi.
+double angleBetween(const Point& a, const Point& b);
+
+}  // namespace suture

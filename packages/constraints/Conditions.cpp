@@ -1,0 +1,137 @@
+#include <suture/base/SceneReader.hpp>
+#include <suture/constraints/BuildConstraints.hpp>
+#include <suture/constraints/Conditions.hpp>
+
+#include <Teuchos_Array.hpp>
+#include <Teuchos_ParameterList.hpp>
+
+#include <algorithm>
+
+namespace suture {
+
+namespace {
+
+const std::vector<std::pair<std::string, Condition::Type>>& types() {
+  using T = Condition::Type;
+  static const std::vector<std::pair<std::string, T>> all = {{"Displacement", T::Displacement},
+                                                             {"Bilateral", T::Bilateral},
+                                                             {"Traction", T::Traction},
+                                                             {"Pressure", T::Pressure},
+                                                             {"Body Force", T::BodyForce}};
+  return all;
+}
+
+/// Checks one entry against what its type takes.
+class Entry {
+ public:
+  Entry(const Mesh& mesh, const Parameters& list, Problems& problems) : mesh_(mesh), list_(list), problems_(problems) {}
+
+  Condition read(const std::string& name) {
+    condition_.name = name;
+    condition_.path = pathOf(list_);
+    typeName_ = list_.get<std::string>("Type");
+    for (const auto& [known, type] : types())
+      if (known == typeName_) condition_.type = type;
+    readPlace();
+    readComponents();
+    readValue();
+    return condition_;
+  }
+
+ private:
+  using Type = Condition::Type;
+
+  void wrong(const std::string& parameter, const std::string& what) { problems_.add(pathOf(list_, parameter), what); }
+
+  void readPlace() {
+    const bool body = condition_.type == Type::BodyForce;
+    if (list_.isParameter("Group")) {
+      condition_.group = list_.get<std::string>("Group");
+      if (body)
+        wrong("Group", "a Body Force acts on a body, not on a curve group; name it in Body, or leave it out for all bodies");
+      else if (!mesh_.sideGroups.count(condition_.group))
+        wrong("Group", unknownCurve(mesh_, condition_.group));
+      else if (mesh_.sideGroups.at(condition_.group).empty())
+        wrong("Group", "the curve group '" + condition_.group + "' of the mesh " + mesh_.source + " is empty");
+    } else if (!body) {
+      wrong("Group", "is missing: a " + typeName_ + " needs a curve group. Curve groups: " + joinNames(mesh_.sideGroupNames()));
+    }
+    if (!list_.isParameter("Body")) return;
+    const std::string name = list_.get<std::string>("Body");
+    if (!body)
+      wrong("Body", "only a Body Force has it; found in a " + typeName_);
+    else if (std::find(mesh_.bodies.begin(), mesh_.bodies.end(), name) == mesh_.bodies.end())
+      wrong("Body", unknownName("body", name, mesh_.bodies));
+  }
+
+  void readComponents() {
+    const std::string components = list_.get<std::string>("Components");
+    if (condition_.type != Type::Displacement) {
+      if (components != "All") wrong("Components", "only a Displacement has it; found in a " + typeName_);
+      return;
+    }
+    if (components != "y") condition_.components.push_back(0);
+    if (components != "x") condition_.components.push_back(1);
+  }
+
+  void readValue() {
+    const bool given = list_.isParameter("Value");
+    if (given) {
+      const auto& values = list_.get<Teuchos::Array<double>>("Value");
+      condition_.value.assign(values.begin(), values.end());
+    }
+    if (condition_.type == Type::Bilateral) {
+      if (given) wrong("Value", "a Bilateral condition has no value: the normal displacement is zero");
+      return;
+    }
+    std::size_t wanted = mesh_.dimension;
+    if (condition_.type == Type::Pressure) wanted = 1;
+    if (condition_.type == Type::Displacement) wanted = condition_.components.size();
+    if (condition_.value.size() == wanted) return;
+    const std::string expected = std::to_string(wanted) + (wanted == 1 ? " value" : " values, as in {0.0, 0.0}");
+    wrong("Value",
+          (given ? std::to_string(condition_.value.size()) + " values" : "is missing") + "; this " + typeName_ + " needs " + expected);
+  }
+
+  const Mesh& mesh_;
+  const Parameters& list_;
+  Problems& problems_;
+  Condition condition_;
+  std::string typeName_;
+};
+
+}  // namespace
+
+std::string unknownCurve(const Mesh& mesh, const std::string& group) {
+  return "in the mesh " + mesh.source + ": " + unknownName("curve group", group, mesh.sideGroupNames());
+}
+
+std::vector<Condition> readConditions(const Mesh& mesh, const Parameters& conditions, Problems& problems) {
+  std::vector<Condition> all;
+  for (const std::string& name : sublistNames(conditions)) {
+    const std::size_t before = problems.list().size();
+    const Condition condition = Entry(mesh, conditions.sublist(name), problems).read(name);
+    if (problems.list().size() == before) all.push_back(condition);
+  }
+  return all;
+}
+
+Schema boundaryConditionSchema() {
+  std::vector<std::string> names;
+  for (const auto& entry : types()) names.push_back(entry.first);
+  return Schema("one boundary condition; several may meet at a corner")
+      .text("Group", std::nullopt, "curve group of the mesh on which it acts; not for a Body Force")
+      .optional()
+      .oneOf("Type", std::nullopt, names,
+             "Displacement: given; Bilateral: normal displacement zero, free to slide; Traction: force vector on an area of the undeformed "
+             "body; Pressure: > 0 pushes into the body; Body Force: force on a volume")
+      .reals("Value", std::nullopt,
+             "Displacement: one entry a component [length]; Traction: two [stress]; Pressure: one [stress]; Body Force: two "
+             "[force / volume]; none for Bilateral")
+      .optional()
+      .oneOf("Components", "All", {"All", "x", "y"}, "components that a Displacement prescribes; the others are free")
+      .text("Body", std::nullopt, "body on which a Body Force acts; all bodies if left out")
+      .optional();
+}
+
+}  // namespace suture

@@ -1,0 +1,127 @@
+#include <suture/base/SceneReader.hpp>
+#include <suture/constraints/BuildConstraints.hpp>
+#include <suture/constraints/Conditions.hpp>
+#include <suture/constraints/ContactLine.hpp>
+#include <suture/mesh/CellGeometry.hpp>
+#include <suture/mesh/SideTable.hpp>
+
+#include <Teuchos_ParameterList.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <set>
+
+namespace suture {
+
+namespace {
+
+const double sharpAngle = 45.001 * 3.14159265358979323846 / 180;  // a ring of eight sides is still round
+
+/// Checks one side of one line.
+class SideCheck {
+ public:
+  SideCheck(const Mesh& mesh, const SideTable& table, const std::string& path, Problems& problems)
+      : mesh_(mesh), table_(table), path_(path), problems_(problems) {}
+
+  /// Body of the side, or -1 after a problem.
+  int bodyOf(const std::string& group) {
+    const auto found = mesh_.sideGroups.find(group);
+    if (found == mesh_.sideGroups.end()) return wrong(unknownCurve(mesh_, group));
+    const std::vector<Side>& sides = found->second;
+    if (sides.empty()) return wrong("the curve group '" + group + "' of the mesh " + mesh_.source + " is empty");
+    std::set<int> bodies;
+    for (const Side& side : sides) {
+      bodies.insert(mesh_.bodyOfElement[side.element]);
+      if (!table_.onBoundary(side))
+        return wrong("'" + group + "' lies inside the material near " + placeText(centreOf(mesh_, side.element)) +
+                     "; expected a part of the boundary of one body");
+    }
+    if (bodies.size() > 1)
+      return wrong("'" + group + "' lies on " + std::to_string(bodies.size()) + " bodies (" + mesh_.bodies[*bodies.begin()] + ", " +
+                   mesh_.bodies[*bodies.rbegin()] + "); expected a curve group of its own for each side");
+    return soundLine(group, sides) ? *bodies.begin() : -1;
+  }
+
+ private:
+  int wrong(const std::string& what) {
+    problems_.add(path_, what);
+    return -1;
+  }
+
+  bool soundLine(const std::string& group, const std::vector<Side>& sides) {
+    const BoundaryLine line(mesh_, sides);
+    if (!line.branchings().empty()) {
+      wrong("'" + group + "' is no line: more than two of its elements meet at " + placeText(mesh_.point(line.branchings()[0])));
+      return false;
+    }
+    for (const auto& [node, data] : line.nodes()) {
+      if (data.sideNormals.size() < 2 || angleBetween(data.sideNormals[0], data.sideNormals[1]) <= sharpAngle) continue;
+      char degrees[20];
+      std::snprintf(degrees, sizeof degrees, "%.0f", angleBetween(data.sideNormals[0], data.sideNormals[1]) * 180 / 3.14159265358979);
+      wrong("'" + group + "' turns by " + degrees + " degrees at " + placeText(mesh_.point(node)) +
+            ", so that the contact has no normal there; make each leg a contact line of its own");
+      return false;
+    }
+    return true;
+  }
+
+  const Mesh& mesh_;
+  const SideTable& table_;
+  std::string path_;
+  Problems& problems_;
+};
+
+}  // namespace
+
+std::vector<ContactLine> readContact(const Mesh& mesh, const Parameters& contact, Problems& problems) {
+  std::vector<ContactLine> lines;
+  const std::vector<std::string> names = sublistNames(contact);
+  if (names.empty()) return lines;
+  const SideTable table(mesh);
+  std::map<std::pair<int, int>, std::string> taken;  // (element, side) -> path of the side that has it
+  for (int number = 0; number < static_cast<int>(names.size()); ++number) {
+    const Parameters& list = contact.sublist(names[number]);
+    const std::size_t before = problems.list().size();
+    ContactLine line;
+    line.number = number;
+    line.name = names[number];
+    line.path = pathOf(list);
+    line.groupA = list.get<std::string>("Side A");
+    line.groupB = list.get<std::string>("Side B");
+    line.tolerance = list.get<double>("Tolerance");
+    const std::string pathA = pathOf(list, "Side A"), pathB = pathOf(list, "Side B");
+    line.bodyA = SideCheck(mesh, table, pathA, problems).bodyOf(line.groupA);
+    line.bodyB = SideCheck(mesh, table, pathB, problems).bodyOf(line.groupB);
+    if (line.groupA == line.groupB)
+      problems.add(pathB, "'" + line.groupB + "' is Side A, too; expected the group on the other body");
+    else if (line.bodyA >= 0 && line.bodyA == line.bodyB)
+      problems.add(pathB,
+                   "'" + line.groupB + "' is on the body '" + mesh.bodies[line.bodyB] + "', as Side A; contact is between two bodies");
+    else
+      for (const auto& [group, path] : {std::make_pair(line.groupA, pathA), std::make_pair(line.groupB, pathB)}) {
+        const auto found = mesh.sideGroups.find(group);
+        if (found == mesh.sideGroups.end()) continue;
+        std::string other;
+        for (const Side& side : found->second) {
+          const auto [at, isNew] = taken.emplace(std::make_pair(side.element, side.side), path);
+          if (!isNew) other = at->second;
+        }
+        if (!other.empty())
+          problems.add(path, "'" + group + "' lies, in whole or in part, also in " + other + "; a side is in one contact only");
+      }
+    if (problems.list().size() == before) lines.push_back(line);
+  }
+  return lines;
+}
+
+Schema contactSchema() {
+  return Schema("one contact line: two facing sides whose nodes match")
+      .text("Side A", std::nullopt, "curve group of the mesh, on one body; the normal points from here to Side B")
+      .text("Side B", std::nullopt, "curve group of the mesh, on the other body")
+      .real("Tolerance", 1e-3, "how far apart along the line the two nodes of a pair may be, as a fraction of the local mesh size",
+            Range::positive());
+}
+
+}  // namespace suture

@@ -1,0 +1,76 @@
+#include <suture/constraints/ContactPieces.hpp>
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <tuple>
+
+namespace suture {
+
+namespace {
+
+class UnionFind {
+ public:
+  explicit UnionFind(int count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
+  int root(int i) {
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+  void join(int i, int j) {
+    const int a = root(i), b = root(j);
+    parent_[std::max(a, b)] = std::min(a, b);  // the root is the lowest member
+  }
+
+ private:
+  std::vector<int> parent_;
+};
+
+}  // namespace
+
+std::vector<ContactPiece> findPieces(const std::vector<ContactLine>& lines, const std::vector<PairedLine>& paired,
+                                     std::vector<ContactPair>& pairs) {
+  UnionFind components(static_cast<int>(pairs.size()));
+  std::vector<int> lineOf;                           // pair -> index into `lines`
+  std::map<std::tuple<int, int, int>, int> firstAt;  // bodies, node -> a pair there
+  int base = 0;
+  for (std::size_t l = 0; l < lines.size(); ++l) {
+    for (const PairedLine::Chain& chain : paired[l].chains)
+      for (int i = 1; i < chain.count; ++i) components.join(base + chain.first + i - 1, base + chain.first + i);
+    for (std::size_t i = 0; i < paired[l].pairs.size(); ++i) {
+      const int id = base + static_cast<int>(i);
+      lineOf.push_back(static_cast<int>(l));
+      for (const int node : {pairs[id].nodeA, pairs[id].nodeB})
+        components.join(id, firstAt.emplace(std::make_tuple(lines[l].bodyA, lines[l].bodyB, node), id).first->second);
+    }
+    base += static_cast<int>(paired[l].pairs.size());
+  }
+
+  std::vector<ContactPiece> pieces;
+  std::map<int, int> pieceOfRoot;
+  for (ContactPair& pair : pairs) {
+    const auto [at, isNew] = pieceOfRoot.emplace(components.root(pair.id), static_cast<int>(pieces.size()));
+    const ContactLine& line = lines[lineOf[pair.id]];
+    if (isNew) {
+      pieces.emplace_back();
+      pieces.back().bodyA = line.bodyA;
+      pieces.back().bodyB = line.bodyB;
+    }
+    pair.piece = at->second;
+    pieces[pair.piece].pairs.push_back(pair.id);
+  }
+
+  std::map<std::string, int> uses;
+  for (ContactPiece& piece : pieces) {
+    int last = -1;
+    for (const int id : piece.pairs) {  // in the order of the lines
+      if (lineOf[id] == last) continue;
+      piece.name += (last < 0 ? "" : " + ") + lines[lineOf[id]].name;
+      last = lineOf[id];
+    }
+    const int use = ++uses[piece.name];
+    if (use > 1) piece.name += " " + std::to_string(use);
+  }
+  return pieces;
+}
+
+}  // namespace suture

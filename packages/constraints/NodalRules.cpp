@@ -1,0 +1,159 @@
+#include <suture/constraints/BoundaryLine.hpp>
+#include <suture/constraints/NodalRules.hpp>
+#include <suture/mesh/CellGeometry.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <set>
+#include <tuple>
+
+namespace suture {
+
+namespace {
+
+const double sharpAngle = 45.001 * 3.14159265358979323846 / 180;  // a ring of eight sides is still round
+const double parallel = 1e-6;                                     // sine, below which two directions are one
+const double sameValue = 1e-9;                                    // relative
+
+/// direction . u = value
+struct Row {
+  Point direction{0, 0, 0};
+  double value = 0;
+  int condition = -1;
+};
+using Rows = std::map<int, std::vector<Row>>;  // node -> rows
+
+void addDisplacement(const Mesh& mesh, const std::vector<Condition>& conditions, int number, Rows& rows) {
+  const Condition& condition = conditions[number];
+  std::set<int> nodes;
+  for (const Side& side : mesh.sideGroups.at(condition.group))
+    for (const int node : mesh.nodesOf(side)) nodes.insert(node);
+  for (const int node : nodes)
+    for (std::size_t i = 0; i < condition.components.size(); ++i) {
+      Row row;
+      row.direction[condition.components[i]] = 1;
+      row.value = condition.value[i];
+      row.condition = number;
+      rows[node].push_back(row);
+    }
+}
+
+// All conditions together: a round wall named in two pieces must not get two nearly parallel rows where the pieces meet.
+void addBilateral(const Mesh& mesh, const std::vector<Condition>& conditions, Rows& rows) {
+  struct Bundle {
+    Point sum;  // of the normals, weighted by length
+    int condition;
+  };
+  std::map<int, std::vector<Bundle>> bundles;
+  std::set<std::pair<int, int>> seen;
+  for (int number = 0; number < static_cast<int>(conditions.size()); ++number) {
+    if (conditions[number].type != Condition::Type::Bilateral) continue;
+    for (const Side& side : mesh.sideGroups.at(conditions[number].group)) {
+      if (!seen.insert({side.element, side.side}).second) continue;
+      const BoundaryLine alone(mesh, {side});
+      for (const auto& [node, data] : alone.nodes()) {
+        std::vector<Bundle>& here = bundles[node];
+        const Point& normal = data.weightedNormal;
+        const auto like =
+            std::find_if(here.begin(), here.end(), [&](const Bundle& b) { return angleBetween(b.sum, normal) <= sharpAngle; });
+        if (like == here.end())
+          here.push_back({normal, number});
+        else
+          like->sum = {like->sum[0] + normal[0], like->sum[1] + normal[1], 0};
+      }
+    }
+  }
+  for (const auto& [node, here] : bundles)
+    for (const Bundle& bundle : here) rows[node].push_back({unit(bundle.sum), 0.0, bundle.condition});
+}
+
+/// Rows that contradict each other, told once for each pair of conditions.
+class Contradictions {
+ public:
+  Contradictions(const Mesh& mesh, const std::vector<Condition>& conditions) : mesh_(mesh), conditions_(conditions) {}
+
+  void add(int node, const Row& kept, const Row& other) {
+    Found& found = all_[std::minmax(kept.condition, other.condition)];
+    if (found.nodes++ == 0) found.node = node, found.kept = kept, found.other = other;
+  }
+
+  void report(Problems& problems) const {
+    for (const auto& [pair, found] : all_) {
+      char text[300];
+      std::snprintf(text, sizeof text, "at %s the displacement along (%.6g, %.6g) is to be %.6g, but '%s' makes it %.6g",
+                    placeText(mesh_.point(found.node)).c_str(), found.other.direction[0], found.other.direction[1], found.other.value,
+                    conditions_[found.kept.condition].name.c_str(), found.kept.value);
+      problems.add(conditions_[found.other.condition].path,
+                   std::string(text) + (found.nodes > 1 ? " (and so at " + std::to_string(found.nodes - 1) + " more nodes)" : "") +
+                       "; where conditions meet, their values must agree");
+    }
+  }
+
+ private:
+  struct Found {
+    int nodes = 0, node = -1;
+    Row kept, other;
+  };
+  const Mesh& mesh_;
+  const std::vector<Condition>& conditions_;
+  std::map<std::pair<int, int>, Found> all_;
+};
+
+NodeRule ruleOf(int node, const std::vector<Row>& rows, Contradictions& contradictions) {
+  const Row& first = rows[0];
+  const Row* second = nullptr;
+  double scale = 0;
+  for (const Row& row : rows) {
+    scale = std::max(scale, std::abs(row.value));
+    if (!second && std::abs(cross(first.direction, row.direction)) > parallel) second = &row;
+  }
+  NodeRule rule;
+  rule.node = node;
+  if (second) {  // two equations for two components
+    const double det = cross(first.direction, second->direction);
+    rule.fixed = {true, true, false};
+    rule.value = {(first.value * second->direction[1] - second->value * first.direction[1]) / det,
+                  (first.direction[0] * second->value - second->direction[0] * first.value) / det, 0};
+  } else if (first.direction[1] == 0 || first.direction[0] == 0) {  // Cartesian axes do
+    const int k = first.direction[0] == 0 ? 1 : 0;
+    rule.fixed[k] = true;
+    rule.value[k] = first.value / first.direction[k];
+  } else {
+    rule.axes[0] = first.direction;
+    rule.axes[1] = turned(first.direction);
+    rule.fixed[0] = true;
+    rule.value[0] = first.value;
+  }
+
+  // What the rule says along each row's direction against what the row says.
+  for (const Row& row : rows) {
+    double along = 0;
+    for (int k = 0; k < 2; ++k)
+      if (rule.fixed[k]) along += dot(rule.axes[k], row.direction) * rule.value[k];
+    if (std::abs(along - row.value) <= sameValue * scale) continue;
+    const bool likeFirst = std::abs(cross(first.direction, row.direction)) <= parallel;
+    Row kept = likeFirst || !second ? first : *second;
+    kept.value = along;
+    contradictions.add(node, kept, row);
+  }
+  return rule;
+}
+
+}  // namespace
+
+std::vector<NodeRule> nodalRules(const Mesh& mesh, const std::vector<Condition>& conditions, Problems& problems) {
+  Rows rows;
+  for (int number = 0; number < static_cast<int>(conditions.size()); ++number)
+    if (conditions[number].type == Condition::Type::Displacement) addDisplacement(mesh, conditions, number, rows);
+  addBilateral(mesh, conditions, rows);
+
+  Contradictions contradictions(mesh, conditions);
+  std::vector<NodeRule> rules;
+  for (const auto& [node, here] : rows) rules.push_back(ruleOf(node, here, contradictions));
+  contradictions.report(problems);
+  return rules;
+}
+
+}  // namespace suture

@@ -1,0 +1,18 @@
+#pragma once
+#include <suture/constraints/Conditions.hpp>
+#include <suture/constraints/Constraints.hpp>
+
+#include <vector>
+
+namespace suture {
+
+/// Dirichlet and bilateral rows of all conditions, brought together at each node.
+///
+/// Displacement gives a row a prescribed component. Bilateral gives u.n = 0 with the outward normal averaged (by length) over all bilateral
+/// sides that meet at the node, whichever condition they come from; where they meet at more than 45 degrees, each has a row of its own.
+/// One row: it is axis 0 of the rule (Cartesian axes, if it is Cartesian). Two independent rows: the node is fixed, in Cartesian axes.
+/// Result sorted by node. Local.
+/// \param problems  gets rows that contradict each other: the two conditions, place, values, how many nodes
+std::vector<NodeRule> nodalRules(const Mesh& mesh, const std::vector<Condition>& conditions, Problems& problems);
+
+}  // namespace suture
