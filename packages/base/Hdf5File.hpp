@@ -10,8 +10,10 @@ namespace suture {
 /// A file of HDF5, opened by all ranks of a communicator together. The only place that includes HDF5.
 ///
 /// A file for writing is written under a temporary name in the same folder and renamed by close(), so that a reader never sees half a
-/// file; without close() (an exception) the temporary file is removed. Paths are absolute within the file ("/VTKHDF/Points"), groups
-/// on the way are made. All functions are collective over the communicator. Errors: EnvironmentError when the file cannot be written,
+/// file; without close() (an exception) the temporary file is removed, by a destructor that is then collective, too. A file is read by
+/// rank 0 alone, which sends what it found to the others. Paths are absolute within the file ("/VTKHDF/Points"), groups
+/// on the way are made. A file being written cannot be read. All functions are collective over the communicator, and what they throw
+/// they throw on every rank; nothing is printed. Errors: EnvironmentError when the file cannot be written,
 /// InputError when it cannot be read, is not HDF5, is truncated, or lacks what is asked for (names file and path).
 class Hdf5File {
  public:
@@ -31,7 +33,7 @@ class Hdf5File {
   /// One text, the same on all ranks (variable length UTF-8).
   void write(const std::string& path, const std::string& text);
 
-  /// Attributes of a group or dataset that exists.
+  /// Attributes of a group or dataset that exists; each name once.
   void attribute(const std::string& path, const std::string& name, const std::string& text);
   /// ASCII, fixed length: what VTKHDF wants for its Type.
   void fixedAttribute(const std::string& path, const std::string& name, const std::string& text);
@@ -41,6 +43,7 @@ class Hdf5File {
   /// The whole dataset on every rank.
   std::vector<double> readReals(const std::string& path) const;
   std::vector<int> readInts(const std::string& path) const;
+  std::vector<GlobalId> readGlobalIds(const std::string& path) const;
   std::string readText(const std::string& path) const;
   std::string readTextAttribute(const std::string& path, const std::string& name) const;
   bool has(const std::string& path) const;
@@ -49,6 +52,9 @@ class Hdf5File {
 
   /// Flushes and, for a file being written, renames it into place.
   void close();
+
+  /// Of the HDF5 library linked: "1.10.8". Local.
+  static std::string libraryVersion();
 
  private:
   struct Impl;

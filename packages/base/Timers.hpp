@@ -35,7 +35,7 @@ class Timers {
   double total() const;
   Timers();
 
-  /// Over all ranks; every rank must know the same phases (a rank that never entered one counts 0). Collective.
+  /// Over all ranks, the same on every rank; a rank that never entered a phase counts 0 there. Collective.
   std::vector<Statistics> statistics(const Comm& comm) const;
 
   /// Seconds of a monotonic clock.
@@ -47,7 +47,7 @@ class Timers {
   std::map<std::string, double> seconds_;
 };
 
-/// Resident memory's high water mark of this process [MB].
+/// Resident memory's high water mark of this process [MB of 1024 kB].
 double peakMemoryMb();
 
 }  // namespace suture
