@@ -1,0 +1,121 @@
+#include <Eigen/Dense>
+#include <Teuchos_ParameterList.hpp>
+#include <Teuchos_UnitTestHarness.hpp>
+#include <suture/base/Errors.hpp>
+#include <suture/base/SceneReader.hpp>
+#include <suture/constraints/BuildConstraints.hpp>
+#include <suture/elasticity/ElasticModel.hpp>
+
+using namespace suture;
+
+namespace {
+
+Schema sceneSchema() {
+  Schema scene;
+  addModelParameters(scene);
+  return scene.list("Bodies", Schema().each("body", bodySchema()))
+      .list("Materials", Schema().each("material", materialSchema()))
+      .list("Boundary Conditions", Schema().each("condition", boundaryConditionSchema()));
+}
+
+const std::string scene = R"(<ParameterList name="Suture">
+  <Parameter name="Model" type="string" value="Plane Stress"/>
+  <ParameterList name="Bodies">
+    <ParameterList name="lower"><Parameter name="Material" type="string" value="rock"/></ParameterList>
+    <ParameterList name="upper"><Parameter name="Material" type="string" value="steel"/></ParameterList>
+  </ParameterList>
+  <ParameterList name="Materials">
+    <ParameterList name="steel"><Parameter name="Young Modulus" type="double" value="210e9"/>
+      <Parameter name="Poisson Ratio" type="double" value="0.3"/></ParameterList>
+    <ParameterList name="rock"><Parameter name="Young Modulus" type="double" value="0.52e10"/>
+      <Parameter name="Poisson Ratio" type="double" value="0.18"/></ParameterList>
+  </ParameterList>
+  <ParameterList name="Boundary Conditions">
+    <ParameterList name="overburden"><Parameter name="Group" type="string" value="top"/>
+      <Parameter name="Type" type="string" value="Pressure"/><Parameter name="Value" type="double" value="0.5e7"/></ParameterList>
+    <ParameterList name="rollers"><Parameter name="Group" type="string" value="bottom"/>
+      <Parameter name="Type" type="string" value="Bilateral"/></ParameterList>
+    <ParameterList name="wind"><Parameter name="Group" type="string" value="left"/>
+      <Parameter name="Type" type="string" value="Traction"/><Parameter name="Value" type="Array(double)" value="{3.0, -4.0}"/></ParameterList>
+    <ParameterList name="weight"><Parameter name="Type" type="string" value="Body Force"/>
+      <Parameter name="Value" type="Array(double)" value="{0.0, -2.6e4}"/></ParameterList>
+    <ParameterList name="magnet"><Parameter name="Type" type="string" value="Body Force"/><Parameter name="Body" type="string" value="upper"/>
+      <Parameter name="Value" type="Array(double)" value="{1.0, 0.0}"/></ParameterList>
+  </ParameterList>
+</ParameterList>)";
+
+ElasticModel modelOf(const std::vector<std::string>& overrides = {}) {
+  return makeElasticModel(*parseScene(scene, "scene.xml", sceneSchema(), overrides).parameters);
+}
+
+std::vector<Problem> problemsOf(const std::vector<std::string>& overrides) {
+  try {
+    modelOf(overrides);
+  } catch (const InputError& error) {
+    return error.problems();
+  }
+  return {};
+}
+
+bool says(const Problem& problem, const std::string& path, const std::string& words) {
+  return problem.path == path && problem.message.find(words) != std::string::npos;
+}
+
+}  // namespace
+
+TEUCHOS_UNIT_TEST(ElasticModel, HoldsWhatTheSceneSays) {
+  const ElasticModel model = modelOf();
+  TEST_ASSERT(model.plane == PlaneModel::Stress);
+  TEST_EQUALITY(model.bodies.size(), 2u);
+  TEST_EQUALITY(model.bodies[1], "upper");
+  TEST_EQUALITY(model.materialOfBody[0].name, "rock");
+  TEST_EQUALITY(model.materialOfBody[0].poisson, 0.18);
+  TEST_EQUALITY(model.materialOfBody[1].young, 210e9);
+  TEST_EQUALITY(model.loads.size(), 4u);
+  TEST_ASSERT(model.loads[0].kind == Load::Kind::Pressure);
+  TEST_EQUALITY(model.loads[0].group, "top");
+  TEST_EQUALITY(model.loads[0].value[0], 0.5e7);
+  TEST_ASSERT(model.loads[1].kind == Load::Kind::Traction);
+  TEST_EQUALITY(model.loads[1].value[1], -4.0);
+  TEST_ASSERT(model.loads[2].kind == Load::Kind::BodyForce);
+  TEST_EQUALITY(model.loads[2].group, "");
+  TEST_EQUALITY(model.loads[3].group, "upper");
+}
+
+TEUCHOS_UNIT_TEST(ElasticModel, NamesAllProblemsAtOnce) {
+  const std::vector<Problem> problems =
+      problemsOf({"Bodies/upper/Material=stel", "Boundary Conditions/magnet/Body=uper", "Boundary Conditions/wind/Value={1.0}",
+                  "Boundary Conditions/overburden/Value={1.0, 2.0}"});
+  TEST_EQUALITY(problems.size(), 4u);
+  if (problems.size() != 4u) return;
+  TEST_ASSERT(says(problems[0], "Bodies/upper/Material", "Did you mean 'steel'"));
+  TEST_ASSERT(says(problems[1], "Boundary Conditions/overburden/Value", "found 2 numbers"));
+  TEST_ASSERT(says(problems[2], "Boundary Conditions/wind/Value", "found 1 number, "));
+  TEST_ASSERT(says(problems[3], "Boundary Conditions/magnet/Body", "Did you mean 'upper'"));
+}
+
+TEUCHOS_UNIT_TEST(ElasticModel, RefusesMaterialsThatDoNotExistInNature) {
+  for (const std::string poisson : {"0.5", "-1.0", "0.7"}) {
+    const std::vector<Problem> problems = problemsOf({"Materials/rock/Poisson Ratio=" + poisson});
+    TEST_EQUALITY(problems.size(), 1u);
+    TEST_ASSERT(problems.size() == 1 && problems[0].path == "Materials/rock/Poisson Ratio");
+  }
+  TEST_ASSERT(says(problemsOf({"Materials/rock/Poisson Ratio=0.5"})[0], "Materials/rock/Poisson Ratio", "mixed element"));
+  for (const std::string young : {"0.0", "-1e9"}) TEST_EQUALITY(problemsOf({"Materials/rock/Young Modulus=" + young}).size(), 1u);
+  TEST_EQUALITY(problemsOf({"Materials/rock/Poisson Ratio=0.4999"}).size(), 0u);
+}
+
+TEUCHOS_UNIT_TEST(ElasticModel, HasTheElasticityThatInvertsTheCompliance) {
+  // Compliances are written straight from Hooke's law; only their inverses are in the code.
+  const Material m{"m", 7.0, 0.3};
+  const double e = m.young, nu = m.poisson;
+  Eigen::Matrix3d stress, strain;
+  stress << 1, -nu, 0, -nu, 1, 0, 0, 0, 2 * (1 + nu);
+  strain << 1 - nu * nu, -nu * (1 + nu), 0, -nu * (1 + nu), 1 - nu * nu, 0, 0, 0, 2 * (1 + nu);
+  TEST_COMPARE((elasticity(m, PlaneModel::Stress, 2) * stress / e - Eigen::Matrix3d::Identity()).norm(), <, 1e-14);
+  TEST_COMPARE((elasticity(m, PlaneModel::Strain, 2) * strain / e - Eigen::Matrix3d::Identity()).norm(), <, 1e-14);
+  Matrix solid = Matrix::Zero(6, 6);
+  solid.topLeftCorner(3, 3).setConstant(-nu);
+  solid.diagonal() << 1, 1, 1, 2 * (1 + nu), 2 * (1 + nu), 2 * (1 + nu);
+  TEST_COMPARE((elasticity(m, PlaneModel::Strain, 3) * solid / e - Matrix::Identity(6, 6)).norm(), <, 1e-14);
+}
