@@ -1,0 +1,142 @@
+#include <suture/base/Collective.hpp>
+#include <suture/base/Errors.hpp>
+
+#include <Teuchos_Comm.hpp>
+#include <Teuchos_DefaultComm.hpp>
+#include <Teuchos_DefaultSerialComm.hpp>
+#include <Teuchos_UnitTestHarness.hpp>
+#include <new>
+
+namespace {
+
+using namespace suture;
+
+CommPtr world() { return Teuchos::DefaultComm<int>::getComm(); }
+
+std::string messageOf(const Comm& comm, const std::function<void()>& local) {
+  try {
+    collectively(comm, "working", local);
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+  return "nothing thrown";
+}
+
+TEUCHOS_UNIT_TEST(Collective, AnExceptionOfOneRankIsThrownOnAll) {
+  const CommPtr comm = world();
+  const int last = comm->getSize() - 1;
+  TEST_THROW(collectively(*comm, "working",
+                          [&] {
+                            if (comm->getRank() == last) throw NumericalError("breakdown");
+                          }),
+             NumericalError);
+  TEST_THROW(collectively(*comm, "working",
+                          [&] {
+                            if (comm->getRank() == last) throw EnvironmentError("disk");
+                          }),
+             EnvironmentError);
+  TEST_THROW(collectively(*comm, "working",
+                          [&] {
+                            if (comm->getRank() == last) throw InternalError("bug");
+                          }),
+             InternalError);
+  TEST_THROW(collectively(*comm, "working",
+                          [&] {
+                            if (comm->getRank() == last) throw CommandLineError("flag");
+                          }),
+             CommandLineError);
+  TEST_NOTHROW(collectively(*comm, "working", [] {}));
+}
+
+TEUCHOS_UNIT_TEST(Collective, TheLowestRankThatFailedDecides) {
+  const CommPtr comm = world();
+  const int first = std::min(1, comm->getSize() - 1);
+  const std::string message = messageOf(*comm, [&] {
+    if (comm->getRank() >= first) throw NumericalError("rank " + std::to_string(comm->getRank()));
+  });
+  TEST_EQUALITY(message, "rank " + std::to_string(first));
+}
+
+TEUCHOS_UNIT_TEST(Collective, ProblemsOfAllRanksAreMergedOnceEach) {
+  const CommPtr comm = world();
+  const std::string message = messageOf(*comm, [&] {
+    throw InputError(std::vector<Problem>{{"all", "same"}, {"rank", std::to_string(comm->getRank())}});
+  });
+  std::string expected = "all: same";
+  for (int rank = 0; rank < comm->getSize(); ++rank) expected += "\nrank: " + std::to_string(rank);
+  TEST_EQUALITY(message, expected);
+}
+
+TEUCHOS_UNIT_TEST(Collective, ForeignExceptionsAreNamedAfterTheWork) {
+  const CommPtr comm = world();
+  TEST_EQUALITY(messageOf(*comm, [] { throw std::runtime_error("odd"); }), "working: odd");
+  TEST_EQUALITY(messageOf(*comm, [] { throw 5; }), "working: an exception of unknown type");
+  TEST_THROW(collectively(*comm, "working", [] { throw std::bad_alloc(); }), EnvironmentError);
+  TEST_THROW(collectively(*comm, "working", [] { throw std::runtime_error("odd"); }), InternalError);
+}
+
+TEUCHOS_UNIT_TEST(Collective, RootAloneRunsAndItsFailureReachesAll) {
+  const CommPtr comm = world();
+  int runs = 0;
+  collectivelyOnRoot(*comm, "working", [&] { ++runs; });
+  TEST_EQUALITY(runs, comm->getRank() == 0 ? 1 : 0);
+  TEST_THROW(collectivelyOnRoot(*comm, "working", [] { throw InputError("a", "b"); }), InputError);
+}
+
+TEUCHOS_UNIT_TEST(Collective, BroadcastGivesRootsTextToAll) {
+  const CommPtr comm = world();
+  const std::string text("from \0 root", 11);
+  TEST_EQUALITY(broadcast(*comm, comm->getRank() == 0 ? text : "mine"), text);
+  TEST_EQUALITY(broadcast(*comm, comm->getRank() == 0 ? "" : "mine"), "");
+  std::vector<double> values(comm->getRank() == 0 ? 3 : 0, 1.5);
+  broadcast(*comm, values);
+  TEST_ASSERT((values == std::vector<double>{1.5, 1.5, 1.5}));
+}
+
+/// A string of every length and content of its own, some empty.
+std::string of(int rank) { return std::string(rank % 2 == 0 ? 3 * rank : 0, static_cast<char>('a' + rank)); }
+
+TEUCHOS_UNIT_TEST(Collective, GatherKeepsTheOrderOfRanks) {
+  const CommPtr comm = world();
+  std::vector<std::string> expected;
+  for (int rank = 0; rank < comm->getSize(); ++rank) expected.push_back(of(rank));
+  TEST_ASSERT(allGather(*comm, of(comm->getRank())) == expected);
+  const std::vector<std::string> gathered = gatherOnRoot(*comm, of(comm->getRank()));
+  TEST_ASSERT(gathered == (comm->getRank() == 0 ? expected : std::vector<std::string>()));
+}
+
+TEUCHOS_UNIT_TEST(Collective, ScatterGivesEveryRankItsOwn) {
+  const CommPtr comm = world();
+  std::vector<std::string> all;
+  for (int rank = 0; comm->getRank() == 0 && rank < comm->getSize(); ++rank) all.push_back(of(rank));
+  TEST_EQUALITY(scatterFromRoot(*comm, all), of(comm->getRank()));
+}
+
+TEUCHOS_UNIT_TEST(Collective, ScatterOfAWrongNumberIsAnErrorOnAllRanks) {
+  const CommPtr comm = world();
+  TEST_THROW(scatterFromRoot(*comm, std::vector<std::string>(comm->getSize() + 1)), InternalError);
+}
+
+TEUCHOS_UNIT_TEST(Collective, MessagesLongerThanOneRoundArriveWhole) {
+  const CommPtr comm = world();
+  const std::size_t length = (std::size_t(1) << 26) + 5;  // one round is 2^26 bytes a rank
+  const int last = comm->getSize() - 1;
+  std::string mine(comm->getRank() == last ? length : 2, static_cast<char>('a' + comm->getRank()));
+  mine.back() = '!';
+  const std::vector<std::string> gathered = gatherOnRoot(*comm, mine);
+  if (comm->getRank() == 0) {
+    TEST_EQUALITY(gathered[last].size(), length);
+    TEST_EQUALITY(gathered[last].back(), '!');
+    TEST_EQUALITY(gathered[last][length - 6], static_cast<char>('a' + last));
+  }
+  TEST_ASSERT(scatterFromRoot(*comm, gathered) == mine);
+}
+
+TEUCHOS_UNIT_TEST(Collective, WorksOnACommunicatorWithoutMpi) {
+  const Teuchos::SerialComm<int> alone;
+  TEST_ASSERT((allGather(alone, "x") == std::vector<std::string>{"x"}));
+  TEST_EQUALITY(broadcast(alone, "x"), "x");
+  TEST_THROW(collectively(alone, "working", [] { throw InputError("a", "b"); }), InputError);
+}
+
+}  // namespace

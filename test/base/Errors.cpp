@@ -1,0 +1,63 @@
+#include <suture/base/Errors.hpp>
+
+#include <Teuchos_UnitTestHarness.hpp>
+
+namespace {
+
+using namespace suture;
+
+const std::vector<std::string> names{"Tolerance", "Type", "Maximum Iterations", "Young Modulus"};
+
+TEUCHOS_UNIT_TEST(Errors, NearestNameForgivesASlipOfTheHand) {
+  TEST_EQUALITY(nearestName("Tolerence", names), "Tolerance");
+  TEST_EQUALITY(nearestName("toleranec", names), "Tolerance");  // two letters swapped, case ignored
+  TEST_EQUALITY(nearestName("Typ", names), "Type");
+  TEST_EQUALITY(nearestName("Maximum Iteration", names), "Maximum Iterations");
+}
+
+TEUCHOS_UNIT_TEST(Errors, NearestNameTakesABeginningForTheWhole) { TEST_EQUALITY(nearestName("young", names), "Young Modulus"); }
+
+TEUCHOS_UNIT_TEST(Errors, NearestNameIsSilentWhenNothingIsNear) {
+  TEST_EQUALITY(nearestName("Poisson", names), "");
+  TEST_EQUALITY(nearestName("", names), "");
+  TEST_EQUALITY(nearestName("Type", {}), "");
+}
+
+TEUCHOS_UNIT_TEST(Errors, NearestNamePrefersTheNearest) {
+  TEST_EQUALITY(nearestName("left_sode", {"left_slide", "left_side"}), "left_side");
+}
+
+TEUCHOS_UNIT_TEST(Errors, UnknownNameListsWhatIsKnownInOrder) {
+  TEST_EQUALITY(unknownName("curve group", "botom", {"top", "bottom"}),
+                "no such curve group 'botom'. Did you mean 'bottom'? Known here: bottom, top");
+  TEST_EQUALITY(unknownName("body", "x", {}), "no such body 'x'. None are known here.");
+}
+
+TEUCHOS_UNIT_TEST(Errors, JoinNamesCutsLongLists) {
+  TEST_EQUALITY(joinNames({"a", "b", "c"}, 3), "a, b, c");
+  TEST_EQUALITY(joinNames({"a", "b", "c"}, 2), "a, b ... (3 in all)");
+}
+
+TEUCHOS_UNIT_TEST(Errors, InputErrorSaysOneLineAProblem) {
+  const InputError error(std::vector<Problem>{{"a/b", "is wrong"}, {"", "so is all"}});
+  TEST_EQUALITY(std::string(error.what()), "a/b: is wrong\nso is all");
+  TEST_ASSERT(error.code() == ExitCode::Input);
+  TEST_EQUALITY(error.problems().size(), 2u);
+}
+
+TEUCHOS_UNIT_TEST(Errors, ProblemsThrowOnlyIfThereAreAny) {
+  Problems problems;
+  TEST_NOTHROW(problems.throwIfAny());
+  problems.add("a", "b");
+  TEST_THROW(problems.throwIfAny(), InputError);
+}
+
+TEUCHOS_UNIT_TEST(Errors, EveryKindHasItsExitCode) {
+  TEST_EQUALITY(static_cast<int>(CommandLineError("").code()), 2);
+  TEST_EQUALITY(static_cast<int>(InputError("", "").code()), 3);
+  TEST_EQUALITY(static_cast<int>(NumericalError("").code()), 4);
+  TEST_EQUALITY(static_cast<int>(EnvironmentError("").code()), 5);
+  TEST_EQUALITY(static_cast<int>(InternalError("").code()), 70);
+}
+
+}  // namespace

@@ -1,0 +1,209 @@
+#include <suture/base/Collective.hpp>
+#include <suture/base/Errors.hpp>
+#include <suture/base/Hdf5File.hpp>
+
+#include <Teuchos_Comm.hpp>
+#include <Teuchos_DefaultComm.hpp>
+#include <Teuchos_DefaultSerialComm.hpp>
+#include <Teuchos_UnitTestHarness.hpp>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <numeric>
+
+namespace {
+
+using namespace suture;
+
+CommPtr world() { return Teuchos::DefaultComm<int>::getComm(); }
+
+/// One name a number of ranks, since ctest may run them at the same time.
+std::string nameOf(const std::string& what) { return "hdf5file_" + what + "_" + std::to_string(world()->getSize()) + ".h5"; }
+
+void removeOnRoot(const std::string& path) {
+  world()->barrier();
+  if (world()->getRank() == 0) std::remove(path.c_str());
+}
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+/// What `work` throws as an InputError, and that every rank throws the same.
+std::string inputErrorOf(const std::function<void()>& work) {
+  std::string mine;
+  try {
+    work();
+  } catch (const InputError& error) {
+    mine = error.what();
+  }
+  for (const std::string& other : allGather(*world(), mine)) {
+    if (other != mine) return "ranks differ: " + mine + " | " + other;
+  }
+  return mine;
+}
+
+TEUCHOS_UNIT_TEST(Hdf5File, RowsOfAllRanksFollowEachOther) {
+  const CommPtr comm = world();
+  const int rank = comm->getRank(), ranks = comm->getSize();
+  const std::string path = nameOf("rows");
+  // Rank r has r rows (rank 0 none) of two columns.
+  std::vector<double> mine(2 * rank);
+  std::iota(mine.begin(), mine.end(), 100.0 * rank + 1.0 / 3.0);
+  const GlobalId big = (GlobalId(1) << 40) + rank;
+  {
+    Hdf5File file = Hdf5File::create(*comm, path);
+    file.write("/Group/Deep/Reals", mine, 2);
+    file.write("/Group/Ints", std::vector<int>{rank, -rank});
+    file.write("/Group/Ids", std::vector<GlobalId>{big});
+    file.write("/Group/Bytes", std::vector<unsigned char>{static_cast<unsigned char>(250 + rank)});
+    file.write("/Group/Empty", std::vector<double>{}, 3);
+    file.close();
+  }
+  std::vector<double> reals;
+  std::vector<int> ints;
+  for (int r = 0; r < ranks; ++r) {
+    for (int i = 0; i < 2 * r; ++i) reals.push_back(100.0 * r + 1.0 / 3.0 + i);
+    ints.insert(ints.end(), {r, -r});
+  }
+  const Hdf5File file = Hdf5File::open(*comm, path);
+  TEST_ASSERT(file.readReals("/Group/Deep/Reals") == reals);
+  TEST_ASSERT(file.readInts("/Group/Ints") == ints);
+  TEST_EQUALITY(file.readGlobalIds("/Group/Ids").back(), (GlobalId(1) << 40) + ranks - 1);
+  TEST_EQUALITY(file.readInts("/Group/Bytes").back(), 250 + ranks - 1);
+  TEST_ASSERT(file.readReals("/Group/Empty").empty());
+  TEST_EQUALITY(file.readReals("/Group/Ints")[0], 0.0);  // whole numbers are numbers
+  removeOnRoot(path);
+}
+
+TEUCHOS_UNIT_TEST(Hdf5File, TextsAndAttributesComeBack) {
+  const CommPtr comm = world();
+  const std::string path = nameOf("texts");
+  const std::string text = "<a>\n \xC3\xA9 </a>";
+  {
+    Hdf5File file = Hdf5File::create(*comm, path);
+    file.write("/Record/Scene", text);
+    file.write("/Record/Nothing", std::string());
+    file.group("/VTKHDF");
+    file.fixedAttribute("/VTKHDF", "Type", "UnstructuredGrid");
+    file.attribute("/VTKHDF", "Version", std::vector<GlobalId>{1, 0});
+    file.attribute("/Record", "Sign", std::string("positive compressive"));
+    file.attribute("/Record/Scene", "Load", 0.5);
+    file.attribute("/", "Unit", std::string("m"));
+    file.close();
+  }
+  const Hdf5File file = Hdf5File::open(*comm, path);
+  TEST_EQUALITY(file.readText("/Record/Scene"), text);
+  TEST_EQUALITY(file.readText("/Record/Nothing"), "");
+  TEST_EQUALITY(file.readTextAttribute("/VTKHDF", "Type"), "UnstructuredGrid");
+  TEST_EQUALITY(file.readTextAttribute("/Record", "Sign"), "positive compressive");
+  TEST_EQUALITY(file.readTextAttribute("/", "Unit"), "m");
+  TEST_ASSERT((file.members("/") == std::vector<std::string>{"Record", "VTKHDF"}));
+  TEST_ASSERT((file.members("/Record") == std::vector<std::string>{"Nothing", "Scene"}));
+  TEST_ASSERT(file.has("/Record/Scene") && file.has("/") && !file.has("/Record/Other") && !file.has("/No/Such"));
+  removeOnRoot(path);
+}
+
+TEUCHOS_UNIT_TEST(Hdf5File, IsNotThereBeforeItIsClosed) {
+  const CommPtr comm = world();
+  const std::string path = nameOf("unclosed");
+  {
+    Hdf5File file = Hdf5File::create(*comm, path);
+    file.write("/A", std::vector<int>{1});
+    TEST_ASSERT(!std::filesystem::exists(path));
+    TEST_ASSERT(std::filesystem::exists(path + ".part"));
+    comm->barrier();
+  }
+  comm->barrier();
+  TEST_ASSERT(!std::filesystem::exists(path));
+  TEST_ASSERT(!std::filesystem::exists(path + ".part"));
+}
+
+TEUCHOS_UNIT_TEST(Hdf5File, KeepsTheOldFileUntilTheNewOneIsWhole) {
+  const CommPtr comm = world();
+  const std::string path = nameOf("old");
+  for (const int value : {1, 2}) {
+    Hdf5File file = Hdf5File::create(*comm, path);
+    file.write("/A", comm->getRank() == 0 ? std::vector<int>{value} : std::vector<int>{});
+    if (value == 2) TEST_EQUALITY(Hdf5File::open(*comm, path).readInts("/A")[0], 1);
+    file.close();
+    TEST_EQUALITY(Hdf5File::open(*comm, path).readInts("/A")[0], value);
+  }
+  removeOnRoot(path);
+}
+
+TEUCHOS_UNIT_TEST(Hdf5File, RefusesAPlaceThatCannotBeWritten) {
+  TEST_THROW(Hdf5File::create(*world(), "no/such/folder/file.h5"), EnvironmentError);
+  TEST_THROW(Hdf5File::create(*world(), "."), EnvironmentError);
+  TEST_THROW(Hdf5File::create(*world(), "/dev/null/file.h5"), EnvironmentError);
+}
+
+TEUCHOS_UNIT_TEST(Hdf5File, RefusesWhatIsNoWholeHdf5File) {
+  const CommPtr comm = world();
+  TEST_EQUALITY(inputErrorOf([&] { Hdf5File::open(*comm, "missing.h5"); }), "missing.h5: cannot be read: No such file or directory");
+  TEST_EQUALITY(inputErrorOf([&] { Hdf5File::open(*comm, "."); }), ".: is a folder; expected an HDF5 file");
+
+  const std::string foreign = nameOf("foreign"), cut = nameOf("cut");
+  Hdf5File file = Hdf5File::create(*comm, cut);
+  file.write("/A", std::vector<double>(1000, 1.0));
+  file.close();
+  if (comm->getRank() == 0) {
+    std::ofstream(foreign) << "this is a text";
+    std::filesystem::resize_file(cut, 4000);
+  }
+  comm->barrier();
+  TEST_EQUALITY(inputErrorOf([&] { Hdf5File::open(*comm, foreign); }), foreign + ": is not an HDF5 file");
+  TEST_ASSERT(contains(inputErrorOf([&] { Hdf5File::open(*comm, cut); }), cut + ": is damaged or cut off"));
+  removeOnRoot(foreign);
+  removeOnRoot(cut);
+}
+
+TEUCHOS_UNIT_TEST(Hdf5File, SaysWhatIsMissingAndWhatIsThere) {
+  const CommPtr comm = world();
+  const std::string path = nameOf("missing");
+  {
+    Hdf5File file = Hdf5File::create(*comm, path);
+    file.write("/Mesh/Points", std::vector<double>{0.5});
+    file.write("/Mesh/Ids", std::vector<GlobalId>{std::numeric_limits<GlobalId>::max()});
+    file.write("/Mesh/Name", std::string("x"));
+    file.close();
+  }
+  const Hdf5File file = Hdf5File::open(*comm, path);
+  TEST_EQUALITY(inputErrorOf([&] { file.readReals("/Mesh/Point"); }),
+                path + ": has no '/Mesh/Point'. Did you mean 'Points'? Known here: Ids, Name, Points");
+  TEST_ASSERT(contains(inputErrorOf([&] { file.readReals("/No/Such/Path"); }), "has no '/No/Such/Path'"));
+  TEST_ASSERT(contains(inputErrorOf([&] { file.readInts("/Mesh/Points"); }), "cannot read '/Mesh/Points': it does not hold integers"));
+  TEST_ASSERT(contains(inputErrorOf([&] { file.readInts("/Mesh/Ids"); }), "too large for an int"));
+  TEST_ASSERT(contains(inputErrorOf([&] { file.readReals("/Mesh/Name"); }), "it does not hold numbers"));
+  TEST_ASSERT(contains(inputErrorOf([&] { file.readText("/Mesh/Points"); }), "it is not a single text"));
+  TEST_ASSERT(contains(inputErrorOf([&] { file.readReals("/Mesh"); }), "cannot read '/Mesh'"));
+  TEST_ASSERT(contains(inputErrorOf([&] { file.members("/Mesh/Name"); }), "cannot read '/Mesh/Name'"));
+  TEST_ASSERT(contains(inputErrorOf([&] { file.readTextAttribute("/Mesh", "Unit"); }), "'/Mesh' has no attribute 'Unit'"));
+  removeOnRoot(path);
+}
+
+TEUCHOS_UNIT_TEST(Hdf5File, RefusesMisuseOnAllRanks) {
+  const CommPtr comm = world();
+  Hdf5File file = Hdf5File::create(*comm, nameOf("misuse"));
+  file.write("/A", std::vector<int>{1});
+  TEST_THROW(file.write("/A", std::vector<int>{1}), InternalError);
+  TEST_THROW(file.write("/A/B", std::vector<int>{1}), InternalError);
+  TEST_THROW(file.write("B", std::vector<int>{1}), InternalError);
+  TEST_THROW(file.attribute("/C", "Unit", 1.0), InternalError);
+  TEST_THROW(file.readInts("/A"), InternalError);
+  // One rank whose rows are not whole fails all of them, and none waits.
+  TEST_THROW(file.write("/D", std::vector<int>(comm->getRank() == comm->getSize() - 1 ? 3 : 4), 2), InternalError);
+}
+
+TEUCHOS_UNIT_TEST(Hdf5File, WorksOnACommunicatorWithoutMpi) {
+  const Teuchos::SerialComm<int> alone;
+  const std::string path = "rank" + std::to_string(world()->getRank()) + nameOf("alone");
+  {
+    Hdf5File file = Hdf5File::create(alone, path);
+    file.write("/A", std::vector<int>{world()->getRank()});
+    file.close();
+  }
+  TEST_EQUALITY(Hdf5File::open(alone, path).readInts("/A")[0], world()->getRank());
+  std::remove(path.c_str());
+}
+
+}  // namespace
