@@ -1,0 +1,99 @@
+#include <suture/mesh/Generators.hpp>
+
+#include <Teuchos_UnitTestHarness.hpp>
+
+#include "MeshTesting.hpp"
+
+using namespace suture;
+using meshtesting::problemsOf;
+
+namespace {
+
+Mesh twoBoxes() {
+  Box lower, upper;
+  lower.name = "lower";
+  lower.nx = lower.ny = 2;
+  upper = lower;
+  upper.name = "upper";
+  upper.y0 = 1, upper.y1 = 2;
+  return boxes({lower, upper});
+}
+
+std::string saidOf(Mesh mesh, const std::vector<std::string>& names = {"lower", "upper"}) {
+  return problemsOf([&] { assignBodies(mesh, names); });
+}
+
+}  // namespace
+
+TEUCHOS_UNIT_TEST(AssignBodies, FollowsTheOrderOfTheScene) {
+  Mesh mesh = twoBoxes();
+  assignBodies(mesh, {"upper", "lower"});
+  TEST_EQUALITY(mesh.bodyOfElement[mesh.elementGroups.at("upper")[0]], 0);
+  TEST_EQUALITY(mesh.bodyOfElement[mesh.elementGroups.at("lower")[0]], 1);
+  for (int e = 0; e < mesh.elements(); ++e)
+    for (const int node : mesh.nodesOf(e)) TEST_EQUALITY(mesh.bodyOfNode[node], mesh.bodyOfElement[e]);
+}
+
+TEUCHOS_UNIT_TEST(AssignBodies, NamesTheNearestGroupForAnUnknownBody) {
+  const std::string said = saidOf(twoBoxes(), {"lowr", "upper"});
+  SUTURE_CHECK_SAYS(said, "Bodies/lowr: ");
+  SUTURE_CHECK_SAYS(said, "no such surface group 'lowr'. Did you mean 'lower'?");
+  SUTURE_CHECK_SAYS(said, "subdomain_upper_0_0");
+  TEST_ASSERT(!meshtesting::contains(said, "none of the bodies"));  // a consequence, not a second error
+}
+
+TEUCHOS_UNIT_TEST(AssignBodies, RefusesElementsInNoBody) {
+  const std::string said = saidOf(twoBoxes(), {"lower"});
+  SUTURE_CHECK_SAYS(said, "8 elements (the first at (0.333333, 1.16667)) in none of the bodies (lower)");
+}
+
+TEUCHOS_UNIT_TEST(AssignBodies, RefusesElementsInTwoBodies) {
+  Mesh mesh = twoBoxes();
+  mesh.elementGroups["upper"].push_back(0);
+  SUTURE_CHECK_SAYS(saidOf(mesh), "Bodies/upper: 1 element (at (0.333333, 0.166667)) also in the body 'lower'");
+}
+
+TEUCHOS_UNIT_TEST(AssignBodies, RefusesBodiesThatShareNodes) {
+  Mesh mesh = twoBoxes();
+  const Mesh sound = mesh;
+  // glue the three nodes of the line y = 1: the upper body's take the lower's numbers
+  for (int& node : mesh.connectivity)
+    if (node >= 9 && node < 12) node -= 3;
+  const std::string said = saidOf(mesh);
+  SUTURE_CHECK_SAYS(said, "Bodies/lower: shares 3 nodes (the first at (0, 1)) with the body 'upper'");
+  SUTURE_CHECK_SAYS(said, "Mesh: boxes: 3 nodes (the first at (0, 1)) in no element");  // the upper's own are orphans now
+  TEST_EQUALITY(saidOf(sound), "no error");
+}
+
+TEUCHOS_UNIT_TEST(AssignBodies, RefusesInvertedAndCollapsedElementsWithTheirPlace) {
+  Mesh mesh = twoBoxes();
+  std::swap(mesh.connectivity[0], mesh.connectivity[1]);
+  mesh.connectivity[mesh.offsets[8] + 1] = mesh.connectivity[mesh.offsets[8]];
+  const std::string said = saidOf(mesh);
+  SUTURE_CHECK_SAYS(said, "1 inverted element (at (0.333333, 0.166667)); element 0 has the area -0.125");
+  SUTURE_CHECK_SAYS(said, "1 element without area");
+  SUTURE_CHECK_SAYS(said, "element 8 has the area 0,");
+}
+
+TEUCHOS_UNIT_TEST(AssignBodies, AcceptsSlivers) {
+  Mesh mesh = twoBoxes();
+  for (std::size_t i = 1; i < mesh.coordinates.size(); i += 2) mesh.coordinates[i] *= 1e-7;
+  TEST_EQUALITY(saidOf(mesh), "no error");
+}
+
+TEUCHOS_UNIT_TEST(Mesh, HashSeesEveryChangeAndNothingElse) {
+  const Mesh mesh = twoBoxes();
+  Mesh same = twoBoxes();
+  same.source = "elsewhere";
+  same.coordinates[0] = -same.coordinates[0];  // -0.0
+  TEST_EQUALITY(same.hash(), mesh.hash());
+  TEST_EQUALITY(mesh.hash().size(), std::size_t(16));
+
+  std::vector<Mesh> others(5, mesh);
+  others[0].coordinates[1] += 1e-16;
+  std::swap(others[1].connectivity[0], others[1].connectivity[1]);
+  others[2].elementGroups["lower"].pop_back();
+  others[3].sideGroups["lower_top"][0].side += 1;
+  others[4].sideGroups["new"];
+  for (const Mesh& other : others) TEST_INEQUALITY(other.hash(), mesh.hash());
+}

@@ -1,0 +1,211 @@
+// Needs SUTURE_GMSH. One rank: the reader is local; see MeshReader for several.
+#include <suture/mesh/CellGeometry.hpp>
+#include <suture/mesh/GmshReader.hpp>
+
+#include <Teuchos_UnitTestHarness.hpp>
+#include <cmath>
+#include <set>
+
+#include "MeshTesting.hpp"
+
+using namespace suture;
+using meshtesting::Folder;
+using meshtesting::problemsOf;
+
+namespace {
+
+const std::string tunnel = SUTURE_SOURCE_DIR "/input/tunnel/tunnel.geo";
+
+// A rectangle of W x 1 with all that a mesh needs.
+const std::string rectangle =
+    "SetFactory(\"OpenCASCADE\");\n"
+    "DefineConstant[ W = {2, Min 1}, /* unused = {1}, */ H = 1 ]; // DefineConstant[ not = {1} ]\n"
+    "Rectangle(1) = {0, 0, 0, W, H};\n"
+    "Physical Surface(\"body\") = {1};\n"
+    "Physical Curve(\"bottom\") = {1};\n"
+    "Physical Curve(\"right\") = {2};\n"
+    "Mesh.MeshSizeMax = 0.5;\n";
+
+double areaOf(const Mesh& mesh) {
+  double sum = 0;
+  for (int e = 0; e < mesh.elements(); ++e) sum += signedArea(mesh, e);
+  return sum;
+}
+
+double widthOf(const Mesh& mesh) {
+  double width = 0;
+  for (int i = 0; i < mesh.nodes(); ++i) width = std::max(width, mesh.point(i)[0]);
+  return width;
+}
+
+}  // namespace
+
+TEUCHOS_UNIT_TEST(GmshReader, ReadsTheTunnelWithItsKnownCounts) {
+  Mesh mesh = readGmsh({tunnel, {}, 1.0});
+  TEST_EQUALITY(mesh.elements(), 9670);
+  TEST_EQUALITY(mesh.nodes(), 5067);
+  TEST_EQUALITY(mesh.elementGroups.size(), std::size_t(14));
+  TEST_EQUALITY(mesh.sideGroups.size(), std::size_t(9));
+  assignBodies(mesh, {"left", "right"});
+  // a polygon inscribed in the hole: a little more than the exact 120 x 80 - pi 36
+  const double exact = 120 * 80 - 36 * 3.14159265358979;
+  TEST_COMPARE(areaOf(mesh), >, exact);
+  TEST_COMPARE(areaOf(mesh), <, exact + 1);
+  for (const Side& side : mesh.sideGroups.at("tunnel_wall"))
+    for (const int node : mesh.nodesOf(side))
+      TEST_FLOATING_EQUALITY(std::hypot(mesh.point(node)[0] - 60, mesh.point(node)[1] - 39.5), 6.0, 1e-9);
+}
+
+TEUCHOS_UNIT_TEST(GmshReader, NumbersTheSameGeometryTheSameWay) {
+  const Folder folder;
+  const std::string path = folder.write("a.geo", rectangle);
+  TEST_EQUALITY(readGmsh({path, {}, 1.0}).hash(), readGmsh({path, {}, 1.0}).hash());
+}
+
+TEUCHOS_UNIT_TEST(GmshReader, OverridesConstantsForThisFileOnly) {
+  const Folder folder;
+  const std::string path = folder.write("a.geo", rectangle);
+  TEST_FLOATING_EQUALITY(widthOf(readGmsh({path, {{"W", 5.25}}, 1.0})), 5.25, 1e-13);
+  TEST_FLOATING_EQUALITY(widthOf(readGmsh({path, {}, 1.0})), 2.0, 1e-13);
+  const std::string outer = folder.write("outer.geo", "Include \"a.geo\";\n");
+  TEST_FLOATING_EQUALITY(widthOf(readGmsh({outer, {{"W", 3}}, 1.0})), 3.0, 1e-13);
+}
+
+TEUCHOS_UNIT_TEST(GmshReader, NamesTheConstantsThatThereAre) {
+  const Folder folder;
+  const std::string path = folder.write("a.geo", rectangle);
+  const std::string said = problemsOf([&] { readGmsh({path, {{"w", 5}, {"not", 1}, {"unused", 1}}, 1.0}); });
+  SUTURE_CHECK_SAYS(said, "Mesh/Constants/w: ");
+  SUTURE_CHECK_SAYS(said, "Did you mean 'W'?");
+  SUTURE_CHECK_SAYS(said, "Known here: H, W");
+  SUTURE_CHECK_SAYS(said, "Mesh/Constants/not: ");
+  SUTURE_CHECK_SAYS(said, "Mesh/Constants/unused: ");
+}
+
+TEUCHOS_UNIT_TEST(GmshReader, ScalesTheMeshSize) {
+  const Folder folder;
+  const std::string path = folder.write("a.geo", rectangle);
+  const int coarse = readGmsh({path, {}, 1.0}).elements(), fine = readGmsh({path, {}, 0.25}).elements();
+  TEST_COMPARE(fine, >, 10 * coarse);
+  TEST_COMPARE(fine, <, 24 * coarse);
+}
+
+TEUCHOS_UNIT_TEST(GmshReader, ReadsALastLineWithoutNewline) {
+  // Gmsh 4.8 alone drops the group behind the comment
+  const Folder folder;
+  const std::string path = folder.write("a.geo", rectangle + "Physical Curve(\"left\") = {4}; /* the end */");
+  const Mesh mesh = readGmsh({path, {}, 1.0});
+  TEST_EQUALITY(mesh.sideGroups.count("left"), std::size_t(1));
+  TEST_EQUALITY(mesh.source, path);
+  folder.write("b.geo", rectangle);
+  const std::string including = folder.write("c.geo", "Include \"b.geo\";\nW = 3; /* the end */");
+  SUTURE_CHECK_SAYS(problemsOf([&] { readGmsh({including, {}, 1.0}); }), "the last line has no newline");
+}
+
+TEUCHOS_UNIT_TEST(GmshReader, KeepsOnlyNodesOfElements) {
+  const Folder folder;
+  const std::string path = folder.write("a.geo", rectangle + "Point(99) = {7, 7, 0}; Circle(98) = {9, 9, 0, 1, 0, 2*Pi};\n");
+  const Mesh mesh = readGmsh({path, {}, 1.0});
+  std::set<int> used(mesh.connectivity.begin(), mesh.connectivity.end());
+  TEST_EQUALITY(static_cast<int>(used.size()), mesh.nodes());
+  TEST_FLOATING_EQUALITY(widthOf(mesh), 2.0, 1e-13);
+}
+
+TEUCHOS_UNIT_TEST(GmshReader, ReadsEveryCell) {
+  const Folder folder;
+  const std::string quadrilaterals = "Transfinite Surface{1}; Recombine Surface{1};\n";
+  const std::pair<std::string, Cell> all[] = {
+      {"", Cell::Triangle3},
+      {"Mesh.ElementOrder = 2;\n", Cell::Triangle6},
+      {quadrilaterals, Cell::Quadrilateral4},
+      {quadrilaterals + "Mesh.ElementOrder = 2; Mesh.SecondOrderIncomplete = 1;\n", Cell::Quadrilateral8},
+      {quadrilaterals + "Mesh.ElementOrder = 2;\n", Cell::Quadrilateral9}};
+  for (const auto& [options, cell] : all) {
+    Mesh mesh = readGmsh({folder.write("a.geo", rectangle + options), {}, 1.0});
+    assignBodies(mesh, {"body"});  // all elements positive, mid-side nodes where they belong
+    for (const Cell found : mesh.cells) TEST_ASSERT(found == cell);
+    TEST_FLOATING_EQUALITY(areaOf(mesh), 2.0, 1e-12);
+    TEST_EQUALITY(mesh.sideGroups.at("bottom").size(), std::size_t(4));
+    for (const Side& side : mesh.sideGroups.at("bottom"))
+      for (const int node : mesh.nodesOf(side)) TEST_COMPARE(std::abs(mesh.point(node)[1]), <, 1e-14);
+  }
+}
+
+TEUCHOS_UNIT_TEST(GmshReader, TurnsAClockwiseSurfaceRound) {
+  const Folder folder;
+  for (const std::string options :
+       {"", "Mesh.ElementOrder = 2;\n", "Transfinite Surface{1}; Recombine Surface{1}; Mesh.ElementOrder = 2;\n"}) {
+    const std::string text =
+        "Point(1) = {0,0,0,0.3}; Point(2) = {1,0,0,0.3}; Point(3) = {1,1,0,0.3}; Point(4) = {0,1,0,0.3};\n"
+        "Line(1) = {1,4}; Line(2) = {4,3}; Line(3) = {3,2}; Line(4) = {2,1};\n"
+        "Curve Loop(1) = {1,2,3,4}; Plane Surface(1) = {1};\n"
+        "Physical Surface(\"body\") = {1}; Physical Curve(\"top\") = {2};\n" +
+        options;
+    Mesh mesh = readGmsh({folder.write("a.geo", text), {}, 1.0});
+    assignBodies(mesh, {"body"});
+    TEST_FLOATING_EQUALITY(areaOf(mesh), 1.0, 1e-12);
+    for (const Side& side : mesh.sideGroups.at("top")) TEST_EQUALITY(mesh.point(mesh.nodesOf(side)[0])[1], 1.0);
+  }
+}
+
+namespace {
+
+// Two triangles of the unit square in Gmsh's version 2, which repeats an element for each of its groups.
+std::string msh2(const std::string& nodes, const std::string& elements, int nodeCount, int count) {
+  return "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n4\n2 1 \"body\"\n2 2 \"part\"\n1 3 \"bottom\"\n1 4 "
+         "\"odd\"\n$EndPhysicalNames\n"
+         "$Nodes\n" +
+         std::to_string(nodeCount) + "\n" + nodes + "$EndNodes\n$Elements\n" + std::to_string(count) + "\n" + elements + "$EndElements\n";
+}
+const std::string square = "1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n";
+
+}  // namespace
+
+TEUCHOS_UNIT_TEST(GmshReader, TakesRepeatedElementsOfVersion2Once) {
+  const Folder folder;
+  const std::string path = folder.write("a.msh", msh2(square, "1 2 2 1 1 1 2 3\n2 2 2 1 2 1 3 4\n3 2 2 2 1 1 2 3\n4 1 2 3 1 1 2\n", 4, 4));
+  const Mesh mesh = readGmsh({path, {}, 1.0});
+  TEST_EQUALITY(mesh.elements(), 2);
+  TEST_EQUALITY(mesh.elementGroups.at("body").size(), std::size_t(2));
+  TEST_EQUALITY(mesh.elementGroups.at("part").size(), std::size_t(1));
+  TEST_EQUALITY(mesh.sideGroups.at("bottom").size(), std::size_t(1));
+}
+
+TEUCHOS_UNIT_TEST(GmshReader, RefusesCurvesInsideTheMaterialAndOffIt) {
+  const Folder folder;
+  const std::string inside = folder.write("a.msh", msh2(square, "1 2 2 1 1 1 2 3\n2 2 2 1 1 1 3 4\n3 1 2 4 1 1 3\n", 4, 3));
+  SUTURE_CHECK_SAYS(problemsOf([&] { readGmsh({inside, {}, 1.0}); }), "curve group 'odd': 1 of its elements lie inside the material");
+  const std::string off = folder.write("b.msh", msh2(square, "1 2 2 1 1 1 2 3\n2 2 2 1 1 1 3 4\n3 1 2 4 1 2 4\n", 4, 3));
+  SUTURE_CHECK_SAYS(problemsOf([&] {
+                      readGmsh({off, {}, 1.0});
+                    }),
+                    "curve group 'odd': 1 of its elements are no side of any surface element (the first at (0.5, 0.5))");
+}
+
+TEUCHOS_UNIT_TEST(GmshReader, RefusesWhatIsNotPlane) {
+  const Folder folder;
+  const std::string lifted = folder.write("a.msh", msh2("1 0 0 0\n2 1 0 0\n3 1 1 0.5\n4 0 1 0\n", "1 2 2 1 1 1 2 3\n", 4, 1));
+  SUTURE_CHECK_SAYS(problemsOf([&] { readGmsh({lifted, {}, 1.0}); }), "away from the plane z = 0");
+  const std::string solid = folder.write("b.msh", msh2("1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n", "1 4 2 1 1 1 2 3 4\n", 4, 1));
+  SUTURE_CHECK_SAYS(problemsOf([&] { readGmsh({solid, {}, 1.0}); }), "1 elements of the kind 'Tetrahedron 4'");
+}
+
+TEUCHOS_UNIT_TEST(GmshReader, LeavesSingleInvertedElementsToTheCheck) {
+  const Folder folder;
+  const std::string path = folder.write("a.msh", msh2(square, "1 2 2 1 1 1 2 3\n2 2 2 1 1 1 4 3\n", 4, 2));
+  Mesh mesh = readGmsh({path, {}, 1.0});
+  SUTURE_CHECK_SAYS(problemsOf([&] { assignBodies(mesh, {"body"}); }), "1 inverted element (at (0.333333, 0.666667))");
+}
+
+TEUCHOS_UNIT_TEST(GmshReader, PassesOnWhatGmshSaysWithTheUsersFileName) {
+  const Folder folder;
+  const std::string path = folder.write("a.geo", "DefineConstant[ W = {1} ];\nFoo bar;");  // no newline: Gmsh sees a copy
+  const std::string said = problemsOf([&] { readGmsh({path, {{"W", 2}}, 1.0}); });
+  SUTURE_CHECK_SAYS(said, "Gmsh says: '" + path + "', line 2: Unknown variable 'bar'");
+}
+
+TEUCHOS_UNIT_TEST(GmshReader, RefusesAGeometryWithoutSurface) {
+  const Folder folder;
+  const std::string path = folder.write("a.geo", "Point(1) = {0, 0, 0};\n");
+  SUTURE_CHECK_SAYS(problemsOf([&] { readGmsh({path, {}, 1.0}); }), "holds no surface elements");
+}
