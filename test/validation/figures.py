@@ -51,6 +51,16 @@ def patch_stressError(folder, _):
     return float(np.abs(stress - expected).max() / 1e5)
 
 
+def patch_uniformStress(folder, _):
+    """Largest deviation of any stress component from its mean, over the largest stress."""
+    stress = fields(folder).cell["Stress"]
+    return float(np.abs(stress - stress.mean(axis=0)).max() / np.abs(stress).max())
+
+
+def patch_stressYY(folder, _):
+    return float(fields(folder).cell["Stress"][:, 1].mean())
+
+
 def patch_displacementError(folder, _):
     """Largest deviation of u from (0, -0.05 (1 + y)), over 0.1."""
     f = fields(folder)
