@@ -25,6 +25,8 @@ class Session {
     gmsh::initialize(0, nullptr, false);
     gmsh::option::setNumber("General.Terminal", 0);
     gmsh::option::setNumber("General.NumThreads", 1);  // the same mesh every time
+    // By default an error leaves Gmsh's parser in the middle of the file, and the next file is read from there. Let it go to the end.
+    gmsh::option::setNumber("General.AbortOnError", 0);
     gmsh::logger::start();
   }
   ~Session() {
@@ -33,6 +35,16 @@ class Session {
   }
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
+
+  /// The first error that Gmsh has logged, or "".
+  static std::string error() {
+    std::vector<std::string> log;
+    gmsh::logger::get(log);
+    const std::string mark = "Error: ";
+    for (const std::string& line : log)
+      if (line.compare(0, mark.size(), mark) == 0) return line.substr(mark.size());
+    return "";
+  }
 };
 
 std::optional<Cell> cellOfGmshType(int type) {
@@ -294,41 +306,46 @@ std::string withOwnName(std::string message, const std::string& wrapper, const s
   return message;
 }
 
-void openAndMesh(const GmshInput& input, bool isGeometry) {
-  if (!isGeometry) {
-    gmsh::open(input.path);
-    return;
-  }
-  const GeoWrapper wrapper(input.path, input.constants);
+// Runs a step of Gmsh's. libgmsh 4.8 throws texts, later ones exceptions; errors in a file may be in the log only, and the first one
+// there says most.
+template <typename Step>
+void withGmsh(const std::string& file, const std::string& opened, Step step) {
+  std::string thrown;
   try {
-    gmsh::open(wrapper.path());
+    step();
+  } catch (const std::string& error) {
+    thrown = error;
+  } catch (const std::runtime_error& error) {
+    thrown = error.what();
+  }
+  const std::string logged = Session::error();
+  if (thrown.empty() && logged.empty()) return;
+  throw InputError(path, file + ": Gmsh says: " + withOwnName(logged.empty() ? thrown : logged, opened, file));
+}
+
+void openAndMesh(const GmshInput& input) {
+  const GeoWrapper wrapper(input.path, input.constants);
+  withGmsh(input.path, wrapper.path(), [&] { gmsh::open(wrapper.path()); });
+  withGmsh(input.path, wrapper.path(), [&] {
     double factor = 1;
     gmsh::option::getNumber("Mesh.MeshSizeFactor", factor);
     gmsh::option::setNumber("Mesh.MeshSizeFactor", factor * input.meshSizeFactor);
     gmsh::model::mesh::generate(2);
-  } catch (const std::string& error) {  // what libgmsh 4.8 throws
-    throw InputError(path, input.path + ": Gmsh says: " + withOwnName(error, wrapper.path(), input.path));
-  } catch (const std::runtime_error& error) {  // newer ones
-    if (dynamic_cast<const Error*>(&error)) throw;
-    throw InputError(path, input.path + ": Gmsh says: " + withOwnName(error.what(), wrapper.path(), input.path));
-  }
+  });
 }
 
 Raw readRaw(const GmshInput& input, bool isGeometry, Problems& problems) {
   const Session session;
   Raw raw;
-  try {
-    openAndMesh(input, isGeometry);
+  if (isGeometry)
+    openAndMesh(input);
+  else
+    withGmsh(input.path, input.path, [&] { gmsh::open(input.path); });
+  withGmsh(input.path, input.path, [&] {
     readNodes(raw);
     readElements(raw, input.path, problems);
     readGroups(raw);
-  } catch (const Error&) {
-    throw;
-  } catch (const std::string& error) {
-    throw InputError(path, input.path + ": Gmsh says: " + error);
-  } catch (const std::runtime_error& error) {
-    throw InputError(path, input.path + ": Gmsh says: " + error.what());
-  }
+  });
   return raw;
 }
 

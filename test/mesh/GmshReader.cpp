@@ -19,7 +19,7 @@ const std::string tunnel = SUTURE_SOURCE_DIR "/input/tunnel/tunnel.geo";
 // A rectangle of W x 1 with all that a mesh needs.
 const std::string rectangle =
     "SetFactory(\"OpenCASCADE\");\n"
-    "DefineConstant[ W = {2, Min 1}, /* unused = {1}, */ H = 1 ]; // DefineConstant[ not = {1} ]\n"
+    "DefineConstant[ W = {2, Min 1, Name \"Width\"}, /* unused = {1}, */ H = 1 ]; // DefineConstant[ not = {1} ]\n"
     "Rectangle(1) = {0, 0, 0, W, H};\n"
     "Physical Surface(\"body\") = {1};\n"
     "Physical Curve(\"bottom\") = {1};\n"
@@ -125,9 +125,13 @@ TEUCHOS_UNIT_TEST(GmshReader, ReadsEveryCell) {
     assignBodies(mesh, {"body"});  // all elements positive, mid-side nodes where they belong
     for (const Cell found : mesh.cells) TEST_ASSERT(found == cell);
     TEST_FLOATING_EQUALITY(areaOf(mesh), 2.0, 1e-12);
-    TEST_EQUALITY(mesh.sideGroups.at("bottom").size(), std::size_t(4));
-    for (const Side& side : mesh.sideGroups.at("bottom"))
-      for (const int node : mesh.nodesOf(side)) TEST_COMPARE(std::abs(mesh.point(node)[1]), <, 1e-14);
+    double length = 0;
+    for (const Side& side : mesh.sideGroups.at("bottom")) {
+      const std::vector<int> nodes = mesh.nodesOf(side);
+      length += mesh.point(nodes[1])[0] - mesh.point(nodes[0])[0];  // positive: the body is on the left
+      for (const int node : nodes) TEST_COMPARE(std::abs(mesh.point(node)[1]), <, 1e-14);
+    }
+    TEST_FLOATING_EQUALITY(length, 2.0, 1e-13);
   }
 }
 
@@ -202,6 +206,14 @@ TEUCHOS_UNIT_TEST(GmshReader, PassesOnWhatGmshSaysWithTheUsersFileName) {
   const std::string path = folder.write("a.geo", "DefineConstant[ W = {1} ];\nFoo bar;");  // no newline: Gmsh sees a copy
   const std::string said = problemsOf([&] { readGmsh({path, {{"W", 2}}, 1.0}); });
   SUTURE_CHECK_SAYS(said, "Gmsh says: '" + path + "', line 2: Unknown variable 'bar'");
+}
+
+TEUCHOS_UNIT_TEST(GmshReader, ReadsTheNextFileAfterABrokenOne) {
+  const Folder folder;
+  const std::string sound = folder.write("a.geo", rectangle), broken = folder.write("b.geo", "Foo bar\n" + rectangle + "If (1)\n");
+  const std::string hash = readGmsh({sound, {}, 1.0}).hash();
+  TEST_INEQUALITY(problemsOf([&] { readGmsh({broken, {}, 1.0}); }), "no error");
+  TEST_EQUALITY(readGmsh({sound, {}, 1.0}).hash(), hash);
 }
 
 TEUCHOS_UNIT_TEST(GmshReader, RefusesAGeometryWithoutSurface) {
