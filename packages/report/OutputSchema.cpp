@@ -8,7 +8,9 @@ Schema outputSchema() {
   return Schema("What a run leaves behind.")
       .text("Folder", "", "Output folder, made if missing, relative to the current folder. Empty: the name of the scene file with '_out'.")
       .boolean("Fields", true,
-               "Write the fields (fields_0000.vtkhdf, contact_0000.vtkhdf); history.csv and summary.json are always written.");
+               "Write the fields (fields_0000.vtkhdf, contact_0000.vtkhdf); history.csv and summary.json are always written.")
+      .wordOrNumber("Enlargement", "Automatic", {"Automatic"}, Range::positive(),
+                    "How many times suture_plot enlarges the displacements; Automatic: to about a twentieth of the scene's size.");
 }
 
 std::string outputFolder(const SceneFile& scene) {

@@ -1,0 +1,65 @@
+#include <suture/report/Console.hpp>
+
+#include <Teuchos_UnitTestHarness.hpp>
+#include <sstream>
+#include <suture/report/Format.hpp>
+#include <suture/report/Units.hpp>
+
+#include "SampleRun.hpp"
+
+using namespace suture;
+
+namespace {
+
+TEUCHOS_UNIT_TEST(Console, HeaderNamesSceneAndSizes) {
+  sample::SampleRun sample("unused");
+  sample.size_.elements = 9670;
+  std::ostringstream console;
+  printHeader(console, *sample.comm_, sample.scene_, sample.size_);
+  const int ranks = sample.comm_->getSize();
+  TEST_ASSERT(console.str().find("Suture ") == 0);
+  TEST_ASSERT(console.str().find("   Two \"blocks\"   " + counted(ranks, "rank") +
+                                 ", 3 subdomains   9,670 elements, 100 unknowns, 8 on the "
+                                 "interface, 4 pairs in 2 pieces\n") != std::string::npos);
+}
+
+TEUCHOS_UNIT_TEST(Console, FooterSaysHowItEnded) {
+  sample::SampleRun sample("unused");
+  std::ostringstream console;
+  printFooter(&console, sample.run());
+  if (sample.comm_->getRank() != 0) {
+    TEST_ASSERT(console.str().empty());
+    return;
+  }
+  TEST_ASSERT(console.str().find("converged: 2 outer, 16 + 8 PCG, residual 4.4e-09; 3 of 4 pairs closed, largest gap 4.000e-03 m, largest "
+                                 "pressure 1.00e+01 Pa, forces balance to 3e-12\n") == 0);
+}
+
+TEUCHOS_UNIT_TEST(Console, FooterOfAFailureGivesTheReason) {
+  sample::SampleRun sample("unused");
+  sample.solution_.converged = false;
+  sample.solution_.failure = "50 iterations were not enough";
+  std::ostringstream console;
+  printFooter(&console, sample.run());
+  if (sample.comm_->getRank() == 0) TEST_ASSERT(console.str().find("NOT CONVERGED: 50 iterations were not enough; 2 outer") == 0);
+}
+
+TEUCHOS_UNIT_TEST(Format, GroupsDigits) {
+  TEST_EQUALITY(grouped(0), "0");
+  TEST_EQUALITY(grouped(999), "999");
+  TEST_EQUALITY(grouped(1000), "1,000");
+  TEST_EQUALITY(grouped(-1234567), "-1,234,567");
+  TEST_EQUALITY(counted(1, "rank"), "1 rank");
+}
+
+TEUCHOS_UNIT_TEST(Units, TakesTheNamesOfTheScene) {
+  Teuchos::ParameterList scene;
+  scene.set<std::string>("Units", "mm , N,MPa");
+  TEST_EQUALITY(unitsOf(scene).length, "mm");
+  TEST_EQUALITY(unitsOf(scene).force, "N");
+  TEST_EQUALITY(unitsOf(scene).stress, "MPa");
+  scene.set<std::string>("Units", "mm");
+  TEST_EQUALITY(unitsOf(scene).stress, "stress");
+}
+
+}  // namespace

@@ -1,0 +1,155 @@
+#include <suture/report/Fields.hpp>
+
+#include <Teuchos_CommHelpers.hpp>
+#include <Teuchos_UnitTestHarness.hpp>
+#include <fstream>
+#include <suture/base/Hdf5File.hpp>
+
+#include "SampleRun.hpp"
+
+using namespace suture;
+
+namespace {
+
+// All tests look at the same report; read_with_vtk.py and suture_plot read it after them.
+std::string written() {
+  static bool done = false;
+  const std::string folder = sample::folderOf("fields");
+  if (!done) {
+    sample::SampleRun sample(folder);
+    prepareFolder(*sample.comm_, folder);
+    writeReport(sample.run(), ExitCode::Done);
+    done = true;
+  }
+  return folder;
+}
+
+Hdf5File open(const std::string& name) { return Hdf5File::open(*Tpetra::getDefaultComm(), written() + "/" + name); }
+
+TEUCHOS_UNIT_TEST(Fields, CarryTheDisplacementOfEveryPoint) {
+  const Hdf5File file = open("fields_0000.vtkhdf");
+  const std::vector<double> x = file.readReals("/VTKHDF/Points"), u = file.readReals("/VTKHDF/PointData/Displacement");
+  TEST_EQUALITY(x.size(), u.size());
+  TEST_ASSERT(x.size() >= 3 * 2 * 7 * 4);
+  double worst = 0;
+  for (std::size_t i = 0; i + 2 < x.size(); i += 3) {
+    const Point exact = sample::displacementAt({x[i], x[i + 1], x[i + 2]});
+    for (std::size_t k = 0; k < 3; ++k) worst = std::max(worst, std::abs(u[i + k] - exact[k]));
+  }
+  TEST_COMPARE(worst, <, 1e-17);
+}
+
+TEUCHOS_UNIT_TEST(Fields, CarryTheStressOfHookesLawInTheOrderOfVtk) {
+  const Hdf5File file = open("fields_0000.vtkhdf");
+  const std::vector<double> stress = file.readReals("/VTKHDF/CellData/Stress");
+  TEST_EQUALITY(stress.size(), 6 * 72);
+  const sample::Stress exact = sample::exactStress();
+  const double expected[] = {exact.xx, exact.yy, exact.zz, exact.xy, 0.0, 0.0};
+  double worst = 0;
+  for (std::size_t i = 0; i < stress.size(); ++i) worst = std::max(worst, std::abs(stress[i] - expected[i % 6]));
+  TEST_COMPARE(worst, <, 1e-12 * exact.yy);
+}
+
+TEUCHOS_UNIT_TEST(Fields, PrincipalStressesTurnTheTensorDiagonal) {
+  const Hdf5File file = open("fields_0000.vtkhdf");
+  const std::vector<double> s = file.readReals("/VTKHDF/CellData/PrincipalStress");
+  const std::vector<double> d1 = file.readReals("/VTKHDF/CellData/PrincipalDirection1");
+  const std::vector<double> d2 = file.readReals("/VTKHDF/CellData/PrincipalDirection2");
+  const sample::Stress exact = sample::exactStress();
+  for (std::size_t i = 0; i < s.size(); i += 3) {
+    // The tensor put together again from its axes.
+    const double xx = s[i] * d1[i] * d1[i] + s[i + 1] * d2[i] * d2[i];
+    const double yy = s[i] * d1[i + 1] * d1[i + 1] + s[i + 1] * d2[i + 1] * d2[i + 1];
+    const double xy = s[i] * d1[i] * d1[i + 1] + s[i + 1] * d2[i] * d2[i + 1];
+    if (s[i] < s[i + 1] || std::abs(xx - exact.xx) + std::abs(yy - exact.yy) + std::abs(xy - exact.xy) > 1e-11 * exact.yy) success = false;
+  }
+  TEST_FLOATING_EQUALITY(s[2], exact.zz, 1e-12);
+}
+
+TEUCHOS_UNIT_TEST(Fields, NameTheirUnitsAndSigns) {
+  const Hdf5File file = open("fields_0000.vtkhdf");
+  TEST_EQUALITY(file.readTextAttribute("/VTKHDF/CellData/Stress", "unit"), "Pa");
+  TEST_ASSERT(file.readTextAttribute("/VTKHDF/CellData/Stress", "meaning").find("tension positive") != std::string::npos);
+  TEST_EQUALITY(file.readTextAttribute("/VTKHDF/PointData/Displacement", "unit"), "m");
+  const Hdf5File contact = open("contact_0000.vtkhdf");
+  TEST_ASSERT(contact.readTextAttribute("/VTKHDF/PointData/ContactPressure", "meaning").find("compression positive") != std::string::npos);
+  TEST_ASSERT(contact.readTextAttribute("/VTKHDF/PointData/Gap", "meaning").find("positive where open") != std::string::npos);
+}
+
+TEUCHOS_UNIT_TEST(Fields, RecordWhereTheyComeFrom) {
+  const Hdf5File file = open("fields_0000.vtkhdf");
+  TEST_EQUALITY(file.readText("/Record/Input"), "<ParameterList name=\"Suture\"/>");
+  TEST_ASSERT(file.readText("/Record/Resolved").find("Maximum Iterations") != std::string::npos);
+  TEST_EQUALITY(file.readText("/Record/MeshHash"), "abcd");
+  TEST_EQUALITY(file.readText("/Record/CommandLine"), "suture_solve scene.xml --set 'Outer Solver/Type=Chord'");
+  TEST_EQUALITY(file.readText("/Record/Bodies"), "[\"lower\",\"upper\"]");
+  TEST_EQUALITY(file.readText("/Record/Subdomains"), "[\"subdomain_lower_0_0\",\"subdomain_lower_1_0\",\"subdomain_upper_0_0\"]");
+}
+
+TEUCHOS_UNIT_TEST(Fields, RecordEverySideOfEveryGroupOnce) {
+  const Hdf5File file = open("fields_0000.vtkhdf");
+  TEST_EQUALITY(file.members("/Record/SideGroups").size(), 8);
+  const std::vector<double> top = file.readReals("/Record/SideGroups/lower_top");
+  TEST_EQUALITY(top.size(), 6 * 6);
+  double length = 0;
+  for (std::size_t i = 0; i + 5 < top.size(); i += 6) {
+    length += std::hypot(top[i + 3] - top[i], top[i + 4] - top[i + 1]);
+    TEST_EQUALITY(top[i + 1], 1.0);
+    TEST_EQUALITY(top[i + 4], 1.0);
+  }
+  TEST_FLOATING_EQUALITY(length, 2.0, 1e-14);
+}
+
+TEUCHOS_UNIT_TEST(ContactFields, JoinThePairsOfALineAndKeepALonelyOne) {
+  const Hdf5File file = open("contact_0000.vtkhdf");
+  const std::vector<int> types = file.readInts("/VTKHDF/Types");
+  TEST_EQUALITY(types.size(), 3);
+  TEST_EQUALITY(types[0], 3);
+  TEST_EQUALITY(types[1], 3);
+  TEST_EQUALITY(types[2], 1);
+  TEST_EQUALITY(file.readText("/Record/ContactPieces"), "[\"joint\",\"crack\"]");
+  const std::vector<double> pressure = file.readReals("/VTKHDF/PointData/ContactPressure"), gap = file.readReals("/VTKHDF/PointData/Gap");
+  const std::vector<int> active = file.readInts("/VTKHDF/PointData/Active");
+  TEST_EQUALITY(pressure.size(), 4);
+  TEST_EQUALITY(pressure[3], 10.0);
+  TEST_EQUALITY(gap[2], 4e-3);
+  TEST_EQUALITY(active[1], 1);
+  TEST_EQUALITY(active[2], 0);
+}
+
+TEUCHOS_UNIT_TEST(Report, LeavesNothingBesideItsFiles) {
+  const std::string folder = written();
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+    if (entry.path().extension() != ".png") names.push_back(entry.path().filename().string());
+  std::sort(names.begin(), names.end());
+  const std::vector<std::string> expected{"contact_0000.vtkhdf", "fields_0000.vtkhdf", "history.csv", "summary.json"};
+  TEST_COMPARE_ARRAYS(names, expected);
+}
+
+TEUCHOS_UNIT_TEST(Report, ReplacesTheContactFileOfAnEarlierRun) {
+  const std::string folder = sample::folderOf("again");
+  sample::SampleRun first(folder);
+  prepareFolder(*first.comm_, folder);
+  writeReport(first.run(), ExitCode::Done);
+  TEST_ASSERT(std::filesystem::exists(folder + "/contact_0000.vtkhdf"));
+  first.comm_->barrier();
+  sample::SampleRun linear(folder);
+  linear.size_.pairs = linear.size_.pieces = 0;
+  linear.solution_.pairs.clear();
+  linear.pieces_.clear();
+  writeReport(linear.run(), ExitCode::Done);
+  TEST_ASSERT(!std::filesystem::exists(folder + "/contact_0000.vtkhdf"));
+  TEST_ASSERT(std::filesystem::exists(folder + "/fields_0000.vtkhdf"));
+}
+
+TEUCHOS_UNIT_TEST(OutputFolder, RefusesAFolderThatCannotBeMadeOnAllRanks) {
+  const CommPtr comm = Tpetra::getDefaultComm();
+  TEST_THROW(prepareFolder(*comm, "/dev/null/out"), EnvironmentError);
+  TEST_THROW(prepareFolder(*comm, "/proc/out"), EnvironmentError);
+  if (comm->getRank() == 0) std::ofstream("in_the_way") << "x";
+  comm->barrier();
+  TEST_THROW(prepareFolder(*comm, "in_the_way"), EnvironmentError);
+}
+
+}  // namespace

@@ -1,0 +1,180 @@
+#pragma once
+// A run whose answer is known: three subdomains in two blocks, displaced by one linear field, with contact pairs made by hand.
+#include <Teuchos_Comm.hpp>
+#include <Teuchos_ParameterList.hpp>
+#include <Tpetra_Core.hpp>
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <suture/mesh/Generators.hpp>
+#include <suture/report/Report.hpp>
+
+namespace sample {
+
+// u = (Uxx x + Uxy y, Uyx x + Uyy y)
+constexpr double Uxx = 1e-3, Uxy = 2e-3, Uyx = -5e-4, Uyy = 3e-3;
+constexpr double young = 2e6, poisson = 0.25;
+
+inline suture::Point displacementAt(const suture::Point& x) { return {Uxx * x[0] + Uxy * x[1], Uyx * x[0] + Uyy * x[1], 0.0}; }
+
+struct Stress {
+  double xx, yy, zz, xy;
+};
+
+// Hooke's law of plane strain with Lame's constants, written out.
+inline Stress exactStress() {
+  const double lambda = young * poisson / ((1 + poisson) * (1 - 2 * poisson)), mu = young / (2 * (1 + poisson));
+  const double trace = Uxx + Uyy;
+  return {lambda * trace + 2 * mu * Uxx, lambda * trace + 2 * mu * Uyy, lambda * trace, mu * (Uxy + Uyx)};
+}
+
+class SampleRun {
+ public:
+  explicit SampleRun(const std::string& folder) : comm_(Tpetra::getDefaultComm()), monitor_(nullptr, false), folder_(folder) {
+    makeScene();
+    const suture::Mesh mesh = makeMesh();
+    const suture::Partition partition = cut(mesh);
+    subdomains_ = suture::distribute(*comm_, mesh, suture::Constraints{}, partition);
+    model_.bodies = {"lower", "upper"};
+    model_.materialOfBody = {{"rock", young, poisson}, {"rock", young, poisson}};
+    makeSolution();
+    size_.nodes = 2 * 7 * 4;
+    size_.elements = 2 * 2 * 6 * 3;
+    size_.dofs = 100;
+    size_.interfaceDofs = 8;
+    size_.subdomains = 3;
+    size_.groups = 1;
+    size_.pairs = 4;
+    size_.pieces = 2;
+    monitor_.auxiliary(solution_.auxiliary);
+    for (const auto& row : rows()) monitor_.outer(row);
+    timers_.add("solve", 0.25 * (1 + comm_->getRank()));
+  }
+
+  static std::vector<suture::OuterRow> rows() {
+    return {{1, 9, 24.125, 3.1e-3, 1e-3, 3, 1, -1.2093e8, 1.0, 0.02}, {2, 7, 24.0, 4.4e-9, 1e-9, 2, 0, -1.2094e8, 0.5, 0.03}};
+  }
+
+  suture::Run run() {
+    return {*comm_,
+            scene_,
+            model_,
+            pieces_,
+            subdomains_,
+            size_,
+            solution_,
+            monitor_,
+            timers_,
+            "abcd",
+            {"suture_solve", "scene.xml", "--set", "Outer Solver/Type=Chord"},
+            folder_};
+  }
+
+  suture::CommPtr comm_;
+  suture::SceneFile scene_;
+  suture::ElasticModel model_;
+  std::vector<suture::ContactPiece> pieces_;
+  std::vector<suture::SubdomainMesh> subdomains_;
+  suture::ProblemSize size_;
+  suture::Solution solution_;
+  suture::RunMonitor monitor_;
+  suture::Timers timers_;
+  std::string folder_;
+
+ private:
+  void makeScene() {
+    scene_.path = "somewhere/scene.xml";
+    scene_.text = "<ParameterList name=\"Suture\"/>";
+    scene_.parameters = Teuchos::rcp(new Teuchos::ParameterList("Suture"));
+    scene_.parameters->set<std::string>("Title", "Two \"blocks\"");
+    scene_.parameters->set<std::string>("Units", "m, N, Pa");
+    Teuchos::ParameterList& solver = scene_.parameters->sublist("Outer Solver");
+    solver.set("Tolerance", 1e-8);
+    solver.set("Maximum Iterations", 50);
+    solver.set("Values", Teuchos::Array<double>(2, -0.5));
+    scene_.parameters->sublist("Partition").sublist("METIS").set("Seed", 7);
+  }
+
+  // [0,2]x[0,1] cut in two, under [0,2]x[1,2] in one.
+  suture::Mesh makeMesh() const {
+    suture::Mesh mesh;
+    if (comm_->getRank() != 0) return mesh;
+    suture::Box lower, upper;
+    lower.name = "lower";
+    upper.name = "upper";
+    lower.x1 = upper.x1 = 2;
+    upper.y0 = 1;
+    upper.y1 = 2;
+    lower.nx = upper.nx = 6;
+    lower.ny = upper.ny = 3;
+    lower.blocksX = 2;
+    mesh = suture::boxes({lower, upper});
+    suture::assignBodies(mesh, {"lower", "upper"});
+    return mesh;
+  }
+
+  suture::Partition cut(const suture::Mesh& mesh) const {
+    suture::Partition partition;
+    partition.names = {"subdomain_lower_0_0", "subdomain_lower_1_0", "subdomain_upper_0_0"};
+    partition.bodyOf = {0, 0, 1};
+    partition.elementsOf = {18, 18, 36};
+    partition.groupOf = {-1, -1, -1};
+    for (int s = 0; s < 3; ++s) partition.rankOf.push_back(s % comm_->getSize());
+    partition.subdomainOfElement.assign(std::size_t(mesh.elements()), -1);
+    for (int e = 0; e < mesh.elements(); ++e) {
+      double x = 0, y = 0;
+      for (const int n : mesh.nodesOf(e)) {
+        x += mesh.point(n)[0] / 3;
+        y += mesh.point(n)[1] / 3;
+      }
+      partition.subdomainOfElement[std::size_t(e)] = y > 1 ? 2 : (x > 1 ? 1 : 0);
+    }
+    return partition;
+  }
+
+  void makeSolution() {
+    using suture::PairStatus;
+    for (const auto& mesh : subdomains_) {
+      suture::Vector u(2 * mesh.nodes());
+      for (int n = 0; n < mesh.nodes(); ++n) {
+        const suture::Point value = displacementAt(mesh.point(n));
+        u.segment(2 * n, 2) << value[0], value[1];
+      }
+      solution_.displacement.push_back(u);
+    }
+    solution_.converged = true;
+    solution_.outerSolver = "Chord";
+    solution_.outerIterations = 2;
+    solution_.pcgTotal = 16;
+    solution_.residual = 4.4e-9;
+    solution_.auxiliary = {8, 22.6, 1e-2, 3e-3, true};
+    solution_.energy = -1.25;
+    solution_.applied = {1, -4, 0};
+    solution_.reactions = {-1, 4, 0};
+    solution_.imbalance = 3e-12;
+    solution_.estimates = {{"mu", 21.6}};
+    if (comm_->getRank() != 0) return;
+    pieces_ = {{"joint", {0, 1, 2}, 0, 1}, {"crack", {3}, 0, 1}};
+    const double force[] = {2.0, 3.0, 0.0, 5.0}, gap[] = {0.0, -1e-15, 4e-3, 0.0};
+    for (int i = 0; i < 4; ++i) {
+      suture::PairResult pair;
+      pair.id = i;
+      pair.line = pair.piece = i == 3 ? 1 : 0;
+      pair.status = i == 2 ? PairStatus::Open : PairStatus::Slip;
+      pair.initialGap = 1e-3;
+      pair.gap = gap[i];
+      pair.force = force[i];
+      pair.pressure = force[i] / 0.5;
+      pair.arc = i == 3 ? 0.0 : 0.5 * i;
+      pair.position = {0.5 * i, 1.0, 0.0};
+      pair.displacement = displacementAt(pair.position);
+      pair.normal = i == 3 ? suture::Point{0.6, 0.8, 0.0} : suture::Point{0.0, 1.0, 0.0};
+      solution_.pairs.push_back(pair);
+    }
+  }
+};
+
+// A folder of this test's own, "<name>_np<ranks>" beside the program; the python tests look for it there.
+inline std::string folderOf(const std::string& name) { return name + "_np" + std::to_string(Tpetra::getDefaultComm()->getSize()); }
+
+}  // namespace sample

@@ -1,0 +1,145 @@
+#include <suture/report/Summary.hpp>
+
+#include <Teuchos_UnitTestHarness.hpp>
+#include <fstream>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <suture/report/History.hpp>
+
+#include "SampleRun.hpp"
+
+using namespace suture;
+using nlohmann::json;
+
+namespace {
+
+json readJson(const std::string& path) { return json::parse(std::ifstream(path)); }
+
+TEUCHOS_UNIT_TEST(Summary, HoldsTheKeysOfTheContract) {
+  sample::SampleRun sample(sample::folderOf("summary"));
+  prepareFolder(*sample.comm_, sample.folder_);
+  writeSummary(sample.run(), ExitCode::Done, sample.folder_ + "/summary.json");
+  const json all = readJson(sample.folder_ + "/summary.json");
+  for (const char* key : {"/converged",
+                          "/exit_code",
+                          "/dofs",
+                          "/nodes",
+                          "/elements",
+                          "/subdomains",
+                          "/ranks",
+                          "/interface_dofs",
+                          "/auxiliary/iterations",
+                          "/auxiliary/condition",
+                          "/auxiliary/tolerance",
+                          "/outer/solver",
+                          "/outer/iterations",
+                          "/outer/pcg_total",
+                          "/outer/residual",
+                          "/contact/pieces",
+                          "/contact/pairs",
+                          "/contact/active",
+                          "/contact/max_pressure",
+                          "/contact/force",
+                          "/contact/max_gap",
+                          "/contact/max_penetration",
+                          "/energy",
+                          "/max_displacement",
+                          "/equilibrium/applied",
+                          "/equilibrium/reactions",
+                          "/equilibrium/imbalance",
+                          "/error",
+                          "/phases",
+                          "/peak_memory_mb/min",
+                          "/peak_memory_mb/avg",
+                          "/peak_memory_mb/max",
+                          "/peak_memory_mb/sum",
+                          "/versions",
+                          "/parameters"})
+    if (!all.contains(json::json_pointer(key))) {
+      out << "missing: " << key << "\n";
+      success = false;
+    }
+}
+
+TEUCHOS_UNIT_TEST(Summary, SumsUpContact) {
+  sample::SampleRun sample(sample::folderOf("summary"));
+  prepareFolder(*sample.comm_, sample.folder_);
+  writeSummary(sample.run(), ExitCode::Done, sample.folder_ + "/summary.json");
+  const json contact = readJson(sample.folder_ + "/summary.json")["contact"];
+  TEST_EQUALITY(contact["pairs"].get<int>(), 4);
+  TEST_EQUALITY(contact["active"].get<int>(), 3);
+  TEST_EQUALITY(contact["max_pressure"].get<double>(), 10.0);
+  TEST_EQUALITY(contact["max_gap"].get<double>(), 4e-3);
+  TEST_EQUALITY(contact["max_penetration"].get<double>(), 1e-15);
+  TEST_EQUALITY(contact["force"]["joint"].size(), 2);  // as many components as dimensions
+  TEST_FLOATING_EQUALITY(contact["force"]["joint"][1].get<double>(), 5.0, 1e-15);
+  TEST_FLOATING_EQUALITY(contact["force"]["crack"][0].get<double>(), 3.0, 1e-15);
+  TEST_FLOATING_EQUALITY(contact["force"]["crack"][1].get<double>(), 4.0, 1e-15);
+}
+
+TEUCHOS_UNIT_TEST(Summary, MeasuresTheWholeMeshOverAllRanks) {
+  sample::SampleRun sample(sample::folderOf("summary"));
+  prepareFolder(*sample.comm_, sample.folder_);
+  writeSummary(sample.run(), ExitCode::Done, sample.folder_ + "/summary.json");
+  const json all = readJson(sample.folder_ + "/summary.json");
+  // |u| of a linear field is largest in a corner of [0,2]^2: (2, 2).
+  const double ux = 2 * (sample::Uxx + sample::Uxy), uy = 2 * (sample::Uyx + sample::Uyy);
+  TEST_FLOATING_EQUALITY(all["max_displacement"].get<double>(), std::hypot(ux, uy), 1e-14);
+  const int ranks = sample.comm_->getSize();
+  TEST_FLOATING_EQUALITY(all["phases"]["solve"]["max"].get<double>(), 0.25 * ranks, 1e-14);
+  TEST_FLOATING_EQUALITY(all["phases"]["solve"]["avg"].get<double>(), 0.125 * (ranks + 1), 1e-14);
+  TEST_FLOATING_EQUALITY(all["peak_memory_mb"]["sum"].get<double>(), ranks * all["peak_memory_mb"]["avg"].get<double>(), 1e-12);
+  TEST_ASSERT(all["peak_memory_mb"]["min"].get<double>() > 1.0);
+}
+
+TEUCHOS_UNIT_TEST(Summary, NestsTheResolvedParameters) {
+  sample::SampleRun sample(sample::folderOf("summary"));
+  prepareFolder(*sample.comm_, sample.folder_);
+  writeSummary(sample.run(), ExitCode::Done, sample.folder_ + "/summary.json");
+  const json parameters = readJson(sample.folder_ + "/summary.json")["parameters"];
+  TEST_EQUALITY(parameters["Title"].get<std::string>(), "Two \"blocks\"");
+  TEST_EQUALITY(parameters["Outer Solver"]["Tolerance"].get<double>(), 1e-8);
+  TEST_EQUALITY(parameters["Outer Solver"]["Maximum Iterations"].get<int>(), 50);
+  TEST_EQUALITY(parameters["Outer Solver"]["Values"][1].get<double>(), -0.5);
+  TEST_EQUALITY(parameters["Partition"]["METIS"]["Seed"].get<int>(), 7);
+}
+
+TEUCHOS_UNIT_TEST(Summary, SaysThatARunFailed) {
+  sample::SampleRun sample(sample::folderOf("summary"));
+  sample.solution_.converged = false;
+  sample.solution_.failure = "50 iterations were not enough";
+  sample.solution_.energy = std::numeric_limits<double>::quiet_NaN();
+  prepareFolder(*sample.comm_, sample.folder_);
+  writeSummary(sample.run(), ExitCode::Numerical, sample.folder_ + "/summary.json");
+  const json all = readJson(sample.folder_ + "/summary.json");
+  TEST_EQUALITY(all["converged"].get<bool>(), false);
+  TEST_EQUALITY(all["exit_code"].get<int>(), 4);
+  TEST_EQUALITY(all["failure"].get<std::string>(), "50 iterations were not enough");
+  TEST_ASSERT(all["energy"].is_null());
+}
+
+TEUCHOS_UNIT_TEST(History, GivesBackTheSameNumbers) {
+  sample::SampleRun sample(sample::folderOf("summary"));
+  prepareFolder(*sample.comm_, sample.folder_);
+  if (sample.comm_->getRank() != 0) return;
+  const std::string path = sample.folder_ + "/history.csv";
+  writeHistory({{3, 9, 24.1, 1.0 / 3.0, 1e-300, 84, 5, -1.2093e8 / 7, 0.1, 0.02}}, path);
+  std::ifstream file(path);
+  std::string header, row;
+  std::getline(file, header);
+  std::getline(file, row);
+  TEST_EQUALITY(header, "iteration,pcg,condition,residual,euclidean,active,changed,energy,step,seconds");
+  int k, pcg, active, changed;
+  double condition, residual, euclidean, energy, step, seconds;
+  TEST_EQUALITY(std::sscanf(row.c_str(), "%d,%d,%lf,%lf,%lf,%d,%d,%lf,%lf,%lf", &k, &pcg, &condition, &residual, &euclidean, &active,
+                            &changed, &energy, &step, &seconds),
+                10);
+  TEST_EQUALITY(k, 3);
+  TEST_EQUALITY(residual, 1.0 / 3.0);
+  TEST_EQUALITY(euclidean, 1e-300);
+  TEST_EQUALITY(energy, -1.2093e8 / 7);
+  TEST_EQUALITY(step, 0.1);
+  TEST_EQUALITY(changed, 5);
+}
+
+}  // namespace
