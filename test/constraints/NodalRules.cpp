@@ -1,0 +1,166 @@
+#include <Eigen/LU>
+#include <Teuchos_UnitTestHarness.hpp>
+
+#include "ConstraintsTesting.hpp"
+
+using namespace constraintstesting;
+
+namespace {
+
+// u at a node whose rule fixes it wholly.
+Point fixedValue(const NodeRule& rule) {
+  Point u{0, 0, 0};
+  for (int k = 0; k < 2; ++k)
+    for (int j = 0; j < 2; ++j) u[j] += rule.axes[k][j] * rule.value[k];
+  return u;
+}
+
+}  // namespace
+
+TEUCHOS_UNIT_TEST(NodalRules, PrescribeDisplacementsByComponent) {
+  const Mesh mesh = stack(1);
+  const Constraints both = build(mesh, displacement("pull", "b0_right", "{0.25, -1}"));
+  TEST_EQUALITY(both.rules.size(), std::size_t(3));
+  for (const NodeRule& rule : both.rules) {
+    TEST_EQUALITY(mesh.point(rule.node)[0], 4.0);
+    TEST_ASSERT(rule.fixed[0] && rule.fixed[1]);
+    TEST_EQUALITY(rule.value[0], 0.25);
+    TEST_EQUALITY(rule.value[1], -1.0);
+  }
+  const Constraints one = build(mesh, displacement("pull", "b0_right", "-1", "y"));
+  for (const NodeRule& rule : one.rules) {
+    TEST_ASSERT(!rule.fixed[0] && rule.fixed[1]);
+    TEST_EQUALITY(rule.value[1], -1.0);
+  }
+}
+
+TEUCHOS_UNIT_TEST(NodalRules, HoldTheNormalOfARoller) {
+  Mesh mesh = stack(1);
+  const double angle = 0.3;
+  moveAll(mesh, [&](Point p) -> Point {
+    return {p[0] * std::cos(angle) - p[1] * std::sin(angle), p[0] * std::sin(angle) + p[1] * std::cos(angle), 0};
+  });
+  const Constraints constraints = build(mesh, bilateral("roller", "b0_bottom"));
+  TEST_EQUALITY(constraints.rules.size(), std::size_t(9));
+  for (const NodeRule& rule : constraints.rules) {
+    TEST_ASSERT(rule.fixed[0] && !rule.fixed[1]);
+    TEST_EQUALITY(rule.value[0], 0.0);
+    TEST_FLOATING_EQUALITY(rule.axes[0][0], std::sin(angle), 1e-12);  // outward: down, turned
+    TEST_FLOATING_EQUALITY(rule.axes[0][1], -std::cos(angle), 1e-12);
+    const Matrix q = axesOf(rule, 2);
+    TEST_COMPARE((q * q.transpose() - Matrix::Identity(2, 2)).norm(), <, 1e-14);
+    TEST_FLOATING_EQUALITY(q.determinant(), 1.0, 1e-14);
+  }
+}
+
+TEUCHOS_UNIT_TEST(NodalRules, KeepCartesianAxesOnCartesianRollers) {
+  const Mesh mesh = stack(1);
+  for (const NodeRule& rule : build(mesh, bilateral("roller", "b0_left")).rules) {
+    TEST_ASSERT(rule.fixed[0] && !rule.fixed[1]);
+    TEST_ASSERT(axesOf(rule, 2) == Matrix::Identity(2, 2));
+  }
+}
+
+TEUCHOS_UNIT_TEST(NodalRules, FixACornerWhereTwoRollersMeet) {
+  const Mesh mesh = stack(1);
+  const Constraints constraints = build(mesh, bilateral("a", "b0_left") + bilateral("b", "b0_bottom"));
+  TEST_EQUALITY(constraints.rules.size(), std::size_t(3 + 9 - 1));
+  const NodeRule& corner = *ruleAt(constraints, nodeAt(mesh, 0, 0, 0));
+  TEST_ASSERT(corner.fixed[0] && corner.fixed[1]);
+  TEST_EQUALITY(corner.value[0], 0.0);
+}
+
+TEUCHOS_UNIT_TEST(NodalRules, TreatASharpCornerOfOneGroupAsTwoRows) {
+  Mesh mesh = stack(1);
+  std::vector<Side>& wall = mesh.sideGroups["wall"];
+  for (const char* name : {"b0_left", "b0_bottom"}) wall.insert(wall.end(), mesh.sideGroups[name].begin(), mesh.sideGroups[name].end());
+  const Constraints constraints = build(mesh, bilateral("a", "wall"));
+  const NodeRule& corner = *ruleAt(constraints, nodeAt(mesh, 0, 0, 0));
+  TEST_ASSERT(corner.fixed[0] && corner.fixed[1]);
+  TEST_EQUALITY(constraints.rules.size(), std::size_t(3 + 9 - 1));
+}
+
+TEUCHOS_UNIT_TEST(NodalRules, AverageTheNormalsOfACurvedWallAlsoAcrossTwoGroups) {
+  // the bottom becomes an arc of radius 4 about (2, 5); half of it is named otherwise
+  Mesh mesh = stack(1, 16);
+  moveAll(mesh, [](Point p) -> Point {
+    const double angle = (p[0] - 2) / 4, r = 4 - p[1];
+    return {2 + r * std::sin(angle), 5 - r * std::cos(angle), 0};
+  });
+  std::vector<Side> all = mesh.sideGroups.at("b0_bottom"), left, right;
+  for (const Side& side : all) (mesh.point(mesh.nodesOf(side)[1])[0] < 2 + 1e-9 ? left : right).push_back(side);
+  mesh.sideGroups["one"] = left;
+  mesh.sideGroups["two"] = right;
+  const Constraints whole = build(mesh, bilateral("a", "b0_bottom"));
+  const Constraints parts = build(mesh, bilateral("a", "one") + bilateral("b", "two"));
+  TEST_EQUALITY(whole.rules.size(), std::size_t(17));
+  TEST_EQUALITY(parts.rules.size(), std::size_t(17));
+  int inner = 0;
+  for (std::size_t i = 0; i < whole.rules.size(); ++i) {
+    TEST_ASSERT(axesOf(whole.rules[i], 2).isApprox(axesOf(parts.rules[i], 2), 1e-14));
+    TEST_ASSERT(whole.rules[i].fixed == parts.rules[i].fixed);
+    const Point p = mesh.point(whole.rules[i].node);
+    if (std::abs(p[0] - 2) > 1.7) continue;  // the ends have one side only
+    ++inner;
+    // radial; for a Cartesian rule (in the middle) the fixed axis is the second
+    const Point& n = whole.rules[i].fixed[0] ? whole.rules[i].axes[0] : whole.rules[i].axes[1];
+    TEST_COMPARE(std::abs(n[0] * (p[1] - 5) - n[1] * (p[0] - 2)), <, 1e-12);
+  }
+  TEST_COMPARE(inner, >, 10);
+}
+
+TEUCHOS_UNIT_TEST(NodalRules, FixANodeByTwoObliqueRows) {
+  // a roller leaning 45 degrees to the bottom, with u_x given there: u_y follows
+  Mesh mesh = stack(1);
+  moveAll(mesh, [](Point p) -> Point { return {p[0] - p[1], p[1], 0}; });
+  const Constraints constraints = build(mesh, bilateral("lean", "b0_right") + displacement("pull", "b0_bottom", "0.5", "x"));
+  const NodeRule& corner = *ruleAt(constraints, nodeAt(mesh, 0, 4, 0));
+  TEST_ASSERT(corner.fixed[0] && corner.fixed[1]);
+  const Point u = fixedValue(corner);
+  TEST_FLOATING_EQUALITY(u[0], 0.5, 1e-13);
+  TEST_FLOATING_EQUALITY(u[0] + u[1], 0.0, 1e-13);  // outward normal (1, 1)
+}
+
+TEUCHOS_UNIT_TEST(NodalRules, AcceptEqualValuesAndRefuseUnequalOnes) {
+  const Mesh mesh = stack(1);
+  TEST_EQUALITY(said(mesh, displacement("a", "b0_right", "{0.1, 0}") + displacement("b", "b0_bottom", "0", "y")), "no error");
+  const std::string text = said(mesh, displacement("a", "b0_right", "{0.1, 0.2}") + displacement("b", "b0_bottom", "0", "y"));
+  SUTURE_CHECK_SAYS(text, "Boundary Conditions/b: at (4, 0) the displacement along (0, 1) is to be 0, but 'a' makes it 0.2");
+  const std::string roller = said(mesh, displacement("a", "b0_right", "{0.1, 0.2}") + bilateral("b", "b0_right"));
+  SUTURE_CHECK_SAYS(roller, "Boundary Conditions/b: at (4, ");
+  SUTURE_CHECK_SAYS(roller, "(and so at 2 more nodes)");
+}
+
+TEUCHOS_UNIT_TEST(NodalRules, WantTheFormOfEachType) {
+  const Mesh mesh = stack(1);
+  const std::string text =
+      said(mesh, entry("no group", {{"Type", "Bilateral"}}) +
+                     entry("valued roller", {{"Type", "Bilateral"}, {"Group", "b0_left"}, {"Value", "1"}}) +
+                     entry("scalar traction", {{"Type", "Traction"}, {"Group", "b0_top"}, {"Value", "1"}}) +
+                     entry("vector pressure", {{"Type", "Pressure"}, {"Group", "b0_top"}, {"Value", "{1, 2}"}}) +
+                     entry("no value", {{"Type", "Pressure"}, {"Group", "b0_top"}}) +
+                     entry("two for x", {{"Type", "Displacement"}, {"Group", "b0_left"}, {"Value", "{1, 2}"}, {"Components", "x"}}) +
+                     entry("x pressure", {{"Type", "Pressure"}, {"Group", "b0_top"}, {"Value", "1"}, {"Components", "x"}}) +
+                     entry("force on a curve", {{"Type", "Body Force"}, {"Group", "b0_top"}, {"Value", "{0, 1}"}}) +
+                     entry("force on nobody", {{"Type", "Body Force"}, {"Body", "b1"}, {"Value", "{0, 1}"}}) +
+                     entry("traction of a body", {{"Type", "Traction"}, {"Group", "b0_top"}, {"Body", "b0"}, {"Value", "{0, 1}"}}) +
+                     entry("nowhere", {{"Type", "Pressure"}, {"Group", "b0_topp"}, {"Value", "1"}}));
+  for (const std::string part :
+       {"no group/Group: is missing: a Bilateral needs a curve group. Curve groups: b0_bottom, b0_left, b0_right, b0_top",
+        "valued roller/Value: a Bilateral condition has no value", "scalar traction/Value: 1 values; this Traction needs 2 values",
+        "vector pressure/Value: 2 values; this Pressure needs 1 value", "no value/Value: is missing; this Pressure needs 1 value",
+        "two for x/Value: 2 values; this Displacement needs 1 value", "x pressure/Components: only a Displacement has it",
+        "force on a curve/Group: a Body Force acts on a body", "force on nobody/Body: no such body 'b1'",
+        "traction of a body/Body: only a Body Force has it",
+        "nowhere/Group: in the mesh boxes: no such curve group 'b0_topp'. Did you mean 'b0_top'?"})
+    SUTURE_CHECK_SAYS(text, "Boundary Conditions/" + part);
+}
+
+TEUCHOS_UNIT_TEST(NodalRules, TakeLoadsOfTheRightForm) {
+  const Mesh mesh = stack(1);
+  TEST_EQUALITY(said(mesh, bilateral("hold", "b0_bottom") + entry("t", {{"Type", "Traction"}, {"Group", "b0_top"}, {"Value", "{1, 2}"}}) +
+                               entry("p", {{"Type", "Pressure"}, {"Group", "b0_top"}, {"Value", "1"}}) +
+                               entry("f", {{"Type", "Body Force"}, {"Body", "b0"}, {"Value", "{0, -9.81}"}}) +
+                               entry("g", {{"Type", "Body Force"}, {"Value", "{0, -9.81}"}})),
+                "no error");
+}
