@@ -11,11 +11,13 @@ find_package(nlohmann_json REQUIRED)
 add_library(suture_trilinos INTERFACE)
 add_library(suture::trilinos ALIAS suture_trilinos)
 target_include_directories(suture_trilinos SYSTEM INTERFACE ${Trilinos_INCLUDE_DIRS} ${MPI_CXX_INCLUDE_DIRS})
-target_link_libraries(suture_trilinos INTERFACE tpetra belostpetra belos amesos2 kokkoscore teuchosparameterlist teuchosnumerics teuchoscomm teuchoscore MPI::MPI_CXX)
+target_link_libraries(suture_trilinos INTERFACE trilinos_belostpetra trilinos_belos trilinos_amesos2
+  trilinos_tpetra trilinos_kokkoscore trilinos_teuchosparameterlist trilinos_teuchosparser trilinos_teuchosnumerics trilinos_teuchoscomm
+  trilinos_teuchoscore MPI::MPI_CXX)
 
 add_library(suture_intrepid2 INTERFACE)
 add_library(suture::intrepid2 ALIAS suture_intrepid2)
-target_link_libraries(suture_intrepid2 INTERFACE suture_trilinos intrepid2 shards)
+target_link_libraries(suture_intrepid2 INTERFACE suture_trilinos trilinos_intrepid2 trilinos_shards)
 
 function(suture_find_library target)
   cmake_parse_arguments(ARG "" "HEADER" "LIBRARIES;SUFFIXES" ${ARGN})

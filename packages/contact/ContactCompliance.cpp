@@ -1,0 +1,214 @@
+#include <suture/base/Errors.hpp>
+#include <suture/contact/ContactCompliance.hpp>
+
+#include <suture/subdomain/RigidModes.hpp>
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+namespace suture {
+
+namespace {
+
+// Forces and gaps below this fraction of the largest ones are rounding of the dense solves, not violated conditions.
+constexpr double kNegligible = 1e-11;
+// The same for the balance of rigid motions, a sum of many forces.
+constexpr double kUnbalanced = 1e-9;
+
+bool isClosed(PairStatus status) { return status != PairStatus::Open; }
+
+std::vector<int> closedOnes(const std::vector<PairStatus>& status) {
+  std::vector<int> closed;
+  for (std::size_t i = 0; i < status.size(); ++i)
+    if (isClosed(status[i])) closed.push_back(static_cast<int>(i));
+  return closed;
+}
+
+Matrix blockAt(const Matrix& matrix, const std::vector<int>& at) {
+  Matrix result(at.size(), at.size());
+  for (std::size_t j = 0; j < at.size(); ++j)
+    for (std::size_t i = 0; i < at.size(); ++i) result(i, j) = matrix(at[i], at[j]);
+  return result;
+}
+
+/// Lower Cholesky factor; rows that repeat others (two pairs that say the same) are kept definite by a shift of the size of rounding.
+Matrix choleskyFactor(const Matrix& matrix) {
+  if (matrix.rows() == 0) return matrix;
+  for (double shift = 0.0; shift < 1e-6; shift = std::max(1e-14, 100 * shift)) {
+    Matrix shifted = matrix;
+    shifted.diagonal() *= 1.0 + shift;
+    const Eigen::LLT<Matrix> llt(shifted);
+    if (llt.info() == Eigen::Success) return llt.matrixL();
+  }
+  throw NumericalError("the compliance of the contact pairs is not positive definite");
+}
+
+Matrix solveWith(const Matrix& lower, const Matrix& b) {
+  if (lower.rows() == 0) return b;
+  Matrix x = lower.triangularView<Eigen::Lower>().solve(b);
+  lower.transpose().triangularView<Eigen::Upper>().solveInPlace(x);
+  return x;
+}
+
+/// Pairs whose status contradicts their force or gap.
+std::vector<int> violatedPairs(const Vector& force, const Vector& gap, const std::vector<PairStatus>& status, double gapScale) {
+  const double f = kNegligible * force.lpNorm<Eigen::Infinity>();
+  const double g = kNegligible * std::max(gap.lpNorm<Eigen::Infinity>(), gapScale);
+  std::vector<int> pairs;
+  for (std::size_t i = 0; i < status.size(); ++i)
+    if (isClosed(status[i]) ? force(i) < -f : gap(i) < -g) pairs.push_back(static_cast<int>(i));
+  return pairs;
+}
+
+void flip(PairStatus& status) { status = isClosed(status) ? PairStatus::Open : PairStatus::Slip; }
+
+/// Which violated pairs to change next: all of them while their number falls, else the last one alone (Murty), which cannot cycle.
+class Pivoting {
+ public:
+  void change(const std::vector<int>& violated, std::vector<PairStatus>& status) {
+    if (violated.size() < fewest_) {
+      fewest_ = violated.size();
+      patience_ = 8;
+    } else if (patience_ > 0) {
+      --patience_;
+    }
+    if (patience_ > 0)
+      for (int i : violated) flip(status[i]);
+    else
+      flip(status[violated.back()]);
+  }
+
+ private:
+  std::size_t fewest_ = static_cast<std::size_t>(-1);
+  int patience_ = 8;
+};
+
+}  // namespace
+
+ContactCompliance::ContactCompliance(const GeneralisedInverse& inverse, const ContactRows& rows)
+    : inverse_(inverse), rows_(rows), compliance_(rows.size(), rows.size()), rigidRows_(rows.rows * inverse.kernel()) {
+  constexpr int kBatch = 64;  // right-hand sides at once: the responses themselves are not kept
+  const SparseMatrix transposed = rows.rows.transpose();
+  for (int first = 0; first < rows.size(); first += kBatch) {
+    const int count = std::min(kBatch, rows.size() - first);
+    Matrix response = transposed.middleCols(first, count);
+    inverse.apply(response);
+    compliance_.middleCols(first, count) = rows.rows * response;
+  }
+  compliance_ = (0.5 * (compliance_ + compliance_.transpose())).eval();
+}
+
+ContactCompliance::Closed::Closed(const ContactCompliance& contact, const std::vector<PairStatus>& status)
+    : contact_(contact), status_(status), closed_(closedOnes(status)) {
+  const Matrix g = rowsAt(contact.rigidRows_, closed_);
+  loose_ = nullSpace(g);
+  held_ = nullSpace(loose_.transpose());
+  if (loose_.cols() == 0) held_ = Matrix::Identity(g.cols(), g.cols());
+  factor_ = choleskyFactor(blockAt(contact.compliance_, closed_));
+  gHeld_ = g * held_;
+  rigidFactor_ = choleskyFactor(gHeld_.transpose() * solveWith(factor_, gHeld_));
+  kernel_ = contact.inverse_.kernel() * loose_;
+}
+
+void ContactCompliance::Closed::forces(const Matrix& d, const Matrix& e, Matrix& force, Matrix& rigid) const {
+  const Matrix free = solveWith(factor_, d);
+  const Matrix coefficients = solveWith(rigidFactor_, held_.transpose() * e - gHeld_.transpose() * free);
+  force = free + solveWith(factor_, gHeld_ * coefficients);
+  rigid = held_ * coefficients;
+}
+
+double ContactCompliance::Closed::unbalanced(const Vector& e) const {
+  return loose_.cols() == 0 ? 0.0 : (loose_.transpose() * e).lpNorm<Eigen::Infinity>();
+}
+
+void ContactCompliance::Closed::solve(LocalView v, double gaps, Matrix* pairForce) const {
+  const Matrix& kernel = contact_.inverse_.kernel();
+  const Matrix e = kernel.transpose() * v;
+  contact_.inverse_.apply(v);
+  Matrix d = rowsAt(contact_.rows_.rows * v, closed_);
+  if (gaps != 0.0)
+    for (std::size_t i = 0; i < closed_.size(); ++i) d.row(i).array() -= gaps * contact_.rows_.gap(closed_[i]);
+  Matrix closedForce, rigid;
+  forces(d, e, closedForce, rigid);
+  Matrix force = Matrix::Zero(contact_.pairs(), v.cols());
+  for (std::size_t i = 0; i < closed_.size(); ++i) force.row(closed_[i]) = closedForce.row(i);
+  Matrix correction = contact_.rows_.rows.transpose() * force;
+  contact_.inverse_.apply(correction);
+  v -= correction;
+  v += kernel * rigid;
+  if (pairForce) *pairForce = force;
+}
+
+ContactCompliance::State ContactCompliance::solve(LocalView v, const std::vector<PairStatus>& start) const {
+  State state;
+  state.status = start;
+  const Matrix& kernel = inverse_.kernel();
+  const Vector load = v.col(0);
+  const Vector e = kernel.transpose() * load;
+  inverse_.apply(v);
+  const Vector d = rows_.rows * v.col(0) - rows_.gap;
+  if (!activeSet(d, e, state)) multipliers(d, e, state);
+  Matrix correction = rows_.rows.transpose() * state.force;
+  inverse_.apply(correction);
+  v -= correction;
+  v += kernel * state.rigid;
+  return state;
+}
+
+bool ContactCompliance::activeSet(const Vector& d, const Vector& e, State& state) const {
+  Pivoting pivoting;
+  const double scale = e.lpNorm<Eigen::Infinity>();
+  const int most = 50 + 4 * pairs();
+  for (; state.steps < most; ++state.steps) {
+    const Closed closed(*this, state.status);
+    if (closed.unbalanced(e) > kUnbalanced * scale) return false;
+    Matrix closedForce, rigid;
+    closed.forces(rowsAt(d, closed.closed_), e, closedForce, rigid);
+    state.rigid = rigid;
+    state.force = Vector::Zero(pairs());
+    for (std::size_t i = 0; i < closed.closed_.size(); ++i) state.force(closed.closed_[i]) = closedForce(i, 0);
+    const Vector gap = compliance_ * state.force - d - rigidRows_ * state.rigid;
+    const std::vector<int> violated = violatedPairs(state.force, gap, state.status, d.lpNorm<Eigen::Infinity>());
+    if (violated.empty()) return true;
+    pivoting.change(violated, state.status);
+  }
+  return false;
+}
+
+void ContactCompliance::multipliers(const Vector& d, const Vector& e, State& state) const {
+  const double weight = rigidRows_.squaredNorm() > 0.0 ? 100.0 * compliance_.trace() / rigidRows_.squaredNorm() : 0.0;
+  const Matrix m = compliance_ + weight * rigidRows_ * rigidRows_.transpose();
+  const double scale = std::max(e.lpNorm<Eigen::Infinity>(), 1e-300);
+  state.rigid = Vector::Zero(rigidRows_.cols());
+  for (int round = 0; round < 500; ++round) {
+    boundedSolve(m, d + rigidRows_ * (state.rigid + weight * e), state.force, state.status, state.steps);
+    const Vector excess = rigidRows_.transpose() * state.force - e;
+    state.rigid -= weight * excess;
+    if (excess.lpNorm<Eigen::Infinity>() <= 1e-3 * kUnbalanced * scale) {
+      // The status is right; the forces are made so to rounding.
+      State polished = state;
+      if (activeSet(d, e, polished)) state = polished;
+      return;
+    }
+  }
+  throw NumericalError("contact: no equilibrium was found; a body is pushed away from the pairs that could hold it");
+}
+
+void ContactCompliance::boundedSolve(const Matrix& m, const Vector& q, Vector& force, std::vector<PairStatus>& status, int& steps) const {
+  Pivoting pivoting;
+  const int most = steps + 200 + 20 * pairs();
+  for (; steps < most; ++steps) {
+    const std::vector<int> closed = closedOnes(status);
+    const Matrix closedForce = solveWith(choleskyFactor(blockAt(m, closed)), rowsAt(q, closed));
+    force = Vector::Zero(pairs());
+    for (std::size_t i = 0; i < closed.size(); ++i) force(closed[i]) = closedForce(i, 0);
+    const Vector gap = m * force - q;
+    const std::vector<int> violated = violatedPairs(force, gap, status, q.lpNorm<Eigen::Infinity>());
+    if (violated.empty()) return;
+    pivoting.change(violated, status);
+  }
+  throw NumericalError("contact: the active set of a bounded problem did not settle");
+}
+
+}  // namespace suture

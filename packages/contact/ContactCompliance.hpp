@@ -1,0 +1,82 @@
+#pragma once
+#include <suture/base/Types.hpp>
+#include <suture/contact/ContactRows.hpp>
+#include <suture/subdomain/GeneralisedInverse.hpp>
+
+#include <memory>
+#include <vector>
+
+namespace suture {
+
+/// An elastic structure condensed to its contact pairs. With K^+ a generalised inverse, R the kernel and N the contact rows, every
+/// equilibrium state under loads b and pair forces f is
+///     v = K^+ (b - N^T f) + R a,   R^T (b - N^T f) = 0,
+/// so that the gaps are  g - N v = g - N K^+ b + W f - G a  with the compliance W = N K^+ N^T (dense, pairs x pairs) and G = N R.
+/// Local.
+class ContactCompliance {
+ public:
+  /// `inverse` and `rows` must outlive it.
+  ContactCompliance(const GeneralisedInverse& inverse, const ContactRows& rows);
+
+  /// State of the structure under loads b with some pairs closed or with unilateral contact.
+  struct State {
+    Vector force;                    ///< a pair, >= 0 compressive; 0 for open pairs [force]
+    Vector rigid;                    ///< coefficients a of the kernel
+    std::vector<PairStatus> status;  ///< a pair
+    int steps = 0;                   ///< changes of the active set
+  };
+
+  /// The pairs of one status closed as if glued in the normal direction (equality), the others without force: factored once, for
+  /// many right-hand sides.
+  class Closed {
+   public:
+    Closed(const ContactCompliance& contact, const std::vector<PairStatus>& status);
+    /// v (unknowns x right-hand sides), in: loads b, out: solution with N v = gap on the closed pairs. With a kernel left (kernel() has
+    /// columns) b must be orthogonal to it, and the solution is one of many.
+    /// \param gaps  zero for the homogeneous problem (tangents), one for the gaps of the rows
+    /// \param force  pair forces, pairs x right-hand sides, or null
+    void solve(LocalView v, double gaps, Matrix* force = nullptr) const;
+    /// Kernel of the structure with these pairs closed: unknowns x k. By a singular value decomposition of N_A R.
+    const Matrix& kernel() const { return kernel_; }
+    const std::vector<PairStatus>& status() const { return status_; }
+
+   private:
+    friend class ContactCompliance;
+    void forces(const Matrix& d, const Matrix& e, Matrix& force, Matrix& rigid) const;
+    double unbalanced(const Vector& e) const;  ///< part of the loads on rigid motions that closed pairs cannot carry, relative
+
+    const ContactCompliance& contact_;
+    std::vector<PairStatus> status_;
+    std::vector<int> closed_;
+    Matrix factor_;        // Cholesky factor of W on the closed pairs
+    Matrix held_, loose_;  // orthonormal combinations of the kernel that closed pairs hold, and that they do not
+    Matrix gHeld_;         // G restricted: closed x held
+    Matrix rigidFactor_;   // Cholesky factor of gHeld^T W^-1 gHeld
+    Matrix kernel_;
+  };
+
+  /// The unilateral problem: forces and gaps >= 0, their product zero. Primal-dual active set from `start`, safeguarded: single pivots
+  /// when the number of violated conditions does not fall; a set that leaves a body loose, or a cycle, falls back on the method of
+  /// multipliers with bounded least squares, which always ends.
+  /// \param v  in: loads b; out: displacements
+  /// \throws NumericalError  no equilibrium (a body is pushed away from its contacts)
+  State solve(LocalView v, const std::vector<PairStatus>& start) const;
+
+  int pairs() const { return rows_.size(); }
+  const Matrix& compliance() const { return compliance_; }
+
+ private:
+  /// Finds the status with equality solves; false when it cycles or a set is loose.
+  bool activeSet(const Vector& d, const Vector& e, State& state) const;
+  /// Method of multipliers for the balance of rigid motions.
+  void multipliers(const Vector& d, const Vector& e, State& state) const;
+  /// Bounded least squares with a positive definite matrix: f >= 0, M f - q >= 0, complementary; ends always (Murty's rule).
+  void boundedSolve(const Matrix& m, const Vector& q, Vector& f, std::vector<PairStatus>& status, int& steps) const;
+
+  const GeneralisedInverse& inverse_;
+  const ContactRows& rows_;
+  Matrix compliance_;  // W
+  Matrix rigidRows_;   // G
+};
+
+}  // namespace suture

@@ -1,0 +1,168 @@
+#include <suture/contact/ContactGroup.hpp>
+#include <suture/contact/PairRow.hpp>
+#include <suture/subdomain/RigidAssembly.hpp>
+#include <suture/subdomain/SchurComplement.hpp>
+
+#include <algorithm>
+#include <map>
+
+namespace suture {
+
+ContactGroup::ContactGroup(int id, std::vector<Member> members, const std::vector<GlobalId>& boundary, const LocalSolverMaker& solver)
+    : id_(id), members_(std::move(members)), solver_(solver), boundary_(boundary) {
+  number(boundary);
+  assemble();
+  collectRows();
+
+  std::vector<int> interiorNodes;
+  for (int i : interiorPositions_) interiorNodes.push_back(nodeOf_[i]);
+  const Matrix kernel = rowsAt(rigidKernel(true), interiorPositions_);
+  heldInverse_ = std::make_unique<GeneralisedInverse>(block(stiffness_, interiorPositions_, interiorPositions_), kernel, interiorNodes,
+                                                      solver_, "contact group " + std::to_string(id_ + 1) + ", boundary held");
+  held_ = std::make_unique<ContactCompliance>(*heldInverse_, interiorRows_);
+}
+
+void ContactGroup::number(const std::vector<GlobalId>& boundary) {
+  for (const Member& member : members_)
+    for (int i = 0; i < member.subdomain->dofs(); ++i) globalDofs_.push_back(member.subdomain->globalDof(i));
+  std::sort(globalDofs_.begin(), globalDofs_.end());
+  globalDofs_.erase(std::unique(globalDofs_.begin(), globalDofs_.end()), globalDofs_.end());
+  const auto place = [this](GlobalId dof) {
+    const auto found = std::lower_bound(globalDofs_.begin(), globalDofs_.end(), dof);
+    if (found == globalDofs_.end() || *found != dof)
+      throw InternalError("a boundary unknown of a contact group belongs to none of its members");
+    return static_cast<int>(found - globalDofs_.begin());
+  };
+  nodeOf_.resize(globalDofs_.size());
+  for (const Member& member : members_) {
+    positions_.emplace_back();
+    for (int i = 0; i < member.subdomain->dofs(); ++i) {
+      positions_.back().push_back(place(member.subdomain->globalDof(i)));
+      nodeOf_[positions_.back().back()] = static_cast<int>(globalDofs_[positions_.back().back()] / member.subdomain->components());
+    }
+  }
+  for (GlobalId dof : boundary) boundaryPositions_.push_back(place(dof));
+  interiorPositions_ = complement(dofs(), boundaryPositions_);
+}
+
+void ContactGroup::assemble() {
+  std::vector<Eigen::Triplet<double>> entries;
+  load_ = Vector::Zero(dofs());
+  for (std::size_t m = 0; m < members_.size(); ++m) {
+    const Subdomain& subdomain = *members_[m].subdomain;
+    const std::vector<int>& at = positions_[m];
+    for (int j = 0; j < subdomain.dofs(); ++j) {
+      load_(at[j]) += subdomain.load()(j);
+      for (SparseMatrix::InnerIterator it(subdomain.stiffness(), j); it; ++it) entries.emplace_back(at[it.row()], at[j], it.value());
+    }
+    constantEnergy_ += subdomain.constantEnergy();
+  }
+  stiffness_.resize(dofs(), dofs());
+  stiffness_.setFromTriplets(entries.begin(), entries.end());
+  ib_ = block(stiffness_, interiorPositions_, boundaryPositions_);
+  bb_ = block(stiffness_, boundaryPositions_, boundaryPositions_);
+}
+
+void ContactGroup::collectRows() {
+  std::map<int, PairRow> found;  // by pair, so that the order is the same however the body was cut
+  for (std::size_t m = 0; m < members_.size(); ++m)
+    for (const SubdomainMesh::ContactEnd& end : members_[m].subdomain->mesh().contactEnds)
+      found.emplace(end.pair.id, PairRow(end.pair)).first->second.add(*members_[m].subdomain, end, positions_[m]);
+
+  std::vector<Eigen::Triplet<double>> entries;
+  std::vector<double> gaps;
+  for (const auto& [id, row] : found) {
+    if (!row.complete()) throw InternalError("a contact group holds one side of a contact pair only");
+    if (row.coefficients().empty()) {
+      idlePairs_.push_back(row.pair());
+      continue;
+    }
+    for (const auto& [position, value] : row.coefficients()) entries.emplace_back(static_cast<int>(gaps.size()), position, value);
+    gaps.push_back(row.gap());
+    pairs_.push_back(row.pair());
+    rows_.pairIds.push_back(id);
+  }
+  rows_.rows.resize(static_cast<int>(gaps.size()), dofs());
+  rows_.rows.setFromTriplets(entries.begin(), entries.end());
+  rows_.gap = Eigen::Map<const Vector>(gaps.data(), static_cast<int>(gaps.size()));
+
+  interiorRows_ = rows_;
+  std::vector<int> all(gaps.size());
+  for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<int>(i);
+  interiorRows_.rows = block(rows_.rows, all, interiorPositions_);
+  if (interiorRows_.rows.nonZeros() != rows_.rows.nonZeros()) throw InternalError("a contact node lies on the boundary of its own group");
+}
+
+Matrix ContactGroup::rigidKernel(bool boundaryHeld) const {
+  std::vector<char> isHeld(dofs(), 0);
+  if (boundaryHeld)
+    for (int i : boundaryPositions_) isHeld[i] = 1;
+  std::vector<RigidPart> parts;
+  for (std::size_t m = 0; m < members_.size(); ++m) {
+    const Subdomain& subdomain = *members_[m].subdomain;
+    std::vector<int> onBoundary;
+    for (int i = 0; i < subdomain.dofs(); ++i)
+      if (isHeld[positions_[m][i]]) onBoundary.push_back(i);
+    RigidPart part;
+    part.dofs.assign(positions_[m].begin(), positions_[m].end());
+    part.modes = subdomain.rigidModes();
+    part.held.resize(subdomain.heldModes().rows() + static_cast<int>(onBoundary.size()), part.modes.cols());
+    part.held.topRows(subdomain.heldModes().rows()) = subdomain.heldModes();
+    part.held.bottomRows(static_cast<int>(onBoundary.size())) = rowsAt(part.modes, onBoundary);
+    parts.push_back(std::move(part));
+  }
+  const Matrix coefficients = commonRigidMotions(parts);
+
+  Matrix kernel = Matrix::Zero(dofs(), coefficients.cols());
+  Eigen::Index first = 0;
+  for (std::size_t m = 0; m < parts.size(); ++m) {
+    const Matrix motion = parts[m].modes * coefficients.middleRows(first, parts[m].modes.cols());
+    for (std::size_t i = 0; i < positions_[m].size(); ++i) kernel.row(positions_[m][i]) = motion.row(static_cast<Eigen::Index>(i));
+    first += parts[m].modes.cols();
+  }
+  return kernel;
+}
+
+const ContactCompliance& ContactGroup::floating() const {
+  if (!floating_) {
+    floatingInverse_ = std::make_unique<GeneralisedInverse>(stiffness_, rigidKernel(false), nodeOf_, solver_,
+                                                            "contact group " + std::to_string(id_ + 1) + ", boundary free");
+    floating_ = std::make_unique<ContactCompliance>(*floatingInverse_, rows_);
+  }
+  return *floating_;
+}
+
+Matrix ContactGroup::flux(const Matrix& trace, const Matrix& interior) const { return bb_ * trace + ib_.transpose() * interior; }
+
+Matrix ContactGroup::interiorLoad(const Matrix& trace) const { return -(ib_ * trace); }
+
+ContactGroup::Response ContactGroup::respond(const Vector& trace, const std::vector<PairStatus>& start) const {
+  Matrix v = rowsAt(load_, interiorPositions_) + interiorLoad(trace);
+  ContactCompliance::State state = held_->solve(v, start);
+  Response response;
+  response.status = std::move(state.status);
+  response.force = std::move(state.force);
+  return finish(trace, v.col(0), std::move(response));
+}
+
+ContactGroup::Response ContactGroup::respondLinear(const Vector& trace, const std::vector<PairStatus>& status) const {
+  Matrix v = rowsAt(load_, interiorPositions_) + interiorLoad(trace);
+  Response response;
+  Matrix force;
+  ContactCompliance::Closed(*held_, status).solve(v, 1.0, &force);
+  response.status = status;
+  response.force = force.col(0);
+  return finish(trace, v.col(0), std::move(response));
+}
+
+ContactGroup::Response ContactGroup::finish(const Vector& trace, const Vector& interior, Response response) const {
+  response.displacement = Vector(dofs());
+  for (std::size_t i = 0; i < interiorPositions_.size(); ++i) response.displacement(interiorPositions_[i]) = interior(i);
+  for (std::size_t i = 0; i < boundaryPositions_.size(); ++i) response.displacement(boundaryPositions_[i]) = trace(i);
+  response.flux = flux(trace, interior) - rowsAt(load_, boundaryPositions_);
+  response.energy =
+      constantEnergy_ + 0.5 * response.displacement.dot(stiffness_ * response.displacement) - response.displacement.dot(load_);
+  return response;
+}
+
+}  // namespace suture

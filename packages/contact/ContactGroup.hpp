@@ -1,0 +1,91 @@
+#pragma once
+#include <suture/contact/ContactCompliance.hpp>
+#include <suture/contact/ContactRows.hpp>
+#include <suture/subdomain/GeneralisedInverse.hpp>
+#include <suture/subdomain/Subdomain.hpp>
+
+#include <memory>
+#include <vector>
+
+namespace suture {
+
+/// All subdomains that touch a contact piece (or pieces that share a subdomain), together, whole on one rank: seams inside are eliminated
+/// with the interior, the group's boundary is what it shares with other subdomains. Given the trace U there, it solves its own small
+/// contact problem (8), exactly, and answers with the flux S_*j(U) of (15). Local.
+class ContactGroup {
+ public:
+  struct Member {
+    const Subdomain* subdomain;
+    double young;  ///< for the weighting
+  };
+
+  /// \param boundary  global numbers of the unknowns on the interface, ascending; members must be assembled and outlive the group
+  /// \throws NumericalError
+  ContactGroup(int id, std::vector<Member> members, const std::vector<GlobalId>& boundary, const LocalSolverMaker& solver);
+
+  struct Response {
+    Vector flux;                     ///< gradient of the least energy with respect to the trace, loads included [force]
+    double energy = 0.0;             ///< least energy, prescribed displacements' part included
+    std::vector<PairStatus> status;  ///< of each row
+    Vector force;                    ///< of each row [force]
+    Vector displacement;             ///< all unknowns of the group
+  };
+  /// Solves the group's contact problem for a trace, from a status to start with.
+  Response respond(const Vector& trace, const std::vector<PairStatus>& start) const;
+
+  /// Response with the pairs of a status glued in the normal direction (at their gaps), the others free: the linear problem (11).
+  Response respondLinear(const Vector& trace, const std::vector<PairStatus>& status) const;
+
+  int id() const { return id_; }
+  const std::vector<Member>& members() const { return members_; }
+  const ContactRows& rows() const { return rows_; }
+  const std::vector<ContactPair>& pairs() const { return pairs_; }  ///< of each row
+  /// Pairs both of whose nodes are held in the normal direction: never part of the local problem.
+  const std::vector<ContactPair>& idlePairs() const { return idlePairs_; }
+  const std::vector<GlobalId>& boundary() const { return boundary_; }
+  const std::vector<int>& boundaryPositions() const { return boundaryPositions_; }
+  int dofs() const { return static_cast<int>(globalDofs_.size()); }
+  const SparseMatrix& stiffness() const { return stiffness_; }
+  /// Unknowns of a member within the group: position of each of its free unknowns.
+  const std::vector<int>& positionsOf(int member) const { return positions_[member]; }
+
+  /// The group with its boundary held (respond) and free (local Neumann problems; factored when first asked for).
+  const ContactCompliance& held() const { return *held_; }
+  const ContactCompliance& floating() const;
+
+  /// flux <- K_BB trace + K_BI v: what the boundary feels for unknowns v of the interior.
+  Matrix flux(const Matrix& trace, const Matrix& interior) const;
+  /// -K_IB trace
+  Matrix interiorLoad(const Matrix& trace) const;
+  const std::vector<int>& interiorPositions() const { return interiorPositions_; }
+
+  /// Rigid modes of the whole group, unknowns x k: combinations of members' modes that agree where members meet and vanish where
+  /// prescribed, and on the boundary if it is held. (A hinge between two members is found, too.)
+  Matrix rigidKernel(bool boundaryHeld) const;
+
+ private:
+  void number(const std::vector<GlobalId>& boundary);
+  void assemble();
+  void collectRows();
+  Response finish(const Vector& trace, const Vector& interior, Response response) const;
+
+  int id_;
+  std::vector<Member> members_;
+  LocalSolverMaker solver_;
+  std::vector<GlobalId> globalDofs_;         // ascending
+  std::vector<std::vector<int>> positions_;  // member -> its unknowns' places
+  std::vector<GlobalId> boundary_;
+  std::vector<int> boundaryPositions_, interiorPositions_, nodeOf_;
+  SparseMatrix stiffness_, ib_, bb_;
+  Vector load_;
+  double constantEnergy_ = 0.0;
+  ContactRows rows_;
+  ContactRows interiorRows_;
+  std::vector<ContactPair> pairs_, idlePairs_;
+  std::unique_ptr<GeneralisedInverse> heldInverse_;
+  std::unique_ptr<ContactCompliance> held_;
+  mutable std::unique_ptr<GeneralisedInverse> floatingInverse_;
+  mutable std::unique_ptr<ContactCompliance> floating_;
+};
+
+}  // namespace suture

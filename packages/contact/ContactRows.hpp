@@ -1,0 +1,18 @@
+#pragma once
+#include <suture/base/Types.hpp>
+#include <suture/subdomain/SparseMatrix.hpp>
+
+#include <vector>
+
+namespace suture {
+
+/// The unilateral conditions of a group in its free unknowns v: row . v <= gap, a row (u_A - u_B) . n a pair. What prescribed components
+/// contribute is in the gap. A row may be empty (both nodes held): such a pair cannot change and is left out of the local problem.
+struct ContactRows {
+  SparseMatrix rows;         ///< pairs x free unknowns
+  Vector gap;                ///< [length]
+  std::vector<int> pairIds;  ///< numbers of the pairs in the scene
+  int size() const { return static_cast<int>(pairIds.size()); }
+};
+
+}  // namespace suture

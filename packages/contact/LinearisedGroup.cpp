@@ -1,0 +1,94 @@
+#include <suture/contact/LinearisedGroup.hpp>
+
+#include <algorithm>
+#include <sstream>
+
+namespace suture {
+
+namespace {
+
+class NeumannInverse : public LocalInverse {
+ public:
+  NeumannInverse(const ContactCompliance::Closed& closed, const std::vector<int>& positions, int unknowns)
+      : closed_(closed), positions_(positions), unknowns_(unknowns) {}
+
+  void apply(ConstLocalView flux, LocalView trace) const override {
+    Matrix v = Matrix::Zero(unknowns_, flux.cols());
+    for (std::size_t i = 0; i < positions_.size(); ++i) v.row(positions_[i]) = flux.row(i);
+    closed_.solve(v, 0.0);
+    for (std::size_t i = 0; i < positions_.size(); ++i) trace.row(i) = v.row(positions_[i]);
+  }
+
+ private:
+  const ContactCompliance::Closed& closed_;
+  const std::vector<int>& positions_;
+  int unknowns_;
+};
+
+}  // namespace
+
+LinearisedGroup::LinearisedGroup(int id, const ContactGroup& group, const std::vector<PairStatus>& status)
+    : LocalProblem(id, "contact group " + std::to_string(group.id() + 1), group.boundary()),
+      group_(group),
+      status_(status),
+      held_(group.held(), status),
+      diagonal_(size()),
+      young_(Vector::Zero(size())) {
+  if (held_.kernel().cols() > 0) {
+    std::ostringstream text;
+    text << name() << ": " << held_.kernel().cols() << " rigid motion(s) are held neither by the group's boundary nor by its closed pairs";
+    throw NumericalError(text.str());
+  }
+  atRest_ = group.respondLinear(Vector::Zero(size()), status);
+  const std::vector<int>& positions = group.boundaryPositions();
+  for (int i = 0; i < size(); ++i) diagonal_(i) = group.stiffness().coeff(positions[i], positions[i]);
+  std::vector<int> boundaryOf(group.dofs(), -1);
+  for (int i = 0; i < size(); ++i) boundaryOf[positions[i]] = i;
+  for (std::size_t m = 0; m < group.members().size(); ++m)
+    for (int at : group.positionsOf(static_cast<int>(m)))
+      if (boundaryOf[at] >= 0) young_(boundaryOf[at]) = std::max(young_(boundaryOf[at]), group.members()[m].young);
+}
+
+void LinearisedGroup::applySchur(ConstLocalView trace, LocalView flux) const {
+  Matrix v = group_.interiorLoad(trace);
+  held_.solve(v, 0.0);
+  flux = group_.flux(trace, v);
+}
+
+const ContactCompliance::Closed& LinearisedGroup::floating() const {
+  if (!floating_) floating_ = std::make_unique<ContactCompliance::Closed>(group_.floating(), status_);
+  return *floating_;
+}
+
+const Matrix& LinearisedGroup::kernel() const {
+  coarseModes();
+  return kernel_;
+}
+
+const Matrix& LinearisedGroup::coarseModes() const {
+  if (modesMade_) return coarseModes_;
+  modesMade_ = true;
+  const std::vector<int>& positions = group_.boundaryPositions();
+  kernel_ = rowsAt(floating().kernel(), positions);
+  std::vector<int> boundaryOf(group_.dofs(), -1);
+  for (int i = 0; i < size(); ++i) boundaryOf[positions[i]] = i;
+  int columns = 0;
+  for (const ContactGroup::Member& member : group_.members()) columns += static_cast<int>(member.subdomain->rigidModes().cols());
+  coarseModes_ = Matrix::Zero(size(), columns + kernel_.cols());
+  int column = 0;
+  for (std::size_t m = 0; m < group_.members().size(); ++m) {
+    const Matrix& modes = group_.members()[m].subdomain->rigidModes();
+    const std::vector<int>& at = group_.positionsOf(static_cast<int>(m));
+    for (std::size_t i = 0; i < at.size(); ++i)
+      if (boundaryOf[at[i]] >= 0) coarseModes_.row(boundaryOf[at[i]]).segment(column, modes.cols()) = modes.row(i);
+    column += static_cast<int>(modes.cols());
+  }
+  coarseModes_.rightCols(kernel_.cols()) = kernel_;
+  return coarseModes_;
+}
+
+std::unique_ptr<LocalInverse> LinearisedGroup::inverse() const {
+  return std::make_unique<NeumannInverse>(floating(), group_.boundaryPositions(), group_.dofs());
+}
+
+}  // namespace suture

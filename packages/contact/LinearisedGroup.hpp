@@ -1,0 +1,40 @@
+#pragma once
+#include <suture/contact/ContactGroup.hpp>
+#include <suture/subdomain/LocalProblem.hpp>
+
+namespace suture {
+
+/// A contact group with the status of its pairs given: S^0_*j of (11) with all pairs closed, the tangent S_*j' at a state otherwise. Open
+/// pairs carry nothing, closed ones are glued in the normal direction.
+class LinearisedGroup : public LocalProblem {
+ public:
+  /// `group` must outlive it.
+  /// \throws NumericalError  with these pairs a body of the group is held neither by its boundary nor by contact.
+  LinearisedGroup(int id, const ContactGroup& group, const std::vector<PairStatus>& status);
+
+  void applySchur(ConstLocalView trace, LocalView flux) const override;
+  Vector condensedLoad() const override { return -atRest_.flux; }
+  double constantEnergy() const override { return atRest_.energy; }
+  const Vector& stiffnessDiagonal() const override { return diagonal_; }
+  const Vector& youngModulus() const override { return young_; }
+  const Matrix& kernel() const override;
+  const Matrix& coarseModes() const override;
+  std::unique_ptr<LocalInverse> inverse() const override;
+
+  const std::vector<PairStatus>& status() const { return status_; }
+  const ContactGroup& group() const { return group_; }
+
+ private:
+  const ContactCompliance::Closed& floating() const;
+
+  const ContactGroup& group_;
+  std::vector<PairStatus> status_;
+  ContactCompliance::Closed held_;
+  ContactGroup::Response atRest_;  // zero trace
+  Vector diagonal_, young_;
+  mutable std::unique_ptr<ContactCompliance::Closed> floating_;
+  mutable Matrix kernel_, coarseModes_;
+  mutable bool modesMade_ = false;
+};
+
+}  // namespace suture

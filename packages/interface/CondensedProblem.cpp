@@ -1,0 +1,226 @@
+#include <suture/base/Collective.hpp>
+#include <suture/interface/CondensedProblem.hpp>
+
+#include <Teuchos_Comm.hpp>
+#include <Teuchos_CommHelpers.hpp>
+#include <Tpetra_MultiVector.hpp>
+
+#include <algorithm>
+#include <map>
+
+namespace suture {
+
+void InterfaceProblem::update(InterfaceState& state, const MultiVector& step, double length) const {
+  state.trace->update(length, step, 1.0);
+}
+
+namespace {
+
+/// Who answers for a subdomain: itself, or its contact group.
+int problemOf(const Partition& partition, int subdomain) {
+  return partition.groupOf[subdomain] < 0 ? subdomain : partition.subdomains() + partition.groupOf[subdomain];
+}
+
+/// Free unknowns of a subdomain at nodes that another local problem holds, too.
+std::vector<int> boundaryDofs(const Subdomain& subdomain, const Partition& partition) {
+  const SubdomainMesh& mesh = subdomain.mesh();
+  const int own = problemOf(partition, mesh.id);
+  std::vector<int> dofs;
+  for (int node = 0; node < mesh.nodes(); ++node) {
+    const auto others = mesh.others(node);
+    if (std::none_of(others.begin(), others.end(), [&](int other) { return problemOf(partition, other) != own; })) continue;
+    for (int k = 0; k < subdomain.components(); ++k)
+      if (subdomain.dof(node, k) >= 0) dofs.push_back(subdomain.dof(node, k));
+  }
+  return dofs;
+}
+
+double sumOver(const Comm& comm, double mine) {
+  double all = 0.0;
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, mine, Teuchos::outArg(all));
+  return all;
+}
+
+int sumOver(const Comm& comm, int mine) {
+  int all = 0;
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, mine, Teuchos::outArg(all));
+  return all;
+}
+
+int closedPairs(const std::vector<PairStatus>& status) {
+  return static_cast<int>(std::count_if(status.begin(), status.end(), [](PairStatus s) { return s != PairStatus::Open; }));
+}
+
+struct BoundaryInfo {
+  Point point;
+  int component;
+};
+
+}  // namespace
+
+CondensedProblem::CondensedProblem(CommPtr comm, const Partition& partition, const std::vector<std::unique_ptr<Subdomain>>& subdomains,
+                                   const std::vector<double>& youngOf, const LocalSolverMaker& solver, const SchurMaker& schur)
+    : comm_(std::move(comm)), subdomains_(subdomains), subdomainCount_(partition.subdomains()) {
+  std::vector<std::vector<GlobalId>> boundaries;
+  std::map<GlobalId, BoundaryInfo> info;
+  collectively(*comm_, "factoring subdomains and contact groups", [&] {
+    std::map<int, std::vector<int>> members;
+    for (std::size_t s = 0; s < subdomains.size(); ++s) {
+      const Subdomain& subdomain = *subdomains[s];
+      const std::vector<int> boundary = boundaryDofs(subdomain, partition);
+      for (int dof : boundary) info[subdomain.globalDof(dof)] = {subdomain.mesh().point(subdomain.nodeOf(dof)), subdomain.componentOf(dof)};
+      const int id = subdomain.mesh().id;
+      if (partition.groupOf[id] >= 0) {
+        members[partition.groupOf[id]].push_back(static_cast<int>(s));
+        continue;
+      }
+      plainSubdomain_.push_back(static_cast<int>(s));
+      plain_.push_back(std::make_shared<SubdomainProblem>(id, subdomain, boundary, youngOf[subdomain.mesh().body], solver, schur()));
+      boundaries.push_back(plain_.back()->boundary());
+    }
+    for (const auto& [group, places] : members) {
+      std::vector<ContactGroup::Member> all;
+      std::vector<GlobalId> boundary;
+      for (int s : places) {
+        all.push_back({subdomains[s].get(), youngOf[subdomains[s]->mesh().body]});
+        for (int dof : boundaryDofs(*subdomains[s], partition)) boundary.push_back(subdomains[s]->globalDof(dof));
+      }
+      if (all.size() != partition.groups[group].size()) throw InternalError("a contact group does not live whole on one rank");
+      std::sort(boundary.begin(), boundary.end());
+      boundary.erase(std::unique(boundary.begin(), boundary.end()), boundary.end());
+      groups_.push_back(std::make_unique<ContactGroup>(group, std::move(all), boundary, solver));
+      groupMembers_.push_back(places);
+      boundaries.push_back(boundary);
+    }
+  });
+
+  std::vector<std::vector<Point>> points(boundaries.size());
+  std::vector<std::vector<int>> components(boundaries.size());
+  for (std::size_t i = 0; i < boundaries.size(); ++i)
+    for (GlobalId dof : boundaries[i]) {
+      points[i].push_back(info.at(dof).point);
+      components[i].push_back(info.at(dof).component);
+    }
+  space_ = std::make_shared<InterfaceSpace>(comm_, boundaries, points, components);
+  int mine = 0;
+  for (const auto& group : groups_) mine += group->rows().size();
+  pairs_ = sumOver(*comm_, mine);
+  for (const auto& pieces : partition.piecesOf) pieces_ += static_cast<int>(pieces.size());
+}
+
+InterfaceState CondensedProblem::initialState() const {
+  InterfaceState state;
+  state.trace = space_->vector();
+  state.status.resize(plain_.size());
+  for (const auto& group : groups_) state.status.emplace_back(group->rows().size(), PairStatus::Slip);
+  return state;
+}
+
+std::vector<Vector> CondensedProblem::traces(const MultiVector& trace) const {
+  Matrix overlap;
+  space_->gather(trace, overlap);
+  std::vector<Vector> all;
+  for (int i = 0; i < space_->locals(); ++i) {
+    Matrix local(space_->coupling(i).rows(), 1);
+    space_->coupling(i).restrictTo(overlap, local);
+    all.emplace_back(local.col(0));
+  }
+  return all;
+}
+
+InterfaceProblem::Evaluation CondensedProblem::evaluate(const InterfaceState& state) const {
+  const std::vector<Vector> trace = traces(*state.trace);
+  Matrix force = Matrix::Zero(static_cast<int>(space_->overlap()->getNodeNumElements()), 1);
+  Evaluation result;
+  result.next.resize(plain_.size());
+  double energy = 0.0;
+  int changed = 0, active = 0;
+  collectively(*comm_, "solving the local contact problems", [&] {
+    for (std::size_t i = 0; i < plain_.size(); ++i) {
+      Matrix flux(trace[i].size(), 1);
+      plain_[i]->applySchur(trace[i], flux);
+      const Vector load = plain_[i]->condensedLoad();
+      energy += plain_[i]->constantEnergy() + trace[i].dot(0.5 * flux.col(0) - load);
+      space_->coupling(static_cast<int>(i)).addTransposed(load - flux.col(0), force);
+    }
+    for (std::size_t g = 0; g < groups_.size(); ++g) {
+      const std::size_t i = plain_.size() + g;
+      ContactGroup::Response response = groups_[g]->respond(trace[i], state.status[i]);
+      energy += response.energy;
+      space_->coupling(static_cast<int>(i)).addTransposed(-response.flux, force);
+      for (std::size_t p = 0; p < response.status.size(); ++p) changed += response.status[p] != state.status[i][p];
+      active += closedPairs(response.status);
+      result.next.push_back(std::move(response.status));
+    }
+  });
+  result.residual = space_->vector();
+  space_->scatterAdd(force, *result.residual);
+  result.energy = sumOver(*comm_, energy);
+  result.changed = sumOver(*comm_, changed);
+  result.active = sumOver(*comm_, active);
+  return result;
+}
+
+InterfaceProblem::Linearisation CondensedProblem::linearise(const InterfaceState& state) const {
+  LocalProblems locals(plain_.begin(), plain_.end());
+  collectively(*comm_, "linearising the contact groups", [&] {
+    for (std::size_t g = 0; g < groups_.size(); ++g)
+      locals.push_back(std::make_shared<LinearisedGroup>(subdomainCount_ + groups_[g]->id(), *groups_[g], state.status[plain_.size() + g]));
+  });
+  Linearisation result;
+  result.matrix = Teuchos::rcp(new InterfaceOperator(space_, std::move(locals)));
+  result.load = result.matrix->condensedLoad();
+  return result;
+}
+
+Teuchos::RCP<InterfaceOperator> CondensedProblem::withoutContact() const {
+  LocalProblems locals(plain_.begin(), plain_.end());
+  locals.resize(plain_.size() + groups_.size());
+  return Teuchos::rcp(new InterfaceOperator(space_, std::move(locals)));
+}
+
+InterfaceProblem::Recovered CondensedProblem::recover(const InterfaceState& state) const {
+  const std::vector<Vector> trace = traces(*state.trace);
+  Recovered result;
+  result.freeValues.resize(subdomains_.size());
+  double energy = 0.0;
+  collectively(*comm_, "recovering the interiors", [&] {
+    for (std::size_t i = 0; i < plain_.size(); ++i) {
+      Vector& values = result.freeValues[plainSubdomain_[i]];
+      values = plain_[i]->recover(trace[i]);
+      const Subdomain& subdomain = plain_[i]->subdomain();
+      energy += 0.5 * values.dot(subdomain.stiffness() * values) - values.dot(subdomain.load()) + subdomain.constantEnergy();
+    }
+    for (std::size_t g = 0; g < groups_.size(); ++g) {
+      const ContactGroup& group = *groups_[g];
+      const std::size_t i = plain_.size() + g;
+      const ContactGroup::Response response = group.respond(trace[i], state.status[i]);
+      energy += response.energy;
+      std::map<GlobalId, Point> moved;  // node of the mesh -> displacement, for the pairs
+      for (std::size_t m = 0; m < group.members().size(); ++m) {
+        const Subdomain& subdomain = *group.members()[m].subdomain;
+        Vector& values = result.freeValues[groupMembers_[g][m]];
+        values = Vector(subdomain.dofs());
+        for (int k = 0; k < subdomain.dofs(); ++k) values(k) = response.displacement(group.positionsOf(static_cast<int>(m))[k]);
+        const Vector cartesian = subdomain.cartesian(values);
+        for (const SubdomainMesh::ContactEnd& end : subdomain.mesh().contactEnds)
+          for (int k = 0; k < subdomain.components(); ++k)
+            moved[subdomain.mesh().globalNodes[end.node]][k] = cartesian(end.node * subdomain.components() + k);
+      }
+      const auto gapOf = [&](const ContactPair& pair) {
+        double gap = pair.gap;
+        for (int k = 0; k < 3; ++k) gap -= (moved[pair.nodeA][k] - moved[pair.nodeB][k]) * pair.normal[k];
+        return gap;
+      };
+      for (std::size_t p = 0; p < group.pairs().size(); ++p)
+        result.pairs.push_back(
+            {group.pairs()[p], response.status[p], response.force(p), gapOf(group.pairs()[p]), moved[group.pairs()[p].nodeA]});
+      for (const ContactPair& pair : group.idlePairs())
+        result.pairs.push_back({pair, PairStatus::Open, 0.0, gapOf(pair), moved[pair.nodeA]});
+    }
+  });
+  result.energy = sumOver(*comm_, energy);
+  return result;
+}
+
+}  // namespace suture

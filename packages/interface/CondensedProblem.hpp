@@ -1,0 +1,50 @@
+#pragma once
+#include <suture/contact/ContactGroup.hpp>
+#include <suture/contact/LinearisedGroup.hpp>
+#include <suture/interface/InterfaceProblem.hpp>
+#include <suture/partition/Partition.hpp>
+#include <suture/subdomain/SubdomainProblem.hpp>
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace suture {
+
+/// The formulation Condensed Groups, the paper's: unknown is the trace on Gamma, contact is hidden inside the groups (17).
+class CondensedProblem : public InterfaceProblem {
+ public:
+  using SchurMaker = std::function<std::unique_ptr<SchurComplement>()>;
+
+  /// \param subdomains  of this rank, assembled, in ascending order of ids; they must outlive the problem
+  /// \param youngOf     Young modulus of each body
+  /// Collective. \throws NumericalError
+  CondensedProblem(CommPtr comm, const Partition& partition, const std::vector<std::unique_ptr<Subdomain>>& subdomains,
+                   const std::vector<double>& youngOf, const LocalSolverMaker& solver, const SchurMaker& schur);
+
+  const std::shared_ptr<const InterfaceSpace>& space() const override { return space_; }
+  InterfaceState initialState() const override;
+  Evaluation evaluate(const InterfaceState& state) const override;
+  Linearisation linearise(const InterfaceState& state) const override;
+  Teuchos::RCP<InterfaceOperator> withoutContact() const override;
+  Recovered recover(const InterfaceState& state) const override;
+  int pieces() const override { return pieces_; }
+  int pairs() const override { return pairs_; }
+
+  const std::vector<std::unique_ptr<ContactGroup>>& groups() const { return groups_; }
+
+ private:
+  std::vector<Vector> traces(const MultiVector& trace) const;
+
+  CommPtr comm_;
+  const std::vector<std::unique_ptr<Subdomain>>& subdomains_;
+  int subdomainCount_;                                          // over all ranks
+  std::vector<std::shared_ptr<const SubdomainProblem>> plain_;  // members of T on this rank: local problems 0 ..
+  std::vector<std::unique_ptr<ContactGroup>> groups_;           // then the groups
+  std::vector<int> plainSubdomain_;                             // place of each plain problem's subdomain in subdomains_
+  std::vector<std::vector<int>> groupMembers_;                  // and of each group's members
+  std::shared_ptr<const InterfaceSpace> space_;
+  int pieces_ = 0, pairs_ = 0;
+};
+
+}  // namespace suture

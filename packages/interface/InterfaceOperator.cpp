@@ -1,0 +1,68 @@
+#include <suture/base/Errors.hpp>
+#include <suture/interface/InterfaceOperator.hpp>
+
+#include <Teuchos_CommHelpers.hpp>
+#include <Tpetra_Map.hpp>
+#include <Tpetra_MultiVector.hpp>
+
+namespace suture {
+
+InterfaceOperator::InterfaceOperator(std::shared_ptr<const InterfaceSpace> space, LocalProblems locals)
+    : space_(std::move(space)), locals_(std::move(locals)) {
+  if (static_cast<int>(locals_.size()) != space_->locals()) throw InternalError("an interface operator needs one entry a coupling");
+}
+
+void InterfaceOperator::apply(const MultiVector& x, MultiVector& y, Teuchos::ETransp, double alpha, double beta) const {
+  applications_ += static_cast<long long>(x.getNumVectors());
+  Matrix overlap;
+  space_->gather(x, overlap);
+  Matrix sum = Matrix::Zero(overlap.rows(), overlap.cols());
+  Matrix trace, flux;
+  for (std::size_t i = 0; i < locals_.size(); ++i) {
+    if (!locals_[i]) continue;
+    const Coupling& coupling = space_->coupling(static_cast<int>(i));
+    trace.resize(coupling.rows(), overlap.cols());
+    flux.resize(coupling.rows(), overlap.cols());
+    coupling.restrictTo(overlap, trace);
+    locals_[i]->applySchur(trace, flux);
+    coupling.addTransposed(flux, sum);
+  }
+  if (beta == 0.0) {
+    space_->scatterAdd(sum, y);
+    if (alpha != 1.0) y.scale(alpha);
+  } else {
+    const auto product = space_->vector(static_cast<int>(x.getNumVectors()));
+    space_->scatterAdd(sum, *product);
+    y.update(alpha, *product, beta);
+  }
+}
+
+MultiVectorPtr InterfaceOperator::condensedLoad() const {
+  Matrix sum = Matrix::Zero(static_cast<int>(space_->overlap()->getNodeNumElements()), 1);
+  for (std::size_t i = 0; i < locals_.size(); ++i)
+    if (locals_[i]) {
+      const Matrix load = locals_[i]->condensedLoad();
+      space_->coupling(static_cast<int>(i)).addTransposed(load, sum);
+    }
+  const MultiVectorPtr result = space_->vector();
+  space_->scatterAdd(sum, *result);
+  return result;
+}
+
+GlobalId InterfaceOperator::untouched() const {
+  Matrix touched = Matrix::Zero(static_cast<int>(space_->overlap()->getNodeNumElements()), 1);
+  for (std::size_t i = 0; i < locals_.size(); ++i)
+    if (locals_[i]) {
+      const Coupling& coupling = space_->coupling(static_cast<int>(i));
+      coupling.addTransposed(Matrix::Ones(coupling.rows(), 1), touched);
+    }
+  const MultiVectorPtr owned = space_->vector();
+  space_->scatterAdd(touched, *owned);
+  const auto values = localView(static_cast<const MultiVector&>(*owned));
+  GlobalId mine = 0, all = 0;
+  for (Eigen::Index i = 0; i < values.rows(); ++i) mine += values(i, 0) == 0.0;
+  Teuchos::reduceAll(*space_->comm(), Teuchos::REDUCE_SUM, mine, Teuchos::outArg(all));
+  return all;
+}
+
+}  // namespace suture

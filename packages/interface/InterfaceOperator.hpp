@@ -1,0 +1,44 @@
+#pragma once
+#include <suture/interface/InterfaceSpace.hpp>
+#include <suture/subdomain/LocalProblem.hpp>
+
+#include <Tpetra_Operator.hpp>
+
+#include <memory>
+#include <vector>
+
+namespace suture {
+
+/// Local problems of this rank, in the order of the space's couplings. A null entry is a local problem that does not take part: S_0 is the
+/// sum over T only.
+using LocalProblems = std::vector<std::shared_ptr<const LocalProblem>>;
+
+/// The linear operator sum_i R_i^T S_i R_i over any subset of the local problems: S of (21), S_0 of (17), a tangent S_0 + S_KON'.
+class InterfaceOperator : public Operator {
+ public:
+  InterfaceOperator(std::shared_ptr<const InterfaceSpace> space, LocalProblems locals);
+
+  Teuchos::RCP<const Map> getDomainMap() const override { return space_->map(); }
+  Teuchos::RCP<const Map> getRangeMap() const override { return space_->map(); }
+  /// y <- alpha * sum_i R_i^T S_i R_i x + beta * y. Collective.
+  void apply(const MultiVector& x, MultiVector& y, Teuchos::ETransp mode = Teuchos::NO_TRANS, double alpha = 1.0,
+             double beta = 0.0) const override;
+  bool hasTransposeApply() const override { return true; }  // symmetric
+
+  const std::shared_ptr<const InterfaceSpace>& space() const { return space_; }
+  const LocalProblems& locals() const { return locals_; }
+  /// Applications so far (each right-hand side counts one).
+  long long applications() const { return applications_; }
+
+  /// sum_i R_i^T condensedLoad_i: the right-hand side that belongs to it. Collective.
+  MultiVectorPtr condensedLoad() const;
+  /// Unknowns that no local problem of the subset touches, over all ranks: the operator is singular there. Collective.
+  GlobalId untouched() const;
+
+ private:
+  std::shared_ptr<const InterfaceSpace> space_;
+  LocalProblems locals_;
+  mutable long long applications_ = 0;
+};
+
+}  // namespace suture

@@ -1,0 +1,117 @@
+#include <suture/base/Collective.hpp>
+#include <suture/precond/NeumannNeumann.hpp>
+
+#include <Eigen/QR>
+#include <Teuchos_CommHelpers.hpp>
+#include <Teuchos_ParameterList.hpp>
+#include <Tpetra_Map.hpp>
+#include <Tpetra_MultiVector.hpp>
+#include <Tpetra_Vector.hpp>
+
+namespace suture {
+
+namespace {
+
+template <typename Base>
+std::unique_ptr<Base> strategy(const Parameters& own, const char* parameter) {
+  const auto name = own.get<std::string>(parameter);
+  return Registry<Base>::instance().make(name, own.isSublist(name) ? own.sublist(name) : Parameters());
+}
+
+/// Orthonormal basis of the columns' span: what depends on others within the local problem is left out.
+Matrix orthonormal(const Matrix& columns) {
+  if (columns.rows() == 0 || columns.cols() == 0) return Matrix(columns.rows(), 0);
+  Eigen::ColPivHouseholderQR<Matrix> qr(columns);
+  qr.setThreshold(
+      1e-10);  // rigid modes are of the order of one; weights may be as small as 1e-8 where stiffness jumps, of all columns alike
+  return qr.householderQ() * Matrix::Identity(columns.rows(), qr.rank());
+}
+
+}  // namespace
+
+Schema NeumannNeumann::schema() {
+  Schema schema("Balancing Neumann-Neumann (eq. 28-31): local Neumann problems, weighted, and a coarse problem of rigid motions.");
+  schema.choice("Weighting", "Stiffness Diagonal", Registry<Weighting>::instance().schemas(), "How subdomains share the interface, D_i.");
+  schema.choice("Coarse Space", "Rigid Modes", Registry<CoarseSpace>::instance().schemas(),
+                "Traces that the coarse problem balances, Z_i.");
+  schema.choice("Coarse Solver", "CHOLMOD", Registry<LocalSolver>::instance().schemas(), "Sparse direct solver of the coarse problem.");
+  return schema;
+}
+
+NeumannNeumann::NeumannNeumann(const Parameters& own)
+    : NeumannNeumann(strategy<Weighting>(own, "Weighting"), strategy<CoarseSpace>(own, "Coarse Space"),
+                     [own] { return strategy<LocalSolver>(own, "Coarse Solver"); }) {}
+
+NeumannNeumann::NeumannNeumann(std::unique_ptr<Weighting> weighting, std::unique_ptr<CoarseSpace> coarseSpace,
+                               std::function<std::unique_ptr<LocalSolver>()> coarseSolver)
+    : weighting_(std::move(weighting)), coarseSpace_(std::move(coarseSpace)), coarseSolver_(std::move(coarseSolver)) {}
+
+void NeumannNeumann::doInitialize() {
+  locals_.clear();
+  inverses_.clear();
+  coarse_.reset();
+}
+
+void NeumannNeumann::doCompute() {
+  const LocalProblems& locals = matrix()->locals();
+  weighting_->setup(*space(), locals);
+  std::vector<Matrix> columns(locals.size());
+  collectively(*space()->comm(), "factoring the local Neumann problems", [&] {
+    locals_.resize(locals.size());
+    inverses_.resize(locals.size());
+    for (std::size_t i = 0; i < locals.size(); ++i) {
+      columns[i] = Matrix(space()->coupling(static_cast<int>(i)).rows(), 0);
+      if (!locals[i]) {
+        inverses_[i].reset();
+        locals_[i].reset();
+        continue;
+      }
+      if (locals_[i] != locals[i]) inverses_[i] = locals[i]->inverse();
+      locals_[i] = locals[i];
+      Matrix z = coarseSpace_->columns(*locals[i]);
+      weighting_->apply(static_cast<int>(i), z);
+      columns[i] = orthonormal(z);
+    }
+  });
+  int mine = 0, all = 0;
+  for (const Matrix& own : columns) mine += static_cast<int>(own.cols());
+  Teuchos::reduceAll(*space()->comm(), Teuchos::REDUCE_SUM, mine, Teuchos::outArg(all));
+  coarse_.reset();
+  if (all > 0) coarse_ = std::make_unique<CoarseProblem>(*matrix(), columns, coarseSolver_());
+}
+
+void NeumannNeumann::doApply(const MultiVector& r, MultiVector& z) const {
+  for (std::size_t column = 0; column < r.getNumVectors(); ++column) {
+    const auto rOne = r.getVector(column);
+    const auto zOne = z.getVectorNonConst(column);
+    Matrix residual;
+    space()->gather(*rOne, residual);
+    Vector y;
+    if (coarse_) {
+      y = coarse_->fromResidual(residual);
+      Matrix images = Matrix::Zero(residual.rows(), 1);
+      coarse_->addImages(y, images);
+      space()->sum(images);
+      residual -= images;
+    }
+    Matrix sum = Matrix::Zero(residual.rows(), 1);
+    for (std::size_t i = 0; i < inverses_.size(); ++i) {
+      if (!inverses_[i]) continue;
+      const Coupling& coupling = space()->coupling(static_cast<int>(i));
+      Matrix flux(coupling.rows(), 1), trace(coupling.rows(), 1);
+      coupling.restrictTo(residual, flux);
+      weighting_->applyTranspose(static_cast<int>(i), flux);
+      inverses_[i]->apply(flux, trace);
+      weighting_->apply(static_cast<int>(i), trace);
+      coupling.addTransposed(trace, sum);
+    }
+    if (coarse_) {
+      Matrix whole = sum;
+      space()->sum(whole);
+      coarse_->addColumns(y - coarse_->fromTrace(whole), sum);
+    }
+    space()->scatterAdd(sum, *zOne);
+  }
+}
+
+}  // namespace suture

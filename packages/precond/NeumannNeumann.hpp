@@ -1,0 +1,41 @@
+#pragma once
+#include <suture/precond/CoarseProblem.hpp>
+#include <suture/precond/CoarseSpace.hpp>
+#include <suture/precond/Preconditioner.hpp>
+#include <suture/precond/Weighting.hpp>
+
+#include <memory>
+#include <vector>
+
+namespace suture {
+
+/// Balancing Neumann-Neumann, eq. (28)-(31) for S and (37)-(38) for S_0 (an operator with null entries):
+///     M^-1 = Q + (I - Q S) T (I - S Q),   T = sum_i R_i^T D_i S_i^+ D_i^T R_i,   Q = Z E^-1 Z^T,   E = Z^T S Z,
+/// Z the columns D_i Z_i. For a residual orthogonal to Z this is the paper's sum of D_i (phi_i + z_i) with z chosen so that the error in
+/// the S norm is smallest; written so, it is symmetric positive definite for every residual. S Z is kept: no application of S within.
+/// Condition C (1 + log H/h)^2. Cost of an application: a Neumann solve of every local problem and two coarse solves.
+class NeumannNeumann : public Preconditioner {
+ public:
+  static Schema schema();
+  explicit NeumannNeumann(const Parameters& own);
+  /// For programs that bring their own strategies.
+  NeumannNeumann(std::unique_ptr<Weighting> weighting, std::unique_ptr<CoarseSpace> coarseSpace,
+                 std::function<std::unique_ptr<LocalSolver>()> coarseSolver);
+
+  int coarseSize() const override { return coarse_ ? coarse_->size() : 0; }
+
+ protected:
+  void doInitialize() override;
+  void doCompute() override;
+  void doApply(const MultiVector& r, MultiVector& z) const override;
+
+ private:
+  std::unique_ptr<Weighting> weighting_;
+  std::unique_ptr<CoarseSpace> coarseSpace_;
+  std::function<std::unique_ptr<LocalSolver>()> coarseSolver_;
+  LocalProblems locals_;  // those the inverses belong to
+  std::vector<std::unique_ptr<LocalInverse>> inverses_;
+  std::unique_ptr<CoarseProblem> coarse_;
+};
+
+}  // namespace suture

@@ -1,0 +1,51 @@
+#include <suture/base/Timers.hpp>
+#include <suture/precond/NeumannNeumann.hpp>
+#include <suture/precond/Preconditioner.hpp>
+
+#include <Teuchos_ParameterList.hpp>
+#include <Tpetra_MultiVector.hpp>
+
+namespace suture {
+
+void Preconditioner::initialize(std::shared_ptr<const InterfaceSpace> space) {
+  space_ = std::move(space);
+  doInitialize();
+}
+
+void Preconditioner::compute(Teuchos::RCP<const InterfaceOperator> matrix) {
+  const double begin = Timers::now();
+  if (matrix->space() != space_) throw InternalError("a preconditioner was given an operator on another space than its own");
+  matrix_ = std::move(matrix);
+  doCompute();
+  setupSeconds_ += Timers::now() - begin;
+}
+
+void Preconditioner::apply(const MultiVector& r, MultiVector& z, Teuchos::ETransp, double alpha, double beta) const {
+  ++applications_;
+  if (alpha == 1.0 && beta == 0.0) {
+    doApply(r, z);
+    return;
+  }
+  const MultiVectorPtr product = space_->vector(static_cast<int>(r.getNumVectors()));
+  doApply(r, *product);
+  z.update(alpha, *product, beta);
+}
+
+void registerBuiltIns(Registry<Preconditioner>& registry) {
+  registry.add("Neumann-Neumann", NeumannNeumann::schema(), [](const Parameters& own) { return std::make_unique<NeumannNeumann>(own); });
+}
+
+Schema preconditionerSchema() {
+  Schema schema("Preconditioner of the interface problem.");
+  schema.choice("Type", "Neumann-Neumann", Registry<Preconditioner>::instance().schemas(), "Name of the preconditioner.");
+  return schema;
+}
+
+Teuchos::RCP<Preconditioner> makePreconditioner(const Parameters& preconditioner) {
+  const auto name = preconditioner.get<std::string>("Type");
+  return Teuchos::rcp(Registry<Preconditioner>::instance()
+                          .make(name, preconditioner.isSublist(name) ? preconditioner.sublist(name) : Parameters())
+                          .release());
+}
+
+}  // namespace suture

@@ -1,0 +1,69 @@
+#pragma once
+#include <suture/base/Registry.hpp>
+#include <suture/interface/InterfaceOperator.hpp>
+
+#include <memory>
+#include <vector>
+
+namespace suture {
+
+/// Partition of unity on the interface: how the local problems that meet at an unknown share it, D_i of eq. (22)-(25).
+///
+/// Invariant, tested for every implementation:  sum_i R_i^T D_i R_i = I.
+/// Strategies: Multiplicity, Young, Stiffness Diagonal; a user adds his own through Registry<Weighting>.
+class Weighting {
+ public:
+  static const char* kind() { return "weighting"; }
+  virtual ~Weighting() = default;
+
+  /// Collective. `locals` are the local problems that share the interface, in the order of the space's couplings: all of them for S, those
+  /// of T^M only for S_0 (eq. 33-36: null entries do not share). \throws NumericalError  if an unknown has no positive weight; names its
+  /// coordinates.
+  void setup(const InterfaceSpace& space, const LocalProblems& locals);
+
+  /// trace <- D_i trace. Local. `trace`: unknowns of local problem i on the interface x right-hand sides; displacements [length].
+  void apply(int i, LocalView trace) const { doApply(i, trace); }
+
+  /// flux <- D_i^T flux. Local. `flux`: forces [force], same shape as in apply().
+  void applyTranspose(int i, LocalView flux) const { doApplyTranspose(i, flux); }
+
+ protected:
+  virtual void doSetup(const InterfaceSpace& space, const LocalProblems& locals) = 0;
+  virtual void doApply(int i, LocalView trace) const = 0;
+  virtual void doApplyTranspose(int i, LocalView flux) const = 0;
+};
+
+void registerBuiltIns(Registry<Weighting>& registry);
+
+/// Weights rho_i / sum of rho_j at each unknown. A user writes density(): rho_i > 0 on the boundary of a local problem.
+class DiagonalWeighting : public Weighting {
+ protected:
+  virtual Vector density(const LocalProblem& local) const = 0;
+
+  void doSetup(const InterfaceSpace& space, const LocalProblems& locals) override;
+  void doApply(int i, LocalView trace) const override { trace = weights_[i].asDiagonal() * trace; }
+  void doApplyTranspose(int i, LocalView flux) const override { flux = weights_[i].asDiagonal() * flux; }
+
+ private:
+  std::vector<Vector> weights_;
+};
+
+/// One over the number of local problems that meet. Robust only without jumps of stiffness.
+class MultiplicityWeighting : public DiagonalWeighting {
+ protected:
+  Vector density(const LocalProblem& local) const override { return Vector::Ones(local.size()); }
+};
+
+/// By Young's modulus: the paper's.
+class YoungWeighting : public DiagonalWeighting {
+ protected:
+  Vector density(const LocalProblem& local) const override { return local.youngModulus(); }
+};
+
+/// By the diagonal of the stiffness matrix: follows jumps and element sizes.
+class StiffnessDiagonalWeighting : public DiagonalWeighting {
+ protected:
+  Vector density(const LocalProblem& local) const override { return local.stiffnessDiagonal(); }
+};
+
+}  // namespace suture

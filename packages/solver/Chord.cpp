@@ -1,0 +1,51 @@
+#include <suture/solver/Anderson.hpp>
+#include <suture/solver/Chord.hpp>
+
+#include <Teuchos_ParameterList.hpp>
+#include <Tpetra_MultiVector.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace suture {
+
+Schema Chord::schema() {
+  Schema schema("Fixed matrix with all pairs closed; the energy falls in every step.");
+  schema.real("Inner Tolerance", 1e-2, "Of each linear solve, relative to the outer residual that it starts from.",
+              {0.0, 1.0, true, true, {}});
+  schema.integer("Anderson Depth", 5, "Corrections combined by Anderson acceleration; 0 for none.", Range::atLeast(0));
+  return schema;
+}
+
+Chord::Chord(const Parameters& own) : innerTolerance_(own.get<double>("Inner Tolerance")), depth_(own.get<int>("Anderson Depth")) {}
+
+void Chord::doSolve(Run& run) const {
+  Anderson anderson(depth_);
+  const MultiVectorPtr correction = run.problem.space()->vector();
+  while (!run.done() && !run.exhausted()) {
+    const InnerResult cost =
+        run.inner.solve(run.bilateral, run.preconditioner, *run.evaluation.residual, *correction, innerTolerance_, 0.0, run.monitor);
+    if (!cost.converged) {
+      run.result.pcgTotal += cost.pcg;
+      run.result.failure = "a linear solve did not reach its tolerance";
+      return;
+    }
+    const double rounding = 1e-12 * std::abs(run.evaluation.energy);
+    MultiVectorPtr step = anderson.accelerate(*run.result.state.trace, *correction, *run.evaluation.residual);
+    for (bool plain = step.is_null();; plain = true) {
+      InterfaceState next = run.result.state;
+      next.trace = Teuchos::rcp(new MultiVector(*run.result.state.trace, Teuchos::Copy));
+      run.problem.update(next, plain ? *correction : *step, 1.0);
+      InterfaceProblem::Evaluation at = run.problem.evaluate(next);
+      if (!plain && at.energy > run.evaluation.energy + rounding) {
+        anderson.restart();
+        continue;
+      }
+      const double residual = run.norm(at);
+      run.accept(std::move(next), std::move(at), residual, cost, 1.0);
+      break;
+    }
+  }
+}
+
+}  // namespace suture

@@ -1,0 +1,23 @@
+#pragma once
+#include <suture/solver/OuterSolver.hpp>
+
+namespace suture {
+
+/// Chord iteration U += S^-1 (F - S_0 U - S_KON(U)) with S of all pairs closed: minimises a majorant of the energy, which falls in every
+/// step, so it converges for every coercive problem. Accelerated by Anderson's method over the last corrections (combined in the S inner
+/// product); an accelerated step that raises the energy is replaced by the plain one.
+class Chord : public OuterSolver {
+ public:
+  static Schema schema();
+  explicit Chord(const Parameters& own);
+
+ protected:
+  void doSolve(Run& run) const override;
+  double auxiliaryTolerance(const OuterSettings&) const override { return innerTolerance_; }
+
+ private:
+  double innerTolerance_;
+  int depth_;
+};
+
+}  // namespace suture

@@ -1,0 +1,43 @@
+#pragma once
+#include <suture/base/Monitor.hpp>
+#include <suture/precond/Preconditioner.hpp>
+
+#include <vector>
+
+namespace suture {
+
+/// What an inner (linear) solve cost and reached.
+struct InnerResult {
+  int pcg = 0;  ///< applications of the operator
+  bool converged = false;
+  double residual = 0.0;           ///< sqrt(r.M r) / reference
+  double condition = 1.0;          ///< of M^-1 S, estimated from the Lanczos matrix of the CG coefficients
+  double largestEigenvalue = 1.0;  ///< of the same
+  std::vector<double> history;     ///< residual after each iteration, the first entry before them
+};
+
+/// Preconditioned conjugate gradients (Belos' PseudoBlockCGIter, with a status test of ours): stops when sqrt(r.M r) falls below
+/// tolerance * reference. Belos' own managers stop on the Euclidean norm, which with jumps of stiffness or given displacements accepts
+/// what is no solution.
+class InnerSolver {
+ public:
+  /// \param most  iterations at most
+  explicit InnerSolver(int most = 1000) : most_(most) {}
+
+  /// x <- approximation of S^-1 b, from x = 0. Collective.
+  /// \param reference  norm that the tolerance refers to; 0: that of b itself
+  /// \throws NumericalError  the operator or preconditioner is not positive definite
+  InnerResult solve(const Teuchos::RCP<const Operator>& matrix, const Teuchos::RCP<const Preconditioner>& preconditioner,
+                    const MultiVector& b, MultiVector& x, double tolerance, double reference, Monitor& monitor) const;
+
+ private:
+  int most_;
+};
+
+/// sqrt(r.M r), the norm of residuals everywhere. Collective.
+double preconditionedNorm(const Preconditioner& preconditioner, const MultiVector& r);
+
+/// Eigenvalues of a symmetric tridiagonal matrix, ascending. Local.
+std::vector<double> tridiagonalEigenvalues(const std::vector<double>& diagonal, const std::vector<double>& offDiagonal);
+
+}  // namespace suture

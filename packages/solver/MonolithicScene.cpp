@@ -1,0 +1,91 @@
+// The reference within a distributed run: rank 0 solves, the others listen and get their part.
+#include <suture/base/Buffer.hpp>
+#include <suture/base/Collective.hpp>
+#include <suture/solver/Monolithic.hpp>
+#include <suture/solver/SolveScene.hpp>
+
+#include <Teuchos_Comm.hpp>
+#include <Teuchos_CommHelpers.hpp>
+#include <Teuchos_ParameterList.hpp>
+
+namespace suture {
+
+bool isMonolithic(const Parameters& scene) { return scene.sublist("Outer Solver").get<std::string>("Type") == kMonolithic; }
+
+namespace {
+
+/// Nodal values of this rank's subdomains, asked of rank 0 by the mesh's numbers.
+std::vector<Vector> scatterToSubdomains(const Comm& comm, const Vector& whole, int dimension, const std::vector<SubdomainMesh>& meshes) {
+  Packer asked;
+  for (const SubdomainMesh& mesh : meshes) asked.put(mesh.globalNodes);
+  std::vector<std::string> answers(comm.getSize());
+  const std::vector<std::string> questions = gatherOnRoot(comm, asked.bytes());
+  collectivelyOnRoot(comm, "distributing the displacements", [&] {
+    for (std::size_t rank = 0; rank < questions.size(); ++rank) {
+      Packer answer;
+      Unpacker question(questions[rank]);
+      while (!question.done()) {
+        std::vector<double> values;
+        for (GlobalId node : question.get<std::vector<GlobalId>>())
+          for (int k = 0; k < dimension; ++k) values.push_back(whole(node * dimension + k));
+        answer.put(values);
+      }
+      answers[rank] = answer.bytes();
+    }
+  });
+  Unpacker mine(scatterFromRoot(comm, answers));
+  std::vector<Vector> displacement;
+  for (std::size_t i = 0; i < meshes.size(); ++i) {
+    const auto values = mine.get<std::vector<double>>();
+    displacement.emplace_back(Eigen::Map<const Vector>(values.data(), static_cast<Eigen::Index>(values.size())));
+  }
+  return displacement;
+}
+
+/// What all ranks must know of rank 0's answer.
+struct Figures {
+  bool converged;
+  int iterations;
+  double residual, energy, imbalance;
+  Point applied, reactions;
+};
+
+}  // namespace
+
+Solution solveMonolithicScene(const Comm& comm, const Mesh& mesh, const Constraints& constraints, const ElasticModel& model,
+                              const std::vector<SubdomainMesh>& meshes, const Parameters& scene, Monitor& monitor) {
+  MonolithicResult result;
+  collectivelyOnRoot(comm, "the monolithic solver", [&] {
+    MonolithicOptions options;
+    options.maximumIterations = scene.sublist("Outer Solver").get<int>("Maximum Iterations");
+    Monitor later;  // the rows are told on all ranks below
+    result = solveMonolithic(mesh, constraints, model, options, later);
+  });
+  Packer packer;
+  packer.put(
+      Figures{result.converged, result.iterations, result.residual, result.energy, result.imbalance, result.applied, result.reactions});
+  packer.put(result.rows);
+  packer.put(result.failure);
+  packer.put(constraints.pairs.size());
+  packer.put(mesh.dimension);
+  Unpacker unpacker(broadcast(comm, packer.bytes()));
+  const auto figures = unpacker.get<Figures>();
+  for (const OuterRow& row : unpacker.get<std::vector<OuterRow>>()) monitor.outer(row);
+
+  Solution solution;
+  solution.converged = figures.converged;
+  solution.failure = unpacker.get<std::string>();
+  if (unpacker.get<std::size_t>() > 0) solution.outerSolver = kMonolithic;
+  solution.auxiliary.contact = !solution.outerSolver.empty();
+  solution.outerIterations = figures.iterations;
+  solution.residual = figures.residual;
+  solution.energy = figures.energy;
+  solution.imbalance = figures.imbalance;
+  solution.applied = figures.applied;
+  solution.reactions = figures.reactions;
+  solution.pairs = result.pairs;
+  solution.displacement = scatterToSubdomains(comm, result.displacement, unpacker.get<int>(), meshes);
+  return solution;
+}
+
+}  // namespace suture

@@ -1,0 +1,97 @@
+#include <suture/base/Timers.hpp>
+#include <suture/solver/Chord.hpp>
+#include <suture/solver/OuterSolver.hpp>
+#include <suture/solver/SemismoothNewton.hpp>
+#include <suture/solver/SuccessiveApproximation.hpp>
+
+#include <Teuchos_Array.hpp>
+#include <Tpetra_MultiVector.hpp>
+
+#include <cmath>
+
+namespace suture {
+
+namespace {
+double euclidean(const MultiVector& x) { return std::sqrt(dot(x, x)); }
+}  // namespace
+
+double OuterSolver::Run::norm(const InterfaceProblem::Evaluation& at) const {
+  return reference > 0.0 ? preconditionedNorm(*preconditioner, *at.residual) / reference : 0.0;
+}
+
+void OuterSolver::Run::accept(InterfaceState state, InterfaceProblem::Evaluation at, double residual, const InnerResult& cost,
+                              double step) {
+  OuterRow row;
+  row.iteration = ++result.iterations;
+  row.pcg = cost.pcg;
+  row.condition = cost.condition;
+  row.residual = residual;
+  row.euclidean = referenceEuclidean > 0.0 ? euclidean(*at.residual) / referenceEuclidean : 0.0;
+  row.active = at.active;
+  row.changed = at.changed;
+  row.energy = at.energy;
+  row.step = step;
+  row.seconds = Timers::now() - begin;
+  monitor.outer(row);
+
+  result.pcgTotal += cost.pcg;
+  result.residual = residual;
+  result.state = std::move(state);
+  result.state.status = at.next;
+  evaluation = std::move(at);
+}
+
+OuterResult OuterSolver::solve(const InterfaceProblem& problem, const OuterSettings& settings, Monitor& monitor) const {
+  OuterResult result;
+  Run run{problem, settings, monitor, InnerSolver(settings.maximumInnerIterations), {}, {}, 0.0, 0.0, Timers::now(), result, {}};
+  result.state = problem.initialState();
+  if (problem.space()->size() == 0) {  // one subdomain a body: the local problems are the whole problem
+    result.converged = true;
+    return result;
+  }
+
+  const InterfaceProblem::Linearisation start = problem.linearise(result.state);
+  run.bilateral = start.matrix;
+  run.preconditioner = settings.preconditioner();
+  run.preconditioner->initialize(problem.space());
+  run.preconditioner->compute(start.matrix);
+  result.coarseSize = run.preconditioner->coarseSize();
+  run.reference = preconditionedNorm(*run.preconditioner, *start.load);
+  run.referenceEuclidean = euclidean(*start.load);
+
+  const bool contact = problem.pairs() > 0;
+  const double tolerance = contact ? auxiliaryTolerance(settings) : settings.tolerance;
+  const InnerResult auxiliary =
+      run.inner.solve(start.matrix, run.preconditioner, *start.load, *result.state.trace, tolerance, 0.0, monitor);
+  result.auxiliary = {auxiliary.pcg, auxiliary.condition, tolerance, auxiliary.residual, contact};
+  monitor.auxiliary(result.auxiliary);
+  result.residual = auxiliary.residual;
+  if (!auxiliary.converged) {
+    result.failure =
+        "the auxiliary problem did not reach its tolerance within " + std::to_string(settings.maximumInnerIterations) + " iterations";
+    return result;
+  }
+  if (!contact) {  // linear: this is the solution, and no contact loop is entered
+    result.converged = true;
+    return result;
+  }
+
+  run.evaluation = problem.evaluate(result.state);
+  result.state.status = run.evaluation.next;
+  result.residual = run.norm(run.evaluation);
+  if (!run.done()) doSolve(run);
+  result.converged = run.done();
+  if (!result.converged && result.failure.empty())
+    result.failure = "the tolerance was not reached within " + std::to_string(result.iterations) + " outer iterations";
+  return result;
+}
+
+void registerBuiltIns(Registry<OuterSolver>& registry) {
+  registry.add("Semismooth Newton", SemismoothNewton::schema(),
+               [](const Parameters& own) { return std::make_unique<SemismoothNewton>(own); });
+  registry.add("Chord", Chord::schema(), [](const Parameters& own) { return std::make_unique<Chord>(own); });
+  registry.add("Successive Approximation", SuccessiveApproximation::schema(),
+               [](const Parameters& own) { return std::make_unique<SuccessiveApproximation>(own); });
+}
+
+}  // namespace suture

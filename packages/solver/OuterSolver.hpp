@@ -1,0 +1,79 @@
+#pragma once
+#include <suture/base/Monitor.hpp>
+#include <suture/base/Registry.hpp>
+#include <suture/interface/InterfaceProblem.hpp>
+#include <suture/precond/Preconditioner.hpp>
+#include <suture/solver/InnerSolver.hpp>
+
+#include <functional>
+#include <map>
+#include <string>
+
+namespace suture {
+
+/// What holds for every outer solver.
+struct OuterSettings {
+  double tolerance = 1e-8;  ///< of sqrt(r.M r) relative to the residual of the lifted start, r = F - S_0 U - S_KON(U)
+  int maximumIterations = 50;
+  int maximumInnerIterations = 1000;
+  std::function<Teuchos::RCP<Preconditioner>()> preconditioner;  ///< makes a fresh one of the scene's kind
+};
+
+struct OuterResult {
+  InterfaceState state;
+  bool converged = false;
+  std::string failure;
+  int iterations = 0;
+  int pcgTotal = 0;  ///< of the outer iterations, failed steps included
+  double residual = 0.0;
+  AuxiliaryRow auxiliary;
+  int coarseSize = 0;
+  std::map<std::string, double> estimates;
+};
+
+/// Solves an InterfaceProblem of which it knows nothing else. The shell solves the auxiliary problem (20)-(21), all pairs closed, from
+/// which all methods start, owns the stopping norm and reports; a method is written in doSolve(). Strategies: Semismooth Newton, Chord,
+/// Successive Approximation; a user adds his own through Registry<OuterSolver>. Collective.
+class OuterSolver {
+ public:
+  static const char* kind() { return "outer solver"; }
+  virtual ~OuterSolver() = default;
+
+  /// \throws NumericalError  breakdown; not for a mere lack of convergence, which the result says.
+  OuterResult solve(const InterfaceProblem& problem, const OuterSettings& settings, Monitor& monitor) const;
+
+ protected:
+  /// What a method needs while it runs.
+  struct Run {
+    const InterfaceProblem& problem;
+    const OuterSettings& settings;
+    Monitor& monitor;
+    InnerSolver inner;
+    Teuchos::RCP<InterfaceOperator> bilateral;    ///< S, all pairs closed
+    Teuchos::RCP<Preconditioner> preconditioner;  ///< of S; its norm is the stopping norm
+    double reference = 0.0;                       ///< norm of the lifted start's residual
+    double referenceEuclidean = 0.0;
+    double begin = 0.0;  ///< seconds
+    OuterResult& result;
+    InterfaceProblem::Evaluation evaluation;  ///< at result.state, whose status is the evaluation's
+
+    /// Relative residual of an evaluation.
+    double norm(const InterfaceProblem::Evaluation& at) const;
+    /// Takes over a new point: evaluates nothing; updates status, result.residual and reports a row.
+    void accept(InterfaceState state, InterfaceProblem::Evaluation at, double residual, const InnerResult& cost, double step);
+    bool done() const { return result.residual <= settings.tolerance; }
+    bool exhausted() const { return result.iterations >= settings.maximumIterations; }
+  };
+
+  /// From the auxiliary solution in run.result.state, evaluated, until run.done() or given up with run.result.failure.
+  virtual void doSolve(Run& run) const = 0;
+  /// Tolerance of the auxiliary problem that the method starts from.
+  virtual double auxiliaryTolerance(const OuterSettings& settings) const = 0;
+};
+
+void registerBuiltIns(Registry<OuterSolver>& registry);
+
+/// Names of outer solvers that do not work on an interface problem but on the whole system; for the schema.
+inline constexpr const char* kMonolithic = "Monolithic";
+
+}  // namespace suture

@@ -1,0 +1,57 @@
+#include <suture/solver/SemismoothNewton.hpp>
+
+#include <Teuchos_ParameterList.hpp>
+#include <Tpetra_MultiVector.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace suture {
+
+Schema SemismoothNewton::schema() {
+  Schema schema("Newton's method on the condensed contact problem.");
+  schema.real("Inner Tolerance", 1e-2, "Of each linear solve, relative to the outer residual that it starts from.",
+              {0.0, 1.0, true, true, {}});
+  return schema;
+}
+
+SemismoothNewton::SemismoothNewton(const Parameters& own) : innerTolerance_(own.get<double>("Inner Tolerance")) {}
+
+void SemismoothNewton::doSolve(Run& run) const {
+  const MultiVectorPtr step = run.problem.space()->vector();
+  while (!run.done() && !run.exhausted()) {
+    Teuchos::RCP<InterfaceOperator> tangent;
+    try {
+      tangent = run.problem.linearise(run.result.state).matrix;
+    } catch (const NumericalError& singular) {
+      run.monitor.note(std::string("the tangent is singular, a chord step is taken: ") + singular.what());
+      tangent = run.bilateral;
+    }
+    // No more digits than the end asks for.
+    const double tolerance = std::max(innerTolerance_, std::min(0.1, 0.2 * run.settings.tolerance / run.result.residual));
+    InnerResult cost = run.inner.solve(tangent, run.preconditioner, *run.evaluation.residual, *step, tolerance, 0.0, run.monitor);
+    if (!cost.converged) {
+      run.result.pcgTotal += cost.pcg;
+      run.result.failure = "a linear solve did not reach its tolerance";
+      return;
+    }
+
+    double length = 1.0;
+    InterfaceState next;
+    InterfaceProblem::Evaluation at;
+    double residual = 0.0;
+    for (;; length *= 0.5) {
+      next = run.result.state;
+      next.trace = Teuchos::rcp(new MultiVector(*run.result.state.trace, Teuchos::Copy));
+      run.problem.update(next, *step, length);
+      at = run.problem.evaluate(next);
+      residual = run.norm(at);
+      const double rounding = 1e-12 * std::abs(run.evaluation.energy);
+      if (!std::isfinite(residual)) throw NumericalError("Newton's method met a residual that is no number");
+      if (residual <= run.result.residual || at.energy <= run.evaluation.energy + rounding || length < 1e-3) break;
+    }
+    run.accept(std::move(next), std::move(at), residual, cost, length);
+  }
+}
+
+}  // namespace suture

@@ -1,0 +1,139 @@
+#include <suture/base/Buffer.hpp>
+#include <suture/base/Collective.hpp>
+#include <suture/interface/CondensedProblem.hpp>
+#include <suture/solver/SolveScene.hpp>
+#include <suture/subdomain/ElasticSubdomain.hpp>
+
+#include <Teuchos_Comm.hpp>
+#include <Teuchos_CommHelpers.hpp>
+#include <Teuchos_ParameterList.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace suture {
+
+namespace {
+
+template <typename Base>
+std::unique_ptr<Base> strategy(const Parameters& list, const std::string& parameter) {
+  const auto name = list.get<std::string>(parameter);
+  return Registry<Base>::instance().make(name, list.isSublist(name) ? list.sublist(name) : Parameters());
+}
+
+PairResult report(const PairState& state) {
+  PairResult result;
+  result.id = state.pair.id;
+  result.line = state.pair.line;
+  result.piece = state.pair.piece;
+  result.status = state.status;
+  result.initialGap = state.pair.gap;
+  result.gap = state.gap;
+  result.force = state.force;
+  result.pressure = state.pair.length > 0.0 ? state.force / state.pair.length : 0.0;
+  result.arc = state.pair.arc;
+  result.position = state.pair.position;
+  result.displacement = state.displacement;
+  result.normal = state.pair.normal;
+  return result;
+}
+
+double norm(const Point& p) { return std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]); }
+
+/// Resultants of loads and reactions over all ranks. The scale of the imbalance is the force that passes through: half of what acts.
+void balance(const Comm& comm, const Subdomains& subdomains, const std::vector<Vector>& freeValues, Solution& solution) {
+  Point applied{0, 0, 0}, reactions{0, 0, 0};
+  double absolute = 0.0;
+  for (std::size_t i = 0; i < subdomains.size(); ++i) subdomains[i]->resultants(freeValues[i], applied, reactions, absolute);
+  double mine[7], all[7];
+  std::copy(applied.begin(), applied.end(), mine);
+  std::copy(reactions.begin(), reactions.end(), mine + 3);
+  mine[6] = absolute;
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, 7, mine, all);
+  std::copy(all, all + 3, solution.applied.begin());
+  std::copy(all + 3, all + 6, solution.reactions.begin());
+  const Point sum{all[0] + all[3], all[1] + all[4], all[2] + all[5]};
+  solution.imbalance = all[6] > 0.0 ? norm(sum) / (0.5 * all[6]) : 0.0;
+}
+
+}  // namespace
+
+Subdomains makeSubdomains(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model) {
+  Subdomains subdomains;
+  collectively(comm, "assembling the subdomains", [&] {
+    for (const SubdomainMesh& mesh : meshes) {
+      subdomains.push_back(std::make_unique<ElasticSubdomain>(mesh, model));
+      subdomains.back()->assemble();
+    }
+  });
+  return subdomains;
+}
+
+std::unique_ptr<InterfaceProblem> makeInterfaceProblem(const CommPtr& comm, const Partition& partition, const Subdomains& subdomains,
+                                                       const ElasticModel& model, const Parameters& scene) {
+  const Parameters& own = scene.sublist("Subdomain");
+  std::vector<double> young;
+  for (const Material& material : model.materialOfBody) young.push_back(material.young);
+  return std::make_unique<CondensedProblem>(comm, partition, subdomains, young, localSolverMaker(own),
+                                            [&own] { return strategy<SchurComplement>(own, "Schur Complement"); });
+}
+
+OuterResult solveInterface(const InterfaceProblem& problem, const Parameters& scene, Monitor& monitor) {
+  const Parameters& own = scene.sublist("Outer Solver");
+  OuterSettings settings;
+  settings.tolerance = own.get<double>("Tolerance");
+  settings.maximumIterations = own.get<int>("Maximum Iterations");
+  settings.maximumInnerIterations = own.get<int>("Maximum Inner Iterations");
+  settings.preconditioner = [&scene] { return makePreconditioner(scene.sublist("Preconditioner")); };
+  return strategy<OuterSolver>(own, "Type")->solve(problem, settings, monitor);
+}
+
+Solution recover(const Comm& comm, const InterfaceProblem& problem, const OuterResult& result, const Subdomains& subdomains,
+                 const Parameters& scene) {
+  const InterfaceProblem::Recovered recovered = problem.recover(result.state);
+  Solution solution;
+  solution.converged = result.converged;
+  solution.failure = result.failure;
+  if (problem.pairs() > 0) solution.outerSolver = scene.sublist("Outer Solver").get<std::string>("Type");
+  solution.outerIterations = result.iterations;
+  solution.pcgTotal = result.pcgTotal;
+  solution.residual = result.residual;
+  solution.auxiliary = result.auxiliary;
+  solution.estimates = result.estimates;
+  solution.energy = recovered.energy;
+  for (std::size_t i = 0; i < subdomains.size(); ++i) solution.displacement.push_back(subdomains[i]->cartesian(recovered.freeValues[i]));
+  balance(comm, subdomains, recovered.freeValues, solution);
+
+  Packer packer;
+  packer.put(recovered.pairs);
+  for (const std::string& bytes : gatherOnRoot(comm, packer.bytes()))
+    for (const PairState& state : Unpacker(bytes).get<std::vector<PairState>>()) solution.pairs.push_back(report(state));
+  std::sort(solution.pairs.begin(), solution.pairs.end(), [](const PairResult& a, const PairResult& b) { return a.id < b.id; });
+  return solution;
+}
+
+ProblemSize problemSize(const Comm& comm, const Mesh& mesh, const Constraints& constraints, const Partition& partition,
+                        const InterfaceProblem* problem) {
+  GlobalId sizes[5] = {0, 0, 0, 0, 0};
+  if (comm.getRank() == 0) {
+    sizes[0] = mesh.nodes();
+    sizes[1] = mesh.elements();
+    sizes[2] = sizes[0] * mesh.dimension;
+    for (const NodeRule& rule : constraints.rules) sizes[2] -= std::count(rule.fixed.begin(), rule.fixed.begin() + mesh.dimension, true);
+    sizes[3] = static_cast<GlobalId>(constraints.pairs.size());
+    sizes[4] = static_cast<GlobalId>(constraints.pieces.size());
+  }
+  Teuchos::broadcast(comm, 0, 5, sizes);
+  ProblemSize size;
+  size.nodes = sizes[0];
+  size.elements = sizes[1];
+  size.dofs = sizes[2];
+  size.pairs = static_cast<int>(sizes[3]);
+  size.pieces = static_cast<int>(sizes[4]);
+  size.subdomains = partition.subdomains();
+  size.groups = static_cast<int>(partition.groups.size());
+  size.interfaceDofs = problem ? problem->space()->size() : 0;
+  return size;
+}
+
+}  // namespace suture

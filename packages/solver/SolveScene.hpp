@@ -1,0 +1,47 @@
+#pragma once
+#include <suture/base/Monitor.hpp>
+#include <suture/base/Timers.hpp>
+#include <suture/constraints/Constraints.hpp>
+#include <suture/elasticity/ElasticModel.hpp>
+#include <suture/interface/InterfaceProblem.hpp>
+#include <suture/mesh/Mesh.hpp>
+#include <suture/partition/SubdomainMesh.hpp>
+#include <suture/solver/OuterSolver.hpp>
+#include <suture/solver/Solution.hpp>
+#include <suture/subdomain/Subdomain.hpp>
+
+#include <memory>
+#include <vector>
+
+namespace suture {
+
+using Subdomains = std::vector<std::unique_ptr<Subdomain>>;
+
+/// The steps from distributed meshes to a solution, one function a stage. `scene` is the whole resolved scene. All collective.
+
+/// Elastic subdomains of this rank's meshes, assembled. `meshes` and `model` must outlive them. \throws NumericalError
+Subdomains makeSubdomains(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model);
+
+/// The scene's formulation: subdomains and contact groups factored. `subdomains` must outlive it. \throws NumericalError
+std::unique_ptr<InterfaceProblem> makeInterfaceProblem(const CommPtr& comm, const Partition& partition, const Subdomains& subdomains,
+                                                       const ElasticModel& model, const Parameters& scene);
+
+/// Solves with the scene's outer solver and preconditioner. \throws NumericalError
+OuterResult solveInterface(const InterfaceProblem& problem, const Parameters& scene, Monitor& monitor);
+
+/// Interiors, contact, energy and balance of forces of the state that the outer solver ended with.
+Solution recover(const Comm& comm, const InterfaceProblem& problem, const OuterResult& result, const Subdomains& subdomains,
+                 const Parameters& scene);
+
+/// Whether the scene asks for the outer solver Monolithic.
+bool isMonolithic(const Parameters& scene);
+
+/// The reference: rank 0 solves the whole system, all ranks get their part of the answer. \throws NumericalError, InputError
+Solution solveMonolithicScene(const Comm& comm, const Mesh& mesh, const Constraints& constraints, const ElasticModel& model,
+                              const std::vector<SubdomainMesh>& meshes, const Parameters& scene, Monitor& monitor);
+
+/// Sizes for the report. `problem` may be null (Monolithic): no interface then.
+ProblemSize problemSize(const Comm& comm, const Mesh& mesh, const Constraints& constraints, const Partition& partition,
+                        const InterfaceProblem* problem);
+
+}  // namespace suture

@@ -1,0 +1,108 @@
+#include <suture/solver/SpectralRadius.hpp>
+#include <suture/solver/SuccessiveApproximation.hpp>
+
+#include <Teuchos_ParameterList.hpp>
+#include <Tpetra_MultiVector.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace suture {
+
+namespace {
+
+/// The contact groups' part of an operator, all of them or one alone.
+Teuchos::RCP<InterfaceOperator> groupsOf(const InterfaceOperator& whole, const InterfaceOperator& withoutContact,
+                                         std::size_t rankLocalGroup, bool all) {
+  LocalProblems locals = whole.locals();
+  std::size_t group = 0;
+  for (std::size_t i = 0; i < locals.size(); ++i) {
+    const bool isGroup = !withoutContact.locals()[i];
+    if (!isGroup || (!all && group != rankLocalGroup)) locals[i].reset();
+    group += isGroup;
+  }
+  return Teuchos::rcp(new InterfaceOperator(whole.space(), std::move(locals)));
+}
+
+}  // namespace
+
+Schema SuccessiveApproximation::schema() {
+  Schema schema("The paper's successive approximations (18)/(32); they contract only where contact groups are soft against the rest.");
+  schema.wordOrNumber("Relaxation", "Automatic", {"None", "Automatic"}, {0.0, 2.0, true, false, {}},
+                      "Factor of the correction: None is 1 (the paper), Automatic 2 / (2 + 1.1 mu), halved when the energy rises.");
+  schema.real("Inner Tolerance", 1e-3, "Of each linear solve, relative to the outer residual that it starts from.",
+              {0.0, 1.0, true, true, {}});
+  return schema;
+}
+
+SuccessiveApproximation::SuccessiveApproximation(const Parameters& own)
+    : innerTolerance_(own.get<double>("Inner Tolerance")), relaxation_(own.get<std::string>("Relaxation")) {}
+
+void SuccessiveApproximation::doSolve(Run& run) const {
+  const Teuchos::RCP<InterfaceOperator> s0 = run.problem.withoutContact();
+  if (s0.is_null()) throw InputError("Outer Solver/Type", "Successive Approximation needs the formulation Condensed Groups");
+  if (const std::string why = whySingular(*s0); !why.empty())
+    throw NumericalError("Successive Approximation cannot start: S_0 is singular, " + why + ". Use Semismooth Newton or Chord");
+  const Teuchos::RCP<Preconditioner> preconditioner = run.settings.preconditioner();
+  preconditioner->initialize(run.problem.space());
+  preconditioner->compute(s0);
+
+  // The eigenvalues need a few digits only.
+  Monitor silent;
+  const auto solveS0 = [&](const MultiVector& b, MultiVector& x) { run.inner.solve(s0, preconditioner, b, x, 1e-6, 0.0, silent); };
+  const auto radius = [&](const InterfaceOperator& contactPart) {
+    return largestEigenvalue(contactPart, solveS0, *run.evaluation.residual);
+  };
+  const double mu = radius(*groupsOf(*run.bilateral, *s0, 0, true));
+  run.result.estimates["mu"] = mu;
+  const double bound = 2.0 * mu * run.problem.pieces();
+  run.result.estimates["contraction bound"] = bound;
+  double theta = relaxation_ == "None" ? 1.0 : relaxation_ == "Automatic" ? 2.0 / (2.0 + 1.1 * mu) : std::stod(relaxation_);
+  std::ostringstream text;
+  text.precision(3);
+  text << "successive approximations: mu = lambda_max(S_0^-1 S^0) = " << mu << ", 2 lambda^2 Pc = " << bound
+       << (mu < 1.0 ? ": contracting" : ": not contracting without relaxation") << "; relaxation " << theta;
+  if (bound < 1.0) text << "; error bound q^k/(1-q) ||U^0 - T U^0|| with q = " << bound;
+  run.monitor.note(text.str());
+
+  const MultiVectorPtr correction = run.problem.space()->vector();
+  const double first = run.result.residual;
+  while (!run.done() && !run.exhausted()) {
+    const InnerResult cost = run.inner.solve(s0, preconditioner, *run.evaluation.residual, *correction, innerTolerance_, 0.0, run.monitor);
+    if (!cost.converged) {
+      run.result.pcgTotal += cost.pcg;
+      run.result.failure = "a linear solve did not reach its tolerance";
+      return;
+    }
+    InterfaceState next = run.result.state;
+    next.trace = Teuchos::rcp(new MultiVector(*run.result.state.trace, Teuchos::Copy));
+    run.problem.update(next, *correction, theta);
+    InterfaceProblem::Evaluation at = run.problem.evaluate(next);
+    const double rise = at.energy - run.evaluation.energy;
+    if (relaxation_ == "Automatic" && rise > 1e-12 * std::abs(run.evaluation.energy)) {
+      theta *= 0.5;
+      run.monitor.note("the energy rose: relaxation halved");
+    }
+    const double residual = run.norm(at);
+    run.accept(std::move(next), std::move(at), residual, cost, theta);
+    if (!(run.result.residual < 1e3 * std::max(first, run.settings.tolerance))) {
+      std::ostringstream why;
+      why << "successive approximations diverge (mu = " << mu << "); use Relaxation = Automatic, or Semismooth Newton or Chord";
+      run.result.failure = why.str();
+      break;
+    }
+  }
+  run.result.estimates["relaxation"] = theta;
+  if (run.result.iterations > 0) {
+    const auto tangent = run.problem.linearise(run.result.state).matrix;
+    const double atSolution = radius(*groupsOf(*tangent, *s0, 0, true));
+    run.result.estimates["radius"] = atSolution;
+    std::ostringstream last;
+    last.precision(3);
+    last << "successive approximations: radius of S_0^-1 S_KON' at the last contact state " << atSolution;
+    run.monitor.note(last.str());
+  }
+}
+
+}  // namespace suture

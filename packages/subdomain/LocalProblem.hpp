@@ -1,0 +1,61 @@
+#pragma once
+#include <suture/base/Types.hpp>
+#include <suture/subdomain/SparseMatrix.hpp>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace suture {
+
+/// A generalised inverse S^+ of a local problem's Schur complement: the local Neumann problems of eq. (28)-(29). Local.
+class LocalInverse {
+ public:
+  virtual ~LocalInverse() = default;
+  /// trace <- S^+ flux: S S^+ f = f for a flux orthogonal to the kernel. Positive definite or semidefinite for any flux.
+  virtual void apply(ConstLocalView flux, LocalView trace) const = 0;
+};
+
+/// One term of the sum (20): a linear problem on part of the bodies that the rest knows by its trace and flux on its boundary only. Made of
+/// a subdomain, or of a contact group with its pairs' status given. Local: a local problem lives whole on one rank.
+class LocalProblem {
+ public:
+  virtual ~LocalProblem() = default;
+
+  const std::string& name() const { return name_; }
+  int id() const { return id_; }  ///< of all local problems of the scene, the same on any number of ranks
+  /// Unknowns on the boundary, as all local problems number them; the order of traces and fluxes.
+  const std::vector<GlobalId>& boundary() const { return boundary_; }
+  int size() const { return static_cast<int>(boundary_.size()); }
+
+  /// flux <- S_loc trace, for several right-hand sides. [force] from [length]
+  virtual void applySchur(ConstLocalView trace, LocalView flux) const = 0;
+  /// Loads (and gaps) condensed to the boundary: the term of F (+ F_g) in eq. (17), (21). [force]
+  virtual Vector condensedLoad() const = 0;
+  /// Least energy with zero trace, prescribed displacements' part included. [force x length]
+  virtual double constantEnergy() const = 0;
+  /// Diagonal of the stiffness matrix on the boundary (not of S). [force / length]
+  virtual const Vector& stiffnessDiagonal() const = 0;
+  /// Young modulus of what lies at each boundary unknown; where several materials meet, the largest. [stress]
+  virtual const Vector& youngModulus() const = 0;
+  /// Traces of a basis of the kernel of S_loc: size() x k.
+  virtual const Matrix& kernel() const = 0;
+  /// Traces of all rigid modes of every member subdomain, each on its own part of the boundary, and of the kernel: size() x m.
+  virtual const Matrix& coarseModes() const = 0;
+  /// S^+, made when it is asked for. \throws NumericalError
+  virtual std::unique_ptr<LocalInverse> inverse() const = 0;
+
+  /// Dense block of S_loc for some positions of the boundary.
+  virtual Matrix schurBlock(const std::vector<int>& positions) const;
+
+ protected:
+  LocalProblem(int id, std::string name, std::vector<GlobalId> boundary)
+      : id_(id), name_(std::move(name)), boundary_(std::move(boundary)) {}
+
+ private:
+  int id_;
+  std::string name_;
+  std::vector<GlobalId> boundary_;
+};
+
+}  // namespace suture

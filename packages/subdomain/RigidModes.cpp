@@ -1,0 +1,55 @@
+#include <suture/subdomain/RigidModes.hpp>
+
+#include <Eigen/QR>
+#include <Eigen/SVD>
+#include <algorithm>
+
+namespace suture {
+
+Matrix rigidModes(const CellBlock& block) {
+  const int d = block.dimension, n = block.nodes();
+  Point centre{0, 0, 0}, low{0, 0, 0}, high{0, 0, 0};
+  for (int node = 0; node < n; ++node) {
+    const Point p = block.point(node);
+    for (int k = 0; k < d; ++k) {
+      centre[k] += p[k] / n;
+      low[k] = node == 0 ? p[k] : std::min(low[k], p[k]);
+      high[k] = node == 0 ? p[k] : std::max(high[k], p[k]);
+    }
+  }
+  double half = 0.0;
+  for (int k = 0; k < d; ++k) half = std::max(half, 0.5 * (high[k] - low[k]));
+  if (half == 0.0) half = 1.0;
+
+  Matrix modes = Matrix::Zero(n * d, d + d * (d - 1) / 2);
+  for (int node = 0; node < n; ++node) {
+    const Point p = block.point(node);
+    int column = d;
+    for (int i = 0; i < d; ++i) {
+      modes(node * d + i, i) = 1.0;
+      for (int j = i + 1; j < d; ++j, ++column) {
+        modes(node * d + i, column) = -(p[j] - centre[j]) / half;
+        modes(node * d + j, column) = (p[i] - centre[i]) / half;
+      }
+    }
+  }
+  return modes;
+}
+
+Matrix nullSpace(const Matrix& constraints) {
+  const int m = static_cast<int>(constraints.cols());
+  if (constraints.rows() == 0 || m == 0) return Matrix::Identity(m, m);
+  Matrix square = constraints;
+  if (constraints.rows() > m) {  // the same singular values, without the long left vectors
+    const Eigen::HouseholderQR<Matrix> qr(constraints);
+    square = qr.matrixQR().topRows(m).triangularView<Eigen::Upper>();
+  }
+  const Eigen::JacobiSVD<Matrix> svd(square, Eigen::ComputeFullV);
+  const auto& values = svd.singularValues();
+  const double threshold = 1e-10 * std::max(1.0, values.size() > 0 ? values(0) : 0.0);
+  int rank = 0;
+  while (rank < values.size() && values(rank) > threshold) ++rank;
+  return svd.matrixV().rightCols(m - rank);
+}
+
+}  // namespace suture

@@ -1,0 +1,74 @@
+#pragma once
+#include <suture/base/Registry.hpp>
+#include <suture/subdomain/LocalSolver.hpp>
+
+#include <memory>
+#include <vector>
+
+namespace suture {
+
+/// What a Schur complement is made of: a stiffness matrix whose unknowns are cut in interior (I) and boundary (B), and loads.
+struct SchurData {
+  const SparseMatrix& stiffness;     ///< all unknowns, both triangles
+  const Vector& load;                ///< all unknowns
+  const std::vector<int>& boundary;  ///< positions of B, in the order of traces
+  const std::vector<int>& nodeOf;    ///< node of each unknown
+  LocalSolverMaker solver;
+  std::string what;  ///< for messages
+};
+
+/// S_i = A_BB - A_BI A_II^-1 A_IB of eq. (12)-(14), the energy of the discrete harmonic extension, without saying how it is kept.
+/// Strategies: Implicit (the paper: a back-substitution an application); a user adds his own through Registry<SchurComplement>.
+/// A_II must be regular. Local.
+class SchurComplement {
+ public:
+  static const char* kind() { return "Schur complement"; }
+  virtual ~SchurComplement() = default;
+
+  /// Factors. The data need not outlive the call.
+  void compute(const SchurData& data) { doCompute(data); }
+  /// flux <- S trace, for several right-hand sides.
+  void apply(ConstLocalView trace, LocalView flux) const {
+    ++applications_;
+    doApply(trace, flux);
+  }
+  /// f_B - A_BI A_II^-1 f_I. [force]
+  virtual const Vector& condensedLoad() const = 0;
+  /// All unknowns of the solution with the given trace: u_I = A_II^-1 (f_I - A_IB trace).
+  virtual Vector recover(const Vector& trace) const = 0;
+  /// Least energy with zero trace: -f_I A_II^-1 f_I / 2.
+  virtual double interiorEnergy() const = 0;
+
+  long long applications() const { return applications_; }
+
+ protected:
+  virtual void doCompute(const SchurData& data) = 0;
+  virtual void doApply(ConstLocalView trace, LocalView flux) const = 0;
+
+ private:
+  mutable long long applications_ = 0;
+};
+
+void registerBuiltIns(Registry<SchurComplement>& registry);
+
+/// The paper's: keeps A and a factor of A_II; an application is one back-substitution and two sparse products.
+class ImplicitSchurComplement : public SchurComplement {
+ public:
+  static Schema schema();
+  const Vector& condensedLoad() const override { return condensedLoad_; }
+  Vector recover(const Vector& trace) const override;
+  double interiorEnergy() const override { return interiorEnergy_; }
+
+ protected:
+  void doCompute(const SchurData& data) override;
+  void doApply(ConstLocalView trace, LocalView flux) const override;
+
+ private:
+  std::vector<int> interior_, boundary_;
+  SparseMatrix ib_, bb_;
+  std::unique_ptr<LocalSolver> interiorSolver_;
+  Vector condensedLoad_, interiorResponse_;
+  double interiorEnergy_ = 0.0;
+};
+
+}  // namespace suture

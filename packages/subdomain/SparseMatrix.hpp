@@ -1,0 +1,21 @@
+#pragma once
+#include <suture/base/Types.hpp>
+
+#include <Eigen/SparseCore>
+#include <vector>
+
+namespace suture {
+
+/// Matrices that live on one rank; compressed columns. Symmetric ones hold both triangles.
+using SparseMatrix = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
+
+/// The block of rows and columns given by two lists of positions (each position at most once). Local.
+SparseMatrix block(const SparseMatrix& matrix, const std::vector<int>& rows, const std::vector<int>& columns);
+
+/// Rows of a dense matrix at some positions.
+Matrix rowsAt(const Matrix& matrix, const std::vector<int>& positions);
+
+/// Positions 0..size-1 that are not in `some`, ascending.
+std::vector<int> complement(int size, const std::vector<int>& some);
+
+}  // namespace suture

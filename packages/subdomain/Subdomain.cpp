@@ -1,0 +1,106 @@
+#include <suture/base/Errors.hpp>
+#include <suture/subdomain/RigidModes.hpp>
+#include <suture/subdomain/Subdomain.hpp>
+
+#include <sstream>
+
+namespace suture {
+
+Subdomain::Subdomain(const SubdomainMesh& mesh) : mesh_(mesh), numberOf_(mesh.nodes() * mesh.dimension, 0), axesOfNode_(mesh.nodes(), -1) {
+  const int d = components();
+  prescribed_ = Vector::Zero(mesh.nodes() * d);
+  for (const NodeRule& rule : mesh.rules) {
+    const Matrix q = axesOf(rule, d);
+    if (!q.isIdentity(0.0)) {
+      axesOfNode_[rule.node] = static_cast<int>(axes_.size());
+      axes_.push_back(q);
+    }
+    for (int k = 0; k < d; ++k)
+      if (rule.fixed[k]) {
+        numberOf_[rule.node * d + k] = -1;
+        prescribed_(rule.node * d + k) = rule.value[k];
+      }
+  }
+  for (std::size_t i = 0; i < numberOf_.size(); ++i) {
+    if (numberOf_[i] < 0) {
+      fixed_.push_back(static_cast<int>(i));
+    } else {
+      numberOf_[i] = static_cast<int>(free_.size());
+      free_.push_back(static_cast<int>(i));
+    }
+  }
+}
+
+void Subdomain::assemble() {
+  const int n = static_cast<int>(numberOf_.size());
+  fullLoad_ = Vector::Zero(n);
+  doAssemble(full_, fullLoad_);
+  if (full_.rows() != n || full_.cols() != n || fullLoad_.size() != n)
+    throw NumericalError("subdomain '" + mesh_.name + "': the assembled matrix or load has the wrong size");
+  stiffness_ = block(full_, free_, free_);
+  for (int i = 0; i < dofs(); ++i)
+    if (!(stiffness_.coeff(i, i) > 0.0)) {
+      const Point p = mesh_.point(nodeOf(i));
+      std::ostringstream text;
+      text << "subdomain '" << mesh_.name << "': no stiffness at the node (" << p[0] << ", " << p[1] << ")";
+      throw NumericalError(text.str());
+    }
+
+  const Vector lifted = fullLoad_ - full_ * prescribed_;
+  load_ = Vector(dofs());
+  for (int i = 0; i < dofs(); ++i) load_(i) = lifted(free_[i]);
+  constantEnergy_ = 0.5 * prescribed_.dot(full_ * prescribed_) - prescribed_.dot(fullLoad_);
+
+  const Matrix modes = doRigidModes();
+  rigidModes_ = Matrix(dofs(), modes.cols());
+  for (int i = 0; i < dofs(); ++i) rigidModes_.row(i) = modes.row(free_[i]);
+  heldModes_ = Matrix(fixed_.size(), modes.cols());
+  for (std::size_t i = 0; i < fixed_.size(); ++i) heldModes_.row(i) = modes.row(fixed_[i]);
+  kernel_ = rigidModes_ * nullSpace(heldModes_);
+}
+
+void Subdomain::toAxes(LocalView values) const {
+  const int d = components();
+  for (int node = 0; node < mesh_.nodes(); ++node)
+    if (const Matrix* q = axes(node)) values.middleRows(node * d, d) = (*q * values.middleRows(node * d, d)).eval();
+}
+
+Vector Subdomain::cartesian(const Vector& values) const {
+  const int d = components();
+  Vector all = prescribed_;
+  for (int i = 0; i < dofs(); ++i) all(free_[i]) = values(i);
+  for (int node = 0; node < mesh_.nodes(); ++node)
+    if (const Matrix* q = axes(node)) all.segment(node * d, d) = (q->transpose() * all.segment(node * d, d)).eval();
+  return all;
+}
+
+Vector Subdomain::freeValues(const Vector& cartesian) const {
+  Vector all = cartesian;
+  toAxes(all);
+  Vector values(dofs());
+  for (int i = 0; i < dofs(); ++i) values(i) = all(free_[i]);
+  return values;
+}
+
+void Subdomain::resultants(const Vector& values, Point& applied, Point& reactions, double& absoluteForces) const {
+  const int d = components();
+  Vector all = prescribed_;
+  for (int i = 0; i < dofs(); ++i) all(free_[i]) = values(i);
+  Vector force = full_ * all - fullLoad_;
+  for (int i : free_) force(i) = 0.0;
+  Vector load = fullLoad_;
+  for (int node = 0; node < mesh_.nodes(); ++node) {
+    Vector f = force.segment(node * d, d), l = load.segment(node * d, d);
+    if (const Matrix* q = axes(node)) {
+      f = (q->transpose() * f).eval();
+      l = (q->transpose() * l).eval();
+    }
+    for (int k = 0; k < d; ++k) {
+      applied[k] += l(k);
+      reactions[k] += f(k);
+      absoluteForces += std::abs(f(k)) + std::abs(l(k));
+    }
+  }
+}
+
+}  // namespace suture

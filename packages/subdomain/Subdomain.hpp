@@ -1,0 +1,71 @@
+#pragma once
+#include <suture/partition/SubdomainMesh.hpp>
+#include <suture/subdomain/SparseMatrix.hpp>
+
+#include <vector>
+
+namespace suture {
+
+/// The physics of one subdomain. A user writes doAssemble() and doRigidModes(); the shell numbers unknowns, takes prescribed components out
+/// and finds the kernel. Unknowns are the components of nodal displacements in the axes of the node (Cartesian, or those of its NodeRule).
+/// All functions are local; the mesh must outlive the subdomain.
+class Subdomain {
+ public:
+  explicit Subdomain(const SubdomainMesh& mesh);
+  virtual ~Subdomain() = default;
+
+  /// Assembles stiffness and loads. Call it once, before anything below.
+  /// \throws NumericalError  the matrix has the wrong size or a non-positive diagonal.
+  void assemble();
+
+  const SubdomainMesh& mesh() const { return mesh_; }
+  int components() const { return mesh_.dimension; }
+
+  /// Free unknowns: those that no rule prescribes.
+  int dofs() const { return static_cast<int>(free_.size()); }
+  /// Free unknown of a node's component, or -1 if it is prescribed.
+  int dof(int node, int component) const { return numberOf_[node * components() + component]; }
+  int nodeOf(int dof) const { return free_[dof] / components(); }
+  int componentOf(int dof) const { return free_[dof] % components(); }
+  /// Number of a free unknown that all subdomains agree on: node of the mesh x components + component.
+  GlobalId globalDof(int dof) const { return mesh_.globalNodes[nodeOf(dof)] * components() + componentOf(dof); }
+
+  const SparseMatrix& stiffness() const { return stiffness_; }  ///< free x free, symmetric, both triangles
+  const Vector& load() const { return load_; }                  ///< free: loads less the stiffness times prescribed displacements [force]
+  double constantEnergy() const { return constantEnergy_; }     ///< what prescribed displacements alone store, less their loads' work
+  const Matrix& rigidModes() const { return rigidModes_; }      ///< free x all rigid modes
+  const Matrix& heldModes() const { return heldModes_; }        ///< prescribed components x all rigid modes
+  const Matrix& kernel() const { return kernel_; }              ///< null space of stiffness(): the modes that vanish where prescribed
+
+  /// Nodal displacements (node-major, Cartesian) of the free unknowns' values; prescribed ones filled in.
+  Vector cartesian(const Vector& freeValues) const;
+  /// Free unknowns' values of nodal displacements.
+  Vector freeValues(const Vector& cartesian) const;
+  /// Adds resultants in Cartesian components [force]: of the loads, of the reactions K u - f at prescribed components, and the sum of the
+  /// absolute values of both, which says how large a resultant of rounding may be.
+  void resultants(const Vector& freeValues, Point& applied, Point& reactions, double& absoluteForces) const;
+
+ protected:
+  /// Stiffness matrix (both triangles) and loads over ALL unknowns: nodes x components, in the axes of the nodes (see toAxes()).
+  virtual void doAssemble(SparseMatrix& stiffness, Vector& load) = 0;
+  /// All rigid modes over ALL unknowns, columns of the order of one, in the axes of the nodes.
+  virtual Matrix doRigidModes() const = 0;
+
+  /// Q of a node, or null when its axes are Cartesian.
+  const Matrix* axes(int node) const { return axesOfNode_[node] < 0 ? nullptr : &axes_[axesOfNode_[node]]; }
+  /// Rows of nodal vectors (node-major) from Cartesian components to those of the nodes' axes, in place.
+  void toAxes(LocalView values) const;
+
+ private:
+  const SubdomainMesh& mesh_;
+  std::vector<int> numberOf_, free_, fixed_;
+  std::vector<int> axesOfNode_;
+  std::vector<Matrix> axes_;
+  Vector prescribed_;  // all unknowns; zero where free
+  SparseMatrix full_, stiffness_;
+  Vector fullLoad_, load_;
+  double constantEnergy_ = 0.0;
+  Matrix rigidModes_, heldModes_, kernel_;
+};
+
+}  // namespace suture

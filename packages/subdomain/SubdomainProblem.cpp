@@ -1,0 +1,59 @@
+#include <suture/subdomain/SubdomainProblem.hpp>
+
+namespace suture {
+
+namespace {
+
+/// The Neumann problem of the whole subdomain, loaded on its boundary only.
+class NeumannInverse : public LocalInverse {
+ public:
+  NeumannInverse(GeneralisedInverse&& inverse, std::vector<int> positions)
+      : inverse_(std::move(inverse)), positions_(std::move(positions)) {}
+
+  void apply(ConstLocalView flux, LocalView trace) const override {
+    Matrix x = Matrix::Zero(inverse_.size(), flux.cols());
+    for (std::size_t i = 0; i < positions_.size(); ++i) x.row(positions_[i]) = flux.row(i);
+    inverse_.apply(x);
+    for (std::size_t i = 0; i < positions_.size(); ++i) trace.row(i) = x.row(positions_[i]);
+  }
+
+ private:
+  GeneralisedInverse inverse_;
+  std::vector<int> positions_;
+};
+
+}  // namespace
+
+std::vector<GlobalId> globalDofs(const Subdomain& subdomain, const std::vector<int>& dofs) {
+  std::vector<GlobalId> ids;
+  for (int i : dofs) ids.push_back(subdomain.globalDof(i));
+  return ids;
+}
+
+std::vector<int> nodesOfDofs(const Subdomain& subdomain) {
+  std::vector<int> nodes(subdomain.dofs());
+  for (int i = 0; i < subdomain.dofs(); ++i) nodes[i] = subdomain.nodeOf(i);
+  return nodes;
+}
+
+SubdomainProblem::SubdomainProblem(int id, const Subdomain& subdomain, const std::vector<int>& boundary, double young,
+                                   const LocalSolverMaker& solver, std::unique_ptr<SchurComplement> schur)
+    : LocalProblem(id, "subdomain '" + subdomain.mesh().name + "'", globalDofs(subdomain, boundary)),
+      subdomain_(subdomain),
+      positions_(boundary),
+      solver_(solver),
+      schur_(std::move(schur)),
+      diagonal_(boundary.size()),
+      young_(Vector::Constant(boundary.size(), young)),
+      kernel_(rowsAt(subdomain.kernel(), boundary)),
+      coarseModes_(rowsAt(subdomain.rigidModes(), boundary)) {
+  for (std::size_t i = 0; i < boundary.size(); ++i) diagonal_(i) = subdomain.stiffness().coeff(boundary[i], boundary[i]);
+  schur_->compute({subdomain.stiffness(), subdomain.load(), positions_, nodesOfDofs(subdomain), solver, name()});
+}
+
+std::unique_ptr<LocalInverse> SubdomainProblem::inverse() const {
+  return std::make_unique<NeumannInverse>(
+      GeneralisedInverse(subdomain_.stiffness(), subdomain_.kernel(), nodesOfDofs(subdomain_), solver_, name()), positions_);
+}
+
+}  // namespace suture

@@ -1,0 +1,45 @@
+#pragma once
+#include <suture/subdomain/GeneralisedInverse.hpp>
+#include <suture/subdomain/LocalProblem.hpp>
+#include <suture/subdomain/SchurComplement.hpp>
+#include <suture/subdomain/Subdomain.hpp>
+
+namespace suture {
+
+/// The local problem of a single subdomain without contact: a member of T in the paper.
+class SubdomainProblem : public LocalProblem {
+ public:
+  /// \param boundary  free unknowns of the subdomain that lie on the interface
+  /// \param young     Young modulus of the subdomain
+  /// `subdomain` must be assembled and outlive it.
+  SubdomainProblem(int id, const Subdomain& subdomain, const std::vector<int>& boundary, double young, const LocalSolverMaker& solver,
+                   std::unique_ptr<SchurComplement> schur);
+
+  void applySchur(ConstLocalView trace, LocalView flux) const override { schur_->apply(trace, flux); }
+  Vector condensedLoad() const override { return schur_->condensedLoad(); }
+  double constantEnergy() const override { return schur_->interiorEnergy() + subdomain_.constantEnergy(); }
+  const Vector& stiffnessDiagonal() const override { return diagonal_; }
+  const Vector& youngModulus() const override { return young_; }
+  const Matrix& kernel() const override { return kernel_; }
+  const Matrix& coarseModes() const override { return coarseModes_; }
+  std::unique_ptr<LocalInverse> inverse() const override;
+
+  const Subdomain& subdomain() const { return subdomain_; }
+  /// Free unknowns of the subdomain for a trace.
+  Vector recover(const Vector& trace) const { return schur_->recover(trace); }
+
+ private:
+  const Subdomain& subdomain_;
+  std::vector<int> positions_;
+  LocalSolverMaker solver_;
+  std::unique_ptr<SchurComplement> schur_;
+  Vector diagonal_, young_;
+  Matrix kernel_, coarseModes_;
+};
+
+/// Global numbers of some free unknowns of a subdomain.
+std::vector<GlobalId> globalDofs(const Subdomain& subdomain, const std::vector<int>& dofs);
+/// Node of each free unknown.
+std::vector<int> nodesOfDofs(const Subdomain& subdomain);
+
+}  // namespace suture
