@@ -1,0 +1,65 @@
+#include <Teuchos_UnitTestHarness.hpp>
+#include <algorithm>
+#include <suture/mesh/Generators.hpp>
+#include <suture/partition/MetisCut.hpp>
+
+#include "Scenes.hpp"
+
+using namespace suture;
+
+namespace {
+
+std::vector<int> sizesOf(const std::vector<int>& partOf, int parts) {
+  std::vector<int> sizes(parts, 0);
+  for (int part : partOf) ++sizes[part];
+  return sizes;
+}
+
+}  // namespace
+
+TEUCHOS_UNIT_TEST(MetisCut, MakesConnectedPartsOfAboutEqualSize) {
+  const Mesh mesh = scenes::mesh({scenes::box("body", 0, 1, 0, 1, 40, 40)});
+  const ElementGraph graph = elementGraph(mesh);
+  for (int parts : {2, 3, 8, 9, 16, 64})
+    for (int seed : {1, 2, 17}) {
+      const std::vector<int> partOf = metisCut(graph, parts, seed);
+      const std::vector<int> sizes = sizesOf(partOf, parts);
+      TEST_COMPARE(*std::min_element(sizes.begin(), sizes.end()), >, 0.6 * 3200 / parts);
+      TEST_COMPARE(*std::max_element(sizes.begin(), sizes.end()), <, 1.3 * 3200 / parts);
+      for (int part = 0; part < parts; ++part) TEST_EQUALITY(scenes::connectedParts(mesh, partOf, part), 1);
+    }
+}
+
+TEUCHOS_UNIT_TEST(MetisCut, RepeatsItselfAndFollowsItsSeed) {
+  const Mesh mesh = scenes::mesh({scenes::box("body", 0, 1, 0, 1, 40, 40)});
+  const ElementGraph graph = elementGraph(mesh);
+  const std::vector<int> first = metisCut(graph, 16, 1), other = metisCut(graph, 16, 2);
+  TEST_ASSERT(metisCut(graph, 16, 1) == first);
+  TEST_ASSERT(other != first);
+}
+
+TEUCHOS_UNIT_TEST(MetisCut, WorksForOnePartAndForOneElementAPart) {
+  const Mesh mesh = scenes::mesh({scenes::box("body", 0, 1, 0, 1, 4, 3)});
+  const ElementGraph graph = elementGraph(mesh);
+  TEST_ASSERT(metisCut(graph, 1, 1) == std::vector<int>(24, 0));
+  for (int parts = 2; parts <= 24; ++parts) {
+    const std::vector<int> partOf = metisCut(graph, parts, 1);
+    const std::vector<int> sizes = sizesOf(partOf, parts);
+    TEST_COMPARE(*std::min_element(sizes.begin(), sizes.end()), >=, 1);
+    for (int part = 0; part < parts; ++part) TEST_EQUALITY(scenes::connectedParts(mesh, partOf, part), 1);
+  }
+}
+
+TEUCHOS_UNIT_TEST(ElementGraph, HasTheInnerSidesOfAGrid) {
+  // n x n squares cut in two: 3 n^2 + 2 n sides, 4 n of them on the boundary.
+  const int n = 10;
+  const Mesh mesh = scenes::mesh({scenes::box("body", 0, 1, 0, 1, n, n)});
+  const ElementGraph graph = elementGraph(mesh);
+  TEST_EQUALITY(graph.elements(), 2 * n * n);
+  TEST_EQUALITY(static_cast<int>(graph.neighbours.size()), 2 * (3 * n * n + 2 * n - 4 * n));
+  for (int e = 0; e < graph.elements(); ++e)
+    for (int other : graph.of(e)) {
+      const auto back = graph.of(other);
+      TEST_ASSERT(std::count(back.begin(), back.end(), e) == 1);
+    }
+}

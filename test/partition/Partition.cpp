@@ -1,0 +1,189 @@
+#include <Teuchos_UnitTestHarness.hpp>
+#include <numeric>
+#include <set>
+#include <suture/base/Errors.hpp>
+
+#include "Scenes.hpp"
+
+using namespace suture;
+using namespace scenes;
+
+namespace {
+
+// Three bodies on top of each other with two contact lines between them; blocks of the lower two are named subdomains.
+std::vector<Box> stack(int blocks = 1) {
+  return {box("low", 0, 4, 0, 1, 16, 4, blocks), box("mid", 0, 4, 1, 2, 16, 4, blocks, blocks), box("top", 0, 4, 2, 3, 16, 4, blocks)};
+}
+
+Constraints contacts(const Mesh& mesh) {
+  Constraints all;
+  addContact(mesh, "low_top", "mid_bottom", all);
+  addContact(mesh, "mid_top", "top_bottom", all);
+  return all;
+}
+
+// Messages must be the same on every rank.
+std::vector<Problem> problemsOf(const Mesh& mesh, const PartitionParameters& own) {
+  try {
+    makePartition(*comm(), mesh, Constraints(), own.list());
+  } catch (const InputError& error) {
+    return error.problems();
+  }
+  return {};
+}
+
+bool says(const std::vector<Problem>& problems, const std::string& path, const std::string& words) {
+  return std::any_of(problems.begin(), problems.end(),
+                     [&](const Problem& p) { return p.path == path && p.message.find(words) != std::string::npos; });
+}
+
+}  // namespace
+
+TEUCHOS_UNIT_TEST(Partition, CutsEveryBodyInProportionToItsElements) {
+  const Mesh grid = mesh({box("small", 0, 1, 0, 1, 10, 10), box("large", 0, 3, 2, 3, 30, 10)});
+  const Partition all = makePartition(*comm(), grid, Constraints(), metis(12).list());
+  TEST_EQUALITY(all.subdomains(), 12);
+  TEST_EQUALITY(std::count(all.bodyOf.begin(), all.bodyOf.end(), 0), 3);
+  TEST_EQUALITY(std::count(all.bodyOf.begin(), all.bodyOf.end(), 1), 9);
+  TEST_EQUALITY(all.names.front(), "small 1");
+  TEST_EQUALITY(all.names.back(), "large 9");
+  TEST_EQUALITY(std::accumulate(all.elementsOf.begin(), all.elementsOf.end(), 0), 800);
+  if (!onRoot()) return;
+  for (int e = 0; e < grid.elements(); ++e) TEST_EQUALITY(all.bodyOf[all.subdomainOfElement[e]], grid.bodyOfElement[e]);
+  for (int s = 0; s < 12; ++s) TEST_EQUALITY(connectedParts(grid, all.subdomainOfElement, s), 1);
+}
+
+TEUCHOS_UNIT_TEST(Partition, GivesATinyBodyItsSubdomain) {
+  const Mesh grid = mesh({box("small", 0, 1, 0, 1, 1, 1), box("large", 0, 3, 2, 3, 40, 40)});
+  const Partition all = makePartition(*comm(), grid, Constraints(), metis(5).list());
+  TEST_EQUALITY(all.elementsOf[0], 2);
+  TEST_EQUALITY(std::count(all.bodyOf.begin(), all.bodyOf.end(), 1), 4);
+}
+
+TEUCHOS_UNIT_TEST(Partition, CutsDisconnectedPartsOfABodyOnTheirOwn) {
+  Mesh grid = mesh({box("a", 0, 1, 0, 1, 10, 10), box("b", 0, 1, 2, 3, 10, 10)});
+  if (onRoot()) {
+    std::vector<int>& body = grid.elementGroups["both"];
+    for (int e = 0; e < grid.elements(); ++e) body.push_back(e);
+    assignBodies(grid, {"both"});
+  }
+  const Partition all = makePartition(*comm(), grid, Constraints(), metis(2).list());
+  TEST_EQUALITY(all.elementsOf[0], 200);
+  TEST_EQUALITY(all.names[1], "both 2");
+  TEST_ASSERT(says(problemsOf(grid, metis(1)), "Partition/METIS/Subdomains", "'both' of 2 disconnected parts"));
+}
+
+TEUCHOS_UNIT_TEST(Partition, IsTheSameForTheSameSeed) {
+  const Mesh grid = mesh(stack());
+  const Partition first = makePartition(*comm(), grid, contacts(grid), metis(9, 7).list());
+  const Partition again = makePartition(*comm(), grid, contacts(grid), metis(9, 7).list());
+  const Partition other = makePartition(*comm(), grid, contacts(grid), metis(9, 8).list());
+  TEST_ASSERT(first.subdomainOfElement == again.subdomainOfElement);
+  TEST_ASSERT(first.rankOf == again.rankOf);
+  if (onRoot()) TEST_ASSERT(first.subdomainOfElement != other.subdomainOfElement);
+}
+
+TEUCHOS_UNIT_TEST(Partition, IsKnownToAllRanks) {
+  const Mesh grid = mesh(stack());
+  const Partition all = makePartition(*comm(), grid, contacts(grid), metis(9).list());
+  TEST_EQUALITY(all.subdomains(), 9);
+  TEST_EQUALITY(all.groupOf.size(), 9u);
+  TEST_EQUALITY(all.rankOf.size(), 9u);
+  TEST_EQUALITY(all.subdomainOfElement.size(), onRoot() ? 384u : 0u);
+  for (int rank : all.rankOf) TEST_ASSERT(rank >= 0 && rank < comm()->getSize());
+}
+
+TEUCHOS_UNIT_TEST(Partition, MakesOneGroupOfPiecesThatShareASubdomain) {
+  // One subdomain a body: the middle one touches both pieces, so that all three make one group.
+  const Mesh grid = mesh(stack());
+  const Partition all = makePartition(*comm(), grid, contacts(grid), metis(3).list());
+  TEST_EQUALITY(all.groups.size(), 1u);
+  TEST_ASSERT(all.groups[0] == (std::vector<int>{0, 1, 2}));
+  TEST_ASSERT(all.piecesOf[0] == (std::vector<int>{0, 1}));
+  TEST_ASSERT(all.groupOf == (std::vector<int>{0, 0, 0}));
+}
+
+TEUCHOS_UNIT_TEST(Partition, KeepsPiecesApartThatShareNoSubdomain) {
+  // In 2 x 2 blocks the middle body has a lower and an upper layer. Low: 2 blocks, mid: 4, top: 2, in alphabetical order.
+  const Mesh grid = mesh(stack(2));
+  const Partition all = makePartition(*comm(), grid, contacts(grid), named("subdomain_*").list());
+  TEST_EQUALITY(all.subdomains(), 8);
+  TEST_EQUALITY(all.groups.size(), 2u);
+  std::vector<std::set<std::string>> names(2);
+  for (int group = 0; group < 2; ++group)
+    for (int s : all.groups[group]) names[group].insert(all.names[s]);
+  TEST_ASSERT(names[0] == (std::set<std::string>{"subdomain_low_0_0", "subdomain_low_1_0", "subdomain_mid_0_0", "subdomain_mid_1_0"}));
+  TEST_ASSERT(names[1] == (std::set<std::string>{"subdomain_mid_0_1", "subdomain_mid_1_1", "subdomain_top_0_0", "subdomain_top_1_0"}));
+  TEST_ASSERT(all.piecesOf == (std::vector<std::vector<int>>{{0}, {1}}));
+}
+
+TEUCHOS_UNIT_TEST(Partition, LeavesSubdomainsAwayFromContactOutOfGroups) {
+  const Mesh grid = mesh({box("low", 0, 4, 0, 3, 8, 12, 1, 3), box("top", 0, 4, 3, 4, 8, 4)});
+  Constraints constraints;
+  addContact(grid, "low_top", "top_bottom", constraints);
+  Mesh copy = grid;
+  if (onRoot()) copy.elementGroups["subdomain_top"] = grid.elementGroups.at("top");
+  const Partition all = makePartition(*comm(), copy, constraints, named("subdomain_*").list());
+  for (int s = 0; s < all.subdomains(); ++s) {
+    const bool touches = all.names[s] == "subdomain_low_0_2" || all.names[s] == "subdomain_top" || all.names[s] == "subdomain_top_0_0";
+    TEST_EQUALITY(all.groupOf[s], touches ? 0 : -1);
+  }
+}
+
+TEUCHOS_UNIT_TEST(Partition, PlacesGroupsWhole) {
+  const Mesh grid = mesh(stack(2));
+  const Partition whole = makePartition(*comm(), grid, contacts(grid), named("subdomain_*").list());
+  for (const std::vector<int>& group : whole.groups)
+    for (int s : group) TEST_EQUALITY(whole.rankOf[s], whole.rankOf[group.front()]);
+  const int ranks = comm()->getSize();
+  TEST_EQUALITY(std::set<int>(whole.rankOf.begin(), whole.rankOf.end()).size(), static_cast<std::size_t>(std::min(ranks, 2)));
+  const Partition spread = makePartition(*comm(), grid, contacts(grid), named("subdomain_*").list(), false);
+  TEST_EQUALITY(std::set<int>(spread.rankOf.begin(), spread.rankOf.end()).size(), static_cast<std::size_t>(ranks));
+  TEST_ASSERT(spread.groups == whole.groups);
+}
+
+TEUCHOS_UNIT_TEST(Partition, ChoosesANumberByItself) {
+  const Mesh grid = mesh({box("body", 0, 1, 0, 1, 40, 40)});  // 3200 elements
+  const Partition all = makePartition(*comm(), grid, Constraints(), parameters({"Type=METIS"}).list());
+  TEST_EQUALITY(all.subdomains(), 4);
+  const Mesh few = mesh({box("body", 0, 1, 0, 1, 10, 10)});  // 200 elements
+  TEST_EQUALITY(makePartition(*comm(), few, Constraints(), parameters({}).list()).subdomains(), comm()->getSize());
+}
+
+TEUCHOS_UNIT_TEST(Partition, RefusesImpossibleNumbers) {
+  const Mesh grid = mesh({box("a", 0, 1, 0, 1, 2, 2), box("b", 0, 1, 2, 3, 2, 2)});
+  TEST_ASSERT(says(problemsOf(grid, metis(17)), "Partition/METIS/Subdomains", "17 subdomains are more than the 16 elements"));
+  TEST_ASSERT(says(problemsOf(grid, metis(1)), "Partition/METIS/Subdomains", "too few for 2 bodies"));
+  TEST_ASSERT(says(problemsOf(grid, parameters({"METIS/Subdomains=2.5"})), "Partition/METIS/Subdomains", "not a whole number"));
+  TEST_EQUALITY(makePartition(*comm(), grid, Constraints(), metis(16).list()).subdomains(), 16);
+}
+
+TEUCHOS_UNIT_TEST(Partition, RefusesWrongNamedGroups) {
+  const std::string path = "Partition/Named Groups/Pattern";
+  Mesh grid = mesh({box("a", 0, 1, 0, 1, 4, 4, 2, 2), box("b", 0, 1, 2, 3, 4, 4)});
+  TEST_ASSERT(says(problemsOf(grid, named("subdomian_*")), path, "no surface group"));
+  TEST_ASSERT(says(problemsOf(grid, named("subdomian_*")), path, "subdomain_a_0_1"));
+  TEST_ASSERT(says(problemsOf(grid, named("subdomain_a_*")), path, "32 elements (the first at "));
+  TEST_ASSERT(says(problemsOf(grid, named("*")), path, "in both 'a' and 'subdomain_a_0_0'"));
+
+  if (onRoot()) {
+    // Blocks at opposite corners of a touch in a point only; w lies in both bodies.
+    const auto& groups = grid.elementGroups;
+    std::vector<int> diagonal = groups.at("subdomain_a_0_0"), rest = groups.at("subdomain_a_1_0"), both = groups.at("b");
+    diagonal.insert(diagonal.end(), groups.at("subdomain_a_1_1").begin(), groups.at("subdomain_a_1_1").end());
+    both.insert(both.end(), groups.at("subdomain_a_0_1").begin(), groups.at("subdomain_a_0_1").end());
+    grid.elementGroups["part_x"] = diagonal;
+    grid.elementGroups["part_y"] = rest;
+    grid.elementGroups["part_z"] = groups.at("subdomain_a_0_1");
+    grid.elementGroups["part_b"] = groups.at("b");
+    grid.elementGroups["mixed_w"] = both;
+    grid.elementGroups["mixed_x"] = diagonal;
+    grid.elementGroups["empty_part"] = {};
+  }
+  TEST_ASSERT(says(problemsOf(grid, named("part_*")), path, "'part_x' falls into 2 parts"));
+  const std::vector<Problem> several = problemsOf(grid, named("mixed_*"));
+  TEST_EQUALITY(several.size(), 2u);
+  TEST_ASSERT(says(several, path, "'mixed_w' lies in 2 bodies (a, b)"));
+  TEST_ASSERT(says(several, path, "8 elements (the first at "));
+  TEST_ASSERT(says(problemsOf(grid, named("empty_*")), path, "has no elements"));
+}

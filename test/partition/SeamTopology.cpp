@@ -1,0 +1,339 @@
+#include <Teuchos_UnitTestHarness.hpp>
+#include <cmath>
+#include <numeric>
+#include <set>
+#include <suture/base/Buffer.hpp>
+#include <suture/base/Collective.hpp>
+#include <suture/partition/SeamTopology.hpp>
+
+#include "Scenes.hpp"
+
+using namespace suture;
+using namespace scenes;
+
+namespace {
+
+// A mesh, its subdomains (number of each element's, on rank 0), and what findSeams() makes of them.
+struct Seams {
+  Mesh whole;
+  std::vector<SubdomainMesh> mine;
+  std::vector<SeamEntity> here;  // of this rank
+  std::vector<SeamEntity> all;   // of all ranks, each once, in the order of the first that knows it
+
+  Seams(const Mesh& given, const std::vector<int>& subdomainOfElement, int subdomains) : whole(given) {
+    Partition partition;
+    partition.subdomainOfElement = subdomainOfElement;
+    for (int s = 0; s < subdomains; ++s) {
+      partition.names.push_back("s");
+      partition.bodyOf.push_back(0);
+      partition.groupOf.push_back(-1);
+      partition.rankOf.push_back(s % comm()->getSize());
+    }
+    find(partition);
+  }
+  Seams(const Mesh& given, const Partition& partition) : whole(given) { find(partition); }
+
+  std::vector<SeamEntity> of(EntityClass kind) const {
+    std::vector<SeamEntity> some;
+    for (const SeamEntity& entity : all)
+      if (entity.kind == kind) some.push_back(entity);
+    return some;
+  }
+  Point point(GlobalId node) const { return whole.point(static_cast<int>(node)); }  // rank 0
+
+ private:
+  void find(const Partition& partition) {
+    mine = distribute(*comm(), whole, Constraints(), partition);
+    here = findSeams(*comm(), mine);
+    Packer packer;
+    for (const SeamEntity& entity : here) {
+      packer.put(static_cast<int>(entity.kind));
+      packer.put(entity.subdomains);
+      packer.put(entity.nodes);
+      packer.put(entity.endPoints);
+    }
+    std::set<std::vector<GlobalId>> seen;
+    for (const std::string& bytes : allGather(*comm(), packer.bytes())) {
+      Unpacker unpacker(bytes);
+      while (!unpacker.done()) {
+        SeamEntity entity;
+        entity.kind = static_cast<EntityClass>(unpacker.get<int>());
+        unpacker.get(entity.subdomains);
+        unpacker.get(entity.nodes);
+        unpacker.get(entity.endPoints);
+        if (seen.insert(entity.nodes).second) all.push_back(entity);
+      }
+    }
+  }
+};
+
+Seams blocks(int n, int cells, Cell cell = Cell::Triangle3) {
+  Box one = box("body", 0, 1, 0, 1, n * cells, n * cells, n, n);
+  one.cell = cell;
+  const Mesh grid = mesh({one});
+  return Seams(grid, makePartition(*comm(), grid, Constraints(), named("subdomain_*").list()));
+}
+
+// A grid with the subdomain of each element chosen by its centre.
+template <typename Choice>
+std::vector<int> choose(const Mesh& grid, const Choice& choice) {
+  std::vector<int> subdomainOfElement;
+  for (int e = 0; e < grid.elements(); ++e) {
+    Point centre{0, 0, 0};
+    for (int node : grid.nodesOf(e))
+      for (int k = 0; k < 2; ++k) centre[k] += grid.point(node)[k] / grid.nodesOf(e).size();
+    subdomainOfElement.push_back(choice(centre[0], centre[1]));
+  }
+  return subdomainOfElement;
+}
+
+// n x n squares of 8 or 9 nodes on [0,1]^2, by hand: nodes on a lattice twice as fine.
+Mesh quadraticSquares(int n, Cell cell) {
+  Mesh grid;
+  if (!onRoot()) return grid;
+  const int fine = 2 * n + 1;
+  std::vector<int> number(fine * fine, -1);
+  const auto node = [&](int i, int j) {
+    int& known = number[j * fine + i];
+    if (known < 0) {
+      known = grid.nodes();
+      grid.coordinates.insert(grid.coordinates.end(), {i / (2.0 * n), j / (2.0 * n)});
+    }
+    return known;
+  };
+  for (int j = 0; j < 2 * n; j += 2)
+    for (int i = 0; i < 2 * n; i += 2) {
+      for (int at : {node(i, j), node(i + 2, j), node(i + 2, j + 2), node(i, j + 2), node(i + 1, j), node(i + 2, j + 1), node(i + 1, j + 2),
+                     node(i, j + 1)})
+        grid.connectivity.push_back(at);
+      if (cell == Cell::Quadrilateral9) grid.connectivity.push_back(node(i + 1, j + 1));
+      grid.cells.push_back(cell);
+      grid.offsets.push_back(static_cast<int>(grid.connectivity.size()));
+    }
+  grid.bodies = {"body"};
+  grid.bodyOfElement.assign(grid.elements(), 0);
+  grid.bodyOfNode.assign(grid.nodes(), 0);
+  return grid;
+}
+
+}  // namespace
+
+TEUCHOS_UNIT_TEST(SeamTopology, KnowsCornersAndEdgesOfBlocks) {
+  // n x n blocks: (n-1)^2 cross points and 4 (n-1) ends on the boundary; 2 n (n-1) edges of cells - 1 nodes.
+  for (Cell cell : {Cell::Triangle3, Cell::Quadrilateral4})
+    for (int n : {2, 4}) {
+      const int cells = 4;
+      const Seams seams = blocks(n, cells, cell);
+      const auto corners = seams.of(EntityClass::Corner), edges = seams.of(EntityClass::Edge);
+      TEST_EQUALITY(static_cast<int>(corners.size()), (n - 1) * (n - 1) + 4 * (n - 1));
+      TEST_EQUALITY(static_cast<int>(edges.size()), 2 * n * (n - 1));
+      int crossPoints = 0;
+      for (const SeamEntity& corner : corners) {
+        TEST_EQUALITY(corner.nodes.size(), 1u);
+        crossPoints += corner.subdomains.size() == 4;
+        if (corner.subdomains.size() != 4) TEST_EQUALITY(corner.subdomains.size(), 2u);
+      }
+      TEST_EQUALITY(crossPoints, (n - 1) * (n - 1));
+      for (const SeamEntity& edge : edges) {
+        TEST_EQUALITY(edge.subdomains.size(), 2u);
+        TEST_EQUALITY(static_cast<int>(edge.nodes.size()), cells - 1);
+        TEST_EQUALITY(edge.endPoints.size(), 2u);
+        if (onRoot()) {
+          // In order: equal steps from end to end.
+          std::vector<GlobalId> way = edge.nodes;
+          way.insert(way.begin(), edge.endPoints[0]);
+          way.push_back(edge.endPoints[1]);
+          for (std::size_t i = 1; i < way.size(); ++i) {
+            const Point p = seams.point(way[i - 1]), q = seams.point(way[i]);
+            TEST_FLOATING_EQUALITY(std::hypot(p[0] - q[0], p[1] - q[1]), 1.0 / (n * cells), 1e-12);
+          }
+        }
+      }
+    }
+}
+
+TEUCHOS_UNIT_TEST(SeamTopology, FollowsAnLShapedSeam) {
+  const Mesh grid = mesh({box("body", 0, 1, 0, 1, 8, 8)});
+  const Seams seams(grid, choose(grid, [](double x, double y) { return x < 0.5 && y < 0.5; }), 2);
+  const auto corners = seams.of(EntityClass::Corner), edges = seams.of(EntityClass::Edge);
+  TEST_EQUALITY(corners.size(), 2u);  // the two ends; the kink is inside
+  TEST_EQUALITY(edges.size(), 1u);
+  TEST_EQUALITY(edges[0].nodes.size(), 7u);
+  if (onRoot()) {
+    TEST_EQUALITY(seams.point(edges[0].nodes[3])[0], 0.5);
+    TEST_EQUALITY(seams.point(edges[0].nodes[3])[1], 0.5);
+  }
+}
+
+TEUCHOS_UNIT_TEST(SeamTopology, FollowsARing) {
+  const Mesh grid = mesh({box("body", 0, 1, 0, 1, 8, 8)});
+  const Seams seams(grid, choose(grid, [](double x, double y) { return std::abs(x - 0.5) < 0.25 && std::abs(y - 0.5) < 0.25; }), 2);
+  TEST_EQUALITY(seams.of(EntityClass::Corner).size(), 0u);
+  const auto edges = seams.of(EntityClass::Edge);
+  TEST_EQUALITY(edges.size(), 1u);
+  TEST_EQUALITY(edges[0].nodes.size(), 16u);
+  TEST_EQUALITY(edges[0].endPoints.size(), 0u);
+  TEST_EQUALITY(edges[0].nodes[0], *std::min_element(edges[0].nodes.begin(), edges[0].nodes.end()));
+  TEST_EQUALITY(std::set<GlobalId>(edges[0].nodes.begin(), edges[0].nodes.end()).size(), 16u);
+  if (onRoot())
+    for (std::size_t i = 0; i < 16; ++i) {
+      const Point p = seams.point(edges[0].nodes[i]), q = seams.point(edges[0].nodes[(i + 1) % 16]);
+      TEST_FLOATING_EQUALITY(std::hypot(p[0] - q[0], p[1] - q[1]), 0.125, 1e-12);
+    }
+}
+
+TEUCHOS_UNIT_TEST(SeamTopology, GivesALoopThroughOneCornerTwoEqualEnds) {
+  // Subdomain 1 is a square in the middle, 2 is a square that meets it in one point, (0.75, 0.75), both inside 0.
+  const Mesh grid = mesh({box("body", 0, 1, 0, 1, 16, 16)});
+  const Seams seams(grid,
+                    choose(grid,
+                           [](double x, double y) {
+                             if (std::abs(x - 0.5) < 0.25 && std::abs(y - 0.5) < 0.25) return 1;
+                             return x > 0.75 && x < 0.875 && y > 0.75 && y < 0.875 ? 2 : 0;
+                           }),
+                    3);
+  const auto corners = seams.of(EntityClass::Corner), edges = seams.of(EntityClass::Edge);
+  TEST_EQUALITY(corners.size(), 1u);
+  TEST_ASSERT(corners[0].subdomains == (std::vector<int>{0, 1, 2}));
+  TEST_EQUALITY(edges.size(), 2u);
+  for (const SeamEntity& edge : edges) {
+    TEST_EQUALITY(edge.nodes.size(), edge.subdomains[1] == 1 ? 31u : 7u);
+    TEST_ASSERT(edge.endPoints == (std::vector<GlobalId>{corners[0].nodes[0], corners[0].nodes[0]}));
+  }
+}
+
+TEUCHOS_UNIT_TEST(SeamTopology, TakesAPointContactOfTwoSubdomainsForACorner) {
+  // A chessboard of two colours, 2 x 2 fields: four seams meet in the middle, which only two subdomains hold.
+  const Mesh grid = mesh({box("body", 0, 1, 0, 1, 8, 8)});
+  const Seams seams(grid, choose(grid, [](double x, double y) { return (x < 0.5) == (y < 0.5); }), 2);
+  const auto corners = seams.of(EntityClass::Corner), edges = seams.of(EntityClass::Edge);
+  TEST_EQUALITY(corners.size(), 5u);
+  TEST_EQUALITY(edges.size(), 4u);
+  for (const SeamEntity& edge : edges) TEST_EQUALITY(edge.nodes.size(), 3u);
+}
+
+TEUCHOS_UNIT_TEST(SeamTopology, DoesNotTakeTheBoundaryOfTheBodyForASeam) {
+  // A single triangle on the bottom, inside the other subdomain: its bottom side joins two seam nodes but is no seam.
+  const Mesh grid = mesh({box("body", 0, 1, 0, 1, 4, 4)});
+  std::vector<int> subdomainOfElement(grid.elements(), 0);
+  int bottom = -1;
+  for (int e = 0; e < grid.elements() && bottom < 0; ++e) {
+    int below = 0;
+    double left = 1, right = 0;
+    for (int node : grid.nodesOf(e)) {
+      below += grid.point(node)[1] == 0.0;
+      left = std::min(left, grid.point(node)[0]);
+      right = std::max(right, grid.point(node)[0]);
+    }
+    if (below == 2 && left > 0 && right < 1) bottom = e;
+  }
+  if (onRoot()) subdomainOfElement[bottom] = 1;
+  const Seams seams(grid, subdomainOfElement, 2);
+  const auto corners = seams.of(EntityClass::Corner), edges = seams.of(EntityClass::Edge);
+  TEST_EQUALITY(corners.size(), 2u);
+  TEST_EQUALITY(edges.size(), 1u);
+  TEST_EQUALITY(edges[0].nodes.size(), 1u);
+  if (onRoot()) {
+    TEST_EQUALITY(seams.point(corners[0].nodes[0])[1], 0.0);
+    TEST_EQUALITY(seams.point(corners[1].nodes[0])[1], 0.0);
+  }
+}
+
+TEUCHOS_UNIT_TEST(SeamTopology, CountsMidSideNodesOfQuadraticElements) {
+  for (Cell cell : {Cell::Quadrilateral8, Cell::Quadrilateral9}) {
+    const Mesh grid = quadraticSquares(4, cell);
+    const Seams seams(grid, choose(grid, [](double x, double y) { return (x > 0.5) + 2 * (y > 0.5); }), 4);
+    const auto corners = seams.of(EntityClass::Corner), edges = seams.of(EntityClass::Edge);
+    TEST_EQUALITY(corners.size(), 5u);
+    TEST_EQUALITY(edges.size(), 4u);
+    for (const SeamEntity& edge : edges) {
+      TEST_EQUALITY(edge.nodes.size(), 3u);
+      if (onRoot()) {
+        const Point p = seams.point(edge.nodes[0]), q = seams.point(edge.nodes[1]);
+        TEST_FLOATING_EQUALITY(std::hypot(p[0] - q[0], p[1] - q[1]), 0.125, 1e-12);
+      }
+    }
+  }
+}
+
+TEUCHOS_UNIT_TEST(SeamTopology, PutsEverySeamNodeIntoOneEntityAndObeysEuler) {
+  const Mesh grid = mesh({box("body", 0, 1, 0, 1, 40, 40)});
+  for (int subdomains : {5, 16})
+    for (int seed : {1, 2, 3}) {
+      const Partition partition = makePartition(*comm(), grid, Constraints(), metis(subdomains, seed).list());
+      const Seams seams(grid, partition);
+      std::map<GlobalId, int> times;
+      for (const SeamEntity& entity : seams.all)
+        for (GlobalId node : entity.nodes) ++times[node];
+      for (const auto& [node, count] : times) TEST_EQUALITY(count, 1);
+      for (const SubdomainMesh& part : seams.mine)
+        for (int i = 0; i < part.nodes(); ++i) TEST_EQUALITY(times.count(part.globalNodes[i]), part.others(i).empty() ? 0u : 1u);
+      // Planar graph of the square cut up: corners + the boundary as a ring through those on it; faces are the (connected) subdomains.
+      // V - E + F = 1 + C (F without the outside, C connected components of the seams with the boundary). Every edge without nodes of
+      // its own is missing from the list, so they are counted from the corners' neighbours: here, by linked corners that are one side
+      // apart.
+      if (!onRoot()) continue;
+      const auto corners = seams.of(EntityClass::Corner), edges = seams.of(EntityClass::Edge);
+      std::set<GlobalId> cornerNodes;
+      int onBoundary = 0;
+      for (const SeamEntity& corner : corners) {
+        cornerNodes.insert(corner.nodes[0]);
+        const Point p = seams.point(corner.nodes[0]);
+        onBoundary += p[0] == 0 || p[0] == 1 || p[1] == 0 || p[1] == 1;
+      }
+      std::map<std::pair<int, int>, std::set<int>> sideSubdomains;
+      for (int e = 0; e < grid.elements(); ++e) {
+        const auto nodes = grid.nodesOf(e);
+        for (int i = 0; i < 3; ++i)
+          if (cornerNodes.count(nodes[i]) && cornerNodes.count(nodes[(i + 1) % 3]))
+            sideSubdomains[std::minmax(nodes[i], nodes[(i + 1) % 3])].insert(partition.subdomainOfElement[e]);
+      }
+      const int bare = static_cast<int>(
+          std::count_if(sideSubdomains.begin(), sideSubdomains.end(), [](const auto& side) { return side.second.size() == 2; }));
+      // Components by merging the ends of edges; the boundary joins all corners on it, and each ring edge is a component of its own.
+      std::map<GlobalId, GlobalId> parent;
+      const std::function<GlobalId(GlobalId)> root = [&](GlobalId node) {
+        auto known = parent.emplace(node, node).first;
+        return known->second == node ? node : root(known->second);
+      };
+      const GlobalId boundary = -1;
+      int rings = 0;
+      root(boundary);
+      for (GlobalId node : cornerNodes) {
+        const Point p = seams.point(node);
+        root(node);
+        if (p[0] == 0 || p[0] == 1 || p[1] == 0 || p[1] == 1) parent[root(node)] = root(boundary);
+      }
+      for (const SeamEntity& edge : edges) {
+        if (edge.endPoints.empty())
+          ++rings;
+        else
+          parent[root(edge.endPoints[0])] = root(edge.endPoints[1]);
+      }
+      for (const auto& [side, holders] : sideSubdomains)
+        if (holders.size() == 2) parent[root(side.first)] = root(side.second);
+      int components = rings;
+      for (const auto& [node, above] : parent) components += node == above;
+      // A ring has one vertex and one edge: nothing in V - E. The boundary has as many edges as vertices.
+      const int vertices = static_cast<int>(corners.size()) + rings;
+      const int allEdges = static_cast<int>(edges.size()) + bare + onBoundary;
+      TEST_EQUALITY(vertices - allEdges + subdomains, components);
+    }
+}
+
+TEUCHOS_UNIT_TEST(SeamTopology, TellsARankOfTheEntitiesItTouches) {
+  const Seams seams = blocks(4, 3);
+  std::set<int> ids;
+  for (const SubdomainMesh& part : seams.mine) ids.insert(part.id);
+  const auto touches = [&](const SeamEntity& entity) {
+    return std::any_of(entity.subdomains.begin(), entity.subdomains.end(), [&](int s) { return ids.count(s) > 0; });
+  };
+  for (const SeamEntity& entity : seams.here) TEST_ASSERT(touches(entity));
+  TEST_EQUALITY(static_cast<int>(seams.here.size()), static_cast<int>(std::count_if(seams.all.begin(), seams.all.end(), touches)));
+}
+
+TEUCHOS_UNIT_TEST(SeamTopology, FindsNothingWithoutSeams) {
+  const Mesh grid = mesh({box("body", 0, 1, 0, 1, 3, 3)});
+  const Seams seams(grid, std::vector<int>(grid.elements(), 0), 1);
+  TEST_EQUALITY(seams.here.size(), 0u);
+}
