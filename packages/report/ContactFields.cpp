@@ -1,4 +1,5 @@
 #include <Teuchos_Comm.hpp>
+#include <Teuchos_RCP.hpp>
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <suture/base/Collective.hpp>

@@ -1,3 +1,4 @@
+#include <Teuchos_RCP.hpp>
 #include <cmath>
 #include <map>
 #include <suture/report/Fields.hpp>
