@@ -18,7 +18,7 @@ Schema sceneSchema() {
       .list("Boundary Conditions", Schema().each("condition", boundaryConditionSchema()));
 }
 
-const std::string scene = R"(<ParameterList name="Suture">
+const std::string scene = R"xml(<ParameterList name="Suture">
   <Parameter name="Model" type="string" value="Plane Stress"/>
   <ParameterList name="Bodies">
     <ParameterList name="lower"><Parameter name="Material" type="string" value="rock"/></ParameterList>
@@ -42,7 +42,7 @@ const std::string scene = R"(<ParameterList name="Suture">
     <ParameterList name="magnet"><Parameter name="Type" type="string" value="Body Force"/><Parameter name="Body" type="string" value="upper"/>
       <Parameter name="Value" type="Array(double)" value="{1.0, 0.0}"/></ParameterList>
   </ParameterList>
-</ParameterList>)";
+</ParameterList>)xml";
 
 ElasticModel modelOf(const std::vector<std::string>& overrides = {}) {
   return makeElasticModel(*parseScene(scene, "scene.xml", sceneSchema(), overrides).parameters);
