@@ -1,0 +1,208 @@
+#include <suture/base/Errors.hpp>
+#include <suture/solver/Monolithic.hpp>
+#include <suture/solver/MonolithicContact.hpp>
+#include <suture/solver/MonolithicSystem.hpp>
+#include <suture/solver/RigidMotion.hpp>
+#include <suture/solver/Solvability.hpp>
+#include <suture/subdomain/CholmodFactor.hpp>
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace suture {
+
+namespace {
+
+double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+double norm(const Point& a) { return std::sqrt(dot(a, a)); }
+
+Point nodal(const Vector& field, int node, int dimension) {
+  Point p{0, 0, 0};
+  for (int k = 0; k < dimension; ++k) p[k] = field[Eigen::Index(node) * dimension + k];
+  return p;
+}
+
+// Rigid motions of loose parts, seen in the contact dofs: orthonormal columns, zero outside their part.
+Matrix looseMotions(const Mesh& mesh, const MonolithicSystem& system, const RigidParts& rigid) {
+  int modes = 0;
+  std::vector<int> first;
+  for (const RigidPart& part : rigid.parts) {
+    first.push_back(modes);
+    modes += int(part.free.cols());
+  }
+  Matrix z = Matrix::Zero(system.contactDofs(), modes);
+  std::vector<std::vector<int>> dofsOf(rigid.parts.size());
+  for (int i = 0; i < system.contactDofs(); ++i) {
+    const auto& [node, direction] = system.contactDof()[i];
+    const int p = rigid.partOfNode[node];
+    const RigidPart& part = rigid.parts[p];
+    if (part.free.cols() == 0) continue;
+    dofsOf[p].push_back(i);
+    z.row(i).segment(first[p], part.free.cols()) =
+        Eigen::Map<const Vector>(direction.data(), mesh.dimension).transpose() * part.at(mesh.point(node), mesh.dimension) * part.free;
+  }
+  for (std::size_t p = 0; p < rigid.parts.size(); ++p) {
+    const Eigen::Index columns = rigid.parts[p].free.cols();
+    if (columns == 0) continue;
+    const Matrix own = z(dofsOf[p], Eigen::seqN(first[p], columns));
+    // A part without contact keeps its columns of zeros; checkSolvability has refused such a scene before.
+    if (own.rows() < columns) throw InternalError("a loose part has fewer contact dofs than rigid motions");
+    const Matrix q = Eigen::HouseholderQR<Matrix>(own).householderQ() * Matrix::Identity(own.rows(), columns);
+    z(dofsOf[p], Eigen::seqN(first[p], columns)) = q;
+  }
+  return z;
+}
+
+// The shift that keeps loose bodies definite; others need none and lose no digits to it.
+Vector shiftOf(const MonolithicSystem& system, const RigidParts& rigid) {
+  const bool anyLoose = std::any_of(rigid.parts.begin(), rigid.parts.end(), [](const RigidPart& part) { return part.free.cols() > 0; });
+  if (!anyLoose) return {};
+  Vector shift = CholmodFactor::trailingDiagonal(system.stiffness(), system.contactDofs());
+  for (int i = 0; i < system.contactDofs(); ++i)
+    if (rigid.parts[rigid.partOfNode[system.contactDof()[i].node]].free.cols() == 0) shift[i] = 0.0;
+  return shift;
+}
+
+CondensedContact condense(const Mesh& mesh, const MonolithicSystem& system, const RigidParts& rigid, const CholmodFactor& factor,
+                          const Vector& heldSolution) {
+  CondensedContact contact;
+  contact.stiffness = factor.trailingSchur();
+  const int trailing = system.contactDofs(), leading = system.dofs() - trailing;
+  Vector held = Vector::Zero(system.dofs());
+  held.head(leading) = heldSolution;
+  contact.load = system.load().tail(trailing) - Vector(system.stiffness().selfadjointView<Eigen::Lower>() * held).tail(trailing);
+  for (int i = 0; i < trailing; ++i)
+    if (i == 0 || mesh.bodyOfNode[system.contactDof()[i].node] != mesh.bodyOfNode[system.contactDof()[i - 1].node])
+      contact.blocks.push_back(i);
+  contact.blocks.push_back(trailing);
+  contact.kernel = looseMotions(mesh, system, rigid);
+  contact.bounds.resize(Eigen::Index(system.rows().size()));
+  for (std::size_t i = 0; i < system.rows().size(); ++i) {
+    contact.dofs.push_back(system.rows()[i].dofs);
+    contact.coefficients.push_back(system.rows()[i].coefficients);
+    contact.bounds[Eigen::Index(i)] = system.rows()[i].bound;
+  }
+  return contact;
+}
+
+// Energy, reactions and balance from element forces of the final displacement: independent of the factorisation.
+void balance(const Mesh& mesh, const Constraints& constraints, const MonolithicSystem& system, MonolithicResult& result) {
+  const int dimension = mesh.dimension;
+  const Vector internal = system.internalForces(result.displacement);
+  result.energy = 0.5 * result.displacement.dot(internal) - result.displacement.dot(system.nodalForces());
+
+  Vector residual = internal - system.nodalForces();  // forces of the supports and of contact
+  double contactForce = 0.0;
+  for (const PairResult& pair : result.pairs) {
+    const ContactPair& ends = constraints.pairs[pair.id];
+    contactForce += pair.force;
+    for (int k = 0; k < dimension; ++k) {
+      residual[Eigen::Index(ends.nodeA) * dimension + k] += pair.force * ends.normal[k];
+      residual[Eigen::Index(ends.nodeB) * dimension + k] -= pair.force * ends.normal[k];
+    }
+  }
+  double largestReaction = 0.0;
+  for (const NodeRule& rule : constraints.rules) {
+    const Point force = nodal(residual, rule.node, dimension);
+    for (int k = 0; k < dimension; ++k) {
+      if (!rule.fixed[k]) continue;
+      const double along = dot(force, rule.axes[k]);
+      largestReaction = std::max(largestReaction, std::abs(along));
+      for (int c = 0; c < dimension; ++c) result.reactions[c] += along * rule.axes[k][c];
+    }
+  }
+  for (int i = 0; i < mesh.nodes(); ++i) {
+    const Point force = nodal(system.nodalForces(), i, dimension);
+    for (int c = 0; c < dimension; ++c) result.applied[c] += force[c];
+  }
+  Point sum{0, 0, 0};
+  for (int c = 0; c < dimension; ++c) sum[c] = result.applied[c] + result.reactions[c];
+  const double largest = std::max({norm(result.applied), norm(result.reactions), largestReaction, contactForce});
+  result.imbalance = largest > 0 ? norm(sum) / largest : 0.0;
+}
+
+std::vector<PairResult> pairResults(const Mesh& mesh, const Constraints& constraints, const Vector& displacement, const Vector& force,
+                                    const std::vector<char>& active) {
+  std::vector<PairResult> results;
+  for (const ContactPair& pair : constraints.pairs) {
+    PairResult r;
+    r.id = pair.id;
+    r.line = pair.line;
+    r.piece = pair.piece;
+    r.status = active[pair.id] ? PairStatus::Slip : PairStatus::Open;
+    r.initialGap = pair.gap;
+    const Point a = nodal(displacement, pair.nodeA, mesh.dimension), b = nodal(displacement, pair.nodeB, mesh.dimension);
+    r.gap = pair.gap - dot(a, pair.normal) + dot(b, pair.normal);
+    r.force = force[pair.id];
+    r.pressure = pair.length > 0 ? r.force / pair.length : 0.0;
+    r.arc = pair.arc;
+    r.position = pair.position;
+    r.displacement = a;
+    r.normal = pair.normal;
+    results.push_back(r);
+  }
+  return results;
+}
+
+}  // namespace
+
+MonolithicResult solveMonolithic(const Mesh& mesh, const Constraints& constraints, const ElasticModel& model,
+                                 const MonolithicOptions& options, Monitor& monitor) {
+  const auto begin = std::chrono::steady_clock::now();
+  const MonolithicSystem system(mesh, constraints, model);
+  const RigidParts rigid = freeRigidMotions(mesh, constraints);
+  checkSolvability(mesh, constraints, system.nodalForces(), rigid);
+
+  MonolithicResult result;
+  result.dofs = system.dofs();
+  result.contactDofs = system.contactDofs();
+  const int trailing = system.contactDofs(), leading = system.dofs() - trailing;
+  CholmodOptions ordering;
+  ordering.trailing = trailing;
+  ordering.shift = shiftOf(system, rigid);
+  if (mesh.dimension == 3) ordering.ordering = CholmodOptions::Ordering::Metis;
+  const CholmodFactor factor(system.stiffness(), ordering);
+  result.factorEntries = factor.statistics().factorEntries;
+  result.factorFlops = factor.statistics().flops;
+
+  Matrix interior = system.load().head(leading);
+  factor.solveLeading(interior);  // contact dofs held at zero
+  Vector x = Vector::Zero(system.dofs());
+  ContactSolution contact;
+  contact.converged = true;
+  if (constraints.pairs.empty()) {
+    x = interior;
+  } else {
+    const double heldEnergy = system.prescribedEnergy() - 0.5 * system.load().head(leading).dot(interior.col(0));
+    std::vector<char> start;
+    for (const PairStatus status : options.start) start.push_back(status != PairStatus::Open);
+    const auto tell = [&](const ActiveSetStep& step) {
+      OuterRow row;
+      row.iteration = ++result.iterations;
+      row.residual = row.euclidean = step.residual;
+      row.active = step.active;
+      row.changed = step.changed;
+      row.energy = heldEnergy + step.energy;
+      row.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+      result.residual = step.residual;
+      result.rows.push_back(row);
+      monitor.outer(row);
+    };
+    contact = solveCondensedContact(condense(mesh, system, rigid, factor, interior), start, options.maximumIterations, tell);
+    if (contact.x.size() == 0) throw NumericalError("monolithic solver: " + contact.failure);
+    x.tail(trailing) = contact.x;
+    interior = system.load().head(leading) - Vector(system.stiffness().selfadjointView<Eigen::Lower>() * x).head(leading);
+    factor.solveLeading(interior);
+    x.head(leading) = interior;
+  }
+  result.converged = contact.converged;
+  result.failure = contact.failure;
+  result.displacement = system.expand(x);
+  result.pairs = pairResults(mesh, constraints, result.displacement, contact.force, contact.active);
+  balance(mesh, constraints, system, result);
+  return result;
+}
+
+}  // namespace suture

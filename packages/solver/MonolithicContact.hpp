@@ -1,0 +1,59 @@
+#pragma once
+#include <suture/base/Types.hpp>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace suture {
+
+/// Contact of elastic bodies condensed to its own dofs: minimise x.S x / 2 - f.x over C x <= g.
+///
+/// S is dense and positive semidefinite. Its kernel, the rigid motions of bodies that only contact holds, is known beforehand (from
+/// geometry, not from eigenvalues): the columns of `kernel`, orthonormal. S is block diagonal, a block a body: `blocks` holds the first
+/// dof of each and the number of dofs at the end; kernel columns may reach over several blocks only if those are not split further.
+struct CondensedContact {
+  Matrix stiffness;
+  std::vector<int> blocks;
+  Matrix kernel;
+  Vector load;
+  /// Row i: sum over k of coefficients[i][k] x[dofs[i][k]] <= bounds[i].
+  std::vector<std::vector<int>> dofs;
+  std::vector<std::vector<double>> coefficients;
+  Vector bounds;
+};
+
+/// What one step of the active set found; what Monitor::outer reports of it.
+struct ActiveSetStep {
+  int active = 0;
+  int changed = 0;
+  double residual = 0.0;  ///< largest violation: penetration of an open pair, or pull of a closed one times its compliance; over the size
+                          ///< of the displacements
+  double energy = 0.0;    ///< x.S x / 2 - f.x of the step's solution
+};
+
+struct ContactSolution {
+  bool converged = false;
+  std::string failure;
+  Vector x;
+  Vector force;  ///< multiplier of each row, >= 0
+  std::vector<char> active;
+};
+
+/// The exact solution by an active set on the compliance of the rows (Delassus matrix), H = C S^-1 C^T with the kernel as free unknowns a:
+///     gap = H force - C Z a - h >= 0,   force >= 0,   gap . force = 0,   (C Z)^T force = Z^T f.
+/// All rows with the wrong sign change at once (a semismooth Newton step, primal-dual active set). Where that does not reduce the number of
+/// wrong rows for a while it changes one at a time by Murty's rule of least index, which ends for every definite H. When the active rows
+/// do not hold a loose body, or the kernel makes the pivoting cycle, the body is tied to its last place by a spring of its own stiffness
+/// (proximal point), which makes the problem definite; the place is followed until the active set is the exact one.
+///
+/// Rows without dofs (all components prescribed) never carry a force; they are active when their bound is not positive.
+/// Equivalent solutions: a row with zero gap and zero force keeps the state it had. Local.
+///
+/// \param active     where to start: one entry a row, or empty for all closed
+/// \param iterations most solves with an active set
+/// \param step       told of each of them
+ContactSolution solveCondensedContact(const CondensedContact& problem, std::vector<char> active, int iterations,
+                                      const std::function<void(const ActiveSetStep&)>& step);
+
+}  // namespace suture

@@ -1,0 +1,70 @@
+#pragma once
+#include <suture/constraints/Constraints.hpp>
+#include <suture/elasticity/ElasticModel.hpp>
+#include <suture/mesh/Mesh.hpp>
+
+#include <Eigen/SparseCore>
+#include <vector>
+
+namespace suture {
+
+/// Nodal forces of all loads: nodes x dimension, node-major, Cartesian [force]. Local.
+Vector nodalLoads(const Mesh& mesh, const ElasticModel& model);
+
+/// The whole scene as one system of equations, numbered for one sparse factorisation: K x = f in the free components of the nodal axes,
+/// contact components last, prescribed ones moved to the right-hand side; and the contact rows C x <= g in the same unknowns. Local.
+class MonolithicSystem {
+ public:
+  /// A contact row restricted to its free contact dofs (numbers from 0 among the trailing dofs); a row may have none.
+  struct Row {
+    std::vector<int> dofs;
+    std::vector<double> coefficients;
+    double bound = 0.0;  ///< gap minus what the prescribed components contribute [length]
+  };
+
+  MonolithicSystem(const Mesh& mesh, const Constraints& constraints, const ElasticModel& model);
+
+  int dofs() const { return dofs_; }                                           ///< free ones
+  int contactDofs() const { return contactDofs_; }                             ///< the last of them, grouped by body
+  const Eigen::SparseMatrix<double>& stiffness() const { return stiffness_; }  ///< lower triangle
+  const Vector& load() const { return load_; }
+  const std::vector<Row>& rows() const { return rows_; }  ///< one a contact pair, in their order
+  double prescribedEnergy() const { return energy_; }     ///< energy when all free dofs are zero
+  const Vector& nodalForces() const { return forces_; }   ///< of the loads: node-major, Cartesian
+
+  /// The contact component that stands at each trailing dof: node and Cartesian direction.
+  struct ContactDof {
+    int node;
+    Point direction;
+  };
+  const std::vector<ContactDof>& contactDof() const { return contactDof_; }
+
+  /// Displacement of the whole mesh, node-major and Cartesian, from the free dofs.
+  Vector expand(const Vector& x) const;
+
+  /// Internal forces K u of the whole mesh, prescribed nodes included; element by element, not with stiffness(). Same shape as u.
+  Vector internalForces(const Vector& displacement) const;
+
+ private:
+  void number();
+  void pattern();
+  void assemble();
+
+  int component(int node, int k) const { return node * mesh_.dimension + k; }
+  bool isFree(int dof) const { return index_[dof] >= 0; }
+
+  const Mesh& mesh_;
+  const Constraints& constraints_;
+  const ElasticModel& model_;
+  int dofs_ = 0, contactDofs_ = 0;
+  std::vector<int> ruleOf_;  // node -> rule or -1
+  std::vector<int> index_;   // node-major component in nodal axes -> unknown, or -1 when prescribed
+  Vector prescribed_;        // node-major in nodal axes; zero where free
+  Vector forces_, load_;
+  double energy_ = 0.0;
+  Eigen::SparseMatrix<double> stiffness_;
+  std::vector<Row> rows_;
+  std::vector<ContactDof> contactDof_;
+};
+
+}  // namespace suture

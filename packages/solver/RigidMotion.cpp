@@ -1,0 +1,117 @@
+#include <suture/solver/RigidMotion.hpp>
+
+#include <Eigen/QR>
+#include <Eigen/SVD>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace suture {
+
+namespace {
+
+constexpr double heldThreshold = 1e-10;  // relative, of singular values of scaled rows
+
+// Connected components of the nodes, numbered in the order of their first nodes.
+std::vector<int> components(const CellBlock& block) {
+  std::vector<int> root(block.nodes());
+  std::iota(root.begin(), root.end(), 0);
+  const auto find = [&](int i) {
+    while (root[i] != i) i = root[i] = root[root[i]];
+    return i;
+  };
+  for (int e = 0; e < block.elements(); ++e) {
+    const Span<const int> nodes = block.nodesOf(e);
+    for (const int node : nodes) {
+      const int a = find(nodes[0]), b = find(node);
+      root[std::max(a, b)] = std::min(a, b);
+    }
+  }
+  std::vector<int> number(block.nodes(), -1), part(block.nodes());
+  int parts = 0;
+  for (int i = 0; i < block.nodes(); ++i) {
+    const int r = find(i);
+    if (number[r] < 0) number[r] = parts++;
+    part[i] = number[r];
+  }
+  return part;
+}
+
+// Orthonormal basis of the amplitudes that the rows do not see.
+Matrix nullSpace(const Matrix& rows, int amplitudes) {
+  if (rows.rows() == 0) return Matrix::Identity(amplitudes, amplitudes);
+  Matrix small = rows;
+  if (rows.rows() > amplitudes) small = Eigen::HouseholderQR<Matrix>(rows).matrixQR().topRows(amplitudes).triangularView<Eigen::Upper>();
+  const Eigen::JacobiSVD<Matrix> svd(small, Eigen::ComputeFullV);
+  int rank = 0;
+  while (rank < svd.singularValues().size() && svd.singularValues()[rank] > heldThreshold * svd.singularValues()[0]) ++rank;
+  return svd.matrixV().rightCols(amplitudes - rank);
+}
+
+}  // namespace
+
+Matrix RigidPart::at(const Point& point, int dimension) const {
+  Matrix motion = Matrix::Zero(dimension, dimension == 2 ? 3 : 6);
+  motion.leftCols(dimension).setIdentity();
+  Point arm{0, 0, 0};
+  for (int k = 0; k < dimension; ++k) arm[k] = (point[k] - centre[k]) / radius;
+  if (dimension == 2) {
+    motion(0, 2) = -arm[1];
+    motion(1, 2) = arm[0];
+  } else {
+    for (int r = 0; r < 3; ++r) {  // e_r x arm
+      const int s = (r + 1) % 3, t = (r + 2) % 3;
+      motion(s, 3 + r) = -arm[t];
+      motion(t, 3 + r) = arm[s];
+    }
+  }
+  return motion;
+}
+
+RigidParts freeRigidMotions(const Mesh& mesh, const Constraints& constraints) {
+  const int dimension = mesh.dimension, amplitudes = dimension == 2 ? 3 : 6;
+  RigidParts all;
+  all.partOfNode = components(mesh);
+  const int count = all.partOfNode.empty() ? 0 : 1 + *std::max_element(all.partOfNode.begin(), all.partOfNode.end());
+  all.parts.resize(count);
+
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  std::vector<Point> low(count, {infinity, infinity, infinity}), high(count, {-infinity, -infinity, -infinity});
+  for (int i = 0; i < mesh.nodes(); ++i) {
+    const int part = all.partOfNode[i];
+    all.parts[part].body = mesh.bodyOfNode[i];
+    const Point p = mesh.point(i);
+    for (int k = 0; k < dimension; ++k) {
+      low[part][k] = std::min(low[part][k], p[k]);
+      high[part][k] = std::max(high[part][k], p[k]);
+    }
+  }
+  for (int part = 0; part < count; ++part) {
+    double square = 0;
+    for (int k = 0; k < dimension; ++k) {
+      all.parts[part].centre[k] = (low[part][k] + high[part][k]) / 2;
+      square += std::pow(high[part][k] - low[part][k], 2);
+    }
+    all.parts[part].radius = std::sqrt(square) / 2;
+  }
+
+  std::vector<int> rowsOf(count, 0);
+  for (const NodeRule& rule : constraints.rules)
+    for (int k = 0; k < dimension; ++k) rowsOf[all.partOfNode[rule.node]] += rule.fixed[k];
+  std::vector<Matrix> rows(count);
+  for (int part = 0; part < count; ++part) rows[part].resize(rowsOf[part], amplitudes);
+  std::fill(rowsOf.begin(), rowsOf.end(), 0);
+  for (const NodeRule& rule : constraints.rules) {
+    const int part = all.partOfNode[rule.node];
+    const Matrix motion = all.parts[part].at(mesh.point(rule.node), dimension);
+    for (int k = 0; k < dimension; ++k) {
+      if (!rule.fixed[k]) continue;
+      rows[part].row(rowsOf[part]++) = Eigen::Map<const Vector>(rule.axes[k].data(), dimension).transpose() * motion;
+    }
+  }
+  for (int part = 0; part < count; ++part) all.parts[part].free = nullSpace(rows[part], amplitudes);
+  return all;
+}
+
+}  // namespace suture

@@ -1,0 +1,260 @@
+#include <suture/base/Errors.hpp>
+#include <suture/solver/MonolithicSystem.hpp>
+#include <suture/solver/Solvability.hpp>
+
+#include <Eigen/QR>
+#include <Eigen/SVD>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace suture {
+
+namespace {
+
+constexpr double noWork = 1e-9;    // of the forces on the part
+constexpr double noMotion = 1e-8;  // of a unit amplitude
+
+std::string number(double value, double scale) {
+  std::ostringstream text;
+  text.precision(4);
+  text << (std::abs(value) < 1e-6 * scale ? 0.0 : value);
+  return text.str();
+}
+
+// A motion of a part in words: "move upwards (0, 1)", "turn about (3, 4), counterclockwise".
+std::string inWords(const RigidPart& part, const Vector& amplitudes, int dimension) {
+  const Vector translation = amplitudes.head(dimension), rotation = amplitudes.tail(amplitudes.size() - dimension);
+  if (rotation.norm() < 1e-6 * translation.norm()) {
+    const Vector direction = translation.normalized();
+    std::string text = "move";
+    if (std::abs(direction[dimension - 1]) > 1 - 1e-6) text += direction[dimension - 1] > 0 ? " upwards" : " downwards";
+    if (std::abs(direction[0]) > 1 - 1e-6) text += direction[0] > 0 ? " to the right" : " to the left";
+    text += " (";
+    for (int k = 0; k < dimension; ++k) text += (k > 0 ? ", " : "") + number(direction[k], 1.0);
+    return text + ")";
+  }
+  if (dimension == 2) {
+    // u = t + r (-y, x) / radius vanishes at the centre of the rotation
+    const double x = part.centre[0] - part.radius * translation[1] / rotation[0],
+                 y = part.centre[1] + part.radius * translation[0] / rotation[0];
+    return "turn about (" + number(x, part.radius) + ", " + number(y, part.radius) + "), " +
+           (rotation[0] > 0 ? "counterclockwise" : "clockwise");
+  }
+  const Vector axis = rotation.normalized();
+  return "turn about the axis (" + number(axis[0], 1.0) + ", " + number(axis[1], 1.0) + ", " + number(axis[2], 1.0) + ")";
+}
+
+// Of a space of amplitudes (orthonormal columns) the motion that is easiest to say: a translation if there is one, along an axis if
+// possible.
+std::string inWords(const RigidPart& part, const Matrix& space, int dimension) {
+  const Matrix rotations = space.bottomRows(space.rows() - dimension);
+  const Eigen::JacobiSVD<Matrix> svd(rotations, Eigen::ComputeFullV);
+  int rank = 0;
+  while (rank < svd.singularValues().size() && svd.singularValues()[rank] > noMotion) ++rank;
+  if (rank == space.cols()) return inWords(part, Vector(space.col(0)), dimension);
+  const Matrix translations = space * svd.matrixV().rightCols(space.cols() - rank);
+  if (translations.cols() == dimension) return "move in any direction";
+  Eigen::Index axis = 0;
+  translations.topRows(dimension).rowwise().norm().maxCoeff(&axis);
+  return inWords(part, Vector(translations * translations.row(axis).transpose()), dimension);
+}
+
+// A space of motions of one part, as found in columns over all parts: orthonormal basis of what is not negligible.
+Matrix spanOf(const Matrix& columns) {
+  const Eigen::JacobiSVD<Matrix> svd(columns, Eigen::ComputeThinU);
+  int rank = 0;
+  while (rank < svd.singularValues().size() && svd.singularValues()[rank] > noMotion) ++rank;
+  return svd.matrixU().leftCols(rank);
+}
+
+struct Modes {
+  std::vector<int> first;  // column of each part's first motion
+  int count = 0;
+};
+
+Matrix contactRows(const Mesh& mesh, const Constraints& constraints, const RigidParts& rigid, const Modes& modes) {
+  const int dimension = mesh.dimension;
+  Matrix rows = Matrix::Zero(Eigen::Index(constraints.pairs.size()), modes.count);
+  for (std::size_t p = 0; p < constraints.pairs.size(); ++p) {
+    const ContactPair& pair = constraints.pairs[p];
+    for (const auto& [node, sign] : {std::pair<int, double>{pair.nodeA, 1.0}, {pair.nodeB, -1.0}}) {
+      const int part = rigid.partOfNode[node];
+      const RigidPart& r = rigid.parts[part];
+      if (r.free.cols() == 0) continue;
+      rows.row(Eigen::Index(p)).segment(modes.first[part], r.free.cols()) +=
+          sign * Eigen::Map<const Vector>(pair.normal.data(), dimension).transpose() * r.at(mesh.point(node), dimension) * r.free;
+    }
+  }
+  return rows;
+}
+
+void checkPrescribedPairs(const Mesh& mesh, const Constraints& constraints, Problems& problems) {
+  const int dimension = mesh.dimension;
+  std::vector<int> ruleOf(mesh.nodes(), -1);
+  for (std::size_t r = 0; r < constraints.rules.size(); ++r) ruleOf[constraints.rules[r].node] = int(r);
+  for (const ContactPair& pair : constraints.pairs) {
+    double bound = pair.gap, size = std::abs(pair.gap) + pair.length;
+    bool free = false;
+    for (const auto& [node, sign] : {std::pair<int, double>{pair.nodeA, 1.0}, {pair.nodeB, -1.0}}) {
+      if (ruleOf[node] < 0) {
+        free = true;
+        break;
+      }
+      const NodeRule& rule = constraints.rules[ruleOf[node]];
+      for (int k = 0; k < dimension; ++k) {
+        double along = 0;
+        for (int c = 0; c < dimension; ++c) along += rule.axes[k][c] * pair.normal[c];
+        if (!rule.fixed[k]) {
+          free = free || std::abs(along) > 1e-14;
+        } else {
+          bound -= sign * along * rule.value[k];
+          size = std::max(size, std::abs(rule.value[k]));
+        }
+      }
+    }
+    if (free || bound >= -1e-10 * size) continue;
+    std::ostringstream text;
+    text << "at (" << pair.position[0] << ", " << pair.position[1]
+         << ") the displacements of both sides are prescribed, into each other by " << -bound
+         << ". Prescribe them so that the gap stays positive, or leave one side free";
+    problems.add("Contact", text.str());
+    return;
+  }
+}
+
+}  // namespace
+
+Vector nonnegativeLeastSquares(const Matrix& a, const Vector& b) {
+  const Eigen::Index n = a.cols();
+  Vector p = Vector::Zero(n);
+  std::vector<int> passive;
+  std::vector<char> isPassive(n, 0);
+  const double size = a.size() > 0 ? a.colwise().norm().maxCoeff() : 0.0;
+  // Each round takes in the column that pulls hardest; every inner step drops at least one: the sets never repeat, as the residual falls.
+  for (Eigen::Index round = 0; round < 3 * n + 30; ++round) {
+    const Vector residual = b - a * p, pull = a.transpose() * residual;
+    Eigen::Index best = -1;
+    double most = 1e-13 * size * b.norm();
+    for (Eigen::Index i = 0; i < n; ++i)
+      if (!isPassive[i] && pull[i] > most) {
+        most = pull[i];
+        best = i;
+      }
+    if (best < 0) break;
+    passive.push_back(int(best));
+    isPassive[best] = 1;
+    while (!passive.empty()) {
+      const Vector trial = Matrix(a(Eigen::all, passive)).colPivHouseholderQr().solve(b);
+      if (trial.minCoeff() > 0) {
+        for (std::size_t i = 0; i < passive.size(); ++i) p[passive[i]] = trial[Eigen::Index(i)];
+        break;
+      }
+      double step = 1.0;
+      for (std::size_t i = 0; i < passive.size(); ++i)
+        if (trial[Eigen::Index(i)] <= 0) step = std::min(step, p[passive[i]] / (p[passive[i]] - trial[Eigen::Index(i)]));
+      if (!std::isfinite(step)) step = 0.0;
+      std::vector<int> kept;
+      for (std::size_t i = 0; i < passive.size(); ++i) {
+        const int column = passive[i];
+        const double value = p[column] + step * (trial[Eigen::Index(i)] - p[column]);
+        if (value <= 1e-14 * p.cwiseAbs().maxCoeff() || (trial[Eigen::Index(i)] <= 0 && value <= 0)) {
+          p[column] = 0.0;
+          isPassive[column] = 0;
+        } else {
+          p[column] = value;
+          kept.push_back(column);
+        }
+      }
+      if (kept.size() == passive.size()) break;
+      passive = std::move(kept);
+    }
+  }
+  return p;
+}
+
+void checkSolvability(const Mesh& mesh, const Constraints& constraints, const Vector& forces, const RigidParts& rigid) {
+  const int dimension = mesh.dimension, parts = int(rigid.parts.size());
+  Problems problems;
+  checkPrescribedPairs(mesh, constraints, problems);
+
+  std::vector<char> inContact(parts, 0);
+  for (const ContactPair& pair : constraints.pairs) inContact[rigid.partOfNode[pair.nodeA]] = inContact[rigid.partOfNode[pair.nodeB]] = 1;
+  const auto path = [&](int part) { return "Bodies/" + mesh.bodies[rigid.parts[part].body]; };
+  const auto name = [&](int part) { return "body '" + mesh.bodies[rigid.parts[part].body] + "'"; };
+
+  Modes modes;
+  for (int part = 0; part < parts; ++part) {
+    modes.first.push_back(modes.count);
+    modes.count += int(rigid.parts[part].free.cols());
+    const RigidPart& r = rigid.parts[part];
+    if (inContact[part] || r.free.cols() == 0) continue;
+    problems.add(path(part),
+                 name(part) +
+                     (r.free.cols() == r.free.rows()
+                          ? " is held by nothing: no displacement is prescribed on it and it is in no contact"
+                          : " can " + inWords(r, r.free, dimension) + ": it is in no contact and nothing prescribes that displacement") +
+                     ". Prescribe displacements on it, make a side of it Bilateral, or put it in contact");
+  }
+  if (modes.count == 0 || !problems.empty()) {
+    problems.throwIfAny();
+    return;
+  }
+
+  // Work of the loads in each motion, and the forces with which that work is compared.
+  Vector work = Vector::Zero(modes.count), force = Vector::Zero(parts);
+  for (int i = 0; i < mesh.nodes(); ++i) {
+    const int part = rigid.partOfNode[i];
+    const RigidPart& r = rigid.parts[part];
+    const auto f = forces.segment(Eigen::Index(i) * dimension, dimension);
+    if (r.free.cols() == 0 || f.isZero(0.0)) continue;
+    force[part] += f.norm();
+    work.segment(modes.first[part], r.free.cols()) += (f.transpose() * r.at(mesh.point(i), dimension) * r.free).transpose();
+  }
+  const Matrix rows = contactRows(mesh, constraints, rigid, modes);
+  const double loads = force.sum();
+  if (loads > 0) {
+    const Vector contact = nonnegativeLeastSquares(rows.transpose(), work / loads);
+    const Vector escape = work / loads - rows.transpose() * contact;
+    for (std::size_t p = 0; p < constraints.pairs.size(); ++p) {
+      force[rigid.partOfNode[constraints.pairs[p].nodeA]] += loads * contact[Eigen::Index(p)];
+      force[rigid.partOfNode[constraints.pairs[p].nodeB]] += loads * contact[Eigen::Index(p)];
+    }
+    for (int part = 0; part < parts; ++part) {
+      const RigidPart& r = rigid.parts[part];
+      const Vector own = escape.segment(modes.first[part], r.free.cols());
+      if (own.norm() <= std::max(noWork * force[part] / loads, 1e-13) || own.norm() < 1e-3 * escape.norm()) continue;
+      problems.add(path(part),
+                   name(part) + " can " + inWords(r, Vector(r.free * own), dimension) +
+                       ": the loads push it there and neither a prescribed displacement nor contact stops it. Prescribe a displacement "
+                       "that holds it, or load it against its contact");
+    }
+    problems.throwIfAny();
+  }
+
+  const Eigen::JacobiSVD<Matrix> svd(
+      rows.rows() > rows.cols() ? Matrix(Eigen::HouseholderQR<Matrix>(rows).matrixQR().topRows(rows.cols()).triangularView<Eigen::Upper>())
+                                : rows,
+      Eigen::ComputeFullV);
+  int rank = 0;
+  while (rank < svd.singularValues().size() && svd.singularValues()[rank] > 1e-10 * svd.singularValues()[0]) ++rank;
+  const Matrix sliding = svd.matrixV().rightCols(modes.count - rank);
+  for (int part = 0; part < parts && sliding.cols() > 0; ++part) {
+    const RigidPart& r = rigid.parts[part];
+    if (r.free.cols() == 0) continue;
+    const Matrix own = spanOf(sliding.middleRows(modes.first[part], r.free.cols()));
+    if (own.cols() == 0) continue;
+    problems.add(path(part),
+                 name(part) + " can " + inWords(r, Matrix(r.free * own), dimension) +
+                     " without opening its contacts: nothing holds it and no load pushes it, so that its place is not determined. "
+                     "Prescribe that displacement somewhere on it");
+  }
+  problems.throwIfAny();
+}
+
+void checkSolvability(const Mesh& mesh, const Constraints& constraints, const ElasticModel& model) {
+  checkSolvability(mesh, constraints, nodalLoads(mesh, model), freeRigidMotions(mesh, constraints));
+}
+
+}  // namespace suture

@@ -1,0 +1,134 @@
+#pragma once
+#include <suture/constraints/Constraints.hpp>
+#include <suture/elasticity/ElasticModel.hpp>
+#include <suture/mesh/Generators.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+#include <vector>
+
+/// Small scenes put together by hand, so that tests of the solvers depend on no reader and no search for pairs.
+namespace suture::scenes {
+
+struct Scene {
+  Mesh mesh;
+  ElasticModel model;
+  Constraints constraints;
+  std::string sideA = "lower_top", sideB = "upper_bottom";
+  double gap = 0.0;
+
+  std::vector<int> nodesOf(const std::string& group) const {
+    std::vector<int> nodes;
+    for (const Side& side : mesh.sideGroups.at(group))
+      for (const int node : mesh.nodesOf(side)) nodes.push_back(node);
+    std::sort(nodes.begin(), nodes.end());
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    return nodes;
+  }
+
+  NodeRule& ruleOf(int node) {
+    auto& rules = constraints.rules;
+    auto at = std::lower_bound(rules.begin(), rules.end(), node, [](const NodeRule& r, int n) { return r.node < n; });
+    if (at == rules.end() || at->node != node) {
+      at = rules.insert(at, NodeRule{});
+      at->node = node;
+    }
+    return *at;
+  }
+
+  void holdNode(int node, int component, double value) {
+    ruleOf(node).fixed[component] = true;
+    ruleOf(node).value[component] = value;
+  }
+  void hold(const std::string& group, int component, double value) {
+    for (const int node : nodesOf(group)) holdNode(node, component, value);
+  }
+  void fixLower() {
+    hold("lower_bottom", 0, 0.0);
+    hold("lower_bottom", 1, 0.0);
+  }
+  void pressure(const std::string& group, double value) { model.loads.push_back({Load::Kind::Pressure, group, {value, 0, 0}}); }
+  void traction(const std::string& group, Point value) { model.loads.push_back({Load::Kind::Traction, group, value}); }
+
+  /// Pairs the nodes of the two sides by their place along the line, normal from A to B; sorted along the line.
+  void pairUp(Point normal = {0, 1, 0}) {
+    constraints.pairs.clear();
+    constraints.pieces.clear();
+    const auto along = [&](int node) { return mesh.point(node)[0] * normal[1] - mesh.point(node)[1] * normal[0]; };
+    std::vector<int> a = nodesOf(sideA), b = nodesOf(sideB);
+    const auto less = [&](int i, int j) { return along(i) < along(j); };
+    std::sort(a.begin(), a.end(), less);
+    std::sort(b.begin(), b.end(), less);
+    const double size = std::abs(along(a.back()) - along(a.front()));
+    for (std::size_t i = 0; i < a.size(); ++i)
+      for (const int other : b) {
+        if (std::abs(along(other) - along(a[i])) > 1e-9 * size) continue;
+        ContactPair pair;
+        pair.id = int(constraints.pairs.size());
+        pair.line = pair.piece = 0;
+        pair.nodeA = a[i];
+        pair.nodeB = other;
+        pair.normal = normal;
+        pair.gap = gap;
+        pair.length = ((i + 1 < a.size() ? along(a[i + 1]) : along(a[i])) - (i > 0 ? along(a[i - 1]) : along(a[i]))) / 2;
+        pair.arc = along(a[i]) - along(a.front());
+        pair.position = mesh.point(a[i]);
+        constraints.pairs.push_back(pair);
+      }
+    ContactPiece piece;
+    piece.name = "contact";
+    for (const ContactPair& pair : constraints.pairs) piece.pairs.push_back(pair.id);
+    piece.bodyA = 0;
+    piece.bodyB = 1;
+    constraints.pieces = {piece};
+  }
+};
+
+inline Scene fromBoxes(const std::vector<Box>& all, double young = 2e6, double poisson = 0.0) {
+  Scene scene;
+  scene.mesh = boxes(all);
+  std::vector<std::string> names;
+  for (const Box& box : all) names.push_back(box.name);
+  assignBodies(scene.mesh, names);
+  scene.model.bodies = names;
+  for (const std::string& name : names) scene.model.materialOfBody.push_back({name, young, poisson});
+  return scene;
+}
+
+/// [-1,1] x [-1,0] below [-1,1] x [0,1], in contact along y = 0: nx cells along it.
+inline Scene twoBlocks(int nx, int nyLower, int nyUpper, double young = 2e6, double poisson = 0.0) {
+  Box lower, upper;
+  lower.name = "lower";
+  upper.name = "upper";
+  lower.x0 = upper.x0 = -1;
+  lower.y0 = -1;
+  lower.y1 = 0;
+  lower.nx = upper.nx = nx;
+  lower.ny = nyLower;
+  upper.ny = nyUpper;
+  Scene scene = fromBoxes({lower, upper}, young, poisson);
+  scene.pairUp();
+  return scene;
+}
+
+/// As twoBlocks, but the lower block ends at x = 0: half of the upper one hangs over. The lower one is fixed.
+inline Scene overhang() {
+  Box lower, upper;
+  lower.name = "lower";
+  upper.name = "upper";
+  lower.x0 = upper.x0 = -1;
+  lower.x1 = 0;
+  lower.y0 = -1;
+  lower.y1 = 0;
+  lower.nx = 2;
+  upper.nx = 4;
+  lower.ny = upper.ny = 2;
+  Scene scene = fromBoxes({lower, upper});
+  scene.pairUp();
+  scene.fixLower();
+  return scene;
+}
+
+}  // namespace suture::scenes

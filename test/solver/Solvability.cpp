@@ -1,0 +1,155 @@
+#include <Teuchos_UnitTestHarness.hpp>
+#include <suture/base/Errors.hpp>
+#include <suture/mesh/Generators.hpp>
+#include <suture/solver/MonolithicSystem.hpp>
+#include <suture/solver/Solvability.hpp>
+
+#include "MonolithicScenes.hpp"
+
+#include <cmath>
+#include <functional>
+#include <random>
+
+namespace suture {
+namespace {
+
+using scenes::Scene;
+
+// What the check says, or "" when it lets the scene pass.
+std::string verdict(const Scene& scene) {
+  try {
+    checkSolvability(scene.mesh, scene.constraints, scene.model);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+bool says(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+TEUCHOS_UNIT_TEST(Solvability, FindsTheMotionsThatPrescribedComponentsLeave) {
+  Scene scene = scenes::twoBlocks(4, 2, 2);
+  const auto freeOf = [&](int part) { return freeRigidMotions(scene.mesh, scene.constraints).parts[part].free; };
+  TEST_EQUALITY(freeOf(0).cols(), 3);
+  scene.hold("upper_left", 0, 0.0);  // a vertical side held in x: only the vertical translation is left
+  const Matrix left = freeOf(1);
+  TEST_EQUALITY(left.cols(), 1);
+  TEST_COMPARE(std::abs(std::abs(left(1, 0)) - 1), <, 1e-14);
+  scene.hold("lower_bottom", 0, 0.0);
+  scene.hold("lower_bottom", 1, 0.0);
+  TEST_EQUALITY(freeOf(0).cols(), 0);
+}
+
+TEUCHOS_UNIT_TEST(Solvability, PartsOfABodyThatDoNotTouchAreLooseOneByOne) {
+  Scene scene = scenes::twoBlocks(2, 2, 2);
+  scene.mesh.bodyOfElement.assign(scene.mesh.elements(), 0);  // two separate parts, one body
+  scene.mesh.bodyOfNode.assign(scene.mesh.nodes(), 0);
+  const RigidParts rigid = freeRigidMotions(scene.mesh, scene.constraints);
+  TEST_EQUALITY(rigid.parts.size(), 2u);
+  TEST_EQUALITY(rigid.parts[0].free.cols() + rigid.parts[1].free.cols(), 6);
+}
+
+TEUCHOS_UNIT_TEST(Solvability, LetsAPressedBlockWithAGuidePass) {
+  Scene scene = scenes::twoBlocks(4, 2, 2);
+  scene.fixLower();
+  scene.hold("upper_left", 0, 0.0);
+  scene.pressure("upper_top", 3.0);
+  TEST_EQUALITY(verdict(scene), "");
+}
+
+TEUCHOS_UNIT_TEST(Solvability, ABodyPulledOffItsSeatMovesUpwards) {
+  Scene scene = scenes::twoBlocks(4, 2, 2);
+  scene.fixLower();
+  scene.hold("upper_left", 0, 0.0);
+  scene.pressure("upper_top", -3.0);
+  const std::string text = verdict(scene);
+  TEST_ASSERT(says(text, "Bodies/upper"));
+  TEST_ASSERT(says(text, "body 'upper' can move upwards (0, 1): the loads push it there"));
+  TEST_ASSERT(!says(text, "lower"));
+}
+
+TEUCHOS_UNIT_TEST(Solvability, ABodyPushedSidewaysMovesToTheRight) {
+  Scene scene = scenes::twoBlocks(4, 2, 2);
+  scene.fixLower();
+  scene.pressure("upper_top", 3.0);
+  scene.pressure("upper_left", 1e-3);  // presses to the right; nothing holds it against that
+  TEST_ASSERT(says(verdict(scene), "body 'upper' can"));
+  TEST_ASSERT(says(verdict(scene), "the loads push it there"));
+}
+
+TEUCHOS_UNIT_TEST(Solvability, ABlockThatOnlyRestsMaySlide) {
+  Scene scene = scenes::twoBlocks(4, 2, 2);
+  scene.fixLower();
+  scene.pressure("upper_top", 3.0);
+  const std::string text = verdict(scene);
+  TEST_ASSERT(says(text, "body 'upper' can move to the "));
+  TEST_ASSERT(says(text, "its place is not determined"));
+}
+
+TEUCHOS_UNIT_TEST(Solvability, ABodyLoadedBesideItsSeatTurnsOver) {
+  // the seat is the left half of the bottom; the load stands on the right of it
+  Scene scene = scenes::overhang();
+  scene.traction("upper_right", {0, -1, 0});
+  const std::string text = verdict(scene);
+  TEST_ASSERT(says(text, "body 'upper' can turn about ("));
+  TEST_ASSERT(says(text, ", clockwise"));
+  Scene safe = scenes::overhang();
+  safe.traction("upper_left", {0, -1, 0});
+  TEST_ASSERT(!says(verdict(safe), "the loads push it there"));
+}
+
+TEUCHOS_UNIT_TEST(Solvability, NamesABodyThatNothingHolds) {
+  Scene scene = scenes::twoBlocks(4, 2, 2);
+  scene.fixLower();
+  scene.constraints.pairs.clear();
+  TEST_ASSERT(says(verdict(scene), "body 'upper' is held by nothing: no displacement is prescribed on it and it is in no contact"));
+}
+
+TEUCHOS_UNIT_TEST(Solvability, RestWithoutLoadIsLegitimate) {
+  Scene scene = scenes::twoBlocks(4, 2, 2);
+  scene.fixLower();
+  scene.hold("upper_left", 0, 0.0);
+  TEST_EQUALITY(verdict(scene), "");
+}
+
+TEUCHOS_UNIT_TEST(Solvability, DoesNotDependOnUnits) {
+  for (const double length : {1e-6, 1.0, 1e6})
+    for (const double force : {1e-9, 1.0, 1e12})
+      for (const double sign : {1.0, -1.0}) {
+        Scene scene = scenes::twoBlocks(4, 2, 2);
+        for (double& x : scene.mesh.coordinates) x *= length;
+        scene.pairUp();
+        scene.fixLower();
+        scene.hold("upper_left", 0, 0.0);
+        scene.pressure("upper_top", sign * force);
+        TEST_EQUALITY(verdict(scene).empty(), sign > 0);
+      }
+}
+
+TEUCHOS_UNIT_TEST(Solvability, RefusesPrescribedPenetration) {
+  Scene scene = scenes::twoBlocks(4, 2, 2);
+  scene.fixLower();
+  scene.hold("lower_top", 1, 0.1);
+  scene.hold("upper_bottom", 1, 0.0);
+  scene.hold("upper_left", 0, 0.0);
+  TEST_ASSERT(says(verdict(scene), "into each other by 0.1"));
+}
+
+TEUCHOS_UNIT_TEST(Solvability, NonnegativeLeastSquaresMeetsItsOptimalityConditions) {
+  std::mt19937 random(4);
+  std::normal_distribution<double> value;
+  for (int trial = 0; trial < 50; ++trial) {
+    const int m = 1 + trial % 7, n = 1 + trial % 23;
+    Matrix a(m, n);
+    Vector b(m);
+    for (double& x : a.reshaped()) x = value(random);
+    for (double& x : b) x = value(random);
+    const Vector p = nonnegativeLeastSquares(a, b), pull = a.transpose() * (b - a * p);
+    TEST_COMPARE(p.minCoeff(), >=, 0.0);
+    TEST_COMPARE(pull.maxCoeff(), <, 1e-10);
+    TEST_COMPARE(std::abs(pull.dot(p)), <, 1e-10 * (1 + p.norm()));
+  }
+}
+
+}  // namespace
+}  // namespace suture
