@@ -13,7 +13,10 @@ std::optional<int> SolveOptions::parse(int argc, char* argv[]) {
     app.add_option("SCENE", scene, "Scene file (XML); 'suture_schema' documents it")->required()->type_name("FILE");
     app.add_option("--set", overrides, "Change a parameter, e.g. --set \"Outer Solver/Tolerance=1e-9\"; may be repeated")
         ->type_name("PATH=VALUE")
-        ->allow_extra_args(false);
+        ->allow_extra_args(false)
+        ->check([](const std::string& text) {
+          return text.find('=') == std::string::npos ? "'" + text + "' is not of the form Path/To/Parameter=value" : "";
+        });
     app.add_option("--output", output, "Output folder, instead of the scene's Output/Folder")->type_name("DIR");
     app.add_flag("--check", check, "Read everything, cut the mesh, print the sizes, solve nothing");
     app.add_flag("--print-defaults", printDefaults, "Print the scene with all defaults filled in and stop");

@@ -21,7 +21,7 @@ std::string titleOf(const SceneFile& scene) {
 std::string verdict(const Run& run, double largestDisplacement) {
   const Solution& answer = run.solution;
   const Units units = unitsOf(*run.scene.parameters);
-  std::string line = answer.converged ? "converged: " : "NOT CONVERGED: ";
+  std::string line = answer.converged ? "converged: " : "not converged: ";
   if (!answer.converged && !answer.failure.empty()) line += answer.failure + "; ";
   if (answer.outerSolver.empty())
     line += answer.auxiliary.pcg == 0 ? "no interface iteration" : format("%d PCG", answer.auxiliary.pcg);

@@ -41,7 +41,7 @@ TEUCHOS_UNIT_TEST(Console, FooterOfAFailureGivesTheReason) {
   sample.solution_.failure = "50 iterations were not enough";
   std::ostringstream console;
   printFooter(&console, sample.run());
-  if (sample.comm_->getRank() == 0) TEST_ASSERT(console.str().find("NOT CONVERGED: 50 iterations were not enough; 2 outer") == 0);
+  if (sample.comm_->getRank() == 0) TEST_ASSERT(console.str().find("not converged: 50 iterations were not enough; 2 outer") == 0);
 }
 
 TEUCHOS_UNIT_TEST(Format, GroupsDigits) {

@@ -1,0 +1,56 @@
+#include "SolveStages.hpp"
+
+#include <Teuchos_Comm.hpp>
+#include <Teuchos_ParameterList.hpp>
+#include <iostream>
+#include <suture/constraints/BuildConstraints.hpp>
+#include <suture/mesh/MeshReader.hpp>
+#include <suture/solver/Solvability.hpp>
+
+#include "Program.hpp"
+
+namespace suture {
+
+ExitCode printDefaults(const Comm& comm, const SceneFile& file) {
+  if (std::ostream* out = consoleOf(comm, false)) *out << toXml(*file.parameters) << std::flush;
+  return ExitCode::Done;
+}
+
+Mesh meshStage(const Comm& comm, const SceneFile& file) {
+  Mesh mesh = readMesh(comm, file.parameters->sublist("Mesh"), file.folder);
+  collectivelyOnRoot(comm, "checking the mesh", [&] { assignBodies(mesh, sublistNames(file.parameters->sublist("Bodies"))); });
+  return mesh;
+}
+
+Constraints constraintsStage(const Comm& comm, const Mesh& mesh, const Parameters& scene) {
+  return onRoot(comm, "building the constraints",
+                [&] { return buildConstraints(mesh, scene.sublist("Boundary Conditions"), scene.sublist("Contact")); });
+}
+
+void checkStage(const Comm& comm, const Mesh& mesh, const Constraints& constraints, const ElasticModel& model) {
+  collectivelyOnRoot(comm, "checking that the scene has a solution", [&] { checkSolvability(mesh, constraints, model); });
+}
+
+std::unique_ptr<InterfaceProblem> problemStage(const CommPtr& comm, const Partition& partition, const Subdomains& subdomains,
+                                               const ElasticModel& model, const Parameters& scene) {
+  return isMonolithic(scene) ? nullptr : makeInterfaceProblem(comm, partition, subdomains, model, scene);
+}
+
+void printSizes(const Comm& comm, const SceneFile& file, const ProblemSize& size, const SolveOptions& options) {
+  std::ostream* console = consoleOf(comm, options.quiet && !options.check);
+  if (!console) return;
+  printHeader(*console, comm, file, size);
+  if (options.check) *console << "   nothing wrong was found; nothing was solved (--check)" << std::endl;
+}
+
+ExitCode reportStage(const Run& run, const SolveOptions& options) {
+  const ExitCode code = run.solution.converged ? ExitCode::Done : ExitCode::Numerical;
+  writeReport(run, code);
+  printFooter(consoleOf(run.comm, options.quiet), run);
+  // With --quiet the exit code would be all that tells.
+  if (code != ExitCode::Done && options.quiet && run.comm.getRank() == 0)
+    std::cerr << "suture_solve: not converged: " << run.solution.failure << std::endl;
+  return code;
+}
+
+}  // namespace suture

@@ -1,0 +1,38 @@
+#pragma once
+#include <suture/base/SceneReader.hpp>
+#include <suture/constraints/Constraints.hpp>
+#include <suture/elasticity/ElasticModel.hpp>
+#include <suture/mesh/Mesh.hpp>
+#include <suture/report/Report.hpp>
+#include <suture/report/SceneSchema.hpp>
+#include <suture/solver/SolveScene.hpp>
+
+#include "Plugins.hpp"
+#include "SolveOptions.hpp"
+#include "Stages.hpp"
+
+namespace suture {
+
+/// --print-defaults: the resolved scene as XML on standard output.
+ExitCode printDefaults(const Comm& comm, const SceneFile& file);
+
+/// The mesh with its bodies, on rank 0. \throws InputError  Collective.
+Mesh meshStage(const Comm& comm, const SceneFile& file);
+
+/// Rules, pairs and pieces, on rank 0. \throws InputError  Collective.
+Constraints constraintsStage(const Comm& comm, const Mesh& mesh, const Parameters& scene);
+
+/// Whether the scene has a solution at all. \throws InputError  names the body and where it can move. Collective.
+void checkStage(const Comm& comm, const Mesh& mesh, const Constraints& constraints, const ElasticModel& model);
+
+/// The interface problem of the scene's formulation; null for the outer solver Monolithic, which has none. Collective.
+std::unique_ptr<InterfaceProblem> problemStage(const CommPtr& comm, const Partition& partition, const Subdomains& subdomains,
+                                               const ElasticModel& model, const Parameters& scene);
+
+/// The header of the console; for --check more, and also with --quiet: its sizes are what was asked for.
+void printSizes(const Comm& comm, const SceneFile& file, const ProblemSize& size, const SolveOptions& options);
+
+/// Files and the last lines of the console; the exit code of the run. Collective.
+ExitCode reportStage(const Run& run, const SolveOptions& options);
+
+}  // namespace suture

@@ -1,0 +1,23 @@
+#pragma once
+#include <string>
+#include <suture/base/Collective.hpp>
+#include <suture/base/Timers.hpp>
+
+namespace suture {
+
+/// What `make` returns; the time it takes is added to a phase.
+template <typename Make>
+auto timed(Timers& timers, const std::string& phase, const Make& make) {
+  const Timers::Scope scope(timers, phase);
+  return make();
+}
+
+/// What `make` returns on rank 0, an empty object elsewhere; an exception becomes that of all ranks. Collective.
+template <typename Make>
+auto onRoot(const Comm& comm, const std::string& what, const Make& make) {
+  decltype(make()) result{};
+  collectivelyOnRoot(comm, what, [&] { result = make(); });
+  return result;
+}
+
+}  // namespace suture

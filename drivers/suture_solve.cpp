@@ -1,0 +1,49 @@
+// Solves a scene: elastic bodies in unilateral contact, by domain decomposition. One statement a stage, in the order of the packages.
+#include <Teuchos_ParameterList.hpp>
+
+#include "support/Program.hpp"
+#include "support/SolveStages.hpp"
+
+using namespace suture;
+
+namespace {
+
+ExitCode solve(const CommPtr& comm, const SolveOptions& options) {
+  Timers timers;
+  RunMonitor monitor(consoleOf(*comm, options.quiet), options.verbose, options.strict);
+  loadPlugins(options.plugins);
+  const SceneFile file = timed(timers, "read", [&] { return readScene(*comm, options.scene, sceneSchema(), options.overrides); });
+  if (options.printDefaults) return printDefaults(*comm, file);
+  const Parameters& scene = *file.parameters;
+  const std::string folder = outputFolder(file);
+  if (!options.check) prepareFolder(*comm, folder);
+
+  const Mesh mesh = timed(timers, "read", [&] { return meshStage(*comm, file); });
+  const Constraints constraints = timed(timers, "read", [&] { return constraintsStage(*comm, mesh, scene); });
+  const Partition partition =
+      timed(timers, "partition", [&] { return makePartition(*comm, mesh, constraints, scene.sublist("Partition")); });
+  const auto meshes = timed(timers, "partition", [&] { return distribute(*comm, mesh, constraints, partition); });
+  const ElasticModel model = makeElasticModel(scene);
+  checkStage(*comm, mesh, constraints, model);
+  const auto subdomains = timed(timers, "assemble", [&] { return makeSubdomains(*comm, meshes, model); });
+  const auto problem = timed(timers, "factor", [&] { return problemStage(comm, partition, subdomains, model, scene); });
+  const ProblemSize size = problemSize(*comm, mesh, constraints, partition, problem.get());
+  printSizes(*comm, file, size, options);
+  if (options.check) return ExitCode::Done;
+  const Solution solution = timed(timers, "solve", [&] {
+    if (!problem) return solveMonolithicScene(*comm, mesh, constraints, model, meshes, scene, monitor);
+    return recover(*comm, *problem, solveInterface(*problem, scene, monitor), subdomains, scene);
+  });
+
+  const std::string hash = onRoot(*comm, "hashing the mesh", [&] { return mesh.hash(); });
+  return reportStage({*comm, file, model, constraints.pieces, meshes, size, solution, monitor, timers, hash, options.commandLine, folder},
+                     options);
+}
+
+}  // namespace
+
+int main(int argc, char* argv[]) {
+  SolveOptions options;
+  if (const auto end = options.parse(argc, argv)) return *end;
+  return runProgram("suture_solve", options.scene, [&](const CommPtr& comm) { return solve(comm, options); });
+}

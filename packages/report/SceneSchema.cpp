@@ -1,0 +1,28 @@
+#include <suture/constraints/BuildConstraints.hpp>
+#include <suture/elasticity/ElasticModel.hpp>
+#include <suture/mesh/MeshReader.hpp>
+#include <suture/partition/Partition.hpp>
+#include <suture/report/OutputSchema.hpp>
+#include <suture/report/SceneSchema.hpp>
+#include <suture/solver/SolverSchema.hpp>
+
+namespace suture {
+
+Schema sceneSchema() {
+  Schema scene("A scene: elastic bodies in equilibrium, in unilateral contact with each other.");
+  scene.text("Title", "", "Printed and drawn; empty: the name of the file.");
+  scene.text("Units", "m, N, Pa", "Names of the units of length, force and stress: recorded and printed, never converted.");
+  addModelParameters(scene);
+  scene.list("Mesh", meshSchema(), true);
+  scene.list("Bodies", Schema("The elastic bodies, each named as its element group in the mesh.").each("<body>", bodySchema(), 1), true);
+  scene.list("Materials", Schema("Materials, named by the user.").each("<material>", materialSchema(), 1), true);
+  scene.list("Boundary Conditions",
+             Schema("Loads and supports, named by the user; several may meet at a node.").each("<condition>", boundaryConditionSchema()));
+  scene.list("Contact", Schema("Contact lines, named by the user.").each("<line>", contactSchema()));
+  scene.list("Partition", partitionSchema());
+  addSolverParameters(scene);
+  scene.list("Output", outputSchema());
+  return scene;
+}
+
+}  // namespace suture
