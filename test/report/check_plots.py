@@ -26,6 +26,9 @@ with tempfile.TemporaryDirectory() as out:
         ink = (image[..., :3].min(axis=2) < 0.9).mean()
         assert 0.01 < ink < 0.95, f"{name}.png has ink on {ink:.1%} of its area"
 
+with tempfile.TemporaryDirectory() as out:
+    assert run(folder, "--output", out).returncode == 0  # region and factor chosen by the program
+
 with tempfile.TemporaryDirectory() as copy:
     for name in ("summary.json", "history.csv"):
         shutil.copy(folder / name, copy)
