@@ -21,7 +21,7 @@ std::vector<std::string> optionNames(const CLI::App& app) {
 // CLI11 says which word it did not expect; the user wants to know which one he may have meant.
 std::string complaint(const CLI::App& app, const CLI::ParseError& error) {
   const std::vector<std::string> extra = app.remaining();
-  if (error.get_name() == "ExtrasError" && !extra.empty() && extra.front().rfind("--", 0) == 0)
+  if (dynamic_cast<const CLI::ExtrasError*>(&error) && !extra.empty() && extra.front().rfind("--", 0) == 0)
     return unknownName("option", extra.front().substr(0, extra.front().find('=')), optionNames(app));
   return error.what();
 }

@@ -84,15 +84,16 @@ std::string inputErrors(const std::string& name, const std::string& subject, con
 Explanation explain(const std::string& name, const std::string& subject, const std::exception& error) {
   const std::string begin = name + ": ", of = subject.empty() ? "" : " " + subject;
   if (const auto* input = dynamic_cast<const InputError*>(&error)) return {input->code(), inputErrors(name, subject, input->problems())};
-  if (dynamic_cast<const std::bad_alloc*>(&error)) return {ExitCode::Environment, begin + "out of memory" + of + "\n"};
+  if (dynamic_cast<const std::bad_alloc*>(&error))
+    return {ExitCode::Environment, begin + "out of memory" + (subject.empty() ? "" : " in " + subject) + "\n"};
   const std::string what = indented(error.what()) + "\n";
   if (const auto* ours = dynamic_cast<const Error*>(&error); ours && ours->code() != ExitCode::Internal) {
     if (ours->code() == ExitCode::CommandLine) return {ours->code(), begin + what + "  '" + name + " --help' lists the options\n"};
     if (ours->code() == ExitCode::Numerical) return {ours->code(), begin + "no solution of" + of + "\n  " + what};
     return {ours->code(), begin + what};
   }
-  return {ExitCode::Internal,
-          begin + "internal error" + of + "\n  " + what + "  This is a bug of Suture: please report it with the scene.\n"};
+  return {ExitCode::Internal, begin + "internal error" + (subject.empty() ? "" : " in " + subject) + "\n  " + what +
+                                  "  This is a bug of Suture: please report it with the scene.\n"};
 }
 
 int runProgram(const std::string& name, const std::string& subject, const std::function<ExitCode(const CommPtr& comm)>& work) {
