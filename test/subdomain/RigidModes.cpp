@@ -1,0 +1,97 @@
+#include <Teuchos_UnitTestHarness.hpp>
+#include <suture/mesh/Generators.hpp>
+#include <suture/subdomain/RigidAssembly.hpp>
+#include <suture/subdomain/RigidModes.hpp>
+
+#include <Eigen/Dense>
+
+namespace suture {
+namespace {
+
+// (1, 0), (0, 1) and (-y, x) at each point, from the formulas.
+Matrix motions(const std::vector<Point>& points) {
+  Matrix modes(2 * points.size(), 3);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    modes.row(2 * i) << 1, 0, -points[i][1];
+    modes.row(2 * i + 1) << 0, 1, points[i][0];
+  }
+  return modes;
+}
+
+double distanceToSpan(const Matrix& vectors, const Matrix& span) {
+  return (vectors - span * span.colPivHouseholderQr().solve(vectors)).norm() / vectors.norm();
+}
+
+RigidPart part(std::vector<GlobalId> nodes, const std::vector<Point>& points) {
+  RigidPart made;
+  for (GlobalId node : nodes) {
+    made.dofs.push_back(2 * node);
+    made.dofs.push_back(2 * node + 1);
+  }
+  made.modes = motions(points);
+  made.held.resize(0, 3);
+  return made;
+}
+
+TEUCHOS_UNIT_TEST(RigidModes, SpanTranslationsAndTheRotation) {
+  Box box;
+  box.x0 = 1000;  // far from the origin and small: the columns are still of the order of one and well apart
+  box.x1 = 1000.5;
+  box.nx = 4;
+  box.ny = 3;
+  const Mesh mesh = boxes({box});
+  const Matrix modes = rigidModes(mesh);
+  std::vector<Point> points;
+  for (int node = 0; node < mesh.nodes(); ++node) points.push_back(mesh.point(node));
+  TEST_EQUALITY(modes.cols(), 3);
+  TEST_EQUALITY(modes.rows(), 2 * mesh.nodes());
+  TEST_COMPARE(distanceToSpan(motions(points), modes), <, 1e-13);
+  TEST_COMPARE(modes.cwiseAbs().maxCoeff(), <, 1.5);
+  const Vector singular = Eigen::JacobiSVD<Matrix>(modes).singularValues();
+  TEST_COMPARE(singular(2), >, 0.2 * singular(0));
+}
+
+TEUCHOS_UNIT_TEST(RigidModes, NullSpaceIsWhatTheRowsLeaveFree) {
+  TEST_EQUALITY((nullSpace(Matrix(0, 3)) - Matrix::Identity(3, 3)).norm(), 0.0);
+  Matrix rows(5, 3);  // of rank two, the last rows rounding
+  rows << 1, 2, 3, 2, 4, 6, 0, 1, -1, 1, 3, 2, 1e-14, 0, 0;
+  const Matrix free = nullSpace(rows);
+  TEST_EQUALITY(free.cols(), 1);
+  Vector expected(3);
+  expected << -5, 1, 1;  // orthogonal to (1, 2, 3) and (0, 1, -1)
+  TEST_COMPARE(distanceToSpan(expected, free), <, 1e-13);
+  TEST_COMPARE(std::abs(free.norm() - 1.0), <, 1e-14);
+  TEST_EQUALITY(nullSpace(Matrix::Identity(3, 3)).cols(), 0);
+  TEST_EQUALITY(nullSpace(Matrix::Zero(2, 3)).cols(), 3);
+}
+
+TEUCHOS_UNIT_TEST(RigidModes, TwoPartsJoinedAtOneNodeHaveAHinge) {
+  const RigidPart a = part({0, 1}, {{0, 0, 0}, {1, 0, 0}}), b = part({1, 2}, {{1, 0, 0}, {1, 2, 0}});
+  const Matrix together = commonRigidMotions({a, b});
+  TEST_EQUALITY(together.rows(), 6);
+  TEST_EQUALITY(together.cols(), 4);  // three motions of the plane, and the angle between the parts
+  const Matrix atHinge = a.modes.bottomRows(2) * together.topRows(3) - b.modes.topRows(2) * together.bottomRows(3);
+  TEST_COMPARE(atHinge.norm(), <, 1e-14);
+  TEST_COMPARE((together.transpose() * together - Matrix::Identity(4, 4)).norm(), <, 1e-13);
+}
+
+TEUCHOS_UNIT_TEST(RigidModes, TwoPartsJoinedAlongALineMoveAsOne) {
+  const RigidPart a = part({0, 1, 2}, {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}}), b = part({1, 2, 3}, {{1, 0, 0}, {1, 1, 0}, {2, 0, 0}});
+  const Matrix together = commonRigidMotions({a, b});
+  TEST_EQUALITY(together.cols(), 3);
+  TEST_COMPARE((together.topRows(3) - together.bottomRows(3)).norm(), <, 1e-13);  // the same coefficients: the modes have one origin
+}
+
+TEUCHOS_UNIT_TEST(RigidModes, HeldRowsAreLeftOut) {
+  RigidPart a = part({0, 1}, {{0, 0, 0}, {1, 0, 0}});
+  const RigidPart b = part({1, 2}, {{1, 0, 0}, {1, 2, 0}});
+  a.held = a.modes;  // clamped: only the hinge is left, b turns about the point (1, 0)
+  const Matrix together = commonRigidMotions({a, b});
+  TEST_EQUALITY(together.cols(), 1);
+  Vector turning(6);
+  turning << 0, 0, 0, 0, -1, 1;  // u = (-y, x - 1)
+  TEST_COMPARE(distanceToSpan(turning, together), <, 1e-13);
+}
+
+}  // namespace
+}  // namespace suture
