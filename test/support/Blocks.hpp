@@ -131,6 +131,28 @@ inline Scene clampedSquare(int blocks, int cells, double young = 1.0, double poi
   return scene;
 }
 
+/// Two blocks in contact along y = 0, each in 2 x 2 subdomains, under their weight: the contact group has four
+/// members with seams inside. The gap is a wave: some pairs interfere, some are open. Nothing is held.
+inline Scene wavyBlocks(double youngLower = 100.0, double youngUpper = 40.0) {
+  std::vector<Box> all(2);
+  all[0].name = "lower";
+  all[1].name = "upper";
+  for (Box& box : all) {
+    box.x0 = -1;
+    box.nx = 6;
+    box.ny = 4;
+    box.blocksX = box.blocksY = 2;
+  }
+  all[0].y0 = -1;
+  all[0].y1 = 0;
+  Scene scene = scenes::fromBoxes(all, youngLower, 0.3);
+  scene.model.materialOfBody[1].young = youngUpper;
+  scene.pairUp();
+  for (ContactPair& pair : scene.constraints.pairs) pair.gap = 0.02 * std::cos(3.0 * pair.position[0] + 0.5);
+  scene.model.loads.push_back({Load::Kind::BodyForce, "", {0.2, -0.7, 0}});
+  return scene;
+}
+
 /// Numbers in [-1, 1], the same in every run and on every machine.
 inline Matrix random(int rows, int columns, unsigned seed = 1) {
   std::mt19937 generator(seed);
