@@ -1,0 +1,111 @@
+#pragma once
+#include <Teuchos_CommHelpers.hpp>
+#include <suture/interface/CondensedProblem.hpp>
+
+#include <set>
+#include <support/Blocks.hpp>
+
+namespace suture::blocks {
+
+/// A scene's interface problem over a communicator.
+struct Interface {
+  Scene scene;
+  Blocks all;
+  CondensedProblem problem;
+  InterfaceState closed;                       ///< zero trace, all pairs closed
+  InterfaceProblem::Linearisation linearised;  ///< there
+  std::shared_ptr<const InterfaceSpace> space;
+  std::vector<GlobalId> overlap;  ///< unknowns that this rank sees, in the order of space->overlap()
+
+  Interface(const Scene& given, const CommPtr& comm, const std::vector<double>& youngOf = {}, const std::string& solver = "CHOLMOD")
+      : scene(given),
+        all(given, comm, youngOf),
+        problem(comm, all.partition, all.subdomains, all.young, localSolver(solver),
+                [] { return Registry<SchurComplement>::instance().make("Implicit", Parameters()); }),
+        closed(problem.initialState()),
+        linearised(problem.linearise(closed)),
+        space(problem.space()) {
+    std::set<GlobalId> seen;
+    for (const auto& local : linearised.matrix->locals()) seen.insert(local->boundary().begin(), local->boundary().end());
+    overlap.assign(seen.begin(), seen.end());
+  }
+  const InterfaceOperator& matrix() const { return *linearised.matrix; }
+};
+
+/// A distributed interface and the same alone on every rank, whose unknowns, ascending, are the rows of dense vectors and matrices here:
+/// the same on any number of ranks.
+struct Twins {
+  Interface spread, single;
+
+  explicit Twins(const Scene& scene, const std::vector<double>& youngOf = {})
+      : spread(scene, world(), youngOf), single(scene, alone(), youngOf) {}
+
+  int size() const { return int(single.overlap.size()); }
+  int place(GlobalId unknown) const {
+    return int(std::lower_bound(single.overlap.begin(), single.overlap.end(), unknown) - single.overlap.begin());
+  }
+
+  MultiVectorPtr toSpread(const Matrix& values) const { return to(spread, values); }
+  MultiVectorPtr toSingle(const Matrix& values) const { return to(single, values); }
+
+  /// Collective.
+  Matrix toDense(const MultiVector& values) const {
+    Matrix seen;
+    spread.space->gather(values, seen);
+    const Vector ranks = ranksThatSee(spread);
+    Matrix mine = Matrix::Zero(size(), seen.cols()), sum(size(), seen.cols());
+    for (std::size_t i = 0; i < spread.overlap.size(); ++i) mine.row(place(spread.overlap[i])) = seen.row(i) / ranks(i);
+    Teuchos::reduceAll(*spread.space->comm(), Teuchos::REDUCE_SUM, int(mine.size()), mine.data(), sum.data());
+    return sum;
+  }
+
+  /// A distributed operator as a dense matrix, column by column. Collective.
+  Matrix toDense(const Operator& op) const {
+    const MultiVectorPtr x = toSpread(Matrix::Identity(size(), size())), y = spread.space->vector(size());
+    op.apply(*x, *y);
+    return toDense(*y);
+  }
+
+ private:
+  static Vector ranksThatSee(const Interface& one) {
+    Matrix ones = Matrix::Ones(int(one.overlap.size()), 1);
+    one.space->sum(ones);
+    return ones.col(0);
+  }
+  MultiVectorPtr to(const Interface& one, const Matrix& values) const {
+    const Vector ranks = ranksThatSee(one);
+    Matrix seen(int(one.overlap.size()), values.cols());
+    for (std::size_t i = 0; i < one.overlap.size(); ++i) seen.row(i) = values.row(place(one.overlap[i])) / ranks(i);
+    const MultiVectorPtr made = one.space->vector(int(values.cols()));
+    one.space->scatterAdd(seen, *made);
+    return made;
+  }
+};
+
+/// wavyBlocks() held below, pressed and moved on top: some pairs open, some closed.
+inline Scene pressedBlocks() {
+  Scene scene = wavyBlocks();
+  scene.fixLower();
+  scene.hold("upper_top", 0, 0.01);
+  scene.hold("upper_top", 1, -0.015);
+  return scene;
+}
+
+/// A rectangle of 3 x 2 subdomains moved on its left side and loaded; no contact.
+inline Scene loadedRectangle() {
+  Box box;
+  box.x1 = 3;
+  box.y1 = 2;
+  box.nx = 9;
+  box.ny = 6;
+  box.blocksX = 3;
+  box.blocksY = 2;
+  Scene scene = scenes::fromBoxes({box}, 50.0, 0.3);
+  scene.hold("body_left", 0, 0.01);
+  scene.hold("body_left", 1, -0.02);
+  scene.pressure("body_top", 3.0);
+  scene.model.loads.push_back({Load::Kind::BodyForce, "", {0.5, -2.0, 0}});
+  return scene;
+}
+
+}  // namespace suture::blocks
