@@ -18,7 +18,7 @@
 
 namespace {
 
-const char* const scene = R"(<ParameterList name="Suture">
+const char* const scene = R"xml(<ParameterList name="Suture">
   <ParameterList name="Mesh"><Parameter name="Generator" type="string" value="Boxes"/><ParameterList name="Boxes">
     <ParameterList name="upper"><Parameter name="Y" type="Array(double)" value="{0, 1}"/></ParameterList>
     <ParameterList name="lower"><Parameter name="Y" type="Array(double)" value="{-1, 0}"/></ParameterList>
@@ -41,7 +41,7 @@ const char* const scene = R"(<ParameterList name="Suture">
   </ParameterList></ParameterList>
   <ParameterList name="Partition"><ParameterList name="METIS"><Parameter name="Subdomains" type="string" value="6"/></ParameterList></ParameterList>
   <ParameterList name="Outer Solver"><Parameter name="Tolerance" type="double" value="1e-12"/></ParameterList>
-</ParameterList>)";
+</ParameterList>)xml";
 
 // Only what this program needs of a scene: no output, no title.
 suture::Schema schema() {
