@@ -63,19 +63,32 @@ TEUCHOS_UNIT_TEST(CondensedProblem, LinearisationIsTheDerivativeOfTheResidual) {
 }
 
 TEUCHOS_UNIT_TEST(CondensedProblem, IsTheSameOnAnyNumberOfRanks) {
-  const Twins t(pressedBlocks());
-  int mixed = 0;
-  for (unsigned seed = 1; seed <= 5; ++seed) {
-    const Matrix u = 0.03 * random(t.size(), 1, seed);
-    const auto a = at(t.spread, t.toSpread(u)), b = at(t.single, t.toSingle(u));
-    TEST_FLOATING_EQUALITY(a.energy, b.energy, 1e-11);
-    TEST_EQUALITY(a.active, b.active);
-    TEST_EQUALITY(a.changed, b.changed);
-    TEST_EQUALITY(a.changed, 7 - a.active);  // from all closed
-    TEST_COMPARE(difference(t.toDense(*a.residual), localView(static_cast<const MultiVector&>(*b.residual))), <, 1e-11);
-    mixed += a.active > 0 && a.active < 7;
+  for (const Scene& scene : {pressedBlocks(), stackedBlocks(3), stackedBlocks(2)}) {
+    const Twins t(scene);
+    const int pairs = int(scene.constraints.pairs.size());
+    TEST_EQUALITY(t.spread.problem.pairs(), pairs);
+    TEST_EQUALITY(t.spread.problem.pieces(), int(scene.constraints.pieces.size()));
+    TEST_EQUALITY(t.single.problem.groups().size(), scene.constraints.pieces.size());
+    int mixed = 0;
+    for (unsigned seed = 1; seed <= 5; ++seed) {
+      const Matrix u = 0.03 * random(t.size(), 1, seed);
+      const auto a = at(t.spread, t.toSpread(u)), b = at(t.single, t.toSingle(u));
+      TEST_FLOATING_EQUALITY(a.energy, b.energy, 1e-11);
+      TEST_EQUALITY(a.active, b.active);
+      TEST_EQUALITY(a.changed, b.changed);
+      TEST_EQUALITY(a.changed, pairs - a.active);  // from all closed
+      TEST_COMPARE(difference(t.toDense(*a.residual), t.toDenseSingle(*b.residual)), <, 1e-11);
+      mixed += a.active > 0 && a.active < pairs;
+    }
+    TEST_COMPARE(mixed, >, 0);
   }
-  TEST_COMPARE(mixed, >, 0);
+}
+
+// Groups that touch each other: S_0 knows nothing of the seam between them.
+TEUCHOS_UNIT_TEST(CondensedProblem, WithoutContactTheSeamBetweenTwoGroupsIsUntouched) {
+  const Twins apart(stackedBlocks(3)), touching(stackedBlocks(2));
+  TEST_EQUALITY(apart.spread.problem.withoutContact()->untouched(), 0);
+  TEST_EQUALITY(touching.spread.problem.withoutContact()->untouched(), 2 * 5);
 }
 
 TEUCHOS_UNIT_TEST(CondensedProblem, WithoutContactIsTheSumOverPlainSubdomains) {

@@ -59,6 +59,13 @@ struct Twins {
     return sum;
   }
 
+  /// The same of a vector of the single twin, whose order on one rank need not be ascending. Local.
+  Matrix toDenseSingle(const MultiVector& values) const {
+    Matrix seen;
+    single.space->gather(values, seen);
+    return seen;
+  }
+
   /// A distributed operator as a dense matrix, column by column. Collective.
   Matrix toDense(const Operator& op) const {
     const MultiVectorPtr x = toSpread(Matrix::Identity(size(), size())), y = spread.space->vector(size());
@@ -88,6 +95,43 @@ inline Scene pressedBlocks() {
   scene.fixLower();
   scene.hold("upper_top", 0, 0.01);
   scene.hold("upper_top", 1, -0.015);
+  return scene;
+}
+
+/// Three blocks on each other, the lowest fixed, the uppermost turned down on its right end; two contact groups, which may live on two
+/// ranks. \param middleRows  subdomains of the middle block: with 3 a plain one lies between the groups, with 2 they touch
+inline Scene stackedBlocks(int middleRows) {
+  std::vector<Box> all(3);
+  const char* names[3] = {"lower", "middle", "upper"};
+  for (int k = 0; k < 3; ++k) {
+    all[k].name = names[k];
+    all[k].y0 = k;
+    all[k].y1 = k + 1;
+    all[k].nx = 4;
+    all[k].ny = 6;
+    all[k].blocksY = k == 1 ? middleRows : 2;
+  }
+  Scene scene = scenes::fromBoxes(all, 100.0, 0.3);
+  scene.sideA = "middle_top";
+  scene.sideB = "upper_bottom";
+  scene.pairUp();
+  const Constraints above = scene.constraints;
+  scene.sideA = "lower_top";
+  scene.sideB = "middle_bottom";
+  scene.pairUp();
+  scene.constraints.pieces.push_back({"above", {}, 1, 2});
+  for (ContactPair pair : above.pairs) {
+    pair.id = int(scene.constraints.pairs.size());
+    pair.line = pair.piece = 1;
+    scene.constraints.pairs.push_back(pair);
+    scene.constraints.pieces.back().pairs.push_back(pair.id);
+  }
+  scene.fixLower();
+  scene.hold("upper_top", 0, 0.0);
+  scene.hold("upper_top", 1, -0.01);
+  for (int node : scene.nodesOf("upper_top"))
+    if (scene.mesh.point(node)[0] < 0.3) scene.holdNode(node, 1, 0.03);
+  scene.holdNode(scene.constraints.pairs[2].nodeB, 0, 0.0);  // the middle block may not slide out
   return scene;
 }
 
