@@ -76,7 +76,7 @@ installMissing
 case $1 in
   build) configureAndBuild ;;
   run)
-    configureAndBuild --target suture_solve suture_schema suture_plot # the tests take as long again, and nobody asked for them
+    configureAndBuild --target suture_solve suture_schema suture_plot_script # the tests take as long again, and nobody asked for them
     out=$build/tunnel_out
     mpirun --oversubscribe -np 2 "$build/drivers/suture_solve" input/tunnel/tunnel.xml --output "$out" </dev/null
     "$build/drivers/suture_plot" "$out" </dev/null

@@ -11,6 +11,7 @@ namespace {
 ExitCode solve(const CommPtr& comm, const SolveOptions& options) {
   Timers timers;
   RunMonitor monitor(consoleOf(*comm, options.quiet), options.verbose, options.strict);
+  listenForStop(monitor);
   loadPlugins(options.plugins);
   const SceneFile file = timed(timers, "read", [&] { return readScene(*comm, options.scene, sceneSchema(), options.overrides); });
   if (options.printDefaults) return printDefaults(*comm, file);
@@ -30,12 +31,13 @@ ExitCode solve(const CommPtr& comm, const SolveOptions& options) {
   const ProblemSize size = problemSize(*comm, mesh, constraints, partition, problem.get());
   printSizes(*comm, file, size, options);
   if (options.check) return ExitCode::Done;
+  const std::string hash = onRoot(*comm, "hashing the mesh", [&] { return mesh.hash(); });
+  const auto start = startStage(*comm, options, problem.get(), hash, meshes, subdomains);
   const Solution solution = timed(timers, "solve", [&] {
     if (!problem) return solveMonolithicScene(*comm, mesh, constraints, model, meshes, scene, monitor);
-    return recover(*comm, *problem, solveInterface(*problem, scene, monitor), subdomains, scene);
+    return recover(*comm, *problem, solveInterface(*problem, scene, monitor, start.get()), subdomains, scene);
   });
 
-  const std::string hash = onRoot(*comm, "hashing the mesh", [&] { return mesh.hash(); });
   return reportStage({*comm, file, model, constraints.pieces, meshes, size, solution, monitor, timers, hash, options.commandLine, folder},
                      options);
 }

@@ -8,6 +8,7 @@ namespace suture {
 /// The command line of suture_solve.
 struct SolveOptions {
   std::string scene;
+  std::string restart;                 ///< checkpoint to go on from, or empty
   std::vector<std::string> overrides;  ///< of --set, and --output as "Output/Folder=DIR"
   std::vector<std::string> plugins;
   bool check = false, printDefaults = false, quiet = false, verbose = false, strict = false;

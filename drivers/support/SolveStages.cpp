@@ -2,9 +2,12 @@
 
 #include <Teuchos_Comm.hpp>
 #include <Teuchos_ParameterList.hpp>
+#include <csignal>
+#include <filesystem>
 #include <iostream>
 #include <suture/constraints/BuildConstraints.hpp>
 #include <suture/mesh/MeshReader.hpp>
+#include <suture/report/Checkpoint.hpp>
 #include <suture/solver/Solvability.hpp>
 
 #include "Program.hpp"
@@ -36,6 +39,26 @@ std::unique_ptr<InterfaceProblem> problemStage(const CommPtr& comm, const Partit
   return isMonolithic(scene) ? nullptr : makeInterfaceProblem(comm, partition, subdomains, model, scene);
 }
 
+std::unique_ptr<InterfaceState> startStage(const Comm& comm, const SolveOptions& options, const InterfaceProblem* problem,
+                                           const std::string& meshHash, const std::vector<SubdomainMesh>& meshes,
+                                           const Subdomains& subdomains) {
+  if (options.restart.empty()) return nullptr;
+  const Checkpoint checkpoint = readCheckpoint(comm, options.restart, meshHash, meshes);
+  if (!problem) return nullptr;  // Monolithic solves the scene at once
+  std::vector<Vector> freeValues;
+  for (std::size_t i = 0; i < subdomains.size(); ++i) freeValues.push_back(subdomains[i]->freeValues(checkpoint.displacement[i]));
+  return std::make_unique<InterfaceState>(problem->stateOf(freeValues, checkpoint.status));
+}
+
+namespace {
+volatile std::sig_atomic_t stopAsked = 0;
+}
+
+void listenForStop(RunMonitor& monitor) {
+  std::signal(SIGUSR1, [](int) { stopAsked = 1; });
+  monitor.stopWhen([] { return stopAsked != 0; });
+}
+
 void printSizes(const Comm& comm, const SceneFile& file, const ProblemSize& size, const SolveOptions& options) {
   std::ostream* console = consoleOf(comm, options.quiet && !options.check);
   if (!console) return;
@@ -44,8 +67,10 @@ void printSizes(const Comm& comm, const SceneFile& file, const ProblemSize& size
 }
 
 ExitCode reportStage(const Run& run, const SolveOptions& options) {
-  const ExitCode code = run.solution.converged ? ExitCode::Done : ExitCode::Numerical;
+  const ExitCode code = run.solution.converged ? ExitCode::Done : run.solution.stopped ? ExitCode::Stopped : ExitCode::Numerical;
   writeReport(run, code);
+  if (code != ExitCode::Done)
+    writeCheckpoint(run.comm, (std::filesystem::path(run.folder) / "checkpoint.h5").string(), run.meshHash, run.subdomains, run.solution);
   printFooter(consoleOf(run.comm, options.quiet), run);
   // With --quiet the exit code would be all that tells.
   if (code != ExitCode::Done && options.quiet && run.comm.getRank() == 0)

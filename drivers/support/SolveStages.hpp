@@ -29,6 +29,14 @@ void checkStage(const Comm& comm, const Mesh& mesh, const Constraints& constrain
 std::unique_ptr<InterfaceProblem> problemStage(const CommPtr& comm, const Partition& partition, const Subdomains& subdomains,
                                                const ElasticModel& model, const Parameters& scene);
 
+/// Where the outer solver begins: the state in the checkpoint of --restart, or null. Collective.
+std::unique_ptr<InterfaceState> startStage(const Comm& comm, const SolveOptions& options, const InterfaceProblem* problem,
+                                           const std::string& meshHash, const std::vector<SubdomainMesh>& meshes,
+                                           const Subdomains& subdomains);
+
+/// SIGUSR1 (mpirun forwards it) ends the run after the outer iteration in hand, with a checkpoint and exit code 75.
+void listenForStop(RunMonitor& monitor);
+
 /// The header of the console; for --check more, and also with --quiet: its sizes are what was asked for.
 void printSizes(const Comm& comm, const SceneFile& file, const ProblemSize& size, const SolveOptions& options);
 

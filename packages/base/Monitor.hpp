@@ -38,6 +38,8 @@ class Monitor {
   /// One inner (PCG) iteration; only for those who ask for it (--verbose).
   virtual void inner(int /*iteration*/, double /*relativeResidual*/) {}
   virtual bool wantsInner() const { return false; }
+  /// Whether the user asked this process to stop at the next opportunity; outer solvers ask after every iteration, on all ranks.
+  virtual bool stopRequested() const { return false; }
 };
 
 }  // namespace suture

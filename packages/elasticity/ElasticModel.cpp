@@ -69,8 +69,8 @@ Load loadOf(const Parameters& condition, const std::vector<std::string>& bodies,
   if (condition.isType<Teuchos::Array<double>>("Value")) value = condition.get<Teuchos::Array<double>>("Value").toVector();
   const std::size_t expected = load.kind == Load::Kind::Pressure ? 1 : 2;
   if (value.size() != expected)
-    problems.add(pathOf(condition, "Value"), "found " + std::to_string(value.size()) + (value.size() == 1 ? " number" : " numbers") + ", but a condition of type " + type +
-                                                 " needs " +
+    problems.add(pathOf(condition, "Value"), "found " + std::to_string(value.size()) + (value.size() == 1 ? " number" : " numbers") +
+                                                 ", but a condition of type " + type + " needs " +
                                                  (expected == 1 ? "one: the pressure, positive when it pushes into the body"
                                                                 : "two: the components along x and y, as {0.0, -1.0}"));
   else

@@ -116,6 +116,21 @@ InterfaceState CondensedProblem::initialState() const {
   return state;
 }
 
+InterfaceState CondensedProblem::stateOf(const std::vector<Vector>& freeValues, const std::map<int, PairStatus>& status) const {
+  InterfaceState state = initialState();
+  auto owned = localView(*state.trace);
+  for (std::size_t s = 0; s < subdomains_.size(); ++s)
+    for (int dof = 0; dof < subdomains_[s]->dofs(); ++dof) {
+      const auto at = space_->map()->getLocalElement(subdomains_[s]->globalDof(dof));
+      if (at >= 0) owned(at, 0) = freeValues[s](dof);
+    }
+  for (std::size_t g = 0; g < groups_.size(); ++g)
+    for (int row = 0; row < groups_[g]->rows().size(); ++row)
+      if (const auto found = status.find(groups_[g]->rows().pairIds[row]); found != status.end())
+        state.status[plain_.size() + g][row] = found->second;
+  return state;
+}
+
 std::vector<Vector> CondensedProblem::traces(const MultiVector& trace) const {
   Matrix overlap;
   space_->gather(trace, overlap);

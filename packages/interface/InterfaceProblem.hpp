@@ -3,6 +3,7 @@
 #include <suture/constraints/Constraints.hpp>
 #include <suture/interface/InterfaceOperator.hpp>
 
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -37,6 +38,10 @@ class InterfaceProblem {
   /// Zero trace (prescribed displacements are in the loads), all pairs closed: contact must be started closed, from an empty set
   /// Newton fails.
   virtual InterfaceState initialState() const = 0;
+
+  /// The state that belongs to given values of the subdomains' free unknowns (of this rank) and status of pairs (by id; a pair that is not
+  /// named is closed): a restart.
+  virtual InterfaceState stateOf(const std::vector<Vector>& freeValues, const std::map<int, PairStatus>& status) const = 0;
 
   struct Evaluation {
     MultiVectorPtr residual;  ///< F - S_0 U - S_KON(U) = -grad J(U)

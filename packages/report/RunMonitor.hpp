@@ -1,6 +1,7 @@
 #pragma once
 #include <suture/base/Monitor.hpp>
 
+#include <functional>
 #include <iosfwd>
 #include <string>
 #include <vector>
@@ -22,6 +23,9 @@ class RunMonitor : public Monitor {
   void note(const std::string& text) override;
   void inner(int iteration, double relativeResidual) override;
   bool wantsInner() const override { return verbose_; }
+  bool stopRequested() const override { return stop_ && stop_(); }
+  /// \param stop  asked after every outer iteration whether the user wants the run to end
+  void stopWhen(std::function<bool()> stop) { stop_ = std::move(stop); }
 
   const std::vector<OuterRow>& rows() const { return rows_; }
   const std::vector<std::string>& notes() const { return notes_; }
@@ -29,6 +33,7 @@ class RunMonitor : public Monitor {
  private:
   std::ostream* console_;
   bool verbose_, strict_;
+  std::function<bool()> stop_;
   std::vector<OuterRow> rows_;
   std::vector<std::string> notes_;
 };

@@ -22,7 +22,7 @@ Chord::Chord(const Parameters& own) : innerTolerance_(own.get<double>("Inner Tol
 void Chord::doSolve(Run& run) const {
   Anderson anderson(depth_);
   const MultiVectorPtr correction = run.problem.space()->vector();
-  while (!run.done() && !run.exhausted()) {
+  while (run.goesOn()) {
     const InnerResult cost =
         run.inner.solve(run.bilateral, run.preconditioner, *run.evaluation.residual, *correction, innerTolerance_, 0.0, run.monitor);
     if (!cost.converged) {

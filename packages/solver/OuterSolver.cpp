@@ -4,7 +4,7 @@
 #include <suture/solver/SemismoothNewton.hpp>
 #include <suture/solver/SuccessiveApproximation.hpp>
 
-#include <Teuchos_Array.hpp>
+#include <Teuchos_CommHelpers.hpp>
 #include <Tpetra_MultiVector.hpp>
 
 #include <cmath>
@@ -13,6 +13,14 @@ namespace suture {
 
 namespace {
 double euclidean(const MultiVector& x) { return std::sqrt(dot(x, x)); }
+
+int changedPairs(const Comm& comm, const ContactStatus& before, const ContactStatus& now) {
+  int mine = 0, all = 0;
+  for (std::size_t i = 0; i < now.size(); ++i)
+    for (std::size_t p = 0; p < now[i].size(); ++p) mine += before[i][p] != now[i][p];
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, mine, Teuchos::outArg(all));
+  return all;
+}
 }  // namespace
 
 double OuterSolver::Run::norm(const InterfaceProblem::Evaluation& at) const {
@@ -28,11 +36,12 @@ void OuterSolver::Run::accept(InterfaceState state, InterfaceProblem::Evaluation
   row.residual = residual;
   row.euclidean = referenceEuclidean > 0.0 ? euclidean(*at.residual) / referenceEuclidean : 0.0;
   row.active = at.active;
-  row.changed = at.changed;
+  row.changed = changedPairs(*problem.space()->comm(), reported, at.next);
   row.energy = at.energy;
   row.step = step;
   row.seconds = Timers::now() - begin;
   monitor.outer(row);
+  reported = at.next;
 
   result.pcgTotal += cost.pcg;
   result.residual = residual;
@@ -41,10 +50,20 @@ void OuterSolver::Run::accept(InterfaceState state, InterfaceProblem::Evaluation
   evaluation = std::move(at);
 }
 
-OuterResult OuterSolver::solve(const InterfaceProblem& problem, const OuterSettings& settings, Monitor& monitor) const {
+bool OuterSolver::Run::goesOn() {
+  const int mine = monitor.stopRequested();
+  int any = 0;
+  Teuchos::reduceAll(*problem.space()->comm(), Teuchos::REDUCE_MAX, mine, Teuchos::outArg(any));
+  result.stopped = any != 0;
+  return !done() && !result.stopped && result.iterations < settings.maximumIterations;
+}
+
+OuterResult OuterSolver::solve(const InterfaceProblem& problem, const OuterSettings& settings, Monitor& monitor,
+                               const InterfaceState* given) const {
   OuterResult result;
-  Run run{problem, settings, monitor, InnerSolver(settings.maximumInnerIterations), {}, {}, 0.0, 0.0, Timers::now(), result, {}};
+  Run run{problem, settings, monitor, InnerSolver(settings.maximumInnerIterations), {}, {}, 0.0, 0.0, Timers::now(), result, {}, {}};
   result.state = problem.initialState();
+  run.reported = result.state.status;
   if (problem.space()->size() == 0) {  // one subdomain a body: the local problems are the whole problem
     result.converged = true;
     return result;
@@ -60,20 +79,25 @@ OuterResult OuterSolver::solve(const InterfaceProblem& problem, const OuterSetti
   run.referenceEuclidean = euclidean(*start.load);
 
   const bool contact = problem.pairs() > 0;
-  const double tolerance = contact ? auxiliaryTolerance(settings) : settings.tolerance;
-  const InnerResult auxiliary =
-      run.inner.solve(start.matrix, run.preconditioner, *start.load, *result.state.trace, tolerance, 0.0, monitor);
-  result.auxiliary = {auxiliary.pcg, auxiliary.condition, tolerance, auxiliary.residual, contact};
-  monitor.auxiliary(result.auxiliary);
-  result.residual = auxiliary.residual;
-  if (!auxiliary.converged) {
-    result.failure =
-        "the auxiliary problem did not reach its tolerance within " + std::to_string(settings.maximumInnerIterations) + " iterations";
-    return result;
-  }
-  if (!contact) {  // linear: this is the solution, and no contact loop is entered
-    result.converged = true;
-    return result;
+  if (given && contact) {
+    result.state = *given;
+    result.auxiliary.contact = contact;
+  } else {
+    const double tolerance = contact ? auxiliaryTolerance(settings) : settings.tolerance;
+    const InnerResult auxiliary =
+        run.inner.solve(start.matrix, run.preconditioner, *start.load, *result.state.trace, tolerance, 0.0, monitor);
+    result.auxiliary = {auxiliary.pcg, auxiliary.condition, tolerance, auxiliary.residual, contact};
+    monitor.auxiliary(result.auxiliary);
+    result.residual = auxiliary.residual;
+    if (!auxiliary.converged) {
+      result.failure =
+          "the auxiliary problem did not reach its tolerance within " + std::to_string(settings.maximumInnerIterations) + " iterations";
+      return result;
+    }
+    if (!contact) {  // linear: this is the solution, and no contact loop is entered
+      result.converged = true;
+      return result;
+    }
   }
 
   run.evaluation = problem.evaluate(result.state);
@@ -81,6 +105,7 @@ OuterResult OuterSolver::solve(const InterfaceProblem& problem, const OuterSetti
   result.residual = run.norm(run.evaluation);
   if (!run.done()) doSolve(run);
   result.converged = run.done();
+  if (result.stopped && !result.converged && result.failure.empty()) result.failure = "stopped on request";
   if (!result.converged && result.failure.empty())
     result.failure = "the tolerance was not reached within " + std::to_string(result.iterations) + " outer iterations";
   return result;

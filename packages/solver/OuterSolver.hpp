@@ -22,6 +22,7 @@ struct OuterSettings {
 struct OuterResult {
   InterfaceState state;
   bool converged = false;
+  bool stopped = false;  ///< on request, between two iterations
   std::string failure;
   int iterations = 0;
   int pcgTotal = 0;  ///< of the outer iterations, failed steps included
@@ -40,7 +41,9 @@ class OuterSolver {
   virtual ~OuterSolver() = default;
 
   /// \throws NumericalError  breakdown; not for a mere lack of convergence, which the result says.
-  OuterResult solve(const InterfaceProblem& problem, const OuterSettings& settings, Monitor& monitor) const;
+  /// \param start  where to begin instead of the auxiliary solution (a restart), or null; a linear problem does not ask for it
+  OuterResult solve(const InterfaceProblem& problem, const OuterSettings& settings, Monitor& monitor,
+                    const InterfaceState* start = nullptr) const;
 
  protected:
   /// What a method needs while it runs.
@@ -55,6 +58,7 @@ class OuterSolver {
     double referenceEuclidean = 0.0;
     double begin = 0.0;  ///< seconds
     OuterResult& result;
+    ContactStatus reported;                   ///< of the last row: what `changed` counts from; at first all closed
     InterfaceProblem::Evaluation evaluation;  ///< at result.state, whose status is the evaluation's
 
     /// Relative residual of an evaluation.
@@ -62,7 +66,8 @@ class OuterSolver {
     /// Takes over a new point: evaluates nothing; updates status, result.residual and reports a row.
     void accept(InterfaceState state, InterfaceProblem::Evaluation at, double residual, const InnerResult& cost, double step);
     bool done() const { return result.residual <= settings.tolerance; }
-    bool exhausted() const { return result.iterations >= settings.maximumIterations; }
+    /// Whether there is something to do and nobody minds: not done, not exhausted, not asked to stop. Collective.
+    bool goesOn();
   };
 
   /// From the auxiliary solution in run.result.state, evaluated, until run.done() or given up with run.result.failure.

@@ -19,7 +19,7 @@ SemismoothNewton::SemismoothNewton(const Parameters& own) : innerTolerance_(own.
 
 void SemismoothNewton::doSolve(Run& run) const {
   const MultiVectorPtr step = run.problem.space()->vector();
-  while (!run.done() && !run.exhausted()) {
+  while (run.goesOn()) {
     Teuchos::RCP<InterfaceOperator> tangent;
     try {
       tangent = run.problem.linearise(run.result.state).matrix;

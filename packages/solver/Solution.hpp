@@ -27,6 +27,7 @@ struct PairResult {
 /// The answer of a run and the figures that summary.json reports.
 struct Solution {
   bool converged = false;
+  bool stopped = false;              ///< on request, before it converged
   std::string failure;               ///< why not
   std::vector<Vector> displacement;  ///< of each subdomain of this rank, in the order of distribute(): node-major, Cartesian [length]
   std::vector<PairResult> pairs;     ///< on rank 0: all, by id

@@ -78,14 +78,14 @@ std::unique_ptr<InterfaceProblem> makeInterfaceProblem(const CommPtr& comm, cons
                                             [&own] { return strategy<SchurComplement>(own, "Schur Complement"); });
 }
 
-OuterResult solveInterface(const InterfaceProblem& problem, const Parameters& scene, Monitor& monitor) {
+OuterResult solveInterface(const InterfaceProblem& problem, const Parameters& scene, Monitor& monitor, const InterfaceState* start) {
   const Parameters& own = scene.sublist("Outer Solver");
   OuterSettings settings;
   settings.tolerance = own.get<double>("Tolerance");
   settings.maximumIterations = own.get<int>("Maximum Iterations");
   settings.maximumInnerIterations = own.get<int>("Maximum Inner Iterations");
   settings.preconditioner = [&scene] { return makePreconditioner(scene.sublist("Preconditioner")); };
-  return strategy<OuterSolver>(own, "Type")->solve(problem, settings, monitor);
+  return strategy<OuterSolver>(own, "Type")->solve(problem, settings, monitor, start);
 }
 
 Solution recover(const Comm& comm, const InterfaceProblem& problem, const OuterResult& result, const Subdomains& subdomains,
@@ -93,6 +93,7 @@ Solution recover(const Comm& comm, const InterfaceProblem& problem, const OuterR
   const InterfaceProblem::Recovered recovered = problem.recover(result.state);
   Solution solution;
   solution.converged = result.converged;
+  solution.stopped = result.stopped && !result.converged;
   solution.failure = result.failure;
   if (problem.pairs() > 0) solution.outerSolver = scene.sublist("Outer Solver").get<std::string>("Type");
   solution.outerIterations = result.iterations;

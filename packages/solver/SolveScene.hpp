@@ -26,8 +26,10 @@ Subdomains makeSubdomains(const Comm& comm, const std::vector<SubdomainMesh>& me
 std::unique_ptr<InterfaceProblem> makeInterfaceProblem(const CommPtr& comm, const Partition& partition, const Subdomains& subdomains,
                                                        const ElasticModel& model, const Parameters& scene);
 
-/// Solves with the scene's outer solver and preconditioner. \throws NumericalError
-OuterResult solveInterface(const InterfaceProblem& problem, const Parameters& scene, Monitor& monitor);
+/// Solves with the scene's outer solver and preconditioner, from `start` or, if it is null, from the auxiliary problem. \throws
+/// NumericalError
+OuterResult solveInterface(const InterfaceProblem& problem, const Parameters& scene, Monitor& monitor,
+                           const InterfaceState* start = nullptr);
 
 /// Interiors, contact, energy and balance of forces of the state that the outer solver ended with.
 Solution recover(const Comm& comm, const InterfaceProblem& problem, const OuterResult& result, const Subdomains& subdomains,

@@ -68,7 +68,7 @@ void SuccessiveApproximation::doSolve(Run& run) const {
 
   const MultiVectorPtr correction = run.problem.space()->vector();
   const double first = run.result.residual;
-  while (!run.done() && !run.exhausted()) {
+  while (run.goesOn()) {
     const InnerResult cost = run.inner.solve(s0, preconditioner, *run.evaluation.residual, *correction, innerTolerance_, 0.0, run.monitor);
     if (!cost.converged) {
       run.result.pcgTotal += cost.pcg;
