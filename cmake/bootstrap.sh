@@ -60,7 +60,7 @@ installMissing() {
 }
 
 configureAndBuild() {
-  # A build folder that exists keeps its generator and its options.
+  # A build folder that exists keeps its options.
   if [ -f "$build/CMakeCache.txt" ]; then
     cmake -S . -B "$build" </dev/null
   else
