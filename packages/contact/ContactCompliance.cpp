@@ -1,9 +1,7 @@
+#include <suture/base/Dense.hpp>
 #include <suture/base/Errors.hpp>
 #include <suture/contact/ContactCompliance.hpp>
 
-#include <suture/subdomain/RigidModes.hpp>
-
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 
@@ -33,13 +31,13 @@ Matrix blockAt(const Matrix& matrix, const std::vector<int>& at) {
 }
 
 /// Lower Cholesky factor; rows that repeat others (two pairs that say the same) are kept definite by a shift of the size of rounding.
-Matrix choleskyFactor(const Matrix& matrix) {
+Matrix shiftedCholeskyFactor(const Matrix& matrix) {
   if (matrix.rows() == 0) return matrix;
   for (double shift = 0.0; shift < 1e-6; shift = std::max(1e-14, 100 * shift)) {
     Matrix shifted = matrix;
     shifted.diagonal() *= 1.0 + shift;
-    const Eigen::LLT<Matrix> llt(shifted);
-    if (llt.info() == Eigen::Success) return llt.matrixL();
+    Matrix lower;
+    if (choleskyFactor(shifted, lower)) return lower;
   }
   throw NumericalError("the compliance of the contact pairs is not positive definite");
 }
@@ -105,9 +103,9 @@ ContactCompliance::Closed::Closed(const ContactCompliance& contact, const std::v
   loose_ = nullSpace(g);
   held_ = nullSpace(loose_.transpose());
   if (loose_.cols() == 0) held_ = Matrix::Identity(g.cols(), g.cols());
-  factor_ = choleskyFactor(blockAt(contact.compliance_, closed_));
+  factor_ = shiftedCholeskyFactor(blockAt(contact.compliance_, closed_));
   gHeld_ = g * held_;
-  rigidFactor_ = choleskyFactor(gHeld_.transpose() * solveWith(factor_, gHeld_));
+  rigidFactor_ = shiftedCholeskyFactor(gHeld_.transpose() * solveWith(factor_, gHeld_));
   kernel_ = contact.inverse_.kernel() * loose_;
 }
 
@@ -200,7 +198,7 @@ void ContactCompliance::boundedSolve(const Matrix& m, const Vector& q, Vector& f
   const int most = steps + 200 + 20 * pairs();
   for (; steps < most; ++steps) {
     const std::vector<int> closed = closedOnes(status);
-    const Matrix closedForce = solveWith(choleskyFactor(blockAt(m, closed)), rowsAt(q, closed));
+    const Matrix closedForce = solveWith(shiftedCholeskyFactor(blockAt(m, closed)), rowsAt(q, closed));
     force = Vector::Zero(pairs());
     for (std::size_t i = 0; i < closed.size(); ++i) force(closed[i]) = closedForce(i, 0);
     const Vector gap = m * force - q;

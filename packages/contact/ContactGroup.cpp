@@ -97,13 +97,13 @@ Matrix ContactGroup::rigidKernel(bool boundaryHeld) const {
   std::vector<char> isHeld(dofs(), 0);
   if (boundaryHeld)
     for (int i : boundaryPositions_) isHeld[i] = 1;
-  std::vector<RigidPart> parts;
+  std::vector<RigidMember> parts;
   for (std::size_t m = 0; m < members_.size(); ++m) {
     const Subdomain& subdomain = *members_[m].subdomain;
     std::vector<int> onBoundary;
     for (int i = 0; i < subdomain.dofs(); ++i)
       if (isHeld[positions_[m][i]]) onBoundary.push_back(i);
-    RigidPart part;
+    RigidMember part;
     part.dofs.assign(positions_[m].begin(), positions_[m].end());
     part.modes = subdomain.rigidModes();
     part.held.resize(subdomain.heldModes().rows() + static_cast<int>(onBoundary.size()), part.modes.cols());

@@ -1,7 +1,7 @@
 #include <suture/base/Collective.hpp>
+#include <suture/base/Dense.hpp>
 #include <suture/precond/NeumannNeumann.hpp>
 
-#include <Eigen/QR>
 #include <Teuchos_CommHelpers.hpp>
 #include <Teuchos_ParameterList.hpp>
 #include <Tpetra_Map.hpp>
@@ -16,15 +16,6 @@ template <typename Base>
 std::unique_ptr<Base> strategy(const Parameters& own, const char* parameter) {
   const auto name = own.get<std::string>(parameter);
   return Registry<Base>::instance().make(name, own.isSublist(name) ? own.sublist(name) : Parameters());
-}
-
-/// Orthonormal basis of the columns' span: what depends on others within the local problem is left out.
-Matrix orthonormal(const Matrix& columns) {
-  if (columns.rows() == 0 || columns.cols() == 0) return Matrix(columns.rows(), 0);
-  Eigen::ColPivHouseholderQR<Matrix> qr(columns);
-  qr.setThreshold(
-      1e-10);  // rigid modes are of the order of one; weights may be as small as 1e-8 where stiffness jumps, of all columns alike
-  return qr.householderQ() * Matrix::Identity(columns.rows(), qr.rank());
 }
 
 }  // namespace
@@ -70,7 +61,9 @@ void NeumannNeumann::doCompute() {
       locals_[i] = locals[i];
       Matrix z = coarseSpace_->columns(*locals[i]);
       weighting_->apply(static_cast<int>(i), z);
-      columns[i] = orthonormal(z);
+      // Rigid modes are of the order of one, and where stiffness jumps the weights of all columns are small alike: what is below is
+      // dependent on the others.
+      columns[i] = orthonormalBasis(z, 1e-10);
     }
   });
   int mine = 0, all = 0;

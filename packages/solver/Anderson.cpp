@@ -1,6 +1,6 @@
+#include <suture/base/Dense.hpp>
 #include <suture/solver/Anderson.hpp>
 
-#include <Eigen/Eigenvalues>
 #include <Tpetra_MultiVector.hpp>
 
 namespace suture {
@@ -40,12 +40,12 @@ MultiVectorPtr Anderson::accelerate(const MultiVector& u, const MultiVector& cor
   }
   gram = (0.5 * (gram + gram.transpose())).eval();  // inner solves are not exact
   // Directions that the inner solves do not resolve are left out.
-  const Eigen::SelfAdjointEigenSolver<Matrix> eigen(gram);
-  const double least = 1e-6 * eigen.eigenvalues().maxCoeff();
+  const Eigenpairs eigen = symmetricEigenpairs(gram);
+  const double least = 1e-6 * eigen.values.maxCoeff();
   if (!(least > 0.0)) return Teuchos::null;
-  Vector gamma = eigen.eigenvectors().transpose() * right;
-  for (int i = 0; i < m; ++i) gamma(i) = eigen.eigenvalues()(i) > least ? gamma(i) / eigen.eigenvalues()(i) : 0.0;
-  gamma = (eigen.eigenvectors() * gamma).eval();
+  Vector gamma = eigen.vectors.transpose() * right;
+  for (int i = 0; i < m; ++i) gamma(i) = eigen.values(i) > least ? gamma(i) / eigen.values(i) : 0.0;
+  gamma = (eigen.vectors * gamma).eval();
 
   const MultiVectorPtr step = copy(correction);
   for (int i = 0; i < m; ++i) {

@@ -1,3 +1,4 @@
+#include <suture/base/Dense.hpp>
 #include <suture/solver/InnerSolver.hpp>
 
 #include <BelosCGIteration.hpp>
@@ -6,7 +7,6 @@
 #include <BelosPseudoBlockCGIter.hpp>
 #include <BelosStatusTest.hpp>
 #include <BelosTpetraAdapter.hpp>
-#include <Eigen/Eigenvalues>
 #include <Teuchos_ParameterList.hpp>
 #include <Tpetra_MultiVector.hpp>
 #include <Tpetra_Operator.hpp>
@@ -51,16 +51,6 @@ class PreconditionedNormTest : public Belos::StatusTest<double, MultiVector, Ope
 };
 
 }  // namespace
-
-std::vector<double> tridiagonalEigenvalues(const std::vector<double>& diagonal, const std::vector<double>& offDiagonal) {
-  const auto n = static_cast<Eigen::Index>(diagonal.size());
-  if (n == 0) return {};
-  Eigen::SelfAdjointEigenSolver<Matrix> solver;
-  solver.computeFromTridiagonal(Eigen::Map<const Vector>(diagonal.data(), n), Eigen::Map<const Vector>(offDiagonal.data(), n - 1),
-                                Eigen::EigenvaluesOnly);
-  const Vector values = solver.eigenvalues();
-  return {values.data(), values.data() + n};
-}
 
 double preconditionedNorm(const Preconditioner& preconditioner, const MultiVector& r) {
   const MultiVectorPtr z = preconditioner.space()->vector();

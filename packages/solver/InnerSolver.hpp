@@ -37,7 +37,4 @@ class InnerSolver {
 /// sqrt(r.M r), the norm of residuals everywhere. Collective.
 double preconditionedNorm(const Preconditioner& preconditioner, const MultiVector& r);
 
-/// Eigenvalues of a symmetric tridiagonal matrix, ascending. Local.
-std::vector<double> tridiagonalEigenvalues(const std::vector<double>& diagonal, const std::vector<double>& offDiagonal);
-
 }  // namespace suture

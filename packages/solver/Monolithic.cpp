@@ -1,3 +1,4 @@
+#include <suture/base/Dense.hpp>
 #include <suture/base/Errors.hpp>
 #include <suture/solver/Monolithic.hpp>
 #include <suture/solver/MonolithicContact.hpp>
@@ -6,7 +7,6 @@
 #include <suture/solver/Solvability.hpp>
 #include <suture/subdomain/CholmodFactor.hpp>
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -49,8 +49,7 @@ Matrix looseMotions(const Mesh& mesh, const MonolithicSystem& system, const Rigi
     const Matrix own = z(dofsOf[p], Eigen::seqN(first[p], columns));
     // A part without contact keeps its columns of zeros; checkSolvability has refused such a scene before.
     if (own.rows() < columns) throw InternalError("a loose part has fewer contact dofs than rigid motions");
-    const Matrix q = Eigen::HouseholderQR<Matrix>(own).householderQ() * Matrix::Identity(own.rows(), columns);
-    z(dofsOf[p], Eigen::seqN(first[p], columns)) = q;
+    z(dofsOf[p], Eigen::seqN(first[p], columns)) = orthonormalBasis(own, 1e-14);
   }
   return z;
 }

@@ -1,8 +1,8 @@
 #include <cblas.h>
+#include <suture/base/Dense.hpp>
 #include <suture/base/Errors.hpp>
 #include <suture/solver/MonolithicContact.hpp>
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -154,11 +154,11 @@ bool ActiveSet::solve(bool tied, double spring) {
     if (holding_.size() == 0) holding_ = m.diagonal();  // the first set has all rows closed
     if (!(holding_.minCoeff() > 0)) return false;
     const Vector scale = holding_.cwiseSqrt().cwiseInverse();
-    const Eigen::SelfAdjointEigenSolver<Matrix> eigen(scale.asDiagonal() * m * scale.asDiagonal());
-    if (eigen.eigenvalues()[0] < loose * std::max(1.0, eigen.eigenvalues()[modes_ - 1])) return false;
+    const Eigenpairs eigen = symmetricEigenpairs(scale.asDiagonal() * m * scale.asDiagonal());
+    if (eigen.values[0] < loose * std::max(1.0, eigen.values[modes_ - 1])) return false;
     const Vector missing = scale.cwiseProduct(work_ - rhs.rightCols(modes_).transpose() * rhs.col(0));
-    place_ = scale.cwiseProduct(
-        Vector(eigen.eigenvectors() * eigen.eigenvalues().cwiseInverse().cwiseProduct(Vector(eigen.eigenvectors().transpose() * missing))));
+    place_ =
+        scale.cwiseProduct(Vector(eigen.vectors * eigen.values.cwiseInverse().cwiseProduct(Vector(eigen.vectors.transpose() * missing))));
     rhs.col(0) += rhs.rightCols(modes_) * place_;
   }
   triangularSolve(factor, CblasTrans, rhs.leftCols(1));

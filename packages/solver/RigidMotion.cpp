@@ -1,7 +1,6 @@
+#include <suture/base/Dense.hpp>
 #include <suture/solver/RigidMotion.hpp>
 
-#include <Eigen/QR>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,8 +9,6 @@
 namespace suture {
 
 namespace {
-
-constexpr double heldThreshold = 1e-10;  // relative, of singular values of scaled rows
 
 // Connected components of the nodes, numbered in the order of their first nodes.
 std::vector<int> components(const CellBlock& block) {
@@ -36,17 +33,6 @@ std::vector<int> components(const CellBlock& block) {
     part[i] = number[r];
   }
   return part;
-}
-
-// Orthonormal basis of the amplitudes that the rows do not see.
-Matrix nullSpace(const Matrix& rows, int amplitudes) {
-  if (rows.rows() == 0) return Matrix::Identity(amplitudes, amplitudes);
-  Matrix small = rows;
-  if (rows.rows() > amplitudes) small = Eigen::HouseholderQR<Matrix>(rows).matrixQR().topRows(amplitudes).triangularView<Eigen::Upper>();
-  const Eigen::JacobiSVD<Matrix> svd(small, Eigen::ComputeFullV);
-  int rank = 0;
-  while (rank < svd.singularValues().size() && svd.singularValues()[rank] > heldThreshold * svd.singularValues()[0]) ++rank;
-  return svd.matrixV().rightCols(amplitudes - rank);
 }
 
 }  // namespace
@@ -110,7 +96,7 @@ RigidParts freeRigidMotions(const Mesh& mesh, const Constraints& constraints) {
       rows[part].row(rowsOf[part]++) = Eigen::Map<const Vector>(rule.axes[k].data(), dimension).transpose() * motion;
     }
   }
-  for (int part = 0; part < count; ++part) all.parts[part].free = nullSpace(rows[part], amplitudes);
+  for (int part = 0; part < count; ++part) all.parts[part].free = nullSpace(rows[part]);
   return all;
 }
 

@@ -1,9 +1,8 @@
+#include <suture/base/Dense.hpp>
 #include <suture/base/Errors.hpp>
 #include <suture/solver/MonolithicSystem.hpp>
 #include <suture/solver/Solvability.hpp>
 
-#include <Eigen/QR>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -50,11 +49,8 @@ std::string inWords(const RigidPart& part, const Vector& amplitudes, int dimensi
 // possible.
 std::string inWords(const RigidPart& part, const Matrix& space, int dimension) {
   const Matrix rotations = space.bottomRows(space.rows() - dimension);
-  const Eigen::JacobiSVD<Matrix> svd(rotations, Eigen::ComputeFullV);
-  int rank = 0;
-  while (rank < svd.singularValues().size() && svd.singularValues()[rank] > noMotion) ++rank;
-  if (rank == space.cols()) return inWords(part, Vector(space.col(0)), dimension);
-  const Matrix translations = space * svd.matrixV().rightCols(space.cols() - rank);
+  const Matrix translations = space * nullSpace(rotations, noMotion);
+  if (translations.cols() == 0) return inWords(part, Vector(space.col(0)), dimension);
   if (translations.cols() == dimension) return "move in any direction";
   Eigen::Index axis = 0;
   translations.topRows(dimension).rowwise().norm().maxCoeff(&axis);
@@ -63,10 +59,8 @@ std::string inWords(const RigidPart& part, const Matrix& space, int dimension) {
 
 // A space of motions of one part, as found in columns over all parts: orthonormal basis of what is not negligible.
 Matrix spanOf(const Matrix& columns) {
-  const Eigen::JacobiSVD<Matrix> svd(columns, Eigen::ComputeThinU);
-  int rank = 0;
-  while (rank < svd.singularValues().size() && svd.singularValues()[rank] > noMotion) ++rank;
-  return svd.matrixU().leftCols(rank);
+  const SingularValues svd = singularValues(columns);
+  return svd.u.leftCols((svd.values.array() > noMotion).count());
 }
 
 struct Modes {
@@ -146,7 +140,7 @@ Vector nonnegativeLeastSquares(const Matrix& a, const Vector& b) {
     passive.push_back(int(best));
     isPassive[best] = 1;
     while (!passive.empty()) {
-      const Vector trial = Matrix(a(Eigen::all, passive)).colPivHouseholderQr().solve(b);
+      const Vector trial = leastSquares(a(Eigen::all, passive), b);
       if (trial.minCoeff() > 0) {
         for (std::size_t i = 0; i < passive.size(); ++i) p[passive[i]] = trial[Eigen::Index(i)];
         break;
@@ -233,13 +227,7 @@ void checkSolvability(const Mesh& mesh, const Constraints& constraints, const Ve
     problems.throwIfAny();
   }
 
-  const Eigen::JacobiSVD<Matrix> svd(
-      rows.rows() > rows.cols() ? Matrix(Eigen::HouseholderQR<Matrix>(rows).matrixQR().topRows(rows.cols()).triangularView<Eigen::Upper>())
-                                : rows,
-      Eigen::ComputeFullV);
-  int rank = 0;
-  while (rank < svd.singularValues().size() && svd.singularValues()[rank] > 1e-10 * svd.singularValues()[0]) ++rank;
-  const Matrix sliding = svd.matrixV().rightCols(modes.count - rank);
+  const Matrix sliding = nullSpace(rows);
   for (int part = 0; part < parts && sliding.cols() > 0; ++part) {
     const RigidPart& r = rigid.parts[part];
     if (r.free.cols() == 0) continue;

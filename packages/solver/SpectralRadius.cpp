@@ -1,6 +1,6 @@
 #include <suture/base/Buffer.hpp>
 #include <suture/base/Collective.hpp>
-#include <suture/solver/InnerSolver.hpp>
+#include <suture/base/Dense.hpp>
 #include <suture/solver/SpectralRadius.hpp>
 #include <suture/subdomain/RigidAssembly.hpp>
 
@@ -71,11 +71,11 @@ std::string whySingular(const InterfaceOperator& withoutContact) {
   const std::vector<std::string> all = gatherOnRoot(*comm, packer.bytes());
   std::string why;
   collectivelyOnRoot(*comm, "looking for motions without contact groups", [&] {
-    std::vector<RigidPart> parts;
+    std::vector<RigidMember> parts;
     for (const std::string& bytes : all) {
       Unpacker unpacker(bytes);
       for (auto n = unpacker.get<std::size_t>(); n > 0; --n) {
-        RigidPart part;
+        RigidMember part;
         unpacker.get(part.dofs);
         const auto columns = static_cast<Eigen::Index>(unpacker.get<std::size_t>());
         const auto values = unpacker.get<std::vector<double>>();

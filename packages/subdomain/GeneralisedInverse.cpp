@@ -1,7 +1,6 @@
+#include <suture/base/Dense.hpp>
 #include <suture/subdomain/GeneralisedInverse.hpp>
 
-#include <Eigen/Cholesky>
-#include <Eigen/QR>
 #include <algorithm>
 #include <random>
 #include <sstream>
@@ -12,9 +11,8 @@ namespace {
 
 /// Unknowns of a few nodes on which the kernel is well determined: the first pivots of a QR of its transpose, completed to whole nodes.
 std::vector<int> fixingDofs(const Matrix& kernel, const std::vector<int>& nodeOf) {
-  const Eigen::ColPivHouseholderQR<Matrix> qr(kernel.transpose());
   std::vector<int> nodes;
-  for (int k = 0; k < kernel.cols(); ++k) nodes.push_back(nodeOf[qr.colsPermutation().indices()(k)]);
+  for (const int row : pivotRows(kernel)) nodes.push_back(nodeOf[row]);
   std::sort(nodes.begin(), nodes.end());
   std::vector<int> dofs;
   for (int i = 0; i < static_cast<int>(nodeOf.size()); ++i)
@@ -31,8 +29,7 @@ SparseMatrix regularised(const SparseMatrix& matrix, const Matrix& kernel, const
     fixed.row(i) = kernel.row(dofs[i]);
     rho = std::max(rho, matrix.coeff(dofs[i], dofs[i]));
   }
-  const Eigen::HouseholderQR<Matrix> qr(fixed);
-  const Matrix basis = qr.householderQ() * Matrix::Identity(m, kernel.cols());
+  const Matrix basis = orthonormalBasis(fixed, 1e-14);
   const Matrix projection = basis * basis.transpose();
   std::vector<Eigen::Triplet<double>> entries;
   for (int i = 0; i < m; ++i)
@@ -77,7 +74,8 @@ void GeneralisedInverse::verify(const SparseMatrix& matrix, const std::string& w
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
   Vector load(size_);
   for (int i = 0; i < size_; ++i) load(i) = uniform(random);
-  if (kernel_.cols() > 0) load -= kernel_ * (kernel_.transpose() * kernel_).ldlt().solve(kernel_.transpose() * load);
+  const Matrix basis = orthonormalBasis(kernel_, 1e-14);
+  load -= basis * (basis.transpose() * load);
   Matrix x = load;
   solver_->solve(x);
   const double residual = (matrix * x.col(0) - load).norm() / std::max(load.norm(), 1e-300);

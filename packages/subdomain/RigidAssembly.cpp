@@ -1,13 +1,13 @@
+#include <suture/base/Dense.hpp>
 #include <suture/subdomain/RigidAssembly.hpp>
-#include <suture/subdomain/RigidModes.hpp>
 
 #include <unordered_map>
 
 namespace suture {
 
-Matrix commonRigidMotions(const std::vector<RigidPart>& parts) {
+Matrix commonRigidMotions(const std::vector<RigidMember>& parts) {
   std::vector<Eigen::Index> first{0};
-  for (const RigidPart& part : parts) first.push_back(first.back() + part.modes.cols());
+  for (const RigidMember& part : parts) first.push_back(first.back() + part.modes.cols());
   const Eigen::Index columns = first.back();
 
   struct Holder {

@@ -1,7 +1,5 @@
 #include <suture/subdomain/RigidModes.hpp>
 
-#include <Eigen/QR>
-#include <Eigen/SVD>
 #include <algorithm>
 
 namespace suture {
@@ -34,22 +32,6 @@ Matrix rigidModes(const CellBlock& block) {
     }
   }
   return modes;
-}
-
-Matrix nullSpace(const Matrix& constraints) {
-  const int m = static_cast<int>(constraints.cols());
-  if (constraints.rows() == 0 || m == 0) return Matrix::Identity(m, m);
-  Matrix square = constraints;
-  if (constraints.rows() > m) {  // the same singular values, without the long left vectors
-    const Eigen::HouseholderQR<Matrix> qr(constraints);
-    square = qr.matrixQR().topRows(m).triangularView<Eigen::Upper>();
-  }
-  const Eigen::JacobiSVD<Matrix> svd(square, Eigen::ComputeFullV);
-  const auto& values = svd.singularValues();
-  const double threshold = 1e-10 * std::max(1.0, values.size() > 0 ? values(0) : 0.0);
-  int rank = 0;
-  while (rank < values.size() && values(rank) > threshold) ++rank;
-  return svd.matrixV().rightCols(m - rank);
 }
 
 }  // namespace suture

@@ -8,8 +8,4 @@ namespace suture {
 /// the centroid, divided by half the diameter so that all columns are of the order of one. Local.
 Matrix rigidModes(const CellBlock& block);
 
-/// Orthonormal basis of the null space of `constraints` (rows x modes), by a singular value decomposition: singular values below 1e-10
-/// times the largest (or 1, if that is larger: rows are expected to be scaled to the order of one) count as zero. No rows: the identity.
-Matrix nullSpace(const Matrix& constraints);
-
 }  // namespace suture

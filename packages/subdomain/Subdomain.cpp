@@ -1,5 +1,5 @@
+#include <suture/base/Dense.hpp>
 #include <suture/base/Errors.hpp>
-#include <suture/subdomain/RigidModes.hpp>
 #include <suture/subdomain/Subdomain.hpp>
 
 #include <sstream>

@@ -1,6 +1,7 @@
 #include <Teuchos_UnitTestHarness.hpp>
 #include <suture/mesh/Generators.hpp>
 #include <suture/subdomain/RigidAssembly.hpp>
+#include <suture/base/Dense.hpp>
 #include <suture/subdomain/RigidModes.hpp>
 
 #include <Eigen/Dense>
@@ -22,8 +23,8 @@ double distanceToSpan(const Matrix& vectors, const Matrix& span) {
   return (vectors - span * span.colPivHouseholderQr().solve(vectors)).norm() / vectors.norm();
 }
 
-RigidPart part(std::vector<GlobalId> nodes, const std::vector<Point>& points) {
-  RigidPart made;
+RigidMember part(std::vector<GlobalId> nodes, const std::vector<Point>& points) {
+  RigidMember made;
   for (GlobalId node : nodes) {
     made.dofs.push_back(2 * node);
     made.dofs.push_back(2 * node + 1);
@@ -66,7 +67,7 @@ TEUCHOS_UNIT_TEST(RigidModes, NullSpaceIsWhatTheRowsLeaveFree) {
 }
 
 TEUCHOS_UNIT_TEST(RigidModes, TwoPartsJoinedAtOneNodeHaveAHinge) {
-  const RigidPart a = part({0, 1}, {{0, 0, 0}, {1, 0, 0}}), b = part({1, 2}, {{1, 0, 0}, {1, 2, 0}});
+  const RigidMember a = part({0, 1}, {{0, 0, 0}, {1, 0, 0}}), b = part({1, 2}, {{1, 0, 0}, {1, 2, 0}});
   const Matrix together = commonRigidMotions({a, b});
   TEST_EQUALITY(together.rows(), 6);
   TEST_EQUALITY(together.cols(), 4);  // three motions of the plane, and the angle between the parts
@@ -76,15 +77,15 @@ TEUCHOS_UNIT_TEST(RigidModes, TwoPartsJoinedAtOneNodeHaveAHinge) {
 }
 
 TEUCHOS_UNIT_TEST(RigidModes, TwoPartsJoinedAlongALineMoveAsOne) {
-  const RigidPart a = part({0, 1, 2}, {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}}), b = part({1, 2, 3}, {{1, 0, 0}, {1, 1, 0}, {2, 0, 0}});
+  const RigidMember a = part({0, 1, 2}, {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}}), b = part({1, 2, 3}, {{1, 0, 0}, {1, 1, 0}, {2, 0, 0}});
   const Matrix together = commonRigidMotions({a, b});
   TEST_EQUALITY(together.cols(), 3);
   TEST_COMPARE((together.topRows(3) - together.bottomRows(3)).norm(), <, 1e-13);  // the same coefficients: the modes have one origin
 }
 
 TEUCHOS_UNIT_TEST(RigidModes, HeldRowsAreLeftOut) {
-  RigidPart a = part({0, 1}, {{0, 0, 0}, {1, 0, 0}});
-  const RigidPart b = part({1, 2}, {{1, 0, 0}, {1, 2, 0}});
+  RigidMember a = part({0, 1}, {{0, 0, 0}, {1, 0, 0}});
+  const RigidMember b = part({1, 2}, {{1, 0, 0}, {1, 2, 0}});
   a.held = a.modes;  // clamped: only the hinge is left, b turns about the point (1, 0)
   const Matrix together = commonRigidMotions({a, b});
   TEST_EQUALITY(together.cols(), 1);

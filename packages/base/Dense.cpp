@@ -1,0 +1,71 @@
+#include <suture/base/Dense.hpp>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <Eigen/QR>
+#include <Eigen/SVD>
+#include <algorithm>
+
+namespace suture {
+
+SingularValues singularValues(const Matrix& matrix) {
+  const Eigen::Index m = matrix.cols();
+  if (matrix.rows() == 0 || m == 0) return {Vector(0), Matrix(matrix.rows(), 0), Matrix::Identity(m, m)};
+  if (matrix.rows() > m) {  // the small triangle has the same values and right vectors
+    const Eigen::HouseholderQR<Matrix> qr(matrix);
+    SingularValues small = singularValues(qr.matrixQR().topRows(m).triangularView<Eigen::Upper>());
+    Matrix u = Matrix::Zero(matrix.rows(), small.u.cols());
+    u.topRows(m) = small.u;
+    small.u = qr.householderQ() * u;
+    return small;
+  }
+  const Eigen::JacobiSVD<Matrix> svd(matrix, Eigen::ComputeThinU | Eigen::ComputeFullV);
+  return {svd.singularValues(), svd.matrixU(), svd.matrixV()};
+}
+
+Matrix nullSpace(const Matrix& rows, double threshold) {
+  const SingularValues svd = singularValues(rows);
+  if (threshold < 0.0) threshold = 1e-10 * std::max(1.0, svd.values.size() > 0 ? svd.values(0) : 0.0);
+  Eigen::Index rank = 0;
+  while (rank < svd.values.size() && svd.values(rank) > threshold) ++rank;
+  return svd.v.rightCols(rows.cols() - rank);
+}
+
+Matrix orthonormalBasis(const Matrix& columns, double threshold) {
+  if (columns.rows() == 0 || columns.cols() == 0) return Matrix(columns.rows(), 0);
+  Eigen::ColPivHouseholderQR<Matrix> qr(columns);
+  qr.setThreshold(threshold);
+  return qr.householderQ() * Matrix::Identity(columns.rows(), qr.rank());
+}
+
+Vector leastSquares(const Matrix& a, const Vector& b) { return a.colPivHouseholderQr().solve(b); }
+
+std::vector<int> pivotRows(const Matrix& columns) {
+  const Eigen::ColPivHouseholderQR<Matrix> qr(columns.transpose());
+  const auto& order = qr.colsPermutation().indices();
+  return std::vector<int>(order.data(), order.data() + std::min(columns.cols(), columns.rows()));
+}
+
+Eigenpairs symmetricEigenpairs(const Matrix& matrix) {
+  const Eigen::SelfAdjointEigenSolver<Matrix> solver(matrix);
+  return {solver.eigenvalues(), solver.eigenvectors()};
+}
+
+std::vector<double> tridiagonalEigenvalues(const std::vector<double>& diagonal, const std::vector<double>& offDiagonal) {
+  const auto n = static_cast<Eigen::Index>(diagonal.size());
+  if (n == 0) return {};
+  Eigen::SelfAdjointEigenSolver<Matrix> solver;
+  solver.computeFromTridiagonal(Eigen::Map<const Vector>(diagonal.data(), n), Eigen::Map<const Vector>(offDiagonal.data(), n - 1),
+                                Eigen::EigenvaluesOnly);
+  const Vector values = solver.eigenvalues();
+  return {values.data(), values.data() + n};
+}
+
+bool choleskyFactor(const Matrix& matrix, Matrix& lower) {
+  const Eigen::LLT<Matrix> llt(matrix);
+  if (llt.info() != Eigen::Success) return false;
+  lower = llt.matrixL();
+  return true;
+}
+
+}  // namespace suture

@@ -1,0 +1,44 @@
+#pragma once
+#include <suture/base/Types.hpp>
+
+#include <vector>
+
+namespace suture {
+
+// Decompositions of small dense matrices, compiled once: Eigen's are expensive to compile. Local.
+
+/// matrix = u diag(values) v^T; values descend; u is thin, v complete (its last columns span the null space of a wide matrix).
+struct SingularValues {
+  Vector values;
+  Matrix u, v;
+};
+SingularValues singularValues(const Matrix& matrix);
+
+/// Orthonormal basis of the null space: of right singular vectors whose singular value is at most `threshold`. By default 1e-10 times the
+/// largest (or 1, if that is larger: rows are expected to be scaled to the order of one). No rows: the identity.
+Matrix nullSpace(const Matrix& rows, double threshold = -1.0);
+
+/// Orthonormal basis of the columns' span, by a QR decomposition with pivoting: columns whose remainder is below `threshold` times the
+/// largest are left out.
+Matrix orthonormalBasis(const Matrix& columns, double threshold);
+
+/// x that minimises |a x - b|, by the same decomposition.
+Vector leastSquares(const Matrix& a, const Vector& b);
+
+/// The rows on which the columns are determined best, as many as there are columns: the first pivots of a QR of the transpose.
+std::vector<int> pivotRows(const Matrix& columns);
+
+/// Of a symmetric matrix; values ascend.
+struct Eigenpairs {
+  Vector values;
+  Matrix vectors;
+};
+Eigenpairs symmetricEigenpairs(const Matrix& matrix);
+
+/// Eigenvalues of a symmetric tridiagonal matrix, ascending.
+std::vector<double> tridiagonalEigenvalues(const std::vector<double>& diagonal, const std::vector<double>& offDiagonal);
+
+/// lower * lower^T = matrix; false, and `lower` is not to be used, when the matrix is not positive definite to working accuracy.
+bool choleskyFactor(const Matrix& matrix, Matrix& lower);
+
+}  // namespace suture
