@@ -59,6 +59,7 @@ installMissing() {
   fi
 }
 
+# getconf, not nproc: that one believes OMP_NUM_THREADS.
 configureAndBuild() {
   # A build folder that exists keeps its options.
   if [ -f "$build/CMakeCache.txt" ]; then
@@ -66,7 +67,7 @@ configureAndBuild() {
   else
     cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release </dev/null
   fi
-  cmake --build "$build" --parallel "${JOBS:-$(nproc)}" "$@" </dev/null
+  cmake --build "$build" --parallel "${JOBS:-$(getconf _NPROCESSORS_ONLN)}" "$@" </dev/null
 }
 
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 # a container has no other user

@@ -1,0 +1,86 @@
+"""A run that is stopped leaves a checkpoint from which another number of ranks, with another partition, goes on.
+
+restart.py --solve PROGRAM --mpirun "mpirun ..." --work DIR --input FOLDER
+"""
+import argparse
+import json
+import pathlib
+import shutil
+import signal
+import subprocess
+import sys
+import time
+
+parser = argparse.ArgumentParser()
+for option in ("--solve", "--mpirun", "--work", "--input"):
+    parser.add_argument(option, required=True)
+options = parser.parse_args()
+work = pathlib.Path(options.work)
+shutil.rmtree(work, ignore_errors=True)
+work.mkdir(parents=True)
+OPEN = pathlib.Path(options.input) / "tunnel" / "tunnel_open.xml"
+OTHER = pathlib.Path(options.input) / "two_blocks" / "two_blocks.xml"
+failures = []
+
+
+def command(ranks, scene, name, *arguments):
+    return options.mpirun.split() + ["-np", str(ranks), options.solve, str(scene), "--output", str(work / name), *arguments]
+
+
+def run(ranks, scene, name, *arguments):
+    done = subprocess.run(command(ranks, scene, name, *arguments), capture_output=True, text=True, timeout=100)
+    summary = work / name / "summary.json"
+    return done.returncode, done.stdout + done.stderr, json.loads(summary.read_text()) if summary.exists() else {}
+
+
+def check(what, found, expected):
+    good = expected(found) if callable(expected) else found == expected
+    print(("ok      " if good else "FAILED  ") + what + ": " + repr(found))
+    if not good:
+        failures.append(what)
+
+
+def setting(path, value):
+    return ["--set", f"{path}={value}"]
+
+
+whole = run(2, OPEN, "whole")[2]
+
+# Not converged after two iterations: exit code 4 and a checkpoint, from which one rank with METIS goes on.
+code, _, cut = run(2, OPEN, "cut", *setting("Outer Solver/Maximum Iterations", 2))
+check("exit code of a run that did not converge", code, 4)
+check("its summary says so", cut["converged"], False)
+code, _, rest = run(1, OPEN, "rest", "--restart", str(work / "cut" / "checkpoint.h5"), *setting("Partition/Type", "METIS"))
+check("exit code of the restarted run", code, 0)
+check("it needs fewer steps", rest["outer"]["iterations"], lambda n: n < whole["outer"]["iterations"])
+check("it solves no auxiliary problem", rest["auxiliary"]["iterations"], 0)
+check("closed pairs", rest["contact"]["active"], whole["contact"]["active"])
+check("energy", rest["energy"] / whole["energy"] - 1, lambda e: abs(e) < 1e-9)
+check("largest displacement", rest["max_displacement"] / whole["max_displacement"] - 1, lambda e: abs(e) < 1e-6)
+
+# Stopped by SIGUSR1, which mpirun forwards: exit code 75.
+slow = setting("Outer Solver/Type", "Successive Approximation") + setting("Outer Solver/Maximum Iterations", 5000) + \
+    setting("Outer Solver/Tolerance", "1e-13")
+with open(work / "stopped.log", "w") as log:
+    process = subprocess.Popen(command(2, OPEN, "stopped", *slow), stdout=log, stderr=log)
+    until = time.time() + 60
+    while time.time() < until and "residual   active" not in (work / "stopped.log").read_text():
+        time.sleep(0.2)  # the table has begun
+    process.send_signal(signal.SIGUSR1)
+    check("exit code of a run stopped on request", process.wait(timeout=60), 75)
+check("its summary's exit code", json.loads((work / "stopped" / "summary.json").read_text())["exit_code"], 75)
+code, _, rest = run(4, OPEN, "resumed", "--restart", str(work / "stopped" / "checkpoint.h5"))
+check("exit code of its restart", code, 0)
+check("closed pairs of its restart", rest["contact"]["active"], whole["contact"]["active"])
+
+# What is no checkpoint of this mesh.
+code, text, _ = run(2, OTHER, "foreign", "--restart", str(work / "cut" / "checkpoint.h5"))
+check("exit code for the checkpoint of another mesh", code, 3)
+check("message for it", "another mesh" in text, True)
+(work / "damaged.h5").write_bytes((work / "cut" / "checkpoint.h5").read_bytes()[:3000])
+code, text, _ = run(2, OPEN, "damaged", "--restart", str(work / "damaged.h5"))
+check("exit code for a truncated checkpoint", code, 3)
+code, text, _ = run(2, OPEN, "none", "--restart", str(work / "nothing.h5"))
+check("exit code for a missing checkpoint", code, 3)
+
+sys.exit(1 if failures else 0)
