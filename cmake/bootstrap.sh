@@ -1,7 +1,7 @@
 #!/bin/sh
 # Everything from a bare Debian 12 to a result, in one command, from any folder and without a terminal:
 #   sh cmake/bootstrap.sh run     install what is missing, build, solve the tunnel scene on two ranks and draw it
-#   sh cmake/bootstrap.sh build   install what is missing and build into build/
+#   sh cmake/bootstrap.sh build   install what is missing and build library and programs into build/
 #   sh cmake/bootstrap.sh test    build and run all tests but those labelled long
 # The environment may set BUILD (another build folder) and JOBS (parallel compilations).
 set -eu
@@ -70,14 +70,17 @@ configureAndBuild() {
   cmake --build "$build" --parallel "${JOBS:-$(getconf _NPROCESSORS_ONLN)}" "$@" </dev/null
 }
 
+# The tests take as long again to build, and nobody asked for them.
+programs="--target suture_solve suture_schema suture_plot_script"
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 # a container has no other user
 export OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1                  # the ranks are the parallelism
 
 installMissing
+# shellcheck disable=SC2086  # a list of words
 case $1 in
-  build) configureAndBuild ;;
+  build) configureAndBuild $programs ;;
   run)
-    configureAndBuild --target suture_solve suture_schema suture_plot_script # the tests take as long again, and nobody asked for them
+    configureAndBuild $programs
     out=$build/tunnel_out
     mpirun --oversubscribe -np 2 "$build/drivers/suture_solve" input/tunnel/tunnel.xml --output "$out" </dev/null
     "$build/drivers/suture_plot" "$out" </dev/null

@@ -1,3 +1,5 @@
+#include <suture/base/Buffer.hpp>
+#include <suture/base/Collective.hpp>
 #include <suture/solver/SpectralRadius.hpp>
 #include <suture/solver/SuccessiveApproximation.hpp>
 
@@ -12,17 +14,28 @@ namespace suture {
 
 namespace {
 
-/// The contact groups' part of an operator, all of them or one alone.
-Teuchos::RCP<InterfaceOperator> groupsOf(const InterfaceOperator& whole, const InterfaceOperator& withoutContact,
-                                         std::size_t rankLocalGroup, bool all) {
+constexpr int kAllGroups = -1;
+constexpr std::size_t kMostGroups = 8;  // an eigenvalue each; beyond, lambda^2 <= mu is good enough
+
+/// The contact groups' part of an operator: all of them, or the one with a local problem's id.
+Teuchos::RCP<InterfaceOperator> groupsOf(const InterfaceOperator& whole, const InterfaceOperator& withoutContact, int id) {
   LocalProblems locals = whole.locals();
-  std::size_t group = 0;
-  for (std::size_t i = 0; i < locals.size(); ++i) {
-    const bool isGroup = !withoutContact.locals()[i];
-    if (!isGroup || (!all && group != rankLocalGroup)) locals[i].reset();
-    group += isGroup;
-  }
+  for (std::size_t i = 0; i < locals.size(); ++i)
+    if (withoutContact.locals()[i] || (id != kAllGroups && locals[i]->id() != id)) locals[i].reset();
   return Teuchos::rcp(new InterfaceOperator(whole.space(), std::move(locals)));
+}
+
+/// Ids of the contact groups of all ranks, ascending. Collective.
+std::vector<int> groupIds(const InterfaceOperator& whole, const InterfaceOperator& withoutContact) {
+  std::vector<int> mine, all;
+  for (std::size_t i = 0; i < whole.locals().size(); ++i)
+    if (!withoutContact.locals()[i]) mine.push_back(whole.locals()[i]->id());
+  Packer packer;
+  packer.put(mine);
+  for (const std::string& bytes : allGather(*whole.space()->comm(), packer.bytes()))
+    for (const int id : Unpacker(bytes).get<std::vector<int>>()) all.push_back(id);
+  std::sort(all.begin(), all.end());
+  return all;
 }
 
 }  // namespace
@@ -54,9 +67,14 @@ void SuccessiveApproximation::doSolve(Run& run) const {
   const auto radius = [&](const InterfaceOperator& contactPart) {
     return largestEigenvalue(contactPart, solveS0, *run.evaluation.residual);
   };
-  const double mu = radius(*groupsOf(*run.bilateral, *s0, 0, true));
+  const double mu = radius(*groupsOf(*run.bilateral, *s0, kAllGroups));
   run.result.estimates["mu"] = mu;
-  const double bound = 2.0 * mu * run.problem.pieces();
+  // (41) asks for one lambda that serves every group; their sum is S^0, so that mu is never less than its square.
+  const std::vector<int> groups = groupIds(*run.bilateral, *s0);
+  double lambdaSquared = groups.size() > 1 && groups.size() <= kMostGroups ? 0.0 : mu;
+  for (std::size_t g = 0; g < groups.size() && lambdaSquared < mu; ++g)
+    lambdaSquared = std::max(lambdaSquared, radius(*groupsOf(*run.bilateral, *s0, groups[g])));
+  const double bound = 2.0 * lambdaSquared * run.problem.pieces();
   run.result.estimates["contraction bound"] = bound;
   double theta = relaxation_ == "None" ? 1.0 : relaxation_ == "Automatic" ? 2.0 / (2.0 + 1.1 * mu) : std::stod(relaxation_);
   std::ostringstream text;
@@ -96,7 +114,7 @@ void SuccessiveApproximation::doSolve(Run& run) const {
   run.result.estimates["relaxation"] = theta;
   if (run.result.iterations > 0) {
     const auto tangent = run.problem.linearise(run.result.state).matrix;
-    const double atSolution = radius(*groupsOf(*tangent, *s0, 0, true));
+    const double atSolution = radius(*groupsOf(*tangent, *s0, kAllGroups));
     run.result.estimates["radius"] = atSolution;
     std::ostringstream last;
     last.precision(3);

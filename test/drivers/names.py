@@ -1,0 +1,75 @@
+"""Every registered strategy runs on the tunnel, and is not another one under a second name: its iteration history is its own.
+
+names.py --solve PROGRAM --schema PROGRAM --mpirun "mpirun ..." --work DIR --input FOLDER
+"""
+import argparse
+import csv
+import itertools
+import json
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+
+parser = argparse.ArgumentParser()
+for option in ("--solve", "--schema", "--mpirun", "--work", "--input"):
+    parser.add_argument(option, required=True)
+options = parser.parse_args()
+work = pathlib.Path(options.work)
+shutil.rmtree(work, ignore_errors=True)
+work.mkdir(parents=True)
+failures = []
+
+# The parameters whose values are names in a registry, and why two of them may agree to the last digit.
+PARAMETERS = {
+    "Outer Solver/Type": set(),
+    # Seams never leave a body and a body has one material: Young's moduli are equal wherever subdomains meet.
+    "Preconditioner/Neumann-Neumann/Weighting": {frozenset({"Multiplicity", "Young"})},
+    "Preconditioner/Neumann-Neumann/Coarse Space": set(),
+    # Direct solvers: the same iterates but for rounding.
+    "Preconditioner/Neumann-Neumann/Coarse Solver": {frozenset({"CHOLMOD", "Amesos2"})},
+    "Subdomain/Local Solver": {frozenset({"CHOLMOD", "Amesos2"})},
+}
+EXTRA = {"Successive Approximation": ["--set", "Outer Solver/Tolerance=1e-4", "--set", "Outer Solver/Maximum Iterations=200"]}
+
+
+def names_of(parameter):
+    """From the schema, so that a strategy that is added is tested without being named here."""
+    text = subprocess.run([options.schema, "--format", "text"], capture_output=True, text=True, check=True).stdout
+    for line in text.splitlines():
+        found = re.match(r"\s*" + re.escape(parameter.split("/")[-1]) + r"  \(string, default [^,]*, (.*\|.*?)\)", line)
+        if found and (parameter != "Outer Solver/Type" or "Newton" in line):
+            return [name.strip() for name in found.group(1).split("|")]
+    return []
+
+
+for parameter, alike in PARAMETERS.items():
+    names = names_of(parameter)
+    print(f"{parameter}: {names}")
+    if len(names) < 2:
+        failures.append(f"{parameter}: no names in the schema")
+        continue
+    histories = {}
+    for name in names:
+        folder = work / re.sub(r"\W", "_", parameter + "_" + name)
+        done = subprocess.run(options.mpirun.split() + ["-np", "2", options.solve, str(pathlib.Path(options.input) / "tunnel" / "tunnel_open.xml"),
+                                                        "--quiet", "--output", str(folder), "--set", f"{parameter}={name}", *EXTRA.get(name, [])],
+                              capture_output=True, text=True, timeout=120)
+        if done.returncode != 0:
+            failures.append(f"{parameter}={name}: exit code {done.returncode}\n{done.stderr}")
+            continue
+        closed = json.loads((folder / "summary.json").read_text())["contact"]["active"]
+        if closed != 82:
+            failures.append(f"{parameter}={name}: {closed} closed pairs, not 82")
+        with open(folder / "history.csv") as file:
+            histories[name] = [float(row["residual"]) for row in csv.DictReader(file)]
+    for one, other in itertools.combinations(sorted(histories), 2):
+        a, b = histories[one], histories[other]
+        same = len(a) == len(b) and all(abs(x - y) <= 1e-3 * max(x, y) for x, y in zip(a[:2], b[:2]))
+        if same != (frozenset({one, other}) in alike):
+            failures.append(f"{parameter}: the histories of {one} and {other} are {'the same' if same else 'not the same'}: {a[:3]} {b[:3]}")
+
+for failure in failures:
+    print("FAILED  " + failure)
+sys.exit(1 if failures else 0)
