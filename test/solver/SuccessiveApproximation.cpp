@@ -5,6 +5,7 @@
 #include <Teuchos_UnitTestHarness.hpp>
 #include <suture/interface/CondensedProblem.hpp>
 #include <suture/partition/SubdomainMesh.hpp>
+#include <suture/solver/Monolithic.hpp>
 #include <suture/solver/OuterSolver.hpp>
 #include <suture/subdomain/ElasticSubdomain.hpp>
 
@@ -51,6 +52,37 @@ Parameters neumannNeumann() {
   return list;
 }
 
+scenes::Scene stackedScene() {
+  scenes::Scene scene;
+  Box lower, upper;
+  lower.name = "lower";
+  lower.x1 = 4.0;
+  lower.nx = 64;
+  lower.ny = 16;
+  upper = lower;
+  upper.name = "upper";
+  upper.y0 = 1.0;
+  upper.y1 = 2.0;
+  scene.mesh = boxes({lower, upper});
+  scene.fixLower();
+  scene.hold("upper_top", 0, 0.0);
+  for (const int node : scene.nodesOf("upper_top"))
+    scene.holdNode(node, 1, -1e-3 * (1.0 + 6.0 * std::cos(M_PI * scene.mesh.point(node)[0] / 2.0)));
+  scene.pairUp();
+  return scene;
+}
+
+/// Of each element the layer of height 1/2 that it lies in: 0 and 3 are stiff, 1 and 2 soft.
+std::vector<int> layers(const Mesh& mesh) {
+  std::vector<int> layer;
+  for (int e = 0; e < mesh.elements(); ++e) {
+    double y = 0.0;
+    for (const int node : mesh.nodesOf(e)) y += mesh.point(node)[1] / 3.0;
+    layer.push_back(static_cast<int>(y * 2.0));
+  }
+  return layer;
+}
+
 /// The blocks, cut in four: subdomains 1 and 2 make the group.
 struct StackedBlocks {
   CommPtr comm = Teuchos::DefaultComm<int>::getComm();
@@ -63,26 +95,8 @@ struct StackedBlocks {
     scenes::Scene scene;
     Partition partition;
     if (comm->getRank() == 0) {
-      Box lower, upper;
-      lower.name = "lower";
-      lower.x1 = 4.0;
-      lower.nx = 64;
-      lower.ny = 16;
-      upper = lower;
-      upper.name = "upper";
-      upper.y0 = 1.0;
-      upper.y1 = 2.0;
-      scene.mesh = boxes({lower, upper});
-      scene.fixLower();
-      scene.hold("upper_top", 0, 0.0);
-      for (const int node : scene.nodesOf("upper_top"))
-        scene.holdNode(node, 1, -1e-3 * (1.0 + 6.0 * std::cos(M_PI * scene.mesh.point(node)[0] / 2.0)));
-      scene.pairUp();
-      for (int e = 0; e < scene.mesh.elements(); ++e) {
-        double y = 0.0;
-        for (const int node : scene.mesh.nodesOf(e)) y += scene.mesh.point(node)[1] / 3.0;
-        partition.subdomainOfElement.push_back(static_cast<int>(y * 2.0));
-      }
+      scene = stackedScene();
+      partition.subdomainOfElement = layers(scene.mesh);
     }
     partition.names = {"lower 1", "lower 2", "upper 1", "upper 2"};
     partition.bodyOf = {0, 0, 1, 1};
@@ -113,11 +127,15 @@ struct StackedBlocks {
     Parameters own;
     own.set<std::string>("Relaxation", relaxation);
     own.set("Inner Tolerance", 1e-6);  // so that the contraction is the method's own
+    return solveWith("Successive Approximation", own, tolerance, most, rows);
+  }
+
+  OuterResult solveWith(const std::string& method, const Parameters& own, double tolerance, int most, Monitor& rows) const {
     OuterSettings settings;
     settings.tolerance = tolerance;
     settings.maximumIterations = most;
     settings.preconditioner = [] { return makePreconditioner(neumannNeumann()); };
-    return Registry<OuterSolver>::instance().make("Successive Approximation", own)->solve(*problem, settings, rows);
+    return Registry<OuterSolver>::instance().make(method, own)->solve(*problem, settings, rows);
   }
 };
 
@@ -172,4 +190,51 @@ TEUCHOS_UNIT_TEST(SuccessiveApproximation, ConvergesOnAStiffGroupWithAutomaticRe
   const OuterResult result = blocks.solve("Automatic", 1e-6, 100, rows);
   TEST_ASSERT(result.converged);
   TEST_COMPARE(result.estimates.at("relaxation"), <, 1.0);
+}
+
+TEUCHOS_UNIT_TEST(SuccessiveApproximation, EqualsTheMonolithicReferenceAsTheOtherMethodsDo) {
+  const double alpha = 0.1;
+  // The reference knows a material a body: its layers count as bodies here, every rank solves it for itself.
+  scenes::Scene scene = stackedScene();
+  scene.mesh.bodyOfElement = layers(scene.mesh);
+  scene.model.bodies = {"0", "1", "2", "3"};
+  for (const double young : {1.0, alpha, alpha, 1.0}) scene.model.materialOfBody.push_back({"layer", young, 0.3});
+  Monitor silent;
+  const MonolithicResult reference = solveMonolithic(scene.mesh, scene.constraints, scene.model, MonolithicOptions(), silent);
+  TEST_ASSERT(reference.converged);
+  const double largest = reference.displacement.lpNorm<Eigen::Infinity>();
+  double largestForce = 0.0;
+  for (const PairResult& pair : reference.pairs) largestForce = std::max(largestForce, pair.force);
+
+  const StackedBlocks blocks(alpha);
+  Parameters approximation, newton, chord;
+  approximation.set<std::string>("Relaxation", "None");
+  for (Parameters* own : {&approximation, &newton, &chord}) own->set("Inner Tolerance", 1e-2);
+  chord.set("Anderson Depth", 5);
+  const std::pair<const char*, Parameters*> methods[] = {
+      {"Successive Approximation", &approximation}, {"Semismooth Newton", &newton}, {"Chord", &chord}};
+  for (const auto& [method, own] : methods) {
+    out << method << "\n";
+    Rows rows;
+    const OuterResult result = blocks.solveWith(method, *own, 1e-9, 100, rows);
+    TEST_ASSERT(result.converged);
+    const InterfaceProblem::Recovered recovered = blocks.problem->recover(result.state);
+    double difference = 0.0, forces = 0.0;
+    for (std::size_t s = 0; s < blocks.subdomains.size(); ++s) {
+      const Vector u = blocks.subdomains[s]->cartesian(recovered.freeValues[s]);
+      const SubdomainMesh& mesh = blocks.meshes[s];
+      for (int node = 0; node < mesh.nodes(); ++node)
+        for (int k = 0; k < 2; ++k)
+          difference = std::max(difference, std::abs(u(2 * node + k) - reference.displacement(2 * mesh.globalNodes[node] + k)));
+    }
+    int otherwise = 0;
+    for (const PairState& pair : recovered.pairs) {
+      forces = std::max(forces, std::abs(pair.force - reference.pairs[pair.pair.id].force));
+      otherwise += pair.status != reference.pairs[pair.pair.id].status;
+    }
+    TEST_COMPARE(difference, <=, 1e-7 * largest);
+    TEST_COMPARE(forces, <=, 1e-6 * largestForce);
+    TEST_EQUALITY(otherwise, 0);
+    TEST_FLOATING_EQUALITY(recovered.energy, reference.energy, 1e-10);
+  }
 }
