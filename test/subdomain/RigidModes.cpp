@@ -1,7 +1,7 @@
 #include <Teuchos_UnitTestHarness.hpp>
+#include <suture/base/Dense.hpp>
 #include <suture/mesh/Generators.hpp>
 #include <suture/subdomain/RigidAssembly.hpp>
-#include <suture/base/Dense.hpp>
 #include <suture/subdomain/RigidModes.hpp>
 
 #include <Eigen/Dense>
