@@ -236,4 +236,54 @@ std::vector<std::string> allGather(const Comm& comm, const std::string& bytes) {
   return all;
 }
 
+std::map<int, std::string> exchange(const Comm& comm, const std::map<int, std::string>& toNeighbours) {
+  constexpr int tag = 7321;
+  std::map<int, std::string> received;
+  if (const auto own = toNeighbours.find(comm.getRank()); own != toNeighbours.end()) received[own->first] = own->second;
+  std::vector<int> ranks;
+  for (const auto& [rank, bytes] : toNeighbours)
+    if (rank != comm.getRank()) ranks.push_back(rank);
+  if (ranks.empty()) return received;
+  const MPI_Comm mpi = mpiComm(comm);
+  const std::size_t most = 1u << 30;  // bytes of a message, which MPI counts in an int
+  std::vector<unsigned long long> mine(ranks.size()), theirs(ranks.size());
+  std::vector<MPI_Request> requests;
+  const auto wait = [&] {
+    MPI_Waitall(static_cast<int>(requests.size()), requests.data(), MPI_STATUSES_IGNORE);
+    requests.clear();
+  };
+  for (std::size_t k = 0; k < ranks.size(); ++k) {
+    mine[k] = toNeighbours.at(ranks[k]).size();
+    MPI_Irecv(&theirs[k], 1, MPI_UNSIGNED_LONG_LONG, ranks[k], tag, mpi, &requests.emplace_back());
+    MPI_Isend(&mine[k], 1, MPI_UNSIGNED_LONG_LONG, ranks[k], tag, mpi, &requests.emplace_back());
+  }
+  wait();
+  for (std::size_t k = 0; k < ranks.size(); ++k) {
+    std::string& target = received[ranks[k]];
+    const std::string& source = toNeighbours.at(ranks[k]);
+    target.resize(theirs[k]);
+    for (std::size_t at = 0; at < target.size(); at += most)
+      MPI_Irecv(target.data() + at, static_cast<int>(std::min(most, target.size() - at)), MPI_BYTE, ranks[k], tag + 1, mpi,
+                &requests.emplace_back());
+    for (std::size_t at = 0; at < source.size(); at += most)
+      MPI_Isend(source.data() + at, static_cast<int>(std::min(most, source.size() - at)), MPI_BYTE, ranks[k], tag + 1, mpi,
+                &requests.emplace_back());
+  }
+  wait();
+  return received;
+}
+
+std::vector<int> unionOverRanks(const Comm& comm, const std::vector<int>& mine) {
+  Packer packer;
+  packer.put(mine);
+  std::vector<int> all;
+  for (const std::string& bytes : allGather(comm, packer.bytes())) {
+    const auto own = Unpacker(bytes).get<std::vector<int>>();
+    all.insert(all.end(), own.begin(), own.end());
+  }
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  return all;
+}
+
 }  // namespace suture

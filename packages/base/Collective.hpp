@@ -2,6 +2,7 @@
 #include <suture/base/Types.hpp>
 
 #include <functional>
+#include <map>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -41,5 +42,11 @@ std::string scatterFromRoot(const Comm& comm, const std::vector<std::string>& by
 
 /// All ranks' byte strings on every rank, in the order of ranks. Collective.
 std::vector<std::string> allGather(const Comm& comm, const std::string& bytes);
+
+/// Swaps byte strings with neighbours: whoever is a key here has this rank as a key, too (it may be itself). Only neighbours take part.
+std::map<int, std::string> exchange(const Comm& comm, const std::map<int, std::string>& toNeighbours);
+
+/// Numbers that any rank gave, ascending, each once. Collective.
+std::vector<int> unionOverRanks(const Comm& comm, const std::vector<int>& mine);
 
 }  // namespace suture

@@ -66,6 +66,13 @@ class Registry {
   std::map<std::string, Entry> entries_;
 };
 
+/// The strategy that a resolved list names: the value of `parameter`, with the sublist of that name as its own parameters.
+template <typename Base, typename List = Parameters>
+std::unique_ptr<Base> makeStrategy(const List& list, const std::string& parameter) {
+  const auto name = list.template get<std::string>(parameter);
+  return Registry<Base>::instance().make(name, list.isSublist(name) ? list.sublist(name) : List());
+}
+
 /// Adds a strategy while the program or a plugin is loaded.
 template <typename Base>
 struct Registration {

@@ -19,6 +19,7 @@ class LinearisedGroup : public LocalProblem {
   const Vector& youngModulus() const override { return young_; }
   const Matrix& kernel() const override;
   const Matrix& coarseModes() const override;
+  using LocalProblem::inverse;
   std::unique_ptr<LocalInverse> inverse() const override;
 
   const std::vector<PairStatus>& status() const { return status_; }

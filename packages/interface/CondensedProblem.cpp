@@ -1,5 +1,6 @@
 #include <suture/base/Collective.hpp>
 #include <suture/interface/CondensedProblem.hpp>
+#include <suture/interface/SeamLayout.hpp>
 
 #include <Teuchos_Comm.hpp>
 #include <Teuchos_CommHelpers.hpp>
@@ -9,10 +10,6 @@
 #include <map>
 
 namespace suture {
-
-void InterfaceProblem::update(InterfaceState& state, const MultiVector& step, double length) const {
-  state.trace->update(length, step, 1.0);
-}
 
 namespace {
 
@@ -51,24 +48,19 @@ int closedPairs(const std::vector<PairStatus>& status) {
   return static_cast<int>(std::count_if(status.begin(), status.end(), [](PairStatus s) { return s != PairStatus::Open; }));
 }
 
-struct BoundaryInfo {
-  Point point;
-  int component;
-};
-
 }  // namespace
 
 CondensedProblem::CondensedProblem(CommPtr comm, const Partition& partition, const std::vector<std::unique_ptr<Subdomain>>& subdomains,
                                    const std::vector<double>& youngOf, const LocalSolverMaker& solver, const SchurMaker& schur)
     : comm_(std::move(comm)), subdomains_(subdomains), subdomainCount_(partition.subdomains()) {
-  std::vector<std::vector<GlobalId>> boundaries;
-  std::map<GlobalId, BoundaryInfo> info;
+  InterfaceLayout layout;
+  const std::vector<SeamEntity> seams = findSeams(*comm_, meshesOf(subdomains));
   collectively(*comm_, "factoring subdomains and contact groups", [&] {
     std::map<int, std::vector<int>> members;
     for (std::size_t s = 0; s < subdomains.size(); ++s) {
       const Subdomain& subdomain = *subdomains[s];
       const std::vector<int> boundary = boundaryDofs(subdomain, partition);
-      for (int dof : boundary) info[subdomain.globalDof(dof)] = {subdomain.mesh().point(subdomain.nodeOf(dof)), subdomain.componentOf(dof)};
+      for (int dof : boundary) layout.unknowns.push_back(interfaceUnknown(subdomain, dof));
       const int id = subdomain.mesh().id;
       if (partition.groupOf[id] >= 0) {
         members[partition.groupOf[id]].push_back(static_cast<int>(s));
@@ -76,7 +68,8 @@ CondensedProblem::CondensedProblem(CommPtr comm, const Partition& partition, con
       }
       plainSubdomain_.push_back(static_cast<int>(s));
       plain_.push_back(std::make_shared<SubdomainProblem>(id, subdomain, boundary, youngOf[subdomain.mesh().body], solver, schur()));
-      boundaries.push_back(plain_.back()->boundary());
+      layout.boundaries.push_back(plain_.back()->boundary());
+      layout.locals.push_back(id);
     }
     for (const auto& [group, places] : members) {
       std::vector<ContactGroup::Member> all;
@@ -90,18 +83,12 @@ CondensedProblem::CondensedProblem(CommPtr comm, const Partition& partition, con
       boundary.erase(std::unique(boundary.begin(), boundary.end()), boundary.end());
       groups_.push_back(std::make_unique<ContactGroup>(group, std::move(all), boundary, solver));
       groupMembers_.push_back(places);
-      boundaries.push_back(boundary);
+      layout.boundaries.push_back(boundary);
+      layout.locals.push_back(partition.subdomains() + group);
     }
+    addSeams(seams, subdomains, [&](int subdomain) { return problemOf(partition, subdomain); }, layout);
   });
-
-  std::vector<std::vector<Point>> points(boundaries.size());
-  std::vector<std::vector<int>> components(boundaries.size());
-  for (std::size_t i = 0; i < boundaries.size(); ++i)
-    for (GlobalId dof : boundaries[i]) {
-      points[i].push_back(info.at(dof).point);
-      components[i].push_back(info.at(dof).component);
-    }
-  space_ = std::make_shared<InterfaceSpace>(comm_, boundaries, points, components);
+  space_ = std::make_shared<InterfaceSpace>(comm_, layout);
   int mine = 0;
   for (const auto& group : groups_) mine += group->rows().size();
   pairs_ = sumOver(*comm_, mine);
@@ -143,7 +130,15 @@ std::vector<Vector> CondensedProblem::traces(const MultiVector& trace) const {
   return all;
 }
 
-InterfaceProblem::Evaluation CondensedProblem::evaluate(const InterfaceState& state) const {
+std::vector<int> CondensedProblem::differing(const ContactStatus& a, const ContactStatus& b) const {
+  std::vector<int> mine;
+  for (std::size_t g = 0; g < groups_.size(); ++g)
+    for (int row = 0; row < groups_[g]->rows().size(); ++row)
+      if (a[plain_.size() + g][row] != b[plain_.size() + g][row]) mine.push_back(groups_[g]->rows().pairIds[row]);
+  return unionOverRanks(*comm_, mine);
+}
+
+InterfaceProblem::Evaluation CondensedProblem::evaluate(const InterfaceState& state, double) const {
   const std::vector<Vector> trace = traces(*state.trace);
   Matrix force = Matrix::Zero(static_cast<int>(space_->overlap()->getNodeNumElements()), 1);
   Evaluation result;

@@ -25,7 +25,8 @@ class CondensedProblem : public InterfaceProblem {
   const std::shared_ptr<const InterfaceSpace>& space() const override { return space_; }
   InterfaceState initialState() const override;
   InterfaceState stateOf(const std::vector<Vector>& freeValues, const std::map<int, PairStatus>& status) const override;
-  Evaluation evaluate(const InterfaceState& state) const override;
+  Evaluation evaluate(const InterfaceState& state, double resolution = 0.0) const override;
+  std::vector<int> differing(const ContactStatus& a, const ContactStatus& b) const override;
   Linearisation linearise(const InterfaceState& state) const override;
   Teuchos::RCP<InterfaceOperator> withoutContact() const override;
   Recovered recover(const InterfaceState& state) const override;

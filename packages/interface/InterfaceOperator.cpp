@@ -27,6 +27,7 @@ void InterfaceOperator::apply(const MultiVector& x, MultiVector& y, Teuchos::ETr
     locals_[i]->applySchur(trace, flux);
     coupling.addTransposed(flux, sum);
   }
+  if (recording_) recorded_.push_back(sum.col(0));
   if (beta == 0.0) {
     space_->scatterAdd(sum, y);
     if (alpha != 1.0) y.scale(alpha);
@@ -37,8 +38,22 @@ void InterfaceOperator::apply(const MultiVector& x, MultiVector& y, Teuchos::ETr
   }
 }
 
+void InterfaceOperator::record() const {
+  recording_ = true;
+  recorded_.clear();
+}
+
+Matrix InterfaceOperator::recorded(const std::vector<double>& coefficients) const {
+  if (coefficients.size() != recorded_.size()) throw InternalError("an operator recorded another number of applications");
+  Matrix sum = Matrix::Zero(space_->overlapSize(), 1);
+  for (std::size_t k = 0; k < recorded_.size(); ++k) sum.col(0) += coefficients[k] * recorded_[k];
+  recording_ = false;
+  recorded_.clear();
+  return sum;
+}
+
 MultiVectorPtr InterfaceOperator::condensedLoad() const {
-  Matrix sum = Matrix::Zero(static_cast<int>(space_->overlap()->getNodeNumElements()), 1);
+  Matrix sum = Matrix::Zero(space_->overlapSize(), 1);
   for (std::size_t i = 0; i < locals_.size(); ++i)
     if (locals_[i]) {
       const Matrix load = locals_[i]->condensedLoad();
@@ -50,7 +65,7 @@ MultiVectorPtr InterfaceOperator::condensedLoad() const {
 }
 
 GlobalId InterfaceOperator::untouched() const {
-  Matrix touched = Matrix::Zero(static_cast<int>(space_->overlap()->getNodeNumElements()), 1);
+  Matrix touched = Matrix::Zero(space_->overlapSize(), 1);
   for (std::size_t i = 0; i < locals_.size(); ++i)
     if (locals_[i]) {
       const Coupling& coupling = space_->coupling(static_cast<int>(i));

@@ -30,6 +30,12 @@ class InterfaceOperator : public Operator {
   /// Applications so far (each right-hand side counts one).
   long long applications() const { return applications_; }
 
+  /// Keeps the fluxes of all following applications until recorded() is called: sum_i R_i^T S_i R_i x before contributions of related
+  /// unknowns are added up, this rank's part. For one right-hand side at a time.
+  void record() const;
+  /// Their combination with these coefficients, one an application: overlap x 1. Local.
+  Matrix recorded(const std::vector<double>& coefficients) const;
+
   /// sum_i R_i^T condensedLoad_i: the right-hand side that belongs to it. Collective.
   MultiVectorPtr condensedLoad() const;
   /// Unknowns that no local problem of the subset touches, over all ranks: the operator is singular there. Collective.
@@ -39,6 +45,8 @@ class InterfaceOperator : public Operator {
   std::shared_ptr<const InterfaceSpace> space_;
   LocalProblems locals_;
   mutable long long applications_ = 0;
+  mutable bool recording_ = false;
+  mutable std::vector<Vector> recorded_;
 };
 
 }  // namespace suture

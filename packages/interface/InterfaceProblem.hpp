@@ -9,14 +9,16 @@
 
 namespace suture {
 
-/// Status of all contact pairs, as a rank keeps it: for each of its local problems, in the order of its rows (empty for a problem
-/// without contact).
+/// Status of all contact pairs that a rank knows of, in the formulation's own order: for Condensed Groups the rows of each of its local
+/// problems (none for a problem without contact), for Contact On The Interface one list of all rows.
 using ContactStatus = std::vector<std::vector<PairStatus>>;
 
 /// Where an outer solver stands.
 struct InterfaceState {
   MultiVectorPtr trace;  ///< U
   ContactStatus status;
+  /// What the formulation remembers of this trace, so that it need not apply operators again; dropped by whoever changes the trace himself.
+  std::shared_ptr<const Matrix> memory = nullptr;
 };
 
 /// A contact pair at the end of a run.
@@ -35,8 +37,8 @@ class InterfaceProblem {
   virtual ~InterfaceProblem() = default;
 
   virtual const std::shared_ptr<const InterfaceSpace>& space() const = 0;
-  /// Zero trace (prescribed displacements are in the loads), all pairs closed: contact must be started closed, from an empty set
-  /// Newton fails.
+  /// All pairs closed (contact must be started closed, from an empty set Newton fails), and the smallest trace that agrees with it: zero,
+  /// but for gaps. Prescribed displacements are in the loads.
   virtual InterfaceState initialState() const = 0;
 
   /// The state that belongs to given values of the subdomains' free unknowns (of this rank) and status of pairs (by id; a pair that is not
@@ -49,12 +51,17 @@ class InterfaceProblem {
     ContactStatus next;       ///< status of the pairs at U
     int changed = 0;          ///< pairs whose status differs from the state's
     int active = 0;           ///< closed pairs at U
+    bool settled = true;      ///< no residual counts before this holds: the residual is that of another status than the next
+    int applications = 0;     ///< of the operator, that this took
   };
-  virtual Evaluation evaluate(const InterfaceState& state) const = 0;
+  /// \param resolution  relative to the largest contact force and displacement: what a pair must violate its condition by before its status
+  ///                    changes, in formulations where the trace is known to some accuracy only
+  virtual Evaluation evaluate(const InterfaceState& state, double resolution = 0.0) const = 0;
 
   struct Linearisation {
     Teuchos::RCP<InterfaceOperator> matrix;  ///< S_0 + S_KON' for the status; its space may depend on it
-    MultiVectorPtr load;  ///< right-hand side of the linear problem with this status: S U = F + F_g of (21) with all closed
+    MultiVectorPtr load;  ///< right-hand side for the step from the state's trace to the solution with this status: for the initial state
+                          ///< F + F_g of (21)
   };
   /// With the status of the state (not that of its trace).
   virtual Linearisation linearise(const InterfaceState& state) const = 0;
@@ -62,8 +69,15 @@ class InterfaceProblem {
   /// S_0 and nothing else, for the splitting (18): null when the formulation has none.
   virtual Teuchos::RCP<InterfaceOperator> withoutContact() const { return Teuchos::null; }
 
-  /// state.trace += length * step
-  virtual void update(InterfaceState& state, const MultiVector& step, double length) const;
+  /// Moves the trace onto the state's status where that restricts it. Returns how many applications of the operator it took.
+  virtual int conform(InterfaceState& state) const;
+
+  /// state.trace += length * step, a step in the space of the linearisation with the state's status.
+  /// \param image  what the linearisation's operator recorded for the step, or null
+  virtual void update(InterfaceState& state, const MultiVector& step, double length, const Matrix* image = nullptr) const;
+
+  /// Pairs whose status differs, by id, ascending; each once, the same on all ranks.
+  virtual std::vector<int> differing(const ContactStatus& a, const ContactStatus& b) const = 0;
 
   struct Recovered {
     std::vector<Vector> freeValues;  ///< of each subdomain of this rank

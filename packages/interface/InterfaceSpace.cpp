@@ -2,6 +2,9 @@
 #include <suture/interface/InterfaceSpace.hpp>
 
 #include <Teuchos_Comm.hpp>
+#include <Teuchos_CommHelpers.hpp>
+#include <Tpetra_CrsMatrix.hpp>
+#include <Tpetra_Export.hpp>
 #include <Tpetra_Import.hpp>
 #include <Tpetra_Map.hpp>
 #include <Tpetra_MultiVector.hpp>
@@ -10,28 +13,176 @@
 
 namespace suture {
 
-InterfaceSpace::InterfaceSpace(CommPtr comm, const std::vector<std::vector<GlobalId>>& boundaries,
-                               const std::vector<std::vector<Point>>& points, const std::vector<std::vector<int>>& components)
-    : comm_(std::move(comm)) {
-  std::vector<Map::global_ordinal_type> touched;
-  for (const auto& boundary : boundaries) touched.insert(touched.end(), boundary.begin(), boundary.end());
-  std::sort(touched.begin(), touched.end());
-  touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
-  overlap_ = Teuchos::rcp(new Map(Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid(),
-                                  Teuchos::ArrayView<const Map::global_ordinal_type>(touched.data(), touched.size()), 0, comm_));
-  map_ = Tpetra::createOneToOne(overlap_);
-  import_ = Teuchos::rcp(new Import(map_, overlap_));
+namespace {
+using GO = Map::global_ordinal_type;
 
-  points_.resize(touched.size());
-  components_.resize(touched.size());
-  for (std::size_t i = 0; i < boundaries.size(); ++i) {
+std::vector<GO> sorted(std::vector<GO> ids) {
+  std::sort(ids.begin(), ids.end());
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+  return ids;
+}
+
+MapPtr mapOf(const std::vector<GO>& ids, const CommPtr& comm) {
+  return Teuchos::rcp(new Map(Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid(), Teuchos::ArrayView<const GO>(ids.data(), ids.size()),
+                              0, comm));
+}
+}  // namespace
+
+InterfaceSpace::InterfaceSpace(CommPtr comm, const InterfaceLayout& layout) : comm_(std::move(comm)), localIds_(layout.locals) {
+  std::vector<GO> touched;
+  for (const auto& boundary : layout.boundaries) touched.insert(touched.end(), boundary.begin(), boundary.end());
+  // Owners are found among those whose local problems hold the unknown, not among its partners.
+  map_ = Tpetra::createOneToOne(mapOf(sorted(touched), comm_));
+  touched.insert(touched.end(), layout.partners.begin(), layout.partners.end());
+  touched = sorted(std::move(touched));
+  overlap_ = mapOf(touched, comm_);
+  import_ = Teuchos::rcp(new Import(map_, overlap_));
+  ids_.assign(touched.begin(), touched.end());
+
+  for (const auto& boundary : layout.boundaries) {
     std::vector<int> columns;
-    for (std::size_t k = 0; k < boundaries[i].size(); ++k) {
-      columns.push_back(overlap_->getLocalElement(boundaries[i][k]));
-      points_[columns.back()] = points[i][k];
-      components_[columns.back()] = components[i][k];
-    }
+    for (const GlobalId id : boundary) columns.push_back(overlap_->getLocalElement(id));
     couplings_.emplace_back(std::move(columns));
+  }
+  relationOf_.assign(ids_.size(), -1);
+  importPoints(layout);
+  exchangeSharers(layout);
+
+  corner_.assign(ids_.size(), 0);
+  for (const GlobalId id : layout.corners)
+    if (const int place = overlap_->getLocalElement(id); place >= 0) corner_[place] = 1;
+  for (std::size_t place = 0; place < ids_.size(); ++place)
+    if (sharers_[place].size() > 2) corner_[place] = 1;
+  for (const InterfaceLayout::Edge& edge : layout.edges) {
+    InterfaceEdge own{edge.locals, {}, false};
+    for (const GlobalId id : edge.unknowns)
+      if (const int place = overlap_->getLocalElement(id); place >= 0 && !corner_[place]) own.unknowns.push_back(place);
+    if (!own.unknowns.empty()) edges_.push_back(std::move(own));
+  }
+}
+
+/// Owners learn points and directions from whoever knows them, and tell all who see the unknown.
+void InterfaceSpace::importPoints(const InterfaceLayout& layout) {
+  std::vector<GO> known;
+  for (const InterfaceLayout::Unknown& unknown : layout.unknowns) known.push_back(unknown.id);
+  const MapPtr knownMap = mapOf(sorted(known), comm_);
+  MultiVector source(knownMap, 6), owned(map_, 6), target(overlap_, 6);
+  auto values = localView(source);
+  for (const InterfaceLayout::Unknown& unknown : layout.unknowns) {
+    const int row = knownMap->getLocalElement(unknown.id);
+    for (int k = 0; k < 3; ++k) {
+      values(row, k) = unknown.point[k];
+      values(row, 3 + k) = unknown.direction[k];
+    }
+  }
+  owned.doExport(source, Tpetra::Export<>(knownMap, map_), Tpetra::INSERT);
+  target.doImport(owned, *import_, Tpetra::INSERT);
+  const auto all = localView(static_cast<const MultiVector&>(target));
+  points_.resize(ids_.size());
+  directions_.resize(ids_.size());
+  for (std::size_t row = 0; row < ids_.size(); ++row)
+    for (int k = 0; k < 3; ++k) {
+      points_[row][k] = all(static_cast<int>(row), k);
+      directions_[row][k] = all(static_cast<int>(row), 3 + k);
+    }
+}
+
+/// A sparse matrix with a row an unknown and a column a local problem goes from overlapping rows to owned ones and back.
+void InterfaceSpace::exchangeSharers(const InterfaceLayout& layout) {
+  using Crs = Tpetra::CrsMatrix<>;
+  int last = -1, most = -1;
+  for (const int id : localIds_) last = std::max(last, id);
+  Teuchos::reduceAll(*comm_, Teuchos::REDUCE_MAX, last, Teuchos::outArg(most));
+  const MapPtr problems =
+      Teuchos::rcp(new Map(static_cast<Tpetra::global_size_t>(most + 1), 0, comm_, Tpetra::LocallyReplicated));
+  std::vector<std::vector<GO>> mine(ids_.size());
+  for (std::size_t i = 0; i < couplings_.size(); ++i)
+    for (const int place : couplings_[i].columns()) mine[place].push_back(layout.locals[i]);
+  std::vector<std::size_t> counts(ids_.size());
+  for (std::size_t k = 0; k < mine.size(); ++k) counts[k] = mine[k].size();
+  const auto spread = Teuchos::rcp(new Crs(overlap_, Teuchos::ArrayView<const std::size_t>(counts.data(), counts.size())));
+  std::vector<double> ones;
+  for (std::size_t k = 0; k < mine.size(); ++k) {
+    ones.assign(mine[k].size(), 1.0);
+    if (!mine[k].empty()) spread->insertGlobalValues(ids_[k], static_cast<int>(ones.size()), ones.data(), mine[k].data());
+  }
+  spread->fillComplete(problems, map_);
+  const auto owned = Tpetra::exportAndFillCompleteCrsMatrix<Crs>(spread, Tpetra::Export<>(overlap_, map_), problems, map_);
+  const auto all = Tpetra::importAndFillCompleteCrsMatrix<Crs>(owned, *import_, problems, map_);
+  sharers_.resize(ids_.size());
+  for (std::size_t k = 0; k < ids_.size(); ++k) {
+    Crs::local_inds_host_view_type columns;
+    Crs::values_host_view_type values;
+    all->getLocalRowView(static_cast<int>(k), columns, values);
+    for (std::size_t c = 0; c < columns.extent(0); ++c)
+      sharers_[k].push_back(static_cast<int>(all->getColMap()->getGlobalElement(columns(c))));
+    std::sort(sharers_[k].begin(), sharers_[k].end());
+  }
+}
+
+std::shared_ptr<const InterfaceSpace> InterfaceSpace::related(std::vector<InterfaceRelation> relations,
+                                                              const std::vector<std::vector<int>>& chains) const {
+  if (!relations_.empty()) throw InternalError("relations of a space that has some already");
+  auto derived = std::make_shared<InterfaceSpace>(*this);
+  derived->relations_ = std::move(relations);
+  for (std::size_t r = 0; r < derived->relations_.size(); ++r) {
+    const InterfaceRelation& relation = derived->relations_[r];
+    derived->relationOf_[relation.unknown] = static_cast<int>(r);
+    for (const int other : relation.others) {
+      std::vector<int>& all = derived->sharers_[other];
+      std::vector<int> both;
+      std::set_union(all.begin(), all.end(), sharers_[relation.unknown].begin(), sharers_[relation.unknown].end(), std::back_inserter(both));
+      all = std::move(both);
+      // A row of several terms leaves no unknown to weigh by itself: hold them all together.
+      if (relation.others.size() > 1 || corner_[relation.unknown]) derived->corner_[other] = 1;
+    }
+  }
+  for (const InterfaceRelation& relation : derived->relations_) {
+    derived->sharers_[relation.unknown].clear();
+    derived->corner_[relation.unknown] = 0;
+  }
+  for (std::size_t place = 0; place < ids_.size(); ++place)
+    if (derived->sharers_[place].size() > 2) derived->corner_[place] = 1;
+
+  std::vector<InterfaceEdge> kept;
+  for (InterfaceEdge& edge : derived->edges_) {
+    const auto gone = [&](int place) { return derived->corner_[place] || derived->relationOf_[place] >= 0; };
+    edge.unknowns.erase(std::remove_if(edge.unknowns.begin(), edge.unknowns.end(), gone), edge.unknowns.end());
+    if (!edge.unknowns.empty()) kept.push_back(std::move(edge));
+  }
+  derived->edges_ = std::move(kept);
+  for (const auto& chain : chains) derived->cutChain(chain);
+  return derived;
+}
+
+/// Stretches of a contact line between the same two local problems. A stretch ends at a corner that both feel, or its last unknown becomes
+/// one.
+void InterfaceSpace::cutChain(const std::vector<int>& chain) {
+  std::vector<int> places;
+  for (const int place : chain) {
+    const InterfaceRelation* by = relation(place);
+    places.push_back(by ? (by->others.size() == 1 ? by->others[0] : -1) : place);
+  }
+  const auto inside = [&](std::size_t k) { return k < places.size() && places[k] >= 0 && !corner_[places[k]] && sharers_[places[k]].size() == 2; };
+  const auto holds = [&](std::size_t k, const std::vector<int>& both) {  // a corner that ends the stretch
+    return k < places.size() && places[k] >= 0 && corner_[places[k]] &&
+           std::includes(sharers_[places[k]].begin(), sharers_[places[k]].end(), both.begin(), both.end());
+  };
+  for (std::size_t begin = 0; begin < places.size();) {
+    if (!inside(begin)) {
+      ++begin;
+      continue;
+    }
+    const std::vector<int> both = sharers_[places[begin]];
+    std::size_t end = begin + 1;
+    while (inside(end) && sharers_[places[end]] == both) ++end;
+    std::size_t first = begin, last = end;
+    if (!holds(begin - 1, both)) ++first;  // begin - 1 wraps to a number beyond the end
+    if (!holds(end, both) && last > first) --last;
+    for (std::size_t k = begin; k < first; ++k) corner_[places[k]] = 1;
+    for (std::size_t k = last; k < end; ++k) corner_[places[k]] = 1;
+    if (last > first) edges_.push_back({{both[0], both[1]}, {places.begin() + first, places.begin() + last}, true});
+    begin = end;
   }
 }
 
@@ -39,15 +190,34 @@ GlobalId InterfaceSpace::size() const { return static_cast<GlobalId>(map_->getGl
 
 MultiVectorPtr InterfaceSpace::vector(int columns) const { return Teuchos::rcp(new MultiVector(map_, static_cast<std::size_t>(columns))); }
 
+void InterfaceSpace::unfold(LocalView overlap) const {
+  for (const InterfaceRelation& relation : relations_) {
+    overlap.row(relation.unknown).setZero();
+    for (std::size_t k = 0; k < relation.others.size(); ++k)
+      overlap.row(relation.unknown) += relation.coefficients[k] * overlap.row(relation.others[k]);
+  }
+}
+
+void InterfaceSpace::fold(LocalView overlap) const {
+  for (const InterfaceRelation& relation : relations_) {
+    for (std::size_t k = 0; k < relation.others.size(); ++k)
+      overlap.row(relation.others[k]) += relation.coefficients[k] * overlap.row(relation.unknown);
+    overlap.row(relation.unknown).setZero();
+  }
+}
+
 void InterfaceSpace::gather(const MultiVector& owned, Matrix& overlap) const {
   MultiVector target(overlap_, owned.getNumVectors());
   target.doImport(owned, *import_, Tpetra::INSERT);
   overlap = localView(static_cast<const MultiVector&>(target));
+  unfold(overlap);
 }
 
 void InterfaceSpace::scatterAdd(const Matrix& overlap, MultiVector& owned) const {
   MultiVector source(overlap_, static_cast<std::size_t>(overlap.cols()));
-  localView(source) = overlap;
+  auto values = localView(source);
+  values = overlap;
+  fold(values);
   owned.putScalar(0.0);
   owned.doExport(source, *import_, Tpetra::ADD);
 }
@@ -56,6 +226,21 @@ void InterfaceSpace::sum(Matrix& overlap) const {
   MultiVector owned(map_, static_cast<std::size_t>(overlap.cols()));
   scatterAdd(overlap, owned);
   gather(owned, overlap);
+}
+
+void InterfaceSpace::sumDensities(Matrix& overlap) const {
+  for (const InterfaceRelation& relation : relations_) {
+    if (relation.others.size() == 1)
+      overlap.row(relation.others[0]) += relation.coefficients[0] * relation.coefficients[0] * overlap.row(relation.unknown);
+    overlap.row(relation.unknown).setZero();
+  }
+  MultiVector source(overlap_, static_cast<std::size_t>(overlap.cols())), owned(map_, static_cast<std::size_t>(overlap.cols()));
+  localView(source) = overlap;
+  owned.doExport(source, *import_, Tpetra::ADD);
+  source.doImport(owned, *import_, Tpetra::INSERT);
+  overlap = localView(static_cast<const MultiVector&>(source));
+  for (const InterfaceRelation& relation : relations_)
+    if (relation.others.size() == 1) overlap.row(relation.unknown) = overlap.row(relation.others[0]);
 }
 
 Eigen::Map<Matrix, 0, Eigen::OuterStride<>> localView(MultiVector& x) {

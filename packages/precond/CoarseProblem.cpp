@@ -18,24 +18,22 @@ namespace {
 
 using Crs = Tpetra::CrsMatrix<>;
 using GO = Map::global_ordinal_type;
-constexpr double kShift = 1e-11;
-constexpr int kRefinements = 3;
 
-struct Entry {
-  int row, column;
-  double value;
-};
-
-Vector sumOver(const Comm& comm, const Vector& mine) {
-  Vector all(mine.size());
-  if (mine.size() > 0) Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, static_cast<int>(mine.size()), mine.data(), all.data());
-  return all;
+/// Interface unknowns that row k of a coupling is made of, relations resolved: calls take(place, coefficient).
+template <typename Take>
+void eachUnknown(const InterfaceSpace& space, int place, const Take& take) {
+  if (const InterfaceRelation* by = space.relation(place)) {
+    for (std::size_t k = 0; k < by->others.size(); ++k) take(by->others[k], by->coefficients[k]);
+  } else {
+    take(place, 1.0);
+  }
 }
 
 }  // namespace
 
-CoarseProblem::CoarseProblem(const InterfaceOperator& matrix, const std::vector<Matrix>& columns, std::unique_ptr<LocalSolver> solver)
-    : space_(matrix.space()), columns_(columns), solver_(std::move(solver)) {
+CoarseProblem::CoarseProblem(const InterfaceOperator& matrix, const std::vector<Matrix>& columns, std::unique_ptr<LocalSolver> solver,
+                             int copies)
+    : space_(matrix.space()), columns_(columns) {
   int mine = 0, upToMine = 0;
   for (const Matrix& own : columns) mine += static_cast<int>(own.cols());
   Teuchos::scan(*space_->comm(), Teuchos::REDUCE_SUM, mine, Teuchos::outArg(upToMine));
@@ -46,7 +44,7 @@ CoarseProblem::CoarseProblem(const InterfaceOperator& matrix, const std::vector<
     first += static_cast<int>(own.cols());
   }
   exchange(columns);
-  assemble(matrix);
+  assemble(matrix, std::move(solver), copies);
 }
 
 /// Every local problem learns the columns of its neighbours: a sparse matrix whose rows are interface unknowns goes from overlapping rows
@@ -55,28 +53,23 @@ void CoarseProblem::exchange(const std::vector<Matrix>& columns) {
   const MapPtr& overlap = space_->overlap();
   const MapPtr coarse =
       Teuchos::rcp(new Map(static_cast<Tpetra::global_size_t>(std::max(size_, 1)), 0, space_->comm(), Tpetra::LocallyReplicated));
-  const int rows = static_cast<int>(overlap->getNodeNumElements());
-  std::vector<std::size_t> counts(rows, 0);
+  const auto placesOf = [&](std::size_t i) -> const std::vector<int>& { return space_->coupling(static_cast<int>(i)).columns(); };
+  std::vector<std::size_t> counts(space_->overlapSize(), 0);
   for (std::size_t i = 0; i < columns.size(); ++i)
-    if (columns[i].cols() > 0)
-      for (int column : space_->coupling(static_cast<int>(i)).columns()) counts[column] += columns[i].cols();
+    for (const int place : placesOf(i)) eachUnknown(*space_, place, [&](int own, double) { counts[own] += columns[i].cols(); });
   const auto mine = Teuchos::rcp(new Crs(overlap, Teuchos::ArrayView<const std::size_t>(counts.data(), counts.size())));
   std::vector<GO> ids;
   std::vector<double> values;
   for (std::size_t i = 0; i < columns.size(); ++i) {
     if (columns[i].cols() == 0) continue;
-    Matrix spread = Matrix::Zero(rows, columns[i].cols());
-    space_->coupling(static_cast<int>(i)).addTransposed(columns[i], spread);
     ids.resize(columns[i].cols());
     for (std::size_t c = 0; c < ids.size(); ++c) ids[c] = firstColumn_[i] + static_cast<GO>(c);
     values.resize(ids.size());
-    std::vector<int> touched = space_->coupling(static_cast<int>(i)).columns();
-    std::sort(touched.begin(), touched.end());
-    touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
-    for (int row : touched) {
-      for (std::size_t c = 0; c < ids.size(); ++c) values[c] = spread(row, static_cast<int>(c));
-      mine->insertGlobalValues(overlap->getGlobalElement(row), static_cast<int>(ids.size()), values.data(), ids.data());
-    }
+    for (std::size_t row = 0; row < placesOf(i).size(); ++row)
+      eachUnknown(*space_, placesOf(i)[row], [&](int own, double coefficient) {
+        for (std::size_t c = 0; c < ids.size(); ++c) values[c] = coefficient * columns[i](static_cast<int>(row), static_cast<int>(c));
+        mine->insertGlobalValues(space_->id(own), static_cast<int>(ids.size()), values.data(), ids.data());
+      });
   }
   mine->fillComplete(coarse, space_->map());
   const Tpetra::Export<> toOwned(overlap, space_->map());
@@ -85,20 +78,18 @@ void CoarseProblem::exchange(const std::vector<Matrix>& columns) {
   const auto all = Tpetra::importAndFillCompleteCrsMatrix<Crs>(owned, toOverlap, coarse, space_->map());
 
   const auto columnMap = all->getColMap();
-  for (int i = 0; i < space_->locals(); ++i) {
-    std::map<int, int> place;  // coarse number -> column of V
-    const Coupling& coupling = space_->coupling(i);
+  for (std::size_t i = 0; i < columns.size(); ++i) {
     const auto eachEntry = [&](auto&& take) {
-      std::vector<int> touched = coupling.columns();
-      std::sort(touched.begin(), touched.end());
-      touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
-      for (int row : touched) {
-        Crs::local_inds_host_view_type local;
-        Crs::values_host_view_type value;
-        all->getLocalRowView(row, local, value);
-        for (std::size_t k = 0; k < local.extent(0); ++k) take(row, static_cast<int>(columnMap->getGlobalElement(local(k))), value(k));
-      }
+      for (std::size_t row = 0; row < placesOf(i).size(); ++row)
+        eachUnknown(*space_, placesOf(i)[row], [&](int own, double coefficient) {
+          Crs::local_inds_host_view_type local;
+          Crs::values_host_view_type value;
+          all->getLocalRowView(own, local, value);
+          for (std::size_t k = 0; k < local.extent(0); ++k)
+            take(static_cast<int>(row), static_cast<int>(columnMap->getGlobalElement(local(k))), coefficient * value(k));
+        });
     };
+    std::map<int, int> place;  // coarse number -> column of V
     eachEntry([&](int, int id, double) { place.emplace(id, 0); });
     int count = 0;
     seenIds_.emplace_back();
@@ -106,50 +97,23 @@ void CoarseProblem::exchange(const std::vector<Matrix>& columns) {
       at = count++;
       seenIds_.back().push_back(id);
     }
-    Matrix spread = Matrix::Zero(rows, count);
-    eachEntry([&](int row, int id, double value) { spread(row, place.at(id)) = value; });
-    seen_.emplace_back(coupling.rows(), count);
-    coupling.restrictTo(spread, seen_.back());
+    seen_.emplace_back(Matrix::Zero(static_cast<int>(placesOf(i).size()), count));
+    eachEntry([&](int row, int id, double value) { seen_.back()(row, place.at(id)) += value; });
   }
 }
 
-void CoarseProblem::assemble(const InterfaceOperator& matrix) {
-  std::vector<Entry> entries;
+void CoarseProblem::assemble(const InterfaceOperator& matrix, std::unique_ptr<LocalSolver> solver, int copies) {
+  std::vector<CoarseSystem::Entry> entries;
   for (int i = 0; i < space_->locals(); ++i) {
     images_.emplace_back(Matrix::Zero(seen_[i].rows(), seen_[i].cols()));
     if (!matrix.locals()[i] || seen_[i].cols() == 0) continue;
     matrix.locals()[i]->applySchur(seen_[i], images_[i]);
     const Matrix block = seen_[i].transpose() * images_[i];
     for (int b = 0; b < block.cols(); ++b)
-      for (int a = 0; a < block.rows(); ++a) entries.push_back({seenIds_[i][a], seenIds_[i][b], 0.5 * (block(a, b) + block(b, a))});
+      for (int a = 0; a < block.rows(); ++a) entries.emplace_back(seenIds_[i][a], seenIds_[i][b], 0.5 * (block(a, b) + block(b, a)));
   }
-  Packer packer;
-  packer.put(entries);
-  std::vector<Eigen::Triplet<double>> triplets;
-  for (const std::string& bytes : allGather(*space_->comm(), packer.bytes()))
-    for (const Entry& entry : Unpacker(bytes).get<std::vector<Entry>>()) triplets.emplace_back(entry.row, entry.column, entry.value);
-  scaled_.resize(size_, size_);
-  scaled_.setFromTriplets(triplets.begin(), triplets.end());
-  scale_ = Vector::Ones(size_);
-  for (int i = 0; i < size_; ++i) {
-    const double diagonal = scaled_.coeff(i, i);
-    if (diagonal > 0.0) scale_(i) = 1.0 / std::sqrt(diagonal);
-  }
-  scaled_ = (scale_.asDiagonal() * scaled_ * scale_.asDiagonal()).eval();
-  SparseMatrix shifted = scaled_;
-  for (int i = 0; i < size_; ++i) shifted.coeffRef(i, i) += kShift;
-  solver_->factorise(shifted);
-}
-
-Vector CoarseProblem::solve(const Vector& mine) const {
-  const Vector b = scale_.cwiseProduct(sumOver(*space_->comm(), mine));
-  Vector x = Vector::Zero(size_);
-  for (int k = 0; k <= kRefinements; ++k) {
-    Matrix correction = b - scaled_ * x;
-    solver_->solve(correction);
-    x += correction.col(0);
-  }
-  return scale_.cwiseProduct(x);
+  seen_.clear();
+  system_ = std::make_unique<CoarseSystem>(space_->comm(), size_, entries, std::move(solver), copies, true);
 }
 
 Vector CoarseProblem::fromResidual(const Matrix& overlap) const {
@@ -160,7 +124,7 @@ Vector CoarseProblem::fromResidual(const Matrix& overlap) const {
     space_->coupling(static_cast<int>(i)).restrictTo(overlap, trace);
     mine.segment(firstColumn_[i], columns_[i].cols()) += columns_[i].transpose() * trace.col(0);
   }
-  return solve(mine);
+  return system_->solve(mine);
 }
 
 Vector CoarseProblem::fromTrace(const Matrix& overlap) const {
@@ -172,7 +136,7 @@ Vector CoarseProblem::fromTrace(const Matrix& overlap) const {
     const Vector product = images_[i].transpose() * trace.col(0);
     for (std::size_t c = 0; c < seenIds_[i].size(); ++c) mine(seenIds_[i][c]) += product(static_cast<int>(c));
   }
-  return solve(mine);
+  return system_->solve(mine);
 }
 
 void CoarseProblem::addColumns(const Vector& y, Matrix& overlap) const {

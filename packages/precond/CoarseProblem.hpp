@@ -1,21 +1,21 @@
 #pragma once
 #include <suture/interface/InterfaceOperator.hpp>
-#include <suture/subdomain/LocalSolver.hpp>
+#include <suture/precond/CoarseSystem.hpp>
 
 #include <memory>
 #include <vector>
 
 namespace suture {
 
-/// The coarse problem of balancing: E = Z^T S Z for columns Z with local support, assembled sparse and factored on every rank.
+/// The coarse problem of balancing: E = Z^T S Z for columns Z with local support, a CoarseSystem.
 ///
-/// Columns may depend on each other across local problems (two subdomains that share one edge have the same D_i Z_i there). Then E, scaled
-/// to a unit diagonal, is singular; a shift of its diagonal by 1e-11, taken out again by iterative refinement, leaves the solution alone
-/// but for combinations n with Z n = 0, which no trace feels.
+/// Columns may depend on each other across local problems (two subdomains that share one edge have the same D_i Z_i there). Then E is
+/// singular; its solution is determined but for combinations n with Z n = 0, which no trace feels.
 class CoarseProblem {
  public:
   /// \param columns  of each local problem of this rank, its traces: size() x k, orthonormal. Collective. \throws NumericalError
-  CoarseProblem(const InterfaceOperator& matrix, const std::vector<Matrix>& columns, std::unique_ptr<LocalSolver> solver);
+  /// \param copies  see CoarseSystem
+  CoarseProblem(const InterfaceOperator& matrix, const std::vector<Matrix>& columns, std::unique_ptr<LocalSolver> solver, int copies);
 
   int size() const { return size_; }
   /// E^-1 Z^T r. `r`: overlap values. Collective.
@@ -29,8 +29,7 @@ class CoarseProblem {
 
  private:
   void exchange(const std::vector<Matrix>& columns);
-  void assemble(const InterfaceOperator& matrix);
-  Vector solve(const Vector& mine) const;
+  void assemble(const InterfaceOperator& matrix, std::unique_ptr<LocalSolver> solver, int copies);
 
   std::shared_ptr<const InterfaceSpace> space_;
   int size_ = 0;
@@ -38,9 +37,7 @@ class CoarseProblem {
   std::vector<int> firstColumn_;       // number of the first of them
   std::vector<Matrix> seen_, images_;  // of each local problem: all columns that it feels, V, and S V
   std::vector<std::vector<int>> seenIds_;
-  std::unique_ptr<LocalSolver> solver_;
-  SparseMatrix scaled_;
-  Vector scale_;
+  std::unique_ptr<CoarseSystem> system_;
 };
 
 }  // namespace suture

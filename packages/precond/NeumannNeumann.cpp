@@ -10,37 +10,25 @@
 
 namespace suture {
 
-namespace {
-
-template <typename Base>
-std::unique_ptr<Base> strategy(const Parameters& own, const char* parameter) {
-  const auto name = own.get<std::string>(parameter);
-  return Registry<Base>::instance().make(name, own.isSublist(name) ? own.sublist(name) : Parameters());
-}
-
-}  // namespace
-
 Schema NeumannNeumann::schema() {
   Schema schema("Balancing Neumann-Neumann (eq. 28-31): local Neumann problems, weighted, and a coarse problem of rigid motions.");
   schema.choice("Weighting", "Stiffness Diagonal", Registry<Weighting>::instance().schemas(), "How subdomains share the interface, D_i.");
   schema.choice("Coarse Space", "Rigid Modes", Registry<CoarseSpace>::instance().schemas(),
                 "Traces that the coarse problem balances, Z_i.");
-  schema.choice("Coarse Solver", "CHOLMOD", Registry<LocalSolver>::instance().schemas(), "Sparse direct solver of the coarse problem.");
+  addCoarseParameters(schema);
   return schema;
 }
 
 NeumannNeumann::NeumannNeumann(const Parameters& own)
-    : NeumannNeumann(strategy<Weighting>(own, "Weighting"), strategy<CoarseSpace>(own, "Coarse Space"),
-                     [own] { return strategy<LocalSolver>(own, "Coarse Solver"); }) {}
+    : NeumannNeumann(makeStrategy<Weighting>(own, "Weighting"), makeStrategy<CoarseSpace>(own, "Coarse Space"),
+                     [own] { return makeStrategy<LocalSolver>(own, "Coarse Solver"); }, own.get<int>("Coarse Copies")) {}
 
 NeumannNeumann::NeumannNeumann(std::unique_ptr<Weighting> weighting, std::unique_ptr<CoarseSpace> coarseSpace,
-                               std::function<std::unique_ptr<LocalSolver>()> coarseSolver)
-    : weighting_(std::move(weighting)), coarseSpace_(std::move(coarseSpace)), coarseSolver_(std::move(coarseSolver)) {}
+                               std::function<std::unique_ptr<LocalSolver>()> coarseSolver, int copies)
+    : weighting_(std::move(weighting)), coarseSpace_(std::move(coarseSpace)), coarseSolver_(std::move(coarseSolver)), copies_(copies) {}
 
 void NeumannNeumann::doInitialize() {
-  locals_.clear();
-  inverses_.clear();
-  coarse_.reset();
+  coarse_.reset();  // inverses belong to local problems, whatever space these are in
 }
 
 void NeumannNeumann::doCompute() {
@@ -70,7 +58,7 @@ void NeumannNeumann::doCompute() {
   for (const Matrix& own : columns) mine += static_cast<int>(own.cols());
   Teuchos::reduceAll(*space()->comm(), Teuchos::REDUCE_SUM, mine, Teuchos::outArg(all));
   coarse_.reset();
-  if (all > 0) coarse_ = std::make_unique<CoarseProblem>(*matrix(), columns, coarseSolver_());
+  if (all > 0) coarse_ = std::make_unique<CoarseProblem>(*matrix(), columns, coarseSolver_(), copies_);
 }
 
 void NeumannNeumann::doApply(const MultiVector& r, MultiVector& z) const {

@@ -20,7 +20,7 @@ class NeumannNeumann : public Preconditioner {
   explicit NeumannNeumann(const Parameters& own);
   /// For programs that bring their own strategies.
   NeumannNeumann(std::unique_ptr<Weighting> weighting, std::unique_ptr<CoarseSpace> coarseSpace,
-                 std::function<std::unique_ptr<LocalSolver>()> coarseSolver);
+                 std::function<std::unique_ptr<LocalSolver>()> coarseSolver, int copies = 0);
 
   int coarseSize() const override { return coarse_ ? coarse_->size() : 0; }
 
@@ -33,6 +33,7 @@ class NeumannNeumann : public Preconditioner {
   std::unique_ptr<Weighting> weighting_;
   std::unique_ptr<CoarseSpace> coarseSpace_;
   std::function<std::unique_ptr<LocalSolver>()> coarseSolver_;
+  int copies_;
   LocalProblems locals_;  // those the inverses belong to
   std::vector<std::unique_ptr<LocalInverse>> inverses_;
   std::unique_ptr<CoarseProblem> coarse_;

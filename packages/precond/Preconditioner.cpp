@@ -1,4 +1,5 @@
 #include <suture/base/Timers.hpp>
+#include <suture/precond/Bddc.hpp>
 #include <suture/precond/NeumannNeumann.hpp>
 #include <suture/precond/Preconditioner.hpp>
 
@@ -32,6 +33,7 @@ void Preconditioner::apply(const MultiVector& r, MultiVector& z, Teuchos::ETrans
 }
 
 void registerBuiltIns(Registry<Preconditioner>& registry) {
+  registry.add("BDDC", Bddc::schema(), [](const Parameters& own) { return std::make_unique<Bddc>(own); });
   registry.add("Neumann-Neumann", NeumannNeumann::schema(), [](const Parameters& own) { return std::make_unique<NeumannNeumann>(own); });
 }
 
@@ -42,10 +44,7 @@ Schema preconditionerSchema() {
 }
 
 Teuchos::RCP<Preconditioner> makePreconditioner(const Parameters& preconditioner) {
-  const auto name = preconditioner.get<std::string>("Type");
-  return Teuchos::rcp(Registry<Preconditioner>::instance()
-                          .make(name, preconditioner.isSublist(name) ? preconditioner.sublist(name) : Parameters())
-                          .release());
+  return Teuchos::rcp(makeStrategy<Preconditioner>(preconditioner, "Type").release());
 }
 
 }  // namespace suture

@@ -11,17 +11,19 @@ void Weighting::setup(const InterfaceSpace& space, const LocalProblems& locals) 
 
 void DiagonalWeighting::doSetup(const InterfaceSpace& space, const LocalProblems& locals) {
   weights_.assign(locals.size(), Vector());
-  Matrix sum = Matrix::Zero(static_cast<int>(space.overlap()->getNodeNumElements()), 1);
+  Matrix sum = Matrix::Zero(space.overlapSize(), 1);
   for (std::size_t i = 0; i < locals.size(); ++i)
     if (locals[i]) {
       weights_[i] = density(*locals[i]);
       space.coupling(static_cast<int>(i)).addTransposed(weights_[i], sum);
     }
-  space.sum(sum);
+  space.sumDensities(sum);
+  // What several unknowns express, or none, has no weight of its own: they have it all.
+  const auto weightless = [&](int place) { return space.relation(place) && space.relation(place)->others.size() != 1; };
   collectively(*space.comm(), "weighting the interface", [&] {
-    for (Eigen::Index k = 0; k < sum.rows(); ++k)
-      if (!(sum(k, 0) > 0.0)) {
-        const Point& p = space.point(static_cast<int>(k));
+    for (int k = 0; k < space.overlapSize(); ++k)
+      if (!(sum(k, 0) > 0.0) && !weightless(k)) {
+        const Point& p = space.point(k);
         std::ostringstream text;
         text << "the interface unknown at (" << p[0] << ", " << p[1]
              << ") has no positive weight: no local problem that takes part holds it";
@@ -30,9 +32,9 @@ void DiagonalWeighting::doSetup(const InterfaceSpace& space, const LocalProblems
   });
   for (std::size_t i = 0; i < locals.size(); ++i)
     if (locals[i]) {
-      Matrix total(weights_[i].size(), 1);
-      space.coupling(static_cast<int>(i)).restrictTo(sum, total);
-      weights_[i] = weights_[i].cwiseQuotient(total.col(0));
+      const std::vector<int>& places = space.coupling(static_cast<int>(i)).columns();
+      for (std::size_t k = 0; k < places.size(); ++k)
+        weights_[i](static_cast<int>(k)) = weightless(places[k]) ? 0.0 : weights_[i](static_cast<int>(k)) / sum(places[k], 0);
     }
 }
 

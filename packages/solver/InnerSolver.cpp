@@ -106,6 +106,11 @@ InnerResult InnerSolver::solve(const Teuchos::RCP<const Operator>& matrix, const
   const auto offDiagonal = iteration.getOffDiag();
   const std::vector<double> d(diagonal.begin(), diagonal.begin() + result.pcg);
   const std::vector<double> o(offDiagonal.begin(), offDiagonal.begin() + std::max(result.pcg - 1, 0));
+  // d_k = 1 / step_k + b_(k-1) / step_(k-1), b the ratio of successive squared norms, which the history has.
+  for (int k = 0; k < result.pcg; ++k) {
+    const double ratio = k > 0 ? result.history[k] / result.history[k - 1] : 0.0;
+    result.steps.push_back(1.0 / (d[k] - (k > 0 ? ratio * ratio / result.steps[k - 1] : 0.0)));
+  }
   const std::vector<double> eigenvalues = tridiagonalEigenvalues(d, o);
   if (!eigenvalues.empty() && eigenvalues.front() > 0.0) {
     result.condition = eigenvalues.back() / eigenvalues.front();

@@ -14,6 +14,7 @@ struct InnerResult {
   double condition = 1.0;          ///< of M^-1 S, estimated from the Lanczos matrix of the CG coefficients
   double largestEigenvalue = 1.0;  ///< of the same
   std::vector<double> history;     ///< residual after each iteration, the first entry before them
+  std::vector<double> steps;       ///< of each iteration along its search direction: x is the sum of steps times directions
 };
 
 /// Preconditioned conjugate gradients (Belos' PseudoBlockCGIter, with a status test of ours): stops when sqrt(r.M r) falls below

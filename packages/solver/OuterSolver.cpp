@@ -1,4 +1,5 @@
 #include <suture/base/Timers.hpp>
+#include <suture/solver/ActiveSet.hpp>
 #include <suture/solver/Chord.hpp>
 #include <suture/solver/OuterSolver.hpp>
 #include <suture/solver/SemismoothNewton.hpp>
@@ -14,13 +15,6 @@ namespace suture {
 namespace {
 double euclidean(const MultiVector& x) { return std::sqrt(dot(x, x)); }
 
-int changedPairs(const Comm& comm, const ContactStatus& before, const ContactStatus& now) {
-  int mine = 0, all = 0;
-  for (std::size_t i = 0; i < now.size(); ++i)
-    for (std::size_t p = 0; p < now[i].size(); ++p) mine += before[i][p] != now[i][p];
-  Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, mine, Teuchos::outArg(all));
-  return all;
-}
 }  // namespace
 
 double OuterSolver::Run::norm(const InterfaceProblem::Evaluation& at) const {
@@ -36,7 +30,7 @@ void OuterSolver::Run::accept(InterfaceState state, InterfaceProblem::Evaluation
   row.residual = residual;
   row.euclidean = referenceEuclidean > 0.0 ? euclidean(*at.residual) / referenceEuclidean : 0.0;
   row.active = at.active;
-  row.changed = changedPairs(*problem.space()->comm(), reported, at.next);
+  row.changed = static_cast<int>(problem.differing(reported, at.next).size());
   row.energy = at.energy;
   row.step = step;
   row.seconds = Timers::now() - begin;
@@ -84,8 +78,11 @@ OuterResult OuterSolver::solve(const InterfaceProblem& problem, const OuterSetti
     result.auxiliary.contact = contact;
   } else {
     const double tolerance = contact ? auxiliaryTolerance(settings) : settings.tolerance;
-    const InnerResult auxiliary =
-        run.inner.solve(start.matrix, run.preconditioner, *start.load, *result.state.trace, tolerance, 0.0, monitor);
+    const MultiVectorPtr step = problem.space()->vector();
+    start.matrix->record();
+    const InnerResult auxiliary = run.inner.solve(start.matrix, run.preconditioner, *start.load, *step, tolerance, 0.0, monitor);
+    const Matrix image = start.matrix->recorded(auxiliary.steps);
+    problem.update(result.state, *step, 1.0, &image);
     result.auxiliary = {auxiliary.pcg, auxiliary.condition, tolerance, auxiliary.residual, contact};
     monitor.auxiliary(result.auxiliary);
     result.residual = auxiliary.residual;
@@ -100,9 +97,9 @@ OuterResult OuterSolver::solve(const InterfaceProblem& problem, const OuterSetti
     }
   }
 
-  run.evaluation = problem.evaluate(result.state);
-  result.state.status = run.evaluation.next;
+  run.evaluation = problem.evaluate(result.state, 10.0 * settings.tolerance);
   result.residual = run.norm(run.evaluation);
+  result.state.status = run.evaluation.next;
   if (!run.done()) doSolve(run);
   result.converged = run.done();
   if (result.stopped && !result.converged && result.failure.empty()) result.failure = "stopped on request";
@@ -112,6 +109,7 @@ OuterResult OuterSolver::solve(const InterfaceProblem& problem, const OuterSetti
 }
 
 void registerBuiltIns(Registry<OuterSolver>& registry) {
+  registry.add("Active Set", ActiveSet::schema(), [](const Parameters& own) { return std::make_unique<ActiveSet>(own); });
   registry.add("Semismooth Newton", SemismoothNewton::schema(),
                [](const Parameters& own) { return std::make_unique<SemismoothNewton>(own); });
   registry.add("Chord", Chord::schema(), [](const Parameters& own) { return std::make_unique<Chord>(own); });

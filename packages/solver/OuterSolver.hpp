@@ -65,7 +65,7 @@ class OuterSolver {
     double norm(const InterfaceProblem::Evaluation& at) const;
     /// Takes over a new point: evaluates nothing; updates status, result.residual and reports a row.
     void accept(InterfaceState state, InterfaceProblem::Evaluation at, double residual, const InnerResult& cost, double step);
-    bool done() const { return result.residual <= settings.tolerance; }
+    bool done() const { return result.residual <= settings.tolerance && evaluation.settled; }
     /// Whether there is something to do and nobody minds: not done, not exhausted, not asked to stop. Collective.
     bool goesOn();
   };

@@ -15,12 +15,6 @@ namespace suture {
 
 namespace {
 
-template <typename Base>
-std::unique_ptr<Base> strategy(const Parameters& list, const std::string& parameter) {
-  const auto name = list.get<std::string>(parameter);
-  return Registry<Base>::instance().make(name, list.isSublist(name) ? list.sublist(name) : Parameters());
-}
-
 PairResult report(const PairState& state) {
   PairResult result;
   result.id = state.pair.id;
@@ -75,7 +69,7 @@ std::unique_ptr<InterfaceProblem> makeInterfaceProblem(const CommPtr& comm, cons
   std::vector<double> young;
   for (const Material& material : model.materialOfBody) young.push_back(material.young);
   return std::make_unique<CondensedProblem>(comm, partition, subdomains, young, localSolverMaker(own),
-                                            [&own] { return strategy<SchurComplement>(own, "Schur Complement"); });
+                                            [&own] { return makeStrategy<SchurComplement>(own, "Schur Complement"); });
 }
 
 OuterResult solveInterface(const InterfaceProblem& problem, const Parameters& scene, Monitor& monitor, const InterfaceState* start) {
@@ -85,7 +79,7 @@ OuterResult solveInterface(const InterfaceProblem& problem, const Parameters& sc
   settings.maximumIterations = own.get<int>("Maximum Iterations");
   settings.maximumInnerIterations = own.get<int>("Maximum Inner Iterations");
   settings.preconditioner = [&scene] { return makePreconditioner(scene.sublist("Preconditioner")); };
-  return strategy<OuterSolver>(own, "Type")->solve(problem, settings, monitor, start);
+  return makeStrategy<OuterSolver>(own, "Type")->solve(problem, settings, monitor, start);
 }
 
 Solution recover(const Comm& comm, const InterfaceProblem& problem, const OuterResult& result, const Subdomains& subdomains,

@@ -1,6 +1,17 @@
+#include <suture/subdomain/ConstrainedInverse.hpp>
 #include <suture/subdomain/LocalProblem.hpp>
 
 namespace suture {
+
+std::unique_ptr<LocalInverse> LocalProblem::inverse(const Matrix& constraints) const {
+  return std::make_unique<ConstrainedInverse>(schur(), constraints, name());
+}
+
+Matrix LocalProblem::schur() const {
+  Matrix flux(size(), size());
+  applySchur(Matrix::Identity(size(), size()), flux);
+  return 0.5 * (flux + flux.transpose());
+}
 
 Matrix LocalProblem::schurBlock(const std::vector<int>& positions) const {
   Matrix units = Matrix::Zero(size(), static_cast<int>(positions.size()));

@@ -8,12 +8,19 @@
 
 namespace suture {
 
-/// A generalised inverse S^+ of a local problem's Schur complement: the local Neumann problems of eq. (28)-(29). Local.
+/// An inverse of a local problem's Schur complement. Without constraints a generalised inverse S^+: the local Neumann problems of eq.
+/// (28)-(29). With rows C the saddle problem  S x + C^T m = f, C x = 0  of BDDC. Local.
 class LocalInverse {
  public:
   virtual ~LocalInverse() = default;
-  /// trace <- S^+ flux: S S^+ f = f for a flux orthogonal to the kernel. Positive definite or semidefinite for any flux.
+  /// trace <- S^+ flux: without constraints S S^+ f = f for a flux orthogonal to the kernel. Positive definite or semidefinite for any flux.
   virtual void apply(ConstLocalView flux, LocalView trace) const = 0;
+  /// With constraints: the traces Phi of least energy with C Phi = I, size() x rows, and their energies Phi^T S Phi. Empty without.
+  virtual const Matrix& basis() const { return none_; }
+  virtual const Matrix& energy() const { return none_; }
+
+ private:
+  Matrix none_;
 };
 
 /// One term of the sum (20): a linear problem on part of the bodies that the rest knows by its trace and flux on its boundary only. Made of
@@ -44,8 +51,12 @@ class LocalProblem {
   virtual const Matrix& coarseModes() const = 0;
   /// S^+, made when it is asked for. \throws NumericalError
   virtual std::unique_ptr<LocalInverse> inverse() const = 0;
+  /// The inverse under constraints C x = 0, rows x size(), of full rank. \throws NumericalError  they leave a mechanism
+  virtual std::unique_ptr<LocalInverse> inverse(const Matrix& constraints) const;
 
-  /// Dense block of S_loc for some positions of the boundary.
+  /// S_loc as a dense matrix.
+  virtual Matrix schur() const;
+  /// Dense block of it for some positions of the boundary.
   virtual Matrix schurBlock(const std::vector<int>& positions) const;
 
  protected:

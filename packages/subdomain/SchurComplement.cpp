@@ -1,3 +1,4 @@
+#include <suture/subdomain/ExplicitSchurComplement.hpp>
 #include <suture/subdomain/GeneralisedInverse.hpp>
 #include <suture/subdomain/SchurComplement.hpp>
 
@@ -6,6 +7,8 @@ namespace suture {
 void registerBuiltIns(Registry<SchurComplement>& registry) {
   registry.add("Implicit", ImplicitSchurComplement::schema(),
                [](const Parameters&) { return std::make_unique<ImplicitSchurComplement>(); });
+  registry.add("Explicit", ExplicitSchurComplement::schema(),
+               [](const Parameters&) { return std::make_unique<ExplicitSchurComplement>(); });
 }
 
 Schema ImplicitSchurComplement::schema() { return Schema("Back-substitutions with a factor of the interior block (the paper's)."); }

@@ -18,7 +18,8 @@ struct SchurData {
 };
 
 /// S_i = A_BB - A_BI A_II^-1 A_IB of eq. (12)-(14), the energy of the discrete harmonic extension, without saying how it is kept.
-/// Strategies: Implicit (the paper: a back-substitution an application); a user adds his own through Registry<SchurComplement>.
+/// Strategies: Implicit (the paper: a back-substitution an application), Explicit (a dense matrix); a user adds his own through
+/// Registry<SchurComplement>.
 /// A_II must be regular. Local.
 class SchurComplement {
  public:
@@ -34,6 +35,8 @@ class SchurComplement {
   }
   /// f_B - A_BI A_II^-1 f_I. [force]
   virtual const Vector& condensedLoad() const = 0;
+  /// S itself, if it is kept; else null.
+  virtual const Matrix* dense() const { return nullptr; }
   /// All unknowns of the solution with the given trace: u_I = A_II^-1 (f_I - A_IB trace).
   virtual Vector recover(const Vector& trace) const = 0;
   /// Least energy with zero trace: -f_I A_II^-1 f_I / 2.

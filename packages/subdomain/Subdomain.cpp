@@ -59,6 +59,13 @@ void Subdomain::assemble() {
   kernel_ = rigidModes_ * nullSpace(heldModes_);
 }
 
+Point Subdomain::direction(int dof) const {
+  Point along{0, 0, 0};
+  const Matrix* q = axes(nodeOf(dof));
+  for (int c = 0; c < components(); ++c) along[c] = q ? (*q)(componentOf(dof), c) : (c == componentOf(dof) ? 1.0 : 0.0);
+  return along;
+}
+
 void Subdomain::toAxes(LocalView values) const {
   const int d = components();
   for (int node = 0; node < mesh_.nodes(); ++node)

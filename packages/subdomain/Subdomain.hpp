@@ -29,6 +29,8 @@ class Subdomain {
   int componentOf(int dof) const { return free_[dof] % components(); }
   /// Number of a free unknown that all subdomains agree on: node of the mesh x components + component.
   GlobalId globalDof(int dof) const { return mesh_.globalNodes[nodeOf(dof)] * components() + componentOf(dof); }
+  /// Unit vector along which a free unknown displaces its node.
+  Point direction(int dof) const;
 
   const SparseMatrix& stiffness() const { return stiffness_; }  ///< free x free, symmetric, both triangles
   const Vector& load() const { return load_; }                  ///< free: loads less the stiffness times prescribed displacements [force]

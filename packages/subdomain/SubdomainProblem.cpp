@@ -51,6 +51,11 @@ SubdomainProblem::SubdomainProblem(int id, const Subdomain& subdomain, const std
   schur_->compute({subdomain.stiffness(), subdomain.load(), positions_, nodesOfDofs(subdomain), solver, name()});
 }
 
+Matrix SubdomainProblem::schur() const {
+  const Matrix* dense = schur_->dense();
+  return dense ? *dense : LocalProblem::schur();
+}
+
 std::unique_ptr<LocalInverse> SubdomainProblem::inverse() const {
   return std::make_unique<NeumannInverse>(
       GeneralisedInverse(subdomain_.stiffness(), subdomain_.kernel(), nodesOfDofs(subdomain_), solver_, name()), positions_);

@@ -22,7 +22,9 @@ class SubdomainProblem : public LocalProblem {
   const Vector& youngModulus() const override { return young_; }
   const Matrix& kernel() const override { return kernel_; }
   const Matrix& coarseModes() const override { return coarseModes_; }
+  using LocalProblem::inverse;
   std::unique_ptr<LocalInverse> inverse() const override;
+  Matrix schur() const override;
 
   const Subdomain& subdomain() const { return subdomain_; }
   /// Free unknowns of the subdomain for a trace.

@@ -1,0 +1,150 @@
+#include <suture/base/Dense.hpp>
+#include <suture/interface/ContactClusters.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace suture {
+
+namespace {
+
+using Sparse = std::map<int, double>;  // place -> coefficient
+
+constexpr double kDependent = 1e-10;  // of coefficients of unit normals
+
+void addTo(Sparse& row, const Sparse& other, double factor) {
+  for (const auto& [place, value] : other) row[place] += factor * value;
+}
+
+}  // namespace
+
+ContactClusters::ContactClusters(std::vector<Row> rows, Vector stiffness) : rows_(std::move(rows)), stiffness_(std::move(stiffness)) {
+  std::map<int, std::vector<int>> byNumber;
+  rowStiffness_ = Vector::Zero(size());
+  for (int i = 0; i < size(); ++i) {
+    if (rows_[i].places.empty()) continue;
+    byNumber[rows_[i].cluster].push_back(i);
+    double compliance = 0.0;
+    for (std::size_t k = 0; k < rows_[i].places.size(); ++k)
+      compliance += rows_[i].coefficients[k] * rows_[i].coefficients[k] / stiffness_(rows_[i].places[k]);
+    rowStiffness_(i) = 1.0 / compliance;
+  }
+  for (auto& [number, members] : byNumber) clusters_.push_back(std::move(members));
+}
+
+std::vector<int> ContactClusters::closedRows(const std::vector<int>& cluster, const std::vector<PairStatus>& status) const {
+  std::vector<int> closed;
+  for (const int row : cluster)
+    if (status[row] != PairStatus::Open) closed.push_back(row);
+  return closed;
+}
+
+std::vector<InterfaceRelation> ContactClusters::relations(const std::vector<PairStatus>& status) const {
+  std::vector<InterfaceRelation> all;
+  for (const auto& cluster : clusters_) {
+    std::map<int, Sparse> solved;  // expressed unknown -> what expresses it
+    for (const int number : closedRows(cluster, status)) {
+      Sparse row;
+      for (std::size_t k = 0; k < rows_[number].places.size(); ++k) {
+        const int place = rows_[number].places[k];
+        const double value = rows_[number].coefficients[k];
+        if (const auto known = solved.find(place); known != solved.end())
+          addTo(row, known->second, value);
+        else
+          row[place] += value;
+      }
+      const auto pivot = std::max_element(row.begin(), row.end(), [](const auto& a, const auto& b) {
+        return std::abs(a.second) < std::abs(b.second) * (1.0 - 1e-9);  // of equal ones the first
+      });
+      if (pivot == row.end() || std::abs(pivot->second) < kDependent) continue;
+      const int place = pivot->first;
+      Sparse by;
+      for (const auto& [other, value] : row)
+        if (other != place && std::abs(value) > kDependent) by[other] = -value / pivot->second;
+      for (auto& [earlier, expression] : solved)
+        if (const auto uses = expression.find(place); uses != expression.end()) {
+          const double factor = uses->second;
+          expression.erase(uses);
+          addTo(expression, by, factor);
+        }
+      solved[place] = by;
+    }
+    for (const auto& [place, by] : solved) {
+      InterfaceRelation relation{place, {}, {}};
+      for (const auto& [other, value] : by)
+        if (std::abs(value) > kDependent) {
+          relation.others.push_back(other);
+          relation.coefficients.push_back(value);
+        }
+      all.push_back(std::move(relation));
+    }
+  }
+  return all;
+}
+
+Vector ContactClusters::gaps(const Vector& trace) const {
+  Vector gap(size());
+  for (int i = 0; i < size(); ++i) {
+    gap(i) = rows_[i].gap;
+    for (std::size_t k = 0; k < rows_[i].places.size(); ++k) gap(i) -= rows_[i].coefficients[k] * trace(rows_[i].places[k]);
+  }
+  return gap;
+}
+
+Vector ContactClusters::solve(const std::vector<int>& rows, const Vector& rhs) const {
+  if (rows.size() == 1) return rhs * rowStiffness_(rows[0]);
+  Matrix compliance = Matrix::Zero(static_cast<int>(rows.size()), static_cast<int>(rows.size()));
+  for (std::size_t a = 0; a < rows.size(); ++a)
+    for (std::size_t b = 0; b < rows.size(); ++b)
+      for (std::size_t k = 0; k < rows_[rows[a]].places.size(); ++k)
+        for (std::size_t l = 0; l < rows_[rows[b]].places.size(); ++l)
+          if (rows_[rows[a]].places[k] == rows_[rows[b]].places[l])
+            compliance(static_cast<int>(a), static_cast<int>(b)) +=
+                rows_[rows[a]].coefficients[k] * rows_[rows[b]].coefficients[l] / stiffness_(rows_[rows[a]].places[k]);
+  return leastSquares(compliance, rhs);
+}
+
+Vector ContactClusters::forces(const std::vector<PairStatus>& status, const Vector& imbalance) const {
+  Vector force = Vector::Zero(size());
+  for (const auto& cluster : clusters_) {
+    const std::vector<int> closed = closedRows(cluster, status);
+    if (closed.empty()) continue;
+    Vector rhs = Vector::Zero(static_cast<int>(closed.size()));
+    for (std::size_t a = 0; a < closed.size(); ++a)
+      for (std::size_t k = 0; k < rows_[closed[a]].places.size(); ++k) {
+        const int place = rows_[closed[a]].places[k];
+        rhs(static_cast<int>(a)) -= rows_[closed[a]].coefficients[k] * imbalance(place) / stiffness_(place);
+      }
+    const Vector own = solve(closed, rhs);
+    for (std::size_t a = 0; a < closed.size(); ++a) force(closed[a]) = own(static_cast<int>(a));
+  }
+  return force;
+}
+
+Vector ContactClusters::correction(const std::vector<PairStatus>& status, const Vector& trace) const {
+  Vector change = Vector::Zero(trace.size());
+  const Vector gap = gaps(trace);
+  for (const auto& cluster : clusters_) {
+    const std::vector<int> closed = closedRows(cluster, status);
+    Vector rhs(static_cast<int>(closed.size()));
+    bool any = false;
+    for (std::size_t a = 0; a < closed.size(); ++a) {
+      rhs(static_cast<int>(a)) = gap(closed[a]);
+      // Rounding of the unknowns is no reason to move them.
+      double scale = std::abs(rows_[closed[a]].gap);
+      for (const int place : rows_[closed[a]].places) scale = std::max(scale, std::abs(trace(place)));
+      any = any || std::abs(gap(closed[a])) > 1e-14 * scale;
+    }
+    if (!any) continue;
+    const Vector push = solve(closed, rhs);
+    for (std::size_t a = 0; a < closed.size(); ++a)
+      for (std::size_t k = 0; k < rows_[closed[a]].places.size(); ++k) {
+        const int place = rows_[closed[a]].places[k];
+        change(place) += rows_[closed[a]].coefficients[k] * push(static_cast<int>(a)) / stiffness_(place);
+      }
+  }
+  return change;
+}
+
+}  // namespace suture

@@ -1,0 +1,51 @@
+#pragma once
+#include <suture/base/Types.hpp>
+#include <suture/interface/InterfaceSpace.hpp>
+
+#include <vector>
+
+namespace suture {
+
+/// The contact rows that one rank sees, as equations between interface unknowns: row . v <= gap. Rows that share an unknown (a node in
+/// several pieces) make a cluster and are treated together; most clusters are a single row between two normal components. Local; every
+/// rank that sees a cluster sees all of it and comes to the same result.
+class ContactClusters {
+ public:
+  struct Row {
+    std::vector<int> places;  ///< of the unknowns in the overlap; none: nothing can change
+    std::vector<double> coefficients;
+    double gap = 0.0;  ///< [length]
+    int cluster = 0;   ///< any number that the rows of a cluster share
+  };
+
+  /// \param stiffness  of each unknown of the overlap: diagonal of the assembled matrix. What has to give, the softer side gives.
+  ContactClusters(std::vector<Row> rows, Vector stiffness);
+
+  int size() const { return static_cast<int>(rows_.size()); }
+  const Row& row(int i) const { return rows_[i]; }
+
+  /// Closed rows as equations solved for one unknown each, by elimination within the cluster; a row that follows from the others is left
+  /// out.
+  std::vector<InterfaceRelation> relations(const std::vector<PairStatus>& status) const;
+
+  /// gap - row . v of every row. [length]
+  Vector gaps(const Vector& trace) const;
+  /// 1 / (row K^-1 row^T), the harmonic mean of the two sides' stiffnesses: the complementarity constant of a row. [force / length]
+  const Vector& stiffness() const { return rowStiffness_; }
+  /// Forces of the closed rows that balance `imbalance` (internal less external forces of every unknown) best, weighted by compliance:
+  /// for a single pair the force that the softer side feels. > 0 compressive; 0 for open rows. [force]
+  Vector forces(const std::vector<PairStatus>& status, const Vector& imbalance) const;
+  /// Change of the trace, smallest in the energy of the diagonal, that makes closed rows hold exactly. Zero where they do already.
+  Vector correction(const std::vector<PairStatus>& status, const Vector& trace) const;
+
+ private:
+  std::vector<int> closedRows(const std::vector<int>& cluster, const std::vector<PairStatus>& status) const;
+  /// C K^-1 C^T of some rows of a cluster, and the solution of a system with it.
+  Vector solve(const std::vector<int>& rows, const Vector& rhs) const;
+
+  std::vector<Row> rows_;
+  Vector stiffness_, rowStiffness_;
+  std::vector<std::vector<int>> clusters_;  // rows of each
+};
+
+}  // namespace suture

@@ -1,0 +1,310 @@
+#include <suture/base/Collective.hpp>
+#include <suture/interface/ContactInterfaceProblem.hpp>
+#include <suture/interface/SeamLayout.hpp>
+
+#include <Teuchos_Comm.hpp>
+#include <Teuchos_CommHelpers.hpp>
+#include <Tpetra_Map.hpp>
+#include <Tpetra_MultiVector.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace suture {
+
+namespace {
+
+/// Free unknowns of a subdomain at seams, and those that its contact rows name.
+std::vector<int> boundaryDofs(const Subdomain& subdomain) {
+  const SubdomainMesh& mesh = subdomain.mesh();
+  std::set<GlobalId> inContact;
+  for (const ContactRow& row : mesh.contactRows) inContact.insert(row.dofs.begin(), row.dofs.end());
+  std::vector<int> dofs;
+  for (int dof = 0; dof < subdomain.dofs(); ++dof)
+    if (!mesh.others(subdomain.nodeOf(dof)).empty() || inContact.count(subdomain.globalDof(dof))) dofs.push_back(dof);
+  return dofs;
+}
+
+std::vector<const SubdomainMesh*> meshesOf(const std::vector<std::unique_ptr<Subdomain>>& subdomains) {
+  std::vector<const SubdomainMesh*> meshes;
+  for (const auto& subdomain : subdomains) meshes.push_back(&subdomain->mesh());
+  return meshes;
+}
+
+double reduce(const Comm& comm, Teuchos::EReductionType how, double mine) {
+  double all = 0.0;
+  Teuchos::reduceAll(comm, how, mine, Teuchos::outArg(all));
+  return all;
+}
+
+double largest(const Vector& values) { return values.size() > 0 ? values.cwiseAbs().maxCoeff() : 0.0; }
+
+}  // namespace
+
+ContactInterfaceProblem::ContactInterfaceProblem(CommPtr comm, const Partition& partition,
+                                                 const std::vector<std::unique_ptr<Subdomain>>& subdomains, const LocalSolverMaker& solver,
+                                                 const SchurMaker& schur)
+    : comm_(std::move(comm)), subdomains_(subdomains) {
+  InterfaceLayout layout;
+  const std::vector<SeamEntity> seams = findSeams(*comm_, meshesOf(subdomains));
+  collectively(*comm_, "factoring the subdomains", [&] {
+    for (const auto& subdomain : subdomains) {
+      const std::vector<int> boundary = boundaryDofs(*subdomain);
+      for (const int dof : boundary) layout.unknowns.push_back(interfaceUnknown(*subdomain, dof));
+      locals_.push_back(std::make_shared<SubdomainProblem>(subdomain->mesh().id, *subdomain, boundary, solver, schur()));
+      layout.locals.push_back(subdomain->mesh().id);
+      layout.boundaries.push_back(locals_.back()->boundary());
+      for (const ContactRow& row : subdomain->mesh().contactRows)
+        layout.partners.insert(layout.partners.end(), row.dofs.begin(), row.dofs.end());
+    }
+    addSeams(seams, subdomains, [](int subdomain) { return subdomain; }, layout);
+  });
+  space_ = std::make_shared<InterfaceSpace>(comm_, layout);
+  apart_ = Teuchos::rcp(new InterfaceOperator(space_, LocalProblems(locals_.begin(), locals_.end())));
+
+  load_ = Matrix::Zero(space_->overlapSize(), 1);
+  Matrix stiffness = Matrix::Zero(space_->overlapSize(), 1);
+  double energy = 0.0;
+  for (std::size_t i = 0; i < locals_.size(); ++i) {
+    space_->coupling(static_cast<int>(i)).addTransposed(locals_[i]->condensedLoad(), load_);
+    space_->coupling(static_cast<int>(i)).addTransposed(locals_[i]->stiffnessDiagonal(), stiffness);
+    energy += locals_[i]->constantEnergy();
+  }
+  space_->sum(load_);
+  space_->sum(stiffness);
+  constantEnergy_ = reduce(*comm_, Teuchos::REDUCE_SUM, energy);
+  collectRows(stiffness);
+  findChains();
+  for (const auto& piecesOfGroup : partition.piecesOf) pieces_ += static_cast<int>(piecesOfGroup.size());
+}
+
+void ContactInterfaceProblem::collectRows(const Vector& stiffness) {
+  std::map<int, const ContactRow*> byPair;
+  std::set<int> mine;
+  for (const auto& subdomain : subdomains_) {
+    const SubdomainMesh& mesh = subdomain->mesh();
+    for (const ContactRow& row : mesh.contactRows) byPair.emplace(row.pair.id, &row);
+    for (const SubdomainMesh::ContactEnd& end : mesh.contactEnds) {
+      const auto others = mesh.others(end.node);
+      if (end.side > 0 && std::all_of(others.begin(), others.end(), [&](int other) { return other > mesh.id; })) mine.insert(end.pair.id);
+    }
+  }
+  std::vector<ContactClusters::Row> rows;
+  int able = 0;
+  for (const auto& [id, row] : byPair) {
+    ContactClusters::Row own{{}, row->coefficients, row->gap, row->cluster};
+    for (const GlobalId dof : row->dofs) own.places.push_back(space_->overlap()->getLocalElement(dof));
+    owned_.push_back(mine.count(id) > 0);
+    able += owned_.back() && !own.places.empty();
+    rows.push_back(std::move(own));
+    rows_.push_back(*row);
+  }
+  clusters_ = std::make_unique<ContactClusters>(std::move(rows), stiffness);
+  Teuchos::reduceAll(*comm_, Teuchos::REDUCE_SUM, able, Teuchos::outArg(pairs_));
+}
+
+/// Pairs are numbered along their lines: neighbours are successors.
+void ContactInterfaceProblem::findChains() {
+  for (int i = 0; i < clusters_->size(); ++i) {
+    const bool follows =
+        i > 0 && rows_[i].pair.id == rows_[i - 1].pair.id + 1 && rows_[i].pair.line == rows_[i - 1].pair.line;
+    if (!follows) chains_.emplace_back();
+    chains_.back().push_back(i);
+  }
+}
+
+InterfaceState ContactInterfaceProblem::initialState() const {
+  InterfaceState state;
+  state.trace = space_->vector();
+  state.status.emplace_back();
+  for (int i = 0; i < clusters_->size(); ++i)
+    state.status[0].push_back(clusters_->row(i).places.empty() ? PairStatus::Open : PairStatus::Slip);
+  state.memory = std::make_shared<Matrix>(-load_);
+  conform(state);
+  return state;
+}
+
+InterfaceState ContactInterfaceProblem::stateOf(const std::vector<Vector>& freeValues, const std::map<int, PairStatus>& status) const {
+  InterfaceState state = initialState();
+  auto owned = localView(*state.trace);
+  for (std::size_t s = 0; s < subdomains_.size(); ++s)
+    for (int dof = 0; dof < subdomains_[s]->dofs(); ++dof) {
+      const auto at = space_->map()->getLocalElement(subdomains_[s]->globalDof(dof));
+      if (at >= 0) owned(at, 0) = freeValues[s](dof);
+    }
+  for (std::size_t i = 0; i < rows_.size(); ++i)
+    if (const auto found = status.find(rows_[i].pair.id); found != status.end() && !clusters_->row(static_cast<int>(i)).places.empty())
+      state.status[0][i] = found->second;
+  state.memory.reset();
+  conform(state);
+  return state;
+}
+
+Matrix ContactInterfaceProblem::imbalance(const MultiVector& trace) const {
+  const MultiVectorPtr flux = space_->vector();
+  apart_->apply(trace, *flux);
+  Matrix overlap;
+  space_->gather(*flux, overlap);
+  return overlap - load_;
+}
+
+Matrix ContactInterfaceProblem::rememberedImbalance(const InterfaceState& state, int& applications) const {
+  if (state.memory) return *state.memory;
+  ++applications;
+  return imbalance(*state.trace);
+}
+
+MultiVectorPtr ContactInterfaceProblem::residual(const Matrix& imbalance, const InterfaceSpace& space) const {
+  Matrix folded = -imbalance;
+  space.fold(folded);
+  const MultiVectorPtr result = space_->vector();
+  auto owned = localView(*result);
+  for (int place = 0; place < space_->overlapSize(); ++place)
+    if (const auto at = space_->map()->getLocalElement(space_->id(place)); at >= 0) owned(at, 0) = folded(place, 0);
+  return result;
+}
+
+int ContactInterfaceProblem::conform(InterfaceState& state) const {
+  Matrix trace;
+  space_->gather(*state.trace, trace);
+  const Vector change = clusters_->correction(state.status[0], trace.col(0));
+  if (reduce(*comm_, Teuchos::REDUCE_MAX, largest(change)) == 0.0) return 0;
+  const MultiVectorPtr step = space_->vector();
+  auto owned = localView(*step);
+  for (int place = 0; place < space_->overlapSize(); ++place)
+    if (const auto at = space_->map()->getLocalElement(space_->id(place)); at >= 0) owned(at, 0) = change(place);
+  state.trace->update(1.0, *step, 1.0);
+  if (!state.memory) return 0;
+  const MultiVectorPtr flux = space_->vector();
+  apart_->apply(*step, *flux);
+  Matrix overlap;
+  space_->gather(*flux, overlap);
+  state.memory = std::make_shared<Matrix>(*state.memory + overlap);
+  return 1;
+}
+
+void ContactInterfaceProblem::update(InterfaceState& state, const MultiVector& step, double length, const Matrix* image) const {
+  const auto space = spaceOf(state.status);
+  Matrix moved;
+  space->gather(step, moved);
+  auto owned = localView(*state.trace);
+  for (int place = 0; place < space_->overlapSize(); ++place)
+    if (const auto at = space_->map()->getLocalElement(space_->id(place)); at >= 0) owned(at, 0) += length * moved(place, 0);
+  if (!image || !state.memory) {
+    state.memory.reset();
+    return;
+  }
+  Matrix flux = *image;
+  space_->sum(flux);
+  state.memory = std::make_shared<Matrix>(*state.memory + length * flux);
+}
+
+std::shared_ptr<const InterfaceSpace> ContactInterfaceProblem::spaceOf(const ContactStatus& status) const {
+  if (derived_ && status == spaceStatus_) return derived_;
+  std::vector<std::vector<int>> chains;
+  for (const auto& chain : chains_) {
+    chains.emplace_back();
+    for (const int row : chain) {
+      const auto& places = clusters_->row(row).places;
+      // What is identified by a closed pair: any of its unknowns stands for it. A pair that is open, or held on one side, ends a stretch.
+      const bool joins = status[0][row] != PairStatus::Open && places.size() == 2;
+      if (joins)
+        chains.back().push_back(places[0]);
+      else if (!chains.back().empty())
+        chains.emplace_back();
+    }
+  }
+  derived_ = space_->related(clusters_->relations(status[0]), chains);
+  spaceStatus_ = status;
+  return derived_;
+}
+
+InterfaceProblem::Linearisation ContactInterfaceProblem::linearise(const InterfaceState& state) const {
+  const auto space = spaceOf(state.status);
+  Linearisation result;
+  result.matrix = Teuchos::rcp(new InterfaceOperator(space, LocalProblems(locals_.begin(), locals_.end())));
+  int applications = 0;
+  result.load = residual(rememberedImbalance(state, applications), *space);
+  return result;
+}
+
+InterfaceProblem::Evaluation ContactInterfaceProblem::evaluate(const InterfaceState& state, double resolution) const {
+  Evaluation result;
+  const Matrix out = rememberedImbalance(state, result.applications);
+  Matrix trace;
+  space_->gather(*state.trace, trace);
+  const Vector force = clusters_->forces(state.status[0], out.col(0));
+  const Vector gap = clusters_->gaps(trace.col(0));
+
+  // Contact is decided by differences: the scales are those of forces and of displacements across the lines.
+  double scales[2] = {largest(force), 0.0}, allScales[2];
+  for (int i = 0; i < clusters_->size(); ++i)
+    for (const int place : clusters_->row(i).places) scales[1] = std::max(scales[1], std::abs(trace(place, 0)));
+  Teuchos::reduceAll(*comm_, Teuchos::REDUCE_MAX, 2, scales, allScales);
+
+  result.next = state.status;
+  double sums[3] = {0.0, 0.0, 0.0}, allSums[3];
+  for (int i = 0; i < clusters_->size(); ++i) {
+    if (clusters_->row(i).places.empty()) continue;
+    PairStatus& next = result.next[0][i];
+    if (next == PairStatus::Open) {
+      if (gap(i) < -std::max(resolution, 1e-15) * allScales[1]) next = PairStatus::Slip;
+    } else if (force(i) < -std::max(resolution, 1e-15) * allScales[0]) {
+      next = PairStatus::Open;
+    }
+    if (!owned_[i]) continue;
+    sums[0] += next != state.status[0][i];
+    sums[1] += next != PairStatus::Open;
+  }
+  for (int place = 0; place < space_->overlapSize(); ++place)
+    if (space_->map()->getLocalElement(space_->id(place)) >= 0) sums[2] += 0.5 * trace(place, 0) * (out(place, 0) - load_(place, 0));
+  Teuchos::reduceAll(*comm_, Teuchos::REDUCE_SUM, 3, sums, allSums);
+  result.changed = static_cast<int>(std::lround(allSums[0]));
+  result.active = static_cast<int>(std::lround(allSums[1]));
+  result.settled = result.changed == 0;
+  result.energy = constantEnergy_ + allSums[2];
+  result.residual = residual(out, *spaceOf(state.status));
+  return result;
+}
+
+std::vector<int> ContactInterfaceProblem::differing(const ContactStatus& a, const ContactStatus& b) const {
+  std::vector<int> mine;
+  for (std::size_t i = 0; i < rows_.size(); ++i)
+    if (a[0][i] != b[0][i]) mine.push_back(rows_[i].pair.id);
+  return unionOverRanks(*comm_, mine);
+}
+
+InterfaceProblem::Recovered ContactInterfaceProblem::recover(const InterfaceState& state) const {
+  Matrix trace;
+  space_->gather(*state.trace, trace);
+  const Vector force = clusters_->forces(state.status[0], imbalance(*state.trace).col(0));
+  const Vector gap = clusters_->gaps(trace.col(0));
+  Recovered result;
+  double energy = 0.0;
+  collectively(*comm_, "recovering the interiors", [&] {
+    std::map<int, Point> moved;  // pair -> displacement of its node A, Cartesian
+    for (std::size_t i = 0; i < locals_.size(); ++i) {
+      Matrix own(locals_[i]->size(), 1);
+      space_->coupling(static_cast<int>(i)).restrictTo(trace, own);
+      result.freeValues.push_back(locals_[i]->recover(own.col(0)));
+      const Vector& values = result.freeValues.back();
+      const Subdomain& subdomain = *subdomains_[i];
+      energy += 0.5 * values.dot(subdomain.stiffness() * values) - values.dot(subdomain.load()) + subdomain.constantEnergy();
+      const Vector cartesian = subdomain.cartesian(values);
+      for (const SubdomainMesh::ContactEnd& end : subdomain.mesh().contactEnds)
+        if (end.side > 0)
+          for (int k = 0; k < subdomain.components(); ++k)
+            moved[end.pair.id][k] = cartesian(end.node * subdomain.components() + k);
+    }
+    for (std::size_t i = 0; i < rows_.size(); ++i)
+      if (owned_[i]) {
+        const int row = static_cast<int>(i);
+        result.pairs.push_back({rows_[i].pair, state.status[0][i], force(row), gap(row), moved[rows_[i].pair.id]});
+      }
+  });
+  result.energy = reduce(*comm_, Teuchos::REDUCE_SUM, energy);
+  return result;
+}
+
+}  // namespace suture

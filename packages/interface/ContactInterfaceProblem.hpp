@@ -1,0 +1,70 @@
+#pragma once
+#include <suture/constraints/ContactRow.hpp>
+#include <suture/interface/ContactClusters.hpp>
+#include <suture/interface/InterfaceProblem.hpp>
+#include <suture/partition/Partition.hpp>
+#include <suture/subdomain/SubdomainProblem.hpp>
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace suture {
+
+/// The formulation Contact On The Interface: no groups. The normal components of contact nodes are interface unknowns beside those of the
+/// seams; a closed pair identifies two of them (up to the gap), an open one does not. Contact is an interface that changes: no local
+/// problem ever does, and a contact line may be cut and spread over ranks like any other.
+///
+/// With N the contact rows, g the gaps and S = sum R_i^T S_i R_i over the subdomains: S U + N^T f = F, f >= 0, g - N U >= 0, f.(g - N U) = 0.
+/// For a set of closed pairs T spans the null space of their rows and the linear problem is T^T S T w = T^T (F - S U) from a U that meets
+/// the rows.
+class ContactInterfaceProblem : public InterfaceProblem {
+ public:
+  using SchurMaker = std::function<std::unique_ptr<SchurComplement>()>;
+
+  /// \param subdomains  of this rank, assembled, in ascending order of ids; they must outlive the problem. Collective.
+  /// \throws NumericalError
+  ContactInterfaceProblem(CommPtr comm, const Partition& partition, const std::vector<std::unique_ptr<Subdomain>>& subdomains,
+                          const LocalSolverMaker& solver, const SchurMaker& schur);
+
+  const std::shared_ptr<const InterfaceSpace>& space() const override { return space_; }
+  InterfaceState initialState() const override;
+  InterfaceState stateOf(const std::vector<Vector>& freeValues, const std::map<int, PairStatus>& status) const override;
+  /// A closed pair opens when its force pulls, an open one closes when it penetrates: semismooth Newton's choice of the next set. Forces
+  /// are those that the softer side feels.
+  Evaluation evaluate(const InterfaceState& state, double resolution = 0.0) const override;
+  Linearisation linearise(const InterfaceState& state) const override;
+  int conform(InterfaceState& state) const override;
+  void update(InterfaceState& state, const MultiVector& step, double length, const Matrix* image = nullptr) const override;
+  std::vector<int> differing(const ContactStatus& a, const ContactStatus& b) const override;
+  Recovered recover(const InterfaceState& state) const override;
+  int pieces() const override { return pieces_; }
+  int pairs() const override { return pairs_; }
+
+ private:
+  void collectRows(const Vector& stiffness);
+  void findChains();
+  std::shared_ptr<const InterfaceSpace> spaceOf(const ContactStatus& status) const;
+  /// S U - F on the overlap, complete; `applications` counts. Collective.
+  Matrix imbalance(const MultiVector& trace) const;
+  Matrix rememberedImbalance(const InterfaceState& state, int& applications) const;
+  /// T^T of it, with the sign of a residual.
+  MultiVectorPtr residual(const Matrix& imbalance, const InterfaceSpace& space) const;
+
+  CommPtr comm_;
+  const std::vector<std::unique_ptr<Subdomain>>& subdomains_;
+  std::vector<std::shared_ptr<const SubdomainProblem>> locals_;
+  std::shared_ptr<const InterfaceSpace> space_;  // without relations
+  Teuchos::RCP<InterfaceOperator> apart_;        // S on it: all pairs open
+  std::vector<ContactRow> rows_;                 // those that this rank sees, by pair
+  std::vector<char> owned_;                      // each row by one rank
+  std::unique_ptr<ContactClusters> clusters_;
+  std::vector<std::vector<int>> chains_;  // rows of neighbouring pairs, along the lines
+  Matrix load_;                           // F on the overlap, complete
+  double constantEnergy_ = 0.0;           // over all ranks
+  int pieces_ = 0, pairs_ = 0;
+  mutable ContactStatus spaceStatus_;  // that derived_ was made for
+  mutable std::shared_ptr<const InterfaceSpace> derived_;
+};
+
+}  // namespace suture

@@ -1,0 +1,30 @@
+#pragma once
+#include <suture/base/Types.hpp>
+
+#include <array>
+#include <vector>
+
+namespace suture {
+
+/// What an interface consists of, as far as one rank knows it: the input of InterfaceSpace.
+struct InterfaceLayout {
+  /// An interface unknown: the displacement of a point along a unit direction. `id`: the same on all ranks, any distinct numbers.
+  struct Unknown {
+    GlobalId id;
+    Point point, direction;
+  };
+  /// What lies between two local problems and two corners: an edge of the decomposition. Unknowns in an order and sense that both share.
+  struct Edge {
+    std::array<int, 2> locals;  ///< ids, ascending
+    std::vector<GlobalId> unknowns;
+  };
+
+  std::vector<int> locals;                        ///< ids of the local problems of this rank, of all local problems of the scene
+  std::vector<std::vector<GlobalId>> boundaries;  ///< unknowns of each of them
+  std::vector<Unknown> unknowns;                  ///< those in `boundaries`; each at least once over all ranks, in any order
+  std::vector<GlobalId> partners;                 ///< unknowns of other ranks' boundaries that relations may name here
+  std::vector<GlobalId> corners;                  ///< unknowns at cross points and end points of edges
+  std::vector<Edge> edges;                        ///< those that touch local problems of this rank
+};
+
+}  // namespace suture

@@ -1,0 +1,58 @@
+#include <suture/interface/SeamLayout.hpp>
+
+#include <algorithm>
+
+namespace suture {
+
+namespace {
+
+/// Free unknowns at a node of the mesh, from the first subdomain of this rank that holds it.
+std::vector<GlobalId> unknownsAt(GlobalId node, const std::vector<const Subdomain*>& holders) {
+  std::vector<GlobalId> ids;
+  for (const Subdomain* subdomain : holders) {
+    const auto& nodes = subdomain->mesh().globalNodes;
+    const auto found = std::lower_bound(nodes.begin(), nodes.end(), node);
+    if (found == nodes.end() || *found != node) continue;
+    const int local = static_cast<int>(found - nodes.begin());
+    for (int k = 0; k < subdomain->components(); ++k)
+      if (const int dof = subdomain->dof(local, k); dof >= 0) ids.push_back(subdomain->globalDof(dof));
+    return ids;
+  }
+  return ids;
+}
+
+}  // namespace
+
+void addSeams(const std::vector<SeamEntity>& seams, const std::vector<std::unique_ptr<Subdomain>>& subdomains,
+              const std::function<int(int subdomain)>& problemOf, InterfaceLayout& layout) {
+  std::vector<const Subdomain*> byId;
+  for (const auto& subdomain : subdomains) byId.push_back(subdomain.get());
+  const auto find = [&](int id) -> const Subdomain* {
+    const auto found = std::lower_bound(byId.begin(), byId.end(), id, [](const Subdomain* s, int i) { return s->mesh().id < i; });
+    return found != byId.end() && (*found)->mesh().id == id ? *found : nullptr;
+  };
+  for (const SeamEntity& entity : seams) {
+    std::vector<const Subdomain*> holders;
+    for (const int id : entity.subdomains)
+      if (const Subdomain* own = find(id)) holders.push_back(own);
+    if (entity.kind == EntityClass::Corner) {
+      const std::vector<GlobalId> ids = unknownsAt(entity.nodes.front(), holders);
+      layout.corners.insert(layout.corners.end(), ids.begin(), ids.end());
+      continue;
+    }
+    InterfaceLayout::Edge edge{{problemOf(entity.subdomains[0]), problemOf(entity.subdomains[1])}, {}};
+    if (edge.locals[0] == edge.locals[1]) continue;
+    std::sort(edge.locals.begin(), edge.locals.end());
+    for (const GlobalId node : entity.nodes) {
+      const std::vector<GlobalId> ids = unknownsAt(node, holders);
+      edge.unknowns.insert(edge.unknowns.end(), ids.begin(), ids.end());
+    }
+    layout.edges.push_back(std::move(edge));
+  }
+}
+
+InterfaceLayout::Unknown interfaceUnknown(const Subdomain& subdomain, int dof) {
+  return {subdomain.globalDof(dof), subdomain.mesh().point(subdomain.nodeOf(dof)), subdomain.direction(dof)};
+}
+
+}  // namespace suture

@@ -1,0 +1,20 @@
+#pragma once
+#include <suture/interface/InterfaceLayout.hpp>
+#include <suture/partition/SeamTopology.hpp>
+#include <suture/subdomain/Subdomain.hpp>
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace suture {
+
+/// Adds corners and edges of seams to a layout, in unknowns. \param problemOf  local problem that answers for a subdomain: itself or its
+/// contact group; what lies inside one of them is no edge. Local.
+void addSeams(const std::vector<SeamEntity>& seams, const std::vector<std::unique_ptr<Subdomain>>& subdomains,
+              const std::function<int(int subdomain)>& problemOf, InterfaceLayout& layout);
+
+/// Number, point and direction of a free unknown of a subdomain. Local.
+InterfaceLayout::Unknown interfaceUnknown(const Subdomain& subdomain, int dof);
+
+}  // namespace suture

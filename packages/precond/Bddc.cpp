@@ -1,0 +1,118 @@
+#include <suture/base/Collective.hpp>
+#include <suture/precond/Bddc.hpp>
+
+#include <Teuchos_Comm.hpp>
+#include <Teuchos_ParameterList.hpp>
+#include <Tpetra_MultiVector.hpp>
+#include <Tpetra_Vector.hpp>
+
+namespace suture {
+
+Schema Bddc::schema() {
+  Schema schema("Balancing domain decomposition by constraints: local problems held at corners and edge constraints, and a coarse problem of these.");
+  schema.choice("Weighting", "Stiffness Diagonal", Registry<Weighting>::instance().schemas(), "How subdomains share the interface, D_i.");
+  schema.choice("Edge Constraints", "Rigid Modes", Registry<EdgeConstraints>::instance().schemas(),
+                "What subdomains have in common on an edge, beside its end points.");
+  addCoarseParameters(schema);
+  return schema;
+}
+
+Bddc::Bddc(const Parameters& own)
+    : Bddc(makeStrategy<Weighting>(own, "Weighting"), makeStrategy<EdgeConstraints>(own, "Edge Constraints"),
+           [own] { return makeStrategy<LocalSolver>(own, "Coarse Solver"); }, own.get<int>("Coarse Copies")) {}
+
+Bddc::Bddc(std::unique_ptr<Weighting> weighting, std::unique_ptr<EdgeConstraints> edges,
+           std::function<std::unique_ptr<LocalSolver>()> coarseSolver, int copies)
+    : weighting_(std::move(weighting)), edges_(std::move(edges)), coarseSolver_(std::move(coarseSolver)), copies_(copies) {}
+
+void Bddc::doInitialize() { coarse_.reset(); }
+
+void Bddc::doCompute() {
+  const LocalProblems& locals = matrix()->locals();
+  weighting_->setup(*space(), locals);
+  const std::vector<Matrix> edgeRows = edges_->rows(*space(), locals);
+  collectively(*space()->comm(), "factoring the local problems of BDDC",
+               [&] { factorLocals(primalConstraints(*space(), edgeRows)); });
+  assembleCoarse();
+}
+
+void Bddc::factorLocals(std::vector<PrimalConstraints> constraints) {
+  const LocalProblems& locals = matrix()->locals();
+  locals_.resize(locals.size());
+  inverses_.resize(locals.size());
+  constraints_.resize(locals.size());
+  for (std::size_t i = 0; i < locals.size(); ++i) {
+    const bool same = locals_[i] == locals[i] && inverses_[i] && constraints_[i].rows.rows() == constraints[i].rows.rows() &&
+                      constraints_[i].rows == constraints[i].rows;
+    constraints_[i] = std::move(constraints[i]);
+    locals_[i] = locals[i];
+    if (!locals[i])
+      inverses_[i].reset();
+    else if (!same)
+      inverses_[i] = locals[i]->inverse(constraints_[i].rows);
+  }
+}
+
+void Bddc::assembleCoarse() {
+  std::vector<GlobalId> keys;
+  for (std::size_t i = 0; i < locals_.size(); ++i)
+    if (locals_[i])
+      for (const auto& row : constraints_[i].terms)
+        for (const auto& term : row) keys.push_back(term.key);
+  int size = 0;
+  const std::vector<int> numbers = numberKeys(space()->comm(), keys, size);
+  values_.assign(locals_.size(), {});
+  std::size_t next = 0;
+  std::vector<CoarseSystem::Entry> entries;
+  for (std::size_t i = 0; i < locals_.size(); ++i) {
+    if (!locals_[i]) continue;
+    for (const auto& row : constraints_[i].terms) {
+      values_[i].emplace_back();
+      for (const auto& term : row) values_[i].back().push_back({numbers[next++], term.coefficient});
+    }
+    const Matrix& energy = inverses_[i]->energy();
+    for (int b = 0; b < energy.cols(); ++b)
+      for (const Value& column : values_[i][b])
+        for (int a = 0; a < energy.rows(); ++a)
+          for (const Value& row : values_[i][a])
+            entries.emplace_back(row.number, column.number, row.coefficient * energy(a, b) * column.coefficient);
+  }
+  coarse_ = std::make_unique<CoarseSystem>(space()->comm(), size, entries, coarseSolver_(), copies_, false);
+}
+
+void Bddc::doApply(const MultiVector& r, MultiVector& z) const {
+  for (std::size_t column = 0; column < r.getNumVectors(); ++column) {
+    const auto zOne = z.getVectorNonConst(column);
+    Matrix overlap;
+    space()->gather(*r.getVector(column), overlap);
+    std::vector<Matrix> flux(locals_.size());
+    Vector primal = Vector::Zero(coarse_->size());
+    for (std::size_t i = 0; i < locals_.size(); ++i) {
+      if (!locals_[i]) continue;
+      const Coupling& coupling = space()->coupling(static_cast<int>(i));
+      flux[i].resize(coupling.rows(), 1);
+      coupling.restrictTo(overlap, flux[i]);
+      weighting_->applyTranspose(static_cast<int>(i), flux[i]);
+      const Vector own = inverses_[i]->basis().transpose() * flux[i].col(0);
+      for (std::size_t row = 0; row < values_[i].size(); ++row)
+        for (const Value& value : values_[i][row]) primal(value.number) += value.coefficient * own(static_cast<int>(row));
+    }
+    const Vector y = coarse_->solve(primal);
+    overlap.setZero();
+    for (std::size_t i = 0; i < locals_.size(); ++i) {
+      if (!locals_[i]) continue;
+      const Coupling& coupling = space()->coupling(static_cast<int>(i));
+      Matrix trace(coupling.rows(), 1);
+      inverses_[i]->apply(flux[i], trace);
+      Vector own = Vector::Zero(static_cast<int>(values_[i].size()));
+      for (std::size_t row = 0; row < values_[i].size(); ++row)
+        for (const Value& value : values_[i][row]) own(static_cast<int>(row)) += value.coefficient * y(value.number);
+      trace.col(0) += inverses_[i]->basis() * own;
+      weighting_->apply(static_cast<int>(i), trace);
+      coupling.addTransposed(trace, overlap);
+    }
+    space()->scatterAdd(overlap, *zOne);
+  }
+}
+
+}  // namespace suture

@@ -1,0 +1,117 @@
+#include <suture/base/Buffer.hpp>
+#include <suture/base/Collective.hpp>
+#include <suture/interface/InterfaceSpace.hpp>
+#include <suture/precond/CoarseSystem.hpp>
+
+#include <Teuchos_Comm.hpp>
+#include <Teuchos_CommHelpers.hpp>
+#include <Tpetra_Import.hpp>
+#include <Tpetra_Map.hpp>
+#include <Tpetra_MultiVector.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace suture {
+
+namespace {
+
+constexpr double kShift = 1e-11;
+constexpr int kRefinements = 3;
+
+struct PlainEntry {
+  int row, column;
+  double value;
+};
+
+}  // namespace
+
+CoarseSystem::CoarseSystem(CommPtr comm, int size, const std::vector<Entry>& entries, std::unique_ptr<LocalSolver> solver, int copies,
+                           bool dependent)
+    : comm_(std::move(comm)), size_(size), dependent_(dependent), solver_(std::move(solver)) {
+  const int ranks = comm_->getSize(), rank = comm_->getRank();
+  copies_ = copies <= 0 ? ranks : std::min(copies, ranks);
+  const int share = static_cast<int>(static_cast<long long>(rank) * copies_ / ranks);
+  share_ = comm_->split(share, rank);
+  const bool holder = share_->getRank() == 0;
+
+  // Sums of equal places first: less to send.
+  SparseMatrix own(size_, size_);
+  own.setFromTriplets(entries.begin(), entries.end());
+  std::vector<PlainEntry> plain;
+  for (int j = 0; j < size_; ++j)
+    for (SparseMatrix::InnerIterator it(own, j); it; ++it) plain.push_back({static_cast<int>(it.row()), j, it.value()});
+  Packer packer;
+  packer.put(plain);
+  const std::vector<std::string> all = copies_ == 1 ? gatherOnRoot(*comm_, packer.bytes()) : allGather(*comm_, packer.bytes());
+  collectively(*comm_, "factoring the coarse problem", [&] {
+    if (!holder || size_ == 0) return;
+    std::vector<Entry> triplets;
+    for (const std::string& bytes : all)
+      for (const PlainEntry& entry : Unpacker(bytes).get<std::vector<PlainEntry>>())
+        triplets.emplace_back(entry.row, entry.column, entry.value);
+    SparseMatrix matrix(size_, size_);
+    matrix.setFromTriplets(triplets.begin(), triplets.end());
+    scale_ = Vector::Ones(size_);
+    for (int i = 0; i < size_; ++i)
+      if (const double diagonal = matrix.coeff(i, i); diagonal > 0.0) scale_(i) = 1.0 / std::sqrt(diagonal);
+    matrix = (scale_.asDiagonal() * matrix * scale_.asDiagonal()).eval();
+    if (dependent_) {
+      scaled_ = matrix;
+      for (int i = 0; i < size_; ++i) matrix.coeffRef(i, i) += kShift;
+    }
+    solver_->factorise(matrix);
+  });
+}
+
+Vector CoarseSystem::solve(const Vector& mine) const {
+  Vector sum(size_);
+  if (size_ == 0) return sum;
+  if (copies_ == 1)
+    Teuchos::reduce<int, double>(mine.data(), sum.data(), size_, Teuchos::REDUCE_SUM, 0, *comm_);
+  else
+    Teuchos::reduceAll(*comm_, Teuchos::REDUCE_SUM, size_, mine.data(), sum.data());
+  if (share_->getRank() == 0) {
+    const Vector b = scale_.cwiseProduct(sum);
+    Matrix x = b;
+    solver_->solve(x);
+    for (int k = 0; dependent_ && k < kRefinements; ++k) {
+      Matrix correction = b - scaled_ * x;
+      solver_->solve(correction);
+      x += correction;
+    }
+    sum = scale_.cwiseProduct(x.col(0));
+  }
+  if (share_->getSize() > 1) Teuchos::broadcast(*share_, 0, size_, sum.data());
+  return sum;
+}
+
+void addCoarseParameters(Schema& schema) {
+  schema.choice("Coarse Solver", "CHOLMOD", Registry<LocalSolver>::instance().schemas(), "Sparse direct solver of the coarse problem.");
+  schema.integer("Coarse Copies", 0, "Ranks that hold a factor of the coarse problem, each for its share of all ranks; 0: every rank.",
+                 Range::atLeast(0));
+}
+
+std::vector<int> numberKeys(const CommPtr& comm, const std::vector<GlobalId>& keys, int& count) {
+  using GO = Map::global_ordinal_type;
+  std::vector<GO> sorted(keys.begin(), keys.end());
+  std::sort(sorted.begin(), sorted.end());
+  sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
+  const MapPtr used = Teuchos::rcp(new Map(Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid(),
+                                           Teuchos::ArrayView<const GO>(sorted.data(), sorted.size()), 0, comm));
+  const MapPtr owned = Tpetra::createOneToOne(used);
+  const int mine = static_cast<int>(owned->getNodeNumElements());
+  int upToMine = 0;
+  Teuchos::scan(*comm, Teuchos::REDUCE_SUM, mine, Teuchos::outArg(upToMine));
+  count = static_cast<int>(owned->getGlobalNumElements());
+  MultiVector numbers(owned, 1), seen(used, 1);  // doubles hold them exactly
+  auto values = localView(numbers);
+  for (int i = 0; i < mine; ++i) values(i, 0) = upToMine - mine + i;
+  seen.doImport(numbers, Import(owned, used), Tpetra::INSERT);
+  const auto found = localView(static_cast<const MultiVector&>(seen));
+  std::vector<int> result;
+  for (const GlobalId key : keys) result.push_back(static_cast<int>(std::lround(found(used->getLocalElement(key), 0))));
+  return result;
+}
+
+}  // namespace suture

@@ -1,0 +1,45 @@
+#pragma once
+#include <suture/base/Types.hpp>
+#include <suture/subdomain/LocalSolver.hpp>
+
+#include <memory>
+#include <vector>
+
+namespace suture {
+
+/// A sparse symmetric positive definite system that is small beside the rest: assembled from all ranks' contributions and factored on a
+/// chosen number of ranks, each of which answers for its share of the others. Few copies save memory and the work of factoring, many save
+/// messages; the answer is the same.
+class CoarseSystem {
+ public:
+  using Entry = Eigen::Triplet<double>;
+
+  /// \param size     of the system, the same on all ranks
+  /// \param entries  of this rank, both triangles; equal places are added up over all ranks
+  /// \param copies   ranks that hold a factor; 0: all
+  /// \param dependent  the system may be singular, and consistent: its diagonal, scaled to one, is shifted by 1e-11, and iterative
+  ///                   refinement takes the shift out again, but for the null space
+  /// Collective. \throws NumericalError  not positive definite
+  CoarseSystem(CommPtr comm, int size, const std::vector<Entry>& entries, std::unique_ptr<LocalSolver> solver, int copies, bool dependent);
+
+  int size() const { return size_; }
+  /// Solution for the sum over ranks of `mine`, on all ranks. Collective.
+  Vector solve(const Vector& mine) const;
+
+ private:
+  CommPtr comm_, share_;  // all ranks; those that one copy answers for, its holder first
+  int size_, copies_;
+  bool dependent_;
+  std::unique_ptr<LocalSolver> solver_;
+  SparseMatrix scaled_;  // kept for refinement only
+  Vector scale_;
+};
+
+/// Parameters `Coarse Solver` and `Coarse Copies` of a preconditioner's list.
+void addCoarseParameters(Schema& schema);
+
+/// Numbers 0, 1, ... for distinct keys that several ranks may use: number of each of this rank's keys, and how many there are over all
+/// ranks. Which key gets which number depends on the ranks. Collective.
+std::vector<int> numberKeys(const CommPtr& comm, const std::vector<GlobalId>& keys, int& count);
+
+}  // namespace suture

@@ -1,0 +1,22 @@
+#pragma once
+#include <suture/interface/InterfaceSpace.hpp>
+
+#include <vector>
+
+namespace suture {
+
+/// The primal constraints of one local problem in BDDC: rows C_i on its trace, and what each row's value is in primal unknowns, which
+/// neighbours share. Corner rows pick an unknown; edge rows are combinations along an edge.
+struct PrimalConstraints {
+  struct Term {
+    GlobalId key;  ///< of a primal unknown: the same on all ranks, each its own
+    double coefficient;
+  };
+  Matrix rows;                           ///< constraints x trace
+  std::vector<std::vector<Term>> terms;  ///< of each row: C_i x = sum of coefficients times primal unknowns
+};
+
+/// For each local problem of this rank. \param edgeRows  for each edge of the space (EdgeConstraints::rows). Local.
+std::vector<PrimalConstraints> primalConstraints(const InterfaceSpace& space, const std::vector<Matrix>& edgeRows);
+
+}  // namespace suture

@@ -1,0 +1,99 @@
+#include <suture/solver/ActiveSet.hpp>
+
+#include <Teuchos_ParameterList.hpp>
+#include <Tpetra_MultiVector.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace suture {
+
+bool VisitedSets::returnsTo(const ContactStatus& set) {
+  for (first_ = 0; first_ < sets_.size(); ++first_)
+    if (problem_.differing(sets_[first_], set).empty()) return true;
+  sets_.push_back(set);
+  return false;
+}
+
+std::vector<int> VisitedSets::alternating() const {
+  std::vector<int> all;
+  for (std::size_t k = first_; k + 1 < sets_.size(); ++k) {
+    const std::vector<int> changed = problem_.differing(sets_[k], sets_[k + 1]);
+    all.insert(all.end(), changed.begin(), changed.end());
+  }
+  const std::vector<int> back = problem_.differing(sets_.back(), sets_[first_]);
+  all.insert(all.end(), back.begin(), back.end());
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  return all;
+}
+
+namespace {
+constexpr double kTighten = 1e-2;
+
+std::string listOf(const std::vector<int>& pairs) {
+  std::string text;
+  for (std::size_t k = 0; k < pairs.size() && k < 20; ++k) text += (k > 0 ? ", " : "") + std::to_string(pairs[k]);
+  if (pairs.size() > 20) text += ", and " + std::to_string(pairs.size() - 20) + " more";
+  return text;
+}
+}  // namespace
+
+Schema ActiveSet::schema() {
+  Schema schema("Primal-dual active set on the interface (Contact On The Interface).");
+  schema.real("Inner Tolerance", 1e-3, "Of linear solves until the set of closed pairs stays, relative to the residual of the start.",
+              {0.0, 1.0, true, true, {}});
+  return schema;
+}
+
+ActiveSet::ActiveSet(const Parameters& own) : innerTolerance_(own.get<double>("Inner Tolerance")) {}
+
+double ActiveSet::auxiliaryTolerance(const OuterSettings& settings) const { return std::max(innerTolerance_, settings.tolerance); }
+
+void ActiveSet::doSolve(Run& run) const {
+  const double final = run.settings.tolerance;
+  double inner = std::max(innerTolerance_, final);
+  const MultiVectorPtr step = run.problem.space()->vector();
+  VisitedSets visited(run.problem);
+  bool stays = run.evaluation.settled;
+  while (run.goesOn()) {
+    InterfaceState state = run.result.state;
+    state.trace = Teuchos::rcp(new MultiVector(*run.result.state.trace, Teuchos::Copy));
+    if (!stays && visited.returnsTo(state.status)) {
+      if (inner <= final) {
+        run.result.failure = "the set of closed pairs repeats itself at the final tolerance; pairs that alternate: " + listOf(visited.alternating());
+        return;
+      }
+      inner = std::max(kTighten * inner, final);
+      visited.clear();
+    }
+    int applications = run.problem.conform(state);
+    const InterfaceProblem::Linearisation linear = run.problem.linearise(state);
+    run.preconditioner->initialize(linear.matrix->space());
+    run.preconditioner->compute(linear.matrix);
+    linear.matrix->record();
+    InnerResult cost =
+        run.inner.solve(linear.matrix, run.preconditioner, *linear.load, *step, stays ? final : inner, run.reference, run.monitor);
+    const Matrix image = linear.matrix->recorded(cost.steps);
+    if (!cost.converged) {
+      run.result.pcgTotal += cost.pcg + applications;
+      run.result.failure = "a linear solve did not reach its tolerance";
+      return;
+    }
+    run.problem.update(state, *step, 1.0, &image);
+    InterfaceProblem::Evaluation at = run.problem.evaluate(state, 10.0 * final);
+    double residual = cost.residual;
+    if (at.settled && residual <= final) {  // what the recursion of conjugate gradients says, confirmed by the operator itself
+      state.memory.reset();
+      at = run.problem.evaluate(state, 10.0 * final);
+      residual = run.norm(at);
+    }
+    applications += at.applications;
+    if (!std::isfinite(residual)) throw NumericalError("the active set met a residual that is no number");
+    cost.pcg += applications;
+    stays = at.settled;
+    run.accept(std::move(state), std::move(at), residual, cost, 1.0);
+  }
+}
+
+}  // namespace suture
