@@ -70,11 +70,9 @@ Subdomains makeSubdomains(const Comm& comm, const std::vector<SubdomainMesh>& me
 }
 
 std::unique_ptr<InterfaceProblem> makeInterfaceProblem(const CommPtr& comm, const Partition& partition, const Subdomains& subdomains,
-                                                       const ElasticModel& model, const Parameters& scene) {
+                                                       const Parameters& scene) {
   const Parameters& own = scene.sublist("Subdomain");
-  std::vector<double> young;
-  for (const Material& material : model.materialOfBody) young.push_back(material.young);
-  return std::make_unique<CondensedProblem>(comm, partition, subdomains, young, localSolverMaker(own),
+  return std::make_unique<CondensedProblem>(comm, partition, subdomains, localSolverMaker(own),
                                             [&own] { return strategy<SchurComplement>(own, "Schur Complement"); });
 }
 
