@@ -27,7 +27,7 @@ ExitCode solve(const CommPtr& comm, const SolveOptions& options) {
   const ElasticModel model = makeElasticModel(scene);
   checkStage(*comm, mesh, constraints, model);
   const auto subdomains = timed(timers, "assemble", [&] { return makeSubdomains(*comm, meshes, model); });
-  const auto problem = timed(timers, "factor", [&] { return problemStage(comm, partition, subdomains, model, scene); });
+  const auto problem = timed(timers, "factor", [&] { return problemStage(comm, partition, subdomains, scene); });
   const ProblemSize size = problemSize(*comm, mesh, constraints, partition, problem.get());
   printSizes(*comm, file, size, options);
   if (options.check) return ExitCode::Done;

@@ -35,8 +35,8 @@ void checkStage(const Comm& comm, const Mesh& mesh, const Constraints& constrain
 }
 
 std::unique_ptr<InterfaceProblem> problemStage(const CommPtr& comm, const Partition& partition, const Subdomains& subdomains,
-                                               const ElasticModel& model, const Parameters& scene) {
-  return isMonolithic(scene) ? nullptr : makeInterfaceProblem(comm, partition, subdomains, model, scene);
+                                               const Parameters& scene) {
+  return isMonolithic(scene) ? nullptr : makeInterfaceProblem(comm, partition, subdomains, scene);
 }
 
 std::unique_ptr<InterfaceState> startStage(const Comm& comm, const SolveOptions& options, const InterfaceProblem* problem,

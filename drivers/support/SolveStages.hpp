@@ -27,7 +27,7 @@ void checkStage(const Comm& comm, const Mesh& mesh, const Constraints& constrain
 
 /// The interface problem of the scene's formulation; null for the outer solver Monolithic, which has none. Collective.
 std::unique_ptr<InterfaceProblem> problemStage(const CommPtr& comm, const Partition& partition, const Subdomains& subdomains,
-                                               const ElasticModel& model, const Parameters& scene);
+                                               const Parameters& scene);
 
 /// Where the outer solver begins: the state in the checkpoint of --restart, or null. Collective.
 std::unique_ptr<InterfaceState> startStage(const Comm& comm, const SolveOptions& options, const InterfaceProblem* problem,

@@ -16,7 +16,6 @@ class ContactGroup {
  public:
   struct Member {
     const Subdomain* subdomain;
-    double young;  ///< for the weighting
   };
 
   /// \param boundary  global numbers of the unknowns on the interface, ascending; members must be assembled and outlive the group

@@ -44,9 +44,12 @@ LinearisedGroup::LinearisedGroup(int id, const ContactGroup& group, const std::v
   for (int i = 0; i < size(); ++i) diagonal_(i) = group.stiffness().coeff(positions[i], positions[i]);
   std::vector<int> boundaryOf(group.dofs(), -1);
   for (int i = 0; i < size(); ++i) boundaryOf[positions[i]] = i;
-  for (std::size_t m = 0; m < group.members().size(); ++m)
-    for (int at : group.positionsOf(static_cast<int>(m)))
-      if (boundaryOf[at] >= 0) young_(boundaryOf[at]) = std::max(young_(boundaryOf[at]), group.members()[m].young);
+  for (std::size_t m = 0; m < group.members().size(); ++m) {
+    const std::vector<int>& at = group.positionsOf(static_cast<int>(m));
+    const Vector& young = group.members()[m].subdomain->youngModulus();
+    for (std::size_t i = 0; i < at.size(); ++i)
+      if (boundaryOf[at[i]] >= 0) young_(boundaryOf[at[i]]) = std::max(young_(boundaryOf[at[i]]), young(i));
+  }
 }
 
 void LinearisedGroup::applySchur(ConstLocalView trace, LocalView flux) const {

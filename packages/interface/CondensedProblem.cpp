@@ -51,7 +51,7 @@ int closedPairs(const std::vector<PairStatus>& status) {
 }  // namespace
 
 CondensedProblem::CondensedProblem(CommPtr comm, const Partition& partition, const std::vector<std::unique_ptr<Subdomain>>& subdomains,
-                                   const std::vector<double>& youngOf, const LocalSolverMaker& solver, const SchurMaker& schur)
+                                   const LocalSolverMaker& solver, const SchurMaker& schur)
     : comm_(std::move(comm)), subdomains_(subdomains), subdomainCount_(partition.subdomains()) {
   InterfaceLayout layout;
   const std::vector<SeamEntity> seams = findSeams(*comm_, meshesOf(subdomains));
@@ -67,7 +67,7 @@ CondensedProblem::CondensedProblem(CommPtr comm, const Partition& partition, con
         continue;
       }
       plainSubdomain_.push_back(static_cast<int>(s));
-      plain_.push_back(std::make_shared<SubdomainProblem>(id, subdomain, boundary, youngOf[subdomain.mesh().body], solver, schur()));
+      plain_.push_back(std::make_shared<SubdomainProblem>(id, subdomain, boundary, solver, schur()));
       layout.boundaries.push_back(plain_.back()->boundary());
       layout.locals.push_back(id);
     }
@@ -75,7 +75,7 @@ CondensedProblem::CondensedProblem(CommPtr comm, const Partition& partition, con
       std::vector<ContactGroup::Member> all;
       std::vector<GlobalId> boundary;
       for (int s : places) {
-        all.push_back({subdomains[s].get(), youngOf[subdomains[s]->mesh().body]});
+        all.push_back({subdomains[s].get()});
         for (int dof : boundaryDofs(*subdomains[s], partition)) boundary.push_back(subdomains[s]->globalDof(dof));
       }
       if (all.size() != partition.groups[group].size()) throw InternalError("a contact group does not live whole on one rank");

@@ -17,10 +17,9 @@ class CondensedProblem : public InterfaceProblem {
   using SchurMaker = std::function<std::unique_ptr<SchurComplement>()>;
 
   /// \param subdomains  of this rank, assembled, in ascending order of ids; they must outlive the problem
-  /// \param youngOf     Young modulus of each body
   /// Collective. \throws NumericalError
   CondensedProblem(CommPtr comm, const Partition& partition, const std::vector<std::unique_ptr<Subdomain>>& subdomains,
-                   const std::vector<double>& youngOf, const LocalSolverMaker& solver, const SchurMaker& schur);
+                   const LocalSolverMaker& solver, const SchurMaker& schur);
 
   const std::shared_ptr<const InterfaceSpace>& space() const override { return space_; }
   InterfaceState initialState() const override;

@@ -1,6 +1,7 @@
 #include <suture/base/Buffer.hpp>
 #include <suture/base/Collective.hpp>
 #include <suture/interface/CondensedProblem.hpp>
+#include <suture/interface/ContactInterfaceProblem.hpp>
 #include <suture/solver/SolveScene.hpp>
 #include <suture/subdomain/ElasticSubdomain.hpp>
 
@@ -63,13 +64,14 @@ Subdomains makeSubdomains(const Comm& comm, const std::vector<SubdomainMesh>& me
   return subdomains;
 }
 
+bool isCondensed(const Parameters& scene) { return scene.get<std::string>("Formulation") == kCondensedGroups; }
+
 std::unique_ptr<InterfaceProblem> makeInterfaceProblem(const CommPtr& comm, const Partition& partition, const Subdomains& subdomains,
-                                                       const ElasticModel& model, const Parameters& scene) {
+                                                       const Parameters& scene) {
   const Parameters& own = scene.sublist("Subdomain");
-  std::vector<double> young;
-  for (const Material& material : model.materialOfBody) young.push_back(material.young);
-  return std::make_unique<CondensedProblem>(comm, partition, subdomains, young, localSolverMaker(own),
-                                            [&own] { return makeStrategy<SchurComplement>(own, "Schur Complement"); });
+  const auto schur = [&own] { return makeStrategy<SchurComplement>(own, "Schur Complement"); };
+  if (isCondensed(scene)) return std::make_unique<CondensedProblem>(comm, partition, subdomains, localSolverMaker(own), schur);
+  return std::make_unique<ContactInterfaceProblem>(comm, partition, subdomains, localSolverMaker(own), schur);
 }
 
 OuterResult solveInterface(const InterfaceProblem& problem, const Parameters& scene, Monitor& monitor, const InterfaceState* start) {
@@ -79,7 +81,7 @@ OuterResult solveInterface(const InterfaceProblem& problem, const Parameters& sc
   settings.maximumIterations = own.get<int>("Maximum Iterations");
   settings.maximumInnerIterations = own.get<int>("Maximum Inner Iterations");
   settings.preconditioner = [&scene] { return makePreconditioner(scene.sublist("Preconditioner")); };
-  return makeStrategy<OuterSolver>(own, "Type")->solve(problem, settings, monitor, start);
+  return Registry<OuterSolver>::instance().make(outerSolverName(scene), sublistOf(own, outerSolverName(scene)))->solve(problem, settings, monitor, start);
 }
 
 Solution recover(const Comm& comm, const InterfaceProblem& problem, const OuterResult& result, const Subdomains& subdomains,
@@ -89,7 +91,7 @@ Solution recover(const Comm& comm, const InterfaceProblem& problem, const OuterR
   solution.converged = result.converged;
   solution.stopped = result.stopped && !result.converged;
   solution.failure = result.failure;
-  if (problem.pairs() > 0) solution.outerSolver = scene.sublist("Outer Solver").get<std::string>("Type");
+  if (problem.pairs() > 0) solution.outerSolver = outerSolverName(scene);
   solution.outerIterations = result.iterations;
   solution.pcgTotal = result.pcgTotal;
   solution.residual = result.residual;

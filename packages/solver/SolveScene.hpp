@@ -24,7 +24,7 @@ Subdomains makeSubdomains(const Comm& comm, const std::vector<SubdomainMesh>& me
 
 /// The scene's formulation: subdomains and contact groups factored. `subdomains` must outlive it. \throws NumericalError
 std::unique_ptr<InterfaceProblem> makeInterfaceProblem(const CommPtr& comm, const Partition& partition, const Subdomains& subdomains,
-                                                       const ElasticModel& model, const Parameters& scene);
+                                                       const Parameters& scene);
 
 /// Solves with the scene's outer solver and preconditioner, from `start` or, if it is null, from the auxiliary problem. \throws
 /// NumericalError

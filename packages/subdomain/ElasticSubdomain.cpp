@@ -41,4 +41,6 @@ Matrix ElasticSubdomain::doRigidModes() const {
   return modes;
 }
 
+Vector ElasticSubdomain::doYoungModulus() const { return Vector::Constant(mesh().nodes(), material().young); }
+
 }  // namespace suture

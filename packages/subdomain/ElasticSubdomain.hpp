@@ -15,6 +15,7 @@ class ElasticSubdomain : public Subdomain {
  protected:
   void doAssemble(SparseMatrix& stiffness, Vector& load) override;
   Matrix doRigidModes() const override;
+  Vector doYoungModulus() const override;
 
  private:
   const ElasticModel& model_;

@@ -51,6 +51,12 @@ void Subdomain::assemble() {
   for (int i = 0; i < dofs(); ++i) load_(i) = lifted(free_[i]);
   constantEnergy_ = 0.5 * prescribed_.dot(full_ * prescribed_) - prescribed_.dot(fullLoad_);
 
+  const Vector young = doYoungModulus();
+  if (young.size() != mesh_.nodes() || !(young.minCoeff() > 0.0))
+    throw NumericalError("subdomain '" + mesh_.name + "': expected a positive Young modulus at every node");
+  youngModulus_ = Vector(dofs());
+  for (int i = 0; i < dofs(); ++i) youngModulus_(i) = young(nodeOf(i));
+
   const Matrix modes = doRigidModes();
   rigidModes_ = Matrix(dofs(), modes.cols());
   for (int i = 0; i < dofs(); ++i) rigidModes_.row(i) = modes.row(free_[i]);

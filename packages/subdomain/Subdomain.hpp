@@ -15,7 +15,7 @@ class Subdomain {
   virtual ~Subdomain() = default;
 
   /// Assembles stiffness and loads. Call it once, before anything below.
-  /// \throws NumericalError  the matrix has the wrong size or a non-positive diagonal.
+  /// \throws NumericalError  the matrix has the wrong size or a non-positive diagonal; a modulus is not positive.
   void assemble();
 
   const SubdomainMesh& mesh() const { return mesh_; }
@@ -35,9 +35,11 @@ class Subdomain {
   const SparseMatrix& stiffness() const { return stiffness_; }  ///< free x free, symmetric, both triangles
   const Vector& load() const { return load_; }                  ///< free: loads less the stiffness times prescribed displacements [force]
   double constantEnergy() const { return constantEnergy_; }     ///< what prescribed displacements alone store, less their loads' work
-  const Matrix& rigidModes() const { return rigidModes_; }      ///< free x all rigid modes
-  const Matrix& heldModes() const { return heldModes_; }        ///< prescribed components x all rigid modes
-  const Matrix& kernel() const { return kernel_; }              ///< null space of stiffness(): the modes that vanish where prescribed
+  /// Young modulus at the node of each free unknown, the largest of the elements there; for the weighting Young. [stress]
+  const Vector& youngModulus() const { return youngModulus_; }
+  const Matrix& rigidModes() const { return rigidModes_; }  ///< free x all rigid modes
+  const Matrix& heldModes() const { return heldModes_; }    ///< prescribed components x all rigid modes
+  const Matrix& kernel() const { return kernel_; }          ///< null space of stiffness(): the modes that vanish where prescribed
 
   /// Nodal displacements (node-major, Cartesian) of the free unknowns' values; prescribed ones filled in.
   Vector cartesian(const Vector& freeValues) const;
@@ -52,6 +54,8 @@ class Subdomain {
   virtual void doAssemble(SparseMatrix& stiffness, Vector& load) = 0;
   /// All rigid modes over ALL unknowns, columns of the order of one, in the axes of the nodes.
   virtual Matrix doRigidModes() const = 0;
+  /// Young modulus at every node, or whatever stands for it: positive. Ones, without an override: the weighting Young is Multiplicity then.
+  virtual Vector doYoungModulus() const { return Vector::Ones(mesh().nodes()); }
 
   /// Q of a node, or null when its axes are Cartesian.
   const Matrix* axes(int node) const { return axesOfNode_[node] < 0 ? nullptr : &axes_[axesOfNode_[node]]; }
@@ -65,7 +69,7 @@ class Subdomain {
   std::vector<Matrix> axes_;
   Vector prescribed_;  // all unknowns; zero where free
   SparseMatrix full_, stiffness_;
-  Vector fullLoad_, load_;
+  Vector fullLoad_, load_, youngModulus_;
   double constantEnergy_ = 0.0;
   Matrix rigidModes_, heldModes_, kernel_;
 };

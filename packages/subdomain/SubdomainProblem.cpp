@@ -36,15 +36,15 @@ std::vector<int> nodesOfDofs(const Subdomain& subdomain) {
   return nodes;
 }
 
-SubdomainProblem::SubdomainProblem(int id, const Subdomain& subdomain, const std::vector<int>& boundary, double young,
-                                   const LocalSolverMaker& solver, std::unique_ptr<SchurComplement> schur)
+SubdomainProblem::SubdomainProblem(int id, const Subdomain& subdomain, const std::vector<int>& boundary, const LocalSolverMaker& solver,
+                                   std::unique_ptr<SchurComplement> schur)
     : LocalProblem(id, "subdomain '" + subdomain.mesh().name + "'", globalDofs(subdomain, boundary)),
       subdomain_(subdomain),
       positions_(boundary),
       solver_(solver),
       schur_(std::move(schur)),
       diagonal_(boundary.size()),
-      young_(Vector::Constant(boundary.size(), young)),
+      young_(rowsAt(subdomain.youngModulus(), boundary)),
       kernel_(rowsAt(subdomain.kernel(), boundary)),
       coarseModes_(rowsAt(subdomain.rigidModes(), boundary)) {
   for (std::size_t i = 0; i < boundary.size(); ++i) diagonal_(i) = subdomain.stiffness().coeff(boundary[i], boundary[i]);

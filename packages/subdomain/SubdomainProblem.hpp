@@ -10,9 +10,8 @@ namespace suture {
 class SubdomainProblem : public LocalProblem {
  public:
   /// \param boundary  free unknowns of the subdomain that lie on the interface
-  /// \param young     Young modulus of the subdomain
   /// `subdomain` must be assembled and outlive it.
-  SubdomainProblem(int id, const Subdomain& subdomain, const std::vector<int>& boundary, double young, const LocalSolverMaker& solver,
+  SubdomainProblem(int id, const Subdomain& subdomain, const std::vector<int>& boundary, const LocalSolverMaker& solver,
                    std::unique_ptr<SchurComplement> schur);
 
   void applySchur(ConstLocalView trace, LocalView flux) const override { schur_->apply(trace, flux); }

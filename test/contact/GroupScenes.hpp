@@ -21,7 +21,7 @@ struct GroupOf {
     for (int s : all.partition.groups.at(0)) {
       const Subdomain& subdomain = *all.subdomains[s];
       members.push_back(&subdomain);
-      list.push_back({&subdomain, all.young[subdomain.mesh().body]});
+      list.push_back({&subdomain});
       for (int i = 0; i < subdomain.dofs(); ++i)
         for (int other : subdomain.mesh().others(subdomain.nodeOf(i)))
           if (all.partition.groupOf[other] != 0) boundary.push_back(subdomain.globalDof(i));

@@ -20,7 +20,7 @@ struct Interface {
   Interface(const Scene& given, const CommPtr& comm, const std::vector<double>& youngOf = {}, const std::string& solver = "CHOLMOD")
       : scene(given),
         all(given, comm, youngOf),
-        problem(comm, all.partition, all.subdomains, all.young, localSolver(solver),
+        problem(comm, all.partition, all.subdomains, localSolver(solver),
                 [] { return Registry<SchurComplement>::instance().make("Implicit", Parameters()); }),
         closed(problem.initialState()),
         linearised(problem.linearise(closed)),

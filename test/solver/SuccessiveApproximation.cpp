@@ -119,7 +119,7 @@ struct StackedBlocks {
     Parameters own;
     own.set<std::string>("Local Solver", "CHOLMOD");
     own.sublist("CHOLMOD").set<std::string>("Ordering", "AMD");
-    problem = std::make_unique<CondensedProblem>(comm, partition, subdomains, std::vector<double>{1.0, 1.0}, localSolverMaker(own),
+    problem = std::make_unique<CondensedProblem>(comm, partition, subdomains, localSolverMaker(own),
                                                  [] { return std::make_unique<ImplicitSchurComplement>(); });
   }
 

@@ -24,7 +24,7 @@ struct Case {
   explicit Case(const Subdomain& s, const std::string& solver = "CHOLMOD", const std::string& schur = "Implicit")
       : subdomain(s),
         boundary(sharedDofs(s)),
-        problem(7, s, boundary, 5.0, localSolver(solver), Registry<SchurComplement>::instance().make(schur, Parameters())) {}
+        problem(7, s, boundary, localSolver(solver), Registry<SchurComplement>::instance().make(schur, Parameters())) {}
   Matrix applied() const {
     Matrix flux(problem.size(), problem.size());
     problem.applySchur(Matrix::Identity(problem.size(), problem.size()), flux);
@@ -120,7 +120,7 @@ TEUCHOS_UNIT_TEST(SchurComplement, ASubdomainWithoutInteriorIsItsOwn) {
   const Scene scene = square(2, 1);  // four subdomains of two triangles; all unknowns of the blocks on the boundary
   const Blocks all(scene, alone());
   const Subdomain& s = *all.subdomains[0];
-  SubdomainProblem problem(0, s, range(s.dofs()), 1.0, localSolver(), Registry<SchurComplement>::instance().make("Implicit", Parameters()));
+  SubdomainProblem problem(0, s, range(s.dofs()), localSolver(), Registry<SchurComplement>::instance().make("Implicit", Parameters()));
   TEST_COMPARE(difference(problem.schurBlock(range(s.dofs())), Matrix(s.stiffness())), <, 1e-14);
   TEST_EQUALITY(problem.constantEnergy(), 0.0);
 }

@@ -131,5 +131,14 @@ TEUCHOS_UNIT_TEST(Subdomain, RefusesAMatrixOfTheWrongSizeOrWithoutStiffness) {
   TEST_NOTHROW(Broken(body.meshes[0], n, 1.0).assemble());
 }
 
+TEUCHOS_UNIT_TEST(Subdomain, HasTheYoungModulusOfItsMaterialAtEveryUnknownAndOneWithoutAny) {
+  const Scene scene = clampedSquare(1, 3, 7e9);
+  const Blocks body(scene, alone(), 1);
+  TEST_EQUALITY(body.subdomains[0]->youngModulus(), Vector::Constant(2 * (16 - 4), 7e9));
+  Broken users(body.meshes[0], 2 * 16, 1.0);
+  users.assemble();
+  TEST_EQUALITY(users.youngModulus(), Vector::Ones(2 * (16 - 4)));
+}
+
 }  // namespace
 }  // namespace suture

@@ -39,7 +39,6 @@ struct Blocks {
   Partition partition;
   std::vector<SubdomainMesh> meshes;
   std::vector<std::unique_ptr<Subdomain>> subdomains;
-  std::vector<double> young;  ///< as CondensedProblem takes it
 
   /// \param youngOf  of each subdomain, in place of the body's: a body of several materials
   Blocks(const Scene& scene, const CommPtr& comm, const std::vector<double>& youngOf = {}) : model(scene.model) {
@@ -65,7 +64,6 @@ struct Blocks {
       for (double value : youngOf) model.materialOfBody.push_back({like.name, value, like.poisson});
       for (SubdomainMesh& mesh : meshes) mesh.body = mesh.id;
     }
-    for (const Material& material : model.materialOfBody) young.push_back(material.young);
     for (const SubdomainMesh& mesh : meshes) {
       subdomains.push_back(std::make_unique<ElasticSubdomain>(mesh, model));
       subdomains.back()->assemble();

@@ -67,7 +67,7 @@ double worstPressureError(const suture::CommPtr& comm) {
   const std::vector<suture::SubdomainMesh> meshes = suture::distribute(*comm, mesh, constraints, partition);
   const suture::ElasticModel model = suture::makeElasticModel(all);
   const suture::Subdomains subdomains = suture::makeSubdomains(*comm, meshes, model);
-  const auto problem = suture::makeInterfaceProblem(comm, partition, subdomains, model, all);
+  const auto problem = suture::makeInterfaceProblem(comm, partition, subdomains, all);
   suture::Monitor silent;
   const suture::OuterResult result = suture::solveInterface(*problem, all, silent);
   const suture::Solution solution = suture::recover(*comm, *problem, result, subdomains, all);
