@@ -16,13 +16,14 @@ ExitCode solve(const CommPtr& comm, const SolveOptions& options) {
   const SceneFile file = timed(timers, "read", [&] { return readScene(*comm, options.scene, sceneSchema(), options.overrides); });
   if (options.printDefaults) return printDefaults(*comm, file);
   const Parameters& scene = *file.parameters;
+  checkCombination(scene);
   const std::string folder = outputFolder(file);
   if (!options.check) prepareFolder(*comm, folder);
 
   const Mesh mesh = timed(timers, "read", [&] { return meshStage(*comm, file); });
   const Constraints constraints = timed(timers, "read", [&] { return constraintsStage(*comm, mesh, scene); });
   const Partition partition =
-      timed(timers, "partition", [&] { return makePartition(*comm, mesh, constraints, scene.sublist("Partition")); });
+      timed(timers, "partition", [&] { return makePartition(*comm, mesh, constraints, scene.sublist("Partition"), isCondensed(scene)); });
   const auto meshes = timed(timers, "partition", [&] { return distribute(*comm, mesh, constraints, partition); });
   const ElasticModel model = makeElasticModel(scene);
   checkStage(*comm, mesh, constraints, model);

@@ -39,7 +39,7 @@ void registerBuiltIns(Registry<Preconditioner>& registry) {
 
 Schema preconditionerSchema() {
   Schema schema("Preconditioner of the interface problem.");
-  schema.choice("Type", "Neumann-Neumann", Registry<Preconditioner>::instance().schemas(), "Name of the preconditioner.");
+  schema.choice("Type", "BDDC", Registry<Preconditioner>::instance().schemas(), "Name of the preconditioner.");
   return schema;
 }
 

@@ -3,6 +3,7 @@
 #include <suture/interface/CondensedProblem.hpp>
 #include <suture/interface/ContactInterfaceProblem.hpp>
 #include <suture/solver/SolveScene.hpp>
+#include <suture/solver/SolverSchema.hpp>
 #include <suture/subdomain/ElasticSubdomain.hpp>
 
 #include <Teuchos_Comm.hpp>
@@ -66,6 +67,21 @@ Subdomains makeSubdomains(const Comm& comm, const std::vector<SubdomainMesh>& me
 
 bool isCondensed(const Parameters& scene) { return scene.get<std::string>("Formulation") == kCondensedGroups; }
 
+void checkCombination(const Parameters& scene) {
+  const auto formulation = scene.get<std::string>("Formulation");
+  const auto method = scene.sublist("Outer Solver").get<std::string>("Type");
+  if (scene.sublist("Contact").numParams() == 0 || solvesFormulation(method, formulation)) return;
+  std::vector<std::string> fitting;
+  for (const std::string& name : Registry<OuterSolver>::instance().names())
+    if (solvesFormulation(name, formulation)) fitting.push_back(name);
+  fitting.push_back(kMonolithic);
+  std::string list;
+  for (const std::string& name : fitting) list += (list.empty() ? "" : ", ") + name;
+  throw InputError(pathOf(scene.sublist("Outer Solver"), "Type"),
+                   "'" + method + "' does not solve the formulation '" + formulation + "'. Those that do: " + list +
+                       ". Or choose the Formulation '" + (isCondensed(scene) ? kContactOnTheInterface : kCondensedGroups) + "'");
+}
+
 std::unique_ptr<InterfaceProblem> makeInterfaceProblem(const CommPtr& comm, const Partition& partition, const Subdomains& subdomains,
                                                        const Parameters& scene) {
   const Parameters& own = scene.sublist("Subdomain");
@@ -81,7 +97,7 @@ OuterResult solveInterface(const InterfaceProblem& problem, const Parameters& sc
   settings.maximumIterations = own.get<int>("Maximum Iterations");
   settings.maximumInnerIterations = own.get<int>("Maximum Inner Iterations");
   settings.preconditioner = [&scene] { return makePreconditioner(scene.sublist("Preconditioner")); };
-  return Registry<OuterSolver>::instance().make(outerSolverName(scene), sublistOf(own, outerSolverName(scene)))->solve(problem, settings, monitor, start);
+  return makeStrategy<OuterSolver>(own, "Type")->solve(problem, settings, monitor, start);
 }
 
 Solution recover(const Comm& comm, const InterfaceProblem& problem, const OuterResult& result, const Subdomains& subdomains,
@@ -91,7 +107,7 @@ Solution recover(const Comm& comm, const InterfaceProblem& problem, const OuterR
   solution.converged = result.converged;
   solution.stopped = result.stopped && !result.converged;
   solution.failure = result.failure;
-  if (problem.pairs() > 0) solution.outerSolver = outerSolverName(scene);
+  if (problem.pairs() > 0) solution.outerSolver = scene.sublist("Outer Solver").get<std::string>("Type");
   solution.outerIterations = result.iterations;
   solution.pcgTotal = result.pcgTotal;
   solution.residual = result.residual;

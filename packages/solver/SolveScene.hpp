@@ -22,6 +22,12 @@ using Subdomains = std::vector<std::unique_ptr<Subdomain>>;
 /// Elastic subdomains of this rank's meshes, assembled. `meshes` and `model` must outlive them. \throws NumericalError
 Subdomains makeSubdomains(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model);
 
+/// Whether the scene's formulation is the paper's: contact groups live whole on one rank. Local.
+bool isCondensed(const Parameters& scene);
+
+/// \throws InputError  the scene's outer solver does not fit its formulation: names those that do. Local, the same on all ranks.
+void checkCombination(const Parameters& scene);
+
 /// The scene's formulation: subdomains and contact groups factored. `subdomains` must outlive it. \throws NumericalError
 std::unique_ptr<InterfaceProblem> makeInterfaceProblem(const CommPtr& comm, const Partition& partition, const Subdomains& subdomains,
                                                        const Parameters& scene);

@@ -4,18 +4,30 @@
 #include <suture/subdomain/LocalSolver.hpp>
 #include <suture/subdomain/SchurComplement.hpp>
 
+#include <map>
+
 namespace suture {
 
+bool solvesFormulation(const std::string& method, const std::string& formulation) {
+  static const std::map<std::string, std::string> only = {{"Active Set", kContactOnTheInterface},
+                                                          {"Chord", kCondensedGroups},
+                                                          {"Semismooth Newton", kCondensedGroups},
+                                                          {"Successive Approximation", kCondensedGroups}};
+  const auto found = only.find(method);
+  return found == only.end() || found->second == formulation;  // of a user's own we do not know
+}
+
 void addSolverParameters(Schema& scene) {
-  scene.oneOf("Formulation", "Condensed Groups", {"Condensed Groups"},
-              "Condensed Groups (the paper): the unknown is the trace on the interface, contact is hidden inside groups of subdomains.");
+  scene.oneOf("Formulation", kContactOnTheInterface, {kContactOnTheInterface, kCondensedGroups},
+              "Contact On The Interface: closed pairs identify unknowns of the interface; any partition, any length of contact line. Condensed "
+              "Groups (the paper): contact is hidden inside groups of subdomains, each whole on one rank.");
 
   auto methods = Registry<OuterSolver>::instance().schemas();
   methods.emplace(kMonolithic,
                   Schema("The whole system on one rank, one factorisation with the contact unknowns last, active set: for small "
                          "scenes and as a reference."));
   Schema outer("How the contact problem is solved; a scene without contact is linear and enters no outer loop.");
-  outer.choice("Type", "Semismooth Newton", methods, "Name of the outer solver.");
+  outer.choice("Type", "Active Set", methods, "Name of the outer solver.");
   outer.real("Tolerance", 1e-8, "Of the preconditioned norm of the residual, relative to that of the lifted start.",
              {0.0, 1.0, true, true, {}});
   outer.integer("Maximum Iterations", 50, "Outer iterations at most.", Range::atLeast(0));
@@ -25,7 +37,7 @@ void addSolverParameters(Schema& scene) {
   scene.list("Preconditioner", preconditionerSchema());
 
   Schema subdomain = subdomainSchema();
-  subdomain.choice("Schur Complement", "Implicit", Registry<SchurComplement>::instance().schemas(), "How S_i is kept.");
+  subdomain.choice("Schur Complement", "Explicit", Registry<SchurComplement>::instance().schemas(), "How S_i is kept.");
   scene.list("Subdomain", subdomain);
 }
 
