@@ -1,5 +1,4 @@
 #include <suture/contact/ContactGroup.hpp>
-#include <suture/contact/PairRow.hpp>
 #include <suture/subdomain/RigidAssembly.hpp>
 #include <suture/subdomain/SchurComplement.hpp>
 
@@ -22,26 +21,27 @@ ContactGroup::ContactGroup(int id, std::vector<Member> members, const std::vecto
   held_ = std::make_unique<ContactCompliance>(*heldInverse_, interiorRows_);
 }
 
+int ContactGroup::placeOf(GlobalId dof) const {
+  const auto found = std::lower_bound(globalDofs_.begin(), globalDofs_.end(), dof);
+  if (found == globalDofs_.end() || *found != dof)
+    throw InternalError("an unknown of a contact group's boundary or of its pairs belongs to none of its members");
+  return static_cast<int>(found - globalDofs_.begin());
+}
+
 void ContactGroup::number(const std::vector<GlobalId>& boundary) {
   for (const Member& member : members_)
     for (int i = 0; i < member.subdomain->dofs(); ++i) globalDofs_.push_back(member.subdomain->globalDof(i));
   std::sort(globalDofs_.begin(), globalDofs_.end());
   globalDofs_.erase(std::unique(globalDofs_.begin(), globalDofs_.end()), globalDofs_.end());
-  const auto place = [this](GlobalId dof) {
-    const auto found = std::lower_bound(globalDofs_.begin(), globalDofs_.end(), dof);
-    if (found == globalDofs_.end() || *found != dof)
-      throw InternalError("a boundary unknown of a contact group belongs to none of its members");
-    return static_cast<int>(found - globalDofs_.begin());
-  };
   nodeOf_.resize(globalDofs_.size());
   for (const Member& member : members_) {
     positions_.emplace_back();
     for (int i = 0; i < member.subdomain->dofs(); ++i) {
-      positions_.back().push_back(place(member.subdomain->globalDof(i)));
+      positions_.back().push_back(placeOf(member.subdomain->globalDof(i)));
       nodeOf_[positions_.back().back()] = static_cast<int>(globalDofs_[positions_.back().back()] / member.subdomain->components());
     }
   }
-  for (GlobalId dof : boundary) boundaryPositions_.push_back(place(dof));
+  for (GlobalId dof : boundary) boundaryPositions_.push_back(placeOf(dof));
   interiorPositions_ = complement(dofs(), boundaryPositions_);
 }
 
@@ -64,22 +64,21 @@ void ContactGroup::assemble() {
 }
 
 void ContactGroup::collectRows() {
-  std::map<int, PairRow> found;  // by pair, so that the order is the same however the body was cut
-  for (std::size_t m = 0; m < members_.size(); ++m)
-    for (const SubdomainMesh::ContactEnd& end : members_[m].subdomain->mesh().contactEnds)
-      found.emplace(end.pair.id, PairRow(end.pair)).first->second.add(*members_[m].subdomain, end, positions_[m]);
+  std::map<int, const ContactRow*> found;  // by pair, so that the order is the same however the body was cut
+  for (const Member& member : members_)
+    for (const ContactRow& row : member.subdomain->mesh().contactRows) found.emplace(row.pair.id, &row);
 
   std::vector<Eigen::Triplet<double>> entries;
   std::vector<double> gaps;
   for (const auto& [id, row] : found) {
-    if (!row.complete()) throw InternalError("a contact group holds one side of a contact pair only");
-    if (row.coefficients().empty()) {
-      idlePairs_.push_back(row.pair());
+    if (row->dofs.empty()) {
+      idlePairs_.push_back(row->pair);
       continue;
     }
-    for (const auto& [position, value] : row.coefficients()) entries.emplace_back(static_cast<int>(gaps.size()), position, value);
-    gaps.push_back(row.gap());
-    pairs_.push_back(row.pair());
+    for (std::size_t i = 0; i < row->dofs.size(); ++i)
+      entries.emplace_back(static_cast<int>(gaps.size()), placeOf(row->dofs[i]), row->coefficients[i]);
+    gaps.push_back(row->gap);
+    pairs_.push_back(row->pair);
     rows_.pairIds.push_back(id);
   }
   rows_.rows.resize(static_cast<int>(gaps.size()), dofs());

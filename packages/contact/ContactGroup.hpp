@@ -63,6 +63,7 @@ class ContactGroup {
   Matrix rigidKernel(bool boundaryHeld) const;
 
  private:
+  int placeOf(GlobalId dof) const;
   void number(const std::vector<GlobalId>& boundary);
   void assemble();
   void collectRows();

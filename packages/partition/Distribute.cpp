@@ -5,6 +5,7 @@
 #include <suture/base/Errors.hpp>
 #include <suture/partition/NodeSubdomains.hpp>
 #include <suture/partition/SubdomainMesh.hpp>
+#include <tuple>
 
 namespace suture {
 namespace {
@@ -22,6 +23,9 @@ class Cutter {
     Side side;
   };
 
+  void findSeamSides();
+  void shareRows();
+
   void cutElements(const std::vector<int>& elements, SubdomainMesh& part);
   void cutConstraints(SubdomainMesh& part) const;
 
@@ -29,10 +33,13 @@ class Cutter {
   const Constraints& constraints_;
   const Partition& partition_;
   NodeSubdomains holders_;
-  std::vector<std::vector<int>> elements_;      // of each subdomain
-  std::vector<std::vector<NamedSide>> sides_;   // of each subdomain
-  std::vector<std::vector<int>> rules_, ends_;  // of each subdomain: places in rules; 2 * pair + (0 for A, 1 for B)
-  std::vector<int> localNode_, localElement_;   // work space, -1 outside the current subdomain
+  std::vector<std::vector<int>> elements_;                   // of each subdomain
+  std::vector<std::vector<NamedSide>> sides_;                // of each subdomain
+  std::vector<ContactRow> rows_;                             // of all pairs
+  std::vector<std::vector<int>> rules_, ends_;               // of each subdomain: places in rules; 2 * pair + (0 for A, 1 for B)
+  std::vector<std::vector<int>> pairs_;                      // of each subdomain: pairs of its clusters, ascending
+  std::vector<std::vector<SubdomainMesh::SeamSide>> seams_;  // of each subdomain; element: of the mesh
+  std::vector<int> localNode_, localElement_;                // work space, -1 outside the current subdomain
 };
 
 Cutter::Cutter(const Mesh& mesh, const Constraints& constraints, const Partition& partition)
@@ -42,8 +49,11 @@ Cutter::Cutter(const Mesh& mesh, const Constraints& constraints, const Partition
       holders_(nodeSubdomains(mesh, partition.subdomainOfElement, partition.subdomains())),
       elements_(partition.subdomains()),
       sides_(partition.subdomains()),
+      rows_(contactRows(mesh, constraints)),
       rules_(partition.subdomains()),
       ends_(partition.subdomains()),
+      pairs_(partition.subdomains()),
+      seams_(partition.subdomains()),
       localNode_(mesh.nodes(), -1),
       localElement_(mesh.elements(), -1) {
   for (int e = 0; e < mesh.elements(); ++e) elements_[partition.subdomainOfElement[e]].push_back(e);
@@ -55,6 +65,57 @@ Cutter::Cutter(const Mesh& mesh, const Constraints& constraints, const Partition
     for (int s : holders_.of(pair.nodeA)) ends_[s].push_back(2 * pair.id);
     for (int s : holders_.of(pair.nodeB)) ends_[s].push_back(2 * pair.id + 1);
   }
+  shareRows();
+  findSeamSides();
+}
+
+// Every row of a cluster goes to all subdomains that hold a node of any pair in it.
+void Cutter::shareRows() {
+  std::vector<std::vector<int>> members(rows_.size()), holders(rows_.size());  // by the cluster's lowest pair
+  for (std::size_t p = 0; p < rows_.size(); ++p) {
+    const int cluster = rows_[p].cluster;
+    members[cluster].push_back(static_cast<int>(p));
+    for (int node : {rows_[p].pair.nodeA, rows_[p].pair.nodeB})
+      holders[cluster].insert(holders[cluster].end(), holders_.of(node).begin(), holders_.of(node).end());
+  }
+  for (std::size_t cluster = 0; cluster < rows_.size(); ++cluster) {
+    std::vector<int>& all = holders[cluster];
+    std::sort(all.begin(), all.end());
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+    for (int s : all) pairs_[s].insert(pairs_[s].end(), members[cluster].begin(), members[cluster].end());
+  }
+  for (std::vector<int>& own : pairs_) std::sort(own.begin(), own.end());
+}
+
+// Only sides all of whose nodes are shared can lie on a seam: work in proportion to the elements, memory to the seams.
+void Cutter::findSeamSides() {
+  struct Candidate {
+    int low, high, element, side;  // end points first
+  };
+  std::vector<Candidate> candidates;
+  const auto isShared = [this](int node) { return holders_.of(node).size() > 1; };
+  for (int e = 0; e < mesh_.elements(); ++e) {
+    const Span<const int> nodes = mesh_.nodesOf(e);
+    const auto& sides = cellInfo(mesh_.cells[e]).sideNodes;
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+      const auto [low, high] = std::minmax({nodes[sides[i][0]], nodes[sides[i][1]]});
+      if (isShared(low) && isShared(high)) candidates.push_back({low, high, e, static_cast<int>(i)});
+    }
+  }
+  std::sort(candidates.begin(), candidates.end(),
+            [](const Candidate& a, const Candidate& b) { return std::tie(a.low, a.high, a.element) < std::tie(b.low, b.high, b.element); });
+  for (std::size_t i = 1; i < candidates.size(); ++i) {
+    const Candidate &a = candidates[i - 1], &b = candidates[i];
+    if (a.low != b.low || a.high != b.high) continue;
+    const int sa = partition_.subdomainOfElement[a.element], sb = partition_.subdomainOfElement[b.element];
+    if (sa == sb) continue;
+    seams_[sa].push_back({a.element, a.side, sb});
+    seams_[sb].push_back({b.element, b.side, sa});
+  }
+  for (auto& own : seams_)
+    std::sort(own.begin(), own.end(), [](const SubdomainMesh::SeamSide& a, const SubdomainMesh::SeamSide& b) {
+      return std::tie(a.element, a.side) < std::tie(b.element, b.side);
+    });
 }
 
 void Cutter::cutElements(const std::vector<int>& elements, SubdomainMesh& part) {
@@ -96,6 +157,9 @@ void Cutter::cutConstraints(SubdomainMesh& part) const {
     const bool sideA = end % 2 == 0;
     part.contactEnds.push_back({pair, localNode_[sideA ? pair.nodeA : pair.nodeB], sideA ? +1 : -1});
   }
+  for (int pair : pairs_[part.id]) part.contactRows.push_back(rows_[pair]);
+  for (const SubdomainMesh::SeamSide& seam : seams_[part.id])
+    part.seamSides.push_back({localElement_[seam.element], seam.side, seam.neighbour});
 }
 
 SubdomainMesh Cutter::cut(int subdomain) {
@@ -112,6 +176,16 @@ SubdomainMesh Cutter::cut(int subdomain) {
 }
 
 // One list of fields for both directions: `each` puts or gets.
+template <typename ContactRowRef, typename Each>
+void forEachFieldOfRow(ContactRowRef& row, const Each& each) {
+  each(row.pair);
+  each(row.dofs);
+  each(row.coefficients);
+  each(row.gap);
+  each(row.cluster);
+  each(row.points);
+}
+
 template <typename SubdomainMeshRef, typename Each>
 void forEachField(SubdomainMeshRef& part, const Each& each) {
   each(part.dimension);
@@ -130,6 +204,24 @@ void forEachField(SubdomainMeshRef& part, const Each& each) {
   each(part.sharedOffsets);
   each(part.sharedWith);
   each(part.contactEnds);
+  each(part.seamSides);
+}
+
+void pack(const SubdomainMesh& part, Packer& packer) {
+  const auto put = [&packer](const auto& field) { packer.put(field); };
+  forEachField(part, put);
+  packer.put(part.contactRows.size());
+  for (const ContactRow& row : part.contactRows) forEachFieldOfRow(row, put);
+}
+
+void unpack(Unpacker& unpacker, SubdomainMesh& part) {
+  const auto get = [&unpacker](auto& field) { unpacker.get(field); };
+  forEachField(part, get);
+  const auto rows = unpacker.get<std::size_t>();
+  for (std::size_t i = 0; i < rows; ++i) {
+    part.contactRows.emplace_back();
+    forEachFieldOfRow(part.contactRows.back(), get);
+  }
 }
 
 }  // namespace
@@ -141,8 +233,7 @@ std::vector<SubdomainMesh> distribute(const Comm& comm, const Mesh& mesh, const 
     std::vector<Packer> packers(comm.getSize());
     for (int s = 0; s < partition.subdomains(); ++s) {
       const SubdomainMesh part = cutter.cut(s);
-      Packer& packer = packers[partition.rankOf[s]];
-      forEachField(part, [&](const auto& field) { packer.put(field); });
+      pack(part, packers[partition.rankOf[s]]);
     }
     for (std::size_t rank = 0; rank < packers.size(); ++rank) bytes[rank] = packers[rank].bytes();
   });
@@ -152,7 +243,7 @@ std::vector<SubdomainMesh> distribute(const Comm& comm, const Mesh& mesh, const 
     Unpacker unpacker(received);
     while (!unpacker.done()) {
       mine.emplace_back();
-      forEachField(mine.back(), [&](auto& field) { unpacker.get(field); });
+      unpack(unpacker, mine.back());
     }
   });
   return mine;

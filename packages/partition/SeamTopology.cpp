@@ -1,66 +1,31 @@
 #include <algorithm>
 #include <map>
-#include <suture/base/Buffer.hpp>
-#include <suture/base/Collective.hpp>
+#include <set>
 #include <suture/base/Errors.hpp>
 #include <suture/partition/SeamTopology.hpp>
-#include <unordered_map>
+#include <tuple>
+#include <unordered_set>
 #include <utility>
 
 namespace suture {
 namespace {
 
-// A side on the boundary of a subdomain whose nodes are all held by others, too: a candidate for the seam. Third node: of quadratic sides.
-struct Candidate {
-  GlobalId low, high, middle;  // middle: -1 where there is none
-};
-
-// What one subdomain tells the others.
-void packCandidates(const SubdomainMesh& part, Packer& packer) {
-  if (part.dimension != 2) throw InternalError("seams in dimension " + std::to_string(part.dimension));
-  std::map<std::pair<GlobalId, GlobalId>, std::pair<int, Candidate>> sides;  // end points -> how many elements, side
-  for (int e = 0; e < part.elements(); ++e) {
-    const Span<const int> nodes = part.nodesOf(e);
-    for (const std::vector<int>& side : cellInfo(part.cells[e]).sideNodes) {
-      if (std::any_of(side.begin(), side.end(), [&](int i) { return part.others(nodes[i]).empty(); })) continue;
-      const auto [low, high] = std::minmax({part.globalNodes[nodes[side[0]]], part.globalNodes[nodes[side[1]]]});
-      const GlobalId middle = side.size() > 2 ? part.globalNodes[nodes[side[2]]] : -1;
-      auto& entry = sides[{low, high}];
-      ++entry.first;
-      entry.second = {low, high, middle};
-    }
-  }
-  std::vector<Candidate> candidates;
-  for (const auto& [ends, entry] : sides)
-    if (entry.first == 1) candidates.push_back(entry.second);
-  packer.put(candidates);
-
-  // The holders of a node are told by the first of them.
-  std::vector<GlobalId> nodes;
-  std::vector<std::vector<int>> holders;
-  for (int i = 0; i < part.nodes(); ++i) {
-    const Span<const int> others = part.others(i);
-    if (others.empty() || *std::min_element(others.begin(), others.end()) < part.id) continue;
-    nodes.push_back(part.globalNodes[i]);
-    holders.emplace_back(others.begin(), others.end());
-    holders.back().push_back(part.id);
-    std::sort(holders.back().begin(), holders.back().end());
-  }
-  packer.put(nodes);
-  packer.put(holders);
-}
-
-// The seams of all subdomains as a graph: seam nodes with their holders, linked along seam sides.
+// The seams that touch some subdomains as a graph: their seam nodes with all holders, linked along seam sides. A node of exactly two
+// subdomains lies on no seam but the one between them, so that either of them knows all its sides; the links of other nodes may be
+// incomplete, but those are corners whatever their links.
 class SeamGraph {
  public:
-  explicit SeamGraph(const std::vector<std::string>& messages);
+  explicit SeamGraph(const std::vector<SubdomainMesh>& subdomains);
   std::vector<SeamEntity> entities() const;
 
  private:
   struct Node {
-    std::vector<int> holders;
+    std::vector<int> holders;      // ascending
     std::vector<GlobalId> linked;  // ascending
   };
+
+  void addNodes(const SubdomainMesh& part);
+  void addSides(const SubdomainMesh& part, std::set<std::pair<GlobalId, GlobalId>>& seen);
 
   // A node of two subdomains through which one seam passes is inside an edge; every other one is a corner.
   static bool isCorner(const Node& node) { return node.holders.size() > 2 || node.linked.size() != 2; }
@@ -70,40 +35,46 @@ class SeamGraph {
   std::map<GlobalId, Node> nodes_;
 };
 
-SeamGraph::SeamGraph(const std::vector<std::string>& messages) {
-  std::map<std::pair<GlobalId, GlobalId>, std::pair<int, GlobalId>> sides;  // end points -> how many subdomains, middle node
-  for (const std::string& message : messages) {
-    Unpacker unpacker(message);
-    while (!unpacker.done()) {
-      std::vector<Candidate> candidates;
-      std::vector<GlobalId> numbers;
-      std::vector<std::vector<int>> holders;
-      unpacker.get(candidates);
-      unpacker.get(numbers);
-      unpacker.get(holders);
-      for (const Candidate& side : candidates) {
-        auto& entry = sides[{side.low, side.high}];
-        ++entry.first;
-        entry.second = side.middle;
-      }
-      for (std::size_t i = 0; i < numbers.size(); ++i) nodes_[numbers[i]].holders = holders[i];
-    }
+SeamGraph::SeamGraph(const std::vector<SubdomainMesh>& subdomains) {
+  std::set<std::pair<GlobalId, GlobalId>> seen;
+  for (const SubdomainMesh& part : subdomains) {
+    if (part.dimension != 2) throw InternalError("seams in dimension " + std::to_string(part.dimension));
+    addNodes(part);
   }
+  for (const SubdomainMesh& part : subdomains) addSides(part, seen);
+  for (auto& [number, node] : nodes_) std::sort(node.linked.begin(), node.linked.end());
+}
+
+void SeamGraph::addNodes(const SubdomainMesh& part) {
+  for (int i = 0; i < part.nodes(); ++i) {
+    const Span<const int> others = part.others(i);
+    if (others.empty()) continue;
+    std::vector<int>& holders = nodes_[part.globalNodes[i]].holders;
+    if (!holders.empty()) continue;  // another subdomain of this rank told
+    holders.assign(others.begin(), others.end());
+    holders.push_back(part.id);
+    std::sort(holders.begin(), holders.end());
+  }
+}
+
+// `seen`: sides by their end points; with both subdomains on this rank a side comes twice.
+void SeamGraph::addSides(const SubdomainMesh& part, std::set<std::pair<GlobalId, GlobalId>>& seen) {
   const auto link = [this](GlobalId a, GlobalId b) {
     nodes_.at(a).linked.push_back(b);
     nodes_.at(b).linked.push_back(a);
   };
-  for (const auto& [ends, entry] : sides) {
-    // Alone: a side on the boundary of the body between two seam nodes.
-    if (entry.first != 2) continue;
-    if (entry.second < 0) {
-      link(ends.first, ends.second);
+  for (const SubdomainMesh::SeamSide& seam : part.seamSides) {
+    const std::vector<int> nodes = part.nodesOf(Side{seam.element, seam.side});
+    const GlobalId a = part.globalNodes[nodes[0]], b = part.globalNodes[nodes[1]];
+    if (!seen.insert(std::minmax(a, b)).second) continue;
+    if (nodes.size() > 2) {  // a quadratic side: its middle node comes third
+      const GlobalId middle = part.globalNodes[nodes[2]];
+      link(a, middle);
+      link(middle, b);
     } else {
-      link(ends.first, entry.second);
-      link(entry.second, ends.second);
+      link(a, b);
     }
   }
-  for (auto& [number, node] : nodes_) std::sort(node.linked.begin(), node.linked.end());
 }
 
 // From `from` over `to` up to the next corner, or around a ring back to where the edge began.
@@ -117,7 +88,7 @@ void SeamGraph::walk(GlobalId from, GlobalId to, SeamEntity& edge) const {
   edge.endPoints.push_back(to);
 }
 
-// `start`: a node inside the edge.
+// `start`: a node inside the edge, the lowest one. The sense depends on the edge alone, not on where the walk began.
 SeamEntity SeamGraph::edgeThrough(GlobalId start) const {
   const Node& node = nodes_.at(start);
   SeamEntity edge;
@@ -143,13 +114,13 @@ SeamEntity SeamGraph::edgeThrough(GlobalId start) const {
 
 std::vector<SeamEntity> SeamGraph::entities() const {
   std::vector<SeamEntity> corners, edges;
-  std::unordered_map<GlobalId, bool> done;
+  std::unordered_set<GlobalId> done;
   for (const auto& [number, node] : nodes_) {  // ascending
     if (isCorner(node)) {
       corners.push_back({EntityClass::Corner, node.holders, {number}, {}});
-    } else if (!done[number]) {
+    } else if (done.insert(number).second) {
       edges.push_back(edgeThrough(number));
-      for (GlobalId along : edges.back().nodes) done[along] = true;
+      done.insert(edges.back().nodes.begin(), edges.back().nodes.end());
     }
   }
   std::sort(edges.begin(), edges.end(), [](const SeamEntity& a, const SeamEntity& b) {
@@ -161,23 +132,6 @@ std::vector<SeamEntity> SeamGraph::entities() const {
 
 }  // namespace
 
-std::vector<SeamEntity> findSeams(const Comm& comm, const std::vector<SubdomainMesh>& subdomains) {
-  Packer packer;
-  collectively(comm, "topology of the seams", [&] {
-    for (const SubdomainMesh& part : subdomains) packCandidates(part, packer);
-  });
-  const std::vector<std::string> messages = allGather(comm, packer.bytes());
-  std::vector<SeamEntity> mine;
-  collectively(comm, "topology of the seams", [&] {
-    std::vector<int> here;
-    for (const SubdomainMesh& part : subdomains) here.push_back(part.id);
-    std::sort(here.begin(), here.end());
-    for (SeamEntity& entity : SeamGraph(messages).entities())
-      if (std::any_of(entity.subdomains.begin(), entity.subdomains.end(),
-                      [&](int s) { return std::binary_search(here.begin(), here.end(), s); }))
-        mine.push_back(std::move(entity));
-  });
-  return mine;
-}
+std::vector<SeamEntity> findSeams(const std::vector<SubdomainMesh>& subdomains) { return SeamGraph(subdomains).entities(); }
 
 }  // namespace suture

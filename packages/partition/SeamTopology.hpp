@@ -20,10 +20,11 @@ struct SeamEntity {
 
 /// The entities that the subdomains of this rank touch: corners by node, then edges by subdomains and first node. A stretch of seam between
 /// two corners without a node of its own is not listed. In two dimensions: corners are nodes of three or more subdomains, nodes where
-/// a seam ends, touches itself, or has no side at all (subdomains that meet in that point only). The same entities, in the same order and
-/// sense, whatever the number of ranks. Every rank learns all seam sides: memory in proportion to the whole interface. Collective.
+/// a seam ends, touches itself, or has no side at all (subdomains that meet in that point only). All ranks that touch an entity describe it
+/// alike, in the same order and sense, whatever their number. From the subdomains' own data alone, with memory in proportion to their
+/// seams. Local.
 /// \param subdomains  of this rank, as distribute() gives them
 /// \throws InternalError  in another dimension than two.
-std::vector<SeamEntity> findSeams(const Comm& comm, const std::vector<SubdomainMesh>& subdomains);
+std::vector<SeamEntity> findSeams(const std::vector<SubdomainMesh>& subdomains);
 
 }  // namespace suture

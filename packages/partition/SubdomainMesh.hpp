@@ -1,6 +1,6 @@
 #pragma once
 #include <suture/base/Types.hpp>
-#include <suture/constraints/Constraints.hpp>
+#include <suture/constraints/ContactRow.hpp>
 #include <suture/mesh/CellBlock.hpp>
 #include <suture/mesh/Mesh.hpp>
 #include <suture/partition/Partition.hpp>
@@ -30,6 +30,16 @@ struct SubdomainMesh : CellBlock {
     int side;          ///< +1: A, -1: B
   };
   std::vector<ContactEnd> contactEnds;
+  /// All rows of every cluster that has a pair with a node here, ascending: enough to eliminate the whole cluster without asking anyone.
+  std::vector<ContactRow> contactRows;
+
+  /// A side of an element that is also a side of another subdomain (of the same body): the seam, side by side.
+  struct SeamSide {
+    int element;    ///< local
+    int side;       ///< number in cellInfo(...).sideNodes
+    int neighbour;  ///< subdomain
+  };
+  std::vector<SeamSide> seamSides;  ///< by element, then side
 
   Span<const int> others(int node) const {
     return {sharedWith.data() + sharedOffsets[node], std::size_t(sharedOffsets[node + 1] - sharedOffsets[node])};

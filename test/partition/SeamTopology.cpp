@@ -1,3 +1,4 @@
+#include <Teuchos_DefaultSerialComm.hpp>
 #include <Teuchos_UnitTestHarness.hpp>
 #include <cmath>
 #include <numeric>
@@ -44,7 +45,7 @@ struct Seams {
  private:
   void find(const Partition& partition) {
     mine = distribute(*comm(), whole, Constraints(), partition);
-    here = findSeams(*comm(), mine);
+    here = findSeams(mine);
     Packer packer;
     for (const SeamEntity& entity : here) {
       packer.put(static_cast<int>(entity.kind));
@@ -330,6 +331,40 @@ TEUCHOS_UNIT_TEST(SeamTopology, TellsARankOfTheEntitiesItTouches) {
   };
   for (const SeamEntity& entity : seams.here) TEST_ASSERT(touches(entity));
   TEST_EQUALITY(static_cast<int>(seams.here.size()), static_cast<int>(std::count_if(seams.all.begin(), seams.all.end(), touches)));
+}
+
+TEUCHOS_UNIT_TEST(SeamTopology, DescribesAnEntityAlikeOnEveryRankAndOnOne) {
+  const Mesh grid = mesh({box("body", 0, 1, 0, 1, 30, 30)});
+  for (int subdomains : {2, 9, 40}) {
+    const Partition partition = makePartition(*comm(), grid, Constraints(), metis(subdomains).list());
+    const Seams seams(grid, partition);
+    Packer packer;
+    if (onRoot()) {
+      Partition together = partition;
+      together.rankOf.assign(subdomains, 0);
+      for (const SeamEntity& entity : findSeams(distribute(Teuchos::SerialComm<int>(), grid, Constraints(), together))) {
+        packer.put(static_cast<int>(entity.kind));
+        packer.put(entity.subdomains);
+        packer.put(entity.nodes);
+        packer.put(entity.endPoints);
+      }
+    }
+    std::set<int> ids;
+    for (const SubdomainMesh& part : seams.mine) ids.insert(part.id);
+    Unpacker unpacker(broadcast(*comm(), packer.bytes()));
+    std::size_t at = 0;
+    while (!unpacker.done()) {
+      const auto kind = static_cast<EntityClass>(unpacker.get<int>());
+      const auto holders = unpacker.get<std::vector<int>>();
+      const auto nodes = unpacker.get<std::vector<GlobalId>>(), endPoints = unpacker.get<std::vector<GlobalId>>();
+      if (std::none_of(holders.begin(), holders.end(), [&](int s) { return ids.count(s) > 0; })) continue;
+      TEST_COMPARE(at, <, seams.here.size());
+      if (at == seams.here.size()) break;
+      const SeamEntity& entity = seams.here[at++];
+      TEST_ASSERT(entity.kind == kind && entity.subdomains == holders && entity.nodes == nodes && entity.endPoints == endPoints);
+    }
+    TEST_EQUALITY(at, seams.here.size());
+  }
 }
 
 TEUCHOS_UNIT_TEST(SeamTopology, FindsNothingWithoutSeams) {

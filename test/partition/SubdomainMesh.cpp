@@ -2,6 +2,8 @@
 #include <Teuchos_UnitTestHarness.hpp>
 #include <numeric>
 #include <set>
+#include <suture/base/Buffer.hpp>
+#include <suture/base/Collective.hpp>
 #include <suture/mesh/CellGeometry.hpp>
 #include <suture/partition/SubdomainMesh.hpp>
 
@@ -124,6 +126,119 @@ TEUCHOS_UNIT_TEST(SubdomainMesh, HasTheContactEndsOfItsNodes) {
     }
   TEST_FLOATING_EQUALITY(sumOverRanks(ends), 50.0, 1e-13);
   TEST_COMPARE(std::abs(sumOverRanks(sides)), <, 1e-12);
+}
+
+TEUCHOS_UNIT_TEST(SubdomainMesh, HasAllRowsOfEveryClusterItTouches) {
+  Scene scene(12);
+  if (onRoot()) {  // diagonal pairs beside the straight ones: runs of pairs that share unknowns, over more than one subdomain
+    const std::vector<ContactPair> straight = scene.constraints.pairs;
+    for (std::size_t i : {3, 4, 5, 6, 7, 8, 18, 19}) {
+      ContactPair pair = straight[i];
+      pair.id = static_cast<int>(scene.constraints.pairs.size());
+      pair.nodeB = straight[i + 1].nodeB;
+      scene.constraints.pairs.push_back(pair);
+    }
+    for (ContactPair& pair : scene.constraints.pairs) {
+      pair.normal = {0.6, 0.8, 0};
+      pair.gap = 0.01 * pair.id;
+    }
+  }
+  // Rank 0 knows the whole: rows by brute force, runs by their construction (pairs 3..9 and 18..20 with the diagonals).
+  std::string bytes;
+  if (onRoot()) {
+    const auto run = [](int pair) {
+      const int straight = pair < 25 ? pair : std::vector<int>{3, 4, 5, 6, 7, 8, 18, 19}[pair - 25];
+      return straight >= 3 && straight <= 9 ? 3 : straight >= 18 && straight <= 20 ? 18 : straight;
+    };
+    std::vector<std::vector<int>> expected(12);
+    for (int s = 0; s < 12; ++s) {
+      std::set<int> nodes, runs;
+      for (int e = 0; e < scene.whole.elements(); ++e)
+        if (scene.partition.subdomainOfElement[e] == s) nodes.insert(scene.whole.nodesOf(e).begin(), scene.whole.nodesOf(e).end());
+      for (const ContactPair& pair : scene.constraints.pairs)
+        if (nodes.count(pair.nodeA) || nodes.count(pair.nodeB)) runs.insert(run(pair.id));
+      for (const ContactPair& pair : scene.constraints.pairs)
+        if (runs.count(run(pair.id))) expected[s].push_back(pair.id);
+    }
+    Packer packer;
+    packer.put(expected);
+    packer.put(scene.constraints.pairs);
+    packer.put(scene.whole.coordinates);
+    bytes = packer.bytes();
+  }
+  Unpacker unpacker(broadcast(*comm(), bytes));
+  const auto expected = unpacker.get<std::vector<std::vector<int>>>();
+  const auto pairs = unpacker.get<std::vector<ContactPair>>();
+  const auto coordinates = unpacker.get<std::vector<double>>();
+
+  double distant = 0;  // rows neither of whose nodes is here
+  for (const SubdomainMesh& part : distribute(*comm(), scene.whole, scene.constraints, scene.partition)) {
+    std::vector<int> found;
+    for (const ContactRow& row : part.contactRows) {
+      found.push_back(row.pair.id);
+      const ContactPair& pair = pairs.at(row.pair.id);
+      const std::set<GlobalId> here(part.globalNodes.begin(), part.globalNodes.end());
+      distant += !here.count(pair.nodeA) && !here.count(pair.nodeB);
+      // Free Cartesian nodes: (u_A - u_B) . n, component by component.
+      std::map<GlobalId, double> row2;
+      for (int k = 0; k < 2; ++k) {
+        row2[2 * pair.nodeA + k] = pair.normal[k];
+        row2[2 * pair.nodeB + k] = -pair.normal[k];
+      }
+      TEST_EQUALITY(row.dofs.size(), 4u);
+      TEST_EQUALITY(row.points.size(), 4u);
+      for (std::size_t i = 0; i < row.dofs.size(); ++i) {
+        TEST_EQUALITY(row.coefficients[i], row2.at(row.dofs[i]));
+        for (int k = 0; k < 2; ++k) TEST_EQUALITY(row.points[i][k], coordinates[2 * (row.dofs[i] / 2) + k]);
+      }
+      TEST_EQUALITY(row.gap, pair.gap);
+      TEST_EQUALITY(row.pair.nodeB, pair.nodeB);
+    }
+    TEST_ASSERT(found == expected[part.id]);
+  }
+  TEST_COMPARE(sumOverRanks(distant), >, 0);
+}
+
+TEUCHOS_UNIT_TEST(SubdomainMesh, KnowsWhichSidesItSharesWithWhom) {
+  using SharedSide = std::array<GlobalId, 4>;  // subdomain, neighbour, end points
+  for (int subdomains : {2, 7, 24}) {
+    const Scene scene(subdomains);
+    std::vector<SharedSide> mine;
+    for (const SubdomainMesh& part : scene.mine) {
+      const auto before = [](const SubdomainMesh::SeamSide& a, const SubdomainMesh::SeamSide& b) {
+        return std::tie(a.element, a.side) < std::tie(b.element, b.side);
+      };
+      TEST_ASSERT(std::is_sorted(part.seamSides.begin(), part.seamSides.end(), before));
+      for (const SubdomainMesh::SeamSide& seam : part.seamSides) {
+        const std::vector<int> nodes = part.nodesOf(Side{seam.element, seam.side});
+        const auto [low, high] = std::minmax({part.globalNodes[nodes[0]], part.globalNodes[nodes[1]]});
+        mine.push_back({part.id, seam.neighbour, low, high});
+      }
+    }
+    Packer packer;
+    packer.put(mine);
+    std::vector<SharedSide> found;
+    for (const std::string& bytes : gatherOnRoot(*comm(), packer.bytes())) {
+      const auto some = Unpacker(bytes).get<std::vector<SharedSide>>();
+      found.insert(found.end(), some.begin(), some.end());
+    }
+    if (!onRoot()) continue;
+    std::map<std::pair<int, int>, std::vector<int>> holders;  // of each side of the mesh
+    for (int e = 0; e < scene.whole.elements(); ++e) {
+      const auto nodes = scene.whole.nodesOf(e);
+      for (int i = 0; i < 3; ++i) holders[std::minmax(nodes[i], nodes[(i + 1) % 3])].push_back(scene.partition.subdomainOfElement[e]);
+    }
+    std::vector<SharedSide> expected;
+    for (const auto& [ends, two] : holders)
+      if (two.size() == 2 && two[0] != two[1]) {
+        expected.push_back({two[0], two[1], ends.first, ends.second});
+        expected.push_back({two[1], two[0], ends.first, ends.second});
+      }
+    std::sort(found.begin(), found.end());
+    std::sort(expected.begin(), expected.end());
+    TEST_ASSERT(found == expected);
+    TEST_EQUALITY(expected.empty(), subdomains == 2);
+  }
 }
 
 TEUCHOS_UNIT_TEST(SubdomainMesh, NamesTheOtherHoldersOfANode) {

@@ -1,0 +1,76 @@
+#include <suture/constraints/ContactRow.hpp>
+#include <suture/mesh/Mesh.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <unordered_map>
+
+namespace suture {
+
+namespace {
+
+struct Entry {
+  GlobalId dof;
+  double coefficient;
+  int node;
+};
+
+// One end of a pair, side +1 for A and -1 for B. A node without a rule is Cartesian and free.
+void addEnd(int node, int side, const NodeRule& rule, int dimension, ContactRow& row, std::vector<Entry>& entries) {
+  for (int k = 0; k < dimension; ++k) {
+    double along = 0.0;
+    for (int c = 0; c < dimension; ++c) along += rule.axes[k][c] * row.pair.normal[c];
+    along *= side;
+    if (rule.fixed[k])
+      row.gap -= along * rule.value[k];
+    else if (std::abs(along) > 1e-12)  // the row of a unit normal: this is rounding of the axes
+      entries.push_back({static_cast<GlobalId>(node) * dimension + k, along, node});
+  }
+}
+
+// Union of sets of rows; the lowest row is the root of its set.
+void findClusters(std::vector<ContactRow>& rows) {
+  std::vector<int> parent(rows.size());
+  std::iota(parent.begin(), parent.end(), 0);
+  const auto root = [&parent](int row) {
+    while (parent[row] != row) row = parent[row] = parent[parent[row]];
+    return row;
+  };
+  std::unordered_map<GlobalId, int> firstWith;
+  for (std::size_t row = 0; row < rows.size(); ++row)
+    for (GlobalId dof : rows[row].dofs) {
+      const int a = root(firstWith.emplace(dof, static_cast<int>(row)).first->second), b = root(static_cast<int>(row));
+      parent[std::max(a, b)] = std::min(a, b);
+    }
+  for (std::size_t row = 0; row < rows.size(); ++row) rows[row].cluster = rows[root(static_cast<int>(row))].pair.id;
+}
+
+}  // namespace
+
+std::vector<ContactRow> contactRows(const Mesh& mesh, const Constraints& constraints) {
+  std::vector<int> ruleOf(mesh.nodes(), -1);
+  for (std::size_t r = 0; r < constraints.rules.size(); ++r) ruleOf[constraints.rules[r].node] = static_cast<int>(r);
+  const NodeRule free;
+  std::vector<ContactRow> rows;
+  rows.reserve(constraints.pairs.size());
+  for (const ContactPair& pair : constraints.pairs) {
+    rows.emplace_back();
+    ContactRow& row = rows.back();
+    row.pair = pair;
+    row.gap = pair.gap;
+    std::vector<Entry> entries;
+    for (const auto& [node, side] : {std::make_pair(pair.nodeA, +1), std::make_pair(pair.nodeB, -1)})
+      addEnd(node, side, ruleOf[node] < 0 ? free : constraints.rules[ruleOf[node]], mesh.dimension, row, entries);
+    std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.dof < b.dof; });
+    for (const Entry& entry : entries) {
+      row.dofs.push_back(entry.dof);
+      row.coefficients.push_back(entry.coefficient);
+      row.points.push_back(mesh.point(entry.node));
+    }
+  }
+  findClusters(rows);
+  return rows;
+}
+
+}  // namespace suture

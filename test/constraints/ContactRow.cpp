@@ -1,0 +1,147 @@
+#include <Teuchos_UnitTestHarness.hpp>
+#include <random>
+#include <set>
+#include <suture/constraints/ContactRow.hpp>
+
+#include "ConstraintsTesting.hpp"
+
+using namespace constraintstesting;
+
+namespace {
+
+/// Random displacements that obey the rules: Cartesian ones of each node, and the same in the axes of the nodes.
+struct Motion {
+  std::vector<Point> cartesian;
+  std::map<GlobalId, double> local;
+
+  Motion(const Mesh& mesh, const Constraints& constraints, unsigned seed) : cartesian(mesh.nodes()) {
+    std::mt19937 generator(seed);
+    for (int node = 0; node < mesh.nodes(); ++node) {
+      NodeRule rule;
+      if (const NodeRule* own = ruleAt(constraints, node)) rule = *own;
+      Point u{0, 0, 0};
+      for (int k = 0; k < 2; ++k) {
+        const double value = rule.fixed[k] ? rule.value[k] : generator() / 2147483647.5 - 1.0;
+        if (!rule.fixed[k]) local[2 * node + k] = value;
+        for (int c = 0; c < 2; ++c) u[c] += rule.axes[k][c] * value;
+      }
+      cartesian[node] = u;
+    }
+  }
+  double gap(const ContactPair& pair) const {
+    double left = pair.gap;
+    for (int c = 0; c < 2; ++c) left -= (cartesian[pair.nodeA][c] - cartesian[pair.nodeB][c]) * pair.normal[c];
+    return left;
+  }
+  double gap(const ContactRow& row) const {
+    double left = row.gap;
+    for (std::size_t i = 0; i < row.dofs.size(); ++i) left -= row.coefficients[i] * local.at(row.dofs[i]);  // throws if it is not free
+    return left;
+  }
+};
+
+NodeRule& ruleFor(Constraints& constraints, int node) {
+  const auto at = std::lower_bound(constraints.rules.begin(), constraints.rules.end(), node,
+                                   [](const NodeRule& rule, int number) { return rule.node < number; });
+  if (at != constraints.rules.end() && at->node == node) return *at;
+  NodeRule rule;
+  rule.node = node;
+  return *constraints.rules.insert(at, rule);
+}
+
+ContactPair pairOf(int id, int a, int b, double angle) {
+  ContactPair pair;
+  pair.id = id;
+  pair.nodeA = a;
+  pair.nodeB = b;
+  pair.normal = {std::cos(angle), std::sin(angle), 0};
+  pair.gap = 0.1 * id;
+  return pair;
+}
+
+}  // namespace
+
+TEUCHOS_UNIT_TEST(ContactRow, GivesTheGapOfEveryMotionThatTheRulesAllow) {
+  // A leaning stack: rollers meet the contact line, one end is pulled, the rest has the axes of its pair or Cartesian ones.
+  Mesh mesh = stack(2);
+  moveAll(mesh, [](Point p) -> Point { return {p[0] * 0.8 - p[1] * 0.6, p[0] * 0.6 + p[1] * 0.8, 0}; });
+  Constraints constraints =
+      build(mesh, bilateral("roller", "b0_left") + displacement("pull", "b1_right", "{0.25, -1}"), contact("line", "b0_top", "b1_bottom"));
+  ruleFor(constraints, constraints.pairs[4].nodeA).axes = {Point{1, 0, 0}, Point{0, 1, 0}, Point{0, 0, 1}};
+  constraints.pairs[3].gap = -0.2;
+  const std::vector<ContactRow> rows = contactRows(mesh, constraints);
+  TEST_EQUALITY(rows.size(), std::size_t(9));
+  std::set<std::size_t> lengths;
+  for (unsigned seed = 1; seed <= 3; ++seed) {
+    const Motion motion(mesh, constraints, seed);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      TEST_EQUALITY(rows[i].pair.id, static_cast<int>(i));
+      TEST_COMPARE(std::abs(motion.gap(rows[i]) - motion.gap(constraints.pairs[i])), <, 1e-14);
+      TEST_ASSERT(std::is_sorted(rows[i].dofs.begin(), rows[i].dofs.end()));
+      lengths.insert(rows[i].dofs.size());
+      for (std::size_t k = 0; k < rows[i].dofs.size(); ++k) TEST_ASSERT(rows[i].points[k] == mesh.point(int(rows[i].dofs[k] / 2)));
+    }
+  }
+  TEST_EQUALITY(rows[5].dofs.size(), 2u);  // both nodes in the axes of the pair
+  TEST_EQUALITY(rows[5].coefficients[0], 1.0);
+  TEST_EQUALITY(rows[5].coefficients[1], -1.0);
+  TEST_EQUALITY(rows[4].dofs.size(), 3u);  // one of them Cartesian
+  TEST_ASSERT(lengths.count(1) == 1);      // one end is pulled: only the other can move
+}
+
+TEUCHOS_UNIT_TEST(ContactRow, TakesWhatPrescribedComponentsCloseFromTheGap) {
+  const Mesh mesh = stack(2);
+  Constraints constraints;
+  constraints.pairs = {pairOf(0, 3, 30, std::atan2(0.8, 0.6))};
+  constraints.pairs[0].gap = 0.5;
+  NodeRule& a = ruleFor(constraints, 3);
+  a.fixed[1] = true;
+  a.value[1] = 0.25;
+  ruleFor(constraints, 30).fixed = {true, true, false};
+  ruleFor(constraints, 30).value = {-0.5, 1.0, 0};
+  const ContactRow row = contactRows(mesh, constraints).at(0);
+  TEST_ASSERT(row.dofs == std::vector<GlobalId>{6});
+  TEST_FLOATING_EQUALITY(row.coefficients[0], 0.6, 1e-15);
+  // 0.6 u <= 0.5 - 0.8 * 0.25 + (0.6 * -0.5 + 0.8 * 1.0)
+  TEST_FLOATING_EQUALITY(row.gap, 0.8, 1e-14);
+}
+
+TEUCHOS_UNIT_TEST(ContactRow, IsEmptyWhereNothingCanMove) {
+  const Mesh mesh = stack(2);
+  const Constraints constraints = build(
+      mesh, bilateral("left", "b0_left") + displacement("hold", "b0_right", "0.125", "y") + displacement("above", "b1_right", "0.5", "y"),
+      contact("line", "b0_top", "b1_bottom"));
+  const std::vector<ContactRow> rows = contactRows(mesh, constraints);
+  int empty = 0;
+  for (const ContactRow& row : rows) {
+    if (!row.dofs.empty()) continue;
+    ++empty;
+    TEST_EQUALITY(mesh.point(row.pair.nodeA)[0], 4.0);
+    TEST_FLOATING_EQUALITY(row.gap, 0.375, 1e-14);  // B moved away by 0.5 - 0.125
+    TEST_EQUALITY(row.cluster, row.pair.id);
+  }
+  TEST_EQUALITY(empty, 1);
+}
+
+TEUCHOS_UNIT_TEST(ContactRow, BelongsToTheClusterOfRowsThatShareAnUnknown) {
+  const Mesh mesh = stack(2);
+  Constraints constraints;
+  const double half = std::acos(0.0);
+  constraints.pairs = {
+      pairOf(0, 1, 2, 0.3),   pairOf(1, 8, 9, 0.3),    pairOf(2, 3, 4, 0.3),  // three apart,
+      pairOf(3, 4, 2, 0.4),                                                   // the first and the third joined by this one
+      pairOf(4, 9, 10, -0.7),                                                 // and the second longer
+      pairOf(5, 11, 12, 0.0), pairOf(6, 12, 13, half),                        // a node in common but no unknown: along x and along y
+      pairOf(7, 20, 21, 0.0), pairOf(8, 21, 22, 0.0),                         // a node in common whose x is held
+      pairOf(9, 23, 24, 0.0),
+  };
+  ruleFor(constraints, 21).fixed[0] = true;
+  std::vector<int> clusters;
+  for (const ContactRow& row : contactRows(mesh, constraints)) clusters.push_back(row.cluster);
+  TEST_COMPARE_ARRAYS(clusters, (std::vector<int>{0, 1, 0, 0, 1, 5, 6, 7, 8, 9}));
+}
+
+TEUCHOS_UNIT_TEST(ContactRow, IsNoneWithoutContact) {
+  const Mesh mesh = stack(1);
+  TEST_EQUALITY(contactRows(mesh, build(mesh, bilateral("roller", "b0_left"))).size(), 0u);
+}
