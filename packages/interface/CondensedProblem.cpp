@@ -54,7 +54,6 @@ CondensedProblem::CondensedProblem(CommPtr comm, const Partition& partition, con
                                    const LocalSolverMaker& solver, const SchurMaker& schur)
     : comm_(std::move(comm)), subdomains_(subdomains), subdomainCount_(partition.subdomains()) {
   InterfaceLayout layout;
-  const std::vector<SeamEntity> seams = findSeams(*comm_, meshesOf(subdomains));
   collectively(*comm_, "factoring subdomains and contact groups", [&] {
     std::map<int, std::vector<int>> members;
     for (std::size_t s = 0; s < subdomains.size(); ++s) {
@@ -86,7 +85,7 @@ CondensedProblem::CondensedProblem(CommPtr comm, const Partition& partition, con
       layout.boundaries.push_back(boundary);
       layout.locals.push_back(partition.subdomains() + group);
     }
-    addSeams(seams, subdomains, [&](int subdomain) { return problemOf(partition, subdomain); }, layout);
+    addSeams(subdomains, [&](int subdomain) { return problemOf(partition, subdomain); }, layout);
   });
   space_ = std::make_shared<InterfaceSpace>(comm_, layout);
   int mine = 0;

@@ -26,12 +26,6 @@ std::vector<int> boundaryDofs(const Subdomain& subdomain) {
   return dofs;
 }
 
-std::vector<const SubdomainMesh*> meshesOf(const std::vector<std::unique_ptr<Subdomain>>& subdomains) {
-  std::vector<const SubdomainMesh*> meshes;
-  for (const auto& subdomain : subdomains) meshes.push_back(&subdomain->mesh());
-  return meshes;
-}
-
 double reduce(const Comm& comm, Teuchos::EReductionType how, double mine) {
   double all = 0.0;
   Teuchos::reduceAll(comm, how, mine, Teuchos::outArg(all));
@@ -47,7 +41,6 @@ ContactInterfaceProblem::ContactInterfaceProblem(CommPtr comm, const Partition& 
                                                  const SchurMaker& schur)
     : comm_(std::move(comm)), subdomains_(subdomains) {
   InterfaceLayout layout;
-  const std::vector<SeamEntity> seams = findSeams(*comm_, meshesOf(subdomains));
   collectively(*comm_, "factoring the subdomains", [&] {
     for (const auto& subdomain : subdomains) {
       const std::vector<int> boundary = boundaryDofs(*subdomain);
@@ -58,7 +51,7 @@ ContactInterfaceProblem::ContactInterfaceProblem(CommPtr comm, const Partition& 
       for (const ContactRow& row : subdomain->mesh().contactRows)
         layout.partners.insert(layout.partners.end(), row.dofs.begin(), row.dofs.end());
     }
-    addSeams(seams, subdomains, [](int subdomain) { return subdomain; }, layout);
+    addSeams(subdomains, [](int subdomain) { return subdomain; }, layout);
   });
   space_ = std::make_shared<InterfaceSpace>(comm_, layout);
   apart_ = Teuchos::rcp(new InterfaceOperator(space_, LocalProblems(locals_.begin(), locals_.end())));

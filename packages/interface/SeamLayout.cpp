@@ -1,4 +1,5 @@
 #include <suture/interface/SeamLayout.hpp>
+#include <suture/partition/SeamTopology.hpp>
 
 #include <algorithm>
 
@@ -23,15 +24,19 @@ std::vector<GlobalId> unknownsAt(GlobalId node, const std::vector<const Subdomai
 
 }  // namespace
 
-void addSeams(const std::vector<SeamEntity>& seams, const std::vector<std::unique_ptr<Subdomain>>& subdomains,
-              const std::function<int(int subdomain)>& problemOf, InterfaceLayout& layout) {
+void addSeams(const std::vector<std::unique_ptr<Subdomain>>& subdomains, const std::function<int(int subdomain)>& problemOf,
+              InterfaceLayout& layout) {
   std::vector<const Subdomain*> byId;
-  for (const auto& subdomain : subdomains) byId.push_back(subdomain.get());
+  std::vector<const SubdomainMesh*> meshes;
+  for (const auto& subdomain : subdomains) {
+    byId.push_back(subdomain.get());
+    meshes.push_back(&subdomain->mesh());
+  }
   const auto find = [&](int id) -> const Subdomain* {
     const auto found = std::lower_bound(byId.begin(), byId.end(), id, [](const Subdomain* s, int i) { return s->mesh().id < i; });
     return found != byId.end() && (*found)->mesh().id == id ? *found : nullptr;
   };
-  for (const SeamEntity& entity : seams) {
+  for (const SeamEntity& entity : findSeams(meshes)) {
     std::vector<const Subdomain*> holders;
     for (const int id : entity.subdomains)
       if (const Subdomain* own = find(id)) holders.push_back(own);

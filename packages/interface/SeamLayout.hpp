@@ -1,6 +1,5 @@
 #pragma once
 #include <suture/interface/InterfaceLayout.hpp>
-#include <suture/partition/SeamTopology.hpp>
 #include <suture/subdomain/Subdomain.hpp>
 
 #include <functional>
@@ -9,10 +8,10 @@
 
 namespace suture {
 
-/// Adds corners and edges of seams to a layout, in unknowns. \param problemOf  local problem that answers for a subdomain: itself or its
-/// contact group; what lies inside one of them is no edge. Local.
-void addSeams(const std::vector<SeamEntity>& seams, const std::vector<std::unique_ptr<Subdomain>>& subdomains,
-              const std::function<int(int subdomain)>& problemOf, InterfaceLayout& layout);
+/// Adds corners and edges of the subdomains' seams to a layout, in unknowns. \param problemOf  local problem that answers for a subdomain:
+/// itself or its contact group; what lies inside one of them is no edge. Local.
+void addSeams(const std::vector<std::unique_ptr<Subdomain>>& subdomains, const std::function<int(int subdomain)>& problemOf,
+              InterfaceLayout& layout);
 
 /// Number, point and direction of a free unknown of a subdomain. Local.
 InterfaceLayout::Unknown interfaceUnknown(const Subdomain& subdomain, int dof);

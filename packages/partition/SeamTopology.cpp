@@ -15,7 +15,7 @@ namespace {
 // incomplete, but those are corners whatever their links.
 class SeamGraph {
  public:
-  explicit SeamGraph(const std::vector<SubdomainMesh>& subdomains);
+  explicit SeamGraph(const std::vector<const SubdomainMesh*>& subdomains);
   std::vector<SeamEntity> entities() const;
 
  private:
@@ -35,13 +35,13 @@ class SeamGraph {
   std::map<GlobalId, Node> nodes_;
 };
 
-SeamGraph::SeamGraph(const std::vector<SubdomainMesh>& subdomains) {
+SeamGraph::SeamGraph(const std::vector<const SubdomainMesh*>& subdomains) {
   std::set<std::pair<GlobalId, GlobalId>> seen;
-  for (const SubdomainMesh& part : subdomains) {
-    if (part.dimension != 2) throw InternalError("seams in dimension " + std::to_string(part.dimension));
-    addNodes(part);
+  for (const SubdomainMesh* part : subdomains) {
+    if (part->dimension != 2) throw InternalError("seams in dimension " + std::to_string(part->dimension));
+    addNodes(*part);
   }
-  for (const SubdomainMesh& part : subdomains) addSides(part, seen);
+  for (const SubdomainMesh* part : subdomains) addSides(*part, seen);
   for (auto& [number, node] : nodes_) std::sort(node.linked.begin(), node.linked.end());
 }
 
@@ -132,6 +132,12 @@ std::vector<SeamEntity> SeamGraph::entities() const {
 
 }  // namespace
 
-std::vector<SeamEntity> findSeams(const std::vector<SubdomainMesh>& subdomains) { return SeamGraph(subdomains).entities(); }
+std::vector<SeamEntity> findSeams(const std::vector<const SubdomainMesh*>& subdomains) { return SeamGraph(subdomains).entities(); }
+
+std::vector<SeamEntity> findSeams(const std::vector<SubdomainMesh>& subdomains) {
+  std::vector<const SubdomainMesh*> pointers;
+  for (const SubdomainMesh& part : subdomains) pointers.push_back(&part);
+  return findSeams(pointers);
+}
 
 }  // namespace suture

@@ -25,6 +25,7 @@ struct SeamEntity {
 /// seams. Local.
 /// \param subdomains  of this rank, as distribute() gives them
 /// \throws InternalError  in another dimension than two.
+std::vector<SeamEntity> findSeams(const std::vector<const SubdomainMesh*>& subdomains);
 std::vector<SeamEntity> findSeams(const std::vector<SubdomainMesh>& subdomains);
 
 }  // namespace suture

@@ -66,7 +66,7 @@ OuterResult OuterSolver::solve(const InterfaceProblem& problem, const OuterSetti
   const InterfaceProblem::Linearisation start = problem.linearise(result.state);
   run.bilateral = start.matrix;
   run.preconditioner = settings.preconditioner();
-  run.preconditioner->initialize(problem.space());
+  run.preconditioner->initialize(start.matrix->space());
   run.preconditioner->compute(start.matrix);
   result.coarseSize = run.preconditioner->coarseSize();
   run.reference = preconditionedNorm(*run.preconditioner, *start.load);

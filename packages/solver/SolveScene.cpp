@@ -1,5 +1,6 @@
 #include <suture/base/Buffer.hpp>
 #include <suture/base/Collective.hpp>
+#include <suture/base/SceneReader.hpp>
 #include <suture/interface/CondensedProblem.hpp>
 #include <suture/interface/ContactInterfaceProblem.hpp>
 #include <suture/solver/SolveScene.hpp>
