@@ -1,4 +1,5 @@
 #include <suture/base/Dense.hpp>
+#include <suture/base/Errors.hpp>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
@@ -66,6 +67,19 @@ bool choleskyFactor(const Matrix& matrix, Matrix& lower) {
   if (llt.info() != Eigen::Success) return false;
   lower = llt.matrixL();
   return true;
+}
+
+Matrix solvePositive(const Matrix& matrix, const Matrix& rhs) {
+  const Eigen::LLT<Matrix> llt(matrix);
+  if (llt.info() != Eigen::Success) throw NumericalError("a dense matrix that should be positive definite is not");
+  return llt.solve(rhs);
+}
+
+Matrix pick(const Matrix& matrix, const std::vector<int>& rows, const std::vector<int>& columns) {
+  Matrix part(static_cast<int>(rows.size()), static_cast<int>(columns.size()));
+  for (std::size_t j = 0; j < columns.size(); ++j)
+    for (std::size_t i = 0; i < rows.size(); ++i) part(static_cast<int>(i), static_cast<int>(j)) = matrix(rows[i], columns[j]);
+  return part;
 }
 
 }  // namespace suture

@@ -41,4 +41,10 @@ std::vector<double> tridiagonalEigenvalues(const std::vector<double>& diagonal, 
 /// lower * lower^T = matrix; false, and `lower` is not to be used, when the matrix is not positive definite to working accuracy.
 bool choleskyFactor(const Matrix& matrix, Matrix& lower);
 
+/// matrix^-1 rhs for a symmetric positive definite matrix. \throws NumericalError  it is not.
+Matrix solvePositive(const Matrix& matrix, const Matrix& rhs);
+
+/// matrix(rows, columns).
+Matrix pick(const Matrix& matrix, const std::vector<int>& rows, const std::vector<int>& columns);
+
 }  // namespace suture

@@ -85,7 +85,8 @@ CondensedProblem::CondensedProblem(CommPtr comm, const Partition& partition, con
       layout.boundaries.push_back(boundary);
       layout.locals.push_back(partition.subdomains() + group);
     }
-    addSeams(subdomains, [&](int subdomain) { return problemOf(partition, subdomain); }, layout);
+    addSeams(
+        subdomains, [&](int subdomain) { return problemOf(partition, subdomain); }, layout);
   });
   space_ = std::make_shared<InterfaceSpace>(comm_, layout);
   int mine = 0;

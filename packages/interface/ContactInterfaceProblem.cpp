@@ -51,7 +51,8 @@ ContactInterfaceProblem::ContactInterfaceProblem(CommPtr comm, const Partition& 
       for (const ContactRow& row : subdomain->mesh().contactRows)
         layout.partners.insert(layout.partners.end(), row.dofs.begin(), row.dofs.end());
     }
-    addSeams(subdomains, [](int subdomain) { return subdomain; }, layout);
+    addSeams(
+        subdomains, [](int subdomain) { return subdomain; }, layout);
   });
   space_ = std::make_shared<InterfaceSpace>(comm_, layout);
   apart_ = Teuchos::rcp(new InterfaceOperator(space_, LocalProblems(locals_.begin(), locals_.end())));
@@ -100,8 +101,7 @@ void ContactInterfaceProblem::collectRows(const Vector& stiffness) {
 /// Pairs are numbered along their lines: neighbours are successors.
 void ContactInterfaceProblem::findChains() {
   for (int i = 0; i < clusters_->size(); ++i) {
-    const bool follows =
-        i > 0 && rows_[i].pair.id == rows_[i - 1].pair.id + 1 && rows_[i].pair.line == rows_[i - 1].pair.line;
+    const bool follows = i > 0 && rows_[i].pair.id == rows_[i - 1].pair.id + 1 && rows_[i].pair.line == rows_[i - 1].pair.line;
     if (!follows) chains_.emplace_back();
     chains_.back().push_back(i);
   }
@@ -287,8 +287,7 @@ InterfaceProblem::Recovered ContactInterfaceProblem::recover(const InterfaceStat
       const Vector cartesian = subdomain.cartesian(values);
       for (const SubdomainMesh::ContactEnd& end : subdomain.mesh().contactEnds)
         if (end.side > 0)
-          for (int k = 0; k < subdomain.components(); ++k)
-            moved[end.pair.id][k] = cartesian(end.node * subdomain.components() + k);
+          for (int k = 0; k < subdomain.components(); ++k) moved[end.pair.id][k] = cartesian(end.node * subdomain.components() + k);
     }
     for (std::size_t i = 0; i < rows_.size(); ++i)
       if (owned_[i]) {

@@ -15,9 +15,9 @@ namespace suture {
 /// seams; a closed pair identifies two of them (up to the gap), an open one does not. Contact is an interface that changes: no local
 /// problem ever does, and a contact line may be cut and spread over ranks like any other.
 ///
-/// With N the contact rows, g the gaps and S = sum R_i^T S_i R_i over the subdomains: S U + N^T f = F, f >= 0, g - N U >= 0, f.(g - N U) = 0.
-/// For a set of closed pairs T spans the null space of their rows and the linear problem is T^T S T w = T^T (F - S U) from a U that meets
-/// the rows.
+/// With N the contact rows, g the gaps and S = sum R_i^T S_i R_i over the subdomains: S U + N^T f = F, f >= 0, g - N U >= 0, f.(g - N U) =
+/// 0. For a set of closed pairs T spans the null space of their rows and the linear problem is T^T S T w = T^T (F - S U) from a U that
+/// meets the rows.
 class ContactInterfaceProblem : public InterfaceProblem {
  public:
   using SchurMaker = std::function<std::unique_ptr<SchurComplement>()>;

@@ -23,8 +23,8 @@ std::vector<GO> sorted(std::vector<GO> ids) {
 }
 
 MapPtr mapOf(const std::vector<GO>& ids, const CommPtr& comm) {
-  return Teuchos::rcp(new Map(Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid(), Teuchos::ArrayView<const GO>(ids.data(), ids.size()),
-                              0, comm));
+  return Teuchos::rcp(
+      new Map(Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid(), Teuchos::ArrayView<const GO>(ids.data(), ids.size()), 0, comm));
 }
 }  // namespace
 
@@ -93,8 +93,7 @@ void InterfaceSpace::exchangeSharers(const InterfaceLayout& layout) {
   int last = -1, most = -1;
   for (const int id : localIds_) last = std::max(last, id);
   Teuchos::reduceAll(*comm_, Teuchos::REDUCE_MAX, last, Teuchos::outArg(most));
-  const MapPtr problems =
-      Teuchos::rcp(new Map(static_cast<Tpetra::global_size_t>(most + 1), 0, comm_, Tpetra::LocallyReplicated));
+  const MapPtr problems = Teuchos::rcp(new Map(static_cast<Tpetra::global_size_t>(most + 1), 0, comm_, Tpetra::LocallyReplicated));
   std::vector<std::vector<GO>> mine(ids_.size());
   for (std::size_t i = 0; i < couplings_.size(); ++i)
     for (const int place : couplings_[i].columns()) mine[place].push_back(layout.locals[i]);
@@ -131,7 +130,8 @@ std::shared_ptr<const InterfaceSpace> InterfaceSpace::related(std::vector<Interf
     for (const int other : relation.others) {
       std::vector<int>& all = derived->sharers_[other];
       std::vector<int> both;
-      std::set_union(all.begin(), all.end(), sharers_[relation.unknown].begin(), sharers_[relation.unknown].end(), std::back_inserter(both));
+      std::set_union(all.begin(), all.end(), sharers_[relation.unknown].begin(), sharers_[relation.unknown].end(),
+                     std::back_inserter(both));
       all = std::move(both);
       // A row of several terms leaves no unknown to weigh by itself: hold them all together.
       if (relation.others.size() > 1 || corner_[relation.unknown]) derived->corner_[other] = 1;
@@ -163,7 +163,9 @@ void InterfaceSpace::cutChain(const std::vector<int>& chain) {
     const InterfaceRelation* by = relation(place);
     places.push_back(by ? (by->others.size() == 1 ? by->others[0] : -1) : place);
   }
-  const auto inside = [&](std::size_t k) { return k < places.size() && places[k] >= 0 && !corner_[places[k]] && sharers_[places[k]].size() == 2; };
+  const auto inside = [&](std::size_t k) {
+    return k < places.size() && places[k] >= 0 && !corner_[places[k]] && sharers_[places[k]].size() == 2;
+  };
   const auto holds = [&](std::size_t k, const std::vector<int>& both) {  // a corner that ends the stretch
     return k < places.size() && places[k] >= 0 && corner_[places[k]] &&
            std::includes(sharers_[places[k]].begin(), sharers_[places[k]].end(), both.begin(), both.end());

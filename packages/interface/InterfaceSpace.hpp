@@ -46,7 +46,7 @@ class InterfaceSpace {
   const MapPtr& map() const { return map_; }          ///< owned, one to one
   const MapPtr& overlap() const { return overlap_; }  ///< all that this rank's local problems touch, and their partners in relations
   const CommPtr& comm() const { return comm_; }
-  GlobalId size() const;                        ///< over all ranks, idle ones included
+  GlobalId size() const;  ///< over all ranks, idle ones included
   int overlapSize() const { return static_cast<int>(points_.size()); }
   int locals() const { return static_cast<int>(couplings_.size()); }
   int localId(int local) const { return localIds_[local]; }

@@ -2,14 +2,20 @@
 #include <suture/precond/Bddc.hpp>
 
 #include <Teuchos_Comm.hpp>
+#include <Teuchos_CommHelpers.hpp>
 #include <Teuchos_ParameterList.hpp>
+#include <Tpetra_Map.hpp>
 #include <Tpetra_MultiVector.hpp>
 #include <Tpetra_Vector.hpp>
+
+#include <map>
+#include <sstream>
 
 namespace suture {
 
 Schema Bddc::schema() {
-  Schema schema("Balancing domain decomposition by constraints: local problems held at corners and edge constraints, and a coarse problem of these.");
+  Schema schema(
+      "Balancing domain decomposition by constraints: local problems held at corners and edge constraints, and a coarse problem of these.");
   schema.choice("Weighting", "Stiffness Diagonal", Registry<Weighting>::instance().schemas(), "How subdomains share the interface, D_i.");
   schema.choice("Edge Constraints", "Rigid Modes", Registry<EdgeConstraints>::instance().schemas(),
                 "What subdomains have in common on an edge, beside its end points.");
@@ -18,8 +24,9 @@ Schema Bddc::schema() {
 }
 
 Bddc::Bddc(const Parameters& own)
-    : Bddc(makeStrategy<Weighting>(own, "Weighting"), makeStrategy<EdgeConstraints>(own, "Edge Constraints"),
-           [own] { return makeStrategy<LocalSolver>(own, "Coarse Solver"); }, own.get<int>("Coarse Copies")) {}
+    : Bddc(
+          makeStrategy<Weighting>(own, "Weighting"), makeStrategy<EdgeConstraints>(own, "Edge Constraints"),
+          [own] { return makeStrategy<LocalSolver>(own, "Coarse Solver"); }, own.get<int>("Coarse Copies")) {}
 
 Bddc::Bddc(std::unique_ptr<Weighting> weighting, std::unique_ptr<EdgeConstraints> edges,
            std::function<std::unique_ptr<LocalSolver>()> coarseSolver, int copies)
@@ -30,10 +37,34 @@ void Bddc::doInitialize() { coarse_.reset(); }
 void Bddc::doCompute() {
   const LocalProblems& locals = matrix()->locals();
   weighting_->setup(*space(), locals);
-  const std::vector<Matrix> edgeRows = edges_->rows(*space(), locals);
-  collectively(*space()->comm(), "factoring the local problems of BDDC",
-               [&] { factorLocals(primalConstraints(*space(), edgeRows)); });
+  const std::vector<Matrix> edgeRows = edges_->rows(*space(), locals, *weighting_);
+  collectively(*space()->comm(), "factoring the local problems of BDDC", [&] { factorLocals(primalConstraints(*space(), edgeRows)); });
   assembleCoarse();
+  if (edges_->isAdaptive()) countConstraints(edgeRows);
+}
+
+/// Edges where their first local problem lives, unknowns where they are owned.
+void Bddc::countConstraints(const std::vector<Matrix>& edgeRows) {
+  std::map<int, int> here;
+  for (int i = 0; i < space()->locals(); ++i) here[space()->localId(i)] = i;
+  GlobalId mine[2] = {0, 0}, all[2];
+  for (std::size_t e = 0; e < edgeRows.size(); ++e)
+    if (here.count(space()->edges()[e].locals[0])) mine[0] += edgeRows[e].rows();
+  for (int place = 0; place < space()->overlapSize(); ++place)
+    mine[1] += space()->sharers(place).size() > 1 && space()->map()->getLocalElement(space()->id(place)) >= 0;
+  Teuchos::reduceAll(*space()->comm(), Teuchos::REDUCE_SUM, 2, mine, all);
+  edgeConstraints_ = all[0];
+  sharedUnknowns_ = all[1];
+}
+
+std::string Bddc::remark() const {
+  if (!edges_->isAdaptive()) return std::string();
+  std::ostringstream text;
+  text.precision(2);
+  text << "adaptive coarse space: " << edgeConstraints_ << " edge constraints ("
+       << 100.0 * static_cast<double>(edgeConstraints_) / static_cast<double>(sharedUnknowns_) << " % of " << sharedUnknowns_
+       << " shared unknowns) and " << coarseSize() - edgeConstraints_ << " corner unknowns";
+  return text.str();
 }
 
 void Bddc::factorLocals(std::vector<PrimalConstraints> constraints) {

@@ -12,9 +12,10 @@
 namespace suture {
 
 /// Balancing domain decomposition by constraints (Dohrmann, 2003):
-///     M^-1 = sum_i R_i^T D_i x_i,   x_i = P_i f_i + Phi_i A_i y,   f_i = D_i^T R_i r,   (sum A_i^T Phi_i^T S_i Phi_i A_i) y = sum A_i^T Phi_i^T f_i,
-/// P_i the inverse of S_i under the primal constraints C_i x = 0, Phi_i the traces of least energy with C_i Phi_i = I, A_i the values of the
-/// constraints in primal unknowns: corners, and what EdgeConstraints demands of edges. Additive: coarse and local problems see the same
+///     M^-1 = sum_i R_i^T D_i x_i,   x_i = P_i f_i + Phi_i A_i y,   f_i = D_i^T R_i r,   (sum A_i^T Phi_i^T S_i Phi_i A_i) y = sum A_i^T
+///     Phi_i^T f_i,
+/// P_i the inverse of S_i under the primal constraints C_i x = 0, Phi_i the traces of least energy with C_i Phi_i = I, A_i the values of
+/// the constraints in primal unknowns: corners, and what EdgeConstraints demands of edges. Additive: coarse and local problems see the same
 /// residual. Condition C (1 + log H/h)^2, with all eigenvalues at least one. Cost of an application: a dense symmetric product for every
 /// local problem and one coarse solve. Local problems whose S_i and constraints did not change are not factored again.
 class Bddc : public Preconditioner {
@@ -26,6 +27,7 @@ class Bddc : public Preconditioner {
        std::function<std::unique_ptr<LocalSolver>()> coarseSolver, int copies = 0);
 
   int coarseSize() const override { return coarse_ ? coarse_->size() : 0; }
+  std::string remark() const override;
 
  protected:
   void doInitialize() override;
@@ -35,6 +37,7 @@ class Bddc : public Preconditioner {
  private:
   void factorLocals(std::vector<PrimalConstraints> constraints);
   void assembleCoarse();
+  void countConstraints(const std::vector<Matrix>& edgeRows);
 
   std::unique_ptr<Weighting> weighting_;
   std::unique_ptr<EdgeConstraints> edges_;
@@ -49,6 +52,7 @@ class Bddc : public Preconditioner {
   };
   std::vector<std::vector<std::vector<Value>>> values_;  // A_i: of each row of each local problem
   std::unique_ptr<CoarseSystem> coarse_;
+  GlobalId edgeConstraints_ = 0, sharedUnknowns_ = 0;  // over all ranks
 };
 
 }  // namespace suture

@@ -1,5 +1,8 @@
 #include <suture/base/Dense.hpp>
+#include <suture/precond/AdaptiveEdges.hpp>
 #include <suture/precond/EdgeConstraints.hpp>
+
+#include <Teuchos_ParameterList.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -55,15 +58,19 @@ std::vector<Matrix> momentRows(const InterfaceSpace& space, bool first) {
 
 }  // namespace
 
-std::vector<Matrix> NoEdgeConstraints::rows(const InterfaceSpace& space, const LocalProblems&) const {
+std::vector<Matrix> NoEdgeConstraints::rows(const InterfaceSpace& space, const LocalProblems&, const Weighting&) const {
   std::vector<Matrix> all;
   for (const InterfaceEdge& edge : space.edges()) all.emplace_back(0, static_cast<int>(edge.unknowns.size()));
   return all;
 }
 
-std::vector<Matrix> EdgeAverages::rows(const InterfaceSpace& space, const LocalProblems&) const { return momentRows(space, false); }
+std::vector<Matrix> EdgeAverages::rows(const InterfaceSpace& space, const LocalProblems&, const Weighting&) const {
+  return momentRows(space, false);
+}
 
-std::vector<Matrix> EdgeRigidModes::rows(const InterfaceSpace& space, const LocalProblems&) const { return momentRows(space, true); }
+std::vector<Matrix> EdgeRigidModes::rows(const InterfaceSpace& space, const LocalProblems&, const Weighting&) const {
+  return momentRows(space, true);
+}
 
 void registerBuiltIns(Registry<EdgeConstraints>& registry) {
   const auto add = [&](const char* name, const char* doc, auto make) {
@@ -74,6 +81,8 @@ void registerBuiltIns(Registry<EdgeConstraints>& registry) {
       [] { return std::unique_ptr<EdgeConstraints>(std::make_unique<EdgeAverages>()); });
   add("Rigid Modes", "Averages and the first moment: all rigid motions of the edge.",
       [] { return std::unique_ptr<EdgeConstraints>(std::make_unique<EdgeRigidModes>()); });
+  registry.add("Adaptive", AdaptiveEdges::schema(),
+               [](const Parameters& own) { return std::make_unique<AdaptiveEdges>(own.get<double>("Threshold")); });
 }
 
 }  // namespace suture

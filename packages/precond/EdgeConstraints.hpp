@@ -1,6 +1,6 @@
 #pragma once
 #include <suture/base/Registry.hpp>
-#include <suture/interface/InterfaceOperator.hpp>
+#include <suture/precond/Weighting.hpp>
 
 #include <memory>
 #include <vector>
@@ -8,15 +8,17 @@
 namespace suture {
 
 /// What BDDC demands of an edge beside its end points: rows of which both sides must have the same value. Strategies: None, Averages,
-/// Rigid Modes; a user adds his own through Registry<EdgeConstraints>.
+/// Rigid Modes, Adaptive; a user adds his own through Registry<EdgeConstraints>.
 class EdgeConstraints {
  public:
   static const char* kind() { return "edge constraints"; }
   virtual ~EdgeConstraints() = default;
 
   /// For each edge of the space: constraints x unknowns of the edge, orthonormal rows, the same on both sides of the edge. Collective.
-  /// \param locals  in the order of the space's couplings
-  virtual std::vector<Matrix> rows(const InterfaceSpace& space, const LocalProblems& locals) const = 0;
+  /// \param locals  in the order of the space's couplings; \param weighting  set up for them
+  virtual std::vector<Matrix> rows(const InterfaceSpace& space, const LocalProblems& locals, const Weighting& weighting) const = 0;
+  /// Whether their number is not known beforehand, so that the user is told.
+  virtual bool isAdaptive() const { return false; }
 };
 
 void registerBuiltIns(Registry<EdgeConstraints>& registry);
@@ -24,19 +26,19 @@ void registerBuiltIns(Registry<EdgeConstraints>& registry);
 /// Corners only: the condition grows like H/h.
 class NoEdgeConstraints : public EdgeConstraints {
  public:
-  std::vector<Matrix> rows(const InterfaceSpace& space, const LocalProblems& locals) const override;
+  std::vector<Matrix> rows(const InterfaceSpace& space, const LocalProblems& locals, const Weighting& weighting) const override;
 };
 
 /// The average of each displacement component; on a contact line, of the normal displacement.
 class EdgeAverages : public EdgeConstraints {
  public:
-  std::vector<Matrix> rows(const InterfaceSpace& space, const LocalProblems& locals) const override;
+  std::vector<Matrix> rows(const InterfaceSpace& space, const LocalProblems& locals, const Weighting& weighting) const override;
 };
 
 /// All rigid motions of the edge: averages and the first moment; on a contact line average and first moment of the normal displacement.
 class EdgeRigidModes : public EdgeConstraints {
  public:
-  std::vector<Matrix> rows(const InterfaceSpace& space, const LocalProblems& locals) const override;
+  std::vector<Matrix> rows(const InterfaceSpace& space, const LocalProblems& locals, const Weighting& weighting) const override;
 };
 
 }  // namespace suture

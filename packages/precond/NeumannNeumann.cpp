@@ -20,8 +20,9 @@ Schema NeumannNeumann::schema() {
 }
 
 NeumannNeumann::NeumannNeumann(const Parameters& own)
-    : NeumannNeumann(makeStrategy<Weighting>(own, "Weighting"), makeStrategy<CoarseSpace>(own, "Coarse Space"),
-                     [own] { return makeStrategy<LocalSolver>(own, "Coarse Solver"); }, own.get<int>("Coarse Copies")) {}
+    : NeumannNeumann(
+          makeStrategy<Weighting>(own, "Weighting"), makeStrategy<CoarseSpace>(own, "Coarse Space"),
+          [own] { return makeStrategy<LocalSolver>(own, "Coarse Solver"); }, own.get<int>("Coarse Copies")) {}
 
 NeumannNeumann::NeumannNeumann(std::unique_ptr<Weighting> weighting, std::unique_ptr<CoarseSpace> coarseSpace,
                                std::function<std::unique_ptr<LocalSolver>()> coarseSolver, int copies)

@@ -2,6 +2,8 @@
 #include <suture/base/Registry.hpp>
 #include <suture/interface/InterfaceOperator.hpp>
 
+#include <string>
+
 namespace suture {
 
 /// Symmetric positive definite approximation of the inverse of an InterfaceOperator, as a Tpetra operator that any Krylov method can be
@@ -30,6 +32,8 @@ class Preconditioner : public Operator {
   double setupSeconds() const { return setupSeconds_; }
   /// Dimension of the coarse problem, 0 without one.
   virtual int coarseSize() const { return 0; }
+  /// What the user should know of choices that the preconditioner made by itself, or nothing. Collective.
+  virtual std::string remark() const { return std::string(); }
 
  protected:
   virtual void doInitialize() {}

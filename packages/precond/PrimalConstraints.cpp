@@ -1,3 +1,4 @@
+#include <suture/precond/EdgeSides.hpp>
 #include <suture/precond/PrimalConstraints.hpp>
 
 #include <map>
@@ -18,16 +19,7 @@ struct Row {
 }  // namespace
 
 std::vector<PrimalConstraints> primalConstraints(const InterfaceSpace& space, const std::vector<Matrix>& edgeRows) {
-  std::map<int, int> localOf;  // id -> local problem of this rank
-  for (int i = 0; i < space.locals(); ++i) localOf[space.localId(i)] = i;
   std::vector<std::vector<Row>> rows(space.locals());
-  // Where an edge's unknowns stand in the trace of either side; unknowns of edges only.
-  struct Position {
-    int row;
-    double coefficient;  // the trace is this times the unknown
-  };
-  std::vector<std::map<int, Position>> positions(space.locals());
-
   for (int i = 0; i < space.locals(); ++i) {
     const std::vector<int>& places = space.coupling(i).columns();
     for (std::size_t k = 0; k < places.size(); ++k) {
@@ -38,34 +30,22 @@ std::vector<PrimalConstraints> primalConstraints(const InterfaceSpace& space, co
         continue;
       }
       const int first = by ? by->others[0] : places[k];
-      const double coefficient = by ? by->coefficients[0] : 1.0;
-      if (count > 1 || space.isCorner(first)) {
-        Row row{{{static_cast<int>(k), 1.0}}, {}};
-        for (std::size_t t = 0; t < count; ++t)
-          row.terms.push_back({cornerKey(space, by ? by->others[t] : first), by ? by->coefficients[t] : 1.0});
-        rows[i].push_back(std::move(row));
-      } else {
-        positions[i][first] = {static_cast<int>(k), coefficient};
-      }
+      if (count == 1 && !space.isCorner(first)) continue;
+      Row row{{{static_cast<int>(k), 1.0}}, {}};
+      for (std::size_t t = 0; t < count; ++t)
+        row.terms.push_back({cornerKey(space, by ? by->others[t] : first), by ? by->coefficients[t] : 1.0});
+      rows[i].push_back(std::move(row));
     }
   }
 
-  for (std::size_t e = 0; e < edgeRows.size(); ++e) {
-    const InterfaceEdge& edge = space.edges()[e];
-    for (const int id : edge.locals) {
-      const auto here = localOf.find(id);
-      if (here == localOf.end()) continue;
-      for (int r = 0; r < edgeRows[e].rows(); ++r) {
-        Row row;
-        for (std::size_t k = 0; k < edge.unknowns.size(); ++k) {
-          const Position& at = positions[here->second].at(edge.unknowns[k]);
-          row.entries[at.row] = edgeRows[e](r, static_cast<int>(k)) / at.coefficient;
-        }
-        row.terms = {{edgeKey(space, edge.unknowns[r]), 1.0}};
-        rows[here->second].push_back(std::move(row));
-      }
+  for (const EdgeSide& side : edgeSides(space))
+    for (int r = 0; r < edgeRows[side.edge].rows(); ++r) {
+      Row row;
+      for (std::size_t k = 0; k < side.rows.size(); ++k)
+        row.entries[side.rows[k]] = edgeRows[side.edge](r, static_cast<int>(k)) / side.coefficients(static_cast<int>(k));
+      row.terms = {{edgeKey(space, space.edges()[side.edge].unknowns[r]), 1.0}};
+      rows[side.local].push_back(std::move(row));
     }
-  }
 
   std::vector<PrimalConstraints> all(space.locals());
   for (int i = 0; i < space.locals(); ++i) {

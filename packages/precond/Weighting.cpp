@@ -1,4 +1,5 @@
 #include <suture/base/Collective.hpp>
+#include <suture/precond/DeluxeWeighting.hpp>
 #include <suture/precond/Weighting.hpp>
 
 #include <Tpetra_Map.hpp>
@@ -46,6 +47,8 @@ void addWeighting(Registry<Weighting>& registry, const char* name, const char* d
 }  // namespace
 
 void registerBuiltIns(Registry<Weighting>& registry) {
+  addWeighting<DeluxeWeighting>(registry, "Deluxe",
+                                "By the Schur complements on each edge, dense; elsewhere by the diagonal of the stiffness.");
   addWeighting<MultiplicityWeighting>(registry, "Multiplicity", "One over the number of subdomains that meet; not robust for jumps.");
   addWeighting<YoungWeighting>(registry, "Young", "By Young's modulus, as in the paper; robust for jumps aligned with subdomains.");
   addWeighting<StiffnessDiagonalWeighting>(registry, "Stiffness Diagonal",

@@ -10,7 +10,7 @@ namespace suture {
 /// Partition of unity on the interface: how the local problems that meet at an unknown share it, D_i of eq. (22)-(25).
 ///
 /// Invariant, tested for every implementation:  sum_i R_i^T D_i R_i = I.
-/// Strategies: Multiplicity, Young, Stiffness Diagonal; a user adds his own through Registry<Weighting>.
+/// Strategies: Multiplicity, Young, Stiffness Diagonal, Deluxe; a user adds his own through Registry<Weighting>.
 class Weighting {
  public:
   static const char* kind() { return "weighting"; }

@@ -61,7 +61,8 @@ void ActiveSet::doSolve(Run& run) const {
     state.trace = Teuchos::rcp(new MultiVector(*run.result.state.trace, Teuchos::Copy));
     if (!stays && visited.returnsTo(state.status)) {
       if (inner <= final) {
-        run.result.failure = "the set of closed pairs repeats itself at the final tolerance; pairs that alternate: " + listOf(visited.alternating());
+        run.result.failure =
+            "the set of closed pairs repeats itself at the final tolerance; pairs that alternate: " + listOf(visited.alternating());
         return;
       }
       inner = std::max(kTighten * inner, final);

@@ -69,6 +69,7 @@ OuterResult OuterSolver::solve(const InterfaceProblem& problem, const OuterSetti
   run.preconditioner->initialize(start.matrix->space());
   run.preconditioner->compute(start.matrix);
   result.coarseSize = run.preconditioner->coarseSize();
+  if (const std::string remark = run.preconditioner->remark(); !remark.empty()) monitor.note(remark);
   run.reference = preconditionedNorm(*run.preconditioner, *start.load);
   run.referenceEuclidean = euclidean(*start.load);
 

@@ -18,9 +18,10 @@ bool solvesFormulation(const std::string& method, const std::string& formulation
 }
 
 void addSolverParameters(Schema& scene) {
-  scene.oneOf("Formulation", kContactOnTheInterface, {kContactOnTheInterface, kCondensedGroups},
-              "Contact On The Interface: closed pairs identify unknowns of the interface; any partition, any length of contact line. Condensed "
-              "Groups (the paper): contact is hidden inside groups of subdomains, each whole on one rank.");
+  scene.oneOf(
+      "Formulation", kContactOnTheInterface, {kContactOnTheInterface, kCondensedGroups},
+      "Contact On The Interface: closed pairs identify unknowns of the interface; any partition, any length of contact line. Condensed "
+      "Groups (the paper): contact is hidden inside groups of subdomains, each whole on one rank.");
 
   auto methods = Registry<OuterSolver>::instance().schemas();
   methods.emplace(kMonolithic,

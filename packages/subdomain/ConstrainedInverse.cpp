@@ -54,8 +54,8 @@ ConstrainedInverse::ConstrainedInverse(Matrix schur, const Matrix& constraints, 
       }
     if (support.empty() || std::sqrt(square) < 1e-10 * constraints.row(row).norm())
       throw NumericalError(what + ": a primal constraint follows from the others");
-    const int pivot = *std::max_element(support.begin(), support.end(),
-                                        [&](int a, int b) { return std::abs(rows(row, a)) < std::abs(rows(row, b)); });
+    const int pivot =
+        *std::max_element(support.begin(), support.end(), [&](int a, int b) { return std::abs(rows(row, a)) < std::abs(rows(row, b)); });
     primal.push_back(pivot);
     if (support.size() > 1) {
       Reflection reflection{support, Vector(static_cast<int>(support.size()))};

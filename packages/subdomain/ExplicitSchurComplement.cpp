@@ -3,7 +3,9 @@
 
 namespace suture {
 
-Schema ExplicitSchurComplement::schema() { return Schema("A dense matrix, from one sparse factorisation with the interface last (CHOLMOD)."); }
+Schema ExplicitSchurComplement::schema() {
+  return Schema("A dense matrix, from one sparse factorisation with the interface last (CHOLMOD).");
+}
 
 void ExplicitSchurComplement::doCompute(const SchurData& data) {
   boundary_ = data.boundary;

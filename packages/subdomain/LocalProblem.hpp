@@ -13,7 +13,8 @@ namespace suture {
 class LocalInverse {
  public:
   virtual ~LocalInverse() = default;
-  /// trace <- S^+ flux: without constraints S S^+ f = f for a flux orthogonal to the kernel. Positive definite or semidefinite for any flux.
+  /// trace <- S^+ flux: without constraints S S^+ f = f for a flux orthogonal to the kernel. Positive definite or semidefinite for any
+  /// flux.
   virtual void apply(ConstLocalView flux, LocalView trace) const = 0;
   /// With constraints: the traces Phi of least energy with C Phi = I, size() x rows, and their energies Phi^T S Phi. Empty without.
   virtual const Matrix& basis() const { return none_; }

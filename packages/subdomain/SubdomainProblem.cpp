@@ -1,3 +1,4 @@
+#include <suture/base/Dense.hpp>
 #include <suture/subdomain/SubdomainProblem.hpp>
 
 namespace suture {
@@ -54,6 +55,11 @@ SubdomainProblem::SubdomainProblem(int id, const Subdomain& subdomain, const std
 Matrix SubdomainProblem::schur() const {
   const Matrix* dense = schur_->dense();
   return dense ? *dense : LocalProblem::schur();
+}
+
+Matrix SubdomainProblem::schurBlock(const std::vector<int>& positions) const {
+  const Matrix* dense = schur_->dense();
+  return dense ? pick(*dense, positions, positions) : LocalProblem::schurBlock(positions);
 }
 
 std::unique_ptr<LocalInverse> SubdomainProblem::inverse() const {

@@ -24,6 +24,7 @@ class SubdomainProblem : public LocalProblem {
   using LocalProblem::inverse;
   std::unique_ptr<LocalInverse> inverse() const override;
   Matrix schur() const override;
+  Matrix schurBlock(const std::vector<int>& positions) const override;
 
   const Subdomain& subdomain() const { return subdomain_; }
   /// Free unknowns of the subdomain for a trace.

@@ -1,0 +1,104 @@
+#include <suture/base/Buffer.hpp>
+#include <suture/base/Collective.hpp>
+#include <suture/precond/EdgeSides.hpp>
+
+#include <Teuchos_Comm.hpp>
+#include <Tpetra_Map.hpp>
+
+#include <algorithm>
+#include <map>
+
+namespace suture {
+
+namespace {
+
+using GO = Map::global_ordinal_type;
+
+/// Rank of each local problem that edges of this rank name.
+std::map<int, int> ranksOfNeighbours(const InterfaceSpace& space) {
+  std::vector<GO> mine, wanted;
+  for (int i = 0; i < space.locals(); ++i) mine.push_back(space.localId(i));
+  for (const InterfaceEdge& edge : space.edges()) wanted.insert(wanted.end(), edge.locals.begin(), edge.locals.end());
+  std::sort(wanted.begin(), wanted.end());
+  wanted.erase(std::unique(wanted.begin(), wanted.end()), wanted.end());
+  const Map owners(Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid(), Teuchos::ArrayView<const GO>(mine.data(), mine.size()), 0,
+                   space.comm());
+  std::vector<int> ranks(wanted.size());
+  owners.getRemoteIndexList(Teuchos::ArrayView<const GO>(wanted.data(), wanted.size()),
+                            Teuchos::ArrayView<int>(ranks.data(), ranks.size()));
+  std::map<int, int> all;
+  for (std::size_t k = 0; k < wanted.size(); ++k) all[static_cast<int>(wanted[k])] = ranks[k];
+  return all;
+}
+
+}  // namespace
+
+std::vector<EdgeSide> edgeSides(const InterfaceSpace& space) {
+  std::map<int, int> localOf;
+  for (int i = 0; i < space.locals(); ++i) localOf[space.localId(i)] = i;
+  struct Position {
+    int row;
+    double coefficient;
+  };
+  std::vector<std::map<int, Position>> positions(space.locals());
+  for (int i = 0; i < space.locals(); ++i) {
+    const std::vector<int>& places = space.coupling(i).columns();
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      const InterfaceRelation* by = space.relation(places[k]);
+      if (by && by->others.size() != 1) continue;
+      positions[i][by ? by->others[0] : places[k]] = {static_cast<int>(k), by ? by->coefficients[0] : 1.0};
+    }
+  }
+  std::vector<EdgeSide> sides;
+  for (std::size_t e = 0; e < space.edges().size(); ++e)
+    for (int side = 0; side < 2; ++side) {
+      const auto here = localOf.find(space.edges()[e].locals[side]);
+      if (here == localOf.end()) continue;
+      EdgeSide own{static_cast<int>(e), side, here->second, {}, Vector(static_cast<int>(space.edges()[e].unknowns.size()))};
+      for (const int place : space.edges()[e].unknowns) {
+        const Position& at = positions[here->second].at(place);
+        own.coefficients(static_cast<int>(own.rows.size())) = at.coefficient;
+        own.rows.push_back(at.row);
+      }
+      sides.push_back(std::move(own));
+    }
+  return sides;
+}
+
+std::vector<std::array<Matrix, 2>> exchangeEdges(const InterfaceSpace& space, const std::vector<EdgeSide>& sides,
+                                                 const std::function<Matrix(const EdgeSide&)>& own) {
+  const std::map<int, int> rankOf = ranksOfNeighbours(space);
+  const int here = space.comm()->getRank();
+  std::vector<std::array<Matrix, 2>> all(space.edges().size());
+  // Neighbours go through the edges that they share in the same order: by the number of their first unknown.
+  const auto number = [&](int edge) { return space.id(space.edges()[edge].unknowns.front()); };
+  std::vector<const EdgeSide*> order;
+  for (const EdgeSide& side : sides) order.push_back(&side);
+  std::sort(order.begin(), order.end(), [&](const EdgeSide* a, const EdgeSide* b) { return number(a->edge) < number(b->edge); });
+  std::map<int, Packer> packers;
+  std::map<int, std::vector<const EdgeSide*>> expected;
+  collectively(*space.comm(), "the two sides of the edges", [&] {
+    for (const EdgeSide* side : order) {
+      Matrix& matrix = all[side->edge][side->side];
+      matrix = own(*side);
+      const int other = rankOf.at(space.edges()[side->edge].locals[1 - side->side]);
+      if (other == here) continue;
+      packers[other].put(static_cast<int>(matrix.cols()));
+      packers[other].put(std::vector<double>(matrix.data(), matrix.data() + matrix.size()));
+      expected[other].push_back(side);
+    }
+  });
+  std::map<int, std::string> messages;
+  for (const auto& [rank, packer] : packers) messages[rank] = packer.bytes();
+  for (auto& [rank, bytes] : suture::exchange(*space.comm(), messages)) {
+    Unpacker unpacker(bytes);
+    for (const EdgeSide* side : expected[rank]) {
+      const int columns = unpacker.get<int>();
+      const auto values = unpacker.get<std::vector<double>>();
+      all[side->edge][1 - side->side] = Eigen::Map<const Matrix>(values.data(), static_cast<Eigen::Index>(side->rows.size()), columns);
+    }
+  }
+  return all;
+}
+
+}  // namespace suture
