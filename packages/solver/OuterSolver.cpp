@@ -69,6 +69,7 @@ OuterResult OuterSolver::solve(const InterfaceProblem& problem, const OuterSetti
   run.preconditioner->initialize(start.matrix->space());
   run.preconditioner->compute(start.matrix);
   result.coarseSize = run.preconditioner->coarseSize();
+  result.setupSeconds = run.preconditioner->setupSeconds();
   run.reference = preconditionedNorm(*run.preconditioner, *start.load);
   run.referenceEuclidean = euclidean(*start.load);
 
