@@ -56,8 +56,10 @@ volatile std::sig_atomic_t stopAsked = 0;
 
 void listenForStop(RunMonitor& monitor) {
   std::signal(SIGUSR1, [](int) { stopAsked = 1; });
-  monitor.stopWhen([] { return stopAsked != 0; });
+  monitor.stopWhen(stopWasAsked);
 }
+
+bool stopWasAsked() { return stopAsked != 0; }
 
 void printSizes(const Comm& comm, const SceneFile& file, const ProblemSize& size, const SolveOptions& options) {
   std::ostream* console = consoleOf(comm, options.quiet && !options.check);

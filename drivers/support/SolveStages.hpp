@@ -37,6 +37,9 @@ std::unique_ptr<InterfaceState> startStage(const Comm& comm, const SolveOptions&
 /// SIGUSR1 (mpirun forwards it) ends the run after the outer iteration in hand, with a checkpoint and exit code 75.
 void listenForStop(RunMonitor& monitor);
 
+/// Whether that signal came, on this rank.
+bool stopWasAsked();
+
 /// The header of the console; for --check more, and also with --quiet: its sizes are what was asked for.
 void printSizes(const Comm& comm, const SceneFile& file, const ProblemSize& size, const SolveOptions& options);
 
