@@ -19,7 +19,7 @@ foreach(program suture_solve suture_study suture_schema)
   endif()
 endforeach()
 if(EXISTS ${CMAKE_SOURCE_DIR}/drivers/plot/suture_plot)
-  install(PROGRAMS ${CMAKE_SOURCE_DIR}/drivers/plot/suture_plot DESTINATION ${CMAKE_INSTALL_BINDIR})
+  install(PROGRAMS ${CMAKE_SOURCE_DIR}/drivers/plot/suture_plot ${CMAKE_SOURCE_DIR}/drivers/plot/suture_study_plot DESTINATION ${CMAKE_INSTALL_BINDIR})
 endif()
 install(FILES ${CMAKE_SOURCE_DIR}/LICENSE ${CMAKE_SOURCE_DIR}/README.md ${CMAKE_SOURCE_DIR}/CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 

@@ -1,18 +1,16 @@
 // Solves a scene: elastic bodies in unilateral contact, by domain decomposition. One statement a stage, in the order of the packages.
+// The program's main is in support/SolveMain.cpp: suture_study runs this function, too.
 #include <Teuchos_ParameterList.hpp>
 
 #include "support/Program.hpp"
 #include "support/SolveStages.hpp"
 
-using namespace suture;
+namespace suture {
 
-namespace {
-
-ExitCode solve(const CommPtr& comm, const SolveOptions& options) {
+RunResult solveScene(const CommPtr& comm, const SolveOptions& options) {
   Timers timers;
   RunMonitor monitor(consoleOf(*comm, options.quiet), options.verbose, options.strict);
   listenForStop(monitor);
-  loadPlugins(options.plugins);
   const SceneFile file = timed(timers, "read", [&] { return readScene(*comm, options.scene, sceneSchema(), options.overrides); });
   if (options.printDefaults) return printDefaults(*comm, file);
   const Parameters& scene = *file.parameters;
@@ -31,7 +29,7 @@ ExitCode solve(const CommPtr& comm, const SolveOptions& options) {
   const auto problem = timed(timers, "factor", [&] { return problemStage(comm, partition, subdomains, scene); });
   const ProblemSize size = problemSize(*comm, mesh, constraints, partition, problem.get());
   printSizes(*comm, file, size, options);
-  if (options.check) return ExitCode::Done;
+  if (options.check) return {};
   const std::string hash = onRoot(*comm, "hashing the mesh", [&] { return mesh.hash(); });
   const auto start = startStage(*comm, options, problem.get(), hash, meshes, subdomains);
   const Solution solution = timed(timers, "solve", [&] {
@@ -43,10 +41,4 @@ ExitCode solve(const CommPtr& comm, const SolveOptions& options) {
                      options);
 }
 
-}  // namespace
-
-int main(int argc, char* argv[]) {
-  SolveOptions options;
-  if (const auto end = options.parse(argc, argv)) return *end;
-  return runProgram("suture_solve", options.scene, [&](const CommPtr& comm) { return solve(comm, options); });
-}
+}  // namespace suture

@@ -2,7 +2,7 @@
 
 #include <mpi.h>
 
-#include <Teuchos_Comm.hpp>
+#include <Teuchos_DefaultMpiComm.hpp>
 #include <Tpetra_Core.hpp>
 #include <chrono>
 #include <cstdio>
@@ -34,28 +34,6 @@ void print(const std::string& message) {
   print(message);
   MPI_Abort(MPI_COMM_WORLD, int(ExitCode::Internal));
   std::_Exit(int(ExitCode::Internal));
-}
-
-// The worst code of all ranks; the message of the first rank that has one is printed. `comm` is ours alone, so that no message of the
-// work that was left behind can meet one of these.
-int settle(MPI_Comm comm, int code, const std::string& message) {
-  int worst = 0, done = 0;
-  MPI_Request request;
-  MPI_Iallreduce(&code, &worst, 1, MPI_INT, MPI_MAX, comm, &request);
-  const double begin = MPI_Wtime();
-  // A rank that has succeeded waits as long as it takes: the one it waits for comes, or aborts.
-  for (MPI_Test(&request, &done, MPI_STATUS_IGNORE); !done; MPI_Test(&request, &done, MPI_STATUS_IGNORE)) {
-    if (!message.empty() && MPI_Wtime() - begin > patience)
-      abortAll(message + "  This rank failed alone, the others still wait for it: aborting.\n");
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  }
-  int rank, ranks, first;
-  MPI_Comm_rank(comm, &rank);
-  MPI_Comm_size(comm, &ranks);
-  const int speaks = message.empty() ? ranks : rank;
-  MPI_Allreduce(&speaks, &first, 1, MPI_INT, MPI_MIN, comm);
-  if (rank == first) print(message);
-  return worst;
 }
 
 std::string plural(std::size_t n, const std::string& noun) { return std::to_string(n) + " " + noun + (n == 1 ? "" : "s"); }
@@ -96,6 +74,44 @@ Explanation explain(const std::string& name, const std::string& subject, const s
                                   "  This is a bug of Suture: please report it with the scene.\n"};
 }
 
+struct MeetingPoint::Impl {
+  MPI_Comm comm;
+};
+
+MeetingPoint::MeetingPoint(const Comm& comm) : impl_(std::make_unique<Impl>()) {
+  const auto* mpi = dynamic_cast<const Teuchos::MpiComm<int>*>(&comm);
+  MPI_Comm_dup(mpi ? (*mpi->getRawMpiComm())() : MPI_COMM_SELF, &impl_->comm);
+}
+
+MeetingPoint::~MeetingPoint() { MPI_Comm_free(&impl_->comm); }
+
+Explanation MeetingPoint::settle(const Explanation& mine) const {
+  const int code = int(mine.code);
+  int worst = 0, done = 0;
+  MPI_Request request;
+  MPI_Iallreduce(&code, &worst, 1, MPI_INT, MPI_MAX, impl_->comm, &request);
+  const double begin = MPI_Wtime();
+  // A rank that has succeeded waits as long as it takes: the one it waits for comes, or aborts.
+  for (MPI_Test(&request, &done, MPI_STATUS_IGNORE); !done; MPI_Test(&request, &done, MPI_STATUS_IGNORE)) {
+    if (!mine.message.empty() && MPI_Wtime() - begin > patience)
+      abortAll(mine.message + "  This rank failed alone, the others still wait for it: aborting.\n");
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  int rank, ranks, first;
+  MPI_Comm_rank(impl_->comm, &rank);
+  MPI_Comm_size(impl_->comm, &ranks);
+  const int speaks = mine.message.empty() ? ranks : rank;
+  MPI_Allreduce(&speaks, &first, 1, MPI_INT, MPI_MIN, impl_->comm);
+  std::string message = rank == first ? mine.message : "";
+  if (first < ranks) {
+    int length = int(message.size());
+    MPI_Bcast(&length, 1, MPI_INT, first, impl_->comm);
+    message.resize(std::size_t(length));
+    MPI_Bcast(message.data(), length, MPI_CHAR, first, impl_->comm);
+  }
+  return {ExitCode(worst), message};
+}
+
 int runProgram(const std::string& name, const std::string& subject, const std::function<ExitCode(const CommPtr& comm)>& work) {
   oneThreadARank();
   // Kokkos would look for options of its own in ours.
@@ -104,8 +120,7 @@ int runProgram(const std::string& name, const std::string& subject, const std::f
   char* arguments[] = {program.data(), nullptr};
   char** argv = arguments;
   const Tpetra::ScopeGuard scope(&argc, &argv);
-  MPI_Comm own;
-  MPI_Comm_dup(MPI_COMM_WORLD, &own);
+  const MeetingPoint meeting(*Tpetra::getDefaultComm());
   std::set_terminate([] { abortAll("suture: terminated by an exception that nobody caught\n"); });
 
   Explanation end{ExitCode::Done, ""};
@@ -116,9 +131,9 @@ int runProgram(const std::string& name, const std::string& subject, const std::f
   } catch (...) {
     end = {ExitCode::Internal, name + ": internal error: an exception of unknown type\n"};
   }
-  const int code = settle(own, int(end.code), end.message);
-  MPI_Comm_free(&own);
-  return code;
+  end = meeting.settle(end);
+  if (!end.message.empty() && Tpetra::getDefaultComm()->getRank() == 0) print(end.message);
+  return int(end.code);
 }
 
 bool isFirstProcess() {

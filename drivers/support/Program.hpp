@@ -5,6 +5,7 @@
 #include <exception>
 #include <functional>
 #include <iosfwd>
+#include <memory>
 #include <string>
 
 namespace suture {
@@ -22,6 +23,24 @@ struct Explanation {
   std::string message;
 };
 Explanation explain(const std::string& name, const std::string& subject, const std::exception& error);
+
+/// Where all ranks meet after a piece of work that may have thrown: on a communicator of its own, so that no message of work that was left
+/// behind can meet one of these. Construction and destruction are collective.
+class MeetingPoint {
+ public:
+  explicit MeetingPoint(const Comm& comm);
+  ~MeetingPoint();
+  MeetingPoint(const MeetingPoint&) = delete;
+  MeetingPoint& operator=(const MeetingPoint&) = delete;
+
+  /// The worst exit code of all ranks, and on all ranks the message of the first one that has one. A rank with a message waits ten seconds
+  /// for the others, then prints it and aborts: they wait for it in the work. Collective.
+  Explanation settle(const Explanation& mine) const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
 
 /// Whether this process is the first of its mpirun, also before MPI begins: a help text is printed once.
 bool isFirstProcess();

@@ -14,9 +14,9 @@
 
 namespace suture {
 
-ExitCode printDefaults(const Comm& comm, const SceneFile& file) {
+RunResult printDefaults(const Comm& comm, const SceneFile& file) {
   if (std::ostream* out = consoleOf(comm, false)) *out << toXml(*file.parameters) << std::flush;
-  return ExitCode::Done;
+  return {};
 }
 
 Mesh meshStage(const Comm& comm, const SceneFile& file) {
@@ -56,8 +56,10 @@ volatile std::sig_atomic_t stopAsked = 0;
 
 void listenForStop(RunMonitor& monitor) {
   std::signal(SIGUSR1, [](int) { stopAsked = 1; });
-  monitor.stopWhen([] { return stopAsked != 0; });
+  monitor.stopWhen(stopWasAsked);
 }
+
+bool stopWasAsked() { return stopAsked != 0; }
 
 void printSizes(const Comm& comm, const SceneFile& file, const ProblemSize& size, const SolveOptions& options) {
   std::ostream* console = consoleOf(comm, options.quiet && !options.check);
@@ -66,16 +68,16 @@ void printSizes(const Comm& comm, const SceneFile& file, const ProblemSize& size
   if (options.check) *console << "   nothing wrong was found; nothing was solved (--check)" << std::endl;
 }
 
-ExitCode reportStage(const Run& run, const SolveOptions& options) {
+RunResult reportStage(const Run& run, const SolveOptions& options) {
   const ExitCode code = run.solution.converged ? ExitCode::Done : run.solution.stopped ? ExitCode::Stopped : ExitCode::Numerical;
-  writeReport(run, code);
+  const std::string summary = writeReport(run, code);
   if (code != ExitCode::Done)
     writeCheckpoint(run.comm, (std::filesystem::path(run.folder) / "checkpoint.h5").string(), run.meshHash, run.subdomains, run.solution);
   printFooter(consoleOf(run.comm, options.quiet), run);
   // With --quiet the exit code would be all that tells.
   if (code != ExitCode::Done && options.quiet && run.comm.getRank() == 0)
     std::cerr << "suture_solve: not converged: " << run.solution.failure << std::endl;
-  return code;
+  return {code, run.solution.failure, summary};
 }
 
 }  // namespace suture

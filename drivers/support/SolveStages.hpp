@@ -7,14 +7,14 @@
 #include <suture/report/SceneSchema.hpp>
 #include <suture/solver/SolveScene.hpp>
 
-#include "Plugins.hpp"
 #include "SolveOptions.hpp"
+#include "SolveScene.hpp"
 #include "Stages.hpp"
 
 namespace suture {
 
 /// --print-defaults: the resolved scene as XML on standard output.
-ExitCode printDefaults(const Comm& comm, const SceneFile& file);
+RunResult printDefaults(const Comm& comm, const SceneFile& file);
 
 /// The mesh with its bodies, on rank 0. \throws InputError  Collective.
 Mesh meshStage(const Comm& comm, const SceneFile& file);
@@ -37,10 +37,13 @@ std::unique_ptr<InterfaceState> startStage(const Comm& comm, const SolveOptions&
 /// SIGUSR1 (mpirun forwards it) ends the run after the outer iteration in hand, with a checkpoint and exit code 75.
 void listenForStop(RunMonitor& monitor);
 
+/// Whether that signal came, on this rank.
+bool stopWasAsked();
+
 /// The header of the console; for --check more, and also with --quiet: its sizes are what was asked for.
 void printSizes(const Comm& comm, const SceneFile& file, const ProblemSize& size, const SolveOptions& options);
 
-/// Files and the last lines of the console; the exit code of the run. Collective.
-ExitCode reportStage(const Run& run, const SolveOptions& options);
+/// Files and the last lines of the console; how the run ended. Collective.
+RunResult reportStage(const Run& run, const SolveOptions& options);
 
 }  // namespace suture

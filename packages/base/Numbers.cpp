@@ -42,8 +42,13 @@ std::optional<std::vector<std::string>> parseEntries(const std::string& raw) {
   text = trimmed(text.substr(1, text.size() - 2));
   std::vector<std::string> entries;
   if (text.empty()) return entries;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find(',', begin), text.size());
+  int depth = 0;
+  std::size_t begin = 0;
+  for (std::size_t end = 0; end <= text.size(); ++end) {
+    const bool last = end == text.size();
+    if (!last) depth += text[end] == '{' ? 1 : text[end] == '}' ? -1 : 0;
+    if (depth < 0 || (last && depth > 0)) return std::nullopt;
+    if (!last && (text[end] != ',' || depth > 0)) continue;
     entries.push_back(trimmed(text.substr(begin, end - begin)));
     if (entries.back().empty()) return std::nullopt;
     begin = end + 1;

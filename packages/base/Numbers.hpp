@@ -10,7 +10,8 @@ namespace suture {
 std::optional<double> parseReal(const std::string& text);
 std::optional<int> parseInteger(const std::string& text);
 
-/// The entries of "{a, b}", trimmed; a text without braces is one entry, "{}" is none. Nothing when a brace or an entry is missing.
+/// The entries of "{a, b}", trimmed; a text without braces is one entry, "{}" is none. An entry may have braces of its own, which stay:
+/// "{{1, 2}, {3, 4}}" has two. Nothing when a brace or an entry is missing.
 std::optional<std::vector<std::string>> parseEntries(const std::string& text);
 
 /// The shortest text that reads back as exactly this number: "0.1", "1e-08".

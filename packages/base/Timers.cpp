@@ -1,5 +1,6 @@
 #include "Timers.hpp"
 
+#include <malloc.h>
 #include <sys/resource.h>
 
 #include <Teuchos_Comm.hpp>
@@ -71,6 +72,13 @@ double peakMemoryMb() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   return static_cast<double>(usage.ru_maxrss) / 1024.0;
+}
+
+bool resetPeakMemory() {
+  malloc_trim(0);  // what is free but kept would count as resident
+  std::ofstream request("/proc/self/clear_refs");
+  request << "5" << std::flush;  // proc(5): resets the peak resident set size
+  return request.good();
 }
 
 }  // namespace suture

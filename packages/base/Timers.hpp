@@ -50,4 +50,7 @@ class Timers {
 /// Resident memory's high water mark of this process [MB of 1024 kB].
 double peakMemoryMb();
 
+/// Lets the high water mark fall to what is resident now, for programs that run several scenes. False where the system does not let it.
+bool resetPeakMemory();
+
 }  // namespace suture

@@ -53,4 +53,14 @@ Memory peakMemory(const Comm& comm) {
   return memory;
 }
 
+ElementsByRank elementsByRank(const Run& run) {
+  GlobalId mine = 0;
+  for (const SubdomainMesh& mesh : run.subdomains) mine += mesh.elements();
+  ElementsByRank elements{0, 0, 0, run.comm.getSize()};
+  Teuchos::reduceAll(run.comm, Teuchos::REDUCE_MIN, mine, Teuchos::outArg(elements.least));
+  Teuchos::reduceAll(run.comm, Teuchos::REDUCE_MAX, mine, Teuchos::outArg(elements.most));
+  Teuchos::reduceAll(run.comm, Teuchos::REDUCE_SUM, mine, Teuchos::outArg(elements.sum));
+  return elements;
+}
+
 }  // namespace suture

@@ -32,4 +32,14 @@ struct Memory {
 /// Collective.
 Memory peakMemory(const Comm& comm);
 
+/// How evenly the elements lie on the ranks.
+struct ElementsByRank {
+  GlobalId least, most, sum;
+  int ranks;
+  /// The largest number over the average; 1 is even.
+  double imbalance() const { return sum > 0 ? double(most) * ranks / double(sum) : 1.0; }
+};
+/// Collective.
+ElementsByRank elementsByRank(const Run& run);
+
 }  // namespace suture

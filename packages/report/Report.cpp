@@ -16,7 +16,7 @@ bool wantsFields(const Parameters& scene) {
 
 }  // namespace
 
-void writeReport(const Run& run, ExitCode code) {
+std::string writeReport(const Run& run, ExitCode code) {
   const std::filesystem::path folder(run.folder);
   const std::string fields = (folder / "fields_0000.vtkhdf").string();
   const std::string contact = (folder / "contact_0000.vtkhdf").string();
@@ -35,7 +35,7 @@ void writeReport(const Run& run, ExitCode code) {
     }
     collectivelyOnRoot(run.comm, "writing history.csv", [&] { writeHistory(run.monitor.rows(), (folder / "history.csv").string()); });
   }
-  writeSummary(run, code, (folder / "summary.json").string());
+  return writeSummary(run, code, (folder / "summary.json").string());
 }
 
 }  // namespace suture

@@ -1,5 +1,6 @@
 #include <Teuchos_Comm.hpp>
 #include <Teuchos_ParameterList.hpp>
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <suture/base/Collective.hpp>
 #include <suture/base/Version.hpp>
@@ -31,12 +32,11 @@ Json auxiliary(const AuxiliaryRow& row) {
           {"contact", row.contact}};
 }
 
-Json outer(const Solution& answer) {
-  return {{"solver", answer.outerSolver},
-          {"iterations", answer.outerIterations},
-          {"pcg_total", answer.pcgTotal},
-          {"residual", answer.residual},
-          {"estimates", answer.estimates}};
+Json outer(const Solution& answer, const std::vector<OuterRow>& rows) {
+  double condition = 0.0;
+  for (const OuterRow& row : rows) condition = std::max(condition, row.condition);
+  return {{"solver", answer.outerSolver}, {"iterations", answer.outerIterations}, {"pcg_total", answer.pcgTotal},
+          {"condition", condition},       {"residual", answer.residual},          {"estimates", answer.estimates}};
 }
 
 Json contact(const Run& run, int dimension) {
@@ -59,11 +59,13 @@ Json contact(const Run& run, int dimension) {
 
 }  // namespace
 
-void writeSummary(const Run& run, ExitCode code, const std::string& path) {
+std::string writeSummary(const Run& run, ExitCode code, const std::string& path) {
   const int dimension = dimensionOf(run);
   const double largest = maxDisplacement(run);
   const std::vector<Timers::Statistics> statistics = run.timers.statistics(run.comm);
   const Memory memory = peakMemory(run.comm);
+  const ElementsByRank elements = elementsByRank(run);
+  std::string text;
 
   collectivelyOnRoot(run.comm, "writing summary.json", [&] {
     const Solution& answer = run.solution;
@@ -87,9 +89,11 @@ void writeSummary(const Run& run, ExitCode code, const std::string& path) {
         {"subdomains", run.size.subdomains},
         {"groups", run.size.groups},
         {"ranks", run.comm.getSize()},
+        {"elements_by_rank", {{"min", elements.least}, {"max", elements.most}, {"imbalance", elements.imbalance()}}},
         {"interface_dofs", run.size.interfaceDofs},
         {"auxiliary", auxiliary(answer.auxiliary)},
-        {"outer", outer(answer)},
+        {"outer", outer(answer, run.monitor.rows())},
+        {"preconditioner", {{"coarse_size", answer.coarseSize}, {"setup_seconds", answer.setupSeconds}}},
         {"contact", contact(run, dimension)},
         {"energy", answer.energy},
         {"max_displacement", largest},
@@ -108,8 +112,10 @@ void writeSummary(const Run& run, ExitCode code, const std::string& path) {
         {"parameters", toJson(parameters)},
     };
     // Text that is not UTF-8 (a title in Latin-1) must not lose the results of a run.
-    writeTextFile(path, summary.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+    text = summary.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    writeTextFile(path, text);
   });
+  return text;
 }
 
 }  // namespace suture

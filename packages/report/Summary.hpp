@@ -3,12 +3,18 @@
 #include <suture/report/Run.hpp>
 
 #include <string>
+#include <vector>
 
 namespace suture {
 
 /// summary.json: the figures of a run under the names of DESIGN.md section 3, quantities in the units of the scene, vectors with as many
 /// components as the scene has dimensions. A number that is not finite is null. Collective; rank 0 writes.
+/// \return on rank 0 what was written, elsewhere nothing
 /// \throws EnvironmentError
-void writeSummary(const Run& run, ExitCode code, const std::string& path);
+std::string writeSummary(const Run& run, ExitCode code, const std::string& path);
+
+/// The names of all numbers and texts in summary.json, as paths with dots ("outer.pcg_total"). A part in angle brackets stands for a name
+/// that the scene gives, or a number of a list ("contact.force.<piece>.<component>"); after "parameters" any path may follow. Local.
+const std::vector<std::string>& summaryPaths();
 
 }  // namespace suture

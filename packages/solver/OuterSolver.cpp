@@ -70,6 +70,7 @@ OuterResult OuterSolver::solve(const InterfaceProblem& problem, const OuterSetti
   run.preconditioner->compute(start.matrix);
   result.coarseSize = run.preconditioner->coarseSize();
   if (const std::string remark = run.preconditioner->remark(); !remark.empty()) monitor.note(remark);
+  result.setupSeconds = run.preconditioner->setupSeconds();
   run.reference = preconditionedNorm(*run.preconditioner, *start.load);
   run.referenceEuclidean = euclidean(*start.load);
 

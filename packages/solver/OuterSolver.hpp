@@ -29,6 +29,7 @@ struct OuterResult {
   double residual = 0.0;
   AuxiliaryRow auxiliary;
   int coarseSize = 0;
+  double setupSeconds = 0.0;  ///< of the preconditioner
   std::map<std::string, double> estimates;
 };
 

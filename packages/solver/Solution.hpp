@@ -37,6 +37,8 @@ struct Solution {
   int pcgTotal = 0;                         ///< of the outer iterations, without the auxiliary ones
   double residual = 0.0;                    ///< at the end, in the stopping norm
   AuxiliaryRow auxiliary;                   ///< all pairs closed, or the linear problem itself
+  int coarseSize = 0;                       ///< dimension of the preconditioner's coarse problem
+  double setupSeconds = 0.0;                ///< that the preconditioner took on this rank before its first use
   double energy = 0.0;                      ///< total potential energy a(u,u)/2 - L(u)
   Point applied{0, 0, 0};                   ///< sum of the loads [force]
   Point reactions{0, 0, 0};                 ///< sum of the forces of the prescribed displacements

@@ -114,6 +114,8 @@ Solution recover(const Comm& comm, const InterfaceProblem& problem, const OuterR
   solution.residual = result.residual;
   solution.auxiliary = result.auxiliary;
   solution.estimates = result.estimates;
+  solution.coarseSize = result.coarseSize;
+  solution.setupSeconds = result.setupSeconds;
   solution.energy = recovered.energy;
   for (std::size_t i = 0; i < subdomains.size(); ++i) solution.displacement.push_back(subdomains[i]->cartesian(recovered.freeValues[i]));
   balance(comm, subdomains, recovered.freeValues, solution);

@@ -24,6 +24,8 @@ TEUCHOS_UNIT_TEST(Numbers, EntriesNeedBothBracesAndNoGaps) {
   TEST_ASSERT((parseEntries("{ a, b c ,d}").value() == std::vector<std::string>{"a", "b c", "d"}));
   TEST_ASSERT((parseEntries("a").value() == std::vector<std::string>{"a"}));
   TEST_ASSERT(parseEntries("{}").value().empty());
+  TEST_ASSERT((parseEntries("{{1, 2}, b={3, {4}},c}").value() == std::vector<std::string>{"{1, 2}", "b={3, {4}}", "c"}));
+  for (const char* bad : {"{{1, 2}", "{{1}, 2}}", "{1}, {2}", "{{1, 2},}"}) TEST_ASSERT(!parseEntries(bad).has_value());
   for (const char* bad : {"", "{a", "a}", "{a,}", "{,a}", "{a,,b}", "{"}) TEST_ASSERT(!parseEntries(bad).has_value());
 }
 

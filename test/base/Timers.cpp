@@ -49,4 +49,14 @@ TEUCHOS_UNIT_TEST(Timers, PeakMemoryGrowsWithWhatIsTouched) {
   TEST_COMPARE(before, >, 1.0);
 }
 
+TEUCHOS_UNIT_TEST(Timers, PeakMemoryFallsWhenItIsReset) {
+  {
+    std::vector<double> block(96 * 1024 * 1024 / sizeof(double), 1.0);
+    TEST_COMPARE(peakMemoryMb(), >, 96.0 * block[block.size() / 2]);
+  }
+  const double before = peakMemoryMb();
+  if (!resetPeakMemory()) return;  // a container may not allow it
+  TEST_COMPARE(peakMemoryMb(), <, before - 64.0);
+}
+
 }  // namespace

@@ -1,9 +1,11 @@
 #include <suture/report/Summary.hpp>
 
 #include <Teuchos_UnitTestHarness.hpp>
+#include <algorithm>
 #include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <suture/report/History.hpp>
 
 #include "SampleRun.hpp"
@@ -59,6 +61,77 @@ TEUCHOS_UNIT_TEST(Summary, HoldsTheKeysOfTheContract) {
       out << "missing: " << key << "\n";
       success = false;
     }
+}
+
+// "outer.pcg_total" of every leaf; the parameters of the scene are one name.
+void leaves(const json& value, const std::string& path, std::vector<std::string>& all) {
+  if (path == "parameters")
+    all.push_back("parameters.<path>");
+  else if (!value.is_structured())
+    all.push_back(path);
+  else
+    for (const auto& [name, inner] : value.items()) leaves(inner, path.empty() ? name : path + "." + name, all);
+}
+
+std::vector<std::string> parts(const std::string& path) {
+  std::vector<std::string> all(1);
+  for (const char c : path) c == '.' ? all.emplace_back() : all.back() += c;
+  return all;
+}
+
+bool fits(const std::string& path, const std::string& pattern) {
+  if (pattern == "versions.<name>") return path.rfind("versions.", 0) == 0;  // of libraries: names with dots
+  const std::vector<std::string> a = parts(path), b = parts(pattern);
+  bool same = a.size() == b.size();
+  for (std::size_t i = 0; same && i < a.size(); ++i) same = b[i].front() == '<' || a[i] == b[i];
+  return same;
+}
+
+TEUCHOS_UNIT_TEST(Summary, ReturnsOnRootWhatItWrote) {
+  sample::SampleRun sample(sample::folderOf("summary"));
+  prepareFolder(*sample.comm_, sample.folder_);
+  const std::string text = writeSummary(sample.run(), ExitCode::Done, sample.folder_ + "/summary.json");
+  if (sample.comm_->getRank() == 0)
+    TEST_ASSERT(json::parse(text) == readJson(sample.folder_ + "/summary.json"))
+  else
+    TEST_ASSERT(text.empty());
+}
+
+TEUCHOS_UNIT_TEST(Summary, NamesEveryPathThatItWritesAndNoOther) {
+  sample::SampleRun sample(sample::folderOf("summary"));
+  sample.solution_.estimates["mu"] = 1.0;
+  prepareFolder(*sample.comm_, sample.folder_);
+  writeSummary(sample.run(), ExitCode::Done, sample.folder_ + "/summary.json");
+  std::vector<std::string> written;
+  leaves(readJson(sample.folder_ + "/summary.json"), "", written);
+  const std::set<std::string> mayBeAbsent{"error.<name>", "notes.<number>"};  // empty in this run
+  for (const std::string& path : written)
+    if (std::none_of(summaryPaths().begin(), summaryPaths().end(), [&](const std::string& p) { return fits(path, p); }) &&
+        path != "error" && path != "notes") {
+      out << "not in summaryPaths(): " << path << "\n";
+      success = false;
+    }
+  for (const std::string& pattern : summaryPaths())
+    if (mayBeAbsent.count(pattern) == 0 &&
+        std::none_of(written.begin(), written.end(), [&](const std::string& path) { return fits(path, pattern); })) {
+      out << "not written: " << pattern << "\n";
+      success = false;
+    }
+}
+
+TEUCHOS_UNIT_TEST(Summary, TellsTheLargestConditionAndHowEvenlyTheElementsLie) {
+  sample::SampleRun sample(sample::folderOf("summary"));
+  sample.solution_.coarseSize = 7;
+  prepareFolder(*sample.comm_, sample.folder_);
+  writeSummary(sample.run(), ExitCode::Done, sample.folder_ + "/summary.json");
+  const json all = readJson(sample.folder_ + "/summary.json");
+  TEST_EQUALITY(all["outer"]["condition"].get<double>(), 24.125);  // of the rows' 24.125 and 24.0
+  TEST_EQUALITY(all["preconditioner"]["coarse_size"].get<int>(), 7);
+  // Subdomains of 18, 18 and 36 triangles go to ranks 0, 1, 2, 0, ...
+  const int ranks = sample.comm_->getSize();
+  const int most = ranks == 1 ? 72 : ranks == 2 ? 54 : 36;
+  TEST_EQUALITY(all["elements_by_rank"]["max"].get<int>(), most);
+  TEST_FLOATING_EQUALITY(all["elements_by_rank"]["imbalance"].get<double>(), most / (72.0 / ranks), 1e-14);
 }
 
 TEUCHOS_UNIT_TEST(Summary, SumsUpContact) {

@@ -1,0 +1,153 @@
+#include "StudyTable.hpp"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <suture/base/Numbers.hpp>
+#include <suture/report/Format.hpp>
+
+namespace suture {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+bool hasFailures(const std::vector<StudyRow>& rows) {
+  return std::any_of(rows.begin(), rows.end(), [](const StudyRow& row) { return !row.failure.empty(); });
+}
+
+// Labels, then cells; each passed through `write`.
+template <typename Write>
+std::vector<std::string> fields(const Study& study, const StudyRow& row, bool failures, const Write& write) {
+  std::vector<std::string> all;
+  for (std::size_t s = 0; s < study.sweeps.size(); ++s) all.push_back(study.sweeps[s].labels[row.run->choice[s]]);
+  for (const StudyCell& cell : row.cells) all.push_back(write(cell));
+  if (failures) all.push_back(row.failure);
+  return all;
+}
+
+std::vector<std::string> header(const Study& study, bool failures) {
+  std::vector<std::string> names;
+  for (const StudySweep& sweep : study.sweeps) names.push_back(sweep.name);
+  for (const StudyColumn& column : study.columns) names.push_back(column.name);
+  if (failures) names.push_back("failure");
+  return names;
+}
+
+std::string joined(const std::vector<std::string>& fields, const std::string& separator) {
+  std::string line;
+  for (std::size_t i = 0; i < fields.size(); ++i) line += (i > 0 ? separator : "") + fields[i];
+  return line;
+}
+
+// RFC 4180.
+std::string quoted(const std::string& field) {
+  if (field.find_first_of(",\"\n") == std::string::npos) return field;
+  std::string text = "\"";
+  for (const char c : field) text += c == '"' ? "\"\"" : std::string(1, c);
+  return text + "\"";
+}
+
+std::string piped(std::string field) {
+  for (std::size_t at = field.find('|'); at != std::string::npos; at = field.find('|', at + 2)) field.insert(at, "\\");
+  return field;
+}
+
+template <typename Escape>
+std::vector<std::string> escaped(std::vector<std::string> fields, const Escape& escape) {
+  for (std::string& field : fields) field = escape(field);
+  return fields;
+}
+
+bool isTime(const std::string& path) {
+  return path == "/seconds" || path.rfind("/phases/", 0) == 0 || path == "/preconditioner/setup_seconds";
+}
+
+// Of an even number of values the lower of the middle two: a time that was measured.
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + (values.size() - 1) / 2;
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+Json withMedians(const std::vector<std::string>& summaries) {
+  std::vector<Json> flat;
+  for (const std::string& text : summaries) flat.push_back(Json::parse(text).flatten());
+  Json first = Json::parse(summaries.front());
+  for (const auto& [path, value] : flat.front().items()) {
+    if (!isTime(path) || !value.is_number()) continue;
+    std::vector<double> values;
+    for (const Json& one : flat)
+      if (one.contains(path) && one[path].is_number()) values.push_back(one[path].get<double>());
+    first[Json::json_pointer(path)] = median(values);
+  }
+  return first;
+}
+
+}  // namespace
+
+StudyRow studyRow(const Study& study, const StudyRun& run, const std::vector<std::string>& summaries, int exitCode,
+                  const std::string& failure) {
+  StudyRow row{&run, {}, {}, exitCode, failure};
+  std::replace(row.failure.begin(), row.failure.end(), '\n', ' ');
+  Json summary = summaries.empty() ? Json::object() : withMedians(summaries);
+  summary["exit_code"] = exitCode;
+  for (const StudyColumn& column : study.columns) row.cells.push_back(column.formula.evaluate(summary));
+  for (const StudyBand& band : study.bands) {
+    // The iterations of a run that did not converge say nothing; that it did not is a figure of its own.
+    const std::vector<std::string> paths = band.formula.paths();
+    const bool counts = exitCode == 0 || paths == std::vector<std::string>{"exit_code"} || paths == std::vector<std::string>{"converged"};
+    row.judged.push_back(counts ? band.formula.evaluate(summary) : StudyCell());
+  }
+  return row;
+}
+
+std::string shown(const StudyCell& cell) {
+  if (cell.kind == StudyCell::Kind::Integer) return grouped(static_cast<long long>(cell.number));
+  if (cell.kind == StudyCell::Kind::Real) return format("%.4g", cell.number);
+  return cell.text;
+}
+
+std::string exact(const StudyCell& cell) {
+  if (cell.kind == StudyCell::Kind::Integer) return std::to_string(static_cast<long long>(cell.number));
+  return cell.kind == StudyCell::Kind::Real ? realText(cell.number) : cell.text;
+}
+
+std::string tableCsv(const Study& study, const std::vector<StudyRow>& rows) {
+  const bool failures = hasFailures(rows);
+  std::string text = joined(escaped(header(study, failures), quoted), ",") + "\n";
+  for (const StudyRow& row : rows) text += joined(escaped(fields(study, row, failures, exact), quoted), ",") + "\n";
+  return text;
+}
+
+std::string tableMarkdown(const Study& study, const std::vector<StudyRow>& rows) {
+  const bool failures = hasFailures(rows);
+  const std::vector<std::string> names = escaped(header(study, failures), piped);
+  std::string text = "| " + joined(names, " | ") + " |\n|";
+  for (std::size_t i = 0; i < names.size(); ++i) text += "---|";
+  text += "\n";
+  for (const StudyRow& row : rows) text += "| " + joined(escaped(fields(study, row, failures, shown), piped), " | ") + " |\n";
+  return text;
+}
+
+std::string tableJson(const Study& study, const std::vector<StudyRow>& rows) {
+  Json all{
+      {"title", study.title}, {"sweeps", Json::array()}, {"columns", Json::array()}, {"rows", Json::array()}, {"plots", Json::array()}};
+  for (const StudySweep& sweep : study.sweeps) all["sweeps"].push_back({{"name", sweep.name}, {"labels", sweep.labels}});
+  for (const StudyColumn& column : study.columns) all["columns"].push_back(column.name);
+  for (const StudyRow& row : rows) {
+    Json labels = Json::array(), cells = Json::array();
+    for (std::size_t s = 0; s < study.sweeps.size(); ++s) labels.push_back(study.sweeps[s].labels[row.run->choice[s]]);
+    for (const StudyCell& cell : row.cells)
+      cells.push_back(cell.isNumber() ? Json(cell.number) : cell.kind == StudyCell::Kind::Text ? Json(cell.text) : Json());
+    all["rows"].push_back({{"labels", labels}, {"cells", cells}, {"exit_code", row.exitCode}, {"failure", row.failure}});
+  }
+  for (const StudyPlot& plot : study.plots)
+    all["plots"].push_back({{"name", plot.name},
+                            {"x", plot.x},
+                            {"y", plot.y},
+                            {"by", plot.by},
+                            {"logarithmic_x", plot.logarithmicX},
+                            {"logarithmic_y", plot.logarithmicY}});
+  return all.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace suture

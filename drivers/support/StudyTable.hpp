@@ -1,0 +1,34 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "StudyRuns.hpp"
+
+namespace suture {
+
+/// What one combination of a study gave.
+struct StudyRow {
+  const StudyRun* run = nullptr;
+  std::vector<StudyCell> cells;   ///< of each column
+  std::vector<StudyCell> judged;  ///< of each band the value of its column; empty for a run that failed
+  int exitCode = 0;
+  std::string failure;  ///< in one line; empty: the run converged
+};
+
+/// The row of a run. \param summaries  texts of summary.json, one a repetition: of times the median is kept, all else is of the first; a
+/// run that ended without one gives a row with exit code and reason only. Local.
+StudyRow studyRow(const Study& study, const StudyRun& run, const std::vector<std::string>& summaries, int exitCode,
+                  const std::string& failure);
+
+/// "9,670", "0.00123", "true": for people. Local.
+std::string shown(const StudyCell& cell);
+/// All digits. Local.
+std::string exact(const StudyCell& cell);
+
+/// The table, labels of the sweeps first; the column `failure` only if a run has failed. Local.
+std::string tableCsv(const Study& study, const std::vector<StudyRow>& rows);
+std::string tableMarkdown(const Study& study, const std::vector<StudyRow>& rows);
+/// The table and the plots for suture_study_plot. Local.
+std::string tableJson(const Study& study, const std::vector<StudyRow>& rows);
+
+}  // namespace suture
