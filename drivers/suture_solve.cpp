@@ -31,7 +31,7 @@ RunResult solveScene(const CommPtr& comm, const SolveOptions& options) {
   printSizes(*comm, file, size, options);
   if (options.check) return {};
   const std::string hash = onRoot(*comm, "hashing the mesh", [&] { return mesh.hash(); });
-  const auto start = startStage(*comm, options, problem.get(), hash, meshes, subdomains);
+  const auto start = startStage(comm, options, problem.get(), hash, meshes, subdomains, scene, monitor);
   const Solution solution = timed(timers, "solve", [&] {
     if (!problem) return solveMonolithicScene(*comm, mesh, constraints, model, meshes, scene, monitor);
     return recover(*comm, *problem, solveInterface(*problem, scene, monitor, start.get()), subdomains, scene);

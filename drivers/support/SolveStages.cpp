@@ -11,6 +11,7 @@
 #include <suture/report/Checkpoint.hpp>
 #include <suture/solver/Solvability.hpp>
 
+#include "NestedLevels.hpp"
 #include "Program.hpp"
 
 namespace suture {
@@ -44,11 +45,11 @@ std::unique_ptr<InterfaceProblem> problemStage(const CommPtr& comm, const Partit
   return isMonolithic(scene) ? nullptr : makeInterfaceProblem(comm, partition, subdomains, scene);
 }
 
-std::unique_ptr<InterfaceState> startStage(const Comm& comm, const SolveOptions& options, const InterfaceProblem* problem,
+std::unique_ptr<InterfaceState> startStage(const CommPtr& comm, const SolveOptions& options, const InterfaceProblem* problem,
                                            const std::string& meshHash, const std::vector<SubdomainMesh>& meshes,
-                                           const Subdomains& subdomains) {
-  if (options.restart.empty()) return nullptr;
-  const Checkpoint checkpoint = readCheckpoint(comm, options.restart, meshHash, meshes);
+                                           const Subdomains& subdomains, const Parameters& scene, Monitor& monitor) {
+  if (options.restart.empty()) return problem ? nestedStartStage(comm, options, scene, *problem, subdomains, monitor) : nullptr;
+  const Checkpoint checkpoint = readCheckpoint(*comm, options.restart, meshHash, meshes);
   if (!problem) return nullptr;  // Monolithic solves the scene at once
   std::vector<Vector> freeValues;
   for (std::size_t i = 0; i < subdomains.size(); ++i) freeValues.push_back(subdomains[i]->freeValues(checkpoint.displacement[i]));

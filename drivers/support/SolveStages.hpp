@@ -29,10 +29,10 @@ void checkStage(const Comm& comm, const Mesh& mesh, const Constraints& constrain
 std::unique_ptr<InterfaceProblem> problemStage(const CommPtr& comm, const Partition& partition, const Subdomains& subdomains,
                                                const Parameters& scene);
 
-/// Where the outer solver begins: the state in the checkpoint of --restart, or null. Collective.
-std::unique_ptr<InterfaceState> startStage(const Comm& comm, const SolveOptions& options, const InterfaceProblem* problem,
+/// Where the outer solver begins: the state in the checkpoint of --restart, that of a nested start, or null. Collective.
+std::unique_ptr<InterfaceState> startStage(const CommPtr& comm, const SolveOptions& options, const InterfaceProblem* problem,
                                            const std::string& meshHash, const std::vector<SubdomainMesh>& meshes,
-                                           const Subdomains& subdomains);
+                                           const Subdomains& subdomains, const Parameters& scene, Monitor& monitor);
 
 /// SIGUSR1 (mpirun forwards it) ends the run after the outer iteration in hand, with a checkpoint and exit code 75.
 void listenForStop(RunMonitor& monitor);

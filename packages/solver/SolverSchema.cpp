@@ -29,6 +29,13 @@ void addSolverParameters(Schema& scene) {
                          "scenes and as a reference."));
   Schema outer("How the contact problem is solved; a scene without contact is linear and enters no outer loop.");
   outer.choice("Type", "Active Set", methods, "Name of the outer solver.");
+  outer.choice("Start", "Bilateral",
+               {{"Bilateral", Schema("The solution with all pairs closed.")},
+                {"Nested", Schema("The solution on coarser meshes, one from the other.")
+                               .texts("Levels", std::nullopt,
+                                      "One text a level, the coarsest first: what differs from this scene, as in --set, separated by "
+                                      "semicolons: \"Mesh/Constants/scale=2; Partition/METIS/Subdomains=12\".")}},
+               "Where the outer solver begins.");
   outer.real("Tolerance", 1e-8, "Of the preconditioned norm of the residual, relative to that of the lifted start.",
              {0.0, 1.0, true, true, {}});
   outer.integer("Maximum Iterations", 50, "Outer iterations at most.", Range::atLeast(0));

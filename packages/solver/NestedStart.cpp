@@ -1,0 +1,138 @@
+#include <suture/base/Buffer.hpp>
+#include <suture/base/Collective.hpp>
+#include <suture/solver/NestedStart.hpp>
+#include <suture/solver/TriangleSearch.hpp>
+
+#include <Teuchos_Comm.hpp>
+
+#include <algorithm>
+#include <map>
+
+namespace suture {
+
+namespace {
+
+struct Query {
+  Point point;
+  int body;
+};
+
+struct Answer {
+  double outside = 1e300;  // how far the point is from the cell, in the cell's size; none found: infinity
+  Point value{0, 0, 0};
+};
+
+/// Closed or open at a place of a line, from the pairs of another mesh along it.
+class LineStatus {
+ public:
+  explicit LineStatus(const std::vector<PairResult>& pairs) {
+    for (const PairResult& pair : pairs) lines_[pair.line].push_back({pair.arc, pair.status});
+    for (auto& [line, entries] : lines_) std::sort(entries.begin(), entries.end());
+  }
+  PairStatus at(int line, double arc) const {
+    const auto found = lines_.find(line);
+    if (found == lines_.end()) return PairStatus::Slip;
+    const auto& entries = found->second;
+    const auto above = std::lower_bound(entries.begin(), entries.end(), std::make_pair(arc, PairStatus::Open));
+    if (above == entries.begin()) return entries.front().second;
+    if (above == entries.end()) return entries.back().second;
+    const auto below = above - 1;
+    return arc - below->first < above->first - arc ? below->second : above->second;
+  }
+
+ private:
+  std::map<int, std::vector<std::pair<double, PairStatus>>> lines_;
+};
+
+std::vector<PairResult> onAllRanks(const Comm& comm, const std::vector<PairResult>& pairs) {
+  std::vector<PairResult> all = pairs;
+  broadcast(comm, all);
+  return all;
+}
+
+}  // namespace
+
+Matrix interpolate(const Comm& comm, const CoarseAnswer& coarse, const std::vector<Point>& points, const std::vector<int>& bodies) {
+  Packer packer;
+  std::vector<Query> mine;
+  for (std::size_t k = 0; k < points.size(); ++k) mine.push_back({points[k], bodies[k]});
+  packer.put(mine);
+  const std::vector<std::string> queries = allGather(comm, packer.bytes());
+
+  // Every rank answers everybody's queries from its own cells.
+  std::map<int, std::string> answers;
+  collectively(comm, "interpolating the coarse solution", [&] {
+    std::vector<TriangleSearch> search;
+    for (std::size_t s = 0; s < coarse.meshes.size(); ++s) search.emplace_back(coarse.meshes[s]);
+    for (std::size_t rank = 0; rank < queries.size(); ++rank) {
+      std::vector<Answer> found;
+      for (const Query& query : Unpacker(queries[rank]).get<std::vector<Query>>()) {
+        Answer best;
+        for (std::size_t s = 0; s < search.size(); ++s) {
+          if (coarse.meshes[s].body != query.body) continue;
+          const TriangleSearch::Place place = search[s].find(query.point);
+          if (place.outside >= best.outside) continue;
+          best.outside = place.outside;
+          best.value = {0, 0, 0};
+          for (int corner = 0; corner < 3; ++corner)
+            for (int k = 0; k < 2; ++k)
+              best.value[k] += place.weights[corner] * coarse.solution.displacement[s](place.nodes[corner] * 2 + k);
+        }
+        found.push_back(best);
+      }
+      Packer reply;
+      reply.put(found);
+      answers[static_cast<int>(rank)] = reply.bytes();
+    }
+  });
+  Matrix values = Matrix::Zero(static_cast<int>(points.size()), 2);
+  std::vector<double> best(points.size(), 1e300);
+  for (const auto& [rank, bytes] : suture::exchange(comm, answers)) {
+    const auto found = Unpacker(bytes).get<std::vector<Answer>>();
+    for (std::size_t k = 0; k < found.size(); ++k)
+      if (found[k].outside < best[k]) {
+        best[k] = found[k].outside;
+        for (int c = 0; c < 2; ++c) values(static_cast<int>(k), c) = found[k].value[c];
+      }
+  }
+  return values;
+}
+
+InterfaceState nestedStart(const Comm& comm, const CoarseAnswer& coarse, const InterfaceProblem& problem, const Subdomains& subdomains) {
+  // The interface lies at nodes that several subdomains hold, and on contact lines; nothing else is asked for.
+  std::vector<Point> points;
+  std::vector<int> bodies;
+  std::vector<std::vector<int>> nodes(subdomains.size());
+  for (std::size_t s = 0; s < subdomains.size(); ++s) {
+    const SubdomainMesh& mesh = subdomains[s]->mesh();
+    std::vector<char> wanted(mesh.nodes(), 0);
+    for (int node = 0; node < mesh.nodes(); ++node) wanted[node] = !mesh.others(node).empty();
+    for (const SubdomainMesh::ContactEnd& end : mesh.contactEnds) wanted[end.node] = 1;
+    for (int node = 0; node < mesh.nodes(); ++node)
+      if (wanted[node]) {
+        nodes[s].push_back(node);
+        points.push_back(mesh.point(node));
+        bodies.push_back(mesh.body);
+      }
+  }
+  const Matrix values = interpolate(comm, coarse, points, bodies);
+  std::vector<Vector> freeValues;
+  int row = 0;
+  for (std::size_t s = 0; s < subdomains.size(); ++s) {
+    const int d = subdomains[s]->components();
+    Vector cartesian = Vector::Zero(subdomains[s]->mesh().nodes() * d);
+    for (const int node : nodes[s]) {
+      for (int k = 0; k < d; ++k) cartesian(node * d + k) = values(row, k);
+      ++row;
+    }
+    freeValues.push_back(subdomains[s]->freeValues(cartesian));
+  }
+
+  const LineStatus lines(onAllRanks(comm, coarse.solution.pairs));
+  std::map<int, PairStatus> status;
+  for (const auto& subdomain : subdomains)
+    for (const ContactRow& contact : subdomain->mesh().contactRows) status[contact.pair.id] = lines.at(contact.pair.line, contact.pair.arc);
+  return problem.stateOf(freeValues, status);
+}
+
+}  // namespace suture
