@@ -8,6 +8,7 @@
 #include <suture/base/Numbers.hpp>
 #include <suture/report/ParametersJson.hpp>
 #include <suture/report/SceneSchema.hpp>
+#include <suture/solver/SolveScene.hpp>
 
 namespace suture {
 namespace {
@@ -118,6 +119,7 @@ void checkRuns(const Comm& comm, const Study& study, const std::vector<StudyRun>
   for (const StudyRun& run : runs) {
     try {
       const SceneFile scene = texts.scene(run);
+      checkCombination(*scene.parameters);
       Problems columns;
       if (&run == &runs.front()) checkParameterColumns(study, *scene.parameters, columns);
       for (const Problem& problem : columns.list()) add(problem, problem.path);
