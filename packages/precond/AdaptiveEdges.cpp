@@ -15,50 +15,53 @@ namespace {
 
 constexpr double kMostOfInterface = 0.5;  // beyond this a direct solver of the interface is meant
 
-/// Three matrices over the edge's unknowns, side by side: S and T of a side, and its weights.
-Matrix sideMatrices(const InterfaceSpace& space, const EdgeSide& side, const LocalProblem& local, const Matrix& schur,
-                    const Weighting& weighting) {
-  const int n = static_cast<int>(side.rows.size());
-  std::vector<char> onEdge(local.size(), 0);
-  for (const int row : side.rows) onEdge[row] = 1;
-  std::vector<int> others;  // free of corners
-  const std::vector<int>& places = space.coupling(side.local).columns();
-  for (int row = 0; row < local.size(); ++row) {
-    const InterfaceRelation* by = space.relation(places[row]);
-    const bool held = by ? by->others.size() != 1 || space.isCorner(by->others[0]) : space.isCorner(places[row]);
-    if (!held && !onEdge[row]) others.push_back(row);
-  }
-  Matrix own = pick(schur, side.rows, side.rows);
-  Matrix reduced = own;
+/// Over the edge's n unknowns and its c corners, side by side: the Schur complement T of a side onto both, and, in the first n rows, the
+/// edge's block of S and its weights.
+Matrix sideMatrices(const EdgeSide& side, const LocalProblem& local, const Matrix& schur, const Weighting& weighting) {
+  const int n = static_cast<int>(side.rows.size()), c = static_cast<int>(side.cornerRows.size());
+  std::vector<int> kept = side.rows;
+  kept.insert(kept.end(), side.cornerRows.begin(), side.cornerRows.end());
+  std::vector<int> sorted = kept;
+  std::sort(sorted.begin(), sorted.end());
+  const std::vector<int> others = complement(local.size(), sorted);
+  Vector coefficients(n + c);
+  coefficients << side.coefficients, side.cornerCoefficients;
+  Matrix reduced = pick(schur, kept, kept);
   if (!others.empty()) {
-    const Matrix across = pick(schur, others, side.rows);
+    const Matrix across = pick(schur, others, kept);
     reduced -= across.transpose() * solvePositive(pick(schur, others, others), across);
   }
   Matrix weights = Matrix::Zero(local.size(), n);
   for (int k = 0; k < n; ++k) weights(side.rows[k], k) = 1.0;
   weighting.apply(side.local, weights);
-  Matrix all(n, 3 * n);
+  Matrix all = Matrix::Zero(n + c, 3 * n + c);
   const auto t = side.coefficients.asDiagonal();
-  all << t * own * t, t * reduced * t, t * rowsAt(weights, side.rows) * t;
+  all.leftCols(n + c) = coefficients.asDiagonal() * reduced * coefficients.asDiagonal();
+  all.block(0, n + c, n, n) = t * pick(schur, side.rows, side.rows) * t;
+  all.block(0, 2 * n + c, n, n) = t * rowsAt(weights, side.rows) * t;
   return all;
 }
 
-/// Rows to demand, orthonormal.
-Matrix chosenRows(const std::array<Matrix, 2>& sides, double threshold) {
-  const int n = static_cast<int>(sides[0].rows());
-  const auto part = [&](int side, int which) { return sides[side].middleCols(which * n, n); };
-  const Matrix jump = part(1, 2).transpose() * part(0, 0) * part(1, 2) + part(0, 2).transpose() * part(1, 0) * part(0, 2);
-  Matrix sum = part(0, 1) + part(1, 1);
-  sum.diagonal().array() += 1e-13 * sum.trace() / n;  // without corners both sides may float
-  const Matrix stored = part(0, 1) * solvePositive(sum, part(1, 1));
+/// Rows to demand of an edge of n unknowns, orthonormal.
+Matrix chosenRows(const std::array<Matrix, 2>& sides, int n, double threshold) {
+  const int all = static_cast<int>(sides[0].rows());
+  const auto stored = [&](int side) { return sides[side].leftCols(all); };
+  const auto block = [&](int side) { return sides[side].block(0, all, n, n); };
+  const auto weights = [&](int side) { return sides[side].block(0, all + n, n, n); };
+  const Matrix jump = weights(1).transpose() * block(0) * weights(1) + weights(0).transpose() * block(1) * weights(0);
+  // Least energy of two traces with a given jump that vanishes at the corners. Rigid motions of both together are free: a shift that
+  // rounding hides makes the sum regular.
+  Matrix sum = stored(0) + stored(1);
+  sum.diagonal() *= 1.0 + 1e-12;
+  Matrix least = (stored(0) * solvePositive(sum, stored(1))).topLeftCorner(n, n);
   Matrix lower;
   if (!choleskyFactor(0.5 * (jump + jump.transpose()), lower)) throw NumericalError("an edge of the interface has no stiffness");
-  // The inverse problem: what the sides store may be singular, the energy of a jump is not.
-  Matrix scaled = 0.5 * (stored + stored.transpose());
-  lower.triangularView<Eigen::Lower>().solveInPlace(scaled);
-  scaled = scaled.transpose().eval();
-  lower.triangularView<Eigen::Lower>().solveInPlace(scaled);
-  const Eigenpairs pairs = symmetricEigenpairs(0.5 * (scaled + scaled.transpose()));
+  // The inverse problem: what is stored may vanish, the energy of a jump does not.
+  least = 0.5 * (least + least.transpose()).eval();
+  lower.triangularView<Eigen::Lower>().solveInPlace(least);
+  least = least.transpose().eval();
+  lower.triangularView<Eigen::Lower>().solveInPlace(least);
+  const Eigenpairs pairs = symmetricEigenpairs(0.5 * (least + least.transpose()));
   int count = 0;
   while (count < n && pairs.values(count) * threshold < 1.0) ++count;
   return orthonormalBasis(lower * pairs.vectors.leftCols(count), 1e-12).transpose();
@@ -77,7 +80,6 @@ std::vector<Matrix> AdaptiveEdges::rows(const InterfaceSpace& space, const Local
   const std::vector<EdgeSide> sides = edgeSides(space);
   int last = -1;
   Matrix schur;  // of the local problem that was asked last: its sides come one after the other
-  std::vector<const EdgeSide*> byLocal;
   std::vector<Matrix> own(sides.size());
   collectively(*space.comm(), "adaptive edge constraints", [&] {
     std::vector<int> order(sides.size());
@@ -86,13 +88,14 @@ std::vector<Matrix> AdaptiveEdges::rows(const InterfaceSpace& space, const Local
     for (const int k : order) {
       if (sides[k].local != last) schur = locals[sides[k].local]->schur();
       last = sides[k].local;
-      own[k] = sideMatrices(space, sides[k], *locals[last], schur, weighting);
+      own[k] = sideMatrices(sides[k], *locals[last], schur, weighting);
     }
   });
   const auto both = exchangeEdges(space, sides, [&](const EdgeSide& side) { return own[&side - sides.data()]; });
   std::vector<Matrix> all;
   collectively(*space.comm(), "adaptive edge constraints", [&] {
-    for (const auto& edge : both) all.push_back(chosenRows(edge, threshold_));
+    for (std::size_t e = 0; e < both.size(); ++e)
+      all.push_back(chosenRows(both[e], static_cast<int>(space.edges()[e].unknowns.size()), threshold_));
   });
 
   // An edge counts where its first side lives.

@@ -6,9 +6,10 @@ namespace suture {
 /// Edge constraints that follow the coefficients (Mandel and Sousedik, 2007; Pechstein and Dohrmann, 2017): on each edge the eigenvectors
 /// of
 ///     (D_2^T S_1 D_2 + D_1^T S_2 D_1) v = value (T_1 : T_2) v,      A : B = A (A + B)^-1 B,
-/// whose value is above the threshold; S_i is the edge's block of a side's Schur complement, T_i its Schur complement onto the edge with
-/// corners held. They are the jumps that averaging makes most expensive compared with what the sides store; without them the condition
-/// stays below a constant times the threshold, whatever the coefficients. Cost: S_i as a matrix, and dense eigenproblems of the edges.
+/// whose value is above the threshold; S_i is the edge's block of a side's Schur complement, T_i its Schur complement onto the edge and
+/// the corners of both, for jumps that vanish at these. They are the jumps that averaging makes most expensive compared with what the sides
+/// store; without them the condition stays below a constant times the threshold, whatever the coefficients. Cost: S_i as a matrix, and
+/// dense eigenproblems of the edges.
 class AdaptiveEdges : public EdgeConstraints {
  public:
   static Schema schema();

@@ -49,17 +49,29 @@ std::vector<EdgeSide> edgeSides(const InterfaceSpace& space) {
       positions[i][by ? by->others[0] : places[k]] = {static_cast<int>(k), by ? by->coefficients[0] : 1.0};
     }
   }
+  std::vector<std::vector<int>> corners(space.locals());
+  for (int i = 0; i < space.locals(); ++i)
+    for (const auto& [place, position] : positions[i])
+      if (space.isCorner(place)) corners[i].push_back(place);
   std::vector<EdgeSide> sides;
   for (std::size_t e = 0; e < space.edges().size(); ++e)
     for (int side = 0; side < 2; ++side) {
       const auto here = localOf.find(space.edges()[e].locals[side]);
       if (here == localOf.end()) continue;
-      EdgeSide own{static_cast<int>(e), side, here->second, {}, Vector(static_cast<int>(space.edges()[e].unknowns.size()))};
+      EdgeSide own{static_cast<int>(e), side, here->second, {}, Vector(static_cast<int>(space.edges()[e].unknowns.size())), {}, {}};
       for (const int place : space.edges()[e].unknowns) {
         const Position& at = positions[here->second].at(place);
         own.coefficients(static_cast<int>(own.rows.size())) = at.coefficient;
         own.rows.push_back(at.row);
       }
+      const auto& both = space.edges()[e].locals;  // ascending, as sharers are
+      std::vector<double> coefficients;
+      for (const int place : corners[here->second])  // ascending, and so are ids
+        if (std::includes(space.sharers(place).begin(), space.sharers(place).end(), both.begin(), both.end())) {
+          own.cornerRows.push_back(positions[here->second].at(place).row);
+          coefficients.push_back(positions[here->second].at(place).coefficient);
+        }
+      own.cornerCoefficients = Eigen::Map<const Vector>(coefficients.data(), static_cast<int>(coefficients.size()));
       sides.push_back(std::move(own));
     }
   return sides;
@@ -83,7 +95,7 @@ std::vector<std::array<Matrix, 2>> exchangeEdges(const InterfaceSpace& space, co
       matrix = own(*side);
       const int other = rankOf.at(space.edges()[side->edge].locals[1 - side->side]);
       if (other == here) continue;
-      packers[other].put(static_cast<int>(matrix.cols()));
+      packers[other].put(static_cast<int>(matrix.rows()));
       packers[other].put(std::vector<double>(matrix.data(), matrix.data() + matrix.size()));
       expected[other].push_back(side);
     }

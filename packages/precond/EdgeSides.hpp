@@ -9,18 +9,20 @@ namespace suture {
 
 /// One side of an edge of the interface: how its unknowns stand in the trace of a local problem of this rank.
 struct EdgeSide {
-  int edge;               ///< in space.edges()
-  int side;               ///< 0 or 1: which of the edge's two local problems
-  int local;              ///< that local problem, in the order of the space's couplings
-  std::vector<int> rows;  ///< of the trace, one an unknown of the edge
-  Vector coefficients;    ///< the trace there is this times the unknown
+  int edge;                     ///< in space.edges()
+  int side;                     ///< 0 or 1: which of the edge's two local problems
+  int local;                    ///< that local problem, in the order of the space's couplings
+  std::vector<int> rows;        ///< of the trace, one an unknown of the edge
+  Vector coefficients;          ///< the trace there is this times the unknown
+  std::vector<int> cornerRows;  ///< of the trace: corner unknowns that both local problems feel (the edge's end points), by id
+  Vector cornerCoefficients;
 };
 
 /// Sides that lie on this rank, by edge. Local.
 std::vector<EdgeSide> edgeSides(const InterfaceSpace& space);
 
 /// A matrix for each side of each edge of the space, both sides known to both ranks. Collective.
-/// \param own  of a side of this rank; square matrices over the edge's unknowns, the same number of columns on both sides
+/// \param own  of a side of this rank
 std::vector<std::array<Matrix, 2>> exchangeEdges(const InterfaceSpace& space, const std::vector<EdgeSide>& sides,
                                                  const std::function<Matrix(const EdgeSide&)>& own);
 
