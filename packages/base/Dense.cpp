@@ -5,6 +5,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/QR>
 #include <Eigen/SVD>
+#include <Teuchos_LAPACK.hpp>
 #include <algorithm>
 
 namespace suture {
@@ -53,13 +54,18 @@ Eigenpairs symmetricEigenpairs(const Matrix& matrix) {
 }
 
 std::vector<double> tridiagonalEigenvalues(const std::vector<double>& diagonal, const std::vector<double>& offDiagonal) {
-  const auto n = static_cast<Eigen::Index>(diagonal.size());
+  const int n = static_cast<int>(diagonal.size());
   if (n == 0) return {};
-  Eigen::SelfAdjointEigenSolver<Matrix> solver;
-  solver.computeFromTridiagonal(Eigen::Map<const Vector>(diagonal.data(), n), Eigen::Map<const Vector>(offDiagonal.data(), n - 1),
-                                Eigen::EigenvaluesOnly);
-  const Vector values = solver.eigenvalues();
-  return {values.data(), values.data() + n};
+  // LAPACK's: Eigen's gives up on the long Lanczos matrices of badly conditioned systems, and says so nowhere.
+  std::vector<double> values = diagonal, off = offDiagonal;
+  off.resize(n);
+  double none = 0.0;
+  int info = 0;
+  std::vector<double> work(2 * n);
+  Teuchos::LAPACK<int, double>().STEQR('N', n, values.data(), off.data(), &none, 1, work.data(), &info);
+  if (info != 0) throw NumericalError("the eigenvalues of a tridiagonal matrix were not found");
+  std::sort(values.begin(), values.end());
+  return values;
 }
 
 bool choleskyFactor(const Matrix& matrix, Matrix& lower) {
