@@ -115,6 +115,15 @@ TEUCHOS_UNIT_TEST(SecondLevel, FollowsJumpsThatClustersDoNotKnowOf) {
   TEST_COMPARE(values.maxCoeff(), <, 1.1 + 1e-6);
 }
 
+TEUCHOS_UNIT_TEST(SecondLevel, TakesAsManyClustersAsElements) {
+  const Cells cells(5);  // most clusters have no interior
+  const SecondLevel level = cells.solve(1000);
+  TEST_EQUALITY(level.clusters(), 25);
+  const Matrix p = dense(level);
+  const Vector values = spectrum(0.5 * (p + p.transpose()), cells.whole.stiffness);
+  TEST_COMPARE((values.array() - 1.0).abs().maxCoeff(), <, 0.1 + 1e-10);
+}
+
 TEUCHOS_UNIT_TEST(SecondLevel, MayHaveALevelOfItsOwn) {
   const Cells cells(16);
   const SecondLevel level = cells.solve(32, 0.1, 8);  // 256 elements, 32 clusters, then 6 of them
