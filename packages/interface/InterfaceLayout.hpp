@@ -8,10 +8,13 @@ namespace suture {
 
 /// What an interface consists of, as far as one rank knows it: the input of InterfaceSpace.
 struct InterfaceLayout {
-  /// An interface unknown: the displacement of a point along a unit direction. `id`: the same on all ranks, any distinct numbers.
+  /// An interface unknown. `id`: the same on all ranks, any distinct numbers. On the finest level the displacement of a point along a unit
+  /// direction. In general a sum of displacements, known by its values under rigid motions: the motion with translation t at the point and
+  /// rotation w about it gives direction . t + moment w; `direction` then has any length.
   struct Unknown {
     GlobalId id;
     Point point, direction;
+    double moment = 0.0;  ///< [length]
   };
   /// What lies between two local problems and two corners: an edge of the decomposition. Unknowns in an order and sense that both share.
   struct Edge {

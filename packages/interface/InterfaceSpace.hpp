@@ -55,7 +55,8 @@ class InterfaceSpace {
   // Of the unknowns of overlap(), by place.
   GlobalId id(int place) const { return ids_[place]; }
   const Point& point(int place) const { return points_[place]; }
-  const Point& direction(int place) const { return directions_[place]; }  ///< along which the unknown displaces, of length one
+  const Point& direction(int place) const { return directions_[place]; }  ///< along which it displaces; see InterfaceLayout::Unknown
+  double moment(int place) const { return moments_[place]; }              ///< value under a unit rotation about point(); zero for a point
   /// The relation that expresses it, or null.
   const InterfaceRelation* relation(int place) const { return relationOf_[place] < 0 ? nullptr : &relations_[relationOf_[place]]; }
   /// Ids of the local problems that feel it, ascending; none for an expressed one.
@@ -93,6 +94,7 @@ class InterfaceSpace {
   std::vector<Coupling> couplings_;
   std::vector<GlobalId> ids_;
   std::vector<Point> points_, directions_;
+  std::vector<double> moments_;
   std::vector<std::vector<int>> sharers_;
   std::vector<char> corner_;
   std::vector<InterfaceEdge> edges_;

@@ -1,5 +1,6 @@
 #include <suture/base/Collective.hpp>
 #include <suture/precond/Bddc.hpp>
+#include <suture/precond/CoarseSystem.hpp>
 
 #include <Teuchos_Comm.hpp>
 #include <Teuchos_CommHelpers.hpp>
@@ -8,6 +9,7 @@
 #include <Tpetra_MultiVector.hpp>
 #include <Tpetra_Vector.hpp>
 
+#include <algorithm>
 #include <map>
 #include <sstream>
 
@@ -19,18 +21,15 @@ Schema Bddc::schema() {
   schema.choice("Weighting", "Stiffness Diagonal", Registry<Weighting>::instance().schemas(), "How subdomains share the interface, D_i.");
   schema.choice("Edge Constraints", "Rigid Modes", Registry<EdgeConstraints>::instance().schemas(),
                 "What subdomains have in common on an edge, beside its end points.");
-  addCoarseParameters(schema);
+  CoarseLevels::addParameters(schema);
   return schema;
 }
 
 Bddc::Bddc(const Parameters& own)
-    : Bddc(
-          makeStrategy<Weighting>(own, "Weighting"), makeStrategy<EdgeConstraints>(own, "Edge Constraints"),
-          [own] { return makeStrategy<LocalSolver>(own, "Coarse Solver"); }, own.get<int>("Coarse Copies")) {}
+    : Bddc(makeStrategy<Weighting>(own, "Weighting"), makeStrategy<EdgeConstraints>(own, "Edge Constraints"), CoarseLevels::from(own)) {}
 
-Bddc::Bddc(std::unique_ptr<Weighting> weighting, std::unique_ptr<EdgeConstraints> edges,
-           std::function<std::unique_ptr<LocalSolver>()> coarseSolver, int copies)
-    : weighting_(std::move(weighting)), edges_(std::move(edges)), coarseSolver_(std::move(coarseSolver)), copies_(copies) {}
+Bddc::Bddc(std::unique_ptr<Weighting> weighting, std::unique_ptr<EdgeConstraints> edges, CoarseLevels levels)
+    : weighting_(std::move(weighting)), edges_(std::move(edges)), levels_(std::move(levels)) {}
 
 void Bddc::doInitialize() { coarse_.reset(); }
 
@@ -87,28 +86,49 @@ void Bddc::factorLocals(std::vector<PrimalConstraints> constraints) {
 void Bddc::assembleCoarse() {
   std::vector<GlobalId> keys;
   for (std::size_t i = 0; i < locals_.size(); ++i)
-    if (locals_[i])
+    if (locals_[i]) {
       for (const auto& row : constraints_[i].terms)
         for (const auto& term : row) keys.push_back(term.key);
-  int size = 0;
-  const std::vector<int> numbers = numberKeys(space()->comm(), keys, size);
+      for (const auto& unknown : constraints_[i].unknowns) keys.push_back(unknown.id);
+    }
+  CoarseElements coarse;
+  const std::vector<int> numbers = numberKeys(space()->comm(), keys, coarse.size);
   values_.assign(locals_.size(), {});
+  std::map<int, InterfaceLayout::Unknown> unknowns;
   std::size_t next = 0;
-  std::vector<CoarseSystem::Entry> entries;
   for (std::size_t i = 0; i < locals_.size(); ++i) {
     if (!locals_[i]) continue;
     for (const auto& row : constraints_[i].terms) {
       values_[i].emplace_back();
       for (const auto& term : row) values_[i].back().push_back({numbers[next++], term.coefficient});
     }
-    const Matrix& energy = inverses_[i]->energy();
-    for (int b = 0; b < energy.cols(); ++b)
-      for (const Value& column : values_[i][b])
-        for (int a = 0; a < energy.rows(); ++a)
-          for (const Value& row : values_[i][a])
-            entries.emplace_back(row.number, column.number, row.coefficient * energy(a, b) * column.coefficient);
+    for (InterfaceLayout::Unknown unknown : constraints_[i].unknowns) {
+      unknown.id = numbers[next++];
+      unknowns.emplace(static_cast<int>(unknown.id), unknown);
+    }
+    coarse.elements.push_back(element(i));
   }
-  coarse_ = std::make_unique<CoarseSystem>(space()->comm(), size, entries, coarseSolver_(), copies_, false);
+  for (const auto& entry : unknowns) coarse.unknowns.push_back(entry.second);
+  coarse_ = makeCoarseSolve(space()->comm(), coarse, levels_);
+}
+
+/// A_i^T Phi_i^T S_i Phi_i A_i
+CoarseElement Bddc::element(std::size_t i) const {
+  CoarseElement made;
+  made.id = locals_[i]->id();
+  for (const auto& row : values_[i])
+    for (const Value& value : row) made.unknowns.push_back(value.number);
+  std::sort(made.unknowns.begin(), made.unknowns.end());
+  made.unknowns.erase(std::unique(made.unknowns.begin(), made.unknowns.end()), made.unknowns.end());
+  const Matrix& energy = inverses_[i]->energy();
+  Matrix a = Matrix::Zero(energy.rows(), static_cast<int>(made.unknowns.size()));
+  for (std::size_t row = 0; row < values_[i].size(); ++row)
+    for (const Value& value : values_[i][row]) {
+      const auto at = std::lower_bound(made.unknowns.begin(), made.unknowns.end(), value.number) - made.unknowns.begin();
+      a(static_cast<int>(row), at) += value.coefficient;
+    }
+  made.matrix = a.transpose() * energy * a;
+  return made;
 }
 
 void Bddc::doApply(const MultiVector& r, MultiVector& z) const {

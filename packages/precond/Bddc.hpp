@@ -1,11 +1,10 @@
 #pragma once
-#include <suture/precond/CoarseSystem.hpp>
+#include <suture/precond/CoarseLevels.hpp>
 #include <suture/precond/EdgeConstraints.hpp>
 #include <suture/precond/Preconditioner.hpp>
 #include <suture/precond/PrimalConstraints.hpp>
 #include <suture/precond/Weighting.hpp>
 
-#include <functional>
 #include <memory>
 #include <vector>
 
@@ -17,14 +16,14 @@ namespace suture {
 /// P_i the inverse of S_i under the primal constraints C_i x = 0, Phi_i the traces of least energy with C_i Phi_i = I, A_i the values of
 /// the constraints in primal unknowns: corners, and what EdgeConstraints demands of edges. Additive: coarse and local problems see the same
 /// residual. Condition C (1 + log H/h)^2, with all eigenvalues at least one. Cost of an application: a dense symmetric product for every
-/// local problem and one coarse solve. Local problems whose S_i and constraints did not change are not factored again.
+/// local problem and one coarse solve: exact, or for many local problems approximate by a level more (CoarseLevels). Local problems whose
+/// S_i and constraints did not change are not factored again.
 class Bddc : public Preconditioner {
  public:
   static Schema schema();
   explicit Bddc(const Parameters& own);
   /// For programs that bring their own strategies.
-  Bddc(std::unique_ptr<Weighting> weighting, std::unique_ptr<EdgeConstraints> edges,
-       std::function<std::unique_ptr<LocalSolver>()> coarseSolver, int copies = 0);
+  Bddc(std::unique_ptr<Weighting> weighting, std::unique_ptr<EdgeConstraints> edges, CoarseLevels levels);
 
   int coarseSize() const override { return coarse_ ? coarse_->size() : 0; }
   std::string remark() const override;
@@ -37,12 +36,12 @@ class Bddc : public Preconditioner {
  private:
   void factorLocals(std::vector<PrimalConstraints> constraints);
   void assembleCoarse();
+  CoarseElement element(std::size_t i) const;
   void countConstraints(const std::vector<Matrix>& edgeRows);
 
   std::unique_ptr<Weighting> weighting_;
   std::unique_ptr<EdgeConstraints> edges_;
-  std::function<std::unique_ptr<LocalSolver>()> coarseSolver_;
-  int copies_;
+  CoarseLevels levels_;
   LocalProblems locals_;  // those the inverses belong to
   std::vector<PrimalConstraints> constraints_;
   std::vector<std::unique_ptr<LocalInverse>> inverses_;
@@ -51,7 +50,7 @@ class Bddc : public Preconditioner {
     double coefficient;
   };
   std::vector<std::vector<std::vector<Value>>> values_;  // A_i: of each row of each local problem
-  std::unique_ptr<CoarseSystem> coarse_;
+  std::unique_ptr<CoarseSolve> coarse_;
   GlobalId edgeConstraints_ = 0, sharedUnknowns_ = 0;  // over all ranks
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-#include <suture/base/Types.hpp>
+#include <suture/precond/CoarseSolve.hpp>
 #include <suture/subdomain/LocalSolver.hpp>
 
 #include <memory>
@@ -10,7 +10,7 @@ namespace suture {
 /// A sparse symmetric positive definite system that is small beside the rest: assembled from all ranks' contributions and factored on a
 /// chosen number of ranks, each of which answers for its share of the others. Few copies save memory and the work of factoring, many save
 /// messages; the answer is the same.
-class CoarseSystem {
+class CoarseSystem : public CoarseSolve {
  public:
   using Entry = Eigen::Triplet<double>;
 
@@ -22,9 +22,8 @@ class CoarseSystem {
   /// Collective. \throws NumericalError  not positive definite
   CoarseSystem(CommPtr comm, int size, const std::vector<Entry>& entries, std::unique_ptr<LocalSolver> solver, int copies, bool dependent);
 
-  int size() const { return size_; }
-  /// Solution for the sum over ranks of `mine`, on all ranks. Collective.
-  Vector solve(const Vector& mine) const;
+  int size() const override { return size_; }
+  Vector solve(const Vector& mine) const override;
 
  private:
   CommPtr comm_, share_;  // all ranks; those that one copy answers for, its holder first

@@ -17,8 +17,10 @@ Matrix rigidMotions(const InterfaceSpace& space, const std::vector<int>& unknown
   for (const int place : unknowns)
     for (int k = 0; k < 3; ++k) centre[k] += space.point(place)[k] / static_cast<double>(unknowns.size());
   double size = 0.0;
-  for (const int place : unknowns)
+  for (const int place : unknowns) {
     for (int k = 0; k < 3; ++k) size = std::max(size, std::abs(space.point(place)[k] - centre[k]));
+    size = std::max(size, std::abs(space.moment(place)));
+  }
   Matrix modes = Matrix::Zero(static_cast<int>(unknowns.size()), withRotation ? 3 : 2);
   for (std::size_t i = 0; i < unknowns.size(); ++i) {
     const Point& p = space.point(unknowns[i]);
@@ -26,7 +28,8 @@ Matrix rigidMotions(const InterfaceSpace& space, const std::vector<int>& unknown
     const int row = static_cast<int>(i);
     modes(row, 0) = d[0];
     modes(row, 1) = d[1];
-    if (withRotation && size > 0.0) modes(row, 2) = (d[1] * (p[0] - centre[0]) - d[0] * (p[1] - centre[1])) / size;
+    if (withRotation && size > 0.0)
+      modes(row, 2) = (d[1] * (p[0] - centre[0]) - d[0] * (p[1] - centre[1]) + space.moment(unknowns[i])) / size;
   }
   return modes;
 }

@@ -11,6 +11,24 @@ namespace {
 GlobalId cornerKey(const InterfaceSpace& space, int place) { return 2 * space.id(place); }
 GlobalId edgeKey(const InterfaceSpace& space, int place) { return 2 * space.id(place) + 1; }
 
+InterfaceLayout::Unknown cornerUnknown(const InterfaceSpace& space, int place) {
+  return {cornerKey(space, place), space.point(place), space.direction(place), space.moment(place)};
+}
+
+/// A combination of unknowns, as it moves about their centre.
+InterfaceLayout::Unknown combined(const InterfaceSpace& space, GlobalId key, const std::vector<int>& places, const Matrix& coefficients) {
+  InterfaceLayout::Unknown sum{key, {0, 0, 0}, {0, 0, 0}, 0.0};
+  for (const int place : places)
+    for (int k = 0; k < 3; ++k) sum.point[k] += space.point(place)[k] / static_cast<double>(places.size());
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const Point &p = space.point(places[i]), &d = space.direction(places[i]);
+    const double c = coefficients(0, static_cast<int>(i));
+    for (int k = 0; k < 3; ++k) sum.direction[k] += c * d[k];
+    sum.moment += c * (d[1] * (p[0] - sum.point[0]) - d[0] * (p[1] - sum.point[1]) + space.moment(places[i]));
+  }
+  return sum;
+}
+
 struct Row {
   std::map<int, double> entries;  // position in the trace -> coefficient
   std::vector<PrimalConstraints::Term> terms;
@@ -20,6 +38,7 @@ struct Row {
 
 std::vector<PrimalConstraints> primalConstraints(const InterfaceSpace& space, const std::vector<Matrix>& edgeRows) {
   std::vector<std::vector<Row>> rows(space.locals());
+  std::vector<std::map<GlobalId, InterfaceLayout::Unknown>> unknowns(space.locals());
   for (int i = 0; i < space.locals(); ++i) {
     const std::vector<int>& places = space.coupling(i).columns();
     for (std::size_t k = 0; k < places.size(); ++k) {
@@ -32,8 +51,11 @@ std::vector<PrimalConstraints> primalConstraints(const InterfaceSpace& space, co
       const int first = by ? by->others[0] : places[k];
       if (count == 1 && !space.isCorner(first)) continue;
       Row row{{{static_cast<int>(k), 1.0}}, {}};
-      for (std::size_t t = 0; t < count; ++t)
-        row.terms.push_back({cornerKey(space, by ? by->others[t] : first), by ? by->coefficients[t] : 1.0});
+      for (std::size_t t = 0; t < count; ++t) {
+        const int place = by ? by->others[t] : first;
+        row.terms.push_back({cornerKey(space, place), by ? by->coefficients[t] : 1.0});
+        unknowns[i].emplace(row.terms.back().key, cornerUnknown(space, place));
+      }
       rows[i].push_back(std::move(row));
     }
   }
@@ -43,7 +65,9 @@ std::vector<PrimalConstraints> primalConstraints(const InterfaceSpace& space, co
       Row row;
       for (std::size_t k = 0; k < side.rows.size(); ++k)
         row.entries[side.rows[k]] = edgeRows[side.edge](r, static_cast<int>(k)) / side.coefficients(static_cast<int>(k));
-      row.terms = {{edgeKey(space, space.edges()[side.edge].unknowns[r]), 1.0}};
+      const std::vector<int>& places = space.edges()[side.edge].unknowns;
+      row.terms = {{edgeKey(space, places[r]), 1.0}};
+      unknowns[side.local].emplace(row.terms[0].key, combined(space, row.terms[0].key, places, edgeRows[side.edge].row(r)));
       rows[side.local].push_back(std::move(row));
     }
 
@@ -54,6 +78,7 @@ std::vector<PrimalConstraints> primalConstraints(const InterfaceSpace& space, co
       for (const auto& [position, value] : rows[i][r].entries) all[i].rows(static_cast<int>(r), position) = value;
       all[i].terms.push_back(rows[i][r].terms);
     }
+    for (const auto& entry : unknowns[i]) all[i].unknowns.push_back(entry.second);
   }
   return all;
 }

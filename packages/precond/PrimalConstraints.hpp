@@ -12,8 +12,9 @@ struct PrimalConstraints {
     GlobalId key;  ///< of a primal unknown: the same on all ranks, each its own
     double coefficient;
   };
-  Matrix rows;                           ///< constraints x trace
-  std::vector<std::vector<Term>> terms;  ///< of each row: C_i x = sum of coefficients times primal unknowns
+  Matrix rows;                                     ///< constraints x trace
+  std::vector<std::vector<Term>> terms;            ///< of each row: C_i x = sum of coefficients times primal unknowns
+  std::vector<InterfaceLayout::Unknown> unknowns;  ///< those that the terms name, by key, ascending: how they move with rigid bodies
 };
 
 /// For each local problem of this rank. \param edgeRows  for each edge of the space (EdgeConstraints::rows). Local.

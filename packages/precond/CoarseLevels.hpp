@@ -1,0 +1,26 @@
+#pragma once
+#include <suture/base/Schema.hpp>
+#include <suture/precond/CoarseSolve.hpp>
+#include <suture/subdomain/LocalSolver.hpp>
+
+#include <memory>
+
+namespace suture {
+
+/// How the coarse problem of BDDC is solved: exactly, or by a level more when there are many local problems.
+struct CoarseLevels {
+  LocalSolverMaker solver;  ///< of the last level
+  int copies = 0;           ///< of its factor, see CoarseSystem
+  int above = 1000;         ///< local problems beyond which there is a level more; 0: always one, and no further
+  int clusters = 0;         ///< local problems of the next level; 0: automatic, see coarseClusters
+  double accuracy = 0.1;    ///< of the coarse solve where it is not exact: eigenvalues in [1 - accuracy, 1 + accuracy]
+
+  /// Parameters `Coarse Solver`, `Coarse Copies`, `Coarse Level Above`, `Coarse Clusters`, `Coarse Accuracy`.
+  static void addParameters(Schema& schema);
+  static CoarseLevels from(const Parameters& own);
+};
+
+/// Collective. \throws NumericalError  the coarse matrix is not positive definite
+std::unique_ptr<CoarseSolve> makeCoarseSolve(const CommPtr& comm, const CoarseElements& coarse, const CoarseLevels& levels);
+
+}  // namespace suture

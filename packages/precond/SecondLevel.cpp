@@ -1,0 +1,116 @@
+#include <suture/base/Buffer.hpp>
+#include <suture/base/Collective.hpp>
+#include <suture/precond/Bddc.hpp>
+#include <suture/precond/CoarseClusters.hpp>
+#include <suture/precond/SecondLevel.hpp>
+
+#include <Teuchos_CommHelpers.hpp>
+#include <Tpetra_Map.hpp>
+#include <Tpetra_MultiVector.hpp>
+
+#include <algorithm>
+#include <map>
+
+namespace suture {
+
+namespace {
+
+/// Elements of the clusters of this rank, by cluster; within one by id, so that sums do not depend on where elements come from. Collective.
+std::map<int, std::vector<CoarseElement>> sendToClusters(const Comm& comm, const std::vector<CoarseElement>& elements,
+                                                         const CoarseClusters& clusters) {
+  std::map<int, Packer> packers;
+  for (const int rank : clusters.neighbours) packers[rank];
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    Packer& packer = packers.at(clusters.rankOf[i]);
+    packer.put(clusters.clusterOf[i]);
+    packer.put(elements[i].id);
+    packer.put(elements[i].unknowns);
+    packer.put(std::vector<double>(elements[i].matrix.data(), elements[i].matrix.data() + elements[i].matrix.size()));
+  }
+  std::map<int, std::string> bytes;
+  for (const auto& [rank, packer] : packers) bytes[rank] = packer.bytes();
+  std::map<int, std::vector<CoarseElement>> result;
+  for (const auto& [rank, message] : suture::exchange(comm, bytes))
+    for (Unpacker reader(message); !reader.done();) {
+      const int cluster = reader.get<int>();
+      CoarseElement element;
+      reader.get(element.id);
+      reader.get(element.unknowns);
+      const auto values = reader.get<std::vector<double>>();
+      const auto n = static_cast<int>(element.unknowns.size());
+      element.matrix = Eigen::Map<const Matrix>(values.data(), n, n);
+      result[cluster].push_back(std::move(element));
+    }
+  for (auto& entry : result)
+    std::sort(entry.second.begin(), entry.second.end(), [](const CoarseElement& a, const CoarseElement& b) { return a.id < b.id; });
+  return result;
+}
+
+}  // namespace
+
+SecondLevel::SecondLevel(CommPtr comm, const CoarseElements& coarse, int locals, const CoarseLevels& levels)
+    : comm_(std::move(comm)), size_(coarse.size) {
+  const CoarseClusters clusters = coarseClusters(*comm_, coarse, levels.clusters);
+  count_ = clusters.count;
+  const std::map<int, std::vector<CoarseElement>> members = sendToClusters(*comm_, coarse.elements, clusters);
+  LocalProblems problems;
+  collectively(*comm_, "factoring the clusters of the coarse problem", [&] {
+    for (std::size_t k = 0; k < clusters.layout.locals.size(); ++k) {
+      const int id = clusters.layout.locals[k];
+      problems_.push_back(std::make_shared<ClusterProblem>(id, clusters.layout.boundaries[k], members.at(id)));
+      problems.push_back(problems_.back());
+    }
+  });
+  space_ = std::make_shared<InterfaceSpace>(comm_, clusters.layout);
+  if (space_->size() == 0) return;  // clusters that do not touch
+
+  CoarseLevels next = levels;
+  next.clusters = 0;
+  // As deep as there is something to gain: clusters that are hardly fewer than their members, and a level forced upon few, end it.
+  if (levels.above == 0 || 2 * count_ > locals) next.above = std::max(count_, 1);
+  const auto matrix = Teuchos::rcp(new InterfaceOperator(space_, std::move(problems)));
+  const auto bddc = Teuchos::rcp(new Bddc(std::make_unique<StiffnessDiagonalWeighting>(), std::make_unique<EdgeRigidModes>(), next));
+  bddc->initialize(space_);
+  bddc->compute(matrix);
+  inverse_ = std::make_unique<ChebyshevInverse>(matrix, bddc, levels.accuracy);
+}
+
+Vector SecondLevel::solve(const Vector& mine) const {
+  Vector load(size_), answer = Vector::Zero(size_);
+  Teuchos::reduceAll(*comm_, Teuchos::REDUCE_SUM, size_, mine.data(), load.data());
+  std::vector<Vector> inner(problems_.size());
+  Matrix overlap = Matrix::Zero(space_->overlapSize(), 1);
+  for (std::size_t k = 0; k < problems_.size(); ++k) {
+    const ClusterProblem& problem = *problems_[k];
+    Vector own(problem.interior().size());
+    for (std::size_t i = 0; i < problem.interior().size(); ++i) own(static_cast<int>(i)) = load(problem.interior()[i]);
+    inner[k] = problem.solveInterior(own);
+    const Matrix flux = -problem.fluxOf(inner[k]);
+    space_->coupling(static_cast<int>(k)).addTransposed(flux, overlap);
+  }
+  Matrix trace(space_->overlapSize(), 1);
+  if (inverse_) {
+    const MultiVectorPtr b = space_->vector(), x = space_->vector();
+    space_->scatterAdd(overlap, *b);
+    {
+      auto values = localView(*b);
+      for (int row = 0; row < values.rows(); ++row) values(row, 0) += load(static_cast<int>(space_->map()->getGlobalElement(row)));
+    }
+    inverse_->apply(*b, *x);
+    space_->gather(*x, trace);
+    const auto values = localView(static_cast<const MultiVector&>(*x));
+    for (int row = 0; row < values.rows(); ++row) answer(static_cast<int>(space_->map()->getGlobalElement(row))) = values(row, 0);
+  }
+  for (std::size_t k = 0; k < problems_.size(); ++k) {
+    const ClusterProblem& problem = *problems_[k];
+    Matrix own(problem.size(), 1);
+    space_->coupling(static_cast<int>(k)).restrictTo(trace, own);
+    inner[k] += problem.follow(own.col(0));
+    for (std::size_t i = 0; i < problem.interior().size(); ++i) answer(problem.interior()[i]) = inner[k](static_cast<int>(i));
+  }
+  load = answer;
+  Teuchos::reduceAll(*comm_, Teuchos::REDUCE_SUM, size_, load.data(), answer.data());
+  return answer;
+}
+
+}  // namespace suture

@@ -1,0 +1,82 @@
+#include <Teuchos_UnitTestHarness.hpp>
+#include <precond/CoarseElementsOf.hpp>
+#include <suture/precond/ClusterGraph.hpp>
+
+using namespace suture;
+using namespace suture::blocks;
+
+namespace {
+
+/// Square cells of a body as local problems, column by column. Serial.
+ClusterGraph cellsOf(int blocks) {
+  const Scene scene = square(blocks, 1);
+  const Blocks all(scene, alone());
+  const CoarseElements coarse = coarseElementsOf(all, Dense(all));
+  ClusterGraph graph;
+  for (const CoarseElement& element : coarse.elements) graph.unknownsOf.push_back(element.unknowns);
+  graph.unknowns.resize(coarse.size);
+  for (const auto& unknown : coarse.unknowns) graph.unknowns[unknown.id] = unknown;
+  graph.findHolders();
+  return graph;
+}
+
+}  // namespace
+
+TEUCHOS_UNIT_TEST(ClusterGraph, NeighboursShareAnEdgeAndNotACornerOnly) {
+  const int n = 5;
+  const ElementGraph neighbours = fixedNeighbours(cellsOf(n));
+  TEST_EQUALITY(neighbours.elements(), n * n);
+  TEST_EQUALITY(int(neighbours.neighbours.size()), 2 * 2 * n * (n - 1));
+  const auto ofFirst = neighbours.of(0);  // the cell in a corner of the square
+  TEST_EQUALITY(int(ofFirst.size()), 2);
+  TEST_EQUALITY(ofFirst[0], 1);
+  TEST_EQUALITY(ofFirst[1], n);
+}
+
+TEUCHOS_UNIT_TEST(ClusterGraph, NormalDisplacementsOnALineLeaveItSliding) {
+  ClusterGraph graph;
+  graph.unknownsOf = {{0, 1, 2, 3}, {0, 1, 2, 3}};
+  for (int k = 0; k < 4; ++k) graph.unknowns.push_back({k, {1.0 * k, 0, 0}, {0, 1, 0}, 0.0});
+  graph.findHolders();
+  TEST_EQUALITY(int(fixedNeighbours(graph).neighbours.size()), 0);
+  // One displacement along the line stops it; averages do as well as points.
+  graph.unknowns[3].direction = {1, 0, 0};
+  TEST_EQUALITY(int(fixedNeighbours(graph).neighbours.size()), 2);
+}
+
+TEUCHOS_UNIT_TEST(ClusterGraph, TwoHalvesMeetAtOneEdgeWithBothEndsHeld) {
+  const int n = 4;
+  const ClusterGraph graph = cellsOf(n);
+  std::vector<int> halves;
+  for (int cell = 0; cell < n * n; ++cell) halves.push_back(cell / n < n / 2 ? 0 : 1);
+  const InterfaceLayout layout = clusterEntities(graph, halves);
+  TEST_EQUALITY(int(layout.corners.size()), 2 * 2);  // two points
+  for (const GlobalId corner : layout.corners) {
+    const Point& p = graph.unknowns[corner].point;
+    TEST_FLOATING_EQUALITY(p[0], 0.5, 1e-12);
+    TEST_FLOATING_EQUALITY(std::abs(p[1] - 0.5), 0.5, 1e-12);
+  }
+  TEST_EQUALITY(int(layout.edges.size()), 1);
+  TEST_EQUALITY(int(layout.edges[0].unknowns.size()), 2 * (n - 1));
+}
+
+TEUCHOS_UNIT_TEST(ClusterGraph, FourQuartersMeetAtACrossPointThatEndsTheirEdges) {
+  const int n = 4;
+  const ClusterGraph graph = cellsOf(n);
+  std::vector<int> quarters;
+  for (int cell = 0; cell < n * n; ++cell) quarters.push_back(2 * (cell / n / (n / 2)) + cell % n / (n / 2));
+  const InterfaceLayout layout = clusterEntities(graph, quarters);
+  TEST_EQUALITY(int(layout.corners.size()), 2 * 5);  // the centre, and the middles of the sides
+  TEST_EQUALITY(int(layout.edges.size()), 4);
+  for (const auto& edge : layout.edges) TEST_EQUALITY(int(edge.unknowns.size()), 2);
+}
+
+TEUCHOS_UNIT_TEST(ClusterGraph, SeparateStretchesBetweenTwoClustersAreTwoEdges) {
+  const int n = 6;
+  const ClusterGraph graph = cellsOf(n);
+  std::vector<int> middleAndRest;  // a strip across the square, and what is on both sides of it
+  for (int cell = 0; cell < n * n; ++cell) middleAndRest.push_back(cell / n == 2 || cell / n == 3 ? 1 : 0);
+  const InterfaceLayout layout = clusterEntities(graph, middleAndRest);
+  TEST_EQUALITY(int(layout.edges.size()), 2);
+  TEST_EQUALITY(int(layout.corners.size()), 2 * 4);
+}

@@ -1,0 +1,164 @@
+#include <Teuchos_UnitTestHarness.hpp>
+#include <precond/CoarseElementsOf.hpp>
+#include <precond/Preconditioners.hpp>
+#include <suture/precond/CoarseSystem.hpp>
+#include <suture/precond/SecondLevel.hpp>
+
+using namespace suture;
+using namespace suture::blocks;
+
+namespace {
+
+/// A body of square cells, each a coarse element.
+struct Cells {
+  Scene scene;
+  Blocks spread, single;
+  Dense whole;
+  CoarseElements coarse;
+
+  explicit Cells(int blocks, const std::vector<double>& young = {})
+      : scene(clampedSquare(blocks, 1)),
+        spread(scene, world(), young),
+        single(scene, alone(), young),
+        whole(single),
+        coarse(coarseElementsOf(spread, whole)) {}
+
+  SecondLevel solve(int clusters, double accuracy = 0.1, int above = 0) const {
+    CoarseLevels levels;
+    levels.solver = localSolver();
+    levels.clusters = clusters;
+    levels.accuracy = accuracy;
+    levels.above = above;
+    return SecondLevel(world(), coarse, int(single.subdomains.size()), levels);
+  }
+};
+
+/// Column by column; of every load each rank gives a part.
+Matrix dense(const CoarseSolve& solve) {
+  Matrix all(solve.size(), solve.size());
+  for (int j = 0; j < solve.size(); ++j) {
+    const Vector share = Vector::Unit(solve.size(), j) / world()->getSize();
+    all.col(j) = solve.solve(share);
+  }
+  return all;
+}
+
+Vector spectrum(const Matrix& approximate, const Matrix& matrix) {  // of approximate * matrix
+  const Eigen::LLT<Matrix> llt(matrix);
+  const Matrix l = llt.matrixL();
+  return Eigen::SelfAdjointEigenSolver<Matrix>(l.transpose() * approximate * l).eigenvalues();
+}
+
+Teuchos::RCP<Preconditioner> bddc(const Interface& one, const std::vector<std::string>& settings) {
+  std::vector<std::string> all{"Type=BDDC"};
+  for (const std::string& setting : settings) all.push_back("BDDC/" + setting);
+  const auto made = makePreconditioner(resolved("Preconditioner", preconditionerSchema(), all));
+  made->initialize(one.space);
+  made->compute(one.linearised.matrix);
+  return made;
+}
+
+}  // namespace
+
+TEUCHOS_UNIT_TEST(SecondLevel, OneClusterIsTheExactSolve) {
+  const Cells cells(6);
+  const SecondLevel one = cells.solve(1);
+  TEST_EQUALITY(one.clusters(), 1);
+  TEST_EQUALITY(one.steps(), 0);
+  TEST_COMPARE(difference(dense(one) * cells.whole.stiffness, Matrix::Identity(one.size(), one.size())), <, 1e-11);
+}
+
+TEUCHOS_UNIT_TEST(SecondLevel, IsSymmetricAndWithinItsAccuracyOfTheInverse) {
+  const Cells cells(12);
+  for (const double accuracy : {0.5, 0.1, 1e-3}) {
+    const SecondLevel level = cells.solve(9, accuracy);
+    TEST_EQUALITY(level.clusters(), 9);
+    const Matrix p = dense(level);
+    TEST_COMPARE(difference(p, p.transpose()), <, 1e-11);
+    const Vector values = spectrum(0.5 * (p + p.transpose()), cells.whole.stiffness);
+    out << accuracy << ": " << level.steps() << " steps, eigenvalues " << values.minCoeff() << " to " << values.maxCoeff() << "\n";
+    TEST_COMPARE(values.minCoeff(), >, 1.0 - accuracy - 1e-10);
+    TEST_COMPARE(values.maxCoeff(), <, 1.0 + accuracy + 1e-10);
+    TEST_COMPARE((values.array() - 1.0).abs().maxCoeff(), >, 0.01 * accuracy);  // and no better than it is asked to be: few steps
+  }
+}
+
+TEUCHOS_UNIT_TEST(SecondLevel, IsTheSameOnAnyNumberOfRanks) {
+  const Cells cells(10);
+  const SecondLevel spread = cells.solve(8);
+  CoarseLevels levels;
+  levels.solver = localSolver();
+  levels.clusters = 8;
+  levels.above = 0;
+  const SecondLevel single(alone(), coarseElementsOf(cells.single, cells.whole), 100, levels);
+  const Vector load = random(spread.size(), 1, 3);
+  TEST_COMPARE(difference(spread.solve(load / world()->getSize()), single.solve(load)), <, 1e-10);
+}
+
+TEUCHOS_UNIT_TEST(SecondLevel, ConditionStaysBoundedForManyElements) {
+  for (const int blocks : {8, 16, 32}) {
+    const SecondLevel level = Cells(blocks).solve(0);
+    out << blocks * blocks << " elements: " << level.clusters() << " clusters, largest eigenvalue " << level.largest() << "\n";
+    TEST_EQUALITY(level.clusters(), std::max(blocks, world()->getSize()));
+    TEST_COMPARE(level.largest(), >, 1.0);
+    TEST_COMPARE(level.largest(), <, 4.0);
+  }
+}
+
+TEUCHOS_UNIT_TEST(SecondLevel, FollowsJumpsThatClustersDoNotKnowOf) {
+  const Cells cells(8, board(8, 1e4, false));
+  const SecondLevel level = cells.solve(6);
+  const Matrix p = dense(level);
+  const Vector values = spectrum(0.5 * (p + p.transpose()), cells.whole.stiffness);
+  out << "steps " << level.steps() << ", largest " << level.largest() << "\n";
+  TEST_COMPARE(values.minCoeff(), >, 0.9 - 1e-6);
+  TEST_COMPARE(values.maxCoeff(), <, 1.1 + 1e-6);
+}
+
+TEUCHOS_UNIT_TEST(SecondLevel, TakesAsManyClustersAsElements) {
+  const Cells cells(5);  // most clusters have no interior
+  const SecondLevel level = cells.solve(1000);
+  TEST_EQUALITY(level.clusters(), 25);
+  const Matrix p = dense(level);
+  const Vector values = spectrum(0.5 * (p + p.transpose()), cells.whole.stiffness);
+  TEST_COMPARE((values.array() - 1.0).abs().maxCoeff(), <, 0.1 + 1e-10);
+}
+
+TEUCHOS_UNIT_TEST(SecondLevel, MayHaveALevelOfItsOwn) {
+  const Cells cells(16);
+  const SecondLevel level = cells.solve(32, 0.1, 8);  // 256 elements, 32 clusters, then 6 of them
+  const Vector exact = random(level.size(), 1, 4);
+  const Vector load = cells.whole.stiffness * exact;
+  const Vector answer = level.solve(load / world()->getSize());
+  const Vector error = answer - exact;
+  const double relative = std::sqrt(error.dot(cells.whole.stiffness * error) / exact.dot(load));
+  out << "error in energy " << relative << "\n";
+  TEST_COMPARE(relative, <, 0.2);   // the third level is inexact, too, and the estimate sees it
+  TEST_COMPARE(relative, >, 1e-6);  // it is not the exact one
+}
+
+TEUCHOS_UNIT_TEST(SecondLevel, GivesBddcAsManyIterationsAsTheExactCoarseSolve) {
+  const Twins t(clampedSquare(8, 4));
+  const MultiVectorPtr load = t.toSpread(random(t.size(), 1, 5));
+  const auto exact = bddc(t.spread, {"Coarse Level Above=1000"});
+  const auto level = bddc(t.spread, {"Coarse Level Above=0"});
+  const Lanczos with = conjugateGradients(t.spread.matrix(), *exact, *t.spread.space, *load);
+  const Lanczos without = conjugateGradients(t.spread.matrix(), *level, *t.spread.space, *load);
+  out << "iterations " << with.iterations << " and " << without.iterations << ", condition " << with.condition << " and "
+      << without.condition << "\n";
+  TEST_COMPARE(without.iterations, <=, with.iterations + 2);
+  TEST_COMPARE(without.condition, <, 1.3 * with.condition);
+  TEST_EQUALITY(level->coarseSize(), exact->coarseSize());
+}
+
+TEUCHOS_UNIT_TEST(SecondLevel, InBddcTendsToTheExactPreconditioner) {
+  const Twins t(clampedSquare(4, 3));
+  const auto exact = bddc(t.spread, {"Coarse Level Above=1000"});
+  const auto close = bddc(t.spread, {"Coarse Level Above=0", "Coarse Clusters=4", "Coarse Accuracy=1e-10"});
+  const auto rough = bddc(t.spread, {"Coarse Level Above=0", "Coarse Clusters=4"});
+  const Matrix m = t.toDense(*rough);
+  TEST_COMPARE(difference(m, m.transpose()), <, 1e-11);
+  TEST_COMPARE(Eigen::SelfAdjointEigenSolver<Matrix>(0.5 * (m + m.transpose())).eigenvalues()(0), >, 0.0);
+  TEST_COMPARE(difference(t.toDense(*close), t.toDense(*exact)), <, 1e-8);
+  TEST_COMPARE(difference(m, t.toDense(*exact)), >, 1e-6);
+}
