@@ -18,26 +18,28 @@ RunResult solveScene(const CommPtr& comm, const SolveOptions& options) {
   const std::string folder = outputFolder(file);
   if (!options.check) prepareFolder(*comm, folder);
 
-  const Mesh mesh = timed(timers, "read", [&] { return meshStage(*comm, file); });
-  const Constraints constraints = timed(timers, "read", [&] { return constraintsStage(*comm, mesh, scene); });
-  const Partition partition =
+  Mesh mesh = timed(timers, "read", [&] { return meshStage(*comm, file); });
+  Constraints constraints = timed(timers, "read", [&] { return constraintsStage(*comm, mesh, scene); });
+  Partition partition =
       timed(timers, "partition", [&] { return makePartition(*comm, mesh, constraints, scene.sublist("Partition"), isCondensed(scene)); });
   const auto meshes = timed(timers, "partition", [&] { return distribute(*comm, mesh, constraints, partition); });
   const ElasticModel model = makeElasticModel(scene);
   checkStage(*comm, mesh, constraints, model);
+  const Whole whole = wholeStage(*comm, mesh, constraints, partition);
+  if (!isMonolithic(scene)) forget(mesh, constraints, partition);
   const auto subdomains = timed(timers, "assemble", [&] { return makeSubdomains(*comm, meshes, model); });
   const auto problem = timed(timers, "factor", [&] { return problemStage(comm, partition, subdomains, scene); });
-  const ProblemSize size = problemSize(*comm, mesh, constraints, partition, problem.get());
+  const ProblemSize size = withInterface(whole.size, problem.get());
   printSizes(*comm, file, size, options);
+  for (const std::string& note : partition.notes) monitor.note(note);
   if (options.check) return {};
-  const std::string hash = onRoot(*comm, "hashing the mesh", [&] { return mesh.hash(); });
-  const auto start = startStage(comm, options, problem.get(), hash, meshes, subdomains, scene, monitor);
+  const auto start = startStage(comm, options, problem.get(), whole.hash, meshes, subdomains, scene, monitor);
   const Solution solution = timed(timers, "solve", [&] {
     if (!problem) return solveMonolithicScene(*comm, mesh, constraints, model, meshes, scene, monitor);
     return recover(*comm, *problem, solveInterface(*problem, scene, monitor, start.get()), subdomains, scene);
   });
 
-  return reportStage({*comm, file, model, constraints.pieces, meshes, size, solution, monitor, timers, hash, options.commandLine, folder},
+  return reportStage({*comm, file, model, whole.pieces, meshes, size, solution, monitor, timers, whole.hash, options.commandLine, folder},
                      options);
 }
 

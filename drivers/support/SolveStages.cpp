@@ -40,6 +40,17 @@ void checkStage(const Comm& comm, const Mesh& mesh, const Constraints& constrain
   collectivelyOnRoot(comm, "checking that the scene has a solution", [&] { checkSolvability(mesh, constraints, model); });
 }
 
+Whole wholeStage(const Comm& comm, const Mesh& mesh, const Constraints& constraints, const Partition& partition) {
+  return {problemSize(comm, mesh, constraints, partition), constraints.pieces,
+          onRoot(comm, "hashing the mesh", [&] { return mesh.hash(); })};
+}
+
+void forget(Mesh& mesh, Constraints& constraints, Partition& partition) {
+  mesh = Mesh();
+  constraints = Constraints();
+  partition.subdomainOfElement = std::vector<int>();
+}
+
 std::unique_ptr<InterfaceProblem> problemStage(const CommPtr& comm, const Partition& partition, const Subdomains& subdomains,
                                                const Parameters& scene) {
   return isMonolithic(scene) ? nullptr : makeInterfaceProblem(comm, partition, subdomains, scene);

@@ -25,6 +25,19 @@ Constraints constraintsStage(const Comm& comm, const Mesh& mesh, const Parameter
 /// Whether the scene has a solution at all. \throws InputError  names the body and where it can move. Collective.
 void checkStage(const Comm& comm, const Mesh& mesh, const Constraints& constraints, const ElasticModel& model);
 
+/// What the later stages want to know of the scene as a whole.
+struct Whole {
+  ProblemSize size;                  ///< on all ranks; without the interface
+  std::vector<ContactPiece> pieces;  ///< on rank 0
+  std::string hash;                  ///< of the mesh, on rank 0
+};
+
+/// Collective.
+Whole wholeStage(const Comm& comm, const Mesh& mesh, const Constraints& constraints, const Partition& partition);
+
+/// Frees what rank 0 holds in proportion to the whole mesh: after distribute() and the checks only Monolithic needs it. Local.
+void forget(Mesh& mesh, Constraints& constraints, Partition& partition);
+
 /// The interface problem of the scene's formulation; null for the outer solver Monolithic, which has none. Collective.
 std::unique_ptr<InterfaceProblem> problemStage(const CommPtr& comm, const Partition& partition, const Subdomains& subdomains,
                                                const Parameters& scene);

@@ -5,6 +5,7 @@
 #include <map>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace suture {
@@ -37,7 +38,8 @@ class Packer {
       put(value);
     }
   }
-  const std::string& bytes() const { return bytes_; }
+  const std::string& bytes() const& { return bytes_; }
+  std::string bytes() && { return std::move(bytes_); }  ///< without a copy: std::move(packer).bytes()
 
  private:
   std::string bytes_;

@@ -145,6 +145,29 @@ void collectivelyOnRoot(const Comm& comm, const std::string& what, const std::fu
   });
 }
 
+namespace {
+
+// From rank 0 to another one, the length first.
+void sendBytes(const Comm& comm, const std::string& bytes, int to) {
+  const unsigned long long size = bytes.size();
+  MPI_Send(&size, 1, MPI_UNSIGNED_LONG_LONG, to, 0, mpiComm(comm));
+  const std::size_t most = roundBytes(1);
+  for (std::size_t at = 0; at < bytes.size(); at += most)
+    MPI_Send(bytes.data() + at, static_cast<int>(std::min(most, bytes.size() - at)), MPI_BYTE, to, 0, mpiComm(comm));
+}
+
+std::string receiveBytes(const Comm& comm) {
+  unsigned long long size = 0;
+  MPI_Recv(&size, 1, MPI_UNSIGNED_LONG_LONG, 0, 0, mpiComm(comm), MPI_STATUS_IGNORE);
+  std::string bytes(size, '\0');
+  const std::size_t most = roundBytes(1);
+  for (std::size_t at = 0; at < bytes.size(); at += most)
+    MPI_Recv(bytes.data() + at, static_cast<int>(std::min(most, bytes.size() - at)), MPI_BYTE, 0, 0, mpiComm(comm), MPI_STATUS_IGNORE);
+  return bytes;
+}
+
+}  // namespace
+
 void broadcastBytes(const Comm& comm, void* bytes, std::size_t count) {
   if (comm.getSize() == 1) return;
   const std::size_t most = roundBytes(1);
@@ -186,32 +209,25 @@ std::vector<std::string> gatherOnRoot(const Comm& comm, const std::string& bytes
 }
 
 std::string scatterFromRoot(const Comm& comm, const std::vector<std::string>& bytes) {
-  const int ranks = comm.getSize();
-  const bool root = comm.getRank() == 0;
   collectivelyOnRoot(comm, "distributing data", [&] {
-    if (bytes.size() != static_cast<std::size_t>(ranks))
-      throw InternalError("scatterFromRoot was given " + std::to_string(bytes.size()) + " strings for " + std::to_string(ranks) + " ranks");
+    if (bytes.size() != static_cast<std::size_t>(comm.getSize()))
+      throw InternalError("scatterFromRoot was given " + std::to_string(bytes.size()) + " strings for " + std::to_string(comm.getSize()) +
+                          " ranks");
   });
-  if (ranks == 1) return bytes[0];
-  std::vector<unsigned long long> sizes(ranks);
-  for (int rank = 0; root && rank < ranks; ++rank) sizes[rank] = bytes[rank].size();
-  broadcastBytes(comm, sizes.data(), sizes.size() * sizeof(sizes[0]));
+  return scatterFromRoot(comm, "distributing data", [&](int rank) { return bytes[rank]; });
+}
 
-  std::string mine, buffer;
-  const std::size_t most = roundBytes(ranks);
-  const std::size_t longest = *std::max_element(sizes.begin(), sizes.end());
-  for (std::size_t at = 0; at < longest; at += most) {
-    const Round round(sizes, at, most);
-    buffer.clear();
-    for (int rank = 0; root && rank < ranks; ++rank) {
-      if (round.counts[rank] > 0) buffer.append(bytes[rank], at, round.counts[rank]);
-    }
-    const int count = round.counts[comm.getRank()];
-    const std::size_t have = mine.size();
-    mine.resize(have + count);
-    MPI_Scatterv(buffer.data(), round.counts.data(), round.places.data(), MPI_BYTE, mine.data() + have, count, MPI_BYTE, 0, mpiComm(comm));
+std::string scatterFromRoot(const Comm& comm, const std::string& what, const std::function<std::string(int rank)>& make) {
+  const int mine = comm.getRank(), ranks = comm.getSize();
+  std::string bytes;
+  for (int rank = 1; rank < ranks; ++rank) {
+    std::string sent;
+    collectivelyOnRoot(comm, what, [&] { sent = make(rank); });
+    if (mine == 0) sendBytes(comm, sent, rank);
+    if (mine == rank) bytes = receiveBytes(comm);
   }
-  return mine;
+  collectivelyOnRoot(comm, what, [&] { bytes = make(0); });
+  return bytes;
 }
 
 std::vector<std::string> allGather(const Comm& comm, const std::string& bytes) {

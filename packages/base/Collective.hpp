@@ -40,6 +40,10 @@ std::vector<std::string> gatherOnRoot(const Comm& comm, const std::string& bytes
 /// Rank 0 gives one byte string a rank; every rank gets its own. Collective.
 std::string scatterFromRoot(const Comm& comm, const std::vector<std::string>& bytes);
 
+/// The same, but made one after the other, each when the one before is gone: rank 0 never holds more than one. `make` runs on rank 0 only,
+/// for itself last, and must not communicate. `what`: as in collectively(). Collective. \throws what `make` throws, on all ranks
+std::string scatterFromRoot(const Comm& comm, const std::string& what, const std::function<std::string(int rank)>& make);
+
 /// All ranks' byte strings on every rank, in the order of ranks. Collective.
 std::vector<std::string> allGather(const Comm& comm, const std::string& bytes);
 

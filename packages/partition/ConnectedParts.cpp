@@ -20,7 +20,7 @@ std::vector<int> breadthFirst(const ElementGraph& graph, const std::vector<int>&
   return reached;
 }
 
-void giveFragmentsToNeighbours(const ElementGraph& graph, int parts, std::vector<int>& partOf) {
+int giveFragmentsToNeighbours(const ElementGraph& graph, int parts, std::vector<int>& partOf) {
   const Components pieces = components(graph, partOf);
   std::vector<int> keeper(parts, -1);  // part -> its largest component, the first of equals
   for (int c = 0; c < pieces.count(); ++c) {
@@ -53,6 +53,7 @@ void giveFragmentsToNeighbours(const ElementGraph& graph, int parts, std::vector
     }
     if (waiting && !progress) throw InternalError("makeConnected() was given a graph that is not connected");
   }
+  return pieces.count() - static_cast<int>(std::count_if(keeper.begin(), keeper.end(), [](int c) { return c >= 0; }));
 }
 
 // Cuts a connected part in two connected ones of about equal size; the second gets the label `fresh`.
@@ -78,10 +79,10 @@ void bisect(const ElementGraph& graph, int part, int fresh, std::vector<int>& pa
 
 }  // namespace
 
-void makeConnected(const ElementGraph& graph, int parts, std::vector<int>& partOf) {
+int makeConnected(const ElementGraph& graph, int parts, std::vector<int>& partOf) {
   if (parts < 1 || parts > graph.elements())
     throw InternalError("cannot cut " + std::to_string(graph.elements()) + " elements into " + std::to_string(parts) + " parts");
-  giveFragmentsToNeighbours(graph, parts, partOf);
+  int repairs = giveFragmentsToNeighbours(graph, parts, partOf);
   std::vector<int> size(parts, 0);
   for (int part : partOf) ++size[part];
   for (int empty = 0; empty < parts; ++empty) {
@@ -90,7 +91,9 @@ void makeConnected(const ElementGraph& graph, int parts, std::vector<int>& partO
     bisect(graph, largest, empty, partOf);
     size[empty] = static_cast<int>(std::count(partOf.begin(), partOf.end(), empty));
     size[largest] -= size[empty];
+    ++repairs;
   }
+  return repairs;
 }
 
 }  // namespace suture

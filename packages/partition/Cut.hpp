@@ -12,6 +12,7 @@ struct Cut {
   std::vector<int> subdomainOfElement;
   std::vector<std::string> names;  ///< of the subdomains
   std::vector<int> bodyOf;         ///< subdomain -> body
+  std::vector<std::string> notes;  ///< sentences for the user: what was repaired
 };
 
 /// Schemas of the lists `METIS` and `Named Groups`.
@@ -21,13 +22,13 @@ Schema namedGroupsSchema();
 /// Every body on its own, in proportion to its elements; a body of several disconnected parts, each part on its own.
 /// \param own    the list `METIS`
 /// \param ranks  at least so many subdomains are made by Subdomains = Automatic where the elements allow it
-/// \throws InputError  more subdomains than elements, fewer than connected parts of the bodies. Local (rank 0).
+/// \throws InputError  more subdomains than elements, fewer than connected parts of the bodies, a hinge (findHinges). Local (rank 0).
 Cut cutByMetis(const Mesh& mesh, const Parameters& own, int ranks);
 
 /// Every element group that matches the pattern is a subdomain, in alphabetical order.
 /// \param own  the list `Named Groups`
 /// \throws InputError  all of: no group matches, an element in two of them or in none, a group without elements, in two bodies or not
-///                     connected through sides. Local (rank 0).
+///                     connected through sides; a hinge (findHinges). Local (rank 0).
 Cut cutByNamedGroups(const Mesh& mesh, const Parameters& own);
 
 /// The number of subdomains that Automatic stands for: one for every 800 elements (a subdomain of some thousand unknowns factors in

@@ -6,6 +6,7 @@
 #include <suture/partition/Apportion.hpp>
 #include <suture/partition/Cut.hpp>
 #include <suture/partition/ElementGraph.hpp>
+#include <suture/partition/Hinges.hpp>
 #include <suture/partition/MetisCut.hpp>
 
 namespace suture {
@@ -67,10 +68,18 @@ int wantedSubdomains(const Mesh& mesh, const std::vector<Piece>& pieces, const P
   return static_cast<int>(number);
 }
 
+std::string repaired(const std::string& body, int repairs) {
+  return "METIS left subdomains of body '" + body + "' empty or hanging together by single nodes: " + std::to_string(repairs) +
+         (repairs == 1 ? " fragment was" : " fragments were") + " given to a neighbour, so that every subdomain is connected through sides";
+}
+
 }  // namespace
 
 Cut cutByMetis(const Mesh& mesh, const Parameters& own, int ranks) {
   const ElementGraph graph = elementGraph(mesh);
+  Problems problems;
+  findHinges(mesh, graph, problems);
+  problems.throwIfAny();
   const std::vector<Piece> pieces = piecesOfBodies(mesh, graph);
   const int wanted = wantedSubdomains(mesh, pieces, own, ranks);
   std::vector<int> sizes;
@@ -82,7 +91,9 @@ Cut cutByMetis(const Mesh& mesh, const Parameters& own, int ranks) {
   std::vector<int> numberInBody(mesh.bodies.size(), 0);
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const int first = static_cast<int>(cut.names.size());
-    const std::vector<int> partOf = metisCut(subgraph(graph, pieces[i].elements), parts[i], own.get<int>("Seed"));
+    int repairs = 0;
+    const std::vector<int> partOf = metisCut(subgraph(graph, pieces[i].elements), parts[i], own.get<int>("Seed"), &repairs);
+    if (repairs > 0) cut.notes.push_back(repaired(mesh.bodies[pieces[i].body], repairs));
     for (std::size_t k = 0; k < partOf.size(); ++k) cut.subdomainOfElement[pieces[i].elements[k]] = first + partOf[k];
     for (int part = 0; part < parts[i]; ++part) {
       cut.bodyOf.push_back(pieces[i].body);

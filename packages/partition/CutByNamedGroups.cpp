@@ -7,6 +7,7 @@
 #include <suture/partition/Cut.hpp>
 #include <suture/partition/ElementGraph.hpp>
 #include <suture/partition/Glob.hpp>
+#include <suture/partition/Hinges.hpp>
 
 namespace suture {
 
@@ -24,7 +25,9 @@ std::string elementsAt(const Mesh& mesh, std::size_t count, int first) {
 
 // Only for groups without other faults: their connectedness would repeat those.
 void checkConnected(const Mesh& mesh, const Cut& cut, const std::string& path, Problems& problems) {
-  const Components pieces = components(elementGraph(mesh), cut.subdomainOfElement);
+  const ElementGraph graph = elementGraph(mesh);
+  findHinges(mesh, graph, problems);
+  const Components pieces = components(graph, cut.subdomainOfElement);
   std::vector<std::vector<int>> of(cut.names.size());
   for (int c = 0; c < pieces.count(); ++c) of[cut.subdomainOfElement[pieces.elements[c].front()]].push_back(c);
   for (std::size_t s = 0; s < of.size(); ++s) {

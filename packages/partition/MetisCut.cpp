@@ -30,13 +30,15 @@ std::vector<int> metis(const ElementGraph& graph, int parts, int seed) {
 
 }  // namespace
 
-std::vector<int> metisCut(const ElementGraph& graph, int parts, int seed) {
+std::vector<int> metisCut(const ElementGraph& graph, int parts, int seed, int* repairs) {
   std::vector<int> partOf(graph.elements(), 0);
   // One part is a division by zero in METIS. With a handful of elements a part it leaves parts empty and prints messages of its own:
   // there the bisection in makeConnected() does all the cutting.
   constexpr int leastElementsAPart = 8;
-  if (parts > 1 && graph.elements() >= leastElementsAPart * parts) partOf = metis(graph, parts, seed);
-  makeConnected(graph, parts, partOf);
+  const bool byMetis = parts > 1 && graph.elements() >= leastElementsAPart * parts;
+  if (byMetis) partOf = metis(graph, parts, seed);
+  const int changes = makeConnected(graph, parts, partOf);
+  if (repairs) *repairs = byMetis ? changes : 0;
   return partOf;
 }
 

@@ -48,6 +48,7 @@ Partition partitionOnRoot(const Mesh& mesh, const Constraints& constraints, cons
   all.subdomainOfElement = std::move(cut.subdomainOfElement);
   all.names = std::move(cut.names);
   all.bodyOf = std::move(cut.bodyOf);
+  all.notes = std::move(cut.notes);
   all.elementsOf.assign(all.names.size(), 0);
   for (int s : all.subdomainOfElement) ++all.elementsOf[s];
   ContactGroups contact = contactGroups(constraints, nodeSubdomains(mesh, all.subdomainOfElement, all.subdomains()), all.subdomains());
@@ -67,6 +68,7 @@ std::string pack(const Partition& all) {
   packer.put(all.groups);
   packer.put(all.piecesOf);
   packer.put(all.rankOf);
+  packer.put(all.notes);
   return packer.bytes();
 }
 
@@ -79,6 +81,7 @@ void unpack(const std::string& bytes, Partition& all) {
   unpacker.get(all.groups);
   unpacker.get(all.piecesOf);
   unpacker.get(all.rankOf);
+  unpacker.get(all.notes);
 }
 
 }  // namespace

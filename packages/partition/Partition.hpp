@@ -18,6 +18,7 @@ struct Partition {
   std::vector<int> groupOf;                ///< subdomain -> contact group, or -1
   std::vector<std::vector<int>> groups;    ///< contact group -> its subdomains, ascending
   std::vector<std::vector<int>> piecesOf;  ///< contact group -> its contact pieces
+  std::vector<std::string> notes;          ///< sentences for the user: what was repaired
   std::vector<int> rankOf;                 ///< subdomain -> rank; the subdomains of a group share one, if groups are kept whole
   int subdomains() const { return static_cast<int>(names.size()); }
 };
@@ -34,7 +35,8 @@ Schema partitionSchema();
 /// \param keepGroupsWhole  false for the formulation Contact On The Interface, which needs no group on one rank; groups are found all the
 ///                         same
 /// \throws InputError  unknown pattern (known groups), an element in two subdomains or in none, a named subdomain in two bodies or not
-///                     connected, more subdomains than elements, fewer subdomains than connected parts of the bodies.
+///                     connected, more subdomains than elements, fewer subdomains than connected parts of the bodies; a body whose parts
+///                     hang together in single nodes only.
 Partition makePartition(const Comm& comm, const Mesh& mesh, const Constraints& constraints, const Parameters& partition,
                         bool keepGroupsWhole = true);
 

@@ -1,6 +1,7 @@
 #include <suture/base/Buffer.hpp>
 #include <suture/base/Collective.hpp>
 #include <suture/base/SceneReader.hpp>
+#include <suture/contact/GroupMemory.hpp>
 #include <suture/interface/CondensedProblem.hpp>
 #include <suture/interface/ContactInterfaceProblem.hpp>
 #include <suture/solver/SolveScene.hpp>
@@ -13,6 +14,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
+#include <map>
+#include <sstream>
 
 namespace suture {
 
@@ -83,11 +87,42 @@ void checkCombination(const Parameters& scene) {
                        ". Or choose the Formulation '" + (isCondensed(scene) ? kContactOnTheInterface : kCondensedGroups) + "'");
 }
 
+namespace {
+
+/// Groups do not spread over ranks: one that cannot fit is refused before hours are spent on it, or the machine.
+void checkGroupMemory(const Comm& comm, const Partition& partition, const Subdomains& subdomains, const Parameters& own) {
+  const auto limit = own.get<double>("Memory Limit");
+  collectively(comm, "measuring the contact groups", [&] {
+    std::map<int, std::vector<const Subdomain*>> membersOf;
+    for (const auto& subdomain : subdomains)
+      if (const int group = partition.groupOf[subdomain->mesh().id]; group >= 0) membersOf[group].push_back(subdomain.get());
+    Problems problems;
+    for (const auto& [group, members] : membersOf) {
+      const GroupMemory memory = groupMemory(members);
+      if (memory.megabytes() <= limit) continue;
+      std::ostringstream text;
+      text << "contact group " << group + 1 << " of " << members.size() << " subdomains ('" << members.front()->mesh().name
+           << "', ...) has " << memory.unknowns << " unknowns and " << memory.rows
+           << " pairs; factoring it, on one rank, is estimated to take " << std::fixed << std::setprecision(memory.megabytes() < 10 ? 2 : 0)
+           << memory.megabytes() << " MB, more than the limit of " << std::defaultfloat << std::setprecision(6) << limit
+           << " MB. Raise the limit if the rank has the memory, or choose Formulation '" << kContactOnTheInterface
+           << "', which needs no group on one rank";
+      problems.add(pathOf(own, "Memory Limit"), text.str());
+    }
+    problems.throwIfAny();
+  });
+}
+
+}  // namespace
+
 std::unique_ptr<InterfaceProblem> makeInterfaceProblem(const CommPtr& comm, const Partition& partition, const Subdomains& subdomains,
                                                        const Parameters& scene) {
   const Parameters& own = scene.sublist("Subdomain");
   const auto schur = [&own] { return makeStrategy<SchurComplement>(own, "Schur Complement"); };
-  if (isCondensed(scene)) return std::make_unique<CondensedProblem>(comm, partition, subdomains, localSolverMaker(own), schur);
+  if (isCondensed(scene)) {
+    checkGroupMemory(*comm, partition, subdomains, scene.sublist(kCondensedGroups));
+    return std::make_unique<CondensedProblem>(comm, partition, subdomains, localSolverMaker(own), schur);
+  }
   return std::make_unique<ContactInterfaceProblem>(comm, partition, subdomains, localSolverMaker(own), schur);
 }
 
@@ -128,8 +163,7 @@ Solution recover(const Comm& comm, const InterfaceProblem& problem, const OuterR
   return solution;
 }
 
-ProblemSize problemSize(const Comm& comm, const Mesh& mesh, const Constraints& constraints, const Partition& partition,
-                        const InterfaceProblem* problem) {
+ProblemSize problemSize(const Comm& comm, const Mesh& mesh, const Constraints& constraints, const Partition& partition) {
   GlobalId sizes[5] = {0, 0, 0, 0, 0};
   if (comm.getRank() == 0) {
     sizes[0] = mesh.nodes();
@@ -148,6 +182,10 @@ ProblemSize problemSize(const Comm& comm, const Mesh& mesh, const Constraints& c
   size.pieces = static_cast<int>(sizes[4]);
   size.subdomains = partition.subdomains();
   size.groups = static_cast<int>(partition.groups.size());
+  return size;
+}
+
+ProblemSize withInterface(ProblemSize size, const InterfaceProblem* problem) {
   size.interfaceDofs = problem ? problem->space()->size() : 0;
   return size;
 }

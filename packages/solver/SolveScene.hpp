@@ -28,7 +28,8 @@ bool isCondensed(const Parameters& scene);
 /// \throws InputError  the scene's outer solver does not fit its formulation: names those that do. Local, the same on all ranks.
 void checkCombination(const Parameters& scene);
 
-/// The scene's formulation: subdomains and contact groups factored. `subdomains` must outlive it. \throws NumericalError
+/// The scene's formulation: subdomains and contact groups factored. `subdomains` must outlive it.
+/// \throws NumericalError;  InputError  a contact group larger than the Memory Limit of Condensed Groups
 std::unique_ptr<InterfaceProblem> makeInterfaceProblem(const CommPtr& comm, const Partition& partition, const Subdomains& subdomains,
                                                        const Parameters& scene);
 
@@ -48,8 +49,10 @@ bool isMonolithic(const Parameters& scene);
 Solution solveMonolithicScene(const Comm& comm, const Mesh& mesh, const Constraints& constraints, const ElasticModel& model,
                               const std::vector<SubdomainMesh>& meshes, const Parameters& scene, Monitor& monitor);
 
-/// Sizes for the report. `problem` may be null (Monolithic): no interface then.
-ProblemSize problemSize(const Comm& comm, const Mesh& mesh, const Constraints& constraints, const Partition& partition,
-                        const InterfaceProblem* problem);
+/// Sizes for the report, but for the interface.
+ProblemSize problemSize(const Comm& comm, const Mesh& mesh, const Constraints& constraints, const Partition& partition);
+
+/// The same with the interface's. `problem` may be null (Monolithic): no interface then. Local.
+ProblemSize withInterface(ProblemSize size, const InterfaceProblem* problem);
 
 }  // namespace suture

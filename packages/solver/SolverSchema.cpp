@@ -18,10 +18,16 @@ bool solvesFormulation(const std::string& method, const std::string& formulation
 }
 
 void addSolverParameters(Schema& scene) {
-  scene.oneOf(
-      "Formulation", kContactOnTheInterface, {kContactOnTheInterface, kCondensedGroups},
-      "Contact On The Interface: closed pairs identify unknowns of the interface; any partition, any length of contact line. Condensed "
-      "Groups (the paper): contact is hidden inside groups of subdomains, each whole on one rank.");
+  Schema condensed("The paper's: contact is hidden inside groups of subdomains, each whole on one rank.");
+  condensed.real("Memory Limit", 4096.0,
+                 "A group whose factors are estimated to take more is refused before it is factored: it lives on one rank, however many "
+                 "there are.",
+                 Range::positive(), "MB");
+  scene.choice("Formulation", kContactOnTheInterface,
+               {{kContactOnTheInterface,
+                 Schema("Closed pairs identify unknowns of the interface; any partition, any length of contact line, on any ranks.")},
+                {kCondensedGroups, condensed}},
+               "What the unknowns on the interface are, and where contact is.");
 
   auto methods = Registry<OuterSolver>::instance().schemas();
   methods.emplace(kMonolithic,

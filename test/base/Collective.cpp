@@ -117,6 +117,30 @@ TEUCHOS_UNIT_TEST(Collective, ScatterOfAWrongNumberIsAnErrorOnAllRanks) {
   TEST_THROW(scatterFromRoot(*comm, std::vector<std::string>(comm->getSize() + 1)), InternalError);
 }
 
+TEUCHOS_UNIT_TEST(Collective, ScatterMakesOneAfterTheOther) {
+  const CommPtr comm = world();
+  std::vector<int> made;
+  const std::string mine = scatterFromRoot(*comm, "making", [&](int rank) {
+    made.push_back(rank);
+    return of(rank);
+  });
+  TEST_EQUALITY(mine, of(comm->getRank()));
+  std::vector<int> expected;  // on rank 0 only, itself last
+  for (int rank = 1; comm->getRank() == 0 && rank <= comm->getSize(); ++rank) expected.push_back(rank % comm->getSize());
+  TEST_ASSERT(made == expected);
+}
+
+TEUCHOS_UNIT_TEST(Collective, ScatterThatFailsHalfWayFailsEverywhere) {
+  const CommPtr comm = world();
+  for (int bad = 0; bad < comm->getSize(); ++bad)
+    TEST_THROW(scatterFromRoot(*comm, "making",
+                               [&](int rank) {
+                                 if (rank == bad) throw NumericalError("no");
+                                 return of(rank);
+                               }),
+               NumericalError);
+}
+
 TEUCHOS_UNIT_TEST(Collective, MessagesLongerThanOneRoundArriveWhole) {
   const CommPtr comm = world();
   const std::size_t length = (std::size_t(1) << 26) + 5;  // one round is 2^26 bytes a rank

@@ -186,3 +186,29 @@ TEUCHOS_UNIT_TEST(Partition, RefusesWrongNamedGroups) {
   TEST_ASSERT(says(several, path, "8 elements (the first at "));
   TEST_ASSERT(says(problemsOf(grid, named("empty_*")), path, "has no elements"));
 }
+
+TEUCHOS_UNIT_TEST(Partition, RefusesABodyThatHangsTogetherInSingleNodes) {
+  // Two blocks of a body that meet in the point (0.5, 0.5): cut by METIS or by name, it would turn there.
+  const Mesh grid = kept(mesh({box("a", 0, 1, 0, 1, 8, 8, 2, 2)}), [](double x, double y) { return (x < 0.5) == (y < 0.5); });
+  for (const PartitionParameters& own : {metis(2), metis(6), named("subdomain_*")}) {
+    const std::vector<Problem> problems = problemsOf(grid, own);
+    TEST_EQUALITY(problems.size(), 1u);
+    TEST_ASSERT(says(problems, "Bodies/all", "2 parts of this body hang together in a single node only ((0.5, 0.5))"));
+  }
+  // As one subdomain it is refused by that name, too.
+  const std::vector<Problem> whole = problemsOf(grid, named("a*"));
+  TEST_ASSERT(says(whole, "Partition/Named Groups/Pattern", "'a' falls into 2 parts without a common side"));
+  TEST_ASSERT(says(whole, "Bodies/all", "a single node"));
+}
+
+TEUCHOS_UNIT_TEST(Partition, TakesABodyThatTouchesItselfInANode) {
+  // Of 3 x 3 blocks the middle one and the upper right one are missing: (2/3, 2/3) joins two blocks that are connected all around.
+  const auto third = [](double x) { return static_cast<int>(3 * x); };
+  const Mesh grid = kept(mesh({box("a", 0, 1, 0, 1, 9, 9)}), [&](double x, double y) { return third(x) != third(y) || third(x) == 0; });
+  for (int subdomains : {1, 4}) {
+    const Partition all = makePartition(*comm(), grid, Constraints(), metis(subdomains).list());
+    TEST_EQUALITY(all.subdomains(), subdomains);
+    if (!onRoot()) continue;
+    for (int s = 0; s < subdomains; ++s) TEST_EQUALITY(connectedParts(grid, all.subdomainOfElement, s), 1);
+  }
+}

@@ -3,6 +3,7 @@
 #include <Teuchos_DefaultComm.hpp>
 #include <suture/base/SceneReader.hpp>
 #include <suture/constraints/Constraints.hpp>
+#include <suture/mesh/CellGeometry.hpp>
 #include <suture/mesh/Generators.hpp>
 #include <suture/partition/Partition.hpp>
 
@@ -39,6 +40,35 @@ inline Mesh mesh(const std::vector<Box>& all) {
   for (const Box& one : all) names.push_back(one.name);
   Mesh made = boxes(all);
   assignBodies(made, names);
+  return made;
+}
+
+// What is left of a mesh when only the elements whose centres a predicate chooses stay, as one body; element groups come along, side groups
+// do not.
+template <typename Choice>
+Mesh kept(const Mesh& whole, const Choice& choice) {
+  Mesh made;
+  if (!onRoot()) return made;
+  std::vector<int> nodeOf(whole.nodes(), -1), elementOf(whole.elements(), -1);
+  for (int e = 0; e < whole.elements(); ++e) {
+    const Point centre = centreOf(whole, e);
+    if (!choice(centre[0], centre[1])) continue;
+    elementOf[e] = made.elements();
+    made.cells.push_back(whole.cells[e]);
+    for (int node : whole.nodesOf(e)) {
+      if (nodeOf[node] < 0) {
+        nodeOf[node] = made.nodes();
+        made.coordinates.insert(made.coordinates.end(), {whole.point(node)[0], whole.point(node)[1]});
+      }
+      made.connectivity.push_back(nodeOf[node]);
+    }
+    made.offsets.push_back(static_cast<int>(made.connectivity.size()));
+    made.elementGroups["all"].push_back(elementOf[e]);
+  }
+  for (const auto& [name, elements] : whole.elementGroups)
+    for (int e : elements)
+      if (elementOf[e] >= 0) made.elementGroups[name].push_back(elementOf[e]);
+  assignBodies(made, {"all"});
   return made;
 }
 

@@ -1,0 +1,34 @@
+#include <suture/contact/GroupMemory.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace suture {
+
+double GroupMemory::megabytes() const {
+  const double n = std::max(static_cast<double>(unknowns), 2.0), p = rows;
+  const double factors = 2 * 11 * 7 * n * std::log2(n), stiffness = 5 * 12 * stiffnessEntries, compliance = 8 * 8 * p * p;
+  return (factors + stiffness + compliance) / (1 << 20);
+}
+
+GroupMemory groupMemory(const std::vector<const Subdomain*>& members) {
+  std::set<int> ids, pairs;
+  for (const Subdomain* member : members) ids.insert(member->mesh().id);
+  GroupMemory memory;
+  for (const Subdomain* member : members) {
+    const SubdomainMesh& mesh = member->mesh();
+    memory.stiffnessEntries += static_cast<double>(member->stiffness().nonZeros());
+    for (int dof = 0; dof < member->dofs(); ++dof) {
+      const auto others = mesh.others(member->nodeOf(dof));
+      const bool counted = std::any_of(others.begin(), others.end(), [&](int other) { return other < mesh.id && ids.count(other) > 0; });
+      memory.unknowns += !counted;
+    }
+    for (const ContactRow& row : mesh.contactRows)
+      if (!row.dofs.empty()) pairs.insert(row.pair.id);
+  }
+  memory.rows = static_cast<int>(pairs.size());
+  return memory;
+}
+
+}  // namespace suture

@@ -1,0 +1,38 @@
+#include <map>
+#include <set>
+#include <suture/mesh/CellGeometry.hpp>
+#include <suture/partition/Hinges.hpp>
+
+namespace suture {
+
+void findHinges(const Mesh& mesh, const ElementGraph& graph, Problems& problems) {
+  const Components parts = components(graph, mesh.bodyOfElement);
+  if (parts.count() == static_cast<int>(mesh.bodies.size())) return;
+  struct Found {
+    std::set<int> nodes, parts;
+  };
+  std::map<int, Found> hinges;  // by body
+  std::vector<int> partOfNode(mesh.nodes(), -1);
+  for (int e = 0; e < mesh.elements(); ++e)
+    for (int node : mesh.nodesOf(e)) {
+      const int before = partOfNode[node] < 0 ? parts.of[e] : partOfNode[node];
+      partOfNode[node] = before;
+      if (before == parts.of[e]) continue;
+      Found& found = hinges[mesh.bodyOfElement[e]];
+      found.nodes.insert(node);
+      found.parts.insert({before, parts.of[e]});
+    }
+  for (const auto& [body, found] : hinges) {
+    std::string places;
+    std::size_t told = 0;
+    for (auto node = found.nodes.begin(); node != found.nodes.end() && told < 3; ++node, ++told)
+      places += (told > 0 ? ", " : "") + placeText(mesh.point(*node), mesh.dimension);
+    if (found.nodes.size() > told) places += ", ...";
+    problems.add("Bodies/" + mesh.bodies[body],
+                 std::to_string(found.parts.size()) + " parts of this body hang together in " +
+                     (found.nodes.size() == 1 ? "a single node" : std::to_string(found.nodes.size()) + " single nodes") + " only (" +
+                     places + "): a hinge, in which they can turn. Let them have a side of an element in common, or make bodies of them");
+  }
+}
+
+}  // namespace suture
