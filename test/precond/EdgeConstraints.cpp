@@ -12,7 +12,9 @@ namespace {
 using namespace blocks;
 
 std::vector<Matrix> rowsOf(const std::string& name, const InterfaceOperator& matrix) {
-  return Registry<EdgeConstraints>::instance().make(name, Parameters())->rows(*matrix.space(), matrix.locals());
+  const auto weighting = Registry<Weighting>::instance().make("Multiplicity", Parameters());
+  weighting->setup(*matrix.space(), matrix.locals());
+  return Registry<EdgeConstraints>::instance().make(name, Parameters())->rows(*matrix.space(), matrix.locals(), *weighting);
 }
 
 Matrix projector(const Matrix& columns) {
