@@ -21,30 +21,44 @@ shutil.rmtree(work, ignore_errors=True)
 work.mkdir(parents=True)
 failures = []
 
-# The parameters whose values are names in a registry, and why two of them may agree to the last digit.
+INTERFACE = ["--set", "Formulation=Contact On The Interface", "--set", "Outer Solver/Type=Active Set"]
+BDDC = [*INTERFACE, "--set", "Preconditioner/Type=BDDC"]
+# The parameters whose values are names in a registry, the settings that they are tried with, and why two of them may agree to the last digit.
 PARAMETERS = {
-    "Outer Solver/Type": set(),
+    "Outer Solver/Type": ([], set()),
+    "Preconditioner/Type": ([], set()),
     # Seams never leave a body and a body has one material: Young's moduli are equal wherever subdomains meet.
-    "Preconditioner/Neumann-Neumann/Weighting": {frozenset({"Multiplicity", "Young"})},
-    "Preconditioner/Neumann-Neumann/Coarse Space": set(),
+    "Preconditioner/Neumann-Neumann/Weighting": ([], {frozenset({"Multiplicity", "Young"})}),
+    "Preconditioner/Neumann-Neumann/Coarse Space": ([], set()),
     # Direct solvers: the same iterates but for rounding.
-    "Preconditioner/Neumann-Neumann/Coarse Solver": {frozenset({"CHOLMOD", "Amesos2"})},
-    "Subdomain/Local Solver": {frozenset({"CHOLMOD", "Amesos2"})},
+    "Preconditioner/Neumann-Neumann/Coarse Solver": ([], {frozenset({"CHOLMOD", "Amesos2"})}),
+    "Preconditioner/BDDC/Weighting": (BDDC, {frozenset({"Multiplicity", "Young"})}),
+    "Preconditioner/BDDC/Edge Constraints": (BDDC, set()),
+    "Preconditioner/BDDC/Coarse Solver": (BDDC, {frozenset({"CHOLMOD", "Amesos2"})}),
+    "Subdomain/Local Solver": ([], {frozenset({"CHOLMOD", "Amesos2"})}),
+    # One matrix, kept in two ways.
+    "Subdomain/Schur Complement": ([], {frozenset({"Explicit", "Implicit"})}),
 }
-EXTRA = {"Successive Approximation": ["--set", "Outer Solver/Tolerance=1e-4", "--set", "Outer Solver/Maximum Iterations=200"]}
+EXTRA = {
+    "Successive Approximation": ["--set", "Outer Solver/Tolerance=1e-4", "--set", "Outer Solver/Maximum Iterations=200"],
+    "Active Set": ["--set", "Formulation=Contact On The Interface"],
+}
 
 
 def names_of(parameter):
-    """From the schema, so that a strategy that is added is tested without being named here."""
+    """From the schema, so that a strategy that is added is tested without being named here. Lists are told by their indentation."""
     text = subprocess.run([options.schema, "--format", "text"], capture_output=True, text=True, check=True).stdout
+    above = []
     for line in text.splitlines():
-        found = re.match(r"\s*" + re.escape(parameter.split("/")[-1]) + r"  \(string, default [^,]*, (.*\|.*?)\)", line)
-        if found and (parameter != "Outer Solver/Type" or "Newton" in line):
-            return [name.strip() for name in found.group(1).split("|")]
+        indent = len(line) - len(line.lstrip())
+        above = [(i, name) for i, name in above if i < indent] + [(indent, line.strip().split("  ")[0].rstrip(":/"))]
+        if ("/" + "/".join(name for _, name in above)).endswith("/" + parameter):
+            found = re.search(r"\(string, default [^,]*, (.*\|.*?)\)", line)
+            return [name.strip() for name in found.group(1).split("|")] if found else []
     return []
 
 
-for parameter, alike in PARAMETERS.items():
+for parameter, (settings, alike) in PARAMETERS.items():
     names = names_of(parameter)
     print(f"{parameter}: {names}")
     if len(names) < 2:
@@ -54,7 +68,7 @@ for parameter, alike in PARAMETERS.items():
     for name in names:
         folder = work / re.sub(r"\W", "_", parameter + "_" + name)
         done = subprocess.run(options.mpirun.split() + ["-np", "2", options.solve, str(pathlib.Path(options.input) / "tunnel" / "tunnel_open.xml"),
-                                                        "--quiet", "--output", str(folder), "--set", f"{parameter}={name}", *EXTRA.get(name, [])],
+                                                        "--quiet", "--output", str(folder), *settings, "--set", f"{parameter}={name}", *EXTRA.get(name, [])],
                               capture_output=True, text=True, timeout=120)
         if done.returncode != 0:
             failures.append(f"{parameter}={name}: exit code {done.returncode}\n{done.stderr}")

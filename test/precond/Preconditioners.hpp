@@ -16,6 +16,16 @@ inline Teuchos::RCP<Preconditioner> neumannNeumann(const Interface& one, const T
   return made;
 }
 
+/// BDDC by the names of the scene file, for an operator and its space. Collective.
+inline Teuchos::RCP<Preconditioner> bddc(const Teuchos::RCP<const InterfaceOperator>& matrix, const std::string& edges = "Rigid Modes",
+                                         const std::string& weighting = "Stiffness Diagonal") {
+  const auto made = makePreconditioner(
+      resolved("Preconditioner", preconditionerSchema(), {"Type=BDDC", "BDDC/Weighting=" + weighting, "BDDC/Edge Constraints=" + edges}));
+  made->initialize(matrix->space());
+  made->compute(matrix);
+  return made;
+}
+
 struct Lanczos {
   int iterations = 0;
   double condition = 0.0;

@@ -48,6 +48,7 @@ Parameters neumannNeumann() {
   own.set<std::string>("Weighting", "Stiffness Diagonal");
   own.set<std::string>("Coarse Space", "Rigid Modes");
   own.set<std::string>("Coarse Solver", "CHOLMOD");
+  own.set("Coarse Copies", 0);
   own.sublist("CHOLMOD").set<std::string>("Ordering", "AMD");
   return list;
 }

@@ -40,23 +40,28 @@ struct Blocks {
   std::vector<SubdomainMesh> meshes;
   std::vector<std::unique_ptr<Subdomain>> subdomains;
 
-  /// \param youngOf  of each subdomain, in place of the body's: a body of several materials
-  Blocks(const Scene& scene, const CommPtr& comm, const std::vector<double>& youngOf = {}) : model(scene.model) {
+  /// \param youngOf          of each subdomain, in place of the body's: a body of several materials
+  /// \param keepGroupsWhole  false: for Contact On The Interface
+  Blocks(const Scene& scene, const CommPtr& comm, const std::vector<double>& youngOf = {}, bool keepGroupsWhole = true)
+      : model(scene.model) {
     const Parameters cut = resolved("Partition", partitionSchema(), {"Type=Named Groups", "Named Groups/Pattern=subdomain_*"});
-    build(scene, comm, cut, youngOf);
+    build(scene, comm, cut, youngOf, keepGroupsWhole);
   }
   /// \param subdomains  by METIS; as many as bodies: each body whole
-  Blocks(const Scene& scene, const CommPtr& comm, int count) : model(scene.model) {
-    build(scene, comm, resolved("Partition", partitionSchema(), {"Type=METIS", "METIS/Subdomains=" + std::to_string(count)}), {});
+  Blocks(const Scene& scene, const CommPtr& comm, int count, int seed = 1, bool keepGroupsWhole = true) : model(scene.model) {
+    build(scene, comm,
+          resolved("Partition", partitionSchema(),
+                   {"Type=METIS", "METIS/Subdomains=" + std::to_string(count), "METIS/Seed=" + std::to_string(seed)}),
+          {}, keepGroupsWhole);
   }
   Blocks(const Blocks&) = delete;
 
  private:
-  void build(const Scene& scene, const CommPtr& comm, const Parameters& cut, const std::vector<double>& youngOf) {
+  void build(const Scene& scene, const CommPtr& comm, const Parameters& cut, const std::vector<double>& youngOf, bool keepGroupsWhole) {
     const bool root = comm->getRank() == 0;
     const Mesh mesh = root ? scene.mesh : Mesh();
     const Constraints constraints = root ? scene.constraints : Constraints();
-    partition = makePartition(*comm, mesh, constraints, cut);
+    partition = makePartition(*comm, mesh, constraints, cut, keepGroupsWhole);
     meshes = distribute(*comm, mesh, constraints, partition);
     if (!youngOf.empty()) {
       const Material like = model.materialOfBody.front();

@@ -1,0 +1,135 @@
+#include <Teuchos_UnitTestHarness.hpp>
+#include <interface/ContactScenes.hpp>
+#include <interface/DenseSpace.hpp>
+#include <precond/Preconditioners.hpp>
+
+namespace suture {
+namespace {
+
+using namespace blocks;
+
+// S and M^-1 as dense matrices on the unknowns that are not idle.
+struct DensePair {
+  Matrix s, m;
+  DensePair(const InterfaceOperator& matrix, const Preconditioner& preconditioner) {
+    const DenseSpace all(*matrix.space());
+    s = all.dense(static_cast<const Operator&>(matrix));
+    m = all.dense(static_cast<const Operator&>(preconditioner));
+    std::vector<int> used;
+    for (int i = 0; i < s.rows(); ++i)
+      if (s(i, i) > 0.0) used.push_back(i);
+    idle = m.norm() - rowsAt(rowsAt(m, used).transpose(), used).norm();
+    s = rowsAt(rowsAt(s, used).transpose(), used);
+    m = rowsAt(rowsAt(m, used).transpose(), used);
+  }
+  double idle;  // what M^-1 does to idle unknowns
+
+  // Of M^-1 S, ascending: those of L^T M^-1 L, S = L L^T.
+  Vector eigenvalues() const {
+    const Matrix l = Eigen::LLT<Matrix>(0.5 * (s + s.transpose())).matrixL();
+    const Matrix product = l.transpose() * m * l;
+    return Eigen::SelfAdjointEigenSolver<Matrix>(0.5 * (product + product.transpose())).eigenvalues();
+  }
+};
+
+void isSymmetricWithNoEigenvalueBelowOne(const Teuchos::RCP<const InterfaceOperator>& matrix, bool& success, Teuchos::FancyOStream& out) {
+  for (const char* edges : {"None", "Averages", "Rigid Modes"}) {
+    const DensePair pair(*matrix, *bddc(matrix, edges));
+    TEST_COMPARE(std::abs(pair.idle), <, 1e-12 * pair.m.norm());
+    TEST_COMPARE(difference(pair.m, pair.m.transpose()), <, 1e-10);
+    const Vector values = pair.eigenvalues();
+    out << edges << ": " << values(0) << " .. " << values(values.size() - 1) << "\n";
+    TEST_COMPARE(values(0), >, 1.0 - 1e-9);
+    TEST_COMPARE(values(0), <, 1.0 + 1e-8);
+  }
+}
+
+TEUCHOS_UNIT_TEST(Bddc, HasNoEigenvalueBelowOneWithoutContact) {
+  isSymmetricWithNoEigenvalueBelowOne(Twins(clampedSquare(3, 3)).spread.linearised.matrix, success, out);
+}
+
+TEUCHOS_UNIT_TEST(Bddc, HasNoEigenvalueBelowOneWithClosedAndOpenPairs) {
+  for (const Scene& scene : {pressedBlocks(), heldOnTheLine(), turned(crossingBlocks(), 0.5)})
+    for (const int open : {0, 3}) {
+      const OnInterface one(scene, world());
+      std::vector<Vector> zeros;
+      for (const auto& subdomain : one.all.subdomains) zeros.emplace_back(Vector::Zero(subdomain->dofs()));
+      std::map<int, PairStatus> status;
+      for (const ContactPair& pair : scene.constraints.pairs)
+        if (open > 0 && pair.id % open == 1) status[pair.id] = PairStatus::Open;
+      isSymmetricWithNoEigenvalueBelowOne(one.problem.linearise(one.problem.stateOf(zeros, status)).matrix, success, out);
+    }
+}
+
+TEUCHOS_UNIT_TEST(Bddc, HasNoEigenvalueBelowOneOnCondensedGroups) {
+  for (const Scene& scene : {pressedBlocks(), stackedBlocks(2)})
+    isSymmetricWithNoEigenvalueBelowOne(Twins(scene).spread.linearised.matrix, success, out);
+}
+
+// Two subdomains, a seam of three nodes: its ends are corners, both components of the middle one are edge constraints.
+TEUCHOS_UNIT_TEST(Bddc, IsTheInverseWhenAllUnknownsArePrimal) {
+  Box box;
+  box.nx = 6;
+  box.ny = 2;
+  box.blocksX = 2;
+  Scene scene = scenes::fromBoxes({box}, 3.0, 0.3);
+  scene.hold("body_left", 0, 0.0);
+  scene.hold("body_left", 1, 0.0);
+  const Twins t(scene);
+  const auto m = bddc(t.spread.linearised.matrix);
+  TEST_EQUALITY(m->coarseSize(), 6);
+  const DensePair pair(t.spread.matrix(), *m);
+  TEST_EQUALITY(pair.s.rows(), 6);
+  TEST_COMPARE((pair.m * pair.s - Matrix::Identity(6, 6)).norm(), <, 1e-11);
+}
+
+TEUCHOS_UNIT_TEST(Bddc, CoarseProblemCountsCornersAndEdges) {
+  const Twins t(clampedSquare(3, 4));  // 12 edges; 4 cross points and 8 ends of seams, two of them held
+  TEST_EQUALITY(bddc(t.spread.linearised.matrix, "None")->coarseSize(), 2 * (4 + 6));
+  TEST_EQUALITY(bddc(t.spread.linearised.matrix, "Averages")->coarseSize(), 2 * (4 + 6) + 2 * 12);
+  TEST_EQUALITY(bddc(t.spread.linearised.matrix, "Rigid Modes")->coarseSize(), 2 * (4 + 6) + 3 * 12);
+}
+
+Lanczos condition(const Scene& scene, const std::string& edges, const std::string& weighting = "Stiffness Diagonal",
+                  const std::vector<double>& youngOf = {}) {
+  const Twins t(scene, youngOf);
+  const auto m = bddc(t.spread.linearised.matrix, edges, weighting);
+  return conjugateGradients(t.spread.matrix(), *m, *t.spread.space, *t.toSpread(random(t.size(), 1, 5)));
+}
+
+TEUCHOS_UNIT_TEST(Bddc, ConditionDoesNotFeelAnAlignedJumpOf1e6) {
+  const Scene scene = clampedSquare(4, 4, 1.0, 0.25);
+  for (const bool columns : {true, false})
+    for (const char* weighting : {"Stiffness Diagonal", "Young"}) {
+      const double found = condition(scene, "Rigid Modes", weighting, board(4, 1e6, columns)).condition;
+      out << (columns ? "columns, " : "chess board, ") << weighting << ": condition " << found << "\n";
+      TEST_COMPARE(found, <, 2.0);
+    }
+}
+
+TEUCHOS_UNIT_TEST(Bddc, MoreConstraintsGiveALowerCondition) {
+  const Scene scene = clampedSquare(4, 8, 1.0, 0.25);
+  const double none = condition(scene, "None").condition, averages = condition(scene, "Averages").condition,
+               all = condition(scene, "Rigid Modes").condition;
+  out << "None " << none << ", Averages " << averages << ", Rigid Modes " << all << "\n";
+  TEST_COMPARE(all, <, averages);
+  TEST_COMPARE(averages, <, 0.5 * none);
+  TEST_COMPARE(all, <, 3.0);
+}
+
+TEUCHOS_UNIT_TEST(Bddc, ComputesAgainForAnotherStatus) {
+  const OnInterface one(pressedBlocks(), world());
+  const auto closed = one.problem.linearise(one.problem.initialState()).matrix;
+  std::vector<Vector> zeros;
+  for (const auto& subdomain : one.all.subdomains) zeros.emplace_back(Vector::Zero(subdomain->dofs()));
+  const auto partly = one.problem.linearise(one.problem.stateOf(zeros, {{1, PairStatus::Open}, {4, PairStatus::Open}})).matrix;
+  const auto again = bddc(closed), fresh = bddc(partly);
+  for (const auto& matrix : {partly, closed, partly}) {  // there and back
+    again->initialize(matrix->space());
+    again->compute(matrix);
+  }
+  TEST_COMPARE(difference(DensePair(*partly, *again).m, DensePair(*partly, *fresh).m), <, 1e-12);
+}
+
+}  // namespace
+}  // namespace suture

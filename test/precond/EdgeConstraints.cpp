@@ -1,0 +1,174 @@
+// What BDDC holds in common: rows on edges, and the constraints of each local problem made of them and of corners.
+#include <Teuchos_UnitTestHarness.hpp>
+#include <interface/ContactScenes.hpp>
+#include <interface/DenseSpace.hpp>
+#include <suture/base/Dense.hpp>
+#include <suture/precond/EdgeConstraints.hpp>
+#include <suture/precond/PrimalConstraints.hpp>
+
+namespace suture {
+namespace {
+
+using namespace blocks;
+
+std::vector<Matrix> rowsOf(const std::string& name, const InterfaceOperator& matrix) {
+  const auto weighting = Registry<Weighting>::instance().make("Multiplicity", Parameters());
+  weighting->setup(*matrix.space(), matrix.locals());
+  return Registry<EdgeConstraints>::instance().make(name, Parameters())->rows(*matrix.space(), matrix.locals(), *weighting);
+}
+
+Matrix projector(const Matrix& columns) {
+  const Matrix basis = orthonormalBasis(columns, 1e-8);
+  return basis * basis.transpose();
+}
+
+// Rows are orthonormal, and span these columns.
+void span(const Matrix& rows, const Matrix& columns, bool& success, Teuchos::FancyOStream& out) {
+  TEST_COMPARE((rows * rows.transpose() - Matrix::Identity(rows.rows(), rows.rows())).norm(), <, 1e-13);
+  TEST_COMPARE((rows.transpose() * rows - projector(columns)).norm(), <, 1e-12);
+}
+
+// Translations and the rotation about the origin, of an edge's unknowns.
+Matrix motions(const InterfaceSpace& space, const InterfaceEdge& edge) {
+  Matrix columns(int(edge.unknowns.size()), 3);
+  for (int i = 0; i < columns.rows(); ++i) {
+    const Point d = space.direction(edge.unknowns[i]), p = space.point(edge.unknowns[i]);
+    columns.row(i) << d[0], d[1], d[1] * p[0] - d[0] * p[1];
+  }
+  return columns;
+}
+
+// Of two ranks that describe an edge, each has the same rows for it.
+void sameOnAllRanks(const InterfaceSpace& space, const std::vector<Matrix>& rows, bool& success, Teuchos::FancyOStream& out) {
+  Packer packer;
+  for (std::size_t e = 0; e < rows.size(); ++e) {
+    std::vector<GlobalId> key{space.edges()[e].locals[0], space.edges()[e].locals[1], space.id(space.edges()[e].unknowns[0])};
+    packer.put(key);
+    packer.put(std::vector<double>(rows[e].data(), rows[e].data() + rows[e].size()));
+  }
+  std::map<std::vector<GlobalId>, std::vector<double>> known;
+  for (const std::string& bytes : allGather(*world(), packer.bytes())) {
+    Unpacker unpacker(bytes);
+    while (!unpacker.done()) {
+      const auto key = unpacker.get<std::vector<GlobalId>>();
+      const auto values = unpacker.get<std::vector<double>>();
+      TEST_ASSERT(known.emplace(key, values).first->second == values);
+    }
+  }
+}
+
+TEUCHOS_UNIT_TEST(EdgeConstraints, HoldTheMotionsThatTheirNamesSayOnSeams) {
+  for (const Scene& scene : {square(3, 4), turned(clampedSquare(2, 3), 0.7), square(2, 2)}) {
+    const Twins t(scene);
+    const InterfaceSpace& space = *t.spread.space;
+    const auto none = rowsOf("None", t.spread.matrix()), averages = rowsOf("Averages", t.spread.matrix()),
+               all = rowsOf("Rigid Modes", t.spread.matrix());
+    TEST_EQUALITY(all.size(), space.edges().size());
+    for (std::size_t e = 0; e < all.size(); ++e) {
+      const InterfaceEdge& edge = space.edges()[e];
+      const Matrix columns = motions(space, edge);
+      TEST_EQUALITY(none[e].rows(), 0);
+      TEST_EQUALITY(averages[e].rows(), 2);
+      TEST_EQUALITY(all[e].rows(), edge.unknowns.size() > 2 ? 3 : 2);  // a single node has no rotation of its own
+      span(averages[e], columns.leftCols(2), success, out);
+      span(all[e], edge.unknowns.size() > 2 ? columns : Matrix(columns.leftCols(2)), success, out);
+    }
+    sameOnAllRanks(space, all, success, out);
+  }
+}
+
+TEUCHOS_UNIT_TEST(EdgeConstraints, HoldAverageAndFirstMomentOnContactLines) {
+  const OnInterface one(pressedBlocks(), world());
+  const auto matrix = one.problem.linearise(one.problem.initialState()).matrix;
+  const InterfaceSpace& space = *matrix->space();
+  const auto averages = rowsOf("Averages", *matrix), all = rowsOf("Rigid Modes", *matrix);
+  int contact = 0;
+  for (std::size_t e = 0; e < all.size(); ++e) {
+    const InterfaceEdge& edge = space.edges()[e];
+    if (!edge.contact) continue;
+    ++contact;
+    Matrix moments(int(edge.unknowns.size()), 2);
+    for (int i = 0; i < moments.rows(); ++i) moments.row(i) << 1.0, space.point(edge.unknowns[i])[0];  // the line is y = 0
+    span(averages[e], moments.leftCols(1), success, out);
+    span(all[e], moments, success, out);
+  }
+  TEST_EQUALITY(contact > 0, space.locals() > 0);
+  sameOnAllRanks(space, all, success, out);
+}
+
+// For any trace of the space, neighbours must agree on the value of every primal unknown: what makes M^-1's traces continuous there.
+TEUCHOS_UNIT_TEST(EdgeConstraints, PrimalUnknownsHaveOneValueForAllWhoShareThem) {
+  for (const Scene& scene : {clampedSquare(3, 4), pressedBlocks(), heldOnTheLine(), turned(crossingBlocks(), 0.5)})
+    for (const int pattern : {1, 3}) {  // every how manieth pair is open; more than there are in a row: none
+      const OnInterface one(scene, world());
+      std::vector<Vector> zeros;
+      for (const auto& subdomain : one.all.subdomains) zeros.emplace_back(Vector::Zero(subdomain->dofs()));
+      std::map<int, PairStatus> status;
+      for (const ContactPair& pair : scene.constraints.pairs)
+        if (pattern == 3 && pair.id % 3 == 1) status[pair.id] = PairStatus::Open;
+      const auto matrix = one.problem.linearise(one.problem.stateOf(zeros, status)).matrix;
+      const InterfaceSpace& space = *matrix->space();
+      const DenseSpace all(space);
+      Matrix trace;
+      space.gather(*all.vector(random(all.size(), 1, 6)), trace);
+      const auto edgeRows = rowsOf("Rigid Modes", *matrix);
+      const auto constraints = primalConstraints(space, edgeRows);
+      Packer packer;
+      int multiple = 0;
+      std::vector<std::pair<std::vector<PrimalConstraints::Term>, double>> several;
+      for (int i = 0; i < space.locals(); ++i) {
+        Matrix own(space.coupling(i).rows(), 1);
+        space.coupling(i).restrictTo(trace, own);
+        const Vector values = constraints[i].rows * own.col(0);
+        TEST_EQUALITY(constraints[i].rows.rows(), int(constraints[i].terms.size()));
+        // rows are independent, or a local problem could not obey them
+        if (values.size() > 0) TEST_EQUALITY(orthonormalBasis(constraints[i].rows.transpose(), 1e-10).cols(), values.size());
+        for (int r = 0; r < values.size(); ++r) {
+          const auto& terms = constraints[i].terms[r];
+          if (terms.empty())
+            TEST_EQUALITY(values(r), 0.0)
+          else if (terms.size() == 1) {
+            packer.put(terms[0].key);
+            packer.put(values(r) / terms[0].coefficient);
+          } else {
+            several.emplace_back(terms, values(r));
+            ++multiple;
+          }
+        }
+      }
+      std::map<GlobalId, double> known;
+      int compared = 0;
+      for (const std::string& bytes : allGather(*world(), packer.bytes())) {
+        Unpacker unpacker(bytes);
+        while (!unpacker.done()) {
+          const auto key = unpacker.get<GlobalId>();
+          const auto value = unpacker.get<double>();
+          const auto at = known.emplace(key, value);
+          if (at.second) continue;
+          ++compared;
+          TEST_COMPARE(std::abs(at.first->second - value), <, 1e-13);
+        }
+      }
+      TEST_COMPARE(compared, >=, int(known.size()) / 2);
+      for (const auto& [terms, value] : several) {
+        double sum = 0.0;
+        for (const auto& term : terms) sum += term.coefficient * known.at(term.key);
+        TEST_COMPARE(std::abs(sum - value), <, 1e-12);
+      }
+      out << "pattern " << pattern << ": " << known.size() << " primal unknowns, " << multiple << " rows of several here\n";
+    }
+}
+
+// The subdomain in the middle of 3 x 3: four corners of two components, four edges of three motions.
+TEUCHOS_UNIT_TEST(EdgeConstraints, CountOfPrimalConstraintsByHand) {
+  const Twins t(square(3, 4));
+  const std::map<std::string, int> perEdge{{"None", 0}, {"Averages", 2}, {"Rigid Modes", 3}};
+  for (const auto& [name, count] : perEdge) {
+    const auto constraints = primalConstraints(*t.spread.space, rowsOf(name, t.spread.matrix()));
+    for (int i = 0; i < t.spread.space->locals(); ++i)
+      if (t.spread.matrix().locals()[i]->id() == 4) TEST_EQUALITY(constraints[i].rows.rows(), 4 * 2 + 4 * count);
+  }
+}
+
+}  // namespace
+}  // namespace suture

@@ -1,0 +1,127 @@
+#include <Teuchos_UnitTestHarness.hpp>
+#include <solver/ContactMethods.hpp>
+#include <suture/solver/ActiveSet.hpp>
+
+namespace suture {
+namespace {
+
+using namespace blocks;
+
+/// A problem that passes everything on to another one; what tests change or watch, they override.
+struct Passing : InterfaceProblem {
+  const InterfaceProblem& real;
+  explicit Passing(const InterfaceProblem& given) : real(given) {}
+  const std::shared_ptr<const InterfaceSpace>& space() const override { return real.space(); }
+  InterfaceState initialState() const override { return real.initialState(); }
+  InterfaceState stateOf(const std::vector<Vector>& values, const std::map<int, PairStatus>& status) const override {
+    return real.stateOf(values, status);
+  }
+  Evaluation evaluate(const InterfaceState& state, double resolution) const override { return real.evaluate(state, resolution); }
+  Linearisation linearise(const InterfaceState& state) const override { return real.linearise(state); }
+  int conform(InterfaceState& state) const override { return real.conform(state); }
+  void update(InterfaceState& state, const MultiVector& step, double length, const Matrix* image) const override {
+    real.update(state, step, length, image);
+  }
+  std::vector<int> differing(const ContactStatus& a, const ContactStatus& b) const override { return real.differing(a, b); }
+  Recovered recover(const InterfaceState& state) const override { return real.recover(state); }
+  int pieces() const override { return real.pieces(); }
+  int pairs() const override { return real.pairs(); }
+};
+
+std::vector<Vector> zeros(const Blocks& all) {
+  std::vector<Vector> values;
+  for (const auto& subdomain : all.subdomains) values.emplace_back(Vector::Zero(subdomain->dofs()));
+  return values;
+}
+
+ContactStatus withOpen(const OnInterface& one, const std::vector<int>& open) {
+  std::map<int, PairStatus> status;
+  for (const int pair : open) status[pair] = PairStatus::Open;
+  return one.problem.stateOf(zeros(one.all), status).status;
+}
+
+/// Whatever the trace, the next set is the other one of two.
+struct Alternating : Passing {
+  ContactStatus one, other;
+  Alternating(const InterfaceProblem& given, ContactStatus a, ContactStatus b) : Passing(given), one(std::move(a)), other(std::move(b)) {}
+  Evaluation evaluate(const InterfaceState& state, double resolution) const override {
+    Evaluation result = real.evaluate(state, resolution);
+    result.next = differing(state.status, one).empty() ? other : one;
+    result.changed = int(differing(state.status, result.next).size());
+    result.settled = false;
+    return result;
+  }
+};
+
+TEUCHOS_UNIT_TEST(ActiveSet, NamesThePairsOfAProvenCycle) {
+  const OnInterface real(pressedBlocks(), world());
+  const Alternating problem(real.problem, withOpen(real, {1, 2}), withOpen(real, {1, 5}));
+  const OuterResult result = solveWith("Active Set", problem, 1e-8);
+  TEST_ASSERT(!result.converged);
+  TEST_ASSERT(result.failure.find("repeats itself") != std::string::npos);
+  const std::string names = "pairs that alternate: 2, 5";  // not 1, which is open in both
+  TEST_EQUALITY(result.failure.substr(result.failure.size() - names.size()), names);
+  // 1e-3, 1e-5, 1e-7, 1e-8: each tolerance meets either set at most twice
+  TEST_COMPARE(result.iterations, <=, 12);
+  TEST_COMPARE(result.iterations, >=, 6);
+}
+
+TEUCHOS_UNIT_TEST(ActiveSet, RemembersTheSetsItMet) {
+  const OnInterface real(pressedBlocks(), world());
+  const ContactStatus a = withOpen(real, {0}), b = withOpen(real, {0, 3}), c = withOpen(real, {6}), d = withOpen(real, {6, 2});
+  VisitedSets visited(real.problem);
+  for (const ContactStatus* set : {&a, &b, &c, &d}) TEST_ASSERT(!visited.returnsTo(*set));
+  TEST_ASSERT(visited.returnsTo(b));
+  TEST_ASSERT((visited.alternating() == std::vector<int>{0, 2, 3, 6}));  // b, c, d, b
+  TEST_ASSERT(visited.returnsTo(c));
+  TEST_ASSERT((visited.alternating() == std::vector<int>{2}));
+  visited.clear();
+  TEST_ASSERT(!visited.returnsTo(b));
+  TEST_ASSERT(visited.returnsTo(b));
+  TEST_ASSERT(visited.alternating().empty());
+}
+
+// Every application of the operator asks every subdomain's Schur complement once, and nothing else does: BDDC uses the dense matrices.
+TEUCHOS_UNIT_TEST(ActiveSet, CountsEveryApplicationOfTheOperator) {
+  Scene touching = pressedBlocks();
+  for (ContactPair& pair : touching.constraints.pairs) pair.gap = 0.0;
+  for (const Scene& scene : {touching, pressedBlocks(), crossingBlocks(), turned(crossingBlocks(), 0.5)})
+    for (const double tolerance : {1e-4, 1e-10}) {
+      const Blocks all(scene, world(), std::vector<double>(), false);
+      std::vector<SchurComplement*> made;
+      const auto schur = [&made] {
+        auto one = Registry<SchurComplement>::instance().make("Explicit", Parameters());
+        made.push_back(one.get());
+        return one;
+      };
+      const ContactInterfaceProblem problem(world(), all.partition, all.subdomains, localSolver(), schur);
+      for (const SchurComplement* one : made) TEST_EQUALITY(one->applications(), 0);
+      const OuterResult result = solveWith("Active Set", problem, tolerance);
+      TEST_ASSERT(result.converged);
+      for (const SchurComplement* one : made) TEST_EQUALITY(one->applications(), result.auxiliary.pcg + result.pcgTotal);
+    }
+}
+
+TEUCHOS_UNIT_TEST(ActiveSet, GoesOnFromASolution) {
+  const OnInterface one(crossingBlocks(), world());
+  const OuterResult first = solveWith("Active Set", one.problem);
+  TEST_ASSERT(first.converged);
+  OuterSettings settings;
+  settings.tolerance = 1e-8;
+  settings.preconditioner = preconditioner("BDDC");
+  Monitor silent;
+  Parameters own;
+  own.set("Inner Tolerance", 1e-3);
+  std::map<int, PairStatus> status;
+  const InterfaceProblem::Recovered found = one.problem.recover(first.state);
+  // every rank must know the status of the pairs it sees, not of those that it reports
+  InterfaceState start = one.problem.stateOf(found.freeValues, {});
+  start.status = first.state.status;
+  const OuterResult again = Registry<OuterSolver>::instance().make("Active Set", own)->solve(one.problem, settings, silent, &start);
+  TEST_ASSERT(again.converged);
+  TEST_COMPARE(again.iterations, <=, 1);
+  TEST_ASSERT(one.problem.differing(again.state.status, first.state.status).empty());
+}
+
+}  // namespace
+}  // namespace suture

@@ -1,0 +1,137 @@
+#include <Teuchos_UnitTestHarness.hpp>
+#include <suture/base/Errors.hpp>
+#include <suture/subdomain/ConstrainedInverse.hpp>
+
+#include <Eigen/LU>
+#include <random>
+
+namespace suture {
+namespace {
+
+Matrix random(int rows, int columns, unsigned seed) {
+  std::mt19937 generator(seed);
+  Matrix values(rows, columns);
+  for (int j = 0; j < columns; ++j)
+    for (int i = 0; i < rows; ++i) values(i, j) = generator() / 2147483647.5 - 1.0;
+  return values;
+}
+
+// Symmetric, semidefinite, with a kernel of the given dimension, its diagonal over four orders of magnitude as with a jump of stiffness.
+Matrix semidefinite(int n, int kernel) {
+  Matrix root = random(n, n - kernel, 3);
+  for (int i = 0; i < n; ++i) root.row(i) *= std::pow(10.0, 2.0 * i / n);
+  return root * root.transpose();
+}
+
+// Units (corners), averages along stretches, and one row that overlaps a unit and a stretch, not of length one.
+Matrix rows(int n) {
+  Matrix c = Matrix::Zero(5, n);
+  c.block(0, 0, 1, 4).setConstant(0.5);
+  c(1, 2) = 1.0;
+  c(2, n - 1) = 1.0;
+  c.row(3).segment(5, 4) << 1.0, -2.0, 3.0, 0.5;
+  c.row(4).segment(3, 5) << 4.0, 1.0, 1.0, -1.0, 2.0;
+  return c;
+}
+
+// The saddle problem as one dense system, solved by elimination with full pivoting.
+struct Saddle {
+  Matrix inverse, basis, energy;
+  Saddle(const Matrix& s, const Matrix& c) {
+    const int n = int(s.rows()), m = int(c.rows());
+    Matrix kkt = Matrix::Zero(n + m, n + m);
+    kkt << s, c.transpose(), c, Matrix::Zero(m, m);
+    const Matrix x = Eigen::FullPivLU<Matrix>(kkt).inverse();
+    inverse = x.topLeftCorner(n, n);
+    basis = x.topRightCorner(n, m);
+    energy = -x.bottomRightCorner(m, m);
+  }
+};
+
+Matrix applied(const LocalInverse& inverse, const Matrix& flux) {
+  Matrix trace(flux.rows(), flux.cols());
+  inverse.apply(flux, trace);
+  return trace;
+}
+
+TEUCHOS_UNIT_TEST(ConstrainedInverse, IsTheSaddleProblemsSolution) {
+  const int n = 14;
+  const Matrix c = rows(n);
+  for (int kernel : {0, 1, 3}) {
+    const Matrix s = semidefinite(n, kernel);
+    const Saddle expected(s, c);
+    const ConstrainedInverse found(s, c, "it");
+    const Matrix p = applied(found, Matrix::Identity(n, n));
+    TEST_COMPARE((p - expected.inverse).norm(), <, 1e-10 * expected.inverse.norm());
+    TEST_COMPARE((found.basis() - expected.basis).norm(), <, 1e-10 * expected.basis.norm());
+    TEST_COMPARE((found.energy() - expected.energy).norm(), <, 1e-10 * s.norm());
+    TEST_COMPARE((p - p.transpose()).norm(), <, 1e-12 * p.norm());
+    // what is claimed of them, in their own terms
+    TEST_COMPARE((c * found.basis() - Matrix::Identity(5, 5)).norm(), <, 1e-12);
+    TEST_COMPARE((c * p).norm(), <, 1e-12 * c.norm() * p.norm());
+    TEST_COMPARE((found.basis().transpose() * s * found.basis() - found.energy()).norm(), <, 1e-10 * s.norm());
+  }
+}
+
+TEUCHOS_UNIT_TEST(ConstrainedInverse, AppliesToSeveralFluxesAtOnce) {
+  const int n = 14;
+  const ConstrainedInverse inverse(semidefinite(n, 2), rows(n), "it");
+  const Matrix flux = random(n, 3, 8), all = applied(inverse, flux);
+  for (int k = 0; k < 3; ++k) TEST_COMPARE((all.col(k) - applied(inverse, flux.col(k))).norm(), <, 1e-14 * all.norm());
+}
+
+TEUCHOS_UNIT_TEST(ConstrainedInverse, DoesNotDependOnTheOrderOfItsRows) {
+  const int n = 14;
+  const Matrix s = semidefinite(n, 3), c = rows(n), reversed = c.colwise().reverse();
+  const ConstrainedInverse one(s, c, "it"), other(s, reversed, "it");
+  const Matrix unit = Matrix::Identity(n, n);
+  TEST_COMPARE((applied(one, unit) - applied(other, unit)).norm(), <, 1e-10 * applied(one, unit).norm());
+  TEST_COMPARE((one.basis() - other.basis().rowwise().reverse()).norm(), <, 1e-10 * one.basis().norm());
+}
+
+TEUCHOS_UNIT_TEST(ConstrainedInverse, WithAllUnknownsPrimalNothingIsLeftToInvert) {
+  const int n = 6;
+  const Matrix s = semidefinite(n, 2), c = random(n, n, 4) + 2.0 * Matrix::Identity(n, n);
+  const ConstrainedInverse found(s, c, "it");
+  TEST_EQUALITY(applied(found, Matrix::Identity(n, n)).norm(), 0.0);
+  TEST_COMPARE((found.basis() * c - Matrix::Identity(n, n)).norm(), <, 1e-12 * c.norm());
+}
+
+TEUCHOS_UNIT_TEST(ConstrainedInverse, WithoutRowsItIsTheInverse) {
+  const Matrix s = semidefinite(8, 0);
+  const ConstrainedInverse found(s, Matrix(0, 8), "it");
+  TEST_COMPARE((s * applied(found, Matrix::Identity(8, 8)) - Matrix::Identity(8, 8)).norm(), <, 1e-8);
+  TEST_EQUALITY(found.basis().cols(), 0);
+  TEST_EQUALITY(found.energy().size(), 0);
+}
+
+std::string messageOf(const Matrix& s, const Matrix& c) {
+  try {
+    ConstrainedInverse(s, c, "subdomain 'left 3'");
+  } catch (const NumericalError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+TEUCHOS_UNIT_TEST(ConstrainedInverse, RefusesAMechanismAndNamesItsProblem) {
+  const int n = 14;
+  const Matrix s = semidefinite(n, 3);
+  const std::string message = messageOf(s, rows(n).topRows(2));  // two rows hold no kernel of three dimensions
+  TEST_ASSERT(message.find("subdomain 'left 3'") != std::string::npos);
+  TEST_ASSERT(message.find("mechanism") != std::string::npos);
+  TEST_EQUALITY(messageOf(s, rows(n).topRows(3)), "accepted");
+}
+
+TEUCHOS_UNIT_TEST(ConstrainedInverse, RefusesRowsThatFollowFromOthers) {
+  const int n = 14;
+  const Matrix s = semidefinite(n, 3), c = rows(n);
+  Matrix dependent(6, n);
+  dependent << c, 2.0 * c.row(0) - c.row(1) + 0.5 * c.row(4);
+  const std::string message = messageOf(s, dependent);
+  TEST_ASSERT(message.find("subdomain 'left 3'") != std::string::npos);
+  TEST_ASSERT(message.find("follows from the others") != std::string::npos);
+}
+
+}  // namespace
+}  // namespace suture
