@@ -7,6 +7,7 @@
 #include <iostream>
 #include <suture/constraints/BuildConstraints.hpp>
 #include <suture/mesh/MeshReader.hpp>
+#include <suture/mesh/Regions.hpp>
 #include <suture/report/Checkpoint.hpp>
 #include <suture/solver/Solvability.hpp>
 
@@ -21,7 +22,11 @@ RunResult printDefaults(const Comm& comm, const SceneFile& file) {
 
 Mesh meshStage(const Comm& comm, const SceneFile& file) {
   Mesh mesh = readMesh(comm, file.parameters->sublist("Mesh"), file.folder);
-  collectivelyOnRoot(comm, "checking the mesh", [&] { assignBodies(mesh, sublistNames(file.parameters->sublist("Bodies"))); });
+  collectivelyOnRoot(comm, "checking the mesh", [&] {
+    const Parameters& bodies = file.parameters->sublist("Bodies");
+    assignBodies(mesh, sublistNames(bodies));
+    assignRegions(mesh, bodies);
+  });
   return mesh;
 }
 

@@ -13,11 +13,9 @@ namespace {
 
 const std::vector<std::pair<std::string, Condition::Type>>& types() {
   using T = Condition::Type;
-  static const std::vector<std::pair<std::string, T>> all = {{"Displacement", T::Displacement},
-                                                             {"Bilateral", T::Bilateral},
-                                                             {"Traction", T::Traction},
-                                                             {"Pressure", T::Pressure},
-                                                             {"Body Force", T::BodyForce}};
+  static const std::vector<std::pair<std::string, T>> all = {{"Displacement", T::Displacement}, {"Bilateral", T::Bilateral},
+                                                             {"Traction", T::Traction},         {"Pressure", T::Pressure},
+                                                             {"Body Force", T::BodyForce},      {"Random Load", T::RandomLoad}};
   return all;
 }
 
@@ -35,6 +33,7 @@ class Entry {
     readPlace();
     readComponents();
     readValue();
+    readRandom();
     return condition_;
   }
 
@@ -44,11 +43,11 @@ class Entry {
   void wrong(const std::string& parameter, const std::string& what) { problems_.add(pathOf(list_, parameter), what); }
 
   void readPlace() {
-    const bool body = condition_.type == Type::BodyForce;
+    const bool body = condition_.type == Type::BodyForce || condition_.type == Type::RandomLoad;
     if (list_.isParameter("Group")) {
       condition_.group = list_.get<std::string>("Group");
       if (body)
-        wrong("Group", "a Body Force acts on a body, not on a curve group; name it in Body, or leave it out for all bodies");
+        wrong("Group", "a " + typeName_ + " acts on a body, not on a curve group; name it in Body, or leave it out for all bodies");
       else if (!mesh_.sideGroups.count(condition_.group))
         wrong("Group", unknownCurve(mesh_, condition_.group));
       else if (mesh_.sideGroups.at(condition_.group).empty())
@@ -59,7 +58,7 @@ class Entry {
     if (!list_.isParameter("Body")) return;
     const std::string name = list_.get<std::string>("Body");
     if (!body)
-      wrong("Body", "only a Body Force has it; found in a " + typeName_);
+      wrong("Body", "only a Body Force or a Random Load has it; found in a " + typeName_);
     else if (std::find(mesh_.bodies.begin(), mesh_.bodies.end(), name) == mesh_.bodies.end())
       wrong("Body", unknownName("body", name, mesh_.bodies));
   }
@@ -84,6 +83,10 @@ class Entry {
       if (given) wrong("Value", "a Bilateral condition has no value: the normal displacement is zero");
       return;
     }
+    if (condition_.type == Type::RandomLoad) {
+      if (given) wrong("Value", "a Random Load has no value: it has Amplitude and Seed");
+      return;
+    }
     std::size_t wanted = mesh_.dimension;
     if (condition_.type == Type::Pressure) wanted = 1;
     if (condition_.type == Type::Displacement) wanted = condition_.components.size();
@@ -91,6 +94,13 @@ class Entry {
     const std::string expected = std::to_string(wanted) + (wanted == 1 ? " value" : " values, as in {0.0, 0.0}");
     wrong("Value",
           (given ? std::to_string(condition_.value.size()) + " values" : "is missing") + "; this " + typeName_ + " needs " + expected);
+  }
+
+  void readRandom() {
+    const bool random = condition_.type == Type::RandomLoad;
+    for (const char* name : {"Seed", "Amplitude"})
+      if (!random && list_.isParameter(name)) wrong(name, "only a Random Load has it; found in a " + typeName_);
+    if (random && !list_.isParameter("Amplitude")) wrong("Amplitude", "is missing: a Random Load needs the largest force on a component");
   }
 
   const Mesh& mesh_;
@@ -120,17 +130,23 @@ Schema boundaryConditionSchema() {
   std::vector<std::string> names;
   for (const auto& entry : types()) names.push_back(entry.first);
   return Schema("one boundary condition; several may meet at a corner")
-      .text("Group", std::nullopt, "curve group of the mesh on which it acts; not for a Body Force")
+      .text("Group", std::nullopt, "curve group of the mesh on which it acts; not for a Body Force or Random Load")
       .optional()
       .oneOf("Type", std::nullopt, names,
              "Displacement: given; Bilateral: normal displacement zero, free to slide; Traction: force vector on an area of the undeformed "
-             "body; Pressure: > 0 pushes into the body; Body Force: force on a volume")
+             "body; Pressure: > 0 pushes into the body; Body Force: force on a volume; Random Load: forces on all nodes of a "
+             "body, for studies of solvers")
       .reals("Value", std::nullopt,
              "Displacement: one entry a component [length]; Traction: two [stress]; Pressure: one [stress]; Body Force: two "
-             "[force / volume]; none for Bilateral")
+             "[force / volume]; none for Bilateral and Random Load")
       .optional()
       .oneOf("Components", "All", {"All", "x", "y"}, "components that a Displacement prescribes; the others are free")
-      .text("Body", std::nullopt, "body on which a Body Force acts; all bodies if left out")
+      .text("Body", std::nullopt, "body on which a Body Force or Random Load acts; all bodies if left out")
+      .optional()
+      .integer("Seed", std::nullopt,
+               "of a Random Load, whose forces depend on it, on the number of the node and on the component only; 0 if left out")
+      .optional()
+      .real("Amplitude", std::nullopt, "of a Random Load: forces are uniform between minus and plus this", Range::positive(), "force")
       .optional();
 }
 

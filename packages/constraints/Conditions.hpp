@@ -9,11 +9,11 @@ namespace suture {
 
 /// One entry of the scene's list `Boundary Conditions`, its form checked.
 struct Condition {
-  enum class Type { Displacement, Bilateral, Traction, Pressure, BodyForce };
+  enum class Type { Displacement, Bilateral, Traction, Pressure, BodyForce, RandomLoad };
   std::string name;
   std::string path;  ///< "Boundary Conditions/push", for messages
   Type type = Type::Bilateral;
-  std::string group;            ///< curve group; empty for a body force
+  std::string group;            ///< curve group; empty for a body force or random load
   std::vector<int> components;  ///< prescribed by a Displacement
   std::vector<double> value;    ///< of each component
 

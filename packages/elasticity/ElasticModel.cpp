@@ -4,6 +4,7 @@
 #include <suture/base/Errors.hpp>
 #include <suture/base/SceneReader.hpp>
 #include <suture/elasticity/ElasticModel.hpp>
+#include <suture/mesh/Regions.hpp>
 
 namespace suture {
 
@@ -14,7 +15,11 @@ void addModelParameters(Schema& scene) {
 
 Schema bodySchema() {
   return Schema("A body: named like its surface group in the mesh.")
-      .text("Material", std::nullopt, "Name of its entry in the list Materials.");
+      .text("Material", std::nullopt, "Name of its entry in the list Materials.")
+      .list("Regions", Schema("Parts of the body with a material of their own; the rest has the body's.")
+                           .each("region", Schema("A part of a body, named by the user.")
+                                               .text("Group", std::nullopt, "Its surface group in the mesh.")
+                                               .text("Material", std::nullopt, "Name of its entry in the list Materials.")));
 }
 
 Schema materialSchema() {
@@ -48,10 +53,11 @@ namespace {
 Load::Kind kindOf(const std::string& type) {
   if (type == "Traction") return Load::Kind::Traction;
   if (type == "Pressure") return Load::Kind::Pressure;
+  if (type == "Random Load") return Load::Kind::Random;
   return Load::Kind::BodyForce;
 }
 
-bool isLoad(const std::string& type) { return type == "Traction" || type == "Pressure" || type == "Body Force"; }
+bool isLoad(const std::string& type) { return type == "Traction" || type == "Pressure" || type == "Body Force" || type == "Random Load"; }
 
 std::string textOf(const Parameters& list, const std::string& name) {
   return list.isType<std::string>(name) ? list.get<std::string>(name) : std::string();
@@ -61,10 +67,18 @@ Load loadOf(const Parameters& condition, const std::vector<std::string>& bodies,
   Load load;
   const std::string type = textOf(condition, "Type");
   load.kind = kindOf(type);
-  load.group = textOf(condition, load.kind == Load::Kind::BodyForce ? "Body" : "Group");
-  if (load.kind == Load::Kind::BodyForce && !load.group.empty() && std::find(bodies.begin(), bodies.end(), load.group) == bodies.end())
+  load.group = textOf(condition, load.onBody() ? "Body" : "Group");
+  if (load.onBody() && !load.group.empty() && std::find(bodies.begin(), bodies.end(), load.group) == bodies.end())
     problems.add(pathOf(condition, "Body"), unknownName("body", load.group, bodies));
 
+  if (load.kind == Load::Kind::Random) {
+    if (condition.isType<int>("Seed")) load.seed = condition.get<int>("Seed");
+    if (condition.isType<double>("Amplitude"))
+      load.value[0] = condition.get<double>("Amplitude");
+    else
+      problems.add(pathOf(condition, "Amplitude"), "is missing: a Random Load needs the largest force on a node's component");
+    return load;
+  }
   std::vector<double> value;
   if (condition.isType<Teuchos::Array<double>>("Value")) value = condition.get<Teuchos::Array<double>>("Value").toVector();
   const std::size_t expected = load.kind == Load::Kind::Pressure ? 1 : 2;
@@ -78,7 +92,29 @@ Load loadOf(const Parameters& condition, const std::vector<std::string>& bodies,
   return load;
 }
 
+// What the parameter `Material` of a list names.
+Material materialNamedIn(const Parameters& list, const Parameters& materials, Problems& problems) {
+  Material material;
+  material.name = list.get<std::string>("Material");
+  const std::vector<std::string> known = sublistNames(materials);
+  if (std::find(known.begin(), known.end(), material.name) == known.end()) {
+    problems.add(pathOf(list, "Material"), unknownName("material", material.name, known));
+    return material;
+  }
+  const Parameters& own = materials.sublist(material.name);
+  material.young = own.get<double>("Young Modulus");
+  material.poisson = own.get<double>("Poisson Ratio");
+  return material;
+}
+
 }  // namespace
+
+const Material& ElasticModel::materialOf(const CellBlock& block, int element, int body) const {
+  if (materialOfRegion.empty()) return materialOfBody[body];
+  if (block.regions.empty()) throw InternalError("the scene has regions, but the mesh does not know which element is in which");
+  const int region = block.regions[element];
+  return region < 0 ? materialOfBody[body] : materialOfRegion[region];
+}
 
 ElasticModel makeElasticModel(const Parameters& scene) {
   ElasticModel model;
@@ -87,20 +123,10 @@ ElasticModel makeElasticModel(const Parameters& scene) {
 
   const Parameters& bodies = scene.sublist("Bodies");
   const Parameters& materials = scene.sublist("Materials");
-  const std::vector<std::string> known = sublistNames(materials);
   model.bodies = sublistNames(bodies);
-  for (const std::string& body : model.bodies) {
-    Material material;
-    material.name = bodies.sublist(body).get<std::string>("Material");
-    if (std::find(known.begin(), known.end(), material.name) == known.end()) {
-      problems.add(pathOf(bodies.sublist(body), "Material"), unknownName("material", material.name, known));
-    } else {
-      const Parameters& own = materials.sublist(material.name);
-      material.young = own.get<double>("Young Modulus");
-      material.poisson = own.get<double>("Poisson Ratio");
-    }
-    model.materialOfBody.push_back(material);
-  }
+  for (const std::string& body : model.bodies) model.materialOfBody.push_back(materialNamedIn(bodies.sublist(body), materials, problems));
+  for (const RegionEntry& region : regionEntries(bodies))
+    model.materialOfRegion.push_back(materialNamedIn(*region.list, materials, problems));
 
   if (scene.isSublist("Boundary Conditions")) {
     const Parameters& conditions = scene.sublist("Boundary Conditions");

@@ -18,12 +18,19 @@ struct Material {
 
 enum class PlaneModel { Strain, Stress };
 
-/// A load of the scene: on a named side group, or on the volume of a body.
+/// A load of the scene: on a named side group, on the volume of a body, or on its nodes (random, for studies of solvers).
 struct Load {
-  enum class Kind { Traction, Pressure, BodyForce };
+  enum class Kind { Traction, Pressure, BodyForce, Random };
   Kind kind = Kind::Traction;
-  std::string group;     ///< side group, or the body's name for BodyForce ("" : all bodies)
-  Point value{0, 0, 0};  ///< traction [stress], body force [force / volume]; Pressure: value[0], > 0 pushes into the body
+  std::string group;     ///< side group, or the body's name for BodyForce and Random ("" : all bodies)
+  Point value{0, 0, 0};  ///< traction [stress], body force [force / volume]; Pressure: value[0], > 0 pushes into the body; Random:
+                         ///< value[0], the largest force [force]
+  int seed = 0;          ///< of Random
+
+  /// Acts on bodies as a whole, not on sides.
+  bool onBody() const { return kind == Kind::BodyForce || kind == Kind::Random; }
+  /// Whether a load on bodies acts on the body of this name.
+  bool actsOn(const std::string& body) const { return group.empty() || group == body; }
 };
 
 /// Materials of the bodies, the plane model and the loads: what the scene says about physics. The same on all ranks.
@@ -31,7 +38,12 @@ struct ElasticModel {
   PlaneModel plane = PlaneModel::Strain;
   std::vector<std::string> bodies;  ///< as in the scene's list `Bodies`
   std::vector<Material> materialOfBody;
+  std::vector<Material> materialOfRegion;  ///< in the order of regionEntries(); empty for most scenes
   std::vector<Load> loads;
+
+  /// Material of an element of a body: that of its region, or else the body's.
+  /// \throws InternalError  the scene has regions but the mesh was not told (assignRegions).
+  const Material& materialOf(const CellBlock& block, int element, int body) const;
 };
 
 /// Schemas of `Model` (added to the scene's top list), one entry of `Bodies`, one of `Materials`.
@@ -40,9 +52,10 @@ Schema bodySchema();
 Schema materialSchema();
 
 /// Local, the same on all ranks. \param scene  the whole resolved scene (Model, Bodies, Materials, Boundary Conditions).
-/// Loads are the boundary conditions of type Traction, Pressure (on `Group`) and Body Force (on `Body`, all bodies without it).
-/// \throws InputError  all of: unknown material of a body (nearest name), a body force on an unknown body, a load's `Value` of the wrong
-///                     length.
+/// Loads are the boundary conditions of type Traction, Pressure (on `Group`), Body Force and Random Load (on `Body`, all bodies without
+/// it). \throws InputError  all of: unknown material of a body or region (nearest name), a body force on an unknown body, a load's `Value`
+/// of the
+///                     wrong length.
 ElasticModel makeElasticModel(const Parameters& scene);
 
 /// Stress-strain matrix in Voigt order with engineering shear: 3 x 3 (xx, yy, xy) in 2D; 6 x 6, normals first, in 3D, where `plane` means
@@ -62,6 +75,10 @@ void elementStiffnesses(const CellBlock& block, const std::function<const Materi
 /// Consistent: integrals against the shape functions. Added to `forces`. Local.
 void addSideLoad(const CellBlock& block, const std::vector<Side>& sides, const Load& load, Vector& forces);
 void addBodyForce(const CellBlock& block, const std::vector<int>& elements, const Load& load, Vector& forces);
+
+/// Force of a Random load on a component of a node of the mesh: uniform in [-value[0], value[0]), a pure function of (seed, node,
+/// component), and so the same however the mesh is cut. Cartesian. Local.
+double randomForce(const Load& load, GlobalId node, int component);
 
 /// Stresses at element centroids: elements x 4 (xx, yy, zz, xy) in 2D, tension positive. `displacement`: node-major, Cartesian. Local.
 Matrix elementStresses(const CellBlock& block, const std::function<const Material&(int element)>& materialOf, PlaneModel plane,

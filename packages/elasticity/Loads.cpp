@@ -6,7 +6,7 @@
 namespace suture {
 
 void addSideLoad(const CellBlock& block, const std::vector<Side>& sides, const Load& load, Vector& forces) {
-  if (load.kind == Load::Kind::BodyForce) throw InternalError("a body force does not act on sides");
+  if (load.onBody()) throw InternalError("a load on bodies does not act on sides");
   for (const Side& side : sides) {
     const std::vector<int> nodes = block.nodesOf(side);
     const ReferenceElement& reference = referenceSide(static_cast<int>(nodes.size()));
@@ -36,7 +36,7 @@ void addSideLoad(const CellBlock& block, const std::vector<Side>& sides, const L
 }
 
 void addBodyForce(const CellBlock& block, const std::vector<int>& elements, const Load& load, Vector& forces) {
-  if (load.kind != Load::Kind::BodyForce) throw InternalError("a traction or pressure does not act on elements");
+  if (load.kind != Load::Kind::BodyForce) throw InternalError("only a body force acts on elements");
   for (int e : elements) {
     const ReferenceElement& reference = referenceElement(block.cells[e], Rule::Load);
     const Span<const int> nodes = block.nodesOf(e);

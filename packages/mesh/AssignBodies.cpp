@@ -9,11 +9,6 @@ namespace suture {
 
 namespace {
 
-// "7 elements (the first at (1, 2))" -- or "1 element (at (1, 2))"
-std::string howManyAndWhere(std::size_t count, const std::string& what, const std::string& place) {
-  return std::to_string(count) + " " + what + (count == 1 ? " (at " : "s (the first at ") + place + ")";
-}
-
 void checkShapes(const Mesh& mesh, Problems& problems) {
   std::vector<int> inverted, flat;
   for (int e = 0; e < mesh.elements(); ++e) {
@@ -26,8 +21,8 @@ void checkShapes(const Mesh& mesh, Problems& problems) {
     if (bad.empty()) return;
     char area[40];
     std::snprintf(area, sizeof area, "%.6g", signedArea(mesh, bad[0]));
-    problems.add("Mesh", mesh.source + ": " + howManyAndWhere(bad.size(), what, placeText(centreOf(mesh, bad[0]), mesh.dimension)) +
-                             "; element " + std::to_string(bad[0]) + " has the area " + area + ", expected a positive one");
+    problems.add("Mesh", mesh.source + ": " + countAt(bad.size(), what, placeText(centreOf(mesh, bad[0]), mesh.dimension)) + "; element " +
+                             std::to_string(bad[0]) + " has the area " + area + ", expected a positive one");
   };
   report(inverted, "inverted element");
   report(flat, "element without area");
@@ -39,7 +34,7 @@ void checkNodes(const Mesh& mesh, Problems& problems) {
   const std::size_t orphans = std::count(used.begin(), used.end(), 0);
   if (orphans == 0) return;
   const int first = static_cast<int>(std::find(used.begin(), used.end(), 0) - used.begin());
-  problems.add("Mesh", mesh.source + ": " + howManyAndWhere(orphans, "node", placeText(mesh.point(first), mesh.dimension)) +
+  problems.add("Mesh", mesh.source + ": " + countAt(orphans, "node", placeText(mesh.point(first), mesh.dimension)) +
                            " in no element, and so in no body");
 }
 
@@ -66,9 +61,8 @@ void assignBodies(Mesh& mesh, const std::vector<std::string>& names) {
       mesh.bodyOfElement[e] = body;
     }
     for (const auto& [other, elements] : twice)
-      problems.add("Bodies/" + names[body],
-                   howManyAndWhere(elements.size(), "element", placeText(centreOf(mesh, elements[0]), mesh.dimension)) +
-                       " also in the body '" + names[other] + "'; an element belongs to one body");
+      problems.add("Bodies/" + names[body], countAt(elements.size(), "element", placeText(centreOf(mesh, elements[0]), mesh.dimension)) +
+                                                " also in the body '" + names[other] + "'; an element belongs to one body");
   }
 
   // With a body missing, its elements and nodes would only repeat that error.
@@ -93,12 +87,12 @@ void assignBodies(Mesh& mesh, const std::vector<std::string>& names) {
     }
     if (!homeless.empty())
       problems.add("Bodies", "the mesh " + mesh.source + " has " +
-                                 howManyAndWhere(homeless.size(), "element", placeText(centreOf(mesh, homeless[0]), mesh.dimension)) +
+                                 countAt(homeless.size(), "element", placeText(centreOf(mesh, homeless[0]), mesh.dimension)) +
                                  " in none of the bodies (" + joinNames(names) +
                                  "). Surface groups: " + joinNames(mesh.elementGroupNames()));
     for (const auto& [pair, nodes] : shared)
       problems.add("Bodies/" + names[pair.first],
-                   "shares " + howManyAndWhere(nodes.size(), "node", placeText(mesh.point(nodes[0]), mesh.dimension)) + " with the body '" +
+                   "shares " + countAt(nodes.size(), "node", placeText(mesh.point(nodes[0]), mesh.dimension)) + " with the body '" +
                        names[pair.second] +
                        "'; bodies share no nodes: mesh each as a shape of its own (in Gmsh: no BooleanFragments across)");
   }

@@ -21,6 +21,8 @@ struct CellBlock {
   std::vector<int> offsets{0};      ///< elements + 1
   std::vector<int> connectivity;    ///< nodes of element e: connectivity[offsets[e] .. offsets[e+1])
 
+  std::vector<int> regions;  ///< of each element: number of its region in the scene, or -1; empty: the scene has no regions
+
   int nodes() const { return static_cast<int>(coordinates.size()) / dimension; }
   int elements() const { return static_cast<int>(cells.size()); }
   Span<const int> nodesOf(int element) const {

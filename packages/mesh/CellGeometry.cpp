@@ -126,4 +126,8 @@ std::string placeText(const Point& point, int dimension) {
   return text;
 }
 
+std::string countAt(std::size_t count, const std::string& what, const std::string& place) {
+  return std::to_string(count) + " " + what + (count == 1 ? " (at " : "s (the first at ") + place + ")";
+}
+
 }  // namespace suture

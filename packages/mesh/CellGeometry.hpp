@@ -21,4 +21,7 @@ double diameterOf(const CellBlock& block, int element);
 /// "(x, y)" for messages; six digits.
 std::string placeText(const Point& point, int dimension = 2);
 
+/// "7 elements (the first at (1, 2))", or "1 element (at (1, 2))": how many of something, and where. `place`: placeText().
+std::string countAt(std::size_t count, const std::string& what, const std::string& place);
+
 }  // namespace suture

@@ -1,6 +1,7 @@
 #include <suture/base/Errors.hpp>
 #include <suture/mesh/Generators.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -22,6 +23,11 @@ void check(const std::vector<Box>& all) {
     else if (box.blocksX < 1 || box.blocksY < 1 || box.nx % box.blocksX != 0 || box.ny % box.blocksY != 0)
       problems.add(path + "/Blocks", "{" + integer(box.blocksX) + ", " + integer(box.blocksY) + "} do not divide the cells {" +
                                          integer(box.nx) + ", " + integer(box.ny) + "} into equal blocks");
+    if (box.brickX < 0 || box.brickY < 0 || (box.brickX == 0) != (box.brickY == 0) ||
+        (box.brickX >= std::max(1, box.nx) && box.brickY >= std::max(1, box.ny)))
+      problems.add(path + "/Bricks", "{" + integer(box.brickX) + ", " + integer(box.brickY) + "} make no board of the cells {" +
+                                         integer(box.nx) + ", " + integer(box.ny) +
+                                         "}; expected at least one cell each way and two bricks");
   }
   problems.throwIfAny();
 }
@@ -96,6 +102,8 @@ class BoxMesher {
     mesh_.elementGroups[box_.name].push_back(element);
     const int blockX = i / (box_.nx / box_.blocksX), blockY = j / (box_.ny / box_.blocksY);
     mesh_.elementGroups["subdomain_" + box_.name + "_" + std::to_string(blockX) + "_" + std::to_string(blockY)].push_back(element);
+    if (box_.brickX > 0)  // the last bricks are smaller where the cells do not divide
+      mesh_.elementGroups[box_.name + ((i / box_.brickX + j / box_.brickY) % 2 == 0 ? "_bricks_even" : "_bricks_odd")].push_back(element);
     for (int s = 0; s < n; ++s) addSide(corners[s], corners[(s + 1) % n], Side{element, s});
   }
 

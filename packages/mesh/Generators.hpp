@@ -11,6 +11,7 @@ struct Box {
   double x0 = 0, x1 = 1, y0 = 0, y1 = 1;
   int nx = 8, ny = 8;
   Cell cell = Cell::Triangle3;   ///< Triangle3: each cell cut in two, with alternating diagonals; Quadrilateral4: as it is
+  int brickX = 0, brickY = 0;    ///< > 0: bricks of so many cells, in turn in the element groups "<name>_bricks_even" and "_odd"
   int blocksX = 1, blocksY = 1;  ///< also named subdomains "subdomain_<name>_<i>_<j>", equal blocks of cells
 };
 

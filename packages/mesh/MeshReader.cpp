@@ -28,7 +28,12 @@ Schema boxSchema() {
       .oneOf("Cell", "Triangle3", {"Triangle3", "Triangle6", "Quadrilateral4", "Quadrilateral8", "Quadrilateral9"},
              "shape of elements; triangles: each cell is cut in two, with alternating diagonals")
       .integers("Blocks", std::vector<int>{1, 1}, "surface groups subdomain_<name>_<i>_<j>: equal blocks of cells in x and in y",
-                Range::atLeast(1));
+                Range::atLeast(1))
+      .integers("Bricks", std::nullopt,
+                "a chess board of bricks of so many cells in x and in y, the last ones smaller if need be: surface groups "
+                "<name>_bricks_even and <name>_bricks_odd, for the materials of Bodies/<name>/Regions; none if left out",
+                Range::atLeast(1))
+      .optional();
 }
 
 template <typename T>
@@ -50,6 +55,7 @@ Mesh generateBoxes(const Parameters& list) {
     std::tie(box.y0, box.y1) = pairOf<double>(own, "Y", problems);
     std::tie(box.nx, box.ny) = pairOf<int>(own, "Cells", problems);
     std::tie(box.blocksX, box.blocksY) = pairOf<int>(own, "Blocks", problems);
+    if (own.isParameter("Bricks")) std::tie(box.brickX, box.brickY) = pairOf<int>(own, "Bricks", problems);
     const std::string cell = own.get<std::string>("Cell");
     for (int c = 0; c <= static_cast<int>(Cell::Quadrilateral9); ++c)
       if (cellInfo(static_cast<Cell>(c)).name == cell) box.cell = static_cast<Cell>(c);

@@ -124,6 +124,7 @@ void Cutter::cutElements(const std::vector<int>& elements, SubdomainMesh& part) 
     localElement_[e] = static_cast<int>(part.globalElements.size());
     part.globalElements.push_back(e);
     part.cells.push_back(mesh_.cells[e]);
+    if (!mesh_.regions.empty()) part.regions.push_back(mesh_.regions[e]);
     for (int node : mesh_.nodesOf(e)) {
       part.connectivity.push_back(node);
       if (localNode_[node] < 0) {
@@ -193,6 +194,7 @@ void forEachField(SubdomainMeshRef& part, const Each& each) {
   each(part.cells);
   each(part.offsets);
   each(part.connectivity);
+  each(part.regions);
   each(part.id);
   each(part.body);
   each(part.group);

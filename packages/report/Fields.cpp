@@ -14,7 +14,7 @@ struct BodyFields {
   GridPart grid;
   std::vector<double> displacement;
   std::vector<GlobalId> nodeId;
-  std::vector<double> stress, principal, direction1, direction2, vonMises;
+  std::vector<double> stress, principal, direction1, direction2, vonMises, young;
   std::vector<int> subdomain, body;
   std::vector<GlobalId> elementId;
 };
@@ -46,8 +46,7 @@ void addCells(const SubdomainMesh& mesh, const std::vector<GlobalId>& number, Bo
 }
 
 void addStresses(const SubdomainMesh& mesh, const ElasticModel& model, const Vector& u, BodyFields& all) {
-  const Material& material = model.materialOfBody[std::size_t(mesh.body)];
-  const auto materialOf = [&](int) -> const Material& { return material; };
+  const auto materialOf = [&](int e) -> const Material& { return model.materialOf(mesh, e, mesh.body); };
   const Matrix stress = elementStresses(mesh, materialOf, model.plane, u);
   const Matrix principal = principalStresses(stress);
   const Vector mises = vonMises(stress);
@@ -59,6 +58,7 @@ void addStresses(const SubdomainMesh& mesh, const ElasticModel& model, const Vec
     all.direction1.insert(all.direction1.end(), {c, s, 0.0});
     all.direction2.insert(all.direction2.end(), {-s, c, 0.0});
     all.vonMises.push_back(mises[e]);
+    all.young.push_back(materialOf(e).young);
   }
 }
 
@@ -88,6 +88,7 @@ void writeFields(const Run& run, const std::string& path) {
   file.cellData({"PrincipalDirection1", 3, "", "unit vector of the larger in-plane principal stress"}, all.direction1);
   file.cellData({"PrincipalDirection2", 3, "", "unit vector of the smaller in-plane principal stress"}, all.direction2);
   file.cellData({"VonMises", 1, units.stress, "at the centroid; never negative"}, all.vonMises);
+  if (!run.model.materialOfRegion.empty()) file.cellData({"YoungModulus", 1, units.stress, "of the element's material"}, all.young);
   file.cellData({"Subdomain", 1, "", "number of the subdomain, from 0; names in /Record/Subdomains"}, all.subdomain);
   file.cellData({"Body", 1, "", "number of the body, from 0; names in /Record/Bodies"}, all.body);
   file.cellData({"ElementId", 1, "", "number of the element in the mesh, from 0"}, all.elementId);

@@ -22,10 +22,14 @@ Vector normalInAxes(const NodeRule* rule, const Point& normal, int dimension) {
 Vector nodalLoads(const Mesh& mesh, const ElasticModel& model) {
   Vector forces = Vector::Zero(Eigen::Index(mesh.nodes()) * mesh.dimension);
   for (const Load& load : model.loads) {
-    if (load.kind == Load::Kind::BodyForce) {
+    if (load.kind == Load::Kind::Random) {
+      for (int i = 0; i < mesh.nodes(); ++i)
+        if (load.actsOn(mesh.bodies[mesh.bodyOfNode[i]]))
+          for (int k = 0; k < mesh.dimension; ++k) forces[Eigen::Index(i) * mesh.dimension + k] += randomForce(load, i, k);
+    } else if (load.kind == Load::Kind::BodyForce) {
       std::vector<int> elements;
       for (int e = 0; e < mesh.elements(); ++e)
-        if (load.group.empty() || mesh.bodies[mesh.bodyOfElement[e]] == load.group) elements.push_back(e);
+        if (load.actsOn(mesh.bodies[mesh.bodyOfElement[e]])) elements.push_back(e);
       addBodyForce(mesh, elements, load, forces);
     } else {
       const auto group = mesh.sideGroups.find(load.group);
@@ -203,7 +207,8 @@ void MonolithicSystem::assemble() {
     }
   };
   elementStiffnesses(
-      mesh_, [&](int element) -> const Material& { return model_.materialOfBody[mesh_.bodyOfElement[element]]; }, model_.plane, take);
+      mesh_, [&](int element) -> const Material& { return model_.materialOf(mesh_, element, mesh_.bodyOfElement[element]); }, model_.plane,
+      take);
 }
 
 Vector MonolithicSystem::expand(const Vector& x) const {
@@ -231,7 +236,8 @@ Vector MonolithicSystem::internalForces(const Vector& displacement) const {
       forces.segment(component(nodes[i], 0), dimension) += local.segment(Eigen::Index(i) * dimension, dimension);
   };
   elementStiffnesses(
-      mesh_, [&](int element) -> const Material& { return model_.materialOfBody[mesh_.bodyOfElement[element]]; }, model_.plane, take);
+      mesh_, [&](int element) -> const Material& { return model_.materialOf(mesh_, element, mesh_.bodyOfElement[element]); }, model_.plane,
+      take);
   return forces;
 }
 

@@ -1,6 +1,7 @@
 #include <suture/subdomain/ElasticSubdomain.hpp>
 #include <suture/subdomain/RigidModes.hpp>
 
+#include <algorithm>
 #include <numeric>
 
 namespace suture {
@@ -9,7 +10,8 @@ void ElasticSubdomain::doAssemble(SparseMatrix& stiffness, Vector& load) {
   const SubdomainMesh& m = mesh();
   const int d = components();
   std::vector<Eigen::Triplet<double>> entries;
-  elementStiffnesses(m, material(), model_.plane, [&](int element, ConstLocalView given) {
+  const auto materials = [this](int element) -> const Material& { return materialOf(element); };
+  elementStiffnesses(m, materials, model_.plane, [&](int element, ConstLocalView given) {
     const auto nodes = m.nodesOf(element);
     Matrix k = given;
     for (std::size_t a = 0; a < nodes.size(); ++a)
@@ -26,8 +28,12 @@ void ElasticSubdomain::doAssemble(SparseMatrix& stiffness, Vector& load) {
   std::vector<int> all(m.elements());
   std::iota(all.begin(), all.end(), 0);
   for (const Load& given : model_.loads) {
-    if (given.kind == Load::Kind::BodyForce) {
-      if (given.group.empty() || given.group == model_.bodies[m.body]) addBodyForce(m, all, given, load);
+    if (given.onBody()) {
+      if (!given.actsOn(model_.bodies[m.body])) continue;
+      if (given.kind == Load::Kind::Random)
+        addRandomForces(given, load);
+      else
+        addBodyForce(m, all, given, load);
     } else if (const auto sides = m.sideGroups.find(given.group); sides != m.sideGroups.end()) {
       addSideLoad(m, sides->second, given, load);
     }
@@ -41,6 +47,21 @@ Matrix ElasticSubdomain::doRigidModes() const {
   return modes;
 }
 
-Vector ElasticSubdomain::doYoungModulus() const { return Vector::Constant(mesh().nodes(), material().young); }
+// Of the subdomains that hold a node the first one carries its force, so that the sum over all has it once, exactly.
+void ElasticSubdomain::addRandomForces(const Load& given, Vector& load) const {
+  const SubdomainMesh& m = mesh();
+  for (int node = 0; node < m.nodes(); ++node) {
+    const auto others = m.others(node);
+    if (std::any_of(others.begin(), others.end(), [&](int other) { return other < m.id; })) continue;
+    for (int k = 0; k < components(); ++k) load(node * components() + k) += randomForce(given, m.globalNodes[node], k);
+  }
+}
+
+Vector ElasticSubdomain::doYoungModulus() const {
+  Vector young = Vector::Zero(mesh().nodes());
+  for (int element = 0; element < mesh().elements(); ++element)
+    for (const int node : mesh().nodesOf(element)) young(node) = std::max(young(node), materialOf(element).young);
+  return young;
+}
 
 }  // namespace suture

@@ -10,7 +10,7 @@ class ElasticSubdomain : public Subdomain {
   /// `mesh` and `model` must outlive it.
   ElasticSubdomain(const SubdomainMesh& mesh, const ElasticModel& model) : Subdomain(mesh), model_(model) {}
 
-  const Material& material() const { return model_.materialOfBody[mesh().body]; }
+  const Material& materialOf(int element) const { return model_.materialOf(mesh(), element, mesh().body); }
 
  protected:
   void doAssemble(SparseMatrix& stiffness, Vector& load) override;
@@ -18,6 +18,8 @@ class ElasticSubdomain : public Subdomain {
   Vector doYoungModulus() const override;
 
  private:
+  void addRandomForces(const Load& given, Vector& load) const;
+
   const ElasticModel& model_;
 };
 

@@ -143,6 +143,9 @@ TEUCHOS_UNIT_TEST(NodalRules, WantTheFormOfEachType) {
                      entry("x pressure", {{"Type", "Pressure"}, {"Group", "b0_top"}, {"Value", "1"}, {"Components", "x"}}) +
                      entry("force on a curve", {{"Type", "Body Force"}, {"Group", "b0_top"}, {"Value", "{0, 1}"}}) +
                      entry("force on nobody", {{"Type", "Body Force"}, {"Body", "b1"}, {"Value", "{0, 1}"}}) +
+                     entry("seeded traction", {{"Type", "Traction"}, {"Group", "b0_top"}, {"Value", "{0, 1}"}, {"Seed", "1"}}) +
+                     entry("noise on a curve", {{"Type", "Random Load"}, {"Group", "b0_top"}}) +
+                     entry("valued noise", {{"Type", "Random Load"}, {"Amplitude", "1"}, {"Value", "1"}}) +
                      entry("traction of a body", {{"Type", "Traction"}, {"Group", "b0_top"}, {"Body", "b0"}, {"Value", "{0, 1}"}}) +
                      entry("nowhere", {{"Type", "Pressure"}, {"Group", "b0_topp"}, {"Value", "1"}}));
   for (const std::string part :
@@ -151,7 +154,9 @@ TEUCHOS_UNIT_TEST(NodalRules, WantTheFormOfEachType) {
         "vector pressure/Value: 2 values; this Pressure needs 1 value", "no value/Value: is missing; this Pressure needs 1 value",
         "two for x/Value: 2 values; this Displacement needs 1 value", "x pressure/Components: only a Displacement has it",
         "force on a curve/Group: a Body Force acts on a body", "force on nobody/Body: no such body 'b1'",
-        "traction of a body/Body: only a Body Force has it",
+        "traction of a body/Body: only a Body Force or a Random Load has it",
+        "seeded traction/Seed: only a Random Load has it; found in a Traction", "noise on a curve/Group: a Random Load acts on a body",
+        "noise on a curve/Amplitude: is missing", "valued noise/Value: a Random Load has no value",
         "nowhere/Group: in the mesh boxes: no such curve group 'b0_topp'. Did you mean 'b0_top'?"})
     SUTURE_CHECK_SAYS(text, "Boundary Conditions/" + part);
 }
@@ -161,6 +166,7 @@ TEUCHOS_UNIT_TEST(NodalRules, TakeLoadsOfTheRightForm) {
   TEST_EQUALITY(said(mesh, bilateral("hold", "b0_bottom") + entry("t", {{"Type", "Traction"}, {"Group", "b0_top"}, {"Value", "{1, 2}"}}) +
                                entry("p", {{"Type", "Pressure"}, {"Group", "b0_top"}, {"Value", "1"}}) +
                                entry("f", {{"Type", "Body Force"}, {"Body", "b0"}, {"Value", "{0, -9.81}"}}) +
-                               entry("g", {{"Type", "Body Force"}, {"Value", "{0, -9.81}"}})),
+                               entry("g", {{"Type", "Body Force"}, {"Value", "{0, -9.81}"}}) +
+                               entry("h", {{"Type", "Random Load"}, {"Amplitude", "2"}, {"Seed", "3"}, {"Body", "b0"}})),
                 "no error");
 }

@@ -94,6 +94,37 @@ TEUCHOS_UNIT_TEST(ElasticModel, NamesAllProblemsAtOnce) {
   TEST_ASSERT(says(problems[3], "Boundary Conditions/magnet/Body", "Did you mean 'upper'"));
 }
 
+TEUCHOS_UNIT_TEST(ElasticModel, KnowsTheMaterialOfEveryRegion) {
+  const ElasticModel model = modelOf({"Bodies/upper/Regions/seam/Group=seam", "Bodies/upper/Regions/seam/Material=rock",
+                                      "Bodies/lower/Regions/anchor/Group=anchor", "Bodies/lower/Regions/anchor/Material=steel"});
+  TEST_EQUALITY(model.materialOfRegion.size(), 2u);
+  if (model.materialOfRegion.size() != 2u) return;
+  CellBlock block;
+  block.regions = {1, -1, 0};  // body by body: the anchor of `lower`, the seam of `upper`
+  TEST_EQUALITY(model.materialOf(block, 0, 1).young, 0.52e10);
+  TEST_EQUALITY(model.materialOf(block, 1, 1).young, 210e9);
+  TEST_EQUALITY(model.materialOf(block, 1, 0).young, 0.52e10);
+  TEST_EQUALITY(model.materialOf(block, 2, 0).young, 210e9);
+  TEST_THROW(model.materialOf(CellBlock(), 0, 0), InternalError);  // a mesh that was not told of the regions
+  TEST_EQUALITY(modelOf().materialOf(CellBlock(), 0, 1).young, 210e9);
+  const std::vector<Problem> problems = problemsOf({"Bodies/upper/Regions/seam/Group=seam", "Bodies/upper/Regions/seam/Material=rok"});
+  TEST_ASSERT(problems.size() == 1 && says(problems[0], "Bodies/upper/Regions/seam/Material", "Did you mean 'rock'"));
+}
+
+TEUCHOS_UNIT_TEST(ElasticModel, TakesRandomLoads) {
+  const std::string name = "Boundary Conditions/noise/";
+  const ElasticModel model = modelOf({name + "Type=Random Load", name + "Amplitude=2.5", name + "Seed=-4", name + "Body=lower"});
+  TEST_EQUALITY(model.loads.size(), 5u);
+  const Load& load = model.loads.back();
+  TEST_ASSERT(load.kind == Load::Kind::Random && load.onBody());
+  TEST_EQUALITY(load.value[0], 2.5);
+  TEST_EQUALITY(load.seed, -4);
+  TEST_ASSERT(load.actsOn("lower") && !load.actsOn("upper"));
+  TEST_EQUALITY(modelOf({name + "Type=Random Load", name + "Amplitude=2.5"}).loads.back().seed, 0);
+  TEST_ASSERT(problemsOf({name + "Type=Random Load", name + "Amplitude=0.0"})[0].path == "Boundary Conditions/noise/Amplitude");
+  TEST_ASSERT(says(problemsOf({name + "Type=Random Load"})[0], "Boundary Conditions/noise/Amplitude", "is missing"));
+}
+
 TEUCHOS_UNIT_TEST(ElasticModel, RefusesMaterialsThatDoNotExistInNature) {
   for (const std::string poisson : {"0.5", "-1.0", "0.7"}) {
     const std::vector<Problem> problems = problemsOf({"Materials/rock/Poisson Ratio=" + poisson});

@@ -106,11 +106,37 @@ TEUCHOS_UNIT_TEST(Generators, CutBoxesIntoEqualBlocks) {
     }
 }
 
+TEUCHOS_UNIT_TEST(Generators, LayBricksLikeAChessBoard) {
+  for (const Cell cell : {Cell::Triangle3, Cell::Quadrilateral4}) {
+    Box b = box("b", 0, 2, cell);  // 6 x 4 cells of 2/3 x 1/2 in bricks of 4 x 3: whole, then 2 x 3, 4 x 1, 2 x 1
+    b.brickX = 4;
+    b.brickY = 3;
+    const Mesh mesh = boxes({b});
+    const auto& even = mesh.elementGroups.at("b_bricks_even");
+    const auto& odd = mesh.elementGroups.at("b_bricks_odd");
+    TEST_EQUALITY(even.size() + odd.size(), std::size_t(mesh.elements()));
+    TEST_FLOATING_EQUALITY(areaOf(mesh, even), (4 * 3 + 2 * 1) / 3.0, 1e-13);
+    TEST_FLOATING_EQUALITY(areaOf(mesh, odd), (2 * 3 + 4 * 1) / 3.0, 1e-13);
+    const double crossX = -1 + 4 * 2.0 / 3, crossY = 1.5;  // where four bricks meet
+    for (const int e : even) TEST_COMPARE((centreOf(mesh, e)[0] - crossX) * (centreOf(mesh, e)[1] - crossY), >, 0);
+    for (const int e : odd) TEST_COMPARE((centreOf(mesh, e)[0] - crossX) * (centreOf(mesh, e)[1] - crossY), <, 0);
+    TEST_ASSERT(mesh.elementGroups.count("subdomain_b_2_1"));
+    TEST_ASSERT(!boxes({box("b", 0, 2, cell)}).elementGroups.count("b_bricks_even"));
+  }
+}
+
 TEUCHOS_UNIT_TEST(Generators, RefuseBadBoxesAllAtOnce) {
   Box empty = box("empty", 2, 1), uneven = box("uneven", 0, 1), none = box("none", 0, 1);
   uneven.blocksX = 4;
   none.nx = 0;
-  const std::string said = meshtesting::problemsOf([&] { boxes({empty, uneven, none, none}); });
+  Box single = box("single", 0, 1), half = box("half", 0, 1);
+  single.brickX = 6;
+  single.brickY = 9;
+  half.brickY = 2;
+  const std::string said = meshtesting::problemsOf([&] { boxes({empty, uneven, none, none, single, half}); });
+  SUTURE_CHECK_SAYS(said,
+                    "Mesh/Boxes/single/Bricks: {6, 9} make no board of the cells {6, 4}; expected at least one cell each way and two");
+  SUTURE_CHECK_SAYS(said, "Mesh/Boxes/half/Bricks: {0, 2} make no board");
   SUTURE_CHECK_SAYS(said, "Mesh/Boxes/empty/Y: an empty interval");
   SUTURE_CHECK_SAYS(said, "Mesh/Boxes/uneven/Blocks: {4, 2} do not divide the cells {6, 4}");
   SUTURE_CHECK_SAYS(said, "Mesh/Boxes/none/Cells: {0, 4}");

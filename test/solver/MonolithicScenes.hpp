@@ -52,6 +52,13 @@ struct Scene {
   void pressure(const std::string& group, double value) { model.loads.push_back({Load::Kind::Pressure, group, {value, 0, 0}}); }
   void traction(const std::string& group, Point value) { model.loads.push_back({Load::Kind::Traction, group, value}); }
 
+  /// Another Young modulus, and the body's Poisson ratio, in an element group.
+  void region(const std::string& group, double young) {
+    if (mesh.regions.empty()) mesh.regions.assign(mesh.elements(), -1);
+    for (const int e : mesh.elementGroups.at(group)) mesh.regions[e] = int(model.materialOfRegion.size());
+    model.materialOfRegion.push_back({group, young, model.materialOfBody.front().poisson});
+  }
+
   /// Pairs the nodes of the two sides by their place along the line, normal from A to B; sorted along the line.
   void pairUp(Point normal = {0, 1, 0}) {
     constraints.pairs.clear();

@@ -200,6 +200,21 @@ def history_energyIncrease(folder, _):
     return float((np.diff(energy) / np.abs(energy[:-1])).max()) if len(energy) > 1 else 0.0
 
 
+def vtk_quadrilateralArea(folder, _):
+    """Area of all quadrilaterals that VTK's own reader finds, each by the order of its corners."""
+    from vtkmodules.vtkCommonDataModel import VTK_QUAD
+    from vtkmodules.vtkIOHDF import vtkHDFReader
+
+    reader = vtkHDFReader()
+    reader.SetFileName(os.path.join(folder, "fields_0000.vtkhdf"))
+    reader.Update()
+    grid, total = reader.GetOutput(), 0.0
+    for cell in (grid.GetCell(i) for i in range(grid.GetNumberOfCells()) if grid.GetCellType(i) == VTK_QUAD):
+        x = np.array([cell.GetPoints().GetPoint(k) for k in range(4)])
+        total += 0.5 * float(np.cross(x[2] - x[0], x[3] - x[1])[2])
+    return total
+
+
 def figure(name, folder, reference=None):
     """The figure "case.name" of the run in `folder`."""
     function = getattr(sys.modules[__name__], name.replace(".", "_"), None)

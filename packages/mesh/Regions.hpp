@@ -1,0 +1,24 @@
+#pragma once
+#include <suture/mesh/Mesh.hpp>
+
+#include <string>
+#include <vector>
+
+namespace suture {
+
+/// An entry of the scene's list `Bodies/<body>/Regions`: a part of a body that has something of its own, its material.
+struct RegionEntry {
+  std::string body;
+  const Parameters* list;  ///< of the scene, which must outlive it
+};
+
+/// All regions of the scene, body by body, in the order of the file: what CellBlock::regions counts. Local.
+/// \param bodies  the scene's list `Bodies`
+std::vector<RegionEntry> regionEntries(const Parameters& bodies);
+
+/// Gives every element its region by the entries' parameter `Group`; without any region the mesh stays as it is. After assignBodies().
+/// \throws InputError  all of: a group that the mesh does not have (nearest name, known groups), an empty one, one that reaches outside its
+///                     body, an element in two regions.  Local (rank 0).
+void assignRegions(Mesh& mesh, const Parameters& bodies);
+
+}  // namespace suture

@@ -1,0 +1,111 @@
+// Every element against an exact solution of plane strain without body force: how fast its errors fall with the mesh size.
+#include <Teuchos_UnitTestHarness.hpp>
+#include <suture/elasticity/ElementMap.hpp>
+#include <suture/solver/Monolithic.hpp>
+
+#include "MonolithicScenes.hpp"
+
+#include <cmath>
+#include <complex>
+#include <map>
+
+namespace suture {
+namespace {
+
+using Complex = std::complex<double>;
+
+// Kolosov and Muskhelishvili with phi = z^3, psi = 0: 2 mu (u + i v) = kappa phi - z conj(phi'), s_xx + s_yy = 4 Re phi',
+// s_yy - s_xx + 2 i s_xy = 2 conj(z) phi''.
+constexpr double kYoung = 2.6, kPoisson = 0.3, kShear = 1.0;
+
+Point exactDisplacement(const Point& p) {
+  const Complex z(p[0], p[1]);
+  const Complex u = ((3 - 4 * kPoisson) * z * z * z - z * std::conj(3.0 * z * z)) / (2 * kShear);
+  return {u.real(), u.imag(), 0};
+}
+
+std::array<double, 3> exactStress(const Point& p) {
+  const Complex z(p[0], p[1]);
+  const double sum = 4 * (3.0 * z * z).real();
+  const Complex difference = 2.0 * std::conj(z) * 6.0 * z;
+  return {(sum - difference.real()) / 2, (sum + difference.real()) / 2, difference.imag() / 2};
+}
+
+// The unit square, its inner lines bent; exact displacements on its boundary.
+scenes::Scene bentSquare(Cell cell, int cells) {
+  Box box;
+  box.nx = box.ny = cells;
+  box.cell = cell;
+  scenes::Scene scene = scenes::fromBoxes({box}, kYoung, kPoisson);
+  const double pi = std::acos(-1.0);
+  for (int node = 0; node < scene.mesh.nodes(); ++node) {
+    double* x = &scene.mesh.coordinates[2 * node];
+    const double bump = std::sin(pi * x[0]) * std::sin(pi * x[1]);
+    x[0] += 0.06 * bump;
+    x[1] -= 0.04 * bump;
+  }
+  for (const char* side : {"body_left", "body_right", "body_bottom", "body_top"})
+    for (const int node : scene.nodesOf(side))
+      for (int k = 0; k < 2; ++k) scene.holdNode(node, k, exactDisplacement(scene.mesh.point(node))[k]);
+  return scene;
+}
+
+struct Errors {
+  double displacement, stress;  // in the norm of L2; stress at centroids, weighted by areas
+};
+
+Errors errorsOf(Cell cell, int cells) {
+  const scenes::Scene scene = bentSquare(cell, cells);
+  const Mesh& mesh = scene.mesh;
+  Monitor quiet;
+  const Vector u = solveMonolithic(mesh, scene.constraints, scene.model, {}, quiet).displacement;
+  const Matrix stress = elementStresses(
+      mesh, [&](int) -> const Material& { return scene.model.materialOfBody[0]; }, PlaneModel::Strain, u);
+  const ReferenceElement &rule = referenceElement(cell, Rule::Stiffness), &centroid = referenceElement(cell, Rule::Centroid);
+  const auto placeAt = [&](const ReferenceElement& reference, int element, int q) {
+    Point p{0, 0, 0};
+    for (int a = 0; a < reference.nodes; ++a)
+      for (int k = 0; k < 2; ++k) p[k] += reference.valuesAt(q)[a] * mesh.point(mesh.nodesOf(element)[a])[k];
+    return p;
+  };
+  Errors squares{0, 0};
+  for (int e = 0; e < mesh.elements(); ++e) {
+    ElementMap map(mesh, e, rule);
+    double area = 0;
+    for (int q = 0; q < rule.points; ++q) {
+      map.at(q);
+      area += map.measure();
+      const Point exact = exactDisplacement(placeAt(rule, e, q));
+      for (int k = 0; k < 2; ++k) {
+        double value = -exact[k];
+        for (int a = 0; a < rule.nodes; ++a) value += rule.valuesAt(q)[a] * u(2 * mesh.nodesOf(e)[a] + k);
+        squares.displacement += map.measure() * value * value;
+      }
+    }
+    const std::array<double, 3> exact = exactStress(placeAt(centroid, e, 0));
+    squares.stress +=
+        area * (std::pow(stress(e, 0) - exact[0], 2) + std::pow(stress(e, 1) - exact[1], 2) + 2 * std::pow(stress(e, 3) - exact[2], 2));
+  }
+  return {std::sqrt(squares.displacement), std::sqrt(squares.stress)};
+}
+
+TEUCHOS_UNIT_TEST(ElementOrders, AreThoseOfTheoryForEveryCell) {
+  // Displacement p + 1. Stress at least p; Quadrilateral4 has its second order at the centroid, where its gradients are best.
+  const std::map<std::string, std::pair<double, double>> least{
+      {"Triangle3", {2, 1}}, {"Quadrilateral4", {2, 2}}, {"Triangle6", {3, 2}}, {"Quadrilateral8", {3, 2}}, {"Quadrilateral9", {3, 2}}};
+  for (int c = 0; c <= static_cast<int>(Cell::Quadrilateral9); ++c) {
+    const Cell cell = static_cast<Cell>(c);
+    const Errors coarse = errorsOf(cell, 8), fine = errorsOf(cell, 16);
+    const double displacement = std::log2(coarse.displacement / fine.displacement), stress = std::log2(coarse.stress / fine.stress);
+    const auto& [p, q] = least.at(cellInfo(cell).name);
+    out << cellInfo(cell).name << ": displacement " << fine.displacement << ", order " << displacement << "; stress " << fine.stress
+        << ", order " << stress << "\n";
+    TEST_COMPARE(displacement, >, p - 0.1);
+    TEST_COMPARE(displacement, <, p + 1.1);
+    TEST_COMPARE(stress, >, q - 0.1);
+    TEST_COMPARE(fine.displacement, <, 2e-2);  // u is of the order of one: the right solution, not one nearby
+  }
+}
+
+}  // namespace
+}  // namespace suture
