@@ -1,0 +1,134 @@
+#!/usr/bin/python3
+"""Hard cases (VALIDATION.md) that every formulation must solve, equal to the monolithic reference, or refuse with a reason.
+
+    hard_cases.py --list                                          the tests: "<variant>.<case> <ranks>" a line
+    hard_cases.py <variant>.<case> --solve ... --work ... [--ranks N] [--mpirun ...]     one of them, by test/drivers/check_run.py
+
+A new formulation or solver is a line of VARIANTS: all cases are then its tests.
+"""
+import json
+import os
+import subprocess
+import sys
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+SOURCE = "VALIDATION.md, hard cases: as the monolithic reference"
+
+VARIANTS = {
+    "condensed_groups": ["Formulation=Condensed Groups"],
+}
+
+
+def young(material, value):
+    return [f"Materials/{material}/Young Modulus={value}"]
+
+
+def poisson(value):
+    return [f"Materials/{material}/Poisson Ratio={value}" for material in ("soft", "hard")]
+
+
+def boxes(name, value):
+    return [f"Mesh/Boxes/{box}/{name}={value}" for box in ("lower", "upper")]
+
+
+def bricks(*bodies):
+    """Every second brick of these bodies is hard."""
+    return [f"Bodies/{body}/Regions/bricks/{name}" for body in bodies for name in (f"Group={body}_bricks_odd", "Material=hard")]
+
+
+def metis(subdomains, seed=1):
+    return ["Partition/Type=METIS", f"Partition/METIS/Subdomains={subdomains}", f"Partition/METIS/Seed={seed}"]
+
+
+# What a group says whose stiffness has eigenvalues that are zero to rounding: it will not guess.
+ILL = ["more mechanisms than", "rigid modes known"]
+QUADS = boxes("Cell", "Quadrilateral4")
+HANG = ["Boundary Conditions/wall/Type=Displacement", "Boundary Conditions/wall/Value={0.0, 0.1}"]
+NOISE = [f"Boundary Conditions/noise/{setting}" for setting in ("Type=Random Load", "Amplitude=1e-5", "Seed=3")]
+
+
+def cases():
+    """name -> settings ("set"), "ranks", the solver's "tolerance", checks of its own; tolerances of the differences "displacement" and
+    "force" (1e-7, 1e-6) and "status" (0) from the reference, or None; "refused": what all say, with exit code 3, or "refuses": {variant:
+    what it says, with exit code 4}."""
+    all = {"plain": {"set": [], "ranks": [1, 2, 4]}}
+    for jump in ("1e4", "1e6", "1e8"):
+        own = {
+            "bricks_across_subdomains": bricks("lower", "upper"),
+            "bricks_within_subdomains": bricks("lower", "upper") + boxes("Bricks", "{6, 3}"),
+            "bricks_of_one_cell": bricks("lower", "upper") + boxes("Bricks", "{1, 1}") + QUADS,
+            "bricks_metis": bricks("lower", "upper") + metis(40),
+            "upper_harder": ["Bodies/upper/Material=hard"],
+            "lower_harder": ["Bodies/lower/Material=hard"],
+        }
+        for name, settings in own.items():
+            all[f"{name}_{jump}"] = {"set": settings + young("hard", jump)}
+    # Stiffness times displacement loses as many digits as the jump has, and no residual is smaller than that.
+    all["bricks_within_subdomains_1e6"]["tolerance"] = all["bricks_metis_1e6"]["tolerance"] = 1e-9
+    all["upper_harder_1e8"]["refuses"] = {"condensed_groups": ["the tolerance was not reached"]}
+    for name in ("bricks_within_subdomains_1e8", "bricks_metis_1e8"):
+        all[name]["refuses"] = {"condensed_groups": ILL}
+    for ratio in ("0.49", "0.4999"):
+        all[f"poisson_{ratio}"] = {"set": poisson(ratio)}
+        all[f"poisson_{ratio}_quadrilaterals"] = {"set": poisson(ratio) + QUADS}
+    # Elements of aspect ratio 1e3: in blocks of ordinary shape, in columns, in strips so slender that they bend without resistance.
+    all["slivers"] = {"set": boxes("Cells", "{4, 1000}")}
+    all["slivers_upright"] = {"set": boxes("X", "{0, 0.004}") + ["Boundary Conditions/press/Value=1.0"]}
+    all["slivers_flat"] = {"set": boxes("X", "{0, 4000}"), "refuses": {"condensed_groups": ILL}}
+    all["quadrilaterals"] = {"set": QUADS, "ranks": [1, 2, 4]}
+    all["quadrilaterals_random_load"] = {"set": QUADS + NOISE, "ranks": [1, 2, 4]}
+    all["random_load_on_bricks"] = {"set": bricks("lower", "upper") + young("hard", "1e4") + NOISE + metis(40), "ranks": [1, 2, 4]}
+    all["one_subdomain_a_body"] = {"set": metis(2), "ranks": [1, 4]}
+    all["more_ranks_than_subdomains"] = {"set": metis(3), "ranks": [6]}
+    few = boxes("Cells", "{9, 2}") + boxes("Bricks", "{9, 1}") + boxes("Blocks", "{1, 1}")
+    all["subdomains_of_one_quadrilateral"] = {"set": few + QUADS + metis(36)}
+    all["subdomains_of_one_triangle"] = {"set": few + metis(72)}
+    all["complete_loss_of_contact"] = {
+        "set": HANG + ["Boundary Conditions/press/Value=0.0"],
+        "force": None, "checks": [{"key": "contact.active", "value": 0, "source": "lifted by its wall, and at its end"}]}
+    all["hangs_on_one_end"] = {"set": HANG}
+    all["grazing"] = {
+        "set": ["Boundary Conditions/wall/Type=Displacement", "Boundary Conditions/wall/Value={0.0, 0.0}",
+                "Boundary Conditions/press/Value=0.0", "Boundary Conditions/lift/Value={0.0, 0.0}"],
+        "displacement": None, "force": None,  # zero, both
+        "checks": [{"key": key, "value": 0.0, "absolute": 1e-14, "source": "no load"}
+                   for key in ("max_displacement", "contact.max_pressure")]}
+    # No solution, or more than one: refused by all before anything is solved.
+    all["pushed_away"] = {"set": ["Boundary Conditions/press/Value=-1e-3"], "refused": ["Bodies/upper: body 'upper' can move up"]}
+    all["slides_freely"] = {"set": ["Boundary Conditions/wall/Group=upper_top"], "refused": ["Bodies/upper"]}
+    return all
+
+
+def case(variant, name):
+    own = cases()[name]
+    settings = [argument for setting in own["set"] for argument in ("--set", setting)]
+    mine = [argument for setting in VARIANTS[variant] for argument in ("--set", setting)]
+    settings += ["--set", f"Outer Solver/Tolerance={own.get('tolerance', 1e-10)}"]
+    made = {"scene": os.path.join(HERE, own.get("scene", "lifted_block.xml")), "timeout": 120, "arguments": settings + mine}
+    if "refused" in own:
+        return {**made, "exit_code": 3, "message": own["refused"]}
+    if variant in own.get("refuses", {}):
+        return {**made, "exit_code": 4, "message": own["refuses"][variant]}
+    made["against"] = settings + ["--set", "Outer Solver/Type=Monolithic"]
+    made["checks"] = [{"key": "converged", "value": True, "source": SOURCE},
+                      {"key": "equilibrium.imbalance", "max": 1e-8, "source": "balance of forces"}]
+    made["checks"] += own.get("checks", [])
+    for figure, default in (("displacement", 1e-7), ("force", 1e-6), ("status", 0)):
+        tolerance = own.get(figure, default)
+        if tolerance is not None:
+            made["checks"].append({"figure": "difference." + figure, "max": tolerance, "source": SOURCE})
+    return made
+
+
+if __name__ == "__main__":
+    if sys.argv[1] == "--list":
+        for variant in VARIANTS:
+            for name, own in cases().items():
+                print(f"{variant}.{name}", *own.get("ranks", [2]))
+        sys.exit(0)
+    work = sys.argv[sys.argv.index("--work") + 1]
+    os.makedirs(os.path.dirname(os.path.abspath(work)), exist_ok=True)
+    with open(work + ".case.json", "w") as file:
+        json.dump(case(*sys.argv[1].split(".", 1)), file, indent=1)
+    check = os.path.join(HERE, "..", "drivers", "check_run.py")
+    sys.exit(subprocess.run([sys.executable, "-B", check, work + ".case.json", "-"] + sys.argv[2:]).returncode)
