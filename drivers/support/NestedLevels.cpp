@@ -2,6 +2,7 @@
 
 #include <Teuchos_Array.hpp>
 #include <Teuchos_ParameterList.hpp>
+#include <algorithm>
 #include <suture/report/SceneSchema.hpp>
 #include <suture/solver/NestedStart.hpp>
 
@@ -60,9 +61,12 @@ std::unique_ptr<InterfaceState> nestedStartStage(const CommPtr& comm, const Solv
   if (own.get<std::string>("Start") != "Nested" || problem.pairs() == 0) return nullptr;
   std::vector<SceneFile> levels;
   for (const std::string& level : own.sublist("Nested").get<Teuchos::Array<std::string>>("Levels")) {
-    std::vector<std::string> overrides = options.overrides;
+    std::vector<std::string> overrides = overridesOf(level);
     overrides.push_back("Outer Solver/Start=Bilateral");
-    for (const std::string& one : overridesOf(level)) overrides.push_back(one);
+    const auto path = [](const std::string& one) { return one.substr(0, one.find('=')); };
+    for (const std::string& given : options.overrides)  // what the level says itself comes before the command line
+      if (std::none_of(overrides.begin(), overrides.end(), [&](const std::string& own) { return path(own) == path(given); }))
+        overrides.push_back(given);
     levels.push_back(readScene(*comm, options.scene, sceneSchema(), overrides));
   }
   std::unique_ptr<CoarseAnswer> answer;

@@ -252,7 +252,7 @@ std::vector<std::string> allGather(const Comm& comm, const std::string& bytes) {
   return all;
 }
 
-std::map<int, std::string> exchange(const Comm& comm, const std::map<int, std::string>& toNeighbours) {
+std::map<int, std::string> swapWithNeighbours(const Comm& comm, const std::map<int, std::string>& toNeighbours) {
   constexpr int tag = 7321;
   std::map<int, std::string> received;
   if (const auto own = toNeighbours.find(comm.getRank()); own != toNeighbours.end()) received[own->first] = own->second;

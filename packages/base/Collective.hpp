@@ -48,7 +48,7 @@ std::string scatterFromRoot(const Comm& comm, const std::string& what, const std
 std::vector<std::string> allGather(const Comm& comm, const std::string& bytes);
 
 /// Swaps byte strings with neighbours: whoever is a key here has this rank as a key, too (it may be itself). Only neighbours take part.
-std::map<int, std::string> exchange(const Comm& comm, const std::map<int, std::string>& toNeighbours);
+std::map<int, std::string> swapWithNeighbours(const Comm& comm, const std::map<int, std::string>& toNeighbours);
 
 /// Numbers that any rank gave, ascending, each once. Collective.
 std::vector<int> unionOverRanks(const Comm& comm, const std::vector<int>& mine);

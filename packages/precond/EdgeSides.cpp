@@ -102,7 +102,7 @@ std::vector<std::array<Matrix, 2>> exchangeEdges(const InterfaceSpace& space, co
   });
   std::map<int, std::string> messages;
   for (const auto& [rank, packer] : packers) messages[rank] = packer.bytes();
-  for (auto& [rank, bytes] : suture::exchange(*space.comm(), messages)) {
+  for (auto& [rank, bytes] : swapWithNeighbours(*space.comm(), messages)) {
     Unpacker unpacker(bytes);
     for (const EdgeSide* side : expected[rank]) {
       const int columns = unpacker.get<int>();

@@ -30,7 +30,7 @@ std::map<int, std::vector<CoarseElement>> sendToClusters(const Comm& comm, const
   std::map<int, std::string> bytes;
   for (const auto& [rank, packer] : packers) bytes[rank] = packer.bytes();
   std::map<int, std::vector<CoarseElement>> result;
-  for (const auto& [rank, message] : suture::exchange(comm, bytes))
+  for (const auto& [rank, message] : swapWithNeighbours(comm, bytes))
     for (Unpacker reader(message); !reader.done();) {
       const int cluster = reader.get<int>();
       CoarseElement element;

@@ -87,7 +87,7 @@ Matrix interpolate(const Comm& comm, const CoarseAnswer& coarse, const std::vect
   });
   Matrix values = Matrix::Zero(static_cast<int>(points.size()), 2);
   std::vector<double> best(points.size(), 1e300);
-  for (const auto& [rank, bytes] : suture::exchange(comm, answers)) {
+  for (const auto& [rank, bytes] : swapWithNeighbours(comm, answers)) {
     const auto found = Unpacker(bytes).get<std::vector<Answer>>();
     for (std::size_t k = 0; k < found.size(); ++k)
       if (found[k].outside < best[k]) {
