@@ -38,7 +38,7 @@ CoarseAnswer solveLevel(const CommPtr& comm, const SceneFile& file, const Coarse
     partition = makePartition(*comm, mesh, constraints, scene.sublist("Partition"), isCondensed(scene));
     answer.meshes = distribute(*comm, mesh, constraints, partition);
     checkStage(*comm, mesh, constraints, model);
-    size = problemSize(*comm, mesh, constraints, partition, nullptr);
+    size = problemSize(*comm, mesh, constraints, partition);
   }
   const Subdomains subdomains = makeSubdomains(*comm, answer.meshes, model);
   const auto problem = makeInterfaceProblem(comm, partition, subdomains, scene);
