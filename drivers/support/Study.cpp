@@ -64,9 +64,13 @@ StudySweep readSweep(const Parameters& list, const std::string& name, Problems& 
                  "has " + std::to_string(sweep.labels.size()) + " labels for " + std::to_string(count) + " values; expected one each");
   if (sweep.labels.empty()) {
     sweep.labels.resize(count);
-    for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t i = 0; i < count; ++i) {
+      std::vector<std::string> different;  // one word for parameters that always agree
       for (const StudyParameter& parameter : sweep.parameters)
-        if (i < parameter.values.size()) sweep.labels[i] += (sweep.labels[i].empty() ? "" : " ") + parameter.values[i];
+        if (i < parameter.values.size() && std::find(different.begin(), different.end(), parameter.values[i]) == different.end())
+          different.push_back(parameter.values[i]);
+      for (const std::string& value : different) sweep.labels[i] += (sweep.labels[i].empty() ? "" : " ") + value;
+    }
   }
   checkLabels(sweep, pathOf(list), problems);
   return sweep;
