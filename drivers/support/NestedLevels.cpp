@@ -5,6 +5,7 @@
 #include <suture/report/SceneSchema.hpp>
 #include <suture/solver/NestedStart.hpp>
 
+#include "Overrides.hpp"
 #include "SolveStages.hpp"
 
 namespace suture {
@@ -46,9 +47,10 @@ CoarseAnswer solveLevel(const CommPtr& comm, const SceneFile& file, const Coarse
   if (coarser) start = std::make_unique<InterfaceState>(nestedStart(*comm, *coarser, *problem, subdomains));
   Monitor silent;
   answer.solution = recover(*comm, *problem, solveInterface(*problem, scene, silent, start.get()), subdomains, scene);
-  if (!answer.solution.converged) throw NumericalError("nested start, level of " + std::to_string(size.elements) + " elements: " + answer.solution.failure);
-  monitor.note("nested start: " + std::to_string(size.elements) + " elements, " + std::to_string(answer.solution.outerIterations) + " outer, " +
-               std::to_string(answer.solution.pcgTotal) + " + " + std::to_string(answer.solution.auxiliary.pcg) + " PCG");
+  if (!answer.solution.converged)
+    throw NumericalError("nested start, level of " + std::to_string(size.elements) + " elements: " + answer.solution.failure);
+  monitor.note("nested start: " + std::to_string(size.elements) + " elements, " + std::to_string(answer.solution.outerIterations) +
+               " outer, " + std::to_string(answer.solution.pcgTotal) + " + " + std::to_string(answer.solution.auxiliary.pcg) + " PCG");
   return answer;
 }
 
@@ -61,8 +63,8 @@ std::unique_ptr<InterfaceState> nestedStartStage(const CommPtr& comm, const Solv
   std::vector<SceneFile> levels;
   for (const std::string& level : own.sublist("Nested").get<Teuchos::Array<std::string>>("Levels")) {
     std::vector<std::string> overrides = options.overrides;
-    overrides.push_back("Outer Solver/Start=Bilateral");
-    for (const std::string& one : overridesOf(level)) overrides.push_back(one);
+    setOverride(overrides, "Outer Solver/Start=Bilateral");
+    for (const std::string& one : overridesOf(level)) setOverride(overrides, one);
     levels.push_back(readScene(*comm, options.scene, sceneSchema(), overrides));
   }
   std::unique_ptr<CoarseAnswer> answer;
