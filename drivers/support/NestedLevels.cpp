@@ -2,10 +2,10 @@
 
 #include <Teuchos_Array.hpp>
 #include <Teuchos_ParameterList.hpp>
-#include <algorithm>
 #include <suture/report/SceneSchema.hpp>
 #include <suture/solver/NestedStart.hpp>
 
+#include "Overrides.hpp"
 #include "SolveStages.hpp"
 
 namespace suture {
@@ -47,9 +47,10 @@ CoarseAnswer solveLevel(const CommPtr& comm, const SceneFile& file, const Coarse
   if (coarser) start = std::make_unique<InterfaceState>(nestedStart(*comm, *coarser, *problem, subdomains));
   Monitor silent;
   answer.solution = recover(*comm, *problem, solveInterface(*problem, scene, silent, start.get()), subdomains, scene);
-  if (!answer.solution.converged) throw NumericalError("nested start, level of " + std::to_string(size.elements) + " elements: " + answer.solution.failure);
-  monitor.note("nested start: " + std::to_string(size.elements) + " elements, " + std::to_string(answer.solution.outerIterations) + " outer, " +
-               std::to_string(answer.solution.pcgTotal) + " + " + std::to_string(answer.solution.auxiliary.pcg) + " PCG");
+  if (!answer.solution.converged)
+    throw NumericalError("nested start, level of " + std::to_string(size.elements) + " elements: " + answer.solution.failure);
+  monitor.note("nested start: " + std::to_string(size.elements) + " elements, " + std::to_string(answer.solution.outerIterations) +
+               " outer, " + std::to_string(answer.solution.pcgTotal) + " + " + std::to_string(answer.solution.auxiliary.pcg) + " PCG");
   return answer;
 }
 
@@ -61,12 +62,9 @@ std::unique_ptr<InterfaceState> nestedStartStage(const CommPtr& comm, const Solv
   if (own.get<std::string>("Start") != "Nested" || problem.pairs() == 0) return nullptr;
   std::vector<SceneFile> levels;
   for (const std::string& level : own.sublist("Nested").get<Teuchos::Array<std::string>>("Levels")) {
-    std::vector<std::string> overrides = overridesOf(level);
-    overrides.push_back("Outer Solver/Start=Bilateral");
-    const auto path = [](const std::string& one) { return one.substr(0, one.find('=')); };
-    for (const std::string& given : options.overrides)  // what the level says itself comes before the command line
-      if (std::none_of(overrides.begin(), overrides.end(), [&](const std::string& own) { return path(own) == path(given); }))
-        overrides.push_back(given);
+    std::vector<std::string> overrides = options.overrides;
+    setOverride(overrides, "Outer Solver/Start=Bilateral");
+    for (const std::string& one : overridesOf(level)) setOverride(overrides, one);
     levels.push_back(readScene(*comm, options.scene, sceneSchema(), overrides));
   }
   std::unique_ptr<CoarseAnswer> answer;

@@ -7,6 +7,7 @@
 #include <set>
 #include <suture/base/Numbers.hpp>
 
+#include "Overrides.hpp"
 #include "StudySchema.hpp"
 
 namespace suture {
@@ -14,17 +15,6 @@ namespace {
 
 std::vector<std::string> texts(const Parameters& list, const std::string& name) {
   return list.get<Teuchos::Array<std::string>>(name).toVector();
-}
-
-// Blanks around the names of a path mean nothing.
-std::string tidy(const std::string& path) {
-  std::string result;
-  for (std::size_t begin = 0; begin <= path.size();) {
-    const std::size_t end = std::min(path.find('/', begin), path.size());
-    result += (begin > 0 ? "/" : "") + trimmed(path.substr(begin, end - begin));
-    begin = end + 1;
-  }
-  return result;
 }
 
 std::vector<std::string> names(const std::vector<StudySweep>& sweeps) {
@@ -48,7 +38,7 @@ StudySweep readSweep(const Parameters& list, const std::string& name, Problems& 
   StudySweep sweep{name, texts(list, "Labels"), {}};
   for (const std::string& parameter : sublistNames(list)) {
     const Parameters& own = list.sublist(parameter);
-    sweep.parameters.push_back({parameter, tidy(own.get<std::string>("Path")), texts(own, "Values")});
+    sweep.parameters.push_back({parameter, overridePath(own.get<std::string>("Path")), texts(own, "Values")});
     const StudyParameter& last = sweep.parameters.back();
     const StudyParameter& first = sweep.parameters.front();
     if (last.values.empty()) problems.add(pathOf(own, "Values"), "is empty; expected at least one value");
@@ -64,9 +54,13 @@ StudySweep readSweep(const Parameters& list, const std::string& name, Problems& 
                  "has " + std::to_string(sweep.labels.size()) + " labels for " + std::to_string(count) + " values; expected one each");
   if (sweep.labels.empty()) {
     sweep.labels.resize(count);
-    for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t i = 0; i < count; ++i) {
+      std::vector<std::string> different;  // one word for parameters that always agree
       for (const StudyParameter& parameter : sweep.parameters)
-        if (i < parameter.values.size()) sweep.labels[i] += (sweep.labels[i].empty() ? "" : " ") + parameter.values[i];
+        if (i < parameter.values.size() && std::find(different.begin(), different.end(), parameter.values[i]) == different.end())
+          different.push_back(parameter.values[i]);
+      for (const std::string& value : different) sweep.labels[i] += (sweep.labels[i].empty() ? "" : " ") + value;
+    }
   }
   checkLabels(sweep, pathOf(list), problems);
   return sweep;
@@ -87,7 +81,7 @@ void checkPaths(const Study& study, Problems& problems) {
     if (equals == std::string::npos || trimmed(assignment.substr(0, equals)).empty())
       problems.add("Set", "'" + assignment + "' is not of the form Path/To/Parameter=value");
     else
-      claim(tidy(assignment.substr(0, equals)), "Set");
+      claim(overridePath(assignment), "Set");
   }
   for (const StudySweep& sweep : study.sweeps)
     for (const StudyParameter& parameter : sweep.parameters) claim(parameter.path, "Sweeps/" + sweep.name + "/" + parameter.name);

@@ -58,7 +58,7 @@ class Parser {
   // A sign is an operator only with a blank after it and after what stands before it; otherwise it belongs to a name or a number.
   bool isOperator(std::size_t at) const {
     return std::string("+-*/").find(text_[at]) != std::string::npos && at > 0 && (text_[at - 1] == ' ' || text_[at - 1] == ')') &&
-           at + 1 < text_.size() && text_[at + 1] == ' ';
+           (at + 1 == text_.size() || text_[at + 1] == ' ' || text_[at + 1] == '(');
   }
 
   std::optional<char> takeOperator(const std::string& signs) {

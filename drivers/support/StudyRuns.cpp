@@ -10,17 +10,17 @@
 #include <suture/report/SceneSchema.hpp>
 #include <suture/solver/SolveScene.hpp>
 
+#include "Overrides.hpp"
+
 namespace suture {
 namespace {
-
-std::string pathIn(const std::string& assignment) { return trimmed(assignment.substr(0, assignment.find('='))); }
 
 StudyRun combine(const Study& study, const std::vector<std::string>& set, const std::vector<std::size_t>& choice) {
   StudyRun run;
   run.choice = choice;
   std::string scene = study.scene;
   const auto add = [&](const std::string& assignment, const std::string& origin) {
-    if (pathIn(assignment) == "Scene") {
+    if (overridePath(assignment) == "Scene") {
       scene = trimmed(assignment.substr(assignment.find('=') + 1));
       return;
     }
@@ -28,7 +28,7 @@ StudyRun combine(const Study& study, const std::vector<std::string>& set, const 
     run.origins.push_back(origin);
   };
   for (const std::string& assignment : study.set)
-    if (std::none_of(set.begin(), set.end(), [&](const std::string& other) { return pathIn(other) == pathIn(assignment); }))
+    if (std::none_of(set.begin(), set.end(), [&](const std::string& other) { return overridePath(other) == overridePath(assignment); }))
       add(assignment, "Set");
   for (std::size_t s = 0; s < study.sweeps.size(); ++s)
     for (const StudyParameter& parameter : study.sweeps[s].parameters)
@@ -45,7 +45,7 @@ StudyRun combine(const Study& study, const std::vector<std::string>& set, const 
 std::string originOf(const Problem& problem, const StudyRun& run) {
   const auto begins = [](const std::string& text, const std::string& with) { return text.compare(0, with.size(), with) == 0; };
   for (std::size_t i = 0; i < run.overrides.size(); ++i) {
-    const std::string path = pathIn(run.overrides[i]);
+    const std::string path = overridePath(run.overrides[i]);
     if (problem.path == path || begins(path, problem.path + "/") || problem.message.find("'" + run.overrides[i] + "'") == 0)
       return run.origins[i];
   }
@@ -68,7 +68,7 @@ std::vector<StudyRun> combinations(const Study& study, const std::vector<std::st
   for (const std::string& assignment : set)
     for (const StudySweep& sweep : study.sweeps)
       for (const StudyParameter& parameter : sweep.parameters)
-        if (parameter.path == pathIn(assignment))
+        if (parameter.path == overridePath(assignment))
           problems.add("--set", "'" + parameter.path + "' is varied by the sweep '" + sweep.name + "'");
 
   std::vector<StudyRun> runs;

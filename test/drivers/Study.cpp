@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <suture/base/Errors.hpp>
 
+#include "../../drivers/support/Overrides.hpp"
 #include "../../drivers/support/StudyBands.hpp"
 #include "../../drivers/support/StudyRuns.hpp"
 
@@ -66,6 +67,14 @@ TEUCHOS_UNIT_TEST(StudyColumns, KnowTheSummaryBeforeThereIsOne) {
   TEST_INEQUALITY(problems.list().front().message.find("Did you mean 'outer.iterations'?"), std::string::npos);
   const StudyColumn pcg = readColumn("pcg", "Columns", problems);
   TEST_EQUALITY(pcg.formula.evaluate(summary).number, 31.0);
+}
+
+TEUCHOS_UNIT_TEST(Overrides, TakeThePlaceOfThoseOfTheSameParameter) {
+  std::vector<std::string> all{"A/B c=1", "D=2"};
+  setOverride(all, " A / B c =3");
+  setOverride(all, "A/B=4");
+  TEST_ASSERT((all == std::vector<std::string>{" A / B c =3", "D=2", "A/B=4"}));
+  TEST_EQUALITY(overridePath(" A / B c =3=x/y"), "A/B c");
 }
 
 // Two sweeps of 2 x 3; the column is 10 * first + second.

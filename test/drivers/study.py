@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """suture_study as a user runs it: a tiny study on some ranks against suture_solve, and studies that are wrong.
 
-study.py --study PROGRAM --solve PROGRAM --mpirun "mpirun ..." --work DIR --source FOLDER [--ranks 1 2 4]
+study.py figures|ends|bad --ranks N --study PROGRAM --solve PROGRAM --mpirun "mpirun ..." --work DIR --source FOLDER
 """
 import argparse
 import csv
@@ -13,9 +13,10 @@ import subprocess
 import sys
 
 parser = argparse.ArgumentParser()
+parser.add_argument("part", choices=["figures", "ends", "bad"])
 for option in ("--study", "--solve", "--mpirun", "--work", "--source"):
     parser.add_argument(option, required=True)
-parser.add_argument("--ranks", type=int, nargs="+", default=[1, 2, 4])
+parser.add_argument("--ranks", type=int, required=True)
 options = parser.parse_args()
 work = pathlib.Path(options.work)
 shutil.rmtree(work, ignore_errors=True)
@@ -34,7 +35,7 @@ def check(what, found, expected):
 
 
 def run(program, ranks, *arguments):
-    command = options.mpirun.split() + ["-np", str(ranks), program, *map(str, arguments)]
+    command = (options.mpirun.split() + ["-np", str(ranks)] if ranks > 1 else []) + [str(program), *map(str, arguments)]
     done = subprocess.run(command, capture_output=True, text=True, timeout=120)
     return done.returncode, done.stdout + done.stderr
 
@@ -48,17 +49,28 @@ def close(a, b, relative):
     return math.isclose(float(a), float(b), rel_tol=relative)
 
 
-# The figures of a study are those of suture_solve, on any number of ranks.
-expected = {}
-for size, n, blocks in (("small", 8, 2), ("large", 16, 4)):
-    for space in ("None", "Kernels", "Rigid Modes"):
-        folder = work / f"solve_{size}_{space.split()[0]}"
-        code, text = run(options.solve, 1, SQUARE, "--output", folder, "--set", f"Mesh/Boxes/square/Cells={{{n}, {n}}}", "--set",
-                         f"Mesh/Boxes/square/Blocks={{{blocks}, {blocks}}}", "--set", "Outer Solver/Tolerance=1e-10", "--set",
-                         "Preconditioner/Type=Neumann-Neumann", "--set", f"Preconditioner/Neumann-Neumann/Coarse Space={space}")
-        check(f"suture_solve {size} {space}", code, 0)
-        expected[size, space] = n, blocks, json.loads((folder / "summary.json").read_text())
-for ranks in options.ranks:
+def edited(name, *edits):
+    text = TINY.read_text().replace("../../../input", str(source / "input"))
+    for old, new in edits:
+        if old not in text:
+            sys.exit(f"study.py: tiny.xml has no '{old}' to replace")
+        text = text.replace(old, new)
+    path = work / (name + ".xml")
+    path.write_text(text)
+    return path
+
+
+def figures(ranks):
+    """The figures of a study are those of suture_solve, on any number of ranks."""
+    expected = {}
+    for size, n, blocks in (("small", 8, 2), ("large", 16, 4)):
+        for space in ("None", "Kernels", "Rigid Modes"):
+            folder = work / f"solve_{size}_{space.split()[0]}"
+            code, text = run(options.solve, 1, SQUARE, "--output", folder, "--set", f"Mesh/Boxes/square/Cells={{{n}, {n}}}", "--set",
+                             f"Mesh/Boxes/square/Blocks={{{blocks}, {blocks}}}", "--set", "Outer Solver/Tolerance=1e-10", "--set",
+                             "Preconditioner/Type=Neumann-Neumann", "--set", f"Preconditioner/Neumann-Neumann/Coarse Space={space}")
+            check(f"suture_solve {size} {space}", code, 0)
+            expected[size, space] = n, blocks, json.loads((folder / "summary.json").read_text())
     folder = work / f"np{ranks}"
     code, text = run(options.study, ranks, TINY, "--output", folder)
     print(text)
@@ -85,67 +97,60 @@ for ranks in options.ranks:
     check(f"np{ranks}: picture", (folder / "condition.png").stat().st_size if (folder / "condition.png").exists() else 0, lambda b: b > 10000)
     check(f"np{ranks}: each run's summary", len(list(folder.glob("runs/*/summary.json"))), 6)
 
-ranks = options.ranks[-1]
 
-# --check, --only, --quiet.
-code, text = run(options.study, ranks, TINY, "--output", work / "checked", "--check")
-check("--check: exit code", code, 0)
-check("--check: lists the runs", text.count("Mesh/Boxes/square/Cells="), 6)
-check("--check: runs nothing", (work / "checked").exists(), False)
-code, text = run(options.study, ranks, TINY, "--output", work / "only", "--only", "small", "--only", "coarse space=Kernels", "--quiet")
-check("--only: exit code", code, 0)
-check("--only: rows", [(row["size"], row["coarse space"]) for row in table(work / "only")], [("small", "Kernels")])
-check("--quiet: silent", text.strip(), "")
-
-# A program without its script draws nothing and does not mind.
-alone = work / "alone"
-alone.mkdir()
-shutil.copy(options.study, alone / "suture_study")
-code, text = run(alone / "suture_study", 1, TINY, "--output", alone / "out", "--only", "small")
-check("without the script: exit code", code, 0)
-check("without the script: says so", "no pictures: " in text, True)
-
-# Runs that do not converge are rows.
 FAIL = ["--set", "Outer Solver/Maximum Inner Iterations=10", "--only", "large"]
-code, text = run(options.study, ranks, TINY, "--output", work / "failed", *FAIL)
-check("failed runs: exit code", code, 4)
-rows = table(work / "failed")
-check("failed runs: all rows are there", len(rows), 3)
-check("failed runs: reason", all("10 iterations" in row["failure"] for row in rows), True)
-check("failed runs: miss their band", "MISSED   every run converges" in text, True)
 
 
-def edited(name, *edits):
-    text = TINY.read_text().replace("../../../input", str(source / "input"))
-    for old, new in edits:
-        if old not in text:
-            sys.exit(f"study.py: tiny.xml has no '{old}' to replace")
-        text = text.replace(old, new)
-    path = work / (name + ".xml")
-    path.write_text(text)
-    return path
+def ends(ranks):
+    """How a study can end, and what its options do."""
+    # --check, --only, --quiet.
+    code, text = run(options.study, ranks, TINY, "--output", work / "checked", "--check")
+    check("--check: exit code", code, 0)
+    check("--check: lists the runs", text.count("Mesh/Boxes/square/Cells="), 6)
+    check("--check: runs nothing", (work / "checked").exists(), False)
+    code, text = run(options.study, ranks, TINY, "--output", work / "only", "--only", "small", "--only", "coarse space=Kernels", "--quiet")
+    check("--only: exit code", code, 0)
+    check("--only: rows", [(row["size"], row["coarse space"]) for row in table(work / "only")], [("small", "Kernels")])
+    check("--quiet: silent", text.strip(), "")
+
+    # A program without its script draws nothing and does not mind.
+    alone = work / "alone"
+    alone.mkdir()
+    shutil.copy(options.study, alone / "suture_study")
+    code, text = run(alone / "suture_study", 1, TINY, "--output", alone / "out", "--only", "small")
+    check("without the script: exit code", code, 0)
+    check("without the script: says so", "no pictures: " in text, True)
+
+    # Runs that do not converge are rows.
+    code, text = run(options.study, ranks, TINY, "--output", work / "failed", *FAIL)
+    check("failed runs: exit code", code, 4)
+    rows = table(work / "failed")
+    check("failed runs: all rows are there", len(rows), 3)
+    check("failed runs: reason", all("10 iterations" in row["failure"] for row in rows), True)
+    check("failed runs: miss their band", "MISSED   every run converges" in text, True)
 
 
-bands = TINY.read_text()
-bands = bands[bands.index('  <ParameterList name="Bands">'):bands.index('  <ParameterList name="Plots">')].replace("../../../input", str(source / "input"))
-lenient = edited("lenient", (bands, '  <Parameter name="Allow Failures" type="bool" value="true"/>\n'))
-code, text = run(options.study, ranks, lenient, "--output", work / "lenient", *FAIL)
-check("allowed failures: exit code", code, 0)
-check("allowed failures: rows", [bool(row["failure"]) for row in table(work / "lenient")], [True] * 3)
+    bands = TINY.read_text()
+    bands = bands[bands.index('  <ParameterList name="Bands">'):bands.index('  <ParameterList name="Plots">')].replace("../../../input", str(source / "input"))
+    lenient = edited("lenient", (bands, '  <Parameter name="Allow Failures" type="bool" value="true"/>\n'))
+    code, text = run(options.study, ranks, lenient, "--output", work / "lenient", *FAIL)
+    check("allowed failures: exit code", code, 0)
+    check("allowed failures: rows", [bool(row["failure"]) for row in table(work / "lenient")], [True] * 3)
 
-# A combination that is refused once its mesh is known is a row, too: 3 x 3 blocks do not divide 16 x 16 cells.
-refused = edited("refused", ("{{2, 2}, {4, 4}}", "{{2, 2}, {3, 3}}"))
-code, text = run(options.study, ranks, refused, "--output", work / "refused")
-rows = table(work / "refused")
-check("refused runs: exit code", code, 4)
-check("refused runs: reason", ["Blocks" in row["failure"] for row in rows], [False] * 3 + [True] * 3)
-check("refused runs: the others are solved", [row["pcg"] != "" for row in rows], [True] * 3 + [False] * 3)
+    # A combination that is refused once its mesh is known is a row, too: 3 x 3 blocks do not divide 16 x 16 cells.
+    refused = edited("refused", ("{{2, 2}, {4, 4}}", "{{2, 2}, {3, 3}}"))
+    code, text = run(options.study, ranks, refused, "--output", work / "refused")
+    rows = table(work / "refused")
+    check("refused runs: exit code", code, 4)
+    check("refused runs: reason", ["Blocks" in row["failure"] for row in rows], [False] * 3 + [True] * 3)
+    check("refused runs: the others are solved", [row["pcg"] != "" for row in rows], [True] * 3 + [False] * 3)
 
-# A band that is missed.
-missed = edited("missed", ('<Parameter name="At Most" type="double" value="3.5"/>', '<Parameter name="At Most" type="double" value="1.2"/>'))
-code, text = run(options.study, ranks, missed, "--output", work / "missed", "--quiet")
-check("missed band: exit code", code, 4)
-check("missed band: says which", "MISSED   rigid modes are flat: condition: 1.5" in text and "at most 1.2" in text, True)
+    # A band that is missed.
+    missed = edited("missed", ('<Parameter name="At Most" type="double" value="3.5"/>', '<Parameter name="At Most" type="double" value="1.2"/>'))
+    code, text = run(options.study, ranks, missed, "--output", work / "missed", "--quiet")
+    check("missed band: exit code", code, 4)
+    check("missed band: says which", "MISSED   rigid modes are flat: condition: 1.5" in text and "at most 1.2" in text, True)
+
 
 # Studies that are wrong: refused before anything is run, everything at once.
 CELLS = "Mesh/Boxes/square/Cells"
@@ -157,7 +162,7 @@ BAD = {
     "unknown_in_set": ([("Outer Solver/Tolerance", "Outer Solver/Tolerence")], [
         "Set: Outer Solver/Tolerence: no such parameter. Did you mean 'Tolerance'?"]),
     "bad_value": ([("{None, Kernels, Rigid Modes}", "{None, Kernls, Rigid Modes}"), ("{coarse space=Rigid Modes}", "{coarse space=None}")], [
-        "Sweeps/coarse space/name: Preconditioner/Neumann-Neumann/Coarse Space: 'Kernls'", "Kernels"]),
+        "Sweeps/coarse space/name: Preconditioner/Neumann-Neumann/Coarse Space: no such name 'Kernls'. Did you mean 'Kernels'?"]),
     "tied_lengths": ([("{{2, 2}, {4, 4}}", "{{2, 2}, {4, 4}, {8, 8}}")], [
         "Sweeps/size/blocks/Values: has 3 values, but 'cells' of the same sweep has 2"]),
     "label_count": ([("{small, large}", "{small}")], ["Sweeps/size/Labels: has 1 labels for 2 values"]),
@@ -174,34 +179,39 @@ BAD = {
     "band_on_no_sweep": ([("{coarse space=Rigid Modes}", "{coarse spice=Rigid Modes}")], [
         "Where: no such sweep 'coarse spice'. Did you mean 'coarse space'?"]),
     "plot_of_no_column": ([("{condition, pcg}", "{conditon, pcg}")], ["Plots/condition/Y: no such column 'conditon'. Did you mean 'condition'?"]),
-    "swept_twice": ([("Mesh/Boxes/square/Blocks", CELLS)], [f"'{CELLS}' is changed in Sweeps/size/blocks as well", "Sweeps/size/cells"]),
+    "swept_twice": ([("Mesh/Boxes/square/Blocks", CELLS)], [f"Sweeps/size/blocks: '{CELLS}' is changed in Sweeps/size/cells as well"]),
     "missing_scene": ([("linear_square.xml", "linear_sqare.xml")], ["linear_sqare.xml: cannot be read"]),
     "no_scene": ([('<Parameter name="Scene" type="string"', '<Parameter name="Title2" type="string"')], ["Title2", "Did you mean 'Title'?"]),
     "several": ([("{small, large}", "{small}"), ("interface_dofs, coarse,", "interface_dofs, coarze,"), ("{condition, pcg}", "{conditon, pcg}")], [
         "suture_study: 3 errors in ", "Sweeps/size/Labels", "Columns: no such column 'coarze'", "Plots/condition/Y"]),
 }
-for name, (edits, messages) in BAD.items():
-    path = edited(name, *edits)
-    for np in {1, ranks}:
-        code, text = run(options.study, np, path, "--output", work / (name + "_out"))
-        check(f"{name} np{np}: exit code", code, 3)
-        for message in messages:
-            check(f"{name} np{np}: says '{message}'", text, lambda t: t.count(message) == 1 or (t.count(message) > 0 and len(message) < 25))
-        check(f"{name} np{np}: runs nothing", (work / (name + "_out")).exists(), False)
 
-code, text = run(options.study, ranks, TINY, "--set", CELLS + "={4, 4}", "--output", work / "set_out")
-check("--set of what is swept: exit code", code, 3)
-check("--set of what is swept: says which sweep", f"'{CELLS}' is varied by the sweep 'size'" in text, True)
-code, text = run(options.study, ranks, TINY, "--only", "smal", "--output", work / "set_out")
-check("--only of no label: exit code", code, 3)
-check("--only of no label: nearest", "Did you mean 'small'?" in text, True)
-code, text = run(options.study, ranks, TINY, "--onyl", "small")
-check("misspelt option: exit code", code, 2)
-check("misspelt option: nearest", "Did you mean '--only'?" in text, True)
-code, text = run(options.study, ranks, TINY, "--set", "Study/Repetitons=2")
-check("--set of the study: exit code", code, 3)
-check("--set of the study: nearest", "Did you mean 'Repetitions'?" in text, True)
 
+def bad(ranks):
+    for name, (edits, messages) in BAD.items():
+        path = edited(name, *edits)
+        for np in {1, ranks} if name == "several" else {1}:
+            code, text = run(options.study, np, path, "--output", work / (name + "_out"))
+            check(f"{name} np{np}: exit code", code, 3)
+            for message in messages:
+                check(f"{name} np{np}: says '{message}'", text, lambda t: t.count(message) == 1 or (t.count(message) > 0 and len(message) < 25))
+            check(f"{name} np{np}: runs nothing", (work / (name + "_out")).exists(), False)
+
+    code, text = run(options.study, ranks, TINY, "--set", CELLS + "={4, 4}", "--output", work / "set_out")
+    check("--set of what is swept: exit code", code, 3)
+    check("--set of what is swept: says which sweep", f"'{CELLS}' is varied by the sweep 'size'" in text, True)
+    code, text = run(options.study, ranks, TINY, "--only", "smal", "--output", work / "set_out")
+    check("--only of no label: exit code", code, 3)
+    check("--only of no label: nearest", "Did you mean 'small'?" in text, True)
+    code, text = run(options.study, ranks, TINY, "--onyl", "small")
+    check("misspelt option: exit code", code, 2)
+    check("misspelt option: nearest", "Did you mean '--only'?" in text, True)
+    code, text = run(options.study, ranks, TINY, "--set", "Study/Repetitons=2")
+    check("--set of the study: exit code", code, 3)
+    check("--set of the study: nearest", "Did you mean 'Repetitions'?" in text, True)
+
+
+{"figures": figures, "ends": ends, "bad": bad}[options.part](options.ranks)
 if failures:
     print(f"\n{len(failures)} failed:\n  " + "\n  ".join(failures))
 sys.exit(1 if failures else 0)
