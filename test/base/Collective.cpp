@@ -165,7 +165,7 @@ TEUCHOS_UNIT_TEST(Collective, ExchangeSwapsStringsWithNeighboursOnly) {
   };
   std::map<int, std::string> to;
   for (const int other : {rank, (rank + 1) % ranks, (rank + ranks - 1) % ranks}) to[other] = text(rank, other);
-  const std::map<int, std::string> from = exchange(*comm, to);
+  const std::map<int, std::string> from = suture::exchange(*comm, to);
   TEST_EQUALITY(from.size(), to.size());
   for (const auto& [other, bytes] : from) {
     TEST_EQUALITY(to.count(other), 1u);
@@ -173,11 +173,11 @@ TEUCHOS_UNIT_TEST(Collective, ExchangeSwapsStringsWithNeighboursOnly) {
   }
   // those without neighbours need not take part
   if (rank < 2 && ranks > 1) {
-    const auto pair = exchange(*comm, {{1 - rank, std::to_string(rank)}});
+    const auto pair = suture::exchange(*comm, std::map<int, std::string>{{1 - rank, std::to_string(rank)}});
     TEST_EQUALITY(pair.size(), 1u);
     TEST_EQUALITY(pair.at(1 - rank), std::to_string(1 - rank));
   }
-  TEST_ASSERT(exchange(*comm, {}).empty());
+  TEST_ASSERT(suture::exchange(*comm, std::map<int, std::string>()).empty());
 }
 
 TEUCHOS_UNIT_TEST(Collective, ExchangeCarriesLongMessagesBothWays) {
@@ -185,7 +185,7 @@ TEUCHOS_UNIT_TEST(Collective, ExchangeCarriesLongMessagesBothWays) {
   const int rank = comm->getRank(), ranks = comm->getSize();
   std::map<int, std::string> to;  // longer than what is sent eagerly: a naive order of sends and receives would wait for ever
   for (int other = 0; other < ranks; ++other) to[other] = std::string((std::size_t(1) << 20) + rank, static_cast<char>('a' + rank));
-  for (const auto& [other, bytes] : exchange(*comm, to))
+  for (const auto& [other, bytes] : suture::exchange(*comm, to))
     TEST_ASSERT(bytes == std::string((std::size_t(1) << 20) + other, static_cast<char>('a' + other)));
 }
 
@@ -196,14 +196,14 @@ TEUCHOS_UNIT_TEST(Collective, UnionOverRanksIsSortedAndHasNothingTwice) {
   for (int r = 0; r <= ranks; ++r) expected.push_back(10 * r);
   // neighbours share a number, all share -7, in no order and twice
   TEST_ASSERT(unionOverRanks(*comm, {10 * (rank + 1), -7, 10 * rank, 10 * rank}) == expected);
-  TEST_ASSERT(unionOverRanks(*comm, {}).empty());
+  TEST_ASSERT(unionOverRanks(*comm, std::vector<int>()).empty());
   TEST_ASSERT(unionOverRanks(*comm, rank == ranks - 1 ? std::vector<int>{3} : std::vector<int>{}) == std::vector<int>{3});
 }
 
 TEUCHOS_UNIT_TEST(Collective, WorksOnACommunicatorWithoutMpi) {
   const Teuchos::SerialComm<int> alone;
   TEST_ASSERT((unionOverRanks(alone, {2, 1, 2}) == std::vector<int>{1, 2}));
-  TEST_ASSERT((exchange(alone, {{0, "x"}}) == std::map<int, std::string>{{0, "x"}}));
+  TEST_ASSERT((suture::exchange(alone, std::map<int, std::string>{{0, "x"}}) == std::map<int, std::string>{{0, "x"}}));
   TEST_ASSERT((allGather(alone, "x") == std::vector<std::string>{"x"}));
   TEST_EQUALITY(broadcast(alone, "x"), "x");
   TEST_THROW(collectively(alone, "working", [] { throw InputError("a", "b"); }), InputError);
