@@ -107,19 +107,24 @@ void ContactInterfaceProblem::findChains() {
   }
 }
 
-InterfaceState ContactInterfaceProblem::initialState() const {
+InterfaceState ContactInterfaceProblem::allClosed() const {
   InterfaceState state;
   state.trace = space_->vector();
   state.status.emplace_back();
   for (int i = 0; i < clusters_->size(); ++i)
     state.status[0].push_back(clusters_->row(i).places.empty() ? PairStatus::Open : PairStatus::Slip);
+  return state;
+}
+
+InterfaceState ContactInterfaceProblem::initialState() const {
+  InterfaceState state = allClosed();
   state.memory = std::make_shared<Matrix>(-load_);
-  conform(state);
+  state.applications = conform(state);  // gaps lift the trace
   return state;
 }
 
 InterfaceState ContactInterfaceProblem::stateOf(const std::vector<Vector>& freeValues, const std::map<int, PairStatus>& status) const {
-  InterfaceState state = initialState();
+  InterfaceState state = allClosed();
   auto owned = localView(*state.trace);
   for (std::size_t s = 0; s < subdomains_.size(); ++s)
     for (int dof = 0; dof < subdomains_[s]->dofs(); ++dof) {
@@ -129,7 +134,6 @@ InterfaceState ContactInterfaceProblem::stateOf(const std::vector<Vector>& freeV
   for (std::size_t i = 0; i < rows_.size(); ++i)
     if (const auto found = status.find(rows_[i].pair.id); found != status.end() && !clusters_->row(static_cast<int>(i)).places.empty())
       state.status[0][i] = found->second;
-  state.memory.reset();
   conform(state);
   return state;
 }

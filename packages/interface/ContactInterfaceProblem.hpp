@@ -42,6 +42,7 @@ class ContactInterfaceProblem : public InterfaceProblem {
   int pairs() const override { return pairs_; }
 
  private:
+  InterfaceState allClosed() const;
   void collectRows(const Vector& stiffness);
   void findChains();
   std::shared_ptr<const InterfaceSpace> spaceOf(const ContactStatus& status) const;

@@ -19,6 +19,7 @@ struct InterfaceState {
   ContactStatus status;
   /// What the formulation remembers of this trace, so that it need not apply operators again; dropped by whoever changes the trace himself.
   std::shared_ptr<const Matrix> memory = nullptr;
+  int applications = 0;  ///< of the operator, that making the state took
 };
 
 /// A contact pair at the end of a run.

@@ -58,6 +58,7 @@ OuterResult OuterSolver::solve(const InterfaceProblem& problem, const OuterSetti
   Run run{problem, settings, monitor, InnerSolver(settings.maximumInnerIterations), {}, {}, 0.0, 0.0, Timers::now(), result, {}, {}};
   result.state = problem.initialState();
   run.reported = result.state.status;
+  const int lifting = result.state.applications;
   if (problem.space()->size() == 0) {  // one subdomain a body: the local problems are the whole problem
     result.converged = true;
     return result;
@@ -85,7 +86,7 @@ OuterResult OuterSolver::solve(const InterfaceProblem& problem, const OuterSetti
     const InnerResult auxiliary = run.inner.solve(start.matrix, run.preconditioner, *start.load, *step, tolerance, 0.0, monitor);
     const Matrix image = start.matrix->recorded(auxiliary.steps);
     problem.update(result.state, *step, 1.0, &image);
-    result.auxiliary = {auxiliary.pcg, auxiliary.condition, tolerance, auxiliary.residual, contact};
+    result.auxiliary = {auxiliary.pcg + lifting, auxiliary.condition, tolerance, auxiliary.residual, contact};
     monitor.auxiliary(result.auxiliary);
     result.residual = auxiliary.residual;
     if (!auxiliary.converged) {
@@ -100,6 +101,7 @@ OuterResult OuterSolver::solve(const InterfaceProblem& problem, const OuterSetti
   }
 
   run.evaluation = problem.evaluate(result.state, 10.0 * settings.tolerance);
+  result.pcgTotal += run.evaluation.applications;
   result.residual = run.norm(run.evaluation);
   result.state.status = run.evaluation.next;
   if (!run.done()) doSolve(run);

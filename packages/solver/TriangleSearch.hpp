@@ -13,9 +13,9 @@ class TriangleSearch {
   explicit TriangleSearch(const CellBlock& mesh);
 
   struct Place {
-    double outside = 1e300;                      ///< largest negative barycentric coordinate: 0 inside, the distance in cell sizes outside
-    std::array<int, 3> nodes{{0, 0, 0}};         ///< corners of the triangle
-    std::array<double, 3> weights{{0, 0, 0}};    ///< of linear interpolation; extrapolates outside
+    double outside = 1e300;                    ///< largest negative barycentric coordinate: 0 inside, the distance in cell sizes outside
+    std::array<int, 3> nodes{{0, 0, 0}};       ///< corners of the triangle
+    std::array<double, 3> weights{{0, 0, 0}};  ///< of linear interpolation; extrapolates outside
   };
   /// The triangle nearest to the point among those near it; outside = 1e300 if none is near.
   Place find(const Point& point) const;
