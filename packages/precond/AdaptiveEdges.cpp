@@ -29,7 +29,10 @@ Matrix sideMatrices(const EdgeSide& side, const LocalProblem& local, const Matri
   Matrix reduced = pick(schur, kept, kept);
   if (!others.empty()) {
     const Matrix across = pick(schur, others, kept);
-    reduced -= across.transpose() * solvePositive(pick(schur, others, others), across);
+    // Contact edges hold one component only: what they leave free is a kernel that `across` does not feel, and a shift hides it.
+    Matrix rest = pick(schur, others, others);
+    rest.diagonal() *= 1.0 + 1e-12;
+    reduced -= across.transpose() * solvePositive(rest, across);
   }
   Matrix weights = Matrix::Zero(local.size(), n);
   for (int k = 0; k < n; ++k) weights(side.rows[k], k) = 1.0;
