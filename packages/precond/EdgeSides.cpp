@@ -105,9 +105,10 @@ std::vector<std::array<Matrix, 2>> exchangeEdges(const InterfaceSpace& space, co
   for (auto& [rank, bytes] : swapWithNeighbours(*space.comm(), messages)) {
     Unpacker unpacker(bytes);
     for (const EdgeSide* side : expected[rank]) {
-      const int columns = unpacker.get<int>();
+      const int rows = unpacker.get<int>();
       const auto values = unpacker.get<std::vector<double>>();
-      all[side->edge][1 - side->side] = Eigen::Map<const Matrix>(values.data(), static_cast<Eigen::Index>(side->rows.size()), columns);
+      const Eigen::Index columns = rows > 0 ? static_cast<Eigen::Index>(values.size()) / rows : 0;
+      all[side->edge][1 - side->side] = Eigen::Map<const Matrix>(values.data(), rows, columns);
     }
   }
   return all;
