@@ -42,9 +42,9 @@ std::optional<int> parseCommandLine(int argc, char* argv[], const std::string& n
   } catch (const CLI::CallForVersion& text) {
     if (isFirstProcess()) std::cout << text.what() << std::endl;
   } catch (const CLI::ParseError& error) {
-    const Explanation answer = explain(name, "", CommandLineError(complaint(app, error)));
-    if (isFirstProcess()) std::cerr << answer.message << std::flush;
-    return int(answer.code);
+    // Not before MPI: mpirun ends all ranks with the first that fails, before rank 0 may have spoken.
+    const std::string text = complaint(app, error);
+    return runProgram(name, "", [&](const CommPtr&) -> ExitCode { throw CommandLineError(text); });
   }
   return 0;
 }

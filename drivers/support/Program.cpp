@@ -112,6 +112,8 @@ Explanation MeetingPoint::settle(const Explanation& mine) const {
   return {ExitCode(worst), message};
 }
 
+void MeetingPoint::wait() const { MPI_Barrier(impl_->comm); }
+
 int runProgram(const std::string& name, const std::string& subject, const std::function<ExitCode(const CommPtr& comm)>& work) {
   oneThreadARank();
   // Kokkos would look for options of its own in ours.
@@ -133,6 +135,7 @@ int runProgram(const std::string& name, const std::string& subject, const std::f
   }
   end = meeting.settle(end);
   if (!end.message.empty() && Tpetra::getDefaultComm()->getRank() == 0) print(end.message);
+  meeting.wait();
   return int(end.code);
 }
 

@@ -37,6 +37,9 @@ class MeetingPoint {
   /// for the others, then prints it and aborts: they wait for it in the work. Collective.
   Explanation settle(const Explanation& mine) const;
 
+  /// Holds every rank until all are here: none ends the program before another has spoken. Collective.
+  void wait() const;
+
  private:
   struct Impl;
   std::unique_ptr<Impl> impl_;
