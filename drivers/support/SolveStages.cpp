@@ -88,7 +88,7 @@ void printSizes(const Comm& comm, const SceneFile& file, const ProblemSize& size
 RunResult reportStage(const Run& run, const SolveOptions& options) {
   const ExitCode code = run.solution.converged ? ExitCode::Done : run.solution.stopped ? ExitCode::Stopped : ExitCode::Numerical;
   const std::string summary = writeReport(run, code);
-  if (code != ExitCode::Done)
+  if (code != ExitCode::Done || run.scene.parameters->sublist("Output").get<bool>("Checkpoint"))
     writeCheckpoint(run.comm, (std::filesystem::path(run.folder) / "checkpoint.h5").string(), run.meshHash, run.subdomains, run.solution);
   printFooter(consoleOf(run.comm, options.quiet), run);
   // With --quiet the exit code would be all that tells.

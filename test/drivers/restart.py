@@ -58,6 +58,22 @@ check("closed pairs", rest["contact"]["active"], whole["contact"]["active"])
 check("energy", rest["energy"] / whole["energy"] - 1, lambda e: abs(e) < 1e-9)
 check("largest displacement", rest["max_displacement"] / whole["max_displacement"] - 1, lambda e: abs(e) < 1e-6)
 
+# From an earlier load step, in both formulations: a tenth more load moves the contact line little.
+for name, method in (("groups", []), ("interface", setting("Formulation", "Contact On The Interface") + setting("Outer Solver/Type", "Active Set")
+                                      + setting("Preconditioner/Type", "BDDC"))):
+    method = method + setting("Outer Solver/Tolerance", "1e-10")
+    code, _, first = run(2, OPEN, name + "_step_1", *method, *setting("Output/Checkpoint", "true"))
+    check(name + ": first load step", code, 0)
+    more = method + setting("Boundary Conditions/overburden/Value", "0.55e7")
+    code, _, cold = run(2, OPEN, name + "_cold", *more)
+    check(name + ": second load step at once", (code, cold["converged"]), (0, True))
+    check(name + ": leaves no checkpoint unasked", (work / (name + "_cold") / "checkpoint.h5").exists(), False)
+    code, _, warm = run(4, OPEN, name + "_warm", *more, "--restart", str(work / (name + "_step_1") / "checkpoint.h5"))
+    check(name + ": second load step from the first", (code, warm["converged"]), (0, True))
+    check(name + ": it needs fewer steps", warm["outer"]["iterations"], lambda n: n < cold["outer"]["iterations"])
+    check(name + ": closed pairs", warm["contact"]["active"], cold["contact"]["active"])
+    check(name + ": energy", warm["energy"] / cold["energy"] - 1, lambda e: abs(e) < 1e-9)
+
 # Stopped by SIGUSR1, which mpirun forwards: exit code 75.
 slow = setting("Outer Solver/Type", "Successive Approximation") + setting("Outer Solver/Maximum Iterations", 5000) + \
     setting("Outer Solver/Tolerance", "1e-13")
