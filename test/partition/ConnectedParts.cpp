@@ -34,7 +34,8 @@ TEUCHOS_UNIT_TEST(ConnectedParts, LeavesSoundPartsAlone) {
   const ElementGraph graph = grid(4, 2);
   const std::vector<int> given{0, 0, 1, 1, 0, 0, 1, 1};
   std::vector<int> partOf = given;
-  makeConnected(graph, 2, partOf);
+  const int repairs = makeConnected(graph, 2, partOf);  // the macro evaluates its arguments twice
+  TEST_EQUALITY(repairs, 0);
   TEST_ASSERT(partOf == given);
 }
 
@@ -54,8 +55,9 @@ TEUCHOS_UNIT_TEST(ConnectedParts, SettlesFragmentsThatTouchOnlyFragments) {
   // A row: of the three fragments at its end only the one next to the middle touches a part that stays.
   const ElementGraph graph = grid(9, 1);
   std::vector<int> right{0, 0, 0, 1, 1, 1, 0, 1, 0}, left{0, 1, 0, 1, 1, 1, 0, 0, 0};
-  makeConnected(graph, 2, right);
-  makeConnected(graph, 2, left);
+  const int onTheRight = makeConnected(graph, 2, right), onTheLeft = makeConnected(graph, 2, left);
+  TEST_EQUALITY(onTheRight, 3);
+  TEST_EQUALITY(onTheLeft, 3);
   TEST_ASSERT(right == (std::vector<int>{0, 0, 0, 1, 1, 1, 1, 1, 1}));
   TEST_ASSERT(left == (std::vector<int>{1, 1, 1, 1, 1, 1, 0, 0, 0}));
 }

@@ -1,3 +1,5 @@
+#include <metis.h>
+
 #include <Teuchos_UnitTestHarness.hpp>
 #include <algorithm>
 #include <suture/mesh/Generators.hpp>
@@ -48,6 +50,33 @@ TEUCHOS_UNIT_TEST(MetisCut, WorksForOnePartAndForOneElementAPart) {
     TEST_COMPARE(*std::min_element(sizes.begin(), sizes.end()), >=, 1);
     for (int part = 0; part < parts; ++part) TEST_EQUALITY(scenes::connectedParts(mesh, partOf, part), 1);
   }
+}
+
+// What METIS says by itself to the same question, to be sure that there is something to repair.
+TEUCHOS_UNIT_TEST(MetisCut, CountsTheFragmentsThatMetisLeaves) {
+  const Mesh comb = scenes::kept(scenes::mesh({scenes::box("body", 0, 1, 0, 1, 32, 32)}),
+                                 [](double x, double y) { return y < 1.0 / 16 || static_cast<int>(32 * x) % 2 == 0; });
+  const ElementGraph graph = elementGraph(comb);
+  int repaired = 0;
+  for (int parts : {2, 3, 4, 6, 8})
+    for (int seed : {1, 2, 3}) {
+      idx_t options[METIS_NOPTIONS], vertices = graph.elements(), weights = 1, wanted = parts, cut = 0;
+      METIS_SetDefaultOptions(options);
+      options[METIS_OPTION_SEED] = seed;
+      options[METIS_OPTION_CONTIG] = 1;
+      std::vector<idx_t> offsets(graph.offsets.begin(), graph.offsets.end()), neighbours(graph.neighbours.begin(), graph.neighbours.end());
+      std::vector<idx_t> raw(graph.elements());
+      TEST_EQUALITY(METIS_PartGraphRecursive(&vertices, &weights, offsets.data(), neighbours.data(), nullptr, nullptr, nullptr, &wanted,
+                                             nullptr, nullptr, options, &cut, raw.data()),
+                    METIS_OK);
+      int pieces = 0, repairs = 0;
+      for (int part = 0; part < parts; ++part) pieces += scenes::connectedParts(comb, {raw.begin(), raw.end()}, part);
+      const std::vector<int> partOf = metisCut(graph, parts, seed, &repairs);
+      for (int part = 0; part < parts; ++part) TEST_EQUALITY(scenes::connectedParts(comb, partOf, part), 1);
+      TEST_EQUALITY(repairs, pieces - parts);
+      repaired += repairs > 0;
+    }
+  TEST_COMPARE(repaired, >, 0);
 }
 
 TEUCHOS_UNIT_TEST(ElementGraph, HasTheInnerSidesOfAGrid) {

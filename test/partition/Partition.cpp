@@ -212,3 +212,26 @@ TEUCHOS_UNIT_TEST(Partition, TakesABodyThatTouchesItselfInANode) {
     for (int s = 0; s < subdomains; ++s) TEST_EQUALITY(connectedParts(grid, all.subdomainOfElement, s), 1);
   }
 }
+
+TEUCHOS_UNIT_TEST(Partition, RepairsWhatMetisLeavesInPiecesAndSaysSo) {
+  // A comb of 16 thin teeth: METIS' recursive bisection (up to eight parts) joins teeth that have nothing in common but their likeness.
+  const Mesh comb =
+      kept(mesh({box("a", 0, 1, 0, 1, 32, 32)}), [](double x, double y) { return y < 1.0 / 16 || static_cast<int>(32 * x) % 2 == 0; });
+  int noted = 0;
+  for (int subdomains : {2, 3, 4, 6, 8})
+    for (int seed : {1, 2, 3}) {
+      const Partition all = makePartition(*comm(), comb, Constraints(), metis(subdomains, seed).list());
+      TEST_EQUALITY(all.subdomains(), subdomains);
+      TEST_COMPARE(*std::min_element(all.elementsOf.begin(), all.elementsOf.end()), >, 0);
+      noted += static_cast<int>(all.notes.size());  // on every rank
+      for (const std::string& note : all.notes) {
+        TEST_INEQUALITY(note.find("body 'all'"), std::string::npos);
+        TEST_INEQUALITY(note.find("connected through sides"), std::string::npos);
+      }
+      if (!onRoot()) continue;
+      for (int s = 0; s < subdomains; ++s) TEST_EQUALITY(connectedParts(comb, all.subdomainOfElement, s), 1);
+    }
+  TEST_COMPARE(noted, >, 0);
+  const Mesh square = mesh({box("a", 0, 1, 0, 1, 16, 16)});
+  TEST_EQUALITY(makePartition(*comm(), square, Constraints(), metis(4).list()).notes.size(), 0u);
+}

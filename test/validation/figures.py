@@ -3,6 +3,7 @@
 figure("hertz.fittedPressure", folder) reads folder/fields_0000.vtkhdf and folder/contact_0000.vtkhdf. Signs as in the files: tension
 positive, contact pressure and gap positive as in DESIGN.md.
 """
+import json
 import math
 import os
 import sys
@@ -213,6 +214,23 @@ def vtk_quadrilateralArea(folder, _):
         x = np.array([cell.GetPoints().GetPoint(k) for k in range(4)])
         total += 0.5 * float(np.cross(x[2] - x[0], x[3] - x[1])[2])
     return total
+
+
+# --- memory of a run on several ranks against that of one rank ---
+
+def peaks(folder):
+    with open(os.path.join(folder, "summary.json")) as file:
+        return json.load(file)["peak_memory_mb"]
+
+
+def memory_largestOverReference(folder, reference):
+    """Largest peak of a rank over that of the reference run (on one rank)."""
+    return peaks(folder)["max"] / peaks(reference)["max"]
+
+
+def memory_largestOverSmallest(folder, _):
+    """Largest peak of a rank over the smallest: rank 0, which read the mesh, against the others."""
+    return peaks(folder)["max"] / peaks(folder)["min"]
 
 
 def figure(name, folder, reference=None):
