@@ -91,6 +91,6 @@ case $1 in
     ;;
   test)
     configureAndBuild
-    ctest --test-dir "$build" --output-on-failure -LE long </dev/null
+    ctest --test-dir "$build" --output-on-failure -LE long --parallel "${JOBS:-$(getconf _NPROCESSORS_ONLN)}" </dev/null
     ;;
 esac

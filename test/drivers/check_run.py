@@ -2,6 +2,7 @@
 """Runs suture_solve on a scene and checks what it must give: exit code, messages, figures.
 
     check_run.py CASES.json CASE --solve build/drivers/suture_solve --work FOLDER [--ranks N] [--mpirun "mpirun --oversubscribe"]
+                 [--references FOLDER]
 
 A file of cases is either one case (the expected.json beside a scene; CASE is then "-") or {"defaults": {...}, "cases": {name: {...}}}.
 A case has, all but "scene" with a default; the arguments of a table's defaults come before its own:
@@ -13,14 +14,18 @@ A case has, all but "scene" with a default; the arguments of a table's defaults 
     exit_code   what the program must return (0)
     timeout     seconds (100)
     message     texts that must occur in the output;  "never": texts that must not;  "once": texts that must occur exactly once
-    against     arguments of a second run on one rank, for the figures difference.*
+    against     arguments of a second run on one rank, for the figures difference.*; those of
+                --references are made once and shared: empty that folder when the program changes (ctest does, before its first test)
     checks      [{"key" or "figure": ..., and "value" with "relative" or "absolute" (neither: exactly), or "min" and "max", "source": ...}]
 
 A "key" is a dotted path into summary.json, norm(path) of a vector, abs(path), or several of these joined by " + ". A "figure" is a function
 of test/validation/figures.py that reads the fields of the run.
 """
 import argparse
+import contextlib
+import fcntl
 import glob
+import hashlib
 import json
 import math
 import os
@@ -110,6 +115,17 @@ def editedScene(scene, edits, work):
     return copy
 
 
+@contextlib.contextmanager
+def shared(references, scene, arguments):
+    """The folder of a run that several tests compare with, held by one of them at a time. summary.json is what a run writes last."""
+    with open(scene, "rb") as file:
+        name = hashlib.sha1(b"\0".join([file.read(), *(a.encode() for a in arguments)])).hexdigest()[:16]
+    os.makedirs(references, exist_ok=True)
+    with open(os.path.join(references, name + ".lock"), "w") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        yield os.path.join(references, name)
+
+
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("file")
@@ -118,6 +134,7 @@ def main():
     parser.add_argument("--work", required=True)
     parser.add_argument("--ranks", type=int, default=1)
     parser.add_argument("--mpirun", default="mpirun --oversubscribe")
+    parser.add_argument("--references")
     options = parser.parse_args()
 
     with open(options.file) as file:
@@ -173,9 +190,13 @@ def main():
 
     reference = os.path.join(work, "reference")
     if "against" in case and not failures:
-        _, code = solve(1, case["against"], reference)
-        if code != 0:
-            failures.append(f"the run to compare with returned {code}")
+        with contextlib.ExitStack() as stack:
+            if options.references:
+                reference = stack.enter_context(shared(options.references, scene, [fill(a) for a in case["against"]]))
+            if not os.path.exists(os.path.join(reference, "summary.json")):
+                _, code = solve(1, case["against"], reference)
+                if code != 0:
+                    failures.append(f"the run to compare with returned {code}")
 
     checks = case.get("checks", [])
     if checks and not failures:
