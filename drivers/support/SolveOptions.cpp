@@ -18,7 +18,9 @@ std::optional<int> SolveOptions::parse(int argc, char* argv[]) {
           return text.find('=') == std::string::npos ? "'" + text + "' is not of the form Path/To/Parameter=value" : "";
         });
     app.add_option("--output", output, "Output folder, instead of the scene's Output/Folder")->type_name("DIR");
-    app.add_option("--restart", restart, "Start from the checkpoint.h5 of a run of this mesh: one that did not end, or an earlier load step")->type_name("FILE");
+    app.add_option("--restart", restart,
+                   "Start from the checkpoint.h5 of a run of this mesh: one that did not end, or an earlier load step")
+        ->type_name("FILE");
     app.add_flag("--check", check, "Read everything, cut the mesh, print the sizes, solve nothing");
     app.add_flag("--print-defaults", printDefaults, "Print the scene with all defaults filled in and stop");
     CLI::Option* silent = app.add_flag("--quiet", quiet, "Print errors only");
