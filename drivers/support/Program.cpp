@@ -1,6 +1,9 @@
 #include "Program.hpp"
 
 #include <mpi.h>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 #include <Teuchos_DefaultMpiComm.hpp>
 #include <Tpetra_Core.hpp>
@@ -22,6 +25,16 @@ constexpr double patience = 10.0;  // seconds for the other ranks to arrive, onc
 void oneThreadARank() {
   setenv("OMP_NUM_THREADS", "1", 0);
   if (openblas_set_num_threads && !std::getenv("OPENBLAS_NUM_THREADS")) openblas_set_num_threads(1);
+}
+
+// By default glibc maps every large block anew and gives it back when it is freed: each work matrix then costs a page fault every 4 kB.
+// Solve phase of the tunnel at h/4, 192 subdomains, two ranks: 3.3 s with the default, 1.6 to 2.0 s so; the peak is the same.
+void keepFreedMemory() {
+#ifdef __GLIBC__
+  mallopt(M_MMAP_THRESHOLD, 1 << 30);
+  mallopt(M_TRIM_THRESHOLD, 1 << 30);
+  mallopt(M_TOP_PAD, 1 << 24);
+#endif
 }
 
 void print(const std::string& message) {
@@ -116,6 +129,7 @@ void MeetingPoint::wait() const { MPI_Barrier(impl_->comm); }
 
 int runProgram(const std::string& name, const std::string& subject, const std::function<ExitCode(const CommPtr& comm)>& work) {
   oneThreadARank();
+  keepFreedMemory();
   // Kokkos would look for options of its own in ours.
   int argc = 1;
   std::string program = name;

@@ -1,30 +1,37 @@
 #include <suture/mesh/SideTable.hpp>
 
 #include <algorithm>
-#include <tuple>
+#include <numeric>
 
 namespace suture {
 
-SideTable::SideTable(const CellBlock& block) : block_(block) {
+namespace {
+
+template <typename Visit>
+void forEachSide(const CellBlock& block, const Visit& visit) {
   for (int e = 0; e < block.elements(); ++e) {
-    const int sides = static_cast<int>(cellInfo(block.cells[e]).sideNodes.size());
-    for (int s = 0; s < sides; ++s) {
-      const std::vector<int> nodes = block.nodesOf(Side{e, s});
-      entries_.push_back({std::min(nodes[0], nodes[1]), std::max(nodes[0], nodes[1]), {e, s}});
-    }
+    const Span<const int> nodes = block.nodesOf(e);
+    const auto& sides = cellInfo(block.cells[e]).sideNodes;
+    for (int s = 0; s < static_cast<int>(sides.size()); ++s) visit(std::minmax(nodes[sides[s][0]], nodes[sides[s][1]]), Side{e, s});
   }
-  std::sort(entries_.begin(), entries_.end(), [](const Entry& x, const Entry& y) {
-    return std::tie(x.low, x.high, x.side.element, x.side.side) < std::tie(y.low, y.high, y.side.element, y.side.side);
-  });
+}
+
+}  // namespace
+
+// By counting, not sorting: linear in the size of the mesh, and elements stay in ascending order.
+SideTable::SideTable(const CellBlock& block) : block_(block), start_(static_cast<std::size_t>(block.nodes()) + 1, 0) {
+  forEachSide(block, [&](std::pair<int, int> ends, const Side&) { ++start_[ends.first + 1]; });
+  std::partial_sum(start_.begin(), start_.end(), start_.begin());
+  entries_.resize(start_.back());
+  std::vector<int> next(start_.begin(), start_.end() - 1);
+  forEachSide(block, [&](std::pair<int, int> ends, const Side& side) { entries_[next[ends.first]++] = {ends.second, side}; });
 }
 
 std::vector<Side> SideTable::between(int a, int b) const {
-  const std::pair<int, int> ends{std::min(a, b), std::max(a, b)};
-  auto at = std::lower_bound(entries_.begin(), entries_.end(), ends, [](const Entry& x, const std::pair<int, int>& y) {
-    return std::tie(x.low, x.high) < std::tie(y.first, y.second);
-  });
+  const auto [low, high] = std::minmax(a, b);
   std::vector<Side> found;
-  for (; at != entries_.end() && at->low == ends.first && at->high == ends.second; ++at) found.push_back(at->side);
+  for (int k = start_[low]; k < start_[low + 1]; ++k)
+    if (entries_[k].high == high) found.push_back(entries_[k].side);
   return found;
 }
 

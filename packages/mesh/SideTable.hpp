@@ -18,11 +18,12 @@ class SideTable {
 
  private:
   struct Entry {
-    int low, high;  ///< end points
+    int high;  ///< end point of higher number
     Side side;
   };
   const CellBlock& block_;
-  std::vector<Entry> entries_;  ///< sorted by end points, then element
+  std::vector<int> start_;  ///< nodes + 1: the sides whose lower end point is node n are entries_[start_[n] .. start_[n+1])
+  std::vector<Entry> entries_;
 };
 
 }  // namespace suture

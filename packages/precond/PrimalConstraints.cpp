@@ -1,7 +1,8 @@
 #include <suture/precond/EdgeSides.hpp>
 #include <suture/precond/PrimalConstraints.hpp>
 
-#include <map>
+#include <algorithm>
+#include <utility>
 
 namespace suture {
 
@@ -30,7 +31,7 @@ InterfaceLayout::Unknown combined(const InterfaceSpace& space, GlobalId key, con
 }
 
 struct Row {
-  std::map<int, double> entries;  // position in the trace -> coefficient
+  std::vector<std::pair<int, double>> entries;  // position in the trace, coefficient
   std::vector<PrimalConstraints::Term> terms;
 };
 
@@ -38,7 +39,7 @@ struct Row {
 
 std::vector<PrimalConstraints> primalConstraints(const InterfaceSpace& space, const std::vector<Matrix>& edgeRows) {
   std::vector<std::vector<Row>> rows(space.locals());
-  std::vector<std::map<GlobalId, InterfaceLayout::Unknown>> unknowns(space.locals());
+  std::vector<std::vector<InterfaceLayout::Unknown>> unknowns(space.locals());
   for (int i = 0; i < space.locals(); ++i) {
     const std::vector<int>& places = space.coupling(i).columns();
     for (std::size_t k = 0; k < places.size(); ++k) {
@@ -54,7 +55,7 @@ std::vector<PrimalConstraints> primalConstraints(const InterfaceSpace& space, co
       for (std::size_t t = 0; t < count; ++t) {
         const int place = by ? by->others[t] : first;
         row.terms.push_back({cornerKey(space, place), by ? by->coefficients[t] : 1.0});
-        unknowns[i].emplace(row.terms.back().key, cornerUnknown(space, place));
+        unknowns[i].push_back(cornerUnknown(space, place));
       }
       rows[i].push_back(std::move(row));
     }
@@ -64,10 +65,10 @@ std::vector<PrimalConstraints> primalConstraints(const InterfaceSpace& space, co
     for (int r = 0; r < edgeRows[side.edge].rows(); ++r) {
       Row row;
       for (std::size_t k = 0; k < side.rows.size(); ++k)
-        row.entries[side.rows[k]] = edgeRows[side.edge](r, static_cast<int>(k)) / side.coefficients(static_cast<int>(k));
+        row.entries.emplace_back(side.rows[k], edgeRows[side.edge](r, static_cast<int>(k)) / side.coefficients(static_cast<int>(k)));
       const std::vector<int>& places = space.edges()[side.edge].unknowns;
       row.terms = {{edgeKey(space, places[r]), 1.0}};
-      unknowns[side.local].emplace(row.terms[0].key, combined(space, row.terms[0].key, places, edgeRows[side.edge].row(r)));
+      unknowns[side.local].push_back(combined(space, row.terms[0].key, places, edgeRows[side.edge].row(r)));
       rows[side.local].push_back(std::move(row));
     }
 
@@ -78,7 +79,11 @@ std::vector<PrimalConstraints> primalConstraints(const InterfaceSpace& space, co
       for (const auto& [position, value] : rows[i][r].entries) all[i].rows(static_cast<int>(r), position) = value;
       all[i].terms.push_back(rows[i][r].terms);
     }
-    for (const auto& entry : unknowns[i]) all[i].unknowns.push_back(entry.second);
+    const auto before = [](const InterfaceLayout::Unknown& a, const InterfaceLayout::Unknown& b) { return a.id < b.id; };
+    const auto same = [](const InterfaceLayout::Unknown& a, const InterfaceLayout::Unknown& b) { return a.id == b.id; };
+    std::stable_sort(unknowns[i].begin(), unknowns[i].end(), before);
+    unknowns[i].erase(std::unique(unknowns[i].begin(), unknowns[i].end(), same), unknowns[i].end());
+    all[i].unknowns = std::move(unknowns[i]);
   }
   return all;
 }

@@ -53,9 +53,12 @@ double ActiveSet::auxiliaryTolerance(const OuterSettings& settings) const { retu
 void ActiveSet::doSolve(Run& run) const {
   const double final = run.settings.tolerance;
   double inner = std::max(innerTolerance_, final);
+  const double between = std::sqrt(inner * final);
   const MultiVectorPtr step = run.problem.space()->vector();
   VisitedSets visited(run.problem);
-  bool stays = run.evaluation.settled;
+  bool stays = run.evaluation.settled, moved = false;
+  ContactStatus preconditioned;  // the set that the preconditioner was made for
+  bool made = false;
   while (run.goesOn()) {
     InterfaceState state = run.result.state;
     state.trace = Teuchos::rcp(new MultiVector(*run.result.state.trace, Teuchos::Copy));
@@ -68,13 +71,19 @@ void ActiveSet::doSolve(Run& run) const {
       inner = std::max(kTighten * inner, final);
       visited.clear();
     }
+    // A set that had to be searched for often changes by a pair or two once solves get tighter: half way there first, where that is cheap.
+    if (stays) inner = moved && inner > between ? between : final;
     int applications = run.problem.conform(state);
     const InterfaceProblem::Linearisation linear = run.problem.linearise(state);
-    run.preconditioner->initialize(linear.matrix->space());
-    run.preconditioner->compute(linear.matrix);
+    if (!made || !run.problem.differing(preconditioned, state.status).empty()) {
+      run.preconditioner->initialize(linear.matrix->space());
+      run.preconditioner->compute(linear.matrix);
+      preconditioned = state.status;
+      made = true;
+    }
     linear.matrix->record();
     InnerResult cost =
-        run.inner.solve(linear.matrix, run.preconditioner, *linear.load, *step, stays ? final : inner, run.reference, run.monitor);
+        run.inner.solve(linear.matrix, run.preconditioner, *linear.load, *step, inner, run.reference, run.monitor);
     const Matrix image = linear.matrix->recorded(cost.steps);
     if (!cost.converged) {
       run.result.pcgTotal += cost.pcg + applications;
@@ -93,6 +102,7 @@ void ActiveSet::doSolve(Run& run) const {
     if (!std::isfinite(residual)) throw NumericalError("the active set met a residual that is no number");
     cost.pcg += applications;
     stays = at.settled;
+    moved = moved || !stays;
     run.accept(std::move(state), std::move(at), residual, cost, 1.0);
   }
 }

@@ -117,14 +117,15 @@ ConstrainedInverse::ConstrainedInverse(Matrix schur, const Matrix& constraints, 
   const Matrix energy = inOrder.transpose() * (0.5 * (pp + pp.transpose())) * inOrder;
   energy_ = 0.5 * (energy + energy.transpose());
 
-  inverse_ = Matrix::Zero(n, n);
+  Matrix inverse = Matrix::Zero(n, n);
   for (int j = 0; j < d; ++j)
-    for (int i = j; i < d; ++i) inverse_(dual[i], dual[j]) = inverse_(dual[j], dual[i]) = dd(i, j);
+    for (int i = j; i < d; ++i) inverse(dual[i], dual[j]) = inverse(dual[j], dual[i]) = dd(i, j);
   for (auto reflection = reflections.rbegin(); reflection != reflections.rend(); ++reflection) {
     reflection->onRows(basis_);
-    reflection->onRows(inverse_);
-    reflection->onColumns(inverse_);
+    reflection->onRows(inverse);
+    reflection->onColumns(inverse);
   }
+  inverse_ = PackedSymmetric(inverse);
 }
 
 }  // namespace suture

@@ -1,5 +1,6 @@
 #pragma once
 #include <suture/subdomain/LocalProblem.hpp>
+#include <suture/subdomain/PackedSymmetric.hpp>
 
 #include <string>
 
@@ -15,12 +16,12 @@ class ConstrainedInverse : public LocalInverse {
   /// \param what  for messages. \throws NumericalError  C is not of full rank, or leaves a mechanism.
   ConstrainedInverse(Matrix schur, const Matrix& constraints, const std::string& what);
 
-  void apply(ConstLocalView flux, LocalView trace) const override { trace.noalias() = inverse_.selfadjointView<Eigen::Lower>() * flux; }
+  void apply(ConstLocalView flux, LocalView trace) const override { inverse_.multiply(flux, trace); }
   const Matrix& basis() const override { return basis_; }
   const Matrix& energy() const override { return energy_; }
 
  private:
-  Matrix inverse_;  // lower triangle
+  PackedSymmetric inverse_;
   Matrix basis_, energy_;
 };
 

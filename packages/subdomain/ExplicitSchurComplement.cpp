@@ -23,7 +23,7 @@ void ExplicitSchurComplement::doCompute(const SchurData& data) {
   } catch (const NumericalError& error) {
     throw NumericalError(data.what + ", interior: " + error.what());
   }
-  schur_ = factor_->trailingSchur();
+  schur_ = PackedSymmetric(factor_->trailingSchur());
 
   Matrix response(static_cast<int>(interior_.size()), 1);
   for (std::size_t i = 0; i < interior_.size(); ++i) response(static_cast<int>(i), 0) = data.load(interior_[i]);
@@ -37,7 +37,7 @@ void ExplicitSchurComplement::doCompute(const SchurData& data) {
 }
 
 void ExplicitSchurComplement::doApply(ConstLocalView trace, LocalView flux) const {
-  flux.noalias() = schur_.selfadjointView<Eigen::Lower>() * trace;
+  schur_.multiply(trace, flux);
 }
 
 Vector ExplicitSchurComplement::recover(const Vector& trace) const {

@@ -6,12 +6,12 @@ namespace suture {
 
 /// S_i as a dense matrix from ONE sparse Cholesky factorisation, interior first and interface last (CholmodFactor): an application is a
 /// product with a small dense matrix, and the same factor gives condensed loads and recovers interiors. Needs CHOLMOD, whatever local
-/// solver is named. Memory: the factor and n^2 numbers for n boundary unknowns. Local.
+/// solver is named. Memory: the factor and n^2 / 2 numbers for n boundary unknowns. Local.
 class ExplicitSchurComplement : public SchurComplement {
  public:
   static Schema schema();
   const Vector& condensedLoad() const override { return condensedLoad_; }
-  const Matrix* dense() const override { return &schur_; }
+  const PackedSymmetric* dense() const override { return &schur_; }
   Vector recover(const Vector& trace) const override;
   double interiorEnergy() const override { return interiorEnergy_; }
 
@@ -23,7 +23,7 @@ class ExplicitSchurComplement : public SchurComplement {
   std::vector<int> interior_, boundary_;
   SparseMatrix ib_;
   std::unique_ptr<CholmodFactor> factor_;
-  Matrix schur_;
+  PackedSymmetric schur_;
   Vector condensedLoad_, interiorResponse_;
   double interiorEnergy_ = 0.0;
 };

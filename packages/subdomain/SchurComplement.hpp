@@ -1,6 +1,7 @@
 #pragma once
 #include <suture/base/Registry.hpp>
 #include <suture/subdomain/LocalSolver.hpp>
+#include <suture/subdomain/PackedSymmetric.hpp>
 
 #include <memory>
 #include <vector>
@@ -36,7 +37,7 @@ class SchurComplement {
   /// f_B - A_BI A_II^-1 f_I. [force]
   virtual const Vector& condensedLoad() const = 0;
   /// S itself, if it is kept; else null.
-  virtual const Matrix* dense() const { return nullptr; }
+  virtual const PackedSymmetric* dense() const { return nullptr; }
   /// All unknowns of the solution with the given trace: u_I = A_II^-1 (f_I - A_IB trace).
   virtual Vector recover(const Vector& trace) const = 0;
   /// Least energy with zero trace: -f_I A_II^-1 f_I / 2.

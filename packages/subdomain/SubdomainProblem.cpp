@@ -53,13 +53,13 @@ SubdomainProblem::SubdomainProblem(int id, const Subdomain& subdomain, const std
 }
 
 Matrix SubdomainProblem::schur() const {
-  const Matrix* dense = schur_->dense();
-  return dense ? *dense : LocalProblem::schur();
+  const PackedSymmetric* dense = schur_->dense();
+  return dense ? dense->full() : LocalProblem::schur();
 }
 
 Matrix SubdomainProblem::schurBlock(const std::vector<int>& positions) const {
-  const Matrix* dense = schur_->dense();
-  return dense ? pick(*dense, positions, positions) : LocalProblem::schurBlock(positions);
+  const PackedSymmetric* dense = schur_->dense();
+  return dense ? dense->block(positions) : LocalProblem::schurBlock(positions);
 }
 
 std::unique_ptr<LocalInverse> SubdomainProblem::inverse() const {

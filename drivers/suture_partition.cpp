@@ -1,0 +1,88 @@
+// Makes the mesh of a scene once, so that many runs need not: meshes the geometry, cuts it as the scene's Partition says, and writes one
+// HDF5 file, the subdomains as element groups. A scene with Mesh/File = that file reads it in a fraction of the time.
+#include <CLI/CLI.hpp>
+#include <Teuchos_Comm.hpp>
+#include <Teuchos_ParameterList.hpp>
+#include <iomanip>
+#include <iostream>
+#include <sstream>
+#include <suture/base/Errors.hpp>
+#include <suture/mesh/Hdf5Mesh.hpp>
+#include <suture/partition/Partition.hpp>
+
+#include "support/CommandLine.hpp"
+#include "support/Plugins.hpp"
+#include "support/Program.hpp"
+#include "support/SolveStages.hpp"
+
+using namespace suture;
+
+namespace {
+
+struct Options {
+  std::string scene, output, groups = "cut";
+  std::vector<std::string> overrides, plugins;
+  bool noCut = false, quiet = false;
+
+  std::optional<int> parse(int argc, char* argv[]) {
+    const auto describe = [&](CLI::App& app) {
+      app.add_option("SCENE", scene, "Scene file (XML); 'suture_schema' documents it")->required()->type_name("FILE");
+      app.add_option("--output", output, "Mesh file to write (.h5)")->required()->type_name("FILE");
+      app.add_option("--groups", groups, "Name of the subdomains in the file: <name>_0000, <name>_0001, ...")->capture_default_str();
+      app.add_flag("--no-cut", noCut, "Write the mesh without subdomains");
+      app.add_option("--set", overrides, "Change a parameter of the scene; may be repeated")
+          ->type_name("PATH=VALUE")
+          ->allow_extra_args(false);
+      app.add_flag("--quiet", quiet, "Print errors only");
+      app.add_option("--plugin", plugins, "Load a library with strategies of your own; may be repeated")
+          ->type_name("LIB.so")
+          ->allow_extra_args(false);
+    };
+    return parseCommandLine(argc, argv, "suture_partition", "Meshes and cuts a scene once: its mesh as HDF5, with subdomains.", describe);
+  }
+};
+
+std::string numbered(const std::string& name, int i) {
+  std::ostringstream text;
+  text << name << "_" << std::setw(4) << std::setfill('0') << i;
+  return text.str();
+}
+
+void addGroups(Mesh& mesh, const Partition& partition, const std::string& name) {
+  if (partition.subdomainOfElement.empty()) return;  // not rank 0
+  for (const std::string& group : mesh.elementGroupNames())
+    if (group.rfind(name + "_", 0) == 0)
+      throw InputError(group, "the mesh has an element group of this name; expected another --groups than '" + name + "'");
+  std::vector<std::vector<int>> elements(std::size_t(partition.subdomains()));
+  for (std::size_t e = 0; e < partition.subdomainOfElement.size(); ++e)
+    elements[std::size_t(partition.subdomainOfElement[e])].push_back(int(e));
+  for (int i = 0; i < partition.subdomains(); ++i) mesh.elementGroups[numbered(name, i)] = std::move(elements[std::size_t(i)]);
+}
+
+ExitCode run(const CommPtr& comm, const Options& options) {
+  loadPlugins(options.plugins);
+  const SceneFile file = readScene(*comm, options.scene, sceneSchema(), options.overrides);
+  const Parameters& scene = *file.parameters;
+  Mesh mesh = meshStage(*comm, file);
+  const int elements = int(mesh.elements());
+  if (!options.noCut) {
+    const Constraints constraints = constraintsStage(*comm, mesh, scene);
+    const Partition partition = makePartition(*comm, mesh, constraints, scene.sublist("Partition"), false);
+    collectivelyOnRoot(*comm, "naming the subdomains", [&] { addGroups(mesh, partition, options.groups); });
+  }
+  writeHdf5Mesh(*comm, mesh, options.output);
+  if (std::ostream* out = consoleOf(*comm, options.quiet)) {
+    *out << options.output << ": " << elements << " elements";
+    if (!options.noCut) *out << ", subdomains " << options.groups << "_*: in a scene Partition/Type = Named Groups with this Pattern";
+    *out << std::endl;
+  }
+  return ExitCode::Done;
+}
+
+}  // namespace
+
+int main(int argc, char* argv[]) {
+  Options options;
+  if (const auto end = options.parse(argc, argv)) return *end;
+  return runProgram("suture_partition", options.scene, [&](const CommPtr& comm) { return run(comm, options); });
+}
