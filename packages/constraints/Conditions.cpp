@@ -98,7 +98,7 @@ class Entry {
 
   void readRandom() {
     const bool random = condition_.type == Type::RandomLoad;
-    for (const char* name : {"Seed", "Amplitude"})
+    for (const char* name : {"Seed", "Amplitude", "Mean"})
       if (!random && list_.isParameter(name)) wrong(name, "only a Random Load has it; found in a " + typeName_);
     if (random && !list_.isParameter("Amplitude")) wrong("Amplitude", "is missing: a Random Load needs the largest force on a component");
   }
@@ -147,6 +147,8 @@ Schema boundaryConditionSchema() {
                "of a Random Load, whose forces depend on it, on the number of the node and on the component only; 0 if left out")
       .optional()
       .real("Amplitude", std::nullopt, "of a Random Load: forces are uniform between minus and plus this", Range::positive(), "force")
+      .optional()
+      .real("Mean", std::nullopt, "of a Random Load, added to every component; 0 if left out", Range::any(), "force")
       .optional();
 }
 

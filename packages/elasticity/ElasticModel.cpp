@@ -73,6 +73,7 @@ Load loadOf(const Parameters& condition, const std::vector<std::string>& bodies,
 
   if (load.kind == Load::Kind::Random) {
     if (condition.isType<int>("Seed")) load.seed = condition.get<int>("Seed");
+    if (condition.isType<double>("Mean")) load.value[1] = condition.get<double>("Mean");
     if (condition.isType<double>("Amplitude"))
       load.value[0] = condition.get<double>("Amplitude");
     else

@@ -24,7 +24,7 @@ struct Load {
   Kind kind = Kind::Traction;
   std::string group;     ///< side group, or the body's name for BodyForce and Random ("" : all bodies)
   Point value{0, 0, 0};  ///< traction [stress], body force [force / volume]; Pressure: value[0], > 0 pushes into the body; Random:
-                         ///< value[0], the largest force [force]
+                         ///< value[0] about value[1] [force]
   int seed = 0;          ///< of Random
 
   /// Acts on bodies as a whole, not on sides.
@@ -76,7 +76,7 @@ void elementStiffnesses(const CellBlock& block, const std::function<const Materi
 void addSideLoad(const CellBlock& block, const std::vector<Side>& sides, const Load& load, Vector& forces);
 void addBodyForce(const CellBlock& block, const std::vector<int>& elements, const Load& load, Vector& forces);
 
-/// Force of a Random load on a component of a node of the mesh: uniform in [-value[0], value[0]), a pure function of (seed, node,
+/// Force of a Random load on a component of a node of the mesh: uniform in value[1] + [-value[0], value[0]), a pure function of (seed, node,
 /// component), and so the same however the mesh is cut. Cartesian. Local.
 double randomForce(const Load& load, GlobalId node, int component);
 

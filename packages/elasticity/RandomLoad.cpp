@@ -19,7 +19,7 @@ double randomForce(const Load& load, GlobalId node, int component) {
   const std::uint64_t seed = scrambled(static_cast<std::uint64_t>(load.seed));
   const std::uint64_t bits = scrambled(scrambled(seed ^ static_cast<std::uint64_t>(node)) + static_cast<std::uint64_t>(component));
   const double unit = static_cast<double>(bits >> 11) * 0x1p-53;  // [0, 1), all 53 bits of a double
-  return load.value[0] * (2.0 * unit - 1.0);
+  return load.value[1] + load.value[0] * (2.0 * unit - 1.0);
 }
 
 }  // namespace suture

@@ -54,9 +54,10 @@ void ActiveSet::doSolve(Run& run) const {
   const double final = run.settings.tolerance;
   double inner = std::max(innerTolerance_, final);
   const double between = std::sqrt(inner * final);
+  bool loosened = false;
   const MultiVectorPtr step = run.problem.space()->vector();
   VisitedSets visited(run.problem);
-  bool stays = run.evaluation.settled, moved = false;
+  bool stays = run.evaluation.settled;
   ContactStatus preconditioned;  // the set that the preconditioner was made for
   bool made = false;
   while (run.goesOn()) {
@@ -71,8 +72,7 @@ void ActiveSet::doSolve(Run& run) const {
       inner = std::max(kTighten * inner, final);
       visited.clear();
     }
-    // A set that had to be searched for often changes by a pair or two once solves get tighter: half way there first, where that is cheap.
-    if (stays) inner = moved && inner > between ? between : final;
+    if (stays) inner = final;
     int applications = run.problem.conform(state);
     const InterfaceProblem::Linearisation linear = run.problem.linearise(state);
     if (!made || !run.problem.differing(preconditioned, state.status).empty()) {
@@ -82,8 +82,7 @@ void ActiveSet::doSolve(Run& run) const {
       made = true;
     }
     linear.matrix->record();
-    InnerResult cost =
-        run.inner.solve(linear.matrix, run.preconditioner, *linear.load, *step, inner, run.reference, run.monitor);
+    InnerResult cost = run.inner.solve(linear.matrix, run.preconditioner, *linear.load, *step, inner, run.reference, run.monitor);
     const Matrix image = linear.matrix->recorded(cost.steps);
     if (!cost.converged) {
       run.result.pcgTotal += cost.pcg + applications;
@@ -101,8 +100,12 @@ void ActiveSet::doSolve(Run& run) const {
     applications += at.applications;
     if (!std::isfinite(residual)) throw NumericalError("the active set met a residual that is no number");
     cost.pcg += applications;
+    // A set that moves by a pair or two after a final solve may do so again: half way there is enough to see it. Once: this must end.
+    if (stays && !at.settled && inner <= final && !loosened) {
+      loosened = true;
+      inner = between;
+    }
     stays = at.settled;
-    moved = moved || !stays;
     run.accept(std::move(state), std::move(at), residual, cost, 1.0);
   }
 }

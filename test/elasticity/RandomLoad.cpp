@@ -25,6 +25,12 @@ TEUCHOS_UNIT_TEST(RandomLoad, IsSplitmix64OnEveryMachine) {
   TEST_EQUALITY(randomForce(randomLoad(-3, 1.0), 5, 0), 0.49571219507530273);
 }
 
+TEUCHOS_UNIT_TEST(RandomLoad, IsMovedByItsMean) {
+  Load load = randomLoad(7, 1.0);
+  load.value[1] = 0.5;
+  TEST_EQUALITY(randomForce(load, 123456, 1), 0.5 + 0.07461334114355833);
+}
+
 TEUCHOS_UNIT_TEST(RandomLoad, IsUniformAndUncorrelated) {
   const int nodes = 20000;
   const double amplitude = 3.0;
