@@ -10,6 +10,9 @@
 #include <numeric>
 #include <sstream>
 
+// LAPACK: upper <- U U^T in place, a third of the operations of a product that does not know of the zeros.
+extern "C" void dlauum_(const char* uplo, const int* n, double* a, const int* lda, int* info);
+
 namespace suture {
 
 namespace {
@@ -368,8 +371,10 @@ void CholmodFactor::solveLeading(LocalView rhs) const { data_->solve(size() - tr
 
 Matrix CholmodFactor::trailingSchur() const {
   const int n = size(), nb = trailing(), leading = n - nb;
-  Matrix lower = Matrix::Zero(nb, nb);
-  if (nb == 0) return lower;
+  // L turned by 180 degrees is upper triangular, U, and U U^T is L L^T turned.
+  Matrix upper = Matrix::Zero(nb, nb);
+  if (nb == 0) return upper;
+  const auto turned = [&](int dof) { return n - 1 - dof; };
   const double* x = static_cast<const double*>(data_->factor->x);
   for (int j = leading; j < n; ++j) {
     if (data_->statistics.supernodal) {
@@ -378,16 +383,17 @@ Matrix CholmodFactor::trailingSchur() const {
       const double* column = node.values + std::size_t(inside) * node.stride;
       for (int r = inside; r < node.rows; ++r) {
         const int row = r < node.columns ? node.first + r : node.below[r - node.columns];
-        lower(row - leading, j - leading) = column[r];
+        upper(turned(row), turned(j)) = column[r];
       }
     } else {
       const int begin = static_cast<const int*>(data_->factor->p)[j], count = static_cast<const int*>(data_->factor->nz)[j];
-      for (int k = begin; k < begin + count; ++k) lower(static_cast<const int*>(data_->factor->i)[k] - leading, j - leading) = x[k];
+      for (int k = begin; k < begin + count; ++k) upper(turned(static_cast<const int*>(data_->factor->i)[k]), turned(j)) = x[k];
     }
   }
-  Matrix schur(nb, nb);
-  cblas_dsyrk(CblasColMajor, CblasLower, CblasNoTrans, nb, nb, 1.0, lower.data(), nb, 0.0, schur.data(), nb);
-  schur.triangularView<Eigen::StrictlyUpper>() = schur.transpose();
+  int info = 0;
+  dlauum_("U", &nb, upper.data(), &nb, &info);
+  upper.triangularView<Eigen::StrictlyLower>() = upper.transpose();
+  Matrix schur = upper.reverse();
   if (data_->shift.size() > 0) schur.diagonal() -= data_->shift;
   return schur;
 }
