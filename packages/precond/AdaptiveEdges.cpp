@@ -45,8 +45,9 @@ Matrix sideMatrices(const EdgeSide& side, const LocalProblem& local, const Matri
   return all;
 }
 
-/// Rows to demand of an edge of n unknowns, orthonormal.
+/// Rows to demand of an edge of n unknowns, orthonormal. Where a side does not take part there is no jump: none.
 Matrix chosenRows(const std::array<Matrix, 2>& sides, int n, double threshold) {
+  if (sides[0].size() == 0 || sides[1].size() == 0) return Matrix(0, n);
   const int all = static_cast<int>(sides[0].rows());
   const auto stored = [&](int side) { return sides[side].leftCols(all); };
   const auto block = [&](int side) { return sides[side].block(0, all, n, n); };
@@ -89,6 +90,7 @@ std::vector<Matrix> AdaptiveEdges::rows(const InterfaceSpace& space, const Local
     for (std::size_t k = 0; k < order.size(); ++k) order[k] = static_cast<int>(k);
     std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return sides[a].local < sides[b].local; });
     for (const int k : order) {
+      if (!locals[sides[k].local]) continue;  // does not take part
       if (sides[k].local != last) schur = locals[sides[k].local]->schur();
       last = sides[k].local;
       own[k] = sideMatrices(sides[k], *locals[last], schur, weighting);

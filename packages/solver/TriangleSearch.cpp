@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 namespace suture {
 
@@ -61,12 +62,16 @@ TriangleSearch::Place TriangleSearch::find(const Point& point) const {
       if (outside < best.outside) best = {outside, triangles_[t].nodes, weights};
     }
   };
-  // Points off a curved side lie in the next bin at most.
+  // Points off a curved side lie in the next bin as a rule. Where bins are small next to some cells, or a hole is large, farther: rings of
+  // bins until there is a triangle.
   const auto centre = bin(point);
   look(centre[0], centre[1]);
-  for (int j = -1; best.outside > 1e-12 && j <= 1; ++j)
-    for (int i = -1; i <= 1; ++i)
-      if (i != 0 || j != 0) look(centre[0] + i, centre[1] + j);
+  for (int reach = 1; best.outside > 1e-12 && reach <= std::max(nx_, ny_); ++reach) {
+    for (int j = -reach; j <= reach; ++j)
+      for (int i = -reach; i <= reach; ++i)
+        if (std::max(std::abs(i), std::abs(j)) == reach) look(centre[0] + i, centre[1] + j);
+    if (best.outside < 1e300) break;
+  }
   return best;
 }
 

@@ -17,7 +17,7 @@ class TriangleSearch {
     std::array<int, 3> nodes{{0, 0, 0}};       ///< corners of the triangle
     std::array<double, 3> weights{{0, 0, 0}};  ///< of linear interpolation; extrapolates outside
   };
-  /// The triangle nearest to the point among those near it; outside = 1e300 if none is near.
+  /// The triangle nearest to the point, in its own size, among those in the bins about it; outside = 1e300 for a mesh of no cells.
   Place find(const Point& point) const;
 
  private:

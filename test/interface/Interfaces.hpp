@@ -90,8 +90,8 @@ struct Twins {
 };
 
 /// wavyBlocks() held below, pressed and moved on top: some pairs open, some closed.
-inline Scene pressedBlocks() {
-  Scene scene = wavyBlocks();
+inline Scene pressedBlocks(int refinement = 1) {
+  Scene scene = wavyBlocks(100.0, 40.0, refinement);
   scene.fixLower();
   scene.hold("upper_top", 0, 0.01);
   scene.hold("upper_top", 1, -0.015);

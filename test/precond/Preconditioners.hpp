@@ -26,6 +26,16 @@ inline Teuchos::RCP<Preconditioner> bddc(const Teuchos::RCP<const InterfaceOpera
   return made;
 }
 
+/// The same with any settings of the list `BDDC`. Collective.
+inline Teuchos::RCP<Preconditioner> bddcWith(const Teuchos::RCP<const InterfaceOperator>& matrix, std::vector<std::string> settings) {
+  for (std::string& setting : settings) setting = "BDDC/" + setting;
+  settings.insert(settings.begin(), "Type=BDDC");
+  const auto made = makePreconditioner(resolved("Preconditioner", preconditionerSchema(), settings));
+  made->initialize(matrix->space());
+  made->compute(matrix);
+  return made;
+}
+
 struct Lanczos {
   int iterations = 0;
   double condition = 0.0;

@@ -43,15 +43,6 @@ Vector spectrum(const Matrix& approximate, const Matrix& matrix) {  // of approx
   return Eigen::SelfAdjointEigenSolver<Matrix>(l.transpose() * approximate * l).eigenvalues();
 }
 
-Teuchos::RCP<Preconditioner> bddc(const Interface& one, const std::vector<std::string>& settings) {
-  std::vector<std::string> all{"Type=BDDC"};
-  for (const std::string& setting : settings) all.push_back("BDDC/" + setting);
-  const auto made = makePreconditioner(resolved("Preconditioner", preconditionerSchema(), all));
-  made->initialize(one.space);
-  made->compute(one.linearised.matrix);
-  return made;
-}
-
 }  // namespace
 
 TEUCHOS_UNIT_TEST(SecondLevel, OneClusterIsTheExactSolve) {
@@ -130,8 +121,8 @@ TEUCHOS_UNIT_TEST(SecondLevel, MayHaveALevelOfItsOwn) {
 TEUCHOS_UNIT_TEST(SecondLevel, GivesBddcAsManyIterationsAsTheExactCoarseSolve) {
   const Twins t(clampedSquare(8, 4));
   const MultiVectorPtr load = t.toSpread(random(t.size(), 1, 5));
-  const auto exact = bddc(t.spread, {"Coarse Level Above=1000"});
-  const auto level = bddc(t.spread, {"Coarse Level Above=0"});
+  const auto exact = bddcWith(t.spread.linearised.matrix, {"Coarse Level Above=1000"});
+  const auto level = bddcWith(t.spread.linearised.matrix, {"Coarse Level Above=0"});
   const Lanczos with = conjugateGradients(t.spread.matrix(), *exact, *t.spread.space, *load);
   const Lanczos without = conjugateGradients(t.spread.matrix(), *level, *t.spread.space, *load);
   out << "iterations " << with.iterations << " and " << without.iterations << ", condition " << with.condition << " and "
@@ -143,9 +134,9 @@ TEUCHOS_UNIT_TEST(SecondLevel, GivesBddcAsManyIterationsAsTheExactCoarseSolve) {
 
 TEUCHOS_UNIT_TEST(SecondLevel, InBddcTendsToTheExactPreconditioner) {
   const Twins t(clampedSquare(4, 3));
-  const auto exact = bddc(t.spread, {"Coarse Level Above=1000"});
-  const auto close = bddc(t.spread, {"Coarse Level Above=0", "Coarse Clusters=4", "Coarse Accuracy=1e-10"});
-  const auto rough = bddc(t.spread, {"Coarse Level Above=0", "Coarse Clusters=4"});
+  const auto exact = bddcWith(t.spread.linearised.matrix, {"Coarse Level Above=1000"});
+  const auto close = bddcWith(t.spread.linearised.matrix, {"Coarse Level Above=0", "Coarse Clusters=4", "Coarse Accuracy=1e-10"});
+  const auto rough = bddcWith(t.spread.linearised.matrix, {"Coarse Level Above=0", "Coarse Clusters=4"});
   const MultiVectorPtr r = t.toSpread(random(t.size(), 4, 6)), z = t.spread.space->vector(4), other = t.spread.space->vector(4);
   exact->apply(*r, *z);
   close->apply(*r, *other);

@@ -12,16 +12,21 @@ inline std::function<Teuchos::RCP<Preconditioner>()> preconditioner(const std::s
   return [list = resolved("Preconditioner", preconditionerSchema(), {"Type=" + name})] { return makePreconditioner(list); };
 }
 
-/// \param tolerance  of the outer solver. Collective.
-inline OuterResult solveWith(const std::string& method, const InterfaceProblem& problem, double tolerance = 1e-10,
-                             const std::string& preconditionerName = "BDDC") {
+/// \param tolerance  of the outer solver; \param start  in place of the auxiliary solution, or null. Collective.
+inline OuterResult solveWith(const std::string& method, const InterfaceProblem& problem, double tolerance,
+                             const std::function<Teuchos::RCP<Preconditioner>()>& makePreconditioner,
+                             const InterfaceState* start = nullptr) {
   OuterSettings settings;
   settings.tolerance = tolerance;
-  settings.preconditioner = preconditioner(preconditionerName);
+  settings.preconditioner = makePreconditioner;
   Monitor silent;
   Parameters own;
   own.set("Inner Tolerance", method == "Active Set" ? 1e-3 : 1e-2);
-  return Registry<OuterSolver>::instance().make(method, own)->solve(problem, settings, silent);
+  return Registry<OuterSolver>::instance().make(method, own)->solve(problem, settings, silent, start);
+}
+inline OuterResult solveWith(const std::string& method, const InterfaceProblem& problem, double tolerance = 1e-10,
+                             const std::string& preconditionerName = "BDDC", const InterfaceState* start = nullptr) {
+  return solveWith(method, problem, tolerance, preconditioner(preconditionerName), start);
 }
 
 /// How far a solution is from the monolithic one, over all ranks.

@@ -136,14 +136,14 @@ inline Scene clampedSquare(int blocks, int cells, double young = 1.0, double poi
 
 /// Two blocks in contact along y = 0, each in 2 x 2 subdomains, under their weight: the contact group has four
 /// members with seams inside. The gap is a wave: some pairs interfere, some are open. Nothing is held.
-inline Scene wavyBlocks(double youngLower = 100.0, double youngUpper = 40.0) {
+inline Scene wavyBlocks(double youngLower = 100.0, double youngUpper = 40.0, int refinement = 1) {
   std::vector<Box> all(2);
   all[0].name = "lower";
   all[1].name = "upper";
   for (Box& box : all) {
     box.x0 = -1;
-    box.nx = 6;
-    box.ny = 4;
+    box.nx = 6 * refinement;
+    box.ny = 4 * refinement;
     box.blocksX = box.blocksY = 2;
   }
   all[0].y0 = -1;

@@ -1,0 +1,144 @@
+// Dense weights of edges, against Schur complements made by hand and what symmetry says of them.
+#include <Teuchos_UnitTestHarness.hpp>
+#include <interface/ContactScenes.hpp>
+#include <precond/BrickScenes.hpp>
+#include <precond/DensePair.hpp>
+#include <precond/Preconditioners.hpp>
+#include <suture/precond/DeluxeWeighting.hpp>
+
+namespace suture {
+namespace {
+
+using namespace blocks;
+
+/// D_i of every local problem of this rank, by its id, on its trace.
+std::map<int, Matrix> weightsOf(const InterfaceOperator& matrix) {
+  DeluxeWeighting weighting;
+  weighting.setup(*matrix.space(), matrix.locals());
+  std::map<int, Matrix> all;
+  for (int i = 0; i < matrix.space()->locals(); ++i) {
+    Matrix d = Matrix::Identity(matrix.space()->coupling(i).rows(), matrix.space()->coupling(i).rows());
+    weighting.apply(i, d);
+    all[matrix.locals()[i]->id()] = d;
+  }
+  return all;
+}
+
+TEUCHOS_UNIT_TEST(DeluxeWeighting, SumsToTheIdentityOnContactLines) {
+  for (const Scene& scene : {brickBlocks(2), heldOnTheLine(), turned(crossingBlocks(), 0.5)})
+    for (const int open : {0, 5}) {
+      const OnInterface one(scene, world());
+      std::vector<Vector> zeros;
+      for (const auto& subdomain : one.all.subdomains) zeros.emplace_back(Vector::Zero(subdomain->dofs()));
+      std::map<int, PairStatus> status;
+      for (const ContactPair& pair : scene.constraints.pairs)
+        if (open > 0 && pair.id % open == 1) status[pair.id] = PairStatus::Open;
+      const auto matrix = one.problem.linearise(one.problem.stateOf(zeros, status)).matrix;
+      const InterfaceSpace& space = *matrix->space();
+      const DenseSpace all(space);
+      const std::map<int, Matrix> weights = weightsOf(*matrix);
+      Matrix seen;
+      space.gather(*all.vector(Matrix::Identity(all.size(), all.size())), seen);
+      Matrix sum = Matrix::Zero(seen.rows(), seen.cols());
+      for (int i = 0; i < space.locals(); ++i) {
+        Matrix trace(space.coupling(i).rows(), seen.cols());
+        space.coupling(i).restrictTo(seen, trace);
+        trace = (weights.at(space.localId(i)) * trace).eval();
+        space.coupling(i).addTransposed(trace, sum);
+      }
+      const MultiVectorPtr owned = space.vector(all.size());
+      space.scatterAdd(sum, *owned);
+      Matrix expected = Matrix::Identity(all.size(), all.size());
+      const Matrix t = all.gathered();
+      for (int k = 0; k < all.size(); ++k)
+        if (t.col(k).norm() == 0.0) expected(k, k) = 0.0;  // idle: others express it
+      TEST_COMPARE((all.dense(*owned) - expected).norm(), <, 1e-10);
+    }
+}
+
+TEUCHOS_UNIT_TEST(DeluxeWeighting, AreTheShareOfTheSchurComplementsOnASeam) {
+  const Scene scene = bricks(2, 1, 9);
+  const Twins t(scene);
+  const Blocks all(scene, alone());
+  Matrix s[2];
+  std::vector<int> edge;
+  for (int k = 0; k < 2; ++k) s[k] = denseSchur(Matrix(all.subdomains[k]->stiffness()), sharedDofs(*all.subdomains[k]));
+  const Subdomain& first = *all.subdomains[0];
+  const std::vector<int> shared = sharedDofs(first);
+  for (std::size_t k = 0; k < shared.size(); ++k)
+    if (const double y = first.mesh().point(first.nodeOf(shared[k]))[1]; y > 1e-9 && y < 1 - 1e-9) edge.push_back(int(k));
+  TEST_EQUALITY(int(edge.size()), 2 * 8);
+  const auto onEdge = [&](const Matrix& m) { return rowsAt(rowsAt(m, edge).transpose(), edge).transpose().eval(); };
+  for (const auto& [id, d] : weightsOf(t.spread.matrix()))
+    TEST_COMPARE(difference(onEdge(d), (onEdge(s[0]) + onEdge(s[1])).ldlt().solve(onEdge(s[id]))), <, 1e-9);
+}
+
+// Mirror images of each other: what they store in normal displacements of the line is the same.
+TEUCHOS_UNIT_TEST(DeluxeWeighting, AreHalvesBetweenMirrorImagesInContact) {
+  for (const double ratio : {1.0, 3.0}) {
+    Scene scene = scenes::twoBlocks(12, 4, 4, 1.0, 0.3);
+    scene.model.materialOfBody[1].young = ratio;
+    scene.fixLower();
+    for (const int component : {0, 1}) scene.hold("upper_top", component, 0.0);
+    const OnInterface one(scene, world());
+    for (const auto& [id, d] : weightsOf(*one.problem.linearise(one.problem.initialState()).matrix)) {
+      TEST_EQUALITY(d.rows(), 13);
+      const double share = (id == 1 ? ratio : 1.0) / (1.0 + ratio);
+      out << "ratio " << ratio << ", body " << id << ": " << d(6, 6) << "\n";
+      TEST_COMPARE((d - share * Matrix::Identity(13, 13)).norm(), <, 1e-10);
+    }
+  }
+}
+
+// On a seam, too, each component by itself is shared evenly; mirroring changes the sign of what couples the two.
+TEUCHOS_UNIT_TEST(DeluxeWeighting, AreHalvesOfEachComponentBetweenMirrorImages) {
+  Box box;
+  box.x1 = 2;
+  box.nx = 16;
+  box.blocksX = 2;
+  Scene scene = scenes::fromBoxes({box}, 1.0, 0.3);
+  const Twins t(scene);
+  for (const auto& [id, d] : weightsOf(t.spread.matrix())) {
+    const int nodes = int(d.rows()) / 2;
+    double even = 0.0, odd = 0.0;
+    for (int a = 1; a + 1 < nodes; ++a)
+      for (int b = 1; b + 1 < nodes; ++b)
+        for (int k = 0; k < 2; ++k) {
+          even = std::max(even, std::abs(d(2 * a + k, 2 * b + k) - (a == b ? 0.5 : 0.0)));
+          odd = std::max(odd, std::abs(d(2 * a + k, 2 * b + 1 - k)));
+        }
+    out << "subdomain " << id << ": coupling up to " << odd << "\n";
+    TEST_COMPARE(even, <, 1e-10);
+    TEST_COMPARE(odd, >, 1e-3);  // what a diagonal weighting does not know
+  }
+}
+
+TEUCHOS_UNIT_TEST(DeluxeWeighting, DoNotChangeWhenAllIsStifferAlike) {
+  Scene scene = bricks(3, 2, 5);
+  const Twins soft(scene);
+  scene.model.materialOfBody[0].young *= 1e9;
+  for (Material& material : scene.model.materialOfRegion) material.young *= 1e9;
+  const Twins stiff(scene);
+  const auto expected = weightsOf(soft.spread.matrix());
+  for (const auto& [id, d] : weightsOf(stiff.spread.matrix())) TEST_COMPARE(difference(d, expected.at(id)), <, 1e-8);
+}
+
+TEUCHOS_UNIT_TEST(DeluxeWeighting, AreTheSameOnAnyNumberOfRanks) {
+  const Twins t(bricks(3, 2, 5));
+  const auto expected = weightsOf(t.single.matrix());
+  for (const auto& [id, d] : weightsOf(t.spread.matrix())) TEST_COMPARE(difference(d, expected.at(id)), <, 1e-10);
+}
+
+TEUCHOS_UNIT_TEST(DeluxeWeighting, ConditionDoesNotFeelAnAlignedJump) {
+  std::map<double, double> found;
+  for (const double jump : {1.0, 1e2, 1e4, 1e6, 1e-6}) {
+    const Twins t(clampedSquare(4, 4), board(4, jump, false));
+    found[jump] = DensePair(t.spread.matrix(), *bddc(t.spread.linearised.matrix, "Rigid Modes", "Deluxe")).eigenvalues().maxCoeff();
+    out << "jump " << jump << ": largest eigenvalue " << found[jump] << "\n";
+    TEST_COMPARE(found[jump], <, 3.0);
+  }
+  TEST_FLOATING_EQUALITY(found[1e4], found[1e6], 1e-2);
+}
+
+}  // namespace
+}  // namespace suture
