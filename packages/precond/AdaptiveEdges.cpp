@@ -48,6 +48,8 @@ Matrix sideMatrices(const EdgeSide& side, const LocalProblem& local, const Matri
 /// Rows to demand of an edge of n unknowns, orthonormal. Where a side does not take part there is no jump: none.
 Matrix chosenRows(const std::array<Matrix, 2>& sides, int n, double threshold) {
   if (sides[0].size() == 0 || sides[1].size() == 0) return Matrix(0, n);
+  if (sides[0].rows() != sides[1].rows() || sides[0].cols() != sides[1].cols())
+    throw InternalError("the two sides of an edge of the interface differ in their corners");
   const int all = static_cast<int>(sides[0].rows());
   const auto stored = [&](int side) { return sides[side].leftCols(all); };
   const auto block = [&](int side) { return sides[side].block(0, all, n, n); };
@@ -81,7 +83,8 @@ Schema AdaptiveEdges::schema() {
 }
 
 std::vector<Matrix> AdaptiveEdges::rows(const InterfaceSpace& space, const LocalProblems& locals, const Weighting& weighting) const {
-  const std::vector<EdgeSide> sides = edgeSides(space);
+  std::vector<EdgeSide> sides = edgeSides(space);
+  keepCommonCorners(space, sides);
   int last = -1;
   Matrix schur;  // of the local problem that was asked last: its sides come one after the other
   std::vector<Matrix> own(sides.size());

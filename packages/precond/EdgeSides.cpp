@@ -58,7 +58,7 @@ std::vector<EdgeSide> edgeSides(const InterfaceSpace& space) {
     for (int side = 0; side < 2; ++side) {
       const auto here = localOf.find(space.edges()[e].locals[side]);
       if (here == localOf.end()) continue;
-      EdgeSide own{static_cast<int>(e), side, here->second, {}, Vector(static_cast<int>(space.edges()[e].unknowns.size())), {}, {}};
+      EdgeSide own{static_cast<int>(e), side, here->second, {}, Vector(static_cast<int>(space.edges()[e].unknowns.size())), {}, {}, {}};
       for (const int place : space.edges()[e].unknowns) {
         const Position& at = positions[here->second].at(place);
         own.coefficients(static_cast<int>(own.rows.size())) = at.coefficient;
@@ -69,12 +69,36 @@ std::vector<EdgeSide> edgeSides(const InterfaceSpace& space) {
       for (const int place : corners[here->second])  // ascending, and so are ids
         if (std::includes(space.sharers(place).begin(), space.sharers(place).end(), both.begin(), both.end())) {
           own.cornerRows.push_back(positions[here->second].at(place).row);
+          own.cornerIds.push_back(space.id(place));
           coefficients.push_back(positions[here->second].at(place).coefficient);
         }
       own.cornerCoefficients = Eigen::Map<const Vector>(coefficients.data(), static_cast<int>(coefficients.size()));
       sides.push_back(std::move(own));
     }
   return sides;
+}
+
+void keepCommonCorners(const InterfaceSpace& space, std::vector<EdgeSide>& sides) {
+  const auto ids = exchangeEdges(space, sides, [](const EdgeSide& side) {
+    Matrix own(static_cast<int>(side.cornerIds.size()), 1);
+    for (int k = 0; k < own.rows(); ++k) own(k, 0) = static_cast<double>(side.cornerIds[k]);
+    return own;
+  });
+  for (EdgeSide& side : sides) {
+    const Matrix& others = ids[side.edge][1 - side.side];
+    EdgeSide kept = side;
+    kept.cornerRows.clear();
+    kept.cornerIds.clear();
+    std::vector<double> coefficients;
+    for (std::size_t k = 0; k < side.cornerIds.size(); ++k) {
+      if (others.size() == 0 || !(others.array() == static_cast<double>(side.cornerIds[k])).any()) continue;
+      kept.cornerRows.push_back(side.cornerRows[k]);
+      kept.cornerIds.push_back(side.cornerIds[k]);
+      coefficients.push_back(side.cornerCoefficients(static_cast<int>(k)));
+    }
+    kept.cornerCoefficients = Eigen::Map<const Vector>(coefficients.data(), static_cast<int>(coefficients.size()));
+    side = std::move(kept);
+  }
 }
 
 std::vector<std::array<Matrix, 2>> exchangeEdges(const InterfaceSpace& space, const std::vector<EdgeSide>& sides,

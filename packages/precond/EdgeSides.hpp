@@ -16,10 +16,15 @@ struct EdgeSide {
   Vector coefficients;          ///< the trace there is this times the unknown
   std::vector<int> cornerRows;  ///< of the trace: corner unknowns that both local problems feel (the edge's end points), by id
   Vector cornerCoefficients;
+  std::vector<GlobalId> cornerIds;
 };
 
 /// Sides that lie on this rank, by edge. Local.
 std::vector<EdgeSide> edgeSides(const InterfaceSpace& space);
+
+/// Leaves those corners to each side that are single rows of both traces: one that the other side feels through a relation of several
+/// unknowns only has no row there. Collective.
+void keepCommonCorners(const InterfaceSpace& space, std::vector<EdgeSide>& sides);
 
 /// A matrix for each side of each edge of the space, both sides known to both ranks. Collective.
 /// \param own  of a side of this rank

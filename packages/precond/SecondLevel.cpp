@@ -71,7 +71,15 @@ SecondLevel::SecondLevel(CommPtr comm, const CoarseElements& coarse, int locals,
   const auto matrix = Teuchos::rcp(new InterfaceOperator(space_, std::move(problems)));
   const auto bddc = Teuchos::rcp(new Bddc(std::make_unique<StiffnessDiagonalWeighting>(), std::make_unique<EdgeRigidModes>(), next));
   bddc->initialize(space_);
-  bddc->compute(matrix);
+  // Closed pairs whose equations name four unknowns each leave a cluster of one side free in ways that no edge constraint knows.
+  try {
+    bddc->compute(matrix);
+  } catch (const NumericalError& error) {
+    throw InputError("Preconditioner/BDDC/Coarse Level Above", std::string("the coarse problem of ") + std::to_string(locals) +
+                                                                   " local problems cannot be divided into " + std::to_string(count_) +
+                                                                   " clusters (" + error.what() + "). With " + std::to_string(locals) +
+                                                                   " or more it is solved exactly; or choose other Coarse Clusters");
+  }
   inverse_ = std::make_unique<ChebyshevInverse>(matrix, bddc, levels.accuracy);
 }
 

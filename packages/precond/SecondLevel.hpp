@@ -17,7 +17,7 @@ namespace suture {
 /// by the size of clusters and their number.
 class SecondLevel : public CoarseSolve {
  public:
-  /// \param locals  local problems over all ranks. Collective. \throws NumericalError
+  /// \param locals  local problems over all ranks. Collective. \throws NumericalError;  InputError  the clusters have mechanisms
   SecondLevel(CommPtr comm, const CoarseElements& coarse, int locals, const CoarseLevels& levels);
 
   int size() const override { return size_; }

@@ -6,6 +6,7 @@
 #include <precond/DensePair.hpp>
 #include <precond/Preconditioners.hpp>
 #include <suture/precond/AdaptiveEdges.hpp>
+#include <suture/precond/EdgeSides.hpp>
 
 namespace suture {
 namespace {
@@ -152,6 +153,42 @@ TEUCHOS_UNIT_TEST(AdaptiveEdges, OnContactLinesAreTheSameOnAnyNumberOfRanks) {
   const auto m = adaptive(a, 3.0), other = adaptive(b, 3.0);
   TEST_EQUALITY(m->coarseSize(), other->coarseSize());
   TEST_COMPARE(difference(DensePair(*a, *m).m, DensePair(*b, *other).m), <, 1e-7);
+}
+
+// Where contact lines meet, one side may feel a corner through a relation of several unknowns only. Both leave it out, on any ranks.
+TEUCHOS_UNIT_TEST(EdgeSides, AgreeOnTheCornersOfAnEdge) {
+  int differed = 0;
+  Scene kinks = brickBlocks();  // along the line one unknown is another; at its ends, and once within, four are in an equation
+  for (const std::size_t pair : {std::size_t(0), std::size_t(4), kinks.constraints.pairs.size() - 1})
+    kinks.constraints.pairs[pair].normal = {0.6, 0.8, 0};
+  for (const Scene& scene : {kinks, swapped(kinks), crossingBlocks()}) {
+    const OnInterface one(scene, world());
+    const auto matrix = one.problem.linearise(one.problem.initialState()).matrix;
+    const InterfaceSpace& space = *matrix->space();
+    const auto idsOf = [&](const std::vector<EdgeSide>& sides) {
+      return exchangeEdges(space, sides, [](const EdgeSide& side) {
+        Matrix ids(int(side.cornerIds.size()), 1);
+        for (int k = 0; k < ids.rows(); ++k) ids(k, 0) = double(side.cornerIds[k]);
+        return ids;
+      });
+    };
+    std::vector<EdgeSide> sides = edgeSides(space);
+    const auto before = idsOf(sides);
+    keepCommonCorners(space, sides);
+    const auto after = idsOf(sides);
+    for (std::size_t e = 0; e < after.size(); ++e) {
+      TEST_EQUALITY(after[e][0].rows(), after[e][1].rows());
+      if (after[e][0].rows() == after[e][1].rows()) TEST_ASSERT(after[e][0] == after[e][1]);
+      TEST_EQUALITY(after[e][0].rows(), std::count_if(before[e][0].data(), before[e][0].data() + before[e][0].size(),
+                                                      [&](double id) { return (before[e][1].array() == id).any(); }));
+      differed += before[e][0].rows() != before[e][1].rows();
+    }
+    staysBelowItsBound(matrix, 3.0, "Deluxe", success, out);
+  }
+  int all = 0;
+  Teuchos::reduceAll(*world(), Teuchos::REDUCE_MAX, differed, Teuchos::outArg(all));
+  out << all << " edges whose sides differed\n";
+  TEST_COMPARE(all, >, 0);
 }
 
 // S_0, in which contact groups do not take part: an edge to one of them has one side, and no jump to pay for.
