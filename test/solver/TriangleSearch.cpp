@@ -80,6 +80,20 @@ TEUCHOS_UNIT_TEST(TriangleSearch, FindsTheTriangleThatHoldsAPoint) {
     }
 }
 
+// Cells that grow towards a corner: the largest lie in many bins.
+TEUCHOS_UNIT_TEST(TriangleSearch, FindsTheTriangleInAGradedMesh) {
+  CellBlock mesh = irregular(Cell::Triangle3, 24);
+  for (double& x : mesh.coordinates) x = std::pow(x, 6);
+  const TriangleSearch search(mesh);
+  const Matrix points = random(500, 2, 5);
+  for (int k = 0; k < points.rows(); ++k) {
+    const Point p{0.5 + 0.5 * points(k, 0), 0.5 + 0.5 * points(k, 1), 0};
+    TEST_COMPARE(leastOutside(mesh, p), <, 1e-12);
+    TEST_COMPARE(search.find(p).outside, <, 1e-12);
+    interpolatesAt(mesh, search.find(p), p, success, out);
+  }
+}
+
 TEUCHOS_UNIT_TEST(TriangleSearch, FindsNodesAndMiddlesOfSides) {
   const CellBlock mesh = irregular(Cell::Triangle3, 9);
   const TriangleSearch search(mesh);
