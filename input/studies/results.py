@@ -4,10 +4,12 @@
     input/studies/results.py [--ranks 2] [--program build/drivers/suture_study] [--no-run] [STUDY...]
 
 Without names: all studies of this folder. Results go to build/studies_out/<study>/; a table.md found there is put between the lines
-"<!-- results: STUDY -->" and "<!-- end -->" wherever they stand in README.md of this folder and in packages/precond/README.md; a picture
+"<!-- results: STUDY -->" and "<!-- end -->" wherever they stand in README.md of this folder and in packages/precond/README.md, and
+a matrix of it between "<!-- matrix: STUDY ROWS x COLUMN: CELLS -->" (sweeps, sweep, columns) and "<!-- end -->"; a picture
 NAME.png of the study is copied to STUDY_NAME.png of this folder if the README shows it. Returns 1 when a study missed a band.
 """
 import argparse
+import csv
 import os
 import re
 import shutil
@@ -26,6 +28,24 @@ def body(table):
     return table.split("\n", 2)[2].strip()
 
 
+def shown(row, cells):
+    """The figures of a run, three digits; a run without a solution has none."""
+    return " / ".join(f"{float(row[cell]):.3g}" for cell in cells) if row["exit_code"] == "0" else "-"
+
+
+def matrix(study, rows, column, cells):
+    """One line for each combination of the sweeps `rows`, one column for each label of the sweep `column`."""
+    with open(study / "table.csv") as file:
+        runs = list(csv.DictReader(file))
+    labels = list(dict.fromkeys(run[column] for run in runs))
+    lines = {}
+    for run in runs:
+        lines.setdefault(tuple(run[row] for row in rows), {})[run[column]] = shown(run, cells)
+    table = [" | ".join(rows + labels), "|".join(["---"] * (len(rows) + len(labels)))]
+    table += [" | ".join([*line, *(found.get(label, "") for label in labels)]) for line, found in lines.items()]
+    return "\n".join(f"| {line} |" for line in table)
+
+
 def insert(readme, results):
     text = readme.read_text()
 
@@ -35,6 +55,15 @@ def insert(readme, results):
         return f"<!-- results: {study} -->\n\n{body(table.read_text())}\n\n<!-- end -->" if table.exists() else match.group(0)
 
     changed = re.sub(r"<!-- results: (\w+) -->.*?<!-- end -->", replace, text, flags=re.S)
+
+    def draw(match):
+        study, rows, column, cells = match.groups()
+        if not (results / study / "table.csv").exists():
+            return match.group(0)
+        made = matrix(results / study, rows.split(", "), column, cells.split(", "))
+        return f"<!-- matrix: {study} {rows} x {column}: {cells} -->\n\n{made}\n\n<!-- end -->"
+
+    changed = re.sub(r"<!-- matrix: (\w+) (.+?) x (.+?): (.+?) -->.*?<!-- end -->", draw, changed, flags=re.S)
     if changed != text:
         readme.write_text(changed)
         print(f"{readme.relative_to(ROOT)}: tables renewed")

@@ -1,0 +1,86 @@
+"""suture_partition as a user runs it: the scene solved on the file that it writes is the scene.
+
+partition.py --partition PROGRAM --solve PROGRAM --mpirun "mpirun ..." --work DIR --input FOLDER
+"""
+import argparse
+import json
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+
+parser = argparse.ArgumentParser()
+for option in ("--partition", "--solve", "--mpirun", "--work", "--input"):
+    parser.add_argument(option, required=True)
+options = parser.parse_args()
+work = pathlib.Path(options.work)
+shutil.rmtree(work, ignore_errors=True)
+work.mkdir(parents=True)
+SCENE = pathlib.Path(options.input) / "two_blocks" / "two_blocks.xml"
+METIS = ["--set", "Partition/Type=METIS", "--set", "Partition/METIS/Subdomains=6", "--set", "Outer Solver/Tolerance=1e-10"]
+failures = []
+
+
+def run(program, ranks, *arguments):
+    command = options.mpirun.split() + ["-np", str(ranks), program, *map(str, arguments)]
+    done = subprocess.run(command, capture_output=True, text=True, timeout=100)
+    return done.returncode, done.stdout + done.stderr
+
+
+def check(what, found, expected):
+    good = expected(found) if callable(expected) else found == expected
+    print(("ok      " if good else "FAILED  ") + what + ("" if good else ": " + repr(found)))
+    if not good:
+        failures.append(what)
+
+
+def solve(name, scene, ranks, *arguments):
+    code, text = run(options.solve, ranks, scene, "--output", work / name, *arguments)
+    check(name + ": solved", code, 0)
+    return json.loads((work / name / "summary.json").read_text()) if code == 0 else {}
+
+
+def readingFrom(mesh):
+    """The scene with its mesh from a file, as a user would write it."""
+    text = re.sub(r'<ParameterList name="Mesh">.*?</ParameterList>\s*(?=<ParameterList name="Bodies">)',
+                  f'<ParameterList name="Mesh"><Parameter name="File" type="string" value="{mesh}"/></ParameterList>\n', SCENE.read_text(), flags=re.S)
+    path = work / (mesh.stem + ".xml")
+    path.write_text(text)
+    return path
+
+
+whole = solve("whole", SCENE, 2, *METIS)
+for ranks in (1, 2, 4):
+    mesh = work / f"cut{ranks}.h5"
+    code, text = run(options.partition, ranks, SCENE, "--output", mesh, *METIS)
+    check(f"np{ranks}: exit code", code, 0)
+    check(f"np{ranks}: says what to write into the scene", "Named Groups" in text and "cut_*" in text, True)
+    named = ["--set", "Partition/Type=Named Groups", "--set", "Partition/Named Groups/Pattern=cut_*", "--set", "Outer Solver/Tolerance=1e-10"]
+    again = solve(f"again{ranks}", readingFrom(mesh), ranks, *named)
+    for key in ("subdomains", "elements", "dofs", "interface_dofs"):
+        check(f"np{ranks}: {key}", again[key], whole[key])
+    check(f"np{ranks}: closed pairs", again["contact"]["active"], whole["contact"]["active"])
+    check(f"np{ranks}: energy", again["energy"] / whole["energy"] - 1, lambda e: abs(e) < 1e-10)
+check("the same file on one and on four ranks", (work / "cut1.h5").stat().st_size, (work / "cut4.h5").stat().st_size)
+
+mesh = work / "uncut.h5"
+code, text = run(options.partition, 2, SCENE, "--output", mesh, "--no-cut", "--quiet")
+check("--no-cut --quiet: exit code and silence", (code, text), (0, ""))
+again = solve("uncut", readingFrom(mesh), 2, *METIS)
+check("--no-cut: energy", again["energy"] / whole["energy"] - 1, lambda e: abs(e) < 1e-10)
+
+# What is wrong is said, on any number of ranks.
+for ranks in (1, 2):
+    code, text = run(options.partition, ranks, SCENE, "--output", work / "again.h5", "--groups", "subdomain")
+    check(f"np{ranks}: a name that the mesh has: exit code", code, 3)
+    check(f"np{ranks}: a name that the mesh has: says so", text.count("expected another --groups"), 1)
+    check(f"np{ranks}: a name that the mesh has: writes nothing", (work / "again.h5").exists(), False)
+    code, text = run(options.partition, ranks, SCENE, "--output", work / "no" / "such" / "folder.h5", *METIS)
+    check(f"np{ranks}: cannot be written: exit code", code, 5)
+    code, text = run(options.partition, ranks, SCENE, "--outptu", "x.h5")
+    check(f"np{ranks}: misspelt option: exit code", code, 2)
+    code, text = run(options.partition, ranks, SCENE, "--output", work / "again.h5", "--set", "Partition/METIS/Subdomian=6")
+    check(f"np{ranks}: misspelt parameter: exit code and nearest name", (code, "Did you mean 'Subdomains'?" in text), (3, True))
+
+sys.exit(1 if failures else 0)
