@@ -37,6 +37,7 @@ SIZES = {
 }
 DEFAULT_SIZES = ["10k", "100k", "1M"]
 SAME_ENERGY = 1e-7
+QUIET = 0.1  # cores that others may use
 
 # The solver Monolithic assembles its own matrix within the phase solve; its phase assemble makes subdomain matrices that it never uses.
 # So the reference is charged for one assembly only, and not for cutting a mesh that need not be cut (README.md, "In good faith").
@@ -137,17 +138,25 @@ def command_of(run, scene, size, mesh, folder, options):
     return command
 
 
+def busy_seconds():
+    """Of all cores, whoever used them."""
+    user, nice, system, _, _, irq, softirq, steal = (int(word) for word in Path("/proc/stat").read_text().split("\n")[0].split()[1:9])
+    return (user + nice + system + irq + softirq + steal) / os.sysconf("SC_CLK_TCK")
+
+
 def measure(name, run, scene, size, mesh, options):
     folder = options.output / "runs" / f"{scene}_{size}_{name}"
     shutil.rmtree(folder, ignore_errors=True)
     command = command_of(run, scene, size, mesh, folder, options)
-    begin = time.monotonic()
+    begin, before, own = time.monotonic(), busy_seconds(), sum(os.times()[2:4])
     execute(command, run["threads"], run.get("expected", (0,)))
-    wall = time.monotonic() - begin
+    wall, busy, own = time.monotonic() - begin, busy_seconds() - before, sum(os.times()[2:4]) - own
     summary = json.loads((folder / "summary.json").read_text())
     phases = {phase: seconds["max"] for phase, seconds in summary["phases"].items()}
     result = {
         "wall": wall,
+        "cpu_seconds": own,
+        "cores_of_others": max(0.0, busy - own) / wall,
         "seconds": summary["seconds"],
         "phases": phases,
         "from_assembled": phases["factor"] + phases["solve"],
@@ -433,7 +442,7 @@ def benchmark(options):
     runs = configurations(options)
     bench = {"machine": machine(), "repetitions": options.repetitions, "versions": {}, "cases": {}}
     if bench["machine"]["load_before"] > 0.5:
-        print(f"the machine is not quiet (load {bench['machine']['load_before']:.1f}): times will be off, ratios less so", flush=True)
+        print(f"the machine is not quiet (load {bench['machine']['load_before']:.1f}): times and ratios will be off", flush=True)
     bench["bandwidth_gb_s"] = {"one process": bandwidth(1), "two processes": bandwidth(2)}
     differing = []
     for size in options.sizes:
@@ -470,6 +479,10 @@ def report(bench, options):
     one, two = bench["bandwidth_gb_s"]["one process"], bench["bandwidth_gb_s"]["two processes"]
     print(f"memory: triad {one['triad']:.1f} GB/s alone, {two['triad']:.1f} by two at once; reading {one['read']:.1f}, {two['read']:.1f}")
     for name, case in bench["cases"].items():
+        others = statistics.median(run["cores_of_others"]["median"] for run in case["runs"].values())
+        if others > QUIET:
+            cores = bench["machine"]["cores"]
+            print(f"{name}: others used {others:.1f} of {cores} cores meanwhile: two ranks had less than a core each, and wait for each other")
         iteration = case.get("pcg_iteration_seconds")
         if iteration:
             low, high = 1e3 * iteration["min"], 1e3 * iteration["max"]
