@@ -228,6 +228,8 @@ def compared(results, runs):
         "memory": ratio_of("suture_2", "memory_mb", best, "memory_mb"),
         "two_ranks": ratio_of("suture_1", "seconds", "suture_2", "seconds"),
         "two_ranks_from_assembled": ratio_of("suture_1", "from_assembled", "suture_2", "from_assembled"),
+        "one_rank_all_phases": ratio_of(best, "lean_seconds", "suture_1", "seconds"),
+        "one_rank_from_assembled": ratio_of(best, "lean_from_assembled", "suture_1", "from_assembled"),
         "all_phases_as_run": ratio_of(best, "seconds", "suture_2", "seconds"),
         "from_assembled_as_run": ratio_of(best, "from_assembled", "suture_2", "from_assembled"),
     }
@@ -482,7 +484,7 @@ def report(bench, options):
         others = statistics.median(run["cores_of_others"]["median"] for run in case["runs"].values())
         if others > QUIET:
             cores = bench["machine"]["cores"]
-            print(f"{name}: others used {others:.1f} of {cores} cores meanwhile: two ranks had less than a core each, and wait for each other")
+            print(f"{name}: others used {others:.1f} of {cores} cores meanwhile: ranks had less than a core each and waited for each other")
         iteration = case.get("pcg_iteration_seconds")
         if iteration:
             low, high = 1e3 * iteration["min"], 1e3 * iteration["max"]
