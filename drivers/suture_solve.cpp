@@ -27,7 +27,8 @@ RunResult solveScene(const CommPtr& comm, const SolveOptions& options) {
   checkStage(*comm, mesh, constraints, model);
   const Whole whole = wholeStage(*comm, mesh, constraints, partition);
   if (!isMonolithic(scene)) forget(mesh, constraints, partition);
-  const auto subdomains = timed(timers, "assemble", [&] { return makeSubdomains(*comm, meshes, model); });
+  const auto subdomains =
+      timed(timers, "assemble", [&] { return isMonolithic(scene) ? Subdomains() : makeSubdomains(*comm, meshes, model); });
   const auto problem = timed(timers, "factor", [&] { return problemStage(comm, partition, subdomains, scene); });
   const ProblemSize size = withInterface(whole.size, problem.get());
   printSizes(*comm, file, size, options);
