@@ -34,9 +34,11 @@ RunResult solveScene(const CommPtr& comm, const SolveOptions& options) {
   printSizes(*comm, file, size, options);
   for (const std::string& note : partition.notes) monitor.note(note);
   if (options.check) return {};
+  const auto reference =
+      timed(timers, "assemble", [&] { return isMonolithic(scene) ? assembleMonolithic(*comm, mesh, constraints, model) : nullptr; });
   const auto start = startStage(comm, options, problem.get(), whole.hash, meshes, subdomains, scene, monitor);
   const Solution solution = timed(timers, "solve", [&] {
-    if (!problem) return solveMonolithicScene(*comm, mesh, constraints, model, meshes, scene, monitor);
+    if (!problem) return solveMonolithicScene(*comm, mesh, constraints, reference.get(), meshes, scene, monitor);
     return recover(*comm, *problem, solveInterface(*problem, scene, monitor, start.get()), subdomains, scene);
   });
 

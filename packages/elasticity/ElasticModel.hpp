@@ -76,8 +76,8 @@ void elementStiffnesses(const CellBlock& block, const std::function<const Materi
 void addSideLoad(const CellBlock& block, const std::vector<Side>& sides, const Load& load, Vector& forces);
 void addBodyForce(const CellBlock& block, const std::vector<int>& elements, const Load& load, Vector& forces);
 
-/// Force of a Random load on a component of a node of the mesh: uniform in value[1] + [-value[0], value[0]), a pure function of (seed, node,
-/// component), and so the same however the mesh is cut. Cartesian. Local.
+/// Force of a Random load on a component of a node of the mesh: uniform in value[1] + [-value[0], value[0]), a pure function of (seed,
+/// node, component), and so the same however the mesh is cut. Cartesian. Local.
 double randomForce(const Load& load, GlobalId node, int component);
 
 /// Stresses at element centroids: elements x 4 (xx, yy, zz, xy) in 2D, tension positive. `displacement`: node-major, Cartesian. Local.

@@ -149,8 +149,12 @@ std::vector<PairResult> pairResults(const Mesh& mesh, const Constraints& constra
 
 MonolithicResult solveMonolithic(const Mesh& mesh, const Constraints& constraints, const ElasticModel& model,
                                  const MonolithicOptions& options, Monitor& monitor) {
+  return solveMonolithic(mesh, constraints, MonolithicSystem(mesh, constraints, model), options, monitor);
+}
+
+MonolithicResult solveMonolithic(const Mesh& mesh, const Constraints& constraints, const MonolithicSystem& system,
+                                 const MonolithicOptions& options, Monitor& monitor) {
   const auto begin = std::chrono::steady_clock::now();
-  const MonolithicSystem system(mesh, constraints, model);
   const RigidParts rigid = freeRigidMotions(mesh, constraints);
   checkSolvability(mesh, constraints, system.nodalForces(), rigid);
 

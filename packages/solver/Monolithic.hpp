@@ -10,6 +10,8 @@
 
 namespace suture {
 
+class MonolithicSystem;
+
 struct MonolithicOptions {
   int maximumIterations = 200;      ///< solves of the condensed contact problem with an active set
   std::vector<PairStatus> start{};  ///< of each pair; empty: all closed
@@ -48,6 +50,10 @@ struct MonolithicResult {
 /// \throws InputError      the scene has no solution, or more than one (checkSolvability)
 /// \throws NumericalError  the factorisation broke down
 MonolithicResult solveMonolithic(const Mesh& mesh, const Constraints& constraints, const ElasticModel& model,
+                                 const MonolithicOptions& options, Monitor& monitor);
+
+/// The same with a system that was assembled before, of this mesh and these constraints.
+MonolithicResult solveMonolithic(const Mesh& mesh, const Constraints& constraints, const MonolithicSystem& system,
                                  const MonolithicOptions& options, Monitor& monitor);
 
 }  // namespace suture

@@ -2,6 +2,7 @@
 #include <suture/base/Buffer.hpp>
 #include <suture/base/Collective.hpp>
 #include <suture/solver/Monolithic.hpp>
+#include <suture/solver/MonolithicSystem.hpp>
 #include <suture/solver/SolveScene.hpp>
 
 #include <Teuchos_Comm.hpp>
@@ -52,14 +53,22 @@ struct Figures {
 
 }  // namespace
 
-Solution solveMonolithicScene(const Comm& comm, const Mesh& mesh, const Constraints& constraints, const ElasticModel& model,
+std::shared_ptr<const MonolithicSystem> assembleMonolithic(const Comm& comm, const Mesh& mesh, const Constraints& constraints,
+                                                           const ElasticModel& model) {
+  std::shared_ptr<const MonolithicSystem> system;
+  collectivelyOnRoot(comm, "assembling the monolithic system",
+                     [&] { system = std::make_shared<MonolithicSystem>(mesh, constraints, model); });
+  return system;
+}
+
+Solution solveMonolithicScene(const Comm& comm, const Mesh& mesh, const Constraints& constraints, const MonolithicSystem* system,
                               const std::vector<SubdomainMesh>& meshes, const Parameters& scene, Monitor& monitor) {
   MonolithicResult result;
   collectivelyOnRoot(comm, "the monolithic solver", [&] {
     MonolithicOptions options;
     options.maximumIterations = scene.sublist("Outer Solver").get<int>("Maximum Iterations");
     Monitor later;  // the rows are told on all ranks below
-    result = solveMonolithic(mesh, constraints, model, options, later);
+    result = solveMonolithic(mesh, constraints, *system, options, later);
   });
   Packer packer;
   packer.put(

@@ -15,6 +15,8 @@
 
 namespace suture {
 
+class MonolithicSystem;
+
 using Subdomains = std::vector<std::unique_ptr<Subdomain>>;
 
 /// The steps from distributed meshes to a solution, one function a stage. `scene` is the whole resolved scene. All collective.
@@ -45,8 +47,13 @@ Solution recover(const Comm& comm, const InterfaceProblem& problem, const OuterR
 /// Whether the scene asks for the outer solver Monolithic.
 bool isMonolithic(const Parameters& scene);
 
-/// The reference: rank 0 solves the whole system, all ranks get their part of the answer. \throws NumericalError, InputError
-Solution solveMonolithicScene(const Comm& comm, const Mesh& mesh, const Constraints& constraints, const ElasticModel& model,
+/// The matrix and the loads of the reference, on rank 0; null on the others. Collective.
+std::shared_ptr<const MonolithicSystem> assembleMonolithic(const Comm& comm, const Mesh& mesh, const Constraints& constraints,
+                                                           const ElasticModel& model);
+
+/// The reference: rank 0 solves the whole system, all ranks get their part of the answer. Collective. \throws NumericalError, InputError
+/// \param system  of assembleMonolithic()
+Solution solveMonolithicScene(const Comm& comm, const Mesh& mesh, const Constraints& constraints, const MonolithicSystem* system,
                               const std::vector<SubdomainMesh>& meshes, const Parameters& scene, Monitor& monitor);
 
 /// Sizes for the report, but for the interface.
