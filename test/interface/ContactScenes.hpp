@@ -8,6 +8,13 @@ inline std::function<std::unique_ptr<SchurComplement>()> schurOf(const std::stri
   return [name] { return Registry<SchurComplement>::instance().make(name, Parameters()); };
 }
 
+/// Free values of all subdomains of this rank: no displacement.
+inline std::vector<Vector> zeros(const Blocks& all) {
+  std::vector<Vector> values;
+  for (const auto& subdomain : all.subdomains) values.emplace_back(Vector::Zero(subdomain->dofs()));
+  return values;
+}
+
 /// A scene in the formulation Contact On The Interface.
 struct OnInterface {
   Blocks all;
@@ -18,6 +25,14 @@ struct OnInterface {
   /// Cut by METIS.
   OnInterface(const Scene& scene, const CommPtr& comm, int count, int seed)
       : all(scene, comm, count, seed, false), problem(comm, all.partition, all.subdomains, localSolver(), schurOf()) {}
+
+  /// The operator of no displacement with one pair open of every so many; 0: all closed. Collective.
+  Teuchos::RCP<InterfaceOperator> matrix(const Scene& scene, int openEvery = 0) const {
+    std::map<int, PairStatus> status;
+    for (const ContactPair& pair : scene.constraints.pairs)
+      if (openEvery > 0 && pair.id % openEvery == 1) status[pair.id] = PairStatus::Open;
+    return problem.linearise(problem.stateOf(zeros(all), status)).matrix;
+  }
 };
 
 /// The two sides of every pair swapped: the same scene.

@@ -90,13 +90,13 @@ struct Twins {
 };
 
 /// wavyBlocks() held below, pressed and moved on top: some pairs open, some closed.
-inline Scene pressedBlocks(int refinement = 1) {
-  Scene scene = wavyBlocks(100.0, 40.0, refinement);
+inline Scene pressed(Scene scene) {
   scene.fixLower();
   scene.hold("upper_top", 0, 0.01);
   scene.hold("upper_top", 1, -0.015);
   return scene;
 }
+inline Scene pressedBlocks(int refinement = 1) { return pressed(wavyBlocks(100.0, 40.0, refinement)); }
 
 /// Three blocks on each other, the lowest fixed, the uppermost turned down on its right end; two contact groups, which may live on two
 /// ranks. \param middleRows  subdomains of the middle block: with 3 a plain one lies between the groups, with 2 they touch

@@ -28,12 +28,7 @@ TEUCHOS_UNIT_TEST(Bddc, HasNoEigenvalueBelowOneWithClosedAndOpenPairs) {
   for (const Scene& scene : {pressedBlocks(), heldOnTheLine(), turned(crossingBlocks(), 0.5)})
     for (const int open : {0, 3}) {
       const OnInterface one(scene, world());
-      std::vector<Vector> zeros;
-      for (const auto& subdomain : one.all.subdomains) zeros.emplace_back(Vector::Zero(subdomain->dofs()));
-      std::map<int, PairStatus> status;
-      for (const ContactPair& pair : scene.constraints.pairs)
-        if (open > 0 && pair.id % open == 1) status[pair.id] = PairStatus::Open;
-      isSymmetricWithNoEigenvalueBelowOne(one.problem.linearise(one.problem.stateOf(zeros, status)).matrix, success, out);
+      isSymmetricWithNoEigenvalueBelowOne(one.matrix(scene, open), success, out);
     }
 }
 
@@ -96,9 +91,7 @@ TEUCHOS_UNIT_TEST(Bddc, MoreConstraintsGiveALowerCondition) {
 TEUCHOS_UNIT_TEST(Bddc, ComputesAgainForAnotherStatus) {
   const OnInterface one(pressedBlocks(), world());
   const auto closed = one.problem.linearise(one.problem.initialState()).matrix;
-  std::vector<Vector> zeros;
-  for (const auto& subdomain : one.all.subdomains) zeros.emplace_back(Vector::Zero(subdomain->dofs()));
-  const auto partly = one.problem.linearise(one.problem.stateOf(zeros, {{1, PairStatus::Open}, {4, PairStatus::Open}})).matrix;
+  const auto partly = one.problem.linearise(one.problem.stateOf(zeros(one.all), {{1, PairStatus::Open}, {4, PairStatus::Open}})).matrix;
   const auto again = bddc(closed), fresh = bddc(partly);
   for (const auto& matrix : {partly, closed, partly}) {  // there and back
     again->initialize(matrix->space());

@@ -25,17 +25,11 @@ inline Scene bricks(int blocksX, int blocksY, int cells, double jump = kBrickJum
 
 /// Two blocks of bricks in contact along y = 0, the lower one fixed: edges along the line with jumps that both sides see.
 inline Scene brickBlocks(int rows = 1) {
-  std::vector<Box> all(2);
-  for (int k = 0; k < 2; ++k) {
-    all[k].name = k == 0 ? "lower" : "upper";
-    all[k].y0 = k - 1;
-    all[k].y1 = k;
-    all[k].nx = 16;
-    all[k].ny = 8;
-    all[k].blocksX = 2;
-    all[k].blocksY = rows;
-    all[k].brickX = 3;
-    all[k].brickY = 2;
+  std::vector<Box> all = twoBoxes(16, 8, 2, rows);
+  for (Box& box : all) {
+    box.x0 = 0;
+    box.brickX = 3;
+    box.brickY = 2;
   }
   Scene scene = scenes::fromBoxes(all, 1.0, 0.3);
   scene.region("lower_bricks_odd", kBrickJump);

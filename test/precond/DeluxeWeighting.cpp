@@ -28,12 +28,7 @@ TEUCHOS_UNIT_TEST(DeluxeWeighting, SumsToTheIdentityOnContactLines) {
   for (const Scene& scene : {brickBlocks(2), heldOnTheLine(), turned(crossingBlocks(), 0.5)})
     for (const int open : {0, 5}) {
       const OnInterface one(scene, world());
-      std::vector<Vector> zeros;
-      for (const auto& subdomain : one.all.subdomains) zeros.emplace_back(Vector::Zero(subdomain->dofs()));
-      std::map<int, PairStatus> status;
-      for (const ContactPair& pair : scene.constraints.pairs)
-        if (open > 0 && pair.id % open == 1) status[pair.id] = PairStatus::Open;
-      const auto matrix = one.problem.linearise(one.problem.stateOf(zeros, status)).matrix;
+      const auto matrix = one.matrix(scene, open);
       const InterfaceSpace& space = *matrix->space();
       const DenseSpace all(space);
       const std::map<int, Matrix> weights = weightsOf(*matrix);

@@ -16,24 +16,25 @@ inline Teuchos::RCP<Preconditioner> neumannNeumann(const Interface& one, const T
   return made;
 }
 
-/// BDDC by the names of the scene file, for an operator and its space. Collective.
-inline Teuchos::RCP<Preconditioner> bddc(const Teuchos::RCP<const InterfaceOperator>& matrix, const std::string& edges = "Rigid Modes",
-                                         const std::string& weighting = "Stiffness Diagonal") {
-  const auto made = makePreconditioner(
-      resolved("Preconditioner", preconditionerSchema(), {"Type=BDDC", "BDDC/Weighting=" + weighting, "BDDC/Edge Constraints=" + edges}));
+/// The list Preconditioner with these settings of its list `BDDC`. Local.
+inline Parameters bddcList(std::vector<std::string> settings) {
+  for (std::string& setting : settings) setting = "BDDC/" + setting;
+  settings.insert(settings.begin(), "Type=BDDC");
+  return resolved("Preconditioner", preconditionerSchema(), settings);
+}
+
+/// BDDC with these settings, for an operator and its space. Collective.
+inline Teuchos::RCP<Preconditioner> bddcWith(const Teuchos::RCP<const InterfaceOperator>& matrix,
+                                             const std::vector<std::string>& settings) {
+  const auto made = makePreconditioner(bddcList(settings));
   made->initialize(matrix->space());
   made->compute(matrix);
   return made;
 }
 
-/// The same with any settings of the list `BDDC`. Collective.
-inline Teuchos::RCP<Preconditioner> bddcWith(const Teuchos::RCP<const InterfaceOperator>& matrix, std::vector<std::string> settings) {
-  for (std::string& setting : settings) setting = "BDDC/" + setting;
-  settings.insert(settings.begin(), "Type=BDDC");
-  const auto made = makePreconditioner(resolved("Preconditioner", preconditionerSchema(), settings));
-  made->initialize(matrix->space());
-  made->compute(matrix);
-  return made;
+inline Teuchos::RCP<Preconditioner> bddc(const Teuchos::RCP<const InterfaceOperator>& matrix, const std::string& edges = "Rigid Modes",
+                                         const std::string& weighting = "Stiffness Diagonal") {
+  return bddcWith(matrix, {"Weighting=" + weighting, "Edge Constraints=" + edges});
 }
 
 struct Lanczos {

@@ -28,12 +28,6 @@ struct Passing : InterfaceProblem {
   int pairs() const override { return real.pairs(); }
 };
 
-std::vector<Vector> zeros(const Blocks& all) {
-  std::vector<Vector> values;
-  for (const auto& subdomain : all.subdomains) values.emplace_back(Vector::Zero(subdomain->dofs()));
-  return values;
-}
-
 ContactStatus withOpen(const OnInterface& one, const std::vector<int>& open) {
   std::map<int, PairStatus> status;
   for (const int pair : open) status[pair] = PairStatus::Open;

@@ -30,17 +30,8 @@ CoarseAnswer linearAnswer(const Blocks& coarse) {
 
 /// Two blocks of other cells than pressedBlocks(), whose nodes do not match its.
 Scene quadrilaterals() {
-  std::vector<Box> all(2);
-  for (int k = 0; k < 2; ++k) {
-    all[k].name = k == 0 ? "lower" : "upper";
-    all[k].x0 = -1;
-    all[k].y0 = k - 1;
-    all[k].y1 = k;
-    all[k].nx = 9;
-    all[k].ny = 5;
-    all[k].blocksX = 3;
-    all[k].cell = Cell::Quadrilateral4;
-  }
+  std::vector<Box> all = twoBoxes(9, 5, 3, 1);
+  for (Box& box : all) box.cell = Cell::Quadrilateral4;
   Scene scene = scenes::fromBoxes(all);
   scene.pairUp();
   return scene;
@@ -107,10 +98,8 @@ TEUCHOS_UNIT_TEST(NestedStart, FinePairsBetweenTwoOfOneStatusHaveIt) {
     TEST_FLOATING_EQUALITY(1.0 + pair.arc, 1.0 + coarseScene.constraints.pairs[before].arc + k / 9.0, 1e-12);
   }
   const OnInterface fine(fineScene, world());
-  std::vector<Vector> zeros;
-  for (const auto& subdomain : fine.all.subdomains) zeros.emplace_back(Vector::Zero(subdomain->dofs()));
   const InterfaceState state = nestedStart(*world(), answer, fine.problem, fine.all.subdomains);
-  TEST_ASSERT(fine.problem.differing(state.status, fine.problem.stateOf(zeros, expected).status).empty());
+  TEST_ASSERT(fine.problem.differing(state.status, fine.problem.stateOf(zeros(fine.all), expected).status).empty());
   TEST_EQUALITY(fine.problem.differing(state.status, fine.problem.initialState().status).size(),
                 std::size_t(std::count_if(expected.begin(), expected.end(), [](const auto& e) { return e.second == PairStatus::Open; })));
 }

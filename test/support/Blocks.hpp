@@ -134,26 +134,34 @@ inline Scene clampedSquare(int blocks, int cells, double young = 1.0, double poi
   return scene;
 }
 
-/// Two blocks in contact along y = 0, each in 2 x 2 subdomains, under their weight: the contact group has four
-/// members with seams inside. The gap is a wave: some pairs interfere, some are open. Nothing is held.
-inline Scene wavyBlocks(double youngLower = 100.0, double youngUpper = 40.0, int refinement = 1) {
+/// Boxes "lower" and "upper" on each other, [-1, 1] x [-1, 0] and [-1, 1] x [0, 1], each of so many cells and blocks.
+inline std::vector<Box> twoBoxes(int nx, int ny, int blocksX, int blocksY) {
   std::vector<Box> all(2);
-  all[0].name = "lower";
-  all[1].name = "upper";
-  for (Box& box : all) {
-    box.x0 = -1;
-    box.nx = 6 * refinement;
-    box.ny = 4 * refinement;
-    box.blocksX = box.blocksY = 2;
+  for (int k = 0; k < 2; ++k) {
+    all[k].name = k == 0 ? "lower" : "upper";
+    all[k].x0 = -1;
+    all[k].y0 = k - 1;
+    all[k].y1 = k;
+    all[k].nx = nx;
+    all[k].ny = ny;
+    all[k].blocksX = blocksX;
+    all[k].blocksY = blocksY;
   }
-  all[0].y0 = -1;
-  all[0].y1 = 0;
-  Scene scene = scenes::fromBoxes(all, youngLower, 0.3);
+  return all;
+}
+
+/// Two blocks in contact along y = 0 under their weight. The gap is a wave: some pairs interfere, some are open. Nothing is held. With 2 x
+/// 2 subdomains each (the default) the contact group has four members with seams inside.
+inline Scene wavyBlocks(const std::vector<Box>& boxes, double youngLower = 100.0, double youngUpper = 40.0) {
+  Scene scene = scenes::fromBoxes(boxes, youngLower, 0.3);
   scene.model.materialOfBody[1].young = youngUpper;
   scene.pairUp();
   for (ContactPair& pair : scene.constraints.pairs) pair.gap = 0.02 * std::cos(3.0 * pair.position[0] + 0.5);
   scene.model.loads.push_back({Load::Kind::BodyForce, "", {0.2, -0.7, 0}});
   return scene;
+}
+inline Scene wavyBlocks(double youngLower = 100.0, double youngUpper = 40.0, int refinement = 1) {
+  return wavyBlocks(twoBoxes(6 * refinement, 4 * refinement, 2, 2), youngLower, youngUpper);
 }
 
 /// Numbers in [-1, 1], the same in every run and on every machine.
