@@ -2,24 +2,17 @@
 
 names.py --solve PROGRAM --schema PROGRAM --mpirun "mpirun ..." --work DIR --input FOLDER
 """
-import argparse
 import csv
 import itertools
 import json
 import pathlib
 import re
-import shutil
 import subprocess
-import sys
 
-parser = argparse.ArgumentParser()
-for option in ("--solve", "--schema", "--mpirun", "--work", "--input"):
-    parser.add_argument(option, required=True)
-options = parser.parse_args()
-work = pathlib.Path(options.work)
-shutil.rmtree(work, ignore_errors=True)
-work.mkdir(parents=True)
-failures = []
+from harness import arguments, failures, finish, run
+
+options = arguments("--solve", "--schema", "--input")
+OPEN = pathlib.Path(options.input) / "tunnel" / "tunnel_open.xml"
 
 INTERFACE = ["--set", "Formulation=Contact On The Interface", "--set", "Outer Solver/Type=Active Set"]
 BDDC = [*INTERFACE, "--set", "Preconditioner/Type=BDDC"]
@@ -66,12 +59,10 @@ for parameter, (settings, alike) in PARAMETERS.items():
         continue
     histories = {}
     for name in names:
-        folder = work / re.sub(r"\W", "_", parameter + "_" + name)
-        done = subprocess.run(options.mpirun.split() + ["-np", "2", options.solve, str(pathlib.Path(options.input) / "tunnel" / "tunnel_open.xml"),
-                                                        "--quiet", "--output", str(folder), *settings, "--set", f"{parameter}={name}", *EXTRA.get(name, [])],
-                              capture_output=True, text=True, timeout=120)
-        if done.returncode != 0:
-            failures.append(f"{parameter}={name}: exit code {done.returncode}\n{done.stderr}")
+        folder = options.work / re.sub(r"\W", "_", parameter + "_" + name)
+        code, text = run(options.solve, 2, OPEN, "--quiet", "--output", folder, *settings, "--set", f"{parameter}={name}", *EXTRA.get(name, []))
+        if code != 0:
+            failures.append(f"{parameter}={name}: exit code {code}\n{text}")
             continue
         closed = json.loads((folder / "summary.json").read_text())["contact"]["active"]
         if closed != 82:
@@ -84,6 +75,4 @@ for parameter, (settings, alike) in PARAMETERS.items():
         if same != (frozenset({one, other}) in alike):
             failures.append(f"{parameter}: the histories of {one} and {other} are {'the same' if same else 'not the same'}: {a[:3]} {b[:3]}")
 
-for failure in failures:
-    print("FAILED  " + failure)
-sys.exit(1 if failures else 0)
+finish()

@@ -2,41 +2,20 @@
 
 partition.py --partition PROGRAM --solve PROGRAM --mpirun "mpirun ..." --work DIR --input FOLDER
 """
-import argparse
 import json
 import pathlib
 import re
-import shutil
-import subprocess
-import sys
 
-parser = argparse.ArgumentParser()
-for option in ("--partition", "--solve", "--mpirun", "--work", "--input"):
-    parser.add_argument(option, required=True)
-options = parser.parse_args()
-work = pathlib.Path(options.work)
-shutil.rmtree(work, ignore_errors=True)
-work.mkdir(parents=True)
+from harness import arguments, check, finish, run
+
+options = arguments("--partition", "--solve", "--input")
+work = options.work
 SCENE = pathlib.Path(options.input) / "two_blocks" / "two_blocks.xml"
 METIS = ["--set", "Partition/Type=METIS", "--set", "Partition/METIS/Subdomains=6", "--set", "Outer Solver/Tolerance=1e-10"]
-failures = []
 
 
-def run(program, ranks, *arguments):
-    command = options.mpirun.split() + ["-np", str(ranks), program, *map(str, arguments)]
-    done = subprocess.run(command, capture_output=True, text=True, timeout=100)
-    return done.returncode, done.stdout + done.stderr
-
-
-def check(what, found, expected):
-    good = expected(found) if callable(expected) else found == expected
-    print(("ok      " if good else "FAILED  ") + what + ("" if good else ": " + repr(found)))
-    if not good:
-        failures.append(what)
-
-
-def solve(name, scene, ranks, *arguments):
-    code, text = run(options.solve, ranks, scene, "--output", work / name, *arguments)
+def solve(name, scene, ranks, *words):
+    code, text = run(options.solve, ranks, scene, "--output", work / name, *words)
     check(name + ": solved", code, 0)
     return json.loads((work / name / "summary.json").read_text()) if code == 0 else {}
 
@@ -83,4 +62,4 @@ for ranks in (1, 2):
     code, text = run(options.partition, ranks, SCENE, "--output", work / "again.h5", "--set", "Partition/METIS/Subdomian=6")
     check(f"np{ranks}: misspelt parameter: exit code and nearest name", (code, "Did you mean 'Subdomains'?" in text), (3, True))
 
-sys.exit(1 if failures else 0)
+finish()

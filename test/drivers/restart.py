@@ -2,46 +2,29 @@
 
 restart.py --solve PROGRAM --mpirun "mpirun ..." --work DIR --input FOLDER
 """
-import argparse
 import json
 import pathlib
-import shutil
 import signal
 import subprocess
-import sys
 import time
 
-parser = argparse.ArgumentParser()
-for option in ("--solve", "--mpirun", "--work", "--input"):
-    parser.add_argument(option, required=True)
-options = parser.parse_args()
-work = pathlib.Path(options.work)
-shutil.rmtree(work, ignore_errors=True)
-work.mkdir(parents=True)
+import harness
+from harness import arguments, check, finish, setting
+
+options = arguments("--solve", "--input")
+work = options.work
 OPEN = pathlib.Path(options.input) / "tunnel" / "tunnel_open.xml"
 OTHER = pathlib.Path(options.input) / "two_blocks" / "two_blocks.xml"
-failures = []
 
 
-def command(ranks, scene, name, *arguments):
-    return options.mpirun.split() + ["-np", str(ranks), options.solve, str(scene), "--output", str(work / name), *arguments]
+def command(ranks, scene, name, *words):
+    return harness.command(options.solve, ranks, scene, "--output", work / name, *words)
 
 
-def run(ranks, scene, name, *arguments):
-    done = subprocess.run(command(ranks, scene, name, *arguments), capture_output=True, text=True, timeout=100)
+def run(ranks, scene, name, *words):
+    code, text = harness.run(options.solve, ranks, scene, "--output", work / name, *words)
     summary = work / name / "summary.json"
-    return done.returncode, done.stdout + done.stderr, json.loads(summary.read_text()) if summary.exists() else {}
-
-
-def check(what, found, expected):
-    good = expected(found) if callable(expected) else found == expected
-    print(("ok      " if good else "FAILED  ") + what + ": " + repr(found))
-    if not good:
-        failures.append(what)
-
-
-def setting(path, value):
-    return ["--set", f"{path}={value}"]
+    return code, text, json.loads(summary.read_text()) if summary.exists() else {}
 
 
 whole = run(2, OPEN, "whole")[2]
@@ -99,4 +82,4 @@ check("exit code for a truncated checkpoint", code, 3)
 code, text, _ = run(2, OPEN, "none", "--restart", str(work / "nothing.h5"))
 check("exit code for a missing checkpoint", code, 3)
 
-sys.exit(1 if failures else 0)
+finish()

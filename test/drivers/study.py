@@ -9,35 +9,18 @@ import json
 import math
 import pathlib
 import shutil
-import subprocess
 import sys
+
+from harness import arguments, check, finish, run
 
 parser = argparse.ArgumentParser()
 parser.add_argument("part", choices=["figures", "ends", "bad"])
-for option in ("--study", "--solve", "--mpirun", "--work", "--source"):
-    parser.add_argument(option, required=True)
 parser.add_argument("--ranks", type=int, required=True)
-options = parser.parse_args()
-work = pathlib.Path(options.work)
-shutil.rmtree(work, ignore_errors=True)
-work.mkdir(parents=True)
+options = arguments("--study", "--solve", "--source", parser=parser)
+work = options.work
 source = pathlib.Path(options.source)
 TINY = source / "test" / "drivers" / "study" / "tiny.xml"
 SQUARE = source / "input" / "linear_square" / "linear_square.xml"
-failures = []
-
-
-def check(what, found, expected):
-    good = expected(found) if callable(expected) else found == expected
-    print(("ok      " if good else "FAILED  ") + what + ("" if good else ": " + repr(found)))
-    if not good:
-        failures.append(what)
-
-
-def run(program, ranks, *arguments):
-    command = (options.mpirun.split() + ["-np", str(ranks)] if ranks > 1 else []) + [str(program), *map(str, arguments)]
-    done = subprocess.run(command, capture_output=True, text=True, timeout=120)
-    return done.returncode, done.stdout + done.stderr
 
 
 def table(folder):
@@ -212,6 +195,4 @@ def bad(ranks):
 
 
 {"figures": figures, "ends": ends, "bad": bad}[options.part](options.ranks)
-if failures:
-    print(f"\n{len(failures)} failed:\n  " + "\n  ".join(failures))
-sys.exit(1 if failures else 0)
+finish()
