@@ -38,6 +38,12 @@ if(SUTURE_GMSH)
   suture_find_library(gmsh HEADER gmsh.h LIBRARIES gmsh)
 endif()
 
+# Only its run-time functions, for telling CHOLMOD's loops not to spawn threads: no flag, or Eigen would begin to.
+find_package(OpenMP REQUIRED COMPONENTS CXX)
+add_library(suture_openmp INTERFACE)
+add_library(suture::openmp ALIAS suture_openmp)
+target_link_libraries(suture_openmp INTERFACE ${OpenMP_CXX_LIBRARIES})
+
 set(HDF5_PREFER_PARALLEL ON)
 find_package(HDF5 REQUIRED COMPONENTS C)
 if(NOT HDF5_IS_PARALLEL)

@@ -165,6 +165,7 @@ MonolithicResult solveMonolithic(const Mesh& mesh, const Constraints& constraint
   CholmodOptions ordering;
   ordering.trailing = trailing;
   ordering.shift = shiftOf(system, rigid);
+  ordering.threads = true;
   if (mesh.dimension == 3) ordering.ordering = CholmodOptions::Ordering::Metis;
   const CholmodFactor factor(system.stiffness(), ordering);
   result.factorEntries = factor.statistics().factorEntries;

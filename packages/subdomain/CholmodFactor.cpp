@@ -2,12 +2,14 @@
 #include <cholmod.h>
 #include <suture/base/Errors.hpp>
 #include <suture/subdomain/CholmodFactor.hpp>
+#include <suture/subdomain/SerialSection.hpp>
 
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <sstream>
 
 // LAPACK: upper <- U U^T in place, a third of the operations of a product that does not know of the zeros.
@@ -148,6 +150,8 @@ void CholmodFactor::Data::order(const Eigen::SparseMatrix<double>& matrix, Cholm
 
 void CholmodFactor::Data::factorise(const Eigen::SparseMatrix<double>& matrix, const CholmodOptions& options) {
   const int n = statistics.size, leading = n - statistics.trailing;
+  std::optional<SerialSection> alone;
+  if (!options.threads) alone.emplace();
   order(matrix, options.ordering);
 
   common.nmethods = 1;
