@@ -1,4 +1,5 @@
 #include <suture/subdomain/ElasticSubdomain.hpp>
+#include <suture/subdomain/NodalAssembly.hpp>
 #include <suture/subdomain/RigidModes.hpp>
 
 #include <algorithm>
@@ -9,21 +10,22 @@ namespace suture {
 void ElasticSubdomain::doAssemble(SparseMatrix& stiffness, Vector& load) {
   const SubdomainMesh& m = mesh();
   const int d = components();
-  std::vector<Eigen::Triplet<double>> entries;
+  ElementMatrices matrices;
+  matrices.reserve(m.connectivity.size() * m.connectivity.size() / std::max(m.elements(), 1) * d * d);
   const auto materials = [this](int element) -> const Material& { return materialOf(element); };
   elementStiffnesses(m, materials, model_.plane, [&](int element, ConstLocalView given) {
     const auto nodes = m.nodesOf(element);
-    Matrix k = given;
+    const auto begin = matrices.size();
+    matrices.insert(matrices.end(), given.data(), given.data() + given.size());
+    if (!std::any_of(nodes.begin(), nodes.end(), [this](int node) { return axes(node) != nullptr; })) return;
+    Eigen::Map<Matrix> k(matrices.data() + begin, given.rows(), given.cols());
     for (std::size_t a = 0; a < nodes.size(); ++a)
       if (const Matrix* q = axes(nodes[a])) {
         k.middleRows(a * d, d) = (*q * k.middleRows(a * d, d)).eval();
         k.middleCols(a * d, d) = (k.middleCols(a * d, d) * q->transpose()).eval();
       }
-    for (std::size_t b = 0; b < nodes.size() * d; ++b)
-      for (std::size_t a = 0; a < nodes.size() * d; ++a) entries.emplace_back(nodes[a / d] * d + a % d, nodes[b / d] * d + b % d, k(a, b));
   });
-  stiffness.resize(m.nodes() * d, m.nodes() * d);
-  stiffness.setFromTriplets(entries.begin(), entries.end());
+  stiffness = assembleNodal(m, d, matrices);
 
   std::vector<int> all(m.elements());
   std::iota(all.begin(), all.end(), 0);

@@ -2,6 +2,7 @@
 #include <suture/base/Errors.hpp>
 #include <suture/subdomain/Subdomain.hpp>
 
+#include <numeric>
 #include <sstream>
 
 namespace suture {
@@ -34,22 +35,28 @@ Subdomain::Subdomain(const SubdomainMesh& mesh) : mesh_(mesh), numberOf_(mesh.no
 void Subdomain::assemble() {
   const int n = static_cast<int>(numberOf_.size());
   fullLoad_ = Vector::Zero(n);
-  doAssemble(full_, fullLoad_);
-  if (full_.rows() != n || full_.cols() != n || fullLoad_.size() != n)
+  SparseMatrix full;
+  doAssemble(full, fullLoad_);
+  if (full.rows() != n || full.cols() != n || fullLoad_.size() != n)
     throw NumericalError("subdomain '" + mesh_.name + "': the assembled matrix or load has the wrong size");
-  stiffness_ = block(full_, free_, free_);
+  std::vector<int> all(n);
+  std::iota(all.begin(), all.end(), 0);
+  held_ = block(full, all, fixed_);
+  stiffness_ = fixed_.empty() ? std::move(full) : block(full, free_, free_);
+  const Vector diagonal = stiffness_.diagonal();
   for (int i = 0; i < dofs(); ++i)
-    if (!(stiffness_.coeff(i, i) > 0.0)) {
+    if (!(diagonal(i) > 0.0)) {
       const Point p = mesh_.point(nodeOf(i));
       std::ostringstream text;
       text << "subdomain '" << mesh_.name << "': no stiffness at the node (" << p[0] << ", " << p[1] << ")";
       throw NumericalError(text.str());
     }
 
-  const Vector lifted = fullLoad_ - full_ * prescribed_;
+  const Vector given = rowsAt(prescribed_, fixed_);
+  const Vector held = held_ * given, lifted = fullLoad_ - held;
   load_ = Vector(dofs());
   for (int i = 0; i < dofs(); ++i) load_(i) = lifted(free_[i]);
-  constantEnergy_ = 0.5 * prescribed_.dot(full_ * prescribed_) - prescribed_.dot(fullLoad_);
+  constantEnergy_ = 0.5 * prescribed_.dot(held) - prescribed_.dot(fullLoad_);
 
   const Vector young = doYoungModulus();
   if (young.size() != mesh_.nodes() || !(young.minCoeff() > 0.0))
@@ -99,8 +106,9 @@ void Subdomain::resultants(const Vector& values, Point& applied, Point& reaction
   const int d = components();
   Vector all = prescribed_;
   for (int i = 0; i < dofs(); ++i) all(free_[i]) = values(i);
-  Vector force = full_ * all - fullLoad_;
-  for (int i : free_) force(i) = 0.0;
+  const Vector reaction = held_.transpose() * all;
+  Vector force = Vector::Zero(all.size());
+  for (std::size_t i = 0; i < fixed_.size(); ++i) force(fixed_[i]) = reaction(static_cast<int>(i)) - fullLoad_(fixed_[i]);
   Vector load = fullLoad_;
   for (int node = 0; node < mesh_.nodes(); ++node) {
     Vector f = force.segment(node * d, d), l = load.segment(node * d, d);

@@ -67,8 +67,8 @@ class Subdomain {
   std::vector<int> numberOf_, free_, fixed_;
   std::vector<int> axesOfNode_;
   std::vector<Matrix> axes_;
-  Vector prescribed_;  // all unknowns; zero where free
-  SparseMatrix full_, stiffness_;
+  Vector prescribed_;              // all unknowns; zero where free
+  SparseMatrix stiffness_, held_;  // held_: all unknowns x prescribed components
   Vector fullLoad_, load_, youngModulus_;
   double constantEnergy_ = 0.0;
   Matrix rigidModes_, heldModes_, kernel_;
