@@ -402,6 +402,31 @@ Matrix CholmodFactor::trailingSchur() const {
   return schur;
 }
 
+SingleFactor CholmodFactor::leadingInSingle(const std::vector<int>& unknownOf) const {
+  const int leading = size() - trailing();
+  if (leading == 0) return {};
+  if (!data_->statistics.supernodal) throw InternalError("CholmodFactor: a copy in single precision of a factor without supernodes");
+  std::vector<SingleFactor::Supernode> supernodes;
+  for (std::size_t s = 0; s < data_->factor->nsuper; ++s) {
+    const Data::Supernode node = data_->supernode(static_cast<int>(s), leading);
+    if (node.columns <= 0) break;
+    SingleFactor::Supernode copy;
+    copy.first = node.first;
+    copy.columns = node.columns;
+    copy.below.assign(node.below, node.below + (node.rows - node.columns));
+    copy.values.resize(static_cast<std::size_t>(node.rows) * node.columns);
+    for (int j = 0; j < node.columns; ++j) {
+      const double* column = node.values + static_cast<std::size_t>(j) * node.stride;
+      float* to = copy.values.data() + static_cast<std::size_t>(j) * node.rows;
+      for (int i = 0; i < node.rows; ++i) to[i] = static_cast<float>(column[i]);
+    }
+    supernodes.push_back(std::move(copy));
+  }
+  std::vector<int> unknowns(leading);
+  for (int j = 0; j < leading; ++j) unknowns[j] = unknownOf[data_->permutation[j]];
+  return SingleFactor(std::move(supernodes), std::move(unknowns));
+}
+
 Vector CholmodFactor::trailingDiagonal(const Eigen::SparseMatrix<double>& matrix, int trailing) { return matrix.diagonal().tail(trailing); }
 
 }  // namespace suture

@@ -5,8 +5,9 @@
 namespace suture {
 
 /// S_i as a dense matrix from ONE sparse Cholesky factorisation, interior first and interface last (CholmodFactor): an application is a
-/// product with a small dense matrix, and the same factor gives condensed loads and recovers interiors. Needs CHOLMOD, whatever local
-/// solver is named. Memory: the factor and n^2 / 2 numbers for n boundary unknowns. Local.
+/// product with a small dense matrix, and the same factor gives condensed loads. Of it the interior part is kept, in single precision, for
+/// the recovery of interiors (SingleFactor). Needs CHOLMOD, whatever local solver is named. Memory: that part and n^2 / 2 numbers for n
+/// boundary unknowns. Local.
 class ExplicitSchurComplement : public SchurComplement {
  public:
   static Schema schema();
@@ -20,11 +21,12 @@ class ExplicitSchurComplement : public SchurComplement {
   void doApply(ConstLocalView trace, LocalView flux) const override;
 
  private:
-  std::vector<int> interior_, boundary_;
-  SparseMatrix ib_;
-  std::unique_ptr<CholmodFactor> factor_;
+  const SparseMatrix* stiffness_ = nullptr;
+  const Vector* load_ = nullptr;
+  std::vector<int> boundary_;
+  SingleFactor factor_;
   PackedSymmetric schur_;
-  Vector condensedLoad_, interiorResponse_;
+  Vector condensedLoad_;
   double interiorEnergy_ = 0.0;
 };
 

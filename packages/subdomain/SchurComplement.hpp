@@ -27,7 +27,7 @@ class SchurComplement {
   static const char* kind() { return "Schur complement"; }
   virtual ~SchurComplement() = default;
 
-  /// Factors. The data need not outlive the call.
+  /// Factors. Stiffness and load must outlive this object.
   void compute(const SchurData& data) { doCompute(data); }
   /// flux <- S trace, for several right-hand sides.
   void apply(ConstLocalView trace, LocalView flux) const {
