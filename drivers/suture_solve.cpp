@@ -27,9 +27,8 @@ RunResult solveScene(const CommPtr& comm, const SolveOptions& options) {
   checkStage(*comm, mesh, constraints, model);
   const Whole whole = wholeStage(*comm, mesh, constraints, partition);
   if (!isMonolithic(scene)) forget(mesh, constraints, partition);
-  const auto subdomains =
-      timed(timers, "assemble", [&] { return isMonolithic(scene) ? Subdomains() : makeSubdomains(*comm, meshes, model); });
-  const auto problem = timed(timers, "factor", [&] { return problemStage(comm, partition, subdomains, scene); });
+  auto subdomains = timed(timers, "assemble", [&] { return isMonolithic(scene) ? Subdomains() : makeSubdomains(*comm, meshes, model); });
+  auto problem = timed(timers, "factor", [&] { return problemStage(comm, partition, subdomains, scene); });
   const ProblemSize size = withInterface(whole.size, problem.get());
   printSizes(*comm, file, size, options);
   for (const std::string& note : partition.notes) monitor.note(note);
@@ -41,6 +40,8 @@ RunResult solveScene(const CommPtr& comm, const SolveOptions& options) {
     if (!problem) return solveMonolithicScene(*comm, mesh, constraints, reference.get(), meshes, scene, monitor);
     return recover(*comm, *problem, solveInterface(*problem, scene, monitor, start.get()), subdomains, scene);
   });
+  problem.reset();  // what is written needs the memory
+  subdomains.clear();
 
   return reportStage({*comm, file, model, whole.pieces, meshes, size, solution, monitor, timers, whole.hash, options.commandLine, folder},
                      options);

@@ -14,26 +14,24 @@ InterfaceOperator::InterfaceOperator(std::shared_ptr<const InterfaceSpace> space
 
 void InterfaceOperator::apply(const MultiVector& x, MultiVector& y, Teuchos::ETransp, double alpha, double beta) const {
   applications_ += static_cast<long long>(x.getNumVectors());
-  Matrix overlap;
-  space_->gather(x, overlap);
-  Matrix sum = Matrix::Zero(overlap.rows(), overlap.cols());
-  Matrix trace, flux;
+  space_->gather(x, overlap_);
+  sum_.setZero(overlap_.rows(), overlap_.cols());
   for (std::size_t i = 0; i < locals_.size(); ++i) {
     if (!locals_[i]) continue;
     const Coupling& coupling = space_->coupling(static_cast<int>(i));
-    trace.resize(coupling.rows(), overlap.cols());
-    flux.resize(coupling.rows(), overlap.cols());
-    coupling.restrictTo(overlap, trace);
-    locals_[i]->applySchur(trace, flux);
-    coupling.addTransposed(flux, sum);
+    trace_.resize(coupling.rows(), overlap_.cols());
+    flux_.resize(coupling.rows(), overlap_.cols());
+    coupling.restrictTo(overlap_, trace_);
+    locals_[i]->applySchur(trace_, flux_);
+    coupling.addTransposed(flux_, sum_);
   }
-  if (recording_) recorded_.push_back(sum.col(0));
+  if (recording_) recorded_.push_back(sum_.col(0));
   if (beta == 0.0) {
-    space_->scatterAdd(sum, y);
+    space_->scatterAdd(sum_, y);
     if (alpha != 1.0) y.scale(alpha);
   } else {
     const auto product = space_->vector(static_cast<int>(x.getNumVectors()));
-    space_->scatterAdd(sum, *product);
+    space_->scatterAdd(sum_, *product);
     y.update(alpha, *product, beta);
   }
 }

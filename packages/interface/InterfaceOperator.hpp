@@ -47,6 +47,7 @@ class InterfaceOperator : public Operator {
   mutable long long applications_ = 0;
   mutable bool recording_ = false;
   mutable std::vector<Vector> recorded_;
+  mutable Matrix overlap_, sum_, trace_, flux_;  // work space: an application allocates nothing
 };
 
 }  // namespace suture

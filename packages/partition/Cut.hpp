@@ -20,10 +20,13 @@ Schema metisSchema();
 Schema namedGroupsSchema();
 
 /// Every body on its own, in proportion to its elements; a body of several disconnected parts, each part on its own.
-/// \param own    the list `METIS`
-/// \param ranks  at least so many subdomains are made by Subdomains = Automatic where the elements allow it
-/// \throws InputError  more subdomains than elements, fewer than connected parts of the bodies, a hinge (findHinges). Local (rank 0).
-Cut cutByMetis(const Mesh& mesh, const Parameters& own, int ranks);
+/// Ranks share the pieces among them; the cut does not depend on how. Subdomains = Automatic makes at least one a rank where the elements
+/// allow it.
+/// \param mesh  on rank 0; elsewhere it is not read
+/// \param own   the list `METIS`
+/// \return the cut on rank 0, nothing elsewhere
+/// \throws InputError  more subdomains than elements, fewer than connected parts of the bodies, a hinge (findHinges). Collective.
+Cut cutByMetis(const Comm& comm, const Mesh& mesh, const Parameters& own);
 
 /// Every element group that matches the pattern is a subdomain, in alphabetical order.
 /// \param own  the list `Named Groups`

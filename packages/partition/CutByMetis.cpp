@@ -1,6 +1,9 @@
+#include <Teuchos_Comm.hpp>
 #include <Teuchos_ParameterList.hpp>
 #include <algorithm>
 #include <cmath>
+#include <suture/base/Buffer.hpp>
+#include <suture/base/Collective.hpp>
 #include <suture/base/Errors.hpp>
 #include <suture/base/SceneReader.hpp>
 #include <suture/partition/Apportion.hpp>
@@ -8,6 +11,7 @@
 #include <suture/partition/ElementGraph.hpp>
 #include <suture/partition/Hinges.hpp>
 #include <suture/partition/MetisCut.hpp>
+#include <suture/partition/Placement.hpp>
 
 namespace suture {
 
@@ -73,33 +77,83 @@ std::string repaired(const std::string& body, int repairs) {
          (repairs == 1 ? " fragment was" : " fragments were") + " given to a neighbour, so that every subdomain is connected through sides";
 }
 
+/// One piece's share of the work, as it travels to the rank that does it.
+std::string packed(std::size_t piece, int parts, const ElementGraph& graph) {
+  Packer packer;
+  packer.put(piece);
+  packer.put(parts);
+  packer.put(graph.offsets);
+  packer.put(graph.neighbours);
+  return std::move(packer).bytes();
+}
+
+/// Cuts the pieces that came, and packs for each its number, the part of each of its elements, and the repairs.
+std::string cutPieces(const std::string& work, int seed) {
+  Packer done;
+  for (Unpacker unpacker(work); !unpacker.done();) {
+    const auto piece = unpacker.get<std::size_t>();
+    const int parts = unpacker.get<int>();
+    ElementGraph graph;
+    unpacker.get(graph.offsets);
+    unpacker.get(graph.neighbours);
+    int repairs = 0;
+    done.put(piece);
+    done.put(metisCut(graph, parts, seed, &repairs));
+    done.put(repairs);
+  }
+  return std::move(done).bytes();
+}
+
 }  // namespace
 
-Cut cutByMetis(const Mesh& mesh, const Parameters& own, int ranks) {
-  const ElementGraph graph = elementGraph(mesh);
-  Problems problems;
-  findHinges(mesh, graph, problems);
-  problems.throwIfAny();
-  const std::vector<Piece> pieces = piecesOfBodies(mesh, graph);
-  const int wanted = wantedSubdomains(mesh, pieces, own, ranks);
-  std::vector<int> sizes;
-  for (const Piece& piece : pieces) sizes.push_back(static_cast<int>(piece.elements.size()));
-  const std::vector<int> parts = apportion(sizes, wanted);
+Cut cutByMetis(const Comm& comm, const Mesh& mesh, const Parameters& own) {
+  const std::string what = "partition";
+  ElementGraph graph;
+  std::vector<Piece> pieces;
+  std::vector<int> parts, rankOf;
+  collectivelyOnRoot(comm, what, [&] {
+    graph = elementGraph(mesh);
+    Problems problems;
+    findHinges(mesh, graph, problems);
+    problems.throwIfAny();
+    pieces = piecesOfBodies(mesh, graph);
+    std::vector<int> sizes;
+    for (const Piece& piece : pieces) sizes.push_back(static_cast<int>(piece.elements.size()));
+    parts = apportion(sizes, wantedSubdomains(mesh, pieces, own, comm.getSize()));
+    rankOf = placeOnRanks(std::vector<long long>(sizes.begin(), sizes.end()), comm.getSize());
+  });
+  const std::string work = scatterFromRoot(comm, what, [&](int rank) {
+    std::string all;
+    for (std::size_t i = 0; i < pieces.size(); ++i)
+      if (rankOf[i] == rank) all += packed(i, parts[i], subgraph(graph, pieces[i].elements));
+    return all;
+  });
+  std::string mine;
+  collectively(comm, what, [&] { mine = cutPieces(work, own.get<int>("Seed")); });
+  const std::vector<std::string> results = gatherOnRoot(comm, mine);
 
   Cut cut;
-  cut.subdomainOfElement.assign(mesh.elements(), -1);
-  std::vector<int> numberInBody(mesh.bodies.size(), 0);
-  for (std::size_t i = 0; i < pieces.size(); ++i) {
-    const int first = static_cast<int>(cut.names.size());
-    int repairs = 0;
-    const std::vector<int> partOf = metisCut(subgraph(graph, pieces[i].elements), parts[i], own.get<int>("Seed"), &repairs);
-    if (repairs > 0) cut.notes.push_back(repaired(mesh.bodies[pieces[i].body], repairs));
-    for (std::size_t k = 0; k < partOf.size(); ++k) cut.subdomainOfElement[pieces[i].elements[k]] = first + partOf[k];
-    for (int part = 0; part < parts[i]; ++part) {
-      cut.bodyOf.push_back(pieces[i].body);
-      cut.names.push_back(mesh.bodies[pieces[i].body] + " " + std::to_string(++numberInBody[pieces[i].body]));
+  collectivelyOnRoot(comm, what, [&] {
+    std::vector<std::vector<int>> partOf(pieces.size());
+    std::vector<int> repairs(pieces.size());
+    for (const std::string& bytes : results)
+      for (Unpacker unpacker(bytes); !unpacker.done();) {
+        const auto piece = unpacker.get<std::size_t>();
+        unpacker.get(partOf[piece]);
+        unpacker.get(repairs[piece]);
+      }
+    cut.subdomainOfElement.assign(mesh.elements(), -1);
+    std::vector<int> numberInBody(mesh.bodies.size(), 0);
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+      const int first = static_cast<int>(cut.names.size());
+      if (repairs[i] > 0) cut.notes.push_back(repaired(mesh.bodies[pieces[i].body], repairs[i]));
+      for (std::size_t k = 0; k < partOf[i].size(); ++k) cut.subdomainOfElement[pieces[i].elements[k]] = first + partOf[i][k];
+      for (int part = 0; part < parts[i]; ++part) {
+        cut.bodyOf.push_back(pieces[i].body);
+        cut.names.push_back(mesh.bodies[pieces[i].body] + " " + std::to_string(++numberInBody[pieces[i].body]));
+      }
     }
-  }
+  });
   return cut;
 }
 

@@ -76,10 +76,11 @@ ElementGraph subgraph(const ElementGraph& graph, const std::vector<int>& element
 Components components(const ElementGraph& graph, const std::vector<int>& labels) {
   Components found;
   found.of.assign(graph.elements(), -1);
+  std::vector<int> reached, sizes;
   for (int seed = 0; seed < graph.elements(); ++seed) {
     if (found.of[seed] >= 0) continue;
-    const int number = found.count();
-    std::vector<int> reached{seed};
+    const int number = static_cast<int>(sizes.size());
+    reached.assign(1, seed);
     found.of[seed] = number;
     for (std::size_t i = 0; i < reached.size(); ++i)
       for (int other : graph.of(reached[i]))
@@ -87,9 +88,11 @@ Components components(const ElementGraph& graph, const std::vector<int>& labels)
           found.of[other] = number;
           reached.push_back(other);
         }
-    std::sort(reached.begin(), reached.end());
-    found.elements.push_back(std::move(reached));
+    sizes.push_back(static_cast<int>(reached.size()));
   }
+  found.elements.resize(sizes.size());
+  for (std::size_t c = 0; c < sizes.size(); ++c) found.elements[c].reserve(sizes[c]);
+  for (int e = 0; e < graph.elements(); ++e) found.elements[found.of[e]].push_back(e);  // ascending, without sorting
   return found;
 }
 

@@ -41,9 +41,7 @@ std::vector<int> placeSubdomains(const Partition& cut, bool keepGroupsWhole, int
   return rankOf;
 }
 
-Partition partitionOnRoot(const Mesh& mesh, const Constraints& constraints, const Parameters& own, bool keepGroupsWhole, int ranks) {
-  const std::string type = own.get<std::string>("Type");
-  Cut cut = type == "METIS" ? cutByMetis(mesh, own.sublist(type), ranks) : cutByNamedGroups(mesh, own.sublist(type));
+Partition partitionOf(Cut cut, const Mesh& mesh, const Constraints& constraints, bool keepGroupsWhole, int ranks) {
   Partition all;
   all.subdomainOfElement = std::move(cut.subdomainOfElement);
   all.names = std::move(cut.names);
@@ -88,10 +86,15 @@ void unpack(const std::string& bytes, Partition& all) {
 
 Partition makePartition(const Comm& comm, const Mesh& mesh, const Constraints& constraints, const Parameters& partition,
                         bool keepGroupsWhole) {
+  const std::string type = partition.get<std::string>("Type");
+  const bool metis = type == "METIS";
+  Cut cut;
+  if (metis) cut = cutByMetis(comm, mesh, partition.sublist(type));
   Partition all;
   std::string bytes;
   collectivelyOnRoot(comm, "partition", [&] {
-    all = partitionOnRoot(mesh, constraints, partition, keepGroupsWhole, comm.getSize());
+    if (!metis) cut = cutByNamedGroups(mesh, partition.sublist(type));
+    all = partitionOf(std::move(cut), mesh, constraints, keepGroupsWhole, comm.getSize());
     bytes = pack(all);
   });
   bytes = broadcast(comm, bytes);

@@ -31,6 +31,14 @@ Bddc::Bddc(const Parameters& own)
 Bddc::Bddc(std::unique_ptr<Weighting> weighting, std::unique_ptr<EdgeConstraints> edges, CoarseLevels levels)
     : weighting_(std::move(weighting)), edges_(std::move(edges)), levels_(std::move(levels)) {}
 
+struct Bddc::Work {
+  Matrix overlap, trace;
+  std::vector<Matrix> flux;  // of each local problem
+  Vector primal, own;
+};
+
+Bddc::~Bddc() = default;
+
 void Bddc::doInitialize() { coarse_.reset(); }
 
 void Bddc::doCompute() {
@@ -98,10 +106,8 @@ void Bddc::assembleCoarse() {
   std::size_t next = 0;
   for (std::size_t i = 0; i < locals_.size(); ++i) {
     if (!locals_[i]) continue;
-    for (const auto& row : constraints_[i].terms) {
-      values_[i].emplace_back();
-      for (const auto& term : row) values_[i].back().push_back({numbers[next++], term.coefficient});
-    }
+    for (std::size_t row = 0; row < constraints_[i].terms.size(); ++row)
+      for (const auto& term : constraints_[i].terms[row]) values_[i].push_back({static_cast<int>(row), numbers[next++], term.coefficient});
     for (InterfaceLayout::Unknown unknown : constraints_[i].unknowns) {
       unknown.id = numbers[next++];
       unknowns.emplace(static_cast<int>(unknown.id), unknown);
@@ -116,53 +122,52 @@ void Bddc::assembleCoarse() {
 CoarseElement Bddc::element(std::size_t i) const {
   CoarseElement made;
   made.id = locals_[i]->id();
-  for (const auto& row : values_[i])
-    for (const Value& value : row) made.unknowns.push_back(value.number);
+  for (const Value& value : values_[i]) made.unknowns.push_back(value.number);
   std::sort(made.unknowns.begin(), made.unknowns.end());
   made.unknowns.erase(std::unique(made.unknowns.begin(), made.unknowns.end()), made.unknowns.end());
   const Matrix& energy = inverses_[i]->energy();
   Matrix a = Matrix::Zero(energy.rows(), static_cast<int>(made.unknowns.size()));
-  for (std::size_t row = 0; row < values_[i].size(); ++row)
-    for (const Value& value : values_[i][row]) {
-      const auto at = std::lower_bound(made.unknowns.begin(), made.unknowns.end(), value.number) - made.unknowns.begin();
-      a(static_cast<int>(row), at) += value.coefficient;
-    }
+  for (const Value& value : values_[i]) {
+    const auto at = std::lower_bound(made.unknowns.begin(), made.unknowns.end(), value.number) - made.unknowns.begin();
+    a(value.row, at) += value.coefficient;
+  }
   made.matrix = a.transpose() * energy * a;
   return made;
 }
 
 void Bddc::doApply(const MultiVector& r, MultiVector& z) const {
+  if (!work_) work_ = std::make_unique<Work>();
+  Work& work = *work_;
+  work.flux.resize(locals_.size());
   for (std::size_t column = 0; column < r.getNumVectors(); ++column) {
     const auto zOne = z.getVectorNonConst(column);
-    Matrix overlap;
-    space()->gather(*r.getVector(column), overlap);
-    std::vector<Matrix> flux(locals_.size());
-    Vector primal = Vector::Zero(coarse_->size());
+    space()->gather(*r.getVector(column), work.overlap);
+    work.primal.setZero(coarse_->size());
     for (std::size_t i = 0; i < locals_.size(); ++i) {
       if (!locals_[i]) continue;
       const Coupling& coupling = space()->coupling(static_cast<int>(i));
-      flux[i].resize(coupling.rows(), 1);
-      coupling.restrictTo(overlap, flux[i]);
-      weighting_->applyTranspose(static_cast<int>(i), flux[i]);
-      const Vector own = inverses_[i]->basis().transpose() * flux[i].col(0);
-      for (std::size_t row = 0; row < values_[i].size(); ++row)
-        for (const Value& value : values_[i][row]) primal(value.number) += value.coefficient * own(static_cast<int>(row));
+      Matrix& flux = work.flux[i];
+      flux.resize(coupling.rows(), 1);
+      coupling.restrictTo(work.overlap, flux);
+      weighting_->applyTranspose(static_cast<int>(i), flux);
+      work.own.resize(inverses_[i]->basis().cols());
+      work.own.noalias() = inverses_[i]->basis().transpose() * flux.col(0);
+      for (const Value& value : values_[i]) work.primal(value.number) += value.coefficient * work.own(value.row);
     }
-    const Vector y = coarse_->solve(primal);
-    overlap.setZero();
+    const Vector y = coarse_->solve(work.primal);
+    work.overlap.setZero();
     for (std::size_t i = 0; i < locals_.size(); ++i) {
       if (!locals_[i]) continue;
       const Coupling& coupling = space()->coupling(static_cast<int>(i));
-      Matrix trace(coupling.rows(), 1);
-      inverses_[i]->apply(flux[i], trace);
-      Vector own = Vector::Zero(static_cast<int>(values_[i].size()));
-      for (std::size_t row = 0; row < values_[i].size(); ++row)
-        for (const Value& value : values_[i][row]) own(static_cast<int>(row)) += value.coefficient * y(value.number);
-      trace.col(0) += inverses_[i]->basis() * own;
-      weighting_->apply(static_cast<int>(i), trace);
-      coupling.addTransposed(trace, overlap);
+      work.trace.resize(coupling.rows(), 1);
+      inverses_[i]->apply(work.flux[i], work.trace);
+      work.own.setZero(inverses_[i]->basis().cols());
+      for (const Value& value : values_[i]) work.own(value.row) += value.coefficient * y(value.number);
+      work.trace.col(0).noalias() += inverses_[i]->basis() * work.own;
+      weighting_->apply(static_cast<int>(i), work.trace);
+      coupling.addTransposed(work.trace, work.overlap);
     }
-    space()->scatterAdd(overlap, *zOne);
+    space()->scatterAdd(work.overlap, *zOne);
   }
 }
 

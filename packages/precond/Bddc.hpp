@@ -24,6 +24,7 @@ class Bddc : public Preconditioner {
   explicit Bddc(const Parameters& own);
   /// For programs that bring their own strategies.
   Bddc(std::unique_ptr<Weighting> weighting, std::unique_ptr<EdgeConstraints> edges, CoarseLevels levels);
+  ~Bddc() override;
 
   int coarseSize() const override { return coarse_ ? coarse_->size() : 0; }
   std::string remark() const override;
@@ -45,12 +46,16 @@ class Bddc : public Preconditioner {
   LocalProblems locals_;  // those the inverses belong to
   std::vector<PrimalConstraints> constraints_;
   std::vector<std::unique_ptr<LocalInverse>> inverses_;
+  // A_i, one entry after another.
   struct Value {
+    int row;     // constraint of the local problem
     int number;  // primal unknown
     double coefficient;
   };
-  std::vector<std::vector<std::vector<Value>>> values_;  // A_i: of each row of each local problem
+  std::vector<std::vector<Value>> values_;
   std::unique_ptr<CoarseSolve> coarse_;
+  struct Work;
+  mutable std::unique_ptr<Work> work_;                 // of an application, which allocates nothing
   GlobalId edgeConstraints_ = 0, sharedUnknowns_ = 0;  // over all ranks
 };
 

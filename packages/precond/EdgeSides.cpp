@@ -36,45 +36,54 @@ std::map<int, int> ranksOfNeighbours(const InterfaceSpace& space) {
 std::vector<EdgeSide> edgeSides(const InterfaceSpace& space) {
   std::map<int, int> localOf;
   for (int i = 0; i < space.locals(); ++i) localOf[space.localId(i)] = i;
+  struct Number {
+    int edge, side;
+    std::size_t place;  // among all sides
+  };
+  std::vector<std::vector<Number>> sidesOf(space.locals());
+  std::size_t count = 0;
+  for (std::size_t e = 0; e < space.edges().size(); ++e)
+    for (int side = 0; side < 2; ++side)
+      if (const auto here = localOf.find(space.edges()[e].locals[side]); here != localOf.end())
+        sidesOf[here->second].push_back({static_cast<int>(e), side, count++});
+
+  // Where an interface unknown is in the trace of the local problem at hand: read only where that has written it.
   struct Position {
     int row;
     double coefficient;
   };
-  std::vector<std::map<int, Position>> positions(space.locals());
+  std::vector<Position> positions(space.overlapSize());
+  std::vector<EdgeSide> sides(count);
   for (int i = 0; i < space.locals(); ++i) {
     const std::vector<int>& places = space.coupling(i).columns();
+    std::vector<int> corners;  // ascending, and so are ids
     for (std::size_t k = 0; k < places.size(); ++k) {
       const InterfaceRelation* by = space.relation(places[k]);
       if (by && by->others.size() != 1) continue;
-      positions[i][by ? by->others[0] : places[k]] = {static_cast<int>(k), by ? by->coefficients[0] : 1.0};
+      const int place = by ? by->others[0] : places[k];
+      positions[place] = {static_cast<int>(k), by ? by->coefficients[0] : 1.0};
+      if (space.isCorner(place)) corners.push_back(place);
     }
-  }
-  std::vector<std::vector<int>> corners(space.locals());
-  for (int i = 0; i < space.locals(); ++i)
-    for (const auto& [place, position] : positions[i])
-      if (space.isCorner(place)) corners[i].push_back(place);
-  std::vector<EdgeSide> sides;
-  for (std::size_t e = 0; e < space.edges().size(); ++e)
-    for (int side = 0; side < 2; ++side) {
-      const auto here = localOf.find(space.edges()[e].locals[side]);
-      if (here == localOf.end()) continue;
-      EdgeSide own{static_cast<int>(e), side, here->second, {}, Vector(static_cast<int>(space.edges()[e].unknowns.size())), {}, {}, {}};
-      for (const int place : space.edges()[e].unknowns) {
-        const Position& at = positions[here->second].at(place);
-        own.coefficients(static_cast<int>(own.rows.size())) = at.coefficient;
-        own.rows.push_back(at.row);
+    std::sort(corners.begin(), corners.end());
+    corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+    for (const Number& number : sidesOf[i]) {
+      const InterfaceEdge& edge = space.edges()[number.edge];
+      EdgeSide own{number.edge, number.side, i, {}, Vector(static_cast<int>(edge.unknowns.size())), {}, {}, {}};
+      for (const int place : edge.unknowns) {
+        own.coefficients(static_cast<int>(own.rows.size())) = positions[place].coefficient;
+        own.rows.push_back(positions[place].row);
       }
-      const auto& both = space.edges()[e].locals;  // ascending, as sharers are
       std::vector<double> coefficients;
-      for (const int place : corners[here->second])  // ascending, and so are ids
-        if (std::includes(space.sharers(place).begin(), space.sharers(place).end(), both.begin(), both.end())) {
-          own.cornerRows.push_back(positions[here->second].at(place).row);
+      for (const int place : corners)  // locals of an edge ascend, as sharers do
+        if (std::includes(space.sharers(place).begin(), space.sharers(place).end(), edge.locals.begin(), edge.locals.end())) {
+          own.cornerRows.push_back(positions[place].row);
           own.cornerIds.push_back(space.id(place));
-          coefficients.push_back(positions[here->second].at(place).coefficient);
+          coefficients.push_back(positions[place].coefficient);
         }
       own.cornerCoefficients = Eigen::Map<const Vector>(coefficients.data(), static_cast<int>(coefficients.size()));
-      sides.push_back(std::move(own));
+      sides[number.place] = std::move(own);
     }
+  }
   return sides;
 }
 

@@ -1,10 +1,10 @@
 #include <Teuchos_RCP.hpp>
 #include <cmath>
-#include <map>
 #include <suture/report/Fields.hpp>
 #include <suture/report/Provenance.hpp>
 #include <suture/report/Units.hpp>
 #include <suture/report/VtkHdf.hpp>
+#include <unordered_map>
 
 namespace suture {
 namespace {
@@ -20,7 +20,7 @@ struct BodyFields {
 };
 
 // Numbers of the subdomain's nodes in the grid; a node that another subdomain of this rank has brought is not repeated.
-std::vector<GlobalId> addNodes(const SubdomainMesh& mesh, const Vector& u, std::map<GlobalId, GlobalId>& known, BodyFields& all) {
+std::vector<GlobalId> addNodes(const SubdomainMesh& mesh, const Vector& u, std::unordered_map<GlobalId, GlobalId>& known, BodyFields& all) {
   std::vector<GlobalId> number;
   for (int n = 0; n < mesh.nodes(); ++n) {
     const auto [at, added] = known.emplace(mesh.globalNodes[std::size_t(n)], GlobalId(known.size()));
@@ -58,13 +58,16 @@ void addStresses(const SubdomainMesh& mesh, const ElasticModel& model, const Vec
     all.direction1.insert(all.direction1.end(), {c, s, 0.0});
     all.direction2.insert(all.direction2.end(), {-s, c, 0.0});
     all.vonMises.push_back(mises[e]);
-    all.young.push_back(materialOf(e).young);
+    if (!model.materialOfRegion.empty()) all.young.push_back(materialOf(e).young);
   }
 }
 
 BodyFields gather(const Run& run) {
   BodyFields all;
-  std::map<GlobalId, GlobalId> known;
+  std::unordered_map<GlobalId, GlobalId> known;
+  std::size_t nodes = 0;
+  for (const SubdomainMesh& mesh : run.subdomains) nodes += mesh.nodes();
+  known.reserve(nodes);
   for (std::size_t s = 0; s < run.subdomains.size(); ++s) {
     const SubdomainMesh& mesh = run.subdomains[s];
     const Vector& u = run.solution.displacement[s];
