@@ -451,6 +451,27 @@ std::vector<int> Hdf5File::readInts(const std::string& path) const {
   return values;
 }
 
+std::string Hdf5File::readBytes(const std::string& path, GlobalId begin, GlobalId count) const {
+  std::string bytes;
+  impl_->readOnRoot(path, [&] {
+    const Handle set(H5Dopen2(impl_->file, path.c_str(), H5P_DEFAULT), H5Dclose);
+    const Handle type(H5Dget_type(set), H5Tclose);
+    if (H5Tget_class(type) != H5T_INTEGER || H5Tget_size(type) != 1) throw Failed{"it does not hold bytes"};
+    const Handle space(H5Dget_space(set), H5Sclose);
+    const auto total = static_cast<GlobalId>(checked(H5Sget_simple_extent_npoints(space)));
+    if (count < 0) count = total - begin;
+    if (begin < 0 || count < 0 || begin + count > total || static_cast<unsigned long long>(total) > impl_->fileSize())
+      throw Failed{"it holds " + std::to_string(total) + " bytes, expected " + std::to_string(begin + std::max<GlobalId>(count, 0))};
+    bytes.resize(count);
+    if (count == 0) return;
+    const hsize_t from = begin, size = count;
+    const Handle memory(H5Screate_simple(1, &size, nullptr), H5Sclose);
+    checked(H5Sselect_hyperslab(space, H5S_SELECT_SET, &from, nullptr, &size, nullptr));
+    checked(H5Dread(set, H5T_NATIVE_UCHAR, memory, space, H5P_DEFAULT, bytes.data()));
+  });
+  return broadcast(*impl_->comm, bytes);
+}
+
 std::string Hdf5File::readText(const std::string& path) const {
   std::string text;
   impl_->readOnRoot(path, [&] {

@@ -44,6 +44,8 @@ class Hdf5File {
   std::vector<double> readReals(const std::string& path) const;
   std::vector<int> readInts(const std::string& path) const;
   std::vector<GlobalId> readGlobalIds(const std::string& path) const;
+  /// Bytes begin .. begin + count of a dataset of bytes; count < 0: all from there.
+  std::string readBytes(const std::string& path, GlobalId begin = 0, GlobalId count = -1) const;
   std::string readText(const std::string& path) const;
   std::string readTextAttribute(const std::string& path, const std::string& name) const;
   bool has(const std::string& path) const;

@@ -27,7 +27,7 @@ std::string memberPath(const std::string& group, std::size_t number) {
   return group + text;
 }
 
-void writeFile(const Comm& alone, const Mesh& mesh, const std::string& path) {
+void writeFile(const Comm& alone, const Mesh& mesh, const std::string& path, const std::function<void(Hdf5File&)>& more) {
   Hdf5File file = Hdf5File::create(alone, path);
   file.attribute("/", versionName, std::string(versionNumber));
   std::vector<int> cells;
@@ -54,6 +54,7 @@ void writeFile(const Comm& alone, const Mesh& mesh, const std::string& path) {
     file.write(member, flat, 2);
     file.attribute(member, "Name", name);
   }
+  if (more) more(file);
   file.close();
 }
 
@@ -196,9 +197,9 @@ class Reader {
 
 }  // namespace
 
-void writeHdf5Mesh(const Comm& comm, const Mesh& mesh, const std::string& path) {
+void writeHdf5Mesh(const Comm& comm, const Mesh& mesh, const std::string& path, const std::function<void(Hdf5File&)>& more) {
   const auto alone = rootAlone(comm);
-  collectivelyOnRoot(comm, "writing the mesh " + path, [&] { writeFile(*alone, mesh, path); });
+  collectivelyOnRoot(comm, "writing the mesh " + path, [&] { writeFile(*alone, mesh, path, more); });
 }
 
 Mesh readHdf5Mesh(const Comm& comm, const std::string& path) {

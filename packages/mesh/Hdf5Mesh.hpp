@@ -1,6 +1,8 @@
 #pragma once
+#include <suture/base/Hdf5File.hpp>
 #include <suture/mesh/Mesh.hpp>
 
+#include <functional>
 #include <string>
 
 namespace suture {
@@ -10,8 +12,9 @@ namespace suture {
 ///     /Coordinates  nodes x dimension       /Cells  shape of each element      /Offsets, /Connectivity   as in CellBlock
 ///     /ElementGroups/<i>  elements          /SideGroups/<i>  (element, side)    both with the attribute Name
 /// Reading it back gives every bit. Collective.
+/// \param more  adds what else the file shall hold; runs on rank 0
 /// \throws EnvironmentError  if the file cannot be written
-void writeHdf5Mesh(const Comm& comm, const Mesh& mesh, const std::string& path);
+void writeHdf5Mesh(const Comm& comm, const Mesh& mesh, const std::string& path, const std::function<void(Hdf5File&)>& more = {});
 
 /// The mesh in such a file, on rank 0. Collective.
 /// \throws InputError  no such file, not HDF5, no mesh of Suture or of a later version, sizes that contradict each other, numbers out of

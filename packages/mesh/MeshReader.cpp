@@ -122,6 +122,8 @@ Schema meshSchema() {
               "makes the mesh instead of a File");
 }
 
+std::string meshFile(const Parameters& mesh, const std::string& folder) { return sourceOf(mesh, folder).path; }
+
 Mesh readMesh(const Comm& comm, const Parameters& mesh, const std::string& folder) {
   Source source;
   collectively(comm, "reading the scene's Mesh", [&] { source = sourceOf(mesh, folder); });

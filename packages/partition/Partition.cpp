@@ -8,14 +8,15 @@
 #include <suture/partition/Cut.hpp>
 #include <suture/partition/NodeSubdomains.hpp>
 #include <suture/partition/Partition.hpp>
+#include <suture/partition/PartitionFile.hpp>
 #include <suture/partition/Placement.hpp>
 
 namespace suture {
 
 Schema partitionSchema() {
   return Schema("How the bodies are cut into subdomains.")
-      .choice("Type", "METIS", {{"METIS", metisSchema()}, {"Named Groups", namedGroupsSchema()}},
-              "METIS cuts automatically; Named Groups takes surface groups of the mesh.");
+      .choice("Type", "METIS", {{"METIS", metisSchema()}, {"Named Groups", namedGroupsSchema()}, {kPartitionedMesh, partitionedMeshSchema()}},
+              "METIS cuts automatically; Named Groups takes surface groups of the mesh; Partitioned Mesh takes what suture_partition has cut.");
 }
 
 namespace {
@@ -57,7 +58,9 @@ Partition partitionOf(Cut cut, const Mesh& mesh, const Constraints& constraints,
   return all;
 }
 
-std::string pack(const Partition& all) {
+}  // namespace
+
+std::string packed(const Partition& all) {
   Packer packer;
   packer.put(all.names);
   packer.put(all.bodyOf);
@@ -70,7 +73,7 @@ std::string pack(const Partition& all) {
   return packer.bytes();
 }
 
-void unpack(const std::string& bytes, Partition& all) {
+void unpackInto(const std::string& bytes, Partition& all) {
   Unpacker unpacker(bytes);
   unpacker.get(all.names);
   unpacker.get(all.bodyOf);
@@ -82,12 +85,15 @@ void unpack(const std::string& bytes, Partition& all) {
   unpacker.get(all.notes);
 }
 
-}  // namespace
+void placeOnRanks(Partition& partition, bool keepGroupsWhole, int ranks) {
+  partition.rankOf = placeSubdomains(partition, keepGroupsWhole, ranks);
+}
 
 Partition makePartition(const Comm& comm, const Mesh& mesh, const Constraints& constraints, const Parameters& partition,
                         bool keepGroupsWhole) {
   const std::string type = partition.get<std::string>("Type");
   const bool metis = type == "METIS";
+  if (type == kPartitionedMesh) throw InternalError("a mesh that is cut already was to be cut");
   Cut cut;
   if (metis) cut = cutByMetis(comm, mesh, partition.sublist(type));
   Partition all;
@@ -95,10 +101,10 @@ Partition makePartition(const Comm& comm, const Mesh& mesh, const Constraints& c
   collectivelyOnRoot(comm, "partition", [&] {
     if (!metis) cut = cutByNamedGroups(mesh, partition.sublist(type));
     all = partitionOf(std::move(cut), mesh, constraints, keepGroupsWhole, comm.getSize());
-    bytes = pack(all);
+    bytes = packed(all);
   });
   bytes = broadcast(comm, bytes);
-  if (comm.getRank() != 0) unpack(bytes, all);
+  if (comm.getRank() != 0) unpackInto(bytes, all);
   return all;
 }
 

@@ -40,4 +40,11 @@ Schema partitionSchema();
 Partition makePartition(const Comm& comm, const Mesh& mesh, const Constraints& constraints, const Parameters& partition,
                         bool keepGroupsWhole = true);
 
+/// All but subdomainOfElement, for a message or a file, and back. Local.
+std::string packed(const Partition& partition);
+void unpackInto(const std::string& bytes, Partition& partition);
+
+/// Gives rankOf anew, for another number of ranks or other needs than it was made for. Local; the same on all ranks.
+void placeOnRanks(Partition& partition, bool keepGroupsWhole, int ranks);
+
 }  // namespace suture
