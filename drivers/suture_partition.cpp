@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <Teuchos_Comm.hpp>
 #include <Teuchos_ParameterList.hpp>
+#include <filesystem>
 #include <iomanip>
 #include <iostream>
 #include <sstream>
@@ -19,6 +20,11 @@ using namespace suture;
 
 namespace {
 
+// The end of its name tells a scene what kind of mesh the file is.
+std::string endsWithH5(const std::string& path) {
+  return std::filesystem::path(path).extension() == ".h5" ? "" : "found '" + path + "', expected a file name that ends in .h5";
+}
+
 struct Options {
   std::string scene, output, groups = "cut";
   std::vector<std::string> overrides, plugins;
@@ -27,16 +33,12 @@ struct Options {
   std::optional<int> parse(int argc, char* argv[]) {
     const auto describe = [&](CLI::App& app) {
       app.add_option("SCENE", scene, "Scene file (XML); 'suture_schema' documents it")->required()->type_name("FILE");
-      app.add_option("--output", output, "Mesh file to write (.h5)")->required()->type_name("FILE");
+      app.add_option("--output", output, "Mesh file to write (.h5)")->required()->type_name("FILE")->check(endsWithH5);
       app.add_option("--groups", groups, "Name of the subdomains in the file: <name>_0000, <name>_0001, ...")->capture_default_str();
       app.add_flag("--no-cut", noCut, "Write the mesh without subdomains");
-      app.add_option("--set", overrides, "Change a parameter of the scene; may be repeated")
-          ->type_name("PATH=VALUE")
-          ->allow_extra_args(false);
+      addSetOption(app, overrides, "Change a parameter of the scene");
       app.add_flag("--quiet", quiet, "Print errors only");
-      app.add_option("--plugin", plugins, "Load a library with strategies of your own; may be repeated")
-          ->type_name("LIB.so")
-          ->allow_extra_args(false);
+      addPluginOption(app, plugins);
     };
     return parseCommandLine(argc, argv, "suture_partition", "Meshes and cuts a scene once: its mesh as HDF5, with subdomains.", describe);
   }
@@ -48,11 +50,14 @@ std::string numbered(const std::string& name, int i) {
   return text.str();
 }
 
-void addGroups(Mesh& mesh, const Partition& partition, const std::string& name) {
-  if (partition.subdomainOfElement.empty()) return;  // not rank 0
+// The pattern <name>_* must match the new groups only.
+void checkGroups(const Mesh& mesh, const std::string& name) {
   for (const std::string& group : mesh.elementGroupNames())
     if (group.rfind(name + "_", 0) == 0)
-      throw InputError(group, "the mesh has an element group of this name; expected another --groups than '" + name + "'");
+      throw InputError("--groups", "the mesh has an element group '" + group + "'; expected another name than '" + name + "'");
+}
+
+void addGroups(Mesh& mesh, const Partition& partition, const std::string& name) {
   std::vector<std::vector<int>> elements(std::size_t(partition.subdomains()));
   for (std::size_t e = 0; e < partition.subdomainOfElement.size(); ++e)
     elements[std::size_t(partition.subdomainOfElement[e])].push_back(int(e));
@@ -66,6 +71,7 @@ ExitCode run(const CommPtr& comm, const Options& options) {
   Mesh mesh = meshStage(*comm, file);
   const int elements = int(mesh.elements());
   if (!options.noCut) {
+    collectivelyOnRoot(*comm, "checking the name of the subdomains", [&] { checkGroups(mesh, options.groups); });
     const Constraints constraints = constraintsStage(*comm, mesh, scene);
     const Partition partition = makePartition(*comm, mesh, constraints, scene.sublist("Partition"), false);
     collectivelyOnRoot(*comm, "naming the subdomains", [&] { addGroups(mesh, partition, options.groups); });

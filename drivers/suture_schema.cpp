@@ -17,7 +17,7 @@ int main(int argc, char* argv[]) {
     app.add_option("--format", format, "text | xml (a scene with all defaults) | markdown")
         ->check(CLI::IsMember({"text", "xml", "markdown"}));
     app.add_flag("--study", study, "The parameters of a study, not of a scene");
-    app.add_option("--plugin", plugins, "Load a library with strategies of your own; may be repeated")->allow_extra_args(false);
+    suture::addPluginOption(app, plugins);
   };
   if (const auto end = suture::parseCommandLine(argc, argv, name, "The documented parameters of a Suture scene.", describe)) return *end;
   try {

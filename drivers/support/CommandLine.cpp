@@ -4,7 +4,6 @@
 #include <iostream>
 #include <suture/base/Errors.hpp>
 #include <suture/base/Version.hpp>
-#include <vector>
 
 #include "Program.hpp"
 
@@ -47,6 +46,21 @@ std::optional<int> parseCommandLine(int argc, char* argv[], const std::string& n
     return runProgram(name, "", [&](const CommPtr&) -> ExitCode { throw CommandLineError(text); });
   }
   return 0;
+}
+
+void addSetOption(CLI::App& app, std::vector<std::string>& assignments, const std::string& meaning) {
+  app.add_option("--set", assignments, meaning + "; may be repeated")
+      ->type_name("PATH=VALUE")
+      ->allow_extra_args(false)
+      ->check([](const std::string& text) {
+        return text.find('=') == std::string::npos ? "'" + text + "' is not of the form Path/To/Parameter=value" : "";
+      });
+}
+
+void addPluginOption(CLI::App& app, std::vector<std::string>& plugins) {
+  app.add_option("--plugin", plugins, "Load a library with strategies of your own; may be repeated")
+      ->type_name("LIB.so")
+      ->allow_extra_args(false);
 }
 
 }  // namespace suture

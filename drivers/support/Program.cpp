@@ -14,8 +14,11 @@
 #include <new>
 #include <thread>
 
-// OpenBLAS reads its environment when it is loaded, before main; without OpenBLAS in the program the symbol is absent.
-extern "C" void openblas_set_num_threads(int) __attribute__((weak));
+// OpenBLAS and OpenMP read their environment when they are loaded, before main; the symbol of one that is not in the program is absent.
+extern "C" {
+void openblas_set_num_threads(int) __attribute__((weak));
+void omp_set_num_threads(int) __attribute__((weak));
+}
 
 namespace suture {
 namespace {
@@ -23,7 +26,7 @@ namespace {
 constexpr double patience = 10.0;  // seconds for the other ranks to arrive, once one has failed
 
 void oneThreadARank() {
-  setenv("OMP_NUM_THREADS", "1", 0);
+  if (omp_set_num_threads && !std::getenv("OMP_NUM_THREADS")) omp_set_num_threads(1);
   if (openblas_set_num_threads && !std::getenv("OPENBLAS_NUM_THREADS")) openblas_set_num_threads(1);
 }
 

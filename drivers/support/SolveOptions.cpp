@@ -11,12 +11,7 @@ std::optional<int> SolveOptions::parse(int argc, char* argv[]) {
   std::string output;
   const auto describe = [&](CLI::App& app) {
     app.add_option("SCENE", scene, "Scene file (XML); 'suture_schema' documents it")->required()->type_name("FILE");
-    app.add_option("--set", overrides, "Change a parameter, e.g. --set \"Outer Solver/Tolerance=1e-9\"; may be repeated")
-        ->type_name("PATH=VALUE")
-        ->allow_extra_args(false)
-        ->check([](const std::string& text) {
-          return text.find('=') == std::string::npos ? "'" + text + "' is not of the form Path/To/Parameter=value" : "";
-        });
+    addSetOption(app, overrides, "Change a parameter, e.g. --set \"Outer Solver/Tolerance=1e-9\"");
     app.add_option("--output", output, "Output folder, instead of the scene's Output/Folder")->type_name("DIR");
     app.add_option("--restart", restart,
                    "Start from the checkpoint.h5 of a run of this mesh: one that did not end, or an earlier load step")
@@ -25,9 +20,7 @@ std::optional<int> SolveOptions::parse(int argc, char* argv[]) {
     app.add_flag("--print-defaults", printDefaults, "Print the scene with all defaults filled in and stop");
     CLI::Option* silent = app.add_flag("--quiet", quiet, "Print errors only");
     app.add_flag("--verbose", verbose, "Print the inner iterations, too")->excludes(silent);
-    app.add_option("--plugin", plugins, "Load a library with strategies of your own; may be repeated")
-        ->type_name("LIB.so")
-        ->allow_extra_args(false);
+    addPluginOption(app, plugins);
     app.add_flag("--strict", strict, "Treat warnings (something repaired or assumed for you) as errors");
   };
   const auto end = parseCommandLine(argc, argv, "suture_solve",

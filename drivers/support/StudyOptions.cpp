@@ -13,22 +13,15 @@ std::optional<int> StudyOptions::parse(int argc, char* argv[]) {
   const auto describe = [&](CLI::App& app) {
     app.add_option("STUDY", study, "Study file (XML); 'suture_schema --study' documents it")->required()->type_name("FILE");
     app.add_option("--output", output, "Output folder, instead of studies_out/<study> beside the study")->type_name("DIR");
-    app.add_option("--set", set,
-                   "Change a parameter of the scene in every run; with 'Study/' before it, one of the study, e.g. "
-                   "--set Study/Repetitions=3; may be repeated")
-        ->type_name("PATH=VALUE")
-        ->allow_extra_args(false)
-        ->check([](const std::string& text) {
-          return text.find('=') == std::string::npos ? "'" + text + "' is not of the form Path/To/Parameter=value" : "";
-        });
+    addSetOption(app, set,
+                 "Change a parameter of the scene in every run; with 'Study/' before it, one of the study, e.g. "
+                 "--set Study/Repetitions=3");
     app.add_option("--only", only, "Run only the combinations with this label ('label' or 'sweep=label'); may be repeated")
         ->type_name("LABEL")
         ->allow_extra_args(false);
     app.add_flag("--check", check, "Check the study and the parameters of all its runs, list them, run nothing");
     app.add_flag("--quiet", quiet, "Print errors and missed bands only");
-    app.add_option("--plugin", plugins, "Load a library with strategies of your own; may be repeated")
-        ->type_name("LIB.so")
-        ->allow_extra_args(false);
+    addPluginOption(app, plugins);
   };
   const auto end =
       parseCommandLine(argc, argv, "suture_study", "Runs a scene with many values of some of its parameters; one table of all.", describe);

@@ -162,12 +162,12 @@ MonolithicResult solveMonolithic(const Mesh& mesh, const Constraints& constraint
   result.dofs = system.dofs();
   result.contactDofs = system.contactDofs();
   const int trailing = system.contactDofs(), leading = system.dofs() - trailing;
-  CholmodOptions ordering;
-  ordering.trailing = trailing;
-  ordering.shift = shiftOf(system, rigid);
-  ordering.threads = true;
-  if (mesh.dimension == 3) ordering.ordering = CholmodOptions::Ordering::Metis;
-  const CholmodFactor factor(system.stiffness(), ordering);
+  CholmodOptions factorisation;
+  factorisation.ordering = options.ordering;
+  factorisation.trailing = trailing;
+  factorisation.shift = shiftOf(system, rigid);
+  factorisation.threads = true;
+  const CholmodFactor factor(system.stiffness(), factorisation);
   result.factorEntries = factor.statistics().factorEntries;
   result.factorFlops = factor.statistics().flops;
 

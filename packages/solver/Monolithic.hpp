@@ -4,6 +4,7 @@
 #include <suture/elasticity/ElasticModel.hpp>
 #include <suture/mesh/Mesh.hpp>
 #include <suture/solver/Solution.hpp>
+#include <suture/subdomain/CholmodFactor.hpp>
 
 #include <string>
 #include <vector>
@@ -15,6 +16,7 @@ class MonolithicSystem;
 struct MonolithicOptions {
   int maximumIterations = 200;      ///< solves of the condensed contact problem with an active set
   std::vector<PairStatus> start{};  ///< of each pair; empty: all closed
+  CholmodOptions::Ordering ordering = CholmodOptions::Ordering::Amd;
 };
 
 /// What Solution holds, for the whole mesh on one rank.

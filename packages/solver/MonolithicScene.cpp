@@ -65,8 +65,10 @@ Solution solveMonolithicScene(const Comm& comm, const Mesh& mesh, const Constrai
                               const std::vector<SubdomainMesh>& meshes, const Parameters& scene, Monitor& monitor) {
   MonolithicResult result;
   collectivelyOnRoot(comm, "the monolithic solver", [&] {
+    const Parameters& own = scene.sublist("Outer Solver");
     MonolithicOptions options;
-    options.maximumIterations = scene.sublist("Outer Solver").get<int>("Maximum Iterations");
+    options.maximumIterations = own.get<int>("Maximum Iterations");
+    if (own.sublist(kMonolithic).get<std::string>("Ordering") == "METIS") options.ordering = CholmodOptions::Ordering::Metis;
     Monitor later;  // the rows are told on all ranks below
     result = solveMonolithic(mesh, constraints, *system, options, later);
   });

@@ -30,9 +30,12 @@ void addSolverParameters(Schema& scene) {
                "What the unknowns on the interface are, and where contact is.");
 
   auto methods = Registry<OuterSolver>::instance().schemas();
-  methods.emplace(kMonolithic,
-                  Schema("The whole system on one rank, one factorisation with the contact unknowns last, active set: for small "
-                         "scenes and as a reference."));
+  Schema monolithic(
+      "The whole system on one rank, one factorisation with the contact unknowns last, active set: for small scenes and as a "
+      "reference.");
+  monolithic.oneOf("Ordering", "AMD", {"AMD", "METIS"},
+                   "Of the unknowns that are not in contact: METIS leaves less fill than AMD and takes longer to find it.");
+  methods.emplace(kMonolithic, monolithic);
   Schema outer("How the contact problem is solved; a scene without contact is linear and enters no outer loop.");
   outer.choice("Type", "Active Set", methods, "Name of the outer solver.");
   outer.choice("Start", "Bilateral",

@@ -1,5 +1,6 @@
 #include <cblas.h>
 #include <cholmod.h>
+#include <omp.h>
 #include <suture/base/Errors.hpp>
 #include <suture/subdomain/CholmodFactor.hpp>
 #include <suture/subdomain/SerialSection.hpp>
@@ -151,7 +152,7 @@ void CholmodFactor::Data::order(const Eigen::SparseMatrix<double>& matrix, Cholm
 void CholmodFactor::Data::factorise(const Eigen::SparseMatrix<double>& matrix, const CholmodOptions& options) {
   const int n = statistics.size, leading = n - statistics.trailing;
   std::optional<SerialSection> alone;
-  if (!options.threads) alone.emplace();
+  if (!options.threads || omp_get_max_threads() == 1) alone.emplace();
   order(matrix, options.ordering);
 
   common.nmethods = 1;

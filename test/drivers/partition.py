@@ -51,12 +51,21 @@ check("--no-cut: energy", again["energy"] / whole["energy"] - 1, lambda e: abs(e
 
 # What is wrong is said, on any number of ranks.
 for ranks in (1, 2):
-    code, text = run(options.partition, ranks, SCENE, "--output", work / "again.h5", "--groups", "subdomain")
+    # More subdomains than elements: cutting would be refused, were it tried.
+    impossible = ["--set", "Partition/Type=METIS", "--set", "Partition/METIS/Subdomains=1000000"]
+    code, text = run(options.partition, ranks, SCENE, "--output", work / "again.h5", "--groups", "subdomain", *impossible)
     check(f"np{ranks}: a name that the mesh has: exit code", code, 3)
-    check(f"np{ranks}: a name that the mesh has: says so", text.count("expected another --groups"), 1)
+    check(f"np{ranks}: a name that the mesh has: says so before it cuts", (text.count("  --groups: "), "Subdomains" in text), (1, False))
     check(f"np{ranks}: a name that the mesh has: writes nothing", (work / "again.h5").exists(), False)
     code, text = run(options.partition, ranks, SCENE, "--output", work / "no" / "such" / "folder.h5", *METIS)
     check(f"np{ranks}: cannot be written: exit code", code, 5)
+    for name in ("again.xml", "again"):
+        code, text = run(options.partition, ranks, SCENE, "--output", work / name)
+        check(f"np{ranks}: output {name}: exit code", code, 2)
+        check(f"np{ranks}: output {name}: says what was found and expected", f"{name}', expected a file name that ends in .h5" in text, True)
+        check(f"np{ranks}: output {name}: writes nothing", (work / name).exists(), False)
+    code, text = run(options.partition, ranks, SCENE, "--output", work / "again.h5", "--set", "Partition/Type")
+    check(f"np{ranks}: --set without a value: exit code and form", (code, "not of the form Path/To/Parameter=value" in text), (2, True))
     code, text = run(options.partition, ranks, SCENE, "--outptu", "x.h5")
     check(f"np{ranks}: misspelt option: exit code", code, 2)
     code, text = run(options.partition, ranks, SCENE, "--output", work / "again.h5", "--set", "Partition/METIS/Subdomian=6")

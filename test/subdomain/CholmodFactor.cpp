@@ -2,7 +2,10 @@
 #include <suture/base/Errors.hpp>
 #include <suture/subdomain/CholmodFactor.hpp>
 
+#include <omp.h>
+
 #include <Eigen/Dense>
+#include <filesystem>
 #include <random>
 
 namespace suture {
@@ -81,6 +84,23 @@ Matrix denseSchur(const Matrix& a, int trailing) {
 }
 
 double difference(const Matrix& a, const Matrix& b) { return (a - b).norm() / b.norm(); }
+
+TEUCHOS_UNIT_TEST(CholmodFactor, StartsNoThreadsWhenTheCallerWantsOne) {
+  const std::filesystem::path threads = "/proc/self/task";  // Linux; elsewhere there is nothing to count
+  if (!std::filesystem::exists(threads)) return;
+  const auto count = [&] { return std::distance(std::filesystem::directory_iterator(threads), {}); };
+  omp_set_num_threads(1);
+  CholmodOptions options;
+  options.form = Form::Supernodal;
+  options.trailing = 150;
+  options.shift = Vector::Constant(150, 24.0);
+  for (const bool may : {false, true}) {
+    options.threads = may;
+    const auto before = count();
+    const CholmodFactor factor(floatingBody(40, 40), options);
+    TEST_EQUALITY(count(), before);
+  }
+}
 
 TEUCHOS_UNIT_TEST(CholmodFactor, SolvesLikeADenseFactorisation) {
   const Sparse a = randomDefinite(150, 7);
