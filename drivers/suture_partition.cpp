@@ -73,10 +73,13 @@ ExitCode run(const CommPtr& comm, const Options& options) {
   if (!options.noCut) {
     collectivelyOnRoot(*comm, "checking the name of the subdomains", [&] { checkGroups(mesh, options.groups); });
     const Constraints constraints = constraintsStage(*comm, mesh, scene);
-    const Partition partition = makePartition(*comm, mesh, constraints, scene.sublist("Partition"), false);
-    collectivelyOnRoot(*comm, "naming the subdomains", [&] { addGroups(mesh, partition, options.groups); });
+    checkStage(*comm, mesh, constraints, makeElasticModel(scene));
+    CutMesh cut = cutStage(*comm, file, mesh, constraints);
+    collectivelyOnRoot(*comm, "naming the subdomains", [&] { addGroups(mesh, cut.partition, options.groups); });
+    writeHdf5Mesh(*comm, mesh, options.output, [&](Hdf5File& to) { addCut(to, mesh, constraints, cut.partition, cut.whole, scene); });
+  } else {
+    writeHdf5Mesh(*comm, mesh, options.output);
   }
-  writeHdf5Mesh(*comm, mesh, options.output);
   if (std::ostream* out = consoleOf(*comm, options.quiet)) {
     *out << options.output << ": " << elements << " elements";
     if (!options.noCut) *out << ", subdomains " << options.groups << "_*: in a scene Partition/Type = Named Groups with this Pattern";

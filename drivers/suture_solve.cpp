@@ -18,33 +18,33 @@ RunResult solveScene(const CommPtr& comm, const SolveOptions& options) {
   const std::string folder = outputFolder(file);
   if (!options.check) prepareFolder(*comm, folder);
 
-  Mesh mesh = timed(timers, "read", [&] { return meshStage(*comm, file); });
-  Constraints constraints = timed(timers, "read", [&] { return constraintsStage(*comm, mesh, scene); });
-  Partition partition =
-      timed(timers, "partition", [&] { return makePartition(*comm, mesh, constraints, scene.sublist("Partition"), isCondensed(scene)); });
-  const auto meshes = timed(timers, "partition", [&] { return distribute(*comm, mesh, constraints, partition); });
+  const bool whole = needsWholeMesh(scene);
+  Mesh mesh = timed(timers, "read", [&] { return whole ? meshStage(*comm, file) : Mesh(); });
+  Constraints constraints = timed(timers, "read", [&] { return whole ? constraintsStage(*comm, mesh, scene) : Constraints(); });
+  CutMesh cut = timed(timers, "partition", [&] { return cutStage(*comm, file, mesh, constraints); });
   const ElasticModel model = makeElasticModel(scene);
-  checkStage(*comm, mesh, constraints, model);
-  const Whole whole = wholeStage(*comm, mesh, constraints, partition);
-  if (!isMonolithic(scene)) forget(mesh, constraints, partition);
-  auto subdomains = timed(timers, "assemble", [&] { return isMonolithic(scene) ? Subdomains() : makeSubdomains(*comm, meshes, model); });
-  auto problem = timed(timers, "factor", [&] { return problemStage(comm, partition, subdomains, scene); });
-  const ProblemSize size = withInterface(whole.size, problem.get());
+  if (whole) timed(timers, "partition", [&] { checkStage(*comm, mesh, constraints, model); });
+  if (!isMonolithic(scene)) forget(mesh, constraints, cut.partition);
+  auto subdomains =
+      timed(timers, "assemble", [&] { return isMonolithic(scene) ? Subdomains() : makeSubdomains(*comm, cut.meshes, model); });
+  auto problem = timed(timers, "factor", [&] { return problemStage(comm, cut.partition, subdomains, scene); });
+  const ProblemSize size = withInterface(cut.whole.size, problem.get());
   printSizes(*comm, file, size, options);
-  for (const std::string& note : partition.notes) monitor.note(note);
+  for (const std::string& note : cut.partition.notes) monitor.note(note);
   if (options.check) return {};
   const auto reference =
       timed(timers, "assemble", [&] { return isMonolithic(scene) ? assembleMonolithic(*comm, mesh, constraints, model) : nullptr; });
-  const auto start = startStage(comm, options, problem.get(), whole.hash, meshes, subdomains, scene, monitor);
+  const auto start = startStage(comm, options, problem.get(), cut.whole.hash, cut.meshes, subdomains, scene, monitor);
   const Solution solution = timed(timers, "solve", [&] {
-    if (!problem) return solveMonolithicScene(*comm, mesh, constraints, reference.get(), meshes, scene, monitor);
+    if (!problem) return solveMonolithicScene(*comm, mesh, constraints, reference.get(), cut.meshes, scene, monitor);
     return recover(*comm, *problem, solveInterface(*problem, scene, monitor, start.get()), subdomains, scene);
   });
   problem.reset();  // what is written needs the memory
   subdomains.clear();
 
-  return reportStage({*comm, file, model, whole.pieces, meshes, size, solution, monitor, timers, whole.hash, options.commandLine, folder},
-                     options);
+  return reportStage(
+      {*comm, file, model, cut.whole.pieces, cut.meshes, size, solution, monitor, timers, cut.whole.hash, options.commandLine, folder},
+      options);
 }
 
 }  // namespace suture

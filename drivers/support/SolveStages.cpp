@@ -5,6 +5,7 @@
 #include <csignal>
 #include <filesystem>
 #include <iostream>
+#include <suture/base/Buffer.hpp>
 #include <suture/constraints/BuildConstraints.hpp>
 #include <suture/mesh/MeshReader.hpp>
 #include <suture/mesh/Regions.hpp>
@@ -40,9 +41,77 @@ void checkStage(const Comm& comm, const Mesh& mesh, const Constraints& constrain
   collectivelyOnRoot(comm, "checking that the scene has a solution", [&] { checkSolvability(mesh, constraints, model); });
 }
 
-Whole wholeStage(const Comm& comm, const Mesh& mesh, const Constraints& constraints, const Partition& partition) {
+namespace {
+
+bool isCut(const Parameters& scene) { return scene.sublist("Partition").get<std::string>("Type") == kPartitionedMesh; }
+
+MadeFor madeFor(const Parameters& scene) {
+  MadeFor lists;
+  for (const char* name : {"Bodies", "Boundary Conditions", "Contact"}) lists[name] = toXml(scene.sublist(name));
+  return lists;
+}
+
+Whole wholeOf(const Comm& comm, const Mesh& mesh, const Constraints& constraints, const Partition& partition) {
   return {problemSize(comm, mesh, constraints, partition), constraints.pieces,
           onRoot(comm, "hashing the mesh", [&] { return mesh.hash(); })};
+}
+
+std::string bytesOf(const Whole& whole) {
+  Packer packer;
+  packer.put(whole.size);
+  packer.put(whole.hash);
+  packer.put(whole.pieces.size());
+  for (const ContactPiece& piece : whole.pieces) {
+    packer.put(piece.name);
+    packer.put(piece.pairs);
+    packer.put(piece.bodyA);
+    packer.put(piece.bodyB);
+  }
+  return std::move(packer).bytes();
+}
+
+Whole wholeFrom(const std::string& bytes) {
+  Unpacker unpacker(bytes);
+  Whole whole;
+  unpacker.get(whole.size);
+  unpacker.get(whole.hash);
+  whole.pieces.resize(unpacker.get<std::size_t>());
+  for (ContactPiece& piece : whole.pieces) {
+    unpacker.get(piece.name);
+    unpacker.get(piece.pairs);
+    unpacker.get(piece.bodyA);
+    unpacker.get(piece.bodyB);
+  }
+  return whole;
+}
+
+}  // namespace
+
+bool needsWholeMesh(const Parameters& scene) { return !isCut(scene) || isMonolithic(scene); }
+
+CutMesh cutStage(const Comm& comm, const SceneFile& file, const Mesh& mesh, const Constraints& constraints) {
+  const Parameters& scene = *file.parameters;
+  CutMesh cut;
+  if (!isCut(scene)) {
+    cut.partition = makePartition(comm, mesh, constraints, scene.sublist("Partition"), isCondensed(scene));
+    cut.meshes = distribute(comm, mesh, constraints, cut.partition);
+    cut.whole = wholeOf(comm, mesh, constraints, cut.partition);
+    return cut;
+  }
+  const std::string path = meshFile(scene.sublist("Mesh"), file.folder);
+  if (path.empty())
+    throw InputError(pathOf(scene.sublist("Partition"), "Type"),
+                     std::string(kPartitionedMesh) + " needs a Mesh/File of suture_partition; this scene generates its mesh");
+  PartitionedMesh read = readPartitionedMesh(comm, path, madeFor(scene), isCondensed(scene));
+  cut.partition = std::move(read.partition);
+  cut.meshes = std::move(read.mine);
+  cut.whole = wholeFrom(read.remarks);
+  return cut;
+}
+
+void addCut(Hdf5File& file, const Mesh& mesh, const Constraints& constraints, const Partition& partition, const Whole& whole,
+            const Parameters& scene) {
+  addPartition(file, mesh, constraints, partition, madeFor(scene), bytesOf(whole));
 }
 
 void forget(Mesh& mesh, Constraints& constraints, Partition& partition) {

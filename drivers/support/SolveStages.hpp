@@ -3,6 +3,7 @@
 #include <suture/constraints/Constraints.hpp>
 #include <suture/elasticity/ElasticModel.hpp>
 #include <suture/mesh/Mesh.hpp>
+#include <suture/partition/PartitionFile.hpp>
 #include <suture/report/Report.hpp>
 #include <suture/report/SceneSchema.hpp>
 #include <suture/solver/SolveScene.hpp>
@@ -32,8 +33,22 @@ struct Whole {
   std::string hash;                  ///< of the mesh, on rank 0
 };
 
-/// Collective.
-Whole wholeStage(const Comm& comm, const Mesh& mesh, const Constraints& constraints, const Partition& partition);
+/// The bodies in subdomains, each rank with its own.
+struct CutMesh {
+  Partition partition;
+  std::vector<SubdomainMesh> meshes;
+  Whole whole;
+};
+
+/// Whether rank 0 needs the whole mesh; not, where it is in the file in pieces (Partition/Type = Partitioned Mesh). Local.
+bool needsWholeMesh(const Parameters& scene);
+
+/// Cuts mesh and constraints of rank 0, or reads what suture_partition has cut. \throws InputError  Collective.
+CutMesh cutStage(const Comm& comm, const SceneFile& file, const Mesh& mesh, const Constraints& constraints);
+
+/// For suture_partition: adds the cut of the scene to its mesh file. On rank 0.
+void addCut(Hdf5File& file, const Mesh& mesh, const Constraints& constraints, const Partition& partition, const Whole& whole,
+            const Parameters& scene);
 
 /// Frees what rank 0 holds in proportion to the whole mesh: after distribute() and the checks only Monolithic needs it. Local.
 void forget(Mesh& mesh, Constraints& constraints, Partition& partition);

@@ -15,4 +15,7 @@ Schema meshSchema();
 /// \throws InputError (missing or damaged file, unknown constant, nothing meshed), EnvironmentError (built without Gmsh)
 Mesh readMesh(const Comm& comm, const Parameters& mesh, const std::string& folder);
 
+/// Where that file is; empty for a Generator. Local. \throws InputError  as above, but for the file itself
+std::string meshFile(const Parameters& mesh, const std::string& folder);
+
 }  // namespace suture

@@ -15,8 +15,9 @@ namespace suture {
 
 Schema partitionSchema() {
   return Schema("How the bodies are cut into subdomains.")
-      .choice("Type", "METIS", {{"METIS", metisSchema()}, {"Named Groups", namedGroupsSchema()}, {kPartitionedMesh, partitionedMeshSchema()}},
-              "METIS cuts automatically; Named Groups takes surface groups of the mesh; Partitioned Mesh takes what suture_partition has cut.");
+      .choice(
+          "Type", "METIS", {{"METIS", metisSchema()}, {"Named Groups", namedGroupsSchema()}, {kPartitionedMesh, partitionedMeshSchema()}},
+          "METIS cuts automatically; Named Groups takes surface groups of the mesh; Partitioned Mesh takes what suture_partition has cut.");
 }
 
 namespace {

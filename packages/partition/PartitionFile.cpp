@@ -18,8 +18,8 @@ std::string at(const char* name) { return std::string(kGroup) + "/" + name; }
 /// The form of the file, and the sizes of what is written as it lies in memory: another compiler may lay it out otherwise.
 std::string version() {
   std::string text = "1";
-  for (const std::size_t size : {sizeof(NodeRule), sizeof(Side), sizeof(ContactPair), sizeof(SubdomainMesh::ContactEnd), sizeof(SubdomainMesh::SeamSide),
-                                 sizeof(Cell), sizeof(std::size_t)})
+  for (const std::size_t size : {sizeof(NodeRule), sizeof(Side), sizeof(ContactPair), sizeof(SubdomainMesh::ContactEnd),
+                                 sizeof(SubdomainMesh::SeamSide), sizeof(Cell), sizeof(std::size_t)})
     text += "." + std::to_string(size);
   return text;
 }
@@ -77,9 +77,11 @@ PartitionedMesh readPartitionedMesh(const Comm& comm, const std::string& path, c
   std::vector<GlobalId> ends, checksums;
   {
     const Hdf5File file = Hdf5File::open(comm, path);
-    if (!file.has(kGroup)) throw InputError("Mesh/File", path + ": a mesh that is not cut; make one with suture_partition, or choose another Partition/Type");
+    if (!file.has(kGroup))
+      throw InputError("Mesh/File", path + ": a mesh that is not cut; make one with suture_partition, or choose another Partition/Type");
     if (const std::string found = file.readTextAttribute(kGroup, "Version"); found != version())
-      throw InputError("Mesh/File", path + ": cut in the form " + found + ", this Suture reads " + version() + "; run suture_partition again");
+      throw InputError("Mesh/File",
+                       path + ": cut in the form " + found + ", this Suture reads " + version() + "; run suture_partition again");
     ends = file.readGlobalIds(at("Ends"));
     checksums = file.readGlobalIds(at("Checksums"));
     const std::string head = file.readBytes(at("Head"));
