@@ -82,7 +82,10 @@ ExitCode run(const CommPtr& comm, const Options& options) {
   }
   if (std::ostream* out = consoleOf(*comm, options.quiet)) {
     *out << options.output << ": " << elements << " elements";
-    if (!options.noCut) *out << ", subdomains " << options.groups << "_*: in a scene Partition/Type = Named Groups with this Pattern";
+    if (!options.noCut)
+      *out << ", subdomains " << options.groups
+           << "_*: in this scene with Mesh/File = this file, Partition/Type = Partitioned Mesh; in another one Named Groups "
+              "with this Pattern";
     *out << std::endl;
   }
   return ExitCode::Done;

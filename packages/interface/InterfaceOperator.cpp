@@ -36,6 +36,13 @@ void InterfaceOperator::apply(const MultiVector& x, MultiVector& y, Teuchos::ETr
   }
 }
 
+double InterfaceOperator::bytesRead() const {
+  double sum = 0.0;
+  for (const auto& local : locals_)
+    if (local) sum += local->bytesRead();
+  return sum;
+}
+
 void InterfaceOperator::record() const {
   recording_ = true;
   recorded_.clear();

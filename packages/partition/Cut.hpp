@@ -34,8 +34,9 @@ Cut cutByMetis(const Comm& comm, const Mesh& mesh, const Parameters& own);
 ///                     connected through sides; a hinge (findHinges). Local (rank 0).
 Cut cutByNamedGroups(const Mesh& mesh, const Parameters& own);
 
-/// The number of subdomains that Automatic stands for: one for every 800 elements (a subdomain of some thousand unknowns factors in
-/// milliseconds and fits the cache), at least `pieces`, and at least `ranks` as long as each has 50 elements. Local.
+/// The number of subdomains that Automatic stands for: one for every 3600 elements (tunnel at 100k and 1M unknowns: all phases together
+/// take longer with half and with twice as many), up to six of 800 elements in small scenes, at least `pieces`, and at least `ranks` as
+/// long as each has 50 elements. Local.
 int automaticSubdomains(int elements, int pieces, int ranks);
 
 }  // namespace suture

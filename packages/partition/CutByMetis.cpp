@@ -17,15 +17,16 @@ namespace suture {
 
 Schema metisSchema() {
   return Schema("Every body is cut on its own by METIS, in proportion to its elements; all subdomains are connected through element sides.")
-      .wordOrNumber(
-          "Subdomains", "Automatic", {"Automatic"}, Range::atLeast(1),
-          "How many in all, at least one a body. Automatic: one for about 800 elements, and at least one a rank while each has 50 "
-          "elements; only then does the cut depend on the number of ranks.")
+      .wordOrNumber("Subdomains", "Automatic", {"Automatic"}, Range::atLeast(1),
+                    "How many in all, at least one a body. Automatic: one for about 3600 elements, up to six of 800 in small scenes, and "
+                    "at least one a rank while each has 50 "
+                    "elements; only then does the cut depend on the number of ranks.")
       .integer("Seed", 1, "Of METIS' random numbers: the same seed gives the same subdomains.", Range::atLeast(0));
 }
 
 int automaticSubdomains(int elements, int pieces, int ranks) {
-  return std::max({pieces, (elements + 400) / 800, std::min(ranks, elements / 50)});
+  const int large = (elements + 1800) / 3600, small = std::min((elements + 400) / 800, 6);
+  return std::max({pieces, large, small, std::min(ranks, elements / 50)});
 }
 
 namespace {

@@ -64,6 +64,13 @@ void Bddc::countConstraints(const std::vector<Matrix>& edgeRows) {
   sharedUnknowns_ = all[1];
 }
 
+double Bddc::bytesRead() const {
+  double sum = 0.0;
+  for (const auto& inverse : inverses_)
+    if (inverse) sum += inverse->bytesRead();
+  return sum;
+}
+
 std::string Bddc::remark() const {
   if (!edges_->isAdaptive()) return std::string();
   std::ostringstream text;

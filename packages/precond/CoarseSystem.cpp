@@ -35,26 +35,32 @@ CoarseSystem::CoarseSystem(CommPtr comm, int size, const std::vector<Entry>& ent
   share_ = comm_->split(share, rank);
   const bool holder = share_->getRank() == 0;
 
-  // Sums of equal places first: less to send.
   SparseMatrix own(size_, size_);
   own.setFromTriplets(entries.begin(), entries.end());
-  std::vector<PlainEntry> plain;
-  for (int j = 0; j < size_; ++j)
-    for (SparseMatrix::InnerIterator it(own, j); it; ++it) plain.push_back({static_cast<int>(it.row()), j, it.value()});
-  Packer packer;
-  packer.put(plain);
-  const std::vector<std::string> all = copies_ == 1 ? gatherOnRoot(*comm_, packer.bytes()) : allGather(*comm_, packer.bytes());
+  std::vector<std::string> all;
+  if (ranks > 1) {  // sums of equal places: less to send
+    std::vector<PlainEntry> plain;
+    plain.reserve(own.nonZeros());
+    for (int j = 0; j < size_; ++j)
+      for (SparseMatrix::InnerIterator it(own, j); it; ++it) plain.push_back({static_cast<int>(it.row()), j, it.value()});
+    Packer packer;
+    packer.put(plain);
+    all = copies_ == 1 ? gatherOnRoot(*comm_, packer.bytes()) : allGather(*comm_, packer.bytes());
+  }
   collectively(*comm_, "factoring the coarse problem", [&] {
     if (!holder || size_ == 0) return;
-    std::vector<Entry> triplets;
-    for (const std::string& bytes : all)
-      for (const PlainEntry& entry : Unpacker(bytes).get<std::vector<PlainEntry>>())
-        triplets.emplace_back(entry.row, entry.column, entry.value);
-    SparseMatrix matrix(size_, size_);
-    matrix.setFromTriplets(triplets.begin(), triplets.end());
+    SparseMatrix matrix = std::move(own);
+    if (!all.empty()) {
+      std::vector<Entry> triplets;
+      for (const std::string& bytes : all)
+        for (const PlainEntry& entry : Unpacker(bytes).get<std::vector<PlainEntry>>())
+          triplets.emplace_back(entry.row, entry.column, entry.value);
+      matrix.setFromTriplets(triplets.begin(), triplets.end());
+    }
     scale_ = Vector::Ones(size_);
+    const Vector diagonal = matrix.diagonal();
     for (int i = 0; i < size_; ++i)
-      if (const double diagonal = matrix.coeff(i, i); diagonal > 0.0) scale_(i) = 1.0 / std::sqrt(diagonal);
+      if (diagonal(i) > 0.0) scale_(i) = 1.0 / std::sqrt(diagonal(i));
     matrix = (scale_.asDiagonal() * matrix * scale_.asDiagonal()).eval();
     if (dependent_) {
       scaled_ = matrix;

@@ -32,6 +32,8 @@ class Preconditioner : public Operator {
   double setupSeconds() const { return setupSeconds_; }
   /// Dimension of the coarse problem, 0 without one.
   virtual int coarseSize() const { return 0; }
+  /// What one application reads of this rank's memory, the coarse problem left out, in bytes; 0: not known. Local.
+  virtual double bytesRead() const { return 0.0; }
   /// What the user should know of choices that the preconditioner made by itself, or nothing. Collective.
   virtual std::string remark() const { return std::string(); }
 

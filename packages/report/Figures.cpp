@@ -43,8 +43,9 @@ double maxDisplacement(const Run& run) {
   return std::sqrt(all);
 }
 
-Memory peakMemory(const Comm& comm) {
-  const double mine = peakMemoryMb();
+Memory peakMemory(const Comm& comm) { return memoryFigures(comm, peakMemoryMb()); }
+
+Memory memoryFigures(const Comm& comm, double mine) {
   Memory memory{};
   Teuchos::reduceAll(comm, Teuchos::REDUCE_MIN, mine, Teuchos::outArg(memory.min));
   Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, mine, Teuchos::outArg(memory.max));

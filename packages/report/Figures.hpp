@@ -31,6 +31,8 @@ struct Memory {
 };
 /// Collective.
 Memory peakMemory(const Comm& comm);
+/// Over all ranks, of what each has. Collective.
+Memory memoryFigures(const Comm& comm, double mine);
 
 /// How evenly the elements lie on the ranks.
 struct ElementsByRank {

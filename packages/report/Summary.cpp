@@ -64,6 +64,7 @@ std::string writeSummary(const Run& run, ExitCode code, const std::string& path)
   const double largest = maxDisplacement(run);
   const std::vector<Timers::Statistics> statistics = run.timers.statistics(run.comm);
   const Memory memory = peakMemory(run.comm);
+  const Memory read = memoryFigures(run.comm, run.solution.bytesRead / (1 << 20));
   const ElementsByRank elements = elementsByRank(run);
   std::string text;
 
@@ -105,6 +106,8 @@ std::string writeSummary(const Run& run, ExitCode code, const std::string& path)
         {"notes", run.monitor.notes()},
         {"phases", phases},
         {"seconds", run.timers.total()},
+        {"solver_data_mb", {{"min", read.min}, {"avg", read.avg}, {"max", read.max}, {"sum", read.sum}}},
+        {"schur_complements", answer.chosenSchur},
         {"peak_memory_mb", {{"min", memory.min}, {"avg", memory.avg}, {"max", memory.max}, {"sum", memory.sum}}},
         {"mesh_hash", run.meshHash},
         {"command_line", run.commandLine},

@@ -8,12 +8,25 @@
 #include <Teuchos_CommHelpers.hpp>
 #include <Tpetra_MultiVector.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace suture {
 
 namespace {
 double euclidean(const MultiVector& x) { return std::sqrt(dot(x, x)); }
+
+std::map<std::string, int> chosenSchur(const InterfaceOperator& matrix) {
+  std::map<std::string, int> counts;
+  for (const std::string name : {"Explicit", "Implicit"}) {
+    const int mine = static_cast<int>(std::count_if(matrix.locals().begin(), matrix.locals().end(),
+                                                    [&](const auto& local) { return local && local->chosenSchur() == name; }));
+    int all = 0;
+    Teuchos::reduceAll(*matrix.space()->comm(), Teuchos::REDUCE_SUM, mine, Teuchos::outArg(all));
+    if (all > 0) counts[name] = all;
+  }
+  return counts;
+}
 
 }  // namespace
 
@@ -72,6 +85,11 @@ OuterResult OuterSolver::solve(const InterfaceProblem& problem, const OuterSetti
   result.coarseSize = run.preconditioner->coarseSize();
   if (const std::string remark = run.preconditioner->remark(); !remark.empty()) monitor.note(remark);
   result.setupSeconds = run.preconditioner->setupSeconds();
+  result.bytesRead = run.preconditioner->bytesRead() + start.matrix->bytesRead();
+  result.chosenSchur = chosenSchur(*start.matrix);
+  if (const auto implicit = result.chosenSchur.find("Implicit"); implicit != result.chosenSchur.end())
+    monitor.note("Schur complements, chosen automatically: " + std::to_string(result.chosenSchur["Explicit"]) + " explicit, " +
+                 std::to_string(implicit->second) + " implicit");
   run.reference = preconditionedNorm(*run.preconditioner, *start.load);
   run.referenceEuclidean = euclidean(*start.load);
 

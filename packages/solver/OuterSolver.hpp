@@ -29,7 +29,9 @@ struct OuterResult {
   double residual = 0.0;
   AuxiliaryRow auxiliary;
   int coarseSize = 0;
-  double setupSeconds = 0.0;  ///< of the preconditioner
+  double setupSeconds = 0.0;               ///< of the preconditioner
+  double bytesRead = 0.0;                  ///< what one conjugate gradient iteration reads of this rank's memory, as far as known
+  std::map<std::string, int> chosenSchur;  ///< local problems over all ranks, by what Automatic chose
   std::map<std::string, double> estimates;
 };
 

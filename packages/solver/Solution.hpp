@@ -39,6 +39,8 @@ struct Solution {
   AuxiliaryRow auxiliary;                   ///< all pairs closed, or the linear problem itself
   int coarseSize = 0;                       ///< dimension of the preconditioner's coarse problem
   double setupSeconds = 0.0;                ///< that the preconditioner took on this rank before its first use
+  double bytesRead = 0.0;                   ///< what one conjugate gradient iteration reads of this rank's memory, as far as known
+  std::map<std::string, int> chosenSchur;   ///< local problems, by how their Schur complement is kept where that was chosen automatically
   double energy = 0.0;                      ///< total potential energy a(u,u)/2 - L(u)
   Point applied{0, 0, 0};                   ///< sum of the loads [force]
   Point reactions{0, 0, 0};                 ///< sum of the forces of the prescribed displacements

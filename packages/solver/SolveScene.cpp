@@ -151,6 +151,8 @@ Solution recover(const Comm& comm, const InterfaceProblem& problem, const OuterR
   solution.estimates = result.estimates;
   solution.coarseSize = result.coarseSize;
   solution.setupSeconds = result.setupSeconds;
+  solution.bytesRead = result.bytesRead;
+  solution.chosenSchur = result.chosenSchur;
   solution.energy = recovered.energy;
   for (std::size_t i = 0; i < subdomains.size(); ++i) solution.displacement.push_back(subdomains[i]->cartesian(recovered.freeValues[i]));
   balance(comm, subdomains, recovered.freeValues, solution);

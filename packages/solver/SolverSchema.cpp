@@ -54,7 +54,11 @@ void addSolverParameters(Schema& scene) {
   scene.list("Preconditioner", preconditionerSchema());
 
   Schema subdomain = subdomainSchema();
-  subdomain.choice("Schur Complement", "Explicit", Registry<SchurComplement>::instance().schemas(), "How S_i is kept.");
+  subdomain.choice("Schur Complement", "Automatic", Registry<SchurComplement>::instance().schemas(), "How S_i is kept.");
+  subdomain.real("Memory Limit", 0.0,
+                 "What all ranks on one machine may take together; a run that is estimated to take more is refused before it starts. 0: "
+                 "what the machine has left.",
+                 Range::atLeast(0), "MB");
   scene.list("Subdomain", subdomain);
 }
 

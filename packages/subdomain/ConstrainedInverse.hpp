@@ -19,6 +19,7 @@ class ConstrainedInverse : public LocalInverse {
   void apply(ConstLocalView flux, LocalView trace) const override { inverse_.multiply(flux, trace); }
   const Matrix& basis() const override { return basis_; }
   const Matrix& energy() const override { return energy_; }
+  double bytesRead() const override { return inverse_.bytes() + 2.0 * sizeof(double) * static_cast<double>(basis_.size()); }
 
  private:
   PackedSymmetric inverse_;

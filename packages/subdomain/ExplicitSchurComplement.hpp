@@ -15,6 +15,7 @@ class ExplicitSchurComplement : public SchurComplement {
   const PackedSymmetric* dense() const override { return &schur_; }
   Vector recover(const Vector& trace) const override;
   double interiorEnergy() const override { return interiorEnergy_; }
+  double bytesRead() const override { return schur_.bytes(); }
 
  protected:
   void doCompute(const SchurData& data) override;

@@ -19,6 +19,8 @@ class LocalInverse {
   /// With constraints: the traces Phi of least energy with C Phi = I, size() x rows, and their energies Phi^T S Phi. Empty without.
   virtual const Matrix& basis() const { return none_; }
   virtual const Matrix& energy() const { return none_; }
+  /// What one application with one right-hand side reads of memory, the basis included, in bytes; 0: not known.
+  virtual double bytesRead() const { return 0.0; }
 
  private:
   Matrix none_;
@@ -54,6 +56,11 @@ class LocalProblem {
   virtual std::unique_ptr<LocalInverse> inverse() const = 0;
   /// The inverse under constraints C x = 0, rows x size(), of full rank. \throws NumericalError  they leave a mechanism
   virtual std::unique_ptr<LocalInverse> inverse(const Matrix& constraints) const;
+
+  /// What one applySchur() reads of memory, in bytes; 0: not known.
+  virtual double bytesRead() const { return 0.0; }
+  /// How S_loc is kept, where that was chosen automatically; else empty.
+  virtual std::string chosenSchur() const { return {}; }
 
   /// S_loc as a dense matrix.
   virtual Matrix schur() const;

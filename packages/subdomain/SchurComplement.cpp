@@ -1,3 +1,4 @@
+#include <suture/subdomain/AutomaticSchurComplement.hpp>
 #include <suture/subdomain/ExplicitSchurComplement.hpp>
 #include <suture/subdomain/GeneralisedInverse.hpp>
 #include <suture/subdomain/SchurComplement.hpp>
@@ -5,6 +6,8 @@
 namespace suture {
 
 void registerBuiltIns(Registry<SchurComplement>& registry) {
+  registry.add("Automatic", AutomaticSchurComplement::schema(),
+               [](const Parameters& own) { return std::make_unique<AutomaticSchurComplement>(own); });
   registry.add("Implicit", ImplicitSchurComplement::schema(),
                [](const Parameters&) { return std::make_unique<ImplicitSchurComplement>(); });
   registry.add("Explicit", ExplicitSchurComplement::schema(),

@@ -19,9 +19,8 @@ struct SchurData {
 };
 
 /// S_i = A_BB - A_BI A_II^-1 A_IB of eq. (12)-(14), the energy of the discrete harmonic extension, without saying how it is kept.
-/// Strategies: Implicit (the paper: a back-substitution an application), Explicit (a dense matrix); a user adds his own through
-/// Registry<SchurComplement>.
-/// A_II must be regular. Local.
+/// Strategies: Implicit (the paper: a back-substitution an application), Explicit (a dense matrix), Automatic (one of them); a user adds
+/// his own through Registry<SchurComplement>. A_II must be regular. Local.
 class SchurComplement {
  public:
   static const char* kind() { return "Schur complement"; }
@@ -42,6 +41,11 @@ class SchurComplement {
   virtual Vector recover(const Vector& trace) const = 0;
   /// Least energy with zero trace: -f_I A_II^-1 f_I / 2.
   virtual double interiorEnergy() const = 0;
+
+  /// What one application reads of memory, in bytes; 0: not known.
+  virtual double bytesRead() const { return 0.0; }
+  /// Name of the strategy that Automatic chose; empty where the user did.
+  virtual std::string chosen() const { return {}; }
 
   long long applications() const { return applications_; }
 

@@ -23,6 +23,8 @@ class SubdomainProblem : public LocalProblem {
   const Matrix& coarseModes() const override { return coarseModes_; }
   using LocalProblem::inverse;
   std::unique_ptr<LocalInverse> inverse() const override;
+  double bytesRead() const override { return schur_->bytesRead(); }
+  std::string chosenSchur() const override { return schur_->chosen(); }
   Matrix schur() const override;
   Matrix schurBlock(const std::vector<int>& positions) const override;
 

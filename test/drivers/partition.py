@@ -34,7 +34,7 @@ for ranks in (1, 2, 4):
     mesh = work / f"cut{ranks}.h5"
     code, text = run(options.partition, ranks, SCENE, "--output", mesh, *METIS)
     check(f"np{ranks}: exit code", code, 0)
-    check(f"np{ranks}: says what to write into the scene", "Named Groups" in text and "cut_*" in text, True)
+    check(f"np{ranks}: says what to write into the scene", "Partitioned Mesh" in text and "cut_*" in text, True)
     named = ["--set", "Partition/Type=Named Groups", "--set", "Partition/Named Groups/Pattern=cut_*", "--set", "Outer Solver/Tolerance=1e-10"]
     again = solve(f"again{ranks}", readingFrom(mesh), ranks, *named)
     for key in ("subdomains", "elements", "dofs", "interface_dofs"):
@@ -43,9 +43,34 @@ for ranks in (1, 2, 4):
     check(f"np{ranks}: energy", again["energy"] / whole["energy"] - 1, lambda e: abs(e) < 1e-10)
 check("the same file on one and on four ranks", (work / "cut1.h5").stat().st_size, (work / "cut4.h5").stat().st_size)
 
+# Each rank reads its own subdomains, on other numbers of ranks than the file was made on; both formulations.
+PARTITIONED = ["--set", "Partition/Type=Partitioned Mesh", "--set", "Outer Solver/Tolerance=1e-10"]
+GROUPS = ["--set", "Formulation=Condensed Groups", "--set", "Outer Solver/Type=Semismooth Newton", "--set", "Preconditioner/Type=Neumann-Neumann"]
+scene = readingFrom(work / "cut2.h5")
+for ranks in (1, 2, 4):
+    for name, words in (("interface", []), ("groups", GROUPS), ("monolithic", ["--set", "Outer Solver/Type=Monolithic"])):
+        read = solve(f"read_{name}{ranks}", scene, ranks, *PARTITIONED, *words)
+        for key in ("subdomains", "elements", "dofs", "nodes", "mesh_hash"):
+            check(f"partitioned, {name}, np{ranks}: {key}", read[key], whole[key])
+        check(f"partitioned, {name}, np{ranks}: closed pairs", read["contact"]["active"], whole["contact"]["active"])
+        check(f"partitioned, {name}, np{ranks}: energy", read["energy"] / whole["energy"] - 1, lambda e: abs(e) < 1e-10)
+for ranks in (1, 2):
+    other = [*PARTITIONED, "--set", "Boundary Conditions/press/Value={0.0, -0.2}"]
+    code, text = run(options.solve, ranks, scene, "--output", work / "other", *other)
+    check(f"np{ranks}: cut for other prescribed values: exit code", code, 3)
+    check(f"np{ranks}: cut for other prescribed values: names the list, and no other",
+          ("Boundary Conditions: not as it was" in text, "Contact: not" in text, "Bodies: not" in text), (True, False, False))
+    code, text = run(options.solve, ranks, SCENE, "--output", work / "other", *PARTITIONED)
+    check(f"np{ranks}: a scene that generates its mesh: exit code and why", (code, "needs a Mesh/File of suture_partition" in text), (3, True))
+    (work / "short.h5").write_bytes((work / "cut2.h5").read_bytes()[:-3000])
+    code, text = run(options.solve, ranks, readingFrom(work / "short.h5"), "--output", work / "other", *PARTITIONED)
+    check(f"np{ranks}: a truncated file: exit code and name", (code, "short.h5" in text), (3, True))
+
 mesh = work / "uncut.h5"
 code, text = run(options.partition, 2, SCENE, "--output", mesh, "--no-cut", "--quiet")
 check("--no-cut --quiet: exit code and silence", (code, text), (0, ""))
+code, text = run(options.solve, 2, readingFrom(mesh), "--output", work / "other", *PARTITIONED)
+check("--no-cut is not partitioned: exit code and what to do", (code, "make one with suture_partition" in text), (3, True))
 again = solve("uncut", readingFrom(mesh), 2, *METIS)
 check("--no-cut: energy", again["energy"] / whole["energy"] - 1, lambda e: abs(e) < 1e-10)
 

@@ -1,0 +1,94 @@
+#include <suture/base/Collective.hpp>
+#include <suture/base/Errors.hpp>
+#include <suture/base/MpiHandle.hpp>
+#include <suture/solver/MemoryEstimate.hpp>
+#include <suture/solver/SolveScene.hpp>
+
+#include <mpi.h>
+#include <Teuchos_ParameterList.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <iomanip>
+#include <limits>
+#include <sstream>
+
+namespace suture {
+
+namespace {
+
+constexpr double kProgram = 80.0;
+
+double numberIn(const std::string& path) {
+  std::ifstream file(path);
+  double number = 0.0;
+  return file >> number ? number : std::numeric_limits<double>::infinity();
+}
+
+std::string gigabytes(double megabytes) {
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(megabytes < 10240 ? 2 : 1) << megabytes / 1024 << " GB";
+  return text.str();
+}
+
+}  // namespace
+
+double estimatedMegabytes(const std::vector<SubdomainMesh>& meshes) {
+  double bytes = 0.0;
+  for (const SubdomainMesh& mesh : meshes) {
+    const double n = std::max(2.0, static_cast<double>(mesh.nodes()) * mesh.dimension);
+    int shared = 0;
+    for (int node = 0; node < mesh.nodes(); ++node) shared += !mesh.others(node).empty();
+    const double b = static_cast<double>(shared) * mesh.dimension + static_cast<double>(mesh.contactEnds.size());
+    bytes += 270 * n + 32 * n * std::log2(n) + 6.6 * b * b + 200 * b;
+  }
+  return kProgram + bytes / (1 << 20);
+}
+
+double estimatedMonolithicMegabytes(GlobalId unknowns) {
+  const double n = std::max(2.0, static_cast<double>(unknowns));
+  return kProgram + (8 * 8 * n * std::log2(n) + 500 * n) / (1 << 20);
+}
+
+double availableMegabytes() {
+  double available = std::numeric_limits<double>::infinity();
+  std::ifstream file("/proc/meminfo");
+  for (std::string line; std::getline(file, line);)
+    if (line.compare(0, 13, "MemAvailable:") == 0) available = std::stod(line.substr(13)) / 1024;
+  // Control groups of version 2 and 1, as containers see them.
+  const double limits[] = {
+      numberIn("/sys/fs/cgroup/memory.max") - numberIn("/sys/fs/cgroup/memory.current"),
+      numberIn("/sys/fs/cgroup/memory/memory.limit_in_bytes") - numberIn("/sys/fs/cgroup/memory/memory.usage_in_bytes")};
+  for (const double left : limits)
+    if (std::isfinite(left)) available = std::min(available, std::max(0.0, left) / (1 << 20));
+  return available;
+}
+
+void checkMemory(const Comm& comm, double mine, double limit) {
+  MPI_Comm machine = MPI_COMM_NULL;
+  MPI_Comm_split_type(mpiComm(comm), MPI_COMM_TYPE_SHARED, comm.getRank(), MPI_INFO_NULL, &machine);
+  double sum = 0.0, most = 0.0;
+  int ranks = 0;
+  MPI_Allreduce(&mine, &sum, 1, MPI_DOUBLE, MPI_SUM, machine);
+  MPI_Allreduce(&mine, &most, 1, MPI_DOUBLE, MPI_MAX, machine);
+  MPI_Comm_size(machine, &ranks);
+  MPI_Comm_free(&machine);
+  collectively(comm, "estimating the memory", [&] {
+    const double have = limit > 0.0 ? limit : availableMegabytes();
+    if (sum <= have) return;
+    throw EnvironmentError("the run is estimated to take " + gigabytes(sum) + " of memory on this machine (" + std::to_string(ranks) +
+                           (ranks == 1 ? " rank" : " ranks, the largest " + gigabytes(most)) + "), which " +
+                           (limit > 0.0 ? "is more than Subdomain/Memory Limit, " : "has only ") + gigabytes(have) +
+                           (limit > 0.0 ? "" : " left") +
+                           ". Use more machines, more and smaller subdomains (Partition/METIS/Subdomains), or a coarser mesh");
+  });
+}
+
+void checkMemory(const Comm& comm, const std::vector<SubdomainMesh>& meshes, GlobalId unknowns, const Parameters& scene) {
+  const bool monolithic = isMonolithic(scene);
+  const double mine = !monolithic ? estimatedMegabytes(meshes) : comm.getRank() == 0 ? estimatedMonolithicMegabytes(unknowns) : kProgram;
+  checkMemory(comm, mine, scene.sublist("Subdomain").get<double>("Memory Limit"));
+}
+
+}  // namespace suture

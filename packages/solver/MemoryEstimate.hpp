@@ -1,0 +1,35 @@
+#pragma once
+#include <suture/base/SceneReader.hpp>
+#include <suture/partition/SubdomainMesh.hpp>
+
+#include <string>
+#include <vector>
+
+namespace suture {
+
+/// What this rank's subdomains take at the peak of a run, in 2^20 bytes, from their sizes alone: n unknowns, b of them on the boundary,
+///     270 n                      stiffness, loads, rigid modes, mesh
+///     32 n log2(n)               interior factor in single precision (8 n log2(n) entries)
+///     6.6 b^2 + 200 b            Schur complement, its constrained inverse and basis
+/// and 80 MB for program and libraries. Measured: tunnel with 937k unknowns in 256 subdomains on two ranks, 1036 MB; the estimate is 1075.
+/// Local.
+double estimatedMegabytes(const std::vector<SubdomainMesh>& meshes);
+
+/// The same for Monolithic with n unknowns: 8 n log2(n) entries of the factor, and 500 bytes an unknown. Measured: tunnel with 937k
+/// unknowns 1646 MB; the estimate is 1662. Local.
+double estimatedMonolithicMegabytes(GlobalId unknowns);
+
+/// Memory that this machine could still give to programs, in 2^20 bytes: MemAvailable of Linux, or what the limits of the control group
+/// leave if that is less; infinite where the system does not tell. Local.
+double availableMegabytes();
+
+/// Compares the estimates of all ranks of a machine with what it has, before the work starts.
+/// \param mine   estimate of this rank [MB]
+/// \param limit  Subdomain/Memory Limit: megabytes that all ranks on one machine may take; 0: what the machine has available
+/// \throws EnvironmentError  they exceed it: the figures, and what to change. Collective.
+void checkMemory(const Comm& comm, double mine, double limit);
+
+/// Estimate and check for a scene: of its subdomains, or for Monolithic of the whole. Collective. \throws EnvironmentError
+void checkMemory(const Comm& comm, const std::vector<SubdomainMesh>& meshes, GlobalId unknowns, const Parameters& scene);
+
+}  // namespace suture

@@ -1,0 +1,118 @@
+#include <Teuchos_UnitTestHarness.hpp>
+#include <filesystem>
+#include <fstream>
+#include <mesh/MeshTesting.hpp>
+#include <suture/base/Buffer.hpp>
+#include <suture/base/Collective.hpp>
+#include <suture/mesh/Hdf5Mesh.hpp>
+#include <suture/partition/PartitionFile.hpp>
+#include <suture/partition/SubdomainBytes.hpp>
+
+#include "Scenes.hpp"
+
+using namespace suture;
+using namespace scenes;
+
+namespace {
+
+const MadeFor madeFor = {{"Bodies", "<two/>"}, {"Contact", "<one/>"}};
+
+// Two stacked boxes with contact, cut by METIS; the file is written by rank 0, as suture_partition does.
+struct Written {
+  meshtesting::Folder folder;
+  Mesh whole = mesh({box("low", 0, 4, 0, 1, 24, 6), box("top", 0, 4, 1, 2, 24, 6)});
+  Constraints constraints;
+  Partition partition;
+  std::string path = folder.path() + "/cut.h5";
+
+  Written() {
+    addContact(whole, "low_top", "top_bottom", constraints);
+    partition = makePartition(*comm(), whole, constraints, metis(7).list(), false);
+    writeHdf5Mesh(*comm(), whole, path, [&](Hdf5File& file) { addPartition(file, whole, constraints, partition, madeFor, "remarks"); });
+  }
+  void damage(long fromEnd) const {
+    if (onRoot()) {
+      std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
+      file.seekg(-fromEnd, std::ios::end);
+      const char old = static_cast<char>(file.get());
+      file.seekp(-fromEnd, std::ios::end);
+      file.put(static_cast<char>(old ^ 0x55));
+    }
+    comm()->barrier();
+  }
+  std::string error() const {
+    try {
+      readPartitionedMesh(*comm(), path, madeFor, false);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "no error";
+  }
+};
+
+std::string bytesOf(const SubdomainMesh& part) {
+  Packer packer;
+  pack(part, packer);
+  return packer.bytes();
+}
+
+}  // namespace
+
+// What each rank reads is what distribute() would have sent to it, byte by byte.
+TEUCHOS_UNIT_TEST(PartitionFile, IsWhatDistributeSends) {
+  Written scene;
+  for (const bool keepGroupsWhole : {false, true}) {
+    const PartitionedMesh read = readPartitionedMesh(*comm(), scene.path, madeFor, keepGroupsWhole);
+    const Partition expected = makePartition(*comm(), scene.whole, scene.constraints, metis(7).list(), keepGroupsWhole);
+    const std::vector<SubdomainMesh> meshes = distribute(*comm(), scene.whole, scene.constraints, expected);
+    TEST_ASSERT(read.partition.rankOf == expected.rankOf);
+    TEST_ASSERT(read.partition.names == expected.names);
+    TEST_ASSERT(read.partition.groups == expected.groups);
+    TEST_EQUALITY(read.remarks, "remarks");
+    TEST_EQUALITY(read.mine.size(), meshes.size());
+    for (std::size_t i = 0; i < std::min(read.mine.size(), meshes.size()); ++i) TEST_ASSERT(bytesOf(read.mine[i]) == bytesOf(meshes[i]));
+  }
+  // and the file is a mesh like any other
+  const Mesh again = readHdf5Mesh(*comm(), scene.path);
+  if (onRoot()) TEST_EQUALITY(again.hash(), scene.whole.hash());
+}
+
+TEUCHOS_UNIT_TEST(PartitionFile, NamesTheListsThatChanged) {
+  Written scene;
+  try {
+    readPartitionedMesh(*comm(), scene.path, {{"Bodies", "<two/>"}, {"Contact", "<other/>"}}, false);
+    TEST_ASSERT(false);
+  } catch (const InputError& error) {
+    const std::string text = error.what();
+    TEST_INEQUALITY(text.find("Contact"), std::string::npos);
+    TEST_EQUALITY(text.find("Bodies"), std::string::npos);
+    TEST_INEQUALITY(text.find("run suture_partition again"), std::string::npos);
+  }
+}
+
+TEUCHOS_UNIT_TEST(PartitionFile, RefusesDamagedTruncatedAndForeignFiles) {
+  {
+    Written scene;
+    scene.damage(400);
+    TEST_INEQUALITY(scene.error().find("damaged"), std::string::npos);
+  }
+  {
+    Written scene;
+    if (onRoot()) std::filesystem::resize_file(scene.path, std::filesystem::file_size(scene.path) - 5000);
+    comm()->barrier();
+    TEST_INEQUALITY(scene.error(), "no error");
+  }
+  {
+    Written scene;
+    writeHdf5Mesh(*comm(), scene.whole, scene.path);
+    TEST_INEQUALITY(scene.error().find("not cut"), std::string::npos);
+  }
+  {
+    Written scene;
+    writeHdf5Mesh(*comm(), scene.whole, scene.path, [](Hdf5File& file) {
+      file.group("/Partition");
+      file.attribute("/Partition", "Version", std::string("0.1"));
+    });
+    TEST_INEQUALITY(scene.error().find("in the form 0.1"), std::string::npos);
+  }
+}
