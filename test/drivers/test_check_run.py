@@ -1,5 +1,6 @@
 #!/usr/bin/python3
 """check_run.py fails when it must: it is run on a false suture_solve whose answer is known."""
+import glob
 import json
 import os
 import subprocess
@@ -8,6 +9,7 @@ import tempfile
 
 here = os.path.dirname(os.path.abspath(__file__))
 FALSE_SOLVE = """#!/bin/sh
+echo run >> "$(dirname "$0")/runs"
 while [ $# -gt 0 ]; do [ "$1" = --output ] && out=$2; [ "$1" = --sleep ] && sleep 30; [ "$1" = --fail ] && { echo broken; exit 3; }; shift; done
 mkdir -p "$out"; echo done
 echo '{"contact": {"pairs": 89, "force": {"fault above": [3.0, 4.0]}}, "equilibrium": {"imbalance": NaN}}' > "$out/summary.json"
@@ -35,7 +37,13 @@ CASES = {
     "message_not_once": ({"once": ["solved"]}, False),
     "edit_out_of_date": ({"edit": [["not there", ""]]}, False),
     "too_slow": ({"arguments": ["--sleep"], "timeout": 1}, False),
+    "against": ({"against": ["--tight"], "checks": [GOOD]}, True),
+    "against_again": ({"arguments": ["--loose"], "against": ["--tight"], "checks": [GOOD]}, True),
+    "against_another": ({"against": ["--tighter"], "checks": [GOOD]}, True),
+    "against_failing": ({"against": ["--fail"], "checks": [GOOD]}, False),
 }
+# With --references: how often the program runs, in this order.
+SHARED = [("against", 2), ("against", 1), ("against_again", 1), ("against_another", 2)]
 
 with tempfile.TemporaryDirectory() as folder:
     solve, mpirun, table = (os.path.join(folder, name) for name in ("solve", "mpirun", "cases.json"))
@@ -47,11 +55,37 @@ with tempfile.TemporaryDirectory() as folder:
     with open(table, "w") as file:
         json.dump({"defaults": {"scene": "scene.xml"}, "cases": {name: case for name, (case, _) in CASES.items()}}, file)
     wrong = []
-    for name, (_, passes) in CASES.items():
+
+    def run(name, *words):
+        """Exit code and output of check_run.py, and how often it ran the program."""
+        runs = os.path.join(folder, "runs")
+        open(runs, "w").close()
         command = [sys.executable, "-B", os.path.join(here, "check_run.py"), table, name, "--solve", solve, "--work",
-                   os.path.join(folder, "work"), "--mpirun", mpirun]
+                   os.path.join(folder, "work"), "--mpirun", mpirun, *words]
         result = subprocess.run(command, capture_output=True, text=True, timeout=50)
-        if (result.returncode == 0) != passes:
-            wrong.append(f"{name}: returned {result.returncode}\n{result.stdout}{result.stderr}")
-    print("\n".join(wrong) or f"{len(CASES)} cases as expected")
+        with open(runs) as file:
+            return result.returncode, result.stdout + result.stderr, len(file.readlines())
+
+    for name, (_, passes) in CASES.items():
+        code, text, _ = run(name)
+        if (code == 0) != passes:
+            wrong.append(f"{name}: returned {code}\n{text}")
+
+    references = os.path.join(folder, "references")
+    for name, expected in SHARED:
+        code, text, count = run(name, "--references", references)
+        if code != 0 or count != expected:
+            wrong.append(f"{name} with shared references: returned {code}, {count} runs instead of {expected}\n{text}")
+    # A run to compare with that failed or was stopped is made again, by every test that wants it.
+    for name in ("against_failing", "against_failing"):
+        code, text, count = run(name, "--references", references)
+        if code == 0 or count != 2:
+            wrong.append(f"{name} with shared references: returned {code}, {count} runs instead of 2\n{text}")
+    for summary in glob.glob(os.path.join(references, "*", "summary.json")):
+        os.remove(summary)
+    code, text, count = run("against", "--references", references)
+    if code != 0 or count != 2:
+        wrong.append(f"unfinished reference: returned {code}, {count} runs instead of 2\n{text}")
+
+    print("\n".join(wrong) or f"{len(CASES)} cases as expected, and references shared")
     sys.exit(bool(wrong))

@@ -9,7 +9,9 @@
 #include <Teuchos_ParameterList.hpp>
 #include <Tpetra_Core.hpp>
 
+#include <cerrno>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -23,7 +25,9 @@ class Folder {
  public:
   Folder() {
     std::string name = (std::filesystem::temp_directory_path() / "suture-test-XXXXXX").string();
-    if (world()->getRank() == 0 && !mkdtemp(name.data())) name.clear();
+    suture::collectivelyOnRoot(*world(), "making a folder for the test", [&] {
+      if (!mkdtemp(name.data())) throw suture::EnvironmentError("cannot make the folder " + name + ": " + std::strerror(errno));
+    });
     path_ = suture::broadcast(*world(), name);
   }
   ~Folder() {

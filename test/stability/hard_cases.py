@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Hard cases (VALIDATION.md) that every formulation must solve, equal to the monolithic reference, or refuse with a reason.
 
-    hard_cases.py --list                                          the tests: "<variant>.<case> <label> <ranks>" a line
+    hard_cases.py --list                                          the tests: "<variant>.<case> <ranks> [long]" a line
     hard_cases.py <variant>.<case> --solve ... --work ... [--ranks N] [--mpirun ...]     one of them, by test/drivers/check_run.py
 
 A new formulation or solver is a line of VARIANTS: all cases are then its tests.
@@ -131,7 +131,7 @@ if __name__ == "__main__":
     if sys.argv[1] == "--list":
         for variant in VARIANTS:
             for name, own in cases().items():
-                print(f"{variant}.{name}", "long" if variant in LONG else "default", *own.get("ranks", [2]))
+                print(f"{variant}.{name}", ",".join(map(str, own.get("ranks", [2]))), "long" if variant in LONG else "")
         sys.exit(0)
     work = sys.argv[sys.argv.index("--work") + 1]
     os.makedirs(os.path.dirname(os.path.abspath(work)), exist_ok=True)

@@ -1,0 +1,138 @@
+"""From repetitions to medians and ratios, and from those to the figures of the issue."""
+import statistics
+
+from runs import GEOMETRY, is_bonded, is_reference
+
+# What, size, quantity of the comparison, floor (-: at most), aim.
+FIGURES = [
+    ("all phases against the reference", "1M", "all_phases", 2.0, 3.0),
+    ("from assembled matrices against the reference", "1M", "from_assembled", 3.0, 5.0),
+    ("memory over all ranks against the reference", "1M", "memory", -0.8, -0.5),
+    ("bonded problem, seconds", "1M", "bonded_seconds", -2.0, -1.3),
+    ("all phases against the reference", "100k", "all_phases", 1.5, None),
+    ("all phases against the reference", "10k", "all_phases", 1 / 1.5, None),
+    ("two ranks against one", "1M", "two_ranks", 1.7, None),
+    ("from assembled matrices against the reference", "4M", "from_assembled", 4.0, None),
+    ("memory over all ranks, GiB", "4M", "memory_gib", -20.0, None),
+]
+GROWTH = ("60k", "1M", -1.3)  # of the time per unknown
+
+
+def spread(values):
+    return {"median": statistics.median(values), "min": min(values), "max": max(values)}
+
+
+def merged(results, run):
+    """The repetitions of one run as one: every figure's median, smallest and largest value."""
+    first = results[0]
+    text = ("unknowns", "elements", "pairs", "counts", "energy", "command")
+    figures = [key for key in first if key not in text + ("phases", "versions") and first[key] is not None]
+    whole = {key: first[key] for key in text}
+    whole["threads"] = run.get("threads", 1)
+    whole.update({key: spread([result[key] for result in results]) for key in figures})
+    whole["phases"] = {phase: spread([result["phases"][phase] for result in results]) for phase in first["phases"]}
+    return whole
+
+
+def compared(results):
+    """All ratios of one scene and size; their spread is that of the repetitions, each with its own neighbours in time."""
+    def values(name, key):
+        return [result[key] for result in results[name]]
+
+    def ratio(key, above, below):
+        above, below = values(above, key), values(below, key)
+        each = [a / b for a, b in zip(above, below)]
+        return {"ratio": statistics.median(above) / statistics.median(below), "min": min(each), "max": max(each)}
+
+    best = min(filter(is_reference, results), key=lambda name: statistics.median(values(name, "charged")))
+    ratios = {
+        "reference": best,
+        "all_phases": ratio("charged", best, "suture_2"),
+        "from_assembled": ratio("from_assembled", best, "suture_2"),
+        "memory": ratio("memory_mb", "suture_2", best),
+        "two_ranks": ratio("charged", "suture_1", "suture_2"),
+        "two_ranks_from_assembled": ratio("from_assembled", "suture_1", "suture_2"),
+        "one_rank_all_phases": ratio("charged", best, "suture_1"),
+        "one_rank_from_assembled": ratio("from_assembled", best, "suture_1"),
+        "all_phases_as_run": ratio("seconds", best, "suture_2"),
+    }
+    if "implicit_2" in results:
+        ratios["explicit_gain"] = ratio("from_assembled", "implicit_2", "suture_2")
+    return ratios
+
+
+def iteration(results, bandwidth):
+    """A PCG iteration on two ranks: bonded runs to two tolerances differ in iterations only. None when they do not, or when the noise is
+    larger. With it the time to read its data once, at the speed of two processes that read at once."""
+    tight, loose = results["bonded_2"], results["bonded_loose_2"]
+    count = tight[0]["counts"]["auxiliary"] - loose[0]["counts"]["auxiliary"]
+    if count < 5:
+        return None
+    seconds = spread([(a["phases"]["solve"] - b["phases"]["solve"]) / count for a, b in zip(tight, loose)])
+    if seconds["min"] <= 0:
+        return None
+    found = {"seconds": seconds, "iterations": count}
+    if tight[0]["data_mb"] is not None:
+        found["data_mb"] = tight[0]["data_mb"]
+        found["stream_seconds"] = found["data_mb"] * 2**20 / (bandwidth["two processes"]["read"] * 1e9)
+        found["multiple"] = {key: value / found["stream_seconds"] for key, value in seconds.items()}
+    return found
+
+
+def growth(cases):
+    """Time per unknown on two ranks, the larger size by the smaller one."""
+    small, large, _ = GROWTH
+    found = {}
+    for scene in GEOMETRY:
+        if f"{scene}/{small}" in cases and f"{scene}/{large}" in cases:
+            runs = [cases[f"{scene}/{size}"]["runs"]["suture_2"] for size in (small, large)]
+            found[scene] = {key: runs[1][key]["median"] / runs[1]["unknowns"] / (runs[0][key]["median"] / runs[0]["unknowns"])
+                            for key in ("seconds", "from_assembled")}
+    return found
+
+
+def disagreement(results):
+    """Of the energies of all runs that solve the contact problem, relative."""
+    energies = [result["energy"] for name, repetitions in results.items() if not is_bonded(name) for result in repetitions]
+    largest = max(map(abs, energies))
+    return (max(energies) - min(energies)) / largest if largest > 0 else 0.0
+
+
+def quantity(case, key):
+    """What a figure of FIGURES is compared by: a ratio of medians, or a median itself."""
+    if key == "bonded_seconds":
+        return case["runs"]["bonded_2"]["from_assembled"]["median"]
+    if key == "memory_gib":
+        return case["runs"]["suture_2"]["memory_mb"]["median"] / 1024
+    return case["ratios"][key]["ratio"]
+
+
+def judged(what, value, floor, aim=None):
+    """One line: reached or missed, and by how much."""
+    def holds(bound):
+        return value <= -bound if bound < 0 else value >= bound
+
+    text = f"{'reached' if holds(floor) else 'MISSED '}  {what}: {value:.2f}, {'at most' if floor < 0 else 'at least'} {abs(floor):.2f}"
+    if not holds(floor):
+        text += f"; {max(value / abs(floor), abs(floor) / value):.2f} times off"
+    if aim is not None:
+        text += f" (aim {abs(aim):.2f}{' reached' if holds(aim) else ''})"
+    return text
+
+
+def verdict(bench):
+    """One line for each figure of the issue."""
+    lines, missing = [], []
+    for what, size, key, floor, aim in FIGURES:
+        cases = {name: case for name, case in bench["cases"].items() if name.endswith(f"/{size}")}
+        lines += [judged(f"{name}, {what}", quantity(case, key), floor, aim) for name, case in cases.items()]
+        if not cases:
+            missing.append(f"{what} at {size}")
+    small, large, floor = GROWTH
+    for scene, found in bench["growth"].items():
+        lines.append(judged(f"{scene}, time per unknown, {large} against {small}", found["seconds"], floor))
+    if not bench["growth"]:
+        missing.append(f"time per unknown, {large} against {small}")
+    if missing:
+        lines.append("not measured in this run: " + "; ".join(missing))
+    return "\n".join(lines)

@@ -1,0 +1,65 @@
+"""Tables and lines of what bench.json holds."""
+import statistics
+
+from figures import verdict
+
+QUIET = 0.1  # cores that others may use
+PHASES = ["read", "partition", "assemble", "factor", "solve", "write"]
+RATIOS = ["all_phases", "from_assembled", "memory", "two_ranks", "one_rank_all_phases", "one_rank_from_assembled", "all_phases_as_run"]
+
+
+def shown(values, middle="median", scale=1.0):
+    return f"{scale * values[middle]:.2f} ({scale * values['min']:.2f}-{scale * values['max']:.2f})"
+
+
+def table(rows, markdown):
+    width = [max(len(row[i]) for row in rows) for i in range(len(rows[0]))]
+    lines = [" | ".join(cell.ljust(width[0]) if i == 0 else cell.rjust(width[i]) for i, cell in enumerate(row)) for row in rows]
+    if not markdown:
+        return "\n".join(line.replace(" | ", "   ") for line in lines)
+    rule = "|".join([":" + "-" * (width[0] + 1)] + ["-" * (n + 1) + ":" for n in width[1:]])
+    return "\n".join(f"|{line}|" if line is rule else f"| {line} |" for line in [lines[0], rule, *lines[1:]])
+
+
+def tables(bench, markdown):
+    times = [["scene, unknowns, run", *PHASES, "all phases", "factor + solve", "MB, all ranks", "MB, a rank", "outer, PCG"]]
+    ratios = [["scene, unknowns", "reference taken", *[key.replace("_", " ") for key in RATIOS]]]
+    for name, case in bench["cases"].items():
+        scene = name.split("/")[0]
+        for run_name, run in case["runs"].items():
+            counts = run["counts"]
+            times.append([f"{scene}, {run['unknowns']:,}, {run_name}", *[f"{run['phases'][phase]['median']:.2f}" for phase in PHASES],
+                          shown(run["seconds"]), shown(run["from_assembled"]), f"{run['memory_mb']['median']:.0f}",
+                          f"{run['memory_rank_mb']['median']:.0f}", f"{counts['outer']}, {counts['auxiliary']} + {counts['pcg']}"])
+        ratios.append([f"{scene}, {case['runs']['suture_2']['unknowns']:,}", case["ratios"]["reference"],
+                       *[shown(case["ratios"][key], "ratio") for key in RATIOS]])
+    return table(times, markdown) + "\n\n" + table(ratios, markdown)
+
+
+def iteration_line(name, found):
+    if not found:
+        return f"{name}: the time of a PCG iteration drowns in the noise of this run"
+    line = f"{name}: a PCG iteration on two ranks takes {shown(found['seconds'], scale=1e3)} ms"
+    if "multiple" in found:
+        return line + f", {shown(found['multiple'])} times reading its {found['data_mb']:.0f} MB once"
+    return line + "; how much data it reads summary.json does not say"
+
+
+def report(bench, options):
+    """Prints everything and writes bench.md."""
+    (options.output / "bench.md").write_text(tables(bench, True) + "\n")
+    print(f"\n{tables(bench, False)}\n")
+    one, two = bench["bandwidth_gb_s"]["one process"], bench["bandwidth_gb_s"]["two processes"]
+    print(f"memory: triad {one['triad']:.1f} GB/s alone, {two['triad']:.1f} by two at once; reading {one['read']:.1f}, {two['read']:.1f}")
+    for name, case in bench["cases"].items():
+        others = statistics.median(run["cores_of_others"]["median"] for run in case["runs"].values())
+        if others > QUIET:
+            cores = bench["machine"]["cores"]
+            print(f"{name}: others used {others:.1f} of {cores} cores meanwhile: ranks had less than a core each and waited for each other")
+        print(iteration_line(name, case["pcg_iteration"]))
+        if "explicit_gain" in case["ratios"]:
+            gain = shown(case["ratios"]["explicit_gain"], "ratio")
+            print(f"{name}: from assembled matrices {gain} times as fast as with implicit Schur complements")
+    for scene, found in bench["growth"].items():
+        print(f"{scene}: time per unknown grows to {found['seconds']:.2f} times, from assembled matrices {found['from_assembled']:.2f}")
+    print(f"\n{verdict(bench)}\n\n{options.output / 'bench.json'}, bench.md")

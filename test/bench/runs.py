@@ -1,0 +1,131 @@
+"""Meshes and runs: what is solved, on which ranks, and what each run leaves behind."""
+import json
+import os
+import shutil
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+ROOT = HERE.parent.parent
+
+# The model scenes that have a geometry, and what refines it.
+GEOMETRY = {"tunnel": ("input/tunnel/tunnel_metis.xml", "scale"), "hertz": ("input/hertz/hertz.xml", "resolution")}
+# Subdomains of about 1830 unknowns in every size. Hertz at 1M and 4M is not meshed yet: from a parabola through the smaller sizes.
+SIZES = {
+    "10k": {"tunnel": 1.0, "hertz": 26, "subdomains": 6},
+    "60k": {"tunnel": 0.4, "hertz": 79, "subdomains": 34},
+    "100k": {"tunnel": 0.316, "hertz": 101, "subdomains": 52},
+    "1M": {"tunnel": 0.1, "hertz": 343, "subdomains": 512},
+    "4M": {"tunnel": 0.05, "hertz": 696, "subdomains": 2048},
+}
+
+
+def fail(message):
+    sys.exit(f"bench.py: {message}")
+
+
+def environment(threads=1):
+    """So many threads of OpenBLAS a rank, whatever the caller's environment says. One of OpenMP: CHOLMOD's gain nothing (README.md)."""
+    fixed = {"OPENBLAS_NUM_THREADS": str(threads), "OMP_NUM_THREADS": "1"}
+    return {**os.environ, **fixed, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
+
+
+def execute(command, threads=1, expected=(0,), extra=None):
+    """The output of a command, both streams."""
+    done = subprocess.run(command, env={**environment(threads), **(extra or {})}, stdin=subprocess.DEVNULL, capture_output=True, text=True)
+    if done.returncode not in expected:
+        fail(f"exit code {done.returncode} of: {' '.join(command)}\n{done.stdout[-2000:]}{done.stderr[-4000:]}")
+    return done.stdout + done.stderr
+
+
+def mesh_of(scene, size, options):
+    source, constant = GEOMETRY[scene]
+    value = SIZES[size][scene]
+    mesh = options.output / "meshes" / f"{scene}_{constant}{value:g}.h5"
+    geometry = (ROOT / source).parent.glob("*.geo")
+    if mesh.exists() and all(mesh.stat().st_mtime > file.stat().st_mtime for file in geometry):
+        return mesh
+    mesh.parent.mkdir(parents=True, exist_ok=True)
+    text = execute([str(options.programs / "suture_partition"), "--no-cut", str(ROOT / source), "--output", str(mesh),
+                    "--set", f"Mesh/Constants/{constant}={value}"])
+    print(f"meshed {text.strip()}", flush=True)
+    return mesh
+
+
+def configurations(implicit=False):
+    """By name: ranks, threads, what is set beside mesh and subdomains."""
+    runs = {f"suture_{ranks}": {"ranks": ranks, "set": []} for ranks in (1, 2)}
+    # Linear, all pairs closed, to the tolerance of the whole: ends, not converged, where contact would begin.
+    for name, tolerance in (("bonded_2", "1e-8"), ("bonded_loose_2", "0.5")):
+        bonded = ["Outer Solver/Maximum Iterations=0", f"Outer Solver/Active Set/Inner Tolerance={tolerance}"]
+        runs[name] = {"ranks": 2, "set": bonded, "expected": (0, 4)}
+    if implicit:
+        runs["implicit_2"] = {"ranks": 2, "set": ["Subdomain/Schur Complement=Implicit"]}
+    for ordering in ("AMD", "METIS"):
+        chosen = ["Outer Solver/Type=Monolithic", f"Outer Solver/Monolithic/Ordering={ordering}", "Partition/METIS/Subdomains=2"]
+        for threads in (1, 2):
+            runs[f"reference_{ordering.lower()}_{threads}"] = {"ranks": 1, "threads": threads, "set": chosen}
+    return runs
+
+
+def is_reference(name):
+    return name.startswith("reference")
+
+
+def is_bonded(name):
+    return name.startswith("bonded")
+
+
+def command_of(run, scene, size, mesh, folder, options):
+    settings = [f"Mesh/File={mesh}", f"Partition/METIS/Subdomains={SIZES[size]['subdomains']}"]
+    named = {text.split("=")[0] for text in run["set"]}
+    settings = [text for text in settings if text.split("=")[0] not in named] + run["set"]
+    command = ["mpirun", "--oversubscribe", "-np", str(run["ranks"])] if run["ranks"] > 1 else []
+    command += [str(options.programs / "suture_solve"), str(HERE / f"{scene}.xml"), "--output", str(folder)]
+    for text in settings:
+        command += ["--set", text]
+    return command
+
+
+def busy_seconds():
+    """Of all cores, whoever used them."""
+    user, nice, system, _, _, irq, softirq, steal = (int(word) for word in Path("/proc/stat").read_text().split("\n")[0].split()[1:9])
+    return (user + nice + system + irq + softirq + steal) / os.sysconf("SC_CLK_TCK")
+
+
+def measure(name, run, scene, size, mesh, options):
+    """One run: its seconds, memory and counts, and what others used of the machine meanwhile."""
+    folder = options.output / "runs" / f"{scene}_{size}_{name}"
+    shutil.rmtree(folder, ignore_errors=True)
+    command = command_of(run, scene, size, mesh, folder, options)
+    begin, before, own = time.monotonic(), busy_seconds(), sum(os.times()[2:4])
+    execute(command, run.get("threads", 1), run.get("expected", (0,)))
+    wall, busy, own = time.monotonic() - begin, busy_seconds() - before, sum(os.times()[2:4]) - own
+    summary = json.loads((folder / "summary.json").read_text())
+    phases = {phase: seconds["max"] for phase, seconds in summary["phases"].items()}
+    return {
+        "seconds": summary["seconds"],
+        # The reference is not charged for cutting a mesh that need not be cut.
+        "charged": summary["seconds"] - (phases["partition"] if is_reference(name) else 0.0),
+        "from_assembled": phases["factor"] + phases["solve"],
+        "phases": phases,
+        "memory_mb": summary["peak_memory_mb"]["sum"],
+        "memory_rank_mb": summary["peak_memory_mb"]["max"],
+        "data_mb": summary.get("solver_data_mb", {}).get("sum"),  # what an iteration streams; older programs do not say
+        "energy": summary["energy"],
+        "unknowns": summary["dofs"],
+        "elements": summary["elements"],
+        "pairs": summary["contact"]["pairs"],
+        "counts": {
+            "outer": summary["outer"]["iterations"],
+            "pcg": summary["outer"]["pcg_total"],
+            "auxiliary": summary["auxiliary"]["iterations"],
+        },
+        "wall": wall,
+        "cpu_seconds": own,
+        "cores_of_others": max(0.0, busy - own) / wall,
+        "versions": summary["versions"],
+        "command": " ".join(f'"{word}"' if " " in word else word for word in command),
+    }
