@@ -1,6 +1,7 @@
 #include <Teuchos_UnitTestHarness.hpp>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <mesh/MeshTesting.hpp>
 #include <suture/base/Buffer.hpp>
 #include <suture/base/Collective.hpp>
@@ -30,13 +31,14 @@ struct Written {
     partition = makePartition(*comm(), whole, constraints, metis(7).list(), false);
     writeHdf5Mesh(*comm(), whole, path, [&](Hdf5File& file) { addPartition(file, whole, constraints, partition, madeFor, "remarks"); });
   }
-  void damage(long fromEnd) const {
+  /// Changes a letter in the name of a body's first subdomain, wherever it stands.
+  void damage() const {
     if (onRoot()) {
-      std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
-      file.seekg(-fromEnd, std::ios::end);
-      const char old = static_cast<char>(file.get());
-      file.seekp(-fromEnd, std::ios::end);
-      file.put(static_cast<char>(old ^ 0x55));
+      std::ifstream in(path, std::ios::binary);
+      std::string bytes((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
+      in.close();
+      for (std::size_t at = bytes.find("top 1"); at != std::string::npos; at = bytes.find("top 1", at + 1)) bytes[at + 4] = '8';
+      std::ofstream(path, std::ios::binary) << bytes;
     }
     comm()->barrier();
   }
@@ -93,7 +95,7 @@ TEUCHOS_UNIT_TEST(PartitionFile, NamesTheListsThatChanged) {
 TEUCHOS_UNIT_TEST(PartitionFile, RefusesDamagedTruncatedAndForeignFiles) {
   {
     Written scene;
-    scene.damage(400);
+    scene.damage();
     TEST_INEQUALITY(scene.error().find("damaged"), std::string::npos);
   }
   {

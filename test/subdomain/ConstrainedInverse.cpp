@@ -16,10 +16,10 @@ Matrix random(int rows, int columns, unsigned seed) {
   return values;
 }
 
-// Symmetric, semidefinite, with a kernel of the given dimension, its diagonal over four orders of magnitude as with a jump of stiffness.
-Matrix semidefinite(int n, int kernel) {
+// Symmetric, semidefinite, with a kernel of the given dimension, its diagonal over some orders of magnitude as with a jump of stiffness.
+Matrix semidefinite(int n, int kernel, double orders = 4.0) {
   Matrix root = random(n, n - kernel, 3);
-  for (int i = 0; i < n; ++i) root.row(i) *= std::pow(10.0, 2.0 * i / n);
+  for (int i = 0; i < n; ++i) root.row(i) *= std::pow(10.0, 0.5 * orders * i / n);
   return root * root.transpose();
 }
 
@@ -57,18 +57,24 @@ Matrix applied(const LocalInverse& inverse, const Matrix& flux) {
 TEUCHOS_UNIT_TEST(ConstrainedInverse, IsTheSaddleProblemsSolution) {
   const int n = 14;
   const Matrix c = rows(n);
-  for (int kernel : {0, 1, 3}) {
-    const Matrix s = semidefinite(n, kernel);
+  // The inverse is kept in single precision where its condition allows it, as for no jump; with a large one it is not.
+  struct Case {
+    int kernel;
+    double orders, rounding, exact;
+  };
+  for (const auto& [kernel, orders, rounding, exact] : {Case{0, 0.0, 1e-6, 1e-10}, Case{1, 0.0, 1e-6, 1e-10}, Case{3, 0.0, 1e-6, 1e-10},
+                                                        Case{0, 7.0, 1e-9, 1e-8}, Case{1, 7.0, 1e-9, 1e-8}}) {
+    const Matrix s = semidefinite(n, kernel, orders);
     const Saddle expected(s, c);
     const ConstrainedInverse found(s, c, "it");
     const Matrix p = applied(found, Matrix::Identity(n, n));
-    TEST_COMPARE((p - expected.inverse).norm(), <, 1e-10 * expected.inverse.norm());
-    TEST_COMPARE((found.basis() - expected.basis).norm(), <, 1e-10 * expected.basis.norm());
-    TEST_COMPARE((found.energy() - expected.energy).norm(), <, 1e-10 * s.norm());
+    TEST_COMPARE((p - expected.inverse).norm(), <, rounding * expected.inverse.norm());
+    TEST_COMPARE((found.basis() - expected.basis).norm(), <, exact * expected.basis.norm());
+    TEST_COMPARE((found.energy() - expected.energy).norm(), <, exact * s.norm());
     TEST_COMPARE((p - p.transpose()).norm(), <, 1e-12 * p.norm());
     // what is claimed of them, in their own terms
     TEST_COMPARE((c * found.basis() - Matrix::Identity(5, 5)).norm(), <, 1e-12);
-    TEST_COMPARE((c * p).norm(), <, 1e-12 * c.norm() * p.norm());
+    TEST_COMPARE((c * p).norm(), <, rounding * c.norm() * p.norm());
     TEST_COMPARE((found.basis().transpose() * s * found.basis() - found.energy()).norm(), <, 1e-10 * s.norm());
   }
 }
