@@ -29,7 +29,7 @@ def instructions_now(options):
     if not shutil.which("valgrind"):
         return None
     mesh = mesh_of("tunnel", "10k", options)
-    command = command_of({"ranks": 1, "set": []}, "tunnel", "10k", mesh, options.output / "runs" / "callgrind", options)
+    command = command_of({"ranks": 1, "set": []}, "tunnel", mesh, options.output / "runs" / "callgrind", options)
     kernels = {"OPENBLAS_CORETYPE": "Haswell"}  # the same on every machine that has AVX2
     text = execute(["valgrind", "--tool=callgrind", "--callgrind-out-file=/dev/null", "--toggle-collect=suture::solveScene*", *command],
                    extra=kernels)
