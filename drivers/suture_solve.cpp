@@ -24,13 +24,13 @@ RunResult solveScene(const CommPtr& comm, const SolveOptions& options) {
   CutMesh cut = timed(timers, "partition", [&] { return cutStage(*comm, file, mesh, constraints); });
   const ElasticModel model = makeElasticModel(scene);
   if (whole) timed(timers, "partition", [&] { checkStage(*comm, mesh, constraints, model); });
-  checkMemory(*comm, cut.meshes, cut.whole.size.dofs, scene);
+  const double memory = checkMemory(*comm, cut.meshes, cut.whole.size.dofs, scene);
   if (!isMonolithic(scene)) forget(mesh, constraints, cut.partition);
   auto subdomains =
       timed(timers, "assemble", [&] { return isMonolithic(scene) ? Subdomains() : makeSubdomains(*comm, cut.meshes, model); });
   auto problem = timed(timers, "factor", [&] { return problemStage(comm, cut.partition, subdomains, scene); });
   const ProblemSize size = withInterface(cut.whole.size, problem.get());
-  printSizes(*comm, file, size, options);
+  printSizes(*comm, file, size, memory, options);
   for (const std::string& note : cut.partition.notes) monitor.note(note);
   if (options.check) return {};
   const auto reference =

@@ -2,6 +2,7 @@
 
 #include <Teuchos_Comm.hpp>
 #include <Teuchos_ParameterList.hpp>
+#include <cmath>
 #include <csignal>
 #include <filesystem>
 #include <iostream>
@@ -147,11 +148,13 @@ void listenForStop(RunMonitor& monitor) {
 
 bool stopWasAsked() { return stopAsked != 0; }
 
-void printSizes(const Comm& comm, const SceneFile& file, const ProblemSize& size, const SolveOptions& options) {
+void printSizes(const Comm& comm, const SceneFile& file, const ProblemSize& size, double memory, const SolveOptions& options) {
   std::ostream* console = consoleOf(comm, options.quiet && !options.check);
   if (!console) return;
   printHeader(*console, comm, file, size);
-  if (options.check) *console << "   nothing wrong was found; nothing was solved (--check)" << std::endl;
+  if (options.check)
+    *console << "   about " << static_cast<long>(std::ceil(memory)) << " MB of memory for a run\n"
+             << "   nothing wrong was found; nothing was solved (--check)" << std::endl;
 }
 
 RunResult reportStage(const Run& run, const SolveOptions& options) {

@@ -70,7 +70,8 @@ void listenForStop(RunMonitor& monitor);
 bool stopWasAsked();
 
 /// The header of the console; for --check more, and also with --quiet: its sizes are what was asked for.
-void printSizes(const Comm& comm, const SceneFile& file, const ProblemSize& size, const SolveOptions& options);
+/// \param memory  estimate for all ranks [MB]
+void printSizes(const Comm& comm, const SceneFile& file, const ProblemSize& size, double memory, const SolveOptions& options);
 
 /// Files and the last lines of the console; how the run ended. Collective.
 RunResult reportStage(const Run& run, const SolveOptions& options);

@@ -5,6 +5,7 @@
 #include <suture/solver/SolveScene.hpp>
 
 #include <mpi.h>
+#include <Teuchos_CommHelpers.hpp>
 #include <Teuchos_ParameterList.hpp>
 
 #include <algorithm>
@@ -65,7 +66,7 @@ double availableMegabytes() {
   return available;
 }
 
-void checkMemory(const Comm& comm, double mine, double limit) {
+double checkMemory(const Comm& comm, double mine, double limit) {
   MPI_Comm machine = MPI_COMM_NULL;
   MPI_Comm_split_type(mpiComm(comm), MPI_COMM_TYPE_SHARED, comm.getRank(), MPI_INFO_NULL, &machine);
   double sum = 0.0, most = 0.0;
@@ -83,12 +84,15 @@ void checkMemory(const Comm& comm, double mine, double limit) {
                            (limit > 0.0 ? "" : " left") +
                            ". Use more machines, more and smaller subdomains (Partition/METIS/Subdomains), or a coarser mesh");
   });
+  double all = 0.0;
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, mine, Teuchos::outArg(all));
+  return all;
 }
 
-void checkMemory(const Comm& comm, const std::vector<SubdomainMesh>& meshes, GlobalId unknowns, const Parameters& scene) {
+double checkMemory(const Comm& comm, const std::vector<SubdomainMesh>& meshes, GlobalId unknowns, const Parameters& scene) {
   const bool monolithic = isMonolithic(scene);
   const double mine = !monolithic ? estimatedMegabytes(meshes) : comm.getRank() == 0 ? estimatedMonolithicMegabytes(unknowns) : kProgram;
-  checkMemory(comm, mine, scene.sublist("Subdomain").get<double>("Memory Limit"));
+  return checkMemory(comm, mine, scene.sublist("Subdomain").get<double>("Memory Limit"));
 }
 
 }  // namespace suture

@@ -26,10 +26,11 @@ double availableMegabytes();
 /// Compares the estimates of all ranks of a machine with what it has, before the work starts.
 /// \param mine   estimate of this rank [MB]
 /// \param limit  Subdomain/Memory Limit: megabytes that all ranks on one machine may take; 0: what the machine has available
+/// \return the sum over all ranks of the job [MB]
 /// \throws EnvironmentError  they exceed it: the figures, and what to change. Collective.
-void checkMemory(const Comm& comm, double mine, double limit);
+double checkMemory(const Comm& comm, double mine, double limit);
 
 /// Estimate and check for a scene: of its subdomains, or for Monolithic of the whole. Collective. \throws EnvironmentError
-void checkMemory(const Comm& comm, const std::vector<SubdomainMesh>& meshes, GlobalId unknowns, const Parameters& scene);
+double checkMemory(const Comm& comm, const std::vector<SubdomainMesh>& meshes, GlobalId unknowns, const Parameters& scene);
 
 }  // namespace suture

@@ -63,6 +63,7 @@ void invertLower(double* a, int n, int stride) {
 // Entries in single precision are off by 6e-8 of the matrix, so that its smallest eigenvalues are off by the condition times that: up to
 // this condition less than a thousandth, which conjugate gradients do not notice.
 constexpr double kConditionForSingle = 1e4;
+constexpr int kLeastForSingle = 192;  // memory is what it saves: smaller ones have little
 constexpr double kZero = 1e-14;
 
 }  // namespace
@@ -161,7 +162,7 @@ ConstrainedInverse::ConstrainedInverse(Matrix schur, const Matrix& constraints, 
   basis_.transposeInPlace();
   for (auto reflection = reflections.rbegin(); reflection != reflections.rend(); ++reflection) reflection->onColumns(basis_);
   basis_.transposeInPlace();
-  const bool single = d == 0 || diagonal.maxCoeff() * dd.diagonal().maxCoeff() < kConditionForSingle;
+  const bool single = d >= kLeastForSingle && diagonal.maxCoeff() * dd.diagonal().maxCoeff() < kConditionForSingle;
   inverse_ = PackedSymmetric(inverse, single ? PackedSymmetric::Precision::Single : PackedSymmetric::Precision::Double);
 }
 

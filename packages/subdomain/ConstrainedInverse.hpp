@@ -10,7 +10,7 @@ namespace suture {
 ///
 /// By a change of basis: one reflection a row makes each constraint the value of a single coordinate (a row that is one already needs
 /// none). The coordinates left are free, their block of S is definite, and its inverse, turned back, is kept as a matrix: an application
-/// is one symmetric product, in single precision unless the block is ill-conditioned. No multiplier, no penalty; S may be singular. Local.
+/// is one symmetric product, in single precision if it is large and well-conditioned. No multiplier, no penalty; S may be singular. Local.
 class ConstrainedInverse : public LocalInverse {
  public:
   /// \param what  for messages. \throws NumericalError  C is not of full rank, or leaves a mechanism.

@@ -30,7 +30,7 @@ PARAMETERS = {
     "Preconditioner/BDDC/Coarse Solver": (BDDC, {frozenset({"CHOLMOD", "Amesos2"})}),
     "Subdomain/Local Solver": ([], {frozenset({"CHOLMOD", "Amesos2"})}),
     # One matrix, kept in two ways.
-    "Subdomain/Schur Complement": ([], {frozenset({"Explicit", "Implicit"})}),
+    "Subdomain/Schur Complement": ([], {frozenset(two) for two in itertools.combinations(("Automatic", "Explicit", "Implicit"), 2)}),
 }
 EXTRA = {
     "Successive Approximation": ["--set", "Outer Solver/Tolerance=1e-4", "--set", "Outer Solver/Maximum Iterations=200"],

@@ -17,6 +17,8 @@ Scene loadedSquare(double young = 2e3) {
   return scene;
 }
 
+Parameters defaultsOf(const std::string& name) { return resolved("Schur", Registry<SchurComplement>::instance().schemas().at(name)); }
+
 struct Case {
   const Subdomain& subdomain;
   std::vector<int> boundary;
@@ -24,7 +26,7 @@ struct Case {
   explicit Case(const Subdomain& s, const std::string& solver = "CHOLMOD", const std::string& schur = "Implicit")
       : subdomain(s),
         boundary(sharedDofs(s)),
-        problem(7, s, boundary, localSolver(solver), Registry<SchurComplement>::instance().make(schur, Parameters())) {}
+        problem(7, s, boundary, localSolver(solver), Registry<SchurComplement>::instance().make(schur, defaultsOf(schur))) {}
   Matrix applied() const {
     Matrix flux(problem.size(), problem.size());
     problem.applySchur(Matrix::Identity(problem.size(), problem.size()), flux);
