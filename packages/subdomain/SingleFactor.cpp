@@ -12,7 +12,7 @@ namespace {
 using Singles = Eigen::VectorXf;
 using Panel = Eigen::Map<const Eigen::MatrixXf, 0, Eigen::OuterStride<>>;
 
-constexpr double kAccuracy = 1e-13;  // of the recursion; what rounding leaves in the true residual is that of a direct solve
+constexpr double kAccuracy = 1e-15;  // of the recursion; what rounding leaves in the true residual is that of a direct solve
 constexpr int kMost = 200;
 
 }  // namespace

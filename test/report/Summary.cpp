@@ -100,6 +100,7 @@ TEUCHOS_UNIT_TEST(Summary, ReturnsOnRootWhatItWrote) {
 TEUCHOS_UNIT_TEST(Summary, NamesEveryPathThatItWritesAndNoOther) {
   sample::SampleRun sample(sample::folderOf("summary"));
   sample.solution_.estimates["mu"] = 1.0;
+  sample.solution_.chosenSchur["Explicit"] = 3;
   prepareFolder(*sample.comm_, sample.folder_);
   writeSummary(sample.run(), ExitCode::Done, sample.folder_ + "/summary.json");
   std::vector<std::string> written;
