@@ -11,7 +11,7 @@ namespace suture {
 ///     270 n                      stiffness, loads, rigid modes, mesh
 ///     32 n log2(n)               interior factor in single precision (8 n log2(n) entries)
 ///     6.6 b^2 + 200 b            Schur complement, its constrained inverse and basis
-/// and 80 MB for program and libraries. Measured: tunnel with 937k unknowns in 256 subdomains on two ranks, 1036 MB; the estimate is 1075.
+/// and 80 MB for program and libraries. Measured: tunnel with 937k unknowns in 260 subdomains on two ranks, 1017 MB; the estimate is 986.
 /// Local.
 double estimatedMegabytes(const std::vector<SubdomainMesh>& meshes);
 
