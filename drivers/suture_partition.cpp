@@ -12,6 +12,7 @@
 #include <suture/partition/Partition.hpp>
 
 #include "support/CommandLine.hpp"
+#include "support/Overrides.hpp"
 #include "support/Plugins.hpp"
 #include "support/Program.hpp"
 #include "support/SolveStages.hpp"
@@ -96,5 +97,6 @@ ExitCode run(const CommPtr& comm, const Options& options) {
 int main(int argc, char* argv[]) {
   Options options;
   if (const auto end = options.parse(argc, argv)) return *end;
-  return runProgram("suture_partition", options.scene, [&](const CommPtr& comm) { return run(comm, options); });
+  return runProgram("suture_partition", options.scene,
+                    [&](const CommPtr& comm) { return tellingOverrides(options.overrides, [&] { return run(comm, options); }); });
 }

@@ -1,4 +1,5 @@
 // main of suture_solve; what it does is in ../suture_solve.cpp.
+#include "Overrides.hpp"
 #include "Plugins.hpp"
 #include "Program.hpp"
 #include "SolveScene.hpp"
@@ -10,6 +11,6 @@ int main(int argc, char* argv[]) {
   if (const auto end = options.parse(argc, argv)) return *end;
   return runProgram("suture_solve", options.scene, [&](const CommPtr& comm) {
     loadPlugins(options.plugins);
-    return solveScene(comm, options).code;
+    return tellingOverrides(options.overrides, [&] { return solveScene(comm, options).code; });
   });
 }

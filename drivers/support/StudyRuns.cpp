@@ -41,17 +41,6 @@ StudyRun combine(const Study& study, const std::vector<std::string>& set, const 
   return run;
 }
 
-// Whose fault a problem of a scene is: the override whose path it is about, or on whose path it lies.
-std::string originOf(const Problem& problem, const StudyRun& run) {
-  const auto begins = [](const std::string& text, const std::string& with) { return text.compare(0, with.size(), with) == 0; };
-  for (std::size_t i = 0; i < run.overrides.size(); ++i) {
-    const std::string path = overridePath(run.overrides[i]);
-    if (problem.path == path || begins(path, problem.path + "/") || problem.message.find("'" + run.overrides[i] + "'") == 0)
-      return run.origins[i];
-  }
-  return "";
-}
-
 // Columns may name parameters of the scene: those must exist in it.
 void checkParameterColumns(const Study& study, const Parameters& scene, Problems& problems) {
   nlohmann::ordered_json summary;
@@ -125,8 +114,8 @@ void checkRuns(const Comm& comm, const Study& study, const std::vector<StudyRun>
       for (const Problem& problem : columns.list()) add(problem, problem.path);
     } catch (const InputError& error) {
       for (const Problem& problem : error.problems()) {
-        const std::string origin = originOf(problem, run);
-        add(problem, problem.path == run.scene ? "Scene" : origin.empty() ? run.scene : origin);
+        const int i = overrideOf(problem, run.overrides);
+        add(problem, problem.path == run.scene ? "Scene" : i < 0 ? run.scene : run.origins[i]);
       }
     }
   }
