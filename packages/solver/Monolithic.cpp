@@ -166,7 +166,6 @@ MonolithicResult solveMonolithic(const Mesh& mesh, const Constraints& constraint
   factorisation.ordering = options.ordering;
   factorisation.trailing = trailing;
   factorisation.shift = shiftOf(system, rigid);
-  factorisation.threads = true;
   const CholmodFactor factor(system.stiffness(), factorisation);
   result.factorEntries = factor.statistics().factorEntries;
   result.factorFlops = factor.statistics().flops;

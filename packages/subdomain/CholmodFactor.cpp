@@ -1,6 +1,5 @@
 #include <cblas.h>
 #include <cholmod.h>
-#include <omp.h>
 #include <suture/base/Errors.hpp>
 #include <suture/subdomain/CholmodFactor.hpp>
 #include <suture/subdomain/SerialSection.hpp>
@@ -10,7 +9,6 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <optional>
 #include <sstream>
 
 // LAPACK: upper <- U U^T in place, a third of the operations of a product that does not know of the zeros.
@@ -151,8 +149,7 @@ void CholmodFactor::Data::order(const Eigen::SparseMatrix<double>& matrix, Cholm
 
 void CholmodFactor::Data::factorise(const Eigen::SparseMatrix<double>& matrix, const CholmodOptions& options) {
   const int n = statistics.size, leading = n - statistics.trailing;
-  std::optional<SerialSection> alone;
-  if (!options.threads || omp_get_max_threads() == 1) alone.emplace();
+  const SerialSection alone;
   order(matrix, options.ordering);
 
   common.nmethods = 1;

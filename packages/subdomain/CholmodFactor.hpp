@@ -18,9 +18,8 @@ struct CholmodOptions {
 
   Ordering ordering = Ordering::Amd;
   Form form = Form::Automatic;
-  int trailing = 0;      ///< this many of the last dofs stay last, in the order given
-  Vector shift;          ///< added to the diagonal of the trailing dofs before factoring; one entry each, or empty for none
-  bool threads = false;  ///< let CHOLMOD use OpenMP unless OMP_NUM_THREADS is 1; for one large matrix on one rank, not for many small ones
+  int trailing = 0;  ///< this many of the last dofs stay last, in the order given
+  Vector shift;      ///< added to the diagonal of the trailing dofs before factoring; one entry each, or empty for none
 };
 
 /// Sparse Cholesky factorisation of a symmetric positive definite matrix, L L^T = A, through CHOLMOD.
