@@ -11,12 +11,12 @@ namespace suture {
 ///     270 n                      stiffness, loads, rigid modes, mesh
 ///     32 n log2(n)               interior factor in single precision (8 n log2(n) entries)
 ///     6.6 b^2 + 200 b            Schur complement, its constrained inverse and basis
-/// and 80 MB for program and libraries. Measured: tunnel with 937k unknowns in 260 subdomains on two ranks, 1017 MB; the estimate is 986.
-/// Local.
+/// and 80 MB for program and libraries. Fitted to one run: tunnel with 937k unknowns in 260 subdomains on two ranks, 1017 MB; the estimate
+/// is 986. Local.
 double estimatedMegabytes(const std::vector<SubdomainMesh>& meshes);
 
-/// The same for Monolithic with n unknowns: 8 n log2(n) entries of the factor, and 500 bytes an unknown. Measured: tunnel with 937k
-/// unknowns 1646 MB; the estimate is 1662. Local.
+/// The same for Monolithic with n unknowns: 8 n log2(n) entries of the factor, and 500 bytes an unknown. Fitted to one run: tunnel with
+/// 937k unknowns 1646 MB; the estimate is 1662. Local.
 double estimatedMonolithicMegabytes(GlobalId unknowns);
 
 /// Memory that this machine could still give to programs, in 2^20 bytes: MemAvailable of Linux, or what the limits of the control group

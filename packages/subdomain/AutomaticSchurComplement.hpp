@@ -4,8 +4,8 @@
 namespace suture {
 
 /// Explicit or Implicit, whichever is expected to take less time over a number of iterations, within a limit of memory. With n unknowns,
-/// b of them on the boundary, and a factor of f = 8 n log2(n) entries (measured for plane triangles and AMD, n = 1,000 to 4,000), in
-/// seconds on the machine that it was measured on (only ratios matter):
+/// b of them on the boundary, and a factor of f = 8 n log2(n) entries (inferred from the memory of a run with n = 3,600), in
+/// seconds at assumed rates, of which only ratios matter:
 ///     Explicit  2/3 b^3 / 5e9 once, 4.4 b^2 / 8e9 an application       Implicit  16 f / 3e9 an application
 /// In the plane Explicit wins for nearly all subdomains; Implicit where nearly all unknowns are on the boundary, or for few applications.
 /// Local.
