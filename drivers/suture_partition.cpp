@@ -75,9 +75,10 @@ ExitCode run(const CommPtr& comm, const Options& options) {
     collectivelyOnRoot(*comm, "checking the name of the subdomains", [&] { checkGroups(mesh, options.groups); });
     const Constraints constraints = constraintsStage(*comm, mesh, scene);
     checkStage(*comm, mesh, constraints, makeElasticModel(scene));
-    CutMesh cut = cutStage(*comm, file, mesh, constraints);
-    collectivelyOnRoot(*comm, "naming the subdomains", [&] { addGroups(mesh, cut.partition, options.groups); });
-    writeHdf5Mesh(*comm, mesh, options.output, [&](Hdf5File& to) { addCut(to, mesh, constraints, cut.partition, cut.whole, scene); });
+    const Partition partition = makePartition(*comm, mesh, constraints, scene.sublist("Partition"), false);
+    const Whole whole = wholeStage(*comm, mesh, constraints, partition);
+    collectivelyOnRoot(*comm, "naming the subdomains", [&] { addGroups(mesh, partition, options.groups); });
+    writeHdf5Mesh(*comm, mesh, options.output, [&](Hdf5File& to) { addCut(to, mesh, constraints, partition, whole, scene); });
   } else {
     writeHdf5Mesh(*comm, mesh, options.output);
   }

@@ -52,10 +52,14 @@ MadeFor madeFor(const Parameters& scene) {
   return lists;
 }
 
-Whole wholeOf(const Comm& comm, const Mesh& mesh, const Constraints& constraints, const Partition& partition) {
+}  // namespace
+
+Whole wholeStage(const Comm& comm, const Mesh& mesh, const Constraints& constraints, const Partition& partition) {
   return {problemSize(comm, mesh, constraints, partition), constraints.pieces,
           onRoot(comm, "hashing the mesh", [&] { return mesh.hash(); })};
 }
+
+namespace {
 
 std::string bytesOf(const Whole& whole) {
   Packer packer;
@@ -96,7 +100,7 @@ CutMesh cutStage(const Comm& comm, const SceneFile& file, const Mesh& mesh, cons
   if (!isCut(scene)) {
     cut.partition = makePartition(comm, mesh, constraints, scene.sublist("Partition"), isCondensed(scene));
     cut.meshes = distribute(comm, mesh, constraints, cut.partition);
-    cut.whole = wholeOf(comm, mesh, constraints, cut.partition);
+    cut.whole = wholeStage(comm, mesh, constraints, cut.partition);
     return cut;
   }
   const std::string path = meshFile(scene.sublist("Mesh"), file.folder);

@@ -34,6 +34,9 @@ struct Whole {
   std::string hash;                  ///< of the mesh, on rank 0
 };
 
+/// Collective.
+Whole wholeStage(const Comm& comm, const Mesh& mesh, const Constraints& constraints, const Partition& partition);
+
 /// The bodies in subdomains, each rank with its own.
 struct CutMesh {
   Partition partition;

@@ -4,6 +4,7 @@
 #include <suture/base/Buffer.hpp>
 #include <suture/base/Collective.hpp>
 #include <suture/base/Errors.hpp>
+#include <suture/base/SceneReader.hpp>
 #include <suture/partition/ContactGroups.hpp>
 #include <suture/partition/Cut.hpp>
 #include <suture/partition/NodeSubdomains.hpp>
@@ -94,7 +95,10 @@ Partition makePartition(const Comm& comm, const Mesh& mesh, const Constraints& c
                         bool keepGroupsWhole) {
   const std::string type = partition.get<std::string>("Type");
   const bool metis = type == "METIS";
-  if (type == kPartitionedMesh) throw InternalError("a mesh that is cut already was to be cut");
+  if (type == kPartitionedMesh)
+    throw InputError(
+        pathOf(partition, "Type"),
+        std::string(kPartitionedMesh) + " takes the subdomains from Mesh/File; here a mesh is to be cut, by METIS or Named Groups");
   Cut cut;
   if (metis) cut = cutByMetis(comm, mesh, partition.sublist(type));
   Partition all;
