@@ -141,13 +141,12 @@ class Matcher {
       ContactPair pair;
       pair.id = static_cast<int>(result.pairs.size());
       pair.line = line_.number;
-      pair.nodeA = chainA.nodes[i];
-      pair.nodeB = partners[i];
+      pair.ends = matchingEnds(chainA.nodes[i], partners[i]);
       pair.normal = s.normal;
       pair.gap = s.gap;
-      pair.length = a_.line().at(pair.nodeA).tributary;
+      pair.length = a_.line().at(pair.node()).tributary;
       pair.arc = chainA.arc[i];
-      pair.position = mesh_.point(pair.nodeA);
+      pair.position = mesh_.point(pair.node());
       result.pairs.push_back(pair);
     }
   }
@@ -158,12 +157,13 @@ class Matcher {
     const ContactPair* where = nullptr;
     const ContactPair* whereAverted = nullptr;
     for (const ContactPair& pair : pairs) {
-      const Standing s = standing(pair.nodeA, pair.nodeB);
+      const int nodeA = pair.ends[0].node, nodeB = pair.ends[1].node;
+      const Standing s = standing(nodeA, nodeB);
       if (!s.facing) {
         if (averted++ == 0) whereAverted = &pair;
         continue;
       }
-      const double relative = s.excess / meshSize(pair.nodeA, pair.nodeB);
+      const double relative = s.excess / meshSize(nodeA, nodeB);
       if (relative <= line_.tolerance) continue;
       ++apart;
       if (relative > worst) worst = relative, where = &pair;
@@ -173,7 +173,7 @@ class Matcher {
                                     std::to_string(averted) + " of " + std::to_string(pairs.size()) +
                                     " nodes their normals differ by more than 60 degrees (the first at " +
                                     placeText(whereAverted->position) + "). Do the bodies lie on opposite sides of the line?");
-    if (apart > 0) reportMismatch(apart, apart, worst, where->nodeA, where->position);
+    if (apart > 0) reportMismatch(apart, apart, worst, where->node(), where->position);
     return apart == 0 && averted == 0;
   }
 

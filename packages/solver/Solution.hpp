@@ -43,7 +43,7 @@ struct Solution {
   std::map<std::string, int> chosenSchur;   ///< local problems, by how their Schur complement is kept where that was chosen automatically
   double energy = 0.0;                      ///< total potential energy a(u,u)/2 - L(u)
   Point applied{0, 0, 0};                   ///< sum of the loads [force]
-  Point reactions{0, 0, 0};                 ///< sum of the forces of the prescribed displacements
+  Point reactions{0, 0, 0};                 ///< sum of the forces of prescribed displacements and rigid obstacles
   double imbalance = 0.0;                   ///< |applied + reactions| over the largest of the forces that act
   std::map<std::string, double> estimates;  ///< of the outer solver: "mu", "contraction bound", "radius", "relaxation", ...
 };

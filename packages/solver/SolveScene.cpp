@@ -42,10 +42,15 @@ PairResult report(const PairState& state) {
 double norm(const Point& p) { return std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]); }
 
 /// Resultants of loads and reactions over all ranks. The scale of the imbalance is the force that passes through: half of what acts.
-void balance(const Comm& comm, const Subdomains& subdomains, const std::vector<Vector>& freeValues, Solution& solution) {
+void balance(const Comm& comm, const Subdomains& subdomains, const InterfaceProblem::Recovered& recovered, Solution& solution) {
   Point applied{0, 0, 0}, reactions{0, 0, 0};
   double absolute = 0.0;
-  for (std::size_t i = 0; i < subdomains.size(); ++i) subdomains[i]->resultants(freeValues[i], applied, reactions, absolute);
+  for (std::size_t i = 0; i < subdomains.size(); ++i) subdomains[i]->resultants(recovered.freeValues[i], applied, reactions, absolute);
+  for (const PairState& state : recovered.pairs) {
+    const Point force = obstacleForce(state.pair, state.force);
+    for (int k = 0; k < 3; ++k) reactions[k] += force[k];
+    absolute += norm(force);
+  }
   double mine[7], all[7];
   std::copy(applied.begin(), applied.end(), mine);
   std::copy(reactions.begin(), reactions.end(), mine + 3);
@@ -155,7 +160,7 @@ Solution recover(const Comm& comm, const InterfaceProblem& problem, const OuterR
   solution.chosenSchur = result.chosenSchur;
   solution.energy = recovered.energy;
   for (std::size_t i = 0; i < subdomains.size(); ++i) solution.displacement.push_back(subdomains[i]->cartesian(recovered.freeValues[i]));
-  balance(comm, subdomains, recovered.freeValues, solution);
+  balance(comm, subdomains, recovered, solution);
 
   Packer packer;
   packer.put(recovered.pairs);
