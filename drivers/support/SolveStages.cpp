@@ -34,8 +34,9 @@ Mesh meshStage(const Comm& comm, const SceneFile& file) {
 }
 
 Constraints constraintsStage(const Comm& comm, const Mesh& mesh, const Parameters& scene) {
-  return onRoot(comm, "building the constraints",
-                [&] { return buildConstraints(mesh, scene.sublist("Boundary Conditions"), scene.sublist("Contact")); });
+  return onRoot(comm, "building the constraints", [&] {
+    return buildConstraints(mesh, scene.sublist("Boundary Conditions"), scene.sublist("Contact"), sceneConstants(scene));
+  });
 }
 
 void checkStage(const Comm& comm, const Mesh& mesh, const Constraints& constraints, const ElasticModel& model) {

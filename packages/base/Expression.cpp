@@ -144,6 +144,14 @@ Constants readConstants(const Parameters& list, Problems& problems) {
   return constants;
 }
 
+Constants sceneConstants(const Parameters& scene) {
+  Problems problems;
+  Constants constants;
+  if (scene.isSublist("Constants")) constants = readConstants(scene.sublist("Constants"), problems);
+  problems.throwIfAny();
+  return constants;
+}
+
 std::optional<Expression> readExpression(const Parameters& list, const std::string& parameter, const Constants& constants,
                                          Problems& problems) {
   if (!list.isType<std::string>(parameter)) return std::nullopt;

@@ -43,6 +43,9 @@ Schema constantsSchema();
 /// The constants of a list `Constants`. \param problems  gets names that an expression cannot use or that mean something else there. Local.
 Constants readConstants(const Parameters& list, Problems& problems);
 
+/// Those of a whole scene; none if it has no such list. \throws InputError  as readConstants() says. Local.
+Constants sceneConstants(const Parameters& scene);
+
 /// The expression in a text parameter of a list; nothing if the parameter is not there or (`problems` then knows) is no expression. Local.
 std::optional<Expression> readExpression(const Parameters& list, const std::string& parameter, const Constants& constants,
                                          Problems& problems);

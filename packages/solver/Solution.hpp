@@ -19,8 +19,8 @@ struct PairResult {
   double force = 0.0;           ///< along the normal, on B; per unit thickness in 2D [force]
   double pressure = 0.0;        ///< force / tributary length [stress]
   double arc = 0.0;             ///< arc length along the line [length]
-  Point position{0, 0, 0};      ///< of node A, undeformed
-  Point displacement{0, 0, 0};  ///< of node A
+  Point position{0, 0, 0};      ///< of the node that carries it, undeformed
+  Point displacement{0, 0, 0};  ///< of the node that carries it
   Point normal{0, 0, 0};
 };
 
