@@ -1,5 +1,5 @@
 # Everything Suture links to, as imported targets: suture::trilinos, suture::intrepid2, suture::cholmod, suture::metis, suture::gmsh,
-# suture::hdf5, suture::eigen, suture::blas. Headers of others are SYSTEM: our warnings are about our code.
+# suture::muparser, suture::hdf5, suture::eigen, suture::blas. Headers of others are SYSTEM: our warnings are about our code.
 
 find_package(MPI REQUIRED COMPONENTS C CXX)
 find_package(Trilinos REQUIRED COMPONENTS Tpetra Belos Amesos2 Teuchos Intrepid2)
@@ -33,6 +33,7 @@ endfunction()
 
 suture_find_library(cholmod HEADER cholmod.h LIBRARIES cholmod SUFFIXES suitesparse)
 suture_find_library(metis HEADER metis.h LIBRARIES metis)
+suture_find_library(muparser HEADER muParser.h LIBRARIES muparser)
 suture_find_library(blas HEADER cblas.h LIBRARIES openblas SUFFIXES openblas-pthread x86_64-linux-gnu x86_64-linux-gnu/openblas-pthread)
 if(SUTURE_GMSH)
   suture_find_library(gmsh HEADER gmsh.h LIBRARIES gmsh)

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <Libraries.hpp>
 
+#include "Expression.hpp"
 #include "Hdf5File.hpp"
 
 namespace suture {
@@ -47,6 +48,7 @@ std::map<std::string, std::string> libraryVersions() {
           {"METIS", SUTURE_METIS_VERSION},
           {"Gmsh", SUTURE_GMSH_VERSION},
           {"Eigen", eigenVersion()},
+          {"muParser", Expression::libraryVersion()},
           {"compiler", compilerVersion()}};
 }
 

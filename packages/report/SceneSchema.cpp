@@ -1,3 +1,4 @@
+#include <suture/base/Expression.hpp>
 #include <suture/constraints/BuildConstraints.hpp>
 #include <suture/elasticity/ElasticModel.hpp>
 #include <suture/mesh/MeshReader.hpp>
@@ -13,6 +14,7 @@ Schema sceneSchema() {
   scene.text("Title", "", "Printed and drawn; empty: the name of the file.");
   scene.text("Units", "m, N, Pa", "Names of the units of length, force and stress: recorded and printed, never converted.");
   addModelParameters(scene);
+  scene.list("Constants", constantsSchema());
   scene.list("Mesh", meshSchema(), true);
   scene.list("Bodies", Schema("The elastic bodies, each named as its element group in the mesh.").each("<body>", bodySchema(), 1), true);
   scene.list("Materials", Schema("Materials, named by the user.").each("<material>", materialSchema(), 1), true);

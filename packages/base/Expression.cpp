@@ -1,0 +1,158 @@
+// The only source that includes muParser.
+#include "Expression.hpp"
+
+#include <muParser.h>
+
+#include <Teuchos_ParameterList.hpp>
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "Errors.hpp"
+#include "Numbers.hpp"
+#include "SceneReader.hpp"
+#include "Schema.hpp"
+
+namespace suture {
+namespace {
+
+bool isName(const std::string& text) {
+  const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; };
+  return !text.empty() && letter(text[0]) &&
+         std::all_of(text.begin(), text.end(), [&](char c) { return letter(c) || (c >= '0' && c <= '9'); });
+}
+
+template <typename Map>
+std::vector<std::string> namesOf(const Map& map) {
+  std::vector<std::string> names;
+  for (const auto& entry : map) names.push_back(entry.first);
+  return names;
+}
+
+double zero(const double*, int) { return 0.0; }
+
+}  // namespace
+
+struct Expression::Compiled {
+  mutable double x = 0.0, y = 0.0;  // where the parser looks: hence never copied
+  mu::Parser parser;
+  std::string text, path;
+
+  Compiled(const std::string& given, const Constants& constants, const std::string& where) : text(trimmed(given)), path(where) {
+    parser.ClearConst();
+    parser.DefineConst("pi", 3.14159265358979323846);
+    for (const auto& [name, value] : constants) parser.DefineConst(name, value);
+    parser.DefineVar("x", &x);
+    parser.DefineVar("y", &y);
+    compile();
+  }
+  Compiled(const Compiled&) = delete;
+
+ private:
+  [[noreturn]] void fail(const std::string& what) const { throw InputError(path, "'" + text + "': " + what); }
+
+  // An unknown name is given a meaning, so that the next one is found, too.
+  void compile() {
+    const std::vector<std::string> known[] = {namesOf(parser.GetVar()), namesOf(parser.GetConst()), namesOf(parser.GetFunDef())};
+    std::vector<std::string> all;
+    for (const auto& names : known) all.insert(all.end(), names.begin(), names.end());
+    std::string unknown;
+    refuseAssignment();
+    for (;;) try {
+        parser.SetExpr(text);
+        parser.Eval();
+        break;
+      } catch (const mu::ParserError& error) {
+        const std::string token = error.GetToken();
+        if (error.GetCode() != mu::ecUNASSIGNABLE_TOKEN || !isName(token)) fail(syntax(error));
+        if (parser.GetFunDef().count(token)) fail("the function " + token + " needs its arguments in parentheses");
+        const std::string nearest = nearestName(token, all);
+        unknown += (unknown.empty() ? "" : ", ") + ("'" + token + "'") + (nearest.empty() ? "" : " (did you mean '" + nearest + "'?)");
+        const std::size_t next = text.find_first_not_of(' ', error.GetPos() + token.size());
+        if (next != std::string::npos && text[next] == '(')
+          parser.DefineFun(token, zero);
+        else
+          parser.DefineConst(token, 0.0);
+      }
+    if (!unknown.empty())
+      fail("unknown: " + unknown + ". Variables: " + joinNames(known[0]) + ". Constants: " + joinNames(known[1]) +
+           ". Functions: " + joinNames(known[2]));
+    if (parser.GetNumResults() != 1) fail("has " + std::to_string(parser.GetNumResults()) + " values separated by commas, expected one");
+  }
+
+  // muParser would set the variable.
+  void refuseAssignment() const {
+    for (std::size_t i = 0; i < text.size(); ++i) {
+      if (text[i] != '=') continue;
+      const bool comparison = (i > 0 && std::string("=<>!").find(text[i - 1]) != std::string::npos) || text[i + 1] == '=';
+      if (!comparison) fail("'=' at character " + std::to_string(i + 1) + ": to compare, write ==");
+    }
+  }
+
+  std::string syntax(const mu::ParserError& error) const {
+    const std::size_t position = error.GetPos() < 0 ? text.size() : std::min<std::size_t>(error.GetPos(), text.size());
+    const std::string rest = position < text.size() ? " ('" + text.substr(position) + "')" : " (the end)";
+    std::string why = error.GetMsg();
+    const std::size_t place = std::min(why.find(" found at position"), why.find(" at "));  // counted from 0: ours is from 1
+    if (place != std::string::npos) why.resize(place);
+    return (text.empty() ? "is empty" : "not an expression at character " + std::to_string(position + 1) + rest + ": " + why) +
+           "; expected a formula in x and y, such as 0.1 * x^2 + sin(pi * y)";
+  }
+};
+
+Expression::Expression(const std::string& text, const Constants& constants, const std::string& path)
+    : compiled_(std::make_shared<Compiled>(text, constants, path)) {}
+
+double Expression::at(const Point& point) const {
+  const Compiled& c = *compiled_;
+  c.x = point[0];
+  c.y = point[1];
+  double value = std::nan("");
+  try {
+    value = c.parser.Eval();
+  } catch (const mu::ParserError&) {  // a muParser built to throw where a function is not defined
+  }
+  if (!std::isfinite(value)) {
+    char place[80];
+    std::snprintf(place, sizeof place, "(%.10g, %.10g)", point[0], point[1]);
+    throw InputError(c.path, "'" + c.text + "' is " + (std::isnan(value) ? "not a number (nan)" : "infinite") + " at (x, y) = " + place);
+  }
+  return value;
+}
+
+const std::string& Expression::text() const { return compiled_->text; }
+
+std::string Expression::libraryVersion() { return mu::Parser().GetVersion(mu::pviBRIEF); }
+
+Schema constantsSchema() {
+  return Schema("Numbers for the expressions of this scene, named by the user. pi is known without.")
+      .eachReal("constant", "value of the name in every expression");
+}
+
+Constants readConstants(const Parameters& list, Problems& problems) {
+  static const mu::Parser standard;
+  Constants constants;
+  for (auto entry = list.begin(); entry != list.end(); ++entry) {
+    const std::string& name = list.name(entry);
+    if (!isName(name))
+      problems.add(pathOf(list, name), "'" + name + "' cannot stand in an expression: expected letters, digits and _, a letter first");
+    else if (name == "x" || name == "y" || name == "pi" || standard.GetFunDef().count(name))
+      problems.add(pathOf(list, name), "'" + name + "' has its meaning in expressions already: choose another name");
+    else
+      constants[name] = list.get<double>(name);
+  }
+  return constants;
+}
+
+std::optional<Expression> readExpression(const Parameters& list, const std::string& parameter, const Constants& constants,
+                                         Problems& problems) {
+  if (!list.isType<std::string>(parameter)) return std::nullopt;
+  try {
+    return Expression(list.get<std::string>(parameter), constants, pathOf(list, parameter));
+  } catch (const InputError& error) {
+    for (const Problem& problem : error.problems()) problems.add(problem.path, problem.message);
+    return std::nullopt;
+  }
+}
+
+}  // namespace suture

@@ -1,0 +1,50 @@
+#pragma once
+#include <suture/base/Types.hpp>
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace suture {
+
+class Problems;
+class Schema;
+
+/// Numbers that the user named for the expressions of his scene.
+using Constants = std::map<std::string, double>;
+
+/// A function of the point (x, y), from a text such as "A * sqrt(x^2 + y^2)": operators + - * / ^ (-x^2 is -(x^2)), comparisons, && ||,
+/// c ? a : b, the functions of muParser (sin, atan2, sqrt, exp, ln, abs, min, ...), the constants given, and pi.
+///
+/// Read once, then a byte code: an evaluation costs about as much as its operations and allocates nothing. Copies share it. Not to be
+/// evaluated from two threads at once.
+class Expression {
+ public:
+  /// \param path  of the parameter that holds the text, for messages
+  /// \throws InputError  all unknown names (nearest; what is known), or where the text is not an expression. Local.
+  explicit Expression(const std::string& text, const Constants& constants = {}, const std::string& path = "");
+
+  /// \throws InputError  when the value is not finite: which expression, at which point. Local.
+  double at(const Point& point) const;
+
+  const std::string& text() const;
+  static std::string libraryVersion();
+
+ private:
+  struct Compiled;
+  std::shared_ptr<const Compiled> compiled_;
+};
+
+/// The scene's list `Constants`.
+Schema constantsSchema();
+
+/// The constants of a list `Constants`. \param problems  gets names that an expression cannot use or that mean something else there. Local.
+Constants readConstants(const Parameters& list, Problems& problems);
+
+/// The expression in a text parameter of a list; nothing if the parameter is not there or (`problems` then knows) is no expression. Local.
+std::optional<Expression> readExpression(const Parameters& list, const std::string& parameter, const Constants& constants,
+                                         Problems& problems);
+
+}  // namespace suture
