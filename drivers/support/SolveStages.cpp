@@ -11,6 +11,7 @@
 #include <suture/mesh/MeshReader.hpp>
 #include <suture/mesh/Regions.hpp>
 #include <suture/report/Checkpoint.hpp>
+#include <suture/solver/ExactErrors.hpp>
 #include <suture/solver/Solvability.hpp>
 
 #include "NestedLevels.hpp"
@@ -34,8 +35,9 @@ Mesh meshStage(const Comm& comm, const SceneFile& file) {
 }
 
 Constraints constraintsStage(const Comm& comm, const Mesh& mesh, const Parameters& scene) {
-  return onRoot(comm, "building the constraints",
-                [&] { return buildConstraints(mesh, scene.sublist("Boundary Conditions"), scene.sublist("Contact")); });
+  return onRoot(comm, "building the constraints", [&] {
+    return buildConstraints(mesh, scene.sublist("Boundary Conditions"), scene.sublist("Contact"), sceneConstants(scene));
+  });
 }
 
 void checkStage(const Comm& comm, const Mesh& mesh, const Constraints& constraints, const ElasticModel& model) {
@@ -48,7 +50,7 @@ bool isCut(const Parameters& scene) { return scene.sublist("Partition").get<std:
 
 MadeFor madeFor(const Parameters& scene) {
   MadeFor lists;
-  for (const char* name : {"Bodies", "Boundary Conditions", "Contact"}) lists[name] = toXml(scene.sublist(name));
+  for (const char* name : {"Bodies", "Boundary Conditions", "Constants", "Contact", "Functions"}) lists[name] = toXml(scene.sublist(name));
   return lists;
 }
 
@@ -139,6 +141,12 @@ std::unique_ptr<InterfaceState> startStage(const CommPtr& comm, const SolveOptio
   std::vector<Vector> freeValues;
   for (std::size_t i = 0; i < subdomains.size(); ++i) freeValues.push_back(subdomains[i]->freeValues(checkpoint.displacement[i]));
   return std::make_unique<InterfaceState>(problem->stateOf(freeValues, checkpoint.status));
+}
+
+void errorStage(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model, const Parameters& scene,
+                Solution& solution, Timers& timers) {
+  if (model.exact.empty()) return;
+  solution.errors = timed(timers, "errors", [&] { return exactErrors(comm, meshes, model, scene.sublist("Contact"), solution); });
 }
 
 namespace {
