@@ -24,6 +24,7 @@ RunResult solveScene(const CommPtr& comm, const SolveOptions& options) {
   CutMesh cut = timed(timers, "partition", [&] { return cutStage(*comm, file, mesh, constraints); });
   const ElasticModel model = makeElasticModel(scene);
   if (whole) timed(timers, "partition", [&] { checkStage(*comm, mesh, constraints, model); });
+  checkExactSolution(*comm, cut.meshes, model, scene.sublist("Contact"));
   const double memory = checkMemory(*comm, cut.meshes, cut.whole.size.dofs, scene);
   if (!isMonolithic(scene)) forget(mesh, constraints, cut.partition);
   auto subdomains =

@@ -11,7 +11,6 @@
 #include <suture/mesh/MeshReader.hpp>
 #include <suture/mesh/Regions.hpp>
 #include <suture/report/Checkpoint.hpp>
-#include <suture/solver/ExactErrors.hpp>
 #include <suture/solver/Solvability.hpp>
 
 #include "NestedLevels.hpp"

@@ -6,6 +6,7 @@
 #include <suture/partition/PartitionFile.hpp>
 #include <suture/report/Report.hpp>
 #include <suture/report/SceneSchema.hpp>
+#include <suture/solver/ExactErrors.hpp>
 #include <suture/solver/MemoryEstimate.hpp>
 #include <suture/solver/SolveScene.hpp>
 

@@ -133,9 +133,9 @@ Schema boundaryConditionSchema() {
              "[force / volume]; none for Bilateral and Random Load")
       .optional()
       .text("Expression x", std::nullopt,
-            "instead of Value: the component along x as a function of x and y, the place on the undeformed body; known are the numbers in "
-            "Constants, pi, + - * / ^, comparisons, c ? a : b and functions such as sqrt, sin, atan2, exp, ln, abs, min (in the file, < is "
-            "written &lt;)")
+            "instead of Value: the component along x as a function of x and y, the place on the undeformed body. Known are the names in "
+            "Constants and Functions, pi, + - * / ^, comparisons, c ? a : b, and sqrt, sin, atan2, exp, ln, abs, min and others; in the "
+            "file < is written &lt;")
       .optional()
       .text("Expression y", std::nullopt, "the same of the component along y")
       .optional()

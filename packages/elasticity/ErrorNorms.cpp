@@ -35,7 +35,7 @@ BodyErrors bodyErrors(const CellBlock& block, const ExactFields& exact, const st
     ElementMap map(block, e, reference);
     for (int q = 0; q < reference.points; ++q) {
       map.at(q);
-      const Point place = map.point();
+      const Point place = map.place();
       for (std::size_t k = 0; k < exact.displacement.size(); ++k) {
         const double u = exact.displacement[k].at(place);
         double difference = -u;

@@ -41,7 +41,7 @@ void addBodyForce(const CellBlock& block, const std::vector<int>& elements, cons
     ElementMap map(block, e, reference);
     for (int q = 0; q < reference.points; ++q) {
       map.at(q);
-      const Point value = load.at(map.point());
+      const Point value = load.at(map.place());
       for (int a = 0; a < reference.nodes; ++a)
         for (int k = 0; k < 2; ++k) forces[2 * nodes[a] + k] += value[k] * reference.valuesAt(q)[a] * map.measure();
     }

@@ -1,16 +1,24 @@
 #include <suture/base/Collective.hpp>
+#include <suture/base/SceneReader.hpp>
 #include <suture/elasticity/ErrorNorms.hpp>
 #include <suture/solver/ExactErrors.hpp>
 #include <suture/solver/PressureField.hpp>
 
 #include <Teuchos_Comm.hpp>
 #include <Teuchos_CommHelpers.hpp>
+#include <Teuchos_ParameterList.hpp>
 
 #include <cmath>
 
 namespace suture {
 
 namespace {
+
+BodyErrors errorsOf(const SubdomainMesh& mesh, const ElasticModel& model, const Vector& displacement) {
+  return bodyErrors(
+      mesh, model.exact.ofBody[mesh.body], [&](int e) -> const Material& { return model.materialOf(mesh, e, mesh.body); }, model.plane,
+      displacement);
+}
 
 SquaredNorms pressureErrors(const ContactSides& lines, const std::vector<PairResult>& pairs, const Expression& exact) {
   SquaredNorms all;
@@ -33,6 +41,17 @@ void name(const std::string& what, double error, double exact, std::map<std::str
 
 }  // namespace
 
+void checkExactSolution(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model, const Parameters& contact) {
+  if (model.exact.empty()) return;
+  collectively(comm, "checking the exact solution", [&] {
+    for (const SubdomainMesh& mesh : meshes) errorsOf(mesh, model, Vector::Zero(Eigen::Index(mesh.coordinates.size())));
+    if (!model.exact.pressure) return;
+    for (const std::string& line : sublistNames(contact))
+      for (const ContactSide& side : contactSidesHere(meshes, contact.sublist(line).get<std::string>("Side A")))
+        sideErrors(side.points, Vector::Zero(Eigen::Index(side.nodes.size())), *model.exact.pressure);
+  });
+}
+
 std::map<std::string, double> exactErrors(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model,
                                           const Parameters& contact, const Solution& solution) {
   std::map<std::string, double> errors;
@@ -43,10 +62,7 @@ std::map<std::string, double> exactErrors(const Comm& comm, const std::vector<Su
   SquaredNorms pressure;
   collectively(comm, "measuring the errors", [&] {
     for (std::size_t i = 0; i < meshes.size(); ++i) {
-      const SubdomainMesh& mesh = meshes[i];
-      const BodyErrors part = bodyErrors(
-          mesh, model.exact.ofBody[mesh.body], [&](int e) -> const Material& { return model.materialOf(mesh, e, mesh.body); }, model.plane,
-          solution.displacement[i]);
+      const BodyErrors part = errorsOf(meshes[i], model, solution.displacement[i]);
       bodies.displacement.add(part.displacement);
       bodies.energy.add(part.energy);
     }

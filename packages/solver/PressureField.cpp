@@ -15,23 +15,6 @@ namespace suture {
 
 namespace {
 
-/// A group's sides on this rank.
-std::vector<ContactSide> sidesHere(const std::vector<SubdomainMesh>& meshes, const std::string& group) {
-  std::vector<ContactSide> all;
-  for (const SubdomainMesh& mesh : meshes) {
-    const auto found = mesh.sideGroups.find(group);
-    if (found == mesh.sideGroups.end()) continue;
-    for (const Side& side : found->second) {
-      all.emplace_back();
-      for (const int node : mesh.nodesOf(side)) {
-        all.back().nodes.push_back(mesh.globalNodes[node]);
-        all.back().points.push_back(mesh.point(node));
-      }
-    }
-  }
-  return all;
-}
-
 bool carries(const std::vector<ContactSide>& sides, const std::set<GlobalId>& nodes) {
   return std::any_of(sides.begin(), sides.end(), [&](const ContactSide& side) {
     return std::any_of(side.nodes.begin(), side.nodes.end(), [&](GlobalId node) { return nodes.count(node) > 0; });
@@ -79,6 +62,22 @@ std::vector<Continuation> continuationsOf(const ContactSide& side, const std::se
 
 }  // namespace
 
+std::vector<ContactSide> contactSidesHere(const std::vector<SubdomainMesh>& meshes, const std::string& group) {
+  std::vector<ContactSide> all;
+  for (const SubdomainMesh& mesh : meshes) {
+    const auto found = mesh.sideGroups.find(group);
+    if (found == mesh.sideGroups.end()) continue;
+    for (const Side& side : found->second) {
+      all.emplace_back();
+      for (const int node : mesh.nodesOf(side)) {
+        all.back().nodes.push_back(mesh.globalNodes[node]);
+        all.back().points.push_back(mesh.point(node));
+      }
+    }
+  }
+  return all;
+}
+
 ContactSides contactSides(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const Parameters& contact,
                           const std::vector<PairResult>& pairs) {
   ContactSides result;
@@ -90,7 +89,7 @@ ContactSides contactSides(const Comm& comm, const std::vector<SubdomainMesh>& me
     for (const char* name : {"Side A", "Side B"}) {
       const Parameters& list = contact.sublist(lines[line]);
       if (!list.isType<std::string>(name)) continue;
-      std::vector<ContactSide> sides = gathered(comm, sidesHere(meshes, list.get<std::string>(name)));
+      std::vector<ContactSide> sides = gathered(comm, contactSidesHere(meshes, list.get<std::string>(name)));
       if (carries(sides, carriers)) result.ofLine[line] = std::move(sides);
     }
   }
