@@ -10,12 +10,27 @@
 
 namespace suture {
 
-/// Packs plain values, strings, vectors and maps into bytes for a message; same order out as in.
+/// Whether T has a static forEachField(object, each) that calls each(member) for its members in order: how a struct whose members are not
+/// all plain bytes is packed and unpacked.
+template <typename T, typename = void>
+struct HasFields : std::false_type {};
+struct AnyField {
+  template <typename Field>
+  void operator()(Field&&) const {}
+};
+template <typename T>
+struct HasFields<T, std::void_t<decltype(T::forEachField(std::declval<T&>(), AnyField{}))>> : std::true_type {};
+
+/// Packs plain values, strings, vectors, maps and structs of them into bytes for a message; same order out as in.
 class Packer {
  public:
   template <typename T>
   std::enable_if_t<std::is_trivially_copyable_v<T>> put(const T& value) {
     bytes_.append(reinterpret_cast<const char*>(&value), sizeof(T));
+  }
+  template <typename T>
+  std::enable_if_t<HasFields<T>::value> put(const T& object) {
+    T::forEachField(object, [this](const auto& field) { put(field); });
   }
   void put(const std::string& text) {
     put(text.size());
@@ -53,6 +68,10 @@ class Unpacker {
   template <typename T>
   std::enable_if_t<std::is_trivially_copyable_v<T>> get(T& value) {
     std::memcpy(static_cast<void*>(&value), take(sizeof(T)), sizeof(T));
+  }
+  template <typename T>
+  std::enable_if_t<HasFields<T>::value> get(T& object) {
+    T::forEachField(object, [this](auto& field) { get(field); });
   }
   void get(std::string& text) {
     const std::size_t n = takeCount(1);

@@ -5,6 +5,7 @@
 #include <suture/constraints/NodalRules.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -36,7 +37,7 @@ void checkRoles(const Mesh& mesh, const std::vector<Condition>& conditions, cons
     };
     for (const ContactLine& line : lines)
       for (const auto& [group, side] : {std::make_pair(line.groupA, "Side A"), std::make_pair(line.groupB, "Side B")})
-        if (covers(group))
+        if (!group.empty() && covers(group))
           problems.add(line.path + "/" + side,
                        "'" + group + "' is held on its whole length by " + holding.path + "; a side is either held or in contact");
     for (const Condition& load : conditions)
@@ -46,24 +47,31 @@ void checkRoles(const Mesh& mesh, const std::vector<Condition>& conditions, cons
   }
 }
 
-// Contact nodes in one pair, and with nothing prescribed, get the pair's axes.
+// Contact nodes in one line, and with nothing prescribed, get the pair's axes, or the mean of several pairs (mortar).
 void addContactFrames(const std::vector<ContactPair>& pairs, std::vector<NodeRule>& rules) {
-  std::map<int, std::pair<int, int>> uses;  // node -> number of pairs, the last of them
+  struct Use {
+    int pairs = 0, line = -1;
+    bool oneLine = true;
+    Point last{0, 0, 0}, sum{0, 0, 0};  // normals: of the last pair; of all, each with its weight
+  };
+  std::map<int, Use> uses;
   for (const ContactPair& pair : pairs)
-    for (const int node : {pair.nodeA, pair.nodeB}) {
-      auto& use = uses[node];
-      ++use.first;
-      use.second = pair.id;
+    for (const PairEnd& end : pair.ends) {
+      Use& use = uses[end.node];
+      use.oneLine = use.oneLine && (use.pairs == 0 || use.line == pair.line);
+      use.line = pair.line;
+      use.last = pair.normal;
+      ++use.pairs;
+      for (int k = 0; k < 2; ++k) use.sum[k] += std::abs(end.weight) * pair.normal[k];
     }
   std::set<int> ruled;
   for (const NodeRule& rule : rules) ruled.insert(rule.node);
   for (const auto& [node, use] : uses) {
-    if (use.first != 1 || ruled.count(node)) continue;
-    const Point& n = pairs[use.second].normal;
+    if (!use.oneLine || ruled.count(node)) continue;
     NodeRule rule;
     rule.node = node;
-    rule.axes[0] = n;
-    rule.axes[1] = {-n[1], n[0], 0};
+    rule.axes[0] = use.pairs == 1 ? use.last : unit(use.sum);
+    rule.axes[1] = turned(rule.axes[0]);
     rules.push_back(rule);
   }
   std::sort(rules.begin(), rules.end(), [](const NodeRule& x, const NodeRule& y) { return x.node < y.node; });
@@ -73,7 +81,9 @@ void addContactFrames(const std::vector<ContactPair>& pairs, std::vector<NodeRul
 void checkHeld(const Mesh& mesh, const Constraints& constraints, Problems& problems) {
   std::vector<char> held(mesh.bodies.size(), 0);
   for (const NodeRule& rule : constraints.rules) held[mesh.bodyOfNode[rule.node]] = 1;  // of boundary conditions only, as yet
-  for (const ContactPiece& piece : constraints.pieces) held[piece.bodyA] = held[piece.bodyB] = 1;
+  for (const ContactPiece& piece : constraints.pieces)
+    for (const int body : {piece.bodyA, piece.bodyB})
+      if (body >= 0) held[body] = 1;
   for (std::size_t body = 0; body < mesh.bodies.size(); ++body)
     if (!held[body])
       problems.add("Bodies/" + mesh.bodies[body],
@@ -85,14 +95,14 @@ void checkHeld(const Mesh& mesh, const Constraints& constraints, Problems& probl
 Constraints buildConstraints(const Mesh& mesh, const Parameters& conditionList, const Parameters& contactList, const Constants& constants) {
   Problems problems;
   const std::vector<Condition> conditions = readConditions(mesh, conditionList, constants, problems);
-  const std::vector<ContactLine> lines = readContact(mesh, contactList, problems);
+  const std::vector<ContactLine> lines = readContact(mesh, contactList, constants, problems);
   checkRoles(mesh, conditions, lines, problems);
 
   Constraints constraints;
   constraints.rules = nodalRules(mesh, conditions, problems);
   std::vector<PairedLine> paired;
   for (const ContactLine& line : lines) {
-    paired.push_back(pairLine(mesh, line, problems));
+    paired.push_back(pairLine(mesh, line, problems, constraints.notes));
     const int base = static_cast<int>(constraints.pairs.size());
     for (ContactPair pair : paired.back().pairs) {
       pair.id += base;
@@ -106,6 +116,15 @@ Constraints buildConstraints(const Mesh& mesh, const Parameters& conditionList, 
   problems.throwIfAny();
   addContactFrames(constraints.pairs, constraints.rules);
   return constraints;
+}
+
+std::vector<PairEnd> matchingEnds(int nodeA, int nodeB) { return {{nodeA, 1.0}, {nodeB, -1.0}}; }
+
+Point obstacleForce(const ContactPair& pair, double force) {
+  double sum = 0.0, size = 0.0;
+  for (const PairEnd& end : pair.ends) sum += end.weight, size += std::abs(end.weight);
+  if (std::abs(sum) < 1e-9 * size) return {0, 0, 0};
+  return {-force * sum * pair.normal[0], -force * sum * pair.normal[1], -force * sum * pair.normal[2]};
 }
 
 Matrix axesOf(const NodeRule& rule, int dimension) {

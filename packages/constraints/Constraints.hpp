@@ -16,24 +16,47 @@ struct NodeRule {
   Point value{0, 0, 0};  ///< of the fixed components [length]
 };
 
-/// Two facing nodes on a contact line: (u_A - u_B) . normal <= gap. One unit normal a pair, from side A to side B.
+/// A node's share in the condition of a contact pair: weight normal . u(node).
+struct PairEnd {
+  int node = -1;
+  double weight = 0.0;  ///< of side A > 0 in sum, of side B < 0
+};
+
+/// One unilateral condition of a contact line: sum over its ends of weight normal . u(node) <= gap, that is (u_A - u_B) . normal <= gap.
+/// One unit normal a pair, from side A to side B. The first end is the node that carries the pair (its contact force acts there), with
+/// weight 1 on side A, -1 on side B (others only where a mortar covers a quadratic element in part). Of matching sides a pair has one node
+/// of each; with mortar it has the mean of several on the other side; with a rigid obstacle none.
 struct ContactPair {
   int id = -1;     ///< 0..pairs-1 over the whole scene, along the lines
   int line = -1;   ///< which contact of the scene (its place in the list `Contact`)
   int piece = -1;  ///< which connected component of Gamma_c
-  int nodeA = -1, nodeB = -1;
+  std::vector<PairEnd> ends;
   Point normal{0, 0, 0};
   double gap = 0.0;         ///< initial gap along the normal [length]; negative: interference
-  double length = 0.0;      ///< tributary length on side A: integral of its hat function
-  double arc = 0.0;         ///< arc length from the first node of its line on side A
-  Point position{0, 0, 0};  ///< of node A
+  double length = 0.0;      ///< tributary length: integral of the carrying node's hat function
+  double arc = 0.0;         ///< arc length from the first node of its line on the carrying side
+  Point position{0, 0, 0};  ///< of the carrying node
+
+  int node() const { return ends.front().node; }
+
+  template <typename Self, typename Each>
+  static void forEachField(Self& self, const Each& each) {
+    each(self.id), each(self.line), each(self.piece), each(self.ends), each(self.normal);
+    each(self.gap), each(self.length), each(self.arc), each(self.position);
+  }
 };
+
+/// A pair of two nodes that stand opposite to each other.
+std::vector<PairEnd> matchingEnds(int nodeA, int nodeB);
+
+/// What a pair of this contact force takes from the bodies as a whole: the force of a rigid obstacle on them; zero between bodies. [force]
+Point obstacleForce(const ContactPair& pair, double force);
 
 /// A connected component of Gamma_c.
 struct ContactPiece {
-  std::string name;        ///< of the contact line; "<line> 2" for its second component, "a + b" for lines that touch
-  std::vector<int> pairs;  ///< ids
-  int bodyA = -1, bodyB = -1;
+  std::string name;            ///< of the contact line; "<line> 2" for its second component, "a + b" for lines that touch
+  std::vector<int> pairs;      ///< ids
+  int bodyA = -1, bodyB = -1;  ///< B: -1 for a rigid obstacle
 };
 
 /// All that restricts the displacements of a scene: Dirichlet and bilateral rows as nodal rules, contact pairs and pieces. On rank 0, for
@@ -42,6 +65,7 @@ struct Constraints {
   std::vector<NodeRule> rules;     ///< at most one a node, sorted by node
   std::vector<ContactPair> pairs;  ///< pairs[i].id == i
   std::vector<ContactPiece> pieces;
+  std::vector<std::string> notes;  ///< sentences for the user: what was chosen
 };
 
 /// u_local = Q u for one node: row k of Q is axis k. `dimension` x `dimension`.

@@ -39,8 +39,8 @@ std::vector<ContactPiece> findPieces(const std::vector<ContactLine>& lines, cons
     for (std::size_t i = 0; i < paired[l].pairs.size(); ++i) {
       const int id = base + static_cast<int>(i);
       lineOf.push_back(static_cast<int>(l));
-      for (const int node : {pairs[id].nodeA, pairs[id].nodeB})
-        components.join(id, firstAt.emplace(std::make_tuple(lines[l].bodyA, lines[l].bodyB, node), id).first->second);
+      for (const PairEnd& end : pairs[id].ends)
+        components.join(id, firstAt.emplace(std::make_tuple(lines[l].bodyA, lines[l].bodyB, end.node), id).first->second);
     }
     base += static_cast<int>(paired[l].pairs.size());
   }

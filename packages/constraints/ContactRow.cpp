@@ -16,16 +16,15 @@ struct Entry {
   int node;
 };
 
-// One end of a pair, side +1 for A and -1 for B. A node without a rule is Cartesian and free.
-void addEnd(int node, int side, const NodeRule& rule, int dimension, ContactRow& row, std::vector<Entry>& entries) {
+// A node without a rule is Cartesian and free.
+void addEnd(const PairEnd& end, const NodeRule& rule, int dimension, ContactRow& row, std::vector<Entry>& entries) {
   for (int k = 0; k < dimension; ++k) {
     double along = 0.0;
     for (int c = 0; c < dimension; ++c) along += rule.axes[k][c] * row.pair.normal[c];
-    along *= side;
     if (rule.fixed[k])
-      row.gap -= along * rule.value[k];
+      row.gap -= end.weight * along * rule.value[k];
     else if (std::abs(along) > 1e-12)  // the row of a unit normal: this is rounding of the axes
-      entries.push_back({static_cast<GlobalId>(node) * dimension + k, along, node});
+      entries.push_back({static_cast<GlobalId>(end.node) * dimension + k, end.weight * along, end.node});
   }
 }
 
@@ -60,8 +59,8 @@ std::vector<ContactRow> contactRows(const Mesh& mesh, const Constraints& constra
     row.pair = pair;
     row.gap = pair.gap;
     std::vector<Entry> entries;
-    for (const auto& [node, side] : {std::make_pair(pair.nodeA, +1), std::make_pair(pair.nodeB, -1)})
-      addEnd(node, side, ruleOf[node] < 0 ? free : constraints.rules[ruleOf[node]], mesh.dimension, row, entries);
+    for (const PairEnd& end : pair.ends)
+      addEnd(end, ruleOf[end.node] < 0 ? free : constraints.rules[ruleOf[end.node]], mesh.dimension, row, entries);
     std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.dof < b.dof; });
     for (const Entry& entry : entries) {
       row.dofs.push_back(entry.dof);

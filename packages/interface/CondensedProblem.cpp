@@ -219,14 +219,15 @@ InterfaceProblem::Recovered CondensedProblem::recover(const InterfaceState& stat
       }
       const auto gapOf = [&](const ContactPair& pair) {
         double gap = pair.gap;
-        for (int k = 0; k < 3; ++k) gap -= (moved[pair.nodeA][k] - moved[pair.nodeB][k]) * pair.normal[k];
+        for (const PairEnd& end : pair.ends)
+          for (int k = 0; k < 3; ++k) gap -= end.weight * moved[end.node][k] * pair.normal[k];
         return gap;
       };
       for (std::size_t p = 0; p < group.pairs().size(); ++p)
         result.pairs.push_back(
-            {group.pairs()[p], response.status[p], response.force(p), gapOf(group.pairs()[p]), moved[group.pairs()[p].nodeA]});
+            {group.pairs()[p], response.status[p], response.force(p), gapOf(group.pairs()[p]), moved[group.pairs()[p].node()]});
       for (const ContactPair& pair : group.idlePairs())
-        result.pairs.push_back({pair, PairStatus::Open, 0.0, gapOf(pair), moved[pair.nodeA]});
+        result.pairs.push_back({pair, PairStatus::Open, 0.0, gapOf(pair), moved[pair.node()]});
     }
   });
   result.energy = sumOver(*comm_, energy);

@@ -81,7 +81,7 @@ void ContactInterfaceProblem::collectRows(const Vector& stiffness) {
     for (const ContactRow& row : mesh.contactRows) byPair.emplace(row.pair.id, &row);
     for (const SubdomainMesh::ContactEnd& end : mesh.contactEnds) {
       const auto others = mesh.others(end.node);
-      if (end.side > 0 && std::all_of(others.begin(), others.end(), [&](int other) { return other > mesh.id; })) mine.insert(end.pair.id);
+      if (end.end == 0 && std::all_of(others.begin(), others.end(), [&](int other) { return other > mesh.id; })) mine.insert(end.pair);
     }
   }
   std::vector<ContactClusters::Row> rows;
@@ -280,7 +280,7 @@ InterfaceProblem::Recovered ContactInterfaceProblem::recover(const InterfaceStat
   Recovered result;
   double energy = 0.0;
   collectively(*comm_, "recovering the interiors", [&] {
-    std::map<int, Point> moved;  // pair -> displacement of its node A, Cartesian
+    std::map<int, Point> moved;  // pair -> displacement of the node that carries it, Cartesian
     for (std::size_t i = 0; i < locals_.size(); ++i) {
       Matrix own(locals_[i]->size(), 1);
       space_->coupling(static_cast<int>(i)).restrictTo(trace, own);
@@ -290,8 +290,8 @@ InterfaceProblem::Recovered ContactInterfaceProblem::recover(const InterfaceStat
       energy += 0.5 * values.dot(subdomain.stiffness() * values) - values.dot(subdomain.load()) + subdomain.constantEnergy();
       const Vector cartesian = subdomain.cartesian(values);
       for (const SubdomainMesh::ContactEnd& end : subdomain.mesh().contactEnds)
-        if (end.side > 0)
-          for (int k = 0; k < subdomain.components(); ++k) moved[end.pair.id][k] = cartesian(end.node * subdomain.components() + k);
+        if (end.end == 0)
+          for (int k = 0; k < subdomain.components(); ++k) moved[end.pair][k] = cartesian(end.node * subdomain.components() + k);
     }
     for (std::size_t i = 0; i < rows_.size(); ++i)
       if (owned_[i]) {

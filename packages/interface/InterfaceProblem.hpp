@@ -28,7 +28,12 @@ struct PairState {
   PairStatus status = PairStatus::Open;
   double force = 0.0;           ///< >= 0 compressive [force]
   double gap = 0.0;             ///< current gap [length]
-  Point displacement{0, 0, 0};  ///< of node A, Cartesian
+  Point displacement{0, 0, 0};  ///< of the node that carries it, Cartesian
+
+  template <typename Self, typename Each>
+  static void forEachField(Self& self, const Each& each) {
+    each(self.pair), each(self.status), each(self.force), each(self.gap), each(self.displacement);
+  }
 };
 
 /// The non-linear problem that an outer solver sees: find the trace U with  grad J(U) = S_0 U + S_KON(U) - F = 0,  J the energy with

@@ -25,8 +25,8 @@ ContactGroups contactGroups(const Constraints& constraints, const NodeSubdomains
   Sets sets(subdomains + pieces);
   for (int piece = 0; piece < pieces; ++piece)
     for (int id : constraints.pieces[piece].pairs)
-      for (int node : {constraints.pairs[id].nodeA, constraints.pairs[id].nodeB})
-        for (int s : holders.of(node)) sets.join(subdomains + piece, s);
+      for (const PairEnd& end : constraints.pairs[id].ends)
+        for (int s : holders.of(end.node)) sets.join(subdomains + piece, s);
 
   ContactGroups all;
   all.groupOf.assign(subdomains, -1);

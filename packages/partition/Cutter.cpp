@@ -23,10 +23,9 @@ Cutter::Cutter(const Mesh& mesh, const Constraints& constraints, const Partition
     for (const Side& side : sides) sides_[partition.subdomainOfElement[side.element]].push_back({&name, side});
   for (std::size_t r = 0; r < constraints.rules.size(); ++r)
     for (int s : holders_.of(constraints.rules[r].node)) rules_[s].push_back(static_cast<int>(r));
-  for (const ContactPair& pair : constraints.pairs) {
-    for (int s : holders_.of(pair.nodeA)) ends_[s].push_back(2 * pair.id);
-    for (int s : holders_.of(pair.nodeB)) ends_[s].push_back(2 * pair.id + 1);
-  }
+  for (const ContactPair& pair : constraints.pairs)
+    for (std::size_t end = 0; end < pair.ends.size(); ++end)
+      for (int s : holders_.of(pair.ends[end].node)) ends_[s].push_back({pair.id, static_cast<int>(end)});
   shareRows();
   findSeamSides();
 }
@@ -37,8 +36,8 @@ void Cutter::shareRows() {
   for (std::size_t p = 0; p < rows_.size(); ++p) {
     const int cluster = rows_[p].cluster;
     members[cluster].push_back(static_cast<int>(p));
-    for (int node : {rows_[p].pair.nodeA, rows_[p].pair.nodeB})
-      holders[cluster].insert(holders[cluster].end(), holders_.of(node).begin(), holders_.of(node).end());
+    for (const PairEnd& end : rows_[p].pair.ends)
+      holders[cluster].insert(holders[cluster].end(), holders_.of(end.node).begin(), holders_.of(end.node).end());
   }
   for (std::size_t cluster = 0; cluster < rows_.size(); ++cluster) {
     std::vector<int>& all = holders[cluster];
@@ -115,11 +114,8 @@ void Cutter::cutConstraints(SubdomainMesh& part) const {
     part.rules.push_back(constraints_.rules[r]);
     part.rules.back().node = localNode_[constraints_.rules[r].node];
   }
-  for (int end : ends_[part.id]) {
-    const ContactPair& pair = constraints_.pairs[end / 2];
-    const bool sideA = end % 2 == 0;
-    part.contactEnds.push_back({pair, localNode_[sideA ? pair.nodeA : pair.nodeB], sideA ? +1 : -1});
-  }
+  for (const auto& [pair, end] : ends_[part.id])
+    part.contactEnds.push_back({pair, end, localNode_[constraints_.pairs[pair].ends[end].node]});
   for (int pair : pairs_[part.id]) part.contactRows.push_back(rows_[pair]);
   for (const SubdomainMesh::SeamSide& seam : seams_[part.id])
     part.seamSides.push_back({localElement_[seam.element], seam.side, seam.neighbour});

@@ -4,6 +4,7 @@
 #include <suture/partition/SubdomainMesh.hpp>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace suture {
@@ -35,7 +36,8 @@ class Cutter {
   std::vector<std::vector<int>> elements_;                   // of each subdomain
   std::vector<std::vector<NamedSide>> sides_;                // of each subdomain
   std::vector<ContactRow> rows_;                             // of all pairs
-  std::vector<std::vector<int>> rules_, ends_;               // of each subdomain: places in rules; 2 * pair + (0 for A, 1 for B)
+  std::vector<std::vector<int>> rules_;                      // of each subdomain: places in rules
+  std::vector<std::vector<std::pair<int, int>>> ends_;       // of each subdomain: pair and place among its ends
   std::vector<std::vector<int>> pairs_;                      // of each subdomain: pairs of its clusters, ascending
   std::vector<std::vector<SubdomainMesh::SeamSide>> seams_;  // of each subdomain; element: of the mesh
   std::vector<int> localNode_, localElement_;                // work space, -1 outside the current subdomain

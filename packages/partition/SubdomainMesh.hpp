@@ -23,11 +23,11 @@ struct SubdomainMesh : CellBlock {
   std::vector<NodeRule> rules;                          ///< node: local
   std::vector<int> sharedOffsets{0}, sharedWith;        ///< nodes + 1; of each local node the other subdomains of its body that hold it
 
-  /// A contact pair one of whose nodes is here (both, never: the sides are of two bodies).
+  /// An end of a contact pair whose node is here.
   struct ContactEnd {
-    ContactPair pair;  ///< nodeA / nodeB: numbers of the mesh
-    int node;          ///< local
-    int side;          ///< +1: A, -1: B
+    int pair;  ///< id
+    int end;   ///< place in ContactPair::ends: 0 carries the pair
+    int node;  ///< local
   };
   std::vector<ContactEnd> contactEnds;
   /// All rows of every cluster that has a pair with a node here, ascending: enough to eliminate the whole cluster without asking anyone.

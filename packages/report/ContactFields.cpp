@@ -68,11 +68,11 @@ void writeContactFields(const Run& run, const std::string& path) {
   reals("InitialGap", units.length, "gap before deformation; negative: interference", &Pair::initialGap);
   reals("ContactPressure", units.stress, "force over tributary length; compression positive", &Pair::pressure);
   reals("ContactForce", units.force, "of the pair, per unit thickness in 2D; compression positive", &Pair::force);
-  reals("ArcLength", units.length, "along the line on side A, from its first node", &Pair::arc);
+  reals("ArcLength", units.length, "along the side that carries the pairs (A, unless a mortar chose B), from its first node", &Pair::arc);
   file.pointData({"Active", 1, "", "1 closed, 0 open"},
                  column<unsigned char>(pairs, [](const Pair& pair) { return pair.status != PairStatus::Open; }));
-  file.pointData({"Displacement", 3, units.length, "of side A; x, y, z; along the axes"}, vectors(pairs, &Pair::displacement));
-  file.pointData({"Normal", 3, "", "unit vector from side A to side B"}, vectors(pairs, &Pair::normal));
+  file.pointData({"Displacement", 3, units.length, "of the node that carries the pair; x, y, z; along the axes"}, vectors(pairs, &Pair::displacement));
+  file.pointData({"Normal", 3, "", "unit vector from side A to side B, or into the obstacle"}, vectors(pairs, &Pair::normal));
   integers("Pair", "number of the pair, from 0", &Pair::id);
   integers("Line", "number of the contact line in the scene, from 0", &Pair::line);
   integers("Piece", "number of the contact piece, from 0; names in /Record/ContactPieces", &Pair::piece);

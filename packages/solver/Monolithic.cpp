@@ -95,12 +95,12 @@ void balance(const Mesh& mesh, const Constraints& constraints, const MonolithicS
   Vector residual = internal - system.nodalForces();  // forces of the supports and of contact
   double contactForce = 0.0;
   for (const PairResult& pair : result.pairs) {
-    const ContactPair& ends = constraints.pairs[pair.id];
     contactForce += pair.force;
-    for (int k = 0; k < dimension; ++k) {
-      residual[Eigen::Index(ends.nodeA) * dimension + k] += pair.force * ends.normal[k];
-      residual[Eigen::Index(ends.nodeB) * dimension + k] -= pair.force * ends.normal[k];
-    }
+    const ContactPair& condition = constraints.pairs[pair.id];
+    for (const PairEnd& end : condition.ends)
+      for (int k = 0; k < dimension; ++k) residual[Eigen::Index(end.node) * dimension + k] += pair.force * end.weight * condition.normal[k];
+    const Point obstacle = obstacleForce(condition, pair.force);
+    for (int k = 0; k < dimension; ++k) result.reactions[k] += obstacle[k];
   }
   double largestReaction = 0.0;
   for (const NodeRule& rule : constraints.rules) {
@@ -128,18 +128,18 @@ std::vector<PairResult> pairResults(const Mesh& mesh, const Constraints& constra
   for (const ContactPair& pair : constraints.pairs) {
     PairResult r;
     r.id = pair.id;
-    r.node = pair.nodeA;
+    r.node = pair.node();
     r.line = pair.line;
     r.piece = pair.piece;
     r.status = active[pair.id] ? PairStatus::Slip : PairStatus::Open;
     r.initialGap = pair.gap;
-    const Point a = nodal(displacement, pair.nodeA, mesh.dimension), b = nodal(displacement, pair.nodeB, mesh.dimension);
-    r.gap = pair.gap - dot(a, pair.normal) + dot(b, pair.normal);
+    r.gap = pair.gap;
+    for (const PairEnd& end : pair.ends) r.gap -= end.weight * dot(nodal(displacement, end.node, mesh.dimension), pair.normal);
     r.force = force[pair.id];
     r.pressure = pair.length > 0 ? r.force / pair.length : 0.0;
     r.arc = pair.arc;
     r.position = pair.position;
-    r.displacement = a;
+    r.displacement = nodal(displacement, pair.node(), mesh.dimension);
     r.normal = pair.normal;
     results.push_back(r);
   }

@@ -73,15 +73,15 @@ void MonolithicSystem::number() {
   for (std::size_t p = 0; p < constraints_.pairs.size(); ++p) {
     const ContactPair& pair = constraints_.pairs[p];
     rows_[p].bound = pair.gap;
-    for (const auto& [node, sign] : {std::pair<int, double>{pair.nodeA, 1.0}, {pair.nodeB, -1.0}}) {
+    for (const auto& [node, weight] : pair.ends) {
       const Vector normal = normalInAxes(ruleAt(node), pair.normal, dimension);
       for (int k = 0; k < dimension; ++k) {
         const int c = component(node, k);
         if (fixed[c]) {
-          rows_[p].bound -= sign * normal[k] * prescribed_[c];
+          rows_[p].bound -= weight * normal[k] * prescribed_[c];
         } else if (std::abs(normal[k]) > negligible) {
           inContact[c] = 1;
-          entries.push_back({int(p), c, sign * normal[k]});
+          entries.push_back({int(p), c, weight * normal[k]});
         }
       }
     }

@@ -11,7 +11,7 @@ namespace suture {
 /// What is known of a contact pair at the end of a run. Signs as in DESIGN: gap > 0 open, pressure and force > 0 compressive.
 struct PairResult {
   int id = -1;
-  GlobalId node = -1;  ///< of side A: number in the mesh
+  GlobalId node = -1;  ///< that carries it: number in the mesh
   int line = -1;
   int piece = -1;
   PairStatus status = PairStatus::Open;
@@ -20,8 +20,8 @@ struct PairResult {
   double force = 0.0;           ///< along the normal, on B; per unit thickness in 2D [force]
   double pressure = 0.0;        ///< force / tributary length [stress]
   double arc = 0.0;             ///< arc length along the line [length]
-  Point position{0, 0, 0};      ///< of node A, undeformed
-  Point displacement{0, 0, 0};  ///< of node A
+  Point position{0, 0, 0};      ///< of the node that carries it, undeformed
+  Point displacement{0, 0, 0};  ///< of the node that carries it
   Point normal{0, 0, 0};
 };
 
@@ -44,7 +44,7 @@ struct Solution {
   std::map<std::string, int> chosenSchur;   ///< local problems, by how their Schur complement is kept where that was chosen automatically
   double energy = 0.0;                      ///< total potential energy a(u,u)/2 - L(u)
   Point applied{0, 0, 0};                   ///< sum of the loads [force]
-  Point reactions{0, 0, 0};                 ///< sum of the forces of the prescribed displacements
+  Point reactions{0, 0, 0};                 ///< sum of the forces of prescribed displacements and rigid obstacles
   double imbalance = 0.0;                   ///< |applied + reactions| over the largest of the forces that act
   std::map<std::string, double> errors;     ///< against the scene's exact solution, where it has one: see exactErrors()
   std::map<std::string, double> estimates;  ///< of the outer solver: "mu", "contraction bound", "radius", "relaxation", ...

@@ -73,12 +73,12 @@ Matrix contactRows(const Mesh& mesh, const Constraints& constraints, const Rigid
   Matrix rows = Matrix::Zero(Eigen::Index(constraints.pairs.size()), modes.count);
   for (std::size_t p = 0; p < constraints.pairs.size(); ++p) {
     const ContactPair& pair = constraints.pairs[p];
-    for (const auto& [node, sign] : {std::pair<int, double>{pair.nodeA, 1.0}, {pair.nodeB, -1.0}}) {
+    for (const auto& [node, weight] : pair.ends) {
       const int part = rigid.partOfNode[node];
       const RigidPart& r = rigid.parts[part];
       if (r.free.cols() == 0) continue;
       rows.row(Eigen::Index(p)).segment(modes.first[part], r.free.cols()) +=
-          sign * Eigen::Map<const Vector>(pair.normal.data(), dimension).transpose() * r.at(mesh.point(node), dimension) * r.free;
+          weight * Eigen::Map<const Vector>(pair.normal.data(), dimension).transpose() * r.at(mesh.point(node), dimension) * r.free;
     }
   }
   return rows;
@@ -91,7 +91,7 @@ void checkPrescribedPairs(const Mesh& mesh, const Constraints& constraints, Prob
   for (const ContactPair& pair : constraints.pairs) {
     double bound = pair.gap, size = std::abs(pair.gap) + pair.length;
     bool free = false;
-    for (const auto& [node, sign] : {std::pair<int, double>{pair.nodeA, 1.0}, {pair.nodeB, -1.0}}) {
+    for (const auto& [node, weight] : pair.ends) {
       if (ruleOf[node] < 0) {
         free = true;
         break;
@@ -103,7 +103,7 @@ void checkPrescribedPairs(const Mesh& mesh, const Constraints& constraints, Prob
         if (!rule.fixed[k]) {
           free = free || std::abs(along) > 1e-14;
         } else {
-          bound -= sign * along * rule.value[k];
+          bound -= weight * along * rule.value[k];
           size = std::max(size, std::abs(rule.value[k]));
         }
       }
@@ -174,7 +174,8 @@ void checkSolvability(const Mesh& mesh, const Constraints& constraints, const Ve
   checkPrescribedPairs(mesh, constraints, problems);
 
   std::vector<char> inContact(parts, 0);
-  for (const ContactPair& pair : constraints.pairs) inContact[rigid.partOfNode[pair.nodeA]] = inContact[rigid.partOfNode[pair.nodeB]] = 1;
+  for (const ContactPair& pair : constraints.pairs)
+    for (const PairEnd& end : pair.ends) inContact[rigid.partOfNode[end.node]] = 1;
   const auto path = [&](int part) { return "Bodies/" + mesh.bodies[rigid.parts[part].body]; };
   const auto name = [&](int part) { return "body '" + mesh.bodies[rigid.parts[part].body] + "'"; };
 
@@ -211,10 +212,9 @@ void checkSolvability(const Mesh& mesh, const Constraints& constraints, const Ve
   if (loads > 0) {
     const Vector contact = nonnegativeLeastSquares(rows.transpose(), work / loads);
     const Vector escape = work / loads - rows.transpose() * contact;
-    for (std::size_t p = 0; p < constraints.pairs.size(); ++p) {
-      force[rigid.partOfNode[constraints.pairs[p].nodeA]] += loads * contact[Eigen::Index(p)];
-      force[rigid.partOfNode[constraints.pairs[p].nodeB]] += loads * contact[Eigen::Index(p)];
-    }
+    for (std::size_t p = 0; p < constraints.pairs.size(); ++p)
+      for (const PairEnd& end : constraints.pairs[p].ends)
+        force[rigid.partOfNode[end.node]] += loads * contact[Eigen::Index(p)] * std::abs(end.weight);
     for (int part = 0; part < parts; ++part) {
       const RigidPart& r = rigid.parts[part];
       const Vector own = escape.segment(modes.first[part], r.free.cols());

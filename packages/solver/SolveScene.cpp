@@ -25,7 +25,7 @@ namespace {
 PairResult report(const PairState& state) {
   PairResult result;
   result.id = state.pair.id;
-  result.node = state.pair.nodeA;
+  result.node = state.pair.node();
   result.line = state.pair.line;
   result.piece = state.pair.piece;
   result.status = state.status;
@@ -42,11 +42,53 @@ PairResult report(const PairState& state) {
 
 double norm(const Point& p) { return std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]); }
 
+/// Contact forces along components that are held: supports take them up, beside what the elements exert there. Collective.
+Point heldContact(const Comm& comm, const Subdomains& subdomains, const std::vector<PairState>& pairs) {
+  Packer mine;
+  std::map<int, Point> forces;  // of all pairs
+  for (const PairState& state : pairs)
+    for (int k = 0; k < 3; ++k) forces[state.pair.id][k] = state.force * state.pair.normal[k];
+  mine.put(forces);
+  Packer whole;
+  for (const std::string& bytes : gatherOnRoot(comm, mine.bytes())) forces.merge(Unpacker(bytes).get<std::map<int, Point>>());
+  whole.put(forces);
+  forces = Unpacker(broadcast(comm, whole.bytes())).get<std::map<int, Point>>();
+
+  Point sum{0, 0, 0};
+  for (const auto& subdomain : subdomains) {
+    const SubdomainMesh& mesh = subdomain->mesh();
+    std::map<int, const NodeRule*> ruleOf;
+    for (const NodeRule& rule : mesh.rules) ruleOf[rule.node] = &rule;
+    std::map<int, const ContactPair*> pairOf;
+    for (const ContactRow& row : mesh.contactRows) pairOf[row.pair.id] = &row.pair;
+    for (const SubdomainMesh::ContactEnd& end : mesh.contactEnds) {
+      const auto others = mesh.others(end.node);
+      const auto rule = ruleOf.find(end.node);
+      if (rule == ruleOf.end() || std::any_of(others.begin(), others.end(), [&](int other) { return other < mesh.id; })) continue;
+      const Point& force = forces.at(end.pair);
+      for (int k = 0; k < mesh.dimension; ++k) {
+        if (!rule->second->fixed[k]) continue;
+        const Point& axis = rule->second->axes[k];
+        const double along = pairOf.at(end.pair)->ends[end.end].weight * (force[0] * axis[0] + force[1] * axis[1] + force[2] * axis[2]);
+        for (int c = 0; c < 3; ++c) sum[c] += along * axis[c];
+      }
+    }
+  }
+  return sum;
+}
+
 /// Resultants of loads and reactions over all ranks. The scale of the imbalance is the force that passes through: half of what acts.
-void balance(const Comm& comm, const Subdomains& subdomains, const std::vector<Vector>& freeValues, Solution& solution) {
+void balance(const Comm& comm, const Subdomains& subdomains, const InterfaceProblem::Recovered& recovered, Solution& solution) {
   Point applied{0, 0, 0}, reactions{0, 0, 0};
   double absolute = 0.0;
-  for (std::size_t i = 0; i < subdomains.size(); ++i) subdomains[i]->resultants(freeValues[i], applied, reactions, absolute);
+  for (std::size_t i = 0; i < subdomains.size(); ++i) subdomains[i]->resultants(recovered.freeValues[i], applied, reactions, absolute);
+  for (const PairState& state : recovered.pairs) {
+    const Point force = obstacleForce(state.pair, state.force);
+    for (int k = 0; k < 3; ++k) reactions[k] += force[k];
+    absolute += norm(force);
+  }
+  const Point held = heldContact(comm, subdomains, recovered.pairs);
+  for (int k = 0; k < 3; ++k) reactions[k] += held[k];
   double mine[7], all[7];
   std::copy(applied.begin(), applied.end(), mine);
   std::copy(reactions.begin(), reactions.end(), mine + 3);
@@ -156,7 +198,7 @@ Solution recover(const Comm& comm, const InterfaceProblem& problem, const OuterR
   solution.chosenSchur = result.chosenSchur;
   solution.energy = recovered.energy;
   for (std::size_t i = 0; i < subdomains.size(); ++i) solution.displacement.push_back(subdomains[i]->cartesian(recovered.freeValues[i]));
-  balance(comm, subdomains, recovered.freeValues, solution);
+  balance(comm, subdomains, recovered, solution);
 
   Packer packer;
   packer.put(recovered.pairs);

@@ -31,6 +31,11 @@ inline std::string contact(const std::string& name, const std::string& a, const 
   return entry(name, {{"Side A", a}, {"Side B", b}});
 }
 
+/// The same, node to node or not at all.
+inline std::string matching(const std::string& name, const std::string& a, const std::string& b) {
+  return entry(name, {{"Side A", a}, {"Side B", b}, {"Coupling", "Matching Nodes"}});
+}
+
 inline Constraints build(const Mesh& mesh, const std::string& conditions, const std::string& contacts = "") {
   Schema schema("scene");
   schema.list("Boundary Conditions", Schema("conditions").each("condition", boundaryConditionSchema()));

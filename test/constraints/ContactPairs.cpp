@@ -56,9 +56,9 @@ TEUCHOS_UNIT_TEST(ContactPairs, StandOppositeOnAStraightLine) {
   double arc = -1, length = 0;
   for (const ContactPair& pair : constraints.pairs) {
     TEST_EQUALITY(pair.id, static_cast<int>(&pair - constraints.pairs.data()));
-    TEST_EQUALITY(mesh.bodyOfNode[pair.nodeA], 0);
-    TEST_EQUALITY(mesh.bodyOfNode[pair.nodeB], 1);
-    TEST_ASSERT(mesh.point(pair.nodeA) == mesh.point(pair.nodeB));
+    TEST_EQUALITY(mesh.bodyOfNode[pair.ends[0].node], 0);
+    TEST_EQUALITY(mesh.bodyOfNode[pair.ends[1].node], 1);
+    TEST_ASSERT(mesh.point(pair.ends[0].node) == mesh.point(pair.ends[1].node));
     TEST_ASSERT((pair.normal == Point{0, 1, 0}));
     TEST_EQUALITY(pair.gap, 0.0);
     TEST_COMPARE(pair.arc, >, arc);
@@ -84,8 +84,8 @@ TEUCHOS_UNIT_TEST(ContactPairs, SwappingTheSidesFlipsTheNormalOnly) {
   TEST_EQUALITY(one.pairs.size(), other.pairs.size());
   for (const ContactPair& pair : one.pairs) {
     const ContactPair& same = other.pairs[other.pairs.size() - 1 - pair.id];
-    TEST_EQUALITY(same.nodeA, pair.nodeB);
-    TEST_EQUALITY(same.nodeB, pair.nodeA);
+    TEST_EQUALITY(same.ends[0].node, pair.ends[1].node);
+    TEST_EQUALITY(same.ends[1].node, pair.ends[0].node);
     for (int k = 0; k < 2; ++k) TEST_EQUALITY(same.normal[k], -pair.normal[k]);
     TEST_EQUALITY(same.gap, pair.gap);
   }
@@ -132,7 +132,7 @@ TEUCHOS_UNIT_TEST(ContactPairs, MatchACylinderOverAPlaneByTheSameX) {
   const Constraints constraints = build(mesh, "", joint);
   TEST_EQUALITY(constraints.pairs.size(), std::size_t(65));
   for (const ContactPair& pair : constraints.pairs) {
-    TEST_EQUALITY(mesh.point(pair.nodeA)[0], mesh.point(pair.nodeB)[0]);
+    TEST_EQUALITY(mesh.point(pair.ends[0].node)[0], mesh.point(pair.ends[1].node)[0]);
     const double x = pair.position[0] - 2;
     if (pair.id == 0 || pair.id == 64) continue;
     // the normal leans by half of the circle's slope angle
@@ -145,7 +145,7 @@ TEUCHOS_UNIT_TEST(ContactPairs, CountAndLocateNodesWithoutPartner) {
   std::vector<Box> all(2);
   all[0].name = "b0", all[0].x1 = 4, all[0].nx = 8, all[0].ny = 2;
   all[1].name = "b1", all[1].x1 = 4, all[1].nx = 12, all[1].ny = 2, all[1].y0 = 1, all[1].y1 = 2;
-  const std::string text = said(boxes(all), "", joint);
+  const std::string text = said(boxes(all), "", matching("joint", "b0_top", "b1_bottom"));
   SUTURE_CHECK_SAYS(
       text, "Contact/joint: the sides do not match: 'b0_top' has 9 nodes, 'b1_bottom' has 13 nodes; 4 and 8 of them have no partner");
   SUTURE_CHECK_SAYS(text, "0.167 away along the line = 0.5 of the mesh size");
@@ -154,13 +154,17 @@ TEUCHOS_UNIT_TEST(ContactPairs, CountAndLocateNodesWithoutPartner) {
 TEUCHOS_UNIT_TEST(ContactPairs, RefuseSidesThatAreShiftedAlongTheLine) {
   Mesh mesh = stack(2);
   move(mesh, 1, [](Point p) -> Point { return {p[0] + 0.01, p[1], 0}; });
-  SUTURE_CHECK_SAYS(said(mesh, "", joint), "9 and 9 of them have no partner");
-  SUTURE_CHECK_SAYS(said(mesh, "", joint), "0.01 away along the line = 0.02 of the mesh size there (Tolerance 0.001)");
-  TEST_EQUALITY(said(mesh, "", entry("joint", {{"Side A", "b0_top"}, {"Side B", "b1_bottom"}, {"Tolerance", "0.05"}})), "no error");
+  const std::string text = said(mesh, "", matching("joint", "b0_top", "b1_bottom"));
+  SUTURE_CHECK_SAYS(text, "9 and 9 of them have no partner");
+  SUTURE_CHECK_SAYS(text, "0.01 away along the line = 0.02 of the mesh size there (Tolerance 0.001)");
+  TEST_EQUALITY(
+      said(mesh, "",
+           entry("joint", {{"Side A", "b0_top"}, {"Side B", "b1_bottom"}, {"Coupling", "Matching Nodes"}, {"Tolerance", "0.05"}})),
+      "no error");
 }
 
 TEUCHOS_UNIT_TEST(ContactPairs, RefuseSidesThatDoNotFaceEachOther) {
-  SUTURE_CHECK_SAYS(said(stack(2), "", contact("joint", "b0_top", "b1_top")), "do not face each other");
+  SUTURE_CHECK_SAYS(said(stack(2), "", matching("joint", "b0_top", "b1_top")), "do not face each other");
 }
 
 TEUCHOS_UNIT_TEST(ContactPairs, RefuseSidesInContradictoryRoles) {
@@ -268,7 +272,7 @@ TEUCHOS_UNIT_TEST(ContactFrames, FollowTheNormalUnlessSomethingIsPrescribed) {
   const Constraints constraints = build(mesh, bilateral("symmetry", "b0_left") + displacement("hold", "b1_top", "{0, 0}"), joint);
   int frames = 0;
   for (const ContactPair& pair : constraints.pairs)
-    for (const int node : {pair.nodeA, pair.nodeB}) {
+    for (const int node : {pair.ends[0].node, pair.ends[1].node}) {
       const NodeRule& rule = *ruleAt(constraints, node);
       if (rule.fixed[0] || rule.fixed[1]) {
         TEST_ASSERT(node == nodeAt(mesh, 0, 2, 0));  // where the roller meets the joint

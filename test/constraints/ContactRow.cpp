@@ -30,7 +30,7 @@ struct Motion {
   }
   double gap(const ContactPair& pair) const {
     double left = pair.gap;
-    for (int c = 0; c < 2; ++c) left -= (cartesian[pair.nodeA][c] - cartesian[pair.nodeB][c]) * pair.normal[c];
+    for (int c = 0; c < 2; ++c) left -= (cartesian[pair.ends[0].node][c] - cartesian[pair.ends[1].node][c]) * pair.normal[c];
     return left;
   }
   double gap(const ContactRow& row) const {
@@ -52,8 +52,7 @@ NodeRule& ruleFor(Constraints& constraints, int node) {
 ContactPair pairOf(int id, int a, int b, double angle) {
   ContactPair pair;
   pair.id = id;
-  pair.nodeA = a;
-  pair.nodeB = b;
+  pair.ends = matchingEnds(a, b);
   pair.normal = {std::cos(angle), std::sin(angle), 0};
   pair.gap = 0.1 * id;
   return pair;
@@ -67,7 +66,7 @@ TEUCHOS_UNIT_TEST(ContactRow, GivesTheGapOfEveryMotionThatTheRulesAllow) {
   moveAll(mesh, [](Point p) -> Point { return {p[0] * 0.8 - p[1] * 0.6, p[0] * 0.6 + p[1] * 0.8, 0}; });
   Constraints constraints =
       build(mesh, bilateral("roller", "b0_left") + displacement("pull", "b1_right", "{0.25, -1}"), contact("line", "b0_top", "b1_bottom"));
-  ruleFor(constraints, constraints.pairs[4].nodeA).axes = {Point{1, 0, 0}, Point{0, 1, 0}, Point{0, 0, 1}};
+  ruleFor(constraints, constraints.pairs[4].ends[0].node).axes = {Point{1, 0, 0}, Point{0, 1, 0}, Point{0, 0, 1}};
   constraints.pairs[3].gap = -0.2;
   const std::vector<ContactRow> rows = contactRows(mesh, constraints);
   TEST_EQUALITY(rows.size(), std::size_t(9));
@@ -116,7 +115,7 @@ TEUCHOS_UNIT_TEST(ContactRow, IsEmptyWhereNothingCanMove) {
   for (const ContactRow& row : rows) {
     if (!row.dofs.empty()) continue;
     ++empty;
-    TEST_EQUALITY(mesh.point(row.pair.nodeA)[0], 4.0);
+    TEST_EQUALITY(mesh.point(row.pair.ends[0].node)[0], 4.0);
     TEST_FLOATING_EQUALITY(row.gap, 0.375, 1e-14);  // B moved away by 0.5 - 0.125
     TEST_EQUALITY(row.cluster, row.pair.id);
   }

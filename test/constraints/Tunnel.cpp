@@ -74,7 +74,7 @@ TEUCHOS_UNIT_TEST(Tunnel, KeepsTheRollerAtTheFootOfTheFault) {
   const Tunnel& t = tunnel();
   int feet = 0;
   for (const ContactPair& pair : t.constraints.pairs)
-    for (const int node : {pair.nodeA, pair.nodeB}) {
+    for (const int node : {pair.ends[0].node, pair.ends[1].node}) {
       const NodeRule& rule = *ruleAt(t.constraints, node);
       if (std::abs(t.mesh.point(node)[1]) < 1e-9) {
         ++feet;

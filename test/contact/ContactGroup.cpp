@@ -71,7 +71,7 @@ TEUCHOS_UNIT_TEST(ContactGroup, DoesNotDependOnTheAxesOfContactNodes) {
   const Scene scene = wavyBlocks();
   Scene turned = scene;
   for (const ContactPair& pair : scene.constraints.pairs)
-    for (int node : {pair.nodeA, pair.nodeB}) turned.ruleOf(node).axes = {Point{0, 1, 0}, Point{-1, 0, 0}, Point{0, 0, 1}};
+    for (int node : {pair.ends[0].node, pair.ends[1].node}) turned.ruleOf(node).axes = {Point{0, 1, 0}, Point{-1, 0, 0}, Point{0, 0, 1}};
   const GroupOf a(scene), b(turned);
   const Vector trace = 0.05 * random(a.size(), 1).col(0);
   TEST_ASSERT(a.group->boundary() == b.group->boundary());
@@ -87,7 +87,7 @@ TEUCHOS_UNIT_TEST(ContactGroup, TakesWhatPrescribedComponentsCloseFromTheGap) {
   for (ContactPair& pair : scene.constraints.pairs) pair.normal = {0.6, 0.8, 0};
   scene.hold("upper_left", 0, -0.03);  // the first pair: a component of one side
   scene.hold("lower_right", 1, 0.02);  // the last pair
-  const int first = scene.constraints.pairs.front().nodeB;
+  const int first = scene.constraints.pairs.front().ends[1].node;
   const GroupOf g(scene);
   TEST_EQUALITY((Matrix(g.group->rows().rows).row(0).array() != 0.0).count(), 3);
   int mixed = 0;
@@ -129,7 +129,7 @@ TEUCHOS_UNIT_TEST(ContactGroup, HoldsABodyByContactAlone) {
   all[0].blocksY = 2;  // the upper body is one subdomain, loose but for contact
   Scene scene = scenes::fromBoxes(all, 100.0, 0.3);
   scene.pairUp();
-  scene.holdNode(scene.constraints.pairs[2].nodeB, 0, 0.0);  // nor may it slide
+  scene.holdNode(scene.constraints.pairs[2].ends[1].node, 0, 0.0);  // nor may it slide
   scene.pressure("upper_top", 2.0);
   const GroupOf g(scene);
   const auto r = g.respond(Vector::Zero(g.size()));

@@ -47,7 +47,7 @@ struct GroupOf {
   }
   static double gapOf(const ContactPair& pair, std::map<GlobalId, Point>& u) {
     double gap = pair.gap;
-    for (int k = 0; k < 2; ++k) gap -= (u[pair.nodeA][k] - u[pair.nodeB][k]) * pair.normal[k];
+    for (int k = 0; k < 2; ++k) gap -= (u[pair.ends[0].node][k] - u[pair.ends[1].node][k]) * pair.normal[k];
     return gap;
   }
 };

@@ -28,8 +28,8 @@ struct Bilateral {
       if (status[pair.id] != kOpen) {
         rows.emplace_back(Vector::Zero(k.rows()));
         for (int c = 0; c < 2; ++c) {
-          rows.back()(place.at(2 * pair.nodeA + c)) += pair.normal[c];
-          rows.back()(place.at(2 * pair.nodeB + c)) -= pair.normal[c];
+          rows.back()(place.at(2 * pair.ends[0].node + c)) += pair.normal[c];
+          rows.back()(place.at(2 * pair.ends[1].node + c)) -= pair.normal[c];
         }
         gaps.push_back(pair.gap);
       }

@@ -30,7 +30,7 @@ struct Reference {
     gaps = Vector::Zero(pairs);
     for (const ContactPair& pair : scene.constraints.pairs) {
       gaps(pair.id) = pair.gap;
-      for (const auto& [node, side] : {std::make_pair(pair.nodeA, 1), std::make_pair(pair.nodeB, -1)}) {
+      for (const auto& [node, side] : {std::make_pair(pair.ends[0].node, 1), std::make_pair(pair.ends[1].node, -1)}) {
         NodeRule rule;
         for (const NodeRule& own : scene.constraints.rules)
           if (own.node == node) rule = own;

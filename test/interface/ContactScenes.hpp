@@ -38,7 +38,7 @@ struct OnInterface {
 /// The two sides of every pair swapped: the same scene.
 inline Scene swapped(Scene scene) {
   for (ContactPair& pair : scene.constraints.pairs) {
-    std::swap(pair.nodeA, pair.nodeB);
+    pair.ends = matchingEnds(pair.ends[1].node, pair.ends[0].node);
     for (double& n : pair.normal) n = -n;
   }
   return scene;
@@ -71,10 +71,10 @@ inline Scene turned(Scene scene, double angle) {
 inline Scene heldOnTheLine() {
   Scene scene = pressedBlocks();
   const std::vector<ContactPair> pairs = scene.constraints.pairs;
-  scene.holdNode(pairs.front().nodeB, 0, 0.002);
-  scene.holdNode(pairs[2].nodeA, 1, -0.004);
-  scene.holdNode(pairs[4].nodeA, 1, 0.0);
-  scene.holdNode(pairs[4].nodeB, 1, 0.0);
+  scene.holdNode(pairs.front().ends[1].node, 0, 0.002);
+  scene.holdNode(pairs[2].ends[0].node, 1, -0.004);
+  scene.holdNode(pairs[4].ends[0].node, 1, 0.0);
+  scene.holdNode(pairs[4].ends[1].node, 1, 0.0);
   scene.constraints.pairs[4].gap = 0.01;
   return scene;
 }

@@ -131,7 +131,7 @@ inline Scene stackedBlocks(int middleRows) {
   scene.hold("upper_top", 1, -0.01);
   for (int node : scene.nodesOf("upper_top"))
     if (scene.mesh.point(node)[0] < 0.3) scene.holdNode(node, 1, 0.03);
-  scene.holdNode(scene.constraints.pairs[2].nodeB, 0, 0.0);  // the middle block may not slide out
+  scene.holdNode(scene.constraints.pairs[2].ends[1].node, 0, 0.0);  // the middle block may not slide out
   return scene;
 }
 

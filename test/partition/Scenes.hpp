@@ -106,8 +106,7 @@ inline void addContact(const Mesh& mesh, const std::string& sideA, const std::st
     ContactPair pair;
     pair.id = static_cast<int>(constraints.pairs.size());
     pair.piece = static_cast<int>(constraints.pieces.size());
-    pair.nodeA = node;
-    pair.nodeB = other->second;
+    pair.ends = matchingEnds(node, other->second);
     constraints.pairs.push_back(pair);
     piece.pairs.push_back(pair.id);
   }

@@ -116,13 +116,16 @@ TEUCHOS_UNIT_TEST(SubdomainMesh, HasTheRulesOfItsNodes) {
 TEUCHOS_UNIT_TEST(SubdomainMesh, HasTheContactEndsOfItsNodes) {
   const Scene scene(7);
   double ends = 0, sides = 0;
+  Packer packer;
+  packer.put(scene.constraints.pairs);
+  const auto pairs = Unpacker(broadcast(*comm(), packer.bytes())).get<std::vector<ContactPair>>();
   for (const SubdomainMesh& part : scene.mine)
     for (const SubdomainMesh::ContactEnd& end : part.contactEnds) {
-      TEST_EQUALITY(part.globalNodes[end.node], end.side > 0 ? end.pair.nodeA : end.pair.nodeB);
-      TEST_EQUALITY(end.side, part.body == 0 ? +1 : -1);
+      TEST_EQUALITY(part.globalNodes[end.node], pairs.at(end.pair).ends[end.end].node);
+      TEST_EQUALITY(end.end, part.body == 0 ? 0 : 1);
       TEST_EQUALITY(part.point(end.node)[1], 1.0);
       ends += 1.0 / (1.0 + part.others(end.node).size());
-      sides += end.side / (1.0 + part.others(end.node).size());
+      sides += pairs.at(end.pair).ends[end.end].weight / (1.0 + part.others(end.node).size());
     }
   TEST_FLOATING_EQUALITY(sumOverRanks(ends), 50.0, 1e-13);
   TEST_COMPARE(std::abs(sumOverRanks(sides)), <, 1e-12);
@@ -135,7 +138,7 @@ TEUCHOS_UNIT_TEST(SubdomainMesh, HasAllRowsOfEveryClusterItTouches) {
     for (std::size_t i : {3, 4, 5, 6, 7, 8, 18, 19}) {
       ContactPair pair = straight[i];
       pair.id = static_cast<int>(scene.constraints.pairs.size());
-      pair.nodeB = straight[i + 1].nodeB;
+      pair.ends[1].node = straight[i + 1].ends[1].node;
       scene.constraints.pairs.push_back(pair);
     }
     for (ContactPair& pair : scene.constraints.pairs) {
@@ -156,7 +159,7 @@ TEUCHOS_UNIT_TEST(SubdomainMesh, HasAllRowsOfEveryClusterItTouches) {
       for (int e = 0; e < scene.whole.elements(); ++e)
         if (scene.partition.subdomainOfElement[e] == s) nodes.insert(scene.whole.nodesOf(e).begin(), scene.whole.nodesOf(e).end());
       for (const ContactPair& pair : scene.constraints.pairs)
-        if (nodes.count(pair.nodeA) || nodes.count(pair.nodeB)) runs.insert(run(pair.id));
+        if (nodes.count(pair.ends[0].node) || nodes.count(pair.ends[1].node)) runs.insert(run(pair.id));
       for (const ContactPair& pair : scene.constraints.pairs)
         if (runs.count(run(pair.id))) expected[s].push_back(pair.id);
     }
@@ -178,12 +181,12 @@ TEUCHOS_UNIT_TEST(SubdomainMesh, HasAllRowsOfEveryClusterItTouches) {
       found.push_back(row.pair.id);
       const ContactPair& pair = pairs.at(row.pair.id);
       const std::set<GlobalId> here(part.globalNodes.begin(), part.globalNodes.end());
-      distant += !here.count(pair.nodeA) && !here.count(pair.nodeB);
+      distant += !here.count(pair.ends[0].node) && !here.count(pair.ends[1].node);
       // Free Cartesian nodes: (u_A - u_B) . n, component by component.
       std::map<GlobalId, double> row2;
       for (int k = 0; k < 2; ++k) {
-        row2[2 * pair.nodeA + k] = pair.normal[k];
-        row2[2 * pair.nodeB + k] = -pair.normal[k];
+        row2[2 * pair.ends[0].node + k] = pair.normal[k];
+        row2[2 * pair.ends[1].node + k] = -pair.normal[k];
       }
       TEST_EQUALITY(row.dofs.size(), 4u);
       TEST_EQUALITY(row.points.size(), 4u);
@@ -192,7 +195,7 @@ TEUCHOS_UNIT_TEST(SubdomainMesh, HasAllRowsOfEveryClusterItTouches) {
         for (int k = 0; k < 2; ++k) TEST_EQUALITY(row.points[i][k], coordinates[2 * (row.dofs[i] / 2) + k]);
       }
       TEST_EQUALITY(row.gap, pair.gap);
-      TEST_EQUALITY(row.pair.nodeB, pair.nodeB);
+      TEST_EQUALITY(row.pair.ends[1].node, pair.ends[1].node);
     }
     TEST_ASSERT(found == expected[part.id]);
   }

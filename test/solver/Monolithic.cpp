@@ -102,7 +102,7 @@ TEUCHOS_UNIT_TEST(Monolithic, SolvesABodyHeldByContactOnly) {
     Scene scene = scenes::twoBlocks(8, 4, 5);
     scene.fixLower();
     if (onePoint) {
-      scene.holdNode(scene.constraints.pairs[0].nodeB, 0, 0.0);
+      scene.holdNode(scene.constraints.pairs[0].ends[1].node, 0, 0.0);
     } else {
       scene.hold("upper_left", 0, 0.0);
     }
@@ -199,7 +199,8 @@ TEUCHOS_UNIT_TEST(Monolithic, AxesOfTheNodesDoNotMatter) {
     for (ContactPair& pair : scene.constraints.pairs) {
       pair.normal = {0.28, 0.96, 0};
       if (!rotated) continue;
-      for (const int node : {pair.nodeA, pair.nodeB}) scene.ruleOf(node).axes = {{{0.28, 0.96, 0}, {-0.96, 0.28, 0}, {0, 0, 1}}};
+      for (const int node : {pair.ends[0].node, pair.ends[1].node})
+        scene.ruleOf(node).axes = {{{0.28, 0.96, 0}, {-0.96, 0.28, 0}, {0, 0, 1}}};
     }
     return scene;
   };

@@ -75,8 +75,7 @@ struct Scene {
         ContactPair pair;
         pair.id = int(constraints.pairs.size());
         pair.line = pair.piece = 0;
-        pair.nodeA = a[i];
-        pair.nodeB = other;
+        pair.ends = matchingEnds(a[i], other);
         pair.normal = normal;
         pair.gap = gap;
         pair.length = ((i + 1 < a.size() ? along(a[i + 1]) : along(a[i])) - (i > 0 ? along(a[i - 1]) : along(a[i]))) / 2;
