@@ -24,6 +24,7 @@ RunResult solveScene(const CommPtr& comm, const SolveOptions& options) {
   CutMesh cut = timed(timers, "partition", [&] { return cutStage(*comm, file, mesh, constraints); });
   const ElasticModel model = makeElasticModel(scene);
   if (whole) timed(timers, "partition", [&] { checkStage(*comm, mesh, constraints, model); });
+  checkExactSolution(*comm, cut.meshes, model, scene.sublist("Contact"));
   const double memory = checkMemory(*comm, cut.meshes, cut.whole.size.dofs, scene);
   if (!isMonolithic(scene)) forget(mesh, constraints, cut.partition);
   auto subdomains =
@@ -36,10 +37,11 @@ RunResult solveScene(const CommPtr& comm, const SolveOptions& options) {
   const auto reference =
       timed(timers, "assemble", [&] { return isMonolithic(scene) ? assembleMonolithic(*comm, mesh, constraints, model) : nullptr; });
   const auto start = startStage(comm, options, problem.get(), cut.whole.hash, cut.meshes, subdomains, scene, monitor);
-  const Solution solution = timed(timers, "solve", [&] {
+  Solution solution = timed(timers, "solve", [&] {
     if (!problem) return solveMonolithicScene(*comm, mesh, constraints, reference.get(), cut.meshes, scene, monitor);
     return recover(*comm, *problem, solveInterface(*problem, scene, monitor, start.get()), subdomains, scene);
   });
+  errorStage(*comm, cut.meshes, model, scene, solution, timers);
   problem.reset();  // what is written needs the memory
   subdomains.clear();
 

@@ -49,7 +49,7 @@ bool isCut(const Parameters& scene) { return scene.sublist("Partition").get<std:
 
 MadeFor madeFor(const Parameters& scene) {
   MadeFor lists;
-  for (const char* name : {"Bodies", "Boundary Conditions", "Contact"}) lists[name] = toXml(scene.sublist(name));
+  for (const char* name : {"Bodies", "Boundary Conditions", "Constants", "Contact", "Functions"}) lists[name] = toXml(scene.sublist(name));
   return lists;
 }
 
@@ -140,6 +140,12 @@ std::unique_ptr<InterfaceState> startStage(const CommPtr& comm, const SolveOptio
   std::vector<Vector> freeValues;
   for (std::size_t i = 0; i < subdomains.size(); ++i) freeValues.push_back(subdomains[i]->freeValues(checkpoint.displacement[i]));
   return std::make_unique<InterfaceState>(problem->stateOf(freeValues, checkpoint.status));
+}
+
+void errorStage(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model, const Parameters& scene,
+                Solution& solution, Timers& timers) {
+  if (model.exact.empty()) return;
+  solution.errors = timed(timers, "errors", [&] { return exactErrors(comm, meshes, model, scene.sublist("Contact"), solution); });
 }
 
 namespace {

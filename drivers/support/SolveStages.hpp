@@ -6,6 +6,7 @@
 #include <suture/partition/PartitionFile.hpp>
 #include <suture/report/Report.hpp>
 #include <suture/report/SceneSchema.hpp>
+#include <suture/solver/ExactErrors.hpp>
 #include <suture/solver/MemoryEstimate.hpp>
 #include <suture/solver/SolveScene.hpp>
 
@@ -65,6 +66,10 @@ std::unique_ptr<InterfaceProblem> problemStage(const CommPtr& comm, const Partit
 std::unique_ptr<InterfaceState> startStage(const CommPtr& comm, const SolveOptions& options, const InterfaceProblem* problem,
                                            const std::string& meshHash, const std::vector<SubdomainMesh>& meshes,
                                            const Subdomains& subdomains, const Parameters& scene, Monitor& monitor);
+
+/// Adds what is known of the solution's errors; takes time only where the scene has an exact solution. Collective.
+void errorStage(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model, const Parameters& scene,
+                Solution& solution, Timers& timers);
 
 /// SIGUSR1 (mpirun forwards it) ends the run after the outer iteration in hand, with a checkpoint and exit code 75.
 void listenForStop(RunMonitor& monitor);

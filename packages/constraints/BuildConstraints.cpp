@@ -94,7 +94,7 @@ void checkHeld(const Mesh& mesh, const Constraints& constraints, Problems& probl
 
 Constraints buildConstraints(const Mesh& mesh, const Parameters& conditionList, const Parameters& contactList, const Constants& constants) {
   Problems problems;
-  const std::vector<Condition> conditions = readConditions(mesh, conditionList, problems);
+  const std::vector<Condition> conditions = readConditions(mesh, conditionList, constants, problems);
   const std::vector<ContactLine> lines = readContact(mesh, contactList, constants, problems);
   checkRoles(mesh, conditions, lines, problems);
 

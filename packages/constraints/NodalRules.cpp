@@ -25,7 +25,8 @@ struct Row {
 };
 using Rows = std::map<int, std::vector<Row>>;  // node -> rows
 
-void addDisplacement(const Mesh& mesh, const std::vector<Condition>& conditions, int number, Rows& rows) {
+/// \param problems  gets the first place where an expression has no finite value
+void addDisplacement(const Mesh& mesh, const std::vector<Condition>& conditions, int number, Rows& rows, Problems& problems) try {
   const Condition& condition = conditions[number];
   std::set<int> nodes;
   for (const Side& side : mesh.sideGroups.at(condition.group))
@@ -34,10 +35,12 @@ void addDisplacement(const Mesh& mesh, const std::vector<Condition>& conditions,
     for (std::size_t i = 0; i < condition.components.size(); ++i) {
       Row row;
       row.direction[condition.components[i]] = 1;
-      row.value = condition.value[i];
+      row.value = condition.data.at(i, mesh.point(node));
       row.condition = number;
       rows[node].push_back(row);
     }
+} catch (const InputError& error) {
+  problems.add(error);
 }
 
 // All conditions together: a round wall named in two pieces must not get two nearly parallel rows where the pieces meet.
@@ -146,7 +149,7 @@ NodeRule ruleOf(int node, const std::vector<Row>& rows, Contradictions& contradi
 std::vector<NodeRule> nodalRules(const Mesh& mesh, const std::vector<Condition>& conditions, Problems& problems) {
   Rows rows;
   for (int number = 0; number < static_cast<int>(conditions.size()); ++number)
-    if (conditions[number].type == Condition::Type::Displacement) addDisplacement(mesh, conditions, number, rows);
+    if (conditions[number].type == Condition::Type::Displacement) addDisplacement(mesh, conditions, number, rows, problems);
   addBilateral(mesh, conditions, rows);
 
   Contradictions contradictions(mesh, conditions);

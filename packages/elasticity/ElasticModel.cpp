@@ -1,8 +1,8 @@
-#include <Teuchos_Array.hpp>
 #include <Teuchos_ParameterList.hpp>
 #include <algorithm>
 #include <suture/base/Errors.hpp>
 #include <suture/base/SceneReader.hpp>
+#include <suture/constraints/ConditionData.hpp>
 #include <suture/elasticity/ElasticModel.hpp>
 #include <suture/mesh/Regions.hpp>
 
@@ -63,7 +63,7 @@ std::string textOf(const Parameters& list, const std::string& name) {
   return list.isType<std::string>(name) ? list.get<std::string>(name) : std::string();
 }
 
-Load loadOf(const Parameters& condition, const std::vector<std::string>& bodies, Problems& problems) {
+Load loadOf(const Parameters& condition, const std::vector<std::string>& bodies, const Constants& constants, Problems& problems) {
   Load load;
   const std::string type = textOf(condition, "Type");
   load.kind = kindOf(type);
@@ -80,16 +80,9 @@ Load loadOf(const Parameters& condition, const std::vector<std::string>& bodies,
       problems.add(pathOf(condition, "Amplitude"), "is missing: a Random Load needs the largest force on a node's component");
     return load;
   }
-  std::vector<double> value;
-  if (condition.isType<Teuchos::Array<double>>("Value")) value = condition.get<Teuchos::Array<double>>("Value").toVector();
-  const std::size_t expected = load.kind == Load::Kind::Pressure ? 1 : 2;
-  if (value.size() != expected)
-    problems.add(pathOf(condition, "Value"), "found " + std::to_string(value.size()) + (value.size() == 1 ? " number" : " numbers") +
-                                                 ", but a condition of type " + type + " needs " +
-                                                 (expected == 1 ? "one: the pressure, positive when it pushes into the body"
-                                                                : "two: the components along x and y, as {0.0, -1.0}"));
-  else
-    std::copy(value.begin(), value.end(), load.value.begin());
+  ConditionData data = readConditionData(condition, constants, problems);
+  std::copy_n(data.values.begin(), std::min<std::size_t>(data.values.size(), 2), load.value.begin());
+  load.expressions = std::move(data.expressions);
   return load;
 }
 
@@ -120,6 +113,7 @@ const Material& ElasticModel::materialOf(const CellBlock& block, int element, in
 ElasticModel makeElasticModel(const Parameters& scene) {
   ElasticModel model;
   Problems problems;
+  const Constants constants = sceneConstants(scene);
   model.plane = textOf(scene, "Model") == "Plane Stress" ? PlaneModel::Stress : PlaneModel::Strain;
 
   const Parameters& bodies = scene.sublist("Bodies");
@@ -132,8 +126,11 @@ ElasticModel makeElasticModel(const Parameters& scene) {
   if (scene.isSublist("Boundary Conditions")) {
     const Parameters& conditions = scene.sublist("Boundary Conditions");
     for (const std::string& name : sublistNames(conditions))
-      if (isLoad(textOf(conditions.sublist(name), "Type"))) model.loads.push_back(loadOf(conditions.sublist(name), model.bodies, problems));
+      if (isLoad(textOf(conditions.sublist(name), "Type")))
+        model.loads.push_back(loadOf(conditions.sublist(name), model.bodies, constants, problems));
   }
+  if (scene.isSublist("Exact Solution"))
+    model.exact = readExactSolution(scene.sublist("Exact Solution"), model.bodies, constants, problems);
   problems.throwIfAny();
   return model;
 }

@@ -1,5 +1,7 @@
 #pragma once
 #include <suture/base/Schema.hpp>
+#include <suture/elasticity/ExactSolution.hpp>
+#include <suture/elasticity/ReferenceElement.hpp>
 #include <suture/mesh/CellBlock.hpp>
 
 #include <functional>
@@ -26,6 +28,15 @@ struct Load {
   Point value{0, 0, 0};  ///< traction [stress], body force [force / volume]; Pressure: value[0], > 0 pushes into the body; Random:
                          ///< value[0] about value[1] [force]
   int seed = 0;          ///< of Random
+  std::vector<Expression> expressions{};  ///< of the place, instead of value: as many as it has components; not of Random
+
+  /// Value at a place. \throws InputError  an expression is not finite there
+  Point at(const Point& place) const {
+    Point here = value;
+    for (std::size_t k = 0; k < expressions.size(); ++k) here[k] = expressions[k].at(place);
+    return here;
+  }
+  Rule rule() const { return expressions.empty() ? Rule::Load : Rule::Data; }
 
   /// Acts on bodies as a whole, not on sides.
   bool onBody() const { return kind == Kind::BodyForce || kind == Kind::Random; }
@@ -40,6 +51,7 @@ struct ElasticModel {
   std::vector<Material> materialOfBody;
   std::vector<Material> materialOfRegion;  ///< in the order of regionEntries(); empty for most scenes
   std::vector<Load> loads;
+  ExactSolution exact;  ///< as far as the scene gives it
 
   /// Material of an element of a body: that of its region, or else the body's.
   /// \throws InternalError  the scene has regions but the mesh was not told (assignRegions).
@@ -51,7 +63,8 @@ void addModelParameters(Schema& scene);
 Schema bodySchema();
 Schema materialSchema();
 
-/// Local, the same on all ranks. \param scene  the whole resolved scene (Model, Bodies, Materials, Boundary Conditions).
+/// Local, the same on all ranks. \param scene  the whole resolved scene (Model, Bodies, Materials, Boundary Conditions, Constants,
+/// Exact Solution).
 /// Loads are the boundary conditions of type Traction, Pressure (on `Group`), Body Force and Random Load (on `Body`, all bodies without
 /// it). \throws InputError  all of: unknown material of a body or region (nearest name), a body force on an unknown body, a load's `Value`
 /// of the

@@ -17,6 +17,8 @@ class ElementMap {
   double measure() const { return measure_; }
   /// Gradient of shape function `a` in the mesh's coordinates [1 / length].
   const double* gradient(int a) const { return gradients_[a]; }
+  /// Where the point is in the mesh.
+  Point place() const;
 
  private:
   void failFolded(double determinant) const;
@@ -27,6 +29,7 @@ class ElementMap {
   double x_[ReferenceElement::maxNodes][2];
   double gradients_[ReferenceElement::maxNodes][2];
   double measure_ = 0.0;
+  int point_ = 0;
 };
 
 inline ElementMap::ElementMap(const CellBlock& block, int element, const ReferenceElement& reference)
@@ -36,7 +39,16 @@ inline ElementMap::ElementMap(const CellBlock& block, int element, const Referen
     for (int k = 0; k < 2; ++k) x_[a][k] = block.coordinates[std::size_t(nodes[a]) * 2 + k];
 }
 
+inline Point ElementMap::place() const {
+  Point p{0, 0, 0};
+  const double* values = reference_.valuesAt(point_);
+  for (int a = 0; a < reference_.nodes; ++a)
+    for (int k = 0; k < 2; ++k) p[k] += values[a] * x_[a][k];
+  return p;
+}
+
 inline void ElementMap::at(int point) {
+  point_ = point;
   const double* g = reference_.gradientsAt(point);
   double xu = 0, xv = 0, yu = 0, yv = 0;  // d(x, y) / d(reference coordinates u, v)
   for (int a = 0; a < reference_.nodes; ++a) {

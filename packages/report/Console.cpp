@@ -38,6 +38,20 @@ std::string verdict(const Run& run, double largestDisplacement) {
   return line + format(", forces balance to %.0e", answer.imbalance);
 }
 
+// "errors: displacement L2 1.234e-05 (0.012 %), energy norm ...": against the exact solution.
+std::string errorLine(const std::map<std::string, double>& errors) {
+  std::string line = "errors: ";
+  for (const auto& [key, name] : {std::pair<const char*, const char*>{"displacement_l2", "displacement L2"},
+                                  {"energy_norm", "energy norm"},
+                                  {"pressure_l2", "pressure L2"}}) {
+    const auto error = errors.find(key), relative = errors.find(std::string(key) + "_relative");
+    if (error == errors.end()) continue;
+    line += format("%s%s %.3e", line.size() == 8 ? "" : ", ", name, error->second);
+    if (relative != errors.end()) line += format(" (%.2g %%)", 100 * relative->second);
+  }
+  return line;
+}
+
 }  // namespace
 
 void printHeader(std::ostream& console, const Comm& comm, const SceneFile& scene, const ProblemSize& size) {
@@ -55,6 +69,7 @@ void printFooter(std::ostream* console, const Run& run) {
   if (!console || run.comm.getRank() != 0) return;
 
   *console << verdict(run, largest) << "\n";
+  if (!run.solution.errors.empty()) *console << errorLine(run.solution.errors) << "\n";
   for (const Timers::Statistics& phase : phases) *console << format("   %s %.2f s", phase.phase.c_str(), phase.max);
   *console << format("   total %.2f s   peak %.0f MB a rank\n", run.timers.total(), memory.max);
   std::string folder = run.folder;

@@ -102,7 +102,7 @@ std::string writeSummary(const Run& run, ExitCode code, const std::string& path)
          {{"applied", components(answer.applied, dimension)},
           {"reactions", components(answer.reactions, dimension)},
           {"imbalance", answer.imbalance}}},
-        {"error", Json::object()},  // against an exact solution: of scenes that have one
+        {"error", answer.errors},  // against an exact solution: of scenes that have one
         {"notes", run.monitor.notes()},
         {"phases", phases},
         {"seconds", run.timers.total()},

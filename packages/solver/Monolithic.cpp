@@ -128,6 +128,7 @@ std::vector<PairResult> pairResults(const Mesh& mesh, const Constraints& constra
   for (const ContactPair& pair : constraints.pairs) {
     PairResult r;
     r.id = pair.id;
+    r.node = pair.node();
     r.line = pair.line;
     r.piece = pair.piece;
     r.status = active[pair.id] ? PairStatus::Slip : PairStatus::Open;

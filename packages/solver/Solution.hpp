@@ -11,6 +11,7 @@ namespace suture {
 /// What is known of a contact pair at the end of a run. Signs as in DESIGN: gap > 0 open, pressure and force > 0 compressive.
 struct PairResult {
   int id = -1;
+  GlobalId node = -1;  ///< that carries it: number in the mesh
   int line = -1;
   int piece = -1;
   PairStatus status = PairStatus::Open;
@@ -45,6 +46,7 @@ struct Solution {
   Point applied{0, 0, 0};                   ///< sum of the loads [force]
   Point reactions{0, 0, 0};                 ///< sum of the forces of prescribed displacements and rigid obstacles
   double imbalance = 0.0;                   ///< |applied + reactions| over the largest of the forces that act
+  std::map<std::string, double> errors;     ///< against the scene's exact solution, where it has one: see exactErrors()
   std::map<std::string, double> estimates;  ///< of the outer solver: "mu", "contraction bound", "radius", "relaxation", ...
 };
 

@@ -25,6 +25,7 @@ namespace {
 PairResult report(const PairState& state) {
   PairResult result;
   result.id = state.pair.id;
+  result.node = state.pair.node();
   result.line = state.pair.line;
   result.piece = state.pair.piece;
   result.status = state.status;

@@ -43,7 +43,7 @@ inline Constraints build(const Mesh& mesh, const std::string& conditions, const 
   const SceneFile scene = parseScene("<ParameterList name=\"Suture\"><ParameterList name=\"Boundary Conditions\">" + conditions +
                                          "</ParameterList><ParameterList name=\"Contact\">" + contacts + "</ParameterList></ParameterList>",
                                      "test.xml", schema);
-  return buildConstraints(mesh, scene.parameters->sublist("Boundary Conditions"), scene.parameters->sublist("Contact"));
+  return buildConstraints(mesh, scene.parameters->sublist("Boundary Conditions"), scene.parameters->sublist("Contact"), {{"A", 2.5}});
 }
 
 /// What is wrong, one problem a line, or "no error".

@@ -89,8 +89,9 @@ TEUCHOS_UNIT_TEST(ElasticModel, NamesAllProblemsAtOnce) {
   TEST_EQUALITY(problems.size(), 4u);
   if (problems.size() != 4u) return;
   TEST_ASSERT(says(problems[0], "Bodies/upper/Material", "Did you mean 'steel'"));
-  TEST_ASSERT(says(problems[1], "Boundary Conditions/overburden/Value", "found 2 numbers"));
-  TEST_ASSERT(says(problems[2], "Boundary Conditions/wind/Value", "found 1 number, "));
+  TEST_ASSERT(says(problems[1], "Boundary Conditions/overburden/Value", "2 values; this Pressure needs 1 value, or Expression"));
+  TEST_ASSERT(says(problems[2], "Boundary Conditions/wind/Value",
+                   "1 values; this Traction needs 2 values, as in {0.0, 0.0}, or Expression x and Expression y"));
   TEST_ASSERT(says(problems[3], "Boundary Conditions/magnet/Body", "Did you mean 'upper'"));
 }
 

@@ -35,6 +35,15 @@ TEUCHOS_UNIT_TEST(Console, FooterSaysHowItEnded) {
                                  "pressure 1.00e+01 Pa, forces balance to 3e-12\n") == 0);
 }
 
+TEUCHOS_UNIT_TEST(Console, FooterTellsTheErrorsThatAreKnown) {
+  sample::SampleRun sample("unused");
+  sample.solution_.errors = {{"displacement_l2", 1.25e-5}, {"displacement_l2_relative", 0.00123}, {"pressure_l2", 2.0}};
+  std::ostringstream console;
+  printFooter(&console, sample.run());
+  if (sample.comm_->getRank() != 0) return;
+  TEST_ASSERT(console.str().find("\nerrors: displacement L2 1.250e-05 (0.12 %), pressure L2 2.000e+00\n") != std::string::npos);
+}
+
 TEUCHOS_UNIT_TEST(Console, FooterOfAFailureGivesTheReason) {
   sample::SampleRun sample("unused");
   sample.solution_.converged = false;
