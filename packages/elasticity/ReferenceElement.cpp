@@ -52,6 +52,10 @@ int degreeOf(const Shape& shape, Rule rule) {
       return shape.triangle ? (shape.order == 1 ? 1 : 4) : 2 * shape.order;
     case Rule::Centroid:
       return 1;
+    case Rule::Sampling:
+      return shape.order == 1 ? 1 : shape.triangle ? 2 : 3;
+    case Rule::Recovery:
+      return 2 * shape.order;
   }
   throw InternalError("no such quadrature rule");
 }
@@ -142,7 +146,7 @@ ReferenceElement makeSide(int nodes) {
   return side;
 }
 
-constexpr int cellKinds = 5, rules = 3;
+constexpr int cellKinds = 5, rules = 5;
 using Tables = std::array<std::array<ReferenceElement, rules>, cellKinds>;
 
 Tables makeTables() {

@@ -25,7 +25,9 @@ struct ReferenceElement {
 enum class Rule : int {
   Stiffness = 0,  ///< products of gradients: degree 2 (p - 1) on triangles, 2 p in each direction on quadrilaterals
   Load = 1,       ///< products of a shape function with a factor of order p
-  Centroid = 2    ///< the one-point rule
+  Centroid = 2,   ///< the one-point rule
+  Sampling = 3,   ///< where stresses are superconvergent, or best: the centroid (order 1), three points or 2 x 2 Gauss points (order 2)
+  Recovery = 4    ///< products of shape functions
 };
 
 /// Local. Kokkos must be initialised (Tpetra::ScopeGuard does that). \throws InternalError if it is not.
