@@ -36,12 +36,15 @@ RunResult solveScene(const CommPtr& comm, const SolveOptions& options) {
   const auto reference =
       timed(timers, "assemble", [&] { return isMonolithic(scene) ? assembleMonolithic(*comm, mesh, constraints, model) : nullptr; });
   const auto start = startStage(comm, options, problem.get(), cut.whole.hash, cut.meshes, subdomains, scene, monitor);
-  const Solution solution = timed(timers, "solve", [&] {
+  const auto discretisationError = discretisationErrorOf(*comm, cut.meshes, model, subdomains);
+  Solution solution = timed(timers, "solve", [&] {
     if (!problem) return solveMonolithicScene(*comm, mesh, constraints, reference.get(), cut.meshes, scene, monitor);
-    return recover(*comm, *problem, solveInterface(*problem, scene, monitor, start.get()), subdomains, scene);
+    return recover(*comm, *problem, solveInterface(*problem, scene, monitor, start.get(), discretisationError), subdomains, scene);
   });
   problem.reset();  // what is written needs the memory
   subdomains.clear();
+  if (wantsErrorEstimate(scene))
+    solution.discretisation = timed(timers, "estimate", [&] { return estimateError(*comm, cut.meshes, model, solution.displacement); });
 
   return reportStage(
       {*comm, file, model, cut.whole.pieces, cut.meshes, size, solution, monitor, timers, cut.whole.hash, options.commandLine, folder},

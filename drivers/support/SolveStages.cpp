@@ -141,6 +141,8 @@ std::unique_ptr<InterfaceState> startStage(const CommPtr& comm, const SolveOptio
   return std::make_unique<InterfaceState>(problem->stateOf(freeValues, checkpoint.status));
 }
 
+bool wantsErrorEstimate(const Parameters& scene) { return scene.sublist("Output").get<bool>("Error Estimate") || isAutomatic(scene); }
+
 namespace {
 volatile std::sig_atomic_t stopAsked = 0;
 }

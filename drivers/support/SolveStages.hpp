@@ -66,6 +66,10 @@ std::unique_ptr<InterfaceState> startStage(const CommPtr& comm, const SolveOptio
                                            const std::string& meshHash, const std::vector<SubdomainMesh>& meshes,
                                            const Subdomains& subdomains, const Parameters& scene, Monitor& monitor);
 
+/// Whether the scene asks for an estimate of the discretisation error (Output/Error Estimate), or needs one (an automatic tolerance).
+/// Local.
+bool wantsErrorEstimate(const Parameters& scene);
+
 /// SIGUSR1 (mpirun forwards it) ends the run after the outer iteration in hand, with a checkpoint and exit code 75.
 void listenForStop(RunMonitor& monitor);
 

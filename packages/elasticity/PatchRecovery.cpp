@@ -50,9 +50,9 @@ struct Layout {
   int order, terms, half, right;
   explicit Layout(int order) : order(order), terms(termsOf(order)), half(terms * (terms + 1) / 2), right(half + terms * components) {}
   int points() const { return right; }
-  int angle() const { return right + 1; }      // of the elements at the vertex
-  int quadratic() const { return right + 2; }  // elements of order 2
-  int width() const { return right + 3; }
+  int quadratic() const { return right + 1; }  // elements of order 2
+  int ring() const { return right + 2; }       // three numbers, zero if the elements close around the vertex
+  int width() const { return right + 5; }
 
   Small matrix(const double* column) const {
     Small a(terms, terms);
@@ -61,11 +61,18 @@ struct Layout {
     return a;
   }
   Polynomial rightSide(const double* column) const { return Eigen::Map<const Polynomial>(column + half, terms, components); }
-  void add(const Small& a, const Polynomial& b, double* column) const {
-    for (int j = 0, k = 0; j < terms; ++j)
-      for (int i = 0; i <= j; ++i, ++k) column[k] += a(i, j);
+  void addPoint(const Terms& m, const Eigen::Vector3d& stress, double* column) const {
+    for (int j = 0; j < terms; ++j)
+      for (int i = 0; i <= j; ++i) *column++ += m(i) * m(j);
     for (int k = 0; k < components; ++k)
-      for (int i = 0; i < terms; ++i) column[half + k * terms + i] += b(i, k);
+      for (int i = 0; i < terms; ++i) *column++ += m(i) * stress(k);
+    *column += 1.0;
+  }
+  void add(const Small& a, const Polynomial& b, double* column) const {
+    for (int j = 0; j < terms; ++j)
+      for (int i = 0; i <= j; ++i) *column++ += a(i, j);
+    for (int k = 0; k < components; ++k)
+      for (int i = 0; i < terms; ++i) *column++ += b(i, k);
   }
   int orderOfPatch(const double* column) const { return column[quadratic()] > 0.0 ? order : 1; }
 };
@@ -93,11 +100,26 @@ bool fit(const Layout& layout, const double* column, int order, Eigen::Ref<Vecto
   return true;
 }
 
-double angleAt(const CellBlock& block, const Span<const int>& nodes, int vertices, int k) {
-  const Point at = block.point(nodes[k]), next = block.point(nodes[(k + 1) % vertices]),
-              before = block.point(nodes[(k + vertices - 1) % vertices]);
-  const double ax = next[0] - at[0], ay = next[1] - at[1], bx = before[0] - at[0], by = before[1] - at[1];
-  return std::atan2(ax * by - ay * bx, ax * bx + ay * by);
+// Sides of a closed ring leave the vertex once forwards and once backwards, so that any function of their other ends cancels; the third of
+// these does so by no symmetry of a ring that is open.
+void addRing(const CellBlock& block, const Span<const int>& nodes, int vertices, int vertex, double* ring) {
+  const Point at = block.point(nodes[vertex]);
+  const auto addEnd = [&](int end, double sign) {
+    const Point p = block.point(nodes[end]);
+    const double x = p[0] - at[0], y = p[1] - at[1];
+    ring[0] += sign * x;
+    ring[1] += sign * y;
+    ring[2] += sign * (x * x - y * y);
+  };
+  addEnd((vertex + 1) % vertices, 1.0);
+  addEnd((vertex + vertices - 1) % vertices, -1.0);
+}
+
+// `column` has the extent of the patch in its moments of the second order.
+bool isInterior(const Layout& layout, const double* column) {
+  const double square = column[2] + column[5];  // of x and of y: the diagonal of A, half of which is kept
+  const double* ring = column + layout.ring();
+  return std::hypot(ring[0], ring[1]) < 1e-8 * std::sqrt(square) && std::abs(ring[2]) < 1e-8 * square;
 }
 
 Eigen::Vector3d strainAt(const ElementMap& map, const Span<const int>& nodes, const Vector& displacement) {
@@ -179,13 +201,11 @@ Matrix PatchRecovery::moments() const {
       }
       for (const int patch : patches) {
         const Point vertex = placeOf(patch);
-        const Terms m = monomials(x - vertex[0], y - vertex[1], order_);
-        layout.add(m * m.transpose(), m * stress.transpose(), all.col(patch).data());
-        all(layout.points(), patch) += 1.0;
+        layout.addPoint(monomials(x - vertex[0], y - vertex[1], order_), stress, all.col(patch).data());
       }
     }
     for (std::size_t v = 0; v < patches.size(); ++v) {
-      all(layout.angle(), patches[v]) += angleAt(*block_, nodes, static_cast<int>(patches.size()), static_cast<int>(v));
+      addRing(*block_, nodes, static_cast<int>(patches.size()), static_cast<int>(v), all.col(patches[v]).data() + layout.ring());
       all(layout.quadratic(), patches[v]) += orderOf(block_->cells[e]) > 1;
     }
   }
@@ -194,12 +214,10 @@ Matrix PatchRecovery::moments() const {
 
 void PatchRecovery::fitInterior(const Matrix& moments) {
   const Layout layout(order_);
-  const double round = 8.0 * std::atan(1.0);
   polynomials_ = Matrix::Zero(layout.terms * components, moments.cols());
   for (Eigen::Index p = 0; p < moments.cols(); ++p) {
     const double* column = moments.col(p).data();
-    if (column[layout.angle()] > round - 1e-6 && fit(layout, column, layout.orderOfPatch(column), polynomials_.col(p)))
-      origin_[p] = Origin::Own;
+    if (isInterior(layout, column) && fit(layout, column, layout.orderOfPatch(column), polynomials_.col(p))) origin_[p] = Origin::Own;
   }
 }
 
@@ -285,7 +303,8 @@ ElementErrors PatchRecovery::errors() const {
              monomials(at[0] - from[0], at[1] - from[1], order_);
     };
     const int vertices = static_cast<int>(patches.size());
-    for (int v = 0; v < vertices; ++v) nodal.col(v) = valueAt(v, v);
+    for (int v = 0; v < vertices; ++v)
+      for (int k = 0; k < components; ++k) nodal(k, v) = polynomials_(k * terms, patches[v]);
     if (orderOf(cell) > 1)
       for (const std::vector<int>& side : cellInfo(cell).sideNodes)
         nodal.col(side[2]) = 0.5 * (valueAt(side[0], side[2]) + valueAt(side[1], side[2]));

@@ -202,7 +202,7 @@ TEUCHOS_UNIT_TEST(History, GivesBackTheSameNumbers) {
   std::string header, row;
   std::getline(file, header);
   std::getline(file, row);
-  TEST_EQUALITY(header, "iteration,pcg,condition,residual,euclidean,active,changed,energy,step,seconds");
+  TEST_EQUALITY(header, "iteration,pcg,condition,residual,euclidean,active,changed,energy,step,seconds,algebraic_error");
   int k, pcg, active, changed;
   double condition, residual, euclidean, energy, step, seconds;
   TEST_EQUALITY(std::sscanf(row.c_str(), "%d,%d,%lf,%lf,%lf,%d,%d,%lf,%lf,%lf", &k, &pcg, &condition, &residual, &euclidean, &active,
