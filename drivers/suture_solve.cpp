@@ -43,7 +43,7 @@ RunResult solveScene(const CommPtr& comm, const SolveOptions& options) {
   });
   problem.reset();  // what is written needs the memory
   subdomains.clear();
-  if (wantsErrorEstimate(scene))
+  if (wantsErrorEstimate(scene) && !solution.discretisation)
     solution.discretisation = timed(timers, "estimate", [&] { return estimateError(*comm, cut.meshes, model, solution.displacement); });
 
   return reportStage(

@@ -84,14 +84,21 @@ void OuterSolver::Run::accept(InterfaceState state, InterfaceProblem::Evaluation
   result.state = std::move(state);
   result.state.status = at.next;
   evaluation = std::move(at);
-  if (done() && result.residual > settings.tolerance) automatic.estimate(result.state, result.energyError);
+  confirm();
+}
+
+void OuterSolver::Run::confirm() {
+  result.discretisation.reset();
+  if (!done() || result.residual <= settings.tolerance) return;
+  automatic.estimate(result.state);
+  result.discretisation = automatic.last();
 }
 
 std::string OuterSolver::Run::reason() const {
   std::ostringstream text;
   text.precision(2);
   text << std::scientific << "automatic tolerance: the algebraic error " << result.energyError
-       << " is below a tenth of the estimated discretisation error " << automatic.discretisation() << " (energy norm; estimated "
+       << " is below a tenth of the estimated discretisation error " << automatic.last()->energyNorm << " (energy norm; estimated "
        << automatic.estimates() << (automatic.estimates() == 1 ? " time" : " times") << "), at a residual of " << result.residual;
   return text.str();
 }
@@ -173,14 +180,14 @@ OuterResult OuterSolver::solve(const InterfaceProblem& problem, const OuterSetti
     }
   }
 
-  if (run.automatic.on() && !run.automatic.known()) run.automatic.estimate(result.state, given ? -1.0 : result.energyError);
+  if (run.automatic.on() && !run.automatic.known()) run.automatic.estimate(result.state);
   run.evaluation = problem.evaluate(result.state, 10.0 * settings.tolerance);
   result.pcgTotal += run.evaluation.applications;
   result.residual = run.norm(run.evaluation);
   result.state.status = run.evaluation.next;
   // Of the auxiliary solution the error is known as long as all pairs stay closed.
   if (run.evaluation.changed > 0 || given) result.energyError = run.energyBound(result.residual);
-  if (run.done() && result.residual > settings.tolerance) run.automatic.estimate(result.state, result.energyError);
+  run.confirm();
   if (!run.done()) doSolve(run);
   result.converged = run.done();
   if (result.converged && result.residual > settings.tolerance) monitor.note(run.reason());

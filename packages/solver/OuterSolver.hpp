@@ -9,6 +9,7 @@
 #include <cmath>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 
 namespace suture {
@@ -30,7 +31,8 @@ struct OuterResult {
   int iterations = 0;
   int pcgTotal = 0;  ///< of the outer iterations, failed steps included
   double residual = 0.0;
-  double energyError = -1.0;  ///< algebraic error at the end in the energy norm, estimated; negative: not known
+  double energyError = -1.0;                          ///< algebraic error at the end in the energy norm, estimated; negative: not known
+  std::optional<DiscretisationError> discretisation;  ///< of the state, where an automatic tolerance has estimated it
   AuxiliaryRow auxiliary;
   int coarseSize = 0;
   double setupSeconds = 0.0;               ///< of the preconditioner
@@ -77,6 +79,8 @@ class OuterSolver {
     void accept(InterfaceState state, InterfaceProblem::Evaluation at, double residual, const InnerResult& cost, double step,
                 double energyError);
     bool done() const;
+    /// Where an automatic tolerance would end the iterations: estimates again, after which it may not. Collective.
+    void confirm();
     /// Remembers the smallest eigenvalue that a solve met.
     void learn(const InnerResult& solve);
     /// What a residual says of the algebraic error in the energy norm: sqrt(r.M r / lowest). An upper bound where the operator at the

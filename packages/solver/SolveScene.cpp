@@ -79,7 +79,7 @@ AutomaticTolerance::Estimate discretisationErrorOf(const Comm& comm, const std::
   return [&](const std::vector<Vector>& freeValues) {
     std::vector<Vector> displacement;
     for (std::size_t i = 0; i < subdomains.size(); ++i) displacement.push_back(subdomains[i]->cartesian(freeValues[i]));
-    return estimateError(comm, meshes, model, displacement).energyNorm;
+    return estimateError(comm, meshes, model, displacement);
   };
 }
 
@@ -165,6 +165,7 @@ Solution recover(const Comm& comm, const InterfaceProblem& problem, const OuterR
   solution.pcgTotal = result.pcgTotal;
   solution.residual = result.residual;
   solution.energyError = result.energyError;
+  solution.discretisation = result.discretisation;
   solution.auxiliary = result.auxiliary;
   solution.estimates = result.estimates;
   solution.coarseSize = result.coarseSize;
