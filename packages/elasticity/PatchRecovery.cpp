@@ -12,8 +12,9 @@ namespace {
 
 constexpr int components = 3;  // Voigt: xx, yy, xy
 constexpr int maxTerms = 6;
-// Of a stress at the vertex, the error that points with errors of one give it: (A^-1)_00. More is extrapolation.
-constexpr double mostAmplified = 10.0;
+// Variance of the stress at the vertex where those at the points have a variance of one: (A^-1)_00. A few tenths in the middle of a body;
+// more than this is extrapolation. Boundary patches of quadratic triangles pass, those of other cells do not.
+constexpr double mostAmplified = 2.0;
 constexpr double leastPivot = 1e-10;      // of the matrix with a unit diagonal
 constexpr double leastThickness = 1e-20;  // square of a patch's extent along an axis over that along both: less is rounding
 
@@ -51,8 +52,7 @@ struct Layout {
   explicit Layout(int order) : order(order), terms(termsOf(order)), half(terms * (terms + 1) / 2), right(half + terms * components) {}
   int points() const { return right; }
   int quadratic() const { return right + 1; }  // elements of order 2
-  int ring() const { return right + 2; }       // three numbers, zero if the elements close around the vertex
-  int width() const { return right + 5; }
+  int width() const { return right + 2; }
 
   Small matrix(const double* column) const {
     Small a(terms, terms);
@@ -98,28 +98,6 @@ bool fit(const Layout& layout, const double* column, int order, Eigen::Ref<Vecto
   polynomial.setZero();
   Eigen::Map<Matrix>(polynomial.data(), layout.terms, components).topRows(n) = scale.asDiagonal() * factor.solve(right);
   return true;
-}
-
-// Sides of a closed ring leave the vertex once forwards and once backwards, so that any function of their other ends cancels; the third of
-// these does so by no symmetry of a ring that is open.
-void addRing(const CellBlock& block, const Span<const int>& nodes, int vertices, int vertex, double* ring) {
-  const Point at = block.point(nodes[vertex]);
-  const auto addEnd = [&](int end, double sign) {
-    const Point p = block.point(nodes[end]);
-    const double x = p[0] - at[0], y = p[1] - at[1];
-    ring[0] += sign * x;
-    ring[1] += sign * y;
-    ring[2] += sign * (x * x - y * y);
-  };
-  addEnd((vertex + 1) % vertices, 1.0);
-  addEnd((vertex + vertices - 1) % vertices, -1.0);
-}
-
-// `column` has the extent of the patch in its moments of the second order.
-bool isInterior(const Layout& layout, const double* column) {
-  const double square = column[2] + column[5];  // of x and of y: the diagonal of A, half of which is kept
-  const double* ring = column + layout.ring();
-  return std::hypot(ring[0], ring[1]) < 1e-8 * std::sqrt(square) && std::abs(ring[2]) < 1e-8 * square;
 }
 
 Eigen::Vector3d strainAt(const ElementMap& map, const Span<const int>& nodes, const Vector& displacement) {
@@ -204,20 +182,17 @@ Matrix PatchRecovery::moments() const {
         layout.addPoint(monomials(x - vertex[0], y - vertex[1], order_), stress, all.col(patch).data());
       }
     }
-    for (std::size_t v = 0; v < patches.size(); ++v) {
-      addRing(*block_, nodes, static_cast<int>(patches.size()), static_cast<int>(v), all.col(patches[v]).data() + layout.ring());
-      all(layout.quadratic(), patches[v]) += orderOf(block_->cells[e]) > 1;
-    }
+    for (const int patch : patches) all(layout.quadratic(), patch) += orderOf(block_->cells[e]) > 1;
   }
   return all;
 }
 
-void PatchRecovery::fitInterior(const Matrix& moments) {
+void PatchRecovery::fitAlone(const Matrix& moments) {
   const Layout layout(order_);
   polynomials_ = Matrix::Zero(layout.terms * components, moments.cols());
   for (Eigen::Index p = 0; p < moments.cols(); ++p) {
     const double* column = moments.col(p).data();
-    if (isInterior(layout, column) && fit(layout, column, layout.orderOfPatch(column), polynomials_.col(p))) origin_[p] = Origin::Own;
+    if (fit(layout, column, layout.orderOfPatch(column), polynomials_.col(p))) origin_[p] = Origin::Own;
   }
 }
 
@@ -249,14 +224,6 @@ void PatchRecovery::takeFromNeighbours(const Matrix& sums) {
       polynomials_.col(p) = sums.col(p).head(width) / sums(width, p);
       origin_[p] = Origin::Neighbours;
     }
-}
-
-void PatchRecovery::fitAlone(const Matrix& moments) {
-  const Layout layout(order_);
-  for (Eigen::Index p = 0; p < moments.cols(); ++p) {
-    const double* column = moments.col(p).data();
-    if (origin_[p] == Origin::None && fit(layout, column, layout.orderOfPatch(column), polynomials_.col(p))) origin_[p] = Origin::Own;
-  }
 }
 
 Matrix PatchRecovery::enlarged(const Matrix& moments) const {
@@ -343,14 +310,12 @@ void recoverPatches(std::vector<PatchRecovery>& blocks, const PatchExchange& exc
 
   for (PatchRecovery& block : blocks) block.order_ = order;
   const std::vector<Matrix> moments = summed([](const PatchRecovery& block) { return block.moments(); });
-  for (std::size_t i = 0; i < blocks.size(); ++i) blocks[i].fitInterior(moments[i]);
-  // Twice: a corner may have no interior neighbour, but neighbours that have some.
+  for (std::size_t i = 0; i < blocks.size(); ++i) blocks[i].fitAlone(moments[i]);
+  // Twice: a corner may have no neighbour that stands alone, but neighbours that have some.
   for (int pass = 0; pass < 2 && unfitted(); ++pass) {
     const std::vector<Matrix> sums = summed([](const PatchRecovery& block) { return block.fromNeighbours(); });
     for (std::size_t i = 0; i < blocks.size(); ++i) blocks[i].takeFromNeighbours(sums[i]);
   }
-  if (!unfitted()) return;
-  for (std::size_t i = 0; i < blocks.size(); ++i) blocks[i].fitAlone(moments[i]);
   if (!unfitted()) return;
   const std::vector<Matrix> larger =
       summed([&](const PatchRecovery& block) { return block.enlarged(moments[std::size_t(&block - blocks.data())]); });

@@ -29,11 +29,11 @@ struct ElementErrors {
 ///
 /// The patch of a vertex is all elements of one material around it: stresses may jump where materials meet, and bodies share no nodes, so
 /// that contact lines end a patch, too. A polynomial of the cells' order in coordinates about the vertex is fitted to the stresses at the
-/// superconvergent points (`Rule::Sampling`) of its elements, by least squares. Vertices on the boundary of their material take the mean of
-/// the polynomials of the interior vertices that they share elements with. Where there are none (thin strips) a patch serves itself if its
-/// points determine the polynomial well at the vertex; if not it is enlarged by the patches of its elements' other vertices, and the order
-/// of the polynomial lowered until it is determined. The recovered stress s* has the cells' shape functions; at nodes in sides it is the
-/// mean of the ends' polynomials, at the centre that of all vertices'.
+/// superconvergent points (`Rule::Sampling`) of its elements, by least squares, if the points determine it well at the vertex. Else (on the
+/// boundary of the material, mostly) the vertex takes the mean of the polynomials of the vertices that it shares elements with; where these
+/// have none either (thin strips) the patch is enlarged by theirs, and the order lowered until the polynomial is determined. The recovered
+/// stress s* has the cells' shape functions; at nodes in sides it is the mean of the ends' polynomials, at the centre that of all
+/// vertices'.
 ///
 /// All that a patch gathers are sums over elements: see recoverPatches(). Two-dimensional cells.
 class PatchRecovery {
@@ -60,10 +60,9 @@ class PatchRecovery {
 
   int order() const;  // largest of the cells
   Matrix moments() const;
-  void fitInterior(const Matrix& moments);
+  void fitAlone(const Matrix& moments);
   Matrix fromNeighbours() const;
   void takeFromNeighbours(const Matrix& sums);
-  void fitAlone(const Matrix& moments);
   Matrix enlarged(const Matrix& moments) const;
   void fitEnlarged(const Matrix& moments);
   bool unfitted() const;
