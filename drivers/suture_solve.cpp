@@ -37,13 +37,14 @@ RunResult solveScene(const CommPtr& comm, const SolveOptions& options) {
   const auto reference =
       timed(timers, "assemble", [&] { return isMonolithic(scene) ? assembleMonolithic(*comm, mesh, constraints, model) : nullptr; });
   const auto start = startStage(comm, options, problem.get(), cut.whole.hash, cut.meshes, subdomains, scene, monitor);
+  const auto discretisationError = discretisationErrorOf(*comm, cut.meshes, model, subdomains);
   Solution solution = timed(timers, "solve", [&] {
     if (!problem) return solveMonolithicScene(*comm, mesh, constraints, reference.get(), cut.meshes, scene, monitor);
-    return recover(*comm, *problem, solveInterface(*problem, scene, monitor, start.get()), subdomains, scene);
+    return recover(*comm, *problem, solveInterface(*problem, scene, monitor, start.get(), discretisationError), subdomains, scene);
   });
-  errorStage(*comm, cut.meshes, model, scene, solution, timers);
   problem.reset();  // what is written needs the memory
   subdomains.clear();
+  errorStage(*comm, cut.meshes, model, scene, solution, timers);
 
   return reportStage(
       {*comm, file, model, cut.whole.pieces, cut.meshes, size, solution, monitor, timers, cut.whole.hash, options.commandLine, folder},

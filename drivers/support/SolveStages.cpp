@@ -142,10 +142,16 @@ std::unique_ptr<InterfaceState> startStage(const CommPtr& comm, const SolveOptio
   return std::make_unique<InterfaceState>(problem->stateOf(freeValues, checkpoint.status));
 }
 
+namespace {
+bool wantsErrorEstimate(const Parameters& scene) { return scene.sublist("Output").get<bool>("Error Estimate") || isAutomatic(scene); }
+}  // namespace
+
 void errorStage(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model, const Parameters& scene,
                 Solution& solution, Timers& timers) {
-  if (model.exact.empty()) return;
-  solution.errors = timed(timers, "errors", [&] { return exactErrors(comm, meshes, model, scene.sublist("Contact"), solution); });
+  if (!model.exact.empty())
+    solution.errors = timed(timers, "errors", [&] { return exactErrors(comm, meshes, model, scene.sublist("Contact"), solution); });
+  if (wantsErrorEstimate(scene) && !solution.discretisation)
+    solution.discretisation = timed(timers, "estimate", [&] { return estimateError(comm, meshes, model, solution.displacement); });
 }
 
 namespace {

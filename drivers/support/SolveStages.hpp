@@ -67,7 +67,8 @@ std::unique_ptr<InterfaceState> startStage(const CommPtr& comm, const SolveOptio
                                            const std::string& meshHash, const std::vector<SubdomainMesh>& meshes,
                                            const Subdomains& subdomains, const Parameters& scene, Monitor& monitor);
 
-/// Adds what is known of the solution's errors; takes time only where the scene has an exact solution. Collective.
+/// Adds the solution's errors: against the exact solution of a scene that has one, and estimated where the scene asks for that
+/// (Output/Error Estimate) or needs it (an automatic tolerance). Collective.
 void errorStage(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model, const Parameters& scene,
                 Solution& solution, Timers& timers);
 

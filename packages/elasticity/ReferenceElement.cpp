@@ -54,6 +54,10 @@ int degreeOf(const Shape& shape, Rule rule) {
       return 1;
     case Rule::Data:
       return 2 * shape.order + 4;
+    case Rule::Sampling:
+      return shape.order == 1 ? 1 : shape.triangle ? 2 : 3;
+    case Rule::Recovery:
+      return 2 * shape.order;
   }
   throw InternalError("no such quadrature rule");
 }
@@ -145,7 +149,7 @@ ReferenceElement makeSide(int nodes, Rule rule) {
   return side;
 }
 
-constexpr int cellKinds = 5, rules = 4;
+constexpr int cellKinds = 5, rules = 6;
 using Tables = std::array<std::array<ReferenceElement, rules>, cellKinds>;
 
 Tables makeTables() {

@@ -26,7 +26,9 @@ enum class Rule : int {
   Stiffness = 0,  ///< products of gradients: degree 2 (p - 1) on triangles, 2 p in each direction on quadrilaterals
   Load = 1,       ///< products of a shape function with a factor of order p
   Centroid = 2,   ///< the one-point rule
-  Data = 3        ///< products with a function of the place: degree 2 p + 4, so that no order of convergence is lost
+  Data = 3,       ///< products with a function of the place: degree 2 p + 4, so that no order of convergence is lost
+  Sampling = 4,   ///< where stresses are superconvergent, or best: the centroid (order 1), three points or 2 x 2 Gauss points (order 2)
+  Recovery = 5    ///< products of shape functions
 };
 
 /// Local. Kokkos must be initialised (Tpetra::ScopeGuard does that). \throws InternalError if it is not.

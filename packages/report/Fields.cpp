@@ -14,7 +14,7 @@ struct BodyFields {
   GridPart grid;
   std::vector<double> displacement;
   std::vector<GlobalId> nodeId;
-  std::vector<double> stress, principal, direction1, direction2, vonMises, young;
+  std::vector<double> stress, principal, direction1, direction2, vonMises, young, error;
   std::vector<int> subdomain, body;
   std::vector<GlobalId> elementId;
 };
@@ -73,6 +73,10 @@ BodyFields gather(const Run& run) {
     const Vector& u = run.solution.displacement[s];
     addCells(mesh, addNodes(mesh, u, known, all), all);
     addStresses(mesh, run.model, u, all);
+    if (run.solution.discretisation) {
+      const Vector& error = run.solution.discretisation->ofElements[s];
+      all.error.insert(all.error.end(), error.data(), error.data() + error.size());
+    }
   }
   return all;
 }
@@ -92,6 +96,10 @@ void writeFields(const Run& run, const std::string& path) {
   file.cellData({"PrincipalDirection2", 3, "", "unit vector of the smaller in-plane principal stress"}, all.direction2);
   file.cellData({"VonMises", 1, units.stress, "at the centroid; never negative"}, all.vonMises);
   if (!run.model.materialOfRegion.empty()) file.cellData({"YoungModulus", 1, units.stress, "of the element's material"}, all.young);
+  if (run.solution.discretisation)
+    file.cellData({"ErrorEstimate", 1, "(" + units.stress + " " + units.length + "^2)^(1/2)",
+                   "estimated discretisation error of the element in the energy norm; never negative"},
+                  all.error);
   file.cellData({"Subdomain", 1, "", "number of the subdomain, from 0; names in /Record/Subdomains"}, all.subdomain);
   file.cellData({"Body", 1, "", "number of the body, from 0; names in /Record/Bodies"}, all.body);
   file.cellData({"ElementId", 1, "", "number of the element in the mesh, from 0"}, all.elementId);

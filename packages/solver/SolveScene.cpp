@@ -115,6 +115,17 @@ Subdomains makeSubdomains(const Comm& comm, const std::vector<SubdomainMesh>& me
 
 bool isCondensed(const Parameters& scene) { return scene.get<std::string>("Formulation") == kCondensedGroups; }
 
+bool isAutomatic(const Parameters& scene) { return scene.sublist("Outer Solver").get<std::string>("Tolerance") == "Automatic"; }
+
+AutomaticTolerance::Estimate discretisationErrorOf(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model,
+                                                   const Subdomains& subdomains) {
+  return [&](const std::vector<Vector>& freeValues) {
+    std::vector<Vector> displacement;
+    for (std::size_t i = 0; i < subdomains.size(); ++i) displacement.push_back(subdomains[i]->cartesian(freeValues[i]));
+    return estimateError(comm, meshes, model, displacement);
+  };
+}
+
 void checkCombination(const Parameters& scene) {
   const auto formulation = scene.get<std::string>("Formulation");
   const auto method = scene.sublist("Outer Solver").get<std::string>("Type");
@@ -169,10 +180,16 @@ std::unique_ptr<InterfaceProblem> makeInterfaceProblem(const CommPtr& comm, cons
   return std::make_unique<ContactInterfaceProblem>(comm, partition, subdomains, localSolverMaker(own), schur);
 }
 
-OuterResult solveInterface(const InterfaceProblem& problem, const Parameters& scene, Monitor& monitor, const InterfaceState* start) {
+OuterResult solveInterface(const InterfaceProblem& problem, const Parameters& scene, Monitor& monitor, const InterfaceState* start,
+                           const AutomaticTolerance::Estimate& discretisationError) {
   const Parameters& own = scene.sublist("Outer Solver");
   OuterSettings settings;
-  settings.tolerance = own.get<double>("Tolerance");
+  if (isAutomatic(scene)) {
+    if (!discretisationError) throw InternalError("an automatic tolerance without an estimate of the error");
+    settings.discretisationError = discretisationError;
+  } else {
+    settings.tolerance = std::stod(own.get<std::string>("Tolerance"));
+  }
   settings.maximumIterations = own.get<int>("Maximum Iterations");
   settings.maximumInnerIterations = own.get<int>("Maximum Inner Iterations");
   settings.preconditioner = [&scene] { return makePreconditioner(scene.sublist("Preconditioner")); };
@@ -190,6 +207,8 @@ Solution recover(const Comm& comm, const InterfaceProblem& problem, const OuterR
   solution.outerIterations = result.iterations;
   solution.pcgTotal = result.pcgTotal;
   solution.residual = result.residual;
+  solution.energyError = result.energyError;
+  solution.discretisation = result.discretisation;
   solution.auxiliary = result.auxiliary;
   solution.estimates = result.estimates;
   solution.coarseSize = result.coarseSize;

@@ -41,7 +41,19 @@ TEUCHOS_UNIT_TEST(Console, FooterTellsTheErrorsThatAreKnown) {
   std::ostringstream console;
   printFooter(&console, sample.run());
   if (sample.comm_->getRank() != 0) return;
-  TEST_ASSERT(console.str().find("\nerrors: displacement L2 1.250e-05 (0.12 %), pressure L2 2.000e+00\n") != std::string::npos);
+  TEST_ASSERT(console.str().find("\n   errors: displacement L2 1.250e-05 (0.12 %), pressure L2 2.000e+00\n") != std::string::npos);
+}
+
+TEUCHOS_UNIT_TEST(Console, FooterSetsTheErrorsSideBySide) {
+  sample::SampleRun sample("unused");
+  sample.solution_.energyError = 0.002;
+  sample.solution_.discretisation = DiscretisationError{0.1, 4.0, {}};
+  std::ostringstream console;
+  printFooter(&console, sample.run());
+  if (sample.comm_->getRank() == 0)
+    TEST_ASSERT(
+        console.str().find("\n   error in the energy norm, estimated: discretisation 1.00e-01 (2.5 %), algebraic 2.00e-03 (0.05 %)\n") !=
+        std::string::npos);
 }
 
 TEUCHOS_UNIT_TEST(Console, FooterOfAFailureGivesTheReason) {
