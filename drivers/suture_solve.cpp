@@ -23,7 +23,7 @@ RunResult solveScene(const CommPtr& comm, const SolveOptions& options) {
   Constraints constraints = timed(timers, "read", [&] { return whole ? constraintsStage(*comm, mesh, scene) : Constraints(); });
   CutMesh cut = timed(timers, "partition", [&] { return cutStage(*comm, file, mesh, constraints); });
   const ElasticModel model = makeElasticModel(scene);
-  if (whole) timed(timers, "partition", [&] { checkStage(*comm, mesh, constraints, model); });
+  timed(timers, "partition", [&] { whole ? checkStage(*comm, mesh, constraints, model) : checkStage(*comm, cut.meshes, model); });
   const double memory = checkMemory(*comm, cut.meshes, cut.whole.size.dofs, scene);
   if (!isMonolithic(scene)) forget(mesh, constraints, cut.partition);
   auto subdomains =

@@ -24,7 +24,7 @@ struct ContactPair {
   int nodeA = -1, nodeB = -1;
   Point normal{0, 0, 0};
   double gap = 0.0;         ///< initial gap along the normal [length]; negative: interference
-  double length = 0.0;      ///< tributary length on side A: integral of its hat function
+  double length = 0.0;      ///< tributary length on side A: integral of its hat function [length]; axisymmetric: times 2 pi r [area]
   double arc = 0.0;         ///< arc length from the first node of its line on side A
   Point position{0, 0, 0};  ///< of node A
 };

@@ -11,19 +11,24 @@ void addSideLoad(const CellBlock& block, const std::vector<Side>& sides, const L
     const std::vector<int> nodes = block.nodesOf(side);
     const ReferenceElement& reference = referenceSide(static_cast<int>(nodes.size()));
     for (int q = 0; q < reference.points; ++q) {
-      double tx = 0, ty = 0;  // tangent, of the length ds/du
+      double tx = 0, ty = 0, weight = reference.weights[q];  // tangent, of the length ds/du
       for (int a = 0; a < reference.nodes; ++a) {
         const double slope = reference.gradientsAt(q)[a];
         tx += slope * block.coordinates[std::size_t(nodes[a]) * 2];
         ty += slope * block.coordinates[std::size_t(nodes[a]) * 2 + 1];
       }
+      if (block.axisymmetric) {
+        double radius = 0;
+        for (int a = 0; a < reference.nodes; ++a) radius += reference.valuesAt(q)[a] * block.coordinates[std::size_t(nodes[a]) * 2];
+        weight *= circumference(radius);
+      }
       double fx, fy;  // force at this point: traction times weight times ds/du
       if (load.kind == Load::Kind::Pressure) {
         // The body is on the left, so the outward normal times ds is (ty, -tx): a polynomial, integrated exactly on curved sides.
-        fx = -load.value[0] * reference.weights[q] * ty;
-        fy = load.value[0] * reference.weights[q] * tx;
+        fx = -load.value[0] * weight * ty;
+        fy = load.value[0] * weight * tx;
       } else {
-        const double ds = reference.weights[q] * std::hypot(tx, ty);
+        const double ds = weight * std::hypot(tx, ty);
         fx = load.value[0] * ds;
         fy = load.value[1] * ds;
       }

@@ -49,9 +49,12 @@ int degreeOf(const Shape& shape, Rule rule) {
       return shape.triangle ? std::max(1, 2 * (shape.order - 1)) : 2 * shape.order;
     case Rule::Load:
       // A quadrilateral's Jacobian, and that of a curved triangle, are of the order of the map.
-      return shape.triangle ? (shape.order == 1 ? 1 : 4) : 2 * shape.order;
+      // In axisymmetric blocks the radius comes on top.
+      return shape.triangle ? (shape.order == 1 ? 2 : 6) : 2 * shape.order + 1;
     case Rule::Centroid:
       return 1;
+    case Rule::Revolution:
+      return shape.triangle ? 2 * shape.order : 2 * shape.order + 1;
   }
   throw InternalError("no such quadrature rule");
 }
@@ -142,7 +145,7 @@ ReferenceElement makeSide(int nodes) {
   return side;
 }
 
-constexpr int cellKinds = 5, rules = 3;
+constexpr int cellKinds = 5, rules = 4;
 using Tables = std::array<std::array<ReferenceElement, rules>, cellKinds>;
 
 Tables makeTables() {

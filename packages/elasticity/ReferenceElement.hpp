@@ -1,5 +1,5 @@
 #pragma once
-#include <suture/mesh/Cell.hpp>
+#include <suture/mesh/CellBlock.hpp>
 
 #include <vector>
 
@@ -25,8 +25,12 @@ struct ReferenceElement {
 enum class Rule : int {
   Stiffness = 0,  ///< products of gradients: degree 2 (p - 1) on triangles, 2 p in each direction on quadrilaterals
   Load = 1,       ///< products of a shape function with a factor of order p
-  Centroid = 2    ///< the one-point rule
+  Centroid = 2,   ///< the one-point rule
+  Revolution = 3  ///< as Stiffness with the factor r and terms in 1 / r: constant stresses are exact on curved cells, too
 };
+
+/// The rule for the stiffness of a block's elements.
+inline Rule stiffnessRule(const CellBlock& block) { return block.axisymmetric ? Rule::Revolution : Rule::Stiffness; }
 
 /// Local. Kokkos must be initialised (Tpetra::ScopeGuard does that). \throws InternalError if it is not.
 const ReferenceElement& referenceElement(Cell cell, Rule rule);

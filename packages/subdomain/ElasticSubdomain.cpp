@@ -49,6 +49,12 @@ Matrix ElasticSubdomain::doRigidModes() const {
   return modes;
 }
 
+Matrix ElasticSubdomain::doCoarseModes() const {
+  Matrix modes = sectionModes(mesh());
+  toAxes(modes);
+  return modes;
+}
+
 // Of the subdomains that hold a node the first one carries its force, so that the sum over all has it once, exactly.
 void ElasticSubdomain::addRandomForces(const Load& given, Vector& load) const {
   const SubdomainMesh& m = mesh();

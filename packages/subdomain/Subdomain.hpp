@@ -38,8 +38,10 @@ class Subdomain {
   /// Young modulus at the node of each free unknown, the largest of the elements there; for the weighting Young. [stress]
   const Vector& youngModulus() const { return youngModulus_; }
   const Matrix& rigidModes() const { return rigidModes_; }  ///< free x all rigid modes
-  const Matrix& heldModes() const { return heldModes_; }    ///< prescribed components x all rigid modes
-  const Matrix& kernel() const { return kernel_; }          ///< null space of stiffness(): the modes that vanish where prescribed
+  /// free x the motions that cost least, for coarse spaces: their span contains that of rigidModes().
+  const Matrix& coarseModes() const { return coarseModes_; }
+  const Matrix& heldModes() const { return heldModes_; }  ///< prescribed components x all rigid modes
+  const Matrix& kernel() const { return kernel_; }        ///< null space of stiffness(): the modes that vanish where prescribed
 
   /// Nodal displacements (node-major, Cartesian) of the free unknowns' values; prescribed ones filled in.
   Vector cartesian(const Vector& freeValues) const;
@@ -54,6 +56,8 @@ class Subdomain {
   virtual void doAssemble(SparseMatrix& stiffness, Vector& load) = 0;
   /// All rigid modes over ALL unknowns, columns of the order of one, in the axes of the nodes.
   virtual Matrix doRigidModes() const = 0;
+  /// The rigid modes, and others that cost little energy and that a preconditioner should know; in the same form.
+  virtual Matrix doCoarseModes() const { return doRigidModes(); }
   /// Young modulus at every node, or whatever stands for it: positive. Ones, without an override: the weighting Young is Multiplicity then.
   virtual Vector doYoungModulus() const { return Vector::Ones(mesh().nodes()); }
 
@@ -71,7 +75,7 @@ class Subdomain {
   SparseMatrix stiffness_, held_;  // held_: all unknowns x prescribed components
   Vector fullLoad_, load_, youngModulus_;
   double constantEnergy_ = 0.0;
-  Matrix rigidModes_, heldModes_, kernel_;
+  Matrix rigidModes_, coarseModes_, heldModes_, kernel_;
 };
 
 }  // namespace suture

@@ -216,6 +216,16 @@ def vtk_quadrilateralArea(folder, _):
     return total
 
 
+def iterations_overReference(folder, reference):
+    """PCG iterations of all, the auxiliary problem's included."""
+    both = []
+    for one in (folder, reference):
+        with open(os.path.join(one, "summary.json")) as file:
+            summary = json.load(file)
+        both.append(summary["auxiliary"]["iterations"] + summary["outer"]["pcg_total"])
+    return both[0] / both[1]
+
+
 # --- memory of a run on several ranks against that of one rank ---
 
 def peaks(folder):
