@@ -136,6 +136,12 @@ const Material& ElasticModel::materialOf(const CellBlock& block, int element, in
   return region < 0 ? materialOfBody[body] : materialOfRegion[region];
 }
 
+bool ElasticModel::nearlyIncompressible() const {
+  const auto stiff = [](const Material& material) { return material.poisson > 0.45; };
+  return plane == PlaneModel::Strain && (std::any_of(materialOfBody.begin(), materialOfBody.end(), stiff) ||
+                                         std::any_of(materialOfRegion.begin(), materialOfRegion.end(), stiff));
+}
+
 bool isAxisymmetric(const Parameters& scene) { return textOf(scene, "Model") == kAxisymmetric; }
 
 void requireGeometry(const CellBlock& block, const ElasticModel& model) {

@@ -54,6 +54,8 @@ struct ElasticModel {
   /// Material of an element of a body: that of its region, or else the body's.
   /// \throws InternalError  the scene has regions but the mesh was not told (assignRegions).
   const Material& materialOf(const CellBlock& block, int element, int body) const;
+  /// Whether volume changes much less easily than shape anywhere: a Poisson ratio above 0.45, but not in plane stress.
+  bool nearlyIncompressible() const;
 };
 
 /// Whether the scene's `Model` is Axisymmetric. Local.
@@ -99,6 +101,9 @@ void elementStiffnesses(const CellBlock& block, const std::function<const Materi
 /// Nodal forces (nodes x dimension, node-major, Cartesian) of a traction vector or pressure on sides, and of a body force on elements.
 /// Consistent: integrals against the shape functions; forces of the whole circle in axisymmetric blocks. Added to `forces`. Local.
 void addSideLoad(const CellBlock& block, const std::vector<Side>& sides, const Load& load, Vector& forces);
+/// Adds factor x integral of (shape function x outward normal) over a side to the nodes' values: what a nodal displacement carries through
+/// it.
+void addSideFlux(const CellBlock& block, const Side& side, double factor, Vector& flux);
 void addBodyForce(const CellBlock& block, const std::vector<int>& elements, const Load& load, Vector& forces);
 
 /// Force of a Random load on a component of a node of the mesh: uniform in value[1] + [-value[0], value[0]), a pure function of (seed,

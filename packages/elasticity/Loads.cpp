@@ -40,6 +40,13 @@ void addSideLoad(const CellBlock& block, const std::vector<Side>& sides, const L
   }
 }
 
+void addSideFlux(const CellBlock& block, const Side& side, double factor, Vector& flux) {
+  Load inward;  // a pressure pushes into the body
+  inward.kind = Load::Kind::Pressure;
+  inward.value[0] = -factor;
+  addSideLoad(block, {side}, inward, flux);
+}
+
 void addBodyForce(const CellBlock& block, const std::vector<int>& elements, const Load& load, Vector& forces) {
   if (load.kind != Load::Kind::BodyForce) throw InternalError("only a body force acts on elements");
   for (int e : elements) {

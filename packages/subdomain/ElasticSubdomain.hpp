@@ -16,6 +16,7 @@ class ElasticSubdomain : public Subdomain {
   void doAssemble(SparseMatrix& stiffness, Vector& load) override;
   Matrix doRigidModes() const override;
   Matrix doCoarseModes() const override;
+  Vector doSeamFlux() const override;
   Vector doYoungModulus() const override;
 
  private:

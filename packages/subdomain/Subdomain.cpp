@@ -64,6 +64,8 @@ void Subdomain::assemble() {
   youngModulus_ = Vector(dofs());
   for (int i = 0; i < dofs(); ++i) youngModulus_(i) = young(nodeOf(i));
 
+  seamFlux_ = freeValues(doSeamFlux());
+
   const Matrix modes = doRigidModes();
   rigidModes_ = Matrix(dofs(), modes.cols());
   for (int i = 0; i < dofs(); ++i) rigidModes_.row(i) = modes.row(free_[i]);

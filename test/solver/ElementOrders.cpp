@@ -3,7 +3,7 @@
 #include <suture/elasticity/ElementMap.hpp>
 #include <suture/solver/Monolithic.hpp>
 
-#include "MonolithicScenes.hpp"
+#include "RoundScenes.hpp"
 
 #include <cmath>
 #include <complex>
@@ -126,6 +126,36 @@ TEUCHOS_UNIT_TEST(ElementOrders, OfMixedElementsDoNotDependOnPoissonsRatio) {
       TEST_COMPARE(fine.stress, <, 2.5 * easy.stress);
       TEST_COMPARE(errorsOf(cell, 16, poisson).stress, >, 4 * fine.stress);  // of displacement elements
     }
+  }
+}
+
+// Lame's tube under inner pressure, its nodes' largest error; with the middles of the sides on their chords, if so asked.
+double tube(Cell cell, int cells, bool straight) {
+  const double a = 1, b = 2, pressure = 0.1, poisson = 0.3;
+  scenes::Scene scene = scenes::quarterRing(cell, a, b, cells, 2 * cells, {"m", youngOf(poisson), poisson});
+  if (straight)
+    for (int e = 0; e < scene.mesh.elements(); ++e) {
+      const CellInfo& info = cellInfo(cell);
+      const Span<const int> nodes = scene.mesh.nodesOf(e);
+      for (const auto& side : info.sideNodes)
+        for (int k = 0; k < 2; ++k)
+          scene.mesh.coordinates[2 * nodes[side[2]] + k] = (scene.mesh.point(nodes[side[0]])[k] + scene.mesh.point(nodes[side[1]])[k]) / 2;
+    }
+  scene.pressure("body_left", pressure);
+  Monitor quiet;
+  const Vector u = solveMonolithic(scene.mesh, scene.constraints, scene.model, {}, quiet).displacement;
+  const double factor = (1 + poisson) / youngOf(poisson) * pressure * a * a / (b * b - a * a);
+  return scenes::radialError(scene, u, [&](double r) { return factor * ((1 - 2 * poisson) * r + b * b / r); });
+}
+
+TEUCHOS_UNIT_TEST(ElementOrders, CurvedSidesKeepTheOrderThatChordsLose) {
+  for (const Cell cell : {Cell::Triangle6, Cell::Quadrilateral8, Cell::Quadrilateral9}) {
+    const double curved = std::log2(tube(cell, 6, false) / tube(cell, 12, false)),
+                 straight = std::log2(tube(cell, 6, true) / tube(cell, 12, true));
+    out << cellInfo(cell).name << ": error " << tube(cell, 12, false) << ", order " << curved << "; on chords " << tube(cell, 12, true)
+        << ", order " << straight << "\n";
+    TEST_COMPARE(curved, >, 2.8);
+    TEST_COMPARE(straight, <, 2.3);
   }
 }
 
