@@ -2,6 +2,8 @@
 // The program's main is in support/SolveMain.cpp: suture_study runs this function, too.
 #include <Teuchos_ParameterList.hpp>
 
+#include <suture/elasticity/LockingNotes.hpp>
+
 #include "support/Program.hpp"
 #include "support/SolveStages.hpp"
 
@@ -32,6 +34,7 @@ RunResult solveScene(const CommPtr& comm, const SolveOptions& options) {
   const ProblemSize size = withInterface(cut.whole.size, problem.get());
   printSizes(*comm, file, size, memory, options);
   for (const std::string& note : cut.partition.notes) monitor.note(note);
+  for (const std::string& note : lockingNotes(model)) monitor.note(note);
   if (options.check) return {};
   const auto reference =
       timed(timers, "assemble", [&] { return isMonolithic(scene) ? assembleMonolithic(*comm, mesh, constraints, model) : nullptr; });

@@ -5,6 +5,7 @@
 #include <suture/base/SceneReader.hpp>
 #include <suture/constraints/BuildConstraints.hpp>
 #include <suture/elasticity/ElasticModel.hpp>
+#include <suture/elasticity/LockingNotes.hpp>
 
 using namespace suture;
 
@@ -177,6 +178,22 @@ TEUCHOS_UNIT_TEST(ElasticModel, RefusesTrianglesThatLockAndTellsWhatToChoose) {
   checkElements(
       block, [](int) { return 0; }, modelOf({nearly}), sheet);
   TEST_ASSERT(sheet.empty());  // plane stress
+}
+
+TEUCHOS_UNIT_TEST(ElasticModel, TellsOfDisplacementElementsNearIncompressibility) {
+  const std::vector<std::string> nearly{"Model=Axisymmetric", "Materials/rock/Poisson Ratio=0.4999"};
+  const auto notesWith = [&](const std::string& setting) {
+    std::vector<std::string> overrides = nearly;
+    overrides.push_back(setting);
+    return lockingNotes(modelOf(overrides));
+  };
+  const std::vector<std::string> notes = lockingNotes(modelOf(nearly));
+  TEST_EQUALITY(notes.size(), 1u);  // once, however many bodies
+  TEST_ASSERT(!notes.empty() && notes[0].find("Materials/rock: Poisson ratio 0.4999 with Element = Displacement") == 0);
+  TEST_EQUALITY(notesWith("Materials/rock/Element=Mixed").size(), 0u);
+  TEST_EQUALITY(notesWith("Materials/rock/Allow Locking=true").size(), 0u);
+  TEST_EQUALITY(lockingNotes(modelOf({"Materials/rock/Poisson Ratio=0.4999"})).size(), 0u);  // plane stress
+  TEST_EQUALITY(lockingNotes(modelOf()).size(), 0u);
 }
 
 TEUCHOS_UNIT_TEST(ElasticModel, HasTheElasticityThatInvertsTheCompliance) {
