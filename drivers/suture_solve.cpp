@@ -2,6 +2,8 @@
 // The program's main is in support/SolveMain.cpp: suture_study runs this function, too.
 #include <Teuchos_ParameterList.hpp>
 
+#include <suture/elasticity/LockingNotes.hpp>
+
 #include "support/Program.hpp"
 #include "support/SolveStages.hpp"
 
@@ -23,7 +25,7 @@ RunResult solveScene(const CommPtr& comm, const SolveOptions& options) {
   Constraints constraints = timed(timers, "read", [&] { return whole ? constraintsStage(*comm, mesh, scene) : Constraints(); });
   CutMesh cut = timed(timers, "partition", [&] { return cutStage(*comm, file, mesh, constraints); });
   const ElasticModel model = makeElasticModel(scene);
-  if (whole) timed(timers, "partition", [&] { checkStage(*comm, mesh, constraints, model); });
+  timed(timers, "partition", [&] { whole ? checkStage(*comm, mesh, constraints, model) : checkStage(*comm, cut.meshes, model); });
   checkExactSolution(*comm, cut.meshes, model, scene.sublist("Contact"));
   const double memory = checkMemory(*comm, cut.meshes, cut.whole.size.dofs, scene);
   if (!isMonolithic(scene)) forget(mesh, constraints, cut.partition);
@@ -33,6 +35,7 @@ RunResult solveScene(const CommPtr& comm, const SolveOptions& options) {
   const ProblemSize size = withInterface(cut.whole.size, problem.get());
   printSizes(*comm, file, size, memory, options);
   for (const std::string& note : cut.partition.notes) monitor.note(note);
+  for (const std::string& note : lockingNotes(model)) monitor.note(note);
   if (options.check) return {};
   const auto reference =
       timed(timers, "assemble", [&] { return isMonolithic(scene) ? assembleMonolithic(*comm, mesh, constraints, model) : nullptr; });

@@ -29,6 +29,7 @@ Mesh meshStage(const Comm& comm, const SceneFile& file) {
     const Parameters& bodies = file.parameters->sublist("Bodies");
     assignBodies(mesh, sublistNames(bodies));
     assignRegions(mesh, bodies);
+    if (isAxisymmetric(*file.parameters)) makeAxisymmetric(mesh);
   });
   return mesh;
 }
@@ -40,7 +41,23 @@ Constraints constraintsStage(const Comm& comm, const Mesh& mesh, const Parameter
 }
 
 void checkStage(const Comm& comm, const Mesh& mesh, const Constraints& constraints, const ElasticModel& model) {
-  collectivelyOnRoot(comm, "checking that the scene has a solution", [&] { checkSolvability(mesh, constraints, model); });
+  collectivelyOnRoot(comm, "checking that the scene has a solution", [&] {
+    Problems problems;
+    checkElements(
+        mesh, [&](int element) { return mesh.bodyOfElement[element]; }, model, problems);
+    problems.throwIfAny();
+    checkSolvability(mesh, constraints, model);
+  });
+}
+
+void checkStage(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model) {
+  collectively(comm, "checking the elements", [&] {
+    Problems problems;
+    for (const SubdomainMesh& mesh : meshes)
+      checkElements(
+          mesh, [&](int) { return mesh.body; }, model, problems);
+    problems.throwIfAny();
+  });
 }
 
 namespace {
@@ -50,6 +67,7 @@ bool isCut(const Parameters& scene) { return scene.sublist("Partition").get<std:
 MadeFor madeFor(const Parameters& scene) {
   MadeFor lists;
   for (const char* name : {"Bodies", "Boundary Conditions", "Constants", "Contact", "Functions"}) lists[name] = toXml(scene.sublist(name));
+  lists["Model"] = isAxisymmetric(scene) ? "axisymmetric" : "plane";
   return lists;
 }
 

@@ -12,7 +12,7 @@
 //      |  block             |
 //      |                    |
 //      +--------------------+ block_bottom
-DefineConstant[ R = {8}, Lx = {32}, Ly = {32}, a = {0.96277}, resolution = {16}, reach = {1.25}, growth = {0.12}, hmax = {2} ];
+DefineConstant[ R = {8}, Lx = {32}, Ly = {32}, a = {0.96277}, resolution = {16}, reach = {1.25}, growth = {0.12}, hmax = {2}, quads = {0}, order = {1} ];  // quads = 1: quadrilaterals; order = 2: quadratic
 h = a / resolution;
 n = Round(reach * resolution);  // elements along the contact sides
 xe = n * h;
@@ -56,6 +56,11 @@ Field[1] = MathEval;
 Field[1].F = Sprintf("Min(%g,%g+%g*Max(0,Sqrt(x*x+y*y)-%g))", hmax, h, growth, 1.2*xe);
 Background Field = 1;
 Mesh.MeshSizeExtendFromBoundary = 0; Mesh.MeshSizeFromPoints = 0; Mesh.Algorithm = 6;
+
+Mesh.ElementOrder = order;
+If (quads)
+  Recombine Surface{1, 2};
+EndIf
 
 Physical Surface("cylinder") = {1};
 Physical Surface("block") = {2};

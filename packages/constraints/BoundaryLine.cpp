@@ -51,15 +51,36 @@ void BoundaryLine::addSide(const CellBlock& block, const std::vector<int>& nodes
     Node& node = nodes_[nodes[i]];
     const Point outward{tangents[i][1], -tangents[i][0], 0};  // the body is on the left
     for (int k = 0; k < 2; ++k) node.weightedNormal[k] += weights[i] * outward[k];
-    node.tributary += weights[i] * norm(outward);
+    if (!block.axisymmetric) node.tributary += weights[i] * norm(outward);
     node.sideNormals.push_back(unit(outward));
   }
+  if (block.axisymmetric) addTributaryAreas(block, nodes);
   const std::vector<int> way = quadratic ? std::vector<int>{nodes[0], nodes[2], nodes[1]} : nodes;
   for (std::size_t i = 0; i + 1 < way.size(); ++i) {
     const double length = norm(minus(block.point(way[i + 1]), block.point(way[i])));
     for (const int node : {way[i], way[i + 1]}) nodes_[node].spacing = std::min(nodes_[node].spacing, length);
     if (!next_.emplace(way[i], way[i + 1]).second) branchings_.push_back(way[i]);
     if (!previous_.emplace(way[i + 1], way[i]).second) branchings_.push_back(way[i + 1]);
+  }
+}
+
+// The radius is one factor more than nodes as points can integrate: a node on the axis has an area, too. Five Gauss points: exact for
+// straight sides.
+void BoundaryLine::addTributaryAreas(const CellBlock& block, const std::vector<int>& nodes) {
+  static const double places[] = {0.0, 0.5384693101056831, -0.5384693101056831, 0.9061798459386640, -0.9061798459386640};
+  static const double weights[] = {0.5688888888888889, 0.4786286704993665, 0.4786286704993665, 0.2369268850561891, 0.2369268850561891};
+  const bool quadratic = nodes.size() == 3;
+  for (int q = 0; q < 5; ++q) {
+    const double t = places[q];
+    std::vector<double> hat{(1 - t) / 2, (1 + t) / 2}, slope{-0.5, 0.5};
+    if (quadratic) hat = {t * (t - 1) / 2, t * (t + 1) / 2, 1 - t * t}, slope = {t - 0.5, t + 0.5, -2 * t};
+    double radius = 0, dx = 0, dy = 0;
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      const Point p = block.point(nodes[i]);
+      radius += hat[i] * p[0], dx += slope[i] * p[0], dy += slope[i] * p[1];
+    }
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      nodes_[nodes[i]].tributary += weights[q] * circumference(radius) * std::hypot(dx, dy) * hat[i];
   }
 }
 

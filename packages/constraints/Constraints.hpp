@@ -33,7 +33,7 @@ struct ContactPair {
   std::vector<PairEnd> ends;
   Point normal{0, 0, 0};
   double gap = 0.0;         ///< initial gap along the normal [length]; negative: interference
-  double length = 0.0;      ///< tributary length: integral of the carrying node's hat function
+  double length = 0.0;      ///< tributary length: integral of the carrying node's hat function [length]; axisymmetric: times 2 pi r [area]
   double arc = 0.0;         ///< arc length from the first node of its line on the carrying side
   Point position{0, 0, 0};  ///< of the carrying node
 

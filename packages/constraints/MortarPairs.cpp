@@ -174,7 +174,9 @@ class Mortar {
         const auto met = meet(from, normal, *other);
         if (!met) continue;  // beyond the element's end by rounding of its curve: of no weight
         const double gap = contact_.initialGap ? contact_.initialGap->at(from) : met->gap;
-        samples.push_back({xi, half * rule_.weights(q) * norm(own.tangent(xi)), gap, other, met->eta});
+        double weight = half * rule_.weights(q) * norm(own.tangent(xi));
+        if (mesh_.axisymmetric) weight *= circumference(from[0]);
+        samples.push_back({xi, weight, gap, other, met->eta});
       }
     }
     if (samples.empty()) return;

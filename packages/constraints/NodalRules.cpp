@@ -72,6 +72,17 @@ void addBilateral(const Mesh& mesh, const std::vector<Condition>& conditions, Ro
     for (const Bundle& bundle : here) rows[node].push_back({unit(bundle.sum), 0.0, bundle.condition});
 }
 
+// u_r = 0 at r = 0, as if the scene said it: the last of the conditions, but the first row of its nodes.
+void addAxis(const Mesh& mesh, std::vector<Condition>& conditions, Rows& rows) {
+  Condition axis;
+  axis.name = "the axis of symmetry";
+  axis.path = "Model";
+  axis.type = Condition::Type::Displacement;
+  for (int node = 0; node < mesh.nodes(); ++node)
+    if (mesh.coordinates[std::size_t(node) * mesh.dimension] == 0.0) rows[node].push_back({{1, 0, 0}, 0.0, int(conditions.size())});
+  conditions.push_back(axis);
+}
+
 /// Rows that contradict each other, told once for each pair of conditions.
 class Contradictions {
  public:
@@ -146,10 +157,13 @@ NodeRule ruleOf(int node, const std::vector<Row>& rows, Contradictions& contradi
 
 }  // namespace
 
-std::vector<NodeRule> nodalRules(const Mesh& mesh, const std::vector<Condition>& conditions, Problems& problems) {
+std::vector<NodeRule> nodalRules(const Mesh& mesh, const std::vector<Condition>& scene, Problems& problems) {
   Rows rows;
+  std::vector<Condition> conditions = scene;
+  if (mesh.axisymmetric) addAxis(mesh, conditions, rows);
   for (int number = 0; number < static_cast<int>(conditions.size()); ++number)
-    if (conditions[number].type == Condition::Type::Displacement) addDisplacement(mesh, conditions, number, rows, problems);
+    if (conditions[number].type == Condition::Type::Displacement && !conditions[number].group.empty())
+      addDisplacement(mesh, conditions, number, rows, problems);
   addBilateral(mesh, conditions, rows);
 
   Contradictions contradictions(mesh, conditions);

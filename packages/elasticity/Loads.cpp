@@ -11,7 +11,7 @@ void addSideLoad(const CellBlock& block, const std::vector<Side>& sides, const L
     const std::vector<int> nodes = block.nodesOf(side);
     std::vector<Point> points;
     for (const int node : nodes) points.push_back(block.point(node));
-    SideMap map(points, load.rule());
+    SideMap map(points, load.rule(), block.axisymmetric);
     const ReferenceElement& reference = map.reference();
     for (int q = 0; q < reference.points; ++q) {
       map.at(q);
@@ -31,6 +31,13 @@ void addSideLoad(const CellBlock& block, const std::vector<Side>& sides, const L
       }
     }
   }
+}
+
+void addSideFlux(const CellBlock& block, const Side& side, double factor, Vector& flux) {
+  Load inward;  // a pressure pushes into the body
+  inward.kind = Load::Kind::Pressure;
+  inward.value[0] = -factor;
+  addSideLoad(block, {side}, inward, flux);
 }
 
 void addBodyForce(const CellBlock& block, const std::vector<int>& elements, const Load& load, Vector& forces) {

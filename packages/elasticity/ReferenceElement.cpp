@@ -49,7 +49,8 @@ int degreeOf(const Shape& shape, Rule rule) {
       return shape.triangle ? std::max(1, 2 * (shape.order - 1)) : 2 * shape.order;
     case Rule::Load:
       // A quadrilateral's Jacobian, and that of a curved triangle, are of the order of the map.
-      return shape.triangle ? (shape.order == 1 ? 1 : 4) : 2 * shape.order;
+      // In axisymmetric blocks the radius comes on top.
+      return shape.triangle ? (shape.order == 1 ? 2 : 6) : 2 * shape.order + 1;
     case Rule::Centroid:
       return 1;
     case Rule::Data:
@@ -58,6 +59,8 @@ int degreeOf(const Shape& shape, Rule rule) {
       return shape.order == 1 ? 1 : shape.triangle ? 2 : 3;
     case Rule::Recovery:
       return 2 * shape.order;
+    case Rule::Revolution:
+      return shape.triangle ? 2 * shape.order : 2 * shape.order + 1;
   }
   throw InternalError("no such quadrature rule");
 }
@@ -149,7 +152,7 @@ ReferenceElement makeSide(int nodes, Rule rule) {
   return side;
 }
 
-constexpr int cellKinds = 5, rules = 6;
+constexpr int cellKinds = 5, rules = 7;
 using Tables = std::array<std::array<ReferenceElement, rules>, cellKinds>;
 
 Tables makeTables() {

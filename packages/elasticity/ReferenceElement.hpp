@@ -1,5 +1,5 @@
 #pragma once
-#include <suture/mesh/Cell.hpp>
+#include <suture/mesh/CellBlock.hpp>
 
 #include <vector>
 
@@ -28,8 +28,12 @@ enum class Rule : int {
   Centroid = 2,   ///< the one-point rule
   Data = 3,       ///< products with a function of the place: degree 2 p + 4, so that no order of convergence is lost
   Sampling = 4,   ///< where stresses are superconvergent, or best: the centroid (order 1), three points or 2 x 2 Gauss points (order 2)
-  Recovery = 5    ///< products of shape functions
+  Recovery = 5,   ///< products of shape functions
+  Revolution = 6  ///< as Stiffness with the factor r and terms in 1 / r: constant stresses are exact on curved cells, too
 };
+
+/// The rule for the stiffness of a block's elements.
+inline Rule stiffnessRule(const CellBlock& block) { return block.axisymmetric ? Rule::Revolution : Rule::Stiffness; }
 
 /// Local. Kokkos must be initialised (Tpetra::ScopeGuard does that). \throws InternalError if it is not.
 const ReferenceElement& referenceElement(Cell cell, Rule rule);

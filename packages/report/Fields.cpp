@@ -62,6 +62,11 @@ void addStresses(const SubdomainMesh& mesh, const ElasticModel& model, const Vec
   }
 }
 
+const char* stressMeaning(const ElasticModel& model) {
+  return model.axisymmetric ? "XX radial, YY along the axis, ZZ hoop, XY; YZ XZ zero; at the centroid; tension positive"
+                            : "XX YY ZZ XY YZ XZ; at the centroid; tension positive";
+}
+
 BodyFields gather(const Run& run) {
   BodyFields all;
   std::unordered_map<GlobalId, GlobalId> known;
@@ -89,8 +94,10 @@ void writeFields(const Run& run, const std::string& path) {
   VtkHdf file(run.comm, path, all.grid);
   file.pointData({"Displacement", 3, units.length, "x, y, z; along the axes"}, all.displacement);
   file.pointData({"NodeId", 1, "", "number of the node in the mesh, from 0"}, all.nodeId);
-  file.cellData({"Stress", 6, units.stress, "XX YY ZZ XY YZ XZ; at the centroid; tension positive"}, all.stress);
-  file.cellData({"PrincipalStress", 3, units.stress, "larger in-plane, smaller in-plane, out of plane; at the centroid; tension positive"},
+  file.cellData({"Stress", 6, units.stress, stressMeaning(run.model)}, all.stress);
+  file.cellData({"PrincipalStress", 3, units.stress,
+                 run.model.axisymmetric ? "larger in the meridian plane, smaller, hoop; at the centroid; tension positive"
+                                        : "larger in-plane, smaller in-plane, out of plane; at the centroid; tension positive"},
                 all.principal);
   file.cellData({"PrincipalDirection1", 3, "", "unit vector of the larger in-plane principal stress"}, all.direction1);
   file.cellData({"PrincipalDirection2", 3, "", "unit vector of the smaller in-plane principal stress"}, all.direction2);

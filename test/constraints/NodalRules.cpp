@@ -34,6 +34,32 @@ TEUCHOS_UNIT_TEST(NodalRules, PrescribeDisplacementsByComponent) {
   }
 }
 
+TEUCHOS_UNIT_TEST(NodalRules, HoldTheAxisOfBodiesOfRevolution) {
+  Mesh mesh = stack(1);
+  for (std::size_t i = 0; i < mesh.coordinates.size(); i += 2)
+    if (mesh.coordinates[i] == 0.0) mesh.coordinates[i] = 1e-16;  // as a mesher may leave it
+  makeAxisymmetric(mesh);
+  const Constraints alone = build(mesh, displacement("floor", "b0_bottom", "0.5", "y"));
+  int axis = 0;
+  for (const NodeRule& rule : alone.rules) {
+    const bool onAxis = mesh.point(rule.node)[0] == 0.0, below = mesh.point(rule.node)[1] < 1e-15;
+    axis += onAxis;
+    TEST_EQUALITY(rule.fixed[0], onAxis);
+    TEST_EQUALITY(rule.fixed[1], below);
+    TEST_EQUALITY(rule.value[0], 0.0);
+    TEST_EQUALITY(rule.value[1], below ? 0.5 : 0.0);
+  }
+  TEST_EQUALITY(axis, 3);
+  // A condition that would open a hole along the axis.
+  SUTURE_CHECK_SAYS(
+      said(mesh, displacement("split", "b0_left", "0.1", "x") + displacement("floor", "b0_bottom", "0", "y")),
+      "Boundary Conditions/split: at (0, 0) the displacement along (1, 0) is to be 0.1, but 'the axis of symmetry' makes it 0 (and so "
+      "at 2 more nodes)");
+  Mesh across = stack(1);
+  moveAll(across, [](Point p) -> Point { return {p[0] - 0.5, p[1], 0}; });
+  TEST_THROW(makeAxisymmetric(across), InputError);
+}
+
 TEUCHOS_UNIT_TEST(NodalRules, HoldTheNormalOfARoller) {
   Mesh mesh = stack(1);
   const double angle = 0.3;

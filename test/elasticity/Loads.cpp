@@ -152,6 +152,27 @@ TEUCHOS_UNIT_TEST(Loads, GivesTractionOnACurvedSideTheForceOfItsLength) {
   TEST_FLOATING_EQUALITY(length, pi / 3, 2e-3);
 }
 
+TEUCHOS_UNIT_TEST(Loads, OfBodiesOfRevolutionAreThoseOfTheWholeCircle) {
+  for (Cell cell : sample::cells()) {
+    // The bottom of a cylinder of radius 3: a disc, its node on the axis included.
+    CellBlock block = sample::axisParallel(cell, 3.0, 1.0);
+    block.axisymmetric = true;
+    const Point disc = resultant(block, sideForces(block, {bottomOf(block)}, pressure(2.0)));
+    TEST_FLOATING_EQUALITY(disc[1], 2.0 * pi * 9.0, 1e-14);
+    TEST_COMPARE(std::abs(disc[0]), <, 1e-14);
+    // Weight by Pappus, and pulled outwards the radial magnitudes round the circle.
+    const double area = sample::isTriangle(cell) ? 1.5 : 3.0, centroid = sample::isTriangle(cell) ? 1.0 : 1.5;
+    const Point weight = resultant(block, bodyForces(block, bodyForce(0.5, -9.81)));
+    TEST_FLOATING_EQUALITY(weight[1], -9.81 * 2 * pi * centroid * area, 1e-14);
+    TEST_FLOATING_EQUALITY(weight[0], 0.5 * 2 * pi * centroid * area, 1e-14);
+  }
+  // A traction along the axis on a cone: pi (r0 + r1) times the slant.
+  CellBlock cone = sample::distorted(Cell::Quadrilateral4);
+  cone.axisymmetric = true;
+  const double slant = std::hypot(1.8, 0.6), radii = 0.3 + 2.1;
+  TEST_FLOATING_EQUALITY(resultant(cone, sideForces(cone, {{0, 0}}, traction(0, 4.0)))[1], 4.0 * pi * radii * slant, 1e-14);
+}
+
 TEUCHOS_UNIT_TEST(Loads, SpreadsBodyForceByTheIntegralsOfShapeFunctions) {
   // Known for affine cells, as parts of the area.
   const std::map<Cell, std::vector<double>> shares{

@@ -151,6 +151,30 @@ def hertz_centrePressure(folder, _):
     return float(c.point["ContactPressure"][np.argmin(np.abs(c.points[:, 0]))])
 
 
+# The same with nu = 0.4999, which makes the bodies stiffer
+
+def hertzRubber_fittedPressure(folder, _):
+    return hertzFit(folder, 0.874097)[0]
+
+
+def hertzRubber_fittedHalfWidth(folder, _):
+    return hertzFit(folder, 0.874097)[1]
+
+
+# The same of a sphere: p^2 = p0^2 (1 - r^2 / a^2), a = 1 in input/hertz_sphere
+
+def sphere_fittedPressure(folder, _):
+    return hertzFit(folder, 1.0)[0]
+
+
+def sphere_fittedRadius(folder, _):
+    return hertzFit(folder, 1.0)[1]
+
+
+def sphere_centrePressure(folder, _):
+    return hertz_centrePressure(folder, _)
+
+
 # --- V8: the tunnel (centre (60, 39.5), radius 6, fault leaning 25 degrees) ---
 
 def wallStress(folder, side):
@@ -319,6 +343,16 @@ def vtk_quadrilateralArea(folder, _):
         x = np.array([cell.GetPoints().GetPoint(k) for k in range(4)])
         total += 0.5 * float(np.cross(x[2] - x[0], x[3] - x[1])[2])
     return total
+
+
+def iterations_overReference(folder, reference):
+    """PCG iterations of all, the auxiliary problem's included."""
+    both = []
+    for one in (folder, reference):
+        with open(os.path.join(one, "summary.json")) as file:
+            summary = json.load(file)
+        both.append(summary["auxiliary"]["iterations"] + summary["outer"]["pcg_total"])
+    return both[0] / both[1]
 
 
 # --- memory of a run on several ranks against that of one rank ---
