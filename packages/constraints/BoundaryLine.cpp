@@ -1,4 +1,5 @@
 #include <suture/constraints/BoundaryLine.hpp>
+#include <suture/mesh/SideShape.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -64,23 +65,18 @@ void BoundaryLine::addSide(const CellBlock& block, const std::vector<int>& nodes
   }
 }
 
-// The radius is one factor more than nodes as points can integrate: a node on the axis has an area, too. Five Gauss points: exact for
-// straight sides.
+// The radius is one factor more than nodes as points can integrate: a node on the axis has an area, too. Exact for straight sides.
 void BoundaryLine::addTributaryAreas(const CellBlock& block, const std::vector<int>& nodes) {
-  static const double places[] = {0.0, 0.5384693101056831, -0.5384693101056831, 0.9061798459386640, -0.9061798459386640};
-  static const double weights[] = {0.5688888888888889, 0.4786286704993665, 0.4786286704993665, 0.2369268850561891, 0.2369268850561891};
-  const bool quadratic = nodes.size() == 3;
-  for (int q = 0; q < 5; ++q) {
-    const double t = places[q];
-    std::vector<double> hat{(1 - t) / 2, (1 + t) / 2}, slope{-0.5, 0.5};
-    if (quadratic) hat = {t * (t - 1) / 2, t * (t + 1) / 2, 1 - t * t}, slope = {t - 0.5, t + 0.5, -2 * t};
+  static const LineRule rule = gaussRule(5);
+  for (int q = 0; q < rule.points.size(); ++q) {
+    const SideShape shape = sideShape(static_cast<int>(nodes.size()), rule.points(q));
     double radius = 0, dx = 0, dy = 0;
     for (std::size_t i = 0; i < nodes.size(); ++i) {
       const Point p = block.point(nodes[i]);
-      radius += hat[i] * p[0], dx += slope[i] * p[0], dy += slope[i] * p[1];
+      radius += shape.value[i] * p[0], dx += shape.slope[i] * p[0], dy += shape.slope[i] * p[1];
     }
     for (std::size_t i = 0; i < nodes.size(); ++i)
-      nodes_[nodes[i]].tributary += weights[q] * circumference(radius) * std::hypot(dx, dy) * hat[i];
+      nodes_[nodes[i]].tributary += rule.weights(q) * circumference(radius) * std::hypot(dx, dy) * shape.value[i];
   }
 }
 
