@@ -1,7 +1,6 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
-#include <suture/base/Dense.hpp>
 #include <suture/base/Errors.hpp>
 #include <suture/elasticity/ElementMap.hpp>
 #include <suture/elasticity/PatchRecovery.hpp>
@@ -10,7 +9,7 @@ namespace suture {
 
 namespace {
 
-constexpr int components = 3;  // Voigt: xx, yy, xy
+constexpr int components = 4;  // as in elementStresses(): xx, yy, zz, xy
 constexpr int maxTerms = 6;
 // Variance of the stress at the vertex where those at the points have a variance of one: (A^-1)_00. A few tenths in the middle of a body;
 // more than this is extrapolation. Boundary patches of quadratic triangles pass, those of other cells do not.
@@ -20,6 +19,7 @@ constexpr double leastThickness = 1e-20;  // square of a patch's extent along an
 
 using Small = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, maxTerms, maxTerms>;
 using Terms = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, maxTerms, 1>;
+using Stress = Eigen::Matrix<double, components, 1>;
 using Polynomial = Eigen::Matrix<double, Eigen::Dynamic, components, 0, maxTerms, components>;
 
 int termsOf(int order) { return (order + 1) * (order + 2) / 2; }
@@ -61,7 +61,7 @@ struct Layout {
     return a;
   }
   Polynomial rightSide(const double* column) const { return Eigen::Map<const Polynomial>(column + half, terms, components); }
-  void addPoint(const Terms& m, const Eigen::Vector3d& stress, double* column) const {
+  void addPoint(const Terms& m, const Stress& stress, double* column) const {
     for (int j = 0; j < terms; ++j)
       for (int i = 0; i <= j; ++i) *column++ += m(i) * m(j);
     for (int k = 0; k < components; ++k)
@@ -100,31 +100,40 @@ bool fit(const Layout& layout, const double* column, int order, Eigen::Ref<Vecto
   return true;
 }
 
-Eigen::Vector3d strainAt(const ElementMap& map, const Span<const int>& nodes, const Vector& displacement) {
-  Eigen::Vector3d strain = Eigen::Vector3d::Zero();
-  for (std::size_t a = 0; a < nodes.size(); ++a) {
-    const double ux = displacement[2 * nodes[a]], uy = displacement[2 * nodes[a] + 1];
-    const double gx = map.gradient(int(a))[0], gy = map.gradient(int(a))[1];
-    strain += Eigen::Vector3d(gx * ux, gy * uy, gy * ux + gx * uy);
-  }
-  return strain;
-}
-
-// The matrix D of the elements' materials, and its inverse, which are few.
-class Laws {
+// Stresses at points of elements, and the energy of stresses.
+class Law {
  public:
-  explicit Laws(PlaneModel plane) : plane_(plane) {}
+  Law(PlaneModel plane, const Vector& displacement) : plane_(plane), displacement_(displacement) {}
   void use(const Material& material) {
     if (&material == last_) return;
-    stiffness = elasticity(material, plane_, 2);
-    compliance = solvePositive(stiffness, Matrix::Identity(components, components));
     last_ = &material;
+    stiffness_ = elasticity(material, plane_, 2);
+    across_ = plane_ == PlaneModel::Strain ? material.poisson : 0.0;
+    young_ = material.young;
+    poisson_ = material.poisson;
   }
-  Eigen::Matrix3d stiffness, compliance;
+  Stress stressAt(const ElementMap& map, const Span<const int>& nodes) const {
+    Eigen::Vector3d strain = Eigen::Vector3d::Zero();
+    for (std::size_t a = 0; a < nodes.size(); ++a) {
+      const double ux = displacement_[2 * nodes[a]], uy = displacement_[2 * nodes[a] + 1];
+      const double gx = map.gradient(int(a))[0], gy = map.gradient(int(a))[1];
+      strain += Eigen::Vector3d(gx * ux, gy * uy, gy * ux + gx * uy);
+    }
+    const Eigen::Vector3d s = stiffness_ * strain;
+    return {s[0], s[1], across_ * (s[0] + s[1]), s[2]};
+  }
+  // s.D^-1 s in three dimensions, so that the plane model does not matter.
+  double density(const Stress& s) const {
+    const double trace = s[0] + s[1] + s[2], squares = s[0] * s[0] + s[1] * s[1] + s[2] * s[2] + 2 * s[3] * s[3];
+    return ((1 + poisson_) * squares - poisson_ * trace * trace) / young_;
+  }
 
  private:
   PlaneModel plane_;
+  const Vector& displacement_;
   const Material* last_ = nullptr;
+  Eigen::Matrix3d stiffness_;
+  double across_ = 0.0, young_ = 0.0, poisson_ = 0.0;
 };
 
 }  // namespace
@@ -163,15 +172,15 @@ int PatchRecovery::order() const {
 Matrix PatchRecovery::moments() const {
   const Layout layout(order_);
   Matrix all = Matrix::Zero(layout.width(), static_cast<Eigen::Index>(patches_.size()));
-  Laws laws(plane_);
+  Law law(plane_, displacement_);
   for (int e = 0; e < block_->elements(); ++e) {
-    laws.use(materialOf_(e));
+    law.use(materialOf_(e));
     const ReferenceElement& sampling = referenceElement(block_->cells[e], Rule::Sampling);
     const Span<const int> nodes = block_->nodesOf(e), patches = patchesOf(e);
     ElementMap map(*block_, e, sampling);
     for (int q = 0; q < sampling.points; ++q) {
       map.at(q);
-      const Eigen::Vector3d stress = laws.stiffness * strainAt(map, nodes, displacement_);
+      const Stress stress = law.stressAt(map, nodes);
       double x = 0, y = 0;
       for (int a = 0; a < sampling.nodes; ++a) {
         x += sampling.valuesAt(q)[a] * block_->coordinates[2 * std::size_t(nodes[a])];
@@ -258,13 +267,13 @@ bool PatchRecovery::unfitted() const { return std::find(origin_.begin(), origin_
 ElementErrors PatchRecovery::errors() const {
   ElementErrors all{Vector::Zero(block_->elements()), Vector::Zero(block_->elements())};
   const int terms = termsOf(order_);
-  Laws laws(plane_);
+  Law law(plane_, displacement_);
   Eigen::Matrix<double, components, ReferenceElement::maxNodes> nodal;
   for (int e = 0; e < block_->elements(); ++e) {
-    laws.use(materialOf_(e));
+    law.use(materialOf_(e));
     const Cell cell = block_->cells[e];
     const Span<const int> nodes = block_->nodesOf(e), patches = patchesOf(e);
-    const auto valueAt = [&](int vertex, int node) -> Eigen::Vector3d {
+    const auto valueAt = [&](int vertex, int node) -> Stress {
       const Point from = placeOf(patches[vertex]), at = block_->point(nodes[node]);
       return Eigen::Map<const Matrix>(polynomials_.col(patches[vertex]).data(), terms, components).transpose() *
              monomials(at[0] - from[0], at[1] - from[1], order_);
@@ -281,11 +290,11 @@ ElementErrors PatchRecovery::errors() const {
     ElementMap map(*block_, e, reference);
     for (int q = 0; q < reference.points; ++q) {
       map.at(q);
-      const Eigen::Vector3d stress = laws.stiffness * strainAt(map, nodes, displacement_);
-      Eigen::Vector3d difference = -stress;
+      const Stress stress = law.stressAt(map, nodes);
+      Stress difference = -stress;
       for (int a = 0; a < reference.nodes; ++a) difference += reference.valuesAt(q)[a] * nodal.col(a);
-      all.error[e] += map.measure() * difference.dot(laws.compliance * difference);
-      all.norm[e] += map.measure() * stress.dot(laws.compliance * stress);
+      all.error[e] += map.measure() * law.density(difference);
+      all.norm[e] += map.measure() * law.density(stress);
     }
   }
   return all;

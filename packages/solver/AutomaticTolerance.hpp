@@ -10,9 +10,10 @@ namespace suture {
 
 /// `Outer Solver/Tolerance` = Automatic: digits that the mesh cannot hold are not computed. Iterations end where the algebraic error is at
 /// most a tenth of the estimated discretisation error, both in the energy norm: together they are then at most 0.5 % more than the latter.
-/// The first estimate is made when the algebraic error has fallen to 2 % of that of the start. Algebraic error makes it too large, and so
-/// may another contact status; it is made again where the iterations would end, unless the problem is linear and the algebraic error was
-/// below 0.3 of the first estimate, which is then at most about 5 % too large, where errors add by squares.
+/// (With pairs settled, an iterate solves the contact problem under loads that differ by its residual: the error is that of a linear
+/// problem.) The first estimate is made when the algebraic error has fallen to 2 % of that of the start. Algebraic error makes it too
+/// large, and so may another contact status; it is made again where the iterations would end, unless the problem is linear and the
+/// algebraic error was below 0.3 of the first estimate, which is then at most about 5 % too large, where errors add by squares.
 class AutomaticTolerance {
  public:
   /// Of the free unknowns' values of this rank's subdomains. Collective.

@@ -45,7 +45,8 @@ void OuterSolver::Run::learn(const InnerResult& solve) {
   if (solve.smallestEigenvalue > 0.0) lowest = lowest > 0.0 ? std::min(lowest, solve.smallestEigenvalue) : solve.smallestEigenvalue;
 }
 
-double OuterSolver::Run::energyErrorByTangent(const InterfaceState& state, const InterfaceProblem::Evaluation& at, double residual) {
+double OuterSolver::Run::energyErrorByTangent(const InterfaceState& state, const InterfaceProblem::Evaluation& at, double residual,
+                                              InnerResult& cost) {
   // Tangents are softer than the operators of these methods: the error is larger than this.
   if (!automatic.met(energyBound(residual)) || at.changed > 0) return -1.0;
   InterfaceState there = state;
@@ -54,7 +55,7 @@ double OuterSolver::Run::energyErrorByTangent(const InterfaceState& state, const
     const MultiVectorPtr error = problem.space()->vector();
     const InnerResult solve =
         inner.solve(problem.linearise(there).matrix, preconditioner, *at.residual, *error, kTangentTolerance, 0.0, monitor);
-    result.pcgTotal += solve.pcg;
+    cost.pcg += solve.pcg;
     return solve.converged && !solve.energyErrors.empty() ? solve.energyErrors.front() : -1.0;
   } catch (const NumericalError&) {
     return -1.0;  // a singular tangent: what is loose may be anywhere

@@ -87,8 +87,8 @@ class OuterSolver {
     /// solution is the one whose eigenvalues were met. Negative: not known.
     double energyBound(double residual) const { return lowest > 0.0 ? residual * reference / std::sqrt(lowest) : -1.0; }
     /// The algebraic error in the energy norm, found with the tangent there: for methods that do not solve with it. Only where it may
-    /// decide (else negative: not known), since it costs a few iterations, which are counted. Collective.
-    double energyErrorByTangent(const InterfaceState& state, const InterfaceProblem::Evaluation& at, double residual);
+    /// decide (else negative: not known), since it costs a few iterations, which are added to the step's. Collective.
+    double energyErrorByTangent(const InterfaceState& state, const InterfaceProblem::Evaluation& at, double residual, InnerResult& cost);
     /// Why the automatic tolerance ended the iterations, for the user.
     std::string reason() const;
     /// Whether there is something to do and nobody minds: not done, not exhausted, not asked to stop. Collective.

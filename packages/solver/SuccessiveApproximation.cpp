@@ -87,7 +87,7 @@ void SuccessiveApproximation::doSolve(Run& run) const {
   const MultiVectorPtr correction = run.problem.space()->vector();
   const double first = run.result.residual;
   while (run.goesOn()) {
-    const InnerResult cost = run.inner.solve(s0, preconditioner, *run.evaluation.residual, *correction, innerTolerance_, 0.0, run.monitor);
+    InnerResult cost = run.inner.solve(s0, preconditioner, *run.evaluation.residual, *correction, innerTolerance_, 0.0, run.monitor);
     run.learn(cost);
     if (!cost.converged) {
       run.result.pcgTotal += cost.pcg;
@@ -104,7 +104,7 @@ void SuccessiveApproximation::doSolve(Run& run) const {
       run.monitor.note("the energy rose: relaxation halved");
     }
     const double residual = run.norm(at);
-    const double energyError = run.energyErrorByTangent(next, at, residual);
+    const double energyError = run.energyErrorByTangent(next, at, residual, cost);
     run.accept(std::move(next), std::move(at), residual, cost, theta, energyError);
     if (!(run.result.residual < 1e3 * std::max(first, run.settings.tolerance))) {
       std::ostringstream why;
