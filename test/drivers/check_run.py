@@ -7,6 +7,7 @@
 A file of cases is either one case (the expected.json beside a scene; CASE is then "-") or {"defaults": {...}, "cases": {name: {...}}}.
 A case has, all but "scene" with a default; the arguments of a table's defaults come before its own:
 
+    from        an expected.json, relative to the file of cases: the case is the one there, for tables that list it among others
     scene       the scene file, relative to the file of cases; or "scene_path", given to the program as it is, {work} filled in
     edit        [[old, new], ...]: replacements in a copy of the scene, each of which must be found; the geometry is copied with it
     arguments   of suture_solve; {work} is the folder of the test (emptied before), {scenes} the scene's own
@@ -136,9 +137,14 @@ def shared(references, scene, arguments):
         yield os.path.join(references, name)
 
 
-def caseOf(table, name):
-    """A case of a table, with the table's defaults."""
+def caseOf(table, name, folder="."):
+    """A case of a table, with the table's defaults; `folder` is where the table stands."""
     defaults, own = table.get("defaults", {}), table["cases"][name]
+    if "from" in own:
+        path = os.path.join(folder, own["from"])
+        with open(path) as file:
+            case = json.load(file)
+        return {**case, **own, "scene": os.path.join(os.path.dirname(own["from"]), case["scene"])}
     return {**defaults, **own, "arguments": defaults.get("arguments", []) + own.get("arguments", [])}
 
 
@@ -262,12 +268,13 @@ def main():
 
     with open(options.file) as file:
         table = json.load(file)
-    case = table if options.case == "-" else caseOf(table, options.case)
+    folder = os.path.dirname(os.path.abspath(options.file))
+    case = table if options.case == "-" else caseOf(table, options.case, folder)
 
     def program(ranks):
         return options.mpirun.split() + ["-np", str(ranks), os.path.abspath(options.solve)]
 
-    failures = perform(case, os.path.dirname(os.path.abspath(options.file)), options.work, program, options.ranks, options.references)["failures"]
+    failures = perform(case, folder, options.work, program, options.ranks, options.references)["failures"]
     if failures:
         print("\n".join(["", f"{len(failures)} failed:"] + ["  " + f for f in failures]))
         sys.exit(1)

@@ -180,7 +180,7 @@ def validate(folder, options, counter):
     runs, report = {}, {"title": table["title"], "source": table["source"], "cases": {}, "orders": [], "pictures": []}
 
     for name in names:
-        case = check_run.caseOf(table, name)
+        case = check_run.caseOf(table, name, os.path.dirname(path))
         ranks = case.get("ranks", 2)
         counter["now"] += 1
         print(f"[{counter['now']:3}/{counter['all']}] {folder:18} {name:28}", end="", flush=True)
