@@ -12,7 +12,11 @@
 //      |  block             |
 //      |                    |
 //      +--------------------+ block_bottom
-DefineConstant[ R = {8}, Lx = {32}, Ly = {32}, a = {0.96277}, resolution = {16}, reach = {1.25}, growth = {0.12}, hmax = {2}, quads = {0}, order = {1} ];  // quads = 1: quadrilaterals; order = 2: quadratic
+//
+// ratio: elements of the block's contact side over those of the cylinder's; nodes match with 1 only. order = 2: elements with middle nodes,
+// sides curved. block = 0: the cylinder alone. quads = 1: quadrilaterals.
+DefineConstant[ R = {8}, Lx = {32}, Ly = {32}, a = {0.96277}, resolution = {16}, reach = {1.25}, ratio = {1}, order = {1}, block = {1}, quads = {0},
+  growth = {0.12}, hmax = {2} ];
 h = a / resolution;
 n = Round(reach * resolution);  // elements along the contact sides
 xe = n * h;
@@ -34,39 +38,45 @@ cd = newl; Line(cd) = {axis, c0};
 Curve Loop(1) = {ca:ca+n-1, cb, cc, cd};
 Plane Surface(1) = {1};
 
-// The block.
-b0 = newp;
-For i In {0:n}
-  Point(b0 + i) = {i*h, 0, 0};
-EndFor
-b1 = newp; Point(b1) = {Lx, 0, 0}; Point(b1 + 1) = {Lx, -Ly, 0}; Point(b1 + 2) = {0, -Ly, 0};
-ba = newl;
-For i In {1:n}
-  Line(ba + i - 1) = {b0 + i - 1, b0 + i};
-EndFor
-bb = newl; Line(bb) = {b0 + n, b1};
-bc = newl; Line(bc) = {b1, b1 + 1};
-bd = newl; Line(bd) = {b1 + 1, b1 + 2};
-be = newl; Line(be) = {b1 + 2, b0};
-Curve Loop(2) = {ba:ba+n-1, bb, bc, bd, be};
-Plane Surface(2) = {2};
+Transfinite Curve{ca:ca+n-1} = 2;  // one element each
 
-Transfinite Curve{ca:ca+n-1, ba:ba+n-1} = 2;  // one element each
+If (block == 1)
+  b0 = newp;
+  m = Round(n * ratio);  // elements of the block's side
+  For i In {0:m}
+    Point(b0 + i) = {i*n*h/m, 0, 0};
+  EndFor
+  b1 = newp; Point(b1) = {Lx, 0, 0}; Point(b1 + 1) = {Lx, -Ly, 0}; Point(b1 + 2) = {0, -Ly, 0};
+  ba = newl;
+  For i In {1:m}
+    Line(ba + i - 1) = {b0 + i - 1, b0 + i};
+  EndFor
+  bb = newl; Line(bb) = {b0 + m, b1};
+  bc = newl; Line(bc) = {b1, b1 + 1};
+  bd = newl; Line(bd) = {b1 + 1, b1 + 2};
+  be = newl; Line(be) = {b1 + 2, b0};
+  Curve Loop(2) = {ba:ba+m-1, bb, bc, bd, be};
+  Plane Surface(2) = {2};
+  Transfinite Curve{ba:ba+m-1} = 2;
+  Physical Surface("block") = {2};
+  Physical Curve("block_contact") = {ba:ba+m-1};
+  Physical Curve("block_bottom") = {bd};
+  Physical Curve("block_axis") = {be};
+EndIf
+
 Field[1] = MathEval;
 Field[1].F = Sprintf("Min(%g,%g+%g*Max(0,Sqrt(x*x+y*y)-%g))", hmax, h, growth, 1.2*xe);
 Background Field = 1;
-Mesh.MeshSizeExtendFromBoundary = 0; Mesh.MeshSizeFromPoints = 0; Mesh.Algorithm = 6;
+Mesh.MeshSizeExtendFromBoundary = 0; Mesh.MeshSizeFromPoints = 0; Mesh.Algorithm = 6; Mesh.ElementOrder = order; Mesh.SecondOrderIncomplete = 0;
 
-Mesh.ElementOrder = order;
 If (quads)
-  Recombine Surface{1, 2};
+  Recombine Surface{1};
+  If (block)
+    Recombine Surface{2};
+  EndIf
 EndIf
 
 Physical Surface("cylinder") = {1};
-Physical Surface("block") = {2};
 Physical Curve("cylinder_contact") = {ca:ca+n-1};
 Physical Curve("cylinder_top") = {cc};
 Physical Curve("cylinder_axis") = {cd};
-Physical Curve("block_contact") = {ba:ba+n-1};
-Physical Curve("block_bottom") = {bd};
-Physical Curve("block_axis") = {be};

@@ -12,17 +12,17 @@
 //        r0 r1 r2
 //
 // Triangles, with quads = 1 quadrilaterals in the outer ring (and triangles in the inner one), with quads = 2 in both; order = 2: quadratic
-// elements, whose sides on the arcs are curved. Structured meshes with the same division along the arcs, so that the nodes on r = r1 coincide; the bodies share none.
-DefineConstant[ r0 = {0.2}, r1 = {0.6}, r2 = {1.0}, division = {48}, order = {1}, quads = {0} ];
+// elements, whose sides on the arcs are curved. Structured meshes. With ratio = 1 both have the same division along the arcs, so that the nodes on
+// r = r1 coincide; the bodies share none.
+DefineConstant[ r0 = {0.2}, r1 = {0.6}, r2 = {1.0}, division = {48}, ratio = {1}, order = {1}, quads = {0} ];
 nr = Round(division / 3);  // elements across a ring
 
-Mesh.ElementOrder = order;
 
 For k In {0:1}  // 0: inner, 1: outer
   If (k == 0)
-    ri = r0; ro = r1;
+    ri = r0; ro = r1; n = Round(ratio * division);
   Else
-    ri = r1; ro = r2;
+    ri = r1; ro = r2; n = division;
   EndIf
   p = newp;
   Point(p) = {0, 0, 0};
@@ -35,7 +35,7 @@ For k In {0:1}  // 0: inner, 1: outer
   Line(l + 3) = {p + 2, p + 4};       // x = 0
   ll = newll; Curve Loop(ll) = {l + 2, l + 1, -(l + 3), -l};
   s = news; Plane Surface(s) = {ll};
-  Transfinite Curve{l, l + 1} = division + 1;
+  Transfinite Curve{l, l + 1} = n + 1;
   Transfinite Curve{l + 2, l + 3} = nr + 1;
   Transfinite Surface{s} Alternated;
   If (quads + k > 1)
@@ -55,3 +55,4 @@ For k In {0:1}  // 0: inner, 1: outer
     Physical Curve("outer_x0") = {l + 3};
   EndIf
 EndFor
+Mesh.ElementOrder = order; Mesh.SecondOrderIncomplete = 0;

@@ -7,6 +7,7 @@
 A file of cases is either one case (the expected.json beside a scene; CASE is then "-") or {"defaults": {...}, "cases": {name: {...}}}.
 A case has, all but "scene" with a default; the arguments of a table's defaults come before its own:
 
+    from        an expected.json, relative to the file of cases: the case is the one there, for tables that list it among others
     scene       the scene file, relative to the file of cases; or "scene_path", given to the program as it is, {work} filled in
     edit        [[old, new], ...]: replacements in a copy of the scene, each of which must be found; the geometry is copied with it
     arguments   of suture_solve; {work} is the folder of the test (emptied before), {scenes} the scene's own
@@ -17,6 +18,10 @@ A case has, all but "scene" with a default; the arguments of a table's defaults 
     against     arguments of a second run on one rank, for the figures difference.*; those of
                 --references are made once and shared: empty that folder when the program changes (ctest does, before its first test)
     checks      [{"key" or "figure": ..., and "value" with "relative" or "absolute" (neither: exactly), or "min" and "max", "source": ...}]
+
+A check may have, beside what it compares with, "today": the own value when the check was written, from which it may differ by "drift"
+(relative, 1e-6) only. "options" are arguments of the figure. With "of", in test/validation/validate.py, the reference is the run of another
+case of the table: the value is its own, multiplied by "times", or the figure compares the two.
 
 A "key" is a dotted path into summary.json, norm(path) of a vector, abs(path), or several of these joined by " + ". A "figure" is a function
 of test/validation/figures.py that reads the fields of the run.
@@ -34,8 +39,12 @@ import shutil
 import signal
 import subprocess
 import sys
+import time
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "validation"))
+
+
+DRIFT = 1e-6  # relative: above what the tolerances of the solvers and the number of ranks change, far below any error of discretisation
 
 
 def lookUp(summary, path):
@@ -76,6 +85,8 @@ def judge(check, value):
         wrong.append(f"expected at least {check['min']:.8g}")
     if "max" in check and not value <= check["max"]:
         wrong.append(f"expected at most {check['max']:.8g}")
+    if "today" in check and not abs(value - check["today"]) <= check.get("drift", DRIFT) * abs(check["today"]):
+        wrong.append(f"drifted from {check['today']:.10g}")
     if not any(k in check for k in ("value", "min", "max")):
         wrong.append("the check compares with nothing")
     return ", ".join(wrong)
@@ -126,26 +137,28 @@ def shared(references, scene, arguments):
         yield os.path.join(references, name)
 
 
-def main():
-    parser = argparse.ArgumentParser()
-    parser.add_argument("file")
-    parser.add_argument("case")
-    parser.add_argument("--solve", required=True)
-    parser.add_argument("--work", required=True)
-    parser.add_argument("--ranks", type=int, default=1)
-    parser.add_argument("--mpirun", default="mpirun --oversubscribe")
-    parser.add_argument("--references")
-    options = parser.parse_args()
+def caseOf(table, name, folder="."):
+    """A case of a table, with the table's defaults; `folder` is where the table stands."""
+    defaults, own = table.get("defaults", {}), table["cases"][name]
+    if "from" in own:
+        path = os.path.join(folder, own["from"])
+        with open(path) as file:
+            case = json.load(file)
+        return {**case, **own, "scene": os.path.join(os.path.dirname(own["from"]), case["scene"])}
+    return {**defaults, **own, "arguments": defaults.get("arguments", []) + own.get("arguments", [])}
 
-    with open(options.file) as file:
-        table = json.load(file)
-    if options.case == "-":
-        case = table
-    else:
-        defaults, own = table.get("defaults", {}), table["cases"][options.case]
-        case = {**defaults, **own, "arguments": defaults.get("arguments", []) + own.get("arguments", [])}
-    folder = os.path.dirname(os.path.abspath(options.file))
-    work = os.path.abspath(options.work)
+
+def perform(case, folder, work, program, ranks=1, references=None, others=None):
+    """Runs a case and judges it. Returns a dictionary: "failures" (texts), "checks" ({"check", "value", "wrong"} of each), "summary",
+    "output" (folder of the run), "seconds" (of the run as a whole).
+
+    folder      what "scene" is relative to
+    work        folder for the run; emptied before
+    program     words of the command without the scene: a function of the number of ranks
+    references  folder of shared runs for "against"
+    others      {case: what perform() returned for it}, for checks with "of"
+    """
+    work = os.path.abspath(work)
     shutil.rmtree(work, ignore_errors=True)
     os.makedirs(work)
 
@@ -163,7 +176,7 @@ def main():
         scene = editedScene(scene, [[fill(a), fill(b)] for a, b in case["edit"]], work)
 
     def solve(ranks, arguments, output):
-        command = options.mpirun.split() + ["-np", str(ranks), os.path.abspath(options.solve), scene]
+        command = program(ranks) + [scene]
         if "--output" not in arguments:
             command += ["--output", output]
         command += [fill(a) for a in arguments]
@@ -174,7 +187,9 @@ def main():
 
     failures = []
     output = os.path.join(work, "out")
-    text, code = solve(options.ranks, case.get("arguments", []), output)
+    begin = time.monotonic()
+    text, code = solve(ranks, case.get("arguments", []), output)
+    outcome = {"failures": failures, "checks": [], "summary": {}, "output": output, "seconds": time.monotonic() - begin}
     expectedCode = case.get("exit_code", 0)
     if code != expectedCode:
         failures.append("no end within the time" if code is None else f"exit code {code}, expected {expectedCode}")
@@ -191,31 +206,75 @@ def main():
     reference = os.path.join(work, "reference")
     if "against" in case and not failures:
         with contextlib.ExitStack() as stack:
-            if options.references:
-                reference = stack.enter_context(shared(options.references, scene, [fill(a) for a in case["against"]]))
+            if references:
+                reference = stack.enter_context(shared(references, scene, [fill(a) for a in case["against"]]))
             if not os.path.exists(os.path.join(reference, "summary.json")):
                 _, code = solve(1, case["against"], reference)
                 if code != 0:
                     failures.append(f"the run to compare with returned {code}")
 
-    checks = case.get("checks", [])
-    if checks and not failures:
-        import figures
-
+    if case.get("checks") and not failures:
         with open(os.path.join(output, "summary.json")) as file:
-            summary = json.load(file)
-        for check in checks:
-            name = check.get("key") or check["figure"]
-            try:
-                value = evaluate(summary, check["key"]) if "key" in check else figures.figure(name, output, reference)
-                wrong = judge(check, value)
-            except (KeyError, IndexError, TypeError, OSError) as error:
-                value, wrong = None, f"cannot be evaluated: {error!r}"
-            shown = f"{value:.9g}" if isinstance(value, float) else value
-            print(f"{'FAIL' if wrong else ' ok '} {name} = {shown}" + (f"   {wrong}; source: {check.get('source', 'own')}" if wrong else ""))
-            if wrong:
-                failures.append(f"{name} = {shown}: {wrong}")
+            outcome["summary"] = json.load(file)
+        for check in case["checks"]:
+            result = examine(check, outcome, reference, others or {})
+            outcome["checks"].append(result)
+            if result["wrong"]:
+                failures.append(f"{nameOf(check)} = {result['shown']}: {result['wrong']}")
+    return outcome
 
+
+def nameOf(check):
+    """The key or figure of a check, with its options."""
+    options = ", ".join(f"{name} {value}" for name, value in check.get("options", {}).items())
+    return (check.get("key") or check["figure"]) + (f" ({options})" if options else "")
+
+
+def examine(check, outcome, reference, others):
+    """One check of a run: the check, with the value that "of" refers to filled in, what was found, and what is wrong with it."""
+    import figures
+
+    value = None
+    try:
+        if "of" in check:
+            other = others[check["of"]]
+            reference = other["output"]
+        if "key" in check:
+            value = evaluate(outcome["summary"], check["key"])
+            if "of" in check:
+                check = {**check, "value": check.get("times", 1) * evaluate(other["summary"], check["key"])}
+        else:
+            value = figures.figure(check["figure"], outcome["output"], reference, **check.get("options", {}))
+            if "of" in check and "times" in check:
+                check = {**check, "value": check["times"] * figures.figure(check["figure"], reference, None, **check.get("options", {}))}
+        wrong = judge(check, value)
+    except (KeyError, IndexError, TypeError, ValueError, OSError) as error:
+        wrong = f"cannot be evaluated: {error!r}"
+    shown = f"{value:.9g}" if isinstance(value, float) else value
+    print(f"{'FAIL' if wrong else ' ok '} {nameOf(check)} = {shown}" + (f"   {wrong}; source: {check.get('source', 'own')}" if wrong else ""))
+    return {"check": check, "value": value, "shown": shown, "wrong": wrong}
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("file")
+    parser.add_argument("case")
+    parser.add_argument("--solve", required=True)
+    parser.add_argument("--work", required=True)
+    parser.add_argument("--ranks", type=int, default=1)
+    parser.add_argument("--mpirun", default="mpirun --oversubscribe")
+    parser.add_argument("--references")
+    options = parser.parse_args()
+
+    with open(options.file) as file:
+        table = json.load(file)
+    folder = os.path.dirname(os.path.abspath(options.file))
+    case = table if options.case == "-" else caseOf(table, options.case, folder)
+
+    def program(ranks):
+        return options.mpirun.split() + ["-np", str(ranks), os.path.abspath(options.solve)]
+
+    failures = perform(case, folder, options.work, program, options.ranks, options.references)["failures"]
     if failures:
         print("\n".join(["", f"{len(failures)} failed:"] + ["  " + f for f in failures]))
         sys.exit(1)

@@ -11,6 +11,8 @@ import sys
 import h5py
 import numpy as np
 
+import curves
+
 
 class Fields:
     """One VTKHDF file with the pieces of all ranks joined."""
@@ -42,35 +44,36 @@ def contact(folder):
     return Fields(os.path.join(folder, "contact_0000.vtkhdf"))
 
 
-# --- V1: patch test, sigma_yy = -1e5 everywhere, u_y = -0.05 on the contact line ---
+# --- V1: patch test of two blocks, the whole turned by `angle` degrees: sigma = -pressure n x n everywhere, n = (-sin, cos) ---
 
-def patch_stressError(folder, _):
+def turned(angle):
+    """Unit vectors along and across the joint."""
+    c, s = math.cos(math.radians(angle)), math.sin(math.radians(angle))
+    return np.array([c, s]), np.array([-s, c])
+
+
+def patch_stressError(folder, _, pressure=1e5, angle=0):
     """Largest deviation of any stress component, over the pressure."""
     stress = fields(folder).cell["Stress"]  # XX YY ZZ XY YZ XZ
-    expected = np.zeros(stress.shape[1])
-    expected[1] = -1e5
-    return float(np.abs(stress - expected).max() / 1e5)
+    _, n = turned(angle)
+    expected = np.array([-n[0] * n[0], -n[1] * n[1], 0, -n[0] * n[1], 0, 0]) * pressure
+    return float(np.abs(stress - expected).max() / pressure)
 
 
-def patch_uniformStress(folder, _):
-    """Largest deviation of any stress component from its mean, over the largest stress."""
-    stress = fields(folder).cell["Stress"]
-    return float(np.abs(stress - stress.mean(axis=0)).max() / np.abs(stress).max())
-
-
-def patch_stressYY(folder, _):
-    return float(fields(folder).cell["Stress"][:, 1].mean())
-
-
-def patch_displacementError(folder, _):
-    """Largest deviation of u from (0, -0.05 (1 + y)), over 0.1."""
+def patch_displacementError(folder, _, pressure=1e5, angle=0, youngBelow=2e6, youngAbove=2e6):
+    """Largest deviation of u from -n pressure (1 + eta) / E below the joint, n (-0.1 + pressure (1 - eta) / E) above it, over 0.1."""
     f = fields(folder)
-    u = f.point["Displacement"]
-    return float(max(np.abs(u[:, 0]).max(), np.abs(u[:, 1] + 0.05 * (1 + f.points[:, 1])).max()) / 0.1)
+    t, n = turned(angle)
+    u, eta = f.point["Displacement"][:, :2], f.points @ n
+    below, above = -pressure * (1 + eta) / youngBelow, -0.1 + pressure * (1 - eta) / youngAbove
+    un = u @ n
+    onJoint = np.abs(eta) < 1e-9
+    wrong = np.where(onJoint, np.minimum(np.abs(un - below), np.abs(un - above)), np.abs(un - np.where(eta < 0, below, above)))
+    return float(max(np.abs(u @ t).max(), wrong.max()) / 0.1)
 
 
-def patch_pressureError(folder, _):
-    return float(np.abs(contact(folder).point["ContactPressure"] - 1e5).max() / 1e5)
+def patch_pressureError(folder, _, pressure=1e5):
+    return float(np.abs(contact(folder).point["ContactPressure"] - pressure).max() / pressure)
 
 
 # --- V2: rings ---
@@ -138,12 +141,12 @@ def hertzFit(folder, halfWidth=0.96277):
     return math.sqrt(constant), math.sqrt(-constant / slope)
 
 
-def hertz_fittedPressure(folder, _):
-    return hertzFit(folder)[0]
+def hertz_fittedPressure(folder, _, **options):
+    return hertzFit(folder, **options)[0]
 
 
-def hertz_fittedHalfWidth(folder, _):
-    return hertzFit(folder)[1]
+def hertz_fittedHalfWidth(folder, _, **options):
+    return hertzFit(folder, **options)[1]
 
 
 def hertz_centrePressure(folder, _):
@@ -173,6 +176,44 @@ def sphere_fittedRadius(folder, _):
 
 def sphere_centrePressure(folder, _):
     return hertz_centrePressure(folder, _)
+
+
+# --- V4: roller ---
+
+def roller_displacement(folder, _):
+    """u_y of the block under the middle of the contact."""
+    f = fields(folder)
+    return float(f.point["Displacement"][np.hypot(f.points[:, 0], f.points[:, 1]) < 1e-9, 1].min())
+
+
+# --- V7: rigid flat punch of half width 1, half of it ---
+
+def punch_pressureError(folder, _, within=0.8):
+    """Largest deviation of the nodal pressure from P / (pi sqrt(1 - x^2)) for x < within, over that; P is the run's own force."""
+    c = contact(folder)
+    force = 2 * c.point["ContactForce"].sum()
+    use = c.points[:, 0] < within
+    return float(np.abs(c.point["ContactPressure"][use] / curves.punch(c.points[use, 0], force, 1.0) - 1).max())
+
+
+# --- the pressure as a function on the contact line ---
+
+def line_pressureL2(folder, _, curve, along="x", within=None, **options):
+    """L2 norm along the contact lines of the nodal pressure's deviation from a curve of curves.py, over that of the curve."""
+    c = contact(folder)
+    errors = norms = 0.0
+    for line in np.unique(c.point["Line"]):
+        use = np.flatnonzero(c.point["Line"] == line)
+        use = use[np.argsort(c.point["ArcLength"][use])]
+        x = curves.along(c, along)[use]
+        exact = getattr(curves, curve)(x, **options)
+        error = (c.point["ContactPressure"][use] - exact) ** 2
+        if within is not None:
+            error, exact = error[np.abs(x) < within], exact[np.abs(x) < within]
+            use = use[np.abs(x) < within]
+        errors += np.trapz(error, c.point["ArcLength"][use])
+        norms += np.trapz(exact ** 2, c.point["ArcLength"][use])
+    return float(math.sqrt(errors / norms))
 
 
 # --- V8: the tunnel (centre (60, 39.5), radius 6, fault leaning 25 degrees) ---
@@ -321,6 +362,73 @@ def difference_status(folder, reference):
     return len(a.keys() ^ b.keys()) + sum(int(a[k] != b[k]) for k in a.keys() & b.keys())
 
 
+# --- V10: what a change of the scene does to its solution. A point x of the reference is now at length R(angle) x + shift. ---
+
+def located(points, angle=0, length=1, shift=(0, 0)):
+    """Places as keys: the points moved back to where the reference has them, rounded to 1e-6 of the scene."""
+    back = (points - np.asarray(shift)) / length @ np.column_stack(turned(angle))
+    step = 1e-6 * np.ptp(back, axis=0).max()
+    return [tuple(k) for k in np.round(back / step).astype(int).tolist()]
+
+
+def matched(found, expected):
+    """Pairs of the values of both at the same keys, or none if the keys are not the same; a key stands for all values within a step of it."""
+    if len(found) != len(expected):
+        return None
+    pairs = []
+    for key, value in expected.items():
+        near = [(key[0] + i, key[1] + j, *key[2:]) for i in (0, -1, 1) for j in (0, -1, 1)]
+        other = next((found[k] for k in near if k in found), None)
+        if other is None:
+            return None
+        pairs.append((other, value))
+    return pairs
+
+
+def worst(pairs):
+    if not pairs:
+        return math.inf
+    a, b = (np.array(x, dtype=float).reshape(len(pairs), -1) for x in zip(*pairs))
+    return float(np.linalg.norm(a - b, axis=1).max() / np.linalg.norm(b, axis=1).max())
+
+
+def byPlaceAndBody(f, values, **motion):
+    bodies = [set() for _ in f.points]
+    for cell, body in zip(f.cells, f.cell["Body"].tolist()):
+        for node in cell:
+            bodies[node].add(body)
+    return {(*place, *bodies[i]): values[i] for i, place in enumerate(located(f.points, **motion))}
+
+
+def metamorphic_displacement(folder, reference, times=1, angle=0, **motion):
+    """Largest |u - times R u_reference| over the largest |times u_reference|."""
+    a, b = fields(folder), fields(reference)
+    rotation = np.column_stack(turned(angle))
+    found = byPlaceAndBody(a, a.point["Displacement"][:, :2], angle=angle, **motion)
+    return worst(matched(found, byPlaceAndBody(b, times * b.point["Displacement"][:, :2] @ rotation.T)))
+
+
+def metamorphic_principalStress(folder, reference, times=1, **motion):
+    """The same of the principal stresses, by the elements' centres."""
+    a, b = fields(folder), fields(reference)
+    found = dict(zip(located(a.centroids(), **motion), a.cell["PrincipalStress"]))
+    return worst(matched(found, dict(zip(located(b.centroids()), times * b.cell["PrincipalStress"]))))
+
+
+def metamorphic_force(folder, reference, times=1, **motion):
+    """The same of the pair forces."""
+    a, b = contact(folder), contact(reference)
+    found = dict(zip(located(a.points, **motion), a.point["ContactForce"]))
+    return worst(matched(found, dict(zip(located(b.points), times * b.point["ContactForce"]))))
+
+
+def metamorphic_status(folder, reference, **motion):
+    """Number of pairs with another status."""
+    a, b = contact(folder), contact(reference)
+    pairs = matched(dict(zip(located(a.points, **motion), a.point["Active"])), dict(zip(located(b.points), b.point["Active"])))
+    return sum(int(x != y) for x, y in pairs) if pairs else max(len(a.points), len(b.points))
+
+
 def history_energyIncrease(folder, _):
     """Largest increase of the energy from one outer iteration to the next, over |energy|; 0 or less when it never increases."""
     with open(os.path.join(folder, "history.csv")) as file:
@@ -372,9 +480,9 @@ def memory_largestOverSmallest(folder, _):
     return peaks(folder)["max"] / peaks(folder)["min"]
 
 
-def figure(name, folder, reference=None):
+def figure(name, folder, reference=None, **options):
     """The figure "case.name" of the run in `folder`."""
     function = getattr(sys.modules[__name__], name.replace(".", "_"), None)
     if function is None:
         raise KeyError(f"figures.py has no {name}")
-    return function(folder, reference)
+    return function(folder, reference, **options)
