@@ -1,40 +1,26 @@
-#include <Eigen/LU>
-#include <suture/elasticity/ElementMap.hpp>
+#include <suture/base/Errors.hpp>
+#include <suture/elasticity/ElementStress.hpp>
 #include <suture/elasticity/ErrorNorms.hpp>
 #include <suture/elasticity/SideMap.hpp>
 
 namespace suture {
-namespace {
-
-Eigen::Vector3d stressAt(const ElementMap& map, const Span<const int> nodes, const Eigen::Matrix3d& d, const Vector& displacement) {
-  Eigen::Vector3d strain = Eigen::Vector3d::Zero();
-  for (std::size_t a = 0; a < nodes.size(); ++a) {
-    const double ux = displacement[2 * nodes[a]], uy = displacement[2 * nodes[a] + 1];
-    const double gx = map.gradient(int(a))[0], gy = map.gradient(int(a))[1];
-    strain += Eigen::Vector3d(gx * ux, gy * uy, gy * ux + gx * uy);
-  }
-  return d * strain;
-}
-
-}  // namespace
-
 BodyErrors bodyErrors(const CellBlock& block, const ExactFields& exact, const std::function<const Material&(int element)>& materialOf,
                       PlaneModel plane, const Vector& displacement) {
   BodyErrors errors;
+  if (block.axisymmetric && exact.stress.size() == 3)
+    throw InputError("Exact Solution", "'Stress zz' is missing: in an axisymmetric scene the hoop stress does not follow from the others");
   const Material* last = nullptr;
-  Eigen::Matrix3d d = Eigen::Matrix3d::Zero(), compliance = d;
+  HookesLaw law;
   for (int e = 0; e < block.elements(); ++e) {
     const Material& material = materialOf(e);
-    if (&material != last) {
-      d = elasticity(material, plane, 2);
-      compliance = d.inverse();
-      last = &material;
-    }
+    if (&material != last) law = HookesLaw(material, plane);
+    last = &material;
     const ReferenceElement& reference = referenceElement(block.cells[e], Rule::Data);
     const Span<const int> nodes = block.nodesOf(e);
-    ElementMap map(block, e, reference);
+    ElementStress element(block, e, reference, law, displacement);
+    const ElementMap& map = element.map();
     for (int q = 0; q < reference.points; ++q) {
-      map.at(q);
+      element.at(q);
       const Point place = map.place();
       for (std::size_t k = 0; k < exact.displacement.size(); ++k) {
         const double u = exact.displacement[k].at(place);
@@ -43,16 +29,18 @@ BodyErrors bodyErrors(const CellBlock& block, const ExactFields& exact, const st
         errors.displacement.add({map.measure() * difference * difference, map.measure() * u * u});
       }
       if (exact.stress.empty()) continue;
-      const Eigen::Vector3d s(exact.stress[0].at(place), exact.stress[1].at(place), exact.stress[2].at(place));
-      const Eigen::Vector3d difference = stressAt(map, nodes, d, displacement) - s;
-      errors.energy.add({map.measure() * difference.dot(compliance * difference), map.measure() * s.dot(compliance * s)});
+      const auto given = [&](int k) { return exact.stress[std::size_t(k)].at(place); };
+      Eigen::Vector4d s(given(0), given(1), 0.0, given(2));
+      s[2] = exact.stress.size() > 3 ? given(3) : plane == PlaneModel::Strain ? material.poisson * (s[0] + s[1]) : 0.0;
+      const Eigen::Vector4d difference = element.stress() - s;
+      errors.energy.add({map.measure() * law.complementary(difference), map.measure() * law.complementary(s)});
     }
   }
   return errors;
 }
 
-Matrix sideMass(const std::vector<Point>& nodes) {
-  SideMap map(nodes, Rule::Load);
+Matrix sideMass(const std::vector<Point>& nodes, bool axisymmetric) {
+  SideMap map(nodes, Rule::Load, axisymmetric);
   const int count = map.reference().nodes;
   Matrix mass = Matrix::Zero(count, count);
   for (int q = 0; q < map.reference().points; ++q) {
@@ -63,8 +51,8 @@ Matrix sideMass(const std::vector<Point>& nodes) {
   return mass;
 }
 
-SquaredNorms sideErrors(const std::vector<Point>& nodes, const Vector& values, const Expression& exact) {
-  SideMap map(nodes, Rule::Data);
+SquaredNorms sideErrors(const std::vector<Point>& nodes, const Vector& values, const Expression& exact, bool axisymmetric) {
+  SideMap map(nodes, Rule::Data, axisymmetric);
   SquaredNorms errors;
   for (int q = 0; q < map.reference().points; ++q) {
     map.at(q);

@@ -19,10 +19,11 @@ struct BodyErrors {
 BodyErrors bodyErrors(const CellBlock& block, const ExactFields& exact, const std::function<const Material&(int element)>& materialOf,
                       PlaneModel plane, const Vector& displacement);
 
-/// Integrals of products of the shape functions of a side of 2 or 3 nodes, end points first [length]. Local.
-Matrix sideMass(const std::vector<Point>& nodes);
+/// Integrals of products of the shape functions of a side of 2 or 3 nodes, end points first [length]; axisymmetric: of
+/// the side revolved [area]. Local.
+Matrix sideMass(const std::vector<Point>& nodes, bool axisymmetric = false);
 
 /// Integral of (sum of values times shape functions - exact)^2 over a side. Local.
-SquaredNorms sideErrors(const std::vector<Point>& nodes, const Vector& values, const Expression& exact);
+SquaredNorms sideErrors(const std::vector<Point>& nodes, const Vector& values, const Expression& exact, bool axisymmetric = false);
 
 }  // namespace suture

@@ -13,8 +13,8 @@ void addFields(Schema& schema) {
   for (const std::string& name : displacementNames)
     schema.text(name, std::nullopt, "an expression in x and y, the place on the undeformed body [length]").optional();
   for (const std::string& name : stressNames)
-    schema.text(name, std::nullopt, "an expression in x and y, tension positive [stress]; the stress across follows from the Model")
-        .optional();
+    schema.text(name, std::nullopt, "an expression in x and y, tension positive [stress]").optional();
+  schema.text("Stress zz", std::nullopt, "the hoop stress of an axisymmetric scene; in the plane it follows from the Model").optional();
 }
 
 // All of the names or none of them; `elsewhere` is what the field is where the list says nothing.
@@ -28,6 +28,18 @@ std::vector<Expression> readField(const Parameters& list, const std::vector<std:
       problems.add(pathOf(list, name), "is missing: expected all of " + joinNames(names) + ", or none");
     else if (const auto expression = readExpression(list, name, constants, problems))
       field.push_back(*expression);
+  }
+  return field;
+}
+
+std::vector<Expression> readStress(const Parameters& list, const Constants& constants, const std::vector<Expression>& elsewhere,
+                                   Problems& problems) {
+  std::vector<Expression> field = readField(list, stressNames, constants, elsewhere, problems);
+  if (const auto across = readExpression(list, "Stress zz", constants, problems)) {
+    if (field.size() == stressNames.size())
+      field.push_back(*across);
+    else if (field.size() == stressNames.size() + 1)
+      field.back() = *across;
   }
   return field;
 }
@@ -60,7 +72,7 @@ ExactSolution readExactSolution(const Parameters& list, const std::vector<std::s
   const std::size_t before = problems.list().size();
   ExactFields common;
   common.displacement = readField(list, displacementNames, constants, {}, problems);
-  common.stress = readField(list, stressNames, constants, {}, problems);
+  common.stress = readStress(list, constants, {}, problems);
   ExactSolution exact;
   exact.pressure = readExpression(list, "Pressure", constants, problems);
   exact.ofBody.assign(bodies.size(), common);
@@ -73,7 +85,7 @@ ExactSolution readExactSolution(const Parameters& list, const std::vector<std::s
     }
     ExactFields& fields = exact.ofBody[body - bodies.begin()];
     fields.displacement = readField(own.sublist(name), displacementNames, constants, common.displacement, problems);
-    fields.stress = readField(own.sublist(name), stressNames, constants, common.stress, problems);
+    fields.stress = readStress(own.sublist(name), constants, common.stress, problems);
   }
   if (problems.list().size() > before) return exact;
   requireAllBodies(exact, &ExactFields::displacement, "displacement", list, bodies, problems);

@@ -11,7 +11,7 @@ namespace suture {
 /// What is known exactly of a body's solution, as functions of the place on the undeformed body.
 struct ExactFields {
   std::vector<Expression> displacement;  ///< x, y; or none [length]
-  std::vector<Expression> stress;        ///< xx, yy, xy, tension positive; or none [stress]. zz follows from the model
+  std::vector<Expression> stress;  ///< xx, yy, xy, tension positive, or none [stress]; and zz, which in the plane follows from the model
 };
 
 /// The scene's list `Exact Solution`: what a run's errors are measured against. Empty for most scenes.

@@ -3,6 +3,8 @@
 namespace suture {
 
 HookesLaw::HookesLaw(const Material& material, PlaneModel plane) : HookesLaw() {
+  young = material.young;
+  poisson = material.poisson;
   if (plane == PlaneModel::Stress) {
     const Matrix d = elasticity(material, plane, 2);
     const int at[] = {0, 1, 3};

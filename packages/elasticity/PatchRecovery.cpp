@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <suture/base/Errors.hpp>
-#include <suture/elasticity/ElementMap.hpp>
+#include <suture/elasticity/ElementStress.hpp>
 #include <suture/elasticity/PatchRecovery.hpp>
 
 namespace suture {
@@ -100,40 +100,20 @@ bool fit(const Layout& layout, const double* column, int order, Eigen::Ref<Vecto
   return true;
 }
 
-// Stresses at points of elements, and the energy of stresses.
-class Law {
+/// The law of the material that elements have, one after the other.
+class Laws {
  public:
-  Law(PlaneModel plane, const Vector& displacement) : plane_(plane), displacement_(displacement) {}
-  void use(const Material& material) {
-    if (&material == last_) return;
+  explicit Laws(PlaneModel plane) : plane_(plane) {}
+  const HookesLaw& of(const Material& material) {
+    if (&material != last_) law_ = HookesLaw(material, plane_);
     last_ = &material;
-    stiffness_ = elasticity(material, plane_, 2);
-    across_ = plane_ == PlaneModel::Strain ? material.poisson : 0.0;
-    young_ = material.young;
-    poisson_ = material.poisson;
-  }
-  Stress stressAt(const ElementMap& map, const Span<const int>& nodes) const {
-    Eigen::Vector3d strain = Eigen::Vector3d::Zero();
-    for (std::size_t a = 0; a < nodes.size(); ++a) {
-      const double ux = displacement_[2 * nodes[a]], uy = displacement_[2 * nodes[a] + 1];
-      const double gx = map.gradient(int(a))[0], gy = map.gradient(int(a))[1];
-      strain += Eigen::Vector3d(gx * ux, gy * uy, gy * ux + gx * uy);
-    }
-    const Eigen::Vector3d s = stiffness_ * strain;
-    return {s[0], s[1], across_ * (s[0] + s[1]), s[2]};
-  }
-  // s.D^-1 s in three dimensions, so that the plane model does not matter.
-  double density(const Stress& s) const {
-    const double trace = s[0] + s[1] + s[2], squares = s[0] * s[0] + s[1] * s[1] + s[2] * s[2] + 2 * s[3] * s[3];
-    return ((1 + poisson_) * squares - poisson_ * trace * trace) / young_;
+    return law_;
   }
 
  private:
   PlaneModel plane_;
-  const Vector& displacement_;
   const Material* last_ = nullptr;
-  Eigen::Matrix3d stiffness_;
-  double across_ = 0.0, young_ = 0.0, poisson_ = 0.0;
+  HookesLaw law_;
 };
 
 }  // namespace
@@ -172,23 +152,18 @@ int PatchRecovery::order() const {
 Matrix PatchRecovery::moments() const {
   const Layout layout(order_);
   Matrix all = Matrix::Zero(layout.width(), static_cast<Eigen::Index>(patches_.size()));
-  Law law(plane_, displacement_);
+  Laws laws(plane_);
   for (int e = 0; e < block_->elements(); ++e) {
-    law.use(materialOf_(e));
     const ReferenceElement& sampling = referenceElement(block_->cells[e], Rule::Sampling);
-    const Span<const int> nodes = block_->nodesOf(e), patches = patchesOf(e);
-    ElementMap map(*block_, e, sampling);
+    const Span<const int> patches = patchesOf(e);
+    ElementStress element(*block_, e, sampling, laws.of(materialOf_(e)), displacement_);
     for (int q = 0; q < sampling.points; ++q) {
-      map.at(q);
-      const Stress stress = law.stressAt(map, nodes);
-      double x = 0, y = 0;
-      for (int a = 0; a < sampling.nodes; ++a) {
-        x += sampling.valuesAt(q)[a] * block_->coordinates[2 * std::size_t(nodes[a])];
-        y += sampling.valuesAt(q)[a] * block_->coordinates[2 * std::size_t(nodes[a]) + 1];
-      }
+      element.at(q);
+      const Stress stress = element.stress();
+      const Point place = element.map().place();
       for (const int patch : patches) {
         const Point vertex = placeOf(patch);
-        layout.addPoint(monomials(x - vertex[0], y - vertex[1], order_), stress, all.col(patch).data());
+        layout.addPoint(monomials(place[0] - vertex[0], place[1] - vertex[1], order_), stress, all.col(patch).data());
       }
     }
     for (const int patch : patches) all(layout.quadratic(), patch) += orderOf(block_->cells[e]) > 1;
@@ -267,10 +242,10 @@ bool PatchRecovery::unfitted() const { return std::find(origin_.begin(), origin_
 ElementErrors PatchRecovery::errors() const {
   ElementErrors all{Vector::Zero(block_->elements()), Vector::Zero(block_->elements())};
   const int terms = termsOf(order_);
-  Law law(plane_, displacement_);
+  Laws laws(plane_);
   Eigen::Matrix<double, components, ReferenceElement::maxNodes> nodal;
   for (int e = 0; e < block_->elements(); ++e) {
-    law.use(materialOf_(e));
+    const HookesLaw& law = laws.of(materialOf_(e));
     const Cell cell = block_->cells[e];
     const Span<const int> nodes = block_->nodesOf(e), patches = patchesOf(e);
     const auto valueAt = [&](int vertex, int node) -> Stress {
@@ -287,14 +262,14 @@ ElementErrors PatchRecovery::errors() const {
     if (cell == Cell::Quadrilateral9) nodal.col(8) = 0.25 * (valueAt(0, 8) + valueAt(1, 8) + valueAt(2, 8) + valueAt(3, 8));
 
     const ReferenceElement& reference = referenceElement(cell, Rule::Recovery);
-    ElementMap map(*block_, e, reference);
+    ElementStress element(*block_, e, reference, law, displacement_);
     for (int q = 0; q < reference.points; ++q) {
-      map.at(q);
-      const Stress stress = law.stressAt(map, nodes);
+      element.at(q);
+      const Stress stress = element.stress();
       Stress difference = -stress;
       for (int a = 0; a < reference.nodes; ++a) difference += reference.valuesAt(q)[a] * nodal.col(a);
-      all.error[e] += map.measure() * law.density(difference);
-      all.norm[e] += map.measure() * law.density(stress);
+      all.error[e] += element.map().measure() * law.complementary(difference);
+      all.norm[e] += element.map().measure() * law.complementary(stress);
     }
   }
   return all;

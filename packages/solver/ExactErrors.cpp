@@ -28,7 +28,7 @@ SquaredNorms pressureErrors(const ContactSides& lines, const std::vector<PairRes
       Vector values = Vector::Zero(Eigen::Index(side.nodes.size()));
       for (std::size_t i = 0; i < side.nodes.size(); ++i)
         if (const auto found = field.find(side.nodes[i]); found != field.end()) values[Eigen::Index(i)] = found->second;
-      all.add(sideErrors(side.points, values, exact));
+      all.add(sideErrors(side.points, values, exact, side.axisymmetric));
     }
   }
   return all;
@@ -48,7 +48,7 @@ void checkExactSolution(const Comm& comm, const std::vector<SubdomainMesh>& mesh
     if (!model.exact.pressure) return;
     for (const std::string& line : sublistNames(contact))
       for (const ContactSide& side : contactSidesHere(meshes, contact.sublist(line).get<std::string>("Side A")))
-        sideErrors(side.points, Vector::Zero(Eigen::Index(side.nodes.size())), *model.exact.pressure);
+        sideErrors(side.points, Vector::Zero(Eigen::Index(side.nodes.size())), *model.exact.pressure, side.axisymmetric);
   });
 }
 

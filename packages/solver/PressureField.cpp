@@ -23,15 +23,11 @@ bool carries(const std::vector<ContactSide>& sides, const std::set<GlobalId>& no
 
 std::vector<ContactSide> gathered(const Comm& comm, const std::vector<ContactSide>& mine) {
   Packer packer;
-  for (const ContactSide& side : mine) packer.put(side.nodes), packer.put(side.points);
+  packer.put(mine);
   std::vector<ContactSide> all;
   for (const std::string& bytes : gatherOnRoot(comm, packer.bytes())) {
-    Unpacker unpacker(bytes);
-    while (!unpacker.done()) {
-      all.emplace_back();
-      unpacker.get(all.back().nodes);
-      unpacker.get(all.back().points);
-    }
+    const auto part = Unpacker(bytes).get<std::vector<ContactSide>>();
+    all.insert(all.end(), part.begin(), part.end());
   }
   return all;
 }
@@ -127,7 +123,7 @@ std::map<GlobalId, double> pressureField(const std::vector<ContactSide>& sides, 
 
   std::vector<Eigen::Triplet<double>> entries;
   for (const ContactSide& side : sides) {
-    const Matrix mass = sideMass(side.points);
+    const Matrix mass = sideMass(side.points, side.axisymmetric);
     for (std::size_t i = 0; i < side.nodes.size(); ++i) {
       const auto row = number.find(side.nodes[i]);
       if (row == number.end()) continue;

@@ -12,6 +12,12 @@ namespace suture {
 struct ContactSide {
   std::vector<GlobalId> nodes;  ///< end points first
   std::vector<Point> points;
+  bool axisymmetric = false;
+
+  template <typename Self, typename Each>
+  static void forEachField(Self& self, const Each& each) {
+    each(self.nodes), each(self.points), each(self.axisymmetric);
+  }
 };
 
 /// The contact lines as far as pressures need them: the sides that carry them, on rank 0. Small beside any mesh.

@@ -3,6 +3,8 @@
 #include <suture/subdomain/RigidModes.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 #include <numeric>
 
 namespace suture {
@@ -61,8 +63,14 @@ Vector ElasticSubdomain::doSeamFlux() const {
   if (!model_.nearlyIncompressible()) return flux;
   for (const SubdomainMesh::SeamSide& seam : m.seamSides)
     addSideFlux(m, {seam.element, seam.side}, seam.neighbour > m.id ? 1.0 : -1.0, flux);
-  for (const SubdomainMesh::ContactEnd& end : m.contactEnds)
-    for (int k = 0; k < components(); ++k) flux(end.node * components() + k) += end.pair.length * end.pair.normal[k];
+  // psi_j sum to one: lengths times weights are integrals of each node's own shape function, on either side of a mortar, too.
+  std::map<int, const ContactPair*> pairs;
+  for (const ContactRow& row : m.contactRows) pairs[row.pair.id] = &row.pair;
+  for (const SubdomainMesh::ContactEnd& end : m.contactEnds) {
+    const ContactPair& pair = *pairs.at(end.pair);
+    for (int k = 0; k < components(); ++k)
+      flux(end.node * components() + k) += std::abs(pair.ends[end.end].weight) * pair.length * pair.normal[k];
+  }
   return flux;
 }
 
