@@ -2,6 +2,8 @@
 // The program's main is in support/SolveMain.cpp: suture_study runs this function, too.
 #include <Teuchos_ParameterList.hpp>
 
+#include <suture/elasticity/LockingNotes.hpp>
+
 #include "support/Program.hpp"
 #include "support/SolveStages.hpp"
 
@@ -23,7 +25,8 @@ RunResult solveScene(const CommPtr& comm, const SolveOptions& options) {
   Constraints constraints = timed(timers, "read", [&] { return whole ? constraintsStage(*comm, mesh, scene) : Constraints(); });
   CutMesh cut = timed(timers, "partition", [&] { return cutStage(*comm, file, mesh, constraints); });
   const ElasticModel model = makeElasticModel(scene);
-  if (whole) timed(timers, "partition", [&] { checkStage(*comm, mesh, constraints, model); });
+  timed(timers, "partition", [&] { whole ? checkStage(*comm, mesh, constraints, model) : checkStage(*comm, cut.meshes, model); });
+  checkExactSolution(*comm, cut.meshes, model, scene.sublist("Contact"));
   const double memory = checkMemory(*comm, cut.meshes, cut.whole.size.dofs, scene);
   if (!isMonolithic(scene)) forget(mesh, constraints, cut.partition);
   auto subdomains =
@@ -32,16 +35,19 @@ RunResult solveScene(const CommPtr& comm, const SolveOptions& options) {
   const ProblemSize size = withInterface(cut.whole.size, problem.get());
   printSizes(*comm, file, size, memory, options);
   for (const std::string& note : cut.partition.notes) monitor.note(note);
+  for (const std::string& note : lockingNotes(model)) monitor.note(note);
   if (options.check) return {};
   const auto reference =
       timed(timers, "assemble", [&] { return isMonolithic(scene) ? assembleMonolithic(*comm, mesh, constraints, model) : nullptr; });
   const auto start = startStage(comm, options, problem.get(), cut.whole.hash, cut.meshes, subdomains, scene, monitor);
-  const Solution solution = timed(timers, "solve", [&] {
+  const auto discretisationError = discretisationErrorOf(*comm, cut.meshes, model, subdomains);
+  Solution solution = timed(timers, "solve", [&] {
     if (!problem) return solveMonolithicScene(*comm, mesh, constraints, reference.get(), cut.meshes, scene, monitor);
-    return recover(*comm, *problem, solveInterface(*problem, scene, monitor, start.get()), subdomains, scene);
+    return recover(*comm, *problem, solveInterface(*problem, scene, monitor, start.get(), discretisationError), subdomains, scene);
   });
   problem.reset();  // what is written needs the memory
   subdomains.clear();
+  errorStage(*comm, cut.meshes, model, scene, solution, timers);
 
   return reportStage(
       {*comm, file, model, cut.whole.pieces, cut.meshes, size, solution, monitor, timers, cut.whole.hash, options.commandLine, folder},

@@ -46,7 +46,9 @@ CoarseAnswer solveLevel(const CommPtr& comm, const SceneFile& file, const Coarse
   std::unique_ptr<InterfaceState> start;
   if (coarser) start = std::make_unique<InterfaceState>(nestedStart(*comm, *coarser, *problem, subdomains));
   Monitor silent;
-  answer.solution = recover(*comm, *problem, solveInterface(*problem, scene, silent, start.get()), subdomains, scene);
+  const auto discretisationError = discretisationErrorOf(*comm, answer.meshes, model, subdomains);
+  const OuterResult result = solveInterface(*problem, scene, silent, start.get(), discretisationError);
+  answer.solution = recover(*comm, *problem, result, subdomains, scene);
   if (!answer.solution.converged)
     throw NumericalError("nested start, level of " + std::to_string(size.elements) + " elements: " + answer.solution.failure);
   monitor.note("nested start: " + std::to_string(size.elements) + " elements, " + std::to_string(answer.solution.outerIterations) +

@@ -29,17 +29,35 @@ Mesh meshStage(const Comm& comm, const SceneFile& file) {
     const Parameters& bodies = file.parameters->sublist("Bodies");
     assignBodies(mesh, sublistNames(bodies));
     assignRegions(mesh, bodies);
+    if (isAxisymmetric(*file.parameters)) makeAxisymmetric(mesh);
   });
   return mesh;
 }
 
 Constraints constraintsStage(const Comm& comm, const Mesh& mesh, const Parameters& scene) {
-  return onRoot(comm, "building the constraints",
-                [&] { return buildConstraints(mesh, scene.sublist("Boundary Conditions"), scene.sublist("Contact")); });
+  return onRoot(comm, "building the constraints", [&] {
+    return buildConstraints(mesh, scene.sublist("Boundary Conditions"), scene.sublist("Contact"), sceneConstants(scene));
+  });
 }
 
 void checkStage(const Comm& comm, const Mesh& mesh, const Constraints& constraints, const ElasticModel& model) {
-  collectivelyOnRoot(comm, "checking that the scene has a solution", [&] { checkSolvability(mesh, constraints, model); });
+  collectivelyOnRoot(comm, "checking that the scene has a solution", [&] {
+    Problems problems;
+    checkElements(
+        mesh, [&](int element) { return mesh.bodyOfElement[element]; }, model, problems);
+    problems.throwIfAny();
+    checkSolvability(mesh, constraints, model);
+  });
+}
+
+void checkStage(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model) {
+  collectively(comm, "checking the elements", [&] {
+    Problems problems;
+    for (const SubdomainMesh& mesh : meshes)
+      checkElements(
+          mesh, [&](int) { return mesh.body; }, model, problems);
+    problems.throwIfAny();
+  });
 }
 
 namespace {
@@ -48,7 +66,8 @@ bool isCut(const Parameters& scene) { return scene.sublist("Partition").get<std:
 
 MadeFor madeFor(const Parameters& scene) {
   MadeFor lists;
-  for (const char* name : {"Bodies", "Boundary Conditions", "Contact"}) lists[name] = toXml(scene.sublist(name));
+  for (const char* name : {"Bodies", "Boundary Conditions", "Constants", "Contact", "Functions"}) lists[name] = toXml(scene.sublist(name));
+  lists["Model"] = isAxisymmetric(scene) ? "axisymmetric" : "plane";
   return lists;
 }
 
@@ -139,6 +158,18 @@ std::unique_ptr<InterfaceState> startStage(const CommPtr& comm, const SolveOptio
   std::vector<Vector> freeValues;
   for (std::size_t i = 0; i < subdomains.size(); ++i) freeValues.push_back(subdomains[i]->freeValues(checkpoint.displacement[i]));
   return std::make_unique<InterfaceState>(problem->stateOf(freeValues, checkpoint.status));
+}
+
+namespace {
+bool wantsErrorEstimate(const Parameters& scene) { return scene.sublist("Output").get<bool>("Error Estimate") || isAutomatic(scene); }
+}  // namespace
+
+void errorStage(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model, const Parameters& scene,
+                Solution& solution, Timers& timers) {
+  if (!model.exact.empty())
+    solution.errors = timed(timers, "errors", [&] { return exactErrors(comm, meshes, model, scene.sublist("Contact"), solution); });
+  if (wantsErrorEstimate(scene) && !solution.discretisation)
+    solution.discretisation = timed(timers, "estimate", [&] { return estimateError(comm, meshes, model, solution.displacement); });
 }
 
 namespace {

@@ -6,6 +6,7 @@
 #include <suture/partition/PartitionFile.hpp>
 #include <suture/report/Report.hpp>
 #include <suture/report/SceneSchema.hpp>
+#include <suture/solver/ExactErrors.hpp>
 #include <suture/solver/MemoryEstimate.hpp>
 #include <suture/solver/SolveScene.hpp>
 
@@ -24,8 +25,11 @@ Mesh meshStage(const Comm& comm, const SceneFile& file);
 /// Rules, pairs and pieces, on rank 0. \throws InputError  Collective.
 Constraints constraintsStage(const Comm& comm, const Mesh& mesh, const Parameters& scene);
 
-/// Whether the scene has a solution at all. \throws InputError  names the body and where it can move. Collective.
+/// Whether elements go with their materials, and whether the scene has a solution at all. \throws InputError  names material and body; the
+/// body and where it can move. Collective.
 void checkStage(const Comm& comm, const Mesh& mesh, const Constraints& constraints, const ElasticModel& model);
+/// What can be checked of a mesh that came in pieces: the elements. \throws InputError  Collective.
+void checkStage(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model);
 
 /// What the later stages want to know of the scene as a whole.
 struct Whole {
@@ -65,6 +69,11 @@ std::unique_ptr<InterfaceProblem> problemStage(const CommPtr& comm, const Partit
 std::unique_ptr<InterfaceState> startStage(const CommPtr& comm, const SolveOptions& options, const InterfaceProblem* problem,
                                            const std::string& meshHash, const std::vector<SubdomainMesh>& meshes,
                                            const Subdomains& subdomains, const Parameters& scene, Monitor& monitor);
+
+/// Adds the solution's errors: against the exact solution of a scene that has one, and estimated where the scene asks for that
+/// (Output/Error Estimate) or needs it (an automatic tolerance). Collective.
+void errorStage(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model, const Parameters& scene,
+                Solution& solution, Timers& timers);
 
 /// SIGUSR1 (mpirun forwards it) ends the run after the outer iteration in hand, with a checkpoint and exit code 75.
 void listenForStop(RunMonitor& monitor);

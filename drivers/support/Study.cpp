@@ -94,12 +94,17 @@ std::optional<double> realIf(const Parameters& list, const std::string& name) {
   return list.get<double>(name);
 }
 
+// A column of the table, or a formula of its own.
+StudyFormula formulaOf(const Study& study, const std::string& column, const std::string& path, Problems& problems) {
+  const auto known = std::find_if(study.columns.begin(), study.columns.end(), [&](const StudyColumn& one) { return one.name == column; });
+  return known != study.columns.end() ? known->formula : columnFormula(column, path, problems);
+}
+
 StudyBand readBand(const Parameters& list, const std::string& name, const Study& study, Problems& problems) {
   const std::string column = list.get<std::string>("Column");
-  const auto known = std::find_if(study.columns.begin(), study.columns.end(), [&](const StudyColumn& one) { return one.name == column; });
   StudyBand band{name,
                  column,
-                 known != study.columns.end() ? known->formula : columnFormula(column, pathOf(list, "Column"), problems),
+                 formulaOf(study, column, pathOf(list, "Column"), problems),
                  {},
                  realIf(list, "At Most"),
                  realIf(list, "At Least"),
@@ -110,6 +115,27 @@ StudyBand readBand(const Parameters& list, const std::string& name, const Study&
                  "compares with nothing: expected At Most, At Least, Largest Over Smallest At Most or Largest Minus Smallest At Most");
   for (const std::string& where : texts(list, "Where")) addToFilter(where, study.sweeps, pathOf(list, "Where"), band.where, problems);
   return band;
+}
+
+StudyOrder readOrder(const Parameters& list, const std::string& name, const Study& study, Problems& problems) {
+  const std::string x = list.get<std::string>("X"), y = list.get<std::string>("Y");
+  StudyOrder order{name, x,  y, formulaOf(study, x, pathOf(list, "X"), problems), formulaOf(study, y, pathOf(list, "Y"), problems), {}, {},
+                   0,    {}, {}};
+  order.last = list.get<int>("Last");
+  order.atLeast = realIf(list, "At Least");
+  order.atMost = realIf(list, "At Most");
+  if (!order.atLeast && !order.atMost) problems.add(pathOf(list), "compares with nothing: expected At Least or At Most");
+  if (order.last == 1) problems.add(pathOf(list, "Last"), "one run has no order; expected at least 2, or 0 for all");
+  for (const std::string& where : texts(list, "Where")) addToFilter(where, study.sweeps, pathOf(list, "Where"), order.where, problems);
+  const std::vector<std::string> sweeps = names(study.sweeps);
+  for (const std::string& by : texts(list, "By")) {
+    const auto at = std::find(sweeps.begin(), sweeps.end(), by);
+    if (at == sweeps.end())
+      problems.add(pathOf(list, "By"), unknownName("sweep", by, sweeps));
+    else
+      order.by.push_back(std::size_t(at - sweeps.begin()));
+  }
+  return order;
 }
 
 StudyPlot readPlot(const Parameters& list, const std::string& name, const Study& study, Problems& problems) {
@@ -129,6 +155,7 @@ StudyPlot readPlot(const Parameters& list, const std::string& name, const Study&
     check(axis, {"X", "Y"}, "Logarithmic", "axis");
     (axis == "X" ? plot.logarithmicX : plot.logarithmicY) = true;
   }
+  plot.pareto = list.get<bool>("Pareto");
   return plot;
 }
 
@@ -196,6 +223,8 @@ Study readStudy(const Comm& comm, const std::string& path, const std::vector<std
   readColumns(study, problems);
   const Parameters& bands = all.sublist("Bands");
   for (const std::string& name : sublistNames(bands)) study.bands.push_back(readBand(bands.sublist(name), name, study, problems));
+  const Parameters& orders = all.sublist("Orders");
+  for (const std::string& name : sublistNames(orders)) study.orders.push_back(readOrder(orders.sublist(name), name, study, problems));
   const Parameters& plots = all.sublist("Plots");
   for (const std::string& name : sublistNames(plots)) study.plots.push_back(readPlot(plots.sublist(name), name, study, problems));
   problems.throwIfAny();

@@ -37,11 +37,21 @@ struct StudyBand {
   std::optional<double> atMost, atLeast, ratioAtMost, differenceAtMost;
 };
 
+/// The order of convergence of a column in another, asserted.
+struct StudyOrder {
+  std::string name, x, y;  ///< columns: as written
+  StudyFormula xFormula, yFormula;
+  StudyFilter where;
+  std::vector<std::size_t> by;  ///< sweeps: a fit for each combination of their labels
+  int last = 0;                 ///< of the smallest x so many runs count; 0: all
+  std::optional<double> atLeast, atMost;
+};
+
 /// A picture: columns (or sweeps) by their names.
 struct StudyPlot {
   std::string name, x;
   std::vector<std::string> y, by;
-  bool logarithmicX = false, logarithmicY = false;
+  bool logarithmicX = false, logarithmicY = false, pareto = false;
 };
 
 /// A study file, read and checked as far as it goes without its scenes.
@@ -53,6 +63,7 @@ struct Study {
   std::vector<StudySweep> sweeps;
   std::vector<StudyColumn> columns;
   std::vector<StudyBand> bands;
+  std::vector<StudyOrder> orders;
   std::vector<StudyPlot> plots;
   int repetitions = 1;
   bool fields = false, allowFailures = false;

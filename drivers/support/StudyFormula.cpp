@@ -98,7 +98,7 @@ class Parser {
   }
 
   NodePtr function(const std::string& name) {
-    static const std::vector<std::string> known{"abs", "max", "norm"};
+    static const std::vector<std::string> known{"abs", "max", "norm", "sqrt"};
     if (std::find(known.begin(), known.end(), name) == known.end())
       throw InputError("", "'" + text_ + "': " + unknownName("function", name, known));
     std::vector<NodePtr> arguments{sum()};
@@ -172,6 +172,10 @@ StudyCell value(const Node& node, const Json& summary) {
   if (node.kind == Node::Kind::Operation) return operation(node.name[0], arguments[0], arguments[1]);
   StudyCell result = arguments[0];
   if (node.name == "abs") result.number = std::abs(result.number);
+  if (node.name == "sqrt") {
+    result.kind = StudyCell::Kind::Real;
+    result.number = std::sqrt(result.number);
+  }
   for (const StudyCell& other : arguments)
     if (node.name == "max" && other.number > result.number) result = other;
   return result;

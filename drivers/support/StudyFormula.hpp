@@ -15,7 +15,7 @@ struct StudyCell {
 };
 
 /// A formula over the figures of summary.json: numbers, paths with dots ("outer.pcg_total"), the operators + - * / with a blank on both
-/// sides (names may contain hyphens and blanks), parentheses, and the functions abs(x), max(x, y, ...), norm(path of a vector).
+/// sides (names may contain hyphens and blanks), parentheses, and the functions abs(x), max(x, y, ...), sqrt(x), norm(path of a vector).
 class StudyFormula {
  public:
   /// \throws InputError  says what was expected where; the path of the problem is empty. Local.

@@ -6,8 +6,11 @@
 #include <suture/base/Timers.hpp>
 #include <suture/report/Format.hpp>
 
+#include <suture/base/Collective.hpp>
+
 #include "SolveScene.hpp"
 #include "SolveStages.hpp"
+#include "StudyMemory.hpp"
 
 namespace suture {
 namespace {
@@ -35,11 +38,15 @@ Outcome attempt(const CommPtr& comm, const MeetingPoint& meeting, const SolveOpt
   return outcome;
 }
 
+std::string folderOf(const StudyRun& run, const StudyOptions& options) {
+  return (std::filesystem::path(options.folder()) / "runs" / format("%03d", run.number)).string();
+}
+
 SolveOptions optionsOf(const StudyRun& run, const StudyOptions& options) {
   SolveOptions own;
   own.scene = run.scene;
   own.overrides = run.overrides;
-  own.overrides.push_back("Output/Folder=" + (std::filesystem::path(options.folder()) / "runs" / format("%03d", run.number)).string());
+  own.overrides.push_back("Output/Folder=" + folderOf(run, options));
   own.quiet = true;
   own.commandLine = options.commandLine;
   return own;
@@ -56,6 +63,27 @@ std::string figures(const Study& study, const StudyRow& row) {
 
 }  // namespace
 
+namespace {
+
+FinishedRun solveRun(const CommPtr& comm, const MeetingPoint& meeting, const Study& study, const StudyRun& run,
+                     const StudyOptions& options) {
+  FinishedRun own;
+  Outcome last;
+  for (int repetition = 0; repetition < study.repetitions && last.end.code == ExitCode::Done; ++repetition) {
+    resetPeakMemory();
+    last = attempt(comm, meeting, optionsOf(run, options));
+    if (!last.summary.empty()) own.summaries.push_back(last.summary);
+  }
+  if (last.end.code == ExitCode::Done) return own;
+  // A repetition that failed is what the row tells.
+  if (!last.summary.empty()) own.summaries = {last.summary};
+  own.exitCode = int(last.end.code);
+  own.failure = last.end.message;
+  return own;
+}
+
+}  // namespace
+
 StudyRows runAll(const CommPtr& comm, const Study& study, const std::vector<StudyRun>& runs, const StudyOptions& options) {
   const MeetingPoint meeting(*comm);
   std::ostream* console = consoleOf(*comm, options.quiet);
@@ -65,24 +93,33 @@ StudyRows runAll(const CommPtr& comm, const Study& study, const std::vector<Stud
   StudyRows all;
   for (const StudyRun& run : runs) {
     const double begin = Timers::now();
-    std::vector<std::string> summaries;
-    Outcome last;
-    for (int repetition = 0; repetition < study.repetitions && last.end.code == ExitCode::Done; ++repetition) {
-      resetPeakMemory();
-      last = attempt(comm, meeting, optionsOf(run, options));
-      if (!last.summary.empty()) summaries.push_back(last.summary);
+    const std::string folder = folderOf(run, options);
+    const int ranks = comm->getSize();
+    FinishedRun own;
+    std::vector<int> known{0};
+    if (options.goOn) {
+      collectivelyOnRoot(*comm, "reading what the study has done", [&] {
+        if (const auto kept = finishedRun(folder, run, study.repetitions, ranks)) {
+          own = *kept;
+          known[0] = 1;
+        }
+      });
+      broadcast(*comm, known);
     }
-    const double seconds = Timers::now() - begin;
-    const bool failed = last.end.code != ExitCode::Done;
+    if (known[0] == 0) own = solveRun(comm, meeting, study, run, options);
     if (comm->getRank() == 0) {
-      // A repetition that failed is what the row tells.
-      if (failed && !last.summary.empty()) summaries = {last.summary};
-      all.rows.push_back(studyRow(study, run, summaries, int(last.end.code), failed ? last.end.message : ""));
+      all.rows.push_back(studyRow(study, run, own.summaries, own.exitCode, own.failure));
       if (console)
         *console << format("%4zu of %zu  ", std::size_t(&run - runs.data()) + 1, runs.size()) << labelsOf(study, run)
-                 << figures(study, all.rows.back()) << format("  %.2f s", seconds)
-                 << (failed ? "  exit code " + std::to_string(int(last.end.code)) + ": " + all.rows.back().failure : "") << std::endl;
+                 << figures(study, all.rows.back()) << (known[0] != 0 ? "  done before" : format("  %.2f s", Timers::now() - begin))
+                 << (own.exitCode != 0 ? "  exit code " + std::to_string(own.exitCode) + ": " + all.rows.back().failure : "") << std::endl;
     }
+    if (known[0] != 0) continue;
+    if (own.exitCode != int(ExitCode::Stopped))
+      collectivelyOnRoot(*comm, "keeping what a run of the study gave", [&] {
+        std::filesystem::create_directories(folder);  // a run that was refused has none
+        keepRun(folder, run, study.repetitions, ranks, own);
+      });
     // A run without outer iterations does not see the request itself.
     const int asked = stopWasAsked();
     int any = 0;
@@ -90,6 +127,7 @@ StudyRows runAll(const CommPtr& comm, const Study& study, const std::vector<Stud
     all.stopped = any != 0;
     if (all.stopped) break;
   }
+  if (console && all.stopped) *console << "  stopped; --continue goes on from here" << std::endl;
   return all;
 }
 

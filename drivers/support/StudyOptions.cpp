@@ -20,6 +20,7 @@ std::optional<int> StudyOptions::parse(int argc, char* argv[]) {
         ->type_name("LABEL")
         ->allow_extra_args(false);
     app.add_flag("--check", check, "Check the study and the parameters of all its runs, list them, run nothing");
+    app.add_flag("--continue", goOn, "Go on where an interrupted study stopped: take over the runs that its output folder has");
     app.add_flag("--quiet", quiet, "Print errors and missed bands only");
     addPluginOption(app, plugins);
   };

@@ -13,7 +13,7 @@ struct StudyOptions {
   std::vector<std::string> ofTheStudy;  ///< of --set "Study/...": for the study itself, the prefix taken off
   std::vector<std::string> only;
   std::vector<std::string> plugins;
-  bool check = false, quiet = false;
+  bool check = false, quiet = false, goOn = false;
   std::vector<std::string> commandLine;  ///< as given, for provenance
 
   /// \return the exit code when the program ends here (--help, --version, a wrong option)

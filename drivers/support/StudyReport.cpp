@@ -11,6 +11,7 @@
 #include <suture/report/OutputFolder.hpp>
 
 #include "StudyLoop.hpp"
+#include "StudyOrders.hpp"
 
 extern char** environ;
 
@@ -62,7 +63,9 @@ ExitCode reportStudy(const Comm& comm, const Study& study, const StudyRows& all,
   const std::string folder = options.folder();
   int missed = 0, failed = 0;
   collectivelyOnRoot(comm, "writing the tables of the study", [&] {
-    const std::vector<StudyVerdict> verdicts = judgeBands(study, all.rows);
+    std::vector<StudyVerdict> verdicts = judgeBands(study, all.rows);
+    const std::vector<StudyVerdict> orders = judgeOrders(study, all.rows);
+    verdicts.insert(verdicts.end(), orders.begin(), orders.end());
     writeTables(comm, study, all, verdicts, folder);
     const std::string noPictures = study.plots.empty() ? "" : draw(folder);
     if (!options.quiet) {
@@ -74,7 +77,8 @@ ExitCode reportStudy(const Comm& comm, const Study& study, const StudyRows& all,
     missed =
         static_cast<int>(std::count_if(verdicts.begin(), verdicts.end(), [](const StudyVerdict& one) { return one.judged && !one.kept; }));
     failed = static_cast<int>(std::count_if(all.rows.begin(), all.rows.end(), [](const StudyRow& row) { return row.exitCode != 0; }));
-    if (missed > 0) std::cerr << "suture_study: " << counted(missed, "band") << " missed" << std::endl;
+    if (missed > 0)
+      std::cerr << "suture_study: " << missed << (missed == 1 ? " band or order" : " bands or orders") << " missed" << std::endl;
     if (failed > 0 && (!study.allowFailures || !options.quiet))
       (study.allowFailures ? std::cout : std::cerr) << "suture_study: " << counted(failed, "run") << " without a solution" << std::endl;
   });

@@ -29,6 +29,18 @@ Schema bandsSchema() {
   return Schema("What the table must fulfil, named by the user.").each("<band>", band);
 }
 
+Schema ordersSchema() {
+  Schema order("The slope of log Y over log X, fitted by least squares; missed: exit code 4.");
+  order.text("X", "h", "A column, a path of summary.json, or a formula of them; h is 1 / sqrt(elements).");
+  order.text("Y", std::nullopt, "An error: a column, a path of summary.json, or a formula of them.");
+  order.texts("Where", std::vector<std::string>{}, "Rows that count, as sweep=label or sweep=label|label; by default all.");
+  order.texts("By", std::vector<std::string>{}, "Sweeps: each combination of their labels is fitted by itself.");
+  order.integer("Last", 0, "Only so many runs of smallest X count, where the order shows; 0: all.", Range::atLeast(0));
+  order.real("At Least", std::nullopt, "The order.").optional();
+  order.real("At Most", std::nullopt, "The order.").optional();
+  return Schema("Orders of convergence that the table must show, named by the user.").each("<order>", order);
+}
+
 Schema plotsSchema() {
   Schema plot("One picture, DIR/<name>.png.");
   plot.text("X", std::nullopt, "Column or sweep along the horizontal axis; labels that are no numbers are put side by side.");
@@ -36,6 +48,9 @@ Schema plotsSchema() {
   plot.texts("By", std::vector<std::string>{},
              "Sweeps with a line for each combination of labels; rows that share line and x are averaged.");
   plot.texts("Logarithmic", std::vector<std::string>{}, "Axes with a logarithmic scale: {X, Y}.");
+  plot.boolean(
+      "Pareto", false,
+      "Mark the runs that no other beats in X and in Y (less is better): a work-precision diagram, with error and time on the axes.");
   return Schema("Pictures, named by the user.").each("<plot>", plot);
 }
 
@@ -51,6 +66,7 @@ Schema studySchema() {
       "Columns", std::vector<std::string>{},
       "Of the table: names (pcg, condition, ...), paths of summary.json with dots, or 'name = formula'. Empty: all that have a name.");
   study.list("Bands", bandsSchema());
+  study.list("Orders", ordersSchema());
   study.list("Plots", plotsSchema());
   study.integer("Repetitions", 1, "Runs of each combination; of all times the median is kept.", Range::atLeast(1));
   study.boolean("Fields", false, "Write the fields of each run, too.");

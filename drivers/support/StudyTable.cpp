@@ -86,7 +86,7 @@ Json withMedians(const std::vector<std::string>& summaries) {
 
 StudyRow studyRow(const Study& study, const StudyRun& run, const std::vector<std::string>& summaries, int exitCode,
                   const std::string& failure) {
-  StudyRow row{&run, {}, {}, exitCode, failure};
+  StudyRow row{&run, {}, {}, {}, exitCode, failure};
   std::replace(row.failure.begin(), row.failure.end(), '\n', ' ');
   Json summary = summaries.empty() ? Json::object() : withMedians(summaries);
   summary["exit_code"] = exitCode;
@@ -97,6 +97,9 @@ StudyRow studyRow(const Study& study, const StudyRun& run, const std::vector<std
     const bool counts = exitCode == 0 || paths == std::vector<std::string>{"exit_code"} || paths == std::vector<std::string>{"converged"};
     row.judged.push_back(counts ? band.formula.evaluate(summary) : StudyCell());
   }
+  for (const StudyOrder& order : study.orders)
+    row.ordered.push_back(exitCode == 0 ? std::make_pair(order.xFormula.evaluate(summary), order.yFormula.evaluate(summary))
+                                        : std::make_pair(StudyCell(), StudyCell()));
   return row;
 }
 
@@ -146,7 +149,8 @@ std::string tableJson(const Study& study, const std::vector<StudyRow>& rows) {
                             {"y", plot.y},
                             {"by", plot.by},
                             {"logarithmic_x", plot.logarithmicX},
-                            {"logarithmic_y", plot.logarithmicY}});
+                            {"logarithmic_y", plot.logarithmicY},
+                            {"pareto", plot.pareto}});
   return all.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

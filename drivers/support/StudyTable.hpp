@@ -1,5 +1,6 @@
 #pragma once
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "StudyRuns.hpp"
@@ -9,8 +10,9 @@ namespace suture {
 /// What one combination of a study gave.
 struct StudyRow {
   const StudyRun* run = nullptr;
-  std::vector<StudyCell> cells;   ///< of each column
-  std::vector<StudyCell> judged;  ///< of each band the value of its column; empty for a run that failed
+  std::vector<StudyCell> cells;                          ///< of each column
+  std::vector<StudyCell> judged;                         ///< of each band the value of its column; empty for a run that failed
+  std::vector<std::pair<StudyCell, StudyCell>> ordered;  ///< of each order x and y; empty for a run that failed
   int exitCode = 0;
   std::string failure;  ///< in one line; empty: the run converged
 };

@@ -14,8 +14,8 @@
 //      +--------------------+ block_bottom
 //
 // ratio: elements of the block's contact side over those of the cylinder's; nodes match with 1 only. order = 2: elements with middle nodes,
-// sides curved. block = 0: the cylinder alone.
-DefineConstant[ R = {8}, Lx = {32}, Ly = {32}, a = {0.96277}, resolution = {16}, reach = {1.25}, ratio = {1}, order = {1}, block = {1},
+// sides curved. block = 0: the cylinder alone. quads = 1: quadrilaterals.
+DefineConstant[ R = {8}, Lx = {32}, Ly = {32}, a = {0.96277}, resolution = {16}, reach = {1.25}, ratio = {1}, order = {1}, block = {1}, quads = {0},
   growth = {0.12}, hmax = {2} ];
 h = a / resolution;
 n = Round(reach * resolution);  // elements along the contact sides
@@ -68,6 +68,13 @@ Field[1] = MathEval;
 Field[1].F = Sprintf("Min(%g,%g+%g*Max(0,Sqrt(x*x+y*y)-%g))", hmax, h, growth, 1.2*xe);
 Background Field = 1;
 Mesh.MeshSizeExtendFromBoundary = 0; Mesh.MeshSizeFromPoints = 0; Mesh.Algorithm = 6; Mesh.ElementOrder = order; Mesh.SecondOrderIncomplete = 0;
+
+If (quads)
+  Recombine Surface{1};
+  If (block)
+    Recombine Surface{2};
+  EndIf
+EndIf
 
 Physical Surface("cylinder") = {1};
 Physical Curve("cylinder_contact") = {ca:ca+n-1};

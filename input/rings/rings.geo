@@ -11,9 +11,10 @@
 //        |__|__|___ x
 //        r0 r1 r2
 //
-// Structured meshes. With ratio = 1 both have the same division along the arcs, so that the nodes on r = r1 coincide; the bodies share none.
-// order = 2: elements with middle nodes, sides curved.
-DefineConstant[ r0 = {0.2}, r1 = {0.6}, r2 = {1.0}, division = {48}, ratio = {1}, order = {1} ];
+// Triangles, with quads = 1 quadrilaterals in the outer ring (and triangles in the inner one), with quads = 2 in both; order = 2: quadratic
+// elements, whose sides on the arcs are curved. Structured meshes. With ratio = 1 both have the same division along the arcs, so that the nodes on
+// r = r1 coincide; the bodies share none.
+DefineConstant[ r0 = {0.2}, r1 = {0.6}, r2 = {1.0}, division = {48}, ratio = {1}, order = {1}, quads = {0} ];
 nr = Round(division / 3);  // elements across a ring
 
 For k In {0:1}  // 0: inner, 1: outer
@@ -36,6 +37,9 @@ For k In {0:1}  // 0: inner, 1: outer
   Transfinite Curve{l, l + 1} = n + 1;
   Transfinite Curve{l + 2, l + 3} = nr + 1;
   Transfinite Surface{s} Alternated;
+  If (quads + k > 1)
+    Recombine Surface{s};
+  EndIf
   If (k == 0)
     Physical Surface("inner") = {s};
     Physical Curve("inner_contact") = {l + 1};

@@ -63,6 +63,7 @@ class InternalError : public Error {
 class Problems {
  public:
   void add(const std::string& path, const std::string& message) { list_.push_back({path, message}); }
+  void add(const InputError& error) { list_.insert(list_.end(), error.problems().begin(), error.problems().end()); }
   bool empty() const { return list_.empty(); }
   const std::vector<Problem>& list() const { return list_; }
   /// \throws InputError  with all of them, if there are any.

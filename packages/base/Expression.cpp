@@ -34,17 +34,50 @@ double zero(const double*, int) { return 0.0; }
 }  // namespace
 
 struct Expression::Compiled {
+  /// A function of the user that this one uses, and where the parser looks for its value.
+  struct Used {
+    std::shared_ptr<const Compiled> function;
+    mutable double value = 0.0;
+  };
+
   mutable double x = 0.0, y = 0.0;  // where the parser looks: hence never copied
+  std::map<std::string, Used> used;
   mu::Parser parser;
   std::string text, path;
 
   Compiled(const std::string& given, const Constants& constants, const std::string& where) : text(trimmed(given)), path(where) {
     parser.ClearConst();
     parser.DefineConst("pi", 3.14159265358979323846);
-    for (const auto& [name, value] : constants) parser.DefineConst(name, value);
+    for (const auto& [name, value] : constants.numbers) parser.DefineConst(name, value);
     parser.DefineVar("x", &x);
     parser.DefineVar("y", &y);
+    for (const auto& [name, function] : constants.functions) {
+      Used& use = used[name];
+      use.function = function.compiled_;
+      parser.DefineVar(name, &use.value);
+    }
     compile();
+    const auto names = parser.GetUsedVar();
+    for (auto use = used.begin(); use != used.end();) {
+      if (names.count(use->first)) {
+        ++use;
+        continue;
+      }
+      parser.RemoveVar(use->first);
+      use = used.erase(use);
+    }
+  }
+
+  /// May be nan or infinite: a function that is not defined somewhere may not be needed there.
+  double at(const Point& point) const {
+    x = point[0];
+    y = point[1];
+    for (const auto& entry : used) entry.second.value = entry.second.function->at(point);
+    try {
+      return parser.Eval();
+    } catch (const mu::ParserError&) {  // a muParser built to throw where a function is not defined
+      return std::nan("");
+    }
   }
   Compiled(const Compiled&) = delete;
 
@@ -66,7 +99,7 @@ struct Expression::Compiled {
         const std::string token = error.GetToken();
         if (error.GetCode() != mu::ecUNASSIGNABLE_TOKEN || !isName(token)) fail(syntax(error));
         if (parser.GetFunDef().count(token)) fail("the function " + token + " needs its arguments in parentheses");
-        const std::string nearest = nearestName(token, all);
+        const std::string nearest = token.size() > 1 ? nearestName(token, all) : "";  // any letter is near any other
         unknown += (unknown.empty() ? "" : ", ") + ("'" + token + "'") + (nearest.empty() ? "" : " (did you mean '" + nearest + "'?)");
         const std::size_t next = text.find_first_not_of(' ', error.GetPos() + token.size());
         if (next != std::string::npos && text[next] == '(')
@@ -103,15 +136,11 @@ struct Expression::Compiled {
 Expression::Expression(const std::string& text, const Constants& constants, const std::string& path)
     : compiled_(std::make_shared<Compiled>(text, constants, path)) {}
 
+Expression::Expression(const std::string& text) : Expression(text, Constants()) {}
+
 double Expression::at(const Point& point) const {
   const Compiled& c = *compiled_;
-  c.x = point[0];
-  c.y = point[1];
-  double value = std::nan("");
-  try {
-    value = c.parser.Eval();
-  } catch (const mu::ParserError&) {  // a muParser built to throw where a function is not defined
-  }
+  const double value = c.at(point);
   if (!std::isfinite(value)) {
     char place[80];
     std::snprintf(place, sizeof place, "(%.10g, %.10g)", point[0], point[1]);
@@ -129,18 +158,48 @@ Schema constantsSchema() {
       .eachReal("constant", "value of the name in every expression");
 }
 
-Constants readConstants(const Parameters& list, Problems& problems) {
+Schema functionsSchema() {
+  return Schema("Functions of x and y for the expressions of this scene, named by the user: r = sqrt(x^2 + y^2), or mu = E/(2*(1 + nu)).")
+      .eachText("function",
+                "an expression, in which Constants and the functions above it are known; its name stands for its value in others");
+}
+
+namespace {
+
+bool isUsable(const Parameters& list, const std::string& name, const Constants& before, Problems& problems) {
   static const mu::Parser standard;
+  if (!isName(name))
+    problems.add(pathOf(list, name), "'" + name + "' cannot stand in an expression: expected letters, digits and _, a letter first");
+  else if (name == "x" || name == "y" || name == "pi" || standard.GetFunDef().count(name) || before.has(name))
+    problems.add(pathOf(list, name), "'" + name + "' has its meaning in expressions already: choose another name");
+  else
+    return true;
+  return false;
+}
+
+}  // namespace
+
+Constants readConstants(const Parameters& list, Problems& problems) {
   Constants constants;
+  for (auto entry = list.begin(); entry != list.end(); ++entry)
+    if (isUsable(list, list.name(entry), constants, problems)) constants.numbers[list.name(entry)] = list.get<double>(list.name(entry));
+  return constants;
+}
+
+void readFunctions(const Parameters& list, Constants& constants, Problems& problems) {
   for (auto entry = list.begin(); entry != list.end(); ++entry) {
     const std::string& name = list.name(entry);
-    if (!isName(name))
-      problems.add(pathOf(list, name), "'" + name + "' cannot stand in an expression: expected letters, digits and _, a letter first");
-    else if (name == "x" || name == "y" || name == "pi" || standard.GetFunDef().count(name))
-      problems.add(pathOf(list, name), "'" + name + "' has its meaning in expressions already: choose another name");
-    else
-      constants[name] = list.get<double>(name);
+    if (!isUsable(list, name, constants, problems)) continue;
+    if (const auto function = readExpression(list, name, constants, problems)) constants.functions.emplace(name, *function);
   }
+}
+
+Constants sceneConstants(const Parameters& scene) {
+  Problems problems;
+  Constants constants;
+  if (scene.isSublist("Constants")) constants = readConstants(scene.sublist("Constants"), problems);
+  if (scene.isSublist("Functions")) readFunctions(scene.sublist("Functions"), constants, problems);
+  problems.throwIfAny();
   return constants;
 }
 
@@ -150,7 +209,7 @@ std::optional<Expression> readExpression(const Parameters& list, const std::stri
   try {
     return Expression(list.get<std::string>(parameter), constants, pathOf(list, parameter));
   } catch (const InputError& error) {
-    for (const Problem& problem : error.problems()) problems.add(problem.path, problem.message);
+    problems.add(error);
     return std::nullopt;
   }
 }

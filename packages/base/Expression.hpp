@@ -12,8 +12,7 @@ namespace suture {
 class Problems;
 class Schema;
 
-/// Numbers that the user named for the expressions of his scene.
-using Constants = std::map<std::string, double>;
+struct Constants;
 
 /// A function of the point (x, y), from a text such as "A * sqrt(x^2 + y^2)": operators + - * / ^ (-x^2 is -(x^2)), comparisons, && ||,
 /// c ? a : b, the functions of muParser (sin, atan2, sqrt, exp, ln, abs, min, ...), the constants given, and pi.
@@ -24,7 +23,8 @@ class Expression {
  public:
   /// \param path  of the parameter that holds the text, for messages
   /// \throws InputError  all unknown names (nearest; what is known), or where the text is not an expression. Local.
-  explicit Expression(const std::string& text, const Constants& constants = {}, const std::string& path = "");
+  Expression(const std::string& text, const Constants& constants, const std::string& path = "");
+  explicit Expression(const std::string& text);
 
   /// \throws InputError  when the value is not finite: which expression, at which point. Local.
   double at(const Point& point) const;
@@ -37,11 +37,28 @@ class Expression {
   std::shared_ptr<const Compiled> compiled_;
 };
 
-/// The scene's list `Constants`.
-Schema constantsSchema();
+/// What the user named for the expressions of his scene.
+struct Constants {
+  std::map<std::string, double> numbers;
+  std::map<std::string, Expression> functions;  ///< of the place: in another expression its name stands for its value there
 
-/// The constants of a list `Constants`. \param problems  gets names that an expression cannot use or that mean something else there. Local.
+  Constants() = default;
+  Constants(std::initializer_list<std::pair<const std::string, double>> numbers) : numbers(numbers) {}
+  bool has(const std::string& name) const { return numbers.count(name) > 0 || functions.count(name) > 0; }
+};
+
+/// The scene's lists `Constants` and `Functions`.
+Schema constantsSchema();
+Schema functionsSchema();
+
+/// The numbers of a list `Constants`. \param problems  gets names that an expression cannot use or that mean something else there. Local.
 Constants readConstants(const Parameters& list, Problems& problems);
+
+/// Adds the functions of a list `Functions`, each of which knows those above it. \param problems  the same, and unreadable ones. Local.
+void readFunctions(const Parameters& list, Constants& constants, Problems& problems);
+
+/// Constants and Functions of a whole scene; nothing if it has no such lists. \throws InputError  all of those problems. Local.
+Constants sceneConstants(const Parameters& scene);
 
 /// The expression in a text parameter of a list; nothing if the parameter is not there or (`problems` then knows) is no expression. Local.
 std::optional<Expression> readExpression(const Parameters& list, const std::string& parameter, const Constants& constants,

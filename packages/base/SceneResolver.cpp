@@ -103,7 +103,7 @@ class Resolver {
         problems_.add(here, "is missing and has no default: " + parameter.doc + " (expected " + expectation(parameter) + ")");
       }
     }
-    if (schema.userReals()) userReals(raw, schema, path, resolved);
+    if (schema.userParameter()) userParameters(raw, schema, path, resolved);
     for (const auto& [name, inner] : schema.lists()) {
       const std::string here = joinPath(path, name);
       const RawList* given = raw.list(name);
@@ -133,12 +133,10 @@ class Resolver {
     return true;
   }
 
-  void userReals(const RawList& raw, const Schema& schema, const std::string& path, Parameters& resolved) {
-    Schema::Parameter any;
-    any.kind = Kind::Real;
-    any.doc = schema.userRealDoc();
+  void userParameters(const RawList& raw, const Schema& schema, const std::string& path, Parameters& resolved) {
     for (const RawParameter& given : raw.parameters) {
-      if (!schema.find(given.name) && !schema.findList(given.name)) value(given, any, joinPath(path, given.name), resolved);
+      if (!schema.find(given.name) && !schema.findList(given.name))
+        value(given, *schema.userParameter(), joinPath(path, given.name), resolved);
     }
   }
 
@@ -160,7 +158,7 @@ class Resolver {
     for (const Schema::Parameter& parameter : schema.parameters()) parameters.push_back(parameter.name);
     for (const auto& entry : schema.lists()) lists.push_back(entry.first);
     for (const RawParameter& given : raw.parameters) {
-      if (schema.find(given.name) || schema.findList(given.name) || schema.userReals()) continue;
+      if (schema.find(given.name) || schema.findList(given.name) || schema.userParameter()) continue;
       std::string message = "no such parameter." + suggestion(given.name, parameters);
       const std::string home = homeOf(given.name, schema, "");
       if (!home.empty()) message += ". One of this name belongs in " + home;

@@ -178,8 +178,16 @@ Schema& Schema::each(const std::string& placeholder, Schema schema, int least) {
 }
 
 Schema& Schema::eachReal(const std::string& placeholder, const std::string& doc) {
-  userRealPlaceholder_ = placeholder;
-  userRealDoc_ = doc;
+  userParameter_.emplace();
+  userParameter_->name = placeholder;
+  userParameter_->kind = Kind::Real;
+  userParameter_->doc = doc;
+  return *this;
+}
+
+Schema& Schema::eachText(const std::string& placeholder, const std::string& doc) {
+  eachReal(placeholder, doc);
+  userParameter_->kind = Kind::Text;
   return *this;
 }
 

@@ -76,6 +76,8 @@ class Schema {
   Schema& each(const std::string& placeholder, Schema schema, int least = 0);
   /// Parameters that the user names, all real ("Mesh/Constants/<name>").
   Schema& eachReal(const std::string& placeholder, const std::string& doc);
+  /// The same, all texts ("Functions/<name>").
+  Schema& eachText(const std::string& placeholder, const std::string& doc);
 
   /// `Type` plus a sublist of the same name with that choice's own parameters. Sublists of choices not taken are checked, too.
   /// Parameters without a default in a choice's list are demanded of the choice taken only.
@@ -91,9 +93,8 @@ class Schema {
   const Schema* userLists() const { return userLists_.get(); }
   const std::string& userListPlaceholder() const { return userListPlaceholder_; }
   int leastUserLists() const { return leastUserLists_; }
-  bool userReals() const { return !userRealPlaceholder_.empty(); }
-  const std::string& userRealPlaceholder() const { return userRealPlaceholder_; }
-  const std::string& userRealDoc() const { return userRealDoc_; }
+  /// What the user may name as he likes, a parameter with his placeholder as its name; or null.
+  const Parameter* userParameter() const { return userParameter_ ? &*userParameter_ : nullptr; }
   /// Parameter or null.
   const Parameter* find(const std::string& name) const;
   const Schema* findList(const std::string& name) const;
@@ -113,7 +114,7 @@ class Schema {
   std::shared_ptr<const Schema> userLists_;
   std::string userListPlaceholder_;
   int leastUserLists_ = 0;
-  std::string userRealPlaceholder_, userRealDoc_;
+  std::optional<Parameter> userParameter_;
 };
 
 /// "int", "double", "bool", "string", "Array(double)", ...: the `type` attribute of a parameter of this kind.

@@ -48,8 +48,8 @@ void appendText(std::string& out, const Schema& schema, int depth) {
     for (std::size_t i = 0; i < parameter.allowedDocs.size(); ++i)
       out += blanks + "    " + parameter.allowed[i] + ": " + parameter.allowedDocs[i] + "\n";
   }
-  if (schema.userReals())
-    out += blanks + placeholder(schema.userRealPlaceholder()) + "  (double, named by you) " + schema.userRealDoc() + "\n";
+  if (const Schema::Parameter* any = schema.userParameter())
+    out += blanks + placeholder(any->name) + "  (" + typeName(any->kind) + ", named by you) " + any->doc + "\n";
   for (const auto& [name, inner] : schema.lists()) {
     out += blanks + name + "/" + (schema.requiredList(name) ? "  (required) " : "  ") + inner.doc() + "\n";
     appendText(out, inner, depth + 1);
@@ -71,7 +71,7 @@ std::string cell(const std::string& text) {
 
 void appendMarkdown(std::string& out, const Schema& schema, const std::string& path) {
   out += "## " + (path.empty() ? "(top)" : cell(path)) + "\n\n" + schema.doc() + "\n\n";
-  if (!schema.parameters().empty() || schema.userReals()) {
+  if (!schema.parameters().empty() || schema.userParameter()) {
     out += "| parameter | type | default | allowed | unit | meaning |\n|---|---|---|---|---|---|\n";
     for (const Schema::Parameter& parameter : schema.parameters()) {
       std::string doc = parameter.doc;
@@ -80,9 +80,8 @@ void appendMarkdown(std::string& out, const Schema& schema, const std::string& p
       out += "| " + parameter.name + " | " + typeName(parameter.kind) + " | " + cell(defaultText(parameter)) + " | " +
              cell(allowedText(parameter)) + " | " + cell(parameter.unit) + " | " + cell(doc) + " |\n";
     }
-    if (schema.userReals())
-      out +=
-          "| " + cell(placeholder(schema.userRealPlaceholder())) + " | double | named by you | | | " + cell(schema.userRealDoc()) + " |\n";
+    if (const Schema::Parameter* any = schema.userParameter())
+      out += "| " + cell(placeholder(any->name)) + " | " + typeName(any->kind) + " | named by you | | | " + cell(any->doc) + " |\n";
     out += "\n";
   }
   const std::string slash = path.empty() ? "" : path + "/";
@@ -145,9 +144,8 @@ class XmlScene {
       else
         comment(depth, parameter.optional ? "may be given" : "to be given", [&] { element(depth, parameter.name, parameter.kind, ""); });
     }
-    if (schema.userReals()) {
-      comment(depth, "as many as you like, " + schema.userRealDoc(),
-              [&] { element(depth, placeholder(schema.userRealPlaceholder()), Schema::Kind::Real, "0"); });
+    if (const Schema::Parameter* any = schema.userParameter()) {
+      comment(depth, "as many as you like, " + any->doc, [&] { element(depth, placeholder(any->name), any->kind, "0"); });
     }
     for (const auto& [name, inner] : schema.lists()) list(depth, name, inner);
     if (schema.userLists()) {

@@ -1,4 +1,5 @@
 #include <suture/constraints/BoundaryLine.hpp>
+#include <suture/mesh/SideShape.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -51,15 +52,31 @@ void BoundaryLine::addSide(const CellBlock& block, const std::vector<int>& nodes
     Node& node = nodes_[nodes[i]];
     const Point outward{tangents[i][1], -tangents[i][0], 0};  // the body is on the left
     for (int k = 0; k < 2; ++k) node.weightedNormal[k] += weights[i] * outward[k];
-    node.tributary += weights[i] * norm(outward);
+    if (!block.axisymmetric) node.tributary += weights[i] * norm(outward);
     node.sideNormals.push_back(unit(outward));
   }
+  if (block.axisymmetric) addTributaryAreas(block, nodes);
   const std::vector<int> way = quadratic ? std::vector<int>{nodes[0], nodes[2], nodes[1]} : nodes;
   for (std::size_t i = 0; i + 1 < way.size(); ++i) {
     const double length = norm(minus(block.point(way[i + 1]), block.point(way[i])));
     for (const int node : {way[i], way[i + 1]}) nodes_[node].spacing = std::min(nodes_[node].spacing, length);
     if (!next_.emplace(way[i], way[i + 1]).second) branchings_.push_back(way[i]);
     if (!previous_.emplace(way[i + 1], way[i]).second) branchings_.push_back(way[i + 1]);
+  }
+}
+
+// The radius is one factor more than nodes as points can integrate: a node on the axis has an area, too. Exact for straight sides.
+void BoundaryLine::addTributaryAreas(const CellBlock& block, const std::vector<int>& nodes) {
+  static const LineRule rule = gaussRule(5);
+  for (int q = 0; q < rule.points.size(); ++q) {
+    const SideShape shape = sideShape(static_cast<int>(nodes.size()), rule.points(q));
+    double radius = 0, dx = 0, dy = 0;
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      const Point p = block.point(nodes[i]);
+      radius += shape.value[i] * p[0], dx += shape.slope[i] * p[0], dy += shape.slope[i] * p[1];
+    }
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      nodes_[nodes[i]].tributary += rule.weights(q) * circumference(radius) * std::hypot(dx, dy) * shape.value[i];
   }
 }
 

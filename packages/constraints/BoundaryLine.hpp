@@ -15,7 +15,7 @@ class BoundaryLine {
 
   struct Node {
     Point weightedNormal{0, 0, 0};                             ///< integral of (outward normal x hat function of the node) [length]
-    double tributary = 0.0;                                    ///< integral of the hat function [length]
+    double tributary = 0.0;                                    ///< integral of the hat function [length]; axisymmetric: times 2 pi r [area]
     double spacing = std::numeric_limits<double>::infinity();  ///< distance to the nearest neighbour along the line [length]
     std::vector<Point> sideNormals;                            ///< unit outward normals of the sides that meet here
   };
@@ -38,6 +38,7 @@ class BoundaryLine {
 
  private:
   void addSide(const CellBlock& block, const std::vector<int>& nodes);
+  void addTributaryAreas(const CellBlock& block, const std::vector<int>& nodes);
   void makeChains(const CellBlock& block);
 
   std::map<int, Node> nodes_;

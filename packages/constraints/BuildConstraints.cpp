@@ -37,7 +37,7 @@ void checkRoles(const Mesh& mesh, const std::vector<Condition>& conditions, cons
     };
     for (const ContactLine& line : lines)
       for (const auto& [group, side] : {std::make_pair(line.groupA, "Side A"), std::make_pair(line.groupB, "Side B")})
-        if (covers(group))
+        if (!group.empty() && covers(group))
           problems.add(line.path + "/" + side,
                        "'" + group + "' is held on its whole length by " + holding.path + "; a side is either held or in contact");
     for (const Condition& load : conditions)
@@ -92,17 +92,17 @@ void checkHeld(const Mesh& mesh, const Constraints& constraints, Problems& probl
 
 }  // namespace
 
-Constraints buildConstraints(const Mesh& mesh, const Parameters& conditionList, const Parameters& contactList) {
+Constraints buildConstraints(const Mesh& mesh, const Parameters& conditionList, const Parameters& contactList, const Constants& constants) {
   Problems problems;
-  const std::vector<Condition> conditions = readConditions(mesh, conditionList, problems);
-  const std::vector<ContactLine> lines = readContact(mesh, contactList, problems);
+  const std::vector<Condition> conditions = readConditions(mesh, conditionList, constants, problems);
+  const std::vector<ContactLine> lines = readContact(mesh, contactList, constants, problems);
   checkRoles(mesh, conditions, lines, problems);
 
   Constraints constraints;
   constraints.rules = nodalRules(mesh, conditions, problems);
   std::vector<PairedLine> paired;
   for (const ContactLine& line : lines) {
-    paired.push_back(pairLine(mesh, line, problems));
+    paired.push_back(pairLine(mesh, line, problems, constraints.notes));
     const int base = static_cast<int>(constraints.pairs.size());
     for (ContactPair pair : paired.back().pairs) {
       pair.id += base;

@@ -1,4 +1,5 @@
 #pragma once
+#include <suture/base/Expression.hpp>
 #include <suture/base/Schema.hpp>
 #include <suture/constraints/Constraints.hpp>
 #include <suture/mesh/Mesh.hpp>
@@ -17,10 +18,12 @@ Schema contactSchema();
 /// its pair if it is in exactly one; with a prescribed component its rule stays as it is (the contact row is then scaled, not rotated).
 ///
 /// \param conditions  the scene's list `Boundary Conditions`;  \param contact  the scene's list `Contact`
+/// \param constants  for their expressions
 /// \throws InputError  all of: unknown group (nearest, known); a group used in contradictory roles (contact side and displacement on the
 ///                     whole of it, both sides of one contact the same group or the same body, a side in two contacts); sides that do
 ///                     not match (how many nodes on each, how many without partner, how far); a side that is not on the boundary;
-///                     contradictory prescribed values (place, the two conditions).
-Constraints buildConstraints(const Mesh& mesh, const Parameters& conditions, const Parameters& contact);
+///                     contradictory prescribed values (place, the two conditions); an expression that cannot be read, or has no finite value
+///                     (place).
+Constraints buildConstraints(const Mesh& mesh, const Parameters& conditions, const Parameters& contact, const Constants& constants = {});
 
 }  // namespace suture

@@ -2,7 +2,6 @@
 #include <suture/constraints/BuildConstraints.hpp>
 #include <suture/constraints/Conditions.hpp>
 
-#include <Teuchos_Array.hpp>
 #include <Teuchos_ParameterList.hpp>
 
 #include <algorithm>
@@ -22,7 +21,8 @@ const std::vector<std::pair<std::string, Condition::Type>>& types() {
 /// Checks one entry against what its type takes.
 class Entry {
  public:
-  Entry(const Mesh& mesh, const Parameters& list, Problems& problems) : mesh_(mesh), list_(list), problems_(problems) {}
+  Entry(const Mesh& mesh, const Parameters& list, const Constants& constants, Problems& problems)
+      : mesh_(mesh), list_(list), constants_(constants), problems_(problems) {}
 
   Condition read(const std::string& name) {
     condition_.name = name;
@@ -32,7 +32,7 @@ class Entry {
       if (known == typeName_) condition_.type = type;
     readPlace();
     readComponents();
-    readValue();
+    readData();
     readRandom();
     return condition_;
   }
@@ -73,27 +73,18 @@ class Entry {
     if (components != "x") condition_.components.push_back(1);
   }
 
-  void readValue() {
-    const bool given = list_.isParameter("Value");
-    if (given) {
-      const auto& values = list_.get<Teuchos::Array<double>>("Value");
-      condition_.value.assign(values.begin(), values.end());
-    }
-    if (condition_.type == Type::Bilateral) {
-      if (given) wrong("Value", "a Bilateral condition has no value: the normal displacement is zero");
+  void readData() {
+    const bool random = condition_.type == Type::RandomLoad;
+    if (condition_.type != Type::Bilateral && !random) {
+      condition_.data = readConditionData(list_, constants_, problems_);
       return;
     }
-    if (condition_.type == Type::RandomLoad) {
-      if (given) wrong("Value", "a Random Load has no value: it has Amplitude and Seed");
-      return;
-    }
-    std::size_t wanted = mesh_.dimension;
-    if (condition_.type == Type::Pressure) wanted = 1;
-    if (condition_.type == Type::Displacement) wanted = condition_.components.size();
-    if (condition_.value.size() == wanted) return;
-    const std::string expected = std::to_string(wanted) + (wanted == 1 ? " value" : " values, as in {0.0, 0.0}");
-    wrong("Value",
-          (given ? std::to_string(condition_.value.size()) + " values" : "is missing") + "; this " + typeName_ + " needs " + expected);
+    std::vector<std::string> names = expressionNames();
+    names.push_back("Value");
+    for (const std::string& name : names)
+      if (list_.isParameter(name))
+        wrong(name, random ? "a Random Load has no value: it has Amplitude and Seed"
+                           : "a Bilateral condition has no value: the normal displacement is zero");
   }
 
   void readRandom() {
@@ -105,6 +96,7 @@ class Entry {
 
   const Mesh& mesh_;
   const Parameters& list_;
+  const Constants& constants_;
   Problems& problems_;
   Condition condition_;
   std::string typeName_;
@@ -116,11 +108,11 @@ std::string unknownCurve(const Mesh& mesh, const std::string& group) {
   return "in the mesh " + mesh.source + ": " + unknownName("curve group", group, mesh.sideGroupNames());
 }
 
-std::vector<Condition> readConditions(const Mesh& mesh, const Parameters& conditions, Problems& problems) {
+std::vector<Condition> readConditions(const Mesh& mesh, const Parameters& conditions, const Constants& constants, Problems& problems) {
   std::vector<Condition> all;
   for (const std::string& name : sublistNames(conditions)) {
     const std::size_t before = problems.list().size();
-    const Condition condition = Entry(mesh, conditions.sublist(name), problems).read(name);
+    const Condition condition = Entry(mesh, conditions.sublist(name), constants, problems).read(name);
     if (problems.list().size() == before) all.push_back(condition);
   }
   return all;
@@ -139,6 +131,15 @@ Schema boundaryConditionSchema() {
       .reals("Value", std::nullopt,
              "Displacement: one entry a component [length]; Traction: two [stress]; Pressure: one [stress]; Body Force: two "
              "[force / volume]; none for Bilateral and Random Load")
+      .optional()
+      .text("Expression x", std::nullopt,
+            "instead of Value: the component along x as a function of x and y, the place on the undeformed body. Known are the names in "
+            "Constants and Functions, pi, + - * / ^, comparisons, c ? a : b, and sqrt, sin, atan2, exp, ln, abs, min and others; in the "
+            "file < is written &lt;")
+      .optional()
+      .text("Expression y", std::nullopt, "the same of the component along y")
+      .optional()
+      .text("Expression", std::nullopt, "the same of a Pressure")
       .optional()
       .oneOf("Components", "All", {"All", "x", "y"}, "components that a Displacement prescribes; the others are free")
       .text("Body", std::nullopt, "body on which a Body Force or Random Load acts; all bodies if left out")

@@ -1,5 +1,6 @@
 #pragma once
 #include <suture/base/Errors.hpp>
+#include <suture/constraints/ConditionData.hpp>
 #include <suture/mesh/Mesh.hpp>
 
 #include <string>
@@ -15,15 +16,16 @@ struct Condition {
   Type type = Type::Bilateral;
   std::string group;            ///< curve group; empty for a body force or random load
   std::vector<int> components;  ///< prescribed by a Displacement
-  std::vector<double> value;    ///< of each component
+  ConditionData data;           ///< of each component; of loads as well; none of Bilateral and RandomLoad
 
   bool holds() const { return type == Type::Displacement || type == Type::Bilateral; }
 };
 
 /// Reads the list; an entry with a problem is left out. Local.
 /// \param problems  gets: a group or body that the mesh does not have, a parameter that the type does not take or lacks, a wrong number of
-/// values
-std::vector<Condition> readConditions(const Mesh& mesh, const Parameters& conditions, Problems& problems);
+/// values, a bad
+/// expression
+std::vector<Condition> readConditions(const Mesh& mesh, const Parameters& conditions, const Constants& constants, Problems& problems);
 
 /// "in the mesh m.geo: no such curve group 'x'. ...": the sentence for a group that is not there.
 std::string unknownCurve(const Mesh& mesh, const std::string& group);

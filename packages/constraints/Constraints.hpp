@@ -24,8 +24,8 @@ struct PairEnd {
 
 /// One unilateral condition of a contact line: sum over its ends of weight normal . u(node) <= gap, that is (u_A - u_B) . normal <= gap.
 /// One unit normal a pair, from side A to side B. The first end is the node that carries the pair (its contact force acts there), with
-/// weight 1 on side A, -1 on side B. Of matching sides a pair has one node of each; with mortar it has the mean of several on the other
-/// side; with a rigid obstacle none.
+/// weight 1 on side A, -1 on side B (others only where a mortar covers a quadratic element in part). Of matching sides a pair has one node
+/// of each; with mortar it has the mean of several on the other side; with a rigid obstacle none.
 struct ContactPair {
   int id = -1;     ///< 0..pairs-1 over the whole scene, along the lines
   int line = -1;   ///< which contact of the scene (its place in the list `Contact`)
@@ -33,7 +33,7 @@ struct ContactPair {
   std::vector<PairEnd> ends;
   Point normal{0, 0, 0};
   double gap = 0.0;         ///< initial gap along the normal [length]; negative: interference
-  double length = 0.0;      ///< tributary length: integral of the carrying node's hat function
+  double length = 0.0;      ///< tributary length: integral of the carrying node's hat function [length]; axisymmetric: times 2 pi r [area]
   double arc = 0.0;         ///< arc length from the first node of its line on the carrying side
   Point position{0, 0, 0};  ///< of the carrying node
 
@@ -65,6 +65,7 @@ struct Constraints {
   std::vector<NodeRule> rules;     ///< at most one a node, sorted by node
   std::vector<ContactPair> pairs;  ///< pairs[i].id == i
   std::vector<ContactPiece> pieces;
+  std::vector<std::string> notes;  ///< sentences for the user: what was chosen
 };
 
 /// u_local = Q u for one node: row k of Q is axis k. `dimension` x `dimension`.

@@ -32,8 +32,10 @@ class SideCheck {
     const std::vector<Side>& sides = found->second;
     if (sides.empty()) return wrong("the curve group '" + group + "' of the mesh " + mesh_.source + " is empty");
     std::set<int> bodies;
+    std::set<std::size_t> orders;
     for (const Side& side : sides) {
       bodies.insert(mesh_.bodyOfElement[side.element]);
+      orders.insert(mesh_.nodesOf(side).size());
       if (!table_.onBoundary(side))
         return wrong("'" + group + "' lies inside the material near " + placeText(centreOf(mesh_, side.element)) +
                      "; expected a part of the boundary of one body");
@@ -41,6 +43,8 @@ class SideCheck {
     if (bodies.size() > 1)
       return wrong("'" + group + "' lies on " + std::to_string(bodies.size()) + " bodies (" + mesh_.bodies[*bodies.begin()] + ", " +
                    mesh_.bodies[*bodies.rbegin()] + "); expected a curve group of its own for each side");
+    if (orders.size() > 1)
+      return wrong("'" + group + "' has sides of two and of three nodes; expected elements of one order along a contact side");
     return soundLine(group, sides) ? *bodies.begin() : -1;
   }
 
@@ -73,9 +77,22 @@ class SideCheck {
   Problems& problems_;
 };
 
+// What side A meets: Side B, in one of two ways, or an obstacle.
+void readCoupling(const Parameters& list, bool rigid, ContactLine& line, Problems& problems) {
+  const bool given = list.isParameter("Side B");
+  if (given) line.groupB = list.get<std::string>("Side B");
+  if (given && rigid) problems.add(pathOf(list, "Side B"), "found beside an Obstacle; expected one of the two");
+  if (!given && !rigid) problems.add(pathOf(list, "Side B"), "is missing: expected a curve group on another body, or an Obstacle");
+  const std::string coupling = list.get<std::string>("Coupling"), carrier = list.get<std::string>("Multipliers On");
+  using Coupling = ContactLine::Coupling;
+  using Carrier = ContactLine::Carrier;
+  line.coupling = coupling == "Mortar" ? Coupling::Mortar : coupling == "Matching Nodes" ? Coupling::MatchingNodes : Coupling::Automatic;
+  line.carrier = carrier == "Side A" ? Carrier::SideA : carrier == "Side B" ? Carrier::SideB : Carrier::Automatic;
+}
+
 }  // namespace
 
-std::vector<ContactLine> readContact(const Mesh& mesh, const Parameters& contact, Problems& problems) {
+std::vector<ContactLine> readContact(const Mesh& mesh, const Parameters& contact, const Constants& constants, Problems& problems) {
   std::vector<ContactLine> lines;
   const std::vector<std::string> names = sublistNames(contact);
   if (names.empty()) return lines;
@@ -89,11 +106,14 @@ std::vector<ContactLine> readContact(const Mesh& mesh, const Parameters& contact
     line.name = names[number];
     line.path = pathOf(list);
     line.groupA = list.get<std::string>("Side A");
-    line.groupB = list.get<std::string>("Side B");
+    line.obstacle = Obstacle::read(list, constants, problems);
+    line.initialGap = readExpression(list, "Initial Gap", constants, problems);
+    const bool rigid = list.get<std::string>("Obstacle") != "None";
+    readCoupling(list, rigid, line, problems);
     line.tolerance = list.get<double>("Tolerance");
     const std::string pathA = pathOf(list, "Side A"), pathB = pathOf(list, "Side B");
     line.bodyA = SideCheck(mesh, table, pathA, problems).bodyOf(line.groupA);
-    line.bodyB = SideCheck(mesh, table, pathB, problems).bodyOf(line.groupB);
+    if (!line.groupB.empty()) line.bodyB = SideCheck(mesh, table, pathB, problems).bodyOf(line.groupB);
     if (line.groupA == line.groupB)
       problems.add(pathB, "'" + line.groupB + "' is Side A, too; expected the group on the other body");
     else if (line.bodyA >= 0 && line.bodyA == line.bodyB)
@@ -101,6 +121,7 @@ std::vector<ContactLine> readContact(const Mesh& mesh, const Parameters& contact
                    "'" + line.groupB + "' is on the body '" + mesh.bodies[line.bodyB] + "', as Side A; contact is between two bodies");
     else
       for (const auto& [group, path] : {std::make_pair(line.groupA, pathA), std::make_pair(line.groupB, pathB)}) {
+        if (group.empty()) continue;
         const auto found = mesh.sideGroups.find(group);
         if (found == mesh.sideGroups.end()) continue;
         std::string other;
@@ -117,9 +138,20 @@ std::vector<ContactLine> readContact(const Mesh& mesh, const Parameters& contact
 }
 
 Schema contactSchema() {
-  return Schema("one contact line: two facing sides whose nodes match")
-      .text("Side A", std::nullopt, "curve group of the mesh, on one body; the normal points from here to Side B")
-      .text("Side B", std::nullopt, "curve group of the mesh, on the other body")
+  return Schema("one contact line: two facing sides, or a side and a rigid obstacle")
+      .text("Side A", std::nullopt, "curve group of the mesh, on one body; the normal points from here to Side B or into the obstacle")
+      .text("Side B", std::nullopt, "curve group of the mesh, on the other body; none with an Obstacle")
+      .optional()
+      .choice("Obstacle", "None", Obstacle::choices(), "what stands against Side A instead of a second body")
+      .oneOf(
+          "Coupling", "Automatic", {"Automatic", "Matching Nodes", "Mortar"},
+          "Matching Nodes: each node has one opposite; Mortar: any two meshes, dual Lagrange multipliers; Automatic: Mortar where nodes do "
+          "not match")
+      .oneOf("Multipliers On", "Automatic", {"Automatic", "Side A", "Side B"},
+             "with Mortar, the side whose nodes carry the contact stress; Automatic: one that the other covers wholly, or that with more "
+             "nodes")
+      .text("Initial Gap", std::nullopt, "a function of x and y on Side A [length], instead of the distance in the mesh")
+      .optional()
       .real("Tolerance", 1e-3, "how far apart along the line the two nodes of a pair may be, as a fraction of the local mesh size",
             Range::positive());
 }

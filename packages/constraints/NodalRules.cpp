@@ -25,7 +25,8 @@ struct Row {
 };
 using Rows = std::map<int, std::vector<Row>>;  // node -> rows
 
-void addDisplacement(const Mesh& mesh, const std::vector<Condition>& conditions, int number, Rows& rows) {
+/// \param problems  gets the first place where an expression has no finite value
+void addDisplacement(const Mesh& mesh, const std::vector<Condition>& conditions, int number, Rows& rows, Problems& problems) try {
   const Condition& condition = conditions[number];
   std::set<int> nodes;
   for (const Side& side : mesh.sideGroups.at(condition.group))
@@ -34,10 +35,12 @@ void addDisplacement(const Mesh& mesh, const std::vector<Condition>& conditions,
     for (std::size_t i = 0; i < condition.components.size(); ++i) {
       Row row;
       row.direction[condition.components[i]] = 1;
-      row.value = condition.value[i];
+      row.value = condition.data.at(i, mesh.point(node));
       row.condition = number;
       rows[node].push_back(row);
     }
+} catch (const InputError& error) {
+  problems.add(error);
 }
 
 // All conditions together: a round wall named in two pieces must not get two nearly parallel rows where the pieces meet.
@@ -67,6 +70,17 @@ void addBilateral(const Mesh& mesh, const std::vector<Condition>& conditions, Ro
   }
   for (const auto& [node, here] : bundles)
     for (const Bundle& bundle : here) rows[node].push_back({unit(bundle.sum), 0.0, bundle.condition});
+}
+
+// u_r = 0 at r = 0, as if the scene said it: the last of the conditions, but the first row of its nodes.
+void addAxis(const Mesh& mesh, std::vector<Condition>& conditions, Rows& rows) {
+  Condition axis;
+  axis.name = "the axis of symmetry";
+  axis.path = "Model";
+  axis.type = Condition::Type::Displacement;
+  for (int node = 0; node < mesh.nodes(); ++node)
+    if (mesh.coordinates[std::size_t(node) * mesh.dimension] == 0.0) rows[node].push_back({{1, 0, 0}, 0.0, int(conditions.size())});
+  conditions.push_back(axis);
 }
 
 /// Rows that contradict each other, told once for each pair of conditions.
@@ -143,10 +157,13 @@ NodeRule ruleOf(int node, const std::vector<Row>& rows, Contradictions& contradi
 
 }  // namespace
 
-std::vector<NodeRule> nodalRules(const Mesh& mesh, const std::vector<Condition>& conditions, Problems& problems) {
+std::vector<NodeRule> nodalRules(const Mesh& mesh, const std::vector<Condition>& scene, Problems& problems) {
   Rows rows;
+  std::vector<Condition> conditions = scene;
+  if (mesh.axisymmetric) addAxis(mesh, conditions, rows);
   for (int number = 0; number < static_cast<int>(conditions.size()); ++number)
-    if (conditions[number].type == Condition::Type::Displacement) addDisplacement(mesh, conditions, number, rows);
+    if (conditions[number].type == Condition::Type::Displacement && !conditions[number].group.empty())
+      addDisplacement(mesh, conditions, number, rows, problems);
   addBilateral(mesh, conditions, rows);
 
   Contradictions contradictions(mesh, conditions);

@@ -10,6 +10,7 @@ namespace suture {
 ///
 /// Displacement gives a row a prescribed component. Bilateral gives u.n = 0 with the outward normal averaged (by length) over all bilateral
 /// sides that meet at the node, whichever condition they come from; where they meet at more than 45 degrees, each has a row of its own.
+/// Axisymmetric meshes: u_x = 0 on the axis, said by no condition.
 /// One row: it is axis 0 of the rule (Cartesian axes, if it is Cartesian). Two independent rows: the node is fixed, in Cartesian axes.
 /// Result sorted by node. Local.
 /// \param problems  gets rows that contradict each other: the two conditions, place, values, how many nodes

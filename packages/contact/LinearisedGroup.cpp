@@ -76,11 +76,11 @@ const Matrix& LinearisedGroup::coarseModes() const {
   std::vector<int> boundaryOf(group_.dofs(), -1);
   for (int i = 0; i < size(); ++i) boundaryOf[positions[i]] = i;
   int columns = 0;
-  for (const ContactGroup::Member& member : group_.members()) columns += static_cast<int>(member.subdomain->rigidModes().cols());
+  for (const ContactGroup::Member& member : group_.members()) columns += static_cast<int>(member.subdomain->coarseModes().cols());
   coarseModes_ = Matrix::Zero(size(), columns + kernel_.cols());
   int column = 0;
   for (std::size_t m = 0; m < group_.members().size(); ++m) {
-    const Matrix& modes = group_.members()[m].subdomain->rigidModes();
+    const Matrix& modes = group_.members()[m].subdomain->coarseModes();
     const std::vector<int>& at = group_.positionsOf(static_cast<int>(m));
     for (std::size_t i = 0; i < at.size(); ++i)
       if (boundaryOf[at[i]] >= 0) coarseModes_.row(boundaryOf[at[i]]).segment(column, modes.cols()) = modes.row(i);

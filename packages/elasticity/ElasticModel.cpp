@@ -1,16 +1,27 @@
-#include <Teuchos_Array.hpp>
 #include <Teuchos_ParameterList.hpp>
 #include <algorithm>
+#include <set>
+#include <sstream>
 #include <suture/base/Errors.hpp>
 #include <suture/base/SceneReader.hpp>
+#include <suture/constraints/ConditionData.hpp>
 #include <suture/elasticity/ElasticModel.hpp>
 #include <suture/mesh/Regions.hpp>
 
 namespace suture {
 
+namespace {
+constexpr const char* kAxisymmetric = "Axisymmetric";
+constexpr const char* kMixed = "Mixed";
+}  // namespace
+
 void addModelParameters(Schema& scene) {
-  scene.oneOf("Model", "Plane Strain", {"Plane Strain", "Plane Stress"},
-              "How the third dimension is treated: no strain across the plane (long bodies), or no stress across it (thin sheets).");
+  scene.oneOf(
+      "Model", "Plane Strain", {"Plane Strain", "Plane Stress", kAxisymmetric},
+      "How the third dimension is treated: no strain across the plane (long bodies), no stress across it (thin sheets), or bodies of "
+      "revolution about the axis x = 0: x >= 0 is the radius and y runs along the axis, on which u_x = 0 without being said. Forces "
+      "(loads on sides and bodies, reactions, contact) are those of the whole circle, not of a radian; the sums of their radial "
+      "components are sums of magnitudes round the circle.");
 }
 
 Schema bodySchema() {
@@ -27,11 +38,17 @@ Schema materialSchema() {
   poisson.low = -1.0;
   poisson.high = 0.5;
   poisson.lowOpen = poisson.highOpen = true;
-  poisson.note = "an incompressible body needs a mixed element: Bodies/<name>/Element";
+  poisson.note = "the elements Displacement and Mixed of Materials/<name>/Element go up to 0.4999 and further, not to 0.5 itself";
   return Schema("A material, named by the user.")
       .oneOf("Type", "Isotropic", {"Isotropic"}, "The law: isotropic linear elasticity.")
       .real("Young Modulus", std::nullopt, "Stress over strain in a bar pulled along its axis.", Range::positive(), "stress")
-      .real("Poisson Ratio", std::nullopt, "Contraction across over extension along a bar.", poisson);
+      .real("Poisson Ratio", std::nullopt, "Contraction across over extension along a bar.", poisson)
+      .oneOf("Element", "Displacement", {"Displacement", kMixed},
+             "Unknowns of the elements of this material. Mixed: also a pressure in each element, discontinuous and eliminated there, for "
+             "nearly incompressible materials, where Displacement elements lock: constant in Quadrilateral4, Quadrilateral8 and Triangle6, "
+             "linear in Quadrilateral9; not for 3-node triangles, and not in plane stress, where nothing locks.")
+      .boolean("Allow Locking", false,
+               "Accept 3-node triangles with a Poisson ratio above 0.49 (plane strain, axisymmetric): they are much too stiff there.");
 }
 
 Matrix elasticity(const Material& material, PlaneModel plane, int dimension) {
@@ -63,7 +80,7 @@ std::string textOf(const Parameters& list, const std::string& name) {
   return list.isType<std::string>(name) ? list.get<std::string>(name) : std::string();
 }
 
-Load loadOf(const Parameters& condition, const std::vector<std::string>& bodies, Problems& problems) {
+Load loadOf(const Parameters& condition, const std::vector<std::string>& bodies, const Constants& constants, Problems& problems) {
   Load load;
   const std::string type = textOf(condition, "Type");
   load.kind = kindOf(type);
@@ -80,16 +97,9 @@ Load loadOf(const Parameters& condition, const std::vector<std::string>& bodies,
       problems.add(pathOf(condition, "Amplitude"), "is missing: a Random Load needs the largest force on a node's component");
     return load;
   }
-  std::vector<double> value;
-  if (condition.isType<Teuchos::Array<double>>("Value")) value = condition.get<Teuchos::Array<double>>("Value").toVector();
-  const std::size_t expected = load.kind == Load::Kind::Pressure ? 1 : 2;
-  if (value.size() != expected)
-    problems.add(pathOf(condition, "Value"), "found " + std::to_string(value.size()) + (value.size() == 1 ? " number" : " numbers") +
-                                                 ", but a condition of type " + type + " needs " +
-                                                 (expected == 1 ? "one: the pressure, positive when it pushes into the body"
-                                                                : "two: the components along x and y, as {0.0, -1.0}"));
-  else
-    std::copy(value.begin(), value.end(), load.value.begin());
+  ConditionData data = readConditionData(condition, constants, problems);
+  std::copy_n(data.values.begin(), std::min<std::size_t>(data.values.size(), 2), load.value.begin());
+  load.expressions = std::move(data.expressions);
   return load;
 }
 
@@ -105,6 +115,8 @@ Material materialNamedIn(const Parameters& list, const Parameters& materials, Pr
   const Parameters& own = materials.sublist(material.name);
   material.young = own.get<double>("Young Modulus");
   material.poisson = own.get<double>("Poisson Ratio");
+  if (textOf(own, "Element") == kMixed) material.element = ElementForm::Mixed;
+  material.allowLocking = own.isType<bool>("Allow Locking") && own.get<bool>("Allow Locking");
   return material;
 }
 
@@ -117,10 +129,50 @@ const Material& ElasticModel::materialOf(const CellBlock& block, int element, in
   return region < 0 ? materialOfBody[body] : materialOfRegion[region];
 }
 
+bool ElasticModel::nearlyIncompressible() const {
+  const auto stiff = [](const Material& material) { return material.poisson > 0.45; };
+  return plane == PlaneModel::Strain && (std::any_of(materialOfBody.begin(), materialOfBody.end(), stiff) ||
+                                         std::any_of(materialOfRegion.begin(), materialOfRegion.end(), stiff));
+}
+
+bool isAxisymmetric(const Parameters& scene) { return textOf(scene, "Model") == kAxisymmetric; }
+
+void requireGeometry(const CellBlock& block, const ElasticModel& model) {
+  if (block.axisymmetric != model.axisymmetric)
+    throw InternalError(model.axisymmetric ? "the scene is axisymmetric, but the mesh was not told (makeAxisymmetric)"
+                                           : "the mesh is axisymmetric, but the scene is not");
+}
+
+void checkElements(const CellBlock& block, const std::function<int(int element)>& bodyOf, const ElasticModel& model, Problems& problems) {
+  std::set<std::pair<const Material*, int>> seen;
+  for (int e = 0; e < block.elements(); ++e) {
+    if (block.cells[e] != Cell::Triangle3) continue;
+    const int body = bodyOf(e);
+    const Material& material = model.materialOf(block, e, body);
+    const bool mixed = material.element == ElementForm::Mixed;
+    const bool locks = model.plane == PlaneModel::Strain && material.poisson > kLockingPoisson && !material.allowLocking;
+    if ((!mixed && !locks) || !seen.insert({&material, body}).second) continue;
+    std::ostringstream text;
+    if (mixed)
+      text << "Mixed, but the body '" << model.bodies[body] << "' has 3-node triangles, for which there is no stable pressure";
+    else
+      text << material.poisson << " with 3-node triangles in the body '" << model.bodies[body] << "': above " << kLockingPoisson
+           << " they lock (the body becomes far too stiff)";
+    text << ". Mesh it with 6-node triangles or quadrilaterals and choose Materials/" << material.name << "/Element = Mixed";
+    if (!mixed) text << ", or set Materials/" << material.name << "/Allow Locking if that is what you want to see";
+    Problem found{"Materials/" + material.name + (mixed ? "/Element" : "/Poisson Ratio"), text.str()};
+    const auto& all = problems.list();
+    if (std::none_of(all.begin(), all.end(), [&](const Problem& p) { return p.path == found.path && p.message == found.message; }))
+      problems.add(found.path, found.message);
+  }
+}
+
 ElasticModel makeElasticModel(const Parameters& scene) {
   ElasticModel model;
   Problems problems;
+  const Constants constants = sceneConstants(scene);
   model.plane = textOf(scene, "Model") == "Plane Stress" ? PlaneModel::Stress : PlaneModel::Strain;
+  model.axisymmetric = isAxisymmetric(scene);
 
   const Parameters& bodies = scene.sublist("Bodies");
   const Parameters& materials = scene.sublist("Materials");
@@ -128,12 +180,20 @@ ElasticModel makeElasticModel(const Parameters& scene) {
   for (const std::string& body : model.bodies) model.materialOfBody.push_back(materialNamedIn(bodies.sublist(body), materials, problems));
   for (const RegionEntry& region : regionEntries(bodies))
     model.materialOfRegion.push_back(materialNamedIn(*region.list, materials, problems));
+  if (model.plane == PlaneModel::Stress)
+    for (const std::string& name : sublistNames(materials))
+      if (textOf(materials.sublist(name), "Element") == kMixed)
+        problems.add(pathOf(materials.sublist(name), "Element"),
+                     "Mixed in plane stress, where no element locks: a sheet is free to change its thickness. Choose Displacement");
 
   if (scene.isSublist("Boundary Conditions")) {
     const Parameters& conditions = scene.sublist("Boundary Conditions");
     for (const std::string& name : sublistNames(conditions))
-      if (isLoad(textOf(conditions.sublist(name), "Type"))) model.loads.push_back(loadOf(conditions.sublist(name), model.bodies, problems));
+      if (isLoad(textOf(conditions.sublist(name), "Type")))
+        model.loads.push_back(loadOf(conditions.sublist(name), model.bodies, constants, problems));
   }
+  if (scene.isSublist("Exact Solution"))
+    model.exact = readExactSolution(scene.sublist("Exact Solution"), model.bodies, constants, problems);
   problems.throwIfAny();
   return model;
 }

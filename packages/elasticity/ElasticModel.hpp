@@ -1,5 +1,8 @@
 #pragma once
+#include <suture/base/Errors.hpp>
 #include <suture/base/Schema.hpp>
+#include <suture/elasticity/ExactSolution.hpp>
+#include <suture/elasticity/ReferenceElement.hpp>
 #include <suture/mesh/CellBlock.hpp>
 
 #include <functional>
@@ -9,13 +12,21 @@
 
 namespace suture {
 
+/// What an element takes as unknown: displacements only, or displacements and a pressure of its own, discontinuous between elements and
+/// eliminated element by element, so that it does not lock when nu tends to 0.5.
+enum class ElementForm { Displacement, Mixed };
+
 /// Isotropic linear elastic material. Young modulus [stress], Poisson ratio [-].
 struct Material {
   std::string name;
   double young = 0.0;
   double poisson = 0.0;
+  ElementForm element = ElementForm::Displacement;
+  bool allowLocking = false;  ///< 3-node triangles although nu is near 0.5
 };
 
+/// What is zero across the plane. Axisymmetric scenes have the law of plane strain, with a hoop strain: their geometry is the mesh's
+/// (CellBlock::axisymmetric).
 enum class PlaneModel { Strain, Stress };
 
 /// A load of the scene: on a named side group, on the volume of a body, or on its nodes (random, for studies of solvers).
@@ -26,6 +37,15 @@ struct Load {
   Point value{0, 0, 0};  ///< traction [stress], body force [force / volume]; Pressure: value[0], > 0 pushes into the body; Random:
                          ///< value[0] about value[1] [force]
   int seed = 0;          ///< of Random
+  std::vector<Expression> expressions{};  ///< of the place, instead of value: as many as it has components; not of Random
+
+  /// Value at a place. \throws InputError  an expression is not finite there
+  Point at(const Point& place) const {
+    Point here = value;
+    for (std::size_t k = 0; k < expressions.size(); ++k) here[k] = expressions[k].at(place);
+    return here;
+  }
+  Rule rule() const { return expressions.empty() ? Rule::Load : Rule::Data; }
 
   /// Acts on bodies as a whole, not on sides.
   bool onBody() const { return kind == Kind::BodyForce || kind == Kind::Random; }
@@ -36,22 +56,41 @@ struct Load {
 /// Materials of the bodies, the plane model and the loads: what the scene says about physics. The same on all ranks.
 struct ElasticModel {
   PlaneModel plane = PlaneModel::Strain;
+  bool axisymmetric = false;
   std::vector<std::string> bodies;  ///< as in the scene's list `Bodies`
   std::vector<Material> materialOfBody;
   std::vector<Material> materialOfRegion;  ///< in the order of regionEntries(); empty for most scenes
   std::vector<Load> loads;
+  ExactSolution exact;  ///< as far as the scene gives it
 
   /// Material of an element of a body: that of its region, or else the body's.
   /// \throws InternalError  the scene has regions but the mesh was not told (assignRegions).
   const Material& materialOf(const CellBlock& block, int element, int body) const;
+  /// Whether volume changes much less easily than shape anywhere: a Poisson ratio above 0.45, but not in plane stress.
+  bool nearlyIncompressible() const;
 };
+
+/// Whether the scene's `Model` is Axisymmetric. Local.
+bool isAxisymmetric(const Parameters& scene);
+
+/// \throws InternalError  model and block are not both axisymmetric, or neither: makeAxisymmetric() was forgotten.
+void requireGeometry(const CellBlock& block, const ElasticModel& model);
+
+/// 3-node triangles that lock: of materials above this Poisson ratio, but in plane stress.
+constexpr double kLockingPoisson = 0.49;
+
+/// Elements that do not go with their materials: 3-node triangles that lock (unless the material's `Allow Locking` is set) or are to be
+/// Mixed. Local. \param bodyOf  body of each element \param problems  gets one for each material and body: how many, what to choose
+/// instead, with the path of the material's parameter
+void checkElements(const CellBlock& block, const std::function<int(int element)>& bodyOf, const ElasticModel& model, Problems& problems);
 
 /// Schemas of `Model` (added to the scene's top list), one entry of `Bodies`, one of `Materials`.
 void addModelParameters(Schema& scene);
 Schema bodySchema();
 Schema materialSchema();
 
-/// Local, the same on all ranks. \param scene  the whole resolved scene (Model, Bodies, Materials, Boundary Conditions).
+/// Local, the same on all ranks. \param scene  the whole resolved scene (Model, Bodies, Materials, Boundary Conditions, Constants,
+/// Exact Solution).
 /// Loads are the boundary conditions of type Traction, Pressure (on `Group`), Body Force and Random Load (on `Body`, all bodies without
 /// it). \throws InputError  all of: unknown material of a body or region (nearest name), a body force on an unknown body, a load's `Value`
 /// of the
@@ -59,12 +98,13 @@ Schema materialSchema();
 ElasticModel makeElasticModel(const Parameters& scene);
 
 /// Stress-strain matrix in Voigt order with engineering shear: 3 x 3 (xx, yy, xy) in 2D; 6 x 6, normals first, in 3D, where `plane` means
-/// nothing. [stress]
+/// nothing: its first four rows and columns are the law of axisymmetric bodies (rr, yy, hoop, ry). [stress]
 Matrix elasticity(const Material& material, PlaneModel plane, int dimension);
 
 /// Calls `take(element, K)` with the stiffness matrix of every element, in Cartesian components, node-major: dof dimension * node + k.
-/// Through Intrepid2's bases and cubature, exact for affine cells; any Cell. [force / length, per unit thickness in 2D]. Local.
-/// K is exactly symmetric and valid during the call only. \throws InputError  for an inverted or folded element.
+/// Through Intrepid2's bases and cubature, exact for affine cells; any Cell. [force / length, per unit thickness in the plane, of the whole
+/// circle in axisymmetric blocks]. Local. Mixed: the Lame constant acts on the dilatation's projection (see MixedPressure.hpp) in place of
+/// the dilatation. K is exactly symmetric and valid during the call only. \throws InputError  for an inverted or folded element.
 void elementStiffnesses(const CellBlock& block, const Material& material, PlaneModel plane,
                         const std::function<void(int element, ConstLocalView stiffness)>& take);
 /// The same with a material for each element (the whole mesh). A lambda must say `-> const Material&`; what it refers to outlives the call.
@@ -72,15 +112,19 @@ void elementStiffnesses(const CellBlock& block, const std::function<const Materi
                         const std::function<void(int element, ConstLocalView stiffness)>& take);
 
 /// Nodal forces (nodes x dimension, node-major, Cartesian) of a traction vector or pressure on sides, and of a body force on elements.
-/// Consistent: integrals against the shape functions. Added to `forces`. Local.
+/// Consistent: integrals against the shape functions; forces of the whole circle in axisymmetric blocks. Added to `forces`. Local.
 void addSideLoad(const CellBlock& block, const std::vector<Side>& sides, const Load& load, Vector& forces);
+/// Adds factor x integral of (shape function x outward normal) over a side to the nodes' values: what a nodal displacement carries through
+/// it.
+void addSideFlux(const CellBlock& block, const Side& side, double factor, Vector& flux);
 void addBodyForce(const CellBlock& block, const std::vector<int>& elements, const Load& load, Vector& forces);
 
 /// Force of a Random load on a component of a node of the mesh: uniform in value[1] + [-value[0], value[0]), a pure function of (seed,
 /// node, component), and so the same however the mesh is cut. Cartesian. Local.
 double randomForce(const Load& load, GlobalId node, int component);
 
-/// Stresses at element centroids: elements x 4 (xx, yy, zz, xy) in 2D, tension positive. `displacement`: node-major, Cartesian. Local.
+/// Stresses at element centroids: elements x 4 (xx, yy, zz, xy) in 2D, tension positive; zz: across the plane, the hoop stress in
+/// axisymmetric blocks. Mixed elements: with their own pressure. `displacement`: node-major, Cartesian. Local.
 Matrix elementStresses(const CellBlock& block, const std::function<const Material&(int element)>& materialOf, PlaneModel plane,
                        const Vector& displacement);
 

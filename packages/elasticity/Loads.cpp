@@ -1,7 +1,7 @@
-#include <cmath>
 #include <suture/base/Errors.hpp>
 #include <suture/elasticity/ElasticModel.hpp>
 #include <suture/elasticity/ElementMap.hpp>
+#include <suture/elasticity/SideMap.hpp>
 
 namespace suture {
 
@@ -9,23 +9,21 @@ void addSideLoad(const CellBlock& block, const std::vector<Side>& sides, const L
   if (load.onBody()) throw InternalError("a load on bodies does not act on sides");
   for (const Side& side : sides) {
     const std::vector<int> nodes = block.nodesOf(side);
-    const ReferenceElement& reference = referenceSide(static_cast<int>(nodes.size()));
+    std::vector<Point> points;
+    for (const int node : nodes) points.push_back(block.point(node));
+    SideMap map(points, load.rule(), block.axisymmetric);
+    const ReferenceElement& reference = map.reference();
     for (int q = 0; q < reference.points; ++q) {
-      double tx = 0, ty = 0;  // tangent, of the length ds/du
-      for (int a = 0; a < reference.nodes; ++a) {
-        const double slope = reference.gradientsAt(q)[a];
-        tx += slope * block.coordinates[std::size_t(nodes[a]) * 2];
-        ty += slope * block.coordinates[std::size_t(nodes[a]) * 2 + 1];
-      }
+      map.at(q);
+      const Point value = load.at(map.place());
       double fx, fy;  // force at this point: traction times weight times ds/du
       if (load.kind == Load::Kind::Pressure) {
         // The body is on the left, so the outward normal times ds is (ty, -tx): a polynomial, integrated exactly on curved sides.
-        fx = -load.value[0] * reference.weights[q] * ty;
-        fy = load.value[0] * reference.weights[q] * tx;
+        fx = -value[0] * map.tangent()[1];
+        fy = value[0] * map.tangent()[0];
       } else {
-        const double ds = reference.weights[q] * std::hypot(tx, ty);
-        fx = load.value[0] * ds;
-        fy = load.value[1] * ds;
+        fx = value[0] * map.measure();
+        fy = value[1] * map.measure();
       }
       for (int a = 0; a < reference.nodes; ++a) {
         forces[2 * nodes[a]] += fx * reference.valuesAt(q)[a];
@@ -35,16 +33,24 @@ void addSideLoad(const CellBlock& block, const std::vector<Side>& sides, const L
   }
 }
 
+void addSideFlux(const CellBlock& block, const Side& side, double factor, Vector& flux) {
+  Load inward;  // a pressure pushes into the body
+  inward.kind = Load::Kind::Pressure;
+  inward.value[0] = -factor;
+  addSideLoad(block, {side}, inward, flux);
+}
+
 void addBodyForce(const CellBlock& block, const std::vector<int>& elements, const Load& load, Vector& forces) {
   if (load.kind != Load::Kind::BodyForce) throw InternalError("only a body force acts on elements");
   for (int e : elements) {
-    const ReferenceElement& reference = referenceElement(block.cells[e], Rule::Load);
+    const ReferenceElement& reference = referenceElement(block.cells[e], load.rule());
     const Span<const int> nodes = block.nodesOf(e);
     ElementMap map(block, e, reference);
     for (int q = 0; q < reference.points; ++q) {
       map.at(q);
+      const Point value = load.at(map.place());
       for (int a = 0; a < reference.nodes; ++a)
-        for (int k = 0; k < 2; ++k) forces[2 * nodes[a] + k] += load.value[k] * reference.valuesAt(q)[a] * map.measure();
+        for (int k = 0; k < 2; ++k) forces[2 * nodes[a] + k] += value[k] * reference.valuesAt(q)[a] * map.measure();
     }
   }
 }

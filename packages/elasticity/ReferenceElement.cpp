@@ -49,9 +49,18 @@ int degreeOf(const Shape& shape, Rule rule) {
       return shape.triangle ? std::max(1, 2 * (shape.order - 1)) : 2 * shape.order;
     case Rule::Load:
       // A quadrilateral's Jacobian, and that of a curved triangle, are of the order of the map.
-      return shape.triangle ? (shape.order == 1 ? 1 : 4) : 2 * shape.order;
+      // In axisymmetric blocks the radius comes on top.
+      return shape.triangle ? (shape.order == 1 ? 2 : 6) : 2 * shape.order + 1;
     case Rule::Centroid:
       return 1;
+    case Rule::Data:
+      return 2 * shape.order + 4;
+    case Rule::Sampling:
+      return shape.order == 1 ? 1 : shape.triangle ? 2 : 3;
+    case Rule::Recovery:
+      return 2 * shape.order;
+    case Rule::Revolution:
+      return shape.triangle ? 2 * shape.order : 2 * shape.order + 1;
   }
   throw InternalError("no such quadrature rule");
 }
@@ -116,11 +125,12 @@ ReferenceElement makeElement(Cell cell, Rule rule) {
 }
 
 // All our cells have the same trace on a side: that of the square on its side y = -1, whose nodes are 0, 1 and, of order 2, 4.
-ReferenceElement makeSide(int nodes) {
+ReferenceElement makeSide(int nodes, Rule rule) {
   requireKokkos();
   const Shape square = shapeOf(nodes == 2 ? Cell::Quadrilateral4 : Cell::Quadrilateral9);
   // A constant traction on a curved side has the square root of a polynomial in its integrand: two points more than a straight one needs.
-  const Cubature cubature = cubatureOf(shards::CellTopology(shards::getCellTopologyData<shards::Line<2>>()), nodes == 2 ? 3 : 7);
+  const int degree = (nodes == 2 ? 3 : 7) + (rule == Rule::Data ? 4 : 0);
+  const Cubature cubature = cubatureOf(shards::CellTopology(shards::getCellTopologyData<shards::Line<2>>()), degree);
   const int count = static_cast<int>(cubature.weights.extent(0));
   Values points("points", count, 2);
   for (int q = 0; q < count; ++q) {
@@ -142,7 +152,7 @@ ReferenceElement makeSide(int nodes) {
   return side;
 }
 
-constexpr int cellKinds = 5, rules = 3;
+constexpr int cellKinds = 5, rules = 7;
 using Tables = std::array<std::array<ReferenceElement, rules>, cellKinds>;
 
 Tables makeTables() {
@@ -159,10 +169,11 @@ const ReferenceElement& referenceElement(Cell cell, Rule rule) {
   return tables.at(static_cast<int>(cell)).at(static_cast<int>(rule));
 }
 
-const ReferenceElement& referenceSide(int nodes) {
-  static const std::array<ReferenceElement, 2> sides{makeSide(2), makeSide(3)};
+const ReferenceElement& referenceSide(int nodes, Rule rule) {
+  static const std::array<ReferenceElement, 4> sides{makeSide(2, Rule::Load), makeSide(3, Rule::Load), makeSide(2, Rule::Data),
+                                                     makeSide(3, Rule::Data)};
   if (nodes != 2 && nodes != 3) throw InternalError("a side of " + std::to_string(nodes) + " nodes");
-  return sides[nodes - 2];
+  return sides[nodes - 2 + (rule == Rule::Data ? 2 : 0)];
 }
 
 }  // namespace suture

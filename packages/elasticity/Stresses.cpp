@@ -1,37 +1,46 @@
 #include <cmath>
+#include <suture/base/Errors.hpp>
 #include <suture/elasticity/ElasticModel.hpp>
 #include <suture/elasticity/ElementMap.hpp>
+#include <suture/elasticity/HookesLaw.hpp>
+#include <suture/elasticity/MixedPressure.hpp>
 
 namespace suture {
 namespace {
 enum Column { XX = 0, YY = 1, ZZ = 2, XY = 3 };
-}
+using ElementVector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, 2 * ReferenceElement::maxNodes, 1>;
+}  // namespace
 
 Matrix elementStresses(const CellBlock& block, const std::function<const Material&(int element)>& materialOf, PlaneModel plane,
                        const Vector& displacement) {
+  if (block.axisymmetric && plane == PlaneModel::Stress) throw InternalError("plane stress in an axisymmetric block");
   Matrix stresses(block.elements(), 4);
   const Material* last = nullptr;
-  Eigen::Matrix3d d = Eigen::Matrix3d::Zero();
+  HookesLaw law;
   for (int e = 0; e < block.elements(); ++e) {
     const Material& material = materialOf(e);
     if (&material != last) {
-      d = elasticity(material, plane, 2);
+      law = HookesLaw(material, plane);
       last = &material;
     }
     const ReferenceElement& reference = referenceElement(block.cells[e], Rule::Centroid);
     const Span<const int> nodes = block.nodesOf(e);
     ElementMap map(block, e, reference);
     map.at(0);
-    Eigen::Vector3d strain = Eigen::Vector3d::Zero();
+    Eigen::Vector4d strain = Eigen::Vector4d::Zero();
+    ElementVector u(2 * reference.nodes);
     for (int a = 0; a < reference.nodes; ++a) {
-      const double ux = displacement[2 * nodes[a]], uy = displacement[2 * nodes[a] + 1];
+      const double ux = u[2 * a] = displacement[2 * nodes[a]], uy = u[2 * a + 1] = displacement[2 * nodes[a] + 1];
       const double gx = map.gradient(a)[0], gy = map.gradient(a)[1];
-      strain += Eigen::Vector3d(gx * ux, gy * uy, gy * ux + gx * uy);
+      strain += Eigen::Vector4d(gx * ux, gy * uy, map.hoop(a) * ux, gy * ux + gx * uy);
     }
-    const Eigen::Vector3d s = d * strain;
-    // Plane strain: no strain across, hence a stress; plane stress: none.
-    const double across = plane == PlaneModel::Strain ? material.poisson * (s[0] + s[1]) : 0.0;
-    stresses.row(e) << s[0], s[1], across, s[2];
+    Eigen::Vector4d s = law.pointwise * strain;
+    if (law.projected != 0.0) {
+      const ReferenceElement& whole = referenceElement(block.cells[e], stiffnessRule(block));
+      ElementMap through(block, e, whole);
+      s.head<3>().array() += law.projected * MixedPressure(block.cells[e], whole, through).dilatation(u, map.place());
+    }
+    stresses.row(e) = s.transpose();
   }
   return stresses;
 }

@@ -1,6 +1,7 @@
 #include <suture/base/Dense.hpp>
 #include <suture/interface/ContactClusters.hpp>
 
+#include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -44,7 +45,14 @@ std::vector<InterfaceRelation> ContactClusters::relations(const std::vector<Pair
   std::vector<InterfaceRelation> all;
   for (const auto& cluster : clusters_) {
     std::map<int, Sparse> solved;  // expressed unknown -> what expresses it
-    for (const int number : closedRows(cluster, status)) {
+    const std::vector<int> closed = closedRows(cluster, status);
+    std::map<int, int> uses;  // unknown -> number of rows
+    for (const int number : closed)
+      for (const int place : rows_[number].places) ++uses[place];
+    const auto smaller = [](const auto& a, const auto& b) {
+      return std::abs(a.second) < std::abs(b.second) * (1.0 - 1e-9);  // of equal ones the first
+    };
+    for (const int number : closed) {
       Sparse row;
       for (std::size_t k = 0; k < rows_[number].places.size(); ++k) {
         const int place = rows_[number].places[k];
@@ -54,20 +62,24 @@ std::vector<InterfaceRelation> ContactClusters::relations(const std::vector<Pair
         else
           row[place] += value;
       }
-      const auto pivot = std::max_element(row.begin(), row.end(), [](const auto& a, const auto& b) {
-        return std::abs(a.second) < std::abs(b.second) * (1.0 - 1e-9);  // of equal ones the first
-      });
+      auto pivot = std::max_element(row.begin(), row.end(), smaller);
+      // Better one that no other row has, as each row of a mortar: then rows do not fill each other in.
+      auto own = row.end();
+      for (auto entry = row.begin(); entry != row.end(); ++entry)
+        if (uses[entry->first] == 1 && (own == row.end() || smaller(*own, *entry))) own = entry;
+      if (own != row.end() && std::abs(own->second) > 0.5 * std::abs(pivot->second)) pivot = own;
       if (pivot == row.end() || std::abs(pivot->second) < kDependent) continue;
       const int place = pivot->first;
       Sparse by;
       for (const auto& [other, value] : row)
         if (other != place && std::abs(value) > kDependent) by[other] = -value / pivot->second;
-      for (auto& [earlier, expression] : solved)
-        if (const auto uses = expression.find(place); uses != expression.end()) {
-          const double factor = uses->second;
-          expression.erase(uses);
-          addTo(expression, by, factor);
-        }
+      if (uses[place] > 1)
+        for (auto& [earlier, expression] : solved)
+          if (const auto used = expression.find(place); used != expression.end()) {
+            const double factor = used->second;
+            expression.erase(used);
+            addTo(expression, by, factor);
+          }
       solved[place] = by;
     }
     for (const auto& [place, by] : solved) {
@@ -92,17 +104,23 @@ Vector ContactClusters::gaps(const Vector& trace) const {
   return gap;
 }
 
+// C K^-1 C^T is sparse along a line: a factorisation, unless rows depend on each other.
 Vector ContactClusters::solve(const std::vector<int>& rows, const Vector& rhs) const {
   if (rows.size() == 1) return rhs * rowStiffness_(rows[0]);
-  Matrix compliance = Matrix::Zero(static_cast<int>(rows.size()), static_cast<int>(rows.size()));
+  std::map<int, int> columns;
+  std::vector<Eigen::Triplet<double>> entries;
   for (std::size_t a = 0; a < rows.size(); ++a)
-    for (std::size_t b = 0; b < rows.size(); ++b)
-      for (std::size_t k = 0; k < rows_[rows[a]].places.size(); ++k)
-        for (std::size_t l = 0; l < rows_[rows[b]].places.size(); ++l)
-          if (rows_[rows[a]].places[k] == rows_[rows[b]].places[l])
-            compliance(static_cast<int>(a), static_cast<int>(b)) +=
-                rows_[rows[a]].coefficients[k] * rows_[rows[b]].coefficients[l] / stiffness_(rows_[rows[a]].places[k]);
-  return leastSquares(compliance, rhs);
+    for (std::size_t k = 0; k < rows_[rows[a]].places.size(); ++k) {
+      const int place = rows_[rows[a]].places[k];
+      const int column = columns.emplace(place, static_cast<int>(columns.size())).first->second;
+      entries.emplace_back(static_cast<int>(a), column, rows_[rows[a]].coefficients[k] / std::sqrt(stiffness_(place)));
+    }
+  Eigen::SparseMatrix<double> scaled(static_cast<int>(rows.size()), static_cast<int>(columns.size()));
+  scaled.setFromTriplets(entries.begin(), entries.end());
+  const Eigen::SparseMatrix<double> compliance = scaled * scaled.transpose();
+  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor(compliance);
+  if (factor.info() == Eigen::Success && factor.vectorD().minCoeff() > kDependent * factor.vectorD().maxCoeff()) return factor.solve(rhs);
+  return leastSquares(Matrix(compliance), rhs);
 }
 
 Vector ContactClusters::forces(const std::vector<PairStatus>& status, const Vector& imbalance) const {

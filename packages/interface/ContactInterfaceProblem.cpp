@@ -272,20 +272,32 @@ std::vector<int> ContactInterfaceProblem::differing(const ContactStatus& a, cons
   return unionOverRanks(*comm_, mine);
 }
 
+std::vector<Vector> ContactInterfaceProblem::interiors(const InterfaceState& state) const {
+  Matrix trace;
+  space_->gather(*state.trace, trace);
+  std::vector<Vector> freeValues;
+  collectively(*comm_, "recovering the interiors", [&] {
+    for (std::size_t i = 0; i < locals_.size(); ++i) {
+      Matrix own(locals_[i]->size(), 1);
+      space_->coupling(static_cast<int>(i)).restrictTo(trace, own);
+      freeValues.push_back(locals_[i]->recover(own.col(0)));
+    }
+  });
+  return freeValues;
+}
+
 InterfaceProblem::Recovered ContactInterfaceProblem::recover(const InterfaceState& state) const {
   Matrix trace;
   space_->gather(*state.trace, trace);
   const Vector force = clusters_->forces(state.status[0], imbalance(*state.trace).col(0));
   const Vector gap = clusters_->gaps(trace.col(0));
   Recovered result;
+  result.freeValues = interiors(state);
   double energy = 0.0;
-  collectively(*comm_, "recovering the interiors", [&] {
+  collectively(*comm_, "recovering the contact", [&] {
     std::map<int, Point> moved;  // pair -> displacement of the node that carries it, Cartesian
     for (std::size_t i = 0; i < locals_.size(); ++i) {
-      Matrix own(locals_[i]->size(), 1);
-      space_->coupling(static_cast<int>(i)).restrictTo(trace, own);
-      result.freeValues.push_back(locals_[i]->recover(own.col(0)));
-      const Vector& values = result.freeValues.back();
+      const Vector& values = result.freeValues[i];
       const Subdomain& subdomain = *subdomains_[i];
       energy += 0.5 * values.dot(subdomain.stiffness() * values) - values.dot(subdomain.load()) + subdomain.constantEnergy();
       const Vector cartesian = subdomain.cartesian(values);

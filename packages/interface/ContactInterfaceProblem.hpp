@@ -38,6 +38,7 @@ class ContactInterfaceProblem : public InterfaceProblem {
   void update(InterfaceState& state, const MultiVector& step, double length, const Matrix* image = nullptr) const override;
   std::vector<int> differing(const ContactStatus& a, const ContactStatus& b) const override;
   Recovered recover(const InterfaceState& state) const override;
+  std::vector<Vector> interiors(const InterfaceState& state) const override;
   int pieces() const override { return pieces_; }
   int pairs() const override { return pairs_; }
 

@@ -15,6 +15,9 @@ struct InterfaceLayout {
     GlobalId id;
     Point point, direction;
     double moment = 0.0;  ///< [length]
+    /// Volume that a unit displacement carries through the seam or the contact line, out of the local problem of lower id (contact: out of
+    /// side A), where a nearly incompressible body cares; else zero, and on coarse levels. [area; volume if axisymmetric]
+    double flux = 0.0;
   };
   /// What lies between two local problems and two corners: an edge of the decomposition. Unknowns in an order and sense that both share.
   struct Edge {

@@ -91,6 +91,8 @@ class InterfaceProblem {
     double energy = 0.0;             ///< over all ranks
   };
   virtual Recovered recover(const InterfaceState& state) const = 0;
+  /// Its freeValues alone, which may be had for less.
+  virtual std::vector<Vector> interiors(const InterfaceState& state) const { return recover(state).freeValues; }
 
   /// Number of contact pieces and of pairs that can change, over all ranks.
   virtual int pieces() const = 0;

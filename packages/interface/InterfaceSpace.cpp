@@ -66,7 +66,7 @@ void InterfaceSpace::importPoints(const InterfaceLayout& layout) {
   std::vector<GO> known;
   for (const InterfaceLayout::Unknown& unknown : layout.unknowns) known.push_back(unknown.id);
   const MapPtr knownMap = mapOf(sorted(known), comm_);
-  MultiVector source(knownMap, 7), owned(map_, 7), target(overlap_, 7);
+  MultiVector source(knownMap, 8), owned(map_, 8), target(overlap_, 8);
   auto values = localView(source);
   for (const InterfaceLayout::Unknown& unknown : layout.unknowns) {
     const int row = knownMap->getLocalElement(unknown.id);
@@ -75,6 +75,7 @@ void InterfaceSpace::importPoints(const InterfaceLayout& layout) {
       values(row, 3 + k) = unknown.direction[k];
     }
     values(row, 6) = unknown.moment;
+    values(row, 7) = unknown.flux;
   }
   owned.doExport(source, Tpetra::Export<>(knownMap, map_), Tpetra::INSERT);
   target.doImport(owned, *import_, Tpetra::INSERT);
@@ -82,12 +83,14 @@ void InterfaceSpace::importPoints(const InterfaceLayout& layout) {
   points_.resize(ids_.size());
   directions_.resize(ids_.size());
   moments_.resize(ids_.size());
+  fluxes_.resize(ids_.size());
   for (std::size_t row = 0; row < ids_.size(); ++row) {
     for (int k = 0; k < 3; ++k) {
       points_[row][k] = all(static_cast<int>(row), k);
       directions_[row][k] = all(static_cast<int>(row), 3 + k);
     }
     moments_[row] = all(static_cast<int>(row), 6);
+    fluxes_[row] = all(static_cast<int>(row), 7);
   }
 }
 

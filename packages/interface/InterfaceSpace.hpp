@@ -57,6 +57,7 @@ class InterfaceSpace {
   const Point& point(int place) const { return points_[place]; }
   const Point& direction(int place) const { return directions_[place]; }  ///< along which it displaces; see InterfaceLayout::Unknown
   double moment(int place) const { return moments_[place]; }              ///< value under a unit rotation about point(); zero for a point
+  double flux(int place) const { return fluxes_[place]; }                 ///< see InterfaceLayout::Unknown
   /// The relation that expresses it, or null.
   const InterfaceRelation* relation(int place) const { return relationOf_[place] < 0 ? nullptr : &relations_[relationOf_[place]]; }
   /// Ids of the local problems that feel it, ascending; none for an expressed one.
@@ -94,7 +95,7 @@ class InterfaceSpace {
   std::vector<Coupling> couplings_;
   std::vector<GlobalId> ids_;
   std::vector<Point> points_, directions_;
-  std::vector<double> moments_;
+  std::vector<double> moments_, fluxes_;
   std::vector<std::vector<int>> sharers_;
   std::vector<char> corner_;
   std::vector<InterfaceEdge> edges_;

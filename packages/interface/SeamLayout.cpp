@@ -57,7 +57,8 @@ void addSeams(const std::vector<std::unique_ptr<Subdomain>>& subdomains, const s
 }
 
 InterfaceLayout::Unknown interfaceUnknown(const Subdomain& subdomain, int dof) {
-  return {subdomain.globalDof(dof), subdomain.mesh().point(subdomain.nodeOf(dof)), subdomain.direction(dof), 0.0};
+  return {subdomain.globalDof(dof), subdomain.mesh().point(subdomain.nodeOf(dof)), subdomain.direction(dof), 0.0,
+          subdomain.seamFlux()(dof)};
 }
 
 }  // namespace suture

@@ -3,6 +3,7 @@
 #include <suture/mesh/Mesh.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 namespace suture {
@@ -10,12 +11,14 @@ namespace suture {
 namespace {
 
 void checkShapes(const Mesh& mesh, Problems& problems) {
-  std::vector<int> inverted, flat;
+  std::vector<int> inverted, flat, folded;
   for (int e = 0; e < mesh.elements(); ++e) {
     const double diameter = diameterOf(mesh, e);
     const double jacobian = smallestJacobian(mesh, e);
     // relative to the element's own size; a sliver of aspect ratio 1e8 still passes
-    if (!(jacobian > 1e-12 * diameter * diameter)) (jacobian < -1e-12 * diameter * diameter ? inverted : flat).push_back(e);
+    if (jacobian > 1e-12 * diameter * diameter) continue;
+    const double area = signedArea(mesh, e);
+    (area > 1e-12 * diameter * diameter ? folded : area < -1e-12 * diameter * diameter ? inverted : flat).push_back(e);
   }
   const auto report = [&](const std::vector<int>& bad, const std::string& what) {
     if (bad.empty()) return;
@@ -26,6 +29,19 @@ void checkShapes(const Mesh& mesh, Problems& problems) {
   };
   report(inverted, "inverted element");
   report(flat, "element without area");
+  if (folded.empty()) return;
+  Point place{0, 0, 0};
+  const double jacobian = smallestJacobian(mesh, folded[0], &place);
+  const CellInfo& shape = cellInfo(mesh.cells[folded[0]]);
+  char text[200];
+  std::snprintf(text, sizeof text,
+                "; in element %d (%s) the determinant of the map from the reference element is %.3g there, expected a positive one ",
+                folded[0], shape.name.c_str(), jacobian);
+  problems.add("Mesh",
+               mesh.source + ": " + countAt(folded.size(), "tangled element", placeText(place, mesh.dimension)) + text +
+                   (shape.nodes > shape.vertices
+                        ? "everywhere: sides cross, or a node of a side is too far from its middle; refine there, or mesh straight sides"
+                        : "everywhere: the quadrilateral is not convex"));
 }
 
 void checkNodes(const Mesh& mesh, Problems& problems) {
@@ -99,6 +115,21 @@ void assignBodies(Mesh& mesh, const std::vector<std::string>& names) {
   checkNodes(mesh, problems);
   checkShapes(mesh, problems);
   problems.throwIfAny();
+}
+
+void makeAxisymmetric(Mesh& mesh) {
+  double extent = 0.0;
+  for (const double x : mesh.coordinates) extent = std::max(extent, std::abs(x));
+  std::vector<int> beyond;
+  for (int node = 0; node < mesh.nodes(); ++node) {
+    double& radius = mesh.coordinates[std::size_t(node) * mesh.dimension];
+    if (std::abs(radius) <= 1e-10 * extent) radius = 0.0;
+    if (radius < 0.0) beyond.push_back(node);
+  }
+  if (!beyond.empty())
+    throw InputError("Mesh", mesh.source + ": " + countAt(beyond.size(), "node", placeText(mesh.point(beyond[0]), mesh.dimension)) +
+                                 " with negative x, but in an axisymmetric scene x is the radius; mesh the half plane x >= 0");
+  mesh.axisymmetric = true;
 }
 
 }  // namespace suture

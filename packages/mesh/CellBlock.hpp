@@ -12,6 +12,9 @@ struct Side {
   int side;  ///< number in cellInfo(...).sideNodes
 };
 
+/// 2 pi r: what a point of the meridian plane stands for in axisymmetric blocks.
+inline double circumference(double radius) { return 6.283185307179586476925286766559 * radius; }
+
 /// Elements and their nodes, numbered from 0: what assembly needs to know of a mesh. The whole mesh and the mesh of a subdomain are both
 /// made of one, so that elasticity serves both.
 struct CellBlock {
@@ -20,6 +23,10 @@ struct CellBlock {
   std::vector<Cell> cells;          ///< shape of each element
   std::vector<int> offsets{0};      ///< elements + 1
   std::vector<int> connectivity;    ///< nodes of element e: connectivity[offsets[e] .. offsets[e+1])
+
+  /// A meridian half plane: x is the distance r >= 0 from the axis, y runs along it, and the body is the whole revolution. Set by
+  /// makeAxisymmetric(); whatever integrates over elements or sides then has the factor 2 pi r.
+  bool axisymmetric = false;
 
   std::vector<int> regions;  ///< of each element: number of its region in the scene, or -1; empty: the scene has no regions
 

@@ -5,9 +5,10 @@
 
 namespace suture {
 
-/// Smallest determinant of the Jacobian of the map from the reference cell (vertices at -1 and 1, or at 0 and 1 of a triangle) among the
-/// nodes of the element: negative or zero where the element is turned over or collapsed. [area] Local.
-double smallestJacobian(const CellBlock& block, int element);
+/// Smallest determinant of the Jacobian of the map from the reference cell (vertices at -1 and 1, or at 0 and 1 of a triangle) anywhere on
+/// the element, between its nodes, too: negative or zero where the element is turned over, folded or collapsed. Exact but for quadratic
+/// quadrilaterals: 1e-3 of the largest. [area] Local. \param place  gets where it is, in the mesh
+double smallestJacobian(const CellBlock& block, int element, Point* place = nullptr);
 
 /// Area of the polygon of an element's vertices, positive when they run counter-clockwise. [area] Local.
 double signedArea(const CellBlock& block, int element);

@@ -28,4 +28,8 @@ struct Mesh : CellBlock {
 ///                     share a node; orphan nodes; inverted or zero-area elements (names place and area).  Local (rank 0).
 void assignBodies(Mesh& mesh, const std::vector<std::string>& names);
 
+/// Makes the mesh the meridian half plane of bodies of revolution (CellBlock::axisymmetric). Nodes within 1e-10 of the mesh's extent of the
+/// axis are put on it. \throws InputError  nodes with negative x: how many, where.  Local (rank 0).
+void makeAxisymmetric(Mesh& mesh);
+
 }  // namespace suture

@@ -81,6 +81,7 @@ void Cutter::findSeamSides() {
 
 void Cutter::cutElements(const std::vector<int>& elements, SubdomainMesh& part) {
   part.dimension = mesh_.dimension;
+  part.axisymmetric = mesh_.axisymmetric;
   for (int e : elements) {
     localElement_[e] = static_cast<int>(part.globalElements.size());
     part.globalElements.push_back(e);

@@ -106,6 +106,7 @@ Partition makePartition(const Comm& comm, const Mesh& mesh, const Constraints& c
   collectivelyOnRoot(comm, "partition", [&] {
     if (!metis) cut = cutByNamedGroups(mesh, partition.sublist(type));
     all = partitionOf(std::move(cut), mesh, constraints, keepGroupsWhole, comm.getSize());
+    all.notes.insert(all.notes.begin(), constraints.notes.begin(), constraints.notes.end());
     bytes = packed(all);
   });
   bytes = broadcast(comm, bytes);

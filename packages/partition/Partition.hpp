@@ -18,7 +18,7 @@ struct Partition {
   std::vector<int> groupOf;                ///< subdomain -> contact group, or -1
   std::vector<std::vector<int>> groups;    ///< contact group -> its subdomains, ascending
   std::vector<std::vector<int>> piecesOf;  ///< contact group -> its contact pieces
-  std::vector<std::string> notes;          ///< sentences for the user: what was repaired
+  std::vector<std::string> notes;          ///< sentences for the user: of the constraints, and what was repaired
   std::vector<int> rankOf;                 ///< subdomain -> rank; the subdomains of a group share one, if groups are kept whole
   int subdomains() const { return static_cast<int>(names.size()); }
 };

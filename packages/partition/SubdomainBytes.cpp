@@ -11,6 +11,7 @@ void forEachField(SubdomainMeshRef& part, const Each& each) {
   each(part.cells);
   each(part.offsets);
   each(part.connectivity);
+  each(part.axisymmetric);
   each(part.regions);
   each(part.id);
   each(part.body);

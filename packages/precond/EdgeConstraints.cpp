@@ -11,6 +11,19 @@ namespace suture {
 
 namespace {
 
+/// With the flux as another column, where it is anything: nearly incompressible bodies are as stiff as their bulk modulus against jumps
+/// that change the volume on one side, and averages of nodal values are no flux on edges that turn or whose nodes are of several kinds (Li,
+/// Widlund, "BDDC algorithms for incompressible Stokes equations", SIAM J. Numer. Anal. 2006).
+Matrix withFlux(const InterfaceSpace& space, const std::vector<int>& unknowns, const Matrix& modes) {
+  Vector flux(modes.rows());
+  for (int i = 0; i < flux.size(); ++i) flux(i) = space.flux(unknowns[i]);
+  const double size = flux.size() > 0 ? flux.cwiseAbs().maxCoeff() : 0.0;
+  if (!(size > 0.0)) return modes;
+  Matrix all(modes.rows(), modes.cols() + 1);
+  all << modes, flux / size;
+  return all;
+}
+
 /// Columns: translations, and if asked for the rotation, of the edge's unknowns, of the order of one.
 Matrix rigidMotions(const InterfaceSpace& space, const std::vector<int>& unknowns, bool withRotation) {
   Point centre{0, 0, 0};
@@ -54,7 +67,7 @@ std::vector<Matrix> momentRows(const InterfaceSpace& space, bool first) {
   std::vector<Matrix> all;
   for (const InterfaceEdge& edge : space.edges()) {
     const Matrix modes = edge.contact ? momentsAlong(space, edge.unknowns, first) : rigidMotions(space, edge.unknowns, first);
-    all.push_back(orthonormalBasis(modes, 1e-8).transpose());
+    all.push_back(orthonormalBasis(withFlux(space, edge.unknowns, modes), 1e-8).transpose());
   }
   return all;
 }
@@ -80,7 +93,9 @@ void registerBuiltIns(Registry<EdgeConstraints>& registry) {
     registry.add(name, Schema(doc), [make](const Parameters&) { return make(); });
   };
   add("None", "Corners only.", [] { return std::unique_ptr<EdgeConstraints>(std::make_unique<NoEdgeConstraints>()); });
-  add("Averages", "The average of each component; on contact lines of the normal displacement.",
+  add("Averages",
+      "The average of each component; on contact lines of the normal displacement. With a Poisson ratio above 0.45 also the volume "
+      "that flows through.",
       [] { return std::unique_ptr<EdgeConstraints>(std::make_unique<EdgeAverages>()); });
   add("Rigid Modes", "Averages and the first moment: all rigid motions of the edge.",
       [] { return std::unique_ptr<EdgeConstraints>(std::make_unique<EdgeRigidModes>()); });

@@ -29,13 +29,14 @@ class NoEdgeConstraints : public EdgeConstraints {
   std::vector<Matrix> rows(const InterfaceSpace& space, const LocalProblems& locals, const Weighting& weighting) const override;
 };
 
-/// The average of each displacement component; on a contact line, of the normal displacement.
+/// The average of each displacement component; on a contact line, of the normal displacement; the flux through the edge where the space has
+/// one (InterfaceSpace::flux).
 class EdgeAverages : public EdgeConstraints {
  public:
   std::vector<Matrix> rows(const InterfaceSpace& space, const LocalProblems& locals, const Weighting& weighting) const override;
 };
 
-/// All rigid motions of the edge: averages and the first moment; on a contact line average and first moment of the normal displacement.
+/// The same and the first moment: all rigid motions of the edge; on a contact line average and first moment of the normal displacement.
 class EdgeRigidModes : public EdgeConstraints {
  public:
   std::vector<Matrix> rows(const InterfaceSpace& space, const LocalProblems& locals, const Weighting& weighting) const override;

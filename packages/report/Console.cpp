@@ -38,6 +38,33 @@ std::string verdict(const Run& run, double largestDisplacement) {
   return line + format(", forces balance to %.0e", answer.imbalance);
 }
 
+// "errors: displacement L2 1.234e-05 (0.012 %), energy norm ...": against the exact solution, where the scene has one.
+std::string exactErrors(const std::map<std::string, double>& errors) {
+  std::string line;
+  for (const auto& [key, name] : {std::pair<const char*, const char*>{"displacement_l2", "displacement L2"},
+                                  {"energy_norm", "energy norm"},
+                                  {"pressure_l2", "pressure L2"}}) {
+    const auto error = errors.find(key), relative = errors.find(std::string(key) + "_relative");
+    if (error == errors.end()) continue;
+    line += format("%s%s %.3e", line.empty() ? "   errors: " : ", ", name, error->second);
+    if (relative != errors.end()) line += format(" (%.2g %%)", 100 * relative->second);
+  }
+  return line.empty() ? "" : line + "\n";
+}
+
+// "   error in the energy norm, estimated: discretisation 4.1e-02 (2.1 %), algebraic 3.2e-03 (0.16 %)"
+std::string estimatedErrors(const Solution& answer) {
+  if (!answer.discretisation) return "";
+  const DiscretisationError& estimate = *answer.discretisation;
+  std::string line =
+      format("   error in the energy norm, estimated: discretisation %.2e (%.2g %%)", estimate.energyNorm, 100 * estimate.relative());
+  if (answer.energyError >= 0.0 && estimate.solutionNorm > 0.0)
+    line += format(", algebraic %.2e (%.2g %%)", answer.energyError, 100 * answer.energyError / estimate.solutionNorm);
+  const auto exact = answer.errors.find("energy_norm");
+  if (exact != answer.errors.end() && exact->second > 0.0) line += format("; effectivity %.2f", estimate.energyNorm / exact->second);
+  return line + "\n";
+}
+
 }  // namespace
 
 void printHeader(std::ostream& console, const Comm& comm, const SceneFile& scene, const ProblemSize& size) {
@@ -54,7 +81,7 @@ void printFooter(std::ostream* console, const Run& run) {
   const Memory memory = peakMemory(run.comm);
   if (!console || run.comm.getRank() != 0) return;
 
-  *console << verdict(run, largest) << "\n";
+  *console << verdict(run, largest) << "\n" << exactErrors(run.solution.errors) << estimatedErrors(run.solution);
   for (const Timers::Statistics& phase : phases) *console << format("   %s %.2f s", phase.phase.c_str(), phase.max);
   *console << format("   total %.2f s   peak %.0f MB a rank\n", run.timers.total(), memory.max);
   std::string folder = run.folder;

@@ -58,7 +58,9 @@ void writeContactFields(const Run& run, const std::string& path) {
   std::vector<Pair> pairs;  // rank 0 has all of them
   if (run.comm.getRank() == 0) pairs = run.solution.pairs;
   VtkHdf file(run.comm, path, gridOf(pairs));
-  const auto reals = [&](const char* name, const std::string& unit, const char* meaning, double Pair::*member) {
+  const std::string area = run.model.axisymmetric ? "force over tributary area" : "force over tributary length",
+                    circle = run.model.axisymmetric ? "of the pair, whole circle" : "of the pair, per unit thickness in 2D";
+  const auto reals = [&](const char* name, const std::string& unit, const std::string& meaning, double Pair::*member) {
     file.pointData({name, 1, unit, meaning}, column<double>(pairs, [&](const Pair& pair) { return pair.*member; }));
   };
   const auto integers = [&](const char* name, const char* meaning, int Pair::*member) {
@@ -66,13 +68,14 @@ void writeContactFields(const Run& run, const std::string& path) {
   };
   reals("Gap", units.length, "current gap along the normal; positive where open", &Pair::gap);
   reals("InitialGap", units.length, "gap before deformation; negative: interference", &Pair::initialGap);
-  reals("ContactPressure", units.stress, "force over tributary length; compression positive", &Pair::pressure);
-  reals("ContactForce", units.force, "of the pair, per unit thickness in 2D; compression positive", &Pair::force);
-  reals("ArcLength", units.length, "along the line on side A, from its first node", &Pair::arc);
+  reals("ContactPressure", units.stress, area + "; compression positive", &Pair::pressure);
+  reals("ContactForce", units.force, circle + "; compression positive", &Pair::force);
+  reals("ArcLength", units.length, "along the side that carries the pairs (A, unless a mortar chose B), from its first node", &Pair::arc);
   file.pointData({"Active", 1, "", "1 closed, 0 open"},
                  column<unsigned char>(pairs, [](const Pair& pair) { return pair.status != PairStatus::Open; }));
-  file.pointData({"Displacement", 3, units.length, "of side A; x, y, z; along the axes"}, vectors(pairs, &Pair::displacement));
-  file.pointData({"Normal", 3, "", "unit vector from side A to side B"}, vectors(pairs, &Pair::normal));
+  file.pointData({"Displacement", 3, units.length, "of the node that carries the pair; x, y, z; along the axes"},
+                 vectors(pairs, &Pair::displacement));
+  file.pointData({"Normal", 3, "", "unit vector from side A to side B, or into the obstacle"}, vectors(pairs, &Pair::normal));
   integers("Pair", "number of the pair, from 0", &Pair::id);
   integers("Line", "number of the contact line in the scene, from 0", &Pair::line);
   integers("Piece", "number of the contact piece, from 0; names in /Record/ContactPieces", &Pair::piece);

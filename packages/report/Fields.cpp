@@ -14,7 +14,7 @@ struct BodyFields {
   GridPart grid;
   std::vector<double> displacement;
   std::vector<GlobalId> nodeId;
-  std::vector<double> stress, principal, direction1, direction2, vonMises, young;
+  std::vector<double> stress, principal, direction1, direction2, vonMises, young, error;
   std::vector<int> subdomain, body;
   std::vector<GlobalId> elementId;
 };
@@ -62,6 +62,11 @@ void addStresses(const SubdomainMesh& mesh, const ElasticModel& model, const Vec
   }
 }
 
+const char* stressMeaning(const ElasticModel& model) {
+  return model.axisymmetric ? "XX radial, YY along the axis, ZZ hoop, XY; YZ XZ zero; at the centroid; tension positive"
+                            : "XX YY ZZ XY YZ XZ; at the centroid; tension positive";
+}
+
 BodyFields gather(const Run& run) {
   BodyFields all;
   std::unordered_map<GlobalId, GlobalId> known;
@@ -73,6 +78,10 @@ BodyFields gather(const Run& run) {
     const Vector& u = run.solution.displacement[s];
     addCells(mesh, addNodes(mesh, u, known, all), all);
     addStresses(mesh, run.model, u, all);
+    if (run.solution.discretisation) {
+      const Vector& error = run.solution.discretisation->ofElements[s];
+      all.error.insert(all.error.end(), error.data(), error.data() + error.size());
+    }
   }
   return all;
 }
@@ -85,13 +94,19 @@ void writeFields(const Run& run, const std::string& path) {
   VtkHdf file(run.comm, path, all.grid);
   file.pointData({"Displacement", 3, units.length, "x, y, z; along the axes"}, all.displacement);
   file.pointData({"NodeId", 1, "", "number of the node in the mesh, from 0"}, all.nodeId);
-  file.cellData({"Stress", 6, units.stress, "XX YY ZZ XY YZ XZ; at the centroid; tension positive"}, all.stress);
-  file.cellData({"PrincipalStress", 3, units.stress, "larger in-plane, smaller in-plane, out of plane; at the centroid; tension positive"},
+  file.cellData({"Stress", 6, units.stress, stressMeaning(run.model)}, all.stress);
+  file.cellData({"PrincipalStress", 3, units.stress,
+                 run.model.axisymmetric ? "larger in the meridian plane, smaller, hoop; at the centroid; tension positive"
+                                        : "larger in-plane, smaller in-plane, out of plane; at the centroid; tension positive"},
                 all.principal);
   file.cellData({"PrincipalDirection1", 3, "", "unit vector of the larger in-plane principal stress"}, all.direction1);
   file.cellData({"PrincipalDirection2", 3, "", "unit vector of the smaller in-plane principal stress"}, all.direction2);
   file.cellData({"VonMises", 1, units.stress, "at the centroid; never negative"}, all.vonMises);
   if (!run.model.materialOfRegion.empty()) file.cellData({"YoungModulus", 1, units.stress, "of the element's material"}, all.young);
+  if (run.solution.discretisation)
+    file.cellData({"ErrorEstimate", 1, "(" + units.stress + " " + units.length + "^2)^(1/2)",
+                   "estimated discretisation error of the element in the energy norm; never negative"},
+                  all.error);
   file.cellData({"Subdomain", 1, "", "number of the subdomain, from 0; names in /Record/Subdomains"}, all.subdomain);
   file.cellData({"Body", 1, "", "number of the body, from 0; names in /Record/Bodies"}, all.body);
   file.cellData({"ElementId", 1, "", "number of the element in the mesh, from 0"}, all.elementId);

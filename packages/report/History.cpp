@@ -5,10 +5,11 @@
 namespace suture {
 
 void writeHistory(const std::vector<OuterRow>& rows, const std::string& path) {
-  std::string text = "iteration,pcg,condition,residual,euclidean,active,changed,energy,step,seconds\n";
+  std::string text = "iteration,pcg,condition,residual,euclidean,active,changed,energy,step,seconds,algebraic_error\n";
   for (const OuterRow& row : rows)
-    text += format("%d,%d,%.17g,%.17g,%.17g,%d,%d,%.17g,%.17g,%.6f\n", row.iteration, row.pcg, row.condition, row.residual, row.euclidean,
-                   row.active, row.changed, row.energy, row.step, row.seconds);
+    text += format("%d,%d,%.17g,%.17g,%.17g,%d,%d,%.17g,%.17g,%.6f,%s\n", row.iteration, row.pcg, row.condition, row.residual,
+                   row.euclidean, row.active, row.changed, row.energy, row.step, row.seconds,
+                   row.energyError < 0.0 ? "" : format("%.17g", row.energyError).c_str());
   writeTextFile(path, text);
 }
 

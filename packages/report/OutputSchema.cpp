@@ -9,6 +9,9 @@ Schema outputSchema() {
       .text("Folder", "", "Output folder, made if missing, relative to the current folder. Empty: the name of the scene file with '_out'.")
       .boolean("Fields", true,
                "Write the fields (fields_0000.vtkhdf, contact_0000.vtkhdf); history.csv and summary.json are always written.")
+      .boolean("Error Estimate", false,
+               "Estimate the discretisation error in the energy norm from recovered stresses, element by element (field ErrorEstimate; "
+               "summary, console). An automatic tolerance does so anyway.")
       .boolean("Checkpoint", false,
                "Write checkpoint.h5 of a run that converged, too: the next load step starts from it (--restart). One that did not always "
                "leaves it.")

@@ -15,12 +15,14 @@ Schema sceneSchema() {
   scene.text("Units", "m, N, Pa", "Names of the units of length, force and stress: recorded and printed, never converted.");
   addModelParameters(scene);
   scene.list("Constants", constantsSchema());
+  scene.list("Functions", functionsSchema());
   scene.list("Mesh", meshSchema(), true);
   scene.list("Bodies", Schema("The elastic bodies, each named as its element group in the mesh.").each("<body>", bodySchema(), 1), true);
   scene.list("Materials", Schema("Materials, named by the user.").each("<material>", materialSchema(), 1), true);
   scene.list("Boundary Conditions",
              Schema("Loads and supports, named by the user; several may meet at a node.").each("<condition>", boundaryConditionSchema()));
   scene.list("Contact", Schema("Contact lines, named by the user.").each("<line>", contactSchema()));
+  scene.list("Exact Solution", exactSolutionSchema());
   scene.list("Partition", partitionSchema());
   addSolverParameters(scene);
   scene.list("Output", outputSchema());

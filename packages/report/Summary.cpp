@@ -24,12 +24,32 @@ std::string textOf(const Parameters& list, const std::string& name) {
   return list.isType<std::string>(name) ? list.get<std::string>(name) : std::string();
 }
 
+Json known(double value) { return value < 0.0 ? Json() : Json(value); }
+
 Json auxiliary(const AuxiliaryRow& row) {
   return {{"iterations", row.pcg},
           {"condition", row.condition},
           {"tolerance", row.tolerance},
           {"residual", row.residual},
+          {"algebraic_error", known(row.energyError)},
           {"contact", row.contact}};
+}
+
+// Against an exact solution, of scenes that have one; and estimated, in the energy norm.
+Json errors(const Solution& answer) {
+  Json all = Json::object();
+  for (const auto& [name, value] : answer.errors) all[name] = value;
+  const auto& estimate = answer.discretisation;
+  if (estimate) {
+    all["estimated_energy_norm"] = estimate->energyNorm;
+    all["estimated_energy_norm_relative"] = estimate->relative();
+  }
+  if (answer.energyError >= 0.0) {
+    all["algebraic_energy_norm"] = answer.energyError;
+    if (estimate && estimate->solutionNorm > 0.0) all["algebraic_energy_norm_relative"] = answer.energyError / estimate->solutionNorm;
+  }
+  if (estimate && all.contains("energy_norm")) all["effectivity"] = estimate->energyNorm / all["energy_norm"].get<double>();
+  return all;
 }
 
 Json outer(const Solution& answer, const std::vector<OuterRow>& rows) {
@@ -102,7 +122,7 @@ std::string writeSummary(const Run& run, ExitCode code, const std::string& path)
          {{"applied", components(answer.applied, dimension)},
           {"reactions", components(answer.reactions, dimension)},
           {"imbalance", answer.imbalance}}},
-        {"error", Json::object()},  // against an exact solution: of scenes that have one
+        {"error", errors(answer)},
         {"notes", run.monitor.notes()},
         {"phases", phases},
         {"seconds", run.timers.total()},

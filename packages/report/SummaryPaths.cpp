@@ -26,6 +26,7 @@ const std::vector<std::string>& summaryPaths() {
       "auxiliary.condition",
       "auxiliary.tolerance",
       "auxiliary.residual",
+      "auxiliary.algebraic_error",
       "auxiliary.contact",
       "outer.solver",
       "outer.iterations",

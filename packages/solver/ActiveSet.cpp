@@ -70,6 +70,7 @@ void ActiveSet::doSolve(Run& run) const {
         return;
       }
       inner = std::max(kTighten * inner, final);
+      run.automatic.tighten();
       visited.clear();
     }
     if (stays) inner = final;
@@ -82,7 +83,9 @@ void ActiveSet::doSolve(Run& run) const {
       made = true;
     }
     linear.matrix->record();
-    InnerResult cost = run.inner.solve(linear.matrix, run.preconditioner, *linear.load, *step, inner, run.reference, run.monitor);
+    InnerResult cost = run.inner.solve(linear.matrix, run.preconditioner, *linear.load, *step, inner, run.reference, run.monitor,
+                                       run.automatic.criterion(state, run.lowest));
+    run.learn(cost);
     const Matrix image = linear.matrix->recorded(cost.steps);
     if (!cost.converged) {
       run.result.pcgTotal += cost.pcg + applications;
@@ -106,7 +109,7 @@ void ActiveSet::doSolve(Run& run) const {
       inner = between;
     }
     stays = at.settled;
-    run.accept(std::move(state), std::move(at), residual, cost, 1.0);
+    run.accept(std::move(state), std::move(at), residual, cost, 1.0, cost.energyErrors.empty() ? -1.0 : cost.energyErrors.back());
   }
 }
 

@@ -23,8 +23,9 @@ void Chord::doSolve(Run& run) const {
   Anderson anderson(depth_);
   const MultiVectorPtr correction = run.problem.space()->vector();
   while (run.goesOn()) {
-    const InnerResult cost =
+    InnerResult cost =
         run.inner.solve(run.bilateral, run.preconditioner, *run.evaluation.residual, *correction, innerTolerance_, 0.0, run.monitor);
+    run.learn(cost);
     if (!cost.converged) {
       run.result.pcgTotal += cost.pcg;
       run.result.failure = "a linear solve did not reach its tolerance";
@@ -42,7 +43,8 @@ void Chord::doSolve(Run& run) const {
         continue;
       }
       const double residual = run.norm(at);
-      run.accept(std::move(next), std::move(at), residual, cost, 1.0);
+      const double energyError = run.energyErrorByTangent(next, at, residual, cost);
+      run.accept(std::move(next), std::move(at), residual, cost, 1.0, energyError);
       break;
     }
   }

@@ -2,6 +2,7 @@
 #include <suture/base/Monitor.hpp>
 #include <suture/precond/Preconditioner.hpp>
 
+#include <functional>
 #include <vector>
 
 namespace suture {
@@ -10,11 +11,21 @@ namespace suture {
 struct InnerResult {
   int pcg = 0;  ///< applications of the operator
   bool converged = false;
-  double residual = 0.0;           ///< sqrt(r.M r) / reference
-  double condition = 1.0;          ///< of M^-1 S, estimated from the Lanczos matrix of the CG coefficients
-  double largestEigenvalue = 1.0;  ///< of the same
-  std::vector<double> history;     ///< residual after each iteration, the first entry before them
-  std::vector<double> steps;       ///< of each iteration along its search direction: x is the sum of steps times directions
+  double residual = 0.0;             ///< sqrt(r.M r) / reference
+  double condition = 1.0;            ///< of M^-1 S, estimated from the Lanczos matrix of the CG coefficients
+  double largestEigenvalue = 1.0;    ///< of the same
+  double smallestEigenvalue = 0.0;   ///< of the same, from above; 0: not known
+  std::vector<double> energyErrors;  ///< estimates of |x - x_k|_S after each iteration, as history (see EnergyError); empty: not known
+  bool enough = false;               ///< ended because EnergyCriterion said so
+  std::vector<double> history;       ///< residual after each iteration, the first entry before them
+  std::vector<double> steps;         ///< of each iteration along its search direction: x is the sum of steps times directions
+};
+
+/// A second reason to stop: the error in the energy norm is small enough.
+struct EnergyCriterion {
+  /// Asked after every iteration, on all ranks with the same numbers: the estimate of |x - x_k|_S, and x_k. May communicate.
+  std::function<bool(double error, const MultiVector& x)> enough = nullptr;
+  double lowest = 0.0;  ///< what earlier solves found to be the smallest eigenvalue of M^-1 S; 0: not known
 };
 
 /// Preconditioned conjugate gradients (Belos' PseudoBlockCGIter, with a status test of ours): stops when sqrt(r.M r) falls below
@@ -29,7 +40,8 @@ class InnerSolver {
   /// \param reference  norm that the tolerance refers to; 0: that of b itself
   /// \throws NumericalError  the operator or preconditioner is not positive definite
   InnerResult solve(const Teuchos::RCP<const Operator>& matrix, const Teuchos::RCP<const Preconditioner>& preconditioner,
-                    const MultiVector& b, MultiVector& x, double tolerance, double reference, Monitor& monitor) const;
+                    const MultiVector& b, MultiVector& x, double tolerance, double reference, Monitor& monitor,
+                    const EnergyCriterion& energy = EnergyCriterion()) const;
 
  private:
   int most_;

@@ -117,7 +117,8 @@ void balance(const Mesh& mesh, const Constraints& constraints, const MonolithicS
     for (int c = 0; c < dimension; ++c) result.applied[c] += force[c];
   }
   Point sum{0, 0, 0};
-  for (int c = 0; c < dimension; ++c) sum[c] = result.applied[c] + result.reactions[c];
+  // Radial forces of a body of revolution balance round the circle, whatever their magnitudes.
+  for (int c = mesh.axisymmetric ? 1 : 0; c < dimension; ++c) sum[c] = result.applied[c] + result.reactions[c];
   const double largest = std::max({norm(result.applied), norm(result.reactions), largestReaction, contactForce});
   result.imbalance = largest > 0 ? norm(sum) / largest : 0.0;
 }
@@ -128,6 +129,7 @@ std::vector<PairResult> pairResults(const Mesh& mesh, const Constraints& constra
   for (const ContactPair& pair : constraints.pairs) {
     PairResult r;
     r.id = pair.id;
+    r.node = pair.node();
     r.line = pair.line;
     r.piece = pair.piece;
     r.status = active[pair.id] ? PairStatus::Slip : PairStatus::Open;

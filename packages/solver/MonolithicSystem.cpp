@@ -42,6 +42,7 @@ Vector nodalLoads(const Mesh& mesh, const ElasticModel& model) {
 
 MonolithicSystem::MonolithicSystem(const Mesh& mesh, const Constraints& constraints, const ElasticModel& model)
     : mesh_(mesh), constraints_(constraints), model_(model), forces_(nodalLoads(mesh, model)) {
+  requireGeometry(mesh, model);
   number();
   pattern();
   assemble();

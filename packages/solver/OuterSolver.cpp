@@ -10,10 +10,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace suture {
 
 namespace {
+constexpr double kTangentTolerance = 0.1;
+
 double euclidean(const MultiVector& x) { return std::sqrt(dot(x, x)); }
 
 std::map<std::string, int> chosenSchur(const InterfaceOperator& matrix) {
@@ -34,8 +37,33 @@ double OuterSolver::Run::norm(const InterfaceProblem::Evaluation& at) const {
   return reference > 0.0 ? preconditionedNorm(*preconditioner, *at.residual) / reference : 0.0;
 }
 
-void OuterSolver::Run::accept(InterfaceState state, InterfaceProblem::Evaluation at, double residual, const InnerResult& cost,
-                              double step) {
+bool OuterSolver::Run::done() const {
+  return evaluation.settled && (result.residual <= settings.tolerance || (evaluation.changed == 0 && automatic.met(result.energyError)));
+}
+
+void OuterSolver::Run::learn(const InnerResult& solve) {
+  if (solve.smallestEigenvalue > 0.0) lowest = lowest > 0.0 ? std::min(lowest, solve.smallestEigenvalue) : solve.smallestEigenvalue;
+}
+
+double OuterSolver::Run::energyErrorByTangent(const InterfaceState& state, const InterfaceProblem::Evaluation& at, double residual,
+                                              InnerResult& cost) {
+  // Tangents are softer than the operators of these methods: the error is larger than this.
+  if (!automatic.met(energyBound(residual)) || at.changed > 0) return -1.0;
+  InterfaceState there = state;
+  there.status = at.next;
+  try {
+    const MultiVectorPtr error = problem.space()->vector();
+    const InnerResult solve =
+        inner.solve(problem.linearise(there).matrix, preconditioner, *at.residual, *error, kTangentTolerance, 0.0, monitor);
+    cost.pcg += solve.pcg;
+    return solve.converged && !solve.energyErrors.empty() ? solve.energyErrors.front() : -1.0;
+  } catch (const NumericalError&) {
+    return -1.0;  // a singular tangent: what is loose may be anywhere
+  }
+}
+
+void OuterSolver::Run::accept(InterfaceState state, InterfaceProblem::Evaluation at, double residual, const InnerResult& cost, double step,
+                              double energyError) {
   OuterRow row;
   row.iteration = ++result.iterations;
   row.pcg = cost.pcg;
@@ -47,14 +75,33 @@ void OuterSolver::Run::accept(InterfaceState state, InterfaceProblem::Evaluation
   row.energy = at.energy;
   row.step = step;
   row.seconds = Timers::now() - begin;
+  row.energyError = energyError;
   monitor.outer(row);
   reported = at.next;
 
   result.pcgTotal += cost.pcg;
   result.residual = residual;
+  result.energyError = energyError;
   result.state = std::move(state);
   result.state.status = at.next;
   evaluation = std::move(at);
+  confirm();
+}
+
+void OuterSolver::Run::confirm() {
+  result.discretisation.reset();
+  if (!done() || result.residual <= settings.tolerance) return;
+  automatic.estimate(result.state);
+  result.discretisation = automatic.last();
+}
+
+std::string OuterSolver::Run::reason() const {
+  std::ostringstream text;
+  text.precision(2);
+  text << std::scientific << "automatic tolerance: the algebraic error " << result.energyError
+       << " is below a tenth of the estimated discretisation error " << automatic.last()->energyNorm << " (energy norm; estimated "
+       << automatic.estimates() << (automatic.estimates() == 1 ? " time" : " times") << "), at a residual of " << result.residual;
+  return text.str();
 }
 
 bool OuterSolver::Run::goesOn() {
@@ -68,7 +115,19 @@ bool OuterSolver::Run::goesOn() {
 OuterResult OuterSolver::solve(const InterfaceProblem& problem, const OuterSettings& settings, Monitor& monitor,
                                const InterfaceState* given) const {
   OuterResult result;
-  Run run{problem, settings, monitor, InnerSolver(settings.maximumInnerIterations), {}, {}, 0.0, 0.0, Timers::now(), result, {}, {}};
+  Run run{problem,
+          settings,
+          monitor,
+          InnerSolver(settings.maximumInnerIterations),
+          {},
+          {},
+          0.0,
+          0.0,
+          Timers::now(),
+          result,
+          {},
+          {},
+          AutomaticTolerance(problem, settings.discretisationError)};
   result.state = problem.initialState();
   run.reported = result.state.status;
   const int lifting = result.state.applications;
@@ -101,10 +160,13 @@ OuterResult OuterSolver::solve(const InterfaceProblem& problem, const OuterSetti
     const double tolerance = contact ? auxiliaryTolerance(settings) : settings.tolerance;
     const MultiVectorPtr step = problem.space()->vector();
     start.matrix->record();
-    const InnerResult auxiliary = run.inner.solve(start.matrix, run.preconditioner, *start.load, *step, tolerance, 0.0, monitor);
+    const InnerResult auxiliary = run.inner.solve(start.matrix, run.preconditioner, *start.load, *step, tolerance, 0.0, monitor,
+                                                  run.automatic.criterion(result.state, 0.0, !contact));
+    run.learn(auxiliary);
     const Matrix image = start.matrix->recorded(auxiliary.steps);
     problem.update(result.state, *step, 1.0, &image);
     result.auxiliary = {auxiliary.pcg + lifting, auxiliary.condition, tolerance, auxiliary.residual, contact};
+    if (!auxiliary.energyErrors.empty()) result.energyError = result.auxiliary.energyError = auxiliary.energyErrors.back();
     monitor.auxiliary(result.auxiliary);
     result.residual = auxiliary.residual;
     if (!auxiliary.converged) {
@@ -114,16 +176,22 @@ OuterResult OuterSolver::solve(const InterfaceProblem& problem, const OuterSetti
     }
     if (!contact) {  // linear: this is the solution, and no contact loop is entered
       result.converged = true;
+      if (auxiliary.enough) monitor.note(run.reason());
       return result;
     }
   }
 
+  if (run.automatic.on() && !run.automatic.known()) run.automatic.estimate(result.state);
   run.evaluation = problem.evaluate(result.state, 10.0 * settings.tolerance);
   result.pcgTotal += run.evaluation.applications;
   result.residual = run.norm(run.evaluation);
   result.state.status = run.evaluation.next;
+  // Of the auxiliary solution the error is known as long as all pairs stay closed.
+  if (run.evaluation.changed > 0 || given) result.energyError = run.energyBound(result.residual);
+  run.confirm();
   if (!run.done()) doSolve(run);
   result.converged = run.done();
+  if (result.converged && result.residual > settings.tolerance) monitor.note(run.reason());
   if (result.stopped && !result.converged && result.failure.empty()) result.failure = "stopped on request";
   if (!result.converged && result.failure.empty())
     result.failure = "the tolerance was not reached within " + std::to_string(result.iterations) + " outer iterations";

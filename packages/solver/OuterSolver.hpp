@@ -3,10 +3,13 @@
 #include <suture/base/Registry.hpp>
 #include <suture/interface/InterfaceProblem.hpp>
 #include <suture/precond/Preconditioner.hpp>
+#include <suture/solver/AutomaticTolerance.hpp>
 #include <suture/solver/InnerSolver.hpp>
 
+#include <cmath>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 
 namespace suture {
@@ -17,6 +20,7 @@ struct OuterSettings {
   int maximumIterations = 50;
   int maximumInnerIterations = 1000;
   std::function<Teuchos::RCP<Preconditioner>()> preconditioner;  ///< makes a fresh one of the scene's kind
+  AutomaticTolerance::Estimate discretisationError = nullptr;    ///< set: iterations may end before `tolerance`, see AutomaticTolerance
 };
 
 struct OuterResult {
@@ -27,6 +31,8 @@ struct OuterResult {
   int iterations = 0;
   int pcgTotal = 0;  ///< of the outer iterations, failed steps included
   double residual = 0.0;
+  double energyError = -1.0;                          ///< algebraic error at the end in the energy norm, estimated; negative: not known
+  std::optional<DiscretisationError> discretisation;  ///< of the state, where an automatic tolerance has estimated it
   AuxiliaryRow auxiliary;
   int coarseSize = 0;
   double setupSeconds = 0.0;               ///< of the preconditioner
@@ -63,12 +69,28 @@ class OuterSolver {
     OuterResult& result;
     ContactStatus reported;                   ///< of the last row: what `changed` counts from; at first all closed
     InterfaceProblem::Evaluation evaluation;  ///< at result.state, whose status is the evaluation's
+    AutomaticTolerance automatic;
+    double lowest = 0.0;  ///< smallest eigenvalue of M^-1 S that a linear solve met, 0 before the first
 
     /// Relative residual of an evaluation.
     double norm(const InterfaceProblem::Evaluation& at) const;
     /// Takes over a new point: evaluates nothing; updates status, result.residual and reports a row.
-    void accept(InterfaceState state, InterfaceProblem::Evaluation at, double residual, const InnerResult& cost, double step);
-    bool done() const { return result.residual <= settings.tolerance && evaluation.settled; }
+    /// \param energyError  algebraic error in the energy norm; negative: not known
+    void accept(InterfaceState state, InterfaceProblem::Evaluation at, double residual, const InnerResult& cost, double step,
+                double energyError);
+    bool done() const;
+    /// Where an automatic tolerance would end the iterations: estimates again, after which it may not. Collective.
+    void confirm();
+    /// Remembers the smallest eigenvalue that a solve met.
+    void learn(const InnerResult& solve);
+    /// What a residual says of the algebraic error in the energy norm: sqrt(r.M r / lowest). An upper bound where the operator at the
+    /// solution is the one whose eigenvalues were met. Negative: not known.
+    double energyBound(double residual) const { return lowest > 0.0 ? residual * reference / std::sqrt(lowest) : -1.0; }
+    /// The algebraic error in the energy norm, found with the tangent there: for methods that do not solve with it. Only where it may
+    /// decide (else negative: not known), since it costs a few iterations, which are added to the step's. Collective.
+    double energyErrorByTangent(const InterfaceState& state, const InterfaceProblem::Evaluation& at, double residual, InnerResult& cost);
+    /// Why the automatic tolerance ended the iterations, for the user.
+    std::string reason() const;
     /// Whether there is something to do and nobody minds: not done, not exhausted, not asked to stop. Collective.
     bool goesOn();
   };

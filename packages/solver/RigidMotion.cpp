@@ -86,7 +86,12 @@ RigidParts freeRigidMotions(const Mesh& mesh, const Constraints& constraints) {
   for (const NodeRule& rule : constraints.rules)
     for (int k = 0; k < dimension; ++k) rowsOf[all.partOfNode[rule.node]] += rule.fixed[k];
   std::vector<Matrix> rows(count);
-  for (int part = 0; part < count; ++part) rows[part].resize(rowsOf[part], amplitudes);
+  // A body of revolution cannot turn in its meridian plane or shift away from the axis.
+  const int excluded = mesh.axisymmetric ? 2 : 0;
+  for (int part = 0; part < count; ++part) {
+    rows[part] = Matrix::Zero(rowsOf[part] + excluded, amplitudes);
+    if (mesh.axisymmetric) rows[part](rowsOf[part], 0) = rows[part](rowsOf[part] + 1, 2) = 1.0;
+  }
   std::fill(rowsOf.begin(), rowsOf.end(), 0);
   for (const NodeRule& rule : constraints.rules) {
     const int part = all.partOfNode[rule.node];

@@ -29,7 +29,9 @@ void SemismoothNewton::doSolve(Run& run) const {
     }
     // No more digits than the end asks for.
     const double tolerance = std::max(innerTolerance_, std::min(0.1, 0.2 * run.settings.tolerance / run.result.residual));
-    InnerResult cost = run.inner.solve(tangent, run.preconditioner, *run.evaluation.residual, *step, tolerance, 0.0, run.monitor);
+    InnerResult cost = run.inner.solve(tangent, run.preconditioner, *run.evaluation.residual, *step, tolerance, 0.0, run.monitor,
+                                       run.automatic.criterion(run.result.state, run.lowest));
+    run.learn(cost);
     if (!cost.converged) {
       run.result.pcgTotal += cost.pcg;
       run.result.failure = "a linear solve did not reach its tolerance";
@@ -50,7 +52,9 @@ void SemismoothNewton::doSolve(Run& run) const {
       if (!std::isfinite(residual)) throw NumericalError("Newton's method met a residual that is no number");
       if (residual <= run.result.residual || at.energy <= run.evaluation.energy + rounding || length < 1e-3) break;
     }
-    run.accept(std::move(next), std::move(at), residual, cost, length);
+    // A full step that changes no pair leaves what the linear solve left.
+    const bool linear = at.changed == 0 && length == 1.0 && !cost.energyErrors.empty();
+    run.accept(std::move(next), std::move(at), residual, cost, length, linear ? cost.energyErrors.back() : run.energyBound(residual));
   }
 }
 

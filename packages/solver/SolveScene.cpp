@@ -25,6 +25,7 @@ namespace {
 PairResult report(const PairState& state) {
   PairResult result;
   result.id = state.pair.id;
+  result.node = state.pair.node();
   result.line = state.pair.line;
   result.piece = state.pair.piece;
   result.status = state.status;
@@ -41,6 +42,41 @@ PairResult report(const PairState& state) {
 
 double norm(const Point& p) { return std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]); }
 
+/// Contact forces along components that are held: supports take them up, beside what the elements exert there. Collective.
+Point heldContact(const Comm& comm, const Subdomains& subdomains, const std::vector<PairState>& pairs) {
+  Packer mine;
+  std::map<int, Point> forces;  // of all pairs
+  for (const PairState& state : pairs)
+    for (int k = 0; k < 3; ++k) forces[state.pair.id][k] = state.force * state.pair.normal[k];
+  mine.put(forces);
+  Packer whole;
+  for (const std::string& bytes : gatherOnRoot(comm, mine.bytes())) forces.merge(Unpacker(bytes).get<std::map<int, Point>>());
+  whole.put(forces);
+  forces = Unpacker(broadcast(comm, whole.bytes())).get<std::map<int, Point>>();
+
+  Point sum{0, 0, 0};
+  for (const auto& subdomain : subdomains) {
+    const SubdomainMesh& mesh = subdomain->mesh();
+    std::map<int, const NodeRule*> ruleOf;
+    for (const NodeRule& rule : mesh.rules) ruleOf[rule.node] = &rule;
+    std::map<int, const ContactPair*> pairOf;
+    for (const ContactRow& row : mesh.contactRows) pairOf[row.pair.id] = &row.pair;
+    for (const SubdomainMesh::ContactEnd& end : mesh.contactEnds) {
+      const auto others = mesh.others(end.node);
+      const auto rule = ruleOf.find(end.node);
+      if (rule == ruleOf.end() || std::any_of(others.begin(), others.end(), [&](int other) { return other < mesh.id; })) continue;
+      const Point& force = forces.at(end.pair);
+      for (int k = 0; k < mesh.dimension; ++k) {
+        if (!rule->second->fixed[k]) continue;
+        const Point& axis = rule->second->axes[k];
+        const double along = pairOf.at(end.pair)->ends[end.end].weight * (force[0] * axis[0] + force[1] * axis[1] + force[2] * axis[2]);
+        for (int c = 0; c < 3; ++c) sum[c] += along * axis[c];
+      }
+    }
+  }
+  return sum;
+}
+
 /// Resultants of loads and reactions over all ranks. The scale of the imbalance is the force that passes through: half of what acts.
 void balance(const Comm& comm, const Subdomains& subdomains, const InterfaceProblem::Recovered& recovered, Solution& solution) {
   Point applied{0, 0, 0}, reactions{0, 0, 0};
@@ -51,14 +87,18 @@ void balance(const Comm& comm, const Subdomains& subdomains, const InterfaceProb
     for (int k = 0; k < 3; ++k) reactions[k] += force[k];
     absolute += norm(force);
   }
-  double mine[7], all[7];
+  const Point held = heldContact(comm, subdomains, recovered.pairs);
+  for (int k = 0; k < 3; ++k) reactions[k] += held[k];
+  double mine[8], all[8];
   std::copy(applied.begin(), applied.end(), mine);
   std::copy(reactions.begin(), reactions.end(), mine + 3);
   mine[6] = absolute;
-  Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, 7, mine, all);
+  mine[7] = std::any_of(subdomains.begin(), subdomains.end(), [](const auto& s) { return s->mesh().axisymmetric; });
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, 8, mine, all);
   std::copy(all, all + 3, solution.applied.begin());
   std::copy(all + 3, all + 6, solution.reactions.begin());
-  const Point sum{all[0] + all[3], all[1] + all[4], all[2] + all[5]};
+  // Radial forces of a body of revolution balance round the circle, whatever their magnitudes.
+  const Point sum{all[7] > 0.0 ? 0.0 : all[0] + all[3], all[1] + all[4], all[2] + all[5]};
   solution.imbalance = all[6] > 0.0 ? norm(sum) / (0.5 * all[6]) : 0.0;
 }
 
@@ -76,6 +116,17 @@ Subdomains makeSubdomains(const Comm& comm, const std::vector<SubdomainMesh>& me
 }
 
 bool isCondensed(const Parameters& scene) { return scene.get<std::string>("Formulation") == kCondensedGroups; }
+
+bool isAutomatic(const Parameters& scene) { return scene.sublist("Outer Solver").get<std::string>("Tolerance") == "Automatic"; }
+
+AutomaticTolerance::Estimate discretisationErrorOf(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model,
+                                                   const Subdomains& subdomains) {
+  return [&](const std::vector<Vector>& freeValues) {
+    std::vector<Vector> displacement;
+    for (std::size_t i = 0; i < subdomains.size(); ++i) displacement.push_back(subdomains[i]->cartesian(freeValues[i]));
+    return estimateError(comm, meshes, model, displacement);
+  };
+}
 
 void checkCombination(const Parameters& scene) {
   const auto formulation = scene.get<std::string>("Formulation");
@@ -131,10 +182,16 @@ std::unique_ptr<InterfaceProblem> makeInterfaceProblem(const CommPtr& comm, cons
   return std::make_unique<ContactInterfaceProblem>(comm, partition, subdomains, localSolverMaker(own), schur);
 }
 
-OuterResult solveInterface(const InterfaceProblem& problem, const Parameters& scene, Monitor& monitor, const InterfaceState* start) {
+OuterResult solveInterface(const InterfaceProblem& problem, const Parameters& scene, Monitor& monitor, const InterfaceState* start,
+                           const AutomaticTolerance::Estimate& discretisationError) {
   const Parameters& own = scene.sublist("Outer Solver");
   OuterSettings settings;
-  settings.tolerance = own.get<double>("Tolerance");
+  if (isAutomatic(scene)) {
+    if (!discretisationError) throw InternalError("an automatic tolerance without an estimate of the error");
+    settings.discretisationError = discretisationError;
+  } else {
+    settings.tolerance = std::stod(own.get<std::string>("Tolerance"));
+  }
   settings.maximumIterations = own.get<int>("Maximum Iterations");
   settings.maximumInnerIterations = own.get<int>("Maximum Inner Iterations");
   settings.preconditioner = [&scene] { return makePreconditioner(scene.sublist("Preconditioner")); };
@@ -152,6 +209,8 @@ Solution recover(const Comm& comm, const InterfaceProblem& problem, const OuterR
   solution.outerIterations = result.iterations;
   solution.pcgTotal = result.pcgTotal;
   solution.residual = result.residual;
+  solution.energyError = result.energyError;
+  solution.discretisation = result.discretisation;
   solution.auxiliary = result.auxiliary;
   solution.estimates = result.estimates;
   solution.coarseSize = result.coarseSize;

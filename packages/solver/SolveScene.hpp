@@ -6,6 +6,7 @@
 #include <suture/interface/InterfaceProblem.hpp>
 #include <suture/mesh/Mesh.hpp>
 #include <suture/partition/SubdomainMesh.hpp>
+#include <suture/solver/ErrorEstimate.hpp>
 #include <suture/solver/OuterSolver.hpp>
 #include <suture/solver/Solution.hpp>
 #include <suture/subdomain/Subdomain.hpp>
@@ -35,10 +36,18 @@ void checkCombination(const Parameters& scene);
 std::unique_ptr<InterfaceProblem> makeInterfaceProblem(const CommPtr& comm, const Partition& partition, const Subdomains& subdomains,
                                                        const Parameters& scene);
 
-/// Solves with the scene's outer solver and preconditioner, from `start` or, if it is null, from the auxiliary problem. \throws
-/// NumericalError
+/// Whether the scene's tolerance is Automatic. Local.
+bool isAutomatic(const Parameters& scene);
+
+/// What an automatic tolerance asks: the estimated discretisation error. All arguments must outlive it. Collective when called.
+AutomaticTolerance::Estimate discretisationErrorOf(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model,
+                                                   const Subdomains& subdomains);
+
+/// Solves with the scene's outer solver and preconditioner, from `start` or, if it is null, from the auxiliary problem.
+/// \param discretisationError  for an automatic tolerance; not asked for another
+/// \throws NumericalError
 OuterResult solveInterface(const InterfaceProblem& problem, const Parameters& scene, Monitor& monitor,
-                           const InterfaceState* start = nullptr);
+                           const InterfaceState* start = nullptr, const AutomaticTolerance::Estimate& discretisationError = nullptr);
 
 /// Interiors, contact, energy and balance of forces of the state that the outer solver ended with.
 Solution recover(const Comm& comm, const InterfaceProblem& problem, const OuterResult& result, const Subdomains& subdomains,

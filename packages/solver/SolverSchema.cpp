@@ -45,8 +45,11 @@ void addSolverParameters(Schema& scene) {
                                       "One text a level, the coarsest first: what differs from this scene, as in --set, separated by "
                                       "semicolons: \"Mesh/Constants/scale=2; Partition/METIS/Subdomains=12\".")}},
                "Where the outer solver begins.");
-  outer.real("Tolerance", 1e-8, "Of the preconditioned norm of the residual, relative to that of the lifted start.",
-             {0.0, 1.0, true, true, {}});
+  outer.wordOrNumber(
+      "Tolerance", "1e-8", {"Automatic"}, {0.0, 1.0, true, true, {}},
+      "Of the preconditioned norm of the residual, relative to that of the lifted start. Automatic: no digits that the mesh "
+      "cannot hold; iterations end where the algebraic error is a tenth of the estimated discretisation error (energy norm), "
+      "or at 1e-8.");
   outer.integer("Maximum Iterations", 50, "Outer iterations at most.", Range::atLeast(0));
   outer.integer("Maximum Inner Iterations", 1000, "Conjugate gradient iterations of one linear solve at most.", Range::atLeast(1));
   scene.list("Outer Solver", outer);

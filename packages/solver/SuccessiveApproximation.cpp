@@ -87,7 +87,8 @@ void SuccessiveApproximation::doSolve(Run& run) const {
   const MultiVectorPtr correction = run.problem.space()->vector();
   const double first = run.result.residual;
   while (run.goesOn()) {
-    const InnerResult cost = run.inner.solve(s0, preconditioner, *run.evaluation.residual, *correction, innerTolerance_, 0.0, run.monitor);
+    InnerResult cost = run.inner.solve(s0, preconditioner, *run.evaluation.residual, *correction, innerTolerance_, 0.0, run.monitor);
+    run.learn(cost);
     if (!cost.converged) {
       run.result.pcgTotal += cost.pcg;
       run.result.failure = "a linear solve did not reach its tolerance";
@@ -103,7 +104,8 @@ void SuccessiveApproximation::doSolve(Run& run) const {
       run.monitor.note("the energy rose: relaxation halved");
     }
     const double residual = run.norm(at);
-    run.accept(std::move(next), std::move(at), residual, cost, theta);
+    const double energyError = run.energyErrorByTangent(next, at, residual, cost);
+    run.accept(std::move(next), std::move(at), residual, cost, theta, energyError);
     if (!(run.result.residual < 1e3 * std::max(first, run.settings.tolerance))) {
       std::ostringstream why;
       why << "successive approximations diverge (mu = " << mu << "); use Relaxation = Automatic, or Semismooth Newton or Chord";

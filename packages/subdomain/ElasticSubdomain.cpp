@@ -49,6 +49,23 @@ Matrix ElasticSubdomain::doRigidModes() const {
   return modes;
 }
 
+Matrix ElasticSubdomain::doCoarseModes() const {
+  Matrix modes = sectionModes(mesh());
+  toAxes(modes);
+  return modes;
+}
+
+Vector ElasticSubdomain::doSeamFlux() const {
+  const SubdomainMesh& m = mesh();
+  Vector flux = Vector::Zero(Eigen::Index(m.nodes()) * components());
+  if (!model_.nearlyIncompressible()) return flux;
+  for (const SubdomainMesh::SeamSide& seam : m.seamSides)
+    addSideFlux(m, {seam.element, seam.side}, seam.neighbour > m.id ? 1.0 : -1.0, flux);
+  for (const SubdomainMesh::ContactEnd& end : m.contactEnds)
+    for (int k = 0; k < components(); ++k) flux(end.node * components() + k) += end.pair.length * end.pair.normal[k];
+  return flux;
+}
+
 // Of the subdomains that hold a node the first one carries its force, so that the sum over all has it once, exactly.
 void ElasticSubdomain::addRandomForces(const Load& given, Vector& load) const {
   const SubdomainMesh& m = mesh();

@@ -7,14 +7,16 @@ namespace suture {
 /// Linear elasticity of one subdomain: stiffness and loads of its elements, rotated into the axes of the nodes.
 class ElasticSubdomain : public Subdomain {
  public:
-  /// `mesh` and `model` must outlive it.
-  ElasticSubdomain(const SubdomainMesh& mesh, const ElasticModel& model) : Subdomain(mesh), model_(model) {}
+  /// `mesh` and `model` must outlive it. \throws InternalError  an axisymmetric scene whose mesh was not told (makeAxisymmetric).
+  ElasticSubdomain(const SubdomainMesh& mesh, const ElasticModel& model) : Subdomain(mesh), model_(model) { requireGeometry(mesh, model); }
 
   const Material& materialOf(int element) const { return model_.materialOf(mesh(), element, mesh().body); }
 
  protected:
   void doAssemble(SparseMatrix& stiffness, Vector& load) override;
   Matrix doRigidModes() const override;
+  Matrix doCoarseModes() const override;
+  Vector doSeamFlux() const override;
   Vector doYoungModulus() const override;
 
  private:

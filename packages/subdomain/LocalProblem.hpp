@@ -50,7 +50,8 @@ class LocalProblem {
   virtual const Vector& youngModulus() const = 0;
   /// Traces of a basis of the kernel of S_loc: size() x k.
   virtual const Matrix& kernel() const = 0;
-  /// Traces of all rigid modes of every member subdomain, each on its own part of the boundary, and of the kernel: size() x m.
+  /// Traces of all coarse modes (Subdomain::coarseModes: rigid modes and the like) of every member subdomain, each on its own part of the
+  /// boundary, and of the kernel: size() x m.
   virtual const Matrix& coarseModes() const = 0;
   /// S^+, made when it is asked for. \throws NumericalError
   virtual std::unique_ptr<LocalInverse> inverse() const = 0;

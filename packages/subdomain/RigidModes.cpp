@@ -5,6 +5,13 @@
 namespace suture {
 
 Matrix rigidModes(const CellBlock& block) {
+  if (!block.axisymmetric) return sectionModes(block);
+  Matrix along = Matrix::Zero(Eigen::Index(block.nodes()) * 2, 1);
+  for (int node = 0; node < block.nodes(); ++node) along(node * 2 + 1, 0) = 1.0;
+  return along;
+}
+
+Matrix sectionModes(const CellBlock& block) {
   const int d = block.dimension, n = block.nodes();
   Point centre{0, 0, 0}, low{0, 0, 0}, high{0, 0, 0};
   for (int node = 0; node < n; ++node) {

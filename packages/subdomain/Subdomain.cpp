@@ -64,9 +64,14 @@ void Subdomain::assemble() {
   youngModulus_ = Vector(dofs());
   for (int i = 0; i < dofs(); ++i) youngModulus_(i) = young(nodeOf(i));
 
+  seamFlux_ = freeValues(doSeamFlux());
+
   const Matrix modes = doRigidModes();
   rigidModes_ = Matrix(dofs(), modes.cols());
   for (int i = 0; i < dofs(); ++i) rigidModes_.row(i) = modes.row(free_[i]);
+  const Matrix soft = doCoarseModes();
+  coarseModes_ = Matrix(dofs(), soft.cols());
+  for (int i = 0; i < dofs(); ++i) coarseModes_.row(i) = soft.row(free_[i]);
   heldModes_ = Matrix(fixed_.size(), modes.cols());
   for (std::size_t i = 0; i < fixed_.size(); ++i) heldModes_.row(i) = modes.row(fixed_[i]);
   kernel_ = rigidModes_ * nullSpace(heldModes_);

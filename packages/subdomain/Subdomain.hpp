@@ -37,9 +37,15 @@ class Subdomain {
   double constantEnergy() const { return constantEnergy_; }     ///< what prescribed displacements alone store, less their loads' work
   /// Young modulus at the node of each free unknown, the largest of the elements there; for the weighting Young. [stress]
   const Vector& youngModulus() const { return youngModulus_; }
+  /// Volume that a unit of each free unknown carries through the seam out of the subdomain of lower number, or through a contact line out
+  /// of side A; zero everywhere if volume changes as easily as shape, and where both are not. For preconditioners. [area; axisymmetric:
+  /// volume]
+  const Vector& seamFlux() const { return seamFlux_; }
   const Matrix& rigidModes() const { return rigidModes_; }  ///< free x all rigid modes
-  const Matrix& heldModes() const { return heldModes_; }    ///< prescribed components x all rigid modes
-  const Matrix& kernel() const { return kernel_; }          ///< null space of stiffness(): the modes that vanish where prescribed
+  /// free x the motions that cost least, for coarse spaces: their span contains that of rigidModes().
+  const Matrix& coarseModes() const { return coarseModes_; }
+  const Matrix& heldModes() const { return heldModes_; }  ///< prescribed components x all rigid modes
+  const Matrix& kernel() const { return kernel_; }        ///< null space of stiffness(): the modes that vanish where prescribed
 
   /// Nodal displacements (node-major, Cartesian) of the free unknowns' values; prescribed ones filled in.
   Vector cartesian(const Vector& freeValues) const;
@@ -54,6 +60,10 @@ class Subdomain {
   virtual void doAssemble(SparseMatrix& stiffness, Vector& load) = 0;
   /// All rigid modes over ALL unknowns, columns of the order of one, in the axes of the nodes.
   virtual Matrix doRigidModes() const = 0;
+  /// The rigid modes, and others that cost little energy and that a preconditioner should know; in the same form.
+  virtual Matrix doCoarseModes() const { return doRigidModes(); }
+  /// See seamFlux(): over ALL unknowns, Cartesian.
+  virtual Vector doSeamFlux() const { return Vector::Zero(Eigen::Index(mesh().nodes()) * components()); }
   /// Young modulus at every node, or whatever stands for it: positive. Ones, without an override: the weighting Young is Multiplicity then.
   virtual Vector doYoungModulus() const { return Vector::Ones(mesh().nodes()); }
 
@@ -69,9 +79,9 @@ class Subdomain {
   std::vector<Matrix> axes_;
   Vector prescribed_;              // all unknowns; zero where free
   SparseMatrix stiffness_, held_;  // held_: all unknowns x prescribed components
-  Vector fullLoad_, load_, youngModulus_;
+  Vector fullLoad_, load_, youngModulus_, seamFlux_;
   double constantEnergy_ = 0.0;
-  Matrix rigidModes_, heldModes_, kernel_;
+  Matrix rigidModes_, coarseModes_, heldModes_, kernel_;
 };
 
 }  // namespace suture

@@ -47,7 +47,7 @@ SubdomainProblem::SubdomainProblem(int id, const Subdomain& subdomain, const std
       diagonal_(boundary.size()),
       young_(rowsAt(subdomain.youngModulus(), boundary)),
       kernel_(rowsAt(subdomain.kernel(), boundary)),
-      coarseModes_(rowsAt(subdomain.rigidModes(), boundary)) {
+      coarseModes_(rowsAt(subdomain.coarseModes(), boundary)) {
   for (std::size_t i = 0; i < boundary.size(); ++i) diagonal_(i) = subdomain.stiffness().coeff(boundary[i], boundary[i]);
   schur_->compute({subdomain.stiffness(), subdomain.load(), positions_, nodesOfDofs(subdomain), solver, name()});
 }

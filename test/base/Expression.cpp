@@ -108,10 +108,43 @@ TEUCHOS_UNIT_TEST(Constants, WithNamesThatNoExpressionCanUseAreProblems) {
     <Parameter name="x" type="double" value="1"/><Parameter name="sin" type="double" value="1"/></ParameterList>
     <Parameter name="Gap" type="string" value="R"/>)xml");
   Problems problems;
-  TEST_ASSERT(readConstants(list.sublist("Constants"), problems).empty());
+  TEST_ASSERT(readConstants(list.sublist("Constants"), problems).numbers.empty());
   TEST_EQUALITY(problems.list().size(), 3);
   TEST_ASSERT(!readExpression(list, "Gap", {}, problems));
   TEST_EQUALITY(problems.list().back().path, "Gap");
+}
+
+TEUCHOS_UNIT_TEST(Functions, StandForTheirValuesInOthers) {
+  const SceneFile file = parseScene(R"xml(<ParameterList>
+    <ParameterList name="Constants"><Parameter name="E" value="2"/><Parameter name="nu" value="0.25"/></ParameterList>
+    <ParameterList name="Functions"><Parameter name="mu" value="E/(2*(1 + nu))"/><Parameter name="r" value="sqrt(x^2 + y^2)"/>
+      <Parameter name="root" value="sqrt(r - 1)"/></ParameterList></ParameterList>)xml",
+                                    "scene.xml", Schema().list("Constants", constantsSchema()).list("Functions", functionsSchema()));
+  const Constants constants = sceneConstants(*file.parameters);
+  TEST_EQUALITY(constants.functions.size(), 3u);
+  const Expression f("r > 1 ? mu*root + x : y", constants);
+  TEST_FLOATING_EQUALITY(f.at({3, 4, 0}), 0.8 * 2 + 3, 1e-14);
+  TEST_EQUALITY(f.at({0.3, 0.4, 0}), 0.4);  // root is not defined there, nor needed
+  const Expression copy = f;
+  TEST_FLOATING_EQUALITY(copy.at({0, 2, 0}), 0.8, 1e-14);
+  TEST_THROW(Expression("root", constants).at({0, 0, 0}), InputError);
+}
+
+TEUCHOS_UNIT_TEST(Functions, KnowOnlyThoseAboveThem) {
+  const SceneFile file = parseScene(R"xml(<ParameterList>
+    <ParameterList name="Constants"><Parameter name="E" value="2"/></ParameterList>
+    <ParameterList name="Functions"><Parameter name="a" value="2*bb"/><Parameter name="bb" value="bb + 1"/>
+      <Parameter name="E" value="3"/><Parameter name="c" value="E*x"/></ParameterList></ParameterList>)xml",
+                                    "scene.xml", Schema().list("Constants", constantsSchema()).list("Functions", functionsSchema()));
+  try {
+    sceneConstants(*file.parameters);
+    TEST_ASSERT(false);
+  } catch (const InputError& error) {
+    TEST_EQUALITY(error.problems().size(), 3u);
+    TEST_EQUALITY(error.problems()[0].path, "Functions/a");
+    TEST_EQUALITY(error.problems()[1].path, "Functions/bb");
+    TEST_EQUALITY(error.problems()[2].path, "Functions/E");
+  }
 }
 
 }  // namespace

@@ -31,6 +31,11 @@ inline std::string contact(const std::string& name, const std::string& a, const 
   return entry(name, {{"Side A", a}, {"Side B", b}});
 }
 
+/// The same, node to node or not at all.
+inline std::string matching(const std::string& name, const std::string& a, const std::string& b) {
+  return entry(name, {{"Side A", a}, {"Side B", b}, {"Coupling", "Matching Nodes"}});
+}
+
 inline Constraints build(const Mesh& mesh, const std::string& conditions, const std::string& contacts = "") {
   Schema schema("scene");
   schema.list("Boundary Conditions", Schema("conditions").each("condition", boundaryConditionSchema()));
@@ -38,7 +43,7 @@ inline Constraints build(const Mesh& mesh, const std::string& conditions, const 
   const SceneFile scene = parseScene("<ParameterList name=\"Suture\"><ParameterList name=\"Boundary Conditions\">" + conditions +
                                          "</ParameterList><ParameterList name=\"Contact\">" + contacts + "</ParameterList></ParameterList>",
                                      "test.xml", schema);
-  return buildConstraints(mesh, scene.parameters->sublist("Boundary Conditions"), scene.parameters->sublist("Contact"));
+  return buildConstraints(mesh, scene.parameters->sublist("Boundary Conditions"), scene.parameters->sublist("Contact"), {{"A", 2.5}});
 }
 
 /// What is wrong, one problem a line, or "no error".

@@ -145,7 +145,7 @@ TEUCHOS_UNIT_TEST(ContactPairs, CountAndLocateNodesWithoutPartner) {
   std::vector<Box> all(2);
   all[0].name = "b0", all[0].x1 = 4, all[0].nx = 8, all[0].ny = 2;
   all[1].name = "b1", all[1].x1 = 4, all[1].nx = 12, all[1].ny = 2, all[1].y0 = 1, all[1].y1 = 2;
-  const std::string text = said(boxes(all), "", joint);
+  const std::string text = said(boxes(all), "", matching("joint", "b0_top", "b1_bottom"));
   SUTURE_CHECK_SAYS(
       text, "Contact/joint: the sides do not match: 'b0_top' has 9 nodes, 'b1_bottom' has 13 nodes; 4 and 8 of them have no partner");
   SUTURE_CHECK_SAYS(text, "0.167 away along the line = 0.5 of the mesh size");
@@ -154,13 +154,17 @@ TEUCHOS_UNIT_TEST(ContactPairs, CountAndLocateNodesWithoutPartner) {
 TEUCHOS_UNIT_TEST(ContactPairs, RefuseSidesThatAreShiftedAlongTheLine) {
   Mesh mesh = stack(2);
   move(mesh, 1, [](Point p) -> Point { return {p[0] + 0.01, p[1], 0}; });
-  SUTURE_CHECK_SAYS(said(mesh, "", joint), "9 and 9 of them have no partner");
-  SUTURE_CHECK_SAYS(said(mesh, "", joint), "0.01 away along the line = 0.02 of the mesh size there (Tolerance 0.001)");
-  TEST_EQUALITY(said(mesh, "", entry("joint", {{"Side A", "b0_top"}, {"Side B", "b1_bottom"}, {"Tolerance", "0.05"}})), "no error");
+  const std::string text = said(mesh, "", matching("joint", "b0_top", "b1_bottom"));
+  SUTURE_CHECK_SAYS(text, "9 and 9 of them have no partner");
+  SUTURE_CHECK_SAYS(text, "0.01 away along the line = 0.02 of the mesh size there (Tolerance 0.001)");
+  TEST_EQUALITY(
+      said(mesh, "",
+           entry("joint", {{"Side A", "b0_top"}, {"Side B", "b1_bottom"}, {"Coupling", "Matching Nodes"}, {"Tolerance", "0.05"}})),
+      "no error");
 }
 
 TEUCHOS_UNIT_TEST(ContactPairs, RefuseSidesThatDoNotFaceEachOther) {
-  SUTURE_CHECK_SAYS(said(stack(2), "", contact("joint", "b0_top", "b1_top")), "do not face each other");
+  SUTURE_CHECK_SAYS(said(stack(2), "", matching("joint", "b0_top", "b1_top")), "do not face each other");
 }
 
 TEUCHOS_UNIT_TEST(ContactPairs, RefuseSidesInContradictoryRoles) {

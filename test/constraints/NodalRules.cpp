@@ -34,6 +34,32 @@ TEUCHOS_UNIT_TEST(NodalRules, PrescribeDisplacementsByComponent) {
   }
 }
 
+TEUCHOS_UNIT_TEST(NodalRules, HoldTheAxisOfBodiesOfRevolution) {
+  Mesh mesh = stack(1);
+  for (std::size_t i = 0; i < mesh.coordinates.size(); i += 2)
+    if (mesh.coordinates[i] == 0.0) mesh.coordinates[i] = 1e-16;  // as a mesher may leave it
+  makeAxisymmetric(mesh);
+  const Constraints alone = build(mesh, displacement("floor", "b0_bottom", "0.5", "y"));
+  int axis = 0;
+  for (const NodeRule& rule : alone.rules) {
+    const bool onAxis = mesh.point(rule.node)[0] == 0.0, below = mesh.point(rule.node)[1] < 1e-15;
+    axis += onAxis;
+    TEST_EQUALITY(rule.fixed[0], onAxis);
+    TEST_EQUALITY(rule.fixed[1], below);
+    TEST_EQUALITY(rule.value[0], 0.0);
+    TEST_EQUALITY(rule.value[1], below ? 0.5 : 0.0);
+  }
+  TEST_EQUALITY(axis, 3);
+  // A condition that would open a hole along the axis.
+  SUTURE_CHECK_SAYS(
+      said(mesh, displacement("split", "b0_left", "0.1", "x") + displacement("floor", "b0_bottom", "0", "y")),
+      "Boundary Conditions/split: at (0, 0) the displacement along (1, 0) is to be 0.1, but 'the axis of symmetry' makes it 0 (and so "
+      "at 2 more nodes)");
+  Mesh across = stack(1);
+  moveAll(across, [](Point p) -> Point { return {p[0] - 0.5, p[1], 0}; });
+  TEST_THROW(makeAxisymmetric(across), InputError);
+}
+
 TEUCHOS_UNIT_TEST(NodalRules, HoldTheNormalOfARoller) {
   Mesh mesh = stack(1);
   const double angle = 0.3;
@@ -151,7 +177,8 @@ TEUCHOS_UNIT_TEST(NodalRules, WantTheFormOfEachType) {
   for (const std::string part :
        {"no group/Group: is missing: a Bilateral needs a curve group. Curve groups: b0_bottom, b0_left, b0_right, b0_top",
         "valued roller/Value: a Bilateral condition has no value", "scalar traction/Value: 1 values; this Traction needs 2 values",
-        "vector pressure/Value: 2 values; this Pressure needs 1 value", "no value/Value: is missing; this Pressure needs 1 value",
+        "vector pressure/Value: 2 values; this Pressure needs 1 value",
+        "no value/Value: is missing; this Pressure needs 1 value, or Expression",
         "two for x/Value: 2 values; this Displacement needs 1 value", "x pressure/Components: only a Displacement has it",
         "force on a curve/Group: a Body Force acts on a body", "force on nobody/Body: no such body 'b1'",
         "traction of a body/Body: only a Body Force or a Random Load has it",
@@ -169,4 +196,55 @@ TEUCHOS_UNIT_TEST(NodalRules, TakeLoadsOfTheRightForm) {
                                entry("g", {{"Type", "Body Force"}, {"Value", "{0, -9.81}"}}) +
                                entry("h", {{"Type", "Random Load"}, {"Amplitude", "2"}, {"Seed", "3"}, {"Body", "b0"}})),
                 "no error");
+}
+
+TEUCHOS_UNIT_TEST(NodalRules, TakeDisplacementsThatDependOnThePlace) {
+  const Mesh mesh = stack(1);
+  const Constraints both =
+      build(mesh, entry("pull", {{"Type", "Displacement"}, {"Group", "b0_bottom"}, {"Expression x", "A*x^2"}, {"Expression y", "y - x"}}));
+  TEST_EQUALITY(both.rules.size(), std::size_t(9));
+  for (const NodeRule& rule : both.rules) {
+    const Point p = mesh.point(rule.node);
+    TEST_ASSERT(rule.fixed[0] && rule.fixed[1]);
+    TEST_FLOATING_EQUALITY(rule.value[0] + 1, 2.5 * p[0] * p[0] + 1, 1e-14);
+    TEST_FLOATING_EQUALITY(rule.value[1] + 1, p[1] - p[0] + 1, 1e-14);
+  }
+  const Constraints one =
+      build(mesh, entry("pull", {{"Type", "Displacement"}, {"Group", "b0_right"}, {"Components", "y"}, {"Expression y", "3*y"}}));
+  for (const NodeRule& rule : one.rules) {
+    TEST_ASSERT(!rule.fixed[0] && rule.fixed[1]);
+    TEST_EQUALITY(rule.value[1], 3 * mesh.point(rule.node)[1]);
+  }
+}
+
+TEUCHOS_UNIT_TEST(NodalRules, WantExpressionsThatFitTheType) {
+  const Mesh mesh = stack(1);
+  const std::string text = said(
+      mesh, entry("both", {{"Type", "Traction"}, {"Group", "b0_top"}, {"Value", "{1, 2}"}, {"Expression x", "1"}}) +
+                entry("half", {{"Type", "Traction"}, {"Group", "b0_top"}, {"Expression x", "1"}}) +
+                entry("vector pressure", {{"Type", "Pressure"}, {"Group", "b0_top"}, {"Expression x", "1"}}) +
+                entry("scalar force", {{"Type", "Body Force"}, {"Expression", "1"}}) +
+                entry("free",
+                      {{"Type", "Displacement"}, {"Group", "b0_left"}, {"Components", "x"}, {"Expression x", "0"}, {"Expression y", "0"}}) +
+                entry("roller", {{"Type", "Bilateral"}, {"Group", "b0_left"}, {"Expression x", "0"}}) +
+                entry("noise", {{"Type", "Random Load"}, {"Amplitude", "1"}, {"Expression", "0"}}) +
+                entry("typo", {{"Type", "Pressure"}, {"Group", "b0_top"}, {"Expression", "B*x"}}));
+  for (const std::string part :
+       {"both/Value: 'Value' and 'Expression x' are both given: it is one or the other",
+        "half/Expression y: is missing: this Traction needs Expression x and Expression y; a component that is zero is 0",
+        "vector pressure/Expression x: this Pressure does not have it: expected Expression", "vector pressure/Expression: is missing",
+        "scalar force/Expression: this Body Force does not have it: expected Expression x and Expression y",
+        "free/Expression y: this Displacement does not have it: expected Expression x",
+        "roller/Expression x: a Bilateral condition has no value", "noise/Expression: a Random Load has no value",
+        "typo/Expression: 'B*x': unknown: 'B'. Variables: x, y. Constants: A, pi. Functions: abs, "})
+    SUTURE_CHECK_SAYS(text, "Boundary Conditions/" + part);
+}
+
+TEUCHOS_UNIT_TEST(NodalRules, TellWhereADisplacementIsNotFinite) {
+  const Mesh mesh = stack(1);
+  const std::string text = said(
+      mesh, entry("pull", {{"Type", "Displacement"}, {"Group", "b0_bottom"}, {"Expression x", "1/(x - 2)"}, {"Expression y", "0"}}) +
+                entry("push", {{"Type", "Displacement"}, {"Group", "b0_top"}, {"Expression x", "0"}, {"Expression y", "sqrt(x - 10)"}}));
+  SUTURE_CHECK_SAYS(text, "Boundary Conditions/pull/Expression x: '1/(x - 2)' is infinite at (x, y) = (2, 0)");
+  SUTURE_CHECK_SAYS(text, "Boundary Conditions/push/Expression y: 'sqrt(x - 10)' is not a number (nan) at (x, y) = (");
 }

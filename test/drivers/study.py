@@ -59,7 +59,8 @@ def figures(ranks):
     print(text)
     check(f"np{ranks}: exit code", code, 0)
     check(f"np{ranks}: a line for each run", text.count("  dofs "), 6)
-    check(f"np{ranks}: all bands kept", (text.count("kept  "), "MISSED" in text), (3, False))
+    check(f"np{ranks}: all bands and orders kept", (text.count("kept  "), "MISSED" in text), (3 + 3, False))
+    check(f"np{ranks}: an order for each line", text.count("dofs against h: order -1.918 over 2 runs"), 3)
     rows = table(folder)
     check(f"np{ranks}: combinations in order", [(row["size"], row["coarse space"]) for row in rows], list(expected))
     for row in rows:
@@ -95,6 +96,19 @@ def ends(ranks):
     check("--only: exit code", code, 0)
     check("--only: rows", [(row["size"], row["coarse space"]) for row in table(work / "only")], [("small", "Kernels")])
     check("--quiet: silent", text.strip(), "")
+
+    # --continue takes over what is there, if it is what would be done, and is sound.
+    folder = work / "continued"
+    code, text = run(options.study, ranks, TINY, "--output", folder, "--only", "small")
+    check("before --continue: exit code", code, 0)
+    (folder / "runs" / "002" / "finished.json").write_text('{"key": ')
+    code, text = run(options.study, ranks, TINY, "--output", folder, "--continue")
+    check("--continue: exit code", code, 0)
+    check("--continue: runs what is missing or damaged", (text.count("done before"), len(table(folder))), (2, 6))
+    code, text = run(options.study, ranks, TINY, "--output", folder, "--continue")
+    check("--continue, nothing left: runs nothing", text.count("done before"), 6)
+    code, text = run(options.study, ranks, TINY, "--output", folder, "--continue", "--only", "small", "--set", "Outer Solver/Maximum Iterations=49")
+    check("--continue, another scene: runs all", text.count("done before"), 0)
 
     # A program without its script draws nothing and does not mind.
     alone = work / "alone"
@@ -162,6 +176,12 @@ BAD = {
     "band_on_no_sweep": ([("{coarse space=Rigid Modes}", "{coarse spice=Rigid Modes}")], [
         "Where: no such sweep 'coarse spice'. Did you mean 'coarse space'?"]),
     "plot_of_no_column": ([("{condition, pcg}", "{conditon, pcg}")], ["Plots/condition/Y: no such column 'conditon'. Did you mean 'condition'?"]),
+    "order_without_limit": ([('<Parameter name="At Least" type="double" value="-1.9176"/>', ""), ('<Parameter name="At Most" type="double" value="-1.9174"/>', "")], [
+        "Orders/unknowns: compares with nothing"]),
+    "order_of_no_column": ([('<Parameter name="Y" type="string" value="dofs"/>', '<Parameter name="Y" type="string" value="dosf"/>')], [
+        "Orders/unknowns/Y: no such column 'dosf'. Did you mean 'dofs'?"]),
+    "order_by_no_sweep": ([('name="By" type="Array(string)" value="{coarse space}"/>\n      <Parameter name="At', 'name="By" type="Array(string)" value="{coarse spice}"/>\n      <Parameter name="At')], [
+        "Orders/unknowns/By: no such sweep 'coarse spice'. Did you mean 'coarse space'?"]),
     "swept_twice": ([("Mesh/Boxes/square/Blocks", CELLS)], [f"Sweeps/size/blocks: '{CELLS}' is changed in Sweeps/size/cells as well"]),
     "missing_scene": ([("linear_square.xml", "linear_sqare.xml")], ["linear_sqare.xml: cannot be read"]),
     "no_scene": ([('<Parameter name="Scene" type="string"', '<Parameter name="Title2" type="string"')], ["Title2", "Did you mean 'Title'?"]),

@@ -5,6 +5,7 @@
 #include <suture/base/SceneReader.hpp>
 #include <suture/constraints/BuildConstraints.hpp>
 #include <suture/elasticity/ElasticModel.hpp>
+#include <suture/elasticity/LockingNotes.hpp>
 
 using namespace suture;
 
@@ -89,8 +90,9 @@ TEUCHOS_UNIT_TEST(ElasticModel, NamesAllProblemsAtOnce) {
   TEST_EQUALITY(problems.size(), 4u);
   if (problems.size() != 4u) return;
   TEST_ASSERT(says(problems[0], "Bodies/upper/Material", "Did you mean 'steel'"));
-  TEST_ASSERT(says(problems[1], "Boundary Conditions/overburden/Value", "found 2 numbers"));
-  TEST_ASSERT(says(problems[2], "Boundary Conditions/wind/Value", "found 1 number, "));
+  TEST_ASSERT(says(problems[1], "Boundary Conditions/overburden/Value", "2 values; this Pressure needs 1 value, or Expression"));
+  TEST_ASSERT(says(problems[2], "Boundary Conditions/wind/Value",
+                   "1 values; this Traction needs 2 values, as in {0.0, 0.0}, or Expression x and Expression y"));
   TEST_ASSERT(says(problems[3], "Boundary Conditions/magnet/Body", "Did you mean 'upper'"));
 }
 
@@ -131,9 +133,68 @@ TEUCHOS_UNIT_TEST(ElasticModel, RefusesMaterialsThatDoNotExistInNature) {
     TEST_EQUALITY(problems.size(), 1u);
     TEST_ASSERT(problems.size() == 1 && problems[0].path == "Materials/rock/Poisson Ratio");
   }
-  TEST_ASSERT(says(problemsOf({"Materials/rock/Poisson Ratio=0.5"})[0], "Materials/rock/Poisson Ratio", "mixed element"));
+  TEST_ASSERT(says(problemsOf({"Materials/rock/Poisson Ratio=0.5"})[0], "Materials/rock/Poisson Ratio", "Materials/<name>/Element"));
   for (const std::string young : {"0.0", "-1e9"}) TEST_EQUALITY(problemsOf({"Materials/rock/Young Modulus=" + young}).size(), 1u);
   TEST_EQUALITY(problemsOf({"Materials/rock/Poisson Ratio=0.4999"}).size(), 0u);
+}
+
+TEUCHOS_UNIT_TEST(ElasticModel, ReadsElementsAndTheAxisymmetricModel) {
+  const ElasticModel model = modelOf({"Model=Axisymmetric", "Materials/rock/Element=Mixed", "Materials/steel/Allow Locking=true"});
+  TEST_ASSERT(model.axisymmetric && model.plane == PlaneModel::Strain);
+  TEST_ASSERT(model.materialOfBody[0].element == ElementForm::Mixed && !model.materialOfBody[0].allowLocking);
+  TEST_ASSERT(model.materialOfBody[1].element == ElementForm::Displacement && model.materialOfBody[1].allowLocking);
+  TEST_ASSERT(!modelOf().axisymmetric);
+  CellBlock plane;
+  TEST_THROW(requireGeometry(plane, model), InternalError);
+  plane.axisymmetric = true;
+  requireGeometry(plane, model);
+  TEST_THROW(requireGeometry(plane, modelOf()), InternalError);
+  // The scene of this test is of plane stress.
+  TEST_ASSERT(
+      says(problemsOf({"Materials/rock/Element=Mixed"})[0], "Materials/rock/Element", "Mixed in plane stress, where no element locks"));
+}
+
+TEUCHOS_UNIT_TEST(ElasticModel, RefusesTrianglesThatLockAndTellsWhatToChoose) {
+  CellBlock block;
+  block.cells = {Cell::Quadrilateral4, Cell::Triangle3, Cell::Triangle6, Cell::Triangle3};
+  const auto problemsIn = [&](std::vector<std::string> overrides, int body) {
+    overrides.insert(overrides.begin(), "Model=Plane Strain");
+    Problems problems;
+    checkElements(
+        block, [&](int) { return body; }, modelOf(overrides), problems);
+    return problems.list();
+  };
+  TEST_EQUALITY(problemsIn({"Materials/rock/Poisson Ratio=0.49"}, 0).size(), 0u);
+  const std::string nearly = "Materials/rock/Poisson Ratio=0.4901";
+  const std::vector<Problem> found = problemsIn({nearly}, 0);
+  TEST_EQUALITY(found.size(), 1u);  // once for all its triangles
+  if (found.size() != 1u) return;
+  TEST_ASSERT(says(found[0], "Materials/rock/Poisson Ratio", "0.4901 with 3-node triangles in the body 'lower': above 0.49 they lock"));
+  TEST_ASSERT(says(found[0], "Materials/rock/Poisson Ratio", "choose Materials/rock/Element = Mixed, or set Materials/rock/Allow Locking"));
+  TEST_EQUALITY(problemsIn({nearly}, 1).size(), 0u);  // of steel
+  TEST_EQUALITY(problemsIn({nearly, "Materials/rock/Allow Locking=true"}, 0).size(), 0u);
+  const std::vector<Problem> mixed = problemsIn({"Materials/rock/Element=Mixed"}, 0);
+  TEST_ASSERT(mixed.size() == 1u && says(mixed[0], "Materials/rock/Element", "no stable pressure"));
+  Problems sheet;
+  checkElements(
+      block, [](int) { return 0; }, modelOf({nearly}), sheet);
+  TEST_ASSERT(sheet.empty());  // plane stress
+}
+
+TEUCHOS_UNIT_TEST(ElasticModel, TellsOfDisplacementElementsNearIncompressibility) {
+  const std::vector<std::string> nearly{"Model=Axisymmetric", "Materials/rock/Poisson Ratio=0.4999"};
+  const auto notesWith = [&](const std::string& setting) {
+    std::vector<std::string> overrides = nearly;
+    overrides.push_back(setting);
+    return lockingNotes(modelOf(overrides));
+  };
+  const std::vector<std::string> notes = lockingNotes(modelOf(nearly));
+  TEST_EQUALITY(notes.size(), 1u);  // once, however many bodies
+  TEST_ASSERT(!notes.empty() && notes[0].find("Materials/rock: Poisson ratio 0.4999 with Element = Displacement") == 0);
+  TEST_EQUALITY(notesWith("Materials/rock/Element=Mixed").size(), 0u);
+  TEST_EQUALITY(notesWith("Materials/rock/Allow Locking=true").size(), 0u);
+  TEST_EQUALITY(lockingNotes(modelOf({"Materials/rock/Poisson Ratio=0.4999"})).size(), 0u);  // plane stress
+  TEST_EQUALITY(lockingNotes(modelOf()).size(), 0u);
 }
 
 TEUCHOS_UNIT_TEST(ElasticModel, HasTheElasticityThatInvertsTheCompliance) {

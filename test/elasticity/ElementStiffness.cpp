@@ -83,6 +83,89 @@ TEUCHOS_UNIT_TEST(ElementStiffness, HasTheRigidModesAndNothingElseInItsNullSpace
     }
 }
 
+// Every cell, displacement and mixed, but for the mixed 3-node triangle, which there is not.
+template <typename Take>
+void forEachElement(const Take& take) {
+  for (Cell cell : sample::cells())
+    for (ElementForm form : {ElementForm::Displacement, ElementForm::Mixed})
+      if (cell != Cell::Triangle3 || form != ElementForm::Mixed)
+        for (const CellBlock& block : {sample::distorted(cell), sample::curved(cell)}) take(cell, form, block);
+}
+
+TEUCHOS_UNIT_TEST(ElementStiffness, OfMixedElementsHasTheRigidModesAndNothingElseInItsNullSpace) {
+  for (double poisson : {-0.4, 0.0, 0.3, 0.4999})
+    forEachElement([&](Cell cell, ElementForm form, const CellBlock& block) {
+      const Matrix k = stiffness(block, {"m", 1.0, poisson, form}, PlaneModel::Strain);
+      const Vector turn = nodal(block, [](double x, double y) { return std::array<double, 2>{-y, x}; });
+      TEST_COMPARE((k * turn).norm(), <, 1e-14 * k.norm() * turn.norm());
+      const Vector eigenvalues = Eigen::SelfAdjointEigenSolver<Matrix>(k).eigenvalues();
+      TEST_COMPARE(std::abs(eigenvalues[2]), <, 1e-13 * k.norm());
+      TEST_COMPARE(eigenvalues[3], >, 1e-3);  // of the order of mu, whatever lambda
+      TEST_EQUALITY((k - k.transpose()).norm(), 0.0);
+      // Energy: the projection takes away, and what it takes is nothing when lambda is.
+      const Matrix pointwise = stiffness(block, {"m", 1.0, poisson}, PlaneModel::Strain);
+      const double least =
+          Eigen::SelfAdjointEigenSolver<Matrix>(poisson < 0 ? Matrix(k - pointwise) : Matrix(pointwise - k)).eigenvalues()[0];
+      TEST_COMPARE(least, >, -1e-12 * k.norm());
+      if (poisson == 0.0) TEST_COMPARE((k - pointwise).norm(), <, 1e-14 * k.norm());
+      (void)cell;
+    });
+}
+
+TEUCHOS_UNIT_TEST(ElementStiffness, OfMixedElementsCountsItsPressures) {
+  // As many eigenvalues of the order of lambda as pressures, and so as many constraints in the limit.
+  const std::map<Cell, int> pressures{
+      {Cell::Triangle6, 1}, {Cell::Quadrilateral4, 1}, {Cell::Quadrilateral8, 1}, {Cell::Quadrilateral9, 3}};
+  for (const bool axisymmetric : {false, true})
+    for (const auto& [cell, count] : pressures) {
+      CellBlock block = sample::curved(cell);
+      for (int i = 0; i < block.nodes(); ++i) block.coordinates[2 * i] += 1.0;
+      block.axisymmetric = axisymmetric;
+      const Vector values =
+          Eigen::SelfAdjointEigenSolver<Matrix>(stiffness(block, {"m", 1.0, 0.499999, ElementForm::Mixed}, PlaneModel::Strain))
+              .eigenvalues();
+      TEST_EQUALITY((values.array() > 1e3).count(), count);
+    }
+}
+
+TEUCHOS_UNIT_TEST(ElementStiffness, OfBodiesOfRevolutionHasTheTranslationAlongTheAxisOnlyInItsNullSpace) {
+  for (double poisson : {0.0, 0.3, 0.4999})
+    forEachElement([&](Cell, ElementForm form, CellBlock block) {
+      for (int i = 0; i < block.nodes(); ++i) block.coordinates[2 * i] += 0.5;
+      block.axisymmetric = true;
+      const Matrix k = stiffness(block, {"m", 1.0, poisson, form}, PlaneModel::Strain);
+      const Vector along = nodal(block, [](double, double) { return std::array<double, 2>{0, 1}; });
+      TEST_COMPARE((k * along).norm(), <, 1e-14 * k.norm() * along.norm());
+      const Vector eigenvalues = Eigen::SelfAdjointEigenSolver<Matrix>(k).eigenvalues();
+      TEST_COMPARE(std::abs(eigenvalues[0]), <, 1e-13 * k.norm());
+      TEST_COMPARE(eigenvalues[1], >, 1e-2);
+      TEST_EQUALITY((k - k.transpose()).norm(), 0.0);
+    });
+}
+
+TEUCHOS_UNIT_TEST(ElementStiffness, GivesARevolvedRectangleTheEnergyOfItsStretches) {
+  // u = (a r, b y): strains (a, b, a), the same everywhere; volume pi (r1^2 - r0^2) height, or by Pappus for the triangle.
+  const double r0 = 0.7, a = 0.3, b = -0.8;
+  forEachElement([&](Cell cell, ElementForm form, const CellBlock&) {
+    CellBlock block = sample::axisParallel(cell, 1.5, 2.0);
+    for (int i = 0; i < block.nodes(); ++i) block.coordinates[2 * i] += r0;
+    block.axisymmetric = true;
+    const Vector u = nodal(block, [&](double x, double y) { return std::array<double, 2>{a * x, b * y}; });
+    const double pi = std::acos(-1.0);
+    const double volume = sample::isTriangle(cell) ? 1.5 * 2 * pi * (r0 + 0.5) : pi * ((r0 + 1.5) * (r0 + 1.5) - r0 * r0) * 2.0;
+    const double e = 3.0, nu = 0.3, lambda = e * nu / ((1 + nu) * (1 - 2 * nu)), mu = e / (2 * (1 + nu));
+    const double density = lambda * (2 * a + b) * (2 * a + b) + 2 * mu * (2 * a * a + b * b);
+    TEST_FLOATING_EQUALITY(u.dot(stiffness(block, {"m", e, nu, form}, PlaneModel::Strain) * u), volume * density, 1e-13);
+  });
+}
+
+TEUCHOS_UNIT_TEST(ElementStiffness, RefusesAnElementAcrossTheAxis) {
+  CellBlock block = sample::axisParallel(Cell::Quadrilateral4, 1, 1);
+  for (int i = 0; i < block.nodes(); ++i) block.coordinates[2 * i] -= 0.5;
+  block.axisymmetric = true;
+  TEST_THROW(stiffness(block, rock, PlaneModel::Strain), InputError);
+}
+
 TEUCHOS_UNIT_TEST(ElementStiffness, GivesLinearFieldsTheEnergyOfTheirConstantStress) {
   for (Cell cell : sample::cells())
     for (PlaneModel plane : {PlaneModel::Strain, PlaneModel::Stress}) {

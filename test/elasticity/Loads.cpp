@@ -1,5 +1,6 @@
 #include <Teuchos_UnitTestHarness.hpp>
 #include <suture/elasticity/ElasticModel.hpp>
+#include <suture/mesh/Generators.hpp>
 
 #include "SampleCells.hpp"
 
@@ -151,6 +152,27 @@ TEUCHOS_UNIT_TEST(Loads, GivesTractionOnACurvedSideTheForceOfItsLength) {
   TEST_FLOATING_EQUALITY(length, pi / 3, 2e-3);
 }
 
+TEUCHOS_UNIT_TEST(Loads, OfBodiesOfRevolutionAreThoseOfTheWholeCircle) {
+  for (Cell cell : sample::cells()) {
+    // The bottom of a cylinder of radius 3: a disc, its node on the axis included.
+    CellBlock block = sample::axisParallel(cell, 3.0, 1.0);
+    block.axisymmetric = true;
+    const Point disc = resultant(block, sideForces(block, {bottomOf(block)}, pressure(2.0)));
+    TEST_FLOATING_EQUALITY(disc[1], 2.0 * pi * 9.0, 1e-14);
+    TEST_COMPARE(std::abs(disc[0]), <, 1e-14);
+    // Weight by Pappus, and pulled outwards the radial magnitudes round the circle.
+    const double area = sample::isTriangle(cell) ? 1.5 : 3.0, centroid = sample::isTriangle(cell) ? 1.0 : 1.5;
+    const Point weight = resultant(block, bodyForces(block, bodyForce(0.5, -9.81)));
+    TEST_FLOATING_EQUALITY(weight[1], -9.81 * 2 * pi * centroid * area, 1e-14);
+    TEST_FLOATING_EQUALITY(weight[0], 0.5 * 2 * pi * centroid * area, 1e-14);
+  }
+  // A traction along the axis on a cone: pi (r0 + r1) times the slant.
+  CellBlock cone = sample::distorted(Cell::Quadrilateral4);
+  cone.axisymmetric = true;
+  const double slant = std::hypot(1.8, 0.6), radii = 0.3 + 2.1;
+  TEST_FLOATING_EQUALITY(resultant(cone, sideForces(cone, {{0, 0}}, traction(0, 4.0)))[1], 4.0 * pi * radii * slant, 1e-14);
+}
+
 TEUCHOS_UNIT_TEST(Loads, SpreadsBodyForceByTheIntegralsOfShapeFunctions) {
   // Known for affine cells, as parts of the area.
   const std::map<Cell, std::vector<double>> shares{
@@ -187,4 +209,45 @@ TEUCHOS_UNIT_TEST(Loads, GivesBodyForceTheWeightOfADistortedElement) {
     TEST_FLOATING_EQUALITY(sum[1], -area, 1e-13);
     TEST_FLOATING_EQUALITY(sum[2], -momentX, 1e-13);
   }
+}
+
+TEUCHOS_UNIT_TEST(Loads, ThatDependOnThePlaceAreIntegratedAgainstTheShapeFunctions) {
+  // Resultant of b = (x y, x^2) on the square [0, 1]^2, and its moment, by hand: (1/4, 1/3, 1/4 - 1/6); of t = (y^3, y) on x = 1.
+  for (const Cell cell : {Cell::Triangle3, Cell::Triangle6, Cell::Quadrilateral4, Cell::Quadrilateral8, Cell::Quadrilateral9}) {
+    Box box;
+    box.nx = box.ny = 3;
+    box.cell = cell;
+    const Mesh mesh = boxes({box});
+    Load force;
+    force.kind = Load::Kind::BodyForce;
+    force.expressions = {Expression("x*y"), Expression("x^2")};
+    const Point b = resultant(mesh, bodyForces(mesh, force));
+    TEST_FLOATING_EQUALITY(b[0], 0.25, 1e-13);
+    TEST_FLOATING_EQUALITY(b[1], 1.0 / 3, 1e-13);
+    TEST_FLOATING_EQUALITY(b[2], 0.25 - 1.0 / 6, 1e-13);
+    Load traction;
+    traction.expressions = {Expression("x*y^3"), Expression("y")};
+    const Point t = resultant(mesh, sideForces(mesh, mesh.sideGroups.at("body_right"), traction));
+    TEST_FLOATING_EQUALITY(t[0], 0.25, 1e-13);
+    TEST_FLOATING_EQUALITY(t[1], 0.5, 1e-13);
+    TEST_FLOATING_EQUALITY(t[2], 0.5 - 0.2, 1e-13);
+    Load pressed;
+    pressed.kind = Load::Kind::Pressure;
+    pressed.expressions = {Expression("y^2")};
+    TEST_FLOATING_EQUALITY(resultant(mesh, sideForces(mesh, mesh.sideGroups.at("body_right"), pressed))[0], -1.0 / 3, 1e-13);
+  }
+}
+
+TEUCHOS_UNIT_TEST(Loads, OfConstantExpressionsAreThoseOfNumbers) {
+  // on curved sides, too
+  const CellBlock block = disc(Cell::Triangle6, 12, 2.0, 1.0, -1.0);
+  std::vector<Side> sides;
+  for (int e = 0; e < block.elements(); ++e) sides.push_back({e, 1});
+  Load load = traction(0, 0);
+  load.expressions = {Expression("2"), Expression("-3")};
+  // the length of a curved side is the integral of a square root: two rules agree as well as they integrate it
+  TEST_COMPARE((sideForces(block, sides, load) - sideForces(block, sides, traction(2, -3))).norm(), <, 1e-5);
+  Load push = pressure(0);
+  push.expressions = {Expression("5")};
+  TEST_COMPARE((sideForces(block, sides, push) - sideForces(block, sides, pressure(5))).norm(), <, 1e-13);
 }

@@ -55,6 +55,43 @@ TEUCHOS_UNIT_TEST(Stresses, FollowHookesLawInThreeDimensions) {
       }
 }
 
+TEUCHOS_UNIT_TEST(Stresses, AcrossTheMeridianPlaneAreTheHoopStress) {
+  const double a = 1e-3, b = -4e-4, e = steel.young, nu = steel.poisson;
+  for (ElementForm form : {ElementForm::Displacement, ElementForm::Mixed})
+    for (Cell cell : sample::cells()) {
+      if (cell == Cell::Triangle3 && form == ElementForm::Mixed) continue;
+      CellBlock block = sample::curved(cell);
+      for (int i = 0; i < block.nodes(); ++i) block.coordinates[2 * i] += 0.5;
+      block.axisymmetric = true;
+      const Material material{"steel", e, nu, form};
+      Vector u(2 * block.nodes());
+      for (int i = 0; i < block.nodes(); ++i) u.segment<2>(2 * i) << a * block.point(i)[0], b * block.point(i)[1];
+      const Vector s = elementStresses(
+                           block, [&](int) -> const Material& { return material; }, PlaneModel::Strain, u)
+                           .row(0)
+                           .transpose();
+      TEST_COMPARE(std::abs((s[0] - nu * (s[1] + s[2])) / e - a), <, 1e-15);
+      TEST_COMPARE(std::abs((s[1] - nu * (s[0] + s[2])) / e - b), <, 1e-15);
+      TEST_COMPARE(std::abs((s[2] - nu * (s[0] + s[1])) / e - a), <, 1e-15);
+      TEST_COMPARE(std::abs(s[3] / e), <, 1e-15);
+    }
+}
+
+TEUCHOS_UNIT_TEST(Stresses, OfMixedElementsHaveTheMeanPressureOfTheElement) {
+  // u = (x^2, 0) on the square [0, 1]^2: the dilatation 2 x is 1 on the average, and at the centroid of a linear one.
+  for (Cell cell : {Cell::Quadrilateral8, Cell::Quadrilateral9}) {
+    const CellBlock block = sample::axisParallel(cell, 1, 1);
+    Vector u = Vector::Zero(2 * block.nodes());
+    for (int i = 0; i < block.nodes(); ++i) u[2 * i] = block.point(i)[0] * block.point(i)[0];
+    const Material material{"m", 1.0, 0.4999, ElementForm::Mixed};
+    const Matrix s = elementStresses(
+        block, [&](int) -> const Material& { return material; }, PlaneModel::Strain, u);
+    const double lambda = 0.4999 / (1.4999 * 0.0002), mu = 1 / (2 * 1.4999);
+    TEST_FLOATING_EQUALITY(s(0, 1), lambda, 1e-10);
+    TEST_FLOATING_EQUALITY(s(0, 0), lambda + 2 * mu, 1e-10);
+  }
+}
+
 TEUCHOS_UNIT_TEST(Stresses, AreTensionPositive) {
   const Vector s = stressOf(sample::distorted(Cell::Triangle3), gradient(1e-3, 0, 0, 0), PlaneModel::Stress);
   TEST_COMPARE(s[0], >, 0.0);

@@ -75,6 +75,24 @@ TEUCHOS_UNIT_TEST(AssignBodies, RefusesInvertedAndCollapsedElementsWithTheirPlac
   SUTURE_CHECK_SAYS(said, "element 8 has the area 0,");
 }
 
+TEUCHOS_UNIT_TEST(AssignBodies, RefusesTangledCurvedElementsWithTheirPlace) {
+  Box box;
+  box.nx = box.ny = 2;
+  box.cell = Cell::Triangle6;
+  Mesh mesh = boxes({box});
+  for (int node = 0; node < mesh.nodes(); ++node)
+    if (mesh.point(node) == Point{0.25, 0, 0}) mesh.coordinates[2 * node + 1] = 0.4;  // the middle of a side of element 0, bent into it
+  std::string said = "no error";
+  try {
+    assignBodies(mesh, {"body"});
+  } catch (const InputError& error) {
+    said = error.problems()[0].message;
+  }
+  SUTURE_CHECK_SAYS(said, "1 tangled element (at (");
+  SUTURE_CHECK_SAYS(said, "in element 0 (Triangle6) the determinant of the map from the reference element is -");
+  SUTURE_CHECK_SAYS(said, "a node of a side is too far from its middle");
+}
+
 TEUCHOS_UNIT_TEST(AssignBodies, AcceptsSlivers) {
   Mesh mesh = twoBoxes();
   for (std::size_t i = 1; i < mesh.coordinates.size(); i += 2) mesh.coordinates[i] *= 1e-7;

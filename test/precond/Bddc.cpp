@@ -78,6 +78,55 @@ TEUCHOS_UNIT_TEST(Bddc, ConditionDoesNotFeelAnAlignedJumpOf1e6) {
     }
 }
 
+// Clamped squares of mixed elements, their inner lines bent so that averages along the seams are not what flows through them.
+Scene softSquare(Cell cell, double poisson) {
+  Box box;
+  box.nx = box.ny = 16;
+  box.blocksX = box.blocksY = 4;
+  box.cell = cell;
+  Scene scene = scenes::fromBoxes({box}, 2 * (1 + poisson), poisson);
+  scene.model.materialOfBody[0].element = ElementForm::Mixed;
+  for (int node = 0; node < scene.mesh.nodes(); ++node) {
+    double* x = &scene.mesh.coordinates[2 * node];
+    const double bump = std::sin(3.14159265358979 * x[0]) * std::sin(3.14159265358979 * x[1]);
+    x[0] += 0.06 * bump;
+    x[1] -= 0.04 * bump;
+  }
+  scene.hold("body_left", 0, 0.0);
+  scene.hold("body_left", 1, 0.0);
+  return scene;
+}
+
+TEUCHOS_UNIT_TEST(Bddc, ConditionOfMixedElementsDoesNotGrowAsPoissonsRatioTendsToOneHalf) {
+  for (const Cell cell : {Cell::Triangle6, Cell::Quadrilateral8, Cell::Quadrilateral9}) {
+    const Lanczos easy = condition(softSquare(cell, 0.3), "Rigid Modes");
+    for (const double poisson : {0.4999, 0.499999}) {
+      const Lanczos hard = condition(softSquare(cell, poisson), "Rigid Modes");
+      out << cellInfo(cell).name << ": condition " << easy.condition << " at 0.3, " << hard.condition << " at 0.5 - " << 0.5 - poisson
+          << "; iterations " << easy.iterations << ", " << hard.iterations << "\n";
+      TEST_COMPARE(hard.condition, <, 1.3 * easy.condition);
+      TEST_COMPARE(hard.iterations, <=, easy.iterations + 3);
+    }
+  }
+}
+
+TEUCHOS_UNIT_TEST(Bddc, AdaptiveEdgesSeeTheChessBoardPressuresOfSubdomainsOfQuadrilaterals) {
+  // Constant pressures of alternating sign do no work on inner displacements: the Schur complement of a subdomain is as stiff as lambda
+  // against traces that feel them, and no flux through an edge tells of that.
+  for (const char* edges : {"Rigid Modes", "Adaptive"}) {
+    const Lanczos easy = condition(softSquare(Cell::Quadrilateral4, 0.3), edges),
+                  hard = condition(softSquare(Cell::Quadrilateral4, 0.4999), edges);
+    out << edges << ": condition " << easy.condition << " at 0.3, " << hard.condition << " at 0.4999; iterations " << easy.iterations
+        << ", " << hard.iterations << "\n";
+    if (edges == std::string("Adaptive")) {
+      TEST_COMPARE(hard.condition, <, 12.0);  // the threshold, with a margin
+      TEST_COMPARE(hard.iterations, <, 1.5 * easy.iterations);
+    } else {
+      TEST_COMPARE(hard.iterations, <, 4 * easy.iterations);
+    }
+  }
+}
+
 TEUCHOS_UNIT_TEST(Bddc, MoreConstraintsGiveALowerCondition) {
   const Scene scene = clampedSquare(4, 8, 1.0, 0.25);
   const double none = condition(scene, "None").condition, averages = condition(scene, "Averages").condition,

@@ -35,6 +35,27 @@ TEUCHOS_UNIT_TEST(Console, FooterSaysHowItEnded) {
                                  "pressure 1.00e+01 Pa, forces balance to 3e-12\n") == 0);
 }
 
+TEUCHOS_UNIT_TEST(Console, FooterTellsTheErrorsThatAreKnown) {
+  sample::SampleRun sample("unused");
+  sample.solution_.errors = {{"displacement_l2", 1.25e-5}, {"displacement_l2_relative", 0.00123}, {"pressure_l2", 2.0}};
+  std::ostringstream console;
+  printFooter(&console, sample.run());
+  if (sample.comm_->getRank() != 0) return;
+  TEST_ASSERT(console.str().find("\n   errors: displacement L2 1.250e-05 (0.12 %), pressure L2 2.000e+00\n") != std::string::npos);
+}
+
+TEUCHOS_UNIT_TEST(Console, FooterSetsTheErrorsSideBySide) {
+  sample::SampleRun sample("unused");
+  sample.solution_.energyError = 0.002;
+  sample.solution_.discretisation = DiscretisationError{0.1, 4.0, {}};
+  std::ostringstream console;
+  printFooter(&console, sample.run());
+  if (sample.comm_->getRank() == 0)
+    TEST_ASSERT(
+        console.str().find("\n   error in the energy norm, estimated: discretisation 1.00e-01 (2.5 %), algebraic 2.00e-03 (0.05 %)\n") !=
+        std::string::npos);
+}
+
 TEUCHOS_UNIT_TEST(Console, FooterOfAFailureGivesTheReason) {
   sample::SampleRun sample("unused");
   sample.solution_.converged = false;

@@ -66,6 +66,25 @@ TEUCHOS_UNIT_TEST(Fields, PrincipalStressesTurnTheTensorDiagonal) {
   TEST_FLOATING_EQUALITY(s[2], exact.zz, 1e-12);
 }
 
+TEUCHOS_UNIT_TEST(Fields, CarryTheEstimatedErrorOfEveryElementIfThereIsOne) {
+  for (const std::string& name : open("fields_0000.vtkhdf").members("/VTKHDF/CellData")) TEST_INEQUALITY(name, "ErrorEstimate");
+  const std::string folder = sample::folderOf("fields_error");
+  sample::SampleRun sample(folder);
+  sample.solution_.discretisation = DiscretisationError{1.0, 1.0, {}};
+  for (const SubdomainMesh& mesh : sample.subdomains_) {
+    Vector values(mesh.elements());
+    for (int e = 0; e < mesh.elements(); ++e) values(e) = 0.5 + double(mesh.globalElements[e]);
+    sample.solution_.discretisation->ofElements.push_back(values);
+  }
+  prepareFolder(*sample.comm_, folder);
+  writeReport(sample.run(), ExitCode::Done);
+  const Hdf5File file = Hdf5File::open(*sample.comm_, folder + "/fields_0000.vtkhdf");
+  const std::vector<double> error = file.readReals("/VTKHDF/CellData/ErrorEstimate"), id = file.readReals("/VTKHDF/CellData/ElementId");
+  TEST_EQUALITY(error.size(), 72);
+  for (std::size_t i = 0; i < error.size(); ++i) TEST_EQUALITY(error[i], 0.5 + id[i]);
+  TEST_EQUALITY(file.readTextAttribute("/VTKHDF/CellData/ErrorEstimate", "unit"), "(Pa m^2)^(1/2)");
+}
+
 TEUCHOS_UNIT_TEST(Fields, NameTheirUnitsAndSigns) {
   const Hdf5File file = open("fields_0000.vtkhdf");
   TEST_EQUALITY(file.readTextAttribute("/VTKHDF/CellData/Stress", "unit"), "Pa");

@@ -101,14 +101,15 @@ TEUCHOS_UNIT_TEST(Summary, NamesEveryPathThatItWritesAndNoOther) {
   sample::SampleRun sample(sample::folderOf("summary"));
   sample.solution_.estimates["mu"] = 1.0;
   sample.solution_.chosenSchur["Explicit"] = 3;
+  sample.solution_.errors["displacement_l2"] = 1e-5;
   prepareFolder(*sample.comm_, sample.folder_);
   writeSummary(sample.run(), ExitCode::Done, sample.folder_ + "/summary.json");
   std::vector<std::string> written;
   leaves(readJson(sample.folder_ + "/summary.json"), "", written);
-  const std::set<std::string> mayBeAbsent{"error.<name>", "notes.<number>"};  // empty in this run
+  const std::set<std::string> mayBeAbsent{"notes.<number>"};  // empty in this run
   for (const std::string& path : written)
     if (std::none_of(summaryPaths().begin(), summaryPaths().end(), [&](const std::string& p) { return fits(path, p); }) &&
-        path != "error" && path != "notes") {
+        path != "notes") {
       out << "not in summaryPaths(): " << path << "\n";
       success = false;
     }
@@ -192,6 +193,29 @@ TEUCHOS_UNIT_TEST(Summary, SaysThatARunFailed) {
   TEST_ASSERT(all["energy"].is_null());
 }
 
+TEUCHOS_UNIT_TEST(Summary, SaysWhichErrorsAreKnown) {
+  sample::SampleRun sample(sample::folderOf("summary"));
+  prepareFolder(*sample.comm_, sample.folder_);
+  const auto written = [&] {
+    writeSummary(sample.run(), ExitCode::Done, sample.folder_ + "/summary.json");
+    return readJson(sample.folder_ + "/summary.json");
+  };
+  json all = written();
+  TEST_EQUALITY(all["error"].size(), 0);
+  TEST_ASSERT(all["auxiliary"]["algebraic_error"].is_null());
+  sample.solution_.energyError = 0.002;
+  sample.solution_.auxiliary.energyError = 0.5;
+  all = written();
+  TEST_EQUALITY(all["error"].size(), 1);
+  TEST_EQUALITY(all["error"]["algebraic_energy_norm"].get<double>(), 0.002);
+  TEST_EQUALITY(all["auxiliary"]["algebraic_error"].get<double>(), 0.5);
+  sample.solution_.discretisation = DiscretisationError{0.1, 4.0, {}};
+  all = written();
+  TEST_EQUALITY(all["error"]["estimated_energy_norm"].get<double>(), 0.1);
+  TEST_EQUALITY(all["error"]["estimated_energy_norm_relative"].get<double>(), 0.1 / 4.0);
+  TEST_EQUALITY(all["error"]["algebraic_energy_norm_relative"].get<double>(), 0.002 / 4.0);
+}
+
 TEUCHOS_UNIT_TEST(History, GivesBackTheSameNumbers) {
   sample::SampleRun sample(sample::folderOf("summary"));
   prepareFolder(*sample.comm_, sample.folder_);
@@ -202,7 +226,7 @@ TEUCHOS_UNIT_TEST(History, GivesBackTheSameNumbers) {
   std::string header, row;
   std::getline(file, header);
   std::getline(file, row);
-  TEST_EQUALITY(header, "iteration,pcg,condition,residual,euclidean,active,changed,energy,step,seconds");
+  TEST_EQUALITY(header, "iteration,pcg,condition,residual,euclidean,active,changed,energy,step,seconds,algebraic_error");
   int k, pcg, active, changed;
   double condition, residual, euclidean, energy, step, seconds;
   TEST_EQUALITY(std::sscanf(row.c_str(), "%d,%d,%lf,%lf,%lf,%d,%d,%lf,%lf,%lf", &k, &pcg, &condition, &residual, &euclidean, &active,
@@ -214,6 +238,14 @@ TEUCHOS_UNIT_TEST(History, GivesBackTheSameNumbers) {
   TEST_EQUALITY(energy, -1.2093e8 / 7);
   TEST_EQUALITY(step, 0.1);
   TEST_EQUALITY(changed, 5);
+  TEST_EQUALITY(row.back(), ',');  // the algebraic error is not known
+  OuterRow known;
+  known.energyError = 1.0 / 3.0;
+  writeHistory({known}, path);
+  std::ifstream again(path);
+  std::getline(again, header);
+  std::getline(again, row);
+  TEST_EQUALITY(std::stod(row.substr(row.rfind(',') + 1)), 1.0 / 3.0);
 }
 
 }  // namespace

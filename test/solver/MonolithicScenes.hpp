@@ -56,7 +56,10 @@ struct Scene {
   void region(const std::string& group, double young) {
     if (mesh.regions.empty()) mesh.regions.assign(mesh.elements(), -1);
     for (const int e : mesh.elementGroups.at(group)) mesh.regions[e] = int(model.materialOfRegion.size());
-    model.materialOfRegion.push_back({group, young, model.materialOfBody.front().poisson});
+    Material own = model.materialOfBody.front();
+    own.name = group;
+    own.young = young;
+    model.materialOfRegion.push_back(own);
   }
 
   /// Pairs the nodes of the two sides by their place along the line, normal from A to B; sorted along the line.

@@ -28,8 +28,12 @@ def young(material, value):
     return [f"Materials/{material}/Young Modulus={value}"]
 
 
+def each(name, value):
+    return [f"Materials/{material}/{name}={value}" for material in ("soft", "hard")]
+
+
 def poisson(value):
-    return [f"Materials/{material}/Poisson Ratio={value}" for material in ("soft", "hard")]
+    return each("Poisson Ratio", value)
 
 
 def boxes(name, value):
@@ -75,8 +79,10 @@ def cases():
     all["bricks_within_subdomains_1e8"]["refuses"] = {**dict.fromkeys(VARIANTS, UNREACHED), "condensed_groups_neumann_neumann": ILL}
     all["bricks_metis_1e8"]["refuses"] = {"condensed_groups_neumann_neumann": ILL}
     for ratio in ("0.49", "0.4999"):
-        all[f"poisson_{ratio}"] = {"set": poisson(ratio)}
+        all[f"poisson_{ratio}"] = {"set": poisson(ratio) + each("Allow Locking", "true")}
         all[f"poisson_{ratio}_quadrilaterals"] = {"set": poisson(ratio) + QUADS}
+        for cell in ("Quadrilateral4", "Quadrilateral9", "Triangle6"):
+            all[f"poisson_{ratio}_mixed_{cell}"] = {"set": poisson(ratio) + each("Element", "Mixed") + boxes("Cell", cell)}
     # Elements of aspect ratio 1e3: in blocks of ordinary shape, in columns, in strips so slender that they bend without resistance.
     all["slivers"] = {"set": boxes("Cells", "{4, 1000}")}
     all["slivers_upright"] = {"set": boxes("X", "{0, 0.004}") + ["Boundary Conditions/press/Value=1.0"]}

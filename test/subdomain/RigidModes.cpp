@@ -52,6 +52,19 @@ TEUCHOS_UNIT_TEST(RigidModes, SpanTranslationsAndTheRotation) {
   TEST_COMPARE(singular(2), >, 0.2 * singular(0));
 }
 
+TEUCHOS_UNIT_TEST(RigidModes, OfBodiesOfRevolutionAreTheTranslationAlongTheAxis) {
+  Mesh mesh = boxes({Box()});
+  const Matrix plane = rigidModes(mesh);
+  makeAxisymmetric(mesh);
+  const Matrix modes = rigidModes(mesh);
+  TEST_EQUALITY(modes.cols(), 1);
+  for (int node = 0; node < mesh.nodes(); ++node) {
+    TEST_EQUALITY(modes(2 * node, 0), 0.0);
+    TEST_EQUALITY(modes(2 * node + 1, 0), 1.0);
+  }
+  TEST_EQUALITY((sectionModes(mesh) - plane).norm(), 0.0);  // what coarse spaces are given
+}
+
 TEUCHOS_UNIT_TEST(RigidModes, NullSpaceIsWhatTheRowsLeaveFree) {
   TEST_EQUALITY((nullSpace(Matrix(0, 3)) - Matrix::Identity(3, 3)).norm(), 0.0);
   Matrix rows(5, 3);  // of rank two, the last rows rounding

@@ -66,7 +66,7 @@ struct Blocks {
     if (!youngOf.empty()) {
       const Material like = model.materialOfBody.front();
       model.materialOfBody.clear();
-      for (double value : youngOf) model.materialOfBody.push_back({like.name, value, like.poisson});
+      for (double value : youngOf) model.materialOfBody.push_back(like), model.materialOfBody.back().young = value;
       for (SubdomainMesh& mesh : meshes) mesh.body = mesh.id;
     }
     for (const SubdomainMesh& mesh : meshes) {

@@ -105,6 +105,32 @@ def rings_largestPressure(folder, _):
     return float(contact(folder).point["ContactPressure"].max())
 
 
+def exactEnergyError(folder, stressAt):
+    """Energy norm of the computed stresses less exact ones: stressAt(points) gives xx, yy, xy; from the middles of the sides."""
+    f = fields(folder)
+    area, strain = linearTriangles(f, f.point["Displacement"])
+    law = hooke(folder, f)
+    computed, compliance = np.einsum("cij,cj->ci", law, strain), np.linalg.inv(law)
+    x = f.points[np.array(f.cells)]
+    square = 0.0
+    for k in range(3):
+        e = stressAt(0.5 * (x[:, k] + x[:, (k + 1) % 3])) - computed
+        square += np.einsum("c,ci,cij,cj->", area / 3, e, compliance, e)
+    return math.sqrt(square)
+
+
+def rings_effectivity(folder, _):
+    """Estimated error over the exact one: two rings of one material in contact are a thick tube under outer pressure (Lame)."""
+    def stressAt(points):
+        inner, outer, pressure = 0.2, 1.0, 1e7
+        r2 = (points ** 2).sum(axis=1)
+        mean = -pressure * outer ** 2 / (outer ** 2 - inner ** 2)
+        c2, s2 = (points[:, 0] ** 2 - points[:, 1] ** 2) / r2, 2 * points[:, 0] * points[:, 1] / r2
+        deviation = -mean * inner ** 2 / r2  # radial less the mean
+        return np.stack([mean + deviation * c2, mean - deviation * c2, deviation * s2], axis=1)
+    return summary(folder)["error"]["estimated_energy_norm"] / exactEnergyError(folder, stressAt)
+
+
 # --- V3: Hertz, fit of p^2 = p0^2 (1 - x^2 / a^2) over |x| < 0.8 a ---
 
 def hertzFit(folder, halfWidth=0.96277):
@@ -126,6 +152,30 @@ def hertz_fittedHalfWidth(folder, _, **options):
 def hertz_centrePressure(folder, _):
     c = contact(folder)
     return float(c.point["ContactPressure"][np.argmin(np.abs(c.points[:, 0]))])
+
+
+# The same with nu = 0.4999, which makes the bodies stiffer
+
+def hertzRubber_fittedPressure(folder, _):
+    return hertzFit(folder, 0.874097)[0]
+
+
+def hertzRubber_fittedHalfWidth(folder, _):
+    return hertzFit(folder, 0.874097)[1]
+
+
+# The same of a sphere: p^2 = p0^2 (1 - r^2 / a^2), a = 1 in input/hertz_sphere
+
+def sphere_fittedPressure(folder, _):
+    return hertzFit(folder, 1.0)[0]
+
+
+def sphere_fittedRadius(folder, _):
+    return hertzFit(folder, 1.0)[1]
+
+
+def sphere_centrePressure(folder, _):
+    return hertz_centrePressure(folder, _)
 
 
 # --- V4: roller ---
@@ -218,6 +268,85 @@ def difference_displacement(folder, reference):
     if u.keys() != r.keys():
         return math.inf
     return float(max(np.linalg.norm(u[k] - r[k]) for k in r) / max(np.linalg.norm(v) for v in r.values()))
+
+
+def summary(folder):
+    with open(os.path.join(folder, "summary.json")) as file:
+        return json.load(file)
+
+
+def hooke(folder, f):
+    """Of every cell the matrix D of plane strain or plane stress, from the scene's materials (Regions are not looked at)."""
+    scene = summary(folder)["parameters"]
+    sheet = scene["Model"] == "Plane Stress"
+    laws = []
+    for body in scene["Bodies"].values():
+        material = scene["Materials"][body["Material"]]
+        e, nu = material["Young Modulus"], material["Poisson Ratio"]
+        mu = e / (2 * (1 + nu))
+        lame = e * nu / (1 - nu * nu) if sheet else e * nu / ((1 + nu) * (1 - 2 * nu))
+        laws.append(np.array([[lame + 2 * mu, lame, 0], [lame, lame + 2 * mu, 0], [0, 0, mu]]))
+    return np.array(laws)[f.cell["Body"]]
+
+
+def linearTriangles(f, displacement):
+    """Area and strain (xx, yy, engineering xy) of every cell; cells are triangles of three nodes."""
+    cells = np.array(f.cells)
+    assert cells.shape[1] == 3, "cells of three nodes are expected"
+    x, u = f.points[cells], displacement[:, :2][cells]
+    turned = np.array([[0, 1], [-1, 0]])
+    edges = np.stack([x[:, 2] - x[:, 1], x[:, 0] - x[:, 2], x[:, 1] - x[:, 0]], axis=1)
+    area = 0.5 * (edges[:, 0, 0] * edges[:, 1, 1] - edges[:, 0, 1] * edges[:, 1, 0])
+    gradient = -edges @ turned.T / (2 * area[:, None, None])  # of the shape functions
+    h = np.einsum("cak,cai->cik", gradient, u)
+    return area, np.stack([h[:, 0, 0], h[:, 1, 1], h[:, 0, 1] + h[:, 1, 0]], axis=1)
+
+
+def difference_energy(folder, reference):
+    """Energy norm of u - u_reference over the discretisation error that the reference estimates: 0.2 makes the whole error 2 % larger."""
+    f, r = fields(folder), byNode(reference)
+    difference = f.point["Displacement"] - np.array([r[node] for node in f.point["NodeId"].tolist()])
+    area, strain = linearTriangles(f, difference)
+    energy = np.einsum("c,ci,cij,cj->", area, strain, hooke(folder, f), strain)
+    return float(math.sqrt(energy) / summary(reference)["error"]["estimated_energy_norm"])
+
+
+def difference_effectivity(folder, reference):
+    """Estimated error over the difference of stresses from the nodal means of a reference on a finer mesh, body by body."""
+    from matplotlib.tri import Triangulation
+    f, r = fields(folder), fields(reference)
+    area, strain = linearTriangles(f, f.point["Displacement"])
+    weight, fineStrain = linearTriangles(r, r.point["Displacement"])
+    law, fineStress = hooke(folder, f), np.einsum("cij,cj->ci", hooke(reference, r), fineStrain)
+    computed, compliance = np.einsum("cij,cj->ci", law, strain), np.linalg.inv(law)
+    square = 0.0
+    for body in np.unique(f.cell["Body"]):
+        cells, ofBody = np.array(r.cells)[r.cell["Body"] == body], r.cell["Body"] == body
+        sums, weights = np.zeros((len(r.points), 3)), np.zeros(len(r.points))
+        for k in range(3):
+            np.add.at(sums, cells[:, k], weight[ofBody, None] * fineStress[ofBody])
+            np.add.at(weights, cells[:, k], weight[ofBody])
+        nodal = sums / np.maximum(weights, 1e-300)[:, None]
+        find = Triangulation(r.points[:, 0], r.points[:, 1], cells).get_trifinder()
+        mine = f.cell["Body"] == body
+        x = f.points[np.array(f.cells)[mine]]
+        for weightsOf in ((2 / 3, 1 / 6, 1 / 6), (1 / 6, 2 / 3, 1 / 6), (1 / 6, 1 / 6, 2 / 3)):
+            p = np.einsum("k,cki->ci", np.array(weightsOf), x)
+            at = find(p[:, 0], p[:, 1])
+            assert (at >= 0).all(), "points outside of the finer mesh"
+            corner = r.points[cells[at]]
+            a = np.stack([corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0]], axis=2)
+            local = np.linalg.solve(a, p - corner[:, 0])
+            shape = np.stack([1 - local.sum(axis=1), local[:, 0], local[:, 1]], axis=1)
+            e = np.einsum("ck,cki->ci", shape, nodal[cells[at]]) - computed[mine]
+            square += np.einsum("c,ci,cij,cj->", area[mine] / 3, e, compliance[mine], e)
+    return summary(folder)["error"]["estimated_energy_norm"] / math.sqrt(square)
+
+
+def difference_pcg(folder, reference):
+    """All PCG iterations over those of the reference."""
+    a, b = summary(folder), summary(reference)
+    return (a["outer"]["pcg_total"] + a["auxiliary"]["iterations"]) / (b["outer"]["pcg_total"] + b["auxiliary"]["iterations"])
 
 
 def byPair(folder, name):
@@ -328,6 +457,16 @@ def vtk_quadrilateralArea(folder, _):
         x = np.array([cell.GetPoints().GetPoint(k) for k in range(4)])
         total += 0.5 * float(np.cross(x[2] - x[0], x[3] - x[1])[2])
     return total
+
+
+def iterations_overReference(folder, reference):
+    """PCG iterations of all, the auxiliary problem's included."""
+    both = []
+    for one in (folder, reference):
+        with open(os.path.join(one, "summary.json")) as file:
+            summary = json.load(file)
+        both.append(summary["auxiliary"]["iterations"] + summary["outer"]["pcg_total"])
+    return both[0] / both[1]
 
 
 # --- memory of a run on several ranks against that of one rank ---

@@ -1,0 +1,38 @@
+#pragma once
+#include <suture/base/Errors.hpp>
+#include <suture/base/Expression.hpp>
+#include <suture/base/Schema.hpp>
+#include <suture/base/Types.hpp>
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+
+namespace suture {
+
+/// A rigid obstacle that fills a part of the plane: what stands against side A of a contact line instead of a second body.
+class Obstacle {
+ public:
+  /// How a point stands to it.
+  struct Foot {
+    Point normal{0, 0, 0};  ///< unit, into the obstacle
+    double gap = 0.0;       ///< way to its surface along the normal; negative inside [length]
+  };
+  explicit Obstacle(std::function<Foot(const Point&)> foot) : foot_(std::move(foot)) {}
+
+  /// \throws InputError  an expression without a finite value there. Local.
+  Foot from(const Point& point) const { return foot_(point); }
+
+  /// What the parameter `Obstacle` of a contact line may be: None; Line, a half-plane; Circle, a disc or the outside of one; Height, what
+  /// lies below (or above) the graph of a function of x. On a graph the condition is linear in the displacement of the point (x, y):
+  /// y + u_y >= h(x) + h'(x) u_x, divided by sqrt(1 + h'^2); with Direction = Vertical without the term h' u_x, and undivided.
+  static std::map<std::string, Schema> choices();
+  /// The obstacle of an entry of `Contact`, or nothing. \param problems  gets a direction of no length, a bad expression
+  static std::optional<Obstacle> read(const Parameters& contact, const Constants& constants, Problems& problems);
+
+ private:
+  std::function<Foot(const Point&)> foot_;
+};
+
+}  // namespace suture

@@ -1,0 +1,28 @@
+#pragma once
+#include <suture/elasticity/ElasticModel.hpp>
+
+namespace suture {
+
+/// Squares of the norms of an error and of the exact solution: sums of them over elements and ranks, and the root at the end.
+struct SquaredNorms {
+  double error = 0.0, exact = 0.0;
+  void add(const SquaredNorms& other) { error += other.error, exact += other.exact; }
+};
+
+/// Errors of a body's displacement against its exact fields (zero for one that is not given). Local.
+struct BodyErrors {
+  SquaredNorms displacement;  ///< integral of |u_h - u|^2 [length^4 in the plane]
+  SquaredNorms energy;        ///< integral of (s_h - s) : C (s_h - s), C the compliance of each element's material [force length]
+};
+
+/// \param displacement  node-major, Cartesian. Integrals of Rule::Data. \throws InputError  an expression is not finite (place)
+BodyErrors bodyErrors(const CellBlock& block, const ExactFields& exact, const std::function<const Material&(int element)>& materialOf,
+                      PlaneModel plane, const Vector& displacement);
+
+/// Integrals of products of the shape functions of a side of 2 or 3 nodes, end points first [length]. Local.
+Matrix sideMass(const std::vector<Point>& nodes);
+
+/// Integral of (sum of values times shape functions - exact)^2 over a side. Local.
+SquaredNorms sideErrors(const std::vector<Point>& nodes, const Vector& values, const Expression& exact);
+
+}  // namespace suture

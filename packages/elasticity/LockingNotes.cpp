@@ -1,0 +1,24 @@
+#include <suture/elasticity/LockingNotes.hpp>
+
+#include <algorithm>
+#include <sstream>
+
+namespace suture {
+
+std::vector<std::string> lockingNotes(const ElasticModel& model) {
+  std::vector<std::string> notes;
+  if (model.plane == PlaneModel::Stress) return notes;
+  std::vector<Material> all = model.materialOfBody;
+  all.insert(all.end(), model.materialOfRegion.begin(), model.materialOfRegion.end());
+  for (const Material& material : all) {
+    if (material.poisson <= kLockingPoisson || material.element == ElementForm::Mixed || material.allowLocking) continue;
+    std::ostringstream text;
+    text << "Materials/" << material.name << ": Poisson ratio " << material.poisson
+         << " with Element = Displacement: linear elements lock, and the pressures of quadratic ones are far off; Element = Mixed has "
+            "neither";
+    if (std::find(notes.begin(), notes.end(), text.str()) == notes.end()) notes.push_back(text.str());
+  }
+  return notes;
+}
+
+}  // namespace suture

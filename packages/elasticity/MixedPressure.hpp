@@ -1,0 +1,48 @@
+#pragma once
+#include <suture/elasticity/ElementMap.hpp>
+
+#include <Eigen/Core>
+
+namespace suture {
+
+/// The dilatation of one element, div u (with the hoop strain in axisymmetric blocks), projected in L2 onto the element's pressures: what
+/// the Lame constant lambda acts on in a Mixed element. The displacement-pressure form with the pressure p = lambda x projection eliminated
+/// is K = (terms of mu) + lambda C^T M^-1 C, M the mass matrix of the pressures and C their product with the dilatation.
+///
+/// lambda, not the bulk modulus: then the rest, 2 mu e : e, is definite by itself up to rigid motions. With the deviatoric strain in its
+/// place the bending of an axisymmetric plate one element thick (e = z I) would cost nothing in elements of constant pressure.
+///
+/// Pressures: constant, but linear in Quadrilateral9 (the stable pairs Q1/P0 - stable but for its chess boards, which are eliminated here
+/// -, Q2/P-1, P2/P0; see Boffi, Brezzi, Fortin, "Mixed Finite Element Methods and Applications", 2013, ch. 8). The linear ones are
+/// functions of the mesh's coordinates, not of the reference element's: those lose an order on distorted cells (Arnold, Boffi, Falk 2002).
+class MixedPressure {
+ public:
+  /// All of it at once: moves `map` through the points of the rule of `reference`.
+  MixedPressure(Cell cell, const ReferenceElement& reference, ElementMap& map);
+
+  /// K += lambda C^T M^-1 C, upper triangle.
+  template <typename ElementMatrix>
+  void addStiffness(double lambda, ElementMatrix& k) const {
+    const int n = static_cast<int>(rows_.cols());
+    for (int j = 0; j < n; ++j)
+      for (int i = 0; i <= j; ++i) k(i, j) += lambda * rows_.col(i).dot(rows_.col(j));
+  }
+  /// Projected dilatation at a place, for displacements of the element's nodes (node-major).
+  template <typename Displacement>
+  double dilatation(const Displacement& u, const Point& place) const {
+    return basisAt(place).dot(root_.transpose().triangularView<Eigen::Upper>().solve(rows_ * u));
+  }
+
+ private:
+  static constexpr int most = 3;
+  using Pressures = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, most, 1>;
+  Pressures basisAt(const Point& place) const;
+
+  int count_;
+  Point centre_{0, 0, 0};
+  double size_ = 1.0;
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, most, most> root_;                            // L of M = L L^T
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, most, 2 * ReferenceElement::maxNodes> rows_;  // L^-1 C
+};
+
+}  // namespace suture

@@ -1,0 +1,334 @@
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <suture/base/Errors.hpp>
+#include <suture/elasticity/ElementMap.hpp>
+#include <suture/elasticity/PatchRecovery.hpp>
+
+namespace suture {
+
+namespace {
+
+constexpr int components = 4;  // as in elementStresses(): xx, yy, zz, xy
+constexpr int maxTerms = 6;
+// Variance of the stress at the vertex where those at the points have a variance of one: (A^-1)_00. A few tenths in the middle of a body;
+// more than this is extrapolation. Boundary patches of quadratic triangles pass, those of other cells do not.
+constexpr double mostAmplified = 2.0;
+constexpr double leastPivot = 1e-10;      // of the matrix with a unit diagonal
+constexpr double leastThickness = 1e-20;  // square of a patch's extent along an axis over that along both: less is rounding
+
+using Small = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, maxTerms, maxTerms>;
+using Terms = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, maxTerms, 1>;
+using Stress = Eigen::Matrix<double, components, 1>;
+using Polynomial = Eigen::Matrix<double, Eigen::Dynamic, components, 0, maxTerms, components>;
+
+int termsOf(int order) { return (order + 1) * (order + 2) / 2; }
+int orderOf(Cell cell) { return cell == Cell::Triangle3 || cell == Cell::Quadrilateral4 ? 1 : 2; }
+int degreeOf(int term) { return term == 0 ? 0 : term < 3 ? 1 : 2; }
+
+Terms monomials(double x, double y, int order) {
+  Terms m(termsOf(order));
+  m(0) = 1.0;
+  if (order > 0) m(1) = x, m(2) = y;
+  if (order > 1) m(3) = x * x, m(4) = x * y, m(5) = y * y;
+  return m;
+}
+
+// monomials(x + a, y + b) = shift(a, b) monomials(x, y)
+Small shift(double a, double b, int order) {
+  Small s = Small::Identity(termsOf(order), termsOf(order));
+  if (order > 0) s(1, 0) = a, s(2, 0) = b;
+  if (order > 1) {
+    s(3, 0) = a * a, s(3, 1) = 2 * a;
+    s(4, 0) = a * b, s(4, 1) = b, s(4, 2) = a;
+    s(5, 0) = b * b, s(5, 2) = 2 * b;
+  }
+  return s;
+}
+
+// A column of moments: A = sum of m m^T over the points (half of it), B = sum of m s^T, and a few sums over the elements.
+struct Layout {
+  int order, terms, half, right;
+  explicit Layout(int order) : order(order), terms(termsOf(order)), half(terms * (terms + 1) / 2), right(half + terms * components) {}
+  int points() const { return right; }
+  int quadratic() const { return right + 1; }  // elements of order 2
+  int width() const { return right + 2; }
+
+  Small matrix(const double* column) const {
+    Small a(terms, terms);
+    for (int j = 0, k = 0; j < terms; ++j)
+      for (int i = 0; i <= j; ++i, ++k) a(i, j) = a(j, i) = column[k];
+    return a;
+  }
+  Polynomial rightSide(const double* column) const { return Eigen::Map<const Polynomial>(column + half, terms, components); }
+  void addPoint(const Terms& m, const Stress& stress, double* column) const {
+    for (int j = 0; j < terms; ++j)
+      for (int i = 0; i <= j; ++i) *column++ += m(i) * m(j);
+    for (int k = 0; k < components; ++k)
+      for (int i = 0; i < terms; ++i) *column++ += m(i) * stress(k);
+    *column += 1.0;
+  }
+  void add(const Small& a, const Polynomial& b, double* column) const {
+    for (int j = 0; j < terms; ++j)
+      for (int i = 0; i <= j; ++i) *column++ += a(i, j);
+    for (int k = 0; k < components; ++k)
+      for (int i = 0; i < terms; ++i) *column++ += b(i, k);
+  }
+  int orderOfPatch(const double* column) const { return column[quadratic()] > 0.0 ? order : 1; }
+};
+
+// Least squares by a polynomial of an order; false, and nothing is written, if the points do not determine it well at the vertex.
+bool fit(const Layout& layout, const double* column, int order, Eigen::Ref<Vector> polynomial) {
+  const int n = termsOf(order);
+  const double points = column[layout.points()];
+  if (points < n - 0.5) return false;
+  Small a = layout.matrix(column).topLeftCorner(n, n);
+  const double extent = order > 0 ? (a(1, 1) + a(2, 2)) / points : 0.0;
+  Terms scale(n);
+  for (int i = 0; i < n; ++i) {
+    if (!(a(i, i) > leastThickness * points * std::pow(extent, degreeOf(i)))) return false;
+    scale(i) = 1.0 / std::sqrt(a(i, i));
+  }
+  a = (scale.asDiagonal() * a * scale.asDiagonal()).eval();
+  const Eigen::LLT<Small> factor(a);
+  if (factor.info() != Eigen::Success || factor.matrixLLT().diagonal().cwiseAbs2().minCoeff() < leastPivot) return false;
+  const Terms vertex = factor.matrixL().solve(Terms(scale(0) * Terms::Unit(n, 0)));
+  if (vertex.squaredNorm() > mostAmplified) return false;
+  const Polynomial right = scale.asDiagonal() * layout.rightSide(column).topRows(n);
+  polynomial.setZero();
+  Eigen::Map<Matrix>(polynomial.data(), layout.terms, components).topRows(n) = scale.asDiagonal() * factor.solve(right);
+  return true;
+}
+
+// Stresses at points of elements, and the energy of stresses.
+class Law {
+ public:
+  Law(PlaneModel plane, const Vector& displacement) : plane_(plane), displacement_(displacement) {}
+  void use(const Material& material) {
+    if (&material == last_) return;
+    last_ = &material;
+    stiffness_ = elasticity(material, plane_, 2);
+    across_ = plane_ == PlaneModel::Strain ? material.poisson : 0.0;
+    young_ = material.young;
+    poisson_ = material.poisson;
+  }
+  Stress stressAt(const ElementMap& map, const Span<const int>& nodes) const {
+    Eigen::Vector3d strain = Eigen::Vector3d::Zero();
+    for (std::size_t a = 0; a < nodes.size(); ++a) {
+      const double ux = displacement_[2 * nodes[a]], uy = displacement_[2 * nodes[a] + 1];
+      const double gx = map.gradient(int(a))[0], gy = map.gradient(int(a))[1];
+      strain += Eigen::Vector3d(gx * ux, gy * uy, gy * ux + gx * uy);
+    }
+    const Eigen::Vector3d s = stiffness_ * strain;
+    return {s[0], s[1], across_ * (s[0] + s[1]), s[2]};
+  }
+  // s.D^-1 s in three dimensions, so that the plane model does not matter.
+  double density(const Stress& s) const {
+    const double trace = s[0] + s[1] + s[2], squares = s[0] * s[0] + s[1] * s[1] + s[2] * s[2] + 2 * s[3] * s[3];
+    return ((1 + poisson_) * squares - poisson_ * trace * trace) / young_;
+  }
+
+ private:
+  PlaneModel plane_;
+  const Vector& displacement_;
+  const Material* last_ = nullptr;
+  Eigen::Matrix3d stiffness_;
+  double across_ = 0.0, young_ = 0.0, poisson_ = 0.0;
+};
+
+}  // namespace
+
+void PatchExchange::sum(std::vector<Matrix>&) const {}
+
+PatchRecovery::PatchRecovery(const CellBlock& block, Materials materialOf, PlaneModel plane, Vector displacement)
+    : block_(&block), materialOf_(std::move(materialOf)), plane_(plane), displacement_(std::move(displacement)) {
+  if (block.dimension != 2) throw InternalError("recovery of stresses in dimension " + std::to_string(block.dimension));
+  std::vector<int> lastAt(block.nodes(), -1), before;  // patches of a node form a chain, of one link nearly everywhere
+  for (int e = 0; e < block.elements(); ++e) {
+    const Material& material = materialOf_(e);
+    const Span<const int> nodes = block.nodesOf(e);
+    for (int v = 0; v < cellInfo(block.cells[e]).vertices; ++v) {
+      int patch = lastAt[nodes[v]];
+      while (patch >= 0 && (patches_[patch].young != material.young || patches_[patch].poisson != material.poisson)) patch = before[patch];
+      if (patch < 0) {
+        patch = static_cast<int>(patches_.size());
+        patches_.push_back({nodes[v], material.young, material.poisson});
+        before.push_back(lastAt[nodes[v]]);
+        lastAt[nodes[v]] = patch;
+      }
+      patchOf_.push_back(patch);
+    }
+    first_.push_back(static_cast<int>(patchOf_.size()));
+  }
+  origin_.assign(patches_.size(), Origin::None);
+}
+
+int PatchRecovery::order() const {
+  int most = 1;
+  for (const Cell cell : block_->cells) most = std::max(most, orderOf(cell));
+  return most;
+}
+
+Matrix PatchRecovery::moments() const {
+  const Layout layout(order_);
+  Matrix all = Matrix::Zero(layout.width(), static_cast<Eigen::Index>(patches_.size()));
+  Law law(plane_, displacement_);
+  for (int e = 0; e < block_->elements(); ++e) {
+    law.use(materialOf_(e));
+    const ReferenceElement& sampling = referenceElement(block_->cells[e], Rule::Sampling);
+    const Span<const int> nodes = block_->nodesOf(e), patches = patchesOf(e);
+    ElementMap map(*block_, e, sampling);
+    for (int q = 0; q < sampling.points; ++q) {
+      map.at(q);
+      const Stress stress = law.stressAt(map, nodes);
+      double x = 0, y = 0;
+      for (int a = 0; a < sampling.nodes; ++a) {
+        x += sampling.valuesAt(q)[a] * block_->coordinates[2 * std::size_t(nodes[a])];
+        y += sampling.valuesAt(q)[a] * block_->coordinates[2 * std::size_t(nodes[a]) + 1];
+      }
+      for (const int patch : patches) {
+        const Point vertex = placeOf(patch);
+        layout.addPoint(monomials(x - vertex[0], y - vertex[1], order_), stress, all.col(patch).data());
+      }
+    }
+    for (const int patch : patches) all(layout.quadratic(), patch) += orderOf(block_->cells[e]) > 1;
+  }
+  return all;
+}
+
+void PatchRecovery::fitAlone(const Matrix& moments) {
+  const Layout layout(order_);
+  polynomials_ = Matrix::Zero(layout.terms * components, moments.cols());
+  for (Eigen::Index p = 0; p < moments.cols(); ++p) {
+    const double* column = moments.col(p).data();
+    if (fit(layout, column, layout.orderOfPatch(column), polynomials_.col(p))) origin_[p] = Origin::Own;
+  }
+}
+
+// Elements count, not vertices: a side on a seam is seen from two subdomains, an element from one.
+Matrix PatchRecovery::fromNeighbours() const {
+  const int terms = termsOf(order_), width = terms * components;
+  Matrix sums = Matrix::Zero(width + 1, polynomials_.cols());
+  for (int e = 0; e < block_->elements(); ++e) {
+    const Span<const int> patches = patchesOf(e);
+    for (const int to : patches) {
+      if (origin_[to] != Origin::None) continue;
+      for (const int from : patches) {
+        if (origin_[from] == Origin::None) continue;
+        const Point a = placeOf(from), b = placeOf(to);
+        Eigen::Map<Matrix>(sums.col(to).data(), terms, components) +=
+            shift(b[0] - a[0], b[1] - a[1], order_).transpose() *
+            Eigen::Map<const Matrix>(polynomials_.col(from).data(), terms, components);
+        sums(width, to) += 1.0;
+      }
+    }
+  }
+  return sums;
+}
+
+void PatchRecovery::takeFromNeighbours(const Matrix& sums) {
+  const Eigen::Index width = polynomials_.rows();
+  for (Eigen::Index p = 0; p < sums.cols(); ++p)
+    if (sums(width, p) > 0.0) {
+      polynomials_.col(p) = sums.col(p).head(width) / sums(width, p);
+      origin_[p] = Origin::Neighbours;
+    }
+}
+
+Matrix PatchRecovery::enlarged(const Matrix& moments) const {
+  const Layout layout(order_);
+  Matrix all = Matrix::Zero(moments.rows(), moments.cols());
+  for (int e = 0; e < block_->elements(); ++e)
+    for (const int to : patchesOf(e)) {
+      if (origin_[to] != Origin::None) continue;
+      for (const int from : patchesOf(e)) {
+        const Point a = placeOf(from), b = placeOf(to);
+        const double* column = moments.col(from).data();
+        const Small s = shift(a[0] - b[0], a[1] - b[1], order_);
+        layout.add(s * layout.matrix(column) * s.transpose(), s * layout.rightSide(column), all.col(to).data());
+        for (int k = layout.points(); k < layout.width(); ++k) all(k, to) += column[k];
+      }
+    }
+  return all;
+}
+
+void PatchRecovery::fitEnlarged(const Matrix& moments) {
+  const Layout layout(order_);
+  for (Eigen::Index p = 0; p < moments.cols(); ++p) {
+    if (origin_[p] != Origin::None) continue;
+    const double* column = moments.col(p).data();
+    for (int order = layout.orderOfPatch(column); order >= 0 && origin_[p] == Origin::None; --order)
+      if (fit(layout, column, order, polynomials_.col(p))) origin_[p] = Origin::Own;
+  }
+}
+
+bool PatchRecovery::unfitted() const { return std::find(origin_.begin(), origin_.end(), Origin::None) != origin_.end(); }
+
+ElementErrors PatchRecovery::errors() const {
+  ElementErrors all{Vector::Zero(block_->elements()), Vector::Zero(block_->elements())};
+  const int terms = termsOf(order_);
+  Law law(plane_, displacement_);
+  Eigen::Matrix<double, components, ReferenceElement::maxNodes> nodal;
+  for (int e = 0; e < block_->elements(); ++e) {
+    law.use(materialOf_(e));
+    const Cell cell = block_->cells[e];
+    const Span<const int> nodes = block_->nodesOf(e), patches = patchesOf(e);
+    const auto valueAt = [&](int vertex, int node) -> Stress {
+      const Point from = placeOf(patches[vertex]), at = block_->point(nodes[node]);
+      return Eigen::Map<const Matrix>(polynomials_.col(patches[vertex]).data(), terms, components).transpose() *
+             monomials(at[0] - from[0], at[1] - from[1], order_);
+    };
+    const int vertices = static_cast<int>(patches.size());
+    for (int v = 0; v < vertices; ++v)
+      for (int k = 0; k < components; ++k) nodal(k, v) = polynomials_(k * terms, patches[v]);
+    if (orderOf(cell) > 1)
+      for (const std::vector<int>& side : cellInfo(cell).sideNodes)
+        nodal.col(side[2]) = 0.5 * (valueAt(side[0], side[2]) + valueAt(side[1], side[2]));
+    if (cell == Cell::Quadrilateral9) nodal.col(8) = 0.25 * (valueAt(0, 8) + valueAt(1, 8) + valueAt(2, 8) + valueAt(3, 8));
+
+    const ReferenceElement& reference = referenceElement(cell, Rule::Recovery);
+    ElementMap map(*block_, e, reference);
+    for (int q = 0; q < reference.points; ++q) {
+      map.at(q);
+      const Stress stress = law.stressAt(map, nodes);
+      Stress difference = -stress;
+      for (int a = 0; a < reference.nodes; ++a) difference += reference.valuesAt(q)[a] * nodal.col(a);
+      all.error[e] += map.measure() * law.density(difference);
+      all.norm[e] += map.measure() * law.density(stress);
+    }
+  }
+  return all;
+}
+
+void recoverPatches(std::vector<PatchRecovery>& blocks, const PatchExchange& exchange) {
+  int order = 1;
+  for (const PatchRecovery& block : blocks) order = std::max(order, block.order());
+  order = exchange.largest(order);
+  const auto summed = [&](const auto& ofBlock) {
+    std::vector<Matrix> all;
+    exchange.local([&] {
+      for (const PatchRecovery& block : blocks) all.push_back(ofBlock(block));
+    });
+    exchange.sum(all);
+    return all;
+  };
+  const auto unfitted = [&] {
+    const bool any = std::any_of(blocks.begin(), blocks.end(), [](const PatchRecovery& block) { return block.unfitted(); });
+    return exchange.largest(any) > 0;
+  };
+
+  for (PatchRecovery& block : blocks) block.order_ = order;
+  const std::vector<Matrix> moments = summed([](const PatchRecovery& block) { return block.moments(); });
+  for (std::size_t i = 0; i < blocks.size(); ++i) blocks[i].fitAlone(moments[i]);
+  // Twice: a corner may have no neighbour that stands alone, but neighbours that have some.
+  for (int pass = 0; pass < 2 && unfitted(); ++pass) {
+    const std::vector<Matrix> sums = summed([](const PatchRecovery& block) { return block.fromNeighbours(); });
+    for (std::size_t i = 0; i < blocks.size(); ++i) blocks[i].takeFromNeighbours(sums[i]);
+  }
+  if (!unfitted()) return;
+  const std::vector<Matrix> larger =
+      summed([&](const PatchRecovery& block) { return block.enlarged(moments[std::size_t(&block - blocks.data())]); });
+  for (std::size_t i = 0; i < blocks.size(); ++i) blocks[i].fitEnlarged(larger[i]);
+}
+
+}  // namespace suture

@@ -1,0 +1,88 @@
+#pragma once
+#include <suture/elasticity/ElasticModel.hpp>
+
+#include <vector>
+
+namespace suture {
+
+/// What the blocks of a mesh that was cut tell each other, so that a patch is the same whoever holds a part of it. As it stands here: for a
+/// mesh that was not cut.
+class PatchExchange {
+ public:
+  virtual ~PatchExchange() = default;
+  /// Every column becomes the sum over all columns of the same patch (node of the mesh and material), in whatever block they are.
+  /// \param perBlock  one matrix a block, one column a patch
+  virtual void sum(std::vector<Matrix>& perBlock) const;
+  /// Does the work of one rank, so that an exception becomes that of all.
+  virtual void local(const std::function<void()>& work) const { work(); }
+  /// The largest of all ranks' numbers.
+  virtual int largest(int mine) const { return mine; }
+};
+
+/// Squares of energy norms, element by element. [force x length]
+struct ElementErrors {
+  Vector error;  ///< of recovered less computed stresses: integral of (s* - s).D^-1 (s* - s), the estimate of the error
+  Vector norm;   ///< of the computed stresses
+};
+
+/// Superconvergent patch recovery of Zienkiewicz and Zhu (Int. J. Num. Meth. Eng. 33, 1331-1382, 1992) on one block of elements.
+///
+/// The patch of a vertex is all elements of one material around it: stresses may jump where materials meet, and bodies share no nodes, so
+/// that contact lines end a patch, too. A polynomial of the cells' order in coordinates about the vertex is fitted to the stresses at the
+/// superconvergent points (`Rule::Sampling`) of its elements, by least squares, if the points determine it well at the vertex. Else (on the
+/// boundary of the material, mostly) the vertex takes the mean of the polynomials of the vertices that it shares elements with; where these
+/// have none either (thin strips) the patch is enlarged by theirs, and the order lowered until the polynomial is determined. The recovered
+/// stress s* has the cells' shape functions; at nodes in sides it is the mean of the ends' polynomials, at the centre that of all
+/// vertices'.
+///
+/// All that a patch gathers are sums over elements: see recoverPatches(). Two-dimensional cells.
+class PatchRecovery {
+ public:
+  using Materials = std::function<const Material&(int element)>;
+
+  /// A vertex of the block and a material that it touches.
+  struct Patch {
+    int node;
+    double young, poisson;
+  };
+
+  /// Local. `block` must outlive it. A lambda for the materials must say `-> const Material&`. `displacement`: node-major, Cartesian.
+  PatchRecovery(const CellBlock& block, Materials materialOf, PlaneModel plane, Vector displacement);
+
+  const std::vector<Patch>& patches() const { return patches_; }  ///< by node
+  /// After recoverPatches(). \throws InputError  an element is folded
+  ElementErrors errors() const;
+
+ private:
+  friend void recoverPatches(std::vector<PatchRecovery>& blocks, const PatchExchange& exchange);
+
+  enum class Origin : char { None, Own, Neighbours };
+
+  int order() const;  // largest of the cells
+  Matrix moments() const;
+  void fitAlone(const Matrix& moments);
+  Matrix fromNeighbours() const;
+  void takeFromNeighbours(const Matrix& sums);
+  Matrix enlarged(const Matrix& moments) const;
+  void fitEnlarged(const Matrix& moments);
+  bool unfitted() const;
+  Span<const int> patchesOf(int element) const {
+    return {patchOf_.data() + first_[element], std::size_t(first_[element + 1] - first_[element])};
+  }
+  Point placeOf(int patch) const { return block_->point(patches_[patch].node); }
+
+  const CellBlock* block_;
+  Materials materialOf_;
+  PlaneModel plane_;
+  Vector displacement_;
+  std::vector<Patch> patches_;
+  std::vector<int> first_{0}, patchOf_;  // the patch of every vertex of every element
+  std::vector<Origin> origin_;           // of each patch's polynomial
+  Matrix polynomials_;                   // (terms x components) x patches, about the patch's vertex
+  int order_ = 1;                        // of the polynomials, over all blocks
+};
+
+/// Fits the patches of all blocks; every rank calls it, with as many blocks as it has. Collective if the exchange is.
+void recoverPatches(std::vector<PatchRecovery>& blocks, const PatchExchange& exchange = PatchExchange());
+
+}  // namespace suture

@@ -1,0 +1,214 @@
+// Mortar pairs: what the conditions say of displacements and gaps that are known everywhere.
+#include <Teuchos_UnitTestHarness.hpp>
+#include <suture/constraints/BoundaryLine.hpp>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "ConstraintsTesting.hpp"
+
+namespace {
+
+using namespace constraintstesting;
+
+const double pi = 3.14159265358979323846;
+
+/// Two boxes one on the other, the upper one from x0 to x1, the lower from 0 to 4, with so many cells.
+Mesh twoBoxes(double x0, double x1, int upperCells, int lowerCells, Cell upper, Cell lower) {
+  Box above, below;
+  above.name = "upper";
+  above.x0 = x0, above.x1 = x1, above.y0 = 1, above.y1 = 2;
+  above.nx = upperCells, above.ny = 2, above.cell = upper;
+  below.name = "lower";
+  below.x1 = 4, below.nx = lowerCells, below.ny = 2, below.cell = lower;
+  Mesh mesh = boxes({above, below});
+  assignBodies(mesh, {"upper", "lower"});
+  return mesh;
+}
+
+std::string mortar(const std::string& carrier = "Automatic", std::vector<std::pair<std::string, std::string>> more = {}) {
+  more.insert(more.end(), {{"Side A", "upper_bottom"}, {"Side B", "lower_top"}, {"Coupling", "Mortar"}, {"Multipliers On", carrier}});
+  return entry("joint", more);
+}
+
+const std::string held = displacement("above", "upper_top", "{0.0, 0.0}") + displacement("below", "lower_bottom", "{0.0, 0.0}");
+
+/// Sum over the ends of a pair that lie on a body of weight times f(place).
+double sum(const Mesh& mesh, const ContactPair& pair, int body, const std::function<double(Point)>& f) {
+  double all = 0;
+  for (const PairEnd& end : pair.ends)
+    if (mesh.bodyOfNode[end.node] == body) all += end.weight * f(mesh.point(end.node));
+  return all;
+}
+
+struct Case {
+  double x0, x1;
+  int upperCells, lowerCells;
+  Cell upper, lower;
+};
+const Cell P1 = Cell::Triangle3, P2 = Cell::Triangle6, Q8 = Cell::Quadrilateral8;
+const Case cases[] = {{0, 4, 8, 13, P1, P1},     {0, 4, 40, 3, P1, P1},         {1, 3, 7, 11, P1, P1},        {-1, 5, 9, 5, P1, P1},
+                      {-0.7, 3.3, 8, 8, P1, P1}, {0, 4, 8, 13, P2, P2},         {0, 4, 7, 5, P2, P1},         {0, 4, 5, 8, P1, Q8},
+                      {-0.7, 3.3, 8, 9, P2, P2}, {-0.001, 3.999, 8, 8, P1, P1}, {-0.001, 3.999, 8, 8, P2, P2}};
+
+TEUCHOS_UNIT_TEST(MortarPairs, WeighsBothSidesByOneInAll) {
+  for (const Case& c : cases)
+    for (const std::string carrier : {"Side A", "Side B"}) {
+      const Mesh mesh = twoBoxes(c.x0, c.x1, c.upperCells, c.lowerCells, c.upper, c.lower);
+      const Constraints constraints = build(mesh, held, mortar(carrier));
+      TEST_COMPARE(constraints.pairs.size(), >, 2);
+      for (const ContactPair& pair : constraints.pairs) {
+        TEST_FLOATING_EQUALITY(sum(mesh, pair, 0, [](Point) { return 1.0; }), 1.0, 1e-11);
+        TEST_FLOATING_EQUALITY(sum(mesh, pair, 1, [](Point) { return 1.0; }), -1.0, 1e-11);
+        TEST_EQUALITY(mesh.bodyOfNode[pair.node()], carrier == "Side A" ? 0 : 1);
+        const bool covered = c.x0 >= 0 && c.x1 <= 4 && carrier == "Side A";  // all of it: no psi is handed on
+        if (covered) TEST_FLOATING_EQUALITY(pair.ends[0].weight, 1.0, 1e-11);
+        TEST_EQUALITY(pair.normal[1], -1.0);  // from A, above, to B
+        TEST_COMPARE(std::abs(pair.gap), <, 1e-14);
+        TEST_COMPARE(pair.length, >, 0.0);
+      }
+    }
+}
+
+TEUCHOS_UNIT_TEST(MortarPairs, IsClosedByLinearDisplacementsThatAgreeOnBothSides) {
+  for (const Case& c : cases) {
+    const Mesh mesh = twoBoxes(c.x0, c.x1, c.upperCells, c.lowerCells, c.upper, c.lower);
+    for (const std::string carrier : {"Side A", "Side B"})
+      for (const ContactPair& pair : build(mesh, held, mortar(carrier)).pairs) {
+        const auto field = [](Point p) { return 3.0 * p[0] - 2.0; };
+        const double jump = sum(mesh, pair, 0, field) + sum(mesh, pair, 1, field);
+        TEST_COMPARE(std::abs(jump), <, 1e-10);
+      }
+  }
+}
+
+TEUCHOS_UNIT_TEST(MortarPairs, HasTheLengthOfWhatTheSidesShare) {
+  for (const Case& c : cases)
+    for (const std::string carrier : {"Side A", "Side B"}) {
+      const Mesh mesh = twoBoxes(c.x0, c.x1, c.upperCells, c.lowerCells, c.upper, c.lower);
+      double length = 0;
+      for (const ContactPair& pair : build(mesh, held, mortar(carrier)).pairs) length += pair.length;
+      TEST_FLOATING_EQUALITY(length, std::min(4.0, c.x1) - std::max(0.0, c.x0), 1e-12);
+    }
+}
+
+// Forces of a constant pressure: each node gets what its own shape function takes in over the shared length, on either side. With the
+// trapezoidal rule of the hat functions where the other side covers all of it.
+TEUCHOS_UNIT_TEST(MortarPairs, PassesAConstantPressureOnToBothSides) {
+  for (const Case& c : {cases[0], cases[1], cases[2], cases[5], cases[6], cases[7]}) {
+    const Mesh mesh = twoBoxes(c.x0, c.x1, c.upperCells, c.lowerCells, c.upper, c.lower);
+    std::map<int, double> force;
+    for (const ContactPair& pair : build(mesh, held, mortar("Side A")).pairs)
+      for (const PairEnd& end : pair.ends) force[end.node] += end.weight * pair.length;
+    const bool inside = c.x0 > 0;  // then only the upper side is covered as a whole
+    for (const auto& [group, sign] : {std::make_pair("upper_bottom", 1.0), std::make_pair("lower_top", -1.0)}) {
+      if (inside && sign < 0) continue;
+      const BoundaryLine line(mesh, mesh.sideGroups.at(group));
+      for (const auto& [node, data] : line.nodes()) TEST_FLOATING_EQUALITY(sign * force[node], data.tributary, 1e-11);
+    }
+  }
+}
+
+TEUCHOS_UNIT_TEST(MortarPairs, IsThePairOfTwoNodesWhereTheyMatch) {
+  for (const Cell cell : {P1, P2, Q8}) {
+    const Mesh mesh = twoBoxes(0, 4, 8, 8, cell, cell);
+    const Constraints matched = build(mesh, held, contact("joint", "upper_bottom", "lower_top")), mean = build(mesh, held, mortar());
+    TEST_EQUALITY(matched.pairs.size(), mean.pairs.size());
+    TEST_ASSERT(matched.notes.empty());
+    for (std::size_t i = 0; i < matched.pairs.size(); ++i) {
+      const ContactPair &a = matched.pairs[i], &b = mean.pairs[i];
+      TEST_EQUALITY(b.ends.size(), 2u);
+      for (int end = 0; end < 2; ++end) {
+        TEST_EQUALITY(a.ends[end].node, b.ends[end].node);
+        TEST_FLOATING_EQUALITY(a.ends[end].weight, b.ends[end].weight, 1e-11);
+      }
+      TEST_FLOATING_EQUALITY(a.length, b.length, 1e-12);
+      TEST_FLOATING_EQUALITY(a.arc + 1, b.arc + 1, 1e-12);
+    }
+  }
+}
+
+TEUCHOS_UNIT_TEST(MortarPairs, DoesNotChangeWhenTheSceneIsTurned) {
+  const auto turn = [](Point p) {
+    return Point{p[0] * std::cos(0.7) - p[1] * std::sin(0.7), p[0] * std::sin(0.7) + p[1] * std::cos(0.7), 0};
+  };
+  Mesh mesh = twoBoxes(-0.7, 3.3, 8, 9, P1, P1);
+  const Constraints straight = build(mesh, held, mortar());
+  moveAll(mesh, turn);
+  const Constraints turned = build(mesh, held, mortar());
+  TEST_EQUALITY(straight.pairs.size(), turned.pairs.size());
+  for (std::size_t i = 0; i < straight.pairs.size(); ++i) {
+    const ContactPair &a = straight.pairs[i], &b = turned.pairs[i];
+    const Point n = turn(a.normal);
+    for (int k = 0; k < 2; ++k) TEST_COMPARE(std::abs(n[k] - b.normal[k]), <, 1e-13);
+    TEST_EQUALITY(a.ends.size(), b.ends.size());
+    for (std::size_t end = 0; end < a.ends.size(); ++end) TEST_COMPARE(std::abs(a.ends[end].weight - b.ends[end].weight), <, 1e-9);
+  }
+}
+
+// A quarter of a ring in another: the gap is the difference of the radii, up to the chords' distance from their arcs.
+TEUCHOS_UNIT_TEST(MortarPairs, FindsTheGapBetweenCurvedSides) {
+  std::map<Cell, double> error;
+  for (const Cell cell : {P1, P2}) {
+    Mesh mesh = twoBoxes(0, 4, 12, 17, cell, cell);
+    const auto bend = [](double inner) {
+      return [=](Point p) {
+        const double angle = pi / 8 * p[0], radius = inner + p[1];
+        return Point{radius * std::sin(angle), radius * std::cos(angle), 0};
+      };
+    };
+    move(mesh, 0, bend(1.1));  // inner surface of the outer ring at 2.1
+    move(mesh, 1, bend(1.0));  // outer surface of the inner ring at 2
+    double length = 0;
+    for (const ContactPair& pair : build(mesh, held, mortar("Side B")).pairs) {
+      error[cell] = std::max(error[cell], std::abs(pair.gap - 0.1));
+      length += pair.length;
+      const Point radial = unit(mesh.point(pair.node()));
+      TEST_COMPARE(norm(minus(radial, {-pair.normal[0], -pair.normal[1], 0})), <, cell == P1 ? 0.1 : 0.005);
+    }
+    TEST_FLOATING_EQUALITY(length, pi, cell == P1 ? 2e-3 : 1e-5);
+  }
+  TEST_COMPARE(error[P1], <, 2.2 * (1 - std::cos(pi / 2 / 12 / 2)));  // sagitta of the coarser side
+  TEST_COMPARE(error[P2], <, 2e-5);
+}
+
+TEUCHOS_UNIT_TEST(MortarPairs, TakesTheGapOfAnExpression) {
+  const Mesh mesh = twoBoxes(0, 4, 8, 13, P1, P1);
+  // psi_j is biorthogonal, so that a linear gap has its nodal values.
+  for (const ContactPair& pair : build(mesh, held, mortar("Side A", {{"Initial Gap", "0.01 * x + y - 1"}})).pairs)
+    TEST_FLOATING_EQUALITY(pair.gap + 1, 0.01 * pair.position[0] + 1, 1e-12);
+}
+
+TEUCHOS_UNIT_TEST(MortarPairs, IsChosenWhereNodesDoNotMatchAndSaysSo) {
+  const Mesh mesh = twoBoxes(0, 4, 8, 13, P1, P1);
+  const Constraints constraints = build(mesh, held, contact("joint", "upper_bottom", "lower_top"));
+  TEST_EQUALITY(constraints.pairs.size(), 14u);  // of the finer side
+  TEST_EQUALITY(constraints.notes.size(), 1u);
+  SUTURE_CHECK_SAYS(constraints.notes[0], "contact 'joint': the nodes of its sides do not match; mortar, carried by 'lower_top'");
+  // Carrying nodes have the axes of their pair, the others the mean of theirs.
+  for (const ContactPair& pair : constraints.pairs)
+    for (const PairEnd& end : pair.ends) {
+      const NodeRule* rule = ruleAt(constraints, end.node);
+      TEST_ASSERT(rule != nullptr);
+      if (rule) TEST_EQUALITY(rule->axes[0][1], -1.0);
+    }
+}
+
+TEUCHOS_UNIT_TEST(MortarPairs, SaysThatSidesOverlapNowhere) {
+  const Mesh apart = twoBoxes(4.5, 6, 8, 8, P1, P1);
+  SUTURE_CHECK_SAYS(said(apart, held, mortar()), "Contact/joint: the sides 'upper_bottom' and 'lower_top' overlap nowhere");
+  const Mesh mesh = twoBoxes(0, 4, 8, 13, P1, P1);
+  SUTURE_CHECK_SAYS(said(mesh, held, entry("joint", {{"Side A", "upper_top"}, {"Side B", "lower_top"}, {"Coupling", "Mortar"}})),
+                    "overlap nowhere");
+}
+
+TEUCHOS_UNIT_TEST(MortarPairs, RefusesNodesOfAnotherOrderAsMatching) {
+  const Mesh mesh = twoBoxes(0, 4, 8, 16, P2, P1);  // the same nodes
+  const std::string text =
+      said(mesh, held, entry("joint", {{"Side A", "upper_bottom"}, {"Side B", "lower_top"}, {"Coupling", "Matching Nodes"}}));
+  SUTURE_CHECK_SAYS(text, "have sides of 3 and 2 nodes, which match nowhere; choose Coupling = Mortar");
+  TEST_ASSERT(!build(mesh, held, contact("joint", "upper_bottom", "lower_top")).notes.empty());
+}
+
+}  // namespace

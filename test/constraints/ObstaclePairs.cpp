@@ -1,0 +1,123 @@
+// A rigid obstacle against the lower side of a box: normals and gaps from its geometry.
+#include <Teuchos_UnitTestHarness.hpp>
+
+#include "ConstraintsTesting.hpp"
+
+namespace {
+
+using namespace constraintstesting;
+
+Mesh box(Cell cell = Cell::Triangle3) {
+  Box body;
+  body.name = "b";
+  body.x0 = -1, body.x1 = 1, body.y1 = 1;
+  body.nx = 8, body.ny = 4, body.cell = cell;
+  Mesh mesh = boxes({body});
+  assignBodies(mesh, {"b"});
+  return mesh;
+}
+
+const std::string held = displacement("above", "b_top", "{0.0, 0.0}");
+
+std::string against(const std::string& type, const std::string& sublist, const std::string& more = "",
+                    const std::string& side = "b_bottom") {
+  return "<ParameterList name=\"ground\"><Parameter name=\"Side A\" value=\"" + side + "\"/><Parameter name=\"Obstacle\" value=\"" + type +
+         "\"/>" + more + sublist + "</ParameterList>";
+}
+
+TEUCHOS_UNIT_TEST(ObstaclePairs, HasOneEndAPair) {
+  for (const Cell cell : {Cell::Triangle3, Cell::Quadrilateral9}) {
+    const Mesh mesh = box(cell);
+    const Constraints constraints = build(mesh, held, against("Line", entry("Line", {{"Point", "{0.0, -0.5}"}, {"Normal", "{0.0, 3.0}"}})));
+    TEST_EQUALITY(constraints.pairs.size(), cell == Cell::Triangle3 ? 9u : 17u);
+    double length = 0;
+    for (const ContactPair& pair : constraints.pairs) {
+      TEST_EQUALITY(pair.ends.size(), 1u);
+      TEST_EQUALITY(pair.ends[0].weight, 1.0);
+      TEST_EQUALITY(pair.normal[1], -1.0);
+      TEST_FLOATING_EQUALITY(pair.gap, 0.5, 1e-14);
+      length += pair.length;
+    }
+    TEST_FLOATING_EQUALITY(length, 2.0, 1e-13);
+    TEST_EQUALITY(constraints.pieces.size(), 1u);
+    TEST_EQUALITY(constraints.pieces[0].bodyB, -1);
+  }
+}
+
+TEUCHOS_UNIT_TEST(ObstaclePairs, MeasuresAlongTheNormalOfAnInclinedLine) {
+  const Mesh mesh = box();
+  for (const ContactPair& pair :
+       build(mesh, held, against("Line", entry("Line", {{"Point", "{0.0, -1.0}"}, {"Normal", "{-0.6, 0.8}"}}))).pairs) {
+    TEST_FLOATING_EQUALITY(pair.gap, -0.6 * pair.position[0] + 0.8, 1e-13);
+    TEST_FLOATING_EQUALITY(pair.normal[0], 0.6, 1e-13);
+  }
+}
+
+TEUCHOS_UNIT_TEST(ObstaclePairs, MeasuresTheDistanceFromACircle) {
+  const Mesh mesh = box();
+  for (const ContactPair& pair :
+       build(mesh, held, against("Circle", entry("Circle", {{"Centre", "{0.0, -3.0}"}, {"Radius", "2.5"}}))).pairs) {
+    const double distance = std::hypot(pair.position[0], 3.0);
+    TEST_FLOATING_EQUALITY(pair.gap, distance - 2.5, 1e-13);
+    TEST_FLOATING_EQUALITY(pair.normal[1], -3.0 / distance, 1e-13);
+  }
+  for (const ContactPair& pair :
+       build(mesh, held, against("Circle", entry("Circle", {{"Centre", "{0.0, 4.0}"}, {"Radius", "5"}, {"Hollow", "true"}}))).pairs) {
+    const double distance = std::hypot(pair.position[0], 4.0);
+    TEST_FLOATING_EQUALITY(pair.gap, 5 - distance, 1e-13);
+    TEST_FLOATING_EQUALITY(pair.normal[1], -4.0 / distance, 1e-13);
+  }
+}
+
+TEUCHOS_UNIT_TEST(ObstaclePairs, LinearisesTheConditionOnAGraph) {
+  const Mesh mesh = box();
+  const std::vector<std::pair<std::string, std::string>> graph{{"Expression", "-0.05 * (x - 0.5)^2 - 0.1 * sin(x)"}};
+  const auto height = [](double x) { return -0.05 * (x - 0.5) * (x - 0.5) - 0.1 * std::sin(x); };
+  auto vertical = graph;
+  vertical.push_back({"Direction", "Vertical"});
+  for (const ContactPair& pair : build(mesh, held, against("Height", entry("Height", graph))).pairs) {
+    const double x = pair.position[0], slope = -0.1 * (x - 0.5) - 0.1 * std::cos(x), length = std::hypot(1.0, slope);
+    TEST_FLOATING_EQUALITY(pair.gap, -height(x) / length, 1e-10);
+    TEST_FLOATING_EQUALITY(pair.normal[0] + 1, slope / length + 1, 1e-10);
+    TEST_FLOATING_EQUALITY(pair.normal[1], -1 / length, 1e-10);
+  }
+  for (const ContactPair& pair : build(mesh, held, against("Height", entry("Height", vertical))).pairs) {
+    TEST_FLOATING_EQUALITY(pair.gap + 1, 1 - height(pair.position[0]), 1e-14);
+    TEST_EQUALITY(pair.normal[1], -1.0);
+  }
+  auto ceiling = vertical;
+  ceiling.push_back({"Body Below", "true"});
+  ceiling[0].second = "1.5";
+  for (const ContactPair& pair :
+       build(mesh, displacement("below", "b_bottom", "{0.0, 0.0}"), against("Height", entry("Height", ceiling), "", "b_top")).pairs) {
+    TEST_FLOATING_EQUALITY(pair.gap, 0.5, 1e-14);
+    TEST_EQUALITY(pair.normal[1], 1.0);
+  }
+}
+
+TEUCHOS_UNIT_TEST(ObstaclePairs, TakesTheGapOfAnExpression) {
+  const Mesh mesh = box();
+  for (const ContactPair& pair : build(mesh, held,
+                                       against("Line", entry("Line", {{"Point", "{0.0, 0.0}"}, {"Normal", "{0.0, 1.0}"}}),
+                                               "<Parameter name=\"Initial Gap\" value=\"x^2\"/>"))
+                                     .pairs)
+    TEST_FLOATING_EQUALITY(pair.gap + 1, pair.position[0] * pair.position[0] + 1, 1e-14);
+}
+
+TEUCHOS_UNIT_TEST(ObstaclePairs, SaysWhatIsWrong) {
+  const Mesh mesh = box();
+  const std::string ground = entry("Line", {{"Point", "{0.0, 0.0}"}, {"Normal", "{0.0, 1.0}"}});
+  SUTURE_CHECK_SAYS(said(mesh, held, against("Line", ground, "<Parameter name=\"Side B\" value=\"b_left\"/>")),
+                    "Contact/ground/Side B: found beside an Obstacle; expected one of the two");
+  SUTURE_CHECK_SAYS(said(mesh, held, entry("ground", {{"Side A", "b_bottom"}})), "Contact/ground/Side B: is missing");
+  SUTURE_CHECK_SAYS(said(mesh, held, against("Line", entry("Line", {{"Point", "{0.0, 0.0}"}, {"Normal", "{0.0, 0.0}"}}))),
+                    "Contact/ground/Line/Normal: has no length");
+  SUTURE_CHECK_SAYS(said(mesh, held, against("Line", entry("Line", {{"Point", "{0.0}"}, {"Normal", "{0.0, 1.0}"}}))),
+                    "Contact/ground/Line/Point: found 1 numbers; expected two");
+  SUTURE_CHECK_SAYS(said(mesh, held, against("Line", entry("Line", {{"Point", "{0.0, 0.0}"}, {"Normal", "{0.0, -1.0}"}}))),
+                    "'b_bottom' does not face the obstacle");
+  SUTURE_CHECK_SAYS(said(mesh, held, against("Height", entry("Height", {{"Expression", "sqt(x)"}}))), "Contact/ground/Height/Expression");
+  SUTURE_CHECK_SAYS(said(mesh, held, against("Height", entry("Height", {{"Expression", "log(x)"}}))), "Contact/ground/Height/Expression");
+}
+
+}  // namespace

@@ -1,0 +1,52 @@
+#pragma once
+#include <solver/MonolithicScenes.hpp>
+#include <suture/base/Errors.hpp>
+#include <suture/constraints/NodalRules.hpp>
+
+/// Bodies between two circles or spheres, from boxes bent round: for comparison with Lame's solutions.
+namespace suture::scenes {
+
+/// A quarter of the ring a < r < b about the origin, nr x nt cells: groups body_left (r = a), body_right (r = b), body_bottom (the x axis),
+/// body_top (the y axis). Curved sides of quadratic cells pass through the circle in three points.
+inline Scene quarterRing(Cell cell, double a, double b, int nr, int nt, const Material& material, bool axisymmetric = false) {
+  Box box;
+  box.x0 = a;
+  box.x1 = b;
+  box.nx = nr;
+  box.ny = nt;
+  box.cell = cell;
+  Scene scene = fromBoxes({box}, material.young, material.poisson);
+  scene.model.materialOfBody[0] = material;
+  const double quarter = std::acos(0.0);
+  for (int node = 0; node < scene.mesh.nodes(); ++node) {
+    double* x = &scene.mesh.coordinates[2 * node];
+    const double r = x[0], t = x[1];
+    x[0] = t == 1.0 ? 0.0 : r * std::cos(t * quarter);
+    x[1] = r * std::sin(t * quarter);
+  }
+  if (axisymmetric) {
+    makeAxisymmetric(scene.mesh);
+    scene.model.axisymmetric = true;
+    Problems problems;
+    scene.constraints.rules = nodalRules(scene.mesh, {}, problems);
+  } else {
+    scene.hold("body_top", 0, 0.0);
+  }
+  scene.hold("body_bottom", 1, 0.0);
+  return scene;
+}
+
+/// Largest error of the displacement of the nodes against a radial one, over the largest exact value.
+template <typename Radial>
+double radialError(const Scene& scene, const Vector& u, const Radial& exact) {
+  double error = 0, size = 0;
+  for (int node = 0; node < scene.mesh.nodes(); ++node) {
+    const Point p = scene.mesh.point(node);
+    const double r = std::hypot(p[0], p[1]), value = exact(r);
+    size = std::max(size, std::abs(value));
+    error = std::max(error, std::hypot(u(2 * node) - value * p[0] / r, u(2 * node + 1) - value * p[1] / r));
+  }
+  return error / size;
+}
+
+}  // namespace suture::scenes
