@@ -3,16 +3,17 @@
 #   sh cmake/bootstrap.sh run     install what is missing, build, solve the tunnel scene on two ranks and draw it
 #   sh cmake/bootstrap.sh build   install what is missing and build library and programs into build/
 #   sh cmake/bootstrap.sh test    build and run all tests but those labelled long
+#   sh cmake/bootstrap.sh validate  build, run all validation cases and write build/validation/validation.md; a quarter of an hour
 #   sh cmake/bootstrap.sh bench   build and measure against the monolithic reference; long (test/bench/README.md)
 # The environment may set BUILD (another build folder) and JOBS (parallel compilations).
 set -eu
 
 usage() {
-  echo "usage: sh cmake/bootstrap.sh run | build | test | bench" >&2
+  echo "usage: sh cmake/bootstrap.sh run | build | test | validate | bench" >&2
   exit 2
 }
 [ $# -eq 1 ] || usage
-case $1 in run | build | test | bench) ;; *) usage ;; esac
+case $1 in run | build | test | validate | bench) ;; *) usage ;; esac
 
 root=$(CDPATH='' cd -- "$(dirname -- "$0")/.." && pwd)
 cd "$root"
@@ -94,6 +95,10 @@ case $1 in
   test)
     configureAndBuild
     ctest --test-dir "$build" --output-on-failure -LE long --parallel "${JOBS:-$(getconf _NPROCESSORS_ONLN)}" </dev/null
+    ;;
+  validate)
+    configureAndBuild $programs
+    /usr/bin/python3 -B test/validation/validate.py --solve "$build/drivers/suture_solve" --output "$build/validation" </dev/null
     ;;
   bench)
     configureAndBuild $programs

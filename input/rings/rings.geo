@@ -17,7 +17,6 @@
 DefineConstant[ r0 = {0.2}, r1 = {0.6}, r2 = {1.0}, division = {48}, ratio = {1}, order = {1}, quads = {0} ];
 nr = Round(division / 3);  // elements across a ring
 
-
 For k In {0:1}  // 0: inner, 1: outer
   If (k == 0)
     ri = r0; ro = r1; n = Round(ratio * division);

@@ -29,6 +29,12 @@ CASES = {
     "missing_figure": ({"checks": [{"figure": "no.such", "value": 89}]}, False),
     "not_a_number": ({"checks": [{"key": "equilibrium.imbalance", "max": 1e9}]}, False),
     "compares_nothing": ({"checks": [{"key": "contact.pairs"}]}, False),
+    "as_before": ({"checks": [{"key": "contact.pairs", "value": 90, "relative": 0.1, "today": 89}]}, True),
+    "drifted": ({"checks": [{"key": "contact.pairs", "value": 90, "relative": 0.1, "today": 89.001}]}, False),
+    "drift_allowed": ({"checks": [{"key": "contact.pairs", "value": 90, "relative": 0.1, "today": 89.001, "drift": 1e-3}]}, True),
+    "from_another_file": ({"from": "scene.expected.json"}, True),
+    "from_another_file_arguments": ({"from": "scene.expected.json", "checks": [{"key": "contact.pairs", "value": 90}]}, False),
+    "of_no_other_case": ({"checks": [{"key": "contact.pairs", "of": "passes"}]}, False),
     "exit_code_expected": ({"arguments": ["--fail"], "exit_code": 3, "message": ["broken"]}, True),
     "exit_code_unexpected": ({"arguments": ["--fail"]}, False),
     "message_missing": ({"message": ["solved"]}, False),
@@ -52,6 +58,8 @@ with tempfile.TemporaryDirectory() as folder:
             file.write(text)
         os.chmod(path, 0o755)
     open(os.path.join(folder, "scene.xml"), "w").close()
+    with open(os.path.join(folder, "scene.expected.json"), "w") as file:
+        json.dump({"scene": "scene.xml", "checks": [GOOD]}, file)
     with open(table, "w") as file:
         json.dump({"defaults": {"scene": "scene.xml"}, "cases": {name: case for name, (case, _) in CASES.items()}}, file)
     wrong = []

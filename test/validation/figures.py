@@ -198,6 +198,12 @@ def punch_pressureError(folder, _, within=0.8):
 
 # --- the pressure as a function on the contact line ---
 
+def line_pressureAt(folder, _, x):
+    """Nodal pressure at the point of the contact lines with that x."""
+    c = contact(folder)
+    return float(c.point["ContactPressure"][np.argmin(np.abs(c.points[:, 0] - x))])
+
+
 def line_pressureL2(folder, _, curve, along="x", within=None, **options):
     """L2 norm along the contact lines of the nodal pressure's deviation from a curve of curves.py, over that of the curve."""
     c = contact(folder)

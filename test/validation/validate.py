@@ -53,7 +53,7 @@ def order(wanted, table, runs):
     mx, my = (sum(p[i] for p in points) / len(points) for i in (0, 1))
     slope = sum((x - mx) * (y - my) for x, y in points) / sum((x - mx) ** 2 for x, _ in points)
     bounds = {k: wanted[k] for k in ("min", "max", "today", "drift") if k in wanted}
-    return {"check": wanted, "value": slope, "wrong": check_run.judge({"drift": 1e-3, **bounds}, slope),
+    return {"check": wanted, "value": float(f"{slope:.4g}"), "wrong": check_run.judge({"drift": 1e-3, **bounds}, slope),
             "errors": [math.exp(y) for _, y in points]}
 
 
@@ -63,7 +63,7 @@ def merge(path, runs, orders):
         table = json.load(file)
 
     def note(check, value):
-        banded = "relative" in check or "today" in check or "drift" in check
+        banded = check.get("relative", 0) > check_run.DRIFT or "today" in check or "drift" in check
         if isinstance(value, float) and banded and "of" not in check:
             check["today"] = float(f"{value:.10g}")
 
@@ -72,7 +72,7 @@ def merge(path, runs, orders):
             if not result["wrong"] or "expected" not in result["wrong"]:
                 note(check, result["value"])
     for wanted, result in zip(table.get("orders", []), orders):
-        if result and "expected" not in result["wrong"]:
+        if result and result["value"] is not None and "expected" not in result["wrong"]:
             wanted["today"] = float(f"{result['value']:.4g}")
     lines = ["{"]
     for key, value in table.items():
@@ -80,6 +80,9 @@ def merge(path, runs, orders):
         if key == "cases":
             lines.append('  "cases": {')
             for name, case in value.items():
+                if "checks" not in case:
+                    lines.append(f"    {json.dumps(name)}: {json.dumps(case)}" + ("," if name != list(value)[-1] else ""))
+                    continue
                 head = {k: v for k, v in case.items() if k != "checks"}
                 lines.append(f'    {json.dumps(name)}: {json.dumps(head)[:-1]}{", " if head else ""}"checks": [')
                 lines += ["      " + json.dumps(c) + ("," if c is not case["checks"][-1] else "") for c in case["checks"]]
@@ -134,9 +137,9 @@ def rows(table):
     return [out[0], "|" + "|".join("-" * (n + 2) for n in width) + "|", *out[1:]]
 
 
-def section(folder, report):
-    """The part of the page about one folder."""
-    lines = [f"## {report['title']}", "", f"Reference: {report['source']} ([{folder}](../../input/validation/{folder}/README.md))", ""]
+def section(folder, report, scenes):
+    """The part of the page about one folder; `scenes`: where that is, seen from the page."""
+    lines = [f"## {report['title']}", "", f"Reference: {report['source']} ([{folder}]({scenes}/{folder}/README.md))", ""]
     table = [["case", "figure", "value", "reference", "tolerance", "error", "unknowns", "ranks", "seconds", ""]]
     for name, run in report["cases"].items():
         first = True
@@ -152,22 +155,30 @@ def section(folder, report):
     if report["orders"]:
         table = [["order of the error of", "cases", "errors", "order", "wanted", ""]]
         for found in report["orders"]:
-            table.append([found["name"], ", ".join(found["cases"]), ", ".join(f"{e:.3g}" for e in found["errors"]), f"{found['order']:.3f}",
+            table.append([found["name"], ", ".join(found["cases"]), ", ".join(f"{e:.3g}" for e in found["errors"]), number(found["order"]),
                           f"at least {found['min']:g}", "**failed**: " + found["wrong"] if found["wrong"] else "ok"])
         lines += rows(table) + [""]
     lines += [f"![{file}]({folder}/{file})" for file in report["pictures"]] + ([""] if report["pictures"] else [])
     return lines
 
 
-def page(result):
+def page(result, scenes):
     failed = result["failed"]
     lines = ["# Validation", "",
              f"{result['checks']} checks of {result['runs']} runs in {result['seconds']:.0f} s, {result['date']}, Suture {result['version']}: "
              + ("all passed." if not failed else f"**{failed} failed.**"), "",
-             "Every check compares with a reference that does not come from Suture, except where it says own; a value that passes but differs by more than "
-             "1e-6 from what it was when the check was written fails as drifted. Seconds: wall time of the run, reading and writing included.", ""]
+             "Every check compares with a reference that does not come from Suture, except where it says own; a value that passes but differs by more "
+             "than 1e-6 from what it was when the check was written fails as drifted. Seconds: wall time of the run, reading and writing included.", ""]
+    table = [["", "runs", "checks", "failed", "orders fitted", "seconds", "largest, unknowns"]]
     for folder, report in result["folders"].items():
-        lines += section(folder, report)
+        cases, orders = report["cases"].values(), report["orders"]
+        failed = sum(bool(c["wrong"]) for run in cases for c in run["checks"]) + sum(bool(o["wrong"]) for o in orders)
+        table.append([f"[{folder}]({scenes}/{folder}/README.md)", str(len(cases)), str(sum(len(run["checks"]) for run in cases)),
+                      str(failed or sum(bool(run["failures"]) for run in cases)), ", ".join(f"{o['order']:.2f}" for o in orders if o["order"]),
+                      f"{sum(run['seconds'] for run in cases):.0f}", f"{max((run['unknowns'] or 0 for run in cases), default=0):,}"])
+    lines += rows(table) + [""]
+    for folder, report in result["folders"].items():
+        lines += section(folder, report, scenes)
     return "\n".join(lines)
 
 
@@ -198,7 +209,7 @@ def validate(folder, options, counter):
             "about": case.get("about", ""), "ranks": ranks, "seconds": run["seconds"], "unknowns": run["summary"].get("dofs"),
             "phases": {k: v["max"] for k, v in run["summary"].get("phases", {}).items()}, "failures": run["failures"],
             "checks": [{"name": check_run.nameOf(r["check"]), **r["check"], "found": r["value"], "wrong": r["wrong"]} for r in run["checks"]]}
-        good = f"{len(run['checks'])} checks passed"
+        good = f"{len(run['checks'])} checks passed" if run["checks"] else "nothing to check"
         print(f"{run['seconds']:7.1f} s   " + ("; ".join(run["failures"]) or good), flush=True)
 
     found = []
@@ -209,12 +220,12 @@ def validate(folder, options, counter):
         try:
             result = order(wanted, table, runs)
         except (KeyError, OSError, ValueError) as error:
-            result = {"value": math.nan, "wrong": f"cannot be evaluated: {error!r}", "errors": []}
+            result = {"value": None, "wrong": f"cannot be evaluated: {error!r}", "errors": []}
         found.append(result)
         name = check_run.nameOf(wanted)
         report["orders"].append({"name": name, "cases": wanted["cases"], "order": result["value"], "errors": result["errors"],
                                  "min": wanted["min"], "source": wanted.get("source", ""), "wrong": result["wrong"]})
-        print(f"{'':9} {folder:18} order of {name}: {result['value']:.3f}" + (f"   {result['wrong']}" if result["wrong"] else ""), flush=True)
+        print(f"{'':9} {folder:18} order of {name}: {number(result['value'])}" + (f"   {result['wrong']}" if result["wrong"] else ""), flush=True)
     for picture in table.get("pictures", []):
         if all(n in runs and not runs[n]["failures"] for n in picture["runs"].values()):
             pictures.draw(picture, runs, os.path.join(options.output, folder, picture["file"]))
@@ -266,7 +277,7 @@ def main():
     with open(os.path.join(options.output, "validation.json"), "w") as file:
         json.dump(result, file, indent=1)
     with open(os.path.join(options.output, "validation.md"), "w") as file:
-        file.write(page(result))
+        file.write(page(result, os.path.relpath(options.input, options.output)))
     print(f"\n{checks} checks of {count} runs in {result['seconds']:.0f} s: "
           + ("all passed" if not failures else f"{len(failures)} failed:\n  " + "\n  ".join(failures)))
     print(os.path.join(options.output, "validation.json") + ", validation.md")
@@ -279,7 +290,7 @@ def versionOf(output, reports):
             path = os.path.join(output, folder, name, "out", "summary.json")
             if os.path.exists(path):
                 with open(path) as file:
-                    versions = json.load(file)["versions"]
+                    versions = json.load(file).get("versions", {"suture": "?", "commit": "?"})
                 return f"{versions['suture']} ({versions['commit']})"
     return "?"
 
