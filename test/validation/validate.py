@@ -30,7 +30,6 @@ here = os.path.dirname(os.path.abspath(__file__))
 sys.path[:0] = [here, os.path.join(here, "..", "drivers")]
 
 import check_run  # noqa: E402
-import pictures  # noqa: E402
 
 
 def valueIn(run, wanted):
@@ -228,6 +227,8 @@ def validate(folder, options, counter):
         print(f"{'':9} {folder:18} order of {name}: {number(result['value'])}" + (f"   {result['wrong']}" if result["wrong"] else ""), flush=True)
     for picture in table.get("pictures", []):
         if all(n in runs and not runs[n]["failures"] for n in picture["runs"].values()):
+            import pictures  # matplotlib takes its second
+
             pictures.draw(picture, runs, os.path.join(options.output, folder, picture["file"]))
             report["pictures"].append(picture["file"])
     if options.record:
