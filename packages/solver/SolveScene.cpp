@@ -42,17 +42,15 @@ PairResult report(const PairState& state) {
 
 double norm(const Point& p) { return std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]); }
 
-/// Contact forces along components that are held: supports take them up, beside what the elements exert there. Collective.
+/// Contact forces along components that are held, of the nodes that this rank counts: supports take them up, beside what the elements exert
+/// there. Collective.
 Point heldContact(const Comm& comm, const Subdomains& subdomains, const std::vector<PairState>& pairs) {
-  Packer mine;
-  std::map<int, Point> forces;  // of all pairs
+  std::map<int, Point> mine, forces;  // by pair: of this rank, of all
   for (const PairState& state : pairs)
-    for (int k = 0; k < 3; ++k) forces[state.pair.id][k] = state.force * state.pair.normal[k];
-  mine.put(forces);
-  Packer whole;
-  for (const std::string& bytes : gatherOnRoot(comm, mine.bytes())) forces.merge(Unpacker(bytes).get<std::map<int, Point>>());
-  whole.put(forces);
-  forces = Unpacker(broadcast(comm, whole.bytes())).get<std::map<int, Point>>();
+    for (int k = 0; k < 3; ++k) mine[state.pair.id][k] = state.force * state.pair.normal[k];
+  Packer packer;
+  packer.put(mine);
+  for (const std::string& bytes : allGather(comm, packer.bytes())) forces.merge(Unpacker(bytes).get<std::map<int, Point>>());
 
   Point sum{0, 0, 0};
   for (const auto& subdomain : subdomains) {
@@ -78,7 +76,8 @@ Point heldContact(const Comm& comm, const Subdomains& subdomains, const std::vec
 }
 
 /// Resultants of loads and reactions over all ranks. The scale of the imbalance is the force that passes through: half of what acts.
-void balance(const Comm& comm, const Subdomains& subdomains, const InterfaceProblem::Recovered& recovered, Solution& solution) {
+void balance(const Comm& comm, const Subdomains& subdomains, const InterfaceProblem::Recovered& recovered, bool inContact,
+             Solution& solution) {
   Point applied{0, 0, 0}, reactions{0, 0, 0};
   double absolute = 0.0;
   for (std::size_t i = 0; i < subdomains.size(); ++i) subdomains[i]->resultants(recovered.freeValues[i], applied, reactions, absolute);
@@ -87,8 +86,10 @@ void balance(const Comm& comm, const Subdomains& subdomains, const InterfaceProb
     for (int k = 0; k < 3; ++k) reactions[k] += force[k];
     absolute += norm(force);
   }
-  const Point held = heldContact(comm, subdomains, recovered.pairs);
-  for (int k = 0; k < 3; ++k) reactions[k] += held[k];
+  if (inContact) {
+    const Point held = heldContact(comm, subdomains, recovered.pairs);
+    for (int k = 0; k < 3; ++k) reactions[k] += held[k];
+  }
   double mine[8], all[8];
   std::copy(applied.begin(), applied.end(), mine);
   std::copy(reactions.begin(), reactions.end(), mine + 3);
@@ -219,7 +220,7 @@ Solution recover(const Comm& comm, const InterfaceProblem& problem, const OuterR
   solution.chosenSchur = result.chosenSchur;
   solution.energy = recovered.energy;
   for (std::size_t i = 0; i < subdomains.size(); ++i) solution.displacement.push_back(subdomains[i]->cartesian(recovered.freeValues[i]));
-  balance(comm, subdomains, recovered, solution);
+  balance(comm, subdomains, recovered, problem.pairs() > 0, solution);
 
   Packer packer;
   packer.put(recovered.pairs);

@@ -211,4 +211,22 @@ TEUCHOS_UNIT_TEST(MortarPairs, RefusesNodesOfAnotherOrderAsMatching) {
   TEST_ASSERT(!build(mesh, held, contact("joint", "upper_bottom", "lower_top")).notes.empty());
 }
 
+TEUCHOS_UNIT_TEST(MortarPairs, RefusesASideOfTwoOrders) {
+  Box more;
+  more.name = "more", more.x0 = 2, more.x1 = 4, more.y0 = 1, more.y1 = 2, more.nx = 4, more.ny = 2;
+  Box upper, lower;
+  upper.name = "upper", upper.x1 = 2, upper.y0 = 1, upper.y1 = 2, upper.nx = 4, upper.ny = 2, upper.cell = P2;
+  lower.name = "lower", lower.x1 = 4, lower.nx = 8, lower.ny = 2;
+  Mesh mesh = boxes({upper, more, lower});
+  std::vector<int>& both = mesh.elementGroups["both"];  // one body of two pieces
+  for (const char* piece : {"upper", "more"})
+    both.insert(both.end(), mesh.elementGroups.at(piece).begin(), mesh.elementGroups.at(piece).end());
+  std::vector<Side>& side = mesh.sideGroups["both_bottom"];
+  for (const char* piece : {"upper_bottom", "more_bottom"})
+    side.insert(side.end(), mesh.sideGroups.at(piece).begin(), mesh.sideGroups.at(piece).end());
+  assignBodies(mesh, {"both", "lower"});
+  SUTURE_CHECK_SAYS(said(mesh, held, contact("joint", "both_bottom", "lower_top")),
+                    "Contact/joint/Side A: 'both_bottom' has sides of two and of three nodes");
+}
+
 }  // namespace
