@@ -3,7 +3,7 @@
 #   sh cmake/bootstrap.sh run     install what is missing, build, solve the tunnel scene on two ranks and draw it
 #   sh cmake/bootstrap.sh build   install what is missing and build library and programs into build/
 #   sh cmake/bootstrap.sh test    build and run all tests but those labelled long
-#   sh cmake/bootstrap.sh validate  build, run all validation cases and write build/validation/validation.md; a quarter of an hour
+#   sh cmake/bootstrap.sh validate  build, run all validation cases and write build/validation/validation.md; some six minutes
 #   sh cmake/bootstrap.sh bench   build and measure against the monolithic reference; long (test/bench/README.md)
 # The environment may set BUILD (another build folder) and JOBS (parallel compilations).
 set -eu

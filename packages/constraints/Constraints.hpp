@@ -37,7 +37,7 @@ struct ContactPair {
   double arc = 0.0;         ///< arc length from the first node of its line on the carrying side
   Point position{0, 0, 0};  ///< of the carrying node
 
-  int node() const { return ends.front().node; }
+  int node() const { return ends.front().node; }  ///< that carries it
 
   template <typename Self, typename Each>
   static void forEachField(Self& self, const Each& each) {

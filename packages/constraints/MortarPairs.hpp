@@ -13,8 +13,8 @@ namespace suture {
 /// side's nodal normal. Points of one side meet points of the other along the carrying side's normals, interpolated between nodes;
 /// integrals are split wherever an element of the other side begins (segments), so that constant stress passes exactly on straight lines.
 ///
-/// An element of three nodes that is covered in part carries a linear stress: a quadratic one is not positive there. A node with next to
-/// nothing of its hat function covered hands its psi on to its neighbour: the sum of all psi is one wherever the sides meet.
+/// An element of three nodes that is covered in part carries a linear stress: a quadratic one is not positive there. A node with less
+/// than a fifth of its hat function covered hands its psi on to its neighbour: the sum of all psi is one wherever the sides meet.
 ///
 /// \param problems  gets sides that meet nowhere
 /// \return pairs as pairLine(), along the carrying side. Local.
