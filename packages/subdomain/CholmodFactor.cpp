@@ -2,14 +2,12 @@
 #include <cholmod.h>
 #include <suture/base/Errors.hpp>
 #include <suture/subdomain/CholmodFactor.hpp>
+#include <suture/subdomain/PivotCheck.hpp>
 #include <suture/subdomain/SerialSection.hpp>
 
 #include <Eigen/Dense>
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <numeric>
-#include <sstream>
 
 // LAPACK: upper <- U U^T in place, a third of the operations of a product that does not know of the zeros.
 extern "C" void dlauum_(const char* uplo, const int* n, double* a, const int* lda, int* info);
@@ -87,7 +85,7 @@ struct CholmodFactor::Data {
   void check(const char* what) const;
   void order(const Eigen::SparseMatrix<double>& matrix, CholmodOptions::Ordering ordering);
   void factorise(const Eigen::SparseMatrix<double>& matrix, const CholmodOptions& options);
-  void judgePivots(const Vector& diagonal);
+  void judgePivots(const Vector& diagonal, PivotCheck& check);
 
   double pivot(int column) const;
   void forward(int upTo, Eigen::Ref<Matrix> x) const;
@@ -179,12 +177,8 @@ void CholmodFactor::Data::factorise(const Eigen::SparseMatrix<double>& matrix, c
     cholmod_factorize(&view, factor, &common);
   }
   check("factorisation");
-  if (factor->minor < factor->n) {
-    const int dof = permutation[factor->minor];
-    throw NumericalError("Cholesky factorisation broke down: the matrix (" + std::to_string(n) + " dofs, " +
-                         std::to_string(statistics.trailing) + " of them ordered last) is singular or indefinite; the pivot of dof " +
-                         std::to_string(dof) + ", step " + std::to_string(factor->minor) + ", is not positive");
-  }
+  PivotCheck pivots(n, statistics.trailing);
+  if (factor->minor < factor->n) pivots.notPositive(permutation[factor->minor], static_cast<int>(factor->minor));
   statistics.supernodal = factor->is_super != 0;
   if (statistics.supernodal) {
     columnSupernode.resize(n);
@@ -195,7 +189,7 @@ void CholmodFactor::Data::factorise(const Eigen::SparseMatrix<double>& matrix, c
   } else {
     statistics.bytes = (sizeof(double) + sizeof(int)) * double(factor->nzmax);
   }
-  judgePivots(diagonal);
+  judgePivots(diagonal, pivots);
 }
 
 double CholmodFactor::Data::pivot(int column) const {
@@ -206,25 +200,14 @@ double CholmodFactor::Data::pivot(int column) const {
   return s.values[std::size_t(inside) * s.stride + inside];
 }
 
-void CholmodFactor::Data::judgePivots(const Vector& diagonal) {
+void CholmodFactor::Data::judgePivots(const Vector& diagonal, PivotCheck& check) {
   for (int j = 0; j < statistics.size; ++j) {
-    const int dof = permutation[j];
-    const double l = pivot(j), ratio = l * l / diagonal[dof];
-    if (!(ratio >= statistics.smallestPivot)) {
-      statistics.smallestPivot = ratio;
-      statistics.smallestPivotDof = dof;
-    }
+    const double l = pivot(j);
+    check.see(permutation[j], l * l, diagonal[permutation[j]]);
   }
-  // A singular matrix leaves rounding instead of a zero, of either sign, and CHOLMOD sees only the negative half. Measured on floating
-  // squares: up to n eps / 10. A legitimate pivot can be small, too: (thickness / length)^3 of a beam, the ratio of Young's moduli around
-  // a stiff inclusion; hence the cap, which lets large singular matrices pass rather than refuse those.
-  const double rounding = std::min(1e-13, statistics.size * std::numeric_limits<double>::epsilon());
-  if (statistics.smallestPivot > rounding) return;
-  std::ostringstream message;
-  message << "Cholesky factorisation broke down: the matrix (" << statistics.size << " dofs, " << statistics.trailing
-          << " of them ordered last) is singular to working precision; the pivot of dof " << statistics.smallestPivotDof << " is "
-          << statistics.smallestPivot << " of its diagonal entry";
-  throw NumericalError(message.str());
+  statistics.smallestPivot = check.smallest();
+  statistics.smallestPivotDof = check.unknown();
+  check.judge();
 }
 
 CholmodFactor::Data::Supernode CholmodFactor::Data::supernode(int s, int upTo) const {
@@ -398,31 +381,6 @@ Matrix CholmodFactor::trailingSchur() const {
   Matrix schur = upper.reverse();
   if (data_->shift.size() > 0) schur.diagonal() -= data_->shift;
   return schur;
-}
-
-SingleFactor CholmodFactor::leadingInSingle(const std::vector<int>& unknownOf) const {
-  const int leading = size() - trailing();
-  if (leading == 0) return {};
-  if (!data_->statistics.supernodal) throw InternalError("CholmodFactor: a copy in single precision of a factor without supernodes");
-  std::vector<SingleFactor::Supernode> supernodes;
-  for (std::size_t s = 0; s < data_->factor->nsuper; ++s) {
-    const Data::Supernode node = data_->supernode(static_cast<int>(s), leading);
-    if (node.columns <= 0) break;
-    SingleFactor::Supernode copy;
-    copy.first = node.first;
-    copy.columns = node.columns;
-    copy.below.assign(node.below, node.below + (node.rows - node.columns));
-    copy.values.resize(static_cast<std::size_t>(node.rows) * node.columns);
-    for (int j = 0; j < node.columns; ++j) {
-      const double* column = node.values + static_cast<std::size_t>(j) * node.stride;
-      float* to = copy.values.data() + static_cast<std::size_t>(j) * node.rows;
-      for (int i = 0; i < node.rows; ++i) to[i] = static_cast<float>(column[i]);
-    }
-    supernodes.push_back(std::move(copy));
-  }
-  std::vector<int> unknowns(leading);
-  for (int j = 0; j < leading; ++j) unknowns[j] = unknownOf[data_->permutation[j]];
-  return SingleFactor(std::move(supernodes), std::move(unknowns));
 }
 
 Vector CholmodFactor::trailingDiagonal(const Eigen::SparseMatrix<double>& matrix, int trailing) { return matrix.diagonal().tail(trailing); }

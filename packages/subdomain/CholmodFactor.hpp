@@ -1,6 +1,5 @@
 #pragma once
 #include <suture/base/Types.hpp>
-#include <suture/subdomain/SingleFactor.hpp>
 
 #include <Eigen/SparseCore>
 #include <memory>
@@ -65,10 +64,6 @@ class CholmodFactor {
 
   /// S = A_BB - A_BI A_II^-1 A_IB, without the shift. trailing x trailing, both triangles.
   Matrix trailingSchur() const;
-
-  /// L_II in single precision, without the rows of trailing dofs. Supernodal factors only.
-  /// \param unknownOf  dof of this matrix -> unknown of the one that it was permuted from
-  SingleFactor leadingInSingle(const std::vector<int>& unknownOf) const;
 
   const Statistics& statistics() const;
 

@@ -1,13 +1,12 @@
 #pragma once
-#include <suture/subdomain/CholmodFactor.hpp>
 #include <suture/subdomain/SchurComplement.hpp>
+#include <suture/subdomain/SingleFactor.hpp>
 
 namespace suture {
 
-/// S_i as a dense matrix from ONE sparse Cholesky factorisation, interior first and interface last (CholmodFactor): an application is a
-/// product with a small dense matrix, and the same factor gives condensed loads. Of it the interior part is kept, in single precision, for
-/// the recovery of interiors (SingleFactor). Needs CHOLMOD, whatever local solver is named. Memory: that part and n^2 / 2 numbers for n
-/// boundary unknowns. Local.
+/// S_i as a dense matrix from ONE elimination of the interior (StaticCondensation): an application is a product with a small dense matrix,
+/// and the same elimination gives condensed loads. Its factor is kept in single precision, for the recovery of interiors (SingleFactor).
+/// The local solver that is named has no part in it. Memory: that factor and n^2 / 2 numbers for n boundary unknowns. Local.
 class ExplicitSchurComplement : public SchurComplement {
  public:
   static Schema schema();

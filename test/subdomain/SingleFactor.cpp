@@ -2,9 +2,12 @@
 #include <support/Blocks.hpp>
 #include <suture/subdomain/CholmodFactor.hpp>
 #include <suture/subdomain/SerialSection.hpp>
+#include <suture/subdomain/StaticCondensation.hpp>
 #include <suture/subdomain/SubdomainProblem.hpp>
 
 #include <omp.h>
+
+#include <numeric>
 
 namespace suture {
 namespace {
@@ -33,9 +36,10 @@ TEUCHOS_UNIT_TEST(SingleFactor, SolvesToTheAccuracyOfADoubleOne) {
       options.form = CholmodOptions::Form::Supernodal;
       options.trailing = trailing;
       const CholmodFactor whole(k, options);
-      std::vector<int> own(n);
-      for (int i = 0; i < n; ++i) own[i] = i;
-      const SingleFactor factor = whole.leadingInSingle(own);
+      std::vector<int> last(trailing);
+      std::iota(last.begin(), last.end(), leading);
+      StaticCondensation condensation(k, Vector::Zero(n), last);
+      const SingleFactor& factor = condensation.factor();
       Vector x = random(n, 1, 3).col(0);
       Matrix expected = x.head(leading);
       whole.solveLeading(expected);

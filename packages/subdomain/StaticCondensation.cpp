@@ -1,0 +1,247 @@
+#include <cblas.h>
+#include <suture/subdomain/FrontTree.hpp>
+#include <suture/subdomain/PivotCheck.hpp>
+#include <suture/subdomain/StaticCondensation.hpp>
+
+#include <Teuchos_LAPACK.hpp>
+#include <algorithm>
+#include <memory>
+
+namespace suture {
+
+namespace {
+
+/// Numbers that follow each other in one front and in the next: one loop of additions.
+struct Run {
+  int from, to, length;
+};
+
+/// Work space that grows without keeping or clearing what it held.
+class Block {
+ public:
+  double* reserve(std::size_t size) {
+    if (size > size_) values_.reset(new double[size]);
+    size_ = std::max(size, size_);
+    return values_.get();
+  }
+  const double* data() const { return values_.get(); }
+
+ private:
+  std::unique_ptr<double[]> values_;
+  std::size_t size_ = 0;
+};
+
+/// What an elimination leaves for its parent: the lower triangle, by columns, all rows long.
+struct Update {
+  Block block;
+  int size = 0;
+};
+
+/// Where updates are added to: the lower triangle of a block whose first row and column are number `origin` of the front.
+struct Target {
+  double* values;
+  int stride, origin;
+
+  double* at(int row, int column) const { return values + static_cast<std::ptrdiff_t>(column - origin) * stride + (row - origin); }
+};
+
+class Elimination {
+ public:
+  Elimination(const SparseMatrix& matrix, const std::vector<int>& boundary)
+      : matrix_(matrix),
+        tree_(matrix, boundary),
+        check_(static_cast<int>(matrix.rows()), static_cast<int>(boundary.size())),
+        place_(matrix.rows()),
+        groupOf_(matrix.rows()),
+        at_(tree_.groups()),
+        diagonal_(matrix.diagonal()),
+        children_(tree_.fronts.size()),
+        updates_(tree_.fronts.size()) {
+    for (int g = 0; g < tree_.groups(); ++g)
+      for (int p = tree_.start[g]; p < tree_.start[g + 1]; ++p) {
+        place_[tree_.unknownAt[p]] = p;
+        groupOf_[p] = g;
+      }
+    for (std::size_t f = 0; f < tree_.fronts.size(); ++f)
+      if (tree_.fronts[f].parent >= 0) children_[tree_.fronts[f].parent].push_back(static_cast<int>(f));
+  }
+
+  const FrontTree& tree() const { return tree_; }
+  const PivotCheck& check() const { return check_; }
+
+  /// Eliminates the interior. `load`, in positions, becomes L^-1 f_I and what is left for the boundary.
+  std::vector<SingleFactor::Supernode> run(Vector& load, Matrix& schur) {
+    const int interior = tree_.interior(), size = static_cast<int>(matrix_.rows()) - interior;
+    schur.setZero(size, size);
+    for (int b = 0; b < size; ++b)
+      for (SparseMatrix::InnerIterator it(matrix_, tree_.unknownAt[interior + b]); it; ++it)
+        if (place_[it.row()] >= interior + b) schur(place_[it.row()] - interior, b) = it.value();
+    const bool loaded = !load.head(interior).isZero(0.0);
+    std::vector<SingleFactor::Supernode> kept;
+    kept.reserve(tree_.fronts.size());
+    for (std::size_t f = 0; f < tree_.fronts.size(); ++f) kept.push_back(eliminate(static_cast<int>(f), load, loaded, schur));
+    return kept;
+  }
+
+ private:
+  int groupSize(int g) const { return tree_.start[g + 1] - tree_.start[g]; }
+
+  SingleFactor::Supernode eliminate(int f, Vector& load, bool loaded, Matrix& schur) {
+    const FrontTree::Front& front = tree_.fronts[f];
+    const int first = tree_.start[front.firstGroup], columns = tree_.start[front.endGroup] - first;
+    int size = 0, interiorRows = 0;
+    for (int g = front.firstGroup; g < front.endGroup; ++g) {
+      at_[g] = size;
+      size += groupSize(g);
+    }
+    for (int r = front.firstRow; r < front.endRow; ++r) {
+      at_[tree_.rows[r]] = size;
+      size += groupSize(tree_.rows[r]);
+      if (tree_.rows[r] < tree_.interiorGroups) interiorRows = size - columns;
+    }
+    const int below = size - columns;
+
+    // Pivot columns: entries of the matrix and what children leave in them.
+    panel_.assign(static_cast<std::size_t>(size) * columns, 0.0);
+    for (int j = 0; j < columns; ++j) {
+      double* column = panel_.data() + static_cast<std::size_t>(j) * size;
+      for (SparseMatrix::InnerIterator it(matrix_, tree_.unknownAt[first + j]); it; ++it) {
+        const int row = place_[it.row()];
+        if (row >= first + j) column[at_[groupOf_[row]] + row - tree_.start[groupOf_[row]]] += it.value();
+      }
+    }
+    for (const int child : children_[f]) add(child, 0, columns, {panel_.data(), size, 0});
+
+    int info = 0;
+    lapack_.POTRF('L', columns, panel_.data(), size, &info);
+    if (info > 0) check_.notPositive(tree_.unknownAt[first + info - 1], first + info - 1);
+    for (int j = 0; j < columns; ++j) {
+      const double pivot = panel_[static_cast<std::size_t>(j) * size + j];
+      check_.see(tree_.unknownAt[first + j], pivot * pivot, diagonal_[tree_.unknownAt[first + j]]);
+    }
+    double* rest = panel_.data() + columns;
+    if (below > 0)
+      cblas_dtrsm(CblasColMajor, CblasRight, CblasLower, CblasTrans, CblasNonUnit, below, columns, 1.0, panel_.data(), size, rest, size);
+    if (loaded) {
+      double* own = load.data() + first;
+      cblas_dtrsv(CblasColMajor, CblasLower, CblasNoTrans, CblasNonUnit, columns, panel_.data(), size, own, 1);
+      if (below > 0) {
+        moved_.resize(below);
+        cblas_dgemv(CblasColMajor, CblasNoTrans, below, columns, 1.0, rest, size, own, 1, 0.0, moved_.data(), 1);
+        for (int r = front.firstRow; r < front.endRow; ++r)
+          for (int k = 0; k < groupSize(tree_.rows[r]); ++k)
+            load(tree_.start[tree_.rows[r]] + k) -= moved_(at_[tree_.rows[r]] - columns + k);
+      }
+    }
+
+    if (below > 0) {
+      Update& update = updates_[f];
+      if (!spare_.empty()) {
+        update.block = std::move(spare_.back());
+        spare_.pop_back();
+      }
+      update.size = below;
+      double* values = update.block.reserve(static_cast<std::size_t>(below) * below);
+      cblas_dsyrk(CblasColMajor, CblasLower, CblasNoTrans, below, columns, -1.0, rest, size, 0.0, values, below);
+      for (const int child : children_[f]) add(child, columns, size, {values, below, columns});
+    }
+    for (const int child : children_[f]) release(child);
+    if (front.parent < 0 && below > 0) {
+      for (int r = front.firstRow; r < front.endRow; ++r) at_[tree_.rows[r]] = tree_.start[tree_.rows[r]] - tree_.interior();
+      add(f, 0, static_cast<int>(schur.rows()), {schur.data(), static_cast<int>(schur.rows()), 0});
+      release(f);
+    }
+
+    SingleFactor::Supernode node;
+    node.first = first;
+    node.columns = columns;
+    node.below.reserve(interiorRows);
+    for (int r = front.firstRow; r < front.endRow && tree_.rows[r] < tree_.interiorGroups; ++r)
+      for (int k = 0; k < groupSize(tree_.rows[r]); ++k) node.below.push_back(tree_.start[tree_.rows[r]] + k);
+    const int height = columns + interiorRows;
+    node.values.resize(static_cast<std::size_t>(height) * columns);
+    for (int j = 0; j < columns; ++j) {
+      const double* column = panel_.data() + static_cast<std::size_t>(j) * size;
+      float* to = node.values.data() + static_cast<std::size_t>(j) * height;
+      for (int i = 0; i < height; ++i) to[i] = static_cast<float>(column[i]);
+    }
+    return node;
+  }
+
+  /// Adds the columns of a child's update that lie in [begin, end) of its parent, where its rows are at at_.
+  void add(int child, int begin, int end, Target target) {
+    const FrontTree::Front& front = tree_.fronts[child];
+    const Update& update = updates_[child];
+    runs_.clear();
+    int from = 0;
+    for (int r = front.firstRow; r < front.endRow; ++r) {
+      const int g = tree_.rows[r], length = groupSize(g);
+      if (!runs_.empty() && runs_.back().to + runs_.back().length == at_[g])
+        runs_.back().length += length;
+      else
+        runs_.push_back({from, at_[g], length});
+      from += length;
+    }
+    for (std::size_t c = 0; c < runs_.size(); ++c)
+      for (int k = 0; k < runs_[c].length; ++k) {
+        const int to = runs_[c].to + k, j = runs_[c].from + k;
+        if (to < begin) continue;
+        if (to >= end) return;
+        const double* source = update.block.data() + static_cast<std::size_t>(j) * update.size;
+        double* piece = target.at(to, to);
+        for (int i = 0; i < runs_[c].length - k; ++i) piece[i] += source[j + i];
+        for (std::size_t r = c + 1; r < runs_.size(); ++r) {
+          piece = target.at(runs_[r].to, to);
+          for (int i = 0; i < runs_[r].length; ++i) piece[i] += source[runs_[r].from + i];
+        }
+      }
+  }
+
+  void release(int f) {
+    updates_[f].size = 0;
+    spare_.push_back(std::move(updates_[f].block));
+  }
+
+  const SparseMatrix& matrix_;
+  FrontTree tree_;
+  PivotCheck check_;
+  std::vector<int> place_, groupOf_;  // unknown -> position, position -> group
+  std::vector<int> at_;               // group -> row of the present front
+  Vector diagonal_, moved_;
+  std::vector<std::vector<int>> children_;
+  std::vector<Update> updates_;
+  std::vector<Block> spare_;
+  std::vector<double> panel_;
+  std::vector<Run> runs_;
+  Teuchos::LAPACK<int, double> lapack_;
+};
+
+}  // namespace
+
+StaticCondensation::StaticCondensation(const SparseMatrix& matrix, const Vector& load, const std::vector<int>& boundary) {
+  Elimination elimination(matrix, boundary);
+  const FrontTree& tree = elimination.tree();
+  const int n = static_cast<int>(matrix.rows()), interior = tree.interior(), size = n - interior;
+  Vector inOrder(n);
+  for (int p = 0; p < n; ++p) inOrder(p) = load(tree.unknownAt[p]);
+  Matrix ascending;
+  std::vector<SingleFactor::Supernode> supernodes = elimination.run(inOrder, ascending);
+  elimination.check().judge();
+
+  interiorEnergy_ = -0.5 * inOrder.head(interior).squaredNorm();
+  std::vector<int> traceOf(n, -1);
+  for (int b = 0; b < size; ++b) traceOf[boundary[b]] = b;
+  condensedLoad_.resize(size);
+  schur_.resize(size, size);
+  for (int j = 0; j < size; ++j) {
+    const int column = traceOf[tree.unknownAt[interior + j]];
+    condensedLoad_(column) = inOrder(interior + j);
+    for (int i = j; i < size; ++i) {
+      const int row = traceOf[tree.unknownAt[interior + i]];
+      schur_(std::max(row, column), std::min(row, column)) = ascending(i, j);
+    }
+  }
+  factor_ = SingleFactor(std::move(supernodes), {tree.unknownAt.begin(), tree.unknownAt.begin() + interior});
+}
+
+}  // namespace suture
