@@ -5,10 +5,9 @@
 
 namespace suture {
 
-/// A dense symmetric matrix of which little more than the lower triangle is kept: panels of some columns each, from their diagonal block
-/// (whole) downwards. A product is two calls of BLAS a panel, of which the second finds it in the cache: memory is read once. In single
-/// precision half of that, for what need not be exact: a preconditioner. Local; a product uses work space of its own, so that one object
-/// serves one thread.
+/// A dense symmetric matrix of which little more than the lower triangle is kept: panels of four columns each, from their diagonal block
+/// (whole) downwards. A product reads it once and is as fast as memory is. In single precision half of that, for what need not be exact: a
+/// preconditioner. Local; a product uses work space of its own, so that one object serves one thread.
 class PackedSymmetric {
  public:
   enum class Precision { Double, Single };
@@ -26,13 +25,20 @@ class PackedSymmetric {
   Matrix block(const std::vector<int>& positions) const;
 
  private:
+  template <typename Real>
+  struct Work {
+    Eigen::Matrix<Real, Eigen::Dynamic, 1> x, y;
+  };
+
+  template <typename Real>
+  void multiply(const std::vector<Real>& values, Work<Real>& work, ConstLocalView x, LocalView y) const;
   double at(int row, int column) const;
 
   int size_ = 0;
   std::vector<double> values_;  // one of the two
   std::vector<float> singles_;
-  std::vector<std::size_t> panels_;  // where each begins
-  mutable Eigen::MatrixXf x_, y_;
+  mutable Work<double> double_;
+  mutable Work<float> single_;
 };
 
 }  // namespace suture
