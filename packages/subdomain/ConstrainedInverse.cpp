@@ -20,7 +20,7 @@ struct Reflection {
   std::vector<int> support;
   Vector v;  // of length one
 
-  /// x <- x H. Columns, which lie in one piece; rows do not, hence turn() below.
+  /// x <- x H
   void onColumns(Matrix& x) const {
     Vector product = Vector::Zero(x.rows());
     for (std::size_t k = 0; k < support.size(); ++k) product += v(static_cast<int>(k)) * x.col(support[k]);
@@ -28,13 +28,41 @@ struct Reflection {
   }
 };
 
-/// a <- H_m ... H_1 a H_1 ... H_m for a symmetric matrix.
-template <typename Iterator>
-void turn(Iterator first, Iterator last, Matrix& a) {
-  for (Iterator h = first; h != last; ++h) h->onColumns(a);
-  a.transposeInPlace();
-  for (Iterator h = first; h != last; ++h) h->onColumns(a);
-}
+/// Q = H_1 ... H_m = I - V T V^T, T an upper triangle (Schreiber and Van Loan 1989): products of matrices instead of vectors.
+class Rotation {
+ public:
+  Rotation(int size, const std::vector<Reflection>& reflections)
+      : v_(Matrix::Zero(size, reflections.size())), t_(Matrix::Zero(v_.cols(), v_.cols())) {
+    for (int k = 0; k < v_.cols(); ++k) {
+      for (std::size_t i = 0; i < reflections[k].support.size(); ++i)
+        v_(reflections[k].support[i], k) = reflections[k].v(static_cast<int>(i));
+      t_(k, k) = 2.0;
+      t_.col(k).head(k) = -2.0 * (t_.topLeftCorner(k, k) * (v_.leftCols(k).transpose() * v_.col(k)));
+    }
+  }
+
+  /// a <- Q^T a Q, lower triangle.
+  void to(Matrix& a) const { twoSided(a, t_); }
+  /// a <- Q a Q^T, lower triangle.
+  void from(Matrix& a) const { twoSided(a, t_.transpose()); }
+  /// x <- Q x
+  void fromColumns(Matrix& x) const { x -= v_ * (t_ * (v_.transpose() * x)); }
+
+ private:
+  /// a <- (I - V U^T) a (I - U V^T) = a - V W^T - W V^T with U = V T, X = a U, W = X - V (U^T X) / 2.
+  void twoSided(Matrix& a, const Matrix& t) const {
+    const int n = static_cast<int>(v_.rows()), m = static_cast<int>(v_.cols());
+    if (m == 0) return;
+    const Matrix u = v_ * t;
+    Matrix w(n, m);
+    cblas_dsymm(CblasColMajor, CblasLeft, CblasLower, n, m, 1.0, a.data(), n, u.data(), n, 0.0, w.data(), n);
+    const Matrix inside = 0.5 * (u.transpose() * w);
+    w -= v_ * inside;
+    cblas_dsyr2k(CblasColMajor, CblasLower, CblasNoTrans, n, m, -1.0, v_.data(), n, w.data(), n, 1.0, a.data(), n);
+  }
+
+  Matrix v_, t_;
+};
 
 // a <- its inverse, lower triangle, in place. By halves, so that nearly all is products of matrices: LAPACK's dtrtri as OpenBLAS has it
 // goes column by column and takes three times as long as the factorisation before it (n = 350).
@@ -105,7 +133,8 @@ ConstrainedInverse::ConstrainedInverse(Matrix schur, const Matrix& constraints, 
     taken[pivot] = 1;
   }
 
-  turn(reflections.begin(), reflections.end(), schur);
+  const Rotation rotation(n, reflections);
+  rotation.to(schur);
 
   // In the new coordinates: the constraints fix the primal ones, lower triangular in the order they were taken.
   Matrix triangle(m, m);
@@ -119,10 +148,10 @@ ConstrainedInverse::ConstrainedInverse(Matrix schur, const Matrix& constraints, 
   const int d = static_cast<int>(dual.size());
   Matrix dd(d, d), dp(d, m), pp(m, m);
   for (int j = 0; j < d; ++j)
-    for (int i = 0; i < d; ++i) dd(i, j) = schur(dual[i], dual[j]);
+    for (int i = j; i < d; ++i) dd(i, j) = schur(dual[i], dual[j]);  // `dual` ascends: the lower triangle
   for (int j = 0; j < m; ++j) {
-    for (int i = 0; i < d; ++i) dp(i, j) = schur(dual[i], primal[j]);
-    for (int i = 0; i < m; ++i) pp(i, j) = schur(primal[i], primal[j]);
+    for (int i = 0; i < d; ++i) dp(i, j) = schur(std::max(dual[i], primal[j]), std::min(dual[i], primal[j]));
+    for (int i = 0; i < m; ++i) pp(i, j) = schur(std::max(primal[i], primal[j]), std::min(primal[i], primal[j]));
   }
   double smallest = 1.0;
   const Vector diagonal = dd.diagonal();
@@ -134,11 +163,11 @@ ConstrainedInverse::ConstrainedInverse(Matrix schur, const Matrix& constraints, 
     // A mechanism leaves rounding instead of a zero; legitimate pivots are small where stiffness jumps within the subdomain.
     if (info != 0 || !(smallest > 1e-14))
       throw NumericalError(what + ": its corners and edge constraints leave a mechanism (is it attached at single points only?)");
-    Matrix response = dp;
-    dd.triangularView<Eigen::Lower>().solveInPlace(response);
-    pp -= response.transpose() * response;
-    dd.triangularView<Eigen::Lower>().transpose().solveInPlace(response);
-    dp = response;
+    if (m > 0) {
+      cblas_dtrsm(CblasColMajor, CblasLeft, CblasLower, CblasNoTrans, CblasNonUnit, d, m, 1.0, dd.data(), d, dp.data(), d);
+      pp -= dp.transpose() * dp;
+      cblas_dtrsm(CblasColMajor, CblasLeft, CblasLower, CblasTrans, CblasNonUnit, d, m, 1.0, dd.data(), d, dp.data(), d);
+    }
     invertLower(dd.data(), d, d);
     dlauum_("L", &d, dd.data(), &d, &info);  // lower <- L^T L
   }
@@ -156,12 +185,9 @@ ConstrainedInverse::ConstrainedInverse(Matrix schur, const Matrix& constraints, 
 
   Matrix inverse = Matrix::Zero(n, n);
   for (int j = 0; j < d; ++j)
-    for (int i = j; i < d; ++i) inverse(dual[i], dual[j]) = dd(i, j);  // `dual` ascends: the lower triangle
-  inverse.triangularView<Eigen::StrictlyUpper>() = inverse.transpose();
-  turn(reflections.rbegin(), reflections.rend(), inverse);
-  basis_.transposeInPlace();
-  for (auto reflection = reflections.rbegin(); reflection != reflections.rend(); ++reflection) reflection->onColumns(basis_);
-  basis_.transposeInPlace();
+    for (int i = j; i < d; ++i) inverse(dual[i], dual[j]) = dd(i, j);
+  rotation.from(inverse);
+  rotation.fromColumns(basis_);
   const bool single = d >= kLeastForSingle && diagonal.maxCoeff() * dd.diagonal().maxCoeff() < kConditionForSingle;
   inverse_ = PackedSymmetric(inverse, single ? PackedSymmetric::Precision::Single : PackedSymmetric::Precision::Double);
 }

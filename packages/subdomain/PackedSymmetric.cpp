@@ -142,8 +142,15 @@ double PackedSymmetric::at(int row, int column) const {
 
 Matrix PackedSymmetric::full() const {
   Matrix made(size_, size_);
-  for (int j = 0; j < size_; ++j)
-    for (int i = j; i < size_; ++i) made(i, j) = at(i, j);
+  const int rows = padded(size_);
+  for (int j = 0; j < size_; ++j) {
+    const int first = j / kWidth * kWidth;
+    const std::size_t place = begin(first / kWidth, rows) + static_cast<std::size_t>(j - first) * (rows - first) + (j - first);
+    if (singles_.empty())
+      made.col(j).tail(size_ - j) = Eigen::Map<const Vector>(values_.data() + place, size_ - j);
+    else
+      made.col(j).tail(size_ - j) = Eigen::Map<const Eigen::VectorXf>(singles_.data() + place, size_ - j).cast<double>();
+  }
   made.triangularView<Eigen::StrictlyUpper>() = made.transpose();
   return made;
 }

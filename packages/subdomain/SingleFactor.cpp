@@ -1,3 +1,4 @@
+#include <cblas.h>
 #include <suture/base/Errors.hpp>
 #include <suture/subdomain/SingleFactor.hpp>
 
@@ -10,19 +11,27 @@ namespace suture {
 namespace {
 
 using Singles = Eigen::VectorXf;
-using Panel = Eigen::Map<const Eigen::MatrixXf, 0, Eigen::OuterStride<>>;
 
 constexpr double kAccuracy = 1e-15;  // of the recursion; what rounding leaves in the true residual is that of a direct solve
 constexpr int kMost = 200;
 
 }  // namespace
 
-SingleFactor::SingleFactor(std::vector<Supernode> supernodes, std::vector<int> unknownOf)
-    : supernodes_(std::move(supernodes)), unknownOf_(std::move(unknownOf)) {
-  for (const Supernode& s : supernodes_) {
-    mostBelow_ = std::max(mostBelow_, static_cast<int>(s.below.size()));
-    bytes_ += static_cast<double>(sizeof(float) * s.values.size() + sizeof(int) * s.below.size());
+void SingleFactor::reserve(std::size_t supernodes, std::size_t rows, std::size_t entries) {
+  supernodes_.reserve(supernodes);
+  rows_.reserve(rows);
+  values_.reserve(entries);
+}
+
+void SingleFactor::append(int first, int columns, const std::vector<int>& below, const double* values, int stride) {
+  const int count = static_cast<int>(below.size());
+  supernodes_.push_back({first, columns, count, rows_.size(), values_.size()});
+  rows_.insert(rows_.end(), below.begin(), below.end());
+  for (int j = 0; j < columns; ++j) {
+    const double* column = values + static_cast<std::ptrdiff_t>(j) * stride;
+    for (int i = 0; i < columns + count; ++i) values_.push_back(static_cast<float>(column[i]));
   }
+  mostBelow_ = std::max(mostBelow_, count);
 }
 
 void SingleFactor::precondition(const Vector& r, Vector& z) const {
@@ -34,26 +43,25 @@ void SingleFactor::precondition(const Vector& r, Vector& z) const {
   if (largest == 0.0) return;
   for (std::size_t j = 0; j < unknownOf_.size(); ++j) y(static_cast<int>(j)) = static_cast<float>(r(unknownOf_[j]) / largest);
   for (const Supernode& s : supernodes_) {
-    const int m = static_cast<int>(s.below.size()), stride = s.columns + m;
-    auto own = y.segment(s.first, s.columns);
-    Panel(s.values.data(), s.columns, s.columns, Eigen::OuterStride<>(stride)).triangularView<Eigen::Lower>().solveInPlace(own);
-    if (m == 0) continue;
-    auto below = rest.head(m);
-    below.noalias() = Panel(s.values.data() + s.columns, m, s.columns, Eigen::OuterStride<>(stride)) * own;
-    for (int k = 0; k < m; ++k) y(s.below[k]) -= below(k);
+    const int stride = s.columns + s.below;
+    const float *triangle = values_.data() + s.values, *panel = triangle + s.columns;
+    const int* rows = rows_.data() + s.rows;
+    float* own = y.data() + s.first;
+    cblas_strsv(CblasColMajor, CblasLower, CblasNoTrans, CblasNonUnit, s.columns, triangle, stride, own, 1);
+    if (s.below == 0) continue;
+    cblas_sgemv(CblasColMajor, CblasNoTrans, s.below, s.columns, 1.0F, panel, stride, own, 1, 0.0F, rest.data(), 1);
+    for (int k = 0; k < s.below; ++k) y(rows[k]) -= rest(k);
   }
   for (auto s = supernodes_.rbegin(); s != supernodes_.rend(); ++s) {
-    const int m = static_cast<int>(s->below.size()), stride = s->columns + m;
-    auto own = y.segment(s->first, s->columns);
-    if (m > 0) {
-      auto below = rest.head(m);
-      for (int k = 0; k < m; ++k) below(k) = y(s->below[k]);
-      own.noalias() -= Panel(s->values.data() + s->columns, m, s->columns, Eigen::OuterStride<>(stride)).transpose() * below;
+    const int stride = s->columns + s->below;
+    const float *triangle = values_.data() + s->values, *panel = triangle + s->columns;
+    const int* rows = rows_.data() + s->rows;
+    float* own = y.data() + s->first;
+    if (s->below > 0) {
+      for (int k = 0; k < s->below; ++k) rest(k) = y(rows[k]);
+      cblas_sgemv(CblasColMajor, CblasTrans, s->below, s->columns, -1.0F, panel, stride, rest.data(), 1, 1.0F, own, 1);
     }
-    Panel(s->values.data(), s->columns, s->columns, Eigen::OuterStride<>(stride))
-        .transpose()
-        .triangularView<Eigen::Upper>()
-        .solveInPlace(own);
+    cblas_strsv(CblasColMajor, CblasLower, CblasTrans, CblasNonUnit, s->columns, triangle, stride, own, 1);
   }
   for (std::size_t j = 0; j < unknownOf_.size(); ++j) z(unknownOf_[j]) = largest * static_cast<double>(y(static_cast<int>(j)));
 }

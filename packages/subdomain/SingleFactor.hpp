@@ -11,30 +11,36 @@ namespace suture {
 /// by many orders of magnitude; the accuracy does not depend on it. Local, const.
 class SingleFactor {
  public:
-  /// Columns that share their pattern: a lower triangle `columns` wide, and the dense rows below it.
-  struct Supernode {
-    int first = 0, columns = 0;
-    std::vector<int> below;     // numbers of the rows under the triangle
-    std::vector<float> values;  // by columns, (columns + below) x columns
-  };
-
   SingleFactor() = default;
   /// \param unknownOf  column of L -> unknown of the matrix that solve() is given; unknowns that do not occur are held at zero
-  SingleFactor(std::vector<Supernode> supernodes, std::vector<int> unknownOf);
+  explicit SingleFactor(std::vector<int> unknownOf) : unknownOf_(std::move(unknownOf)) {}
+
+  /// Room for all supernodes, which else would be moved as they come. \param rows, entries  sums over them
+  void reserve(std::size_t supernodes, std::size_t rows, std::size_t entries);
+  /// The next supernode: columns that share their pattern, a lower triangle and the dense rows below it. The last one ends L.
+  /// \param below   numbers of the rows under the triangle
+  /// \param values  by columns, `stride` apart: the triangle, then the rows
+  void append(int first, int columns, const std::vector<int>& below, const double* values, int stride);
 
   /// x <- A_II^-1 x for the unknowns of the factor, I; entries of the others are not read and become zero. x has the size of the matrix.
   /// Relative residual 1e-15 in the norm of the preconditioner. \throws NumericalError  not reached in 200 steps
   void solve(const SparseMatrix& matrix, Vector& x) const;
 
-  double bytes() const { return bytes_; }
+  double bytes() const { return static_cast<double>(sizeof(float) * values_.size() + sizeof(int) * rows_.size()); }
 
  private:
   void precondition(const Vector& r, Vector& z) const;
 
+  struct Supernode {
+    int first, columns, below;
+    std::size_t rows, values;  // where they begin
+  };
+
   std::vector<Supernode> supernodes_;
+  std::vector<int> rows_;
+  std::vector<float> values_;  // by columns, (columns + below) x columns
   std::vector<int> unknownOf_;
   int mostBelow_ = 0;
-  double bytes_ = 0.0;
 };
 
 }  // namespace suture

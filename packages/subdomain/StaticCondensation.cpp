@@ -70,26 +70,37 @@ class Elimination {
   const PivotCheck& check() const { return check_; }
 
   /// Eliminates the interior. `load`, in positions, becomes L^-1 f_I and what is left for the boundary.
-  std::vector<SingleFactor::Supernode> run(Vector& load, Matrix& schur) {
+  SingleFactor run(Vector& load, Matrix& schur) {
     const int interior = tree_.interior(), size = static_cast<int>(matrix_.rows()) - interior;
     schur.setZero(size, size);
     for (int b = 0; b < size; ++b)
       for (SparseMatrix::InnerIterator it(matrix_, tree_.unknownAt[interior + b]); it; ++it)
         if (place_[it.row()] >= interior + b) schur(place_[it.row()] - interior, b) = it.value();
     const bool loaded = !load.head(interior).isZero(0.0);
-    std::vector<SingleFactor::Supernode> kept;
-    kept.reserve(tree_.fronts.size());
-    for (std::size_t f = 0; f < tree_.fronts.size(); ++f) kept.push_back(eliminate(static_cast<int>(f), load, loaded, schur));
-    return kept;
+    SingleFactor factor(std::vector<int>(tree_.unknownAt.begin(), tree_.unknownAt.begin() + interior));
+    reserve(factor);
+    for (std::size_t f = 0; f < tree_.fronts.size(); ++f) eliminate(static_cast<int>(f), load, loaded, schur, factor);
+    return factor;
   }
 
  private:
   int groupSize(int g) const { return tree_.start[g + 1] - tree_.start[g]; }
 
-  SingleFactor::Supernode eliminate(int f, Vector& load, bool loaded, Matrix& schur) {
+  void reserve(SingleFactor& factor) const {
+    std::size_t rows = 0, entries = 0;
+    for (const FrontTree::Front& front : tree_.fronts) {
+      std::size_t columns = tree_.start[front.endGroup] - tree_.start[front.firstGroup], below = 0;
+      for (int r = front.firstRow; r < front.endRow && tree_.rows[r] < tree_.interiorGroups; ++r) below += groupSize(tree_.rows[r]);
+      rows += below;
+      entries += columns * (columns + below);
+    }
+    factor.reserve(tree_.fronts.size(), rows, entries);
+  }
+
+  void eliminate(int f, Vector& load, bool loaded, Matrix& schur, SingleFactor& factor) {
     const FrontTree::Front& front = tree_.fronts[f];
     const int first = tree_.start[front.firstGroup], columns = tree_.start[front.endGroup] - first;
-    int size = 0, interiorRows = 0;
+    int size = 0;
     for (int g = front.firstGroup; g < front.endGroup; ++g) {
       at_[g] = size;
       size += groupSize(g);
@@ -97,7 +108,6 @@ class Elimination {
     for (int r = front.firstRow; r < front.endRow; ++r) {
       at_[tree_.rows[r]] = size;
       size += groupSize(tree_.rows[r]);
-      if (tree_.rows[r] < tree_.interiorGroups) interiorRows = size - columns;
     }
     const int below = size - columns;
 
@@ -152,20 +162,10 @@ class Elimination {
       release(f);
     }
 
-    SingleFactor::Supernode node;
-    node.first = first;
-    node.columns = columns;
-    node.below.reserve(interiorRows);
+    below_.clear();
     for (int r = front.firstRow; r < front.endRow && tree_.rows[r] < tree_.interiorGroups; ++r)
-      for (int k = 0; k < groupSize(tree_.rows[r]); ++k) node.below.push_back(tree_.start[tree_.rows[r]] + k);
-    const int height = columns + interiorRows;
-    node.values.resize(static_cast<std::size_t>(height) * columns);
-    for (int j = 0; j < columns; ++j) {
-      const double* column = panel_.data() + static_cast<std::size_t>(j) * size;
-      float* to = node.values.data() + static_cast<std::size_t>(j) * height;
-      for (int i = 0; i < height; ++i) to[i] = static_cast<float>(column[i]);
-    }
-    return node;
+      for (int k = 0; k < groupSize(tree_.rows[r]); ++k) below_.push_back(tree_.start[tree_.rows[r]] + k);
+    factor.append(first, columns, below_, panel_.data(), size);
   }
 
   /// Adds the columns of a child's update that lie in [begin, end) of its parent, where its rows are at at_.
@@ -207,6 +207,7 @@ class Elimination {
   PivotCheck check_;
   std::vector<int> place_, groupOf_;  // unknown -> position, position -> group
   std::vector<int> at_;               // group -> row of the present front
+  std::vector<int> below_;
   Vector diagonal_, moved_;
   std::vector<std::vector<int>> children_;
   std::vector<Update> updates_;
@@ -225,7 +226,7 @@ StaticCondensation::StaticCondensation(const SparseMatrix& matrix, const Vector&
   Vector inOrder(n);
   for (int p = 0; p < n; ++p) inOrder(p) = load(tree.unknownAt[p]);
   Matrix ascending;
-  std::vector<SingleFactor::Supernode> supernodes = elimination.run(inOrder, ascending);
+  factor_ = elimination.run(inOrder, ascending);
   elimination.check().judge();
 
   interiorEnergy_ = -0.5 * inOrder.head(interior).squaredNorm();
@@ -241,7 +242,6 @@ StaticCondensation::StaticCondensation(const SparseMatrix& matrix, const Vector&
       schur_(std::max(row, column), std::min(row, column)) = ascending(i, j);
     }
   }
-  factor_ = SingleFactor(std::move(supernodes), {tree.unknownAt.begin(), tree.unknownAt.begin() + interior});
 }
 
 }  // namespace suture
