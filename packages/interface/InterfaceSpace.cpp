@@ -215,15 +215,20 @@ void InterfaceSpace::fold(LocalView overlap) const {
   }
 }
 
+MultiVector& InterfaceSpace::overlapping(std::size_t columns) const {
+  if (work_.is_null() || work_->getNumVectors() != columns) work_ = Teuchos::rcp(new MultiVector(overlap_, columns));
+  return *work_;
+}
+
 void InterfaceSpace::gather(const MultiVector& owned, Matrix& overlap) const {
-  MultiVector target(overlap_, owned.getNumVectors());
+  MultiVector& target = overlapping(owned.getNumVectors());
   target.doImport(owned, *import_, Tpetra::INSERT);
   overlap = localView(static_cast<const MultiVector&>(target));
   unfold(overlap);
 }
 
 void InterfaceSpace::scatterAdd(const Matrix& overlap, MultiVector& owned) const {
-  MultiVector source(overlap_, static_cast<std::size_t>(overlap.cols()));
+  MultiVector& source = overlapping(static_cast<std::size_t>(overlap.cols()));
   auto values = localView(source);
   values = overlap;
   fold(values);

@@ -87,10 +87,12 @@ class InterfaceSpace {
   void exchangeSharers(const InterfaceLayout& layout);
   void importPoints(const InterfaceLayout& layout);
   void cutChain(const std::vector<int>& chain);
+  MultiVector& overlapping(std::size_t columns) const;
 
   CommPtr comm_;
   MapPtr map_, overlap_;
   Teuchos::RCP<const Import> import_;
+  mutable MultiVectorPtr work_;  // of gather() and scatterAdd(), which PCG calls twice an iteration
   std::vector<int> localIds_;
   std::vector<Coupling> couplings_;
   std::vector<GlobalId> ids_;

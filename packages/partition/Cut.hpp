@@ -34,9 +34,9 @@ Cut cutByMetis(const Comm& comm, const Mesh& mesh, const Parameters& own);
 ///                     connected through sides; a hinge (findHinges). Local (rank 0).
 Cut cutByNamedGroups(const Mesh& mesh, const Parameters& own);
 
-/// The number of subdomains that Automatic stands for: one for every 3600 elements (fastest of 13, 26, 58 and 116 subdomains for
-/// the tunnel at 100k unknowns, and of 256, 512 and 1024 at 1M; single runs on a busy machine), up to six of 800 elements in small scenes,
-/// at least `pieces`, and at least `ranks` as long as each has 50 elements. Local.
+/// The number of subdomains that Automatic stands for: one for every 7200 elements (the tunnel at 1M unknowns, two ranks: 64
+/// to 160 subdomains are equally fast, 256 a tenth slower, 512 a third; at 100k no difference from 8 to 32; medians of three), up to six of
+/// 800 elements in small scenes, at least `pieces`, and at least `ranks` as long as each has 50 elements. Local.
 int automaticSubdomains(int elements, int pieces, int ranks);
 
 }  // namespace suture

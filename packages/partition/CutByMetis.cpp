@@ -18,14 +18,13 @@ namespace suture {
 Schema metisSchema() {
   return Schema("Every body is cut on its own by METIS, in proportion to its elements; all subdomains are connected through element sides.")
       .wordOrNumber("Subdomains", "Automatic", {"Automatic"}, Range::atLeast(1),
-                    "How many in all, at least one a body. Automatic: one for about 3600 elements, up to six of 800 in small scenes, and "
-                    "at least one a rank while each has 50 "
-                    "elements; only then does the cut depend on the number of ranks.")
+                    "How many in all, at least one a body. Automatic: one for about 7200 elements, up to six of 800 in small scenes, and "
+                    "at least one a rank while each has 50 elements; only then does the cut depend on the number of ranks.")
       .integer("Seed", 1, "Of METIS' random numbers: the same seed gives the same subdomains.", Range::atLeast(0));
 }
 
 int automaticSubdomains(int elements, int pieces, int ranks) {
-  const int large = (elements + 1800) / 3600, small = std::min((elements + 400) / 800, 6);
+  const int large = (elements + 3600) / 7200, small = std::min((elements + 400) / 800, 6);
   return std::max({pieces, large, small, std::min(ranks, elements / 50)});
 }
 
@@ -38,9 +37,9 @@ struct Piece {
 };
 
 // Body by body, so that the numbers of a body's subdomains follow each other.
-std::vector<Piece> piecesOfBodies(const Mesh& mesh, const ElementGraph& graph) {
+std::vector<Piece> piecesOfBodies(const Mesh& mesh, Components parts) {
   std::vector<Piece> pieces;
-  for (std::vector<int>& elements : components(graph, mesh.bodyOfElement).elements) {
+  for (std::vector<int>& elements : parts.elements) {
     const int body = mesh.bodyOfElement[elements.front()];
     pieces.push_back({body, std::move(elements)});
   }
@@ -115,9 +114,10 @@ Cut cutByMetis(const Comm& comm, const Mesh& mesh, const Parameters& own) {
   collectivelyOnRoot(comm, what, [&] {
     graph = elementGraph(mesh);
     Problems problems;
-    findHinges(mesh, graph, problems);
+    Components connected = components(graph, mesh.bodyOfElement);
+    findHinges(mesh, connected, problems);
     problems.throwIfAny();
-    pieces = piecesOfBodies(mesh, graph);
+    pieces = piecesOfBodies(mesh, std::move(connected));
     std::vector<int> sizes;
     for (const Piece& piece : pieces) sizes.push_back(static_cast<int>(piece.elements.size()));
     parts = apportion(sizes, wantedSubdomains(mesh, pieces, own, comm.getSize()));

@@ -5,8 +5,7 @@
 
 namespace suture {
 
-void findHinges(const Mesh& mesh, const ElementGraph& graph, Problems& problems) {
-  const Components parts = components(graph, mesh.bodyOfElement);
+void findHinges(const Mesh& mesh, const Components& parts, Problems& problems) {
   if (parts.count() == static_cast<int>(mesh.bodies.size())) return;
   struct Found {
     std::set<int> nodes, parts;

@@ -27,9 +27,12 @@ void SingleFactor::append(int first, int columns, const std::vector<int>& below,
   const int count = static_cast<int>(below.size());
   supernodes_.push_back({first, columns, count, rows_.size(), values_.size()});
   rows_.insert(rows_.end(), below.begin(), below.end());
-  for (int j = 0; j < columns; ++j) {
+  const int rows = columns + count;
+  values_.resize(values_.size() + static_cast<std::size_t>(rows) * columns);
+  float* to = values_.data() + supernodes_.back().values;
+  for (int j = 0; j < columns; ++j, to += rows) {
     const double* column = values + static_cast<std::ptrdiff_t>(j) * stride;
-    for (int i = 0; i < columns + count; ++i) values_.push_back(static_cast<float>(column[i]));
+    for (int i = 0; i < rows; ++i) to[i] = static_cast<float>(column[i]);
   }
   mostBelow_ = std::max(mostBelow_, count);
 }

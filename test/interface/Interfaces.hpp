@@ -17,11 +17,12 @@ struct Interface {
   std::shared_ptr<const InterfaceSpace> space;
   std::vector<GlobalId> overlap;  ///< unknowns that this rank sees, in the order of space->overlap()
 
-  Interface(const Scene& given, const CommPtr& comm, const std::vector<double>& youngOf = {}, const std::string& solver = "CHOLMOD")
+  Interface(const Scene& given, const CommPtr& comm, const std::vector<double>& youngOf = {}, const std::string& solver = "CHOLMOD",
+            const std::string& schur = "Implicit")
       : scene(given),
         all(given, comm, youngOf),
         problem(comm, all.partition, all.subdomains, localSolver(solver),
-                [] { return Registry<SchurComplement>::instance().make("Implicit", Parameters()); }),
+                [schur] { return Registry<SchurComplement>::instance().make(schur, Parameters()); }),
         closed(problem.initialState()),
         linearised(problem.linearise(closed)),
         space(problem.space()) {

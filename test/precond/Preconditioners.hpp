@@ -40,6 +40,7 @@ inline Teuchos::RCP<Preconditioner> bddc(const Teuchos::RCP<const InterfaceOpera
 struct Lanczos {
   int iterations = 0;
   double condition = 0.0;
+  std::vector<Matrix> iterates;  // own unknowns after each step, from zero
 };
 
 /// Conjugate gradients, written out, until the preconditioned residual has fallen by 1e-10; the condition of M^-1 S from their Lanczos
@@ -59,6 +60,8 @@ inline Lanczos conjugateGradients(const Operator& s, const Operator& m, const In
     const double alpha = rho / dot(*p, *q);
     diagonal.push_back(1.0 / alpha + lastBeta / lastAlpha);
     if (result.iterations > 0) offDiagonal.push_back(std::sqrt(lastBeta) / lastAlpha);
+    const Matrix before = result.iterates.empty() ? Matrix(Matrix::Zero(localView(*p).rows(), 1)) : result.iterates.back();
+    result.iterates.push_back(before + alpha * localView(static_cast<const MultiVector&>(*p)));
     localView(*r) -= alpha * localView(static_cast<const MultiVector&>(*q));
     m.apply(*r, *z);
     const double next = dot(*r, *z);
