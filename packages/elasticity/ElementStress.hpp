@@ -25,6 +25,7 @@ class ElementStress {
   HookesLaw law_;
   ElementMap map_;
   ElementVector u_;
+  bool axisymmetric_;
   std::optional<MixedPressure> pressure_;
 };
 

@@ -14,6 +14,11 @@ constexpr int maxTerms = 6;
 // Variance of the stress at the vertex where those at the points have a variance of one: (A^-1)_00. A few tenths in the middle of a body;
 // more than this is extrapolation. Boundary patches of quadratic triangles pass, those of other cells do not.
 constexpr double mostAmplified = 2.0;
+// Where a patch alone is not enough, its neighbours' points count, too, but as little as possible: the first of these weights that leaves
+// the vertex's value no larger a variance than that of one point. Of quadratic quadrilaterals they then decide the curvature across the
+// boundary only. (Where the stress is not smooth, at the end of contact, the neighbours' polynomial is far from the stress at the vertex.)
+constexpr double weights[] = {0.001, 0.1, 1.0};
+constexpr double mostAmplifiedJoined = 1.0;
 constexpr double leastPivot = 1e-10;      // of the matrix with a unit diagonal
 constexpr double leastThickness = 1e-20;  // square of a patch's extent along an axis over that along both: less is rounding
 
@@ -68,7 +73,11 @@ struct Layout {
       for (int i = 0; i < terms; ++i) *column++ += m(i) * stress(k);
     *column += 1.0;
   }
-  void add(const Small& a, const Polynomial& b, double* column) const {
+  // Adds a column about one vertex to a column about another.
+  void addShifted(const double* other, const Point& from, const Point& to, double* column) const {
+    const Small s = shift(from[0] - to[0], from[1] - to[1], order), a = s * matrix(other) * s.transpose();
+    const Polynomial b = s * rightSide(other);
+    for (int k = points(); k < width(); ++k) column[k] += other[k];
     for (int j = 0; j < terms; ++j)
       for (int i = 0; i <= j; ++i) *column++ += a(i, j);
     for (int k = 0; k < components; ++k)
@@ -77,8 +86,9 @@ struct Layout {
   int orderOfPatch(const double* column) const { return column[quadratic()] > 0.0 ? order : 1; }
 };
 
-// Least squares by a polynomial of an order; false, and nothing is written, if the points do not determine it well at the vertex.
-bool fit(const Layout& layout, const double* column, int order, Eigen::Ref<Vector> polynomial) {
+// Least squares by a polynomial of an order; false, and nothing is written, if the points do not determine it, or leave the value at the
+// vertex a variance above `most`. `variances`: as `column`, each point counted by the square of its weight.
+bool fit(const Layout& layout, const double* column, const double* variances, int order, double most, Eigen::Ref<Vector> polynomial) {
   const int n = termsOf(order);
   const double points = column[layout.points()];
   if (points < n - 0.5) return false;
@@ -92,8 +102,8 @@ bool fit(const Layout& layout, const double* column, int order, Eigen::Ref<Vecto
   a = (scale.asDiagonal() * a * scale.asDiagonal()).eval();
   const Eigen::LLT<Small> factor(a);
   if (factor.info() != Eigen::Success || factor.matrixLLT().diagonal().cwiseAbs2().minCoeff() < leastPivot) return false;
-  const Terms vertex = factor.matrixL().solve(Terms(scale(0) * Terms::Unit(n, 0)));
-  if (vertex.squaredNorm() > mostAmplified) return false;
+  const Terms vertex = scale.asDiagonal() * factor.solve(Terms(scale(0) * Terms::Unit(n, 0)));
+  if (vertex.dot(layout.matrix(variances).topLeftCorner(n, n) * vertex) > most) return false;
   const Polynomial right = scale.asDiagonal() * layout.rightSide(column).topRows(n);
   polynomial.setZero();
   Eigen::Map<Matrix>(polynomial.data(), layout.terms, components).topRows(n) = scale.asDiagonal() * factor.solve(right);
@@ -176,11 +186,42 @@ void PatchRecovery::fitAlone(const Matrix& moments) {
   polynomials_ = Matrix::Zero(layout.terms * components, moments.cols());
   for (Eigen::Index p = 0; p < moments.cols(); ++p) {
     const double* column = moments.col(p).data();
-    if (fit(layout, column, layout.orderOfPatch(column), polynomials_.col(p))) origin_[p] = Origin::Own;
+    if (fit(layout, column, column, layout.orderOfPatch(column), mostAmplified, polynomials_.col(p))) origin_[p] = Origin::Own;
   }
 }
 
-// Elements count, not vertices: a side on a seam is seen from two subdomains, an element from one.
+// Elements count, not sides and vertices: a side on a seam is seen from two subdomains, an element from one.
+Matrix PatchRecovery::acrossSides(const Matrix& moments) const {
+  const Layout layout(order_);
+  Matrix all = Matrix::Zero(moments.rows(), moments.cols());
+  for (int e = 0; e < block_->elements(); ++e) {
+    const Span<const int> patches = patchesOf(e);
+    for (std::size_t v = 0; v < patches.size(); ++v)
+      for (const std::size_t w : {v + 1, v + patches.size() - 1}) {
+        const int to = patches[v], from = patches[w % patches.size()];
+        if (origin_[to] != Origin::None || origin_[from] != Origin::Own) continue;
+        layout.addShifted(moments.col(from).data(), placeOf(from), placeOf(to), all.col(to).data());
+      }
+  }
+  return all;
+}
+
+void PatchRecovery::fitJoined(const Matrix& moments, const Matrix& neighbours) {
+  const Layout layout(order_);
+  for (Eigen::Index p = 0; p < moments.cols(); ++p) {
+    if (neighbours(layout.points(), p) == 0.0) continue;
+    for (const double weight : weights) {
+      const Vector column = moments.col(p) + weight * neighbours.col(p);
+      const Vector variances = moments.col(p) + weight * weight * neighbours.col(p);
+      if (!fit(layout, column.data(), variances.data(), layout.orderOfPatch(column.data()), mostAmplifiedJoined, polynomials_.col(p)))
+        continue;
+      origin_[p] = Origin::Neighbours;
+      break;
+    }
+  }
+}
+
+// Elements count here, too.
 Matrix PatchRecovery::fromNeighbours() const {
   const int terms = termsOf(order_), width = terms * components;
   Matrix sums = Matrix::Zero(width + 1, polynomials_.cols());
@@ -216,13 +257,7 @@ Matrix PatchRecovery::enlarged(const Matrix& moments) const {
   for (int e = 0; e < block_->elements(); ++e)
     for (const int to : patchesOf(e)) {
       if (origin_[to] != Origin::None) continue;
-      for (const int from : patchesOf(e)) {
-        const Point a = placeOf(from), b = placeOf(to);
-        const double* column = moments.col(from).data();
-        const Small s = shift(a[0] - b[0], a[1] - b[1], order_);
-        layout.add(s * layout.matrix(column) * s.transpose(), s * layout.rightSide(column), all.col(to).data());
-        for (int k = layout.points(); k < layout.width(); ++k) all(k, to) += column[k];
-      }
+      for (const int from : patchesOf(e)) layout.addShifted(moments.col(from).data(), placeOf(from), placeOf(to), all.col(to).data());
     }
   return all;
 }
@@ -233,7 +268,7 @@ void PatchRecovery::fitEnlarged(const Matrix& moments) {
     if (origin_[p] != Origin::None) continue;
     const double* column = moments.col(p).data();
     for (int order = layout.orderOfPatch(column); order >= 0 && origin_[p] == Origin::None; --order)
-      if (fit(layout, column, order, polynomials_.col(p))) origin_[p] = Origin::Own;
+      if (fit(layout, column, column, order, mostAmplified, polynomials_.col(p))) origin_[p] = Origin::Own;
   }
 }
 
@@ -261,6 +296,21 @@ ElementErrors PatchRecovery::errors() const {
         nodal.col(side[2]) = 0.5 * (valueAt(side[0], side[2]) + valueAt(side[1], side[2]));
     if (cell == Cell::Quadrilateral9) nodal.col(8) = 0.25 * (valueAt(0, 8) + valueAt(1, 8) + valueAt(2, 8) + valueAt(3, 8));
 
+    if (cell == Cell::Triangle3 && !block_->axisymmetric) {  // a linear difference: its mass matrix is known
+      ElementStress element(*block_, e, referenceElement(cell, Rule::Sampling), law, displacement_);
+      element.at(0);
+      const Stress stress = element.stress();
+      Stress sum = Stress::Zero();
+      double squares = 0.0;
+      for (int v = 0; v < 3; ++v) {
+        const Stress difference = nodal.col(v) - stress;
+        sum += difference;
+        squares += law.complementary(difference);
+      }
+      all.error[e] = element.map().measure() / 12.0 * (squares + law.complementary(sum));
+      all.norm[e] = element.map().measure() * law.complementary(stress);
+      continue;
+    }
     const ReferenceElement& reference = referenceElement(cell, Rule::Recovery);
     ElementStress element(*block_, e, reference, law, displacement_);
     for (int q = 0; q < reference.points; ++q) {
@@ -295,6 +345,11 @@ void recoverPatches(std::vector<PatchRecovery>& blocks, const PatchExchange& exc
   for (PatchRecovery& block : blocks) block.order_ = order;
   const std::vector<Matrix> moments = summed([](const PatchRecovery& block) { return block.moments(); });
   for (std::size_t i = 0; i < blocks.size(); ++i) blocks[i].fitAlone(moments[i]);
+  if (unfitted()) {
+    const std::vector<Matrix> sums =
+        summed([&](const PatchRecovery& block) { return block.acrossSides(moments[std::size_t(&block - blocks.data())]); });
+    for (std::size_t i = 0; i < blocks.size(); ++i) blocks[i].fitJoined(moments[i], sums[i]);
+  }
   // Twice: a corner may have no neighbour that stands alone, but neighbours that have some.
   for (int pass = 0; pass < 2 && unfitted(); ++pass) {
     const std::vector<Matrix> sums = summed([](const PatchRecovery& block) { return block.fromNeighbours(); });

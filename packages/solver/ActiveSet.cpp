@@ -84,7 +84,7 @@ void ActiveSet::doSolve(Run& run) const {
     }
     linear.matrix->record();
     InnerResult cost = run.inner.solve(linear.matrix, run.preconditioner, *linear.load, *step, inner, run.reference, run.monitor,
-                                       run.automatic.criterion(state, run.lowest));
+                                       run.automatic.criterion(state, run.lowest, false, stays));
     run.learn(cost);
     const Matrix image = linear.matrix->recorded(cost.steps);
     if (!cost.converged) {

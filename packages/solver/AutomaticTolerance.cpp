@@ -5,34 +5,27 @@
 namespace suture {
 
 namespace {
-constexpr double kFirstEstimate = 0.02;  // where the first is made: algebraic error relative to that of the start
-constexpr double kClean = 0.3;           // algebraic error, relative to the estimate, that does not spoil it
-}  // namespace
+constexpr double kClean = 0.5;  // algebraic error, relative to the estimate, that does not spoil it
+}
 
-void AutomaticTolerance::estimate(const InterfaceState& state) {
-  last_ = estimate_(problem_.interiors(state));
+void AutomaticTolerance::estimate(const InterfaceState& state, double error) {
+  recovered_ = std::make_shared<const InterfaceProblem::Recovered>(problem_.recover(state));
+  last_ = estimate_.of(recovered_->freeValues);
+  sure_ = error <= kClean * last_->energyNorm;
   ++estimates_;
 }
 
-EnergyCriterion AutomaticTolerance::criterion(const InterfaceState& from, double lowest, bool last) {
+EnergyCriterion AutomaticTolerance::criterion(const InterfaceState& from, double lowest, bool first, bool last) {
   if (!on()) return {nullptr, lowest};
-  const auto estimateAt = [this, from](const MultiVector& x) {
+  recovered_.reset();
+  const auto enough = [this, from, first, last](double start, double error, const MultiVector& x) {
+    if (first) startsFrom(start);
+    recovered_.reset();
+    if (!last || !within(error) || sure_) return within(error);
     InterfaceState state = from;
     state.trace = Teuchos::rcp(new MultiVector(*from.trace, Teuchos::Copy));
     problem_.update(state, x, 1.0);
-    estimate(state);
-  };
-  const auto enough = [this, estimateAt, last, first = -1.0, clean = false](double error, const MultiVector& x) mutable {
-    if (first < 0.0) first = error;
-    if (!known()) {
-      if (error > kFirstEstimate * first) return false;
-      estimateAt(x);
-      clean = error <= kClean * last_->energyNorm;
-    }
-    if (met(error) && last && !clean) {
-      estimateAt(x);
-      clean = error <= kClean * last_->energyNorm;
-    }
+    estimate(state, error);
     return met(error);
   };
   return {enough, lowest};

@@ -23,8 +23,9 @@ struct InnerResult {
 
 /// A second reason to stop: the error in the energy norm is small enough.
 struct EnergyCriterion {
-  /// Asked after every iteration, on all ranks with the same numbers: the estimate of |x - x_k|_S, and x_k. May communicate.
-  std::function<bool(double error, const MultiVector& x)> enough = nullptr;
+  /// Asked after every iteration, on all ranks with the same numbers: the estimates of |x - x_0|_S and |x - x_k|_S, and x_k. May
+  /// communicate.
+  std::function<bool(double start, double error, const MultiVector& x)> enough = nullptr;
   double lowest = 0.0;  ///< what earlier solves found to be the smallest eigenvalue of M^-1 S; 0: not known
 };
 

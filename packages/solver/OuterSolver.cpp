@@ -48,7 +48,7 @@ void OuterSolver::Run::learn(const InnerResult& solve) {
 double OuterSolver::Run::energyErrorByTangent(const InterfaceState& state, const InterfaceProblem::Evaluation& at, double residual,
                                               InnerResult& cost) {
   // Tangents are softer than the operators of these methods: the error is larger than this.
-  if (!automatic.met(energyBound(residual)) || at.changed > 0) return -1.0;
+  if (!automatic.within(energyBound(residual)) || at.changed > 0) return -1.0;
   InterfaceState there = state;
   there.status = at.next;
   try {
@@ -89,10 +89,19 @@ void OuterSolver::Run::accept(InterfaceState state, InterfaceProblem::Evaluation
 }
 
 void OuterSolver::Run::confirm() {
+  AutomaticTolerance::Recovered recovered = automatic.takeRecovered();
   result.discretisation.reset();
-  if (!done() || result.residual <= settings.tolerance) return;
-  automatic.estimate(result.state);
+  result.recovered.reset();
+  if (evaluation.changed > 0) automatic.statusChanged();
+  if (!evaluation.settled || evaluation.changed > 0 || result.residual <= settings.tolerance || !automatic.within(result.energyError))
+    return;
+  if (!automatic.sure()) {
+    automatic.estimate(result.state, result.energyError);
+    recovered = automatic.takeRecovered();
+  }
+  if (!automatic.met(result.energyError)) return;
   result.discretisation = automatic.last();
+  result.recovered = std::move(recovered);
 }
 
 std::string OuterSolver::Run::reason() const {
@@ -151,6 +160,7 @@ OuterResult OuterSolver::solve(const InterfaceProblem& problem, const OuterSetti
                  std::to_string(implicit->second) + " implicit");
   run.reference = preconditionedNorm(*run.preconditioner, *start.load);
   run.referenceEuclidean = euclidean(*start.load);
+  run.automatic.startsFrom(run.reference);
 
   const bool contact = problem.pairs() > 0;
   if (given && contact) {
@@ -161,7 +171,7 @@ OuterResult OuterSolver::solve(const InterfaceProblem& problem, const OuterSetti
     const MultiVectorPtr step = problem.space()->vector();
     start.matrix->record();
     const InnerResult auxiliary = run.inner.solve(start.matrix, run.preconditioner, *start.load, *step, tolerance, 0.0, monitor,
-                                                  run.automatic.criterion(result.state, 0.0, !contact));
+                                                  run.automatic.criterion(result.state, 0.0, true, !contact));
     run.learn(auxiliary);
     const Matrix image = start.matrix->recorded(auxiliary.steps);
     problem.update(result.state, *step, 1.0, &image);
@@ -176,12 +186,15 @@ OuterResult OuterSolver::solve(const InterfaceProblem& problem, const OuterSetti
     }
     if (!contact) {  // linear: this is the solution, and no contact loop is entered
       result.converged = true;
-      if (auxiliary.enough) monitor.note(run.reason());
+      if (auxiliary.enough) {
+        monitor.note(run.reason());
+        result.discretisation = run.automatic.last();
+        result.recovered = run.automatic.takeRecovered();
+      }
       return result;
     }
   }
 
-  if (run.automatic.on() && !run.automatic.known()) run.automatic.estimate(result.state);
   run.evaluation = problem.evaluate(result.state, 10.0 * settings.tolerance);
   result.pcgTotal += run.evaluation.applications;
   result.residual = run.norm(run.evaluation);

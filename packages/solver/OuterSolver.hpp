@@ -20,7 +20,7 @@ struct OuterSettings {
   int maximumIterations = 50;
   int maximumInnerIterations = 1000;
   std::function<Teuchos::RCP<Preconditioner>()> preconditioner;  ///< makes a fresh one of the scene's kind
-  AutomaticTolerance::Estimate discretisationError = nullptr;    ///< set: iterations may end before `tolerance`, see AutomaticTolerance
+  AutomaticTolerance::Estimate discretisationError = {};         ///< set: iterations may end before `tolerance`, see AutomaticTolerance
 };
 
 struct OuterResult {
@@ -33,6 +33,7 @@ struct OuterResult {
   double residual = 0.0;
   double energyError = -1.0;                          ///< algebraic error at the end in the energy norm, estimated; negative: not known
   std::optional<DiscretisationError> discretisation;  ///< of the state, where an automatic tolerance has estimated it
+  AutomaticTolerance::Recovered recovered;            ///< from the state, where an automatic tolerance needed it; else null
   AuxiliaryRow auxiliary;
   int coarseSize = 0;
   double setupSeconds = 0.0;               ///< of the preconditioner
@@ -79,7 +80,7 @@ class OuterSolver {
     void accept(InterfaceState state, InterfaceProblem::Evaluation at, double residual, const InnerResult& cost, double step,
                 double energyError);
     bool done() const;
-    /// Where an automatic tolerance would end the iterations: estimates again, after which it may not. Collective.
+    /// Where an automatic tolerance may end the iterations: estimates, unless that was done, after which it may not. Collective.
     void confirm();
     /// Remembers the smallest eigenvalue that a solve met.
     void learn(const InnerResult& solve);

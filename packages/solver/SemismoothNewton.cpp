@@ -30,7 +30,7 @@ void SemismoothNewton::doSolve(Run& run) const {
     // No more digits than the end asks for.
     const double tolerance = std::max(innerTolerance_, std::min(0.1, 0.2 * run.settings.tolerance / run.result.residual));
     InnerResult cost = run.inner.solve(tangent, run.preconditioner, *run.evaluation.residual, *step, tolerance, 0.0, run.monitor,
-                                       run.automatic.criterion(run.result.state, run.lowest));
+                                       run.automatic.criterion(run.result.state, run.lowest, false, false));
     run.learn(cost);
     if (!cost.converged) {
       run.result.pcgTotal += cost.pcg;

@@ -122,11 +122,20 @@ bool isAutomatic(const Parameters& scene) { return scene.sublist("Outer Solver")
 
 AutomaticTolerance::Estimate discretisationErrorOf(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model,
                                                    const Subdomains& subdomains) {
-  return [&](const std::vector<Vector>& freeValues) {
+  double unknowns = 0.0, all = 0.0;
+  int order = 1, highest = 1;
+  for (const auto& subdomain : subdomains) unknowns += subdomain->dofs();
+  for (const SubdomainMesh& mesh : meshes)
+    for (const Cell cell : mesh.cells) order = std::max(order, static_cast<int>(cellInfo(cell).sideNodes.front().size()) - 1);
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, unknowns, Teuchos::outArg(all));
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, order, Teuchos::outArg(highest));
+  const auto of = [&](const std::vector<Vector>& freeValues) {
     std::vector<Vector> displacement;
     for (std::size_t i = 0; i < subdomains.size(); ++i) displacement.push_back(subdomains[i]->cartesian(freeValues[i]));
     return estimateError(comm, meshes, model, displacement);
   };
+  const double nodes = std::max(0.5 * all, 1.0);
+  return {of, highest == 1 ? 3.0 / std::sqrt(nodes) : 1.5 / nodes};
 }
 
 void checkCombination(const Parameters& scene) {
@@ -188,7 +197,7 @@ OuterResult solveInterface(const InterfaceProblem& problem, const Parameters& sc
   const Parameters& own = scene.sublist("Outer Solver");
   OuterSettings settings;
   if (isAutomatic(scene)) {
-    if (!discretisationError) throw InternalError("an automatic tolerance without an estimate of the error");
+    if (!discretisationError.of) throw InternalError("an automatic tolerance without an estimate of the error");
     settings.discretisationError = discretisationError;
   } else {
     settings.tolerance = std::stod(own.get<std::string>("Tolerance"));
@@ -201,7 +210,8 @@ OuterResult solveInterface(const InterfaceProblem& problem, const Parameters& sc
 
 Solution recover(const Comm& comm, const InterfaceProblem& problem, const OuterResult& result, const Subdomains& subdomains,
                  const Parameters& scene) {
-  const InterfaceProblem::Recovered recovered = problem.recover(result.state);
+  const AutomaticTolerance::Recovered before = result.recovered;
+  const InterfaceProblem::Recovered recovered = before ? *before : problem.recover(result.state);
   Solution solution;
   solution.converged = result.converged;
   solution.stopped = result.stopped && !result.converged;

@@ -53,10 +53,11 @@ Runs solveBoth(const std::string& method, const Blocks& all, const InterfaceProb
   Monitor silent;
   runs.full = solver()->solve(problem, settings, silent);
   const auto estimate = discretisationErrorOf(*world(), all.meshes, all.model, all.subdomains);
-  settings.discretisationError = [&](const std::vector<Vector>& values) {
-    ++runs.estimates;
-    return estimate(values);
-  };
+  settings.discretisationError = {[&](const std::vector<Vector>& values) {
+                                    ++runs.estimates;
+                                    return estimate.of(values);
+                                  },
+                                  estimate.expected};
   runs.automatic = solver()->solve(problem, settings, runs.rows);
   return runs;
 }
@@ -73,7 +74,7 @@ void endsInTime(const std::string& name, const std::string& method, const Blocks
   }
   const double truth = energyDistance(all, problem, runs.automatic.state, runs.full.state);
   const DiscretisationError error =
-      discretisationErrorOf(*world(), all.meshes, all.model, all.subdomains)(problem.interiors(runs.full.state));
+      discretisationErrorOf(*world(), all.meshes, all.model, all.subdomains).of(problem.interiors(runs.full.state));
   out << name << ", " << method << ", " << preconditionerName << ": " << pcgOf(runs.automatic) << " of " << pcgOf(runs.full)
       << " PCG, estimated discretisation error " << error.energyNorm << " (" << 100 * error.relative() << " %), algebraic " << truth
       << ", estimated " << runs.automatic.energyError << ", " << runs.estimates << " estimates\n";

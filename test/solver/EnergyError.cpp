@@ -106,7 +106,8 @@ TEUCHOS_UNIT_TEST(EnergyError, EndsASolveWhereItIsSmallEnough) {
   const InnerResult whole = InnerSolver(200).solve(linear.matrix, made, *linear.load, *x, 1e-10, 0.0, silent);
   const double target = 1e-3 * whole.energyErrors.front();
   EnergyCriterion criterion;
-  criterion.enough = [&](double error, const MultiVector& now) {
+  criterion.enough = [&](double start, double error, const MultiVector& now) {
+    TEST_COMPARE(start, >=, error);
     // The iterate that it is shown has gained what it says: |x|^2 = |x - 0|^2 - |error|^2.
     const double norm = energyNorm(*linear.matrix, now);
     const double truth = std::sqrt(std::max(std::pow(whole.energyErrors.front(), 2) - norm * norm, 0.0));
