@@ -1,6 +1,7 @@
 #include <suture/base/Dense.hpp>
 #include <suture/precond/AdaptiveEdges.hpp>
 #include <suture/precond/EdgeConstraints.hpp>
+#include <suture/precond/StiffTraces.hpp>
 
 #include <Teuchos_ParameterList.hpp>
 
@@ -80,12 +81,12 @@ std::vector<Matrix> NoEdgeConstraints::rows(const InterfaceSpace& space, const L
   return all;
 }
 
-std::vector<Matrix> EdgeAverages::rows(const InterfaceSpace& space, const LocalProblems&, const Weighting&) const {
-  return momentRows(space, false);
+std::vector<Matrix> EdgeAverages::rows(const InterfaceSpace& space, const LocalProblems& locals, const Weighting& weighting) const {
+  return withStiffTraces(space, locals, weighting, momentRows(space, false));
 }
 
-std::vector<Matrix> EdgeRigidModes::rows(const InterfaceSpace& space, const LocalProblems&, const Weighting&) const {
-  return momentRows(space, true);
+std::vector<Matrix> EdgeRigidModes::rows(const InterfaceSpace& space, const LocalProblems& locals, const Weighting& weighting) const {
+  return withStiffTraces(space, locals, weighting, momentRows(space, true));
 }
 
 void registerBuiltIns(Registry<EdgeConstraints>& registry) {
