@@ -1,7 +1,6 @@
 #include <suture/base/Dense.hpp>
 #include <suture/precond/AdaptiveEdges.hpp>
 #include <suture/precond/EdgeConstraints.hpp>
-#include <suture/precond/StiffTraces.hpp>
 
 #include <Teuchos_ParameterList.hpp>
 
@@ -82,11 +81,11 @@ std::vector<Matrix> NoEdgeConstraints::rows(const InterfaceSpace& space, const L
 }
 
 std::vector<Matrix> EdgeAverages::rows(const InterfaceSpace& space, const LocalProblems& locals, const Weighting& weighting) const {
-  return withStiffTraces(space, locals, weighting, momentRows(space, false));
+  return stiff_.addedTo(momentRows(space, false), space, locals, weighting);
 }
 
 std::vector<Matrix> EdgeRigidModes::rows(const InterfaceSpace& space, const LocalProblems& locals, const Weighting& weighting) const {
-  return withStiffTraces(space, locals, weighting, momentRows(space, true));
+  return stiff_.addedTo(momentRows(space, true), space, locals, weighting);
 }
 
 void registerBuiltIns(Registry<EdgeConstraints>& registry) {

@@ -1,6 +1,6 @@
 #pragma once
 #include <suture/base/Registry.hpp>
-#include <suture/precond/Weighting.hpp>
+#include <suture/precond/StiffTraces.hpp>
 
 #include <memory>
 #include <vector>
@@ -34,12 +34,18 @@ class NoEdgeConstraints : public EdgeConstraints {
 class EdgeAverages : public EdgeConstraints {
  public:
   std::vector<Matrix> rows(const InterfaceSpace& space, const LocalProblems& locals, const Weighting& weighting) const override;
+
+ private:
+  mutable StiffTraces stiff_;
 };
 
 /// The same and the first moment: all rigid motions of the edge; on a contact line average and first moment of the normal displacement.
 class EdgeRigidModes : public EdgeConstraints {
  public:
   std::vector<Matrix> rows(const InterfaceSpace& space, const LocalProblems& locals, const Weighting& weighting) const override;
+
+ private:
+  mutable StiffTraces stiff_;
 };
 
 }  // namespace suture

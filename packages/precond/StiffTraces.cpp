@@ -16,7 +16,7 @@ namespace {
 // In terms of the stiffness against change of shape. What is left to chance multiplies the condition by about one twentieth of it.
 constexpr double kStiff = 20.0;       // of a subdomain's trace
 constexpr double kStiffOnEdge = 0.5;  // of what weighting leaves of it on an edge
-constexpr int kMostSteps = 20;
+constexpr int kMostSteps = 10;
 
 Matrix randomColumns(int rows, int columns) {
   std::mt19937 next;  // the same numbers everywhere, which std's distributions are not
@@ -75,8 +75,8 @@ Matrix stiffTraces(const LocalProblem& local) {
       const Vector values = pairs.values.tail(count);
       const Matrix found = basis * pairs.vectors.rightCols(count);
       const Matrix missed = image * pairs.vectors.rightCols(count) - found * values.asDiagonal();
-      // An error e of a direction leaves its value times e^2 of the stiffness.
-      const bool settled = (missed.colwise().squaredNorm().transpose().array() < 0.1 * values.array()).all() && (count > 0 || step > 2);
+      // What is missed couples a direction with the rest: small against the stiffness there, which is of the order of one.
+      const bool settled = (missed.colwise().squaredNorm().array() < 1e-2).all() && (count > 0 || step > 2);
       if (count == m && m < n) break;  // perhaps there are more of them
       if (settled || step + 1 == kMostSteps || m == n) return scale.asDiagonal() * found * values.cwiseSqrt().asDiagonal();
       basis = orthonormalBasis(image, 1e-14);
@@ -84,21 +84,24 @@ Matrix stiffTraces(const LocalProblem& local) {
   }
 }
 
-std::vector<Matrix> withStiffTraces(const InterfaceSpace& space, const LocalProblems& locals, const Weighting& weighting,
-                                    std::vector<Matrix> rows) {
+std::vector<Matrix> StiffTraces::addedTo(std::vector<Matrix> rows, const InterfaceSpace& space, const LocalProblems& locals,
+                                         const Weighting& weighting) {
   const auto incompressible = [](const auto& local) { return local && local->shearDiagonal().size() > 0; };
   const int mine = std::any_of(locals.begin(), locals.end(), incompressible);
   int any = 0;
   Teuchos::reduceAll(*space.comm(), Teuchos::REDUCE_MAX, mine, Teuchos::outArg(any));
   if (!any) return rows;
-  std::vector<Matrix> traces(locals.size());
+  locals_.resize(locals.size());
+  traces_.resize(locals.size());
   collectively(*space.comm(), "what nearly incompressible subdomains are stiff against", [&] {
-    for (std::size_t i = 0; i < locals.size(); ++i)
-      if (incompressible(locals[i])) traces[i] = stiffTraces(*locals[i]);
+    for (std::size_t i = 0; i < locals.size(); ++i) {
+      if (incompressible(locals[i]) && locals_[i] != locals[i]) traces_[i] = stiffTraces(*locals[i]);
+      locals_[i] = locals[i];
+    }
   });
   const auto both = exchangeEdges(space, edgeSides(space), [&](const EdgeSide& side) {
     if (!incompressible(locals[side.local])) return Matrix();
-    return sideColumns(side, *locals[side.local], traces[side.local], weighting);
+    return sideColumns(side, *locals[side.local], traces_[side.local], weighting);
   });
   collectively(*space.comm(), "edges of nearly incompressible subdomains", [&] {
     for (std::size_t e = 0; e < rows.size(); ++e) rows[e] = withColumns(rows[e], both[e]);

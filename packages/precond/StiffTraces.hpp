@@ -15,9 +15,17 @@ namespace suture {
 /// iteration with S. No columns where a local problem knows no shearDiagonal(). Local.
 Matrix stiffTraces(const LocalProblem& local);
 
-/// Adds to the rows of each edge (orthonormal, see EdgeConstraints::rows) those that keep weighted jumps orthogonal to the stiff traces of
-/// both sides, as far as they cost anything. Returns `rows` in scenes without nearly incompressible bodies. Collective.
-std::vector<Matrix> withStiffTraces(const InterfaceSpace& space, const LocalProblems& locals, const Weighting& weighting,
-                                    std::vector<Matrix> rows);
+/// The same for edges. Remembers the traces of local problems that it was given last: they outlive changes of the contact set.
+class StiffTraces {
+ public:
+  /// `rows` of each edge (orthonormal, see EdgeConstraints::rows) and those that keep weighted jumps orthogonal to the stiff traces of both
+  /// sides, as far as they cost anything; `rows` in scenes without nearly incompressible bodies. Collective.
+  std::vector<Matrix> addedTo(std::vector<Matrix> rows, const InterfaceSpace& space, const LocalProblems& locals,
+                              const Weighting& weighting);
+
+ private:
+  LocalProblems locals_;
+  std::vector<Matrix> traces_;
+};
 
 }  // namespace suture
