@@ -132,6 +132,44 @@ TEUCHOS_UNIT_TEST(Bddc, WeightsThatChangeAlongAnEdgeDoNotLetVolumeThrough) {
     }
 }
 
+TEUCHOS_UNIT_TEST(Bddc, ConditionDoesNotFeelPoissonsRatioAcrossContactLines) {
+  // Two blocks of quadrilaterals, three subdomains wide and two high, in contact; the groups of the paper, and pairs on the interface.
+  const auto blocks = [](double poisson) {
+    std::vector<Box> all(2);
+    const char* names[2] = {"lower", "upper"};
+    for (int k = 0; k < 2; ++k) {
+      all[k].name = names[k];
+      all[k].x1 = 3;
+      all[k].y0 = 2 * k, all[k].y1 = 2 * k + 2;
+      all[k].nx = 12, all[k].ny = 8;
+      all[k].blocksX = 3, all[k].blocksY = 2;
+      all[k].cell = Cell::Quadrilateral4;
+    }
+    Scene scene = scenes::fromBoxes(all, 2 * (1 + poisson), poisson);
+    for (Material& material : scene.model.materialOfBody) material.element = ElementForm::Mixed;
+    scene.sideA = "lower_top";
+    scene.sideB = "upper_bottom";
+    scene.pairUp();
+    for (const char* side : {"lower_bottom", "upper_top"})
+      for (int k = 0; k < 2; ++k) scene.hold(side, k, 0.0);
+    return scene;
+  };
+  const auto largest = [](const Teuchos::RCP<const InterfaceOperator>& matrix) {
+    const Vector values = DensePair(*matrix, *bddc(matrix)).eigenvalues();
+    return values(values.size() - 1);
+  };
+  for (const bool groups : {true, false}) {
+    std::vector<double> found;
+    for (const double poisson : {0.3, 0.4999, 0.499999}) {
+      const Scene scene = blocks(poisson);
+      found.push_back(groups ? largest(Twins(scene).spread.linearised.matrix) : largest(OnInterface(scene, world()).matrix(scene, 3)));
+    }
+    out << (groups ? "groups: " : "on the interface: ") << found[0] << ", " << found[1] << ", " << found[2] << "\n";
+    TEST_COMPARE(found[1], <, 2.5 * found[0]);
+    TEST_COMPARE(found[2], <, 1.2 * found[1]);
+  }
+}
+
 TEUCHOS_UNIT_TEST(Bddc, AdaptiveEdgesKeepTheirThresholdAsPoissonsRatioTendsToOneHalf) {
   for (const Cell cell : {Cell::Quadrilateral4, Cell::Triangle6}) {
     const Lanczos easy = condition(softSquare(cell, 0.3), "Adaptive");
