@@ -30,13 +30,17 @@ class Segment {
       points_.push_back(mesh.point(node));
       normals_.push_back(line.normal(node));
     }
+    for (int end = 0; end < 2; ++end) endNormals_[end] = unit(normals_[end]);
   }
   const std::vector<int>& nodes() const { return nodes_; }
   int count() const { return static_cast<int>(nodes_.size()); }
   const Point& end(int which) const { return points_[which]; }
-  Point at(double xi) const { return mix(points_, sideShape(count(), xi).value); }
+  // Ends at once: of most elements of the other side they alone are asked for.
+  Point at(double xi) const { return xi == -1 ? points_[0] : xi == 1 ? points_[1] : mix(points_, sideShape(count(), xi).value); }
   Point tangent(double xi) const { return mix(points_, sideShape(count(), xi).slope); }  // of the length ds / d xi
-  Point normal(double xi) const { return unit(mix(normals_, sideShape(count(), xi).value)); }
+  Point normal(double xi) const {
+    return xi == -1 ? endNormals_[0] : xi == 1 ? endNormals_[1] : unit(mix(normals_, sideShape(count(), xi).value));
+  }
   double length() const { return norm(minus(points_[1], points_[0])); }
   bool isCurved() const { return bend() > kStraight; }
   /// Height of the arc over a chord, h^2 / 8 R: how far a straight element is off the curve that its nodes lie on.
@@ -52,6 +56,7 @@ class Segment {
   }
   std::vector<int> nodes_;
   std::vector<Point> points_, normals_;
+  std::array<Point, 2> endNormals_;
 };
 
 /// Zero of a function on [-1, 1] that changes its sign there; nothing if it does not.
