@@ -8,6 +8,7 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <sstream>
 
 namespace suture {
 
@@ -17,6 +18,8 @@ using Chain = BoundaryLine::Chain;
 
 constexpr double kSamePlace = 1e-10;  // of an element's reference interval
 constexpr double kFacing = 0.5;       // cosine of the angle up to which two normals are opposite
+constexpr double kStraight = 1e-6;    // angle between the normals at an element's ends
+constexpr double kNoOverlap = 1e-6;   // of an element's length: less than what the strains of most scenes move
 constexpr double kCovered = 0.2;      // of a hat function, below which its node carries no condition of its own
 
 /// An element of one side as a curve on [-1, 1], the body on its left.
@@ -27,15 +30,24 @@ class Segment {
       points_.push_back(mesh.point(node));
       normals_.push_back(line.normal(node));
     }
+    for (int end = 0; end < 2; ++end) endNormals_[end] = unit(normals_[end]);
   }
   const std::vector<int>& nodes() const { return nodes_; }
   int count() const { return static_cast<int>(nodes_.size()); }
   const Point& end(int which) const { return points_[which]; }
-  Point at(double xi) const { return mix(points_, sideShape(count(), xi).value); }
+  // Ends at once: of most elements of the other side they alone are asked for.
+  Point at(double xi) const { return xi == -1 ? points_[0] : xi == 1 ? points_[1] : mix(points_, sideShape(count(), xi).value); }
   Point tangent(double xi) const { return mix(points_, sideShape(count(), xi).slope); }  // of the length ds / d xi
-  Point normal(double xi) const { return unit(mix(normals_, sideShape(count(), xi).value)); }
+  Point normal(double xi) const {
+    return xi == -1 ? endNormals_[0] : xi == 1 ? endNormals_[1] : unit(mix(normals_, sideShape(count(), xi).value));
+  }
+  double length() const { return norm(minus(points_[1], points_[0])); }
+  bool isCurved() const { return bend() > kStraight; }
+  /// Height of the arc over a chord, h^2 / 8 R: how far a straight element is off the curve that its nodes lie on.
+  double sagitta() const { return count() == 2 ? length() * bend() / 8 : 0.0; }
 
  private:
+  double bend() const { return angleBetween(normals_[0], normals_[1]); }
   Point mix(const std::vector<Point>& points, const std::array<double, 3>& by) const {
     Point sum{0, 0, 0};
     for (int a = 0; a < count(); ++a)
@@ -44,6 +56,7 @@ class Segment {
   }
   std::vector<int> nodes_;
   std::vector<Point> points_, normals_;
+  std::array<Point, 2> endNormals_;
 };
 
 /// Zero of a function on [-1, 1] that changes its sign there; nothing if it does not.
@@ -83,6 +96,18 @@ class Mortar {
     for (const auto& entry : rows_) covered += entry.second.weight;
     for (const auto& entry : line_.nodes()) whole += entry.second.tributary;
     return covered > (1 - 1e-6) * whole;
+  }
+
+  /// Where curved sides cut into each other by no more than their chords do; else empty.
+  std::string overlap() const {
+    if (overlap_.depth <= 0) return {};
+    std::ostringstream text;
+    text.precision(3);
+    text << "contact '" << contact_.name << "': its sides are curved, but their elements straight, and cut into each other by up to "
+         << overlap_.depth << " at (" << overlap_.place[0] << ", " << overlap_.place[1]
+         << "): an error of the mesh (h^2 / 8 R) that contact pressures feel. Initial Gap = 0, where the bodies touch, or elements with "
+            "middle nodes avoid it";
+    return text.str();
   }
 
   PairedLine pairs() const {
@@ -159,6 +184,12 @@ class Mortar {
     return best;
   }
 
+  void noteOverlap(const Segment& own, const Segment& other, const Point& place, double depth) {
+    if (depth <= std::max(overlap_.depth, kNoOverlap * own.length()) || !own.isCurved() || !other.isCurved()) return;
+    // More than that, with a margin for coarse meshes and the ends of lines, is meant: an interference fit.
+    if (depth < 2 * (own.sagitta() + other.sagitta())) overlap_ = {depth, place};
+  }
+
   void integrate(const Segment& own) {
     std::vector<Sample> samples;
     double covered = 0;
@@ -173,6 +204,7 @@ class Mortar {
         const Point from = own.at(xi), normal = own.normal(xi);
         const auto met = meet(from, normal, *other);
         if (!met) continue;  // beyond the element's end by rounding of its curve: of no weight
+        if (!contact_.initialGap) noteOverlap(own, *other, from, -met->gap);
         const double gap = contact_.initialGap ? contact_.initialGap->at(from) : met->gap;
         double weight = half * rule_.weights(q) * norm(own.tangent(xi));
         if (mesh_.axisymmetric) weight *= circumference(from[0]);
@@ -255,6 +287,10 @@ class Mortar {
   std::vector<Segment> other_;
   LineRule rule_;
   std::map<int, Row> rows_;  // by the node that carries it
+  struct {
+    double depth = 0.0;
+    Point place{0, 0, 0};
+  } overlap_;
 };
 
 /// The side that the other covers wholly, where the stress ends with the side and not inside an element; of two or none such that with more
@@ -267,10 +303,11 @@ Mortar carriedByEither(const Mesh& mesh, const ContactLine& line) {
 
 }  // namespace
 
-PairedLine mortarLine(const Mesh& mesh, const ContactLine& line, Problems& problems) {
+PairedLine mortarLine(const Mesh& mesh, const ContactLine& line, Problems& problems, std::vector<std::string>& notes) {
   const Mortar mortar = line.carrier == ContactLine::Carrier::Automatic ? carriedByEither(mesh, line)
                                                                         : Mortar(mesh, line, line.carrier == ContactLine::Carrier::SideA);
   PairedLine result = mortar.pairs();
+  if (const std::string overlap = mortar.overlap(); !overlap.empty()) notes.push_back(overlap);
   if (result.pairs.empty())
     problems.add(line.path, "the sides '" + line.groupA + "' and '" + line.groupB +
                                 "' overlap nowhere: no normal of one meets the other face to face. Do the bodies lie on opposite sides of "

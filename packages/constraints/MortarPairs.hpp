@@ -17,7 +17,8 @@ namespace suture {
 /// than a fifth of its hat function covered hands its psi on to its neighbour: the sum of all psi is one wherever the sides meet.
 ///
 /// \param problems  gets sides that meet nowhere
+/// \param notes  gets curved sides whose chords cut into each other: by h^2 / 8 R, an error of the mesh that a gap of zero would not have
 /// \return pairs as pairLine(), along the carrying side. Local.
-PairedLine mortarLine(const Mesh& mesh, const ContactLine& line, Problems& problems);
+PairedLine mortarLine(const Mesh& mesh, const ContactLine& line, Problems& problems, std::vector<std::string>& notes);
 
 }  // namespace suture

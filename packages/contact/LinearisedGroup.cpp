@@ -49,6 +49,11 @@ LinearisedGroup::LinearisedGroup(int id, const ContactGroup& group, const std::v
     const Vector& young = group.members()[m].subdomain->youngModulus();
     for (std::size_t i = 0; i < at.size(); ++i)
       if (boundaryOf[at[i]] >= 0) young_(boundaryOf[at[i]]) = std::max(young_(boundaryOf[at[i]]), young(i));
+    const Vector& shear = group.members()[m].subdomain->shearDiagonal();
+    if (shear.size() == 0) continue;
+    if (shear_.size() == 0) shear_ = Vector::Zero(size());
+    for (std::size_t i = 0; i < at.size(); ++i)
+      if (boundaryOf[at[i]] >= 0) shear_(boundaryOf[at[i]]) += shear(i);
   }
 }
 

@@ -16,6 +16,7 @@ class LinearisedGroup : public LocalProblem {
   Vector condensedLoad() const override { return -atRest_.flux; }
   double constantEnergy() const override { return atRest_.energy; }
   const Vector& stiffnessDiagonal() const override { return diagonal_; }
+  const Vector& shearDiagonal() const override { return shear_; }
   const Vector& youngModulus() const override { return young_; }
   const Matrix& kernel() const override;
   const Matrix& coarseModes() const override;
@@ -32,7 +33,7 @@ class LinearisedGroup : public LocalProblem {
   std::vector<PairStatus> status_;
   ContactCompliance::Closed held_;
   ContactGroup::Response atRest_;  // zero trace
-  Vector diagonal_, young_;
+  Vector diagonal_, shear_, young_;
   mutable std::unique_ptr<ContactCompliance::Closed> floating_;
   mutable Matrix kernel_, coarseModes_;
   mutable bool modesMade_ = false;

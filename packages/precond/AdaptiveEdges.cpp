@@ -15,6 +15,20 @@ namespace {
 
 constexpr double kMostOfInterface = 0.5;  // beyond this a direct solver of the interface is meant
 
+/// matrix^+ rhs, for a right-hand side that the kernel does not feel: by a shift that rounding hides. Where that of the matrix itself is
+/// larger (a Schur complement of a nearly incompressible body is a small difference of large terms) the shift is what it takes.
+Matrix solveSemidefinite(const Matrix& matrix, const Matrix& rhs) {
+  for (double shift = 1e-12; shift < 1e-4; shift *= 10) {
+    Matrix shifted = matrix, lower;
+    shifted.diagonal() *= 1.0 + shift;
+    if (!choleskyFactor(shifted, lower)) continue;
+    Matrix solution = lower.triangularView<Eigen::Lower>().solve(rhs);
+    lower.transpose().triangularView<Eigen::Upper>().solveInPlace(solution);
+    return solution;
+  }
+  throw NumericalError("the stiffness of an edge of the interface is not positive semidefinite");
+}
+
 /// Over the edge's n unknowns and its c corners, side by side: the Schur complement T of a side onto both, and, in the first n rows, the
 /// edge's block of S and its weights.
 Matrix sideMatrices(const EdgeSide& side, const LocalProblem& local, const Matrix& schur, const Weighting& weighting) {
@@ -29,10 +43,8 @@ Matrix sideMatrices(const EdgeSide& side, const LocalProblem& local, const Matri
   Matrix reduced = pick(schur, kept, kept);
   if (!others.empty()) {
     const Matrix across = pick(schur, others, kept);
-    // Contact edges hold one component only: what they leave free is a kernel that `across` does not feel, and a shift hides it.
-    Matrix rest = pick(schur, others, others);
-    rest.diagonal() *= 1.0 + 1e-12;
-    reduced -= across.transpose() * solvePositive(rest, across);
+    // Contact edges hold one component only: what they leave free is a kernel that `across` does not feel.
+    reduced -= across.transpose() * solveSemidefinite(pick(schur, others, others), across);
   }
   Matrix weights = Matrix::Zero(local.size(), n);
   for (int k = 0; k < n; ++k) weights(side.rows[k], k) = 1.0;
@@ -55,11 +67,8 @@ Matrix chosenRows(const std::array<Matrix, 2>& sides, int n, double threshold) {
   const auto block = [&](int side) { return sides[side].block(0, all, n, n); };
   const auto weights = [&](int side) { return sides[side].block(0, all + n, n, n); };
   const Matrix jump = weights(1).transpose() * block(0) * weights(1) + weights(0).transpose() * block(1) * weights(0);
-  // Least energy of two traces with a given jump that vanishes at the corners. Rigid motions of both together are free: a shift that
-  // rounding hides makes the sum regular.
-  Matrix sum = stored(0) + stored(1);
-  sum.diagonal() *= 1.0 + 1e-12;
-  Matrix least = (stored(0) * solvePositive(sum, stored(1))).topLeftCorner(n, n);
+  // Least energy of two traces with a given jump that vanishes at the corners. Rigid motions of both together are free.
+  Matrix least = (stored(0) * solveSemidefinite(stored(0) + stored(1), stored(1))).topLeftCorner(n, n);
   Matrix lower;
   if (!choleskyFactor(0.5 * (jump + jump.transpose()), lower)) throw NumericalError("an edge of the interface has no stiffness");
   // The inverse problem: what is stored may vanish, the energy of a jump does not.

@@ -80,12 +80,12 @@ std::vector<Matrix> NoEdgeConstraints::rows(const InterfaceSpace& space, const L
   return all;
 }
 
-std::vector<Matrix> EdgeAverages::rows(const InterfaceSpace& space, const LocalProblems&, const Weighting&) const {
-  return momentRows(space, false);
+std::vector<Matrix> EdgeAverages::rows(const InterfaceSpace& space, const LocalProblems& locals, const Weighting& weighting) const {
+  return stiff_.addedTo(momentRows(space, false), space, locals, weighting);
 }
 
-std::vector<Matrix> EdgeRigidModes::rows(const InterfaceSpace& space, const LocalProblems&, const Weighting&) const {
-  return momentRows(space, true);
+std::vector<Matrix> EdgeRigidModes::rows(const InterfaceSpace& space, const LocalProblems& locals, const Weighting& weighting) const {
+  return stiff_.addedTo(momentRows(space, true), space, locals, weighting);
 }
 
 void registerBuiltIns(Registry<EdgeConstraints>& registry) {

@@ -1,6 +1,6 @@
 #pragma once
 #include <suture/base/Registry.hpp>
-#include <suture/precond/Weighting.hpp>
+#include <suture/precond/StiffTraces.hpp>
 
 #include <memory>
 #include <vector>
@@ -30,16 +30,22 @@ class NoEdgeConstraints : public EdgeConstraints {
 };
 
 /// The average of each displacement component; on a contact line, of the normal displacement; the flux through the edge where the space has
-/// one (InterfaceSpace::flux).
+/// one (InterfaceSpace::flux), and what else nearly incompressible subdomains are stiff against (StiffTraces.hpp).
 class EdgeAverages : public EdgeConstraints {
  public:
   std::vector<Matrix> rows(const InterfaceSpace& space, const LocalProblems& locals, const Weighting& weighting) const override;
+
+ private:
+  mutable StiffTraces stiff_;
 };
 
 /// The same and the first moment: all rigid motions of the edge; on a contact line average and first moment of the normal displacement.
 class EdgeRigidModes : public EdgeConstraints {
  public:
   std::vector<Matrix> rows(const InterfaceSpace& space, const LocalProblems& locals, const Weighting& weighting) const override;
+
+ private:
+  mutable StiffTraces stiff_;
 };
 
 }  // namespace suture

@@ -9,12 +9,11 @@
 
 namespace suture {
 
-void ElasticSubdomain::doAssemble(SparseMatrix& stiffness, Vector& load) {
+SparseMatrix ElasticSubdomain::assembleStiffness(const std::function<const Material&(int element)>& materials) const {
   const SubdomainMesh& m = mesh();
   const int d = components();
   ElementMatrices matrices;
   matrices.reserve(m.connectivity.size() * m.connectivity.size() / std::max(m.elements(), 1) * d * d);
-  const auto materials = [this](int element) -> const Material& { return materialOf(element); };
   elementStiffnesses(m, materials, model_.plane, [&](int element, ConstLocalView given) {
     const auto nodes = m.nodesOf(element);
     const auto begin = matrices.size();
@@ -27,8 +26,12 @@ void ElasticSubdomain::doAssemble(SparseMatrix& stiffness, Vector& load) {
         k.middleCols(a * d, d) = (k.middleCols(a * d, d) * q->transpose()).eval();
       }
   });
-  stiffness = assembleNodal(m, d, matrices);
+  return assembleNodal(m, d, matrices);
+}
 
+void ElasticSubdomain::doAssemble(SparseMatrix& stiffness, Vector& load) {
+  const SubdomainMesh& m = mesh();
+  stiffness = assembleStiffness([this](int element) -> const Material& { return materialOf(element); });
   std::vector<int> all(m.elements());
   std::iota(all.begin(), all.end(), 0);
   for (const Load& given : model_.loads) {
@@ -72,6 +75,16 @@ Vector ElasticSubdomain::doSeamFlux() const {
       flux(end.node * components() + k) += std::abs(pair.ends[end.end].weight) * pair.length * pair.normal[k];
   }
   return flux;
+}
+
+Vector ElasticSubdomain::doShearDiagonal() const {
+  if (!model_.nearlyIncompressible()) return Vector();
+  std::map<const Material*, Material> withoutVolume;  // the same shear modulus, no Lame constant
+  return assembleStiffness([&](int element) -> const Material& {
+           const Material& given = materialOf(element);
+           return withoutVolume.try_emplace(&given, Material{given.name, given.young / (1 + given.poisson), 0.0}).first->second;
+         })
+      .diagonal();
 }
 
 // Of the subdomains that hold a node the first one carries its force, so that the sum over all has it once, exactly.

@@ -2,6 +2,8 @@
 #include <suture/elasticity/ElasticModel.hpp>
 #include <suture/subdomain/Subdomain.hpp>
 
+#include <functional>
+
 namespace suture {
 
 /// Linear elasticity of one subdomain: stiffness and loads of its elements, rotated into the axes of the nodes.
@@ -17,9 +19,11 @@ class ElasticSubdomain : public Subdomain {
   Matrix doRigidModes() const override;
   Matrix doCoarseModes() const override;
   Vector doSeamFlux() const override;
+  Vector doShearDiagonal() const override;
   Vector doYoungModulus() const override;
 
  private:
+  SparseMatrix assembleStiffness(const std::function<const Material&(int element)>& materials) const;
   void addRandomForces(const Load& given, Vector& load) const;
 
   const ElasticModel& model_;

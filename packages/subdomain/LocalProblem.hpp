@@ -46,6 +46,8 @@ class LocalProblem {
   virtual double constantEnergy() const = 0;
   /// Diagonal of the stiffness matrix on the boundary (not of S). [force / length]
   virtual const Vector& stiffnessDiagonal() const = 0;
+  /// The same of the stiffness against change of shape alone, where volume changes much less easily anywhere in the scene; else empty.
+  virtual const Vector& shearDiagonal() const { return none_; }
   /// Young modulus of what lies at each boundary unknown; where several materials meet, the largest. [stress]
   virtual const Vector& youngModulus() const = 0;
   /// Traces of a basis of the kernel of S_loc: size() x k.
@@ -76,6 +78,7 @@ class LocalProblem {
   int id_;
   std::string name_;
   std::vector<GlobalId> boundary_;
+  Vector none_;
 };
 
 }  // namespace suture

@@ -65,6 +65,7 @@ void Subdomain::assemble() {
   for (int i = 0; i < dofs(); ++i) youngModulus_(i) = young(nodeOf(i));
 
   seamFlux_ = freeValues(doSeamFlux());
+  if (const Vector shear = doShearDiagonal(); shear.size() > 0) shearDiagonal_ = rowsAt(shear, free_);
 
   const Matrix modes = doRigidModes();
   rigidModes_ = Matrix(dofs(), modes.cols());

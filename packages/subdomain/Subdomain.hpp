@@ -41,6 +41,9 @@ class Subdomain {
   /// of side A; zero everywhere if volume changes as easily as shape, and where both are not. For preconditioners. [area; axisymmetric:
   /// volume]
   const Vector& seamFlux() const { return seamFlux_; }
+  /// Of each free unknown, the diagonal of the stiffness against change of shape alone, where volume changes much less easily anywhere in
+  /// the scene; else empty. For preconditioners. [force / length]
+  const Vector& shearDiagonal() const { return shearDiagonal_; }
   const Matrix& rigidModes() const { return rigidModes_; }  ///< free x all rigid modes
   /// free x the motions that cost least, for coarse spaces: their span contains that of rigidModes().
   const Matrix& coarseModes() const { return coarseModes_; }
@@ -64,6 +67,8 @@ class Subdomain {
   virtual Matrix doCoarseModes() const { return doRigidModes(); }
   /// See seamFlux(): over ALL unknowns, Cartesian.
   virtual Vector doSeamFlux() const { return Vector::Zero(Eigen::Index(mesh().nodes()) * components()); }
+  /// See shearDiagonal(): over ALL unknowns, in the axes of the nodes, or empty.
+  virtual Vector doShearDiagonal() const { return Vector(); }
   /// Young modulus at every node, or whatever stands for it: positive. Ones, without an override: the weighting Young is Multiplicity then.
   virtual Vector doYoungModulus() const { return Vector::Ones(mesh().nodes()); }
 
@@ -79,7 +84,7 @@ class Subdomain {
   std::vector<Matrix> axes_;
   Vector prescribed_;              // all unknowns; zero where free
   SparseMatrix stiffness_, held_;  // held_: all unknowns x prescribed components
-  Vector fullLoad_, load_, youngModulus_, seamFlux_;
+  Vector fullLoad_, load_, youngModulus_, seamFlux_, shearDiagonal_;
   double constantEnergy_ = 0.0;
   Matrix rigidModes_, coarseModes_, heldModes_, kernel_;
 };

@@ -45,6 +45,7 @@ SubdomainProblem::SubdomainProblem(int id, const Subdomain& subdomain, const std
       solver_(solver),
       schur_(std::move(schur)),
       diagonal_(boundary.size()),
+      shear_(subdomain.shearDiagonal().size() > 0 ? Vector(rowsAt(subdomain.shearDiagonal(), boundary)) : Vector()),
       young_(rowsAt(subdomain.youngModulus(), boundary)),
       kernel_(rowsAt(subdomain.kernel(), boundary)),
       coarseModes_(rowsAt(subdomain.coarseModes(), boundary)) {

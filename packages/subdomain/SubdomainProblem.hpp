@@ -18,6 +18,7 @@ class SubdomainProblem : public LocalProblem {
   Vector condensedLoad() const override { return schur_->condensedLoad(); }
   double constantEnergy() const override { return schur_->interiorEnergy() + subdomain_.constantEnergy(); }
   const Vector& stiffnessDiagonal() const override { return diagonal_; }
+  const Vector& shearDiagonal() const override { return shear_; }
   const Vector& youngModulus() const override { return young_; }
   const Matrix& kernel() const override { return kernel_; }
   const Matrix& coarseModes() const override { return coarseModes_; }
@@ -37,7 +38,7 @@ class SubdomainProblem : public LocalProblem {
   std::vector<int> positions_;
   LocalSolverMaker solver_;
   std::unique_ptr<SchurComplement> schur_;
-  Vector diagonal_, young_;
+  Vector diagonal_, shear_, young_;
   Matrix kernel_, coarseModes_;
 };
 

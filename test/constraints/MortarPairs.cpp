@@ -3,6 +3,7 @@
 #include <suture/constraints/BoundaryLine.hpp>
 
 #include <algorithm>
+#include <cstdio>
 #include <map>
 #include <set>
 
@@ -147,19 +148,25 @@ TEUCHOS_UNIT_TEST(MortarPairs, DoesNotChangeWhenTheSceneIsTurned) {
   }
 }
 
-// A quarter of a ring in another: the gap is the difference of the radii, up to the chords' distance from their arcs.
+// Quarters of rings, 12 elements of the outer one with the radius 2 + gap, 17 of the inner one with the radius 2.
+Mesh twoRings(Cell cell, double gap) {
+  Mesh mesh = twoBoxes(0, 4, 12, 17, cell, cell);
+  const auto bend = [](double inner) {
+    return [=](Point p) {
+      const double angle = pi / 8 * p[0], radius = inner + p[1];
+      return Point{radius * std::sin(angle), radius * std::cos(angle), 0};
+    };
+  };
+  move(mesh, 0, bend(1.0 + gap));
+  move(mesh, 1, bend(1.0));
+  return mesh;
+}
+
+// The gap is the difference of the radii, up to the chords' distance from their arcs.
 TEUCHOS_UNIT_TEST(MortarPairs, FindsTheGapBetweenCurvedSides) {
   std::map<Cell, double> error;
   for (const Cell cell : {P1, P2}) {
-    Mesh mesh = twoBoxes(0, 4, 12, 17, cell, cell);
-    const auto bend = [](double inner) {
-      return [=](Point p) {
-        const double angle = pi / 8 * p[0], radius = inner + p[1];
-        return Point{radius * std::sin(angle), radius * std::cos(angle), 0};
-      };
-    };
-    move(mesh, 0, bend(1.1));  // inner surface of the outer ring at 2.1
-    move(mesh, 1, bend(1.0));  // outer surface of the inner ring at 2
+    const Mesh mesh = twoRings(cell, 0.1);
     double length = 0;
     for (const ContactPair& pair : build(mesh, held, mortar("Side B")).pairs) {
       error[cell] = std::max(error[cell], std::abs(pair.gap - 0.1));
@@ -171,6 +178,36 @@ TEUCHOS_UNIT_TEST(MortarPairs, FindsTheGapBetweenCurvedSides) {
   }
   TEST_COMPARE(error[P1], <, 2.2 * (1 - std::cos(pi / 2 / 12 / 2)));  // sagitta of the coarser side
   TEST_COMPARE(error[P2], <, 2e-5);
+}
+
+TEUCHOS_UNIT_TEST(MortarPairs, SaysWhereTheChordsOfCurvedSidesCutIntoEachOther) {
+  const double sagitta = 2 * (1 - std::cos(pi / 2 / 12 / 2));  // of the outer ring's chords, towards the inner one's nodes
+  for (const std::string carrier : {"Side A", "Side B"}) {
+    const Constraints cut = build(twoRings(P1, 0), held, mortar(carrier));
+    TEST_EQUALITY(cut.notes.size(), 1u);
+    if (cut.notes.size() != 1) continue;
+    const std::string& note = cut.notes[0];
+    out << note << "\n";
+    SUTURE_CHECK_SAYS(note, "contact 'joint': its sides are curved, but their elements straight, and cut into each other by up to ");
+    SUTURE_CHECK_SAYS(note, "Initial Gap = 0");
+    double depth = 0, x = 0, y = 0;
+    TEST_EQUALITY(std::sscanf(note.c_str() + note.find("up to "), "up to %lf at (%lf, %lf)", &depth, &x, &y), 3);
+    TEST_COMPARE(depth, <=, 1.01 * sagitta);
+    TEST_COMPARE(depth, >, 0.7 * sagitta);
+    TEST_COMPARE(std::abs(std::hypot(x, y) - 2), <, 0.02);  // three digits are printed
+  }
+  // Quadratic sides, a gap that is given, a gap of the geometry, an interference fit, straight sides that overlap: nothing to say.
+  TEST_EQUALITY(build(twoRings(P2, 0), held, mortar()).notes.size(), 0u);
+  TEST_EQUALITY(build(twoRings(P1, 0), held, mortar("Side A", {{"Initial Gap", "0"}})).notes.size(), 0u);
+  TEST_EQUALITY(build(twoRings(P1, 0.1), held, mortar()).notes.size(), 0u);
+  TEST_EQUALITY(build(twoRings(P1, -0.05), held, mortar()).notes.size(), 0u);
+  Mesh straight = twoBoxes(0, 4, 8, 13, P1, P1);
+  move(straight, 0, [](Point p) { return Point{p[0], p[1] - 1e-3, 0}; });
+  TEST_EQUALITY(build(straight, held, mortar()).notes.size(), 0u);
+  // Where the mortar was chosen, too, that is said first.
+  const Constraints chosen = build(twoRings(P1, 0), held, contact("joint", "upper_bottom", "lower_top"));
+  TEST_EQUALITY(chosen.notes.size(), 2u);
+  SUTURE_CHECK_SAYS(chosen.notes.back(), "cut into each other");
 }
 
 TEUCHOS_UNIT_TEST(MortarPairs, TakesTheGapOfAnExpression) {

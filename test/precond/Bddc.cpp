@@ -3,6 +3,8 @@
 #include <precond/DensePair.hpp>
 #include <precond/Preconditioners.hpp>
 
+#include <random>
+
 namespace suture {
 namespace {
 
@@ -78,19 +80,23 @@ TEUCHOS_UNIT_TEST(Bddc, ConditionDoesNotFeelAnAlignedJumpOf1e6) {
     }
 }
 
-// Clamped squares of mixed elements, their inner lines bent so that averages along the seams are not what flows through them.
-Scene softSquare(Cell cell, double poisson) {
+// Clamped squares of mixed elements, their inner lines bent so that averages along the seams are not what flows through them. Ragged: nodes
+// moved at random, too, so that weights by the stiffness change from node to node.
+Scene softSquare(Cell cell, double poisson, bool ragged = false) {
   Box box;
   box.nx = box.ny = 16;
   box.blocksX = box.blocksY = 4;
   box.cell = cell;
   Scene scene = scenes::fromBoxes({box}, 2 * (1 + poisson), poisson);
   scene.model.materialOfBody[0].element = ElementForm::Mixed;
+  std::mt19937 next(3);
   for (int node = 0; node < scene.mesh.nodes(); ++node) {
     double* x = &scene.mesh.coordinates[2 * node];
+    const bool inside = x[0] > 0 && x[0] < 1 && x[1] > 0 && x[1] < 1;
     const double bump = std::sin(3.14159265358979 * x[0]) * std::sin(3.14159265358979 * x[1]);
     x[0] += 0.06 * bump;
     x[1] -= 0.04 * bump;
+    for (int k = 0; ragged && inside && k < 2; ++k) x[k] += 0.4 / box.nx * (next() / 4294967295.0 - 0.5);
   }
   scene.hold("body_left", 0, 0.0);
   scene.hold("body_left", 1, 0.0);
@@ -98,31 +104,81 @@ Scene softSquare(Cell cell, double poisson) {
 }
 
 TEUCHOS_UNIT_TEST(Bddc, ConditionOfMixedElementsDoesNotGrowAsPoissonsRatioTendsToOneHalf) {
-  for (const Cell cell : {Cell::Triangle6, Cell::Quadrilateral8, Cell::Quadrilateral9}) {
+  // Quadrilateral4: a subdomain of a structured mesh is stiff against its chess boards, too, of which no flux tells.
+  for (const Cell cell : {Cell::Triangle6, Cell::Quadrilateral8, Cell::Quadrilateral9, Cell::Quadrilateral4}) {
     const Lanczos easy = condition(softSquare(cell, 0.3), "Rigid Modes");
     for (const double poisson : {0.4999, 0.499999}) {
       const Lanczos hard = condition(softSquare(cell, poisson), "Rigid Modes");
       out << cellInfo(cell).name << ": condition " << easy.condition << " at 0.3, " << hard.condition << " at 0.5 - " << 0.5 - poisson
           << "; iterations " << easy.iterations << ", " << hard.iterations << "\n";
-      TEST_COMPARE(hard.condition, <, 1.3 * easy.condition);
+      TEST_COMPARE(hard.condition, <, (cell == Cell::Quadrilateral4 ? 1.5 : 1.3) * easy.condition);
       TEST_COMPARE(hard.iterations, <=, easy.iterations + 3);
     }
   }
 }
 
-TEUCHOS_UNIT_TEST(Bddc, AdaptiveEdgesSeeTheChessBoardPressuresOfSubdomainsOfQuadrilaterals) {
-  // Constant pressures of alternating sign do no work on inner displacements: the Schur complement of a subdomain is as stiff as lambda
-  // against traces that feel them, and no flux through an edge tells of that.
-  for (const char* edges : {"Rigid Modes", "Adaptive"}) {
-    const Lanczos easy = condition(softSquare(Cell::Quadrilateral4, 0.3), edges),
-                  hard = condition(softSquare(Cell::Quadrilateral4, 0.4999), edges);
-    out << edges << ": condition " << easy.condition << " at 0.3, " << hard.condition << " at 0.4999; iterations " << easy.iterations
-        << ", " << hard.iterations << "\n";
-    if (edges == std::string("Adaptive")) {
+TEUCHOS_UNIT_TEST(Bddc, WeightsThatChangeAlongAnEdgeDoNotLetVolumeThrough) {
+  // A jump without flux, weighted node by node, has one: it costs what the bulk modulus asks (470 at 0.499999 where only the flux is held).
+  for (const char* weighting : {"Stiffness Diagonal", "Deluxe"})
+    for (const char* edges : {"Averages", "Rigid Modes"}) {
+      const Lanczos easy = condition(softSquare(Cell::Quadrilateral4, 0.3, true), edges, weighting);
+      for (const double poisson : {0.4999, 0.499999}) {
+        const Lanczos hard = condition(softSquare(Cell::Quadrilateral4, poisson, true), edges, weighting);
+        out << weighting << ", " << edges << ": condition " << easy.condition << " at 0.3, " << hard.condition << " at 0.5 - "
+            << 0.5 - poisson << "; iterations " << easy.iterations << ", " << hard.iterations << "\n";
+        TEST_COMPARE(hard.condition, <, 3.5);
+        TEST_COMPARE(hard.iterations, <, 2 * easy.iterations);
+      }
+    }
+}
+
+TEUCHOS_UNIT_TEST(Bddc, ConditionDoesNotFeelPoissonsRatioAcrossContactLines) {
+  // Two blocks of quadrilaterals, three subdomains wide and two high, in contact; the groups of the paper, and pairs on the interface.
+  const auto blocks = [](double poisson) {
+    std::vector<Box> all(2);
+    const char* names[2] = {"lower", "upper"};
+    for (int k = 0; k < 2; ++k) {
+      all[k].name = names[k];
+      all[k].x1 = 3;
+      all[k].y0 = 2 * k, all[k].y1 = 2 * k + 2;
+      all[k].nx = 12, all[k].ny = 8;
+      all[k].blocksX = 3, all[k].blocksY = 2;
+      all[k].cell = Cell::Quadrilateral4;
+    }
+    Scene scene = scenes::fromBoxes(all, 2 * (1 + poisson), poisson);
+    for (Material& material : scene.model.materialOfBody) material.element = ElementForm::Mixed;
+    scene.sideA = "lower_top";
+    scene.sideB = "upper_bottom";
+    scene.pairUp();
+    for (const char* side : {"lower_bottom", "upper_top"})
+      for (int k = 0; k < 2; ++k) scene.hold(side, k, 0.0);
+    return scene;
+  };
+  const auto largest = [](const Teuchos::RCP<const InterfaceOperator>& matrix) {
+    const Vector values = DensePair(*matrix, *bddc(matrix)).eigenvalues();
+    return values(values.size() - 1);
+  };
+  for (const bool groups : {true, false}) {
+    std::vector<double> found;
+    for (const double poisson : {0.3, 0.4999, 0.499999}) {
+      const Scene scene = blocks(poisson);
+      found.push_back(groups ? largest(Twins(scene).spread.linearised.matrix) : largest(OnInterface(scene, world()).matrix(scene, 3)));
+    }
+    out << (groups ? "groups: " : "on the interface: ") << found[0] << ", " << found[1] << ", " << found[2] << "\n";
+    TEST_COMPARE(found[1], <, 2.5 * found[0]);
+    TEST_COMPARE(found[2], <, 1.2 * found[1]);
+  }
+}
+
+TEUCHOS_UNIT_TEST(Bddc, AdaptiveEdgesKeepTheirThresholdAsPoissonsRatioTendsToOneHalf) {
+  for (const Cell cell : {Cell::Quadrilateral4, Cell::Triangle6}) {
+    const Lanczos easy = condition(softSquare(cell, 0.3), "Adaptive");
+    for (const double poisson : {0.4999, 0.499999, 0.49999999}) {
+      const Lanczos hard = condition(softSquare(cell, poisson), "Adaptive");
+      out << cellInfo(cell).name << ": condition " << easy.condition << " at 0.3, " << hard.condition << " at 0.5 - " << 0.5 - poisson
+          << "; iterations " << easy.iterations << ", " << hard.iterations << "\n";
       TEST_COMPARE(hard.condition, <, 12.0);  // the threshold, with a margin
       TEST_COMPARE(hard.iterations, <, 1.5 * easy.iterations);
-    } else {
-      TEST_COMPARE(hard.iterations, <, 4 * easy.iterations);
     }
   }
 }

@@ -156,6 +156,28 @@ TEUCHOS_UNIT_TEST(ElasticSubdomain, HasTheLargestYoungModulusAtANode) {
   }
 }
 
+TEUCHOS_UNIT_TEST(ElasticSubdomain, KnowsItsStiffnessAgainstShapeAloneWhereVolumeIsStiff) {
+  // The stiffness is linear in the Lame constant: what is left at zero, from two others with the same shear modulus. Nodes on the left have axes of their own.
+  const auto made = [](double poisson) {
+    Box box;
+    box.nx = box.ny = 6;
+    box.cell = Cell::Quadrilateral4;
+    Scene scene = scenes::fromBoxes({box}, 2 * 3.0 * (1 + poisson), poisson);
+    scene.model.materialOfBody[0].element = ElementForm::Mixed;
+    for (int node = 0; node < scene.mesh.nodes(); ++node)
+      scene.mesh.coordinates[2 * node] += 0.2 * scene.mesh.coordinates[2 * node + 1] * scene.mesh.coordinates[2 * node + 1];
+    scene.hold("body_left", 0, 0.0);
+    for (NodeRule& rule : scene.constraints.rules) rule.axes = {{{0.6, 0.8, 0}, {-0.8, 0.6, 0}, {0, 0, 1}}};
+    return std::make_unique<Blocks>(scene, alone(), 1);
+  };
+  const auto lambda = [](double poisson) { return 2 * 3.0 * poisson / (1 - 2 * poisson); };
+  const auto low = made(0.2), high = made(0.47);
+  TEST_EQUALITY(low->subdomains[0]->shearDiagonal().size(), 0);
+  const Vector a = low->subdomains[0]->stiffness().diagonal(), b = high->subdomains[0]->stiffness().diagonal();
+  const Vector expected = (lambda(0.47) * a - lambda(0.2) * b) / (lambda(0.47) - lambda(0.2));
+  TEST_COMPARE((high->subdomains[0]->shearDiagonal() - expected).norm(), <, 1e-12 * expected.norm());
+}
+
 TEUCHOS_UNIT_TEST(ElasticSubdomain, CountsTheRandomLoadOfANodeOnce) {
   std::vector<Box> all(2);
   all[0].name = "lower";

@@ -1,0 +1,131 @@
+// What nearly incompressible subdomains are stiff against, on a subdomain whose pressures are known in closed form.
+#include <Teuchos_UnitTestHarness.hpp>
+#include <interface/ContactScenes.hpp>
+#include <suture/base/Dense.hpp>
+#include <suture/precond/EdgeConstraints.hpp>
+#include <suture/precond/StiffTraces.hpp>
+
+namespace suture {
+namespace {
+
+using namespace blocks;
+
+constexpr int kBlocks = 3, kCells = 6;  // a subdomain's cells along its side
+
+Scene square(Cell cell, double poisson) {
+  Box box;
+  box.nx = box.ny = kBlocks * kCells;
+  box.blocksX = box.blocksY = kBlocks;
+  box.cell = cell;
+  Scene scene = scenes::fromBoxes({box}, 2 * (1 + poisson), poisson);  // shear modulus 1
+  scene.model.materialOfBody[0].element = ElementForm::Mixed;
+  scene.hold("body_left", 0, 0.0);
+  scene.hold("body_left", 1, 0.0);
+  return scene;
+}
+
+// Work of the constant pressure 1 and, in the second column, of pressures of alternating sign on the boundary of the square subdomain
+// in the middle, by hand: the nodes' forces of four cells of side h are h/2 towards the node's corner of each.
+Matrix worksOfPressures(const InterfaceSpace& space, int local) {
+  const double h = 1.0 / (kBlocks * kCells);
+  Matrix works = Matrix::Zero(space.coupling(local).rows(), 2);
+  for (int k = 0; k < works.rows(); ++k) {
+    const int place = space.coupling(local).columns()[k];
+    const Point &p = space.point(place), &d = space.direction(place);
+    const int x = int(std::lround(p[0] / h)) - kCells, y = int(std::lround(p[1] / h)) - kCells;
+    for (const int i : {x - 1, x})
+      for (const int j : {y - 1, y}) {  // the cell [i, i + 1] x [j, j + 1]
+        if (i < 0 || j < 0 || i >= kCells || j >= kCells) continue;
+        const double work = h / 2 * ((i < x ? 1 : -1) * d[0] + (j < y ? 1 : -1) * d[1]);
+        works(k, 0) += work;
+        works(k, 1) += (i + j) % 2 == 0 ? work : -work;
+      }
+  }
+  return works;
+}
+
+// The local problem in the middle and its place among those of this rank, or null.
+int middle(const Interface& one) {
+  for (int i = 0; i < one.space->locals(); ++i)
+    if (one.linearised.matrix->locals()[i]->id() == kBlocks * kBlocks / 2) return i;
+  return -1;
+}
+
+TEUCHOS_UNIT_TEST(StiffTraces, AreTheWorkOfPressuresThatDoNoneInside) {
+  for (const double poisson : {0.4999, 0.499999}) {
+    const double lambda = 2 * poisson / (1 - 2 * poisson);
+    const Interface one(square(Cell::Quadrilateral4, poisson), world());
+    const int i = middle(one);
+    if (i < 0) continue;
+    const LocalProblem& local = *one.linearised.matrix->locals()[i];
+    const Matrix found = stiffTraces(local);
+    TEST_EQUALITY(found.cols(), 2);
+    // S >= lambda w w^T / area, and nothing else in it is large: of both the same, to the shear modulus.
+    const Matrix works = worksOfPressures(*one.space, i) * (kBlocks * std::sqrt(lambda));
+    const double size = works.squaredNorm();
+    TEST_COMPARE(size, >, lambda);
+    TEST_COMPARE((works * works.transpose() - found * found.transpose()).norm(), <, 50.0);
+    const Matrix left = local.schur() - found * found.transpose();
+    const Vector values = symmetricEigenpairs(left).values;
+    out << "nu " << poisson << ": V of " << size << ", the rest between " << values(0) << " and " << values(values.size() - 1) << "\n";
+    TEST_COMPARE(values(0), >, -1.0);
+    TEST_COMPARE(values(values.size() - 1), <, 30.0);
+  }
+}
+
+TEUCHOS_UNIT_TEST(StiffTraces, OfStablePairsAreTheFluxAlone) {
+  for (const Cell cell : {Cell::Triangle6, Cell::Quadrilateral9}) {
+    const Interface one(square(cell, 0.499999), world());
+    for (int i = 0; i < one.space->locals(); ++i) {
+      const LocalProblem& local = *one.linearised.matrix->locals()[i];
+      // Numbered column by column. Those with a part of the free boundary can let volume out there.
+      const bool enclosed = local.id() % kBlocks == 1 && local.id() < 2 * kBlocks;
+      TEST_EQUALITY(stiffTraces(local).cols(), enclosed ? 1 : 0);
+    }
+  }
+}
+
+TEUCHOS_UNIT_TEST(StiffTraces, AddNothingToScenesThatAreNotNearlyIncompressible) {
+  const Interface one(square(Cell::Quadrilateral4, 0.45), world());
+  const InterfaceOperator& matrix = *one.linearised.matrix;
+  const auto weighting = Registry<Weighting>::instance().make("Stiffness Diagonal", Parameters());
+  weighting->setup(*one.space, matrix.locals());
+  std::vector<Matrix> rows;
+  for (const InterfaceEdge& edge : one.space->edges()) rows.push_back(Matrix::Ones(1, int(edge.unknowns.size())));
+  TEST_ASSERT(StiffTraces().addedTo(rows, *one.space, matrix.locals(), *weighting) == rows);
+  for (const auto& local : matrix.locals()) TEST_EQUALITY(stiffTraces(*local).cols(), 0);
+}
+
+TEUCHOS_UNIT_TEST(StiffTraces, KeepWeightedJumpsOfAnEdgeOrthogonalToThem) {
+  for (const char* name : {"Stiffness Diagonal", "Deluxe"}) {
+    Scene scene = square(Cell::Quadrilateral4, 0.499999);
+    for (int node = 0; node < scene.mesh.nodes(); ++node)  // weights change along seams
+      scene.mesh.coordinates[2 * node] +=
+          0.01 * std::sin(40 * scene.mesh.coordinates[2 * node + 1] + 60 * scene.mesh.coordinates[2 * node]);
+    const Interface one(scene, alone());
+    const InterfaceOperator& matrix = *one.linearised.matrix;
+    const auto weighting = Registry<Weighting>::instance().make(name, Parameters());
+    weighting->setup(*one.space, matrix.locals());
+    const auto rows =
+        Registry<EdgeConstraints>::instance().make("Rigid Modes", Parameters())->rows(*one.space, matrix.locals(), *weighting);
+    for (std::size_t e = 0; e < rows.size(); ++e) {
+      const InterfaceEdge& edge = one.space->edges()[e];
+      const Matrix jumps = nullSpace(rows[e]);
+      for (const int side : {0, 1}) {
+        const int i = edge.locals[side];  // of one rank: all, by id
+        const std::vector<int>& places = one.space->coupling(i).columns();
+        Matrix trace = Matrix::Zero(one.space->coupling(i).rows(), jumps.cols());
+        for (std::size_t k = 0; k < edge.unknowns.size(); ++k)
+          trace.row(std::find(places.begin(), places.end(), edge.unknowns[k]) - places.begin()) = jumps.row(int(k));
+        Matrix weighted = trace;
+        weighting->apply(i, weighted);
+        weighted = trace - weighted;  // what the other side's average leaves here
+        const double energy = (weighted.transpose() * (matrix.locals()[i]->schur() * weighted)).diagonal().maxCoeff();
+        TEST_COMPARE(energy, <, 50.0);  // shear modulus 1, lambda 5e5
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace suture
