@@ -22,8 +22,8 @@ Schema contactSchema();
 /// \throws InputError  all of: unknown group (nearest, known); a group used in contradictory roles (contact side and displacement on the
 ///                     whole of it, both sides of one contact the same group or the same body, a side in two contacts); sides that do
 ///                     not match (how many nodes on each, how many without partner, how far); a side that is not on the boundary;
-///                     contradictory prescribed values (place, the two conditions); an expression that cannot be read, or has no finite value
-///                     (place).
+///                     contradictory prescribed values (place, the two conditions); an expression that cannot be read, or has no finite
+///                     value (place).
 Constraints buildConstraints(const Mesh& mesh, const Parameters& conditions, const Parameters& contact, const Constants& constants = {});
 
 }  // namespace suture

@@ -157,7 +157,8 @@ TEUCHOS_UNIT_TEST(ElasticSubdomain, HasTheLargestYoungModulusAtANode) {
 }
 
 TEUCHOS_UNIT_TEST(ElasticSubdomain, KnowsItsStiffnessAgainstShapeAloneWhereVolumeIsStiff) {
-  // The stiffness is linear in the Lame constant: what is left at zero, from two others with the same shear modulus. Nodes on the left have axes of their own.
+  // The stiffness is linear in the Lame constant: what is left at zero, from two others with the same shear modulus. Nodes on the left have
+  // axes of their own.
   const auto made = [](double poisson) {
     Box box;
     box.nx = box.ny = 6;
