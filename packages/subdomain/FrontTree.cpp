@@ -110,7 +110,6 @@ FrontTree::FrontTree(const SparseMatrix& matrix, const std::vector<int>& boundar
     view = whole.view();
     cholmod.factor = cholmod_analyze_p(&view, order.data(), nullptr, 0, &cholmod.common);
     cholmod.check();
-    flops = cholmod.common.fl;
   }
 
   start.push_back(0);

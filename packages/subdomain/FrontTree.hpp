@@ -31,7 +31,6 @@ struct FrontTree {
   int interiorGroups = 0;
   std::vector<Front> fronts;
   std::vector<int> rows;  ///< groups, ascending within a front
-  double flops = 0.0;     ///< of the elimination, as CHOLMOD counts it for groups of one unknown
 };
 
 }  // namespace suture

@@ -45,6 +45,7 @@ struct Target {
   double* at(int row, int column) const { return values + static_cast<std::ptrdiff_t>(column - origin) * stride + (row - origin); }
 };
 
+/// Front by front, children before parents: what a front leaves waits for its parent, or goes to S.
 class Elimination {
  public:
   Elimination(const SparseMatrix& matrix, const std::vector<int>& boundary)
