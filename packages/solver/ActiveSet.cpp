@@ -58,8 +58,9 @@ void ActiveSet::doSolve(Run& run) const {
   const MultiVectorPtr step = run.problem.space()->vector();
   VisitedSets visited(run.problem);
   bool stays = run.evaluation.settled;
-  ContactStatus preconditioned;  // the set that the preconditioner was made for
-  bool made = false;
+  ContactStatus preconditioned = run.reported;  // the set that the preconditioner was made for: at first all closed
+  Teuchos::RCP<InterfaceOperator> matrix = run.bilateral;
+  bool drifted = false;  // the recursion of conjugate gradients had lost the residual
   while (run.goesOn()) {
     InterfaceState state = run.result.state;
     state.trace = Teuchos::rcp(new MultiVector(*run.result.state.trace, Teuchos::Copy));
@@ -74,19 +75,26 @@ void ActiveSet::doSolve(Run& run) const {
       visited.clear();
     }
     if (stays) inner = final;
-    int applications = run.problem.conform(state);
-    const InterfaceProblem::Linearisation linear = run.problem.linearise(state);
-    if (!made || !run.problem.differing(preconditioned, state.status).empty()) {
-      run.preconditioner->initialize(linear.matrix->space());
-      run.preconditioner->compute(linear.matrix);
-      preconditioned = state.status;
-      made = true;
+    const EnergyCriterion criterion = run.automatic.criterion(state, run.lowest, false, stays);
+    int applications = 0;
+    InnerResult cost;
+    if (stays && !drifted && run.inner.canGoOn()) {  // the same linear problem, and what was learnt of it
+      matrix->record();
+      cost = run.inner.goOn(*step, inner, run.reference, run.monitor, criterion);
+    } else {
+      applications = run.problem.conform(state);
+      const InterfaceProblem::Linearisation linear = run.problem.linearise(state);
+      matrix = linear.matrix;
+      if (!run.problem.differing(preconditioned, state.status).empty()) {
+        run.preconditioner->initialize(matrix->space());
+        run.preconditioner->compute(matrix);
+        preconditioned = state.status;
+      }
+      matrix->record();
+      cost = run.inner.solve(matrix, run.preconditioner, *linear.load, *step, inner, run.reference, run.monitor, criterion);
     }
-    linear.matrix->record();
-    InnerResult cost = run.inner.solve(linear.matrix, run.preconditioner, *linear.load, *step, inner, run.reference, run.monitor,
-                                       run.automatic.criterion(state, run.lowest, false, stays));
     run.learn(cost);
-    const Matrix image = linear.matrix->recorded(cost.steps);
+    const Matrix image = matrix->recorded(cost.steps);
     if (!cost.converged) {
       run.result.pcgTotal += cost.pcg + applications;
       run.result.failure = "a linear solve did not reach its tolerance";
@@ -99,6 +107,7 @@ void ActiveSet::doSolve(Run& run) const {
       state.memory.reset();
       at = run.problem.evaluate(state, 10.0 * final);
       residual = run.norm(at);
+      drifted = residual > final;
     }
     applications += at.applications;
     if (!std::isfinite(residual)) throw NumericalError("the active set met a residual that is no number");

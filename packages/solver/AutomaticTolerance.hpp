@@ -17,9 +17,9 @@ namespace suture {
 ///
 /// An estimate costs as much as many iterations. Hence none is made before the iterations might end: where the algebraic error is a tenth
 /// of the discretisation error that is to be expected of a mesh of so many nodes. If the estimate is not smaller, the iterations do end
-/// there, and what was recovered for it is the answer. Else they go on, to a tenth of the
-/// estimate; that is made again only if the algebraic error then was more than half of it (and may have made it more than 13 % too large,
-/// as errors add by squares), or pairs have changed since.
+/// there, and what was recovered for it is the answer. Else they go on, to a tenth of the estimate; that is made again only if the
+/// algebraic error then was more than half of it (and may have made it more than 13 % too large, as errors add by squares), or pairs have
+/// changed since.
 class AutomaticTolerance {
  public:
   struct Estimate {

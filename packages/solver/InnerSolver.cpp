@@ -27,34 +27,47 @@ double lowestEigenvalue(const RitzValues& ritz, double known) {
 }
 
 using Iteration = Belos::Iteration<double, MultiVector, Operator>;
+using ConjugateGradients = Belos::PseudoBlockCGIter<double, MultiVector, Operator>;
 
-/// Stops on sqrt(r.z), z = M^-1 r, which the iteration has anyway.
+/// Stops on sqrt(r.z), z = M^-1 r, which the iteration has anyway. Keeps norms and steps of all iterations.
 class PreconditionedNormTest : public Belos::StatusTest<double, MultiVector, Operator> {
  public:
-  PreconditionedNormTest(double tolerance, double reference, int most, Monitor& monitor, const EnergyCriterion& energy,
-                         const MultiVector& x)
-      : tolerance_(tolerance), reference_(reference), most_(most), monitor_(monitor), energy_(energy), x_(x) {}
+  /// What one call wants.
+  struct Aim {
+    double tolerance, reference;
+    int last;  ///< iteration at most
+    Monitor& monitor;
+    const EnergyCriterion& energy;
+    std::function<const MultiVector&()> x;  ///< that the criterion is asked about
+  };
+
+  void aimAt(const Aim& aim) {
+    aim_ = &aim;
+    converged = enough = false;
+  }
 
   Belos::StatusType checkStatus(Iteration* iteration) override {
-    auto& cg = dynamic_cast<Belos::PseudoBlockCGIter<double, MultiVector, Operator>&>(*iteration);
-    const auto state = cg.getState();
-    const double norm = std::sqrt(std::max(dot(*state.R, *state.Z), 0.0)), relative = norm / reference_;
-    if (const int k = iteration->getNumIters(); k > 0) {
-      // The Lanczos matrix has 1 / step_k + b_(k-1) / step_(k-1) on its diagonal, b the ratio of successive squared norms.
-      const double ratio = k > 1 ? norms[k - 1] / norms[k - 2] : 0.0;
-      steps.push_back(1.0 / (cg.getDiag()[k - 1] - (k > 1 ? ratio * ratio / steps[k - 2] : 0.0)));
+    auto& cg = dynamic_cast<ConjugateGradients&>(*iteration);
+    const auto k = static_cast<std::size_t>(iteration->getNumIters());
+    if (norms.size() == k) {  // else the iterations are gone on with, and this one is known
+      const auto state = cg.getState();
+      norms.push_back(std::sqrt(std::max(dot(*state.R, *state.Z), 0.0)));
+      if (k > 0) {
+        // The Lanczos matrix has 1 / step_k + b_(k-1) / step_(k-1) on its diagonal, b the ratio of successive squared norms.
+        const double ratio = k > 1 ? norms[k - 1] / norms[k - 2] : 0.0;
+        steps.push_back(1.0 / (cg.getDiag()[k - 1] - (k > 1 ? ratio * ratio / steps[k - 2] : 0.0)));
+      }
+      if (aim_->monitor.wantsInner()) aim_->monitor.inner(static_cast<int>(k), norms.back() / aim_->reference);
     }
-    norms.push_back(norm);
-    history.push_back(relative);
-    if (monitor_.wantsInner()) monitor_.inner(iteration->getNumIters(), relative);
-    converged = relative <= tolerance_;
-    if (!converged && energy_.enough && std::isfinite(relative))
-      if (const double lowest = lowestEigenvalue(ritzValues(norms, steps), energy_.lowest); lowest > 0.0) {
+    const double relative = norms.back() / aim_->reference;
+    converged = relative <= aim_->tolerance;
+    if (!converged && aim_->energy.enough && std::isfinite(relative))
+      if (const double lowest = lowestEigenvalue(ritzValues(norms, steps), aim_->energy.lowest); lowest > 0.0) {
         const std::vector<double> errors = energyErrors(norms, steps, lowest);
-        converged = enough = energy_.enough(errors.front(), errors.back(), x_);
+        converged = enough = aim_->energy.enough(errors.front(), errors.back(), aim_->x());
       }
     // What is no number never becomes one: stop, and let the caller see.
-    status_ = converged || !std::isfinite(relative) || iteration->getNumIters() >= most_ ? Belos::Passed : Belos::Failed;
+    status_ = converged || !std::isfinite(relative) || iteration->getNumIters() >= aim_->last ? Belos::Passed : Belos::Failed;
     return status_;
   }
   Belos::StatusType getStatus() const override { return status_; }
@@ -62,18 +75,27 @@ class PreconditionedNormTest : public Belos::StatusTest<double, MultiVector, Ope
   void print(std::ostream&, int) const override {}
 
   bool converged = false, enough = false;
-  std::vector<double> history, norms, steps;
+  std::vector<double> norms, steps;
 
  private:
-  double tolerance_, reference_;
-  int most_;
-  Monitor& monitor_;
-  const EnergyCriterion& energy_;
-  const MultiVector& x_;  // that the iteration works on
+  const Aim* aim_ = nullptr;
   Belos::StatusType status_ = Belos::Undefined;
 };
 
 }  // namespace
+
+/// Conjugate gradients between two calls. What Belos needs lives as long as it.
+struct InnerSolver::Solve {
+  MultiVectorPtr x;
+  Teuchos::RCP<Belos::LinearProblem<double, MultiVector, Operator>> problem;
+  Teuchos::RCP<PreconditionedNormTest> test = Teuchos::rcp(new PreconditionedNormTest);
+  std::unique_ptr<ConjugateGradients> iteration;
+  double norm = 0.0;  // of the right-hand side
+};
+
+InnerSolver::InnerSolver(int most) : most_(most) {}
+InnerSolver::~InnerSolver() = default;
+InnerSolver::InnerSolver(InnerSolver&&) noexcept = default;
 
 double preconditionedNorm(const Preconditioner& preconditioner, const MultiVector& r) {
   const MultiVectorPtr z = preconditioner.space()->vector();
@@ -83,8 +105,9 @@ double preconditionedNorm(const Preconditioner& preconditioner, const MultiVecto
 
 InnerResult InnerSolver::solve(const Teuchos::RCP<const Operator>& matrix, const Teuchos::RCP<const Preconditioner>& preconditioner,
                                const MultiVector& b, MultiVector& x, double tolerance, double reference, Monitor& monitor,
-                               const EnergyCriterion& energy) const {
+                               const EnergyCriterion& energy) {
   InnerResult result;
+  solve_.reset();
   x.putScalar(0.0);
   const MultiVectorPtr z = preconditioner->space()->vector();
   preconditioner->apply(b, *z);
@@ -99,44 +122,68 @@ InnerResult InnerSolver::solve(const Teuchos::RCP<const Operator>& matrix, const
     return result;
   }
 
+  solve_ = std::make_unique<Solve>();
+  solve_->norm = norm;
+  solve_->x = preconditioner->space()->vector();
   const auto right = Teuchos::rcp(new MultiVector(b, Teuchos::Copy));
-  const auto left = Teuchos::rcpFromRef(x);
-  const auto problem = Teuchos::rcp(new Belos::LinearProblem<double, MultiVector, Operator>(matrix, left, right));
-  problem->setLeftPrec(preconditioner);
-  problem->setInitResVec(right);  // x = 0: the residual is b, and need not be found by applying the operator
-  problem->setInitPrecResVec(z);
-  problem->setProblem();
-  problem->setLSIndex({0});
+  solve_->problem = Teuchos::rcp(new Belos::LinearProblem<double, MultiVector, Operator>(matrix, solve_->x, right));
+  solve_->problem->setLeftPrec(preconditioner);
+  solve_->problem->setInitResVec(right);  // x = 0: the residual is b, and need not be found by applying the operator
+  solve_->problem->setInitPrecResVec(z);
+  solve_->problem->setProblem();
+  solve_->problem->setLSIndex({0});
 
   Teuchos::ParameterList options;
-  options.set("Max Size For Condest", most_);
+  options.set("Max Size For Condest", 2 * most_);  // canGoOn() sees to it that there are no more
   options.set("Assert Positive Definiteness", true);
-  const auto test = Teuchos::rcp(new PreconditionedNormTest(tolerance, reference, most_, monitor, energy, x));
   const auto output = Teuchos::rcp(new Belos::OutputManager<double>(Belos::Errors));
-  Belos::PseudoBlockCGIter<double, MultiVector, Operator> iteration(problem, output, test, options);
-  iteration.setDoCondEst(true);
+  solve_->iteration = std::make_unique<ConjugateGradients>(solve_->problem, output, solve_->test, options);
+  solve_->iteration->setDoCondEst(true);
   Belos::CGIterationState<double, MultiVector> start;
   start.R = right;
+  solve_->iteration->initializeCG(start);
+  return iterate(x, tolerance, reference, monitor, energy);
+}
+
+bool InnerSolver::canGoOn() const { return solve_ && solve_->iteration->getNumIters() <= most_; }
+
+InnerResult InnerSolver::goOn(MultiVector& x, double tolerance, double reference, Monitor& monitor, const EnergyCriterion& energy) {
+  if (!canGoOn()) throw InternalError("there is no inner solve to go on with");
+  return iterate(x, tolerance, reference > 0.0 ? reference : solve_->norm, monitor, energy);
+}
+
+InnerResult InnerSolver::iterate(MultiVector& x, double tolerance, double reference, Monitor& monitor, const EnergyCriterion& energy) {
+  PreconditionedNormTest& test = *solve_->test;
+  const int before = solve_->iteration->getNumIters();
+  const MultiVector start(*solve_->x, Teuchos::Copy);
+  const auto added = [&]() -> const MultiVector& {
+    x.update(1.0, *solve_->x, -1.0, start, 0.0);
+    return x;
+  };
+  const PreconditionedNormTest::Aim aim{tolerance, reference, before + most_, monitor, energy, added};
+  test.aimAt(aim);
   try {
-    iteration.initializeCG(start);
-    iteration.iterate();
+    solve_->iteration->iterate();
   } catch (const Belos::CGIterateFailure& failure) {
     throw NumericalError(std::string("conjugate gradients broke down: ") + failure.what());
   }
-  result.pcg = iteration.getNumIters();
-  result.converged = test->converged;
-  result.history = test->history;
-  result.enough = test->enough;
+  added();
+
+  InnerResult result;
+  result.pcg = solve_->iteration->getNumIters() - before;
+  result.converged = test.converged;
+  result.enough = test.enough;
+  for (std::size_t k = before; k < test.norms.size(); ++k) result.history.push_back(test.norms[k] / reference);
   result.residual = result.history.back();
-  result.steps = test->steps;
-  const RitzValues ritz = ritzValues(test->norms, test->steps);
+  result.steps.assign(test.steps.begin() + before, test.steps.end());
+  const RitzValues ritz = ritzValues(test.norms, test.steps);
   if (ritz.smallest > 0.0) {
     result.condition = ritz.largest / ritz.smallest;
     result.largestEigenvalue = ritz.largest;
     result.smallestEigenvalue = ritz.smallest;
   }
   if (const double lowest = lowestEigenvalue(ritz, energy.lowest); lowest > 0.0)
-    result.energyErrors = energyErrors(test->norms, test->steps, lowest);
+    result.energyErrors = energyErrors(test.norms, test.steps, lowest);
   return result;
 }
 

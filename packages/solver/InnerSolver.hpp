@@ -3,6 +3,7 @@
 #include <suture/precond/Preconditioner.hpp>
 
 #include <functional>
+#include <memory>
 #include <vector>
 
 namespace suture {
@@ -31,21 +32,37 @@ struct EnergyCriterion {
 
 /// Preconditioned conjugate gradients (Belos' PseudoBlockCGIter, with a status test of ours): stops when sqrt(r.M r) falls below
 /// tolerance * reference. Belos' own managers stop on the Euclidean norm, which with jumps of stiffness or given displacements accepts
-/// what is no solution.
+/// what is no solution. What it has learnt of the spectrum is not lost when it stops: a solve may be gone on with.
 class InnerSolver {
  public:
-  /// \param most  iterations at most
-  explicit InnerSolver(int most = 1000) : most_(most) {}
+  /// \param most  iterations at most, of one call
+  explicit InnerSolver(int most = 1000);
+  ~InnerSolver();
+  InnerSolver(InnerSolver&&) noexcept;
 
   /// x <- approximation of S^-1 b, from x = 0. Collective.
   /// \param reference  norm that the tolerance refers to; 0: that of b itself
   /// \throws NumericalError  the operator or preconditioner is not positive definite
   InnerResult solve(const Teuchos::RCP<const Operator>& matrix, const Teuchos::RCP<const Preconditioner>& preconditioner,
                     const MultiVector& b, MultiVector& x, double tolerance, double reference, Monitor& monitor,
-                    const EnergyCriterion& energy = EnergyCriterion()) const;
+                    const EnergyCriterion& energy = EnergyCriterion());
+
+  /// Whether the last solve stopped where it can be gone on with: neither at nothing to do nor after too many iterations. All ranks say
+  /// the same.
+  bool canGoOn() const;
+  /// Goes on with the last solve: same operator, preconditioner (neither of them changed since) and right-hand side, no iteration lost.
+  /// Collective.
+  /// \param x  becomes what is added to the last answer, and what EnergyCriterion is asked about
+  /// \param tolerance, reference, monitor, energy  as in solve(); the reference of 0 is still the norm of b
+  /// \returns pcg, history and steps of this call only; eigenvalues and estimates of errors by all iterations since solve()
+  InnerResult goOn(MultiVector& x, double tolerance, double reference, Monitor& monitor, const EnergyCriterion& energy = EnergyCriterion());
 
  private:
+  struct Solve;
+  InnerResult iterate(MultiVector& x, double tolerance, double reference, Monitor& monitor, const EnergyCriterion& energy);
+
   int most_;
+  std::unique_ptr<Solve> solve_;  // the last one
 };
 
 /// sqrt(r.M r), the norm of residuals everywhere. Collective.
