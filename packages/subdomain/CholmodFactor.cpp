@@ -1,7 +1,7 @@
 #include <cblas.h>
-#include <cholmod.h>
 #include <suture/base/Errors.hpp>
 #include <suture/subdomain/CholmodFactor.hpp>
+#include <suture/subdomain/CholmodHandle.hpp>
 #include <suture/subdomain/PivotCheck.hpp>
 #include <suture/subdomain/SerialSection.hpp>
 
@@ -68,21 +68,7 @@ const char* nameOf(CholmodOptions::Ordering ordering) {
 
 }  // namespace
 
-struct CholmodFactor::Data {
-  Data() {
-    cholmod_start(&common);
-    common.print = 0;
-    common.error_handler = nullptr;
-    common.try_catch = 1;  // no messages of any kind; we look at the status
-  }
-  ~Data() {
-    cholmod_free_factor(&factor, &common);
-    cholmod_finish(&common);
-  }
-  Data(const Data&) = delete;
-  Data& operator=(const Data&) = delete;
-
-  void check(const char* what) const;
+struct CholmodFactor::Data : CholmodHandle {
   void order(const Eigen::SparseMatrix<double>& matrix, CholmodOptions::Ordering ordering);
   void factorise(const Eigen::SparseMatrix<double>& matrix, const CholmodOptions& options);
   void judgePivots(const Vector& diagonal, PivotCheck& check);
@@ -101,22 +87,11 @@ struct CholmodFactor::Data {
   };
   Supernode supernode(int s, int upTo) const;
 
-  cholmod_common common{};
-  cholmod_factor* factor = nullptr;
   std::vector<int> permutation;  // column of L -> dof
   std::vector<int> columnSupernode;
   Vector shift;
   Statistics statistics;
 };
-
-void CholmodFactor::Data::check(const char* what) const {
-  if (common.status >= CHOLMOD_OK) return;
-  const std::string where = std::string("CHOLMOD, ") + what + ": ";
-  if (common.status == CHOLMOD_OUT_OF_MEMORY) throw EnvironmentError(where + "out of memory");
-  if (common.status == CHOLMOD_TOO_LARGE) throw EnvironmentError(where + "the factor has more entries than 32-bit numbers can count");
-  if (common.status == CHOLMOD_NOT_INSTALLED) throw InternalError(where + "this CHOLMOD was built without the method asked for");
-  throw InternalError(where + "invalid input (status " + std::to_string(common.status) + ")");
-}
 
 void CholmodFactor::Data::order(const Eigen::SparseMatrix<double>& matrix, CholmodOptions::Ordering ordering) {
   const int n = statistics.size, leading = n - statistics.trailing;

@@ -1,5 +1,4 @@
-#include <cholmod.h>
-#include <suture/base/Errors.hpp>
+#include <suture/subdomain/CholmodHandle.hpp>
 #include <suture/subdomain/FrontTree.hpp>
 
 #include <algorithm>
@@ -7,34 +6,6 @@
 namespace suture {
 
 namespace {
-
-/// CHOLMOD's settings and what it made, freed together.
-struct Cholmod {
-  Cholmod() {
-    cholmod_start(&common);
-    common.print = 0;
-    common.error_handler = nullptr;
-    common.nmethods = 1;
-    common.method[0].ordering = CHOLMOD_GIVEN;
-    common.postorder = 0;  // AMD leaves a postordered tree of the interior, which stays one when the boundary is appended
-    common.supernodal = CHOLMOD_SUPERNODAL;
-    for (std::size_t& columns : common.nrelax) columns /= 2;  // CHOLMOD means unknowns, and a group is mostly two
-  }
-  ~Cholmod() {
-    cholmod_free_factor(&factor, &common);
-    cholmod_finish(&common);
-  }
-  Cholmod(const Cholmod&) = delete;
-  Cholmod& operator=(const Cholmod&) = delete;
-
-  void check() const {
-    if (common.status == CHOLMOD_OUT_OF_MEMORY) throw EnvironmentError("CHOLMOD, ordering a subdomain: out of memory");
-    if (common.status < CHOLMOD_OK) throw InternalError("CHOLMOD, ordering a subdomain: status " + std::to_string(common.status));
-  }
-
-  cholmod_common common{};
-  cholmod_factor* factor = nullptr;
-};
 
 /// Lower triangle of a graph, compressed columns, sorted.
 struct Pattern {
@@ -100,16 +71,21 @@ FrontTree::FrontTree(const SparseMatrix& matrix, const std::vector<int>& boundar
     whole.first.push_back(static_cast<int>(whole.rows.size()));
   }
 
-  Cholmod cholmod;
+  CholmodHandle cholmod;
   std::vector<int> order(all);
   for (int g = 0; g < all; ++g) order[g] = g;
   if (interiorGroups > 0) {
     cholmod_sparse view = leading.view();
     cholmod_amd(&view, nullptr, 0, order.data(), &cholmod.common);
-    cholmod.check();
+    cholmod.check("ordering a subdomain");
     view = whole.view();
+    cholmod.common.nmethods = 1;
+    cholmod.common.method[0].ordering = CHOLMOD_GIVEN;
+    cholmod.common.postorder = 0;  // AMD leaves a postordered tree of the interior, which stays one when the boundary is appended
+    cholmod.common.supernodal = CHOLMOD_SUPERNODAL;
+    for (std::size_t& columns : cholmod.common.nrelax) columns /= 2;  // CHOLMOD means unknowns, and a group is mostly two
     cholmod.factor = cholmod_analyze_p(&view, order.data(), nullptr, 0, &cholmod.common);
-    cholmod.check();
+    cholmod.check("analysing a subdomain");
   }
 
   start.push_back(0);

@@ -1,4 +1,5 @@
 #pragma once
+#include <cmath>
 #include <string>
 
 namespace suture {
@@ -14,7 +15,7 @@ class PivotCheck {
   /// \param pivot  l_jj^2
   void see(int unknown, double pivot, double diagonal) {
     const double ratio = pivot / diagonal;
-    if (ratio >= smallest_) return;
+    if (ratio >= smallest_ || std::isnan(smallest_)) return;  // what is no number is kept
     smallest_ = ratio;
     unknown_ = unknown;
   }

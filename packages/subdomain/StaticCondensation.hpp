@@ -3,7 +3,6 @@
 #include <suture/subdomain/SingleFactor.hpp>
 #include <suture/subdomain/SparseMatrix.hpp>
 
-#include <string>
 #include <vector>
 
 namespace suture {
@@ -22,7 +21,7 @@ class StaticCondensation {
   /// \throws EnvironmentError  out of memory
   StaticCondensation(const SparseMatrix& matrix, const Vector& load, const std::vector<int>& boundary);
 
-  /// S in the order of `boundary`; its lower triangle is set.
+  /// S in the order of `boundary`; its lower triangle is set. To be moved from, as the factor below.
   Matrix& schur() { return schur_; }
   /// g.
   const Vector& condensedLoad() const { return condensedLoad_; }

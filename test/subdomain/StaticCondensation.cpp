@@ -5,6 +5,7 @@
 #include <suture/subdomain/StaticCondensation.hpp>
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
 namespace suture {
@@ -124,6 +125,21 @@ TEUCHOS_UNIT_TEST(FrontTree, EliminatesEachInteriorUnknownOnce) {
     if (front.parent >= 0) TEST_COMPARE(front.parent, >, static_cast<int>(f));
   }
   TEST_EQUALITY(next, tree.interiorGroups);
+}
+
+// LAPACK does not stop at it, and later pivots are numbers again.
+TEUCHOS_UNIT_TEST(StaticCondensation, NamesAPivotThatIsNoNumber) {
+  const int n = 6;
+  Sparse a(n, n);
+  for (int i = 0; i < n; ++i) a.insert(i, i) = i == 2 ? std::numeric_limits<double>::quiet_NaN() : 1.0;
+  a.makeCompressed();
+  try {
+    StaticCondensation(a, Vector::Ones(n), {n - 1});
+    TEST_ASSERT(false);
+  } catch (const NumericalError& error) {
+    out << error.what() << "\n";
+    TEST_ASSERT(std::string(error.what()).find("dof 2") != std::string::npos);
+  }
 }
 
 }  // namespace
