@@ -92,11 +92,31 @@ void readCoupling(const Parameters& list, bool rigid, ContactLine& line, Problem
 
 }  // namespace
 
+namespace {
+
+/// Of all curve groups that contact names.
+std::vector<int> nodesOfSides(const Mesh& mesh, const Parameters& contact) {
+  std::vector<int> nodes;
+  for (const std::string& name : sublistNames(contact))
+    for (const char* which : {"Side A", "Side B"}) {
+      const Parameters& list = contact.sublist(name);
+      const auto group = list.isParameter(which) ? mesh.sideGroups.find(list.get<std::string>(which)) : mesh.sideGroups.end();
+      if (group == mesh.sideGroups.end()) continue;
+      for (const Side& side : group->second) {
+        const std::vector<int> own = mesh.nodesOf(side);
+        nodes.insert(nodes.end(), own.begin(), own.end());
+      }
+    }
+  return nodes;
+}
+
+}  // namespace
+
 std::vector<ContactLine> readContact(const Mesh& mesh, const Parameters& contact, const Constants& constants, Problems& problems) {
   std::vector<ContactLine> lines;
   const std::vector<std::string> names = sublistNames(contact);
   if (names.empty()) return lines;
-  const SideTable table(mesh);
+  const SideTable table(mesh, nodesOfSides(mesh, contact));
   std::map<std::pair<int, int>, std::string> taken;  // (element, side) -> path of the side that has it
   for (int number = 0; number < static_cast<int>(names.size()); ++number) {
     const Parameters& list = contact.sublist(names[number]);

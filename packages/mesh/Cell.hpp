@@ -18,6 +18,16 @@ struct CellInfo {
   int vtkType;
 };
 
-const CellInfo& cellInfo(Cell cell);
+namespace detail {
+extern const std::array<CellInfo, 5> cells;
+[[noreturn]] void noSuchCell(int number);
+}  // namespace detail
+
+/// One of a table: loops over elements ask for it. \throws InternalError  a number that is no shape
+inline const CellInfo& cellInfo(Cell cell) {
+  const auto at = static_cast<unsigned>(cell);
+  if (at >= detail::cells.size()) detail::noSuchCell(static_cast<int>(at));
+  return detail::cells[at];
+}
 
 }  // namespace suture

@@ -185,13 +185,15 @@ double smallestJacobian(const CellBlock& block, int element, Point* place) {
   const Cell cell = block.cells[element];
   double least = 0;
   Reference where{0, 0};
-  if (cell == Cell::Triangle6) {
+  if (cell == Cell::Triangle3) {
+    least = 2 * signedArea(block, element);  // everywhere
+  } else if (cell == Cell::Triangle6) {
     least = leastOnTriangle(block, element, where);
   } else if (cell == Cell::Quadrilateral8 || cell == Cell::Quadrilateral9) {
     least = leastOnSquare(block, element, where);
-  } else {  // the same everywhere, or linear in each direction: least at a vertex
+  } else {  // linear in each direction: least at a vertex
     least = std::numeric_limits<double>::infinity();
-    for (int k = 0; k < (cell == Cell::Triangle3 ? 1 : 4); ++k)
+    for (int k = 0; k < 4; ++k)
       if (const double value = jacobianAt(block, element, referencePoint(cell, k)); value < least)
         least = value, where = referencePoint(cell, k);
   }

@@ -7,6 +7,7 @@
 
 #include <Teuchos_Comm.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -162,7 +163,8 @@ class Reader {
   }
 
   void readSideGroups() {
-    const SideTable table(mesh_);
+    std::map<std::string, std::string> datasetOf;  // by the group's name
+    std::vector<int> nodes;
     readGroups("/SideGroups", [&](const std::string& dataset, const std::string& name, const std::vector<int>& flat) {
       if (flat.size() % 2 != 0) {
         wrong(dataset, "an odd number of values for (element, side)");
@@ -178,15 +180,23 @@ class Reader {
                              std::to_string(count));
           return;
         }
-        if (!table.onBoundary(side)) {
-          wrong(dataset, "group '" + name + "': side " + std::to_string(side.side) + " of element " + std::to_string(side.element) +
-                             " at " + placeText(centreOf(mesh_, side.element)) + " lies inside the material");
-          return;
-        }
         sides.push_back(side);
+        const std::vector<int> own = mesh_.nodesOf(side);
+        nodes.insert(nodes.end(), own.begin(), own.end());
       }
-      if (!mesh_.sideGroups.emplace(name, std::move(sides)).second) wrong(dataset, "a second group named '" + name + "'");
+      if (mesh_.sideGroups.emplace(name, std::move(sides)).second)
+        datasetOf[name] = dataset;
+      else
+        wrong(dataset, "a second group named '" + name + "'");
     });
+    const SideTable table(mesh_, nodes);
+    for (const auto& [name, sides] : mesh_.sideGroups) {
+      const auto inside = std::find_if(sides.begin(), sides.end(), [&](const Side& side) { return !table.onBoundary(side); });
+      if (inside != sides.end())
+        wrong(datasetOf.at(name), "group '" + name + "': side " + std::to_string(inside->side) + " of element " +
+                                      std::to_string(inside->element) + " at " + placeText(centreOf(mesh_, inside->element)) +
+                                      " lies inside the material");
+    }
   }
 
   std::string path_;

@@ -19,12 +19,28 @@ void forEachSide(const CellBlock& block, const Visit& visit) {
 }  // namespace
 
 // By counting, not sorting: linear in the size of the mesh, and elements stay in ascending order.
-SideTable::SideTable(const CellBlock& block) : block_(block), start_(static_cast<std::size_t>(block.nodes()) + 1, 0) {
-  forEachSide(block, [&](std::pair<int, int> ends, const Side&) { ++start_[ends.first + 1]; });
+template <typename Wanted>
+void SideTable::fill(const Wanted& wanted) {
+  start_.assign(static_cast<std::size_t>(block_.nodes()) + 1, 0);
+  forEachSide(block_, [&](std::pair<int, int> ends, const Side&) {
+    if (wanted(ends)) ++start_[ends.first + 1];
+  });
   std::partial_sum(start_.begin(), start_.end(), start_.begin());
   entries_.resize(start_.back());
   std::vector<int> next(start_.begin(), start_.end() - 1);
-  forEachSide(block, [&](std::pair<int, int> ends, const Side& side) { entries_[next[ends.first]++] = {ends.second, side}; });
+  forEachSide(block_, [&](std::pair<int, int> ends, const Side& side) {
+    if (wanted(ends)) entries_[next[ends.first]++] = {ends.second, side};
+  });
+}
+
+SideTable::SideTable(const CellBlock& block) : block_(block) {
+  fill([](std::pair<int, int>) { return true; });
+}
+
+SideTable::SideTable(const CellBlock& block, const std::vector<int>& nodes) : block_(block) {
+  std::vector<char> among(block.nodes(), 0);
+  for (const int node : nodes) among[node] = 1;
+  fill([&among](std::pair<int, int> ends) { return among[ends.first] && among[ends.second]; });
 }
 
 std::vector<Side> SideTable::between(int a, int b) const {

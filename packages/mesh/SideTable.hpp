@@ -8,7 +8,10 @@ namespace suture {
 /// All sides of all elements by their two end points: whose side is a given segment, and does it lie on the boundary?
 class SideTable {
  public:
+  /// Of all sides.
   explicit SideTable(const CellBlock& block);
+  /// Of those that join two of these nodes: what asks for few sides need not wait for all.
+  SideTable(const CellBlock& block, const std::vector<int>& nodes);
 
   /// The sides (none, one, or two in a sound mesh) that join nodes a and b, in ascending order of elements. Local.
   std::vector<Side> between(int a, int b) const;
@@ -21,6 +24,9 @@ class SideTable {
     int high;  ///< end point of higher number
     Side side;
   };
+  template <typename Wanted>
+  void fill(const Wanted& wanted);
+
   const CellBlock& block_;
   std::vector<int> start_;  ///< nodes + 1: the sides whose lower end point is node n are entries_[start_[n] .. start_[n+1])
   std::vector<Entry> entries_;

@@ -35,8 +35,9 @@ Cut cutByMetis(const Comm& comm, const Mesh& mesh, const Parameters& own);
 Cut cutByNamedGroups(const Mesh& mesh, const Parameters& own);
 
 /// The number of subdomains that Automatic stands for: one for every 7200 elements (the tunnel at 1M unknowns, two ranks: 64
-/// to 160 subdomains are equally fast within noise, 256 a seventh slower than 160, 512 a quarter; at 100k no difference from 8 to 32; medians of three), up to six of
-/// 800 elements in small scenes, at least `pieces`, and at least `ranks` as long as each has 50 elements. Local.
+/// to 160 subdomains are equally fast within noise, 256 a seventh slower than 160, 512 a quarter; at 100k no difference from 8 to 32;
+/// medians of three), up to six of 800 elements in small scenes, at least `pieces`, and at least `ranks` as long as each has 50 elements.
+/// Local.
 int automaticSubdomains(int elements, int pieces, int ranks);
 
 }  // namespace suture

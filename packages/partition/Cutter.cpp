@@ -8,7 +8,7 @@ Cutter::Cutter(const Mesh& mesh, const Constraints& constraints, const Partition
     : mesh_(mesh),
       constraints_(constraints),
       partition_(partition),
-      holders_(nodeSubdomains(mesh, partition.subdomainOfElement, partition.subdomains())),
+      holders_(nodeSubdomains(mesh, partition.subdomainOfElement)),
       elements_(partition.subdomains()),
       sides_(partition.subdomains()),
       rows_(contactRows(mesh, constraints)),
@@ -82,6 +82,12 @@ void Cutter::findSeamSides() {
 void Cutter::cutElements(const std::vector<int>& elements, SubdomainMesh& part) {
   part.dimension = mesh_.dimension;
   part.axisymmetric = mesh_.axisymmetric;
+  std::size_t corners = 0;
+  for (int e : elements) corners += mesh_.nodesOf(e).size();
+  part.globalElements.reserve(elements.size());
+  part.cells.reserve(elements.size());
+  part.offsets.reserve(elements.size() + 1);
+  part.connectivity.reserve(corners);
   for (int e : elements) {
     localElement_[e] = static_cast<int>(part.globalElements.size());
     part.globalElements.push_back(e);
@@ -99,9 +105,10 @@ void Cutter::cutElements(const std::vector<int>& elements, SubdomainMesh& part) 
   std::sort(part.globalNodes.begin(), part.globalNodes.end());
   for (std::size_t i = 0; i < part.globalNodes.size(); ++i) localNode_[part.globalNodes[i]] = static_cast<int>(i);
   for (int& node : part.connectivity) node = localNode_[node];
+  part.coordinates.reserve(part.globalNodes.size() * mesh_.dimension);
+  part.sharedOffsets.reserve(part.globalNodes.size() + 1);
   for (GlobalId node : part.globalNodes) {
-    const auto first = mesh_.coordinates.begin() + node * mesh_.dimension;
-    part.coordinates.insert(part.coordinates.end(), first, first + mesh_.dimension);
+    for (int k = 0; k < mesh_.dimension; ++k) part.coordinates.push_back(mesh_.coordinates[node * mesh_.dimension + k]);
     for (int s : holders_.of(static_cast<int>(node)))
       if (s != part.id) part.sharedWith.push_back(s);
     part.sharedOffsets.push_back(static_cast<int>(part.sharedWith.size()));

@@ -31,32 +31,39 @@ ElementGraph elementGraph(const CellBlock& block) {
   std::vector<int> next(start.begin(), start.end() - 1);
   forEachSide([&](int e, std::pair<int, int> ends) { sides[next[ends.first]++] = {ends.second, e}; });
 
-  std::vector<std::pair<int, int>> links;
+  // Room for a neighbour across each side, closed up at the end.
+  ElementGraph graph;
+  graph.offsets.resize(block.elements() + 1);
+  for (int e = 0; e < block.elements(); ++e)
+    graph.offsets[e + 1] = graph.offsets[e] + static_cast<int>(cellInfo(block.cells[e]).sideNodes.size());
+  graph.neighbours.resize(graph.offsets.back());
+  std::vector<int> end(graph.offsets.begin(), graph.offsets.end() - 1);
   for (int node = 0; node < block.nodes(); ++node) {
-    const auto begin = sides.begin() + start[node], end = sides.begin() + start[node + 1];
-    std::sort(begin, end, [](const HalfSide& a, const HalfSide& b) { return std::tie(a.high, a.element) < std::tie(b.high, b.element); });
-    for (auto first = begin; first != end;) {
-      const auto last = std::find_if(first, end, [&](const HalfSide& side) { return side.high != first->high; });
+    const auto begin = sides.begin() + start[node], stop = sides.begin() + start[node + 1];
+    std::sort(begin, stop, [](const HalfSide& a, const HalfSide& b) { return std::tie(a.high, a.element) < std::tie(b.high, b.element); });
+    for (auto first = begin; first != stop;) {
+      const auto last = std::find_if(first, stop, [&](const HalfSide& side) { return side.high != first->high; });
       if (last - first > 2)
         throw InputError("Mesh", std::to_string(last - first) + " elements share the side from " + placeText(block.point(node)) + " to " +
                                      placeText(block.point(first->high)) + "; at most two can");
       if (last - first == 2) {
-        links.emplace_back(first->element, (first + 1)->element);
-        links.emplace_back((first + 1)->element, first->element);
+        const int a = first->element, b = (first + 1)->element;
+        graph.neighbours[end[a]++] = b;
+        graph.neighbours[end[b]++] = a;
       }
       first = last;
     }
   }
-
-  ElementGraph graph;
-  graph.offsets.assign(block.elements() + 1, 0);
-  for (const auto& link : links) ++graph.offsets[link.first + 1];
-  std::partial_sum(graph.offsets.begin(), graph.offsets.end(), graph.offsets.begin());
-  graph.neighbours.resize(links.size());
-  std::vector<int> fill(graph.offsets.begin(), graph.offsets.end() - 1);
-  for (const auto& link : links) graph.neighbours[fill[link.first]++] = link.second;
-  for (int e = 0; e < graph.elements(); ++e)
-    std::sort(graph.neighbours.begin() + graph.offsets[e], graph.neighbours.begin() + graph.offsets[e + 1]);
+  int to = 0;
+  for (int e = 0; e < block.elements(); ++e) {
+    const int from = graph.offsets[e];
+    graph.offsets[e] = to;
+    for (int k = from; k < end[e]; ++k) graph.neighbours[to++] = graph.neighbours[k];
+    std::sort(graph.neighbours.begin() + graph.offsets[e], graph.neighbours.begin() + to);
+  }
+  graph.offsets.back() = to;
+  graph.neighbours.resize(to);
+  graph.neighbours.shrink_to_fit();
   return graph;
 }
 
@@ -74,21 +81,33 @@ ElementGraph subgraph(const ElementGraph& graph, const std::vector<int>& element
 }
 
 Components components(const ElementGraph& graph, const std::vector<int>& labels) {
+  // Trees whose roots are their first elements: elements are visited in the order of memory, which a search from neighbour to neighbour
+  // does not.
+  std::vector<int> parent(graph.elements());
+  const auto rootOf = [&parent](int e) {
+    while (parent[e] != e) e = parent[e] = parent[parent[e]];
+    return e;
+  };
+  for (int e = 0; e < graph.elements(); ++e) {
+    int root = parent[e] = e;
+    for (const int other : graph.of(e)) {
+      if (other >= e || labels[other] != labels[e]) continue;
+      const int another = rootOf(other);
+      parent[std::max(root, another)] = std::min(root, another);
+      root = std::min(root, another);
+    }
+  }
   Components found;
-  found.of.assign(graph.elements(), -1);
-  std::vector<int> reached, sizes;
-  for (int seed = 0; seed < graph.elements(); ++seed) {
-    if (found.of[seed] >= 0) continue;
-    const int number = static_cast<int>(sizes.size());
-    reached.assign(1, seed);
-    found.of[seed] = number;
-    for (std::size_t i = 0; i < reached.size(); ++i)
-      for (int other : graph.of(reached[i]))
-        if (found.of[other] < 0 && labels[other] == labels[seed]) {
-          found.of[other] = number;
-          reached.push_back(other);
-        }
-    sizes.push_back(static_cast<int>(reached.size()));
+  found.of.resize(graph.elements());
+  std::vector<int> sizes;
+  for (int e = 0; e < graph.elements(); ++e) {
+    const int root = rootOf(e);
+    if (root == e) {
+      found.of[e] = static_cast<int>(sizes.size());
+      sizes.push_back(0);
+    }
+    found.of[e] = found.of[root];
+    ++sizes[found.of[e]];
   }
   found.elements.resize(sizes.size());
   for (std::size_t c = 0; c < sizes.size(); ++c) found.elements[c].reserve(sizes[c]);

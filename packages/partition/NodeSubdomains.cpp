@@ -1,33 +1,51 @@
-#include <numeric>
+#include <algorithm>
 #include <suture/partition/NodeSubdomains.hpp>
+#include <utility>
 
 namespace suture {
 
-NodeSubdomains nodeSubdomains(const CellBlock& block, const std::vector<int>& subdomainOfElement, int subdomains) {
-  // Elements by subdomain, so that every row comes out ascending.
-  std::vector<int> start(subdomains + 1, 0), order(block.elements());
-  for (int s : subdomainOfElement) ++start[s + 1];
-  std::partial_sum(start.begin(), start.end(), start.begin());
-  std::vector<int> next(start.begin(), start.end() - 1);
-  for (int e = 0; e < block.elements(); ++e) order[next[subdomainOfElement[e]]++] = e;
+namespace {
 
-  const auto forEachHolding = [&](const auto& visit) {
-    std::vector<int> last(block.nodes(), -1);
-    for (int e : order)
-      for (int node : block.nodesOf(e))
-        if (last[node] != subdomainOfElement[e]) {
-          last[node] = subdomainOfElement[e];
-          visit(node, subdomainOfElement[e]);
-        }
-  };
+// Most nodes are in one subdomain: lists are made for the others only, and elements are visited in the order of memory.
+template <typename Wanted>
+NodeSubdomains find(const CellBlock& block, const std::vector<int>& subdomainOfElement, const Wanted& wanted) {
+  constexpr int none = -1, several = -2;
+  std::vector<int> only(block.nodes(), none);
+  for (int e = 0; e < block.elements(); ++e)
+    for (const int node : block.nodesOf(e)) {
+      if (!wanted(node)) continue;
+      int& known = only[node];
+      known = known == none || known == subdomainOfElement[e] ? subdomainOfElement[e] : several;
+    }
+  std::vector<std::pair<int, int>> shared;
+  for (int e = 0; e < block.elements(); ++e)
+    for (const int node : block.nodesOf(e))
+      if (wanted(node) && only[node] == several) shared.emplace_back(node, subdomainOfElement[e]);
+  std::sort(shared.begin(), shared.end());
+  shared.erase(std::unique(shared.begin(), shared.end()), shared.end());
+
   NodeSubdomains found;
-  found.offsets.assign(block.nodes() + 1, 0);
-  forEachHolding([&](int node, int) { ++found.offsets[node + 1]; });
-  std::partial_sum(found.offsets.begin(), found.offsets.end(), found.offsets.begin());
-  found.subdomains.resize(found.offsets.back());
-  std::vector<int> fill(found.offsets.begin(), found.offsets.end() - 1);
-  forEachHolding([&](int node, int subdomain) { found.subdomains[fill[node]++] = subdomain; });
+  found.offsets.reserve(static_cast<std::size_t>(block.nodes()) + 1);
+  found.subdomains.reserve(static_cast<std::size_t>(block.nodes()) + shared.size());
+  auto next = shared.begin();
+  for (int node = 0; node < block.nodes(); ++node) {
+    if (only[node] >= 0) found.subdomains.push_back(only[node]);
+    for (; next != shared.end() && next->first == node; ++next) found.subdomains.push_back(next->second);
+    found.offsets.push_back(static_cast<int>(found.subdomains.size()));
+  }
   return found;
+}
+
+}  // namespace
+
+NodeSubdomains nodeSubdomains(const CellBlock& block, const std::vector<int>& subdomainOfElement) {
+  return find(block, subdomainOfElement, [](int) { return true; });
+}
+
+NodeSubdomains nodeSubdomains(const CellBlock& block, const std::vector<int>& subdomainOfElement, const std::vector<int>& nodes) {
+  std::vector<char> wanted(block.nodes(), 0);
+  for (const int node : nodes) wanted[node] = 1;
+  return find(block, subdomainOfElement, [&wanted](int node) { return wanted[node] != 0; });
 }
 
 }  // namespace suture

@@ -15,6 +15,8 @@ struct NodeSubdomains {
 };
 
 /// Local.
-NodeSubdomains nodeSubdomains(const CellBlock& block, const std::vector<int>& subdomainOfElement, int subdomains);
+NodeSubdomains nodeSubdomains(const CellBlock& block, const std::vector<int>& subdomainOfElement);
+/// Of some nodes; the rows of others are empty. Faster.
+NodeSubdomains nodeSubdomains(const CellBlock& block, const std::vector<int>& subdomainOfElement, const std::vector<int>& nodes);
 
 }  // namespace suture

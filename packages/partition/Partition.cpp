@@ -52,7 +52,10 @@ Partition partitionOf(Cut cut, const Mesh& mesh, const Constraints& constraints,
   all.notes = std::move(cut.notes);
   all.elementsOf.assign(all.names.size(), 0);
   for (int s : all.subdomainOfElement) ++all.elementsOf[s];
-  ContactGroups contact = contactGroups(constraints, nodeSubdomains(mesh, all.subdomainOfElement, all.subdomains()), all.subdomains());
+  std::vector<int> inContact;
+  for (const ContactPair& pair : constraints.pairs)
+    for (const PairEnd& end : pair.ends) inContact.push_back(end.node);
+  ContactGroups contact = contactGroups(constraints, nodeSubdomains(mesh, all.subdomainOfElement, inContact), all.subdomains());
   all.groupOf = std::move(contact.groupOf);
   all.groups = std::move(contact.groups);
   all.piecesOf = std::move(contact.piecesOf);

@@ -50,13 +50,16 @@ void addStresses(const SubdomainMesh& mesh, const ElasticModel& model, const Vec
   const Matrix stress = elementStresses(mesh, materialOf, model.plane, u);
   const Matrix principal = principalStresses(stress);
   const Vector mises = vonMises(stress);
+  const auto append = [](std::vector<double>& values, std::initializer_list<double> more) {
+    for (const double value : more) values.push_back(value);
+  };
   for (int e = 0; e < mesh.elements(); ++e) {
     const double xx = stress(e, 0), yy = stress(e, 1), zz = stress(e, 2), xy = stress(e, 3);
     const double c = std::cos(principal(e, 2)), s = std::sin(principal(e, 2));
-    all.stress.insert(all.stress.end(), {xx, yy, zz, xy, 0.0, 0.0});
-    all.principal.insert(all.principal.end(), {principal(e, 0), principal(e, 1), zz});
-    all.direction1.insert(all.direction1.end(), {c, s, 0.0});
-    all.direction2.insert(all.direction2.end(), {-s, c, 0.0});
+    append(all.stress, {xx, yy, zz, xy, 0.0, 0.0});
+    append(all.principal, {principal(e, 0), principal(e, 1), zz});
+    append(all.direction1, {c, s, 0.0});
+    append(all.direction2, {-s, c, 0.0});
     all.vonMises.push_back(mises[e]);
     if (!model.materialOfRegion.empty()) all.young.push_back(materialOf(e).young);
   }
@@ -70,9 +73,20 @@ const char* stressMeaning(const ElasticModel& model) {
 BodyFields gather(const Run& run) {
   BodyFields all;
   std::unordered_map<GlobalId, GlobalId> known;
-  std::size_t nodes = 0;
-  for (const SubdomainMesh& mesh : run.subdomains) nodes += mesh.nodes();
+  std::size_t nodes = 0, elements = 0, corners = 0;
+  for (const SubdomainMesh& mesh : run.subdomains) {
+    nodes += mesh.nodes();
+    elements += mesh.elements();
+    corners += mesh.connectivity.size();
+  }
   known.reserve(nodes);
+  for (std::vector<double>* values : {&all.grid.points, &all.displacement}) values->reserve(3 * nodes);
+  all.nodeId.reserve(nodes);
+  all.grid.connectivity.reserve(corners);
+  all.stress.reserve(6 * elements);
+  for (std::vector<double>* values : {&all.principal, &all.direction1, &all.direction2}) values->reserve(3 * elements);
+  for (std::vector<int>* values : {&all.subdomain, &all.body}) values->reserve(elements);
+  for (std::vector<GlobalId>* values : {&all.grid.offsets, &all.elementId}) values->reserve(elements);
   for (std::size_t s = 0; s < run.subdomains.size(); ++s) {
     const SubdomainMesh& mesh = run.subdomains[s];
     const Vector& u = run.solution.displacement[s];

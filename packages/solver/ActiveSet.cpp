@@ -74,7 +74,8 @@ void ActiveSet::doSolve(Run& run) const {
       run.automatic.tighten();
       visited.clear();
     }
-    if (stays) inner = final;
+    // Half way first: the set may move once more, and conjugate gradients lose nothing by being asked in between.
+    if (stays) inner = inner > between && run.inner.canGoOn() ? between : final;
     const EnergyCriterion criterion = run.automatic.criterion(state, run.lowest, false, stays);
     int applications = 0;
     InnerResult cost;

@@ -1,4 +1,5 @@
 #include <cblas.h>
+#include <cholmod.h>
 #include <suture/base/Errors.hpp>
 #include <suture/subdomain/CholmodFactor.hpp>
 #include <suture/subdomain/CholmodHandle.hpp>
@@ -104,7 +105,7 @@ void CholmodFactor::Data::order(const Eigen::SparseMatrix<double>& matrix, Cholm
     cholmod_sparse whole = viewOf(matrix);
     std::vector<int> sets(n, 0);
     std::fill(sets.begin() + leading, sets.end(), 1);
-    cholmod_camd(&whole, nullptr, 0, sets.data(), permutation.data(), &common);
+    cholmod_camd(&whole, nullptr, 0, sets.data(), permutation.data(), common.get());
     check("ordering with CAMD");
     std::iota(permutation.begin() + leading, permutation.end(), leading);
     return;
@@ -112,10 +113,10 @@ void CholmodFactor::Data::order(const Eigen::SparseMatrix<double>& matrix, Cholm
   const Eigen::SparseMatrix<double> block = leadingLower(matrix, leading);
   cholmod_sparse view = viewOf(block);
   if (ordering == CholmodOptions::Ordering::Metis) {
-    cholmod_metis(&view, nullptr, 0, 1, permutation.data(), &common);
+    cholmod_metis(&view, nullptr, 0, 1, permutation.data(), common.get());
     check("ordering with METIS");
   } else {
-    cholmod_amd(&view, nullptr, 0, permutation.data(), &common);
+    cholmod_amd(&view, nullptr, 0, permutation.data(), common.get());
     check("ordering with AMD");
   }
 }
@@ -125,18 +126,18 @@ void CholmodFactor::Data::factorise(const Eigen::SparseMatrix<double>& matrix, c
   const SerialSection alone;
   order(matrix, options.ordering);
 
-  common.nmethods = 1;
-  common.method[0].ordering = CHOLMOD_GIVEN;
-  common.postorder = 0;
-  common.final_ll = 1;
-  common.supernodal = options.form == CholmodOptions::Form::Automatic    ? CHOLMOD_AUTO
-                      : options.form == CholmodOptions::Form::Simplicial ? CHOLMOD_SIMPLICIAL
-                                                                         : CHOLMOD_SUPERNODAL;
+  common->nmethods = 1;
+  common->method[0].ordering = CHOLMOD_GIVEN;
+  common->postorder = 0;
+  common->final_ll = 1;
+  common->supernodal = options.form == CholmodOptions::Form::Automatic    ? CHOLMOD_AUTO
+                       : options.form == CholmodOptions::Form::Simplicial ? CHOLMOD_SIMPLICIAL
+                                                                          : CHOLMOD_SUPERNODAL;
   cholmod_sparse view = viewOf(matrix);
-  factor = cholmod_analyze_p(&view, permutation.data(), nullptr, 0, &common);
+  factor = cholmod_analyze_p(&view, permutation.data(), nullptr, 0, common.get());
   check("symbolic analysis");
-  statistics.flops = common.fl;
-  statistics.factorEntries = common.lnz;
+  statistics.flops = common->fl;
+  statistics.factorEntries = common->lnz;
   statistics.ordering = nameOf(options.ordering);
 
   // The shift is the only change to the matrix; without one CHOLMOD reads the caller's own arrays.
@@ -147,9 +148,9 @@ void CholmodFactor::Data::factorise(const Eigen::SparseMatrix<double>& matrix, c
     shifted.makeCompressed();
     diagonal.tail(statistics.trailing) += shift;
     view = viewOf(shifted);
-    cholmod_factorize(&view, factor, &common);
+    cholmod_factorize(&view, factor, common.get());
   } else {
-    cholmod_factorize(&view, factor, &common);
+    cholmod_factorize(&view, factor, common.get());
   }
   check("factorisation");
   PivotCheck pivots(n, statistics.trailing);

@@ -1,9 +1,12 @@
 #pragma once
-#include <cholmod.h>
+#include <memory>
+
+struct cholmod_common_struct;
+struct cholmod_factor_struct;
 
 namespace suture {
 
-/// CHOLMOD's settings, and a factor made with them, freed together. For the sources that call CHOLMOD; no header includes this one. Local.
+/// CHOLMOD's settings, and a factor made with them, freed together. Local.
 struct CholmodHandle {
   CholmodHandle();
   ~CholmodHandle();
@@ -16,8 +19,8 @@ struct CholmodHandle {
   /// \throws InternalError     anything else
   void check(const char* what) const;
 
-  cholmod_common common{};
-  cholmod_factor* factor = nullptr;
+  const std::unique_ptr<cholmod_common_struct> common;
+  cholmod_factor_struct* factor = nullptr;
 };
 
 }  // namespace suture

@@ -1,3 +1,4 @@
+#include <cholmod.h>
 #include <suture/subdomain/CholmodHandle.hpp>
 #include <suture/subdomain/FrontTree.hpp>
 
@@ -76,15 +77,15 @@ FrontTree::FrontTree(const SparseMatrix& matrix, const std::vector<int>& boundar
   for (int g = 0; g < all; ++g) order[g] = g;
   if (interiorGroups > 0) {
     cholmod_sparse view = leading.view();
-    cholmod_amd(&view, nullptr, 0, order.data(), &cholmod.common);
+    cholmod_amd(&view, nullptr, 0, order.data(), cholmod.common.get());
     cholmod.check("ordering a subdomain");
     view = whole.view();
-    cholmod.common.nmethods = 1;
-    cholmod.common.method[0].ordering = CHOLMOD_GIVEN;
-    cholmod.common.postorder = 0;  // AMD leaves a postordered tree of the interior, which stays one when the boundary is appended
-    cholmod.common.supernodal = CHOLMOD_SUPERNODAL;
-    for (std::size_t& columns : cholmod.common.nrelax) columns /= 2;  // CHOLMOD means unknowns, and a group is mostly two
-    cholmod.factor = cholmod_analyze_p(&view, order.data(), nullptr, 0, &cholmod.common);
+    cholmod.common->nmethods = 1;
+    cholmod.common->method[0].ordering = CHOLMOD_GIVEN;
+    cholmod.common->postorder = 0;  // AMD leaves a postordered tree of the interior, which stays one when the boundary is appended
+    cholmod.common->supernodal = CHOLMOD_SUPERNODAL;
+    for (std::size_t& columns : cholmod.common->nrelax) columns /= 2;  // CHOLMOD means unknowns, and a group is mostly two
+    cholmod.factor = cholmod_analyze_p(&view, order.data(), nullptr, 0, cholmod.common.get());
     cholmod.check("analysing a subdomain");
   }
 
