@@ -5,25 +5,29 @@
 #include <Tpetra_Map.hpp>
 #include <Tpetra_MultiVector.hpp>
 
+#include <algorithm>
+
 namespace suture {
 
 InterfaceOperator::InterfaceOperator(std::shared_ptr<const InterfaceSpace> space, LocalProblems locals)
     : space_(std::move(space)), locals_(std::move(locals)) {
   if (static_cast<int>(locals_.size()) != space_->locals()) throw InternalError("an interface operator needs one entry a coupling");
+  for (int i = 0; i < space_->locals(); ++i) mostRows_ = std::max(mostRows_, space_->coupling(i).rows());
 }
 
 void InterfaceOperator::apply(const MultiVector& x, MultiVector& y, Teuchos::ETransp, double alpha, double beta) const {
   applications_ += static_cast<long long>(x.getNumVectors());
   space_->gather(x, overlap_);
   sum_.setZero(overlap_.rows(), overlap_.cols());
+  trace_.resize(mostRows_, overlap_.cols());  // the same work space for all
+  flux_.resize(mostRows_, overlap_.cols());
   for (std::size_t i = 0; i < locals_.size(); ++i) {
     if (!locals_[i]) continue;
     const Coupling& coupling = space_->coupling(static_cast<int>(i));
-    trace_.resize(coupling.rows(), overlap_.cols());
-    flux_.resize(coupling.rows(), overlap_.cols());
-    coupling.restrictTo(overlap_, trace_);
-    locals_[i]->applySchur(trace_, flux_);
-    coupling.addTransposed(flux_, sum_);
+    auto trace = trace_.topRows(coupling.rows()), flux = flux_.topRows(coupling.rows());
+    coupling.restrictTo(overlap_, trace);
+    locals_[i]->applySchur(trace, flux);
+    coupling.addTransposed(flux, sum_);
   }
   if (recording_) recorded_.push_back(sum_.col(0));
   if (beta == 0.0) {

@@ -47,6 +47,7 @@ class InterfaceOperator : public Operator {
   std::shared_ptr<const InterfaceSpace> space_;
   LocalProblems locals_;
   mutable long long applications_ = 0;
+  int mostRows_ = 0;  // of a coupling
   mutable bool recording_ = false;
   mutable std::vector<Vector> recorded_;
   mutable Matrix overlap_, sum_, trace_, flux_;  // work space: an application allocates nothing

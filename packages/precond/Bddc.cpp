@@ -44,8 +44,8 @@ Bddc::Bddc(std::unique_ptr<Weighting> weighting, std::unique_ptr<EdgeConstraints
     : weighting_(std::move(weighting)), edges_(std::move(edges)), levels_(std::move(levels)) {}
 
 struct Bddc::Work {
-  Matrix overlap, trace;
-  std::vector<Matrix> flux;  // of each local problem
+  Matrix overlap;
+  std::vector<Matrix> flux, trace;  // of each local problem
   Vector primal, own;
 };
 
@@ -158,6 +158,7 @@ void Bddc::doApply(const MultiVector& r, MultiVector& z) const {
   if (!work_) work_ = std::make_unique<Work>();
   Work& work = *work_;
   work.flux.resize(locals_.size());
+  work.trace.resize(locals_.size());
   for (std::size_t column = 0; column < r.getNumVectors(); ++column) {
     const auto zOne = z.getVectorNonConst(column);
     space()->gather(*r.getVector(column), work.overlap);
@@ -179,13 +180,14 @@ void Bddc::doApply(const MultiVector& r, MultiVector& z) const {
     for (std::size_t i = 0; i < locals_.size(); ++i) {
       if (!locals_[i]) continue;
       const Coupling& coupling = space()->coupling(static_cast<int>(i));
-      work.trace.resize(coupling.rows(), 1);
-      inverses_[i]->apply(work.flux[i], work.trace);
+      Matrix& trace = work.trace[i];
+      trace.resize(coupling.rows(), 1);
+      inverses_[i]->apply(work.flux[i], trace);
       work.own.setZero(inverses_[i]->basis().cols());
       for (const Value& value : values_[i]) work.own(value.row) += value.coefficient * y(value.number);
-      addProduct(CblasNoTrans, inverses_[i]->basis(), work.own.data(), work.trace.data());
-      weighting_->apply(static_cast<int>(i), work.trace);
-      coupling.addTransposed(work.trace, work.overlap);
+      addProduct(CblasNoTrans, inverses_[i]->basis(), work.own.data(), trace.data());
+      weighting_->apply(static_cast<int>(i), trace);
+      coupling.addTransposed(trace, work.overlap);
     }
     space()->scatterAdd(work.overlap, *zOne);
   }

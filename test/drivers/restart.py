@@ -53,7 +53,9 @@ for name, method in (("groups", []), ("interface", setting("Formulation", "Conta
     check(name + ": leaves no checkpoint unasked", (work / (name + "_cold") / "checkpoint.h5").exists(), False)
     code, _, warm = run(4, OPEN, name + "_warm", *more, "--restart", str(work / (name + "_step_1") / "checkpoint.h5"))
     check(name + ": second load step from the first", (code, warm["converged"]), (0, True))
-    check(name + ": it needs fewer steps", warm["outer"]["iterations"], lambda n: n < cold["outer"]["iterations"])
+    # Newton's steps may be as many: those that change no pair go on with one linear solve.
+    pcg = [case["auxiliary"]["iterations"] + case["outer"]["pcg_total"] for case in (warm, cold)]
+    check(name + ": it needs fewer iterations", pcg[0], lambda n: n < pcg[1])
     check(name + ": closed pairs", warm["contact"]["active"], cold["contact"]["active"])
     check(name + ": energy", warm["energy"] / cold["energy"] - 1, lambda e: abs(e) < 1e-9)
 
