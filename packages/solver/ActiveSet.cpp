@@ -74,8 +74,10 @@ void ActiveSet::doSolve(Run& run) const {
       run.automatic.tighten();
       visited.clear();
     }
-    // Half way first: the set may move once more, and conjugate gradients lose nothing by being asked in between.
-    if (stays) inner = inner > between && run.inner.canGoOn() ? between : final;
+    // Half way first: the set may move once more, and conjugate gradients lose nothing by being asked in between. Not where a solution is
+    // gone on from.
+    const bool begun = run.result.iterations > 0 || run.inner.canGoOn();
+    if (stays) inner = inner > between && begun ? between : final;
     const EnergyCriterion criterion = run.automatic.criterion(state, run.lowest, false, stays);
     int applications = 0;
     InnerResult cost;
