@@ -15,6 +15,24 @@ namespace suture {
 
 namespace {
 
+/// c <- factor * a b + share * c, a transposed if told. By BLAS: Eigen's own is compiled for the oldest processors.
+void multiply(double factor, CBLAS_TRANSPOSE transposed, const Matrix& a, const Matrix& b, double share, Matrix& c) {
+  const int rows = static_cast<int>(transposed == CblasTrans ? a.cols() : a.rows()), columns = static_cast<int>(b.cols());
+  if (share == 0.0) c.resize(rows, columns);
+  if (c.size() == 0 || b.rows() == 0) {
+    if (share == 0.0) c.setZero();
+    return;
+  }
+  cblas_dgemm(CblasColMajor, transposed, CblasNoTrans, rows, columns, static_cast<int>(b.rows()), factor, a.data(),
+              static_cast<int>(a.rows()), b.data(), static_cast<int>(b.rows()), share, c.data(), rows);
+}
+
+Matrix product(CBLAS_TRANSPOSE transposed, const Matrix& a, const Matrix& b) {
+  Matrix c;
+  multiply(1.0, transposed, a, b, 0.0, c);
+  return c;
+}
+
 /// H = I - 2 v v^T, v zero off the support.
 struct Reflection {
   std::vector<int> support;
@@ -46,18 +64,17 @@ class Rotation {
   /// a <- Q a Q^T, lower triangle.
   void from(Matrix& a) const { twoSided(a, t_.transpose()); }
   /// x <- Q x
-  void fromColumns(Matrix& x) const { x -= v_ * (t_ * (v_.transpose() * x)); }
+  void fromColumns(Matrix& x) const { multiply(-1.0, CblasNoTrans, v_, product(CblasNoTrans, t_, product(CblasTrans, v_, x)), 1.0, x); }
 
  private:
   /// a <- (I - V U^T) a (I - U V^T) = a - V W^T - W V^T with U = V T, X = a U, W = X - V (U^T X) / 2.
   void twoSided(Matrix& a, const Matrix& t) const {
     const int n = static_cast<int>(v_.rows()), m = static_cast<int>(v_.cols());
     if (m == 0) return;
-    const Matrix u = v_ * t;
+    const Matrix u = product(CblasNoTrans, v_, t);
     Matrix w(n, m);
     cblas_dsymm(CblasColMajor, CblasLeft, CblasLower, n, m, 1.0, a.data(), n, u.data(), n, 0.0, w.data(), n);
-    const Matrix inside = 0.5 * (u.transpose() * w);
-    w -= v_ * inside;
+    multiply(-0.5, CblasNoTrans, v_, product(CblasTrans, u, w), 1.0, w);
     cblas_dsyr2k(CblasColMajor, CblasLower, CblasNoTrans, n, m, -1.0, v_.data(), n, w.data(), n, 1.0, a.data(), n);
   }
 
@@ -165,7 +182,7 @@ ConstrainedInverse::ConstrainedInverse(Matrix schur, const Matrix& constraints, 
       throw NumericalError(what + ": its corners and edge constraints leave a mechanism (is it attached at single points only?)");
     if (m > 0) {
       cblas_dtrsm(CblasColMajor, CblasLeft, CblasLower, CblasNoTrans, CblasNonUnit, d, m, 1.0, dd.data(), d, dp.data(), d);
-      pp -= dp.transpose() * dp;
+      multiply(-1.0, CblasTrans, dp, dp, 1.0, pp);
       cblas_dtrsm(CblasColMajor, CblasLeft, CblasLower, CblasTrans, CblasNonUnit, d, m, 1.0, dd.data(), d, dp.data(), d);
     }
     invertLower(dd.data(), d, d);
@@ -177,7 +194,7 @@ ConstrainedInverse::ConstrainedInverse(Matrix schur, const Matrix& constraints, 
   triangle.triangularView<Eigen::Lower>().solveInPlace(toPrimal);
   Matrix inOrder(m, m);
   for (int a = 0; a < m; ++a) inOrder.col(order[a]) = toPrimal.col(a);
-  const Matrix below = dp * inOrder;
+  const Matrix below = product(CblasNoTrans, dp, inOrder);
   for (int a = 0; a < m; ++a) basis_.row(primal[a]) = inOrder.row(a);
   for (int i = 0; i < d; ++i) basis_.row(dual[i]) = -below.row(i);
   const Matrix energy = inOrder.transpose() * (0.5 * (pp + pp.transpose())) * inOrder;

@@ -148,7 +148,12 @@ Matrix PackedSymmetric::full() const {
     else
       made.col(j).tail(size_ - j) = Eigen::Map<const Eigen::VectorXf>(singles_.data() + place, size_ - j).cast<double>();
   }
-  made.triangularView<Eigen::StrictlyUpper>() = made.transpose();
+  // By blocks: rows of a block stay in the cache while its columns are gone through.
+  constexpr int block = 32;
+  for (int first = 0; first < size_; first += block)
+    for (int row = first; row < size_; row += block)
+      for (int j = first; j < std::min(first + block, size_); ++j)
+        for (int i = std::max(row, j + 1); i < std::min(row + block, size_); ++i) made(j, i) = made(i, j);
   return made;
 }
 
