@@ -17,14 +17,16 @@ namespace suture {
 
 Schema metisSchema() {
   return Schema("Every body is cut on its own by METIS, in proportion to its elements; all subdomains are connected through element sides.")
-      .wordOrNumber("Subdomains", "Automatic", {"Automatic"}, Range::atLeast(1),
-                    "How many in all, at least one a body. Automatic: one for about 7200 elements, up to six of 800 in small scenes, and "
-                    "at least one a rank while each has 50 elements; only then does the cut depend on the number of ranks.")
+      .wordOrNumber(
+          "Subdomains", "Automatic", {"Automatic"}, Range::atLeast(1),
+          "How many in all, at least one a body. Automatic: one for about 7200 elements, in fours, up to six of 800 in small scenes, and "
+          "at least one a rank while each has 50 elements; only then does the cut depend on the number of ranks.")
       .integer("Seed", 1, "Of METIS' random numbers: the same seed gives the same subdomains.", Range::atLeast(0));
 }
 
 int automaticSubdomains(int elements, int pieces, int ranks) {
-  const int large = (elements + 3600) / 7200, small = std::min((elements + 400) / 800, 6);
+  const int enough = (elements + 3600) / 7200, small = std::min((elements + 400) / 800, 6);
+  const int large = enough > 6 ? (enough + 2) / 4 * 4 : enough;  // seven and six are no fair shares of two ranks
   return std::max({pieces, large, small, std::min(ranks, elements / 50)});
 }
 

@@ -3,6 +3,7 @@
 #include <Teuchos_UnitTestHarness.hpp>
 #include <algorithm>
 #include <suture/mesh/Generators.hpp>
+#include <suture/partition/Cut.hpp>
 #include <suture/partition/MetisCut.hpp>
 
 #include "Scenes.hpp"
@@ -91,4 +92,17 @@ TEUCHOS_UNIT_TEST(ElementGraph, HasTheInnerSidesOfAGrid) {
       const auto back = graph.of(other);
       TEST_ASSERT(std::count(back.begin(), back.end(), e) == 1);
     }
+}
+
+TEUCHOS_UNIT_TEST(MetisCut, AutomaticGivesTwoAndFourRanksEqualShares) {
+  for (const int elements : {60000, 94000, 435000, 935000, 1870000}) {
+    const int count = automaticSubdomains(elements, 2, 2);
+    TEST_EQUALITY(count % 4, 0);
+    TEST_COMPARE(std::abs(elements - 7200 * count), <=, 7200 * 2 + 3600);
+  }
+  TEST_EQUALITY(automaticSubdomains(9670, 2, 2), 6);  // small scenes: of 800
+  TEST_EQUALITY(automaticSubdomains(2400, 2, 1), 3);
+  TEST_EQUALITY(automaticSubdomains(100, 5, 1), 5);     // a piece lies in one
+  TEST_EQUALITY(automaticSubdomains(1000, 1, 12), 12);  // every rank has one
+  TEST_EQUALITY(automaticSubdomains(100, 1, 12), 2);    // of fifty elements
 }
