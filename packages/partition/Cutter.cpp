@@ -10,6 +10,7 @@ Cutter::Cutter(const Mesh& mesh, const Constraints& constraints, const Partition
       partition_(partition),
       holders_(nodeSubdomains(mesh, partition.subdomainOfElement)),
       elements_(partition.subdomains()),
+      nodes_(partition.subdomains()),
       sides_(partition.subdomains()),
       rows_(contactRows(mesh, constraints)),
       rules_(partition.subdomains()),
@@ -19,6 +20,8 @@ Cutter::Cutter(const Mesh& mesh, const Constraints& constraints, const Partition
       localNode_(mesh.nodes(), -1),
       localElement_(mesh.elements(), -1) {
   for (int e = 0; e < mesh.elements(); ++e) elements_[partition.subdomainOfElement[e]].push_back(e);
+  for (int node = 0; node < mesh.nodes(); ++node)
+    for (int s : holders_.of(node)) nodes_[s].push_back(node);
   for (const auto& [name, sides] : mesh.sideGroups)
     for (const Side& side : sides) sides_[partition.subdomainOfElement[side.element]].push_back({&name, side});
   for (std::size_t r = 0; r < constraints.rules.size(); ++r)
@@ -82,29 +85,22 @@ void Cutter::findSeamSides() {
 void Cutter::cutElements(const std::vector<int>& elements, SubdomainMesh& part) {
   part.dimension = mesh_.dimension;
   part.axisymmetric = mesh_.axisymmetric;
+  part.globalNodes = std::move(nodes_[part.id]);
   std::size_t corners = 0;
   for (int e : elements) corners += mesh_.nodesOf(e).size();
   part.globalElements.reserve(elements.size());
   part.cells.reserve(elements.size());
   part.offsets.reserve(elements.size() + 1);
   part.connectivity.reserve(corners);
+  for (std::size_t i = 0; i < part.globalNodes.size(); ++i) localNode_[part.globalNodes[i]] = static_cast<int>(i);
   for (int e : elements) {
     localElement_[e] = static_cast<int>(part.globalElements.size());
     part.globalElements.push_back(e);
     part.cells.push_back(mesh_.cells[e]);
     if (!mesh_.regions.empty()) part.regions.push_back(mesh_.regions[e]);
-    for (int node : mesh_.nodesOf(e)) {
-      part.connectivity.push_back(node);
-      if (localNode_[node] < 0) {
-        localNode_[node] = 0;
-        part.globalNodes.push_back(node);
-      }
-    }
+    for (int node : mesh_.nodesOf(e)) part.connectivity.push_back(localNode_[node]);
     part.offsets.push_back(static_cast<int>(part.connectivity.size()));
   }
-  std::sort(part.globalNodes.begin(), part.globalNodes.end());
-  for (std::size_t i = 0; i < part.globalNodes.size(); ++i) localNode_[part.globalNodes[i]] = static_cast<int>(i);
-  for (int& node : part.connectivity) node = localNode_[node];
   part.coordinates.reserve(part.globalNodes.size() * mesh_.dimension);
   part.sharedOffsets.reserve(part.globalNodes.size() + 1);
   for (GlobalId node : part.globalNodes) {

@@ -20,9 +20,11 @@ std::vector<int> components(const CellBlock& block) {
   };
   for (int e = 0; e < block.elements(); ++e) {
     const Span<const int> nodes = block.nodesOf(e);
+    int first = find(nodes[0]);
     for (const int node : nodes) {
-      const int a = find(nodes[0]), b = find(node);
-      root[std::max(a, b)] = std::min(a, b);
+      const int other = find(node);
+      root[std::max(first, other)] = std::min(first, other);
+      first = std::min(first, other);
     }
   }
   std::vector<int> number(block.nodes(), -1), part(block.nodes());
