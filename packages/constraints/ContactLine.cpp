@@ -90,24 +90,16 @@ void readCoupling(const Parameters& list, bool rigid, ContactLine& line, Problem
   line.carrier = carrier == "Side A" ? Carrier::SideA : carrier == "Side B" ? Carrier::SideB : Carrier::Automatic;
 }
 
-}  // namespace
-
-namespace {
-
 /// Of all curve groups that contact names.
-std::vector<int> nodesOfSides(const Mesh& mesh, const Parameters& contact) {
-  std::vector<int> nodes;
+std::vector<Side> sidesOf(const Mesh& mesh, const Parameters& contact) {
+  std::vector<Side> sides;
   for (const std::string& name : sublistNames(contact))
     for (const char* which : {"Side A", "Side B"}) {
       const Parameters& list = contact.sublist(name);
       const auto group = list.isParameter(which) ? mesh.sideGroups.find(list.get<std::string>(which)) : mesh.sideGroups.end();
-      if (group == mesh.sideGroups.end()) continue;
-      for (const Side& side : group->second) {
-        const std::vector<int> own = mesh.nodesOf(side);
-        nodes.insert(nodes.end(), own.begin(), own.end());
-      }
+      if (group != mesh.sideGroups.end()) sides.insert(sides.end(), group->second.begin(), group->second.end());
     }
-  return nodes;
+  return sides;
 }
 
 }  // namespace
@@ -116,7 +108,7 @@ std::vector<ContactLine> readContact(const Mesh& mesh, const Parameters& contact
   std::vector<ContactLine> lines;
   const std::vector<std::string> names = sublistNames(contact);
   if (names.empty()) return lines;
-  const SideTable table(mesh, nodesOfSides(mesh, contact));
+  const SideTable table(mesh, sidesOf(mesh, contact));
   std::map<std::pair<int, int>, std::string> taken;  // (element, side) -> path of the side that has it
   for (int number = 0; number < static_cast<int>(names.size()); ++number) {
     const Parameters& list = contact.sublist(names[number]);

@@ -1,35 +1,15 @@
+#include <suture/base/DisjointSets.hpp>
 #include <suture/constraints/ContactPieces.hpp>
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <tuple>
 
 namespace suture {
 
-namespace {
-
-class UnionFind {
- public:
-  explicit UnionFind(int count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
-  int root(int i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(int i, int j) {
-    const int a = root(i), b = root(j);
-    parent_[std::max(a, b)] = std::min(a, b);  // the root is the lowest member
-  }
-
- private:
-  std::vector<int> parent_;
-};
-
-}  // namespace
-
 std::vector<ContactPiece> findPieces(const std::vector<ContactLine>& lines, const std::vector<PairedLine>& paired,
                                      std::vector<ContactPair>& pairs) {
-  UnionFind components(static_cast<int>(pairs.size()));
+  DisjointSets components(static_cast<int>(pairs.size()));
   std::vector<int> lineOf;                           // pair -> index into `lines`
   std::map<std::tuple<int, int, int>, int> firstAt;  // bodies, node -> a pair there
   int base = 0;
@@ -48,7 +28,7 @@ std::vector<ContactPiece> findPieces(const std::vector<ContactLine>& lines, cons
   std::vector<ContactPiece> pieces;
   std::map<int, int> pieceOfRoot;
   for (ContactPair& pair : pairs) {
-    const auto [at, isNew] = pieceOfRoot.emplace(components.root(pair.id), static_cast<int>(pieces.size()));
+    const auto [at, isNew] = pieceOfRoot.emplace(components.lowest(pair.id), static_cast<int>(pieces.size()));
     const ContactLine& line = lines[lineOf[pair.id]];
     if (isNew) {
       pieces.emplace_back();

@@ -1,9 +1,9 @@
+#include <suture/base/DisjointSets.hpp>
 #include <suture/constraints/ContactRow.hpp>
 #include <suture/mesh/Mesh.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <unordered_map>
 
 namespace suture {
@@ -28,21 +28,13 @@ void addEnd(const PairEnd& end, const NodeRule& rule, int dimension, ContactRow&
   }
 }
 
-// Union of sets of rows; the lowest row is the root of its set.
+// Rows with an unknown in common are in one cluster, known by its lowest.
 void findClusters(std::vector<ContactRow>& rows) {
-  std::vector<int> parent(rows.size());
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto root = [&parent](int row) {
-    while (parent[row] != row) row = parent[row] = parent[parent[row]];
-    return row;
-  };
+  DisjointSets clusters(static_cast<int>(rows.size()));
   std::unordered_map<GlobalId, int> firstWith;
   for (std::size_t row = 0; row < rows.size(); ++row)
-    for (GlobalId dof : rows[row].dofs) {
-      const int a = root(firstWith.emplace(dof, static_cast<int>(row)).first->second), b = root(static_cast<int>(row));
-      parent[std::max(a, b)] = std::min(a, b);
-    }
-  for (std::size_t row = 0; row < rows.size(); ++row) rows[row].cluster = rows[root(static_cast<int>(row))].pair.id;
+    for (GlobalId dof : rows[row].dofs) clusters.join(static_cast<int>(row), firstWith.emplace(dof, static_cast<int>(row)).first->second);
+  for (std::size_t row = 0; row < rows.size(); ++row) rows[row].cluster = rows[clusters.lowest(static_cast<int>(row))].pair.id;
 }
 
 }  // namespace

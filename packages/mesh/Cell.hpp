@@ -23,7 +23,7 @@ extern const std::array<CellInfo, 5> cells;
 [[noreturn]] void noSuchCell(int number);
 }  // namespace detail
 
-/// One of a table: loops over elements ask for it. \throws InternalError  a number that is no shape
+/// What is known of a shape; inline, since loops over elements ask for it. \throws InternalError  a number that is no shape
 inline const CellInfo& cellInfo(Cell cell) {
   const auto at = static_cast<unsigned>(cell);
   if (at >= detail::cells.size()) detail::noSuchCell(static_cast<int>(at));

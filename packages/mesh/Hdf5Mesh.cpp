@@ -164,7 +164,7 @@ class Reader {
 
   void readSideGroups() {
     std::map<std::string, std::string> datasetOf;  // by the group's name
-    std::vector<int> nodes;
+    std::vector<Side> all;
     readGroups("/SideGroups", [&](const std::string& dataset, const std::string& name, const std::vector<int>& flat) {
       if (flat.size() % 2 != 0) {
         wrong(dataset, "an odd number of values for (element, side)");
@@ -181,15 +181,14 @@ class Reader {
           return;
         }
         sides.push_back(side);
-        const std::vector<int> own = mesh_.nodesOf(side);
-        nodes.insert(nodes.end(), own.begin(), own.end());
       }
+      all.insert(all.end(), sides.begin(), sides.end());
       if (mesh_.sideGroups.emplace(name, std::move(sides)).second)
         datasetOf[name] = dataset;
       else
         wrong(dataset, "a second group named '" + name + "'");
     });
-    const SideTable table(mesh_, nodes);
+    const SideTable table(mesh_, all);
     for (const auto& [name, sides] : mesh_.sideGroups) {
       const auto inside = std::find_if(sides.begin(), sides.end(), [&](const Side& side) { return !table.onBoundary(side); });
       if (inside != sides.end())

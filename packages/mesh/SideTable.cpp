@@ -37,9 +37,12 @@ SideTable::SideTable(const CellBlock& block) : block_(block) {
   fill([](std::pair<int, int>) { return true; });
 }
 
-SideTable::SideTable(const CellBlock& block, const std::vector<int>& nodes) : block_(block) {
+SideTable::SideTable(const CellBlock& block, const std::vector<Side>& some) : block_(block) {
   std::vector<char> among(block.nodes(), 0);
-  for (const int node : nodes) among[node] = 1;
+  for (const Side& side : some) {
+    const std::vector<int>& ends = cellInfo(block.cells[side.element]).sideNodes[side.side];
+    for (const int end : {ends[0], ends[1]}) among[block.nodesOf(side.element)[end]] = 1;
+  }
   fill([&among](std::pair<int, int> ends) { return among[ends.first] && among[ends.second]; });
 }
 

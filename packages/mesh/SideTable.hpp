@@ -10,8 +10,8 @@ class SideTable {
  public:
   /// Of all sides.
   explicit SideTable(const CellBlock& block);
-  /// Of those that join two of these nodes: what asks for few sides need not wait for all.
-  SideTable(const CellBlock& block, const std::vector<int>& nodes);
+  /// Of those that join end points of some sides only: whoever asks for few of them need not wait for all.
+  SideTable(const CellBlock& block, const std::vector<Side>& some);
 
   /// The sides (none, one, or two in a sound mesh) that join nodes a and b, in ascending order of elements. Local.
   std::vector<Side> between(int a, int b) const;

@@ -1,28 +1,10 @@
-#include <numeric>
+#include <suture/base/DisjointSets.hpp>
 #include <suture/partition/ContactGroups.hpp>
 
 namespace suture {
-namespace {
-
-// Disjoint sets of subdomains and pieces.
-class Sets {
- public:
-  explicit Sets(int count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
-  int find(int i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(int i, int j) { parent_[find(i)] = find(j); }
-
- private:
-  std::vector<int> parent_;
-};
-
-}  // namespace
-
 ContactGroups contactGroups(const Constraints& constraints, const NodeSubdomains& holders, int subdomains) {
   const int pieces = static_cast<int>(constraints.pieces.size());
-  Sets sets(subdomains + pieces);
+  DisjointSets sets(subdomains + pieces);
   for (int piece = 0; piece < pieces; ++piece)
     for (int id : constraints.pieces[piece].pairs)
       for (const PairEnd& end : constraints.pairs[id].ends)
@@ -32,7 +14,7 @@ ContactGroups contactGroups(const Constraints& constraints, const NodeSubdomains
   all.groupOf.assign(subdomains, -1);
   std::vector<int> groupOfSet(subdomains + pieces, -1);
   for (int piece = 0; piece < pieces; ++piece) {
-    int& group = groupOfSet[sets.find(subdomains + piece)];
+    int& group = groupOfSet[sets.lowest(subdomains + piece)];
     if (group < 0) {
       group = static_cast<int>(all.groups.size());
       all.groups.emplace_back();
@@ -41,7 +23,7 @@ ContactGroups contactGroups(const Constraints& constraints, const NodeSubdomains
     all.piecesOf[group].push_back(piece);
   }
   for (int s = 0; s < subdomains; ++s) {
-    all.groupOf[s] = groupOfSet[sets.find(s)];
+    all.groupOf[s] = groupOfSet[sets.lowest(s)];
     if (all.groupOf[s] >= 0) all.groups[all.groupOf[s]].push_back(s);
   }
   return all;

@@ -17,10 +17,10 @@ namespace suture {
 
 Schema metisSchema() {
   return Schema("Every body is cut on its own by METIS, in proportion to its elements; all subdomains are connected through element sides.")
-      .wordOrNumber(
-          "Subdomains", "Automatic", {"Automatic"}, Range::atLeast(1),
-          "How many in all, at least one a body. Automatic: one for about 7200 elements, in fours, up to six of 800 in small scenes, and "
-          "at least one a rank while each has 50 elements; only then does the cut depend on the number of ranks.")
+      .wordOrNumber("Subdomains", "Automatic", {"Automatic"}, Range::atLeast(1),
+                    "How many in all, at least one a body. Automatic: one for about 7200 elements, to a multiple of four, up to six of 800 "
+                    "in small scenes, and at least one a rank while each has 50 elements; only then does the cut depend on the number of "
+                    "ranks.")
       .integer("Seed", 1, "Of METIS' random numbers: the same seed gives the same subdomains.", Range::atLeast(0));
 }
 

@@ -85,7 +85,7 @@ void Cutter::findSeamSides() {
 void Cutter::cutElements(const std::vector<int>& elements, SubdomainMesh& part) {
   part.dimension = mesh_.dimension;
   part.axisymmetric = mesh_.axisymmetric;
-  part.globalNodes = std::move(nodes_[part.id]);
+  part.globalNodes = nodes_[part.id];
   std::size_t corners = 0;
   for (int e : elements) corners += mesh_.nodesOf(e).size();
   part.globalElements.reserve(elements.size());

@@ -14,7 +14,7 @@ namespace suture {
 class Cutter {
  public:
   Cutter(const Mesh& mesh, const Constraints& constraints, const Partition& partition);
-  /// One of the subdomains, as its rank will know it; once.
+  /// One of the subdomains, as its rank will know it.
   SubdomainMesh cut(int subdomain);
 
  private:
@@ -34,7 +34,7 @@ class Cutter {
   const Partition& partition_;
   NodeSubdomains holders_;
   std::vector<std::vector<int>> elements_;                   // of each subdomain
-  std::vector<std::vector<GlobalId>> nodes_;                 // of each subdomain, ascending; given away when it is cut
+  std::vector<std::vector<GlobalId>> nodes_;                 // of each subdomain, ascending
   std::vector<std::vector<NamedSide>> sides_;                // of each subdomain
   std::vector<ContactRow> rows_;                             // of all pairs
   std::vector<std::vector<int>> rules_;                      // of each subdomain: places in rules

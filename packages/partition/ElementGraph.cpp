@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <numeric>
+#include <suture/base/DisjointSets.hpp>
 #include <suture/base/Errors.hpp>
 #include <suture/mesh/CellGeometry.hpp>
 #include <suture/partition/ElementGraph.hpp>
@@ -81,32 +82,21 @@ ElementGraph subgraph(const ElementGraph& graph, const std::vector<int>& element
 }
 
 Components components(const ElementGraph& graph, const std::vector<int>& labels) {
-  // Trees whose roots are their first elements: elements are visited in the order of memory, which a search from neighbour to neighbour
-  // does not.
-  std::vector<int> parent(graph.elements());
-  const auto rootOf = [&parent](int e) {
-    while (parent[e] != e) e = parent[e] = parent[parent[e]];
-    return e;
-  };
-  for (int e = 0; e < graph.elements(); ++e) {
-    int root = parent[e] = e;
-    for (const int other : graph.of(e)) {
-      if (other >= e || labels[other] != labels[e]) continue;
-      const int another = rootOf(other);
-      parent[std::max(root, another)] = std::min(root, another);
-      root = std::min(root, another);
-    }
-  }
+  // Not from neighbour to neighbour: elements are visited in the order of memory.
+  DisjointSets sets(graph.elements());
+  for (int e = 0; e < graph.elements(); ++e)
+    for (const int other : graph.of(e))
+      if (other < e && labels[other] == labels[e]) sets.join(e, other);
   Components found;
   found.of.resize(graph.elements());
   std::vector<int> sizes;
   for (int e = 0; e < graph.elements(); ++e) {
-    const int root = rootOf(e);
-    if (root == e) {
+    const int first = sets.lowest(e);
+    if (first == e) {
       found.of[e] = static_cast<int>(sizes.size());
       sizes.push_back(0);
     }
-    found.of[e] = found.of[root];
+    found.of[e] = found.of[first];
     ++sizes[found.of[e]];
   }
   found.elements.resize(sizes.size());

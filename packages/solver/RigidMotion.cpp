@@ -1,10 +1,10 @@
 #include <suture/base/Dense.hpp>
+#include <suture/base/DisjointSets.hpp>
 #include <suture/solver/RigidMotion.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 namespace suture {
 
@@ -12,25 +12,16 @@ namespace {
 
 // Connected components of the nodes, numbered in the order of their first nodes.
 std::vector<int> components(const CellBlock& block) {
-  std::vector<int> root(block.nodes());
-  std::iota(root.begin(), root.end(), 0);
-  const auto find = [&](int i) {
-    while (root[i] != i) i = root[i] = root[root[i]];
-    return i;
-  };
+  DisjointSets sets(block.nodes());
   for (int e = 0; e < block.elements(); ++e) {
     const Span<const int> nodes = block.nodesOf(e);
-    int first = find(nodes[0]);
-    for (const int node : nodes) {
-      const int other = find(node);
-      root[std::max(first, other)] = std::min(first, other);
-      first = std::min(first, other);
-    }
+    int lowest = nodes[0];
+    for (const int node : nodes) lowest = sets.join(lowest, node);
   }
   std::vector<int> number(block.nodes(), -1), part(block.nodes());
   int parts = 0;
   for (int i = 0; i < block.nodes(); ++i) {
-    const int r = find(i);
+    const int r = sets.lowest(i);
     if (number[r] < 0) number[r] = parts++;
     part[i] = number[r];
   }

@@ -92,7 +92,6 @@ struct CholmodFactor::Data : CholmodHandle {
   std::vector<int> columnSupernode;
   Vector shift;
   Statistics statistics;
-  mutable Matrix work, update;  // of solves: kept, since there are many
 };
 
 void CholmodFactor::Data::order(const Eigen::SparseMatrix<double>& matrix, CholmodOptions::Ordering ordering) {
@@ -218,7 +217,7 @@ void CholmodFactor::Data::forward(int upTo, Eigen::Ref<Matrix> x) const {
     }
     return;
   }
-  update.resize(factor->maxesize, x.cols());
+  Matrix update(factor->maxesize, x.cols());
   for (int s = 0; s < int(factor->nsuper); ++s) {
     const Supernode node = supernode(s, upTo);
     if (node.columns <= 0) break;
@@ -259,7 +258,7 @@ void CholmodFactor::Data::backward(int upTo, Eigen::Ref<Matrix> x) const {
     return;
   }
   if (upTo == 0) return;
-  update.resize(factor->maxesize, x.cols());
+  Matrix update(factor->maxesize, x.cols());
   for (int s = columnSupernode[upTo - 1]; s >= 0; --s) {
     const Supernode node = supernode(s, upTo);
     const int m = node.rows - node.columns;
@@ -288,7 +287,7 @@ void CholmodFactor::Data::solve(int upTo, LocalView rhs) const {
   if (rhs.rows() != upTo)
     throw InternalError("CholmodFactor: right-hand side of " + std::to_string(rhs.rows()) + " rows for " + std::to_string(upTo) + " dofs");
   if (upTo == 0) return;
-  work.resize(upTo, std::min<Eigen::Index>(rhs.cols(), columnsAtOnce));
+  Matrix work(upTo, std::min<Eigen::Index>(rhs.cols(), columnsAtOnce));
   for (Eigen::Index first = 0; first < rhs.cols(); first += columnsAtOnce) {
     const Eigen::Index count = std::min<Eigen::Index>(columnsAtOnce, rhs.cols() - first);
     auto x = work.leftCols(count);

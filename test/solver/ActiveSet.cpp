@@ -1,5 +1,6 @@
 #include <Teuchos_UnitTestHarness.hpp>
 #include <solver/ContactMethods.hpp>
+#include <suture/interface/CondensedProblem.hpp>
 #include <suture/solver/ActiveSet.hpp>
 
 namespace suture {
@@ -115,6 +116,39 @@ TEUCHOS_UNIT_TEST(ActiveSet, GoesOnFromASolution) {
   TEST_ASSERT(again.converged);
   TEST_COMPARE(again.iterations, <=, 1);
   TEST_ASSERT(one.problem.differing(again.state.status, first.state.status).empty());
+}
+
+/// Counts the linear solves that start anew: those that are gone on with report no iteration 0.
+class Starts : public Monitor {
+ public:
+  void inner(int iteration, double) override { count += iteration == 0; }
+  bool wantsInner() const override { return true; }
+  int count = 0;
+};
+
+// All pairs stay closed: one linear problem from the auxiliary solution to the end, in both formulations.
+TEUCHOS_UNIT_TEST(ActiveSet, AndNewtonGoOnWithOneLinearSolveWhileNoPairChanges) {
+  Scene touching = pressedBlocks();
+  for (ContactPair& pair : touching.constraints.pairs) pair.gap = 0.0;
+  const OnInterface one(touching, world());
+  const Blocks whole(touching, world());
+  const CondensedProblem condensed(world(), whole.partition, whole.subdomains, localSolver(), schurOf());
+  for (const char* method : {"Active Set", "Semismooth Newton"}) {
+    const bool onInterface = std::string(method) == "Active Set";
+    const InterfaceProblem& problem = onInterface ? static_cast<const InterfaceProblem&>(one.problem) : condensed;
+    OuterSettings settings;
+    settings.tolerance = 1e-9;
+    settings.preconditioner = preconditioner(onInterface ? "BDDC" : "Neumann-Neumann");
+    Parameters own;
+    own.set("Inner Tolerance", 1e-2);
+    Starts starts;
+    const OuterResult result = Registry<OuterSolver>::instance().make(method, own)->solve(problem, settings, starts);
+    TEST_ASSERT(result.converged);
+    TEST_COMPARE(result.iterations, >=, 2);
+    TEST_ASSERT(problem.differing(result.state.status, problem.initialState().status).empty());
+    out << method << ": " << result.iterations << " steps, " << result.auxiliary.pcg << " + " << result.pcgTotal << " PCG\n";
+    TEST_EQUALITY(starts.count, 1);
+  }
 }
 
 }  // namespace
