@@ -53,6 +53,8 @@ class Packer {
       put(value);
     }
   }
+  /// Makes room for so many bytes in all, where they are many and known.
+  void reserve(std::size_t bytes) { bytes_.reserve(bytes); }
   const std::string& bytes() const& { return bytes_; }
   std::string bytes() && { return std::move(bytes_); }  ///< without a copy: std::move(packer).bytes()
 

@@ -147,7 +147,7 @@ void collectivelyOnRoot(const Comm& comm, const std::string& what, const std::fu
 
 namespace {
 
-// From rank 0 to another one, the length first.
+// From one rank to another, the length first.
 void sendBytes(const Comm& comm, const std::string& bytes, int to) {
   const unsigned long long size = bytes.size();
   MPI_Send(&size, 1, MPI_UNSIGNED_LONG_LONG, to, 0, mpiComm(comm));
@@ -156,13 +156,13 @@ void sendBytes(const Comm& comm, const std::string& bytes, int to) {
     MPI_Send(bytes.data() + at, static_cast<int>(std::min(most, bytes.size() - at)), MPI_BYTE, to, 0, mpiComm(comm));
 }
 
-std::string receiveBytes(const Comm& comm) {
+std::string receiveBytes(const Comm& comm, int from) {
   unsigned long long size = 0;
-  MPI_Recv(&size, 1, MPI_UNSIGNED_LONG_LONG, 0, 0, mpiComm(comm), MPI_STATUS_IGNORE);
+  MPI_Recv(&size, 1, MPI_UNSIGNED_LONG_LONG, from, 0, mpiComm(comm), MPI_STATUS_IGNORE);
   std::string bytes(size, '\0');
   const std::size_t most = roundBytes(1);
   for (std::size_t at = 0; at < bytes.size(); at += most)
-    MPI_Recv(bytes.data() + at, static_cast<int>(std::min(most, bytes.size() - at)), MPI_BYTE, 0, 0, mpiComm(comm), MPI_STATUS_IGNORE);
+    MPI_Recv(bytes.data() + at, static_cast<int>(std::min(most, bytes.size() - at)), MPI_BYTE, from, 0, mpiComm(comm), MPI_STATUS_IGNORE);
   return bytes;
 }
 
@@ -208,6 +208,16 @@ std::vector<std::string> gatherOnRoot(const Comm& comm, const std::string& bytes
   return all;
 }
 
+std::vector<std::string> gatherOn(const Comm& comm, int to, const std::vector<int>& senders, const std::string& bytes) {
+  const int me = comm.getRank();
+  std::vector<std::string> all;
+  if (me == to)
+    for (const int from : senders) all.push_back(receiveBytes(comm, from));
+  else if (std::binary_search(senders.begin(), senders.end(), me))
+    sendBytes(comm, bytes, to);
+  return all;
+}
+
 std::string scatterFromRoot(const Comm& comm, const std::vector<std::string>& bytes) {
   collectivelyOnRoot(comm, "distributing data", [&] {
     if (bytes.size() != static_cast<std::size_t>(comm.getSize()))
@@ -224,7 +234,7 @@ std::string scatterFromRoot(const Comm& comm, const std::string& what, const std
     std::string sent;
     collectivelyOnRoot(comm, what, [&] { sent = make(rank); });
     if (mine == 0) sendBytes(comm, sent, rank);
-    if (mine == rank) bytes = receiveBytes(comm);
+    if (mine == rank) bytes = receiveBytes(comm, 0);
   }
   collectivelyOnRoot(comm, what, [&] { bytes = make(0); });
   return bytes;

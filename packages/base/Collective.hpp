@@ -37,6 +37,11 @@ void broadcast(const Comm& comm, std::vector<T>& values) {
 /// All ranks' byte strings on rank 0, in the order of ranks (empty elsewhere). Collective.
 std::vector<std::string> gatherOnRoot(const Comm& comm, const std::string& bytes);
 
+/// Byte strings of some ranks on one of the others, in the order of `senders` (empty elsewhere). Only they take part: calls one after the
+/// other, in the same order on all ranks, cannot block each other.
+/// \param senders  ascending, without `to`; the same on all that take part
+std::vector<std::string> gatherOn(const Comm& comm, int to, const std::vector<int>& senders, const std::string& bytes);
+
 /// Rank 0 gives one byte string a rank; every rank gets its own. Collective.
 std::string scatterFromRoot(const Comm& comm, const std::vector<std::string>& bytes);
 

@@ -17,6 +17,7 @@ class DisjointSets {
   }
   /// Makes one set of those of i and j; returns its lowest member.
   int join(int i, int j) {
+    if (parent_[j] == i && parent_[i] == i) return i;  // most often, where a mesh is large and i what the last call returned
     const int a = lowest(i), b = lowest(j);
     return a < b ? parent_[b] = a : parent_[a] = b;
   }

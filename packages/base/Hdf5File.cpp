@@ -283,6 +283,20 @@ struct Hdf5File::Impl {
     return values;
   }
 
+  /// Whether every value that the file's type can hold is an int.
+  bool fitsInt(const std::string& at) const {
+    int fits = 0;
+    readOnRoot(at, [&] {
+      const Handle set(H5Dopen2(file, at.c_str(), H5P_DEFAULT), H5Dclose);
+      const Handle type(H5Dget_type(set), H5Tclose);
+      if (H5Tget_class(type) != H5T_INTEGER) return;  // is told by who reads it
+      const std::size_t size = H5Tget_size(type);
+      fits = size < sizeof(int) || (size == sizeof(int) && H5Tget_sign(type) == H5T_SGN_2);
+    });
+    broadcastBytes(*comm, &fits, sizeof(fits));
+    return fits != 0;
+  }
+
   unsigned long long fileSize() const {
     std::error_code failed;
     const auto size = std::filesystem::file_size(path, failed);
@@ -442,6 +456,7 @@ std::vector<double> Hdf5File::readReals(const std::string& path) const { return 
 std::vector<GlobalId> Hdf5File::readGlobalIds(const std::string& path) const { return impl_->readNumbers<GlobalId>(path, true); }
 
 std::vector<int> Hdf5File::readInts(const std::string& path) const {
+  if (impl_->fitsInt(path)) return impl_->readNumbers<int>(path, true);
   // HDF5 would cut numbers that do not fit to the nearest that do, silently.
   const std::vector<GlobalId> wide = readGlobalIds(path);
   std::vector<int> values(wide.begin(), wide.end());

@@ -10,15 +10,28 @@ namespace suture {
 
 namespace {
 
+constexpr double leastJacobian = 1e-12;  // relative to the element's own size; a sliver of aspect ratio 1e8 still passes
+
+// Most elements of most large meshes, without a call: a tenth of the time.
+bool isSoundTriangle(const Mesh& mesh, int e) {
+  if (mesh.cells[e] != Cell::Triangle3) return false;
+  const Span<const int> nodes = mesh.nodesOf(e);
+  const auto at = [&](int k) { return mesh.coordinates.data() + std::size_t(nodes[k]) * 2; };
+  const double *a = at(0), *b = at(1), *c = at(2);
+  const double ux = b[0] - a[0], uy = b[1] - a[1], vx = c[0] - a[0], vy = c[1] - a[1];
+  const double square = std::max({ux * ux + uy * uy, vx * vx + vy * vy, (vx - ux) * (vx - ux) + (vy - uy) * (vy - uy)});
+  return ux * vy - uy * vx > leastJacobian * square;
+}
+
 void checkShapes(const Mesh& mesh, Problems& problems) {
   std::vector<int> inverted, flat, folded;
   for (int e = 0; e < mesh.elements(); ++e) {
+    if (isSoundTriangle(mesh, e)) continue;
     const double diameter = diameterOf(mesh, e);
     const double jacobian = smallestJacobian(mesh, e);
-    // relative to the element's own size; a sliver of aspect ratio 1e8 still passes
-    if (jacobian > 1e-12 * diameter * diameter) continue;
+    if (jacobian > leastJacobian * diameter * diameter) continue;
     const double area = signedArea(mesh, e);
-    (area > 1e-12 * diameter * diameter ? folded : area < -1e-12 * diameter * diameter ? inverted : flat).push_back(e);
+    (area > leastJacobian * diameter * diameter ? folded : area < -leastJacobian * diameter * diameter ? inverted : flat).push_back(e);
   }
   const auto report = [&](const std::vector<int>& bad, const std::string& what) {
     if (bad.empty()) return;

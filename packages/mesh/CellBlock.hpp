@@ -2,6 +2,7 @@
 #include <suture/base/Types.hpp>
 #include <suture/mesh/Cell.hpp>
 
+#include <utility>
 #include <vector>
 
 namespace suture {
@@ -43,5 +44,16 @@ struct CellBlock {
   /// Nodes of a side, end points first, so that the body lies on the left of the way from the first to the second.
   std::vector<int> nodesOf(const Side& side) const;
 };
+
+/// Calls visit(ends, side) for every side of an element; ends: its two end points, the lower number first.
+template <typename Visit>
+void forEachSide(const CellBlock& block, int element, const Visit& visit) {
+  const Span<const int> nodes = block.nodesOf(element);
+  int number = 0;
+  for (const std::vector<int>& side : cellInfo(block.cells[element]).sideNodes) {
+    const int a = nodes[side[0]], b = nodes[side[1]];
+    visit(a < b ? std::pair<int, int>(a, b) : std::pair<int, int>(b, a), Side{element, number++});
+  }
+}
 
 }  // namespace suture

@@ -116,6 +116,7 @@ class Reader {
                             std::to_string(cells.size() + 1) + " values from 0 to " + std::to_string(mesh_.connectivity.size()));
       return;
     }
+    mesh_.cells.reserve(cells.size());
     for (std::size_t e = 0; e < cells.size(); ++e) {
       if (cells[e] < 0 || cells[e] > static_cast<int>(Cell::Quadrilateral9)) {
         wrong("/Cells", "element " + std::to_string(e) + " is of the unknown shape " + std::to_string(cells[e]) + "; known are 0 to 4");

@@ -25,7 +25,7 @@ class SideTable {
     Side side;
   };
   template <typename Wanted>
-  void fill(const Wanted& wanted);
+  void fill(const std::vector<int>& elements, const Wanted& wanted);
 
   const CellBlock& block_;
   std::vector<int> start_;  ///< nodes + 1: the sides whose lower end point is node n are entries_[start_[n] .. start_[n+1])

@@ -1,6 +1,7 @@
 #pragma once
 #include <suture/base/Schema.hpp>
 #include <suture/mesh/Mesh.hpp>
+#include <suture/partition/MeshShare.hpp>
 
 #include <string>
 #include <vector>
@@ -9,24 +10,25 @@ namespace suture {
 
 /// Which element is in which subdomain: the result of cutting a mesh.
 struct Cut {
-  std::vector<int> subdomainOfElement;
-  std::vector<std::string> names;  ///< of the subdomains
-  std::vector<int> bodyOf;         ///< subdomain -> body
-  std::vector<std::string> notes;  ///< sentences for the user: what was repaired
+  std::vector<int> subdomainOfElement;  ///< of the mesh
+  std::vector<std::string> names;       ///< of the subdomains
+  std::vector<int> bodyOf;              ///< subdomain -> body
+  std::vector<std::string> notes;       ///< sentences for the user: what was repaired
 };
 
 /// Schemas of the lists `METIS` and `Named Groups`.
 Schema metisSchema();
 Schema namedGroupsSchema();
 
-/// Every body on its own, in proportion to its elements; a body of several disconnected parts, each part on its own.
-/// Ranks share the pieces among them; the cut does not depend on how. Subdomains = Automatic makes at least one a rank where the elements
-/// allow it.
-/// \param mesh  on rank 0; elsewhere it is not read
-/// \param own   the list `METIS`
-/// \return the cut on rank 0, nothing elsewhere
-/// \throws InputError  more subdomains than elements, fewer than connected parts of the bodies, a hinge (findHinges). Collective.
-Cut cutByMetis(const Comm& comm, const Mesh& mesh, const Parameters& own);
+/// Every body on its own, in proportion to its elements; a body of several disconnected parts, each part on its own. Every rank cuts the
+/// bodies of its share; the cut does not depend on who has which. Subdomains = Automatic makes at least one a rank where the elements allow
+/// it. Collective.
+/// \param mesh   what the share was made from
+/// \param own    the list `METIS`
+/// \param share  gets its subdomains and their holders
+/// \return names, bodies and notes on rank 0, nothing elsewhere
+/// \throws InputError  more subdomains than elements, fewer than connected parts of the bodies, a hinge (findHinges)
+Cut cutByMetis(const Comm& comm, const Mesh& mesh, const Parameters& own, MeshShare& share);
 
 /// Every element group that matches the pattern is a subdomain, in alphabetical order.
 /// \param own  the list `Named Groups`

@@ -2,6 +2,7 @@
 #include <Teuchos_ParameterList.hpp>
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <suture/base/Buffer.hpp>
 #include <suture/base/Collective.hpp>
 #include <suture/base/Errors.hpp>
@@ -11,7 +12,6 @@
 #include <suture/partition/ElementGraph.hpp>
 #include <suture/partition/Hinges.hpp>
 #include <suture/partition/MetisCut.hpp>
-#include <suture/partition/Placement.hpp>
 
 namespace suture {
 
@@ -32,33 +32,58 @@ int automaticSubdomains(int elements, int pieces, int ranks) {
 
 namespace {
 
-// A connected part of a body.
+// A connected part of a body of this rank's share.
 struct Piece {
   int body;
-  std::vector<int> elements;
+  std::vector<int> elements;  // of the share
+};
+
+// The same, as rank 0 knows it.
+struct PieceSize {
+  int body, rank, elements;
+};
+
+// How it is cut.
+struct PieceCut {
+  int first, parts;  // its subdomains
 };
 
 // Body by body, so that the numbers of a body's subdomains follow each other.
-std::vector<Piece> piecesOfBodies(const Mesh& mesh, Components parts) {
+std::vector<Piece> piecesOfBodies(const MeshShare& share, Components parts) {
   std::vector<Piece> pieces;
   for (std::vector<int>& elements : parts.elements) {
-    const int body = mesh.bodyOfElement[elements.front()];
+    const int body = share.bodyOfElement[elements.front()];
     pieces.push_back({body, std::move(elements)});
   }
   std::stable_sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) { return a.body < b.body; });
   return pieces;
 }
 
-std::string describe(const Mesh& mesh, const std::vector<Piece>& pieces) {
-  std::vector<int> count(mesh.bodies.size(), 0);
-  for (const Piece& piece : pieces) ++count[piece.body];
-  std::string text = std::to_string(mesh.bodies.size()) + (mesh.bodies.size() == 1 ? " body" : " bodies");
+// On rank 0, body by body.
+std::vector<PieceSize> gatherSizes(const Comm& comm, const std::vector<Piece>& mine) {
+  std::vector<PieceSize> sizes;
+  for (const Piece& piece : mine) sizes.push_back({piece.body, comm.getRank(), static_cast<int>(piece.elements.size())});
+  Packer packer;
+  packer.put(sizes);
+  std::vector<PieceSize> all;
+  for (const std::string& bytes : gatherOnRoot(comm, packer.bytes())) {
+    const auto of = Unpacker(bytes).get<std::vector<PieceSize>>();
+    all.insert(all.end(), of.begin(), of.end());
+  }
+  std::stable_sort(all.begin(), all.end(), [](const PieceSize& a, const PieceSize& b) { return a.body < b.body; });
+  return all;
+}
+
+std::string describe(const std::vector<std::string>& bodies, const std::vector<PieceSize>& pieces) {
+  std::vector<int> count(bodies.size(), 0);
+  for (const PieceSize& piece : pieces) ++count[piece.body];
+  std::string text = std::to_string(bodies.size()) + (bodies.size() == 1 ? " body" : " bodies");
   for (std::size_t body = 0; body < count.size(); ++body)
-    if (count[body] > 1) text += ", '" + mesh.bodies[body] + "' of " + std::to_string(count[body]) + " disconnected parts";
+    if (count[body] > 1) text += ", '" + bodies[body] + "' of " + std::to_string(count[body]) + " disconnected parts";
   return text;
 }
 
-int wantedSubdomains(const Mesh& mesh, const std::vector<Piece>& pieces, const Parameters& own, int ranks) {
+int wantedSubdomains(const Mesh& mesh, const std::vector<PieceSize>& pieces, const Parameters& own, int ranks) {
   const std::string text = own.get<std::string>("Subdomains");
   const int elements = mesh.elements(), least = static_cast<int>(pieces.size());
   if (text == "Automatic") return automaticSubdomains(elements, least, ranks);
@@ -69,7 +94,7 @@ int wantedSubdomains(const Mesh& mesh, const std::vector<Piece>& pieces, const P
     throw InputError(
         path, text + " subdomains are more than the " + std::to_string(elements) + " elements of the mesh; every subdomain needs one");
   if (number < least)
-    throw InputError(path, text + (number == 1 ? " subdomain is" : " subdomains are") + " too few for " + describe(mesh, pieces) +
+    throw InputError(path, text + (number == 1 ? " subdomain is" : " subdomains are") + " too few for " + describe(mesh.bodies, pieces) +
                                ": a subdomain lies in one body and is connected, so at least " + std::to_string(least) + " are needed");
   return static_cast<int>(number);
 }
@@ -79,84 +104,69 @@ std::string repaired(const std::string& body, int repairs) {
          (repairs == 1 ? " fragment was" : " fragments were") + " given to a neighbour, so that every subdomain is connected through sides";
 }
 
-/// One piece's share of the work, as it travels to the rank that does it.
-std::string packed(std::size_t piece, int parts, const ElementGraph& graph) {
-  Packer packer;
-  packer.put(piece);
-  packer.put(parts);
-  packer.put(graph.offsets);
-  packer.put(graph.neighbours);
-  return std::move(packer).bytes();
-}
-
-/// Cuts the pieces that came, and packs for each its number, the part of each of its elements, and the repairs.
-std::string cutPieces(const std::string& work, int seed) {
-  Packer done;
-  for (Unpacker unpacker(work); !unpacker.done();) {
-    const auto piece = unpacker.get<std::size_t>();
-    const int parts = unpacker.get<int>();
-    ElementGraph graph;
-    unpacker.get(graph.offsets);
-    unpacker.get(graph.neighbours);
-    int repairs = 0;
-    done.put(piece);
-    done.put(metisCut(graph, parts, seed, &repairs));
-    done.put(repairs);
+// Of each rank's pieces, in their order; names and bodies of all subdomains go to `cut`.
+std::vector<std::vector<PieceCut>> numberSubdomains(const std::vector<PieceSize>& pieces, const std::vector<std::string>& bodies,
+                                                    int wanted, int ranks, Cut& cut) {
+  std::vector<int> sizes;
+  for (const PieceSize& piece : pieces) sizes.push_back(piece.elements);
+  const std::vector<int> parts = apportion(sizes, wanted);
+  std::vector<std::vector<PieceCut>> of(ranks);
+  std::vector<int> numberInBody(bodies.size(), 0);
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const int body = pieces[i].body;
+    of[pieces[i].rank].push_back({static_cast<int>(cut.names.size()), parts[i]});
+    for (int part = 0; part < parts[i]; ++part) {
+      cut.bodyOf.push_back(body);
+      cut.names.push_back(bodies[body] + " " + std::to_string(++numberInBody[body]));
+    }
   }
-  return std::move(done).bytes();
+  return of;
 }
 
 }  // namespace
 
-Cut cutByMetis(const Comm& comm, const Mesh& mesh, const Parameters& own) {
+Cut cutByMetis(const Comm& comm, const Mesh& mesh, const Parameters& own, MeshShare& share) {
   const std::string what = "partition";
   ElementGraph graph;
   std::vector<Piece> pieces;
-  std::vector<int> parts, rankOf;
-  collectivelyOnRoot(comm, what, [&] {
-    graph = elementGraph(mesh);
+  collectively(comm, what, [&] {
+    graph = elementGraph(share.block(mesh));
     Problems problems;
-    Components connected = components(graph, mesh.bodyOfElement);
-    findHinges(mesh, connected, problems);
+    Components connected = components(graph, share.bodyOfElement);
+    findHinges(share.block(mesh), share.bodyOfElement, share.bodies, connected, problems);
     problems.throwIfAny();
-    pieces = piecesOfBodies(mesh, std::move(connected));
-    std::vector<int> sizes;
-    for (const Piece& piece : pieces) sizes.push_back(static_cast<int>(piece.elements.size()));
-    parts = apportion(sizes, wantedSubdomains(mesh, pieces, own, comm.getSize()));
-    rankOf = placeOnRanks(std::vector<long long>(sizes.begin(), sizes.end()), comm.getSize());
+    pieces = piecesOfBodies(share, std::move(connected));
   });
-  const std::string work = scatterFromRoot(comm, what, [&](int rank) {
-    std::string all;
-    for (std::size_t i = 0; i < pieces.size(); ++i)
-      if (rankOf[i] == rank) all += packed(i, parts[i], subgraph(graph, pieces[i].elements));
-    return all;
-  });
-  std::string mine;
-  collectively(comm, what, [&] { mine = cutPieces(work, own.get<int>("Seed")); });
-  const std::vector<std::string> results = gatherOnRoot(comm, mine);
-
+  const std::vector<PieceSize> sizes = gatherSizes(comm, pieces);
   Cut cut;
+  std::vector<std::vector<PieceCut>> cutsOf;
   collectivelyOnRoot(comm, what, [&] {
-    std::vector<std::vector<int>> partOf(pieces.size());
-    std::vector<int> repairs(pieces.size());
-    for (const std::string& bytes : results)
-      for (Unpacker unpacker(bytes); !unpacker.done();) {
-        const auto piece = unpacker.get<std::size_t>();
-        unpacker.get(partOf[piece]);
-        unpacker.get(repairs[piece]);
-      }
-    cut.subdomainOfElement.assign(mesh.elements(), -1);
-    std::vector<int> numberInBody(mesh.bodies.size(), 0);
-    for (std::size_t i = 0; i < pieces.size(); ++i) {
-      const int first = static_cast<int>(cut.names.size());
-      if (repairs[i] > 0) cut.notes.push_back(repaired(mesh.bodies[pieces[i].body], repairs[i]));
-      for (std::size_t k = 0; k < partOf[i].size(); ++k) cut.subdomainOfElement[pieces[i].elements[k]] = first + partOf[i][k];
-      for (int part = 0; part < parts[i]; ++part) {
-        cut.bodyOf.push_back(pieces[i].body);
-        cut.names.push_back(mesh.bodies[pieces[i].body] + " " + std::to_string(++numberInBody[pieces[i].body]));
-      }
-    }
+    cutsOf = numberSubdomains(sizes, share.bodies, wantedSubdomains(mesh, sizes, own, comm.getSize()), comm.getSize(), cut);
   });
+  const std::string bytes = scatterFromRoot(comm, what, [&](int rank) {
+    Packer packer;
+    packer.put(cutsOf[rank]);
+    return std::move(packer).bytes();
+  });
+  std::map<int, int> repairs;  // by body
+  collectively(comm, what, [&] {
+    const auto cuts = Unpacker(bytes).get<std::vector<PieceCut>>();
+    share.subdomainOfElement.assign(share.bodyOfElement.size(), -1);
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+      const std::vector<int>& elements = pieces[i].elements;
+      int fragments = 0;
+      const ElementGraph part = pieces.size() == 1 ? std::move(graph) : subgraph(graph, elements);
+      const std::vector<int> partOf = metisCut(part, cuts[i].parts, own.get<int>("Seed"), &fragments);
+      if (fragments > 0) repairs[pieces[i].body] += fragments;
+      for (std::size_t k = 0; k < elements.size(); ++k) share.subdomainOfElement[elements[k]] = cuts[i].first + partOf[k];
+    }
+    share.holders = nodeSubdomains(share.block(mesh), share.subdomainOfElement);
+  });
+  Packer packer;
+  packer.put(repairs);
+  std::map<int, int> all;
+  for (const std::string& of : gatherOnRoot(comm, packer.bytes())) all.merge(Unpacker(of).get<std::map<int, int>>());
+  for (const auto& [body, count] : all) cut.notes.push_back(repaired(share.bodies[body], count));
   return cut;
 }
 

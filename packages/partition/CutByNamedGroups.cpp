@@ -26,7 +26,7 @@ std::string elementsAt(const Mesh& mesh, std::size_t count, int first) {
 // Only for groups without other faults: their connectedness would repeat those.
 void checkConnected(const Mesh& mesh, const Cut& cut, const std::string& path, Problems& problems) {
   const ElementGraph graph = elementGraph(mesh);
-  findHinges(mesh, components(graph, mesh.bodyOfElement), problems);
+  findHinges(mesh, mesh.bodyOfElement, mesh.bodies, components(graph, mesh.bodyOfElement), problems);
   const Components pieces = components(graph, cut.subdomainOfElement);
   std::vector<std::vector<int>> of(cut.names.size());
   for (int c = 0; c < pieces.count(); ++c) of[cut.subdomainOfElement[pieces.elements[c].front()]].push_back(c);

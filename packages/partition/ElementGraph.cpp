@@ -11,26 +11,27 @@ namespace {
 // A side by its end point of higher number, in the list of its lower one.
 struct HalfSide {
   int high;
-  int element;
+  int element;  // the first that has it; none once there is a second
 };
+constexpr int none = -1;
+
+[[noreturn]] void refuse(const CellBlock& block, std::pair<int, int> ends) {
+  int elements = 0;
+  for (int e = 0; e < block.elements(); ++e)
+    forEachSide(block, e, [&](std::pair<int, int> other, const Side&) { elements += other == ends; });
+  throw InputError("Mesh", std::to_string(elements) + " elements share the side from " + placeText(block.point(ends.first)) + " to " +
+                               placeText(block.point(ends.second)) + "; at most two can");
+}
 
 }  // namespace
 
 ElementGraph elementGraph(const CellBlock& block) {
-  const auto forEachSide = [&block](const auto& visit) {
-    for (int e = 0; e < block.elements(); ++e) {
-      const Span<const int> nodes = block.nodesOf(e);
-      for (const std::vector<int>& side : cellInfo(block.cells[e]).sideNodes) visit(e, std::minmax(nodes[side[0]], nodes[side[1]]));
-    }
-  };
-
-  // Sides sorted by their lower end point, by counting: linear in the size of the mesh.
+  // Room for the sides of each lower end point, by counting: linear in the size of the mesh.
   std::vector<int> start(block.nodes() + 1, 0);
-  forEachSide([&](int, std::pair<int, int> ends) { ++start[ends.first + 1]; });
+  for (int e = 0; e < block.elements(); ++e) forEachSide(block, e, [&](std::pair<int, int> ends, const Side&) { ++start[ends.first + 1]; });
   std::partial_sum(start.begin(), start.end(), start.begin());
   std::vector<HalfSide> sides(start.back());
-  std::vector<int> next(start.begin(), start.end() - 1);
-  forEachSide([&](int e, std::pair<int, int> ends) { sides[next[ends.first]++] = {ends.second, e}; });
+  std::vector<int> stop(start.begin(), start.end() - 1);
 
   // Room for a neighbour across each side, closed up at the end.
   ElementGraph graph;
@@ -39,22 +40,20 @@ ElementGraph elementGraph(const CellBlock& block) {
     graph.offsets[e + 1] = graph.offsets[e] + static_cast<int>(cellInfo(block.cells[e]).sideNodes.size());
   graph.neighbours.resize(graph.offsets.back());
   std::vector<int> end(graph.offsets.begin(), graph.offsets.end() - 1);
-  for (int node = 0; node < block.nodes(); ++node) {
-    const auto begin = sides.begin() + start[node], stop = sides.begin() + start[node + 1];
-    std::sort(begin, stop, [](const HalfSide& a, const HalfSide& b) { return std::tie(a.high, a.element) < std::tie(b.high, b.element); });
-    for (auto first = begin; first != stop;) {
-      const auto last = std::find_if(first, stop, [&](const HalfSide& side) { return side.high != first->high; });
-      if (last - first > 2)
-        throw InputError("Mesh", std::to_string(last - first) + " elements share the side from " + placeText(block.point(node)) + " to " +
-                                     placeText(block.point(first->high)) + "; at most two can");
-      if (last - first == 2) {
-        const int a = first->element, b = (first + 1)->element;
-        graph.neighbours[end[a]++] = b;
-        graph.neighbours[end[b]++] = a;
-      }
-      first = last;
+  const auto match = [&](std::pair<int, int> ends, const Side& own) {
+    HalfSide *side = sides.data() + start[ends.first], *const last = sides.data() + stop[ends.first];
+    while (side != last && side->high != ends.second) ++side;
+    if (side == last) {
+      *side = {ends.second, own.element};
+      ++stop[ends.first];
+      return;
     }
-  }
+    if (side->element == none) refuse(block, ends);
+    graph.neighbours[end[own.element]++] = side->element;
+    graph.neighbours[end[side->element]++] = own.element;
+    side->element = none;
+  };
+  for (int e = 0; e < block.elements(); ++e) forEachSide(block, e, match);
   int to = 0;
   for (int e = 0; e < block.elements(); ++e) {
     const int from = graph.offsets[e];

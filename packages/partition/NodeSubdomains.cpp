@@ -4,23 +4,19 @@
 
 namespace suture {
 
-namespace {
-
 // Most nodes are in one subdomain: lists are made for the others only, and elements are visited in the order of memory.
-template <typename Wanted>
-NodeSubdomains find(const CellBlock& block, const std::vector<int>& subdomainOfElement, const Wanted& wanted) {
+NodeSubdomains nodeSubdomains(const CellBlock& block, const std::vector<int>& subdomainOfElement) {
   constexpr int none = -1, several = -2;
   std::vector<int> only(block.nodes(), none);
   for (int e = 0; e < block.elements(); ++e)
     for (const int node : block.nodesOf(e)) {
-      if (!wanted(node)) continue;
       int& known = only[node];
       known = known == none || known == subdomainOfElement[e] ? subdomainOfElement[e] : several;
     }
   std::vector<std::pair<int, int>> shared;
   for (int e = 0; e < block.elements(); ++e)
     for (const int node : block.nodesOf(e))
-      if (wanted(node) && only[node] == several) shared.emplace_back(node, subdomainOfElement[e]);
+      if (only[node] == several) shared.emplace_back(node, subdomainOfElement[e]);
   std::sort(shared.begin(), shared.end());
   shared.erase(std::unique(shared.begin(), shared.end()), shared.end());
 
@@ -34,18 +30,6 @@ NodeSubdomains find(const CellBlock& block, const std::vector<int>& subdomainOfE
     found.offsets.push_back(static_cast<int>(found.subdomains.size()));
   }
   return found;
-}
-
-}  // namespace
-
-NodeSubdomains nodeSubdomains(const CellBlock& block, const std::vector<int>& subdomainOfElement) {
-  return find(block, subdomainOfElement, [](int) { return true; });
-}
-
-NodeSubdomains nodeSubdomains(const CellBlock& block, const std::vector<int>& subdomainOfElement, const std::vector<int>& nodes) {
-  std::vector<char> wanted(block.nodes(), 0);
-  for (const int node : nodes) wanted[node] = 1;
-  return find(block, subdomainOfElement, [&wanted](int node) { return wanted[node] != 0; });
 }
 
 }  // namespace suture

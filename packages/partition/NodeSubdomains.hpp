@@ -16,7 +16,5 @@ struct NodeSubdomains {
 
 /// Local.
 NodeSubdomains nodeSubdomains(const CellBlock& block, const std::vector<int>& subdomainOfElement);
-/// Of some nodes; the rows of others are empty. Faster.
-NodeSubdomains nodeSubdomains(const CellBlock& block, const std::vector<int>& subdomainOfElement, const std::vector<int>& nodes);
 
 }  // namespace suture

@@ -5,9 +5,10 @@
 #include <suture/base/Collective.hpp>
 #include <suture/base/Errors.hpp>
 #include <suture/base/SceneReader.hpp>
+#include <suture/partition/Attachments.hpp>
 #include <suture/partition/ContactGroups.hpp>
+#include <suture/partition/Costs.hpp>
 #include <suture/partition/Cut.hpp>
-#include <suture/partition/NodeSubdomains.hpp>
 #include <suture/partition/Partition.hpp>
 #include <suture/partition/PartitionFile.hpp>
 #include <suture/partition/Placement.hpp>
@@ -36,7 +37,7 @@ std::vector<int> placeSubdomains(const Partition& cut, bool keepGroupsWhole, int
       if (group >= 0) unitOfGroup[group] = unit;
     }
     unitOf[s] = unit;
-    weights[unit] += cut.elementsOf[s];
+    weights[unit] += cut.costOf[s];
   }
   const std::vector<int> rankOfUnit = placeOnRanks(weights, ranks);
   std::vector<int> rankOf;
@@ -44,18 +45,18 @@ std::vector<int> placeSubdomains(const Partition& cut, bool keepGroupsWhole, int
   return rankOf;
 }
 
-Partition partitionOf(Cut cut, const Mesh& mesh, const Constraints& constraints, bool keepGroupsWhole, int ranks) {
+Partition partitionOf(Cut cut, const Constraints& constraints, const NodeSubdomains& contactHolders, std::vector<long long> costs,
+                      bool keepGroupsWhole, int ranks) {
   Partition all;
+  all.costOf = std::move(costs);
   all.subdomainOfElement = std::move(cut.subdomainOfElement);
   all.names = std::move(cut.names);
   all.bodyOf = std::move(cut.bodyOf);
-  all.notes = std::move(cut.notes);
+  all.notes = constraints.notes;
+  all.notes.insert(all.notes.end(), cut.notes.begin(), cut.notes.end());
   all.elementsOf.assign(all.names.size(), 0);
   for (int s : all.subdomainOfElement) ++all.elementsOf[s];
-  std::vector<int> inContact;
-  for (const ContactPair& pair : constraints.pairs)
-    for (const PairEnd& end : pair.ends) inContact.push_back(end.node);
-  ContactGroups contact = contactGroups(constraints, nodeSubdomains(mesh, all.subdomainOfElement, inContact), all.subdomains());
+  ContactGroups contact = contactGroups(constraints, contactHolders, all.subdomains());
   all.groupOf = std::move(contact.groupOf);
   all.groups = std::move(contact.groups);
   all.piecesOf = std::move(contact.piecesOf);
@@ -70,6 +71,7 @@ std::string packed(const Partition& all) {
   packer.put(all.names);
   packer.put(all.bodyOf);
   packer.put(all.elementsOf);
+  packer.put(all.costOf);
   packer.put(all.groupOf);
   packer.put(all.groups);
   packer.put(all.piecesOf);
@@ -83,6 +85,7 @@ void unpackInto(const std::string& bytes, Partition& all) {
   unpacker.get(all.names);
   unpacker.get(all.bodyOf);
   unpacker.get(all.elementsOf);
+  unpacker.get(all.costOf);
   unpacker.get(all.groupOf);
   unpacker.get(all.groups);
   unpacker.get(all.piecesOf);
@@ -102,18 +105,26 @@ Partition makePartition(const Comm& comm, const Mesh& mesh, const Constraints& c
     throw InputError(
         pathOf(partition, "Type"),
         std::string(kPartitionedMesh) + " takes the subdomains from Mesh/File; here a mesh is to be cut, by METIS or Named Groups");
+  auto share = std::make_shared<MeshShare>(shareBodies(comm, mesh));
   Cut cut;
-  if (metis) cut = cutByMetis(comm, mesh, partition.sublist(type));
+  if (metis) {
+    cut = cutByMetis(comm, mesh, partition.sublist(type), *share);
+    cut.subdomainOfElement = gatherSubdomains(comm, mesh, *share);
+  } else {
+    collectivelyOnRoot(comm, "partition", [&] { cut = cutByNamedGroups(mesh, partition.sublist(type)); });
+    shareSubdomains(comm, mesh, cut.subdomainOfElement, *share);
+  }
+  const NodeSubdomains contactHolders = gatherHolders(comm, mesh, *share, nodesInContact(constraints));
+  std::vector<long long> costs = expectedCosts(comm, mesh, *share, static_cast<int>(cut.names.size()), contactHolders);
   Partition all;
   std::string bytes;
   collectivelyOnRoot(comm, "partition", [&] {
-    if (!metis) cut = cutByNamedGroups(mesh, partition.sublist(type));
-    all = partitionOf(std::move(cut), mesh, constraints, keepGroupsWhole, comm.getSize());
-    all.notes.insert(all.notes.begin(), constraints.notes.begin(), constraints.notes.end());
+    all = partitionOf(std::move(cut), constraints, contactHolders, std::move(costs), keepGroupsWhole, comm.getSize());
     bytes = packed(all);
   });
   bytes = broadcast(comm, bytes);
   if (comm.getRank() != 0) unpackInto(bytes, all);
+  all.share = share;
   return all;
 }
 

@@ -3,10 +3,13 @@
 #include <suture/constraints/Constraints.hpp>
 #include <suture/mesh/Mesh.hpp>
 
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace suture {
+
+struct MeshShare;
 
 /// Who owns which element, which subdomains make a contact group, and which rank they live on. On all ranks but for subdomainOfElement,
 /// which only rank 0 has.
@@ -15,11 +18,13 @@ struct Partition {
   std::vector<std::string> names;          ///< of the subdomains: group name, or "<body> <number>"
   std::vector<int> bodyOf;                 ///< subdomain -> body
   std::vector<int> elementsOf;             ///< subdomain -> number of elements
+  std::vector<long long> costOf;           ///< subdomain -> expected work, in nodes; what ranks are balanced by
   std::vector<int> groupOf;                ///< subdomain -> contact group, or -1
   std::vector<std::vector<int>> groups;    ///< contact group -> its subdomains, ascending
   std::vector<std::vector<int>> piecesOf;  ///< contact group -> its contact pieces
   std::vector<std::string> notes;          ///< sentences for the user: of the constraints, and what was repaired
   std::vector<int> rankOf;                 ///< subdomain -> rank; the subdomains of a group share one, if groups are kept whole
+  std::shared_ptr<const MeshShare> share;  ///< what this rank cut, for distribute(); null: distribute() shares the mesh anew
   int subdomains() const { return static_cast<int>(names.size()); }
 };
 
@@ -28,7 +33,7 @@ Schema partitionSchema();
 
 /// Cuts the mesh: METIS, each body on its own in proportion to its elements (at least one subdomain a body), connected through sides,
 /// fixed seed; or the element groups that match a pattern, each inside one body. Then finds contact groups (all subdomains that touch a
-/// piece; pieces that share a subdomain make one group) and places subdomains on ranks (groups whole, loads balanced by elements). The
+/// piece; pieces that share a subdomain make one group) and places subdomains on ranks (groups whole, balanced by expected cost). The
 /// same result for the same mesh on any number of ranks, but for rankOf. Collective.
 ///
 /// \param partition        the scene's list `Partition`. With METIS/Subdomains = Automatic their number may depend on that of the ranks.

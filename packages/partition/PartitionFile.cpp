@@ -17,7 +17,7 @@ std::string at(const char* name) { return std::string(kGroup) + "/" + name; }
 
 /// The form of the file, and the sizes of what is written as it lies in memory: another compiler may lay it out otherwise.
 std::string version() {
-  std::string text = "2";
+  std::string text = "3";
   for (const std::size_t size : {sizeof(NodeRule), sizeof(Side), sizeof(PairEnd), sizeof(SubdomainMesh::ContactEnd),
                                  sizeof(SubdomainMesh::SeamSide), sizeof(Cell), sizeof(std::size_t)})
     text += "." + std::to_string(size);
@@ -58,7 +58,9 @@ void addPartition(Hdf5File& file, const Mesh& mesh, const Constraints& constrain
   head.put(remarks);
   std::vector<GlobalId> ends, checksums{checksum(head.bytes())};
   std::vector<unsigned char> all;
-  Cutter cutter(mesh, constraints, partition);
+  const MeshShare share = wholeShare(mesh, partition.subdomainOfElement);
+  const std::vector<Attachments> attachments = attachmentsOf(mesh, constraints, partition, share, 1, share.holders);
+  Cutter cutter(mesh, share, attachments[0], partition);
   for (int s = 0; s < partition.subdomains(); ++s) {
     Packer packer;
     pack(cutter.cut(s), packer);

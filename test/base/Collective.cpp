@@ -105,6 +105,20 @@ TEUCHOS_UNIT_TEST(Collective, GatherKeepsTheOrderOfRanks) {
   TEST_ASSERT(gathered == (comm->getRank() == 0 ? expected : std::vector<std::string>()));
 }
 
+TEUCHOS_UNIT_TEST(Collective, GatherOnTakesFromSomeAndLeavesTheOthersAlone) {
+  const CommPtr comm = world();
+  const int ranks = comm->getSize(), mine = comm->getRank();
+  for (int to = 0; to < ranks; ++to) {
+    std::vector<int> senders;
+    for (int rank = 0; rank < ranks; ++rank)
+      if (rank != to && (rank + to) % 2 == 1) senders.push_back(rank);
+    const std::vector<std::string> all = gatherOn(*comm, to, senders, std::string(std::size_t(mine) * 100000, char('a' + mine)));
+    TEST_EQUALITY(all.size(), mine == to ? senders.size() : 0u);
+    for (std::size_t i = 0; i < all.size(); ++i)
+      TEST_EQUALITY(all[i], std::string(std::size_t(senders[i]) * 100000, char('a' + senders[i])));
+  }
+}
+
 TEUCHOS_UNIT_TEST(Collective, ScatterGivesEveryRankItsOwn) {
   const CommPtr comm = world();
   std::vector<std::string> all;

@@ -53,6 +53,32 @@ TEUCHOS_UNIT_TEST(Partition, CutsEveryBodyInProportionToItsElements) {
   for (int s = 0; s < 12; ++s) TEST_EQUALITY(connectedParts(grid, all.subdomainOfElement, s), 1);
 }
 
+TEUCHOS_UNIT_TEST(Partition, ExpectsCostsByNodesAndInterfaceNodes) {
+  const Mesh grid = mesh(stack());
+  const Constraints constraints = contacts(grid);
+  const Partition all = makePartition(*comm(), grid, constraints, metis(14).list(), false);
+  TEST_EQUALITY(all.costOf.size(), 14u);
+  std::vector<long long> load(comm()->getSize(), 0);
+  for (int s = 0; s < 14; ++s) load[all.rankOf[s]] += all.costOf[s];
+  const long long total = std::accumulate(load.begin(), load.end(), 0LL);
+  TEST_COMPARE(*std::max_element(load.begin(), load.end()), <, 1.2 * static_cast<double>(total) / comm()->getSize());
+  if (!onRoot()) return;
+  std::vector<std::set<int>> holders(grid.nodes());
+  for (int e = 0; e < grid.elements(); ++e)
+    for (int node : grid.nodesOf(e)) holders[node].insert(all.subdomainOfElement[e]);
+  std::set<int> inContact;
+  for (const ContactPair& pair : constraints.pairs)
+    for (const PairEnd& end : pair.ends) inContact.insert(end.node);
+  for (int s = 0; s < 14; ++s) {
+    long long nodes = 0, onInterface = 0;
+    for (int node = 0; node < grid.nodes(); ++node) {
+      nodes += holders[node].count(s);
+      onInterface += holders[node].count(s) && (holders[node].size() > 1 || inContact.count(node));
+    }
+    TEST_EQUALITY(all.costOf[s], nodes + onInterface * onInterface / 16);
+  }
+}
+
 TEUCHOS_UNIT_TEST(Partition, GivesATinyBodyItsSubdomain) {
   const Mesh grid = mesh({box("small", 0, 1, 0, 1, 1, 1), box("large", 0, 3, 2, 3, 40, 40)});
   const Partition all = makePartition(*comm(), grid, Constraints(), metis(5).list());

@@ -9,6 +9,14 @@ TEUCHOS_UNIT_TEST(Placement, BalancesByWeight) {
   TEST_ASSERT(placeOnRanks({4, 5, 6, 7, 8, 9}, 3) == (std::vector<int>{0, 1, 2, 2, 1, 0}));
 }
 
+TEUCHOS_UNIT_TEST(Placement, KeepsNeighboursTogetherWhereThatBalances) {
+  TEST_ASSERT(placeOnRanks({5, 5, 5, 5, 5, 5, 5, 5}, 2) == (std::vector<int>{0, 0, 0, 0, 1, 1, 1, 1}));
+  TEST_ASSERT(placeOnRanks({300, 301, 299, 300, 300, 300}, 3) == (std::vector<int>{0, 0, 1, 1, 2, 2}));
+  TEST_ASSERT(placeOnRanks({2, 2, 3, 1}, 2) == (std::vector<int>{0, 0, 1, 1}));
+  TEST_ASSERT(placeOnRanks({3, 3, 1, 1}, 2) == (std::vector<int>{0, 1, 0, 1}));  // in order: 3 and 5
+  TEST_ASSERT(placeOnRanks({7}, 4) == (std::vector<int>{0}));
+}
+
 TEUCHOS_UNIT_TEST(Placement, LeavesRanksEmptyWhenThereAreFewUnits) {
   const std::vector<int> ranks = placeOnRanks({5, 5}, 4);
   TEST_ASSERT(ranks == (std::vector<int>{0, 1}));

@@ -1,0 +1,71 @@
+#include <suture/partition/Attachments.hpp>
+
+#include <algorithm>
+
+namespace suture {
+
+namespace {
+
+// Every row of a cluster goes to all subdomains that hold a node of any pair in it. Subdomain -> pairs, ascending.
+std::vector<std::vector<int>> shareRows(const std::vector<ContactRow>& rows, const NodeSubdomains& holdersOfNodes, int subdomains) {
+  std::vector<std::vector<int>> members(rows.size()), holders(rows.size());  // by the cluster's lowest pair
+  for (std::size_t p = 0; p < rows.size(); ++p) {
+    const int cluster = rows[p].cluster;
+    members[cluster].push_back(static_cast<int>(p));
+    for (const PairEnd& end : rows[p].pair.ends) {
+      const auto own = holdersOfNodes.of(end.node);
+      holders[cluster].insert(holders[cluster].end(), own.begin(), own.end());
+    }
+  }
+  std::vector<std::vector<int>> pairs(subdomains);
+  for (std::size_t cluster = 0; cluster < rows.size(); ++cluster) {
+    std::vector<int>& all = holders[cluster];
+    std::sort(all.begin(), all.end());
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+    for (int s : all) pairs[s].insert(pairs[s].end(), members[cluster].begin(), members[cluster].end());
+  }
+  for (std::vector<int>& own : pairs) std::sort(own.begin(), own.end());
+  return pairs;
+}
+
+}  // namespace
+
+std::vector<int> nodesInContact(const Constraints& constraints) {
+  std::vector<int> nodes;
+  for (const ContactPair& pair : constraints.pairs)
+    for (const PairEnd& end : pair.ends) nodes.push_back(end.node);
+  return nodes;
+}
+
+std::vector<Attachments> attachmentsOf(const Mesh& mesh, const Constraints& constraints, const Partition& partition, const MeshShare& share,
+                                       int ranks, const NodeSubdomains& contactHolders) {
+  std::vector<Attachments> all(ranks);
+  const auto rankOf = [&](const std::vector<int>& bodies, int i) { return bodies.empty() ? 0 : share.rankOfBody(bodies[i]); };
+  const auto ofElement = [&](int e) -> Attachments& { return all[rankOf(mesh.bodyOfElement, e)]; };
+  const auto ofNode = [&](int node) -> Attachments& { return all[rankOf(mesh.bodyOfNode, node)]; };
+  for (const auto& [name, sides] : mesh.sideGroups)
+    for (const Side& side : sides) ofElement(side.element).sideGroups[name].push_back(side);
+  for (const NodeRule& rule : constraints.rules) ofNode(rule.node).rules.push_back(rule);
+  for (const ContactPair& pair : constraints.pairs)
+    for (std::size_t end = 0; end < pair.ends.size(); ++end) {
+      const int node = pair.ends[end].node;
+      ofNode(node).contactEnds.push_back({pair.id, static_cast<int>(end), node});
+    }
+
+  const std::vector<ContactRow> rows = contactRows(mesh, constraints);
+  const std::vector<std::vector<int>> pairsOf = shareRows(rows, contactHolders, partition.subdomains());
+  std::vector<std::map<int, int>> placeOf(ranks);  // pair -> place in the rank's rows
+  for (int s = 0; s < partition.subdomains(); ++s) {
+    if (pairsOf[s].empty()) continue;
+    const int rank = share.rankOfBody(partition.bodyOf[s]);
+    std::vector<int>& places = all[rank].rowsOf[s];
+    for (const int pair : pairsOf[s]) {
+      const auto [at, isNew] = placeOf[rank].emplace(pair, static_cast<int>(all[rank].rows.size()));
+      if (isNew) all[rank].rows.push_back(rows[pair]);
+      places.push_back(at->second);
+    }
+  }
+  return all;
+}
+
+}  // namespace suture

@@ -1,0 +1,36 @@
+#pragma once
+#include <suture/partition/MeshShare.hpp>
+#include <suture/partition/Partition.hpp>
+#include <suture/partition/SubdomainMesh.hpp>
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace suture {
+
+/// What hangs on the bodies that a rank cuts: named sides, rules, contact. Rank 0 has it in the numbers of the mesh; it is as large as
+/// boundaries and contact are.
+struct Attachments {
+  std::map<std::string, std::vector<Side>> sideGroups;
+  std::vector<NodeRule> rules;
+  std::vector<SubdomainMesh::ContactEnd> contactEnds;  ///< by pair, then end
+  std::vector<ContactRow> rows;                        ///< those that any subdomain of these bodies needs
+  std::map<int, std::vector<int>> rowsOf;              ///< subdomain -> places in rows, by pair
+
+  template <typename Self, typename Each>
+  static void forEachField(Self& self, const Each& each) {
+    each(self.sideGroups), each(self.rules), each(self.contactEnds), each(self.rows), each(self.rowsOf);
+  }
+};
+
+/// Of each rank. Local (rank 0).
+/// \param share           of rank 0, for who cuts which body
+/// \param contactHolders  subdomains of the nodes of all pairs
+std::vector<Attachments> attachmentsOf(const Mesh& mesh, const Constraints& constraints, const Partition& partition, const MeshShare& share,
+                                       int ranks, const NodeSubdomains& contactHolders);
+
+/// All nodes of pairs, some repeatedly. Local.
+std::vector<int> nodesInContact(const Constraints& constraints);
+
+}  // namespace suture

@@ -1,0 +1,214 @@
+#include <suture/base/Buffer.hpp>
+#include <suture/base/Collective.hpp>
+#include <suture/partition/MeshShare.hpp>
+#include <suture/partition/Placement.hpp>
+
+#include <Teuchos_Comm.hpp>
+
+#include <algorithm>
+#include <numeric>
+
+namespace suture {
+
+namespace {
+
+const char* const what = "sharing the bodies";
+
+bool allOnRoot(const std::vector<int>& rankOf) {
+  return std::all_of(rankOf.begin(), rankOf.end(), [](int rank) { return rank == 0; });
+}
+
+std::vector<int> placeBodies(const Mesh& mesh, int ranks) {
+  std::vector<long long> elements(mesh.bodies.size(), 0);
+  if (elements.size() < 2) return std::vector<int>(elements.size(), 0);
+  for (const int body : mesh.bodyOfElement) ++elements[body];
+  return placeOnRanks(elements, ranks);
+}
+
+void takeAll(const Mesh& mesh, MeshShare& share) {
+  share.whole = true;
+  share.bodyOfElement = mesh.bodyOfElement.empty() ? std::vector<int>(mesh.elements(), 0) : mesh.bodyOfElement;
+}
+
+void takeBodiesOf(int rank, const Mesh& mesh, MeshShare& share) {
+  CellBlock& own = share.own;
+  own.dimension = mesh.dimension;
+  own.axisymmetric = mesh.axisymmetric;
+  const auto isOwn = [&](int body) { return share.rankOf[body] == rank; };
+  const std::size_t nodes = std::count_if(mesh.bodyOfNode.begin(), mesh.bodyOfNode.end(), isOwn);
+  const std::size_t elements = std::count_if(mesh.bodyOfElement.begin(), mesh.bodyOfElement.end(), isOwn);
+  std::size_t corners = 0;
+  for (int e = 0; e < mesh.elements(); ++e)
+    if (isOwn(mesh.bodyOfElement[e])) corners += mesh.nodesOf(e).size();
+  share.globalNodes.reserve(nodes);
+  own.coordinates.reserve(nodes * mesh.dimension);
+  for (std::vector<int>* values : {&share.globalElements, &share.bodyOfElement}) values->reserve(elements);
+  own.cells.reserve(elements);
+  own.offsets.reserve(elements + 1);
+  own.connectivity.reserve(corners);
+
+  std::vector<int> local(mesh.nodes());
+  for (int node = 0; node < mesh.nodes(); ++node) {
+    if (!isOwn(mesh.bodyOfNode[node])) continue;
+    local[node] = static_cast<int>(share.globalNodes.size());
+    share.globalNodes.push_back(node);
+    const double* place = mesh.coordinates.data() + std::size_t(node) * mesh.dimension;
+    own.coordinates.insert(own.coordinates.end(), place, place + mesh.dimension);
+  }
+  for (int e = 0; e < mesh.elements(); ++e) {
+    const int body = mesh.bodyOfElement[e];
+    if (!isOwn(body)) continue;
+    share.globalElements.push_back(e);
+    share.bodyOfElement.push_back(body);
+    own.cells.push_back(mesh.cells[e]);
+    if (!mesh.regions.empty()) own.regions.push_back(mesh.regions[e]);
+    for (const int node : mesh.nodesOf(e)) own.connectivity.push_back(local[node]);
+    own.offsets.push_back(static_cast<int>(own.connectivity.size()));
+  }
+}
+
+template <typename T>
+std::size_t bytesOf(const T& value) {
+  return sizeof(value);
+}
+template <typename T>
+std::size_t bytesOf(const std::vector<T>& values) {
+  return sizeof(std::size_t) + values.size() * sizeof(T);
+}
+
+// One list of fields for both directions.
+template <typename Share, typename Each>
+void forEachField(Share& share, const Each& each) {
+  each(share.own.dimension), each(share.own.axisymmetric), each(share.own.coordinates), each(share.own.cells), each(share.own.offsets);
+  each(share.own.connectivity), each(share.own.regions), each(share.globalNodes), each(share.globalElements), each(share.bodyOfElement);
+}
+
+}  // namespace
+
+int MeshShare::localOf(const std::vector<int>& numbers, GlobalId global) const {
+  if (whole) return static_cast<int>(global);
+  const auto at = std::lower_bound(numbers.begin(), numbers.end(), global);
+  return at != numbers.end() && *at == global ? static_cast<int>(at - numbers.begin()) : -1;
+}
+
+MeshShare shareBodies(const Comm& comm, const Mesh& mesh) {
+  MeshShare mine;
+  std::string common;
+  collectivelyOnRoot(comm, what, [&] {
+    Packer packer;
+    packer.put(mesh.bodies);
+    packer.put(placeBodies(mesh, comm.getSize()));
+    common = packer.bytes();
+  });
+  Unpacker unpacker(broadcast(comm, common));
+  unpacker.get(mine.bodies);
+  unpacker.get(mine.rankOf);
+  if (allOnRoot(mine.rankOf)) {
+    collectivelyOnRoot(comm, what, [&] { takeAll(mesh, mine); });
+    return mine;
+  }
+  // Rank by rank: beside the mesh there is never more than one share on the way.
+  std::string received = scatterFromRoot(comm, what, [&](int rank) {
+    if (rank == 0) {
+      takeBodiesOf(0, mesh, mine);
+      return std::string();
+    }
+    MeshShare share;
+    share.rankOf = mine.rankOf;
+    takeBodiesOf(rank, mesh, share);
+    std::size_t bytes = 0;
+    forEachField(share, [&bytes](const auto& field) { bytes += bytesOf(field); });
+    Packer packer;
+    packer.reserve(bytes);
+    forEachField(share, [&packer](const auto& field) { packer.put(field); });
+    return std::move(packer).bytes();
+  });
+  collectively(comm, what, [&] {
+    if (received.empty()) return;
+    Unpacker fields(std::move(received));
+    forEachField(mine, [&fields](auto& field) { fields.get(field); });
+  });
+  return mine;
+}
+
+MeshShare wholeShare(const Mesh& mesh, const std::vector<int>& subdomainOfElement) {
+  MeshShare share;
+  share.bodies = mesh.bodies;
+  share.rankOf.assign(mesh.bodies.size(), 0);
+  takeAll(mesh, share);
+  share.subdomainOfElement = subdomainOfElement;
+  share.holders = nodeSubdomains(mesh, subdomainOfElement);
+  return share;
+}
+
+void shareSubdomains(const Comm& comm, const Mesh& mesh, const std::vector<int>& subdomainOfElement, MeshShare& share) {
+  const std::string bytes = scatterFromRoot(comm, what, [&](int rank) {
+    if (share.whole) return std::string();
+    std::vector<int> own;
+    for (int e = 0; e < mesh.elements(); ++e)
+      if (share.rankOf[mesh.bodyOfElement[e]] == rank) own.push_back(subdomainOfElement[e]);
+    Packer packer;
+    packer.put(own);
+    return std::move(packer).bytes();
+  });
+  collectively(comm, what, [&] {
+    if (share.whole)
+      share.subdomainOfElement = subdomainOfElement;
+    else if (!bytes.empty())
+      Unpacker(bytes).get(share.subdomainOfElement);
+    share.holders = nodeSubdomains(share.block(mesh), share.subdomainOfElement);
+  });
+}
+
+std::vector<int> gatherSubdomains(const Comm& comm, const Mesh& mesh, const MeshShare& share) {
+  if (allOnRoot(share.rankOf)) return share.subdomainOfElement;
+  Packer packer;
+  packer.put(share.subdomainOfElement);
+  const std::vector<std::string> all = gatherOnRoot(comm, packer.bytes());
+  std::vector<int> subdomainOfElement;
+  collectivelyOnRoot(comm, what, [&] {
+    std::vector<std::vector<int>> of;  // rank -> subdomains of its elements, in their order
+    for (const std::string& bytes : all) of.push_back(Unpacker(bytes).get<std::vector<int>>());
+    std::vector<std::size_t> next(of.size(), 0);
+    subdomainOfElement.reserve(mesh.elements());
+    for (const int body : mesh.bodyOfElement) {
+      const int rank = share.rankOf[body];
+      subdomainOfElement.push_back(of[rank][next[rank]++]);
+    }
+  });
+  return subdomainOfElement;
+}
+
+NodeSubdomains gatherHolders(const Comm& comm, const Mesh& mesh, const MeshShare& share, std::vector<int> nodes) {
+  std::sort(nodes.begin(), nodes.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  broadcast(comm, nodes);
+  using Holder = std::pair<int, int>;  // node, subdomain
+  std::vector<int> flat;
+  for (const int node : nodes) {
+    const int local = share.localNode(node);
+    if (local < 0) continue;
+    for (const int subdomain : share.holders.of(local)) flat.insert(flat.end(), {node, subdomain});
+  }
+  Packer packer;
+  packer.put(flat);
+  const std::vector<std::string> all = gatherOnRoot(comm, packer.bytes());
+  NodeSubdomains found;
+  collectivelyOnRoot(comm, what, [&] {
+    std::vector<Holder> holders;
+    for (const std::string& bytes : all) {
+      const auto own = Unpacker(bytes).get<std::vector<int>>();
+      for (std::size_t i = 0; i < own.size(); i += 2) holders.emplace_back(own[i], own[i + 1]);
+    }
+    std::sort(holders.begin(), holders.end());
+    found.offsets.assign(static_cast<std::size_t>(mesh.nodes()) + 1, 0);
+    for (const Holder& holder : holders) {
+      ++found.offsets[holder.first + 1];
+      found.subdomains.push_back(holder.second);
+    }
+    std::partial_sum(found.offsets.begin(), found.offsets.end(), found.offsets.begin());
+  });
+  return found;
+}
+
+}  // namespace suture
