@@ -38,6 +38,7 @@ CoarseAnswer solveLevel(const CommPtr& comm, const SceneFile& file, const Coarse
     const Constraints constraints = constraintsStage(*comm, mesh, scene);
     partition = makePartition(*comm, mesh, constraints, scene.sublist("Partition"), isCondensed(scene));
     answer.meshes = distribute(*comm, mesh, constraints, partition);
+    partition.share.reset();
     checkStage(*comm, mesh, constraints, model);
     size = problemSize(*comm, mesh, constraints, partition);
   }

@@ -119,6 +119,7 @@ CutMesh cutStage(const Comm& comm, const SceneFile& file, const Mesh& mesh, cons
   if (!isCut(scene)) {
     cut.partition = makePartition(comm, mesh, constraints, scene.sublist("Partition"), isCondensed(scene));
     cut.meshes = distribute(comm, mesh, constraints, cut.partition);
+    cut.partition.share.reset();  // nothing else needs it
     cut.whole = wholeStage(comm, mesh, constraints, cut.partition);
     return cut;
   }
@@ -142,7 +143,6 @@ void forget(Mesh& mesh, Constraints& constraints, Partition& partition) {
   mesh = Mesh();
   constraints = Constraints();
   partition.subdomainOfElement = std::vector<int>();
-  partition.share.reset();
 }
 
 std::unique_ptr<InterfaceProblem> problemStage(const CommPtr& comm, const Partition& partition, const Subdomains& subdomains,

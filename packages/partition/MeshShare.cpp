@@ -6,6 +6,7 @@
 #include <Teuchos_Comm.hpp>
 
 #include <algorithm>
+#include <memory>
 #include <numeric>
 
 namespace suture {
@@ -30,39 +31,44 @@ void takeAll(const Mesh& mesh, MeshShare& share) {
   share.bodyOfElement = mesh.bodyOfElement.empty() ? std::vector<int>(mesh.elements(), 0) : mesh.bodyOfElement;
 }
 
-void takeBodiesOf(int rank, const Mesh& mesh, MeshShare& share) {
+// Whose nodes and elements they are, in one pass for all ranks.
+struct ByRank {
+  std::vector<std::vector<int>> nodes, elements;  // of each rank, ascending
+  std::vector<int> local;                         // of each node of the mesh: its number among those of its rank
+
+  ByRank(const Mesh& mesh, const std::vector<int>& rankOf, int ranks) : nodes(ranks), elements(ranks), local(mesh.nodes()) {
+    for (int node = 0; node < mesh.nodes(); ++node) {
+      std::vector<int>& own = nodes[rankOf[mesh.bodyOfNode[node]]];
+      local[node] = static_cast<int>(own.size());
+      own.push_back(node);
+    }
+    for (int e = 0; e < mesh.elements(); ++e) elements[rankOf[mesh.bodyOfElement[e]]].push_back(e);
+  }
+};
+
+// Leaves the lists of the rank empty.
+void takeBodiesOf(int rank, const Mesh& mesh, ByRank& all, MeshShare& share) {
+  share.globalNodes = std::move(all.nodes[rank]);
+  share.globalElements = std::move(all.elements[rank]);
   CellBlock& own = share.own;
   own.dimension = mesh.dimension;
   own.axisymmetric = mesh.axisymmetric;
-  const auto isOwn = [&](int body) { return share.rankOf[body] == rank; };
-  const std::size_t nodes = std::count_if(mesh.bodyOfNode.begin(), mesh.bodyOfNode.end(), isOwn);
-  const std::size_t elements = std::count_if(mesh.bodyOfElement.begin(), mesh.bodyOfElement.end(), isOwn);
-  std::size_t corners = 0;
-  for (int e = 0; e < mesh.elements(); ++e)
-    if (isOwn(mesh.bodyOfElement[e])) corners += mesh.nodesOf(e).size();
-  share.globalNodes.reserve(nodes);
-  own.coordinates.reserve(nodes * mesh.dimension);
-  for (std::vector<int>* values : {&share.globalElements, &share.bodyOfElement}) values->reserve(elements);
-  own.cells.reserve(elements);
-  own.offsets.reserve(elements + 1);
-  own.connectivity.reserve(corners);
-
-  std::vector<int> local(mesh.nodes());
-  for (int node = 0; node < mesh.nodes(); ++node) {
-    if (!isOwn(mesh.bodyOfNode[node])) continue;
-    local[node] = static_cast<int>(share.globalNodes.size());
-    share.globalNodes.push_back(node);
+  own.coordinates.reserve(share.globalNodes.size() * mesh.dimension);
+  for (const int node : share.globalNodes) {
     const double* place = mesh.coordinates.data() + std::size_t(node) * mesh.dimension;
     own.coordinates.insert(own.coordinates.end(), place, place + mesh.dimension);
   }
-  for (int e = 0; e < mesh.elements(); ++e) {
-    const int body = mesh.bodyOfElement[e];
-    if (!isOwn(body)) continue;
-    share.globalElements.push_back(e);
-    share.bodyOfElement.push_back(body);
+  std::size_t corners = 0;
+  for (const int e : share.globalElements) corners += mesh.nodesOf(e).size();
+  own.cells.reserve(share.globalElements.size());
+  own.offsets.reserve(share.globalElements.size() + 1);
+  own.connectivity.reserve(corners);
+  share.bodyOfElement.reserve(share.globalElements.size());
+  for (const int e : share.globalElements) {
+    share.bodyOfElement.push_back(mesh.bodyOfElement[e]);
     own.cells.push_back(mesh.cells[e]);
     if (!mesh.regions.empty()) own.regions.push_back(mesh.regions[e]);
-    for (const int node : mesh.nodesOf(e)) own.connectivity.push_back(local[node]);
+    for (const int node : mesh.nodesOf(e)) own.connectivity.push_back(all.local[node]);
     own.offsets.push_back(static_cast<int>(own.connectivity.size()));
   }
 }
@@ -107,15 +113,16 @@ MeshShare shareBodies(const Comm& comm, const Mesh& mesh) {
     collectivelyOnRoot(comm, what, [&] { takeAll(mesh, mine); });
     return mine;
   }
+  std::unique_ptr<ByRank> all;
+  collectivelyOnRoot(comm, what, [&] { all = std::make_unique<ByRank>(mesh, mine.rankOf, comm.getSize()); });
   // Rank by rank: beside the mesh there is never more than one share on the way.
   std::string received = scatterFromRoot(comm, what, [&](int rank) {
     if (rank == 0) {
-      takeBodiesOf(0, mesh, mine);
+      takeBodiesOf(0, mesh, *all, mine);
       return std::string();
     }
     MeshShare share;
-    share.rankOf = mine.rankOf;
-    takeBodiesOf(rank, mesh, share);
+    takeBodiesOf(rank, mesh, *all, share);
     std::size_t bytes = 0;
     forEachField(share, [&bytes](const auto& field) { bytes += bytesOf(field); });
     Packer packer;
@@ -142,19 +149,20 @@ MeshShare wholeShare(const Mesh& mesh, const std::vector<int>& subdomainOfElemen
 }
 
 void shareSubdomains(const Comm& comm, const Mesh& mesh, const std::vector<int>& subdomainOfElement, MeshShare& share) {
+  std::vector<std::vector<int>> of(comm.getSize());  // each rank's elements
+  collectivelyOnRoot(comm, what, [&] {
+    if (share.whole) return;
+    for (int e = 0; e < mesh.elements(); ++e) of[share.rankOf[mesh.bodyOfElement[e]]].push_back(subdomainOfElement[e]);
+  });
   const std::string bytes = scatterFromRoot(comm, what, [&](int rank) {
-    if (share.whole) return std::string();
-    std::vector<int> own;
-    for (int e = 0; e < mesh.elements(); ++e)
-      if (share.rankOf[mesh.bodyOfElement[e]] == rank) own.push_back(subdomainOfElement[e]);
     Packer packer;
-    packer.put(own);
+    packer.put(of[rank]);
     return std::move(packer).bytes();
   });
   collectively(comm, what, [&] {
     if (share.whole)
       share.subdomainOfElement = subdomainOfElement;
-    else if (!bytes.empty())
+    else
       Unpacker(bytes).get(share.subdomainOfElement);
     share.holders = nodeSubdomains(share.block(mesh), share.subdomainOfElement);
   });
