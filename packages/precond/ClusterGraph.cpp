@@ -1,10 +1,10 @@
 #include <suture/base/Dense.hpp>
+#include <suture/base/DisjointSets.hpp>
 #include <suture/precond/ClusterGraph.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <set>
 
 namespace suture {
@@ -46,23 +46,6 @@ std::pair<int, int> ends(const ClusterGraph& graph, const std::vector<int>& unkn
   const int first = farthestFrom(unknowns.front());
   return {first, farthestFrom(first)};
 }
-
-/// Sets that grow together.
-class DisjointSets {
- public:
-  explicit DisjointSets(int size) : parent_(size) { std::iota(parent_.begin(), parent_.end(), 0); }
-  int find(int i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(int a, int b) {
-    a = find(a), b = find(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<int> parent_;
-};
 
 }  // namespace
 
@@ -122,11 +105,11 @@ InterfaceLayout clusterEntities(const ClusterGraph& graph, const std::vector<int
   }
   std::map<int, std::vector<int>> members;  // by the first of each chain
   for (int u = 0; u < size; ++u)
-    if (sharers[u].size() == 2) members[chains.find(u)].push_back(u);
+    if (sharers[u].size() == 2) members[chains.lowest(u)].push_back(u);
   std::map<int, std::set<int>> touching;  // corners that a chain ends at
   for (const auto& [pair, corners] : fixed)
     if (const auto found = firstOf.find(pair); found != firstOf.end())
-      touching[chains.find(found->second)].insert(corners.begin(), corners.end());
+      touching[chains.lowest(found->second)].insert(corners.begin(), corners.end());
 
   InterfaceLayout layout;
   for (int u = 0; u < size; ++u)

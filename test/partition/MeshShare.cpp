@@ -58,6 +58,18 @@ int sum(int mine) {
   return all;
 }
 
+// Number and bytes of each.
+std::string packed(const std::vector<SubdomainMesh>& parts) {
+  Packer packer;
+  for (const SubdomainMesh& part : parts) {
+    Packer one;
+    pack(part, one);
+    packer.put(part.id);
+    packer.put(one.bytes());
+  }
+  return packer.bytes();
+}
+
 }  // namespace
 
 TEUCHOS_UNIT_TEST(MeshShare, HasTheWholeBodiesOfItsRank) {
@@ -135,25 +147,12 @@ TEUCHOS_UNIT_TEST(MeshShare, GivesTheSubdomainsThatOneRankAloneCuts) {
   const auto alone = comm()->split(comm()->getRank() == 0 ? 0 : -1, 0);
   for (const int subdomains : {3, 11, 40}) {
     const Partition partition = makePartition(*comm(), root, constraints, metis(subdomains).list(), false);
-    Packer packer;
-    for (const SubdomainMesh& part : distribute(*comm(), root, constraints, partition)) {
-      Packer one;
-      pack(part, one);
-      packer.put(part.id);
-      packer.put(one.bytes());
-    }
+    const std::string mine = packed(distribute(*comm(), root, constraints, partition));
     Partition madeUp = partition;  // as if rank 0 had made it by hand
     madeUp.share.reset();
-    Packer again;
-    for (const SubdomainMesh& part : distribute(*comm(), root, constraints, madeUp)) {
-      Packer one;
-      pack(part, one);
-      again.put(part.id);
-      again.put(one.bytes());
-    }
-    TEST_ASSERT(again.bytes() == packer.bytes());
+    TEST_ASSERT(packed(distribute(*comm(), root, constraints, madeUp)) == mine);
     std::map<int, std::string> found;
-    for (const std::string& bytes : gatherOnRoot(*comm(), packer.bytes()))
+    for (const std::string& bytes : gatherOnRoot(*comm(), mine))
       for (Unpacker unpacker(bytes); !unpacker.done();) {
         const int id = unpacker.get<int>();
         unpacker.get(found[id]);
