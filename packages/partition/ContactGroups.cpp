@@ -2,6 +2,7 @@
 #include <suture/partition/ContactGroups.hpp>
 
 namespace suture {
+
 ContactGroups contactGroups(const Constraints& constraints, const NodeSubdomains& holders, int subdomains) {
   const int pieces = static_cast<int>(constraints.pieces.size());
   DisjointSets sets(subdomains + pieces);

@@ -1,5 +1,4 @@
-#include <suture/base/Buffer.hpp>
-#include <suture/base/Collective.hpp>
+#include <suture/base/Gather.hpp>
 #include <suture/partition/Costs.hpp>
 
 #include <algorithm>
@@ -35,14 +34,11 @@ std::vector<Size> sizesOf(const MeshShare& share, int nodes) {
 
 std::vector<long long> expectedCosts(const Comm& comm, const CellBlock& mesh, const MeshShare& share, int subdomains,
                                      const NodeSubdomains& contactHolders) {
-  Packer packer;
-  packer.put(sizesOf(share, share.block(mesh).nodes()));
-  const std::vector<std::string> all = gatherOnRoot(comm, packer.bytes());
+  const std::vector<Size> all = joinOnRoot(comm, sizesOf(share, share.block(mesh).nodes()));
   std::vector<long long> costs;
   collectivelyOnRoot(comm, "partition", [&] {
     std::vector<Size> sizes(subdomains, Size{0, 0, 0});
-    for (const std::string& bytes : all)
-      for (const Size& size : Unpacker(bytes).get<std::vector<Size>>()) sizes[size.subdomain] = size;
+    for (const Size& size : all) sizes[size.subdomain] = size;
     for (std::size_t node = 0; node + 1 < contactHolders.offsets.size(); ++node)
       if (const auto holders = contactHolders.of(static_cast<int>(node)); holders.size() == 1) ++sizes[holders[0]].interfaceNodes;
     for (const Size& size : sizes) costs.push_back(expectedCost(size.nodes, size.interfaceNodes));

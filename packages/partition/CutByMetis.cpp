@@ -6,6 +6,7 @@
 #include <suture/base/Buffer.hpp>
 #include <suture/base/Collective.hpp>
 #include <suture/base/Errors.hpp>
+#include <suture/base/Gather.hpp>
 #include <suture/base/SceneReader.hpp>
 #include <suture/partition/Apportion.hpp>
 #include <suture/partition/Cut.hpp>
@@ -63,13 +64,7 @@ std::vector<Piece> piecesOfBodies(const MeshShare& share, Components parts) {
 std::vector<PieceSize> gatherSizes(const Comm& comm, const std::vector<Piece>& mine) {
   std::vector<PieceSize> sizes;
   for (const Piece& piece : mine) sizes.push_back({piece.body, comm.getRank(), static_cast<int>(piece.elements.size())});
-  Packer packer;
-  packer.put(sizes);
-  std::vector<PieceSize> all;
-  for (const std::string& bytes : gatherOnRoot(comm, packer.bytes())) {
-    const auto of = Unpacker(bytes).get<std::vector<PieceSize>>();
-    all.insert(all.end(), of.begin(), of.end());
-  }
+  std::vector<PieceSize> all = joinOnRoot(comm, sizes);
   std::stable_sort(all.begin(), all.end(), [](const PieceSize& a, const PieceSize& b) { return a.body < b.body; });
   return all;
 }

@@ -1,5 +1,6 @@
 #include <suture/base/Buffer.hpp>
 #include <suture/base/Collective.hpp>
+#include <suture/base/Gather.hpp>
 #include <suture/partition/MeshShare.hpp>
 #include <suture/partition/Placement.hpp>
 
@@ -191,28 +192,24 @@ NodeSubdomains gatherHolders(const Comm& comm, const Mesh& mesh, const MeshShare
   std::sort(nodes.begin(), nodes.end());
   nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
   broadcast(comm, nodes);
-  using Holder = std::pair<int, int>;  // node, subdomain
-  std::vector<int> flat;
+  struct Holder {
+    int node, subdomain;
+  };
+  std::vector<Holder> mine;
   for (const int node : nodes) {
     const int local = share.localNode(node);
     if (local < 0) continue;
-    for (const int subdomain : share.holders.of(local)) flat.insert(flat.end(), {node, subdomain});
+    for (const int subdomain : share.holders.of(local)) mine.push_back({node, subdomain});
   }
-  Packer packer;
-  packer.put(flat);
-  const std::vector<std::string> all = gatherOnRoot(comm, packer.bytes());
+  std::vector<Holder> holders = joinOnRoot(comm, mine);
   NodeSubdomains found;
   collectivelyOnRoot(comm, what, [&] {
-    std::vector<Holder> holders;
-    for (const std::string& bytes : all) {
-      const auto own = Unpacker(bytes).get<std::vector<int>>();
-      for (std::size_t i = 0; i < own.size(); i += 2) holders.emplace_back(own[i], own[i + 1]);
-    }
-    std::sort(holders.begin(), holders.end());
+    // A node is in one share, where its subdomains are in order.
+    std::stable_sort(holders.begin(), holders.end(), [](const Holder& a, const Holder& b) { return a.node < b.node; });
     found.offsets.assign(static_cast<std::size_t>(mesh.nodes()) + 1, 0);
     for (const Holder& holder : holders) {
-      ++found.offsets[holder.first + 1];
-      found.subdomains.push_back(holder.second);
+      ++found.offsets[holder.node + 1];
+      found.subdomains.push_back(holder.subdomain);
     }
     std::partial_sum(found.offsets.begin(), found.offsets.end(), found.offsets.begin());
   });

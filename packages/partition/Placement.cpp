@@ -51,7 +51,7 @@ long long largestLoad(const std::vector<long long>& weights, const std::vector<i
 }  // namespace
 
 std::vector<int> placeOnRanks(const std::vector<long long>& weights, int ranks) {
-  constexpr double worthIt = 1.01;
+  constexpr double worthIt = 1.01;  // no more than the weights, which are estimates, are good for
   if (weights.empty()) return {};
   const std::vector<int> balanced = heaviestFirst(weights, ranks), near = inOrder(weights, ranks);
   return largestLoad(weights, near, ranks) <= worthIt * largestLoad(weights, balanced, ranks) ? near : balanced;

@@ -1,6 +1,6 @@
-#include <suture/base/Buffer.hpp>
 #include <suture/base/Collective.hpp>
 #include <suture/base/Errors.hpp>
+#include <suture/base/Gather.hpp>
 #include <suture/base/SceneReader.hpp>
 #include <suture/elasticity/ErrorNorms.hpp>
 #include <suture/solver/PressureField.hpp>
@@ -19,17 +19,6 @@ bool carries(const std::vector<ContactSide>& sides, const std::set<GlobalId>& no
   return std::any_of(sides.begin(), sides.end(), [&](const ContactSide& side) {
     return std::any_of(side.nodes.begin(), side.nodes.end(), [&](GlobalId node) { return nodes.count(node) > 0; });
   });
-}
-
-std::vector<ContactSide> gathered(const Comm& comm, const std::vector<ContactSide>& mine) {
-  Packer packer;
-  packer.put(mine);
-  std::vector<ContactSide> all;
-  for (const std::string& bytes : gatherOnRoot(comm, packer.bytes())) {
-    const auto part = Unpacker(bytes).get<std::vector<ContactSide>>();
-    all.insert(all.end(), part.begin(), part.end());
-  }
-  return all;
 }
 
 std::vector<int> heldPairs(const Comm& comm, const std::vector<SubdomainMesh>& meshes) {
@@ -85,7 +74,7 @@ ContactSides contactSides(const Comm& comm, const std::vector<SubdomainMesh>& me
     for (const char* name : {"Side A", "Side B"}) {
       const Parameters& list = contact.sublist(lines[line]);
       if (!list.isType<std::string>(name)) continue;
-      std::vector<ContactSide> sides = gathered(comm, contactSidesHere(meshes, list.get<std::string>(name)));
+      std::vector<ContactSide> sides = joinOnRoot(comm, contactSidesHere(meshes, list.get<std::string>(name)));
       if (carries(sides, carriers)) result.ofLine[line] = std::move(sides);
     }
   }

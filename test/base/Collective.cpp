@@ -1,5 +1,6 @@
 #include <suture/base/Collective.hpp>
 #include <suture/base/Errors.hpp>
+#include <suture/base/Gather.hpp>
 
 #include <Teuchos_Comm.hpp>
 #include <Teuchos_DefaultComm.hpp>
@@ -117,6 +118,14 @@ TEUCHOS_UNIT_TEST(Collective, GatherOnTakesFromSomeAndLeavesTheOthersAlone) {
     for (std::size_t i = 0; i < all.size(); ++i)
       TEST_EQUALITY(all[i], std::string(std::size_t(senders[i]) * 100000, char('a' + senders[i])));
   }
+}
+
+TEUCHOS_UNIT_TEST(Collective, JoinPutsTheValuesOfAllRanksIntoOneVector) {
+  const CommPtr comm = world();
+  const std::vector<int> all = joinOnRoot(*comm, std::vector<int>(std::size_t(comm->getRank()), comm->getRank()));
+  std::vector<int> expected;  // none of rank 0, one of rank 1, ...
+  for (int rank = 0; comm->getRank() == 0 && rank < comm->getSize(); ++rank) expected.insert(expected.end(), std::size_t(rank), rank);
+  TEST_ASSERT(all == expected);
 }
 
 TEUCHOS_UNIT_TEST(Collective, ScatterGivesEveryRankItsOwn) {
