@@ -231,6 +231,11 @@ StaticCondensation::StaticCondensation(const SparseMatrix& matrix, const Vector&
   elimination.check().judge();
 
   interiorEnergy_ = -0.5 * inOrder.head(interior).squaredNorm();
+  if (std::is_sorted(boundary.begin(), boundary.end())) {  // as the tree has it
+    condensedLoad_ = inOrder.tail(size);
+    schur_ = std::move(ascending);
+    return;
+  }
   std::vector<int> traceOf(n, -1);
   for (int b = 0; b < size; ++b) traceOf[boundary[b]] = b;
   condensedLoad_.resize(size);
