@@ -47,6 +47,7 @@ RunResult solveScene(const CommPtr& comm, const SolveOptions& options) {
   });
   problem.reset();  // what is written needs the memory
   subdomains.clear();
+  giveBackFreedMemory();
   errorStage(*comm, cut.meshes, model, scene, solution, timers);
 
   return reportStage(

@@ -45,6 +45,11 @@ class MeetingPoint {
   std::unique_ptr<Impl> impl_;
 };
 
+/// Gives the memory that was freed, and that runProgram() has told malloc to keep, back to the system: before a file is written, whose
+/// pages it can hold. Where the host of a virtual machine has taken back what it thought unused, other pages cost more than writing to
+/// them (tunnel at 1M unknowns, phase write on one rank: 0.79 s without, 0.47 with; on two ranks 0.57 and 0.25). Local.
+void giveBackFreedMemory();
+
 /// Whether this process is the first of its mpirun, also before MPI begins: a help text is printed once.
 bool isFirstProcess();
 
