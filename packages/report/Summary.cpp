@@ -32,6 +32,7 @@ Json auxiliary(const AuxiliaryRow& row) {
           {"tolerance", row.tolerance},
           {"residual", row.residual},
           {"algebraic_error", known(row.energyError)},
+          {"iteration_seconds", known(row.iterationSeconds)},
           {"contact", row.contact}};
 }
 

@@ -27,6 +27,7 @@ const std::vector<std::string>& summaryPaths() {
       "auxiliary.tolerance",
       "auxiliary.residual",
       "auxiliary.algebraic_error",
+      "auxiliary.iteration_seconds",
       "auxiliary.contact",
       "outer.solver",
       "outer.iterations",

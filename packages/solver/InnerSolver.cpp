@@ -1,3 +1,4 @@
+#include <suture/base/Timers.hpp>
 #include <suture/solver/EnergyError.hpp>
 #include <suture/solver/InnerSolver.hpp>
 
@@ -162,14 +163,15 @@ InnerResult InnerSolver::iterate(MultiVector& x, double tolerance, double refere
   };
   const PreconditionedNormTest::Aim aim{tolerance, reference, before + most_, monitor, energy, added};
   test.aimAt(aim);
+  const double begin = Timers::now();
   try {
     solve_->iteration->iterate();
   } catch (const Belos::CGIterateFailure& failure) {
     throw NumericalError(std::string("conjugate gradients broke down: ") + failure.what());
   }
-  added();
-
   InnerResult result;
+  result.seconds = Timers::now() - begin;
+  added();
   result.pcg = solve_->iteration->getNumIters() - before;
   result.converged = test.converged;
   result.enough = test.enough;

@@ -176,6 +176,7 @@ OuterResult OuterSolver::solve(const InterfaceProblem& problem, const OuterSetti
     const Matrix image = start.matrix->recorded(auxiliary.steps);
     problem.update(result.state, *step, 1.0, &image);
     result.auxiliary = {auxiliary.pcg + lifting, auxiliary.condition, tolerance, auxiliary.residual, contact};
+    if (auxiliary.pcg > 0) result.auxiliary.iterationSeconds = auxiliary.seconds / auxiliary.pcg;
     if (!auxiliary.energyErrors.empty()) result.energyError = result.auxiliary.energyError = auxiliary.energyErrors.back();
     monitor.auxiliary(result.auxiliary);
     result.residual = auxiliary.residual;

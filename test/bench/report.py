@@ -38,7 +38,7 @@ def tables(bench, markdown):
 
 def iteration_line(name, found):
     if not found:
-        return f"{name}: the time of a PCG iteration drowns in the noise of this run"
+        return f"{name}: there was no PCG iteration"
     line = f"{name}: a PCG iteration on two ranks takes {shown(found['seconds'], scale=1e3)} ms"
     if "multiple" in found:
         return line + f", {shown(found['multiple'])} times reading its {found['data_mb']:.0f} MB once"

@@ -203,12 +203,15 @@ TEUCHOS_UNIT_TEST(Summary, SaysWhichErrorsAreKnown) {
   json all = written();
   TEST_EQUALITY(all["error"].size(), 0);
   TEST_ASSERT(all["auxiliary"]["algebraic_error"].is_null());
+  TEST_ASSERT(all["auxiliary"]["iteration_seconds"].is_null());
   sample.solution_.energyError = 0.002;
   sample.solution_.auxiliary.energyError = 0.5;
+  sample.solution_.auxiliary.iterationSeconds = 0.25;
   all = written();
   TEST_EQUALITY(all["error"].size(), 1);
   TEST_EQUALITY(all["error"]["algebraic_energy_norm"].get<double>(), 0.002);
   TEST_EQUALITY(all["auxiliary"]["algebraic_error"].get<double>(), 0.5);
+  TEST_EQUALITY(all["auxiliary"]["iteration_seconds"].get<double>(), 0.25);
   sample.solution_.discretisation = DiscretisationError{0.1, 4.0, {}};
   all = written();
   TEST_EQUALITY(all["error"]["estimated_energy_norm"].get<double>(), 0.1);
