@@ -175,7 +175,7 @@ void Bddc::doApply(const MultiVector& r, MultiVector& z) const {
       addProduct(CblasTrans, basis, flux.data(), work.own.data());
       for (const Value& value : values_[i]) work.primal(value.number) += value.coefficient * work.own(value.row);
     }
-    const Vector y = coarse_->solve(work.primal);
+    const Vector& y = coarse_->solve(work.primal);
     work.overlap.setZero();
     for (std::size_t i = 0; i < locals_.size(); ++i) {
       if (!locals_[i]) continue;

@@ -13,8 +13,8 @@ class CoarseSolve {
   virtual ~CoarseSolve() = default;
   /// Number of coarse unknowns, the same on all ranks.
   virtual int size() const = 0;
-  /// Answer to the sum over ranks of `mine`, on all ranks. Collective.
-  virtual Vector solve(const Vector& mine) const = 0;
+  /// Answer to the sum over ranks of `mine`, on all ranks; it is kept until the next call. Collective.
+  virtual const Vector& solve(const Vector& mine) const = 0;
   /// Local problems that the coarse unknowns are shared by on the next level; 0 where they are solved exactly.
   virtual int clusters() const { return 0; }
 };

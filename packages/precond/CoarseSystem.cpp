@@ -70,26 +70,27 @@ CoarseSystem::CoarseSystem(CommPtr comm, int size, const std::vector<Entry>& ent
   });
 }
 
-Vector CoarseSystem::solve(const Vector& mine) const {
-  Vector sum(size_);
-  if (size_ == 0) return sum;
+const Vector& CoarseSystem::solve(const Vector& mine) const {
+  sum_.resize(size_);
+  if (size_ == 0) return sum_;
   if (copies_ == 1)
-    Teuchos::reduce<int, double>(mine.data(), sum.data(), size_, Teuchos::REDUCE_SUM, 0, *comm_);
+    Teuchos::reduce<int, double>(mine.data(), sum_.data(), size_, Teuchos::REDUCE_SUM, 0, *comm_);
   else
-    Teuchos::reduceAll(*comm_, Teuchos::REDUCE_SUM, size_, mine.data(), sum.data());
+    Teuchos::reduceAll(*comm_, Teuchos::REDUCE_SUM, size_, mine.data(), sum_.data());
   if (share_->getRank() == 0) {
-    const Vector b = scale_.cwiseProduct(sum);
-    Matrix x = b;
-    solver_->solve(x);
+    load_ = scale_.cwiseProduct(sum_);
+    solution_ = load_;
+    solver_->solve(solution_);
     for (int k = 0; dependent_ && k < kRefinements; ++k) {
-      Matrix correction = b - scaled_ * x;
-      solver_->solve(correction);
-      x += correction;
+      correction_ = load_;
+      correction_.noalias() -= scaled_ * solution_;
+      solver_->solve(correction_);
+      solution_ += correction_;
     }
-    sum = scale_.cwiseProduct(x.col(0));
+    sum_ = scale_.cwiseProduct(solution_.col(0));
   }
-  if (share_->getSize() > 1) Teuchos::broadcast(*share_, 0, size_, sum.data());
-  return sum;
+  if (share_->getSize() > 1) Teuchos::broadcast(*share_, 0, size_, sum_.data());
+  return sum_;
 }
 
 void addCoarseParameters(Schema& schema) {

@@ -23,7 +23,7 @@ class CoarseSystem : public CoarseSolve {
   CoarseSystem(CommPtr comm, int size, const std::vector<Entry>& entries, std::unique_ptr<LocalSolver> solver, int copies, bool dependent);
 
   int size() const override { return size_; }
-  Vector solve(const Vector& mine) const override;
+  const Vector& solve(const Vector& mine) const override;
 
  private:
   CommPtr comm_, share_;  // all ranks; those that one copy answers for, its holder first
@@ -32,6 +32,8 @@ class CoarseSystem : public CoarseSolve {
   std::unique_ptr<LocalSolver> solver_;
   SparseMatrix scaled_;  // kept for refinement only
   Vector scale_;
+  mutable Vector sum_;  // the answer, and work space: the inner loop allocates nothing
+  mutable Matrix load_, solution_, correction_;
 };
 
 /// Parameters `Coarse Solver` and `Coarse Copies` of a preconditioner's list.

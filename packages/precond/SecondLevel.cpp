@@ -83,8 +83,9 @@ SecondLevel::SecondLevel(CommPtr comm, const CoarseElements& coarse, int locals,
   inverse_ = std::make_unique<ChebyshevInverse>(matrix, bddc, levels.accuracy);
 }
 
-Vector SecondLevel::solve(const Vector& mine) const {
-  Vector load(size_), answer = Vector::Zero(size_);
+const Vector& SecondLevel::solve(const Vector& mine) const {
+  Vector load(size_);
+  answer_.setZero(size_);
   Teuchos::reduceAll(*comm_, Teuchos::REDUCE_SUM, size_, mine.data(), load.data());
   std::vector<Vector> inner(problems_.size());
   Matrix overlap = Matrix::Zero(space_->overlapSize(), 1);
@@ -107,18 +108,18 @@ Vector SecondLevel::solve(const Vector& mine) const {
     inverse_->apply(*b, *x);
     space_->gather(*x, trace);
     const auto values = localView(static_cast<const MultiVector&>(*x));
-    for (int row = 0; row < values.rows(); ++row) answer(static_cast<int>(space_->map()->getGlobalElement(row))) = values(row, 0);
+    for (int row = 0; row < values.rows(); ++row) answer_(static_cast<int>(space_->map()->getGlobalElement(row))) = values(row, 0);
   }
   for (std::size_t k = 0; k < problems_.size(); ++k) {
     const ClusterProblem& problem = *problems_[k];
     Matrix own(problem.size(), 1);
     space_->coupling(static_cast<int>(k)).restrictTo(trace, own);
     inner[k] += problem.follow(own.col(0));
-    for (std::size_t i = 0; i < problem.interior().size(); ++i) answer(problem.interior()[i]) = inner[k](static_cast<int>(i));
+    for (std::size_t i = 0; i < problem.interior().size(); ++i) answer_(problem.interior()[i]) = inner[k](static_cast<int>(i));
   }
-  load = answer;
-  Teuchos::reduceAll(*comm_, Teuchos::REDUCE_SUM, size_, load.data(), answer.data());
-  return answer;
+  load = answer_;
+  Teuchos::reduceAll(*comm_, Teuchos::REDUCE_SUM, size_, load.data(), answer_.data());
+  return answer_;
 }
 
 }  // namespace suture

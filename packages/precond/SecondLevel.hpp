@@ -21,7 +21,7 @@ class SecondLevel : public CoarseSolve {
   SecondLevel(CommPtr comm, const CoarseElements& coarse, int locals, const CoarseLevels& levels);
 
   int size() const override { return size_; }
-  Vector solve(const Vector& mine) const override;
+  const Vector& solve(const Vector& mine) const override;
   int clusters() const override { return count_; }
   /// Chebyshev steps an application; 0 where one cluster has it all.
   int steps() const { return inverse_ ? inverse_->steps() : 0; }
@@ -34,6 +34,7 @@ class SecondLevel : public CoarseSolve {
   std::vector<std::shared_ptr<const ClusterProblem>> problems_;
   std::shared_ptr<const InterfaceSpace> space_;
   std::unique_ptr<ChebyshevInverse> inverse_;
+  mutable Vector answer_;  // of the last solve
 };
 
 }  // namespace suture

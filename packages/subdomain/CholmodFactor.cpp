@@ -67,6 +67,19 @@ const char* nameOf(CholmodOptions::Ordering ordering) {
   return "METIS";
 }
 
+// Work space of a solve. That of a single column is kept from one solve to the next, by each thread for all factors: inner loops allocate
+// nothing, and a factor serves several threads.
+thread_local std::vector<double> keptWork, keptUpdate;
+
+struct Space {
+  Space(std::size_t rows, Eigen::Index columns, std::vector<double>& kept) : own(columns > 1 ? rows * columns : 0) {
+    if (columns == 1 && kept.size() < rows) kept.resize(rows);
+    new (&values) Eigen::Map<Matrix>(columns > 1 ? own.data() : kept.data(), static_cast<Eigen::Index>(rows), columns);
+  }
+  std::vector<double> own;
+  Eigen::Map<Matrix> values{nullptr, 0, 0};
+};
+
 }  // namespace
 
 struct CholmodFactor::Data : CholmodHandle {
@@ -217,7 +230,8 @@ void CholmodFactor::Data::forward(int upTo, Eigen::Ref<Matrix> x) const {
     }
     return;
   }
-  Matrix update(factor->maxesize, x.cols());
+  Space space(static_cast<std::size_t>(factor->maxesize), x.cols(), keptUpdate);
+  Eigen::Map<Matrix>& update = space.values;
   for (int s = 0; s < int(factor->nsuper); ++s) {
     const Supernode node = supernode(s, upTo);
     if (node.columns <= 0) break;
@@ -258,7 +272,8 @@ void CholmodFactor::Data::backward(int upTo, Eigen::Ref<Matrix> x) const {
     return;
   }
   if (upTo == 0) return;
-  Matrix update(factor->maxesize, x.cols());
+  Space space(static_cast<std::size_t>(factor->maxesize), x.cols(), keptUpdate);
+  Eigen::Map<Matrix>& update = space.values;
   for (int s = columnSupernode[upTo - 1]; s >= 0; --s) {
     const Supernode node = supernode(s, upTo);
     const int m = node.rows - node.columns;
@@ -287,7 +302,8 @@ void CholmodFactor::Data::solve(int upTo, LocalView rhs) const {
   if (rhs.rows() != upTo)
     throw InternalError("CholmodFactor: right-hand side of " + std::to_string(rhs.rows()) + " rows for " + std::to_string(upTo) + " dofs");
   if (upTo == 0) return;
-  Matrix work(upTo, std::min<Eigen::Index>(rhs.cols(), columnsAtOnce));
+  Space space(static_cast<std::size_t>(upTo), std::min<Eigen::Index>(rhs.cols(), columnsAtOnce), keptWork);
+  Eigen::Map<Matrix>& work = space.values;
   for (Eigen::Index first = 0; first < rhs.cols(); first += columnsAtOnce) {
     const Eigen::Index count = std::min<Eigen::Index>(columnsAtOnce, rhs.cols() - first);
     auto x = work.leftCols(count);
