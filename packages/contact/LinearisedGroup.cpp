@@ -46,7 +46,7 @@ LinearisedGroup::LinearisedGroup(int id, const ContactGroup& group, const std::v
   for (int i = 0; i < size(); ++i) boundaryOf[positions[i]] = i;
   for (std::size_t m = 0; m < group.members().size(); ++m) {
     const std::vector<int>& at = group.positionsOf(static_cast<int>(m));
-    const Vector& young = group.members()[m].subdomain->youngModulus();
+    const Vector young = group.members()[m].subdomain->youngModulus();
     for (std::size_t i = 0; i < at.size(); ++i)
       if (boundaryOf[at[i]] >= 0) young_(boundaryOf[at[i]]) = std::max(young_(boundaryOf[at[i]]), young(i));
     const Vector& shear = group.members()[m].subdomain->shearDiagonal();
@@ -80,12 +80,16 @@ const Matrix& LinearisedGroup::coarseModes() const {
   kernel_ = rowsAt(floating().kernel(), positions);
   std::vector<int> boundaryOf(group_.dofs(), -1);
   for (int i = 0; i < size(); ++i) boundaryOf[positions[i]] = i;
+  std::vector<Matrix> modesOf;
   int columns = 0;
-  for (const ContactGroup::Member& member : group_.members()) columns += static_cast<int>(member.subdomain->coarseModes().cols());
+  for (const ContactGroup::Member& member : group_.members()) {
+    modesOf.push_back(member.subdomain->coarseModes());
+    columns += static_cast<int>(modesOf.back().cols());
+  }
   coarseModes_ = Matrix::Zero(size(), columns + kernel_.cols());
   int column = 0;
   for (std::size_t m = 0; m < group_.members().size(); ++m) {
-    const Matrix& modes = group_.members()[m].subdomain->coarseModes();
+    const Matrix& modes = modesOf[m];
     const std::vector<int>& at = group_.positionsOf(static_cast<int>(m));
     for (std::size_t i = 0; i < at.size(); ++i)
       if (boundaryOf[at[i]] >= 0) coarseModes_.row(boundaryOf[at[i]]).segment(column, modes.cols()) = modes.row(i);

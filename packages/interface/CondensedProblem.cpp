@@ -59,7 +59,7 @@ CondensedProblem::CondensedProblem(CommPtr comm, const Partition& partition, con
     for (std::size_t s = 0; s < subdomains.size(); ++s) {
       const Subdomain& subdomain = *subdomains[s];
       const std::vector<int> boundary = boundaryDofs(subdomain, partition);
-      for (int dof : boundary) layout.unknowns.push_back(interfaceUnknown(subdomain, dof));
+      addUnknowns(subdomain, boundary, layout);
       const int id = subdomain.mesh().id;
       if (partition.groupOf[id] >= 0) {
         members[partition.groupOf[id]].push_back(static_cast<int>(s));

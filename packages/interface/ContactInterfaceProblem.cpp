@@ -44,7 +44,7 @@ ContactInterfaceProblem::ContactInterfaceProblem(CommPtr comm, const Partition& 
   collectively(*comm_, "factoring the subdomains", [&] {
     for (const auto& subdomain : subdomains) {
       const std::vector<int> boundary = boundaryDofs(*subdomain);
-      for (const int dof : boundary) layout.unknowns.push_back(interfaceUnknown(*subdomain, dof));
+      addUnknowns(*subdomain, boundary, layout);
       locals_.push_back(std::make_shared<SubdomainProblem>(subdomain->mesh().id, *subdomain, boundary, solver, schur()));
       layout.locals.push_back(subdomain->mesh().id);
       layout.boundaries.push_back(locals_.back()->boundary());

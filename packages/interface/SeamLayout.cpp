@@ -56,9 +56,11 @@ void addSeams(const std::vector<std::unique_ptr<Subdomain>>& subdomains, const s
   }
 }
 
-InterfaceLayout::Unknown interfaceUnknown(const Subdomain& subdomain, int dof) {
-  return {subdomain.globalDof(dof), subdomain.mesh().point(subdomain.nodeOf(dof)), subdomain.direction(dof), 0.0,
-          subdomain.seamFlux()(dof)};
+void addUnknowns(const Subdomain& subdomain, const std::vector<int>& dofs, InterfaceLayout& layout) {
+  const Vector flux = subdomain.seamFlux();
+  for (const int dof : dofs)
+    layout.unknowns.push_back(
+        {subdomain.globalDof(dof), subdomain.mesh().point(subdomain.nodeOf(dof)), subdomain.direction(dof), 0.0, flux(dof)});
 }
 
 }  // namespace suture

@@ -13,7 +13,7 @@ namespace suture {
 void addSeams(const std::vector<std::unique_ptr<Subdomain>>& subdomains, const std::function<int(int subdomain)>& problemOf,
               InterfaceLayout& layout);
 
-/// Number, point and direction of a free unknown of a subdomain. Local.
-InterfaceLayout::Unknown interfaceUnknown(const Subdomain& subdomain, int dof);
+/// Adds free unknowns of a subdomain to a layout: number, point, direction and flux. Local.
+void addUnknowns(const Subdomain& subdomain, const std::vector<int>& dofs, InterfaceLayout& layout);
 
 }  // namespace suture

@@ -61,22 +61,21 @@ void Subdomain::assemble() {
   const Vector young = doYoungModulus();
   if (young.size() != mesh_.nodes() || !(young.minCoeff() > 0.0))
     throw NumericalError("subdomain '" + mesh_.name + "': expected a positive Young modulus at every node");
-  youngModulus_ = Vector(dofs());
-  for (int i = 0; i < dofs(); ++i) youngModulus_(i) = young(nodeOf(i));
-
-  seamFlux_ = freeValues(doSeamFlux());
   if (const Vector shear = doShearDiagonal(); shear.size() > 0) shearDiagonal_ = rowsAt(shear, free_);
-
-  const Matrix modes = doRigidModes();
-  rigidModes_ = Matrix(dofs(), modes.cols());
-  for (int i = 0; i < dofs(); ++i) rigidModes_.row(i) = modes.row(free_[i]);
-  const Matrix soft = doCoarseModes();
-  coarseModes_ = Matrix(dofs(), soft.cols());
-  for (int i = 0; i < dofs(); ++i) coarseModes_.row(i) = soft.row(free_[i]);
-  heldModes_ = Matrix(fixed_.size(), modes.cols());
-  for (std::size_t i = 0; i < fixed_.size(); ++i) heldModes_.row(i) = modes.row(fixed_[i]);
-  kernel_ = rigidModes_ * nullSpace(heldModes_);
+  heldModes_ = rowsAt(doRigidModes(), fixed_);
+  freeMotions_ = nullSpace(heldModes_);
 }
+
+Vector Subdomain::youngModulus() const {
+  const Vector young = doYoungModulus();
+  Vector values(dofs());
+  for (int i = 0; i < dofs(); ++i) values(i) = young(nodeOf(i));
+  return values;
+}
+
+Matrix Subdomain::rigidModes() const { return rowsAt(doRigidModes(), free_); }
+
+Matrix Subdomain::coarseModes() const { return rowsAt(doCoarseModes(), free_); }
 
 Point Subdomain::direction(int dof) const {
   Point along{0, 0, 0};

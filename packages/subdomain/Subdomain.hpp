@@ -35,20 +35,21 @@ class Subdomain {
   const SparseMatrix& stiffness() const { return stiffness_; }  ///< free x free, symmetric, both triangles
   const Vector& load() const { return load_; }                  ///< free: loads less the stiffness times prescribed displacements [force]
   double constantEnergy() const { return constantEnergy_; }     ///< what prescribed displacements alone store, less their loads' work
+  // What preconditioners want is found anew at each call: they ask once and keep what belongs to the boundary.
   /// Young modulus at the node of each free unknown, the largest of the elements there; for the weighting Young. [stress]
-  const Vector& youngModulus() const { return youngModulus_; }
+  Vector youngModulus() const;
   /// Volume that a unit of each free unknown carries through the seam out of the subdomain of lower number, or through a contact line out
   /// of side A; zero everywhere if volume changes as easily as shape, and where both are not. For preconditioners. [area; axisymmetric:
   /// volume]
-  const Vector& seamFlux() const { return seamFlux_; }
+  Vector seamFlux() const { return freeValues(doSeamFlux()); }
   /// Of each free unknown, the diagonal of the stiffness against change of shape alone, where volume changes much less easily anywhere in
   /// the scene; else empty. For preconditioners. [force / length]
   const Vector& shearDiagonal() const { return shearDiagonal_; }
-  const Matrix& rigidModes() const { return rigidModes_; }  ///< free x all rigid modes
+  Matrix rigidModes() const;  ///< free x all rigid modes
   /// free x the motions that cost least, for coarse spaces: their span contains that of rigidModes().
-  const Matrix& coarseModes() const { return coarseModes_; }
-  const Matrix& heldModes() const { return heldModes_; }  ///< prescribed components x all rigid modes
-  const Matrix& kernel() const { return kernel_; }        ///< null space of stiffness(): the modes that vanish where prescribed
+  Matrix coarseModes() const;
+  const Matrix& heldModes() const { return heldModes_; }         ///< prescribed components x all rigid modes
+  Matrix kernel() const { return rigidModes() * freeMotions_; }  ///< null space of stiffness(): the modes that vanish where prescribed
 
   /// Nodal displacements (node-major, Cartesian) of the free unknowns' values; prescribed ones filled in.
   Vector cartesian(const Vector& freeValues) const;
@@ -84,9 +85,9 @@ class Subdomain {
   std::vector<Matrix> axes_;
   Vector prescribed_;              // all unknowns; zero where free
   SparseMatrix stiffness_, held_;  // held_: all unknowns x prescribed components
-  Vector fullLoad_, load_, youngModulus_, seamFlux_, shearDiagonal_;
+  Vector fullLoad_, load_, shearDiagonal_;
   double constantEnergy_ = 0.0;
-  Matrix rigidModes_, coarseModes_, heldModes_, kernel_;
+  Matrix heldModes_, freeMotions_;  // rigid modes where prescribed, and combinations of them that vanish there
 };
 
 }  // namespace suture
