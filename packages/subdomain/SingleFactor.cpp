@@ -27,13 +27,12 @@ void SingleFactor::append(int first, int columns, const std::vector<int>& below,
   const int count = static_cast<int>(below.size());
   supernodes_.push_back({first, columns, count, rows_.size(), values_.size()});
   rows_.insert(rows_.end(), below.begin(), below.end());
-  const int rows = columns + count;
-  values_.resize(values_.size() + static_cast<std::size_t>(rows) * columns);
-  float* to = values_.data() + supernodes_.back().values;
-  for (int j = 0; j < columns; ++j, to += rows) {
-    const double* column = values + static_cast<std::ptrdiff_t>(j) * stride;
-    for (int i = 0; i < rows; ++i) to[i] = static_cast<float>(column[i]);
-  }
+  const auto copy = [&](int column, int begin, int end) {
+    const double* from = values + static_cast<std::ptrdiff_t>(column) * stride;
+    values_.insert(values_.end(), from + begin, from + end);
+  };
+  for (int j = 0; j < columns; ++j) copy(j, j, columns);
+  for (int j = 0; j < columns; ++j) copy(j, columns, columns + count);
   mostBelow_ = std::max(mostBelow_, count);
 }
 
@@ -46,25 +45,23 @@ void SingleFactor::precondition(const Vector& r, Vector& z) const {
   if (largest == 0.0) return;
   for (std::size_t j = 0; j < unknownOf_.size(); ++j) y(static_cast<int>(j)) = static_cast<float>(r(unknownOf_[j]) / largest);
   for (const Supernode& s : supernodes_) {
-    const int stride = s.columns + s.below;
-    const float *triangle = values_.data() + s.values, *panel = triangle + s.columns;
+    const float *triangle = values_.data() + s.values, *panel = triangle + entries(s.columns, 0);
     const int* rows = rows_.data() + s.rows;
     float* own = y.data() + s.first;
-    cblas_strsv(CblasColMajor, CblasLower, CblasNoTrans, CblasNonUnit, s.columns, triangle, stride, own, 1);
+    cblas_stpsv(CblasColMajor, CblasLower, CblasNoTrans, CblasNonUnit, s.columns, triangle, own, 1);
     if (s.below == 0) continue;
-    cblas_sgemv(CblasColMajor, CblasNoTrans, s.below, s.columns, 1.0F, panel, stride, own, 1, 0.0F, rest.data(), 1);
+    cblas_sgemv(CblasColMajor, CblasNoTrans, s.below, s.columns, 1.0F, panel, s.below, own, 1, 0.0F, rest.data(), 1);
     for (int k = 0; k < s.below; ++k) y(rows[k]) -= rest(k);
   }
   for (auto s = supernodes_.rbegin(); s != supernodes_.rend(); ++s) {
-    const int stride = s->columns + s->below;
-    const float *triangle = values_.data() + s->values, *panel = triangle + s->columns;
+    const float *triangle = values_.data() + s->values, *panel = triangle + entries(s->columns, 0);
     const int* rows = rows_.data() + s->rows;
     float* own = y.data() + s->first;
     if (s->below > 0) {
       for (int k = 0; k < s->below; ++k) rest(k) = y(rows[k]);
-      cblas_sgemv(CblasColMajor, CblasTrans, s->below, s->columns, -1.0F, panel, stride, rest.data(), 1, 1.0F, own, 1);
+      cblas_sgemv(CblasColMajor, CblasTrans, s->below, s->columns, -1.0F, panel, s->below, rest.data(), 1, 1.0F, own, 1);
     }
-    cblas_strsv(CblasColMajor, CblasLower, CblasTrans, CblasNonUnit, s->columns, triangle, stride, own, 1);
+    cblas_stpsv(CblasColMajor, CblasLower, CblasTrans, CblasNonUnit, s->columns, triangle, own, 1);
   }
   for (std::size_t j = 0; j < unknownOf_.size(); ++j) z(unknownOf_[j]) = largest * static_cast<double>(y(static_cast<int>(j)));
 }

@@ -15,6 +15,10 @@ class SingleFactor {
   /// \param unknownOf  column of L -> unknown of the matrix that solve() is given; unknowns that do not occur are held at zero
   explicit SingleFactor(std::vector<int> unknownOf) : unknownOf_(std::move(unknownOf)) {}
 
+  /// What a supernode of so many columns, with so many rows below its triangle, takes.
+  static std::size_t entries(int columns, int below) {
+    return static_cast<std::size_t>(columns) * (columns + 1) / 2 + static_cast<std::size_t>(columns) * below;
+  }
   /// Room for all supernodes, which else would be moved as they come. \param rows, entries  sums over them
   void reserve(std::size_t supernodes, std::size_t rows, std::size_t entries);
   /// The next supernode: columns that share their pattern, a lower triangle and the dense rows below it. The last one ends L.
@@ -38,7 +42,7 @@ class SingleFactor {
 
   std::vector<Supernode> supernodes_;
   std::vector<int> rows_;
-  std::vector<float> values_;  // by columns, (columns + below) x columns
+  std::vector<float> values_;  // of each supernode its triangle, packed by columns, then the rows below, below x columns
   std::vector<int> unknownOf_;
   int mostBelow_ = 0;
 };

@@ -90,10 +90,10 @@ class Elimination {
   void reserve(SingleFactor& factor) const {
     std::size_t rows = 0, entries = 0;
     for (const FrontTree::Front& front : tree_.fronts) {
-      std::size_t columns = tree_.start[front.endGroup] - tree_.start[front.firstGroup], below = 0;
+      int below = 0;
       for (int r = front.firstRow; r < front.endRow && tree_.rows[r] < tree_.interiorGroups; ++r) below += groupSize(tree_.rows[r]);
       rows += below;
-      entries += columns * (columns + below);
+      entries += SingleFactor::entries(tree_.start[front.endGroup] - tree_.start[front.firstGroup], below);
     }
     factor.reserve(tree_.fronts.size(), rows, entries);
   }
