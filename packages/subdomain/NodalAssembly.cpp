@@ -26,21 +26,21 @@ class Neighbourhoods {
   Span<const Occurrence> of(int node) const {
     return {occurrences_.data() + first_[node], static_cast<std::size_t>(first_[node + 1] - first_[node])};
   }
-  /// Nodes that share an element with this one, itself among them. Call it once a node and round.
-  const std::vector<int>& neighbours(int node, int round) {
-    found_.clear();
+  /// Appends the nodes that share an element with this one, itself among them, in ascending order. Call it once a node.
+  void addNeighbours(int node, std::vector<int>& all) {
+    const auto begin = static_cast<std::ptrdiff_t>(all.size());
     for (const Occurrence& here : of(node))
       for (const int other : mesh_.nodesOf(here.element))
-        if (seen_[other] != 2 * node + round) {
-          seen_[other] = 2 * node + round;
-          found_.push_back(other);
+        if (seen_[other] != node) {
+          seen_[other] = node;
+          all.push_back(other);
         }
-    return found_;
+    std::sort(all.begin() + begin, all.end());
   }
 
  private:
   const CellBlock& mesh_;
-  std::vector<int> first_, seen_, found_;
+  std::vector<int> first_, seen_;
   std::vector<Occurrence> occurrences_;
 };
 
@@ -53,10 +53,13 @@ SparseMatrix assembleNodal(const CellBlock& mesh, int components, const ElementM
     start[e + 1] = start[e] + size * size;
   }
   Neighbourhoods around(mesh);
+  std::vector<int> neighbours, firstNeighbour{0};  // of all nodes, one after the other
   SparseMatrix sum(mesh.nodes() * components, mesh.nodes() * components);
   int* outer = sum.outerIndexPtr();
   for (int node = 0; node < mesh.nodes(); ++node) {
-    const int rows = components * static_cast<int>(around.neighbours(node, 0).size());
+    around.addNeighbours(node, neighbours);
+    const int rows = components * static_cast<int>(neighbours.size() - firstNeighbour.back());
+    firstNeighbour.push_back(static_cast<int>(neighbours.size()));
     for (int c = node * components; c < (node + 1) * components; ++c) outer[c + 1] = outer[c] + rows;
   }
   sum.resizeNonZeros(outer[sum.cols()]);
@@ -64,18 +67,18 @@ SparseMatrix assembleNodal(const CellBlock& mesh, int components, const ElementM
 
   std::vector<int> slot(mesh.nodes());  // of a neighbour, within the columns of the node at hand
   for (int node = 0; node < mesh.nodes(); ++node) {
-    std::vector<int> neighbours = around.neighbours(node, 1);
-    std::sort(neighbours.begin(), neighbours.end());
-    for (std::size_t k = 0; k < neighbours.size(); ++k) slot[neighbours[k]] = static_cast<int>(k) * components;
+    const Span<const int> here{neighbours.data() + firstNeighbour[node],
+                               static_cast<std::size_t>(firstNeighbour[node + 1] - firstNeighbour[node])};
+    for (std::size_t k = 0; k < here.size(); ++k) slot[here[k]] = static_cast<int>(k) * components;
     for (int c = 0; c < components; ++c) {
       int* rows = sum.innerIndexPtr() + outer[node * components + c];
-      for (const int other : neighbours)
+      for (const int other : here)
         for (int r = 0; r < components; ++r) *rows++ = other * components + r;
       double* values = sum.valuePtr() + outer[node * components + c];
-      for (const Occurrence& here : around.of(node)) {
-        const auto nodes = mesh.nodesOf(here.element);
-        const std::size_t column = here.place * components + c;
-        const double* entry = matrices.data() + start[here.element] + column * nodes.size() * components;
+      for (const Occurrence& occurrence : around.of(node)) {
+        const auto nodes = mesh.nodesOf(occurrence.element);
+        const std::size_t column = occurrence.place * components + c;
+        const double* entry = matrices.data() + start[occurrence.element] + column * nodes.size() * components;
         for (const int other : nodes)
           for (int r = 0; r < components; ++r) values[slot[other] + r] += *entry++;
       }
