@@ -11,6 +11,7 @@ Results go to build/bench/: bench.json, bench.md, the meshes and the last output
 of one scene and size differ by more than 1e-7; times are never a reason.
 """
 import argparse
+import importlib.util
 import json
 import os
 import sys
@@ -91,6 +92,8 @@ def main():
         fail("--repetitions: expected at least 1")
     if options.write_baseline and not options.guard:
         fail("--write-baseline needs --guard FILE")
+    if not options.guard and not options.check_only and not importlib.util.find_spec("numpy"):  # else workers die, and are waited for
+        fail(f"{sys.executable} has no numpy, which the memory bandwidth is measured with; /usr/bin/python3 has, after bootstrap.sh")
     if options.check_only:
         path = options.output / "bench.json"
         if not path.exists():
