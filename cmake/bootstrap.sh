@@ -77,7 +77,7 @@ configureAndBuild() {
 programs="--target suture_solve suture_study suture_partition_program suture_schema suture_plot_script"
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 # a container has no other user
 export OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1                  # the ranks are the parallelism
-export HWLOC_HIDE_ERRORS=2                                           # Open MPI complains where a chroot has no /sys
+export HWLOC_HIDE_ERRORS=2                                       # Open MPI complains where a chroot has no /sys
 
 installMissing
 # shellcheck disable=SC2086  # a list of words
