@@ -19,7 +19,7 @@ struct InnerResult {
   std::vector<double> energyErrors;  ///< estimates of |x - x_k|_S after each iteration, as history (see EnergyError); empty: not known
   bool enough = false;               ///< ended because EnergyCriterion said so
   std::vector<double> history;       ///< residual after each iteration, the first entry before them
-  double seconds = 0.0;              ///< that the iterations took
+  double seconds = 0.0;              ///< that the iterations took, with what the criterion asks
   std::vector<double> steps;         ///< of each iteration along its search direction: x is the sum of steps times directions
 };
 

@@ -75,6 +75,34 @@ TEUCHOS_UNIT_TEST(Hdf5File, RowsOfAllRanksFollowEachOther) {
   removeOnRoot(path);
 }
 
+// Longer than what is written at once, by some ranks only, and no multiple of it.
+TEUCHOS_UNIT_TEST(Hdf5File, LongRowsComeBackWhole) {
+  const CommPtr comm = world();
+  const int rank = comm->getRank(), ranks = comm->getSize();
+  const std::string path = nameOf("long");
+  const auto rowsOf = [](int r) { return r % 2 == 0 ? 100003 : 5; };  // three columns of them: 2.3 MiB
+  const auto valuesOf = [&](int r) {
+    std::vector<double> values(3 * rowsOf(r));
+    std::iota(values.begin(), values.end(), 1e6 * r + 0.25);
+    return values;
+  };
+  {
+    Hdf5File file = Hdf5File::create(*comm, path);
+    file.write("/Reals", valuesOf(rank), 3);
+    file.write("/Bytes", std::vector<unsigned char>(rank == ranks - 1 ? 2500001 : 0, 7));
+    file.close();
+  }
+  std::vector<double> all;
+  for (int r = 0; r < ranks; ++r) {
+    const std::vector<double> values = valuesOf(r);
+    all.insert(all.end(), values.begin(), values.end());
+  }
+  const Hdf5File file = Hdf5File::open(*comm, path);
+  TEST_ASSERT(file.readReals("/Reals") == all);
+  TEST_ASSERT(file.readInts("/Bytes") == std::vector<int>(2500001, 7));
+  removeOnRoot(path);
+}
+
 TEUCHOS_UNIT_TEST(Hdf5File, TextsAndAttributesComeBack) {
   const CommPtr comm = world();
   const std::string path = nameOf("texts");

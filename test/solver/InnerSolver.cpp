@@ -1,4 +1,5 @@
 // Conjugate gradients that stop and go on are the same iterations.
+#include <suture/base/Timers.hpp>
 #include <suture/solver/InnerSolver.hpp>
 
 #include <Teuchos_UnitTestHarness.hpp>
@@ -37,7 +38,10 @@ TEUCHOS_UNIT_TEST(InnerSolver, LosesNoIterationWhereItStops) {
   InnerSolver solver(200);
   TEST_ASSERT(!solver.canGoOn());
   TEST_THROW(solver.goOn(*part, 1e-10, 0.0, p.silent), InternalError);
+  const double begin = Timers::now();
   const InnerResult once = p.solve(solver, *whole, 1e-10);
+  TEST_COMPARE(once.seconds, >, 0.0);
+  TEST_COMPARE(once.seconds, <, Timers::now() - begin);
 
   InnerResult last = p.solve(solver, *part, 1e-2);
   sum->update(1.0, *part, 0.0);
