@@ -2,6 +2,7 @@
 // The program's main is in support/SolveMain.cpp: suture_study runs this function, too.
 #include <Teuchos_ParameterList.hpp>
 
+#include <suture/base/Timers.hpp>
 #include <suture/elasticity/LockingNotes.hpp>
 
 #include "support/Program.hpp"

@@ -156,12 +156,6 @@ int runProgram(const std::string& name, const std::string& subject, const std::f
   return int(end.code);
 }
 
-void giveBackFreedMemory() {
-#ifdef __GLIBC__
-  malloc_trim(0);
-#endif
-}
-
 bool isFirstProcess() {
   for (const char* variable : {"OMPI_COMM_WORLD_RANK", "PMIX_RANK", "PMI_RANK", "SLURM_PROCID"})
     if (const char* rank = std::getenv(variable)) return std::string(rank) == "0";

@@ -45,12 +45,6 @@ class MeetingPoint {
   std::unique_ptr<Impl> impl_;
 };
 
-/// Gives the memory that was freed, and that runProgram() has told malloc to keep, back to the system: before a file is written, whose
-/// pages it can hold. Where the host of a virtual machine has taken back what it thought unused, other pages cost more than writing to
-/// them. Phase write at 1M unknowns on such a machine, without and with, medians of 4 and 5: tunnel on two ranks 0.40 and 0.25 s, on one
-/// 0.51 and 0.47; hertz 0.19 and 0.26, 0.87 and 0.45. Local.
-void giveBackFreedMemory();
-
 /// Whether this process is the first of its mpirun, also before MPI begins: a help text is printed once.
 bool isFirstProcess();
 

@@ -8,6 +8,7 @@
 
 #include "Buffer.hpp"
 #include "Errors.hpp"
+#include "Gather.hpp"
 #include "MpiHandle.hpp"
 
 namespace suture {
@@ -302,11 +303,7 @@ std::map<int, std::string> swapWithNeighbours(const Comm& comm, const std::map<i
 std::vector<int> unionOverRanks(const Comm& comm, const std::vector<int>& mine) {
   Packer packer;
   packer.put(mine);
-  std::vector<int> all;
-  for (const std::string& bytes : allGather(comm, packer.bytes())) {
-    const auto own = Unpacker(bytes).get<std::vector<int>>();
-    all.insert(all.end(), own.begin(), own.end());
-  }
+  std::vector<int> all = joined<int>(allGather(comm, packer.bytes()));
   std::sort(all.begin(), all.end());
   all.erase(std::unique(all.begin(), all.end()), all.end());
   return all;

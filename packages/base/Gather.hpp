@@ -7,17 +7,23 @@
 
 namespace suture {
 
+/// The vectors in messages that Packer made, one after the other. Local.
+template <typename T>
+std::vector<T> joined(const std::vector<std::string>& messages) {
+  std::vector<T> all;
+  for (const std::string& bytes : messages) {
+    const auto own = Unpacker(bytes).get<std::vector<T>>();
+    all.insert(all.end(), own.begin(), own.end());
+  }
+  return all;
+}
+
 /// The values of all ranks one after the other on rank 0, in the order of ranks; nothing elsewhere. Collective.
 template <typename T>
 std::vector<T> joinOnRoot(const Comm& comm, const std::vector<T>& mine) {
   Packer packer;
   packer.put(mine);
-  std::vector<T> all;
-  for (const std::string& bytes : gatherOnRoot(comm, packer.bytes())) {
-    const auto own = Unpacker(bytes).get<std::vector<T>>();
-    all.insert(all.end(), own.begin(), own.end());
-  }
-  return all;
+  return joined<T>(gatherOnRoot(comm, packer.bytes()));
 }
 
 }  // namespace suture

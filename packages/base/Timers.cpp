@@ -74,8 +74,14 @@ double peakMemoryMb() {
   return static_cast<double>(usage.ru_maxrss) / 1024.0;
 }
 
+void giveBackFreedMemory() {
+#ifdef __GLIBC__
+  malloc_trim(0);
+#endif
+}
+
 bool resetPeakMemory() {
-  malloc_trim(0);  // what is free but kept would count as resident
+  giveBackFreedMemory();  // what is free but kept would count as resident
   std::ofstream request("/proc/self/clear_refs");
   request << "5" << std::flush;  // proc(5): resets the peak resident set size
   return request.good();
