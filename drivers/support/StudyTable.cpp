@@ -58,8 +58,8 @@ std::vector<std::string> escaped(std::vector<std::string> fields, const Escape& 
 }
 
 bool isTime(const std::string& path) {
-  return path == "/seconds" || path.rfind("/phases/", 0) == 0 || path == "/preconditioner/setup_seconds" ||
-         path == "/auxiliary/iteration_seconds";
+  const std::string unit = "seconds";
+  return path.rfind("/phases/", 0) == 0 || (path.size() > unit.size() && path.compare(path.size() - unit.size(), unit.size(), unit) == 0);
 }
 
 // Of an even number of values the lower of the middle two: a time that was measured.

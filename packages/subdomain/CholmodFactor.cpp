@@ -72,12 +72,17 @@ const char* nameOf(CholmodOptions::Ordering ordering) {
 thread_local std::vector<double> keptWork, keptUpdate;
 
 struct Space {
-  Space(std::size_t rows, Eigen::Index columns, std::vector<double>& kept) : own(columns > 1 ? rows * columns : 0) {
-    if (columns == 1 && kept.size() < rows) kept.resize(rows);
-    new (&values) Eigen::Map<Matrix>(columns > 1 ? own.data() : kept.data(), static_cast<Eigen::Index>(rows), columns);
+  Space(std::size_t rows, Eigen::Index columns, std::vector<double>& kept)
+      : values(room(rows, columns, kept), static_cast<Eigen::Index>(rows), columns) {}
+
+  double* room(std::size_t rows, Eigen::Index columns, std::vector<double>& kept) {
+    std::vector<double>& taken = columns == 1 ? kept : own;
+    if (taken.size() < rows * columns) taken.resize(rows * columns);
+    return taken.data();
   }
-  std::vector<double> own;
-  Eigen::Map<Matrix> values{nullptr, 0, 0};
+
+  std::vector<double> own;  // before `values`, which lie in it or in what is kept
+  Eigen::Map<Matrix> values;
 };
 
 }  // namespace

@@ -35,7 +35,8 @@ class Subdomain {
   const SparseMatrix& stiffness() const { return stiffness_; }  ///< free x free, symmetric, both triangles
   const Vector& load() const { return load_; }                  ///< free: loads less the stiffness times prescribed displacements [force]
   double constantEnergy() const { return constantEnergy_; }     ///< what prescribed displacements alone store, less their loads' work
-  // What preconditioners want is found anew at each call: they ask once and keep what belongs to the boundary.
+  // For preconditioners. What is returned by value is found anew at each call, in time that grows with the subdomain: ask once, and keep
+  // what belongs to the boundary.
   /// Young modulus at the node of each free unknown, the largest of the elements there; for the weighting Young. [stress]
   Vector youngModulus() const;
   /// Volume that a unit of each free unknown carries through the seam out of the subdomain of lower number, or through a contact line out
