@@ -108,11 +108,11 @@ def disagreement(results):
 
 
 def quantity(case, key):
-    """What a figure of FIGURES is compared by: a ratio of medians, or a median itself."""
+    """What a figure of FIGURES is compared by: a ratio of medians, or a median itself; None where the programs do not tell."""
     if key == "bonded_seconds":
         return case["runs"]["bonded_2"]["from_assembled"]["median"]
     if key == "iteration":
-        return case["pcg_iteration"]["multiple"]["median"]
+        return (case["pcg_iteration"] or {}).get("multiple", {}).get("median")
     if key == "memory_gib":
         return case["runs"]["suture_2"]["memory_mb"]["median"] / 1024
     return case["ratios"][key]["ratio"]
@@ -135,9 +135,10 @@ def verdict(bench):
     """One line for each figure of the issue."""
     lines, missing = [], []
     for what, size, key, floor, aim in FIGURES:
-        cases = {name: case for name, case in bench["cases"].items() if name.endswith(f"/{size}")}
-        lines += [judged(f"{name}, {what}", quantity(case, key), floor, aim) for name, case in cases.items()]
-        if not cases:
+        found = {name: quantity(case, key) for name, case in bench["cases"].items() if name.endswith(f"/{size}")}
+        found = {name: value for name, value in found.items() if value is not None}
+        lines += [judged(f"{name}, {what}", value, floor, aim) for name, value in found.items()]
+        if not found:
             missing.append(f"{what} at {size}")
     small, large, floor = GROWTH
     for scene, found in bench["growth"].items():

@@ -41,7 +41,8 @@ def iteration_line(name, found):
         return f"{name}: there was no PCG iteration"
     line = f"{name}: a PCG iteration on two ranks takes {shown(found['seconds'], scale=1e3)} ms"
     if "multiple" in found:
-        return line + f", {shown(found['multiple'])} times reading its {found['data_mb']:.0f} MB once right after it, {found['multiple_of_best']:.2f} times at the best speed"
+        line += f", {shown(found['multiple'])} times reading its {found['data_mb']:.0f} MB once right after it"
+        return line + f", {found['multiple_of_best']:.2f} times at the best speed"
     return line + "; how much data it reads summary.json does not say"
 
 
