@@ -5,7 +5,7 @@
 namespace suture {
 
 Schema ExplicitSchurComplement::schema() {
-  return Schema("A dense matrix, from one multifrontal elimination of the interior (BLAS; ordering by CHOLMOD).");
+  return Schema("A dense matrix, from one multifrontal elimination of the interior (BLAS; nested dissection).");
 }
 
 void ExplicitSchurComplement::doCompute(const SchurData& data) {
@@ -13,7 +13,7 @@ void ExplicitSchurComplement::doCompute(const SchurData& data) {
   load_ = &data.load;
   boundary_ = data.boundary;
   try {
-    StaticCondensation condensation(data.stiffness, data.load, boundary_);
+    StaticCondensation condensation(data.stiffness, data.load, boundary_, data.places);
     schur_ = PackedSymmetric(condensation.schur());
     factor_ = std::move(condensation.factor());
     condensedLoad_ = condensation.condensedLoad();

@@ -14,6 +14,7 @@ struct SchurData {
   const Vector& load;                ///< all unknowns
   const std::vector<int>& boundary;  ///< positions of B, in the order of traces
   const std::vector<int>& nodeOf;    ///< node of each unknown
+  const std::vector<Point>& places;  ///< of each unknown: where its node is [length]
   LocalSolverMaker solver;
   std::string what;  ///< for messages
 };

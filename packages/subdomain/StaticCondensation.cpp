@@ -48,9 +48,9 @@ struct Target {
 /// Front by front, children before parents: what a front leaves waits for its parent, or goes to S.
 class Elimination {
  public:
-  Elimination(const SparseMatrix& matrix, const std::vector<int>& boundary)
+  Elimination(const SparseMatrix& matrix, const std::vector<int>& boundary, const std::vector<Point>& places)
       : matrix_(matrix),
-        tree_(matrix, boundary),
+        tree_(matrix, boundary, places),
         check_(static_cast<int>(matrix.rows()), static_cast<int>(boundary.size())),
         place_(matrix.rows()),
         groupOf_(matrix.rows()),
@@ -86,6 +86,11 @@ class Elimination {
 
  private:
   int groupSize(int g) const { return tree_.start[g + 1] - tree_.start[g]; }
+
+  /// Then what it leaves is added to S at once, row by row.
+  bool isWholeBoundary(const FrontTree::Front& front) const {
+    return front.parent < 0 && front.endRow - front.firstRow == tree_.groups() - tree_.interiorGroups;
+  }
 
   void reserve(SingleFactor& factor) const {
     std::size_t rows = 0, entries = 0;
@@ -145,7 +150,11 @@ class Elimination {
       }
     }
 
-    if (below > 0) {
+    if (below > 0 && isWholeBoundary(front)) {
+      double* values = schur.data();
+      cblas_dsyrk(CblasColMajor, CblasLower, CblasNoTrans, below, columns, -1.0, rest, size, 1.0, values, below);
+      for (const int child : children_[f]) add(child, columns, size, {values, below, columns});
+    } else if (below > 0) {
       Update& update = updates_[f];
       if (!spare_.empty()) {
         update.block = std::move(spare_.back());
@@ -155,13 +164,13 @@ class Elimination {
       double* values = update.block.reserve(static_cast<std::size_t>(below) * below);
       cblas_dsyrk(CblasColMajor, CblasLower, CblasNoTrans, below, columns, -1.0, rest, size, 0.0, values, below);
       for (const int child : children_[f]) add(child, columns, size, {values, below, columns});
+      if (front.parent < 0) {
+        for (int r = front.firstRow; r < front.endRow; ++r) at_[tree_.rows[r]] = tree_.start[tree_.rows[r]] - tree_.interior();
+        add(f, 0, static_cast<int>(schur.rows()), {schur.data(), static_cast<int>(schur.rows()), 0});
+        release(f);
+      }
     }
     for (const int child : children_[f]) release(child);
-    if (front.parent < 0 && below > 0) {
-      for (int r = front.firstRow; r < front.endRow; ++r) at_[tree_.rows[r]] = tree_.start[tree_.rows[r]] - tree_.interior();
-      add(f, 0, static_cast<int>(schur.rows()), {schur.data(), static_cast<int>(schur.rows()), 0});
-      release(f);
-    }
 
     below_.clear();
     for (int r = front.firstRow; r < front.endRow && tree_.rows[r] < tree_.interiorGroups; ++r)
@@ -220,8 +229,9 @@ class Elimination {
 
 }  // namespace
 
-StaticCondensation::StaticCondensation(const SparseMatrix& matrix, const Vector& load, const std::vector<int>& boundary) {
-  Elimination elimination(matrix, boundary);
+StaticCondensation::StaticCondensation(const SparseMatrix& matrix, const Vector& load, const std::vector<int>& boundary,
+                                       const std::vector<Point>& places) {
+  Elimination elimination(matrix, boundary, places);
   const FrontTree& tree = elimination.tree();
   const int n = static_cast<int>(matrix.rows()), interior = tree.interior(), size = n - interior;
   Vector inOrder(n);

@@ -17,9 +17,10 @@ class StaticCondensation {
   /// \param matrix    both triangles
   /// \param load      all unknowns
   /// \param boundary  positions of B
+  /// \param places    of each unknown: where its node is. S does not depend on them but for rounding, the time does.
   /// \throws NumericalError    a pivot of A_II is not positive, or nothing but rounding; names the unknown
   /// \throws EnvironmentError  out of memory
-  StaticCondensation(const SparseMatrix& matrix, const Vector& load, const std::vector<int>& boundary);
+  StaticCondensation(const SparseMatrix& matrix, const Vector& load, const std::vector<int>& boundary, const std::vector<Point>& places);
 
   /// S in the order of `boundary`; its lower triangle is set. To be moved from, as the factor below.
   Matrix& schur() { return schur_; }

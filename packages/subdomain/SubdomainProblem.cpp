@@ -37,6 +37,12 @@ std::vector<int> nodesOfDofs(const Subdomain& subdomain) {
   return nodes;
 }
 
+std::vector<Point> placesOfDofs(const Subdomain& subdomain) {
+  std::vector<Point> places(subdomain.dofs());
+  for (int i = 0; i < subdomain.dofs(); ++i) places[i] = subdomain.mesh().point(subdomain.nodeOf(i));
+  return places;
+}
+
 SubdomainProblem::SubdomainProblem(int id, const Subdomain& subdomain, const std::vector<int>& boundary, const LocalSolverMaker& solver,
                                    std::unique_ptr<SchurComplement> schur)
     : LocalProblem(id, "subdomain '" + subdomain.mesh().name + "'", globalDofs(subdomain, boundary)),
@@ -50,7 +56,7 @@ SubdomainProblem::SubdomainProblem(int id, const Subdomain& subdomain, const std
       kernel_(rowsAt(subdomain.kernel(), boundary)),
       coarseModes_(rowsAt(subdomain.coarseModes(), boundary)) {
   for (std::size_t i = 0; i < boundary.size(); ++i) diagonal_(i) = subdomain.stiffness().coeff(boundary[i], boundary[i]);
-  schur_->compute({subdomain.stiffness(), subdomain.load(), positions_, nodesOfDofs(subdomain), solver, name()});
+  schur_->compute({subdomain.stiffness(), subdomain.load(), positions_, nodesOfDofs(subdomain), placesOfDofs(subdomain), solver, name()});
 }
 
 Matrix SubdomainProblem::schur() const {

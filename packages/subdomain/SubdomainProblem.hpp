@@ -46,5 +46,7 @@ class SubdomainProblem : public LocalProblem {
 std::vector<GlobalId> globalDofs(const Subdomain& subdomain, const std::vector<int>& dofs);
 /// Node of each free unknown.
 std::vector<int> nodesOfDofs(const Subdomain& subdomain);
+/// Where the node of each free unknown is.
+std::vector<Point> placesOfDofs(const Subdomain& subdomain);
 
 }  // namespace suture

@@ -24,7 +24,7 @@ struct Chosen {
     for (int dof = 0; dof < s.dofs(); ++dof)
       if (everything ? dof > 1 : s.mesh().point(s.nodeOf(dof))[0] == 1.0) boundary.push_back(dof);
     const std::vector<int> nodes = nodesOfDofs(s);
-    schur.compute({s.stiffness(), s.load(), boundary, nodes, localSolver(), "it"});
+    schur.compute({s.stiffness(), s.load(), boundary, nodes, placesOfDofs(s), localSolver(), "it"});
   }
 };
 

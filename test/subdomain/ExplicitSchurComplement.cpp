@@ -68,7 +68,7 @@ TEUCHOS_UNIT_TEST(ExplicitSchurComplement, CountsItsApplications) {
   const auto schur = Registry<SchurComplement>::instance().make("Explicit", Parameters());
   const Subdomain& s = *all.subdomains[4];
   const std::vector<int> boundary = sharedDofs(s), nodes = nodesOfDofs(s);
-  schur->compute({s.stiffness(), s.load(), boundary, nodes, localSolver(), "it"});
+  schur->compute({s.stiffness(), s.load(), boundary, nodes, placesOfDofs(s), localSolver(), "it"});
   const int n = int(boundary.size());
   Matrix flux(n, 2);
   schur->apply(random(n, 2), flux);

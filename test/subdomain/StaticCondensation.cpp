@@ -34,7 +34,8 @@ std::vector<int> rim(int nx, int ny) {
 Matrix whole(StaticCondensation& condensation) { return condensation.schur().selfadjointView<Eigen::Lower>(); }
 
 // S, g and the least energy from dense algebra.
-void compareWithDense(const Sparse& a, const std::vector<int>& boundary, bool& success, Teuchos::FancyOStream& out) {
+void compareWithDense(const Sparse& a, const std::vector<int>& boundary, const std::vector<Point>& places, bool& success,
+                      Teuchos::FancyOStream& out) {
   const int n = static_cast<int>(a.rows()), nb = static_cast<int>(boundary.size());
   std::vector<int> order = complement(n, boundary);
   order.insert(order.end(), boundary.begin(), boundary.end());
@@ -42,7 +43,7 @@ void compareWithDense(const Sparse& a, const std::vector<int>& boundary, bool& s
   const Matrix turned = Matrix(a)(order, order);
   const Vector f = load(order);
   const Vector response = turned.topLeftCorner(n - nb, n - nb).ldlt().solve(f.head(n - nb));
-  StaticCondensation condensation(a, load, boundary);
+  StaticCondensation condensation(a, load, boundary, places);
   if (nb > 0) {
     TEST_COMPARE(difference(whole(condensation), denseSchur(turned, nb)), <, 1e-13);
     TEST_COMPARE(difference(condensation.condensedLoad(), f.tail(nb) - turned.bottomLeftCorner(nb, n - nb) * response), <, 1e-13);
@@ -59,7 +60,7 @@ TEUCHOS_UNIT_TEST(StaticCondensation, EqualsDenseElimination) {
   for (const int n : {1, 40, 150})
     for (const double part : {0.0, 0.02, 0.3, 1.0})
       for (const unsigned seed : {1u, 2u, 3u})
-        compareWithDense(randomDefinite(n, seed), someOf(n, static_cast<int>(part * n), seed), success, out);
+        compareWithDense(randomDefinite(n, seed), someOf(n, static_cast<int>(part * n), seed), randomPlaces(n, seed), success, out);
 }
 
 TEUCHOS_UNIT_TEST(StaticCondensation, EliminatesAnInteriorInPieces) {
@@ -73,14 +74,18 @@ TEUCHOS_UNIT_TEST(StaticCondensation, EliminatesAnInteriorInPieces) {
   entries.emplace_back(2 * n, 2 * n, 3.0);
   Sparse both(2 * n + 1, 2 * n + 1);
   both.setFromTriplets(entries.begin(), entries.end());
-  compareWithDense(both, {n + 1, 0, 7, 1, n, n + 9, 12}, success, out);
+  std::vector<Point> places = placesOfBody(5, 4);  // one body upon the other
+  places.insert(places.end(), places.begin(), places.begin() + n);
+  places.push_back({0, 0, 0});
+  for (const std::vector<Point>& where : {places, std::vector<Point>(2 * n + 1, Point{1, 1, 1})})
+    compareWithDense(both, {n + 1, 0, 7, 1, n, n + 9, 12}, where, success, out);
 }
 
 TEUCHOS_UNIT_TEST(StaticCondensation, TranslationsOfAFloatingBodyCostNothing) {
   for (const auto& [n, limit] : {std::pair(9, 2e-15), std::pair(30, 1e-14), std::pair(60, 3e-14)}) {
     const std::vector<int> boundary = rim(n, n);
     const Sparse a = floatingBody(n, n);
-    StaticCondensation condensation(a, Vector::Zero(a.rows()), boundary);
+    StaticCondensation condensation(a, Vector::Zero(a.rows()), boundary, placesOfBody(n, n));
     const Matrix s = whole(condensation);
     for (int k = 0; k < 2; ++k) {
       Vector z = Vector::Zero(s.rows());
@@ -93,12 +98,13 @@ TEUCHOS_UNIT_TEST(StaticCondensation, TranslationsOfAFloatingBodyCostNothing) {
 TEUCHOS_UNIT_TEST(StaticCondensation, RefusesASingularInterior) {
   const Sparse a = floatingBody(12, 9);
   const Vector load = Vector::Zero(a.rows());
-  TEST_THROW(StaticCondensation(a, load, {}), NumericalError);
-  TEST_THROW(StaticCondensation(a, load, {0, 1}), NumericalError);  // may still turn
+  const std::vector<Point> places = placesOfBody(12, 9);
+  TEST_THROW(StaticCondensation(a, load, {}, places), NumericalError);
+  TEST_THROW(StaticCondensation(a, load, {0, 1}, places), NumericalError);  // may still turn
   Sparse indefinite = randomDefinite(30, 2);
   indefinite.coeffRef(17, 17) = -1;
   try {
-    StaticCondensation(indefinite, Vector::Zero(30), {3, 4});
+    StaticCondensation(indefinite, Vector::Zero(30), {3, 4}, randomPlaces(30, 1));
     TEST_ASSERT(false);
   } catch (const NumericalError& error) {
     TEST_ASSERT(std::string(error.what()).find("the pivot of dof 17") != std::string::npos);
@@ -109,7 +115,7 @@ TEUCHOS_UNIT_TEST(FrontTree, EliminatesEachInteriorUnknownOnce) {
   const int nx = 17, ny = 11;
   const Sparse a = floatingBody(nx, ny);
   const std::vector<int> boundary = rim(nx, ny);
-  const FrontTree tree(a, boundary);
+  const FrontTree tree(a, boundary, placesOfBody(nx, ny));
   const int n = static_cast<int>(a.rows());
   TEST_EQUALITY(tree.interior(), n - static_cast<int>(boundary.size()));
   TEST_EQUALITY(tree.groups(), n / 2);  // a node is a group
@@ -134,7 +140,7 @@ TEUCHOS_UNIT_TEST(StaticCondensation, NamesAPivotThatIsNoNumber) {
   for (int i = 0; i < n; ++i) a.insert(i, i) = i == 2 ? std::numeric_limits<double>::quiet_NaN() : 1.0;
   a.makeCompressed();
   try {
-    StaticCondensation(a, Vector::Ones(n), {n - 1});
+    StaticCondensation(a, Vector::Ones(n), {n - 1}, randomPlaces(n, 1));
     TEST_ASSERT(false);
   } catch (const NumericalError& error) {
     out << error.what() << "\n";

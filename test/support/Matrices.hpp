@@ -42,6 +42,23 @@ inline Sparse floatingBody(int nx, int ny) {
   return a;
 }
 
+// Where its nodes are, of each unknown.
+inline std::vector<Point> placesOfBody(int nx, int ny) {
+  std::vector<Point> places;
+  for (int j = 0; j <= ny; ++j)
+    for (int i = 0; i <= nx; ++i) places.insert(places.end(), 2, Point{double(i), double(j), 0.0});
+  return places;
+}
+
+// Of unknowns that are nowhere in particular.
+inline std::vector<Point> randomPlaces(int n, unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> value(-1, 1);
+  std::vector<Point> places(n);
+  for (Point& place : places) place = {value(random), value(random), value(random)};
+  return places;
+}
+
 inline Sparse randomDefinite(int n, unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> value(-1, 1);
