@@ -13,6 +13,7 @@ namespace {
 using Singles = Eigen::VectorXf;
 
 constexpr double kAccuracy = 1e-15;  // of the recursion; what rounding leaves in the true residual is that of a direct solve
+constexpr double kSurely = 1e-4;     // by how much a residual that is only expected has to be below its square
 constexpr int kMost = 200;
 
 }  // namespace
@@ -77,11 +78,14 @@ void SingleFactor::solve(const SparseMatrix& matrix, Vector& x) const {
     if (!std::isfinite(now)) break;
     if (step == 0) target = kAccuracy * kAccuracy * now;
     if (now <= target) return;
+    // The next one will be smaller by the same factor: where that is far below the target, it need not be seen.
+    const bool isLast = step > 0 && now * (now / rz) <= kSurely * target;
     p = step == 0 ? z : Vector(z + (now / rz) * p);
     rz = now;
     q.noalias() = matrix * p;
     const double length = rz / p.dot(q);
     x += length * p;
+    if (isLast) return;
     for (const int unknown : unknownOf_) r(unknown) -= length * q(unknown);
   }
   throw NumericalError("interior unknowns: " + std::to_string(kMost) + " steps with a factor in single precision did not suffice");
