@@ -1,4 +1,3 @@
-#include <cblas.h>
 #include <suture/base/Collective.hpp>
 #include <suture/precond/Bddc.hpp>
 #include <suture/precond/CoarseSystem.hpp>
@@ -15,17 +14,6 @@
 #include <sstream>
 
 namespace suture {
-
-namespace {
-
-/// y += a x or a^T x. By BLAS: Eigen's own is compiled for the oldest processors and takes longer than the local solve beside it.
-void addProduct(CBLAS_TRANSPOSE transposed, const Matrix& a, const double* x, double* y) {
-  if (a.size() == 0) return;
-  const int rows = static_cast<int>(a.rows()), columns = static_cast<int>(a.cols());
-  cblas_dgemv(CblasColMajor, transposed, rows, columns, 1.0, a.data(), rows, x, 1, 1.0, y, 1);
-}
-
-}  // namespace
 
 Schema Bddc::schema() {
   Schema schema(
@@ -170,9 +158,7 @@ void Bddc::doApply(const MultiVector& r, MultiVector& z) const {
       flux.resize(coupling.rows(), 1);
       coupling.restrictTo(work.overlap, flux);
       weighting_->applyTranspose(static_cast<int>(i), flux);
-      const Matrix& basis = inverses_[i]->basis();
-      work.own.setZero(basis.cols());
-      addProduct(CblasTrans, basis, flux.data(), work.own.data());
+      inverses_[i]->applyBasisTransposed(flux.col(0), work.own);
       for (const Value& value : values_[i]) work.primal(value.number) += value.coefficient * work.own(value.row);
     }
     const Vector& y = coarse_->solve(work.primal);
@@ -183,9 +169,9 @@ void Bddc::doApply(const MultiVector& r, MultiVector& z) const {
       Matrix& trace = work.trace[i];
       trace.resize(coupling.rows(), 1);
       inverses_[i]->apply(work.flux[i], trace);
-      work.own.setZero(inverses_[i]->basis().cols());
+      work.own.setZero(inverses_[i]->energy().rows());
       for (const Value& value : values_[i]) work.own(value.row) += value.coefficient * y(value.number);
-      addProduct(CblasNoTrans, inverses_[i]->basis(), work.own.data(), trace.data());
+      inverses_[i]->addBasis(work.own, trace.col(0));
       weighting_->apply(static_cast<int>(i), trace);
       coupling.addTransposed(trace, work.overlap);
     }

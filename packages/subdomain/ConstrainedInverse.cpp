@@ -189,14 +189,14 @@ ConstrainedInverse::ConstrainedInverse(Matrix schur, const Matrix& constraints, 
     dlauum_("L", &d, dd.data(), &d, &info);  // lower <- L^T L
   }
 
-  basis_ = Matrix::Zero(n, m);
+  Matrix basis = Matrix::Zero(n, m);
   Matrix toPrimal = Matrix::Identity(m, m);  // of the order taken, from that of the rows given
   triangle.triangularView<Eigen::Lower>().solveInPlace(toPrimal);
   Matrix inOrder(m, m);
   for (int a = 0; a < m; ++a) inOrder.col(order[a]) = toPrimal.col(a);
   const Matrix below = product(CblasNoTrans, dp, inOrder);
-  for (int a = 0; a < m; ++a) basis_.row(primal[a]) = inOrder.row(a);
-  for (int i = 0; i < d; ++i) basis_.row(dual[i]) = -below.row(i);
+  for (int a = 0; a < m; ++a) basis.row(primal[a]) = inOrder.row(a);
+  for (int i = 0; i < d; ++i) basis.row(dual[i]) = -below.row(i);
   const Matrix energy = inOrder.transpose() * (0.5 * (pp + pp.transpose())) * inOrder;
   energy_ = 0.5 * (energy + energy.transpose());
 
@@ -204,9 +204,11 @@ ConstrainedInverse::ConstrainedInverse(Matrix schur, const Matrix& constraints, 
   for (int j = 0; j < d; ++j)
     for (int i = j; i < d; ++i) inverse(dual[i], dual[j]) = dd(i, j);
   rotation.from(inverse);
-  rotation.fromColumns(basis_);
+  rotation.fromColumns(basis);
   const bool single = d >= kLeastForSingle && diagonal.maxCoeff() * dd.diagonal().maxCoeff() < kConditionForSingle;
-  inverse_ = PackedSymmetric(inverse, single ? PackedSymmetric::Precision::Single : PackedSymmetric::Precision::Double);
+  const auto precision = single ? PackedSymmetric::Precision::Single : PackedSymmetric::Precision::Double;
+  inverse_ = PackedSymmetric(inverse, precision);
+  basis_ = PackedColumns(basis, precision);
 }
 
 }  // namespace suture

@@ -1,6 +1,6 @@
 #pragma once
 #include <suture/subdomain/LocalProblem.hpp>
-#include <suture/subdomain/PackedSymmetric.hpp>
+#include <suture/subdomain/PackedColumns.hpp>
 
 #include <string>
 
@@ -10,20 +10,26 @@ namespace suture {
 ///
 /// By a change of basis: one reflection a row makes each constraint the value of a single coordinate (a row that is one already needs
 /// none). The coordinates left are free, their block of S is definite, and its inverse, turned back, is kept as a matrix: an application
-/// is one symmetric product, in single precision if it is large and well-conditioned. No multiplier, no penalty; S may be singular. Local.
+/// is one symmetric product, and as the basis in single precision if it is large and well-conditioned. No multiplier, no penalty; S may be
+/// singular. Local.
 class ConstrainedInverse : public LocalInverse {
  public:
   /// \param what  for messages. \throws NumericalError  C is not of full rank, or leaves a mechanism.
   ConstrainedInverse(Matrix schur, const Matrix& constraints, const std::string& what);
 
   void apply(ConstLocalView flux, LocalView trace) const override { inverse_.multiply(flux, trace); }
-  const Matrix& basis() const override { return basis_; }
+  Matrix basis() const override { return basis_.full(); }
   const Matrix& energy() const override { return energy_; }
-  double bytesRead() const override { return inverse_.bytes() + 2.0 * sizeof(double) * static_cast<double>(basis_.size()); }
+  void applyBasisTransposed(const Eigen::Ref<const Vector>& flux, Vector& values) const override {
+    basis_.multiplyTransposed(flux, values);
+  }
+  void addBasis(const Vector& values, Eigen::Ref<Vector> trace) const override { basis_.addProduct(values, trace); }
+  double bytesRead() const override { return inverse_.bytes() + 2.0 * basis_.bytes(); }
 
  private:
   PackedSymmetric inverse_;
-  Matrix basis_, energy_;
+  PackedColumns basis_;
+  Matrix energy_;
 };
 
 }  // namespace suture

@@ -17,8 +17,11 @@ class LocalInverse {
   /// flux.
   virtual void apply(ConstLocalView flux, LocalView trace) const = 0;
   /// With constraints: the traces Phi of least energy with C Phi = I, size() x rows, and their energies Phi^T S Phi. Empty without.
-  virtual const Matrix& basis() const { return none_; }
+  virtual Matrix basis() const { return none_; }
   virtual const Matrix& energy() const { return none_; }
+  /// Products with Phi, as fast as memory is: values <- Phi^T flux, trace <- trace + Phi values. One flux, one trace.
+  virtual void applyBasisTransposed(const Eigen::Ref<const Vector>& flux, Vector& values) const { values = basis().transpose() * flux; }
+  virtual void addBasis(const Vector& values, Eigen::Ref<Vector> trace) const { trace += basis() * values; }
   /// What one application with one right-hand side reads of memory, the basis included, in bytes; 0: not known.
   virtual double bytesRead() const { return 0.0; }
 

@@ -1,32 +1,19 @@
+#include <suture/subdomain/Lanes.hpp>
 #include <suture/subdomain/PackedSymmetric.hpp>
 
 #include <algorithm>
-
-// One function for each generation of processors, chosen when the program is loaded: the baseline of x86-64 has vectors of two numbers.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
-#define SUTURE_FOR_EACH_PROCESSOR __attribute__((target_clones("avx512f", "avx2", "default")))
-#else
-#define SUTURE_FOR_EACH_PROCESSOR
-#endif
 
 namespace suture {
 
 namespace {
 
-constexpr int kWidth = 4;                          // columns of a panel: what one pass over x and y takes
-constexpr int kPanelsAhead = 4, kSecondLevel = 2;  // what is fetched before its turn, and to where
+constexpr int kWidth = 4;        // columns of a panel: what one pass over x and y takes
+constexpr int kPanelsAhead = 4;  // what is fetched before its turn
 
 int padded(int size) { return (size + kWidth - 1) / kWidth * kWidth; }
 
 /// Where a panel begins.
 std::size_t begin(int panel, int rows) { return static_cast<std::size_t>(kWidth) * panel * (rows - kWidth * (panel - 1) / 2); }
-
-/// `Bytes` of numbers that are added and multiplied at once (a vector extension of GCC and Clang), anywhere in memory.
-template <typename Real, int Bytes>
-struct Lanes {
-  typedef Real Type __attribute__((vector_size(Bytes), aligned(alignof(Real)), may_alias));
-  static constexpr int count = Bytes / static_cast<int>(sizeof(Real));
-};
 
 /// Rows of four columns, as many as a vector holds, used twice: v += sum of b_k x_k, and s_k += b_k u. Inlined for each processor.
 template <typename Vector, typename Real>
@@ -48,9 +35,9 @@ __attribute__((always_inline)) inline void addRows(const Real* a0, const Real* a
 /// and 22.
 template <typename Real>
 SUTURE_FOR_EACH_PROCESSOR void addProduct(int rows, const Real* a, const Real* x, Real* y) {
-  using Line = typename Lanes<Real, 64>::Type;
-  using Four = typename Lanes<Real, kWidth * sizeof(Real)>::Type;
-  constexpr int line = Lanes<Real, 64>::count;
+  using Line = typename suture::Line<Real>::Type;
+  using Four = typename suture::Four<Real>::Type;
+  constexpr int line = suture::Line<Real>::count;
   for (int first = 0; first < rows; first += kWidth) {
     const int m = rows - first;
     const Real *a0 = a, *a1 = a + m, *a2 = a + 2 * m, *a3 = a + 3 * m, *u = x + first;
@@ -67,12 +54,10 @@ SUTURE_FOR_EACH_PROCESSOR void addProduct(int rows, const Real* a, const Real* x
       addRows(a0 + i, a1 + i, a2 + i, a3 + i, own, u + i, v + i, s0, s1, s2, s3);
     }
     for (; i < m; i += kWidth) addRows(a0 + i, a1 + i, a2 + i, a3 + i, own, u + i, v + i, t0, t1, t2, t3);
-    for (int k = 0; k < line; ++k) {
-      v[0] += s0[k];
-      v[1] += s1[k];
-      v[2] += s2[k];
-      v[3] += s3[k];
-    }
+    foldInto<Real>(s0, t0);
+    foldInto<Real>(s1, t1);
+    foldInto<Real>(s2, t2);
+    foldInto<Real>(s3, t3);
     for (int k = 0; k < kWidth; ++k) {
       v[0] += t0[k];
       v[1] += t1[k];

@@ -55,7 +55,7 @@ Matrix applied(const LocalInverse& inverse, const Matrix& flux) {
 }
 
 TEUCHOS_UNIT_TEST(ConstrainedInverse, IsTheSaddleProblemsSolution) {
-  // A large inverse is kept in single precision where its condition allows it; with a large jump it is not.
+  // A large inverse and its basis are kept in single precision where its condition allows it; with a large jump they are not.
   struct Case {
     int n, kernel;
     double orders, rounding, exact;  // exact = 0: elimination itself is not
@@ -70,14 +70,15 @@ TEUCHOS_UNIT_TEST(ConstrainedInverse, IsTheSaddleProblemsSolution) {
     if (exact > 0.0) {
       const Saddle expected(s, c);
       TEST_COMPARE((p - expected.inverse).norm(), <, rounding * expected.inverse.norm());
-      TEST_COMPARE((found.basis() - expected.basis).norm(), <, exact * expected.basis.norm());
+      TEST_COMPARE((found.basis() - expected.basis).norm(), <, rounding * expected.basis.norm());
       TEST_COMPARE((found.energy() - expected.energy).norm(), <, exact * s.norm());
     }
-    TEST_COMPARE((p - p.transpose()).norm(), <, (rounding > 1e-7 ? rounding : 1e-12) * p.norm());
+    const double kept = rounding > 1e-7 ? rounding : 1e-12;  // what single precision leaves, where it is used
+    TEST_COMPARE((p - p.transpose()).norm(), <, kept * p.norm());
     // what is claimed of them, in their own terms
-    TEST_COMPARE((c * found.basis() - Matrix::Identity(5, 5)).norm(), <, 1e-12);
+    TEST_COMPARE((c * found.basis() - Matrix::Identity(5, 5)).norm(), <, kept);
     TEST_COMPARE((c * p).norm(), <, rounding * c.norm() * p.norm());
-    TEST_COMPARE((found.basis().transpose() * s * found.basis() - found.energy()).norm(), <, 1e-10 * s.norm());
+    TEST_COMPARE((found.basis().transpose() * s * found.basis() - found.energy()).norm(), <, std::max(1e-10, kept) * s.norm());
   }
 }
 

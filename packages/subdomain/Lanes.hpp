@@ -1,0 +1,39 @@
+#pragma once
+
+// What the kernels of packed matrices are written with. For sources only.
+
+// One function for each generation of processors, chosen when the program is loaded: the baseline of x86-64 has vectors of two numbers.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+#define SUTURE_FOR_EACH_PROCESSOR __attribute__((target_clones("avx512f", "avx2", "default")))
+#else
+#define SUTURE_FOR_EACH_PROCESSOR
+#endif
+
+namespace suture {
+
+constexpr int kSecondLevel = 2;  // where to prefetch: the second level of the cache
+
+/// `Bytes` of numbers that are added and multiplied at once (a vector extension of GCC and Clang), anywhere in memory.
+template <typename Real, int Bytes>
+struct Lanes {
+  typedef Real Type __attribute__((vector_size(Bytes), aligned(alignof(Real)), may_alias));
+  static constexpr int count = Bytes / static_cast<int>(sizeof(Real));
+
+  static const Type& at(const Real* from) { return *reinterpret_cast<const Type*>(from); }
+  static Type& at(Real* from) { return *reinterpret_cast<Type*>(from); }
+};
+
+/// A line of the cache, and four numbers.
+template <typename Real>
+using Line = Lanes<Real, 64>;
+template <typename Real>
+using Four = Lanes<Real, 4 * sizeof(Real)>;
+
+/// sum += the fours that a line is made of.
+template <typename Real>
+__attribute__((always_inline)) inline void foldInto(const typename Line<Real>::Type& line, typename Four<Real>::Type& sum) {
+  const Real* from = reinterpret_cast<const Real*>(&line);
+  for (int k = 0; k < Line<Real>::count; k += 4) sum += *reinterpret_cast<const typename Four<Real>::Type*>(from + k);
+}
+
+}  // namespace suture
