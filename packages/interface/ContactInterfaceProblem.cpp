@@ -158,7 +158,7 @@ MultiVectorPtr ContactInterfaceProblem::residual(const Matrix& imbalance, const 
   const MultiVectorPtr result = space_->vector();
   auto owned = localView(*result);
   for (int place = 0; place < space_->overlapSize(); ++place)
-    if (const auto at = space_->map()->getLocalElement(space_->id(place)); at >= 0) owned(at, 0) = folded(place, 0);
+    if (const int at = space_->ownedRow(place); at >= 0) owned(at, 0) = folded(place, 0);
   return result;
 }
 
@@ -170,7 +170,7 @@ int ContactInterfaceProblem::conform(InterfaceState& state) const {
   const MultiVectorPtr step = space_->vector();
   auto owned = localView(*step);
   for (int place = 0; place < space_->overlapSize(); ++place)
-    if (const auto at = space_->map()->getLocalElement(space_->id(place)); at >= 0) owned(at, 0) = change(place);
+    if (const int at = space_->ownedRow(place); at >= 0) owned(at, 0) = change(place);
   state.trace->update(1.0, *step, 1.0);
   if (!state.memory) return 0;
   const MultiVectorPtr flux = space_->vector();
@@ -187,7 +187,7 @@ void ContactInterfaceProblem::update(InterfaceState& state, const MultiVector& s
   space->gather(step, moved);
   auto owned = localView(*state.trace);
   for (int place = 0; place < space_->overlapSize(); ++place)
-    if (const auto at = space_->map()->getLocalElement(space_->id(place)); at >= 0) owned(at, 0) += length * moved(place, 0);
+    if (const int at = space_->ownedRow(place); at >= 0) owned(at, 0) += length * moved(place, 0);
   if (!image || !state.memory) {
     state.memory.reset();
     return;
@@ -255,7 +255,7 @@ InterfaceProblem::Evaluation ContactInterfaceProblem::evaluate(const InterfaceSt
     sums[1] += next != PairStatus::Open;
   }
   for (int place = 0; place < space_->overlapSize(); ++place)
-    if (space_->map()->getLocalElement(space_->id(place)) >= 0) sums[2] += 0.5 * trace(place, 0) * (out(place, 0) - load_(place, 0));
+    if (space_->ownedRow(place) >= 0) sums[2] += 0.5 * trace(place, 0) * (out(place, 0) - load_(place, 0));
   Teuchos::reduceAll(*comm_, Teuchos::REDUCE_SUM, 3, sums, allSums);
   result.changed = static_cast<int>(std::lround(allSums[0]));
   result.active = static_cast<int>(std::lround(allSums[1]));

@@ -38,6 +38,7 @@ InterfaceSpace::InterfaceSpace(CommPtr comm, const InterfaceLayout& layout) : co
   overlap_ = mapOf(touched, comm_);
   import_ = Teuchos::rcp(new Import(map_, overlap_));
   ids_.assign(touched.begin(), touched.end());
+  for (const GO id : touched) ownedRows_.push_back(map_->getLocalElement(id));
 
   for (const auto& boundary : layout.boundaries) {
     std::vector<int> columns;

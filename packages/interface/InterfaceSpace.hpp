@@ -54,6 +54,7 @@ class InterfaceSpace {
 
   // Of the unknowns of overlap(), by place.
   GlobalId id(int place) const { return ids_[place]; }
+  int ownedRow(int place) const { return ownedRows_[place]; }  ///< in map(); -1: another rank owns it
   const Point& point(int place) const { return points_[place]; }
   const Point& direction(int place) const { return directions_[place]; }  ///< along which it displaces; see InterfaceLayout::Unknown
   double moment(int place) const { return moments_[place]; }              ///< value under a unit rotation about point(); zero for a point
@@ -96,6 +97,7 @@ class InterfaceSpace {
   std::vector<int> localIds_;
   std::vector<Coupling> couplings_;
   std::vector<GlobalId> ids_;
+  std::vector<int> ownedRows_;
   std::vector<Point> points_, directions_;
   std::vector<double> moments_, fluxes_;
   std::vector<std::vector<int>> sharers_;

@@ -58,7 +58,7 @@ void Bddc::countConstraints(const std::vector<Matrix>& edgeRows) {
   for (std::size_t e = 0; e < edgeRows.size(); ++e)
     if (here.count(space()->edges()[e].locals[0])) mine[0] += edgeRows[e].rows();
   for (int place = 0; place < space()->overlapSize(); ++place)
-    mine[1] += space()->sharers(place).size() > 1 && space()->map()->getLocalElement(space()->id(place)) >= 0;
+    mine[1] += space()->sharers(place).size() > 1 && space()->ownedRow(place) >= 0;
   Teuchos::reduceAll(*space()->comm(), Teuchos::REDUCE_SUM, 2, mine, all);
   edgeConstraints_ = all[0];
   sharedUnknowns_ = all[1];

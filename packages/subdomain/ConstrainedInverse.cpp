@@ -10,26 +10,68 @@
 
 // LAPACK: L <- L^T L in place.
 extern "C" void dlauum_(const char* uplo, const int* n, double* a, const int* lda, int* info);
+extern "C" void slauum_(const char* uplo, const int* n, float* a, const int* lda, int* info);
 
 namespace suture {
 
 namespace {
 
-/// c <- factor * a b + share * c, a transposed if told. By BLAS: Eigen's own is compiled for the oldest processors.
-void multiply(double factor, CBLAS_TRANSPOSE transposed, const Matrix& a, const Matrix& b, double share, Matrix& c) {
-  const int rows = static_cast<int>(transposed == CblasTrans ? a.cols() : a.rows()), columns = static_cast<int>(b.cols());
-  if (share == 0.0) c.resize(rows, columns);
-  if (c.size() == 0 || b.rows() == 0) {
-    if (share == 0.0) c.setZero();
-    return;
-  }
-  cblas_dgemm(CblasColMajor, transposed, CblasNoTrans, rows, columns, static_cast<int>(b.rows()), factor, a.data(),
-              static_cast<int>(a.rows()), b.data(), static_cast<int>(b.rows()), share, c.data(), rows);
+template <typename Real>
+using Dense = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
+
+// BLAS and LAPACK in either precision.
+void gemm(CBLAS_TRANSPOSE transposed, int m, int n, int k, double factor, const double* a, int lda, const double* b, int ldb, double share,
+          double* c, int ldc) {
+  cblas_dgemm(CblasColMajor, transposed, CblasNoTrans, m, n, k, factor, a, lda, b, ldb, share, c, ldc);
+}
+void gemm(CBLAS_TRANSPOSE transposed, int m, int n, int k, float factor, const float* a, int lda, const float* b, int ldb, float share,
+          float* c, int ldc) {
+  cblas_sgemm(CblasColMajor, transposed, CblasNoTrans, m, n, k, factor, a, lda, b, ldb, share, c, ldc);
+}
+void symm(int m, int n, const double* a, const double* b, double* c) {
+  cblas_dsymm(CblasColMajor, CblasLeft, CblasLower, m, n, 1.0, a, m, b, m, 0.0, c, m);
+}
+void symm(int m, int n, const float* a, const float* b, float* c) {
+  cblas_ssymm(CblasColMajor, CblasLeft, CblasLower, m, n, 1.0F, a, m, b, m, 0.0F, c, m);
+}
+void syr2k(int n, int k, double factor, const double* a, const double* b, double* c) {
+  cblas_dsyr2k(CblasColMajor, CblasLower, CblasNoTrans, n, k, factor, a, n, b, n, 1.0, c, n);
+}
+void syr2k(int n, int k, float factor, const float* a, const float* b, float* c) {
+  cblas_ssyr2k(CblasColMajor, CblasLower, CblasNoTrans, n, k, factor, a, n, b, n, 1.0F, c, n);
+}
+void trmm(CBLAS_SIDE side, int m, int n, double factor, const double* a, double* b, int stride) {
+  cblas_dtrmm(CblasColMajor, side, CblasLower, CblasNoTrans, CblasNonUnit, m, n, factor, a, stride, b, stride);
+}
+void trmm(CBLAS_SIDE side, int m, int n, float factor, const float* a, float* b, int stride) {
+  cblas_strmm(CblasColMajor, side, CblasLower, CblasNoTrans, CblasNonUnit, m, n, factor, a, stride, b, stride);
+}
+void lauum(int n, double* a) {
+  int info = 0;
+  dlauum_("L", &n, a, &n, &info);
+}
+void lauum(int n, float* a) {
+  int info = 0;
+  slauum_("L", &n, a, &n, &info);
 }
 
-Matrix product(CBLAS_TRANSPOSE transposed, const Matrix& a, const Matrix& b) {
-  Matrix c;
-  multiply(1.0, transposed, a, b, 0.0, c);
+/// c <- factor * a b + share * c, a transposed if told. By BLAS: Eigen's own is compiled for the oldest processors.
+template <typename Real>
+void multiply(Real factor, CBLAS_TRANSPOSE transposed, const Dense<Real>& a, const Dense<Real>& b, Real share, Dense<Real>& c) {
+  const int rows = static_cast<int>(transposed == CblasTrans ? a.cols() : a.rows()), columns = static_cast<int>(b.cols());
+  if (share == Real(0)) c.resize(rows, columns);
+  if (c.size() == 0 || b.rows() == 0) {
+    if (share == Real(0)) c.setZero();
+    return;
+  }
+  gemm(transposed, rows, columns, static_cast<int>(b.rows()), factor, a.data(), static_cast<int>(a.rows()), b.data(),
+       static_cast<int>(b.rows()), share, c.data(), rows);
+}
+
+template <typename Real>
+Dense<Real> product(CBLAS_TRANSPOSE transposed, const Dense<Real>& a, const Dense<Real>& b) {
+  Dense<Real> c;
+  multiply(Real(1), transposed, a, b, Real(0), c);
   return c;
 }
 
@@ -60,22 +102,26 @@ class Rotation {
   }
 
   /// a <- Q^T a Q, lower triangle.
-  void to(Matrix& a) const { twoSided(a, t_); }
+  void to(Matrix& a) const { twoSided<double>(a, v_, t_); }
   /// a <- Q a Q^T, lower triangle.
-  void from(Matrix& a) const { twoSided(a, t_.transpose()); }
+  template <typename Real>
+  void from(Dense<Real>& a) const {
+    twoSided<Real>(a, v_.template cast<Real>(), t_.transpose().template cast<Real>());
+  }
   /// x <- Q x
   void fromColumns(Matrix& x) const { multiply(-1.0, CblasNoTrans, v_, product(CblasNoTrans, t_, product(CblasTrans, v_, x)), 1.0, x); }
 
  private:
   /// a <- (I - V U^T) a (I - U V^T) = a - V W^T - W V^T with U = V T, X = a U, W = X - V (U^T X) / 2.
-  void twoSided(Matrix& a, const Matrix& t) const {
-    const int n = static_cast<int>(v_.rows()), m = static_cast<int>(v_.cols());
+  template <typename Real>
+  static void twoSided(Dense<Real>& a, const Dense<Real>& v, const Dense<Real>& t) {
+    const int n = static_cast<int>(v.rows()), m = static_cast<int>(v.cols());
     if (m == 0) return;
-    const Matrix u = product(CblasNoTrans, v_, t);
-    Matrix w(n, m);
-    cblas_dsymm(CblasColMajor, CblasLeft, CblasLower, n, m, 1.0, a.data(), n, u.data(), n, 0.0, w.data(), n);
-    multiply(-0.5, CblasNoTrans, v_, product(CblasTrans, u, w), 1.0, w);
-    cblas_dsyr2k(CblasColMajor, CblasLower, CblasNoTrans, n, m, -1.0, v_.data(), n, w.data(), n, 1.0, a.data(), n);
+    const Dense<Real> u = product(CblasNoTrans, v, t);
+    Dense<Real> w(n, m);
+    symm(n, m, a.data(), u.data(), w.data());
+    multiply(Real(-0.5), CblasNoTrans, v, product(CblasTrans, u, w), Real(1), w);
+    syr2k(n, m, Real(-1), v.data(), w.data(), a.data());
   }
 
   Matrix v_, t_;
@@ -83,14 +129,15 @@ class Rotation {
 
 // a <- its inverse, lower triangle, in place. By halves, so that nearly all is products of matrices: LAPACK's dtrtri as OpenBLAS has it
 // goes column by column and takes three times as long as the factorisation before it (n = 350).
-void invertLower(double* a, int n, int stride) {
+template <typename Real>
+void invertLower(Real* a, int n, int stride) {
   constexpr int small = 24;
   if (n <= small) {
     for (int j = 0; j < n; ++j) {
-      double* column = a + static_cast<std::ptrdiff_t>(j) * stride;
-      column[j] = 1.0 / column[j];
+      Real* column = a + static_cast<std::ptrdiff_t>(j) * stride;
+      column[j] = 1 / column[j];
       for (int i = j + 1; i < n; ++i) {
-        double sum = 0.0;
+        Real sum = 0;
         for (int k = j; k < i; ++k) sum += a[i + static_cast<std::ptrdiff_t>(k) * stride] * column[k];
         column[i] = -sum / a[i + static_cast<std::ptrdiff_t>(i) * stride];
       }
@@ -98,18 +145,36 @@ void invertLower(double* a, int n, int stride) {
     return;
   }
   const int half = n / 2, rest = n - half;
-  double *below = a + half, *last = a + half + static_cast<std::ptrdiff_t>(half) * stride;
+  Real *below = a + half, *last = a + half + static_cast<std::ptrdiff_t>(half) * stride;
   invertLower(a, half, stride);
   invertLower(last, rest, stride);
-  cblas_dtrmm(CblasColMajor, CblasRight, CblasLower, CblasNoTrans, CblasNonUnit, rest, half, -1.0, a, stride, below, stride);
-  cblas_dtrmm(CblasColMajor, CblasLeft, CblasLower, CblasNoTrans, CblasNonUnit, rest, half, 1.0, last, stride, below, stride);
+  trmm(CblasRight, rest, half, Real(-1), a, below, stride);
+  trmm(CblasLeft, rest, half, Real(1), last, below, stride);
 }
 
 // Entries in single precision are off by 6e-8 of the matrix, so that its smallest eigenvalues are off by the condition times that: up to
-// this condition less than a thousandth, which conjugate gradients do not notice.
+// this condition less than a thousandth, which conjugate gradients do not notice. So may be the factor that is inverted: its own condition
+// is the root.
 constexpr double kConditionForSingle = 1e4;
 constexpr int kLeastForSingle = 192;  // memory is what it saves: smaller ones have little
 constexpr double kZero = 1e-14;
+
+/// The inverse of L L^T, in the rows and columns `dual` of a matrix of size n that is zero elsewhere, and turned back: its lower triangle.
+/// \param largest  on return: its largest diagonal entry before it is turned
+template <typename Real>
+Dense<Real> inverseOf(Dense<Real> factor, const std::vector<int>& dual, int n, const Rotation& rotation, double& largest) {
+  const int d = static_cast<int>(dual.size());
+  if (d > 0) {
+    invertLower(factor.data(), d, d);
+    lauum(d, factor.data());
+  }
+  largest = d > 0 ? static_cast<double>(factor.diagonal().maxCoeff()) : 0.0;
+  Dense<Real> inverse = Dense<Real>::Zero(n, n);
+  for (int j = 0; j < d; ++j)
+    for (int i = j; i < d; ++i) inverse(dual[i], dual[j]) = factor(i, j);
+  rotation.from(inverse);
+  return inverse;
+}
 
 }  // namespace
 
@@ -185,8 +250,6 @@ ConstrainedInverse::ConstrainedInverse(Matrix schur, const Matrix& constraints, 
       multiply(-1.0, CblasTrans, dp, dp, 1.0, pp);
       cblas_dtrsm(CblasColMajor, CblasLeft, CblasLower, CblasTrans, CblasNonUnit, d, m, 1.0, dd.data(), d, dp.data(), d);
     }
-    invertLower(dd.data(), d, d);
-    dlauum_("L", &d, dd.data(), &d, &info);  // lower <- L^T L
   }
 
   Matrix basis = Matrix::Zero(n, m);
@@ -199,16 +262,24 @@ ConstrainedInverse::ConstrainedInverse(Matrix schur, const Matrix& constraints, 
   for (int i = 0; i < d; ++i) basis.row(dual[i]) = -below.row(i);
   const Matrix energy = inOrder.transpose() * (0.5 * (pp + pp.transpose())) * inOrder;
   energy_ = 0.5 * (energy + energy.transpose());
-
-  Matrix inverse = Matrix::Zero(n, n);
-  for (int j = 0; j < d; ++j)
-    for (int i = j; i < d; ++i) inverse(dual[i], dual[j]) = dd(i, j);
-  rotation.from(inverse);
   rotation.fromColumns(basis);
-  const bool single = d >= kLeastForSingle && diagonal.maxCoeff() * dd.diagonal().maxCoeff() < kConditionForSingle;
-  const auto precision = single ? PackedSymmetric::Precision::Single : PackedSymmetric::Precision::Double;
-  inverse_ = PackedSymmetric(inverse, precision);
-  basis_ = PackedColumns(basis, precision);
+
+  // Its largest diagonal entries say how well it is conditioned; those of the factor alone may already say that it is not.
+  const double stiffest = diagonal.size() > 0 ? diagonal.maxCoeff() : 0.0;
+  double softest = 0.0;
+  for (int i = 0; i < d; ++i) softest = std::max(softest, 1.0 / (dd(i, i) * dd(i, i)));
+  if (d >= kLeastForSingle && stiffest * softest < kConditionForSingle) {
+    // Of the matrix by its largest entry, so that nothing leaves the narrow range of single precision.
+    Dense<float> inverse = inverseOf<float>((dd / std::sqrt(stiffest)).cast<float>(), dual, n, rotation, softest);
+    if (softest < kConditionForSingle) {
+      inverse *= static_cast<float>(1.0 / stiffest);
+      inverse_ = PackedSymmetric(inverse);
+      basis_ = PackedColumns(basis, PackedSymmetric::Precision::Single);
+      return;
+    }
+  }
+  inverse_ = PackedSymmetric(inverseOf<double>(std::move(dd), dual, n, rotation, softest));
+  basis_ = PackedColumns(basis);
 }
 
 }  // namespace suture

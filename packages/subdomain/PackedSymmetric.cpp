@@ -68,8 +68,8 @@ SUTURE_FOR_EACH_PROCESSOR void addProduct(int rows, const Real* a, const Real* x
   }
 }
 
-template <typename Real>
-void fill(const Matrix& matrix, std::vector<Real>& values) {
+template <typename Given, typename Real>
+void fill(const Given& matrix, std::vector<Real>& values) {
   const int size = static_cast<int>(matrix.rows()), rows = padded(size);
   values.assign(begin(rows / kWidth, rows), Real(0));
   Real* to = values.data();
@@ -91,6 +91,8 @@ PackedSymmetric::PackedSymmetric(const Matrix& matrix, Precision precision) : si
   else
     fill(matrix, values_);
 }
+
+PackedSymmetric::PackedSymmetric(const Eigen::MatrixXf& matrix) : size_(static_cast<int>(matrix.rows())) { fill(matrix, singles_); }
 
 template <typename Real>
 void PackedSymmetric::multiply(const std::vector<Real>& values, Work<Real>& work, ConstLocalView x, LocalView y) const {

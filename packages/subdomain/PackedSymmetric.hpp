@@ -15,6 +15,8 @@ class PackedSymmetric {
   PackedSymmetric() = default;
   /// \param matrix  its lower triangle is read
   explicit PackedSymmetric(const Matrix& matrix, Precision precision = Precision::Double);
+  /// In single precision, what is already.
+  explicit PackedSymmetric(const Eigen::MatrixXf& matrix);
 
   int size() const { return size_; }
   double bytes() const { return static_cast<double>(sizeof(double) * values_.size() + sizeof(float) * singles_.size()); }

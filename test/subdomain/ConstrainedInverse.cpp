@@ -2,7 +2,10 @@
 #include <suture/base/Errors.hpp>
 #include <suture/subdomain/ConstrainedInverse.hpp>
 
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
+#include <Eigen/QR>
 #include <random>
 
 namespace suture {
@@ -79,6 +82,24 @@ TEUCHOS_UNIT_TEST(ConstrainedInverse, IsTheSaddleProblemsSolution) {
     TEST_COMPARE((c * found.basis() - Matrix::Identity(5, 5)).norm(), <, kept);
     TEST_COMPARE((c * p).norm(), <, rounding * c.norm() * p.norm());
     TEST_COMPARE((found.basis().transpose() * s * found.basis() - found.energy()).norm(), <, std::max(1e-10, kept) * s.norm());
+  }
+}
+
+// P S with P in single precision, which is what conjugate gradients see: as near to the identity as the condition lets it be.
+TEUCHOS_UNIT_TEST(ConstrainedInverse, InSinglePrecisionItIsAlmostTheInverse) {
+  const int n = 210;
+  const Matrix q = Eigen::HouseholderQR<Matrix>(random(n, n, 5)).householderQ();
+  for (const auto& [condition, nearness] : {std::pair(1e1, 1e-5), std::pair(1e3, 1e-4), std::pair(1e4, 1e-3)}) {
+    Vector values(n);
+    for (int i = 0; i < n; ++i) values(i) = 1e11 * std::pow(condition, -i / (n - 1.0));
+    const Matrix s = q * values.asDiagonal() * q.transpose();
+    const ConstrainedInverse found(s, Matrix(0, n), "it");
+    const double bytes = PackedSymmetric(s, PackedSymmetric::Precision::Single).bytes();
+    TEST_EQUALITY(found.bytesRead(), bytes);
+    const Matrix l = s.llt().matrixL(), p = applied(found, Matrix::Identity(n, n));
+    const Vector eigenvalues = Eigen::SelfAdjointEigenSolver<Matrix>(l.transpose() * p * l).eigenvalues();
+    TEST_COMPARE(eigenvalues.minCoeff(), >, 1.0 - nearness);
+    TEST_COMPARE(eigenvalues.maxCoeff(), <, 1.0 + nearness);
   }
 }
 
