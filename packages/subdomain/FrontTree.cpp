@@ -7,8 +7,8 @@ namespace suture {
 
 namespace {
 
-// Groups of up to so many are eliminated in one dense front, zeros and all. 4 to 16 take the same time within noise; 16
-// leaves a tenth more entries in the factor, 24 a third.
+// Groups of up to so many are eliminated in one dense front, zeros and all. 4 to 16 take the same time within noise;
+// 16 leaves a tenth more entries in the factor, 24 a third.
 constexpr int kLeaf = 8;
 
 /// Unknowns in groups, in the order of the matrix, interior ones first.

@@ -20,8 +20,8 @@ class LocalInverse {
   virtual Matrix basis() const { return none_; }
   virtual const Matrix& energy() const { return none_; }
   /// Products with Phi, as fast as memory is: values <- Phi^T flux, trace <- trace + Phi values. One flux, one trace.
-  virtual void applyBasisTransposed(const Eigen::Ref<const Vector>& flux, Vector& values) const { values = basis().transpose() * flux; }
-  virtual void addBasis(const Vector& values, Eigen::Ref<Vector> trace) const { trace += basis() * values; }
+  virtual void applyBasisTransposed(const Eigen::Ref<const Vector>& flux, Vector& values) const;
+  virtual void addBasis(const Vector& values, Eigen::Ref<Vector> trace) const;
   /// What one application with one right-hand side reads of memory, the basis included, in bytes; 0: not known.
   virtual double bytesRead() const { return 0.0; }
 

@@ -112,7 +112,7 @@ void PackedColumns::addProduct(const std::vector<Real>& values, Work<Real>& work
   work.rows.setZero();
   product(static_cast<int>(work.rows.size()), static_cast<int>(work.columns.size()), values.data(), work.columns.data(), work.rows.data());
   y += scale * work.rows.head(rows_).template cast<double>();
-  work.rows.tail(work.rows.size() - rows_).setZero();
+  work.rows.tail(work.rows.size() - rows_).setZero();  // not zero if x held what is no number
 }
 
 void PackedColumns::multiplyTransposed(const Eigen::Ref<const Vector>& x, Vector& y) const {

@@ -110,6 +110,28 @@ TEUCHOS_UNIT_TEST(ConstrainedInverse, AppliesToSeveralFluxesAtOnce) {
   for (int k = 0; k < 3; ++k) TEST_COMPARE((all.col(k) - applied(inverse, flux.col(k))).norm(), <, 1e-14 * all.norm());
 }
 
+// What a user writes: apply(), and a basis or none.
+struct Given : LocalInverse {
+  Matrix phi;
+  void apply(ConstLocalView flux, LocalView trace) const override { trace = flux; }
+  Matrix basis() const override { return phi; }
+};
+
+TEUCHOS_UNIT_TEST(LocalInverse, MultipliesByTheBasisThatItIsGiven) {
+  Given given;
+  const Vector flux = random(4, 1, 1).col(0), coefficients = random(2, 1, 2).col(0);
+  Vector values = Vector::Ones(7), trace = flux;
+  given.applyBasisTransposed(flux, values);
+  TEST_EQUALITY(values.size(), 0);
+  given.addBasis(values, trace);
+  TEST_ASSERT(trace == flux);
+  given.phi = random(4, 2, 3);
+  given.applyBasisTransposed(flux, values);
+  TEST_COMPARE((values - given.phi.transpose() * flux).norm(), <, 1e-15 * given.phi.norm() * flux.norm());
+  given.addBasis(coefficients, trace);
+  TEST_COMPARE((trace - flux - given.phi * coefficients).norm(), <, 1e-15 * (flux.norm() + given.phi.norm() * coefficients.norm()));
+}
+
 TEUCHOS_UNIT_TEST(ConstrainedInverse, DoesNotDependOnTheOrderOfItsRows) {
   const int n = 14;
   const Matrix s = semidefinite(n, 3), c = rows(n), reversed = c.colwise().reverse();
