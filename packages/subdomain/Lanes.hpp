@@ -1,4 +1,5 @@
 #pragma once
+#include <Eigen/Core>
 
 // What the kernels of packed matrices are written with. For sources only.
 
@@ -19,8 +20,8 @@ struct Lanes {
   typedef Real Type __attribute__((vector_size(Bytes), aligned(alignof(Real)), may_alias));
   static constexpr int count = Bytes / static_cast<int>(sizeof(Real));
 
-  static const Type& at(const Real* from) { return *reinterpret_cast<const Type*>(from); }
-  static Type& at(Real* from) { return *reinterpret_cast<Type*>(from); }
+  __attribute__((always_inline)) static const Type& at(const Real* from) { return *reinterpret_cast<const Type*>(from); }
+  __attribute__((always_inline)) static Type& at(Real* from) { return *reinterpret_cast<Type*>(from); }
 };
 
 /// A line of the cache, and four numbers.
@@ -33,7 +34,19 @@ using Four = Lanes<Real, 4 * sizeof(Real)>;
 template <typename Real>
 __attribute__((always_inline)) inline void foldInto(const typename Line<Real>::Type& line, typename Four<Real>::Type& sum) {
   const Real* from = reinterpret_cast<const Real*>(&line);
-  for (int k = 0; k < Line<Real>::count; k += 4) sum += *reinterpret_cast<const typename Four<Real>::Type*>(from + k);
+  for (int k = 0; k < Line<Real>::count; k += 4) sum += Four<Real>::at(from + k);
+}
+
+/// The next multiple of `width`.
+inline int padded(int size, int width) { return (size + width - 1) / width * width; }
+
+/// By what a vector is divided before it is rounded to Real: the range of single precision is narrow, and vectors are brought to the size
+/// of one. What is no number stays none.
+template <typename Real, typename Values>
+double scaleOf(const Values& x) {
+  if (sizeof(Real) == sizeof(double) || x.size() == 0) return 1.0;
+  const double largest = x.cwiseAbs().template maxCoeff<Eigen::PropagateNaN>();
+  return largest == 0.0 ? 1.0 : largest;
 }
 
 }  // namespace suture

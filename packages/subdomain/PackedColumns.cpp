@@ -7,8 +7,6 @@ namespace {
 
 constexpr int kWidth = 4;  // columns of a panel
 
-int padded(int size, int to) { return (size + to - 1) / to * to; }
-
 template <typename Real>
 constexpr int kLine = suture::Line<Real>::count;
 
@@ -57,14 +55,6 @@ SUTURE_FOR_EACH_PROCESSOR void product(int rows, int columns, const Real* a, con
       a += kWidth * Line::count;
     }
   }
-}
-
-/// The range of single precision is narrow: vectors are brought to the size of one. What is no number stays none.
-template <typename Real, typename Values>
-double scaleOf(const Values& x) {
-  if (sizeof(Real) == sizeof(double) || x.size() == 0) return 1.0;
-  const double largest = x.cwiseAbs().template maxCoeff<Eigen::PropagateNaN>();
-  return largest == 0.0 ? 1.0 : largest;
 }
 
 }  // namespace

@@ -10,18 +10,15 @@ namespace {
 constexpr int kWidth = 4;        // columns of a panel: what one pass over x and y takes
 constexpr int kPanelsAhead = 4;  // what is fetched before its turn
 
-int padded(int size) { return (size + kWidth - 1) / kWidth * kWidth; }
-
 /// Where a panel begins.
 std::size_t begin(int panel, int rows) { return static_cast<std::size_t>(kWidth) * panel * (rows - kWidth * (panel - 1) / 2); }
 
 /// Rows of four columns, as many as a vector holds, used twice: v += sum of b_k x_k, and s_k += b_k u. Inlined for each processor.
-template <typename Vector, typename Real>
+template <typename Lanes, typename Real, typename Vector>
 __attribute__((always_inline)) inline void addRows(const Real* a0, const Real* a1, const Real* a2, const Real* a3, const Real* x,
                                                    const Real* u, Real* v, Vector& s0, Vector& s1, Vector& s2, Vector& s3) {
-  const auto at = [](const Real* from) __attribute__((always_inline))->const Vector& { return *reinterpret_cast<const Vector*>(from); };
-  const Vector b0 = at(a0), b1 = at(a1), b2 = at(a2), b3 = at(a3), by = at(u);
-  *reinterpret_cast<Vector*>(v) += b0 * x[0] + b1 * x[1] + b2 * x[2] + b3 * x[3];
+  const Vector b0 = Lanes::at(a0), b1 = Lanes::at(a1), b2 = Lanes::at(a2), b3 = Lanes::at(a3), by = Lanes::at(u);
+  Lanes::at(v) += b0 * x[0] + b1 * x[1] + b2 * x[2] + b3 * x[3];
   s0 += b0 * by;
   s1 += b1 * by;
   s2 += b2 * by;
@@ -35,25 +32,23 @@ __attribute__((always_inline)) inline void addRows(const Real* a0, const Real* a
 /// and 22.
 template <typename Real>
 SUTURE_FOR_EACH_PROCESSOR void addProduct(int rows, const Real* a, const Real* x, Real* y) {
-  using Line = typename suture::Line<Real>::Type;
-  using Four = typename suture::Four<Real>::Type;
-  constexpr int line = suture::Line<Real>::count;
+  using Line = suture::Line<Real>;
+  using Four = suture::Four<Real>;
   for (int first = 0; first < rows; first += kWidth) {
     const int m = rows - first;
     const Real *a0 = a, *a1 = a + m, *a2 = a + 2 * m, *a3 = a + 3 * m, *u = x + first;
     const Real own[kWidth] = {u[0], u[1], u[2], u[3]};
     Real* v = y + first;
-    Line s0 = {}, s1 = {}, s2 = {}, s3 = {};
-    Four t0 = {}, t1 = {}, t2 = {}, t3 = {};
-    *reinterpret_cast<Four*>(v) += *reinterpret_cast<const Four*>(a0) * own[0] + *reinterpret_cast<const Four*>(a1) * own[1] +
-                                   *reinterpret_cast<const Four*>(a2) * own[2] + *reinterpret_cast<const Four*>(a3) * own[3];
+    typename Line::Type s0 = {}, s1 = {}, s2 = {}, s3 = {};
+    typename Four::Type t0 = {}, t1 = {}, t2 = {}, t3 = {};
+    Four::at(v) += Four::at(a0) * own[0] + Four::at(a1) * own[1] + Four::at(a2) * own[2] + Four::at(a3) * own[3];
     int i = kWidth;
-    for (; i + line <= m; i += line) {
+    for (; i + Line::count <= m; i += Line::count) {
       const Real* ahead = a + kPanelsAhead * kWidth * m + kWidth * i;  // beyond the end nothing of A
-      for (int k = 0; k < kWidth; ++k) __builtin_prefetch(ahead + k * line, 0, kSecondLevel);
-      addRows(a0 + i, a1 + i, a2 + i, a3 + i, own, u + i, v + i, s0, s1, s2, s3);
+      for (int k = 0; k < kWidth; ++k) __builtin_prefetch(ahead + k * Line::count, 0, kSecondLevel);
+      addRows<Line>(a0 + i, a1 + i, a2 + i, a3 + i, own, u + i, v + i, s0, s1, s2, s3);
     }
-    for (; i < m; i += kWidth) addRows(a0 + i, a1 + i, a2 + i, a3 + i, own, u + i, v + i, t0, t1, t2, t3);
+    for (; i < m; i += kWidth) addRows<Four>(a0 + i, a1 + i, a2 + i, a3 + i, own, u + i, v + i, t0, t1, t2, t3);
     foldInto<Real>(s0, t0);
     foldInto<Real>(s1, t1);
     foldInto<Real>(s2, t2);
@@ -70,7 +65,7 @@ SUTURE_FOR_EACH_PROCESSOR void addProduct(int rows, const Real* a, const Real* x
 
 template <typename Given, typename Real>
 void fill(const Given& matrix, std::vector<Real>& values) {
-  const int size = static_cast<int>(matrix.rows()), rows = padded(size);
+  const int size = static_cast<int>(matrix.rows()), rows = padded(size, kWidth);
   values.assign(begin(rows / kWidth, rows), Real(0));
   Real* to = values.data();
   for (int j = 0; j < rows; ++j) {
@@ -96,14 +91,9 @@ PackedSymmetric::PackedSymmetric(const Eigen::MatrixXf& matrix) : size_(static_c
 
 template <typename Real>
 void PackedSymmetric::multiply(const std::vector<Real>& values, Work<Real>& work, ConstLocalView x, LocalView y) const {
-  const int rows = padded(size_);
+  const int rows = padded(size_, kWidth);
   for (Eigen::Index c = 0; c < x.cols(); ++c) {
-    double scale = 1.0;
-    if (sizeof(Real) < sizeof(double)) {
-      // The range of single precision is narrow: vectors are brought to the size of one. What is no number stays none.
-      scale = x.col(c).cwiseAbs().maxCoeff<Eigen::PropagateNaN>();
-      if (scale == 0.0) scale = 1.0;
-    }
+    const double scale = scaleOf<Real>(x.col(c));
     work.x.setZero(rows);
     work.y.setZero(rows);
     work.x.head(size_) = (x.col(c) / scale).template cast<Real>();
@@ -122,14 +112,14 @@ void PackedSymmetric::multiply(ConstLocalView x, LocalView y) const {
 
 double PackedSymmetric::at(int row, int column) const {
   if (row < column) std::swap(row, column);
-  const int rows = padded(size_), panel = column / kWidth, first = panel * kWidth;
+  const int rows = padded(size_, kWidth), panel = column / kWidth, first = panel * kWidth;
   const std::size_t place = begin(panel, rows) + static_cast<std::size_t>(column - first) * (rows - first) + (row - first);
   return singles_.empty() ? values_[place] : static_cast<double>(singles_[place]);
 }
 
 Matrix PackedSymmetric::full() const {
   Matrix made(size_, size_);
-  const int rows = padded(size_);
+  const int rows = padded(size_, kWidth);
   for (int j = 0; j < size_; ++j) {
     const int first = j / kWidth * kWidth;
     const std::size_t place = begin(first / kWidth, rows) + static_cast<std::size_t>(j - first) * (rows - first) + (j - first);
