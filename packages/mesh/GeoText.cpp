@@ -4,8 +4,10 @@
 #include <unistd.h>
 
 #include <cctype>
+#include <cerrno>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <set>
@@ -116,7 +118,7 @@ std::string writeTemporary(const std::string& text) {
   if (failed) folder = "/tmp";
   std::string path = (folder / "suture-XXXXXX.geo").string();
   const int file = mkstemps(path.data(), 4);
-  if (file < 0) throw EnvironmentError("cannot write a temporary file in " + folder.string() + " for Gmsh");
+  if (file < 0) throw EnvironmentError("cannot write a temporary file in " + folder.string() + " for Gmsh: " + std::strerror(errno));
   close(file);
   std::ofstream out(path, std::ios::binary);
   out << text;

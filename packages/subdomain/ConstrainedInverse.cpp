@@ -1,5 +1,6 @@
 #include <cblas.h>
 #include <suture/base/Errors.hpp>
+#include <suture/subdomain/Blas.hpp>
 #include <suture/subdomain/ConstrainedInverse.hpp>
 #include <suture/subdomain/SparseMatrix.hpp>
 
@@ -8,52 +9,12 @@
 #include <algorithm>
 #include <cmath>
 
-// LAPACK: L <- L^T L in place.
-extern "C" void dlauum_(const char* uplo, const int* n, double* a, const int* lda, int* info);
-extern "C" void slauum_(const char* uplo, const int* n, float* a, const int* lda, int* info);
-
 namespace suture {
 
 namespace {
 
 template <typename Real>
 using Dense = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
-
-// BLAS and LAPACK in either precision.
-void gemm(CBLAS_TRANSPOSE transposed, int m, int n, int k, double factor, const double* a, int lda, const double* b, int ldb, double share,
-          double* c, int ldc) {
-  cblas_dgemm(CblasColMajor, transposed, CblasNoTrans, m, n, k, factor, a, lda, b, ldb, share, c, ldc);
-}
-void gemm(CBLAS_TRANSPOSE transposed, int m, int n, int k, float factor, const float* a, int lda, const float* b, int ldb, float share,
-          float* c, int ldc) {
-  cblas_sgemm(CblasColMajor, transposed, CblasNoTrans, m, n, k, factor, a, lda, b, ldb, share, c, ldc);
-}
-void symm(int m, int n, const double* a, const double* b, double* c) {
-  cblas_dsymm(CblasColMajor, CblasLeft, CblasLower, m, n, 1.0, a, m, b, m, 0.0, c, m);
-}
-void symm(int m, int n, const float* a, const float* b, float* c) {
-  cblas_ssymm(CblasColMajor, CblasLeft, CblasLower, m, n, 1.0F, a, m, b, m, 0.0F, c, m);
-}
-void syr2k(int n, int k, double factor, const double* a, const double* b, double* c) {
-  cblas_dsyr2k(CblasColMajor, CblasLower, CblasNoTrans, n, k, factor, a, n, b, n, 1.0, c, n);
-}
-void syr2k(int n, int k, float factor, const float* a, const float* b, float* c) {
-  cblas_ssyr2k(CblasColMajor, CblasLower, CblasNoTrans, n, k, factor, a, n, b, n, 1.0F, c, n);
-}
-void trmm(CBLAS_SIDE side, int m, int n, double factor, const double* a, double* b, int stride) {
-  cblas_dtrmm(CblasColMajor, side, CblasLower, CblasNoTrans, CblasNonUnit, m, n, factor, a, stride, b, stride);
-}
-void trmm(CBLAS_SIDE side, int m, int n, float factor, const float* a, float* b, int stride) {
-  cblas_strmm(CblasColMajor, side, CblasLower, CblasNoTrans, CblasNonUnit, m, n, factor, a, stride, b, stride);
-}
-void lauum(int n, double* a) {
-  int info = 0;
-  dlauum_("L", &n, a, &n, &info);
-}
-void lauum(int n, float* a) {
-  int info = 0;
-  slauum_("L", &n, a, &n, &info);
-}
 
 /// c <- factor * a b + share * c, a transposed if told. By BLAS: Eigen's own is compiled for the oldest processors.
 template <typename Real>

@@ -1,0 +1,55 @@
+#pragma once
+#include <cblas.h>
+
+// BLAS and LAPACK in either precision, matrices by columns. For sources only.
+
+extern "C" void dlauum_(const char* uplo, const int* n, double* a, const int* lda, int* info);
+extern "C" void slauum_(const char* uplo, const int* n, float* a, const int* lda, int* info);
+
+namespace suture {
+
+/// c <- factor * a b + share * c, a transposed if told.
+inline void gemm(CBLAS_TRANSPOSE transposed, int m, int n, int k, double factor, const double* a, int lda, const double* b, int ldb,
+                 double share, double* c, int ldc) {
+  cblas_dgemm(CblasColMajor, transposed, CblasNoTrans, m, n, k, factor, a, lda, b, ldb, share, c, ldc);
+}
+inline void gemm(CBLAS_TRANSPOSE transposed, int m, int n, int k, float factor, const float* a, int lda, const float* b, int ldb,
+                 float share, float* c, int ldc) {
+  cblas_sgemm(CblasColMajor, transposed, CblasNoTrans, m, n, k, factor, a, lda, b, ldb, share, c, ldc);
+}
+
+/// c <- a b, a symmetric, its lower triangle.
+inline void symm(int m, int n, const double* a, const double* b, double* c) {
+  cblas_dsymm(CblasColMajor, CblasLeft, CblasLower, m, n, 1.0, a, m, b, m, 0.0, c, m);
+}
+inline void symm(int m, int n, const float* a, const float* b, float* c) {
+  cblas_ssymm(CblasColMajor, CblasLeft, CblasLower, m, n, 1.0F, a, m, b, m, 0.0F, c, m);
+}
+
+/// c <- c + factor * (a b^T + b a^T), lower triangle.
+inline void syr2k(int n, int k, double factor, const double* a, const double* b, double* c) {
+  cblas_dsyr2k(CblasColMajor, CblasLower, CblasNoTrans, n, k, factor, a, n, b, n, 1.0, c, n);
+}
+inline void syr2k(int n, int k, float factor, const float* a, const float* b, float* c) {
+  cblas_ssyr2k(CblasColMajor, CblasLower, CblasNoTrans, n, k, factor, a, n, b, n, 1.0F, c, n);
+}
+
+/// b <- factor * a b or, from the right, factor * b a, a lower triangular.
+inline void trmm(CBLAS_SIDE side, int m, int n, double factor, const double* a, double* b, int stride) {
+  cblas_dtrmm(CblasColMajor, side, CblasLower, CblasNoTrans, CblasNonUnit, m, n, factor, a, stride, b, stride);
+}
+inline void trmm(CBLAS_SIDE side, int m, int n, float factor, const float* a, float* b, int stride) {
+  cblas_strmm(CblasColMajor, side, CblasLower, CblasNoTrans, CblasNonUnit, m, n, factor, a, stride, b, stride);
+}
+
+/// l <- l^T l, lower triangles, in place.
+inline void lauum(int n, double* a) {
+  int info = 0;
+  dlauum_("L", &n, a, &n, &info);
+}
+inline void lauum(int n, float* a) {
+  int info = 0;
+  slauum_("L", &n, a, &n, &info);
+}
+
+}  // namespace suture
