@@ -2,6 +2,7 @@
 #include <suture/mesh/CellGeometry.hpp>
 #include <suture/mesh/GeoText.hpp>
 #include <suture/mesh/GmshReader.hpp>
+#include <suture/mesh/HilbertOrder.hpp>
 #include <suture/mesh/SideTable.hpp>
 
 #include <gmsh.h>
@@ -360,6 +361,8 @@ Mesh readGmsh(const GmshInput& input) {
   problems.throwIfAny();
   Mesh mesh = assemble(raw, input.path, problems);
   problems.throwIfAny();
+  // Numbers of a .msh file are the user's; those of a mesh that is made here are nobody's yet.
+  if (isGeometry) numberAlongHilbertCurve(mesh);
   return mesh;
 }
 

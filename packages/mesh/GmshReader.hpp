@@ -14,8 +14,9 @@ struct GmshInput {
 };
 
 /// Reads a .msh file, or meshes a .geo file, through libgmsh. Only named physical surfaces and curves become groups; only nodes of
-/// elements are kept, in the order of Gmsh's numbers. Surfaces meshed clockwise as a whole are turned round. Gmsh's global state is
-/// made and removed here: a program must not use Gmsh itself meanwhile. Local (rank 0).
+/// elements are kept: of a .msh file in the order of its numbers, of a .geo file as numberAlongHilbertCurve() says. Surfaces meshed
+/// clockwise as a whole are turned round. Gmsh's global state is made and removed here: a program must not use Gmsh itself meanwhile.
+/// Local (rank 0).
 /// \throws InputError        Gmsh's own errors; unknown constants (nearest, known); no elements; a cell of another kind; a node outside the
 ///                           plane z = 0; a curve element that is no side of an element, or lies inside the material
 /// \throws EnvironmentError  Suture was built without Gmsh (SUTURE_GMSH=OFF)
