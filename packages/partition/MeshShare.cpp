@@ -116,12 +116,9 @@ MeshShare shareBodies(const Comm& comm, const Mesh& mesh) {
   }
   std::unique_ptr<ByRank> all;
   collectivelyOnRoot(comm, what, [&] { all = std::make_unique<ByRank>(mesh, mine.rankOf, comm.getSize()); });
-  // Rank by rank: beside the mesh there is never more than one share on the way.
+  // Rank by rank: beside the mesh there is never more than one share on the way. Rank 0 takes its own while the others unpack theirs.
   std::string received = scatterFromRoot(comm, what, [&](int rank) {
-    if (rank == 0) {
-      takeBodiesOf(0, mesh, *all, mine);
-      return std::string();
-    }
+    if (rank == 0) return std::string();
     MeshShare share;
     takeBodiesOf(rank, mesh, *all, share);
     std::size_t bytes = 0;
@@ -132,7 +129,10 @@ MeshShare shareBodies(const Comm& comm, const Mesh& mesh) {
     return std::move(packer).bytes();
   });
   collectively(comm, what, [&] {
-    if (received.empty()) return;
+    if (comm.getRank() == 0) {
+      takeBodiesOf(0, mesh, *all, mine);
+      return;
+    }
     Unpacker fields(std::move(received));
     forEachField(mine, [&fields](auto& field) { fields.get(field); });
   });
