@@ -166,6 +166,7 @@ struct Hdf5File::Impl {
   std::set<std::string> datasets;    ///< of these the datasets
   std::set<std::pair<std::string, std::string>> attributes;
   std::vector<std::function<void(hid_t)>> kept;  ///< on rank 0
+  unsigned long long owed = 0;                   ///< rows of this rank that were promised and not yet given
 
   bool isRoot() const { return comm->getRank() == 0; }
   std::string temporary() const { return path + ".part"; }
@@ -228,38 +229,13 @@ struct Hdf5File::Impl {
     return "has no '" + at + "'." + suggestion(at.substr(slash + 1), there);
   }
 
-  template <typename T>
-  void writeRows(const std::string& at, const std::vector<T>& values, int components) {
-    claim(at, true);
-    collectively(*comm, "writing " + path, [&] {
-      if (components < 1 || values.size() % components != 0)
-        throw InternalError(path + ": '" + at + "' has " + std::to_string(values.size()) + " values in rows of " +
-                            std::to_string(components));
-    });
-    const unsigned long long mine = values.size() / components;
+  /// Where the rows of this rank begin, and how many there are on all. Collective.
+  std::pair<unsigned long long, unsigned long long> placeOf(unsigned long long mine) const {
+    if (comm->getSize() == 1) return {0, mine};
     unsigned long long before = 0, total = 0;
-    if (comm->getSize() > 1) {
-      MPI_Exscan(&mine, &before, 1, MPI_UNSIGNED_LONG_LONG, MPI_SUM, mpiComm(*comm));
-      MPI_Allreduce(&mine, &total, 1, MPI_UNSIGNED_LONG_LONG, MPI_SUM, mpiComm(*comm));
-      if (isRoot()) before = 0;  // MPI_Exscan leaves it undefined there
-    } else {
-      total = mine;
-    }
-    writeTogether(at, [&] {
-      const int dimensions = components == 1 ? 1 : 2;
-      const hsize_t width = static_cast<hsize_t>(components);
-      const hsize_t all[2] = {total, width};
-      const Handle links(createGroupsOnTheWay(), H5Pclose);
-      const Handle space(H5Screate_simple(dimensions, all, nullptr), H5Sclose);
-      const Handle set(H5Dcreate2(file, at.c_str(), memoryType<T>(), space, links, H5P_DEFAULT, H5P_DEFAULT), H5Dclose);
-      const hsize_t most = std::max<hsize_t>(1, kPieceBytes / (width * sizeof(T)));
-      for (hsize_t done = 0; done < mine; done += most) {
-        const hsize_t start[2] = {before + done, 0}, count[2] = {std::min(most, mine - done), width};
-        const Handle rows(H5Screate_simple(dimensions, count, nullptr), H5Sclose);
-        checked(H5Sselect_hyperslab(space, H5S_SELECT_SET, start, nullptr, count, nullptr));
-        checked(H5Dwrite(set, memoryType<T>(), rows, space, H5P_DEFAULT, values.data() + done * width));
-      }
-    });
+    MPI_Exscan(&mine, &before, 1, MPI_UNSIGNED_LONG_LONG, MPI_SUM, mpiComm(*comm));
+    MPI_Allreduce(&mine, &total, 1, MPI_UNSIGNED_LONG_LONG, MPI_SUM, mpiComm(*comm));
+    return {isRoot() ? 0 : before, total};  // MPI_Exscan leaves it undefined there
   }
 
   template <typename T>
@@ -329,6 +305,67 @@ struct Hdf5File::Impl {
   ~Impl() { closeQuietly(); }
 };
 
+template <typename T>
+struct Hdf5Rows<T>::Impl {
+  Impl(Hdf5File::Impl& file, const std::string& at, std::pair<unsigned long long, unsigned long long> place, unsigned long long mine,
+       int components)
+      : file(file),
+        at(at),
+        width(components),
+        next(place.first),
+        end(place.first + mine),
+        space(spaceOf(place.second), H5Sclose),
+        set(create(), H5Dclose) {}
+
+  hid_t spaceOf(unsigned long long rows) const {
+    const hsize_t all[2] = {rows, width};
+    return H5Screate_simple(dimensions(), all, nullptr);
+  }
+  hid_t create() const {
+    const Handle links(createGroupsOnTheWay(), H5Pclose);
+    return H5Dcreate2(file.file, at.c_str(), memoryType<T>(), space, links, H5P_DEFAULT, H5P_DEFAULT);
+  }
+  int dimensions() const { return width == 1 ? 1 : 2; }
+
+  void append(const std::vector<T>& values) {
+    const hsize_t given = values.size() / width, most = std::max<hsize_t>(1, kPieceBytes / (width * sizeof(T)));
+    if (given * width != values.size() || given > end - next)
+      throw InternalError(file.path + ": '" + at + "' is given " + std::to_string(values.size()) + " values in rows of " +
+                          std::to_string(width) + ", of which " + std::to_string(end - next) + " are missing");
+    for (hsize_t done = 0; done < given; done += most) {
+      const hsize_t start[2] = {next, 0}, count[2] = {std::min(most, given - done), width};
+      const Handle rows(H5Screate_simple(dimensions(), count, nullptr), H5Sclose);
+      checked(H5Sselect_hyperslab(space, H5S_SELECT_SET, start, nullptr, count, nullptr));
+      checked(H5Dwrite(set, memoryType<T>(), rows, space, H5P_DEFAULT, values.data() + done * width));
+      next += count[0];
+      file.owed -= count[0];
+    }
+  }
+
+  Hdf5File::Impl& file;
+  const std::string at;
+  const hsize_t width;
+  hsize_t next, end;  ///< of this rank's rows
+  const Handle space, set;
+};
+
+template <typename T>
+Hdf5Rows<T>::Hdf5Rows(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+template <typename T>
+Hdf5Rows<T>::Hdf5Rows(Hdf5Rows&&) noexcept = default;
+template <typename T>
+Hdf5Rows<T>::~Hdf5Rows() = default;
+
+template <typename T>
+void Hdf5Rows<T>::append(const std::vector<T>& values) {
+  const Quiet quiet;
+  try {
+    impl_->append(values);
+  } catch (const Failed& failed) {
+    throw EnvironmentError(impl_->file.path + ": cannot write '" + impl_->at + "': " + failed.reason);
+  }
+}
+
 Hdf5File::Hdf5File(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 Hdf5File::Hdf5File(Hdf5File&&) noexcept = default;
 Hdf5File& Hdf5File::operator=(Hdf5File&&) noexcept = default;
@@ -385,20 +422,44 @@ void Hdf5File::group(const std::string& path) {
   });
 }
 
-void Hdf5File::write(const std::string& path, const std::vector<double>& values, int components) {
-  impl_->writeRows(path, values, components);
+template <typename T>
+Hdf5Rows<T> Hdf5File::rows(const std::string& path, GlobalId mine, int components) {
+  Impl& my = *impl_;
+  my.claim(path, true);
+  collectively(*my.comm, "writing " + my.path, [&] {
+    if (mine < 0 || components < 1)
+      throw InternalError(my.path + ": '" + path + "' of " + std::to_string(mine) + " rows of " + std::to_string(components));
+  });
+  const auto place = my.placeOf(mine);
+  std::unique_ptr<typename Hdf5Rows<T>::Impl> made;
+  my.writeTogether(path, [&] { made = std::make_unique<typename Hdf5Rows<T>::Impl>(my, path, place, mine, components); });
+  my.owed += mine;
+  return Hdf5Rows<T>(std::move(made));
 }
 
-void Hdf5File::write(const std::string& path, const std::vector<int>& values, int components) {
-  impl_->writeRows(path, values, components);
+template <typename T>
+void Hdf5File::writeAll(const std::string& path, const std::vector<T>& values, int components) {
+  Hdf5Rows<T> all = rows<T>(path, static_cast<GlobalId>(values.size()) / std::max(components, 1), components);
+  collectively(*impl_->comm, "writing " + impl_->path, [&] { all.append(values); });
 }
 
-void Hdf5File::write(const std::string& path, const std::vector<GlobalId>& values, int components) {
-  impl_->writeRows(path, values, components);
-}
+template class Hdf5Rows<double>;
+template class Hdf5Rows<int>;
+template class Hdf5Rows<GlobalId>;
+template class Hdf5Rows<unsigned char>;
+template Hdf5Rows<double> Hdf5File::rows(const std::string&, GlobalId, int);
+template Hdf5Rows<int> Hdf5File::rows(const std::string&, GlobalId, int);
+template Hdf5Rows<GlobalId> Hdf5File::rows(const std::string&, GlobalId, int);
+template Hdf5Rows<unsigned char> Hdf5File::rows(const std::string&, GlobalId, int);
+
+void Hdf5File::write(const std::string& path, const std::vector<double>& values, int components) { writeAll(path, values, components); }
+
+void Hdf5File::write(const std::string& path, const std::vector<int>& values, int components) { writeAll(path, values, components); }
+
+void Hdf5File::write(const std::string& path, const std::vector<GlobalId>& values, int components) { writeAll(path, values, components); }
 
 void Hdf5File::write(const std::string& path, const std::vector<unsigned char>& values, int components) {
-  impl_->writeRows(path, values, components);
+  writeAll(path, values, components);
 }
 
 void Hdf5File::write(const std::string& path, const std::string& text) {
@@ -538,6 +599,9 @@ void Hdf5File::close() {
     return;
   }
   if (my.file < 0) return;
+  collectively(*my.comm, "writing " + my.path, [&] {
+    if (my.owed > 0) throw InternalError(my.path + ": " + std::to_string(my.owed) + " rows were promised and not given");
+  });
   bool closed = false;
   my.writeTogether("/", [&] {
     closed = H5Fclose(std::exchange(my.file, -1)) >= 0;

@@ -7,6 +7,26 @@
 
 namespace suture {
 
+class Hdf5File;
+
+/// This rank's rows of a dataset that is being written, given piece by piece: what is written need never be in memory as a whole. It must
+/// go before the file is closed. T: double, int, GlobalId, unsigned char.
+template <typename T>
+class Hdf5Rows {
+ public:
+  Hdf5Rows(Hdf5Rows&&) noexcept;
+  ~Hdf5Rows();
+
+  /// Local. \throws EnvironmentError  cannot be written; on this rank only: call it within collectively()
+  void append(const std::vector<T>& values);
+
+ private:
+  friend class Hdf5File;
+  struct Impl;
+  explicit Hdf5Rows(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
 /// A file of HDF5, opened by all ranks of a communicator together. The only place that includes HDF5.
 ///
 /// A file for writing is written under a temporary name in the same folder and renamed by close(), so that a reader never sees half a
@@ -25,7 +45,11 @@ class Hdf5File {
 
   void group(const std::string& path);
 
-  /// A dataset of `components` columns (1: a vector) whose rows are those of rank 0, then of rank 1, ...; each rank gives its own rows.
+  /// A dataset of `components` columns (1: a vector) whose rows are those of rank 0, then of rank 1, ...; `mine` are those of this rank,
+  /// all of which must be given before close().
+  template <typename T>
+  Hdf5Rows<T> rows(const std::string& path, GlobalId mine, int components = 1);
+  /// The same, given at once.
   void write(const std::string& path, const std::vector<double>& values, int components = 1);
   void write(const std::string& path, const std::vector<int>& values, int components = 1);
   void write(const std::string& path, const std::vector<GlobalId>& values, int components = 1);
@@ -52,14 +76,18 @@ class Hdf5File {
   /// Names of the members of a group, sorted.
   std::vector<std::string> members(const std::string& path) const;
 
-  /// Flushes and, for a file being written, renames it into place.
+  /// Flushes and, for a file being written, renames it into place. \throws InternalError  rows that were promised are missing
   void close();
 
   /// Of the HDF5 library linked: "1.10.8". Local.
   static std::string libraryVersion();
 
  private:
+  template <typename T>
+  friend class Hdf5Rows;
   struct Impl;
+  template <typename T>
+  void writeAll(const std::string& path, const std::vector<T>& values, int components);
   explicit Hdf5File(std::unique_ptr<Impl> impl);
   std::unique_ptr<Impl> impl_;
 };

@@ -13,8 +13,8 @@ namespace {
 
 constexpr unsigned char vtkVertex = 1, vtkLine = 3;
 
-GridPart gridOf(const std::vector<PairResult>& pairs) {
-  GridPart grid;
+GridPiece gridOf(const std::vector<PairResult>& pairs) {
+  GridPiece grid;
   const auto joined = [&](std::size_t i) {  // pair i and the next
     return i + 1 < pairs.size() && pairs[i].line == pairs[i + 1].line && pairs[i].piece == pairs[i + 1].piece;
   };
@@ -25,7 +25,7 @@ GridPart gridOf(const std::vector<PairResult>& pairs) {
     if (!joined(i) && !alone) continue;
     grid.connectivity.push_back(GlobalId(i));
     if (!alone) grid.connectivity.push_back(GlobalId(i + 1));
-    grid.offsets.push_back(GlobalId(grid.connectivity.size()));
+    grid.ends.push_back(GlobalId(grid.connectivity.size()));
     grid.types.push_back(alone ? vtkVertex : vtkLine);
   }
   return grid;
@@ -57,7 +57,9 @@ void writeContactFields(const Run& run, const std::string& path) {
   const Units units = unitsOf(*run.scene.parameters);
   std::vector<Pair> pairs;  // rank 0 has all of them
   if (run.comm.getRank() == 0) pairs = run.solution.pairs;
-  VtkHdf file(run.comm, path, gridOf(pairs));
+  const GridPiece grid = gridOf(pairs);
+  VtkHdf file(run.comm, path, {GlobalId(grid.points.size() / 3), GlobalId(grid.types.size()), GlobalId(grid.connectivity.size())});
+  collectively(run.comm, "writing " + path, [&] { file.append(grid); });
   const std::string area = run.model.axisymmetric ? "force over tributary area" : "force over tributary length",
                     circle = run.model.axisymmetric ? "of the pair, whole circle" : "of the pair, per unit thickness in 2D";
   const auto reals = [&](const char* name, const std::string& unit, const std::string& meaning, double Pair::*member) {

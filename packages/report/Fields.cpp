@@ -1,5 +1,8 @@
 #include <Teuchos_RCP.hpp>
 #include <cmath>
+#include <optional>
+#include <set>
+#include <suture/base/Collective.hpp>
 #include <suture/report/Fields.hpp>
 #include <suture/report/Provenance.hpp>
 #include <suture/report/Units.hpp>
@@ -9,35 +12,82 @@
 namespace suture {
 namespace {
 
-// All that a rank writes: the grid and its arrays, side by side.
-struct BodyFields {
-  GridPart grid;
+constexpr int kPieceElements = 4096;  // work space of a megabyte, which stays in the cache from one piece to the next
+
+// Subdomains one after the other, and all that is written of them.
+struct Piece {
+  GridPiece grid;
   std::vector<double> displacement;
   std::vector<GlobalId> nodeId;
   std::vector<double> stress, principal, direction1, direction2, vonMises, young, error;
   std::vector<int> subdomain, body;
   std::vector<GlobalId> elementId;
+
+  bool isFull() const { return grid.types.size() >= kPieceElements; }
+  // Keeps the memory.
+  void clear() {
+    for (auto* values : {&grid.points, &displacement, &stress, &principal, &direction1, &direction2, &vonMises, &young, &error})
+      values->clear();
+    for (auto* values : {&grid.connectivity, &grid.ends, &nodeId, &elementId}) values->clear();
+    for (auto* values : {&subdomain, &body}) values->clear();
+    grid.types.clear();
+  }
 };
 
-// Numbers of the subdomain's nodes in the grid; a node that another subdomain of this rank has brought is not repeated.
-std::vector<GlobalId> addNodes(const SubdomainMesh& mesh, const Vector& u, std::unordered_map<GlobalId, GlobalId>& known, BodyFields& all) {
-  std::vector<GlobalId> number;
+// Numbers of this rank's points: a node that an earlier subdomain of the rank has brought is not repeated.
+class PointNumbers {
+ public:
+  explicit PointNumbers(const std::vector<SubdomainMesh>& subdomains) {
+    for (const SubdomainMesh& mesh : subdomains) here_.insert(mesh.id);
+  }
+  bool isNew(const SubdomainMesh& mesh, int node) const {
+    for (const int other : mesh.others(node))
+      if (other < mesh.id && here_.count(other)) return false;
+    return true;
+  }
+  // Of all nodes of the next subdomain.
+  const std::vector<GlobalId>& of(const SubdomainMesh& mesh) {
+    numbers_.clear();
+    for (int n = 0; n < mesh.nodes(); ++n) {
+      const GlobalId node = mesh.globalNodes[std::size_t(n)];
+      const bool known = !isNew(mesh, n);
+      numbers_.push_back(known ? ofSeam_.at(node) : next_++);
+      if (!known && mesh.others(n).size() > 0) ofSeam_[node] = numbers_.back();
+    }
+    return numbers_;
+  }
+
+ private:
+  std::set<int> here_;
+  std::unordered_map<GlobalId, GlobalId> ofSeam_;  // of nodes that other subdomains have, too
+  std::vector<GlobalId> numbers_;
+  GlobalId next_ = 0;
+};
+
+GridSize sizeOf(const std::vector<SubdomainMesh>& subdomains, const PointNumbers& numbers) {
+  GridSize size;
+  for (const SubdomainMesh& mesh : subdomains) {
+    for (int n = 0; n < mesh.nodes(); ++n) size.points += numbers.isNew(mesh, n);
+    size.cells += mesh.elements();
+    size.connectivity += static_cast<GlobalId>(mesh.connectivity.size());
+  }
+  return size;
+}
+
+void addNodes(const SubdomainMesh& mesh, const PointNumbers& numbers, const Vector& u, Piece& all) {
   for (int n = 0; n < mesh.nodes(); ++n) {
-    const auto [at, added] = known.emplace(mesh.globalNodes[std::size_t(n)], GlobalId(known.size()));
-    number.push_back(at->second);
-    if (!added) continue;
+    if (!numbers.isNew(mesh, n)) continue;
     const Point x = mesh.point(n);
     all.grid.points.insert(all.grid.points.end(), x.begin(), x.end());
     for (int k = 0; k < 3; ++k) all.displacement.push_back(k < mesh.dimension ? u[n * mesh.dimension + k] : 0.0);
-    all.nodeId.push_back(at->first);
+    all.nodeId.push_back(mesh.globalNodes[std::size_t(n)]);
   }
-  return number;
 }
 
-void addCells(const SubdomainMesh& mesh, const std::vector<GlobalId>& number, BodyFields& all) {
+void addCells(const SubdomainMesh& mesh, const std::vector<GlobalId>& number, Piece& all) {
   for (int e = 0; e < mesh.elements(); ++e) {
     for (const int n : mesh.nodesOf(e)) all.grid.connectivity.push_back(number[std::size_t(n)]);
-    all.grid.offsets.push_back(GlobalId(all.grid.connectivity.size()));
+    all.grid.ends.push_back(GlobalId(all.grid.connectivity.size()));
     all.grid.types.push_back(static_cast<unsigned char>(cellInfo(mesh.cells[std::size_t(e)]).vtkType));
     all.subdomain.push_back(mesh.id);
     all.body.push_back(mesh.body);
@@ -45,14 +95,12 @@ void addCells(const SubdomainMesh& mesh, const std::vector<GlobalId>& number, Bo
   }
 }
 
-void addStresses(const SubdomainMesh& mesh, const ElasticModel& model, const Vector& u, BodyFields& all) {
+void addStresses(const SubdomainMesh& mesh, const ElasticModel& model, const Vector& u, Piece& all) {
   const auto materialOf = [&](int e) -> const Material& { return model.materialOf(mesh, e, mesh.body); };
   const Matrix stress = elementStresses(mesh, materialOf, model.plane, u);
   const Matrix principal = principalStresses(stress);
   const Vector mises = vonMises(stress);
-  const auto append = [](std::vector<double>& values, std::initializer_list<double> more) {
-    for (const double value : more) values.push_back(value);
-  };
+  const auto append = [](std::vector<double>& values, std::initializer_list<double> more) { values.insert(values.end(), more); };
   for (int e = 0; e < mesh.elements(); ++e) {
     const double xx = stress(e, 0), yy = stress(e, 1), zz = stress(e, 2), xy = stress(e, 3);
     const double c = std::cos(principal(e, 2)), s = std::sin(principal(e, 2));
@@ -60,9 +108,9 @@ void addStresses(const SubdomainMesh& mesh, const ElasticModel& model, const Vec
     append(all.principal, {principal(e, 0), principal(e, 1), zz});
     append(all.direction1, {c, s, 0.0});
     append(all.direction2, {-s, c, 0.0});
-    all.vonMises.push_back(mises[e]);
     if (!model.materialOfRegion.empty()) all.young.push_back(materialOf(e).young);
   }
+  all.vonMises.insert(all.vonMises.end(), mises.data(), mises.data() + mises.size());
 }
 
 const char* stressMeaning(const ElasticModel& model) {
@@ -70,60 +118,94 @@ const char* stressMeaning(const ElasticModel& model) {
                             : "XX YY ZZ XY YZ XZ; at the centroid; tension positive";
 }
 
-BodyFields gather(const Run& run) {
-  BodyFields all;
-  std::unordered_map<GlobalId, GlobalId> known;
-  std::size_t nodes = 0, elements = 0, corners = 0;
-  for (const SubdomainMesh& mesh : run.subdomains) {
-    nodes += mesh.nodes();
-    elements += mesh.elements();
-    corners += mesh.connectivity.size();
+// The arrays of the file, open for the next piece.
+class FieldRows {
+ public:
+  FieldRows(const Run& run, VtkHdf& file)
+      : file_(file),
+        units_(unitsOf(*run.scene.parameters)),
+        displacement_(file.pointData<double>({"Displacement", 3, units_.length, "x, y, z; along the axes"})),
+        nodeId_(file.pointData<GlobalId>({"NodeId", 1, "", "number of the node in the mesh, from 0"})),
+        stress_(reals("Stress", 6, units_.stress, stressMeaning(run.model))),
+        principal_(reals("PrincipalStress", 3, units_.stress,
+                         run.model.axisymmetric ? "larger in the meridian plane, smaller, hoop; at the centroid; tension positive"
+                                                : "larger in-plane, smaller in-plane, out of plane; at the centroid; tension positive")),
+        direction1_(reals("PrincipalDirection1", 3, "", "unit vector of the larger in-plane principal stress")),
+        direction2_(reals("PrincipalDirection2", 3, "", "unit vector of the smaller in-plane principal stress")),
+        vonMises_(reals("VonMises", 1, units_.stress, "at the centroid; never negative")) {
+    if (!run.model.materialOfRegion.empty()) young_.emplace(reals("YoungModulus", 1, units_.stress, "of the element's material"));
+    if (run.solution.discretisation)
+      error_.emplace(reals("ErrorEstimate", 1, "(" + units_.stress + " " + units_.length + "^2)^(1/2)",
+                           "estimated discretisation error of the element in the energy norm; never negative"));
+    subdomain_.emplace(integers<int>("Subdomain", "number of the subdomain, from 0; names in /Record/Subdomains"));
+    body_.emplace(integers<int>("Body", "number of the body, from 0; names in /Record/Bodies"));
+    elementId_.emplace(integers<GlobalId>("ElementId", "number of the element in the mesh, from 0"));
   }
-  known.reserve(nodes);
-  for (std::vector<double>* values : {&all.grid.points, &all.displacement}) values->reserve(3 * nodes);
-  all.nodeId.reserve(nodes);
-  all.grid.connectivity.reserve(corners);
-  all.stress.reserve(6 * elements);
-  for (std::vector<double>* values : {&all.principal, &all.direction1, &all.direction2}) values->reserve(3 * elements);
-  for (std::vector<int>* values : {&all.subdomain, &all.body}) values->reserve(elements);
-  for (std::vector<GlobalId>* values : {&all.grid.offsets, &all.elementId}) values->reserve(elements);
+
+  // Local.
+  void append(const Piece& piece) {
+    file_.append(piece.grid);
+    displacement_.append(piece.displacement);
+    nodeId_.append(piece.nodeId);
+    stress_.append(piece.stress);
+    principal_.append(piece.principal);
+    direction1_.append(piece.direction1);
+    direction2_.append(piece.direction2);
+    vonMises_.append(piece.vonMises);
+    if (young_) young_->append(piece.young);
+    if (error_) error_->append(piece.error);
+    subdomain_->append(piece.subdomain);
+    body_->append(piece.body);
+    elementId_->append(piece.elementId);
+  }
+
+ private:
+  Hdf5Rows<double> reals(const char* name, int components, const std::string& unit, const std::string& meaning) {
+    return file_.cellData<double>({name, components, unit, meaning});
+  }
+  template <typename T>
+  Hdf5Rows<T> integers(const char* name, const char* meaning) {
+    return file_.cellData<T>({name, 1, "", meaning});
+  }
+
+  VtkHdf& file_;
+  const Units units_;
+  Hdf5Rows<double> displacement_;
+  Hdf5Rows<GlobalId> nodeId_;
+  Hdf5Rows<double> stress_, principal_, direction1_, direction2_, vonMises_;
+  std::optional<Hdf5Rows<double>> young_, error_;
+  std::optional<Hdf5Rows<int>> subdomain_, body_;
+  std::optional<Hdf5Rows<GlobalId>> elementId_;
+};
+
+// Local.
+void appendAll(const Run& run, PointNumbers& numbers, FieldRows& rows) {
+  Piece piece;
   for (std::size_t s = 0; s < run.subdomains.size(); ++s) {
     const SubdomainMesh& mesh = run.subdomains[s];
     const Vector& u = run.solution.displacement[s];
-    addCells(mesh, addNodes(mesh, u, known, all), all);
-    addStresses(mesh, run.model, u, all);
+    addNodes(mesh, numbers, u, piece);
+    addCells(mesh, numbers.of(mesh), piece);
+    addStresses(mesh, run.model, u, piece);
     if (run.solution.discretisation) {
       const Vector& error = run.solution.discretisation->ofElements[s];
-      all.error.insert(all.error.end(), error.data(), error.data() + error.size());
+      piece.error.insert(piece.error.end(), error.data(), error.data() + error.size());
     }
+    if (!piece.isFull() && s + 1 < run.subdomains.size()) continue;
+    rows.append(piece);
+    piece.clear();
   }
-  return all;
 }
 
 }  // namespace
 
 void writeFields(const Run& run, const std::string& path) {
-  const Units units = unitsOf(*run.scene.parameters);
-  const BodyFields all = gather(run);
-  VtkHdf file(run.comm, path, all.grid);
-  file.pointData({"Displacement", 3, units.length, "x, y, z; along the axes"}, all.displacement);
-  file.pointData({"NodeId", 1, "", "number of the node in the mesh, from 0"}, all.nodeId);
-  file.cellData({"Stress", 6, units.stress, stressMeaning(run.model)}, all.stress);
-  file.cellData({"PrincipalStress", 3, units.stress,
-                 run.model.axisymmetric ? "larger in the meridian plane, smaller, hoop; at the centroid; tension positive"
-                                        : "larger in-plane, smaller in-plane, out of plane; at the centroid; tension positive"},
-                all.principal);
-  file.cellData({"PrincipalDirection1", 3, "", "unit vector of the larger in-plane principal stress"}, all.direction1);
-  file.cellData({"PrincipalDirection2", 3, "", "unit vector of the smaller in-plane principal stress"}, all.direction2);
-  file.cellData({"VonMises", 1, units.stress, "at the centroid; never negative"}, all.vonMises);
-  if (!run.model.materialOfRegion.empty()) file.cellData({"YoungModulus", 1, units.stress, "of the element's material"}, all.young);
-  if (run.solution.discretisation)
-    file.cellData({"ErrorEstimate", 1, "(" + units.stress + " " + units.length + "^2)^(1/2)",
-                   "estimated discretisation error of the element in the energy norm; never negative"},
-                  all.error);
-  file.cellData({"Subdomain", 1, "", "number of the subdomain, from 0; names in /Record/Subdomains"}, all.subdomain);
-  file.cellData({"Body", 1, "", "number of the body, from 0; names in /Record/Bodies"}, all.body);
-  file.cellData({"ElementId", 1, "", "number of the element in the mesh, from 0"}, all.elementId);
+  PointNumbers numbers(run.subdomains);
+  VtkHdf file(run.comm, path, sizeOf(run.subdomains, numbers));
+  {
+    FieldRows rows(run, file);
+    collectively(run.comm, "writing " + path, [&] { appendAll(run, numbers, rows); });
+  }
   writeProvenance(run, file.file());
   writeNames(run, file.file());
   file.close();

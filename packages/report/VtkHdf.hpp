@@ -1,18 +1,25 @@
 #pragma once
+#include <suture/base/Collective.hpp>
 #include <suture/base/Hdf5File.hpp>
 #include <suture/base/Types.hpp>
 
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace suture {
 
-/// A rank's part of an unstructured grid, in VTK's terms.
-struct GridPart {
+/// A piece of a rank's part of an unstructured grid, in VTK's terms.
+struct GridPiece {
   std::vector<double> points;          ///< points x 3
-  std::vector<GlobalId> connectivity;  ///< numbers of this part's own points
-  std::vector<GlobalId> offsets{0};    ///< cells + 1
+  std::vector<GlobalId> connectivity;  ///< numbers of the rank's points, of earlier pieces, too
+  std::vector<GlobalId> ends;          ///< of each cell: where its points end in this piece's connectivity
   std::vector<unsigned char> types;    ///< VTK's number of each cell's shape
+};
+
+/// How large all pieces of a rank are together.
+struct GridSize {
+  GlobalId points = 0, cells = 0, connectivity = 0;
 };
 
 /// What an array is: everything but its numbers.
@@ -25,34 +32,57 @@ struct FieldInfo {
 
 /// A file of the format VTKHDF 1.0 with one unstructured grid, a partition a rank; VTK 9.1 and ParaView 5.11 read it. A rank without
 /// points makes no partition. Points and cells of a field are in the order of the grid.
-/// Source: "VTK File Formats", docs.vtk.org. All functions are collective; errors as in Hdf5File.
+/// Source: "VTK File Formats", docs.vtk.org. All functions but append() are collective; errors as in Hdf5File.
 class VtkHdf {
  public:
-  VtkHdf(const Comm& comm, const std::string& path, const GridPart& part);
+  VtkHdf(const Comm& comm, const std::string& path, const GridSize& mine);
 
+  /// The next piece of this rank. Local. \throws EnvironmentError  on this rank only, as Hdf5Rows::append()
+  void append(const GridPiece& piece);
+
+  /// An array of which this rank gives its points' or cells' values piece by piece.
   template <typename T>
-  void pointData(const FieldInfo& info, const std::vector<T>& values) {
-    add("/VTKHDF/PointData/", info, values);
+  Hdf5Rows<T> pointData(const FieldInfo& info) {
+    return add<T>("/VTKHDF/PointData/", info, mine_.points);
   }
   template <typename T>
-  void cellData(const FieldInfo& info, const std::vector<T>& values) {
-    add("/VTKHDF/CellData/", info, values);
+  Hdf5Rows<T> cellData(const FieldInfo& info) {
+    return add<T>("/VTKHDF/CellData/", info, mine_.cells);
+  }
+  /// The same, given at once.
+  template <typename T>
+  void pointData(const FieldInfo& info, const std::vector<T>& values) {
+    Hdf5Rows<T> rows = pointData<T>(info);
+    collectively(comm_, "writing a field", [&] { rows.append(values); });
   }
 
   /// For what is beside the grid (/Record).
   Hdf5File& file() { return file_; }
-  void close() { file_.close(); }
+  void close();
 
  private:
   template <typename T>
-  void add(const std::string& group, const FieldInfo& info, const std::vector<T>& values) {
+  Hdf5Rows<T> add(const std::string& group, const FieldInfo& info, GlobalId rows) {
     const std::string path = group + info.name;
-    file_.write(path, values, info.components);
+    Hdf5Rows<T> made = file_.rows<T>(path, rows, info.components);
     file_.attribute(path, "unit", info.unit.empty() ? "1" : info.unit);
     file_.attribute(path, "meaning", info.meaning);
+    return made;
   }
 
+  // Open until the file is closed.
+  struct Grid {
+    Hdf5Rows<double> points;
+    Hdf5Rows<GlobalId> connectivity, offsets;
+    Hdf5Rows<unsigned char> types;
+  };
+
+  const Comm& comm_;
   Hdf5File file_;
+  GridSize mine_;
+  std::unique_ptr<Grid> grid_;
+  GlobalId corners_ = 0;  ///< of all pieces so far
+  std::vector<GlobalId> offsets_;
 };
 
 }  // namespace suture

@@ -209,6 +209,56 @@ TEUCHOS_UNIT_TEST(Hdf5File, SaysWhatIsMissingAndWhatIsThere) {
   removeOnRoot(path);
 }
 
+// Each rank gives its rows in pieces of its own, and two datasets in turn.
+TEUCHOS_UNIT_TEST(Hdf5File, TakesRowsPieceByPiece) {
+  const CommPtr comm = world();
+  const std::string path = nameOf("pieces");
+  const int me = comm->getRank(), pieces = 3 + me;
+  {
+    Hdf5File file = Hdf5File::create(*comm, path);
+    Hdf5Rows<double> reals = file.rows<double>("/Reals", GlobalId(pieces) * (pieces - 1) / 2, 2);
+    Hdf5Rows<GlobalId> integers = file.rows<GlobalId>("/Integers", pieces);
+    for (int piece = 0; piece < pieces; ++piece) {
+      integers.append({GlobalId(100) * me + piece});
+      reals.append(std::vector<double>(2 * std::size_t(piece), me + 0.01 * piece));  // the first piece is empty
+    }
+    file.write("/Whole", std::vector<int>{me});
+    { const Hdf5Rows<double> gone = std::move(reals); }
+    { const Hdf5Rows<GlobalId> gone = std::move(integers); }
+    file.close();
+  }
+  const Hdf5File file = Hdf5File::open(*comm, path);
+  std::vector<double> reals;
+  std::vector<GlobalId> integers;
+  for (int rank = 0; rank < comm->getSize(); ++rank)
+    for (int piece = 0; piece < 3 + rank; ++piece) {
+      integers.push_back(GlobalId(100) * rank + piece);
+      for (int k = 0; k < 2 * piece; ++k) reals.push_back(rank + 0.01 * piece);
+    }
+  TEST_COMPARE_ARRAYS(file.readReals("/Reals"), reals);
+  TEST_COMPARE_ARRAYS(file.readGlobalIds("/Integers"), integers);
+  TEST_EQUALITY(file.readInts("/Whole").size(), std::size_t(comm->getSize()));
+  removeOnRoot(path);
+}
+
+TEUCHOS_UNIT_TEST(Hdf5File, WantsAllRowsThatWerePromisedAndNoMore) {
+  const CommPtr comm = world();
+  const std::string path = nameOf("promised");
+  {
+    Hdf5File file = Hdf5File::create(*comm, path);
+    const bool last = comm->getRank() == comm->getSize() - 1;
+    {
+      Hdf5Rows<int> rows = file.rows<int>("/A", 2, 3);
+      TEST_THROW(rows.append({1, 2, 3, 4}), InternalError);
+      TEST_THROW(rows.append({1, 2, 3, 4, 5, 6, 7, 8, 9}), InternalError);
+      rows.append({1, 2, 3});
+      if (!last) rows.append({4, 5, 6});
+    }
+    TEST_THROW(file.close(), InternalError);  // on all ranks, and no rank waits
+  }
+  TEST_ASSERT(!std::ifstream(path).good());
+}
+
 TEUCHOS_UNIT_TEST(Hdf5File, RefusesMisuseOnAllRanks) {
   const CommPtr comm = world();
   Hdf5File file = Hdf5File::create(*comm, nameOf("misuse"));

@@ -3,6 +3,7 @@
 #include <Teuchos_CommHelpers.hpp>
 #include <Teuchos_UnitTestHarness.hpp>
 #include <fstream>
+#include <set>
 #include <suture/base/Hdf5File.hpp>
 
 #include "SampleRun.hpp"
@@ -83,6 +84,57 @@ TEUCHOS_UNIT_TEST(Fields, CarryTheEstimatedErrorOfEveryElementIfThereIsOne) {
   TEST_EQUALITY(error.size(), 72);
   for (std::size_t i = 0; i < error.size(); ++i) TEST_EQUALITY(error[i], 0.5 + id[i]);
   TEST_EQUALITY(file.readTextAttribute("/VTKHDF/CellData/ErrorEstimate", "unit"), "(Pa m^2)^(1/2)");
+}
+
+// 18,432 elements: written in several pieces by up to three ranks. Cells, put together again rank by rank, are the triangles of the boxes,
+// each with its own number, and no point occurs twice on a rank.
+TEUCHOS_UNIT_TEST(Fields, OfSeveralPiecesAreOneGrid) {
+  const int finer = 16;
+  const std::string folder = sample::folderOf("fields_fine");
+  sample::SampleRun sample(folder, finer);
+  prepareFolder(*sample.comm_, folder);
+  writeReport(sample.run(), ExitCode::Done);
+  const Hdf5File file = Hdf5File::open(*sample.comm_, folder + "/fields_0000.vtkhdf");
+  const std::vector<double> x = file.readReals("/VTKHDF/Points"), u = file.readReals("/VTKHDF/PointData/Displacement");
+  const std::vector<GlobalId> node = file.readGlobalIds("/VTKHDF/PointData/NodeId"),
+                              element = file.readGlobalIds("/VTKHDF/CellData/ElementId"),
+                              corner = file.readGlobalIds("/VTKHDF/Connectivity"), offset = file.readGlobalIds("/VTKHDF/Offsets"),
+                              points = file.readGlobalIds("/VTKHDF/NumberOfPoints"), cells = file.readGlobalIds("/VTKHDF/NumberOfCells"),
+                              corners = file.readGlobalIds("/VTKHDF/NumberOfConnectivityIds");
+  const std::vector<int> subdomain = file.readInts("/VTKHDF/CellData/Subdomain"), body = file.readInts("/VTKHDF/CellData/Body");
+  TEST_EQUALITY(element.size(), std::size_t(72 * finer * finer));
+  TEST_EQUALITY(std::set<GlobalId>(element.begin(), element.end()).size(), element.size());
+  TEST_EQUALITY(std::set<GlobalId>(node.begin(), node.end()).size(), std::size_t(2 * (6 * finer + 1) * (3 * finer + 1)));
+  TEST_EQUALITY(file.readReals("/VTKHDF/CellData/Stress").size(), 6 * element.size());
+
+  double worst = 0, worstArea = 0;
+  for (std::size_t i = 0; i + 2 < x.size(); i += 3) {
+    const Point exact = sample::displacementAt({x[i], x[i + 1], x[i + 2]});
+    for (std::size_t k = 0; k < 3; ++k) worst = std::max(worst, std::abs(u[i + k] - exact[k]));
+  }
+  TEST_COMPARE(worst, <, 1e-17);
+  int misplaced = 0;
+  std::size_t firstPoint = 0, firstCell = 0, firstCorner = 0;
+  for (std::size_t part = 0; part < points.size(); ++part) {
+    const auto begin = node.begin() + static_cast<std::ptrdiff_t>(firstPoint), end = begin + points[part];
+    TEST_EQUALITY(std::set<GlobalId>(begin, end).size(), std::size_t(points[part]));
+    for (GlobalId c = 0; c < cells[part]; ++c) {
+      const GlobalId* at = offset.data() + firstCell + part + c;  // a partition has one offset more than cells
+      const auto place = [&](int k) { return x.data() + 3 * (firstPoint + corner[firstCorner + at[0] + k]); };
+      const double *p = place(0), *q = place(1), *r = place(2);
+      const double area = 0.5 * ((q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]));
+      worstArea = std::max(worstArea, std::abs(area * 36 * finer * finer / 2.0 - 1));
+      const double centreX = (p[0] + q[0] + r[0]) / 3, centreY = (p[1] + q[1] + r[1]) / 3;
+      const int lies = centreY > 1 ? 2 : (centreX > 1 ? 1 : 0);
+      misplaced += at[1] - at[0] != 3 || subdomain[firstCell + c] != lies || body[firstCell + c] != (lies == 2);
+    }
+    firstPoint += points[part];
+    firstCell += cells[part];
+    firstCorner += corners[part];
+  }
+  TEST_EQUALITY(firstCell, element.size());
+  TEST_EQUALITY(misplaced, 0);
+  TEST_COMPARE(worstArea, <, 1e-10);  // coordinates are multiples of 1/48, rounded
 }
 
 TEUCHOS_UNIT_TEST(Fields, NameTheirUnitsAndSigns) {

@@ -30,7 +30,9 @@ inline Stress exactStress() {
 
 class SampleRun {
  public:
-  explicit SampleRun(const std::string& folder) : comm_(Tpetra::getDefaultComm()), monitor_(nullptr, false), folder_(folder) {
+  /// \param finer  as many times the cells in x and in y
+  explicit SampleRun(const std::string& folder, int finer = 1)
+      : comm_(Tpetra::getDefaultComm()), monitor_(nullptr, false), folder_(folder), finer_(finer) {
     makeScene();
     const suture::Mesh mesh = makeMesh();
     const suture::Partition partition = cut(mesh);
@@ -38,8 +40,8 @@ class SampleRun {
     model_.bodies = {"lower", "upper"};
     model_.materialOfBody = {{"rock", young, poisson}, {"rock", young, poisson}};
     makeSolution();
-    size_.nodes = 2 * 7 * 4;
-    size_.elements = 2 * 2 * 6 * 3;
+    size_.nodes = 2 * (6 * finer + 1) * (3 * finer + 1);
+    size_.elements = 2 * 2 * 6 * 3 * finer * finer;
     size_.dofs = 100;
     size_.interfaceDofs = 8;
     size_.subdomains = 3;
@@ -82,6 +84,8 @@ class SampleRun {
   std::string folder_;
 
  private:
+  int finer_;
+
   void makeScene() {
     scene_.path = "somewhere/scene.xml";
     scene_.text = "<ParameterList name=\"Suture\"/>";
@@ -105,8 +109,8 @@ class SampleRun {
     lower.x1 = upper.x1 = 2;
     upper.y0 = 1;
     upper.y1 = 2;
-    lower.nx = upper.nx = 6;
-    lower.ny = upper.ny = 3;
+    lower.nx = upper.nx = 6 * finer_;
+    lower.ny = upper.ny = 3 * finer_;
     lower.blocksX = 2;
     mesh = suture::boxes({lower, upper});
     suture::assignBodies(mesh, {"lower", "upper"});
@@ -117,7 +121,7 @@ class SampleRun {
     suture::Partition partition;
     partition.names = {"subdomain_lower_0_0", "subdomain_lower_1_0", "subdomain_upper_0_0"};
     partition.bodyOf = {0, 0, 1};
-    partition.elementsOf = {18, 18, 36};
+    partition.elementsOf = {18 * finer_ * finer_, 18 * finer_ * finer_, 36 * finer_ * finer_};
     partition.groupOf = {-1, -1, -1};
     for (int s = 0; s < 3; ++s) partition.rankOf.push_back(s % comm_->getSize());
     partition.subdomainOfElement.assign(std::size_t(mesh.elements()), -1);
