@@ -44,8 +44,9 @@ def mesh_of(scene, size, options):
     source, constant = GEOMETRY[scene]
     value = SIZES[size][scene]
     mesh = options.output / "meshes" / f"{scene}_{constant}{value:g}.h5"
-    geometry = (ROOT / source).parent.glob("*.geo")
-    if mesh.exists() and all(mesh.stat().st_mtime > file.stat().st_mtime for file in geometry):
+    # Another program may number another way.
+    made_from = [*(ROOT / source).parent.glob("*.geo"), options.programs / "suture_partition"]
+    if mesh.exists() and all(mesh.stat().st_mtime > file.stat().st_mtime for file in made_from):
         return mesh
     mesh.parent.mkdir(parents=True, exist_ok=True)
     text = execute([str(options.programs / "suture_partition"), "--no-cut", str(ROOT / source), "--output", str(mesh),
