@@ -192,6 +192,23 @@ struct Hdf5File::Impl {
     if (isRoot()) kept.push_back(std::move(action));
   }
 
+  /// In the system's words where HDF5 hands them on; MPI-IO does not, and the commonest cause can be seen.
+  EnvironmentError cannotWrite(const std::string& at, std::string reason) const {
+    const std::string mark = "error message = '";
+    if (const std::size_t begin = reason.find(mark); begin != std::string::npos) {
+      const std::size_t from = begin + mark.size();
+      reason = reason.substr(from, reason.find('\'', from) - from);
+    } else if (std::error_code failed; std::filesystem::space(folderOf(path), failed).available < kPieceBytes && !failed) {
+      reason = std::strerror(ENOSPC);
+    }
+    return EnvironmentError(path + ": cannot write '" + at + "': " + reason);
+  }
+
+  static std::filesystem::path folderOf(const std::string& path) {
+    const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+    return folder.empty() ? "." : folder;
+  }
+
   /// Runs `work` on every rank; a failing HDF5 call on any of them is the same EnvironmentError on all.
   void writeTogether(const std::string& at, const std::function<void()>& work) const {
     collectively(*comm, "writing " + path, [&] {
@@ -199,7 +216,7 @@ struct Hdf5File::Impl {
       try {
         work();
       } catch (const Failed& failed) {
-        throw EnvironmentError(path + ": cannot write '" + at + "': " + failed.reason);
+        throw cannotWrite(at, failed.reason);
       }
     });
   }
@@ -294,9 +311,16 @@ struct Hdf5File::Impl {
     });
   }
 
+  /// Collective for a file being written.
   void closeQuietly() noexcept {
     if (file < 0) return;
     const Quiet quiet;
+    if (writing) {
+      // HDF5 writes what it knows of the file when it closes it. On a full disk that fails, ranks wait for each other and the program
+      // crashes at its end: what is thrown away anyway gives the room back first.
+      if (isRoot()) static_cast<void>(::truncate(temporary().c_str(), 0) == 0);
+      comm->barrier();
+    }
     H5Fclose(file);
     file = -1;
     if (writing && isRoot()) std::remove(temporary().c_str());
@@ -354,7 +378,10 @@ Hdf5Rows<T>::Hdf5Rows(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 template <typename T>
 Hdf5Rows<T>::Hdf5Rows(Hdf5Rows&&) noexcept = default;
 template <typename T>
-Hdf5Rows<T>::~Hdf5Rows() = default;
+Hdf5Rows<T>::~Hdf5Rows() {
+  const Quiet quiet;
+  impl_.reset();
+}
 
 template <typename T>
 void Hdf5Rows<T>::append(const std::vector<T>& values) {
@@ -362,7 +389,7 @@ void Hdf5Rows<T>::append(const std::vector<T>& values) {
   try {
     impl_->append(values);
   } catch (const Failed& failed) {
-    throw EnvironmentError(impl_->file.path + ": cannot write '" + impl_->at + "': " + failed.reason);
+    throw impl_->file.cannotWrite(impl_->at, failed.reason);
   }
 }
 
@@ -388,6 +415,9 @@ Hdf5File Hdf5File::create(const Comm& comm, const std::string& path) {
     const Quiet quiet;
     const hid_t access = H5Pcreate(H5P_FILE_ACCESS);
     if (impl->comm->getSize() > 1) H5Pset_fapl_mpio(access, mpiComm(*impl->comm), MPI_INFO_NULL);
+    // Rows go to the file at once: what HDF5 would keep of small pieces it could fail to write later, where nobody hears of it, and a
+    // dataset that cannot be closed crashes the program at its end.
+    H5Pset_sieve_buf_size(access, 0);
     impl->file = H5Fcreate(impl->temporary().c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access);
     if (impl->file < 0) reason = complaint();
     H5Pclose(access);

@@ -2,10 +2,12 @@
 #include <suture/base/Errors.hpp>
 #include <suture/base/Hdf5File.hpp>
 
+#include <sys/resource.h>
 #include <Teuchos_Comm.hpp>
 #include <Teuchos_DefaultComm.hpp>
 #include <Teuchos_DefaultSerialComm.hpp>
 #include <Teuchos_UnitTestHarness.hpp>
+#include <csignal>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -238,6 +240,41 @@ TEUCHOS_UNIT_TEST(Hdf5File, TakesRowsPieceByPiece) {
   TEST_COMPARE_ARRAYS(file.readReals("/Reals"), reals);
   TEST_COMPARE_ARRAYS(file.readGlobalIds("/Integers"), integers);
   TEST_EQUALITY(file.readInts("/Whole").size(), std::size_t(comm->getSize()));
+  removeOnRoot(path);
+}
+
+// A full disk, played by a limit for the size of files; it is lifted before the file goes, which HDF5 makes as long as it was meant to be.
+// Pieces are small enough for HDF5 to keep some of them back.
+TEUCHOS_UNIT_TEST(Hdf5File, TellsThatTheDiskIsFullWhilePiecesAreWritten) {
+  const CommPtr comm = world();
+  const std::string path = nameOf("full");
+  rlimit before;
+  getrlimit(RLIMIT_FSIZE, &before);
+  const rlimit small{200000, before.rlim_max};
+  const auto signalBefore = std::signal(SIGXFSZ, SIG_IGN);
+  {
+    Hdf5File file = Hdf5File::create(*comm, path);
+    Hdf5Rows<double> a = file.rows<double>("/A", 100000), b = file.rows<double>("/B", 100000);
+    setrlimit(RLIMIT_FSIZE, &small);
+    const auto writePieces = [&] {
+      for (int piece = 0; piece < 1000; ++piece) {
+        a.append(std::vector<double>(100, piece));
+        b.append(std::vector<double>(100, piece));
+      }
+    };
+    TEST_THROW(collectively(*comm, "writing pieces", writePieces), EnvironmentError);
+    comm->barrier();
+    setrlimit(RLIMIT_FSIZE, &before);
+  }
+  std::signal(SIGXFSZ, signalBefore);
+  TEST_ASSERT(!std::ifstream(path).good());
+  TEST_ASSERT(!std::ifstream(path + ".part").good());
+  {
+    Hdf5File file = Hdf5File::create(*comm, path);
+    file.write("/A", std::vector<int>{1});
+    file.close();
+  }
+  TEST_EQUALITY(Hdf5File::open(*comm, path).readInts("/A")[0], 1);
   removeOnRoot(path);
 }
 
