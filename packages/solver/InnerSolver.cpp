@@ -30,6 +30,29 @@ double lowestEigenvalue(const RitzValues& ritz, double known) {
 using Iteration = Belos::Iteration<double, MultiVector, Operator>;
 using ConjugateGradients = Belos::PseudoBlockCGIter<double, MultiVector, Operator>;
 
+/// A preconditioner whose answer to the first vector that it is asked about is known: Belos begins with the right-hand side, to which
+/// solve() has applied it already.
+class BegunPreconditioner : public Operator {
+ public:
+  BegunPreconditioner(Teuchos::RCP<const Preconditioner> all, MultiVectorPtr first) : all_(std::move(all)), first_(std::move(first)) {}
+
+  Teuchos::RCP<const Map> getDomainMap() const override { return all_->getDomainMap(); }
+  Teuchos::RCP<const Map> getRangeMap() const override { return all_->getRangeMap(); }
+  void apply(const MultiVector& r, MultiVector& z, Teuchos::ETransp mode, double alpha, double beta) const override {
+    if (first_.is_null()) {
+      all_->apply(r, z, mode, alpha, beta);
+    } else {
+      z.update(alpha, *first_, beta);
+      first_ = Teuchos::null;
+    }
+  }
+  bool hasTransposeApply() const override { return true; }  // symmetric
+
+ private:
+  Teuchos::RCP<const Preconditioner> all_;
+  mutable MultiVectorPtr first_;
+};
+
 /// Stops on sqrt(r.z), z = M^-1 r, which the iteration has anyway. Keeps norms and steps of all iterations.
 class PreconditionedNormTest : public Belos::StatusTest<double, MultiVector, Operator> {
  public:
@@ -128,7 +151,7 @@ InnerResult InnerSolver::solve(const Teuchos::RCP<const Operator>& matrix, const
   solve_->x = preconditioner->space()->vector();
   const auto right = Teuchos::rcp(new MultiVector(b, Teuchos::Copy));
   solve_->problem = Teuchos::rcp(new Belos::LinearProblem<double, MultiVector, Operator>(matrix, solve_->x, right));
-  solve_->problem->setLeftPrec(preconditioner);
+  solve_->problem->setLeftPrec(Teuchos::rcp(new BegunPreconditioner(preconditioner, z)));
   solve_->problem->setInitResVec(right);  // x = 0: the residual is b, and need not be found by applying the operator
   solve_->problem->setInitPrecResVec(z);
   solve_->problem->setProblem();

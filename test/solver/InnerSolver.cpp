@@ -39,7 +39,9 @@ TEUCHOS_UNIT_TEST(InnerSolver, LosesNoIterationWhereItStops) {
   TEST_ASSERT(!solver.canGoOn());
   TEST_THROW(solver.goOn(*part, 1e-10, 0.0, p.silent), InternalError);
   const double begin = Timers::now();
+  const long long before = p.made->applications();
   const InnerResult once = p.solve(solver, *whole, 1e-10);
+  TEST_EQUALITY(p.made->applications() - before, once.pcg + 1);  // to the right-hand side once
   TEST_COMPARE(once.seconds, >, 0.0);
   TEST_COMPARE(once.seconds, <, Timers::now() - begin);
 
