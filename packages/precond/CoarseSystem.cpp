@@ -24,6 +24,12 @@ struct PlainEntry {
   double value;
 };
 
+template <typename Take>
+void forEachEntry(SparseMatrix& matrix, const Take& take) {
+  for (int j = 0; j < matrix.cols(); ++j)
+    for (SparseMatrix::InnerIterator it(matrix, j); it; ++it) take(static_cast<int>(it.row()), j, it.valueRef());
+}
+
 }  // namespace
 
 CoarseSystem::CoarseSystem(CommPtr comm, int size, const std::vector<Entry>& entries, std::unique_ptr<LocalSolver> solver, int copies,
@@ -41,15 +47,15 @@ CoarseSystem::CoarseSystem(CommPtr comm, int size, const std::vector<Entry>& ent
   if (ranks > 1) {  // sums of equal places: less to send
     std::vector<PlainEntry> plain;
     plain.reserve(own.nonZeros());
-    for (int j = 0; j < size_; ++j)
-      for (SparseMatrix::InnerIterator it(own, j); it; ++it) plain.push_back({static_cast<int>(it.row()), j, it.value()});
+    forEachEntry(own, [&plain](int row, int column, double value) { plain.push_back({row, column, value}); });
     Packer packer;
     packer.put(plain);
     all = copies_ == 1 ? gatherOnRoot(*comm_, packer.bytes()) : allGather(*comm_, packer.bytes());
   }
   collectively(*comm_, "factoring the coarse problem", [&] {
     if (!holder || size_ == 0) return;
-    SparseMatrix matrix = std::move(own);
+    SparseMatrix matrix;
+    matrix.swap(own);  // Eigen would copy it
     if (!all.empty()) {
       std::vector<Entry> triplets;
       for (const std::string& bytes : all)
@@ -61,7 +67,7 @@ CoarseSystem::CoarseSystem(CommPtr comm, int size, const std::vector<Entry>& ent
     const Vector diagonal = matrix.diagonal();
     for (int i = 0; i < size_; ++i)
       if (diagonal(i) > 0.0) scale_(i) = 1.0 / std::sqrt(diagonal(i));
-    matrix = (scale_.asDiagonal() * matrix * scale_.asDiagonal()).eval();
+    forEachEntry(matrix, [&](int row, int column, double& value) { value *= scale_(row) * scale_(column); });
     if (dependent_) {
       scaled_ = matrix;
       for (int i = 0; i < size_; ++i) matrix.coeffRef(i, i) += kShift;

@@ -31,7 +31,8 @@ SparseMatrix ElasticSubdomain::assembleStiffness(const std::function<const Mater
 
 void ElasticSubdomain::doAssemble(SparseMatrix& stiffness, Vector& load) {
   const SubdomainMesh& m = mesh();
-  stiffness = assembleStiffness([this](int element) -> const Material& { return materialOf(element); });
+  SparseMatrix assembled = assembleStiffness([this](int element) -> const Material& { return materialOf(element); });
+  stiffness.swap(assembled);  // Eigen would copy it
   std::vector<int> all(m.elements());
   std::iota(all.begin(), all.end(), 0);
   for (const Load& given : model_.loads) {

@@ -42,7 +42,11 @@ void Subdomain::assemble() {
   std::vector<int> all(n);
   std::iota(all.begin(), all.end(), 0);
   held_ = block(full, all, fixed_);
-  stiffness_ = fixed_.empty() ? std::move(full) : block(full, free_, free_);
+  if (!fixed_.empty()) {
+    SparseMatrix freeOnly = block(full, free_, free_);
+    full.swap(freeOnly);
+  }
+  stiffness_.swap(full);  // Eigen would copy it
   const Vector diagonal = stiffness_.diagonal();
   for (int i = 0; i < dofs(); ++i)
     if (!(diagonal(i) > 0.0)) {
