@@ -146,24 +146,33 @@ void collectivelyOnRoot(const Comm& comm, const std::string& what, const std::fu
   });
 }
 
+void sendMemory(const Comm& comm, const void* from, std::size_t count, int to) {
+  const std::size_t most = roundBytes(1);
+  for (std::size_t at = 0; at < count; at += most)
+    MPI_Send(static_cast<const char*>(from) + at, static_cast<int>(std::min(most, count - at)), MPI_BYTE, to, 0, mpiComm(comm));
+}
+
+void receiveMemory(const Comm& comm, void* to, std::size_t count, int from) {
+  const std::size_t most = roundBytes(1);
+  for (std::size_t at = 0; at < count; at += most)
+    MPI_Recv(static_cast<char*>(to) + at, static_cast<int>(std::min(most, count - at)), MPI_BYTE, from, 0, mpiComm(comm),
+             MPI_STATUS_IGNORE);
+}
+
 namespace {
 
 // From one rank to another, the length first.
 void sendBytes(const Comm& comm, const std::string& bytes, int to) {
   const unsigned long long size = bytes.size();
   MPI_Send(&size, 1, MPI_UNSIGNED_LONG_LONG, to, 0, mpiComm(comm));
-  const std::size_t most = roundBytes(1);
-  for (std::size_t at = 0; at < bytes.size(); at += most)
-    MPI_Send(bytes.data() + at, static_cast<int>(std::min(most, bytes.size() - at)), MPI_BYTE, to, 0, mpiComm(comm));
+  sendMemory(comm, bytes.data(), bytes.size(), to);
 }
 
 std::string receiveBytes(const Comm& comm, int from) {
   unsigned long long size = 0;
   MPI_Recv(&size, 1, MPI_UNSIGNED_LONG_LONG, from, 0, mpiComm(comm), MPI_STATUS_IGNORE);
   std::string bytes(size, '\0');
-  const std::size_t most = roundBytes(1);
-  for (std::size_t at = 0; at < bytes.size(); at += most)
-    MPI_Recv(bytes.data() + at, static_cast<int>(std::min(most, bytes.size() - at)), MPI_BYTE, from, 0, mpiComm(comm), MPI_STATUS_IGNORE);
+  receiveMemory(comm, bytes.data(), bytes.size(), from);
   return bytes;
 }
 

@@ -49,6 +49,10 @@ std::string scatterFromRoot(const Comm& comm, const std::vector<std::string>& by
 /// for itself last, and must not communicate. `what`: as in collectively(). Collective. \throws what `make` throws, on all ranks
 std::string scatterFromRoot(const Comm& comm, const std::string& what, const std::function<std::string(int rank)>& make);
 
+/// Bytes from one rank to another, both of which know how many and call these two. They must be done with before anything else is sent.
+void sendMemory(const Comm& comm, const void* from, std::size_t count, int to);
+void receiveMemory(const Comm& comm, void* to, std::size_t count, int from);
+
 /// All ranks' byte strings on every rank, in the order of ranks. Collective.
 std::vector<std::string> allGather(const Comm& comm, const std::string& bytes);
 

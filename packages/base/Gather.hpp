@@ -26,4 +26,16 @@ std::vector<T> joinOnRoot(const Comm& comm, const std::vector<T>& mine) {
   return joined<T>(gatherOnRoot(comm, packer.bytes()));
 }
 
+/// The values of a vector to another rank, which has room for as many and calls receive(). Without a copy: for long ones.
+template <typename T>
+void send(const Comm& comm, const std::vector<T>& values, int to) {
+  static_assert(std::is_trivially_copyable_v<T>);
+  sendMemory(comm, values.data(), values.size() * sizeof(T), to);
+}
+template <typename T>
+void receive(const Comm& comm, std::vector<T>& values, int from) {
+  static_assert(std::is_trivially_copyable_v<T>);
+  receiveMemory(comm, values.data(), values.size() * sizeof(T), from);
+}
+
 }  // namespace suture

@@ -32,18 +32,32 @@ void takeAll(const Mesh& mesh, MeshShare& share) {
   share.bodyOfElement = mesh.bodyOfElement.empty() ? std::vector<int>(mesh.elements(), 0) : mesh.bodyOfElement;
 }
 
+// How much a share holds.
+struct Extent {
+  std::size_t nodes = 0, elements = 0, corners = 0;
+};
+
 // Whose nodes and elements they are, in one pass for all ranks.
 struct ByRank {
   std::vector<std::vector<int>> nodes, elements;  // of each rank, ascending
   std::vector<int> local;                         // of each node of the mesh: its number among those of its rank
+  std::vector<Extent> extents;                    // of each rank's share
 
-  ByRank(const Mesh& mesh, const std::vector<int>& rankOf, int ranks) : nodes(ranks), elements(ranks), local(mesh.nodes()) {
+  ByRank(const Mesh& mesh, const std::vector<int>& rankOf, int ranks) : nodes(ranks), elements(ranks), local(mesh.nodes()), extents(ranks) {
     for (int node = 0; node < mesh.nodes(); ++node) {
       std::vector<int>& own = nodes[rankOf[mesh.bodyOfNode[node]]];
       local[node] = static_cast<int>(own.size());
       own.push_back(node);
     }
-    for (int e = 0; e < mesh.elements(); ++e) elements[rankOf[mesh.bodyOfElement[e]]].push_back(e);
+    for (int e = 0; e < mesh.elements(); ++e) {
+      const int rank = rankOf[mesh.bodyOfElement[e]];
+      elements[rank].push_back(e);
+      extents[rank].corners += mesh.nodesOf(e).size();
+    }
+    for (int rank = 0; rank < ranks; ++rank) {
+      extents[rank].nodes = nodes[rank].size();
+      extents[rank].elements = elements[rank].size();
+    }
   }
 };
 
@@ -59,11 +73,9 @@ void takeBodiesOf(int rank, const Mesh& mesh, ByRank& all, MeshShare& share) {
     const double* place = mesh.coordinates.data() + std::size_t(node) * mesh.dimension;
     own.coordinates.insert(own.coordinates.end(), place, place + mesh.dimension);
   }
-  std::size_t corners = 0;
-  for (const int e : share.globalElements) corners += mesh.nodesOf(e).size();
   own.cells.reserve(share.globalElements.size());
   own.offsets.reserve(share.globalElements.size() + 1);
-  own.connectivity.reserve(corners);
+  own.connectivity.reserve(all.extents[rank].corners);
   share.bodyOfElement.reserve(share.globalElements.size());
   for (const int e : share.globalElements) {
     share.bodyOfElement.push_back(mesh.bodyOfElement[e]);
@@ -74,20 +86,30 @@ void takeBodiesOf(int rank, const Mesh& mesh, ByRank& all, MeshShare& share) {
   }
 }
 
-template <typename T>
-std::size_t bytesOf(const T& value) {
-  return sizeof(value);
-}
-template <typename T>
-std::size_t bytesOf(const std::vector<T>& values) {
-  return sizeof(std::size_t) + values.size() * sizeof(T);
+// What is the same for all shares.
+struct Kind {
+  int dimension = 0;
+  bool axisymmetric = false, hasRegions = false;
+};
+
+void makeRoom(const Kind& kind, const Extent& extent, MeshShare& share) {
+  share.own.dimension = kind.dimension;
+  share.own.axisymmetric = kind.axisymmetric;
+  share.own.coordinates.resize(extent.nodes * kind.dimension);
+  share.own.cells.resize(extent.elements);
+  share.own.offsets.resize(extent.elements + 1);
+  share.own.connectivity.resize(extent.corners);
+  share.own.regions.resize(kind.hasRegions ? extent.elements : 0);
+  share.globalNodes.resize(extent.nodes);
+  share.globalElements.resize(extent.elements);
+  share.bodyOfElement.resize(extent.elements);
 }
 
-// One list of fields for both directions.
+// One list of vectors for both directions.
 template <typename Share, typename Each>
-void forEachField(Share& share, const Each& each) {
-  each(share.own.dimension), each(share.own.axisymmetric), each(share.own.coordinates), each(share.own.cells), each(share.own.offsets);
-  each(share.own.connectivity), each(share.own.regions), each(share.globalNodes), each(share.globalElements), each(share.bodyOfElement);
+void forEachVector(Share& share, const Each& each) {
+  each(share.own.coordinates), each(share.own.cells), each(share.own.offsets), each(share.own.connectivity), each(share.own.regions);
+  each(share.globalNodes), each(share.globalElements), each(share.bodyOfElement);
 }
 
 }  // namespace
@@ -100,11 +122,19 @@ int MeshShare::localOf(const std::vector<int>& numbers, GlobalId global) const {
 
 MeshShare shareBodies(const Comm& comm, const Mesh& mesh) {
   MeshShare mine;
+  const int me = comm.getRank();
+  std::unique_ptr<ByRank> all;
   std::string common;
   collectivelyOnRoot(comm, what, [&] {
+    const std::vector<int> rankOf = placeBodies(mesh, comm.getSize());
     Packer packer;
     packer.put(mesh.bodies);
-    packer.put(placeBodies(mesh, comm.getSize()));
+    packer.put(rankOf);
+    if (!allOnRoot(rankOf)) {
+      all = std::make_unique<ByRank>(mesh, rankOf, comm.getSize());
+      packer.put(Kind{mesh.dimension, mesh.axisymmetric, !mesh.regions.empty()});
+      packer.put(all->extents);
+    }
     common = packer.bytes();
   });
   Unpacker unpacker(broadcast(comm, common));
@@ -114,28 +144,19 @@ MeshShare shareBodies(const Comm& comm, const Mesh& mesh) {
     collectivelyOnRoot(comm, what, [&] { takeAll(mesh, mine); });
     return mine;
   }
-  std::unique_ptr<ByRank> all;
-  collectivelyOnRoot(comm, what, [&] { all = std::make_unique<ByRank>(mesh, mine.rankOf, comm.getSize()); });
-  // Rank by rank: beside the mesh there is never more than one share on the way. Rank 0 takes its own while the others unpack theirs.
-  std::string received = scatterFromRoot(comm, what, [&](int rank) {
-    if (rank == 0) return std::string();
-    MeshShare share;
-    takeBodiesOf(rank, mesh, *all, share);
-    std::size_t bytes = 0;
-    forEachField(share, [&bytes](const auto& field) { bytes += bytesOf(field); });
-    Packer packer;
-    packer.reserve(bytes);
-    forEachField(share, [&packer](const auto& field) { packer.put(field); });
-    return std::move(packer).bytes();
-  });
-  collectively(comm, what, [&] {
-    if (comm.getRank() == 0) {
-      takeBodiesOf(0, mesh, *all, mine);
-      return;
-    }
-    Unpacker fields(std::move(received));
-    forEachField(mine, [&fields](auto& field) { fields.get(field); });
-  });
+  const auto kind = unpacker.get<Kind>();
+  const auto extents = unpacker.get<std::vector<Extent>>();
+  // Rank by rank: beside the mesh there is never more than one share on the way. Ranks make room while rank 0 takes what they wait for.
+  for (int to = 1; to < comm.getSize(); ++to) {
+    MeshShare sent;
+    collectively(comm, what, [&] {
+      if (me == 0) takeBodiesOf(to, mesh, *all, sent);
+      if (me == to) makeRoom(kind, extents[to], mine);
+    });
+    if (me == 0) forEachVector(sent, [&](const auto& values) { send(comm, values, to); });
+    if (me == to) forEachVector(mine, [&](auto& values) { receive(comm, values, 0); });
+  }
+  collectivelyOnRoot(comm, what, [&] { takeBodiesOf(0, mesh, *all, mine); });
   return mine;
 }
 
