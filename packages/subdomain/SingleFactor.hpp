@@ -42,9 +42,9 @@ class SingleFactor {
 
   std::vector<Supernode> supernodes_;
   std::vector<int> rows_;
-  std::vector<float> values_;  // of each supernode its triangle, packed by columns, then the rows below, below x columns
+  std::vector<float> values_;  // of each supernode its columns, from the reciprocal of the diagonal entry downwards
   std::vector<int> unknownOf_;
-  int mostBelow_ = 0;
+  int mostRows_ = 0;
 };
 
 }  // namespace suture
