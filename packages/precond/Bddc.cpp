@@ -1,6 +1,7 @@
 #include <suture/base/Collective.hpp>
 #include <suture/precond/Bddc.hpp>
 #include <suture/precond/CoarseSystem.hpp>
+#include <suture/subdomain/UpdatedInverse.hpp>
 
 #include <Teuchos_Comm.hpp>
 #include <Teuchos_CommHelpers.hpp>
@@ -14,6 +15,24 @@
 #include <sstream>
 
 namespace suture {
+
+namespace {
+
+// An update of k rows takes 2 k products of a matrix of size n with a vector and reads 2 k vectors more an application, a factorisation n
+// such products.
+constexpr int kLeastSizeByChanges = 16;
+
+/// The inverse under other constraints; null where it is better made anew.
+std::shared_ptr<const LocalInverse> updated(const std::shared_ptr<const LocalInverse>& base, const PrimalConstraints::Rows& old,
+                                            const PrimalConstraints::Rows& now) {
+  const std::vector<int> from = rowsIn(old, now);
+  const auto kept = static_cast<int>(from.size() - std::count(from.begin(), from.end(), -1));
+  const int changes = static_cast<int>(old.rows() + now.rows()) - 2 * kept;
+  if (changes * kLeastSizeByChanges > now.cols()) return nullptr;
+  return UpdatedInverse::make(base, from, Matrix(now));
+}
+
+}  // namespace
 
 Schema Bddc::schema() {
   Schema schema(
@@ -84,17 +103,21 @@ std::string Bddc::remark() const {
 void Bddc::factorLocals(std::vector<PrimalConstraints> constraints) {
   const LocalProblems& locals = matrix()->locals();
   locals_.resize(locals.size());
+  bases_.resize(locals.size());
   inverses_.resize(locals.size());
   constraints_.resize(locals.size());
   for (std::size_t i = 0; i < locals.size(); ++i) {
-    const bool same = locals_[i] == locals[i] && inverses_[i] && constraints_[i].rows.rows() == constraints[i].rows.rows() &&
-                      constraints_[i].rows == constraints[i].rows;
-    constraints_[i] = std::move(constraints[i]);
+    const bool known = locals_[i] && locals_[i] == locals[i] && inverses_[i];
+    const bool same = known && areEqual(constraints_[i].rows, constraints[i].rows);
     locals_[i] = locals[i];
-    if (!locals[i])
-      inverses_[i].reset();
-    else if (!same)
-      inverses_[i] = locals[i]->inverse(constraints_[i].rows);
+    constraints_[i] = std::move(constraints[i]);
+    if (same) continue;
+    inverses_[i] = known ? updated(bases_[i].inverse, bases_[i].rows, constraints_[i].rows) : nullptr;
+    if (inverses_[i]) continue;
+    bases_[i] = {};
+    if (!locals[i]) continue;
+    bases_[i] = {constraints_[i].rows, locals[i]->inverse(Matrix(constraints_[i].rows))};
+    inverses_[i] = bases_[i].inverse;
   }
 }
 

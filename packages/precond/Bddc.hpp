@@ -17,7 +17,7 @@ namespace suture {
 /// the constraints in primal unknowns: corners, and what EdgeConstraints demands of edges. Additive: coarse and local problems see the same
 /// residual. Condition C (1 + log H/h)^2, with all eigenvalues at least one. Cost of an application: a dense symmetric product for every
 /// local problem and one coarse solve: exact, or for many local problems approximate by a level more (CoarseLevels). Local problems whose
-/// S_i and constraints did not change are not factored again.
+/// S_i and constraints did not change are not factored again; where a few constraints did, the inverse is updated (UpdatedInverse).
 class Bddc : public Preconditioner {
  public:
   static Schema schema();
@@ -46,7 +46,13 @@ class Bddc : public Preconditioner {
   CoarseLevels levels_;
   LocalProblems locals_;  // those the inverses belong to
   std::vector<PrimalConstraints> constraints_;
-  std::vector<std::unique_ptr<LocalInverse>> inverses_;
+  // Made for other constraints, perhaps, than the present ones: what inverses_ are updates of.
+  struct Base {
+    PrimalConstraints::Rows rows;
+    std::shared_ptr<const LocalInverse> inverse;
+  };
+  std::vector<Base> bases_;
+  std::vector<std::shared_ptr<const LocalInverse>> inverses_;
   // A_i, one entry after another.
   struct Value {
     int row;     // constraint of the local problem

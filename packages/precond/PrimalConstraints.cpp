@@ -35,7 +35,47 @@ struct Row {
   std::vector<PrimalConstraints::Term> terms;
 };
 
+/// Sorts the entries.
+PrimalConstraints::Rows sparse(std::vector<Row>& rows, int columns) {
+  PrimalConstraints::Rows made(static_cast<int>(rows.size()), columns);
+  std::size_t entries = 0;
+  for (const Row& row : rows) entries += row.entries.size();
+  made.reserve(static_cast<Eigen::Index>(entries));
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    std::sort(rows[r].entries.begin(), rows[r].entries.end());
+    made.startVec(static_cast<int>(r));
+    for (const auto& [position, value] : rows[r].entries) made.insertBack(static_cast<int>(r), position) = value;
+  }
+  made.finalize();
+  return made;
+}
+
 }  // namespace
+
+bool areEqual(const PrimalConstraints::Rows& a, const PrimalConstraints::Rows& b) {
+  return a.rows() == b.rows() && a.cols() == b.cols() && a.nonZeros() == b.nonZeros() &&
+         std::equal(a.outerIndexPtr(), a.outerIndexPtr() + a.rows() + 1, b.outerIndexPtr()) &&
+         std::equal(a.innerIndexPtr(), a.innerIndexPtr() + a.nonZeros(), b.innerIndexPtr()) &&
+         std::equal(a.valuePtr(), a.valuePtr() + a.nonZeros(), b.valuePtr());
+}
+
+std::vector<int> rowsIn(const PrimalConstraints::Rows& old, const PrimalConstraints::Rows& now) {
+  const auto same = [&](int a, int b) {
+    const int begin = old.outerIndexPtr()[a], end = old.outerIndexPtr()[a + 1], other = now.outerIndexPtr()[b];
+    return now.outerIndexPtr()[b + 1] - other == end - begin &&
+           std::equal(old.innerIndexPtr() + begin, old.innerIndexPtr() + end, now.innerIndexPtr() + other) &&
+           std::equal(old.valuePtr() + begin, old.valuePtr() + end, now.valuePtr() + other);
+  };
+  std::vector<int> from(now.rows(), -1);
+  std::vector<char> taken(old.rows(), 0);
+  for (int row = 0; row < now.rows(); ++row)
+    for (int k = 0; k < old.rows() && from[row] < 0; ++k)
+      if (!taken[k] && same(k, row)) {
+        from[row] = k;
+        taken[k] = 1;
+      }
+  return from;
+}
 
 std::vector<PrimalConstraints> primalConstraints(const InterfaceSpace& space, const std::vector<Matrix>& edgeRows) {
   std::vector<std::vector<Row>> rows(space.locals());
@@ -74,11 +114,8 @@ std::vector<PrimalConstraints> primalConstraints(const InterfaceSpace& space, co
 
   std::vector<PrimalConstraints> all(space.locals());
   for (int i = 0; i < space.locals(); ++i) {
-    all[i].rows = Matrix::Zero(static_cast<int>(rows[i].size()), space.coupling(i).rows());
-    for (std::size_t r = 0; r < rows[i].size(); ++r) {
-      for (const auto& [position, value] : rows[i][r].entries) all[i].rows(static_cast<int>(r), position) = value;
-      all[i].terms.push_back(rows[i][r].terms);
-    }
+    all[i].rows = sparse(rows[i], space.coupling(i).rows());
+    for (Row& row : rows[i]) all[i].terms.push_back(std::move(row.terms));
     const auto before = [](const InterfaceLayout::Unknown& a, const InterfaceLayout::Unknown& b) { return a.id < b.id; };
     const auto same = [](const InterfaceLayout::Unknown& a, const InterfaceLayout::Unknown& b) { return a.id == b.id; };
     std::stable_sort(unknowns[i].begin(), unknowns[i].end(), before);

@@ -1,6 +1,7 @@
 #pragma once
 #include <suture/interface/InterfaceSpace.hpp>
 
+#include <Eigen/SparseCore>
 #include <vector>
 
 namespace suture {
@@ -12,10 +13,18 @@ struct PrimalConstraints {
     GlobalId key;  ///< of a primal unknown: the same on all ranks, each its own
     double coefficient;
   };
-  Matrix rows;                                     ///< constraints x trace
+  /// By rows: most of them touch one edge of many.
+  using Rows = Eigen::SparseMatrix<double, Eigen::RowMajor, int>;
+  Rows rows;                                       ///< constraints x trace
   std::vector<std::vector<Term>> terms;            ///< of each row: C_i x = sum of coefficients times primal unknowns
   std::vector<InterfaceLayout::Unknown> unknowns;  ///< those that the terms name, by key, ascending: how they move with rigid bodies
 };
+
+/// Whether two matrices have the same entries at the same places.
+bool areEqual(const PrimalConstraints::Rows& a, const PrimalConstraints::Rows& b);
+
+/// Of each row of `now`: the row of `old` that is the same, or -1.
+std::vector<int> rowsIn(const PrimalConstraints::Rows& old, const PrimalConstraints::Rows& now);
 
 /// For each local problem of this rank. \param edgeRows  for each edge of the space (EdgeConstraints::rows). Local.
 std::vector<PrimalConstraints> primalConstraints(const InterfaceSpace& space, const std::vector<Matrix>& edgeRows);

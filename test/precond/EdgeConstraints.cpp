@@ -117,7 +117,7 @@ TEUCHOS_UNIT_TEST(EdgeConstraints, PrimalUnknownsHaveOneValueForAllWhoShareThem)
         const Vector values = constraints[i].rows * own.col(0);
         TEST_EQUALITY(constraints[i].rows.rows(), int(constraints[i].terms.size()));
         // rows are independent, or a local problem could not obey them
-        if (values.size() > 0) TEST_EQUALITY(orthonormalBasis(constraints[i].rows.transpose(), 1e-10).cols(), values.size());
+        if (values.size() > 0) TEST_EQUALITY(orthonormalBasis(Matrix(constraints[i].rows.transpose()), 1e-10).cols(), values.size());
         for (int r = 0; r < values.size(); ++r) {
           const auto& terms = constraints[i].terms[r];
           if (terms.empty())

@@ -30,10 +30,30 @@ TEUCHOS_UNIT_TEST(PrimalConstraints, PrimalUnknownsMoveWithRigidBodies) {
       TEST_COMPARE(std::abs(values(row) - term.coefficient * moved), <, 1e-13);
       ++(std::abs(unknown->moment) > 1e-10 ? moments : corners);
     }
-    TEST_EQUALITY(all[i].rows.rows(), Eigen::FullPivLU<Matrix>(all[i].rows).rank());
+    TEST_EQUALITY(all[i].rows.rows(), Eigen::FullPivLU<Matrix>(Matrix(all[i].rows)).rank());
   }
   if (!all.empty()) {
     TEST_COMPARE(corners, >, 0);
     TEST_COMPARE(moments, >, 0);  // every edge turns
   }
+}
+
+TEUCHOS_UNIT_TEST(PrimalConstraints, FindsTheRowsThatAreTheSame) {
+  Matrix old = Matrix::Zero(4, 6);
+  old(0, 1) = old(1, 1) = old(2, 5) = 1.0;
+  old(1, 2) = -0.5;
+  old(3, 5) = 1.0;  // twice the same
+  Matrix now = Matrix::Zero(5, 6);
+  now(0, 5) = 1.0;
+  now(1, 1) = 1.0;
+  now(1, 2) = -0.25;  // another value
+  now(2, 1) = 1.0;
+  now(3, 3) = 1.0;  // another place
+  now(4, 5) = 1.0;
+  const PrimalConstraints::Rows a = old.sparseView(), b = now.sparseView();
+  TEST_COMPARE_ARRAYS(rowsIn(a, b), (std::vector<int>{2, -1, 0, -1, 3}));
+  TEST_ASSERT(areEqual(a, a));
+  TEST_ASSERT(!areEqual(a, b));
+  const PrimalConstraints::Rows doubled = 2.0 * a;
+  TEST_ASSERT(!areEqual(a, doubled));
 }
