@@ -1,9 +1,9 @@
 #include <cblas.h>
+#include <suture/subdomain/DenseFront.hpp>
 #include <suture/subdomain/FrontTree.hpp>
 #include <suture/subdomain/PivotCheck.hpp>
 #include <suture/subdomain/StaticCondensation.hpp>
 
-#include <Teuchos_LAPACK.hpp>
 #include <algorithm>
 #include <memory>
 
@@ -128,16 +128,13 @@ class Elimination {
     }
     for (const int child : children_[f]) add(child, 0, columns, {panel_.data(), size, 0});
 
-    int info = 0;
-    lapack_.POTRF('L', columns, panel_.data(), size, &info);
-    if (info > 0) check_.notPositive(tree_.unknownAt[first + info - 1], first + info - 1);
+    const int failed = factorColumns(columns, size, panel_.data(), size);
+    if (failed > 0) check_.notPositive(tree_.unknownAt[first + failed - 1], first + failed - 1);
     for (int j = 0; j < columns; ++j) {
       const double pivot = panel_[static_cast<std::size_t>(j) * size + j];
       check_.see(tree_.unknownAt[first + j], pivot * pivot, diagonal_[tree_.unknownAt[first + j]]);
     }
-    double* rest = panel_.data() + columns;
-    if (below > 0)
-      cblas_dtrsm(CblasColMajor, CblasRight, CblasLower, CblasTrans, CblasNonUnit, below, columns, 1.0, panel_.data(), size, rest, size);
+    const double* rest = panel_.data() + columns;
     if (loaded) {
       double* own = load.data() + first;
       cblas_dtrsv(CblasColMajor, CblasLower, CblasNoTrans, CblasNonUnit, columns, panel_.data(), size, own, 1);
@@ -152,7 +149,7 @@ class Elimination {
 
     if (below > 0 && isWholeBoundary(front)) {
       double* values = schur.data();
-      cblas_dsyrk(CblasColMajor, CblasLower, CblasNoTrans, below, columns, -1.0, rest, size, 1.0, values, below);
+      subtractSquare(below, columns, rest, size, 1.0, values, below);
       for (const int child : children_[f]) add(child, columns, size, {values, below, columns});
     } else if (below > 0) {
       Update& update = updates_[f];
@@ -162,7 +159,7 @@ class Elimination {
       }
       update.size = below;
       double* values = update.block.reserve(static_cast<std::size_t>(below) * below);
-      cblas_dsyrk(CblasColMajor, CblasLower, CblasNoTrans, below, columns, -1.0, rest, size, 0.0, values, below);
+      subtractSquare(below, columns, rest, size, 0.0, values, below);
       for (const int child : children_[f]) add(child, columns, size, {values, below, columns});
       if (front.parent < 0) {
         for (int r = front.firstRow; r < front.endRow; ++r) at_[tree_.rows[r]] = tree_.start[tree_.rows[r]] - tree_.interior();
@@ -224,7 +221,6 @@ class Elimination {
   std::vector<Block> spare_;
   std::vector<double> panel_;
   std::vector<Run> runs_;
-  Teuchos::LAPACK<int, double> lapack_;
 };
 
 }  // namespace
