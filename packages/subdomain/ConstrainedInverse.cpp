@@ -2,10 +2,10 @@
 #include <suture/base/Errors.hpp>
 #include <suture/subdomain/Blas.hpp>
 #include <suture/subdomain/ConstrainedInverse.hpp>
+#include <suture/subdomain/DenseFront.hpp>
 #include <suture/subdomain/SparseMatrix.hpp>
 
 #include <Eigen/Cholesky>
-#include <Teuchos_LAPACK.hpp>
 #include <algorithm>
 #include <cmath>
 
@@ -189,27 +189,26 @@ ConstrainedInverse::ConstrainedInverse(Matrix schur, const Matrix& constraints, 
     return sorted;
   }());
   const int d = static_cast<int>(dual.size());
-  Matrix dd(d, d), dp(d, m), pp(m, m);
-  for (int j = 0; j < d; ++j)
-    for (int i = j; i < d; ++i) dd(i, j) = schur(dual[i], dual[j]);  // `dual` ascends: the lower triangle
-  for (int j = 0; j < m; ++j) {
-    for (int i = 0; i < d; ++i) dp(i, j) = schur(std::max(dual[i], primal[j]), std::min(dual[i], primal[j]));
-    for (int i = 0; i < m; ++i) pp(i, j) = schur(std::max(primal[i], primal[j]), std::min(primal[i], primal[j]));
+  // The free coordinates' block, and below it those of the fixed ones: one elimination.
+  Matrix trapezoid(d + m, d), pp(m, m), dp(d, m);
+  for (int j = 0; j < d; ++j) {
+    for (int i = j; i < d; ++i) trapezoid(i, j) = schur(dual[i], dual[j]);  // `dual` ascends: the lower triangle
+    for (int i = 0; i < m; ++i) trapezoid(d + i, j) = schur(std::max(dual[j], primal[i]), std::min(dual[j], primal[i]));
   }
+  for (int j = 0; j < m; ++j)
+    for (int i = 0; i < m; ++i) pp(i, j) = schur(std::max(primal[i], primal[j]), std::min(primal[i], primal[j]));
   double smallest = 1.0;
-  const Vector diagonal = dd.diagonal();
-  Teuchos::LAPACK<int, double> lapack;
-  int info = 0;
+  const Vector diagonal = trapezoid.diagonal();
   if (d > 0) {
-    lapack.POTRF('L', d, dd.data(), d, &info);
-    for (int i = 0; info == 0 && i < d; ++i) smallest = std::min(smallest, dd(i, i) * dd(i, i) / diagonal(i));
+    const int failed = factorColumns(d, d + m, trapezoid.data(), d + m);
+    for (int i = 0; failed == 0 && i < d; ++i) smallest = std::min(smallest, trapezoid(i, i) * trapezoid(i, i) / diagonal(i));
     // A mechanism leaves rounding instead of a zero; legitimate pivots are small where stiffness jumps within the subdomain.
-    if (info != 0 || !(smallest > 1e-14))
+    if (failed != 0 || !(smallest > 1e-14))
       throw NumericalError(what + ": its corners and edge constraints leave a mechanism (is it attached at single points only?)");
     if (m > 0) {
-      cblas_dtrsm(CblasColMajor, CblasLeft, CblasLower, CblasNoTrans, CblasNonUnit, d, m, 1.0, dd.data(), d, dp.data(), d);
-      multiply(-1.0, CblasTrans, dp, dp, 1.0, pp);
-      cblas_dtrsm(CblasColMajor, CblasLeft, CblasLower, CblasTrans, CblasNonUnit, d, m, 1.0, dd.data(), d, dp.data(), d);
+      subtractSquare(m, d, trapezoid.data() + d, d + m, 1.0, pp.data(), m);
+      dp = trapezoid.bottomRows(m).transpose();
+      cblas_dtrsm(CblasColMajor, CblasLeft, CblasLower, CblasTrans, CblasNonUnit, d, m, 1.0, trapezoid.data(), d + m, dp.data(), d);
     }
   }
 
@@ -221,17 +220,17 @@ ConstrainedInverse::ConstrainedInverse(Matrix schur, const Matrix& constraints, 
   const Matrix below = product(CblasNoTrans, dp, inOrder);
   for (int a = 0; a < m; ++a) basis.row(primal[a]) = inOrder.row(a);
   for (int i = 0; i < d; ++i) basis.row(dual[i]) = -below.row(i);
-  const Matrix energy = inOrder.transpose() * (0.5 * (pp + pp.transpose())) * inOrder;
+  const Matrix energy = inOrder.transpose() * (pp.selfadjointView<Eigen::Lower>() * inOrder);
   energy_ = 0.5 * (energy + energy.transpose());
   rotation.fromColumns(basis);
 
   // Its largest diagonal entries say how well it is conditioned; those of the factor alone may already say that it is not.
   const double stiffest = diagonal.size() > 0 ? diagonal.maxCoeff() : 0.0;
   double softest = 0.0;
-  for (int i = 0; i < d; ++i) softest = std::max(softest, 1.0 / (dd(i, i) * dd(i, i)));
+  for (int i = 0; i < d; ++i) softest = std::max(softest, 1.0 / (trapezoid(i, i) * trapezoid(i, i)));
   if (d >= kLeastForSingle && stiffest * softest < kConditionForSingle) {
     // Of the matrix by its largest entry, so that nothing leaves the narrow range of single precision.
-    Dense<float> inverse = inverseOf<float>((dd / std::sqrt(stiffest)).cast<float>(), dual, n, rotation, softest);
+    Dense<float> inverse = inverseOf<float>((trapezoid.topRows(d) / std::sqrt(stiffest)).cast<float>(), dual, n, rotation, softest);
     if (softest < kConditionForSingle) {
       inverse *= static_cast<float>(1.0 / stiffest);
       inverse_ = PackedSymmetric(inverse);
@@ -239,7 +238,7 @@ ConstrainedInverse::ConstrainedInverse(Matrix schur, const Matrix& constraints, 
       return;
     }
   }
-  inverse_ = PackedSymmetric(inverseOf<double>(std::move(dd), dual, n, rotation, softest));
+  inverse_ = PackedSymmetric(inverseOf<double>(trapezoid.topRows(d), dual, n, rotation, softest));
   basis_ = PackedColumns(basis);
 }
 

@@ -9,7 +9,8 @@ namespace suture {
 
 namespace {
 
-constexpr int kPanel = 8;     // columns that are eliminated one by one
+constexpr int kPanel = 12;    // columns that are eliminated one by one
+constexpr int kBlock = 96;    // columns whose panels are products of few columns, between products of many
 constexpr int kColumns = 24;  // of a product; what lies above the diagonal is wasted
 
 using Line = suture::Line<double>;
@@ -60,18 +61,32 @@ SUTURE_FOR_EACH_PROCESSOR int factorPanel(int columns, int rows, double* values,
   return 0;
 }
 
+/// What the columns before `first` take from those from there on.
+void subtractColumnsBefore(int first, int columns, int rows, double* values, int stride) {
+  if (first > 0)
+    cblas_dgemm(CblasColMajor, CblasNoTrans, CblasTrans, rows - first, columns, first, -1.0, values + first, stride, values + first, stride,
+                1.0, values + static_cast<std::ptrdiff_t>(first) * (stride + 1), stride);
+}
+
+/// Strips of `width` columns one after the other: what those before take from a strip, then the strip itself.
+template <typename Factor>
+int factorStrips(int width, int columns, int rows, double* values, int stride, const Factor& factor) {
+  for (int first = 0; first < columns; first += width) {
+    const int own = std::min(width, columns - first);
+    subtractColumnsBefore(first, own, rows, values, stride);
+    if (const int failed = factor(own, rows - first, values + static_cast<std::ptrdiff_t>(first) * (stride + 1)); failed > 0)
+      return first + failed;
+  }
+  return 0;
+}
+
 }  // namespace
 
 int factorColumns(int columns, int rows, double* values, int stride) {
-  for (int first = 0; first < columns; first += kPanel) {
-    const int width = std::min(kPanel, columns - first);
-    double* own = values + static_cast<std::ptrdiff_t>(first) * stride + first;
-    if (first > 0)
-      cblas_dgemm(CblasColMajor, CblasNoTrans, CblasTrans, rows - first, width, first, -1.0, values + first, stride, values + first, stride,
-                  1.0, own, stride);
-    if (const int failed = factorPanel(width, rows - first, own, stride); failed > 0) return first + failed;
-  }
-  return 0;
+  return factorStrips(kBlock, columns, rows, values, stride, [stride](int block, int below, double* of) {
+    return factorStrips(kPanel, block, below, of, stride,
+                        [stride](int panel, int rest, double* own) { return factorPanel(panel, rest, own, stride); });
+  });
 }
 
 void subtractSquare(int rows, int columns, const double* panel, int panelStride, double share, double* target, int targetStride) {

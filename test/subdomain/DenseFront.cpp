@@ -25,7 +25,7 @@ struct Trapezoid {
 };
 
 TEUCHOS_UNIT_TEST(DenseFront, FactorsTheTriangleAndTheRowsBelow) {
-  for (const int columns : {1, 2, 3, 4, 5, 7, 8, 9, 15, 16, 17, 31, 40, 65})
+  for (const int columns : {1, 2, 3, 4, 5, 7, 8, 9, 15, 16, 17, 31, 40, 65, 97, 210})
     for (const int below : {0, 1, 5, 8, 9, 40}) {
       const int rows = columns + below;
       Trapezoid t(columns, rows);
