@@ -18,7 +18,7 @@ namespace suture {
 
 namespace {
 
-// An update of k rows takes 2 k products of a matrix of size n with a vector and reads 2 k vectors more an application, a factorisation n
+// A row that changes takes a product with a matrix of size n, and an application reads two vectors more for it; a factorisation is worth n
 // such products.
 constexpr int kLeastSizeByChanges = 16;
 
