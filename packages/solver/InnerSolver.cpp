@@ -30,28 +30,11 @@ double lowestEigenvalue(const RitzValues& ritz, double known) {
 using Iteration = Belos::Iteration<double, MultiVector, Operator>;
 using ConjugateGradients = Belos::PseudoBlockCGIter<double, MultiVector, Operator>;
 
-/// A preconditioner whose answer to the first vector that it is asked about is known: Belos begins with the right-hand side, to which
-/// solve() has applied it already.
-class BegunPreconditioner : public Operator {
- public:
-  BegunPreconditioner(Teuchos::RCP<const Preconditioner> all, MultiVectorPtr first) : all_(std::move(all)), first_(std::move(first)) {}
-
-  Teuchos::RCP<const Map> getDomainMap() const override { return all_->getDomainMap(); }
-  Teuchos::RCP<const Map> getRangeMap() const override { return all_->getRangeMap(); }
-  void apply(const MultiVector& r, MultiVector& z, Teuchos::ETransp mode, double alpha, double beta) const override {
-    if (first_.is_null()) {
-      all_->apply(r, z, mode, alpha, beta);
-    } else {
-      z.update(alpha, *first_, beta);
-      first_ = Teuchos::null;
-    }
-  }
-  bool hasTransposeApply() const override { return true; }  // symmetric
-
- private:
-  Teuchos::RCP<const Preconditioner> all_;
-  mutable MultiVectorPtr first_;
-};
+/// sqrt(r.z), z = M^-1 r
+double residualNorm(const ConjugateGradients& cg) {
+  const auto state = cg.getState();
+  return std::sqrt(std::max(dot(*state.R, *state.Z), 0.0));
+}
 
 /// Stops on sqrt(r.z), z = M^-1 r, which the iteration has anyway. Keeps norms and steps of all iterations.
 class PreconditionedNormTest : public Belos::StatusTest<double, MultiVector, Operator> {
@@ -74,8 +57,7 @@ class PreconditionedNormTest : public Belos::StatusTest<double, MultiVector, Ope
     auto& cg = dynamic_cast<ConjugateGradients&>(*iteration);
     const auto k = static_cast<std::size_t>(iteration->getNumIters());
     if (norms.size() == k) {  // else the iterations are gone on with, and this one is known
-      const auto state = cg.getState();
-      norms.push_back(std::sqrt(std::max(dot(*state.R, *state.Z), 0.0)));
+      norms.push_back(residualNorm(cg));
       if (k > 0) {
         // The Lanczos matrix has 1 / step_k + b_(k-1) / step_(k-1) on its diagonal, b the ratio of successive squared norms.
         const double ratio = k > 1 ? norms[k - 1] / norms[k - 2] : 0.0;
@@ -130,42 +112,40 @@ double preconditionedNorm(const Preconditioner& preconditioner, const MultiVecto
 InnerResult InnerSolver::solve(const Teuchos::RCP<const Operator>& matrix, const Teuchos::RCP<const Preconditioner>& preconditioner,
                                const MultiVector& b, MultiVector& x, double tolerance, double reference, Monitor& monitor,
                                const EnergyCriterion& energy) {
-  InnerResult result;
   solve_.reset();
   x.putScalar(0.0);
-  const MultiVectorPtr z = preconditioner->space()->vector();
-  preconditioner->apply(b, *z);
-  const double norm = std::sqrt(std::max(dot(b, *z), 0.0));
-  if (!std::isfinite(norm)) throw NumericalError("the inner solver was given a right-hand side that is no number");
-  if (reference <= 0.0) reference = norm;
-  result.residual = reference > 0.0 ? norm / reference : 0.0;
-  result.history.push_back(result.residual);
-  if (norm == 0.0 || result.residual <= tolerance) {
-    result.converged = true;
-    if (norm == 0.0 || energy.lowest > 0.0) result.energyErrors.push_back(norm > 0.0 ? norm / std::sqrt(energy.lowest) : 0.0);
-    return result;
-  }
-
-  solve_ = std::make_unique<Solve>();
-  solve_->norm = norm;
-  solve_->x = preconditioner->space()->vector();
+  auto made = std::make_unique<Solve>();
+  made->x = preconditioner->space()->vector();
   const auto right = Teuchos::rcp(new MultiVector(b, Teuchos::Copy));
-  solve_->problem = Teuchos::rcp(new Belos::LinearProblem<double, MultiVector, Operator>(matrix, solve_->x, right));
-  solve_->problem->setLeftPrec(Teuchos::rcp(new BegunPreconditioner(preconditioner, z)));
-  solve_->problem->setInitResVec(right);  // x = 0: the residual is b, and need not be found by applying the operator
-  solve_->problem->setInitPrecResVec(z);
-  solve_->problem->setProblem();
-  solve_->problem->setLSIndex({0});
+  made->problem = Teuchos::rcp(new Belos::LinearProblem<double, MultiVector, Operator>(matrix, made->x, right));
+  made->problem->setInitResVec(right);  // x = 0: the residual is b, and need not be found by applying the operator
+  made->problem->setProblem();
+  made->problem->setLeftPrec(preconditioner);  // now: setProblem() would apply it to the residual, and the iteration does so again
+  made->problem->setLSIndex({0});
 
   Teuchos::ParameterList options;
   options.set("Max Size For Condest", 2 * most_);  // canGoOn() sees to it that there are no more
   options.set("Assert Positive Definiteness", true);
   const auto output = Teuchos::rcp(new Belos::OutputManager<double>(Belos::Errors));
-  solve_->iteration = std::make_unique<ConjugateGradients>(solve_->problem, output, solve_->test, options);
-  solve_->iteration->setDoCondEst(true);
+  made->iteration = std::make_unique<ConjugateGradients>(made->problem, output, made->test, options);
+  made->iteration->setDoCondEst(true);
   Belos::CGIterationState<double, MultiVector> start;
   start.R = right;
-  solve_->iteration->initializeCG(start);
+  made->iteration->initializeCG(start);
+
+  const double norm = residualNorm(*made->iteration);
+  if (!std::isfinite(norm)) throw NumericalError("the inner solver was given a right-hand side that is no number");
+  if (reference <= 0.0) reference = norm;
+  if (norm == 0.0 || norm / reference <= tolerance) {
+    InnerResult result;
+    result.residual = norm > 0.0 ? norm / reference : 0.0;
+    result.history.push_back(result.residual);
+    result.converged = true;
+    if (norm == 0.0 || energy.lowest > 0.0) result.energyErrors.push_back(norm > 0.0 ? norm / std::sqrt(energy.lowest) : 0.0);
+    return result;
+  }
+  made->norm = norm;
+  solve_ = std::move(made);
   return iterate(x, tolerance, reference, monitor, energy);
 }
 
