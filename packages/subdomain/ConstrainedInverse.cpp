@@ -2,7 +2,7 @@
 #include <suture/base/Errors.hpp>
 #include <suture/subdomain/Blas.hpp>
 #include <suture/subdomain/ConstrainedInverse.hpp>
-#include <suture/subdomain/DenseFront.hpp>
+#include <suture/subdomain/PartialCholesky.hpp>
 #include <suture/subdomain/SparseMatrix.hpp>
 
 #include <Eigen/Cholesky>
@@ -200,13 +200,13 @@ ConstrainedInverse::ConstrainedInverse(Matrix schur, const Matrix& constraints, 
   double smallest = 1.0;
   const Vector diagonal = trapezoid.diagonal();
   if (d > 0) {
-    const int failed = factorColumns(d, d + m, trapezoid.data(), d + m);
+    const int failed = partialCholesky(d, d + m, trapezoid.data(), d + m);
     for (int i = 0; failed == 0 && i < d; ++i) smallest = std::min(smallest, trapezoid(i, i) * trapezoid(i, i) / diagonal(i));
     // A mechanism leaves rounding instead of a zero; legitimate pivots are small where stiffness jumps within the subdomain.
     if (failed != 0 || !(smallest > 1e-14))
       throw NumericalError(what + ": its corners and edge constraints leave a mechanism (is it attached at single points only?)");
     if (m > 0) {
-      subtractSquare(m, d, trapezoid.data() + d, d + m, 1.0, pp.data(), m);
+      symmetricRankUpdate(m, d, trapezoid.data() + d, d + m, 1.0, pp.data(), m);
       dp = trapezoid.bottomRows(m).transpose();
       cblas_dtrsm(CblasColMajor, CblasLeft, CblasLower, CblasTrans, CblasNonUnit, d, m, 1.0, trapezoid.data(), d + m, dp.data(), d);
     }

@@ -1,7 +1,7 @@
 #pragma once
 #include <Eigen/Core>
 
-// What the kernels of packed matrices are written with. For sources only.
+// What our own dense kernels are written with: packed matrices, supernodes, fronts. For sources only.
 
 // One function for each generation of processors, chosen when the program is loaded: the baseline of x86-64 has vectors of two numbers.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
@@ -35,6 +35,15 @@ template <typename Real>
 __attribute__((always_inline)) inline void foldInto(const typename Line<Real>::Type& line, typename Four<Real>::Type& sum) {
   const Real* from = reinterpret_cast<const Real*>(&line);
   for (int k = 0; k < Line<Real>::count; k += 4) sum += Four<Real>::at(from + k);
+}
+
+/// y -= x a, vectors of n numbers that do not overlap.
+template <typename Real>
+__attribute__((always_inline)) inline void subtractMultiple(int n, Real x, const Real* a, Real* y) {
+  int i = 0;
+  for (; i + Line<Real>::count <= n; i += Line<Real>::count) Line<Real>::at(y + i) -= x * Line<Real>::at(a + i);
+  for (; i + 4 <= n; i += 4) Four<Real>::at(y + i) -= x * Four<Real>::at(a + i);
+  for (; i < n; ++i) y[i] -= x * a[i];
 }
 
 /// The next multiple of `width`.

@@ -1,6 +1,6 @@
 #include <cblas.h>
-#include <suture/subdomain/DenseFront.hpp>
 #include <suture/subdomain/FrontTree.hpp>
+#include <suture/subdomain/PartialCholesky.hpp>
 #include <suture/subdomain/PivotCheck.hpp>
 #include <suture/subdomain/StaticCondensation.hpp>
 
@@ -128,7 +128,7 @@ class Elimination {
     }
     for (const int child : children_[f]) add(child, 0, columns, {panel_.data(), size, 0});
 
-    const int failed = factorColumns(columns, size, panel_.data(), size);
+    const int failed = partialCholesky(columns, size, panel_.data(), size);
     if (failed > 0) check_.notPositive(tree_.unknownAt[first + failed - 1], first + failed - 1);
     for (int j = 0; j < columns; ++j) {
       const double pivot = panel_[static_cast<std::size_t>(j) * size + j];
@@ -149,7 +149,7 @@ class Elimination {
 
     if (below > 0 && isWholeBoundary(front)) {
       double* values = schur.data();
-      subtractSquare(below, columns, rest, size, 1.0, values, below);
+      symmetricRankUpdate(below, columns, rest, size, 1.0, values, below);
       for (const int child : children_[f]) add(child, columns, size, {values, below, columns});
     } else if (below > 0) {
       Update& update = updates_[f];
@@ -159,7 +159,7 @@ class Elimination {
       }
       update.size = below;
       double* values = update.block.reserve(static_cast<std::size_t>(below) * below);
-      subtractSquare(below, columns, rest, size, 0.0, values, below);
+      symmetricRankUpdate(below, columns, rest, size, 0.0, values, below);
       for (const int child : children_[f]) add(child, columns, size, {values, below, columns});
       if (front.parent < 0) {
         for (int r = front.firstRow; r < front.endRow; ++r) at_[tree_.rows[r]] = tree_.start[tree_.rows[r]] - tree_.interior();

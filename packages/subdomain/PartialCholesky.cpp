@@ -1,6 +1,6 @@
 #include <cblas.h>
-#include <suture/subdomain/DenseFront.hpp>
 #include <suture/subdomain/Lanes.hpp>
+#include <suture/subdomain/PartialCholesky.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -13,50 +13,20 @@ constexpr int kPanel = 12;    // columns that are eliminated one by one
 constexpr int kBlock = 96;    // columns whose panels are products of few columns, between products of many
 constexpr int kColumns = 24;  // of a product; what lies above the diagonal is wasted
 
-using Line = suture::Line<double>;
-
-/// y_k -= x_k a for four vectors.
-__attribute__((always_inline)) inline void subtract(int n, const double* x, const double* a, double* y, std::ptrdiff_t stride) {
-  double *y0 = y, *y1 = y + stride, *y2 = y1 + stride, *y3 = y2 + stride;
-  const double x0 = x[0], x1 = x[1], x2 = x[2], x3 = x[3];
-  int i = 0;
-  for (; i + Line::count <= n; i += Line::count) {
-    const Line::Type from = Line::at(a + i);
-    Line::at(y0 + i) -= x0 * from;
-    Line::at(y1 + i) -= x1 * from;
-    Line::at(y2 + i) -= x2 * from;
-    Line::at(y3 + i) -= x3 * from;
-  }
-  for (; i < n; ++i) {
-    y0[i] -= x0 * a[i];
-    y1[i] -= x1 * a[i];
-    y2[i] -= x2 * a[i];
-    y3[i] -= x3 * a[i];
-  }
-}
-
-__attribute__((always_inline)) inline void subtract(int n, double x, const double* a, double* y) {
-  int i = 0;
-  for (; i + Line::count <= n; i += Line::count) Line::at(y + i) -= x * Line::at(a + i);
-  for (; i < n; ++i) y[i] -= x * a[i];
-}
-
 __attribute__((always_inline)) inline void scale(int n, double x, double* y) {
   int i = 0;
-  for (; i + Line::count <= n; i += Line::count) Line::at(y + i) *= x;
+  for (; i + Line<double>::count <= n; i += Line<double>::count) Line<double>::at(y + i) *= x;
   for (; i < n; ++i) y[i] *= x;
 }
 
-/// Column by column; each is taken from those that follow, four at a time, whole lines of them above the diagonal, too.
+/// Column by column; each is taken from those that follow.
 SUTURE_FOR_EACH_PROCESSOR int factorPanel(int columns, int rows, double* values, std::ptrdiff_t stride) {
   for (int j = 0; j < columns; ++j) {
     double* own = values + j * stride;
     if (!(own[j] > 0.0)) return j + 1;
     own[j] = std::sqrt(own[j]);
     scale(rows - j - 1, 1.0 / own[j], own + j + 1);
-    int k = j + 1;
-    for (; k + 4 <= columns; k += 4) subtract(rows - k, own + k, own + k, values + k * stride + k, stride);
-    for (; k < columns; ++k) subtract(rows - k, own[k], own + k, values + k * stride + k);
+    for (int k = j + 1; k < columns; ++k) subtractMultiple(rows - k, own[k], own + k, values + k * stride + k);
   }
   return 0;
 }
@@ -82,14 +52,14 @@ int factorStrips(int width, int columns, int rows, double* values, int stride, c
 
 }  // namespace
 
-int factorColumns(int columns, int rows, double* values, int stride) {
+int partialCholesky(int columns, int rows, double* values, int stride) {
   return factorStrips(kBlock, columns, rows, values, stride, [stride](int block, int below, double* of) {
     return factorStrips(kPanel, block, below, of, stride,
                         [stride](int panel, int rest, double* own) { return factorPanel(panel, rest, own, stride); });
   });
 }
 
-void subtractSquare(int rows, int columns, const double* panel, int panelStride, double share, double* target, int targetStride) {
+void symmetricRankUpdate(int rows, int columns, const double* panel, int panelStride, double share, double* target, int targetStride) {
   for (int first = 0; first < rows; first += kColumns)
     cblas_dgemm(CblasColMajor, CblasNoTrans, CblasTrans, rows - first, std::min(kColumns, rows - first), columns, -1.0, panel + first,
                 panelStride, panel + first, panelStride, share, target + static_cast<std::ptrdiff_t>(first) * (targetStride + 1),
