@@ -29,6 +29,7 @@ std::shared_ptr<const LocalInverse> updated(const std::shared_ptr<const LocalInv
   const auto kept = static_cast<int>(from.size() - std::count(from.begin(), from.end(), -1));
   const int changes = static_cast<int>(old.rows() + now.rows()) - 2 * kept;
   if (changes * kLeastSizeByChanges > now.cols()) return nullptr;
+  if (changes == 0 && std::is_sorted(from.begin(), from.end())) return base;
   return UpdatedInverse::make(base, from, Matrix(now));
 }
 
@@ -108,7 +109,8 @@ void Bddc::factorLocals(std::vector<PrimalConstraints> constraints) {
   constraints_.resize(locals.size());
   for (std::size_t i = 0; i < locals.size(); ++i) {
     const bool known = locals_[i] && locals_[i] == locals[i] && inverses_[i];
-    const bool same = known && areEqual(constraints_[i].rows, constraints[i].rows);
+    const PrimalConstraints::Rows &before = constraints_[i].rows, &now = constraints[i].rows;
+    const bool same = known && before.rows() == now.rows() && before.isApprox(now, 0.0);
     locals_[i] = locals[i];
     constraints_[i] = std::move(constraints[i]);
     if (same) continue;

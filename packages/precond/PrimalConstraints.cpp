@@ -52,13 +52,6 @@ PrimalConstraints::Rows sparse(std::vector<Row>& rows, int columns) {
 
 }  // namespace
 
-bool areEqual(const PrimalConstraints::Rows& a, const PrimalConstraints::Rows& b) {
-  return a.rows() == b.rows() && a.cols() == b.cols() && a.nonZeros() == b.nonZeros() &&
-         std::equal(a.outerIndexPtr(), a.outerIndexPtr() + a.rows() + 1, b.outerIndexPtr()) &&
-         std::equal(a.innerIndexPtr(), a.innerIndexPtr() + a.nonZeros(), b.innerIndexPtr()) &&
-         std::equal(a.valuePtr(), a.valuePtr() + a.nonZeros(), b.valuePtr());
-}
-
 std::vector<int> rowsIn(const PrimalConstraints::Rows& old, const PrimalConstraints::Rows& now) {
   const auto same = [&](int a, int b) {
     const int begin = old.outerIndexPtr()[a], end = old.outerIndexPtr()[a + 1], other = now.outerIndexPtr()[b];

@@ -20,9 +20,6 @@ struct PrimalConstraints {
   std::vector<InterfaceLayout::Unknown> unknowns;  ///< those that the terms name, by key, ascending: how they move with rigid bodies
 };
 
-/// Whether two matrices have the same entries at the same places.
-bool areEqual(const PrimalConstraints::Rows& a, const PrimalConstraints::Rows& b);
-
 /// Of each row of `now`: the row of `old` that is the same, or -1.
 std::vector<int> rowsIn(const PrimalConstraints::Rows& old, const PrimalConstraints::Rows& now);
 

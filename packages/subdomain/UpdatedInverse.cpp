@@ -32,83 +32,104 @@ Matrix blockAt(const Matrix& matrix, const std::vector<int>& rows, const std::ve
   return rowsAt(columnsAt(matrix, columns), rows);
 }
 
+/// What belongs to the constraints that are held at present; the inverse is P + plus plus^T - minus minus^T, P that of the base.
+struct Change {
+  Matrix basis, energy;
+  Matrix plus, minus;
+
+  /// Removes some rows of the base, keeps the others. \return false: inaccurate
+  bool remove(const std::vector<int>& removed, const std::vector<int>& kept) {
+    Matrix heldBasis = columnsAt(basis, kept), heldEnergy = blockAt(energy, kept, kept);
+    if (!removed.empty()) {
+      const Matrix own = blockAt(energy, removed, removed);
+      // Without them a motion may cost nothing.
+      if (!(own.diagonal().minCoeff() > kLeastEigenvalue * energy.diagonal().maxCoeff())) return false;
+      const Matrix root = inverseRoot(own);
+      if (root.size() == 0) return false;
+      plus = columnsAt(basis, removed) * root;
+      const Matrix mixed = root.transpose() * blockAt(energy, removed, kept);
+      heldBasis -= plus * mixed;
+      heldEnergy -= mixed.transpose() * mixed;
+    }
+    basis = std::move(heldBasis);
+    energy = std::move(heldEnergy);
+    return true;
+  }
+
+  /// Adds rows D behind those that are held. \return false: inaccurate
+  bool add(const Matrix& d, const LocalInverse& base) {
+    const Matrix across = d.transpose();
+    Matrix w(across.rows(), across.cols());
+    base.apply(across, w);
+    if (plus.size() > 0) w += plus * (plus.transpose() * across);
+    const Matrix product = d * w, root = inverseRoot(0.5 * (product + product.transpose()));
+    if (root.size() == 0) return false;
+    minus = w * root;
+    const Matrix mixed = root.transpose() * (d * basis), between = -mixed.transpose() * root.transpose();
+    const Eigen::Index before = basis.cols(), more = d.rows(), after = before + more;
+    basis -= minus * mixed;
+    basis.conservativeResize(Eigen::NoChange, after);
+    basis.rightCols(more) = minus * root.transpose();
+    energy += mixed.transpose() * mixed;
+    energy.conservativeResize(after, after);
+    energy.topRightCorner(before, more) = between;
+    energy.bottomLeftCorner(more, before) = between.transpose();
+    energy.bottomRightCorner(more, more) = root * root.transpose();
+    return true;
+  }
+};
+
 }  // namespace
 
 std::unique_ptr<UpdatedInverse> UpdatedInverse::make(std::shared_ptr<const LocalInverse> base, const std::vector<int>& from,
                                                      const Matrix& constraints) {
-  const Matrix phi = base->basis(), &energy = base->energy();
-  if (energy.rows() != phi.cols() || energy.cols() != phi.cols()) return nullptr;  // a user's, which need not tell
-  std::vector<int> kept, added, keptRows;                                          // numbers in the base; new rows
+  Change change{base->basis(), base->energy(), {}, {}};
+  const Eigen::Index held = change.basis.cols();
+  if (change.energy.rows() != held || change.energy.cols() != held) return nullptr;  // a user's, which need not tell
+  std::vector<int> kept, keptRows, addedRows;                                        // numbers in the base; new rows
   for (int row = 0; row < static_cast<int>(from.size()); ++row) {
-    (from[row] < 0 ? added : keptRows).push_back(row);
+    (from[row] < 0 ? addedRows : keptRows).push_back(row);
     if (from[row] >= 0) kept.push_back(from[row]);
   }
   std::vector<int> sorted = kept;
   std::sort(sorted.begin(), sorted.end());
-  const std::vector<int> removed = complement(static_cast<int>(phi.cols()), sorted);
-
-  std::unique_ptr<UpdatedInverse> made(new UpdatedInverse);
-  const Matrix rows = rowsAt(constraints, added), across = rows.transpose();
-  Matrix w(phi.rows(), across.cols());
-  if (!added.empty()) base->apply(across, w);
-  Matrix basis = columnsAt(phi, kept), energies = blockAt(energy, kept, kept);
-  if (!removed.empty()) {
-    const Matrix own = blockAt(energy, removed, removed);
-    // Without them a motion may cost nothing.
-    if (!(own.diagonal().minCoeff() > kLeastEigenvalue * energy.diagonal().maxCoeff())) return nullptr;
-    const Matrix root = inverseRoot(own);
-    if (root.size() == 0) return nullptr;
-    const Matrix up = columnsAt(phi, removed) * root, mixed = root.transpose() * blockAt(energy, removed, kept);
-    w += up * (up.transpose() * across);
-    basis -= up * mixed;
-    energies -= mixed.transpose() * mixed;
-    made->added_ = PackedColumns(up);
-  }
-  const int before = static_cast<int>(kept.size()), after = before + static_cast<int>(added.size());
-  if (!added.empty()) {
-    const Matrix product = rows * w, root = inverseRoot(0.5 * (product + product.transpose()));
-    if (root.size() == 0) return nullptr;
-    const Matrix down = w * root, mixed = root.transpose() * (rows * basis);
-    basis -= down * mixed;
-    energies += mixed.transpose() * mixed;
-    const Matrix between = -mixed.transpose() * root.transpose();
-    basis.conservativeResize(Eigen::NoChange, after);
-    basis.rightCols(after - before) = down * root.transpose();
-    energies.conservativeResize(after, after);
-    energies.topRightCorner(before, after - before) = between;
-    energies.bottomLeftCorner(after - before, before) = between.transpose();
-    energies.bottomRightCorner(after - before, after - before) = root * root.transpose();
-    made->removed_ = PackedColumns(down);
-  }
+  const std::vector<int> removed = complement(static_cast<int>(held), sorted);
+  if (!change.remove(removed, kept)) return nullptr;
+  if (!addedRows.empty() && !change.add(rowsAt(constraints, addedRows), *base)) return nullptr;
 
   // As the new rows are numbered.
   std::vector<int> place(from.size());
-  for (int k = 0; k < before; ++k) place[keptRows[k]] = k;
-  for (int k = before; k < after; ++k) place[added[k - before]] = k;
-  basis = columnsAt(basis, place);
+  for (std::size_t k = 0; k < keptRows.size(); ++k) place[keptRows[k]] = static_cast<int>(k);
+  for (std::size_t k = 0; k < addedRows.size(); ++k) place[addedRows[k]] = static_cast<int>(kept.size() + k);
+  const Matrix basis = columnsAt(change.basis, place);
   // A row that follows from others has left nothing but rounding.
-  const double error = after > 0 ? (constraints * basis - Matrix::Identity(after, after)).cwiseAbs().maxCoeff() : 0.0;
-  if (!(error < kAccuracy)) return nullptr;
-  made->energy_ = blockAt(energies, place, place);
-  made->basis_ = PackedColumns(basis);
+  if (basis.cols() > 0) {
+    const Matrix error = constraints * basis - Matrix::Identity(basis.cols(), basis.cols());
+    if (!(error.cwiseAbs().maxCoeff() < kAccuracy)) return nullptr;
+  }
+  std::unique_ptr<UpdatedInverse> made(new UpdatedInverse);
   made->base_ = std::move(base);
+  made->plus_ = PackedColumns(change.plus);
+  made->minus_ = PackedColumns(change.minus);
+  made->basis_ = PackedColumns(basis);
+  made->energy_ = blockAt(change.energy, place, place);
   return made;
 }
 
 void UpdatedInverse::apply(ConstLocalView flux, LocalView trace) const {
   base_->apply(flux, trace);
   for (Eigen::Index c = 0; c < flux.cols(); ++c) {
-    added_.multiplyTransposed(flux.col(c), up_);
-    added_.addProduct(up_, trace.col(c));
-    removed_.multiplyTransposed(flux.col(c), down_);
-    down_ = -down_;
-    removed_.addProduct(down_, trace.col(c));
+    plus_.multiplyTransposed(flux.col(c), gain_);
+    plus_.addProduct(gain_, trace.col(c));
+    minus_.multiplyTransposed(flux.col(c), loss_);
+    loss_ = -loss_;
+    minus_.addProduct(loss_, trace.col(c));
   }
 }
 
 double UpdatedInverse::bytesRead() const {
   const double own = base_->bytesRead();  // with the basis of the base, which is not read
-  return own > 0.0 ? own + 2.0 * (added_.bytes() + removed_.bytes() + basis_.bytes()) : 0.0;
+  return own > 0.0 ? own + 2.0 * (plus_.bytes() + minus_.bytes() + basis_.bytes()) : 0.0;
 }
 
 }  // namespace suture

@@ -11,7 +11,8 @@ namespace suture {
 ///     P' = P + Phi_R E_RR^-1 Phi_R^T - W G^-1 W^T,   W = (P + Phi_R E_RR^-1 Phi_R^T) D^T,   G = D W,
 /// R the rows removed, D those added, E = Phi^T S Phi the energies. What is removed comes first: traces with no value in the rows left are
 /// those with none in all rows and the span of Phi_R, which is S-orthogonal to them. Exact, by a product with P for each row added instead
-/// of a factorisation, and P is not touched. Local.
+/// of a factorisation, and P is not touched. Low-rank updates of an inverse in general: Hager, Updating the inverse of a matrix, SIAM
+/// Review 31 (1989). Local.
 class UpdatedInverse : public LocalInverse {
  public:
   /// \param base         an inverse under constraints
@@ -34,10 +35,10 @@ class UpdatedInverse : public LocalInverse {
   UpdatedInverse() = default;
 
   std::shared_ptr<const LocalInverse> base_;
-  PackedColumns added_, removed_;  // Phi_R E_RR^-1/2, W G^-1/2
+  PackedColumns plus_, minus_;  // Phi_R E_RR^-1/2, W G^-1/2
   PackedColumns basis_;
   Matrix energy_;
-  mutable Vector up_, down_;  // work space
+  mutable Vector gain_, loss_;  // work space
 };
 
 }  // namespace suture
