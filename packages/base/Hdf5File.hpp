@@ -27,7 +27,7 @@ class Hdf5Rows {
   std::unique_ptr<Impl> impl_;
 };
 
-/// A file of HDF5, opened by all ranks of a communicator together. The only place that includes HDF5.
+/// A file of HDF5, opened by all ranks of a communicator together; no other package includes HDF5.
 ///
 /// A file for writing is written under a temporary name in the same folder and renamed by close(), so that a reader never sees half a
 /// file; without close() (an exception) the temporary file is removed, by a destructor that is then collective, too. A file is read by

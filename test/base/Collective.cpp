@@ -179,6 +179,26 @@ TEUCHOS_UNIT_TEST(Collective, MessagesLongerThanOneRoundArriveWhole) {
   TEST_ASSERT(scatterFromRoot(*comm, gathered) == mine);
 }
 
+TEUCHOS_UNIT_TEST(Collective, SendFillsTheVectorOfAnotherRank) {
+  const CommPtr comm = world();
+  const int rank = comm->getRank(), last = comm->getSize() - 1;
+  const std::size_t length = (std::size_t(1) << 23) + 3;  // doubles, more bytes than one round
+  const auto value = [](std::size_t i) { return 0.5 * static_cast<double>(i); };
+  if (last == 0) return;
+  for (const std::size_t size : {std::size_t(0), std::size_t(1), length}) {
+    std::vector<double> values(rank == 0 || rank == last ? size : 0, rank == 0 ? 0.0 : -1.0);
+    if (rank == 0) {
+      for (std::size_t i = 0; i < size; ++i) values[i] = value(i);
+      send(*comm, values, last);
+    } else if (rank == last) {
+      receive(*comm, values, 0);
+      bool same = true;
+      for (std::size_t i = 0; i < size; ++i) same = same && values[i] == value(i);
+      TEST_ASSERT(same);
+    }
+  }
+}
+
 TEUCHOS_UNIT_TEST(Collective, ExchangeSwapsStringsWithNeighboursOnly) {
   const CommPtr comm = world();
   const int rank = comm->getRank(), ranks = comm->getSize();

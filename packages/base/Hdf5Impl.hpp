@@ -1,0 +1,66 @@
+#pragma once
+#include <Teuchos_Comm.hpp>
+#include <functional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "Errors.hpp"
+#include "Hdf5File.hpp"
+#include "Hdf5Object.hpp"
+
+namespace suture {
+
+/// A file of HDF5 that is open, for reading or for writing. Inside this package only.
+struct Hdf5File::Impl {
+  explicit Impl(const Comm& comm) : comm(comm.duplicate()) {}
+
+  CommPtr comm;        ///< a duplicate: HDF5's messages and the caller's never meet
+  std::string path;    ///< as the user knows it
+  hdf5::Id file = -1;  ///< when reading: on rank 0 only
+  bool writing = false;
+
+  // A file being written: every rank writes numbers at once, through MPI-IO. Texts and attributes are kept, and rank 0 writes them when
+  // the others have closed the file: HDF5 cannot write texts of variable length in parallel.
+  std::set<std::string> known{"/"};  ///< groups and datasets made, the same on all ranks
+  std::set<std::string> datasets;    ///< of these the datasets
+  std::set<std::pair<std::string, std::string>> attributes;
+  std::vector<std::function<void(hdf5::Id)>> kept;  ///< on rank 0
+  unsigned long long owed = 0;                      ///< rows of this rank that were promised and not yet given
+
+  bool isRoot() const { return comm->getRank() == 0; }
+  std::string temporary() const { return path + ".part"; }
+  void mustBeOpen(bool forWriting) const;
+  /// Collective for a file being written.
+  void closeQuietly() noexcept;
+  ~Impl() { closeQuietly(); }
+
+  // Writing.
+
+  /// Checks that something new can be put at `at`, the same on all ranks, and remembers it.
+  void claim(const std::string& at, bool isDataset);
+  /// For rank 0, when the others have closed the file.
+  void keep(std::function<void(hdf5::Id)> action);
+  void addAttribute(const std::string& at, const std::string& name, std::function<void(hdf5::Id)> write);
+  /// Runs `work` on every rank; a failing HDF5 call on any of them is the same EnvironmentError on all.
+  void writeTogether(const std::string& at, const std::function<void()>& work) const;
+  /// In the system's words where HDF5 hands them on; MPI-IO does not, and the commonest cause can be seen.
+  EnvironmentError cannotWrite(const std::string& at, std::string reason) const;
+  /// Where the rows of this rank begin, and how many there are on all. Collective.
+  std::pair<unsigned long long, unsigned long long> placeOf(unsigned long long mine) const;
+
+  // Reading.
+
+  /// Runs `work` on rank 0; a failing HDF5 call is the same InputError on all ranks.
+  void readOnRoot(const std::string& at, const std::function<void()>& work) const;
+  /// What is said where nothing is, with the nearest name. On rank 0.
+  std::string missing(const std::string& at) const;
+  template <typename T>
+  std::vector<T> readNumbers(const std::string& at, bool wholeOnly) const;
+  /// Whether every value that the file's type can hold is an int.
+  bool fitsInt(const std::string& at) const;
+  unsigned long long fileSize() const;  ///< bytes; the largest number where the system does not tell
+};
+
+}  // namespace suture

@@ -1,0 +1,184 @@
+#include <hdf5.h>
+
+#include <filesystem>
+#include <limits>
+
+#include "Buffer.hpp"
+#include "Collective.hpp"
+#include "Hdf5Impl.hpp"
+
+namespace suture {
+
+using namespace hdf5;
+
+namespace {
+
+/// One text from a dataset or an attribute, of fixed or of variable length; `read` reads into memory of a type.
+std::string textOf(hid_t fileType, hid_t space, const std::function<herr_t(hid_t, void*)>& read) {
+  if (H5Tget_class(fileType) != H5T_STRING || H5Sget_simple_extent_npoints(space) != 1) throw Failed{"it is not a single text"};
+  if (H5Tis_variable_str(fileType) > 0) {
+    const Handle type(H5Tcopy(fileType), H5Tclose);
+    char* text = nullptr;
+    checked(read(type, &text));
+    const std::string copy = text ? text : "";
+    H5free_memory(text);
+    return copy;
+  }
+  std::string text(H5Tget_size(fileType), '\0');
+  const Handle type(H5Tcopy(fileType), H5Tclose);
+  checked(read(type, text.data()));
+  return text.substr(0, text.find('\0'));
+}
+
+bool isFiltered(Id set) {
+  const Handle list(H5Dget_create_plist(set), H5Pclose);
+  return H5Pget_nfilters(list) > 0;
+}
+
+}  // namespace
+
+void Hdf5File::Impl::readOnRoot(const std::string& at, const std::function<void()>& work) const {
+  mustBeOpen(false);
+  collectivelyOnRoot(*comm, "reading " + path, [&] {
+    const Quiet quiet;
+    if (!isThere(file, at)) throw InputError(path, missing(at));
+    try {
+      work();
+    } catch (const Failed& failed) {
+      throw InputError(path, "cannot read '" + at + "': " + failed.reason);
+    }
+  });
+}
+
+std::string Hdf5File::Impl::missing(const std::string& at) const {
+  const std::size_t slash = at.rfind('/');
+  const std::string parent = slash == 0 || slash == std::string::npos ? "/" : at.substr(0, slash);
+  std::vector<std::string> there;
+  try {
+    if (isThere(file, parent)) there = membersOf(file, parent);
+  } catch (const Failed&) {  // not a group: nothing is in it
+  }
+  return "has no '" + at + "'." + suggestion(at.substr(slash + 1), there);
+}
+
+template <typename T>
+std::vector<T> Hdf5File::Impl::readNumbers(const std::string& at, bool wholeOnly) const {
+  std::vector<T> values;
+  readOnRoot(at, [&] {
+    const Handle set(H5Dopen2(file, at.c_str(), H5P_DEFAULT), H5Dclose);
+    const Handle type(H5Dget_type(set), H5Tclose);
+    const H5T_class_t kind = H5Tget_class(type);
+    if (kind != H5T_INTEGER && (wholeOnly || kind != H5T_FLOAT))
+      throw Failed{wholeOnly ? "it does not hold integers" : "it does not hold numbers"};
+    const Handle space(H5Dget_space(set), H5Sclose);
+    // A damaged header may ask for any size: what the file does not hold is not there to be read.
+    const hssize_t count = checked(H5Sget_simple_extent_npoints(space));
+    if (static_cast<unsigned long long>(count) * H5Tget_size(type) > fileSize() && H5Dget_storage_size(set) > 0 && !isFiltered(set))
+      throw Failed{"it claims to be larger than the file"};
+    values.resize(count);
+    if (count > 0) checked(H5Dread(set, memoryType<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()));
+  });
+  broadcast(*comm, values);
+  return values;
+}
+
+bool Hdf5File::Impl::fitsInt(const std::string& at) const {
+  int fits = 0;
+  readOnRoot(at, [&] {
+    const Handle set(H5Dopen2(file, at.c_str(), H5P_DEFAULT), H5Dclose);
+    const Handle type(H5Dget_type(set), H5Tclose);
+    if (H5Tget_class(type) != H5T_INTEGER) return;  // is told by who reads it
+    const std::size_t size = H5Tget_size(type);
+    fits = size < sizeof(int) || (size == sizeof(int) && H5Tget_sign(type) == H5T_SGN_2);
+  });
+  broadcastBytes(*comm, &fits, sizeof(fits));
+  return fits != 0;
+}
+
+unsigned long long Hdf5File::Impl::fileSize() const {
+  std::error_code failed;
+  const auto size = std::filesystem::file_size(path, failed);
+  return failed ? std::numeric_limits<unsigned long long>::max() : size;
+}
+
+std::vector<double> Hdf5File::readReals(const std::string& path) const { return impl_->readNumbers<double>(path, false); }
+
+std::vector<GlobalId> Hdf5File::readGlobalIds(const std::string& path) const { return impl_->readNumbers<GlobalId>(path, true); }
+
+std::vector<int> Hdf5File::readInts(const std::string& path) const {
+  if (impl_->fitsInt(path)) return impl_->readNumbers<int>(path, true);
+  // HDF5 would cut numbers that do not fit to the nearest that do, silently.
+  const std::vector<GlobalId> wide = readGlobalIds(path);
+  std::vector<int> values(wide.begin(), wide.end());
+  for (std::size_t i = 0; i < wide.size(); ++i) {
+    if (values[i] != wide[i]) throw InputError(impl_->path, "'" + path + "' holds " + std::to_string(wide[i]) + ", too large for an int");
+  }
+  return values;
+}
+
+std::string Hdf5File::readBytes(const std::string& path, GlobalId begin, GlobalId count) const {
+  std::string bytes;
+  impl_->readOnRoot(path, [&] {
+    const Handle set(H5Dopen2(impl_->file, path.c_str(), H5P_DEFAULT), H5Dclose);
+    const Handle type(H5Dget_type(set), H5Tclose);
+    if (H5Tget_class(type) != H5T_INTEGER || H5Tget_size(type) != 1) throw Failed{"it does not hold bytes"};
+    const Handle space(H5Dget_space(set), H5Sclose);
+    const auto total = static_cast<GlobalId>(checked(H5Sget_simple_extent_npoints(space)));
+    if (count < 0) count = total - begin;
+    if (begin < 0 || count < 0 || begin + count > total || static_cast<unsigned long long>(total) > impl_->fileSize())
+      throw Failed{"it holds " + std::to_string(total) + " bytes, expected " + std::to_string(begin + std::max<GlobalId>(count, 0))};
+    bytes.resize(count);
+    if (count == 0) return;
+    const hsize_t from = begin, size = count;
+    const Handle memory(H5Screate_simple(1, &size, nullptr), H5Sclose);
+    checked(H5Sselect_hyperslab(space, H5S_SELECT_SET, &from, nullptr, &size, nullptr));
+    checked(H5Dread(set, H5T_NATIVE_UCHAR, memory, space, H5P_DEFAULT, bytes.data()));
+  });
+  return broadcast(*impl_->comm, bytes);
+}
+
+std::string Hdf5File::readText(const std::string& path) const {
+  std::string text;
+  impl_->readOnRoot(path, [&] {
+    const Handle set(H5Dopen2(impl_->file, path.c_str(), H5P_DEFAULT), H5Dclose);
+    const Handle type(H5Dget_type(set), H5Tclose);
+    const Handle space(H5Dget_space(set), H5Sclose);
+    text = textOf(type, space, [&](hid_t memory, void* data) { return H5Dread(set, memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, data); });
+  });
+  return broadcast(*impl_->comm, text);
+}
+
+std::string Hdf5File::readTextAttribute(const std::string& path, const std::string& name) const {
+  std::string text;
+  impl_->readOnRoot(path, [&] {
+    const Handle object(H5Oopen(impl_->file, path.c_str(), H5P_DEFAULT), H5Oclose);
+    if (H5Aexists(object, name.c_str()) <= 0) throw InputError(impl_->path, "'" + path + "' has no attribute '" + name + "'");
+    const Handle attribute(H5Aopen(object, name.c_str(), H5P_DEFAULT), H5Aclose);
+    const Handle type(H5Aget_type(attribute), H5Tclose);
+    const Handle space(H5Aget_space(attribute), H5Sclose);
+    text = textOf(type, space, [&](hid_t memory, void* data) { return H5Aread(attribute, memory, data); });
+  });
+  return broadcast(*impl_->comm, text);
+}
+
+bool Hdf5File::has(const std::string& path) const {
+  impl_->mustBeOpen(false);
+  int there = 0;
+  collectivelyOnRoot(*impl_->comm, "reading " + impl_->path, [&] {
+    const Quiet quiet;
+    there = isThere(impl_->file, path);
+  });
+  broadcastBytes(*impl_->comm, &there, sizeof(there));
+  return there != 0;
+}
+
+std::vector<std::string> Hdf5File::members(const std::string& path) const {
+  Packer packer;
+  impl_->readOnRoot(path, [&] {
+    const std::vector<std::string> names = membersOf(impl_->file, path);
+    packer.put(names);
+  });
+  return Unpacker(broadcast(*impl_->comm, packer.bytes())).get<std::vector<std::string>>();
+}
+
+}  // namespace suture
