@@ -1,5 +1,4 @@
 #pragma once
-#include <Eigen/Core>
 
 // What our own dense kernels are written with: packed matrices, supernodes, fronts. For sources only.
 
@@ -11,8 +10,6 @@
 #endif
 
 namespace suture {
-
-constexpr int kSecondLevel = 2;  // where to prefetch: the second level of the cache
 
 /// `Bytes` of numbers that are added and multiplied at once (a vector extension of GCC and Clang), anywhere in memory.
 template <typename Real, int Bytes>
@@ -46,16 +43,77 @@ __attribute__((always_inline)) inline void subtractMultiple(int n, Real x, const
   for (; i < n; ++i) y[i] -= x * a[i];
 }
 
+/// a . b, of n numbers.
+template <typename Real>
+__attribute__((always_inline)) inline Real scalarProduct(int n, const Real* a, const Real* b) {
+  typename Line<Real>::Type line = {}, next = {};
+  typename Four<Real>::Type four = {};
+  int i = 0;
+  for (; i + 2 * Line<Real>::count <= n; i += 2 * Line<Real>::count) {
+    line += Line<Real>::at(a + i) * Line<Real>::at(b + i);
+    next += Line<Real>::at(a + i + Line<Real>::count) * Line<Real>::at(b + i + Line<Real>::count);
+  }
+  if (i + Line<Real>::count <= n) {
+    line += Line<Real>::at(a + i) * Line<Real>::at(b + i);
+    i += Line<Real>::count;
+  }
+  for (; i + 4 <= n; i += 4) four += Four<Real>::at(a + i) * Four<Real>::at(b + i);
+  line += next;
+  foldInto<Real>(line, four);
+  Real sum = (four[0] + four[1]) + (four[2] + four[3]);
+  for (; i < n; ++i) sum += a[i] * b[i];
+  return sum;
+}
+
 /// The next multiple of `width`.
 inline int padded(int size, int width) { return (size + width - 1) / width * width; }
 
-/// By what a vector is divided before it is rounded to Real: the range of single precision is narrow, and vectors are brought to the size
-/// of one. What is no number stays none.
-template <typename Real, typename Values>
-double scaleOf(const Values& x) {
-  if (sizeof(Real) == sizeof(double) || x.size() == 0) return 1.0;
-  const double largest = x.cwiseAbs().template maxCoeff<Eigen::PropagateNaN>();
+/// By what a vector of n numbers is divided before it is rounded to Real: the range of single precision is narrow, and vectors are brought
+/// to the size of one. What is no number is passed over: it stays none.
+template <typename Real>
+__attribute__((always_inline)) inline double scaleOf(int n, const double* x) {
+  if (sizeof(Real) == sizeof(double)) return 1.0;
+  using Many = Line<double>;
+  typename Many::Type most = {};
+  int i = 0;
+  for (; i + Many::count <= n; i += Many::count) {
+    const typename Many::Type plus = Many::at(x + i), minus = -plus, size = plus > minus ? plus : minus;
+    most = size > most ? size : most;
+  }
+  double largest = 0.0;
+  for (int k = 0; k < Many::count; ++k) largest = most[k] > largest ? most[k] : largest;
+  for (; i < n; ++i) {
+    const double size = x[i] > 0.0 ? x[i] : -x[i];
+    largest = size > largest ? size : largest;
+  }
   return largest == 0.0 ? 1.0 : largest;
+}
+
+/// to <- x / scale
+template <typename Real>
+__attribute__((always_inline)) inline void divide(int n, const double* x, double scale, Real* to) {
+  using Many = Line<double>;
+  using Rounded = Lanes<Real, Many::count * sizeof(Real)>;
+  int i = 0;
+  for (; i + Many::count <= n; i += Many::count)
+    Rounded::at(to + i) = __builtin_convertvector(Many::at(x + i) / scale, typename Rounded::Type);
+  for (; i < n; ++i) to[i] = static_cast<Real>(x[i] / scale);
+}
+
+/// to <- share to + scale x, share 0 (to is not read) or 1.
+template <int share, typename Real>
+__attribute__((always_inline)) inline void multiply(int n, double scale, const Real* x, double* to) {
+  using Many = Line<double>;
+  using Rounded = Lanes<Real, Many::count * sizeof(Real)>;
+  int i = 0;
+  for (; i + Many::count <= n; i += Many::count) {
+    const typename Many::Type y = scale * __builtin_convertvector(Rounded::at(x + i), typename Many::Type);
+    if (share == 0)
+      Many::at(to + i) = y;
+    else
+      Many::at(to + i) += y;
+  }
+  for (; i < n; ++i) to[i] = (share == 0 ? 0.0 : to[i]) + scale * static_cast<double>(x[i]);
 }
 
 }  // namespace suture

@@ -1,6 +1,8 @@
 #include <suture/subdomain/Lanes.hpp>
 #include <suture/subdomain/PackedColumns.hpp>
 
+#include <algorithm>
+
 namespace suture {
 
 namespace {
@@ -10,51 +12,64 @@ constexpr int kWidth = 4;  // columns of a panel
 template <typename Real>
 constexpr int kLine = suture::Line<Real>::count;
 
-// How far ahead of its use a line is fetched: numbers.
+/// Work space for a product: x and y as long as the matrix is with its padding. Of all matrices, so that it stays in the cache.
 template <typename Real>
-constexpr int kAhead = 4096 / static_cast<int>(sizeof(Real));
+Real* workSpace(int rows, int columns) {
+  thread_local AlignedVector<Real> work;
+  const std::size_t size = static_cast<std::size_t>(rows) + columns;
+  if (work.size() < size) work.resize(size);
+  return work.data();
+}
 
-/// y <- A^T x; rows a multiple of the line's, columns of the panel's.
+/// y <- A^T x.
 template <typename Real>
-SUTURE_FOR_EACH_PROCESSOR void transposedProduct(int rows, int columns, const Real* a, const Real* x, Real* y) {
+SUTURE_FOR_EACH_PROCESSOR void transposedProduct(int rows, int columns, const Real* a, const double* given, double* y) {
   using Line = suture::Line<Real>;
   using Four = suture::Four<Real>;
+  const int most = padded(rows, Line::count);
+  Real *x = workSpace<Real>(most, padded(columns, kWidth)), *product = x + most;
+  const double scale = scaleOf<Real>(rows, given);
+  divide(rows, given, scale, x);
+  for (int i = rows; i < most; ++i) x[i] = 0;
   for (int j = 0; j < columns; j += kWidth) {
     typename Line::Type s0 = {}, s1 = {}, s2 = {}, s3 = {};
-    for (int i = 0; i < rows; i += Line::count) {
-      for (int k = 0; k < kWidth; ++k) __builtin_prefetch(a + kAhead<Real> + k * Line::count, 0, kSecondLevel);
+    for (int i = 0; i < most; i += Line::count, a += kWidth * Line::count) {
       const typename Line::Type& u = Line::at(x + i);
       s0 += Line::at(a) * u;
       s1 += Line::at(a + Line::count) * u;
       s2 += Line::at(a + 2 * Line::count) * u;
       s3 += Line::at(a + 3 * Line::count) * u;
-      a += kWidth * Line::count;
     }
     typename Four::Type t0 = {}, t1 = {}, t2 = {}, t3 = {};
     foldInto<Real>(s0, t0);
     foldInto<Real>(s1, t1);
     foldInto<Real>(s2, t2);
     foldInto<Real>(s3, t3);
-    y[j] = t0[0] + t0[1] + t0[2] + t0[3];
-    y[j + 1] = t1[0] + t1[1] + t1[2] + t1[3];
-    y[j + 2] = t2[0] + t2[1] + t2[2] + t2[3];
-    y[j + 3] = t3[0] + t3[1] + t3[2] + t3[3];
+    product[j] = t0[0] + t0[1] + t0[2] + t0[3];
+    product[j + 1] = t1[0] + t1[1] + t1[2] + t1[3];
+    product[j + 2] = t2[0] + t2[1] + t2[2] + t2[3];
+    product[j + 3] = t3[0] + t3[1] + t3[2] + t3[3];
   }
+  multiply<0>(columns, scale, product, y);
 }
 
 /// y += A x
 template <typename Real>
-SUTURE_FOR_EACH_PROCESSOR void product(int rows, int columns, const Real* a, const Real* x, Real* y) {
+SUTURE_FOR_EACH_PROCESSOR void addProduct(int rows, int columns, const Real* a, const double* given, double* y) {
   using Line = suture::Line<Real>;
+  const int most = padded(rows, Line::count);
+  Real *sum = workSpace<Real>(most, padded(columns, kWidth)), *x = sum + most;
+  const double scale = scaleOf<Real>(columns, given);
+  divide(columns, given, scale, x);
+  for (int j = columns; j < padded(columns, kWidth); ++j) x[j] = 0;
+  for (int i = 0; i < most; ++i) sum[i] = 0;
   for (int j = 0; j < columns; j += kWidth) {
     const Real x0 = x[j], x1 = x[j + 1], x2 = x[j + 2], x3 = x[j + 3];
-    for (int i = 0; i < rows; i += Line::count) {
-      for (int k = 0; k < kWidth; ++k) __builtin_prefetch(a + kAhead<Real> + k * Line::count, 0, kSecondLevel);
-      Line::at(y + i) +=
+    for (int i = 0; i < most; i += Line::count, a += kWidth * Line::count)
+      Line::at(sum + i) +=
           Line::at(a) * x0 + Line::at(a + Line::count) * x1 + Line::at(a + 2 * Line::count) * x2 + Line::at(a + 3 * Line::count) * x3;
-      a += kWidth * Line::count;
-    }
   }
+  multiply<1>(rows, scale, sum, y);
 }
 
 }  // namespace
@@ -62,9 +77,9 @@ SUTURE_FOR_EACH_PROCESSOR void product(int rows, int columns, const Real* a, con
 PackedColumns::PackedColumns(const Matrix& matrix, Precision precision)
     : rows_(static_cast<int>(matrix.rows())), columns_(static_cast<int>(matrix.cols())) {
   if (precision == Precision::Single)
-    fill(matrix, singles_, single_);
+    fill(matrix, singles_);
   else
-    fill(matrix, values_, double_);
+    fill(matrix, values_);
 }
 
 template <typename Real>
@@ -75,51 +90,28 @@ std::size_t PackedColumns::place(int row, int column) const {
 }
 
 template <typename Real>
-void PackedColumns::fill(const Matrix& matrix, std::vector<Real>& values, Work<Real>& work) const {
-  const int rows = padded(rows_, kLine<Real>), columns = padded(columns_, kWidth);
-  values.assign(static_cast<std::size_t>(rows) * columns, Real(0));
+void PackedColumns::fill(const Matrix& matrix, AlignedVector<Real>& values) const {
+  values.resize(static_cast<std::size_t>(padded(rows_, kLine<Real>)) * padded(columns_, kWidth));
+  std::fill(values.begin(), values.end(), Real(0));
   for (int j = 0; j < columns_; ++j)
     for (int i = 0; i < rows_; ++i) values[place<Real>(i, j)] = static_cast<Real>(matrix(i, j));
-  work.rows.setZero(rows);
-  work.columns.setZero(columns);
-}
-
-template <typename Real>
-void PackedColumns::multiplyTransposed(const std::vector<Real>& values, Work<Real>& work, const Eigen::Ref<const Vector>& x,
-                                       Vector& y) const {
-  const double scale = scaleOf<Real>(x);
-  work.rows.head(rows_) = (x / scale).template cast<Real>();
-  transposedProduct(static_cast<int>(work.rows.size()), static_cast<int>(work.columns.size()), values.data(), work.rows.data(),
-                    work.columns.data());
-  y = scale * work.columns.head(columns_).template cast<double>();
-}
-
-template <typename Real>
-void PackedColumns::addProduct(const std::vector<Real>& values, Work<Real>& work, const Vector& x, Eigen::Ref<Vector> y) const {
-  const double scale = scaleOf<Real>(x);
-  work.columns.head(columns_) = (x / scale).template cast<Real>();
-  work.columns.tail(work.columns.size() - columns_).setZero();
-  work.rows.setZero();
-  product(static_cast<int>(work.rows.size()), static_cast<int>(work.columns.size()), values.data(), work.columns.data(), work.rows.data());
-  y += scale * work.rows.head(rows_).template cast<double>();
-  work.rows.tail(work.rows.size() - rows_).setZero();  // not zero if x held what is no number
 }
 
 void PackedColumns::multiplyTransposed(const Eigen::Ref<const Vector>& x, Vector& y) const {
-  if (rows_ == 0 || columns_ == 0)
-    y.setZero(columns_);
+  y.resize(columns_);
+  if (rows_ == 0)
+    y.setZero();
   else if (singles_.empty())
-    multiplyTransposed(values_, double_, x, y);
+    transposedProduct(rows_, columns_, values_.data(), x.data(), y.data());
   else
-    multiplyTransposed(singles_, single_, x, y);
+    transposedProduct(rows_, columns_, singles_.data(), x.data(), y.data());
 }
 
 void PackedColumns::addProduct(const Vector& x, Eigen::Ref<Vector> y) const {
-  if (rows_ == 0 || columns_ == 0) return;
   if (singles_.empty())
-    addProduct(values_, double_, x, y);
+    suture::addProduct(rows_, columns_, values_.data(), x.data(), y.data());
   else
-    addProduct(singles_, single_, x, y);
+    suture::addProduct(rows_, columns_, singles_.data(), x.data(), y.data());
 }
 
 Matrix PackedColumns::full() const {

@@ -4,8 +4,7 @@
 namespace suture {
 
 /// A dense matrix of more rows than columns that is only multiplied, by vectors, from either side: the bases of BDDC. Four columns side by
-/// side, line of the cache by line, so that a product reads memory in one direction. Local; a product uses work space of its own, so that
-/// one object serves one thread.
+/// side, line of the cache by line, so that a product reads memory in one direction. Local; const is safe with threads.
 class PackedColumns {
  public:
   using Precision = PackedSymmetric::Precision;
@@ -24,24 +23,13 @@ class PackedColumns {
 
  private:
   template <typename Real>
-  struct Work {
-    Eigen::Matrix<Real, Eigen::Dynamic, 1> rows, columns;  // padded
-  };
-
-  template <typename Real>
-  void fill(const Matrix& matrix, std::vector<Real>& values, Work<Real>& work) const;
-  template <typename Real>
-  void multiplyTransposed(const std::vector<Real>& values, Work<Real>& work, const Eigen::Ref<const Vector>& x, Vector& y) const;
-  template <typename Real>
-  void addProduct(const std::vector<Real>& values, Work<Real>& work, const Vector& x, Eigen::Ref<Vector> y) const;
+  void fill(const Matrix& matrix, AlignedVector<Real>& values) const;
   template <typename Real>
   std::size_t place(int row, int column) const;
 
   int rows_ = 0, columns_ = 0;
-  std::vector<double> values_;  // one of the two
-  std::vector<float> singles_;
-  mutable Work<double> double_;
-  mutable Work<float> single_;
+  AlignedVector<double> values_;  // one of the two
+  AlignedVector<float> singles_;
 };
 
 }  // namespace suture

@@ -2,22 +2,36 @@
 #include <suture/subdomain/PackedSymmetric.hpp>
 
 #include <algorithm>
+#include <type_traits>
 
 namespace suture {
 
 namespace {
 
-constexpr int kWidth = 4;        // columns of a panel: what one pass over x and y takes
-constexpr int kPanelsAhead = 4;  // what is fetched before its turn
+constexpr int kWidth = 4;  // columns of a panel: what one pass over x and y takes
 
 /// Where a panel begins.
 std::size_t begin(int panel, int rows) { return static_cast<std::size_t>(kWidth) * panel * (rows - kWidth * (panel - 1) / 2); }
 
-/// Rows of four columns, as many as a vector holds, used twice: v += sum of b_k x_k, and s_k += b_k u. Inlined for each processor.
+/// A panel is the diagonal block, then blocks of as many rows as a line of the cache has numbers, then, where fewer are left, of four.
+/// Calls take(column, row, height, place) for each block in the order of memory; a block has four columns.
+template <typename Real, typename Take>
+void eachBlock(int rows, const Take& take) {
+  std::size_t place = 0;
+  for (int column = 0; column < rows; column += kWidth)
+    for (int row = column, height = kWidth; row < rows;
+         row += height, height = row + Line<Real>::count <= rows ? Line<Real>::count : kWidth) {
+      take(column, row, height, place);
+      place += static_cast<std::size_t>(kWidth) * height;
+    }
+}
+
+/// A block, used twice: v += sum of b_k x_k, and s_k += b_k u. Inlined for each processor.
 template <typename Lanes, typename Real, typename Vector>
-__attribute__((always_inline)) inline void addRows(const Real* a0, const Real* a1, const Real* a2, const Real* a3, const Real* x,
-                                                   const Real* u, Real* v, Vector& s0, Vector& s1, Vector& s2, Vector& s3) {
-  const Vector b0 = Lanes::at(a0), b1 = Lanes::at(a1), b2 = Lanes::at(a2), b3 = Lanes::at(a3), by = Lanes::at(u);
+__attribute__((always_inline)) inline void addBlock(const Real* a, const Real* x, const Real* u, Real* v, Vector& s0, Vector& s1,
+                                                    Vector& s2, Vector& s3) {
+  const Vector b0 = Lanes::at(a), b1 = Lanes::at(a + Lanes::count), b2 = Lanes::at(a + 2 * Lanes::count),
+               b3 = Lanes::at(a + 3 * Lanes::count), by = Lanes::at(u);
   Lanes::at(v) += b0 * x[0] + b1 * x[1] + b2 * x[2] + b3 * x[3];
   s0 += b0 * by;
   s1 += b1 * by;
@@ -25,30 +39,23 @@ __attribute__((always_inline)) inline void addRows(const Real* a0, const Real* a
   s3 += b3 * by;
 }
 
-/// y += A x, `rows` of them, a multiple of the panel's width. A comes from memory once and is used twice. The panel after the next three is
-/// fetched into the second level of the cache: the ends of short columns stop the processor's own fetching, and in the first level, of
-/// 32 kB on many, what comes so early would drive out what is used now. 66 matrices one after the other, one core of an EPYC, n = 470:
-/// 16.7 GB/s, in single precision 20.3; into the first level 9.8 and 16.4, without fetching 10.5 and 8.5; to read the memory 14.5 to 20
-/// and 22.
+/// y += A x, `rows` of them, a multiple of the panel's width. A comes from memory once and is used twice.
 template <typename Real>
-SUTURE_FOR_EACH_PROCESSOR void addProduct(int rows, const Real* a, const Real* x, Real* y) {
+__attribute__((always_inline)) inline void addProduct(int rows, const Real* a, const Real* x, Real* y) {
   using Line = suture::Line<Real>;
   using Four = suture::Four<Real>;
   for (int first = 0; first < rows; first += kWidth) {
-    const int m = rows - first;
-    const Real *a0 = a, *a1 = a + m, *a2 = a + 2 * m, *a3 = a + 3 * m, *u = x + first;
+    const Real* u = x + first;
     const Real own[kWidth] = {u[0], u[1], u[2], u[3]};
     Real* v = y + first;
+    Four::at(v) += Four::at(a) * own[0] + Four::at(a + 4) * own[1] + Four::at(a + 8) * own[2] + Four::at(a + 12) * own[3];
+    a += kWidth * kWidth;
     typename Line::Type s0 = {}, s1 = {}, s2 = {}, s3 = {};
     typename Four::Type t0 = {}, t1 = {}, t2 = {}, t3 = {};
-    Four::at(v) += Four::at(a0) * own[0] + Four::at(a1) * own[1] + Four::at(a2) * own[2] + Four::at(a3) * own[3];
+    const int m = rows - first;
     int i = kWidth;
-    for (; i + Line::count <= m; i += Line::count) {
-      const Real* ahead = a + kPanelsAhead * kWidth * m + kWidth * i;  // beyond the end nothing of A
-      for (int k = 0; k < kWidth; ++k) __builtin_prefetch(ahead + k * Line::count, 0, kSecondLevel);
-      addRows<Line>(a0 + i, a1 + i, a2 + i, a3 + i, own, u + i, v + i, s0, s1, s2, s3);
-    }
-    for (; i < m; i += kWidth) addRows<Four>(a0 + i, a1 + i, a2 + i, a3 + i, own, u + i, v + i, t0, t1, t2, t3);
+    for (; i + Line::count <= m; i += Line::count, a += kWidth * Line::count) addBlock<Line>(a, own, u + i, v + i, s0, s1, s2, s3);
+    for (; i < m; i += kWidth, a += kWidth * kWidth) addBlock<Four>(a, own, u + i, v + i, t0, t1, t2, t3);
     foldInto<Real>(s0, t0);
     foldInto<Real>(s1, t1);
     foldInto<Real>(s2, t2);
@@ -59,23 +66,32 @@ SUTURE_FOR_EACH_PROCESSOR void addProduct(int rows, const Real* a, const Real* x
       v[2] += t2[k];
       v[3] += t3[k];
     }
-    a += kWidth * m;
   }
 }
 
+/// y <- A x. `padded` are two vectors of `rows` numbers, work space.
+template <typename Real>
+SUTURE_FOR_EACH_PROCESSOR void product(int size, int rows, const Real* a, const double* x, double* y, Real* padded) {
+  const double scale = scaleOf<Real>(size, x);
+  divide(size, x, scale, padded);
+  for (int i = size; i < rows; ++i) padded[i] = 0;
+  for (int i = rows; i < 2 * rows; ++i) padded[i] = 0;
+  addProduct(rows, a, padded, padded + rows);
+  suture::multiply<0>(size, scale, padded + rows, y);
+}
+
 template <typename Given, typename Real>
-void fill(const Given& matrix, std::vector<Real>& values) {
+void fill(const Given& matrix, AlignedVector<Real>& values) {
   const int size = static_cast<int>(matrix.rows()), rows = padded(size, kWidth);
-  values.assign(begin(rows / kWidth, rows), Real(0));
-  Real* to = values.data();
-  for (int j = 0; j < rows; ++j) {
-    const int first = j / kWidth * kWidth;
-    if (j < size) {
-      for (int i = first; i < j; ++i) to[i - first] = static_cast<Real>(matrix(j, i));
-      for (int i = j; i < size; ++i) to[i - first] = static_cast<Real>(matrix(i, j));
-    }
-    to += rows - first;
-  }
+  values.resize(begin(rows / kWidth, rows));
+  eachBlock<Real>(rows, [&](int column, int row, int height, std::size_t place) {
+    Real* to = values.data() + place;
+    for (int j = column; j < column + kWidth; ++j)
+      for (int i = row; i < row + height; ++i) {
+        const int lower = std::max(i, j), upper = std::min(i, j);
+        *to++ = lower < size ? static_cast<Real>(matrix(lower, upper)) : Real(0);
+      }
+  });
 }
 
 }  // namespace
@@ -90,44 +106,50 @@ PackedSymmetric::PackedSymmetric(const Matrix& matrix, Precision precision) : si
 PackedSymmetric::PackedSymmetric(const Eigen::MatrixXf& matrix) : size_(static_cast<int>(matrix.rows())) { fill(matrix, singles_); }
 
 template <typename Real>
-void PackedSymmetric::multiply(const std::vector<Real>& values, Work<Real>& work, ConstLocalView x, LocalView y) const {
+void PackedSymmetric::multiply(const AlignedVector<Real>& values, ConstLocalView x, LocalView y) const {
+  thread_local AlignedVector<Real> work;  // of all matrices, so that it stays in the cache
   const int rows = padded(size_, kWidth);
-  for (Eigen::Index c = 0; c < x.cols(); ++c) {
-    const double scale = scaleOf<Real>(x.col(c));
-    work.x.setZero(rows);
-    work.y.setZero(rows);
-    work.x.head(size_) = (x.col(c) / scale).template cast<Real>();
-    addProduct(rows, values.data(), work.x.data(), work.y.data());
-    y.col(c) = scale * work.y.head(size_).template cast<double>();
-  }
+  if (work.size() < 2 * static_cast<std::size_t>(rows)) work.resize(2 * static_cast<std::size_t>(rows));
+  for (Eigen::Index c = 0; c < x.cols(); ++c) product(size_, rows, values.data(), x.col(c).data(), y.col(c).data(), work.data());
 }
 
 void PackedSymmetric::multiply(ConstLocalView x, LocalView y) const {
   if (size_ == 0) return;
   if (singles_.empty())
-    multiply(values_, double_, x, y);
+    multiply(values_, x, y);
   else
-    multiply(singles_, single_, x, y);
+    multiply(singles_, x, y);
 }
 
 double PackedSymmetric::at(int row, int column) const {
   if (row < column) std::swap(row, column);
-  const int rows = padded(size_, kWidth), panel = column / kWidth, first = panel * kWidth;
-  const std::size_t place = begin(panel, rows) + static_cast<std::size_t>(column - first) * (rows - first) + (row - first);
+  const int line = singles_.empty() ? Line<double>::count : Line<float>::count;
+  const int rows = padded(size_, kWidth), first = column / kWidth * kWidth;
+  int top = first, height = kWidth;  // of the block
+  if (row >= first + kWidth) {
+    const int below = rows - first - kWidth, whole = below / line * line, at = row - first - kWidth;
+    height = at < whole ? line : kWidth;
+    top = row - (at < whole ? at % line : (at - whole) % kWidth);
+  }
+  const std::size_t place = begin(first / kWidth, rows) + static_cast<std::size_t>(kWidth) * (top - first) +
+                            static_cast<std::size_t>(column - first) * height + (row - top);
   return singles_.empty() ? values_[place] : static_cast<double>(singles_[place]);
 }
 
 Matrix PackedSymmetric::full() const {
   Matrix made(size_, size_);
-  const int rows = padded(size_, kWidth);
-  for (int j = 0; j < size_; ++j) {
-    const int first = j / kWidth * kWidth;
-    const std::size_t place = begin(first / kWidth, rows) + static_cast<std::size_t>(j - first) * (rows - first) + (j - first);
-    if (singles_.empty())
-      made.col(j).tail(size_ - j) = Eigen::Map<const Vector>(values_.data() + place, size_ - j);
-    else
-      made.col(j).tail(size_ - j) = Eigen::Map<const Eigen::VectorXf>(singles_.data() + place, size_ - j).cast<double>();
-  }
+  const auto copy = [&](const auto& values) {
+    using Real = std::decay_t<decltype(values[0])>;
+    eachBlock<Real>(padded(size_, kWidth), [&](int column, int row, int height, std::size_t place) {
+      for (int j = column; j < std::min(column + kWidth, size_); ++j)
+        for (int i = std::max(row, j); i < std::min(row + height, size_); ++i)
+          made(i, j) = static_cast<double>(values[place + static_cast<std::size_t>(j - column) * height + (i - row)]);
+    });
+  };
+  if (singles_.empty())
+    copy(values_);
+  else
+    copy(singles_);
   // By blocks: rows of a block stay in the cache while its columns are gone through.
   constexpr int block = 32;
   for (int first = 0; first < size_; first += block)

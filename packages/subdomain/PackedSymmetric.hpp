@@ -1,13 +1,14 @@
 #pragma once
 #include <suture/base/Types.hpp>
+#include <suture/subdomain/AlignedVector.hpp>
 
 #include <vector>
 
 namespace suture {
 
 /// A dense symmetric matrix of which little more than the lower triangle is kept: panels of four columns each, from their diagonal block
-/// (whole) downwards. A product reads it once and is as fast as memory is. In single precision half of that, for what need not be exact: a
-/// preconditioner. Local; a product uses work space of its own, so that one object serves one thread.
+/// (whole) downwards, of which a line of the cache of each column follows the other. A product reads memory once, in one direction, and is
+/// as fast as memory is. In single precision half of that, for what need not be exact: a preconditioner. Local; const is safe with threads.
 class PackedSymmetric {
  public:
   enum class Precision { Double, Single };
@@ -28,19 +29,12 @@ class PackedSymmetric {
 
  private:
   template <typename Real>
-  struct Work {
-    Eigen::Matrix<Real, Eigen::Dynamic, 1> x, y;
-  };
-
-  template <typename Real>
-  void multiply(const std::vector<Real>& values, Work<Real>& work, ConstLocalView x, LocalView y) const;
+  void multiply(const AlignedVector<Real>& values, ConstLocalView x, LocalView y) const;
   double at(int row, int column) const;
 
   int size_ = 0;
-  std::vector<double> values_;  // one of the two
-  std::vector<float> singles_;
-  mutable Work<double> double_;
-  mutable Work<float> single_;
+  AlignedVector<double> values_;  // one of the two
+  AlignedVector<float> singles_;
 };
 
 }  // namespace suture
