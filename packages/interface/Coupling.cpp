@@ -14,7 +14,11 @@ Coupling::Coupling(std::vector<int> offsets, std::vector<int> columns, std::vect
 
 void Coupling::restrictTo(ConstLocalView overlap, LocalView trace) const {
   if (boolean()) {
-    for (std::size_t i = 0; i < columns_.size(); ++i) trace.row(i) = overlap.row(columns_[i]);
+    for (Eigen::Index c = 0; c < overlap.cols(); ++c) {
+      const double* from = overlap.col(c).data();
+      double* to = trace.col(c).data();
+      for (std::size_t i = 0; i < columns_.size(); ++i) to[i] = from[columns_[i]];
+    }
     return;
   }
   trace.setZero();
@@ -24,7 +28,11 @@ void Coupling::restrictTo(ConstLocalView overlap, LocalView trace) const {
 
 void Coupling::addTransposed(ConstLocalView flux, LocalView overlap) const {
   if (boolean()) {
-    for (std::size_t i = 0; i < columns_.size(); ++i) overlap.row(columns_[i]) += flux.row(i);
+    for (Eigen::Index c = 0; c < overlap.cols(); ++c) {
+      const double* from = flux.col(c).data();
+      double* to = overlap.col(c).data();
+      for (std::size_t i = 0; i < columns_.size(); ++i) to[columns_[i]] += from[i];
+    }
     return;
   }
   for (int i = 0; i < rows(); ++i)

@@ -3,6 +3,7 @@
 #include <suture/base/Errors.hpp>
 #include <suture/subdomain/CholmodFactor.hpp>
 #include <suture/subdomain/CholmodHandle.hpp>
+#include <suture/subdomain/Lanes.hpp>
 #include <suture/subdomain/PivotCheck.hpp>
 #include <suture/subdomain/SerialSection.hpp>
 
@@ -16,9 +17,6 @@ extern "C" void dlauum_(const char* uplo, const int* n, double* a, const int* ld
 namespace suture {
 
 namespace {
-
-using Column = Eigen::Map<Vector>;
-using Strided = Eigen::Map<const Matrix, 0, Eigen::OuterStride<>>;
 
 constexpr int columnsAtOnce = 32;  // right-hand sides that share one pass over L
 
@@ -71,6 +69,23 @@ const char* nameOf(CholmodOptions::Ordering ordering) {
 // nothing, and a factor serves several threads.
 thread_local std::vector<double> keptWork, keptUpdate;
 
+/// x <- [L_11 0; L_21 I]^-1 x for a supernode, column by column.
+SUTURE_FOR_EACH_PROCESSOR void eliminate(int columns, int rows, const double* values, int stride, double* x) {
+  for (int j = 0; j < columns; ++j, values += stride + 1) {
+    x[j] /= values[0];
+    subtractMultiple(rows - j - 1, x[j], values + 1, x + j + 1);
+  }
+}
+
+/// x_1 <- L_11^-T (x_1 - L_21^T x_2)
+SUTURE_FOR_EACH_PROCESSOR void substituteBack(int columns, int rows, const double* values, int stride, double* x) {
+  values += static_cast<std::ptrdiff_t>(columns) * (stride + 1);
+  for (int j = columns - 1; j >= 0; --j) {
+    values -= stride + 1;
+    x[j] = (x[j] - scalarProduct(rows - j - 1, values + 1, x + j + 1)) / values[0];
+  }
+}
+
 struct Space {
   Space(std::size_t rows, Eigen::Index columns, std::vector<double>& kept)
       : values(room(rows, columns, kept), static_cast<Eigen::Index>(rows), columns) {}
@@ -108,6 +123,7 @@ struct CholmodFactor::Data : CholmodHandle {
 
   std::vector<int> permutation;  // column of L -> dof
   std::vector<int> columnSupernode;
+  int mostRows = 0;  // of a supernode
   Vector shift;
   Statistics statistics;
 };
@@ -177,8 +193,10 @@ void CholmodFactor::Data::factorise(const Eigen::SparseMatrix<double>& matrix, c
   if (statistics.supernodal) {
     columnSupernode.resize(n);
     const int* super = static_cast<const int*>(factor->super);
-    for (std::size_t s = 0; s < factor->nsuper; ++s)
+    for (std::size_t s = 0; s < factor->nsuper; ++s) {
       std::fill(columnSupernode.begin() + super[s], columnSupernode.begin() + super[s + 1], int(s));
+      mostRows = std::max(mostRows, supernode(int(s), n).rows);
+    }
     statistics.bytes = sizeof(double) * double(factor->xsize) + sizeof(int) * double(factor->ssize);
   } else {
     statistics.bytes = (sizeof(double) + sizeof(int)) * double(factor->nzmax);
@@ -235,7 +253,7 @@ void CholmodFactor::Data::forward(int upTo, Eigen::Ref<Matrix> x) const {
     }
     return;
   }
-  Space space(static_cast<std::size_t>(factor->maxesize), x.cols(), keptUpdate);
+  Space space(static_cast<std::size_t>(mostRows), x.cols(), keptUpdate);
   Eigen::Map<Matrix>& update = space.values;
   for (int s = 0; s < int(factor->nsuper); ++s) {
     const Supernode node = supernode(s, upTo);
@@ -243,18 +261,20 @@ void CholmodFactor::Data::forward(int upTo, Eigen::Ref<Matrix> x) const {
     const int m = node.rows - node.columns;
     const double* off = node.values + node.columns;
     if (x.cols() == 1) {
-      Column y(x.data() + node.first, node.columns), u(update.data(), m);
-      Strided(node.values, node.columns, node.columns, Eigen::OuterStride<>(node.stride)).triangularView<Eigen::Lower>().solveInPlace(y);
-      if (m == 0) continue;
-      u.noalias() = Strided(off, m, node.columns, Eigen::OuterStride<>(node.stride)) * y;
-    } else {
-      double* y = x.data() + node.first;
-      cblas_dtrsm(CblasColMajor, CblasLeft, CblasLower, CblasNoTrans, CblasNonUnit, node.columns, x.cols(), 1.0, node.values, node.stride,
-                  y, x.outerStride());
-      if (m == 0) continue;
-      cblas_dgemm(CblasColMajor, CblasNoTrans, CblasNoTrans, m, x.cols(), node.columns, 1.0, off, node.stride, y, x.outerStride(), 0.0,
-                  update.data(), update.outerStride());
+      double *own = x.data() + node.first, *all = update.data(), *below = all + node.columns;
+      std::copy_n(own, node.columns, all);
+      std::fill_n(below, m, 0.0);
+      eliminate(node.columns, node.rows, node.values, node.stride, all);
+      std::copy_n(all, node.columns, own);
+      for (int r = 0; r < m; ++r) x(node.below[r], 0) += below[r];
+      continue;
     }
+    double* y = x.data() + node.first;
+    cblas_dtrsm(CblasColMajor, CblasLeft, CblasLower, CblasNoTrans, CblasNonUnit, node.columns, x.cols(), 1.0, node.values, node.stride, y,
+                x.outerStride());
+    if (m == 0) continue;
+    cblas_dgemm(CblasColMajor, CblasNoTrans, CblasNoTrans, m, x.cols(), node.columns, 1.0, off, node.stride, y, x.outerStride(), 0.0,
+                update.data(), update.outerStride());
     for (int c = 0; c < x.cols(); ++c)
       for (int r = 0; r < m; ++r) x(node.below[r], c) -= update(r, c);
   }
@@ -277,29 +297,28 @@ void CholmodFactor::Data::backward(int upTo, Eigen::Ref<Matrix> x) const {
     return;
   }
   if (upTo == 0) return;
-  Space space(static_cast<std::size_t>(factor->maxesize), x.cols(), keptUpdate);
+  Space space(static_cast<std::size_t>(mostRows), x.cols(), keptUpdate);
   Eigen::Map<Matrix>& update = space.values;
   for (int s = columnSupernode[upTo - 1]; s >= 0; --s) {
     const Supernode node = supernode(s, upTo);
     const int m = node.rows - node.columns;
     const double* off = node.values + node.columns;
+    if (x.cols() == 1) {
+      double *own = x.data() + node.first, *all = update.data(), *below = all + node.columns;
+      std::copy_n(own, node.columns, all);
+      for (int r = 0; r < m; ++r) below[r] = x(node.below[r], 0);
+      substituteBack(node.columns, node.rows, node.values, node.stride, all);
+      std::copy_n(all, node.columns, own);
+      continue;
+    }
     for (int c = 0; c < x.cols(); ++c)
       for (int r = 0; r < m; ++r) update(r, c) = x(node.below[r], c);
-    if (x.cols() == 1) {
-      Column y(x.data() + node.first, node.columns), u(update.data(), m);
-      if (m > 0) y.noalias() -= Strided(off, m, node.columns, Eigen::OuterStride<>(node.stride)).transpose() * u;
-      Strided(node.values, node.columns, node.columns, Eigen::OuterStride<>(node.stride))
-          .transpose()
-          .triangularView<Eigen::Upper>()
-          .solveInPlace(y);
-    } else {
-      double* y = x.data() + node.first;
-      if (m > 0)
-        cblas_dgemm(CblasColMajor, CblasTrans, CblasNoTrans, node.columns, x.cols(), m, -1.0, off, node.stride, update.data(),
-                    update.outerStride(), 1.0, y, x.outerStride());
-      cblas_dtrsm(CblasColMajor, CblasLeft, CblasLower, CblasTrans, CblasNonUnit, node.columns, x.cols(), 1.0, node.values, node.stride, y,
-                  x.outerStride());
-    }
+    double* y = x.data() + node.first;
+    if (m > 0)
+      cblas_dgemm(CblasColMajor, CblasTrans, CblasNoTrans, node.columns, x.cols(), m, -1.0, off, node.stride, update.data(),
+                  update.outerStride(), 1.0, y, x.outerStride());
+    cblas_dtrsm(CblasColMajor, CblasLeft, CblasLower, CblasTrans, CblasNonUnit, node.columns, x.cols(), 1.0, node.values, node.stride, y,
+                x.outerStride());
   }
 }
 
