@@ -238,9 +238,10 @@ void InterfaceSpace::scatterAdd(const Matrix& overlap, MultiVector& owned) const
 }
 
 void InterfaceSpace::sum(Matrix& overlap) const {
-  MultiVector owned(map_, static_cast<std::size_t>(overlap.cols()));
-  scatterAdd(overlap, owned);
-  gather(owned, overlap);
+  const auto columns = static_cast<std::size_t>(overlap.cols());
+  if (sum_.is_null() || sum_->getNumVectors() != columns) sum_ = vector(static_cast<int>(columns));
+  scatterAdd(overlap, *sum_);
+  gather(*sum_, overlap);
 }
 
 void InterfaceSpace::sumDensities(Matrix& overlap) const {

@@ -94,6 +94,7 @@ class InterfaceSpace {
   MapPtr map_, overlap_;
   Teuchos::RCP<const Import> import_;
   mutable MultiVectorPtr work_;  // of gather() and scatterAdd(), which PCG calls twice an iteration
+  mutable MultiVectorPtr sum_;   // of sum()
   std::vector<int> localIds_;
   std::vector<Coupling> couplings_;
   std::vector<GlobalId> ids_;

@@ -113,43 +113,56 @@ void CoarseProblem::assemble(const InterfaceOperator& matrix, std::unique_ptr<Lo
       for (int a = 0; a < block.rows(); ++a) entries.emplace_back(seenIds_[i][a], seenIds_[i][b], 0.5 * (block(a, b) + block(b, a)));
   }
   seen_.clear();
+  Eigen::Index rows = 0, parts = 0;
+  for (std::size_t i = 0; i < images_.size(); ++i) {
+    rows = std::max(rows, images_[i].rows());
+    parts = std::max(parts, images_[i].cols());
+  }
+  trace_.resize(rows, 1);
+  part_.resize(parts);
   system_ = std::make_unique<CoarseSystem>(space_->comm(), size_, entries, std::move(solver), copies, true);
 }
 
-Vector CoarseProblem::fromResidual(const Matrix& overlap) const {
-  Vector mine = Vector::Zero(size_);
+const Vector& CoarseProblem::fromResidual(const Matrix& overlap) const {
+  mine_.setZero(size_);
   for (std::size_t i = 0; i < columns_.size(); ++i) {
     if (columns_[i].cols() == 0) continue;
-    Matrix trace(columns_[i].rows(), 1);
+    auto trace = trace_.topRows(columns_[i].rows());
     space_->coupling(static_cast<int>(i)).restrictTo(overlap, trace);
-    mine.segment(firstColumn_[i], columns_[i].cols()) += columns_[i].transpose() * trace.col(0);
+    mine_.segment(firstColumn_[i], columns_[i].cols()).noalias() += columns_[i].transpose() * trace.col(0);
   }
-  return system_->solve(mine);
+  return system_->solve(mine_);
 }
 
-Vector CoarseProblem::fromTrace(const Matrix& overlap) const {
-  Vector mine = Vector::Zero(size_);
+const Vector& CoarseProblem::fromTrace(const Matrix& overlap) const {
+  mine_.setZero(size_);
   for (std::size_t i = 0; i < images_.size(); ++i) {
     if (images_[i].cols() == 0) continue;
-    Matrix trace(images_[i].rows(), 1);
+    auto trace = trace_.topRows(images_[i].rows());
     space_->coupling(static_cast<int>(i)).restrictTo(overlap, trace);
-    const Vector product = images_[i].transpose() * trace.col(0);
-    for (std::size_t c = 0; c < seenIds_[i].size(); ++c) mine(seenIds_[i][c]) += product(static_cast<int>(c));
+    auto product = part_.head(images_[i].cols());
+    product.noalias() = images_[i].transpose() * trace.col(0);
+    for (std::size_t c = 0; c < seenIds_[i].size(); ++c) mine_(seenIds_[i][c]) += product(static_cast<int>(c));
   }
-  return system_->solve(mine);
+  return system_->solve(mine_);
 }
 
 void CoarseProblem::addColumns(const Vector& y, Matrix& overlap) const {
-  for (std::size_t i = 0; i < columns_.size(); ++i)
-    if (columns_[i].cols() > 0)
-      space_->coupling(static_cast<int>(i)).addTransposed(columns_[i] * y.segment(firstColumn_[i], columns_[i].cols()), overlap);
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    if (columns_[i].cols() == 0) continue;
+    auto trace = trace_.topRows(columns_[i].rows());
+    trace.col(0).noalias() = columns_[i] * y.segment(firstColumn_[i], columns_[i].cols());
+    space_->coupling(static_cast<int>(i)).addTransposed(trace, overlap);
+  }
 }
 
 void CoarseProblem::addImages(const Vector& y, Matrix& overlap) const {
   for (std::size_t i = 0; i < images_.size(); ++i) {
-    Vector part(seenIds_[i].size());
+    auto part = part_.head(images_[i].cols());
     for (std::size_t c = 0; c < seenIds_[i].size(); ++c) part(static_cast<int>(c)) = y(seenIds_[i][c]);
-    space_->coupling(static_cast<int>(i)).addTransposed(images_[i] * part, overlap);
+    auto trace = trace_.topRows(images_[i].rows());
+    trace.col(0).noalias() = images_[i] * part;
+    space_->coupling(static_cast<int>(i)).addTransposed(trace, overlap);
   }
 }
 

@@ -18,10 +18,10 @@ class CoarseProblem {
   CoarseProblem(const InterfaceOperator& matrix, const std::vector<Matrix>& columns, std::unique_ptr<LocalSolver> solver, int copies);
 
   int size() const { return size_; }
-  /// E^-1 Z^T r. `r`: overlap values. Collective.
-  Vector fromResidual(const Matrix& overlap) const;
-  /// E^-1 (S Z)^T t. `t`: overlap values. Collective.
-  Vector fromTrace(const Matrix& overlap) const;
+  /// E^-1 Z^T r, kept until the next solve. `r`: overlap values. Collective.
+  const Vector& fromResidual(const Matrix& overlap) const;
+  /// E^-1 (S Z)^T t, kept until the next solve. `t`: overlap values. Collective.
+  const Vector& fromTrace(const Matrix& overlap) const;
   /// overlap += Z y, this rank's part of the sum over ranks. Local.
   void addColumns(const Vector& y, Matrix& overlap) const;
   /// overlap += S Z y, this rank's part of the sum over ranks. Local.
@@ -38,6 +38,8 @@ class CoarseProblem {
   std::vector<Matrix> seen_, images_;  // of each local problem: all columns that it feels, V, and S V
   std::vector<std::vector<int>> seenIds_;
   std::unique_ptr<CoarseSystem> system_;
+  mutable Matrix trace_;  // work space: for any local problem
+  mutable Vector part_, mine_;
 };
 
 }  // namespace suture

@@ -8,6 +8,8 @@
 #include <Tpetra_MultiVector.hpp>
 #include <Tpetra_Vector.hpp>
 
+#include <algorithm>
+
 namespace suture {
 
 Schema NeumannNeumann::schema() {
@@ -55,6 +57,10 @@ void NeumannNeumann::doCompute() {
       columns[i] = orthonormalBasis(z, 1e-10);
     }
   });
+  int rows = 0;
+  for (int i = 0; i < space()->locals(); ++i) rows = std::max(rows, space()->coupling(i).rows());
+  flux_.resize(rows, 1);
+  trace_.resize(rows, 1);
   int mine = 0, all = 0;
   for (const Matrix& own : columns) mine += static_cast<int>(own.cols());
   Teuchos::reduceAll(*space()->comm(), Teuchos::REDUCE_SUM, mine, Teuchos::outArg(all));
@@ -66,33 +72,32 @@ void NeumannNeumann::doApply(const MultiVector& r, MultiVector& z) const {
   for (std::size_t column = 0; column < r.getNumVectors(); ++column) {
     const auto rOne = r.getVector(column);
     const auto zOne = z.getVectorNonConst(column);
-    Matrix residual;
-    space()->gather(*rOne, residual);
-    Vector y;
+    space()->gather(*rOne, residual_);
     if (coarse_) {
-      y = coarse_->fromResidual(residual);
-      Matrix images = Matrix::Zero(residual.rows(), 1);
-      coarse_->addImages(y, images);
-      space()->sum(images);
-      residual -= images;
+      y_ = coarse_->fromResidual(residual_);
+      whole_.setZero(residual_.rows(), 1);
+      coarse_->addImages(y_, whole_);
+      space()->sum(whole_);
+      residual_ -= whole_;
     }
-    Matrix sum = Matrix::Zero(residual.rows(), 1);
+    sum_.setZero(residual_.rows(), 1);
     for (std::size_t i = 0; i < inverses_.size(); ++i) {
       if (!inverses_[i]) continue;
       const Coupling& coupling = space()->coupling(static_cast<int>(i));
-      Matrix flux(coupling.rows(), 1), trace(coupling.rows(), 1);
-      coupling.restrictTo(residual, flux);
+      auto flux = flux_.topRows(coupling.rows()), trace = trace_.topRows(coupling.rows());
+      coupling.restrictTo(residual_, flux);
       weighting_->applyTranspose(static_cast<int>(i), flux);
       inverses_[i]->apply(flux, trace);
       weighting_->apply(static_cast<int>(i), trace);
-      coupling.addTransposed(trace, sum);
+      coupling.addTransposed(trace, sum_);
     }
     if (coarse_) {
-      Matrix whole = sum;
-      space()->sum(whole);
-      coarse_->addColumns(y - coarse_->fromTrace(whole), sum);
+      whole_ = sum_;
+      space()->sum(whole_);
+      y_ -= coarse_->fromTrace(whole_);
+      coarse_->addColumns(y_, sum_);
     }
-    space()->scatterAdd(sum, *zOne);
+    space()->scatterAdd(sum_, *zOne);
   }
 }
 

@@ -37,6 +37,8 @@ class NeumannNeumann : public Preconditioner {
   LocalProblems locals_;  // those the inverses belong to
   std::vector<std::unique_ptr<LocalInverse>> inverses_;
   std::unique_ptr<CoarseProblem> coarse_;
+  mutable Matrix residual_, whole_, sum_, flux_, trace_;  // work space: an application allocates nothing
+  mutable Vector y_;
 };
 
 }  // namespace suture

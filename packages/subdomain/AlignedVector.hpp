@@ -7,9 +7,9 @@
 namespace suture {
 
 /// Memory that begins at a line of the cache, not cleared. Large pieces lie side by side in huge pages where the system has them
-/// (Linux: madvise): dense matrices are read from one end to the other, and what pages of 4 kB cost is half of the speed of that (two
-/// processes of one EPYC, matrices of 0.5 to 1 MB: 15 to 17 GB/s each, in huge pages 22 to 26). Local, safe with threads.
-/// \throws std::bad_alloc
+/// (Linux: madvise): dense matrices are read from one end to the other, and pages of 4 kB slow that down. Two processes on an EPYC, 130
+/// matrices of 0.4 to 1.2 MB, GB/s of each (they vary from minute to minute): read 15 to 17, in huge pages 23 to 26; PackedSymmetric's
+/// products 11 to 17, in huge pages 17 to 23. Local, safe with threads. \throws std::bad_alloc
 void* allocateLines(std::size_t bytes);
 void freeLines(void* at, std::size_t bytes) noexcept;
 

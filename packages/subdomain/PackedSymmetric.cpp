@@ -39,7 +39,10 @@ __attribute__((always_inline)) inline void addBlock(const Real* a, const Real* x
   s3 += b3 * by;
 }
 
-/// y += A x, `rows` of them, a multiple of the panel's width. A comes from memory once and is used twice.
+/// y += A x, `rows` of them, a multiple of the panel's width. A comes from memory once and is used twice. In this order, from the begin of
+/// a line on, it is as fast as reading: 18 GB/s (two processes on an EPYC, the case of AlignedVector in pages of 4 kB; in single precision
+/// as well); whole columns one after the other, the next fetched by instructions, 13 to 14. Fetching by instructions here: none to 1 kB
+/// ahead the same, 4 kB and more a quarter slower.
 template <typename Real>
 __attribute__((always_inline)) inline void addProduct(int rows, const Real* a, const Real* x, Real* y) {
   using Line = suture::Line<Real>;
