@@ -12,7 +12,7 @@ namespace suture {
 InterfaceOperator::InterfaceOperator(std::shared_ptr<const InterfaceSpace> space, LocalProblems locals)
     : space_(std::move(space)), locals_(std::move(locals)) {
   if (static_cast<int>(locals_.size()) != space_->locals()) throw InternalError("an interface operator needs one entry a coupling");
-  for (int i = 0; i < space_->locals(); ++i) mostRows_ = std::max(mostRows_, space_->coupling(i).rows());
+  mostRows_ = space_->mostRows();
 }
 
 void InterfaceOperator::apply(const MultiVector& x, MultiVector& y, Teuchos::ETransp, double alpha, double beta) const {

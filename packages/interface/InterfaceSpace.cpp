@@ -200,6 +200,12 @@ GlobalId InterfaceSpace::size() const { return static_cast<GlobalId>(map_->getGl
 
 MultiVectorPtr InterfaceSpace::vector(int columns) const { return Teuchos::rcp(new MultiVector(map_, static_cast<std::size_t>(columns))); }
 
+int InterfaceSpace::mostRows() const {
+  int most = 0;
+  for (const Coupling& coupling : couplings_) most = std::max(most, coupling.rows());
+  return most;
+}
+
 void InterfaceSpace::unfold(LocalView overlap) const {
   for (const InterfaceRelation& relation : relations_) {
     overlap.row(relation.unknown).setZero();

@@ -51,6 +51,8 @@ class InterfaceSpace {
   int locals() const { return static_cast<int>(couplings_.size()); }
   int localId(int local) const { return localIds_[local]; }
   const Coupling& coupling(int local) const { return couplings_[local]; }
+  /// The most rows that one of them has: work space that serves all. Local.
+  int mostRows() const;
 
   // Of the unknowns of overlap(), by place.
   GlobalId id(int place) const { return ids_[place]; }

@@ -113,12 +113,9 @@ void CoarseProblem::assemble(const InterfaceOperator& matrix, std::unique_ptr<Lo
       for (int a = 0; a < block.rows(); ++a) entries.emplace_back(seenIds_[i][a], seenIds_[i][b], 0.5 * (block(a, b) + block(b, a)));
   }
   seen_.clear();
-  Eigen::Index rows = 0, parts = 0;
-  for (std::size_t i = 0; i < images_.size(); ++i) {
-    rows = std::max(rows, images_[i].rows());
-    parts = std::max(parts, images_[i].cols());
-  }
-  trace_.resize(rows, 1);
+  Eigen::Index parts = 0;
+  for (const Matrix& images : images_) parts = std::max(parts, images.cols());
+  trace_.resize(space_->mostRows(), 1);
   part_.resize(parts);
   system_ = std::make_unique<CoarseSystem>(space_->comm(), size_, entries, std::move(solver), copies, true);
 }

@@ -8,8 +8,6 @@
 #include <Tpetra_MultiVector.hpp>
 #include <Tpetra_Vector.hpp>
 
-#include <algorithm>
-
 namespace suture {
 
 Schema NeumannNeumann::schema() {
@@ -57,10 +55,8 @@ void NeumannNeumann::doCompute() {
       columns[i] = orthonormalBasis(z, 1e-10);
     }
   });
-  int rows = 0;
-  for (int i = 0; i < space()->locals(); ++i) rows = std::max(rows, space()->coupling(i).rows());
-  flux_.resize(rows, 1);
-  trace_.resize(rows, 1);
+  flux_.resize(space()->mostRows(), 1);
+  trace_.resize(space()->mostRows(), 1);
   int mine = 0, all = 0;
   for (const Matrix& own : columns) mine += static_cast<int>(own.cols());
   Teuchos::reduceAll(*space()->comm(), Teuchos::REDUCE_SUM, mine, Teuchos::outArg(all));

@@ -8,11 +8,12 @@ namespace suture {
 
 /// Memory that begins at a line of the cache, not cleared. Large pieces lie side by side in huge pages where the system has them
 /// (Linux: madvise): dense matrices are read from one end to the other, and pages of 4 kB slow that down. Two processes on an EPYC, 130
-/// matrices of 0.4 to 1.2 MB, GB/s of each (they vary from minute to minute): read 15 to 17, in huge pages 23 to 26; PackedSymmetric's
-/// products 11 to 17, in huge pages 17 to 23. Local, safe with threads. \throws std::bad_alloc
+/// matrices of 0.4 to 1.2 MB, GB/s of each, medians (smallest-largest) of eight: reading 17.0 (12.8-17.5), in huge pages 23.2
+/// (12.6-26.2); PackedSymmetric's products 14.2 (10.9-16.7) and 20.7 (14.4-22.7). Local, safe with threads. \throws std::bad_alloc
 void* allocateLines(std::size_t bytes);
 void freeLines(void* at, std::size_t bytes) noexcept;
 
+/// The same for containers.
 template <typename T>
 struct LineAllocator {
   using value_type = T;

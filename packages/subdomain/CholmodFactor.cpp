@@ -6,6 +6,7 @@
 #include <suture/subdomain/Lanes.hpp>
 #include <suture/subdomain/PivotCheck.hpp>
 #include <suture/subdomain/SerialSection.hpp>
+#include <suture/subdomain/WorkSpace.hpp>
 
 #include <Eigen/Dense>
 #include <algorithm>
@@ -19,6 +20,8 @@ namespace suture {
 namespace {
 
 constexpr int columnsAtOnce = 32;  // right-hand sides that share one pass over L
+
+thread_local std::vector<double> keptUpdate;  // a supernode's part of x, forward and backward
 
 // The nested dissections and AMD of CHOLMOD take a pattern: the leading block of the lower triangle.
 Eigen::SparseMatrix<double> leadingLower(const Eigen::SparseMatrix<double>& matrix, int size) {
@@ -65,10 +68,6 @@ const char* nameOf(CholmodOptions::Ordering ordering) {
   return "METIS";
 }
 
-// Work space of a solve. That of a single column is kept from one solve to the next, by each thread for all factors: inner loops allocate
-// nothing, and a factor serves several threads.
-thread_local std::vector<double> keptWork, keptUpdate;
-
 /// x <- [L_11 0; L_21 I]^-1 x for a supernode, column by column.
 SUTURE_FOR_EACH_PROCESSOR void eliminate(int columns, int rows, const double* values, int stride, double* x) {
   for (int j = 0; j < columns; ++j, values += stride + 1) {
@@ -85,20 +84,6 @@ SUTURE_FOR_EACH_PROCESSOR void substituteBack(int columns, int rows, const doubl
     x[j] = (x[j] - scalarProduct(rows - j - 1, values + 1, x + j + 1)) / values[0];
   }
 }
-
-struct Space {
-  Space(std::size_t rows, Eigen::Index columns, std::vector<double>& kept)
-      : values(room(rows, columns, kept), static_cast<Eigen::Index>(rows), columns) {}
-
-  double* room(std::size_t rows, Eigen::Index columns, std::vector<double>& kept) {
-    std::vector<double>& taken = columns == 1 ? kept : own;
-    if (taken.size() < rows * columns) taken.resize(rows * columns);
-    return taken.data();
-  }
-
-  std::vector<double> own;  // before `values`, which lie in it or in what is kept
-  Eigen::Map<Matrix> values;
-};
 
 }  // namespace
 
@@ -253,7 +238,7 @@ void CholmodFactor::Data::forward(int upTo, Eigen::Ref<Matrix> x) const {
     }
     return;
   }
-  Space space(static_cast<std::size_t>(mostRows), x.cols(), keptUpdate);
+  WorkSpace space(mostRows, x.cols(), keptUpdate);
   Eigen::Map<Matrix>& update = space.values;
   for (int s = 0; s < int(factor->nsuper); ++s) {
     const Supernode node = supernode(s, upTo);
@@ -297,7 +282,7 @@ void CholmodFactor::Data::backward(int upTo, Eigen::Ref<Matrix> x) const {
     return;
   }
   if (upTo == 0) return;
-  Space space(static_cast<std::size_t>(mostRows), x.cols(), keptUpdate);
+  WorkSpace space(mostRows, x.cols(), keptUpdate);
   Eigen::Map<Matrix>& update = space.values;
   for (int s = columnSupernode[upTo - 1]; s >= 0; --s) {
     const Supernode node = supernode(s, upTo);
@@ -326,7 +311,8 @@ void CholmodFactor::Data::solve(int upTo, LocalView rhs) const {
   if (rhs.rows() != upTo)
     throw InternalError("CholmodFactor: right-hand side of " + std::to_string(rhs.rows()) + " rows for " + std::to_string(upTo) + " dofs");
   if (upTo == 0) return;
-  Space space(static_cast<std::size_t>(upTo), std::min<Eigen::Index>(rhs.cols(), columnsAtOnce), keptWork);
+  thread_local std::vector<double> kept;
+  WorkSpace space(upTo, std::min<Eigen::Index>(rhs.cols(), columnsAtOnce), kept);
   Eigen::Map<Matrix>& work = space.values;
   for (Eigen::Index first = 0; first < rhs.cols(); first += columnsAtOnce) {
     const Eigen::Index count = std::min<Eigen::Index>(columnsAtOnce, rhs.cols() - first);

@@ -1,5 +1,6 @@
 #include <suture/subdomain/Lanes.hpp>
 #include <suture/subdomain/PackedColumns.hpp>
+#include <suture/subdomain/WorkSpace.hpp>
 
 #include <algorithm>
 
@@ -12,22 +13,13 @@ constexpr int kWidth = 4;  // columns of a panel
 template <typename Real>
 constexpr int kLine = suture::Line<Real>::count;
 
-/// Work space for a product: x and y as long as the matrix is with its padding. Of all matrices, so that it stays in the cache.
-template <typename Real>
-Real* workSpace(int rows, int columns) {
-  thread_local AlignedVector<Real> work;
-  const std::size_t size = static_cast<std::size_t>(rows) + columns;
-  if (work.size() < size) work.resize(size);
-  return work.data();
-}
-
 /// y <- A^T x.
 template <typename Real>
 SUTURE_FOR_EACH_PROCESSOR void transposedProduct(int rows, int columns, const Real* a, const double* given, double* y) {
   using Line = suture::Line<Real>;
   using Four = suture::Four<Real>;
   const int most = padded(rows, Line::count);
-  Real *x = workSpace<Real>(most, padded(columns, kWidth)), *product = x + most;
+  Real *x = workSpace<Real>(static_cast<std::size_t>(most) + padded(columns, kWidth)), *product = x + most;
   const double scale = scaleOf<Real>(rows, given);
   divide(rows, given, scale, x);
   for (int i = rows; i < most; ++i) x[i] = 0;
@@ -58,7 +50,7 @@ template <typename Real>
 SUTURE_FOR_EACH_PROCESSOR void addProduct(int rows, int columns, const Real* a, const double* given, double* y) {
   using Line = suture::Line<Real>;
   const int most = padded(rows, Line::count);
-  Real *sum = workSpace<Real>(most, padded(columns, kWidth)), *x = sum + most;
+  Real *sum = workSpace<Real>(static_cast<std::size_t>(most) + padded(columns, kWidth)), *x = sum + most;
   const double scale = scaleOf<Real>(columns, given);
   divide(columns, given, scale, x);
   for (int j = columns; j < padded(columns, kWidth); ++j) x[j] = 0;

@@ -1,5 +1,6 @@
 #include <suture/subdomain/Lanes.hpp>
 #include <suture/subdomain/PackedSymmetric.hpp>
+#include <suture/subdomain/WorkSpace.hpp>
 
 #include <algorithm>
 #include <type_traits>
@@ -40,9 +41,9 @@ __attribute__((always_inline)) inline void addBlock(const Real* a, const Real* x
 }
 
 /// y += A x, `rows` of them, a multiple of the panel's width. A comes from memory once and is used twice. In this order, from the begin of
-/// a line on, it is as fast as reading: 18 GB/s (two processes on an EPYC, the case of AlignedVector in pages of 4 kB; in single precision
-/// as well); whole columns one after the other, the next fetched by instructions, 13 to 14. Fetching by instructions here: none to 1 kB
-/// ahead the same, 4 kB and more a quarter slower.
+/// a line on, it is as fast as reading: 17 to 19 GB/s in a quiet minute (two processes on an EPYC, the case of AlignedVector in pages of
+/// 4 kB, either precision; whole columns one after the other, the next fetched by instructions, 13 to 15), 13 to 15 where others take of
+/// the memory (both). Fetching by instructions in this order: none to 1 kB ahead the same, 4 kB and more a quarter slower.
 template <typename Real>
 __attribute__((always_inline)) inline void addProduct(int rows, const Real* a, const Real* x, Real* y) {
   using Line = suture::Line<Real>;
@@ -110,10 +111,9 @@ PackedSymmetric::PackedSymmetric(const Eigen::MatrixXf& matrix) : size_(static_c
 
 template <typename Real>
 void PackedSymmetric::multiply(const AlignedVector<Real>& values, ConstLocalView x, LocalView y) const {
-  thread_local AlignedVector<Real> work;  // of all matrices, so that it stays in the cache
   const int rows = padded(size_, kWidth);
-  if (work.size() < 2 * static_cast<std::size_t>(rows)) work.resize(2 * static_cast<std::size_t>(rows));
-  for (Eigen::Index c = 0; c < x.cols(); ++c) product(size_, rows, values.data(), x.col(c).data(), y.col(c).data(), work.data());
+  Real* work = workSpace<Real>(2 * static_cast<std::size_t>(rows));
+  for (Eigen::Index c = 0; c < x.cols(); ++c) product(size_, rows, values.data(), x.col(c).data(), y.col(c).data(), work);
 }
 
 void PackedSymmetric::multiply(ConstLocalView x, LocalView y) const {

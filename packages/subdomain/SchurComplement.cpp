@@ -2,6 +2,7 @@
 #include <suture/subdomain/ExplicitSchurComplement.hpp>
 #include <suture/subdomain/GeneralisedInverse.hpp>
 #include <suture/subdomain/SchurComplement.hpp>
+#include <suture/subdomain/WorkSpace.hpp>
 
 namespace suture {
 
@@ -38,10 +39,13 @@ void ImplicitSchurComplement::doCompute(const SchurData& data) {
 }
 
 void ImplicitSchurComplement::doApply(ConstLocalView trace, LocalView flux) const {
-  Matrix interior = ib_ * trace;
+  thread_local std::vector<double> kept;
+  WorkSpace space(ib_.rows(), trace.cols(), kept);
+  Eigen::Map<Matrix>& interior = space.values;
+  interior.noalias() = ib_ * trace;
   interiorSolver_->solve(interior);
-  flux = bb_ * trace;
-  flux -= ib_.transpose() * interior;
+  flux.noalias() = bb_ * trace;
+  flux.noalias() -= ib_.transpose() * interior;
 }
 
 Vector ImplicitSchurComplement::recover(const Vector& trace) const {

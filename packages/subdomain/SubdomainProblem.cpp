@@ -1,5 +1,6 @@
 #include <suture/base/Dense.hpp>
 #include <suture/subdomain/SubdomainProblem.hpp>
+#include <suture/subdomain/WorkSpace.hpp>
 
 namespace suture {
 
@@ -12,7 +13,10 @@ class NeumannInverse : public LocalInverse {
       : inverse_(std::move(inverse)), positions_(std::move(positions)) {}
 
   void apply(ConstLocalView flux, LocalView trace) const override {
-    Matrix x = Matrix::Zero(inverse_.size(), flux.cols());
+    thread_local std::vector<double> kept;
+    WorkSpace space(inverse_.size(), flux.cols(), kept);
+    LocalView x = space.values;
+    x.setZero();
     for (std::size_t i = 0; i < positions_.size(); ++i) x.row(positions_[i]) = flux.row(i);
     inverse_.apply(x);
     for (std::size_t i = 0; i < positions_.size(); ++i) trace.row(i) = x.row(positions_[i]);

@@ -20,8 +20,8 @@ struct OnInterface {
   Blocks all;
   ContactInterfaceProblem problem;
 
-  OnInterface(const Scene& scene, const CommPtr& comm)
-      : all(scene, comm, std::vector<double>(), false), problem(comm, all.partition, all.subdomains, localSolver(), schurOf()) {}
+  OnInterface(const Scene& scene, const CommPtr& comm, const std::string& schur = "Explicit")
+      : all(scene, comm, std::vector<double>(), false), problem(comm, all.partition, all.subdomains, localSolver(), schurOf(schur)) {}
   /// Cut by METIS.
   OnInterface(const Scene& scene, const CommPtr& comm, int count, int seed)
       : all(scene, comm, count, seed, false), problem(comm, all.partition, all.subdomains, localSolver(), schurOf()) {}
