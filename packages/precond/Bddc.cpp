@@ -65,8 +65,12 @@ void Bddc::doCompute() {
   const LocalProblems& locals = matrix()->locals();
   weighting_->setup(*space(), locals);
   const std::vector<Matrix> edgeRows = edges_->rows(*space(), locals, *weighting_);
-  collectively(*space()->comm(), "factoring the local problems of BDDC", [&] { factorLocals(primalConstraints(*space(), edgeRows)); });
-  assembleCoarse();
+  int mine = 0, all = 0;
+  for (const auto& local : locals) mine += local != nullptr;
+  Teuchos::reduceAll(*space()->comm(), Teuchos::REDUCE_SUM, mine, Teuchos::outArg(all));
+  collectively(*space()->comm(), "factoring the local problems of BDDC",
+               [&] { factorLocals(primalConstraints(*space(), edgeRows, levels_.goesOn(all))); });
+  assembleCoarse(all);
   if (edges_->isAdaptive()) countConstraints(edgeRows);
 }
 
@@ -123,7 +127,7 @@ void Bddc::factorLocals(std::vector<PrimalConstraints> constraints) {
   }
 }
 
-void Bddc::assembleCoarse() {
+void Bddc::assembleCoarse(int locals) {
   std::vector<GlobalId> keys;
   for (std::size_t i = 0; i < locals_.size(); ++i)
     if (locals_[i]) {
@@ -147,7 +151,7 @@ void Bddc::assembleCoarse() {
     coarse.elements.push_back(element(i));
   }
   for (const auto& entry : unknowns) coarse.unknowns.push_back(entry.second);
-  coarse_ = makeCoarseSolve(space()->comm(), coarse, levels_);
+  coarse_ = makeCoarseSolve(space()->comm(), std::move(coarse), locals, levels_);
 }
 
 /// A_i^T Phi_i^T S_i Phi_i A_i

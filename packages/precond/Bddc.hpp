@@ -37,7 +37,7 @@ class Bddc : public Preconditioner {
 
  private:
   void factorLocals(std::vector<PrimalConstraints> constraints);
-  void assembleCoarse();
+  void assembleCoarse(int locals);
   CoarseElement element(std::size_t i) const;
   void countConstraints(const std::vector<Matrix>& edgeRows);
 

@@ -1,6 +1,6 @@
 #pragma once
 #include <suture/partition/ElementGraph.hpp>
-#include <suture/precond/CoarseSolve.hpp>
+#include <suture/precond/CoarseElement.hpp>
 
 #include <vector>
 

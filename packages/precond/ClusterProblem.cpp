@@ -42,17 +42,10 @@ ClusterProblem::ClusterProblem(int id, std::vector<GlobalId> boundary, const std
   const int inside = static_cast<int>(interior_.size()), all = inside + size();
   for (int k = 0; k < size(); ++k) place.at(this->boundary()[k]) = inside + k;
 
-  std::vector<Eigen::Triplet<double>> entries;
-  std::vector<int> at;
-  for (const CoarseElement& element : elements) {
-    at.clear();
-    for (const int unknown : element.unknowns) at.push_back(place.at(unknown));
-    for (std::size_t j = 0; j < at.size(); ++j)
-      for (std::size_t i = 0; i < at.size(); ++i)
-        entries.emplace_back(at[i], at[j], element.matrix(static_cast<int>(i), static_cast<int>(j)));
-  }
-  SparseMatrix matrix(all, all);
-  matrix.setFromTriplets(entries.begin(), entries.end());
+  std::vector<CoarseElement> placed = elements;
+  for (CoarseElement& element : placed)
+    for (int& unknown : element.unknowns) unknown = place.at(unknown);
+  const SparseMatrix matrix = assembleCoarseElements(all, placed);
   diagonal_ = CholmodFactor::trailingDiagonal(matrix, size());
   std::vector<int> first(inside), last(size());
   for (int k = 0; k < inside; ++k) first[k] = k;

@@ -1,5 +1,5 @@
 #pragma once
-#include <suture/precond/CoarseSolve.hpp>
+#include <suture/precond/CoarseElement.hpp>
 #include <suture/subdomain/CholmodFactor.hpp>
 #include <suture/subdomain/LocalProblem.hpp>
 

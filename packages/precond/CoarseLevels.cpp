@@ -2,7 +2,6 @@
 #include <suture/precond/CoarseSystem.hpp>
 #include <suture/precond/SecondLevel.hpp>
 
-#include <Teuchos_CommHelpers.hpp>
 #include <Teuchos_ParameterList.hpp>
 
 namespace suture {
@@ -32,17 +31,9 @@ CoarseLevels CoarseLevels::from(const Parameters& own) {
   return levels;
 }
 
-std::unique_ptr<CoarseSolve> makeCoarseSolve(const CommPtr& comm, const CoarseElements& coarse, const CoarseLevels& levels) {
-  const int mine = static_cast<int>(coarse.elements.size());
-  int locals = 0;
-  Teuchos::reduceAll(*comm, Teuchos::REDUCE_SUM, mine, Teuchos::outArg(locals));
-  if (locals > levels.above && locals > 1) return std::make_unique<SecondLevel>(comm, coarse, locals, levels);
-  std::vector<CoarseSystem::Entry> entries;
-  for (const CoarseElement& element : coarse.elements)
-    for (std::size_t j = 0; j < element.unknowns.size(); ++j)
-      for (std::size_t i = 0; i < element.unknowns.size(); ++i)
-        entries.emplace_back(element.unknowns[i], element.unknowns[j], element.matrix(static_cast<int>(i), static_cast<int>(j)));
-  return std::make_unique<CoarseSystem>(comm, coarse.size, entries, levels.solver(), levels.copies, false);
+std::unique_ptr<CoarseSolve> makeCoarseSolve(const CommPtr& comm, CoarseElements coarse, int locals, const CoarseLevels& levels) {
+  if (levels.goesOn(locals)) return std::make_unique<SecondLevel>(comm, coarse, locals, levels);
+  return std::make_unique<CoarseSystem>(comm, coarse.size, std::move(coarse.elements), levels.solver(), levels.copies, false);
 }
 
 }  // namespace suture

@@ -1,5 +1,6 @@
 #pragma once
 #include <suture/base/Schema.hpp>
+#include <suture/precond/CoarseElement.hpp>
 #include <suture/precond/CoarseSolve.hpp>
 #include <suture/subdomain/LocalSolver.hpp>
 
@@ -18,9 +19,13 @@ struct CoarseLevels {
   /// Parameters `Coarse Solver`, `Coarse Copies`, `Coarse Level Above`, `Coarse Clusters`, `Coarse Accuracy`.
   static void addParameters(Schema& schema);
   static CoarseLevels from(const Parameters& own);
+
+  /// Whether the coarse problem of so many local problems is solved by a level more.
+  bool goesOn(int locals) const { return locals > above && locals > 1; }
 };
 
+/// \param locals  local problems of all ranks; where there is a level more for them it needs `coarse.unknowns`
 /// Collective. \throws NumericalError  the coarse matrix is not positive definite
-std::unique_ptr<CoarseSolve> makeCoarseSolve(const CommPtr& comm, const CoarseElements& coarse, const CoarseLevels& levels);
+std::unique_ptr<CoarseSolve> makeCoarseSolve(const CommPtr& comm, CoarseElements coarse, int locals, const CoarseLevels& levels);
 
 }  // namespace suture

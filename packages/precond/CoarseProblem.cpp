@@ -103,21 +103,20 @@ void CoarseProblem::exchange(const std::vector<Matrix>& columns) {
 }
 
 void CoarseProblem::assemble(const InterfaceOperator& matrix, std::unique_ptr<LocalSolver> solver, int copies) {
-  std::vector<CoarseSystem::Entry> entries;
+  std::vector<CoarseElement> elements;
   for (int i = 0; i < space_->locals(); ++i) {
     images_.emplace_back(Matrix::Zero(seen_[i].rows(), seen_[i].cols()));
     if (!matrix.locals()[i] || seen_[i].cols() == 0) continue;
     matrix.locals()[i]->applySchur(seen_[i], images_[i]);
     const Matrix block = seen_[i].transpose() * images_[i];
-    for (int b = 0; b < block.cols(); ++b)
-      for (int a = 0; a < block.rows(); ++a) entries.emplace_back(seenIds_[i][a], seenIds_[i][b], 0.5 * (block(a, b) + block(b, a)));
+    elements.push_back({space_->localId(i), seenIds_[i], 0.5 * (block + block.transpose())});
   }
   seen_.clear();
   Eigen::Index parts = 0;
   for (const Matrix& images : images_) parts = std::max(parts, images.cols());
   trace_.resize(space_->mostRows(), 1);
   part_.resize(parts);
-  system_ = std::make_unique<CoarseSystem>(space_->comm(), size_, entries, std::move(solver), copies, true);
+  system_ = std::make_unique<CoarseSystem>(space_->comm(), size_, std::move(elements), std::move(solver), copies, true);
 }
 
 const Vector& CoarseProblem::fromResidual(const Matrix& overlap) const {

@@ -1,4 +1,3 @@
-#include <suture/base/Buffer.hpp>
 #include <suture/base/Collective.hpp>
 #include <suture/interface/InterfaceSpace.hpp>
 #include <suture/precond/CoarseSystem.hpp>
@@ -19,11 +18,6 @@ namespace {
 constexpr double kShift = 1e-11;
 constexpr int kRefinements = 3;
 
-struct PlainEntry {
-  int row, column;
-  double value;
-};
-
 template <typename Take>
 void forEachEntry(SparseMatrix& matrix, const Take& take) {
   for (int j = 0; j < matrix.cols(); ++j)
@@ -32,7 +26,7 @@ void forEachEntry(SparseMatrix& matrix, const Take& take) {
 
 }  // namespace
 
-CoarseSystem::CoarseSystem(CommPtr comm, int size, const std::vector<Entry>& entries, std::unique_ptr<LocalSolver> solver, int copies,
+CoarseSystem::CoarseSystem(CommPtr comm, int size, std::vector<CoarseElement> elements, std::unique_ptr<LocalSolver> solver, int copies,
                            bool dependent)
     : comm_(std::move(comm)), size_(size), dependent_(dependent), solver_(std::move(solver)) {
   const int ranks = comm_->getSize(), rank = comm_->getRank();
@@ -41,28 +35,10 @@ CoarseSystem::CoarseSystem(CommPtr comm, int size, const std::vector<Entry>& ent
   share_ = comm_->split(share, rank);
   const bool holder = share_->getRank() == 0;
 
-  SparseMatrix own(size_, size_);
-  own.setFromTriplets(entries.begin(), entries.end());
-  std::vector<std::string> all;
-  if (ranks > 1) {  // sums of equal places: less to send
-    std::vector<PlainEntry> plain;
-    plain.reserve(own.nonZeros());
-    forEachEntry(own, [&plain](int row, int column, double value) { plain.push_back({row, column, value}); });
-    Packer packer;
-    packer.put(plain);
-    all = copies_ == 1 ? gatherOnRoot(*comm_, packer.bytes()) : allGather(*comm_, packer.bytes());
-  }
+  const std::vector<CoarseElement> all = gatherCoarseElements(*comm_, std::move(elements), copies_ > 1);
   collectively(*comm_, "factoring the coarse problem", [&] {
     if (!holder || size_ == 0) return;
-    SparseMatrix matrix;
-    matrix.swap(own);  // Eigen would copy it
-    if (!all.empty()) {
-      std::vector<Entry> triplets;
-      for (const std::string& bytes : all)
-        for (const PlainEntry& entry : Unpacker(bytes).get<std::vector<PlainEntry>>())
-          triplets.emplace_back(entry.row, entry.column, entry.value);
-      matrix.setFromTriplets(triplets.begin(), triplets.end());
-    }
+    SparseMatrix matrix = assembleCoarseElements(size_, all);
     scale_ = Vector::Ones(size_);
     const Vector diagonal = matrix.diagonal();
     for (int i = 0; i < size_; ++i)

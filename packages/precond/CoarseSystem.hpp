@@ -1,4 +1,5 @@
 #pragma once
+#include <suture/precond/CoarseElement.hpp>
 #include <suture/precond/CoarseSolve.hpp>
 #include <suture/subdomain/LocalSolver.hpp>
 
@@ -12,15 +13,14 @@ namespace suture {
 /// messages; the answer is the same.
 class CoarseSystem : public CoarseSolve {
  public:
-  using Entry = Eigen::Triplet<double>;
-
-  /// \param size     of the system, the same on all ranks
-  /// \param entries  of this rank, both triangles; equal places are added up over all ranks
-  /// \param copies   ranks that hold a factor; 0: all
+  /// \param size      of the system, the same on all ranks
+  /// \param elements  of this rank; those of all ranks are added up
+  /// \param copies    ranks that hold a factor; 0: all
   /// \param dependent  the system may be singular, and consistent: its diagonal, scaled to one, is shifted by 1e-11, and iterative
   ///                   refinement takes the shift out again, but for the null space
   /// Collective. \throws NumericalError  not positive definite
-  CoarseSystem(CommPtr comm, int size, const std::vector<Entry>& entries, std::unique_ptr<LocalSolver> solver, int copies, bool dependent);
+  CoarseSystem(CommPtr comm, int size, std::vector<CoarseElement> elements, std::unique_ptr<LocalSolver> solver, int copies,
+               bool dependent);
 
   int size() const override { return size_; }
   const Vector& solve(const Vector& mine) const override;

@@ -70,7 +70,7 @@ std::vector<int> rowsIn(const PrimalConstraints::Rows& old, const PrimalConstrai
   return from;
 }
 
-std::vector<PrimalConstraints> primalConstraints(const InterfaceSpace& space, const std::vector<Matrix>& edgeRows) {
+std::vector<PrimalConstraints> primalConstraints(const InterfaceSpace& space, const std::vector<Matrix>& edgeRows, bool withUnknowns) {
   std::vector<std::vector<Row>> rows(space.locals());
   std::vector<std::vector<InterfaceLayout::Unknown>> unknowns(space.locals());
   for (int i = 0; i < space.locals(); ++i) {
@@ -88,7 +88,7 @@ std::vector<PrimalConstraints> primalConstraints(const InterfaceSpace& space, co
       for (std::size_t t = 0; t < count; ++t) {
         const int place = by ? by->others[t] : first;
         row.terms.push_back({cornerKey(space, place), by ? by->coefficients[t] : 1.0});
-        unknowns[i].push_back(cornerUnknown(space, place));
+        if (withUnknowns) unknowns[i].push_back(cornerUnknown(space, place));
       }
       rows[i].push_back(std::move(row));
     }
@@ -101,7 +101,7 @@ std::vector<PrimalConstraints> primalConstraints(const InterfaceSpace& space, co
         row.entries.emplace_back(side.rows[k], edgeRows[side.edge](r, static_cast<int>(k)) / side.coefficients(static_cast<int>(k)));
       const std::vector<int>& places = space.edges()[side.edge].unknowns;
       row.terms = {{edgeKey(space, places[r]), 1.0}};
-      unknowns[side.local].push_back(combined(space, row.terms[0].key, places, edgeRows[side.edge].row(r)));
+      if (withUnknowns) unknowns[side.local].push_back(combined(space, row.terms[0].key, places, edgeRows[side.edge].row(r)));
       rows[side.local].push_back(std::move(row));
     }
 

@@ -17,13 +17,15 @@ struct PrimalConstraints {
   using Rows = Eigen::SparseMatrix<double, Eigen::RowMajor, int>;
   Rows rows;                                       ///< constraints x trace
   std::vector<std::vector<Term>> terms;            ///< of each row: C_i x = sum of coefficients times primal unknowns
-  std::vector<InterfaceLayout::Unknown> unknowns;  ///< those that the terms name, by key, ascending: how they move with rigid bodies
+  std::vector<InterfaceLayout::Unknown> unknowns;  ///< those that the terms name, by key, ascending: how they move; if asked for
 };
 
 /// Of each row of `now`: the row of `old` that is the same, or -1.
 std::vector<int> rowsIn(const PrimalConstraints::Rows& old, const PrimalConstraints::Rows& now);
 
-/// For each local problem of this rank. \param edgeRows  for each edge of the space (EdgeConstraints::rows). Local.
-std::vector<PrimalConstraints> primalConstraints(const InterfaceSpace& space, const std::vector<Matrix>& edgeRows);
+/// For each local problem of this rank. Local.
+/// \param edgeRows  for each edge of the space (EdgeConstraints::rows)
+/// \param withUnknowns  what a further level needs to know
+std::vector<PrimalConstraints> primalConstraints(const InterfaceSpace& space, const std::vector<Matrix>& edgeRows, bool withUnknowns);
 
 }  // namespace suture

@@ -23,9 +23,7 @@ std::map<int, std::vector<CoarseElement>> sendToClusters(const Comm& comm, const
   for (std::size_t i = 0; i < elements.size(); ++i) {
     Packer& packer = packers.at(clusters.rankOf[i]);
     packer.put(clusters.clusterOf[i]);
-    packer.put(elements[i].id);
-    packer.put(elements[i].unknowns);
-    packer.put(std::vector<double>(elements[i].matrix.data(), elements[i].matrix.data() + elements[i].matrix.size()));
+    pack(elements[i], packer);
   }
   std::map<int, std::string> bytes;
   for (const auto& [rank, packer] : packers) bytes[rank] = packer.bytes();
@@ -33,13 +31,7 @@ std::map<int, std::vector<CoarseElement>> sendToClusters(const Comm& comm, const
   for (const auto& [rank, message] : swapWithNeighbours(comm, bytes))
     for (Unpacker reader(message); !reader.done();) {
       const int cluster = reader.get<int>();
-      CoarseElement element;
-      reader.get(element.id);
-      reader.get(element.unknowns);
-      const auto values = reader.get<std::vector<double>>();
-      const auto n = static_cast<int>(element.unknowns.size());
-      element.matrix = Eigen::Map<const Matrix>(values.data(), n, n);
-      result[cluster].push_back(std::move(element));
+      result[cluster].push_back(unpackCoarseElement(reader));
     }
   for (auto& entry : result)
     std::sort(entry.second.begin(), entry.second.end(), [](const CoarseElement& a, const CoarseElement& b) { return a.id < b.id; });

@@ -1,6 +1,6 @@
 #pragma once
 #include <support/Blocks.hpp>
-#include <suture/precond/CoarseSolve.hpp>
+#include <suture/precond/CoarseElement.hpp>
 
 #include <set>
 

@@ -11,12 +11,10 @@ namespace suture {
 namespace {
 
 using namespace blocks;
-using Entry = CoarseSystem::Entry;
-
 /// Springs between numbers, dealt out to the ranks; the first is tied to the ground unless it floats.
 struct Springs {
   int size = 30;
-  std::vector<Entry> mine;
+  std::vector<CoarseElement> mine;
   Matrix dense = Matrix::Zero(30, 30);
 
   explicit Springs(bool floats) {
@@ -27,14 +25,13 @@ struct Springs {
     if (!floats)
       for (int rank = 0; rank < world()->getSize(); ++rank) {  // a place to which every rank adds
         dense(0, 0) += 2.0;
-        if (rank == world()->getRank()) mine.emplace_back(0, 0, 2.0);
+        if (rank == world()->getRank()) mine.push_back({at + rank, {0}, Matrix::Constant(1, 1, 2.0)});
       }
   }
   void add(int number, int i, int j, double k) {
-    for (const auto& [a, b, value] : {std::make_tuple(i, i, k), {j, j, k}, {i, j, -k}, {j, i, -k}}) {
-      dense(a, b) += value;
-      if (number % world()->getSize() == world()->getRank()) mine.emplace_back(a, b, value);
-    }
+    const Matrix spring = k * (Matrix(2, 2) << 1.0, -1.0, -1.0, 1.0).finished();
+    dense({i, j}, {i, j}) += spring;
+    if (number % world()->getSize() == world()->getRank()) mine.push_back({number, {i, j}, spring});
   }
 };
 
@@ -71,7 +68,7 @@ TEUCHOS_UNIT_TEST(CoarseSystem, ADependentSystemIsSolvedButForItsNullSpace) {
 
 TEUCHOS_UNIT_TEST(CoarseSystem, RefusesWhatIsNotPositiveDefiniteOnAllRanks) {
   Springs springs(false);
-  if (world()->getRank() == 0) springs.mine.emplace_back(4, 4, -1e7);
+  if (world()->getRank() == 0) springs.mine.push_back({1000, {4}, Matrix::Constant(1, 1, -1e7)});
   for (const int copies : {0, 1, 2})
     TEST_THROW(CoarseSystem(world(), springs.size, springs.mine, localSolver()(), copies, false), NumericalError);
 }

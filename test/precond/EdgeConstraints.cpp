@@ -107,7 +107,7 @@ TEUCHOS_UNIT_TEST(EdgeConstraints, PrimalUnknownsHaveOneValueForAllWhoShareThem)
       Matrix trace;
       space.gather(*all.vector(random(all.size(), 1, 6)), trace);
       const auto edgeRows = rowsOf("Rigid Modes", *matrix);
-      const auto constraints = primalConstraints(space, edgeRows);
+      const auto constraints = primalConstraints(space, edgeRows, false);
       Packer packer;
       int multiple = 0;
       std::vector<std::pair<std::vector<PrimalConstraints::Term>, double>> several;
@@ -158,11 +158,15 @@ TEUCHOS_UNIT_TEST(EdgeConstraints, PrimalUnknownsHaveOneValueForAllWhoShareThem)
 TEUCHOS_UNIT_TEST(EdgeConstraints, CountOfPrimalConstraintsByHand) {
   const Twins t(square(3, 4));
   const std::map<std::string, int> perEdge{{"None", 0}, {"Averages", 2}, {"Rigid Modes", 3}};
-  for (const auto& [name, count] : perEdge) {
-    const auto constraints = primalConstraints(*t.spread.space, rowsOf(name, t.spread.matrix()));
-    for (int i = 0; i < t.spread.space->locals(); ++i)
-      if (t.spread.matrix().locals()[i]->id() == 4) TEST_EQUALITY(constraints[i].rows.rows(), 4 * 2 + 4 * count);
-  }
+  for (const auto& [name, count] : perEdge)
+    for (const bool withUnknowns : {false, true}) {
+      const auto constraints = primalConstraints(*t.spread.space, rowsOf(name, t.spread.matrix()), withUnknowns);
+      for (int i = 0; i < t.spread.space->locals(); ++i) {
+        if (t.spread.matrix().locals()[i]->id() != 4) continue;
+        TEST_EQUALITY(constraints[i].rows.rows(), 4 * 2 + 4 * count);
+        TEST_EQUALITY(constraints[i].unknowns.size(), withUnknowns ? std::size_t(4 * 2 + 4 * count) : 0);
+      }
+    }
 }
 
 }  // namespace

@@ -10,7 +10,7 @@ TEUCHOS_UNIT_TEST(PrimalConstraints, PrimalUnknownsMoveWithRigidBodies) {
   const Interface one(clampedSquare(3, 4), world());
   const std::vector<Matrix> edgeRows = EdgeRigidModes().rows(*one.space, one.linearised.matrix->locals(),
                                                              *Registry<Weighting>::instance().make("Multiplicity", Parameters()));
-  const std::vector<PrimalConstraints> all = primalConstraints(*one.space, edgeRows);
+  const std::vector<PrimalConstraints> all = primalConstraints(*one.space, edgeRows, true);
   const double translation[2] = {0.3, -0.7}, turn = 1.9;  // about the origin
   int corners = 0, moments = 0;
   for (std::size_t i = 0; i < all.size(); ++i) {
