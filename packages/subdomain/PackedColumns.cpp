@@ -19,7 +19,7 @@ SUTURE_FOR_EACH_PROCESSOR void transposedProduct(int rows, int columns, const Re
   using Line = suture::Line<Real>;
   using Four = suture::Four<Real>;
   const int most = padded(rows, Line::count);
-  Real *x = workSpace<Real>(static_cast<std::size_t>(most) + padded(columns, kWidth)), *product = x + most;
+  Real *x = kernelSpace<Real>(static_cast<std::size_t>(most) + padded(columns, kWidth)), *product = x + most;
   const double scale = scaleOf<Real>(rows, given);
   divide(rows, given, scale, x);
   for (int i = rows; i < most; ++i) x[i] = 0;
@@ -50,7 +50,7 @@ template <typename Real>
 SUTURE_FOR_EACH_PROCESSOR void addProduct(int rows, int columns, const Real* a, const double* given, double* y) {
   using Line = suture::Line<Real>;
   const int most = padded(rows, Line::count);
-  Real *sum = workSpace<Real>(static_cast<std::size_t>(most) + padded(columns, kWidth)), *x = sum + most;
+  Real *sum = kernelSpace<Real>(static_cast<std::size_t>(most) + padded(columns, kWidth)), *x = sum + most;
   const double scale = scaleOf<Real>(columns, given);
   divide(columns, given, scale, x);
   for (int j = columns; j < padded(columns, kWidth); ++j) x[j] = 0;

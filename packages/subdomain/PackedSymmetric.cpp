@@ -112,7 +112,7 @@ PackedSymmetric::PackedSymmetric(const Eigen::MatrixXf& matrix) : size_(static_c
 template <typename Real>
 void PackedSymmetric::multiply(const AlignedVector<Real>& values, ConstLocalView x, LocalView y) const {
   const int rows = padded(size_, kWidth);
-  Real* work = workSpace<Real>(2 * static_cast<std::size_t>(rows));
+  Real* work = kernelSpace<Real>(2 * static_cast<std::size_t>(rows));
   for (Eigen::Index c = 0; c < x.cols(); ++c) product(size_, rows, values.data(), x.col(c).data(), y.col(c).data(), work);
 }
 

@@ -35,7 +35,7 @@ class WorkSpace {
 /// Room for so many numbers, undefined at first, until this thread's next call: for kernels, which call nothing that may take it from them.
 /// One for all objects, so that it stays in the cache.
 template <typename T>
-T* workSpace(std::size_t size) {
+T* kernelSpace(std::size_t size) {
   thread_local AlignedVector<T> work;
   if (work.size() < size) work.resize(size);
   return work.data();

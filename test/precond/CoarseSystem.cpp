@@ -11,6 +11,7 @@ namespace suture {
 namespace {
 
 using namespace blocks;
+
 /// Springs between numbers, dealt out to the ranks; the first is tied to the ground unless it floats.
 struct Springs {
   int size = 30;

@@ -9,7 +9,8 @@
 #include <cstddef>
 #include <solver/ContactMethods.hpp>
 
-// glibc's functions under their other names; what this program defines serves its libraries, too, and operator new calls it.
+// glibc's functions under their other names; what this program defines serves its libraries, too, and operator new calls it. Pieces of
+// AlignedVector beyond 32 kB come from mmap and are not seen: matrices, which are made before, and kernelSpace(), which never shrinks.
 extern "C" void* __libc_malloc(std::size_t size);
 extern "C" void* __libc_calloc(std::size_t count, std::size_t size);
 extern "C" void* __libc_realloc(void* at, std::size_t size);
