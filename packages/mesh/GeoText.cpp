@@ -116,7 +116,7 @@ std::string writeTemporary(const std::string& text) {
   std::error_code failed;
   fs::path folder = fs::temp_directory_path(failed);
   if (failed) folder = "/tmp";
-  std::string path = (folder / "suture-XXXXXX.geo").string();
+  std::string path = (folder / "suture-XXXXXX.geo").string();  // mkstemps puts letters of its own in place of each X
   const int file = mkstemps(path.data(), 4);
   if (file < 0) throw EnvironmentError("cannot write a temporary file in " + folder.string() + " for Gmsh: " + std::strerror(errno));
   close(file);

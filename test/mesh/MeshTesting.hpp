@@ -24,7 +24,7 @@ inline Teuchos::RCP<const suture::Comm> world() { return Tpetra::getDefaultComm(
 class Folder {
  public:
   Folder() {
-    std::string name = (std::filesystem::temp_directory_path() / "suture-test-XXXXXX").string();
+    std::string name = (std::filesystem::temp_directory_path() / "suture-test-XXXXXX").string();  // mkdtemp puts letters of its own there
     suture::collectivelyOnRoot(*world(), "making a folder for the test", [&] {
       if (!mkdtemp(name.data())) throw suture::EnvironmentError("cannot make the folder " + name + ": " + std::strerror(errno));
     });
