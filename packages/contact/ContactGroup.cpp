@@ -51,9 +51,10 @@ void ContactGroup::assemble() {
   for (std::size_t m = 0; m < members_.size(); ++m) {
     const Subdomain& subdomain = *members_[m].subdomain;
     const std::vector<int>& at = positions_[m];
+    const SparseMatrix stiffness = subdomain.stiffness().full();
     for (int j = 0; j < subdomain.dofs(); ++j) {
       load_(at[j]) += subdomain.load()(j);
-      for (SparseMatrix::InnerIterator it(subdomain.stiffness(), j); it; ++it) entries.emplace_back(at[it.row()], at[j], it.value());
+      for (SparseMatrix::InnerIterator it(stiffness, j); it; ++it) entries.emplace_back(at[it.row()], at[j], it.value());
     }
     constantEnergy_ += subdomain.constantEnergy();
   }

@@ -7,12 +7,14 @@
 
 namespace suture {
 
-/// What this rank's subdomains take at the peak of a run, in 2^20 bytes, from their sizes alone: n unknowns, b of them on the boundary,
-///     270 n                      stiffness, loads, rigid modes, mesh
-///     32 n log2(n)               interior factor in single precision (8 n log2(n) entries)
-///     6.6 b^2 + 200 b            Schur complement, its constrained inverse and basis
-/// and 80 MB for program and libraries. Fitted to one run: tunnel with 937k unknowns in 260 subdomains on two ranks, 1017 MB; the estimate
-/// is 986. Local.
+/// What this rank's subdomains take at the peak of a run, in 2^20 bytes, from their meshes alone: n unknowns on N nodes, c pairs of nodes
+/// that are coupled, b unknowns on the boundary,
+///     12 (d^2 c + d (d + 1) N / 2)   stiffness, its lower triangle, d components a node
+///     6 c d log2(n)                  interior factor in single precision
+///     6.6 b^2 + 200 b                Schur complement, its constrained inverse and basis
+///     130 n                          mesh, loads, fields
+/// and 90 MB for program and libraries. Fitted to eleven runs with explicit Schur complements, of all five shapes of elements, 94k to 983k
+/// unknowns, on one and two ranks, 153 to 820 MB: it is 5 % below to 5 % above them. Local.
 double estimatedMegabytes(const std::vector<SubdomainMesh>& meshes);
 
 /// The same for Monolithic with n unknowns: 8 n log2(n) entries of the factor, and 500 bytes an unknown. Fitted to one run: tunnel with

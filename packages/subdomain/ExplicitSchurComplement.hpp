@@ -21,7 +21,7 @@ class ExplicitSchurComplement : public SchurComplement {
   void doApply(ConstLocalView trace, LocalView flux) const override;
 
  private:
-  const SparseMatrix* stiffness_ = nullptr;
+  const SymmetricMatrix* stiffness_ = nullptr;
   const Vector* load_ = nullptr;
   std::vector<int> boundary_;
   SingleFactor factor_;

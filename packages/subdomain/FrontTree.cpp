@@ -2,6 +2,7 @@
 #include <suture/subdomain/NestedDissection.hpp>
 
 #include <algorithm>
+#include <numeric>
 
 namespace suture {
 
@@ -21,21 +22,34 @@ struct Groups {
   int count() const { return static_cast<int>(first.size()); }
 };
 
-bool samePattern(const SparseMatrix& matrix, int a, int b) {
-  const int *first = matrix.outerIndexPtr(), *rows = matrix.innerIndexPtr();
-  return first[a + 1] - first[a] == first[b + 1] - first[b] && std::equal(rows + first[a], rows + first[a + 1], rows + first[b]);
+/// Of each unknown, whether it has the pattern of the one before: both are in the same columns before theirs, and in their own the rows
+/// below are the same.
+std::vector<char> patternOfTheOneBefore(const SymmetricMatrix& matrix) {
+  const int n = matrix.rows(), *first = matrix.lower().outerIndexPtr(), *rows = matrix.lower().innerIndexPtr();
+  std::vector<char> same(n + 1, 1);
+  same[0] = 0;
+  for (int j = 0; j < n; ++j) {
+    const int begin = first[j] + 1, end = first[j + 1];  // after the diagonal entry
+    for (int k = begin; k < end; ++k) {
+      if (k + 1 == end || rows[k + 1] != rows[k] + 1) same[rows[k] + 1] = 0;
+      if (rows[k - 1] != rows[k] - 1) same[rows[k]] = 0;
+    }
+    if (j + 1 < n) same[j + 1] = same[j + 1] && end - begin == first[j + 2] - end && std::equal(rows + begin, rows + end, rows + end);
+  }
+  return same;
 }
 
-Groups groupsOf(const SparseMatrix& matrix, const std::vector<int>& boundary) {
-  const int n = static_cast<int>(matrix.rows());
+Groups groupsOf(const SymmetricMatrix& matrix, const std::vector<int>& boundary) {
+  const int n = matrix.rows();
   std::vector<char> last(n, 0);
   for (const int b : boundary) last[b] = 1;
+  const std::vector<char> same = patternOfTheOneBefore(matrix);
   Groups groups;
   groups.of.resize(n);
   for (const char side : {0, 1}) {
     for (int j = 0; j < n; ++j) {
       if (last[j] != side) continue;
-      const bool joins = j > 0 && last[j - 1] == side && samePattern(matrix, j - 1, j);
+      const bool joins = j > 0 && last[j - 1] == side && same[j];
       if (!joins) {
         groups.first.push_back(j);
         groups.size.push_back(0);
@@ -48,27 +62,38 @@ Groups groupsOf(const SparseMatrix& matrix, const std::vector<int>& boundary) {
   return groups;
 }
 
-Adjacency adjacencyOf(const SparseMatrix& matrix, const Groups& groups) {
-  Adjacency graph;
-  graph.first.reserve(groups.count() + 1);
-  graph.adjacent.reserve(matrix.nonZeros() / 2);
-  std::vector<int> seen(groups.count(), -1);
+/// visit(g, h) for any two groups that are coupled, once. Unknowns of a group follow each other: the first one's column below the diagonal
+/// names those that come later.
+template <typename Visit>
+void forEachCouple(const SymmetricMatrix& matrix, const Groups& groups, const Visit& visit) {
   for (int g = 0; g < groups.count(); ++g) {
-    seen[g] = g;
-    for (SparseMatrix::InnerIterator it(matrix, groups.first[g]); it; ++it) {
+    int known = g;  // rows ascend, and so do those of a group
+    for (SparseMatrix::InnerIterator it(matrix.lower(), groups.first[g]); it; ++it) {
       const int other = groups.of[it.row()];
-      if (seen[other] == g) continue;
-      seen[other] = g;
-      graph.adjacent.push_back(other);
+      if (other == g || other == known) continue;
+      known = other;
+      visit(g, other);
     }
-    graph.first.push_back(static_cast<int>(graph.adjacent.size()));
   }
+}
+
+Adjacency adjacencyOf(const SymmetricMatrix& matrix, const Groups& groups) {
+  Adjacency graph;
+  graph.first.assign(groups.count() + 1, 0);
+  forEachCouple(matrix, groups, [&](int g, int other) { ++graph.first[g + 1], ++graph.first[other + 1]; });
+  std::partial_sum(graph.first.begin(), graph.first.end(), graph.first.begin());
+  graph.adjacent.resize(graph.first.back());
+  std::vector<int> next(graph.first.begin(), graph.first.end() - 1);
+  forEachCouple(matrix, groups, [&](int g, int other) {
+    graph.adjacent[next[g]++] = other;
+    graph.adjacent[next[other]++] = g;
+  });
   return graph;
 }
 
 }  // namespace
 
-FrontTree::FrontTree(const SparseMatrix& matrix, const std::vector<int>& boundary, const std::vector<Point>& places) {
+FrontTree::FrontTree(const SymmetricMatrix& matrix, const std::vector<int>& boundary, const std::vector<Point>& places) {
   const Groups groups = groupsOf(matrix, boundary);
   const Adjacency graph = adjacencyOf(matrix, groups);
   interiorGroups = groups.interior;

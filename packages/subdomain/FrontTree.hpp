@@ -1,6 +1,6 @@
 #pragma once
 #include <suture/base/Types.hpp>
-#include <suture/subdomain/SparseMatrix.hpp>
+#include <suture/subdomain/SymmetricMatrix.hpp>
 
 #include <vector>
 
@@ -21,7 +21,7 @@ struct FrontTree {
 
   /// \param boundary  unknowns that are not eliminated
   /// \param places    of each unknown: where its node is
-  FrontTree(const SparseMatrix& matrix, const std::vector<int>& boundary, const std::vector<Point>& places);
+  FrontTree(const SymmetricMatrix& matrix, const std::vector<int>& boundary, const std::vector<Point>& places);
 
   int groups() const { return static_cast<int>(start.size()) - 1; }
   /// Unknowns that are eliminated.

@@ -26,12 +26,12 @@ class Neighbourhoods {
   Span<const Occurrence> of(int node) const {
     return {occurrences_.data() + first_[node], static_cast<std::size_t>(first_[node + 1] - first_[node])};
   }
-  /// Appends the nodes that share an element with this one, itself among them, in ascending order. Call it once a node.
+  /// Appends the node, and those of higher number that share an element with it, in ascending order. Call it once a node.
   void addNeighbours(int node, std::vector<int>& all) {
     const auto begin = static_cast<std::ptrdiff_t>(all.size());
     for (const Occurrence& here : of(node))
       for (const int other : mesh_.nodesOf(here.element))
-        if (seen_[other] != node) {
+        if (other >= node && seen_[other] != node) {
           seen_[other] = node;
           all.push_back(other);
         }
@@ -44,9 +44,15 @@ class Neighbourhoods {
   std::vector<Occurrence> occurrences_;
 };
 
-}  // namespace
+/// The number of components, known to the compiler where it is the usual one: its loops are short.
+template <int Known>
+struct Components {
+  int given;
+  operator int() const { return Known > 0 ? Known : given; }
+};
 
-SparseMatrix assembleNodal(const CellBlock& mesh, int components, const ElementMatrices& matrices) {
+template <int Known>
+SparseMatrix sumUp(const CellBlock& mesh, Components<Known> components, const ElementMatrices& matrices) {
   std::vector<std::size_t> start(mesh.elements() + 1, 0);
   for (int e = 0; e < mesh.elements(); ++e) {
     const std::size_t size = mesh.nodesOf(e).size() * components;
@@ -56,35 +62,51 @@ SparseMatrix assembleNodal(const CellBlock& mesh, int components, const ElementM
   std::vector<int> neighbours, firstNeighbour{0};  // of all nodes, one after the other
   SparseMatrix sum(mesh.nodes() * components, mesh.nodes() * components);
   int* outer = sum.outerIndexPtr();
+  int most = 0;
   for (int node = 0; node < mesh.nodes(); ++node) {
     around.addNeighbours(node, neighbours);
     const int rows = components * static_cast<int>(neighbours.size() - firstNeighbour.back());
+    most = std::max(most, rows);
     firstNeighbour.push_back(static_cast<int>(neighbours.size()));
-    for (int c = node * components; c < (node + 1) * components; ++c) outer[c + 1] = outer[c] + rows;
+    for (int c = 0; c < components; ++c) outer[node * components + c + 1] = outer[node * components + c] + rows - c;
   }
   sum.resizeNonZeros(outer[sum.cols()]);
-  std::fill_n(sum.valuePtr(), sum.nonZeros(), 0.0);
 
-  std::vector<int> slot(mesh.nodes());  // of a neighbour, within the columns of the node at hand
+  std::vector<int> slot(mesh.nodes());                                       // of a neighbour, within the columns of the node at hand
+  std::vector<double> columns(static_cast<std::size_t>(most) * components);  // of that node, its own block whole
   for (int node = 0; node < mesh.nodes(); ++node) {
     const Span<const int> here{neighbours.data() + firstNeighbour[node],
                                static_cast<std::size_t>(firstNeighbour[node + 1] - firstNeighbour[node])};
+    const int rows = static_cast<int>(here.size()) * components;
     for (std::size_t k = 0; k < here.size(); ++k) slot[here[k]] = static_cast<int>(k) * components;
-    for (int c = 0; c < components; ++c) {
-      int* rows = sum.innerIndexPtr() + outer[node * components + c];
-      for (const int other : here)
-        for (int r = 0; r < components; ++r) *rows++ = other * components + r;
-      double* values = sum.valuePtr() + outer[node * components + c];
-      for (const Occurrence& occurrence : around.of(node)) {
-        const auto nodes = mesh.nodesOf(occurrence.element);
-        const std::size_t column = occurrence.place * components + c;
-        const double* entry = matrices.data() + start[occurrence.element] + column * nodes.size() * components;
-        for (const int other : nodes)
-          for (int r = 0; r < components; ++r) values[slot[other] + r] += *entry++;
+    std::fill_n(columns.data(), static_cast<std::size_t>(rows) * components, 0.0);
+    for (const Occurrence& occurrence : around.of(node)) {
+      const auto nodes = mesh.nodesOf(occurrence.element);
+      const std::size_t size = nodes.size() * components;
+      const double* own = matrices.data() + start[occurrence.element] + occurrence.place * components * size;
+      for (std::size_t k = 0; k < nodes.size(); ++k) {
+        if (nodes[k] < node) continue;
+        double* to = columns.data() + slot[nodes[k]];
+        const double* from = own + k * components;
+        for (int c = 0; c < components; ++c)
+          for (int r = 0; r < components; ++r) to[c * rows + r] += from[c * size + r];
       }
+    }
+    for (int c = 0; c < components; ++c) {
+      int* row = sum.innerIndexPtr() + outer[node * components + c];
+      for (int r = c; r < components; ++r) *row++ = node * components + r;
+      for (std::size_t k = 1; k < here.size(); ++k)
+        for (int r = 0; r < components; ++r) *row++ = here[k] * components + r;
+      std::copy_n(columns.data() + c * rows + c, rows - c, sum.valuePtr() + outer[node * components + c]);
     }
   }
   return sum;
+}
+
+}  // namespace
+
+SparseMatrix assembleNodal(const CellBlock& mesh, int components, const ElementMatrices& matrices) {
+  return components == 2 ? sumUp(mesh, Components<2>{2}, matrices) : sumUp(mesh, Components<0>{components}, matrices);
 }
 
 }  // namespace suture

@@ -19,12 +19,13 @@ Schema ImplicitSchurComplement::schema() { return Schema("Back-substitutions wit
 
 void ImplicitSchurComplement::doCompute(const SchurData& data) {
   boundary_ = data.boundary;
-  interior_ = complement(static_cast<int>(data.stiffness.rows()), boundary_);
-  ib_ = block(data.stiffness, interior_, boundary_);
-  bb_ = block(data.stiffness, boundary_, boundary_);
+  interior_ = complement(data.stiffness.rows(), boundary_);
+  const SparseMatrix stiffness = data.stiffness.full();
+  ib_ = block(stiffness, interior_, boundary_);
+  bb_ = block(stiffness, boundary_, boundary_);
   interiorSolver_ = data.solver();
   try {
-    interiorSolver_->factorise(block(data.stiffness, interior_, interior_));
+    interiorSolver_->factorise(block(stiffness, interior_, interior_));
   } catch (const NumericalError& error) {
     throw NumericalError(data.what + ", interior: " + error.what());
   }

@@ -2,6 +2,7 @@
 #include <suture/base/Registry.hpp>
 #include <suture/subdomain/LocalSolver.hpp>
 #include <suture/subdomain/PackedSymmetric.hpp>
+#include <suture/subdomain/SymmetricMatrix.hpp>
 
 #include <memory>
 #include <vector>
@@ -10,7 +11,7 @@ namespace suture {
 
 /// What a Schur complement is made of: a stiffness matrix whose unknowns are cut in interior (I) and boundary (B), and loads.
 struct SchurData {
-  const SparseMatrix& stiffness;     ///< all unknowns, both triangles
+  const SymmetricMatrix& stiffness;  ///< all unknowns
   const Vector& load;                ///< all unknowns
   const std::vector<int>& boundary;  ///< positions of B, in the order of traces
   const std::vector<int>& nodeOf;    ///< node of each unknown

@@ -82,8 +82,8 @@ void SingleFactor::precondition(const Vector& r, Vector& z) const {
   for (std::size_t j = 0; j < unknownOf_.size(); ++j) z(unknownOf_[j]) = largest * static_cast<double>(y(static_cast<int>(j)));
 }
 
-void SingleFactor::solve(const SparseMatrix& matrix, Vector& x) const {
-  Vector r = Vector::Zero(x.size()), z(x.size()), p, q(x.size());
+void SingleFactor::solve(const SymmetricMatrix& matrix, Vector& x) const {
+  Vector r = Vector::Zero(x.size()), z(x.size()), p, q;
   for (const int unknown : unknownOf_) r(unknown) = x(unknown);
   x.setZero();
   double rz = 0.0, target = 0.0;
@@ -97,7 +97,7 @@ void SingleFactor::solve(const SparseMatrix& matrix, Vector& x) const {
     const bool isLast = step > 0 && now * (now / rz) <= kSurely * target;
     p = step == 0 ? z : Vector(z + (now / rz) * p);
     rz = now;
-    q.noalias() = matrix * p;
+    q = matrix * p;
     const double length = rz / p.dot(q);
     x += length * p;
     if (isLast) return;

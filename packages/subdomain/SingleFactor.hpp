@@ -1,6 +1,6 @@
 #pragma once
 #include <suture/base/Types.hpp>
-#include <suture/subdomain/SparseMatrix.hpp>
+#include <suture/subdomain/SymmetricMatrix.hpp>
 
 #include <vector>
 
@@ -28,7 +28,7 @@ class SingleFactor {
 
   /// x <- A_II^-1 x for the unknowns of the factor, I; entries of the others are not read and become zero. x has the size of the matrix.
   /// Relative residual 1e-15 in the norm of the preconditioner. \throws NumericalError  not reached in 200 steps
-  void solve(const SparseMatrix& matrix, Vector& x) const;
+  void solve(const SymmetricMatrix& matrix, Vector& x) const;
 
   double bytes() const { return static_cast<double>(sizeof(float) * values_.size() + sizeof(int) * rows_.size()); }
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <numeric>
 
 namespace suture {
 
@@ -45,24 +46,49 @@ struct Target {
   double* at(int row, int column) const { return values + static_cast<std::ptrdiff_t>(column - origin) * stride + (row - origin); }
 };
 
+/// The lower triangle of a matrix whose unknowns have been moved: entries by the position of their column, in any order.
+struct Moved {
+  std::vector<int> start, rows;  // rows: positions
+  std::vector<double> values;
+
+  Moved(const SymmetricMatrix& matrix, const std::vector<int>& place) : start(place.size() + 1, 0) {
+    const auto forEach = [&](const auto& take) {
+      for (int j = 0; j < matrix.cols(); ++j)
+        for (SparseMatrix::InnerIterator it(matrix.lower(), j); it; ++it) {
+          const int a = place[it.row()], b = place[j];
+          take(std::min(a, b), std::max(a, b), it.value());
+        }
+    };
+    forEach([&](int column, int, double) { ++start[column + 1]; });
+    std::partial_sum(start.begin(), start.end(), start.begin());
+    rows.resize(start.back());
+    values.resize(start.back());
+    std::vector<int> next(start.begin(), start.end() - 1);
+    forEach([&](int column, int row, double value) {
+      rows[next[column]] = row;
+      values[next[column]++] = value;
+    });
+  }
+};
+
 /// Front by front, children before parents: what a front leaves waits for its parent, or goes to S.
 class Elimination {
  public:
-  Elimination(const SparseMatrix& matrix, const std::vector<int>& boundary, const std::vector<Point>& places)
-      : matrix_(matrix),
-        tree_(matrix, boundary, places),
-        check_(static_cast<int>(matrix.rows()), static_cast<int>(boundary.size())),
-        place_(matrix.rows()),
+  Elimination(const SymmetricMatrix& matrix, const std::vector<int>& boundary, const std::vector<Point>& places)
+      : tree_(matrix, boundary, places),
+        check_(matrix.rows(), static_cast<int>(boundary.size())),
         groupOf_(matrix.rows()),
         at_(tree_.groups()),
         diagonal_(matrix.diagonal()),
         children_(tree_.fronts.size()),
         updates_(tree_.fronts.size()) {
+    std::vector<int> place(matrix.rows());  // of each unknown
     for (int g = 0; g < tree_.groups(); ++g)
       for (int p = tree_.start[g]; p < tree_.start[g + 1]; ++p) {
-        place_[tree_.unknownAt[p]] = p;
+        place[tree_.unknownAt[p]] = p;
         groupOf_[p] = g;
       }
+    matrix_ = std::make_unique<Moved>(matrix, place);
     for (std::size_t f = 0; f < tree_.fronts.size(); ++f)
       if (tree_.fronts[f].parent >= 0) children_[tree_.fronts[f].parent].push_back(static_cast<int>(f));
   }
@@ -72,11 +98,11 @@ class Elimination {
 
   /// Eliminates the interior. `load`, in positions, becomes L^-1 f_I and what is left for the boundary.
   SingleFactor run(Vector& load, Matrix& schur) {
-    const int interior = tree_.interior(), size = static_cast<int>(matrix_.rows()) - interior;
+    const int interior = tree_.interior(), size = static_cast<int>(groupOf_.size()) - interior;
     schur.setZero(size, size);
     for (int b = 0; b < size; ++b)
-      for (SparseMatrix::InnerIterator it(matrix_, tree_.unknownAt[interior + b]); it; ++it)
-        if (place_[it.row()] >= interior + b) schur(place_[it.row()] - interior, b) = it.value();
+      for (int k = matrix_->start[interior + b]; k < matrix_->start[interior + b + 1]; ++k)
+        schur(matrix_->rows[k] - interior, b) = matrix_->values[k];
     const bool loaded = !load.head(interior).isZero(0.0);
     SingleFactor factor(std::vector<int>(tree_.unknownAt.begin(), tree_.unknownAt.begin() + interior));
     reserve(factor);
@@ -121,9 +147,9 @@ class Elimination {
     panel_.assign(static_cast<std::size_t>(size) * columns, 0.0);
     for (int j = 0; j < columns; ++j) {
       double* column = panel_.data() + static_cast<std::size_t>(j) * size;
-      for (SparseMatrix::InnerIterator it(matrix_, tree_.unknownAt[first + j]); it; ++it) {
-        const int row = place_[it.row()];
-        if (row >= first + j) column[at_[groupOf_[row]] + row - tree_.start[groupOf_[row]]] += it.value();
+      for (int k = matrix_->start[first + j]; k < matrix_->start[first + j + 1]; ++k) {
+        const int row = matrix_->rows[k];
+        column[at_[groupOf_[row]] + row - tree_.start[groupOf_[row]]] += matrix_->values[k];
       }
     }
     for (const int child : children_[f]) add(child, 0, columns, {panel_.data(), size, 0});
@@ -209,11 +235,11 @@ class Elimination {
     spare_.push_back(std::move(updates_[f].block));
   }
 
-  const SparseMatrix& matrix_;
   FrontTree tree_;
   PivotCheck check_;
-  std::vector<int> place_, groupOf_;  // unknown -> position, position -> group
-  std::vector<int> at_;               // group -> row of the present front
+  std::unique_ptr<const Moved> matrix_;
+  std::vector<int> groupOf_;  // of each position
+  std::vector<int> at_;       // group -> row of the present front
   std::vector<int> below_;
   Vector diagonal_, moved_;
   std::vector<std::vector<int>> children_;
@@ -225,11 +251,11 @@ class Elimination {
 
 }  // namespace
 
-StaticCondensation::StaticCondensation(const SparseMatrix& matrix, const Vector& load, const std::vector<int>& boundary,
+StaticCondensation::StaticCondensation(const SymmetricMatrix& matrix, const Vector& load, const std::vector<int>& boundary,
                                        const std::vector<Point>& places) {
   Elimination elimination(matrix, boundary, places);
   const FrontTree& tree = elimination.tree();
-  const int n = static_cast<int>(matrix.rows()), interior = tree.interior(), size = n - interior;
+  const int n = matrix.rows(), interior = tree.interior(), size = n - interior;
   Vector inOrder(n);
   for (int p = 0; p < n; ++p) inOrder(p) = load(tree.unknownAt[p]);
   Matrix ascending;

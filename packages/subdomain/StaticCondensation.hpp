@@ -1,7 +1,7 @@
 #pragma once
 #include <suture/base/Types.hpp>
 #include <suture/subdomain/SingleFactor.hpp>
-#include <suture/subdomain/SparseMatrix.hpp>
+#include <suture/subdomain/SymmetricMatrix.hpp>
 
 #include <vector>
 
@@ -14,13 +14,12 @@ namespace suture {
 /// and LAPACK. S times a translation vanishes to 2e-15 of S for 200 unknowns, 1e-14 for 1,900, 3e-14 for 7,400 (bounds of the test). Local.
 class StaticCondensation {
  public:
-  /// \param matrix    both triangles
   /// \param load      all unknowns
   /// \param boundary  positions of B
   /// \param places    of each unknown: where its node is. S does not depend on them but for rounding, the time does.
   /// \throws NumericalError    a pivot of A_II is not positive, or nothing but rounding; names the unknown
   /// \throws EnvironmentError  out of memory
-  StaticCondensation(const SparseMatrix& matrix, const Vector& load, const std::vector<int>& boundary, const std::vector<Point>& places);
+  StaticCondensation(const SymmetricMatrix& matrix, const Vector& load, const std::vector<int>& boundary, const std::vector<Point>& places);
 
   /// S in the order of `boundary`; its lower triangle is set. To be moved from, as the factor below.
   Matrix& schur() { return schur_; }

@@ -35,18 +35,19 @@ Subdomain::Subdomain(const SubdomainMesh& mesh) : mesh_(mesh), numberOf_(mesh.no
 void Subdomain::assemble() {
   const int n = static_cast<int>(numberOf_.size());
   fullLoad_ = Vector::Zero(n);
-  SparseMatrix full;
-  doAssemble(full, fullLoad_);
-  if (full.rows() != n || full.cols() != n || fullLoad_.size() != n)
+  SparseMatrix assembled;
+  doAssemble(assembled, fullLoad_);
+  if (assembled.rows() != n || assembled.cols() != n || fullLoad_.size() != n)
     throw NumericalError("subdomain '" + mesh_.name + "': the assembled matrix or load has the wrong size");
-  std::vector<int> all(n);
-  std::iota(all.begin(), all.end(), 0);
-  held_ = block(full, all, fixed_);
+  stiffness_ = SymmetricMatrix(std::move(assembled));
+  held_ = SparseMatrix(n, static_cast<int>(fixed_.size()));
   if (!fixed_.empty()) {
-    SparseMatrix freeOnly = block(full, free_, free_);
-    full.swap(freeOnly);
+    const SparseMatrix full = stiffness_.full();
+    std::vector<int> all(n);
+    std::iota(all.begin(), all.end(), 0);
+    held_ = block(full, all, fixed_);
+    stiffness_ = SymmetricMatrix(block(full, free_, free_));
   }
-  stiffness_.swap(full);  // Eigen would copy it
   const Vector diagonal = stiffness_.diagonal();
   for (int i = 0; i < dofs(); ++i)
     if (!(diagonal(i) > 0.0)) {

@@ -1,6 +1,6 @@
 #pragma once
 #include <suture/partition/SubdomainMesh.hpp>
-#include <suture/subdomain/SparseMatrix.hpp>
+#include <suture/subdomain/SymmetricMatrix.hpp>
 
 #include <vector>
 
@@ -32,9 +32,9 @@ class Subdomain {
   /// Unit vector along which a free unknown displaces its node.
   Point direction(int dof) const;
 
-  const SparseMatrix& stiffness() const { return stiffness_; }  ///< free x free, symmetric, both triangles
-  const Vector& load() const { return load_; }                  ///< free: loads less the stiffness times prescribed displacements [force]
-  double constantEnergy() const { return constantEnergy_; }     ///< what prescribed displacements alone store, less their loads' work
+  const SymmetricMatrix& stiffness() const { return stiffness_; }  ///< free x free
+  const Vector& load() const { return load_; }               ///< free: loads less the stiffness times prescribed displacements [force]
+  double constantEnergy() const { return constantEnergy_; }  ///< what prescribed displacements alone store, less their loads' work
   // For preconditioners. What is returned by value is found anew at each call, in time that grows with the subdomain: ask once, and keep
   // what belongs to the boundary.
   /// Young modulus at the node of each free unknown, the largest of the elements there; for the weighting Young. [stress]
@@ -61,7 +61,8 @@ class Subdomain {
   void resultants(const Vector& freeValues, Point& applied, Point& reactions, double& absoluteForces) const;
 
  protected:
-  /// Stiffness matrix (both triangles) and loads over ALL unknowns: nodes x components, in the axes of the nodes (see toAxes()).
+  /// Stiffness matrix and loads over ALL unknowns: nodes x components, in the axes of the nodes (see toAxes()). Of the matrix, which is
+  /// symmetric, the lower triangle is read; compressed, rows ascending in each column.
   virtual void doAssemble(SparseMatrix& stiffness, Vector& load) = 0;
   /// All rigid modes over ALL unknowns, columns of the order of one, in the axes of the nodes.
   virtual Matrix doRigidModes() const = 0;
@@ -84,8 +85,9 @@ class Subdomain {
   std::vector<int> numberOf_, free_, fixed_;
   std::vector<int> axesOfNode_;
   std::vector<Matrix> axes_;
-  Vector prescribed_;              // all unknowns; zero where free
-  SparseMatrix stiffness_, held_;  // held_: all unknowns x prescribed components
+  Vector prescribed_;  // all unknowns; zero where free
+  SymmetricMatrix stiffness_;
+  SparseMatrix held_;  // all unknowns x prescribed components
   Vector fullLoad_, load_, shearDiagonal_;
   double constantEnergy_ = 0.0;
   Matrix heldModes_, freeMotions_;  // rigid modes where prescribed, and combinations of them that vanish there

@@ -54,12 +54,11 @@ SubdomainProblem::SubdomainProblem(int id, const Subdomain& subdomain, const std
       positions_(boundary),
       solver_(solver),
       schur_(std::move(schur)),
-      diagonal_(boundary.size()),
+      diagonal_(rowsAt(subdomain.stiffness().diagonal(), boundary)),
       shear_(subdomain.shearDiagonal().size() > 0 ? Vector(rowsAt(subdomain.shearDiagonal(), boundary)) : Vector()),
       young_(rowsAt(subdomain.youngModulus(), boundary)),
       kernel_(rowsAt(subdomain.kernel(), boundary)),
       coarseModes_(rowsAt(subdomain.coarseModes(), boundary)) {
-  for (std::size_t i = 0; i < boundary.size(); ++i) diagonal_(i) = subdomain.stiffness().coeff(boundary[i], boundary[i]);
   schur_->compute({subdomain.stiffness(), subdomain.load(), positions_, nodesOfDofs(subdomain), placesOfDofs(subdomain), solver, name()});
 }
 
@@ -75,7 +74,7 @@ Matrix SubdomainProblem::schurBlock(const std::vector<int>& positions) const {
 
 std::unique_ptr<LocalInverse> SubdomainProblem::inverse() const {
   return std::make_unique<NeumannInverse>(
-      GeneralisedInverse(subdomain_.stiffness(), subdomain_.kernel(), nodesOfDofs(subdomain_), solver_, name()), positions_);
+      GeneralisedInverse(subdomain_.stiffness().full(), subdomain_.kernel(), nodesOfDofs(subdomain_), solver_, name()), positions_);
 }
 
 }  // namespace suture

@@ -64,7 +64,7 @@ struct EdgeByHand {
     };
     std::vector<int> edge, order[2];
     Matrix t[2];  // the sides onto the whole seam
-    for (int s = 0; s < 2; ++s) t[s] = denseSchur(Matrix(all.subdomains[s]->stiffness()), shared[s]);
+    for (int s = 0; s < 2; ++s) t[s] = denseSchur(all.subdomains[s]->stiffness().dense(), shared[s]);
     for (std::size_t k = 0; k < shared[0].size(); ++k) {
       if (onEdge(int(k))) edge.push_back(int(k));
       if (first.globalDof(shared[0][k]) != all.subdomains[1]->globalDof(shared[1][k])) throw InternalError("the sides differ in order");

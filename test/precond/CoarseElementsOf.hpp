@@ -27,7 +27,7 @@ inline CoarseElements coarseElementsOf(const Blocks& all, const Dense& whole) {
       element.unknowns.push_back(number);
       dofs.push_back(dof);
     }
-    element.matrix = Matrix(block(subdomain->stiffness(), dofs, dofs));
+    element.matrix = Matrix(block(subdomain->stiffness().full(), dofs, dofs));
     coarse.elements.push_back(std::move(element));
   }
   return coarse;

@@ -57,7 +57,7 @@ TEUCHOS_UNIT_TEST(DeluxeWeighting, AreTheShareOfTheSchurComplementsOnASeam) {
   const Blocks all(scene, alone());
   Matrix s[2];
   std::vector<int> edge;
-  for (int k = 0; k < 2; ++k) s[k] = denseSchur(Matrix(all.subdomains[k]->stiffness()), sharedDofs(*all.subdomains[k]));
+  for (int k = 0; k < 2; ++k) s[k] = denseSchur(all.subdomains[k]->stiffness().dense(), sharedDofs(*all.subdomains[k]));
   const Subdomain& first = *all.subdomains[0];
   const std::vector<int> shared = sharedDofs(first);
   for (std::size_t k = 0; k < shared.size(); ++k)

@@ -43,7 +43,7 @@ void compareWithDense(const Sparse& a, const std::vector<int>& boundary, const s
   const Matrix turned = Matrix(a)(order, order);
   const Vector f = load(order);
   const Vector response = turned.topLeftCorner(n - nb, n - nb).ldlt().solve(f.head(n - nb));
-  StaticCondensation condensation(a, load, boundary, places);
+  StaticCondensation condensation(SymmetricMatrix(a), load, boundary, places);
   if (nb > 0) {
     TEST_COMPARE(difference(whole(condensation), denseSchur(turned, nb)), <, 1e-13);
     TEST_COMPARE(difference(condensation.condensedLoad(), f.tail(nb) - turned.bottomLeftCorner(nb, n - nb) * response), <, 1e-13);
@@ -51,7 +51,7 @@ void compareWithDense(const Sparse& a, const std::vector<int>& boundary, const s
   TEST_COMPARE(std::abs(condensation.interiorEnergy() + 0.5 * f.head(n - nb).dot(response)), <,
                1e-13 * f.head(n - nb).norm() * response.norm() + 1e-300);
   Vector x = load;
-  condensation.factor().solve(a, x);
+  condensation.factor().solve(SymmetricMatrix(a), x);
   for (int i = 0; i < n - nb; ++i) TEST_COMPARE(std::abs(x(order[i]) - response(i)), <, 1e-11 * response.norm());
   for (const int b : boundary) TEST_EQUALITY(x(b), 0.0);
 }
@@ -85,7 +85,7 @@ TEUCHOS_UNIT_TEST(StaticCondensation, TranslationsOfAFloatingBodyCostNothing) {
   for (const auto& [n, limit] : {std::pair(9, 2e-15), std::pair(30, 1e-14), std::pair(60, 3e-14)}) {
     const std::vector<int> boundary = rim(n, n);
     const Sparse a = floatingBody(n, n);
-    StaticCondensation condensation(a, Vector::Zero(a.rows()), boundary, placesOfBody(n, n));
+    StaticCondensation condensation(SymmetricMatrix(a), Vector::Zero(a.rows()), boundary, placesOfBody(n, n));
     const Matrix s = whole(condensation);
     for (int k = 0; k < 2; ++k) {
       Vector z = Vector::Zero(s.rows());
@@ -99,12 +99,12 @@ TEUCHOS_UNIT_TEST(StaticCondensation, RefusesASingularInterior) {
   const Sparse a = floatingBody(12, 9);
   const Vector load = Vector::Zero(a.rows());
   const std::vector<Point> places = placesOfBody(12, 9);
-  TEST_THROW(StaticCondensation(a, load, {}, places), NumericalError);
-  TEST_THROW(StaticCondensation(a, load, {0, 1}, places), NumericalError);  // may still turn
+  TEST_THROW(StaticCondensation(SymmetricMatrix(a), load, {}, places), NumericalError);
+  TEST_THROW(StaticCondensation(SymmetricMatrix(a), load, {0, 1}, places), NumericalError);  // may still turn
   Sparse indefinite = randomDefinite(30, 2);
   indefinite.coeffRef(17, 17) = -1;
   try {
-    StaticCondensation(indefinite, Vector::Zero(30), {3, 4}, randomPlaces(30, 1));
+    StaticCondensation(SymmetricMatrix(indefinite), Vector::Zero(30), {3, 4}, randomPlaces(30, 1));
     TEST_ASSERT(false);
   } catch (const NumericalError& error) {
     TEST_ASSERT(std::string(error.what()).find("the pivot of dof 17") != std::string::npos);
@@ -115,7 +115,7 @@ TEUCHOS_UNIT_TEST(FrontTree, EliminatesEachInteriorUnknownOnce) {
   const int nx = 17, ny = 11;
   const Sparse a = floatingBody(nx, ny);
   const std::vector<int> boundary = rim(nx, ny);
-  const FrontTree tree(a, boundary, placesOfBody(nx, ny));
+  const FrontTree tree(SymmetricMatrix(a), boundary, placesOfBody(nx, ny));
   const int n = static_cast<int>(a.rows());
   TEST_EQUALITY(tree.interior(), n - static_cast<int>(boundary.size()));
   TEST_EQUALITY(tree.groups(), n / 2);  // a node is a group
@@ -149,10 +149,10 @@ double operations(const FrontTree& tree) {
 TEUCHOS_UNIT_TEST(FrontTree, TakesAThirdFewerOperationsThanMinimumDegree) {
   const int n = 60;
   const Sparse a = floatingBody(n, n);
-  const double found = operations(FrontTree(a, rim(n, n), placesOfBody(n, n)));
+  const double found = operations(FrontTree(SymmetricMatrix(a), rim(n, n), placesOfBody(n, n)));
   TEST_COMPARE(found, <, 0.7 * 1.62e8);
   // Places that say nothing of the matrix: right, too, but that is all.
-  TEST_COMPARE(operations(FrontTree(a, rim(n, n), randomPlaces(static_cast<int>(a.rows()), 1))), >, 2.0 * found);
+  TEST_COMPARE(operations(FrontTree(SymmetricMatrix(a), rim(n, n), randomPlaces(static_cast<int>(a.rows()), 1))), >, 2.0 * found);
 }
 
 // LAPACK does not stop at it, and later pivots are numbers again.
@@ -162,7 +162,7 @@ TEUCHOS_UNIT_TEST(StaticCondensation, NamesAPivotThatIsNoNumber) {
   for (int i = 0; i < n; ++i) a.insert(i, i) = i == 2 ? std::numeric_limits<double>::quiet_NaN() : 1.0;
   a.makeCompressed();
   try {
-    StaticCondensation(a, Vector::Ones(n), {n - 1}, randomPlaces(n, 1));
+    StaticCondensation(SymmetricMatrix(a), Vector::Ones(n), {n - 1}, randomPlaces(n, 1));
     TEST_ASSERT(false);
   } catch (const NumericalError& error) {
     out << error.what() << "\n";

@@ -91,7 +91,7 @@ struct Dense {
     stiffness = Matrix::Zero(n, n);
     load = Vector::Zero(n);
     for (const auto& subdomain : all.subdomains) {
-      const Matrix k(subdomain->stiffness());
+      const Matrix k = subdomain->stiffness().dense();
       for (int i = 0; i < subdomain->dofs(); ++i) {
         const int a = place.at(subdomain->globalDof(i));
         load(a) += subdomain->load()(i);
