@@ -74,8 +74,10 @@ ExitCode run(const CommPtr& comm, const Options& options) {
   if (!options.noCut) {
     collectivelyOnRoot(*comm, "checking the name of the subdomains", [&] { checkGroups(mesh, options.groups); });
     const Constraints constraints = constraintsStage(*comm, mesh, scene);
-    checkStage(*comm, mesh, constraints, makeElasticModel(scene));
+    const ElasticModel model = makeElasticModel(scene);
+    elementsStage(*comm, mesh, model);
     const Partition partition = makePartition(*comm, mesh, constraints, scene.sublist("Partition"), false);
+    solvabilityStage(*comm, mesh, constraints, model, partition);
     const Whole whole = wholeStage(*comm, mesh, constraints, partition);
     collectivelyOnRoot(*comm, "naming the subdomains", [&] { addGroups(mesh, partition, options.groups); });
     writeHdf5Mesh(*comm, mesh, options.output, [&](Hdf5File& to) { addCut(to, mesh, constraints, partition, whole, scene); });

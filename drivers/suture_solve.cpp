@@ -26,7 +26,10 @@ RunResult solveScene(const CommPtr& comm, const SolveOptions& options) {
   Constraints constraints = timed(timers, "read", [&] { return whole ? constraintsStage(*comm, mesh, scene) : Constraints(); });
   CutMesh cut = timed(timers, "partition", [&] { return cutStage(*comm, file, mesh, constraints); });
   const ElasticModel model = makeElasticModel(scene);
-  timed(timers, "partition", [&] { whole ? checkStage(*comm, mesh, constraints, model) : checkStage(*comm, cut.meshes, model); });
+  timed(timers, "partition", [&] {
+    elementsStage(*comm, cut.meshes, model);
+    if (whole) solvabilityStage(*comm, mesh, constraints, model, cut.partition);
+  });
   checkExactSolution(*comm, cut.meshes, model, scene.sublist("Contact"));
   const double memory = checkMemory(*comm, cut.meshes, cut.whole.size.dofs, scene);
   if (!isMonolithic(scene)) forget(mesh, constraints, cut.partition);

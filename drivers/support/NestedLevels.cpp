@@ -39,7 +39,8 @@ CoarseAnswer solveLevel(const CommPtr& comm, const SceneFile& file, const Coarse
     partition = makePartition(*comm, mesh, constraints, scene.sublist("Partition"), isCondensed(scene));
     answer.meshes = distribute(*comm, mesh, constraints, partition);
     partition.share.reset();
-    checkStage(*comm, mesh, constraints, model);
+    elementsStage(*comm, answer.meshes, model);
+    solvabilityStage(*comm, mesh, constraints, model, partition);
     size = problemSize(*comm, mesh, constraints, partition);
   }
   const Subdomains subdomains = makeSubdomains(*comm, answer.meshes, model);

@@ -40,17 +40,16 @@ Constraints constraintsStage(const Comm& comm, const Mesh& mesh, const Parameter
   });
 }
 
-void checkStage(const Comm& comm, const Mesh& mesh, const Constraints& constraints, const ElasticModel& model) {
-  collectivelyOnRoot(comm, "checking that the scene has a solution", [&] {
+void elementsStage(const Comm& comm, const Mesh& mesh, const ElasticModel& model) {
+  collectivelyOnRoot(comm, "checking the elements", [&] {
     Problems problems;
     checkElements(
         mesh, [&](int element) { return mesh.bodyOfElement[element]; }, model, problems);
     problems.throwIfAny();
-    checkSolvability(mesh, constraints, model);
   });
 }
 
-void checkStage(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model) {
+void elementsStage(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model) {
   collectively(comm, "checking the elements", [&] {
     Problems problems;
     for (const SubdomainMesh& mesh : meshes)
@@ -58,6 +57,12 @@ void checkStage(const Comm& comm, const std::vector<SubdomainMesh>& meshes, cons
           mesh, [&](int) { return mesh.body; }, model, problems);
     problems.throwIfAny();
   });
+}
+
+void solvabilityStage(const Comm& comm, const Mesh& mesh, const Constraints& constraints, const ElasticModel& model,
+                      const Partition& partition) {
+  collectivelyOnRoot(comm, "checking that the scene has a solution",
+                     [&] { checkSolvability(mesh, constraints, model, partition.bodiesAreConnected); });
 }
 
 namespace {

@@ -25,11 +25,15 @@ Mesh meshStage(const Comm& comm, const SceneFile& file);
 /// Rules, pairs and pieces, on rank 0. \throws InputError  Collective.
 Constraints constraintsStage(const Comm& comm, const Mesh& mesh, const Parameters& scene);
 
-/// Whether elements go with their materials, and whether the scene has a solution at all. \throws InputError  names material and body; the
-/// body and where it can move. Collective.
-void checkStage(const Comm& comm, const Mesh& mesh, const Constraints& constraints, const ElasticModel& model);
-/// What can be checked of a mesh that came in pieces: the elements. \throws InputError  Collective.
-void checkStage(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model);
+/// Whether elements go with their materials, of the whole mesh on rank 0 or of each rank's own. \throws InputError  names material and
+/// body. Collective.
+void elementsStage(const Comm& comm, const Mesh& mesh, const ElasticModel& model);
+void elementsStage(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model);
+
+/// Whether the scene has a solution at all. \throws InputError  names the body and where it can move. Collective.
+/// \param partition  of the mesh: whether its bodies are known to be connected
+void solvabilityStage(const Comm& comm, const Mesh& mesh, const Constraints& constraints, const ElasticModel& model,
+                      const Partition& partition);
 
 /// What the later stages want to know of the scene as a whole.
 struct Whole {

@@ -57,7 +57,9 @@ void checkShapes(const Mesh& mesh, Problems& problems) {
                         : "everywhere: the quadrilateral is not convex"));
 }
 
+// Nodes of no element, once nodes of elements have their bodies, or those of some elements.
 void checkNodes(const Mesh& mesh, Problems& problems) {
+  if (std::find(mesh.bodyOfNode.begin(), mesh.bodyOfNode.end(), -1) == mesh.bodyOfNode.end()) return;
   std::vector<char> used(mesh.nodes(), 0);
   for (const int node : mesh.connectivity) used[node] = 1;
   const std::size_t orphans = std::count(used.begin(), used.end(), 0);

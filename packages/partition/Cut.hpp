@@ -14,6 +14,7 @@ struct Cut {
   std::vector<std::string> names;       ///< of the subdomains
   std::vector<int> bodyOf;              ///< subdomain -> body
   std::vector<std::string> notes;       ///< sentences for the user: what was repaired
+  bool bodiesAreConnected = false;      ///< each body is one part; false: not known
 };
 
 /// Schemas of the lists `METIS` and `Named Groups`.

@@ -69,6 +69,12 @@ std::vector<PieceSize> gatherSizes(const Comm& comm, const std::vector<Piece>& m
   return all;
 }
 
+bool onePartEach(const std::vector<PieceSize>& pieces, std::size_t bodies) {
+  for (std::size_t i = 0; i < pieces.size(); ++i)
+    if (pieces[i].body != static_cast<int>(i)) return false;
+  return pieces.size() == bodies;
+}
+
 std::string describe(const std::vector<std::string>& bodies, const std::vector<PieceSize>& pieces) {
   std::vector<int> count(bodies.size(), 0);
   for (const PieceSize& piece : pieces) ++count[piece.body];
@@ -136,6 +142,7 @@ Cut cutByMetis(const Comm& comm, const Mesh& mesh, const Parameters& own, MeshSh
   Cut cut;
   std::vector<std::vector<PieceCut>> cutsOf;
   collectivelyOnRoot(comm, what, [&] {
+    cut.bodiesAreConnected = onePartEach(sizes, share.bodies.size());
     cutsOf = numberSubdomains(sizes, share.bodies, wantedSubdomains(mesh, sizes, own, comm.getSize()), comm.getSize(), cut);
   });
   const std::string bytes = scatterFromRoot(comm, what, [&](int rank) {

@@ -52,6 +52,7 @@ Partition partitionOf(Cut cut, const Constraints& constraints, const NodeSubdoma
   all.subdomainOfElement = std::move(cut.subdomainOfElement);
   all.names = std::move(cut.names);
   all.bodyOf = std::move(cut.bodyOf);
+  all.bodiesAreConnected = cut.bodiesAreConnected;
   all.notes = constraints.notes;
   all.notes.insert(all.notes.end(), cut.notes.begin(), cut.notes.end());
   all.elementsOf.assign(all.names.size(), 0);

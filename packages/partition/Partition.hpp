@@ -12,9 +12,10 @@ namespace suture {
 struct MeshShare;
 
 /// Who owns which element, which subdomains make a contact group, and which rank they live on. The same on all ranks
-/// but for subdomainOfElement, which only rank 0 has, and share, which is each rank's own.
+/// but for the first two, which only rank 0 has, and share, which is each rank's own.
 struct Partition {
   std::vector<int> subdomainOfElement;     ///< rank 0 only
+  bool bodiesAreConnected = false;         ///< each body is one part, as METIS needed to know; false: not known; rank 0 only
   std::vector<std::string> names;          ///< of the subdomains: group name, or "<body> <number>"
   std::vector<int> bodyOf;                 ///< subdomain -> body
   std::vector<int> elementsOf;             ///< subdomain -> number of elements
@@ -45,7 +46,7 @@ Schema partitionSchema();
 Partition makePartition(const Comm& comm, const Mesh& mesh, const Constraints& constraints, const Parameters& partition,
                         bool keepGroupsWhole = true);
 
-/// All but subdomainOfElement and share, for a message or a file, and back. Local.
+/// All but subdomainOfElement, bodiesAreConnected and share, for a message or a file, and back. Local.
 std::string packed(const Partition& partition);
 void unpackInto(const std::string& bytes, Partition& partition);
 

@@ -48,10 +48,10 @@ Matrix RigidPart::at(const Point& point, int dimension) const {
   return motion;
 }
 
-RigidParts freeRigidMotions(const Mesh& mesh, const Constraints& constraints) {
+RigidParts freeRigidMotions(const Mesh& mesh, const Constraints& constraints, bool bodiesAreConnected) {
   const int dimension = mesh.dimension, amplitudes = dimension == 2 ? 3 : 6;
   RigidParts all;
-  all.partOfNode = components(mesh);
+  all.partOfNode = bodiesAreConnected ? mesh.bodyOfNode : components(mesh);
   const int count = all.partOfNode.empty() ? 0 : 1 + *std::max_element(all.partOfNode.begin(), all.partOfNode.end());
   all.parts.resize(count);
 

@@ -27,6 +27,7 @@ struct RigidParts {
 
 /// Connected parts (through shared nodes) of the mesh and what holds them. A motion is held when a prescribed component's direction moves
 /// by more than 1e-10 of it (singular values of the prescribed rows). Bodies of revolution move along their axis only. Local.
-RigidParts freeRigidMotions(const Mesh& mesh, const Constraints& constraints);
+/// \param bodiesAreConnected  each body is known to be one part: it need not be found out
+RigidParts freeRigidMotions(const Mesh& mesh, const Constraints& constraints, bool bodiesAreConnected = false);
 
 }  // namespace suture

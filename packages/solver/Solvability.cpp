@@ -241,8 +241,8 @@ void checkSolvability(const Mesh& mesh, const Constraints& constraints, const Ve
   problems.throwIfAny();
 }
 
-void checkSolvability(const Mesh& mesh, const Constraints& constraints, const ElasticModel& model) {
-  checkSolvability(mesh, constraints, nodalLoads(mesh, model), freeRigidMotions(mesh, constraints));
+void checkSolvability(const Mesh& mesh, const Constraints& constraints, const ElasticModel& model, bool bodiesAreConnected) {
+  checkSolvability(mesh, constraints, nodalLoads(mesh, model), freeRigidMotions(mesh, constraints, bodiesAreConnected));
 }
 
 }  // namespace suture

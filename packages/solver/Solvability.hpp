@@ -25,8 +25,8 @@ namespace suture {
 /// \throws InputError  names every body and the motion that it is free to make
 void checkSolvability(const Mesh& mesh, const Constraints& constraints, const Vector& forces, const RigidParts& rigid);
 
-/// The same from the beginning.
-void checkSolvability(const Mesh& mesh, const Constraints& constraints, const ElasticModel& model);
+/// The same from the beginning. \param bodiesAreConnected  as for freeRigidMotions()
+void checkSolvability(const Mesh& mesh, const Constraints& constraints, const ElasticModel& model, bool bodiesAreConnected = false);
 
 /// p >= 0 that minimises |a p - b| (Lawson and Hanson). a: few rows, any number of columns. Local.
 Vector nonnegativeLeastSquares(const Matrix& a, const Vector& b);

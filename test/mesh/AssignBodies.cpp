@@ -107,11 +107,16 @@ TEUCHOS_UNIT_TEST(Mesh, HashSeesEveryChangeAndNothingElse) {
   TEST_EQUALITY(same.hash(), mesh.hash());
   TEST_EQUALITY(mesh.hash().size(), std::size_t(16));
 
-  std::vector<Mesh> others(5, mesh);
+  std::vector<Mesh> others(9, mesh);
   others[0].coordinates[1] += 1e-16;
   std::swap(others[1].connectivity[0], others[1].connectivity[1]);
   others[2].elementGroups["lower"].pop_back();
   others[3].sideGroups["lower_top"][0].side += 1;
   others[4].sideGroups["new"];
+  // Numbers are hashed in four ways: exchanged on one of them, between two, the last of all, one more.
+  std::swap(others[5].coordinates[1], others[5].coordinates[1 + 4 * 2]);
+  std::swap(others[6].coordinates[0], others[6].coordinates[1 + 4 * 2]);
+  others[7].coordinates.back() += 1e-15;
+  others[8].elementGroups["lower"].push_back(0);
   for (const Mesh& other : others) TEST_INEQUALITY(other.hash(), mesh.hash());
 }

@@ -84,6 +84,7 @@ TEUCHOS_UNIT_TEST(Partition, GivesATinyBodyItsSubdomain) {
   const Partition all = makePartition(*comm(), grid, Constraints(), metis(5).list());
   TEST_EQUALITY(all.elementsOf[0], 2);
   TEST_EQUALITY(std::count(all.bodyOf.begin(), all.bodyOf.end(), 1), 4);
+  TEST_EQUALITY(all.bodiesAreConnected, onRoot());  // nobody else has the bodies
 }
 
 TEUCHOS_UNIT_TEST(Partition, CutsDisconnectedPartsOfABodyOnTheirOwn) {
@@ -96,6 +97,7 @@ TEUCHOS_UNIT_TEST(Partition, CutsDisconnectedPartsOfABodyOnTheirOwn) {
   const Partition all = makePartition(*comm(), grid, Constraints(), metis(2).list());
   TEST_EQUALITY(all.elementsOf[0], 200);
   TEST_EQUALITY(all.names[1], "both 2");
+  TEST_EQUALITY(all.bodiesAreConnected, false);
   TEST_ASSERT(says(problemsOf(grid, metis(1)), "Partition/METIS/Subdomains", "'both' of 2 disconnected parts"));
 }
 

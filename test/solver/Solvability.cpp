@@ -49,6 +49,20 @@ TEUCHOS_UNIT_TEST(Solvability, PartsOfABodyThatDoNotTouchAreLooseOneByOne) {
   TEST_EQUALITY(rigid.parts[0].free.cols() + rigid.parts[1].free.cols(), 6);
 }
 
+TEUCHOS_UNIT_TEST(Solvability, PartsAreTheBodiesWhereThoseAreConnected) {
+  Scene scene = scenes::twoBlocks(4, 2, 2);
+  scene.hold("upper_left", 0, 0.0);
+  const RigidParts found = freeRigidMotions(scene.mesh, scene.constraints), known = freeRigidMotions(scene.mesh, scene.constraints, true);
+  TEST_ASSERT(found.partOfNode == known.partOfNode);
+  TEST_EQUALITY(known.parts.size(), 2u);
+  for (std::size_t part = 0; part < known.parts.size(); ++part) {
+    TEST_EQUALITY(known.parts[part].body, found.parts[part].body);
+    TEST_ASSERT(known.parts[part].centre == found.parts[part].centre);
+    TEST_EQUALITY(known.parts[part].radius, found.parts[part].radius);
+    TEST_ASSERT(known.parts[part].free == found.parts[part].free);
+  }
+}
+
 TEUCHOS_UNIT_TEST(Solvability, LetsAPressedBlockWithAGuidePass) {
   Scene scene = scenes::twoBlocks(4, 2, 2);
   scene.fixLower();
