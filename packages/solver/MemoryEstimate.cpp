@@ -13,6 +13,7 @@
 #include <fstream>
 #include <iomanip>
 #include <limits>
+#include <map>
 #include <sstream>
 
 namespace suture {
@@ -30,10 +31,15 @@ double numberIn(const std::string& path) {
 // Pairs of nodes that have an element in common. Those on a side have two, as nearly all sides do.
 double couplings(const SubdomainMesh& mesh) {
   const auto pairs = [](std::size_t nodes) { return 0.5 * static_cast<double>(nodes * (nodes - 1)); };
+  std::map<Cell, double> elements;
+  for (std::size_t begin = 0, end = 0; begin < mesh.cells.size(); begin = end) {  // of one shape, mostly
+    while (end < mesh.cells.size() && mesh.cells[end] == mesh.cells[begin]) ++end;
+    elements[mesh.cells[begin]] += static_cast<double>(end - begin);
+  }
   double sum = 0.0;
-  for (const Cell cell : mesh.cells) {
+  for (const auto& [cell, count] : elements) {
     const CellInfo& info = cellInfo(cell);
-    sum += pairs(info.nodes) - 0.5 * static_cast<double>(info.sideNodes.size()) * pairs(info.sideNodes[0].size());
+    sum += count * (pairs(info.nodes) - 0.5 * static_cast<double>(info.sideNodes.size()) * pairs(info.sideNodes[0].size()));
   }
   return sum;
 }

@@ -29,10 +29,10 @@ std::vector<char> patternOfTheOneBefore(const SymmetricMatrix& matrix) {
   std::vector<char> same(n + 1, 1);
   same[0] = 0;
   for (int j = 0; j < n; ++j) {
-    const int begin = first[j] + 1, end = first[j + 1];  // after the diagonal entry
+    const int end = first[j + 1], begin = first[j] < end && rows[first[j]] == j ? first[j] + 1 : first[j];  // below the diagonal
     for (int k = begin; k < end; ++k) {
       if (k + 1 == end || rows[k + 1] != rows[k] + 1) same[rows[k] + 1] = 0;
-      if (rows[k - 1] != rows[k] - 1) same[rows[k]] = 0;
+      if ((k == begin ? j : rows[k - 1]) != rows[k] - 1) same[rows[k]] = 0;
     }
     if (j + 1 < n) same[j + 1] = same[j + 1] && end - begin == first[j + 2] - end && std::equal(rows + begin, rows + end, rows + end);
   }

@@ -36,7 +36,7 @@ class SymmetricMatrix {
   SparseMatrix full() const;
   Matrix dense() const { return Matrix(full()); }
 
-  /// A x, x a vector or several. Eigen forms nothing but the result.
+  /// A x, x a vector or several.
   template <typename Columns>
   auto operator*(const Eigen::MatrixBase<Columns>& x) const {
     return std::conditional_t<Columns::ColsAtCompileTime == 1, Vector, Matrix>(lower_.selfadjointView<Eigen::Lower>() * x);

@@ -81,6 +81,18 @@ TEUCHOS_UNIT_TEST(StaticCondensation, EliminatesAnInteriorInPieces) {
     compareWithDense(both, {n + 1, 0, 7, 1, n, n + 9, 12}, where, success, out);
 }
 
+TEUCHOS_UNIT_TEST(StaticCondensation, BoundaryUnknownsMayLackTheirDiagonalEntries) {
+  const Sparse body = floatingBody(5, 4);
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int j = 0; j < body.cols(); ++j)
+    for (Sparse::InnerIterator it(body, j); it; ++it)
+      if (it.row() != j || j > 5) entries.emplace_back(it.row(), j, it.value());
+  Sparse a(body.rows(), body.cols());
+  a.setFromTriplets(entries.begin(), entries.end());
+  for (const std::vector<int>& boundary : {std::vector<int>{0, 1, 2, 3, 4, 5}, {5, 3, 1, 0, 2, 4, 7, 8}})
+    compareWithDense(a, boundary, placesOfBody(5, 4), success, out);
+}
+
 TEUCHOS_UNIT_TEST(StaticCondensation, TranslationsOfAFloatingBodyCostNothing) {
   for (const auto& [n, limit] : {std::pair(9, 2e-15), std::pair(30, 1e-14), std::pair(60, 3e-14)}) {
     const std::vector<int> boundary = rim(n, n);
