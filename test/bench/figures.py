@@ -49,10 +49,10 @@ def compared(results):
     def values(name, key):
         return [result[key] for result in results[name]]
 
-    def ratio(key, above, below):
+    def ratio(key, above, below, times=1):
         above, below = values(above, key), values(below, key)
-        each = [a / b for a, b in zip(above, below)]
-        return {"ratio": statistics.median(above) / statistics.median(below), "min": min(each), "max": max(each)}
+        each = [times * a / b for a, b in zip(above, below)]
+        return {"ratio": times * statistics.median(above) / statistics.median(below), "min": min(each), "max": max(each)}
 
     best = fastest_reference(results)
     ratios = {
@@ -62,6 +62,7 @@ def compared(results):
         "all_phases_cut": ratio("charged", best, "suture_cut_2"),
         "memory": ratio("memory_mb", "suture_2", best),
         "two_ranks": ratio("charged", "suture_1", "suture_2"),
+        "two_copies": ratio("charged", "suture_1", "copies_1", times=2),
         "two_ranks_from_assembled": ratio("from_assembled", "suture_1", "suture_2"),
         "one_rank_all_phases": ratio("charged", best, "suture_1"),
         "one_rank_from_assembled": ratio("from_assembled", best, "suture_1"),

@@ -5,7 +5,7 @@ from figures import verdict
 
 QUIET = 0.1  # cores that others may use
 PHASES = ["read", "partition", "assemble", "factor", "solve", "write"]
-RATIOS = ["all_phases", "all_phases_cut", "from_assembled", "memory", "two_ranks", "one_rank_all_phases", "one_rank_from_assembled", "all_phases_as_run"]
+RATIOS = ["all_phases", "all_phases_cut", "from_assembled", "memory", "two_ranks", "two_copies", "one_rank_all_phases", "one_rank_from_assembled", "all_phases_as_run"]
 
 
 def shown(values, middle="median", scale=1.0):
@@ -58,6 +58,8 @@ def report(bench, options):
             cores = bench["machine"]["cores"]
             print(f"{name}: others used {others:.1f} of {cores} cores meanwhile: ranks had less than a core each and waited for each other")
         print(iteration_line(name, case["pcg_iteration"]))
+        ranks, copies = (shown(case["ratios"][key], "ratio") for key in ("two_ranks", "two_copies"))
+        print(f"{name}: two ranks are {ranks} times as fast as one; two runs on one rank at once do {copies} times the work of one alone")
         if "explicit_gain" in case["ratios"]:
             gain = shown(case["ratios"]["explicit_gain"], "ratio")
             print(f"{name}: from assembled matrices {gain} times as fast as with implicit Schur complements")

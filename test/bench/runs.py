@@ -2,9 +2,11 @@
 import json
 import os
 import shutil
+import statistics
 import subprocess
 import sys
 import time
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
@@ -67,6 +69,8 @@ def cut_of(scene, mesh, options):
 def configurations(implicit=False):
     """By name: ranks, threads, what is set beside the mesh."""
     runs = {f"suture_{ranks}": {"ranks": ranks, "set": []} for ranks in (1, 2)}
+    # What the machine gives two processes that never wait for each other: beside that the gain of two ranks is to be seen.
+    runs["copies_1"] = {"ranks": 1, "copies": 2, "set": []}
     runs["suture_cut_2"] = {"ranks": 2, "cut": True, "set": ["Partition/Type=Partitioned Mesh"]}
     # Linear, all pairs closed, to the tolerance of the whole: ends, not converged, where contact would begin.
     bonded = ["Outer Solver/Maximum Iterations=0", "Outer Solver/Active Set/Inner Tolerance=1e-8"]
@@ -104,22 +108,26 @@ def busy_seconds():
 
 
 def measure(name, run, scene, size, mesh, options):
-    """One run: its seconds, memory and counts, and what others used of the machine meanwhile."""
-    folder = options.output / "runs" / f"{scene}_{size}_{name}"
-    shutil.rmtree(folder, ignore_errors=True)
-    command = command_of(run, scene, mesh, folder, options)
+    """One run, or the mean of copies that run at once: its seconds, memory and counts, and what others used of the machine meanwhile."""
+    folders = [options.output / "runs" / (f"{scene}_{size}_{name}" + (f"_{copy + 1}" if copy else "")) for copy in range(run.get("copies", 1))]
+    for folder in folders:
+        shutil.rmtree(folder, ignore_errors=True)
+    commands = [command_of(run, scene, mesh, folder, options) for folder in folders]
     begin, before, own = time.monotonic(), busy_seconds(), sum(os.times()[2:4])
-    execute(command, run.get("threads", 1), run.get("expected", (0,)))
+    with ThreadPoolExecutor(len(commands)) as pool:
+        list(pool.map(lambda command: execute(command, run.get("threads", 1), run.get("expected", (0,))), commands))
     wall, busy, own = time.monotonic() - begin, busy_seconds() - before, sum(os.times()[2:4]) - own
-    summary = json.loads((folder / "summary.json").read_text())
-    phases = {phase: seconds["max"] for phase, seconds in summary["phases"].items()}
+    summaries = [json.loads((folder / "summary.json").read_text()) for folder in folders]
+    summary, command = summaries[0], commands[0]
+    seconds = statistics.mean(one["seconds"] for one in summaries)
+    phases = {phase: statistics.mean(one["phases"][phase]["max"] for one in summaries) for phase in summary["phases"]}
     return {
-        "seconds": summary["seconds"],
+        "seconds": seconds,
         # The reference is not charged for cutting a mesh that need not be cut.
-        "charged": summary["seconds"] - (phases["partition"] if is_reference(name) else 0.0),
+        "charged": seconds - (phases["partition"] if is_reference(name) else 0.0),
         "from_assembled": phases["factor"] + phases["solve"],
         "phases": phases,
-        "memory_mb": summary["peak_memory_mb"]["sum"],
+        "memory_mb": sum(one["peak_memory_mb"]["sum"] for one in summaries),
         "memory_rank_mb": summary["peak_memory_mb"]["max"],
         "data_mb": summary.get("solver_data_mb", {}).get("sum"),  # what an iteration streams; older programs do not say
         "iteration_seconds": summary["auxiliary"].get("iteration_seconds"),  # so do they not of this
