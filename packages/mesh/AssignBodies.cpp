@@ -57,7 +57,7 @@ void checkShapes(const Mesh& mesh, Problems& problems) {
                         : "everywhere: the quadrilateral is not convex"));
 }
 
-// Nodes of no element, once nodes of elements have their bodies, or those of some elements.
+// Nodes of no element. There are none where every node has a body; one without may still be of an element that has none either.
 void checkNodes(const Mesh& mesh, Problems& problems) {
   if (std::find(mesh.bodyOfNode.begin(), mesh.bodyOfNode.end(), -1) == mesh.bodyOfNode.end()) return;
   std::vector<char> used(mesh.nodes(), 0);

@@ -116,8 +116,9 @@ std::string writeTemporary(const std::string& text) {
   std::error_code failed;
   fs::path folder = fs::temp_directory_path(failed);
   if (failed) folder = "/tmp";
-  std::string path = (folder / "suture-XXXXXX.geo").string();  // mkstemps puts letters of its own in place of each X
-  const int file = mkstemps(path.data(), 4);
+  const std::string letters(6, 'X'), suffix = ".geo";  // mkstemps wants six X, and puts its own letters there
+  std::string path = (folder / ("suture-" + letters + suffix)).string();
+  const int file = mkstemps(path.data(), static_cast<int>(suffix.size()));
   if (file < 0) throw EnvironmentError("cannot write a temporary file in " + folder.string() + " for Gmsh: " + std::strerror(errno));
   close(file);
   std::ofstream out(path, std::ios::binary);

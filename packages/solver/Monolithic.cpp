@@ -58,7 +58,7 @@ Matrix looseMotions(const Mesh& mesh, const MonolithicSystem& system, const Rigi
 Vector shiftOf(const MonolithicSystem& system, const RigidParts& rigid) {
   const bool anyLoose = std::any_of(rigid.parts.begin(), rigid.parts.end(), [](const RigidPart& part) { return part.free.cols() > 0; });
   if (!anyLoose) return {};
-  Vector shift = CholmodFactor::trailingDiagonal(system.stiffness(), system.contactDofs());
+  Vector shift = CholmodFactor::trailingDiagonal(system.stiffness().lower(), system.contactDofs());
   for (int i = 0; i < system.contactDofs(); ++i)
     if (rigid.parts[rigid.partOfNode[system.contactDof()[i].node]].free.cols() == 0) shift[i] = 0.0;
   return shift;
@@ -71,7 +71,7 @@ CondensedContact condense(const Mesh& mesh, const MonolithicSystem& system, cons
   const int trailing = system.contactDofs(), leading = system.dofs() - trailing;
   Vector held = Vector::Zero(system.dofs());
   held.head(leading) = heldSolution;
-  contact.load = system.load().tail(trailing) - Vector(system.stiffness().selfadjointView<Eigen::Lower>() * held).tail(trailing);
+  contact.load = system.load().tail(trailing) - (system.stiffness() * held).tail(trailing);
   for (int i = 0; i < trailing; ++i)
     if (i == 0 || mesh.bodyOfNode[system.contactDof()[i].node] != mesh.bodyOfNode[system.contactDof()[i - 1].node])
       contact.blocks.push_back(i);
@@ -168,7 +168,7 @@ MonolithicResult solveMonolithic(const Mesh& mesh, const Constraints& constraint
   factorisation.ordering = options.ordering;
   factorisation.trailing = trailing;
   factorisation.shift = shiftOf(system, rigid);
-  const CholmodFactor factor(system.stiffness(), factorisation);
+  const CholmodFactor factor(system.stiffness().lower(), factorisation);
   result.factorEntries = factor.statistics().factorEntries;
   result.factorFlops = factor.statistics().flops;
 
@@ -198,7 +198,7 @@ MonolithicResult solveMonolithic(const Mesh& mesh, const Constraints& constraint
     contact = solveCondensedContact(condense(mesh, system, rigid, factor, interior), start, options.maximumIterations, tell);
     if (contact.x.size() == 0) throw NumericalError("monolithic solver: " + contact.failure);
     x.tail(trailing) = contact.x;
-    interior = system.load().head(leading) - Vector(system.stiffness().selfadjointView<Eigen::Lower>() * x).head(leading);
+    interior = system.load().head(leading) - (system.stiffness() * x).head(leading);
     factor.solveLeading(interior);
     x.head(leading) = interior;
   }

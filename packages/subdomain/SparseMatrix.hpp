@@ -6,7 +6,7 @@
 
 namespace suture {
 
-/// Matrices that live on one rank; compressed columns. Symmetric ones hold both triangles.
+/// Matrices that live on one rank; compressed columns. Symmetric ones hold both triangles; of those that last SymmetricMatrix keeps one.
 using SparseMatrix = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
 
 /// The block of rows and columns given by two lists of positions (each position at most once). Local.

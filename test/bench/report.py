@@ -5,7 +5,8 @@ from figures import verdict
 
 QUIET = 0.1  # cores that others may use
 PHASES = ["read", "partition", "assemble", "factor", "solve", "write"]
-RATIOS = ["all_phases", "all_phases_cut", "from_assembled", "memory", "two_ranks", "two_copies", "one_rank_all_phases", "one_rank_from_assembled", "all_phases_as_run"]
+RATIOS = ["all_phases", "all_phases_cut", "from_assembled", "memory", "two_ranks", "two_copies", "one_rank_all_phases", "one_rank_from_assembled",
+          "all_phases_as_run"]
 
 
 def shown(values, middle="median", scale=1.0):

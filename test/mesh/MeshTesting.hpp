@@ -24,7 +24,8 @@ inline Teuchos::RCP<const suture::Comm> world() { return Tpetra::getDefaultComm(
 class Folder {
  public:
   Folder() {
-    std::string name = (std::filesystem::temp_directory_path() / "suture-test-XXXXXX").string();  // mkdtemp puts letters of its own there
+    const std::string letters(6, 'X');  // mkdtemp wants six X, and puts its own letters there
+    std::string name = (std::filesystem::temp_directory_path() / ("suture-test-" + letters)).string();
     suture::collectivelyOnRoot(*world(), "making a folder for the test", [&] {
       if (!mkdtemp(name.data())) throw suture::EnvironmentError("cannot make the folder " + name + ": " + std::strerror(errno));
     });
