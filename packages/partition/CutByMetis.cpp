@@ -9,10 +9,11 @@
 #include <suture/base/Gather.hpp>
 #include <suture/base/SceneReader.hpp>
 #include <suture/partition/Apportion.hpp>
+#include <suture/partition/Blocks.hpp>
 #include <suture/partition/Cut.hpp>
+#include <suture/partition/CutBlocks.hpp>
 #include <suture/partition/ElementGraph.hpp>
 #include <suture/partition/Hinges.hpp>
-#include <suture/partition/MetisCut.hpp>
 
 namespace suture {
 
@@ -33,60 +34,47 @@ int automaticSubdomains(int elements, int pieces, int ranks) {
 
 namespace {
 
-// A connected part of a body of this rank's share.
-struct Piece {
-  int body;
-  std::vector<int> elements;  // of the share
-};
-
-// The same, as rank 0 knows it.
-struct PieceSize {
+// A connected part of a body, as rank 0 knows it.
+struct PartSize {
   int body, rank, elements;
 };
 
-// How it is cut.
-struct PieceCut {
-  int first, parts;  // its subdomains
-};
-
 // Body by body, so that the numbers of a body's subdomains follow each other.
-std::vector<Piece> piecesOfBodies(const MeshShare& share, Components parts) {
-  std::vector<Piece> pieces;
-  for (std::vector<int>& elements : parts.elements) {
-    const int body = share.bodyOfElement[elements.front()];
-    pieces.push_back({body, std::move(elements)});
-  }
-  std::stable_sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) { return a.body < b.body; });
-  return pieces;
+std::vector<std::vector<int>> partsOfBodies(const MeshShare& share, Components connected) {
+  std::vector<std::vector<int>> parts = std::move(connected.elements);
+  const auto bodyOf = [&](const std::vector<int>& elements) { return share.bodyOfElement[elements.front()]; };
+  std::stable_sort(parts.begin(), parts.end(), [&](const auto& a, const auto& b) { return bodyOf(a) < bodyOf(b); });
+  return parts;
 }
 
 // On rank 0, body by body.
-std::vector<PieceSize> gatherSizes(const Comm& comm, const std::vector<Piece>& mine) {
-  std::vector<PieceSize> sizes;
-  for (const Piece& piece : mine) sizes.push_back({piece.body, comm.getRank(), static_cast<int>(piece.elements.size())});
-  std::vector<PieceSize> all = joinOnRoot(comm, sizes);
-  std::stable_sort(all.begin(), all.end(), [](const PieceSize& a, const PieceSize& b) { return a.body < b.body; });
+std::vector<PartSize> gatherSizes(const Comm& comm, const MeshShare& share, const std::vector<std::vector<int>>& mine) {
+  std::vector<PartSize> sizes;
+  for (const std::vector<int>& elements : mine)
+    sizes.push_back({share.bodyOfElement[elements.front()], comm.getRank(), static_cast<int>(elements.size())});
+  std::vector<PartSize> all = joinOnRoot(comm, sizes);
+  std::stable_sort(all.begin(), all.end(), [](const PartSize& a, const PartSize& b) { return a.body < b.body; });
   return all;
 }
 
-bool onePartEach(const std::vector<PieceSize>& pieces, std::size_t bodies) {
-  for (std::size_t i = 0; i < pieces.size(); ++i)
-    if (pieces[i].body != static_cast<int>(i)) return false;
-  return pieces.size() == bodies;
+bool onePartEach(const std::vector<PartSize>& parts, std::size_t bodies) {
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    if (parts[i].body != static_cast<int>(i)) return false;
+  return parts.size() == bodies;
 }
 
-std::string describe(const std::vector<std::string>& bodies, const std::vector<PieceSize>& pieces) {
+std::string describe(const std::vector<std::string>& bodies, const std::vector<PartSize>& parts) {
   std::vector<int> count(bodies.size(), 0);
-  for (const PieceSize& piece : pieces) ++count[piece.body];
+  for (const PartSize& part : parts) ++count[part.body];
   std::string text = std::to_string(bodies.size()) + (bodies.size() == 1 ? " body" : " bodies");
   for (std::size_t body = 0; body < count.size(); ++body)
     if (count[body] > 1) text += ", '" + bodies[body] + "' of " + std::to_string(count[body]) + " disconnected parts";
   return text;
 }
 
-int wantedSubdomains(const Mesh& mesh, const std::vector<PieceSize>& pieces, const Parameters& own, int ranks) {
+int wantedSubdomains(const Mesh& mesh, const std::vector<PartSize>& parts, const Parameters& own, int ranks) {
   const std::string text = own.get<std::string>("Subdomains");
-  const int elements = mesh.elements(), least = static_cast<int>(pieces.size());
+  const int elements = mesh.elements(), least = static_cast<int>(parts.size());
   if (text == "Automatic") return automaticSubdomains(elements, least, ranks);
   const double number = std::stod(text);  // the reader has checked that it is one
   const std::string path = pathOf(own, "Subdomains");
@@ -95,7 +83,7 @@ int wantedSubdomains(const Mesh& mesh, const std::vector<PieceSize>& pieces, con
     throw InputError(
         path, text + " subdomains are more than the " + std::to_string(elements) + " elements of the mesh; every subdomain needs one");
   if (number < least)
-    throw InputError(path, text + (number == 1 ? " subdomain is" : " subdomains are") + " too few for " + describe(mesh.bodies, pieces) +
+    throw InputError(path, text + (number == 1 ? " subdomain is" : " subdomains are") + " too few for " + describe(mesh.bodies, parts) +
                                ": a subdomain lies in one body and is connected, so at least " + std::to_string(least) + " are needed");
   return static_cast<int>(number);
 }
@@ -105,23 +93,34 @@ std::string repaired(const std::string& body, int repairs) {
          (repairs == 1 ? " fragment was" : " fragments were") + " given to a neighbour, so that every subdomain is connected through sides";
 }
 
-// Of each rank's pieces, in their order; names and bodies of all subdomains go to `cut`.
-std::vector<std::vector<PieceCut>> numberSubdomains(const std::vector<PieceSize>& pieces, const std::vector<std::string>& bodies,
-                                                    int wanted, int ranks, Cut& cut) {
+// In the order of their numbers; names and bodies of all subdomains go to `cut`.
+std::vector<Block> makeBlocks(const std::vector<PartSize>& parts, const std::vector<std::string>& bodies, int wanted, int ranks, Cut& cut) {
   std::vector<int> sizes;
-  for (const PieceSize& piece : pieces) sizes.push_back(piece.elements);
-  const std::vector<int> parts = apportion(sizes, wanted);
-  std::vector<std::vector<PieceCut>> of(ranks);
-  std::vector<int> numberInBody(bodies.size(), 0);
-  for (std::size_t i = 0; i < pieces.size(); ++i) {
-    const int body = pieces[i].body;
-    of[pieces[i].rank].push_back({static_cast<int>(cut.names.size()), parts[i]});
-    for (int part = 0; part < parts[i]; ++part) {
-      cut.bodyOf.push_back(body);
-      cut.names.push_back(bodies[body] + " " + std::to_string(++numberInBody[body]));
+  for (const PartSize& part : parts) sizes.push_back(part.elements);
+  const std::vector<int> subdomains = apportion(sizes, wanted);
+  std::vector<int> partsOfRank(ranks, 0), numberInBody(bodies.size(), 0);
+  std::vector<Block> blocks;
+  std::vector<int> elements;  // of each block, about
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const int body = parts[i].body, part = partsOfRank[parts[i].rank]++;
+    for (const int own : subdomainsOfBlocks(sizes[i], subdomains[i])) {
+      blocks.push_back({parts[i].rank, part, static_cast<int>(cut.names.size()), own, 0});
+      elements.push_back(static_cast<int>((long long)sizes[i] * own / subdomains[i]));
+      for (int k = 0; k < own; ++k) {
+        cut.bodyOf.push_back(body);
+        cut.names.push_back(bodies[body] + " " + std::to_string(++numberInBody[body]));
+      }
     }
   }
-  return of;
+  placeBlocks(elements, ranks, blocks);
+  return blocks;
+}
+
+// Those of a rank.
+std::vector<Block> blocksOf(int rank, const std::vector<Block>& all) {
+  std::vector<Block> own;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(own), [rank](const Block& block) { return block.owner == rank; });
+  return own;
 }
 
 }  // namespace
@@ -129,39 +128,44 @@ std::vector<std::vector<PieceCut>> numberSubdomains(const std::vector<PieceSize>
 Cut cutByMetis(const Comm& comm, const Mesh& mesh, const Parameters& own, MeshShare& share) {
   const std::string what = "partition";
   ElementGraph graph;
-  std::vector<Piece> pieces;
+  std::vector<std::vector<int>> parts;
   collectively(comm, what, [&] {
     graph = elementGraph(share.block(mesh));
     Problems problems;
     Components connected = components(graph, share.bodyOfElement);
     findHinges(share.block(mesh), share.bodyOfElement, share.bodies, connected, problems);
     problems.throwIfAny();
-    pieces = piecesOfBodies(share, std::move(connected));
+    parts = partsOfBodies(share, std::move(connected));
   });
-  const std::vector<PieceSize> sizes = gatherSizes(comm, pieces);
+  const std::vector<PartSize> sizes = gatherSizes(comm, share, parts);
   Cut cut;
-  std::vector<std::vector<PieceCut>> cutsOf;
+  std::vector<Block> blocks;
   collectivelyOnRoot(comm, what, [&] {
     cut.bodiesAreConnected = onePartEach(sizes, share.bodies.size());
-    cutsOf = numberSubdomains(sizes, share.bodies, wantedSubdomains(mesh, sizes, own, comm.getSize()), comm.getSize(), cut);
+    blocks = makeBlocks(sizes, share.bodies, wantedSubdomains(mesh, sizes, own, comm.getSize()), comm.getSize(), cut);
   });
-  const std::string bytes = scatterFromRoot(comm, what, [&](int rank) {
-    Packer packer;
-    packer.put(cutsOf[rank]);
-    return std::move(packer).bytes();
+  broadcast(comm, blocks);
+  const std::vector<Block> mine = blocksOf(comm.getRank(), blocks);
+  std::vector<int> blockOf;
+  std::vector<ElementGraph> graphs;
+  collectively(comm, what, [&] {
+    std::vector<std::vector<int>> subdomains(parts.size());
+    for (const Block& block : mine) subdomains[block.part].push_back(block.subdomains);
+    blockOf = cutIntoBlocks(share.block(mesh), graph, parts, subdomains);
+    if (mine.size() == 1)
+      graphs.push_back(std::move(graph));
+    else
+      graphs = subgraphs(graph, blockOf, static_cast<int>(mine.size()));
+    graph = ElementGraph();
   });
+  const std::vector<BlockCut> cuts = cutBlocks(comm, blocks, std::move(graphs), own.get<int>("Seed"));
   std::map<int, int> repairs;  // by body
   collectively(comm, what, [&] {
-    const auto cuts = Unpacker(bytes).get<std::vector<PieceCut>>();
-    share.subdomainOfElement.assign(share.bodyOfElement.size(), -1);
-    for (std::size_t i = 0; i < pieces.size(); ++i) {
-      const std::vector<int>& elements = pieces[i].elements;
-      int fragments = 0;
-      const ElementGraph part = pieces.size() == 1 ? std::move(graph) : subgraph(graph, elements);
-      const std::vector<int> partOf = metisCut(part, cuts[i].parts, own.get<int>("Seed"), &fragments);
-      if (fragments > 0) repairs[pieces[i].body] += fragments;
-      for (std::size_t k = 0; k < elements.size(); ++k) share.subdomainOfElement[elements[k]] = cuts[i].first + partOf[k];
-    }
+    std::vector<std::size_t> next(mine.size(), 0);  // element of each block
+    share.subdomainOfElement.reserve(blockOf.size());
+    for (const int block : blockOf) share.subdomainOfElement.push_back(mine[block].first + cuts[block].partOf[next[block]++]);
+    for (std::size_t block = 0; block < mine.size(); ++block)
+      if (cuts[block].repairs > 0) repairs[share.bodyOfElement[parts[mine[block].part].front()]] += cuts[block].repairs;
     share.holders = nodeSubdomains(share.block(mesh), share.subdomainOfElement);
   });
   Packer packer;

@@ -67,17 +67,25 @@ ElementGraph elementGraph(const CellBlock& block) {
   return graph;
 }
 
-ElementGraph subgraph(const ElementGraph& graph, const std::vector<int>& elements) {
-  std::vector<int> numberOf(graph.elements(), -1);
-  for (std::size_t i = 0; i < elements.size(); ++i) numberOf[elements[i]] = static_cast<int>(i);
-  ElementGraph part;
-  for (int e : elements) {
-    for (int other : graph.of(e))
-      if (numberOf[other] >= 0) part.neighbours.push_back(numberOf[other]);
-    std::sort(part.neighbours.begin() + part.offsets.back(), part.neighbours.end());
-    part.offsets.push_back(static_cast<int>(part.neighbours.size()));
+std::vector<ElementGraph> subgraphs(const ElementGraph& graph, const std::vector<int>& partOf, int parts) {
+  std::vector<int> numberOf(graph.elements());
+  std::vector<std::size_t> elements(parts, 0), neighbours(parts, 0);
+  for (int e = 0; e < graph.elements(); ++e) {
+    numberOf[e] = static_cast<int>(elements[partOf[e]]++);
+    neighbours[partOf[e]] += graph.of(e).size();
   }
-  return part;
+  std::vector<ElementGraph> of(parts);
+  for (int part = 0; part < parts; ++part) {
+    of[part].offsets.reserve(elements[part] + 1);
+    of[part].neighbours.reserve(neighbours[part]);
+  }
+  for (int e = 0; e < graph.elements(); ++e) {
+    ElementGraph& own = of[partOf[e]];
+    for (const int other : graph.of(e))
+      if (partOf[other] == partOf[e]) own.neighbours.push_back(numberOf[other]);  // ascending, as numbers are
+    own.offsets.push_back(static_cast<int>(own.neighbours.size()));
+  }
+  return of;
 }
 
 Components components(const ElementGraph& graph, const std::vector<int>& labels) {

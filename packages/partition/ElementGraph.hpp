@@ -20,8 +20,9 @@ struct ElementGraph {
 /// Local. \throws InputError  when more than two elements share a side; names the place.
 ElementGraph elementGraph(const CellBlock& block);
 
-/// The graph of some of the elements, in their order. Local.
-ElementGraph subgraph(const ElementGraph& graph, const std::vector<int>& elements);
+/// The graphs of parts, each in the numbers of its own elements, which keep their order; neighbours in other parts are left out. Local.
+/// \param partOf  element -> part, 0..parts-1
+std::vector<ElementGraph> subgraphs(const ElementGraph& graph, const std::vector<int>& partOf, int parts);
 
 /// Connected components of equally labelled elements.
 struct Components {

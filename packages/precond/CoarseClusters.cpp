@@ -73,9 +73,10 @@ std::vector<int> cut(const ElementGraph& graph, int wanted, int& count) {
   if (sizes.empty()) return {};
   const std::vector<int> shares = apportion(sizes, count);
   std::vector<int> clusterOf(graph.elements());
+  const std::vector<ElementGraph> graphs = subgraphs(graph, parts.of, parts.count());
   int first = 0;
   for (int c = 0; c < parts.count(); ++c) {
-    const std::vector<int> own = metisCut(subgraph(graph, parts.elements[c]), shares[c], kSeed);
+    const std::vector<int> own = metisCut(graphs[c], shares[c], kSeed);
     for (std::size_t k = 0; k < own.size(); ++k) clusterOf[parts.elements[c][k]] = first + own[k];
     first += shares[c];
   }

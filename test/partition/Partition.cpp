@@ -241,6 +241,20 @@ TEUCHOS_UNIT_TEST(Partition, TakesABodyThatTouchesItselfInANode) {
   }
 }
 
+// Beyond some 180,000 elements a body is cut in blocks, on all ranks.
+TEUCHOS_UNIT_TEST(Partition, CutsALargeBodyTheSameOnAnyNumberOfRanks) {
+  const Mesh grid = mesh({box("large", 0, 4, 0, 3, 420, 300), box("small", 0, 4, 4, 5, 40, 20)});
+  const Partition all = makePartition(*comm(), grid, Constraints(), metis(30).list());
+  const auto alone = comm()->split(onRoot() ? 0 : -1, 0);
+  if (!onRoot()) return;
+  const Partition expected = makePartition(*alone, grid, Constraints(), metis(30).list());
+  TEST_ASSERT(all.subdomainOfElement == expected.subdomainOfElement);
+  TEST_ASSERT(all.names == expected.names);
+  const auto [least, most] = std::minmax_element(all.elementsOf.begin() + 0, all.elementsOf.begin() + 29);
+  TEST_COMPARE(*most, <, 1.15 * *least);
+  for (const int s : {0, 7, 14, 15, 28}) TEST_EQUALITY(connectedParts(grid, all.subdomainOfElement, s), 1);
+}
+
 TEUCHOS_UNIT_TEST(Partition, RepairsWhatMetisLeavesInPiecesAndSaysSo) {
   // A comb of 16 thin teeth: METIS' recursive bisection (up to eight parts) joins teeth that have nothing in common but their likeness.
   const Mesh comb =
