@@ -1,50 +1,60 @@
 #include <algorithm>
-#include <numeric>
-#include <suture/mesh/CellGeometry.hpp>
 #include <suture/partition/Blocks.hpp>
 #include <suture/partition/ConnectedParts.hpp>
+#include <suture/partition/MetisCut.hpp>
 
 namespace suture {
 namespace {
 
-struct Centre {
-  Point at;
-  int element;
-};
-using Centres = Span<Centre>;
+// Connected groups of neighbouring elements of a part: breadth first from the first element that is in none yet.
+struct Groups {
+  std::vector<int> offsets{0}, elements;
 
-int longerExtent(Centres all) {
-  Point low = all[0].at, high = low;
-  for (const Centre& centre : all)
-    for (int k = 0; k < 3; ++k) {
-      low[k] = std::min(low[k], centre.at[k]);
-      high[k] = std::max(high[k], centre.at[k]);
+  // groupOf: of all elements of the graph, -1 for those of the part; gets their groups.
+  Groups(const ElementGraph& graph, const std::vector<int>& part, std::vector<int>& groupOf) {
+    constexpr std::size_t most = 32;
+    elements.reserve(part.size());
+    for (const int first : part) {
+      if (groupOf[first] >= 0) continue;
+      const std::size_t end = elements.size() + most;
+      const auto take = [&](int e) {
+        if (groupOf[e] >= 0 || elements.size() == end) return;
+        groupOf[e] = count();
+        elements.push_back(e);
+      };
+      take(first);
+      for (auto at = static_cast<std::size_t>(offsets.back()); at < elements.size() && elements.size() < end; ++at)
+        for (const int other : graph.of(elements[at])) take(other);
+      offsets.push_back(static_cast<int>(elements.size()));
     }
-  int axis = 0;
-  for (int k = 1; k < 3; ++k)
-    if (high[k] - low[k] > high[axis] - low[axis]) axis = k;
-  return axis;
-}
-
-// Of these elements; the first block has number `first`.
-void bisect(Centres all, Span<const int> subdomains, int first, std::vector<int>& blockOf) {
-  if (subdomains.size() == 1) {
-    for (const Centre& centre : all) blockOf[centre.element] = first;
-    return;
   }
-  const std::size_t half = subdomains.size() / 2;
-  const Span<const int> low(subdomains.begin(), half), high(subdomains.begin() + half, subdomains.size() - half);
-  const double lower = std::accumulate(low.begin(), low.end(), 0.0), upper = std::accumulate(high.begin(), high.end(), 0.0);
-  const auto below = static_cast<std::size_t>(static_cast<double>(all.size()) * (lower / (lower + upper)));
-  const int axis = longerExtent(all);
-  std::nth_element(all.begin(), all.begin() + below, all.end(), [axis](const Centre& a, const Centre& b) {
-    return a.at[axis] != b.at[axis] ? a.at[axis] < b.at[axis] : a.element < b.element;
-  });
-  bisect({all.begin(), below}, low, first, blockOf);
-  bisect({all.begin() + below, all.size() - below}, high, first + static_cast<int>(half), blockOf);
+  int count() const { return static_cast<int>(offsets.size()) - 1; }
+};
+
+GroupGraph graphOf(const ElementGraph& graph, const Groups& groups, const std::vector<int>& groupOf) {
+  GroupGraph of;
+  std::vector<int>& neighbours = of.graph.neighbours;
+  for (int group = 0; group < groups.count(); ++group) {
+    const std::size_t first = neighbours.size();
+    for (int i = groups.offsets[group]; i < groups.offsets[group + 1]; ++i)
+      for (const int element : graph.of(groups.elements[i])) {
+        const int other = groupOf[element];
+        if (other == group) continue;
+        const auto known = std::find(neighbours.begin() + first, neighbours.end(), other);
+        if (known != neighbours.end()) {
+          ++of.sides[known - neighbours.begin()];
+        } else {
+          neighbours.push_back(other);
+          of.sides.push_back(1);
+        }
+      }
+    of.graph.offsets.push_back(static_cast<int>(neighbours.size()));
+    of.elements.push_back(groups.offsets[group + 1] - groups.offsets[group]);
+  }
+  return of;
 }
 
-// A straight cut leaves teeth, each of which is a node more on the seam.
+// Borders of groups have teeth, each of which is a node more on the seam.
 void smoothBorders(const ElementGraph& graph, std::vector<int>& blockOf) {
   std::vector<int> border;
   for (int e = 0; e < graph.elements(); ++e)
@@ -57,7 +67,7 @@ void smoothBorders(const ElementGraph& graph, std::vector<int>& blockOf) {
     const auto all = graph.of(e);
     return std::count_if(all.begin(), all.end(), [&](int other) { return blockOf[other] == block; });
   };
-  constexpr int sweeps = 3;
+  constexpr int sweeps = 5;
   for (int sweep = 0; sweep < sweeps; ++sweep)
     for (const int e : border) {
       int best = blockOf[e];
@@ -70,33 +80,32 @@ void smoothBorders(const ElementGraph& graph, std::vector<int>& blockOf) {
 }  // namespace
 
 std::vector<int> subdomainsOfBlocks(int elements, int subdomains) {
-  constexpr int elementsOfBlock = 120000, leastSubdomains = 9;  // METIS' way with less takes longer (MetisCut.cpp)
+  constexpr int elementsOfBlock = 240000, leastSubdomains = 9;  // METIS' way with less takes longer (MetisCut.cpp)
   const int blocks = std::max(1, std::min((elements + elementsOfBlock / 2) / elementsOfBlock, subdomains / leastSubdomains));
   std::vector<int> of(blocks, subdomains / blocks);
   for (int block = 0; block < subdomains % blocks; ++block) ++of[block];
   return of;
 }
 
-std::vector<int> cutIntoBlocks(const CellBlock& mesh, const ElementGraph& graph, const std::vector<std::vector<int>>& parts,
-                               const std::vector<std::vector<int>>& subdomains) {
-  std::vector<int> blockOf(graph.elements());
-  std::size_t blocks = 0;
+std::vector<int> cutIntoBlocks(const ElementGraph& graph, const std::vector<std::vector<int>>& parts,
+                               const std::vector<std::vector<int>>& subdomains, int seed) {
+  std::vector<int> blockOf(graph.elements()), groupOf;
+  int blocks = 0;
   for (std::size_t part = 0; part < parts.size(); ++part) {
-    const std::vector<int>& elements = parts[part];
-    const int first = static_cast<int>(blocks);
-    blocks += subdomains[part].size();
+    const int first = blocks;
+    blocks += static_cast<int>(subdomains[part].size());
     if (subdomains[part].size() == 1) {
-      for (const int e : elements) blockOf[e] = first;
+      for (const int e : parts[part]) blockOf[e] = first;
       continue;
     }
-    std::vector<Centre> centres;
-    centres.reserve(elements.size());
-    for (const int e : elements) centres.push_back({centreOf(mesh, e), e});
-    bisect(centres, subdomains[part], first, blockOf);
+    groupOf.resize(graph.elements(), -1);
+    const Groups groups(graph, parts[part], groupOf);
+    const std::vector<int> blockOfGroup = metisShares(graphOf(graph, groups, groupOf), subdomains[part], seed);
+    for (const int e : parts[part]) blockOf[e] = first + blockOfGroup[groupOf[e]];
   }
-  if (blocks > parts.size()) {
+  if (blocks > static_cast<int>(parts.size())) {
     smoothBorders(graph, blockOf);
-    makeConnected(graph, static_cast<int>(blocks), blockOf);
+    makeConnected(graph, blocks, blockOf);
   }
   return blockOf;
 }

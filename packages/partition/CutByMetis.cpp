@@ -127,6 +127,7 @@ std::vector<Block> blocksOf(int rank, const std::vector<Block>& all) {
 
 Cut cutByMetis(const Comm& comm, const Mesh& mesh, const Parameters& own, MeshShare& share) {
   const std::string what = "partition";
+  const int seed = own.get<int>("Seed");
   ElementGraph graph;
   std::vector<std::vector<int>> parts;
   collectively(comm, what, [&] {
@@ -151,14 +152,14 @@ Cut cutByMetis(const Comm& comm, const Mesh& mesh, const Parameters& own, MeshSh
   collectively(comm, what, [&] {
     std::vector<std::vector<int>> subdomains(parts.size());
     for (const Block& block : mine) subdomains[block.part].push_back(block.subdomains);
-    blockOf = cutIntoBlocks(share.block(mesh), graph, parts, subdomains);
+    blockOf = cutIntoBlocks(graph, parts, subdomains, seed);
     if (mine.size() == 1)
       graphs.push_back(std::move(graph));
     else
       graphs = subgraphs(graph, blockOf, static_cast<int>(mine.size()));
     graph = ElementGraph();
   });
-  const std::vector<BlockCut> cuts = cutBlocks(comm, blocks, std::move(graphs), own.get<int>("Seed"));
+  const std::vector<BlockCut> cuts = cutBlocks(comm, blocks, std::move(graphs), seed);
   std::map<int, int> repairs;  // by body
   collectively(comm, what, [&] {
     std::vector<std::size_t> next(mine.size(), 0);  // element of each block

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 #include <suture/partition/Blocks.hpp>
+#include <suture/partition/MetisCut.hpp>
 
 #include "Scenes.hpp"
 
@@ -32,13 +33,14 @@ std::vector<int> allOf(const Mesh& mesh) {
 }  // namespace
 
 TEUCHOS_UNIT_TEST(Blocks, AreForLargePartsWithManySubdomains) {
-  TEST_ASSERT(subdomainsOfBlocks(150000, 40) == (std::vector<int>{40}));
-  TEST_ASSERT(subdomainsOfBlocks(480786, 67) == (std::vector<int>{17, 17, 17, 16}));
+  TEST_ASSERT(subdomainsOfBlocks(300000, 40) == (std::vector<int>{40}));
+  TEST_ASSERT(subdomainsOfBlocks(501288, 69) == (std::vector<int>{35, 34}));
   TEST_ASSERT(subdomainsOfBlocks(1000000, 17) == (std::vector<int>{17}));
   TEST_ASSERT(subdomainsOfBlocks(1000000, 20) == (std::vector<int>{10, 10}));
   TEST_ASSERT(subdomainsOfBlocks(1, 1) == (std::vector<int>{1}));
-  for (const int subdomains : {100, 321, 520}) {
+  for (const int subdomains : {150, 321, 520}) {
     const std::vector<int> of = subdomainsOfBlocks(3737492, subdomains);
+    TEST_EQUALITY(of.size(), 16u);
     TEST_EQUALITY(std::accumulate(of.begin(), of.end(), 0), subdomains);
     TEST_COMPARE(of.front() - of.back(), <=, 1);
   }
@@ -48,49 +50,43 @@ TEUCHOS_UNIT_TEST(Blocks, AreInProportionAndNumberedPartByPart) {
   const Mesh mesh = scenes::mesh({scenes::box("wide", 0, 3, 0, 1, 90, 30), scenes::box("high", 0, 1, 2, 4, 20, 40)});
   const ElementGraph graph = elementGraph(mesh);
   const Components parts = components(graph, mesh.bodyOfElement);
-  const std::vector<int> blockOf = cutIntoBlocks(mesh, graph, parts.elements, {{10, 10, 15}, {4, 5}});
-  TEST_ASSERT(cutIntoBlocks(mesh, graph, parts.elements, {{10, 10, 15}, {4, 5}}) == blockOf);
+  const std::vector<int> blockOf = cutIntoBlocks(graph, parts.elements, {{10, 10, 15}, {4, 5}}, 1);
+  TEST_ASSERT(cutIntoBlocks(graph, parts.elements, {{10, 10, 15}, {4, 5}}, 1) == blockOf);
   const std::vector<int> sizes = sizesOf(blockOf, 5);
   const std::vector<double> wanted{5400 * 10 / 35.0, 5400 * 10 / 35.0, 5400 * 15 / 35.0, 1600 * 4 / 9.0, 1600 * 5 / 9.0};
   for (int block = 0; block < 5; ++block) {
-    TEST_FLOATING_EQUALITY(double(sizes[block]), wanted[block], 0.02);
+    TEST_FLOATING_EQUALITY(double(sizes[block]), wanted[block], 0.03);
     TEST_EQUALITY(scenes::connectedParts(mesh, blockOf, block), 1);
   }
   for (int e = 0; e < mesh.elements(); ++e) TEST_EQUALITY(blockOf[e] >= 3, mesh.bodyOfElement[e] == 1);
-  // Across the longer extent: 30 cells high, twice; 20 cells wide.
-  TEST_COMPARE(sidesBetween(graph, blockOf), <=, 1.1 * (30 + 30 + 20));
+  // No longer than straight lines across: 30 cells high, twice; 20 cells wide.
+  TEST_COMPARE(sidesBetween(graph, blockOf), <=, 1.25 * (30 + 30 + 20));
 }
 
 TEUCHOS_UNIT_TEST(Blocks, OfOneAPartAreTheParts) {
   const Mesh mesh = scenes::mesh({scenes::box("a", 0, 1, 0, 1, 4, 4), scenes::box("b", 0, 1, 2, 3, 4, 4)});
   const ElementGraph graph = elementGraph(mesh);
   const Components parts = components(graph, mesh.bodyOfElement);
-  TEST_ASSERT(cutIntoBlocks(mesh, graph, parts.elements, {{2}, {3}}) == parts.of);
+  TEST_ASSERT(cutIntoBlocks(graph, parts.elements, {{2}, {3}}, 1) == parts.of);
 }
 
-// A cut across the teeth of a comb leaves one side in as many pieces as there are teeth.
+// METIS joins teeth of a comb that have nothing in common but their likeness.
 TEUCHOS_UNIT_TEST(Blocks, AreInOnePiece) {
   const Mesh comb = scenes::kept(scenes::mesh({scenes::box("body", 0, 1, 0, 3, 10, 30)}),
                                  [](double x, double y) { return y < 0.3 || static_cast<int>(10 * x) % 4 < 2; });
   const ElementGraph graph = elementGraph(comb);
   for (const int blocks : {2, 3, 5}) {
-    const std::vector<int> blockOf = cutIntoBlocks(comb, graph, {allOf(comb)}, {std::vector<int>(blocks, 9)});
+    const std::vector<int> blockOf = cutIntoBlocks(graph, {allOf(comb)}, {std::vector<int>(blocks, 9)}, 1);
     for (int block = 0; block < blocks; ++block) TEST_EQUALITY(scenes::connectedParts(comb, blockOf, block), 1);
   }
 }
 
-// Seen from elements that lie at random, borders have teeth; METIS' own cut in two is the measure.
+// METIS' own cut of single elements is the measure.
 TEUCHOS_UNIT_TEST(Blocks, HaveShortBorders) {
-  Mesh mesh = scenes::mesh({scenes::box("body", 0, 1, 0, 1, 80, 80)});
+  const Mesh mesh = scenes::mesh({scenes::box("body", 0, 1, 0, 1, 120, 120)});
   const ElementGraph graph = elementGraph(mesh);
-  // Turned, so that no line of the grid is straight for the cut.
-  const double c = std::cos(0.5), s = std::sin(0.5);
-  for (int node = 0; node < mesh.nodes(); ++node) {
-    const Point p = mesh.point(node);
-    mesh.coordinates[2 * node] = c * p[0] - s * p[1];
-    mesh.coordinates[2 * node + 1] = s * p[0] + c * p[1];
+  for (const int blocks : {2, 4}) {
+    const std::vector<int> own = cutIntoBlocks(graph, {allOf(mesh)}, {std::vector<int>(blocks, 9)}, 1);
+    TEST_COMPARE(sidesBetween(graph, own), <=, 1.15 * sidesBetween(graph, metisCut(graph, blocks, 1)));
   }
-  const std::vector<int> blockOf = cutIntoBlocks(mesh, graph, {allOf(mesh)}, {{9, 9}});
-  // A line across a unit square of 80 x 80 cells, each cut by a diagonal, crosses 80 (|sin| + |cos|) / cos ones at most.
-  TEST_COMPARE(sidesBetween(graph, blockOf), <, 80 * (1 + std::tan(0.5)) * 1.05);
 }

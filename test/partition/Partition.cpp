@@ -241,9 +241,9 @@ TEUCHOS_UNIT_TEST(Partition, TakesABodyThatTouchesItselfInANode) {
   }
 }
 
-// Beyond some 180,000 elements a body is cut in blocks, on all ranks.
+// Beyond 360,000 elements a body is cut in blocks, on all ranks.
 TEUCHOS_UNIT_TEST(Partition, CutsALargeBodyTheSameOnAnyNumberOfRanks) {
-  const Mesh grid = mesh({box("large", 0, 4, 0, 3, 420, 300), box("small", 0, 4, 4, 5, 40, 20)});
+  const Mesh grid = mesh({box("large", 0, 4, 0, 3, 520, 360), box("small", 0, 4, 4, 5, 40, 20)});
   const Partition all = makePartition(*comm(), grid, Constraints(), metis(30).list());
   const auto alone = comm()->split(onRoot() ? 0 : -1, 0);
   if (!onRoot()) return;
