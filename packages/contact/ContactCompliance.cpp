@@ -1,6 +1,7 @@
 #include <suture/base/Dense.hpp>
 #include <suture/base/Errors.hpp>
 #include <suture/contact/ContactCompliance.hpp>
+#include <suture/subdomain/WorkSpace.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -42,11 +43,22 @@ Matrix shiftedCholeskyFactor(const Matrix& matrix) {
   throw NumericalError("the compliance of the contact pairs is not positive definite");
 }
 
-Matrix solveWith(const Matrix& lower, const Matrix& b) {
-  if (lower.rows() == 0) return b;
-  Matrix x = lower.triangularView<Eigen::Lower>().solve(b);
-  lower.transpose().triangularView<Eigen::Upper>().solveInPlace(x);
-  return x;
+// x <- (L L^T)^-1 x. One right-hand side without work space of Eigen's, which the inner loop would pay for.
+void solveInPlace(const Matrix& lower, LocalView x) {
+  const auto both = [&lower](auto&& values) {
+    lower.triangularView<Eigen::Lower>().solveInPlace(values);
+    lower.transpose().triangularView<Eigen::Upper>().solveInPlace(values);
+  };
+  if (lower.rows() == 0) return;
+  if (x.cols() == 1)
+    both(x.col(0));
+  else
+    both(x);
+}
+
+Matrix solveWith(const Matrix& lower, Matrix b) {
+  solveInPlace(lower, b);
+  return b;
 }
 
 /// Pairs whose status contradicts their force or gap.
@@ -109,11 +121,17 @@ ContactCompliance::Closed::Closed(const ContactCompliance& contact, const std::v
   kernel_ = contact.inverse_.kernel() * loose_;
 }
 
-void ContactCompliance::Closed::forces(const Matrix& d, const Matrix& e, Matrix& force, Matrix& rigid) const {
-  const Matrix free = solveWith(factor_, d);
-  const Matrix coefficients = solveWith(rigidFactor_, held_.transpose() * e - gHeld_.transpose() * free);
-  force = free + solveWith(factor_, gHeld_ * coefficients);
+void ContactCompliance::Closed::forces(LocalView force, const Matrix& e, Matrix& rigid) const {
+  solveInPlace(factor_, force);
+  const Matrix coefficients = solveWith(rigidFactor_, held_.transpose() * e - gHeld_.transpose() * force);
   rigid = held_ * coefficients;
+  if (coefficients.rows() == 0) return;
+  thread_local std::vector<double> kept;
+  WorkSpace space(force.rows(), force.cols(), kept);
+  LocalView balance = space.values;
+  balance.noalias() = gHeld_ * coefficients;
+  solveInPlace(factor_, balance);
+  force += balance;
 }
 
 double ContactCompliance::Closed::unbalanced(const Vector& e) const {
@@ -124,17 +142,26 @@ void ContactCompliance::Closed::solve(LocalView v, double gaps, Matrix* pairForc
   const Matrix& kernel = contact_.inverse_.kernel();
   const Matrix e = kernel.transpose() * v;
   contact_.inverse_.apply(v);
-  Matrix d = rowsAt(contact_.rows_.rows * v, closed_);
+  thread_local std::vector<double> keptGap, keptForce, keptCorrection;
+  WorkSpace gapSpace(contact_.pairs(), v.cols(), keptGap), forceSpace(static_cast<int>(closed_.size()), v.cols(), keptForce);
+  LocalView gap = gapSpace.values, closedForce = forceSpace.values;
+  gap.setZero();
+  gap.noalias() += contact_.rows_.rows * v;
+  for (std::size_t i = 0; i < closed_.size(); ++i) closedForce.row(i) = gap.row(closed_[i]);
   if (gaps != 0.0)
-    for (std::size_t i = 0; i < closed_.size(); ++i) d.row(i).array() -= gaps * contact_.rows_.gap(closed_[i]);
-  Matrix closedForce, rigid;
-  forces(d, e, closedForce, rigid);
-  Matrix force = Matrix::Zero(contact_.pairs(), v.cols());
+    for (std::size_t i = 0; i < closed_.size(); ++i) closedForce.row(i).array() -= gaps * contact_.rows_.gap(closed_[i]);
+  Matrix rigid;
+  forces(closedForce, e, rigid);
+  LocalView force = gap;  // of all pairs, in the same place
+  force.setZero();
   for (std::size_t i = 0; i < closed_.size(); ++i) force.row(closed_[i]) = closedForce.row(i);
-  Matrix correction = contact_.rows_.rows.transpose() * force;
+  WorkSpace correctionSpace(v.rows(), v.cols(), keptCorrection);
+  LocalView correction = correctionSpace.values;
+  correction.setZero();
+  correction.noalias() += contact_.rows_.rows.transpose() * force;
   contact_.inverse_.apply(correction);
   v -= correction;
-  v += kernel * rigid;
+  if (kernel.cols() > 0) v.noalias() += kernel * rigid;
   if (pairForce) *pairForce = force;
 }
 
@@ -161,8 +188,8 @@ bool ContactCompliance::activeSet(const Vector& d, const Vector& e, State& state
   for (; state.steps < most; ++state.steps) {
     const Closed closed(*this, state.status);
     if (closed.unbalanced(e) > kUnbalanced * scale) return false;
-    Matrix closedForce, rigid;
-    closed.forces(rowsAt(d, closed.closed_), e, closedForce, rigid);
+    Matrix closedForce = rowsAt(d, closed.closed_), rigid;
+    closed.forces(closedForce, e, rigid);
     state.rigid = rigid;
     state.force = Vector::Zero(pairs());
     for (std::size_t i = 0; i < closed.closed_.size(); ++i) state.force(closed.closed_[i]) = closedForce(i, 0);

@@ -42,7 +42,8 @@ class ContactCompliance {
 
    private:
     friend class ContactCompliance;
-    void forces(const Matrix& d, const Matrix& e, Matrix& force, Matrix& rigid) const;
+    // force, in: what would be the gaps of the closed pairs; out: their forces.
+    void forces(LocalView force, const Matrix& e, Matrix& rigid) const;
     double unbalanced(const Vector& e) const;  ///< part of the loads on rigid motions that closed pairs cannot carry, relative
 
     const ContactCompliance& contact_;

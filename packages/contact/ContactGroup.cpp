@@ -132,12 +132,25 @@ const ContactCompliance& ContactGroup::floating() const {
   return *floating_;
 }
 
-Matrix ContactGroup::flux(const Matrix& trace, const Matrix& interior) const { return bb_ * trace + ib_.transpose() * interior; }
+void ContactGroup::flux(ConstLocalView trace, ConstLocalView interior, LocalView flux) const {
+  flux.setZero();
+  flux.noalias() += bb_ * trace;
+  flux.noalias() += ib_.transpose() * interior;
+}
 
-Matrix ContactGroup::interiorLoad(const Matrix& trace) const { return -(ib_ * trace); }
+void ContactGroup::interiorLoad(ConstLocalView trace, LocalView load) const {
+  load.setZero();
+  load.noalias() -= ib_ * trace;
+}
+
+Matrix ContactGroup::heldLoad(const Vector& trace) const {
+  Matrix load(static_cast<int>(interiorPositions_.size()), 1);
+  interiorLoad(trace, load);
+  return load + rowsAt(load_, interiorPositions_);
+}
 
 ContactGroup::Response ContactGroup::respond(const Vector& trace, const std::vector<PairStatus>& start) const {
-  Matrix v = rowsAt(load_, interiorPositions_) + interiorLoad(trace);
+  Matrix v = heldLoad(trace);
   ContactCompliance::State state = held_->solve(v, start);
   Response response;
   response.status = std::move(state.status);
@@ -146,7 +159,7 @@ ContactGroup::Response ContactGroup::respond(const Vector& trace, const std::vec
 }
 
 ContactGroup::Response ContactGroup::respondLinear(const Vector& trace, const std::vector<PairStatus>& status) const {
-  Matrix v = rowsAt(load_, interiorPositions_) + interiorLoad(trace);
+  Matrix v = heldLoad(trace);
   Response response;
   Matrix force;
   ContactCompliance::Closed(*held_, status).solve(v, 1.0, &force);
@@ -159,7 +172,9 @@ ContactGroup::Response ContactGroup::finish(const Vector& trace, const Vector& i
   response.displacement = Vector(dofs());
   for (std::size_t i = 0; i < interiorPositions_.size(); ++i) response.displacement(interiorPositions_[i]) = interior(i);
   for (std::size_t i = 0; i < boundaryPositions_.size(); ++i) response.displacement(boundaryPositions_[i]) = trace(i);
-  response.flux = flux(trace, interior) - rowsAt(load_, boundaryPositions_);
+  Matrix own(trace.size(), 1);
+  flux(trace, interior, own);
+  response.flux = own - rowsAt(load_, boundaryPositions_);
   response.energy =
       constantEnergy_ + 0.5 * response.displacement.dot(stiffness_ * response.displacement) - response.displacement.dot(load_);
   return response;

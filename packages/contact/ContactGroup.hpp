@@ -53,9 +53,9 @@ class ContactGroup {
   const ContactCompliance& floating() const;
 
   /// flux <- K_BB trace + K_BI v: what the boundary feels for unknowns v of the interior.
-  Matrix flux(const Matrix& trace, const Matrix& interior) const;
-  /// -K_IB trace
-  Matrix interiorLoad(const Matrix& trace) const;
+  void flux(ConstLocalView trace, ConstLocalView interior, LocalView flux) const;
+  /// load <- -K_IB trace
+  void interiorLoad(ConstLocalView trace, LocalView load) const;
   const std::vector<int>& interiorPositions() const { return interiorPositions_; }
 
   /// Rigid modes of the whole group, unknowns x k: combinations of members' modes that agree where members meet and vanish where
@@ -67,6 +67,7 @@ class ContactGroup {
   void number(const std::vector<GlobalId>& boundary);
   void assemble();
   void collectRows();
+  Matrix heldLoad(const Vector& trace) const;  // of the interior, one column
   Response finish(const Vector& trace, const Vector& interior, Response response) const;
 
   int id_;

@@ -1,4 +1,5 @@
 #include <suture/contact/LinearisedGroup.hpp>
+#include <suture/subdomain/WorkSpace.hpp>
 
 #include <algorithm>
 #include <sstream>
@@ -13,7 +14,10 @@ class NeumannInverse : public LocalInverse {
       : closed_(closed), positions_(positions), unknowns_(unknowns) {}
 
   void apply(ConstLocalView flux, LocalView trace) const override {
-    Matrix v = Matrix::Zero(unknowns_, flux.cols());
+    thread_local std::vector<double> kept;
+    WorkSpace space(unknowns_, flux.cols(), kept);
+    LocalView v = space.values;
+    v.setZero();
     for (std::size_t i = 0; i < positions_.size(); ++i) v.row(positions_[i]) = flux.row(i);
     closed_.solve(v, 0.0);
     for (std::size_t i = 0; i < positions_.size(); ++i) trace.row(i) = v.row(positions_[i]);
@@ -58,9 +62,12 @@ LinearisedGroup::LinearisedGroup(int id, const ContactGroup& group, const std::v
 }
 
 void LinearisedGroup::applySchur(ConstLocalView trace, LocalView flux) const {
-  Matrix v = group_.interiorLoad(trace);
+  thread_local std::vector<double> kept;
+  WorkSpace space(static_cast<int>(group_.interiorPositions().size()), trace.cols(), kept);
+  LocalView v = space.values;
+  group_.interiorLoad(trace, v);
   held_.solve(v, 0.0);
-  flux = group_.flux(trace, v);
+  group_.flux(trace, v, flux);
 }
 
 const ContactCompliance::Closed& LinearisedGroup::floating() const {

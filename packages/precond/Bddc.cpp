@@ -54,7 +54,8 @@ Bddc::Bddc(std::unique_ptr<Weighting> weighting, std::unique_ptr<EdgeConstraints
 struct Bddc::Work {
   Matrix overlap;
   std::vector<Matrix> flux, trace;  // of each local problem
-  Vector primal, own;
+  std::vector<Vector> own;          // of each local problem's primal unknowns
+  Vector primal;
 };
 
 Bddc::~Bddc() = default;
@@ -91,7 +92,7 @@ void Bddc::countConstraints(const std::vector<Matrix>& edgeRows) {
 double Bddc::bytesRead() const {
   double sum = 0.0;
   for (const auto& inverse : inverses_)
-    if (inverse) sum += inverse->bytesRead();
+    if (inverse) sum += inverse->bytesRead() + inverse->basisBytesRead();
   return sum;
 }
 
@@ -176,6 +177,7 @@ void Bddc::doApply(const MultiVector& r, MultiVector& z) const {
   Work& work = *work_;
   work.flux.resize(locals_.size());
   work.trace.resize(locals_.size());
+  work.own.resize(locals_.size());
   for (std::size_t column = 0; column < r.getNumVectors(); ++column) {
     const auto zOne = z.getVectorNonConst(column);
     space()->gather(*r.getVector(column), work.overlap);
@@ -187,8 +189,8 @@ void Bddc::doApply(const MultiVector& r, MultiVector& z) const {
       flux.resize(coupling.rows(), 1);
       coupling.restrictTo(work.overlap, flux);
       weighting_->applyTranspose(static_cast<int>(i), flux);
-      inverses_[i]->applyBasisTransposed(flux.col(0), work.own);
-      for (const Value& value : values_[i]) work.primal(value.number) += value.coefficient * work.own(value.row);
+      inverses_[i]->applyBasisTransposed(flux.col(0), work.own[i]);
+      for (const Value& value : values_[i]) work.primal(value.number) += value.coefficient * work.own[i](value.row);
     }
     const Vector& y = coarse_->solve(work.primal);
     work.overlap.setZero();
@@ -198,9 +200,9 @@ void Bddc::doApply(const MultiVector& r, MultiVector& z) const {
       Matrix& trace = work.trace[i];
       trace.resize(coupling.rows(), 1);
       inverses_[i]->apply(work.flux[i], trace);
-      work.own.setZero(inverses_[i]->energy().rows());
-      for (const Value& value : values_[i]) work.own(value.row) += value.coefficient * y(value.number);
-      inverses_[i]->addBasis(work.own, trace.col(0));
+      work.own[i].setZero();
+      for (const Value& value : values_[i]) work.own[i](value.row) += value.coefficient * y(value.number);
+      inverses_[i]->addBasis(work.own[i], trace.col(0));
       weighting_->apply(static_cast<int>(i), trace);
       coupling.addTransposed(trace, work.overlap);
     }

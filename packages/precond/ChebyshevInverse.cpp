@@ -64,8 +64,9 @@ double ChebyshevInverse::estimateLargest() const {
 void ChebyshevInverse::apply(const MultiVector& b, MultiVector& x) const {
   const double high = std::max(kMargin * largest_, 1.0 + 1e-3);
   const double middle = 0.5 * (high + 1.0), half = 0.5 * (high - 1.0);
-  const InterfaceSpace& space = *matrix_->space();
-  const MultiVectorPtr r = space.vector(), z = space.vector(), d = space.vector(), image = space.vector();
+  if (work_[0].is_null())
+    for (MultiVectorPtr& vector : work_) vector = matrix_->space()->vector();
+  const auto& [r, z, d, image] = work_;
   r->assign(b);
   preconditioner_->apply(*r, *z);
   d->update(1.0 / middle, *z, 0.0);

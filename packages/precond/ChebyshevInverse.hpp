@@ -1,6 +1,8 @@
 #pragma once
 #include <suture/precond/Preconditioner.hpp>
 
+#include <array>
+
 namespace suture {
 
 /// A preconditioned operator solved by a fixed number of Chebyshev steps: a linear, symmetric positive definite approximation P of S^-1,
@@ -25,6 +27,7 @@ class ChebyshevInverse {
   Teuchos::RCP<const Preconditioner> preconditioner_;
   double largest_ = 1.0;
   int steps_ = 1;
+  mutable std::array<MultiVectorPtr, 4> work_;  // of apply(), which every iteration calls
 };
 
 }  // namespace suture

@@ -1,6 +1,7 @@
 #include <suture/base/Dense.hpp>
 #include <suture/base/Errors.hpp>
 #include <suture/precond/ClusterProblem.hpp>
+#include <suture/subdomain/WorkSpace.hpp>
 
 #include <algorithm>
 #include <map>
@@ -19,7 +20,12 @@ class SpectralInverse : public LocalInverse {
     for (int i = 0; i < pairs_.values.size(); ++i) pairs_.values(i) = pairs_.values(i) > least ? 1.0 / pairs_.values(i) : 0.0;
   }
   void apply(ConstLocalView flux, LocalView trace) const override {
-    trace = pairs_.vectors * (pairs_.values.asDiagonal() * (pairs_.vectors.transpose() * flux)).eval();
+    thread_local std::vector<double> kept;
+    WorkSpace space(flux.rows(), flux.cols(), kept);
+    LocalView parts = space.values;
+    parts.noalias() = pairs_.vectors.transpose() * flux;
+    parts.array().colwise() *= pairs_.values.array();
+    trace.noalias() = pairs_.vectors * parts;
   }
 
  private:
@@ -63,6 +69,11 @@ ClusterProblem::ClusterProblem(int id, std::vector<GlobalId> boundary, const std
   schur_ = factor_->trailingSchur();
 }
 
+// Column by column: Eigen takes work space for a product of matrices.
+void ClusterProblem::applySchur(ConstLocalView trace, LocalView flux) const {
+  for (Eigen::Index c = 0; c < trace.cols(); ++c) flux.col(c).noalias() = schur_.selfadjointView<Eigen::Lower>() * trace.col(c);
+}
+
 const Matrix& ClusterProblem::kernel() const {
   if (!kernel_) {
     const Eigenpairs pairs = symmetricEigenpairs(schur_);
@@ -75,12 +86,16 @@ const Matrix& ClusterProblem::kernel() const {
 
 std::unique_ptr<LocalInverse> ClusterProblem::inverse() const { return std::make_unique<SpectralInverse>(schur_); }
 
-Vector ClusterProblem::solveInterior(const Vector& load) const {
-  Matrix x = load;
-  if (x.rows() > 0) factor_->solveLeading(x);
-  return x.col(0);
+void ClusterProblem::condense(LocalView interior, LocalView flux) const {
+  if (interior.rows() > 0) factor_->solveLeading(interior);
+  flux.setZero();
+  flux.noalias() -= ib_.transpose() * interior;
 }
 
-Vector ClusterProblem::follow(const Vector& trace) const { return -solveInterior(ib_ * trace); }
+void ClusterProblem::recover(ConstLocalView trace, LocalView interior) const {
+  if (interior.rows() == 0) return;
+  interior.noalias() -= ib_ * trace;
+  factor_->solveLeading(interior);
+}
 
 }  // namespace suture

@@ -17,7 +17,7 @@ class ClusterProblem : public LocalProblem {
   /// \throws NumericalError  the interior is singular
   ClusterProblem(int id, std::vector<GlobalId> boundary, const std::vector<CoarseElement>& elements);
 
-  void applySchur(ConstLocalView trace, LocalView flux) const override { flux.noalias() = schur_.selfadjointView<Eigen::Lower>() * trace; }
+  void applySchur(ConstLocalView trace, LocalView flux) const override;
   Vector condensedLoad() const override { return Vector::Zero(size()); }
   double constantEnergy() const override { return 0.0; }
   const Vector& stiffnessDiagonal() const override { return diagonal_; }
@@ -33,12 +33,11 @@ class ClusterProblem : public LocalProblem {
 
   /// Coarse unknowns of its own, ascending.
   const std::vector<int>& interior() const { return interior_; }
-  /// Values in the interior under `load` there, the boundary held.
-  Vector solveInterior(const Vector& load) const;
-  /// Flux that the boundary exerts against these.  K_BI interior
-  Vector fluxOf(const Vector& interior) const { return ib_.transpose() * interior; }
-  /// Values in the interior that follow a trace without load.
-  Vector follow(const Vector& trace) const;
+  /// Flux that the boundary, held, exerts against loads in the interior.
+  /// \param interior  in: the loads; lost
+  void condense(LocalView interior, LocalView flux) const;
+  /// \param interior  in: the loads; out: the values under them and with this trace
+  void recover(ConstLocalView trace, LocalView interior) const;
 
  private:
   std::vector<int> interior_;

@@ -3,6 +3,7 @@
 #include <suture/precond/Bddc.hpp>
 #include <suture/precond/CoarseClusters.hpp>
 #include <suture/precond/SecondLevel.hpp>
+#include <suture/subdomain/WorkSpace.hpp>
 
 #include <Teuchos_CommHelpers.hpp>
 #include <Tpetra_Map.hpp>
@@ -73,44 +74,46 @@ SecondLevel::SecondLevel(CommPtr comm, const CoarseElements& coarse, int locals,
                                                                    " or more it is solved exactly; or choose other Coarse Clusters");
   }
   inverse_ = std::make_unique<ChebyshevInverse>(matrix, bddc, levels.accuracy);
+  right_ = space_->vector();
+  left_ = space_->vector();
 }
 
 const Vector& SecondLevel::solve(const Vector& mine) const {
-  Vector load(size_);
+  load_.resize(size_);
   answer_.setZero(size_);
-  Teuchos::reduceAll(*comm_, Teuchos::REDUCE_SUM, size_, mine.data(), load.data());
-  std::vector<Vector> inner(problems_.size());
-  Matrix overlap = Matrix::Zero(space_->overlapSize(), 1);
+  Teuchos::reduceAll(*comm_, Teuchos::REDUCE_SUM, size_, mine.data(), load_.data());
+  const auto loadsOf = [&](const ClusterProblem& problem, LocalView interior) {
+    for (std::size_t i = 0; i < problem.interior().size(); ++i) interior(static_cast<int>(i), 0) = load_(problem.interior()[i]);
+  };
+  overlap_.setZero(space_->overlapSize(), 1);
   for (std::size_t k = 0; k < problems_.size(); ++k) {
     const ClusterProblem& problem = *problems_[k];
-    Vector own(problem.interior().size());
-    for (std::size_t i = 0; i < problem.interior().size(); ++i) own(static_cast<int>(i)) = load(problem.interior()[i]);
-    inner[k] = problem.solveInterior(own);
-    const Matrix flux = -problem.fluxOf(inner[k]);
-    space_->coupling(static_cast<int>(k)).addTransposed(flux, overlap);
+    WorkSpace interior(static_cast<int>(problem.interior().size()), 1, interior_), flux(problem.size(), 1, trace_);
+    loadsOf(problem, interior.values);
+    problem.condense(interior.values, flux.values);
+    space_->coupling(static_cast<int>(k)).addTransposed(flux.values, overlap_);
   }
-  Matrix trace(space_->overlapSize(), 1);
   if (inverse_) {
-    const MultiVectorPtr b = space_->vector(), x = space_->vector();
-    space_->scatterAdd(overlap, *b);
+    space_->scatterAdd(overlap_, *right_);
     {
-      auto values = localView(*b);
-      for (int row = 0; row < values.rows(); ++row) values(row, 0) += load(static_cast<int>(space_->map()->getGlobalElement(row)));
+      auto values = localView(*right_);
+      for (int row = 0; row < values.rows(); ++row) values(row, 0) += load_(static_cast<int>(space_->map()->getGlobalElement(row)));
     }
-    inverse_->apply(*b, *x);
-    space_->gather(*x, trace);
-    const auto values = localView(static_cast<const MultiVector&>(*x));
+    inverse_->apply(*right_, *left_);
+    space_->gather(*left_, overlap_);
+    const auto values = localView(static_cast<const MultiVector&>(*left_));
     for (int row = 0; row < values.rows(); ++row) answer_(static_cast<int>(space_->map()->getGlobalElement(row))) = values(row, 0);
   }
   for (std::size_t k = 0; k < problems_.size(); ++k) {
     const ClusterProblem& problem = *problems_[k];
-    Matrix own(problem.size(), 1);
-    space_->coupling(static_cast<int>(k)).restrictTo(trace, own);
-    inner[k] += problem.follow(own.col(0));
-    for (std::size_t i = 0; i < problem.interior().size(); ++i) answer_(problem.interior()[i]) = inner[k](static_cast<int>(i));
+    WorkSpace interior(static_cast<int>(problem.interior().size()), 1, interior_), trace(problem.size(), 1, trace_);
+    loadsOf(problem, interior.values);
+    space_->coupling(static_cast<int>(k)).restrictTo(overlap_, trace.values);
+    problem.recover(trace.values, interior.values);
+    for (std::size_t i = 0; i < problem.interior().size(); ++i) answer_(problem.interior()[i]) = interior.values(static_cast<int>(i), 0);
   }
-  load = answer_;
-  Teuchos::reduceAll(*comm_, Teuchos::REDUCE_SUM, size_, load.data(), answer_.data());
+  load_ = answer_;
+  Teuchos::reduceAll(*comm_, Teuchos::REDUCE_SUM, size_, load_.data(), answer_.data());
   return answer_;
 }
 

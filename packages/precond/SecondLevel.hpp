@@ -35,6 +35,11 @@ class SecondLevel : public CoarseSolve {
   std::shared_ptr<const InterfaceSpace> space_;
   std::unique_ptr<ChebyshevInverse> inverse_;
   mutable Vector answer_;  // of the last solve
+  // Of solve(), which every iteration calls: it allocates nothing.
+  mutable Vector load_;
+  mutable Matrix overlap_;
+  mutable std::vector<double> interior_, trace_;  // of a cluster
+  MultiVectorPtr right_, left_;
 };
 
 }  // namespace suture

@@ -24,7 +24,8 @@ class ConstrainedInverse : public LocalInverse {
     basis_.multiplyTransposed(flux, values);
   }
   void addBasis(const Vector& values, Eigen::Ref<Vector> trace) const override { basis_.addProduct(values, trace); }
-  double bytesRead() const override { return inverse_.bytes() + 2.0 * basis_.bytes(); }
+  double bytesRead() const override { return inverse_.bytes(); }
+  double basisBytesRead() const override { return 2.0 * basis_.bytes(); }
 
  private:
   PackedSymmetric inverse_;

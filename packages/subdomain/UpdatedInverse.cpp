@@ -128,8 +128,8 @@ void UpdatedInverse::apply(ConstLocalView flux, LocalView trace) const {
 }
 
 double UpdatedInverse::bytesRead() const {
-  const double own = base_->bytesRead();  // with the basis of the base, which is not read
-  return own > 0.0 ? own + 2.0 * (plus_.bytes() + minus_.bytes() + basis_.bytes()) : 0.0;
+  const double own = base_->bytesRead();
+  return own > 0.0 ? own + 2.0 * (plus_.bytes() + minus_.bytes()) : 0.0;
 }
 
 }  // namespace suture

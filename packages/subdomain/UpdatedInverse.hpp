@@ -30,6 +30,7 @@ class UpdatedInverse : public LocalInverse {
   }
   void addBasis(const Vector& values, Eigen::Ref<Vector> trace) const override { basis_.addProduct(values, trace); }
   double bytesRead() const override;
+  double basisBytesRead() const override { return 2.0 * basis_.bytes(); }
 
  private:
   UpdatedInverse() = default;

@@ -1,5 +1,6 @@
 // Inverses under other constraints than those they were made for, against the saddle problem solved anew.
 #include <Teuchos_UnitTestHarness.hpp>
+#include <algorithm>
 #include <suture/subdomain/ConstrainedInverse.hpp>
 #include <suture/subdomain/UpdatedInverse.hpp>
 
@@ -57,7 +58,10 @@ TEUCHOS_UNIT_TEST(UpdatedInverse, IsTheSaddleProblemsSolution) {
       TEST_COMPARE((values - found->basis().transpose() * flux).norm(), <, 1e-13 * found->basis().norm() * flux.norm());
       found->addBasis(coefficients, trace);
       TEST_COMPARE((trace - flux - found->basis() * coefficients).norm(), <, 1e-13 * found->basis().norm() * coefficients.norm());
-      TEST_COMPARE(found->bytesRead(), >, base(n, kernel, orders)->bytesRead());
+      // the base's inverse and what was added to it, but not its basis
+      const auto kept = static_cast<int>(std::count_if(from.begin(), from.end(), [](int row) { return row >= 0; }));
+      TEST_EQUALITY(found->bytesRead() > base(n, kernel, orders)->bytesRead(), kept < 5 || from.size() > 5);
+      TEST_COMPARE(found->basisBytesRead(), >, 0.0);
     }
 }
 
