@@ -23,9 +23,10 @@ struct BlockCut {
   int repairs = 0;          ///< as metisCut() counts
 };
 
-/// Every block on its cutter, which gets the graph from the owner and sends back what it found. The same on any number of ranks.
-/// Collective. \param blocks  the same on all ranks \param graphs  of this rank's own blocks, in their order \return of this rank's own
-/// blocks, in their order
+/// Every block on its cutter, which gets the graph from the owner and sends back what it found. Collective.
+/// \param blocks  the same on all ranks
+/// \param graphs  of this rank's own blocks, in their order
+/// \return of this rank's own blocks, in their order; whoever cuts them
 std::vector<BlockCut> cutBlocks(const Comm& comm, const std::vector<Block>& blocks, std::vector<ElementGraph> graphs, int seed);
 
 }  // namespace suture
