@@ -14,7 +14,6 @@ ROOT = HERE.parent.parent
 
 # The model scenes that have a geometry, and what refines it.
 GEOMETRY = {"tunnel": ("input/tunnel/tunnel_metis.xml", "scale"), "hertz": ("input/hertz/hertz.xml", "resolution")}
-# Hertz at 4M is not meshed yet: from a parabola through the smaller sizes.
 SIZES = {
     "10k": {"tunnel": 1.0, "hertz": 26},
     "60k": {"tunnel": 0.4, "hertz": 79},
