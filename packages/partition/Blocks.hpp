@@ -11,7 +11,7 @@ std::vector<int> subdomainsOfBlocks(int elements, int subdomains);
 
 /// Cuts connected parts into connected blocks, in proportion to their subdomains: METIS on groups of up to 32 neighbouring elements, then
 /// borders are smoothed (an element that has more neighbours in another block joins that). Bisection by coordinates would take half the
-/// time, but where elements are graded its blocks end in slivers (Hertz at 1M: condition 9.5 to 12.7 instead of 6.3 to 8.8, eight seeds
+/// time, but where elements are graded its blocks end in slivers (Hertz at 1M: condition 9.5 to 12.7 instead of 6.8 to 9.9, eight seeds
 /// each). Deterministic. Local.
 /// \param graph       parts have no neighbours in others
 /// \param parts       their elements
