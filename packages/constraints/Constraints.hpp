@@ -36,14 +36,13 @@ struct ContactPair {
   double length = 0.0;      ///< tributary length: integral of the carrying node's hat function [length]; axisymmetric: times 2 pi r [area]
   double arc = 0.0;         ///< arc length from the first node of its line on the carrying side
   Point position{0, 0, 0};  ///< of the carrying node
-  double pressureDoubt = 0.0;  ///< estimated error of the pressure where straight elements stand for curved sides [stress]
 
   int node() const { return ends.front().node; }  ///< that carries it
 
   template <typename Self, typename Each>
   static void forEachField(Self& self, const Each& each) {
     each(self.id), each(self.line), each(self.piece), each(self.ends), each(self.normal);
-    each(self.gap), each(self.length), each(self.arc), each(self.position), each(self.pressureDoubt);
+    each(self.gap), each(self.length), each(self.arc), each(self.position);
   }
 };
 
@@ -58,6 +57,7 @@ struct ContactPiece {
   std::string name;            ///< of the contact line; "<line> 2" for its second component, "a + b" for lines that touch
   std::vector<int> pairs;      ///< ids
   int bodyA = -1, bodyB = -1;  ///< B: -1 for a rigid obstacle
+  double pressureDoubt = 0.0;  ///< estimated error of nodal pressures where straight elements stand for curved sides [stress]
 };
 
 /// All that restricts the displacements of a scene: Dirichlet and bilateral rows as nodal rules, contact pairs and pieces. On rank 0, for

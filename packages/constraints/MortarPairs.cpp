@@ -19,6 +19,7 @@ using Geometry = ContactLine::Geometry;
 
 constexpr double kSamePlace = 1e-10;  // of an element's reference interval
 constexpr double kFacing = 0.5;       // cosine of the angle up to which two normals are opposite
+constexpr double kOpposite = 1e-9;    // sine of the angle up to which normals of facing sides are opposite
 constexpr double kParallel = 1e-13;   // difference of two normals that are one
 constexpr double kCovered = 0.2;      // of a hat function, below which its node carries no condition of its own
 
@@ -50,6 +51,7 @@ class Mortar {
         own_(segments(onA ? line.groupA : line.groupB, line_)),
         other_(segments(onA ? line.groupB : line.groupA, otherLine_)),
         rule_(gaussRule(6)) {
+    findNormals();
     for (const Segment& own : own_) integrate(own);
     handOn();
   }
@@ -70,10 +72,12 @@ class Mortar {
       return row != rows_.end() && row->second.weight > 0.5 * entry.second.tributary;
     });
   }
-  /// Whether both sides are curved and of straight elements with two nodes.
-  bool isFacetOnFacet() const {
-    const auto faceted = [](const Segment& s) { return s.isLinear() && s.isCurved(); };
-    return std::any_of(own_.begin(), own_.end(), faceted) && std::any_of(other_.begin(), other_.end(), faceted);
+  /// Whether sides of two-node elements meet, one of them at least curved.
+  bool isCurvedAndLinear() const {
+    const auto linear = [](const Segment& s) { return s.isLinear(); };
+    const auto curved = [](const Segment& s) { return s.isCurved(); };
+    return linear(own_.front()) && linear(other_.front()) &&
+           (std::any_of(own_.begin(), own_.end(), curved) || std::any_of(other_.begin(), other_.end(), curved));
   }
   double meanLength() const {
     double sum = 0;
@@ -221,10 +225,19 @@ class Mortar {
     return result;
   }
 
-  /// Normal along which the condition that a node's psi belongs to is projected.
-  const Point& rowNormal(const Segment& own, int j) const {
-    const auto heir = heirNormals_.find(own.nodes()[j]);
-    return heir == heirNormals_.end() ? own.normal(j) : heir->second;
+  /// Normal of each row: the mean of both sides' where they face each other.
+  void findNormals() {
+    for (const Segment& own : own_)
+      for (int j = 0; j < own.count(); ++j) {
+        const int node = own.nodes()[j];
+        Point normal = own.normal(j);
+        const Point from = mesh_.point(node);
+        if (const Segment* other = nearest(from, normal)) {
+          const Point facing = other->normalAt(meet(from, normal, *other)->eta);
+          if (std::abs(cross(normal, facing)) > kOpposite) normal = unit(minus(normal, facing));
+        }
+        rowNormals_[node] = normal;
+      }
   }
 
   // Each row has a constant normal: the way from a point of one side to that of the other is then parallel to the row's force, and moments
@@ -234,7 +247,7 @@ class Mortar {
     std::vector<Point> normals;
     std::vector<int> setOf;
     for (int j = 0; j < own.count(); ++j) {
-      const Point normal = rowNormal(own, j);
+      const Point normal = rowNormals_.at(own.nodes()[j]);
       std::size_t at = 0;
       while (at < sets.size() && norm(minus(normals[at], normal)) > kParallel) ++at;
       if (at == sets.size()) sets.push_back(sample(own, normal)), normals.push_back(normal);
@@ -275,7 +288,7 @@ class Mortar {
   void handOn() {
     const std::map<int, int> heirs = findHeirs();
     if (heirs.empty()) return;
-    for (const auto& [node, heir] : heirs) heirNormals_[node] = unit(line_.normal(heir));
+    for (const auto& [node, heir] : heirs) rowNormals_[node] = rowNormals_.at(heir);
     rows_.clear();
     for (const Segment& own : own_) integrate(own);
     for (const auto& [node, heir] : heirs) {
@@ -310,7 +323,7 @@ class Mortar {
     ContactPair pair;
     pair.id = id;
     pair.line = contact_.number;
-    const Point normal = line_.normal(node);
+    const Point& normal = rowNormals_.at(node);
     pair.normal = {sign_ * normal[0], sign_ * normal[1], 0};
     pair.gap = row.gap / row.weight;
     pair.length = row.weight;
@@ -334,7 +347,7 @@ class Mortar {
   std::vector<Segment> own_, other_;
   LineRule rule_;
   std::map<int, Row> rows_;  // by the node that carries it
-  std::map<int, Point> heirNormals_;  // by the node that hands its psi on
+  std::map<int, Point> rowNormals_;  // by node
 };
 
 /// The side that the other covers wholly, where the stress ends with the side and not inside an element. Of two or none such the coarser
@@ -342,7 +355,7 @@ class Mortar {
 /// better and has a node of its own for each condition.
 Mortar carriedByEither(const Mesh& mesh, const ContactLine& line) {
   Mortar a(mesh, line, true), b(mesh, line, false);
-  if (a.isFacetOnFacet() && a.coversEachNode() == b.coversEachNode()) return a.meanLength() >= b.meanLength() ? a : b;
+  if (a.isCurvedAndLinear() && a.coversEachNode() == b.coversEachNode()) return a.meanLength() >= b.meanLength() ? a : b;
   if (a.coversAll() != b.coversAll()) return a.coversAll() ? a : b;
   return a.nodes() >= b.nodes() ? a : b;
 }

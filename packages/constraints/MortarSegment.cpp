@@ -32,6 +32,8 @@ MortarSegment::MortarSegment(const Mesh& mesh, const BoundaryLine& line, const s
 Point MortarSegment::mixed(double xi) const { return mix(points_, sideShape(count(), xi).value); }
 Point MortarSegment::tangent(double xi) const { return mix(points_, sideShape(count(), xi).slope); }
 
+Point MortarSegment::normalAt(double xi) const { return unit(mix(normals_, sideShape(count(), xi).value)); }
+
 // A step s along the direction leads from xi to the place u + s t.d on the chord, at the height s m.d: where the arc has that height.
 double MortarSegment::wayToArc(double curvature, double xi, const Point& direction) const {
   if (curvature == 0) return 0.0;

@@ -22,6 +22,8 @@ class MortarSegment {
   Point tangent(double xi) const;  ///< of the length ds / d xi
   /// Outward normal of the line at a node of the element.
   const Point& normal(int node) const { return normals_[node]; }
+  /// Outward normal at a point, interpolated between the nodes.
+  Point normalAt(double xi) const;
   double length() const { return norm(minus(points_[1], points_[0])); }
 
   /// Curvature of the line at a point. [1 / length]
