@@ -64,8 +64,8 @@ Vector shiftOf(const MonolithicSystem& system, const RigidParts& rigid) {
   return shift;
 }
 
-CondensedContact condense(const Mesh& mesh, const MonolithicSystem& system, const RigidParts& rigid, const CholmodFactor& factor,
-                          const Vector& heldSolution) {
+CondensedContact condense(const Mesh& mesh, const Constraints& constraints, const MonolithicSystem& system, const RigidParts& rigid,
+                          const CholmodFactor& factor, const Vector& heldSolution) {
   CondensedContact contact;
   contact.stiffness = factor.trailingSchur();
   const int trailing = system.contactDofs(), leading = system.dofs() - trailing;
@@ -82,6 +82,7 @@ CondensedContact condense(const Mesh& mesh, const MonolithicSystem& system, cons
     contact.dofs.push_back(system.rows()[i].dofs);
     contact.coefficients.push_back(system.rows()[i].coefficients);
     contact.bounds[Eigen::Index(i)] = system.rows()[i].bound;
+    contact.lines.push_back(constraints.pairs[i].line);
   }
   return contact;
 }
@@ -195,7 +196,7 @@ MonolithicResult solveMonolithic(const Mesh& mesh, const Constraints& constraint
       result.rows.push_back(row);
       monitor.outer(row);
     };
-    contact = solveCondensedContact(condense(mesh, system, rigid, factor, interior), start, options.maximumIterations, tell);
+    contact = solveCondensedContact(condense(mesh, constraints, system, rigid, factor, interior), start, options.maximumIterations, tell);
     if (contact.x.size() == 0) throw NumericalError("monolithic solver: " + contact.failure);
     x.tail(trailing) = contact.x;
     interior = system.load().head(leading) - (system.stiffness() * x).head(leading);

@@ -28,7 +28,4 @@ void checkSolvability(const Mesh& mesh, const Constraints& constraints, const Ve
 /// The same from the beginning. \param bodiesAreConnected  as for freeRigidMotions()
 void checkSolvability(const Mesh& mesh, const Constraints& constraints, const ElasticModel& model, bool bodiesAreConnected = false);
 
-/// p >= 0 that minimises |a p - b| (Lawson and Hanson). a: few rows, any number of columns. Local.
-Vector nonnegativeLeastSquares(const Matrix& a, const Vector& b);
-
 }  // namespace suture
