@@ -276,8 +276,13 @@ ContactSearch::Result ContactSearch::finish(bool converged, std::string failure)
   if (converged) {
     ClosedSet carrying = set_;
     const double least = kIdle * (result.force.size() > 0 ? result.force.maxCoeff() : 0.0);
-    for (std::size_t i = 0; i < set_.size(); ++i) carrying[i] = set_[i] && result.force(static_cast<Eigen::Index>(i)) > least;
-    result.neutral = rigid_.loose(carrying);
+    ClosedSet touching(set_.size(), 0);
+    for (std::size_t i = 0; i < set_.size(); ++i) {
+      const auto at = static_cast<Eigen::Index>(i);
+      carrying[i] = set_[i] && result.force(at) > least && result.force(at) > answer_.forceTolerance(at);
+      touching[i] = rigid_.data().able[i] && !carrying[i] && (set_[i] || answer_.penetration(at) >= -answer_.penetrationTolerance(at));
+    }
+    result.neutral = rigid_.neutral(carrying, touching);
   } else if (seen_.size() > 1) {
     for (int i = 0; i < rigid_.pairs(); ++i)
       if (seen_[seen_.size() - 1][i] != seen_[seen_.size() - 2][i]) result.alternating.push_back(i);
@@ -287,6 +292,7 @@ ContactSearch::Result ContactSearch::finish(bool converged, std::string failure)
 
 ContactSearch::Result ContactSearch::run(ClosedSet start) {
   ClosedSet next = std::move(start);
+  set_ = next;
   const int last = oracle_.levels() - 1;
   while (true) {
     if (!solve(next)) return finish(false, stopped_ ? "" : "a linear solve failed");

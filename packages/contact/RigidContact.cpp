@@ -178,7 +178,7 @@ ClosedSet RigidContact::start() {
   double size = 0.0;
   for (int i = 0; i < pairs(); ++i) size = std::max(size, std::abs(pairs_.penetration(i)));
   for (int i = 0; i < pairs(); ++i)
-    if (pairs_.able[i] && pairs_.rows.row(i).isZero(0.0) && pairs_.penetration(i) >= -kTouching * size) set[i] = 1;
+    if (pairs_.able[i] && pairs_.rows.row(i).norm() < kDependent && pairs_.penetration(i) >= -kTouching * size) set[i] = 1;
   return set;
 }
 
@@ -223,6 +223,24 @@ Vector RigidContact::settle(const ClosedSet& closed, const Vector& penetration, 
   const PadProblem problem{rows, w, stiffness, none, 1e-12 * w.cwiseMax(0.0).dot(stiffness)};
   problem.solve(z);
   return z;
+}
+
+// The cone {z : G z <= 0} is a point if and only if its polar cone, spanned by the rows of G, is the whole space.
+Matrix RigidContact::neutral(const ClosedSet& carrying, const ClosedSet& touching) const {
+  const Matrix free = loose(carrying);
+  if (free.cols() == 0) return Matrix(motions(), 0);
+  const std::vector<int> at = members(touching, 1);
+  const Matrix rows = pairs_.rows(at, Eigen::all) * free;
+  Matrix found(free.cols(), 0);
+  for (Eigen::Index k = 0; k < free.cols(); ++k)
+    for (const double sign : {1.0, -1.0}) {
+      Vector rest = sign * Vector::Unit(free.cols(), k);
+      if (!at.empty()) rest -= rows.transpose() * nonnegativeLeastSquares(rows.transpose(), rest);
+      if (rest.norm() <= kNoEquilibrium) continue;
+      found.conservativeResize(Eigen::NoChange, found.cols() + 1);
+      found.rightCols(1) = rest.normalized();
+    }
+  return found.cols() > 0 ? Matrix(free * orthonormalBasis(found, 1e-9)) : Matrix(motions(), 0);
 }
 
 Vector RigidContact::clusterScale(const ClosedSet& closed, const Vector& values) const {

@@ -55,6 +55,9 @@ class RigidContact {
   std::vector<int> holders(const ClosedSet& closed, const Matrix& loose) const;
   /// The combination z of loose motions after which open pairs penetrate least: argmin sum (w + rows Z z)_+^2 / c. Zero where none does.
   Vector settle(const ClosedSet& closed, const Vector& penetration, const Matrix& loose) const;
+  /// Motions that change no pair with force and make none of the touching ones penetrate, orthonormal; a motion counts if it is free in
+  /// one sense. motions x k.
+  Matrix neutral(const ClosedSet& carrying, const ClosedSet& touching) const;
   /// Scale of values at each pair: the largest magnitude among pairs of its cluster, that is of the bodies which closed pairs connect with
   /// its own. A weak cluster is not measured by a strong one beside it.
   Vector clusterScale(const ClosedSet& closed, const Vector& values) const;

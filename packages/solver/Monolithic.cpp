@@ -3,7 +3,7 @@
 #include <suture/solver/Monolithic.hpp>
 #include <suture/solver/MonolithicContact.hpp>
 #include <suture/solver/MonolithicSystem.hpp>
-#include <suture/solver/RigidMotion.hpp>
+#include <suture/constraints/RigidMotion.hpp>
 #include <suture/solver/Solvability.hpp>
 #include <suture/subdomain/CholmodFactor.hpp>
 

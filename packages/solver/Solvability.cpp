@@ -16,36 +16,6 @@ namespace {
 constexpr double noWork = 1e-9;    // of the forces on the part
 constexpr double noMotion = 1e-8;  // of a unit amplitude
 
-std::string number(double value, double scale) {
-  std::ostringstream text;
-  text.precision(4);
-  text << (std::abs(value) < 1e-6 * scale ? 0.0 : value);
-  return text.str();
-}
-
-// A motion of a part in words: "move upwards (0, 1)", "turn about (3, 4), counterclockwise".
-std::string inWords(const RigidPart& part, const Vector& amplitudes, int dimension) {
-  const Vector translation = amplitudes.head(dimension), rotation = amplitudes.tail(amplitudes.size() - dimension);
-  if (rotation.norm() < 1e-6 * translation.norm()) {
-    const Vector direction = translation.normalized();
-    std::string text = "move";
-    if (std::abs(direction[dimension - 1]) > 1 - 1e-6) text += direction[dimension - 1] > 0 ? " upwards" : " downwards";
-    if (std::abs(direction[0]) > 1 - 1e-6) text += direction[0] > 0 ? " to the right" : " to the left";
-    text += " (";
-    for (int k = 0; k < dimension; ++k) text += (k > 0 ? ", " : "") + number(direction[k], 1.0);
-    return text + ")";
-  }
-  if (dimension == 2) {
-    // u = t + r (-y, x) / radius vanishes at the centre of the rotation
-    const double x = part.centre[0] - part.radius * translation[1] / rotation[0],
-                 y = part.centre[1] + part.radius * translation[0] / rotation[0];
-    return "turn about (" + number(x, part.radius) + ", " + number(y, part.radius) + "), " +
-           (rotation[0] > 0 ? "counterclockwise" : "clockwise");
-  }
-  const Vector axis = rotation.normalized();
-  return "turn about the axis (" + number(axis[0], 1.0) + ", " + number(axis[1], 1.0) + ", " + number(axis[2], 1.0) + ")";
-}
-
 // Of a space of amplitudes (orthonormal columns) the motion that is easiest to say: a translation if there is one, along an axis if
 // possible.
 std::string inWords(const RigidPart& part, const Matrix& space, int dimension) {

@@ -1,8 +1,8 @@
 #pragma once
 #include <suture/constraints/Constraints.hpp>
+#include <suture/constraints/RigidMotion.hpp>
 #include <suture/elasticity/ElasticModel.hpp>
 #include <suture/mesh/Mesh.hpp>
-#include <suture/solver/RigidMotion.hpp>
 
 namespace suture {
 

@@ -204,6 +204,7 @@ OuterResult solveInterface(const InterfaceProblem& problem, const Parameters& sc
   }
   settings.maximumIterations = own.get<int>("Maximum Iterations");
   settings.maximumInnerIterations = own.get<int>("Maximum Inner Iterations");
+  settings.rigidStart = own.get<std::string>("Start") != "Bilateral";
   settings.preconditioner = [&scene] { return makePreconditioner(scene.sublist("Preconditioner")); };
   return makeStrategy<OuterSolver>(own, "Type")->solve(problem, settings, monitor, start);
 }
