@@ -1,0 +1,42 @@
+#pragma once
+#include <corpus/CorpusRun.hpp>
+
+#include <string>
+
+namespace suture::corpus {
+
+/// Judges solutions of a scene from displacements and pair forces alone, by one loop over the elements of the whole mesh. On rank 0.
+///
+/// Forces are measured against the force of their body: the largest of its summed loads, reactions and forces of one contact piece.
+/// Allowed beside the bound is the rounding of the internal forces: 100 epsilon times the largest sum of |K| |u| at a node of the body.
+class Judge {
+ public:
+  explicit Judge(const Whole& whole);
+
+  /// What is wrong with a solution, or "".
+  std::string verdict(const Outcome& found) const;
+
+  /// What differs between two solutions, or "": forces always; displacements less neutral motions, those rigid motions of the bodies that
+  /// no prescribed component and no pair that carries force restrains.
+  std::string difference(const Outcome& found, const Outcome& reference) const;
+
+  /// Rigid motions that nothing restrains at a solution.
+  int neutralMotions(const Outcome& found) const { return static_cast<int>(neutral(found).cols()); }
+
+ private:
+  struct Scales {
+    Vector force, floor, displacement;  ///< of each body
+    Vector residual;                    ///< node components: loads + contact - internal
+  };
+  Scales scales(const Outcome& found) const;
+  Matrix neutral(const Outcome& found) const;
+  const NodeRule* ruleAt(int node) const { return ruleOf_[node] < 0 ? nullptr : &whole_.constraints.rules[ruleOf_[node]]; }
+  int bodyOf(const PairEnd& end) const { return whole_.mesh.bodyOfNode[end.node]; }
+
+  const Whole& whole_;
+  Vector loads_;
+  std::vector<int> ruleOf_;
+  Matrix rigid_;  ///< rigid motions of each body, three columns each, of largest displacement about 1
+};
+
+}  // namespace suture::corpus
