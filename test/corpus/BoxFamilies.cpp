@@ -116,9 +116,11 @@ void tray(Builder& scene) {
   const double kind = random.real(0, 1);
   const double side = kind < 0.2 ? 0.0 : kind < 0.85 ? random.power(-5, -0.5) : -random.power(-6, -3);
   const double below = random.chance(0.2) ? 0.0 : random.power(-5, 0.5), wall = random.real(0.2, 0.5);
-  const int inner = random.integer(3, 6), walls = random.integer(1, 2), floor = random.integer(1, 2), high = random.integer(3, 6);
+  const int k = scene.refinement, inner = k * random.integer(3, 6), walls = k * random.integer(1, 2), floor = k * random.integer(1, 2),
+            high = k * random.integer(3, 6);
   GridBody u;
   u.name = "tray";
+  u.keepGrid = true;
   u.nx = inner + 2 * walls;
   u.ny = floor + high;
   const auto place = [](double at, int n, int first, double a, double b, double outer0, double outer1, int last) {
@@ -143,7 +145,7 @@ void tray(Builder& scene) {
   };
   scene.body(u);
   const bool matching = random.chance(0.3);
-  scene.box("peg", -half, half, level(0), level(tall), matching ? inner : random.integer(3, 7), random.integer(3, 6));
+  scene.box("peg", -half, half, level(0), level(tall), matching ? inner / k : random.integer(3, 7), random.integer(3, 6));
   scene.fix("tray_bottom");
   scene.contact("tray_floor", "peg_bottom", true);
   scene.contact("tray_innerleft", "peg_left", true);
@@ -173,9 +175,10 @@ void tilted(Builder& scene) {
   scene.body(block);
   scene.fix("ground_bottom");
   scene.contact("ground_top", "block_bottom", true);
-  // A wall that touches the highest node of one leg, against which a weight with a push leans.
+  // Walls that touch the highest or lowest nodes of the legs; the weight leans against one of them.
   const bool right = random.chance(0.5);
-  scene.line(right ? "block_right" : "block_left", {right ? 2.0 : -2.0, 0.5, 0}, {right ? -1.0 : 1.0, 0, 0});
+  scene.line("block_right", {2, 0, 0}, {-1, 0, 0});
+  scene.line("block_left", {-2, 0, 0}, {1, 0, 0});
   scene.bodyForce("block", {(right ? 1 : -1) * random.real(0.01, 0.3), -1, 0});
   scene.expected = Expected::Unknown;
 }
@@ -197,7 +200,7 @@ void layers(Builder& scene) {
     } else {
       scene.contact(below + "_top", name + "_bottom");
       scene.roller(name + "_left");
-      if (random.chance(0.3)) scene.roller(name + "_right");
+      if (k + 1 < count && random.chance(0.3)) scene.roller(name + "_right");
       scene.bodyForce(name, {0, -random.power(-2, 0), 0});
     }
     below = name;
@@ -216,7 +219,7 @@ void layers(Builder& scene) {
 
 void bumps(Builder& scene) {
   Random& random = scene.random;
-  const double height = random.real(0.02, 0.3), g = gap(random), width = random.real(0.05, 0.25);
+  const double width = random.real(0.15, 0.35), height = width * random.real(0.05, 0.3), g = gap(random);
   const double one = random.real(0.2, 0.6), two = random.real(1.2, 1.8), lower = random.chance(0.5) ? 0.0 : random.power(-5, -2);
   const int nx = random.integer(12, 22);
   const Line ground = [=](double x) {

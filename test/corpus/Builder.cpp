@@ -27,24 +27,28 @@ bool isQuadratic(Cell cell) { return cellInfo(cell).nodes > 4; }
 
 }  // namespace
 
-void Builder::body(GridBody body, bool anyCell) {
-  if (!planeChosen_) {
-    planeChosen_ = true;
-    planeStress_ = random.chance(0.15);
-    const double kind = random.real(0, 1);
-    jumps = kind < 0.4 ? 0.0 : kind < 0.75 ? 2.0 : 6.0;
-  }
-  if (anyCell) {
-    const double kind = random.real(0, 1);
-    body.cell = kind < 0.3    ? Cell::Triangle3
-                : kind < 0.55 ? Cell::Quadrilateral4
-                : kind < 0.7  ? Cell::Triangle6
-                : kind < 0.85 ? Cell::Quadrilateral8
-                              : Cell::Quadrilateral9;
-  }
-  if (isQuadratic(body.cell)) {
-    body.nx = std::max(2, (body.nx + 1) / 2);
-    body.ny = std::max(1, (body.ny + 1) / 2);
+Builder::Builder(Random& numbers) : random(numbers) {
+  planeStress_ = random.chance(0.15);
+  const double kind = random.real(0, 1);
+  jumps = kind < 0.4 ? 0.0 : kind < 0.75 ? 2.0 : 6.0;
+  const double size = random.real(0, 1);
+  refinement = size < 0.5 ? 1 : size < 0.9 ? 2 : 3;
+}
+
+void Builder::body(GridBody body) {
+  const double kind = random.real(0, 1);
+  body.cell = kind < 0.3    ? Cell::Triangle3
+              : kind < 0.55 ? Cell::Quadrilateral4
+              : kind < 0.7  ? Cell::Triangle6
+              : kind < 0.85 ? Cell::Quadrilateral8
+                            : Cell::Quadrilateral9;
+  if (!body.keepGrid) {
+    body.nx *= refinement;
+    body.ny *= refinement;
+    if (isQuadratic(body.cell)) {
+      body.nx = std::max(2, (body.nx + 1) / 2);
+      body.ny = std::max(1, (body.ny + 1) / 2);
+    }
   }
   body.cuts = std::min(random.integer(1, 3), body.nx);
   BodyMaterial material{body.name, random.power(0.0, jumps), random.real(0.0, 0.45), false};
@@ -167,7 +171,7 @@ std::string Builder::contactText() const {
 std::string Builder::partitionText() {
   std::string own = parameter("Type", "string", "Named Groups");
   if (random.chance(0.7)) {
-    const int count = std::max(bodies(), random.integer(1, 8));
+    const int count = std::max(bodies(), std::min(random.integer(1, 8), mesh.elements() / 8));
     own = parameter("Type", "string", "METIS") + list("METIS", parameter("Subdomains", "string", std::to_string(count)) +
                                                                    parameter("Seed", "int", std::to_string(random.integer(1, 1000))));
   }

@@ -20,10 +20,10 @@ class Builder {
   Expected expected = Expected::Solvable;
   bool mayTurn = true;  ///< false where a condition or an obstacle is tied to the axes
 
-  explicit Builder(Random& numbers) : random(numbers) {}
+  explicit Builder(Random& numbers);
 
-  /// Adds a body with a random material, cell and named cut; `stiffness` multiplies its Young modulus. The cell may be given.
-  void body(GridBody body, bool anyCell = true);
+  /// Adds a body with a random material, cell and named cut.
+  void body(GridBody body);
   /// A box [x0, x1] x [bottom(x), top(x)], sides bottom, right, top, left.
   void box(const std::string& name, double x0, double x1, std::function<double(double)> bottom, std::function<double(double)> top, int nx,
            int ny);
@@ -46,6 +46,7 @@ class Builder {
 
   /// Ratios of Young moduli: 1, moderate or up to 1e6, drawn once a scene.
   double jumps = 0.0;
+  int refinement = 1;  ///< multiplies cells of grids that are not kept
   int bodies() const { return static_cast<int>(materials_.size()); }
 
   /// The scene file; afterwards the mesh is turned, scaled and renumbered. \param mesh  name of the mesh file in the text
@@ -77,7 +78,7 @@ class Builder {
   std::vector<BodyMaterial> materials_;
   std::vector<Condition> conditions_;
   std::vector<Contact> contacts_;
-  bool planeStress_ = false, planeChosen_ = false;
+  bool planeStress_ = false;
   double cosine_ = 1.0, sine_ = 0.0, length_ = 1.0, stress_ = 1.0, load_ = 1.0;
   std::vector<std::string> initialGaps_;
 };

@@ -66,30 +66,30 @@ std::vector<std::string> scene(const CommPtr& comm, const CorpusScene& scene, co
                                std::map<std::string, std::map<std::string, Counts>>& table) {
   std::vector<std::string> wrong;
   std::vector<std::pair<const Way*, Outcome>> outcomes;
-  Whole whole;
-  bool accepted = false;
+  Whole whole;  // of the first way whose constraints could be built
   for (const Way& way : ways()) {
     if (!options.only.empty() && way.name != options.only) continue;
     Whole own;
     outcomes.emplace_back(&way, run(comm, scene, way, own));
-    if (outcomes.back().second.ending != Ending::Refused && !accepted) {
-      accepted = true;
-      whole = std::move(own);
-    }
+    if (own.mesh.nodes() > 0 && whole.mesh.nodes() == 0) whole = std::move(own);
   }
   if (comm->getRank() != 0) return wrong;
 
   std::optional<Judge> judge;
+  std::optional<Feasibility> feasibility;
+  if (whole.mesh.nodes() > 0) feasibility = judge.emplace(whole).feasibility();
+  if (feasibility && ((scene.expected == Expected::Solvable && *feasibility == Feasibility::None) ||
+                      (scene.expected == Expected::Unsolvable && *feasibility != Feasibility::None)))
+    wrong.push_back(std::to_string(scene.seed) + "  " + scene.family + "  the judge finds otherwise than the scene was made");
   const Outcome* reference = nullptr;
   for (auto& [way, outcome] : outcomes) {
     Counts& counts = table[scene.family][way->name];
     std::string complaint;
     if (outcome.ending == Ending::Solved) {
-      if (!judge) judge.emplace(whole);
       complaint = judge->verdict(outcome);
       if (complaint.empty() && reference) complaint = judge->difference(outcome, *reference);
       if (complaint.empty() && !reference) reference = &outcome;
-      if (complaint.empty() && scene.expected == Expected::Unsolvable) complaint = "solved, but has no solution";
+      if (complaint.empty() && feasibility == Feasibility::None) complaint = "solved, but has no solution";
       if (complaint.empty() && judge->neutralMotions(outcome) > 0) ++counts.neutral;
       counts.iterations += outcome.iterations;
       counts.pcg += outcome.pcg;
@@ -97,7 +97,7 @@ std::vector<std::string> scene(const CommPtr& comm, const CorpusScene& scene, co
     } else if (outcome.ending == Ending::Refused) {
       const Outcome& other = outcomes.front().second;
       if (other.ending != Ending::Refused || other.reason != outcome.reason) complaint = "refused, not as the others: " + outcome.reason;
-      if (scene.expected == Expected::Solvable) complaint = "refused, but has a solution: " + outcome.reason;
+      if (!feasibility || feasibility == Feasibility::Held) complaint = "refused, but has a solution: " + outcome.reason;
       ++(complaint.empty() ? counts.refused : counts.wrong);
     } else {
       complaint = "lost: " + outcome.reason;

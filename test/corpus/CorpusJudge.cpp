@@ -1,4 +1,6 @@
 #include <corpus/CorpusJudge.hpp>
+#include <suture/base/Errors.hpp>
+#include <suture/solver/Solvability.hpp>
 
 #include <Eigen/Dense>
 
@@ -17,7 +19,7 @@ double along(const Point& direction, const Vector& field, int node) {
 
 std::string complaint(const char* what, const std::string& where, double value) {
   char text[160];
-  std::snprintf(text, sizeof text, "%s %s %.1e", what, where.c_str(), value);
+  std::snprintf(text, sizeof text, "%s %s: %.1e times the bound", what, where.c_str(), value);
   return text;
 }
 
@@ -147,27 +149,65 @@ std::string Judge::verdict(const Outcome& found) const {
   return worst;
 }
 
-Matrix Judge::neutral(const Outcome& found) const {
-  const Scales scale = scales(found);
-  Matrix gram = Matrix::Zero(rigid_.cols(), rigid_.cols());
-  const auto restrain = [&](const Vector& row) { gram += row * row.transpose(); };
-  for (const NodeRule& rule : whole_.constraints.rules)
-    for (int k = 0; k < 2; ++k)
-      if (rule.fixed[k])
-        restrain(rule.axes[k][0] * rigid_.row(2 * rule.node).transpose() + rule.axes[k][1] * rigid_.row(2 * rule.node + 1).transpose());
-  for (const ContactPair& pair : whole_.constraints.pairs) {
-    double least = DBL_MAX;
-    for (const PairEnd& end : pair.ends) least = std::min(least, bound * scale.force[bodyOf(end)] + scale.floor[bodyOf(end)]);
-    if (found.forces[pair.id] <= least) continue;
-    Vector row = Vector::Zero(rigid_.cols());
-    for (const PairEnd& end : pair.ends)
-      for (int k = 0; k < 2; ++k) row += end.weight * pair.normal[k] * rigid_.row(2 * end.node + k).transpose();
-    restrain(row);
-  }
+namespace {
+
+/// Orthonormal basis of the kernel of sum of row^T row, rows of size about 1.
+Matrix kernel(const Matrix& gram) {
   const Eigen::SelfAdjointEigenSolver<Matrix> eigen(gram);
   int count = 0;
   while (count < gram.cols() && eigen.eigenvalues()[count] < 1e-10) ++count;
   return eigen.eigenvectors().leftCols(count);
+}
+
+}  // namespace
+
+Vector Judge::contactRow(const ContactPair& pair) const {
+  Vector row = Vector::Zero(rigid_.cols());
+  for (const PairEnd& end : pair.ends)
+    for (int k = 0; k < 2; ++k) row += end.weight * pair.normal[k] * rigid_.row(2 * end.node + k).transpose();
+  return row;
+}
+
+Matrix Judge::prescribedGram() const {
+  Matrix gram = Matrix::Zero(rigid_.cols(), rigid_.cols());
+  for (const NodeRule& rule : whole_.constraints.rules)
+    for (int k = 0; k < 2; ++k) {
+      if (!rule.fixed[k]) continue;
+      const Vector row = (rule.axes[k][0] * rigid_.row(2 * rule.node) + rule.axes[k][1] * rigid_.row(2 * rule.node + 1)).transpose();
+      gram += row * row.transpose();
+    }
+  return gram;
+}
+
+Feasibility Judge::feasibility() const {
+  const Matrix free = kernel(prescribedGram());
+  if (free.cols() == 0) return Feasibility::Held;
+  Matrix rows(whole_.constraints.pairs.size(), free.cols());
+  for (const ContactPair& pair : whole_.constraints.pairs) rows.row(pair.id) = (free.transpose() * contactRow(pair)).transpose();
+  const Vector work = free.transpose() * (rigid_.transpose() * loads_);
+  if (work.norm() > 0.0) {
+    const Vector unit = work / work.norm(), p = nonnegativeLeastSquares(rows.transpose(), unit), escape = unit - rows.transpose() * p;
+    if (escape.norm() > 1e-8) {
+      const bool proved = (rows * escape).maxCoeff() < 1e-7 * escape.norm() && unit.dot(escape) > 0.5 * escape.squaredNorm();
+      if (!proved) throw NumericalError("corpus: neither contact forces that hold the bodies nor a motion of escape was found");
+      return Feasibility::None;
+    }
+    if (p.size() > 0 && p.minCoeff() < 0.0) throw NumericalError("corpus: contact forces that pull");
+  }
+  return kernel(rows.transpose() * rows).cols() > 0 ? Feasibility::Slides : Feasibility::Held;
+}
+
+Matrix Judge::neutral(const Outcome& found) const {
+  const Scales scale = scales(found);
+  Matrix gram = prescribedGram();
+  for (const ContactPair& pair : whole_.constraints.pairs) {
+    double least = DBL_MAX;
+    for (const PairEnd& end : pair.ends) least = std::min(least, bound * scale.force[bodyOf(end)] + scale.floor[bodyOf(end)]);
+    if (found.forces[pair.id] <= least) continue;
+    const Vector row = contactRow(pair);
+    gram += row * row.transpose();
+  }
+  return kernel(gram);
 }
 
 std::string Judge::difference(const Outcome& found, const Outcome& reference) const {

@@ -5,6 +5,10 @@
 
 namespace suture::corpus {
 
+/// Whether a scene has a solution, decided by the rigid motions z of its bodies that the prescribed components allow: Held, one solution;
+/// Slides, some z keeps all gaps (B z = 0); None, some z opens no gap that is closed (B z <= 0) and gains work of the loads.
+enum class Feasibility { Held, Slides, None };
+
 /// Judges solutions of a scene from displacements and pair forces alone, by one loop over the elements of the whole mesh. On rank 0.
 ///
 /// Forces are measured against the force of their body: the largest of its summed loads, reactions and forces of one contact piece.
@@ -12,6 +16,9 @@ namespace suture::corpus {
 class Judge {
  public:
   explicit Judge(const Whole& whole);
+
+  /// Proved either way: by contact forces p >= 0 with B^T p = loads, or by a motion of escape. \throws NumericalError  neither found
+  Feasibility feasibility() const;
 
   /// What is wrong with a solution, or "".
   std::string verdict(const Outcome& found) const;
@@ -30,6 +37,8 @@ class Judge {
   };
   Scales scales(const Outcome& found) const;
   Matrix neutral(const Outcome& found) const;
+  Vector contactRow(const ContactPair& pair) const;  ///< over the rigid motions of all bodies
+  Matrix prescribedGram() const;
   const NodeRule* ruleAt(int node) const { return ruleOf_[node] < 0 ? nullptr : &whole_.constraints.rules[ruleOf_[node]]; }
   int bodyOf(const PairEnd& end) const { return whole_.mesh.bodyOfNode[end.node]; }
 

@@ -19,7 +19,8 @@ struct GridBody {
   std::function<Point(double s, double t)> map;              ///< keeps the sense of rotation
   std::function<bool(int i, int j)> present;                 ///< none: all cells
   std::function<std::string(int i, int j, Face face)> side;  ///< suffix of the side group of a boundary side; "": in none
-  int cuts = 1;                                              ///< columns of cells in so many named subdomains
+  bool keepGrid = false;  ///< map, present or side depend on the numbers of cells: Builder must not change them
+  int cuts = 1;           ///< columns of cells in so many named subdomains
 };
 
 /// Adds the body to the mesh: element groups <name> and subdomain_<name>_<k>, side groups <name>_<suffix>. Local.

@@ -53,8 +53,9 @@ void disc(Builder& scene) {
 void lug(Builder& scene) {
   Random& random = scene.random;
   const double c = clearance(random), width = random.real(1.6, 3), hole = 1 + std::max(c, -0.001);
-  const int nt = 4 * random.integer(2, 4);
-  GridBody plate = annulus("lug", {0, 0, 0}, hole, width, 0, pi, nt, random.integer(2, 3));
+  const int k = scene.refinement, nt = 4 * k * random.integer(2, 4);
+  GridBody plate = annulus("lug", {0, 0, 0}, hole, width, 0, pi, nt, k * random.integer(2, 3));
+  plate.keepGrid = true;
   plate.map = [=](double s, double t) {  // from the square of half side `width` to the hole
     const double angle = pi * s, x = std::cos(angle), y = std::sin(angle), square = width / std::max(std::abs(x), std::abs(y));
     const double r = square + (hole - square) * t;
@@ -72,8 +73,9 @@ void lug(Builder& scene) {
       return p;
     };
   };
-  GridBody pin =
-      annulus("pin", {0, 0, 0}, random.real(0.2, 0.6), 1, 0, pi, random.chance(0.5) ? nt : nt + random.integer(1, 5), random.integer(1, 3));
+  GridBody pin = annulus("pin", {0, 0, 0}, random.real(0.2, 0.6), 1, 0, pi, random.chance(0.5) ? nt : nt + random.integer(1, 5),
+                         k * random.integer(1, 3));
+  pin.keepGrid = true;
   onAxis(pin);
   scene.body(plate);
   scene.body(pin);
@@ -107,8 +109,9 @@ void pushedPin(Builder& scene) {
 
 void discOnSlopes(Builder& scene) {
   Random& random = scene.random;
-  const int nt = 8 * random.integer(2, 4);
-  GridBody body = annulus("disc", {0, 0, 0}, random.real(0.2, 0.7), 1, 0, 2 * pi, nt, random.integer(2, 3));
+  const int k = scene.refinement, nt = 8 * k * random.integer(2, 4);
+  GridBody body = annulus("disc", {0, 0, 0}, random.real(0.2, 0.7), 1, 0, 2 * pi, nt, k * random.integer(2, 3));
+  body.keepGrid = true;
   body.periodic = true;
   const double left = -pi / 2 - random.real(0.3, 1.0), right = -pi / 2 + random.real(0.3, 1.0);
   const auto isNear = [nt](int i, double angle) {
@@ -133,20 +136,23 @@ void discOnSlopes(Builder& scene) {
   scene.expected = Expected::Unknown;
 }
 
-// Uniform pressure on the back of an arch is carried by equal normal forces in its joints, whatever the angles.
+// Uniform pressure on the back of an arch is carried by equal normal forces in its joints, whatever the angles; but without a centring
+// three stones or more can slide on each other.
 void arch(Builder& scene) {
   Random& random = scene.random;
   const int count = random.integer(2, 5);
   std::vector<double> angles{random.real(0.2, 0.6)};
   for (int k = 0; k < count; ++k) angles.push_back(angles.back() + random.real(0.35, 0.9) * 3.0 / count);
   const double inner = random.real(1, 3), outer = inner + random.real(0.2, 1);
-  const bool matching = random.chance(0.5);
+  const bool matching = random.chance(0.5), centring = random.chance(0.8);
+  const double clearance = random.chance(0.3) ? 0.0 : random.power(-6, -2);
   const int nr = random.integer(2, 5);
   for (int k = 0; k < count; ++k) {
     const std::string name = "stone" + std::to_string(k);
     scene.body(
         annulus(name, {0, 0, 0}, inner, outer, angles[k], angles[k + 1], random.integer(3, 6), matching ? nr : random.integer(2, 5)));
     scene.pressure(name + "_outer", 1.0);
+    if (centring) scene.circle(name + "_inner", {0, 0, 0}, inner - clearance, false);
     if (k > 0) scene.contact("stone" + std::to_string(k - 1) + "_last", name + "_first", true);
   }
   const auto wall = [&](double angle, double sense, const std::string& side) {
