@@ -73,7 +73,7 @@ void blocks(Builder& scene) {
     scene.condition("upper_top", "Displacement", {0, -down}, "All");
     return;
   }
-  const bool away = random.chance(0.1), slides = !away && random.chance(0.05);
+  const bool away = random.chance(0.15), slides = !away && random.chance(0.05);
   const double push =
       slides ? random.real(0.1, 1) : holdSideways(scene, "upper", matching ? 0 : std::min(x0, x1 - 0.3), matching ? width : x1, 0.5 + g);
   press(scene, "upper", push, away);
@@ -84,7 +84,7 @@ void blocks(Builder& scene) {
 void stack(Builder& scene) {
   Random& random = scene.random;
   const int count = random.integer(2, 5), nx = random.integer(3, 7);
-  const bool matching = random.chance(0.5), away = random.chance(0.08);
+  const bool matching = random.chance(0.5), away = random.chance(0.15);
   double y = 0;
   std::string below;
   for (int k = 0; k < count; ++k) {
@@ -151,7 +151,7 @@ void tray(Builder& scene) {
   scene.contact("tray_innerleft", "peg_left", true);
   scene.contact("tray_innerright", "peg_right", true);
   const double push = random.chance(0.1) ? 0.0 : random.sign() * random.power(-3, 0);
-  const bool away = random.chance(0.08);
+  const bool away = random.chance(0.15);
   if (away) scene.expected = Expected::Unsolvable;
   press(scene, "peg", push, away);
   if (side < 0 && away) scene.expected = Expected::Unsolvable;
@@ -232,7 +232,7 @@ void bumps(Builder& scene) {
             random.integer(2, 3));
   scene.fix("ground_bottom");
   scene.contact("ground_top", "beam_bottom", random.chance(0.7));
-  const bool away = random.chance(0.05), over = random.chance(0.05);
+  const bool away = random.chance(0.12), over = random.chance(0.05);
   const double push = holdSideways(scene, "beam", 0, 2, height + g + 0.2);
   press(scene, "beam", over ? 20.0 : push, away);
   if (away) scene.expected = Expected::Unsolvable;

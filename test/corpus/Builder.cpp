@@ -32,7 +32,7 @@ Builder::Builder(Random& numbers) : random(numbers) {
   const double kind = random.real(0, 1);
   jumps = kind < 0.4 ? 0.0 : kind < 0.75 ? 2.0 : 6.0;
   const double size = random.real(0, 1);
-  refinement = size < 0.5 ? 1 : size < 0.9 ? 2 : 3;
+  refinement = size < 0.25 ? 1 : size < 0.7 ? 2 : 3;
 }
 
 void Builder::body(GridBody body) {
@@ -50,7 +50,8 @@ void Builder::body(GridBody body) {
       body.ny = std::max(1, (body.ny + 1) / 2);
     }
   }
-  body.cuts = std::min(random.integer(1, 3), body.nx);
+  body.cutsX = std::min(random.integer(1, 3), body.nx);
+  if (!body.present) body.cutsY = std::min(random.integer(1, 3), body.ny);
   BodyMaterial material{body.name, random.power(0.0, jumps), random.real(0.0, 0.45), false};
   if (random.chance(0.25) && body.cell != Cell::Triangle3) {
     material.poisson = 0.5 - random.power(-3.0, -1.3);
@@ -171,7 +172,7 @@ std::string Builder::contactText() const {
 std::string Builder::partitionText() {
   std::string own = parameter("Type", "string", "Named Groups");
   if (random.chance(0.7)) {
-    const int count = std::max(bodies(), std::min(random.integer(1, 8), mesh.elements() / 8));
+    const int count = std::max(bodies(), std::min(random.integer(1, 5) + bodies() - 1, mesh.elements() / 8));
     own = parameter("Type", "string", "METIS") + list("METIS", parameter("Subdomains", "string", std::to_string(count)) +
                                                                    parameter("Seed", "int", std::to_string(random.integer(1, 1000))));
   }

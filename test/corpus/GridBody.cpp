@@ -58,7 +58,10 @@ class Mesher {
     mesh_.cells.push_back(body_.cell);
     mesh_.offsets.push_back(static_cast<int>(mesh_.connectivity.size()));
     mesh_.elementGroups[body_.name].push_back(number);
-    mesh_.elementGroups["subdomain_" + body_.name + "_" + std::to_string(i * body_.cuts / body_.nx)].push_back(number);
+    mesh_
+        .elementGroups["subdomain_" + body_.name + "_" + std::to_string(i * body_.cutsX / body_.nx) + "_" +
+                       std::to_string(j * body_.cutsY / body_.ny)]
+        .push_back(number);
     for (int k = 0; k < n; ++k) boundary(corners[k], corners[(k + 1) % n], i, j, {number, k});
   }
 

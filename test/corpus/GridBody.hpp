@@ -19,11 +19,11 @@ struct GridBody {
   std::function<Point(double s, double t)> map;              ///< keeps the sense of rotation
   std::function<bool(int i, int j)> present;                 ///< none: all cells
   std::function<std::string(int i, int j, Face face)> side;  ///< suffix of the side group of a boundary side; "": in none
-  bool keepGrid = false;  ///< map, present or side depend on the numbers of cells: Builder must not change them
-  int cuts = 1;           ///< columns of cells in so many named subdomains
+  bool keepGrid = false;     ///< map, present or side depend on the numbers of cells: Builder must not change them
+  int cutsX = 1, cutsY = 1;  ///< named subdomains, so many blocks of cells each way
 };
 
-/// Adds the body to the mesh: element groups <name> and subdomain_<name>_<k>, side groups <name>_<suffix>. Local.
+/// Adds the body to the mesh: element groups <name> and subdomain_<name>_<i>_<j>, side groups <name>_<suffix>. Local.
 void add(const GridBody& body, Mesh& mesh);
 
 /// Renumbers nodes and elements: new number of each. Local.

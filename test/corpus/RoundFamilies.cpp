@@ -144,7 +144,7 @@ void arch(Builder& scene) {
   std::vector<double> angles{random.real(0.2, 0.6)};
   for (int k = 0; k < count; ++k) angles.push_back(angles.back() + random.real(0.35, 0.9) * 3.0 / count);
   const double inner = random.real(1, 3), outer = inner + random.real(0.2, 1);
-  const bool matching = random.chance(0.5), centring = random.chance(0.8);
+  const bool matching = random.chance(0.5), centring = random.chance(0.7);
   const double clearance = random.chance(0.3) ? 0.0 : random.power(-6, -2);
   const int nr = random.integer(2, 5);
   for (int k = 0; k < count; ++k) {
