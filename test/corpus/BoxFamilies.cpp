@@ -159,7 +159,8 @@ void tray(Builder& scene) {
 
 void tilted(Builder& scene) {
   Random& random = scene.random;
-  const double angle = random.sign() * random.real(0.03, 0.6), g = gap(random), size = random.real(0.5, 1.5);
+  const double angle = random.sign() * random.real(0.03, 0.6), size = random.real(0.5, 1.5),
+               g = std::min(gap(random), 0.5 / std::abs(std::sin(angle)));  // the sides face each other along the block's normals
   const double c = std::cos(angle), s = std::sin(angle);
   scene.box("ground", -2, 2, level(-1), level(0), random.integer(6, 14), random.integer(2, 4));
   GridBody block;
