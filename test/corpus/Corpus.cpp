@@ -50,7 +50,7 @@ Options parse(int argc, char** argv) {
 }
 
 struct Counts {
-  int solved = 0, refused = 0, wrong = 0, lost = 0, neutral = 0;
+  int solved = 0, refused = 0, wrong = 0, lost = 0, neutral = 0, rounded = 0;
   long iterations = 0, pcg = 0;
   double seconds = 0;
 };
@@ -91,6 +91,7 @@ std::vector<std::string> scene(const CommPtr& comm, const CorpusScene& scene, co
       if (complaint.empty() && !reference) reference = &outcome;
       if (complaint.empty() && feasibility == Feasibility::None) complaint = "solved, but has no solution";
       if (complaint.empty() && judge->neutralMotions(outcome) > 0) ++counts.neutral;
+      if (complaint.empty() && judge->rounding(outcome) > 1.0) ++counts.rounded;
       counts.iterations += outcome.iterations;
       counts.pcg += outcome.pcg;
       ++(complaint.empty() ? counts.solved : counts.wrong);
@@ -119,18 +120,19 @@ std::vector<std::string> scene(const CommPtr& comm, const CorpusScene& scene, co
 }
 
 void print(const std::map<std::string, std::map<std::string, Counts>>& table) {
-  std::printf("\n%-12s %-11s %7s %7s %7s %7s %8s %10s %8s %8s\n", "family", "method", "solved", "refused", "wrong", "lost", "neutral",
-              "iterations", "PCG", "seconds");
+  std::printf("\n%-12s %-11s %7s %7s %7s %7s %8s %8s %10s %8s %8s\n", "family", "method", "solved", "refused", "wrong", "lost", "neutral",
+              "rounded", "iterations", "PCG", "seconds");
   std::map<std::string, Counts> totals;
   const auto row = [](const std::string& family, const std::string& way, const Counts& c) {
-    std::printf("%-12s %-11s %7d %7d %7d %7d %8d %10ld %8ld %8.2f\n", family.c_str(), way.c_str(), c.solved, c.refused, c.wrong, c.lost,
-                c.neutral, c.iterations, c.pcg, c.seconds);
+    std::printf("%-12s %-11s %7d %7d %7d %7d %8d %8d %10ld %8ld %8.2f\n", family.c_str(), way.c_str(), c.solved, c.refused, c.wrong, c.lost,
+                c.neutral, c.rounded, c.iterations, c.pcg, c.seconds);
   };
   for (const auto& [family, ofWays] : table)
     for (const auto& [way, c] : ofWays) {
       row(family, way, c);
       Counts& total = totals[way];
-      total.solved += c.solved, total.refused += c.refused, total.wrong += c.wrong, total.lost += c.lost, total.neutral += c.neutral;
+      total.solved += c.solved, total.refused += c.refused, total.wrong += c.wrong, total.lost += c.lost, total.neutral += c.neutral,
+          total.rounded += c.rounded;
       total.iterations += c.iterations, total.pcg += c.pcg, total.seconds += c.seconds;
     }
   for (const auto& [way, c] : totals) row("all", way, c);

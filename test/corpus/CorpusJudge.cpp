@@ -95,7 +95,7 @@ Judge::Scales Judge::scales(const Outcome& found) const {
     applied(1, b) += std::abs(loads_[2 * node + 1]);
     for (int k = 0; k < 2; ++k) {
       all.displacement[b] = std::max(all.displacement[b], std::abs(u[2 * node + k]));
-      all.floor[b] = std::max(all.floor[b], 100 * DBL_EPSILON * sums[2 * node + k]);
+      all.floor[b] = std::max(all.floor[b], 30 * DBL_EPSILON * sums[2 * node + k]);
     }
     if (const NodeRule* rule = ruleAt(node))
       for (int k = 0; k < 2; ++k)
@@ -105,6 +105,10 @@ Judge::Scales Judge::scales(const Outcome& found) const {
   const double least = 1e-13 * all.force.maxCoeff();
   all.force = all.force.cwiseMax(least);
   all.displacement = all.displacement.cwiseMax(1e-13 * all.displacement.maxCoeff());
+  for (int b = 0; b < bodies; ++b)
+    if (all.force[b] > 0.0) all.loosened = std::max(all.loosened, all.floor[b] / (bound * all.force[b]));
+  all.floor = all.floor.cwiseMax((all.loosened - 1.0) * bound * all.force);
+  all.displacement *= all.loosened;
   return all;
 }
 
