@@ -168,7 +168,7 @@ MultiVectorPtr ContactInterfaceProblem::residual(const Matrix& imbalance, const 
 int ContactInterfaceProblem::conform(InterfaceState& state) const {
   Matrix trace;
   space_->gather(*state.trace, trace);
-  const Vector change = clusters_->correction(state.status[0], trace.col(0));
+  const Vector change = clusters_->correction(state.status[0], trace.col(0), movedRows(state));
   if (reduce(*comm_, Teuchos::REDUCE_MAX, largest(change)) == 0.0) return 0;
   const MultiVectorPtr step = space_->vector();
   auto owned = localView(*step);
@@ -235,7 +235,7 @@ InterfaceProblem::Evaluation ContactInterfaceProblem::evaluate(const InterfaceSt
   Matrix trace;
   space_->gather(*state.trace, trace);
   const Vector force = clusters_->forces(state.status[0], out.col(0));
-  const Vector gap = clusters_->gaps(trace.col(0));
+  const Vector moved = movedRows(state), gap = clusters_->gaps(trace.col(0), moved);
 
   double sums[3] = {0.0, 0.0, 0.0}, allSums[3];
   result.next = state.status;
@@ -254,7 +254,7 @@ InterfaceProblem::Evaluation ContactInterfaceProblem::evaluate(const InterfaceSt
     for (int i = 0; i < clusters_->size(); ++i) {
       if (clusters_->row(i).places.empty()) continue;
       // Gaps are differences of displacements, and no better than their digits.
-      double digits = std::abs(clusters_->row(i).gap);
+      double digits = std::max(std::abs(clusters_->row(i).gap), moved.size() > 0 ? std::abs(moved(i)) : 0.0);
       for (const int place : clusters_->row(i).places) digits = std::max(digits, std::abs(trace(place, 0)));
       values(i, 0) = kDigits * digits;
     }
@@ -279,7 +279,7 @@ InterfaceProblem::Evaluation ContactInterfaceProblem::evaluate(const InterfaceSt
   result.changed = static_cast<int>(std::lround(allSums[0]));
   result.active = static_cast<int>(std::lround(allSums[1]));
   result.settled = result.changed == 0;
-  result.energy = constantEnergy_ + allSums[2];
+  result.energy = constantEnergy_ + allSums[2] - rigidWork(state);
   result.residual = residual(out, *spaceOf(state.status));
   return result;
 }
@@ -333,10 +333,28 @@ InterfaceState ContactInterfaceProblem::padState() const {
 
 void ContactInterfaceProblem::move(InterfaceState& state, const Vector& motion) const {
   if (motion.size() == 0 || motion.isZero(0.0)) return;
-  auto owned = localView(*state.trace);
-  for (int place = 0; place < space_->overlapSize(); ++place)
-    if (const int at = space_->ownedRow(place); at >= 0)
-      owned(at, 0) += bodies_->displacement(partOfOwned_[at], space_->point(place), space_->direction(place), motion);
+  if (state.rigid.size() == 0) state.rigid = Vector::Zero(motion.size());
+  state.rigid += motion;
+}
+
+Vector ContactInterfaceProblem::movedRows(const InterfaceState& state) const {
+  if (state.rigid.size() == 0) return {};
+  const Vector all = bodies_->rigid().data().rows * state.rigid;
+  Vector mine(static_cast<Eigen::Index>(rows_.size()));
+  for (std::size_t i = 0; i < rows_.size(); ++i) mine(static_cast<Eigen::Index>(i)) = all(rows_[i].pair.id);
+  return mine;
+}
+
+double ContactInterfaceProblem::rigidWork(const InterfaceState& state) const {
+  return state.rigid.size() > 0 ? bodies_->rigid().data().work.dot(state.rigid) : 0.0;
+}
+
+void ContactInterfaceProblem::addRigid(int local, const Vector& rigid, Vector& values) const {
+  if (rigid.size() == 0) return;
+  const Subdomain& subdomain = *subdomains_[local];
+  for (int dof = 0; dof < subdomain.dofs(); ++dof)
+    values(dof) +=
+        bodies_->displacement(bodies_->partOf(local), subdomain.mesh().point(subdomain.nodeOf(dof)), subdomain.direction(dof), rigid);
 }
 
 MultiVectorPtr ContactInterfaceProblem::loadOf(const Vector& pairForces, const ContactStatus& status) const {
@@ -401,6 +419,7 @@ std::vector<Vector> ContactInterfaceProblem::interiors(const InterfaceState& sta
       Matrix own(locals_[i]->size(), 1);
       space_->coupling(static_cast<int>(i)).restrictTo(trace, own);
       freeValues.push_back(locals_[i]->recover(own.col(0)));
+      addRigid(static_cast<int>(i), state.rigid, freeValues.back());
     }
   });
   return freeValues;
@@ -410,16 +429,19 @@ InterfaceProblem::Recovered ContactInterfaceProblem::recover(const InterfaceStat
   Matrix trace;
   space_->gather(*state.trace, trace);
   const Vector force = clusters_->forces(state.status[0], imbalance(*state.trace).col(0));
-  const Vector gap = clusters_->gaps(trace.col(0));
+  const Vector gap = clusters_->gaps(trace.col(0), movedRows(state));
   Recovered result;
-  result.freeValues = interiors(state);
+  InterfaceState deformed = state;
+  deformed.rigid = Vector();
+  result.freeValues = interiors(deformed);
   double energy = 0.0;
   collectively(*comm_, "recovering the contact", [&] {
     std::map<int, Point> moved;  // pair -> displacement of the node that carries it, Cartesian
     for (std::size_t i = 0; i < locals_.size(); ++i) {
-      const Vector& values = result.freeValues[i];
+      Vector& values = result.freeValues[i];
       const Subdomain& subdomain = *subdomains_[i];
       energy += 0.5 * values.dot(subdomain.stiffness() * values) - values.dot(subdomain.load()) + subdomain.constantEnergy();
+      addRigid(static_cast<int>(i), state.rigid, values);
       const Vector cartesian = subdomain.cartesian(values);
       for (const SubdomainMesh::ContactEnd& end : subdomain.mesh().contactEnds)
         if (end.end == 0)
@@ -431,7 +453,7 @@ InterfaceProblem::Recovered ContactInterfaceProblem::recover(const InterfaceStat
         result.pairs.push_back({rows_[i].pair, state.status[0][i], force(row), gap(row), moved[rows_[i].pair.id]});
       }
   });
-  result.energy = reduce(*comm_, Teuchos::REDUCE_SUM, energy);
+  result.energy = reduce(*comm_, Teuchos::REDUCE_SUM, energy) - rigidWork(state);
   return result;
 }
 

@@ -59,6 +59,12 @@ class ContactInterfaceProblem : public InterfaceProblem, public ContactSets {
   void collectRows(const Vector& stiffness);
   void findChains();
   void findBodies();
+  /// What the rigid motions of a state add to the rows that this rank sees; empty: nothing.
+  Vector movedRows(const InterfaceState& state) const;
+  /// Adds rigid motions to the free values of a subdomain.
+  void addRigid(int local, const Vector& rigid, Vector& values) const;
+  /// Work of the loads in them.
+  double rigidWork(const InterfaceState& state) const;
   /// Values of this rank's own rows, made known to all by pair id. Collective.
   Matrix everywhere(const Matrix& ofRows) const;
   std::shared_ptr<const InterfaceSpace> spaceOf(const ContactStatus& status) const;

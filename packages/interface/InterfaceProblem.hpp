@@ -18,6 +18,8 @@ using ContactStatus = std::vector<std::vector<PairStatus>>;
 struct InterfaceState {
   MultiVectorPtr trace;  ///< U
   ContactStatus status;
+  /// Rigid motions of parts (ContactBodies) on top of the trace, so that deformations are no differences of large numbers; empty: none.
+  Vector rigid{};
   /// What the formulation remembers of this trace, so that it need not apply operators again; dropped by whoever changes the trace himself.
   std::shared_ptr<const Matrix> memory = nullptr;
   int applications = 0;  ///< of the operator, that making the state took

@@ -61,7 +61,8 @@ void ActiveSet::doSolve(Run& run) const {
   run.result.state.status = sets.statusOf(found.closed);
   if (found.converged) {
     run.result.neutral = inWords(sets.bodies(), found.neutral);
-    if (!run.done() && run.result.failure.empty() && run.atFloor) {
+    run.solved = run.result.residual <= run.settings.tolerance || run.atFloor;
+    if (run.atFloor && !run.done()) {
       std::ostringstream text;
       text.precision(2);
       text << std::scientific << "rounding ends the iterations at a residual of " << run.result.residual << ", above the tolerance of "
@@ -70,7 +71,6 @@ void ActiveSet::doSolve(Run& run) const {
     }
     return;
   }
-  run.atFloor = false;
   if (run.result.failure.empty()) run.result.failure = found.failure;
   if (!found.alternating.empty() && !run.done())
     run.result.failure += (run.result.failure.empty() ? "" : "; ") + std::string("pairs that alternate: ") + listOf(found.alternating);

@@ -80,6 +80,7 @@ class OuterSolver {
     InterfaceProblem::Evaluation evaluation;  ///< at result.state, whose status is the evaluation's
     AutomaticTolerance automatic;
     bool given = false;    ///< the start is one to go on from
+    bool solved = false;   ///< a method that finds the set of closed pairs itself has found it, and the residual is small enough
     bool atFloor = false;  ///< rounding hides what the tolerance asks for beyond result.residual
     double lowest = 0.0;   ///< smallest eigenvalue of M^-1 S that a linear solve met, 0 before the first
 

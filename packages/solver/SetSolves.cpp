@@ -162,7 +162,8 @@ ContactAnswer SetSolves::solve(const ClosedSet& closed, int level) {
       InterfaceProblem::Evaluation at = run_.problem.evaluate(state, std::max(final, std::min(tolerance, cost.residual)));
       double residual = cost.residual;
       bool drifted = false;
-      if (at.settled && residual <= final) {  // what the recursion of conjugate gradients says, confirmed by the operator itself
+      if (level == levels() - 1 ||
+          (at.settled && residual <= final)) {  // what the recursion of conjugate gradients says, confirmed by the operator itself
         state.memory.reset();
         at = run_.problem.evaluate(state, final);
         const double energy = scale_.empty() && !run_.automatic.on() ? std::sqrt(std::max(sets_.energies(state).sum(), 0.0)) : 0.0;
@@ -177,11 +178,10 @@ ContactAnswer SetSolves::solve(const ClosedSet& closed, int level) {
       answer.forceTolerance = at.forceTolerance;
       answer.penetrationTolerance = at.penetrationTolerance;
       answer.energy = at.energy;
-      const bool settled = at.settled;
       run_.accept(std::move(state), std::move(at), residual, cost, 1.0,
                   cost.energyErrors.empty() ? -1.0 : largestScale_ * cost.energyErrors.back());
       run_.result.state.status = sets_.statusOf(closed);
-      if (!drifted || !settled) return answer;
+      if (!drifted) return answer;
       closed_.clear();
       if (pass > 0 && (residual > kStalled * before || pass >= kRestarts)) {
         run_.atFloor = residual <= kFloor;
