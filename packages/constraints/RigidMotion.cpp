@@ -56,6 +56,20 @@ Matrix RigidPart::at(const Point& point, int dimension) const {
   return motion;
 }
 
+Point RigidPart::displacement(const Point& point, const Vector& amplitudes, int dimension) const {
+  Point arm{0, 0, 0}, moved{0, 0, 0}, turn{0, 0, 0};
+  for (int k = 0; k < dimension; ++k) {
+    arm[k] = (point[k] - centre[k]) / radius;
+    moved[k] = amplitudes(k);
+  }
+  if (dimension == 2)
+    turn[2] = amplitudes(2);
+  else
+    for (int k = 0; k < 3; ++k) turn[k] = amplitudes(3 + k);
+  for (int k = 0; k < dimension; ++k) moved[k] += turn[(k + 1) % 3] * arm[(k + 2) % 3] - turn[(k + 2) % 3] * arm[(k + 1) % 3];
+  return moved;
+}
+
 std::string inWords(const RigidPart& part, const Vector& amplitudes, int dimension) {
   const Vector translation = amplitudes.head(dimension), rotation = amplitudes.tail(amplitudes.size() - dimension);
   if (rotation.norm() < 1e-6 * translation.norm()) {

@@ -19,6 +19,8 @@ struct RigidPart {
 
   /// Displacement at a point for unit amplitudes: dimension x amplitudes.
   Matrix at(const Point& point, int dimension) const;
+  /// Displacement at a point for given amplitudes. [length]
+  Point displacement(const Point& point, const Vector& amplitudes, int dimension) const;
 };
 
 struct RigidParts {

@@ -251,9 +251,4 @@ Vector ContactBodies::amplitudes(int part, const Vector& motion) const {
   return parts_[part].free * motion.segment(first_[part], parts_[part].free.cols());
 }
 
-double ContactBodies::displacement(int part, const Point& point, const Point& direction, const Vector& motion) const {
-  if (parts_[part].free.cols() == 0) return 0.0;
-  return along(parts_[part], point, direction, dimension_).dot(amplitudes(part, motion));
-}
-
 }  // namespace suture

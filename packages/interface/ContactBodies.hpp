@@ -24,8 +24,6 @@ class ContactBodies {
   const std::vector<RigidPart>& parts() const { return parts_; }
   /// Part of a subdomain of this rank, by its place.
   int partOf(int subdomain) const { return partOf_[subdomain]; }
-  /// Displacement of a point of a part along a direction, for amplitudes of all motions.
-  double displacement(int part, const Point& point, const Point& direction, const Vector& motion) const;
   /// The motions of one part among those of all, as amplitudes of the part.
   Vector amplitudes(int part, const Vector& motion) const;
 

@@ -352,9 +352,15 @@ double ContactInterfaceProblem::rigidWork(const InterfaceState& state) const {
 void ContactInterfaceProblem::addRigid(int local, const Vector& rigid, Vector& values) const {
   if (rigid.size() == 0) return;
   const Subdomain& subdomain = *subdomains_[local];
-  for (int dof = 0; dof < subdomain.dofs(); ++dof)
-    values(dof) +=
-        bodies_->displacement(bodies_->partOf(local), subdomain.mesh().point(subdomain.nodeOf(dof)), subdomain.direction(dof), rigid);
+  const int number = bodies_->partOf(local);
+  const RigidPart& part = bodies_->parts()[number];
+  if (part.free.cols() == 0) return;
+  const Vector amplitudes = bodies_->amplitudes(number, rigid);
+  for (int dof = 0; dof < subdomain.dofs(); ++dof) {
+    const Point moved = part.displacement(subdomain.mesh().point(subdomain.nodeOf(dof)), amplitudes, subdomain.components());
+    const Point along = subdomain.direction(dof);
+    values(dof) += moved[0] * along[0] + moved[1] * along[1] + moved[2] * along[2];
+  }
 }
 
 MultiVectorPtr ContactInterfaceProblem::loadOf(const Vector& pairForces, const ContactStatus& status) const {
