@@ -1,0 +1,91 @@
+#pragma once
+#include <suture/base/Types.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace suture {
+
+/// The quantities of the verdict, in the order of summary.json.
+enum class Quantity : int {
+  Forces,
+  Moments,
+  Residual,
+  Nodes,
+  Contact,
+  Prescribed,
+  Seams,
+  Penetration,
+  Tension,
+  Complementarity,
+  Status,
+  Digits
+};
+constexpr int kQuantities = 12;
+
+/// One evaluation of a quantity. Plain: it travels as bytes.
+struct Finding {
+  double value = 0.0, bound = 0.0;
+  int body = -1, other = -1;  ///< other: of a pair between bodies
+  int pair = -1;
+  Point place{0, 0, 0};
+  bool made = false;
+
+  /// How much of the bound is used; infinite for NaN.
+  double share() const {
+    if (!made) return -1.0;
+    if (value == 0.0 && bound >= 0.0) return 0.0;
+    return value >= 0.0 && bound > 0.0 ? value / bound : std::numeric_limits<double>::infinity();
+  }
+};
+
+/// The worst of each quantity.
+class Findings {
+ public:
+  /// \param size  of what is measured;  \param allowed  in the same unit;  \param scale  what both are reported relative to, where positive
+  void take(Quantity quantity, double size, double allowed, double scale, Finding where) {
+    const double unit = scale > 0.0 ? scale : allowed > 0.0 ? allowed : 1.0;
+    where.value = size / unit;
+    where.bound = allowed / unit;
+    where.made = true;
+    take(quantity, where);
+  }
+  void take(Quantity quantity, const Finding& finding) {
+    Finding& worst = all[std::size_t(quantity)];
+    if (finding.share() > worst.share()) worst = finding;
+  }
+  void take(const Findings& other) {
+    for (int q = 0; q < kQuantities; ++q) take(Quantity(q), other.all[std::size_t(q)]);
+  }
+
+  std::array<Finding, kQuantities> all;
+};
+
+/// What a body's forces and displacements are measured by; summed over all ranks.
+struct BodyScale {
+  double loads = 0.0, contact = 0.0, reactions = 0.0;  ///< sums of magnitudes over the nodes [force]
+  double largestContact = 0.0;                         ///< at a node [force]
+  double prescribed = 0.0;                             ///< largest prescribed component [length]
+  double force = 0.0;                                  ///< that passes through the body: half of the sum, or what neighbours lend it
+  double deformation = 0.0;                            ///< see Deformation [length]
+};
+
+/// A bound that follows the tolerance, and ends somewhere: relative to a body's own forces or deformation.
+struct Bound {
+  double factor, largest;
+  double at(double tolerance) const { return std::min(factor * tolerance, largest); }
+};
+
+/// Bounds of the quantities. The tolerance is one of the energy norm, in which rough errors count less than in sums of nodal forces: the
+/// factors are some ten times what right answers were measured to need (README.md).
+struct Bounds {
+  static constexpr Bound resultant{100.0, 0.05}, residual{1000.0, 0.3}, node{100.0, 0.05}, contact{300.0, 0.2}, pair{100.0, 0.05};
+  static constexpr double rounding = 4.0;
+  static constexpr double digits = 1e-4;     ///< of a body's forces or deformation, that rounding may take
+  static constexpr double passive = 1e-3;    ///< of its neighbours' force, that a body without data of its own is measured by
+  static constexpr double geometry = 1e-10;  ///< of a body's deformation, that prescribed values and seams may be off by
+};
+
+}  // namespace suture
