@@ -81,7 +81,7 @@ struct Bound {
 /// Bounds of the quantities. The tolerance is one of the energy norm, in which rough errors count less than in sums of nodal forces: the
 /// factors are some ten times what right answers were measured to need (README.md).
 struct Bounds {
-  static constexpr Bound resultant{100.0, 0.05}, residual{1000.0, 0.3}, node{100.0, 0.05}, contact{300.0, 0.2}, pair{100.0, 0.05};
+  static constexpr Bound resultant{100.0, 0.05}, residual{1000.0, 0.3}, node{100.0, 0.05}, contact{1000.0, 1.0}, pair{100.0, 0.05};
   static constexpr double rounding = 4.0;
   static constexpr double digits = 1e-4;     ///< of a body's forces or deformation, that rounding may take
   static constexpr double passive = 1e-3;    ///< of its neighbours' force, that a body without data of its own is measured by

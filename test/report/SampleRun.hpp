@@ -156,6 +156,7 @@ class SampleRun {
     solution_.verification.balance.applied = {1, -4, 0};
     solution_.verification.balance.reactions = {-1, 4, 0};
     solution_.verification.balance.imbalance = 3e-12;
+    solution_.verification.checks = {{"residual", 2e-9, 1e-6, "body 'left', (0, 0)", ""}};
     solution_.estimates = {{"mu", 21.6}};
     if (comm_->getRank() != 0) return;
     pieces_ = {{"joint", {0, 1, 2}, 0, 1}, {"crack", {3}, 0, 1}};
