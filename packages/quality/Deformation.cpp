@@ -1,4 +1,5 @@
 #include <suture/quality/Deformation.hpp>
+#include <suture/quality/Findings.hpp>
 #include <suture/quality/PairResult.hpp>
 
 #include <Teuchos_CommHelpers.hpp>
@@ -76,11 +77,11 @@ std::vector<Deformation> deformations(const Comm& comm, const std::vector<Subdom
   forEachNode(meshes, displacement, [&](int body, const Point& x, const Point& u) {
     const double arm[2] = {x[0] - all[body].centre[0], x[1] - all[body].centre[1]};
     const Motion& rigid = motion[body];
-    const double rest = std::hypot(u[0] - rigid.shift[0] + rigid.turn * arm[1], u[1] - rigid.shift[1] - rigid.turn * arm[0]);
+    const double rest = length(u[0] - rigid.shift[0] + rigid.turn * arm[1], u[1] - rigid.shift[1] - rigid.turn * arm[0]);
     auto& own = largest[body];
     own[0] = std::max(own[0], rest);
     own[1] = std::max({own[1], std::abs(u[0]), std::abs(u[1])});
-    own[2] = std::max(own[2], std::hypot(arm[0], arm[1]));
+    own[2] = std::max(own[2], length(arm[0], arm[1]));
   });
   largest = reduced<3>(comm, largest, Teuchos::REDUCE_MAX);
   for (int b = 0; b < bodies; ++b) {

@@ -8,6 +8,9 @@
 
 namespace suture {
 
+/// Not std::hypot: that guards against overflow, at several times the cost, and loops over all nodes call it.
+inline double length(double x, double y) { return std::sqrt(x * x + y * y); }
+
 /// The quantities of the verdict, in the order of summary.json.
 enum class Quantity : int {
   Forces,
@@ -51,6 +54,11 @@ class Findings {
     where.bound = allowed / unit;
     where.made = true;
     take(quantity, where);
+  }
+  /// Whether take() would keep this: cheaper than a Finding for every node.
+  bool isWorse(Quantity quantity, double size, double allowed) const {
+    const Finding& worst = all[std::size_t(quantity)];
+    return !worst.made || !(size * worst.bound <= worst.value * allowed);
   }
   void take(Quantity quantity, const Finding& finding) {
     Finding& worst = all[std::size_t(quantity)];

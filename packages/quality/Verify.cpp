@@ -13,7 +13,6 @@
 #include <limits>
 #include <map>
 #include <sstream>
-#include <unordered_set>
 
 namespace suture {
 
@@ -163,7 +162,7 @@ void Verifier::gatherEnds() {
       const ContactPair& pair = *pairs.at(end.pair);
       const Point u = moved(int(i), end.node);
       const double weight = pair.ends[end.end].weight, along = u[0] * pair.normal[0] + u[1] * pair.normal[1];
-      mine.push_back({end.pair, end.end, mesh.body, weight * along, std::abs(weight) * std::hypot(u[0], u[1]), weight,
+      mine.push_back({end.pair, end.end, mesh.body, weight * along, std::abs(weight) * length(u[0], u[1]), weight,
                       nodes_[i](Stiffness, end.node), nodes_[i](Rounding, end.node), pair.gap, pair.position});
     }
   }
@@ -199,14 +198,14 @@ void Verifier::sumBodies() {
       const Point support{internal[0] - load[0] - contact[0], internal[1] - load[1] - contact[1], 0.0};
       const Point rest = residual(int(i), node, rule), x = mesh.point(node);
       balance_.addNode(load, support, rule, 2);
-      body.loads += std::hypot(load[0], load[1]);
-      body.contact += std::hypot(contact[0], contact[1]);
-      largestContact[mesh.body] = std::max(largestContact[mesh.body], std::hypot(contact[0], contact[1]));
-      if (rule) body.reactions += std::hypot(support[0] + rest[0], support[1] + rest[1]);
+      body.loads += length(load[0], load[1]);
+      body.contact += length(contact[0], contact[1]);
+      largestContact[mesh.body] = std::max(largestContact[mesh.body], length(contact[0], contact[1]));
+      if (rule) body.reactions += length(support[0] + rest[0], support[1] + rest[1]);
       if (rule)
         for (int k = 0; k < 2; ++k)
           if (rule->fixed[k]) prescribed[mesh.body] = std::max(prescribed[mesh.body], std::abs(rule->value[k]));
-      const double size = std::hypot(rest[0], rest[1]), rounding = nodes_[i](Rounding, node);
+      const double size = length(rest[0], rest[1]), rounding = nodes_[i](Rounding, node);
       body.residual += size;
       body.rounding += rounding;
       body.roundingSquared += rounding * rounding;
@@ -245,8 +244,8 @@ void Verifier::judgeBodies() {
     const double allowed = Bounds::resultant.at(tolerance_) * force + rounded;
     Finding where = worstNode_[b];
     where.body = b;
-    findings_.take(Quantity::Forces, axisymmetric_ ? std::abs(sums.resultant[1]) : std::hypot(sums.resultant[0], sums.resultant[1]),
-                   allowed, force, where);
+    findings_.take(Quantity::Forces, axisymmetric_ ? std::abs(sums.resultant[1]) : length(sums.resultant[0], sums.resultant[1]), allowed,
+                   force, where);
     if (!axisymmetric_) findings_.take(Quantity::Moments, std::abs(sums.moment), allowed * extent, force * extent, where);
     findings_.take(Quantity::Residual, sums.residual, Bounds::residual.at(tolerance_) * force + Bounds::rounding * sums.rounding, force,
                    where);
@@ -260,17 +259,18 @@ void Verifier::judgeNodes() {
   for (std::size_t i = 0; i < answer_.meshes.size(); ++i) {
     const SubdomainMesh& mesh = answer_.meshes[i];
     const double deformation = scales_[mesh.body].deformation;
-    std::unordered_set<int> touching;
-    for (const SubdomainMesh::ContactEnd& end : mesh.contactEnds) touching.insert(end.node);
+    std::vector<char> touches(mesh.nodes(), 0);
+    for (const SubdomainMesh::ContactEnd& end : mesh.contactEnds) touches[end.node] = 1;
     for (int node = 0; node < mesh.nodes(); ++node) {
       if (!counts(mesh, node)) continue;
       const NodeRule* rule = rules_[i][node];
       const Point rest = residual(int(i), node, rule), u = moved(int(i), node);
       const double stiffness = nodes_[i](Stiffness, node), rounded = Bounds::rounding * nodes_[i](Rounding, node) / stiffness;
-      findings_.take(Quantity::Nodes, std::hypot(rest[0], rest[1]) / stiffness, Bounds::node.at(tolerance_) * deformation + rounded,
-                     deformation, place(int(i), node));
-      if (touching.count(node) > 0)
-        findings_.take(Quantity::Contact, std::hypot(rest[0], rest[1]),
+      const double alone = length(rest[0], rest[1]) / stiffness, allowed = Bounds::node.at(tolerance_) * deformation + rounded;
+      if (findings_.isWorse(Quantity::Nodes, alone, allowed))
+        findings_.take(Quantity::Nodes, alone, allowed, deformation, place(int(i), node));
+      if (touches[node])
+        findings_.take(Quantity::Contact, length(rest[0], rest[1]),
                        Bounds::contact.at(tolerance_) * scales_[mesh.body].largestContact + rounded * stiffness,
                        scales_[mesh.body].largestContact, place(int(i), node));
       if (!rule) continue;
@@ -278,7 +278,7 @@ void Verifier::judgeNodes() {
         if (!rule->fixed[k]) continue;
         const double off = std::abs(rule->axes[k][0] * u[0] + rule->axes[k][1] * u[1] - rule->value[k]);
         findings_.take(Quantity::Prescribed, off,
-                       Bounds::geometry * deformation + 8 * unitRoundoff * (std::hypot(u[0], u[1]) + std::abs(rule->value[k])), deformation,
+                       Bounds::geometry * deformation + 8 * unitRoundoff * (length(u[0], u[1]) + std::abs(rule->value[k])), deformation,
                        place(int(i), node));
       }
     }
@@ -292,8 +292,8 @@ void Verifier::judgeSeams(const SeamExchange& seams) {
   for (const SeamExchange::Difference& difference : seams.differences(displacement)) {
     const double deformation = scales_[answer_.meshes[difference.mesh].body].deformation;
     const Point u = moved(difference.mesh, difference.node);
-    findings_.take(Quantity::Seams, difference.size, Bounds::geometry * deformation + 8 * unitRoundoff * std::hypot(u[0], u[1]),
-                   deformation, place(difference.mesh, difference.node));
+    findings_.take(Quantity::Seams, difference.size, Bounds::geometry * deformation + 8 * unitRoundoff * length(u[0], u[1]), deformation,
+                   place(difference.mesh, difference.node));
   }
 }
 
