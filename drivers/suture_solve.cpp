@@ -53,6 +53,7 @@ RunResult solveScene(const CommPtr& comm, const SolveOptions& options) {
   subdomains.clear();
   giveBackFreedMemory();
   errorStage(*comm, cut.meshes, model, scene, solution, timers);
+  timed(timers, "verify", [&] { verifyStage(*comm, cut.meshes, model, cut.whole.pieces, scene, solution); });
 
   return reportStage(
       {*comm, file, model, cut.whole.pieces, cut.meshes, size, solution, monitor, timers, cut.whole.hash, options.commandLine, folder},

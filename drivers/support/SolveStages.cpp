@@ -10,6 +10,7 @@
 #include <suture/constraints/BuildConstraints.hpp>
 #include <suture/mesh/MeshReader.hpp>
 #include <suture/mesh/Regions.hpp>
+#include <suture/quality/Verify.hpp>
 #include <suture/report/Checkpoint.hpp>
 #include <suture/solver/Solvability.hpp>
 
@@ -178,6 +179,14 @@ void errorStage(const Comm& comm, const std::vector<SubdomainMesh>& meshes, cons
     solution.discretisation = timed(timers, "estimate", [&] { return estimateError(comm, meshes, model, solution.displacement); });
 }
 
+void verifyStage(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model,
+                 const std::vector<ContactPiece>& pieces, const Parameters& scene, Solution& solution) {
+  const double tolerance = requestedAccuracy(scene, solution);
+  solution.verification = verify(comm, {meshes, model, solution.displacement, solution.pairs, pieces, tolerance});
+  if (solution.converged && !solution.verification.holds())
+    solution.failure = "the verdict does not hold: " + solution.verification.failure();
+}
+
 namespace {
 volatile std::sig_atomic_t stopAsked = 0;
 }
@@ -199,14 +208,15 @@ void printSizes(const Comm& comm, const SceneFile& file, const ProblemSize& size
 }
 
 RunResult reportStage(const Run& run, const SolveOptions& options) {
-  const ExitCode code = run.solution.converged ? ExitCode::Done : run.solution.stopped ? ExitCode::Stopped : ExitCode::Numerical;
+  const bool done = run.solution.converged && run.solution.verification.holds();
+  const ExitCode code = done ? ExitCode::Done : run.solution.stopped ? ExitCode::Stopped : ExitCode::Numerical;
   const std::string summary = writeReport(run, code);
   if (code != ExitCode::Done || run.scene.parameters->sublist("Output").get<bool>("Checkpoint"))
     writeCheckpoint(run.comm, (std::filesystem::path(run.folder) / "checkpoint.h5").string(), run.meshHash, run.subdomains, run.solution);
   printFooter(consoleOf(run.comm, options.quiet), run);
   // With --quiet the exit code would be all that tells.
   if (code != ExitCode::Done && options.quiet && run.comm.getRank() == 0)
-    std::cerr << "suture_solve: not converged: " << run.solution.failure << std::endl;
+    std::cerr << "suture_solve: " << (run.solution.converged ? "" : "not converged: ") << run.solution.failure << std::endl;
   return {code, run.solution.failure, summary};
 }
 

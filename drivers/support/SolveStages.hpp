@@ -79,6 +79,11 @@ std::unique_ptr<InterfaceState> startStage(const CommPtr& comm, const SolveOptio
 void errorStage(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model, const Parameters& scene,
                 Solution& solution, Timers& timers);
 
+/// Judges the solution by its displacements and contact forces alone. A verdict that does not hold is the run's failure, whatever the
+/// solver believed. Collective.
+void verifyStage(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model,
+                 const std::vector<ContactPiece>& pieces, const Parameters& scene, Solution& solution);
+
 /// SIGUSR1 (mpirun forwards it) ends the run after the outer iteration in hand, with a checkpoint and exit code 75.
 void listenForStop(RunMonitor& monitor);
 
