@@ -12,6 +12,7 @@
 #include <suture/mesh/Regions.hpp>
 #include <suture/quality/Verify.hpp>
 #include <suture/report/Checkpoint.hpp>
+#include <suture/report/Units.hpp>
 #include <suture/solver/Solvability.hpp>
 
 #include "NestedLevels.hpp"
@@ -37,7 +38,8 @@ Mesh meshStage(const Comm& comm, const SceneFile& file) {
 
 Constraints constraintsStage(const Comm& comm, const Mesh& mesh, const Parameters& scene) {
   return onRoot(comm, "building the constraints", [&] {
-    return buildConstraints(mesh, scene.sublist("Boundary Conditions"), scene.sublist("Contact"), sceneConstants(scene));
+    return buildConstraints(mesh, scene.sublist("Boundary Conditions"), scene.sublist("Contact"), sceneConstants(scene),
+                            {contactCompliances(makeElasticModel(scene)), unitsOf(scene).length});
   });
 }
 
@@ -96,6 +98,7 @@ std::string bytesOf(const Whole& whole) {
     packer.put(piece.pairs);
     packer.put(piece.bodyA);
     packer.put(piece.bodyB);
+    packer.put(piece.pressureDoubt);
   }
   return std::move(packer).bytes();
 }
@@ -111,6 +114,7 @@ Whole wholeFrom(const std::string& bytes) {
     unpacker.get(piece.pairs);
     unpacker.get(piece.bodyA);
     unpacker.get(piece.bodyB);
+    unpacker.get(piece.pressureDoubt);
   }
   return whole;
 }

@@ -2,6 +2,7 @@
 #include <suture/constraints/Conditions.hpp>
 #include <suture/constraints/ContactPairs.hpp>
 #include <suture/constraints/ContactPieces.hpp>
+#include <suture/constraints/FacetError.hpp>
 #include <suture/constraints/NodalRules.hpp>
 
 #include <algorithm>
@@ -92,10 +93,12 @@ void checkHeld(const Mesh& mesh, const Constraints& constraints, Problems& probl
 
 }  // namespace
 
-Constraints buildConstraints(const Mesh& mesh, const Parameters& conditionList, const Parameters& contactList, const Constants& constants) {
+Constraints buildConstraints(const Mesh& mesh, const Parameters& conditionList, const Parameters& contactList, const Constants& constants,
+                             const ContactScales& scales) {
   Problems problems;
   const std::vector<Condition> conditions = readConditions(mesh, conditionList, constants, problems);
-  const std::vector<ContactLine> lines = readContact(mesh, contactList, constants, problems);
+  std::vector<ContactLine> lines = readContact(mesh, contactList, constants, problems);
+  for (ContactLine& line : lines) line.shareOfA = shareOfA(line, scales);
   checkRoles(mesh, conditions, lines, problems);
 
   Constraints constraints;
@@ -103,6 +106,7 @@ Constraints buildConstraints(const Mesh& mesh, const Parameters& conditionList, 
   std::vector<PairedLine> paired;
   for (const ContactLine& line : lines) {
     paired.push_back(pairLine(mesh, line, problems, constraints.notes));
+    noteInterference(line, paired.back(), scales.lengthUnit, constraints.notes);
     const int base = static_cast<int>(constraints.pairs.size());
     for (ContactPair pair : paired.back().pairs) {
       pair.id += base;
@@ -112,6 +116,7 @@ Constraints buildConstraints(const Mesh& mesh, const Parameters& conditionList, 
   problems.throwIfAny();
 
   constraints.pieces = findPieces(lines, paired, constraints.pairs);
+  estimatePressures(lines, paired, scales, constraints);
   checkHeld(mesh, constraints, problems);
   problems.throwIfAny();
   addContactFrames(constraints.pairs, constraints.rules);

@@ -10,6 +10,12 @@ namespace suture {
 Schema boundaryConditionSchema();
 Schema contactSchema();
 
+/// What contact needs to know of the bodies besides their mesh.
+struct ContactScales {
+  std::vector<double> compliances;  ///< of each body, (1 - nu^2) / E or in proportion to it [1 / stress]; none: all alike, no estimates
+  std::string lengthUnit;           ///< for notes, as "mm"
+};
+
 /// Turns the scene's boundary conditions and contact lines into nodal rules, pairs and pieces. Local (rank 0).
 ///
 /// Nodal rules: each condition gives rows (direction, value) at its nodes: Displacement a row a prescribed component, Bilateral the row
@@ -18,12 +24,13 @@ Schema contactSchema();
 /// its pair if it is in exactly one; with a prescribed component its rule stays as it is (the contact row is then scaled, not rotated).
 ///
 /// \param conditions  the scene's list `Boundary Conditions`;  \param contact  the scene's list `Contact`
-/// \param constants  for their expressions
+/// \param constants  for their expressions;  \param scales  stiffer bodies keep more of their shape when pressed together
 /// \throws InputError  all of: unknown group (nearest, known); a group used in contradictory roles (contact side and displacement on the
 ///                     whole of it, both sides of one contact the same group or the same body, a side in two contacts); sides that do
 ///                     not match (how many nodes on each, how many without partner, how far); a side that is not on the boundary;
 ///                     contradictory prescribed values (place, the two conditions); an expression that cannot be read, or has no finite
 ///                     value (place).
-Constraints buildConstraints(const Mesh& mesh, const Parameters& conditions, const Parameters& contact, const Constants& constants = {});
+Constraints buildConstraints(const Mesh& mesh, const Parameters& conditions, const Parameters& contact, const Constants& constants = {},
+                             const ContactScales& scales = {});
 
 }  // namespace suture

@@ -57,6 +57,7 @@ struct ContactPiece {
   std::string name;            ///< of the contact line; "<line> 2" for its second component, "a + b" for lines that touch
   std::vector<int> pairs;      ///< ids
   int bodyA = -1, bodyB = -1;  ///< B: -1 for a rigid obstacle
+  double pressureDoubt = 0.0;  ///< estimated error of nodal pressures where straight elements stand for curved sides [stress]
 };
 
 /// All that restricts the displacements of a scene: Dirichlet and bilateral rows as nodal rules, contact pairs and pieces. On rank 0, for

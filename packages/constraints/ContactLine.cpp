@@ -87,6 +87,9 @@ void readCoupling(const Parameters& list, bool rigid, ContactLine& line, Problem
   using Coupling = ContactLine::Coupling;
   using Carrier = ContactLine::Carrier;
   line.coupling = coupling == "Mortar" ? Coupling::Mortar : coupling == "Matching Nodes" ? Coupling::MatchingNodes : Coupling::Automatic;
+  using Geometry = ContactLine::Geometry;
+  const std::string geometry = list.get<std::string>("Geometry");
+  line.geometry = geometry == "Smooth" ? Geometry::Smooth : geometry == "Facets" ? Geometry::Facets : Geometry::Automatic;
   line.carrier = carrier == "Side A" ? Carrier::SideA : carrier == "Side B" ? Carrier::SideB : Carrier::Automatic;
 }
 
@@ -162,6 +165,10 @@ Schema contactSchema() {
       .oneOf("Multipliers On", "Automatic", {"Automatic", "Side A", "Side B"},
              "with Mortar, the side whose nodes carry the contact stress; Automatic: one that the other covers wholly, or that with more "
              "nodes")
+      .oneOf("Geometry", "Automatic", {"Automatic", "Smooth", "Facets"},
+             "with Mortar, what curve stands for a side whose elements are straight while their nodes lie on a curve. Automatic: the shape "
+             "that both sides have when pressed together, between their curvatures by the bodies' stiffnesses; Smooth: the drawn curve, by "
+             "the curvature through neighbouring nodes; Facets: the elements themselves")
       .text("Initial Gap", std::nullopt, "a function of x and y on Side A [length], instead of the distance in the mesh")
       .optional()
       .real("Tolerance", 1e-3, "how far apart along the line the two nodes of a pair may be, as a fraction of the local mesh size",

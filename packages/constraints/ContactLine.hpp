@@ -21,6 +21,9 @@ struct ContactLine {
   int bodyA = -1, bodyB = -1;
   enum class Coupling { Automatic, MatchingNodes, Mortar } coupling = Coupling::Automatic;
   enum class Carrier { Automatic, SideA, SideB } carrier = Carrier::Automatic;  ///< which side's nodes carry a mortar's pairs
+  /// Between which curves the gap of a mortar is taken, where elements are straight and the sides are not.
+  enum class Geometry { Automatic, Smooth, Facets } geometry = Geometry::Automatic;
+  double shareOfA = 0.5;  ///< of the change of curvature by which both sides fit each other when pressed together: compliance A / (A + B)
   std::optional<Obstacle> obstacle;                                             ///< instead of side B
   std::optional<Expression> initialGap;                                         ///< instead of that of the geometry [length]
 };

@@ -13,6 +13,8 @@ namespace {
 using Chain = BoundaryLine::Chain;
 
 const double pi = 3.14159265358979323846;
+const double parallel = 1e-9;     // angle between the normals of sides that are straight
+const double coincident = 1e-9;  // of the mesh size: nodes nearer than this have no direction between them
 
 // How two nodes, one of each side, stand to each other.
 struct Standing {
@@ -98,6 +100,11 @@ class Matcher {
     for (const Point& n : a_.normalsNear(nodeA)) theta = std::max(theta, angleBetween(n, s.normal));
     for (const Point& n : b_.normalsNear(nodeB)) theta = std::max(theta, angleBetween({-n[0], -n[1], 0}, s.normal));
     s.excess = std::max(0.0, std::abs(cross(d, s.normal)) - std::abs(s.gap) * std::tan(std::min(theta, pi / 3)));
+    // Between curved sides the nodes may stand opposite along any direction between the normals. Forces along it have no moment.
+    if (theta > parallel && s.excess == 0 && norm(d) > coincident * meshSize(nodeA, nodeB)) {
+      s.normal = unit(s.gap > 0 ? d : Point{-d[0], -d[1], 0});
+      s.gap = dot(d, s.normal);
+    }
     return s;
   }
 

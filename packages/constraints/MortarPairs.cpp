@@ -1,5 +1,5 @@
-#include <suture/constraints/BoundaryLine.hpp>
 #include <suture/constraints/MortarPairs.hpp>
+#include <suture/constraints/MortarSegment.hpp>
 #include <suture/mesh/SideShape.hpp>
 
 #include <Eigen/Cholesky>
@@ -8,56 +8,20 @@
 #include <limits>
 #include <map>
 #include <optional>
-#include <sstream>
 
 namespace suture {
 
 namespace {
 
 using Chain = BoundaryLine::Chain;
+using Segment = MortarSegment;
+using Geometry = ContactLine::Geometry;
 
 constexpr double kSamePlace = 1e-10;  // of an element's reference interval
 constexpr double kFacing = 0.5;       // cosine of the angle up to which two normals are opposite
-constexpr double kStraight = 1e-6;    // angle between the normals at an element's ends
-constexpr double kNoOverlap = 1e-6;   // of an element's length: less than what the strains of most scenes move
+constexpr double kOpposite = 1e-9;    // sine of the angle up to which normals of facing sides are opposite
+constexpr double kParallel = 1e-13;   // difference of two normals that are one
 constexpr double kCovered = 0.2;      // of a hat function, below which its node carries no condition of its own
-
-/// An element of one side as a curve on [-1, 1], the body on its left.
-class Segment {
- public:
-  Segment(const Mesh& mesh, const BoundaryLine& line, const std::vector<int>& nodes) : nodes_(nodes) {
-    for (const int node : nodes) {
-      points_.push_back(mesh.point(node));
-      normals_.push_back(line.normal(node));
-    }
-    for (int end = 0; end < 2; ++end) endNormals_[end] = unit(normals_[end]);
-  }
-  const std::vector<int>& nodes() const { return nodes_; }
-  int count() const { return static_cast<int>(nodes_.size()); }
-  const Point& end(int which) const { return points_[which]; }
-  // Ends at once: of most elements of the other side they alone are asked for.
-  Point at(double xi) const { return xi == -1 ? points_[0] : xi == 1 ? points_[1] : mix(points_, sideShape(count(), xi).value); }
-  Point tangent(double xi) const { return mix(points_, sideShape(count(), xi).slope); }  // of the length ds / d xi
-  Point normal(double xi) const {
-    return xi == -1 ? endNormals_[0] : xi == 1 ? endNormals_[1] : unit(mix(normals_, sideShape(count(), xi).value));
-  }
-  double length() const { return norm(minus(points_[1], points_[0])); }
-  bool isCurved() const { return bend() > kStraight; }
-  /// Height of the arc over a chord, h^2 / 8 R: how far a straight element is off the curve that its nodes lie on.
-  double sagitta() const { return count() == 2 ? length() * bend() / 8 : 0.0; }
-
- private:
-  double bend() const { return angleBetween(normals_[0], normals_[1]); }
-  Point mix(const std::vector<Point>& points, const std::array<double, 3>& by) const {
-    Point sum{0, 0, 0};
-    for (int a = 0; a < count(); ++a)
-      for (int k = 0; k < 2; ++k) sum[k] += by[a] * points[a][k];
-    return sum;
-  }
-  std::vector<int> nodes_;
-  std::vector<Point> points_, normals_;
-  std::array<Point, 2> endNormals_;
-};
 
 /// Zero of a function on [-1, 1] that changes its sign there; nothing if it does not.
 template <typename Function>
@@ -81,11 +45,14 @@ class Mortar {
       : mesh_(mesh),
         contact_(line),
         sign_(onA ? 1.0 : -1.0),
+        share_(onA ? line.shareOfA : 1 - line.shareOfA),
         line_(mesh, mesh.sideGroups.at(onA ? line.groupA : line.groupB)),
         otherLine_(mesh, mesh.sideGroups.at(onA ? line.groupB : line.groupA)),
+        own_(segments(onA ? line.groupA : line.groupB, line_)),
+        other_(segments(onA ? line.groupB : line.groupA, otherLine_)),
         rule_(gaussRule(6)) {
-    for (const Side& side : mesh.sideGroups.at(onA ? line.groupB : line.groupA)) other_.emplace_back(mesh, otherLine_, mesh.nodesOf(side));
-    for (const Side& side : mesh.sideGroups.at(onA ? line.groupA : line.groupB)) integrate(Segment(mesh, line_, mesh.nodesOf(side)));
+    findNormals();
+    for (const Segment& own : own_) integrate(own);
     handOn();
   }
 
@@ -98,16 +65,24 @@ class Mortar {
     return covered > (1 - 1e-6) * whole;
   }
 
-  /// Where curved sides cut into each other by no more than their chords do; else empty.
-  std::string overlap() const {
-    if (overlap_.depth <= 0) return {};
-    std::ostringstream text;
-    text.precision(3);
-    text << "contact '" << contact_.name << "': its sides are curved, but their elements straight, and cut into each other by up to "
-         << overlap_.depth << " at (" << overlap_.place[0] << ", " << overlap_.place[1]
-         << "): an error of the mesh (h^2 / 8 R) that contact pressures feel. Initial Gap = 0, where the bodies touch, or elements with "
-            "middle nodes avoid it";
-    return text.str();
+  /// Whether the other side stands opposite to at least half of each node's hat function.
+  bool coversEachNode() const {
+    return std::all_of(line_.nodes().begin(), line_.nodes().end(), [&](const auto& entry) {
+      const auto row = rows_.find(entry.first);
+      return row != rows_.end() && row->second.weight > 0.5 * entry.second.tributary;
+    });
+  }
+  /// Whether sides of two-node elements meet, one of them at least curved.
+  bool isCurvedAndLinear() const {
+    const auto linear = [](const Segment& s) { return s.isLinear(); };
+    const auto curved = [](const Segment& s) { return s.isCurved(); };
+    return linear(own_.front()) && linear(other_.front()) &&
+           (std::any_of(own_.begin(), own_.end(), curved) || std::any_of(other_.begin(), other_.end(), curved));
+  }
+  double meanLength() const {
+    double sum = 0;
+    for (const Segment& own : own_) sum += own.length();
+    return sum / double(own_.size());
   }
 
   PairedLine pairs() const {
@@ -125,6 +100,7 @@ class Mortar {
           result.chains.push_back({static_cast<int>(result.pairs.size()), 0, closed});
         ++result.chains.back().count;
         result.pairs.push_back(pairOf(row->first, row->second, chain.arc[at], static_cast<int>(result.pairs.size())));
+        result.gapDoubts.push_back(row->second.doubt / row->second.weight);
       }
     }
     return result;
@@ -134,17 +110,18 @@ class Mortar {
   /// Integrals of psi_j with: the shape functions of both sides by node, the gap, one.
   struct Row {
     std::map<int, double> own, others;
-    double gap = 0, weight = 0;
+    double gap = 0, doubt = 0, weight = 0;
     void add(const Row& row) {
       for (const auto& [node, value] : row.own) own[node] += value;
       for (const auto& [node, value] : row.others) others[node] += value;
       gap += row.gap;
+      doubt += row.doubt;
       weight += row.weight;
     }
   };
   /// A point of both sides.
   struct Sample {
-    double xi, weight, gap;
+    double xi, weight, gap, doubt;
     const Segment* other;
     double eta;
   };
@@ -161,12 +138,20 @@ class Mortar {
     return Meeting{*eta, dot(minus(other.at(*eta), from), normal)};
   }
 
-  /// Reference coordinates where elements of the other side begin or end, and the ends.
-  std::vector<double> breaks(const Segment& own) const {
+  std::vector<Segment> segments(const std::string& group, const BoundaryLine& line) const {
+    const std::vector<Side>& sides = mesh_.sideGroups.at(group);
+    const BoundaryCurve curve(mesh_, sides);
+    std::vector<Segment> all;
+    for (std::size_t s = 0; s < sides.size(); ++s) all.emplace_back(mesh_, line, mesh_.nodesOf(sides[s]), curve.bend(s));
+    return all;
+  }
+
+  /// Reference coordinates where elements of the other side begin or end, seen along a normal, and the ends.
+  std::vector<double> breaks(const Segment& own, const Point& normal) const {
     std::vector<double> all{-1, 1};
     for (const Segment& other : other_)
       for (int end = 0; end < 2; ++end)
-        if (const auto xi = zeroOf([&](double t) { return cross(minus(other.end(end), own.at(t)), own.normal(t)); })) all.push_back(*xi);
+        if (const auto xi = zeroOf([&](double t) { return cross(minus(other.end(end), own.at(t)), normal); })) all.push_back(*xi);
     std::sort(all.begin(), all.end());
     all.erase(std::unique(all.begin(), all.end(), [](double a, double b) { return b - a < kSamePlace; }), all.end());
     if (1 - all.back() < kSamePlace) all.back() = 1;
@@ -184,36 +169,97 @@ class Mortar {
     return best;
   }
 
-  void noteOverlap(const Segment& own, const Segment& other, const Point& place, double depth) {
-    if (depth <= std::max(overlap_.depth, kNoOverlap * own.length()) || !own.isCurved() || !other.isCurved()) return;
-    // More than that, with a margin for coarse meshes and the ends of lines, is meant: an interference fit.
-    if (depth < 2 * (own.sagitta() + other.sagitta())) overlap_ = {depth, place};
+  /// How much nearer the smooth sides are than their elements at a point of both, and the estimated error of that.
+  struct Nearer {
+    double way = 0, doubt = 0;
+  };
+  Nearer nearer(const Segment& own, double xi, const Segment& other, double eta, const Point& normal) const {
+    Nearer result;
+    const Point back{-normal[0], -normal[1], 0};
+    const double mine = own.curvature(xi), its = other.curvature(eta);
+    // Straight elements of two nodes stay so. What they approximate is the shape of the sides in contact, which is one curve.
+    const double common = contact_.geometry == Geometry::Smooth ? mine : (1 - share_) * mine - share_ * its;
+    const double against = contact_.geometry == Geometry::Smooth ? its : -common;
+    const auto add = [&](const Segment& segment, double drawn, double closed, double at, const Point& out) {
+      if (!segment.isStraight()) return;
+      result.way += segment.wayToArc(segment.isLinear() ? closed : drawn, at, out);
+      result.doubt += arcOver(segment.curvatureDoubt(), segment.length(), at).height;
+    };
+    add(own, mine, common, xi, normal);
+    add(other, its, against, eta, back);
+    return result;
   }
 
-  void integrate(const Segment& own) {
-    std::vector<Sample> samples;
-    double covered = 0;
-    const std::vector<double> at = breaks(own);
+  struct Samples {
+    std::vector<Sample> all;
+    double covered = 0;  ///< of the element's interval, of length 2
+  };
+
+  Samples sample(const Segment& own, const Point& normal) const {
+    Samples result;
+    const std::vector<double> at = breaks(own, normal);
     for (std::size_t s = 0; s + 1 < at.size(); ++s) {
       const double half = (at[s + 1] - at[s]) / 2, middle = (at[s] + at[s + 1]) / 2;
-      const Segment* other = nearest(own.at(middle), own.normal(middle));
+      const Segment* other = nearest(own.at(middle), normal);
       if (!other) continue;
-      covered += half;
+      result.covered += half;
       for (int q = 0; q < rule_.points.size(); ++q) {
         const double xi = middle + half * rule_.points(q);
-        const Point from = own.at(xi), normal = own.normal(xi);
+        const Point from = own.at(xi);
         const auto met = meet(from, normal, *other);
         if (!met) continue;  // beyond the element's end by rounding of its curve: of no weight
-        if (!contact_.initialGap) noteOverlap(own, *other, from, -met->gap);
-        const double gap = contact_.initialGap ? contact_.initialGap->at(from) : met->gap;
-        double weight = half * rule_.weights(q) * norm(own.tangent(xi));
-        if (mesh_.axisymmetric) weight *= circumference(from[0]);
-        samples.push_back({xi, weight, gap, other, met->eta});
+        Sample point{xi, half * rule_.weights(q) * norm(own.tangent(xi)), met->gap, 0, other, met->eta};
+        if (mesh_.axisymmetric) point.weight *= circumference(from[0]);
+        if (contact_.initialGap)
+          point.gap = contact_.initialGap->at(from);
+        else {
+          const Nearer smooth = nearer(own, xi, *other, met->eta, normal);
+          if (contact_.geometry == Geometry::Facets)
+            point.doubt = smooth.way;
+          else
+            point.gap -= smooth.way, point.doubt = smooth.doubt;
+        }
+        result.all.push_back(point);
       }
     }
-    if (samples.empty()) return;
+    return result;
+  }
 
-    const int functions = covered > 1 - 1e-8 ? own.count() : 2;
+  /// Normal of each row: the mean of both sides' where they face each other.
+  void findNormals() {
+    for (const Segment& own : own_)
+      for (int j = 0; j < own.count(); ++j) {
+        const int node = own.nodes()[j];
+        Point normal = own.normal(j);
+        const Point from = mesh_.point(node);
+        if (const Segment* other = nearest(from, normal)) {
+          const Point facing = other->normalAt(meet(from, normal, *other)->eta);
+          if (std::abs(cross(normal, facing)) > kOpposite) normal = unit(minus(normal, facing));
+        }
+        rowNormals_[node] = normal;
+      }
+  }
+
+  // Each row has a constant normal: the way from a point of one side to that of the other is then parallel to the row's force, and moments
+  // balance. On straight lines one set of samples serves all rows of an element.
+  void integrate(const Segment& own) {
+    std::vector<Samples> sets;
+    std::vector<Point> normals;
+    std::vector<int> setOf;
+    for (int j = 0; j < own.count(); ++j) {
+      const Point normal = rowNormals_.at(own.nodes()[j]);
+      std::size_t at = 0;
+      while (at < sets.size() && norm(minus(normals[at], normal)) > kParallel) ++at;
+      if (at == sets.size()) sets.push_back(sample(own, normal)), normals.push_back(normal);
+      setOf.push_back(static_cast<int>(at));
+    }
+    const bool whole = std::all_of(sets.begin(), sets.end(), [](const Samples& set) { return set.covered > 1 - 1e-8; });
+    const int functions = whole ? own.count() : 2;
+    for (int j = 0; j < functions; ++j) addTo(rows_, own, j, functions, sets[setOf[j]].all);
+  }
+
+  static void addTo(std::map<int, Row>& rows, const Segment& own, int j, int functions, const std::vector<Sample>& samples) {
+    if (samples.empty()) return;
     Matrix mass = Matrix::Zero(functions, functions);
     Vector integral = Vector::Zero(functions);
     const auto shape = [functions](double xi) -> Vector {
@@ -226,21 +272,35 @@ class Mortar {
       integral += sample.weight * chi;
     }
     const Matrix dual = integral.asDiagonal() * mass.ldlt().solve(Matrix::Identity(functions, functions));
+    Row& row = rows[own.nodes()[j]];
     for (const Sample& sample : samples) {
       const Vector psi = sample.weight * (dual * shape(sample.xi));
       const SideShape phi = sideShape(own.count(), sample.xi), others = sideShape(sample.other->count(), sample.eta);
-      for (int j = 0; j < functions; ++j) {
-        Row& row = rows_[own.nodes()[j]];
-        row.weight += psi(j);
-        row.gap += psi(j) * sample.gap;
-        for (int k = 0; k < own.count(); ++k) row.own[own.nodes()[k]] += psi(j) * phi.value[k];
-        for (int k = 0; k < sample.other->count(); ++k) row.others[sample.other->nodes()[k]] += psi(j) * others.value[k];
-      }
+      row.weight += psi(j);
+      row.gap += psi(j) * sample.gap;
+      row.doubt += psi(j) * sample.doubt;
+      for (int k = 0; k < own.count(); ++k) row.own[own.nodes()[k]] += psi(j) * phi.value[k];
+      for (int k = 0; k < sample.other->count(); ++k) row.others[sample.other->nodes()[k]] += psi(j) * others.value[k];
     }
   }
 
-  /// Nodes that carry next to nothing hand on what they have, along the line, to the neighbour that carries more.
+  /// Nodes that carry next to nothing hand on what they have, along the line, to the neighbour that carries more: projected along its normal.
   void handOn() {
+    const std::map<int, int> heirs = findHeirs();
+    if (heirs.empty()) return;
+    for (const auto& [node, heir] : heirs) rowNormals_[node] = rowNormals_.at(heir);
+    rows_.clear();
+    for (const Segment& own : own_) integrate(own);
+    for (const auto& [node, heir] : heirs) {
+      const auto row = rows_.find(node);
+      if (row == rows_.end()) continue;
+      rows_[heir].add(row->second);
+      rows_.erase(node);
+    }
+  }
+
+  std::map<int, int> findHeirs() const {
+    std::map<int, int> heirs;
     const auto share = [&](int node) { return rows_.at(node).weight / line_.at(node).tributary; };
     for (const Chain& chain : line_.chains()) {
       const int n = static_cast<int>(chain.nodes.size());
@@ -253,18 +313,17 @@ class Mortar {
           if (at < 0 || at >= n || !rows_.count(chain.nodes[at]) || share(chain.nodes[at]) < kCovered) continue;
           if (heir < 0 || share(chain.nodes[at]) > share(heir)) heir = chain.nodes[at];
         }
-        if (heir < 0) continue;
-        rows_[heir].add(rows_[node]);
-        rows_.erase(node);
+        if (heir >= 0) heirs[node] = heir;
       }
     }
+    return heirs;
   }
 
   ContactPair pairOf(int node, const Row& row, double arc, int id) const {
     ContactPair pair;
     pair.id = id;
     pair.line = contact_.number;
-    const Point normal = line_.normal(node);
+    const Point& normal = rowNormals_.at(node);
     pair.normal = {sign_ * normal[0], sign_ * normal[1], 0};
     pair.gap = row.gap / row.weight;
     pair.length = row.weight;
@@ -283,31 +342,30 @@ class Mortar {
   const Mesh& mesh_;
   const ContactLine& contact_;
   double sign_;
+  double share_;  // of the change of curvature that the carrying side takes where both are pressed together
   BoundaryLine line_, otherLine_;
-  std::vector<Segment> other_;
+  std::vector<Segment> own_, other_;
   LineRule rule_;
   std::map<int, Row> rows_;  // by the node that carries it
-  struct {
-    double depth = 0.0;
-    Point place{0, 0, 0};
-  } overlap_;
+  std::map<int, Point> rowNormals_;  // by node
 };
 
-/// The side that the other covers wholly, where the stress ends with the side and not inside an element; of two or none such that with more
-/// nodes, which resolves the stress better and has a node of its own for each condition.
+/// The side that the other covers wholly, where the stress ends with the side and not inside an element. Of two or none such the coarser
+/// one where facets meet facets: only the coarser side can follow the finer one. Else that with more nodes, which resolves the stress
+/// better and has a node of its own for each condition.
 Mortar carriedByEither(const Mesh& mesh, const ContactLine& line) {
   Mortar a(mesh, line, true), b(mesh, line, false);
+  if (a.isCurvedAndLinear() && a.coversEachNode() == b.coversEachNode()) return a.meanLength() >= b.meanLength() ? a : b;
   if (a.coversAll() != b.coversAll()) return a.coversAll() ? a : b;
   return a.nodes() >= b.nodes() ? a : b;
 }
 
 }  // namespace
 
-PairedLine mortarLine(const Mesh& mesh, const ContactLine& line, Problems& problems, std::vector<std::string>& notes) {
+PairedLine mortarLine(const Mesh& mesh, const ContactLine& line, Problems& problems) {
   const Mortar mortar = line.carrier == ContactLine::Carrier::Automatic ? carriedByEither(mesh, line)
                                                                         : Mortar(mesh, line, line.carrier == ContactLine::Carrier::SideA);
   PairedLine result = mortar.pairs();
-  if (const std::string overlap = mortar.overlap(); !overlap.empty()) notes.push_back(overlap);
   if (result.pairs.empty())
     problems.add(line.path, "the sides '" + line.groupA + "' and '" + line.groupB +
                                 "' overlap nowhere: no normal of one meets the other face to face. Do the bodies lie on opposite sides of "

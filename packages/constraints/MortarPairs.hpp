@@ -19,6 +19,6 @@ namespace suture {
 /// \param problems  gets sides that meet nowhere
 /// \param notes  gets curved sides whose chords cut into each other: by h^2 / 8 R, an error of the mesh that a gap of zero would not have
 /// \return pairs as pairLine(), along the carrying side. Local.
-PairedLine mortarLine(const Mesh& mesh, const ContactLine& line, Problems& problems, std::vector<std::string>& notes);
+PairedLine mortarLine(const Mesh& mesh, const ContactLine& line, Problems& problems);
 
 }  // namespace suture

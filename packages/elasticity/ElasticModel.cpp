@@ -198,4 +198,13 @@ ElasticModel makeElasticModel(const Parameters& scene) {
   return model;
 }
 
+std::vector<double> contactCompliances(const ElasticModel& model) {
+  std::vector<double> all;
+  for (const Material& material : model.materialOfBody) {
+    const double across = model.plane == PlaneModel::Stress ? 0.0 : material.poisson * material.poisson;
+    all.push_back((1 - across) / material.young);
+  }
+  return all;
+}
+
 }  // namespace suture

@@ -97,6 +97,10 @@ Schema materialSchema();
 ///                     wrong length.
 ElasticModel makeElasticModel(const Parameters& scene);
 
+/// By how much the surface of each body gives way under contact pressure, relative to others: (1 - nu^2) / E, in plane stress 1 / E; of
+/// a body with regions by its own material. [1 / stress]
+std::vector<double> contactCompliances(const ElasticModel& model);
+
 /// Stress-strain matrix in Voigt order with engineering shear: 3 x 3 (xx, yy, xy) in 2D; 6 x 6, normals first, in 3D, where `plane` means
 /// nothing: its first four rows and columns are the law of axisymmetric bodies (rr, yy, hoop, ry). [stress]
 Matrix elasticity(const Material& material, PlaneModel plane, int dimension);

@@ -1,0 +1,68 @@
+#include <suture/constraints/FacetError.hpp>
+#include <suture/mesh/CellGeometry.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace suture {
+
+namespace {
+
+constexpr double kPressureOfGap = 2.4;  // nodal pressure error over E* (second difference of the gap) / h, measured on conforming pins
+constexpr double kNoInterference = 1e-6;
+
+double complianceOf(int body, const ContactScales& scales) {
+  return body >= 0 && body < static_cast<int>(scales.compliances.size()) ? scales.compliances[body] : 0.0;
+}
+
+double distance(const ContactPair& a, const ContactPair& b) {
+  return norm({a.position[0] - b.position[0], a.position[1] - b.position[1], 0});
+}
+
+}  // namespace
+
+double shareOfA(const ContactLine& line, const ContactScales& scales) {
+  const double a = complianceOf(line.bodyA, scales), b = complianceOf(line.bodyB, scales);
+  return a + b > 0 ? a / (a + b) : 0.5;
+}
+
+void noteInterference(const ContactLine& line, const PairedLine& paired, const std::string& unit, std::vector<std::string>& notes) {
+  double deepest = 0;
+  Point place{0, 0, 0};
+  for (const PairedLine::Chain& chain : paired.chains)
+    for (int i = 0; i < chain.count; ++i) {
+      const int at = chain.first + i, neighbour = i > 0 ? at - 1 : at + 1;
+      const double depth = -paired.pairs[at].gap, doubt = paired.gapDoubts.empty() ? 0.0 : std::abs(paired.gapDoubts[at]);
+      const double size = chain.count > 1 ? distance(paired.pairs[at], paired.pairs[neighbour]) : 0.0;
+      if (depth > std::max({deepest, kNoInterference * size, 2 * doubt})) deepest = depth, place = paired.pairs[at].position;
+    }
+  if (deepest <= 0) return;
+  char depth[60];
+  std::snprintf(depth, sizeof depth, "%.1e%s%s", deepest, unit.empty() ? "" : " ", unit.c_str());
+  notes.push_back("contact '" + line.name + "': " + (line.initialGap ? "given" : "drawn") + " interference " + depth + ", deepest at " +
+                  placeText(place));
+}
+
+void estimatePressures(const std::vector<ContactLine>& lines, const std::vector<PairedLine>& paired, const ContactScales& scales,
+                       Constraints& constraints) {
+  int base = 0;
+  for (std::size_t l = 0; l < paired.size(); ++l) {
+    const std::vector<ContactPair>& pairs = paired[l].pairs;
+    const std::vector<double>& doubts = paired[l].gapDoubts;
+    const double compliance = complianceOf(lines[l].bodyA, scales) + complianceOf(lines[l].bodyB, scales);
+    for (const PairedLine::Chain& chain : paired[l].chains)
+      for (int i = 0; i < chain.count && compliance > 0 && !doubts.empty() && chain.count > 2; ++i) {
+        if (!chain.closed && (i == 0 || i + 1 == chain.count)) continue;
+        const int at = chain.first + i, before = chain.first + (i + chain.count - 1) % chain.count,
+                  after = chain.first + (i + 1) % chain.count;
+        const double size = (distance(pairs[before], pairs[at]) + distance(pairs[at], pairs[after])) / 2;
+        const double change = std::abs(doubts[at] - (doubts[before] + doubts[after]) / 2);
+        double& doubt = constraints.pieces[constraints.pairs[base + at].piece].pressureDoubt;
+        doubt = std::max(doubt, kPressureOfGap * change / (compliance * size));
+      }
+    base += static_cast<int>(pairs.size());
+  }
+}
+
+}  // namespace suture

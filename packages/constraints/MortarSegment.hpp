@@ -1,0 +1,47 @@
+#pragma once
+#include <suture/constraints/BoundaryCurve.hpp>
+#include <suture/constraints/BoundaryLine.hpp>
+#include <suture/mesh/Mesh.hpp>
+
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace suture {
+
+/// An element of one side of a mortar line as a curve on [-1, 1], the body on its left.
+class MortarSegment {
+ public:
+  MortarSegment(const Mesh& mesh, const BoundaryLine& line, const std::vector<int>& nodes, const BoundaryCurve::Bend& bend);
+
+  const std::vector<int>& nodes() const { return nodes_; }
+  int count() const { return static_cast<int>(nodes_.size()); }
+  const Point& end(int which) const { return points_[which]; }
+  // Ends at once: of most elements of the other side they alone are asked for.
+  Point at(double xi) const { return xi == -1 ? points_[0] : xi == 1 ? points_[1] : mixed(xi); }
+  Point tangent(double xi) const;  ///< of the length ds / d xi
+  /// Outward normal of the line at a node of the element.
+  const Point& normal(int node) const { return normals_[node]; }
+  /// Outward normal at a point, interpolated between the nodes.
+  Point normalAt(double xi) const;
+  double length() const { return norm(minus(points_[1], points_[0])); }
+
+  /// Curvature of the line at a point. [1 / length]
+  double curvature(double xi) const { return bend_.at(xi); }
+  double curvatureDoubt() const { return bend_.doubt; }
+  bool isCurved() const { return bend_.begin != 0 || bend_.end != 0; }
+  bool isLinear() const { return count() == 2; }
+  /// Whether its points lie on its chord: a middle node that is on the curve gives the element its true shape.
+  bool isStraight() const { return straight_; }
+  /// Way along `direction`, a unit vector out of the body, from a point of a straight element to the arc of this curvature over it.
+  double wayToArc(double curvature, double xi, const Point& direction) const;
+
+ private:
+  Point mixed(double xi) const;
+  std::vector<int> nodes_;
+  std::vector<Point> points_, normals_;
+  BoundaryCurve::Bend bend_;
+  bool straight_ = true;
+};
+
+}  // namespace suture
