@@ -21,11 +21,8 @@ double estimatedMegabytes(const std::vector<SubdomainMesh>& meshes);
 /// 937k unknowns 1646 MB; the estimate is 1662. Local.
 double estimatedMonolithicMegabytes(GlobalId unknowns);
 
-/// Memory that this machine could still give to programs, in 2^20 bytes: MemAvailable of Linux, or what the limits of the control group
-/// leave if that is less; infinite where the system does not tell. Local.
-double availableMegabytes();
-
-/// Compares the estimates of all ranks of a machine with what it has, before the work starts.
+/// Compares the estimates of all ranks of a machine with what it has, and that of each rank with what its limit of
+/// address space (ulimit -v) leaves, before the work starts.
 /// \param mine   estimate of this rank [MB]
 /// \param limit  Subdomain/Memory Limit: megabytes that all ranks on one machine may take; 0: what the machine has available
 /// \return the sum over all ranks of the job [MB]
