@@ -75,11 +75,14 @@ std::string shortened(const std::string& message) {
     // A text in quotes begins behind a blank or a bracket; an apostrophe within a word begins none.
     const bool opens = c == '\'' && (i == 0 || std::isspace(static_cast<unsigned char>(message[i - 1])) || message[i - 1] == '(');
     const std::size_t close = opens ? message.find('\'', i + 1) : std::string::npos;
-    const std::size_t end = close != std::string::npos ? close : std::min(message.find_first_of(" \n'", i + 1), message.size());
-    const std::size_t begin = opens && close != std::string::npos ? i + 1 : i;
-    line += message.substr(i, begin - i) + cut(message.substr(begin, end - begin), longestWord);
-    if (end < message.size() && message[end] == '\'') line += '\'';
-    i = end < message.size() && message[end] == '\'' ? end + 1 : end;
+    if (close != std::string::npos) {
+      line += "'" + cut(message.substr(i + 1, close - i - 1), longestWord) + "'";
+      i = close + 1;
+    } else {
+      const std::size_t end = std::min(message.find_first_of(" \n'", i + 1), message.size());
+      line += cut(message.substr(i, end - i), longestWord);
+      i = end;
+    }
   }
   endLine();
   return all;

@@ -95,8 +95,11 @@ void Hdf5File::close() {
     for (const auto& action : my.kept) action(my.file);
     my.kept.clear();
     checked(H5Fflush(my.file, H5F_SCOPE_GLOBAL));
+    hsize_t size = 0;
+    checked(H5Fget_filesize(my.file, &size));
     checked(H5Fclose(std::exchange(my.file, -1)));
-    if (std::rename(my.temporary().c_str(), my.path.c_str()) != 0) {
+    // HDF5 does not know of the room that was reserved behind its end.
+    if (::truncate(my.temporary().c_str(), static_cast<off_t>(size)) != 0 || std::rename(my.temporary().c_str(), my.path.c_str()) != 0) {
       const std::string reason = std::strerror(errno);
       std::remove(my.temporary().c_str());
       throw Failed{reason};
