@@ -17,7 +17,7 @@ namespace suture {
 
 namespace {
 
-constexpr double kProgram = 90.0;  // megabytes that it has taken already when the estimate is made
+constexpr double kProgram = 55.0;  // megabytes that it has taken already when the estimate is made
 
 // Pairs of nodes that have an element in common. Those on a side have two, as nearly all sides do.
 double couplings(const SubdomainMesh& mesh) {

@@ -309,11 +309,14 @@ def attack(i, ranks):
 
 
 counts, longest = {}, 0.0
-for i in range(options.first, options.first + options.count):
-    for ranks in (1, 2) if options.both else (1 + i // 9 % 2,):
-        kind, code, seconds = attack(i, ranks)
-        counts[kind, code] = counts.get((kind, code), 0) + 1
-        longest = max(longest, seconds)
+try:
+    for i in range(options.first, options.first + options.count):
+        for ranks in (1, 2) if options.both else (1 + i // 9 % 2,):
+            kind, code, seconds = attack(i, ranks)
+            counts[kind, code] = counts.get((kind, code), 0) + 1
+            longest = max(longest, seconds)
+except KeyboardInterrupt:
+    check(f"all mutants: interrupted at {i}", False, True)
 for (kind, code), count in sorted(counts.items(), key=str):
     print(f"{kind:14} exit {code}: {count}")
 runs = sum(counts.values())
