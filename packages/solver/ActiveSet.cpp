@@ -1,3 +1,4 @@
+#include <suture/base/Errors.hpp>
 #include <suture/solver/ActiveSet.hpp>
 #include <suture/solver/SetSolves.hpp>
 
@@ -48,6 +49,7 @@ ActiveSet::ActiveSet(const Parameters& own) : innerTolerance_(own.get<double>("I
 double ActiveSet::auxiliaryTolerance(const OuterSettings& settings) const { return std::max(innerTolerance_, settings.tolerance); }
 
 void ActiveSet::doSolve(Run& run) const {
+  if (!run.problem.sets()) throw InternalError("Active Set needs a formulation whose contact states are sets of closed pairs");
   const ContactSets& sets = *run.problem.sets();
   SetSolves solves(run, innerTolerance_);
   if (run.given) {
