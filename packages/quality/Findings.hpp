@@ -83,7 +83,8 @@ struct BodyScale {
 /// A bound that follows the tolerance, and ends somewhere: relative to a body's own forces or deformation.
 struct Bound {
   double factor, largest;
-  double at(double tolerance) const { return std::min(factor * tolerance, largest); }
+  /// Tolerances below 1e-9 count as 1e-9: what is left then is rounding of the largest stiffness.
+  double at(double tolerance) const { return std::min(factor * std::max(tolerance, 1e-9), largest); }
 };
 
 /// Bounds of the quantities. The tolerance is one of the energy norm, in which rough errors count less than in sums of nodal forces: the

@@ -259,17 +259,24 @@ void Verifier::judgeNodes() {
   for (std::size_t i = 0; i < answer_.meshes.size(); ++i) {
     const SubdomainMesh& mesh = answer_.meshes[i];
     const double deformation = scales_[mesh.body].deformation;
-    std::vector<char> touches(mesh.nodes(), 0);
-    for (const SubdomainMesh::ContactEnd& end : mesh.contactEnds) touches[end.node] = 1;
+    std::map<int, const ContactPair*> pairs;
+    for (const ContactRow& row : mesh.contactRows) pairs[row.pair.id] = &row.pair;
+    std::vector<std::vector<Point>> normals(mesh.nodes());
+    for (const SubdomainMesh::ContactEnd& end : mesh.contactEnds) normals[end.node].push_back(pairs.at(end.pair)->normal);
     for (int node = 0; node < mesh.nodes(); ++node) {
       if (!counts(mesh, node)) continue;
       const NodeRule* rule = rules_[i][node];
       const Point rest = residual(int(i), node, rule), u = moved(int(i), node);
       const double stiffness = nodes_[i](Stiffness, node), rounded = Bounds::rounding * nodes_[i](Rounding, node) / stiffness;
-      const double alone = length(rest[0], rest[1]) / stiffness, allowed = Bounds::node.at(tolerance_) * deformation + rounded;
+      Point along = rest;  // less what contact takes: Contact and the pairs judge that, and forces of stiff neighbours round it
+      for (const Point& n : normals[node]) {
+        const double across = along[0] * n[0] + along[1] * n[1];
+        for (int k = 0; k < 2; ++k) along[k] -= across * n[k];
+      }
+      const double alone = length(along[0], along[1]) / stiffness, allowed = Bounds::node.at(tolerance_) * deformation + rounded;
       if (findings_.isWorse(Quantity::Nodes, alone, allowed))
         findings_.take(Quantity::Nodes, alone, allowed, deformation, place(int(i), node));
-      if (touches[node])
+      if (!normals[node].empty())
         findings_.take(Quantity::Contact, length(rest[0], rest[1]),
                        Bounds::contact.at(tolerance_) * scales_[mesh.body].largestContact + rounded * stiffness,
                        scales_[mesh.body].largestContact, place(int(i), node));
