@@ -1,10 +1,12 @@
 #pragma once
-#include <suture/base/Types.hpp>
+#include <suture/constraints/Constraints.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <string>
+#include <vector>
 
 namespace suture {
 
@@ -43,6 +45,12 @@ struct Finding {
     return value >= 0.0 && bound > 0.0 ? value / bound : std::numeric_limits<double>::infinity();
   }
 };
+
+/// Name in summary.json, and what to try when the bound is exceeded.
+std::string nameOf(Quantity quantity);
+std::string adviceOf(Quantity quantity);
+/// Body or pair, with place and names; empty when nothing was found.
+std::string whereText(const Finding& finding, const std::vector<std::string>& bodies, const std::vector<ContactPiece>& pieces);
 
 /// The worst of each quantity.
 class Findings {
@@ -83,7 +91,8 @@ struct BodyScale {
 /// A bound that follows the tolerance, and ends somewhere: relative to a body's own forces or deformation.
 struct Bound {
   double factor, largest;
-  double at(double tolerance) const { return std::min(factor * tolerance, largest); }
+  /// Tolerances below 1e-9 count as 1e-9: what is left then is rounding of the largest stiffness.
+  double at(double tolerance) const { return std::min(factor * std::max(tolerance, 1e-9), largest); }
 };
 
 /// Bounds of the quantities. The tolerance is one of the energy norm, in which rough errors count less than in sums of nodal forces: the

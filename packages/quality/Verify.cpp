@@ -12,41 +12,12 @@
 #include <algorithm>
 #include <limits>
 #include <map>
-#include <sstream>
 
 namespace suture {
 
 namespace {
 
 constexpr double unitRoundoff = 0.5 * std::numeric_limits<double>::epsilon();
-
-struct Name {
-  const char *name, *advice;
-};
-
-constexpr const char* kTighter = "Try a smaller Outer Solver/Tolerance, or another Outer Solver/Type (Monolithic is the reference)";
-constexpr const char* kContact =
-    "The contact iteration ended in a wrong state: try a smaller Outer Solver/Tolerance, another Formulation, or Outer Solver/Type = "
-    "Monolithic";
-constexpr const char* kDefect = "The fields contradict the scene's conditions: report this as a defect of the program";
-
-constexpr Name kNames[kQuantities] = {
-    {"forces", kTighter},
-    {"moments", kTighter},
-    {"residual", kTighter},
-    {"nodes", kTighter},
-    {"contact", kTighter},
-    {"prescribed", kDefect},
-    {"seams", kDefect},
-    {"penetration", kContact},
-    {"tension", kContact},
-    {"complementarity", kContact},
-    {"status", kContact},
-    {"digits",
-     "Double precision cannot hold the answer: the body's own forces drown in the rounding of its displacements. Take the large rigid "
-     "motion "
-     "or gap out of the scene, or bring the stiffnesses closer together"},
-};
 
 enum Row { Internal = 0, Load = 2, Contact = 4, Rounding = 6, Stiffness = 7, kRows = 8 };
 
@@ -83,7 +54,6 @@ class Verifier {
   }
   /// Component of load + contact - internal forces along the free axes of a node. `support` gets what the node lacks in all axes.
   Point residual(int mesh, int node, const NodeRule* rule) const;
-  std::string text(const Finding& finding) const;
 
   const Comm& comm_;
   const Answer& answer_;
@@ -259,17 +229,24 @@ void Verifier::judgeNodes() {
   for (std::size_t i = 0; i < answer_.meshes.size(); ++i) {
     const SubdomainMesh& mesh = answer_.meshes[i];
     const double deformation = scales_[mesh.body].deformation;
-    std::vector<char> touches(mesh.nodes(), 0);
-    for (const SubdomainMesh::ContactEnd& end : mesh.contactEnds) touches[end.node] = 1;
+    std::map<int, const ContactPair*> pairs;
+    for (const ContactRow& row : mesh.contactRows) pairs[row.pair.id] = &row.pair;
+    std::vector<std::vector<Point>> normals(mesh.nodes());
+    for (const SubdomainMesh::ContactEnd& end : mesh.contactEnds) normals[end.node].push_back(pairs.at(end.pair)->normal);
     for (int node = 0; node < mesh.nodes(); ++node) {
       if (!counts(mesh, node)) continue;
       const NodeRule* rule = rules_[i][node];
       const Point rest = residual(int(i), node, rule), u = moved(int(i), node);
       const double stiffness = nodes_[i](Stiffness, node), rounded = Bounds::rounding * nodes_[i](Rounding, node) / stiffness;
-      const double alone = length(rest[0], rest[1]) / stiffness, allowed = Bounds::node.at(tolerance_) * deformation + rounded;
+      Point along = rest;  // less what contact takes: Contact and the pairs judge that, and forces of stiff neighbours round it
+      for (const Point& n : normals[node]) {
+        const double across = along[0] * n[0] + along[1] * n[1];
+        for (int k = 0; k < 2; ++k) along[k] -= across * n[k];
+      }
+      const double alone = length(along[0], along[1]) / stiffness, allowed = Bounds::node.at(tolerance_) * deformation + rounded;
       if (findings_.isWorse(Quantity::Nodes, alone, allowed))
         findings_.take(Quantity::Nodes, alone, allowed, deformation, place(int(i), node));
-      if (touches[node])
+      if (!normals[node].empty())
         findings_.take(Quantity::Contact, length(rest[0], rest[1]),
                        Bounds::contact.at(tolerance_) * scales_[mesh.body].largestContact + rounded * stiffness,
                        scales_[mesh.body].largestContact, place(int(i), node));
@@ -297,24 +274,6 @@ void Verifier::judgeSeams(const SeamExchange& seams) {
   }
 }
 
-std::string Verifier::text(const Finding& finding) const {
-  if (!finding.made) return "";
-  std::ostringstream text;
-  const auto body = [&](int b) { return b < 0 || b >= bodies_ ? std::string("no body") : "'" + answer_.model.bodies[b] + "'"; };
-  if (finding.pair >= 0) {
-    text << "pair " << finding.pair;
-    for (const ContactPiece& piece : answer_.pieces)
-      if (std::find(piece.pairs.begin(), piece.pairs.end(), finding.pair) != piece.pairs.end()) text << " of '" << piece.name << "'";
-    text << ", (" << finding.place[0] << ", " << finding.place[1] << "), "
-         << (finding.other == finding.body ? "body " + body(finding.body) : "bodies " + body(finding.body) + " and " + body(finding.other));
-  } else if (finding.body < 0) {
-    text << "a contact force without a pair";
-  } else {
-    text << "body " << body(finding.body) << ", (" << finding.place[0] << ", " << finding.place[1] << ")";
-  }
-  return text.str();
-}
-
 Verification Verifier::conclude() {
   Packer packer;
   packer.put(findings_);
@@ -335,15 +294,15 @@ Verification Verifier::conclude() {
   for (int q = 0; q < kQuantities; ++q) {
     verdict.put(all.all[q].made ? all.all[q].value : 0.0);
     verdict.put(all.all[q].bound);
-    verdict.put(text(all.all[q]));
+    verdict.put(whereText(all.all[q], answer_.model.bodies, answer_.pieces));
   }
   Unpacker unpacker(broadcast(comm_, verdict.bytes()));
   Verification result;
   result.balance = balance_;
-  for (const Name& name : kNames) {
+  for (int q = 0; q < kQuantities; ++q) {
     Check& check = result.checks.emplace_back();
-    check.name = name.name;
-    check.advice = name.advice;
+    check.name = nameOf(Quantity(q));
+    check.advice = adviceOf(Quantity(q));
     unpacker.get(check.value);
     unpacker.get(check.bound);
     unpacker.get(check.where);
