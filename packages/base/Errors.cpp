@@ -30,8 +30,15 @@ std::size_t editDistance(const std::string& a, const std::string& b) {
 
 constexpr std::size_t longestWord = 200, longestLine = 4000;
 
+bool endsWith(const std::string& text, const std::string& end) {
+  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+// What was cut before stays as it is: a message may pass through several errors.
 std::string cut(const std::string& text, std::size_t most) {
-  if (text.size() <= most) return text;
+  if (text.size() <= most || (text.size() <= most + 3 && endsWith(text, "...")) ||
+      (text.size() <= most + 40 && endsWith(text, " characters)")))
+    return text;
   std::size_t end = most;
   while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;  // not inside a letter of UTF-8
   return text.substr(0, end) + "... (" + std::to_string(text.size()) + " characters)";
