@@ -219,9 +219,12 @@ std::string Judge::difference(const Outcome& found, const Outcome& reference) co
   const Scales scale = scales(reference);
   std::string worst;
   double most = 1.0;
+  Vector largest = 1e-13 * scale.force;  // pair force of each body
+  for (const ContactPair& pair : whole_.constraints.pairs)
+    for (const PairEnd& end : pair.ends) largest[bodyOf(end)] = std::max(largest[bodyOf(end)], std::abs(reference.forces[pair.id]));
   for (const ContactPair& pair : whole_.constraints.pairs) {
     double allowed = DBL_MAX;
-    for (const PairEnd& end : pair.ends) allowed = std::min(allowed, bound * scale.force[bodyOf(end)] + scale.floor[bodyOf(end)]);
+    for (const PairEnd& end : pair.ends) allowed = std::min(allowed, bound * largest[bodyOf(end)] + scale.floor[bodyOf(end)]);
     if (allowed > 0)
       worsen(worst, most, std::abs(found.forces[pair.id] - reference.forces[pair.id]) / allowed, "force of",
              "pair " + std::to_string(pair.id));

@@ -25,8 +25,8 @@ class Judge {
   /// What is wrong with a solution, or "".
   std::string verdict(const Outcome& found) const;
 
-  /// What differs between two solutions, or "": forces always; displacements less neutral motions, those rigid motions of the bodies that
-  /// no prescribed component and no pair that carries force restrains.
+  /// What differs between two solutions, or "": forces always, against the largest pair force of the body; displacements less neutral
+  /// motions, those rigid motions of the bodies that no prescribed component and no pair that carries force restrains.
   std::string difference(const Outcome& found, const Outcome& reference) const;
 
   /// Largest rounding error of a body's forces over the bound; 1 where all are below it.

@@ -64,8 +64,8 @@ TEUCHOS_UNIT_TEST(CorpusJudge, SeesPlantedErrors) {
     const int pair = strongest(solved.outcome), node = solved.whole.constraints.pairs[pair].node(), body = mesh.bodyOfNode[node];
 
     Outcome planted = solved.outcome;
-    planted.displacement[2 * node] += 1e-5 * solved.largest(body);
-    planted.displacement[2 * node + 1] += 1e-5 * solved.largest(body);
+    planted.displacement[2 * node] += 1e-4 * solved.largest(body);
+    planted.displacement[2 * node + 1] += 1e-4 * solved.largest(body);
     seen("one node disturbed", planted);
     TEST_ASSERT(!judge.difference(planted, solved.outcome).empty());
 
@@ -99,7 +99,7 @@ TEUCHOS_UNIT_TEST(CorpusJudge, SeesPlantedErrors) {
 
 TEUCHOS_UNIT_TEST(CorpusJudge, FindsFeasibilityAsScenesWereMade) {
   int none = 0, held = 0;
-  for (std::uint64_t seed = 1; seed <= 150; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
     const CorpusScene scene = corpusScene(seed);
     if (scene.expected == Expected::Unknown) continue;
     const Solved solved(seed);
@@ -109,8 +109,8 @@ TEUCHOS_UNIT_TEST(CorpusJudge, FindsFeasibilityAsScenesWereMade) {
     (found == Feasibility::None ? none : held) += 1;
   }
   if (world()->getRank() == 0) {
-    TEST_COMPARE(none, >=, 5);
-    TEST_COMPARE(held, >=, 50);
+    TEST_COMPARE(none, >=, 8);
+    TEST_COMPARE(held, >=, 100);
   }
 }
 
