@@ -83,7 +83,7 @@ void blocks(Builder& scene) {
 
 void stack(Builder& scene) {
   Random& random = scene.random;
-  const int count = random.integer(2, 5), nx = random.integer(3, 7);
+  const int count = random.integer(2, 6), nx = random.integer(3, 7);
   const bool matching = random.chance(0.5), away = random.chance(0.15);
   double y = 0;
   std::string below;

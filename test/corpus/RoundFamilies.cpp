@@ -123,6 +123,7 @@ void discOnSlopes(Builder& scene) {
     const double middle = 2 * pi * (i + 0.5) / nt;
     if (face == Face::Top) return "inner";
     if (face != Face::Bottom) return "";
+    if (isNear(i, pi / 2)) return "top";
     const bool isRight = std::cos(middle) > 0;
     return isNear(i, isRight ? right : left) ? (isRight ? "right" : "left") : "";
   };
@@ -132,7 +133,15 @@ void discOnSlopes(Builder& scene) {
     const Point out{std::cos(angle), std::sin(angle), 0};
     scene.line(angle == left ? "disc_left" : "disc_right", {(1 + gap) * out[0], (1 + gap) * out[1], 0}, {-out[0], -out[1], 0});
   }
-  scene.bodyForce("disc", {random.real(-0.2, 0.2), -1, 0});
+  const bool away = random.chance(0.15);
+  scene.bodyForce("disc", {random.real(-0.2, 0.2), away ? 5.0 : -1.0, 0});
+  const double over = 1 + (random.chance(0.3) ? 0.0 : random.power(-6, 0.5)), height = random.real(0.3, 1);
+  scene.box(
+      "lid", -1, 1, [over](double) { return over; }, [over, height](double) { return over + height; }, random.integer(4, 9),
+      random.integer(2, 3));
+  scene.roller("lid_left");
+  scene.contact("disc_top", "lid_bottom", true);
+  scene.bodyForce("lid", {0, -random.power(-3, 0), 0});
   scene.expected = Expected::Unknown;
 }
 

@@ -75,7 +75,7 @@ TEUCHOS_UNIT_TEST(CorpusScene, CoversWhatItPromises) {
   TEST_EQUALITY(families.size(), familyNames().size());
   TEST_EQUALITY(cells.size(), 5u);
   TEST_EQUALITY(obstacles.size(), 4u);  // None, Line, Circle, Height
-  TEST_ASSERT(*bodies.rbegin() >= 5 && contacts.count(1) == 1 && *contacts.rbegin() >= 6);
+  TEST_ASSERT(*bodies.begin() == 2 && *bodies.rbegin() == 6 && contacts.count(1) == 1 && *contacts.rbegin() >= 6);
   TEST_COMPARE(largestJump, >, 1e5);
   TEST_COMPARE(poisson, >, 0.498);
   TEST_COMPARE(largestUnit / smallestUnit, >, 1e12);
