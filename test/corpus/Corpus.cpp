@@ -107,6 +107,8 @@ std::vector<std::string> scene(const CommPtr& comm, const CorpusScene& scene, co
     counts.seconds += outcome.seconds;
     if (!complaint.empty())
       wrong.push_back(std::to_string(scene.seed) + "  " + scene.family + "  " + way->name + "  " + oneLine(complaint));
+    if (options.verbose && outcome.ending == Ending::Solved)
+      std::printf("  neutral motions %d, rounding %.1e times the bound\n", judge->neutralMotions(outcome), judge->rounding(outcome));
     if (options.verbose)
       std::printf("%llu %s %s: %s, %d nodes, %zu pairs, %d iterations, %d PCG, %.0f ms %s\n", (unsigned long long)scene.seed,
                   scene.family.c_str(), way->name.c_str(),
