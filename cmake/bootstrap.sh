@@ -3,7 +3,7 @@
 #   sh cmake/bootstrap.sh run     install what is missing, build, solve the tunnel scene on two ranks and draw it
 #   sh cmake/bootstrap.sh build   install what is missing and build library and programs into build/
 #   sh cmake/bootstrap.sh test    build and run all tests but those labelled long
-#   sh cmake/bootstrap.sh validate  build, run all validation cases and write build/validation/validation.md; some six minutes
+#   sh cmake/bootstrap.sh validate  build, run all validation cases and 5,000 random scenes, write build/validation/validation.md; half an hour
 #   sh cmake/bootstrap.sh bench   build and measure against the monolithic reference; long (test/bench/README.md)
 # The environment may set BUILD (another build folder) and JOBS (parallel compilations).
 set -eu
@@ -98,8 +98,9 @@ case $1 in
     ctest --test-dir "$build" --output-on-failure -LE long --parallel "${JOBS:-$(getconf _NPROCESSORS_ONLN)}" </dev/null
     ;;
   validate)
-    configureAndBuild $programs
-    /usr/bin/python3 -B test/validation/validate.py --solve "$build/drivers/suture_solve" --output "$build/validation" </dev/null
+    configureAndBuild $programs test_corpus
+    /usr/bin/python3 -B test/validation/validate.py --solve "$build/drivers/suture_solve" --corpus "$build/bin/test_corpus" \
+      --output "$build/validation" </dev/null
     ;;
   bench)
     configureAndBuild $programs

@@ -21,6 +21,9 @@ endforeach()
 if(EXISTS ${CMAKE_SOURCE_DIR}/drivers/plot/suture_plot)
   install(PROGRAMS ${CMAKE_SOURCE_DIR}/drivers/plot/suture_plot ${CMAKE_SOURCE_DIR}/drivers/plot/suture_study_plot DESTINATION ${CMAKE_INSTALL_BINDIR})
 endif()
+if(SUTURE_GMSH)
+  install(TARGETS suture_mesher DESTINATION ${CMAKE_INSTALL_LIBDIR}/suture)
+endif()
 install(FILES ${CMAKE_SOURCE_DIR}/LICENSE ${CMAKE_SOURCE_DIR}/README.md ${CMAKE_SOURCE_DIR}/CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 configure_package_config_file(${CMAKE_SOURCE_DIR}/cmake/SutureConfig.cmake.in ${CMAKE_BINARY_DIR}/SutureConfig.cmake

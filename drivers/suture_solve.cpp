@@ -7,6 +7,7 @@
 
 #include "support/Program.hpp"
 #include "support/SolveStages.hpp"
+#include "support/StopSignals.hpp"
 
 namespace suture {
 
@@ -19,7 +20,7 @@ RunResult solveScene(const CommPtr& comm, const SolveOptions& options) {
   const Parameters& scene = *file.parameters;
   checkCombination(scene);
   const std::string folder = outputFolder(file);
-  if (!options.check) prepareFolder(*comm, folder);
+  const auto output = options.check ? nullptr : std::make_unique<RunFolder>(*comm, folder);
 
   const bool whole = needsWholeMesh(scene);
   Mesh mesh = timed(timers, "read", [&] { return whole ? meshStage(*comm, file) : Mesh(); });
@@ -45,6 +46,7 @@ RunResult solveScene(const CommPtr& comm, const SolveOptions& options) {
       timed(timers, "assemble", [&] { return isMonolithic(scene) ? assembleMonolithic(*comm, mesh, constraints, model) : nullptr; });
   const auto start = startStage(comm, options, problem.get(), cut.whole.hash, cut.meshes, subdomains, scene, monitor);
   const auto discretisationError = discretisationErrorOf(*comm, cut.meshes, model, subdomains);
+  writeCheckpoints(comm, scene, folder, cut.whole.hash, cut.meshes, subdomains, problem.get(), monitor);
   Solution solution = timed(timers, "solve", [&] {
     if (!problem) return solveMonolithicScene(*comm, mesh, constraints, reference.get(), cut.meshes, scene, monitor);
     return recover(*comm, *problem, solveInterface(*problem, scene, monitor, start.get(), discretisationError), subdomains, scene);
@@ -53,6 +55,7 @@ RunResult solveScene(const CommPtr& comm, const SolveOptions& options) {
   subdomains.clear();
   giveBackFreedMemory();
   errorStage(*comm, cut.meshes, model, scene, solution, timers);
+  timed(timers, "verify", [&] { verifyStage(*comm, cut.meshes, model, cut.whole.pieces, scene, solution); });
 
   return reportStage(
       {*comm, file, model, cut.whole.pieces, cut.meshes, size, solution, monitor, timers, cut.whole.hash, options.commandLine, folder},

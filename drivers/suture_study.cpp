@@ -23,6 +23,7 @@ ExitCode run(const CommPtr& comm, const StudyOptions& options) {
     return ExitCode::Done;
   }
   prepareFolder(*comm, options.folder());
+  const FolderLock lock(*comm, options.folder());
   const StudyRows rows = runAll(comm, study, runs, options);
   return reportStudy(*comm, study, rows, options);
 }

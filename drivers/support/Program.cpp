@@ -7,17 +7,24 @@
 
 #include <Teuchos_DefaultMpiComm.hpp>
 #include <Tpetra_Core.hpp>
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <iostream>
 #include <new>
+#include <suture/base/Collective.hpp>
+#include <suture/base/Hdf5File.hpp>
+#include <suture/base/Memory.hpp>
 #include <thread>
+#include <vector>
 
 // OpenBLAS and OpenMP read their environment when they are loaded, before main; the symbol of one that is not in the program is absent.
 extern "C" {
 void openblas_set_num_threads(int) __attribute__((weak));
 void omp_set_num_threads(int) __attribute__((weak));
+void dgemm_(const char*, const char*, const int*, const int*, const int*, const double*, const double*, const int*, const double*,
+            const int*, const double*, double*, const int*) __attribute__((weak));
 }
 
 namespace suture {
@@ -38,6 +45,20 @@ void keepFreedMemory() {
   mallopt(M_TRIM_THRESHOLD, 1 << 30);
   mallopt(M_TOP_PAD, 1 << 24);
 #endif
+}
+
+// OpenBLAS takes its work space at its first product, and asks again for ever where there is none. It gets it now, or the run ends.
+void giveBlasItsMemory() {
+  constexpr double buffer = 256.0;  // megabytes; OpenBLAS 0.3.21 maps 32 to 128, depending on the processor
+  if (const double left = addressSpaceLeft(); left < buffer)
+    throw EnvironmentError("the limit of the address space (ulimit -v) leaves " + gigabytes(left) + " to this process, which needs " +
+                           gigabytes(buffer) + " before any work; raise the limit");
+  if (!dgemm_) return;
+  constexpr int n = 64;
+  const double one = 1.0;
+  const std::vector<double> a(n * n, 1.0);
+  std::vector<double> b(n * n, 0.0);
+  dgemm_("N", "N", &n, &n, &n, &one, a.data(), &n, a.data(), &n, &one, b.data(), &n);
 }
 
 void print(const std::string& message) {
@@ -68,8 +89,12 @@ std::string indented(const std::string& text) {
 
 std::string inputErrors(const std::string& name, const std::string& subject, const std::vector<Problem>& problems) {
   std::string text = name + ": " + plural(problems.size(), "error") + (subject.empty() ? "" : " in " + subject) + "\n";
-  for (const Problem& problem : problems)
+  constexpr std::size_t most = 100;
+  for (std::size_t i = 0; i < std::min(most, problems.size()); ++i) {
+    const Problem& problem = problems[i];
     text += "  " + (problem.path.empty() ? "" : problem.path + ": ") + indented(problem.message) + "\n";
+  }
+  if (problems.size() > most) text += "  ... and " + std::to_string(problems.size() - most) + " more\n";
   return text;
 }
 
@@ -133,6 +158,7 @@ void MeetingPoint::wait() const { MPI_Barrier(impl_->comm); }
 int runProgram(const std::string& name, const std::string& subject, const std::function<ExitCode(const CommPtr& comm)>& work) {
   oneThreadARank();
   keepFreedMemory();
+  Hdf5File::withoutExitHandler();
   // Kokkos would look for options of its own in ours.
   int argc = 1;
   std::string program = name;
@@ -144,6 +170,7 @@ int runProgram(const std::string& name, const std::string& subject, const std::f
 
   Explanation end{ExitCode::Done, ""};
   try {
+    collectively(*Tpetra::getDefaultComm(), "preparing BLAS", giveBlasItsMemory);
     end.code = work(Tpetra::getDefaultComm());
   } catch (const std::exception& error) {
     end = explain(name, subject, error);

@@ -3,19 +3,21 @@
 #include <Teuchos_Comm.hpp>
 #include <Teuchos_ParameterList.hpp>
 #include <cmath>
-#include <csignal>
 #include <filesystem>
 #include <iostream>
 #include <suture/base/Buffer.hpp>
+#include <suture/base/Collective.hpp>
 #include <suture/constraints/BuildConstraints.hpp>
 #include <suture/mesh/MeshReader.hpp>
 #include <suture/mesh/Regions.hpp>
+#include <suture/quality/Verify.hpp>
 #include <suture/report/Checkpoint.hpp>
 #include <suture/report/Units.hpp>
 #include <suture/solver/Solvability.hpp>
 
 #include "NestedLevels.hpp"
 #include "Program.hpp"
+#include "StopSignals.hpp"
 
 namespace suture {
 
@@ -182,16 +184,35 @@ void errorStage(const Comm& comm, const std::vector<SubdomainMesh>& meshes, cons
     solution.discretisation = timed(timers, "estimate", [&] { return estimateError(comm, meshes, model, solution.displacement); });
 }
 
+void verifyStage(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model,
+                 const std::vector<ContactPiece>& pieces, const Parameters& scene, Solution& solution) {
+  const double tolerance = requestedAccuracy(scene, solution);
+  solution.verification = verify(comm, {meshes, model, solution.displacement, solution.pairs, pieces, tolerance});
+  if (solution.converged && !solution.verification.holds())
+    solution.failure = "the verdict does not hold: " + solution.verification.failure();
+}
+
 namespace {
-volatile std::sig_atomic_t stopAsked = 0;
-}
+std::string checkpointPath(const std::string& folder) { return (std::filesystem::path(folder) / "checkpoint.h5").string(); }
+}  // namespace
 
-void listenForStop(RunMonitor& monitor) {
-  std::signal(SIGUSR1, [](int) { stopAsked = 1; });
-  monitor.stopWhen(stopWasAsked);
+bool writeCheckpoints(const CommPtr& comm, const Parameters& scene, const std::string& folder, const std::string& meshHash,
+                      const std::vector<SubdomainMesh>& meshes, const Subdomains& subdomains, const InterfaceProblem* problem,
+                      RunMonitor& monitor) {
+  const double every = 60.0 * scene.sublist("Output").get<double>("Checkpoint Every");
+  if (every <= 0.0 || !problem) return false;
+  const auto last = std::make_shared<double>(Timers::now());
+  monitor.takeStates([=, &scene, &meshes, &subdomains](const InterfaceState& state) {
+    int due = comm->getRank() == 0 && Timers::now() - *last >= every;
+    broadcastBytes(*comm, &due, sizeof due);
+    if (due == 0) return;
+    OuterResult result;
+    result.state = state;
+    writeCheckpoint(*comm, checkpointPath(folder), meshHash, meshes, recover(*comm, *problem, result, subdomains, scene));
+    *last = Timers::now();
+  });
+  return true;
 }
-
-bool stopWasAsked() { return stopAsked != 0; }
 
 void printSizes(const Comm& comm, const SceneFile& file, const ProblemSize& size, double memory, const SolveOptions& options) {
   std::ostream* console = consoleOf(comm, options.quiet && !options.check);
@@ -203,14 +224,23 @@ void printSizes(const Comm& comm, const SceneFile& file, const ProblemSize& size
 }
 
 RunResult reportStage(const Run& run, const SolveOptions& options) {
-  const ExitCode code = run.solution.converged ? ExitCode::Done : run.solution.stopped ? ExitCode::Stopped : ExitCode::Numerical;
+  const bool done = run.solution.converged && run.solution.verification.holds();
+  const ExitCode code = done ? ExitCode::Done : run.solution.stopped ? ExitCode::Stopped : ExitCode::Numerical;
+  stopIsHeard();
+  const Parameters& output = run.scene.parameters->sublist("Output");
+  // First: who asked for the stop may not wait for the rest.
+  if (code != ExitCode::Done || output.get<bool>("Checkpoint"))
+    writeCheckpoint(run.comm, checkpointPath(run.folder), run.meshHash, run.subdomains, run.solution);
   const std::string summary = writeReport(run, code);
-  if (code != ExitCode::Done || run.scene.parameters->sublist("Output").get<bool>("Checkpoint"))
-    writeCheckpoint(run.comm, (std::filesystem::path(run.folder) / "checkpoint.h5").string(), run.meshHash, run.subdomains, run.solution);
+  if (code == ExitCode::Done && !output.get<bool>("Checkpoint") && output.get<double>("Checkpoint Every") > 0.0 &&
+      run.comm.getRank() == 0) {
+    std::error_code ignored;
+    std::filesystem::remove(checkpointPath(run.folder), ignored);
+  }
   printFooter(consoleOf(run.comm, options.quiet), run);
   // With --quiet the exit code would be all that tells.
   if (code != ExitCode::Done && options.quiet && run.comm.getRank() == 0)
-    std::cerr << "suture_solve: not converged: " << run.solution.failure << std::endl;
+    std::cerr << "suture_solve: " << (run.solution.converged ? "" : "not converged: ") << run.solution.failure << std::endl;
   return {code, run.solution.failure, summary};
 }
 

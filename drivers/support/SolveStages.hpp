@@ -79,11 +79,16 @@ std::unique_ptr<InterfaceState> startStage(const CommPtr& comm, const SolveOptio
 void errorStage(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model, const Parameters& scene,
                 Solution& solution, Timers& timers);
 
-/// SIGUSR1 (mpirun forwards it) ends the run after the outer iteration in hand, with a checkpoint and exit code 75.
-void listenForStop(RunMonitor& monitor);
+/// Judges the solution by its displacements and contact forces alone. A verdict that does not hold is the run's failure, whatever the
+/// solver believed. Collective.
+void verifyStage(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model,
+                 const std::vector<ContactPiece>& pieces, const Parameters& scene, Solution& solution);
 
-/// Whether that signal came, on this rank.
-bool stopWasAsked();
+/// Output/Checkpoint Every: from now on `monitor` writes checkpoint.h5 into the folder at the end of outer iterations, as often as the
+/// scene asks for. All arguments must outlive the solver. \return false if it asks for none. Local.
+bool writeCheckpoints(const CommPtr& comm, const Parameters& scene, const std::string& folder, const std::string& meshHash,
+                      const std::vector<SubdomainMesh>& meshes, const Subdomains& subdomains, const InterfaceProblem* problem,
+                      RunMonitor& monitor);
 
 /// The header of the console; for --check more, and also with --quiet: its sizes are what was asked for.
 /// \param memory  estimate for all ranks [MB]

@@ -10,6 +10,7 @@
 
 #include "SolveScene.hpp"
 #include "SolveStages.hpp"
+#include "StopSignals.hpp"
 #include "StudyMemory.hpp"
 
 namespace suture {

@@ -28,6 +28,30 @@ std::size_t editDistance(const std::string& a, const std::string& b) {
   return last[b.size()];
 }
 
+constexpr std::size_t longestWord = 200, longestLine = 4000;
+
+bool endsWith(const std::string& text, const std::string& end) {
+  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+// What was cut before stays as it is: a message may pass through several errors.
+std::string cut(const std::string& text, std::size_t most) {
+  if (text.size() <= most || (text.size() <= most + 3 && endsWith(text, "...")) ||
+      (text.size() <= most + 40 && endsWith(text, " characters)")))
+    return text;
+  std::size_t end = most;
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;  // not inside a letter of UTF-8
+  return text.substr(0, end) + "... (" + std::to_string(text.size()) + " characters)";
+}
+
+std::vector<Problem> allShortened(std::vector<Problem> problems) {
+  for (Problem& problem : problems) {
+    problem.path = shortened(problem.path);
+    problem.message = shortened(problem.message);
+  }
+  return problems;
+}
+
 std::string lines(const std::vector<Problem>& problems) {
   std::string all;
   for (const Problem& problem : problems) {
@@ -40,7 +64,39 @@ std::string lines(const std::vector<Problem>& problems) {
 
 }  // namespace
 
-InputError::InputError(std::vector<Problem> problems) : Error(ExitCode::Input, lines(problems)), problems_(std::move(problems)) {}
+std::string shortened(const std::string& message) {
+  if (message.size() <= longestWord) return message;
+  std::string all, line;
+  const auto endLine = [&] {
+    all += cut(line, longestLine);
+    line.clear();
+  };
+  for (std::size_t i = 0; i < message.size();) {
+    const char c = message[i];
+    if (c == '\n') {
+      endLine();
+      all += '\n';
+      ++i;
+      continue;
+    }
+    // A text in quotes begins behind a blank or a bracket; an apostrophe within a word begins none.
+    const bool opens = c == '\'' && (i == 0 || std::isspace(static_cast<unsigned char>(message[i - 1])) || message[i - 1] == '(');
+    const std::size_t close = opens ? message.find('\'', i + 1) : std::string::npos;
+    if (close != std::string::npos) {
+      line += "'" + cut(message.substr(i + 1, close - i - 1), longestWord) + "'";
+      i = close + 1;
+    } else {
+      const std::size_t end = std::min(message.find_first_of(" \n'", i + 1), message.size());
+      line += cut(message.substr(i, end - i), longestWord);
+      i = end;
+    }
+  }
+  endLine();
+  return all;
+}
+
+InputError::InputError(std::vector<Problem> problems)
+    : Error(ExitCode::Input, lines(problems)), problems_(allShortened(std::move(problems))) {}
 
 std::string nearestName(const std::string& name, const std::vector<std::string>& candidates) {
   const std::string wanted = lower(name);

@@ -8,10 +8,14 @@ namespace suture {
 /// What a program that meets the error returns; the contract with users' scripts.
 enum class ExitCode : int { Done = 0, CommandLine = 2, Input = 3, Numerical = 4, Environment = 5, Internal = 70, Stopped = 75 };
 
+/// A message for people: a word, or a text between single quotes, of more than 200 characters is cut, and says how long it was; so is a
+/// line of more than 4000. Every Error passes its message through here. Local.
+std::string shortened(const std::string& message);
+
 /// Base of all errors of Suture. The library throws; only drivers print and exit.
 class Error : public std::runtime_error {
  public:
-  Error(ExitCode code, const std::string& message) : std::runtime_error(message), code_(code) {}
+  Error(ExitCode code, const std::string& message) : std::runtime_error(shortened(message)), code_(code) {}
   ExitCode code() const { return code_; }
 
  private:

@@ -30,11 +30,12 @@ class Hdf5Rows {
 /// A file of HDF5, opened by all ranks of a communicator together; no other package includes HDF5.
 ///
 /// A file for writing is written under a temporary name in the same folder and renamed by close(), so that a reader never sees half a
-/// file; without close() (an exception) the temporary file is removed, by a destructor that is then collective, too. A file is read by
-/// rank 0 alone, which sends what it found to the others. Paths are absolute within the file ("/VTKHDF/Points"), groups
-/// on the way are made. A file being written cannot be read. All functions are collective over the communicator, and what they throw
-/// they throw on every rank; nothing is printed. Errors: EnvironmentError when the file cannot be written,
-/// InputError when it cannot be read, is not HDF5, is truncated, or lacks what is asked for (names file and path).
+/// file; without close() (an exception) the temporary file is removed. Rank 0 alone speaks to HDF5; the other ranks write their numbers
+/// where it says, and disk space is reserved before anything is written there: a full disk is an error on all ranks, whoever meets it. A
+/// file is read by rank 0 alone, which sends what it found to the others. Paths are absolute within the file ("/VTKHDF/Points"), groups on
+/// the way are made. A file being written cannot be read. All functions are collective over the communicator, and what they throw they
+/// throw on every rank; nothing is printed. Errors: EnvironmentError when the file cannot be written, InputError when it cannot be read, is
+/// not HDF5, is truncated, or lacks what is asked for (names file and path).
 class Hdf5File {
  public:
   static Hdf5File create(const Comm& comm, const std::string& path);
@@ -42,6 +43,9 @@ class Hdf5File {
   Hdf5File(Hdf5File&&) noexcept;
   Hdf5File& operator=(Hdf5File&&) noexcept;
   ~Hdf5File();
+
+  /// From now on every dataset of numbers gets a checksum, which reading it as a whole compares: damage is blamed on the file.
+  void addChecksums();
 
   void group(const std::string& path);
 
@@ -78,6 +82,10 @@ class Hdf5File {
 
   /// Flushes and, for a file being written, renames it into place. \throws InternalError  rows that were promised are missing
   void close();
+
+  /// Keeps HDF5 from cleaning up at the end of the program: it crashes there when a file could not be closed because the disk was full.
+  /// For programs, before anything else of HDF5. Local.
+  static void withoutExitHandler();
 
   /// Of the HDF5 library linked: "1.10.8". Local.
   static std::string libraryVersion();

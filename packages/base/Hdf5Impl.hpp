@@ -1,6 +1,8 @@
 #pragma once
 #include <Teuchos_Comm.hpp>
+#include <cstdint>
 #include <functional>
+#include <map>
 #include <set>
 #include <string>
 #include <utility>
@@ -18,21 +20,24 @@ struct Hdf5File::Impl {
 
   CommPtr comm;        ///< a duplicate: HDF5's messages and the caller's never meet
   std::string path;    ///< as the user knows it
-  hdf5::Id file = -1;  ///< when reading: on rank 0 only
+  hdf5::Id file = -1;  ///< on rank 0 only
   bool writing = false;
 
-  // A file being written: every rank writes numbers at once, through MPI-IO. Texts and attributes are kept, and rank 0 writes them when
-  // the others have closed the file: HDF5 cannot write texts of variable length in parallel.
-  std::set<std::string> known{"/"};  ///< groups and datasets made, the same on all ranks
-  std::set<std::string> datasets;    ///< of these the datasets
+  // A file being written: rank 0 makes datasets, every rank writes its numbers to their places in the file. Texts and attributes are kept
+  // and written by close().
+  int descriptor = -1;  ///< of the temporary file, on every rank
+  bool checksums = false;
+  std::map<std::string, std::uint64_t> sums;  ///< dataset -> sum of the checksums of this rank's values
+  std::set<std::string> known{"/"};           ///< groups and datasets made, the same on all ranks
+  std::set<std::string> datasets;             ///< of these the datasets
   std::set<std::pair<std::string, std::string>> attributes;
   std::vector<std::function<void(hdf5::Id)>> kept;  ///< on rank 0
+  std::size_t keptBytes = 0;                        ///< about what they take in the file
   unsigned long long owed = 0;                      ///< rows of this rank that were promised and not yet given
 
   bool isRoot() const { return comm->getRank() == 0; }
   std::string temporary() const { return path + ".part"; }
   void mustBeOpen(bool forWriting) const;
-  /// Collective for a file being written.
   void closeQuietly() noexcept;
   ~Impl() { closeQuietly(); }
 
@@ -41,12 +46,15 @@ struct Hdf5File::Impl {
   /// Checks that something new can be put at `at`, the same on all ranks, and remembers it.
   void claim(const std::string& at, bool isDataset);
   /// For rank 0, when the others have closed the file.
-  void keep(std::function<void(hdf5::Id)> action);
-  void addAttribute(const std::string& at, const std::string& name, std::function<void(hdf5::Id)> write);
-  /// Runs `work` on every rank; a failing HDF5 call on any of them is the same EnvironmentError on all.
-  void writeTogether(const std::string& at, const std::function<void()>& work) const;
-  /// In the system's words where HDF5 hands them on; MPI-IO does not, and the commonest cause can be seen.
-  EnvironmentError cannotWrite(const std::string& at, std::string reason) const;
+  void keep(std::function<void(hdf5::Id)> action, std::size_t bytes);
+  void addAttribute(const std::string& at, const std::string& name, std::size_t bytes, std::function<void(hdf5::Id)> write);
+  /// Runs `work` on rank 0; a failing HDF5 call is the same EnvironmentError on all ranks.
+  void writeOnRoot(const std::string& at, const std::function<void()>& work) const;
+  EnvironmentError cannotWrite(const std::string& at, const std::string& reason) const;
+  /// Makes sure that the disk holds the file as HDF5 has laid it out, and `more` bytes. On rank 0. \throws hdf5::Failed
+  void reserve(unsigned long long more) const;
+  /// Adds the attributes with the checksums. Collective.
+  void keepChecksums();
   /// Where the rows of this rank begin, and how many there are on all. Collective.
   std::pair<unsigned long long, unsigned long long> placeOf(unsigned long long mine) const;
 

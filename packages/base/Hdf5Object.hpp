@@ -2,7 +2,9 @@
 #include <suture/base/Types.hpp>
 
 #include <cstdint>
+#include <cstring>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 // What reading and writing HDF5 have in common, without HDF5's own header. Inside this package only.
@@ -55,6 +57,26 @@ class Handle {
 /// HDF5's type of the same numbers: double, int, GlobalId, unsigned char.
 template <typename T>
 Id memoryType();
+
+/// Checksum of values that begin at the place `first` of a dataset. Sums of parts add up to that of the whole, whoever holds them; integers
+/// of any width have the same.
+template <typename T>
+std::uint64_t checksum(const T* values, std::size_t count, std::uint64_t first) {
+  std::uint64_t sum = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    std::uint64_t word = 0;
+    if constexpr (std::is_floating_point_v<T>)
+      std::memcpy(&word, &values[i], sizeof(T));
+    else
+      word = static_cast<std::uint64_t>(static_cast<std::int64_t>(values[i]));
+    word += 0x9E3779B97F4A7C15ull * (first + i + 1);  // splitmix64
+    word = (word ^ (word >> 30)) * 0xBF58476D1CE4E5B9ull;
+    word = (word ^ (word >> 27)) * 0x94D049BB133111EBull;
+    sum += word ^ (word >> 31);
+  }
+  return sum;
+}
+constexpr const char* checksumName = "Checksum";  ///< attribute of a dataset
 
 /// "/a/b/c" -> "/a", "/a/b", "/a/b/c".
 std::vector<std::string> prefixes(const std::string& path);

@@ -1,17 +1,22 @@
 #include <hdf5.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <limits>
+#include <type_traits>
 
 #include "Buffer.hpp"
 #include "Collective.hpp"
 #include "Hdf5Impl.hpp"
+#include "Memory.hpp"
 
 namespace suture {
 
 using namespace hdf5;
 
 namespace {
+
+constexpr std::size_t longestText = std::size_t(1) << 30;
 
 /// One text from a dataset or an attribute, of fixed or of variable length; `read` reads into memory of a type.
 std::string textOf(hid_t fileType, hid_t space, const std::function<herr_t(hid_t, void*)>& read) {
@@ -24,15 +29,34 @@ std::string textOf(hid_t fileType, hid_t space, const std::function<herr_t(hid_t
     H5free_memory(text);
     return copy;
   }
+  if (H5Tget_size(fileType) > longestText) throw Failed{"it is a text of " + std::to_string(H5Tget_size(fileType)) + " bytes"};
   std::string text(H5Tget_size(fileType), '\0');
   const Handle type(H5Tcopy(fileType), H5Tclose);
   checked(read(type, text.data()));
   return text.substr(0, text.find('\0'));
 }
 
-bool isFiltered(Id set) {
+/// Refuses a dataset whose header asks for more than the file can hold, before memory is taken: what the file does not hold is not there to
+/// be read. \throws Failed
+void mustBeStored(Id set, unsigned long long count, std::size_t size, unsigned long long fileSize) {
   const Handle list(H5Dget_create_plist(set), H5Pclose);
-  return H5Pget_nfilters(list) > 0;
+  if (H5Pget_layout(list) == H5D_VIRTUAL || H5Pget_external_count(list) > 0) throw Failed{"its values are in another file"};
+  const unsigned long long stored = H5Dget_storage_size(set);
+  constexpr unsigned long long most = 1100;  // times, that a filter of HDF5 can have packed values
+  const unsigned long long limit = std::min(stored, fileSize) * (H5Pget_nfilters(list) > 0 ? most : 1);
+  if (count > 0 && count > limit / size)
+    throw Failed{"it claims to be larger than the file: " + std::to_string(count) + " values of " + std::to_string(size) + " bytes"};
+}
+
+/// Compares with the checksum that the dataset carries, if it does. \throws Failed
+void mustHaveItsChecksum(Id set, std::uint64_t found) {
+  if (H5Aexists(set, checksumName) <= 0) return;
+  const Handle attribute(H5Aopen(set, checksumName, H5P_DEFAULT), H5Aclose), space(H5Aget_space(attribute), H5Sclose);
+  GlobalId expected = 0;
+  const bool one = H5Sget_simple_extent_npoints(space) == 1;
+  if (one) checked(H5Aread(attribute, H5T_NATIVE_LLONG, &expected));
+  if (!one || static_cast<std::uint64_t>(expected) != found)
+    throw Failed{"it is damaged: its values do not have the checksum that it carries"};
 }
 
 }  // namespace
@@ -71,12 +95,12 @@ std::vector<T> Hdf5File::Impl::readNumbers(const std::string& at, bool wholeOnly
     if (kind != H5T_INTEGER && (wholeOnly || kind != H5T_FLOAT))
       throw Failed{wholeOnly ? "it does not hold integers" : "it does not hold numbers"};
     const Handle space(H5Dget_space(set), H5Sclose);
-    // A damaged header may ask for any size: what the file does not hold is not there to be read.
     const hssize_t count = checked(H5Sget_simple_extent_npoints(space));
-    if (static_cast<unsigned long long>(count) * H5Tget_size(type) > fileSize() && H5Dget_storage_size(set) > 0 && !isFiltered(set))
-      throw Failed{"it claims to be larger than the file"};
+    mustBeStored(set, static_cast<unsigned long long>(count), H5Tget_size(type), fileSize());
+    mustFit(static_cast<double>(count) * sizeof(T) / (1 << 20), path + ": '" + at + "'");
     values.resize(count);
     if (count > 0) checked(H5Dread(set, memoryType<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()));
+    if ((kind == H5T_INTEGER) == std::is_integral_v<T>) mustHaveItsChecksum(set, checksum(values.data(), values.size(), 0));
   });
   broadcast(*comm, values);
   return values;

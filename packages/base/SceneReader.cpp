@@ -3,6 +3,7 @@
 #include <Teuchos_Comm.hpp>
 #include <Teuchos_ParameterList.hpp>
 #include <cerrno>
+#include <cstdint>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -17,9 +18,17 @@ namespace {
 
 const char* const arrow = "->";  // between the names of nested lists, Teuchos' own
 
+constexpr std::uintmax_t largestFile = 16u << 20;  // bytes; the largest scene of ours has 9,000
+
 std::string readFile(const std::string& path) {
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored)) throw InputError(path, "is a folder; expected an XML file");
+  if (std::filesystem::exists(path, ignored)) {
+    // A pipe may never end, a device neither.
+    if (!std::filesystem::is_regular_file(path, ignored)) throw InputError(path, "is no regular file; expected an XML file");
+    if (const auto size = std::filesystem::file_size(path, ignored); !ignored && size > largestFile)
+      throw InputError(path, "has " + std::to_string(size) + " bytes; expected an XML file of at most " + std::to_string(largestFile));
+  }
   errno = 0;
   std::ifstream file(path, std::ios::binary);
   if (!file) throw InputError(path, std::string("cannot be read: ") + std::strerror(errno != 0 ? errno : ENOENT));

@@ -18,6 +18,38 @@ std::string complaint(const std::string& what) {
   return "this is no XML: " + trimmed(what.substr(at + mark.size(), what.find('\n', at) - at - mark.size()));
 }
 
+constexpr int deepest = 50;  // lists in lists; scenes have up to five
+
+/// Line of the first element that lies deeper than `deepest`, or 0. Parsers call themselves for each level: they must not see such a text.
+int tooDeep(const std::string& text) {
+  int depth = 0;
+  std::size_t at = 0;
+  const auto behind = [&](const std::string& end, std::size_t from) {
+    const std::size_t found = text.find(end, from);
+    return found == std::string::npos ? text.size() : found + end.size();
+  };
+  while ((at = text.find('<', at)) != std::string::npos) {
+    if (text.compare(at, 4, "<!--") == 0) {
+      at = behind("-->", at + 4);
+    } else if (text.compare(at, 9, "<![CDATA[") == 0) {
+      at = behind("]]>", at + 9);
+    } else if (text.compare(at, 2, "<?") == 0 || text.compare(at, 2, "<!") == 0) {
+      at = behind(">", at);
+    } else {
+      const bool closes = text.compare(at, 2, "</") == 0;
+      const std::size_t begin = at;
+      for (++at; at < text.size() && text[at] != '>'; ++at)
+        if (text[at] == '"' || text[at] == '\'') at = std::min(text.find(text[at], at + 1), text.size() - 1);
+      if (closes)
+        depth = std::max(0, depth - 1);
+      else if (at == 0 || at >= text.size() || text[at - 1] != '/')
+        ++depth;
+      if (depth > deepest) return 1 + static_cast<int>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(begin), '\n'));
+    }
+  }
+  return 0;
+}
+
 class TreeBuilder {
  public:
   explicit TreeBuilder(Problems& problems) : problems_(problems) {}
@@ -123,6 +155,10 @@ RawList parseTree(const std::string& text, const std::string& path, Problems& pr
   const std::string plain = text.compare(0, mark.size(), mark) == 0 ? text.substr(mark.size()) : text;
   if (trimmed(plain).empty()) {
     problems.add(path, "the file is empty");
+    return top;
+  }
+  if (const int line = tooDeep(plain); line > 0) {
+    problems.add(path, "line " + std::to_string(line) + ": elements within more than " + std::to_string(deepest) + " others");
     return top;
   }
   Teuchos::XMLObject xml;

@@ -81,6 +81,7 @@ class SideCheck {
 void readCoupling(const Parameters& list, bool rigid, ContactLine& line, Problems& problems) {
   const bool given = list.isParameter("Side B");
   if (given) line.groupB = list.get<std::string>("Side B");
+  if (given && line.groupB.empty()) problems.add(pathOf(list, "Side B"), "is empty; expected a curve group on another body");
   if (given && rigid) problems.add(pathOf(list, "Side B"), "found beside an Obstacle; expected one of the two");
   if (!given && !rigid) problems.add(pathOf(list, "Side B"), "is missing: expected a curve group on another body, or an Obstacle");
   const std::string coupling = list.get<std::string>("Coupling"), carrier = list.get<std::string>("Multipliers On");

@@ -1,6 +1,7 @@
 #include <suture/base/Dense.hpp>
 #include <suture/base/Errors.hpp>
 #include <suture/contact/ContactCompliance.hpp>
+#include <suture/contact/DelassusProblem.hpp>
 #include <suture/subdomain/WorkSpace.hpp>
 
 #include <algorithm>
@@ -10,10 +11,9 @@ namespace suture {
 
 namespace {
 
-// Forces and gaps below this fraction of the largest ones are rounding of the dense solves, not violated conditions.
-constexpr double kNegligible = 1e-11;
-// The same for the balance of rigid motions, a sum of many forces.
-constexpr double kUnbalanced = 1e-9;
+// A pair's stiffness on pads, from its compliance among all of a body: half of that is of the body beyond the pair's own elements.
+constexpr double kPointCompliance = 2.0;
+constexpr int kMostSolves = 1000;
 
 bool isClosed(PairStatus status) { return status != PairStatus::Open; }
 
@@ -61,39 +61,6 @@ Matrix solveWith(const Matrix& lower, Matrix b) {
   return b;
 }
 
-/// Pairs whose status contradicts their force or gap.
-std::vector<int> violatedPairs(const Vector& force, const Vector& gap, const std::vector<PairStatus>& status, double gapScale) {
-  const double f = kNegligible * force.lpNorm<Eigen::Infinity>();
-  const double g = kNegligible * std::max(gap.lpNorm<Eigen::Infinity>(), gapScale);
-  std::vector<int> pairs;
-  for (std::size_t i = 0; i < status.size(); ++i)
-    if (isClosed(status[i]) ? force(i) < -f : gap(i) < -g) pairs.push_back(static_cast<int>(i));
-  return pairs;
-}
-
-void flip(PairStatus& status) { status = isClosed(status) ? PairStatus::Open : PairStatus::Slip; }
-
-/// Which violated pairs to change next: all of them while their number falls, else the last one alone (Murty), which cannot cycle.
-class Pivoting {
- public:
-  void change(const std::vector<int>& violated, std::vector<PairStatus>& status) {
-    if (violated.size() < fewest_) {
-      fewest_ = violated.size();
-      patience_ = 8;
-    } else if (patience_ > 0) {
-      --patience_;
-    }
-    if (patience_ > 0)
-      for (int i : violated) flip(status[i]);
-    else
-      flip(status[violated.back()]);
-  }
-
- private:
-  std::size_t fewest_ = static_cast<std::size_t>(-1);
-  int patience_ = 8;
-};
-
 }  // namespace
 
 ContactCompliance::ContactCompliance(const GeneralisedInverse& inverse, const ContactRows& rows)
@@ -134,10 +101,6 @@ void ContactCompliance::Closed::forces(LocalView force, const Matrix& e, Matrix&
   force += balance;
 }
 
-double ContactCompliance::Closed::unbalanced(const Vector& e) const {
-  return loose_.cols() == 0 ? 0.0 : (loose_.transpose() * e).lpNorm<Eigen::Infinity>();
-}
-
 void ContactCompliance::Closed::solve(LocalView v, double gaps, Matrix* pairForce) const {
   const Matrix& kernel = contact_.inverse_.kernel();
   const Matrix e = kernel.transpose() * v;
@@ -166,74 +129,35 @@ void ContactCompliance::Closed::solve(LocalView v, double gaps, Matrix* pairForc
 }
 
 ContactCompliance::State ContactCompliance::solve(LocalView v, const std::vector<PairStatus>& start) const {
-  State state;
-  state.status = start;
   const Matrix& kernel = inverse_.kernel();
-  const Vector load = v.col(0);
-  const Vector e = kernel.transpose() * load;
+  const Vector work = kernel.transpose() * v.col(0);
   inverse_.apply(v);
-  const Vector d = rows_.rows * v.col(0) - rows_.gap;
-  if (!activeSet(d, e, state)) multipliers(d, e, state);
+  const Vector open = rows_.rows * v.col(0) - rows_.gap;
+  RigidContact::Pairs data;
+  data.rows = rigidRows_;
+  data.work = work;
+  data.penetration = -rows_.gap;
+  data.stiffness = kPointCompliance * compliance_.diagonal().cwiseInverse();
+  for (int i = 0; i < pairs(); ++i) data.line.push_back(i > 0 && rows_.pairIds[i] == rows_.pairIds[i - 1] + 1 ? data.line.back() : i);
+  data.able.assign(pairs(), 1);
+  RigidContact rigid(std::move(data));
+  DelassusProblem problem(rigid, compliance_, open, {});
+  ClosedSet first(pairs(), 0);
+  for (int i = 0; i < pairs(); ++i) first[i] = isClosed(start[i]);
+  if (rigid.loosens(first)) first = rigid.start();
+  const ContactSearch::Result found = ContactSearch(rigid, problem, kMostSolves).run(first);
+  if (!found.converged) throw NumericalError("contact group: " + found.failure);
+
+  State state;
+  state.steps = found.solves;
+  state.force = found.force;
+  state.rigid = problem.state().amplitude;
+  for (int i = 0; i < pairs(); ++i) state.status.push_back(found.closed[i] ? PairStatus::Slip : PairStatus::Open);
   Matrix correction = rows_.rows.transpose() * state.force;
   inverse_.apply(correction);
   v -= correction;
   v += kernel * state.rigid;
   return state;
-}
-
-bool ContactCompliance::activeSet(const Vector& d, const Vector& e, State& state) const {
-  Pivoting pivoting;
-  const double scale = e.lpNorm<Eigen::Infinity>();
-  const int most = 50 + 4 * pairs();
-  for (; state.steps < most; ++state.steps) {
-    const Closed closed(*this, state.status);
-    if (closed.unbalanced(e) > kUnbalanced * scale) return false;
-    Matrix closedForce = rowsAt(d, closed.closed_), rigid;
-    closed.forces(closedForce, e, rigid);
-    state.rigid = rigid;
-    state.force = Vector::Zero(pairs());
-    for (std::size_t i = 0; i < closed.closed_.size(); ++i) state.force(closed.closed_[i]) = closedForce(i, 0);
-    const Vector gap = compliance_ * state.force - d - rigidRows_ * state.rigid;
-    const std::vector<int> violated = violatedPairs(state.force, gap, state.status, d.lpNorm<Eigen::Infinity>());
-    if (violated.empty()) return true;
-    pivoting.change(violated, state.status);
-  }
-  return false;
-}
-
-void ContactCompliance::multipliers(const Vector& d, const Vector& e, State& state) const {
-  const double weight = rigidRows_.squaredNorm() > 0.0 ? 100.0 * compliance_.trace() / rigidRows_.squaredNorm() : 0.0;
-  const Matrix m = compliance_ + weight * rigidRows_ * rigidRows_.transpose();
-  const double scale = std::max(e.lpNorm<Eigen::Infinity>(), 1e-300);
-  state.rigid = Vector::Zero(rigidRows_.cols());
-  for (int round = 0; round < 500; ++round) {
-    boundedSolve(m, d + rigidRows_ * (state.rigid + weight * e), state.force, state.status, state.steps);
-    const Vector excess = rigidRows_.transpose() * state.force - e;
-    state.rigid -= weight * excess;
-    if (excess.lpNorm<Eigen::Infinity>() <= 1e-3 * kUnbalanced * scale) {
-      // The status is right; the forces are made so to rounding.
-      State polished = state;
-      if (activeSet(d, e, polished)) state = polished;
-      return;
-    }
-  }
-  throw NumericalError("contact: no equilibrium was found; a body is pushed away from the pairs that could hold it");
-}
-
-void ContactCompliance::boundedSolve(const Matrix& m, const Vector& q, Vector& force, std::vector<PairStatus>& status, int& steps) const {
-  Pivoting pivoting;
-  const int most = steps + 200 + 20 * pairs();
-  for (; steps < most; ++steps) {
-    const std::vector<int> closed = closedOnes(status);
-    const Matrix closedForce = solveWith(shiftedCholeskyFactor(blockAt(m, closed)), rowsAt(q, closed));
-    force = Vector::Zero(pairs());
-    for (std::size_t i = 0; i < closed.size(); ++i) force(closed[i]) = closedForce(i, 0);
-    const Vector gap = m * force - q;
-    const std::vector<int> violated = violatedPairs(force, gap, status, q.lpNorm<Eigen::Infinity>());
-    if (violated.empty()) return;
-    pivoting.change(violated, status);
-  }
-  throw NumericalError("contact: the active set of a bounded problem did not settle");
 }
 
 }  // namespace suture

@@ -44,7 +44,6 @@ class ContactCompliance {
     friend class ContactCompliance;
     // force, in: what would be the gaps of the closed pairs; out: their forces.
     void forces(LocalView force, const Matrix& e, Matrix& rigid) const;
-    double unbalanced(const Vector& e) const;  ///< part of the loads on rigid motions that closed pairs cannot carry, relative
 
     const ContactCompliance& contact_;
     std::vector<PairStatus> status_;
@@ -56,9 +55,8 @@ class ContactCompliance {
     Matrix kernel_;
   };
 
-  /// The unilateral problem: forces and gaps >= 0, their product zero. Primal-dual active set from `start`, safeguarded: single pivots
-  /// when the number of violated conditions does not fall; a set that leaves a body loose, or a cycle, falls back on the method of
-  /// multipliers with bounded least squares, which always ends.
+  /// The unilateral problem: forces and gaps >= 0, their product zero, by ContactSearch from `start`, or from rigid bodies on pads where
+  /// that set leaves a body loose.
   /// \param v  in: loads b; out: displacements
   /// \throws NumericalError  no equilibrium (a body is pushed away from its contacts)
   State solve(LocalView v, const std::vector<PairStatus>& start) const;
@@ -67,13 +65,6 @@ class ContactCompliance {
   const Matrix& compliance() const { return compliance_; }
 
  private:
-  /// Finds the status with equality solves; false when it cycles or a set is loose.
-  bool activeSet(const Vector& d, const Vector& e, State& state) const;
-  /// Method of multipliers for the balance of rigid motions.
-  void multipliers(const Vector& d, const Vector& e, State& state) const;
-  /// Bounded least squares with a positive definite matrix: f >= 0, M f - q >= 0, complementary; ends always (Murty's rule).
-  void boundedSolve(const Matrix& m, const Vector& q, Vector& f, std::vector<PairStatus>& status, int& steps) const;
-
   const GeneralisedInverse& inverse_;
   const ContactRows& rows_;
   Matrix compliance_;  // W

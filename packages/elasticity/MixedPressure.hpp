@@ -27,6 +27,8 @@ class MixedPressure {
     for (int j = 0; j < n; ++j)
       for (int i = 0; i <= j; ++i) k(i, j) += lambda * rows_.col(i).dot(rows_.col(j));
   }
+  /// What a unit of lambda adds to the diagonal of K.
+  double diagonal(int dof) const { return rows_.col(dof).squaredNorm(); }
   /// Projected dilatation at a place, for displacements of the element's nodes (node-major).
   template <typename Displacement>
   double dilatation(const Displacement& u, const Point& place) const {

@@ -95,10 +95,10 @@ std::vector<InterfaceRelation> ContactClusters::relations(const std::vector<Pair
   return all;
 }
 
-Vector ContactClusters::gaps(const Vector& trace) const {
+Vector ContactClusters::gaps(const Vector& trace, const Vector& moved) const {
   Vector gap(size());
   for (int i = 0; i < size(); ++i) {
-    gap(i) = rows_[i].gap;
+    gap(i) = moved.size() > 0 ? rows_[i].gap - moved(i) : rows_[i].gap;
     for (std::size_t k = 0; k < rows_[i].places.size(); ++k) gap(i) -= rows_[i].coefficients[k] * trace(rows_[i].places[k]);
   }
   return gap;
@@ -140,9 +140,9 @@ Vector ContactClusters::forces(const std::vector<PairStatus>& status, const Vect
   return force;
 }
 
-Vector ContactClusters::correction(const std::vector<PairStatus>& status, const Vector& trace) const {
+Vector ContactClusters::correction(const std::vector<PairStatus>& status, const Vector& trace, const Vector& moved) const {
   Vector change = Vector::Zero(trace.size());
-  const Vector gap = gaps(trace);
+  const Vector gap = gaps(trace, moved);
   for (const auto& cluster : clusters_) {
     const std::vector<int> closed = closedRows(cluster, status);
     Vector rhs(static_cast<int>(closed.size()));

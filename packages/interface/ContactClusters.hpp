@@ -29,14 +29,15 @@ class ContactClusters {
   std::vector<InterfaceRelation> relations(const std::vector<PairStatus>& status) const;
 
   /// gap - row . v of every row. [length]
-  Vector gaps(const Vector& trace) const;
+  /// \param moved  what rigid motions beside the trace add to row . v; empty: nothing
+  Vector gaps(const Vector& trace, const Vector& moved = {}) const;
   /// 1 / (row K^-1 row^T), the harmonic mean of the two sides' stiffnesses: the complementarity constant of a row. [force / length]
   const Vector& stiffness() const { return rowStiffness_; }
   /// Forces of the closed rows that balance `imbalance` (internal less external forces of every unknown) best, weighted by compliance:
   /// for a single pair the force that the softer side feels. > 0 compressive; 0 for open rows. [force]
   Vector forces(const std::vector<PairStatus>& status, const Vector& imbalance) const;
   /// Change of the trace, smallest in the energy of the diagonal, that makes closed rows hold exactly. Zero where they do already.
-  Vector correction(const std::vector<PairStatus>& status, const Vector& trace) const;
+  Vector correction(const std::vector<PairStatus>& status, const Vector& trace, const Vector& moved = {}) const;
 
  private:
   std::vector<int> closedRows(const std::vector<int>& cluster, const std::vector<PairStatus>& status) const;

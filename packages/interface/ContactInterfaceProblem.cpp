@@ -32,6 +32,8 @@ double reduce(const Comm& comm, Teuchos::EReductionType how, double mine) {
   return all;
 }
 
+constexpr double kDigits = 1e-14;  // of displacements, in a gap
+
 double largest(const Vector& values) { return values.size() > 0 ? values.cwiseAbs().maxCoeff() : 0.0; }
 
 }  // namespace
@@ -70,6 +72,7 @@ ContactInterfaceProblem::ContactInterfaceProblem(CommPtr comm, const Partition& 
   constantEnergy_ = reduce(*comm_, Teuchos::REDUCE_SUM, energy);
   collectRows(stiffness);
   findChains();
+  if (pairs_ > 0) findBodies();
   for (const auto& piecesOfGroup : partition.piecesOf) pieces_ += static_cast<int>(piecesOfGroup.size());
 }
 
@@ -165,7 +168,7 @@ MultiVectorPtr ContactInterfaceProblem::residual(const Matrix& imbalance, const 
 int ContactInterfaceProblem::conform(InterfaceState& state) const {
   Matrix trace;
   space_->gather(*state.trace, trace);
-  const Vector change = clusters_->correction(state.status[0], trace.col(0));
+  const Vector change = clusters_->correction(state.status[0], trace.col(0), movedRows(state));
   if (reduce(*comm_, Teuchos::REDUCE_MAX, largest(change)) == 0.0) return 0;
   const MultiVectorPtr step = space_->vector();
   auto owned = localView(*step);
@@ -232,27 +235,43 @@ InterfaceProblem::Evaluation ContactInterfaceProblem::evaluate(const InterfaceSt
   Matrix trace;
   space_->gather(*state.trace, trace);
   const Vector force = clusters_->forces(state.status[0], out.col(0));
-  const Vector gap = clusters_->gaps(trace.col(0));
+  const Vector moved = movedRows(state), gap = clusters_->gaps(trace.col(0), moved);
 
-  // Contact is decided by differences: the scales are those of forces and of displacements across the lines.
-  double scales[2] = {largest(force), 0.0}, allScales[2];
-  for (int i = 0; i < clusters_->size(); ++i)
-    for (const int place : clusters_->row(i).places) scales[1] = std::max(scales[1], std::abs(trace(place, 0)));
-  Teuchos::reduceAll(*comm_, Teuchos::REDUCE_MAX, 2, scales, allScales);
-
-  result.next = state.status;
   double sums[3] = {0.0, 0.0, 0.0}, allSums[3];
-  for (int i = 0; i < clusters_->size(); ++i) {
-    if (clusters_->row(i).places.empty()) continue;
-    PairStatus& next = result.next[0][i];
-    if (next == PairStatus::Open) {
-      if (gap(i) < -std::max(resolution, 1e-15) * allScales[1]) next = PairStatus::Slip;
-    } else if (force(i) < -std::max(resolution, 1e-15) * allScales[0]) {
-      next = PairStatus::Open;
+  result.next = state.status;
+  if (bodies_) {
+    Matrix values(clusters_->size(), 2);
+    values << force, -gap;
+    const Matrix all = everywhere(values);
+    const RigidContact& rigid = bodies_->rigid();
+    const ClosedSet closed = closedSet(state.status);
+    result.force = all.col(0);
+    result.penetration = all.col(1);
+    for (std::size_t i = 0; i < closed.size(); ++i) (closed[i] ? result.penetration : result.force)(static_cast<Eigen::Index>(i)) = 0.0;
+    const double least = std::max(resolution, 1e-14);
+    result.forceTolerance = least * rigid.clusterScale(closed, result.force);
+    result.penetrationTolerance = least * rigid.clusterScale(closed, rigid.compliance().cwiseProduct(result.force));
+    for (int i = 0; i < clusters_->size(); ++i) {
+      if (clusters_->row(i).places.empty()) continue;
+      // Gaps are differences of displacements, and no better than their digits.
+      double digits = std::max(std::abs(clusters_->row(i).gap), moved.size() > 0 ? std::abs(moved(i)) : 0.0);
+      for (const int place : clusters_->row(i).places) digits = std::max(digits, std::abs(trace(place, 0)));
+      values(i, 0) = kDigits * digits;
     }
-    if (!owned_[i]) continue;
-    sums[0] += next != state.status[0][i];
-    sums[1] += next != PairStatus::Open;
+    result.penetrationTolerance += everywhere(values).col(0);
+    for (int i = 0; i < clusters_->size(); ++i) {
+      if (clusters_->row(i).places.empty()) continue;
+      PairStatus& next = result.next[0][i];
+      const int id = rows_[i].pair.id;
+      if (next == PairStatus::Open) {
+        if (result.penetration(id) > result.penetrationTolerance(id)) next = PairStatus::Slip;
+      } else if (result.force(id) < -result.forceTolerance(id)) {
+        next = PairStatus::Open;
+      }
+      if (!owned_[i]) continue;
+      sums[0] += next != state.status[0][i];
+      sums[1] += next != PairStatus::Open;
+    }
   }
   for (int place = 0; place < space_->overlapSize(); ++place)
     if (space_->ownedRow(place) >= 0) sums[2] += 0.5 * trace(place, 0) * (out(place, 0) - load_(place, 0));
@@ -260,9 +279,134 @@ InterfaceProblem::Evaluation ContactInterfaceProblem::evaluate(const InterfaceSt
   result.changed = static_cast<int>(std::lround(allSums[0]));
   result.active = static_cast<int>(std::lround(allSums[1]));
   result.settled = result.changed == 0;
-  result.energy = constantEnergy_ + allSums[2];
+  result.energy = constantEnergy_ + allSums[2] - rigidWork(state);
   result.residual = residual(out, *spaceOf(state.status));
   return result;
+}
+
+void ContactInterfaceProblem::findBodies() {
+  std::map<int, double> stiffness;
+  for (std::size_t i = 0; i < rows_.size(); ++i)
+    if (owned_[i])
+      stiffness[rows_[i].pair.id] =
+          clusters_->row(static_cast<int>(i)).places.empty() ? 1.0 : clusters_->stiffness()(static_cast<Eigen::Index>(i));
+  bodies_ = std::make_unique<ContactBodies>(*comm_, subdomains_, stiffness);
+  partOfOwned_.assign(space_->map()->getNodeNumElements(), 0);
+  for (std::size_t s = 0; s < locals_.size(); ++s)
+    for (const int place : space_->coupling(static_cast<int>(s)).columns())
+      if (const int at = space_->ownedRow(place); at >= 0) partOfOwned_[at] = bodies_->partOf(static_cast<int>(s));
+}
+
+Matrix ContactInterfaceProblem::everywhere(const Matrix& ofRows) const {
+  Matrix mine = Matrix::Zero(bodies_->rigid().pairs(), ofRows.cols()), all = mine;
+  for (std::size_t i = 0; i < rows_.size(); ++i)
+    if (owned_[i]) mine.row(rows_[i].pair.id) = ofRows.row(static_cast<Eigen::Index>(i));
+  Teuchos::reduceAll(*comm_, Teuchos::REDUCE_SUM, static_cast<int>(mine.size()), mine.data(), all.data());
+  return all;
+}
+
+ContactStatus ContactInterfaceProblem::statusOf(const ClosedSet& closed) const {
+  ContactStatus status(1);
+  for (std::size_t i = 0; i < rows_.size(); ++i)
+    status[0].push_back(closed[rows_[i].pair.id] && !clusters_->row(static_cast<int>(i)).places.empty() ? PairStatus::Slip
+                                                                                                        : PairStatus::Open);
+  return status;
+}
+
+ClosedSet ContactInterfaceProblem::closedSet(const ContactStatus& status) const {
+  Matrix closed(rows_.size(), 1);
+  for (std::size_t i = 0; i < rows_.size(); ++i) closed(static_cast<Eigen::Index>(i), 0) = status[0][i] != PairStatus::Open;
+  const Matrix all = everywhere(closed);
+  ClosedSet set(all.rows(), 0);
+  for (std::size_t i = 0; i < set.size(); ++i) set[i] = all(static_cast<Eigen::Index>(i), 0) != 0.0;
+  return set;
+}
+
+InterfaceState ContactInterfaceProblem::padState() const {
+  InterfaceState state;
+  state.trace = space_->vector();
+  state.status = statusOf(bodies_->rigid().start());
+  state.memory = std::make_shared<Matrix>(-load_);
+  move(state, bodies_->rigid().project(bodies_->rigid().data().penetration).motion);
+  return state;
+}
+
+void ContactInterfaceProblem::move(InterfaceState& state, const Vector& motion) const {
+  if (motion.size() == 0 || motion.isZero(0.0)) return;
+  if (state.rigid.size() == 0) state.rigid = Vector::Zero(motion.size());
+  state.rigid += motion;
+}
+
+Vector ContactInterfaceProblem::movedRows(const InterfaceState& state) const {
+  if (state.rigid.size() == 0) return {};
+  const Vector all = bodies_->rigid().data().rows * state.rigid;
+  Vector mine(static_cast<Eigen::Index>(rows_.size()));
+  for (std::size_t i = 0; i < rows_.size(); ++i) mine(static_cast<Eigen::Index>(i)) = all(rows_[i].pair.id);
+  return mine;
+}
+
+double ContactInterfaceProblem::rigidWork(const InterfaceState& state) const {
+  return state.rigid.size() > 0 ? bodies_->rigid().data().work.dot(state.rigid) : 0.0;
+}
+
+void ContactInterfaceProblem::addRigid(int local, const Vector& rigid, Vector& values) const {
+  if (rigid.size() == 0) return;
+  const Subdomain& subdomain = *subdomains_[local];
+  const int number = bodies_->partOf(local);
+  const RigidPart& part = bodies_->parts()[number];
+  if (part.free.cols() == 0) return;
+  const Vector amplitudes = bodies_->amplitudes(number, rigid);
+  for (int dof = 0; dof < subdomain.dofs(); ++dof) {
+    const Point moved = part.displacement(subdomain.mesh().point(subdomain.nodeOf(dof)), amplitudes, subdomain.components());
+    const Point along = subdomain.direction(dof);
+    values(dof) += moved[0] * along[0] + moved[1] * along[1] + moved[2] * along[2];
+  }
+}
+
+MultiVectorPtr ContactInterfaceProblem::loadOf(const Vector& pairForces, const ContactStatus& status) const {
+  Matrix imbalance = Matrix::Zero(space_->overlapSize(), 1);
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    const auto& row = clusters_->row(static_cast<int>(i));
+    for (std::size_t k = 0; k < row.places.size(); ++k) imbalance(row.places[k], 0) += row.coefficients[k] * pairForces(rows_[i].pair.id);
+  }
+  // Every rank that sees an unknown sees all rows with it: nothing is to be summed.
+  return residual(imbalance, *spaceOf(status));
+}
+
+void ContactInterfaceProblem::pairChanges(const MultiVector& step, const ContactStatus& status, const Vector& pairForces, Vector& force,
+                                          Vector& penetration) const {
+  Matrix moved;
+  spaceOf(status)->gather(step, moved);
+  const MultiVectorPtr trace = space_->vector(), flux = space_->vector();
+  auto owned = localView(*trace);
+  for (int place = 0; place < space_->overlapSize(); ++place)
+    if (const int at = space_->ownedRow(place); at >= 0) owned(at, 0) = moved(place, 0);
+  apart_->apply(*trace, *flux);
+  Matrix imbalance;
+  space_->gather(*flux, imbalance);
+  Matrix values = Matrix::Zero(clusters_->size(), 2);
+  for (int i = 0; i < clusters_->size(); ++i) {
+    const auto& row = clusters_->row(i);
+    for (std::size_t k = 0; k < row.places.size(); ++k) {
+      imbalance(row.places[k], 0) += row.coefficients[k] * pairForces(rows_[i].pair.id);
+      values(i, 1) += row.coefficients[k] * moved(row.places[k], 0);
+    }
+  }
+  values.col(0) = clusters_->forces(status[0], imbalance.col(0));
+  const Matrix all = everywhere(values);
+  force = all.col(0) + pairForces;
+  penetration = all.col(1);
+}
+
+Vector ContactInterfaceProblem::energies(const InterfaceState& state) const {
+  int applications = 0;
+  const Matrix out = rememberedImbalance(state, applications);
+  const auto owned = localView(static_cast<const MultiVector&>(*state.trace));
+  Vector mine = Vector::Zero(static_cast<Eigen::Index>(bodies_->parts().size())), all = mine;
+  for (int place = 0; place < space_->overlapSize(); ++place)
+    if (const int at = space_->ownedRow(place); at >= 0) mine(partOfOwned_[at]) += owned(at, 0) * (out(place, 0) + load_(place, 0));
+  Teuchos::reduceAll(*comm_, Teuchos::REDUCE_SUM, static_cast<int>(mine.size()), mine.data(), all.data());
+  return all;
 }
 
 std::vector<int> ContactInterfaceProblem::differing(const ContactStatus& a, const ContactStatus& b) const {
@@ -281,6 +425,7 @@ std::vector<Vector> ContactInterfaceProblem::interiors(const InterfaceState& sta
       Matrix own(locals_[i]->size(), 1);
       space_->coupling(static_cast<int>(i)).restrictTo(trace, own);
       freeValues.push_back(locals_[i]->recover(own.col(0)));
+      addRigid(static_cast<int>(i), state.rigid, freeValues.back());
     }
   });
   return freeValues;
@@ -290,16 +435,19 @@ InterfaceProblem::Recovered ContactInterfaceProblem::recover(const InterfaceStat
   Matrix trace;
   space_->gather(*state.trace, trace);
   const Vector force = clusters_->forces(state.status[0], imbalance(*state.trace).col(0));
-  const Vector gap = clusters_->gaps(trace.col(0));
+  const Vector gap = clusters_->gaps(trace.col(0), movedRows(state));
   Recovered result;
-  result.freeValues = interiors(state);
+  InterfaceState deformed = state;
+  deformed.rigid = Vector();
+  result.freeValues = interiors(deformed);
   double energy = 0.0;
   collectively(*comm_, "recovering the contact", [&] {
     std::map<int, Point> moved;  // pair -> displacement of the node that carries it, Cartesian
     for (std::size_t i = 0; i < locals_.size(); ++i) {
-      const Vector& values = result.freeValues[i];
+      Vector& values = result.freeValues[i];
       const Subdomain& subdomain = *subdomains_[i];
       energy += 0.5 * values.dot(subdomain.stiffness() * values) - values.dot(subdomain.load()) + subdomain.constantEnergy();
+      addRigid(static_cast<int>(i), state.rigid, values);
       const Vector cartesian = subdomain.cartesian(values);
       for (const SubdomainMesh::ContactEnd& end : subdomain.mesh().contactEnds)
         if (end.end == 0)
@@ -311,7 +459,7 @@ InterfaceProblem::Recovered ContactInterfaceProblem::recover(const InterfaceStat
         result.pairs.push_back({rows_[i].pair, state.status[0][i], force(row), gap(row), moved[rows_[i].pair.id]});
       }
   });
-  result.energy = reduce(*comm_, Teuchos::REDUCE_SUM, energy);
+  result.energy = reduce(*comm_, Teuchos::REDUCE_SUM, energy) - rigidWork(state);
   return result;
 }
 

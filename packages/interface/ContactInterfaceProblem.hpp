@@ -18,7 +18,7 @@ namespace suture {
 /// With N the contact rows, g the gaps and S = sum R_i^T S_i R_i over the subdomains: S U + N^T f = F, f >= 0, g - N U >= 0, f.(g - N U) =
 /// 0. For a set of closed pairs T spans the null space of their rows and the linear problem is T^T S T w = T^T (F - S U) from a U that
 /// meets the rows.
-class ContactInterfaceProblem : public InterfaceProblem {
+class ContactInterfaceProblem : public InterfaceProblem, public ContactSets {
  public:
   using SchurMaker = std::function<std::unique_ptr<SchurComplement>()>;
 
@@ -42,10 +42,31 @@ class ContactInterfaceProblem : public InterfaceProblem {
   int pieces() const override { return pieces_; }
   int pairs() const override { return pairs_; }
 
+  const ContactSets* sets() const override { return bodies_ ? this : nullptr; }
+  const ContactBodies& bodies() const override { return *bodies_; }
+  ContactStatus statusOf(const ClosedSet& closed) const override;
+  ClosedSet closedSet(const ContactStatus& status) const override;
+  InterfaceState padState() const override;
+  void move(InterfaceState& state, const Vector& motion) const override;
+  MultiVectorPtr loadOf(const Vector& pairForces, const ContactStatus& status) const override;
+  void pairChanges(const MultiVector& step, const ContactStatus& status, const Vector& pairForces, Vector& force,
+                   Vector& penetration) const override;
+  const std::vector<int>& partOfOwned() const override { return partOfOwned_; }
+  Vector energies(const InterfaceState& state) const override;
+
  private:
   InterfaceState allClosed() const;
   void collectRows(const Vector& stiffness);
   void findChains();
+  void findBodies();
+  /// What the rigid motions of a state add to the rows that this rank sees; empty: nothing.
+  Vector movedRows(const InterfaceState& state) const;
+  /// Adds rigid motions to the free values of a subdomain.
+  void addRigid(int local, const Vector& rigid, Vector& values) const;
+  /// Work of the loads in them.
+  double rigidWork(const InterfaceState& state) const;
+  /// Values of this rank's own rows, made known to all by pair id. Collective.
+  Matrix everywhere(const Matrix& ofRows) const;
   std::shared_ptr<const InterfaceSpace> spaceOf(const ContactStatus& status) const;
   /// S U - F on the overlap, complete; `applications` counts. Collective.
   Matrix imbalance(const MultiVector& trace) const;
@@ -61,6 +82,8 @@ class ContactInterfaceProblem : public InterfaceProblem {
   std::vector<ContactRow> rows_;                 // those that this rank sees, by pair
   std::vector<char> owned_;                      // each row by one rank
   std::unique_ptr<ContactClusters> clusters_;
+  std::unique_ptr<ContactBodies> bodies_;  // null without pairs that can change
+  std::vector<int> partOfOwned_;
   std::vector<std::vector<int>> chains_;  // rows of neighbouring pairs, along the lines
   Matrix load_;                           // F on the overlap, complete
   double constantEnergy_ = 0.0;           // over all ranks

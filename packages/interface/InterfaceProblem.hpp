@@ -1,6 +1,7 @@
 #pragma once
 #include <suture/base/Types.hpp>
 #include <suture/constraints/Constraints.hpp>
+#include <suture/interface/ContactBodies.hpp>
 #include <suture/interface/InterfaceOperator.hpp>
 
 #include <map>
@@ -17,6 +18,8 @@ using ContactStatus = std::vector<std::vector<PairStatus>>;
 struct InterfaceState {
   MultiVectorPtr trace;  ///< U
   ContactStatus status;
+  /// Rigid motions of parts (ContactBodies) on top of the trace, so that deformations are no differences of large numbers; empty: none.
+  Vector rigid{};
   /// What the formulation remembers of this trace, so that it need not apply operators again; dropped by whoever changes the trace himself.
   std::shared_ptr<const Matrix> memory = nullptr;
   int applications = 0;  ///< of the operator, that making the state took
@@ -34,6 +37,30 @@ struct PairState {
   static void forEachField(Self& self, const Each& each) {
     each(self.pair), each(self.status), each(self.force), each(self.gap), each(self.displacement);
   }
+};
+
+/// Contact states as sets of closed pairs: what a formulation offers to ContactSearch. Sets and pair values are by pair id, the same on
+/// all ranks. All functions but the first are collective.
+class ContactSets {
+ public:
+  virtual ~ContactSets() = default;
+  virtual const ContactBodies& bodies() const = 0;
+  virtual ContactStatus statusOf(const ClosedSet& closed) const = 0;
+  virtual ClosedSet closedSet(const ContactStatus& status) const = 0;
+  /// The state in which bodies have moved rigidly onto elastic pads in place of their contact, and the set that is closed then.
+  virtual InterfaceState padState() const = 0;
+  /// Moves parts rigidly: `motion` are amplitudes of bodies().rigid(). Forces do not change.
+  virtual void move(InterfaceState& state, const Vector& motion) const = 0;
+  /// What pair forces, > 0 compressive, load the interface with, in the space of a status. [force]
+  virtual MultiVectorPtr loadOf(const Vector& pairForces, const ContactStatus& status) const = 0;
+  /// Forces that a step in the space of a status adds to closed pairs, and penetrations that it adds to open ones.
+  /// \param pairForces  that act beside them
+  virtual void pairChanges(const MultiVector& step, const ContactStatus& status, const Vector& pairForces, Vector& force,
+                           Vector& penetration) const = 0;
+  /// Part of each owned unknown.
+  virtual const std::vector<int>& partOfOwned() const = 0;
+  /// U.S U of each part: the energy that holds its trace deformed, twice. [force length]
+  virtual Vector energies(const InterfaceState& state) const = 0;
 };
 
 /// The non-linear problem that an outer solver sees: find the trace U with  grad J(U) = S_0 U + S_KON(U) - F = 0,  J the energy with
@@ -59,9 +86,12 @@ class InterfaceProblem {
     int active = 0;           ///< closed pairs at U
     bool settled = true;      ///< no residual counts before this holds: the residual is that of another status than the next
     int applications = 0;     ///< of the operator, that this took
+    /// By pair id, where the formulation has ContactSets: forces of closed pairs, penetrations of open ones, and what these must violate
+    /// their conditions by before they are believed.
+    Vector force = {}, penetration = {}, forceTolerance = {}, penetrationTolerance = {};
   };
-  /// \param resolution  relative to the largest contact force and displacement: what a pair must violate its condition by before its status
-  ///                    changes, in formulations where the trace is known to some accuracy only
+  /// \param resolution  accuracy of the trace: what a pair must violate its condition by before its status changes, relative to the largest
+  ///                    force of its cluster of bodies and to what that deforms
   virtual Evaluation evaluate(const InterfaceState& state, double resolution = 0.0) const = 0;
 
   struct Linearisation {
@@ -71,6 +101,9 @@ class InterfaceProblem {
   };
   /// With the status of the state (not that of its trace).
   virtual Linearisation linearise(const InterfaceState& state) const = 0;
+
+  /// Contact as sets of closed pairs; null where the formulation hides it.
+  virtual const ContactSets* sets() const { return nullptr; }
 
   /// S_0 and nothing else, for the splitting (18): null when the formulation has none.
   virtual Teuchos::RCP<InterfaceOperator> withoutContact() const { return Teuchos::null; }

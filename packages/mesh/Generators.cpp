@@ -1,36 +1,16 @@
 #include <suture/base/Errors.hpp>
+#include <suture/base/Memory.hpp>
+#include <suture/base/Numbers.hpp>
 #include <suture/mesh/Generators.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 
 namespace suture {
 
 namespace {
-
-void check(const std::vector<Box>& all) {
-  Problems problems;
-  std::set<std::string> names;
-  for (const Box& box : all) {
-    const std::string path = "Mesh/Boxes/" + box.name;
-    const auto integer = [](int i) { return std::to_string(i); };
-    if (!names.insert(box.name).second) problems.add(path, "a second box of this name");
-    if (!(box.x0 < box.x1)) problems.add(path + "/X", "an empty interval; expected its lower end first");
-    if (!(box.y0 < box.y1)) problems.add(path + "/Y", "an empty interval; expected its lower end first");
-    if (box.nx < 1 || box.ny < 1)
-      problems.add(path + "/Cells", "{" + integer(box.nx) + ", " + integer(box.ny) + "}: expected at least one each way");
-    else if (box.blocksX < 1 || box.blocksY < 1 || box.nx % box.blocksX != 0 || box.ny % box.blocksY != 0)
-      problems.add(path + "/Blocks", "{" + integer(box.blocksX) + ", " + integer(box.blocksY) + "} do not divide the cells {" +
-                                         integer(box.nx) + ", " + integer(box.ny) + "} into equal blocks");
-    if (box.brickX < 0 || box.brickY < 0 || (box.brickX == 0) != (box.brickY == 0) ||
-        (box.brickX >= std::max(1, box.nx) && box.brickY >= std::max(1, box.ny)))
-      problems.add(path + "/Bricks", "{" + integer(box.brickX) + ", " + integer(box.brickY) + "} make no board of the cells {" +
-                                         integer(box.nx) + ", " + integer(box.ny) +
-                                         "}; expected at least one cell each way and two bricks");
-  }
-  problems.throwIfAny();
-}
 
 /// The nodes of one box: a lattice with `order` intervals a cell, numbered row by row. The middles of 8-node quadrilaterals are left out.
 class Lattice {
@@ -61,6 +41,43 @@ class Lattice {
   int order_, columns_;
   std::vector<int> number_;
 };
+
+void check(const std::vector<Box>& all) {
+  Problems problems;
+  std::set<std::string> names;
+  for (const Box& box : all) {
+    const std::string path = "Mesh/Boxes/" + box.name;
+    const auto integer = [](int i) { return std::to_string(i); };
+    if (!names.insert(box.name).second) problems.add(path, "a second box of this name");
+    if (!(box.x0 < box.x1)) problems.add(path + "/X", "an empty interval; expected its lower end first");
+    if (!(box.y0 < box.y1)) problems.add(path + "/Y", "an empty interval; expected its lower end first");
+    if (box.nx < 1 || box.ny < 1)
+      problems.add(path + "/Cells", "{" + integer(box.nx) + ", " + integer(box.ny) + "}: expected at least one each way");
+    else if (box.blocksX < 1 || box.blocksY < 1 || box.nx % box.blocksX != 0 || box.ny % box.blocksY != 0)
+      problems.add(path + "/Blocks", "{" + integer(box.blocksX) + ", " + integer(box.blocksY) + "} do not divide the cells {" +
+                                         integer(box.nx) + ", " + integer(box.ny) + "} into equal blocks");
+    if (box.brickX < 0 || box.brickY < 0 || (box.brickX == 0) != (box.brickY == 0) ||
+        (box.brickX >= std::max(1, box.nx) && box.brickY >= std::max(1, box.ny)))
+      problems.add(path + "/Bricks", "{" + integer(box.brickX) + ", " + integer(box.brickY) + "} make no board of the cells {" +
+                                         integer(box.nx) + ", " + integer(box.ny) +
+                                         "}; expected at least one cell each way and two bricks");
+  }
+  problems.throwIfAny();
+  // All that the mesh will take is known before any of it is.
+  double nodes = 0, elements = 0, entries = 0;
+  for (const Box& box : all) {
+    const double cells = static_cast<double>(box.nx) * box.ny, order = Lattice::isQuadratic(box.cell) ? 2 : 1;
+    const double made = cells * (cellInfo(box.cell).vertices == 3 ? 2 : 1);
+    nodes += (order * box.nx + 1) * (order * box.ny + 1);
+    elements += made;
+    entries += made * cellInfo(box.cell).nodes;
+  }
+  const double most = std::numeric_limits<int>::max();
+  if (nodes > most || entries > most)
+    throw InputError("Mesh/Boxes",
+                     realText(elements) + " elements with " + realText(nodes) + " nodes; expected fewer than 2^31 of anything");
+  mustFit((16 * nodes + 4 * nodes + 4 * entries + 40 * elements) / (1 << 20), "Mesh/Boxes: a mesh of " + realText(elements) + " elements");
+}
 
 using Step = std::pair<int, int>;
 

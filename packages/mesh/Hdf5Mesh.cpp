@@ -30,6 +30,7 @@ std::string memberPath(const std::string& group, std::size_t number) {
 
 void writeFile(const Comm& alone, const Mesh& mesh, const std::string& path, const std::function<void(Hdf5File&)>& more) {
   Hdf5File file = Hdf5File::create(alone, path);
+  file.addChecksums();
   file.attribute("/", versionName, std::string(versionNumber));
   std::vector<int> cells;
   for (const Cell cell : mesh.cells) cells.push_back(static_cast<int>(cell));

@@ -115,6 +115,12 @@ Schema meshSchema() {
       .text("File", std::nullopt, "mesh file, relative to the scene: .geo (meshed by Gmsh), .msh, or Suture's own .h5")
       .optional()
       .list("Constants", Schema("of a .geo file").eachReal("constant", "value instead of that of DefineConstant in the .geo file"))
+      .boolean(
+          "Allow Programs", false,
+          "let a .geo file run programs (SystemCall), write files, read any other file and end Gmsh; false: such statements are refused")
+      .real("Time Limit", 600.0,
+            "seconds that Gmsh may take for a .geo or .msh file; a tenth of it for the statements of a .geo file before they are meshed",
+            Range::positive(), "s")
       .real("Mesh Size Factor", 1.0, "multiplies all mesh sizes of a .geo file", Range::positive())
       .choice("Generator", "None",
               {{"None", Schema("the mesh is in File")},
@@ -137,7 +143,7 @@ Mesh readMesh(const Comm& comm, const Parameters& mesh, const std::string& folde
     }
     std::error_code failed;
     if (!fs::is_regular_file(source.path, failed)) throw InputError(pathOf(mesh, "File"), "there is no file " + source.path);
-    made = readGmsh({source.path, source.constants, source.factor});
+    made = readGmsh({source.path, source.constants, source.factor, mesh.get<double>("Time Limit"), mesh.get<bool>("Allow Programs")});
   });
   return made;
 }

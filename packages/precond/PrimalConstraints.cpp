@@ -83,7 +83,12 @@ std::vector<PrimalConstraints> primalConstraints(const InterfaceSpace& space, co
         continue;
       }
       const int first = by ? by->others[0] : places[k];
-      if (count == 1 && !space.isCorner(first)) continue;
+      if (count == 1 && !space.isCorner(first)) {
+        // Two unknowns of one local problem (a node that slides along an oblique obstacle): it must know that they go together.
+        if (const auto own = by ? std::find(places.begin(), places.end(), first) : places.end(); own != places.end())
+          rows[i].push_back({{{static_cast<int>(k), 1.0}, {static_cast<int>(own - places.begin()), -by->coefficients[0]}}, {}});
+        continue;
+      }
       Row row{{{static_cast<int>(k), 1.0}}, {}};
       for (std::size_t t = 0; t < count; ++t) {
         const int place = by ? by->others[t] : first;

@@ -7,6 +7,7 @@
 #include <Teuchos_CommHelpers.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace suture {
 
@@ -32,6 +33,7 @@ void writeCheckpoint(const Comm& comm, const std::string& path, const std::strin
     status.push_back(static_cast<int>(pair.status));
   }
   Hdf5File file = Hdf5File::create(comm, path);
+  file.addChecksums();
   file.group(kGroup);
   file.attribute(kGroup, "MeshHash", broadcast(comm, meshHash));
   file.write(at("Nodes"), nodes);
@@ -62,6 +64,9 @@ Checkpoint readCheckpoint(const Comm& comm, const std::string& path, const std::
         const auto row = rowOf.find(mesh.globalNodes[node]);
         if (row == rowOf.end() || (row->second + 1) * d > values.size())
           throw InputError(path, "damaged: no displacement of node " + std::to_string(mesh.globalNodes[node]));
+        for (std::size_t k = 0; k < d; ++k)
+          if (!std::isfinite(values[row->second * d + k]))
+            throw InputError(path, "damaged: the displacement of node " + std::to_string(mesh.globalNodes[node]) + " is not finite");
         for (std::size_t k = 0; k < d; ++k) displacement(static_cast<Eigen::Index>(node * d + k)) = values[row->second * d + k];
       }
       checkpoint.displacement.push_back(std::move(displacement));

@@ -18,7 +18,7 @@ std::string titleOf(const SceneFile& scene) {
 }
 
 // "converged: 3 outer, 22 + 8 PCG, residual 2.0e-09; 87 of 89 pairs closed, ..."
-std::string verdict(const Run& run, double largestDisplacement) {
+std::string ending(const Run& run, double largestDisplacement) {
   const Solution& answer = run.solution;
   const Units units = unitsOf(*run.scene.parameters);
   std::string line = answer.converged ? "converged: " : "not converged: ";
@@ -35,7 +35,18 @@ std::string verdict(const Run& run, double largestDisplacement) {
   } else {
     line += format("largest displacement %.3e %s", largestDisplacement, units.length.c_str());
   }
-  return line + format(", forces balance to %.0e", answer.imbalance);
+  return line + format(", forces balance to %.0e", answer.verification.balance.imbalance);
+}
+
+// "verified: balance, supports and contact hold; nearest to its bound: residual 2.1e-09 of 1.0e-06 (body 'left', (0, 3))"
+std::string verdict(const Verification& verification) {
+  const Check* worst = verification.worst();
+  if (!worst) return "";
+  if (!verification.holds()) return "   NOT VERIFIED: " + verification.failure() + "\n";
+  std::string line = "   verified: forces, supports and contact hold";
+  if (worst->value > 0.0)
+    line += format("; nearest to its bound: %s %.1e of %.1e", worst->name.c_str(), worst->value, worst->bound) + " (" + worst->where + ")";
+  return line + "\n";
 }
 
 // "errors: displacement L2 1.234e-05 (0.012 %), energy norm ...": against the exact solution, where the scene has one.
@@ -81,7 +92,8 @@ void printFooter(std::ostream* console, const Run& run) {
   const Memory memory = peakMemory(run.comm);
   if (!console || run.comm.getRank() != 0) return;
 
-  *console << verdict(run, largest) << "\n" << exactErrors(run.solution.errors) << estimatedErrors(run.solution);
+  *console << ending(run, largest) << "\n"
+           << verdict(run.solution.verification) << exactErrors(run.solution.errors) << estimatedErrors(run.solution);
   for (const Timers::Statistics& phase : phases) *console << format("   %s %.2f s", phase.phase.c_str(), phase.max);
   *console << format("   total %.2f s   peak %.0f MB a rank\n", run.timers.total(), memory.max);
   std::string folder = run.folder;

@@ -1,3 +1,6 @@
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -37,6 +40,55 @@ void prepareFolder(const Comm& comm, const std::string& folder) {
     file.close();
     fs::remove(probe, error);
     if (!good) throw EnvironmentError("the output folder '" + folder + "' cannot be written: " + why);
+  });
+}
+
+FolderLock::FolderLock(const Comm& comm, const std::string& folder) : path_((fs::path(folder) / ".suture.lock").string()) {
+  collectivelyOnRoot(comm, "locking the output folder", [&] {
+    for (bool mine = false; !mine;) {
+      const int file = ::open(path_.c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0666);
+      if (file < 0) throw EnvironmentError("the output folder '" + folder + "' cannot be locked: " + std::strerror(errno));
+      if (::flock(file, LOCK_EX | LOCK_NB) != 0) {
+        const int why = errno;
+        char owner[200] = "";
+        const ssize_t length = ::pread(file, owner, sizeof owner - 1, 0);
+        ::close(file);
+        if (why != EWOULDBLOCK) return;  // a file system without locks
+        throw EnvironmentError("another run writes into the output folder '" + folder + "'" +
+                               (length > 0 ? " (" + std::string(owner, static_cast<std::size_t>(length)) + ")" : "") +
+                               "; wait for its end, or choose another folder with --output");
+      }
+      // The run before may have removed the file between its opening and its locking here.
+      struct stat locked {
+      }, there{};
+      mine = ::fstat(file, &locked) == 0 && ::stat(path_.c_str(), &there) == 0 && locked.st_ino == there.st_ino;
+      if (!mine) {
+        ::close(file);
+        continue;
+      }
+      char host[100] = "";
+      ::gethostname(host, sizeof host - 1);
+      const std::string owner = "process " + std::to_string(::getpid()) + " on " + host;
+      if (::ftruncate(file, 0) != 0 || ::pwrite(file, owner.data(), owner.size(), 0) < 0) {  // a name for messages only
+      }
+      file_ = file;
+    }
+  });
+}
+
+FolderLock::~FolderLock() {
+  if (file_ < 0) return;
+  ::unlink(path_.c_str());
+  ::close(file_);
+}
+
+RunFolder::RunFolder(const Comm& comm, const std::string& folder) : lock_((prepareFolder(comm, folder), comm), folder) {
+  collectivelyOnRoot(comm, "preparing the output folder", [&] {
+    const fs::path summary = fs::path(folder) / "summary.json";
+    std::error_code error;
+    if (!fs::exists(summary, error)) return;
+    fs::rename(summary, fs::path(folder) / "summary.previous.json", error);
+    if (error) throw EnvironmentError("cannot rename '" + summary.string() + "': " + error.message());
   });
 }
 

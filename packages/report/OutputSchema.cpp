@@ -15,6 +15,10 @@ Schema outputSchema() {
       .boolean("Checkpoint", false,
                "Write checkpoint.h5 of a run that converged, too: the next load step starts from it (--restart). One that did not always "
                "leaves it.")
+      .real("Checkpoint Every", 0.0,
+            "Minutes after which an outer iteration that has ended writes checkpoint.h5, so that a run that is killed loses at most that "
+            "(and the iteration in hand); removed at the end of a run that converged. 0: never.",
+            Range::atLeast(0), "min")
       .wordOrNumber("Enlargement", "Automatic", {"Automatic"}, Range::positive(),
                     "How many times suture_plot enlarges the displacements; Automatic: to about a twentieth of the scene's size.");
 }

@@ -1,3 +1,4 @@
+#include <Teuchos_Comm.hpp>
 #include <Teuchos_ParameterList.hpp>
 #include <filesystem>
 #include <suture/base/Collective.hpp>
@@ -14,28 +15,68 @@ bool wantsFields(const Parameters& scene) {
   return !scene.isSublist("Output") || !scene.sublist("Output").isType<bool>("Fields") || scene.sublist("Output").get<bool>("Fields");
 }
 
+const char* const fieldFiles[] = {"fields_0000.vtkhdf", "contact_0000.vtkhdf"};
+
+/// A folder in the output folder for files that are not complete yet; whatever is in it at the end is removed. Collective but for its end.
+class Staging {
+ public:
+  Staging(const Comm& comm, const std::filesystem::path& folder) : isRoot_(comm.getRank() == 0), path_(folder / ".new") {
+    collectivelyOnRoot(comm, "preparing the results", [&] {
+      std::error_code error;
+      std::filesystem::remove_all(path_, error);
+      std::filesystem::create_directory(path_, error);
+      if (error) throw EnvironmentError("cannot make the folder '" + path_.string() + "': " + error.message());
+    });
+  }
+  ~Staging() {
+    std::error_code ignored;
+    if (isRoot_) std::filesystem::remove_all(path_, ignored);
+  }
+  Staging(const Staging&) = delete;
+  Staging& operator=(const Staging&) = delete;
+
+  std::string operator/(const char* name) const { return (path_ / name).string(); }
+
+  /// Puts the new files in the place of those of an earlier run, summary.json last. On rank 0.
+  void moveTo(const std::filesystem::path& folder) const {
+    std::error_code error;
+    std::filesystem::remove(folder / "summary.json", error);
+    const auto move = [&](const char* name) {
+      std::filesystem::rename(path_ / name, folder / name, error);
+      if (error) throw EnvironmentError("cannot put '" + (folder / name).string() + "' in place: " + error.message());
+    };
+    for (const char* name : fieldFiles) {
+      if (std::filesystem::exists(path_ / name, error))
+        move(name);
+      else
+        std::filesystem::remove(folder / name, error);
+    }
+    move("history.csv");
+    move("summary.json");
+    std::filesystem::remove(folder / "summary.previous.json", error);
+  }
+
+ private:
+  bool isRoot_;
+  std::filesystem::path path_;
+};
+
 }  // namespace
 
 std::string writeReport(const Run& run, ExitCode code) {
   const std::filesystem::path folder(run.folder);
-  const std::string fields = (folder / "fields_0000.vtkhdf").string();
-  const std::string contact = (folder / "contact_0000.vtkhdf").string();
+  const Staging staging(run.comm, folder);
   {
     const Timers::Scope write(run.timers, "write");
-    // summary.json is written last: while it is missing, the folder is not that of a finished run.
-    collectivelyOnRoot(run.comm, "clearing the output folder", [&] {
-      for (const auto& old : {fields, contact, (folder / "summary.json").string()}) {
-        std::error_code ignored;
-        std::filesystem::remove(old, ignored);
-      }
-    });
     if (wantsFields(*run.scene.parameters)) {
-      writeFields(run, fields);
-      if (run.size.pairs > 0) writeContactFields(run, contact);
+      writeFields(run, staging / fieldFiles[0]);
+      if (run.size.pairs > 0) writeContactFields(run, staging / fieldFiles[1]);
     }
-    collectivelyOnRoot(run.comm, "writing history.csv", [&] { writeHistory(run.monitor.rows(), (folder / "history.csv").string()); });
+    collectivelyOnRoot(run.comm, "writing history.csv", [&] { writeHistory(run.monitor.rows(), staging / "history.csv"); });
   }
-  return writeSummary(run, code, (folder / "summary.json").string());
+  const std::string text = writeSummary(run, code, staging / "summary.json");
+  collectivelyOnRoot(run.comm, "putting the results in place", [&] { staging.moveTo(folder); });
+  return text;
 }
 
 }  // namespace suture

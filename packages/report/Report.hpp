@@ -8,11 +8,11 @@
 
 namespace suture {
 
-/// fields_0000.vtkhdf (and contact_0000.vtkhdf with contact lines), history.csv, summary.json, each under a temporary name first.
-/// The files are written also for a run that did not converge; summary.json says so. Files of an earlier run into the same folder that
-/// this one does not write are removed. Its time is the phase "write" of the run's timers. Collective.
-/// \return on rank 0 the text of summary.json, elsewhere nothing
-/// \throws EnvironmentError  when something cannot be written
+/// fields_0000.vtkhdf (and contact_0000.vtkhdf with contact lines), history.csv, summary.json. All of them are written into a folder `.new`
+/// first; only when all are complete do they replace those of an earlier run, one rename each, summary.json last. The files are written
+/// also for a run that did not converge; summary.json says so. Files of an earlier run into the same folder that this one does not write
+/// are removed. Its time is the phase "write" of the run's timers. Collective. \return on rank 0 the text of summary.json, elsewhere
+/// nothing \throws EnvironmentError  when something cannot be written
 std::string writeReport(const Run& run, ExitCode code);
 
 }  // namespace suture

@@ -19,6 +19,9 @@ class RunMonitor : public Monitor {
   RunMonitor(std::ostream* console, bool verbose, bool strict = false);
   void auxiliary(const AuxiliaryRow& row) override;
   void outer(const OuterRow& row) override;
+  void accepted(const InterfaceState& state) override {
+    if (accepted_) accepted_(state);
+  }
   /// \throws InputError  for a warning, when strict; on every rank, since every rank is told the same
   void note(const std::string& text) override;
   void inner(int iteration, double relativeResidual) override;
@@ -26,6 +29,8 @@ class RunMonitor : public Monitor {
   bool stopRequested() const override { return stop_ && stop_(); }
   /// \param stop  asked after every outer iteration whether the user wants the run to end
   void stopWhen(std::function<bool()> stop) { stop_ = std::move(stop); }
+  /// \param take  given the state after every outer iteration that is not the last, on all ranks
+  void takeStates(std::function<void(const InterfaceState&)> take) { accepted_ = std::move(take); }
 
   const std::vector<OuterRow>& rows() const { return rows_; }
   const std::vector<std::string>& notes() const { return notes_; }
@@ -34,6 +39,7 @@ class RunMonitor : public Monitor {
   std::ostream* console_;
   bool verbose_, strict_;
   std::function<bool()> stop_;
+  std::function<void(const InterfaceState&)> accepted_;
   std::vector<OuterRow> rows_;
   std::vector<std::string> notes_;
 };

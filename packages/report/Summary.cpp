@@ -78,6 +78,12 @@ Json contact(const Run& run, int dimension) {
   return contact;
 }
 
+Json verification(const Verification& verdict) {
+  Json all = Json::object();
+  for (const Check& check : verdict.checks) all[check.name] = {{"value", check.value}, {"bound", check.bound}, {"where", check.where}};
+  return all;
+}
+
 }  // namespace
 
 std::string writeSummary(const Run& run, ExitCode code, const std::string& path) {
@@ -120,9 +126,11 @@ std::string writeSummary(const Run& run, ExitCode code, const std::string& path)
         {"energy", answer.energy},
         {"max_displacement", largest},
         {"equilibrium",
-         {{"applied", components(answer.applied, dimension)},
-          {"reactions", components(answer.reactions, dimension)},
-          {"imbalance", answer.imbalance}}},
+         {{"applied", components(answer.verification.balance.applied, dimension)},
+          {"reactions", components(answer.verification.balance.reactions, dimension)},
+          {"imbalance", answer.verification.balance.imbalance}}},
+        {"verified", answer.verification.holds()},
+        {"verification", verification(answer.verification)},
         {"error", errors(answer)},
         {"notes", run.monitor.notes()},
         {"phases", phases},

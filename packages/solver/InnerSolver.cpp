@@ -138,6 +138,7 @@ InnerResult InnerSolver::solve(const Teuchos::RCP<const Operator>& matrix, const
   if (reference <= 0.0) reference = norm;
   if (norm == 0.0 || norm / reference <= tolerance) {
     InnerResult result;
+    result.reference = reference;
     result.residual = norm > 0.0 ? norm / reference : 0.0;
     result.history.push_back(result.residual);
     result.converged = true;
@@ -173,6 +174,7 @@ InnerResult InnerSolver::iterate(MultiVector& x, double tolerance, double refere
     throw NumericalError(std::string("conjugate gradients broke down: ") + failure.what());
   }
   InnerResult result;
+  result.reference = reference;
   result.seconds = Timers::now() - begin;
   added();
   result.pcg = solve_->iteration->getNumIters() - before;

@@ -13,6 +13,7 @@ struct InnerResult {
   int pcg = 0;  ///< applications of the operator
   bool converged = false;
   double residual = 0.0;             ///< sqrt(r.M r) / reference
+  double reference = 0.0;            ///< norm that it is relative to: the given one, or that of the right-hand side
   double condition = 1.0;            ///< of M^-1 S, estimated from the Lanczos matrix of the CG coefficients
   double largestEigenvalue = 1.0;    ///< of the same
   double smallestEigenvalue = 0.0;   ///< of the same, from above; 0: not known

@@ -1,5 +1,6 @@
 #include <suture/base/Collective.hpp>
 #include <suture/base/Errors.hpp>
+#include <suture/base/Memory.hpp>
 #include <suture/base/MpiHandle.hpp>
 #include <suture/solver/MemoryEstimate.hpp>
 #include <suture/solver/SolveScene.hpp>
@@ -10,23 +11,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <iomanip>
-#include <limits>
 #include <map>
-#include <sstream>
 
 namespace suture {
 
 namespace {
 
-constexpr double kProgram = 90.0;
-
-double numberIn(const std::string& path) {
-  std::ifstream file(path);
-  double number = 0.0;
-  return file >> number ? number : std::numeric_limits<double>::infinity();
-}
+constexpr double kProgram = 55.0;  // megabytes that it has taken already when the estimate is made
 
 // Pairs of nodes that have an element in common. Those on a side have two, as nearly all sides do.
 double couplings(const SubdomainMesh& mesh) {
@@ -42,12 +33,6 @@ double couplings(const SubdomainMesh& mesh) {
     sum += count * (pairs(info.nodes) - 0.5 * static_cast<double>(info.sideNodes.size()) * pairs(info.sideNodes[0].size()));
   }
   return sum;
-}
-
-std::string gigabytes(double megabytes) {
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(megabytes < 10240 ? 2 : 1) << megabytes / 1024 << " GB";
-  return text.str();
 }
 
 }  // namespace
@@ -69,20 +54,6 @@ double estimatedMonolithicMegabytes(GlobalId unknowns) {
   return kProgram + (8 * 8 * n * std::log2(n) + 500 * n) / (1 << 20);
 }
 
-double availableMegabytes() {
-  double available = std::numeric_limits<double>::infinity();
-  std::ifstream file("/proc/meminfo");
-  for (std::string line; std::getline(file, line);)
-    if (line.compare(0, 13, "MemAvailable:") == 0) available = std::stod(line.substr(13)) / 1024;
-  // Control groups of version 2 and 1, as containers see them.
-  const double limits[] = {
-      numberIn("/sys/fs/cgroup/memory.max") - numberIn("/sys/fs/cgroup/memory.current"),
-      numberIn("/sys/fs/cgroup/memory/memory.limit_in_bytes") - numberIn("/sys/fs/cgroup/memory/memory.usage_in_bytes")};
-  for (const double left : limits)
-    if (std::isfinite(left)) available = std::min(available, std::max(0.0, left) / (1 << 20));
-  return available;
-}
-
 double checkMemory(const Comm& comm, double mine, double limit) {
   MPI_Comm machine = MPI_COMM_NULL;
   MPI_Comm_split_type(mpiComm(comm), MPI_COMM_TYPE_SHARED, comm.getRank(), MPI_INFO_NULL, &machine);
@@ -94,6 +65,10 @@ double checkMemory(const Comm& comm, double mine, double limit) {
   MPI_Comm_free(&machine);
   collectively(comm, "estimating the memory", [&] {
     const double have = limit > 0.0 ? limit : availableMegabytes();
+    if (const double own = mine - kProgram; own > addressSpaceLeft())
+      throw EnvironmentError("the run is estimated to take " + gigabytes(own) + " of memory on rank " + std::to_string(comm.getRank()) +
+                             " beyond the program itself; the limit of its address space (ulimit -v) leaves " +
+                             gigabytes(addressSpaceLeft()) + ". Raise the limit, or use more ranks or a coarser mesh");
     if (sum <= have) return;
     throw EnvironmentError("the run is estimated to take " + gigabytes(sum) + " of memory on this machine (" + std::to_string(ranks) +
                            (ranks == 1 ? " rank" : " ranks, the largest " + gigabytes(most)) + "), which " +

@@ -13,19 +13,17 @@ namespace suture {
 ///     6 c d log2(n)                  interior factor in single precision
 ///     6.6 b^2 + 200 b                Schur complement, its constrained inverse and basis
 ///     130 n                          mesh, loads, fields
-/// and 90 MB for program and libraries. Fitted to eleven runs with explicit Schur complements, of all five shapes of elements, 94k to 983k
-/// unknowns, on one and two ranks, 153 to 820 MB: it is 5 % below to 5 % above them. Local.
+/// and 55 MB for program and libraries. The terms but the last are fitted to eleven runs with explicit Schur complements, of all five
+/// shapes of elements, 94k to 983k unknowns, on one and two ranks; the last to those of the test drivers.memory since Gmsh is a program of
+/// its own: the estimate is 11 % below to 9 % above them. Local.
 double estimatedMegabytes(const std::vector<SubdomainMesh>& meshes);
 
 /// The same for Monolithic with n unknowns: 8 n log2(n) entries of the factor, and 500 bytes an unknown. Fitted to one run: tunnel with
-/// 937k unknowns 1646 MB; the estimate is 1662. Local.
+/// 937k unknowns 1646 MB; the estimate is 1627. Local.
 double estimatedMonolithicMegabytes(GlobalId unknowns);
 
-/// Memory that this machine could still give to programs, in 2^20 bytes: MemAvailable of Linux, or what the limits of the control group
-/// leave if that is less; infinite where the system does not tell. Local.
-double availableMegabytes();
-
-/// Compares the estimates of all ranks of a machine with what it has, before the work starts.
+/// Compares the estimates of all ranks of a machine with what it has, and that of each rank with what its limit of
+/// address space (ulimit -v) leaves, before the work starts.
 /// \param mine   estimate of this rank [MB]
 /// \param limit  Subdomain/Memory Limit: megabytes that all ranks on one machine may take; 0: what the machine has available
 /// \return the sum over all ranks of the job [MB]

@@ -3,7 +3,7 @@
 #include <suture/solver/Monolithic.hpp>
 #include <suture/solver/MonolithicContact.hpp>
 #include <suture/solver/MonolithicSystem.hpp>
-#include <suture/solver/RigidMotion.hpp>
+#include <suture/constraints/RigidMotion.hpp>
 #include <suture/solver/Solvability.hpp>
 #include <suture/subdomain/CholmodFactor.hpp>
 
@@ -14,9 +14,6 @@
 namespace suture {
 
 namespace {
-
-double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-double norm(const Point& a) { return std::sqrt(dot(a, a)); }
 
 Point nodal(const Vector& field, int node, int dimension) {
   Point p{0, 0, 0};
@@ -64,8 +61,8 @@ Vector shiftOf(const MonolithicSystem& system, const RigidParts& rigid) {
   return shift;
 }
 
-CondensedContact condense(const Mesh& mesh, const MonolithicSystem& system, const RigidParts& rigid, const CholmodFactor& factor,
-                          const Vector& heldSolution) {
+CondensedContact condense(const Mesh& mesh, const Constraints& constraints, const MonolithicSystem& system, const RigidParts& rigid,
+                          const CholmodFactor& factor, const Vector& heldSolution) {
   CondensedContact contact;
   contact.stiffness = factor.trailingSchur();
   const int trailing = system.contactDofs(), leading = system.dofs() - trailing;
@@ -82,67 +79,38 @@ CondensedContact condense(const Mesh& mesh, const MonolithicSystem& system, cons
     contact.dofs.push_back(system.rows()[i].dofs);
     contact.coefficients.push_back(system.rows()[i].coefficients);
     contact.bounds[Eigen::Index(i)] = system.rows()[i].bound;
+    contact.lines.push_back(constraints.pairs[i].line);
   }
   return contact;
 }
 
-// Energy, reactions and balance from element forces of the final displacement: independent of the factorisation.
+// Energy and balance from element forces of the final displacement: independent of the factorisation.
 void balance(const Mesh& mesh, const Constraints& constraints, const MonolithicSystem& system, MonolithicResult& result) {
   const int dimension = mesh.dimension;
   const Vector internal = system.internalForces(result.displacement);
   result.energy = 0.5 * result.displacement.dot(internal) - result.displacement.dot(system.nodalForces());
 
-  Vector residual = internal - system.nodalForces();  // forces of the supports and of contact
-  double contactForce = 0.0;
+  Vector support = internal - system.nodalForces();
   for (const PairResult& pair : result.pairs) {
-    contactForce += pair.force;
     const ContactPair& condition = constraints.pairs[pair.id];
     for (const PairEnd& end : condition.ends)
-      for (int k = 0; k < dimension; ++k) residual[Eigen::Index(end.node) * dimension + k] += pair.force * end.weight * condition.normal[k];
-    const Point obstacle = obstacleForce(condition, pair.force);
-    for (int k = 0; k < dimension; ++k) result.reactions[k] += obstacle[k];
+      for (int k = 0; k < dimension; ++k) support[Eigen::Index(end.node) * dimension + k] += pair.force * end.weight * condition.normal[k];
+    result.balance.addPair(condition, pair.force);
   }
-  double largestReaction = 0.0;
-  for (const NodeRule& rule : constraints.rules) {
-    const Point force = nodal(residual, rule.node, dimension);
-    for (int k = 0; k < dimension; ++k) {
-      if (!rule.fixed[k]) continue;
-      const double along = dot(force, rule.axes[k]);
-      largestReaction = std::max(largestReaction, std::abs(along));
-      for (int c = 0; c < dimension; ++c) result.reactions[c] += along * rule.axes[k][c];
-    }
-  }
-  for (int i = 0; i < mesh.nodes(); ++i) {
-    const Point force = nodal(system.nodalForces(), i, dimension);
-    for (int c = 0; c < dimension; ++c) result.applied[c] += force[c];
-  }
-  Point sum{0, 0, 0};
-  // Radial forces of a body of revolution balance round the circle, whatever their magnitudes.
-  for (int c = mesh.axisymmetric ? 1 : 0; c < dimension; ++c) sum[c] = result.applied[c] + result.reactions[c];
-  const double largest = std::max({norm(result.applied), norm(result.reactions), largestReaction, contactForce});
-  result.imbalance = largest > 0 ? norm(sum) / largest : 0.0;
+  std::vector<const NodeRule*> ruleOf(mesh.nodes(), nullptr);
+  for (const NodeRule& rule : constraints.rules) ruleOf[rule.node] = &rule;
+  for (int i = 0; i < mesh.nodes(); ++i)
+    result.balance.addNode(nodal(system.nodalForces(), i, dimension), nodal(support, i, dimension), ruleOf[i], dimension);
+  result.balance.finish(mesh.axisymmetric);
 }
 
 std::vector<PairResult> pairResults(const Mesh& mesh, const Constraints& constraints, const Vector& displacement, const Vector& force,
                                     const std::vector<char>& active) {
   std::vector<PairResult> results;
   for (const ContactPair& pair : constraints.pairs) {
-    PairResult r;
-    r.id = pair.id;
-    r.node = pair.node();
-    r.line = pair.line;
-    r.piece = pair.piece;
-    r.status = active[pair.id] ? PairStatus::Slip : PairStatus::Open;
-    r.initialGap = pair.gap;
-    r.gap = pair.gap;
-    for (const PairEnd& end : pair.ends) r.gap -= end.weight * dot(nodal(displacement, end.node, mesh.dimension), pair.normal);
-    r.force = force[pair.id];
-    r.pressure = pair.length > 0 ? r.force / pair.length : 0.0;
-    r.arc = pair.arc;
-    r.position = pair.position;
-    r.displacement = nodal(displacement, pair.node(), mesh.dimension);
-    r.normal = pair.normal;
-    results.push_back(r);
+    std::vector<Point> ofEnds;
+    for (const PairEnd& end : pair.ends) ofEnds.push_back(nodal(displacement, end.node, mesh.dimension));
+    results.push_back(pairResult(pair, {pair.id, active[pair.id] ? PairStatus::Slip : PairStatus::Open, force[pair.id]}, ofEnds));
   }
   return results;
 }
@@ -195,7 +163,7 @@ MonolithicResult solveMonolithic(const Mesh& mesh, const Constraints& constraint
       result.rows.push_back(row);
       monitor.outer(row);
     };
-    contact = solveCondensedContact(condense(mesh, system, rigid, factor, interior), start, options.maximumIterations, tell);
+    contact = solveCondensedContact(condense(mesh, constraints, system, rigid, factor, interior), start, options.maximumIterations, tell);
     if (contact.x.size() == 0) throw NumericalError("monolithic solver: " + contact.failure);
     x.tail(trailing) = contact.x;
     interior = system.load().head(leading) - (system.stiffness() * x).head(leading);

@@ -28,10 +28,8 @@ struct MonolithicResult {
   int iterations = 0;             ///< 0 for a scene without unilateral contact
   double residual = 0.0;          ///< largest violation of the contact conditions over the size of the displacements
   double energy = 0.0;            ///< total potential energy
-  Point applied{0, 0, 0};
-  Point reactions{0, 0, 0};
-  double imbalance = 0.0;
-  std::vector<OuterRow> rows;  ///< the same that the monitor was told, for replay on other ranks
+  Balance balance;                ///< of forces
+  std::vector<OuterRow> rows;     ///< the same that the monitor was told, for replay on other ranks
 
   GlobalId dofs = 0;           ///< free ones
   int contactDofs = 0;         ///< ordered last

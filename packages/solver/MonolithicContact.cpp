@@ -1,6 +1,7 @@
 #include <cblas.h>
 #include <suture/base/Dense.hpp>
 #include <suture/base/Errors.hpp>
+#include <suture/contact/DelassusProblem.hpp>
 #include <suture/solver/MonolithicContact.hpp>
 
 #include <algorithm>
@@ -13,11 +14,7 @@ namespace suture {
 
 namespace {
 
-constexpr double rounding = 1e-12;    // violations below this part of the displacements (forces) are none
-constexpr double loose = 1e-10;       // relative singular value below which the active rows do not hold a body
-constexpr double acceptable = 1e-10;  // residual at which a set that cycles is taken: degenerate rows, decided by rounding
-constexpr int patience = 10;          // changes of all wrong rows at once without progress before single ones
-constexpr int softenings = 9;         // of the springs that tie loose bodies, each a tenth of the last
+constexpr double pointCompliance = 2.0;  // as in ContactCompliance: half of a pair's compliance is of the body beyond its own elements
 
 // a <- L, a = L L^T, lower triangle. False when a is not definite.
 bool factorInPlace(Matrix& a) {
@@ -34,55 +31,39 @@ void triangularSolve(const Matrix& lower, CBLAS_TRANSPOSE transpose, Eigen::Ref<
               int(lower.rows()), b.data(), int(b.outerStride()));
 }
 
-class ActiveSet {
+/// The rows' Delassus matrix, and what belongs to it.
+class Delassus {
  public:
-  ActiveSet(const CondensedContact& problem, int iterations, const std::function<void(const ActiveSetStep&)>& step);
-  ContactSolution run(std::vector<char> active);
+  explicit Delassus(const CondensedContact& problem);
+
+  RigidContact rigidContact() const;
+  Vector displacement(const Vector& force, const Vector& place) const;
+  double energy(const Vector& force, const Vector& place) const {
+    return -0.5 * constant_ + 0.5 * gapless_.dot(force) - 0.5 * work_.dot(place);
+  }
+  const Matrix& compliance() const { return h_; }
+  const Vector& open() const { return gapless_; }
+  Vector rounding() const;
 
  private:
-  enum class Outcome { Solved, Loose, Cycling, OutOfSteps };
-
-  void compliance();
-  bool solve(bool tied, double spring);
-  std::vector<int> wrongRows();
-  Outcome pivot(bool tied, double spring);
-  Vector displacement() const;
-
   const CondensedContact& problem_;
-  const std::function<void(const ActiveSetStep&)>& tell_;
   const int rows_, modes_;
-  int left_;
-
-  std::vector<Matrix> factors_;  // of S + stiffness of its own on the kernel, each block
-  Vector kernelStiffness_;       // that stiffness, each kernel column
-  Matrix h_;                     // compliance H of the rows, lower triangle and upper
-  Matrix g_;                     // rows times kernel
-  Vector gapless_, work_;        // h = C S^-1 f - bound;   Z^T f
-  double constant_ = 0.0;        // f.S^-1 f
-  Vector holding_;               // diagonal of G^T H^-1 G with all rows closed: what "held" means for each mode
-
-  std::vector<char> active_;
-  Vector force_, gap_, place_;  // the current solve; place: amplitudes of the kernel
-  double residual_ = 0.0;
+  std::vector<Matrix> factors_;             // of S + stiffness of its own on the kernel, each block
+  std::vector<std::vector<int>> blocksOf_;  // of each row
+  Matrix h_;                                // compliance H of the rows
+  Matrix g_, kernel_;                       // rows times kernel; the kernel, columns of the order of one
+  Vector gapless_, work_;                   // h = C S^-1 f - bound;   Z^T f
+  double constant_ = 0.0;                   // f.S^-1 f
 };
 
-ActiveSet::ActiveSet(const CondensedContact& problem, int iterations, const std::function<void(const ActiveSetStep&)>& step)
-    : problem_(problem),
-      tell_(step),
-      rows_(int(problem.bounds.size())),
-      modes_(int(problem.kernel.cols())),
-      left_(iterations),
-      place_(Vector::Zero(problem.kernel.cols())) {
-  compliance();
-}
-
-void ActiveSet::compliance() {
+Delassus::Delassus(const CondensedContact& problem)
+    : problem_(problem), rows_(int(problem.bounds.size())), modes_(int(problem.kernel.cols())), blocksOf_(rows_), kernel_(problem.kernel) {
+  for (int m = 0; m < modes_; ++m) kernel_.col(m) /= kernel_.col(m).cwiseAbs().maxCoeff();
   const Matrix& z = problem_.kernel;
-  kernelStiffness_ = Vector::Zero(modes_);
   h_ = Matrix::Zero(rows_, rows_);
   g_ = Matrix::Zero(rows_, modes_);
   gapless_ = -problem_.bounds;
-  work_ = z.transpose() * problem_.load;
+  work_ = kernel_.transpose() * problem_.load;
   for (std::size_t block = 0; block + 1 < problem_.blocks.size(); ++block) {
     const int first = problem_.blocks[block], size = problem_.blocks[block + 1] - first;
     // A loose block gets the stiffness of its own dofs on its kernel: definite, and of the size of everything else in it.
@@ -91,7 +72,6 @@ void ActiveSet::compliance() {
     for (int m = 0; m < modes_; ++m) {
       const auto part = z.col(m).segment(first, size);
       if (part.isZero(0.0)) continue;
-      kernelStiffness_[m] = own;
       s.noalias() += own * part * part.transpose();
     }
     if (!factorInPlace(s))
@@ -101,6 +81,7 @@ void ActiveSet::compliance() {
     for (int i = 0; i < rows_; ++i)
       if (std::any_of(problem_.dofs[i].begin(), problem_.dofs[i].end(), [&](int dof) { return dof >= first && dof < first + size; }))
         here.push_back(i);
+    for (const int i : here) blocksOf_[i].push_back(int(block));
     Matrix y = Matrix::Zero(size, Eigen::Index(here.size()) + 1);  // rows' transposes, then the load
     for (std::size_t c = 0; c < here.size(); ++c)
       for (std::size_t k = 0; k < problem_.dofs[here[c]].size(); ++k) {
@@ -121,103 +102,31 @@ void ActiveSet::compliance() {
   }
   h_.triangularView<Eigen::StrictlyUpper>() = h_.transpose();
   for (int i = 0; i < rows_; ++i)
-    for (std::size_t k = 0; k < problem_.dofs[i].size(); ++k) g_.row(i) += problem_.coefficients[i][k] * z.row(problem_.dofs[i][k]);
+    for (std::size_t k = 0; k < problem_.dofs[i].size(); ++k) g_.row(i) += problem_.coefficients[i][k] * kernel_.row(problem_.dofs[i][k]);
 }
 
-// Forces and gaps for the active set. `tied`: bodies hang on springs at place_, of `spring` times their own stiffness; else their places
-// are unknowns. False when the active rows do not hold the bodies.
-bool ActiveSet::solve(bool tied, double spring) {
-  std::vector<int> a;
-  for (int i = 0; i < rows_; ++i)
-    if (active_[i]) a.push_back(i);
-  const int n = int(a.size());
-  Matrix factor = h_(a, a), rhs(n, 1 + modes_);
-  const Matrix ga = g_(a, Eigen::all);
-  rhs.col(0) = gapless_(a);
-  rhs.rightCols(modes_) = ga;
-  Matrix soft;  // compliance that softer springs add
-  if (tied) {
-    soft = (1 / spring - 1) * (g_ * kernelStiffness_.cwiseInverse().asDiagonal());
-    factor.noalias() += soft(a, Eigen::all) * ga.transpose();
-    rhs.col(0) += ga * place_ + soft(a, Eigen::all) * work_;
-  }
-  Matrix original = factor;
-  if (!factorInPlace(factor)) {
-    // Rows that repeat each other (a node squeezed between parallel obstacles) share their force.
-    factor = original;
-    factor.diagonal() *= 1 + rounding;
-    if (!factorInPlace(factor)) return false;
-  }
-  triangularSolve(factor, CblasNoTrans, rhs);
-  if (!tied && modes_ > 0) {
-    const Matrix m = rhs.rightCols(modes_).transpose() * rhs.rightCols(modes_);
-    if (holding_.size() == 0) holding_ = m.diagonal();  // the first set has all rows closed
-    if (!(holding_.minCoeff() > 0)) return false;
-    const Vector scale = holding_.cwiseSqrt().cwiseInverse();
-    const Eigenpairs eigen = symmetricEigenpairs(scale.asDiagonal() * m * scale.asDiagonal());
-    if (eigen.values[0] < loose * std::max(1.0, eigen.values[modes_ - 1])) return false;
-    const Vector missing = scale.cwiseProduct(work_ - rhs.rightCols(modes_).transpose() * rhs.col(0));
-    place_ =
-        scale.cwiseProduct(Vector(eigen.vectors * eigen.values.cwiseInverse().cwiseProduct(Vector(eigen.vectors.transpose() * missing))));
-    rhs.col(0) += rhs.rightCols(modes_) * place_;
-  }
-  triangularSolve(factor, CblasTrans, rhs.leftCols(1));
-  force_ = Vector::Zero(rows_);
-  force_(a) = rhs.col(0);
-  gap_ = h_(Eigen::all, a) * rhs.col(0) - gapless_ - g_ * place_;
-  if (tied) gap_ -= soft * (work_ - g_.transpose() * force_);
-  return true;
-}
-
-std::vector<int> ActiveSet::wrongRows() {
-  double displacements = std::max(gapless_.cwiseAbs().maxCoeff(), problem_.bounds.cwiseAbs().maxCoeff());
-  if (modes_ > 0) displacements = std::max(displacements, (g_ * place_).cwiseAbs().maxCoeff());
-  if (displacements == 0.0) displacements = 1.0;
-  const double forces = rounding * force_.cwiseAbs().maxCoeff() + 1e-2 * rounding * problem_.load.cwiseAbs().maxCoeff();
-  std::vector<int> wrong;
-  residual_ = 0.0;
+RigidContact Delassus::rigidContact() const {
+  RigidContact::Pairs pairs;
+  pairs.rows = g_;
+  pairs.work = work_;
+  pairs.penetration = gapless_;
+  pairs.stiffness = Vector::Ones(rows_);
+  pairs.bodies = blocksOf_;
   for (int i = 0; i < rows_; ++i) {
-    if (problem_.dofs[i].empty()) continue;
-    const double by = active_[i] ? -force_[i] * h_(i, i) : -gap_[i];
-    residual_ = std::max(residual_, by / displacements);
-    if (by > rounding * displacements && (!active_[i] || -force_[i] > forces)) wrong.push_back(i);
+    pairs.able.push_back(!problem_.dofs[i].empty());
+    if (pairs.able[i]) pairs.stiffness[i] = pointCompliance / h_(i, i);
+    pairs.line.push_back(problem_.lines.empty() ? 0 : problem_.lines[i]);
   }
-  return wrong;
+  return RigidContact(std::move(pairs));
 }
 
-ActiveSet::Outcome ActiveSet::pivot(bool tied, double spring) {
-  std::size_t fewest = std::numeric_limits<std::size_t>::max();
-  int tries = patience;
-  while (left_-- > 0) {
-    if (!solve(tied, spring)) return Outcome::Loose;
-    std::vector<int> wrong = wrongRows();
-    ActiveSetStep step;
-    step.active = int(std::count(active_.begin(), active_.end(), 1));
-    step.residual = residual_;
-    step.energy = -0.5 * constant_ + 0.5 * gapless_.dot(force_) - 0.5 * work_.dot(place_);
-    const bool single = !(wrong.size() < fewest) && tries <= 0;
-    if (wrong.size() < fewest) {
-      fewest = wrong.size();
-      tries = patience;
-    } else {
-      --tries;
-    }
-    // A set that needs single changes only because of rounding is as good as the next one.
-    const bool done = wrong.empty() || (single && residual_ < acceptable);
-    if (single) wrong = {wrong.back()};
-    step.changed = done ? 0 : int(wrong.size());
-    if (!tied) tell_(step);
-    if (done) return Outcome::Solved;
-    if (single && !tied && modes_ > 0) return Outcome::Cycling;  // least index is sure to end for definite problems only
-    for (const int i : wrong) active_[i] = !active_[i];
-  }
-  return Outcome::OutOfSteps;
-}
+/// Rounding of what bodies displace without contact forces: of their bounds, and of the load's part that the kernel takes.
+Vector Delassus::rounding() const { return 1e-13 * (problem_.bounds.cwiseAbs() + (gapless_ + problem_.bounds).cwiseAbs()); }
 
-Vector ActiveSet::displacement() const {
+Vector Delassus::displacement(const Vector& force, const Vector& place) const {
   Vector x = problem_.load;
   for (int i = 0; i < rows_; ++i)
-    for (std::size_t k = 0; k < problem_.dofs[i].size(); ++k) x[problem_.dofs[i][k]] -= problem_.coefficients[i][k] * force_[i];
+    for (std::size_t k = 0; k < problem_.dofs[i].size(); ++k) x[problem_.dofs[i][k]] -= problem_.coefficients[i][k] * force[i];
   for (std::size_t block = 0; block + 1 < problem_.blocks.size(); ++block) {
     const int first = problem_.blocks[block], size = problem_.blocks[block + 1] - first;
     Matrix part = x.segment(first, size);
@@ -225,61 +134,71 @@ Vector ActiveSet::displacement() const {
     triangularSolve(factors_[block], CblasTrans, part);
     x.segment(first, size) = part;
   }
-  return x + problem_.kernel * place_;
+  return x + kernel_ * place;
 }
 
-ContactSolution ActiveSet::run(std::vector<char> start) {
-  const std::vector<char> closed(rows_, 1);
-  ContactSolution result;
-  const auto begin = [&](const std::vector<char>& active) {
-    active_ = active;
-    for (int i = 0; i < rows_; ++i)
-      if (problem_.dofs[i].empty()) active_[i] = 0;  // takes no part
-  };
-  Outcome outcome = Outcome::Solved;
-  begin(closed);
-  if (modes_ > 0 && !solve(false, 1.0)) {
-    result.failure = "closed contact does not hold the bodies";
-    return result;
-  }
-  if (!start.empty()) begin(start);
-  outcome = pivot(false, 1.0);
-  for (int k = 0; k < softenings && (outcome == Outcome::Loose || outcome == Outcome::Cycling); ++k) {
-    const double spring = std::pow(0.1, k);
-    if (k == 0) {
-      begin(closed);
-      solve(false, 1.0);  // the place to start from
+/// Tells of each solve.
+class ToldProblem : public DelassusProblem {
+ public:
+  ToldProblem(const RigidContact& rigid, const Delassus& delassus, const CondensedContact& problem,
+              const std::function<void(const ActiveSetStep&)>& tell)
+      : DelassusProblem(rigid, delassus.compliance(), delassus.open(), delassus.rounding()),
+        rigid_(rigid),
+        delassus_(delassus),
+        problem_(problem),
+        tell_(tell) {}
+
+  ContactAnswer solve(const ClosedSet& closed, int level) override {
+    ContactAnswer answer = DelassusProblem::solve(closed, level);
+    double displacements = std::max(delassus_.open().cwiseAbs().maxCoeff(), problem_.bounds.cwiseAbs().maxCoeff());
+    if (rigid_.motions() > 0) displacements = std::max(displacements, (rigid_.data().rows * state().amplitude).cwiseAbs().maxCoeff());
+    if (displacements == 0.0) displacements = 1.0;
+    ActiveSetStep step;
+    for (std::size_t i = 0; i < closed.size(); ++i) {
+      const auto at = Eigen::Index(i);
+      if (!rigid_.data().able[i]) continue;
+      step.active += closed[i] != 0;
+      const bool wrong =
+          closed[i] ? answer.force[at] < -answer.forceTolerance[at] : answer.penetration[at] > answer.penetrationTolerance[at];
+      step.changed += wrong;
+      const double by = closed[i] ? -answer.force[at] * delassus_.compliance()(at, at) : answer.penetration[at];
+      step.residual = std::max(step.residual, by / displacements);
     }
-    outcome = pivot(true, spring);
-    if (outcome != Outcome::Solved) break;
-    // where the springs let the bodies go; then once more without springs
-    place_ += (work_ - g_.transpose() * force_).cwiseQuotient(spring * kernelStiffness_);
-    const std::vector<char> set = active_;
-    const Vector place = place_;
-    outcome = pivot(false, 1.0);
-    if (outcome == Outcome::Loose || outcome == Outcome::Cycling) {
-      active_ = set;
-      place_ = place;
-    }
+    step.energy = delassus_.energy(state().force, state().amplitude);
+    tell_(step);
+    return answer;
   }
-  result.converged = outcome == Outcome::Solved;
-  if (outcome == Outcome::OutOfSteps) result.failure = "the active set did not settle within the given iterations";
-  if (outcome == Outcome::Loose) result.failure = "the active set leaves a body loose";
-  if (outcome == Outcome::Cycling) result.failure = "the active set cycles";
-  if (force_.size() == 0) return result;
-  for (int i = 0; i < rows_; ++i)
-    if (problem_.dofs[i].empty()) active_[i] = problem_.bounds[i] <= 0.0;
-  result.x = displacement();
-  result.force = force_.cwiseMax(0.0);
-  result.active = active_;
-  return result;
-}
+
+ private:
+  const RigidContact& rigid_;
+  const Delassus& delassus_;
+  const CondensedContact& problem_;
+  const std::function<void(const ActiveSetStep&)>& tell_;
+};
 
 }  // namespace
 
 ContactSolution solveCondensedContact(const CondensedContact& problem, std::vector<char> active, int iterations,
                                       const std::function<void(const ActiveSetStep&)>& step) {
-  return ActiveSet(problem, iterations, step).run(std::move(active));
+  const Delassus delassus(problem);
+  RigidContact rigid = delassus.rigidContact();
+  ToldProblem oracle(rigid, delassus, problem, step);
+  ClosedSet start = active;
+  for (std::size_t i = 0; i < start.size(); ++i) start[i] = start[i] && rigid.data().able[i];
+  if (active.empty() || rigid.loosens(start)) start = rigid.start();
+  const ContactSearch::Result found = ContactSearch(rigid, oracle, iterations).run(start);
+
+  ContactSolution result;
+  result.converged = found.converged;
+  result.failure = found.failure.empty() && !found.converged ? "the active set did not settle within the given iterations" : found.failure;
+  result.force = found.force;
+  result.active = found.closed;
+  // Prescribed rows carry no force; they are active where they touch.
+  for (std::size_t i = 0; i < result.active.size(); ++i)
+    if (!rigid.data().able[i]) result.active[i] = problem.bounds[Eigen::Index(i)] <= 0.0;
+  result.neutral = found.neutral;
+  result.x = delassus.displacement(found.force, oracle.state().amplitude);
+  return result;
 }
 
 }  // namespace suture

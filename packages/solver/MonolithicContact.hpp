@@ -21,6 +21,7 @@ struct CondensedContact {
   std::vector<std::vector<int>> dofs;
   std::vector<std::vector<double>> coefficients;
   Vector bounds;
+  std::vector<int> lines{};  ///< contact line of each row, successive rows of one being neighbours; empty: all of one
 };
 
 /// What one step of the active set found; what Monitor::outer reports of it.
@@ -38,19 +39,17 @@ struct ContactSolution {
   Vector x;
   Vector force;  ///< multiplier of each row, >= 0
   std::vector<char> active;
+  Matrix neutral;  ///< combinations of kernel columns along which no force changes: x is not determined there
 };
 
 /// The exact solution by an active set on the compliance of the rows (Delassus matrix), H = C S^-1 C^T with the kernel as free unknowns a:
 ///     gap = H force - C Z a - h >= 0,   force >= 0,   gap . force = 0,   (C Z)^T force = Z^T f.
-/// All rows with the wrong sign change at once (a semismooth Newton step, primal-dual active set). Where that does not reduce the number of
-/// wrong rows for a while it changes one at a time by Murty's rule of least index, which ends for every definite H. When the active rows
-/// do not hold a loose body, or the kernel makes the pivoting cycle, the body is tied to its last place by a spring of its own stiffness
-/// (proximal point), which makes the problem definite; the place is followed until the active set is the exact one.
+/// By ContactSearch, on dense factorisations.
 ///
 /// Rows without dofs (all components prescribed) never carry a force; they are active when their bound is not positive.
 /// Equivalent solutions: a row with zero gap and zero force keeps the state it had. Local.
 ///
-/// \param active     where to start: one entry a row, or empty for all closed
+/// \param active     where to start: one entry a row, or empty: rigid bodies on pads
 /// \param iterations most solves with an active set
 /// \param step       told of each of them
 ContactSolution solveCondensedContact(const CondensedContact& problem, std::vector<char> active, int iterations,

@@ -47,8 +47,7 @@ std::vector<Vector> scatterToSubdomains(const Comm& comm, const Vector& whole, i
 struct Figures {
   bool converged;
   int iterations;
-  double residual, energy, imbalance;
-  Point applied, reactions;
+  double residual, energy;
 };
 
 }  // namespace
@@ -73,8 +72,7 @@ Solution solveMonolithicScene(const Comm& comm, const Mesh& mesh, const Constrai
     result = solveMonolithic(mesh, constraints, *system, options, later);
   });
   Packer packer;
-  packer.put(
-      Figures{result.converged, result.iterations, result.residual, result.energy, result.imbalance, result.applied, result.reactions});
+  packer.put(Figures{result.converged, result.iterations, result.residual, result.energy});
   packer.put(result.rows);
   packer.put(result.failure);
   packer.put(constraints.pairs.size());
@@ -91,9 +89,6 @@ Solution solveMonolithicScene(const Comm& comm, const Mesh& mesh, const Constrai
   solution.outerIterations = figures.iterations;
   solution.residual = figures.residual;
   solution.energy = figures.energy;
-  solution.imbalance = figures.imbalance;
-  solution.applied = figures.applied;
-  solution.reactions = figures.reactions;
   solution.pairs = result.pairs;
   solution.displacement = scatterToSubdomains(comm, result.displacement, unpacker.get<int>(), meshes);
   return solution;

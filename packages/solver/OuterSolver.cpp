@@ -86,6 +86,7 @@ void OuterSolver::Run::accept(InterfaceState state, InterfaceProblem::Evaluation
   result.state.status = at.next;
   evaluation = std::move(at);
   confirm();
+  if (!done()) monitor.accepted(result.state);
 }
 
 void OuterSolver::Run::confirm() {
@@ -121,6 +122,27 @@ bool OuterSolver::Run::goesOn() {
   return !done() && !result.stopped && result.iterations < settings.maximumIterations;
 }
 
+void OuterSolver::Run::describe(const InterfaceOperator& matrix) {
+  result.coarseSize = preconditioner->coarseSize();
+  if (const std::string remark = preconditioner->remark(); !remark.empty()) monitor.note(remark);
+  result.setupSeconds = preconditioner->setupSeconds();
+  result.bytesRead = preconditioner->bytesRead() + matrix.bytesRead();
+  result.chosenSchur = chosenSchur(matrix);
+  if (const auto implicit = result.chosenSchur.find("Implicit"); implicit != result.chosenSchur.end())
+    monitor.note("Schur complements, chosen automatically: " + std::to_string(result.chosenSchur["Explicit"]) + " explicit, " +
+                 std::to_string(implicit->second) + " implicit");
+}
+
+OuterResult OuterSolver::conclude(Run& run) {
+  OuterResult& result = run.result;
+  result.converged = run.done() || run.solved;
+  if (run.done() && result.residual > run.settings.tolerance) run.monitor.note(run.reason());
+  if (result.stopped && !result.converged && result.failure.empty()) result.failure = "stopped on request";
+  if (!result.converged && result.failure.empty())
+    result.failure = "the tolerance was not reached within " + std::to_string(result.iterations) + " outer iterations";
+  return std::move(result);
+}
+
 OuterResult OuterSolver::solve(const InterfaceProblem& problem, const OuterSettings& settings, Monitor& monitor,
                                const InterfaceState* given) const {
   OuterResult result;
@@ -137,34 +159,34 @@ OuterResult OuterSolver::solve(const InterfaceProblem& problem, const OuterSetti
           {},
           {},
           AutomaticTolerance(problem, settings.discretisationError)};
-  result.state = problem.initialState();
+  const bool contact = problem.pairs() > 0;
+  const bool startsItself = contact && this->startsItself() && problem.sets() != nullptr;
+  result.state = given && contact ? *given : startsItself && settings.rigidStart ? problem.sets()->padState() : problem.initialState();
   run.reported = result.state.status;
+  run.given = given != nullptr;
   const int lifting = result.state.applications;
   if (problem.space()->size() == 0) {  // one subdomain a body: the local problems are the whole problem
     result.converged = true;
     return result;
   }
 
-  const InterfaceProblem::Linearisation start = problem.linearise(result.state);
-  run.bilateral = start.matrix;
   run.preconditioner = settings.preconditioner();
+  if (startsItself) {
+    result.auxiliary.contact = true;
+    run.evaluation.settled = false;  // nothing is known yet
+    doSolve(run);
+    return conclude(run);
+  }
+  const InterfaceProblem::Linearisation start = problem.linearise(given && contact ? problem.initialState() : result.state);
+  run.bilateral = start.matrix;
   run.preconditioner->initialize(start.matrix->space());
   run.preconditioner->compute(start.matrix);
-  result.coarseSize = run.preconditioner->coarseSize();
-  if (const std::string remark = run.preconditioner->remark(); !remark.empty()) monitor.note(remark);
-  result.setupSeconds = run.preconditioner->setupSeconds();
-  result.bytesRead = run.preconditioner->bytesRead() + start.matrix->bytesRead();
-  result.chosenSchur = chosenSchur(*start.matrix);
-  if (const auto implicit = result.chosenSchur.find("Implicit"); implicit != result.chosenSchur.end())
-    monitor.note("Schur complements, chosen automatically: " + std::to_string(result.chosenSchur["Explicit"]) + " explicit, " +
-                 std::to_string(implicit->second) + " implicit");
+  run.describe(*start.matrix);
   run.reference = preconditionedNorm(*run.preconditioner, *start.load);
   run.referenceEuclidean = euclidean(*start.load);
   run.automatic.startsFrom(run.reference);
 
-  const bool contact = problem.pairs() > 0;
   if (given && contact) {
-    result.state = *given;
     result.auxiliary.contact = contact;
   } else {
     const double tolerance = contact ? auxiliaryTolerance(settings) : settings.tolerance;
@@ -204,12 +226,7 @@ OuterResult OuterSolver::solve(const InterfaceProblem& problem, const OuterSetti
   if (run.evaluation.changed > 0 || given) result.energyError = run.energyBound(result.residual);
   run.confirm();
   if (!run.done()) doSolve(run);
-  result.converged = run.done();
-  if (result.converged && result.residual > settings.tolerance) monitor.note(run.reason());
-  if (result.stopped && !result.converged && result.failure.empty()) result.failure = "stopped on request";
-  if (!result.converged && result.failure.empty())
-    result.failure = "the tolerance was not reached within " + std::to_string(result.iterations) + " outer iterations";
-  return result;
+  return conclude(run);
 }
 
 void registerBuiltIns(Registry<OuterSolver>& registry) {

@@ -20,11 +20,20 @@ struct OuterSettings {
   int maximumIterations = 50;
   int maximumInnerIterations = 1000;
   std::function<Teuchos::RCP<Preconditioner>()> preconditioner;  ///< makes a fresh one of the scene's kind
-  AutomaticTolerance::Estimate discretisationError = {};         ///< set: iterations may end before `tolerance`, see AutomaticTolerance
+  bool rigidStart = true;  ///< methods that start themselves: from rigid bodies on pads; else with all pairs closed
+  AutomaticTolerance::Estimate discretisationError = {};  ///< set: iterations may end before `tolerance`, see AutomaticTolerance
+};
+
+/// A rigid motion of a body that nothing stops and nothing drives.
+struct NeutralMotion {
+  int body;
+  std::string words;  ///< "turn about (3, 4), clockwise"
+  bool loaded;        ///< forces act on the body: its place matters
 };
 
 struct OuterResult {
   InterfaceState state;
+  std::vector<NeutralMotion> neutral;  ///< at the solution: the bodies' places are not determined along these
   bool converged = false;
   bool stopped = false;  ///< on request, between two iterations
   std::string failure;
@@ -55,7 +64,6 @@ class OuterSolver {
   OuterResult solve(const InterfaceProblem& problem, const OuterSettings& settings, Monitor& monitor,
                     const InterfaceState* start = nullptr) const;
 
- protected:
   /// What a method needs while it runs.
   struct Run {
     const InterfaceProblem& problem;
@@ -71,7 +79,10 @@ class OuterSolver {
     ContactStatus reported;                   ///< of the last row: what `changed` counts from; at first all closed
     InterfaceProblem::Evaluation evaluation;  ///< at result.state, whose status is the evaluation's
     AutomaticTolerance automatic;
-    double lowest = 0.0;  ///< smallest eigenvalue of M^-1 S that a linear solve met, 0 before the first
+    bool given = false;    ///< the start is one to go on from
+    bool solved = false;   ///< a method that finds the set of closed pairs itself has found it, and the residual is small enough
+    bool atFloor = false;  ///< rounding hides what the tolerance asks for beyond result.residual
+    double lowest = 0.0;   ///< smallest eigenvalue of M^-1 S that a linear solve met, 0 before the first
 
     /// Relative residual of an evaluation.
     double norm(const InterfaceProblem::Evaluation& at) const;
@@ -82,6 +93,8 @@ class OuterSolver {
     bool done() const;
     /// Where an automatic tolerance may end the iterations: estimates, unless that was done, after which it may not. Collective.
     void confirm();
+    /// Fills in what the result says of the preconditioner and the operator it was first made for. Collective.
+    void describe(const InterfaceOperator& matrix);
     /// Remembers the smallest eigenvalue that a solve met.
     void learn(const InnerResult& solve);
     /// What a residual says of the algebraic error in the energy norm: sqrt(r.M r / lowest). An upper bound where the operator at the
@@ -96,10 +109,17 @@ class OuterSolver {
     bool goesOn();
   };
 
+ protected:
+  /// True for a method that finds its own start, by sets of closed pairs (InterfaceProblem::sets()): doSolve() then begins with the state
+  /// to start from in run.result.state, not evaluated, and without a preconditioner. No auxiliary problem is solved.
+  virtual bool startsItself() const { return false; }
   /// From the auxiliary solution in run.result.state, evaluated, until run.done() or given up with run.result.failure.
   virtual void doSolve(Run& run) const = 0;
   /// Tolerance of the auxiliary problem that the method starts from.
   virtual double auxiliaryTolerance(const OuterSettings& settings) const = 0;
+
+ private:
+  static OuterResult conclude(Run& run);
 };
 
 void registerBuiltIns(Registry<OuterSolver>& registry);

@@ -1,6 +1,8 @@
 #pragma once
 #include <suture/base/Monitor.hpp>
 #include <suture/base/Types.hpp>
+#include <suture/quality/PairResult.hpp>
+#include <suture/quality/Verification.hpp>
 #include <suture/solver/ErrorEstimate.hpp>
 
 #include <map>
@@ -9,23 +11,6 @@
 #include <vector>
 
 namespace suture {
-
-/// What is known of a contact pair at the end of a run. Signs as in DESIGN: gap > 0 open, pressure and force > 0 compressive.
-struct PairResult {
-  int id = -1;
-  GlobalId node = -1;  ///< that carries it: number in the mesh
-  int line = -1;
-  int piece = -1;
-  PairStatus status = PairStatus::Open;
-  double initialGap = 0.0;      ///< [length]
-  double gap = 0.0;             ///< initial gap - (u_A - u_B).n [length]
-  double force = 0.0;           ///< along the normal, on B; per unit thickness in the plane, of the whole circle if axisymmetric [force]
-  double pressure = 0.0;        ///< force / tributary length (axisymmetric: area) [stress]
-  double arc = 0.0;             ///< arc length along the line [length]
-  Point position{0, 0, 0};      ///< of the node that carries it, undeformed
-  Point displacement{0, 0, 0};  ///< of the node that carries it
-  Point normal{0, 0, 0};
-};
 
 /// The answer of a run and the figures that summary.json reports.
 struct Solution {
@@ -47,9 +32,7 @@ struct Solution {
   double bytesRead = 0.0;                  ///< what one conjugate gradient iteration reads of this rank's memory, as far as known
   std::map<std::string, int> chosenSchur;  ///< local problems, by how their Schur complement is kept where that was chosen automatically
   double energy = 0.0;                     ///< total potential energy a(u,u)/2 - L(u)
-  Point applied{0, 0, 0};                  ///< sum of the loads [force]; x of axisymmetric scenes: of magnitudes round the circle
-  Point reactions{0, 0, 0};                ///< sum of the forces of prescribed displacements and rigid obstacles
-  double imbalance = 0.0;                  ///< |applied + reactions| (axisymmetric: along the axis) over the largest of the forces that act
+  Verification verification;               ///< and the balance of forces; without checks before verify()
   std::map<std::string, double> errors;    ///< against the scene's exact solution, where it has one: see exactErrors()
   std::map<std::string, double> estimates;  ///< of the outer solver: "mu", "contraction bound", "radius", "relaxation", ...
 };

@@ -1,5 +1,6 @@
 #include <suture/base/Dense.hpp>
 #include <suture/base/Errors.hpp>
+#include <suture/base/NonnegativeLeastSquares.hpp>
 #include <suture/solver/MonolithicSystem.hpp>
 #include <suture/solver/Solvability.hpp>
 
@@ -14,36 +15,6 @@ namespace {
 
 constexpr double noWork = 1e-9;    // of the forces on the part
 constexpr double noMotion = 1e-8;  // of a unit amplitude
-
-std::string number(double value, double scale) {
-  std::ostringstream text;
-  text.precision(4);
-  text << (std::abs(value) < 1e-6 * scale ? 0.0 : value);
-  return text.str();
-}
-
-// A motion of a part in words: "move upwards (0, 1)", "turn about (3, 4), counterclockwise".
-std::string inWords(const RigidPart& part, const Vector& amplitudes, int dimension) {
-  const Vector translation = amplitudes.head(dimension), rotation = amplitudes.tail(amplitudes.size() - dimension);
-  if (rotation.norm() < 1e-6 * translation.norm()) {
-    const Vector direction = translation.normalized();
-    std::string text = "move";
-    if (std::abs(direction[dimension - 1]) > 1 - 1e-6) text += direction[dimension - 1] > 0 ? " upwards" : " downwards";
-    if (std::abs(direction[0]) > 1 - 1e-6) text += direction[0] > 0 ? " to the right" : " to the left";
-    text += " (";
-    for (int k = 0; k < dimension; ++k) text += (k > 0 ? ", " : "") + number(direction[k], 1.0);
-    return text + ")";
-  }
-  if (dimension == 2) {
-    // u = t + r (-y, x) / radius vanishes at the centre of the rotation
-    const double x = part.centre[0] - part.radius * translation[1] / rotation[0],
-                 y = part.centre[1] + part.radius * translation[0] / rotation[0];
-    return "turn about (" + number(x, part.radius) + ", " + number(y, part.radius) + "), " +
-           (rotation[0] > 0 ? "counterclockwise" : "clockwise");
-  }
-  const Vector axis = rotation.normalized();
-  return "turn about the axis (" + number(axis[0], 1.0) + ", " + number(axis[1], 1.0) + ", " + number(axis[2], 1.0) + ")";
-}
 
 // Of a space of amplitudes (orthonormal columns) the motion that is easiest to say: a translation if there is one, along an axis if
 // possible.
@@ -119,54 +90,6 @@ void checkPrescribedPairs(const Mesh& mesh, const Constraints& constraints, Prob
 }
 
 }  // namespace
-
-Vector nonnegativeLeastSquares(const Matrix& a, const Vector& b) {
-  const Eigen::Index n = a.cols();
-  Vector p = Vector::Zero(n);
-  std::vector<int> passive;
-  std::vector<char> isPassive(n, 0);
-  const double size = a.size() > 0 ? a.colwise().norm().maxCoeff() : 0.0;
-  // Each round takes in the column that pulls hardest; every inner step drops at least one: the sets never repeat, as the residual falls.
-  for (Eigen::Index round = 0; round < 3 * n + 30; ++round) {
-    const Vector residual = b - a * p, pull = a.transpose() * residual;
-    Eigen::Index best = -1;
-    double most = 1e-13 * size * b.norm();
-    for (Eigen::Index i = 0; i < n; ++i)
-      if (!isPassive[i] && pull[i] > most) {
-        most = pull[i];
-        best = i;
-      }
-    if (best < 0) break;
-    passive.push_back(int(best));
-    isPassive[best] = 1;
-    while (!passive.empty()) {
-      const Vector trial = leastSquares(a(Eigen::all, passive), b);
-      if (trial.minCoeff() > 0) {
-        for (std::size_t i = 0; i < passive.size(); ++i) p[passive[i]] = trial[Eigen::Index(i)];
-        break;
-      }
-      double step = 1.0;
-      for (std::size_t i = 0; i < passive.size(); ++i)
-        if (trial[Eigen::Index(i)] <= 0) step = std::min(step, p[passive[i]] / (p[passive[i]] - trial[Eigen::Index(i)]));
-      if (!std::isfinite(step)) step = 0.0;
-      std::vector<int> kept;
-      for (std::size_t i = 0; i < passive.size(); ++i) {
-        const int column = passive[i];
-        const double value = p[column] + step * (trial[Eigen::Index(i)] - p[column]);
-        if (value <= 1e-14 * p.cwiseAbs().maxCoeff() || (trial[Eigen::Index(i)] <= 0 && value <= 0)) {
-          p[column] = 0.0;
-          isPassive[column] = 0;
-        } else {
-          p[column] = value;
-          kept.push_back(column);
-        }
-      }
-      if (kept.size() == passive.size()) break;
-      passive = std::move(kept);
-    }
-  }
-  return p;
-}
 
 void checkSolvability(const Mesh& mesh, const Constraints& constraints, const Vector& forces, const RigidParts& rigid) {
   const int dimension = mesh.dimension, parts = int(rigid.parts.size());

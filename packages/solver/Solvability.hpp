@@ -1,8 +1,8 @@
 #pragma once
 #include <suture/constraints/Constraints.hpp>
+#include <suture/constraints/RigidMotion.hpp>
 #include <suture/elasticity/ElasticModel.hpp>
 #include <suture/mesh/Mesh.hpp>
-#include <suture/solver/RigidMotion.hpp>
 
 namespace suture {
 
@@ -27,8 +27,5 @@ void checkSolvability(const Mesh& mesh, const Constraints& constraints, const Ve
 
 /// The same from the beginning. \param bodiesAreConnected  as for freeRigidMotions()
 void checkSolvability(const Mesh& mesh, const Constraints& constraints, const ElasticModel& model, bool bodiesAreConnected = false);
-
-/// p >= 0 that minimises |a p - b| (Lawson and Hanson). a: few rows, any number of columns. Local.
-Vector nonnegativeLeastSquares(const Matrix& a, const Vector& b);
 
 }  // namespace suture

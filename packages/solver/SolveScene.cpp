@@ -20,91 +20,6 @@
 
 namespace suture {
 
-namespace {
-
-PairResult report(const PairState& state) {
-  PairResult result;
-  result.id = state.pair.id;
-  result.node = state.pair.node();
-  result.line = state.pair.line;
-  result.piece = state.pair.piece;
-  result.status = state.status;
-  result.initialGap = state.pair.gap;
-  result.gap = state.gap;
-  result.force = state.force;
-  result.pressure = state.pair.length > 0.0 ? state.force / state.pair.length : 0.0;
-  result.arc = state.pair.arc;
-  result.position = state.pair.position;
-  result.displacement = state.displacement;
-  result.normal = state.pair.normal;
-  return result;
-}
-
-double norm(const Point& p) { return std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]); }
-
-/// Contact forces along components that are held, of the nodes that this rank counts: supports take them up, beside what the elements exert
-/// there. Collective.
-Point heldContact(const Comm& comm, const Subdomains& subdomains, const std::vector<PairState>& pairs) {
-  std::map<int, Point> mine, forces;  // by pair: of this rank, of all
-  for (const PairState& state : pairs)
-    for (int k = 0; k < 3; ++k) mine[state.pair.id][k] = state.force * state.pair.normal[k];
-  Packer packer;
-  packer.put(mine);
-  for (const std::string& bytes : allGather(comm, packer.bytes())) forces.merge(Unpacker(bytes).get<std::map<int, Point>>());
-
-  Point sum{0, 0, 0};
-  for (const auto& subdomain : subdomains) {
-    const SubdomainMesh& mesh = subdomain->mesh();
-    std::map<int, const NodeRule*> ruleOf;
-    for (const NodeRule& rule : mesh.rules) ruleOf[rule.node] = &rule;
-    std::map<int, const ContactPair*> pairOf;
-    for (const ContactRow& row : mesh.contactRows) pairOf[row.pair.id] = &row.pair;
-    for (const SubdomainMesh::ContactEnd& end : mesh.contactEnds) {
-      const auto others = mesh.others(end.node);
-      const auto rule = ruleOf.find(end.node);
-      if (rule == ruleOf.end() || std::any_of(others.begin(), others.end(), [&](int other) { return other < mesh.id; })) continue;
-      const Point& force = forces.at(end.pair);
-      for (int k = 0; k < mesh.dimension; ++k) {
-        if (!rule->second->fixed[k]) continue;
-        const Point& axis = rule->second->axes[k];
-        const double along = pairOf.at(end.pair)->ends[end.end].weight * (force[0] * axis[0] + force[1] * axis[1] + force[2] * axis[2]);
-        for (int c = 0; c < 3; ++c) sum[c] += along * axis[c];
-      }
-    }
-  }
-  return sum;
-}
-
-/// Resultants of loads and reactions over all ranks. The scale of the imbalance is the force that passes through: half of what acts.
-void balance(const Comm& comm, const Subdomains& subdomains, const InterfaceProblem::Recovered& recovered, bool inContact,
-             Solution& solution) {
-  Point applied{0, 0, 0}, reactions{0, 0, 0};
-  double absolute = 0.0;
-  for (std::size_t i = 0; i < subdomains.size(); ++i) subdomains[i]->resultants(recovered.freeValues[i], applied, reactions, absolute);
-  for (const PairState& state : recovered.pairs) {
-    const Point force = obstacleForce(state.pair, state.force);
-    for (int k = 0; k < 3; ++k) reactions[k] += force[k];
-    absolute += norm(force);
-  }
-  if (inContact) {
-    const Point held = heldContact(comm, subdomains, recovered.pairs);
-    for (int k = 0; k < 3; ++k) reactions[k] += held[k];
-  }
-  double mine[8], all[8];
-  std::copy(applied.begin(), applied.end(), mine);
-  std::copy(reactions.begin(), reactions.end(), mine + 3);
-  mine[6] = absolute;
-  mine[7] = std::any_of(subdomains.begin(), subdomains.end(), [](const auto& s) { return s->mesh().axisymmetric; });
-  Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, 8, mine, all);
-  std::copy(all, all + 3, solution.applied.begin());
-  std::copy(all + 3, all + 6, solution.reactions.begin());
-  // Radial forces of a body of revolution balance round the circle, whatever their magnitudes.
-  const Point sum{all[7] > 0.0 ? 0.0 : all[0] + all[3], all[1] + all[4], all[2] + all[5]};
-  solution.imbalance = all[6] > 0.0 ? norm(sum) / (0.5 * all[6]) : 0.0;
-}
-
-}  // namespace
-
 Subdomains makeSubdomains(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model) {
   Subdomains subdomains;
   collectively(comm, "assembling the subdomains", [&] {
@@ -119,6 +34,11 @@ Subdomains makeSubdomains(const Comm& comm, const std::vector<SubdomainMesh>& me
 bool isCondensed(const Parameters& scene) { return scene.get<std::string>("Formulation") == kCondensedGroups; }
 
 bool isAutomatic(const Parameters& scene) { return scene.sublist("Outer Solver").get<std::string>("Tolerance") == "Automatic"; }
+
+double requestedAccuracy(const Parameters& scene, const Solution& solution) {
+  if (!isAutomatic(scene)) return std::stod(scene.sublist("Outer Solver").get<std::string>("Tolerance"));
+  return solution.discretisation ? 0.1 * solution.discretisation->relative() : 1e-8;
+}
 
 AutomaticTolerance::Estimate discretisationErrorOf(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model,
                                                    const Subdomains& subdomains) {
@@ -204,8 +124,15 @@ OuterResult solveInterface(const InterfaceProblem& problem, const Parameters& sc
   }
   settings.maximumIterations = own.get<int>("Maximum Iterations");
   settings.maximumInnerIterations = own.get<int>("Maximum Inner Iterations");
+  settings.rigidStart = own.get<std::string>("Start") != "Bilateral";
   settings.preconditioner = [&scene] { return makePreconditioner(scene.sublist("Preconditioner")); };
-  return makeStrategy<OuterSolver>(own, "Type")->solve(problem, settings, monitor, start);
+  OuterResult result = makeStrategy<OuterSolver>(own, "Type")->solve(problem, settings, monitor, start);
+  const std::vector<std::string> bodies = sublistNames(scene.sublist("Bodies"));
+  for (const NeutralMotion& motion : result.neutral)
+    monitor.note("body '" + bodies.at(motion.body) + "' can " + motion.words + " without changing any contact force" +
+                 (motion.loaded ? "" : ", and no load acts on it") +
+                 ": its place is not determined along that motion, and it was moved no further than contact asks for");
+  return result;
 }
 
 Solution recover(const Comm& comm, const InterfaceProblem& problem, const OuterResult& result, const Subdomains& subdomains,
@@ -230,13 +157,12 @@ Solution recover(const Comm& comm, const InterfaceProblem& problem, const OuterR
   solution.chosenSchur = result.chosenSchur;
   solution.energy = recovered.energy;
   for (std::size_t i = 0; i < subdomains.size(); ++i) solution.displacement.push_back(subdomains[i]->cartesian(recovered.freeValues[i]));
-  balance(comm, subdomains, recovered, problem.pairs() > 0, solution);
 
-  Packer packer;
-  packer.put(recovered.pairs);
-  for (const std::string& bytes : gatherOnRoot(comm, packer.bytes()))
-    for (const PairState& state : Unpacker(bytes).get<std::vector<PairState>>()) solution.pairs.push_back(report(state));
-  std::sort(solution.pairs.begin(), solution.pairs.end(), [](const PairResult& a, const PairResult& b) { return a.id < b.id; });
+  std::vector<PairForce> forces;
+  for (const PairState& pair : recovered.pairs) forces.push_back({pair.pair.id, pair.status, pair.force});
+  std::vector<const SubdomainMesh*> meshes;
+  for (const auto& subdomain : subdomains) meshes.push_back(&subdomain->mesh());
+  solution.pairs = pairResults(comm, meshes, solution.displacement, forces);
   return solution;
 }
 

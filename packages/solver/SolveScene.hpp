@@ -39,6 +39,10 @@ std::unique_ptr<InterfaceProblem> makeInterfaceProblem(const CommPtr& comm, cons
 /// Whether the scene's tolerance is Automatic. Local.
 bool isAutomatic(const Parameters& scene);
 
+/// The relative algebraic error that the scene's tolerance asks of a solution: a tenth of its estimated discretisation error where it is
+/// Automatic. Local.
+double requestedAccuracy(const Parameters& scene, const Solution& solution);
+
 /// What an automatic tolerance asks: the estimated discretisation error. All arguments must outlive it. Collective, and so is its call.
 /// Expected of n nodes are 3 n^(-1/2) with linear cells, 1.5 / n with quadratic ones. (Measured: V5 on 64 x 64 cells T3 1.2, Q4 0.4 of
 /// n^(-1/2), T6 1.5, Q9 0.3 of 1 / n; tunnel, hertz 3 to 4 of n^(-1/2).)
@@ -51,7 +55,7 @@ AutomaticTolerance::Estimate discretisationErrorOf(const Comm& comm, const std::
 OuterResult solveInterface(const InterfaceProblem& problem, const Parameters& scene, Monitor& monitor,
                            const InterfaceState* start = nullptr, const AutomaticTolerance::Estimate& discretisationError = {});
 
-/// Interiors, contact, energy and balance of forces of the state that the outer solver ended with.
+/// Interiors, contact and energy of the state that the outer solver ended with.
 Solution recover(const Comm& comm, const InterfaceProblem& problem, const OuterResult& result, const Subdomains& subdomains,
                  const Parameters& scene);
 

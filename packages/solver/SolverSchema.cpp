@@ -38,8 +38,10 @@ void addSolverParameters(Schema& scene) {
   methods.emplace(kMonolithic, monolithic);
   Schema outer("How the contact problem is solved; a scene without contact is linear and enters no outer loop.");
   outer.choice("Type", "Active Set", methods, "Name of the outer solver.");
-  outer.choice("Start", "Bilateral",
-               {{"Bilateral", Schema("The solution with all pairs closed.")},
+  outer.choice("Start", "Rigid Bodies",
+               {{"Rigid Bodies", Schema("Rigid bodies on unilateral elastic pads in place of contact: no linear solve. Active Set and "
+                                        "Monolithic; other methods start as Bilateral.")},
+                {"Bilateral", Schema("The solution with all pairs closed, the paper's auxiliary problem.")},
                 {"Nested", Schema("The solution on coarser meshes, one from the other.")
                                .texts("Levels", std::nullopt,
                                       "One text a level, the coarsest first: what differs from this scene, as in --set, separated by "

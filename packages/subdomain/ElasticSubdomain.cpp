@@ -1,3 +1,4 @@
+#include <suture/elasticity/SubdomainLoads.hpp>
 #include <suture/subdomain/ElasticSubdomain.hpp>
 #include <suture/subdomain/NodalAssembly.hpp>
 #include <suture/subdomain/RigidModes.hpp>
@@ -5,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 
 namespace suture {
 
@@ -33,19 +33,7 @@ void ElasticSubdomain::doAssemble(SparseMatrix& stiffness, Vector& load) {
   const SubdomainMesh& m = mesh();
   SparseMatrix assembled = assembleStiffness([this](int element) -> const Material& { return materialOf(element); });
   stiffness.swap(assembled);  // Eigen would copy it
-  std::vector<int> all(m.elements());
-  std::iota(all.begin(), all.end(), 0);
-  for (const Load& given : model_.loads) {
-    if (given.onBody()) {
-      if (!given.actsOn(model_.bodies[m.body])) continue;
-      if (given.kind == Load::Kind::Random)
-        addRandomForces(given, load);
-      else
-        addBodyForce(m, all, given, load);
-    } else if (const auto sides = m.sideGroups.find(given.group); sides != m.sideGroups.end()) {
-      addSideLoad(m, sides->second, given, load);
-    }
-  }
+  load = subdomainLoads(m, model_);
   toAxes(load);
 }
 
@@ -86,16 +74,6 @@ Vector ElasticSubdomain::doShearDiagonal() const {
            return withoutVolume.try_emplace(&given, Material{given.name, given.young / (1 + given.poisson), 0.0}).first->second;
          })
       .diagonal();
-}
-
-// Of the subdomains that hold a node the first one carries its force, so that the sum over all has it once, exactly.
-void ElasticSubdomain::addRandomForces(const Load& given, Vector& load) const {
-  const SubdomainMesh& m = mesh();
-  for (int node = 0; node < m.nodes(); ++node) {
-    const auto others = m.others(node);
-    if (std::any_of(others.begin(), others.end(), [&](int other) { return other < m.id; })) continue;
-    for (int k = 0; k < components(); ++k) load(node * components() + k) += randomForce(given, m.globalNodes[node], k);
-  }
 }
 
 Vector ElasticSubdomain::doYoungModulus() const {

@@ -24,7 +24,6 @@ class ElasticSubdomain : public Subdomain {
 
  private:
   SparseMatrix assembleStiffness(const std::function<const Material&(int element)>& materials) const;
-  void addRandomForces(const Load& given, Vector& load) const;
 
   const ElasticModel& model_;
 };

@@ -60,4 +60,26 @@ TEUCHOS_UNIT_TEST(Errors, EveryKindHasItsExitCode) {
   TEST_EQUALITY(static_cast<int>(InternalError("").code()), 70);
 }
 
+TEUCHOS_UNIT_TEST(Errors, AreCutWhereAValueIsLong) {
+  const std::string large(100000, 'x'), blanks(1000, ' ');
+  const std::string said = InputError("Bodies/" + large, "'" + large + "' is no number, '" + blanks + "' neither; it isn't short").what();
+  TEST_COMPARE(said.size(), <, 1000);
+  TEST_INEQUALITY(said.find("xxx... (100000 characters)' is no number"), std::string::npos);
+  TEST_INEQUALITY(said.find("   ... (1000 characters)' neither; it isn't short"), std::string::npos);
+  TEST_INEQUALITY(said.find("Bodies/" + std::string(100, 'x')), std::string::npos);
+  TEST_COMPARE(std::string(EnvironmentError("a\n" + std::string(200, 'y') + "\n" + large).what()).size(), <, 500);
+  TEST_EQUALITY(shortened(said), said);  // a message may pass through several errors
+  // Short words stay, however many they are, up to a line of 4000 characters.
+  std::string names;
+  for (int i = 0; i < 300; ++i) names += "group_" + std::to_string(i) + ", ";
+  TEST_EQUALITY(shortened(names), names);
+  TEST_EQUALITY(shortened("a's " + std::string(190, 'b') + " c's"), "a's " + std::string(190, 'b') + " c's");
+  const std::string umlauts = "'" + [] {
+    std::string all;
+    for (int i = 0; i < 300; ++i) all += "\xC3\xA4";
+    return all;
+  }() + "'";
+  TEST_EQUALITY(shortened(umlauts), umlauts.substr(0, 201) + "... (600 characters)'");
+}
+
 }  // namespace

@@ -11,6 +11,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <limits>
 #include <numeric>
 
@@ -277,6 +278,61 @@ TEUCHOS_UNIT_TEST(Hdf5File, TellsThatTheDiskIsFullWhilePiecesAreWritten) {
   }
   TEST_EQUALITY(Hdf5File::open(*comm, path).readInts("/A")[0], 1);
   removeOnRoot(path);
+}
+
+// The sum does not depend on who wrote which rows, and any changed bit shows.
+TEUCHOS_UNIT_TEST(Hdf5File, BlamesDamagedNumbersOnTheFile) {
+  const CommPtr comm = world();
+  const std::string path = nameOf("sum");
+  const std::vector<double> values{1.5, -2.25, 1e300, 3.0};
+  {
+    Hdf5File file = Hdf5File::create(*comm, path);
+    file.addChecksums();
+    file.write("/Reals", values);
+    file.write("/Ints", std::vector<int>{7, -comm->getRank()});
+    file.close();
+  }
+  {
+    const Hdf5File file = Hdf5File::open(*comm, path);
+    TEST_EQUALITY(file.readReals("/Reals").size(), values.size() * std::size_t(comm->getSize()));
+    TEST_EQUALITY(file.readInts("/Ints")[0], 7);
+    TEST_EQUALITY(file.readGlobalIds("/Ints")[0], 7);  // of another width, with the same sum
+  }
+  if (comm->getRank() == 0) {
+    std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
+    std::string bytes((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+    const std::size_t at = bytes.find(std::string(reinterpret_cast<const char*>(values.data()), 8));
+    TEST_ASSERT(at != std::string::npos);
+    file.clear();
+    file.seekp(static_cast<std::streamoff>(at));
+    file.put('\x01');
+  }
+  comm->barrier();
+  const Hdf5File file = Hdf5File::open(*comm, path);
+  TEST_ASSERT(contains(inputErrorOf([&] { file.readReals("/Reals"); }), path + ": cannot read '/Reals': it is damaged"));
+  TEST_EQUALITY(file.readInts("/Ints")[0], 7);
+  removeOnRoot(path);
+}
+
+// The disk is full before anything is written: the whole room of a dataset is reserved when it is made, on rank 0, and all ranks hear of
+// it.
+TEUCHOS_UNIT_TEST(Hdf5File, ReservesTheRoomOfADatasetWhenItIsMade) {
+  const CommPtr comm = world();
+  const std::string path = nameOf("reserved");
+  rlimit before;
+  getrlimit(RLIMIT_FSIZE, &before);
+  const rlimit small{200000, before.rlim_max};
+  const auto signalBefore = std::signal(SIGXFSZ, SIG_IGN);
+  {
+    Hdf5File file = Hdf5File::create(*comm, path);
+    if (comm->getRank() == 0) setrlimit(RLIMIT_FSIZE, &small);
+    TEST_THROW(file.rows<double>("/A", 100000), EnvironmentError);
+    comm->barrier();
+    setrlimit(RLIMIT_FSIZE, &before);
+  }
+  std::signal(SIGXFSZ, signalBefore);
+  comm->barrier();
+  TEST_ASSERT(!std::ifstream(path + ".part").good());
 }
 
 TEUCHOS_UNIT_TEST(Hdf5File, WantsAllRowsThatWerePromisedAndNoMore) {

@@ -418,4 +418,24 @@ TEUCHOS_UNIT_TEST(SceneReader, EveryRankThrowsTheSameForAMissingFile) {
   TEST_EQUALITY(errorOfFile(*comm, "."), ".: is a folder; expected an XML file");
 }
 
+// Neither the parser nor what is made of its answer may see these: both call themselves for each level.
+TEUCHOS_UNIT_TEST(SceneReader, RefusesWhatIsTooDeep) {
+  for (const int depth : {51, 20000, 1000000}) {
+    std::string text;
+    for (int i = 0; i < depth; ++i) text += "<ParameterList name=\"a>b\">\n<!-- <x> -->";
+    TEST_ASSERT(contains(errorOf(text), "line 51: elements within more than 50 others"));
+  }
+  std::string wide = "<ParameterList>";
+  for (int i = 0; i < 100; ++i)
+    wide += "<ParameterList name=\"" + std::to_string(i) + "\"><Parameter name=\"a/>\" value='1'/></ParameterList>";
+  TEST_ASSERT(!contains(errorOf(wide + "</ParameterList>"), "elements within"));
+}
+
+TEUCHOS_UNIT_TEST(SceneReader, ReadsRegularFilesOfASceneSizeOnly) {
+  const CommPtr comm = Teuchos::DefaultComm<int>::getComm();
+  TEST_EQUALITY(errorOfFile(*comm, "/dev/zero"), "/dev/zero: is no regular file; expected an XML file");
+  const Written large(*comm, std::string((16 << 20) + 1, ' '));
+  TEST_EQUALITY(errorOfFile(*comm, large.path), large.path + ": has 16777217 bytes; expected an XML file of at most 16777216");
+}
+
 }  // namespace

@@ -142,3 +142,11 @@ TEUCHOS_UNIT_TEST(Generators, RefuseBadBoxesAllAtOnce) {
   SUTURE_CHECK_SAYS(said, "Mesh/Boxes/none/Cells: {0, 4}");
   SUTURE_CHECK_SAYS(said, "Mesh/Boxes/none: a second box of this name");
 }
+
+TEUCHOS_UNIT_TEST(Generators, RefuseWhatNoMachineHolds) {
+  Box large = box("large", 0, 1);
+  large.nx = large.ny = 1000000;
+  large.blocksX = large.blocksY = 1;
+  SUTURE_CHECK_SAYS(meshtesting::problemsOf([&] { boxes({large}); }),
+                    "Mesh/Boxes: 2e+12 elements with 1000002000001 nodes; expected fewer than 2^31");
+}

@@ -215,14 +215,14 @@ TEUCHOS_UNIT_TEST(GmshReader, LeavesSingleInvertedElementsToTheCheck) {
 
 TEUCHOS_UNIT_TEST(GmshReader, PassesOnWhatGmshSaysWithTheUsersFileName) {
   const Folder folder;
-  const std::string path = folder.write("a.geo", "DefineConstant[ W = {1} ];\nFoo bar;");  // no newline: Gmsh sees a copy
+  const std::string path = folder.write("a.geo", "DefineConstant[ W = {1} ];\nx = bar;");  // no newline: Gmsh sees a copy
   const std::string said = problemsOf([&] { readGmsh({path, {{"W", 2}}, 1.0}); });
   SUTURE_CHECK_SAYS(said, "Gmsh says: '" + path + "', line 2: Unknown variable 'bar'");
 }
 
 TEUCHOS_UNIT_TEST(GmshReader, ReadsTheNextFileAfterABrokenOne) {
   const Folder folder;
-  const std::string sound = folder.write("a.geo", rectangle), broken = folder.write("b.geo", "Foo bar\n" + rectangle + "If (1)\n");
+  const std::string sound = folder.write("a.geo", rectangle), broken = folder.write("b.geo", "x = bar\n" + rectangle + "If (1)\n");
   const std::string hash = readGmsh({sound, {}, 1.0}).hash();
   TEST_INEQUALITY(problemsOf([&] { readGmsh({broken, {}, 1.0}); }), "no error");
   TEST_EQUALITY(readGmsh({sound, {}, 1.0}).hash(), hash);
@@ -232,4 +232,94 @@ TEUCHOS_UNIT_TEST(GmshReader, RefusesAGeometryWithoutSurface) {
   const Folder folder;
   const std::string path = folder.write("a.geo", "Point(1) = {0, 0, 0};\n");
   SUTURE_CHECK_SAYS(problemsOf([&] { readGmsh({path, {}, 1.0}); }), "holds no surface elements");
+}
+
+// Statements that do more than describe a mesh, each in the way that a file might hide it.
+TEUCHOS_UNIT_TEST(GmshReader, RefusesWhatHasNoBusinessInAGeometry) {
+  const Folder folder;
+  const std::string mark = folder.path() + "/mark";
+  const std::pair<std::string, std::string> all[] = {
+      {"SystemCall \"touch " + mark + "\";", "line 8: 'SystemCall' runs a program"},
+      {"NonBlockingSystemCall Str(\"touch " + mark + "\");", "'NonBlockingSystemCall' runs a program"},
+      {"// no comment */ \n/* // \n */System \"touch " + mark + "\";", "line 10: 'System' runs a program"},
+      {"Field[1] = ExternalProcess; Field[1].CommandLine = \"touch " + mark + "\";", "'ExternalProcess' runs a program"},
+      {"OnelabRun(\"touch\");", "'OnelabRun' runs a program"},
+      {"Exit;", "'Exit' ends or holds up the mesher"},
+      {"Abort;", "'Abort' ends or holds up the mesher"},
+      {"Save \"" + mark + "\";", "'Save' writes a file"},
+      {"Print \"" + mark + "\";", "'Print' writes a file"},
+      {"Printf(\"%g\", 1 > 0 ? 1 : 2) > \"" + mark + "\";", "'Printf' with '>' writes a file"},
+      {"Printf(\"x\") >> \"" + mark + "\";", "'Printf' with '>' writes a file"},
+      {"Merge StrCat(\"/etc\", \"/passwd\");", "'Merge' without the literal name of a file"},
+      {"Include \"/etc/passwd\";", "leads out of the folder"},
+      {"Merge \"../../etc/passwd\";", "leads out of the folder"},
+      {"Include \"none.geo\";", "there is no such file"},
+      {"Merge \"text.txt\";", "is neither a .geo file nor a mesh"},
+      {"Merge \"text.msh\";", "is neither a .geo file nor a mesh"},
+      {"Include \"deeper.geo\";", "deeper.geo, line 2: 'Exit' ends"},
+      {"Plugin(Skin).Run;", "'Plugin' runs a plugin"},
+      {"x = GetEnv(\"HOME\");", "'GetEnv' reads the environment"},
+      {"Systemcall \"touch " + mark + "\";", "'Systemcall' is no command that is known to be harmless"},
+      {"x = \"" + std::string(1100, 'a') + " ; SystemCall ...\";", "a text of 1117 letters"},
+      {"/* \nSystemCall \"x\";", "line 8: a comment that does not end"},
+      {"x = \"a", "a text that does not end"},
+      {std::string("x = 1;\0SystemCall", 17), "a byte 0"},
+  };
+  folder.write("text.txt", "SystemCall \"touch " + mark + "\";\n");
+  folder.write("text.msh", "SystemCall \"touch " + mark + "\";\n");
+  folder.write("deeper.geo", "Include \"deeper.geo\"; // itself\nExit;\n");
+  for (const auto& [statement, complaint] : all) {
+    const std::string path = folder.write("a.geo", rectangle + statement + "\n");
+    const std::string said = problemsOf([&] { readGmsh({path, {}, 1.0}); });
+    SUTURE_CHECK_SAYS(said, complaint);
+    TEST_ASSERT(!std::filesystem::exists(mark));
+  }
+  // Gmsh runs a file as a .geo file unless it begins as a mesh, whatever its name.
+  SUTURE_CHECK_SAYS(problemsOf([&] { readGmsh({folder.path() + "/text.msh", {}, 1.0}); }), "is no mesh of Gmsh; expected $MeshFormat");
+  TEST_ASSERT(!std::filesystem::exists(mark));
+}
+
+TEUCHOS_UNIT_TEST(GmshReader, LetsHarmlessStatementsPass) {
+  const Folder folder;
+  folder.write("sizes.geo", "w = 0.5;\n");
+  const std::string path =
+      folder.write("a.geo", rectangle +
+                                "Include \"sizes.geo\";\n// SystemCall \"x\"; Exit;\nPrintf(\"SystemCall %g\", w > 1);\n"
+                                "Macro Twice\n  For i In {0:1} w = w + i; EndFor\nReturn\nCall Twice;\nIf (w > 2) Exits = 1; EndIf\n"
+                                "Print.Background = 1; Geometry.Tolerance = 1e-9; General.Terminal = 1;\n"
+                                "Field[1] = MathEval; Field[1].F = \"0.5\"; Background Field = 1; Mesh 2;\n"
+                                "Characteristic Length { PointsOf{ Surface{1}; } } = 0.5; Transfinite Curve{1} = 5 Using Progression 1.1;\n"
+                                "Physical Curve('left', 7) = {4}; list[] = {1, 2}; list[0] += 1;\n");
+  TEST_COMPARE(readGmsh({path, {}, 1.0}).elements(), >, 8);
+}
+
+// With leave, they run; without a result or a word, the reader complains all the same.
+TEUCHOS_UNIT_TEST(GmshReader, TakesTheSilenceOfTheMesherForAnError) {
+  const Folder folder;
+  const std::string mark = folder.path() + "/mark";
+  const std::string path = folder.write("a.geo", rectangle + "SystemCall \"touch " + mark + "\";\nExit;\n");
+  SUTURE_CHECK_SAYS(problemsOf([&] { readGmsh({path, {}, 1.0, 600, true}); }), "ended without a mesh and without a message");
+  TEST_ASSERT(std::filesystem::exists(mark));
+}
+
+TEUCHOS_UNIT_TEST(GmshReader, EndsALoopWithoutEndAndAMacroThatCallsItself) {
+  const Folder folder;
+  for (const std::string loop : {"For i In {1:1e12}\n x = i;\nEndFor\n", "Macro again\n x = 1;\n Call again;\nReturn\nCall again;\n"}) {
+    const std::string path = folder.write("a.geo", rectangle + loop);
+    const std::string said = problemsOf([&] { readGmsh({path, {}, 1.0, 20}); });
+    const bool ended = said.find("does it hold a loop without an end") != std::string::npos ||
+                       said.find("Gmsh gave no mesh: it crashed or reached a limit") != std::string::npos;
+    if (!ended) out << said;
+    TEST_ASSERT(ended);
+  }
+}
+
+TEUCHOS_UNIT_TEST(GmshReader, RefusesAMeshThatWouldLoseElements) {
+  const Folder folder;
+  // 34: a polygon, which Gmsh passes over without a word; 84 crashes it
+  for (const auto& [type, complaint] : {std::make_pair("34", "1 elements of the kind 'Polygon"), std::make_pair("84", "crashed"),
+                                        std::make_pair("222", "Unknown type of element 222")}) {
+    const std::string path = folder.write("a.msh", msh2(square, std::string("1 2 2 1 1 1 2 3\n2 ") + type + " 2 1 1 1 3 4\n", 4, 2));
+    SUTURE_CHECK_SAYS(problemsOf([&] { readGmsh({path, {}, 1.0}); }), complaint);
+  }
 }

@@ -4,7 +4,9 @@
 
 #include <Teuchos_UnitTestHarness.hpp>
 #include <cstring>
+#include <fstream>
 #include <functional>
+#include <iterator>
 
 #include "MeshTesting.hpp"
 
@@ -132,6 +134,26 @@ TEUCHOS_UNIT_TEST(Hdf5Mesh, RefusesForeignAndDamagedFiles) {
   if (world()->getRank() == 0) std::filesystem::resize_file(cut, std::filesystem::file_size(cut) / 2);
   world()->barrier();
   SUTURE_CHECK_SAYS(said(cut), "cut.h5");
+}
+
+TEUCHOS_UNIT_TEST(Hdf5Mesh, RefusesAChangedBit) {
+  const Folder folder;
+  const std::string path = folder.path() + "/m.h5";
+  const Mesh mesh = sample();
+  writeHdf5Mesh(*world(), mesh, path);
+  if (world()->getRank() == 0) {
+    std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
+    std::string bytes((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+    const std::size_t at = bytes.find(std::string(reinterpret_cast<const char*>(mesh.coordinates.data()), 8 * mesh.coordinates.size()));
+    TEST_ASSERT(at != std::string::npos);
+    file.clear();
+    file.seekp(static_cast<std::streamoff>(at + 40));
+    file.put('\x01');
+  }
+  world()->barrier();
+  const std::string said = problemsOf([&] { readHdf5Mesh(*world(), path); });
+  SUTURE_CHECK_SAYS(said, "cannot read '/Coordinates': it is damaged: its values do not have the checksum");
+  TEST_ASSERT(meshtesting::sameEverywhere(said));
 }
 
 TEUCHOS_UNIT_TEST(Hdf5Mesh, SaysThatAFolderCannotBeWritten) {

@@ -153,9 +153,10 @@ class SampleRun {
     solution_.residual = 4.4e-9;
     solution_.auxiliary = {8, 22.6, 1e-2, 3e-3, true};
     solution_.energy = -1.25;
-    solution_.applied = {1, -4, 0};
-    solution_.reactions = {-1, 4, 0};
-    solution_.imbalance = 3e-12;
+    solution_.verification.balance.applied = {1, -4, 0};
+    solution_.verification.balance.reactions = {-1, 4, 0};
+    solution_.verification.balance.imbalance = 3e-12;
+    solution_.verification.checks = {{"residual", 2e-9, 1e-6, "body 'left', (0, 0)", ""}};
     solution_.estimates = {{"mu", 21.6}};
     if (comm_->getRank() != 0) return;
     pieces_ = {{"joint", {0, 1, 2}, 0, 1}, {"crack", {3}, 0, 1}};

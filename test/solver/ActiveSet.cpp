@@ -27,54 +27,8 @@ struct Passing : InterfaceProblem {
   Recovered recover(const InterfaceState& state) const override { return real.recover(state); }
   int pieces() const override { return real.pieces(); }
   int pairs() const override { return real.pairs(); }
+  const ContactSets* sets() const override { return real.sets(); }
 };
-
-ContactStatus withOpen(const OnInterface& one, const std::vector<int>& open) {
-  std::map<int, PairStatus> status;
-  for (const int pair : open) status[pair] = PairStatus::Open;
-  return one.problem.stateOf(zeros(one.all), status).status;
-}
-
-/// Whatever the trace, the next set is the other one of two.
-struct Alternating : Passing {
-  ContactStatus one, other;
-  Alternating(const InterfaceProblem& given, ContactStatus a, ContactStatus b) : Passing(given), one(std::move(a)), other(std::move(b)) {}
-  Evaluation evaluate(const InterfaceState& state, double resolution) const override {
-    Evaluation result = real.evaluate(state, resolution);
-    result.next = differing(state.status, one).empty() ? other : one;
-    result.changed = int(differing(state.status, result.next).size());
-    result.settled = false;
-    return result;
-  }
-};
-
-TEUCHOS_UNIT_TEST(ActiveSet, NamesThePairsOfAProvenCycle) {
-  const OnInterface real(pressedBlocks(), world());
-  const Alternating problem(real.problem, withOpen(real, {1, 2}), withOpen(real, {1, 5}));
-  const OuterResult result = solveWith("Active Set", problem, 1e-8);
-  TEST_ASSERT(!result.converged);
-  TEST_ASSERT(result.failure.find("repeats itself") != std::string::npos);
-  const std::string names = "pairs that alternate: 2, 5";  // not 1, which is open in both
-  TEST_EQUALITY(result.failure.substr(result.failure.size() - names.size()), names);
-  // 1e-3, 1e-5, 1e-7, 1e-8: each tolerance meets either set at most twice
-  TEST_COMPARE(result.iterations, <=, 12);
-  TEST_COMPARE(result.iterations, >=, 6);
-}
-
-TEUCHOS_UNIT_TEST(ActiveSet, RemembersTheSetsItMet) {
-  const OnInterface real(pressedBlocks(), world());
-  const ContactStatus a = withOpen(real, {0}), b = withOpen(real, {0, 3}), c = withOpen(real, {6}), d = withOpen(real, {6, 2});
-  VisitedSets visited(real.problem);
-  for (const ContactStatus* set : {&a, &b, &c, &d}) TEST_ASSERT(!visited.returnsTo(*set));
-  TEST_ASSERT(visited.returnsTo(b));
-  TEST_ASSERT((visited.alternating() == std::vector<int>{0, 2, 3, 6}));  // b, c, d, b
-  TEST_ASSERT(visited.returnsTo(c));
-  TEST_ASSERT((visited.alternating() == std::vector<int>{2}));
-  visited.clear();
-  TEST_ASSERT(!visited.returnsTo(b));
-  TEST_ASSERT(visited.returnsTo(b));
-  TEST_ASSERT(visited.alternating().empty());
-}
 
 // Every application of the operator asks every subdomain's Schur complement once, and nothing else does: BDDC uses the dense matrices.
 TEUCHOS_UNIT_TEST(ActiveSet, CountsEveryApplicationOfTheOperator) {

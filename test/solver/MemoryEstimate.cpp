@@ -1,6 +1,7 @@
 #include <Teuchos_UnitTestHarness.hpp>
 #include <support/Blocks.hpp>
 #include <suture/base/Errors.hpp>
+#include <suture/base/Memory.hpp>
 #include <suture/solver/MemoryEstimate.hpp>
 
 namespace suture {

@@ -2,6 +2,7 @@
 #include <suture/base/Errors.hpp>
 #include <suture/mesh/Generators.hpp>
 #include <suture/solver/MonolithicSystem.hpp>
+#include <suture/base/NonnegativeLeastSquares.hpp>
 #include <suture/solver/Solvability.hpp>
 
 #include "MonolithicScenes.hpp"

@@ -85,5 +85,17 @@ with tempfile.TemporaryDirectory() as folder:
         if json.load(file)["failed"] != 1 or "drifted" not in open(os.path.join(output, "validation.md")).read():
             wrong.append("the page does not tell of the drift")
 
+    # The corpus: all well, a scene that failed, a program that ends early, one that crashes after its table.
+    corpora = {"well": ("family method\nall groups", 0, True), "lost": ("7 tray groups lost\n\nfamily method", 1, False),
+               "silent": ("", 0, False), "crash": ("family method", 139, False)}
+    for name, (printed, code, passes) in corpora.items():
+        program = os.path.join(folder, name)
+        with open(program, "w") as file:
+            file.write(f"#!/bin/sh\necho '{printed}'\nexit {code}\n")
+        os.chmod(program, 0o755)
+        found, text = run(table(), ["--corpus", program, "--scenes", "3"])
+        if (found == 0) != passes:
+            wrong.append(f"corpus {name}: returned {found}\n{text}")
+
 print("\n".join(wrong) or f"{len(TABLES)} tables as expected, and recorded")
 sys.exit(bool(wrong))

@@ -2,6 +2,7 @@
 """Runs the validation cases of input/validation and writes validation.json and one page, validation.md, with pictures.
 
     validate.py --solve build/drivers/suture_solve --output FOLDER [--only v3_hertz,v7_punch] [--short] [--record]
+                [--corpus build/bin/test_corpus] [--scenes 5000]
 
 Every folder input/validation/<case>/ has a checks.json: a table of cases as test/drivers/check_run.py describes it, and more:
 
@@ -12,6 +13,7 @@ Every folder input/validation/<case>/ has a checks.json: a table of cases as tes
                     the slope of log |found - exact| over log size, fitted through all the cases
     pictures        [{"file", "x": "x" or "y" or "arc", "runs": {label: case}, "curve": a function of pictures.py, "options"}]
 
+--corpus also runs so many random scenes (corpus.py), on 1 and 2 ranks.
 --short runs the cases marked so, each folder's smallest. --record writes the values found into checks.json as "today", where a check
 that passed its reference has that entry or none yet. Exit code: 0, or 1 if a check failed.
 """
@@ -30,6 +32,7 @@ here = os.path.dirname(os.path.abspath(__file__))
 sys.path[:0] = [here, os.path.join(here, "..", "drivers")]
 
 import check_run  # noqa: E402
+import corpus  # noqa: E402
 
 
 def valueIn(run, wanted):
@@ -178,6 +181,8 @@ def page(result, scenes):
     lines += rows(table) + [""]
     for folder, report in result["folders"].items():
         lines += section(folder, report, scenes)
+    if result["corpus"]:
+        lines += corpus.section(result["corpus"])
     return "\n".join(lines)
 
 
@@ -245,6 +250,8 @@ def main():
     parser.add_argument("--only", help="folders, with commas between them; a beginning is enough")
     parser.add_argument("--short", action="store_true")
     parser.add_argument("--record", action="store_true")
+    parser.add_argument("--corpus", help="the program test_corpus")
+    parser.add_argument("--scenes", type=int, default=5000)
     options = parser.parse_args()
     options.input = os.path.abspath(options.input)
 
@@ -270,11 +277,13 @@ def main():
     reports = {folder: validate(folder, options, counter) for folder in folders}
 
     failures = [f"{folder} {name}: {text}" for folder, r in reports.items() for name, run in r["cases"].items() for text in run["failures"]]
+    random = corpus.run(os.path.abspath(options.corpus), options.scenes, options.mpirun, options.output) if options.corpus else []
+    failures += [failure for result in random for failure in result["failures"]]
     failures += [f"{folder} order of {o['name']}: {o['wrong']}" for folder, r in reports.items() for o in r["orders"] if o["wrong"]]
     checks = sum(len(run["checks"]) for r in reports.values() for run in r["cases"].values()) + sum(len(r["orders"]) for r in reports.values())
     result = {"date": datetime.datetime.now(datetime.timezone.utc).isoformat(timespec="seconds"), "version": versionOf(options.output, reports),
               "seconds": time.monotonic() - begin, "runs": count, "checks": checks, "failed": len(failures), "failures": failures,
-              "folders": reports}
+              "corpus": random, "folders": reports}
     with open(os.path.join(options.output, "validation.json"), "w") as file:
         json.dump(result, file, indent=1)
     with open(os.path.join(options.output, "validation.md"), "w") as file:

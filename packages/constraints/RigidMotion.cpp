@@ -1,14 +1,22 @@
 #include <suture/base/Dense.hpp>
 #include <suture/base/DisjointSets.hpp>
-#include <suture/solver/RigidMotion.hpp>
+#include <suture/constraints/RigidMotion.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <sstream>
 
 namespace suture {
 
 namespace {
+
+std::string number(double value, double scale) {
+  std::ostringstream text;
+  text.precision(4);
+  text << (std::abs(value) < 1e-6 * scale ? 0.0 : value);
+  return text.str();
+}
 
 // Connected components of the nodes, numbered in the order of their first nodes.
 std::vector<int> components(const CellBlock& block) {
@@ -46,6 +54,42 @@ Matrix RigidPart::at(const Point& point, int dimension) const {
     }
   }
   return motion;
+}
+
+Point RigidPart::displacement(const Point& point, const Vector& amplitudes, int dimension) const {
+  Point arm{0, 0, 0}, moved{0, 0, 0}, turn{0, 0, 0};
+  for (int k = 0; k < dimension; ++k) {
+    arm[k] = (point[k] - centre[k]) / radius;
+    moved[k] = amplitudes(k);
+  }
+  if (dimension == 2)
+    turn[2] = amplitudes(2);
+  else
+    for (int k = 0; k < 3; ++k) turn[k] = amplitudes(3 + k);
+  for (int k = 0; k < dimension; ++k) moved[k] += turn[(k + 1) % 3] * arm[(k + 2) % 3] - turn[(k + 2) % 3] * arm[(k + 1) % 3];
+  return moved;
+}
+
+std::string inWords(const RigidPart& part, const Vector& amplitudes, int dimension) {
+  const Vector translation = amplitudes.head(dimension), rotation = amplitudes.tail(amplitudes.size() - dimension);
+  if (rotation.norm() < 1e-6 * translation.norm()) {
+    const Vector direction = translation.normalized();
+    std::string text = "move";
+    if (std::abs(direction[dimension - 1]) > 1 - 1e-6) text += direction[dimension - 1] > 0 ? " upwards" : " downwards";
+    if (std::abs(direction[0]) > 1 - 1e-6) text += direction[0] > 0 ? " to the right" : " to the left";
+    text += " (";
+    for (int k = 0; k < dimension; ++k) text += (k > 0 ? ", " : "") + number(direction[k], 1.0);
+    return text + ")";
+  }
+  if (dimension == 2) {
+    // u = t + r (-y, x) / radius vanishes at the centre of the rotation
+    const double x = part.centre[0] - part.radius * translation[1] / rotation[0],
+                 y = part.centre[1] + part.radius * translation[0] / rotation[0];
+    return "turn about (" + number(x, part.radius) + ", " + number(y, part.radius) + "), " +
+           (rotation[0] > 0 ? "counterclockwise" : "clockwise");
+  }
+  const Vector axis = rotation.normalized();
+  return "turn about the axis (" + number(axis[0], 1.0) + ", " + number(axis[1], 1.0) + ", " + number(axis[2], 1.0) + ")";
 }
 
 RigidParts freeRigidMotions(const Mesh& mesh, const Constraints& constraints, bool bodiesAreConnected) {

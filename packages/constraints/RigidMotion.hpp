@@ -2,6 +2,7 @@
 #include <suture/constraints/Constraints.hpp>
 #include <suture/mesh/Mesh.hpp>
 
+#include <string>
 #include <vector>
 
 namespace suture {
@@ -18,12 +19,17 @@ struct RigidPart {
 
   /// Displacement at a point for unit amplitudes: dimension x amplitudes.
   Matrix at(const Point& point, int dimension) const;
+  /// Displacement at a point for given amplitudes. [length]
+  Point displacement(const Point& point, const Vector& amplitudes, int dimension) const;
 };
 
 struct RigidParts {
   std::vector<RigidPart> parts;
   std::vector<int> partOfNode;
 };
+
+/// A motion of a part in words: "move upwards (0, 1)", "turn about (3, 4), counterclockwise".
+std::string inWords(const RigidPart& part, const Vector& amplitudes, int dimension);
 
 /// Connected parts (through shared nodes) of the mesh and what holds them. A motion is held when a prescribed component's direction moves
 /// by more than 1e-10 of it (singular values of the prescribed rows). Bodies of revolution move along their axis only. Local.

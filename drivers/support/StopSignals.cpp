@@ -1,0 +1,52 @@
+#include "StopSignals.hpp"
+
+#include <unistd.h>
+
+#include <csignal>
+#include <suture/base/Errors.hpp>
+
+namespace suture {
+
+namespace {
+
+constexpr unsigned patience = 4;  // seconds
+
+volatile std::sig_atomic_t stopAsked = 0;
+
+// All of these may be called by a handler of signals.
+void say(const char* text, std::size_t length) {
+  if (write(STDERR_FILENO, text, length) < 0) return;
+}
+
+void giveUp(int) {
+  static const char text[] = "suture: stopped on request; no iteration ended within four seconds, and no new checkpoint was written\n";
+  say(text, sizeof text - 1);
+  _exit(static_cast<int>(ExitCode::Stopped));
+}
+
+void ask(int) { stopAsked = 1; }
+
+void askInAHurry(int number) {
+  if (stopAsked != 0) {
+    std::signal(number, SIG_DFL);
+    std::raise(number);
+  }
+  stopAsked = 1;
+  std::signal(SIGALRM, giveUp);
+  alarm(patience);
+}
+
+}  // namespace
+
+void listenForStop(RunMonitor& monitor) {
+  std::signal(SIGUSR1, ask);
+  std::signal(SIGTERM, askInAHurry);
+  std::signal(SIGINT, askInAHurry);
+  monitor.stopWhen(stopWasAsked);
+}
+
+bool stopWasAsked() { return stopAsked != 0; }
+
+void stopIsHeard() { alarm(0); }
+
+}  // namespace suture

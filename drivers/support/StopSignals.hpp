@@ -1,0 +1,17 @@
+#pragma once
+#include <suture/report/RunMonitor.hpp>
+
+namespace suture {
+
+/// SIGUSR1, SIGTERM and SIGINT end the run after the outer iteration in hand, with a checkpoint and exit code 75. SIGTERM and SIGINT are
+/// in a hurry: where no iteration has ended four seconds later (the mesh is read, matrices are factored, a long iteration), the process
+/// ends with 75 and without a new checkpoint; a second one ends it at once.
+void listenForStop(RunMonitor& monitor);
+
+/// Whether such a signal came, on this rank.
+bool stopWasAsked();
+
+/// The run has stopped and its files are being written: they may take as long as they need. Local.
+void stopIsHeard();
+
+}  // namespace suture

@@ -1,0 +1,9 @@
+#pragma once
+#include <suture/base/Types.hpp>
+
+namespace suture {
+
+/// p >= 0 that minimises |a p - b| (Lawson and Hanson). a: few rows, any number of columns. Local.
+Vector nonnegativeLeastSquares(const Matrix& a, const Vector& b);
+
+}  // namespace suture

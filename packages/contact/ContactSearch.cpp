@@ -1,0 +1,332 @@
+#include <suture/base/Errors.hpp>
+#include <suture/contact/ContactSearch.hpp>
+#include <suture/contact/LearntModel.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace suture {
+
+namespace {
+
+constexpr int kPlainSolves = 12;     // before other sets than plain flips are tried
+constexpr int kPatience = 25;        // solves without a better state before a safe step
+constexpr double kIdle = 1e-10;      // forces below this part of the largest are those of pairs that only touch
+constexpr double kProgress = 1e-13;  // energies that differ by less are equal
+constexpr std::size_t kMemory = 30;  // solves that the model learns from
+
+ClosedSet joined(ClosedSet a, const ClosedSet& b) {
+  for (std::size_t i = 0; i < a.size(); ++i) a[i] = a[i] || b[i];
+  return a;
+}
+
+bool any(const ClosedSet& set) {
+  return std::any_of(set.begin(), set.end(), [](char c) { return c != 0; });
+}
+
+}  // namespace
+
+ContactSearch::ContactSearch(const RigidContact& rigid, ContactOracle& oracle, int most) : rigid_(rigid), oracle_(oracle), left_(most) {}
+
+/// Solves a set and its holders; afterwards what is loose stands where open pairs penetrate least.
+bool ContactSearch::solve(const ClosedSet& closed) {
+  if (left_-- <= 0 || !oracle_.goesOn()) {
+    stopped_ = true;
+    return false;
+  }
+  ++solves_;
+  const Matrix loose = rigid_.loose(closed);
+  holding_.assign(closed.size(), 0);
+  for (const int i : rigid_.holders(closed, loose)) holding_[i] = 1;
+  set_ = closed;
+  answer_ = oracle_.solve(joined(closed, holding_), level_);
+  if (!answer_.solved) {
+    failed_ = true;
+    return false;
+  }
+  for (std::size_t i = 0; i < closed.size(); ++i)
+    if (holding_[i]) answer_.force(static_cast<Eigen::Index>(i)) = 0.0;
+  if (loose.cols() > 0) {
+    const Vector motion = loose * rigid_.settle(closed, answer_.penetration, loose);
+    if (!motion.isZero(0.0)) {
+      const Vector moved = rigid_.data().rows * motion;
+      for (std::size_t i = 0; i < closed.size(); ++i)
+        if (!closed[i]) answer_.penetration(static_cast<Eigen::Index>(i)) += moved(static_cast<Eigen::Index>(i));
+      oracle_.move(motion);
+    }
+  }
+  return true;
+}
+
+bool ContactSearch::pulls() const {
+  for (std::size_t i = 0; i < set_.size(); ++i)
+    if (set_[i] && answer_.force(static_cast<Eigen::Index>(i)) < -answer_.forceTolerance(static_cast<Eigen::Index>(i))) return true;
+  return false;
+}
+
+bool ContactSearch::penetrates(const Vector& penetration, const Vector& tolerance, const ClosedSet& closed) const {
+  for (std::size_t i = 0; i < closed.size(); ++i)
+    if (!closed[i] && rigid_.data().able[i] && penetration(static_cast<Eigen::Index>(i)) > tolerance(static_cast<Eigen::Index>(i)))
+      return true;
+  return false;
+}
+
+ClosedSet ContactSearch::flipped() const {
+  ClosedSet next = set_;
+  for (std::size_t i = 0; i < next.size(); ++i) {
+    const auto at = static_cast<Eigen::Index>(i);
+    if (!rigid_.data().able[i]) continue;
+    if (set_[i] ? answer_.force(at) < -answer_.forceTolerance(at) : answer_.penetration(at) > answer_.penetrationTolerance(at))
+      next[i] = !set_[i];
+  }
+  return next;
+}
+
+/// A set that would leave a body loose gives way to that of the equilibrium on pads.
+ClosedSet ContactSearch::guarded(ClosedSet set) const {
+  if (rigid_.motions() == 0 || !rigid_.loosens(set)) return set;
+  const Vector t = rigid_.compliance().cwiseProduct(answer_.force) + answer_.penetration;
+  const RigidContact::Equilibrium pads = rigid_.project(t);
+  if (!pads.found) return joined(set, set_);
+  for (std::size_t i = 0; i < set.size(); ++i) set[i] = pads.force(static_cast<Eigen::Index>(i)) > 0.0;
+  return set;
+}
+
+bool ContactSearch::proposed(const ClosedSet& set) const { return std::find(seen_.begin(), seen_.end(), set) != seen_.end(); }
+
+/// Takes pairs without force out of the equations for the bodies' places: they would fix them wrongly.
+void ContactSearch::dropIdle() {
+  answer_.force = answer_.force.cwiseMax(0.0);
+  const double least = kIdle * (answer_.force.size() > 0 ? answer_.force.maxCoeff() : 0.0);
+  ClosedSet carrying = set_;
+  for (std::size_t i = 0; i < set_.size(); ++i) {
+    const auto at = static_cast<Eigen::Index>(i);
+    carrying[i] = set_[i] && answer_.force(at) > least && answer_.force(at) > answer_.forceTolerance(at);
+    if (!carrying[i]) answer_.force(at) = 0.0;
+  }
+  if (carrying == set_ || rigid_.motions() == 0) return;
+  const Matrix loose = rigid_.loose(carrying);
+  set_ = carrying;
+  if (loose.cols() == 0) return;
+  const Vector motion = loose * rigid_.settle(set_, answer_.penetration, loose);
+  if (motion.isZero(0.0)) return;
+  const Vector moved = rigid_.data().rows * motion;
+  for (std::size_t i = 0; i < set_.size(); ++i)
+    if (!set_[i]) answer_.penetration(static_cast<Eigen::Index>(i)) += moved(static_cast<Eigen::Index>(i));
+  oracle_.move(motion);
+}
+
+/// After a solve at the final accuracy: true at the solution. Remembers the state if it is the best so far.
+bool ContactSearch::done() {
+  history_.emplace_back(answer_.force, answer_.penetration);
+  if (history_.size() > kMemory) history_.erase(history_.begin());
+  if (pulls()) {
+    ++sinceBest_;
+    return false;
+  }
+  if (!penetrates(answer_.penetration, answer_.penetrationTolerance, set_)) return true;
+  dropIdle();
+  history_.back() = {answer_.force, answer_.penetration};
+  if (!penetrates(answer_.penetration, answer_.penetrationTolerance, set_)) return true;
+  if (!haveBest_ || answer_.energy > best_.energy + kProgress * std::abs(best_.energy)) {
+    best_ = {answer_.force, answer_.penetration, answer_.penetrationTolerance, set_, answer_.energy};
+    haveBest_ = true;
+    sinceBest_ = 0;
+  } else {
+    ++sinceBest_;
+  }
+  return false;
+}
+
+/// The next set, not met before, without a safe step; false if there is none.
+bool ContactSearch::propose(ClosedSet& next) {
+  if (solves_ <= kPlainSolves) {
+    next = guarded(flipped());
+    if (!proposed(next)) return true;
+  }
+  if (sinceBest_ >= kPatience || level_ < oracle_.levels() - 1) return false;
+  if (learns_ && solves_ % 2 == 0 && LearntModel::fits(rigid_.pairs()) && !history_.empty()) {
+    next = LearntModel(rigid_, history_).closedSet();
+    if (!next.empty() && !proposed(next)) return true;
+  }
+  next = guarded(flipped());
+  return !proposed(next);
+}
+
+/// From forces that hold the bodies by statics alone: always a state with l >= 0.
+bool ContactSearch::staticStart() {
+  const Vector force = rigid_.staticForces();
+  if (force.size() != rigid_.pairs()) return false;
+  ClosedSet carrying(rigid_.pairs(), 0);
+  const double least = 1e-13 * (force.size() > 0 ? force.maxCoeff() : 0.0);
+  for (std::size_t i = 0; i < carrying.size(); ++i) carrying[i] = force(static_cast<Eigen::Index>(i)) > least;
+  if (!solve(carrying)) return false;
+  dropIdle();
+  best_ = {answer_.force, answer_.penetration, answer_.penetrationTolerance, set_, answer_.energy};
+  return haveBest_ = true;
+}
+
+/// From a face minimiser with l >= 0 to a better one. One solve a loop.
+/// \param pushFirst  begins with forces w / c on the penetrating pairs instead of closing them
+bool ContactSearch::descend(const State& from, bool pushFirst, State& to) {
+  const int n = rigid_.pairs();
+  ClosedSet penetrating(n, 0), support(n, 0);
+  for (int i = 0; i < n; ++i) {
+    penetrating[i] = !from.closed[i] && rigid_.data().able[i] && from.penetration(i) > from.penetrationTolerance(i);
+    support[i] = from.closed[i] && from.force(i) > 0.0;
+  }
+  ClosedSet entering = penetrating;
+  Vector force = from.force;
+  bool moved = false;
+  while (true) {
+    const ClosedSet all = joined(support, entering);
+    if (!(pushFirst && !moved)) {
+      if (!solve(all)) return false;
+      const Vector found = answer_.force;
+      ClosedSet blocking(n, 0), idle(n, 0);
+      for (int i = 0; i < n; ++i) {
+        blocking[i] = all[i] && found(i) < -answer_.forceTolerance(i);
+        idle[i] = blocking[i] && force(i) <= 0.0;
+      }
+      if (!any(blocking)) {
+        dropIdle();
+        to = {answer_.force, answer_.penetration, answer_.penetrationTolerance, set_, answer_.energy};
+        return true;
+      }
+      if (!any(idle)) {  // to the first that would pull, which then opens
+        double length = 1.0;
+        for (int i = 0; i < n; ++i)
+          if (blocking[i]) length = std::min(length, force(i) / (force(i) - found(i)));
+        support = all;
+        for (int i = 0; i < n; ++i) {
+          const bool stops = blocking[i] && force(i) / (force(i) - found(i)) <= length * (1.0 + 1e-12);
+          force(i) = stops ? 0.0 : std::max(force(i) + length * (found(i) - force(i)), 0.0);
+          if (stops) support[i] = 0;
+        }
+        entering.assign(n, 0);
+        moved = true;
+        continue;
+      }
+      if (moved) {
+        for (int i = 0; i < n; ++i) support[i] = all[i] && !idle[i];
+        entering.assign(n, 0);
+        continue;
+      }
+      ClosedSet rest = entering;
+      for (int i = 0; i < n; ++i) rest[i] = entering[i] && !idle[i];
+      if (any(rest) && rest != entering) {
+        for (int i = 0; i < n; ++i)
+          if (idle[i] && !entering[i]) support[i] = 0;
+        entering = rest;
+        continue;
+      }
+    }
+    if (moved) return false;
+    Vector push = Vector::Zero(n);
+    for (int i = 0; i < n; ++i)
+      if (penetrating[i]) push(i) = from.penetration(i) / rigid_.compliance()(i);
+    if (left_-- <= 0 || !oracle_.goesOn()) return false;
+    ++solves_;
+    ClosedSet held = support;
+    for (const int i : rigid_.holders(support, rigid_.loose(support))) held[i] = 1;
+    const ContactOracle::Change step = oracle_.redistribute(held, push);
+    const Vector& change = step.force;
+    if (change.size() != n) return false;
+    // The dual energy l.C l / 2 - d.l along it: slope -w.change, curvature change.C change, which is what the penetrations lose.
+    const double curvature = -change.dot(step.penetration);
+    double length = curvature > 0.0 ? from.penetration.dot(change) / curvature : 1.0;
+    for (int i = 0; i < n; ++i)
+      if (change(i) < 0.0) length = std::min(length, force(i) / -change(i));
+    if (!(length > 0.0) || !std::isfinite(length)) return false;
+    force = (force + length * change).cwiseMax(0.0);
+    for (int i = 0; i < n; ++i) support[i] = force(i) > 0.0;
+    entering.assign(n, 0);
+    moved = true;
+  }
+}
+
+bool ContactSearch::safeStep(ClosedSet& next) {
+  level_ = oracle_.levels() - 1;
+  if (!haveBest_ && !staticStart()) return false;
+  State better;
+  const State from = best_;
+  const auto rises = [&] { return better.energy > from.energy + 1e-14 * std::abs(from.energy); };
+  if (!(descend(from, false, better) && rises()) && (failed_ || stopped_ || !(descend(from, true, better) && rises()))) return false;
+  best_ = better;
+  sinceBest_ = 0;
+  seen_.assign(1, best_.closed);
+  history_.emplace_back(best_.force, best_.penetration);
+  if (history_.size() > kMemory) history_.erase(history_.begin());
+  if (!penetrates(best_.penetration, best_.penetrationTolerance, best_.closed)) {
+    next = best_.closed;
+    return true;
+  }
+  next = guarded(flipped());
+  if (proposed(next)) next = joined(best_.closed, next);
+  return true;
+}
+
+ContactSearch::Result ContactSearch::finish(bool converged, std::string failure) {
+  Result result;
+  result.converged = converged;
+  result.failure = std::move(failure);
+  result.closed = set_;
+  result.force = answer_.force.size() == rigid_.pairs() ? Vector(answer_.force.cwiseMax(0.0)) : Vector::Zero(rigid_.pairs());
+  result.solves = solves_;
+  if (converged) {
+    ClosedSet carrying = set_;
+    const double least = kIdle * (result.force.size() > 0 ? result.force.maxCoeff() : 0.0);
+    ClosedSet touching(set_.size(), 0);
+    for (std::size_t i = 0; i < set_.size(); ++i) {
+      const auto at = static_cast<Eigen::Index>(i);
+      carrying[i] = set_[i] && result.force(at) > least && result.force(at) > answer_.forceTolerance(at);
+      touching[i] = rigid_.data().able[i] && !carrying[i] && (set_[i] || answer_.penetration(at) >= -answer_.penetrationTolerance(at));
+    }
+    result.neutral = rigid_.neutral(carrying, touching);
+  } else if (seen_.size() > 1) {
+    for (int i = 0; i < rigid_.pairs(); ++i)
+      if (seen_[seen_.size() - 1][i] != seen_[seen_.size() - 2][i]) result.alternating.push_back(i);
+  }
+  return result;
+}
+
+ContactSearch::Result ContactSearch::run(ClosedSet start) {
+  ClosedSet next = std::move(start);
+  set_ = next;
+  const int last = oracle_.levels() - 1;
+  while (true) {
+    if (!solve(next)) return finish(false, stopped_ ? "" : "a linear solve failed");
+    if (level_ < last) {
+      if (!pulls() && !penetrates(answer_.penetration, answer_.penetrationTolerance, set_)) {
+        ++level_;  // the same set, more accurately
+        next = set_;
+        continue;
+      }
+      seen_.push_back(set_);
+      if (propose(next)) continue;
+      level_ = last;  // sets return: nothing but accurate forces can tell
+      seen_.clear();
+      next = set_;
+      continue;
+    }
+    if (done()) return finish(true, "");
+    seen_.push_back(set_);
+    if (propose(next)) {
+      // A set that moves by a pair or two after a final solve may do so again: a looser one is enough to see it. Once: this must end.
+      if (last > 0 && !loosened_ && solves_ <= kPlainSolves) {
+        loosened_ = true;
+        level_ = last - 1;
+        seen_.clear();
+      }
+      continue;
+    }
+    if (!safeStep(next)) {
+      if (stopped_ || failed_) return finish(false, stopped_ ? "" : "a linear solve failed");
+      // Nothing rises any more: the best state is the solution as far as numbers can tell; the verdict decides.
+      if (haveBest_ && solve(best_.closed)) return finish(true, "");
+      return finish(false, "no set of closed pairs was found that balances the loads without pulling");
+    }
+  }
+}
+
+}  // namespace suture

@@ -1,0 +1,107 @@
+#include <suture/base/Dense.hpp>
+#include <suture/base/Errors.hpp>
+#include <suture/contact/DelassusProblem.hpp>
+
+#include <cmath>
+
+namespace suture {
+
+namespace {
+
+constexpr double kRounding = 1e-11;  // of forces and of what they deform, by the dense solves
+constexpr double kRepeated = 1e-13;  // shift of the scaled diagonal that lets rows which repeat each other share their force
+
+std::vector<int> closedOnes(const ClosedSet& set) {
+  std::vector<int> closed;
+  for (std::size_t i = 0; i < set.size(); ++i)
+    if (set[i]) closed.push_back(static_cast<int>(i));
+  return closed;
+}
+
+Matrix factorOf(Matrix matrix) {
+  Matrix lower;
+  for (double shift = kRepeated; shift < 1e-5; shift *= 100.0) {
+    Matrix shifted = matrix;
+    shifted.diagonal() *= 1.0 + shift;
+    if (choleskyFactor(shifted, lower)) return lower;
+  }
+  throw NumericalError("the compliance of the contact pairs is not positive definite");
+}
+
+Matrix solveWith(const Matrix& lower, Matrix b) {
+  if (lower.rows() == 0) return b;
+  lower.triangularView<Eigen::Lower>().solveInPlace(b);
+  lower.transpose().triangularView<Eigen::Upper>().solveInPlace(b);
+  return b;
+}
+
+}  // namespace
+
+DelassusProblem::DelassusProblem(const RigidContact& rigid, const Matrix& compliance, const Vector& open, const Vector& rounding)
+    : rigid_(rigid), compliance_(compliance), open_(open), rounding_(rounding.size() > 0 ? rounding : Vector::Zero(open.size())) {
+  state_.force = Vector::Zero(open.size());
+  state_.amplitude = Vector::Zero(rigid.motions());
+}
+
+void DelassusProblem::solveSaddle(const std::vector<int>& closed, const Vector& right, const Vector& balance, Vector& force,
+                                  Vector& amplitude) const {
+  force = Vector::Zero(rigid_.pairs());
+  amplitude = Vector::Zero(rigid_.motions());
+  if (closed.empty()) return;
+  // Pairs scaled to a unit diagonal, and the motions that they stop to unit columns.
+  const Vector scale = Vector(compliance_.diagonal()(closed)).cwiseSqrt().cwiseInverse();
+  Matrix w = compliance_(closed, closed);
+  w = (scale.asDiagonal() * w * scale.asDiagonal()).eval();
+  const Matrix lower = factorOf(w);
+  w.diagonal() *= 1.0 + kRepeated;
+  const Matrix rows = rigid_.data().rows(closed, Eigen::all);
+  const Matrix stopped = rows.cols() > 0 ? orthonormalBasis(Matrix(rows.transpose()), 1e-9) : Matrix(0, 0);
+  Matrix g = scale.asDiagonal() * (rows * stopped);
+  const Vector columns = g.colwise().norm().cwiseInverse();
+  g = (g * columns.asDiagonal()).eval();
+  const Matrix inverse = solveWith(lower, g);
+  const Matrix middle = g.cols() > 0 ? factorOf(g.transpose() * inverse) : Matrix(0, 0);
+  const Vector b = scale.cwiseProduct(right), e = columns.cwiseProduct(stopped.transpose() * balance);
+  Vector f = Vector::Zero(b.size()), a = Vector::Zero(e.size());
+  for (int pass = 0; pass < 2; ++pass) {  // one refinement
+    const Vector restB = b - w * f + g * a, restE = e - g.transpose() * f;
+    const Vector y = solveWith(lower, restB);
+    const Vector da = e.size() > 0 ? Vector(solveWith(middle, restE - g.transpose() * y)) : e;
+    a += da;
+    f += y + inverse * da;
+  }
+  const Vector scaled = scale.cwiseProduct(f);
+  for (std::size_t i = 0; i < closed.size(); ++i) force(closed[i]) = scaled(static_cast<Eigen::Index>(i));
+  if (e.size() > 0) amplitude = stopped * columns.cwiseProduct(a);
+}
+
+ContactAnswer DelassusProblem::solve(const ClosedSet& set, int) {
+  const std::vector<int> closed = closedOnes(set);
+  solveSaddle(closed, open_(closed), rigid_.data().work, state_.force, state_.amplitude);
+  ContactAnswer answer;
+  answer.force = state_.force;
+  const Vector deformed = compliance_ * state_.force;
+  answer.penetration = open_ - deformed + rigid_.data().rows * state_.amplitude;
+  for (const int i : closed) answer.penetration(i) = 0.0;
+  answer.forceTolerance = kRounding * rigid_.clusterScale(set, state_.force);
+  answer.penetrationTolerance = kRounding * rigid_.clusterScale(set, deformed) + 1e-13 * open_.cwiseAbs() + rounding_ +
+                                1e-13 * (rigid_.data().rows.cwiseAbs() * state_.amplitude.cwiseAbs());
+  answer.energy = open_.dot(state_.force) - 0.5 * state_.force.dot(deformed);
+  answer.solved = state_.force.allFinite() && state_.amplitude.allFinite();
+  return answer;
+}
+
+ContactOracle::Change DelassusProblem::redistribute(const ClosedSet& set, const Vector& given) {
+  const std::vector<int> closed = closedOnes(set);
+  Change change;
+  Vector amplitude;
+  const Vector pushed = compliance_ * given;
+  solveSaddle(closed, -pushed(closed), -(rigid_.data().rows.transpose() * given), change.force, amplitude);
+  change.force += given;
+  change.penetration = -(compliance_ * change.force) + rigid_.data().rows * amplitude;
+  for (const int i : closed) change.penetration(i) = 0.0;
+  if (!change.force.allFinite()) return {};
+  return change;
+}
+
+}  // namespace suture

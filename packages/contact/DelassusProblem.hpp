@@ -1,0 +1,36 @@
+#pragma once
+#include <suture/contact/ContactSearch.hpp>
+
+namespace suture {
+
+/// Elastic bodies condensed to their contact pairs (Delassus matrix): penetrations  w = d - W f + G a,  equilibrium  G^T f = e,  with the
+/// compliance W = N K^+ N^T, the penetrations d without forces, and rigid amplitudes a. Answers by dense factorisations. Local.
+class DelassusProblem : public ContactOracle {
+ public:
+  /// What a solve found, for whoever recovers displacements.
+  struct State {
+    Vector force;      ///< of all pairs, holders' included
+    Vector amplitude;  ///< a
+  };
+
+  /// `rigid` and `compliance` must outlive it.
+  /// \param open     d [length]
+  /// \param rounding  of d at each pair; empty: nothing beyond that of its own digits [length]
+  DelassusProblem(const RigidContact& rigid, const Matrix& compliance, const Vector& open, const Vector& rounding);
+
+  ContactAnswer solve(const ClosedSet& closed, int level) override;
+  Change redistribute(const ClosedSet& closed, const Vector& given) override;
+  void move(const Vector& motion) override { state_.amplitude += motion; }
+  const State& state() const { return state_; }
+
+ private:
+  /// f, a of  W f - G a = right,  G^T f = balance  on closed pairs, with a in the motions that they stop.
+  void solveSaddle(const std::vector<int>& closed, const Vector& right, const Vector& balance, Vector& force, Vector& amplitude) const;
+
+  const RigidContact& rigid_;
+  const Matrix& compliance_;
+  Vector open_, rounding_;
+  State state_;
+};
+
+}  // namespace suture

@@ -1,0 +1,275 @@
+#include <suture/base/Dense.hpp>
+#include <suture/base/DisjointSets.hpp>
+#include <suture/base/Errors.hpp>
+#include <suture/base/NonnegativeLeastSquares.hpp>
+#include <suture/contact/RigidContact.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace suture {
+
+namespace {
+
+constexpr double kDependent = 1e-9;     // singular value of rows of the order of one below which they leave a motion free
+constexpr double kTouching = 1e-12;     // penetration, relative to the gaps' own size, at which a pair touches
+constexpr double kEquilibrium = 1e-12;  // imbalance of pad forces that is rounding
+constexpr double kNoEquilibrium = 1e-8;
+constexpr int kMostSteps = 300;
+constexpr int kPatchRounds = 4;  // fixed point of compliance and patch lengths
+
+std::vector<int> members(const ClosedSet& set, char value) {
+  std::vector<int> all;
+  for (std::size_t i = 0; i < set.size(); ++i)
+    if ((set[i] != 0) == (value != 0)) all.push_back(static_cast<int>(i));
+  return all;
+}
+
+/// min over x of sum (t + rows x)_+^2 / 2c - e.x
+struct PadProblem {
+  const Matrix& rows;
+  const Vector& t;
+  const Vector& stiffness;  // 1 / c
+  const Vector& e;
+  double forceScale;
+
+  double slope(const Vector& y, const Vector& v, double work, double a) const {
+    double sum = -work;
+    for (Eigen::Index i = 0; i < y.size(); ++i) sum += v(i) * stiffness(i) * std::max(y(i) + a * v(i), 0.0);
+    return sum;
+  }
+
+  /// Step length along a direction: exact, over the breakpoints where pads open and close. Negative: nothing stops the motion.
+  double lineSearch(const Vector& y, const Vector& v, double work) const {
+    std::vector<double> breaks;
+    for (Eigen::Index i = 0; i < y.size(); ++i)
+      if (v(i) != 0.0)
+        if (const double at = -y(i) / v(i); at > 0.0 && std::isfinite(at)) breaks.push_back(at);
+    std::sort(breaks.begin(), breaks.end());
+    std::size_t low = 0, high = breaks.size();
+    while (low < high) {
+      const std::size_t middle = (low + high) / 2;
+      if (slope(y, v, work, breaks[middle]) < 0.0)
+        low = middle + 1;
+      else
+        high = middle;
+    }
+    const double before = low > 0 ? breaks[low - 1] : 0.0;
+    const bool bounded = low < breaks.size();
+    const double inside = bounded ? 0.5 * (before + breaks[low]) : before + 1.0;
+    const double rest = slope(y, v, work, before);
+    double curvature = 0.0, most = 0.0;
+    for (Eigen::Index i = 0; i < y.size(); ++i) {
+      const double own = v(i) * v(i) * stiffness(i);
+      most += own;
+      const double at = bounded ? y(i) + inside * v(i) : (v(i) > 0.0 ? 1.0 : v(i) < 0.0 ? -1.0 : y(i));
+      if (at > 0.0) curvature += own;
+    }
+    if (curvature <= 0.0 || (!bounded && rest < 0.0 && curvature < 1e-14 * most)) {
+      if (before == 0.0 || std::abs(rest) > 1e-9 * std::abs(slope(y, v, work, 0.0))) return -1.0;
+      return before;
+    }
+    return before - rest / curvature;
+  }
+
+  bool solve(Vector& x) const {
+    const Eigen::Index n = rows.cols();
+    for (int step = 0; step < kMostSteps; ++step) {
+      const Vector y = t + rows * x;
+      Vector force = y.cwiseMax(0.0).cwiseProduct(stiffness);
+      const Vector gradient = rows.transpose() * force - e;
+      double rounding = 0.0;
+      for (Eigen::Index i = 0; i < y.size(); ++i)
+        if (y(i) > 0.0) rounding += (std::abs(t(i)) + rows.row(i).cwiseAbs().dot(x.cwiseAbs())) * stiffness(i);
+      rounding *= 4e-16;
+      if (gradient.norm() <= kEquilibrium * (force.sum() + forceScale) + rounding) return true;
+
+      Matrix hessian = Matrix::Zero(n, n);
+      for (Eigen::Index i = 0; i < y.size(); ++i)
+        if (y(i) > 0.0) hessian.noalias() += stiffness(i) * rows.row(i).transpose() * rows.row(i);
+      Vector scale = hessian.diagonal().cwiseMax(0.0).cwiseSqrt();
+      const double big = scale.size() > 0 && scale.maxCoeff() > 0.0 ? scale.maxCoeff() : 0.0;
+      std::vector<double> sorted(stiffness.data(), stiffness.data() + stiffness.size());
+      double typical = 1.0;
+      if (!sorted.empty()) {
+        std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2), sorted.end());
+        typical = std::sqrt(std::max(sorted[sorted.size() / 2], 1e-300));
+      }
+      for (Eigen::Index k = 0; k < n; ++k)
+        if (!(scale(k) > kDependent * big)) scale(k) = big > 0.0 ? std::max(typical, kDependent * big) : typical;
+      const Vector inverse = scale.cwiseInverse();
+      const Eigenpairs eigen = symmetricEigenpairs(inverse.asDiagonal() * hessian * inverse.asDiagonal());
+      const double largest = std::max(eigen.values.maxCoeff(), 1e-3);
+      const Vector values = eigen.values.cwiseMax(kDependent * largest);
+      const Vector direction =
+          -(inverse.asDiagonal() * (eigen.vectors * (eigen.vectors.transpose() * (inverse.asDiagonal() * gradient)).cwiseQuotient(values)));
+      const double length = lineSearch(y, rows * direction, e.dot(direction));
+      if (length < 0.0) return false;
+      const Vector next = x + length * direction;
+      if (next == x) break;
+      x = next;
+    }
+    const Vector y = t + rows * x, force = y.cwiseMax(0.0).cwiseProduct(stiffness);
+    double rounding = 0.0;
+    for (Eigen::Index i = 0; i < y.size(); ++i)
+      if (y(i) > 0.0) rounding += (std::abs(t(i)) + rows.row(i).cwiseAbs().dot(x.cwiseAbs())) * stiffness(i);
+    return (rows.transpose() * force - e).norm() <= kNoEquilibrium * (force.sum() + forceScale) + 1e-14 * rounding;
+  }
+};
+
+}  // namespace
+
+RigidContact::RigidContact(Pairs pairs) : pairs_(std::move(pairs)), norm_(pairs_.work.norm()) {
+  if (pairs_.rows.rows() != this->pairs() || pairs_.penetration.size() != this->pairs() || pairs_.stiffness.size() != this->pairs())
+    throw InternalError("rigid contact: data of different numbers of pairs");
+  compliance_ = 2.0 * pairs_.stiffness.cwiseInverse();
+  for (int i = 0; i < this->pairs(); ++i)
+    if (!pairs_.able[i]) compliance_(i) = 1.0;
+  rank_ = motions() - static_cast<int>(loose(ClosedSet(this->pairs(), 1)).cols());
+}
+
+RigidContact::Equilibrium RigidContact::project(const Vector& t) const {
+  Equilibrium result;
+  result.motion = Vector::Zero(motions());
+  // Pairs that can't change take no part.
+  Vector stiffness = compliance_.cwiseInverse();
+  for (int i = 0; i < pairs(); ++i)
+    if (!pairs_.able[i]) stiffness(i) = 0.0;
+  const PadProblem problem{pairs_.rows, t, stiffness, pairs_.work, norm_};
+  if (motions() > 0) result.found = problem.solve(result.motion);
+  result.force = (t + pairs_.rows * result.motion).cwiseMax(0.0).cwiseProduct(stiffness);
+  return result;
+}
+
+ClosedSet RigidContact::start() {
+  ClosedSet set(pairs(), 0), last;
+  compliance_ = 6.0 * pairs_.stiffness.cwiseInverse();
+  for (int i = 0; i < pairs(); ++i)
+    if (!pairs_.able[i]) compliance_(i) = 1.0;
+  Equilibrium pads;
+  for (int round = 0; round < kPatchRounds; ++round) {
+    pads = project(pairs_.penetration);
+    for (int i = 0; i < pairs(); ++i) set[i] = pads.force(i) > 0.0;
+    if (set == last) break;
+    last = set;
+    // A patch of n closed pairs gives n times as much under a force on each of them; open pairs are taken for those of the longest patch.
+    std::vector<int> run(pairs(), 0), longest;
+    for (int i = 0; i < pairs();) {
+      if (!set[i]) {
+        ++i;
+        continue;
+      }
+      int end = i + 1;
+      while (end < pairs() && set[end] && pairs_.line[end] == pairs_.line[i]) ++end;
+      longest.resize(std::max<std::size_t>(longest.size(), pairs_.line[i] + 1), 0);
+      longest[pairs_.line[i]] = std::max(longest[pairs_.line[i]], end - i);
+      for (int k = i; k < end; ++k) run[k] = end - i;
+      i = end;
+    }
+    for (int i = 0; i < pairs(); ++i) {
+      if (!pairs_.able[i]) continue;
+      const int line = pairs_.line[i];
+      const int length = run[i] > 0 ? run[i] : line < static_cast<int>(longest.size()) ? longest[line] : 0;
+      compliance_(i) = std::max(2.0, static_cast<double>(length)) / pairs_.stiffness(i);
+    }
+  }
+  if (!pads.found) throw NumericalError("contact: the loads push a body away from all contacts that could hold it");
+  double size = 0.0;
+  for (int i = 0; i < pairs(); ++i) size = std::max(size, std::abs(pairs_.penetration(i)));
+  for (int i = 0; i < pairs(); ++i)
+    if (pairs_.able[i] && pairs_.rows.row(i).norm() < kDependent && pairs_.penetration(i) >= -kTouching * size) set[i] = 1;
+  return set;
+}
+
+Matrix RigidContact::loose(const ClosedSet& closed) const {
+  if (motions() == 0) return Matrix(0, 0);
+  const std::vector<int> at = members(closed, 1);
+  if (at.empty()) return Matrix::Identity(motions(), motions());
+  return nullSpace(pairs_.rows(at, Eigen::all), kDependent);
+}
+
+bool RigidContact::loosens(const ClosedSet& closed) const { return motions() - static_cast<int>(loose(closed).cols()) < rank_; }
+
+std::vector<int> RigidContact::holders(const ClosedSet& closed, const Matrix& loose) const {
+  std::vector<int> open;
+  for (const int i : members(closed, 0))
+    if (pairs_.able[i]) open.push_back(i);
+  std::vector<int> chosen;
+  if (loose.cols() == 0 || open.empty()) return chosen;
+  // Pivoted Gram-Schmidt on the rows: each next one stops most of what is still loose.
+  Matrix rest = pairs_.rows(open, Eigen::all) * loose;
+  for (Eigen::Index k = 0; k < loose.cols(); ++k) {
+    Eigen::Index best = 0;
+    const double most = rest.rowwise().norm().maxCoeff(&best);
+    if (!(most > kDependent)) break;
+    chosen.push_back(open[best]);
+    const Vector direction = rest.row(best).transpose() / most;
+    rest -= (rest * direction) * direction.transpose();
+  }
+  return chosen;
+}
+
+Vector RigidContact::settle(const ClosedSet& closed, const Vector& penetration, const Matrix& loose) const {
+  Vector z = Vector::Zero(loose.cols());
+  std::vector<int> open;
+  for (const int i : members(closed, 0))
+    if (pairs_.able[i]) open.push_back(i);
+  if (loose.cols() == 0 || open.empty()) return z;
+  const Vector w = penetration(open);
+  if (!(w.maxCoeff() > 0.0)) return z;
+  const Matrix rows = pairs_.rows(open, Eigen::all) * loose;
+  const Vector stiffness = Vector(compliance_(open)).cwiseInverse(), none = Vector::Zero(loose.cols());
+  const PadProblem problem{rows, w, stiffness, none, 1e-12 * w.cwiseMax(0.0).dot(stiffness)};
+  problem.solve(z);
+  return z;
+}
+
+// The cone {z : G z <= 0} is a point if and only if its polar cone, spanned by the rows of G, is the whole space.
+Matrix RigidContact::neutral(const ClosedSet& carrying, const ClosedSet& touching) const {
+  const Matrix free = loose(carrying);
+  if (free.cols() == 0) return Matrix(motions(), 0);
+  const std::vector<int> at = members(touching, 1);
+  const Matrix rows = pairs_.rows(at, Eigen::all) * free;
+  Matrix found(free.cols(), 0);
+  for (Eigen::Index k = 0; k < free.cols(); ++k)
+    for (const double sign : {1.0, -1.0}) {
+      Vector rest = sign * Vector::Unit(free.cols(), k);
+      if (!at.empty()) rest -= rows.transpose() * nonnegativeLeastSquares(rows.transpose(), rest);
+      if (rest.norm() <= kNoEquilibrium) continue;
+      found.conservativeResize(Eigen::NoChange, found.cols() + 1);
+      found.rightCols(1) = rest.normalized();
+    }
+  return found.cols() > 0 ? Matrix(free * orthonormalBasis(found, 1e-9)) : Matrix(motions(), 0);
+}
+
+Vector RigidContact::clusterScale(const ClosedSet& closed, const Vector& values) const {
+  Vector scale = Vector::Zero(pairs());
+  if (pairs_.bodies.empty()) {
+    if (values.size() > 0) scale.setConstant(values.cwiseAbs().maxCoeff());
+    return scale;
+  }
+  int bodies = 0;
+  for (const auto& own : pairs_.bodies)
+    for (const int body : own) bodies = std::max(bodies, body + 1);
+  DisjointSets clusters(bodies);
+  for (int i = 0; i < pairs(); ++i)
+    if (closed[i])
+      for (const int body : pairs_.bodies[i]) clusters.join(body, pairs_.bodies[i].front());
+  std::vector<double> most(bodies, 0.0);
+  for (int i = 0; i < pairs(); ++i)
+    if (closed[i])
+      for (const int body : pairs_.bodies[i]) most[clusters.lowest(body)] = std::max(most[clusters.lowest(body)], std::abs(values(i)));
+  for (int i = 0; i < pairs(); ++i)
+    for (const int body : pairs_.bodies[i]) scale(i) = std::max(scale(i), most[clusters.lowest(body)]);
+  return scale;
+}
+
+Vector RigidContact::staticForces() const {
+  if (norm_ == 0.0) return Vector::Zero(pairs());
+  const Vector force = nonnegativeLeastSquares(pairs_.rows.transpose(), pairs_.work / norm_);
+  if ((pairs_.rows.transpose() * force - pairs_.work / norm_).norm() > kNoEquilibrium) return {};
+  return norm_ * force;
+}
+
+}  // namespace suture

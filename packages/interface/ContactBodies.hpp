@@ -1,0 +1,46 @@
+#pragma once
+#include <suture/base/Types.hpp>
+#include <suture/constraints/RigidMotion.hpp>
+#include <suture/contact/RigidContact.hpp>
+#include <suture/subdomain/Subdomain.hpp>
+
+#include <memory>
+#include <vector>
+
+namespace suture {
+
+/// The rigid motions of the connected parts of all bodies, and what contact pairs feel of them: the rigid model of a distributed scene.
+/// Replicated: all ranks know all parts and pairs.
+class ContactBodies {
+ public:
+  /// \param subdomains     of this rank, assembled
+  /// \param pairStiffness  by pair id, of those that this rank answers for: 1 / sum n^2 / K_nn [force / length]
+  /// Collective.
+  ContactBodies(const Comm& comm, const std::vector<std::unique_ptr<Subdomain>>& subdomains, const std::map<int, double>& pairStiffness);
+
+  const RigidContact& rigid() const { return *rigid_; }
+  RigidContact& rigid() { return *rigid_; }
+  int dimension() const { return dimension_; }
+  const std::vector<RigidPart>& parts() const { return parts_; }
+  /// Part of a subdomain of this rank, by its place.
+  int partOf(int subdomain) const { return partOf_[subdomain]; }
+  /// The motions of one part among those of all, as amplitudes of the part.
+  Vector amplitudes(int part, const Vector& motion) const;
+
+ private:
+  void findParts(const Comm& comm, const std::vector<std::unique_ptr<Subdomain>>& subdomains);
+  void findFreeMotions(const Comm& comm, const std::vector<std::unique_ptr<Subdomain>>& subdomains);
+  RigidContact::Pairs gatherPairs(const Comm& comm, const std::vector<std::unique_ptr<Subdomain>>& subdomains,
+                                  const std::map<int, double>& pairStiffness) const;
+  Vector work(const Comm& comm, const std::vector<std::unique_ptr<Subdomain>>& subdomains) const;
+
+  int dimension_ = 2;
+  std::vector<RigidPart> parts_;
+  std::vector<Vector> lift_;  // of each part: amplitudes that prescribed displacements ask for
+  std::vector<int> first_;    // of each part: column of its first motion
+  int motions_ = 0;
+  std::vector<int> partOf_;
+  std::unique_ptr<RigidContact> rigid_;
+};
+
+}  // namespace suture

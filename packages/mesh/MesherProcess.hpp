@@ -1,0 +1,24 @@
+#pragma once
+#include <suture/mesh/GmshMesh.hpp>
+
+#include <string>
+
+namespace suture {
+
+/// What suture_mesher shall do.
+struct MesherOrder {
+  std::string file;             ///< as the user knows it, for messages
+  std::string opened;           ///< what Gmsh opens
+  bool geometry = true;         ///< a .geo file, to be meshed; else a .msh file
+  double meshSizeFactor = 1.0;  ///< multiplies all mesh sizes
+  double seconds = 600.0;       ///< for all; a tenth of it for the statements of the file
+  bool allowPrograms = false;   ///< the file may run programs and write files
+};
+
+/// Runs Gmsh in a process of its own, suture_mesher, which lies in the folder `suture` beside the library, with limits of time and memory;
+/// reads the mesh from a pipe. A process that ends without a mesh and without a message is an error. Local.
+/// \throws InputError        Gmsh's complaint; a crash, an end without a result or too long a time: says so
+/// \throws EnvironmentError  the program is missing or cannot be started
+GmshMesh runMesher(const MesherOrder& order);
+
+}  // namespace suture

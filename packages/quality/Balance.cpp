@@ -1,0 +1,51 @@
+#include <suture/quality/Balance.hpp>
+
+#include <Teuchos_CommHelpers.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace suture {
+
+namespace {
+double magnitude(const Point& p) { return std::hypot(p[0], p[1], p[2]); }
+}  // namespace
+
+void Balance::addNode(const Point& load, const Point& support, const NodeRule* rule, int dimension) {
+  for (int k = 0; k < dimension; ++k) applied[k] += load[k];
+  absolute_ += magnitude(load);
+  if (!rule) return;
+  for (int k = 0; k < dimension; ++k) {
+    if (!rule->fixed[k]) continue;
+    const Point& axis = rule->axes[k];
+    const double along = support[0] * axis[0] + support[1] * axis[1] + support[2] * axis[2];
+    for (int c = 0; c < dimension; ++c) reactions[c] += along * axis[c];
+    absolute_ += std::abs(along);
+  }
+}
+
+void Balance::addPair(const ContactPair& pair, double force) {
+  const Point obstacle = obstacleForce(pair, force);
+  for (int k = 0; k < 3; ++k) reactions[k] += obstacle[k];
+  absolute_ += magnitude(obstacle);
+}
+
+void Balance::finish(const Comm& comm, bool axisymmetric) {
+  double mine[7], all[7];
+  std::copy(applied.begin(), applied.end(), mine);
+  std::copy(reactions.begin(), reactions.end(), mine + 3);
+  mine[6] = absolute_;
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, 7, mine, all);
+  std::copy(all, all + 3, applied.begin());
+  std::copy(all + 3, all + 6, reactions.begin());
+  absolute_ = all[6];
+  finish(axisymmetric);
+}
+
+void Balance::finish(bool axisymmetric) {
+  // Radial forces of a body of revolution balance round the circle, whatever their magnitudes.
+  const Point sum{axisymmetric ? 0.0 : applied[0] + reactions[0], applied[1] + reactions[1], applied[2] + reactions[2]};
+  imbalance = absolute_ > 0.0 ? magnitude(sum) / (0.5 * absolute_) : 0.0;
+}
+
+}  // namespace suture

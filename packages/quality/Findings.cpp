@@ -1,0 +1,66 @@
+#include <suture/quality/Findings.hpp>
+
+#include <algorithm>
+#include <sstream>
+
+namespace suture {
+
+namespace {
+
+struct Name {
+  const char *name, *advice;
+};
+
+constexpr const char* kTighter = "Try a smaller Outer Solver/Tolerance, or another Outer Solver/Type (Monolithic is the reference)";
+constexpr const char* kContact =
+    "The contact iteration ended in a wrong state: try a smaller Outer Solver/Tolerance, another Formulation, or Outer Solver/Type = "
+    "Monolithic";
+constexpr const char* kDefect = "The fields contradict the scene's conditions: report this as a defect of the program";
+
+constexpr Name kNames[kQuantities] = {
+    {"forces", kTighter},
+    {"moments", kTighter},
+    {"residual", kTighter},
+    {"nodes", kTighter},
+    {"contact", kTighter},
+    {"prescribed", kDefect},
+    {"seams", kDefect},
+    {"penetration", kContact},
+    {"tension", kContact},
+    {"complementarity", kContact},
+    {"status", kContact},
+    {"digits",
+     "Double precision cannot hold the answer: the body's own forces drown in the rounding of its displacements. Take the large rigid "
+     "motion "
+     "or gap out of the scene, or bring the stiffnesses closer together"},
+};
+
+}  // namespace
+
+std::string nameOf(Quantity quantity) { return kNames[std::size_t(quantity)].name; }
+
+std::string adviceOf(Quantity quantity) { return kNames[std::size_t(quantity)].advice; }
+
+std::string whereText(const Finding& finding, const std::vector<std::string>& bodies, const std::vector<ContactPiece>& pieces) {
+  if (!finding.made) return "";
+  std::ostringstream text;
+  const auto body = [&](int b) { return b < 0 || b >= int(bodies.size()) ? std::string("no body") : "'" + bodies[b] + "'"; };
+  const auto place = [&] { text << "(" << finding.place[0] << ", " << finding.place[1] << ")"; };
+  if (finding.pair >= 0) {
+    text << "pair " << finding.pair;
+    for (const ContactPiece& piece : pieces)
+      if (std::find(piece.pairs.begin(), piece.pairs.end(), finding.pair) != piece.pairs.end()) text << " of '" << piece.name << "'";
+    text << ", ";
+    place();
+    text << (finding.other == finding.body ? ", body " + body(finding.body)
+                                           : ", bodies " + body(finding.body) + " and " + body(finding.other));
+  } else if (finding.body < 0) {
+    text << "a contact force without a pair";
+  } else {
+    text << "body " << body(finding.body) << ", ";
+    place();
+  }
+  return text.str();
+}
+
+}  // namespace suture

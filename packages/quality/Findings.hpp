@@ -1,0 +1,108 @@
+#pragma once
+#include <suture/constraints/Constraints.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace suture {
+
+/// Not std::hypot: that guards against overflow, at several times the cost, and loops over all nodes call it.
+inline double length(double x, double y) { return std::sqrt(x * x + y * y); }
+
+/// The quantities of the verdict, in the order of summary.json.
+enum class Quantity : int {
+  Forces,
+  Moments,
+  Residual,
+  Nodes,
+  Contact,
+  Prescribed,
+  Seams,
+  Penetration,
+  Tension,
+  Complementarity,
+  Status,
+  Digits
+};
+constexpr int kQuantities = 12;
+
+/// One evaluation of a quantity. Plain: it travels as bytes.
+struct Finding {
+  double value = 0.0, bound = 0.0;
+  int body = -1, other = -1;  ///< other: of a pair between bodies
+  int pair = -1;
+  Point place{0, 0, 0};
+  bool made = false;
+
+  /// How much of the bound is used; infinite for NaN.
+  double share() const {
+    if (!made) return -1.0;
+    if (value == 0.0 && bound >= 0.0) return 0.0;
+    return value >= 0.0 && bound > 0.0 ? value / bound : std::numeric_limits<double>::infinity();
+  }
+};
+
+/// Name in summary.json, and what to try when the bound is exceeded.
+std::string nameOf(Quantity quantity);
+std::string adviceOf(Quantity quantity);
+/// Body or pair, with place and names; empty when nothing was found.
+std::string whereText(const Finding& finding, const std::vector<std::string>& bodies, const std::vector<ContactPiece>& pieces);
+
+/// The worst of each quantity.
+class Findings {
+ public:
+  /// \param size  of what is measured;  \param allowed  in the same unit;  \param scale  what both are reported relative to, where positive
+  void take(Quantity quantity, double size, double allowed, double scale, Finding where) {
+    const double unit = scale > 0.0 ? scale : allowed > 0.0 ? allowed : 1.0;
+    where.value = size / unit;
+    where.bound = allowed / unit;
+    where.made = true;
+    take(quantity, where);
+  }
+  /// Whether take() would keep this: cheaper than a Finding for every node.
+  bool isWorse(Quantity quantity, double size, double allowed) const {
+    const Finding& worst = all[std::size_t(quantity)];
+    return !worst.made || !(size * worst.bound <= worst.value * allowed);
+  }
+  void take(Quantity quantity, const Finding& finding) {
+    Finding& worst = all[std::size_t(quantity)];
+    if (finding.share() > worst.share()) worst = finding;
+  }
+  void take(const Findings& other) {
+    for (int q = 0; q < kQuantities; ++q) take(Quantity(q), other.all[std::size_t(q)]);
+  }
+
+  std::array<Finding, kQuantities> all;
+};
+
+/// What a body's forces and displacements are measured by; summed over all ranks.
+struct BodyScale {
+  double loads = 0.0, contact = 0.0, reactions = 0.0;  ///< sums of magnitudes over the nodes [force]
+  double largestContact = 0.0;                         ///< at a node [force]
+  double prescribed = 0.0;                             ///< largest prescribed component [length]
+  double force = 0.0;                                  ///< that passes through the body: half of the sum, or what neighbours lend it
+  double deformation = 0.0;                            ///< see Deformation [length]
+};
+
+/// A bound that follows the tolerance, and ends somewhere: relative to a body's own forces or deformation.
+struct Bound {
+  double factor, largest;
+  /// Tolerances below 1e-9 count as 1e-9: what is left then is rounding of the largest stiffness.
+  double at(double tolerance) const { return std::min(factor * std::max(tolerance, 1e-9), largest); }
+};
+
+/// Bounds of the quantities. The tolerance is one of the energy norm, in which rough errors count less than in sums of nodal forces: the
+/// factors are some ten times what right answers were measured to need (README.md).
+struct Bounds {
+  static constexpr Bound resultant{100.0, 0.05}, residual{1000.0, 0.3}, node{100.0, 0.05}, contact{1000.0, 1.0}, pair{100.0, 0.05};
+  static constexpr double rounding = 4.0;
+  static constexpr double digits = 1e-4;     ///< of a body's forces or deformation, that rounding may take
+  static constexpr double passive = 1e-3;    ///< of its neighbours' force, that a body without data of its own is measured by
+  static constexpr double geometry = 1e-10;  ///< of a body's deformation, that prescribed values and seams may be off by
+};
+
+}  // namespace suture

@@ -1,0 +1,83 @@
+#include <suture/base/Gather.hpp>
+#include <suture/quality/PairResult.hpp>
+
+#include <Teuchos_Comm.hpp>
+
+#include <algorithm>
+#include <map>
+
+namespace suture {
+
+namespace {
+
+struct EndShare {
+  int pair, end;
+  Point displacement;
+};
+
+}  // namespace
+
+bool counts(const SubdomainMesh& mesh, int node) {
+  const Span<const int> others = mesh.others(node);
+  return std::none_of(others.begin(), others.end(), [&](int other) { return other < mesh.id; });
+}
+
+PairResult pairResult(const ContactPair& pair, const PairForce& force, const std::vector<Point>& ofEnds) {
+  PairResult result;
+  result.id = pair.id;
+  result.node = pair.node();
+  result.line = pair.line;
+  result.piece = pair.piece;
+  result.status = force.status;
+  result.initialGap = result.gap = pair.gap;
+  for (std::size_t end = 0; end < pair.ends.size(); ++end)
+    for (int k = 0; k < 3; ++k) result.gap -= pair.ends[end].weight * ofEnds[end][k] * pair.normal[k];
+  result.force = force.force;
+  result.pressure = pair.length > 0.0 ? force.force / pair.length : 0.0;
+  result.arc = pair.arc;
+  result.position = pair.position;
+  result.displacement = ofEnds.front();
+  result.normal = pair.normal;
+  return result;
+}
+
+std::vector<PairResult> pairResults(const Comm& comm, const std::vector<const SubdomainMesh*>& meshes,
+                                    const std::vector<Vector>& displacement, const std::vector<PairForce>& forces) {
+  std::vector<EndShare> ends;
+  std::map<int, ContactPair> carried;  // the pairs whose carrying node this rank counts
+  for (std::size_t i = 0; i < meshes.size(); ++i) {
+    const SubdomainMesh& mesh = *meshes[i];
+    std::map<int, const ContactPair*> known;
+    for (const ContactRow& row : mesh.contactRows) known[row.pair.id] = &row.pair;
+    for (const SubdomainMesh::ContactEnd& end : mesh.contactEnds) {
+      if (!counts(mesh, end.node)) continue;
+      EndShare share{end.pair, end.end, {0, 0, 0}};
+      for (int k = 0; k < mesh.dimension; ++k) share.displacement[k] = displacement[i][Eigen::Index(end.node) * mesh.dimension + k];
+      ends.push_back(share);
+      if (end.end == 0) carried[end.pair] = *known.at(end.pair);
+    }
+  }
+  Packer packer;
+  packer.put(carried);
+  std::map<int, ContactPair> pairs;
+  for (const std::string& bytes : gatherOnRoot(comm, packer.bytes())) pairs.merge(Unpacker(bytes).get<std::map<int, ContactPair>>());
+  const std::vector<EndShare> allEnds = joinOnRoot(comm, ends);
+  std::vector<PairForce> allForces = joinOnRoot(comm, forces);
+
+  std::vector<PairResult> results;
+  collectivelyOnRoot(comm, "gathering the contact pairs", [&] {
+    std::sort(allForces.begin(), allForces.end(), [](const PairForce& a, const PairForce& b) { return a.id < b.id; });
+    if (allForces.size() != pairs.size()) throw InternalError("the contact forces are not as many as the pairs");
+    std::map<int, std::vector<Point>> ofEnds;
+    for (const auto& [id, pair] : pairs) ofEnds[id].resize(pair.ends.size());
+    for (const EndShare& end : allEnds) ofEnds.at(end.pair).at(end.end) = end.displacement;
+    for (const PairForce& force : allForces) {
+      const auto pair = pairs.find(force.id);
+      if (pair == pairs.end()) throw InternalError("a contact force of a pair that does not exist");
+      results.push_back(pairResult(pair->second, force, ofEnds.at(force.id)));
+    }
+  });
+  return results;
+}
+
+}  // namespace suture

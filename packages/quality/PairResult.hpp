@@ -1,0 +1,45 @@
+#pragma once
+#include <suture/constraints/Constraints.hpp>
+#include <suture/partition/SubdomainMesh.hpp>
+
+#include <vector>
+
+namespace suture {
+
+/// What is known of a contact pair at the end of a run. Signs as in DESIGN: gap > 0 open, pressure and force > 0 compressive.
+struct PairResult {
+  int id = -1;
+  GlobalId node = -1;  ///< that carries it: number in the mesh
+  int line = -1;
+  int piece = -1;
+  PairStatus status = PairStatus::Open;
+  double initialGap = 0.0;      ///< [length]
+  double gap = 0.0;             ///< initial gap - (u_A - u_B).n [length]
+  double force = 0.0;           ///< along the normal, on B; per unit thickness in the plane, of the whole circle if axisymmetric [force]
+  double pressure = 0.0;        ///< force / tributary length (axisymmetric: area) [stress]
+  double arc = 0.0;             ///< arc length along the line [length]
+  Point position{0, 0, 0};      ///< of the node that carries it, undeformed
+  Point displacement{0, 0, 0};  ///< of the node that carries it
+  Point normal{0, 0, 0};
+};
+
+/// What a solver decides about a pair; all else of a PairResult follows from the displacements.
+struct PairForce {
+  int id = -1;
+  PairStatus status = PairStatus::Open;
+  double force = 0.0;  ///< > 0 compressive [force]
+};
+
+/// The one place where a PairResult is made. \param ofEnds  displacement of each of the pair's ends, in their order. Local.
+PairResult pairResult(const ContactPair& pair, const PairForce& force, const std::vector<Point>& ofEnds);
+
+/// All pairs on rank 0, by id. Collective.
+/// \param displacement  of each mesh of this rank, node-major, Cartesian;  \param forces  of this rank; each pair on one rank
+/// \throws InternalError  a pair without force, or a force without pair
+std::vector<PairResult> pairResults(const Comm& comm, const std::vector<const SubdomainMesh*>& meshes,
+                                    const std::vector<Vector>& displacement, const std::vector<PairForce>& forces);
+
+/// True in one of the subdomains that hold a node: the lowest.
+bool counts(const SubdomainMesh& mesh, int node);
+
+}  // namespace suture

@@ -1,0 +1,331 @@
+#include <suture/base/Gather.hpp>
+#include <suture/elasticity/SubdomainLoads.hpp>
+#include <suture/quality/Deformation.hpp>
+#include <suture/quality/ElementForces.hpp>
+#include <suture/quality/SeamExchange.hpp>
+#include <suture/quality/Verify.hpp>
+#include <suture/quality/VerifyPairs.hpp>
+
+#include <Teuchos_Comm.hpp>
+#include <Teuchos_CommHelpers.hpp>
+
+#include <algorithm>
+#include <limits>
+#include <map>
+
+namespace suture {
+
+namespace {
+
+constexpr double unitRoundoff = 0.5 * std::numeric_limits<double>::epsilon();
+
+enum Row { Internal = 0, Load = 2, Contact = 4, Rounding = 6, Stiffness = 7, kRows = 8 };
+
+/// Sums over the nodes of one body.
+struct BodySums {
+  double loads = 0.0, contact = 0.0, reactions = 0.0, residual = 0.0, rounding = 0.0, roundingSquared = 0.0, resultant[2] = {0, 0},
+         moment = 0.0;
+  static constexpr int count = 9;
+};
+static_assert(sizeof(BodySums) == BodySums::count * sizeof(double));
+
+class Verifier {
+ public:
+  Verifier(const Comm& comm, const Answer& answer);
+  Verification run();
+
+ private:
+  void gatherForces();
+  void addContact(int mesh);
+  void gatherEnds();
+  void sumBodies();
+  void judgeBodies();
+  void judgeNodes();
+  void judgeSeams(const SeamExchange& seams);
+  Verification conclude();
+
+  Point at(int mesh, int node, int row) const { return {nodes_[mesh](row, node), nodes_[mesh](row + 1, node), 0.0}; }
+  Point moved(int mesh, int node) const { return {answer_.displacement[mesh][2 * node], answer_.displacement[mesh][2 * node + 1], 0.0}; }
+  Finding place(int mesh, int node) const {
+    Finding where;
+    where.body = answer_.meshes[mesh].body;
+    where.place = answer_.meshes[mesh].point(node);
+    return where;
+  }
+  /// Component of load + contact - internal forces along the free axes of a node. `support` gets what the node lacks in all axes.
+  Point residual(int mesh, int node, const NodeRule* rule) const;
+
+  const Comm& comm_;
+  const Answer& answer_;
+  const int bodies_;
+  const double tolerance_;
+  bool axisymmetric_ = false;
+  std::vector<Matrix> nodes_;                        // of each mesh: rows as in Row x nodes, summed over subdomains
+  std::vector<std::vector<const NodeRule*>> rules_;  // of each mesh's nodes; null: free
+  std::map<int, double> force_;                      // of each pair
+  std::vector<PairEndShare> ends_;                   // on rank 0: of all ranks
+  std::vector<Deformation> deformation_;
+  std::vector<BodySums> sums_;
+  std::vector<BodyScale> scales_;
+  std::vector<Finding> worstNode_;  // of each body: where the residual is largest on this rank
+  Findings findings_;
+  Balance balance_;
+};
+
+Verifier::Verifier(const Comm& comm, const Answer& answer)
+    : comm_(comm), answer_(answer), bodies_(int(answer.model.bodies.size())), tolerance_(answer.tolerance) {
+  int revolved = 0, any = 0;
+  for (const SubdomainMesh& mesh : answer.meshes) {
+    if (mesh.dimension != 2) throw InternalError("verification in dimension " + std::to_string(mesh.dimension));
+    revolved = std::max(revolved, int(mesh.axisymmetric));
+    rules_.emplace_back(mesh.nodes(), nullptr);
+    for (const NodeRule& rule : mesh.rules) rules_.back()[rule.node] = &rule;
+  }
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, revolved, Teuchos::outArg(any));
+  axisymmetric_ = any > 0;
+}
+
+void Verifier::addContact(int i) {
+  const SubdomainMesh& mesh = answer_.meshes[i];
+  std::map<int, const ContactPair*> pairs;
+  for (const ContactRow& row : mesh.contactRows) pairs[row.pair.id] = &row.pair;
+  for (const SubdomainMesh::ContactEnd& end : mesh.contactEnds) {
+    if (!counts(mesh, end.node)) continue;
+    const ContactPair& pair = *pairs.at(end.pair);
+    const auto force = force_.find(end.pair);
+    if (force == force_.end()) continue;  // verifyPairs() tells
+    for (int k = 0; k < 2; ++k) nodes_[i](Contact + k, end.node) -= force->second * pair.ends[end.end].weight * pair.normal[k];
+    if (end.end == 0) balance_.addPair(pair, force->second);
+  }
+}
+
+void Verifier::gatherForces() {
+  std::vector<PairForce> forces;
+  for (const PairResult& pair : answer_.pairs) forces.push_back({pair.id, pair.status, pair.force});
+  broadcast(comm_, forces);
+  for (const PairForce& pair : forces) force_[pair.id] = pair.force;
+  collectively(comm_, "verifying the solution", [&] {
+    for (std::size_t i = 0; i < answer_.meshes.size(); ++i) {
+      const SubdomainMesh& mesh = answer_.meshes[i];
+      const auto materialOf = [&](int element) -> const Material& { return answer_.model.materialOf(mesh, element, mesh.body); };
+      const ElementForces elements = elementForces(mesh, materialOf, answer_.model.plane, answer_.displacement[i]);
+      const Vector load = subdomainLoads(mesh, answer_.model);
+      Matrix& own = nodes_.emplace_back(kRows, mesh.nodes());
+      own.middleRows<2>(Internal) = Eigen::Map<const Matrix>(elements.internal.data(), 2, mesh.nodes());
+      own.middleRows<2>(Load) = Eigen::Map<const Matrix>(load.data(), 2, mesh.nodes());
+      own.middleRows<2>(Contact).setZero();
+      own.row(Rounding) = elements.rounding.transpose();
+      own.row(Stiffness) = elements.stiffness.transpose();
+      addContact(int(i));
+    }
+  });
+}
+
+void Verifier::gatherEnds() {
+  std::vector<PairEndShare> mine;
+  for (std::size_t i = 0; i < answer_.meshes.size(); ++i) {
+    const SubdomainMesh& mesh = answer_.meshes[i];
+    std::map<int, const ContactPair*> pairs;
+    for (const ContactRow& row : mesh.contactRows) pairs[row.pair.id] = &row.pair;
+    for (const SubdomainMesh::ContactEnd& end : mesh.contactEnds) {
+      if (!counts(mesh, end.node)) continue;
+      const ContactPair& pair = *pairs.at(end.pair);
+      const Point u = moved(int(i), end.node);
+      const double weight = pair.ends[end.end].weight, along = u[0] * pair.normal[0] + u[1] * pair.normal[1];
+      mine.push_back({end.pair, end.end, mesh.body, weight * along, std::abs(weight) * length(u[0], u[1]), weight,
+                      nodes_[i](Stiffness, end.node), nodes_[i](Rounding, end.node), pair.gap, pair.position});
+    }
+  }
+  ends_ = joinOnRoot(comm_, mine);
+}
+
+Point Verifier::residual(int mesh, int node, const NodeRule* rule) const {
+  Point rest{0, 0, 0};
+  for (int k = 0; k < 2; ++k) rest[k] = nodes_[mesh](Load + k, node) + nodes_[mesh](Contact + k, node) - nodes_[mesh](Internal + k, node);
+  if (!rule) return rest;
+  Point free{0, 0, 0};
+  for (int k = 0; k < 2; ++k) {
+    if (rule->fixed[k]) continue;
+    const double along = rest[0] * rule->axes[k][0] + rest[1] * rule->axes[k][1];
+    for (int c = 0; c < 2; ++c) free[c] += along * rule->axes[k][c];
+  }
+  return free;
+}
+
+void Verifier::sumBodies() {
+  sums_.assign(bodies_, {});
+  scales_.assign(bodies_, {});
+  worstNode_.assign(bodies_, {});
+  std::vector<double> prescribed(bodies_, 0.0), largestContact(bodies_, 0.0);
+  for (std::size_t i = 0; i < answer_.meshes.size(); ++i) {
+    const SubdomainMesh& mesh = answer_.meshes[i];
+    BodySums& body = sums_[mesh.body];
+    const Deformation& deformation = deformation_[mesh.body];
+    for (int node = 0; node < mesh.nodes(); ++node) {
+      if (!counts(mesh, node)) continue;
+      const NodeRule* rule = rules_[i][node];
+      const Point load = at(int(i), node, Load), contact = at(int(i), node, Contact), internal = at(int(i), node, Internal);
+      const Point support{internal[0] - load[0] - contact[0], internal[1] - load[1] - contact[1], 0.0};
+      const Point rest = residual(int(i), node, rule), x = mesh.point(node);
+      balance_.addNode(load, support, rule, 2);
+      body.loads += length(load[0], load[1]);
+      body.contact += length(contact[0], contact[1]);
+      largestContact[mesh.body] = std::max(largestContact[mesh.body], length(contact[0], contact[1]));
+      if (rule) body.reactions += length(support[0] + rest[0], support[1] + rest[1]);
+      if (rule)
+        for (int k = 0; k < 2; ++k)
+          if (rule->fixed[k]) prescribed[mesh.body] = std::max(prescribed[mesh.body], std::abs(rule->value[k]));
+      const double size = length(rest[0], rest[1]), rounding = nodes_[i](Rounding, node);
+      body.residual += size;
+      body.rounding += rounding;
+      body.roundingSquared += rounding * rounding;
+      for (int k = 0; k < 2; ++k) body.resultant[k] += rest[k];
+      body.moment += (x[0] - deformation.centre[0]) * rest[1] - (x[1] - deformation.centre[1]) * rest[0];
+      if (!(size <= worstNode_[mesh.body].value)) {
+        worstNode_[mesh.body] = place(int(i), node);
+        worstNode_[mesh.body].value = size;
+      }
+    }
+  }
+  std::vector<BodySums> all(bodies_);
+  if (bodies_ > 0) Teuchos::reduceAll(comm_, Teuchos::REDUCE_SUM, bodies_ * BodySums::count, &sums_.front().loads, &all.front().loads);
+  sums_ = all;
+  const auto largest = [&](const std::vector<double>& mine) {
+    std::vector<double> most(bodies_);
+    if (bodies_ > 0) Teuchos::reduceAll(comm_, Teuchos::REDUCE_MAX, bodies_, mine.data(), most.data());
+    return most;
+  };
+  prescribed = largest(prescribed);
+  largestContact = largest(largestContact);
+  balance_.finish(comm_, axisymmetric_);
+  for (int b = 0; b < bodies_; ++b) {
+    const double force = 0.5 * (sums_[b].loads + sums_[b].contact + sums_[b].reactions);
+    scales_[b] = {sums_[b].loads, sums_[b].contact, sums_[b].reactions, largestContact[b], prescribed[b], force, deformation_[b].largest};
+  }
+  if (comm_.getRank() == 0) lendForce(ends_, scales_);
+  broadcast(comm_, scales_);
+}
+
+void Verifier::judgeBodies() {
+  for (int b = 0; b < bodies_; ++b) {
+    const BodySums& sums = sums_[b];
+    const double force = scales_[b].force, extent = deformation_[b].extent;
+    const double rounded = Bounds::rounding * std::sqrt(sums.roundingSquared);
+    const double allowed = Bounds::resultant.at(tolerance_) * force + rounded;
+    Finding where = worstNode_[b];
+    where.body = b;
+    findings_.take(Quantity::Forces, axisymmetric_ ? std::abs(sums.resultant[1]) : length(sums.resultant[0], sums.resultant[1]), allowed,
+                   force, where);
+    if (!axisymmetric_) findings_.take(Quantity::Moments, std::abs(sums.moment), allowed * extent, force * extent, where);
+    findings_.take(Quantity::Residual, sums.residual, Bounds::residual.at(tolerance_) * force + Bounds::rounding * sums.rounding, force,
+                   where);
+    // A body that prescribed displacements only shift has no forces to lose.
+    const bool unstressed = sums.loads == 0.0 && sums.contact == 0.0 && scales_[b].deformation <= 64 * unitRoundoff * deformation_[b].moved;
+    if (force > 0.0 && !unstressed) findings_.take(Quantity::Digits, rounded, Bounds::digits * force, force, where);
+  }
+}
+
+void Verifier::judgeNodes() {
+  for (std::size_t i = 0; i < answer_.meshes.size(); ++i) {
+    const SubdomainMesh& mesh = answer_.meshes[i];
+    const double deformation = scales_[mesh.body].deformation;
+    std::map<int, const ContactPair*> pairs;
+    for (const ContactRow& row : mesh.contactRows) pairs[row.pair.id] = &row.pair;
+    std::vector<std::vector<Point>> normals(mesh.nodes());
+    for (const SubdomainMesh::ContactEnd& end : mesh.contactEnds) normals[end.node].push_back(pairs.at(end.pair)->normal);
+    for (int node = 0; node < mesh.nodes(); ++node) {
+      if (!counts(mesh, node)) continue;
+      const NodeRule* rule = rules_[i][node];
+      const Point rest = residual(int(i), node, rule), u = moved(int(i), node);
+      const double stiffness = nodes_[i](Stiffness, node), rounded = Bounds::rounding * nodes_[i](Rounding, node) / stiffness;
+      Point along = rest;  // less what contact takes: Contact and the pairs judge that, and forces of stiff neighbours round it
+      for (const Point& n : normals[node]) {
+        const double across = along[0] * n[0] + along[1] * n[1];
+        for (int k = 0; k < 2; ++k) along[k] -= across * n[k];
+      }
+      const double alone = length(along[0], along[1]) / stiffness, allowed = Bounds::node.at(tolerance_) * deformation + rounded;
+      if (findings_.isWorse(Quantity::Nodes, alone, allowed))
+        findings_.take(Quantity::Nodes, alone, allowed, deformation, place(int(i), node));
+      if (!normals[node].empty())
+        findings_.take(Quantity::Contact, length(rest[0], rest[1]),
+                       Bounds::contact.at(tolerance_) * scales_[mesh.body].largestContact + rounded * stiffness,
+                       scales_[mesh.body].largestContact, place(int(i), node));
+      if (!rule) continue;
+      for (int k = 0; k < 2; ++k) {
+        if (!rule->fixed[k]) continue;
+        const double off = std::abs(rule->axes[k][0] * u[0] + rule->axes[k][1] * u[1] - rule->value[k]);
+        findings_.take(Quantity::Prescribed, off,
+                       Bounds::geometry * deformation + 8 * unitRoundoff * (length(u[0], u[1]) + std::abs(rule->value[k])), deformation,
+                       place(int(i), node));
+      }
+    }
+  }
+}
+
+void Verifier::judgeSeams(const SeamExchange& seams) {
+  std::vector<Matrix> displacement;
+  for (std::size_t i = 0; i < answer_.meshes.size(); ++i)
+    displacement.emplace_back(Eigen::Map<const Matrix>(answer_.displacement[i].data(), 2, answer_.meshes[i].nodes()));
+  for (const SeamExchange::Difference& difference : seams.differences(displacement)) {
+    const double deformation = scales_[answer_.meshes[difference.mesh].body].deformation;
+    const Point u = moved(difference.mesh, difference.node);
+    findings_.take(Quantity::Seams, difference.size, Bounds::geometry * deformation + 8 * unitRoundoff * length(u[0], u[1]), deformation,
+                   place(difference.mesh, difference.node));
+  }
+}
+
+Verification Verifier::conclude() {
+  Packer packer;
+  packer.put(findings_);
+  packer.put(worstNode_);
+  Findings all = findings_;
+  std::vector<Finding> worst = worstNode_;
+  for (const std::string& bytes : gatherOnRoot(comm_, packer.bytes())) {
+    Unpacker unpacker(bytes);
+    all.take(unpacker.get<Findings>());
+    const auto other = unpacker.get<std::vector<Finding>>();
+    for (int b = 0; b < bodies_; ++b)
+      if (!(other[b].value <= worst[b].value)) worst[b] = other[b];
+  }
+  // Sums of a body are told at its worst node.
+  for (const Quantity sum : {Quantity::Forces, Quantity::Moments, Quantity::Residual, Quantity::Digits})
+    if (Finding& finding = all.all[std::size_t(sum)]; finding.body >= 0) finding.place = worst[finding.body].place;
+  Packer verdict;
+  for (int q = 0; q < kQuantities; ++q) {
+    verdict.put(all.all[q].made ? all.all[q].value : 0.0);
+    verdict.put(all.all[q].bound);
+    verdict.put(whereText(all.all[q], answer_.model.bodies, answer_.pieces));
+  }
+  Unpacker unpacker(broadcast(comm_, verdict.bytes()));
+  Verification result;
+  result.balance = balance_;
+  for (int q = 0; q < kQuantities; ++q) {
+    Check& check = result.checks.emplace_back();
+    check.name = nameOf(Quantity(q));
+    check.advice = adviceOf(Quantity(q));
+    unpacker.get(check.value);
+    unpacker.get(check.bound);
+    unpacker.get(check.where);
+  }
+  return result;
+}
+
+Verification Verifier::run() {
+  const SeamExchange seams(comm_, answer_.meshes);
+  deformation_ = deformations(comm_, answer_.meshes, answer_.displacement, bodies_);
+  gatherForces();
+  seams.sum(nodes_);
+  gatherEnds();
+  sumBodies();
+  judgeBodies();
+  judgeNodes();
+  judgeSeams(seams);
+  if (comm_.getRank() == 0) verifyPairs(ends_, answer_.pairs, scales_, Bounds::pair.at(tolerance_), findings_);
+  return conclude();
+}
+
+}  // namespace
+
+Verification verify(const Comm& comm, const Answer& answer) { return Verifier(comm, answer).run(); }
+
+}  // namespace suture

@@ -1,0 +1,24 @@
+#pragma once
+#include <suture/elasticity/ElasticModel.hpp>
+#include <suture/quality/PairResult.hpp>
+#include <suture/quality/Verification.hpp>
+
+#include <vector>
+
+namespace suture {
+
+/// What a run says that it has found.
+struct Answer {
+  const std::vector<SubdomainMesh>& meshes;  ///< of this rank
+  const ElasticModel& model;
+  const std::vector<Vector>& displacement;  ///< of each mesh: node-major, Cartesian [length]
+  const std::vector<PairResult>& pairs;     ///< on rank 0, all; only their ids, statuses and forces are used
+  const std::vector<ContactPiece>& pieces;  ///< on rank 0, for names in messages; may be empty
+  double tolerance = 1e-8;                  ///< relative algebraic error that was asked for
+};
+
+/// Judges an answer by loops over elements, conditions and pairs, with nothing that a solver made. See README.md for the quantities and
+/// their bounds. The same on all ranks. Collective. \throws InputError  an element is folded
+Verification verify(const Comm& comm, const Answer& answer);
+
+}  // namespace suture

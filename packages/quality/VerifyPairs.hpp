@@ -1,0 +1,29 @@
+#pragma once
+#include <suture/quality/Findings.hpp>
+#include <suture/quality/PairResult.hpp>
+
+#include <vector>
+
+namespace suture {
+
+/// One end of a pair, at the rank that counts its node. Plain.
+struct PairEndShare {
+  int pair, end, body;
+  double closing;    ///< weight x normal . u [length]
+  double moved;      ///< |weight| x |u| [length]
+  double weight;     ///< of the end in the pair
+  double stiffness;  ///< of the node, over all its subdomains [force / length]
+  double rounding;   ///< of the node's internal force [force]
+  double gap;        ///< initial [length]
+  Point place;       ///< of the node that carries the pair
+};
+
+/// Makes bodies without data of their own known by a part of their neighbours' force. On rank 0.
+void lendForce(const std::vector<PairEndShare>& ends, std::vector<BodyScale>& bodies);
+
+/// Penetration, tension, complementarity and status of all pairs: gaps from the ends alone, and as forces, by the stiffness of the nodes
+/// that meet. On rank 0. \param ends  of all ranks;  \param pairs  what the run says;  \param bound  relative to the bodies' forces
+void verifyPairs(std::vector<PairEndShare> ends, const std::vector<PairResult>& pairs, const std::vector<BodyScale>& bodies, double bound,
+                 Findings& findings);
+
+}  // namespace suture

@@ -1,0 +1,227 @@
+#include <suture/base/DisjointSets.hpp>
+#include <suture/solver/SetSolves.hpp>
+
+#include <Teuchos_Comm.hpp>
+#include <Teuchos_CommHelpers.hpp>
+#include <Tpetra_MultiVector.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace suture {
+
+namespace {
+constexpr int kRestarts = 4;      // of conjugate gradients whose recursion has lost the residual
+constexpr double kStalled = 0.5;  // of the residual: a restart that leaves more has met the floor of rounding
+constexpr double kFloor = 1e-6;   // residual above which a floor is no answer, whatever the verdict may say
+}  // namespace
+
+SetSolves::SetSolves(OuterSolver::Run& run, double inner)
+    : run_(run), sets_(*run.problem.sets()), inner_(std::max(inner, run.settings.tolerance)), step_(run.problem.space()->vector()) {}
+
+void SetSolves::precondition(const InterfaceState& state, const Teuchos::RCP<InterfaceOperator>& matrix) {
+  const bool first = preconditioned_.empty();
+  if (!first && run_.problem.differing(preconditioned_, state.status).empty()) return;
+  run_.preconditioner->initialize(matrix->space());
+  run_.preconditioner->compute(matrix);
+  preconditioned_ = state.status;
+  if (first) run_.describe(*matrix);
+}
+
+/// Scales of the clusters: from the energies of the state, or before there are any from the residual.
+void SetSolves::scaleBy(const InterfaceState& state, const ClosedSet& closed, const MultiVector& load) {
+  const RigidContact& rigid = sets_.bodies().rigid();
+  const auto parts = sets_.bodies().parts().size();
+  DisjointSets clusters(static_cast<int>(parts));
+  for (std::size_t i = 0; i < closed.size(); ++i)
+    if (closed[i])
+      for (const int part : rigid.data().bodies[i]) clusters.join(part, rigid.data().bodies[i].front());
+  const auto byCluster = [&](const Vector& ofParts) {
+    Vector sums = Vector::Zero(ofParts.size());
+    for (std::size_t p = 0; p < parts; ++p) sums(clusters.lowest(static_cast<int>(p))) += ofParts(static_cast<Eigen::Index>(p));
+    return sums;
+  };
+  Vector energy = byCluster(sets_.energies(state));
+  const std::vector<int>& partOf = sets_.partOfOwned();
+  bool one = true;
+  for (std::size_t p = 0; p < parts; ++p) one = one && clusters.lowest(static_cast<int>(p)) == clusters.lowest(0);
+  scale_.clear();
+  largestScale_ = 1.0;
+  // One cluster needs no scaling; an automatic tolerance asks for the error of the whole.
+  if (one || run_.automatic.on()) {
+    const double all = energy.cwiseMax(0.0).sum();
+    reference_ = std::sqrt(all);
+    return;
+  }
+  const MultiVectorPtr z = run_.problem.space()->vector();
+  run_.preconditioner->apply(load, *z);
+  Vector mine = Vector::Zero(energy.size()), fresh = mine;
+  {
+    const auto b = localView(load);
+    const auto c = localView(static_cast<const MultiVector&>(*z));
+    for (std::size_t k = 0; k < partOf.size(); ++k)
+      mine(partOf[k]) += b(static_cast<Eigen::Index>(k), 0) * c(static_cast<Eigen::Index>(k), 0);
+  }
+  Teuchos::reduceAll(*run_.problem.space()->comm(), Teuchos::REDUCE_SUM, static_cast<int>(mine.size()), mine.data(), fresh.data());
+  fresh = byCluster(fresh);
+  Vector size(energy.size());
+  for (Eigen::Index c = 0; c < size.size(); ++c) size(c) = std::sqrt(std::max(energy(c) > 0.0 ? energy(c) : fresh(c), 0.0));
+  largestScale_ = size.maxCoeff() > 0.0 ? size.maxCoeff() : 1.0;
+  for (const int part : partOf) {
+    const double own = size(clusters.lowest(part));
+    scale_.push_back(own > 0.0 ? own : largestScale_);
+  }
+  reference_ = 1.0;
+}
+
+void SetSolves::scale(MultiVector& x, bool inverse) const {
+  if (scale_.empty()) return;
+  auto values = localView(x);
+  for (std::size_t k = 0; k < scale_.size(); ++k) values(static_cast<Eigen::Index>(k), 0) *= inverse ? 1.0 / scale_[k] : scale_[k];
+}
+
+double SetSolves::norm(const MultiVector& residual) const {
+  MultiVector scaled(residual, Teuchos::Copy);
+  scale(scaled, true);
+  const double absolute = preconditionedNorm(*run_.preconditioner, scaled);
+  return absolute == 0.0 ? 0.0 : reference_ > 0.0 ? absolute / reference_ : 1.0;
+}
+
+void SetSolves::evaluateStart() {
+  InterfaceState state = run_.result.state;
+  state.trace = Teuchos::rcp(new MultiVector(*run_.result.state.trace, Teuchos::Copy));
+  int applications = run_.problem.conform(state);
+  ClosedSet closed = sets_.closedSet(state.status);
+  const RigidContact& rigid = sets_.bodies().rigid();
+  if (rigid.loosens(closed)) return;
+  const ClosedSet carrying = closed;
+  for (const int i : rigid.holders(carrying, rigid.loose(carrying))) closed[i] = 1;
+  if (closed != carrying) return;
+  const InterfaceProblem::Linearisation linear = run_.problem.linearise(state);
+  precondition(state, linear.matrix);
+  scaleBy(state, closed, *linear.load);
+  run_.evaluation = run_.problem.evaluate(state, run_.settings.tolerance);
+  run_.result.pcgTotal += applications + run_.evaluation.applications;
+  run_.result.residual = norm(*run_.evaluation.residual);
+  run_.result.state = state;
+  run_.confirm();
+}
+
+bool SetSolves::oneSolve(InterfaceState& state, bool goOn, int level, InnerResult& cost, int& applications) {
+  const double final = run_.settings.tolerance;
+  const double tolerance = level == 0 ? inner_ : level == 1 ? std::sqrt(inner_ * final) : final;
+  const EnergyCriterion criterion = run_.automatic.criterion(state, run_.lowest, false, level > 0);
+  if (goOn) {
+    matrix_->record();
+    cost = run_.inner.goOn(*step_, tolerance, reference_, run_.monitor, criterion);
+  } else {
+    applications += run_.problem.conform(state);
+    const InterfaceProblem::Linearisation linear = run_.problem.linearise(state);
+    matrix_ = linear.matrix;
+    precondition(state, matrix_);
+    scaleBy(state, closed_, *linear.load);
+    scale(*linear.load, true);
+    matrix_->record();
+    cost = run_.inner.solve(matrix_, run_.preconditioner, *linear.load, *step_, tolerance, reference_, run_.monitor, criterion);
+  }
+  run_.learn(cost);
+  const Matrix image = matrix_->recorded(cost.steps);
+  if (!cost.converged) {
+    run_.result.pcgTotal += cost.pcg + applications;
+    run_.result.failure = "a linear solve did not reach its tolerance within " + std::to_string(run_.settings.maximumInnerIterations) +
+                          " iterations; a Preconditioner/BDDC/Edge Constraints of Adaptive may help";
+    return false;
+  }
+  if (!goOn && reference_ == 0.0) reference_ = cost.history.front() > 0.0 ? cost.reference : 0.0;
+  scale(*step_, false);
+  run_.problem.update(state, *step_, 1.0, scale_.empty() ? &image : nullptr);
+  return true;
+}
+
+ContactAnswer SetSolves::solve(const ClosedSet& closed, int level) {
+  const double final = run_.settings.tolerance;
+  const double tolerance = level == 0 ? inner_ : level == 1 ? std::sqrt(inner_ * final) : final;
+  ContactAnswer answer;
+  bool goOn = closed == closed_ && run_.inner.canGoOn();
+  closed_ = closed;
+  double before = 0.0;
+  try {
+    for (int pass = 0;; ++pass) {
+      InterfaceState state = run_.result.state;
+      state.trace = Teuchos::rcp(new MultiVector(*run_.result.state.trace, Teuchos::Copy));
+      state.status = sets_.statusOf(closed);
+      InnerResult cost;
+      int applications = 0;
+      if (!oneSolve(state, goOn, level, cost, applications)) {
+        answer.solved = false;
+        closed_.clear();
+        return answer;
+      }
+      // Statuses are believed as far as the solve has come.
+      InterfaceProblem::Evaluation at = run_.problem.evaluate(state, std::max(final, std::min(tolerance, cost.residual)));
+      double residual = cost.residual;
+      bool drifted = false;
+      if (level == levels() - 1 ||
+          (at.settled && residual <= final)) {  // what the recursion of conjugate gradients says, confirmed by the operator itself
+        state.memory.reset();
+        at = run_.problem.evaluate(state, final);
+        const double energy = scale_.empty() && !run_.automatic.on() ? std::sqrt(std::max(sets_.energies(state).sum(), 0.0)) : 0.0;
+        if (energy > 0.0) reference_ = energy;
+        residual = norm(*at.residual);
+        drifted = residual > final;
+      }
+      if (!std::isfinite(residual)) throw NumericalError("a residual is not a number");
+      cost.pcg += applications + at.applications;
+      answer.force = at.force;
+      answer.penetration = at.penetration;
+      answer.forceTolerance = at.forceTolerance;
+      answer.penetrationTolerance = at.penetrationTolerance;
+      answer.energy = at.energy;
+      run_.accept(std::move(state), std::move(at), residual, cost, 1.0,
+                  cost.energyErrors.empty() ? -1.0 : largestScale_ * cost.energyErrors.back());
+      run_.result.state.status = sets_.statusOf(closed);
+      if (!drifted) return answer;
+      closed_.clear();
+      if (pass > 0 && (residual > kStalled * before || pass >= kRestarts)) {
+        run_.atFloor = residual <= kFloor;
+        return answer;
+      }
+      before = residual;
+      goOn = false;
+      closed_ = closed;
+    }
+  } catch (const NumericalError& error) {
+    run_.result.failure = error.what();
+    answer.solved = false;
+    closed_.clear();
+    return answer;
+  }
+}
+
+ContactOracle::Change SetSolves::redistribute(const ClosedSet& closed, const Vector& given) {
+  Change change;
+  InterfaceState state = run_.result.state;
+  state.trace = Teuchos::rcp(new MultiVector(*run_.result.state.trace, Teuchos::Copy));
+  state.status = sets_.statusOf(closed);
+  closed_.clear();
+  try {
+    int applications = run_.problem.conform(state) + 2;
+    const InterfaceProblem::Linearisation linear = run_.problem.linearise(state);
+    precondition(state, linear.matrix);
+    const MultiVectorPtr load = sets_.loadOf(given, state.status);
+    const InnerResult cost =
+        run_.inner.solve(linear.matrix, run_.preconditioner, *load, *step_, run_.settings.tolerance, 0.0, run_.monitor);
+    run_.result.pcgTotal += cost.pcg + applications;
+    if (!cost.converged) return change;
+    sets_.pairChanges(*step_, state.status, given, change.force, change.penetration);
+  } catch (const NumericalError& error) {
+    run_.result.failure = error.what();
+    return Change();
+  }
+  return change;
+}
+
+void SetSolves::move(const Vector& motion) { sets_.move(run_.result.state, motion); }
+
+}  // namespace suture

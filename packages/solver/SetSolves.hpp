@@ -1,0 +1,48 @@
+#pragma once
+#include <suture/contact/ContactSearch.hpp>
+#include <suture/solver/OuterSolver.hpp>
+
+#include <vector>
+
+namespace suture {
+
+/// The linear problems of a closed set on the interface, by preconditioned conjugate gradients: what ContactSearch asks of Contact On The
+/// Interface. Three accuracies: the inner tolerance, half way to the final one, the final one. Collective.
+///
+/// The norm of a residual is sqrt(r.M r) relative to the energy norm of the solution, sqrt(U.S U), cluster by cluster of bodies that closed
+/// pairs connect: there S is block diagonal, and each block is scaled by its own energy before conjugate gradients see it. A weak cluster
+/// has as many digits as a strong one beside it.
+class SetSolves : public ContactOracle {
+ public:
+  /// \param inner  tolerance of the loosest solves
+  SetSolves(OuterSolver::Run& run, double inner);
+
+  /// Evaluates the start that a run goes on from; run.done() tells whether it is the solution.
+  void evaluateStart();
+
+  int levels() const override { return 3; }
+  ContactAnswer solve(const ClosedSet& closed, int level) override;
+  Change redistribute(const ClosedSet& closed, const Vector& given) override;
+  void move(const Vector& motion) override;
+  bool goesOn() override { return !run_.done() && run_.goesOn(); }
+
+ private:
+  void precondition(const InterfaceState& state, const Teuchos::RCP<InterfaceOperator>& matrix);
+  void scaleBy(const InterfaceState& state, const ClosedSet& closed, const MultiVector& load);
+  void scale(MultiVector& x, bool inverse) const;
+  double norm(const MultiVector& residual) const;
+  bool oneSolve(InterfaceState& state, bool goOn, int level, InnerResult& cost, int& applications);
+
+  OuterSolver::Run& run_;
+  const ContactSets& sets_;
+  const double inner_;
+  MultiVectorPtr step_;
+  ClosedSet closed_;  // of the last solve; empty: it can't be gone on with
+  ContactStatus preconditioned_;
+  Teuchos::RCP<InterfaceOperator> matrix_;
+  std::vector<double> scale_;  // of each owned unknown; empty: one cluster
+  double largestScale_ = 1.0;
+  double reference_ = 0.0;
+};
+
+}  // namespace suture

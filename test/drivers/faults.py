@@ -1,0 +1,176 @@
+"""What goes wrong around a run: a full disk, too little memory, signals, a second run into the same folder. The exit code tells, no rank waits
+for ever, and what was there before is neither lost nor taken for the new result.
+
+faults.py --solve PROGRAM --mpirun "mpirun ..." --work DIR --input FOLDER
+"""
+import hashlib
+import json
+import os
+import pathlib
+import resource
+import signal
+import subprocess
+import time
+
+import harness
+from harness import arguments, check, finish, setting
+
+options = arguments("--solve", "--input")
+work = options.work
+TUNNEL = pathlib.Path(options.input) / "tunnel" / "tunnel.xml"
+OPEN = pathlib.Path(options.input) / "tunnel" / "tunnel_open.xml"
+SLOW = setting("Outer Solver/Type", "Successive Approximation") + setting("Outer Solver/Maximum Iterations", 100000) + \
+    setting("Outer Solver/Tolerance", "1e-14") + setting("Formulation", "Condensed Groups")
+
+
+def run(ranks, *words, limit=None, timeout=60):
+    """Exit code ("no end" if it had to be killed), output and seconds."""
+    line = harness.command(options.solve, ranks, *words) if ranks > 1 else [options.solve, *map(str, words)]
+    begin = time.time()
+    process = subprocess.Popen(line, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, start_new_session=True, preexec_fn=limit)
+    try:
+        text, code = process.communicate(timeout=timeout)[0], process.returncode
+    except subprocess.TimeoutExpired:
+        os.killpg(process.pid, signal.SIGKILL)
+        text, code = process.communicate()[0], "no end"
+    return code, text, time.time() - begin
+
+
+def summary(folder):
+    return json.loads((work / folder / "summary.json").read_text())
+
+
+def digest(path):
+    return hashlib.sha256(path.read_bytes()).hexdigest()
+
+
+def start(name, *words, ranks=1, launcher=()):
+    """A run in the background; returns when its table has begun."""
+    log = work / (name + ".log")
+    line = [options.solve, *map(str, words)] if ranks == 1 else \
+        [*options.mpirun.split(), *launcher, "-np", str(ranks), options.solve, *map(str, words)]
+    process = subprocess.Popen(line, stdout=open(log, "w"), stderr=subprocess.STDOUT, start_new_session=True)
+    until = time.time() + 60
+    while time.time() < until and "residual   active" not in log.read_text() and process.poll() is None:
+        time.sleep(0.05)
+    return process
+
+
+# A full disk, met at whatever moment: while fields, texts or the end of a file are written.
+disk = work / "disk"
+disk.mkdir()
+if subprocess.run(["mount", "-t", "tmpfs", "-o", "size=4m", "none", str(disk)], capture_output=True).returncode == 0:
+    try:
+        code, _, _ = run(2, TUNNEL, "--quiet", "--output", disk / "out")
+        check("a run that fits", code, 0)
+        need = sum(f.stat().st_size for f in (disk / "out").iterdir())
+        for ranks in (1, 2, 4):
+            for part in (0, 0.02, 0.3, 0.6, 0.9, 0.97, 0.995):
+                subprocess.run(f"rm -rf {disk}/*", shell=True)
+                free = int(part * need / 4096) * 4096
+                with open(disk / "filler", "wb") as filler:
+                    os.posix_fallocate(filler.fileno(), 0, os.statvfs(disk).f_bavail * os.statvfs(disk).f_bsize - free)
+                code, text, seconds = run(ranks, TUNNEL, "--quiet", "--output", disk / "out")
+                what = f"disk with {free} of {need} bytes free, {ranks} ranks: "
+                check(what + "exit code", code, 5)
+                check(what + "the message says why", text, lambda t: "No space left on device" in t)
+                check(what + "no summary", (disk / "out" / "summary.json").exists(), False)
+                check(what + "no half a file is left", [f.name for f in (disk / "out").glob("**/*")] if (disk / "out").exists() else [], [])
+    finally:
+        subprocess.run(["umount", "-l", str(disk)])
+else:
+    print("skipped: no right to mount a small disk")
+
+# Too little address space: refused, never an endless request for it.
+for megabytes in (500, 700, 900, 1200, 1600, 2400):
+    size = megabytes << 20
+    code, text, seconds = run(1, OPEN, "--quiet", *setting("Mesh/Constants/scale", 0.35), "--output", work / "little",
+                              limit=lambda: resource.setrlimit(resource.RLIMIT_AS, (size, size)))
+    check(f"{megabytes} MB of address space: exit code", code, lambda c: c in (0, 5) and (megabytes < 2400 or c == 0))
+    if code != 0:
+        check(f"{megabytes} MB of address space: message", text, lambda t: "memory" in t or "ulimit -v" in t)
+
+# SIGTERM and SIGINT: the step in hand, a checkpoint, 75. A batch system sends them to all ranks; one that gets it stops the others, too.
+def ranks_of(process):
+    children = pathlib.Path(f"/proc/{process.pid}/task/{process.pid}/children").read_text().split()
+    return [int(child) for child in children if "suture_solve" in pathlib.Path(f"/proc/{child}/cmdline").read_text()]
+
+
+for name, ranks, hit in (("SIGTERM", 1, 1), ("SIGINT", 1, 1), ("SIGTERM", 2, 2), ("SIGTERM", 2, 1), ("SIGINT", 4, 4)):
+    what = f"{name} to {hit} of {ranks} ranks"
+    folder = f"{name}_{hit}_{ranks}"
+    process = start(folder, OPEN, *SLOW, "--output", work / folder, ranks=ranks)
+    pids = ranks_of(process) if ranks > 1 else [process.pid]
+    check(what + ": they run", len(pids), ranks)
+    begin = time.time()
+    for pid in pids[-hit:]:
+        os.kill(pid, getattr(signal, name))
+    while any(pathlib.Path(f"/proc/{pid}/exe").exists() for pid in pids) and process.poll() is None and time.time() - begin < 30:
+        time.sleep(0.02)
+    check(what + ": the ranks end below five seconds", time.time() - begin, lambda s: s < 5)
+    code = process.wait(timeout=60)
+    check(what + ": exit code", code, 75)
+    check(what + ": summary", (summary(folder)["exit_code"], summary(folder)["converged"]), (75, False))
+    code, _, _ = run(3 - min(ranks, 2), OPEN, "--quiet", "--restart", work / folder / "checkpoint.h5", "--output", work / (folder + "_resumed"))
+    check(what + ": restart", (code, summary(folder + "_resumed")["converged"]), (0, True))
+
+# mpirun kills its ranks a second after a SIGTERM of its own, unless told otherwise.
+process = start("launcher", OPEN, *SLOW, "--output", work / "launcher", ranks=2, launcher=("--mca", "odls_base_sigkill_timeout", "5"))
+process.send_signal(signal.SIGTERM)
+process.wait(timeout=60)
+check("SIGTERM to mpirun: a checkpoint and a summary", ((work / "launcher" / "checkpoint.h5").exists(), summary("launcher")["exit_code"]), (True, 75))
+
+# Where no iteration can end, while the mesh is made, the run ends all the same.
+geometry = work / "endless.geo"
+geometry.write_text("DefineConstant[ scale = 1 ];\nFor i In {1:1e12}\n x = i;\nEndFor\n")
+process = subprocess.Popen([options.solve, str(OPEN), "--set", f"Mesh/File={geometry}", "--output", str(work / "endless")], stderr=subprocess.PIPE, text=True)
+time.sleep(1.5)
+begin = time.time()
+process.terminate()
+text = process.communicate(timeout=60)[1]
+check("SIGTERM while the mesh is read", (process.returncode, time.time() - begin < 5, "no new checkpoint" in text), (75, True, True))
+
+# SIGKILL: an earlier result is set aside, a checkpoint of the run itself is there, the lock goes with the process.
+code, _, _ = run(1, OPEN, "--quiet", "--output", work / "killed")
+check("a first run", (code, summary("killed")["converged"]), (0, True))
+fields = digest(work / "killed" / "fields_0000.vtkhdf")
+process = start("killed", OPEN, *SLOW, *setting("Output/Checkpoint Every", 1e-3), "--output", work / "killed")
+until = time.time() + 30
+while not (work / "killed" / "checkpoint.h5").exists() and time.time() < until:
+    time.sleep(0.05)
+code, text, _ = run(2, OPEN, "--quiet", "--output", work / "killed")
+check("a second run into the folder", code, 5)
+check("it names the first", text, lambda t: f"process {process.pid}" in t and "another run writes" in t)
+process.kill()
+process.wait()
+check("killed: no summary to be taken for that of the run", (work / "killed" / "summary.json").exists(), False)
+check("killed: the earlier result is there", (json.loads((work / "killed" / "summary.previous.json").read_text())["converged"],
+                                             digest(work / "killed" / "fields_0000.vtkhdf")), (True, fields))
+code, _, _ = run(2, OPEN, "--quiet", "--restart", work / "killed" / "checkpoint.h5", "--output", work / "killed")
+check("killed: restart on two ranks, into the folder of the dead", (code, summary("killed")["converged"]), (0, True))
+check("nothing else is left", sorted(f.name for f in (work / "killed").iterdir() if f.name != "checkpoint.h5"),
+      ["contact_0000.vtkhdf", "fields_0000.vtkhdf", "history.csv", "summary.json"])
+
+# A run that fails on its input leaves the earlier result, but no summary.
+code, _, _ = run(2, OPEN, "--quiet", "--output", work / "killed", *setting("Contact/fault above/Side A", "none"))
+check("a run that fails", code, 3)
+check("it leaves the earlier result beside", [(work / "killed" / f).exists() for f in ("summary.json", "summary.previous.json", "fields_0000.vtkhdf")],
+      [False, True, True])
+
+# Damaged numbers of a checkpoint are blamed on the file.
+sound = (work / "SIGTERM_1_1" / "checkpoint.h5").read_bytes()
+changed = 0
+for at in range(len(sound) // 2, len(sound) // 2 + 3):
+    damaged = bytearray(sound)
+    damaged[at] ^= 0x10
+    (work / "damaged.h5").write_bytes(damaged)
+    code, text, _ = run(1, OPEN, "--quiet", "--restart", work / "damaged.h5", "--output", work / "damaged")
+    check(f"a checkpoint with byte {at} changed", (code, "damaged.h5" in text and "checksum" in text), (3, True))
+
+# All ranks end alike; a launcher that is asked to be quiet adds nothing.
+quiet = subprocess.run([*options.mpirun.split(), "-q", "-np", "2", options.solve, str(OPEN), "--set", "Outer Solver/Tolerence=1"],
+                       capture_output=True, text=True)
+check("a refusal under mpirun -q", (quiet.returncode, quiet.stdout), (3, ""))
+check("is our message alone", quiet.stderr, lambda t: t.startswith("suture_solve: 1 error in") and "mpirun" not in t and "-----" not in t)
+
+finish()

@@ -1,0 +1,207 @@
+// Right answers, spoilt one at a time: the verdict must hold before, and name what was planted after.
+#include <Teuchos_UnitTestHarness.hpp>
+#include <quality/Judged.hpp>
+
+#include <limits>
+
+namespace suture {
+namespace {
+
+using namespace blocks;
+
+/// Judges the answer as it is and with an error in it. \param body  that the verdict must name; "" any
+void caught(const Scene& scene, const std::string& name, const std::function<void(Judged&)>& plant, bool& success,
+            Teuchos::FancyOStream& out, const std::string& body = "") {
+  Judged answer(scene);
+  const Verification before = answer.verdict();
+  TEST_ASSERT(before.holds());
+  if (!before.holds()) out << "right answer: " << before.failure() << "\n";
+  plant(answer);
+  const Verification after = answer.verdict();
+  const Check& found = check(after, name);
+  out << name << " " << check(before, name).value << " -> " << found.value << " bound " << found.bound << " at " << found.where << "\n";
+  TEST_ASSERT(!after.holds());
+  TEST_ASSERT(!found.holds());
+  TEST_ASSERT(after.failure().find(name) != std::string::npos);
+  if (!body.empty()) TEST_ASSERT(found.where.find(body) != std::string::npos);
+}
+
+#define PLANT(Name, scene, quantity, ...) \
+  TEUCHOS_UNIT_TEST(PlantedErrors, Name) { caught(scene, quantity, [](Judged & answer) __VA_ARGS__, success, out); }
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+// Bodies that move as a whole: no element notices.
+PLANT(ALooseBodyLifted, looseBlock(), "status", {
+  const double shift = 1e-5 * answer.deformation(1);
+  answer.move(1, [&](const Point&, double* u) { u[1] += shift; });
+})
+PLANT(ALooseBodyPushedIn, looseBlock(), "penetration", {
+  const double shift = 1e-5 * answer.deformation(1);
+  answer.move(1, [&](const Point&, double* u) { u[1] -= shift; });
+})
+PLANT(ALooseBodyTurned, looseBlock(), "status", {
+  const double angle = 1e-5 * answer.deformation(1);
+  answer.move(1, [&](const Point& x, double* u) { u[0] -= angle * x[1], u[1] += angle * x[0]; });
+})
+PLANT(ABodyShiftedAlongAGuide, looseBlock(), "prescribed", {
+  const double shift = 1e-5 * answer.deformation(1);
+  answer.move(1, [&](const Point&, double* u) { u[0] += shift; });
+})
+PLANT(AFixedBodyMoved, pressedBlocks(), "prescribed", {
+  const double shift = 1e-7 * answer.deformation(0);
+  answer.move(0, [&](const Point&, double* u) { u[0] += shift; });
+})
+
+// Contact.
+PLANT(AClosedPairCalledOpen, looseBlock(), "status", {
+  if (const int pair = answer.strongest(); pair >= 0) answer.pairs[pair].status = PairStatus::Open;
+})
+PLANT(AnOpenPairCalledClosed, looseBlock(), "status", {
+  if (const int pair = answer.widest(); pair >= 0) answer.pairs[pair].status = PairStatus::Slip;
+})
+PLANT(AForceScaled, looseBlock(), "residual", {
+  if (const int pair = answer.strongest(); pair >= 0) answer.pairs[pair].force *= 1.001;
+})
+PLANT(AForceScaledBetweenPressedBlocks, pressedBlocks(), "residual", {
+  if (const int pair = answer.strongest(); pair >= 0) answer.pairs[pair].force *= 1.001;
+})
+PLANT(AllForcesScaled, looseBlock(), "forces", {
+  for (PairResult& pair : answer.pairs) pair.force *= 1.0001;
+})
+PLANT(AForceMovedToTheNeighbour, looseBlock(), "moments", {
+  if (const int pair = answer.strongest(); pair >= 0) {
+    const double moved = 1e-3 * answer.pairs[pair].force;
+    answer.pairs[pair].force -= moved;
+    answer.pairs[pair == 0 ? 1 : pair - 1].force += moved;
+  }
+})
+PLANT(AForceAcrossAnOpenGap, looseBlock(), "complementarity", {
+  const double force = 1e-4 * answer.largestForce();
+  if (const int pair = answer.widest(); pair >= 0) answer.pairs[pair].force += force;
+})
+PLANT(ASmallTension, looseBlock(), "tension", {
+  const double force = 1e-4 * answer.largestForce();
+  if (const int pair = answer.widest(); pair >= 0) answer.pairs[pair].force -= force;
+})
+PLANT(APairLost, looseBlock(), "status", {
+  if (!answer.pairs.empty()) answer.pairs.pop_back();
+})
+PLANT(APairTooMany, looseBlock(), "status", {
+  if (!answer.pairs.empty()) answer.pairs.push_back(answer.pairs.back()), answer.pairs.back().id += 1;
+})
+PLANT(AGapThatWasSmaller, looseBlock(), "penetration", {
+  const double closer = 1e-5 * answer.deformation(1);
+  for (SubdomainMesh& mesh : answer.all.meshes)
+    for (ContactRow& row : mesh.contactRows) row.pair.gap -= closer;
+})
+PLANT(AMortarForceScaled, mortarBlock(), "residual", {
+  if (const int pair = answer.strongest(); pair >= 0) answer.pairs[pair].force *= 1.001;
+})
+PLANT(AMortarNodePushedIn, mortarBlock(), "penetration", {
+  const double shift = 1e-5 * answer.deformation(1);
+  answer.move(1, [&](const Point&, double* u) { u[1] -= shift; });
+})
+PLANT(AMortarPairCalledOpen, mortarBlock(), "status", {
+  if (const int pair = answer.strongest(); pair >= 0) answer.pairs[pair].status = PairStatus::Open;
+})
+PLANT(AnObstaclesForceScaled, blockOnObstacle(), "residual", {
+  if (const int pair = answer.strongest(); pair >= 0) answer.pairs[pair].force *= 1.001;
+})
+PLANT(AnObstacleThatWasNearer, blockOnObstacle(), "penetration", {
+  const double closer = 1e-5 * answer.deformation(0);
+  for (SubdomainMesh& mesh : answer.all.meshes)
+    for (ContactRow& row : mesh.contactRows) row.pair.gap -= closer;
+})
+
+// Displacements.
+PLANT(OneDofDisturbed, pressedBlocks(), "nodes", {
+  const double shift = 1e-5 * answer.deformation(1);
+  answer.moveNear(1, {0.2, 0.6, 0}, [&](double* u) { u[0] += shift; });
+})
+PLANT(OneDofOfTheLowerBodyDisturbed, looseBlock(), "nodes", {
+  const double shift = 1e-5 * answer.deformation(0);
+  answer.moveNear(0, {-0.3, -0.4, 0}, [&](double* u) { u[1] += shift; });
+})
+PLANT(ABumpOfTheLongestWave, looseBlock(100.0, 1.0, 16), "residual", {
+  const double height = 1e-4 * answer.deformation(0);
+  answer.move(0, [&](const Point& x, double* u) { u[0] += height * std::sin(2.0 * (x[1] + 1)) * x[1] * (x[0] - 1); });
+})
+PLANT(DisplacementsScaled, pressedBlocks(), "residual", {
+  for (int body : {0, 1}) answer.move(body, [&](const Point&, double* u) { u[0] *= 1.0001, u[1] *= 1.0001; });
+})
+PLANT(NotANumberInside, pressedBlocks(), "residual", { answer.moveNear(1, {0.2, 0.6, 0}, [&](double* u) { u[0] = kNaN; }); })
+PLANT(NotANumberAmongTheForces, pressedBlocks(), "tension", {
+  if (!answer.pairs.empty()) answer.pairs[2].force = kNaN;
+})
+PLANT(AnInfiniteDisplacement, looseBlock(), "residual", {
+  answer.moveNear(0, {-0.3, -0.4, 0}, [&](double* u) { u[1] = std::numeric_limits<double>::infinity(); });
+})
+PLANT(ATornSeam, pressedBlocks(), "seams", {
+  const double shift = 1e-8 * answer.deformation(1);
+  for (std::size_t i = 0; i < answer.all.meshes.size(); ++i) {
+    const SubdomainMesh& mesh = answer.all.meshes[i];
+    for (int node = 0; mesh.body == 1 && node < mesh.nodes(); ++node)
+      if (!counts(mesh, node)) answer.displacement[i][2 * node] += shift;
+  }
+})
+
+// Data.
+PLANT(AMissingLoad, looseBlock(), "forces", { answer.all.model.loads.push_back({Load::Kind::BodyForce, "upper", {0, -1e-6, 0}}); })
+PLANT(AMissingLoadOnAHeldBody, looseBlock(), "residual", {
+  answer.all.model.loads.push_back({Load::Kind::BodyForce, "lower", {1e-6, 0, 0}});
+})
+PLANT(AWrongModulus, pressedBlocks(), "residual", { answer.all.model.materialOfBody[1].young *= 1.0001; })
+PLANT(AWrongPoissonRatio, looseBlock(), "residual", { answer.all.model.materialOfBody[0].poisson += 1e-4; })
+PLANT(AnotherPlaneModel, looseBlock(), "residual", { answer.all.model.plane = PlaneModel::Stress; })
+PLANT(AnotherPrescribedValue, pressedBlocks(), "prescribed", {
+  const double off = 1e-8 * answer.deformation(1);
+  for (SubdomainMesh& mesh : answer.all.meshes)
+    for (NodeRule& rule : mesh.rules)
+      if (mesh.body == 1) rule.value[1] += off;
+})
+PLANT(AnotherNormal, looseBlock(), "residual", {
+  for (SubdomainMesh& mesh : answer.all.meshes)
+    for (ContactRow& row : mesh.contactRows) row.pair.normal = {1e-4, 1, 0};
+})
+
+/// All bodies carried away by so many times their size: a right answer, whose digits are gone.
+TEUCHOS_UNIT_TEST(PlantedErrors, DigitsLostToARigidMotion) {
+  Judged answer(pressedBlocks());
+  TEST_ASSERT(answer.verdict().holds());
+  for (const double distance : {1e3, 1e13}) {
+    Judged moved(pressedBlocks());
+    for (int body : {0, 1}) moved.move(body, [&](const Point&, double* u) { u[0] += distance; });
+    for (SubdomainMesh& mesh : moved.all.meshes)
+      for (NodeRule& rule : mesh.rules)
+        if (rule.fixed[0]) rule.value[0] += distance;
+    const Verification verdict = moved.verdict();
+    TEST_EQUALITY(check(verdict, "digits").holds(), distance < 1e6);
+    TEST_EQUALITY(verdict.holds(), distance < 1e6);
+    out << distance << ": digits " << check(verdict, "digits").value << "\n" << verdict.failure() << "\n";
+  }
+}
+
+/// A weak pair of bodies beside a strong one: its own forces are the measure.
+TEUCHOS_UNIT_TEST(PlantedErrors, AWeakBodysForceScaled) {
+  for (const double weak : {1e-3, 1e-9})
+    caught(
+        strongAndWeak(weak), "residual",
+        [](Judged& answer) {
+          for (PairResult& pair : answer.pairs)
+            if (pair.piece == 1) pair.force *= 1.0001;
+        },
+        success, out, "2'");
+}
+TEUCHOS_UNIT_TEST(PlantedErrors, AWeakBodyLifted) {
+  caught(
+      strongAndWeak(1e-6), "status",
+      [](Judged& answer) {
+        const double shift = 1e-5 * answer.deformation(3);
+        answer.move(3, [&](const Point&, double* u) { u[1] += shift; });
+      },
+      success, out, "2'");
+}
+
+}  // namespace
+}  // namespace suture
