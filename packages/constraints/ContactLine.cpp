@@ -165,7 +165,7 @@ Schema contactSchema() {
           "not match")
       .oneOf("Multipliers On", "Automatic", {"Automatic", "Side A", "Side B"},
              "with Mortar, the side whose nodes carry the contact stress; Automatic: one that the other covers wholly, or that with more "
-             "nodes")
+             "nodes; of two-node elements on a curve the coarser one")
       .oneOf("Geometry", "Automatic", {"Automatic", "Smooth", "Facets"},
              "with Mortar, what curve stands for a side whose elements are straight while their nodes lie on a curve. Automatic: the shape "
              "that both sides have when pressed together, between their curvatures by the bodies' stiffnesses; Smooth: the drawn curve, by "

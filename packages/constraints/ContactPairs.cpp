@@ -10,10 +10,10 @@ namespace suture {
 
 namespace {
 
-constexpr double kWeightless = 1e-9;  // of the neighbours' tributary areas
+constexpr double kWeightless = 1e-2;  // of a neighbour's tributary area; on the axis a two-node side has a sixth of it
 
 /// Leaves out pairs without a tributary area. The end of a second-order side on the axis is one: the integral of its hat function over the
-/// circle is zero, so that no pressure has a force there, and no force decides whether it is closed.
+/// circle is zero, or nearly so if the side is curved: no pressure has a force there, and no force decides whether it is closed.
 PairedLine withoutWeightless(const PairedLine& all) {
   PairedLine some;
   for (const PairedLine::Chain& chain : all.chains) {

@@ -13,7 +13,8 @@ namespace suture {
 ///     tolerance x local mesh size + |gap| tan(theta),
 /// where theta is the largest angle between n and the normals of the sides nearby. The second term lets d lie anywhere between the normals
 /// of the two sides: with a gap between curved sides no single direction is the right one (a cylinder over a plane matches by x, one over
-/// a cylinder by angle), and the difference is of second order.
+/// a cylinder by angle), and the difference is of second order. The normal of such a pair is then the direction of d, so that its forces
+/// have no moment.
 /// \param problems  gets sides that do not match (how many nodes on each, how many without partner, where and how far), do not face each
 ///                  other or are of different order; may be null
 /// \return nothing if they do not match

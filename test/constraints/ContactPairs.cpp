@@ -141,6 +141,25 @@ TEUCHOS_UNIT_TEST(ContactPairs, MatchACylinderOverAPlaneByTheSameX) {
   }
 }
 
+// The integral of the hat function times r vanishes at the end of a second-order side on the axis: 2 pi (1/2 - 1 + 1/2) h^2.
+TEUCHOS_UNIT_TEST(ContactPairs, LeaveOutANodeOnTheAxisWithoutTributaryArea) {
+  for (const Cell cell : {Cell::Triangle3, Cell::Triangle6, Cell::Quadrilateral8})
+    for (const std::string coupling : {"Matching Nodes", "Mortar"}) {
+      Mesh mesh = stack(2, 8, cell);
+      makeAxisymmetric(mesh);
+      const Constraints constraints =
+          build(mesh, "", entry("joint", {{"Side A", "b0_top"}, {"Side B", "b1_bottom"}, {"Coupling", coupling}}));
+      TEST_EQUALITY(constraints.pairs.size(), cell == Cell::Triangle3 ? std::size_t(9) : std::size_t(16));
+      double area = 0;
+      for (const ContactPair& pair : constraints.pairs) {
+        TEST_EQUALITY(constraints.pairs[pair.id].id, pair.id);
+        TEST_COMPARE(pair.length, >, 0.1);
+        area += pair.length;
+      }
+      TEST_FLOATING_EQUALITY(area, pi * 16, 1e-12);
+    }
+}
+
 TEUCHOS_UNIT_TEST(ContactPairs, CountAndLocateNodesWithoutPartner) {
   std::vector<Box> all(2);
   all[0].name = "b0", all[0].x1 = 4, all[0].nx = 8, all[0].ny = 2;
