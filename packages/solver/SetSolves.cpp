@@ -50,8 +50,11 @@ void SetSolves::scaleBy(const InterfaceState& state, const ClosedSet& closed, co
   largestScale_ = 1.0;
   // One cluster needs no scaling; an automatic tolerance asks for the error of the whole.
   if (one || run_.automatic.on()) {
-    const double all = energy.cwiseMax(0.0).sum();
-    reference_ = std::sqrt(all);
+    reference_ = std::sqrt(energy.cwiseMax(0.0).sum());
+    if (run_.automatic.on() && reference_ == 0.0) {  // it needs to know the size of the solution
+      reference_ = preconditionedNorm(*run_.preconditioner, load);
+      run_.automatic.startsFrom(reference_);
+    }
     return;
   }
   const MultiVectorPtr z = run_.problem.space()->vector();
