@@ -43,6 +43,7 @@ void SetSolves::scaleBy(const InterfaceState& state, const ClosedSet& closed, co
     return sums;
   };
   Vector energy = byCluster(sets_.energies(state));
+  if (!deformed_) energy.setZero();
   const std::vector<int>& partOf = sets_.partOfOwned();
   bool one = true;
   for (std::size_t p = 0; p < parts; ++p) one = one && clusters.lowest(static_cast<int>(p)) == clusters.lowest(0);
@@ -103,7 +104,9 @@ void SetSolves::evaluateStart() {
   if (closed != carrying) return;
   const InterfaceProblem::Linearisation linear = run_.problem.linearise(state);
   precondition(state, linear.matrix);
+  deformed_ = true;
   scaleBy(state, closed, *linear.load);
+  run_.automatic.startsFrom(reference_);
   run_.evaluation = run_.problem.evaluate(state, run_.settings.tolerance);
   run_.result.pcgTotal += applications + run_.evaluation.applications;
   run_.result.residual = norm(*run_.evaluation.residual);
@@ -139,6 +142,7 @@ bool SetSolves::oneSolve(InterfaceState& state, bool goOn, int level, InnerResul
   if (!goOn && reference_ == 0.0) reference_ = cost.history.front() > 0.0 ? cost.reference : 0.0;
   scale(*step_, false);
   run_.problem.update(state, *step_, 1.0, scale_.empty() ? &image : nullptr);
+  deformed_ = true;
   return true;
 }
 
