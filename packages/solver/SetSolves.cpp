@@ -171,9 +171,11 @@ ContactAnswer SetSolves::solve(const ClosedSet& closed, int level) {
       bool drifted = false;
       if (level == levels() - 1 ||
           (at.settled && residual <= final)) {  // what the recursion of conjugate gradients says, confirmed by the operator itself
+        // Before the state forgets its image: the energy costs no application then.
+        const double energy =
+            scale_.empty() && state.memory && !run_.automatic.on() ? std::sqrt(std::max(sets_.energies(state).sum(), 0.0)) : 0.0;
         state.memory.reset();
         at = run_.problem.evaluate(state, final);
-        const double energy = scale_.empty() && !run_.automatic.on() ? std::sqrt(std::max(sets_.energies(state).sum(), 0.0)) : 0.0;
         if (energy > 0.0) reference_ = energy;
         residual = norm(*at.residual);
         drifted = residual > final;
