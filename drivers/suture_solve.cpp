@@ -4,6 +4,7 @@
 
 #include <suture/base/Timers.hpp>
 #include <suture/elasticity/LockingNotes.hpp>
+#include <suture/report/Figures.hpp>
 
 #include "support/Program.hpp"
 #include "support/SolveStages.hpp"
@@ -57,6 +58,7 @@ RunResult solveScene(const CommPtr& comm, const SolveOptions& options) {
   errorStage(*comm, cut.meshes, model, scene, solution, timers);
   timed(timers, "verify", [&] { verifyStage(*comm, cut.meshes, model, cut.whole.pieces, scene, solution); });
 
+  for (const std::string& note : pressureNotes(*comm, cut.whole.pieces, solution)) monitor.note(note);
   return reportStage(
       {*comm, file, model, cut.whole.pieces, cut.meshes, size, solution, monitor, timers, cut.whole.hash, options.commandLine, folder},
       options);

@@ -63,7 +63,8 @@ BoundaryCurve::BoundaryCurve(const CellBlock& block, const std::vector<Side>& si
   for (const auto& [a, b] : ends) {
     // Nothing is seen across a corner.
     const Curvature atA = curvature(a), atB = curvature(b);
-    bends_.push_back(bendOf(atA ? curvature(follow(previous, a)) : std::nullopt, atA, atB, atB ? curvature(follow(next, b)) : std::nullopt));
+    bends_.push_back(
+        bendOf(atA ? curvature(follow(previous, a)) : std::nullopt, atA, atB, atB ? curvature(follow(next, b)) : std::nullopt));
   }
 }
 

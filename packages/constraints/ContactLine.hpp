@@ -24,8 +24,8 @@ struct ContactLine {
   /// Between which curves the gap of a mortar is taken, where elements are straight and the sides are not.
   enum class Geometry { Automatic, Smooth, Facets } geometry = Geometry::Automatic;
   double shareOfA = 0.5;  ///< of the change of curvature by which both sides fit each other when pressed together: compliance A / (A + B)
-  std::optional<Obstacle> obstacle;                                             ///< instead of side B
-  std::optional<Expression> initialGap;                                         ///< instead of that of the geometry [length]
+  std::optional<Obstacle> obstacle;      ///< instead of side B
+  std::optional<Expression> initialGap;  ///< instead of that of the geometry [length]
 };
 
 /// Reads the list; a line with a problem is left out. Local.

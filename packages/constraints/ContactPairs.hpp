@@ -10,7 +10,8 @@ namespace suture {
 /// The pairs of one contact line, with ids from 0, in the order of the nodes that carry them.
 struct PairedLine {
   std::vector<ContactPair> pairs;
-  std::vector<double> gapDoubts;  ///< of each pair: estimated error of its gap by the shape of the elements, with its sign [length]; or empty
+  std::vector<double>
+      gapDoubts;  ///< of each pair: estimated error of its gap by the shape of the elements, with its sign [length]; or empty
   struct Chain {
     int first, count;
     bool closed;

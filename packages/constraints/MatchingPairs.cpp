@@ -13,7 +13,7 @@ namespace {
 using Chain = BoundaryLine::Chain;
 
 const double pi = 3.14159265358979323846;
-const double parallel = 1e-9;     // angle between the normals of sides that are straight
+const double parallel = 1e-9;    // angle between the normals of sides that are straight
 const double coincident = 1e-9;  // of the mesh size: nodes nearer than this have no direction between them
 
 // How two nodes, one of each side, stand to each other.

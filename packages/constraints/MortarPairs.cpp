@@ -1,13 +1,11 @@
 #include <suture/constraints/MortarPairs.hpp>
-#include <suture/constraints/MortarSegment.hpp>
+#include <suture/constraints/MortarSampling.hpp>
 #include <suture/mesh/SideShape.hpp>
 
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
-#include <optional>
 
 namespace suture {
 
@@ -15,29 +13,11 @@ namespace {
 
 using Chain = BoundaryLine::Chain;
 using Segment = MortarSegment;
-using Geometry = ContactLine::Geometry;
+using Samples = MortarSampling::Samples;
+using Sample = MortarSampling::Sample;
 
-constexpr double kSamePlace = 1e-10;  // of an element's reference interval
-constexpr double kFacing = 0.5;       // cosine of the angle up to which two normals are opposite
-constexpr double kOpposite = 1e-9;    // sine of the angle up to which normals of facing sides are opposite
-constexpr double kParallel = 1e-13;   // difference of two normals that are one
-constexpr double kCovered = 0.2;      // of a hat function, below which its node carries no condition of its own
-
-/// Zero of a function on [-1, 1] that changes its sign there; nothing if it does not.
-template <typename Function>
-std::optional<double> zeroOf(const Function& f) {
-  double low = -1, high = 1;
-  const double atLow = f(low), atHigh = f(high);
-  if (atLow == 0) return low;
-  if (atHigh == 0) return high;
-  if ((atLow > 0) == (atHigh > 0)) return std::nullopt;
-  while (high - low > 1e-16) {
-    const double middle = (low + high) / 2;
-    if (middle == low || middle == high) break;
-    ((f(middle) > 0) == (atLow > 0) ? low : high) = middle;
-  }
-  return (low + high) / 2;
-}
+constexpr double kParallel = 1e-13;  // difference of two normals that are one
+constexpr double kCovered = 0.2;     // of a hat function, below which its node carries no condition of its own
 
 class Mortar {
  public:
@@ -45,14 +25,12 @@ class Mortar {
       : mesh_(mesh),
         contact_(line),
         sign_(onA ? 1.0 : -1.0),
-        share_(onA ? line.shareOfA : 1 - line.shareOfA),
         line_(mesh, mesh.sideGroups.at(onA ? line.groupA : line.groupB)),
-        otherLine_(mesh, mesh.sideGroups.at(onA ? line.groupB : line.groupA)),
-        own_(segments(onA ? line.groupA : line.groupB, line_)),
-        other_(segments(onA ? line.groupB : line.groupA, otherLine_)),
-        rule_(gaussRule(6)) {
-    findNormals();
-    for (const Segment& own : own_) integrate(own);
+        sampling_(mesh, line, onA) {
+    for (const Segment& own : sampling_.own())
+      for (int j = 0; j < own.count(); ++j)
+        if (!rowNormals_.count(own.nodes()[j])) rowNormals_[own.nodes()[j]] = sampling_.meanNormal(own, j);
+    for (const Segment& own : sampling_.own()) integrate(own);
     handOn();
   }
 
@@ -72,17 +50,11 @@ class Mortar {
       return row != rows_.end() && row->second.weight > 0.5 * entry.second.tributary;
     });
   }
-  /// Whether sides of two-node elements meet, one of them at least curved.
-  bool isCurvedAndLinear() const {
-    const auto linear = [](const Segment& s) { return s.isLinear(); };
-    const auto curved = [](const Segment& s) { return s.isCurved(); };
-    return linear(own_.front()) && linear(other_.front()) &&
-           (std::any_of(own_.begin(), own_.end(), curved) || std::any_of(other_.begin(), other_.end(), curved));
-  }
+  bool isCurvedAndLinear() const { return sampling_.isCurvedAndLinear(); }
   double meanLength() const {
     double sum = 0;
-    for (const Segment& own : own_) sum += own.length();
-    return sum / double(own_.size());
+    for (const Segment& own : sampling_.own()) sum += own.length();
+    return sum / double(sampling_.own().size());
   }
 
   PairedLine pairs() const {
@@ -119,127 +91,6 @@ class Mortar {
       weight += row.weight;
     }
   };
-  /// A point of both sides.
-  struct Sample {
-    double xi, weight, gap, doubt;
-    const Segment* other;
-    double eta;
-  };
-  struct Meeting {
-    double eta, gap;
-  };
-
-  /// Where the normal at a point of the carrying side meets an element of the other, face to face.
-  static std::optional<Meeting> meet(const Point& from, const Point& normal, const Segment& other) {
-    const auto eta = zeroOf([&](double t) { return cross(minus(other.at(t), from), normal); });
-    if (!eta) return std::nullopt;
-    const Point tangent = other.tangent(*eta);
-    if (dot(unit({tangent[1], -tangent[0], 0}), normal) > -kFacing) return std::nullopt;
-    return Meeting{*eta, dot(minus(other.at(*eta), from), normal)};
-  }
-
-  std::vector<Segment> segments(const std::string& group, const BoundaryLine& line) const {
-    const std::vector<Side>& sides = mesh_.sideGroups.at(group);
-    const BoundaryCurve curve(mesh_, sides);
-    std::vector<Segment> all;
-    for (std::size_t s = 0; s < sides.size(); ++s) all.emplace_back(mesh_, line, mesh_.nodesOf(sides[s]), curve.bend(s));
-    return all;
-  }
-
-  /// Reference coordinates where elements of the other side begin or end, seen along a normal, and the ends.
-  std::vector<double> breaks(const Segment& own, const Point& normal) const {
-    std::vector<double> all{-1, 1};
-    for (const Segment& other : other_)
-      for (int end = 0; end < 2; ++end)
-        if (const auto xi = zeroOf([&](double t) { return cross(minus(other.end(end), own.at(t)), normal); })) all.push_back(*xi);
-    std::sort(all.begin(), all.end());
-    all.erase(std::unique(all.begin(), all.end(), [](double a, double b) { return b - a < kSamePlace; }), all.end());
-    if (1 - all.back() < kSamePlace) all.back() = 1;
-    return all;
-  }
-
-  const Segment* nearest(const Point& from, const Point& normal) const {
-    const Segment* best = nullptr;
-    double least = std::numeric_limits<double>::infinity();
-    for (const Segment& other : other_)
-      if (const auto met = meet(from, normal, other); met && std::abs(met->gap) < least) {
-        least = std::abs(met->gap);
-        best = &other;
-      }
-    return best;
-  }
-
-  /// How much nearer the smooth sides are than their elements at a point of both, and the estimated error of that.
-  struct Nearer {
-    double way = 0, doubt = 0;
-  };
-  Nearer nearer(const Segment& own, double xi, const Segment& other, double eta, const Point& normal) const {
-    Nearer result;
-    const Point back{-normal[0], -normal[1], 0};
-    const double mine = own.curvature(xi), its = other.curvature(eta);
-    // Straight elements of two nodes stay so. What they approximate is the shape of the sides in contact, which is one curve.
-    const double common = contact_.geometry == Geometry::Smooth ? mine : (1 - share_) * mine - share_ * its;
-    const double against = contact_.geometry == Geometry::Smooth ? its : -common;
-    const auto add = [&](const Segment& segment, double drawn, double closed, double at, const Point& out) {
-      if (!segment.isStraight()) return;
-      result.way += segment.wayToArc(segment.isLinear() ? closed : drawn, at, out);
-      result.doubt += arcOver(segment.curvatureDoubt(), segment.length(), at).height;
-    };
-    add(own, mine, common, xi, normal);
-    add(other, its, against, eta, back);
-    return result;
-  }
-
-  struct Samples {
-    std::vector<Sample> all;
-    double covered = 0;  ///< of the element's interval, of length 2
-  };
-
-  Samples sample(const Segment& own, const Point& normal) const {
-    Samples result;
-    const std::vector<double> at = breaks(own, normal);
-    for (std::size_t s = 0; s + 1 < at.size(); ++s) {
-      const double half = (at[s + 1] - at[s]) / 2, middle = (at[s] + at[s + 1]) / 2;
-      const Segment* other = nearest(own.at(middle), normal);
-      if (!other) continue;
-      result.covered += half;
-      for (int q = 0; q < rule_.points.size(); ++q) {
-        const double xi = middle + half * rule_.points(q);
-        const Point from = own.at(xi);
-        const auto met = meet(from, normal, *other);
-        if (!met) continue;  // beyond the element's end by rounding of its curve: of no weight
-        Sample point{xi, half * rule_.weights(q) * norm(own.tangent(xi)), met->gap, 0, other, met->eta};
-        if (mesh_.axisymmetric) point.weight *= circumference(from[0]);
-        if (contact_.initialGap)
-          point.gap = contact_.initialGap->at(from);
-        else {
-          const Nearer smooth = nearer(own, xi, *other, met->eta, normal);
-          if (contact_.geometry == Geometry::Facets)
-            point.doubt = smooth.way;
-          else
-            point.gap -= smooth.way, point.doubt = smooth.doubt;
-        }
-        result.all.push_back(point);
-      }
-    }
-    return result;
-  }
-
-  /// Normal of each row: the mean of both sides' where they face each other.
-  void findNormals() {
-    for (const Segment& own : own_)
-      for (int j = 0; j < own.count(); ++j) {
-        const int node = own.nodes()[j];
-        Point normal = own.normal(j);
-        const Point from = mesh_.point(node);
-        if (const Segment* other = nearest(from, normal)) {
-          const Point facing = other->normalAt(meet(from, normal, *other)->eta);
-          if (std::abs(cross(normal, facing)) > kOpposite) normal = unit(minus(normal, facing));
-        }
-        rowNormals_[node] = normal;
-      }
-  }
-
   // Each row has a constant normal: the way from a point of one side to that of the other is then parallel to the row's force, and moments
   // balance. On straight lines one set of samples serves all rows of an element.
   void integrate(const Segment& own) {
@@ -250,7 +101,7 @@ class Mortar {
       const Point normal = rowNormals_.at(own.nodes()[j]);
       std::size_t at = 0;
       while (at < sets.size() && norm(minus(normals[at], normal)) > kParallel) ++at;
-      if (at == sets.size()) sets.push_back(sample(own, normal)), normals.push_back(normal);
+      if (at == sets.size()) sets.push_back(sampling_.sample(own, normal)), normals.push_back(normal);
       setOf.push_back(static_cast<int>(at));
     }
     const bool whole = std::all_of(sets.begin(), sets.end(), [](const Samples& set) { return set.covered > 1 - 1e-8; });
@@ -284,13 +135,14 @@ class Mortar {
     }
   }
 
-  /// Nodes that carry next to nothing hand on what they have, along the line, to the neighbour that carries more: projected along its normal.
+  /// Nodes that carry next to nothing hand on what they have, along the line, to the neighbour that carries more: projected along its
+  /// normal.
   void handOn() {
     const std::map<int, int> heirs = findHeirs();
     if (heirs.empty()) return;
     for (const auto& [node, heir] : heirs) rowNormals_[node] = rowNormals_.at(heir);
     rows_.clear();
-    for (const Segment& own : own_) integrate(own);
+    for (const Segment& own : sampling_.own()) integrate(own);
     for (const auto& [node, heir] : heirs) {
       const auto row = rows_.find(node);
       if (row == rows_.end()) continue;
@@ -342,11 +194,9 @@ class Mortar {
   const Mesh& mesh_;
   const ContactLine& contact_;
   double sign_;
-  double share_;  // of the change of curvature that the carrying side takes where both are pressed together
-  BoundaryLine line_, otherLine_;
-  std::vector<Segment> own_, other_;
-  LineRule rule_;
-  std::map<int, Row> rows_;  // by the node that carries it
+  BoundaryLine line_;
+  MortarSampling sampling_;
+  std::map<int, Row> rows_;          // by the node that carries it
   std::map<int, Point> rowNormals_;  // by node
 };
 

@@ -27,6 +27,7 @@ MortarSegment::MortarSegment(const Mesh& mesh, const BoundaryLine& line, const s
   const Point chord = unit(minus(points_[1], points_[0]));
   const double height = cross(minus(points_[2], points_[0]), chord);  // outward: to the right of the chord
   straight_ = std::abs(height) < std::abs(arcOver(bend_.at(0), length(), 0).height) / 2;
+  if (!straight_) awayFromArc_ = std::abs(height * height * height) / (length() * length());  // next term of the arc's series
 }
 
 Point MortarSegment::mixed(double xi) const { return mix(points_, sideShape(count(), xi).value); }

@@ -20,6 +20,7 @@ class MortarSegment {
   // Ends at once: of most elements of the other side they alone are asked for.
   Point at(double xi) const { return xi == -1 ? points_[0] : xi == 1 ? points_[1] : mixed(xi); }
   Point tangent(double xi) const;  ///< of the length ds / d xi
+  const Point& point(int node) const { return points_[node]; }
   /// Outward normal of the line at a node of the element.
   const Point& normal(int node) const { return normals_[node]; }
   /// Outward normal at a point, interpolated between the nodes.
@@ -33,6 +34,8 @@ class MortarSegment {
   bool isLinear() const { return count() == 2; }
   /// Whether its points lie on its chord: a middle node that is on the curve gives the element its true shape.
   bool isStraight() const { return straight_; }
+  /// Largest distance of a curved element from the arc through its three nodes. [length]
+  double awayFromArc() const { return awayFromArc_; }
   /// Way along `direction`, a unit vector out of the body, from a point of a straight element to the arc of this curvature over it.
   double wayToArc(double curvature, double xi, const Point& direction) const;
 
@@ -42,6 +45,7 @@ class MortarSegment {
   std::vector<Point> points_, normals_;
   BoundaryCurve::Bend bend_;
   bool straight_ = true;
+  double awayFromArc_ = 0.0;
 };
 
 }  // namespace suture

@@ -1,7 +1,10 @@
 #include <Teuchos_CommHelpers.hpp>
 #include <algorithm>
 #include <cmath>
+#include <sstream>
+#include <suture/base/Collective.hpp>
 #include <suture/report/Figures.hpp>
+#include <suture/report/Format.hpp>
 
 namespace suture {
 
@@ -29,6 +32,27 @@ ContactFigures contactFigures(const std::vector<PairResult>& pairs, int pieces) 
     all.activeOf[piece] += closed;
   }
   return all;
+}
+
+double pressureError(const ContactPiece& piece, double largest) { return largest > 0 ? piece.pressureDoubt / largest : 0.0; }
+
+std::vector<std::string> pressureNotes(const Comm& comm, const std::vector<ContactPiece>& pieces, const Solution& solution) {
+  std::string said;
+  collectivelyOnRoot(comm, "estimating contact pressures", [&] {
+    const ContactFigures figures = contactFigures(solution.pairs, int(pieces.size()));
+    for (std::size_t p = 0; p < pieces.size(); ++p) {
+      const double error = pressureError(pieces[p], figures.pressureOf[p]);
+      if (error < 0.01) continue;
+      const bool large = error > 0.1;
+      said += format("%scontact '%s': estimated error of nodal pressures %.0f %% of the largest, by straight elements on curved sides%s\n",
+                     large ? "warning: " : "", pieces[p].name.c_str(), 100 * error,
+                     large ? ". Finer elements there, second order, or Geometry = Automatic with accurate coordinates reduce it" : "");
+    }
+  });
+  std::istringstream lines(broadcast(comm, said));
+  std::vector<std::string> notes;
+  for (std::string line; std::getline(lines, line);) notes.push_back(line);
+  return notes;
 }
 
 double maxDisplacement(const Run& run) {

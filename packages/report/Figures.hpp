@@ -22,6 +22,14 @@ struct ContactFigures {
 /// Local; \param pieces number of pieces
 ContactFigures contactFigures(const std::vector<PairResult>& pairs, int pieces);
 
+/// Estimated error of nodal pressures relative to the largest one of a piece, where straight elements stand for curved sides; 0 without
+/// pressure. Local. \param largest  pressure of the piece [stress]
+double pressureError(const ContactPiece& piece, double largest);
+
+/// Sentences on estimated errors of contact pressures, each piece above one per cent: beyond ten per cent a warning. Collective, the same
+/// on all ranks. \param pieces, solution  as in Run
+std::vector<std::string> pressureNotes(const Comm& comm, const std::vector<ContactPiece>& pieces, const Solution& solution);
+
 /// Largest |u| over all nodes [length]. Collective.
 double maxDisplacement(const Run& run);
 

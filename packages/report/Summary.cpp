@@ -72,8 +72,11 @@ Json contact(const Run& run, int dimension) {
                   {"by_piece", Json::object()}};
   for (std::size_t p = 0; p < run.pieces.size() && p < all.forceOnB.size(); ++p) {
     contact["force"][run.pieces[p].name] = components(all.forceOnB[p], dimension);
-    contact["by_piece"][run.pieces[p].name] = {
-        {"pairs", all.pairsOf[p]}, {"active", all.activeOf[p]}, {"max_pressure", all.pressureOf[p]}, {"max_gap", all.gapOf[p]}};
+    contact["by_piece"][run.pieces[p].name] = {{"pairs", all.pairsOf[p]},
+                                               {"active", all.activeOf[p]},
+                                               {"max_pressure", all.pressureOf[p]},
+                                               {"max_gap", all.gapOf[p]},
+                                               {"pressure_error_estimate", pressureError(run.pieces[p], all.pressureOf[p])}};
   }
   return contact;
 }

@@ -48,6 +48,7 @@ const std::vector<std::string>& summaryPaths() {
       "contact.by_piece.<piece>.active",
       "contact.by_piece.<piece>.max_pressure",
       "contact.by_piece.<piece>.max_gap",
+      "contact.by_piece.<piece>.pressure_error_estimate",
       "energy",
       "max_displacement",
       "equilibrium.applied.<component>",

@@ -1,0 +1,65 @@
+#pragma once
+#include <suture/constraints/ContactLine.hpp>
+#include <suture/constraints/MortarSegment.hpp>
+#include <suture/mesh/SideShape.hpp>
+
+#include <optional>
+#include <vector>
+
+namespace suture {
+
+/// Two facing sides of a contact line, one of which carries the conditions: where points of the carrying side meet the other along a given
+/// normal, and the gap there. Between straight elements whose nodes lie on curves the gap is taken between smooth curves. Local.
+///
+/// A second-order element of straight shape stands for the drawn curve: its displacements can follow any change of curvature. Those of a
+/// two-node element cannot; what its chord approximates where the contact is closed is the curve that both sides then share. Its curvature
+/// lies between those of the two sides, by the compliances of the bodies (ContactLine::shareOfA): of rings and pins both are nearly alike,
+/// a cylinder on a plane of the same material has half its curvature there.
+class MortarSampling {
+ public:
+  MortarSampling(const Mesh& mesh, const ContactLine& line, bool onA);
+
+  /// Elements of the carrying side.
+  const std::vector<MortarSegment>& own() const { return own_; }
+  /// Whether sides of two-node elements meet, at least one of them curved.
+  bool isCurvedAndLinear() const;
+
+  /// Mean of the two sides' normals at a node of the carrying side, outward there; its own where nothing stands opposite, or the other is
+  /// parallel.
+  Point meanNormal(const MortarSegment& own, int node) const;
+
+  /// A point of both sides.
+  struct Sample {
+    double xi, weight;  ///< of the carrying element; quadrature weight [length]; axisymmetric: times 2 pi r [area]
+    double gap, doubt;  ///< doubt: estimated error of the gap by the elements' shape [length]
+    const MortarSegment* other;
+    double eta;
+  };
+  struct Samples {
+    std::vector<Sample> all;
+    double covered = 0;  ///< of the element's interval, in units of its half
+  };
+  /// Quadrature points of an element of the carrying side, seen along one direction; intervals end where an element of the other begins.
+  Samples sample(const MortarSegment& own, const Point& normal) const;
+
+ private:
+  struct Meeting {
+    double eta, gap;
+  };
+  struct Nearer {
+    double way = 0, doubt = 0;
+  };
+  static std::optional<Meeting> meet(const Point& from, const Point& normal, const MortarSegment& other);
+  std::vector<MortarSegment> segments(const std::string& group) const;
+  std::vector<double> breaks(const MortarSegment& own, const Point& normal) const;
+  const MortarSegment* nearest(const Point& from, const Point& normal) const;
+  Nearer nearer(const MortarSegment& own, double xi, const MortarSegment& other, double eta, const Point& normal) const;
+
+  const Mesh& mesh_;
+  const ContactLine& contact_;
+  double share_;  // of the change of curvature that the carrying side takes where both are pressed together
+  std::vector<MortarSegment> own_, other_;
+  LineRule rule_;
+};
+
+}  // namespace suture
