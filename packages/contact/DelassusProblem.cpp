@@ -53,7 +53,6 @@ void DelassusProblem::solveSaddle(const std::vector<int>& closed, const Vector& 
   Matrix w = compliance_(closed, closed);
   w = (scale.asDiagonal() * w * scale.asDiagonal()).eval();
   const Matrix lower = factorOf(w);
-  w.diagonal() *= 1.0 + kRepeated;
   const Matrix rows = rigid_.data().rows(closed, Eigen::all);
   const Matrix stopped = rows.cols() > 0 ? orthonormalBasis(Matrix(rows.transpose()), 1e-9) : Matrix(0, 0);
   Matrix g = scale.asDiagonal() * (rows * stopped);
@@ -63,7 +62,7 @@ void DelassusProblem::solveSaddle(const std::vector<int>& closed, const Vector& 
   const Matrix middle = g.cols() > 0 ? factorOf(g.transpose() * inverse) : Matrix(0, 0);
   const Vector b = scale.cwiseProduct(right), e = columns.cwiseProduct(stopped.transpose() * balance);
   Vector f = Vector::Zero(b.size()), a = Vector::Zero(e.size());
-  for (int pass = 0; pass < 2; ++pass) {  // one refinement
+  for (int pass = 0; pass < 3; ++pass) {  // refined: the factor's shift leaves no trace
     const Vector restB = b - w * f + g * a, restE = e - g.transpose() * f;
     const Vector y = solveWith(lower, restB);
     const Vector da = e.size() > 0 ? Vector(solveWith(middle, restE - g.transpose() * y)) : e;

@@ -43,6 +43,7 @@ void SetSolves::scaleBy(const InterfaceState& state, const ClosedSet& closed, co
     return sums;
   };
   Vector energy = byCluster(sets_.energies(state));
+  if (!deformed_) energy.setZero();
   const std::vector<int>& partOf = sets_.partOfOwned();
   bool one = true;
   for (std::size_t p = 0; p < parts; ++p) one = one && clusters.lowest(static_cast<int>(p)) == clusters.lowest(0);
@@ -50,8 +51,11 @@ void SetSolves::scaleBy(const InterfaceState& state, const ClosedSet& closed, co
   largestScale_ = 1.0;
   // One cluster needs no scaling; an automatic tolerance asks for the error of the whole.
   if (one || run_.automatic.on()) {
-    const double all = energy.cwiseMax(0.0).sum();
-    reference_ = std::sqrt(all);
+    reference_ = std::sqrt(energy.cwiseMax(0.0).sum());
+    if (run_.automatic.on() && reference_ == 0.0) {  // it needs to know the size of the solution
+      reference_ = preconditionedNorm(*run_.preconditioner, load);
+      run_.automatic.startsFrom(reference_);
+    }
     return;
   }
   const MultiVectorPtr z = run_.problem.space()->vector();
@@ -100,7 +104,9 @@ void SetSolves::evaluateStart() {
   if (closed != carrying) return;
   const InterfaceProblem::Linearisation linear = run_.problem.linearise(state);
   precondition(state, linear.matrix);
+  deformed_ = true;
   scaleBy(state, closed, *linear.load);
+  run_.automatic.startsFrom(reference_);
   run_.evaluation = run_.problem.evaluate(state, run_.settings.tolerance);
   run_.result.pcgTotal += applications + run_.evaluation.applications;
   run_.result.residual = norm(*run_.evaluation.residual);
@@ -136,6 +142,7 @@ bool SetSolves::oneSolve(InterfaceState& state, bool goOn, int level, InnerResul
   if (!goOn && reference_ == 0.0) reference_ = cost.history.front() > 0.0 ? cost.reference : 0.0;
   scale(*step_, false);
   run_.problem.update(state, *step_, 1.0, scale_.empty() ? &image : nullptr);
+  deformed_ = true;
   return true;
 }
 
@@ -164,9 +171,11 @@ ContactAnswer SetSolves::solve(const ClosedSet& closed, int level) {
       bool drifted = false;
       if (level == levels() - 1 ||
           (at.settled && residual <= final)) {  // what the recursion of conjugate gradients says, confirmed by the operator itself
+        // Before the state forgets its image: the energy costs no application then.
+        const double energy =
+            scale_.empty() && state.memory && !run_.automatic.on() ? std::sqrt(std::max(sets_.energies(state).sum(), 0.0)) : 0.0;
         state.memory.reset();
         at = run_.problem.evaluate(state, final);
-        const double energy = scale_.empty() && !run_.automatic.on() ? std::sqrt(std::max(sets_.energies(state).sum(), 0.0)) : 0.0;
         if (energy > 0.0) reference_ = energy;
         residual = norm(*at.residual);
         drifted = residual > final;

@@ -43,6 +43,7 @@ class SetSolves : public ContactOracle {
   std::vector<double> scale_;  // of each owned unknown; empty: one cluster
   double largestScale_ = 1.0;
   double reference_ = 0.0;
+  bool deformed_ = false;  // the state is the answer of a solve: its energy is a scale
 };
 
 }  // namespace suture

@@ -45,7 +45,9 @@ struct RandomContact {
 /// Largest violation of  l >= 0, w <= 0, l w = 0, G^T l = e  with w = d - C l + G a, relative to the sizes of forces and penetrations.
 double violation(const RandomContact& given, const Vector& force, const Vector& amplitude) {
   const Vector w = given.open - given.compliance * force + given.pairs.rows * amplitude;
-  const double forces = force.cwiseAbs().maxCoeff() + given.pairs.work.cwiseAbs().sum() + 1e-300;
+  // Forces are measured by the loads, and by what would close the gaps: a thousandth of it is still a force.
+  const double forces = force.cwiseAbs().maxCoeff() + given.pairs.work.cwiseAbs().sum() +
+                        1e-3 * given.open.cwiseAbs().maxCoeff() / given.compliance.diagonal().maxCoeff() + 1e-300;
   const double lengths = (given.compliance * force).cwiseAbs().maxCoeff() + given.open.cwiseAbs().maxCoeff() +
                          (given.pairs.rows.cwiseAbs() * amplitude.cwiseAbs()).maxCoeff() + 1e-300;
   double worst = std::max(-force.minCoeff() / forces, w.maxCoeff() / lengths);
@@ -85,7 +87,8 @@ TEUCHOS_UNIT_TEST(RigidContact, PadsCarryTheLoads) {
     const RigidContact::Equilibrium pads = rigid.project(given.pairs.penetration);
     TEST_ASSERT(pads.found);
     if (pads.force.size() > 0) TEST_COMPARE(pads.force.minCoeff(), >=, 0.0);
-    const double size = pads.force.sum() + given.pairs.work.norm() + 1e-300;
+    const double size =
+        pads.force.sum() + given.pairs.work.norm() + 1e-3 * given.open.cwiseAbs().maxCoeff() * given.pairs.stiffness.minCoeff() + 1e-300;
     TEST_COMPARE((given.pairs.rows.transpose() * pads.force - given.pairs.work).norm(), <=, 1e-8 * size);
   }
 }
