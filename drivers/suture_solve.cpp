@@ -34,6 +34,8 @@ RunResult solveScene(const CommPtr& comm, const SolveOptions& options) {
   });
   checkExactSolution(*comm, cut.meshes, model, scene.sublist("Contact"));
   const double memory = checkMemory(*comm, cut.meshes, cut.whole.size.dofs, scene);
+  const double liftWork = timed(timers, "partition", [&] { return takeOutLift(*comm, model, cut.meshes, constraints); });
+  monitor.shiftEnergy(-liftWork);
   if (!isMonolithic(scene)) forget(mesh, constraints, cut.partition);
   auto subdomains =
       timed(timers, "assemble", [&] { return isMonolithic(scene) ? Subdomains() : makeSubdomains(*comm, cut.meshes, model); });
@@ -52,6 +54,7 @@ RunResult solveScene(const CommPtr& comm, const SolveOptions& options) {
     if (!problem) return solveMonolithicScene(*comm, mesh, constraints, reference.get(), cut.meshes, scene, monitor);
     return recover(*comm, *problem, solveInterface(*problem, scene, monitor, start.get(), discretisationError), subdomains, scene);
   });
+  solution.energy -= liftWork;
   problem.reset();  // what is written needs the memory
   subdomains.clear();
   giveBackFreedMemory();

@@ -35,13 +35,14 @@ CoarseAnswer solveLevel(const CommPtr& comm, const SceneFile& file, const Coarse
   ProblemSize size;
   {
     const Mesh mesh = meshStage(*comm, file);
-    const Constraints constraints = constraintsStage(*comm, mesh, scene);
+    Constraints constraints = constraintsStage(*comm, mesh, scene);
     partition = makePartition(*comm, mesh, constraints, scene.sublist("Partition"), isCondensed(scene));
     answer.meshes = distribute(*comm, mesh, constraints, partition);
     partition.share.reset();
     elementsStage(*comm, answer.meshes, model);
     solvabilityStage(*comm, mesh, constraints, model, partition);
     size = problemSize(*comm, mesh, constraints, partition);
+    takeOutLift(*comm, model, answer.meshes, constraints);
   }
   const Subdomains subdomains = makeSubdomains(*comm, answer.meshes, model);
   const auto problem = makeInterfaceProblem(comm, partition, subdomains, scene);

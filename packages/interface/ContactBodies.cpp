@@ -1,15 +1,13 @@
 #include <suture/base/Buffer.hpp>
 #include <suture/base/Collective.hpp>
-#include <suture/base/Dense.hpp>
-#include <suture/base/DisjointSets.hpp>
 #include <suture/interface/ContactBodies.hpp>
+#include <suture/partition/BodyParts.hpp>
 
 #include <Teuchos_Comm.hpp>
 #include <Teuchos_CommHelpers.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 
 namespace suture {
@@ -17,11 +15,6 @@ namespace suture {
 namespace {
 
 constexpr double kNoWork = 1e-12;  // of the sum of magnitudes: rounding of loads that balance
-
-struct Extent {
-  int id, body;
-  double low[3], high[3];
-};
 
 /// A pair's coefficient of one unknown, by amplitudes of a part.
 struct Term {
@@ -36,131 +29,25 @@ struct PairData {
   char able;
 };
 
-Vector along(const RigidPart& part, const Point& point, const Point& direction, int dimension) {
-  return part.at(point, dimension).transpose() * Eigen::Map<const Vector>(direction.data(), dimension);
-}
-
 }  // namespace
 
 ContactBodies::ContactBodies(const Comm& comm, const std::vector<std::unique_ptr<Subdomain>>& subdomains,
                              const std::map<int, double>& pairStiffness) {
   int mine = subdomains.empty() ? 0 : subdomains.front()->components();
   Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, mine, Teuchos::outArg(dimension_));
-  findParts(comm, subdomains);
-  findFreeMotions(comm, subdomains);
+  std::vector<const SubdomainMesh*> meshes;
+  for (const auto& subdomain : subdomains) meshes.push_back(&subdomain->mesh());
+  BodyParts found(comm, meshes, dimension_);
+  parts_ = std::move(found.parts);
+  lift_ = std::move(found.lift);
+  partOf_ = std::move(found.partOf);
+  for (const RigidPart& part : parts_) {
+    first_.push_back(motions_);
+    motions_ += static_cast<int>(part.free.cols());
+  }
   RigidContact::Pairs pairs = gatherPairs(comm, subdomains, pairStiffness);
   pairs.work = work(comm, subdomains);
   rigid_ = std::make_unique<RigidContact>(std::move(pairs));
-}
-
-/// Subdomains that share nodes make a part.
-void ContactBodies::findParts(const Comm& comm, const std::vector<std::unique_ptr<Subdomain>>& subdomains) {
-  Packer packer;
-  for (const auto& subdomain : subdomains) {
-    const SubdomainMesh& mesh = subdomain->mesh();
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    Extent extent{mesh.id, mesh.body, {infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
-    for (int node = 0; node < mesh.nodes(); ++node) {
-      const Point p = mesh.point(node);
-      for (int k = 0; k < 3; ++k) {
-        extent.low[k] = std::min(extent.low[k], p[k]);
-        extent.high[k] = std::max(extent.high[k], p[k]);
-      }
-    }
-    std::vector<int> neighbours(mesh.sharedWith);
-    std::sort(neighbours.begin(), neighbours.end());
-    neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
-    packer.put(extent);
-    packer.put(neighbours);
-  }
-  std::map<int, Extent> extents;
-  std::vector<std::pair<int, int>> joins;
-  for (const std::string& bytes : allGather(comm, packer.bytes())) {
-    Unpacker unpacker(bytes);
-    while (!unpacker.done()) {
-      const auto extent = unpacker.get<Extent>();
-      extents.emplace(extent.id, extent);
-      for (const int other : unpacker.get<std::vector<int>>()) joins.emplace_back(extent.id, other);
-    }
-  }
-  DisjointSets sets(extents.empty() ? 0 : extents.rbegin()->first + 1);
-  for (const auto& [one, other] : joins) sets.join(one, other);
-  std::map<int, int> partOfRoot;
-  std::vector<Extent> boxes;
-  std::map<int, int> partOfSubdomain;
-  for (const auto& [id, extent] : extents) {
-    const auto [at, isNew] = partOfRoot.emplace(sets.lowest(id), static_cast<int>(boxes.size()));
-    if (isNew) boxes.push_back(extent);
-    partOfSubdomain[id] = at->second;
-    Extent& box = boxes[at->second];
-    for (int k = 0; k < 3; ++k) {
-      box.low[k] = std::min(box.low[k], extent.low[k]);
-      box.high[k] = std::max(box.high[k], extent.high[k]);
-    }
-  }
-  for (const Extent& box : boxes) {
-    RigidPart part;
-    part.body = box.body;
-    double square = 0.0;
-    for (int k = 0; k < dimension_; ++k) {
-      part.centre[k] = 0.5 * (box.low[k] + box.high[k]);
-      square += std::pow(box.high[k] - box.low[k], 2);
-    }
-    part.radius = 0.5 * std::sqrt(square);
-    parts_.push_back(std::move(part));
-  }
-  for (const auto& subdomain : subdomains) partOf_.push_back(partOfSubdomain.at(subdomain->mesh().id));
-}
-
-/// Each rank compresses the rows of prescribed components, and their values, to a triangle for each part.
-void ContactBodies::findFreeMotions(const Comm& comm, const std::vector<std::unique_ptr<Subdomain>>& subdomains) {
-  const int amplitudes = dimension_ == 2 ? 3 : 6;
-  std::map<int, std::vector<Vector>> rows;
-  for (std::size_t s = 0; s < subdomains.size(); ++s) {
-    const SubdomainMesh& mesh = subdomains[s]->mesh();
-    const RigidPart& part = parts_[partOf_[s]];
-    std::vector<Vector>& own = rows[partOf_[s]];
-    const auto add = [&](const Vector& row, double value) {
-      own.emplace_back(amplitudes + 1);
-      own.back() << row, value;
-    };
-    for (const NodeRule& rule : mesh.rules)
-      for (int k = 0; k < dimension_; ++k)
-        if (rule.fixed[k]) add(along(part, mesh.point(rule.node), rule.axes[k], dimension_), rule.value[k]);
-    if (mesh.axisymmetric)  // neither away from the axis nor turning in the meridian plane
-      for (const int k : {0, 2}) add(Vector::Unit(amplitudes, k), 0.0);
-  }
-  Packer packer;
-  for (const auto& [part, all] : rows) {
-    if (all.empty()) continue;
-    Matrix matrix(static_cast<Eigen::Index>(all.size()), amplitudes + 1);
-    for (std::size_t i = 0; i < all.size(); ++i) matrix.row(static_cast<Eigen::Index>(i)) = all[i].transpose();
-    const Matrix triangle = orthonormalBasis(matrix, 1e-15).transpose() * matrix;
-    packer.put(part);
-    packer.put(std::vector<double>(triangle.data(), triangle.data() + triangle.size()));
-  }
-  std::vector<Matrix> held(parts_.size(), Matrix(0, amplitudes + 1));
-  for (const std::string& bytes : allGather(comm, packer.bytes())) {
-    Unpacker unpacker(bytes);
-    while (!unpacker.done()) {
-      const int part = unpacker.get<int>();
-      const auto values = unpacker.get<std::vector<double>>();
-      const Eigen::Map<const Matrix> triangle(values.data(), static_cast<Eigen::Index>(values.size()) / (amplitudes + 1), amplitudes + 1);
-      Matrix both(held[part].rows() + triangle.rows(), amplitudes + 1);
-      both << held[part], triangle;
-      held[part] = both;
-    }
-  }
-  for (std::size_t p = 0; p < parts_.size(); ++p) {
-    const Matrix motion = held[p].leftCols(amplitudes);
-    parts_[p].free = nullSpace(motion);
-    first_.push_back(motions_);
-    motions_ += static_cast<int>(parts_[p].free.cols());
-    const Matrix stopped =
-        parts_[p].free.cols() == 0 ? Matrix(Matrix::Identity(amplitudes, amplitudes)) : nullSpace(parts_[p].free.transpose());
-    lift_.push_back(stopped.cols() > 0 && motion.rows() > 0 ? Vector(stopped * leastSquares(motion * stopped, held[p].rightCols(1)))
-                                                            : Vector(Vector::Zero(amplitudes)));
-  }
 }
 
 RigidContact::Pairs ContactBodies::gatherPairs(const Comm& comm, const std::vector<std::unique_ptr<Subdomain>>& subdomains,

@@ -28,8 +28,6 @@ class ContactBodies {
   Vector amplitudes(int part, const Vector& motion) const;
 
  private:
-  void findParts(const Comm& comm, const std::vector<std::unique_ptr<Subdomain>>& subdomains);
-  void findFreeMotions(const Comm& comm, const std::vector<std::unique_ptr<Subdomain>>& subdomains);
   RigidContact::Pairs gatherPairs(const Comm& comm, const std::vector<std::unique_ptr<Subdomain>>& subdomains,
                                   const std::map<int, double>& pairStiffness) const;
   Vector work(const Comm& comm, const std::vector<std::unique_ptr<Subdomain>>& subdomains) const;

@@ -41,6 +41,16 @@ struct SubdomainMesh : CellBlock {
   };
   std::vector<SeamSide> seamSides;  ///< by element, then side
 
+  /// Rigid motion that takeOutRigidMotions() took out of rules and gaps. The displacements that solvers find are those beside it.
+  struct Lift {
+    Vector motion;               ///< of each node: node-major, Cartesian [length]; empty: nothing was taken out
+    std::vector<Point> values;   ///< of the rules before
+    std::map<int, double> gaps;  ///< of the contact rows' pairs before, by id
+  };
+  Lift lift;
+  /// Component of a node's displacement, the lift included. \param i  node x dimension + component  \param u  beside the lift
+  double total(const Vector& u, Eigen::Index i) const { return lift.motion.size() > 0 ? u[i] + lift.motion[i] : u[i]; }
+
   Span<const int> others(int node) const {
     return {sharedWith.data() + sharedOffsets[node], std::size_t(sharedOffsets[node + 1] - sharedOffsets[node])};
   }

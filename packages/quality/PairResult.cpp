@@ -12,7 +12,19 @@ namespace {
 
 struct EndShare {
   int pair, end;
-  Point displacement;
+  Point displacement;  // beside the lift
+  Point motion;        // of the lift
+};
+
+/// A pair and its gap before anything was taken out of the scene.
+struct Carried {
+  ContactPair pair;
+  double gap;
+
+  template <typename Self, typename Each>
+  static void forEachField(Self& self, const Each& each) {
+    each(self.pair), each(self.gap);
+  }
 };
 
 }  // namespace
@@ -44,23 +56,29 @@ PairResult pairResult(const ContactPair& pair, const PairForce& force, const std
 std::vector<PairResult> pairResults(const Comm& comm, const std::vector<const SubdomainMesh*>& meshes,
                                     const std::vector<Vector>& displacement, const std::vector<PairForce>& forces) {
   std::vector<EndShare> ends;
-  std::map<int, ContactPair> carried;  // the pairs whose carrying node this rank counts
+  std::map<int, Carried> carried;  // the pairs whose carrying node this rank counts
   for (std::size_t i = 0; i < meshes.size(); ++i) {
     const SubdomainMesh& mesh = *meshes[i];
     std::map<int, const ContactPair*> known;
     for (const ContactRow& row : mesh.contactRows) known[row.pair.id] = &row.pair;
     for (const SubdomainMesh::ContactEnd& end : mesh.contactEnds) {
       if (!counts(mesh, end.node)) continue;
-      EndShare share{end.pair, end.end, {0, 0, 0}};
-      for (int k = 0; k < mesh.dimension; ++k) share.displacement[k] = displacement[i][Eigen::Index(end.node) * mesh.dimension + k];
+      EndShare share{end.pair, end.end, {0, 0, 0}, {0, 0, 0}};
+      for (int k = 0; k < mesh.dimension; ++k) {
+        const Eigen::Index at = Eigen::Index(end.node) * mesh.dimension + k;
+        share.displacement[k] = displacement[i][at];
+        if (mesh.lift.motion.size() > 0) share.motion[k] = mesh.lift.motion[at];
+      }
       ends.push_back(share);
-      if (end.end == 0) carried[end.pair] = *known.at(end.pair);
+      if (end.end != 0) continue;
+      const auto before = mesh.lift.gaps.find(end.pair);
+      carried[end.pair] = {*known.at(end.pair), before == mesh.lift.gaps.end() ? known.at(end.pair)->gap : before->second};
     }
   }
   Packer packer;
   packer.put(carried);
-  std::map<int, ContactPair> pairs;
-  for (const std::string& bytes : gatherOnRoot(comm, packer.bytes())) pairs.merge(Unpacker(bytes).get<std::map<int, ContactPair>>());
+  std::map<int, Carried> pairs;
+  for (const std::string& bytes : gatherOnRoot(comm, packer.bytes())) pairs.merge(Unpacker(bytes).get<std::map<int, Carried>>());
   const std::vector<EndShare> allEnds = joinOnRoot(comm, ends);
   std::vector<PairForce> allForces = joinOnRoot(comm, forces);
 
@@ -69,12 +87,18 @@ std::vector<PairResult> pairResults(const Comm& comm, const std::vector<const Su
     std::sort(allForces.begin(), allForces.end(), [](const PairForce& a, const PairForce& b) { return a.id < b.id; });
     if (allForces.size() != pairs.size()) throw InternalError("the contact forces are not as many as the pairs");
     std::map<int, std::vector<Point>> ofEnds;
-    for (const auto& [id, pair] : pairs) ofEnds[id].resize(pair.ends.size());
-    for (const EndShare& end : allEnds) ofEnds.at(end.pair).at(end.end) = end.displacement;
+    std::map<int, Point> motion;  // of the carrying nodes
+    for (const auto& [id, carrier] : pairs) ofEnds[id].resize(carrier.pair.ends.size());
+    for (const EndShare& end : allEnds) {
+      ofEnds.at(end.pair).at(end.end) = end.displacement;
+      if (end.end == 0) motion[end.pair] = end.motion;
+    }
     for (const PairForce& force : allForces) {
       const auto pair = pairs.find(force.id);
       if (pair == pairs.end()) throw InternalError("a contact force of a pair that does not exist");
-      results.push_back(pairResult(pair->second, force, ofEnds.at(force.id)));
+      PairResult& result = results.emplace_back(pairResult(pair->second.pair, force, ofEnds.at(force.id)));
+      result.initialGap = pair->second.gap;
+      for (int k = 0; k < 3; ++k) result.displacement[k] += motion.at(force.id)[k];
     }
   });
   return results;

@@ -4,6 +4,7 @@
 #include <suture/quality/ElementForces.hpp>
 #include <suture/quality/SeamExchange.hpp>
 #include <suture/quality/Verify.hpp>
+#include <suture/quality/VerifyLift.hpp>
 #include <suture/quality/VerifyPairs.hpp>
 
 #include <Teuchos_Comm.hpp>
@@ -329,6 +330,7 @@ Verification Verifier::run() {
   judgeBodies();
   judgeNodes();
   judgeSeams(seams);
+  verifyLift(comm_, answer_, seams, findings_);
   if (comm_.getRank() == 0) verifyPairs(ends_, answer_.pairs, scales_, Bounds::pair.at(tolerance_), findings_);
   return conclude();
 }

@@ -11,7 +11,7 @@ namespace suture {
 struct Answer {
   const std::vector<SubdomainMesh>& meshes;  ///< of this rank
   const ElasticModel& model;
-  const std::vector<Vector>& displacement;  ///< of each mesh: node-major, Cartesian [length]
+  const std::vector<Vector>& displacement;  ///< of each mesh, beside its lift: node-major, Cartesian [length]
   const std::vector<PairResult>& pairs;     ///< on rank 0, all; only their ids, statuses and forces are used
   const std::vector<ContactPiece>& pieces;  ///< on rank 0, for names in messages; may be empty
   double tolerance = 1e-8;                  ///< relative algebraic error that was asked for

@@ -22,10 +22,14 @@ void writeCheckpoint(const Comm& comm, const std::string& path, const std::strin
   const int mine = meshes.empty() ? 1 : meshes.front().dimension;
   Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, mine, Teuchos::outArg(dimension));
   std::vector<GlobalId> nodes;
-  std::vector<double> values;
+  std::vector<double> values, rests;  // rests: digits of the displacement beside the lift that their sum does not hold
   for (std::size_t s = 0; s < meshes.size(); ++s) {
     nodes.insert(nodes.end(), meshes[s].globalNodes.begin(), meshes[s].globalNodes.end());
-    values.insert(values.end(), solution.displacement[s].data(), solution.displacement[s].data() + solution.displacement[s].size());
+    const Vector& u = solution.displacement[s];
+    for (Eigen::Index i = 0; i < u.size(); ++i) {
+      values.push_back(meshes[s].total(u, i));
+      if (meshes[s].lift.motion.size() > 0) rests.push_back(u[i] - (values.back() - meshes[s].lift.motion[i]));
+    }
   }
   std::vector<int> pairs, status;
   for (const PairResult& pair : solution.pairs) {
@@ -38,6 +42,10 @@ void writeCheckpoint(const Comm& comm, const std::string& path, const std::strin
   file.attribute(kGroup, "MeshHash", broadcast(comm, meshHash));
   file.write(at("Nodes"), nodes);
   file.write(at("Displacement"), values, dimension);
+  const int own = !rests.empty();
+  int any = 0;
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, own, Teuchos::outArg(any));
+  if (any) file.write(at("Rest"), rests, dimension);
   file.write(at("Pairs"), pairs);
   file.write(at("Status"), status);
   file.close();
@@ -51,6 +59,7 @@ Checkpoint readCheckpoint(const Comm& comm, const std::string& path, const std::
   if (found != expected) throw InputError(path, "a checkpoint of another mesh (hash " + found + ", this mesh has " + expected + ")");
   const std::vector<GlobalId> nodes = file.readGlobalIds(at("Nodes"));
   const std::vector<double> values = file.readReals(at("Displacement"));
+  const std::vector<double> rests = file.has(at("Rest")) ? file.readReals(at("Rest")) : std::vector<double>(values.size(), 0.0);
   const std::vector<int> pairs = file.readInts(at("Pairs")), status = file.readInts(at("Status"));
 
   Checkpoint checkpoint;
@@ -64,10 +73,13 @@ Checkpoint readCheckpoint(const Comm& comm, const std::string& path, const std::
         const auto row = rowOf.find(mesh.globalNodes[node]);
         if (row == rowOf.end() || (row->second + 1) * d > values.size())
           throw InputError(path, "damaged: no displacement of node " + std::to_string(mesh.globalNodes[node]));
-        for (std::size_t k = 0; k < d; ++k)
-          if (!std::isfinite(values[row->second * d + k]))
+        for (std::size_t k = 0; k < d; ++k) {
+          const std::size_t from = row->second * d + k, to = static_cast<std::size_t>(node) * d + k;
+          if (!std::isfinite(values[from]) || from >= rests.size() || !std::isfinite(rests[from]))
             throw InputError(path, "damaged: the displacement of node " + std::to_string(mesh.globalNodes[node]) + " is not finite");
-        for (std::size_t k = 0; k < d; ++k) displacement(static_cast<Eigen::Index>(node * d + k)) = values[row->second * d + k];
+          const double motion = mesh.lift.motion.size() > 0 ? mesh.lift.motion[static_cast<Eigen::Index>(to)] : 0.0;
+          displacement(static_cast<Eigen::Index>(to)) = values[from] - motion + rests[from];
+        }
       }
       checkpoint.displacement.push_back(std::move(displacement));
     }

@@ -79,7 +79,7 @@ void addNodes(const SubdomainMesh& mesh, const PointNumbers& numbers, const Vect
     if (!numbers.isNew(mesh, n)) continue;
     const Point x = mesh.point(n);
     all.grid.points.insert(all.grid.points.end(), x.begin(), x.end());
-    for (int k = 0; k < 3; ++k) all.displacement.push_back(k < mesh.dimension ? u[n * mesh.dimension + k] : 0.0);
+    for (int k = 0; k < 3; ++k) all.displacement.push_back(k < mesh.dimension ? mesh.total(u, Eigen::Index(n) * mesh.dimension + k) : 0.0);
     all.nodeId.push_back(mesh.globalNodes[std::size_t(n)]);
   }
 }

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <sstream>
 #include <suture/base/Collective.hpp>
+#include <suture/partition/RigidLift.hpp>
 #include <suture/report/Figures.hpp>
 #include <suture/report/Format.hpp>
 
@@ -59,7 +60,7 @@ double maxDisplacement(const Run& run) {
   double squared = 0.0;
   for (std::size_t s = 0; s < run.subdomains.size(); ++s) {
     const int d = run.subdomains[s].dimension;
-    const Vector& u = run.solution.displacement[s];
+    const Vector u = withLift(run.subdomains[s], run.solution.displacement[s]);
     for (int n = 0; n < run.subdomains[s].nodes(); ++n) squared = std::max(squared, u.segment(n * d, d).squaredNorm());
   }
   double all = 0.0;

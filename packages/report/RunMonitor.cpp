@@ -25,7 +25,9 @@ void RunMonitor::auxiliary(const AuxiliaryRow& row) {
     *console_ << format("%s  %5d PCG    condition %s    %.1e", what, row.pcg, condition(row.condition).c_str(), row.tolerance) << std::endl;
 }
 
-void RunMonitor::outer(const OuterRow& row) {
+void RunMonitor::outer(const OuterRow& given) {
+  OuterRow row = given;
+  row.energy += energyShift_;
   if (console_) {
     if (rows_.empty()) *console_ << "  k   PCG   condition   residual   active  changed         energy    seconds\n";
     *console_ << format("%3d%6d%12s%11.1e%9d%9d%15.4e%11.2f", row.iteration, row.pcg, condition(row.condition).c_str(), row.residual,

@@ -32,12 +32,16 @@ class RunMonitor : public Monitor {
   /// \param take  given the state after every outer iteration that is not the last, on all ranks
   void takeStates(std::function<void(const InterfaceState&)> take) { accepted_ = std::move(take); }
 
+  /// Added to the energy of every row: what the solver does not know of it.
+  void shiftEnergy(double shift) { energyShift_ = shift; }
+
   const std::vector<OuterRow>& rows() const { return rows_; }
   const std::vector<std::string>& notes() const { return notes_; }
 
  private:
   std::ostream* console_;
   bool verbose_, strict_;
+  double energyShift_ = 0.0;
   std::function<bool()> stop_;
   std::function<void(const InterfaceState&)> accepted_;
   std::vector<OuterRow> rows_;

@@ -1,6 +1,7 @@
 #include <suture/base/Collective.hpp>
 #include <suture/base/SceneReader.hpp>
 #include <suture/elasticity/ErrorNorms.hpp>
+#include <suture/partition/RigidLift.hpp>
 #include <suture/solver/ExactErrors.hpp>
 #include <suture/solver/PressureField.hpp>
 
@@ -62,7 +63,7 @@ std::map<std::string, double> exactErrors(const Comm& comm, const std::vector<Su
   SquaredNorms pressure;
   collectively(comm, "measuring the errors", [&] {
     for (std::size_t i = 0; i < meshes.size(); ++i) {
-      const BodyErrors part = errorsOf(meshes[i], model, solution.displacement[i]);
+      const BodyErrors part = errorsOf(meshes[i], model, withLift(meshes[i], solution.displacement[i]));
       bodies.displacement.add(part.displacement);
       bodies.energy.add(part.energy);
     }

@@ -1,5 +1,6 @@
 #include <suture/base/Buffer.hpp>
 #include <suture/base/Collective.hpp>
+#include <suture/partition/RigidLift.hpp>
 #include <suture/solver/NestedStart.hpp>
 #include <suture/solver/TriangleSearch.hpp>
 
@@ -76,7 +77,7 @@ Matrix interpolate(const Comm& comm, const CoarseAnswer& coarse, const std::vect
           best.value = {0, 0, 0};
           for (int corner = 0; corner < 3; ++corner)
             for (int k = 0; k < 2; ++k)
-              best.value[k] += place.weights[corner] * coarse.solution.displacement[s](place.nodes[corner] * 2 + k);
+              best.value[k] += place.weights[corner] * coarse.meshes[s].total(coarse.solution.displacement[s], place.nodes[corner] * 2 + k);
         }
         found.push_back(best);
       }
@@ -125,7 +126,7 @@ InterfaceState nestedStart(const Comm& comm, const CoarseAnswer& coarse, const I
       for (int k = 0; k < d; ++k) cartesian(node * d + k) = values(row, k);
       ++row;
     }
-    freeValues.push_back(subdomains[s]->freeValues(cartesian));
+    freeValues.push_back(subdomains[s]->freeValues(besideLift(subdomains[s]->mesh(), std::move(cartesian))));
   }
 
   const LineStatus lines(onAllRanks(comm, coarse.solution.pairs));

@@ -17,7 +17,7 @@ struct Solution {
   bool converged = false;
   bool stopped = false;              ///< on request, before it converged
   std::string failure;               ///< why not
-  std::vector<Vector> displacement;  ///< of each subdomain of this rank, in the order of distribute(): node-major, Cartesian [length]
+  std::vector<Vector> displacement;  ///< of each subdomain of this rank, in the order of distribute(), beside its lift: node-major, Cartesian [length]
   std::vector<PairResult> pairs;     ///< on rank 0: all, by id
 
   std::string outerSolver;  ///< "" for a scene without unilateral contact

@@ -2,8 +2,11 @@
 #include <suture/base/Collective.hpp>
 #include <suture/base/SceneReader.hpp>
 #include <suture/contact/GroupMemory.hpp>
+#include <suture/elasticity/SubdomainLoads.hpp>
 #include <suture/interface/CondensedProblem.hpp>
 #include <suture/interface/ContactInterfaceProblem.hpp>
+#include <suture/partition/RigidLift.hpp>
+#include <suture/solver/CarriedBodies.hpp>
 #include <suture/solver/SolveScene.hpp>
 #include <suture/solver/SolverSchema.hpp>
 #include <suture/subdomain/ElasticSubdomain.hpp>
@@ -19,6 +22,19 @@
 #include <sstream>
 
 namespace suture {
+
+double takeOutLift(const Comm& comm, const ElasticModel& model, std::vector<SubdomainMesh>& meshes, Constraints& constraints) {
+  if (!prescribesMotion(comm, meshes) && !hasFarGaps(comm, meshes)) return 0.0;
+  const auto carry = [&](const BodyParts& parts) { return carriedMotions(comm, meshes, model, parts); };
+  if (!takeOutRigidMotions(comm, meshes, carry)) return 0.0;
+  int has = !constraints.rules.empty();
+  Teuchos::broadcast(comm, 0, 1, &has);
+  if (has) takeOver(comm, meshes, constraints);
+  double work = 0.0, all = 0.0;
+  for (const SubdomainMesh& mesh : meshes) work += subdomainLoads(mesh, model).dot(mesh.lift.motion);
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, work, Teuchos::outArg(all));
+  return all;
+}
 
 Subdomains makeSubdomains(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model) {
   Subdomains subdomains;

@@ -22,6 +22,11 @@ using Subdomains = std::vector<std::unique_ptr<Subdomain>>;
 
 /// The steps from distributed meshes to a solution, one function a stage. `scene` is the whole resolved scene. All collective.
 
+/// Takes rigid motions out of the scene, where it prescribes any (takeOutRigidMotions()): after the checks, before anything is assembled.
+/// `constraints` of rank 0, for Monolithic, follow the meshes; they may be empty.
+/// Returns the work of the loads in these motions, which the energy of a Solution lacks. [force length]
+double takeOutLift(const Comm& comm, const ElasticModel& model, std::vector<SubdomainMesh>& meshes, Constraints& constraints);
+
 /// Elastic subdomains of this rank's meshes, assembled. `meshes` and `model` must outlive them. \throws NumericalError
 Subdomains makeSubdomains(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model);
 

@@ -232,8 +232,9 @@ ConstrainedInverse::ConstrainedInverse(Matrix schur, const Matrix& constraints, 
     // Of the matrix by its largest entry, so that nothing leaves the narrow range of single precision.
     Dense<float> inverse = inverseOf<float>((trapezoid.topRows(d) / std::sqrt(stiffest)).cast<float>(), dual, n, rotation, softest);
     if (softest < kConditionForSingle) {
-      inverse *= static_cast<float>(1.0 / stiffest);
-      inverse_ = PackedSymmetric(inverse);
+      int power = 0;
+      inverse *= static_cast<float>(std::frexp(1.0 / stiffest, &power));
+      inverse_ = PackedSymmetric(inverse, std::ldexp(1.0, power));
       basis_ = PackedColumns(basis, PackedSymmetric::Precision::Single);
       return;
     }

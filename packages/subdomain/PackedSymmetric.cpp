@@ -73,15 +73,15 @@ __attribute__((always_inline)) inline void addProduct(int rows, const Real* a, c
   }
 }
 
-/// y <- A x. `padded` are two vectors of `rows` numbers, work space.
+/// y <- factor A x. `padded` are two vectors of `rows` numbers, work space.
 template <typename Real>
-SUTURE_FOR_EACH_PROCESSOR void product(int size, int rows, const Real* a, const double* x, double* y, Real* padded) {
+SUTURE_FOR_EACH_PROCESSOR void product(int size, int rows, const Real* a, double factor, const double* x, double* y, Real* padded) {
   const double scale = scaleOf<Real>(size, x);
   divide(size, x, scale, padded);
   for (int i = size; i < rows; ++i) padded[i] = 0;
   for (int i = rows; i < 2 * rows; ++i) padded[i] = 0;
   addProduct(rows, a, padded, padded + rows);
-  suture::multiply<0>(size, scale, padded + rows, y);
+  suture::multiply<0>(size, factor * scale, padded + rows, y);
 }
 
 template <typename Given, typename Real>
@@ -107,13 +107,15 @@ PackedSymmetric::PackedSymmetric(const Matrix& matrix, Precision precision) : si
     fill(matrix, values_);
 }
 
-PackedSymmetric::PackedSymmetric(const Eigen::MatrixXf& matrix) : size_(static_cast<int>(matrix.rows())) { fill(matrix, singles_); }
+PackedSymmetric::PackedSymmetric(const Eigen::MatrixXf& matrix, double factor) : size_(static_cast<int>(matrix.rows())), factor_(factor) {
+  fill(matrix, singles_);
+}
 
 template <typename Real>
 void PackedSymmetric::multiply(const AlignedVector<Real>& values, ConstLocalView x, LocalView y) const {
   const int rows = padded(size_, kWidth);
   Real* work = kernelSpace<Real>(2 * static_cast<std::size_t>(rows));
-  for (Eigen::Index c = 0; c < x.cols(); ++c) product(size_, rows, values.data(), x.col(c).data(), y.col(c).data(), work);
+  for (Eigen::Index c = 0; c < x.cols(); ++c) product(size_, rows, values.data(), factor_, x.col(c).data(), y.col(c).data(), work);
 }
 
 void PackedSymmetric::multiply(ConstLocalView x, LocalView y) const {
@@ -136,7 +138,7 @@ double PackedSymmetric::at(int row, int column) const {
   }
   const std::size_t place = begin(first / kWidth, rows) + static_cast<std::size_t>(kWidth) * (top - first) +
                             static_cast<std::size_t>(column - first) * height + (row - top);
-  return singles_.empty() ? values_[place] : static_cast<double>(singles_[place]);
+  return factor_ * (singles_.empty() ? values_[place] : static_cast<double>(singles_[place]));
 }
 
 Matrix PackedSymmetric::full() const {
@@ -146,7 +148,7 @@ Matrix PackedSymmetric::full() const {
     eachBlock<Real>(padded(size_, kWidth), [&](int column, int row, int height, std::size_t place) {
       for (int j = column; j < std::min(column + kWidth, size_); ++j)
         for (int i = std::max(row, j); i < std::min(row + height, size_); ++i)
-          made(i, j) = static_cast<double>(values[place + static_cast<std::size_t>(j - column) * height + (i - row)]);
+          made(i, j) = factor_ * static_cast<double>(values[place + static_cast<std::size_t>(j - column) * height + (i - row)]);
     });
   };
   if (singles_.empty())

@@ -16,8 +16,8 @@ class PackedSymmetric {
   PackedSymmetric() = default;
   /// \param matrix  its lower triangle is read
   explicit PackedSymmetric(const Matrix& matrix, Precision precision = Precision::Double);
-  /// In single precision, what is already.
-  explicit PackedSymmetric(const Eigen::MatrixXf& matrix);
+  /// In single precision, what is already. \param factor  times the matrix: a power of two beyond the range of single precision
+  explicit PackedSymmetric(const Eigen::MatrixXf& matrix, double factor = 1.0);
 
   int size() const { return size_; }
   double bytes() const { return static_cast<double>(sizeof(double) * values_.size() + sizeof(float) * singles_.size()); }
@@ -33,6 +33,7 @@ class PackedSymmetric {
   double at(int row, int column) const;
 
   int size_ = 0;
+  double factor_ = 1.0;           // times what is kept
   AlignedVector<double> values_;  // one of the two
   AlignedVector<float> singles_;
 };

@@ -8,7 +8,8 @@ namespace suture {
 
 /// A Cholesky factor in single precision, half the memory of the original. It is used as preconditioner of conjugate gradients in double
 /// precision, which gives back what rounding took: two or three steps where it is nearly the inverse, a few more where stiffness jumps
-/// by many orders of magnitude; the accuracy does not depend on it. Local, const.
+/// by many orders of magnitude; the accuracy does not depend on it. Factor and loads are scaled by powers of two before they are rounded:
+/// nothing leaves the narrow range of single precision, whatever the units are. Local, const.
 class SingleFactor {
  public:
   SingleFactor() = default;
@@ -34,6 +35,7 @@ class SingleFactor {
 
  private:
   void precondition(const Vector& r, Vector& z) const;
+  void iterate(const SymmetricMatrix& matrix, Vector& r, Vector& x) const;
 
   struct Supernode {
     int first, columns, below;
@@ -44,6 +46,7 @@ class SingleFactor {
   std::vector<int> rows_;
   std::vector<float> values_;  // of each supernode its columns, from the reciprocal of the diagonal entry downwards
   std::vector<int> unknownOf_;
+  double scale_ = 0.0;  // power of two that `values_` are divided by; zero: no supernode yet
   int mostRows_ = 0;
 };
 

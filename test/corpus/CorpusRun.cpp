@@ -23,7 +23,7 @@ Vector gathered(const Comm& comm, const Mesh& mesh, int nodes, const std::vector
   for (std::size_t s = 0; s < meshes.size(); ++s)
     for (int node = 0; node < meshes[s].nodes(); ++node)
       for (int k = 0; k < 2; ++k) {
-        const double value = solution.displacement[s](2 * node + k);
+        const double value = meshes[s].total(solution.displacement[s], 2 * node + k);
         const GlobalId at = 2 * meshes[s].globalNodes[node] + k;
         high[at] = std::max(high[at], value);
         low[at] = std::max(low[at], -value);
@@ -54,12 +54,13 @@ void solve(const CommPtr& comm, const CorpusScene& corpusScene, const Way& way, 
     assignBodies(mesh, sublistNames(scene.sublist("Bodies")));
     assignRegions(mesh, scene.sublist("Bodies"));
   });
-  const Constraints constraints = constraintsStage(*comm, mesh, scene);
+  Constraints constraints = constraintsStage(*comm, mesh, scene);
   CutMesh cut = cutStage(*comm, file, mesh, constraints);
   const ElasticModel model = makeElasticModel(scene);
   elementsStage(*comm, cut.meshes, model);
   whole = {mesh, constraints, model};
   solvabilityStage(*comm, mesh, constraints, model, cut.partition);
+  takeOutLift(*comm, model, cut.meshes, constraints);
   const auto subdomains = isMonolithic(scene) ? Subdomains() : makeSubdomains(*comm, cut.meshes, model);
   const auto problem = problemStage(comm, cut.partition, subdomains, scene);
   const auto reference = isMonolithic(scene) ? assembleMonolithic(*comm, mesh, constraints, model) : nullptr;

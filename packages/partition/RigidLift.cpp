@@ -1,0 +1,264 @@
+#include <suture/base/Gather.hpp>
+#include <suture/partition/BodyParts.hpp>
+#include <suture/partition/RigidLift.hpp>
+
+#include <Teuchos_Comm.hpp>
+#include <Teuchos_CommHelpers.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+namespace suture {
+
+namespace {
+
+using Extended = long double;
+
+constexpr double kRigid = 0.25;      // of the largest prescribed value: what a rigid motion may leave of it
+constexpr double kBalanced = 1e-12;  // of a pair's weights: a sum that is zero but for rounding
+constexpr int kAmplitudeBits = 46;   // of the largest amplitude: smaller ones are rounding of the fit
+
+/// End of a pair: how its node moves, and what its prescribed components contribute to the row.
+struct End {
+  int pair, end;
+  Extended given;  // weight normal . what remains of prescribed components
+  Extended along;  // normal . motion
+  double weight;
+};
+
+Extended dot(const Point& axis, const std::array<Extended, 3>& moved) {
+  return axis[0] * moved[0] + axis[1] * moved[1] + axis[2] * moved[2];
+}
+
+using Amplitudes = std::array<Extended, 6>;
+
+std::array<Extended, 3> motionAt(const RigidPart& part, const Amplitudes& amplitudes, const Point& point, int dimension) {
+  std::array<Extended, 3> arm{0, 0, 0}, turn{0, 0, 0}, moved{0, 0, 0};
+  for (int k = 0; k < dimension; ++k) {
+    arm[k] = (Extended(point[k]) - part.centre[k]) / part.radius;
+    moved[k] = amplitudes[k];
+  }
+  if (dimension == 2)
+    turn[2] = amplitudes[2];
+  else
+    for (int k = 0; k < 3; ++k) turn[k] = amplitudes[3 + k];
+  for (int k = 0; k < dimension; ++k) moved[k] += turn[(k + 1) % 3] * arm[(k + 2) % 3] - turn[(k + 2) % 3] * arm[(k + 1) % 3];
+  return moved;
+}
+
+Amplitudes extended(const Vector& amplitudes) {
+  Amplitudes all{0, 0, 0, 0, 0, 0};
+  for (Eigen::Index k = 0; k < amplitudes.size(); ++k) all[k] = amplitudes[k];
+  return all;
+}
+
+/// Rounding costs nothing (what remains is prescribed) and keeps translations exact: what remains of equal values is equal to the last bit.
+void round(Vector& amplitudes) {
+  const double largest = amplitudes.cwiseAbs().maxCoeff();
+  if (!(largest > 0.0)) return;
+  const double unit = std::ldexp(1.0, std::ilogb(largest) - kAmplitudeBits);
+  for (double& amplitude : amplitudes) amplitude = unit * std::nearbyint(amplitude / unit);
+}
+
+class Lifting {
+ public:
+  Lifting(const Comm& comm, std::vector<SubdomainMesh>& meshes, const CarriedMotions& carry)
+      : comm_(comm), meshes_(meshes), carry_(carry) {}
+  bool run();
+
+ private:
+  bool choose();
+  void shiftRules();
+  void shiftGaps();
+
+  std::array<Extended, 3> at(std::size_t mesh, int node) const {
+    const int part = parts_->partOf[mesh];
+    return motionAt(parts_->parts[part], amplitudes_[part], meshes_[mesh].point(node), dimension_);
+  }
+
+  const Comm& comm_;
+  std::vector<SubdomainMesh>& meshes_;
+  const CarriedMotions& carry_;
+  int dimension_ = 2;
+  std::unique_ptr<BodyParts> parts_;
+  std::vector<Amplitudes> amplitudes_;  // of each part
+};
+
+/// The motion of each part: the best fit, if it leaves little of what is prescribed, and what carries it.
+bool Lifting::choose() {
+  const std::size_t parts = parts_->parts.size();
+  for (Vector& lift : parts_->lift) {
+    round(lift);
+    amplitudes_.push_back(extended(lift));
+  }
+  std::vector<double> mine(2 * parts, 0.0), all(2 * parts);
+  for (std::size_t s = 0; s < meshes_.size(); ++s)
+    for (const NodeRule& rule : meshes_[s].rules) {
+      const auto moved = at(s, rule.node);
+      for (int k = 0; k < dimension_; ++k) {
+        if (!rule.fixed[k]) continue;
+        double *value = &mine[2 * parts_->partOf[s]], *rest = value + 1;
+        *value = std::max(*value, std::abs(rule.value[k]));
+        *rest = std::max(*rest, std::abs(double(rule.value[k] - dot(rule.axes[k], moved))));
+      }
+    }
+  Teuchos::reduceAll(comm_, Teuchos::REDUCE_MAX, int(mine.size()), mine.data(), all.data());
+  for (std::size_t p = 0; p < parts; ++p)
+    if (!(all[2 * p + 1] <= kRigid * all[2 * p])) parts_->lift[p].setZero();
+  std::vector<Vector> carried(parts, Vector::Zero(dimension_ == 2 ? 3 : 6));
+  if (carry_) carried = carry_(*parts_);
+  bool any = false;
+  for (std::size_t p = 0; p < parts; ++p) {
+    round(carried[p]);
+    const Amplitudes prescribed = extended(parts_->lift[p]), beside = extended(carried[p]);
+    for (std::size_t k = 0; k < beside.size(); ++k) {
+      amplitudes_[p][k] = prescribed[k] + beside[k];
+      any = any || amplitudes_[p][k] != 0;
+    }
+  }
+  return any;
+}
+
+void Lifting::shiftRules() {
+  for (std::size_t s = 0; s < meshes_.size(); ++s) {
+    SubdomainMesh& mesh = meshes_[s];
+    for (NodeRule& rule : mesh.rules) {
+      mesh.lift.values.push_back(rule.value);
+      const auto moved = at(s, rule.node);
+      for (int k = 0; k < dimension_; ++k)
+        if (rule.fixed[k]) rule.value[k] = double(rule.value[k] - dot(rule.axes[k], moved));
+    }
+    mesh.lift.motion.resize(Eigen::Index(mesh.nodes()) * dimension_);
+    for (int node = 0; node < mesh.nodes(); ++node) {
+      const auto moved = at(s, node);
+      for (int k = 0; k < dimension_; ++k) mesh.lift.motion[Eigen::Index(node) * dimension_ + k] = double(moved[k]);
+    }
+  }
+}
+
+void Lifting::shiftGaps() {
+  std::vector<End> mine;
+  for (std::size_t s = 0; s < meshes_.size(); ++s) {
+    const SubdomainMesh& mesh = meshes_[s];
+    std::map<int, const ContactPair*> pairs;
+    for (const ContactRow& row : mesh.contactRows) pairs[row.pair.id] = &row.pair;
+    std::map<int, const NodeRule*> rules;
+    for (const NodeRule& rule : mesh.rules) rules[rule.node] = &rule;
+    for (const SubdomainMesh::ContactEnd& end : mesh.contactEnds) {
+      const Span<const int> others = mesh.others(end.node);
+      if (std::any_of(others.begin(), others.end(), [&](int other) { return other < mesh.id; })) continue;
+      const ContactPair& pair = *pairs.at(end.pair);
+      const auto moved = at(s, end.node);
+      End own{end.pair, end.end, 0, dot(pair.normal, moved), pair.ends[end.end].weight};
+      if (const auto rule = rules.find(end.node); rule != rules.end())
+        for (int k = 0; k < dimension_; ++k) {
+          if (!rule->second->fixed[k]) continue;
+          const Point& axis = rule->second->axes[k];
+          double across = 0.0;
+          for (int c = 0; c < dimension_; ++c) across += axis[c] * pair.normal[c];
+          own.given += Extended(own.weight) * across * rule->second->value[k];
+        }
+      mine.push_back(own);
+    }
+  }
+  Packer packer;
+  packer.put(mine);
+  std::vector<End> ends = joined<End>(allGather(comm_, packer.bytes()));
+  std::sort(ends.begin(), ends.end(), [](const End& a, const End& b) { return a.pair != b.pair ? a.pair < b.pair : a.end < b.end; });
+
+  struct Shift {
+    Extended moved = 0, given = 0;
+  };
+  std::map<int, Shift> shifts;
+  for (std::size_t first = 0, last = 0; first < ends.size(); first = last) {
+    Shift& shift = shifts[ends[first].pair];
+    Extended sum = 0, size = 0;
+    for (last = first; last < ends.size() && ends[last].pair == ends[first].pair; ++last) {
+      sum += ends[last].weight;
+      size += std::abs(ends[last].weight);
+      shift.given += ends[last].given;
+    }
+    // Both sides moved alike change no gap, also where weights of a mortar sum to zero but for rounding.
+    const Extended common = std::abs(sum) <= kBalanced * size ? ends[first].along : 0;
+    for (std::size_t e = first; e < last; ++e) shift.moved += ends[e].weight * (ends[e].along - common);
+  }
+  for (SubdomainMesh& mesh : meshes_)
+    for (ContactRow& row : mesh.contactRows) {
+      const Shift& shift = shifts.at(row.pair.id);
+      mesh.lift.gaps[row.pair.id] = row.pair.gap;
+      row.pair.gap = double(row.pair.gap - shift.moved);
+      row.gap = double(row.pair.gap - shift.given);
+    }
+}
+
+bool Lifting::run() {
+  if (!carry_ && !prescribesMotion(comm_, meshes_)) return false;
+  int mine = meshes_.empty() ? 0 : meshes_.front().dimension;
+  Teuchos::reduceAll(comm_, Teuchos::REDUCE_MAX, mine, Teuchos::outArg(dimension_));
+  std::vector<const SubdomainMesh*> pointers;
+  for (const SubdomainMesh& mesh : meshes_) {
+    if (mesh.lift.motion.size() > 0) throw InternalError("rigid motions taken out of a scene twice");
+    pointers.push_back(&mesh);
+  }
+  parts_ = std::make_unique<BodyParts>(comm_, pointers, dimension_);
+  if (!choose()) return false;
+  shiftRules();
+  shiftGaps();
+  return true;
+}
+
+}  // namespace
+
+bool prescribesMotion(const Comm& comm, const std::vector<SubdomainMesh>& meshes) {
+  int any = 0, all = 0;
+  for (const SubdomainMesh& mesh : meshes)
+    for (const NodeRule& rule : mesh.rules)
+      for (int k = 0; k < mesh.dimension; ++k) any = any || (rule.fixed[k] && rule.value[k] != 0.0);
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, any, Teuchos::outArg(all));
+  return all > 0;
+}
+
+bool takeOutRigidMotions(const Comm& comm, std::vector<SubdomainMesh>& meshes, const CarriedMotions& carry) {
+  return Lifting(comm, meshes, carry).run();
+}
+
+void takeOver(const Comm& comm, const std::vector<SubdomainMesh>& meshes, Constraints& constraints) {
+  struct Value {
+    GlobalId node;
+    Point value;
+  };
+  struct Gap {
+    int pair;
+    double gap;
+  };
+  std::vector<Value> values;
+  std::vector<Gap> gaps;
+  for (const SubdomainMesh& mesh : meshes) {
+    for (const NodeRule& rule : mesh.rules) values.push_back({mesh.globalNodes[rule.node], rule.value});
+    for (const ContactRow& row : mesh.contactRows) gaps.push_back({row.pair.id, row.pair.gap});
+  }
+  const std::vector<Value> allValues = joinOnRoot(comm, values);
+  const std::vector<Gap> allGaps = joinOnRoot(comm, gaps);
+  if (comm.getRank() != 0) return;
+  for (const Value& value : allValues) {
+    const auto rule = std::lower_bound(constraints.rules.begin(), constraints.rules.end(), value.node,
+                                       [](const NodeRule& one, GlobalId node) { return one.node < node; });
+    if (rule == constraints.rules.end() || rule->node != value.node)
+      throw InternalError("a rule of a subdomain that the mesh does not have");
+    rule->value = value.value;
+  }
+  for (const Gap& gap : allGaps) constraints.pairs.at(gap.pair).gap = gap.gap;
+}
+
+Vector withLift(const SubdomainMesh& mesh, Vector beside) {
+  if (mesh.lift.motion.size() > 0) beside += mesh.lift.motion;
+  return beside;
+}
+
+Vector besideLift(const SubdomainMesh& mesh, Vector displacement) {
+  if (mesh.lift.motion.size() > 0) displacement -= mesh.lift.motion;
+  return displacement;
+}
+
+}  // namespace suture

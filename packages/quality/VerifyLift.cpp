@@ -1,0 +1,121 @@
+#include <suture/base/Gather.hpp>
+#include <suture/quality/ElementForces.hpp>
+#include <suture/quality/PairResult.hpp>
+#include <suture/quality/VerifyLift.hpp>
+
+#include <Teuchos_Comm.hpp>
+#include <Teuchos_CommHelpers.hpp>
+
+#include <algorithm>
+#include <limits>
+#include <map>
+
+namespace suture {
+
+namespace {
+
+constexpr double unitRoundoff = 0.5 * std::numeric_limits<double>::epsilon();
+constexpr double kRounded = 8.0;  // times the rounding of what is compared
+
+/// End of a pair, at the rank that counts its node. Plain.
+struct LiftedEnd {
+  int pair, body;
+  double closing, size;  // weight x normal . motion, and of its magnitudes
+  double before, gap;    // of the pair
+  Point place;
+};
+
+Point motionOf(const SubdomainMesh& mesh, int node) { return {mesh.lift.motion[2 * node], mesh.lift.motion[2 * node + 1], 0.0}; }
+
+double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1]; }
+
+Finding at(const SubdomainMesh& mesh, int node) {
+  Finding where;
+  where.body = mesh.body;
+  where.place = mesh.point(node);
+  return where;
+}
+
+/// Internal forces of the motion are nothing but rounding.
+void judgeMotion(const SubdomainMesh& mesh, const ElasticModel& model, Findings& findings) {
+  const auto materialOf = [&](int element) -> const Material& { return model.materialOf(mesh, element, mesh.body); };
+  const ElementForces forces = elementForces(mesh, materialOf, model.plane, mesh.lift.motion);
+  for (int node = 0; node < mesh.nodes(); ++node) {
+    const double size = length(forces.internal[2 * node], forces.internal[2 * node + 1]), allowed = kRounded * forces.rounding[node];
+    if (size > 0.0 && findings.isWorse(Quantity::Prescribed, size, allowed))
+      findings.take(Quantity::Prescribed, size, allowed, allowed, at(mesh, node));
+  }
+}
+
+void judgeRules(const SubdomainMesh& mesh, Findings& findings) {
+  for (std::size_t r = 0; r < mesh.rules.size(); ++r) {
+    const NodeRule& rule = mesh.rules[r];
+    const Point motion = motionOf(mesh, rule.node);
+    for (int k = 0; k < 2; ++k) {
+      if (!rule.fixed[k]) continue;
+      const double before = mesh.lift.values.at(r)[k], size = length(motion[0], motion[1]) + std::abs(before);
+      findings.take(Quantity::Prescribed, std::abs(dot(rule.axes[k], motion) + rule.value[k] - before), kRounded * unitRoundoff * size,
+                    size, at(mesh, rule.node));
+    }
+  }
+}
+
+void collectEnds(const SubdomainMesh& mesh, std::vector<LiftedEnd>& ends) {
+  std::map<int, const ContactPair*> pairs;
+  for (const ContactRow& row : mesh.contactRows) pairs[row.pair.id] = &row.pair;
+  for (const SubdomainMesh::ContactEnd& end : mesh.contactEnds) {
+    if (!counts(mesh, end.node)) continue;
+    const ContactPair& pair = *pairs.at(end.pair);
+    const Point motion = motionOf(mesh, end.node);
+    const double weight = pair.ends[end.end].weight;
+    ends.push_back({end.pair, mesh.body, weight * dot(pair.normal, motion), std::abs(weight) * length(motion[0], motion[1]),
+                    mesh.lift.gaps.at(end.pair), pair.gap, pair.position});
+  }
+}
+
+void judgeGaps(std::vector<LiftedEnd> ends, Findings& findings) {
+  std::stable_sort(ends.begin(), ends.end(), [](const LiftedEnd& a, const LiftedEnd& b) { return a.pair < b.pair; });
+  for (std::size_t first = 0, last = 0; first < ends.size(); first = last) {
+    double gap = ends[first].before, size = std::abs(gap);
+    Finding where;
+    where.pair = ends[first].pair;
+    where.place = ends[first].place;
+    where.body = where.other = ends[first].body;
+    for (last = first; last < ends.size() && ends[last].pair == where.pair; ++last) {
+      gap -= ends[last].closing;
+      size += ends[last].size;
+      if (ends[last].body != where.body) where.other = ends[last].body;
+    }
+    if (size > 0.0) findings.take(Quantity::Prescribed, std::abs(gap - ends[first].gap), kRounded * unitRoundoff * size, size, where);
+  }
+}
+
+}  // namespace
+
+void verifyLift(const Comm& comm, const Answer& answer, const SeamExchange& seams, Findings& findings) {
+  int lifted = 0, any = 0;
+  for (const SubdomainMesh& mesh : answer.meshes) lifted = lifted || mesh.lift.motion.size() > 0;
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, lifted, Teuchos::outArg(any));
+  if (!any) return;
+  std::vector<LiftedEnd> ends;
+  std::vector<Matrix> motions;
+  collectively(comm, "verifying the rigid motions", [&] {
+    for (const SubdomainMesh& mesh : answer.meshes) {
+      if (mesh.lift.motion.size() != 2 * mesh.nodes()) throw InternalError("a lift of some subdomains only");
+      judgeMotion(mesh, answer.model, findings);
+      judgeRules(mesh, findings);
+      collectEnds(mesh, ends);
+      motions.emplace_back(Eigen::Map<const Matrix>(mesh.lift.motion.data(), 2, mesh.nodes()));
+    }
+  });
+  for (const SeamExchange::Difference& apart : seams.differences(motions)) {
+    const SubdomainMesh& mesh = answer.meshes[apart.mesh];
+    const Point motion = motionOf(mesh, apart.node);
+    const double size = length(motion[0], motion[1]);
+    findings.take(Quantity::Seams, apart.size, kRounded * unitRoundoff * size, size, at(mesh, apart.node));
+  }
+  const std::vector<LiftedEnd> all = joinOnRoot(comm, ends);
+  if (comm.getRank() == 0) judgeGaps(all, findings);
+}
+
+}  // namespace suture

@@ -1,0 +1,151 @@
+// Rigid motions taken out of a scene: what remains, and that nothing is lost.
+#include <Teuchos_CommHelpers.hpp>
+#include <Teuchos_UnitTestHarness.hpp>
+#include <suture/base/Gather.hpp>
+#include <suture/partition/RigidLift.hpp>
+
+#include <cmath>
+#include <support/Blocks.hpp>
+
+namespace suture {
+namespace {
+
+using namespace blocks;
+
+/// Two blocks in contact, the lower carried by its bottom, the upper by its top; a rule is given by `move` at its place.
+Scene carried(const std::function<Point(const Point&)>& lower, const std::function<Point(const Point&)>& upper) {
+  Scene scene = scenes::fromBoxes(twoBoxes(8, 4, 2, 2), 100.0, 0.3);
+  scene.pairUp();
+  for (ContactPair& pair : scene.constraints.pairs) pair.gap = 0.01 * pair.position[0] * pair.position[0];
+  for (const int node : scene.nodesOf("lower_bottom"))
+    for (int k = 0; k < 2; ++k) scene.holdNode(node, k, lower(scene.mesh.point(node))[k]);
+  for (const int node : scene.nodesOf("upper_top"))
+    for (int k = 0; k < 2; ++k) scene.holdNode(node, k, upper(scene.mesh.point(node))[k]);
+  return scene;
+}
+
+Point nowhere(const Point&) { return {0, 0, 0}; }
+
+/// Rules and pairs of all ranks before and after.
+struct Taken {
+  Scene scene;
+  Blocks all;
+  Constraints left;
+  bool any;
+  explicit Taken(const Scene& given)
+      : scene(given), all(given, world()), left(given.constraints), any(takeOutRigidMotions(*world(), all.meshes)) {
+    if (any) takeOver(*world(), all.meshes, left);
+  }
+  /// Component k of the motion at a node of the mesh; zero where no rank has it.
+  double motion(int node, int k) const {
+    double mine = 0.0, most = 0.0, least = 0.0;
+    for (const SubdomainMesh& mesh : all.meshes)
+      for (int local = 0; local < mesh.nodes(); ++local)
+        if (mesh.globalNodes[local] == node) mine = mesh.lift.motion[2 * local + k];
+    Teuchos::reduceAll(*world(), Teuchos::REDUCE_MAX, mine, Teuchos::outArg(most));
+    Teuchos::reduceAll(*world(), Teuchos::REDUCE_MIN, mine, Teuchos::outArg(least));
+    return std::abs(least) > most ? least : most;
+  }
+};
+
+TEUCHOS_UNIT_TEST(RigidLift, LeavesZerosAlone) {
+  const Taken taken(carried(nowhere, nowhere));
+  TEST_ASSERT(!taken.any);
+  for (const SubdomainMesh& mesh : taken.all.meshes) TEST_EQUALITY(mesh.lift.motion.size(), 0);
+}
+
+/// Half of the height: no rigid motion describes a body that is squeezed between its ends.
+TEUCHOS_UNIT_TEST(RigidLift, LeavesAStretchAlone) {
+  Scene scene = carried(nowhere, nowhere);
+  for (const int node : scene.nodesOf("upper_top")) scene.holdNode(node, 1, -0.1);
+  for (const int node : scene.nodesOf("upper_bottom")) scene.holdNode(node, 1, 0.1);
+  const Taken taken(scene);
+  TEST_ASSERT(!taken.any);
+  for (const SubdomainMesh& mesh : taken.all.meshes)
+    for (const NodeRule& rule : mesh.rules) TEST_ASSERT(rule.value[1] == 0.0 || std::abs(rule.value[1]) == 0.1);
+}
+
+/// Numbers that have no short binary form: what remains of them is the same at all nodes, to the last bit, and nearly nothing.
+TEUCHOS_UNIT_TEST(RigidLift, LeavesEqualRemaindersOfATranslation) {
+  for (const Point& value : {Point{1e6 / 3, -0.1, 0}, Point{0.3, 0.1, 0}, Point{-1e-7, 1e13 / 7, 0}}) {
+    const auto shift = [&](const Point&) { return value; };
+    const Taken taken(carried(shift, shift));
+    TEST_ASSERT(taken.any);
+    if (world()->getRank() > 0) continue;
+    const double size = std::hypot(value[0], value[1]);
+    const NodeRule& first = taken.left.rules.front();
+    for (const NodeRule& rule : taken.left.rules)
+      for (int k = 0; k < 2; ++k) {
+        TEST_EQUALITY(rule.value[k], first.value[k]);
+        TEST_COMPARE(std::abs(rule.value[k]), <, 1e-13 * size);
+      }
+    // Bodies that move alike change no gap.
+    for (const ContactPair& pair : taken.left.pairs) TEST_EQUALITY(pair.gap, taken.scene.constraints.pairs[pair.id].gap);
+  }
+}
+
+TEUCHOS_UNIT_TEST(RigidLift, MotionAndRemainderMakeUpWhatWasPrescribed) {
+  for (const double turn : {0.0, 1e-3, 2e6}) {
+    const auto carry = [&](const Point& x) { return Point{5.0 - turn * x[1], 0.7 + turn * x[0] + 1e-4 * x[0] * x[0], 0}; };
+    Scene scene = carried(nowhere, carry);
+    const Taken taken(scene);
+    TEST_ASSERT(taken.any);
+    for (const NodeRule& rule : taken.left.rules)
+      for (int k = 0; k < 2; ++k) {
+        const double before = scene.ruleOf(rule.node).value[k], motion = taken.motion(rule.node, k);
+        if (world()->getRank() > 0) continue;
+        TEST_COMPARE(std::abs(motion + rule.value[k] - before), <=, 4e-16 * std::abs(before));
+        // The curve, which is no rigid motion, is all that remains: of 1e-4 here, or of the rounding of what was prescribed.
+        TEST_COMPARE(std::abs(rule.value[k]), <, 1.1e-4 + 1e-15 * turn);
+      }
+  }
+}
+
+/// gap - n.T_A + n.T_B, in closed form; a row's gap is that of the same scene put together anew.
+TEUCHOS_UNIT_TEST(RigidLift, GapsChangeByTheMotionOfBothSides) {
+  const auto lower = [](const Point&) { return Point{0.25, 0.5, 0}; };
+  const auto upper = [](const Point&) { return Point{-1.0, 1024.5, 0}; };
+  Scene scene = carried(lower, upper);
+  scene.holdNode(scene.constraints.pairs[3].ends[0].node, 1, 0.5);  // on the line: in the row's gap
+  const Taken taken(scene);
+  TEST_ASSERT(taken.any);
+  if (world()->getRank() == 0)
+    for (const ContactPair& pair : taken.left.pairs)
+      TEST_COMPARE(std::abs(pair.gap - (scene.constraints.pairs[pair.id].gap + 1024.0)), <, 4e-13);
+  const std::vector<ContactRow> rows = world()->getRank() == 0 ? contactRows(scene.mesh, taken.left) : std::vector<ContactRow>();
+  std::vector<double> gaps(scene.constraints.pairs.size());
+  for (const ContactRow& row : rows) gaps[row.pair.id] = row.gap;
+  broadcastBytes(*world(), gaps.data(), gaps.size() * sizeof(double));
+  for (const SubdomainMesh& mesh : taken.all.meshes)
+    for (const ContactRow& row : mesh.contactRows) {
+      TEST_COMPARE(std::abs(row.gap - gaps[row.pair.id]), <, 4e-13);
+      TEST_EQUALITY(mesh.lift.gaps.at(row.pair.id), scene.constraints.pairs[row.pair.id].gap);
+    }
+}
+
+/// Weights of a mortar sum to zero but for rounding, which 1e12 body sizes would make a gap of 1e-4.
+TEUCHOS_UNIT_TEST(RigidLift, MortarGapsKeepTheirDigits) {
+  const auto shift = [](const Point&) { return Point{0, 1e12, 0}; };
+  Scene scene = carried(shift, shift);
+  for (ContactPair& pair : scene.constraints.pairs) {
+    if (pair.id == 0) continue;
+    const int left = scene.constraints.pairs[pair.id - 1].ends[1].node, right = pair.ends[1].node;
+    pair.ends = {{pair.ends[0].node, 1.0}, {left, -0.1}, {right, -(0.3 + 0.6)}};
+  }
+  const Taken taken(scene);
+  TEST_ASSERT(taken.any);
+  if (world()->getRank() == 0)
+    for (const ContactPair& pair : taken.left.pairs) TEST_EQUALITY(pair.gap, scene.constraints.pairs[pair.id].gap);
+}
+
+TEUCHOS_UNIT_TEST(RigidLift, IsTakenOutOnce) {
+  const auto shift = [](const Point&) { return Point{3, 4, 0}; };
+  Taken taken(carried(shift, shift));
+  bool ruled = false;
+  for (SubdomainMesh& mesh : taken.all.meshes)
+    for (NodeRule& rule : mesh.rules) rule.value = {1, 1, 0}, ruled = true;
+  if (ruled) TEST_THROW(takeOutRigidMotions(*alone(), taken.all.meshes), InternalError);
+}
+
+}  // namespace
+}  // namespace suture

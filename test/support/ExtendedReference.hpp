@@ -1,0 +1,107 @@
+#pragma once
+#include <solver/MonolithicScenes.hpp>
+#include <suture/solver/MonolithicSystem.hpp>
+
+#include <Eigen/LU>
+
+#include <array>
+#include <functional>
+#include <stdexcept>
+#include <vector>
+
+namespace suture::scenes {
+
+/// A small scene solved in extended precision, and certified: all equations as one dense saddle problem with a set of closed pairs, which
+/// is flipped until no closed pair pulls and no open one penetrates. Data (element stiffnesses, loads, gaps) are those of the program.
+struct ExtendedReference {
+  using Real = long double;
+  using Dense = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
+  using Column = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
+
+  Column displacement;  ///< of the mesh's nodes: node-major, Cartesian
+  Column force, gap;    ///< of each pair
+  std::vector<char> closed;
+
+  /// Rigid motion of a body that is taken out of rules and gaps before they are used.
+  using Motion = std::function<std::array<Real, 2>(int body, const Point& place)>;
+
+  /// \param start  closed pairs to begin with; none: all
+  explicit ExtendedReference(const Scene& scene, std::vector<char> start = {}, const Motion& motion = {}) {
+    const int unknowns = 2 * scene.mesh.nodes(), pairs = int(scene.constraints.pairs.size());
+    Dense stiffness = Dense::Zero(unknowns, unknowns);
+    elementStiffnesses(
+        scene.mesh, [&](int e) -> const Material& { return scene.model.materialOf(scene.mesh, e, scene.mesh.bodyOfElement[e]); },
+        scene.model.plane,
+        [&](int element, ConstLocalView k) {
+          const Span<const int> nodes = scene.mesh.nodesOf(element);
+          for (Eigen::Index j = 0; j < k.cols(); ++j)
+            for (Eigen::Index i = 0; i < k.rows(); ++i)
+              stiffness(2 * nodes[i / 2] + i % 2, 2 * nodes[j / 2] + j % 2) += Real(k(std::max(i, j), std::min(i, j)));
+        });
+    const Column load = nodalLoads(scene.mesh, scene.model).cast<Real>();
+    Dense rows = Dense::Zero(pairs, unknowns);
+    Column initial(pairs);
+    for (const ContactPair& pair : scene.constraints.pairs) {
+      initial[pair.id] = pair.gap;
+      for (const PairEnd& end : pair.ends)
+        for (int k = 0; k < 2; ++k) {
+          rows(pair.id, 2 * end.node + k) += Real(end.weight) * pair.normal[k];
+          if (motion)
+            initial[pair.id] -= Real(end.weight) * pair.normal[k] * motion(scene.mesh.bodyOfNode[end.node], scene.mesh.point(end.node))[k];
+        }
+    }
+    std::vector<std::pair<Column, Real>> held;  // prescribed components
+    for (const NodeRule& rule : scene.constraints.rules)
+      for (int k = 0; k < 2; ++k)
+        if (rule.fixed[k]) {
+          Column row = Column::Zero(unknowns);
+          Real value = rule.value[k];
+          for (int c = 0; c < 2; ++c) {
+            row[2 * rule.node + c] = rule.axes[k][c];
+            if (motion) value -= rule.axes[k][c] * motion(scene.mesh.bodyOfNode[rule.node], scene.mesh.point(rule.node))[c];
+          }
+          held.emplace_back(row, value);
+        }
+    const Real unit = stiffness.diagonal().maxCoeff();
+    closed = start.empty() ? std::vector<char>(pairs, 1) : start;
+    for (int step = 0; step < 100; ++step) {
+      std::vector<int> active;
+      for (int i = 0; i < pairs; ++i)
+        if (closed[i]) active.push_back(i);
+      const int size = unknowns + int(held.size() + active.size());
+      Dense system = Dense::Zero(size, size);
+      Column right = Column::Zero(size);
+      system.topLeftCorner(unknowns, unknowns) = stiffness;
+      right.head(unknowns) = load;
+      int at = unknowns;
+      const auto add = [&](const Column& row, Real value) {
+        system.row(at).head(unknowns) = unit * row.transpose();
+        system.col(at).head(unknowns) = unit * row;
+        right[at++] = unit * value;
+      };
+      for (const auto& [row, value] : held) add(row, value);
+      for (const int i : active) add(rows.row(i).transpose(), initial[i]);
+      const Eigen::PartialPivLU<Dense> factor(system);
+      Column found = factor.solve(right);
+      for (int k = 0; k < 3; ++k) found += factor.solve(right - system * found);
+      displacement = found.head(unknowns);
+      force = Column::Zero(pairs);
+      gap = initial - rows * displacement;
+      for (std::size_t k = 0; k < active.size(); ++k) {
+        force[active[k]] = unit * found[unknowns + int(held.size() + k)];
+        gap[active[k]] = 0;
+      }
+      if (!found.allFinite()) throw std::runtime_error("the reference is singular");
+      bool changed = false;
+      const Real size1 = force.cwiseAbs().maxCoeff(), size2 = gap.cwiseAbs().maxCoeff();
+      for (int i = 0; i < pairs; ++i) {
+        const bool flips = closed[i] ? force[i] < -Real(1e-16) * size1 : gap[i] < -Real(1e-16) * size2;
+        if (flips) closed[i] = !closed[i], changed = true;
+      }
+      if (!changed) return;
+    }
+    throw std::runtime_error("the reference finds no set of closed pairs");
+  }
+};
+
+}  // namespace suture::scenes
