@@ -398,6 +398,12 @@ void ContactInterfaceProblem::pairChanges(const MultiVector& step, const Contact
   penetration = all.col(1);
 }
 
+int ContactInterfaceProblem::remember(InterfaceState& state) const {
+  if (state.memory) return 0;
+  state.memory = std::make_shared<Matrix>(imbalance(*state.trace));
+  return 1;
+}
+
 Vector ContactInterfaceProblem::energies(const InterfaceState& state) const {
   int applications = 0;
   const Matrix out = rememberedImbalance(state, applications);

@@ -52,6 +52,7 @@ class ContactInterfaceProblem : public InterfaceProblem, public ContactSets {
   void pairChanges(const MultiVector& step, const ContactStatus& status, const Vector& pairForces, Vector& force,
                    Vector& penetration) const override;
   const std::vector<int>& partOfOwned() const override { return partOfOwned_; }
+  int remember(InterfaceState& state) const override;
   Vector energies(const InterfaceState& state) const override;
 
  private:

@@ -28,10 +28,15 @@ class SetSolves : public ContactOracle {
 
  private:
   void precondition(const InterfaceState& state, const Teuchos::RCP<InterfaceOperator>& matrix);
-  void scaleBy(const InterfaceState& state, const ClosedSet& closed, const MultiVector& load);
+  void findClusters(const ClosedSet& closed);
+  Vector energies(const InterfaceState& state) const;
+  void scaleBy(const InterfaceState& from, const InterfaceState& state, const MultiVector& load);
+  double overestimate(const InterfaceState& state) const;
   void scale(MultiVector& x, bool inverse) const;
   double norm(const MultiVector& residual) const;
   bool oneSolve(InterfaceState& state, bool goOn, int level, InnerResult& cost, int& applications);
+  bool solveLinear(InterfaceState& state, bool goOn, double tolerance, const EnergyCriterion& criterion, InnerResult& cost,
+                   int& applications);
 
   OuterSolver::Run& run_;
   const ContactSets& sets_;
@@ -40,7 +45,10 @@ class SetSolves : public ContactOracle {
   ClosedSet closed_;  // of the last solve; empty: it can't be gone on with
   ContactStatus preconditioned_;
   Teuchos::RCP<InterfaceOperator> matrix_;
-  std::vector<double> scale_;  // of each owned unknown; empty: one cluster
+  std::vector<int> clusterOf_;  // of each part
+  Vector lift_;                 // energy norm of each cluster where the last solve began: rounding leaves a part of it
+  Vector size_;                 // of each cluster, that its residual was relative to
+  std::vector<double> scale_;   // of each owned unknown; empty: one cluster
   double largestScale_ = 1.0;
   double reference_ = 0.0;
   bool deformed_ = false;  // the state is the answer of a solve: its energy is a scale
