@@ -12,9 +12,10 @@
 namespace suture {
 
 namespace {
-constexpr int kRestarts = 4;      // of conjugate gradients whose recursion has lost the residual
-constexpr double kStalled = 0.5;  // of the residual: a restart that leaves more has met the floor of rounding
-constexpr double kFloor = 1e-6;   // residual above which a floor is no answer, whatever the verdict may say
+constexpr int kRestarts = 4;        // of conjugate gradients whose recursion has lost the residual
+constexpr double kStalled = 0.5;    // of the residual: a restart that leaves more has met the floor of rounding
+constexpr double kPassive = 1e-12;  // of its cluster's energy, below which a body has none of its own
+constexpr double kSharper = 0.7;    // of the tolerance that would do if all residuals fell alike
 constexpr int kRescales = 4;
 constexpr double kOverestimate = 2.0;  // of the solution's energy norm, from which on a solve is taken up again
 constexpr double kRounding = 1e-14;    // of the energy norm that a solve began with, which its answer cannot be free of
@@ -59,8 +60,7 @@ void SetSolves::scaleBy(const InterfaceState& from, const InterfaceState& state,
   scale_.clear();
   size_.resize(0);
   largestScale_ = 1.0;
-  const bool one =
-      std::all_of(clusterOf_.begin(), clusterOf_.end(), [&](int cluster) { return cluster == clusterOf_.front(); });
+  const bool one = std::all_of(clusterOf_.begin(), clusterOf_.end(), [&](int cluster) { return cluster == clusterOf_.front(); });
   // One cluster needs no scaling; an automatic tolerance asks for the error of the whole.
   if (one || run_.automatic.on()) {
     reference_ = std::sqrt(energy.sum());
@@ -108,11 +108,40 @@ void SetSolves::scale(MultiVector& x, bool inverse) const {
   for (std::size_t k = 0; k < scale_.size(); ++k) values(static_cast<Eigen::Index>(k), 0) *= inverse ? 1.0 / scale_[k] : scale_[k];
 }
 
-double SetSolves::norm(const MultiVector& residual) const {
-  MultiVector scaled(residual, Teuchos::Copy);
-  scale(scaled, true);
-  const double absolute = preconditionedNorm(*run_.preconditioner, scaled);
-  return absolute == 0.0 ? 0.0 : reference_ > 0.0 ? absolute / reference_ : 1.0;
+double SetSolves::tolerance(int level) const {
+  const double final = run_.settings.tolerance;
+  return sharper_ * (level == 0 ? inner_ : level == 1 ? std::sqrt(inner_ * final) : final);
+}
+
+/// Residual of the whole; of the body that has the largest beside its own energy, if that is larger. Then tolerances become sharper. The
+/// state remembers its image.
+double SetSolves::norm(const MultiVector& residual, const InterfaceState& state) {
+  const MultiVectorPtr z = run_.problem.space()->vector();
+  run_.preconditioner->apply(residual, *z);
+  const Vector energy = sets_.energies(state);
+  Vector mine = Vector::Zero(energy.size()), own = mine;
+  {
+    const std::vector<int>& partOf = sets_.partOfOwned();
+    const auto r = localView(residual);
+    const auto c = localView(static_cast<const MultiVector&>(*z));
+    for (std::size_t k = 0; k < partOf.size(); ++k)
+      mine(partOf[k]) += r(static_cast<Eigen::Index>(k), 0) * c(static_cast<Eigen::Index>(k), 0);
+  }
+  Teuchos::reduceAll(*run_.problem.space()->comm(), Teuchos::REDUCE_SUM, static_cast<int>(mine.size()), mine.data(), own.data());
+  double sum = 0.0, bodies = 0.0;
+  for (std::size_t p = 0; p < clusterOf_.size(); ++p) {
+    const auto at = static_cast<Eigen::Index>(p), cluster = static_cast<Eigen::Index>(clusterOf_[p]);
+    const double size = size_.size() > 0 ? size_(cluster) : reference_, lift = kRounding * lift_(cluster);
+    if (own(at) == 0.0) continue;
+    sum += own(at) / (size > 0.0 ? size * size : std::abs(own(at)));
+    const double scale = std::max({energy(at), kPassive * size * size, lift * lift});
+    if (scale > 0.0) bodies = std::max(bodies, std::sqrt(std::abs(own(at)) / scale));
+  }
+  const double whole = std::sqrt(std::max(sum, 0.0));
+  if (run_.automatic.on() || bodies <= whole) return whole;
+  const double final = run_.settings.tolerance;
+  if (whole <= final && bodies > final) sharper_ = std::min(sharper_, kSharper * whole / bodies);
+  return bodies;
 }
 
 void SetSolves::evaluateStart() {
@@ -134,7 +163,7 @@ void SetSolves::evaluateStart() {
   run_.automatic.startsFrom(reference_);
   run_.evaluation = run_.problem.evaluate(state, run_.settings.tolerance);
   run_.result.pcgTotal += applications + run_.evaluation.applications;
-  run_.result.residual = norm(*run_.evaluation.residual);
+  run_.result.residual = norm(*run_.evaluation.residual, state);
   run_.result.state = state;
   run_.confirm();
 }
@@ -171,8 +200,7 @@ bool SetSolves::solveLinear(InterfaceState& state, bool goOn, double tolerance, 
 
 /// Until the residual is small beside the energy of what was found.
 bool SetSolves::oneSolve(InterfaceState& state, bool goOn, int level, InnerResult& cost, int& applications) {
-  const double final = run_.settings.tolerance;
-  const double tolerance = level == 0 ? inner_ : level == 1 ? std::sqrt(inner_ * final) : final;
+  const double tolerance = this->tolerance(level);
   const EnergyCriterion criterion = run_.automatic.criterion(state, run_.lowest, false, level > 0);
   bool solved = solveLinear(state, goOn, tolerance, criterion, cost, applications);
   for (int again = 0; solved && again < kRescales; ++again) {
@@ -194,10 +222,12 @@ bool SetSolves::oneSolve(InterfaceState& state, bool goOn, int level, InnerResul
 
 ContactAnswer SetSolves::solve(const ClosedSet& closed, int level) {
   const double final = run_.settings.tolerance;
-  const double tolerance = level == 0 ? inner_ : level == 1 ? std::sqrt(inner_ * final) : final;
   ContactAnswer answer;
   bool goOn = closed == closed_ && run_.inner.canGoOn();
-  if (!goOn) findClusters(closed);
+  if (!goOn) {
+    findClusters(closed);
+    sharper_ = 1.0;
+  }
   closed_ = closed;
   double before = 0.0;
   try {
@@ -213,15 +243,17 @@ ContactAnswer SetSolves::solve(const ClosedSet& closed, int level) {
         return answer;
       }
       // Statuses are believed as far as the solve has come.
-      InterfaceProblem::Evaluation at = run_.problem.evaluate(state, std::max(final, std::min(tolerance, cost.residual)));
+      InterfaceProblem::Evaluation at = run_.problem.evaluate(state, std::max(final, std::min(tolerance(level), cost.residual)));
       double residual = cost.residual;
-      bool drifted = false;
+      bool drifted = false, sharpened = false;
       if (level == levels() - 1 ||
           (at.settled && residual <= final)) {  // what the recursion of conjugate gradients says, confirmed by the operator itself
         state.memory.reset();
         applications += sets_.remember(state);
         at = run_.problem.evaluate(state, final);
-        residual = norm(*at.residual);
+        const double sharper = sharper_;
+        residual = norm(*at.residual, state);
+        sharpened = sharper_ < sharper;
         drifted = residual > final;
       }
       if (!std::isfinite(residual)) throw NumericalError("a residual is not a number");
@@ -235,14 +267,13 @@ ContactAnswer SetSolves::solve(const ClosedSet& closed, int level) {
                   cost.energyErrors.empty() ? -1.0 : largestScale_ * cost.energyErrors.back());
       run_.result.state.status = sets_.statusOf(closed);
       if (!drifted) return answer;
-      closed_.clear();
       if (pass > 0 && (residual > kStalled * before || pass >= kRestarts)) {
-        run_.atFloor = residual <= kFloor;
+        run_.atFloor = true;
+        closed_.clear();
         return answer;
       }
       before = residual;
-      goOn = false;
-      closed_ = closed;
+      goOn = sharpened && run_.inner.canGoOn();
     }
   } catch (const NumericalError& error) {
     run_.result.failure = error.what();

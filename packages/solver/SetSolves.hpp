@@ -11,7 +11,7 @@ namespace suture {
 ///
 /// The norm of a residual is sqrt(r.M r) relative to the energy norm of the solution, sqrt(U.S U), cluster by cluster of bodies that closed
 /// pairs connect: there S is block diagonal, and each block is scaled by its own energy before conjugate gradients see it. A weak cluster
-/// has as many digits as a strong one beside it.
+/// has as many digits as a strong one beside it. At the end the residual of each body must be small beside the energy of the body, too.
 class SetSolves : public ContactOracle {
  public:
   /// \param inner  tolerance of the loosest solves
@@ -33,7 +33,8 @@ class SetSolves : public ContactOracle {
   void scaleBy(const InterfaceState& from, const InterfaceState& state, const MultiVector& load);
   double overestimate(const InterfaceState& state) const;
   void scale(MultiVector& x, bool inverse) const;
-  double norm(const MultiVector& residual) const;
+  double norm(const MultiVector& residual, const InterfaceState& state);
+  double tolerance(int level) const;
   bool oneSolve(InterfaceState& state, bool goOn, int level, InnerResult& cost, int& applications);
   bool solveLinear(InterfaceState& state, bool goOn, double tolerance, const EnergyCriterion& criterion, InnerResult& cost,
                    int& applications);
@@ -51,6 +52,7 @@ class SetSolves : public ContactOracle {
   std::vector<double> scale_;   // of each owned unknown; empty: one cluster
   double largestScale_ = 1.0;
   double reference_ = 0.0;
+  double sharper_ = 1.0;  // factor of tolerances, for the sake of single bodies
   bool deformed_ = false;  // the state is the answer of a solve: its energy is a scale
 };
 
