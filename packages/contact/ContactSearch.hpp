@@ -92,6 +92,7 @@ class ContactSearch {
   ContactOracle& oracle_;
   int left_, solves_ = 0, level_ = 0;
   bool failed_ = false, stopped_ = false;
+  bool driven_ = false;      // loads pull a body away from a holder: no equilibrium
   ClosedSet set_, holding_;  // of the last solve: without holders, holders alone
   ContactAnswer answer_;
   std::vector<ClosedSet> seen_;

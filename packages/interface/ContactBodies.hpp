@@ -26,6 +26,8 @@ class ContactBodies {
   int partOf(int subdomain) const { return partOf_[subdomain]; }
   /// The motions of one part among those of all, as amplitudes of the part.
   Vector amplitudes(int part, const Vector& motion) const;
+  /// Column of a part's first motion among those of all.
+  int firstMotion(int part) const { return first_[part]; }
 
  private:
   void findParts(const Comm& comm, const std::vector<std::unique_ptr<Subdomain>>& subdomains);

@@ -52,6 +52,7 @@ class ContactInterfaceProblem : public InterfaceProblem, public ContactSets {
   void pairChanges(const MultiVector& step, const ContactStatus& status, const Vector& pairForces, Vector& force,
                    Vector& penetration) const override;
   const std::vector<int>& partOfOwned() const override { return partOfOwned_; }
+  void separate(InterfaceState& state) const override;
   int remember(InterfaceState& state) const override;
   Vector energies(const InterfaceState& state) const override;
 
@@ -60,6 +61,7 @@ class ContactInterfaceProblem : public InterfaceProblem, public ContactSets {
   void collectRows(const Vector& stiffness);
   void findChains();
   void findBodies();
+  void findMotions();
   /// What the rigid motions of a state add to the rows that this rank sees; empty: nothing.
   Vector movedRows(const InterfaceState& state) const;
   /// Adds rigid motions to the free values of a subdomain.
@@ -85,6 +87,8 @@ class ContactInterfaceProblem : public InterfaceProblem, public ContactSets {
   std::unique_ptr<ContactClusters> clusters_;
   std::unique_ptr<ContactBodies> bodies_;  // null without pairs that can change
   std::vector<int> partOfOwned_;
+  Matrix motionsOfOwned_;                 // values of owned unknowns in the free motions of their part
+  Matrix motionsSquared_;                 // their inner products over all ranks, motions of all parts
   std::vector<std::vector<int>> chains_;  // rows of neighbouring pairs, along the lines
   Matrix load_;                           // F on the overlap, complete
   double constantEnergy_ = 0.0;           // over all ranks

@@ -59,6 +59,8 @@ class ContactSets {
                            Vector& penetration) const = 0;
   /// Part of each owned unknown.
   virtual const std::vector<int>& partOfOwned() const = 0;
+  /// Takes what is a rigid motion of free parts out of the trace and puts it beside it: rounding of forces is then that of deformations.
+  virtual void separate(InterfaceState& state) const = 0;
   /// Applies the operator, so that the state's memory is that of its trace, unless it has one. Returns how many applications it took.
   virtual int remember(InterfaceState& state) const = 0;
   /// U.S U of each part: the energy that holds its trace deformed, twice. [force length]

@@ -249,6 +249,7 @@ ContactAnswer SetSolves::solve(const ClosedSet& closed, int level) {
       if (level == levels() - 1 ||
           (at.settled && residual <= final)) {  // what the recursion of conjugate gradients says, confirmed by the operator itself
         state.memory.reset();
+        sets_.separate(state);
         applications += sets_.remember(state);
         at = run_.problem.evaluate(state, final);
         const double sharper = sharper_;
