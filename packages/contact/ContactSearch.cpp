@@ -1,5 +1,6 @@
 #include <suture/base/Errors.hpp>
 #include <suture/contact/ContactSearch.hpp>
+#include <suture/contact/HalfPlaneModel.hpp>
 #include <suture/contact/LearntModel.hpp>
 
 #include <algorithm>
@@ -9,9 +10,10 @@ namespace suture {
 
 namespace {
 
-constexpr int kPlainSolves = 12;     // before other sets than plain flips are tried
-constexpr int kPatience = 25;        // solves without a better state before a safe step
-constexpr double kIdle = 1e-10;      // forces below this part of the largest are those of pairs that only touch
+constexpr int kPlainSolves = 12;  // before other sets than plain flips are tried
+constexpr int kModelSolves = 2;   // whose next set the half-planes propose: later ones differ by a pair, which a plain flip finds as well
+constexpr int kPatience = 25;     // solves without a better state before a safe step
+constexpr double kIdle = 1e-10;   // forces below this part of the largest are those of pairs that only touch
 constexpr double kProgress = 1e-13;  // energies that differ by less are equal
 constexpr std::size_t kMemory = 30;  // solves that the model learns from
 
@@ -154,7 +156,12 @@ bool ContactSearch::done() {
 /// The next set, not met before, without a safe step; false if there is none.
 bool ContactSearch::propose(ClosedSet& next) {
   if (solves_ <= kPlainSolves) {
-    next = guarded(flipped());
+    const ClosedSet plain = flipped();
+    if (learns_ && solves_ <= kModelSolves) {
+      next = guarded(HalfPlaneModel(rigid_).closedSet(set_, plain, answer_.force, answer_.penetration));
+      if (!proposed(next)) return true;
+    }
+    next = guarded(plain);
     if (!proposed(next)) return true;
   }
   if (sinceBest_ >= kPatience || level_ < oracle_.levels() - 1) return false;

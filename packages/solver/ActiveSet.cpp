@@ -38,7 +38,7 @@ std::vector<NeutralMotion> inWords(const ContactBodies& bodies, const Matrix& mo
 
 Schema ActiveSet::schema() {
   Schema schema("Active set on the interface (Contact On The Interface).");
-  schema.real("Inner Tolerance", 1e-3,
+  schema.real("Inner Tolerance", 1e-2,
               "Tolerance of linear solves until the set of closed pairs stays, relative to the energy norm of the solution.",
               {0.0, 1.0, true, true, {}});
   return schema;
