@@ -1,0 +1,100 @@
+// Exceptions of one rank, anywhere in a run, without a line of code for them in the product: this library is loaded before the others
+// (LD_PRELOAD). It replaces the beginning of a phase (Timers::Scope) and stands before MPI's functions (the profiling interface PMPI), and
+// throws at the beginning of a phase or before a communication in it. See injected.py.
+//   SUTURE_TEST_FAULT="phase number rank kind"   number 0: as the phase begins; n: before its n-th communication on that rank
+//   SUTURE_TEST_COUNTS=FILE                      rank 0 writes "phase count" lines there, one for each phase, when it ends MPI
+#include <suture/base/Errors.hpp>
+#include <suture/base/Timers.hpp>
+
+#include <mpi.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <map>
+#include <new>
+#include <sstream>
+#include <stdexcept>
+
+namespace {
+
+struct Fault {
+  std::string phase, kind, now;
+  int number = 0, rank = -1;
+  bool thrown = false;
+  std::map<std::string, int> counts;
+
+  static Fault& instance() {
+    static Fault fault;
+    return fault;
+  }
+  void begin(const std::string& name) {
+    now = name;
+    counts.emplace(name, 0);
+    if (number == 0) raiseIn(name);
+  }
+  void communication() {
+    if (now.empty()) return;
+    if (++counts[now] == number) raiseIn(now);
+  }
+
+ private:
+  Fault() {
+    if (const char* wanted = std::getenv("SUTURE_TEST_FAULT")) std::istringstream(wanted) >> phase >> number >> rank >> kind;
+  }
+  void raiseIn(const std::string& name) {
+    int initialised = 0, mine = -1;
+    PMPI_Initialized(&initialised);
+    if (initialised) PMPI_Comm_rank(MPI_COMM_WORLD, &mine);
+    if (thrown || name != phase || mine != rank) return;
+    thrown = true;
+    const std::string text = "injected fault";
+    if (kind == "memory") throw std::bad_alloc();
+    if (kind == "input") throw suture::InputError("Some/Parameter", text);
+    if (kind == "numerical") throw suture::NumericalError(text);
+    if (kind == "environment") throw suture::EnvironmentError(text);
+    if (kind == "unknown") throw 42;
+    throw std::runtime_error(text);
+  }
+};
+
+}  // namespace
+
+namespace suture {
+
+Timers::Scope::Scope(Timers& timers, const std::string& phase) : timers_(timers), phase_(phase), begin_(now()) {
+  timers_.add(phase_, 0.0);
+  Fault::instance().begin(phase);
+}
+
+}  // namespace suture
+
+#define SUTURE_BEFORE(function, parameters, arguments) \
+  int MPI_##function parameters {                      \
+    Fault::instance().communication();                 \
+    return PMPI_##function arguments;                  \
+  }
+
+extern "C" {
+SUTURE_BEFORE(Allreduce, (const void* in, void* out, int n, MPI_Datatype type, MPI_Op op, MPI_Comm comm), (in, out, n, type, op, comm))
+SUTURE_BEFORE(Bcast, (void* data, int n, MPI_Datatype type, int root, MPI_Comm comm), (data, n, type, root, comm))
+SUTURE_BEFORE(Barrier, (MPI_Comm comm), (comm))
+SUTURE_BEFORE(Allgather, (const void* in, int n, MPI_Datatype type, void* out, int m, MPI_Datatype other, MPI_Comm comm),
+              (in, n, type, out, m, other, comm))
+SUTURE_BEFORE(Send, (const void* data, int n, MPI_Datatype type, int to, int tag, MPI_Comm comm), (data, n, type, to, tag, comm))
+SUTURE_BEFORE(Recv, (void* data, int n, MPI_Datatype type, int from, int tag, MPI_Comm comm, MPI_Status* status),
+              (data, n, type, from, tag, comm, status))
+SUTURE_BEFORE(Isend, (const void* data, int n, MPI_Datatype type, int to, int tag, MPI_Comm comm, MPI_Request* request),
+              (data, n, type, to, tag, comm, request))
+SUTURE_BEFORE(Irecv, (void* data, int n, MPI_Datatype type, int from, int tag, MPI_Comm comm, MPI_Request* request),
+              (data, n, type, from, tag, comm, request))
+
+int MPI_Finalize() {
+  int rank = 0;
+  PMPI_Comm_rank(MPI_COMM_WORLD, &rank);
+  if (const char* path = std::getenv("SUTURE_TEST_COUNTS"); path && rank == 0) {
+    std::ofstream file(path);
+    for (const auto& [phase, count] : Fault::instance().counts) file << phase << ' ' << count << '\n';
+  }
+  return PMPI_Finalize();
+}
+}
