@@ -1,9 +1,10 @@
-"""Exceptions of one rank of four in every phase of a run, as the phase begins and before a communication in it (plugins/InjectedFault.cpp):
-one message, the exit code of the exception, below five seconds, nothing from the launcher.
+"""Exceptions of one rank of four in every phase of a run (plugins/InjectedFault.cpp): one message, the exit code of the exception,
+below five seconds, nothing from the launcher.
 
 injected.py --solve PROGRAM --fault LIBRARY --mpirun "mpirun ..." --work DIR --input FOLDER [--places few | all]
 """
 import argparse
+import json
 import os
 import pathlib
 import signal
@@ -40,27 +41,33 @@ def run(folder, **environment):
 
 code, out, err, usual = run("sound", SUTURE_TEST_COUNTS=str(options.work / "counts"))
 check("a run without a fault", (code, err), (0, ""))
-counts = {phase: int(count) for phase, count in (line.split() for line in (options.work / "counts").read_text().splitlines())}
+counts = {phase: (int(messages), int(works))
+          for phase, messages, works in (line.split() for line in (options.work / "counts").read_text().splitlines())}
 check("phases", set(counts), lambda names: names >= {"read", "partition", "assemble", "factor", "solve", "estimate", "verify", "write"})
-print(f"communications: {counts}; the run took {usual:.2f} s")
+print(f"communications and works: {counts}; the run took {usual:.2f} s")
 
-number = 0
-for phase, count in counts.items():
-    # As it begins, and at its first, middle and last communication.
-    places = [0] + sorted({1, (count + 1) // 2, count} - {0})
-    if options.places == "few":
-        places = places[:1] + places[2:3]
-    for place in places:
-        kinds = list(CODES)
-        for kind in kinds if options.places == "all" else [kinds[number % len(kinds)]]:
-            rank = number % RANKS
-            number += 1
-            what = f"{kind} on rank {rank} in {phase}, " + (f"communication {place} of {count}" if place else "as it begins")
-            code, out, err, seconds = run("fault", SUTURE_TEST_FAULT=f"{phase} {place} {rank} {kind}")
-            check(what + ": exit code", code, CODES[kind])
-            check(what + ": one message, and nothing else", err, lambda t: t.count("suture_solve:") == 1 and "mpirun" not in t and
-                  "MPI_ABORT" not in t and "-----" not in t and len(t.splitlines()) <= 5)
-            check(what + ": nothing on standard output", out, "")
-            check(what + ": below five seconds", seconds, lambda s: s < 5 + usual)
-            check(what + ": no summary", (options.work / "fault" / "summary.json").exists(), False)
+# As a phase begins; at its first, middle and last communication; in its first and last local work that ends collectively. A rank that
+# leaves its others in a communication does so by what no program plans for: NumericalErrors and InputErrors of one rank are thrown in
+# such works, where all ranks learn of them.
+places = []
+for phase, (messages, works) in counts.items():
+    middle = [(messages + 1) // 2] if options.places == "few" else [1, (messages + 1) // 2, messages]
+    places += [(phase, "phase", 0)] if options.places == "all" or messages == 0 else []
+    places += [(phase, "message", n) for n in sorted(set(middle)) if n > 0]
+    places += [(phase, "work", n) for n in sorted({1, works} if options.places == "all" else {works}) if n > 0]
+
+for number, (phase, place, at) in enumerate(places):
+    kinds = CODES if place == "work" else [kind for kind in CODES if kind not in ("numerical", "input")]
+    for kind in kinds if options.places == "all" else [list(kinds)[number // 2 % len(kinds)]]:
+        rank = (number + 1) % RANKS
+        what = f"{kind} on rank {rank} in {phase}, {place} {at}"
+        code, out, err, seconds = run("fault", SUTURE_TEST_FAULT=f"{phase} {place} {at} {rank} {kind}")
+        check(what + ": exit code", code, CODES[kind])
+        check(what + ": one message, and nothing else", err, lambda t: t.count("suture_solve:") == 1 and "mpirun" not in t and
+              "MPI_ABORT" not in t and "-----" not in t and len(t.splitlines()) <= 5)
+        check(what + ": nothing on standard output", out, "")
+        check(what + ": below five seconds", seconds, lambda s: s < 5 + usual)
+        summary = options.work / "fault" / "summary.json"
+        check(what + ": no summary, or one that says so", json.loads(summary.read_text())["exit_code"] if summary.exists() else CODES[kind], CODES[kind])
+        summary.unlink(missing_ok=True)
 finish()

@@ -1,11 +1,14 @@
 // Exceptions of one rank, anywhere in a run, without a line of code for them in the product: this library is loaded before the others
-// (LD_PRELOAD). It replaces the beginning of a phase (Timers::Scope) and stands before MPI's functions (the profiling interface PMPI), and
-// throws at the beginning of a phase or before a communication in it. See injected.py.
-//   SUTURE_TEST_FAULT="phase number rank kind"   number 0: as the phase begins; n: before its n-th communication on that rank
-//   SUTURE_TEST_COUNTS=FILE                      rank 0 writes "phase count" lines there, one for each phase, when it ends MPI
+// (LD_PRELOAD). It replaces the beginning of a phase (Timers::Scope), and stands before MPI's functions (the profiling interface PMPI) and
+// before collectively(). See injected.py.
+//   SUTURE_TEST_FAULT="phase place number rank kind"   place phase: as it begins (number 0); message: before its n-th communication on that
+//                                                      rank; work: in the n-th local work that ends collectively
+//   SUTURE_TEST_COUNTS=FILE                            rank 0 writes "phase messages works" lines there when it ends MPI
+#include <suture/base/Collective.hpp>
 #include <suture/base/Errors.hpp>
 #include <suture/base/Timers.hpp>
 
+#include <dlfcn.h>
 #include <mpi.h>
 
 #include <cstdlib>
@@ -17,11 +20,15 @@
 
 namespace {
 
+struct Counts {
+  int messages = 0, works = 0;
+};
+
 struct Fault {
-  std::string phase, kind, now;
+  std::string phase, place, kind, now;
   int number = 0, rank = -1;
   bool thrown = false;
-  std::map<std::string, int> counts;
+  std::map<std::string, Counts> counts;
 
   static Fault& instance() {
     static Fault fault;
@@ -29,30 +36,31 @@ struct Fault {
   }
   void begin(const std::string& name) {
     now = name;
-    counts.emplace(name, 0);
-    if (number == 0) raiseIn(name);
+    counts.emplace(name, Counts());
+    reach("phase", 0);
   }
   void communication() {
-    if (now.empty()) return;
-    if (++counts[now] == number) raiseIn(now);
+    if (!now.empty()) reach("message", ++counts[now].messages);
+  }
+  void work() {
+    if (!now.empty()) reach("work", ++counts[now].works);
   }
 
  private:
   Fault() {
-    if (const char* wanted = std::getenv("SUTURE_TEST_FAULT")) std::istringstream(wanted) >> phase >> number >> rank >> kind;
+    if (const char* wanted = std::getenv("SUTURE_TEST_FAULT")) std::istringstream(wanted) >> phase >> place >> number >> rank >> kind;
   }
-  void raiseIn(const std::string& name) {
-    int initialised = 0, mine = -1;
-    PMPI_Initialized(&initialised);
-    if (initialised) PMPI_Comm_rank(MPI_COMM_WORLD, &mine);
-    if (thrown || name != phase || mine != rank) return;
+  void reach(const char* here, int count) {
+    if (thrown || now != phase || here != place || count != number) return;
+    int mine = -1;
+    PMPI_Comm_rank(MPI_COMM_WORLD, &mine);
+    if (mine != rank) return;
     thrown = true;
     const std::string text = "injected fault";
     if (kind == "memory") throw std::bad_alloc();
     if (kind == "input") throw suture::InputError("Some/Parameter", text);
     if (kind == "numerical") throw suture::NumericalError(text);
     if (kind == "environment") throw suture::EnvironmentError(text);
-    if (kind == "unknown") throw 42;
     throw std::runtime_error(text);
   }
 };
@@ -64,6 +72,19 @@ namespace suture {
 Timers::Scope::Scope(Timers& timers, const std::string& phase) : timers_(timers), phase_(phase), begin_(now()) {
   timers_.add(phase_, 0.0);
   Fault::instance().begin(phase);
+}
+
+void collectively(const Comm& comm, const std::string& what, const std::function<void()>& local) {
+  using Function = void (*)(const Comm&, const std::string&, const std::function<void()>&);
+  static const Function next = [] {
+    Dl_info mine{};
+    dladdr(reinterpret_cast<void*>(static_cast<Function>(&collectively)), &mine);
+    return reinterpret_cast<Function>(dlsym(RTLD_NEXT, mine.dli_sname));
+  }();
+  next(comm, what, [&] {
+    Fault::instance().work();
+    local();
+  });
 }
 
 }  // namespace suture
@@ -93,7 +114,7 @@ int MPI_Finalize() {
   PMPI_Comm_rank(MPI_COMM_WORLD, &rank);
   if (const char* path = std::getenv("SUTURE_TEST_COUNTS"); path && rank == 0) {
     std::ofstream file(path);
-    for (const auto& [phase, count] : Fault::instance().counts) file << phase << ' ' << count << '\n';
+    for (const auto& [phase, count] : Fault::instance().counts) file << phase << ' ' << count.messages << ' ' << count.works << '\n';
   }
   return PMPI_Finalize();
 }
