@@ -41,25 +41,29 @@ def run(folder, **environment):
 
 code, out, err, usual = run("sound", SUTURE_TEST_COUNTS=str(options.work / "counts"))
 check("a run without a fault", (code, err), (0, ""))
-counts = {phase: (int(messages), int(works))
-          for phase, messages, works in (line.split() for line in (options.work / "counts").read_text().splitlines())}
-check("phases", set(counts), lambda names: names >= {"read", "partition", "assemble", "factor", "solve", "estimate", "verify", "write"})
-print(f"communications and works: {counts}; the run took {usual:.2f} s")
+counts = [{}, {}, {}, {}]
+for file in options.work.glob("counts.*"):
+    for rank, phase, messages, works in (line.split() for line in file.read_text().splitlines()):
+        counts[int(rank)][phase] = int(messages), int(works)
+check("phases", set(counts[0]), lambda names: names >= {"read", "partition", "assemble", "factor", "solve", "estimate", "verify", "write"})
+print(f"communications and works on rank 0: {counts[0]}; the run took {usual:.2f} s")
 
 # As a phase begins; at its first, middle and last communication; in its first and last local work that ends collectively. A rank that
 # leaves its others in a communication does so by what no program plans for: NumericalErrors and InputErrors of one rank are thrown in
 # such works, where all ranks learn of them.
+every = options.places == "all"
 places = []
-for phase, (messages, works) in counts.items():
-    middle = [(messages + 1) // 2] if options.places == "few" else [1, (messages + 1) // 2, messages]
-    places += [(phase, "phase", 0)] if options.places == "all" or messages == 0 else []
-    places += [(phase, "message", n) for n in sorted(set(middle)) if n > 0]
-    places += [(phase, "work", n) for n in sorted({1, works} if options.places == "all" else {works}) if n > 0]
+for i, phase in enumerate(counts[0]):
+    rank = (i + 1) % RANKS
+    messages, works = counts[rank].get(phase, (0, 0))
+    middle = [1, (messages + 1) // 2, messages] if every else [(messages + 1) // 2]
+    places += [(rank, phase, "phase", 0)] if every or messages == 0 else []
+    places += [(rank, phase, "message", n) for n in sorted(set(middle)) if n > 0]
+    places += [(rank, phase, "work", n) for n in sorted({1, works} if every else {works}) if n > 0]
 
-for number, (phase, place, at) in enumerate(places):
-    kinds = CODES if place == "work" else [kind for kind in CODES if kind not in ("numerical", "input")]
-    for kind in kinds if options.places == "all" else [list(kinds)[number // 2 % len(kinds)]]:
-        rank = (number + 1) % RANKS
+for number, (rank, phase, place, at) in enumerate(places):
+    kinds = [kind for kind in CODES if place == "work" or kind not in ("numerical", "input")]
+    for kind in kinds if every else [kinds[number // 2 % len(kinds)]]:
         what = f"{kind} on rank {rank} in {phase}, {place} {at}"
         code, out, err, seconds = run("fault", SUTURE_TEST_FAULT=f"{phase} {place} {at} {rank} {kind}")
         check(what + ": exit code", code, CODES[kind])

@@ -3,7 +3,7 @@
 // before collectively(). See injected.py.
 //   SUTURE_TEST_FAULT="phase place number rank kind"   place phase: as it begins (number 0); message: before its n-th communication on that
 //                                                      rank; work: in the n-th local work that ends collectively
-//   SUTURE_TEST_COUNTS=FILE                            rank 0 writes "phase messages works" lines there when it ends MPI
+//   SUTURE_TEST_COUNTS=FILE                            lines "rank phase messages works" in FILE.<rank> when MPI ends
 #include <suture/base/Collective.hpp>
 #include <suture/base/Errors.hpp>
 #include <suture/base/Timers.hpp>
@@ -112,9 +112,9 @@ SUTURE_BEFORE(Irecv, (void* data, int n, MPI_Datatype type, int from, int tag, M
 int MPI_Finalize() {
   int rank = 0;
   PMPI_Comm_rank(MPI_COMM_WORLD, &rank);
-  if (const char* path = std::getenv("SUTURE_TEST_COUNTS"); path && rank == 0) {
-    std::ofstream file(path);
-    for (const auto& [phase, count] : Fault::instance().counts) file << phase << ' ' << count.messages << ' ' << count.works << '\n';
+  if (const char* path = std::getenv("SUTURE_TEST_COUNTS"); path) {
+    std::ofstream file(path + ("." + std::to_string(rank)));
+    for (const auto& [phase, count] : Fault::instance().counts) file << rank << ' ' << phase << ' ' << count.messages << ' ' << count.works << '\n';
   }
   return PMPI_Finalize();
 }
