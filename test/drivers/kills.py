@@ -24,7 +24,7 @@ options = arguments("--solve", "--input", parser=parser)
 work = options.work
 SCENE = pathlib.Path(options.input) / "tunnel" / "tunnel_open.xml"
 COARSE = setting("Mesh/Constants/scale", 3) + ["--quiet"]
-# Slow, and never content: these runs end by a signal only.
+# Slow: these runs go on until a signal ends them, or nearly so.
 SLOW = setting("Formulation", "Condensed Groups") + setting("Outer Solver/Type", "Successive Approximation") + \
     setting("Outer Solver/Maximum Iterations", 100000) + setting("Outer Solver/Tolerance", "1e-15") + setting("Output/Checkpoint Every", 1e-4)
 SIGNALS = [signal.SIGKILL, signal.SIGTERM, signal.SIGUSR1]
@@ -50,9 +50,16 @@ def processes(launcher):
 
 
 def kill_one(rng, what, ranks, folder, restart, longest):
-    """Starts a run and kills it; False if something is wrong."""
+    """Starts a run and kills it; what it did, for messages."""
     how, delay = rng.choice(SIGNALS), rng.uniform(0, longest)
+    born = time.time()
     process = subprocess.Popen(line(ranks, folder, *SLOW, *restart), stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    # Half of them once it iterates and writes checkpoints, the others at any time from its start.
+    if rng.random() < 0.5:
+        checkpoint, until = folder / "checkpoint.h5", time.time() + 30
+        while process.poll() is None and time.time() < until and not (checkpoint.exists() and checkpoint.stat().st_mtime > born):
+            time.sleep(0.01)
+        delay /= 8
     time.sleep(delay)
     hit = [process.pid] if ranks == 1 else processes(process)
     if rng.random() < 0.5:
@@ -76,12 +83,13 @@ def kill_one(rng, what, ranks, folder, restart, longest):
     # Before the program listens, a signal does what it does to any program.
     unheard = {-how, 128 + how, 1, -signal.SIGTERM, 128 + signal.SIGTERM}
     left = summary(folder)
-    stopped = code == 75
+    if code == 0 and left and left["converged"]:
+        return what + " (too late)"
     check(what + ": exit code", code, lambda c: c in unheard or c == 75 and how != signal.SIGKILL)
     check(what + ": no summary, or one of a run that was stopped", left and (left["exit_code"], left["converged"]), lambda s: s in (None, (75, False)))
-    if stopped:
+    if code == 75:
         check(what + ": a checkpoint, or words why there is none", (folder / "checkpoint.h5").exists() or "no new checkpoint" in text, True)
-    check(what + ": it ends soon", seconds, lambda s: s < 10)
+    check(what + ": it ends soon", seconds, lambda s: s < 20)
     return what
 
 
