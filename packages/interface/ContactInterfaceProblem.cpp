@@ -65,7 +65,9 @@ ContactInterfaceProblem::ContactInterfaceProblem(CommPtr comm, const Partition& 
   double energy = 0.0;
   for (std::size_t i = 0; i < locals_.size(); ++i) {
     space_->coupling(static_cast<int>(i)).addTransposed(locals_[i]->condensedLoad(), load_);
-    space_->coupling(static_cast<int>(i)).addTransposed(locals_[i]->stiffnessDiagonal(), stiffness);
+    // A surface gives way to contact by change of shape, also where volume does not change.
+    const Vector& shear = locals_[i]->shearDiagonal();
+    space_->coupling(static_cast<int>(i)).addTransposed(shear.size() > 0 ? shear : locals_[i]->stiffnessDiagonal(), stiffness);
     energy += locals_[i]->constantEnergy();
   }
   space_->sum(load_);

@@ -18,22 +18,6 @@ std::string listOf(const std::vector<int>& pairs) {
   return text;
 }
 
-/// The motions of all parts as motions of bodies, in words.
-std::vector<NeutralMotion> inWords(const ContactBodies& bodies, const Matrix& motions) {
-  std::vector<NeutralMotion> all;
-  const Vector& work = bodies.rigid().data().work;
-  for (std::size_t p = 0; p < bodies.parts().size(); ++p) {
-    const RigidPart& part = bodies.parts()[p];
-    for (Eigen::Index k = 0; k < motions.cols(); ++k) {
-      const Vector own = bodies.amplitudes(static_cast<int>(p), motions.col(k));
-      if (own.norm() < 1e-8) continue;
-      const Vector forces = bodies.amplitudes(static_cast<int>(p), work);
-      all.push_back({part.body, inWords(part, own, bodies.dimension()), !forces.isZero(0.0)});
-    }
-  }
-  return all;
-}
-
 }  // namespace
 
 Schema ActiveSet::schema() {
@@ -62,7 +46,6 @@ void ActiveSet::doSolve(Run& run) const {
   const ContactSearch::Result found = search.run(start);
   run.result.state.status = sets.statusOf(found.closed);
   if (found.converged) {
-    run.result.neutral = inWords(sets.bodies(), found.neutral);
     run.solved = run.result.residual <= run.settings.tolerance || run.atFloor;
     if (run.atFloor && !run.done()) {
       std::ostringstream text;

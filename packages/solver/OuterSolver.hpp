@@ -24,16 +24,8 @@ struct OuterSettings {
   AutomaticTolerance::Estimate discretisationError = {};  ///< set: iterations may end before `tolerance`, see AutomaticTolerance
 };
 
-/// A rigid motion of a body that nothing stops and nothing drives.
-struct NeutralMotion {
-  int body;
-  std::string words;  ///< "turn about (3, 4), clockwise"
-  bool loaded;        ///< forces act on the body: its place matters
-};
-
 struct OuterResult {
   InterfaceState state;
-  std::vector<NeutralMotion> neutral;  ///< at the solution: the bodies' places are not determined along these
   bool converged = false;
   bool stopped = false;  ///< on request, between two iterations
   std::string failure;
