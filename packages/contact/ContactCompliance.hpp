@@ -35,7 +35,8 @@ class ContactCompliance {
     /// columns) b must be orthogonal to it, and the solution is one of many.
     /// \param gaps  zero for the homogeneous problem (tangents), one for the gaps of the rows
     /// \param force  pair forces, pairs x right-hand sides, or null
-    void solve(LocalView v, double gaps, Matrix* force = nullptr) const;
+    /// \param moved  what rigid motions beside v add to the rows: their gaps are smaller by it; empty: nothing [length]
+    void solve(LocalView v, double gaps, Matrix* force = nullptr, const Vector& moved = {}) const;
     /// Kernel of the structure with these pairs closed: unknowns x k. By a singular value decomposition of N_A R.
     const Matrix& kernel() const { return kernel_; }
     const std::vector<PairStatus>& status() const { return status_; }
@@ -58,8 +59,9 @@ class ContactCompliance {
   /// The unilateral problem: forces and gaps >= 0, their product zero, by ContactSearch from `start`, or from rigid bodies on pads where
   /// that set leaves a body loose.
   /// \param v  in: loads b; out: displacements
+  /// \param moved  as in Closed::solve
   /// \throws NumericalError  no equilibrium (a body is pushed away from its contacts)
-  State solve(LocalView v, const std::vector<PairStatus>& start) const;
+  State solve(LocalView v, const std::vector<PairStatus>& start, const Vector& moved = {}) const;
 
   int pairs() const { return rows_.size(); }
   const Matrix& compliance() const { return compliance_; }

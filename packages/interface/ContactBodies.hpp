@@ -26,6 +26,9 @@ class ContactBodies {
   int partOf(int subdomain) const { return partOf_[subdomain]; }
   /// The motions of one part among those of all, as amplitudes of the part.
   Vector amplitudes(int part, const Vector& motion) const;
+  /// Adds motions (empty: none) to the free values of a subdomain of this rank.
+  /// \param place  of the subdomain
+  void addMotion(int place, const Subdomain& subdomain, const Vector& motion, Vector& values) const;
 
  private:
   void findParts(const Comm& comm, const std::vector<std::unique_ptr<Subdomain>>& subdomains);

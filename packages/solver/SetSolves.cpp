@@ -107,7 +107,7 @@ void SetSolves::evaluateStart() {
   deformed_ = true;
   scaleBy(state, closed, *linear.load);
   run_.automatic.startsFrom(reference_);
-  run_.evaluation = run_.problem.evaluate(state, run_.settings.tolerance);
+  run_.evaluation = sets_.evaluateSet(state, run_.settings.tolerance);
   run_.result.pcgTotal += applications + run_.evaluation.applications;
   run_.result.residual = norm(*run_.evaluation.residual);
   run_.result.state = state;
@@ -166,16 +166,16 @@ ContactAnswer SetSolves::solve(const ClosedSet& closed, int level) {
         return answer;
       }
       // Statuses are believed as far as the solve has come.
-      InterfaceProblem::Evaluation at = run_.problem.evaluate(state, std::max(final, std::min(tolerance, cost.residual)));
+      InterfaceProblem::Evaluation at = sets_.evaluateSet(state, std::max(final, std::min(tolerance, cost.residual)));
       double residual = cost.residual;
       bool drifted = false;
       if (level == levels() - 1 ||
           (at.settled && residual <= final)) {  // what the recursion of conjugate gradients says, confirmed by the operator itself
         // Before the state forgets its image: the energy costs no application then.
         const double energy =
-            scale_.empty() && state.memory && !run_.automatic.on() ? std::sqrt(std::max(sets_.energies(state).sum(), 0.0)) : 0.0;
+            scale_.empty() && !run_.automatic.on() ? std::sqrt(std::max(sets_.energies(state).sum(), 0.0)) : 0.0;
         state.memory.reset();
-        at = run_.problem.evaluate(state, final);
+        at = sets_.evaluateSet(state, final);
         if (energy > 0.0) reference_ = energy;
         residual = norm(*at.residual);
         drifted = residual > final;

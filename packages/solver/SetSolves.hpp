@@ -6,8 +6,7 @@
 
 namespace suture {
 
-/// The linear problems of a closed set on the interface, by preconditioned conjugate gradients: what ContactSearch asks of Contact On The
-/// Interface. Three accuracies: the inner tolerance, half way to the final one, the final one. Collective.
+/// The linear problems of a closed set on the interface, by preconditioned conjugate gradients: what ContactSearch asks of a formulation. Three accuracies: the inner tolerance, half way to the final one, the final one. Collective.
 ///
 /// The norm of a residual is sqrt(r.M r) relative to the energy norm of the solution, sqrt(U.S U), cluster by cluster of bodies that closed
 /// pairs connect: there S is block diagonal, and each block is scaled by its own energy before conjugate gradients see it. A weak cluster
@@ -24,6 +23,7 @@ class SetSolves : public ContactOracle {
   ContactAnswer solve(const ClosedSet& closed, int level) override;
   Change redistribute(const ClosedSet& closed, const Vector& given) override;
   void move(const Vector& motion) override;
+  ClosedSet proposal() override { return sets_.proposal(run_.result.state); }
   bool goesOn() override { return !run_.done() && run_.goesOn(); }
 
  private:
