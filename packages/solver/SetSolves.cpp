@@ -18,7 +18,33 @@ constexpr double kFloor = 1e-6;   // residual above which a floor is no answer, 
 }  // namespace
 
 SetSolves::SetSolves(OuterSolver::Run& run, double inner)
-    : run_(run), sets_(*run.problem.sets()), inner_(std::max(inner, run.settings.tolerance)), step_(run.problem.space()->vector()) {}
+    : run_(run), sets_(*run.problem.sets()), inner_(std::max(inner, run.settings.tolerance)), step_(run.problem.space()->vector()) {
+  if (run.preconditioned.empty()) return;
+  // The auxiliary solve may be gone on with, if it was scaled as its cluster is.
+  preconditioned_ = run.preconditioned;
+  matrix_ = run.bilateral;
+  deformed_ = true;
+  reference_ = run.reference;
+  const ClosedSet closed = sets_.closedSet(preconditioned_);
+  if (oneCluster(closed)) closed_ = closed;
+}
+
+DisjointSets SetSolves::clusters(const ClosedSet& closed) const {
+  const RigidContact& rigid = sets_.bodies().rigid();
+  DisjointSets joined(static_cast<int>(sets_.bodies().parts().size()));
+  for (std::size_t i = 0; i < closed.size(); ++i)
+    if (closed[i])
+      for (const int part : rigid.data().bodies[i]) joined.join(part, rigid.data().bodies[i].front());
+  return joined;
+}
+
+bool SetSolves::oneCluster(const ClosedSet& closed) const {
+  DisjointSets joined = clusters(closed);
+  bool one = true;
+  for (std::size_t p = 0; p < sets_.bodies().parts().size(); ++p)
+    one = one && joined.lowest(static_cast<int>(p)) == joined.lowest(0);
+  return one;
+}
 
 void SetSolves::precondition(const InterfaceState& state, const Teuchos::RCP<InterfaceOperator>& matrix) {
   const bool first = preconditioned_.empty();
@@ -31,12 +57,8 @@ void SetSolves::precondition(const InterfaceState& state, const Teuchos::RCP<Int
 
 /// Scales of the clusters: from the energies of the state, or before there are any from the residual.
 void SetSolves::scaleBy(const InterfaceState& state, const ClosedSet& closed, const MultiVector& load) {
-  const RigidContact& rigid = sets_.bodies().rigid();
   const auto parts = sets_.bodies().parts().size();
-  DisjointSets clusters(static_cast<int>(parts));
-  for (std::size_t i = 0; i < closed.size(); ++i)
-    if (closed[i])
-      for (const int part : rigid.data().bodies[i]) clusters.join(part, rigid.data().bodies[i].front());
+  DisjointSets clusters = this->clusters(closed);
   const auto byCluster = [&](const Vector& ofParts) {
     Vector sums = Vector::Zero(ofParts.size());
     for (std::size_t p = 0; p < parts; ++p) sums(clusters.lowest(static_cast<int>(p))) += ofParts(static_cast<Eigen::Index>(p));
@@ -45,12 +67,10 @@ void SetSolves::scaleBy(const InterfaceState& state, const ClosedSet& closed, co
   Vector energy = byCluster(sets_.energies(state));
   if (!deformed_) energy.setZero();
   const std::vector<int>& partOf = sets_.partOfOwned();
-  bool one = true;
-  for (std::size_t p = 0; p < parts; ++p) one = one && clusters.lowest(static_cast<int>(p)) == clusters.lowest(0);
   scale_.clear();
   largestScale_ = 1.0;
   // One cluster needs no scaling; an automatic tolerance asks for the error of the whole.
-  if (one || run_.automatic.on()) {
+  if (oneCluster(closed) || run_.automatic.on()) {
     reference_ = std::sqrt(energy.cwiseMax(0.0).sum());
     if (run_.automatic.on() && reference_ == 0.0) {  // it needs to know the size of the solution
       reference_ = preconditionedNorm(*run_.preconditioner, load);

@@ -1,4 +1,5 @@
 #pragma once
+#include <suture/base/DisjointSets.hpp>
 #include <suture/contact/ContactSearch.hpp>
 #include <suture/solver/OuterSolver.hpp>
 
@@ -29,6 +30,8 @@ class SetSolves : public ContactOracle {
  private:
   void precondition(const InterfaceState& state, const Teuchos::RCP<InterfaceOperator>& matrix);
   void scaleBy(const InterfaceState& state, const ClosedSet& closed, const MultiVector& load);
+  DisjointSets clusters(const ClosedSet& closed) const;
+  bool oneCluster(const ClosedSet& closed) const;
   void scale(MultiVector& x, bool inverse) const;
   double norm(const MultiVector& residual) const;
   bool oneSolve(InterfaceState& state, bool goOn, int level, InnerResult& cost, int& applications);
