@@ -101,6 +101,20 @@ void ContactCompliance::Closed::forces(LocalView force, const Matrix& e, Matrix&
   force += balance;
 }
 
+void ContactCompliance::Closed::refinedForces(LocalView force, const Matrix& e, Matrix& rigid) const {
+  constexpr int kPasses = 2;
+  const Matrix gaps = force, compliance = blockAt(contact_.compliance_, closed_);
+  forces(force, e, rigid);
+  for (int pass = 0; pass < kPasses; ++pass) {
+    const Matrix held = held_.transpose() * rigid;
+    Matrix rest = gaps - compliance * force + gHeld_ * held, change;
+    const Matrix restE = held_ * (held_.transpose() * e - gHeld_.transpose() * force);
+    forces(rest, restE, change);
+    force += rest;
+    rigid += change;
+  }
+}
+
 void ContactCompliance::Closed::solve(LocalView v, double gaps, Matrix* pairForce, const Vector& moved) const {
   const Matrix& kernel = contact_.inverse_.kernel();
   const Matrix e = kernel.transpose() * v;
@@ -117,7 +131,10 @@ void ContactCompliance::Closed::solve(LocalView v, double gaps, Matrix* pairForc
       closedForce.row(i).array() -= gaps * (contact_.rows_.gap(row) - (moved.size() > 0 ? moved(row) : 0.0));
     }
   Matrix rigid;
-  forces(closedForce, e, rigid);
+  if (pairForce)
+    refinedForces(closedForce, e, rigid);
+  else
+    forces(closedForce, e, rigid);
   LocalView force = gap;  // of all pairs, in the same place
   force.setZero();
   for (std::size_t i = 0; i < closed_.size(); ++i) force.row(closed_[i]) = closedForce.row(i);

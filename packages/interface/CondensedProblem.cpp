@@ -213,8 +213,7 @@ InterfaceProblem::Linearisation CondensedProblem::linearise(const InterfaceState
   for (std::size_t g = 0; g < groups_.size(); ++g) {
     const int number = static_cast<int>(g), place = placeOfGroup(number);
     const auto group = linearised(number, state.status[place]);
-    space_->coupling(place).addTransposed(
-        -groups_[g]->respondLinear(trace[place], group->held(), movedRows(number, state)).flux, force);
+    space_->coupling(place).addTransposed(-groups_[g]->respondLinear(trace[place], group->held(), movedRows(number, state)).flux, force);
   }
   result.load = space_->vector();
   space_->scatterAdd(force, *result.load);

@@ -221,8 +221,7 @@ OuterResult OuterSolver::solve(const InterfaceProblem& problem, const OuterSetti
 
   if (bySets) {
     run.preconditioned = result.state.status;
-    if (const ClosedSet next = problem.sets()->proposal(result.state); !next.empty())
-      result.state.status = problem.sets()->statusOf(next);
+    if (const ClosedSet next = problem.sets()->proposal(result.state); !next.empty()) result.state.status = problem.sets()->statusOf(next);
     run.evaluation.settled = false;
     doSolve(run);
     return conclude(run);

@@ -12,9 +12,11 @@
 namespace suture {
 
 namespace {
-constexpr int kRestarts = 4;      // of conjugate gradients whose recursion has lost the residual
-constexpr double kStalled = 0.5;  // of the residual: a restart that leaves more has met the floor of rounding
-constexpr double kFloor = 1e-6;   // residual above which a floor is no answer, whatever the verdict may say
+constexpr int kRestarts = 4;        // of conjugate gradients whose recursion has lost the residual
+constexpr double kStalled = 0.5;    // of the residual: a restart that leaves more has met the floor of rounding
+constexpr double kFloor = 1e-6;     // residual above which a floor is no answer, whatever the verdict may say
+constexpr double kOwn = 5.0;        // by which the residual of a body, relative to its own energy, may be larger than that of its cluster
+constexpr double kPassive = 1e-12;  // of the cluster's energy: a body that holds less is measured by that
 }  // namespace
 
 SetSolves::SetSolves(OuterSolver::Run& run, double inner)
@@ -41,8 +43,7 @@ DisjointSets SetSolves::clusters(const ClosedSet& closed) const {
 bool SetSolves::oneCluster(const ClosedSet& closed) const {
   DisjointSets joined = clusters(closed);
   bool one = true;
-  for (std::size_t p = 0; p < sets_.bodies().parts().size(); ++p)
-    one = one && joined.lowest(static_cast<int>(p)) == joined.lowest(0);
+  for (std::size_t p = 0; p < sets_.bodies().parts().size(); ++p) one = one && joined.lowest(static_cast<int>(p)) == joined.lowest(0);
   return one;
 }
 
@@ -68,6 +69,7 @@ void SetSolves::scaleBy(const InterfaceState& state, const ClosedSet& closed, co
   if (!deformed_) energy.setZero();
   const std::vector<int>& partOf = sets_.partOfOwned();
   scale_.clear();
+  scaled_ = false;
   largestScale_ = 1.0;
   // One cluster needs no scaling; an automatic tolerance asks for the error of the whole.
   if (oneCluster(closed) || run_.automatic.on()) {
@@ -78,38 +80,52 @@ void SetSolves::scaleBy(const InterfaceState& state, const ClosedSet& closed, co
     }
     return;
   }
-  const MultiVectorPtr z = run_.problem.space()->vector();
-  run_.preconditioner->apply(load, *z);
-  Vector mine = Vector::Zero(energy.size()), fresh = mine;
-  {
-    const auto b = localView(load);
-    const auto c = localView(static_cast<const MultiVector&>(*z));
-    for (std::size_t k = 0; k < partOf.size(); ++k)
-      mine(partOf[k]) += b(static_cast<Eigen::Index>(k), 0) * c(static_cast<Eigen::Index>(k), 0);
-  }
-  Teuchos::reduceAll(*run_.problem.space()->comm(), Teuchos::REDUCE_SUM, static_cast<int>(mine.size()), mine.data(), fresh.data());
-  fresh = byCluster(fresh);
+  const Vector fresh = byCluster(productsByPart(load, *run_.problem.space()->vector()));
   Vector size(energy.size());
   for (Eigen::Index c = 0; c < size.size(); ++c) size(c) = std::sqrt(std::max(energy(c) > 0.0 ? energy(c) : fresh(c), 0.0));
   largestScale_ = size.maxCoeff() > 0.0 ? size.maxCoeff() : 1.0;
-  for (const int part : partOf) {
-    const double own = size(clusters.lowest(part));
-    scale_.push_back(own > 0.0 ? own : largestScale_);
-  }
+  scaled_ = true;
+  clusterScale_ = Vector::Constant(energy.size(), largestScale_);
+  for (Eigen::Index p = 0; p < size.size(); ++p)
+    if (const double own = size(clusters.lowest(static_cast<int>(p))); own > 0.0) clusterScale_(p) = own;
+  for (const int part : partOf) scale_.push_back(clusterScale_(part));
   reference_ = 1.0;
 }
 
 void SetSolves::scale(MultiVector& x, bool inverse) const {
-  if (scale_.empty()) return;
+  if (!scaled_) return;
   auto values = localView(x);
   for (std::size_t k = 0; k < scale_.size(); ++k) values(static_cast<Eigen::Index>(k), 0) *= inverse ? 1.0 / scale_[k] : scale_[k];
+}
+
+Vector SetSolves::productsByPart(const MultiVector& r, MultiVector& z) const {
+  run_.preconditioner->apply(r, z);
+  const std::vector<int>& partOf = sets_.partOfOwned();
+  Vector mine = Vector::Zero(static_cast<Eigen::Index>(sets_.bodies().parts().size())), all = mine;
+  const auto a = localView(r), b = localView(static_cast<const MultiVector&>(z));
+  for (std::size_t k = 0; k < partOf.size(); ++k)
+    mine(partOf[k]) += a(static_cast<Eigen::Index>(k), 0) * b(static_cast<Eigen::Index>(k), 0);
+  Teuchos::reduceAll(*run_.problem.space()->comm(), Teuchos::REDUCE_SUM, static_cast<int>(mine.size()), mine.data(), all.data());
+  return all;
 }
 
 double SetSolves::norm(const MultiVector& residual) const {
   MultiVector scaled(residual, Teuchos::Copy);
   scale(scaled, true);
-  const double absolute = preconditionedNorm(*run_.preconditioner, scaled);
-  return absolute == 0.0 ? 0.0 : reference_ > 0.0 ? absolute / reference_ : 1.0;
+  const Vector squares = productsByPart(scaled, *run_.problem.space()->vector());
+  const double absolute = std::sqrt(std::max(squares.sum(), 0.0));
+  if (absolute == 0.0) return 0.0;
+  double relative = reference_ > 0.0 ? absolute / reference_ : 1.0;
+  if (energies_.size() == 0) return relative;
+  DisjointSets clusters = this->clusters(closed_);
+  Vector ofCluster = Vector::Zero(energies_.size());
+  for (Eigen::Index p = 0; p < energies_.size(); ++p) ofCluster(clusters.lowest(static_cast<int>(p))) += std::max(energies_(p), 0.0);
+  for (Eigen::Index p = 0; p < energies_.size(); ++p) {
+    const double all = ofCluster(clusters.lowest(static_cast<int>(p))), own = std::max(energies_(p), kPassive * all);
+    const double scaleOfPart = scaled_ ? clusterScale_(p) : 1.0;
+    if (own > 0.0) relative = std::max(relative, scaleOfPart * std::sqrt(std::abs(squares(p)) / own) / kOwn);
+  }
+  return relative;
 }
 
 void SetSolves::evaluateStart() {
@@ -134,9 +150,9 @@ void SetSolves::evaluateStart() {
   run_.confirm();
 }
 
-bool SetSolves::oneSolve(InterfaceState& state, bool goOn, int level, InnerResult& cost, int& applications) {
+bool SetSolves::oneSolve(InterfaceState& state, bool goOn, int level, double tightening, InnerResult& cost, int& applications) {
   const double final = run_.settings.tolerance;
-  const double tolerance = level == 0 ? inner_ : level == 1 ? std::sqrt(inner_ * final) : final;
+  const double tolerance = tightening * (level == 0 ? inner_ : level == 1 ? std::sqrt(inner_ * final) : final);
   const EnergyCriterion criterion = run_.automatic.criterion(state, run_.lowest, false, level > 0);
   if (goOn) {
     matrix_->record();
@@ -161,7 +177,7 @@ bool SetSolves::oneSolve(InterfaceState& state, bool goOn, int level, InnerResul
   }
   if (!goOn && reference_ == 0.0) reference_ = cost.history.front() > 0.0 ? cost.reference : 0.0;
   scale(*step_, false);
-  run_.problem.update(state, *step_, 1.0, scale_.empty() ? &image : nullptr);
+  run_.problem.update(state, *step_, 1.0, scaled_ ? nullptr : &image);
   deformed_ = true;
   return true;
 }
@@ -172,7 +188,7 @@ ContactAnswer SetSolves::solve(const ClosedSet& closed, int level) {
   ContactAnswer answer;
   bool goOn = closed == closed_ && run_.inner.canGoOn();
   closed_ = closed;
-  double before = 0.0;
+  double before = 0.0, tightening = 1.0;
   try {
     for (int pass = 0;; ++pass) {
       InterfaceState state = run_.result.state;
@@ -180,7 +196,7 @@ ContactAnswer SetSolves::solve(const ClosedSet& closed, int level) {
       state.status = sets_.statusOf(closed);
       InnerResult cost;
       int applications = 0;
-      if (!oneSolve(state, goOn, level, cost, applications)) {
+      if (!oneSolve(state, goOn, level, tightening, cost, applications)) {
         answer.solved = false;
         closed_.clear();
         return answer;
@@ -191,12 +207,11 @@ ContactAnswer SetSolves::solve(const ClosedSet& closed, int level) {
       bool drifted = false;
       if (level == levels() - 1 ||
           (at.settled && residual <= final)) {  // what the recursion of conjugate gradients says, confirmed by the operator itself
-        // Before the state forgets its image: the energy costs no application then.
-        const double energy =
-            scale_.empty() && !run_.automatic.on() ? std::sqrt(std::max(sets_.energies(state).sum(), 0.0)) : 0.0;
+        // Before the state forgets its image: the energies cost no application then.
+        energies_ = run_.automatic.on() ? Vector() : sets_.energies(state);
         state.memory.reset();
         at = sets_.evaluateSet(state, final);
-        if (energy > 0.0) reference_ = energy;
+        if (const double energy = energies_.cwiseMax(0.0).sum(); !scaled_ && energy > 0.0) reference_ = std::sqrt(energy);
         residual = norm(*at.residual);
         drifted = residual > final;
       }
@@ -217,6 +232,8 @@ ContactAnswer SetSolves::solve(const ClosedSet& closed, int level) {
         return answer;
       }
       before = residual;
+      // Where the norm of conjugate gradients would let the residual of a body pass.
+      tightening = std::min(1.0, std::max(kOwn * kOwn * kPassive, 0.3 * final / residual));
       goOn = false;
       closed_ = closed;
     }

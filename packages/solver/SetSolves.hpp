@@ -7,11 +7,13 @@
 
 namespace suture {
 
-/// The linear problems of a closed set on the interface, by preconditioned conjugate gradients: what ContactSearch asks of a formulation. Three accuracies: the inner tolerance, half way to the final one, the final one. Collective.
+/// The linear problems of a closed set on the interface, by preconditioned conjugate gradients: what ContactSearch asks of a formulation.
+/// Three accuracies: the inner tolerance, half way to the final one, the final one. Collective.
 ///
 /// The norm of a residual is sqrt(r.M r) relative to the energy norm of the solution, sqrt(U.S U), cluster by cluster of bodies that closed
 /// pairs connect: there S is block diagonal, and each block is scaled by its own energy before conjugate gradients see it. A weak cluster
-/// has as many digits as a strong one beside it.
+/// has as many digits as a strong one beside it. At the end the residual of each body is measured by that body's own energy, too: a stiff
+/// body holds little of its cluster's.
 class SetSolves : public ContactOracle {
  public:
   /// \param inner  tolerance of the loosest solves
@@ -34,7 +36,10 @@ class SetSolves : public ContactOracle {
   bool oneCluster(const ClosedSet& closed) const;
   void scale(MultiVector& x, bool inverse) const;
   double norm(const MultiVector& residual) const;
-  bool oneSolve(InterfaceState& state, bool goOn, int level, InnerResult& cost, int& applications);
+  /// z = M^-1 r, and r.z summed by part.
+  Vector productsByPart(const MultiVector& r, MultiVector& z) const;
+  /// \param tightening  factor of the tolerance
+  bool oneSolve(InterfaceState& state, bool goOn, int level, double tightening, InnerResult& cost, int& applications);
 
   OuterSolver::Run& run_;
   const ContactSets& sets_;
@@ -43,9 +48,12 @@ class SetSolves : public ContactOracle {
   ClosedSet closed_;  // of the last solve; empty: it can't be gone on with
   ContactStatus preconditioned_;
   Teuchos::RCP<InterfaceOperator> matrix_;
-  std::vector<double> scale_;  // of each owned unknown; empty: one cluster
+  Vector clusterScale_;        // of each part, if scaled_
+  std::vector<double> scale_;  // of each owned unknown, if scaled_
+  bool scaled_ = false;        // several clusters: each by its own energy. The same on all ranks
   double largestScale_ = 1.0;
   double reference_ = 0.0;
+  Vector energies_;        // of the parts, at the last solve that was confirmed
   bool deformed_ = false;  // the state is the answer of a solve: its energy is a scale
 };
 
