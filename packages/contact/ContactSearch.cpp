@@ -156,6 +156,10 @@ bool ContactSearch::done() {
 /// The next set, not met before, without a safe step; false if there is none.
 bool ContactSearch::propose(ClosedSet& next) {
   if (solves_ <= kPlainSolves) {
+    if (const ClosedSet own = oracle_.proposal(); !own.empty()) {
+      next = guarded(own);
+      if (!proposed(next)) return true;
+    }
     const ClosedSet plain = flipped();
     if (learns_ && solves_ <= kModelSolves) {
       next = guarded(HalfPlaneModel(rigid_).closedSet(set_, plain, answer_.force, answer_.penetration));

@@ -402,20 +402,6 @@ double ContactInterfaceProblem::rigidWork(const InterfaceState& state) const {
   return state.rigid.size() > 0 ? bodies_->rigid().data().work.dot(state.rigid) : 0.0;
 }
 
-void ContactInterfaceProblem::addRigid(int local, const Vector& rigid, Vector& values) const {
-  if (rigid.size() == 0) return;
-  const Subdomain& subdomain = *subdomains_[local];
-  const int number = bodies_->partOf(local);
-  const RigidPart& part = bodies_->parts()[number];
-  if (part.free.cols() == 0) return;
-  const Vector amplitudes = bodies_->amplitudes(number, rigid);
-  for (int dof = 0; dof < subdomain.dofs(); ++dof) {
-    const Point moved = part.displacement(subdomain.mesh().point(subdomain.nodeOf(dof)), amplitudes, subdomain.components());
-    const Point along = subdomain.direction(dof);
-    values(dof) += moved[0] * along[0] + moved[1] * along[1] + moved[2] * along[2];
-  }
-}
-
 MultiVectorPtr ContactInterfaceProblem::loadOf(const Vector& pairForces, const ContactStatus& status) const {
   Matrix imbalance = Matrix::Zero(space_->overlapSize(), 1);
   for (std::size_t i = 0; i < rows_.size(); ++i) {
@@ -484,7 +470,7 @@ std::vector<Vector> ContactInterfaceProblem::interiors(const InterfaceState& sta
       Matrix own(locals_[i]->size(), 1);
       space_->coupling(static_cast<int>(i)).restrictTo(trace, own);
       freeValues.push_back(locals_[i]->recover(own.col(0)));
-      addRigid(static_cast<int>(i), state.rigid, freeValues.back());
+      if (bodies_) bodies_->addMotion(static_cast<int>(i), *subdomains_[i], state.rigid, freeValues.back());
     }
   });
   return freeValues;
@@ -506,7 +492,7 @@ InterfaceProblem::Recovered ContactInterfaceProblem::recover(const InterfaceStat
       Vector& values = result.freeValues[i];
       const Subdomain& subdomain = *subdomains_[i];
       energy += 0.5 * values.dot(subdomain.stiffness() * values) - values.dot(subdomain.load()) + subdomain.constantEnergy();
-      addRigid(static_cast<int>(i), state.rigid, values);
+      if (bodies_) bodies_->addMotion(static_cast<int>(i), subdomain, state.rigid, values);
       const Vector cartesian = subdomain.cartesian(values);
       for (const SubdomainMesh::ContactEnd& end : subdomain.mesh().contactEnds)
         if (end.end == 0)

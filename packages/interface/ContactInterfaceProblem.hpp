@@ -46,6 +46,7 @@ class ContactInterfaceProblem : public InterfaceProblem, public ContactSets {
   const ContactBodies& bodies() const override { return *bodies_; }
   ContactStatus statusOf(const ClosedSet& closed) const override;
   ClosedSet closedSet(const ContactStatus& status) const override;
+  Evaluation evaluateSet(const InterfaceState& state, double resolution) const override { return evaluate(state, resolution); }
   InterfaceState padState() const override;
   void move(InterfaceState& state, const Vector& motion) const override;
   MultiVectorPtr loadOf(const Vector& pairForces, const ContactStatus& status) const override;
@@ -64,8 +65,6 @@ class ContactInterfaceProblem : public InterfaceProblem, public ContactSets {
   void findMotions();
   /// What the rigid motions of a state add to the rows that this rank sees; empty: nothing.
   Vector movedRows(const InterfaceState& state) const;
-  /// Adds rigid motions to the free values of a subdomain.
-  void addRigid(int local, const Vector& rigid, Vector& values) const;
   /// Work of the loads in them.
   double rigidWork(const InterfaceState& state) const;
   /// Values of this rank's own rows, made known to all by pair id. Collective.

@@ -32,10 +32,10 @@ ActiveSet::ActiveSet(const Parameters& own) : innerTolerance_(own.get<double>("I
 
 double ActiveSet::auxiliaryTolerance(const OuterSettings& settings) const { return std::max(innerTolerance_, settings.tolerance); }
 
-void ActiveSet::doSolve(Run& run) const {
-  if (!run.problem.sets()) throw InternalError("Active Set needs a formulation whose contact states are sets of closed pairs");
+void ActiveSet::search(Run& run, double innerTolerance) {
+  if (!run.problem.sets()) throw InternalError("a method by sets needs a formulation whose contact states are sets of closed pairs");
   const ContactSets& sets = *run.problem.sets();
-  SetSolves solves(run, innerTolerance_);
+  SetSolves solves(run, innerTolerance);
   if (run.given) {
     solves.evaluateStart();
     if (run.done()) return;

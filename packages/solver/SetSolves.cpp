@@ -22,7 +22,17 @@ constexpr double kRounding = 1e-14;    // of the energy norm that a solve began 
 }  // namespace
 
 SetSolves::SetSolves(OuterSolver::Run& run, double inner)
-    : run_(run), sets_(*run.problem.sets()), inner_(std::max(inner, run.settings.tolerance)), step_(run.problem.space()->vector()) {}
+    : run_(run), sets_(*run.problem.sets()), inner_(std::max(inner, run.settings.tolerance)), step_(run.problem.space()->vector()) {
+  if (run.preconditioned.empty()) return;
+  // The auxiliary solve may be gone on with, if it was scaled as its cluster is.
+  preconditioned_ = run.preconditioned;
+  matrix_ = run.bilateral;
+  deformed_ = true;
+  reference_ = run.reference;
+  const ClosedSet closed = sets_.closedSet(preconditioned_);
+  findClusters(closed);
+  if (oneCluster()) closed_ = closed;
+}
 
 void SetSolves::precondition(const InterfaceState& state, const Teuchos::RCP<InterfaceOperator>& matrix) {
   const bool first = preconditioned_.empty();
@@ -40,8 +50,13 @@ void SetSolves::findClusters(const ClosedSet& closed) {
   for (std::size_t i = 0; i < closed.size(); ++i)
     if (closed[i])
       for (const int part : rigid.data().bodies[i]) clusters.join(part, rigid.data().bodies[i].front());
+  lift_ = Vector::Zero(parts);
   clusterOf_.clear();
   for (int p = 0; p < parts; ++p) clusterOf_.push_back(clusters.lowest(p));
+}
+
+bool SetSolves::oneCluster() const {
+  return std::all_of(clusterOf_.begin(), clusterOf_.end(), [&](int cluster) { return cluster == clusterOf_.front(); });
 }
 
 /// U.S U of each cluster, at its first part.
@@ -59,10 +74,10 @@ void SetSolves::scaleBy(const InterfaceState& from, const InterfaceState& state,
   lift_ = energies(state).cwiseSqrt();
   scale_.clear();
   size_.resize(0);
+  scaled_ = false;
   largestScale_ = 1.0;
-  const bool one = std::all_of(clusterOf_.begin(), clusterOf_.end(), [&](int cluster) { return cluster == clusterOf_.front(); });
   // One cluster needs no scaling; an automatic tolerance asks for the error of the whole.
-  if (one || run_.automatic.on()) {
+  if (oneCluster() || run_.automatic.on()) {
     reference_ = std::sqrt(energy.sum());
     if (run_.automatic.on() && reference_ == 0.0) {  // it needs to know the size of the solution
       reference_ = preconditionedNorm(*run_.preconditioner, load);
@@ -70,32 +85,38 @@ void SetSolves::scaleBy(const InterfaceState& from, const InterfaceState& state,
     }
     return;
   }
-  const std::vector<int>& partOf = sets_.partOfOwned();
-  const MultiVectorPtr z = run_.problem.space()->vector();
-  run_.preconditioner->apply(load, *z);
-  Vector mine = Vector::Zero(energy.size()), fresh = mine;
-  {
-    const auto b = localView(load);
-    const auto c = localView(static_cast<const MultiVector&>(*z));
-    for (std::size_t k = 0; k < partOf.size(); ++k)
-      mine(clusterOf_[partOf[k]]) += b(static_cast<Eigen::Index>(k), 0) * c(static_cast<Eigen::Index>(k), 0);
-  }
-  Teuchos::reduceAll(*run_.problem.space()->comm(), Teuchos::REDUCE_SUM, static_cast<int>(mine.size()), mine.data(), fresh.data());
+  const Vector ofParts = productsByPart(load);
+  Vector fresh = Vector::Zero(energy.size());
+  for (std::size_t p = 0; p < clusterOf_.size(); ++p) fresh(clusterOf_[p]) += ofParts(static_cast<Eigen::Index>(p));
   size_.resize(energy.size());
   for (Eigen::Index c = 0; c < size_.size(); ++c) size_(c) = std::sqrt(std::max(energy(c) > 0.0 ? energy(c) : fresh(c), 0.0));
   largestScale_ = size_.maxCoeff() > 0.0 ? size_.maxCoeff() : 1.0;
-  for (const int part : partOf) {
+  for (const int part : sets_.partOfOwned()) {
     const double own = size_(clusterOf_[part]);
     scale_.push_back(own > 0.0 ? own : largestScale_);
   }
+  scaled_ = true;
   reference_ = 1.0;
+}
+
+/// r.M r, summed by part.
+Vector SetSolves::productsByPart(const MultiVector& r) const {
+  const MultiVectorPtr z = run_.problem.space()->vector();
+  run_.preconditioner->apply(r, *z);
+  const std::vector<int>& partOf = sets_.partOfOwned();
+  Vector mine = Vector::Zero(static_cast<Eigen::Index>(clusterOf_.size())), all = mine;
+  const auto a = localView(r), b = localView(static_cast<const MultiVector&>(*z));
+  for (std::size_t k = 0; k < partOf.size(); ++k)
+    mine(partOf[k]) += a(static_cast<Eigen::Index>(k), 0) * b(static_cast<Eigen::Index>(k), 0);
+  Teuchos::reduceAll(*run_.problem.space()->comm(), Teuchos::REDUCE_SUM, static_cast<int>(mine.size()), mine.data(), all.data());
+  return all;
 }
 
 /// Largest ratio of what a cluster's residual was relative to and the energy norm that its solve found.
 double SetSolves::overestimate(const InterfaceState& state) const {
   if (run_.automatic.on()) return 1.0;
   const Vector own = energies(state).cwiseSqrt().cwiseMax(kRounding * lift_);
-  if (scale_.empty()) return own.norm() > 0.0 ? reference_ / own.norm() : 1.0;
+  if (!scaled_) return own.norm() > 0.0 ? reference_ / own.norm() : 1.0;
   double most = 1.0;
   for (Eigen::Index c = 0; c < size_.size(); ++c)
     if (own(c) > 0.0) most = std::max(most, size_(c) / own(c));
@@ -103,7 +124,7 @@ double SetSolves::overestimate(const InterfaceState& state) const {
 }
 
 void SetSolves::scale(MultiVector& x, bool inverse) const {
-  if (scale_.empty()) return;
+  if (!scaled_) return;
   auto values = localView(x);
   for (std::size_t k = 0; k < scale_.size(); ++k) values(static_cast<Eigen::Index>(k), 0) *= inverse ? 1.0 / scale_[k] : scale_[k];
 }
@@ -116,22 +137,11 @@ double SetSolves::tolerance(int level) const {
 /// Residual of the whole; of the body that has the largest beside its own energy, if that is larger. Then tolerances become sharper. The
 /// state remembers its image.
 double SetSolves::norm(const MultiVector& residual, const InterfaceState& state) {
-  const MultiVectorPtr z = run_.problem.space()->vector();
-  run_.preconditioner->apply(residual, *z);
-  const Vector energy = sets_.energies(state);
-  Vector mine = Vector::Zero(energy.size()), own = mine;
-  {
-    const std::vector<int>& partOf = sets_.partOfOwned();
-    const auto r = localView(residual);
-    const auto c = localView(static_cast<const MultiVector&>(*z));
-    for (std::size_t k = 0; k < partOf.size(); ++k)
-      mine(partOf[k]) += r(static_cast<Eigen::Index>(k), 0) * c(static_cast<Eigen::Index>(k), 0);
-  }
-  Teuchos::reduceAll(*run_.problem.space()->comm(), Teuchos::REDUCE_SUM, static_cast<int>(mine.size()), mine.data(), own.data());
+  const Vector energy = sets_.energies(state), own = productsByPart(residual);
   double sum = 0.0, bodies = 0.0;
   for (std::size_t p = 0; p < clusterOf_.size(); ++p) {
     const auto at = static_cast<Eigen::Index>(p), cluster = static_cast<Eigen::Index>(clusterOf_[p]);
-    const double size = size_.size() > 0 ? size_(cluster) : reference_, lift = kRounding * lift_(cluster);
+    const double size = scaled_ ? size_(cluster) : reference_, lift = kRounding * lift_(cluster);
     if (own(at) == 0.0) continue;
     sum += own(at) / (size > 0.0 ? size * size : std::abs(own(at)));
     const double scale = std::max({energy(at), kPassive * size * size, lift * lift});
@@ -161,7 +171,7 @@ void SetSolves::evaluateStart() {
   findClusters(closed);
   scaleBy(state, state, *linear.load);
   run_.automatic.startsFrom(reference_);
-  run_.evaluation = run_.problem.evaluate(state, run_.settings.tolerance);
+  run_.evaluation = sets_.evaluateSet(state, run_.settings.tolerance);
   run_.result.pcgTotal += applications + run_.evaluation.applications;
   run_.result.residual = norm(*run_.evaluation.residual, state);
   run_.result.state = state;
@@ -175,10 +185,10 @@ bool SetSolves::solveLinear(InterfaceState& state, bool goOn, double tolerance, 
     matrix_->record();
     cost = run_.inner.goOn(*step_, tolerance, reference_, run_.monitor, criterion);
   } else {
+    applications += sets_.remember(state);
     const InterfaceState from = state;
     state.trace = Teuchos::rcp(new MultiVector(*state.trace, Teuchos::Copy));
     applications += run_.problem.conform(state);
-    applications += sets_.remember(state);
     const InterfaceProblem::Linearisation linear = run_.problem.linearise(state);
     matrix_ = linear.matrix;
     precondition(state, matrix_);
@@ -192,7 +202,7 @@ bool SetSolves::solveLinear(InterfaceState& state, bool goOn, double tolerance, 
   const Matrix image = matrix_->recorded(cost.steps);
   if (!cost.converged) return false;
   scale(*step_, false);
-  run_.problem.update(state, *step_, 1.0, scale_.empty() ? &image : nullptr);
+  run_.problem.update(state, *step_, 1.0, scaled_ ? nullptr : &image);
   applications += sets_.remember(state);
   deformed_ = true;
   return true;
@@ -207,7 +217,7 @@ bool SetSolves::oneSolve(InterfaceState& state, bool goOn, int level, InnerResul
     const double over = overestimate(state);
     if (over * cost.residual <= tolerance || over < kOverestimate) break;
     InnerResult more;
-    const bool continues = scale_.empty() && run_.inner.canGoOn();
+    const bool continues = !scaled_ && run_.inner.canGoOn();
     if (continues) reference_ /= over;
     solved = solveLinear(state, continues, tolerance, criterion, more, applications);
     more.pcg += cost.pcg;
@@ -243,7 +253,7 @@ ContactAnswer SetSolves::solve(const ClosedSet& closed, int level) {
         return answer;
       }
       // Statuses are believed as far as the solve has come.
-      InterfaceProblem::Evaluation at = run_.problem.evaluate(state, std::max(final, std::min(tolerance(level), cost.residual)));
+      InterfaceProblem::Evaluation at = sets_.evaluateSet(state, std::max(final, std::min(tolerance(level), cost.residual)));
       double residual = cost.residual;
       bool drifted = false, sharpened = false;
       if (level == levels() - 1 ||
@@ -251,7 +261,7 @@ ContactAnswer SetSolves::solve(const ClosedSet& closed, int level) {
         state.memory.reset();
         sets_.separate(state);
         applications += sets_.remember(state);
-        at = run_.problem.evaluate(state, final);
+        at = sets_.evaluateSet(state, final);
         const double sharper = sharper_;
         residual = norm(*at.residual, state);
         sharpened = sharper_ < sharper;
