@@ -9,16 +9,7 @@
 
 namespace suture {
 
-namespace {
-
-std::string listOf(const std::vector<int>& pairs) {
-  std::string text;
-  for (std::size_t k = 0; k < pairs.size() && k < 20; ++k) text += (k > 0 ? ", " : "") + std::to_string(pairs[k]);
-  if (pairs.size() > 20) text += ", and " + std::to_string(pairs.size() - 20) + " more";
-  return text;
-}
-
-}  // namespace
+namespace {}  // namespace
 
 Schema ActiveSet::schema() {
   Schema schema("Active set on the interface (Contact On The Interface).");
@@ -57,8 +48,7 @@ void ActiveSet::search(Run& run, double innerTolerance) {
     return;
   }
   if (run.result.failure.empty()) run.result.failure = found.failure;
-  if (!found.alternating.empty() && !run.done())
-    run.result.failure += (run.result.failure.empty() ? "" : "; ") + std::string("pairs that alternate: ") + listOf(found.alternating);
+  run.result.unsettled = found.alternating;
 }
 
 }  // namespace suture

@@ -29,6 +29,7 @@ struct OuterResult {
   bool converged = false;
   bool stopped = false;  ///< on request, between two iterations
   std::string failure;
+  std::vector<int> unsettled;  ///< pairs that changed between the last two sets, where it did not converge
   int iterations = 0;
   int pcgTotal = 0;  ///< of the outer iterations, failed steps included
   double residual = 0.0;
