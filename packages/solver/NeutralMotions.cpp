@@ -22,6 +22,7 @@ constexpr double kNoGap = 1e-6;                     // of the largest change of 
 constexpr double kFlat = 1e-6;                      // of a body's size: a change of its gaps that is one
 constexpr double kNoMotion = 1e-8;                  // of an amplitude of the order of one
 constexpr double kRounding = 1e-14;                 // of a motion: what is left of a displacement that was this motion alone
+constexpr double kNothing = 1e-15;                  // of a body's size: a motion that coordinates do not hold
 constexpr double kAsItIs = 1e-9;                    // of the displacements: a motion not worth making
 
 /// What all ranks know of the pairs.
@@ -92,6 +93,53 @@ std::vector<char> loadedParts(const Comm& comm, const std::vector<SubdomainMesh>
   return {all.begin(), all.end()};
 }
 
+/// Parts on which nothing acts: no load, no pair force, no prescribed displacement but zero. They have moved as rigid bodies; what else the
+/// solver left in them is the error of its iterations, which is taken out. \return whether there are any
+bool straighten(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model, const ContactBodies& bodies,
+                const ClosedSet& carrying, std::vector<Vector>& displacement) {
+  const std::size_t parts = bodies.parts().size();
+  std::vector<char> idle(parts, 1);
+  for (std::size_t i = 0; i < carrying.size(); ++i)
+    if (carrying[i])
+      for (const int part : bodies.rigid().data().bodies[i]) idle[part] = 0;
+  for (std::size_t p = 0; p < parts; ++p) idle[p] = idle[p] && bodies.parts()[p].free.cols() > 0;
+  if (std::none_of(idle.begin(), idle.end(), [](char one) { return one != 0; })) return false;
+
+  std::vector<int> mine(parts, 0), acted(parts, 0);
+  for (std::size_t s = 0; s < meshes.size(); ++s) {
+    int& own = mine[bodies.partOf(static_cast<int>(s))];
+    for (const NodeRule& rule : meshes[s].rules)
+      for (int k = 0; k < meshes[s].dimension; ++k)
+        if (rule.fixed[k] && rule.value[k] != 0.0) own = 1;
+    if (own == 0 && !subdomainLoads(meshes[s], model).isZero(0.0)) own = 1;
+  }
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, static_cast<int>(parts), mine.data(), acted.data());
+  bool any = false;
+  for (std::size_t p = 0; p < parts; ++p) {
+    if (!idle[p] || acted[p] != 0) continue;
+    any = true;
+    const RigidPart& part = bodies.parts()[p];
+    const Eigen::Index k = part.free.cols();
+    Matrix own = Matrix::Zero(k, k + 1), all = own;
+    const auto forEachNode = [&](const auto& take) {
+      for (std::size_t s = 0; s < meshes.size(); ++s) {
+        if (bodies.partOf(static_cast<int>(s)) != static_cast<int>(p)) continue;
+        const int d = meshes[s].dimension;
+        for (int node = 0; node < meshes[s].nodes(); ++node)
+          take(Matrix(part.at(meshes[s].point(node), d) * part.free), displacement[s].segment(Eigen::Index(node) * d, d));
+      }
+    };
+    forEachNode([&](const Matrix& moved, const auto& u) {
+      own.leftCols(k) += moved.transpose() * moved;
+      own.col(k) += moved.transpose() * u;
+    });
+    Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, static_cast<int>(own.size()), own.data(), all.data());
+    const Vector amplitudes = solvePositive(all.leftCols(k), all.col(k));
+    forEachNode([&](const Matrix& moved, auto&& u) { u = moved * amplitudes; });
+  }
+  return any;
+}
+
 /// Motions of parts as columns of nodal displacements, and what solutions are of them.
 class Least {
  public:
@@ -129,13 +177,16 @@ class Least {
     double change = 0.0, most = 0.0;
     forEachNode([&](std::size_t, int, const Matrix& moved) { change = std::max(change, (moved * y).norm()); });
     Teuchos::reduceAll(comm_, Teuchos::REDUCE_MAX, change, Teuchos::outArg(most));
-    if (!(most > kAsItIs * overall)) return false;
+    double size = 0.0;
+    for (const RigidPart& part : bodies_.parts()) size = std::max(size, part.radius);
+    if (!(most > std::max(kAsItIs * overall, kNothing * size))) return false;
     forEachNode([&](std::size_t s, int node, const Matrix& moved) {
+      const int d = meshes_[s].dimension;
       const Vector shift = moved * y;
-      auto u = displacement[s].segment(Eigen::Index(node) * meshes_[s].dimension, meshes_[s].dimension);
+      auto u = displacement[s].segment(Eigen::Index(node) * d, d);
       u += shift;
-      for (Eigen::Index c = 0; c < u.size(); ++c)
-        if (std::abs(u(c)) <= kRounding * shift.norm()) u(c) = 0.0;  // no deformation, but what the solver's motion has left of it
+      for (int c = 0; c < d; ++c)
+        if (std::abs(u(c)) <= kRounding * shift.norm()) u(c) = 0.0;  // it was this motion alone
     });
     return true;
   }
@@ -198,15 +249,17 @@ void settleNeutralMotions(const Comm& comm, const std::vector<SubdomainMesh>& me
     for (PairResult& pair : solution.pairs)
       if (classes.idle[pair.id]) pair.status = PairStatus::Open;
 
+  const auto take = [&] {  // the displacements have changed
+    std::vector<PairForce> forces;
+    for (const PairResult& pair : solution.pairs) forces.push_back({pair.id, pair.status, pair.force});
+    solution.pairs = pairResults(comm, all, solution.displacement, forces);
+    pairs.gap = broadcastPairs(comm, solution.pairs, count).gap;
+    classes.touching = classify(bodies, pairs).touching;
+  };
+  if (rigid.motions() > 0 && straighten(comm, meshes, model, bodies, classes.carrying, solution.displacement)) take();
   const Matrix neutral = rigid.motions() > 0 ? rigid.neutral(classes.carrying, classes.touching) : Matrix();
   if (neutral.cols() > 0) {
-    if (Least(comm, meshes, bodies, neutral).settle(pairs, classes.carrying, solution.displacement)) {
-      std::vector<PairForce> forces;
-      for (const PairResult& pair : solution.pairs) forces.push_back({pair.id, pair.status, pair.force});
-      solution.pairs = pairResults(comm, all, solution.displacement, forces);
-      pairs.gap = broadcastPairs(comm, solution.pairs, count).gap;
-      classes.touching = classify(bodies, pairs).touching;
-    }
+    if (Least(comm, meshes, bodies, neutral).settle(pairs, classes.carrying, solution.displacement)) take();
     const std::vector<char> loaded = loadedParts(comm, meshes, model, bodies, classes.carrying);
     ClosedSet holding = classes.carrying;
     for (int i = 0; i < count; ++i) holding[i] = holding[i] || classes.touching[i];
