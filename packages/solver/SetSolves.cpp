@@ -21,9 +21,10 @@ constexpr double kPassive = 1e-12;  // of the cluster's energy: a body that hold
 
 SetSolves::SetSolves(OuterSolver::Run& run, double inner)
     : run_(run), sets_(*run.problem.sets()), inner_(std::max(inner, run.settings.tolerance)), step_(run.problem.space()->vector()) {
-  if (run.preconditioned.empty()) return;
+  if (!run.fromAuxiliary) return;
   // The auxiliary solve may be gone on with, if it was scaled as its cluster is.
   preconditioned_ = run.preconditioned;
+  hasPreconditioner_ = true;
   matrix_ = run.bilateral;
   deformed_ = true;
   reference_ = run.reference;
@@ -48,11 +49,12 @@ bool SetSolves::oneCluster(const ClosedSet& closed) const {
 }
 
 void SetSolves::precondition(const InterfaceState& state, const Teuchos::RCP<InterfaceOperator>& matrix) {
-  const bool first = preconditioned_.empty();
+  const bool first = !hasPreconditioner_;
   if (!first && run_.problem.differing(preconditioned_, state.status).empty()) return;
   run_.preconditioner->initialize(matrix->space());
   run_.preconditioner->compute(matrix);
   preconditioned_ = state.status;
+  hasPreconditioner_ = true;
   if (first) run_.describe(*matrix);
 }
 

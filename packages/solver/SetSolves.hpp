@@ -45,8 +45,9 @@ class SetSolves : public ContactOracle {
   const ContactSets& sets_;
   const double inner_;
   MultiVectorPtr step_;
-  ClosedSet closed_;  // of the last solve; empty: it can't be gone on with
-  ContactStatus preconditioned_;
+  ClosedSet closed_;                // of the last solve; empty: it can't be gone on with
+  ContactStatus preconditioned_;    // what the preconditioner was made for
+  bool hasPreconditioner_ = false;  // the same on all ranks, also on those without a local problem
   Teuchos::RCP<InterfaceOperator> matrix_;
   Vector clusterScale_;        // of each part, if scaled_
   std::vector<double> scale_;  // of each owned unknown, if scaled_
