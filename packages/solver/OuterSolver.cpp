@@ -220,6 +220,7 @@ OuterResult OuterSolver::solve(const InterfaceProblem& problem, const OuterSetti
   }
 
   if (bySets) {
+    run.fromAuxiliary = true;
     run.preconditioned = result.state.status;
     if (const ClosedSet next = problem.sets()->proposal(result.state); !next.empty()) result.state.status = problem.sets()->statusOf(next);
     run.evaluation.settled = false;

@@ -72,7 +72,8 @@ class OuterSolver {
     ContactStatus reported;                   ///< of the last row: what `changed` counts from; at first all closed
     InterfaceProblem::Evaluation evaluation;  ///< at result.state, whose status is the evaluation's
     AutomaticTolerance automatic;
-    ContactStatus preconditioned = {};  ///< what the preconditioner was made for, where a method works by sets
+    bool fromAuxiliary = false;         ///< a method by sets starts from the auxiliary solution
+    ContactStatus preconditioned = {};  ///< what the preconditioner was made for then
     bool given = false;                 ///< the start is one to go on from
     bool solved = false;   ///< a method that finds the set of closed pairs itself has found it, and the residual is small enough
     bool atFloor = false;  ///< rounding hides what the tolerance asks for beyond result.residual
@@ -106,7 +107,7 @@ class OuterSolver {
  protected:
   /// True for a method that works by sets of closed pairs (InterfaceProblem::sets()) and measures residuals itself: doSolve() then begins
   /// with the state to start from in run.result.state, not evaluated. Where that is the auxiliary solution (wantsAuxiliary() and
-  /// Start = Bilateral), run.preconditioned is the status that the preconditioner was made for; else there is none.
+  /// Start = Bilateral), run.fromAuxiliary holds, and there is a preconditioner; else there is none.
   virtual bool worksBySets() const { return false; }
   /// Whether Start = Bilateral means the auxiliary solution; else the state with all pairs closed, not solved.
   virtual bool wantsAuxiliary() const { return true; }

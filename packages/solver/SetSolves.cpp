@@ -23,9 +23,10 @@ constexpr double kRounding = 1e-14;    // of the energy norm that a solve began 
 
 SetSolves::SetSolves(OuterSolver::Run& run, double inner)
     : run_(run), sets_(*run.problem.sets()), inner_(std::max(inner, run.settings.tolerance)), step_(run.problem.space()->vector()) {
-  if (run.preconditioned.empty()) return;
+  if (!run.fromAuxiliary) return;
   // The auxiliary solve may be gone on with, if it was scaled as its cluster is.
   preconditioned_ = run.preconditioned;
+  hasPreconditioner_ = true;
   matrix_ = run.bilateral;
   deformed_ = true;
   reference_ = run.reference;
@@ -35,11 +36,12 @@ SetSolves::SetSolves(OuterSolver::Run& run, double inner)
 }
 
 void SetSolves::precondition(const InterfaceState& state, const Teuchos::RCP<InterfaceOperator>& matrix) {
-  const bool first = preconditioned_.empty();
+  const bool first = !hasPreconditioner_;
   if (!first && run_.problem.differing(preconditioned_, state.status).empty()) return;
   run_.preconditioner->initialize(matrix->space());
   run_.preconditioner->compute(matrix);
   preconditioned_ = state.status;
+  hasPreconditioner_ = true;
   if (first) run_.describe(*matrix);
 }
 

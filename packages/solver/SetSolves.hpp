@@ -46,8 +46,9 @@ class SetSolves : public ContactOracle {
   const ContactSets& sets_;
   const double inner_;
   MultiVectorPtr step_;
-  ClosedSet closed_;  // of the last solve; empty: it can't be gone on with
-  ContactStatus preconditioned_;
+  ClosedSet closed_;                // of the last solve; empty: it can't be gone on with
+  ContactStatus preconditioned_;    // what the preconditioner was made for
+  bool hasPreconditioner_ = false;  // the same on all ranks, also on those without a local problem
   Teuchos::RCP<InterfaceOperator> matrix_;
   std::vector<int> clusterOf_;  // of each part
   Vector lift_;                 // energy norm of each cluster where the last solve began: rounding leaves a part of it
