@@ -270,4 +270,16 @@ Vector ContactBodies::amplitudes(int part, const Vector& motion) const {
   return parts_[part].free * motion.segment(first_[part], parts_[part].free.cols());
 }
 
+void ContactBodies::addMotion(int place, const Subdomain& subdomain, const Vector& motion, Vector& values) const {
+  if (motion.size() == 0) return;
+  const RigidPart& part = parts_[partOf_[place]];
+  if (part.free.cols() == 0) return;
+  const Vector own = amplitudes(partOf_[place], motion);
+  for (int dof = 0; dof < subdomain.dofs(); ++dof) {
+    const Point moved = part.displacement(subdomain.mesh().point(subdomain.nodeOf(dof)), own, subdomain.components());
+    const Point along = subdomain.direction(dof);
+    values(dof) += moved[0] * along[0] + moved[1] * along[1] + moved[2] * along[2];
+  }
+}
+
 }  // namespace suture

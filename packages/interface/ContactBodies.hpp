@@ -28,6 +28,11 @@ class ContactBodies {
   int partOf(int subdomain) const { return partOf_[subdomain]; }
   /// The motions of one part among those of all, as amplitudes of the part.
   Vector amplitudes(int part, const Vector& motion) const;
+  /// Column of a part's first motion among those of all.
+  int firstMotion(int part) const { return first_[part]; }
+  /// Adds motions (empty: none) to the free values of a subdomain of this rank.
+  /// \param place  of the subdomain
+  void addMotion(int place, const Subdomain& subdomain, const Vector& motion, Vector& values) const;
 
  private:
   using Meshes = std::vector<const SubdomainMesh*>;

@@ -22,7 +22,7 @@ std::string listOf(const std::vector<int>& pairs) {
 
 Schema ActiveSet::schema() {
   Schema schema("Active set on the interface (Contact On The Interface).");
-  schema.real("Inner Tolerance", 1e-3,
+  schema.real("Inner Tolerance", 1e-2,
               "Tolerance of linear solves until the set of closed pairs stays, relative to the energy norm of the solution.",
               {0.0, 1.0, true, true, {}});
   return schema;
@@ -32,10 +32,10 @@ ActiveSet::ActiveSet(const Parameters& own) : innerTolerance_(own.get<double>("I
 
 double ActiveSet::auxiliaryTolerance(const OuterSettings& settings) const { return std::max(innerTolerance_, settings.tolerance); }
 
-void ActiveSet::doSolve(Run& run) const {
-  if (!run.problem.sets()) throw InternalError("Active Set needs a formulation whose contact states are sets of closed pairs");
+void ActiveSet::search(Run& run, double innerTolerance) {
+  if (!run.problem.sets()) throw InternalError("a method by sets needs a formulation whose contact states are sets of closed pairs");
   const ContactSets& sets = *run.problem.sets();
-  SetSolves solves(run, innerTolerance_);
+  SetSolves solves(run, innerTolerance);
   if (run.given) {
     solves.evaluateStart();
     if (run.done()) return;
