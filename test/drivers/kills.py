@@ -73,7 +73,7 @@ def kill_one(rng, what, ranks, folder, restart, longest):
         process.send_signal(signal.SIGTERM)
     begin = time.time()
     try:
-        text = process.communicate(timeout=30)[0]
+        text = process.communicate(timeout=120)[0]
         code = process.returncode
     except subprocess.TimeoutExpired:
         process.kill()
@@ -89,7 +89,7 @@ def kill_one(rng, what, ranks, folder, restart, longest):
     check(what + ": no summary, or one of a run that was stopped", left and (left["exit_code"], left["converged"]), lambda s: s in (None, (75, False)))
     if code == 75:
         check(what + ": a checkpoint, or words why there is none", (folder / "checkpoint.h5").exists() or "no new checkpoint" in text, True)
-    check(what + ": it ends soon", seconds, lambda s: s < 20)
+    check(what + ": it ends soon", seconds, lambda s: s < 60)
     return what
 
 
