@@ -86,6 +86,15 @@ struct BodyScale {
   double prescribed = 0.0;                             ///< largest prescribed component [length]
   double force = 0.0;                                  ///< that passes through the body: half of the sum, or what neighbours lend it
   double deformation = 0.0;                            ///< see Deformation [length]
+  double lent = 0.0;                                   ///< part of `force` that neighbours lend [force]
+  double residual = 0.0;                               ///< sum of magnitudes over the nodes [force]
+  double rounding = 0.0;                               ///< sum over the nodes of eps |K| |u|: their forces by the last digits of u [force]
+  double spread = 0.0;                                 ///< root of the squares of the same [force]
+
+  /// True of a body that prescribed displacements only move as a whole: its forces are rounding of its displacements.
+  bool carriesNothing() const;
+  /// Multiple of eps |K| |u| by which forces of the body may be off.
+  double roundings() const;
 };
 
 /// A bound that follows the tolerance, and ends somewhere: relative to a body's own forces or deformation.
@@ -99,10 +108,17 @@ struct Bound {
 /// factors are some ten times what right answers were measured to need (README.md).
 struct Bounds {
   static constexpr Bound resultant{100.0, 0.05}, residual{1000.0, 0.3}, node{100.0, 0.05}, contact{1000.0, 1.0}, pair{100.0, 0.05};
-  static constexpr double rounding = 4.0;
-  static constexpr double digits = 1e-4;     ///< of a body's forces or deformation, that rounding may take
-  static constexpr double passive = 1e-3;    ///< of its neighbours' force, that a body without data of its own is measured by
+  static constexpr double rounding = 4.0;  ///< times eps |K| |u|
+  static constexpr double nothing = 64.0;  ///< times eps |K| |u|: forces of a body that only moves
+  static constexpr double digits = 1e-4;   ///< of a body's forces or deformation, that rounding may take
+  static constexpr double passive =
+      1e-3;  ///< of its neighbours' force, that a body without data of its own is measured by; of a body's force, its contact
   static constexpr double geometry = 1e-10;  ///< of a body's deformation, that prescribed values and seams may be off by
 };
+
+inline bool BodyScale::carriesNothing() const {
+  return loads == 0.0 && contact == 0.0 && rounding > 0.0 && reactions + residual <= Bounds::nothing * rounding;
+}
+inline double BodyScale::roundings() const { return carriesNothing() ? Bounds::nothing : Bounds::rounding; }
 
 }  // namespace suture

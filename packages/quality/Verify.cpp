@@ -200,7 +200,17 @@ void Verifier::sumBodies() {
   balance_.finish(comm_, axisymmetric_);
   for (int b = 0; b < bodies_; ++b) {
     const double force = 0.5 * (sums_[b].loads + sums_[b].contact + sums_[b].reactions);
-    scales_[b] = {sums_[b].loads, sums_[b].contact, sums_[b].reactions, largestContact[b], prescribed[b], force, deformation_[b].largest};
+    scales_[b] = {sums_[b].loads,
+                  sums_[b].contact,
+                  sums_[b].reactions,
+                  largestContact[b],
+                  prescribed[b],
+                  force,
+                  deformation_[b].largest,
+                  0.0,
+                  sums_[b].residual,
+                  sums_[b].rounding,
+                  std::sqrt(sums_[b].roundingSquared)};
   }
   if (comm_.getRank() == 0) lendForce(ends_, scales_);
   broadcast(comm_, scales_);
@@ -209,26 +219,24 @@ void Verifier::sumBodies() {
 void Verifier::judgeBodies() {
   for (int b = 0; b < bodies_; ++b) {
     const BodySums& sums = sums_[b];
-    const double force = scales_[b].force, extent = deformation_[b].extent;
-    const double rounded = Bounds::rounding * std::sqrt(sums.roundingSquared);
+    const double force = scales_[b].force, extent = deformation_[b].extent, roundings = scales_[b].roundings();
+    const double rounded = roundings * scales_[b].spread;
     const double allowed = Bounds::resultant.at(tolerance_) * force + rounded;
     Finding where = worstNode_[b];
     where.body = b;
     findings_.take(Quantity::Forces, axisymmetric_ ? std::abs(sums.resultant[1]) : length(sums.resultant[0], sums.resultant[1]), allowed,
                    force, where);
     if (!axisymmetric_) findings_.take(Quantity::Moments, std::abs(sums.moment), allowed * extent, force * extent, where);
-    findings_.take(Quantity::Residual, sums.residual, Bounds::residual.at(tolerance_) * force + Bounds::rounding * sums.rounding, force,
-                   where);
-    // A body that prescribed displacements only shift has no forces to lose.
-    const bool unstressed = sums.loads == 0.0 && sums.contact == 0.0 && scales_[b].deformation <= 64 * unitRoundoff * deformation_[b].moved;
-    if (force > 0.0 && !unstressed) findings_.take(Quantity::Digits, rounded, Bounds::digits * force, force, where);
+    findings_.take(Quantity::Residual, sums.residual, Bounds::residual.at(tolerance_) * force + roundings * sums.rounding, force, where);
+    if (force > 0.0 && !scales_[b].carriesNothing()) findings_.take(Quantity::Digits, rounded, Bounds::digits * force, force, where);
   }
 }
 
 void Verifier::judgeNodes() {
   for (std::size_t i = 0; i < answer_.meshes.size(); ++i) {
     const SubdomainMesh& mesh = answer_.meshes[i];
-    const double deformation = scales_[mesh.body].deformation;
+    const BodyScale& body = scales_[mesh.body];
+    const double contact = std::max(body.largestContact, Bounds::passive * body.force);
     std::map<int, const ContactPair*> pairs;
     for (const ContactRow& row : mesh.contactRows) pairs[row.pair.id] = &row.pair;
     std::vector<std::vector<Point>> normals(mesh.nodes());
@@ -237,26 +245,27 @@ void Verifier::judgeNodes() {
       if (!counts(mesh, node)) continue;
       const NodeRule* rule = rules_[i][node];
       const Point rest = residual(int(i), node, rule), u = moved(int(i), node);
-      const double stiffness = nodes_[i](Stiffness, node), rounded = Bounds::rounding * nodes_[i](Rounding, node) / stiffness;
+      const double stiffness = nodes_[i](Stiffness, node),
+                   rounded = body.roundings() * (body.carriesNothing() ? body.spread : nodes_[i](Rounding, node)) / stiffness;
       Point along = rest;  // less what contact takes: Contact and the pairs judge that, and forces of stiff neighbours round it
       for (const Point& n : normals[node]) {
         const double across = along[0] * n[0] + along[1] * n[1];
         for (int k = 0; k < 2; ++k) along[k] -= across * n[k];
       }
-      const double alone = length(along[0], along[1]) / stiffness, allowed = Bounds::node.at(tolerance_) * deformation + rounded;
+      const double alone = length(along[0], along[1]) / stiffness,
+                   allowed = Bounds::node.at(tolerance_) * std::max(body.deformation, body.lent / stiffness) + rounded;
       if (findings_.isWorse(Quantity::Nodes, alone, allowed))
-        findings_.take(Quantity::Nodes, alone, allowed, deformation, place(int(i), node));
+        findings_.take(Quantity::Nodes, alone, allowed, body.deformation, place(int(i), node));
       if (!normals[node].empty())
-        findings_.take(Quantity::Contact, length(rest[0], rest[1]),
-                       Bounds::contact.at(tolerance_) * scales_[mesh.body].largestContact + rounded * stiffness,
-                       scales_[mesh.body].largestContact, place(int(i), node));
+        findings_.take(Quantity::Contact, length(rest[0], rest[1]), Bounds::contact.at(tolerance_) * contact + rounded * stiffness, contact,
+                       place(int(i), node));
       if (!rule) continue;
       for (int k = 0; k < 2; ++k) {
         if (!rule->fixed[k]) continue;
         const double off = std::abs(rule->axes[k][0] * u[0] + rule->axes[k][1] * u[1] - rule->value[k]);
         findings_.take(Quantity::Prescribed, off,
-                       Bounds::geometry * deformation + 8 * unitRoundoff * (length(u[0], u[1]) + std::abs(rule->value[k])), deformation,
-                       place(int(i), node));
+                       Bounds::geometry * body.deformation + 8 * unitRoundoff * (length(u[0], u[1]) + std::abs(rule->value[k])),
+                       body.deformation, place(int(i), node));
       }
     }
   }

@@ -24,7 +24,8 @@ void lendForce(const std::vector<PairEndShare>& ends, std::vector<BodyScale>& bo
   const std::vector<BodyScale> own = bodies;
   const auto lend = [&](int from, int to) {
     if (!isPassive(own[to])) return;
-    bodies[to].force = std::max(bodies[to].force, Bounds::passive * own[from].force);
+    bodies[to].lent = std::max(bodies[to].lent, Bounds::passive * own[from].force);
+    bodies[to].force = std::max(bodies[to].force, bodies[to].lent);
     bodies[to].largestContact = std::max(bodies[to].largestContact, Bounds::passive * own[from].largestContact);
   };
   for (const auto& [pair, both] : bodiesOf) {
@@ -46,6 +47,7 @@ void verifyPairs(std::vector<PairEndShare> ends, const std::vector<PairResult>& 
     where.place = ends[first].place;
     where.body = where.other = ends[first].body;
     double gap = ends[first].gap, moved = std::abs(gap), compliance = 0.0, rounding = 0.0, force = bodies[ends[first].body].force;
+    double roundings = Bounds::rounding;
     for (last = first; last < ends.size() && ends[last].pair == where.pair; ++last) {
       const PairEndShare& end = ends[last];
       gap -= end.closing;
@@ -53,6 +55,7 @@ void verifyPairs(std::vector<PairEndShare> ends, const std::vector<PairResult>& 
       compliance += end.weight * end.weight / end.stiffness;
       rounding = std::max(rounding, end.rounding);
       force = std::min(force, bodies[end.body].force);
+      roundings = std::max(roundings, bodies[end.body].roundings());
       if (end.body != where.body) where.other = end.body;
     }
     const auto pair = said.find(where.pair);
@@ -62,7 +65,7 @@ void verifyPairs(std::vector<PairEndShare> ends, const std::vector<PairResult>& 
     }
     ++found;
     const double pressing = pair->second->force, asForce = gap / compliance;
-    const double slack = Bounds::rounding * (rounding + unitRoundoff * moved / compliance), allowed = bound * force + slack;
+    const double slack = roundings * (rounding + unitRoundoff * moved / compliance), allowed = bound * force + slack;
     const bool open = pair->second->status == PairStatus::Open;
     // Zero unless the sign is wrong; NaN stays NaN.
     findings.take(Quantity::Penetration, asForce > 0.0 ? 0.0 : -asForce, allowed, force, where);

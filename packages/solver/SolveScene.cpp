@@ -126,13 +126,7 @@ OuterResult solveInterface(const InterfaceProblem& problem, const Parameters& sc
   settings.maximumInnerIterations = own.get<int>("Maximum Inner Iterations");
   settings.rigidStart = own.get<std::string>("Start") != "Bilateral";
   settings.preconditioner = [&scene] { return makePreconditioner(scene.sublist("Preconditioner")); };
-  OuterResult result = makeStrategy<OuterSolver>(own, "Type")->solve(problem, settings, monitor, start);
-  const std::vector<std::string> bodies = sublistNames(scene.sublist("Bodies"));
-  for (const NeutralMotion& motion : result.neutral)
-    monitor.note("body '" + bodies.at(motion.body) + "' can " + motion.words + " without changing any contact force" +
-                 (motion.loaded ? "" : ", and no load acts on it") +
-                 ": its place is not determined along that motion, and it was moved no further than contact asks for");
-  return result;
+  return makeStrategy<OuterSolver>(own, "Type")->solve(problem, settings, monitor, start);
 }
 
 Solution recover(const Comm& comm, const InterfaceProblem& problem, const OuterResult& result, const Subdomains& subdomains,

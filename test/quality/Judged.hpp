@@ -138,6 +138,16 @@ inline Scene blockOnObstacle(double young = 100.0) {
   return scene;
 }
 
+/// A block that its prescribed top lifts off the other and shifts: it carries nothing, and its displacements are those of one motion.
+inline Scene liftedBlock() {
+  Scene scene = scenes::fromBoxes(twoBoxes(16, 8, 2, 2), 100.0, 0.3);
+  scene.pairUp();
+  scene.fixLower();
+  scene.hold("upper_top", 0, 0.3);
+  scene.hold("upper_top", 1, 0.1);
+  return scene;
+}
+
 /// Two scenes that know nothing of each other in one: four blocks, of which the second two are `weak` times as stiff and as loaded.
 inline Scene strongAndWeak(double weak) {
   std::vector<Box> boxes = twoBoxes(16, 8, 2, 2);

@@ -130,6 +130,13 @@ PLANT(ABumpOfTheLongestWave, looseBlock(100.0, 1.0, 16), "residual", {
 PLANT(DisplacementsScaled, pressedBlocks(), "residual", {
   for (int body : {0, 1}) answer.move(body, [&](const Point&, double* u) { u[0] *= 1.0001, u[1] *= 1.0001; });
 })
+PLANT(OneDofOfABodyThatOnlyMoves, liftedBlock(), "nodes", { answer.moveNear(1, {0.2, 0.6, 0}, [&](double* u) { u[0] += 1e-9 * 0.3; }); })
+PLANT(ABodyThatOnlyMovesStretched, liftedBlock(), "residual",
+      { answer.move(1, [&](const Point& x, double* u) { u[1] += 1e-9 * 0.1 * (x[1] - 1); }); })
+PLANT(ABodyThatOnlyMovesMovedFurther, liftedBlock(), "prescribed", { answer.move(1, [&](const Point&, double* u) { u[0] *= 1 + 1e-9; }); })
+PLANT(AForceOnABodyThatOnlyMoves, liftedBlock(), "tension", {
+  if (!answer.pairs.empty()) answer.pairs[3].force = -1e-9;
+})
 PLANT(NotANumberInside, pressedBlocks(), "residual", { answer.moveNear(1, {0.2, 0.6, 0}, [&](double* u) { u[0] = kNaN; }); })
 PLANT(NotANumberAmongTheForces, pressedBlocks(), "tension", {
   if (!answer.pairs.empty()) answer.pairs[2].force = kNaN;

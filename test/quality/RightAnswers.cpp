@@ -37,6 +37,7 @@ TEUCHOS_UNIT_TEST(RightAnswers, OfTheReference) {
     const Judged answer(scene);
     holds(answer.verdict(), success, out);
   }
+  holds(Judged(liftedBlock()).verdict(), success, out);
 }
 
 /// The balance of a scene that is pressed down: loads by their integrals.
