@@ -81,7 +81,7 @@ def kill_one(rng, what, ranks, folder, restart, longest):
     # Before the program listens, a signal does what it does to any program.
     unheard = {-how, 128 + how, 1, -signal.SIGTERM, 128 + signal.SIGTERM}
     left = summary(folder)
-    if code == 0 and left and left["converged"]:
+    if (code == 0 or not hit) and left and left["converged"]:
         return what + " (too late)"
     check(what + ": exit code", code, lambda c: c in unheard or c == 75 and how != signal.SIGKILL)
     check(what + ": no summary, or one of a run that was stopped", left and (left["exit_code"], left["converged"]), lambda s: s in (None, (75, False)))

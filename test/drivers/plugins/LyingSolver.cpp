@@ -23,7 +23,8 @@ class LyingSolver : public OuterSolver {
       : honest_(Registry<OuterSolver>::instance().make(honest, own)), lie_(own.get<double>("Lie")) {}
 
  protected:
-  bool startsItself() const override { return true; }
+  bool worksBySets() const override { return true; }
+  bool wantsAuxiliary() const override { return false; }
   double auxiliaryTolerance(const OuterSettings& settings) const override { return settings.tolerance; }
 
   void doSolve(Run& run) const override {
