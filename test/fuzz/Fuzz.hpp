@@ -74,7 +74,8 @@ class Bytes {
   }
   /// Mostly quarters, now and then what a double may be, too.
   double real() {
-    static const double odd[] = {1e308, -1e308, 5e-324, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), -0.0, 1e-12, 1e20};
+    static const double odd[] = {1e308, -1e308, 5e-324, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
+                                 -0.0,  1e-12,  1e20};
     const int b = byte();
     return b >= 248 ? odd[b - 248] : (b - 124) / 4.0;
   }

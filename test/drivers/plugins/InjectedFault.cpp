@@ -114,7 +114,8 @@ int MPI_Finalize() {
   PMPI_Comm_rank(MPI_COMM_WORLD, &rank);
   if (const char* path = std::getenv("SUTURE_TEST_COUNTS"); path) {
     std::ofstream file(path + ("." + std::to_string(rank)));
-    for (const auto& [phase, count] : Fault::instance().counts) file << rank << ' ' << phase << ' ' << count.messages << ' ' << count.works << '\n';
+    for (const auto& [phase, count] : Fault::instance().counts)
+      file << rank << ' ' << phase << ' ' << count.messages << ' ' << count.works << '\n';
   }
   return PMPI_Finalize();
 }

@@ -1,5 +1,5 @@
-// An outer solver that lies: it solves the problem, disturbs the trace at one node and says that it has converged. The verdict of the run must
-// not believe it. See lies.py.
+// An outer solver that lies: it solves the problem, disturbs the trace at one node and says that it has converged. The verdict of the run
+// must not believe it. See lies.py.
 #include <suture/solver/OuterSolver.hpp>
 
 #include <Teuchos_CommHelpers.hpp>
@@ -19,10 +19,12 @@ Schema schemaOfLies() {
 
 class LyingSolver : public OuterSolver {
  public:
-  explicit LyingSolver(const Parameters& own) : honest_(Registry<OuterSolver>::instance().make(honest, own)), lie_(own.get<double>("Lie")) {}
+  explicit LyingSolver(const Parameters& own)
+      : honest_(Registry<OuterSolver>::instance().make(honest, own)), lie_(own.get<double>("Lie")) {}
 
  protected:
-  bool startsItself() const override { return true; }
+  bool worksBySets() const override { return true; }
+  bool wantsAuxiliary() const override { return false; }
   double auxiliaryTolerance(const OuterSettings& settings) const override { return settings.tolerance; }
 
   void doSolve(Run& run) const override {
@@ -46,6 +48,7 @@ class LyingSolver : public OuterSolver {
   double lie_;
 };
 
-const Registration<OuterSolver> registration("Lying", schemaOfLies(), [](const Parameters& own) { return std::make_unique<LyingSolver>(own); });
+const Registration<OuterSolver> registration("Lying", schemaOfLies(),
+                                             [](const Parameters& own) { return std::make_unique<LyingSolver>(own); });
 
 }  // namespace
