@@ -39,7 +39,13 @@ if(SUTURE_GMSH)
   suture_find_library(gmsh HEADER gmsh.h LIBRARIES gmsh)
 endif()
 
-# Only its run-time functions, for telling CHOLMOD's loops not to spawn threads: no flag, or Eigen would begin to.
+# Only its run-time functions, for telling CHOLMOD's loops not to spawn threads: no flag, or Eigen would begin to. CHOLMOD's library is GNU's,
+# and a second one, Clang's own, would be told in vain.
+if(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+  set(OpenMP_CXX_FLAGS "-fopenmp=libgomp" CACHE STRING "OpenMP as CHOLMOD has it")
+  set(OpenMP_CXX_LIB_NAMES "gomp" CACHE STRING "OpenMP as CHOLMOD has it")
+  find_library(OpenMP_gomp_LIBRARY NAMES gomp libgomp.so.1)
+endif()
 find_package(OpenMP REQUIRED COMPONENTS CXX)
 add_library(suture_openmp INTERFACE)
 add_library(suture::openmp ALIAS suture_openmp)

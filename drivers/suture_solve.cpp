@@ -5,6 +5,7 @@
 #include <suture/base/Timers.hpp>
 #include <suture/elasticity/LockingNotes.hpp>
 #include <suture/report/Figures.hpp>
+#include <suture/solver/SolverSchema.hpp>
 
 #include "support/Program.hpp"
 #include "support/SolveStages.hpp"
@@ -44,6 +45,7 @@ RunResult solveScene(const CommPtr& comm, const SolveOptions& options) {
   printSizes(*comm, file, size, memory, options);
   for (const std::string& note : cut.partition.notes) monitor.note(note);
   for (const std::string& note : lockingNotes(model)) monitor.note(note);
+  for (const std::string& note : looseTolerances(scene)) monitor.note(note);
   if (options.check) return {};
   const auto reference =
       timed(timers, "assemble", [&] { return isMonolithic(scene) ? assembleMonolithic(*comm, mesh, constraints, model) : nullptr; });
@@ -58,10 +60,12 @@ RunResult solveScene(const CommPtr& comm, const SolveOptions& options) {
   problem.reset();  // what is written needs the memory
   subdomains.clear();
   giveBackFreedMemory();
+  timed(timers, "verify", [&] { neutralStage(*comm, cut.meshes, model, cut.whole.pieces, scene, solution, monitor); });
   errorStage(*comm, cut.meshes, model, scene, solution, timers);
   timed(timers, "verify", [&] { verifyStage(*comm, cut.meshes, model, cut.whole.pieces, scene, solution); });
 
   for (const std::string& note : pressureNotes(*comm, cut.whole.pieces, solution)) monitor.note(note);
+  for (const std::string& note : plausibilityNotes(*comm, cut.meshes, cut.whole.pieces, solution)) monitor.note(note);
   return reportStage(
       {*comm, file, model, cut.whole.pieces, cut.meshes, size, solution, monitor, timers, cut.whole.hash, options.commandLine, folder},
       options);

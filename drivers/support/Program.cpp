@@ -30,7 +30,7 @@ void dgemm_(const char*, const char*, const int*, const int*, const int*, const 
 namespace suture {
 namespace {
 
-constexpr double patience = 10.0;  // seconds for the other ranks to arrive, once one has failed
+constexpr double patience = 2.0;  // seconds for the other ranks to arrive, once one has failed
 
 void oneThreadARank() {
   if (omp_set_num_threads && !std::getenv("OMP_NUM_THREADS")) omp_set_num_threads(1);
@@ -67,10 +67,10 @@ void print(const std::string& message) {
   std::fflush(stderr);
 }
 
-[[noreturn]] void abortAll(const std::string& message) {
+[[noreturn]] void abortAll(const std::string& message, ExitCode code = ExitCode::Internal) {
   print(message);
-  MPI_Abort(MPI_COMM_WORLD, int(ExitCode::Internal));
-  std::_Exit(int(ExitCode::Internal));
+  MPI_Abort(MPI_COMM_WORLD, int(code));
+  std::_Exit(int(code));
 }
 
 std::string plural(std::size_t n, const std::string& noun) { return std::to_string(n) + " " + noun + (n == 1 ? "" : "s"); }
@@ -135,7 +135,7 @@ Explanation MeetingPoint::settle(const Explanation& mine) const {
   // A rank that has succeeded waits as long as it takes: the one it waits for comes, or aborts.
   for (MPI_Test(&request, &done, MPI_STATUS_IGNORE); !done; MPI_Test(&request, &done, MPI_STATUS_IGNORE)) {
     if (!mine.message.empty() && MPI_Wtime() - begin > patience)
-      abortAll(mine.message + "  This rank failed alone, the others still wait for it: aborting.\n");
+      abortAll(mine.message + "  This rank failed alone, the others still wait for it: aborting.\n", mine.code);
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
   int rank, ranks, first;

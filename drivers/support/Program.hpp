@@ -12,7 +12,7 @@ namespace suture {
 
 /// Runs the work of a driver between the beginning and the end of MPI and returns the exit code of the program, the same on all ranks.
 /// What the work throws is printed once (see explain()). When a rank fails alone, while the others wait for it in a collective, the last
-/// resort after ten seconds is its message and MPI_Abort(70). One thread a rank, unless the environment says otherwise.
+/// resort after two seconds is its message and MPI_Abort with its exit code. One thread a rank, unless the environment says otherwise.
 /// \param name     of the program, for messages;  \param subject  the file it works on
 int runProgram(const std::string& name, const std::string& subject, const std::function<ExitCode(const CommPtr& comm)>& work);
 
@@ -33,7 +33,7 @@ class MeetingPoint {
   MeetingPoint(const MeetingPoint&) = delete;
   MeetingPoint& operator=(const MeetingPoint&) = delete;
 
-  /// The worst exit code of all ranks, and on all ranks the message of the first one that has one. A rank with a message waits ten seconds
+  /// The worst exit code of all ranks, and on all ranks the message of the first one that has one. A rank with a message waits two seconds
   /// for the others, then prints it and aborts: they wait for it in the work. Collective.
   Explanation settle(const Explanation& mine) const;
 

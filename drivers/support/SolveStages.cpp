@@ -13,6 +13,7 @@
 #include <suture/quality/Verify.hpp>
 #include <suture/report/Checkpoint.hpp>
 #include <suture/report/Units.hpp>
+#include <suture/solver/NeutralMotions.hpp>
 #include <suture/solver/Solvability.hpp>
 
 #include "NestedLevels.hpp"
@@ -100,6 +101,7 @@ std::string bytesOf(const Whole& whole) {
     packer.put(piece.bodyA);
     packer.put(piece.bodyB);
     packer.put(piece.pressureDoubt);
+    packer.put(piece.onAxis);
   }
   return std::move(packer).bytes();
 }
@@ -116,6 +118,7 @@ Whole wholeFrom(const std::string& bytes) {
     unpacker.get(piece.bodyA);
     unpacker.get(piece.bodyB);
     unpacker.get(piece.pressureDoubt);
+    unpacker.get(piece.onAxis);
   }
   return whole;
 }
@@ -184,6 +187,15 @@ void errorStage(const Comm& comm, const std::vector<SubdomainMesh>& meshes, cons
     solution.discretisation = timed(timers, "estimate", [&] { return estimateError(comm, meshes, model, solution.displacement); });
 }
 
+void neutralStage(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model,
+                  const std::vector<ContactPiece>& pieces, const Parameters& scene, Solution& solution, Monitor& monitor) {
+  if (solution.converged) settleNeutralMotions(comm, meshes, model, solution);
+  if (comm.getRank() == 0) solution.onAxis = axisResults(pieces, solution.pairs);
+  for (const NeutralMotion& motion : solution.neutral) monitor.note(inWords(motion));
+  if (scene.sublist("Outer Solver").get<std::string>("Neutral Motions") != "Least") solution.undetermined = undetermined(solution.neutral);
+  if (!solution.undetermined.empty()) solution.failure = solution.undetermined;
+}
+
 void verifyStage(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model,
                  const std::vector<ContactPiece>& pieces, const Parameters& scene, Solution& solution) {
   const double tolerance = requestedAccuracy(scene, solution);
@@ -224,7 +236,7 @@ void printSizes(const Comm& comm, const SceneFile& file, const ProblemSize& size
 }
 
 RunResult reportStage(const Run& run, const SolveOptions& options) {
-  const bool done = run.solution.converged && run.solution.verification.holds();
+  const bool done = run.solution.converged && run.solution.undetermined.empty() && run.solution.verification.holds();
   const ExitCode code = done ? ExitCode::Done : run.solution.stopped ? ExitCode::Stopped : ExitCode::Numerical;
   stopIsHeard();
   const Parameters& output = run.scene.parameters->sublist("Output");

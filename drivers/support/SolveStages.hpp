@@ -79,6 +79,11 @@ std::unique_ptr<InterfaceState> startStage(const CommPtr& comm, const SolveOptio
 void errorStage(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model, const Parameters& scene,
                 Solution& solution, Timers& timers);
 
+/// Motions that the solution leaves free (settleNeutralMotions): notes, or what keeps the run from ending well; pressures on the axis.
+/// Collective.
+void neutralStage(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model,
+                  const std::vector<ContactPiece>& pieces, const Parameters& scene, Solution& solution, Monitor& monitor);
+
 /// Judges the solution by its displacements and contact forces alone. A verdict that does not hold is the run's failure, whatever the
 /// solver believed. Collective.
 void verifyStage(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model,

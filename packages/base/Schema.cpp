@@ -178,10 +178,11 @@ Schema& Schema::each(const std::string& placeholder, Schema schema, int least) {
 }
 
 Schema& Schema::eachReal(const std::string& placeholder, const std::string& doc) {
-  userParameter_.emplace();
-  userParameter_->name = placeholder;
-  userParameter_->kind = Kind::Real;
-  userParameter_->doc = doc;
+  Parameter parameter;
+  parameter.name = placeholder;
+  parameter.kind = Kind::Real;
+  parameter.doc = doc;
+  userParameter_ = std::move(parameter);
   return *this;
 }
 

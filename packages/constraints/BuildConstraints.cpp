@@ -116,6 +116,14 @@ Constraints buildConstraints(const Mesh& mesh, const Parameters& conditionList, 
   problems.throwIfAny();
 
   constraints.pieces = findPieces(lines, paired, constraints.pairs);
+  int base = 0;
+  for (const PairedLine& line : paired) {
+    for (AxisPoint point : line.onAxis) {
+      for (int& id : point.pairs) id += base;
+      constraints.pieces[constraints.pairs[point.pairs[0]].piece].onAxis.push_back(point);
+    }
+    base += static_cast<int>(line.pairs.size());
+  }
   estimatePressures(lines, paired, scales, constraints);
   checkHeld(mesh, constraints, problems);
   problems.throwIfAny();

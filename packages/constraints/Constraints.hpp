@@ -2,6 +2,7 @@
 #include <suture/base/Types.hpp>
 #include <suture/mesh/CellBlock.hpp>
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -52,12 +53,29 @@ std::vector<PairEnd> matchingEnds(int nodeA, int nodeB);
 /// What a pair of this contact force takes from the bodies as a whole: the force of a rigid obstacle on them; zero between bodies. [force]
 Point obstacleForce(const ContactPair& pair, double force);
 
+/// The end of a second-order side on the axis of a body of revolution. Its shape function has no integral over the circle: no pressure has
+/// a force there, no pair stands for it, and nothing is decided by it. What is shown there follows from the two pairs beside it.
+struct AxisPoint {
+  std::array<int, 2> pairs{{-1, -1}};          ///< ids, the nearer one first
+  std::array<double, 2> pressure{{1.0, 0.0}};  ///< weights of their pressures: of a + b r^2 whose means over both are these
+  std::array<double, 2> value{{1.0, 0.0}};     ///< weights of their values at the nodes: of a + b r^2 through these
+  int node = -1;
+  double arc = 0.0;
+  Point position{0, 0, 0}, normal{0, 0, 0};
+
+  template <typename Self, typename Each>
+  static void forEachField(Self& self, const Each& each) {
+    each(self.pairs), each(self.pressure), each(self.value), each(self.node), each(self.arc), each(self.position), each(self.normal);
+  }
+};
+
 /// A connected component of Gamma_c.
 struct ContactPiece {
   std::string name;            ///< of the contact line; "<line> 2" for its second component, "a + b" for lines that touch
   std::vector<int> pairs;      ///< ids
   int bodyA = -1, bodyB = -1;  ///< B: -1 for a rigid obstacle
   double pressureDoubt = 0.0;  ///< estimated error of nodal pressures where straight elements stand for curved sides [stress]
+  std::vector<AxisPoint> onAxis;
 };
 
 /// All that restricts the displacements of a scene: Dirichlet and bilateral rows as nodal rules, contact pairs and pieces. On rank 0, for

@@ -16,7 +16,8 @@ struct PairedLine {
     int first, count;
     bool closed;
   };
-  std::vector<Chain> chains;  ///< connected stretches
+  std::vector<Chain> chains;      ///< connected stretches
+  std::vector<AxisPoint> onAxis;  ///< carrying nodes without a pair
 };
 
 /// The conditions of a contact line: of a rigid obstacle (obstacleLine), of sides whose nodes match (matchingLine), or mortar (mortarLine);

@@ -101,7 +101,21 @@ void ContactCompliance::Closed::forces(LocalView force, const Matrix& e, Matrix&
   force += balance;
 }
 
-void ContactCompliance::Closed::solve(LocalView v, double gaps, Matrix* pairForce) const {
+void ContactCompliance::Closed::refinedForces(LocalView force, const Matrix& e, Matrix& rigid) const {
+  constexpr int kPasses = 2;
+  const Matrix gaps = force, compliance = blockAt(contact_.compliance_, closed_);
+  forces(force, e, rigid);
+  for (int pass = 0; pass < kPasses; ++pass) {
+    const Matrix held = held_.transpose() * rigid;
+    Matrix rest = gaps - compliance * force + gHeld_ * held, change;
+    const Matrix restE = held_ * (held_.transpose() * e - gHeld_.transpose() * force);
+    forces(rest, restE, change);
+    force += rest;
+    rigid += change;
+  }
+}
+
+void ContactCompliance::Closed::solve(LocalView v, double gaps, Matrix* pairForce, const Vector& moved) const {
   const Matrix& kernel = contact_.inverse_.kernel();
   const Matrix e = kernel.transpose() * v;
   contact_.inverse_.apply(v);
@@ -112,9 +126,15 @@ void ContactCompliance::Closed::solve(LocalView v, double gaps, Matrix* pairForc
   gap.noalias() += contact_.rows_.rows * v;
   for (std::size_t i = 0; i < closed_.size(); ++i) closedForce.row(i) = gap.row(closed_[i]);
   if (gaps != 0.0)
-    for (std::size_t i = 0; i < closed_.size(); ++i) closedForce.row(i).array() -= gaps * contact_.rows_.gap(closed_[i]);
+    for (std::size_t i = 0; i < closed_.size(); ++i) {
+      const int row = closed_[i];
+      closedForce.row(i).array() -= gaps * (contact_.rows_.gap(row) - (moved.size() > 0 ? moved(row) : 0.0));
+    }
   Matrix rigid;
-  forces(closedForce, e, rigid);
+  if (pairForce)
+    refinedForces(closedForce, e, rigid);
+  else
+    forces(closedForce, e, rigid);
   LocalView force = gap;  // of all pairs, in the same place
   force.setZero();
   for (std::size_t i = 0; i < closed_.size(); ++i) force.row(closed_[i]) = closedForce.row(i);
@@ -128,15 +148,16 @@ void ContactCompliance::Closed::solve(LocalView v, double gaps, Matrix* pairForc
   if (pairForce) *pairForce = force;
 }
 
-ContactCompliance::State ContactCompliance::solve(LocalView v, const std::vector<PairStatus>& start) const {
+ContactCompliance::State ContactCompliance::solve(LocalView v, const std::vector<PairStatus>& start, const Vector& moved) const {
   const Matrix& kernel = inverse_.kernel();
   const Vector work = kernel.transpose() * v.col(0);
   inverse_.apply(v);
-  const Vector open = rows_.rows * v.col(0) - rows_.gap;
+  const Vector gap = moved.size() > 0 ? Vector(rows_.gap - moved) : rows_.gap;
+  const Vector open = rows_.rows * v.col(0) - gap;
   RigidContact::Pairs data;
   data.rows = rigidRows_;
   data.work = work;
-  data.penetration = -rows_.gap;
+  data.penetration = -gap;
   data.stiffness = kPointCompliance * compliance_.diagonal().cwiseInverse();
   for (int i = 0; i < pairs(); ++i) data.line.push_back(i > 0 && rows_.pairIds[i] == rows_.pairIds[i - 1] + 1 ? data.line.back() : i);
   data.able.assign(pairs(), 1);

@@ -34,8 +34,9 @@ class ContactCompliance {
     /// v (unknowns x right-hand sides), in: loads b, out: solution with N v = gap on the closed pairs. With a kernel left (kernel() has
     /// columns) b must be orthogonal to it, and the solution is one of many.
     /// \param gaps  zero for the homogeneous problem (tangents), one for the gaps of the rows
-    /// \param force  pair forces, pairs x right-hand sides, or null
-    void solve(LocalView v, double gaps, Matrix* force = nullptr) const;
+    /// \param force  pair forces, pairs x right-hand sides, or null; where they are wanted they are refined
+    /// \param moved  what rigid motions beside v add to the rows: their gaps are smaller by it; empty: nothing [length]
+    void solve(LocalView v, double gaps, Matrix* force = nullptr, const Vector& moved = {}) const;
     /// Kernel of the structure with these pairs closed: unknowns x k. By a singular value decomposition of N_A R.
     const Matrix& kernel() const { return kernel_; }
     const std::vector<PairStatus>& status() const { return status_; }
@@ -44,6 +45,8 @@ class ContactCompliance {
     friend class ContactCompliance;
     // force, in: what would be the gaps of the closed pairs; out: their forces.
     void forces(LocalView force, const Matrix& e, Matrix& rigid) const;
+    // The same, refined against the matrix itself: the factor's shift leaves no trace.
+    void refinedForces(LocalView force, const Matrix& e, Matrix& rigid) const;
 
     const ContactCompliance& contact_;
     std::vector<PairStatus> status_;
@@ -58,8 +61,9 @@ class ContactCompliance {
   /// The unilateral problem: forces and gaps >= 0, their product zero, by ContactSearch from `start`, or from rigid bodies on pads where
   /// that set leaves a body loose.
   /// \param v  in: loads b; out: displacements
+  /// \param moved  as in Closed::solve
   /// \throws NumericalError  no equilibrium (a body is pushed away from its contacts)
-  State solve(LocalView v, const std::vector<PairStatus>& start) const;
+  State solve(LocalView v, const std::vector<PairStatus>& start, const Vector& moved = {}) const;
 
   int pairs() const { return rows_.size(); }
   const Matrix& compliance() const { return compliance_; }

@@ -149,29 +149,49 @@ Matrix ContactGroup::heldLoad(const Vector& trace) const {
   return load + rowsAt(load_, interiorPositions_);
 }
 
-ContactGroup::Response ContactGroup::respond(const Vector& trace, const std::vector<PairStatus>& start) const {
+ContactGroup::Response ContactGroup::respond(const Vector& trace, const std::vector<PairStatus>& start, const Vector& moved) const {
   Matrix v = heldLoad(trace);
-  ContactCompliance::State state = held_->solve(v, start);
+  ContactCompliance::State state = held_->solve(v, start, moved);
   Response response;
   response.status = std::move(state.status);
   response.force = std::move(state.force);
   return finish(trace, v.col(0), std::move(response));
 }
 
-ContactGroup::Response ContactGroup::respondLinear(const Vector& trace, const std::vector<PairStatus>& status) const {
+ContactGroup::Response ContactGroup::respondLinear(const Vector& trace, const ContactCompliance::Closed& closed,
+                                                   const Vector& moved) const {
   Matrix v = heldLoad(trace);
   Response response;
   Matrix force;
-  ContactCompliance::Closed(*held_, status).solve(v, 1.0, &force);
-  response.status = status;
+  closed.solve(v, 1.0, &force, moved);
+  response.status = closed.status();
   response.force = force.col(0);
   return finish(trace, v.col(0), std::move(response));
 }
 
-ContactGroup::Response ContactGroup::finish(const Vector& trace, const Vector& interior, Response response) const {
+ContactGroup::Response ContactGroup::changeLinear(const Vector& trace, const ContactCompliance::Closed& closed,
+                                                  const Vector& pairForces) const {
+  Matrix v(static_cast<int>(interiorPositions_.size()), 1), force, flux(trace.size(), 1);
+  interiorLoad(trace, v);
+  v.col(0) -= interiorRows_.rows.transpose() * pairForces;
+  closed.solve(v, 0.0, &force);
+  this->flux(trace, v, flux);
+  Response response;
+  response.status = closed.status();
+  response.force = force.col(0) + pairForces;
+  response.flux = flux.col(0);
+  place(trace, v.col(0), response);
+  return response;
+}
+
+void ContactGroup::place(const Vector& trace, const Vector& interior, Response& response) const {
   response.displacement = Vector(dofs());
   for (std::size_t i = 0; i < interiorPositions_.size(); ++i) response.displacement(interiorPositions_[i]) = interior(i);
   for (std::size_t i = 0; i < boundaryPositions_.size(); ++i) response.displacement(boundaryPositions_[i]) = trace(i);
+}
+
+ContactGroup::Response ContactGroup::finish(const Vector& trace, const Vector& interior, Response response) const {
+  place(trace, interior, response);
   Matrix own(trace.size(), 1);
   flux(trace, interior, own);
   response.flux = own - rowsAt(load_, boundaryPositions_);

@@ -30,10 +30,14 @@ class ContactGroup {
     Vector displacement;             ///< all unknowns of the group
   };
   /// Solves the group's contact problem for a trace, from a status to start with.
-  Response respond(const Vector& trace, const std::vector<PairStatus>& start) const;
+  /// \param moved  what rigid motions of bodies, beside the trace, add to the rows; empty: nothing [length]
+  Response respond(const Vector& trace, const std::vector<PairStatus>& start, const Vector& moved = {}) const;
 
-  /// Response with the pairs of a status glued in the normal direction (at their gaps), the others free: the linear problem (11).
-  Response respondLinear(const Vector& trace, const std::vector<PairStatus>& status) const;
+  /// Response with some pairs glued in the normal direction (at their gaps), the others free: the linear problem (11).
+  /// \param closed  of held()
+  Response respondLinear(const Vector& trace, const ContactCompliance::Closed& closed, const Vector& moved = {}) const;
+  /// Its change with the trace and with forces of pairs, > 0 compressive, that act beside those of the closed ones: without loads and gaps.
+  Response changeLinear(const Vector& trace, const ContactCompliance::Closed& closed, const Vector& pairForces) const;
 
   int id() const { return id_; }
   const std::vector<Member>& members() const { return members_; }
@@ -68,6 +72,7 @@ class ContactGroup {
   void assemble();
   void collectRows();
   Matrix heldLoad(const Vector& trace) const;  // of the interior, one column
+  void place(const Vector& trace, const Vector& interior, Response& response) const;
   Response finish(const Vector& trace, const Vector& interior, Response response) const;
 
   int id_;

@@ -1,5 +1,6 @@
 #include <suture/base/Errors.hpp>
 #include <suture/contact/ContactSearch.hpp>
+#include <suture/contact/HalfPlaneModel.hpp>
 #include <suture/contact/LearntModel.hpp>
 
 #include <algorithm>
@@ -9,9 +10,10 @@ namespace suture {
 
 namespace {
 
-constexpr int kPlainSolves = 12;     // before other sets than plain flips are tried
-constexpr int kPatience = 25;        // solves without a better state before a safe step
-constexpr double kIdle = 1e-10;      // forces below this part of the largest are those of pairs that only touch
+constexpr int kPlainSolves = 12;  // before other sets than plain flips are tried
+constexpr int kModelSolves = 3;   // whose next set the half-planes propose: later ones differ by a pair, which a plain flip finds as well
+constexpr int kPatience = 25;     // solves without a better state before a safe step
+constexpr double kIdle = 1e-10;   // forces below this part of the largest are those of pairs that only touch
 constexpr double kProgress = 1e-13;  // energies that differ by less are equal
 constexpr std::size_t kMemory = 30;  // solves that the model learns from
 
@@ -28,18 +30,31 @@ bool any(const ClosedSet& set) {
 
 ContactSearch::ContactSearch(const RigidContact& rigid, ContactOracle& oracle, int most) : rigid_(rigid), oracle_(oracle), left_(most) {}
 
-/// Solves a set and its holders; afterwards what is loose stands where open pairs penetrate least.
+/// Solves a set and its holders, of which those that the loads press on belong to the set; afterwards what is loose stands where open pairs
+/// penetrate least.
 bool ContactSearch::solve(const ClosedSet& closed) {
   if (left_-- <= 0 || !oracle_.goesOn()) {
     stopped_ = true;
     return false;
   }
   ++solves_;
-  const Matrix loose = rigid_.loose(closed);
-  holding_.assign(closed.size(), 0);
-  for (const int i : rigid_.holders(closed, loose)) holding_[i] = 1;
   set_ = closed;
-  answer_ = oracle_.solve(joined(closed, holding_), level_);
+  holding_.assign(closed.size(), 0);
+  Matrix loose = rigid_.loose(set_);
+  for (bool supported = true; supported;) {
+    supported = false;
+    const std::vector<int> holders = rigid_.holders(set_, loose);
+    const Vector force = rigid_.holderForces(holders, loose);
+    driven_ = force.size() > 0 && force.minCoeff() < 0.0;
+    for (std::size_t k = 0; k < holders.size(); ++k) {
+      supported = supported || force(static_cast<Eigen::Index>(k)) > 0.0;
+      (force(static_cast<Eigen::Index>(k)) > 0.0 ? set_ : holding_)[holders[k]] = 1;
+    }
+    if (!supported) break;
+    holding_.assign(closed.size(), 0);
+    loose = rigid_.loose(set_);
+  }
+  answer_ = oracle_.solve(joined(set_, holding_), level_);
   if (!answer_.solved) {
     failed_ = true;
     return false;
@@ -47,11 +62,11 @@ bool ContactSearch::solve(const ClosedSet& closed) {
   for (std::size_t i = 0; i < closed.size(); ++i)
     if (holding_[i]) answer_.force(static_cast<Eigen::Index>(i)) = 0.0;
   if (loose.cols() > 0) {
-    const Vector motion = loose * rigid_.settle(closed, answer_.penetration, loose);
+    const Vector motion = loose * rigid_.settle(set_, answer_.penetration, loose);
     if (!motion.isZero(0.0)) {
       const Vector moved = rigid_.data().rows * motion;
-      for (std::size_t i = 0; i < closed.size(); ++i)
-        if (!closed[i]) answer_.penetration(static_cast<Eigen::Index>(i)) += moved(static_cast<Eigen::Index>(i));
+      for (std::size_t i = 0; i < set_.size(); ++i)
+        if (!set_[i]) answer_.penetration(static_cast<Eigen::Index>(i)) += moved(static_cast<Eigen::Index>(i));
       oracle_.move(motion);
     }
   }
@@ -120,7 +135,7 @@ void ContactSearch::dropIdle() {
 bool ContactSearch::done() {
   history_.emplace_back(answer_.force, answer_.penetration);
   if (history_.size() > kMemory) history_.erase(history_.begin());
-  if (pulls()) {
+  if (driven_ || pulls()) {
     ++sinceBest_;
     return false;
   }
@@ -141,7 +156,16 @@ bool ContactSearch::done() {
 /// The next set, not met before, without a safe step; false if there is none.
 bool ContactSearch::propose(ClosedSet& next) {
   if (solves_ <= kPlainSolves) {
-    next = guarded(flipped());
+    if (const ClosedSet own = oracle_.proposal(); !own.empty()) {
+      next = guarded(own);
+      if (!proposed(next)) return true;
+    }
+    const ClosedSet plain = flipped();
+    if (learns_ && solves_ <= kModelSolves) {
+      next = guarded(HalfPlaneModel(rigid_).closedSet(set_, plain, answer_.force, answer_.penetration));
+      if (!proposed(next)) return true;
+    }
+    next = guarded(plain);
     if (!proposed(next)) return true;
   }
   if (sinceBest_ >= kPatience || level_ < oracle_.levels() - 1) return false;

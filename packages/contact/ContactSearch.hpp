@@ -34,6 +34,8 @@ class ContactOracle {
   virtual Change redistribute(const ClosedSet& closed, const Vector& given) = 0;
   /// The state of the last solve moves rigidly: `motion` are amplitudes of RigidContact.
   virtual void move(const Vector& motion) = 0;
+  /// A next set better than plain flips, at the state of the last solve as it stands now; empty: none.
+  virtual ClosedSet proposal() { return {}; }
   /// False ends the search after the step in hand.
   virtual bool goesOn() { return true; }
 };
@@ -42,8 +44,9 @@ class ContactOracle {
 ///
 /// A solve has a set of closed pairs; sets that leave a motion loose get holders beside them, which carry no force: no singular matrix is
 /// ever factored. The next set is found by
-///   1. plain flips (closed pairs that pull open, open ones that penetrate close: primal-dual active set) in the first solves; where a flip
-///      would make a body loose, by the equilibrium on the pads from t = c l + w;
+///   1. in the first solves what the oracle proposes (semismooth Newton on condensed groups), or plain flips (closed pairs that pull open,
+///      open ones that penetrate close: primal-dual active set); where a flip would make a body loose, by the equilibrium on the pads from
+///      t = c l + w;
 ///   2. when a set returns, or after many solves: the learnt model (LearntModel) and plain flips in turn;
 ///   3. when that does not help either: a safe step from the best state with l >= 0, along which the dual energy improves strictly. Faces
 ///      of the dual problem are finite: the search ends.
@@ -92,6 +95,7 @@ class ContactSearch {
   ContactOracle& oracle_;
   int left_, solves_ = 0, level_ = 0;
   bool failed_ = false, stopped_ = false;
+  bool driven_ = false;      // loads pull a body away from a holder: no equilibrium
   ClosedSet set_, holding_;  // of the last solve: without holders, holders alone
   ContactAnswer answer_;
   std::vector<ClosedSet> seen_;

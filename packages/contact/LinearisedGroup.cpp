@@ -43,7 +43,7 @@ LinearisedGroup::LinearisedGroup(int id, const ContactGroup& group, const std::v
     text << name() << ": " << held_.kernel().cols() << " rigid motion(s) are held neither by the group's boundary nor by its closed pairs";
     throw NumericalError(text.str());
   }
-  atRest_ = group.respondLinear(Vector::Zero(size()), status);
+  atRest_ = group.respondLinear(Vector::Zero(size()), held_);
   const std::vector<int>& positions = group.boundaryPositions();
   for (int i = 0; i < size(); ++i) diagonal_(i) = group.stiffness().coeff(positions[i], positions[i]);
   std::vector<int> boundaryOf(group.dofs(), -1);

@@ -25,6 +25,8 @@ class LinearisedGroup : public LocalProblem {
 
   const std::vector<PairStatus>& status() const { return status_; }
   const ContactGroup& group() const { return group_; }
+  /// The closed pairs with the group's boundary held.
+  const ContactCompliance::Closed& held() const { return held_; }
 
  private:
   const ContactCompliance::Closed& floating() const;

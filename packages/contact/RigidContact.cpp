@@ -16,6 +16,7 @@ constexpr double kDependent = 1e-9;     // singular value of rows of the order o
 constexpr double kTouching = 1e-12;     // penetration, relative to the gaps' own size, at which a pair touches
 constexpr double kEquilibrium = 1e-12;  // imbalance of pad forces that is rounding
 constexpr double kNoEquilibrium = 1e-8;
+constexpr double kNoWork = 1e-11;  // of loads in a motion, relative to the sum of its parts
 constexpr int kMostSteps = 300;
 constexpr int kPatchRounds = 4;  // fixed point of compliance and patch lengths
 
@@ -208,6 +209,20 @@ std::vector<int> RigidContact::holders(const ClosedSet& closed, const Matrix& lo
     rest -= (rest * direction) * direction.transpose();
   }
   return chosen;
+}
+
+Vector RigidContact::holderForces(const std::vector<int>& holders, const Matrix& loose) const {
+  Vector work = loose.transpose() * pairs_.work;
+  const Vector size = loose.cwiseAbs().transpose() * pairs_.work.cwiseAbs();
+  for (Eigen::Index k = 0; k < work.size(); ++k)
+    if (std::abs(work(k)) <= kNoWork * size(k)) work(k) = 0.0;
+  if (holders.empty() || work.isZero(0.0)) return Vector::Zero(static_cast<Eigen::Index>(holders.size()));
+  const Matrix rows = pairs_.rows(holders, Eigen::all) * loose;
+  Vector force = leastSquares(rows.transpose(), work);
+  const double least = kNoWork * force.cwiseAbs().maxCoeff();
+  for (double& each : force)
+    if (std::abs(each) <= least) each = 0.0;
+  return force;
 }
 
 Vector RigidContact::settle(const ClosedSet& closed, const Vector& penetration, const Matrix& loose) const {

@@ -53,6 +53,9 @@ class RigidContact {
   bool loosens(const ClosedSet& closed) const;
   /// Open pairs that, closed beside a set with the loose motions Z, stop all that pairs can stop: one for each, the best determined.
   std::vector<int> holders(const ClosedSet& closed, const Matrix& loose) const;
+  /// Forces on holders that statics alone ask for, where loads do work in loose motions: > 0 where they press on it. Zero where the work is
+  /// rounding.
+  Vector holderForces(const std::vector<int>& holders, const Matrix& loose) const;
   /// The combination z of loose motions after which open pairs penetrate least: argmin sum (w + rows Z z)_+^2 / c. Zero where none does.
   Vector settle(const ClosedSet& closed, const Vector& penetration, const Matrix& loose) const;
   /// Motions that change no pair with force and make none of the touching ones penetrate, orthonormal; a motion counts if it is free in

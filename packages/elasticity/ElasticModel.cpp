@@ -13,6 +13,7 @@ namespace suture {
 namespace {
 constexpr const char* kAxisymmetric = "Axisymmetric";
 constexpr const char* kMixed = "Mixed";
+constexpr const char* kAutomatic = "Automatic";
 }  // namespace
 
 void addModelParameters(Schema& scene) {
@@ -43,12 +44,16 @@ Schema materialSchema() {
       .oneOf("Type", "Isotropic", {"Isotropic"}, "The law: isotropic linear elasticity.")
       .real("Young Modulus", std::nullopt, "Stress over strain in a bar pulled along its axis.", Range::positive(), "stress")
       .real("Poisson Ratio", std::nullopt, "Contraction across over extension along a bar.", poisson)
-      .oneOf("Element", "Displacement", {"Displacement", kMixed},
-             "Unknowns of the elements of this material. Mixed: also a pressure in each element, discontinuous and eliminated there, for "
-             "nearly incompressible materials, where Displacement elements lock: constant in Quadrilateral4, Quadrilateral8 and Triangle6, "
-             "linear in Quadrilateral9; not for 3-node triangles, and not in plane stress, where nothing locks.")
+      .oneOf(
+          "Element", kAutomatic, {kAutomatic, "Displacement", kMixed},
+          "Unknowns of the elements of this material. Automatic: Mixed with a Poisson ratio above 0.49 (plane strain, axisymmetric), else "
+          "Displacement. Mixed: also a pressure in each element, discontinuous and eliminated there, for "
+          "nearly incompressible materials, where Displacement elements lock: constant in Quadrilateral4, Quadrilateral8 and Triangle6, "
+          "linear in Quadrilateral9; not for 3-node triangles, and not in plane stress, where nothing locks.")
       .boolean("Allow Locking", false,
-               "Accept 3-node triangles with a Poisson ratio above 0.49 (plane strain, axisymmetric): they are much too stiff there.");
+               "Accept 3-node triangles with a Poisson ratio above 0.49 (plane strain, axisymmetric), as Displacement elements: they are "
+               "much too "
+               "stiff there, and a warning says so.");
 }
 
 Matrix elasticity(const Material& material, PlaneModel plane, int dimension) {
@@ -104,7 +109,7 @@ Load loadOf(const Parameters& condition, const std::vector<std::string>& bodies,
 }
 
 // What the parameter `Material` of a list names.
-Material materialNamedIn(const Parameters& list, const Parameters& materials, Problems& problems) {
+Material materialNamedIn(const Parameters& list, const Parameters& materials, PlaneModel plane, Problems& problems) {
   Material material;
   material.name = list.get<std::string>("Material");
   const std::vector<std::string> known = sublistNames(materials);
@@ -115,8 +120,11 @@ Material materialNamedIn(const Parameters& list, const Parameters& materials, Pr
   const Parameters& own = materials.sublist(material.name);
   material.young = own.get<double>("Young Modulus");
   material.poisson = own.get<double>("Poisson Ratio");
-  if (textOf(own, "Element") == kMixed) material.element = ElementForm::Mixed;
+  const std::string element = textOf(own, "Element");
+  material.named = !element.empty() && element != kAutomatic;
   material.allowLocking = own.isType<bool>("Allow Locking") && own.get<bool>("Allow Locking");
+  const bool locks = plane == PlaneModel::Strain && material.poisson > kLockingPoisson && !material.allowLocking;
+  if (element == kMixed || (!material.named && locks)) material.element = ElementForm::Mixed;
   return material;
 }
 
@@ -149,8 +157,8 @@ void checkElements(const CellBlock& block, const std::function<int(int element)>
     if (block.cells[e] != Cell::Triangle3) continue;
     const int body = bodyOf(e);
     const Material& material = model.materialOf(block, e, body);
-    const bool mixed = material.element == ElementForm::Mixed;
-    const bool locks = model.plane == PlaneModel::Strain && material.poisson > kLockingPoisson && !material.allowLocking;
+    const bool mixed = material.named && material.element == ElementForm::Mixed;
+    const bool locks = model.plane == PlaneModel::Strain && material.poisson > kLockingPoisson && !material.allowLocking && !material.named;
     if ((!mixed && !locks) || !seen.insert({&material, body}).second) continue;
     std::ostringstream text;
     if (mixed)
@@ -158,8 +166,10 @@ void checkElements(const CellBlock& block, const std::function<int(int element)>
     else
       text << material.poisson << " with 3-node triangles in the body '" << model.bodies[body] << "': above " << kLockingPoisson
            << " they lock (the body becomes far too stiff)";
-    text << ". Mesh it with 6-node triangles or quadrilaterals and choose Materials/" << material.name << "/Element = Mixed";
-    if (!mixed) text << ", or set Materials/" << material.name << "/Allow Locking if that is what you want to see";
+    text << ". Mesh it with 6-node triangles or quadrilaterals";
+    if (!mixed)
+      text << ", for which Materials/" << material.name << "/Element = Mixed is chosen, or choose Displacement there, or set Materials/"
+           << material.name << "/Allow Locking, if locking is what you want to see";
     Problem found{"Materials/" + material.name + (mixed ? "/Element" : "/Poisson Ratio"), text.str()};
     const auto& all = problems.list();
     if (std::none_of(all.begin(), all.end(), [&](const Problem& p) { return p.path == found.path && p.message == found.message; }))
@@ -177,9 +187,10 @@ ElasticModel makeElasticModel(const Parameters& scene) {
   const Parameters& bodies = scene.sublist("Bodies");
   const Parameters& materials = scene.sublist("Materials");
   model.bodies = sublistNames(bodies);
-  for (const std::string& body : model.bodies) model.materialOfBody.push_back(materialNamedIn(bodies.sublist(body), materials, problems));
+  for (const std::string& body : model.bodies)
+    model.materialOfBody.push_back(materialNamedIn(bodies.sublist(body), materials, model.plane, problems));
   for (const RegionEntry& region : regionEntries(bodies))
-    model.materialOfRegion.push_back(materialNamedIn(*region.list, materials, problems));
+    model.materialOfRegion.push_back(materialNamedIn(*region.list, materials, model.plane, problems));
   if (model.plane == PlaneModel::Stress)
     for (const std::string& name : sublistNames(materials))
       if (textOf(materials.sublist(name), "Element") == kMixed)

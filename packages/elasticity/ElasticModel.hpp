@@ -22,7 +22,8 @@ struct Material {
   double young = 0.0;
   double poisson = 0.0;
   ElementForm element = ElementForm::Displacement;
-  bool allowLocking = false;  ///< 3-node triangles although nu is near 0.5
+  bool allowLocking = false;  ///< displacement elements, 3-node triangles among them, although nu is near 0.5
+  bool named = false;         ///< the scene names the element; else it was chosen: one that does not lock
 };
 
 /// What is zero across the plane. Axisymmetric scenes have the law of plane strain, with a hoop strain: their geometry is the mesh's
@@ -79,9 +80,9 @@ void requireGeometry(const CellBlock& block, const ElasticModel& model);
 /// 3-node triangles that lock: of materials above this Poisson ratio, but in plane stress.
 constexpr double kLockingPoisson = 0.49;
 
-/// Elements that do not go with their materials: 3-node triangles that lock (unless the material's `Allow Locking` is set) or are to be
-/// Mixed. Local. \param bodyOf  body of each element \param problems  gets one for each material and body: how many, what to choose
-/// instead, with the path of the material's parameter
+/// Elements that do not go with their materials: 3-node triangles that lock (unless Displacement is asked for by name, or the material's
+/// `Allow Locking` is set) or are asked to be Mixed. Local. \param bodyOf  body of each element \param problems  gets one for each material
+/// and body: how many, what to choose instead, with the path of the material's parameter
 void checkElements(const CellBlock& block, const std::function<int(int element)>& bodyOf, const ElasticModel& model, Problems& problems);
 
 /// Schemas of `Model` (added to the scene's top list), one entry of `Bodies`, one of `Materials`.

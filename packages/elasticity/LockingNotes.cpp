@@ -11,11 +11,12 @@ std::vector<std::string> lockingNotes(const ElasticModel& model) {
   std::vector<Material> all = model.materialOfBody;
   all.insert(all.end(), model.materialOfRegion.begin(), model.materialOfRegion.end());
   for (const Material& material : all) {
-    if (material.poisson <= kLockingPoisson || material.element == ElementForm::Mixed || material.allowLocking) continue;
+    if (material.poisson <= kLockingPoisson || material.element == ElementForm::Mixed) continue;
     std::ostringstream text;
-    text << "Materials/" << material.name << ": Poisson ratio " << material.poisson
-         << " with Element = Displacement: linear elements lock, and the pressures of quadratic ones are far off; Element = Mixed has "
-            "neither";
+    text << "warning: Materials/" << material.name << ": Poisson ratio " << material.poisson
+         << " with Element = Displacement: linear elements lock (displacements come out too small, by factors), and the pressures of "
+            "quadratic ones "
+            "are far off; Element = Automatic or Mixed has neither";
     if (std::find(notes.begin(), notes.end(), text.str()) == notes.end()) notes.push_back(text.str());
   }
   return notes;

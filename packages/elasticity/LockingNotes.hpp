@@ -3,8 +3,8 @@
 
 namespace suture {
 
-/// What a user should know of materials above kLockingPoisson with Element = Displacement: one sentence a material. None in plane stress,
-/// nor where `Allow Locking` says that it is known. (3-node triangles are refused, see checkElements().) Local.
+/// Warnings on materials above kLockingPoisson with displacement elements, which are there by the scene's word only (Element =
+/// Displacement, Allow Locking): one sentence a material. None in plane stress. Local.
 std::vector<std::string> lockingNotes(const ElasticModel& model);
 
 }  // namespace suture

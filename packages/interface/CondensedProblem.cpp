@@ -93,6 +93,41 @@ CondensedProblem::CondensedProblem(CommPtr comm, const Partition& partition, con
   for (const auto& group : groups_) mine += group->rows().size();
   pairs_ = sumOver(*comm_, mine);
   for (const auto& pieces : partition.piecesOf) pieces_ += static_cast<int>(pieces.size());
+  linearised_.resize(groups_.size());
+  if (pairs_ > 0) sets_ = std::make_unique<CondensedSets>(*comm_, *this, subdomains_);
+}
+
+Vector CondensedProblem::movedRows(int group, const InterfaceState& state) const {
+  return sets_ ? sets_->movedRows(group, state) : Vector();
+}
+
+std::shared_ptr<const LinearisedGroup> CondensedProblem::linearised(int group, const std::vector<PairStatus>& status) const {
+  auto& kept = linearised_[group];
+  if (!kept || kept->status() != status)
+    kept = std::make_shared<const LinearisedGroup>(subdomainCount_ + groups_[group]->id(), *groups_[group], status);
+  return kept;
+}
+
+double CondensedProblem::addPlain(const std::vector<Vector>& trace, Matrix& force) const {
+  double energy = 0.0;
+  collectively(*comm_, "applying the subdomains without contact", [&] {
+    for (std::size_t i = 0; i < plain_.size(); ++i) {
+      Matrix flux(trace[i].size(), 1);
+      plain_[i]->applySchur(trace[i], flux);
+      const Vector load = plain_[i]->condensedLoad();
+      energy += plain_[i]->constantEnergy() + trace[i].dot(0.5 * flux.col(0) - load);
+      space_->coupling(static_cast<int>(i)).addTransposed(load - flux.col(0), force);
+    }
+  });
+  return energy;
+}
+
+void CondensedProblem::addPlainEnergies(const std::vector<Vector>& trace, const std::function<void(int, double)>& add) const {
+  for (std::size_t i = 0; i < plain_.size(); ++i) {
+    Matrix flux(trace[i].size(), 1);
+    plain_[i]->applySchur(trace[i], flux);
+    add(plainSubdomain_[i], trace[i].dot(flux.col(0)));
+  }
 }
 
 InterfaceState CondensedProblem::initialState() const {
@@ -143,19 +178,12 @@ InterfaceProblem::Evaluation CondensedProblem::evaluate(const InterfaceState& st
   Matrix force = Matrix::Zero(static_cast<int>(space_->overlap()->getNodeNumElements()), 1);
   Evaluation result;
   result.next.resize(plain_.size());
-  double energy = 0.0;
+  double energy = addPlain(trace, force);
   int changed = 0, active = 0;
   collectively(*comm_, "solving the local contact problems", [&] {
-    for (std::size_t i = 0; i < plain_.size(); ++i) {
-      Matrix flux(trace[i].size(), 1);
-      plain_[i]->applySchur(trace[i], flux);
-      const Vector load = plain_[i]->condensedLoad();
-      energy += plain_[i]->constantEnergy() + trace[i].dot(0.5 * flux.col(0) - load);
-      space_->coupling(static_cast<int>(i)).addTransposed(load - flux.col(0), force);
-    }
     for (std::size_t g = 0; g < groups_.size(); ++g) {
       const std::size_t i = plain_.size() + g;
-      ContactGroup::Response response = groups_[g]->respond(trace[i], state.status[i]);
+      ContactGroup::Response response = groups_[g]->respond(trace[i], state.status[i], movedRows(static_cast<int>(g), state));
       energy += response.energy;
       space_->coupling(static_cast<int>(i)).addTransposed(-response.flux, force);
       for (std::size_t p = 0; p < response.status.size(); ++p) changed += response.status[p] != state.status[i][p];
@@ -165,7 +193,7 @@ InterfaceProblem::Evaluation CondensedProblem::evaluate(const InterfaceState& st
   });
   result.residual = space_->vector();
   space_->scatterAdd(force, *result.residual);
-  result.energy = sumOver(*comm_, energy);
+  result.energy = sumOver(*comm_, energy) - (sets_ ? sets_->rigidWork(state) : 0.0);
   result.changed = sumOver(*comm_, changed);
   result.active = sumOver(*comm_, active);
   return result;
@@ -175,11 +203,20 @@ InterfaceProblem::Linearisation CondensedProblem::linearise(const InterfaceState
   LocalProblems locals(plain_.begin(), plain_.end());
   collectively(*comm_, "linearising the contact groups", [&] {
     for (std::size_t g = 0; g < groups_.size(); ++g)
-      locals.push_back(std::make_shared<LinearisedGroup>(subdomainCount_ + groups_[g]->id(), *groups_[g], state.status[plain_.size() + g]));
+      locals.push_back(linearised(static_cast<int>(g), state.status[placeOfGroup(static_cast<int>(g))]));
   });
   Linearisation result;
-  result.matrix = Teuchos::rcp(new InterfaceOperator(space_, std::move(locals)));
-  result.load = result.matrix->condensedLoad();
+  result.matrix = Teuchos::rcp(new InterfaceOperator(space_, locals));
+  const std::vector<Vector> trace = traces(*state.trace);
+  Matrix force = Matrix::Zero(space_->overlapSize(), 1);
+  addPlain(trace, force);
+  for (std::size_t g = 0; g < groups_.size(); ++g) {
+    const int number = static_cast<int>(g), place = placeOfGroup(number);
+    const auto group = linearised(number, state.status[place]);
+    space_->coupling(place).addTransposed(-groups_[g]->respondLinear(trace[place], group->held(), movedRows(number, state)).flux, force);
+  }
+  result.load = space_->vector();
+  space_->scatterAdd(force, *result.load);
   return result;
 }
 
@@ -200,11 +237,12 @@ InterfaceProblem::Recovered CondensedProblem::recover(const InterfaceState& stat
       values = plain_[i]->recover(trace[i]);
       const Subdomain& subdomain = plain_[i]->subdomain();
       energy += 0.5 * values.dot(subdomain.stiffness() * values) - values.dot(subdomain.load()) + subdomain.constantEnergy();
+      if (sets_) sets_->bodies().addMotion(plainSubdomain_[i], subdomain, state.rigid, values);
     }
     for (std::size_t g = 0; g < groups_.size(); ++g) {
       const ContactGroup& group = *groups_[g];
       const std::size_t i = plain_.size() + g;
-      const ContactGroup::Response response = group.respond(trace[i], state.status[i]);
+      const ContactGroup::Response response = group.respond(trace[i], state.status[i], movedRows(static_cast<int>(g), state));
       energy += response.energy;
       std::map<GlobalId, Point> moved;  // node of the mesh -> displacement, for the pairs
       for (std::size_t m = 0; m < group.members().size(); ++m) {
@@ -212,6 +250,7 @@ InterfaceProblem::Recovered CondensedProblem::recover(const InterfaceState& stat
         Vector& values = result.freeValues[groupMembers_[g][m]];
         values = Vector(subdomain.dofs());
         for (int k = 0; k < subdomain.dofs(); ++k) values(k) = response.displacement(group.positionsOf(static_cast<int>(m))[k]);
+        if (sets_) sets_->bodies().addMotion(groupMembers_[g][m], subdomain, state.rigid, values);
         const Vector cartesian = subdomain.cartesian(values);
         for (const SubdomainMesh::ContactEnd& end : subdomain.mesh().contactEnds)
           for (int k = 0; k < subdomain.components(); ++k)
@@ -230,7 +269,7 @@ InterfaceProblem::Recovered CondensedProblem::recover(const InterfaceState& stat
         result.pairs.push_back({pair, PairStatus::Open, 0.0, gapOf(pair), moved[pair.node()]});
     }
   });
-  result.energy = sumOver(*comm_, energy);
+  result.energy = sumOver(*comm_, energy) - (sets_ ? sets_->rigidWork(state) : 0.0);
   return result;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 #include <suture/contact/ContactGroup.hpp>
 #include <suture/contact/LinearisedGroup.hpp>
+#include <suture/interface/CondensedSets.hpp>
 #include <suture/interface/InterfaceProblem.hpp>
 #include <suture/partition/Partition.hpp>
 #include <suture/subdomain/SubdomainProblem.hpp>
@@ -32,10 +33,25 @@ class CondensedProblem : public InterfaceProblem {
   int pieces() const override { return pieces_; }
   int pairs() const override { return pairs_; }
 
+  /// Null without pairs that can change.
+  const ContactSets* sets() const override { return sets_.get(); }
+
   const std::vector<std::unique_ptr<ContactGroup>>& groups() const { return groups_; }
 
  private:
+  friend class CondensedSets;
   std::vector<Vector> traces(const MultiVector& trace) const;
+  /// Of a group among local problems and statuses.
+  int placeOfGroup(int group) const { return static_cast<int>(plain_.size()) + group; }
+  /// Places of a group's members among the subdomains of this rank.
+  const std::vector<int>& membersOf(int group) const { return groupMembers_[group]; }
+  /// A group with a status; the last one is kept. Local.
+  std::shared_ptr<const LinearisedGroup> linearised(int group, const std::vector<PairStatus>& status) const;
+  /// Adds F - S_0 U of the plain subdomains, this rank's part, and returns their energy. Collective.
+  double addPlain(const std::vector<Vector>& trace, Matrix& force) const;
+  /// U.S U of each plain subdomain, by its place. Local.
+  void addPlainEnergies(const std::vector<Vector>& trace, const std::function<void(int subdomain, double energy)>& add) const;
+  Vector movedRows(int group, const InterfaceState& state) const;
 
   CommPtr comm_;
   const std::vector<std::unique_ptr<Subdomain>>& subdomains_;
@@ -46,6 +62,8 @@ class CondensedProblem : public InterfaceProblem {
   std::vector<std::vector<int>> groupMembers_;                  // and of each group's members
   std::shared_ptr<const InterfaceSpace> space_;
   int pieces_ = 0, pairs_ = 0;
+  std::unique_ptr<CondensedSets> sets_;
+  mutable std::vector<std::shared_ptr<const LinearisedGroup>> linearised_;  // of each group
 };
 
 }  // namespace suture

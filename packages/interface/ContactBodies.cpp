@@ -33,10 +33,27 @@ struct PairData {
 
 ContactBodies::ContactBodies(const Comm& comm, const std::vector<std::unique_ptr<Subdomain>>& subdomains,
                              const std::map<int, double>& pairStiffness) {
-  int mine = subdomains.empty() ? 0 : subdomains.front()->components();
-  Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, mine, Teuchos::outArg(dimension_));
-  std::vector<const SubdomainMesh*> meshes;
+  Meshes meshes;
   for (const auto& subdomain : subdomains) meshes.push_back(&subdomain->mesh());
+  findParts(comm, meshes);
+  RigidContact::Pairs pairs = gatherPairs(comm, meshes, pairStiffness);
+  pairs.work = work(comm, subdomains);
+  rigid_ = std::make_unique<RigidContact>(std::move(pairs));
+}
+
+ContactBodies::ContactBodies(const Comm& comm, const Meshes& meshes) {
+  findParts(comm, meshes);
+  std::map<int, double> ones;
+  for (const SubdomainMesh* mesh : meshes)
+    for (const ContactRow& row : mesh->contactRows) ones[row.pair.id] = 1.0;
+  RigidContact::Pairs pairs = gatherPairs(comm, meshes, ones);
+  pairs.work = Vector::Zero(motions_);
+  rigid_ = std::make_unique<RigidContact>(std::move(pairs));
+}
+
+void ContactBodies::findParts(const Comm& comm, const Meshes& meshes) {
+  int mine = meshes.empty() ? 0 : meshes.front()->dimension;
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, mine, Teuchos::outArg(dimension_));
   BodyParts found(comm, meshes, dimension_);
   parts_ = std::move(found.parts);
   lift_ = std::move(found.lift);
@@ -45,19 +62,22 @@ ContactBodies::ContactBodies(const Comm& comm, const std::vector<std::unique_ptr
     first_.push_back(motions_);
     motions_ += static_cast<int>(part.free.cols());
   }
-  RigidContact::Pairs pairs = gatherPairs(comm, subdomains, pairStiffness);
-  pairs.work = work(comm, subdomains);
-  rigid_ = std::make_unique<RigidContact>(std::move(pairs));
 }
 
-RigidContact::Pairs ContactBodies::gatherPairs(const Comm& comm, const std::vector<std::unique_ptr<Subdomain>>& subdomains,
-                                               const std::map<int, double>& pairStiffness) const {
+RigidContact::Pairs ContactBodies::gatherPairs(const Comm& comm, const Meshes& meshes, const std::map<int, double>& pairStiffness) const {
   const int amplitudes = dimension_ == 2 ? 3 : 6;
   std::map<std::pair<int, GlobalId>, Term> terms;
   std::map<int, PairData> own;
-  for (std::size_t s = 0; s < subdomains.size(); ++s) {
-    const Subdomain& subdomain = *subdomains[s];
-    const SubdomainMesh& mesh = subdomain.mesh();
+  for (std::size_t s = 0; s < meshes.size(); ++s) {
+    const SubdomainMesh& mesh = *meshes[s];
+    std::map<int, const NodeRule*> ruleOf;
+    for (const NodeRule& rule : mesh.rules) ruleOf[rule.node] = &rule;
+    const auto direction = [&](int node, int component) {
+      if (const auto rule = ruleOf.find(node); rule != ruleOf.end()) return rule->second->axes[component];
+      Point axis{0, 0, 0};
+      axis[component] = 1.0;
+      return axis;
+    };
     for (const ContactRow& row : mesh.contactRows) {
       if (const auto stiffness = pairStiffness.find(row.pair.id); stiffness != pairStiffness.end())
         own.emplace(row.pair.id, PairData{row.pair.id, row.pair.line, row.gap, stiffness->second, !row.dofs.empty()});
@@ -65,9 +85,9 @@ RigidContact::Pairs ContactBodies::gatherPairs(const Comm& comm, const std::vect
         const auto at = std::lower_bound(mesh.globalNodes.begin(), mesh.globalNodes.end(), row.dofs[i] / dimension_);
         if (at == mesh.globalNodes.end() || *at != row.dofs[i] / dimension_) continue;
         const int node = static_cast<int>(at - mesh.globalNodes.begin());
-        const int dof = subdomain.dof(node, static_cast<int>(row.dofs[i] % dimension_));
         Term term{row.pair.id, partOf_[s], row.dofs[i], {}};
-        const Vector moved = along(parts_[partOf_[s]], mesh.point(node), subdomain.direction(dof), dimension_);
+        const Point axis = direction(node, static_cast<int>(row.dofs[i] % dimension_));
+        const Vector moved = along(parts_[partOf_[s]], mesh.point(node), axis, dimension_);
         for (int k = 0; k < amplitudes; ++k) term.amplitudes[k] = row.coefficients[i] * moved(k);
         terms.emplace(std::make_pair(row.pair.id, row.dofs[i]), term);
       }
@@ -136,6 +156,18 @@ Vector ContactBodies::work(const Comm& comm, const std::vector<std::unique_ptr<S
 
 Vector ContactBodies::amplitudes(int part, const Vector& motion) const {
   return parts_[part].free * motion.segment(first_[part], parts_[part].free.cols());
+}
+
+void ContactBodies::addMotion(int place, const Subdomain& subdomain, const Vector& motion, Vector& values) const {
+  if (motion.size() == 0) return;
+  const RigidPart& part = parts_[partOf_[place]];
+  if (part.free.cols() == 0) return;
+  const Vector own = amplitudes(partOf_[place], motion);
+  for (int dof = 0; dof < subdomain.dofs(); ++dof) {
+    const Point moved = part.displacement(subdomain.mesh().point(subdomain.nodeOf(dof)), own, subdomain.components());
+    const Point along = subdomain.direction(dof);
+    values(dof) += moved[0] * along[0] + moved[1] * along[1] + moved[2] * along[2];
+  }
 }
 
 }  // namespace suture

@@ -17,6 +17,8 @@ class ContactBodies {
   /// \param pairStiffness  by pair id, of those that this rank answers for: 1 / sum n^2 / K_nn [force / length]
   /// Collective.
   ContactBodies(const Comm& comm, const std::vector<std::unique_ptr<Subdomain>>& subdomains, const std::map<int, double>& pairStiffness);
+  /// Geometry alone: no loads, pads of stiffness one, penetrations of the initial gaps less what supports close. Collective.
+  ContactBodies(const Comm& comm, const std::vector<const SubdomainMesh*>& meshes);
 
   const RigidContact& rigid() const { return *rigid_; }
   RigidContact& rigid() { return *rigid_; }
@@ -26,10 +28,16 @@ class ContactBodies {
   int partOf(int subdomain) const { return partOf_[subdomain]; }
   /// The motions of one part among those of all, as amplitudes of the part.
   Vector amplitudes(int part, const Vector& motion) const;
+  /// Column of a part's first motion among those of all.
+  int firstMotion(int part) const { return first_[part]; }
+  /// Adds motions (empty: none) to the free values of a subdomain of this rank.
+  /// \param place  of the subdomain
+  void addMotion(int place, const Subdomain& subdomain, const Vector& motion, Vector& values) const;
 
  private:
-  RigidContact::Pairs gatherPairs(const Comm& comm, const std::vector<std::unique_ptr<Subdomain>>& subdomains,
-                                  const std::map<int, double>& pairStiffness) const;
+  using Meshes = std::vector<const SubdomainMesh*>;
+  void findParts(const Comm& comm, const Meshes& meshes);
+  RigidContact::Pairs gatherPairs(const Comm& comm, const Meshes& meshes, const std::map<int, double>& pairStiffness) const;
   Vector work(const Comm& comm, const std::vector<std::unique_ptr<Subdomain>>& subdomains) const;
 
   int dimension_ = 2;

@@ -1,4 +1,5 @@
 #include <suture/base/Collective.hpp>
+#include <suture/base/Dense.hpp>
 #include <suture/interface/ContactInterfaceProblem.hpp>
 #include <suture/interface/SeamLayout.hpp>
 
@@ -64,7 +65,9 @@ ContactInterfaceProblem::ContactInterfaceProblem(CommPtr comm, const Partition& 
   double energy = 0.0;
   for (std::size_t i = 0; i < locals_.size(); ++i) {
     space_->coupling(static_cast<int>(i)).addTransposed(locals_[i]->condensedLoad(), load_);
-    space_->coupling(static_cast<int>(i)).addTransposed(locals_[i]->stiffnessDiagonal(), stiffness);
+    // A surface gives way to contact by change of shape, also where volume does not change.
+    const Vector& shear = locals_[i]->shearDiagonal();
+    space_->coupling(static_cast<int>(i)).addTransposed(shear.size() > 0 ? shear : locals_[i]->stiffnessDiagonal(), stiffness);
     energy += locals_[i]->constantEnergy();
   }
   space_->sum(load_);
@@ -295,6 +298,56 @@ void ContactInterfaceProblem::findBodies() {
   for (std::size_t s = 0; s < locals_.size(); ++s)
     for (const int place : space_->coupling(static_cast<int>(s)).columns())
       if (const int at = space_->ownedRow(place); at >= 0) partOfOwned_[at] = bodies_->partOf(static_cast<int>(s));
+  findMotions();
+}
+
+void ContactInterfaceProblem::findMotions() {
+  const int all = bodies_->rigid().motions();
+  if (all == 0) return;
+  Eigen::Index most = 0;
+  for (const RigidPart& part : bodies_->parts()) most = std::max(most, part.free.cols());
+  motionsOfOwned_ = Matrix::Zero(static_cast<Eigen::Index>(partOfOwned_.size()), most);
+  Matrix mine = Matrix::Zero(all, all);
+  for (std::size_t s = 0; s < subdomains_.size(); ++s) {
+    const Subdomain& subdomain = *subdomains_[s];
+    const int number = bodies_->partOf(static_cast<int>(s)), first = bodies_->firstMotion(number);
+    const RigidPart& part = bodies_->parts()[number];
+    if (part.free.cols() == 0) continue;
+    for (int dof = 0; dof < subdomain.dofs(); ++dof) {
+      const auto at = space_->map()->getLocalElement(subdomain.globalDof(dof));
+      if (at < 0 || !motionsOfOwned_.row(at).isZero(0.0)) continue;
+      const Point along = subdomain.direction(dof);
+      const Matrix moved = part.at(subdomain.mesh().point(subdomain.nodeOf(dof)), subdomain.components());
+      const Vector own = part.free.transpose() * (moved.transpose() * Eigen::Map<const Vector>(along.data(), moved.rows()));
+      motionsOfOwned_.row(at).head(own.size()) = own.transpose();
+      mine.block(first, first, own.size(), own.size()) += own * own.transpose();
+    }
+  }
+  motionsSquared_ = mine;
+  Teuchos::reduceAll(*comm_, Teuchos::REDUCE_SUM, static_cast<int>(mine.size()), mine.data(), motionsSquared_.data());
+}
+
+void ContactInterfaceProblem::separate(InterfaceState& state) const {
+  if (motionsSquared_.size() == 0) return;
+  auto owned = localView(*state.trace);
+  Vector mine = Vector::Zero(motionsSquared_.rows()), sums = mine;
+  const auto columns = [&](std::size_t at) {
+    const int part = partOfOwned_[at];
+    return std::make_pair(bodies_->firstMotion(part), bodies_->parts()[part].free.cols());
+  };
+  for (std::size_t k = 0; k < partOfOwned_.size(); ++k) {
+    const auto [first, count] = columns(k);
+    const auto at = static_cast<Eigen::Index>(k);
+    mine.segment(first, count) += owned(at, 0) * motionsOfOwned_.row(at).head(count).transpose();
+  }
+  Teuchos::reduceAll(*comm_, Teuchos::REDUCE_SUM, static_cast<int>(mine.size()), mine.data(), sums.data());
+  const Vector motion = leastSquares(motionsSquared_, sums);
+  for (std::size_t k = 0; k < partOfOwned_.size(); ++k) {
+    const auto [first, count] = columns(k);
+    const auto at = static_cast<Eigen::Index>(k);
+    owned(at, 0) -= motionsOfOwned_.row(at).head(count).dot(motion.segment(first, count));
+  }
+  move(state, motion);
 }
 
 Matrix ContactInterfaceProblem::everywhere(const Matrix& ofRows) const {
@@ -349,20 +402,6 @@ double ContactInterfaceProblem::rigidWork(const InterfaceState& state) const {
   return state.rigid.size() > 0 ? bodies_->rigid().data().work.dot(state.rigid) : 0.0;
 }
 
-void ContactInterfaceProblem::addRigid(int local, const Vector& rigid, Vector& values) const {
-  if (rigid.size() == 0) return;
-  const Subdomain& subdomain = *subdomains_[local];
-  const int number = bodies_->partOf(local);
-  const RigidPart& part = bodies_->parts()[number];
-  if (part.free.cols() == 0) return;
-  const Vector amplitudes = bodies_->amplitudes(number, rigid);
-  for (int dof = 0; dof < subdomain.dofs(); ++dof) {
-    const Point moved = part.displacement(subdomain.mesh().point(subdomain.nodeOf(dof)), amplitudes, subdomain.components());
-    const Point along = subdomain.direction(dof);
-    values(dof) += moved[0] * along[0] + moved[1] * along[1] + moved[2] * along[2];
-  }
-}
-
 MultiVectorPtr ContactInterfaceProblem::loadOf(const Vector& pairForces, const ContactStatus& status) const {
   Matrix imbalance = Matrix::Zero(space_->overlapSize(), 1);
   for (std::size_t i = 0; i < rows_.size(); ++i) {
@@ -398,6 +437,12 @@ void ContactInterfaceProblem::pairChanges(const MultiVector& step, const Contact
   penetration = all.col(1);
 }
 
+int ContactInterfaceProblem::remember(InterfaceState& state) const {
+  if (state.memory) return 0;
+  state.memory = std::make_shared<Matrix>(imbalance(*state.trace));
+  return 1;
+}
+
 Vector ContactInterfaceProblem::energies(const InterfaceState& state) const {
   int applications = 0;
   const Matrix out = rememberedImbalance(state, applications);
@@ -425,7 +470,7 @@ std::vector<Vector> ContactInterfaceProblem::interiors(const InterfaceState& sta
       Matrix own(locals_[i]->size(), 1);
       space_->coupling(static_cast<int>(i)).restrictTo(trace, own);
       freeValues.push_back(locals_[i]->recover(own.col(0)));
-      addRigid(static_cast<int>(i), state.rigid, freeValues.back());
+      if (bodies_) bodies_->addMotion(static_cast<int>(i), *subdomains_[i], state.rigid, freeValues.back());
     }
   });
   return freeValues;
@@ -447,7 +492,7 @@ InterfaceProblem::Recovered ContactInterfaceProblem::recover(const InterfaceStat
       Vector& values = result.freeValues[i];
       const Subdomain& subdomain = *subdomains_[i];
       energy += 0.5 * values.dot(subdomain.stiffness() * values) - values.dot(subdomain.load()) + subdomain.constantEnergy();
-      addRigid(static_cast<int>(i), state.rigid, values);
+      if (bodies_) bodies_->addMotion(static_cast<int>(i), subdomain, state.rigid, values);
       const Vector cartesian = subdomain.cartesian(values);
       for (const SubdomainMesh::ContactEnd& end : subdomain.mesh().contactEnds)
         if (end.end == 0)

@@ -46,12 +46,15 @@ class ContactInterfaceProblem : public InterfaceProblem, public ContactSets {
   const ContactBodies& bodies() const override { return *bodies_; }
   ContactStatus statusOf(const ClosedSet& closed) const override;
   ClosedSet closedSet(const ContactStatus& status) const override;
+  Evaluation evaluateSet(const InterfaceState& state, double resolution) const override { return evaluate(state, resolution); }
   InterfaceState padState() const override;
   void move(InterfaceState& state, const Vector& motion) const override;
   MultiVectorPtr loadOf(const Vector& pairForces, const ContactStatus& status) const override;
   void pairChanges(const MultiVector& step, const ContactStatus& status, const Vector& pairForces, Vector& force,
                    Vector& penetration) const override;
   const std::vector<int>& partOfOwned() const override { return partOfOwned_; }
+  void separate(InterfaceState& state) const override;
+  int remember(InterfaceState& state) const override;
   Vector energies(const InterfaceState& state) const override;
 
  private:
@@ -59,10 +62,9 @@ class ContactInterfaceProblem : public InterfaceProblem, public ContactSets {
   void collectRows(const Vector& stiffness);
   void findChains();
   void findBodies();
+  void findMotions();
   /// What the rigid motions of a state add to the rows that this rank sees; empty: nothing.
   Vector movedRows(const InterfaceState& state) const;
-  /// Adds rigid motions to the free values of a subdomain.
-  void addRigid(int local, const Vector& rigid, Vector& values) const;
   /// Work of the loads in them.
   double rigidWork(const InterfaceState& state) const;
   /// Values of this rank's own rows, made known to all by pair id. Collective.
@@ -84,6 +86,8 @@ class ContactInterfaceProblem : public InterfaceProblem, public ContactSets {
   std::unique_ptr<ContactClusters> clusters_;
   std::unique_ptr<ContactBodies> bodies_;  // null without pairs that can change
   std::vector<int> partOfOwned_;
+  Matrix motionsOfOwned_;                 // values of owned unknowns in the free motions of their part
+  Matrix motionsSquared_;                 // their inner products over all ranks, motions of all parts
   std::vector<std::vector<int>> chains_;  // rows of neighbouring pairs, along the lines
   Matrix load_;                           // F on the overlap, complete
   double constantEnergy_ = 0.0;           // over all ranks

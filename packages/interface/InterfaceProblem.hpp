@@ -39,6 +39,20 @@ struct PairState {
   }
 };
 
+/// What a formulation says of a state.
+struct InterfaceEvaluation {
+  MultiVectorPtr residual;  ///< F - S_0 U - S_KON(U) = -grad J(U)
+  double energy = 0.0;      ///< J(U), the total potential energy
+  ContactStatus next;       ///< status of the pairs at U
+  int changed = 0;          ///< pairs whose status differs from the state's
+  int active = 0;           ///< closed pairs at U
+  bool settled = true;      ///< no residual counts before this holds: the residual is that of another status than the next
+  int applications = 0;     ///< of the operator, that this took
+  /// By pair id, of sets: forces of closed pairs, penetrations of open ones, and what these must violate their conditions by before they
+  /// are believed.
+  Vector force = {}, penetration = {}, forceTolerance = {}, penetrationTolerance = {};
+};
+
 /// Contact states as sets of closed pairs: what a formulation offers to ContactSearch. Sets and pair values are by pair id, the same on
 /// all ranks. All functions but the first are collective.
 class ContactSets {
@@ -47,6 +61,13 @@ class ContactSets {
   virtual const ContactBodies& bodies() const = 0;
   virtual ContactStatus statusOf(const ClosedSet& closed) const = 0;
   virtual ClosedSet closedSet(const ContactStatus& status) const = 0;
+  /// The linear problem of the state's set: closed pairs glued in the normal direction, open ones without force. Residual, pair forces and
+  /// penetrations are its own; `next` are plain flips.
+  /// \param resolution  accuracy of the trace: what a pair must violate its condition by before its status changes, relative to the
+  ///                    largest force of its cluster of bodies and to what that deforms
+  virtual InterfaceEvaluation evaluateSet(const InterfaceState& state, double resolution) const = 0;
+  /// The set that the formulation's own non-linear part answers with at a state: Newton's next. Empty: it has none, or no answer.
+  virtual ClosedSet proposal(const InterfaceState&) const { return {}; }
   /// The state in which bodies have moved rigidly onto elastic pads in place of their contact, and the set that is closed then.
   virtual InterfaceState padState() const = 0;
   /// Moves parts rigidly: `motion` are amplitudes of bodies().rigid(). Forces do not change.
@@ -59,6 +80,10 @@ class ContactSets {
                            Vector& penetration) const = 0;
   /// Part of each owned unknown.
   virtual const std::vector<int>& partOfOwned() const = 0;
+  /// Takes what is a rigid motion of free parts out of the trace and puts it beside it: rounding of forces is then that of deformations.
+  virtual void separate(InterfaceState& state) const = 0;
+  /// Applies the operator, so that the state's memory is that of its trace, unless it has one. Returns how many applications it took.
+  virtual int remember(InterfaceState& state) const = 0;
   /// U.S U of each part: the energy that holds its trace deformed, twice. [force length]
   virtual Vector energies(const InterfaceState& state) const = 0;
 };
@@ -78,26 +103,15 @@ class InterfaceProblem {
   /// named is closed): a restart.
   virtual InterfaceState stateOf(const std::vector<Vector>& freeValues, const std::map<int, PairStatus>& status) const = 0;
 
-  struct Evaluation {
-    MultiVectorPtr residual;  ///< F - S_0 U - S_KON(U) = -grad J(U)
-    double energy = 0.0;      ///< J(U), the total potential energy
-    ContactStatus next;       ///< status of the pairs at U
-    int changed = 0;          ///< pairs whose status differs from the state's
-    int active = 0;           ///< closed pairs at U
-    bool settled = true;      ///< no residual counts before this holds: the residual is that of another status than the next
-    int applications = 0;     ///< of the operator, that this took
-    /// By pair id, where the formulation has ContactSets: forces of closed pairs, penetrations of open ones, and what these must violate
-    /// their conditions by before they are believed.
-    Vector force = {}, penetration = {}, forceTolerance = {}, penetrationTolerance = {};
-  };
+  using Evaluation = InterfaceEvaluation;
   /// \param resolution  accuracy of the trace: what a pair must violate its condition by before its status changes, relative to the largest
   ///                    force of its cluster of bodies and to what that deforms
   virtual Evaluation evaluate(const InterfaceState& state, double resolution = 0.0) const = 0;
 
   struct Linearisation {
     Teuchos::RCP<InterfaceOperator> matrix;  ///< S_0 + S_KON' for the status; its space may depend on it
-    MultiVectorPtr load;  ///< right-hand side for the step from the state's trace to the solution with this status: for the initial state
-                          ///< F + F_g of (21)
+    MultiVectorPtr load;  ///< residual with this status: right-hand side for the step from the state's trace to the solution with it; for
+                          ///< the initial state F + F_g of (21)
   };
   /// With the status of the state (not that of its trace).
   virtual Linearisation linearise(const InterfaceState& state) const = 0;

@@ -142,9 +142,9 @@ void addSideGroups(const Raw& raw, const Numbering& numbering, Mesh& mesh, Probl
     makeSet(
         sides, [](const Side& x, const Side& y) { return std::make_pair(x.element, x.side) < std::make_pair(y.element, y.side); },
         [](const Side& x, const Side& y) { return x.element == y.element && x.side == y.side; });
-    const auto report = [&](const std::vector<Point>& middles, const std::string& what) {
+    const auto report = [&, &group = name](const std::vector<Point>& middles, const std::string& what) {
       if (!middles.empty())
-        problems.add(path, mesh.source + ": curve group '" + name + "': " + std::to_string(middles.size()) + " of its elements " + what +
+        problems.add(path, mesh.source + ": curve group '" + group + "': " + std::to_string(middles.size()) + " of its elements " + what +
                                " (the first at " + placeText(middles[0]) + ")");
     };
     report(outside, "are no side of any surface element");

@@ -53,6 +53,30 @@ PairResult pairResult(const ContactPair& pair, const PairForce& force, const std
   return result;
 }
 
+std::vector<PairResult> axisResults(const std::vector<ContactPiece>& pieces, const std::vector<PairResult>& pairs) {
+  std::vector<PairResult> results;
+  for (const ContactPiece& piece : pieces)
+    for (const AxisPoint& point : piece.onAxis) {
+      const PairResult &near = pairs.at(point.pairs[0]), &far = pairs.at(point.pairs[1]);
+      PairResult result = near;
+      result.id = -1;
+      result.node = point.node;
+      result.arc = point.arc;
+      result.position = point.position;
+      result.normal = point.normal;
+      result.force = 0.0;
+      const bool bothClosed = near.status != PairStatus::Open && far.status != PairStatus::Open;
+      if (bothClosed) result.pressure = std::max(0.0, point.pressure[0] * near.pressure + point.pressure[1] * far.pressure);
+      const auto at = [&](double a, double b) { return point.value[0] * a + point.value[1] * b; };
+      result.initialGap = at(near.initialGap, far.initialGap);
+      result.gap = at(near.gap, far.gap);
+      for (int k = 0; k < 3; ++k) result.displacement[k] = at(near.displacement[k], far.displacement[k]);
+      result.displacement[0] = 0.0;  // on the axis
+      results.push_back(result);
+    }
+  return results;
+}
+
 std::vector<PairResult> pairResults(const Comm& comm, const std::vector<const SubdomainMesh*>& meshes,
                                     const std::vector<Vector>& displacement, const std::vector<PairForce>& forces) {
   std::vector<EndShare> ends;

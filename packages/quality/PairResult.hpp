@@ -13,6 +13,7 @@ struct PairResult {
   int line = -1;
   int piece = -1;
   PairStatus status = PairStatus::Open;
+  bool touching = false;        ///< open, and without a gap
   double initialGap = 0.0;      ///< [length]
   double gap = 0.0;             ///< initial gap - (u_A - u_B).n [length]
   double force = 0.0;           ///< along the normal, on B; per unit thickness in the plane, of the whole circle if axisymmetric [force]
@@ -32,6 +33,10 @@ struct PairForce {
 
 /// The one place where a PairResult is made. \param ofEnds  displacement of each of the pair's ends, in their order. Local.
 PairResult pairResult(const ContactPair& pair, const PairForce& force, const std::vector<Point>& ofEnds);
+
+/// What is shown on the axis: pressures and gaps there from those of the pairs beside, without force; as open as the nearer pair. Local, on
+/// rank 0. \param pairs  all, by id
+std::vector<PairResult> axisResults(const std::vector<ContactPiece>& pieces, const std::vector<PairResult>& pairs);
 
 /// All pairs on rank 0, by id. Collective.
 /// \param displacement  of each mesh of this rank, beside its lift, node-major, Cartesian;  \param forces  of this rank; each pair on one

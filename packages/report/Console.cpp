@@ -29,12 +29,15 @@ std::string ending(const Run& run, double largestDisplacement) {
     line += format("%d outer, %d + %d PCG", answer.outerIterations, answer.pcgTotal, answer.auxiliary.pcg);
   line += format(", residual %.1e; ", answer.residual);
   if (run.size.pairs > 0) {
-    const ContactFigures contact = contactFigures(answer.pairs, run.size.pieces);
+    const ContactFigures contact = contactFigures(answer, run.size.pieces);
     line += format("%d of %d pairs closed, largest gap %.3e %s, largest pressure %.2e %s", contact.active, contact.pairs, contact.maxGap,
                    units.length.c_str(), contact.maxPressure, units.stress.c_str());
+    if (contact.touching > 0)
+      line += format(", %s without force", contact.touching == 1 ? "1 touches" : format("%d touch", contact.touching).c_str());
   } else {
     line += format("largest displacement %.3e %s", largestDisplacement, units.length.c_str());
   }
+  if (!answer.undetermined.empty()) line = "NOT DETERMINED: " + answer.undetermined + "\n" + line;
   return line + format(", forces balance to %.0e", answer.verification.balance.imbalance);
 }
 

@@ -1,6 +1,7 @@
 #include <Teuchos_Comm.hpp>
 #include <Teuchos_RCP.hpp>
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <suture/base/Collective.hpp>
 #include <suture/report/ContactFields.hpp>
@@ -44,6 +45,18 @@ std::vector<double> vectors(const std::vector<PairResult>& pairs, Point PairResu
   return values;
 }
 
+/// Points on the axis stand where they are on their line, before or behind the pair beside them.
+std::vector<PairResult> withAxis(std::vector<PairResult> pairs, const std::vector<PairResult>& onAxis) {
+  for (const PairResult& point : onAxis) {
+    const auto nearest = std::min_element(pairs.begin(), pairs.end(), [&](const PairResult& a, const PairResult& b) {
+      const auto far = [&](const PairResult& pair) { return pair.line == point.line ? std::abs(pair.arc - point.arc) : HUGE_VAL; };
+      return far(a) < far(b);
+    });
+    pairs.insert(nearest->arc > point.arc ? nearest : nearest + 1, point);
+  }
+  return pairs;
+}
+
 std::string namesOf(const std::vector<ContactPiece>& pieces) {
   nlohmann::json names = nlohmann::json::array();
   for (const ContactPiece& piece : pieces) names.push_back(piece.name);
@@ -56,7 +69,7 @@ void writeContactFields(const Run& run, const std::string& path) {
   using Pair = PairResult;
   const Units units = unitsOf(*run.scene.parameters);
   std::vector<Pair> pairs;  // rank 0 has all of them
-  if (run.comm.getRank() == 0) pairs = run.solution.pairs;
+  if (run.comm.getRank() == 0) pairs = withAxis(run.solution.pairs, run.solution.onAxis);
   const GridPiece grid = gridOf(pairs);
   VtkHdf file(run.comm, path, {GlobalId(grid.points.size() / 3), GlobalId(grid.types.size()), GlobalId(grid.connectivity.size())});
   collectively(run.comm, "writing " + path, [&] { file.append(grid); });
@@ -75,10 +88,12 @@ void writeContactFields(const Run& run, const std::string& path) {
   reals("ArcLength", units.length, "along the side that carries the pairs (A, unless a mortar chose B), from its first node", &Pair::arc);
   file.pointData({"Active", 1, "", "1 closed, 0 open"},
                  column<unsigned char>(pairs, [](const Pair& pair) { return pair.status != PairStatus::Open; }));
+  file.pointData({"Touching", 1, "", "1 without a gap and without force, else 0"},
+                 column<unsigned char>(pairs, [](const Pair& pair) { return pair.touching; }));
   file.pointData({"Displacement", 3, units.length, "of the node that carries the pair; x, y, z; along the axes"},
                  vectors(pairs, &Pair::displacement));
   file.pointData({"Normal", 3, "", "unit vector from side A to side B, or into the obstacle"}, vectors(pairs, &Pair::normal));
-  integers("Pair", "number of the pair, from 0", &Pair::id);
+  integers("Pair", "number of the pair, from 0; -1 of a point on the axis, which follows from the pairs beside it", &Pair::id);
   integers("Line", "number of the contact line in the scene, from 0", &Pair::line);
   integers("Piece", "number of the contact piece, from 0; names in /Record/ContactPieces", &Pair::piece);
   writeProvenance(run, file.file());

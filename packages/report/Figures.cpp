@@ -1,6 +1,7 @@
 #include <Teuchos_CommHelpers.hpp>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 #include <suture/base/Collective.hpp>
 #include <suture/partition/RigidLift.hpp>
@@ -20,6 +21,7 @@ ContactFigures contactFigures(const std::vector<PairResult>& pairs, int pieces) 
   for (const PairResult& pair : pairs) {
     const bool closed = pair.status != PairStatus::Open;
     all.active += closed;
+    all.touching += pair.touching;
     all.maxPressure = std::max(all.maxPressure, pair.pressure);
     all.maxGap = std::max(all.maxGap, pair.gap);
     all.maxPenetration = std::max(all.maxPenetration, -pair.gap);
@@ -35,12 +37,23 @@ ContactFigures contactFigures(const std::vector<PairResult>& pairs, int pieces) 
   return all;
 }
 
+ContactFigures contactFigures(const Solution& solution, int pieces) {
+  ContactFigures all = contactFigures(solution.pairs, pieces);
+  for (const PairResult& point : solution.onAxis) {
+    all.maxPressure = std::max(all.maxPressure, point.pressure);
+    if (point.piece < 0 || point.piece >= pieces) continue;
+    double& own = all.pressureOf[std::size_t(point.piece)];
+    own = std::max(own, point.pressure);
+  }
+  return all;
+}
+
 double pressureError(const ContactPiece& piece, double largest) { return largest > 0 ? piece.pressureDoubt / largest : 0.0; }
 
 std::vector<std::string> pressureNotes(const Comm& comm, const std::vector<ContactPiece>& pieces, const Solution& solution) {
   std::string said;
   collectivelyOnRoot(comm, "estimating contact pressures", [&] {
-    const ContactFigures figures = contactFigures(solution.pairs, int(pieces.size()));
+    const ContactFigures figures = contactFigures(solution, int(pieces.size()));
     for (std::size_t p = 0; p < pieces.size(); ++p) {
       const double error = pressureError(pieces[p], figures.pressureOf[p]);
       if (error < 0.01) continue;
@@ -56,17 +69,61 @@ std::vector<std::string> pressureNotes(const Comm& comm, const std::vector<Conta
   return notes;
 }
 
-double maxDisplacement(const Run& run) {
-  double squared = 0.0;
-  for (std::size_t s = 0; s < run.subdomains.size(); ++s) {
-    const int d = run.subdomains[s].dimension;
-    const Vector u = withLift(run.subdomains[s], run.solution.displacement[s]);
-    for (int n = 0; n < run.subdomains[s].nodes(); ++n) squared = std::max(squared, u.segment(n * d, d).squaredNorm());
+namespace {
+
+constexpr double kLarge = 0.1;  // of the scene's size
+constexpr int kLong = 10, kFew = 3;
+
+double largestDisplacement(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const std::vector<Vector>& displacement) {
+  double squared = 0.0, all = 0.0;
+  for (std::size_t s = 0; s < meshes.size(); ++s) {
+    const int d = meshes[s].dimension;
+    const Vector u = withLift(meshes[s], displacement[s]);
+    for (int n = 0; n < meshes[s].nodes(); ++n) squared = std::max(squared, u.segment(n * d, d).squaredNorm());
   }
-  double all = 0.0;
-  Teuchos::reduceAll(run.comm, Teuchos::REDUCE_MAX, squared, Teuchos::outArg(all));
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, squared, Teuchos::outArg(all));
   return std::sqrt(all);
 }
+
+/// Diagonal of the box of all nodes.
+double sizeOfScene(const Comm& comm, const std::vector<SubdomainMesh>& meshes) {
+  constexpr double none = std::numeric_limits<double>::lowest();
+  double mine[6] = {none, none, none, none, none, none}, box[6];  // highest, and minus lowest
+  for (const SubdomainMesh& mesh : meshes)
+    for (int node = 0; node < mesh.nodes(); ++node)
+      for (int k = 0; k < 3; ++k) {
+        mine[k] = std::max(mine[k], mesh.point(node)[k]);
+        mine[3 + k] = std::max(mine[3 + k], -mesh.point(node)[k]);
+      }
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, 6, mine, box);
+  return std::hypot(box[0] + box[3], box[1] + box[4], box[2] + box[5]);
+}
+
+}  // namespace
+
+std::vector<std::string> plausibilityNotes(const Comm& comm, const std::vector<SubdomainMesh>& meshes,
+                                           const std::vector<ContactPiece>& pieces, const Solution& solution) {
+  std::vector<std::string> notes;
+  const double size = sizeOfScene(comm, meshes), largest = largestDisplacement(comm, meshes, solution.displacement);
+  if (largest > kLarge * size)
+    notes.push_back(
+        format("the largest displacement is %.2g of the scene's size: strains and rotations are taken for small ones here, "
+               "and contact is sought where the bodies were drawn",
+               largest / size));
+  std::string said;
+  collectivelyOnRoot(comm, "looking at the contacts", [&] {
+    const ContactFigures figures = contactFigures(solution, int(pieces.size()));
+    for (std::size_t p = 0; p < pieces.size(); ++p)
+      if (figures.pairsOf[p] >= kLong && figures.activeOf[p] > 0 && figures.activeOf[p] < kFew)
+        said += format("contact '%s': %d of %d pairs closed: the mesh does not resolve the pressure; forces are right, pressures are not\n",
+                       pieces[p].name.c_str(), figures.activeOf[p], figures.pairsOf[p]);
+  });
+  std::istringstream lines(broadcast(comm, said));
+  for (std::string line; std::getline(lines, line);) notes.push_back(line);
+  return notes;
+}
+
+double maxDisplacement(const Run& run) { return largestDisplacement(run.comm, run.subdomains, run.solution.displacement); }
 
 Memory peakMemory(const Comm& comm) { return memoryFigures(comm, peakMemoryMb()); }
 

@@ -10,6 +10,7 @@ namespace suture {
 /// What the pairs of a run say together.
 struct ContactFigures {
   int pairs = 0, active = 0;
+  int touching = 0;                    ///< open ones without a gap
   double maxPressure = 0.0;            ///< [stress]; of a scene without pairs 0
   double maxGap = 0.0;                 ///< largest current gap [length]
   double maxPenetration = 0.0;         ///< largest -gap [length]
@@ -22,6 +23,9 @@ struct ContactFigures {
 /// Local; \param pieces number of pieces
 ContactFigures contactFigures(const std::vector<PairResult>& pairs, int pieces);
 
+/// The same, with pressures on the axis among the largest.
+ContactFigures contactFigures(const Solution& solution, int pieces);
+
 /// Estimated error of nodal pressures relative to the largest one of a piece, where straight elements stand for curved sides; 0 without
 /// pressure. Local. \param largest  pressure of the piece [stress]
 double pressureError(const ContactPiece& piece, double largest);
@@ -29,6 +33,12 @@ double pressureError(const ContactPiece& piece, double largest);
 /// Sentences on estimated errors of contact pressures, each piece above one per cent: beyond ten per cent a warning. Collective, the same
 /// on all ranks. \param pieces, solution  as in Run
 std::vector<std::string> pressureNotes(const Comm& comm, const std::vector<ContactPiece>& pieces, const Solution& solution);
+
+/// Sentences on solutions that a small-strain program should not be trusted with unseen: displacements beyond a tenth of the scene's size,
+/// and long contacts (of at least ten pairs) of which one or two pairs alone are closed. Collective, the same on all ranks.
+/// \param meshes  those of solution.displacement;  \param pieces, solution  as in Run
+std::vector<std::string> plausibilityNotes(const Comm& comm, const std::vector<SubdomainMesh>& meshes,
+                                           const std::vector<ContactPiece>& pieces, const Solution& solution);
 
 /// Largest |u| over all nodes [length]. Collective.
 double maxDisplacement(const Run& run);

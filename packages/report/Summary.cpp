@@ -61,15 +61,11 @@ Json outer(const Solution& answer, const std::vector<OuterRow>& rows) {
 }
 
 Json contact(const Run& run, int dimension) {
-  const ContactFigures all = contactFigures(run.solution.pairs, run.size.pieces);
-  Json contact = {{"pieces", run.size.pieces},
-                  {"pairs", all.pairs},
-                  {"active", all.active},
-                  {"max_pressure", all.maxPressure},
-                  {"force", Json::object()},
-                  {"max_gap", all.maxGap},
-                  {"max_penetration", all.maxPenetration},
-                  {"by_piece", Json::object()}};
+  const ContactFigures all = contactFigures(run.solution, run.size.pieces);
+  Json contact = {
+      {"pieces", run.size.pieces},       {"pairs", all.pairs},      {"active", all.active},  {"touching_without_force", all.touching},
+      {"max_pressure", all.maxPressure}, {"force", Json::object()}, {"max_gap", all.maxGap}, {"max_penetration", all.maxPenetration},
+      {"by_piece", Json::object()}};
   for (std::size_t p = 0; p < run.pieces.size() && p < all.forceOnB.size(); ++p) {
     contact["force"][run.pieces[p].name] = components(all.forceOnB[p], dimension);
     contact["by_piece"][run.pieces[p].name] = {{"pairs", all.pairsOf[p]},
@@ -79,6 +75,13 @@ Json contact(const Run& run, int dimension) {
                                                {"pressure_error_estimate", pressureError(run.pieces[p], all.pressureOf[p])}};
   }
   return contact;
+}
+
+Json neutralMotions(const std::vector<NeutralMotion>& motions) {
+  Json all = Json::array();
+  for (const NeutralMotion& motion : motions)
+    all.push_back({{"body", motion.body}, {"motion", motion.words}, {"loaded", motion.loaded}, {"both_senses", motion.bothSenses}});
+  return all;
 }
 
 Json verification(const Verification& verdict) {
@@ -126,6 +129,7 @@ std::string writeSummary(const Run& run, ExitCode code, const std::string& path)
         {"outer", outer(answer, run.monitor.rows())},
         {"preconditioner", {{"coarse_size", answer.coarseSize}, {"setup_seconds", answer.setupSeconds}}},
         {"contact", contact(run, dimension)},
+        {"neutral_motions", neutralMotions(answer.neutral)},
         {"energy", answer.energy},
         {"max_displacement", largest},
         {"equilibrium",

@@ -9,36 +9,11 @@
 
 namespace suture {
 
-namespace {
-
-std::string listOf(const std::vector<int>& pairs) {
-  std::string text;
-  for (std::size_t k = 0; k < pairs.size() && k < 20; ++k) text += (k > 0 ? ", " : "") + std::to_string(pairs[k]);
-  if (pairs.size() > 20) text += ", and " + std::to_string(pairs.size() - 20) + " more";
-  return text;
-}
-
-/// The motions of all parts as motions of bodies, in words.
-std::vector<NeutralMotion> inWords(const ContactBodies& bodies, const Matrix& motions) {
-  std::vector<NeutralMotion> all;
-  const Vector& work = bodies.rigid().data().work;
-  for (std::size_t p = 0; p < bodies.parts().size(); ++p) {
-    const RigidPart& part = bodies.parts()[p];
-    for (Eigen::Index k = 0; k < motions.cols(); ++k) {
-      const Vector own = bodies.amplitudes(static_cast<int>(p), motions.col(k));
-      if (own.norm() < 1e-8) continue;
-      const Vector forces = bodies.amplitudes(static_cast<int>(p), work);
-      all.push_back({part.body, inWords(part, own, bodies.dimension()), !forces.isZero(0.0)});
-    }
-  }
-  return all;
-}
-
-}  // namespace
+namespace {}  // namespace
 
 Schema ActiveSet::schema() {
   Schema schema("Active set on the interface (Contact On The Interface).");
-  schema.real("Inner Tolerance", 1e-3,
+  schema.real("Inner Tolerance", 1e-2,
               "Tolerance of linear solves until the set of closed pairs stays, relative to the energy norm of the solution.",
               {0.0, 1.0, true, true, {}});
   return schema;
@@ -48,10 +23,10 @@ ActiveSet::ActiveSet(const Parameters& own) : innerTolerance_(own.get<double>("I
 
 double ActiveSet::auxiliaryTolerance(const OuterSettings& settings) const { return std::max(innerTolerance_, settings.tolerance); }
 
-void ActiveSet::doSolve(Run& run) const {
-  if (!run.problem.sets()) throw InternalError("Active Set needs a formulation whose contact states are sets of closed pairs");
+void ActiveSet::search(Run& run, double innerTolerance) {
+  if (!run.problem.sets()) throw InternalError("a method by sets needs a formulation whose contact states are sets of closed pairs");
   const ContactSets& sets = *run.problem.sets();
-  SetSolves solves(run, innerTolerance_);
+  SetSolves solves(run, innerTolerance);
   if (run.given) {
     solves.evaluateStart();
     if (run.done()) return;
@@ -62,7 +37,6 @@ void ActiveSet::doSolve(Run& run) const {
   const ContactSearch::Result found = search.run(start);
   run.result.state.status = sets.statusOf(found.closed);
   if (found.converged) {
-    run.result.neutral = inWords(sets.bodies(), found.neutral);
     run.solved = run.result.residual <= run.settings.tolerance || run.atFloor;
     if (run.atFloor && !run.done()) {
       std::ostringstream text;
@@ -74,8 +48,7 @@ void ActiveSet::doSolve(Run& run) const {
     return;
   }
   if (run.result.failure.empty()) run.result.failure = found.failure;
-  if (!found.alternating.empty() && !run.done())
-    run.result.failure += (run.result.failure.empty() ? "" : "; ") + std::string("pairs that alternate: ") + listOf(found.alternating);
+  run.result.unsettled = found.alternating;
 }
 
 }  // namespace suture

@@ -12,10 +12,14 @@ class ActiveSet : public OuterSolver {
  public:
   static Schema schema();
   explicit ActiveSet(const Parameters& own);
+  /// ContactSearch from run.result.state, by conjugate gradients.
+  /// \param innerTolerance  of linear solves until the set stays
+  static void search(Run& run, double innerTolerance);
 
  protected:
-  bool startsItself() const override { return true; }
-  void doSolve(Run& run) const override;
+  bool worksBySets() const override { return true; }
+  bool wantsAuxiliary() const override { return false; }
+  void doSolve(Run& run) const override { search(run, innerTolerance_); }
   double auxiliaryTolerance(const OuterSettings& settings) const override;
 
  private:

@@ -160,7 +160,8 @@ OuterResult OuterSolver::solve(const InterfaceProblem& problem, const OuterSetti
           {},
           AutomaticTolerance(problem, settings.discretisationError)};
   const bool contact = problem.pairs() > 0;
-  const bool startsItself = contact && this->startsItself() && problem.sets() != nullptr;
+  const bool bySets = contact && worksBySets() && problem.sets() != nullptr;
+  const bool startsItself = bySets && (given || settings.rigidStart || !wantsAuxiliary());
   result.state = given && contact ? *given : startsItself && settings.rigidStart ? problem.sets()->padState() : problem.initialState();
   run.reported = result.state.status;
   run.given = given != nullptr;
@@ -218,6 +219,14 @@ OuterResult OuterSolver::solve(const InterfaceProblem& problem, const OuterSetti
     }
   }
 
+  if (bySets) {
+    run.fromAuxiliary = true;
+    run.preconditioned = result.state.status;
+    if (const ClosedSet next = problem.sets()->proposal(result.state); !next.empty()) result.state.status = problem.sets()->statusOf(next);
+    run.evaluation.settled = false;
+    doSolve(run);
+    return conclude(run);
+  }
   run.evaluation = problem.evaluate(result.state, 10.0 * settings.tolerance);
   result.pcgTotal += run.evaluation.applications;
   result.residual = run.norm(run.evaluation);

@@ -24,19 +24,12 @@ struct OuterSettings {
   AutomaticTolerance::Estimate discretisationError = {};  ///< set: iterations may end before `tolerance`, see AutomaticTolerance
 };
 
-/// A rigid motion of a body that nothing stops and nothing drives.
-struct NeutralMotion {
-  int body;
-  std::string words;  ///< "turn about (3, 4), clockwise"
-  bool loaded;        ///< forces act on the body: its place matters
-};
-
 struct OuterResult {
   InterfaceState state;
-  std::vector<NeutralMotion> neutral;  ///< at the solution: the bodies' places are not determined along these
   bool converged = false;
   bool stopped = false;  ///< on request, between two iterations
   std::string failure;
+  std::vector<int> unsettled;  ///< pairs that changed between the last two sets, where it did not converge
   int iterations = 0;
   int pcgTotal = 0;  ///< of the outer iterations, failed steps included
   double residual = 0.0;
@@ -79,7 +72,9 @@ class OuterSolver {
     ContactStatus reported;                   ///< of the last row: what `changed` counts from; at first all closed
     InterfaceProblem::Evaluation evaluation;  ///< at result.state, whose status is the evaluation's
     AutomaticTolerance automatic;
-    bool given = false;    ///< the start is one to go on from
+    bool fromAuxiliary = false;         ///< a method by sets starts from the auxiliary solution
+    ContactStatus preconditioned = {};  ///< what the preconditioner was made for then
+    bool given = false;                 ///< the start is one to go on from
     bool solved = false;   ///< a method that finds the set of closed pairs itself has found it, and the residual is small enough
     bool atFloor = false;  ///< rounding hides what the tolerance asks for beyond result.residual
     double lowest = 0.0;   ///< smallest eigenvalue of M^-1 S that a linear solve met, 0 before the first
@@ -110,9 +105,12 @@ class OuterSolver {
   };
 
  protected:
-  /// True for a method that finds its own start, by sets of closed pairs (InterfaceProblem::sets()): doSolve() then begins with the state
-  /// to start from in run.result.state, not evaluated, and without a preconditioner. No auxiliary problem is solved.
-  virtual bool startsItself() const { return false; }
+  /// True for a method that works by sets of closed pairs (InterfaceProblem::sets()) and measures residuals itself: doSolve() then begins
+  /// with the state to start from in run.result.state, not evaluated. Where that is the auxiliary solution (wantsAuxiliary() and
+  /// Start = Bilateral), run.fromAuxiliary holds, and there is a preconditioner; else there is none.
+  virtual bool worksBySets() const { return false; }
+  /// Whether Start = Bilateral means the auxiliary solution; else the state with all pairs closed, not solved.
+  virtual bool wantsAuxiliary() const { return true; }
   /// From the auxiliary solution in run.result.state, evaluated, until run.done() or given up with run.result.failure.
   virtual void doSolve(Run& run) const = 0;
   /// Tolerance of the auxiliary problem that the method starts from.

@@ -3,18 +3,19 @@
 
 namespace suture {
 
-/// Semismooth Newton on the condensed gradient: (S_0 + S_KON'(status at U)) dU = -grad J(U). Three to seven steps from the auxiliary
-/// solution, whatever the mesh. Full steps; halved only while both residual and energy grow (energy differences below rounding mean
-/// nothing). Where the tangent is singular (a body hangs loose with the pairs now closed) S takes its place for that step: a majorant, so
-/// the energy still falls.
+/// Semismooth Newton on the condensed gradient: (S_0 + S_KON'(status at U)) dU = -grad J(U). A tangent is a set of closed pairs, and the
+/// next one is what the groups answer with at the trace: Newton's sets are those that ContactSearch tries first, before plain flips, and
+/// its safeguards make the method global: a tangent that leaves a body loose gets holders, a cycle ends in safe steps. Started from
+/// rigid bodies on pads, or from the auxiliary solution (Outer Solver/Start), from which it takes three to seven steps.
 class SemismoothNewton : public OuterSolver {
  public:
   static Schema schema();
   explicit SemismoothNewton(const Parameters& own);
 
  protected:
+  bool worksBySets() const override { return true; }
   void doSolve(Run& run) const override;
-  double auxiliaryTolerance(const OuterSettings&) const override { return innerTolerance_; }
+  double auxiliaryTolerance(const OuterSettings& settings) const override;
 
  private:
   double innerTolerance_;

@@ -12,90 +12,155 @@
 namespace suture {
 
 namespace {
-constexpr int kRestarts = 4;      // of conjugate gradients whose recursion has lost the residual
-constexpr double kStalled = 0.5;  // of the residual: a restart that leaves more has met the floor of rounding
-constexpr double kFloor = 1e-6;   // residual above which a floor is no answer, whatever the verdict may say
+constexpr int kRestarts = 4;        // of conjugate gradients whose recursion has lost the residual
+constexpr double kStalled = 0.5;    // of the residual: a restart that leaves more has met the floor of rounding
+constexpr double kPassive = 1e-12;  // of its cluster's energy, below which a body has none of its own
+constexpr double kSharper = 0.7;    // of the tolerance that would do if all residuals fell alike
+constexpr int kRescales = 4;
+constexpr double kOverestimate = 2.0;  // of the solution's energy norm, from which on a solve is taken up again
+constexpr double kRounding = 1e-14;    // of the energy norm that a solve began with, which its answer cannot be free of
 }  // namespace
 
 SetSolves::SetSolves(OuterSolver::Run& run, double inner)
-    : run_(run), sets_(*run.problem.sets()), inner_(std::max(inner, run.settings.tolerance)), step_(run.problem.space()->vector()) {}
+    : run_(run), sets_(*run.problem.sets()), inner_(std::max(inner, run.settings.tolerance)), step_(run.problem.space()->vector()) {
+  if (!run.fromAuxiliary) return;
+  // The auxiliary solve may be gone on with, if it was scaled as its cluster is.
+  preconditioned_ = run.preconditioned;
+  hasPreconditioner_ = true;
+  matrix_ = run.bilateral;
+  deformed_ = true;
+  reference_ = run.reference;
+  const ClosedSet closed = sets_.closedSet(preconditioned_);
+  findClusters(closed);
+  if (oneCluster()) closed_ = closed;
+}
 
 void SetSolves::precondition(const InterfaceState& state, const Teuchos::RCP<InterfaceOperator>& matrix) {
-  const bool first = preconditioned_.empty();
+  const bool first = !hasPreconditioner_;
   if (!first && run_.problem.differing(preconditioned_, state.status).empty()) return;
   run_.preconditioner->initialize(matrix->space());
   run_.preconditioner->compute(matrix);
   preconditioned_ = state.status;
+  hasPreconditioner_ = true;
   if (first) run_.describe(*matrix);
 }
 
-/// Scales of the clusters: from the energies of the state, or before there are any from the residual.
-void SetSolves::scaleBy(const InterfaceState& state, const ClosedSet& closed, const MultiVector& load) {
+void SetSolves::findClusters(const ClosedSet& closed) {
   const RigidContact& rigid = sets_.bodies().rigid();
-  const auto parts = sets_.bodies().parts().size();
-  DisjointSets clusters(static_cast<int>(parts));
+  const auto parts = static_cast<int>(sets_.bodies().parts().size());
+  DisjointSets clusters(parts);
   for (std::size_t i = 0; i < closed.size(); ++i)
     if (closed[i])
       for (const int part : rigid.data().bodies[i]) clusters.join(part, rigid.data().bodies[i].front());
-  const auto byCluster = [&](const Vector& ofParts) {
-    Vector sums = Vector::Zero(ofParts.size());
-    for (std::size_t p = 0; p < parts; ++p) sums(clusters.lowest(static_cast<int>(p))) += ofParts(static_cast<Eigen::Index>(p));
-    return sums;
-  };
-  Vector energy = byCluster(sets_.energies(state));
-  if (!deformed_) energy.setZero();
-  const std::vector<int>& partOf = sets_.partOfOwned();
-  bool one = true;
-  for (std::size_t p = 0; p < parts; ++p) one = one && clusters.lowest(static_cast<int>(p)) == clusters.lowest(0);
+  lift_ = Vector::Zero(parts);
+  clusterOf_.clear();
+  for (int p = 0; p < parts; ++p) clusterOf_.push_back(clusters.lowest(p));
+}
+
+bool SetSolves::oneCluster() const {
+  return std::all_of(clusterOf_.begin(), clusterOf_.end(), [&](int cluster) { return cluster == clusterOf_.front(); });
+}
+
+/// U.S U of each cluster, at its first part.
+Vector SetSolves::energies(const InterfaceState& state) const {
+  const Vector ofParts = sets_.energies(state);
+  Vector sums = Vector::Zero(ofParts.size());
+  for (std::size_t p = 0; p < clusterOf_.size(); ++p) sums(clusterOf_[p]) += std::max(ofParts(static_cast<Eigen::Index>(p)), 0.0);
+  return sums;
+}
+
+/// Scales of the clusters: from the energies of the state `from`, or before there are any from the residual. `state` is where the solve
+/// begins: its gaps are closed, which may take far more energy than the solution has.
+void SetSolves::scaleBy(const InterfaceState& from, const InterfaceState& state, const MultiVector& load) {
+  const Vector energy = deformed_ ? energies(from) : Vector(Vector::Zero(static_cast<Eigen::Index>(clusterOf_.size())));
+  lift_ = energies(state).cwiseSqrt();
   scale_.clear();
+  size_.resize(0);
+  scaled_ = false;
   largestScale_ = 1.0;
   // One cluster needs no scaling; an automatic tolerance asks for the error of the whole.
-  if (one || run_.automatic.on()) {
-    reference_ = std::sqrt(energy.cwiseMax(0.0).sum());
+  if (oneCluster() || run_.automatic.on()) {
+    reference_ = std::sqrt(energy.sum());
     if (run_.automatic.on() && reference_ == 0.0) {  // it needs to know the size of the solution
       reference_ = preconditionedNorm(*run_.preconditioner, load);
       run_.automatic.startsFrom(reference_);
     }
     return;
   }
-  const MultiVectorPtr z = run_.problem.space()->vector();
-  run_.preconditioner->apply(load, *z);
-  Vector mine = Vector::Zero(energy.size()), fresh = mine;
-  {
-    const auto b = localView(load);
-    const auto c = localView(static_cast<const MultiVector&>(*z));
-    for (std::size_t k = 0; k < partOf.size(); ++k)
-      mine(partOf[k]) += b(static_cast<Eigen::Index>(k), 0) * c(static_cast<Eigen::Index>(k), 0);
-  }
-  Teuchos::reduceAll(*run_.problem.space()->comm(), Teuchos::REDUCE_SUM, static_cast<int>(mine.size()), mine.data(), fresh.data());
-  fresh = byCluster(fresh);
-  Vector size(energy.size());
-  for (Eigen::Index c = 0; c < size.size(); ++c) size(c) = std::sqrt(std::max(energy(c) > 0.0 ? energy(c) : fresh(c), 0.0));
-  largestScale_ = size.maxCoeff() > 0.0 ? size.maxCoeff() : 1.0;
-  for (const int part : partOf) {
-    const double own = size(clusters.lowest(part));
+  const Vector ofParts = productsByPart(load);
+  Vector fresh = Vector::Zero(energy.size());
+  for (std::size_t p = 0; p < clusterOf_.size(); ++p) fresh(clusterOf_[p]) += ofParts(static_cast<Eigen::Index>(p));
+  size_.resize(energy.size());
+  for (Eigen::Index c = 0; c < size_.size(); ++c) size_(c) = std::sqrt(std::max(energy(c) > 0.0 ? energy(c) : fresh(c), 0.0));
+  largestScale_ = size_.maxCoeff() > 0.0 ? size_.maxCoeff() : 1.0;
+  for (const int part : sets_.partOfOwned()) {
+    const double own = size_(clusterOf_[part]);
     scale_.push_back(own > 0.0 ? own : largestScale_);
   }
+  scaled_ = true;
   reference_ = 1.0;
 }
 
+/// r.M r, summed by part.
+Vector SetSolves::productsByPart(const MultiVector& r) const {
+  const MultiVectorPtr z = run_.problem.space()->vector();
+  run_.preconditioner->apply(r, *z);
+  const std::vector<int>& partOf = sets_.partOfOwned();
+  Vector mine = Vector::Zero(static_cast<Eigen::Index>(clusterOf_.size())), all = mine;
+  const auto a = localView(r), b = localView(static_cast<const MultiVector&>(*z));
+  for (std::size_t k = 0; k < partOf.size(); ++k)
+    mine(partOf[k]) += a(static_cast<Eigen::Index>(k), 0) * b(static_cast<Eigen::Index>(k), 0);
+  Teuchos::reduceAll(*run_.problem.space()->comm(), Teuchos::REDUCE_SUM, static_cast<int>(mine.size()), mine.data(), all.data());
+  return all;
+}
+
+/// Largest ratio of what a cluster's residual was relative to and the energy norm that its solve found.
+double SetSolves::overestimate(const InterfaceState& state) const {
+  if (run_.automatic.on()) return 1.0;
+  const Vector own = energies(state).cwiseSqrt().cwiseMax(kRounding * lift_);
+  if (!scaled_) return own.norm() > 0.0 ? reference_ / own.norm() : 1.0;
+  double most = 1.0;
+  for (Eigen::Index c = 0; c < size_.size(); ++c)
+    if (own(c) > 0.0) most = std::max(most, size_(c) / own(c));
+  return most;
+}
+
 void SetSolves::scale(MultiVector& x, bool inverse) const {
-  if (scale_.empty()) return;
+  if (!scaled_) return;
   auto values = localView(x);
   for (std::size_t k = 0; k < scale_.size(); ++k) values(static_cast<Eigen::Index>(k), 0) *= inverse ? 1.0 / scale_[k] : scale_[k];
 }
 
-double SetSolves::norm(const MultiVector& residual) const {
-  MultiVector scaled(residual, Teuchos::Copy);
-  scale(scaled, true);
-  const double absolute = preconditionedNorm(*run_.preconditioner, scaled);
-  return absolute == 0.0 ? 0.0 : reference_ > 0.0 ? absolute / reference_ : 1.0;
+double SetSolves::tolerance(int level) const {
+  const double final = run_.settings.tolerance;
+  return sharper_ * (level == 0 ? inner_ : level == 1 ? std::sqrt(inner_ * final) : final);
+}
+
+/// Residual of the whole; of the body that has the largest beside its own energy, if that is larger. Then tolerances become sharper. The
+/// state remembers its image.
+double SetSolves::norm(const MultiVector& residual, const InterfaceState& state) {
+  const Vector energy = sets_.energies(state), own = productsByPart(residual);
+  double sum = 0.0, bodies = 0.0;
+  for (std::size_t p = 0; p < clusterOf_.size(); ++p) {
+    const auto at = static_cast<Eigen::Index>(p), cluster = static_cast<Eigen::Index>(clusterOf_[p]);
+    const double size = scaled_ ? size_(cluster) : reference_, lift = kRounding * lift_(cluster);
+    if (own(at) == 0.0) continue;
+    sum += own(at) / (size > 0.0 ? size * size : std::abs(own(at)));
+    const double scale = std::max({energy(at), kPassive * size * size, lift * lift});
+    if (scale > 0.0) bodies = std::max(bodies, std::sqrt(std::abs(own(at)) / scale));
+  }
+  const double whole = std::sqrt(std::max(sum, 0.0));
+  if (run_.automatic.on() || bodies <= whole) return whole;
+  const double final = run_.settings.tolerance;
+  if (whole <= final && bodies > final) sharper_ = std::min(sharper_, kSharper * whole / bodies);
+  return bodies;
 }
 
 void SetSolves::evaluateStart() {
   InterfaceState state = run_.result.state;
   state.trace = Teuchos::rcp(new MultiVector(*run_.result.state.trace, Teuchos::Copy));
   int applications = run_.problem.conform(state);
+  applications += sets_.remember(state);
   ClosedSet closed = sets_.closedSet(state.status);
   const RigidContact& rigid = sets_.bodies().rigid();
   if (rigid.loosens(closed)) return;
@@ -105,52 +170,76 @@ void SetSolves::evaluateStart() {
   const InterfaceProblem::Linearisation linear = run_.problem.linearise(state);
   precondition(state, linear.matrix);
   deformed_ = true;
-  scaleBy(state, closed, *linear.load);
+  findClusters(closed);
+  scaleBy(state, state, *linear.load);
   run_.automatic.startsFrom(reference_);
-  run_.evaluation = run_.problem.evaluate(state, run_.settings.tolerance);
+  run_.evaluation = sets_.evaluateSet(state, run_.settings.tolerance);
   run_.result.pcgTotal += applications + run_.evaluation.applications;
-  run_.result.residual = norm(*run_.evaluation.residual);
+  run_.result.residual = norm(*run_.evaluation.residual, state);
   run_.result.state = state;
   run_.confirm();
 }
 
-bool SetSolves::oneSolve(InterfaceState& state, bool goOn, int level, InnerResult& cost, int& applications) {
-  const double final = run_.settings.tolerance;
-  const double tolerance = level == 0 ? inner_ : level == 1 ? std::sqrt(inner_ * final) : final;
-  const EnergyCriterion criterion = run_.automatic.criterion(state, run_.lowest, false, level > 0);
+/// One call of conjugate gradients, or the next of the same: moves the state.
+bool SetSolves::solveLinear(InterfaceState& state, bool goOn, double tolerance, const EnergyCriterion& criterion, InnerResult& cost,
+                            int& applications) {
   if (goOn) {
     matrix_->record();
     cost = run_.inner.goOn(*step_, tolerance, reference_, run_.monitor, criterion);
   } else {
+    applications += sets_.remember(state);
+    const InterfaceState from = state;
+    state.trace = Teuchos::rcp(new MultiVector(*state.trace, Teuchos::Copy));
     applications += run_.problem.conform(state);
     const InterfaceProblem::Linearisation linear = run_.problem.linearise(state);
     matrix_ = linear.matrix;
     precondition(state, matrix_);
-    scaleBy(state, closed_, *linear.load);
+    scaleBy(from, state, *linear.load);
     scale(*linear.load, true);
     matrix_->record();
     cost = run_.inner.solve(matrix_, run_.preconditioner, *linear.load, *step_, tolerance, reference_, run_.monitor, criterion);
+    if (reference_ == 0.0) reference_ = cost.history.front() > 0.0 ? cost.reference : 0.0;
   }
   run_.learn(cost);
   const Matrix image = matrix_->recorded(cost.steps);
-  if (!cost.converged) {
-    run_.result.pcgTotal += cost.pcg + applications;
-    run_.result.failure = "a linear solve did not reach its tolerance within " + std::to_string(run_.settings.maximumInnerIterations) +
-                          " iterations; a Preconditioner/BDDC/Edge Constraints of Adaptive may help";
-    return false;
-  }
-  if (!goOn && reference_ == 0.0) reference_ = cost.history.front() > 0.0 ? cost.reference : 0.0;
+  if (!cost.converged) return false;
   scale(*step_, false);
-  run_.problem.update(state, *step_, 1.0, scale_.empty() ? &image : nullptr);
+  run_.problem.update(state, *step_, 1.0, scaled_ ? nullptr : &image);
+  applications += sets_.remember(state);
   deformed_ = true;
   return true;
 }
 
+/// Until the residual is small beside the energy of what was found.
+bool SetSolves::oneSolve(InterfaceState& state, bool goOn, int level, InnerResult& cost, int& applications) {
+  const double tolerance = this->tolerance(level);
+  const EnergyCriterion criterion = run_.automatic.criterion(state, run_.lowest, false, level > 0);
+  bool solved = solveLinear(state, goOn, tolerance, criterion, cost, applications);
+  for (int again = 0; solved && again < kRescales; ++again) {
+    const double over = overestimate(state);
+    if (over * cost.residual <= tolerance || over < kOverestimate) break;
+    InnerResult more;
+    const bool continues = !scaled_ && run_.inner.canGoOn();
+    if (continues) reference_ /= over;
+    solved = solveLinear(state, continues, tolerance, criterion, more, applications);
+    more.pcg += cost.pcg;
+    cost = std::move(more);
+  }
+  if (solved) return true;
+  run_.result.pcgTotal += cost.pcg + applications;
+  run_.result.failure = "a linear solve did not reach its tolerance within " + std::to_string(run_.settings.maximumInnerIterations) +
+                        " iterations; a Preconditioner/BDDC/Edge Constraints of Adaptive may help";
+  return false;
+}
+
 ContactAnswer SetSolves::solve(const ClosedSet& closed, int level) {
   const double final = run_.settings.tolerance;
-  const double tolerance = level == 0 ? inner_ : level == 1 ? std::sqrt(inner_ * final) : final;
   ContactAnswer answer;
   bool goOn = closed == closed_ && run_.inner.canGoOn();
+  if (!goOn) {
+    findClusters(closed);
+    sharper_ = 1.0;
+  }
   closed_ = closed;
   double before = 0.0;
   try {
@@ -166,18 +255,18 @@ ContactAnswer SetSolves::solve(const ClosedSet& closed, int level) {
         return answer;
       }
       // Statuses are believed as far as the solve has come.
-      InterfaceProblem::Evaluation at = run_.problem.evaluate(state, std::max(final, std::min(tolerance, cost.residual)));
+      InterfaceProblem::Evaluation at = sets_.evaluateSet(state, std::max(final, std::min(tolerance(level), cost.residual)));
       double residual = cost.residual;
-      bool drifted = false;
+      bool drifted = false, sharpened = false;
       if (level == levels() - 1 ||
           (at.settled && residual <= final)) {  // what the recursion of conjugate gradients says, confirmed by the operator itself
-        // Before the state forgets its image: the energy costs no application then.
-        const double energy =
-            scale_.empty() && state.memory && !run_.automatic.on() ? std::sqrt(std::max(sets_.energies(state).sum(), 0.0)) : 0.0;
         state.memory.reset();
-        at = run_.problem.evaluate(state, final);
-        if (energy > 0.0) reference_ = energy;
-        residual = norm(*at.residual);
+        sets_.separate(state);
+        applications += sets_.remember(state);
+        at = sets_.evaluateSet(state, final);
+        const double sharper = sharper_;
+        residual = norm(*at.residual, state);
+        sharpened = sharper_ < sharper;
         drifted = residual > final;
       }
       if (!std::isfinite(residual)) throw NumericalError("a residual is not a number");
@@ -191,14 +280,13 @@ ContactAnswer SetSolves::solve(const ClosedSet& closed, int level) {
                   cost.energyErrors.empty() ? -1.0 : largestScale_ * cost.energyErrors.back());
       run_.result.state.status = sets_.statusOf(closed);
       if (!drifted) return answer;
-      closed_.clear();
       if (pass > 0 && (residual > kStalled * before || pass >= kRestarts)) {
-        run_.atFloor = residual <= kFloor;
+        run_.atFloor = true;
+        closed_.clear();
         return answer;
       }
       before = residual;
-      goOn = false;
-      closed_ = closed;
+      goOn = sharpened && run_.inner.canGoOn();
     }
   } catch (const NumericalError& error) {
     run_.result.failure = error.what();
@@ -215,7 +303,8 @@ ContactOracle::Change SetSolves::redistribute(const ClosedSet& closed, const Vec
   state.status = sets_.statusOf(closed);
   closed_.clear();
   try {
-    int applications = run_.problem.conform(state) + 2;
+    int applications = run_.problem.conform(state) + 1;
+    applications += sets_.remember(state);
     const InterfaceProblem::Linearisation linear = run_.problem.linearise(state);
     precondition(state, linear.matrix);
     const MultiVectorPtr load = sets_.loadOf(given, state.status);

@@ -6,12 +6,12 @@
 
 namespace suture {
 
-/// The linear problems of a closed set on the interface, by preconditioned conjugate gradients: what ContactSearch asks of Contact On The
-/// Interface. Three accuracies: the inner tolerance, half way to the final one, the final one. Collective.
+/// The linear problems of a closed set on the interface, by preconditioned conjugate gradients: what ContactSearch asks of a formulation.
+/// Three accuracies: the inner tolerance, half way to the final one, the final one. Collective.
 ///
 /// The norm of a residual is sqrt(r.M r) relative to the energy norm of the solution, sqrt(U.S U), cluster by cluster of bodies that closed
 /// pairs connect: there S is block diagonal, and each block is scaled by its own energy before conjugate gradients see it. A weak cluster
-/// has as many digits as a strong one beside it.
+/// has as many digits as a strong one beside it. At the end the residual of each body must be small beside the energy of the body, too.
 class SetSolves : public ContactOracle {
  public:
   /// \param inner  tolerance of the loosest solves
@@ -24,25 +24,40 @@ class SetSolves : public ContactOracle {
   ContactAnswer solve(const ClosedSet& closed, int level) override;
   Change redistribute(const ClosedSet& closed, const Vector& given) override;
   void move(const Vector& motion) override;
+  ClosedSet proposal() override { return sets_.proposal(run_.result.state); }
   bool goesOn() override { return !run_.done() && run_.goesOn(); }
 
  private:
   void precondition(const InterfaceState& state, const Teuchos::RCP<InterfaceOperator>& matrix);
-  void scaleBy(const InterfaceState& state, const ClosedSet& closed, const MultiVector& load);
+  void findClusters(const ClosedSet& closed);
+  bool oneCluster() const;
+  Vector energies(const InterfaceState& state) const;
+  Vector productsByPart(const MultiVector& r) const;
+  void scaleBy(const InterfaceState& from, const InterfaceState& state, const MultiVector& load);
+  double overestimate(const InterfaceState& state) const;
   void scale(MultiVector& x, bool inverse) const;
-  double norm(const MultiVector& residual) const;
+  double norm(const MultiVector& residual, const InterfaceState& state);
+  double tolerance(int level) const;
   bool oneSolve(InterfaceState& state, bool goOn, int level, InnerResult& cost, int& applications);
+  bool solveLinear(InterfaceState& state, bool goOn, double tolerance, const EnergyCriterion& criterion, InnerResult& cost,
+                   int& applications);
 
   OuterSolver::Run& run_;
   const ContactSets& sets_;
   const double inner_;
   MultiVectorPtr step_;
-  ClosedSet closed_;  // of the last solve; empty: it can't be gone on with
-  ContactStatus preconditioned_;
+  ClosedSet closed_;                // of the last solve; empty: it can't be gone on with
+  ContactStatus preconditioned_;    // what the preconditioner was made for
+  bool hasPreconditioner_ = false;  // the same on all ranks, also on those without a local problem
   Teuchos::RCP<InterfaceOperator> matrix_;
-  std::vector<double> scale_;  // of each owned unknown; empty: one cluster
+  std::vector<int> clusterOf_;  // of each part
+  Vector lift_;                 // energy norm of each cluster where the last solve began: rounding leaves a part of it
+  Vector size_;                 // of each cluster, that its residual was relative to
+  std::vector<double> scale_;   // of each owned unknown, if scaled_
+  bool scaled_ = false;         // several clusters, each by its own energy. The same on all ranks
   double largestScale_ = 1.0;
   double reference_ = 0.0;
+  double sharper_ = 1.0;   // factor of tolerances, for the sake of single bodies
   bool deformed_ = false;  // the state is the answer of a solve: its energy is a scale
 };
 

@@ -12,13 +12,25 @@
 
 namespace suture {
 
+/// A rigid motion of a body that a solution does not determine: it changes no pair force, and no load drives it.
+struct NeutralMotion {
+  std::string body;
+  std::string words;        ///< "turn about (3, 4), clockwise"
+  bool loaded = false;      ///< forces act on the body: its place matters
+  bool bothSenses = false;  ///< free forwards and backwards; else only away from pairs that touch
+};
+
 /// The answer of a run and the figures that summary.json reports.
 struct Solution {
   bool converged = false;
-  bool stopped = false;              ///< on request, before it converged
-  std::string failure;               ///< why not
-  std::vector<Vector> displacement;  ///< of each subdomain of this rank, in the order of distribute(), beside its lift: node-major, Cartesian [length]
-  std::vector<PairResult> pairs;     ///< on rank 0: all, by id
+  bool stopped = false;                ///< on request, before it converged
+  std::string failure;                 ///< why not
+  std::string undetermined;            ///< bodies that are free to move at the solution, where the scene does not allow that; else empty
+  std::vector<NeutralMotion> neutral;  ///< see settleNeutralMotions()
+  /// Of each subdomain of this rank, in the order of distribute(), beside its lift: node-major, Cartesian [length].
+  std::vector<Vector> displacement;
+  std::vector<PairResult> pairs;   ///< on rank 0: all, by id
+  std::vector<PairResult> onAxis;  ///< on rank 0: see axisResults()
 
   std::string outerSolver;  ///< "" for a scene without unilateral contact
   int outerIterations = 0;
@@ -29,11 +41,11 @@ struct Solution {
   AuxiliaryRow auxiliary;                             ///< all pairs closed, or the linear problem itself
   int coarseSize = 0;                                 ///< dimension of the preconditioner's coarse problem
   double setupSeconds = 0.0;                          ///< that the preconditioner took on this rank before its first use
-  double bytesRead = 0.0;                  ///< what one conjugate gradient iteration reads of this rank's memory, as far as known
-  std::map<std::string, int> chosenSchur;  ///< local problems, by how their Schur complement is kept where that was chosen automatically
-  double energy = 0.0;                     ///< total potential energy a(u,u)/2 - L(u)
-  Verification verification;               ///< and the balance of forces; without checks before verify()
-  std::map<std::string, double> errors;    ///< against the scene's exact solution, where it has one: see exactErrors()
+  double bytesRead = 0.0;                   ///< what one conjugate gradient iteration reads of this rank's memory, as far as known
+  std::map<std::string, int> chosenSchur;   ///< local problems, by how their Schur complement is kept where that was chosen automatically
+  double energy = 0.0;                      ///< total potential energy a(u,u)/2 - L(u)
+  Verification verification;                ///< and the balance of forces; without checks before verify()
+  std::map<std::string, double> errors;     ///< against the scene's exact solution, where it has one: see exactErrors()
   std::map<std::string, double> estimates;  ///< of the outer solver: "mu", "contraction bound", "radius", "relaxation", ...
 };
 

@@ -19,6 +19,7 @@
 #include <cmath>
 #include <iomanip>
 #include <map>
+#include <set>
 #include <sstream>
 
 namespace suture {
@@ -117,6 +118,35 @@ void checkGroupMemory(const Comm& comm, const Partition& partition, const Subdom
 
 }  // namespace
 
+namespace {
+
+/// "; pairs 3, 4 of contact 'joint' (bodies 'upper', 'lower') still change: ...".
+std::string unsettled(const ContactSets& sets, const std::vector<int>& pairs, const Parameters& scene) {
+  constexpr std::size_t kMost = 10;
+  const RigidContact::Pairs& data = sets.bodies().rigid().data();
+  const std::vector<std::string> contacts = sublistNames(scene.sublist("Contact")), bodies = sublistNames(scene.sublist("Bodies"));
+  std::map<int, std::vector<int>> byLine;
+  for (const int pair : pairs) byLine[data.line[pair]].push_back(pair);
+  std::string text;
+  for (const auto& [line, own] : byLine) {
+    std::set<std::string> names;
+    text += "; pairs ";
+    for (std::size_t k = 0; k < own.size(); ++k) {
+      if (k < kMost) text += (k > 0 ? ", " : "") + std::to_string(own[k]);
+      for (const int part : data.bodies[own[k]]) names.insert("'" + bodies.at(sets.bodies().parts()[part].body) + "'");
+    }
+    if (own.size() > kMost) text += " and " + std::to_string(own.size() - kMost) + " more";
+    text += " of contact '" + contacts.at(line) + "' (";
+    for (const std::string& name : names) text += (name == *names.begin() ? "" : ", ") + name;
+    text += ")";
+  }
+  return text +
+         " still open and close from step to step; more Outer Solver/Maximum Iterations, or Outer Solver/Type = Monolithic, may settle "
+         "them";
+}
+
+}  // namespace
+
 std::unique_ptr<InterfaceProblem> makeInterfaceProblem(const CommPtr& comm, const Partition& partition, const Subdomains& subdomains,
                                                        const Parameters& scene) {
   const Parameters& own = scene.sublist("Subdomain");
@@ -143,11 +173,7 @@ OuterResult solveInterface(const InterfaceProblem& problem, const Parameters& sc
   settings.rigidStart = own.get<std::string>("Start") != "Bilateral";
   settings.preconditioner = [&scene] { return makePreconditioner(scene.sublist("Preconditioner")); };
   OuterResult result = makeStrategy<OuterSolver>(own, "Type")->solve(problem, settings, monitor, start);
-  const std::vector<std::string> bodies = sublistNames(scene.sublist("Bodies"));
-  for (const NeutralMotion& motion : result.neutral)
-    monitor.note("body '" + bodies.at(motion.body) + "' can " + motion.words + " without changing any contact force" +
-                 (motion.loaded ? "" : ", and no load acts on it") +
-                 ": its place is not determined along that motion, and it was moved no further than contact asks for");
+  if (!result.converged && !result.unsettled.empty()) result.failure += unsettled(*problem.sets(), result.unsettled, scene);
   return result;
 }
 

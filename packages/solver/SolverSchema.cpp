@@ -1,10 +1,14 @@
+#include <suture/base/SceneReader.hpp>
 #include <suture/precond/Preconditioner.hpp>
 #include <suture/solver/OuterSolver.hpp>
 #include <suture/solver/SolverSchema.hpp>
 #include <suture/subdomain/LocalSolver.hpp>
 #include <suture/subdomain/SchurComplement.hpp>
 
+#include <Teuchos_ParameterList.hpp>
+
 #include <map>
+#include <sstream>
 
 namespace suture {
 
@@ -15,6 +19,26 @@ bool solvesFormulation(const std::string& method, const std::string& formulation
                                                           {"Successive Approximation", kCondensedGroups}};
   const auto found = only.find(method);
   return found == only.end() || found->second == formulation;  // of a user's own we do not know
+}
+
+std::vector<std::string> looseTolerances(const Parameters& scene) {
+  constexpr double loosest = 1e-2;
+  std::vector<std::string> warnings;
+  const auto look = [&](const Parameters& list, const std::string& name) {
+    double value = 0.0;
+    if (list.isType<double>(name)) value = list.get<double>(name);
+    if (list.isType<std::string>(name) && list.get<std::string>(name) != "Automatic") value = std::stod(list.get<std::string>(name));
+    if (value <= loosest) return;
+    std::ostringstream text;
+    text << "warning: " << pathOf(list, name) << ": " << value << " is looser than " << loosest
+         << ": pairs may be told open or closed by what is left of the iteration; trust the verdict alone";
+    warnings.push_back(text.str());
+  };
+  const Parameters& outer = scene.sublist("Outer Solver");
+  look(outer, "Tolerance");
+  const std::string method = outer.get<std::string>("Type");
+  if (outer.isSublist(method)) look(outer.sublist(method), "Inner Tolerance");
+  return warnings;
 }
 
 void addSolverParameters(Schema& scene) {
@@ -52,6 +76,11 @@ void addSolverParameters(Schema& scene) {
       "Of the preconditioned norm of the residual, relative to that of the lifted start. Automatic: no digits that the mesh "
       "cannot hold; iterations end where the algebraic error is a tenth of the estimated discretisation error (energy norm), "
       "or at 1e-8.");
+  outer.oneOf(
+      "Neutral Motions", "Refuse", {"Refuse", "Least"},
+      "What becomes of a solution in which a loaded body slides or turns freely after pairs have opened: its place is not determined "
+      "then. Refuse: the run writes its results, names body and motion and ends with exit code 4. Least: the least displacement is "
+      "kept, and a note says so.");
   outer.integer("Maximum Iterations", 50, "Outer iterations at most.", Range::atLeast(0));
   outer.integer("Maximum Inner Iterations", 1000, "Conjugate gradient iterations of one linear solve at most.", Range::atLeast(1));
   scene.list("Outer Solver", outer);

@@ -2,6 +2,7 @@
 #include <suture/base/Schema.hpp>
 
 #include <string>
+#include <vector>
 
 namespace suture {
 
@@ -13,5 +14,9 @@ bool solvesFormulation(const std::string& method, const std::string& formulation
 
 /// Adds what the solver packages read to the scene's schema: Formulation, Outer Solver, Preconditioner, Subdomain. Local.
 void addSolverParameters(Schema& scene);
+
+/// Warnings on tolerances of the outer and the inner solver above 1e-2: statuses and forces may be off by as much, and the verdict alone
+/// says whether the answer holds. Local. \param scene  the whole resolved scene
+std::vector<std::string> looseTolerances(const Parameters& scene);
 
 }  // namespace suture

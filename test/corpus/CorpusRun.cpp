@@ -3,6 +3,7 @@
 #include <suture/base/Errors.hpp>
 #include <suture/mesh/Regions.hpp>
 #include <suture/partition/Partition.hpp>
+#include <suture/solver/NeutralMotions.hpp>
 
 #include <SolveStages.hpp>
 #include <Teuchos_CommHelpers.hpp>
@@ -65,8 +66,9 @@ void solve(const CommPtr& comm, const CorpusScene& corpusScene, const Way& way, 
   const auto problem = problemStage(comm, cut.partition, subdomains, scene);
   const auto reference = isMonolithic(scene) ? assembleMonolithic(*comm, mesh, constraints, model) : nullptr;
   Monitor silent;
-  const Solution solution = problem ? recover(*comm, *problem, solveInterface(*problem, scene, silent), subdomains, scene)
-                                    : solveMonolithicScene(*comm, mesh, constraints, reference.get(), cut.meshes, scene, silent);
+  Solution solution = problem ? recover(*comm, *problem, solveInterface(*problem, scene, silent), subdomains, scene)
+                              : solveMonolithicScene(*comm, mesh, constraints, reference.get(), cut.meshes, scene, silent);
+  settleNeutralMotions(*comm, cut.meshes, model, solution);
   outcome.ending = solution.converged ? Ending::Solved : Ending::Lost;
   outcome.reason = solution.failure;
   outcome.iterations = solution.outerIterations;

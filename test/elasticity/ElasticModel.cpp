@@ -170,9 +170,10 @@ TEUCHOS_UNIT_TEST(ElasticModel, RefusesTrianglesThatLockAndTellsWhatToChoose) {
   TEST_EQUALITY(found.size(), 1u);  // once for all its triangles
   if (found.size() != 1u) return;
   TEST_ASSERT(says(found[0], "Materials/rock/Poisson Ratio", "0.4901 with 3-node triangles in the body 'lower': above 0.49 they lock"));
-  TEST_ASSERT(says(found[0], "Materials/rock/Poisson Ratio", "choose Materials/rock/Element = Mixed, or set Materials/rock/Allow Locking"));
+  TEST_ASSERT(says(found[0], "Materials/rock/Poisson Ratio", "or choose Displacement there, or set Materials/rock/Allow Locking"));
   TEST_EQUALITY(problemsIn({nearly}, 1).size(), 0u);  // of steel
   TEST_EQUALITY(problemsIn({nearly, "Materials/rock/Allow Locking=true"}, 0).size(), 0u);
+  TEST_EQUALITY(problemsIn({nearly, "Materials/rock/Element=Displacement"}, 0).size(), 0u);  // asked for by name
   const std::vector<Problem> mixed = problemsIn({"Materials/rock/Element=Mixed"}, 0);
   TEST_ASSERT(mixed.size() == 1u && says(mixed[0], "Materials/rock/Element", "no stable pressure"));
   Problems sheet;
@@ -181,18 +182,33 @@ TEUCHOS_UNIT_TEST(ElasticModel, RefusesTrianglesThatLockAndTellsWhatToChoose) {
   TEST_ASSERT(sheet.empty());  // plane stress
 }
 
-TEUCHOS_UNIT_TEST(ElasticModel, TellsOfDisplacementElementsNearIncompressibility) {
+TEUCHOS_UNIT_TEST(ElasticModel, ChoosesElementsThatDoNotLock) {
+  const auto chosen = [](const std::string& model, const std::string& poisson, const std::string& setting = "Title=t") {
+    return modelOf({"Model=" + model, "Materials/rock/Poisson Ratio=" + poisson, setting}).materialOfBody[0].element;
+  };
+  for (const std::string model : {"Plane Strain", "Axisymmetric"}) {
+    TEST_ASSERT(chosen(model, "0.4901") == ElementForm::Mixed);
+    TEST_ASSERT(chosen(model, "0.49") == ElementForm::Displacement);
+    TEST_ASSERT(chosen(model, "0.4901", "Materials/rock/Element=Displacement") == ElementForm::Displacement);
+    TEST_ASSERT(chosen(model, "0.4901", "Materials/rock/Allow Locking=true") == ElementForm::Displacement);
+    TEST_ASSERT(chosen(model, "0.3", "Materials/rock/Element=Mixed") == ElementForm::Mixed);
+  }
+  TEST_ASSERT(chosen("Plane Stress", "0.4999") == ElementForm::Displacement);
+}
+
+TEUCHOS_UNIT_TEST(ElasticModel, WarnsOfDisplacementElementsNearIncompressibility) {
   const std::vector<std::string> nearly{"Model=Axisymmetric", "Materials/rock/Poisson Ratio=0.4999"};
   const auto notesWith = [&](const std::string& setting) {
     std::vector<std::string> overrides = nearly;
     overrides.push_back(setting);
     return lockingNotes(modelOf(overrides));
   };
-  const std::vector<std::string> notes = lockingNotes(modelOf(nearly));
+  const std::vector<std::string> notes = notesWith("Materials/rock/Element=Displacement");
   TEST_EQUALITY(notes.size(), 1u);  // once, however many bodies
-  TEST_ASSERT(!notes.empty() && notes[0].find("Materials/rock: Poisson ratio 0.4999 with Element = Displacement") == 0);
+  TEST_ASSERT(!notes.empty() && notes[0].find("warning: Materials/rock: Poisson ratio 0.4999 with Element = Displacement") == 0);
+  TEST_EQUALITY(lockingNotes(modelOf(nearly)).size(), 0u);
   TEST_EQUALITY(notesWith("Materials/rock/Element=Mixed").size(), 0u);
-  TEST_EQUALITY(notesWith("Materials/rock/Allow Locking=true").size(), 0u);
+  TEST_EQUALITY(notesWith("Materials/rock/Allow Locking=true").size(), 1u);
   TEST_EQUALITY(lockingNotes(modelOf({"Materials/rock/Poisson Ratio=0.4999"})).size(), 0u);  // plane stress
   TEST_EQUALITY(lockingNotes(modelOf()).size(), 0u);
 }

@@ -1,4 +1,5 @@
 #include <Teuchos_UnitTestHarness.hpp>
+#include <Tpetra_MultiVector.hpp>
 #include <interface/Interfaces.hpp>
 
 namespace suture {
@@ -56,8 +57,7 @@ TEUCHOS_UNIT_TEST(CondensedProblem, LinearisationIsTheDerivativeOfTheResidual) {
     const double second =
         (at(t.spread, t.toSpread(u + big * d)).energy - 2 * here.energy + at(t.spread, t.toSpread(u - big * d)).energy) / (big * big);
     TEST_COMPARE(std::abs(second / (t.toDense(*product).col(0).dot(d.col(0))) - 1.0), <, 1e-2);
-    tangent.matrix->apply(*t.toSpread(u), *product);
-    TEST_COMPARE(difference(t.toDense(*tangent.load) - t.toDense(*product), t.toDense(*here.residual)), <, 1e-10);
+    TEST_COMPARE(difference(t.toDense(*tangent.load), t.toDense(*here.residual)), <, 1e-10);
   }
   TEST_COMPARE(compared, >=, 3);
 }
@@ -116,7 +116,7 @@ TEUCHOS_UNIT_TEST(CondensedProblem, ItsSolutionSolvesTheScene) {
   for (int k = 0; k < 20; ++k) {
     const auto linear = one.problem.linearise(state);
     const Matrix s = t.toDense(static_cast<const Operator&>(*linear.matrix));
-    state.trace = t.toSpread(s.ldlt().solve(t.toDense(*linear.load)));
+    state.trace->update(1.0, *t.toSpread(s.ldlt().solve(t.toDense(*linear.load))), 1.0);
     const auto value = one.problem.evaluate(state);
     state.status = value.next;
     if (value.changed == 0) break;

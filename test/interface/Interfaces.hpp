@@ -120,7 +120,7 @@ inline Scene stackedBlocks(int middleRows) {
   scene.sideA = "lower_top";
   scene.sideB = "middle_bottom";
   scene.pairUp();
-  scene.constraints.pieces.push_back({"above", {}, 1, 2});
+  scene.constraints.pieces.push_back({"above", {}, 1, 2, 0.0, {}});
   for (ContactPair pair : above.pairs) {
     pair.id = int(scene.constraints.pairs.size());
     pair.line = pair.piece = 1;

@@ -52,18 +52,22 @@ TEUCHOS_UNIT_TEST(MeshReader, SaysWhatItCannotRead) {
   folder.write("a.vtk", "");
   folder.write("garbage.msh", "garbage");
   folder.write("empty.geo", "");
-  folder.write("broken.geo", "Foo bar;\n");
+  folder.write("broken.msh", "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Nodes\n1 1\n");
+  folder.write("command.geo", "Foo bar;\n");
+  folder.write("variable.geo", "a = 1;\nb = bar + a;\n");
   folder.write("a.h5", "garbage");
   SUTURE_CHECK_SAYS(said(fileParameter("a.vtk"), folder.path()), "Mesh/File: 'a.vtk' ends with '.vtk'; expected one of .geo, .msh, .h5");
   SUTURE_CHECK_SAYS(said(fileParameter("none.geo"), folder.path()), "Mesh/File: there is no file " + folder.path() + "/none.geo");
   SUTURE_CHECK_SAYS(said(fileParameter("none.h5"), folder.path()), "none.h5");
   SUTURE_CHECK_SAYS(said(fileParameter("a.h5"), folder.path()), "a.h5");
 #ifdef SUTURE_TEST_GMSH
-  SUTURE_CHECK_SAYS(said(fileParameter("garbage.msh"), folder.path()), "garbage.msh: Gmsh says: ");
+  SUTURE_CHECK_SAYS(said(fileParameter("garbage.msh"), folder.path()), "garbage.msh: is no mesh of Gmsh; expected $MeshFormat in its first line");
+  SUTURE_CHECK_SAYS(said(fileParameter("broken.msh"), folder.path()), "broken.msh: Gmsh says: ");
   SUTURE_CHECK_SAYS(said(fileParameter("empty.geo"), folder.path()), "empty.geo: holds no surface elements");
-  SUTURE_CHECK_SAYS(said(fileParameter("broken.geo"), folder.path()), "line 1: Unknown variable 'bar'");
+  SUTURE_CHECK_SAYS(said(fileParameter("command.geo"), folder.path()), "command.geo, line 1: 'Foo' is no command that is known to be harmless");
+  SUTURE_CHECK_SAYS(said(fileParameter("variable.geo"), folder.path()), "line 2: Unknown variable 'bar'");
 #else
-  TEST_THROW(meshtesting::read(fileParameter("broken.geo"), folder.path()), EnvironmentError);
+  TEST_THROW(meshtesting::read(fileParameter("variable.geo"), folder.path()), EnvironmentError);
 #endif
 }
 

@@ -121,7 +121,7 @@ inline Scene blockOnObstacle(double young = 100.0) {
   scene.hold("block_top", 0, 0.0);
   scene.hold("block_top", 1, -0.002);
   const std::vector<int> nodes = scene.nodesOf("block_bottom");
-  ContactPiece piece{"ground", {}, 0, -1};
+  ContactPiece piece{"ground", {}, 0, -1, 0.0, {}};
   for (const int node : nodes) {
     ContactPair pair;
     pair.id = int(scene.constraints.pairs.size());
@@ -166,7 +166,7 @@ inline Scene strongAndWeak(double weak) {
     scene.sideA = "lower" + tail + "_top";
     scene.sideB = "upper" + tail + "_bottom";
     scene.pairUp();
-    pieces.push_back({"line" + tail, {}, 2 * k, 2 * k + 1});
+    pieces.push_back({"line" + tail, {}, 2 * k, 2 * k + 1, 0.0, {}});
     for (ContactPair pair : scene.constraints.pairs) {
       pair.id = int(pairs.size());
       pair.line = pair.piece = k;

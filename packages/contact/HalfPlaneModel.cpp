@@ -1,0 +1,62 @@
+#include <suture/contact/ContactSearch.hpp>
+#include <suture/contact/DelassusProblem.hpp>
+#include <suture/contact/HalfPlaneModel.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace suture {
+
+namespace {
+constexpr int kReach = 24;  // pairs on each side of one that changes
+constexpr int kMostSolves = 60;
+constexpr double kSelf = 1.5;     // -ln of the distance, in mesh sizes, averaged over a hat of pressure around its middle
+constexpr double kShare = 0.8;    // 2 / (pi E*) times the stiffness of one node, measured: .5 to 1.2 do alike
+constexpr double kLeast = 1e-11;  // of the largest force
+
+/// Pairs first..last-1 of one line, with the others of the scene left out.
+ClosedSet solveWindow(const RigidContact& rigid, int first, int last, const Vector& force, const Vector& penetration) {
+  const int n = last - first;
+  const Vector local = kShare * rigid.data().stiffness.segment(first, n).cwiseInverse();
+  const double far = std::log(4.0 * n);
+  Matrix compliance(n, n);
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j) compliance(i, j) = std::sqrt(local(i) * local(j)) * (far + (i == j ? kSelf : -std::log(std::abs(i - j))));
+  const Vector open = penetration.segment(first, n) + compliance * force.segment(first, n);
+  RigidContact::Pairs pairs{Matrix(n, 0), Vector(0), open, rigid.data().stiffness.segment(first, n), std::vector<int>(n, 0), {}, {}};
+  pairs.able.assign(rigid.data().able.begin() + first, rigid.data().able.begin() + last);
+  RigidContact pads(std::move(pairs));
+  DelassusProblem problem(pads, compliance, open, {});
+  ClosedSet start(n, 0);
+  for (int i = 0; i < n; ++i) start[i] = pads.data().able[i] && (force(first + i) > 0.0 || penetration(first + i) > 0.0);
+  ContactSearch search(pads, problem, kMostSolves);
+  search.withoutModel();
+  const ContactSearch::Result result = search.run(start);
+  if (!result.converged) return {};
+  const double least = kLeast * result.force.maxCoeff();
+  for (int i = 0; i < n; ++i) start[i] = result.force(i) > least;
+  return start;
+}
+
+}  // namespace
+
+ClosedSet HalfPlaneModel::closedSet(const ClosedSet& closed, const ClosedSet& flipped, const Vector& force,
+                                    const Vector& penetration) const {
+  const std::vector<int>& line = rigid_.data().line;
+  const int pairs = rigid_.pairs();
+  ClosedSet set = flipped;
+  int last = 0;
+  for (int i = 0; i < pairs; ++i) {
+    if (flipped[i] == closed[i] || i < last) continue;
+    int first = i;
+    while (first > last && i - first < kReach && line[first - 1] == line[i]) --first;
+    int most = i;
+    for (last = i + 1; last < pairs && last - most <= kReach && line[last] == line[i]; ++last)
+      if (flipped[last] != closed[last]) most = last;
+    const ClosedSet window = solveWindow(rigid_, first, last, force, penetration);
+    if (!window.empty()) std::copy(window.begin(), window.end(), set.begin() + first);
+  }
+  return set;
+}
+
+}  // namespace suture

@@ -1,0 +1,241 @@
+#include <suture/base/Collective.hpp>
+#include <suture/interface/CondensedProblem.hpp>
+#include <suture/interface/CondensedSets.hpp>
+
+#include <Teuchos_Comm.hpp>
+#include <Teuchos_CommHelpers.hpp>
+#include <Tpetra_Map.hpp>
+#include <Tpetra_MultiVector.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace suture {
+
+namespace {
+
+constexpr double kDigits = 1e-14;  // of displacements, in a gap
+
+bool isClosed(PairStatus status) { return status != PairStatus::Open; }
+
+}  // namespace
+
+CondensedSets::CondensedSets(const Comm& comm, const CondensedProblem& problem, const std::vector<std::unique_ptr<Subdomain>>& subdomains)
+    : comm_(comm), problem_(problem), subdomains_(subdomains) {
+  std::map<int, double> stiffness;
+  for (const auto& group : problem.groups()) {
+    const Vector diagonal = group->stiffness().diagonal();
+    Vector compliance = Vector::Zero(group->rows().size());
+    for (int dof = 0; dof < group->dofs(); ++dof)
+      for (SparseMatrix::InnerIterator it(group->rows().rows, dof); it; ++it)
+        compliance(it.row()) += it.value() * it.value() / diagonal(dof);
+    for (int row = 0; row < group->rows().size(); ++row) stiffness[group->rows().pairIds[row]] = 1.0 / compliance(row);
+    for (const ContactPair& pair : group->idlePairs()) stiffness[pair.id] = 1.0;
+  }
+  bodies_ = std::make_unique<ContactBodies>(comm, subdomains, stiffness);
+  const InterfaceSpace& space = *problem.space();
+  partOfOwned_.assign(space.map()->getNodeNumElements(), 0);
+  for (std::size_t s = 0; s < subdomains.size(); ++s)
+    for (int dof = 0; dof < subdomains[s]->dofs(); ++dof)
+      if (const auto at = space.map()->getLocalElement(subdomains[s]->globalDof(dof)); at >= 0)
+        partOfOwned_[at] = bodies_->partOf(static_cast<int>(s));
+}
+
+Matrix CondensedSets::everywhere(const Matrix& mine) const {
+  Matrix all = mine;
+  Teuchos::reduceAll(comm_, Teuchos::REDUCE_SUM, static_cast<int>(mine.size()), mine.data(), all.data());
+  return all;
+}
+
+Vector CondensedSets::ofGroup(int group, const Vector& ofPairs) const {
+  const ContactRows& rows = problem_.groups()[group]->rows();
+  Vector own(rows.size());
+  for (int row = 0; row < rows.size(); ++row) own(row) = ofPairs(rows.pairIds[row]);
+  return own;
+}
+
+ContactStatus CondensedSets::statusOf(const ClosedSet& closed) const {
+  ContactStatus status = problem_.initialState().status;
+  for (std::size_t g = 0; g < problem_.groups().size(); ++g) {
+    const ContactRows& rows = problem_.groups()[g]->rows();
+    for (int row = 0; row < rows.size(); ++row)
+      status[problem_.placeOfGroup(static_cast<int>(g))][row] = closed[rows.pairIds[row]] ? PairStatus::Slip : PairStatus::Open;
+  }
+  return status;
+}
+
+ClosedSet CondensedSets::closedSet(const ContactStatus& status) const {
+  Matrix mine = Matrix::Zero(bodies_->rigid().pairs(), 1);
+  for (std::size_t g = 0; g < problem_.groups().size(); ++g) {
+    const ContactRows& rows = problem_.groups()[g]->rows();
+    for (int row = 0; row < rows.size(); ++row)
+      mine(rows.pairIds[row], 0) = isClosed(status[problem_.placeOfGroup(static_cast<int>(g))][row]);
+  }
+  const Matrix all = everywhere(mine);
+  ClosedSet set(all.rows(), 0);
+  for (std::size_t i = 0; i < set.size(); ++i) set[i] = all(static_cast<Eigen::Index>(i), 0) != 0.0;
+  return set;
+}
+
+InterfaceEvaluation CondensedSets::evaluateSet(const InterfaceState& state, double resolution) const {
+  const int pairs = bodies_->rigid().pairs();
+  const std::vector<Vector> trace = problem_.traces(*state.trace);
+  Matrix out = Matrix::Zero(problem_.space()->overlapSize(), 1);
+  Matrix mine = Matrix::Zero(pairs, 3);  // forces, penetrations, digits of the latter
+  InterfaceEvaluation result;
+  double energy = problem_.addPlain(trace, out);
+  collectively(comm_, "solving the contact groups with a set of closed pairs", [&] {
+    for (std::size_t g = 0; g < problem_.groups().size(); ++g) {
+      const ContactGroup& group = *problem_.groups()[g];
+      const int number = static_cast<int>(g), place = problem_.placeOfGroup(number);
+      const Vector moved = movedRows(number, state);
+      const ContactGroup::Response response =
+          group.respondLinear(trace[place], problem_.linearised(number, state.status[place])->held(), moved);
+      energy += response.energy;
+      problem_.space()->coupling(place).addTransposed(-response.flux, out);
+      const ContactRows& rows = group.rows();
+      const Vector reached = rows.rows * response.displacement;
+      const Vector digits = rows.rows.cwiseAbs() * response.displacement.cwiseAbs();
+      for (int row = 0; row < rows.size(); ++row) {
+        const double lift = moved.size() > 0 ? moved(row) : 0.0;
+        const bool closed = isClosed(state.status[place][row]);
+        mine(rows.pairIds[row], 0) = closed ? response.force(row) : 0.0;
+        mine(rows.pairIds[row], 1) = closed ? 0.0 : reached(row) + lift - rows.gap(row);
+        mine(rows.pairIds[row], 2) = kDigits * std::max({digits(row), std::abs(lift), std::abs(rows.gap(row))});
+      }
+    }
+  });
+  const Matrix all = everywhere(mine);
+  const RigidContact& rigid = bodies_->rigid();
+  const ClosedSet closed = closedSet(state.status);
+  result.force = all.col(0);
+  result.penetration = all.col(1);
+  const double least = std::max(resolution, kDigits);
+  result.forceTolerance = least * rigid.clusterScale(closed, result.force);
+  result.penetrationTolerance = least * rigid.clusterScale(closed, rigid.compliance().cwiseProduct(result.force)) + all.col(2);
+  ClosedSet next = closed;
+  for (int i = 0; i < pairs; ++i) {
+    if (!rigid.data().able[i]) continue;
+    if (closed[i] ? result.force(i) < -result.forceTolerance(i) : result.penetration(i) > result.penetrationTolerance(i))
+      next[i] = !closed[i];
+    result.changed += next[i] != closed[i];
+    result.active += next[i] != 0;
+  }
+  result.next = statusOf(next);
+  result.settled = result.changed == 0;
+  result.residual = problem_.space()->vector();
+  problem_.space()->scatterAdd(out, *result.residual);
+  double total = 0.0;
+  Teuchos::reduceAll(comm_, Teuchos::REDUCE_SUM, energy, Teuchos::outArg(total));
+  result.energy = total - rigidWork(state);
+  return result;
+}
+
+ClosedSet CondensedSets::proposal(const InterfaceState& state) const {
+  const std::vector<Vector> trace = problem_.traces(*state.trace);
+  ContactStatus next = state.status;
+  double found = 1.0, all = 0.0;
+  for (std::size_t g = 0; g < problem_.groups().size(); ++g) {
+    const int number = static_cast<int>(g), place = problem_.placeOfGroup(number);
+    try {
+      next[place] = problem_.groups()[g]->respond(trace[place], state.status[place], movedRows(number, state)).status;
+    } catch (const NumericalError&) {
+      found = 0.0;  // rounding, far from the solution: plain flips do
+    }
+  }
+  Teuchos::reduceAll(comm_, Teuchos::REDUCE_MIN, found, Teuchos::outArg(all));
+  if (all == 0.0) return {};
+  return closedSet(next);
+}
+
+InterfaceState CondensedSets::padState() const {
+  RigidContact& rigid = bodies_->rigid();
+  InterfaceState state;
+  state.trace = problem_.space()->vector();
+  state.status = statusOf(rigid.start());
+  move(state, rigid.project(rigid.data().penetration).motion);
+  return state;
+}
+
+void CondensedSets::move(InterfaceState& state, const Vector& motion) const {
+  if (motion.size() == 0 || motion.isZero(0.0)) return;
+  if (state.rigid.size() == 0) state.rigid = Vector::Zero(motion.size());
+  state.rigid += motion;
+}
+
+Vector CondensedSets::movedRows(int group, const InterfaceState& state) const {
+  if (state.rigid.size() == 0) return {};
+  return ofGroup(group, bodies_->rigid().data().rows * state.rigid);
+}
+
+double CondensedSets::rigidWork(const InterfaceState& state) const {
+  return state.rigid.size() > 0 ? bodies_->rigid().data().work.dot(state.rigid) : 0.0;
+}
+
+MultiVectorPtr CondensedSets::loadOf(const Vector& pairForces, const ContactStatus& status) const {
+  Matrix out = Matrix::Zero(problem_.space()->overlapSize(), 1);
+  collectively(comm_, "loading the contact groups with pair forces", [&] {
+    for (std::size_t g = 0; g < problem_.groups().size(); ++g) {
+      const ContactGroup& group = *problem_.groups()[g];
+      const int number = static_cast<int>(g), place = problem_.placeOfGroup(number);
+      const Vector none = Vector::Zero(static_cast<Eigen::Index>(group.boundary().size()));
+      const ContactGroup::Response change =
+          group.changeLinear(none, problem_.linearised(number, status[place])->held(), ofGroup(number, pairForces));
+      problem_.space()->coupling(place).addTransposed(-change.flux, out);
+    }
+  });
+  const MultiVectorPtr load = problem_.space()->vector();
+  problem_.space()->scatterAdd(out, *load);
+  return load;
+}
+
+void CondensedSets::pairChanges(const MultiVector& step, const ContactStatus& status, const Vector& pairForces, Vector& force,
+                                Vector& penetration) const {
+  const std::vector<Vector> trace = problem_.traces(step);
+  Matrix mine = Matrix::Zero(bodies_->rigid().pairs(), 2);
+  collectively(comm_, "moving the contact groups", [&] {
+    for (std::size_t g = 0; g < problem_.groups().size(); ++g) {
+      const ContactGroup& group = *problem_.groups()[g];
+      const int number = static_cast<int>(g), place = problem_.placeOfGroup(number);
+      const ContactGroup::Response change =
+          group.changeLinear(trace[place], problem_.linearised(number, status[place])->held(), ofGroup(number, pairForces));
+      const Vector moved = group.rows().rows * change.displacement;
+      for (int row = 0; row < group.rows().size(); ++row) {
+        mine(group.rows().pairIds[row], 0) = change.force(row);
+        mine(group.rows().pairIds[row], 1) = isClosed(status[place][row]) ? 0.0 : moved(row);
+      }
+    }
+  });
+  const Matrix all = everywhere(mine);
+  force = all.col(0);
+  penetration = all.col(1);
+}
+
+/// Energies are what is remembered: they take a solve of every group.
+int CondensedSets::remember(InterfaceState& state) const {
+  if (!state.memory) state.memory = std::make_shared<Matrix>(energies(state));
+  return 0;
+}
+
+Vector CondensedSets::energies(const InterfaceState& state) const {
+  if (state.memory) return state.memory->col(0);
+  const std::vector<Vector> trace = problem_.traces(*state.trace);
+  Matrix mine = Matrix::Zero(static_cast<Eigen::Index>(bodies_->parts().size()), 1);
+  collectively(comm_, "summing the energies of the bodies", [&] {
+    problem_.addPlainEnergies(trace, [&](int subdomain, double energy) { mine(bodies_->partOf(subdomain), 0) += energy; });
+    for (std::size_t g = 0; g < problem_.groups().size(); ++g) {
+      const ContactGroup& group = *problem_.groups()[g];
+      const int number = static_cast<int>(g), place = problem_.placeOfGroup(number);
+      const ContactGroup::Response response =
+          group.respondLinear(trace[place], problem_.linearised(number, state.status[place])->held(), movedRows(number, state));
+      for (std::size_t m = 0; m < group.members().size(); ++m) {
+        const std::vector<int>& at = group.positionsOf(static_cast<int>(m));
+        const Vector values = response.displacement(at);
+        mine(bodies_->partOf(problem_.membersOf(number)[m]), 0) += values.dot(group.members()[m].subdomain->stiffness() * values);
+      }
+    }
+  });
+  return everywhere(mine).col(0);
+}
+
+}  // namespace suture

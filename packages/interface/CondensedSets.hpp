@@ -1,0 +1,52 @@
+#pragma once
+#include <suture/interface/InterfaceProblem.hpp>
+
+#include <memory>
+#include <vector>
+
+namespace suture {
+
+class CondensedProblem;
+
+/// Condensed Groups as sets of closed pairs. A set makes the groups linear; their contact problems at the same trace propose the next set,
+/// which is Newton's method on (17). Rigid motions of bodies stand beside the trace: the groups feel them as gaps.
+class CondensedSets : public ContactSets {
+ public:
+  /// `problem`, whose groups are made, and its subdomains must outlive it. Collective.
+  CondensedSets(const Comm& comm, const CondensedProblem& problem, const std::vector<std::unique_ptr<Subdomain>>& subdomains);
+
+  const ContactBodies& bodies() const override { return *bodies_; }
+  ContactStatus statusOf(const ClosedSet& closed) const override;
+  ClosedSet closedSet(const ContactStatus& status) const override;
+  InterfaceEvaluation evaluateSet(const InterfaceState& state, double resolution) const override;
+  ClosedSet proposal(const InterfaceState& state) const override;
+  InterfaceState padState() const override;
+  void move(InterfaceState& state, const Vector& motion) const override;
+  MultiVectorPtr loadOf(const Vector& pairForces, const ContactStatus& status) const override;
+  void pairChanges(const MultiVector& step, const ContactStatus& status, const Vector& pairForces, Vector& force,
+                   Vector& penetration) const override;
+  const std::vector<int>& partOfOwned() const override { return partOfOwned_; }
+  /// The elastic energy of the parts, twice; for subdomains without contact that of the harmonic extension.
+  /// Nothing: groups solve for their displacements, which have their own digits.
+  void separate(InterfaceState&) const override {}
+  int remember(InterfaceState& state) const override;
+  Vector energies(const InterfaceState& state) const override;
+
+  /// What the rigid motions of a state add to the rows of a group of this rank; empty: nothing.
+  Vector movedRows(int group, const InterfaceState& state) const;
+  /// Work of the loads in them.
+  double rigidWork(const InterfaceState& state) const;
+
+ private:
+  /// Values that one rank each knows, made known to all.
+  Matrix everywhere(const Matrix& mine) const;
+  Vector ofGroup(int group, const Vector& ofPairs) const;
+
+  const Comm& comm_;
+  const CondensedProblem& problem_;
+  const std::vector<std::unique_ptr<Subdomain>>& subdomains_;
+  std::unique_ptr<ContactBodies> bodies_;
+  std::vector<int> partOfOwned_;
+};
+
+}  // namespace suture

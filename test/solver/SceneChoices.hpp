@@ -1,0 +1,35 @@
+#pragma once
+#include <solver/ContactMethods.hpp>
+#include <suture/solver/SolveScene.hpp>
+
+namespace suture::blocks {
+
+/// What the scene's schema says of the solver packages.
+inline Schema solverSchema() {
+  Schema schema;
+  schema.list("Bodies", Schema());
+  addSolverParameters(schema);
+  return schema;
+}
+
+/// A scene's parameters of the solver packages with these settings.
+inline Parameters solverParameters(const std::vector<std::string>& settings) {
+  return *parseScene("<ParameterList name=\"Suture\"/>", "test.xml", solverSchema(), settings).parameters;
+}
+
+/// Every formulation that a scene may name.
+inline std::vector<std::string> formulations() { return solverSchema().find("Formulation")->allowed; }
+
+/// A scene in a formulation, by its name.
+struct Formulated {
+  Parameters parameters;
+  Blocks all;
+  std::unique_ptr<InterfaceProblem> problem;
+
+  Formulated(const Scene& scene, const CommPtr& comm, const std::string& formulation, std::vector<std::string> settings = {})
+      : parameters(solverParameters((settings.push_back("Formulation=" + formulation), settings))),
+        all(scene, comm, std::vector<double>(), isCondensed(parameters)),
+        problem(makeInterfaceProblem(comm, all.partition, all.subdomains, parameters)) {}
+};
+
+}  // namespace suture::blocks
