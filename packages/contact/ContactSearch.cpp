@@ -10,7 +10,7 @@ namespace suture {
 
 namespace {
 
-constexpr int kPlainSolves = 12;  // before other sets than plain flips are tried
+constexpr int kPlainSolves = 12;  // of one accuracy before other sets than plain flips are tried
 constexpr int kModelSolves = 3;   // whose next set the half-planes propose: later ones differ by a pair, which a plain flip finds as well
 constexpr int kPatience = 25;     // solves without a better state before a safe step
 constexpr double kIdle = 1e-10;   // forces below this part of the largest are those of pairs that only touch
@@ -38,6 +38,7 @@ bool ContactSearch::solve(const ClosedSet& closed) {
     return false;
   }
   ++solves_;
+  ++plain_;
   set_ = closed;
   holding_.assign(closed.size(), 0);
   Matrix loose = rigid_.loose(set_);
@@ -155,7 +156,7 @@ bool ContactSearch::done() {
 
 /// The next set, not met before, without a safe step; false if there is none.
 bool ContactSearch::propose(ClosedSet& next) {
-  if (solves_ <= kPlainSolves) {
+  if (plain_ <= kPlainSolves) {
     if (const ClosedSet own = oracle_.proposal(); !own.empty()) {
       next = guarded(own);
       if (!proposed(next)) return true;
@@ -323,6 +324,7 @@ ContactSearch::Result ContactSearch::run(ClosedSet start) {
     if (level_ < last) {
       if (!pulls() && !penetrates(answer_.penetration, answer_.penetrationTolerance, set_)) {
         ++level_;  // the same set, more accurately
+        ++left_;
         next = set_;
         continue;
       }
@@ -330,6 +332,7 @@ ContactSearch::Result ContactSearch::run(ClosedSet start) {
       if (propose(next)) continue;
       level_ = last;  // sets return: nothing but accurate forces can tell
       seen_.clear();
+      plain_ = 0;
       next = set_;
       continue;
     }

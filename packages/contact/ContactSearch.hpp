@@ -93,7 +93,7 @@ class ContactSearch {
 
   const RigidContact& rigid_;
   ContactOracle& oracle_;
-  int left_, solves_ = 0, level_ = 0;
+  int left_, solves_ = 0, plain_ = 0, level_ = 0;  // plain_: solves since the accuracy was raised
   bool failed_ = false, stopped_ = false;
   bool driven_ = false;      // loads pull a body away from a holder: no equilibrium
   ClosedSet set_, holding_;  // of the last solve: without holders, holders alone

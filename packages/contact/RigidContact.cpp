@@ -74,48 +74,61 @@ struct PadProblem {
     return before - rest / curvature;
   }
 
-  bool solve(Vector& x) const {
+  Vector gradient(const Vector& y) const { return rows.transpose() * y.cwiseMax(0.0).cwiseProduct(stiffness) - e; }
+
+  /// Scales of the motions: roots of the diagonal of the Hessian; of a typical pad for those that no pad stops yet.
+  Vector scales(const Matrix& hessian) const {
+    Vector scale = hessian.diagonal().cwiseMax(0.0).cwiseSqrt();
+    const double big = scale.size() > 0 && scale.maxCoeff() > 0.0 ? scale.maxCoeff() : 0.0;
+    std::vector<double> sorted(stiffness.data(), stiffness.data() + stiffness.size());
+    double typical = 1.0;
+    if (!sorted.empty()) {
+      std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2), sorted.end());
+      typical = std::sqrt(std::max(sorted[sorted.size() / 2], 1e-300));
+    }
+    for (Eigen::Index k = 0; k < scale.size(); ++k)
+      if (!(scale(k) > kDependent * big)) scale(k) = big > 0.0 ? std::max(typical, kDependent * big) : typical;
+    return scale;
+  }
+
+  /// Newton on the motions that closed pads stop, then down the gradient of the others until pads stop them: one line search for both would
+  /// hold back the long ways of the loose bodies by the short ones of the others.
+  /// \param y  penetrations t + rows x. They are moved with x, never computed from it: what rounding leaves of long ways is a change of the
+  /// gaps by as little, and forces keep their digits.
+  bool solve(Vector& x, Vector& y) const {
     const Eigen::Index n = rows.cols();
+    const auto move = [&](const Vector& direction, double length) {
+      x += length * direction;
+      y += length * (rows * direction);
+    };
     for (int step = 0; step < kMostSteps; ++step) {
-      const Vector y = t + rows * x;
-      Vector force = y.cwiseMax(0.0).cwiseProduct(stiffness);
-      const Vector gradient = rows.transpose() * force - e;
-      double rounding = 0.0;
-      for (Eigen::Index i = 0; i < y.size(); ++i)
-        if (y(i) > 0.0) rounding += (std::abs(t(i)) + rows.row(i).cwiseAbs().dot(x.cwiseAbs())) * stiffness(i);
-      rounding *= 4e-16;
-      if (gradient.norm() <= kEquilibrium * (force.sum() + forceScale) + rounding) return true;
+      const double enough = kEquilibrium * (y.cwiseMax(0.0).dot(stiffness) + forceScale);
+      if (gradient(y).norm() <= enough) return true;
 
       Matrix hessian = Matrix::Zero(n, n);
       for (Eigen::Index i = 0; i < y.size(); ++i)
         if (y(i) > 0.0) hessian.noalias() += stiffness(i) * rows.row(i).transpose() * rows.row(i);
-      Vector scale = hessian.diagonal().cwiseMax(0.0).cwiseSqrt();
-      const double big = scale.size() > 0 && scale.maxCoeff() > 0.0 ? scale.maxCoeff() : 0.0;
-      std::vector<double> sorted(stiffness.data(), stiffness.data() + stiffness.size());
-      double typical = 1.0;
-      if (!sorted.empty()) {
-        std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2), sorted.end());
-        typical = std::sqrt(std::max(sorted[sorted.size() / 2], 1e-300));
-      }
-      for (Eigen::Index k = 0; k < n; ++k)
-        if (!(scale(k) > kDependent * big)) scale(k) = big > 0.0 ? std::max(typical, kDependent * big) : typical;
-      const Vector inverse = scale.cwiseInverse();
+      const Vector inverse = scales(hessian).cwiseInverse();
       const Eigenpairs eigen = symmetricEigenpairs(inverse.asDiagonal() * hessian * inverse.asDiagonal());
-      const double largest = std::max(eigen.values.maxCoeff(), 1e-3);
-      const Vector values = eigen.values.cwiseMax(kDependent * largest);
-      const Vector direction =
-          -(inverse.asDiagonal() * (eigen.vectors * (eigen.vectors.transpose() * (inverse.asDiagonal() * gradient)).cwiseQuotient(values)));
-      const double length = lineSearch(y, rows * direction, e.dot(direction));
-      if (length < 0.0) return false;
-      const Vector next = x + length * direction;
-      if (next == x) break;
-      x = next;
+      const double least = kDependent * std::max(eigen.values.maxCoeff(), 1e-3);
+      const auto toward = [&](bool stopped) {
+        Vector parts = eigen.vectors.transpose() * inverse.cwiseProduct(gradient(y));
+        for (Eigen::Index k = 0; k < n; ++k)
+          parts(k) = (eigen.values(k) > least) != stopped ? 0.0 : stopped ? parts(k) / eigen.values(k) : parts(k);
+        return Vector(-inverse.cwiseProduct(eigen.vectors * parts));
+      };
+      const Vector before = y;
+      const Vector newton = toward(true);
+      if (const double length = lineSearch(y, rows * newton, e.dot(newton)); length > 0.0) move(newton, length);
+      const Vector loose = toward(false);
+      if (-loose.dot(gradient(y)) > enough * loose.norm()) {
+        const double length = lineSearch(y, rows * loose, e.dot(loose));
+        if (length < 0.0) return false;
+        move(loose, length);
+      }
+      if (y == before) break;
     }
-    const Vector y = t + rows * x, force = y.cwiseMax(0.0).cwiseProduct(stiffness);
-    double rounding = 0.0;
-    for (Eigen::Index i = 0; i < y.size(); ++i)
-      if (y(i) > 0.0) rounding += (std::abs(t(i)) + rows.row(i).cwiseAbs().dot(x.cwiseAbs())) * stiffness(i);
-    return (rows.transpose() * force - e).norm() <= kNoEquilibrium * (force.sum() + forceScale) + 1e-14 * rounding;
+    return gradient(y).norm() <= kNoEquilibrium * (y.cwiseMax(0.0).dot(stiffness) + forceScale);
   }
 };
 
@@ -138,8 +151,9 @@ RigidContact::Equilibrium RigidContact::project(const Vector& t) const {
   for (int i = 0; i < pairs(); ++i)
     if (!pairs_.able[i]) stiffness(i) = 0.0;
   const PadProblem problem{pairs_.rows, t, stiffness, pairs_.work, norm_};
-  if (motions() > 0) result.found = problem.solve(result.motion);
-  result.force = (t + pairs_.rows * result.motion).cwiseMax(0.0).cwiseProduct(stiffness);
+  Vector penetration = t;
+  if (motions() > 0) result.found = problem.solve(result.motion, penetration);
+  result.force = penetration.cwiseMax(0.0).cwiseProduct(stiffness);
   return result;
 }
 
@@ -236,7 +250,8 @@ Vector RigidContact::settle(const ClosedSet& closed, const Vector& penetration, 
   const Matrix rows = pairs_.rows(open, Eigen::all) * loose;
   const Vector stiffness = Vector(compliance_(open)).cwiseInverse(), none = Vector::Zero(loose.cols());
   const PadProblem problem{rows, w, stiffness, none, 1e-12 * w.cwiseMax(0.0).dot(stiffness)};
-  problem.solve(z);
+  Vector moved = w;
+  problem.solve(z, moved);
   return z;
 }
 

@@ -39,8 +39,9 @@ PairResult pairResult(const ContactPair& pair, const PairForce& force, const std
 std::vector<PairResult> axisResults(const std::vector<ContactPiece>& pieces, const std::vector<PairResult>& pairs);
 
 /// All pairs on rank 0, by id. Collective.
-/// \param displacement  of each mesh of this rank, beside its lift, node-major, Cartesian;  \param forces  of this rank; each pair on one
-/// rank \throws InternalError  a pair without force, or a force without pair
+/// \param displacement  of each mesh of this rank, beside its lift, node-major, Cartesian
+/// \param forces  of this rank; each pair on one rank
+/// \throws InternalError  a pair without force, or a force without pair
 std::vector<PairResult> pairResults(const Comm& comm, const std::vector<const SubdomainMesh*>& meshes,
                                     const std::vector<Vector>& displacement, const std::vector<PairForce>& forces);
 

@@ -9,8 +9,6 @@
 
 namespace suture {
 
-namespace {}  // namespace
-
 Schema ActiveSet::schema() {
   Schema schema("Active set on the interface (Contact On The Interface).");
   schema.real("Inner Tolerance", 1e-2,
@@ -33,7 +31,7 @@ void ActiveSet::search(Run& run, double innerTolerance) {
   }
   ClosedSet start = sets.closedSet(run.result.state.status);
   if (sets.bodies().rigid().loosens(start)) start = sets.closedSet(sets.padState().status);
-  ContactSearch search(sets.bodies().rigid(), solves, std::max(run.settings.maximumIterations, 1));
+  ContactSearch search(sets.bodies().rigid(), solves, run.settings.maximumIterations);
   const ContactSearch::Result found = search.run(start);
   run.result.state.status = sets.statusOf(found.closed);
   if (found.converged) {

@@ -16,7 +16,8 @@ namespace suture {
 
 namespace {
 
-constexpr double kFar = 10.0;      // sizes of a body
+constexpr double kFar = 1e3;       // times the compression of a part's pads: beside smaller motions three digits are lost
+constexpr double kNoGap = 1e-12;   // of the coordinates
 constexpr double kNoWork = 1e-12;  // of the sum of magnitudes: rounding of loads that balance
 
 /// End of a pair: what it feels of its part's motions. Plain.
@@ -82,24 +83,14 @@ Vector workOf(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const 
 
 }  // namespace
 
-bool hasFarGaps(const Comm& comm, const std::vector<SubdomainMesh>& meshes) {
-  double gap = 0.0;
-  for (const SubdomainMesh& mesh : meshes)
-    for (const ContactRow& row : mesh.contactRows) gap = std::max(gap, std::abs(row.pair.gap));
-  gap = reduced(comm, Teuchos::REDUCE_MAX, gap);
-  if (gap == 0.0) return false;
-  // The smallest subdomain is not larger than the smallest body.
-  double size = std::numeric_limits<double>::max();
+bool hasGaps(const Comm& comm, const std::vector<SubdomainMesh>& meshes) {
+  double gap = 0.0, size = 0.0;
   for (const SubdomainMesh& mesh : meshes) {
-    Point low = mesh.point(0), high = low;
-    for (int node = 1; node < mesh.nodes(); ++node)
-      for (int k = 0; k < mesh.dimension; ++k) {
-        low[k] = std::min(low[k], mesh.point(node)[k]);
-        high[k] = std::max(high[k], mesh.point(node)[k]);
-      }
-    size = std::min(size, 0.5 * std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]));
+    for (const ContactRow& row : mesh.contactRows) gap = std::max(gap, std::abs(row.pair.gap));
+    for (int node = 0; node < mesh.nodes(); ++node)
+      for (int k = 0; k < mesh.dimension; ++k) size = std::max(size, std::abs(mesh.point(node)[k]));
   }
-  return gap > kFar * reduced(comm, Teuchos::REDUCE_MIN, size);
+  return reduced(comm, Teuchos::REDUCE_MAX, gap) > kNoGap * reduced(comm, Teuchos::REDUCE_MAX, size);
 }
 
 std::vector<Vector> carriedMotions(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model,
@@ -122,7 +113,6 @@ std::vector<Vector> carriedMotions(const Comm& comm, const std::vector<Subdomain
   pairs.able.assign(count, 0);
   pairs.bodies.resize(count);
   Vector compliance = Vector::Zero(count);
-  std::vector<char> loose(count, 0);
   for (const End& end : ends) {
     const RigidPart& part = parts.parts[end.part];
     const Eigen::Map<const Vector> felt(end.amplitudes, amplitudes);
@@ -135,10 +125,6 @@ std::vector<Vector> carriedMotions(const Comm& comm, const std::vector<Subdomain
     std::vector<int>& bodies = pairs.bodies[end.pair];
     if (std::find(bodies.begin(), bodies.end(), end.part) == bodies.end()) bodies.push_back(end.part);
   }
-  bool far = false;
-  for (const End& end : ends)
-    far = far || (parts.parts[end.part].free.cols() > 0 && std::abs(pairs.penetration[end.pair]) > kFar * parts.parts[end.part].radius);
-  if (!far) return carried;
   pairs.stiffness = compliance.cwiseMax(std::numeric_limits<double>::min()).cwiseInverse();
   pairs.work = workOf(comm, meshes, model, parts, first, motions);
   const Vector penetration = pairs.penetration;
@@ -146,10 +132,13 @@ std::vector<Vector> carriedMotions(const Comm& comm, const std::vector<Subdomain
   rigid.start();
   const RigidContact::Equilibrium found = rigid.project(penetration);
   if (!found.found) return carried;
+  std::vector<double> pressed(carried.size(), 0.0);  // largest compression of a part's pads
+  const Vector compression = found.force.cwiseProduct(rigid.compliance());
+  for (const End& end : ends) pressed[end.part] = std::max(pressed[end.part], compression[end.pair]);
   for (std::size_t p = 0; p < carried.size(); ++p) {
     const RigidPart& part = parts.parts[p];
     const Vector motion = part.free * found.motion.segment(first[p], part.free.cols());
-    if (motion.norm() > kFar * part.radius) carried[p] = motion;
+    if (motion.norm() > kFar * pressed[p]) carried[p] = motion;
   }
   return carried;
 }

@@ -114,13 +114,14 @@ std::string OuterSolver::Run::reason() const {
   return text.str();
 }
 
-bool OuterSolver::Run::goesOn() {
+bool OuterSolver::Run::stopRequested() {
   const int mine = monitor.stopRequested();
   int any = 0;
   Teuchos::reduceAll(*problem.space()->comm(), Teuchos::REDUCE_MAX, mine, Teuchos::outArg(any));
-  result.stopped = any != 0;
-  return !done() && !result.stopped && result.iterations < settings.maximumIterations;
+  return result.stopped = any != 0;
 }
+
+bool OuterSolver::Run::goesOn() { return !done() && !stopRequested() && result.iterations < settings.maximumIterations; }
 
 void OuterSolver::Run::describe(const InterfaceOperator& matrix) {
   result.coarseSize = preconditioner->coarseSize();

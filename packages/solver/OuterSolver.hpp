@@ -100,6 +100,8 @@ class OuterSolver {
     double energyErrorByTangent(const InterfaceState& state, const InterfaceProblem::Evaluation& at, double residual, InnerResult& cost);
     /// Why the automatic tolerance ended the iterations, for the user.
     std::string reason() const;
+    /// Whether somebody asked to stop. Collective.
+    bool stopRequested();
     /// Whether there is something to do and nobody minds: not done, not exhausted, not asked to stop. Collective.
     bool goesOn();
   };

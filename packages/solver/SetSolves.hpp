@@ -25,7 +25,7 @@ class SetSolves : public ContactOracle {
   Change redistribute(const ClosedSet& closed, const Vector& given) override;
   void move(const Vector& motion) override;
   ClosedSet proposal() override { return sets_.proposal(run_.result.state); }
-  bool goesOn() override { return !run_.done() && run_.goesOn(); }
+  bool goesOn() override { return !run_.done() && !run_.stopRequested(); }
 
  private:
   void precondition(const InterfaceState& state, const Teuchos::RCP<InterfaceOperator>& matrix);

@@ -25,7 +25,7 @@
 namespace suture {
 
 double takeOutLift(const Comm& comm, const ElasticModel& model, std::vector<SubdomainMesh>& meshes, Constraints& constraints) {
-  if (!prescribesMotion(comm, meshes) && !hasFarGaps(comm, meshes)) return 0.0;
+  if (!prescribesMotion(comm, meshes) && !hasGaps(comm, meshes)) return 0.0;
   const auto carry = [&](const BodyParts& parts) { return carriedMotions(comm, meshes, model, parts); };
   if (!takeOutRigidMotions(comm, meshes, carry)) return 0.0;
   int has = !constraints.rules.empty();
