@@ -187,7 +187,7 @@ void errorStage(const Comm& comm, const std::vector<SubdomainMesh>& meshes, cons
     solution.discretisation = timed(timers, "estimate", [&] { return estimateError(comm, meshes, model, solution.displacement); });
 }
 
-void neutralStage(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model,
+void neutralStage(const Comm& comm, std::vector<SubdomainMesh>& meshes, const ElasticModel& model,
                   const std::vector<ContactPiece>& pieces, const Parameters& scene, Solution& solution, Monitor& monitor) {
   if (solution.converged) settleNeutralMotions(comm, meshes, model, solution);
   if (comm.getRank() == 0) solution.onAxis = axisResults(pieces, solution.pairs);

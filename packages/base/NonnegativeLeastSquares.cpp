@@ -54,4 +54,15 @@ Vector nonnegativeLeastSquares(const Matrix& a, const Vector& b) {
   return p;
 }
 
+Vector leastDistance(const Matrix& a, const Vector& b) {
+  const Eigen::Index k = a.cols(), rows = a.rows();
+  if (rows == 0 || !(b.maxCoeff() > 0.0)) return Vector::Zero(k);
+  const double scale = b.cwiseAbs().maxCoeff();
+  Matrix e(k + 1, rows);
+  e << a.transpose(), (b / scale).transpose();
+  const Vector f = Vector::Unit(k + 1, k), r = e * nonnegativeLeastSquares(e, f) - f;
+  if (!(r(k) < -1e-12)) return Vector::Zero(k);
+  return scale * (-r.head(k) / r(k));
+}
+
 }  // namespace suture

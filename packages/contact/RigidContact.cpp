@@ -17,8 +17,14 @@ constexpr double kTouching = 1e-12;     // penetration, relative to the gaps' ow
 constexpr double kEquilibrium = 1e-12;  // imbalance of pad forces that is rounding
 constexpr double kNoEquilibrium = 1e-8;
 constexpr double kNoWork = 1e-11;  // of loads in a motion, relative to the sum of its parts
+constexpr double kFlat = 1e-12;    // of the first slope of a line search, below which one is rounding
 constexpr int kMostSteps = 300;
-constexpr int kPatchRounds = 4;  // fixed point of compliance and patch lengths
+constexpr int kSoonSteps = 60;      // of the plain method, before soft pads show the way
+constexpr int kSoftSteps = 12;      // at one softness
+constexpr double kSofter = 0.25;    // from one softness to the next
+constexpr double kSoftly = 1e-3;    // imbalance at which a softness is done with
+constexpr double kNotSoft = 1e-16;  // of the first softness
+constexpr int kPatchRounds = 4;     // fixed point of compliance and patch lengths
 
 std::vector<int> members(const ClosedSet& set, char value) {
   std::vector<int> all;
@@ -48,10 +54,11 @@ struct PadProblem {
       if (v(i) != 0.0)
         if (const double at = -y(i) / v(i); at > 0.0 && std::isfinite(at)) breaks.push_back(at);
     std::sort(breaks.begin(), breaks.end());
+    const double first = std::abs(slope(y, v, work, 0.0)), flat = -kFlat * first;
     std::size_t low = 0, high = breaks.size();
     while (low < high) {
       const std::size_t middle = (low + high) / 2;
-      if (slope(y, v, work, breaks[middle]) < 0.0)
+      if (slope(y, v, work, breaks[middle]) < flat)
         low = middle + 1;
       else
         high = middle;
@@ -68,10 +75,10 @@ struct PadProblem {
       if (at > 0.0) curvature += own;
     }
     if (curvature <= 0.0 || (!bounded && rest < 0.0 && curvature < 1e-14 * most)) {
-      if (before == 0.0 || std::abs(rest) > 1e-9 * std::abs(slope(y, v, work, 0.0))) return -1.0;
+      if (before == 0.0 || std::abs(rest) > 1e-9 * first) return -1.0;
       return before;
     }
-    return before - rest / curvature;
+    return bounded ? std::min(before - rest / curvature, breaks[low]) : before - rest / curvature;
   }
 
   Vector gradient(const Vector& y) const { return rows.transpose() * y.cwiseMax(0.0).cwiseProduct(stiffness) - e; }
@@ -91,19 +98,21 @@ struct PadProblem {
     return scale;
   }
 
+  enum class End { Found, Unbounded, Exhausted };
+
   /// Newton on the motions that closed pads stop, then down the gradient of the others until pads stop them: one line search for both would
   /// hold back the long ways of the loose bodies by the short ones of the others.
   /// \param y  penetrations t + rows x. They are moved with x, never computed from it: what rounding leaves of long ways is a change of the
   /// gaps by as little, and forces keep their digits.
-  bool solve(Vector& x, Vector& y) const {
+  End newton(Vector& x, Vector& y, int steps) const {
     const Eigen::Index n = rows.cols();
     const auto move = [&](const Vector& direction, double length) {
       x += length * direction;
       y += length * (rows * direction);
     };
-    for (int step = 0; step < kMostSteps; ++step) {
+    for (int step = 0; step < steps; ++step) {
       const double enough = kEquilibrium * (y.cwiseMax(0.0).dot(stiffness) + forceScale);
-      if (gradient(y).norm() <= enough) return true;
+      if (gradient(y).norm() <= enough) return End::Found;
 
       Matrix hessian = Matrix::Zero(n, n);
       for (Eigen::Index i = 0; i < y.size(); ++i)
@@ -123,12 +132,60 @@ struct PadProblem {
       const Vector loose = toward(false);
       if (-loose.dot(gradient(y)) > enough * loose.norm()) {
         const double length = lineSearch(y, rows * loose, e.dot(loose));
-        if (length < 0.0) return false;
+        if (length < 0.0) return End::Unbounded;
         move(loose, length);
       }
       if (y == before) break;
     }
-    return gradient(y).norm() <= kNoEquilibrium * (y.cwiseMax(0.0).dot(stiffness) + forceScale);
+    return gradient(y).norm() <= kNoEquilibrium * (y.cwiseMax(0.0).dot(stiffness) + forceScale) ? End::Found : End::Exhausted;
+  }
+
+  /// Newton's steps with pads that press a little before they are touched: forces k s log(1 + exp(y / s)). Bodies that would bounce between
+  /// two walls on a long way see both.
+  void soften(Vector& x, Vector& y, double softness) const {
+    Vector force(y.size()), tangent(y.size());
+    const auto press = [&](const Vector& at) {
+      for (Eigen::Index i = 0; i < at.size(); ++i) {
+        const double ratio = at(i) / softness, small = std::exp(-std::abs(ratio));
+        force(i) = stiffness(i) * (std::max(at(i), 0.0) + softness * std::log1p(small));
+        tangent(i) = stiffness(i) * (ratio > 0.0 ? 1.0 : small) / (1.0 + small);
+      }
+      return Vector(rows.transpose() * force - e);
+    };
+    for (int step = 0; step < kSoftSteps; ++step) {
+      const Vector g = press(y);
+      if (g.norm() <= kSoftly * (force.sum() + forceScale)) return;
+      const Matrix hessian = rows.transpose() * tangent.asDiagonal() * rows;
+      const Vector inverse = scales(hessian).cwiseInverse();
+      const Eigenpairs eigen = symmetricEigenpairs(inverse.asDiagonal() * hessian * inverse.asDiagonal());
+      const Vector values = eigen.values.cwiseMax(kDependent * std::max(eigen.values.maxCoeff(), 1e-3));
+      const Vector parts = (eigen.vectors.transpose() * inverse.cwiseProduct(g)).cwiseQuotient(values);
+      const Vector direction = -inverse.cwiseProduct(eigen.vectors * parts), along = rows * direction;
+      const double first = g.dot(direction);
+      double length = 1.0;
+      for (int halving = 0; halving < 60 && press(y + length * along).dot(direction) > 0.5 * std::abs(first); ++halving) length *= 0.5;
+      x += length * direction;
+      y += length * along;
+    }
+  }
+
+  bool solve(Vector& x, Vector& y) const {
+    const Vector from = x, open = y;
+    End end = newton(x, y, kSoonSteps);
+    if (end != End::Exhausted) return end == End::Found;
+    x = from;
+    y = open;
+    const double size = y.cwiseAbs().maxCoeff();
+    for (double softness = size; softness > kNotSoft * size; softness *= kSofter) {
+      soften(x, y, softness);
+      Vector place = x, penetration = y;
+      if (newton(place, penetration, kSoftSteps) == End::Found) {
+        x = place;
+        y = penetration;
+        return true;
+      }
+    }
+    return newton(x, y, kMostSteps) == End::Found;
   }
 };
 
@@ -155,6 +212,20 @@ RigidContact::Equilibrium RigidContact::project(const Vector& t) const {
   if (motions() > 0) result.found = problem.solve(result.motion, penetration);
   result.force = penetration.cwiseMax(0.0).cwiseProduct(stiffness);
   return result;
+}
+
+Vector RigidContact::leastMotion(const Equilibrium& pads, const Vector& t) const {
+  ClosedSet carrying(pairs(), 0);
+  for (int i = 0; i < pairs(); ++i) carrying[i] = pads.force(i) > 0.0;
+  const Matrix free = loose(carrying);
+  if (free.cols() == 0) return pads.motion;
+  std::vector<int> open;
+  for (const int i : members(carrying, 0))
+    if (pairs_.able[i]) open.push_back(i);
+  const Matrix rows = pairs_.rows(open, Eigen::all) * free;
+  const Vector room = -Vector(t(open) + pairs_.rows(open, Eigen::all) * pads.motion).cwiseMin(0.0);
+  const Vector along = free.transpose() * pads.motion;
+  return pads.motion + free * (leastDistance(-rows, -room - rows * along) - along);
 }
 
 ClosedSet RigidContact::start() {

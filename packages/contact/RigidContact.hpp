@@ -43,6 +43,9 @@ class RigidContact {
   /// Equilibrium on the pads from penetrations t.
   Equilibrium project(const Vector& t) const;
 
+  /// The least motion with the same pad forces and without further penetration, where they leave one free.
+  Vector leastMotion(const Equilibrium& pads, const Vector& t) const;
+
   /// The closed set of the equilibrium from `penetration`; sets compliance(). Pairs between parts that cannot move rigidly carry no pad
   /// force: they are closed where they penetrate or touch.
   ClosedSet start();

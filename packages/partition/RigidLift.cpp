@@ -66,8 +66,11 @@ class Lifting {
   Lifting(const Comm& comm, std::vector<SubdomainMesh>& meshes, const CarriedMotions& carry)
       : comm_(comm), meshes_(meshes), carry_(carry) {}
   bool run();
+  /// A lifted scene once more, by amplitudes of each part.
+  void further(const std::vector<Vector>& motion);
 
  private:
+  void findParts();
   bool choose();
   void shiftRules();
   void shiftGaps();
@@ -123,16 +126,17 @@ bool Lifting::choose() {
 void Lifting::shiftRules() {
   for (std::size_t s = 0; s < meshes_.size(); ++s) {
     SubdomainMesh& mesh = meshes_[s];
+    const bool first = mesh.lift.motion.size() == 0;
+    if (first) mesh.lift.motion = Vector::Zero(Eigen::Index(mesh.nodes()) * dimension_);
     for (NodeRule& rule : mesh.rules) {
-      mesh.lift.values.push_back(rule.value);
+      if (first) mesh.lift.values.push_back(rule.value);
       const auto moved = at(s, rule.node);
       for (int k = 0; k < dimension_; ++k)
         if (rule.fixed[k]) rule.value[k] = double(rule.value[k] - dot(rule.axes[k], moved));
     }
-    mesh.lift.motion.resize(Eigen::Index(mesh.nodes()) * dimension_);
     for (int node = 0; node < mesh.nodes(); ++node) {
       const auto moved = at(s, node);
-      for (int k = 0; k < dimension_; ++k) mesh.lift.motion[Eigen::Index(node) * dimension_ + k] = double(moved[k]);
+      for (int k = 0; k < dimension_; ++k) mesh.lift.motion[Eigen::Index(node) * dimension_ + k] += double(moved[k]);
     }
   }
 }
@@ -186,26 +190,36 @@ void Lifting::shiftGaps() {
   for (SubdomainMesh& mesh : meshes_)
     for (ContactRow& row : mesh.contactRows) {
       const Shift& shift = shifts.at(row.pair.id);
-      mesh.lift.gaps[row.pair.id] = row.pair.gap;
+      mesh.lift.gaps.emplace(row.pair.id, row.pair.gap);
       row.pair.gap = double(row.pair.gap - shift.moved);
       row.gap = double(row.pair.gap - shift.given);
     }
 }
 
-bool Lifting::run() {
-  if (!carry_ && !prescribesMotion(comm_, meshes_)) return false;
+void Lifting::findParts() {
   int mine = meshes_.empty() ? 0 : meshes_.front().dimension;
   Teuchos::reduceAll(comm_, Teuchos::REDUCE_MAX, mine, Teuchos::outArg(dimension_));
   std::vector<const SubdomainMesh*> pointers;
-  for (const SubdomainMesh& mesh : meshes_) {
-    if (mesh.lift.motion.size() > 0) throw InternalError("rigid motions taken out of a scene twice");
-    pointers.push_back(&mesh);
-  }
+  for (const SubdomainMesh& mesh : meshes_) pointers.push_back(&mesh);
   parts_ = std::make_unique<BodyParts>(comm_, pointers, dimension_);
+}
+
+bool Lifting::run() {
+  if (!carry_ && !prescribesMotion(comm_, meshes_)) return false;
+  for (const SubdomainMesh& mesh : meshes_)
+    if (mesh.lift.motion.size() > 0) throw InternalError("rigid motions taken out of a scene twice");
+  findParts();
   if (!choose()) return false;
   shiftRules();
   shiftGaps();
   return true;
+}
+
+void Lifting::further(const std::vector<Vector>& motion) {
+  findParts();
+  for (const Vector& amplitudes : motion) amplitudes_.push_back(extended(amplitudes));
+  shiftRules();
+  shiftGaps();
 }
 
 }  // namespace
@@ -221,6 +235,10 @@ bool prescribesMotion(const Comm& comm, const std::vector<SubdomainMesh>& meshes
 
 bool takeOutRigidMotions(const Comm& comm, std::vector<SubdomainMesh>& meshes, const CarriedMotions& carry) {
   return Lifting(comm, meshes, carry).run();
+}
+
+void moveFurther(const Comm& comm, std::vector<SubdomainMesh>& meshes, const std::vector<Vector>& motion) {
+  Lifting(comm, meshes, {}).further(motion);
 }
 
 void takeOver(const Comm& comm, const std::vector<SubdomainMesh>& meshes, Constraints& constraints) {

@@ -25,6 +25,11 @@ using CarriedMotions = std::function<std::vector<Vector>(const BodyParts& parts)
 /// \param meshes  of this rank; those of one scene only once
 bool takeOutRigidMotions(const Comm& comm, std::vector<SubdomainMesh>& meshes, const CarriedMotions& carry = {});
 
+/// Moves the parts of a scene further, whose rigid motions are out of it already: gaps follow, and rules, which such a motion should leave
+/// alone. Collective.
+/// \param motion  amplitudes of each part as BodyParts has them, the same on all ranks
+void moveFurther(const Comm& comm, std::vector<SubdomainMesh>& meshes, const std::vector<Vector>& motion);
+
 /// The same rules and gaps for the whole mesh: rank 0's constraints get what remains in the subdomains. Collective.
 void takeOver(const Comm& comm, const std::vector<SubdomainMesh>& meshes, Constraints& constraints);
 

@@ -132,12 +132,13 @@ std::vector<Vector> carriedMotions(const Comm& comm, const std::vector<Subdomain
   rigid.start();
   const RigidContact::Equilibrium found = rigid.project(penetration);
   if (!found.found) return carried;
+  const Vector least = rigid.leastMotion(found, penetration);
   std::vector<double> pressed(carried.size(), 0.0);  // largest compression of a part's pads
   const Vector compression = found.force.cwiseProduct(rigid.compliance());
   for (const End& end : ends) pressed[end.part] = std::max(pressed[end.part], compression[end.pair]);
   for (std::size_t p = 0; p < carried.size(); ++p) {
     const RigidPart& part = parts.parts[p];
-    const Vector motion = part.free * found.motion.segment(first[p], part.free.cols());
+    const Vector motion = part.free * least.segment(first[p], part.free.cols());
     if (motion.norm() > kFar * pressed[p]) carried[p] = motion;
   }
   return carried;

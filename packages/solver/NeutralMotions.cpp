@@ -4,6 +4,7 @@
 #include <suture/base/NonnegativeLeastSquares.hpp>
 #include <suture/elasticity/SubdomainLoads.hpp>
 #include <suture/interface/ContactBodies.hpp>
+#include <suture/partition/RigidLift.hpp>
 #include <suture/solver/NeutralMotions.hpp>
 
 #include <Teuchos_Comm.hpp>
@@ -143,7 +144,7 @@ bool straighten(const Comm& comm, const std::vector<SubdomainMesh>& meshes, cons
 /// Motions of parts as columns of nodal displacements, and what solutions are of them.
 class Least {
  public:
-  Least(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ContactBodies& bodies, const Matrix& motions)
+  Least(const Comm& comm, std::vector<SubdomainMesh>& meshes, const ContactBodies& bodies, const Matrix& motions)
       : comm_(comm), meshes_(meshes), bodies_(bodies), motions_(motions) {}
 
   /// Moves the displacements to where they are least; false: they are there.
@@ -181,6 +182,13 @@ class Least {
     double size = 0.0;
     for (const RigidPart& part : bodies_.parts()) size = std::max(size, part.radius);
     if (!(most > std::max(kAsItIs * overall, kNothing * size))) return false;
+    if (isLifted()) {  // there it costs no digits
+      std::vector<Vector> further;
+      const Vector motion = motions_ * y;
+      for (std::size_t p = 0; p < bodies_.parts().size(); ++p) further.push_back(bodies_.amplitudes(static_cast<int>(p), motion));
+      moveFurther(comm_, meshes_, further);
+      return true;
+    }
     forEachNode([&](std::size_t s, int node, const Matrix& moved) {
       const int d = meshes_[s].dimension;
       const Vector shift = moved * y;
@@ -193,6 +201,13 @@ class Least {
   }
 
  private:
+  bool isLifted() const {
+    int mine = 0, any = 0;
+    for (const SubdomainMesh& mesh : meshes_) mine = mine || mesh.lift.motion.size() > 0;
+    Teuchos::reduceAll(comm_, Teuchos::REDUCE_MAX, mine, Teuchos::outArg(any));
+    return any != 0;
+  }
+
   template <typename Take>
   void forEachNode(const Take& take) const {
     for (std::size_t s = 0; s < meshes_.size(); ++s) {
@@ -206,7 +221,7 @@ class Least {
   }
 
   const Comm& comm_;
-  const std::vector<SubdomainMesh>& meshes_;
+  std::vector<SubdomainMesh>& meshes_;
   const ContactBodies& bodies_;
   const Matrix& motions_;
 };
@@ -226,18 +241,7 @@ void addMotions(const ContactBodies& bodies, const Matrix& motions, bool bothSen
 
 }  // namespace
 
-Vector leastDistance(const Matrix& a, const Vector& b) {
-  const Eigen::Index k = a.cols(), rows = a.rows();
-  if (rows == 0 || !(b.maxCoeff() > 0.0)) return Vector::Zero(k);
-  const double scale = b.cwiseAbs().maxCoeff();
-  Matrix e(k + 1, rows);
-  e << a.transpose(), (b / scale).transpose();
-  const Vector f = Vector::Unit(k + 1, k), r = e * nonnegativeLeastSquares(e, f) - f;
-  if (!(r(k) < -1e-12)) return Vector::Zero(k);
-  return scale * (-r.head(k) / r(k));
-}
-
-void settleNeutralMotions(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model, Solution& solution) {
+void settleNeutralMotions(const Comm& comm, std::vector<SubdomainMesh>& meshes, const ElasticModel& model, Solution& solution) {
   std::vector<const SubdomainMesh*> all;
   for (const SubdomainMesh& mesh : meshes) all.push_back(&mesh);
   const ContactBodies bodies(comm, all);

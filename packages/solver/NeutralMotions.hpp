@@ -17,16 +17,13 @@ namespace suture {
 ///   left there.
 /// A pair carries a force above 1e-12 of the largest on either of its bodies, and holds it above 1e-8; it touches where its gap is below
 /// 1e-6 of the most by which gaps of its bodies have changed. Collective.
-/// \param meshes  those of solution.displacement  \param model  whose loads act
-void settleNeutralMotions(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model, Solution& solution);
+/// \param meshes  those of solution.displacement; their lifts, if they have any, take up the motions  \param model  whose loads act
+void settleNeutralMotions(const Comm& comm, std::vector<SubdomainMesh>& meshes, const ElasticModel& model, Solution& solution);
 
 /// A sentence a motion, for the user.
 std::string inWords(const NeutralMotion& motion);
 
 /// The motions that make a solution useless as it stands: a loaded body slides or turns freely in both senses. Empty: none.
 std::string undetermined(const std::vector<NeutralMotion>& motions);
-
-/// The x of least norm with a x >= b (Lawson and Hanson's LDP, by nonnegative least squares); zero where there is none. Local.
-Vector leastDistance(const Matrix& a, const Vector& b);
 
 }  // namespace suture

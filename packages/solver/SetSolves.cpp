@@ -15,6 +15,7 @@ namespace {
 constexpr int kRestarts = 4;        // of conjugate gradients whose recursion has lost the residual
 constexpr double kStalled = 0.5;    // of the residual: a restart that leaves more has met the floor of rounding
 constexpr double kPassive = 1e-12;  // of its cluster's energy, below which a body has none of its own
+constexpr double kImbalance = 10.0;  // times the tolerance: a tenth of what the verdict allows the forces on a body
 constexpr double kSharper = 0.7;    // of the tolerance that would do if all residuals fell alike
 constexpr int kRescales = 4;
 constexpr double kOverestimate = 2.0;  // of the solution's energy norm, from which on a solve is taken up again
@@ -156,6 +157,22 @@ double SetSolves::norm(const MultiVector& residual, const InterfaceState& state)
   return bodies;
 }
 
+/// Imbalance of the loads and pair forces on a body, in the motions that nothing but contact stops, beside the sum of their magnitudes: the
+/// largest of all bodies.
+double SetSolves::imbalance(const Vector& force) const {
+  const RigidContact::Pairs& data = sets_.bodies().rigid().data();
+  double most = 0.0;
+  for (std::size_t p = 0; p < sets_.bodies().parts().size(); ++p) {
+    const Eigen::Index first = sets_.bodies().firstMotion(static_cast<int>(p)), count = sets_.bodies().parts()[p].free.cols();
+    if (count == 0) continue;
+    const auto rows = data.rows.middleCols(first, count);
+    const Vector work = data.work.segment(first, count), rest = rows.transpose() * force - work;
+    const double size = rows.rowwise().norm().dot(force.cwiseAbs()) + work.norm();
+    if (size > 0.0) most = std::max(most, rest.norm() / size);
+  }
+  return most;
+}
+
 void SetSolves::evaluateStart() {
   InterfaceState state = run_.result.state;
   state.trace = Teuchos::rcp(new MultiVector(*run_.result.state.trace, Teuchos::Copy));
@@ -266,6 +283,10 @@ ContactAnswer SetSolves::solve(const ClosedSet& closed, int level) {
         at = sets_.evaluateSet(state, final);
         const double sharper = sharper_;
         residual = norm(*at.residual, state);
+        if (const double forces = imbalance(at.force) / kImbalance; forces > final && residual <= final && !run_.automatic.on()) {
+          sharper_ = std::min(sharper_, kSharper * residual / forces);
+          residual = forces;
+        }
         sharpened = sharper_ < sharper;
         drifted = residual > final;
       }

@@ -1,3 +1,4 @@
+#include <suture/base/NonnegativeLeastSquares.hpp>
 #include <suture/solver/NeutralMotions.hpp>
 
 #include <Teuchos_UnitTestHarness.hpp>
