@@ -291,6 +291,18 @@ bool ContactSearch::safeStep(ClosedSet& next) {
   return true;
 }
 
+/// Holders have moved bodies to where their gaps close: along motions that change no force, back to the least.
+void ContactSearch::moveLeast(const ClosedSet& carrying) {
+  const Vector motion = oracle_.motion();
+  if (motion.size() != rigid_.motions() || motion.size() == 0) return;
+  const Vector further = rigid_.leastMotion(carrying, motion, answer_.penetration) - motion;
+  if (further.isZero(0.0)) return;
+  const Vector moved = rigid_.data().rows * further;
+  for (std::size_t i = 0; i < carrying.size(); ++i)
+    if (!carrying[i]) answer_.penetration(static_cast<Eigen::Index>(i)) += moved(static_cast<Eigen::Index>(i));
+  oracle_.move(further);
+}
+
 ContactSearch::Result ContactSearch::finish(bool converged, std::string failure) {
   Result result;
   result.converged = converged;
@@ -305,6 +317,10 @@ ContactSearch::Result ContactSearch::finish(bool converged, std::string failure)
     for (std::size_t i = 0; i < set_.size(); ++i) {
       const auto at = static_cast<Eigen::Index>(i);
       carrying[i] = set_[i] && result.force(at) > least && result.force(at) > answer_.forceTolerance(at);
+    }
+    moveLeast(carrying);
+    for (std::size_t i = 0; i < set_.size(); ++i) {
+      const auto at = static_cast<Eigen::Index>(i);
       touching[i] = rigid_.data().able[i] && !carrying[i] && (set_[i] || answer_.penetration(at) >= -answer_.penetrationTolerance(at));
     }
     result.neutral = rigid_.neutral(carrying, touching);

@@ -34,6 +34,8 @@ class ContactOracle {
   virtual Change redistribute(const ClosedSet& closed, const Vector& given) = 0;
   /// The state of the last solve moves rigidly: `motion` are amplitudes of RigidContact.
   virtual void move(const Vector& motion) = 0;
+  /// Amplitudes of the last solve's rigid motions; empty: not known.
+  virtual Vector motion() const { return {}; }
   /// A next set better than plain flips, at the state of the last solve as it stands now; empty: none.
   virtual ClosedSet proposal() { return {}; }
   /// False ends the search after the step in hand.
@@ -89,6 +91,7 @@ class ContactSearch {
   bool staticStart();
   bool safeStep(ClosedSet& next);
   bool descend(const State& from, bool pushFirst, State& to);
+  void moveLeast(const ClosedSet& carrying);
   Result finish(bool converged, std::string failure);
 
   const RigidContact& rigid_;

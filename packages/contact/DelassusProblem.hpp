@@ -21,6 +21,7 @@ class DelassusProblem : public ContactOracle {
   ContactAnswer solve(const ClosedSet& closed, int level) override;
   Change redistribute(const ClosedSet& closed, const Vector& given) override;
   void move(const Vector& motion) override { state_.amplitude += motion; }
+  Vector motion() const override { return state_.amplitude; }
   const State& state() const { return state_; }
 
  private:

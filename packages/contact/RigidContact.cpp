@@ -214,18 +214,15 @@ RigidContact::Equilibrium RigidContact::project(const Vector& t) const {
   return result;
 }
 
-Vector RigidContact::leastMotion(const Equilibrium& pads, const Vector& t) const {
-  ClosedSet carrying(pairs(), 0);
-  for (int i = 0; i < pairs(); ++i) carrying[i] = pads.force(i) > 0.0;
+Vector RigidContact::leastMotion(const ClosedSet& carrying, const Vector& motion, const Vector& penetration) const {
   const Matrix free = loose(carrying);
-  if (free.cols() == 0) return pads.motion;
+  if (free.cols() == 0) return motion;
   std::vector<int> open;
   for (const int i : members(carrying, 0))
     if (pairs_.able[i]) open.push_back(i);
   const Matrix rows = pairs_.rows(open, Eigen::all) * free;
-  const Vector room = -Vector(t(open) + pairs_.rows(open, Eigen::all) * pads.motion).cwiseMin(0.0);
-  const Vector along = free.transpose() * pads.motion;
-  return pads.motion + free * (leastDistance(-rows, -room - rows * along) - along);
+  const Vector room = -Vector(penetration(open)).cwiseMin(0.0), along = free.transpose() * motion;
+  return motion + free * (leastDistance(-rows, -room - rows * along) - along);
 }
 
 ClosedSet RigidContact::start() {

@@ -43,8 +43,8 @@ class RigidContact {
   /// Equilibrium on the pads from penetrations t.
   Equilibrium project(const Vector& t) const;
 
-  /// The least motion with the same pad forces and without further penetration, where they leave one free.
-  Vector leastMotion(const Equilibrium& pads, const Vector& t) const;
+  /// The least motion that pairs with force and penetrations allow, where they leave one free. \param motion  whose penetrations are given
+  Vector leastMotion(const ClosedSet& carrying, const Vector& motion, const Vector& penetration) const;
 
   /// The closed set of the equilibrium from `penetration`; sets compliance(). Pairs between parts that cannot move rigidly carry no pad
   /// force: they are closed where they penetrate or touch.

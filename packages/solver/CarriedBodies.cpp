@@ -132,7 +132,9 @@ std::vector<Vector> carriedMotions(const Comm& comm, const std::vector<Subdomain
   rigid.start();
   const RigidContact::Equilibrium found = rigid.project(penetration);
   if (!found.found) return carried;
-  const Vector least = rigid.leastMotion(found, penetration);
+  ClosedSet carrying(count, 0);
+  for (int i = 0; i < count; ++i) carrying[i] = found.force[i] > 0.0;
+  const Vector least = rigid.leastMotion(carrying, found.motion, penetration + rigid.data().rows * found.motion);
   std::vector<double> pressed(carried.size(), 0.0);  // largest compression of a part's pads
   const Vector compression = found.force.cwiseProduct(rigid.compliance());
   for (const End& end : ends) pressed[end.part] = std::max(pressed[end.part], compression[end.pair]);

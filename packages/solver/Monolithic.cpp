@@ -1,9 +1,9 @@
 #include <suture/base/Dense.hpp>
 #include <suture/base/Errors.hpp>
+#include <suture/constraints/RigidMotion.hpp>
 #include <suture/solver/Monolithic.hpp>
 #include <suture/solver/MonolithicContact.hpp>
 #include <suture/solver/MonolithicSystem.hpp>
-#include <suture/constraints/RigidMotion.hpp>
 #include <suture/solver/Solvability.hpp>
 #include <suture/subdomain/CholmodFactor.hpp>
 

@@ -12,11 +12,11 @@
 namespace suture {
 
 namespace {
-constexpr int kRestarts = 4;        // of conjugate gradients whose recursion has lost the residual
-constexpr double kStalled = 0.5;    // of the residual: a restart that leaves more has met the floor of rounding
-constexpr double kPassive = 1e-12;  // of its cluster's energy, below which a body has none of its own
+constexpr int kRestarts = 4;         // of conjugate gradients whose recursion has lost the residual
+constexpr double kStalled = 0.5;     // of the residual: a restart that leaves more has met the floor of rounding
+constexpr double kPassive = 1e-12;   // of its cluster's energy, below which a body has none of its own
 constexpr double kImbalance = 10.0;  // times the tolerance: a tenth of what the verdict allows the forces on a body
-constexpr double kSharper = 0.7;    // of the tolerance that would do if all residuals fell alike
+constexpr double kSharper = 0.7;     // of the tolerance that would do if all residuals fell alike
 constexpr int kRescales = 4;
 constexpr double kOverestimate = 2.0;  // of the solution's energy norm, from which on a solve is taken up again
 constexpr double kRounding = 1e-14;    // of the energy norm that a solve began with, which its answer cannot be free of

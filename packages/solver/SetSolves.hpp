@@ -24,6 +24,7 @@ class SetSolves : public ContactOracle {
   ContactAnswer solve(const ClosedSet& closed, int level) override;
   Change redistribute(const ClosedSet& closed, const Vector& given) override;
   void move(const Vector& motion) override;
+  Vector motion() const override { return run_.result.state.rigid; }
   ClosedSet proposal() override { return sets_.proposal(run_.result.state); }
   bool goesOn() override { return !run_.done() && !run_.stopRequested(); }
 
