@@ -160,6 +160,13 @@ std::shared_ptr<const InterfaceSpace> InterfaceSpace::related(std::vector<Interf
   }
   derived->edges_ = std::move(kept);
   for (const auto& chain : chains) derived->cutChain(chain);
+  // Unknowns that local problems share by a relation alone, on no chain: a row whose other terms are rounding.
+  std::vector<char> onEdge(ids_.size(), 0);
+  for (const InterfaceEdge& edge : derived->edges_)
+    for (const int place : edge.unknowns) onEdge[place] = 1;
+  for (const InterfaceRelation& relation : derived->relations_)
+    if (relation.others.size() == 1 && derived->sharers_[relation.others[0]].size() == 2 && !onEdge[relation.others[0]])
+      derived->corner_[relation.others[0]] = 1;
   return derived;
 }
 
