@@ -10,10 +10,11 @@ namespace suture {
 
 namespace {
 
-constexpr int kPlainSolves = 12;  // of one accuracy before other sets than plain flips are tried
-constexpr int kModelSolves = 3;   // whose next set the half-planes propose: later ones differ by a pair, which a plain flip finds as well
-constexpr int kPatience = 25;     // solves without a better state before a safe step
-constexpr double kIdle = 1e-10;   // forces below this part of the largest are those of pairs that only touch
+constexpr int kPlainSolves = 12;    // of one accuracy before other sets than plain flips are tried
+constexpr int kModelSolves = 3;     // whose next set the half-planes propose: later ones differ by a pair, which a plain flip finds as well
+constexpr int kPatience = 25;       // solves without a better state before a safe step
+constexpr double kIdle = 1e-10;     // forces below this part of the largest of their cluster are those of pairs that only touch
+constexpr double kNoForce = 1e-13;  // of forces by statics: rounding
 constexpr double kProgress = 1e-13;  // energies that differ by less are equal
 constexpr std::size_t kMemory = 30;  // solves that the model learns from
 
@@ -113,11 +114,11 @@ bool ContactSearch::proposed(const ClosedSet& set) const { return std::find(seen
 /// Takes pairs without force out of the equations for the bodies' places: they would fix them wrongly.
 void ContactSearch::dropIdle() {
   answer_.force = answer_.force.cwiseMax(0.0);
-  const double least = kIdle * (answer_.force.size() > 0 ? answer_.force.maxCoeff() : 0.0);
+  const Vector scale = rigid_.clusterScale(set_, answer_.force);
   ClosedSet carrying = set_;
   for (std::size_t i = 0; i < set_.size(); ++i) {
     const auto at = static_cast<Eigen::Index>(i);
-    carrying[i] = set_[i] && answer_.force(at) > least && answer_.force(at) > answer_.forceTolerance(at);
+    carrying[i] = set_[i] && answer_.force(at) > kIdle * scale(at) && answer_.force(at) > answer_.forceTolerance(at);
     if (!carrying[i]) answer_.force(at) = 0.0;
   }
   if (carrying == set_ || rigid_.motions() == 0) return;
@@ -183,8 +184,9 @@ bool ContactSearch::staticStart() {
   const Vector force = rigid_.staticForces();
   if (force.size() != rigid_.pairs()) return false;
   ClosedSet carrying(rigid_.pairs(), 0);
-  const double least = 1e-13 * (force.size() > 0 ? force.maxCoeff() : 0.0);
-  for (std::size_t i = 0; i < carrying.size(); ++i) carrying[i] = force(static_cast<Eigen::Index>(i)) > least;
+  const Vector scale = rigid_.clusterScale(ClosedSet(carrying.size(), 1), force);
+  for (std::size_t i = 0; i < carrying.size(); ++i)
+    carrying[i] = force(static_cast<Eigen::Index>(i)) > kNoForce * scale(static_cast<Eigen::Index>(i));
   if (!solve(carrying)) return false;
   dropIdle();
   best_ = {answer_.force, answer_.penetration, answer_.penetrationTolerance, set_, answer_.energy};
@@ -312,11 +314,11 @@ ContactSearch::Result ContactSearch::finish(bool converged, std::string failure)
   result.solves = solves_;
   if (converged) {
     ClosedSet carrying = set_;
-    const double least = kIdle * (result.force.size() > 0 ? result.force.maxCoeff() : 0.0);
+    const Vector scale = rigid_.clusterScale(set_, result.force);
     ClosedSet touching(set_.size(), 0);
     for (std::size_t i = 0; i < set_.size(); ++i) {
       const auto at = static_cast<Eigen::Index>(i);
-      carrying[i] = set_[i] && result.force(at) > least && result.force(at) > answer_.forceTolerance(at);
+      carrying[i] = set_[i] && result.force(at) > kIdle * scale(at) && result.force(at) > answer_.forceTolerance(at);
     }
     moveLeast(carrying);
     for (std::size_t i = 0; i < set_.size(); ++i) {

@@ -198,8 +198,34 @@ RigidContact::RigidContact(Pairs pairs) : pairs_(std::move(pairs)), norm_(pairs_
   for (int i = 0; i < this->pairs(); ++i)
     if (!pairs_.able[i]) compliance_(i) = 1.0;
   rank_ = motions() - static_cast<int>(loose(ClosedSet(this->pairs(), 1)).cols());
+  findComponents();
 }
 
+void RigidContact::findComponents() {
+  DisjointSets sets(motions());
+  std::vector<int> any(pairs(), -1);  // a motion that the pair feels
+  for (int i = 0; i < pairs(); ++i) {
+    if (!pairs_.able[i]) continue;
+    for (int k = 0; k < motions(); ++k)
+      if (pairs_.rows(i, k) != 0.0) {
+        if (any[i] < 0) any[i] = k;
+        sets.join(k, any[i]);
+      }
+  }
+  std::vector<int> number(motions(), -1);
+  for (int k = 0; k < motions(); ++k) {
+    int& own = number[sets.lowest(k)];
+    if (own < 0) {
+      own = static_cast<int>(components_.size());
+      components_.emplace_back();
+    }
+    components_[own].motions.push_back(k);
+  }
+  for (int i = 0; i < pairs(); ++i)
+    if (any[i] >= 0) components_[number[sets.lowest(any[i])]].pairs.push_back(i);
+}
+
+/// Bodies that pads couple together at a time: those that carry little are no rounding of those that carry much.
 RigidContact::Equilibrium RigidContact::project(const Vector& t) const {
   Equilibrium result;
   result.motion = Vector::Zero(motions());
@@ -207,9 +233,16 @@ RigidContact::Equilibrium RigidContact::project(const Vector& t) const {
   Vector stiffness = compliance_.cwiseInverse();
   for (int i = 0; i < pairs(); ++i)
     if (!pairs_.able[i]) stiffness(i) = 0.0;
-  const PadProblem problem{pairs_.rows, t, stiffness, pairs_.work, norm_};
   Vector penetration = t;
-  if (motions() > 0) result.found = problem.solve(result.motion, penetration);
+  for (const Component& component : components_) {
+    const Matrix rows = pairs_.rows(component.pairs, component.motions);
+    const Vector work = pairs_.work(component.motions), own = t(component.pairs), k = stiffness(component.pairs);
+    const PadProblem problem{rows, own, k, work, work.norm()};
+    Vector x = Vector::Zero(work.size()), y = own;
+    result.found = problem.solve(x, y) && result.found;
+    result.motion(component.motions) = x;
+    penetration(component.pairs) = y;
+  }
   result.force = penetration.cwiseMax(0.0).cwiseProduct(stiffness);
   return result;
 }

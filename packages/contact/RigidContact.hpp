@@ -71,10 +71,16 @@ class RigidContact {
   Vector staticForces() const;
 
  private:
+  void findComponents();
+
   Pairs pairs_;
   Vector compliance_;
-  double norm_ = 0.0;  // of the work
-  int rank_ = 0;       // motions that pairs can stop
+  struct Component {
+    std::vector<int> motions, pairs;
+  };
+  std::vector<Component> components_;  // motions that pads couple
+  double norm_ = 0.0;                  // of the work
+  int rank_ = 0;                       // motions that pairs can stop
 };
 
 }  // namespace suture

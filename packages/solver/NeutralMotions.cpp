@@ -1,6 +1,7 @@
 #include <suture/base/Buffer.hpp>
 #include <suture/base/Collective.hpp>
 #include <suture/base/Dense.hpp>
+#include <suture/base/DisjointSets.hpp>
 #include <suture/base/NonnegativeLeastSquares.hpp>
 #include <suture/elasticity/SubdomainLoads.hpp>
 #include <suture/interface/ContactBodies.hpp>
@@ -18,7 +19,7 @@ namespace suture {
 namespace {
 
 constexpr double kNoForce = 1e-12, kNoHold = 1e-8;  // of the largest pair force on a body
-constexpr double kNoCluster = 1e-13;                // of the largest pair force of all: bodies below it carry nothing but rounding
+constexpr double kNoCluster = 1e-13;                // of the largest pair force on bodies that pairs join: below it is nothing but rounding
 constexpr double kNoGap = 1e-6;                     // of the largest change of a gap on a body
 constexpr double kFlat = 1e-6;                      // of a body's size: a change of its gaps that is one
 constexpr double kNoMotion = 1e-8;                  // of an amplitude of the order of one
@@ -54,6 +55,20 @@ std::vector<double> largestOf(const RigidContact::Pairs& data, std::size_t parts
   return most;
 }
 
+/// Rounding of forces on each part, by the largest on any that pairs, closed or open, connect with it. Others do not touch it.
+std::vector<double> roundingOf(const RigidContact::Pairs& data, const std::vector<double>& force) {
+  DisjointSets neighbours(static_cast<int>(force.size()));
+  for (const auto& bodies : data.bodies)
+    for (const int part : bodies) neighbours.join(part, bodies.front());
+  std::vector<double> most(force.size(), 0.0), rounding(force.size());
+  for (std::size_t p = 0; p < force.size(); ++p) {
+    double& own = most[neighbours.lowest(static_cast<int>(p))];
+    own = std::max(own, force[p]);
+  }
+  for (std::size_t p = 0; p < force.size(); ++p) rounding[p] = kNoCluster * most[neighbours.lowest(static_cast<int>(p))];
+  return rounding;
+}
+
 /// What pairs are at a solution.
 struct Classes {
   ClosedSet carrying;  ///< with a force that holds its bodies
@@ -66,17 +81,18 @@ Classes classify(const ContactBodies& bodies, const Pairs& pairs) {
   const int count = bodies.rigid().pairs();
   const std::vector<double> force = largestOf(data, bodies.parts().size(), pairs.force),
                             change = largestOf(data, bodies.parts().size(), pairs.change);
-  const double rounding = kNoCluster * pairs.force.maxCoeff();
+  const std::vector<double> rounding = roundingOf(data, force);
   Classes classes{ClosedSet(count, 0), ClosedSet(count, 0), ClosedSet(count, 0)};
   for (int i = 0; i < count; ++i) {
     if (!data.able[i]) continue;
-    double least = 0.0, moved = 0.0;
+    double least = 0.0, moved = 0.0, none = 0.0;
     for (const int part : data.bodies[i]) {
+      none = std::max(none, rounding[part]);
       least = least == 0.0 ? force[part] : std::min(least, force[part]);
       moved = std::max({moved, change[part], kFlat * bodies.parts()[part].radius});
     }
-    classes.carrying[i] = pairs.closed[i] && pairs.force(i) > std::max(kNoHold * least, rounding);
-    classes.idle[i] = pairs.closed[i] && pairs.force(i) <= std::max(kNoForce * least, rounding);
+    classes.carrying[i] = pairs.closed[i] && pairs.force(i) > std::max(kNoHold * least, none);
+    classes.idle[i] = pairs.closed[i] && pairs.force(i) <= std::max(kNoForce * least, none);
     classes.touching[i] = !classes.carrying[i] && pairs.gap(i) <= kNoGap * moved;
   }
   return classes;

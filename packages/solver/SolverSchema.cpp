@@ -81,7 +81,7 @@ void addSolverParameters(Schema& scene) {
       "What becomes of a solution in which a loaded body slides or turns freely after pairs have opened: its place is not determined "
       "then. Refuse: the run writes its results, names body and motion and ends with exit code 4. Least: the least displacement is "
       "kept, and a note says so.");
-  outer.integer("Maximum Iterations", 50, "Outer iterations at most; methods by closed sets: sets at most.", Range::atLeast(0));
+  outer.integer("Maximum Iterations", 200, "Outer iterations at most; methods by closed sets: sets at most.", Range::atLeast(0));
   outer.integer("Maximum Inner Iterations", 1000, "Conjugate gradient iterations of one linear solve at most.", Range::atLeast(1));
   scene.list("Outer Solver", outer);
 

@@ -24,6 +24,7 @@ struct Options {
   int count = 300;
   std::string only, dump;
   bool verbose = false;
+  std::vector<std::uint64_t> seeds;  // --only, which may be repeated; or `count` from `first`
 };
 
 Options parse(int argc, char** argv) {
@@ -36,7 +37,7 @@ Options parse(int argc, char** argv) {
     else if (name == "--count")
       options.count = std::stoi(value());
     else if (name == "--only")
-      options.first = std::stoull(value()), options.count = 1;
+      options.seeds.push_back(std::stoull(value()));
     else if (name == "--formulation")
       options.only = value();
     else if (name == "--dump")
@@ -46,6 +47,8 @@ Options parse(int argc, char** argv) {
     else
       throw std::invalid_argument("unknown option " + name);
   }
+  if (options.seeds.empty())
+    for (int i = 0; i < options.count; ++i) options.seeds.push_back(options.first + i);
   return options;
 }
 
@@ -148,8 +151,8 @@ int main(int argc, char** argv) {
   const Options options = parse(argc, argv);
   std::map<std::string, std::map<std::string, Counts>> table;
   int wrong = 0;
-  for (int i = 0; i < options.count; ++i) {
-    const CorpusScene random = corpusScene(options.first + i);
+  for (const std::uint64_t seed : options.seeds) {
+    const CorpusScene random = corpusScene(seed);
     if (!options.dump.empty()) dump(*comm, random, options.dump);
     for (const std::string& line : scene(comm, random, options, table)) {
       ++wrong;

@@ -102,6 +102,7 @@ TEUCHOS_UNIT_TEST(Summary, NamesEveryPathThatItWritesAndNoOther) {
   sample.solution_.estimates["mu"] = 1.0;
   sample.solution_.chosenSchur["Explicit"] = 3;
   sample.solution_.errors["displacement_l2"] = 1e-5;
+  sample.solution_.neutral = {{"left", "move (1, 0)", true, true}};
   prepareFolder(*sample.comm_, sample.folder_);
   writeSummary(sample.run(), ExitCode::Done, sample.folder_ + "/summary.json");
   std::vector<std::string> written;

@@ -11,13 +11,10 @@ using scenes::ExtendedReference;
 
 constexpr double kDigits = 1e-6;
 
-/// Contact groups stop against their lifted start: where that is far from the solution they have fewer digits.
-const std::vector<std::string> kOfTheSolution{"Active Set", "Monolithic"};
-
 /// All ways against the reference.
 void agrees(const Scene& scene, const ExtendedReference& reference, bool& success, Teuchos::FancyOStream& out, const std::string& name,
-            const std::vector<std::string>& by = ways()) {
-  for (const std::string& way : by) {
+            double digits = kDigits) {
+  for (const std::string& way : ways()) {
     const Solved found = solveAs(way, scene);
     const BodyByBody apart = found.pairs.empty() ? BodyByBody() : compare(scene, found, reference);
     out << name << ", " << way << ": " << found.pcg << " PCG, forces " << apart.force << ", displacements " << apart.displacement << ", "
@@ -25,8 +22,8 @@ void agrees(const Scene& scene, const ExtendedReference& reference, bool& succes
         << "\n";
     TEST_ASSERT(found.converged);
     TEST_ASSERT(found.verdict.holds());
-    TEST_COMPARE(apart.force, <=, kDigits);
-    TEST_COMPARE(apart.displacement, <=, kDigits);
+    TEST_COMPARE(apart.force, <=, digits);
+    TEST_COMPARE(apart.displacement, <=, digits);
     TEST_EQUALITY(apart.otherwise, 0);
   }
 }
@@ -65,7 +62,7 @@ TEUCHOS_UNIT_TEST(BodyByBody, InitialGaps) {
     const ExtendedReference reference(scene, {}, [&](int body, const Point&) {
       return std::array<long double, 2>{0, body == 1 ? -size : 0.0};
     });
-    agrees(scene, reference, success, out, "gap " + std::to_string(size), size > 10.0 ? ways() : kOfTheSolution);
+    agrees(scene, reference, success, out, "gap " + std::to_string(size));
   }
 }
 
@@ -84,7 +81,7 @@ TEUCHOS_UNIT_TEST(BodyByBody, LoadsOf1e9thOfTheModulus) {
   for (const double load : {1e-3, 1e-9}) {
     Scene scene = looseBlock(1.0, 100.0 * load);
     for (ContactPair& pair : scene.constraints.pairs) pair.gap = 1e-3 * std::pow(std::abs(pair.position[0]) - 0.5, 2);
-    agrees(scene, ExtendedReference(scene), success, out, "load " + std::to_string(load), kOfTheSolution);
+    agrees(scene, ExtendedReference(scene), success, out, "load " + std::to_string(load));
   }
 }
 
@@ -97,8 +94,8 @@ TEUCHOS_UNIT_TEST(BodyByBody, ACrownUnderALightLoad) {
   scene.pressure("upper_top", 100.0);
   for (ContactPair& pair : scene.constraints.pairs) pair.gap = 0.01 * pair.position[0] * pair.position[0];
   const ExtendedReference reference(scene);
-  agrees(scene, reference, success, out, "crown", kOfTheSolution);
-  for (const std::string& way : kOfTheSolution)
+  agrees(scene, reference, success, out, "crown");
+  for (const std::string& way : ways())
     for (const PairResult& pair : solveAs(way, scene).pairs)
       if (pair.position[0] == 0.0) TEST_FLOATING_EQUALITY(pair.force, 200.0, 1e-9);
 }
@@ -107,7 +104,7 @@ TEUCHOS_UNIT_TEST(BodyByBody, YoungJumpsBetweenBodies) {
   for (const double jump : {1e-8, 1e-4, 1e4, 1e8}) {
     Scene scene = looseBlock();
     scene.model.materialOfBody[1].young *= jump;
-    agrees(scene, ExtendedReference(scene), success, out, "jump " + std::to_string(jump), kOfTheSolution);
+    agrees(scene, ExtendedReference(scene), success, out, "jump " + std::to_string(jump));
   }
 }
 
@@ -117,9 +114,11 @@ Scene bricks(double jump) {
   return scene;
 }
 
+/// At 1e8 all ways, a sparse Cholesky factorisation of the whole among them, come to 1e-6 to 2e-6: rounding of the stiff bricks' own
+/// stiffness.
 TEUCHOS_UNIT_TEST(BodyByBody, YoungJumpsBetweenBricks) {
-  for (const double jump : {1e-8, 1e-4, 1e4, 1e7})
-    agrees(bricks(jump), ExtendedReference(bricks(jump)), success, out, "bricks " + std::to_string(jump));
+  for (const double jump : {1e-8, 1e-4, 1e4, 1e7, 1e8})
+    agrees(bricks(jump), ExtendedReference(bricks(jump)), success, out, "bricks " + std::to_string(jump), jump < 1e8 ? kDigits : 4e-6);
 }
 
 /// Beyond what double precision holds: an answer is right, or the verdict says that it is not.

@@ -122,7 +122,7 @@ inline Eigen::Matrix<long double, Eigen::Dynamic, 1> lessRigid(const Mesh& mesh,
   return field;
 }
 
-inline BodyByBody compare(const Scene& scene, const Solved& found, const scenes::ExtendedReference& reference) {
+inline BodyByBody compareOnRoot(const Scene& scene, const Solved& found, const scenes::ExtendedReference& reference) {
   const Mesh& mesh = scene.mesh;
   const auto exact = lessRigid(mesh, reference.displacement);
   const auto own = lessRigid(mesh, found.deformation.cast<long double>());
@@ -145,6 +145,17 @@ inline BodyByBody compare(const Scene& scene, const Solved& found, const scenes:
     worst.otherwise += (found.pairs.at(pair.id).status != PairStatus::Open) != bool(reference.closed[pair.id]);
   }
   return worst;
+}
+
+/// Collective; the same on all ranks.
+inline BodyByBody compare(const Scene& scene, const Solved& found, const scenes::ExtendedReference& reference) {
+  double values[3] = {0, 0, 0};
+  if (world()->getRank() == 0) {
+    const BodyByBody worst = compareOnRoot(scene, found, reference);
+    values[0] = worst.force, values[1] = worst.displacement, values[2] = worst.otherwise;
+  }
+  Teuchos::broadcast(*world(), 0, 3, values);
+  return {values[0], values[1], int(values[2])};
 }
 
 }  // namespace suture::blocks

@@ -3,6 +3,7 @@
 #include <suture/solver/MonolithicSystem.hpp>
 
 #include <Eigen/LU>
+#include <Teuchos_DefaultComm.hpp>
 
 #include <array>
 #include <functional>
@@ -13,6 +14,7 @@ namespace suture::scenes {
 
 /// A small scene solved in extended precision, and certified: all equations as one dense saddle problem with a set of closed pairs, which
 /// is flipped until no closed pair pulls and no open one penetrates. Data (element stiffnesses, loads, gaps) are those of the program.
+/// Rank 0 has it, the others have nothing.
 struct ExtendedReference {
   using Real = long double;
   using Dense = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
@@ -27,6 +29,7 @@ struct ExtendedReference {
 
   /// \param start  closed pairs to begin with; none: all
   explicit ExtendedReference(const Scene& scene, std::vector<char> start = {}, const Motion& motion = {}) {
+    if (Teuchos::DefaultComm<int>::getComm()->getRank() != 0) return;
     const int unknowns = 2 * scene.mesh.nodes(), pairs = int(scene.constraints.pairs.size());
     Dense stiffness = Dense::Zero(unknowns, unknowns);
     elementStiffnesses(
