@@ -157,6 +157,7 @@ void forget(Mesh& mesh, Constraints& constraints, Partition& partition) {
   mesh = Mesh();
   constraints = Constraints();
   partition.subdomainOfElement = std::vector<int>();
+  giveBackFreedMemory();
 }
 
 std::unique_ptr<InterfaceProblem> problemStage(const CommPtr& comm, const Partition& partition, const Subdomains& subdomains,

@@ -15,13 +15,15 @@ namespace suture {
 namespace {
 
 constexpr double unitRoundoff = 0.5 * std::numeric_limits<double>::epsilon();
-constexpr double kRounded = 8.0;  // times the rounding of what is compared
+constexpr double kRounded = 8.0;     // times the rounding of what is compared
+constexpr double kBalanced = 1e-12;  // of weights: a sum that is zero but for rounding, as in takeOutRigidMotions()
 
 /// End of a pair, at the rank that counts its node. Plain.
 struct LiftedEnd {
   int pair, body;
   double closing, size;  // weight x normal . motion, and of its magnitudes
-  double before, gap;    // of the pair
+  double weight;
+  double before, gap;  // of the pair
   Point place;
 };
 
@@ -68,7 +70,7 @@ void collectEnds(const SubdomainMesh& mesh, std::vector<LiftedEnd>& ends) {
     const ContactPair& pair = *pairs.at(end.pair);
     const Point motion = motionOf(mesh, end.node);
     const double weight = pair.ends[end.end].weight;
-    ends.push_back({end.pair, mesh.body, weight * dot(pair.normal, motion), std::abs(weight) * length(motion[0], motion[1]),
+    ends.push_back({end.pair, mesh.body, weight * dot(pair.normal, motion), std::abs(weight) * length(motion[0], motion[1]), weight,
                     mesh.lift.gaps.at(end.pair), pair.gap, pair.position});
   }
 }
@@ -76,7 +78,7 @@ void collectEnds(const SubdomainMesh& mesh, std::vector<LiftedEnd>& ends) {
 void judgeGaps(std::vector<LiftedEnd> ends, Findings& findings) {
   std::stable_sort(ends.begin(), ends.end(), [](const LiftedEnd& a, const LiftedEnd& b) { return a.pair < b.pair; });
   for (std::size_t first = 0, last = 0; first < ends.size(); first = last) {
-    double gap = ends[first].before, size = std::abs(gap);
+    double gap = ends[first].before, size = std::abs(gap), weights = 0.0, magnitudes = 0.0, far = 0.0;
     Finding where;
     where.pair = ends[first].pair;
     where.place = ends[first].place;
@@ -84,9 +86,15 @@ void judgeGaps(std::vector<LiftedEnd> ends, Findings& findings) {
     for (last = first; last < ends.size() && ends[last].pair == where.pair; ++last) {
       gap -= ends[last].closing;
       size += ends[last].size;
+      weights += ends[last].weight;
+      magnitudes += std::abs(ends[last].weight);
+      far = std::max(far, ends[last].size / std::abs(ends[last].weight));
       if (ends[last].body != where.body) where.other = ends[last].body;
     }
-    if (size > 0.0) findings.take(Quantity::Prescribed, std::abs(gap - ends[first].gap), kRounded * unitRoundoff * size, size, where);
+    // Both sides moved alike change no gap, though the weights of a mortar sum to zero but for rounding.
+    const double unbalanced = std::abs(weights) <= kBalanced * magnitudes ? std::abs(weights) * far : 0.0;
+    if (size > 0.0)
+      findings.take(Quantity::Prescribed, std::abs(gap - ends[first].gap), kRounded * unitRoundoff * size + unbalanced, size, where);
   }
 }
 

@@ -151,7 +151,8 @@ bool straighten(const Comm& comm, const std::vector<SubdomainMesh>& meshes, cons
       own.col(k) += moved.transpose() * u;
     });
     Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, static_cast<int>(own.size()), own.data(), all.data());
-    const Vector amplitudes = solvePositive(all.leftCols(k), all.col(k));
+    Vector amplitudes = solvePositive(all.leftCols(k), all.col(k));
+    if (amplitudes.norm() <= kNothing * part.radius) amplitudes.setZero();
     forEachNode([&](const Matrix& moved, auto&& u) { u = moved * amplitudes; });
   }
   return any;
