@@ -7,6 +7,7 @@
 
 #include "Buffer.hpp"
 #include "Collective.hpp"
+#include "Hdf5Heaps.hpp"
 #include "Hdf5Impl.hpp"
 #include "Memory.hpp"
 
@@ -18,10 +19,12 @@ namespace {
 
 constexpr std::size_t longestText = std::size_t(1) << 30;
 
-/// One text from a dataset or an attribute, of fixed or of variable length; `read` reads into memory of a type.
-std::string textOf(hid_t fileType, hid_t space, const std::function<herr_t(hid_t, void*)>& read) {
+/// One text from a dataset or an attribute, of fixed or of variable length; `read` reads into memory of a type, `check` comes before one of
+/// variable length is read.
+std::string textOf(hid_t fileType, hid_t space, const std::function<void()>& check, const std::function<herr_t(hid_t, void*)>& read) {
   if (H5Tget_class(fileType) != H5T_STRING || H5Sget_simple_extent_npoints(space) != 1) throw Failed{"it is not a single text"};
   if (H5Tis_variable_str(fileType) > 0) {
+    check();
     const Handle type(H5Tcopy(fileType), H5Tclose);
     char* text = nullptr;
     checked(read(type, &text));
@@ -119,6 +122,15 @@ bool Hdf5File::Impl::fitsInt(const std::string& at) const {
   return fits != 0;
 }
 
+void Hdf5File::Impl::checkTexts() const {
+  if (textsChecked) return;
+  const Handle made(H5Fget_create_plist(file), H5Pclose);
+  std::size_t addressBytes = 0, lengthBytes = 0;
+  checked(H5Pget_sizes(made, &addressBytes, &lengthBytes));
+  checkHeaps(path, lengthBytes);
+  textsChecked = true;
+}
+
 unsigned long long Hdf5File::Impl::fileSize() const {
   std::error_code failed;
   const auto size = std::filesystem::file_size(path, failed);
@@ -167,7 +179,9 @@ std::string Hdf5File::readText(const std::string& path) const {
     const Handle set(H5Dopen2(impl_->file, path.c_str(), H5P_DEFAULT), H5Dclose);
     const Handle type(H5Dget_type(set), H5Tclose);
     const Handle space(H5Dget_space(set), H5Sclose);
-    text = textOf(type, space, [&](hid_t memory, void* data) { return H5Dread(set, memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, data); });
+    text = textOf(
+        type, space, [&] { impl_->checkTexts(); },
+        [&](hid_t memory, void* data) { return H5Dread(set, memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, data); });
   });
   return broadcast(*impl_->comm, text);
 }
@@ -180,7 +194,8 @@ std::string Hdf5File::readTextAttribute(const std::string& path, const std::stri
     const Handle attribute(H5Aopen(object, name.c_str(), H5P_DEFAULT), H5Aclose);
     const Handle type(H5Aget_type(attribute), H5Tclose);
     const Handle space(H5Aget_space(attribute), H5Sclose);
-    text = textOf(type, space, [&](hid_t memory, void* data) { return H5Aread(attribute, memory, data); });
+    text = textOf(
+        type, space, [&] { impl_->checkTexts(); }, [&](hid_t memory, void* data) { return H5Aread(attribute, memory, data); });
   });
   return broadcast(*impl_->comm, text);
 }

@@ -130,7 +130,9 @@ void addSideGroups(const Raw& raw, const Numbering& numbering, Mesh& mesh, Probl
       if (found == raw.gmsh.curves.end()) continue;
       for (std::size_t i = 0; i < found->second.size(); i += 2) {
         const std::size_t a = found->second[i], b = found->second[i + 1];
-        const std::vector<Side> here = table.between(numbering.node(a), numbering.node(b));
+        const int nodes[] = {numbering.node(a), numbering.node(b)};
+        const bool known = nodes[0] >= 0 && nodes[1] >= 0;  // else no surface element has one of them
+        const std::vector<Side> here = known ? table.between(nodes[0], nodes[1]) : std::vector<Side>();
         if (here.size() == 1) {
           sides.push_back(here[0]);
           continue;

@@ -14,11 +14,26 @@ namespace suture {
 /// `Bytes` of numbers that are added and multiplied at once (a vector extension of GCC and Clang), anywhere in memory.
 template <typename Real, int Bytes>
 struct Lanes {
-  typedef Real Type __attribute__((vector_size(Bytes), aligned(alignof(Real)), may_alias));
   static constexpr int count = Bytes / static_cast<int>(sizeof(Real));
 
+#ifdef __clang__
+  // Clang takes a vector behind a reference for aligned to its size, whatever its type says; a packed structure may lie anywhere.
+  typedef Real Type __attribute__((vector_size(Bytes), may_alias));
+  struct __attribute__((packed, may_alias)) Place {
+    Type value;
+    __attribute__((always_inline)) operator Type() const { return value; }
+    __attribute__((always_inline)) void operator=(Type x) { value = x; }
+    __attribute__((always_inline)) void operator+=(Type x) { value = value + x; }
+    __attribute__((always_inline)) void operator-=(Type x) { value = value - x; }
+    __attribute__((always_inline)) void operator*=(Real x) { value = value * x; }
+  };
+  __attribute__((always_inline)) static Type at(const Real* from) { return reinterpret_cast<const Place*>(from)->value; }
+  __attribute__((always_inline)) static Place& at(Real* from) { return *reinterpret_cast<Place*>(from); }
+#else
+  typedef Real Type __attribute__((vector_size(Bytes), aligned(alignof(Real)), may_alias));
   __attribute__((always_inline)) static const Type& at(const Real* from) { return *reinterpret_cast<const Type*>(from); }
   __attribute__((always_inline)) static Type& at(Real* from) { return *reinterpret_cast<Type*>(from); }
+#endif
 };
 
 /// A line of the cache, and four numbers.

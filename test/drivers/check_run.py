@@ -97,7 +97,7 @@ def run(command, timeout):
     process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
                                errors="replace", start_new_session=True)
     try:
-        output, _ = process.communicate(timeout=timeout)
+        output, _ = process.communicate(timeout=timeout * float(os.environ.get("SUTURE_TIME_FACTOR", 1)))
         return output, process.returncode
     except subprocess.TimeoutExpired:
         os.killpg(process.pid, signal.SIGTERM)  # the session that was started above: mpirun and its ranks

@@ -7,11 +7,14 @@
     finish()
 """
 import argparse
+import os
 import pathlib
 import shutil
 import subprocess
 import sys
 
+SLOWER = float(os.environ.get("SUTURE_TIME_FACTOR", 1))  # limits of time are multiplied by it: the test presets set it
+SANITIZED = "ASAN_OPTIONS" in os.environ  # AddressSanitizer takes 20 TB of addresses: no limit of them then, no measure of memory
 failures = []
 options = None
 
@@ -35,7 +38,7 @@ def command(program, ranks, *words):
 
 def run(program, ranks, *words, timeout=120):
     """Exit code and output, both streams."""
-    done = subprocess.run(command(program, ranks, *words), capture_output=True, text=True, timeout=timeout)
+    done = subprocess.run(command(program, ranks, *words), capture_output=True, text=True, timeout=timeout * SLOWER)
     return done.returncode, done.stdout + done.stderr
 
 

@@ -11,7 +11,7 @@ import signal
 import subprocess
 import time
 
-from harness import arguments, check, finish, setting
+from harness import SLOWER, arguments, check, finish, setting
 
 parser = argparse.ArgumentParser()
 parser.add_argument("--places", choices=("few", "all"), default="few")
@@ -30,7 +30,7 @@ def run(folder, **environment):
     process = subprocess.Popen(line, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, start_new_session=True,
                                env={**os.environ, **environment})
     try:
-        out, err = process.communicate(timeout=60)
+        out, err = process.communicate(timeout=60 * SLOWER)
         code = process.returncode
     except subprocess.TimeoutExpired:
         os.killpg(process.pid, signal.SIGKILL)
@@ -70,7 +70,7 @@ for number, (rank, phase, place, at) in enumerate(places):
         check(what + ": one message, and nothing else", err, lambda t: t.count("suture_solve:") == 1 and "mpirun" not in t and
               "MPI_ABORT" not in t and "-----" not in t and len(t.splitlines()) <= 5)
         check(what + ": nothing on standard output", out, "")
-        check(what + ": below five seconds", seconds, lambda s: s < 5 + usual)
+        check(what + ": below five seconds", seconds, lambda s: s < 5 * SLOWER + usual)
         summary = options.work / "fault" / "summary.json"
         check(what + ": no summary, or one that says so", json.loads(summary.read_text())["exit_code"] if summary.exists() else CODES[kind], CODES[kind])
         summary.unlink(missing_ok=True)

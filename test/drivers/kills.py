@@ -14,7 +14,7 @@ import subprocess
 import time
 
 import harness
-from harness import arguments, check, finish, setting
+from harness import SLOWER, arguments, check, finish, setting
 
 parser = argparse.ArgumentParser()
 parser.add_argument("--count", type=int, default=10)
@@ -56,7 +56,7 @@ def kill_one(rng, what, ranks, folder, restart, longest):
     process = subprocess.Popen(line(ranks, folder, *SLOW, *restart), stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
     # Half of them once it iterates and writes checkpoints, the others at any time from its start.
     if rng.random() < 0.5:
-        checkpoint, until = folder / "checkpoint.h5", time.time() + 30
+        checkpoint, until = folder / "checkpoint.h5", time.time() + 30 * SLOWER
         while process.poll() is None and time.time() < until and not (checkpoint.exists() and checkpoint.stat().st_mtime > born):
             time.sleep(0.01)
         delay /= 8
@@ -72,7 +72,7 @@ def kill_one(rng, what, ranks, folder, restart, longest):
     if not hit:  # mpirun had not started them yet
         process.send_signal(signal.SIGTERM)
     try:
-        text = process.communicate(timeout=120)[0]
+        text = process.communicate(timeout=120 * SLOWER)[0]
         code = process.returncode
     except subprocess.TimeoutExpired:
         process.kill()
@@ -105,7 +105,7 @@ for i in range(options.first, options.first + options.count):
         restart = ["--restart", str(folder / "checkpoint.h5")] if (folder / "checkpoint.h5").exists() else []
         ranks = rng.choice([r for r in (1, 2, 3) if r != ranks])
     checkpoints += bool(restart)
-    done = subprocess.run(line(ranks, folder, *restart), capture_output=True, text=True, timeout=120)
+    done = subprocess.run(line(ranks, folder, *restart), capture_output=True, text=True, timeout=120 * SLOWER)
     what += f"then {ranks} ranks" + (" from its checkpoint" if restart else "")
     last = summary(folder)
     check(what + ": exit code", (done.returncode, done.stderr if done.returncode else ""), (0, ""))

@@ -9,7 +9,7 @@ import subprocess
 import time
 
 import harness
-from harness import arguments, check, finish, setting
+from harness import SLOWER, arguments, check, finish, setting
 
 options = arguments("--solve", "--input")
 work = options.work
@@ -64,11 +64,11 @@ slow = setting("Outer Solver/Type", "Successive Approximation") + setting("Outer
     setting("Outer Solver/Tolerance", "1e-13")
 with open(work / "stopped.log", "w") as log:
     process = subprocess.Popen(command(2, OPEN, "stopped", *slow), stdout=log, stderr=log)
-    until = time.time() + 60
+    until = time.time() + 60 * SLOWER
     while time.time() < until and "residual   active" not in (work / "stopped.log").read_text():
         time.sleep(0.2)  # the table has begun
     process.send_signal(signal.SIGUSR1)
-    check("exit code of a run stopped on request", process.wait(timeout=60), 75)
+    check("exit code of a run stopped on request", process.wait(timeout=60 * SLOWER), 75)
 check("its summary's exit code", json.loads((work / "stopped" / "summary.json").read_text())["exit_code"], 75)
 code, _, rest = run(4, OPEN, "resumed", "--restart", str(work / "stopped" / "checkpoint.h5"))
 check("exit code of its restart", code, 0)

@@ -70,7 +70,7 @@ with tempfile.TemporaryDirectory() as folder:
         open(runs, "w").close()
         command = [sys.executable, "-B", os.path.join(here, "check_run.py"), table, name, "--solve", solve, "--work",
                    os.path.join(folder, "work"), "--mpirun", mpirun, *words]
-        result = subprocess.run(command, capture_output=True, text=True, timeout=50)
+        result = subprocess.run(command, capture_output=True, text=True, timeout=50 * float(os.environ.get("SUTURE_TIME_FACTOR", 1)))
         with open(runs) as file:
             return result.returncode, result.stdout + result.stderr, len(file.readlines())
 

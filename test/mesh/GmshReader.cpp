@@ -198,6 +198,16 @@ TEUCHOS_UNIT_TEST(GmshReader, RefusesCurvesInsideTheMaterialAndOffIt) {
                     "curve group 'odd': 1 of its elements are no side of any surface element (the first at (0.5, 0.5))");
 }
 
+// Found by the fuzzer: the table of sides was asked for a node that it does not have.
+TEUCHOS_UNIT_TEST(GmshReader, RefusesCurvesAtNodesOfNoElement) {
+  const Folder folder;
+  const std::string nodes = square + "5 2 0 0\n6 4 0 0\n", triangles = "1 2 2 1 1 1 2 3\n2 2 2 1 1 1 3 4\n";
+  const std::string one = folder.write("a.msh", msh2(nodes, triangles + "3 1 2 4 1 2 5\n", 6, 3));
+  SUTURE_CHECK_SAYS(problemsOf([&] { readGmsh({one, {}, 1.0}); }), "are no side of any surface element (the first at (1.5, 0))");
+  const std::string both = folder.write("b.msh", msh2(nodes, triangles + "3 1 2 4 1 6 5\n", 6, 3));
+  SUTURE_CHECK_SAYS(problemsOf([&] { readGmsh({both, {}, 1.0}); }), "are no side of any surface element (the first at (3, 0))");
+}
+
 TEUCHOS_UNIT_TEST(GmshReader, RefusesWhatIsNotPlane) {
   const Folder folder;
   const std::string lifted = folder.write("a.msh", msh2("1 0 0 0\n2 1 0 0\n3 1 1 0.5\n4 0 1 0\n", "1 2 2 1 1 1 2 3\n", 4, 1));
