@@ -44,8 +44,9 @@ def processes(launcher):
     """The ranks: children of mpirun, or the process itself."""
     try:
         children = [int(c) for c in pathlib.Path(f"/proc/{launcher.pid}/task/{launcher.pid}/children").read_text().split()]
-        return [c for c in children if "suture_solve" in pathlib.Path(f"/proc/{c}/cmdline").read_text()] if children else []
-    except (FileNotFoundError, ProcessLookupError):
+        # Until it begins the program, a child is a copy of mpirun with its arguments: a signal to it is lost on the program.
+        return [c for c in children if pathlib.Path(os.readlink(f"/proc/{c}/exe")).name == pathlib.Path(options.solve).name]
+    except (FileNotFoundError, ProcessLookupError, PermissionError):
         return []
 
 
