@@ -26,10 +26,10 @@ class CondensedSets : public ContactSets {
   void pairChanges(const MultiVector& step, const ContactStatus& status, const Vector& pairForces, Vector& force,
                    Vector& penetration) const override;
   const std::vector<int>& partOfOwned() const override { return partOfOwned_; }
-  /// The elastic energy of the parts, twice; for subdomains without contact that of the harmonic extension.
   /// Nothing: groups solve for their displacements, which have their own digits.
   void separate(InterfaceState&) const override {}
   int remember(InterfaceState& state) const override;
+  /// For subdomains without contact that of the harmonic extension.
   Vector energies(const InterfaceState& state) const override;
 
   /// What the rigid motions of a state add to the rows of a group of this rank; empty: nothing.

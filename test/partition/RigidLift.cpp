@@ -138,6 +138,42 @@ TEUCHOS_UNIT_TEST(RigidLift, MortarGapsKeepTheirDigits) {
     for (const ContactPair& pair : taken.left.pairs) TEST_EQUALITY(pair.gap, scene.constraints.pairs[pair.id].gap);
 }
 
+/// A part that nothing holds is moved twice, by a turn, too: its gaps, its lift and what gaps were at first; the other part stays.
+TEUCHOS_UNIT_TEST(RigidLift, FurtherMotionsAddUp) {
+  Scene scene = carried(nowhere, nowhere);
+  scene.constraints.rules.resize(scene.nodesOf("lower_bottom").size());
+  Blocks all(scene, world());
+  std::vector<const SubdomainMesh*> meshes;
+  for (const SubdomainMesh& mesh : all.meshes) meshes.push_back(&mesh);
+  const BodyParts parts(*world(), meshes, 2);
+  TEST_EQUALITY(parts.parts.size(), 2);
+  std::vector<Vector> motion(2, Vector::Zero(3));
+  const int upper = parts.parts[0].body == 1 ? 0 : 1;
+  motion[upper] << 0.25, -0.5, 0.125;
+  moveFurther(*world(), all.meshes, motion);
+  moveFurther(*world(), all.meshes, motion);
+  const RigidPart& part = parts.parts[upper];
+  const auto moved = [&](const Point& x) {
+    const double turn = 0.25 / part.radius;
+    return Point{0.5 - turn * (x[1] - part.centre[1]), -1.0 + turn * (x[0] - part.centre[0]), 0};
+  };
+  for (std::size_t s = 0; s < all.meshes.size(); ++s) {
+    const SubdomainMesh& mesh = all.meshes[s];
+    for (int node = 0; node < mesh.nodes(); ++node)
+      for (int k = 0; k < 2; ++k)
+        TEST_COMPARE(std::abs(mesh.lift.motion[2 * node + k] - (parts.partOf[s] == upper ? moved(mesh.point(node))[k] : 0.0)), <, 1e-14);
+    for (const NodeRule& rule : mesh.rules) TEST_EQUALITY(rule.value[1], 0.0);
+    for (const ContactRow& row : mesh.contactRows) {
+      // The upper side is the second end, at the place of the first.
+      const ContactPair& before = scene.constraints.pairs[row.pair.id];
+      const Point by = moved(before.position);
+      const double closed = before.ends[1].weight * (before.normal[0] * by[0] + before.normal[1] * by[1]);
+      TEST_COMPARE(std::abs(row.pair.gap - (before.gap - closed)), <, 1e-14);
+      TEST_EQUALITY(mesh.lift.gaps.at(row.pair.id), before.gap);
+    }
+  }
+}
+
 TEUCHOS_UNIT_TEST(RigidLift, IsTakenOutOnce) {
   const auto shift = [](const Point&) { return Point{3, 4, 0}; };
   Taken taken(carried(shift, shift));

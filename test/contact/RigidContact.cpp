@@ -1,0 +1,151 @@
+#include <Teuchos_UnitTestHarness.hpp>
+#include <suture/base/Errors.hpp>
+
+#include "RandomContact.hpp"
+
+namespace suture {
+namespace {
+
+/// Pads of stiffness one on bodies that move along one line each; a row for each pad.
+RigidContact::Pairs onLines(const Matrix& rows, const Vector& work, const Vector& penetration) {
+  RigidContact::Pairs pairs;
+  pairs.rows = rows;
+  pairs.work = work;
+  pairs.penetration = penetration;
+  pairs.stiffness = Vector::Ones(rows.rows());
+  for (int i = 0; i < rows.rows(); ++i) pairs.line.push_back(i);
+  pairs.able.assign(rows.rows(), 1);
+  return pairs;
+}
+
+TEUCHOS_UNIT_TEST(RigidContact, PadsCarryTheLoads) {
+  for (unsigned seed = 0; seed < 500; ++seed) {
+    const RandomContact given(seed);
+    RigidContact rigid(given.pairs);
+    rigid.start();
+    const RigidContact::Equilibrium pads = rigid.project(given.pairs.penetration);
+    TEST_ASSERT(pads.found);
+    if (pads.force.size() > 0) TEST_COMPARE(pads.force.minCoeff(), >=, 0.0);
+    const double size =
+        pads.force.sum() + given.pairs.work.norm() + 1e-3 * given.open.cwiseAbs().maxCoeff() * given.pairs.stiffness.minCoeff() + 1e-300;
+    TEST_COMPARE((given.pairs.rows.transpose() * pads.force - given.pairs.work).norm(), <=, 1e-8 * size);
+  }
+}
+
+TEUCHOS_UNIT_TEST(RigidContact, HoldersStopAllThatPairsCanStop) {
+  for (unsigned seed = 0; seed < 500; ++seed) {
+    const RandomContact given(seed);
+    const RigidContact rigid(given.pairs);
+    ClosedSet closed(given.open.size(), 0);
+    for (std::size_t i = 0; i < closed.size(); i += 2 + seed % 3) closed[i] = 1;
+    const Matrix loose = rigid.loose(closed);
+    for (const int i : rigid.holders(closed, loose)) {
+      TEST_EQUALITY(static_cast<int>(closed[i]), 0);
+      closed[i] = 1;
+    }
+    TEST_ASSERT(!rigid.loosens(closed));
+  }
+}
+
+TEUCHOS_UNIT_TEST(RigidContact, RefusesLoadsThatPushABodyAway) {
+  RigidContact::Pairs pairs;
+  pairs.rows = Matrix::Constant(2, 1, 1.0);
+  pairs.work = Vector::Constant(1, -1.0);  // pairs only push the other way
+  pairs.penetration = Vector::Constant(2, -0.1);
+  pairs.stiffness = Vector::Ones(2);
+  pairs.line = {0, 0};
+  pairs.able = {1, 1};
+  RigidContact rigid(pairs);
+  TEST_THROW(rigid.start(), NumericalError);
+  TEST_EQUALITY(rigid.staticForces().size(), 0);
+}
+
+TEUCHOS_UNIT_TEST(RigidContact, NeutralMotionsAreThoseThatTouchingPairsDoNotStop) {
+  RigidContact::Pairs pairs;
+  pairs.rows = (Matrix(3, 2) << 1, 0, 0, 1, 0, -1).finished();
+  pairs.work = (Vector(2) << 1, 0).finished();
+  pairs.penetration = Vector::Zero(3);
+  pairs.stiffness = Vector::Ones(3);
+  pairs.line = {0, 1, 2};
+  pairs.able = {1, 1, 1};
+  const RigidContact rigid(pairs);
+  TEST_EQUALITY(rigid.neutral({1, 0, 0}, {0, 0, 0}).cols(), 1);
+  TEST_EQUALITY(rigid.neutral({1, 0, 0}, {0, 1, 0}).cols(), 1);  // away from the one that touches
+  TEST_EQUALITY(rigid.neutral({1, 0, 0}, {0, 1, 1}).cols(), 0);  // between two that touch
+}
+
+/// A weak cluster beside a strong one: its equilibrium is no rounding of the other's. Pads have compliance 2 before start().
+TEUCHOS_UNIT_TEST(RigidContact, SeparateClustersKeepTheirDigits) {
+  const Matrix rows = Matrix::Identity(2, 2);
+  for (const double weak : {1.0, 1e-12, 1e-30}) {
+    const RigidContact rigid(onLines(rows, (Vector(2) << 1.0, weak).finished(), (Vector(2) << -1e3, -weak).finished()));
+    const RigidContact::Equilibrium pads = rigid.project(rigid.data().penetration);
+    TEST_ASSERT(pads.found);
+    TEST_FLOATING_EQUALITY(pads.force(0), 1.0, 1e-10);
+    TEST_FLOATING_EQUALITY(pads.force(1), weak, 1e-12);
+    TEST_FLOATING_EQUALITY(pads.motion(0), 1e3 + 2.0, 1e-12);
+    TEST_FLOATING_EQUALITY(pads.motion(1), 3.0 * weak, 1e-12);
+  }
+}
+
+/// Forces keep their digits over long ways: with pads of compliance 2 the body goes to the gap's end and 2 further.
+TEUCHOS_UNIT_TEST(RigidContact, ForcesKeepTheirDigitsOverLongWays) {
+  for (const double gap : {1.0, 1e6, 1e12}) {
+    const RigidContact rigid(onLines(Matrix::Ones(1, 1), Vector::Ones(1), Vector::Constant(1, -gap)));
+    const RigidContact::Equilibrium pads = rigid.project(rigid.data().penetration);
+    TEST_ASSERT(pads.found);
+    TEST_FLOATING_EQUALITY(pads.force(0), 1.0, 1e-9);
+    TEST_FLOATING_EQUALITY(pads.motion(0), gap + 2.0, 1e-12);
+  }
+}
+
+/// A wedge that two walls guide slides a long way down a narrowing slot of many steps, against one of which it comes to rest: plain Newton
+/// steps see one wall at a time.
+TEUCHOS_UNIT_TEST(RigidContact, ABodyThatBouncesBetweenWallsIsBroughtToRest) {
+  for (const double slope : {1e-1, 1e-3, 1e-5}) {
+    Matrix rows(2, 2);  // walls that close in by `slope`
+    rows << slope, 1.0, slope, -1.0;
+    const double way = 1e4;
+    RigidContact rigid(onLines(rows, (Vector(2) << 1.0, 0.0).finished(), Vector::Constant(2, -way * slope)));
+    const RigidContact::Equilibrium pads = rigid.project(rigid.data().penetration);
+    TEST_ASSERT(pads.found);
+    TEST_FLOATING_EQUALITY(pads.force(0), 0.5 / slope, 1e-7);
+    TEST_FLOATING_EQUALITY(pads.force(1), 0.5 / slope, 1e-7);
+    // Penetration 2 f of each = slope (x - way)
+    TEST_FLOATING_EQUALITY(pads.motion(0), way + 1.0 / (slope * slope), 1e-7);
+    TEST_COMPARE(std::abs(pads.motion(1)), <, 1e-7 * pads.motion(0) * slope);
+  }
+}
+
+/// The body has come further than it must: of a free way it goes back to where it started, or to the wall that bars it.
+TEUCHOS_UNIT_TEST(RigidContact, LeastMotionGoesBackAsFarAsWallsAllow) {
+  Matrix rows(2, 2);
+  rows << 0, 1,  // carries
+      1, 0;      // a wall
+  const RigidContact rigid(onLines(rows, (Vector(2) << 0, 1).finished(), Vector::Constant(2, -1.0)));
+  const Vector motion = (Vector(2) << 5.0, 3.0).finished();
+  const Vector back = rigid.leastMotion({1, 0}, motion, (Vector(2) << 0.0, -7.0).finished());
+  TEST_COMPARE(std::abs(back(0)), <, 1e-12);
+  TEST_FLOATING_EQUALITY(back(1), 3.0, 1e-12);
+  Matrix barred = rows;
+  barred(1, 0) = -1.0;  // the wall lies behind it, 2 away
+  const Vector half = RigidContact(onLines(barred, (Vector(2) << 0, 1).finished(), Vector::Constant(2, -1.0)))
+                          .leastMotion({1, 0}, motion, (Vector(2) << 0.0, -2.0).finished());
+  TEST_FLOATING_EQUALITY(half(0), 3.0, 1e-12);
+  TEST_FLOATING_EQUALITY(half(1), 3.0, 1e-12);
+}
+
+TEUCHOS_UNIT_TEST(RigidContact, ScalesAreThoseOfTheOwnCluster) {
+  RigidContact::Pairs pairs = onLines(Matrix::Identity(3, 3), Vector::Ones(3), Vector::Zero(3));
+  pairs.bodies = {{0, 1}, {1, 2}, {3, 4}};
+  const RigidContact rigid(pairs);
+  const Vector values = (Vector(3) << 5.0, -1e-3, 1e-9).finished();
+  const Vector joined = rigid.clusterScale({1, 1, 1}, values), apart = rigid.clusterScale({1, 0, 1}, values);
+  TEST_EQUALITY(joined(0), 5.0);
+  TEST_EQUALITY(joined(1), 5.0);
+  TEST_EQUALITY(joined(2), 1e-9);
+  TEST_EQUALITY(apart(1), 5.0);  // an open pair is measured by what it would join
+}
+
+}  // namespace
+}  // namespace suture

@@ -1,0 +1,162 @@
+// The contract of ContactSets, for every formulation that a scene may name.
+#include <Teuchos_UnitTestHarness.hpp>
+#include <Tpetra_MultiVector.hpp>
+#include <quality/Judged.hpp>
+#include <solver/SceneChoices.hpp>
+
+namespace suture {
+namespace {
+
+using namespace blocks;
+
+/// Numbers that look random and belong to the unknowns, whatever the ranks.
+MultiVectorPtr someStep(const InterfaceSpace& space, double size, double seed) {
+  const MultiVectorPtr x = space.vector();
+  auto values = localView(*x);
+  for (Eigen::Index k = 0; k < values.rows(); ++k)
+    values(k, 0) = size * std::sin(seed + 12.9898 * double(space.map()->getGlobalElement(int(k)) + 1));
+  return x;
+}
+
+double norm(const MultiVector& x) { return std::sqrt(dot(x, x)); }
+
+/// A block that only contact holds, in a formulation, with every so many pairs closed (0: none).
+struct Held : Formulated {
+  const ContactSets& sets;
+  ClosedSet closed;
+  InterfaceState state;
+
+  Held(const std::string& formulation, int every) : Formulated(looseBlock(), world(), formulation), sets(*problem->sets()) {
+    state = sets.padState();
+    closed = sets.closedSet(state.status);
+    for (std::size_t i = 0; i < closed.size(); ++i) closed[i] = every > 0 && int(i) % every == 0;
+    state.status = sets.statusOf(closed);
+    state.memory.reset();
+    problem->conform(state);
+  }
+  const RigidContact& rigid() const { return sets.bodies().rigid(); }
+  std::shared_ptr<const InterfaceSpace> space() const { return problem->linearise(state).matrix->space(); }
+  InterfaceState after(const MultiVector& step) const {
+    InterfaceState copy = state;
+    copy.trace = Teuchos::rcp(new MultiVector(*state.trace, Teuchos::Copy));
+    copy.memory.reset();
+    problem->update(copy, step, 1.0);
+    return copy;
+  }
+};
+
+TEUCHOS_UNIT_TEST(ContactSets, ABodyThatNothingHoldsMovesWithoutForces) {
+  for (const std::string& formulation : formulations()) {
+    Held held(formulation, 0);
+    const Matrix loose = held.rigid().loose(held.closed);
+    TEST_EQUALITY(loose.cols(), 1);
+    const Vector motion = 0.3 * loose.col(0);
+    const InterfaceEvaluation before = held.sets.evaluateSet(held.state, 0.0);
+    held.sets.move(held.state, motion);
+    const InterfaceEvaluation after = held.sets.evaluateSet(held.state, 0.0);
+    out << formulation << ": energy " << before.energy << ", " << after.energy << "\n";
+    TEST_FLOATING_EQUALITY(after.energy - before.energy, -held.rigid().data().work.dot(motion), 1e-9);
+    TEST_COMPARE((after.penetration - before.penetration - held.rigid().data().rows * motion).norm(), <, 1e-12);
+    MultiVector difference(*after.residual, Teuchos::Copy);
+    difference.update(-1.0, *before.residual, 1.0);
+    TEST_COMPARE(norm(difference), <=, 1e-10 * norm(*before.residual));
+    TEST_ASSERT(after.force.isZero(0.0));
+  }
+}
+
+TEUCHOS_UNIT_TEST(ContactSets, ChangesOfPairsAreDifferencesOfStates) {
+  for (const std::string& formulation : formulations())
+    for (const int every : {1, 2, 3}) {
+      const Held held(formulation, every);
+      const MultiVectorPtr step = someStep(*held.space(), 1e-3, 1.0);
+      const InterfaceEvaluation before = held.sets.evaluateSet(held.state, 0.0), after = held.sets.evaluateSet(held.after(*step), 0.0);
+      Vector force, penetration;
+      held.sets.pairChanges(*step, held.state.status, Vector::Zero(held.rigid().pairs()), force, penetration);
+      const Vector forces = after.force - before.force, penetrations = after.penetration - before.penetration;
+      double apart = 0.0, further = 0.0;
+      for (int i = 0; i < held.rigid().pairs(); ++i) {
+        if (held.closed[i]) apart = std::max(apart, std::abs(force(i) - forces(i)));
+        if (!held.closed[i]) further = std::max(further, std::abs(penetration(i) - penetrations(i)));
+      }
+      out << formulation << ", every " << every << ": forces " << apart << " of " << forces.norm() << ", penetrations " << further << "\n";
+      TEST_COMPARE(forces.norm(), >, 0.0);
+      TEST_COMPARE(apart, <, 1e-9 * (forces.norm() + after.force.norm()));
+      TEST_COMPARE(further, <, 1e-12 + 1e-9 * penetrations.norm());
+    }
+}
+
+/// Betti: what one system of pair forces does on the penetrations of another it does the other way round; pair forces push sides apart.
+TEUCHOS_UNIT_TEST(ContactSets, PairForcesAreReciprocal) {
+  for (const std::string& formulation : formulations()) {
+    const Held held(formulation, 4);
+    const InterfaceProblem::Linearisation linear = held.problem->linearise(held.state);
+    std::vector<Vector> forces, changes;
+    for (const double seed : {1.0, 2.0}) {
+      Vector push = Vector::Zero(held.rigid().pairs());
+      for (int i = 0; i < held.rigid().pairs(); ++i)
+        if (!held.closed[i] && held.rigid().data().able[i]) push(i) = 1e-3 * (1.0 + std::sin(seed * i));
+      const MultiVectorPtr right = held.sets.loadOf(push, held.state.status), x = linear.matrix->space()->vector();
+      MultiVector r(*right, Teuchos::Copy), p(*right, Teuchos::Copy);
+      double rho = dot(r, r);
+      const double first = rho;
+      TEST_COMPARE(first, >, 0.0);
+      for (int k = 0; k < 4000 && rho > 1e-28 * first; ++k) {
+        const MultiVectorPtr q = linear.matrix->space()->vector();
+        linear.matrix->apply(p, *q);
+        const double alpha = rho / dot(p, *q);
+        x->update(alpha, p, 1.0);
+        r.update(-alpha, *q, 1.0);
+        const double next = dot(r, r);
+        p.update(1.0, r, next / rho);
+        rho = next;
+      }
+      Vector force, penetration;
+      held.sets.pairChanges(*x, held.state.status, push, force, penetration);
+      for (int i = 0; i < held.rigid().pairs(); ++i) {
+        if (push(i) > 0.0) TEST_FLOATING_EQUALITY(force(i), push(i), 1e-12);
+        if (held.closed[i]) penetration(i) = 0.0;
+      }
+      forces.push_back(push);
+      changes.push_back(penetration);
+      TEST_COMPARE(push.dot(penetration), <, 0.0);
+    }
+    const double there = forces[0].dot(changes[1]), back = forces[1].dot(changes[0]);
+    out << formulation << ": " << there << " and " << back << "\n";
+    TEST_FLOATING_EQUALITY(there, back, 1e-8);
+  }
+}
+
+TEUCHOS_UNIT_TEST(ContactSets, RigidMotionsPutBesideTheTraceAreTheSameState) {
+  for (const std::string& formulation : formulations()) {
+    const Held held(formulation, 0);
+    InterfaceState moved = held.after(*someStep(*held.space(), 1e-3, 3.0));
+    const InterfaceEvaluation before = held.sets.evaluateSet(moved, 0.0);
+    held.sets.separate(moved);
+    moved.memory.reset();
+    const InterfaceEvaluation after = held.sets.evaluateSet(moved, 0.0);
+    TEST_FLOATING_EQUALITY(before.energy, after.energy, 1e-10);
+    TEST_COMPARE((after.penetration - before.penetration).norm(), <, 1e-12);
+    MultiVector difference(*after.residual, Teuchos::Copy);
+    difference.update(-1.0, *before.residual, 1.0);
+    TEST_COMPARE(norm(difference), <, 1e-10 * norm(*before.residual));
+  }
+}
+
+TEUCHOS_UNIT_TEST(ContactSets, EnergiesOfPartsGrowWithTheSquareOfTheTrace) {
+  for (const std::string& formulation : formulations()) {
+    Held held(formulation, 0);
+    held.state.trace->putScalar(0.0);
+    const MultiVectorPtr step = someStep(*held.space(), 1e-3, 5.0);
+    const Vector once = held.sets.energies(held.after(*step));
+    step->scale(2.0);
+    const Vector twice = held.sets.energies(held.after(*step));
+    TEST_EQUALITY(once.size(), Eigen::Index(held.sets.bodies().parts().size()));
+    for (Eigen::Index part = 0; part < once.size(); ++part) {
+      TEST_COMPARE(once(part), >, 0.0);
+      TEST_FLOATING_EQUALITY(twice(part), 4.0 * once(part), 1e-10);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace suture
