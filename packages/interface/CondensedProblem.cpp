@@ -54,6 +54,7 @@ CondensedProblem::CondensedProblem(CommPtr comm, const Partition& partition, con
                                    const LocalSolverMaker& solver, const SchurMaker& schur)
     : comm_(std::move(comm)), subdomains_(subdomains), subdomainCount_(partition.subdomains()) {
   InterfaceLayout layout;
+  const double softest = softestStiffness(*comm_, subdomains);
   collectively(*comm_, "factoring subdomains and contact groups", [&] {
     std::map<int, std::vector<int>> members;
     for (std::size_t s = 0; s < subdomains.size(); ++s) {
@@ -66,7 +67,7 @@ CondensedProblem::CondensedProblem(CommPtr comm, const Partition& partition, con
         continue;
       }
       plainSubdomain_.push_back(static_cast<int>(s));
-      plain_.push_back(std::make_shared<SubdomainProblem>(id, subdomain, boundary, solver, schur()));
+      plain_.push_back(std::make_shared<SubdomainProblem>(id, subdomain, boundary, solver, schur(), softest));
       layout.boundaries.push_back(plain_.back()->boundary());
       layout.locals.push_back(id);
     }

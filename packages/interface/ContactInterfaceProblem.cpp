@@ -44,11 +44,12 @@ ContactInterfaceProblem::ContactInterfaceProblem(CommPtr comm, const Partition& 
                                                  const SchurMaker& schur)
     : comm_(std::move(comm)), subdomains_(subdomains) {
   InterfaceLayout layout;
+  const double softest = softestStiffness(*comm_, subdomains);
   collectively(*comm_, "factoring the subdomains", [&] {
     for (const auto& subdomain : subdomains) {
       const std::vector<int> boundary = boundaryDofs(*subdomain);
       addUnknowns(*subdomain, boundary, layout);
-      locals_.push_back(std::make_shared<SubdomainProblem>(subdomain->mesh().id, *subdomain, boundary, solver, schur()));
+      locals_.push_back(std::make_shared<SubdomainProblem>(subdomain->mesh().id, *subdomain, boundary, solver, schur(), softest));
       layout.locals.push_back(subdomain->mesh().id);
       layout.boundaries.push_back(locals_.back()->boundary());
       for (const ContactRow& row : subdomain->mesh().contactRows)

@@ -2,9 +2,19 @@
 #include <suture/subdomain/SubdomainProblem.hpp>
 #include <suture/subdomain/WorkSpace.hpp>
 
+#include <Teuchos_Comm.hpp>
+#include <Teuchos_CommHelpers.hpp>
+
+#include <algorithm>
+#include <limits>
+
 namespace suture {
 
 namespace {
+
+constexpr double kMuchStiffer = 1e4;  // rounding of the stiffness, 1e-16 of it, then is 1e-12 of the softest: four digits to spare
+
+double stiffnessOf(const Subdomain& subdomain) { return subdomain.dofs() > 0 ? subdomain.stiffness().diagonal().maxCoeff() : 0.0; }
 
 /// The Neumann problem of the whole subdomain, loaded on its boundary only.
 class NeumannInverse : public LocalInverse {
@@ -48,7 +58,7 @@ std::vector<Point> placesOfDofs(const Subdomain& subdomain) {
 }
 
 SubdomainProblem::SubdomainProblem(int id, const Subdomain& subdomain, const std::vector<int>& boundary, const LocalSolverMaker& solver,
-                                   std::unique_ptr<SchurComplement> schur)
+                                   std::unique_ptr<SchurComplement> schur, double softest)
     : LocalProblem(id, "subdomain '" + subdomain.mesh().name + "'", globalDofs(subdomain, boundary)),
       subdomain_(subdomain),
       positions_(boundary),
@@ -60,6 +70,20 @@ SubdomainProblem::SubdomainProblem(int id, const Subdomain& subdomain, const std
       kernel_(rowsAt(subdomain.kernel(), boundary)),
       coarseModes_(rowsAt(subdomain.coarseModes(), boundary)) {
   schur_->compute({subdomain.stiffness(), subdomain.load(), positions_, nodesOfDofs(subdomain), placesOfDofs(subdomain), solver, name()});
+  if (softest > 0.0 && kernel_.cols() > 0 && stiffnessOf(subdomain) > kMuchStiffer * softest) balanced_ = orthonormalBasis(kernel_, 1e-14);
+}
+
+void SubdomainProblem::applySchur(ConstLocalView trace, LocalView flux) const {
+  schur_->apply(trace, flux);
+  if (balanced_.cols() > 0) flux -= balanced_ * (balanced_.transpose() * flux).eval();
+}
+
+double softestStiffness(const Comm& comm, const std::vector<std::unique_ptr<Subdomain>>& subdomains) {
+  double mine = std::numeric_limits<double>::max(), all = mine;
+  for (const auto& subdomain : subdomains)
+    if (const double own = stiffnessOf(*subdomain); own > 0.0) mine = std::min(mine, own);
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_MIN, mine, Teuchos::outArg(all));
+  return all;
 }
 
 Matrix SubdomainProblem::schur() const {

@@ -10,11 +10,15 @@ namespace suture {
 class SubdomainProblem : public LocalProblem {
  public:
   /// \param boundary  free unknowns of the subdomain that lie on the interface
+  /// \param softest   stiffness of the softest subdomain of the scene (softestStiffness()): beside it a much stiffer floating subdomain
+  /// keeps
+  ///                  its fluxes in equilibrium to their own rounding, because what rounding leaves of a Schur complement on rigid modes
+  ///                  would hold it like springs to the ground
   /// `subdomain` must be assembled and outlive it.
   SubdomainProblem(int id, const Subdomain& subdomain, const std::vector<int>& boundary, const LocalSolverMaker& solver,
-                   std::unique_ptr<SchurComplement> schur);
+                   std::unique_ptr<SchurComplement> schur, double softest = 0.0);
 
-  void applySchur(ConstLocalView trace, LocalView flux) const override { schur_->apply(trace, flux); }
+  void applySchur(ConstLocalView trace, LocalView flux) const override;
   Vector condensedLoad() const override { return schur_->condensedLoad(); }
   double constantEnergy() const override { return schur_->interiorEnergy() + subdomain_.constantEnergy(); }
   const Vector& stiffnessDiagonal() const override { return diagonal_; }
@@ -40,7 +44,11 @@ class SubdomainProblem : public LocalProblem {
   std::unique_ptr<SchurComplement> schur_;
   Vector diagonal_, shear_, young_;
   Matrix kernel_, coarseModes_;
+  Matrix balanced_;  // orthonormal basis of the kernel; empty where fluxes stay as they are
 };
+
+/// Largest diagonal entry of a subdomain's stiffness matrix, the least of all subdomains. Collective. [force / length]
+double softestStiffness(const Comm& comm, const std::vector<std::unique_ptr<Subdomain>>& subdomains);
 
 /// Global numbers of some free unknowns of a subdomain.
 std::vector<GlobalId> globalDofs(const Subdomain& subdomain, const std::vector<int>& dofs);
