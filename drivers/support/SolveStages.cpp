@@ -2,6 +2,7 @@
 
 #include <Teuchos_Comm.hpp>
 #include <Teuchos_ParameterList.hpp>
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <iostream>
@@ -40,8 +41,12 @@ Mesh meshStage(const Comm& comm, const SceneFile& file) {
 
 Constraints constraintsStage(const Comm& comm, const Mesh& mesh, const Parameters& scene) {
   return onRoot(comm, "building the constraints", [&] {
+    const ElasticModel model = makeElasticModel(scene);
+    const auto compliance = [&](int element) {
+      return contactCompliance(model.materialOf(mesh, element, mesh.bodyOfElement[element]), model.plane);
+    };
     return buildConstraints(mesh, scene.sublist("Boundary Conditions"), scene.sublist("Contact"), sceneConstants(scene),
-                            {contactCompliances(makeElasticModel(scene)), unitsOf(scene).length});
+                            {compliance, unitsOf(scene).length});
   });
 }
 
@@ -74,10 +79,23 @@ namespace {
 
 bool isCut(const Parameters& scene) { return scene.sublist("Partition").get<std::string>("Type") == kPartitionedMesh; }
 
+bool mayBeMortar(const Parameters& contact) {
+  const std::vector<std::string> lines = sublistNames(contact);
+  return std::any_of(lines.begin(), lines.end(), [&](const std::string& line) {
+    const Parameters& own = contact.sublist(line);
+    return own.isParameter("Side B") && own.get<std::string>("Coupling") != "Matching Nodes";
+  });
+}
+
 MadeFor madeFor(const Parameters& scene) {
   MadeFor lists;
   for (const char* name : {"Bodies", "Boundary Conditions", "Constants", "Contact", "Functions"}) lists[name] = toXml(scene.sublist(name));
   lists["Model"] = isAxisymmetric(scene) ? "axisymmetric" : "plane";
+  // The gap between curved sides depends on which of the bodies gives way more.
+  if (mayBeMortar(scene.sublist("Contact"))) {
+    lists["Materials"] = toXml(scene.sublist("Materials"));
+    lists["Model"] = scene.get<std::string>("Model");
+  }
   return lists;
 }
 
@@ -188,8 +206,8 @@ void errorStage(const Comm& comm, const std::vector<SubdomainMesh>& meshes, cons
     solution.discretisation = timed(timers, "estimate", [&] { return estimateError(comm, meshes, model, solution.displacement); });
 }
 
-void neutralStage(const Comm& comm, std::vector<SubdomainMesh>& meshes, const ElasticModel& model,
-                  const std::vector<ContactPiece>& pieces, const Parameters& scene, Solution& solution, Monitor& monitor) {
+void neutralStage(const Comm& comm, std::vector<SubdomainMesh>& meshes, const ElasticModel& model, const std::vector<ContactPiece>& pieces,
+                  const Parameters& scene, Solution& solution, Monitor& monitor) {
   if (solution.converged) settleNeutralMotions(comm, meshes, model, solution);
   if (comm.getRank() == 0) solution.onAxis = axisResults(pieces, solution.pairs);
   for (const NeutralMotion& motion : solution.neutral) monitor.note(inWords(motion));

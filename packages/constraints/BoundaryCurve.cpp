@@ -23,8 +23,10 @@ Curvature curvatureBetween(const Point& before, const Point& after) {
   return 2 * turn / (a * b * norm(whole));
 }
 
+using Bend = BoundaryCurve::Bend;
+
 /// Curvatures at four nodes that follow each other; the side lies between the second and the third.
-BoundaryCurve::Bend bendOf(Curvature first, Curvature second, Curvature third, Curvature fourth) {
+Bend bendOf(Curvature first, Curvature second, Curvature third, Curvature fourth) {
   if (!second && !third) return {};
   if (!second) return {*third, *third, fourth ? *fourth - *third : 0.0};
   if (!third) return {*second, *second, first ? *first - *second : 0.0};
@@ -36,8 +38,21 @@ BoundaryCurve::Bend bendOf(Curvature first, Curvature second, Curvature third, C
   // Through an inflection the curvature may change by more than itself, but steadily.
   const bool steady = first && fourth && std::max({before, change, after}) - std::min({before, change, after}) <= most / 2;
   if (alike || steady) return {left, right, (after - before) / 2};
-  if (std::abs(before) < std::abs(after)) return {left, left, before};
-  return {right, right, after};
+  // An end without outer neighbour is like one: the end of a line has the value of the node beside it.
+  const double toFirst = first ? before : 0.0, toFourth = fourth ? after : 0.0;
+  const auto agree = [&](double at, Curvature outer, double difference) {
+    return std::abs(difference) <= kAlike * std::max(std::abs(at), std::abs(outer.value_or(at)));
+  };
+  const bool leftAgrees = agree(left, first, toFirst), rightAgrees = agree(right, fourth, toFourth);
+  // Of two ends that are like their neighbours, or two that are not, a straight one: what goes on straight is straight (beside a chamfer,
+  // on a polygon). Of ends that are not, else the more curved one: the middle of a fillet of two sides, whose ends are means of arc and
+  // lines.
+  bool takeLeft = leftAgrees;
+  if (leftAgrees == rightAgrees) {
+    const bool more = leftAgrees ? std::abs(toFirst) < std::abs(toFourth) : std::abs(left) > std::abs(right);
+    takeLeft = left == 0 || (right != 0 && more);
+  }
+  return takeLeft ? Bend{left, left, toFirst} : Bend{right, right, toFourth};
 }
 
 }  // namespace

@@ -98,7 +98,10 @@ Constraints buildConstraints(const Mesh& mesh, const Parameters& conditionList, 
   Problems problems;
   const std::vector<Condition> conditions = readConditions(mesh, conditionList, constants, problems);
   std::vector<ContactLine> lines = readContact(mesh, contactList, constants, problems);
-  for (ContactLine& line : lines) line.shareOfA = shareOfA(line, scales);
+  for (ContactLine& line : lines) {
+    line.complianceA = complianceOf(mesh, line.groupA, scales);
+    line.complianceB = complianceOf(mesh, line.groupB, scales);
+  }
   checkRoles(mesh, conditions, lines, problems);
 
   Constraints constraints;
@@ -124,7 +127,7 @@ Constraints buildConstraints(const Mesh& mesh, const Parameters& conditionList, 
     }
     base += static_cast<int>(line.pairs.size());
   }
-  estimatePressures(lines, paired, scales, constraints);
+  estimatePressures(lines, paired, constraints);
   checkHeld(mesh, constraints, problems);
   problems.throwIfAny();
   addContactFrames(constraints.pairs, constraints.rules);

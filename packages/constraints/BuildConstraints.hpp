@@ -4,6 +4,9 @@
 #include <suture/constraints/Constraints.hpp>
 #include <suture/mesh/Mesh.hpp>
 
+#include <functional>
+#include <string>
+
 namespace suture {
 
 /// Schemas of the scene's lists `Boundary Conditions` (one condition, all types, loads included) and `Contact` (one line).
@@ -12,8 +15,9 @@ Schema contactSchema();
 
 /// What contact needs to know of the bodies besides their mesh.
 struct ContactScales {
-  std::vector<double> compliances;  ///< of each body, (1 - nu^2) / E or in proportion to it [1 / stress]; none: all alike, no estimates
-  std::string lengthUnit;           ///< for notes, as "mm"
+  /// Of the material of an element: (1 - nu^2) / E, in plane stress 1 / E [1 / stress]. None: all alike, no estimates.
+  std::function<double(int element)> compliance;
+  std::string lengthUnit;  ///< for notes, as "mm"
 };
 
 /// Turns the scene's boundary conditions and contact lines into nodal rules, pairs and pieces. Local (rank 0).

@@ -23,9 +23,14 @@ struct ContactLine {
   enum class Carrier { Automatic, SideA, SideB } carrier = Carrier::Automatic;  ///< which side's nodes carry a mortar's pairs
   /// Between which curves the gap of a mortar is taken, where elements are straight and the sides are not.
   enum class Geometry { Automatic, Smooth, Facets } geometry = Geometry::Automatic;
-  double shareOfA = 0.5;  ///< of the change of curvature by which both sides fit each other when pressed together: compliance A / (A + B)
-  std::optional<Obstacle> obstacle;      ///< instead of side B
-  std::optional<Expression> initialGap;  ///< instead of that of the geometry [length]
+  double complianceA = 0, complianceB = 0;  ///< mean over the elements of each side [1 / stress]; zero: rigid, or not known
+  std::optional<Obstacle> obstacle;         ///< instead of side B
+  std::optional<Expression> initialGap;     ///< instead of that of the geometry [length]
+
+  double compliance() const { return complianceA + complianceB; }
+  /// Share of side A in the change of curvature by which both sides fit each other when pressed together, as of two half-planes. One half
+  /// where compliances are not known.
+  double shareOfA() const { return compliance() > 0 ? complianceA / compliance() : 0.5; }
 };
 
 /// Reads the list; a line with a problem is left out. Local.

@@ -8,9 +8,8 @@
 
 namespace suture {
 
-/// Share of side A in the change of curvature by which two sides fit each other when pressed together, c_A / (c_A + c_B), c the bodies'
-/// compliances: as of two half-planes. One half where they are not known. Local.
-double shareOfA(const ContactLine& line, const ContactScales& scales);
+/// Mean compliance of the elements along a curve group, whatever the rest of their body is made of; zero of no group. Local. [1 / stress]
+double complianceOf(const Mesh& mesh, const std::string& group, const ContactScales& scales);
 
 /// Adds a note of the deepest interference that a line is drawn with. One below a millionth of the distance of its pairs, or below the
 /// estimated error of the gap, is none. Local.
@@ -19,7 +18,6 @@ void noteInterference(const ContactLine& line, const PairedLine& paired, const s
 /// Sets the pieces' pressureDoubt from the estimated errors delta_j of the gaps: the largest
 ///     2.4 E* |delta_j - (delta_(j-1) + delta_(j+1)) / 2| / h,   1 / E* = c_A + c_B,  h the distance of neighbouring pairs.
 /// Only changes from pair to pair count: a uniform error moves the bodies, and does not press. Local.
-void estimatePressures(const std::vector<ContactLine>& lines, const std::vector<PairedLine>& paired, const ContactScales& scales,
-                       Constraints& constraints);
+void estimatePressures(const std::vector<ContactLine>& lines, const std::vector<PairedLine>& paired, Constraints& constraints);
 
 }  // namespace suture

@@ -43,19 +43,10 @@ class Mortar {
     return covered > (1 - 1e-6) * whole;
   }
 
-  /// Whether the other side stands opposite to at least half of each node's hat function.
-  bool coversEachNode() const {
-    return std::all_of(line_.nodes().begin(), line_.nodes().end(), [&](const auto& entry) {
-      const auto row = rows_.find(entry.first);
-      return row != rows_.end() && row->second.weight > 0.5 * entry.second.tributary;
-    });
-  }
-  bool isCurvedAndLinear() const { return sampling_.isCurvedAndLinear(); }
-  double meanLength() const {
-    double sum = 0;
-    for (const Segment& own : sampling_.own()) sum += own.length();
-    return sum / double(sampling_.own().size());
-  }
+  bool isCurved() const { return sampling_.isCurved(); }
+  bool isLinear() const { return sampling_.isLinear(); }
+  /// Number of intervals between nodes that the other side stands opposite to.
+  double coveredIntervals() const { return coveredIntervals_; }
 
   PairedLine pairs() const {
     PairedLine result;
@@ -104,6 +95,7 @@ class Mortar {
       if (at == sets.size()) sets.push_back(sampling_.sample(own, normal)), normals.push_back(normal);
       setOf.push_back(static_cast<int>(at));
     }
+    coveredIntervals_ += (own.count() - 1) * sets.front().covered;
     const bool whole = std::all_of(sets.begin(), sets.end(), [](const Samples& set) { return set.covered > 1 - 1e-8; });
     const int functions = whole ? own.count() : 2;
     for (int j = 0; j < functions; ++j) addTo(rows_, own, j, functions, sets[setOf[j]].all);
@@ -142,6 +134,7 @@ class Mortar {
     if (heirs.empty()) return;
     for (const auto& [node, heir] : heirs) rowNormals_[node] = rowNormals_.at(heir);
     rows_.clear();
+    coveredIntervals_ = 0;
     for (const Segment& own : sampling_.own()) integrate(own);
     for (const auto& [node, heir] : heirs) {
       const auto row = rows_.find(node);
@@ -198,14 +191,15 @@ class Mortar {
   MortarSampling sampling_;
   std::map<int, Row> rows_;          // by the node that carries it
   std::map<int, Point> rowNormals_;  // by node
+  double coveredIntervals_ = 0;
 };
 
-/// The side that the other covers wholly, where the stress ends with the side and not inside an element. Of two or none such the coarser
-/// one where facets meet facets: only the coarser side can follow the finer one. Else that with more nodes, which resolves the stress
-/// better and has a node of its own for each condition.
+/// Where elements of two nodes meet a curve, the side with fewer nodes on what both share: the finer one would take what the other cannot
+/// follow for pressure. Else the side that the other covers wholly, where the stress ends with the side and not inside an element; of two
+/// or none such that with more nodes, which resolves the stress better and has a node of its own for each condition.
 Mortar carriedByEither(const Mesh& mesh, const ContactLine& line) {
   Mortar a(mesh, line, true), b(mesh, line, false);
-  if (a.isCurvedAndLinear() && a.coversEachNode() == b.coversEachNode()) return a.meanLength() >= b.meanLength() ? a : b;
+  if (a.isCurved() && (a.isLinear() || b.isLinear())) return a.coveredIntervals() <= b.coveredIntervals() ? a : b;
   if (a.coversAll() != b.coversAll()) return a.coversAll() ? a : b;
   return a.nodes() >= b.nodes() ? a : b;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 namespace suture {
 
@@ -36,16 +37,14 @@ std::optional<double> zeroOf(const Function& f) {
 MortarSampling::MortarSampling(const Mesh& mesh, const ContactLine& line, bool onA)
     : mesh_(mesh),
       contact_(line),
-      share_(onA ? line.shareOfA : 1 - line.shareOfA),
+      share_(onA ? line.shareOfA() : 1 - line.shareOfA()),
       own_(segments(onA ? line.groupA : line.groupB)),
       other_(segments(onA ? line.groupB : line.groupA)),
       rule_(gaussRule(6)) {}
 
-bool MortarSampling::isCurvedAndLinear() const {
-  const auto linear = [](const Segment& s) { return s.isLinear(); };
+bool MortarSampling::isCurved() const {
   const auto curved = [](const Segment& s) { return s.isCurved(); };
-  return linear(own_.front()) && linear(other_.front()) &&
-         (std::any_of(own_.begin(), own_.end(), curved) || std::any_of(other_.begin(), other_.end(), curved));
+  return std::any_of(own_.begin(), own_.end(), curved) || std::any_of(other_.begin(), other_.end(), curved);
 }
 
 /// Where the normal at a point of the carrying side meets an element of the other, face to face.
@@ -63,7 +62,29 @@ std::vector<Segment> MortarSampling::segments(const std::string& group) const {
   const BoundaryCurve curve(mesh_, sides);
   std::vector<Segment> all;
   for (std::size_t s = 0; s < sides.size(); ++s) all.emplace_back(mesh_, line, mesh_.nodesOf(sides[s]), curve.bend(s));
+  findChanges(all);
   return all;
+}
+
+/// Tells each second-order element how the curvature changes along it: from its neighbours' by the smaller of the two differences, which
+/// sees no change beside the joint of a line and an arc.
+void MortarSampling::findChanges(std::vector<Segment>& all) {
+  std::map<int, std::size_t> beginning, ending;
+  for (std::size_t s = 0; s < all.size(); ++s) beginning[all[s].nodes()[0]] = s, ending[all[s].nodes()[1]] = s;
+  for (Segment& segment : all) {
+    if (segment.isLinear() || segment.isStraight()) continue;
+    const auto difference = [&](const std::map<int, std::size_t>& found, int node, double sign) -> std::optional<double> {
+      const auto at = found.find(node);
+      if (at == found.end()) return std::nullopt;
+      const Segment& other = all[at->second];
+      return sign * (other.ownCurvature() - segment.ownCurvature()) * 2 * segment.length() / (segment.length() + other.length());
+    };
+    const auto before = difference(ending, segment.nodes()[0], -1), after = difference(beginning, segment.nodes()[1], 1);
+    if (before && after)
+      segment.setChange(*before * *after <= 0 ? 0.0 : std::abs(*before) < std::abs(*after) ? *before : *after);
+    else
+      segment.setChange(before.value_or(after.value_or(0.0)));
+  }
 }
 
 /// Reference coordinates where elements of the other side begin or end, seen along a normal, and the ends.
@@ -99,7 +120,7 @@ MortarSampling::Nearer MortarSampling::nearer(const Segment& own, double xi, con
   const double against = contact_.geometry == Geometry::Smooth ? its : -common;
   const auto add = [&](const Segment& segment, double drawn, double closed, double at, const Point& out) {
     if (!segment.isStraight()) {
-      result.doubt += segment.awayFromArc();
+      result.doubt += segment.awayFromCurve(at);
       return;
     }
     result.way += segment.wayToArc(segment.isLinear() ? closed : drawn, at, out);

@@ -13,7 +13,7 @@ namespace suture {
 ///
 /// A second-order element of straight shape stands for the drawn curve: its displacements can follow any change of curvature. Those of a
 /// two-node element cannot; what its chord approximates where the contact is closed is the curve that both sides then share. Its curvature
-/// lies between those of the two sides, by the compliances of the bodies (ContactLine::shareOfA): of rings and pins both are nearly alike,
+/// lies between those of the two sides, by the compliances along them (ContactLine::shareOfA): of rings and pins both are nearly alike,
 /// a cylinder on a plane of the same material has half its curvature there.
 class MortarSampling {
  public:
@@ -21,8 +21,10 @@ class MortarSampling {
 
   /// Elements of the carrying side.
   const std::vector<MortarSegment>& own() const { return own_; }
-  /// Whether sides of two-node elements meet, at least one of them curved.
-  bool isCurvedAndLinear() const;
+  /// True if the carrying side has elements of two nodes.
+  bool isLinear() const { return own_.front().isLinear(); }
+  /// True if either side is curved anywhere.
+  bool isCurved() const;
 
   /// Mean of the two sides' normals at a node of the carrying side, outward there; its own where nothing stands opposite, or the other is
   /// parallel.
@@ -51,6 +53,7 @@ class MortarSampling {
   };
   static std::optional<Meeting> meet(const Point& from, const Point& normal, const MortarSegment& other);
   std::vector<MortarSegment> segments(const std::string& group) const;
+  static void findChanges(std::vector<MortarSegment>& all);
   std::vector<double> breaks(const MortarSegment& own, const Point& normal) const;
   const MortarSegment* nearest(const Point& from, const Point& normal) const;
   Nearer nearer(const MortarSegment& own, double xi, const MortarSegment& other, double eta, const Point& normal) const;

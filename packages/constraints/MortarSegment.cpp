@@ -25,15 +25,21 @@ MortarSegment::MortarSegment(const Mesh& mesh, const BoundaryLine& line, const s
   }
   if (isLinear()) return;
   const Point chord = unit(minus(points_[1], points_[0]));
-  const double height = cross(minus(points_[2], points_[0]), chord);  // outward: to the right of the chord
-  straight_ = std::abs(height) < std::abs(arcOver(bend_.at(0), length(), 0).height) / 2;
-  if (!straight_) awayFromArc_ = std::abs(height * height * height) / (length() * length());  // next term of the arc's series
+  height_ = cross(minus(points_[2], points_[0]), chord);  // outward: to the right of the chord
+  skew_ = dot(minus(points_[2], points_[0]), chord) - length() / 2;
+  straight_ = std::abs(height_) < std::abs(arcOver(bend_.at(0), length(), 0).height) / 8;
 }
 
 Point MortarSegment::mixed(double xi) const { return mix(points_, sideShape(count(), xi).value); }
 Point MortarSegment::tangent(double xi) const { return mix(points_, sideShape(count(), xi).slope); }
 
 Point MortarSegment::normalAt(double xi) const { return unit(mix(normals_, sideShape(count(), xi).value)); }
+
+double MortarSegment::awayFromCurve(double xi) const {
+  const double h = length(), q = 1 - xi * xi;
+  // A middle node that is not in the middle gives the parabola a cubic part of its own.
+  return 4 * height_ * height_ * height_ / (h * h) * xi * xi * q + (change_ * h * h / 48 - 4 * height_ * skew_ / h) * xi * q;
+}
 
 // A step s along the direction leads from xi to the place u + s t.d on the chord, at the height s m.d: where the arc has that height.
 double MortarSegment::wayToArc(double curvature, double xi, const Point& direction) const {

@@ -34,8 +34,13 @@ class MortarSegment {
   bool isLinear() const { return count() == 2; }
   /// Whether its points lie on its chord: a middle node that is on the curve gives the element its true shape.
   bool isStraight() const { return straight_; }
-  /// Largest distance of a curved element from the arc through its three nodes. [length]
-  double awayFromArc() const { return awayFromArc_; }
+  /// Curvature of the parabola through three nodes. [1 / length]
+  double ownCurvature() const { return 8 * height_ / (length() * length()); }
+  /// \param change  of the line's curvature from the element's begin to its end [1 / length]
+  void setChange(double change) { change_ = change; }
+  /// How much further outward the line is estimated to lie than a curved element, at a point: by what a parabola misses of an arc, and of a
+  /// curvature that changes along the element. [length]
+  double awayFromCurve(double xi) const;
   /// Way along `direction`, a unit vector out of the body, from a point of a straight element to the arc of this curvature over it.
   double wayToArc(double curvature, double xi, const Point& direction) const;
 
@@ -45,7 +50,7 @@ class MortarSegment {
   std::vector<Point> points_, normals_;
   BoundaryCurve::Bend bend_;
   bool straight_ = true;
-  double awayFromArc_ = 0.0;
+  double height_ = 0.0, skew_ = 0.0, change_ = 0.0;  // of the middle node: over the chord, and from its middle along it
 };
 
 }  // namespace suture

@@ -209,13 +209,8 @@ ElasticModel makeElasticModel(const Parameters& scene) {
   return model;
 }
 
-std::vector<double> contactCompliances(const ElasticModel& model) {
-  std::vector<double> all;
-  for (const Material& material : model.materialOfBody) {
-    const double across = model.plane == PlaneModel::Stress ? 0.0 : material.poisson * material.poisson;
-    all.push_back((1 - across) / material.young);
-  }
-  return all;
+double contactCompliance(const Material& material, PlaneModel plane) {
+  return (plane == PlaneModel::Stress ? 1.0 : 1.0 - material.poisson * material.poisson) / material.young;
 }
 
 }  // namespace suture

@@ -98,9 +98,8 @@ Schema materialSchema();
 ///                     wrong length.
 ElasticModel makeElasticModel(const Parameters& scene);
 
-/// By how much the surface of each body gives way under contact pressure, relative to others: (1 - nu^2) / E, in plane stress 1 / E; of
-/// a body with regions by its own material. [1 / stress]
-std::vector<double> contactCompliances(const ElasticModel& model);
+/// By how much a surface of this material gives way under contact pressure: (1 - nu^2) / E, in plane stress 1 / E. [1 / stress]
+double contactCompliance(const Material& material, PlaneModel plane);
 
 /// Stress-strain matrix in Voigt order with engineering shear: 3 x 3 (xx, yy, xy) in 2D; 6 x 6, normals first, in 3D, where `plane` means
 /// nothing: its first four rows and columns are the law of axisymmetric bodies (rr, yy, hoop, ry). [stress]

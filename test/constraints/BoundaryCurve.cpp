@@ -95,6 +95,66 @@ TEUCHOS_UNIT_TEST(BoundaryCurve, KeepsKinksAndCorners) {
   }
 }
 
+// A polygon of six sides, two elements each: every other node lies in the middle of a side.
+TEUCHOS_UNIT_TEST(BoundaryCurve, KeepsPolygonsOfTwoElementsASide) {
+  const double turn = pi / 6;
+  const auto corner = [&](int k) { return Point{std::sin((k - 3) * turn), -std::cos((k - 3) * turn), 0}; };
+  const auto polygon = [&](double t) {
+    const int i = int(std::lround(12 * t));
+    const Point a = corner(i / 2), b = corner((i + 1) / 2);
+    return Point{(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, 0};
+  };
+  const auto away = [&](Point p) {
+    double out = -1;
+    for (int k = 0; k < 6; ++k) out = std::max(out, p[0] * std::sin((k - 2.5) * turn) - p[1] * std::cos((k - 2.5) * turn));
+    return out - std::cos(turn / 2);
+  };
+  TEST_COMPARE(largest(strip(12, polygon), away), <, 1e-15);
+}
+
+// One element cuts a corner: whether it is a chamfer or a fillet cannot be seen, which its doubt says. The lines are lines.
+TEUCHOS_UNIT_TEST(BoundaryCurve, KeepsLinesBesideAChamfer) {
+  const double turn = 0.6;
+  const auto chamfer = [&](double t) {
+    const int i = int(std::lround(7 * t));
+    const double u = std::max(0, i - 3) > 0 ? 0.5 : 0.0, v = std::max(0, i - 4);
+    return Point{std::min(i, 3) + u * std::cos(turn) + v * std::cos(2 * turn), u * std::sin(turn) + v * std::sin(2 * turn), 0};
+  };
+  const Mesh mesh = strip(7, chamfer);
+  const BoundaryCurve curve(mesh, lower(mesh));
+  int lines = 0;
+  for (std::size_t s = 0; s < lower(mesh).size(); ++s) {
+    const std::vector<int> nodes = mesh.nodesOf(lower(mesh)[s]);
+    const auto& bend = curve.bend(s);
+    if (norm(minus(mesh.point(nodes[1]), mesh.point(nodes[0]))) < 0.9) {
+      TEST_FLOATING_EQUALITY(std::abs(bend.doubt), std::abs(bend.at(0)), 1e-9);
+      continue;
+    }
+    TEST_EQUALITY(bend.at(0), 0.0);
+    TEST_EQUALITY(bend.doubt, 0.0);
+    ++lines;
+  }
+  TEST_EQUALITY(lines, 6);
+}
+
+// Lines of long elements, and between them an arc of radius 2 of two elements. The curvature at the joints is a mean of line and arc.
+TEUCHOS_UNIT_TEST(BoundaryCurve, FindsTheArcOfAFilletOfTwoElements) {
+  const double half = 0.2;
+  for (const double spacing : {0.3, 1.0, 3.0}) {  // of the lines, the arc's being 0.4
+    const auto fillet = [&](double t) {
+      const double i = 8 * t - 4;
+      if (std::abs(i) < 1.5) return Point{2 * std::sin(i * half), 2 - 2 * std::cos(i * half), 0};
+      const double along = (std::abs(i) - 1) * spacing, side = i < 0 ? -1 : 1;
+      return Point{side * (2 * std::sin(half) + along * std::cos(half)), 2 - 2 * std::cos(half) + along * std::sin(half), 0};
+    };
+    const auto away = [&](Point p) {
+      const double x = std::abs(p[0]);
+      return x < 2 * std::sin(half) ? std::hypot(x, p[1] - 2) - 2 : (2 - p[1]) * std::cos(half) + x * std::sin(half) - 2;
+    };
+    TEST_COMPARE(largest(strip(8, fillet), away), <, 1e-13);
+  }
+}
+
 // Halving the elements divides the distance to an ellipse by eight.
 TEUCHOS_UNIT_TEST(BoundaryCurve, IsOfThirdOrderOnAnEllipse) {
   std::vector<double> error;

@@ -36,14 +36,16 @@ inline std::string matching(const std::string& name, const std::string& a, const
   return entry(name, {{"Side A", a}, {"Side B", b}, {"Coupling", "Matching Nodes"}});
 }
 
-inline Constraints build(const Mesh& mesh, const std::string& conditions, const std::string& contacts = "") {
+inline Constraints build(const Mesh& mesh, const std::string& conditions, const std::string& contacts = "",
+                         const ContactScales& scales = {}) {
   Schema schema("scene");
   schema.list("Boundary Conditions", Schema("conditions").each("condition", boundaryConditionSchema()));
   schema.list("Contact", Schema("lines").each("line", contactSchema()));
   const SceneFile scene = parseScene("<ParameterList name=\"Suture\"><ParameterList name=\"Boundary Conditions\">" + conditions +
                                          "</ParameterList><ParameterList name=\"Contact\">" + contacts + "</ParameterList></ParameterList>",
                                      "test.xml", schema);
-  return buildConstraints(mesh, scene.parameters->sublist("Boundary Conditions"), scene.parameters->sublist("Contact"), {{"A", 2.5}});
+  return buildConstraints(mesh, scene.parameters->sublist("Boundary Conditions"), scene.parameters->sublist("Contact"), {{"A", 2.5}},
+                          scales);
 }
 
 /// What is wrong, one problem a line, or "no error".

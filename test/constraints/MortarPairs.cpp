@@ -148,9 +148,10 @@ TEUCHOS_UNIT_TEST(MortarPairs, DoesNotChangeWhenTheSceneIsTurned) {
   }
 }
 
-// Quarters of rings, 12 elements of the outer one with the radius 2 + gap, 17 of the inner one with the radius 2.
-Mesh twoRings(Cell cell, double gap) {
-  Mesh mesh = twoBoxes(0, 4, 12, 17, cell, cell);
+// Quarters of rings, 12 elements of the outer one with the radius 2 + gap, 17 of the inner one with the radius 2. Of the outer one only a
+// part from one end.
+Mesh twoRings(Cell outer, Cell inner, double gap, double part = 1) {
+  Mesh mesh = twoBoxes(0, 4 * part, 12, 17, outer, inner);
   const auto bend = [](double inner) {
     return [=](Point p) {
       const double angle = pi / 8 * p[0], radius = inner + p[1];
@@ -161,6 +162,8 @@ Mesh twoRings(Cell cell, double gap) {
   move(mesh, 1, bend(1.0));
   return mesh;
 }
+
+Mesh twoRings(Cell cell, double gap) { return twoRings(cell, cell, gap); }
 
 std::string withGeometry(const std::string& carrier, const std::string& geometry) { return mortar(carrier, {{"Geometry", geometry}}); }
 
@@ -247,6 +250,56 @@ TEUCHOS_UNIT_TEST(MortarPairs, IsCarriedByTheCoarserSideWhereLinearElementsMeetO
   TEST_EQUALITY(carrier(twoRings(P1, 0.1)), 0);               // 12 elements against 17
   TEST_EQUALITY(carrier(twoRings(P2, 0.1)), 1);               // their sides can bend
   TEST_EQUALITY(carrier(twoBoxes(0, 4, 12, 17, P1, P1)), 1);  // straight
+  TEST_EQUALITY(carrier(twoRings(P1, P2, 0.1)), 0);           // linear elements against such that bend
+  TEST_EQUALITY(carrier(twoRings(P2, P1, 0.1)), 1);
+  // A fine shoe that the coarse ring covers wholly.
+  TEST_EQUALITY(carrier(twoRings(P1, P1, 0.1, 0.5)), 1);  // 12 elements on half of 17
+}
+
+// Where a crowned side touches, the linear function nearest to the gap is below zero: no interference. Deeper than that it is one.
+TEUCHOS_UNIT_TEST(MortarPairs, CallsTouchingCurvesNoInterference) {
+  for (const std::string carrier : {"Side A", "Side B"})
+    for (const double depth : {0.0, 0.2}) {
+      Mesh mesh = twoBoxes(0, 4, 8, 13, P1, P1);
+      move(mesh, 0, [&](Point p) { return Point{p[0], p[1] - depth + (2 - p[1]) * 0.05 * p[0] * p[0], 0}; });
+      const Constraints crowned = build(mesh, held, mortar(carrier));
+      TEST_EQUALITY(crowned.notes.size(), depth > 0 ? 1u : 0u);
+      if (depth > 0 && !crowned.notes.empty()) SUTURE_CHECK_SAYS(crowned.notes[0], "drawn interference 2.0e-01");
+    }
+}
+
+// Second-order sides along y = a cos(k x), nodes of both on the curve: elements are parabolas, which miss the curve's third derivative.
+TEUCHOS_UNIT_TEST(MortarPairs, DoubtsParabolasWhereTheCurvatureChanges) {
+  const double a = 0.05;
+  for (const int cells : {16, 32}) {
+    Mesh mesh = twoBoxes(0, 4, cells, cells + 5, P2, P2);
+    moveAll(mesh, [&](Point p) { return Point{p[0], p[1] + a * std::cos(2 * pi * p[0]), 0}; });
+    const Constraints waves = build(mesh, held, mortar("Side A"), {[](int) { return 0.5; }, ""});
+    // 2.4 E* times the second difference of the gaps, over h: the doubt that the true gaps, which are zero, would have given.
+    double exact = 0;
+    for (std::size_t i = 1; i + 1 < waves.pairs.size(); ++i) {
+      const double h = 2.0 / cells;
+      exact = std::max(exact, 2.4 * std::abs(waves.pairs[i].gap - (waves.pairs[i - 1].gap + waves.pairs[i + 1].gap) / 2) / h);
+    }
+    out << cells << ": " << waves.pieces[0].pressureDoubt << ", exact " << exact << "\n";
+    TEST_COMPARE(waves.pieces[0].pressureDoubt, >, 0.4 * exact);
+    TEST_COMPARE(waves.pieces[0].pressureDoubt, <, 2.5 * exact);
+  }
+}
+
+// Estimated pressures are those of the material along the sides, whatever is behind it.
+TEUCHOS_UNIT_TEST(MortarPairs, DoubtsPressuresByTheMaterialAlongTheSides) {
+  const Mesh mesh = twoRings(P1, 0.1);
+  std::set<int> along;
+  for (const char* group : {"upper_bottom", "lower_top"})
+    for (const Side& side : mesh.sideGroups.at(group)) along.insert(side.element);
+  const auto doubt = [&](const std::function<double(int)>& compliance) {
+    return build(mesh, held, withGeometry("Side A", "Facets"), {compliance, ""}).pieces[0].pressureDoubt;
+  };
+  const double uniform = doubt([](int) { return 2.0; });
+  TEST_COMPARE(uniform, >, 0.0);
+  TEST_EQUALITY(doubt([&](int element) { return along.count(element) > 0 ? 2.0 : 1000.0; }), uniform);
+  TEST_FLOATING_EQUALITY(doubt([](int) { return 1.0; }), 2 * uniform, 1e-14);
 }
 
 TEUCHOS_UNIT_TEST(MortarPairs, ReportsInterferenceAsDrawn) {

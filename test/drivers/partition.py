@@ -65,6 +65,9 @@ for ranks in (1, 2):
     check(f"np{ranks}: cut for other prescribed values: exit code", code, 3)
     check(f"np{ranks}: cut for other prescribed values: names the list, and no other",
           ("Boundary Conditions: not as it was" in text, "Contact: not" in text, "Bodies: not" in text), (True, False, False))
+    code, text = run(options.solve, ranks, scene, "--output", work / "other", *PARTITIONED, "--set", "Materials/rubber/Young Modulus=1e9")
+    check(f"np{ranks}: cut for other materials, which share a curve otherwise: exit code and list", (code, "Materials: not as it was" in text),
+          (3, True))
     code, text = run(options.solve, ranks, SCENE, "--output", work / "other", *PARTITIONED)
     check(f"np{ranks}: a scene that generates its mesh: exit code and why", (code, "needs a Mesh/File of suture_partition" in text), (3, True))
     (work / "short.h5").write_bytes((work / "cut2.h5").read_bytes()[:-3000])
