@@ -8,6 +8,10 @@ namespace suture {
 
 namespace {
 
+// Of the cubic part that a parabola misses: neighbouring elements miss nearly the same, and displacements follow all but this. Measured on
+// ellipses of axes 1.5 and 3 with 16:12 and 8:12 elements a quarter: nodal pressures 1.5 to 13 % wrong.
+constexpr double kNotFollowed = 1.0 / 13;
+
 Point mix(const std::vector<Point>& points, const std::array<double, 3>& by) {
   Point sum{0, 0, 0};
   for (std::size_t a = 0; a < points.size(); ++a)
@@ -36,9 +40,10 @@ Point MortarSegment::tangent(double xi) const { return mix(points_, sideShape(co
 Point MortarSegment::normalAt(double xi) const { return unit(mix(normals_, sideShape(count(), xi).value)); }
 
 double MortarSegment::awayFromCurve(double xi) const {
-  const double h = length(), q = 1 - xi * xi;
+  const double h = length();
+  const double arc = std::abs(height_ * height_ * height_) / (h * h);  // next term of the arc's series
   // A middle node that is not in the middle gives the parabola a cubic part of its own.
-  return 4 * height_ * height_ * height_ / (h * h) * xi * xi * q + (change_ * h * h / 48 - 4 * height_ * skew_ / h) * xi * q;
+  return arc + kNotFollowed * (change_ * h * h / 48 - 4 * height_ * skew_ / h) * xi * (1 - xi * xi);
 }
 
 // A step s along the direction leads from xi to the place u + s t.d on the chord, at the height s m.d: where the arc has that height.

@@ -38,8 +38,8 @@ class MortarSegment {
   double ownCurvature() const { return 8 * height_ / (length() * length()); }
   /// \param change  of the line's curvature from the element's begin to its end [1 / length]
   void setChange(double change) { change_ = change; }
-  /// How much further outward the line is estimated to lie than a curved element, at a point: by what a parabola misses of an arc, and of a
-  /// curvature that changes along the element. [length]
+  /// Estimated distance of the line from a curved element that displacements do not follow, at a point: what a parabola misses of an arc,
+  /// at most, and a part of what it misses of a curvature that changes along the element. [length]
   double awayFromCurve(double xi) const;
   /// Way along `direction`, a unit vector out of the body, from a point of a straight element to the arc of this curvature over it.
   double wayToArc(double curvature, double xi, const Point& direction) const;
