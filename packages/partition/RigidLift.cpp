@@ -17,6 +17,7 @@ using Extended = long double;
 
 constexpr double kRigid = 0.25;      // of the largest prescribed value: what a rigid motion may leave of it
 constexpr double kBalanced = 1e-12;  // of a pair's weights: a sum that is zero but for rounding
+constexpr double kNoGap = 5e-16;     // of coordinates, gap and motion: what rounding leaves of a gap that is closed
 constexpr int kAmplitudeBits = 46;   // of the largest amplitude: smaller ones are rounding of the fit
 
 /// End of a pair: how its node moves, and what its prescribed components contribute to the row.
@@ -172,7 +173,7 @@ void Lifting::shiftGaps() {
   std::sort(ends.begin(), ends.end(), [](const End& a, const End& b) { return a.pair != b.pair ? a.pair < b.pair : a.end < b.end; });
 
   struct Shift {
-    Extended moved = 0, given = 0;
+    Extended moved = 0, given = 0, size = 0;
   };
   std::map<int, Shift> shifts;
   for (std::size_t first = 0, last = 0; first < ends.size(); first = last) {
@@ -185,13 +186,20 @@ void Lifting::shiftGaps() {
     }
     // Both sides moved alike change no gap, also where weights of a mortar sum to zero but for rounding.
     const Extended common = std::abs(sum) <= kBalanced * size ? ends[first].along : 0;
-    for (std::size_t e = first; e < last; ++e) shift.moved += ends[e].weight * (ends[e].along - common);
+    for (std::size_t e = first; e < last; ++e) {
+      shift.moved += ends[e].weight * (ends[e].along - common);
+      shift.size += std::abs(ends[e].weight * ends[e].along);
+    }
   }
   for (SubdomainMesh& mesh : meshes_)
     for (ContactRow& row : mesh.contactRows) {
       const Shift& shift = shifts.at(row.pair.id);
       mesh.lift.gaps.emplace(row.pair.id, row.pair.gap);
-      row.pair.gap = double(row.pair.gap - shift.moved);
+      // Bodies that were carried to where they touch do touch: rounding would press them together or hold them apart.
+      const Point& place = row.pair.position;
+      const Extended size = shift.size + std::abs(row.pair.gap) + std::hypot(place[0], place[1], place[2]),
+                     rest = row.pair.gap - shift.moved;
+      row.pair.gap = shift.moved != 0 && std::abs(rest) <= kNoGap * size ? 0.0 : double(rest);
       row.gap = double(row.pair.gap - shift.given);
     }
 }

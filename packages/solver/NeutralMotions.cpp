@@ -55,6 +55,15 @@ std::vector<double> largestOf(const RigidContact::Pairs& data, std::size_t parts
   return most;
 }
 
+/// Sum of the magnitudes of the loads on each part. Collective.
+std::vector<double> loadsOf(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model,
+                            const ContactBodies& bodies) {
+  std::vector<double> mine(bodies.parts().size(), 0.0), all(mine);
+  for (std::size_t s = 0; s < meshes.size(); ++s) mine[bodies.partOf(static_cast<int>(s))] += subdomainLoads(meshes[s], model).lpNorm<1>();
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, static_cast<int>(mine.size()), mine.data(), all.data());
+  return all;
+}
+
 /// Rounding of forces on each part, by the largest on any that pairs, closed or open, connect with it. Others do not touch it.
 std::vector<double> roundingOf(const RigidContact::Pairs& data, const std::vector<double>& force) {
   DisjointSets neighbours(static_cast<int>(force.size()));
@@ -76,12 +85,15 @@ struct Classes {
   ClosedSet idle;      ///< closed for the solver, without force
 };
 
-Classes classify(const ContactBodies& bodies, const Pairs& pairs) {
+/// \param loads  on each part: pair forces that are rounding of them are none
+Classes classify(const ContactBodies& bodies, const Pairs& pairs, const std::vector<double>& loads) {
   const RigidContact::Pairs& data = bodies.rigid().data();
   const int count = bodies.rigid().pairs();
   const std::vector<double> force = largestOf(data, bodies.parts().size(), pairs.force),
                             change = largestOf(data, bodies.parts().size(), pairs.change);
-  const std::vector<double> rounding = roundingOf(data, force);
+  std::vector<double> largest = force;
+  for (std::size_t p = 0; p < largest.size(); ++p) largest[p] = std::max(largest[p], loads[p]);
+  const std::vector<double> rounding = roundingOf(data, largest);
   Classes classes{ClosedSet(count, 0), ClosedSet(count, 0), ClosedSet(count, 0)};
   for (int i = 0; i < count; ++i) {
     if (!data.able[i]) continue;
@@ -119,7 +131,6 @@ bool straighten(const Comm& comm, const std::vector<SubdomainMesh>& meshes, cons
   for (std::size_t i = 0; i < carrying.size(); ++i)
     if (carrying[i])
       for (const int part : bodies.rigid().data().bodies[i]) idle[part] = 0;
-  for (std::size_t p = 0; p < parts; ++p) idle[p] = idle[p] && bodies.parts()[p].free.cols() > 0;
   if (std::none_of(idle.begin(), idle.end(), [](char one) { return one != 0; })) return false;
 
   std::vector<int> mine(parts, 0), acted(parts, 0);
@@ -151,7 +162,8 @@ bool straighten(const Comm& comm, const std::vector<SubdomainMesh>& meshes, cons
       own.col(k) += moved.transpose() * u;
     });
     Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, static_cast<int>(own.size()), own.data(), all.data());
-    Vector amplitudes = solvePositive(all.leftCols(k), all.col(k));
+    Vector amplitudes(k);
+    if (k > 0) amplitudes = solvePositive(all.leftCols(k), all.col(k));
     if (amplitudes.norm() <= kNothing * part.radius) amplitudes.setZero();
     forEachNode([&](const Matrix& moved, auto&& u) { u = moved * amplitudes; });
   }
@@ -266,22 +278,35 @@ void settleNeutralMotions(const Comm& comm, std::vector<SubdomainMesh>& meshes, 
   const int count = rigid.pairs();
   if (count == 0) return;
   Pairs pairs = broadcastPairs(comm, solution.pairs, count);
-  Classes classes = classify(bodies, pairs);
+  const std::vector<double> loads = loadsOf(comm, meshes, model, bodies);
+  Classes classes = classify(bodies, pairs, loads);
   if (comm.getRank() == 0)
     for (PairResult& pair : solution.pairs)
-      if (classes.idle[pair.id]) pair.status = PairStatus::Open;
+      if (classes.idle[pair.id]) {
+        pair.status = PairStatus::Open;
+        pair.force = pair.pressure = 0.0;  // rounding, which is not worth a note on pressures
+      }
 
   const auto take = [&] {  // the displacements have changed
     std::vector<PairForce> forces;
     for (const PairResult& pair : solution.pairs) forces.push_back({pair.id, pair.status, pair.force});
     solution.pairs = pairResults(comm, all, solution.displacement, forces);
     pairs.gap = broadcastPairs(comm, solution.pairs, count).gap;
-    classes.touching = classify(bodies, pairs).touching;
+    classes.touching = classify(bodies, pairs, loads).touching;
   };
   if (rigid.motions() > 0 && straighten(comm, meshes, model, bodies, classes.carrying, solution.displacement)) take();
   const Matrix neutral = rigid.motions() > 0 ? rigid.neutral(classes.carrying, classes.touching) : Matrix();
   if (neutral.cols() > 0) {
-    if (Least(comm, meshes, bodies, neutral).settle(pairs, classes.carrying, solution.displacement)) take();
+    if (Least(comm, meshes, bodies, neutral).settle(pairs, classes.carrying, solution.displacement)) {
+      take();
+      // What the motion has opened is open: its force held nothing, and was what the moments of others leave.
+      if (comm.getRank() == 0)
+        for (PairResult& pair : solution.pairs)
+          if (pair.status != PairStatus::Open && !classes.carrying[pair.id] && !classes.touching[pair.id]) {
+            pair.status = PairStatus::Open;
+            pair.force = pair.pressure = 0.0;
+          }
+    }
     const std::vector<char> loaded = loadedParts(comm, meshes, model, bodies, classes.carrying);
     ClosedSet holding = classes.carrying;
     for (int i = 0; i < count; ++i) holding[i] = holding[i] || classes.touching[i];

@@ -16,6 +16,8 @@ constexpr int kRestarts = 4;         // of conjugate gradients whose recursion h
 constexpr double kStalled = 0.5;     // of the residual: a restart that leaves more has met the floor of rounding
 constexpr double kPassive = 1e-12;   // of its cluster's energy, below which a body has none of its own
 constexpr double kImbalance = 10.0;  // times the tolerance: a tenth of what the verdict allows the forces on a body
+constexpr double kLent = 1e-3;       // of a neighbour's forces, which pass through a body without loads of its own: as for the verdict
+constexpr double kNothing = 1e-12;   // of the largest energy norm that a body has had: what is left when it carries nothing
 constexpr double kSharper = 0.7;     // of the tolerance that would do if all residuals fell alike
 constexpr int kRescales = 4;
 constexpr double kOverestimate = 2.0;  // of the solution's energy norm, from which on a solve is taken up again
@@ -24,6 +26,7 @@ constexpr double kRounding = 1e-14;    // of the energy norm that a solve began 
 
 SetSolves::SetSolves(OuterSolver::Run& run, double inner)
     : run_(run), sets_(*run.problem.sets()), inner_(std::max(inner, run.settings.tolerance)), step_(run.problem.space()->vector()) {
+  largest_ = Vector::Zero(static_cast<Eigen::Index>(sets_.bodies().parts().size()));
   if (!run.fromAuxiliary) return;
   // The auxiliary solve may be gone on with, if it was scaled as its cluster is.
   preconditioned_ = run.preconditioned;
@@ -75,6 +78,7 @@ Vector SetSolves::energies(const InterfaceState& state) const {
 void SetSolves::scaleBy(const InterfaceState& from, const InterfaceState& state, const MultiVector& load) {
   const Vector energy = deformed_ ? energies(from) : Vector(Vector::Zero(static_cast<Eigen::Index>(clusterOf_.size())));
   lift_ = energies(state).cwiseSqrt();
+  largest_ = largest_.cwiseMax(sets_.energies(state));
   scale_.clear();
   size_.resize(0);
   scaled_ = false;
@@ -141,11 +145,13 @@ double SetSolves::tolerance(int level) const {
 /// state remembers its image.
 double SetSolves::norm(const MultiVector& residual, const InterfaceState& state) {
   const Vector energy = sets_.energies(state), own = productsByPart(residual);
+  largest_ = largest_.cwiseMax(energy);
+  const Vector nothing = kNothing * kNothing * largest_;
   double sum = 0.0, bodies = 0.0;
   for (std::size_t p = 0; p < clusterOf_.size(); ++p) {
     const auto at = static_cast<Eigen::Index>(p), cluster = static_cast<Eigen::Index>(clusterOf_[p]);
     const double size = scaled_ ? size_(cluster) : reference_, lift = kRounding * lift_(cluster);
-    if (own(at) == 0.0) continue;
+    if (own(at) == 0.0 || (energy(at) <= nothing(at) && own(at) <= nothing(at))) continue;
     sum += own(at) / (size > 0.0 ? size * size : std::abs(own(at)));
     const double scale = std::max({energy(at), kPassive * size * size, lift * lift});
     if (scale > 0.0) bodies = std::max(bodies, std::sqrt(std::abs(own(at)) / scale));
@@ -157,18 +163,35 @@ double SetSolves::norm(const MultiVector& residual, const InterfaceState& state)
   return bodies;
 }
 
-/// Imbalance of the loads and pair forces on a body, in the motions that nothing but contact stops, beside the sum of their magnitudes: the
-/// largest of all bodies.
-double SetSolves::imbalance(const Vector& force) const {
+/// Imbalance of the loads and pair forces on a body, in the motions that nothing but contact stops, beside the forces that pass through it:
+/// the largest of all bodies. Forces across these motions count, too, by what deforms the body, and a body without loads has a share of its
+/// neighbours': what is left along a motion that nothing drives is rounding of them.
+double SetSolves::imbalance(const Vector& force, const InterfaceState& state) const {
   const RigidContact::Pairs& data = sets_.bodies().rigid().data();
+  const std::size_t parts = sets_.bodies().parts().size();
+  const Vector energy = sets_.energies(state);
+  std::vector<double> size(parts, 0.0), loads(parts, 0.0), stiffness(parts, 0.0);
+  for (std::size_t p = 0; p < parts; ++p)
+    size[p] = loads[p] = data.work.segment(sets_.bodies().firstMotion(static_cast<int>(p)), sets_.bodies().parts()[p].free.cols()).norm();
+  for (std::size_t i = 0; i < data.bodies.size(); ++i)
+    for (const int p : data.bodies[i]) {
+      size[p] += std::abs(force(static_cast<Eigen::Index>(i)));
+      stiffness[p] = std::max(stiffness[p], data.stiffness(static_cast<Eigen::Index>(i)));
+    }
+  const std::vector<double> own = size;
+  for (const auto& bodies : data.bodies)
+    for (const int p : bodies)
+      for (const int other : bodies)
+        if (loads[p] == 0.0) size[p] = std::max(size[p], kLent * own[other]);
   double most = 0.0;
-  for (std::size_t p = 0; p < sets_.bodies().parts().size(); ++p) {
+  for (std::size_t p = 0; p < parts; ++p) {
+    const auto at = static_cast<Eigen::Index>(p);
     const Eigen::Index first = sets_.bodies().firstMotion(static_cast<int>(p)), count = sets_.bodies().parts()[p].free.cols();
     if (count == 0) continue;
-    const auto rows = data.rows.middleCols(first, count);
-    const Vector work = data.work.segment(first, count), rest = rows.transpose() * force - work;
-    const double size = rows.rowwise().norm().dot(force.cwiseAbs()) + work.norm();
-    if (size > 0.0) most = std::max(most, rest.norm() / size);
+    const Vector rest = data.rows.middleCols(first, count).transpose() * force - data.work.segment(first, count);
+    if (rest.norm() <= kNothing * std::sqrt(largest_(at) * stiffness[p])) continue;
+    size[p] = std::max(size[p], kLent * std::sqrt(std::max(energy(at), 0.0) * stiffness[p]));
+    most = std::max(most, rest.norm() / size[p]);
   }
   return most;
 }
@@ -283,7 +306,7 @@ ContactAnswer SetSolves::solve(const ClosedSet& closed, int level) {
         at = sets_.evaluateSet(state, final);
         const double sharper = sharper_;
         residual = norm(*at.residual, state);
-        if (const double forces = imbalance(at.force) / kImbalance; forces > final && residual <= final && !run_.automatic.on()) {
+        if (const double forces = imbalance(at.force, state) / kImbalance; forces > final && residual <= final && !run_.automatic.on()) {
           sharper_ = std::min(sharper_, kSharper * residual / forces);
           residual = forces;
         }

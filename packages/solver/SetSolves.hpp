@@ -38,7 +38,7 @@ class SetSolves : public ContactOracle {
   double overestimate(const InterfaceState& state) const;
   void scale(MultiVector& x, bool inverse) const;
   double norm(const MultiVector& residual, const InterfaceState& state);
-  double imbalance(const Vector& force) const;
+  double imbalance(const Vector& force, const InterfaceState& state) const;
   double tolerance(int level) const;
   bool oneSolve(InterfaceState& state, bool goOn, int level, InnerResult& cost, int& applications);
   bool solveLinear(InterfaceState& state, bool goOn, double tolerance, const EnergyCriterion& criterion, InnerResult& cost,
@@ -54,6 +54,7 @@ class SetSolves : public ContactOracle {
   Teuchos::RCP<InterfaceOperator> matrix_;
   std::vector<int> clusterOf_;  // of each part
   Vector lift_;                 // energy norm of each cluster where the last solve began: rounding leaves a part of it
+  Vector largest_;              // largest energy, doubled, that each part has had: rounding leaves a part of it
   Vector size_;                 // of each cluster, that its residual was relative to
   std::vector<double> scale_;   // of each owned unknown, if scaled_
   bool scaled_ = false;         // several clusters, each by its own energy. The same on all ranks

@@ -15,6 +15,9 @@ namespace {
 
 constexpr double noWork = 1e-9;    // of the forces on the part
 constexpr double noMotion = 1e-8;  // of a unit amplitude
+// Largest change of a gap, of the amplitude of the motion, that is none: what the coordinates of mesh files leave of the turning of a round
+// body in its seat (normals of nodes that Gmsh puts on circles are good to 1e-8).
+constexpr double noOpening = 1e-6;
 
 // Of a space of amplitudes (orthonormal columns) the motion that is easiest to say: a translation if there is one, along an axis if
 // possible.
@@ -53,6 +56,17 @@ Matrix contactRows(const Mesh& mesh, const Constraints& constraints, const Rigid
     }
   }
   return rows;
+}
+
+/// Motions that keep all gaps: orthonormal columns. They are taken out of the rows, in which they are nothing but inaccuracy of the mesh:
+/// forces of contact that balance loads along them do not exist.
+Matrix slidingMotions(Matrix& rows) {
+  const SingularValues svd = singularValues(rows);
+  Eigen::Index held = std::min(rows.rows(), rows.cols());
+  while (held > 0 && (rows * svd.v.col(held - 1)).lpNorm<Eigen::Infinity>() <= noOpening) --held;
+  const Matrix sliding = svd.v.rightCols(rows.cols() - held);
+  rows -= rows * sliding * sliding.transpose();
+  return sliding;
 }
 
 void checkPrescribedPairs(const Mesh& mesh, const Constraints& constraints, Problems& problems) {
@@ -130,7 +144,8 @@ void checkSolvability(const Mesh& mesh, const Constraints& constraints, const Ve
     force[part] += f.norm();
     work.segment(modes.first[part], r.free.cols()) += (f.transpose() * r.at(mesh.point(i), dimension) * r.free).transpose();
   }
-  const Matrix rows = contactRows(mesh, constraints, rigid, modes);
+  Matrix rows = contactRows(mesh, constraints, rigid, modes);
+  const Matrix sliding = slidingMotions(rows);
   const double loads = force.sum();
   if (loads > 0) {
     const Vector contact = nonnegativeLeastSquares(rows.transpose(), work / loads);
@@ -150,7 +165,6 @@ void checkSolvability(const Mesh& mesh, const Constraints& constraints, const Ve
     problems.throwIfAny();
   }
 
-  const Matrix sliding = nullSpace(rows);
   for (int part = 0; part < parts && sliding.cols() > 0; ++part) {
     const RigidPart& r = rigid.parts[part];
     if (r.free.cols() == 0) continue;

@@ -1,0 +1,22 @@
+// A roller with a square hole in a ring that it does not fill.
+DefineConstant[ clearance = {0.002} ];
+Point(1) = {0, 0, 0};
+R = 1 + clearance;
+Point(2) = {1.3, 0, 0, 0.15}; Point(3) = {0, 1.3, 0, 0.15}; Point(4) = {-1.3, 0, 0, 0.15}; Point(5) = {0, -1.3, 0, 0.15};
+Circle(1) = {2, 1, 3}; Circle(2) = {3, 1, 4}; Circle(3) = {4, 1, 5}; Circle(4) = {5, 1, 2};
+Point(6) = {R, 0, 0, 0.15}; Point(7) = {0, R, 0, 0.15}; Point(8) = {-R, 0, 0, 0.15}; Point(9) = {0, -R, 0, 0.15};
+Circle(5) = {6, 1, 7}; Circle(6) = {7, 1, 8}; Circle(7) = {8, 1, 9}; Circle(8) = {9, 1, 6};
+Curve Loop(1) = {1, 2, 3, 4}; Curve Loop(2) = {5, 6, 7, 8};
+Plane Surface(1) = {1, 2};
+Point(10) = {1, 0, 0, 0.2}; Point(11) = {0, 1, 0, 0.2}; Point(12) = {-1, 0, 0, 0.2}; Point(13) = {0, -1, 0, 0.2};
+Circle(9) = {10, 1, 11}; Circle(10) = {11, 1, 12}; Circle(11) = {12, 1, 13}; Circle(12) = {13, 1, 10};
+Point(14) = {0.1, -0.1, 0, 0.08}; Point(15) = {0.1, 0.1, 0, 0.08}; Point(16) = {-0.1, 0.1, 0, 0.08}; Point(17) = {-0.1, -0.1, 0, 0.08};
+Line(13) = {14, 15}; Line(14) = {15, 16}; Line(15) = {16, 17}; Line(16) = {17, 14};
+Curve Loop(3) = {9, 10, 11, 12}; Curve Loop(4) = {13, 14, 15, 16};
+Plane Surface(2) = {3, 4};
+Physical Surface("ring") = {1};
+Physical Surface("roller") = {2};
+Physical Curve("outside") = {1, 2, 3, 4};
+Physical Curve("bore") = {5, 6, 7, 8};
+Physical Curve("rim") = {9, 10, 11, 12};
+Physical Curve("key") = {14};
