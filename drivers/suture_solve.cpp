@@ -56,6 +56,7 @@ RunResult solveScene(const CommPtr& comm, const SolveOptions& options) {
     if (!problem) return solveMonolithicScene(*comm, mesh, constraints, reference.get(), cut.meshes, scene, monitor);
     return recover(*comm, *problem, solveInterface(*problem, scene, monitor, start.get(), discretisationError), subdomains, scene);
   });
+  if (solution.stopped) stopIsHeard();
   solution.energy -= liftWork;
   problem.reset();  // what is written needs the memory
   subdomains.clear();

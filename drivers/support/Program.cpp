@@ -19,6 +19,8 @@
 #include <thread>
 #include <vector>
 
+#include "StoppableOutput.hpp"
+
 // OpenBLAS and OpenMP read their environment when they are loaded, before main; the symbol of one that is not in the program is absent.
 extern "C" {
 void openblas_set_num_threads(int) __attribute__((weak));
@@ -158,6 +160,7 @@ void MeetingPoint::wait() const { MPI_Barrier(impl_->comm); }
 int runProgram(const std::string& name, const std::string& subject, const std::function<ExitCode(const CommPtr& comm)>& work) {
   oneThreadARank();
   keepFreedMemory();
+  const StoppableOutput output;
   Hdf5File::withoutExitHandler();
   // Kokkos would look for options of its own in ours.
   int argc = 1;

@@ -1,5 +1,6 @@
 #include "StopSignals.hpp"
 
+#include <poll.h>
 #include <unistd.h>
 
 #include <csignal>
@@ -15,7 +16,7 @@ volatile std::sig_atomic_t stopAsked = 0;
 
 // All of these may be called by a handler of signals.
 void say(const char* text, std::size_t length) {
-  if (write(STDERR_FILENO, text, length) < 0) return;
+  if (!takesText(STDERR_FILENO, 0) || write(STDERR_FILENO, text, length) < 0) return;
 }
 
 void giveUp(int) {
@@ -48,5 +49,10 @@ void listenForStop(RunMonitor& monitor) {
 bool stopWasAsked() { return stopAsked != 0; }
 
 void stopIsHeard() { alarm(0); }
+
+bool takesText(int file, int milliseconds) {
+  pollfd reader{file, POLLOUT, 0};
+  return poll(&reader, 1, milliseconds) > 0;
+}
 
 }  // namespace suture

@@ -11,7 +11,11 @@ void listenForStop(RunMonitor& monitor);
 /// Whether such a signal came, on this rank.
 bool stopWasAsked();
 
-/// The run has stopped and its files are being written: they may take as long as they need. Local.
+/// The iterations have ended: the verdict and the files may take as long as they need. Local.
 void stopIsHeard();
+
+/// Whether a file descriptor takes text, or fails, without waiting for its reader; waits for that until a signal comes or the time is over.
+/// May be called by a handler of signals.
+bool takesText(int file, int milliseconds);
 
 }  // namespace suture

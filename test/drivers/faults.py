@@ -6,6 +6,7 @@ faults.py --solve PROGRAM --mpirun "mpirun ..." --work DIR --input FOLDER [--all
 Without --all one case of each kind: below a minute where the machine is busy, too.
 """
 import argparse
+import fcntl
 import hashlib
 import json
 import os
@@ -13,6 +14,8 @@ import pathlib
 import resource
 import signal
 import subprocess
+import sys
+import termios
 import time
 
 import harness
@@ -45,8 +48,36 @@ def summary(folder):
     return json.loads((work / folder / "summary.json").read_text())
 
 
+def ended(folder):
+    """How a run ended, by its summary: exit code and whether it converged; None without one."""
+    return (summary(folder)["exit_code"], summary(folder)["converged"]) if (work / folder / "summary.json").exists() else None
+
+
 def digest(path):
     return hashlib.sha256(path.read_bytes()).hexdigest()
+
+
+def until(holds, seconds=60):
+    """Waits for a condition; whether it came in time."""
+    end = time.time() + seconds * SLOWER
+    while not holds():
+        if time.time() > end:
+            return False
+        time.sleep(0.02)
+    return True
+
+
+def children(process, program):
+    """Children that run the program: until they begin it, they are copies of their parent."""
+    found = []
+    for task in pathlib.Path(f"/proc/{process.pid}/task").glob("*"):
+        for child in (task / "children").read_text().split():
+            try:
+                if os.readlink(f"/proc/{child}/exe").endswith("/" + program):
+                    found.append(int(child))
+            except OSError:  # it has ended
+                pass
+    return found
 
 
 def start(name, *words, ranks=1, launcher=()):
@@ -55,9 +86,7 @@ def start(name, *words, ranks=1, launcher=()):
     line = [options.solve, *map(str, words)] if ranks == 1 else \
         [*options.mpirun.split(), *launcher, "-np", str(ranks), options.solve, *map(str, words)]
     process = subprocess.Popen(line, stdout=open(log, "w"), stderr=subprocess.STDOUT, start_new_session=True)
-    until = time.time() + 60 * SLOWER
-    while time.time() < until and "residual   active" not in log.read_text() and process.poll() is None:
-        time.sleep(0.05)
+    until(lambda: "residual   active" in log.read_text() or process.poll() is not None)
     return process
 
 
@@ -96,41 +125,51 @@ for megabytes in () if SANITIZED else (500, 700, 900, 1200, 1600, 2400) if optio
         check(f"{megabytes} MB of address space: message", text, lambda t: "memory" in t or "ulimit -v" in t)
 
 # SIGTERM and SIGINT: the step in hand, a checkpoint, 75. A batch system sends them to all ranks; one that gets it stops the others, too.
-def ranks_of(process):
-    children = pathlib.Path(f"/proc/{process.pid}/task/{process.pid}/children").read_text().split()
-    return [int(child) for child in children if "suture_solve" in pathlib.Path(f"/proc/{child}/cmdline").read_text()]
-
-
 signals = [("SIGTERM", 1, 1), ("SIGTERM", 2, 1)]
 for name, ranks, hit in signals + ([("SIGINT", 1, 1), ("SIGTERM", 2, 2), ("SIGINT", 4, 4)] if options.all else []):
     what = f"{name} to {hit} of {ranks} ranks"
     folder = f"{name}_{hit}_{ranks}"
     process = start(folder, OPEN, *SLOW, "--output", work / folder, ranks=ranks)
-    pids = ranks_of(process) if ranks > 1 else [process.pid]
+    pids = children(process, "suture_solve") if ranks > 1 else [process.pid]
     check(what + ": they run", len(pids), ranks)
     begin = time.time()
     for pid in pids[-hit:]:
         os.kill(pid, getattr(signal, name))
-    while any(pathlib.Path(f"/proc/{pid}/exe").exists() for pid in pids) and process.poll() is None and time.time() - begin < 30 * SLOWER:
-        time.sleep(0.02)
+    until(lambda: process.poll() is not None or not any(pathlib.Path(f"/proc/{pid}/exe").exists() for pid in pids), 30)
     check(what + ": the ranks end below five seconds", time.time() - begin, lambda s: s < 5 * SLOWER)
     code = process.wait(timeout=60 * SLOWER)
     check(what + ": exit code", code, 75)
-    check(what + ": summary", (summary(folder)["exit_code"], summary(folder)["converged"]), (75, False))
+    check(what + ": summary", ended(folder), (75, False))
     code, _, _ = run(3 - min(ranks, 2), OPEN, "--quiet", "--restart", work / folder / "checkpoint.h5", "--output", work / (folder + "_resumed"))
-    check(what + ": restart", (code, summary(folder + "_resumed")["converged"]), (0, True))
+    check(what + ": restart", (code, ended(folder + "_resumed")), (0, (0, True)))
 
-# mpirun kills its ranks a second after a SIGTERM of its own, unless told otherwise.
+# mpirun kills its ranks a second after a SIGTERM of its own, unless told otherwise; it no longer reads what they print.
 process = start("launcher", OPEN, *SLOW, "--output", work / "launcher", ranks=2, launcher=("--mca", "odls_base_sigkill_timeout", "5"))
 process.send_signal(signal.SIGTERM)
 process.wait(timeout=60 * SLOWER)
-check("SIGTERM to mpirun: a checkpoint and a summary", ((work / "launcher" / "checkpoint.h5").exists(), summary("launcher")["exit_code"]), (True, 75))
+check("SIGTERM to mpirun: a checkpoint", (work / "launcher" / "checkpoint.h5").exists(), True)
+check("SIGTERM to mpirun: a summary", ended("launcher"), (75, False))
+
+# A run that nobody reads is held up by its console, and stops all the same.
+reader, writer = os.pipe()
+fcntl.fcntl(writer, fcntl.F_SETPIPE_SZ, 8192)  # two pages, and one of them is full before the run waits
+process = subprocess.Popen([options.solve, str(OPEN), *SLOW, "--output", str(work / "unread")], stdout=writer)
+os.close(writer)
+waiting = lambda: int.from_bytes(fcntl.ioctl(reader, termios.FIONREAD, bytes(4)), sys.byteorder)
+check("a run that nobody reads fills its pipe", until(lambda: waiting() > 4000), True)
+time.sleep(0.5)
+begin = time.time()
+process.terminate()
+code = process.wait(timeout=60 * SLOWER)
+check("SIGTERM to it", (code, time.time() - begin < 5 * SLOWER, ended("unread"), (work / "unread" / "checkpoint.h5").exists()),
+      (75, True, (75, False), True))
+os.close(reader)
 
 # Where no iteration can end, while the mesh is made, the run ends all the same.
 geometry = work / "endless.geo"
 geometry.write_text("DefineConstant[ scale = 1 ];\nFor i In {1:1e12}\n x = i;\nEndFor\n")
 process = subprocess.Popen([options.solve, str(OPEN), "--set", f"Mesh/File={geometry}", "--output", str(work / "endless")], stderr=subprocess.PIPE, text=True)
-time.sleep(1.5)
+check("its mesher runs", until(lambda: children(process, "suture_mesher")), True)
 begin = time.time()
 process.terminate()
 text = process.communicate(timeout=60 * SLOWER)[1]
@@ -138,12 +177,10 @@ check("SIGTERM while the mesh is read", (process.returncode, time.time() - begin
 
 # SIGKILL: an earlier result is set aside, a checkpoint of the run itself is there, the lock goes with the process.
 code, _, _ = run(1, OPEN, "--quiet", "--output", work / "killed")
-check("a first run", (code, summary("killed")["converged"]), (0, True))
+check("a first run", (code, ended("killed")), (0, (0, True)))
 fields = digest(work / "killed" / "fields_0000.vtkhdf")
 process = start("killed", OPEN, *SLOW, *setting("Output/Checkpoint Every", 1e-3), "--output", work / "killed")
-until = time.time() + 30 * SLOWER
-while not (work / "killed" / "checkpoint.h5").exists() and time.time() < until:
-    time.sleep(0.05)
+check("its checkpoint", until((work / "killed" / "checkpoint.h5").exists), True)
 code, text, _ = run(2, OPEN, "--quiet", "--output", work / "killed")
 check("a second run into the folder", code, 5)
 check("it names the first", text, lambda t: f"process {process.pid}" in t and "another run writes" in t)
@@ -153,7 +190,7 @@ check("killed: no summary to be taken for that of the run", (work / "killed" / "
 check("killed: the earlier result is there", (json.loads((work / "killed" / "summary.previous.json").read_text())["converged"],
                                              digest(work / "killed" / "fields_0000.vtkhdf")), (True, fields))
 code, _, _ = run(2, OPEN, "--quiet", "--restart", work / "killed" / "checkpoint.h5", "--output", work / "killed")
-check("killed: restart on two ranks, into the folder of the dead", (code, summary("killed")["converged"]), (0, True))
+check("killed: restart on two ranks, into the folder of the dead", (code, ended("killed")), (0, (0, True)))
 check("nothing else is left", sorted(f.name for f in (work / "killed").iterdir() if f.name != "checkpoint.h5"),
       ["contact_0000.vtkhdf", "fields_0000.vtkhdf", "history.csv", "summary.json"])
 

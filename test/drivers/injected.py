@@ -22,9 +22,9 @@ CODES = {"memory": 5, "numerical": 4, "input": 3, "environment": 5, "other": 70}
 RANKS = 4
 
 
-def run(folder, **environment):
+def run(folder, words=WORDS, **environment):
     """Exit code, standard output and error, seconds."""
-    line = [*options.mpirun.split(), "-q", "-np", str(RANKS), "env", "LD_PRELOAD=" + options.fault, options.solve, *WORDS, "--output",
+    line = [*options.mpirun.split(), "-q", "-np", str(RANKS), "env", "LD_PRELOAD=" + options.fault, options.solve, *words, "--output",
             str(options.work / folder)]
     begin = time.time()
     process = subprocess.Popen(line, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, start_new_session=True,
@@ -74,4 +74,14 @@ for number, (rank, phase, place, at) in enumerate(places):
         summary = options.work / "fault" / "summary.json"
         check(what + ": no summary, or one that says so", json.loads(summary.read_text())["exit_code"] if summary.exists() else CODES[kind], CODES[kind])
         summary.unlink(missing_ok=True)
+
+# Four seconds are for the iteration in hand: what follows it on a busy machine does not cost the checkpoint.
+endless = [str(SCENE.parent.parent / "tunnel" / "tunnel_open.xml"), "--quiet", *setting("Mesh/Constants/scale", 3),
+           *setting("Formulation", "Condensed Groups"), *setting("Outer Solver/Type", "Successive Approximation"),
+           *setting("Outer Solver/Maximum Iterations", 100000), *setting("Outer Solver/Tolerance", "1e-15")]
+code, out, err, seconds = run("late", endless, SUTURE_TEST_FAULT="solve message 100 1 stop")
+summary = options.work / "late" / "summary.json"
+check("SIGTERM, and a verdict that comes late: exit code", code, 75)
+check("SIGTERM, and a verdict that comes late: summary", json.loads(summary.read_text())["exit_code"] if summary.exists() else None, 75)
+check("SIGTERM, and a verdict that comes late: checkpoint", (options.work / "late" / "checkpoint.h5").exists(), True)
 finish()

@@ -3,6 +3,7 @@
 // before collectively(). See injected.py.
 //   SUTURE_TEST_FAULT="phase place number rank kind"   place phase: as it begins (number 0); message: before its n-th communication on that
 //                                                      rank; work: in the n-th local work that ends collectively
+//                                                      kind stop: no exception, but a SIGTERM, and the next phase begins after six seconds
 //   SUTURE_TEST_COUNTS=FILE                            lines "rank phase messages works" in FILE.<rank> when MPI ends
 #include <suture/base/Collective.hpp>
 #include <suture/base/Errors.hpp>
@@ -11,12 +12,15 @@
 #include <dlfcn.h>
 #include <mpi.h>
 
+#include <chrono>
+#include <csignal>
 #include <cstdlib>
 #include <fstream>
 #include <map>
 #include <new>
 #include <sstream>
 #include <stdexcept>
+#include <thread>
 
 namespace {
 
@@ -27,7 +31,7 @@ struct Counts {
 struct Fault {
   std::string phase, place, kind, now;
   int number = 0, rank = -1;
-  bool thrown = false;
+  bool thrown = false, late = false;
   std::map<std::string, Counts> counts;
 
   static Fault& instance() {
@@ -35,6 +39,8 @@ struct Fault {
     return fault;
   }
   void begin(const std::string& name) {
+    if (late) std::this_thread::sleep_for(std::chrono::seconds(6));
+    late = false;
     now = name;
     counts.emplace(name, Counts());
     reach("phase", 0);
@@ -56,6 +62,11 @@ struct Fault {
     PMPI_Comm_rank(MPI_COMM_WORLD, &mine);
     if (mine != rank) return;
     thrown = true;
+    if (kind == "stop") {
+      late = true;
+      std::raise(SIGTERM);
+      return;
+    }
     const std::string text = "injected fault";
     if (kind == "memory") throw std::bad_alloc();
     if (kind == "input") throw suture::InputError("Some/Parameter", text);

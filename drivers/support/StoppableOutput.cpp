@@ -1,0 +1,55 @@
+#include "StoppableOutput.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <iostream>
+
+#include "StopSignals.hpp"
+
+namespace suture {
+
+namespace {
+
+constexpr std::size_t most = 4096;  // that are collected without a flush
+constexpr std::size_t piece = 256;  // a terminal or pipe that is ready takes these without waiting
+constexpr int pause = 100;          // milliseconds for the reader once the run has been asked to stop
+
+}  // namespace
+
+StoppableOutput::StoppableOutput() : before_(std::cout.rdbuf(this)) {}
+
+StoppableOutput::~StoppableOutput() {
+  sync();
+  std::cout.rdbuf(before_);
+}
+
+StoppableOutput::int_type StoppableOutput::overflow(int_type letter) {
+  if (traits_type::eq_int_type(letter, traits_type::eof())) return traits_type::not_eof(letter);
+  const char one = traits_type::to_char_type(letter);
+  return xsputn(&one, 1) == 1 ? letter : traits_type::eof();
+}
+
+std::streamsize StoppableOutput::xsputn(const char* text, std::streamsize length) {
+  text_.append(text, static_cast<std::size_t>(length));
+  return text_.size() < most || sync() == 0 ? length : 0;
+}
+
+int StoppableOutput::sync() {
+  std::string text;
+  text.swap(text_);
+  for (std::size_t sent = 0; sent < text.size();) {
+    const bool stop = stopWasAsked();  // asked before the wait: a reader has the whole pause, also when a signal interrupts the wait
+    if (!takesText(STDOUT_FILENO, pause)) {
+      if (stop) break;
+      continue;
+    }
+    const ssize_t count = write(STDOUT_FILENO, text.data() + sent, std::min(piece, text.size() - sent));
+    if (count < 0 && errno != EINTR && errno != EAGAIN) return -1;
+    sent += static_cast<std::size_t>(std::max<ssize_t>(0, count));
+  }
+  return 0;
+}
+
+}  // namespace suture
