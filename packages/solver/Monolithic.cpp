@@ -61,14 +61,19 @@ Vector shiftOf(const MonolithicSystem& system, const RigidParts& rigid) {
   return shift;
 }
 
+/// What is left to do at x: forces on the free dofs, and the solution of the others while contact dofs stay where they are.
+struct Rest {
+  Vector x, load, held;
+};
+
 CondensedContact condense(const Mesh& mesh, const Constraints& constraints, const MonolithicSystem& system, const RigidParts& rigid,
-                          const CholmodFactor& factor, const Vector& heldSolution) {
+                          const CholmodFactor& factor, const Rest& rest) {
   CondensedContact contact;
   contact.stiffness = factor.trailingSchur();
   const int trailing = system.contactDofs(), leading = system.dofs() - trailing;
   Vector held = Vector::Zero(system.dofs());
-  held.head(leading) = heldSolution;
-  contact.load = system.load().tail(trailing) - (system.stiffness() * held).tail(trailing);
+  held.head(leading) = rest.held;
+  contact.load = rest.load.tail(trailing) - (system.stiffness() * held).tail(trailing);
   for (int i = 0; i < trailing; ++i)
     if (i == 0 || mesh.bodyOfNode[system.contactDof()[i].node] != mesh.bodyOfNode[system.contactDof()[i - 1].node])
       contact.blocks.push_back(i);
@@ -78,10 +83,42 @@ CondensedContact condense(const Mesh& mesh, const Constraints& constraints, cons
   for (std::size_t i = 0; i < system.rows().size(); ++i) {
     contact.dofs.push_back(system.rows()[i].dofs);
     contact.coefficients.push_back(system.rows()[i].coefficients);
-    contact.bounds[Eigen::Index(i)] = system.rows()[i].bound;
+    double& bound = contact.bounds[Eigen::Index(i)];
+    bound = system.rows()[i].bound;
+    for (std::size_t k = 0; k < system.rows()[i].dofs.size(); ++k)
+      bound -= system.rows()[i].coefficients[k] * rest.x[leading + system.rows()[i].dofs[k]];
     contact.lines.push_back(constraints.pairs[i].line);
   }
   return contact;
+}
+
+/// Digits that the factorisation has lost: rounding of the stiffest elements holds them like springs to the ground, and softer ones beside
+/// them feel it. What is left comes from stresses, and is solved with the same factor, contact and all.
+void refine(const Mesh& mesh, const Constraints& constraints, const MonolithicSystem& system, const RigidParts& rigid,
+            const CholmodFactor& factor, int most, Vector& x, ContactSolution& contact) {
+  constexpr double kMuchStiffer = 1e4;  // of the softest diagonal entry: below, four digits of the rounding are to spare
+  const Vector diagonal = system.stiffness().diagonal();
+  if (diagonal.size() == 0 || diagonal.maxCoeff() <= kMuchStiffer * diagonal.minCoeff()) return;
+  const int trailing = system.contactDofs(), leading = system.dofs() - trailing;
+  Rest rest{x, system.onFree(system.nodalForces() - system.internalForces(system.expand(x))), {}};
+  Matrix inner = rest.load.head(leading);
+  factor.solveLeading(inner);
+  Vector step = Vector::Zero(system.dofs());
+  if (constraints.pairs.empty()) {
+    step = inner;
+  } else {
+    rest.held = inner;
+    const ContactSolution found =
+        solveCondensedContact(condense(mesh, constraints, system, rigid, factor, rest), contact.active, most, [](const ActiveSetStep&) {});
+    if (!found.converged) return;
+    contact.force = found.force;
+    contact.active = found.active;
+    step.tail(trailing) = found.x;
+    inner = rest.load.head(leading) - (system.stiffness() * step).head(leading);
+    factor.solveLeading(inner);
+    step.head(leading) = inner;
+  }
+  x += step;
 }
 
 // Energy and balance from element forces of the final displacement: independent of the factorisation.
@@ -163,13 +200,15 @@ MonolithicResult solveMonolithic(const Mesh& mesh, const Constraints& constraint
       result.rows.push_back(row);
       monitor.outer(row);
     };
-    contact = solveCondensedContact(condense(mesh, constraints, system, rigid, factor, interior), start, options.maximumIterations, tell);
+    contact = solveCondensedContact(condense(mesh, constraints, system, rigid, factor, {x, system.load(), interior}), start,
+                                    options.maximumIterations, tell);
     if (contact.x.size() == 0) throw NumericalError("monolithic solver: " + contact.failure);
     x.tail(trailing) = contact.x;
     interior = system.load().head(leading) - (system.stiffness() * x).head(leading);
     factor.solveLeading(interior);
     x.head(leading) = interior;
   }
+  if (contact.converged) refine(mesh, constraints, system, rigid, factor, options.maximumIterations, x, contact);
   result.converged = contact.converged;
   result.failure = contact.failure;
   result.displacement = system.expand(x);

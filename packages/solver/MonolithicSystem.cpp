@@ -1,4 +1,5 @@
 #include <suture/base/Errors.hpp>
+#include <suture/quality/ElementForces.hpp>
 #include <suture/solver/MonolithicSystem.hpp>
 
 #include <algorithm>
@@ -162,19 +163,8 @@ SparseMatrix MonolithicSystem::pattern() const {
 
 void MonolithicSystem::assemble() {
   const int dimension = mesh_.dimension;
-  load_ = Vector::Zero(dofs_);
-  for (int node = 0; node < mesh_.nodes(); ++node) {
-    Vector force = forces_.segment(component(node, 0), dimension);
-    if (ruleOf_[node] >= 0) force = axesOf(constraints_.rules[ruleOf_[node]], dimension) * force;
-    for (int k = 0; k < dimension; ++k) {
-      const int c = component(node, k);
-      if (isFree(c)) {
-        load_[index_[c]] = force[k];
-      } else {
-        energy_ -= force[k] * prescribed_[c];
-      }
-    }
-  }
+  load_ = onFree(forces_);
+  energy_ = -forces_.dot(expand(Vector::Zero(dofs_)));
 
   SparseMatrix matrix = pattern();
   const int *outer = matrix.outerIndexPtr(), *inner = matrix.innerIndexPtr();
@@ -214,6 +204,18 @@ void MonolithicSystem::assemble() {
   stiffness_ = SymmetricMatrix(std::move(matrix));
 }
 
+Vector MonolithicSystem::onFree(const Vector& nodal) const {
+  const int dimension = mesh_.dimension;
+  Vector own = Vector::Zero(dofs_);
+  for (int node = 0; node < mesh_.nodes(); ++node) {
+    Vector force = nodal.segment(component(node, 0), dimension);
+    if (ruleOf_[node] >= 0) force = axesOf(constraints_.rules[ruleOf_[node]], dimension) * force;
+    for (int k = 0; k < dimension; ++k)
+      if (isFree(component(node, k))) own[index_[component(node, k)]] = force[k];
+  }
+  return own;
+}
+
 Vector MonolithicSystem::expand(const Vector& x) const {
   const int dimension = mesh_.dimension;
   Vector u = prescribed_;
@@ -227,21 +229,10 @@ Vector MonolithicSystem::expand(const Vector& x) const {
 }
 
 Vector MonolithicSystem::internalForces(const Vector& displacement) const {
-  const int dimension = mesh_.dimension;
-  Vector forces = Vector::Zero(displacement.size()), local;
-  const auto take = [&](int element, ConstLocalView stiffness) {
-    const Span<const int> nodes = mesh_.nodesOf(element);
-    local.resize(Eigen::Index(nodes.size()) * dimension);
-    for (std::size_t i = 0; i < nodes.size(); ++i)
-      local.segment(Eigen::Index(i) * dimension, dimension) = displacement.segment(component(nodes[i], 0), dimension);
-    local = (stiffness * local).eval();
-    for (std::size_t i = 0; i < nodes.size(); ++i)
-      forces.segment(component(nodes[i], 0), dimension) += local.segment(Eigen::Index(i) * dimension, dimension);
-  };
-  elementStiffnesses(
-      mesh_, [&](int element) -> const Material& { return model_.materialOf(mesh_, element, mesh_.bodyOfElement[element]); }, model_.plane,
-      take);
-  return forces;
+  return elementForces(
+             mesh_, [&](int element) -> const Material& { return model_.materialOf(mesh_, element, mesh_.bodyOfElement[element]); },
+             model_.plane, displacement)
+      .internal;
 }
 
 }  // namespace suture

@@ -42,7 +42,11 @@ class MonolithicSystem {
   /// Displacement of the whole mesh, node-major and Cartesian, from the free dofs.
   Vector expand(const Vector& x) const;
 
-  /// Internal forces K u of the whole mesh, prescribed nodes included; element by element, not with stiffness(). Same shape as u.
+  /// Components of nodal forces along the free dofs. \param nodal  node-major, Cartesian
+  Vector onFree(const Vector& nodal) const;
+
+  /// Internal forces K u of the whole mesh, prescribed nodes included; from stresses at quadrature points, not with stiffness(): a stiff
+  /// part that moves rigidly answers with the rounding of its strains only. Same shape as u.
   Vector internalForces(const Vector& displacement) const;
 
  private:
