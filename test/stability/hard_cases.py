@@ -130,7 +130,8 @@ def case(variant, name):
     made["checks"] = [{"key": "converged", "value": True, "source": SOURCE},
                       {"key": "equilibrium.imbalance", "max": max(1e-8, 20 * own.get("tolerance", 0.0), own.get("floor", 0.0)),
                        "source": "balance of forces, to the tolerance or the rounding of a jump by 1e6"}]
-    if "floor" in own:
+    # On the interface hard subdomains keep their fluxes in equilibrium: the residual falls below what rounding leaves in groups.
+    if "floor" in own and variant != "contact_on_the_interface":
         made["message"] = ["rounding ends the iterations"]
     made["checks"] += own.get("checks", [])
     for figure, default in (("displacement", 1e-7), ("force", 1e-6), ("status", 0)):
