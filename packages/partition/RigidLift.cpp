@@ -17,7 +17,7 @@ using Extended = long double;
 
 constexpr double kRigid = 0.25;      // of the largest prescribed value: what a rigid motion may leave of it
 constexpr double kBalanced = 1e-12;  // of a pair's weights: a sum that is zero but for rounding
-constexpr double kNoGap = 5e-16;     // of coordinates, gap and motion: what rounding leaves of a gap that is closed
+constexpr double kNoGap = 5e-16;     // of gap and motion: what rounding leaves of a gap that is closed
 constexpr int kAmplitudeBits = 46;   // of the largest amplitude: smaller ones are rounding of the fit
 
 /// End of a pair: how its node moves, and what its prescribed components contribute to the row.
@@ -196,9 +196,7 @@ void Lifting::shiftGaps() {
       const Shift& shift = shifts.at(row.pair.id);
       mesh.lift.gaps.emplace(row.pair.id, row.pair.gap);
       // Bodies that were carried to where they touch do touch: rounding would press them together or hold them apart.
-      const Point& place = row.pair.position;
-      const Extended size = shift.size + std::abs(row.pair.gap) + std::hypot(place[0], place[1], place[2]),
-                     rest = row.pair.gap - shift.moved;
+      const Extended size = shift.size + std::abs(row.pair.gap), rest = row.pair.gap - shift.moved;
       row.pair.gap = shift.moved != 0 && std::abs(rest) <= kNoGap * size ? 0.0 : double(rest);
       row.gap = double(row.pair.gap - shift.given);
     }

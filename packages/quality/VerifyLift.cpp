@@ -91,12 +91,10 @@ void judgeGaps(std::vector<LiftedEnd> ends, Findings& findings) {
       far = std::max(far, ends[last].size / std::abs(ends[last].weight));
       if (ends[last].body != where.body) where.other = ends[last].body;
     }
-    // What is rounding of the coordinates counts as touching. Both sides moved alike change no gap, though the weights of a mortar sum to
-    // zero but for rounding.
+    // Both sides moved alike change no gap, though the weights of a mortar sum to zero but for rounding.
     const double unbalanced = std::abs(weights) <= kBalanced * magnitudes ? std::abs(weights) * far : 0.0;
     if (size > 0.0)
-      findings.take(Quantity::Prescribed, std::abs(gap - ends[first].gap),
-                    kRounded * unitRoundoff * (size + length(where.place[0], where.place[1])) + unbalanced, size, where);
+      findings.take(Quantity::Prescribed, std::abs(gap - ends[first].gap), kRounded * unitRoundoff * size + unbalanced, size, where);
   }
 }
 
