@@ -200,6 +200,34 @@ TEUCHOS_UNIT_TEST(PlantedErrors, AWeakBodysForceScaled) {
         },
         success, out, "2'");
 }
+/// A turn that was taken out of all bodies alike: one node that did not turn with its body is found, and a stretch.
+TEUCHOS_UNIT_TEST(PlantedErrors, AMotionTakenOutThatIsNotRigid) {
+  const double turn = 0.25;
+  for (const int planted : {0, 1, 2}) {
+    Judged answer(pressedBlocks());
+    for (SubdomainMesh& mesh : answer.all.meshes) {
+      mesh.lift.motion = Vector::Zero(2 * mesh.nodes());
+      for (int node = 0; node < mesh.nodes(); ++node) {
+        const Point x = mesh.point(node);
+        mesh.lift.motion[2 * node] = 1.0 - turn * x[1];
+        mesh.lift.motion[2 * node + 1] = 2.0 + turn * x[0] * (planted == 2 ? 1 + 1e-9 : 1.0);
+        if (planted == 1 && mesh.body == 1 && std::hypot(x[0] - 0.5, x[1] - 0.5) < 0.3) mesh.lift.motion[2 * node] += 1e-9;
+      }
+      for (const NodeRule& rule : mesh.rules) {
+        mesh.lift.values.push_back(rule.value);
+        for (int k = 0; k < 2; ++k)
+          mesh.lift.values.back()[k] +=
+              rule.axes[k][0] * mesh.lift.motion[2 * rule.node] + rule.axes[k][1] * mesh.lift.motion[2 * rule.node + 1];
+      }
+      for (const ContactRow& row : mesh.contactRows) mesh.lift.gaps.emplace(row.pair.id, row.pair.gap);
+    }
+    const Verification verdict = answer.verdict();
+    out << planted << ": " << verdict.failure() << "\n";
+    TEST_EQUALITY(verdict.holds(), planted == 0);
+    if (planted > 0) TEST_ASSERT(verdict.failure().find("prescribed") != std::string::npos);
+  }
+}
+
 TEUCHOS_UNIT_TEST(PlantedErrors, AWeakBodyLifted) {
   caught(
       strongAndWeak(1e-6), "status",
