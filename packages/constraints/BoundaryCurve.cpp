@@ -44,9 +44,9 @@ Bend bendOf(Curvature first, Curvature second, Curvature third, Curvature fourth
     return std::abs(difference) <= kAlike * std::max(std::abs(at), std::abs(outer.value_or(at)));
   };
   const bool leftAgrees = agree(left, first, toFirst), rightAgrees = agree(right, fourth, toFourth);
-  // Of two ends that are like their neighbours, or two that are not, a straight one: what goes on straight is straight (beside a chamfer,
-  // on a polygon). Of ends that are not, else the more curved one: the middle of a fillet of two sides, whose ends are means of arc and
-  // lines.
+  // The end whose neighbour is like it decides. If both ends have such a neighbour, or neither has, a straight end decides, because a line
+  // goes on straight beside a chamfer and on a polygon. Failing that, the end of smaller change decides if both have such a neighbour, and
+  // the more curved one if neither has: that is the middle of a fillet of two sides, whose other nodes are means of arc and line.
   bool takeLeft = leftAgrees;
   if (leftAgrees == rightAgrees) {
     const bool more = leftAgrees ? std::abs(toFirst) < std::abs(toFourth) : std::abs(left) > std::abs(right);

@@ -15,7 +15,8 @@ Schema contactSchema();
 
 /// What contact needs to know of the bodies besides their mesh.
 struct ContactScales {
-  /// Of the material of an element: (1 - nu^2) / E, in plane stress 1 / E [1 / stress]. None: all alike, no estimates.
+  /// Compliance of the material of an element under contact pressure: (1 - nu^2) / E, in plane stress 1 / E [1 / stress]. If it is empty
+  /// all bodies count as equally compliant, and pressure errors are not estimated.
   std::function<double(int element)> compliance;
   std::string lengthUnit;  ///< for notes, as "mm"
 };

@@ -50,7 +50,9 @@ class MortarSegment {
   std::vector<Point> points_, normals_;
   BoundaryCurve::Bend bend_;
   bool straight_ = true;
-  double height_ = 0.0, skew_ = 0.0, change_ = 0.0;  // of the middle node: over the chord, and from its middle along it
+  double height_ = 0.0;  // outward distance of the middle node from the chord
+  double skew_ = 0.0;    // distance of the middle node from the middle of the chord, along it
+  double change_ = 0.0;  // change of the curvature from begin to end [1 / length]
 };
 
 }  // namespace suture

@@ -17,7 +17,7 @@ using Extended = long double;
 
 constexpr double kRigid = 0.25;      // of the largest prescribed value: what a rigid motion may leave of it
 constexpr double kBalanced = 1e-12;  // of a pair's weights: a sum that is zero but for rounding
-constexpr double kNoGap = 5e-16;     // of gap and motion: what rounding leaves of a gap that is closed
+constexpr double kNoGap = 5e-16;     // largest remainder of a gap that counts as closed, relative to gap and motion: rounding of both
 constexpr int kAmplitudeBits = 46;   // of the largest amplitude: smaller ones are rounding of the fit
 
 /// End of a pair: how its node moves, and what its prescribed components contribute to the row.

@@ -61,7 +61,8 @@ Vector shiftOf(const MonolithicSystem& system, const RigidParts& rigid) {
   return shift;
 }
 
-/// What is left to do at x: forces on the free dofs, and the solution of the others while contact dofs stay where they are.
+/// Problem that remains at the displacement x: `load` are the forces on the free dofs, `held` the displacements of the interior dofs under
+/// them while contact dofs stay where they are.
 struct Rest {
   Vector x, load, held;
 };
@@ -92,11 +93,12 @@ CondensedContact condense(const Mesh& mesh, const Constraints& constraints, cons
   return contact;
 }
 
-/// Digits that the factorisation has lost: rounding of the stiffest elements holds them like springs to the ground, and softer ones beside
-/// them feel it. What is left comes from stresses, and is solved with the same factor, contact and all.
+/// Restores digits that the factorisation has lost: rounding of the stiffest elements holds them like springs to the ground, and softer
+/// ones beside them feel it. One step of iterative refinement: the residual is formed from stresses, which know no rigid motions, and the
+/// contact problem of the residual is solved with the same factor.
 void refine(const Mesh& mesh, const Constraints& constraints, const MonolithicSystem& system, const RigidParts& rigid,
             const CholmodFactor& factor, int most, Vector& x, ContactSolution& contact) {
-  constexpr double kMuchStiffer = 1e4;  // of the softest diagonal entry: below, four digits of the rounding are to spare
+  constexpr double kMuchStiffer = 1e4;  // ratio of diagonal entries up to which rounding leaves four digits more than are asked for
   const Vector diagonal = system.stiffness().diagonal();
   if (diagonal.size() == 0 || diagonal.maxCoeff() <= kMuchStiffer * diagonal.minCoeff()) return;
   const int trailing = system.contactDofs(), leading = system.dofs() - trailing;

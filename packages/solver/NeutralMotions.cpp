@@ -299,7 +299,7 @@ void settleNeutralMotions(const Comm& comm, std::vector<SubdomainMesh>& meshes, 
   if (neutral.cols() > 0) {
     if (Least(comm, meshes, bodies, neutral).settle(pairs, classes.carrying, solution.displacement)) {
       take();
-      // What the motion has opened is open: its force held nothing, and was what the moments of others leave.
+      // Pairs that the motion has opened carry nothing: their forces were rounding of the moments of others.
       if (comm.getRank() == 0)
         for (PairResult& pair : solution.pairs)
           if (pair.status != PairStatus::Open && !classes.carrying[pair.id] && !classes.touching[pair.id]) {
