@@ -90,7 +90,7 @@ PairedLine withoutWeightless(const PairedLine& all) {
 
 PairedLine pairsOf(const Mesh& mesh, const ContactLine& line, Problems& problems, std::vector<std::string>& notes) {
   using Coupling = ContactLine::Coupling;
-  if (line.obstacle) return obstacleLine(mesh, line, problems);
+  if (line.obstacle) return obstacleLine(mesh, line, problems, notes);
   if (line.coupling == Coupling::Mortar) return mortarLine(mesh, line, problems);
   const bool must = line.coupling == Coupling::MatchingNodes;
   if (auto matched = matchingLine(mesh, line, must ? &problems : nullptr)) return *std::move(matched);

@@ -1,6 +1,8 @@
 // A rigid obstacle against the lower side of a box: normals and gaps from its geometry.
 #include <Teuchos_UnitTestHarness.hpp>
 
+#include <set>
+
 #include "ConstraintsTesting.hpp"
 
 namespace {
@@ -93,6 +95,29 @@ TEUCHOS_UNIT_TEST(ObstaclePairs, LinearisesTheConditionOnAGraph) {
     TEST_FLOATING_EQUALITY(pair.gap, 0.5, 1e-14);
     TEST_EQUALITY(pair.normal[1], 1.0);
   }
+}
+
+// A flat side on a small bump: beyond it nodes see it aside, and cannot touch it.
+TEUCHOS_UNIT_TEST(ObstaclePairs, LeavesOutNodesThatSeeTheObstacleAside) {
+  const Mesh mesh = box();
+  for (const double x : {0.0, 0.25, -1.0}) {
+    const std::string centre = "{" + std::to_string(x) + ", -0.21}";
+    const Constraints bump = build(mesh, held, against("Circle", entry("Circle", {{"Centre", centre}, {"Radius", "0.2"}})));
+    std::set<double> expected, found;  // tan 60 degrees times the height of the side over the centre
+    for (int i = 0; i < 9; ++i)
+      if (const double at = -1 + 0.25 * i; std::abs(at - x) < std::sqrt(3.0) * 0.21) expected.insert(at);
+    for (const ContactPair& pair : bump.pairs) {
+      found.insert(pair.position[0]);
+      TEST_FLOATING_EQUALITY(pair.gap, std::hypot(pair.position[0] - x, 0.21) - 0.2, 1e-12);
+    }
+    TEST_ASSERT(found == expected);
+    TEST_EQUALITY(bump.pieces.size(), 1u);
+    TEST_EQUALITY(bump.notes.size(), 1u);
+    SUTURE_CHECK_SAYS(bump.notes[0], std::to_string(9 - expected.size()) + " of the 9 nodes of 'b_bottom' see the obstacle more than 60");
+  }
+  // Beyond its end the side lies inside a wall: that is no scene.
+  SUTURE_CHECK_SAYS(said(mesh, held, against("Height", entry("Height", {{"Expression", "x > 0.6 ? 8 * (x - 0.6) : 0"}}))),
+                    "'b_bottom' does not face the obstacle");
 }
 
 TEUCHOS_UNIT_TEST(ObstaclePairs, TakesTheGapOfAnExpression) {
