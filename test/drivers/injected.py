@@ -78,7 +78,7 @@ for number, (rank, phase, place, at) in enumerate(places):
 # Four seconds are for the iteration in hand: what follows it on a busy machine does not cost the checkpoint.
 endless = [str(SCENE.parent.parent / "tunnel" / "tunnel_open.xml"), "--quiet", *setting("Mesh/Constants/scale", 3),
            *setting("Formulation", "Condensed Groups"), *setting("Outer Solver/Type", "Successive Approximation"),
-           *setting("Outer Solver/Maximum Iterations", 100000), *setting("Outer Solver/Tolerance", "1e-15")]
+           *setting("Outer Solver/Maximum Iterations", 100000), *setting("Outer Solver/Tolerance", "1e-17")]
 code, out, err, seconds = run("late", endless, SUTURE_TEST_FAULT="solve message 100 1 stop")
 summary = options.work / "late" / "summary.json"
 check("SIGTERM, and a verdict that comes late: exit code", code, 75)

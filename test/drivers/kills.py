@@ -26,7 +26,7 @@ SCENE = pathlib.Path(options.input) / "tunnel" / "tunnel_open.xml"
 COARSE = setting("Mesh/Constants/scale", 3) + ["--quiet"]
 # Slow: these runs go on until a signal ends them, or nearly so.
 SLOW = setting("Formulation", "Condensed Groups") + setting("Outer Solver/Type", "Successive Approximation") + \
-    setting("Outer Solver/Maximum Iterations", 100000) + setting("Outer Solver/Tolerance", "1e-15") + setting("Output/Checkpoint Every", 1e-4)
+    setting("Outer Solver/Maximum Iterations", 100000) + setting("Outer Solver/Tolerance", "1e-17") + setting("Output/Checkpoint Every", 1e-4)
 SIGNALS = [signal.SIGKILL, signal.SIGTERM, signal.SIGUSR1]
 
 
