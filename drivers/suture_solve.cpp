@@ -58,12 +58,12 @@ RunResult solveScene(const CommPtr& comm, const SolveOptions& options) {
   });
   if (solution.stopped) stopIsHeard();
   solution.energy -= liftWork;
-  problem.reset();  // what is written needs the memory
+  problem.reset();
   subdomains.clear();
-  giveBackFreedMemory();
   timed(timers, "verify", [&] { neutralStage(*comm, cut.meshes, model, cut.whole.pieces, scene, solution, monitor); });
   errorStage(*comm, cut.meshes, model, scene, solution, timers);
   timed(timers, "verify", [&] { verifyStage(*comm, cut.meshes, model, cut.whole.pieces, scene, solution); });
+  giveBackFreedMemory();  // what is written needs it; the verdict works in it as it is
 
   for (const std::string& note : pressureNotes(*comm, cut.whole.pieces, solution)) monitor.note(note);
   for (const std::string& note : plausibilityNotes(*comm, cut.meshes, cut.whole.pieces, solution)) monitor.note(note);

@@ -34,11 +34,13 @@ inline void require(bool holds) {
   if (!holds) std::abort();
 }
 
-/// A folder of this process in memory, removed at its end.
+/// A folder of this process, in memory where the system has such a place, removed at its end.
 class Folder {
  public:
   Folder() {
-    std::string name = "/dev/shm/suture_fuzz_XXXXXX";
+    const std::filesystem::path memory = "/dev/shm";
+    std::string name =
+        ((std::filesystem::is_directory(memory) ? memory : std::filesystem::temp_directory_path()) / "suture_fuzz_XXXXXX").string();
     if (!mkdtemp(name.data())) std::abort();
     path_ = name;
   }
