@@ -39,6 +39,7 @@ CondensedSets::CondensedSets(const Comm& comm, const CondensedProblem& problem, 
     for (int dof = 0; dof < subdomains[s]->dofs(); ++dof)
       if (const auto at = space.map()->getLocalElement(subdomains[s]->globalDof(dof)); at >= 0)
         partOfOwned_[at] = bodies_->partOf(static_cast<int>(s));
+  motions_ = std::make_unique<TraceMotions>(space, *bodies_, subdomains, partOfOwned_);
 }
 
 Matrix CondensedSets::everywhere(const Matrix& mine) const {
@@ -162,6 +163,8 @@ void CondensedSets::move(InterfaceState& state, const Vector& motion) const {
   if (state.rigid.size() == 0) state.rigid = Vector::Zero(motion.size());
   state.rigid += motion;
 }
+
+void CondensedSets::separate(InterfaceState& state) const { move(state, motions_->takeOut(*state.trace)); }
 
 Vector CondensedSets::movedRows(int group, const InterfaceState& state) const {
   if (state.rigid.size() == 0) return {};

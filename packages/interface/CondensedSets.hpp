@@ -1,5 +1,6 @@
 #pragma once
 #include <suture/interface/InterfaceProblem.hpp>
+#include <suture/interface/TraceMotions.hpp>
 
 #include <memory>
 #include <vector>
@@ -26,8 +27,7 @@ class CondensedSets : public ContactSets {
   void pairChanges(const MultiVector& step, const ContactStatus& status, const Vector& pairForces, Vector& force,
                    Vector& penetration) const override;
   const std::vector<int>& partOfOwned() const override { return partOfOwned_; }
-  /// Nothing: groups solve for their displacements, which have their own digits.
-  void separate(InterfaceState&) const override {}
+  void separate(InterfaceState& state) const override;
   int remember(InterfaceState& state) const override;
   /// For subdomains without contact that of the harmonic extension.
   Vector energies(const InterfaceState& state) const override;
@@ -47,6 +47,7 @@ class CondensedSets : public ContactSets {
   const std::vector<std::unique_ptr<Subdomain>>& subdomains_;
   std::unique_ptr<ContactBodies> bodies_;
   std::vector<int> partOfOwned_;
+  std::unique_ptr<TraceMotions> motions_;
 };
 
 }  // namespace suture

@@ -299,57 +299,10 @@ void ContactInterfaceProblem::findBodies() {
   for (std::size_t s = 0; s < locals_.size(); ++s)
     for (const int place : space_->coupling(static_cast<int>(s)).columns())
       if (const int at = space_->ownedRow(place); at >= 0) partOfOwned_[at] = bodies_->partOf(static_cast<int>(s));
-  findMotions();
+  motions_ = std::make_unique<TraceMotions>(*space_, *bodies_, subdomains_, partOfOwned_);
 }
 
-void ContactInterfaceProblem::findMotions() {
-  const int all = bodies_->rigid().motions();
-  if (all == 0) return;
-  Eigen::Index most = 0;
-  for (const RigidPart& part : bodies_->parts()) most = std::max(most, part.free.cols());
-  motionsOfOwned_ = Matrix::Zero(static_cast<Eigen::Index>(partOfOwned_.size()), most);
-  Matrix mine = Matrix::Zero(all, all);
-  for (std::size_t s = 0; s < subdomains_.size(); ++s) {
-    const Subdomain& subdomain = *subdomains_[s];
-    const int number = bodies_->partOf(static_cast<int>(s)), first = bodies_->firstMotion(number);
-    const RigidPart& part = bodies_->parts()[number];
-    if (part.free.cols() == 0) continue;
-    for (int dof = 0; dof < subdomain.dofs(); ++dof) {
-      const auto at = space_->map()->getLocalElement(subdomain.globalDof(dof));
-      if (at < 0 || !motionsOfOwned_.row(at).isZero(0.0)) continue;
-      const Point along = subdomain.direction(dof);
-      const Matrix moved = part.at(subdomain.mesh().point(subdomain.nodeOf(dof)), subdomain.components());
-      const Vector own = part.free.transpose() * (moved.transpose() * Eigen::Map<const Vector>(along.data(), moved.rows()));
-      motionsOfOwned_.row(at).head(own.size()) = own.transpose();
-      mine.block(first, first, own.size(), own.size()) += own * own.transpose();
-    }
-  }
-  motionsSquared_ = mine;
-  Teuchos::reduceAll(*comm_, Teuchos::REDUCE_SUM, static_cast<int>(mine.size()), mine.data(), motionsSquared_.data());
-}
-
-void ContactInterfaceProblem::separate(InterfaceState& state) const {
-  if (motionsSquared_.size() == 0) return;
-  auto owned = localView(*state.trace);
-  Vector mine = Vector::Zero(motionsSquared_.rows()), sums = mine;
-  const auto columns = [&](std::size_t at) {
-    const int part = partOfOwned_[at];
-    return std::make_pair(bodies_->firstMotion(part), bodies_->parts()[part].free.cols());
-  };
-  for (std::size_t k = 0; k < partOfOwned_.size(); ++k) {
-    const auto [first, count] = columns(k);
-    const auto at = static_cast<Eigen::Index>(k);
-    mine.segment(first, count) += owned(at, 0) * motionsOfOwned_.row(at).head(count).transpose();
-  }
-  Teuchos::reduceAll(*comm_, Teuchos::REDUCE_SUM, static_cast<int>(mine.size()), mine.data(), sums.data());
-  const Vector motion = leastSquares(motionsSquared_, sums);
-  for (std::size_t k = 0; k < partOfOwned_.size(); ++k) {
-    const auto [first, count] = columns(k);
-    const auto at = static_cast<Eigen::Index>(k);
-    owned(at, 0) -= motionsOfOwned_.row(at).head(count).dot(motion.segment(first, count));
-  }
-  move(state, motion);
-}
+void ContactInterfaceProblem::separate(InterfaceState& state) const { move(state, motions_->takeOut(*state.trace)); }
 
 Matrix ContactInterfaceProblem::everywhere(const Matrix& ofRows) const {
   Matrix mine = Matrix::Zero(bodies_->rigid().pairs(), ofRows.cols()), all = mine;

@@ -2,6 +2,7 @@
 #include <suture/constraints/ContactRow.hpp>
 #include <suture/interface/ContactClusters.hpp>
 #include <suture/interface/InterfaceProblem.hpp>
+#include <suture/interface/TraceMotions.hpp>
 #include <suture/partition/Partition.hpp>
 #include <suture/subdomain/SubdomainProblem.hpp>
 
@@ -62,7 +63,6 @@ class ContactInterfaceProblem : public InterfaceProblem, public ContactSets {
   void collectRows(const Vector& stiffness);
   void findChains();
   void findBodies();
-  void findMotions();
   /// What the rigid motions of a state add to the rows that this rank sees; empty: nothing.
   Vector movedRows(const InterfaceState& state) const;
   /// Work of the loads in them.
@@ -86,8 +86,7 @@ class ContactInterfaceProblem : public InterfaceProblem, public ContactSets {
   std::unique_ptr<ContactClusters> clusters_;
   std::unique_ptr<ContactBodies> bodies_;  // null without pairs that can change
   std::vector<int> partOfOwned_;
-  Matrix motionsOfOwned_;                 // values of owned unknowns in the free motions of their part
-  Matrix motionsSquared_;                 // their inner products over all ranks, motions of all parts
+  std::unique_ptr<TraceMotions> motions_;
   std::vector<std::vector<int>> chains_;  // rows of neighbouring pairs, along the lines
   Matrix load_;                           // F on the overlap, complete
   double constantEnergy_ = 0.0;           // over all ranks

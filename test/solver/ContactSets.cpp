@@ -131,7 +131,14 @@ TEUCHOS_UNIT_TEST(ContactSets, RigidMotionsPutBesideTheTraceAreTheSameState) {
     const Held held(formulation, 0);
     InterfaceState moved = held.after(*someStep(*held.space(), 1e-3, 3.0));
     const InterfaceEvaluation before = held.sets.evaluateSet(moved, 0.0);
+    const Vector beside = moved.rigid;
     held.sets.separate(moved);
+    TEST_COMPARE((moved.rigid - (beside.size() > 0 ? beside : Vector(Vector::Zero(moved.rigid.size())))).norm(), >,
+                 1e-6);  // of steps of 1e-3
+    InterfaceState again = moved;
+    again.trace = Teuchos::rcp(new MultiVector(*moved.trace, Teuchos::Copy));
+    held.sets.separate(again);
+    TEST_COMPARE((again.rigid - moved.rigid).norm(), <, 1e-15);  // nothing is left in the trace
     moved.memory.reset();
     const InterfaceEvaluation after = held.sets.evaluateSet(moved, 0.0);
     TEST_FLOATING_EQUALITY(before.energy, after.energy, 1e-10);
