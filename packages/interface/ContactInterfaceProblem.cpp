@@ -1,5 +1,4 @@
 #include <suture/base/Collective.hpp>
-#include <suture/base/Dense.hpp>
 #include <suture/interface/ContactInterfaceProblem.hpp>
 #include <suture/interface/SeamLayout.hpp>
 
