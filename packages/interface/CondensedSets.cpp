@@ -113,7 +113,8 @@ InterfaceEvaluation CondensedSets::evaluateSet(const InterfaceState& state, doub
   result.penetration = all.col(1);
   const double least = std::max(resolution, kDigits);
   result.forceTolerance = least * rigid.clusterScale(closed, result.force);
-  result.penetrationTolerance = least * rigid.clusterScale(closed, rigid.compliance().cwiseProduct(result.force)) + all.col(2);
+  // A stiff pair among soft ones has the accuracy of its own compliance: a force that is much for it moves the soft ones by little.
+  result.penetrationTolerance = least * rigid.compliance().cwiseProduct(rigid.clusterScale(closed, result.force)) + all.col(2);
   ClosedSet next = closed;
   for (int i = 0; i < pairs; ++i) {
     if (!rigid.data().able[i]) continue;

@@ -253,7 +253,8 @@ InterfaceProblem::Evaluation ContactInterfaceProblem::evaluate(const InterfaceSt
     for (std::size_t i = 0; i < closed.size(); ++i) (closed[i] ? result.penetration : result.force)(static_cast<Eigen::Index>(i)) = 0.0;
     const double least = std::max(resolution, 1e-14);
     result.forceTolerance = least * rigid.clusterScale(closed, result.force);
-    result.penetrationTolerance = least * rigid.clusterScale(closed, rigid.compliance().cwiseProduct(result.force));
+    // A stiff pair among soft ones has the accuracy of its own compliance: a force that is much for it moves the soft ones by little.
+    result.penetrationTolerance = least * rigid.compliance().cwiseProduct(rigid.clusterScale(closed, result.force));
     for (int i = 0; i < clusters_->size(); ++i) {
       if (clusters_->row(i).places.empty()) continue;
       // Gaps are differences of displacements, and no better than their digits.
