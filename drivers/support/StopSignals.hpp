@@ -14,7 +14,8 @@ bool stopWasAsked();
 /// The iterations have ended: the verdict and the files may take as long as they need. Local.
 void stopIsHeard();
 
-/// Whether a file descriptor takes text, or fails, without waiting for its reader; waits for that until a signal comes or the time is over.
+/// True if a write to the file descriptor returns at once, with success or failure, instead of waiting for a reader. Waits for that until a
+/// signal comes or the time is over.
 /// May be called by a handler of signals.
 bool takesText(int file, int milliseconds);
 

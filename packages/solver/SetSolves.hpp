@@ -54,7 +54,7 @@ class SetSolves : public ContactOracle {
   Teuchos::RCP<InterfaceOperator> matrix_;
   std::vector<int> clusterOf_;  // of each part
   Vector lift_;                 // energy norm of each cluster where the last solve began: rounding leaves a part of it
-  Vector largest_;              // largest energy, doubled, that each part has had: rounding leaves a part of it
+  Vector largest_;              // largest doubled energy that each part has had; sets what counts as rounding
   Vector size_;                 // of each cluster, that its residual was relative to
   std::vector<double> scale_;   // of each owned unknown, if scaled_
   bool scaled_ = false;         // several clusters, each by its own energy. The same on all ranks
