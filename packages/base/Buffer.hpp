@@ -30,7 +30,7 @@ class Packer {
   }
   template <typename T>
   std::enable_if_t<HasFields<T>::value> put(const T& object) {
-    T::forEachField(object, [this](const auto& field) { put(field); });
+    T::forEachField(object, [&](const auto& field) { put(field); });
   }
   void put(const std::string& text) {
     put(text.size());
@@ -73,7 +73,7 @@ class Unpacker {
   }
   template <typename T>
   std::enable_if_t<HasFields<T>::value> get(T& object) {
-    T::forEachField(object, [this](auto& field) { get(field); });
+    T::forEachField(object, [&](auto& field) { get(field); });
   }
   void get(std::string& text) {
     const std::size_t n = takeCount(1);

@@ -47,6 +47,13 @@ struct ContactPair {
   }
 };
 
+/// What a solver decides about a pair; its gap and pressure follow from the displacements.
+struct PairForce {
+  int id = -1;
+  PairStatus status = PairStatus::Open;
+  double force = 0.0;  ///< > 0 compressive [force]
+};
+
 /// A pair of two nodes that stand opposite to each other.
 std::vector<PairEnd> matchingEnds(int nodeA, int nodeB);
 

@@ -5,7 +5,9 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <map>
+#include <sstream>
 
 namespace suture {
 
@@ -18,6 +20,7 @@ using Sample = MortarSampling::Sample;
 
 constexpr double kParallel = 1e-13;  // difference of two normals that are one
 constexpr double kCovered = 0.2;     // of a hat function, below which its node carries no condition of its own
+constexpr double kMuchFiner = 2.0;   // intervals of one side for each of the other
 
 class Mortar {
  public:
@@ -204,9 +207,23 @@ Mortar carriedByEither(const Mesh& mesh, const ContactLine& line) {
   return a.nodes() >= b.nodes() ? a : b;
 }
 
+/// Of a side that the scene names to carry the stress.
+void warnOfFinerCarrier(const Mesh& mesh, const ContactLine& line, const Mortar& mortar, std::vector<std::string>& notes) {
+  const bool onA = line.carrier == ContactLine::Carrier::SideA;
+  if (line.carrier == ContactLine::Carrier::Automatic || !mortar.isCurved()) return;
+  const Mortar other(mesh, line, !onA);
+  if (!(mortar.isLinear() || other.isLinear()) || !(mortar.coveredIntervals() >= kMuchFiner * other.coveredIntervals())) return;
+  std::ostringstream text;
+  text << "warning: " << line.path << "/Multipliers On: " << (onA ? "Side A" : "Side B") << " is curved and has " << std::setprecision(2)
+       << mortar.coveredIntervals() / other.coveredIntervals()
+       << " elements for each of the other side, whose straight elements cannot follow it: nodal pressures may alternate between zero and "
+          "twice the right ones; choose Automatic, which lets the coarser side carry";
+  notes.push_back(text.str());
+}
+
 }  // namespace
 
-PairedLine mortarLine(const Mesh& mesh, const ContactLine& line, Problems& problems) {
+PairedLine mortarLine(const Mesh& mesh, const ContactLine& line, Problems& problems, std::vector<std::string>& notes) {
   const Mortar mortar = line.carrier == ContactLine::Carrier::Automatic ? carriedByEither(mesh, line)
                                                                         : Mortar(mesh, line, line.carrier == ContactLine::Carrier::SideA);
   PairedLine result = mortar.pairs();
@@ -214,6 +231,8 @@ PairedLine mortarLine(const Mesh& mesh, const ContactLine& line, Problems& probl
     problems.add(line.path, "the sides '" + line.groupA + "' and '" + line.groupB +
                                 "' overlap nowhere: no normal of one meets the other face to face. Do the bodies lie on opposite sides of "
                                 "the line?");
+  else
+    warnOfFinerCarrier(mesh, line, mortar, notes);
   return result;
 }
 

@@ -2,6 +2,9 @@
 #include <suture/constraints/ContactLine.hpp>
 #include <suture/constraints/ContactPairs.hpp>
 
+#include <string>
+#include <vector>
+
 namespace suture {
 
 /// Pairs of a contact line whose sides need not match, by dual mortar. One side carries the contact stress, sum of p_j psi_j over its
@@ -17,8 +20,8 @@ namespace suture {
 /// An element of three nodes that is covered in part carries a linear stress: a quadratic one is not positive there. A node with less
 /// than a fifth of its hat function covered hands its psi on to its neighbour: the sum of all psi is one wherever the sides meet.
 ///
-/// \param problems  gets sides that meet nowhere
+/// \param problems  gets sides that meet nowhere;  \param notes  a warning where the scene lets the finer of two curved sides carry
 /// \return pairs as pairLine(), along the carrying side. Local.
-PairedLine mortarLine(const Mesh& mesh, const ContactLine& line, Problems& problems);
+PairedLine mortarLine(const Mesh& mesh, const ContactLine& line, Problems& problems, std::vector<std::string>& notes);
 
 }  // namespace suture

@@ -245,29 +245,16 @@ InterfaceProblem::Recovered CondensedProblem::recover(const InterfaceState& stat
       const std::size_t i = plain_.size() + g;
       const ContactGroup::Response response = group.respond(trace[i], state.status[i], movedRows(static_cast<int>(g), state));
       energy += response.energy;
-      std::map<GlobalId, Point> moved;  // node of the mesh -> displacement, for the pairs
       for (std::size_t m = 0; m < group.members().size(); ++m) {
         const Subdomain& subdomain = *group.members()[m].subdomain;
         Vector& values = result.freeValues[groupMembers_[g][m]];
         values = Vector(subdomain.dofs());
         for (int k = 0; k < subdomain.dofs(); ++k) values(k) = response.displacement(group.positionsOf(static_cast<int>(m))[k]);
         if (sets_) sets_->bodies().addMotion(groupMembers_[g][m], subdomain, state.rigid, values);
-        const Vector cartesian = subdomain.cartesian(values);
-        for (const SubdomainMesh::ContactEnd& end : subdomain.mesh().contactEnds)
-          for (int k = 0; k < subdomain.components(); ++k)
-            moved[subdomain.mesh().globalNodes[end.node]][k] = cartesian(end.node * subdomain.components() + k);
       }
-      const auto gapOf = [&](const ContactPair& pair) {
-        double gap = pair.gap;
-        for (const PairEnd& end : pair.ends)
-          for (int k = 0; k < 3; ++k) gap -= end.weight * moved[end.node][k] * pair.normal[k];
-        return gap;
-      };
       for (std::size_t p = 0; p < group.pairs().size(); ++p)
-        result.pairs.push_back(
-            {group.pairs()[p], response.status[p], response.force(p), gapOf(group.pairs()[p]), moved[group.pairs()[p].node()]});
-      for (const ContactPair& pair : group.idlePairs())
-        result.pairs.push_back({pair, PairStatus::Open, 0.0, gapOf(pair), moved[pair.node()]});
+        result.pairs.push_back({group.pairs()[p].id, response.status[p], response.force(p)});
+      for (const ContactPair& pair : group.idlePairs()) result.pairs.push_back({pair.id, PairStatus::Open, 0.0});
     }
   });
   result.energy = sumOver(*comm_, energy) - (sets_ ? sets_->rigidWork(state) : 0.0);

@@ -434,30 +434,21 @@ InterfaceProblem::Recovered ContactInterfaceProblem::recover(const InterfaceStat
   Matrix trace;
   space_->gather(*state.trace, trace);
   const Vector force = clusters_->forces(state.status[0], imbalance(*state.trace).col(0));
-  const Vector gap = clusters_->gaps(trace.col(0), movedRows(state));
   Recovered result;
   InterfaceState deformed = state;
   deformed.rigid = Vector();
   result.freeValues = interiors(deformed);
   double energy = 0.0;
   collectively(*comm_, "recovering the contact", [&] {
-    std::map<int, Point> moved;  // pair -> displacement of the node that carries it, Cartesian
     for (std::size_t i = 0; i < locals_.size(); ++i) {
       Vector& values = result.freeValues[i];
       const Subdomain& subdomain = *subdomains_[i];
       energy += 0.5 * values.dot(subdomain.stiffness() * values) - values.dot(subdomain.load()) + subdomain.constantEnergy();
       if (bodies_) bodies_->addMotion(static_cast<int>(i), subdomain, state.rigid, values);
-      const Vector cartesian = subdomain.cartesian(values);
-      for (const SubdomainMesh::ContactEnd& end : subdomain.mesh().contactEnds)
-        if (end.end == 0)
-          for (int k = 0; k < subdomain.components(); ++k) moved[end.pair][k] = cartesian(end.node * subdomain.components() + k);
     }
-    for (std::size_t i = 0; i < rows_.size(); ++i)
-      if (owned_[i]) {
-        const int row = static_cast<int>(i);
-        result.pairs.push_back({rows_[i].pair, state.status[0][i], force(row), gap(row), moved[rows_[i].pair.id]});
-      }
   });
+  for (std::size_t i = 0; i < rows_.size(); ++i)
+    if (owned_[i]) result.pairs.push_back({rows_[i].pair.id, state.status[0][i], force(static_cast<int>(i))});
   result.energy = reduce(*comm_, Teuchos::REDUCE_SUM, energy) - rigidWork(state);
   return result;
 }

@@ -25,20 +25,6 @@ struct InterfaceState {
   int applications = 0;  ///< of the operator, that making the state took
 };
 
-/// A contact pair at the end of a run.
-struct PairState {
-  ContactPair pair;
-  PairStatus status = PairStatus::Open;
-  double force = 0.0;           ///< >= 0 compressive [force]
-  double gap = 0.0;             ///< current gap [length]
-  Point displacement{0, 0, 0};  ///< of the node that carries it, Cartesian
-
-  template <typename Self, typename Each>
-  static void forEachField(Self& self, const Each& each) {
-    each(self.pair), each(self.status), each(self.force), each(self.gap), each(self.displacement);
-  }
-};
-
 /// What a formulation says of a state.
 struct InterfaceEvaluation {
   MultiVectorPtr residual;  ///< F - S_0 U - S_KON(U) = -grad J(U)
@@ -134,7 +120,7 @@ class InterfaceProblem {
 
   struct Recovered {
     std::vector<Vector> freeValues;  ///< of each subdomain of this rank
-    std::vector<PairState> pairs;    ///< those of this rank
+    std::vector<PairForce> pairs;    ///< of this rank; each pair on one rank
     double energy = 0.0;             ///< over all ranks
   };
   virtual Recovered recover(const InterfaceState& state) const = 0;

@@ -127,18 +127,21 @@ bool Lifting::choose() {
 void Lifting::shiftRules() {
   for (std::size_t s = 0; s < meshes_.size(); ++s) {
     SubdomainMesh& mesh = meshes_[s];
-    const bool first = mesh.lift.motion.size() == 0;
-    if (first) mesh.lift.motion = Vector::Zero(Eigen::Index(mesh.nodes()) * dimension_);
-    for (NodeRule& rule : mesh.rules) {
-      if (first) mesh.lift.values.push_back(rule.value);
+    if (mesh.lift.motion.size() == 0) {
+      mesh.lift.motion = Vector::Zero(Eigen::Index(mesh.nodes()) * dimension_);
+      for (const NodeRule& rule : mesh.rules) mesh.lift.values.push_back(rule.value);
+    }
+    for (std::size_t r = 0; r < mesh.rules.size(); ++r) {
+      NodeRule& rule = mesh.rules[r];
       const auto moved = at(s, rule.node);
       for (int k = 0; k < dimension_; ++k)
-        if (rule.fixed[k]) rule.value[k] = double(rule.value[k] - dot(rule.axes[k], moved));
+        if (rule.fixed[k]) rule.value[k] = double(mesh.lift.values[r][k] - dot(rule.axes[k], moved));
     }
     for (int node = 0; node < mesh.nodes(); ++node) {
       const auto moved = at(s, node);
-      for (int k = 0; k < dimension_; ++k) mesh.lift.motion[Eigen::Index(node) * dimension_ + k] += double(moved[k]);
+      for (int k = 0; k < dimension_; ++k) mesh.lift.motion[Eigen::Index(node) * dimension_ + k] = double(moved[k]);
     }
+    mesh.lift.amplitudes = amplitudes_[parts_->partOf[s]];
   }
 }
 
@@ -194,9 +197,9 @@ void Lifting::shiftGaps() {
   for (SubdomainMesh& mesh : meshes_)
     for (ContactRow& row : mesh.contactRows) {
       const Shift& shift = shifts.at(row.pair.id);
-      mesh.lift.gaps.emplace(row.pair.id, row.pair.gap);
+      const double before = mesh.lift.gaps.emplace(row.pair.id, row.pair.gap).first->second;
       // Bodies that were carried to where they touch do touch: rounding would press them together or hold them apart.
-      const Extended size = shift.size + std::abs(row.pair.gap), rest = row.pair.gap - shift.moved;
+      const Extended size = shift.size + std::abs(before), rest = before - shift.moved;
       row.pair.gap = shift.moved != 0 && std::abs(rest) <= kNoGap * size ? 0.0 : double(rest);
       row.gap = double(row.pair.gap - shift.given);
     }
@@ -221,9 +224,17 @@ bool Lifting::run() {
   return true;
 }
 
+/// From the values of the scene, not from what the last motion left of them: a motion that goes back leaves no rounding of the way there.
 void Lifting::further(const std::vector<Vector>& motion) {
   findParts();
   for (const Vector& amplitudes : motion) amplitudes_.push_back(extended(amplitudes));
+  std::vector<char> added(motion.size(), 0);
+  for (std::size_t s = 0; s < meshes_.size(); ++s) {
+    const std::size_t part = std::size_t(parts_->partOf[s]);
+    if (added[part]) continue;
+    added[part] = 1;
+    for (std::size_t k = 0; k < amplitudes_[part].size(); ++k) amplitudes_[part][k] += meshes_[s].lift.amplitudes[k];
+  }
   shiftRules();
   shiftGaps();
 }

@@ -24,13 +24,6 @@ struct PairResult {
   Point normal{0, 0, 0};
 };
 
-/// What a solver decides about a pair; all else of a PairResult follows from the displacements.
-struct PairForce {
-  int id = -1;
-  PairStatus status = PairStatus::Open;
-  double force = 0.0;  ///< > 0 compressive [force]
-};
-
 /// The one place where a PairResult is made. \param ofEnds  displacement of each of the pair's ends, in their order. Local.
 PairResult pairResult(const ContactPair& pair, const PairForce& force, const std::vector<Point>& ofEnds);
 

@@ -200,11 +200,9 @@ Solution recover(const Comm& comm, const InterfaceProblem& problem, const OuterR
   solution.energy = recovered.energy;
   for (std::size_t i = 0; i < subdomains.size(); ++i) solution.displacement.push_back(subdomains[i]->cartesian(recovered.freeValues[i]));
 
-  std::vector<PairForce> forces;
-  for (const PairState& pair : recovered.pairs) forces.push_back({pair.pair.id, pair.status, pair.force});
   std::vector<const SubdomainMesh*> meshes;
   for (const auto& subdomain : subdomains) meshes.push_back(&subdomain->mesh());
-  solution.pairs = pairResults(comm, meshes, solution.displacement, forces);
+  solution.pairs = pairResults(comm, meshes, solution.displacement, recovered.pairs);
   return solution;
 }
 

@@ -256,6 +256,20 @@ TEUCHOS_UNIT_TEST(MortarPairs, IsCarriedByTheCoarserSideWhereLinearElementsMeetO
   TEST_EQUALITY(carrier(twoRings(P1, P1, 0.1, 0.5)), 1);  // 12 elements on half of 17
 }
 
+TEUCHOS_UNIT_TEST(MortarPairs, WarnsOfAFinerSideThatIsToldToCarryOnACurve) {
+  const auto warnings = [](const Mesh& mesh, const std::string& carrier) {
+    int count = 0;
+    for (const std::string& note : build(mesh, held, mortar(carrier)).notes) count += note.find("Multipliers On: " + carrier) < 40;
+    return count;
+  };
+  TEST_EQUALITY(warnings(twoRings(P1, P1, 0.1, 0.5), "Side A"), 0);  // 12 elements against 8 or 9 of 17
+  TEST_EQUALITY(warnings(twoRings(P1, P1, 0.1, 0.25), "Side A"), 1);
+  TEST_EQUALITY(warnings(twoRings(P1, P1, 0.1, 0.25), "Side B"), 0);
+  TEST_EQUALITY(warnings(twoRings(P2, P2, 0.1, 0.25), "Side A"), 0);     // their sides can bend
+  TEST_EQUALITY(warnings(twoBoxes(0, 1, 12, 17, P1, P1), "Side A"), 0);  // straight
+  TEST_EQUALITY(warnings(twoRings(P1, P1, 0.1, 0.25), "Automatic"), 0);
+}
+
 // Where a crowned side touches, the linear function nearest to the gap is below zero: no interference. Deeper than that it is one.
 TEUCHOS_UNIT_TEST(MortarPairs, CallsTouchingCurvesNoInterference) {
   for (const std::string carrier : {"Side A", "Side B"})

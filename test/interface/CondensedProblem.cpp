@@ -1,6 +1,7 @@
 #include <Teuchos_UnitTestHarness.hpp>
 #include <Tpetra_MultiVector.hpp>
 #include <interface/Interfaces.hpp>
+#include <interface/RecoveredPairs.hpp>
 
 namespace suture {
 namespace {
@@ -130,7 +131,7 @@ TEUCHOS_UNIT_TEST(CondensedProblem, ItsSolutionSolvesTheScene) {
   const InterfaceProblem::Recovered found = one.problem.recover(state);
   TEST_FLOATING_EQUALITY(found.energy, value.energy, 1e-11);
   double forces = 0.0, allForces = 0.0;
-  for (const PairState& pair : found.pairs) {
+  for (const PairResult& pair : pairsOf(one.all, found)) {
     TEST_COMPARE(pair.gap, >, -1e-12);
     TEST_COMPARE(pair.force, >, -1e-12);
     TEST_COMPARE(std::abs(pair.gap * pair.force), <, 1e-12);

@@ -1,6 +1,7 @@
 #include <Teuchos_UnitTestHarness.hpp>
 #include <interface/ContactScenes.hpp>
 #include <interface/DenseSpace.hpp>
+#include <interface/RecoveredPairs.hpp>
 
 #include <Eigen/LU>
 
@@ -118,16 +119,12 @@ void agreesWithTheReference(const Scene& scene, bool& success, Teuchos::FancyOSt
 
     const InterfaceProblem::Recovered found = one.problem.recover(state);
     TEST_FLOATING_EQUALITY(found.energy, value.energy, 1e-11);
-    int seen = 0, all = 0;
-    for (const PairState& pair : found.pairs) {
-      ++seen;
-      const int p = pair.pair.id;
+    for (const PairResult& pair : pairsOf(one.all, found)) {  // throws unless each of them is on one rank
+      const int p = pair.id;
       TEST_COMPARE(std::abs(pair.gap - (reference.gaps(p) - reference.rows.row(p).dot(u))), <, 1e-14);
       TEST_ASSERT(pair.status == (reference.able(p) ? status.at(p) : PairStatus::Open));
       if (pair.status == PairStatus::Open) TEST_EQUALITY(pair.force, 0.0);
     }
-    Teuchos::reduceAll(*world(), Teuchos::REDUCE_SUM, seen, Teuchos::outArg(all));
-    TEST_EQUALITY(all, pairs);  // each of them on one rank
 
     // A step, and what the operator recorded of it: the state then remembers what a fresh application gives.
     const Matrix w = 0.01 * random(derived.size(), 1, 30 + pattern);
@@ -176,9 +173,9 @@ TEUCHOS_UNIT_TEST(ContactInterfaceProblem, OpensWhatPullsAndClosesWhatPenetrates
   const InterfaceProblem::Evaluation value = one.problem.evaluate(state);
   const std::vector<int> changed = one.problem.differing(state.status, value.next);
   int mine = 0, all = 0;
-  for (const PairState& pair : one.problem.recover(state).pairs) {
+  for (const PairResult& pair : pairsOf(one.all, one.problem.recover(state))) {
     const bool expected = pair.status == PairStatus::Open ? pair.gap < 0.0 : pair.force < 0.0;
-    TEST_EQUALITY(std::count(changed.begin(), changed.end(), pair.pair.id) == 1, expected);
+    TEST_EQUALITY(std::count(changed.begin(), changed.end(), pair.id) == 1, expected);
     mine += expected;
   }
   Teuchos::reduceAll(*world(), Teuchos::REDUCE_SUM, mine, Teuchos::outArg(all));

@@ -1,5 +1,6 @@
 // Right answers hold, whoever found them, however the scene is cut.
 #include <Teuchos_UnitTestHarness.hpp>
+#include <interface/RecoveredPairs.hpp>
 #include <quality/Judged.hpp>
 #include <solver/ContactMethods.hpp>
 #include <solver/RoundScenes.hpp>
@@ -61,16 +62,7 @@ TEUCHOS_UNIT_TEST(RightAnswers, BalanceAppliedAndReactions) {
 Verification ofRecovered(const Scene& scene, const Blocks& all, const InterfaceProblem& problem, const OuterResult& result,
                          double tolerance) {
   const InterfaceProblem::Recovered found = problem.recover(result.state);
-  std::vector<Vector> displacement;
-  std::vector<const SubdomainMesh*> meshes;
-  std::vector<PairForce> forces;
-  for (std::size_t i = 0; i < all.subdomains.size(); ++i) {
-    displacement.push_back(all.subdomains[i]->cartesian(found.freeValues[i]));
-    meshes.push_back(&all.meshes[i]);
-  }
-  for (const PairState& pair : found.pairs) forces.push_back({pair.pair.id, pair.status, pair.force});
-  const std::vector<PairResult> pairs = pairResults(*world(), meshes, displacement, forces);
-  return verify(*world(), {all.meshes, all.model, displacement, pairs, scene.constraints.pieces, tolerance});
+  return verify(*world(), {all.meshes, all.model, displacements(all, found), pairsOf(all, found), scene.constraints.pieces, tolerance});
 }
 
 TEUCHOS_UNIT_TEST(RightAnswers, OfTheDecomposition) {

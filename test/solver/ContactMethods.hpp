@@ -44,9 +44,9 @@ inline Distance distance(const Blocks& all, const InterfaceProblem::Recovered& f
         mine[0] = std::max(mine[0], std::abs(u(2 * node + k) - reference.displacement(2 * all.meshes[s].globalNodes[node] + k)));
   }
   for (const PairResult& pair : reference.pairs) largestForce = std::max(largestForce, std::abs(pair.force));
-  for (const PairState& pair : found.pairs) {
-    mine[1] = std::max(mine[1], std::abs(pair.force - reference.pairs[pair.pair.id].force));
-    mine[2] += pair.status != reference.pairs[pair.pair.id].status;
+  for (const PairForce& pair : found.pairs) {
+    mine[1] = std::max(mine[1], std::abs(pair.force - reference.pairs[pair.id].force));
+    mine[2] += pair.status != reference.pairs[pair.id].status;
   }
   Teuchos::reduceAll(*world(), Teuchos::REDUCE_MAX, 2, mine, result);
   Teuchos::reduceAll(*world(), Teuchos::REDUCE_SUM, 1, mine + 2, result + 2);

@@ -268,7 +268,7 @@ TEUCHOS_UNIT_TEST(InterfaceProblems, RecoveredStatesAreTheSameStates) {
       TEST_COMPARE((interiors[i] - found.freeValues[i]).norm(), <=, 1e-12 * (1e-300 + interiors[i].norm()));
 
     std::map<int, PairStatus> mine;
-    for (const PairState& pair : found.pairs) mine[pair.pair.id] = pair.status;
+    for (const PairForce& pair : found.pairs) mine[pair.id] = pair.status;
     Packer packer;
     packer.put(mine);
     std::map<int, PairStatus> status;

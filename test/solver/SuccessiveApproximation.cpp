@@ -229,9 +229,9 @@ TEUCHOS_UNIT_TEST(SuccessiveApproximation, EqualsTheMonolithicReferenceAsTheOthe
           difference = std::max(difference, std::abs(u(2 * node + k) - reference.displacement(2 * mesh.globalNodes[node] + k)));
     }
     int otherwise = 0;
-    for (const PairState& pair : recovered.pairs) {
-      forces = std::max(forces, std::abs(pair.force - reference.pairs[pair.pair.id].force));
-      otherwise += pair.status != reference.pairs[pair.pair.id].status;
+    for (const PairForce& pair : recovered.pairs) {
+      forces = std::max(forces, std::abs(pair.force - reference.pairs[pair.id].force));
+      otherwise += pair.status != reference.pairs[pair.id].status;
     }
     TEST_COMPARE(difference, <=, 1e-7 * largest);
     TEST_COMPARE(forces, <=, 1e-6 * largestForce);
