@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 
 namespace suture {
@@ -73,6 +74,7 @@ class Lifting {
  private:
   void findParts();
   bool choose();
+  void takeTranslationsAsPrescribed();
   void shiftRules();
   void shiftGaps();
 
@@ -89,13 +91,37 @@ class Lifting {
   std::vector<Amplitudes> amplitudes_;  // of each part
 };
 
+/// Translations by one prescribed value are this value to the last bit: nothing remains of it.
+void Lifting::takeTranslationsAsPrescribed() {
+  const std::size_t parts = parts_->parts.size(), d = std::size_t(dimension_);
+  const double none = -std::numeric_limits<double>::infinity();
+  std::vector<double> mine(2 * d * parts, none), all(mine);  // of each part and component: the largest value, and minus the smallest
+  for (std::size_t s = 0; s < meshes_.size(); ++s)
+    for (const NodeRule& rule : meshes_[s].rules)
+      for (std::size_t k = 0; k < d; ++k) {
+        if (!rule.fixed[k] || rule.axes[k][k] != 1.0) continue;
+        double* own = &mine[2 * (d * std::size_t(parts_->partOf[s]) + k)];
+        own[0] = std::max(own[0], rule.value[k]);
+        own[1] = std::max(own[1], -rule.value[k]);
+      }
+  Teuchos::reduceAll(comm_, Teuchos::REDUCE_MAX, int(mine.size()), mine.data(), all.data());
+  for (std::size_t p = 0; p < parts; ++p) {
+    Vector& lift = parts_->lift[p];
+    if (lift.size() == 0 || !lift.tail(lift.size() - dimension_).isZero(0.0)) continue;
+    const double rounding = std::ldexp(lift.cwiseAbs().maxCoeff(), 1 - kAmplitudeBits);
+    for (std::size_t k = 0; k < d; ++k) {
+      const double* of = &all[2 * (d * p + k)];
+      if (of[0] == -of[1] && std::abs(of[0] - lift[Eigen::Index(k)]) <= rounding) lift[Eigen::Index(k)] = of[0];
+    }
+  }
+}
+
 /// The motion of each part: the best fit, if it leaves little of what is prescribed, and what carries it.
 bool Lifting::choose() {
   const std::size_t parts = parts_->parts.size();
-  for (Vector& lift : parts_->lift) {
-    round(lift);
-    amplitudes_.push_back(extended(lift));
-  }
+  for (Vector& lift : parts_->lift) round(lift);
+  takeTranslationsAsPrescribed();
+  for (const Vector& lift : parts_->lift) amplitudes_.push_back(extended(lift));
   std::vector<double> mine(2 * parts, 0.0), all(2 * parts);
   for (std::size_t s = 0; s < meshes_.size(); ++s)
     for (const NodeRule& rule : meshes_[s].rules) {

@@ -91,6 +91,8 @@ struct BodyScale {
   double rounding = 0.0;                               ///< sum over the nodes of eps |K| |u|: their forces by the last digits of u [force]
   double spread = 0.0;                                 ///< root of the squares of the same [force]
 
+  /// True of a body that no force acts on, but for rounding.
+  bool isUnloaded() const;
   /// True of a body that prescribed displacements only move as a whole: its forces are rounding of its displacements.
   bool carriesNothing() const;
   /// Multiple of eps |K| |u| by which forces of the body may be off.
@@ -116,9 +118,8 @@ struct Bounds {
   static constexpr double geometry = 1e-10;  ///< of a body's deformation, that prescribed values and seams may be off by
 };
 
-inline bool BodyScale::carriesNothing() const {
-  return loads == 0.0 && contact == 0.0 && rounding > 0.0 && reactions + residual <= Bounds::nothing * rounding;
-}
+inline bool BodyScale::isUnloaded() const { return loads == 0.0 && contact == 0.0 && reactions + residual <= Bounds::nothing * rounding; }
+inline bool BodyScale::carriesNothing() const { return rounding > 0.0 && isUnloaded(); }
 inline double BodyScale::roundings() const { return carriesNothing() ? Bounds::nothing : Bounds::rounding; }
 
 }  // namespace suture

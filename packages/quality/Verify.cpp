@@ -47,6 +47,9 @@ class Verifier {
 
   Point at(int mesh, int node, int row) const { return {nodes_[mesh](row, node), nodes_[mesh](row + 1, node), 0.0}; }
   Point moved(int mesh, int node) const { return {answer_.displacement[mesh][2 * node], answer_.displacement[mesh][2 * node + 1], 0.0}; }
+  static double lifted(const SubdomainMesh& mesh, int node) {
+    return mesh.lift.motion.size() > 0 ? length(mesh.lift.motion[2 * node], mesh.lift.motion[2 * node + 1]) : 0.0;
+  }
   Finding place(int mesh, int node) const {
     Finding where;
     where.body = answer_.meshes[mesh].body;
@@ -133,8 +136,9 @@ void Verifier::gatherEnds() {
       const ContactPair& pair = *pairs.at(end.pair);
       const Point u = moved(int(i), end.node);
       const double weight = pair.ends[end.end].weight, along = u[0] * pair.normal[0] + u[1] * pair.normal[1];
-      mine.push_back({end.pair, end.end, mesh.body, weight * along, std::abs(weight) * length(u[0], u[1]), weight,
-                      nodes_[i](Stiffness, end.node), nodes_[i](Rounding, end.node), pair.gap, pair.position});
+      mine.push_back({end.pair, end.end, mesh.body, weight * along, std::abs(weight) * length(u[0], u[1]),
+                      std::abs(weight) * lifted(mesh, end.node), weight, nodes_[i](Stiffness, end.node), nodes_[i](Rounding, end.node),
+                      pair.gap, pair.position});
     }
   }
   ends_ = joinOnRoot(comm_, mine);

@@ -1,6 +1,7 @@
 #include <suture/quality/VerifyPairs.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 
@@ -46,16 +47,20 @@ void verifyPairs(std::vector<PairEndShare> ends, const std::vector<PairResult>& 
     where.pair = ends[first].pair;
     where.place = ends[first].place;
     where.body = where.other = ends[first].body;
-    double gap = ends[first].gap, moved = std::abs(gap), compliance = 0.0, rounding = 0.0, force = bodies[ends[first].body].force;
+    double gap = ends[first].gap, moved = std::abs(gap), lifted = 0.0, compliance = 0.0, rounding = 0.0,
+           force = bodies[ends[first].body].force;
     double roundings = Bounds::rounding;
+    bool unloaded = false;
     for (last = first; last < ends.size() && ends[last].pair == where.pair; ++last) {
       const PairEndShare& end = ends[last];
       gap -= end.closing;
       moved += end.moved;
+      lifted += end.lifted;
       compliance += end.weight * end.weight / end.stiffness;
       rounding = std::max(rounding, end.rounding);
       force = std::min(force, bodies[end.body].force);
       roundings = std::max(roundings, bodies[end.body].roundings());
+      unloaded = unloaded || bodies[end.body].isUnloaded();
       if (end.body != where.body) where.other = end.body;
     }
     const auto pair = said.find(where.pair);
@@ -65,7 +70,11 @@ void verifyPairs(std::vector<PairEndShare> ends, const std::vector<PairResult>& 
     }
     ++found;
     const double pressing = pair->second->force, asForce = gap / compliance;
-    const double slack = roundings * (rounding + unitRoundoff * moved / compliance), allowed = bound * force + slack;
+    // Where no force is to compare with, two bodies are as far apart as digits of their ways and places tell.
+    const double ways =
+        unloaded ? Bounds::nothing * unitRoundoff * (lifted + std::hypot(where.place[0], where.place[1], where.place[2])) / compliance
+                 : 0.0;
+    const double slack = roundings * (rounding + unitRoundoff * moved / compliance) + ways, allowed = bound * force + slack;
     const bool open = pair->second->status == PairStatus::Open;
     // Zero unless the sign is wrong; NaN stays NaN.
     findings.take(Quantity::Penetration, asForce > 0.0 ? 0.0 : -asForce, allowed, force, where);

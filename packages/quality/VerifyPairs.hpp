@@ -11,6 +11,7 @@ struct PairEndShare {
   int pair, end, body;
   double closing;    ///< weight x normal . u [length]
   double moved;      ///< |weight| x |u| [length]
+  double lifted;     ///< |weight| x the rigid motion that was taken out [length]
   double weight;     ///< of the end in the pair
   double stiffness;  ///< of the node, over all its subdomains [force / length]
   double rounding;   ///< of the node's internal force [force]

@@ -1,12 +1,10 @@
 #include <suture/base/Buffer.hpp>
-#include <suture/base/Collective.hpp>
 #include <suture/base/Dense.hpp>
-#include <suture/base/DisjointSets.hpp>
 #include <suture/base/NonnegativeLeastSquares.hpp>
 #include <suture/elasticity/SubdomainLoads.hpp>
-#include <suture/interface/ContactBodies.hpp>
 #include <suture/partition/RigidLift.hpp>
 #include <suture/solver/NeutralMotions.hpp>
+#include <suture/solver/PairClasses.hpp>
 
 #include <Teuchos_Comm.hpp>
 #include <Teuchos_CommHelpers.hpp>
@@ -18,97 +16,10 @@ namespace suture {
 
 namespace {
 
-constexpr double kNoForce = 1e-12, kNoHold = 1e-8;  // of the largest pair force on a body
-constexpr double kNoCluster = 1e-13;                // of the largest pair force on bodies that pairs join: below it is nothing but rounding
-constexpr double kNoGap = 1e-6;                     // of the largest change of a gap on a body
-constexpr double kFlat = 1e-6;                      // of a body's size: a change of its gaps that is one
-constexpr double kNoMotion = 1e-8;                  // of an amplitude of the order of one
-constexpr double kRounding = 1e-14;                 // of a motion: what is left of a displacement that was this motion alone
-constexpr double kNothing = 1e-15;                  // of a body's size: a motion that coordinates do not hold
-constexpr double kAsItIs = 1e-9;                    // of the displacements: a motion not worth making
-
-/// What all ranks know of the pairs.
-struct Pairs {
-  Vector force, gap, change;  ///< change of the gap, its magnitude
-  ClosedSet closed;
-};
-
-Pairs broadcastPairs(const Comm& comm, const std::vector<PairResult>& results, int count) {
-  Pairs pairs{Vector::Zero(count), Vector::Zero(count), Vector::Zero(count), ClosedSet(count, 0)};
-  Matrix all = Matrix::Zero(count, 4);
-  if (comm.getRank() == 0)
-    for (const PairResult& pair : results)
-      if (pair.id < count) all.row(pair.id) << pair.force, pair.gap, pair.initialGap, pair.status != PairStatus::Open;
-  broadcastBytes(comm, all.data(), sizeof(double) * static_cast<std::size_t>(all.size()));
-  pairs.force = all.col(0).cwiseMax(0.0);
-  pairs.gap = all.col(1);
-  pairs.change = (all.col(1) - all.col(2)).cwiseAbs();
-  for (int i = 0; i < count; ++i) pairs.closed[i] = all(i, 3) != 0.0;
-  return pairs;
-}
-
-/// The largest value at pairs of each part.
-std::vector<double> largestOf(const RigidContact::Pairs& data, std::size_t parts, const Vector& values) {
-  std::vector<double> most(parts, 0.0);
-  for (std::size_t i = 0; i < data.bodies.size(); ++i)
-    for (const int part : data.bodies[i]) most[part] = std::max(most[part], values(static_cast<Eigen::Index>(i)));
-  return most;
-}
-
-/// Sum of the magnitudes of the loads on each part. Collective.
-std::vector<double> loadsOf(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model,
-                            const ContactBodies& bodies) {
-  std::vector<double> mine(bodies.parts().size(), 0.0), all(mine);
-  for (std::size_t s = 0; s < meshes.size(); ++s) mine[bodies.partOf(static_cast<int>(s))] += subdomainLoads(meshes[s], model).lpNorm<1>();
-  Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, static_cast<int>(mine.size()), mine.data(), all.data());
-  return all;
-}
-
-/// Rounding of forces on each part, by the largest on any that pairs, closed or open, connect with it. Others do not touch it.
-std::vector<double> roundingOf(const RigidContact::Pairs& data, const std::vector<double>& force) {
-  DisjointSets neighbours(static_cast<int>(force.size()));
-  for (const auto& bodies : data.bodies)
-    for (const int part : bodies) neighbours.join(part, bodies.front());
-  std::vector<double> most(force.size(), 0.0), rounding(force.size());
-  for (std::size_t p = 0; p < force.size(); ++p) {
-    double& own = most[neighbours.lowest(static_cast<int>(p))];
-    own = std::max(own, force[p]);
-  }
-  for (std::size_t p = 0; p < force.size(); ++p) rounding[p] = kNoCluster * most[neighbours.lowest(static_cast<int>(p))];
-  return rounding;
-}
-
-/// What pairs are at a solution.
-struct Classes {
-  ClosedSet carrying;  ///< with a force that holds its bodies
-  ClosedSet touching;  ///< without a gap, not carrying
-  ClosedSet idle;      ///< closed for the solver, without force
-};
-
-/// \param loads  on each part: pair forces that are rounding of them are none
-Classes classify(const ContactBodies& bodies, const Pairs& pairs, const std::vector<double>& loads) {
-  const RigidContact::Pairs& data = bodies.rigid().data();
-  const int count = bodies.rigid().pairs();
-  const std::vector<double> force = largestOf(data, bodies.parts().size(), pairs.force),
-                            change = largestOf(data, bodies.parts().size(), pairs.change);
-  std::vector<double> largest = force;
-  for (std::size_t p = 0; p < largest.size(); ++p) largest[p] = std::max(largest[p], loads[p]);
-  const std::vector<double> rounding = roundingOf(data, largest);
-  Classes classes{ClosedSet(count, 0), ClosedSet(count, 0), ClosedSet(count, 0)};
-  for (int i = 0; i < count; ++i) {
-    if (!data.able[i]) continue;
-    double least = 0.0, moved = 0.0, none = 0.0;
-    for (const int part : data.bodies[i]) {
-      none = std::max(none, rounding[part]);
-      least = least == 0.0 ? force[part] : std::min(least, force[part]);
-      moved = std::max({moved, change[part], kFlat * bodies.parts()[part].radius});
-    }
-    classes.carrying[i] = pairs.closed[i] && pairs.force(i) > std::max(kNoHold * least, none);
-    classes.idle[i] = pairs.closed[i] && pairs.force(i) <= std::max(kNoForce * least, none);
-    classes.touching[i] = !classes.carrying[i] && pairs.gap(i) <= kNoGap * moved;
-  }
-  return classes;
-}
+constexpr double kNoMotion = 1e-8;   // of an amplitude of the order of one
+constexpr double kRounding = 1e-14;  // of a motion: what is left of a displacement that was this motion alone
+constexpr double kNothing = 1e-15;   // of a body's size: a motion that coordinates do not hold
+constexpr double kAsItIs = 1e-9;     // of the displacements: a motion not worth making
 
 std::vector<char> loadedParts(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model,
                               const ContactBodies& bodies, const ClosedSet& carrying) {
@@ -177,7 +88,7 @@ class Least {
       : comm_(comm), meshes_(meshes), bodies_(bodies), motions_(motions) {}
 
   /// Moves the displacements to where they are least; false: they are there.
-  bool settle(const Pairs& pairs, const ClosedSet& carrying, std::vector<Vector>& displacement) const {
+  bool settle(const PairsAtSolution& pairs, const ClosedSet& carrying, std::vector<Vector>& displacement) const {
     const Eigen::Index k = motions_.cols();
     Matrix mine = Matrix::Zero(k, k + 1), all = mine;  // Z^T Z, Z^T u
     double largest = 0.0, overall = 0.0;
@@ -277,9 +188,9 @@ void settleNeutralMotions(const Comm& comm, std::vector<SubdomainMesh>& meshes, 
   const RigidContact& rigid = bodies.rigid();
   const int count = rigid.pairs();
   if (count == 0) return;
-  Pairs pairs = broadcastPairs(comm, solution.pairs, count);
-  const std::vector<double> loads = loadsOf(comm, meshes, model, bodies);
-  Classes classes = classify(bodies, pairs, loads);
+  PairsAtSolution pairs = broadcastPairs(comm, solution.pairs, count);
+  const ForceScales scales = forceScales(comm, meshes, model, bodies);
+  PairClasses classes = classify(bodies, pairs, scales);
   if (comm.getRank() == 0)
     for (PairResult& pair : solution.pairs)
       if (classes.idle[pair.id]) {
@@ -292,14 +203,14 @@ void settleNeutralMotions(const Comm& comm, std::vector<SubdomainMesh>& meshes, 
     for (const PairResult& pair : solution.pairs) forces.push_back({pair.id, pair.status, pair.force});
     solution.pairs = pairResults(comm, all, solution.displacement, forces);
     pairs.gap = broadcastPairs(comm, solution.pairs, count).gap;
-    classes.touching = classify(bodies, pairs, loads).touching;
+    classes.touching = classify(bodies, pairs, scales).touching;
   };
   if (rigid.motions() > 0 && straighten(comm, meshes, model, bodies, classes.carrying, solution.displacement)) take();
   const Matrix neutral = rigid.motions() > 0 ? rigid.neutral(classes.carrying, classes.touching) : Matrix();
   if (neutral.cols() > 0) {
     if (Least(comm, meshes, bodies, neutral).settle(pairs, classes.carrying, solution.displacement)) {
       take();
-      // Pairs that the motion has opened carry nothing: their forces were rounding of the moments of others.
+      // PairsAtSolution that the motion has opened carry nothing: their forces were rounding of the moments of others.
       if (comm.getRank() == 0)
         for (PairResult& pair : solution.pairs)
           if (pair.status != PairStatus::Open && !classes.carrying[pair.id] && !classes.touching[pair.id]) {

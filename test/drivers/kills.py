@@ -76,8 +76,12 @@ def kill_one(rng, what, ranks, folder, restart, longest):
         text = process.communicate(timeout=120 * SLOWER)[0]
         code = process.returncode
     except subprocess.TimeoutExpired:
+        # Open MPI 4.1's mpirun, told of the death of a rank that it is still starting, may wait for itself for ever (futex, all ranks gone).
+        alone = ranks > 1 and not processes(process)
         process.kill()
         text, code = process.communicate()[0], "no end"
+        if alone:
+            return what + f"{how.name} after {delay:.2f} s, of which mpirun did not wake up"
     what += f"{how.name} after {delay:.2f} s to {len(hit)} of {ranks} ranks"
     # Before the program listens, a signal does what it does to any program.
     unheard = {-how, 128 + how, 1, -signal.SIGTERM, 128 + signal.SIGTERM}
