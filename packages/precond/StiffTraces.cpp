@@ -64,8 +64,9 @@ Matrix stiffTraces(const LocalProblem& local) {
   if (local.shearDiagonal().size() == 0 || n == 0) return Matrix(n, 0);
   const Vector scale = local.shearDiagonal().cwiseSqrt();
   for (int block = std::min(8, n);; block = std::min(2 * block, n)) {
-    Matrix basis = orthonormalBasis(randomColumns(n, block), 1e-12), image(n, basis.cols());
+    Matrix basis = orthonormalBasis(randomColumns(n, block), 1e-12), image;
     for (int step = 0; step < kMostSteps; ++step) {
+      image.resize(n, basis.cols());  // fewer than before where S has a kernel
       local.applySchur(scale.cwiseInverse().asDiagonal() * basis, image);
       image = scale.cwiseInverse().asDiagonal() * image;
       const Eigenpairs pairs = symmetricEigenpairs(basis.transpose() * image);

@@ -2,6 +2,7 @@
 #include <Teuchos_UnitTestHarness.hpp>
 #include <interface/ContactScenes.hpp>
 #include <suture/base/Dense.hpp>
+#include <suture/base/Errors.hpp>
 #include <suture/precond/EdgeConstraints.hpp>
 #include <suture/precond/StiffTraces.hpp>
 
@@ -82,6 +83,43 @@ TEUCHOS_UNIT_TEST(StiffTraces, OfStablePairsAreTheFluxAlone) {
       const bool enclosed = local.id() % kBlocks == 1 && local.id() < 2 * kBlocks;
       TEST_EQUALITY(stiffTraces(local).cols(), enclosed ? 1 : 0);
     }
+  }
+}
+
+// S of low rank, and nothing else: from the second step on there are fewer directions than were tried.
+class FewStiffDirections : public LocalProblem {
+ public:
+  FewStiffDirections(const Matrix& directions, const Vector& stiffness)
+      : LocalProblem(0, "few", std::vector<GlobalId>(std::size_t(directions.rows()))),
+        schur_(directions * stiffness.asDiagonal() * directions.transpose()),
+        ones_(Vector::Ones(directions.rows())) {}
+  void applySchur(ConstLocalView trace, LocalView flux) const override {
+    if (flux.cols() != trace.cols()) throw InternalError("as many fluxes as traces");
+    flux = schur_ * trace;
+  }
+  Vector condensedLoad() const override { return Vector::Zero(size()); }
+  double constantEnergy() const override { return 0.0; }
+  const Vector& stiffnessDiagonal() const override { return ones_; }
+  const Vector& shearDiagonal() const override { return ones_; }
+  const Vector& youngModulus() const override { return ones_; }
+  const Matrix& kernel() const override { return none_; }
+  const Matrix& coarseModes() const override { return none_; }
+  std::unique_ptr<LocalInverse> inverse() const override { return nullptr; }
+
+ private:
+  Matrix schur_, none_;
+  Vector ones_;
+};
+
+TEUCHOS_UNIT_TEST(StiffTraces, AreFoundWhereNothingElseResists) {
+  for (const int n : {5, 9, 12, 40}) {
+    const Matrix q =
+        orthonormalBasis(Matrix::NullaryExpr(n, 3, [](Eigen::Index i, Eigen::Index j) { return std::sin(1.0 + i * (j + 2)); }), 1e-12);
+    const Vector stiffness = (Vector(3) << 1e3, 1e5, 2.0).finished();  // the last is not stiff
+    const Matrix traces = stiffTraces(FewStiffDirections(q, stiffness));
+    const Matrix expected = q.leftCols(2) * stiffness.head(2).asDiagonal() * q.leftCols(2).transpose();
+    TEST_EQUALITY(traces.cols(), 2);
+    TEST_COMPARE((traces * traces.transpose() - expected).norm(), <, 1e-9 * expected.norm());
   }
 }
 
