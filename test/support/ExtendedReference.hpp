@@ -2,7 +2,7 @@
 #include <solver/MonolithicScenes.hpp>
 #include <suture/solver/MonolithicSystem.hpp>
 
-#include <Eigen/LU>
+#include <Eigen/SparseLU>
 #include <Teuchos_DefaultComm.hpp>
 
 #include <array>
@@ -12,12 +12,13 @@
 
 namespace suture::scenes {
 
-/// A small scene solved in extended precision, and certified: all equations as one dense saddle problem with a set of closed pairs, which
-/// is flipped until no closed pair pulls and no open one penetrates. Data (element stiffnesses, loads, gaps) are those of the program.
+/// A small scene solved in extended precision, and certified: all equations as one saddle problem with a set of closed pairs, which is
+/// flipped until no closed pair pulls and no open one penetrates. Data (element stiffnesses, loads, gaps) are those of the program.
 /// Rank 0 has it, the others have nothing.
 struct ExtendedReference {
   using Real = long double;
-  using Dense = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
+  using Entry = Eigen::Triplet<Real>;
+  using Sparse = Eigen::SparseMatrix<Real>;
   using Column = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
 
   Column displacement;  ///< of the mesh's nodes: node-major, Cartesian
@@ -31,65 +32,76 @@ struct ExtendedReference {
   explicit ExtendedReference(const Scene& scene, std::vector<char> start = {}, const Motion& motion = {}) {
     if (Teuchos::DefaultComm<int>::getComm()->getRank() != 0) return;
     const int unknowns = 2 * scene.mesh.nodes(), pairs = int(scene.constraints.pairs.size());
-    Dense stiffness = Dense::Zero(unknowns, unknowns);
+    std::vector<Entry> stiffness;
+    Column diagonal = Column::Zero(unknowns);
     elementStiffnesses(
         scene.mesh, [&](int e) -> const Material& { return scene.model.materialOf(scene.mesh, e, scene.mesh.bodyOfElement[e]); },
         scene.model.plane,
         [&](int element, ConstLocalView k) {
           const Span<const int> nodes = scene.mesh.nodesOf(element);
           for (Eigen::Index j = 0; j < k.cols(); ++j)
-            for (Eigen::Index i = 0; i < k.rows(); ++i)
-              stiffness(2 * nodes[i / 2] + i % 2, 2 * nodes[j / 2] + j % 2) += Real(k(std::max(i, j), std::min(i, j)));
+            for (Eigen::Index i = 0; i < k.rows(); ++i) {
+              const int row = 2 * nodes[i / 2] + int(i % 2), column = 2 * nodes[j / 2] + int(j % 2);
+              const Real value = k(std::max(i, j), std::min(i, j));
+              stiffness.emplace_back(row, column, value);
+              if (row == column) diagonal[row] += value;
+            }
         });
     const Column load = nodalLoads(scene.mesh, scene.model).cast<Real>();
-    Dense rows = Dense::Zero(pairs, unknowns);
+    std::vector<std::vector<Entry>> rows(pairs);
     Column initial(pairs);
     for (const ContactPair& pair : scene.constraints.pairs) {
       initial[pair.id] = pair.gap;
       for (const PairEnd& end : pair.ends)
         for (int k = 0; k < 2; ++k) {
-          rows(pair.id, 2 * end.node + k) += Real(end.weight) * pair.normal[k];
+          rows[pair.id].emplace_back(0, 2 * end.node + k, Real(end.weight) * pair.normal[k]);
           if (motion)
             initial[pair.id] -= Real(end.weight) * pair.normal[k] * motion(scene.mesh.bodyOfNode[end.node], scene.mesh.point(end.node))[k];
         }
     }
-    std::vector<std::pair<Column, Real>> held;  // prescribed components
+    std::vector<std::pair<std::vector<Entry>, Real>> held;  // prescribed components
     for (const NodeRule& rule : scene.constraints.rules)
       for (int k = 0; k < 2; ++k)
         if (rule.fixed[k]) {
-          Column row = Column::Zero(unknowns);
+          std::vector<Entry> row;
           Real value = rule.value[k];
           for (int c = 0; c < 2; ++c) {
-            row[2 * rule.node + c] = rule.axes[k][c];
+            row.emplace_back(0, 2 * rule.node + c, rule.axes[k][c]);
             if (motion) value -= rule.axes[k][c] * motion(scene.mesh.bodyOfNode[rule.node], scene.mesh.point(rule.node))[c];
           }
           held.emplace_back(row, value);
         }
-    const Real unit = stiffness.diagonal().maxCoeff();
+    const Real unit = diagonal.maxCoeff();
     closed = start.empty() ? std::vector<char>(pairs, 1) : start;
     for (int step = 0; step < 100; ++step) {
       std::vector<int> active;
       for (int i = 0; i < pairs; ++i)
         if (closed[i]) active.push_back(i);
       const int size = unknowns + int(held.size() + active.size());
-      Dense system = Dense::Zero(size, size);
+      std::vector<Entry> entries = stiffness;
       Column right = Column::Zero(size);
-      system.topLeftCorner(unknowns, unknowns) = stiffness;
       right.head(unknowns) = load;
       int at = unknowns;
-      const auto add = [&](const Column& row, Real value) {
-        system.row(at).head(unknowns) = unit * row.transpose();
-        system.col(at).head(unknowns) = unit * row;
+      const auto add = [&](const std::vector<Entry>& row, Real value) {
+        for (const Entry& entry : row) {
+          entries.emplace_back(at, entry.col(), unit * entry.value());
+          entries.emplace_back(entry.col(), at, unit * entry.value());
+        }
         right[at++] = unit * value;
       };
       for (const auto& [row, value] : held) add(row, value);
-      for (const int i : active) add(rows.row(i).transpose(), initial[i]);
-      const Eigen::PartialPivLU<Dense> factor(system);
+      for (const int i : active) add(rows[i], initial[i]);
+      Sparse system(size, size);
+      system.setFromTriplets(entries.begin(), entries.end());
+      const Eigen::SparseLU<Sparse> factor(system);
+      if (factor.info() != Eigen::Success) throw std::runtime_error("the reference is singular");
       Column found = factor.solve(right);
-      for (int k = 0; k < 3; ++k) found += factor.solve(right - system * found);
+      for (int k = 0; k < 3; ++k) found += factor.solve(right - system * found).eval();
       displacement = found.head(unknowns);
       force = Column::Zero(pairs);
-      gap = initial - rows * displacement;
+      gap = initial;
+      for (int i = 0; i < pairs; ++i)
+        for (const Entry& entry : rows[i]) gap[i] -= entry.value() * displacement[entry.col()];
       for (std::size_t k = 0; k < active.size(); ++k) {
         force[active[k]] = unit * found[unknowns + int(held.size() + k)];
         gap[active[k]] = 0;
