@@ -7,6 +7,7 @@
 #include <suture/partition/RigidLift.hpp>
 #include <suture/report/Figures.hpp>
 #include <suture/report/Format.hpp>
+#include <suture/report/PressureOscillation.hpp>
 
 namespace suture {
 
@@ -50,11 +51,22 @@ ContactFigures contactFigures(const Solution& solution, int pieces) {
 
 double pressureError(const ContactPiece& piece, double largest) { return largest > 0 ? piece.pressureDoubt / largest : 0.0; }
 
+/// Of the largest pressure: what triangles leave to meshes that are fine enough is less.
+constexpr double kSeenOscillation = 0.03;
+
 std::vector<std::string> pressureNotes(const Comm& comm, const std::vector<ContactPiece>& pieces, const Solution& solution) {
   std::string said;
   collectivelyOnRoot(comm, "estimating contact pressures", [&] {
     const ContactFigures figures = contactFigures(solution, int(pieces.size()));
+    const std::vector<double> oscillation = pressureOscillations(solution.pairs, int(pieces.size()));
     for (std::size_t p = 0; p < pieces.size(); ++p) {
+      if (oscillation[p] > kSeenOscillation * figures.pressureOf[p]) {
+        const double share = oscillation[p] / figures.pressureOf[p];
+        said += format(
+            "%scontact '%s': pressures alternate from node to node by %.0f %% of the largest: their mean is right, each is not. "
+            "Finer elements, quadrilaterals or second order reduce it\n",
+            share > 0.1 ? "warning: " : "", pieces[p].name.c_str(), 100 * share);
+      }
       const double error = pressureError(pieces[p], figures.pressureOf[p]);
       if (error < 0.01) continue;
       const bool large = error > 0.1;

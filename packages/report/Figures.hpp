@@ -30,8 +30,8 @@ ContactFigures contactFigures(const Solution& solution, int pieces);
 /// pressure. Local. \param largest  pressure of the piece [stress]
 double pressureError(const ContactPiece& piece, double largest);
 
-/// Sentences on estimated errors of contact pressures, each piece above one per cent: beyond ten per cent a warning. Collective, the same
-/// on all ranks. \param pieces, solution  as in Run
+/// Sentences on estimated errors of contact pressures, each piece above one per cent, and on pressures that alternate from node to node by
+/// more than three: beyond ten per cent warnings. Collective, the same on all ranks. \param pieces, solution  as in Run
 std::vector<std::string> pressureNotes(const Comm& comm, const std::vector<ContactPiece>& pieces, const Solution& solution);
 
 /// Sentences on solutions that a small-strain program should not be trusted with unseen: displacements beyond a tenth of the scene's size,

@@ -7,6 +7,7 @@
 #include <suture/report/Figures.hpp>
 #include <suture/report/OutputFolder.hpp>
 #include <suture/report/ParametersJson.hpp>
+#include <suture/report/PressureOscillation.hpp>
 #include <suture/report/Summary.hpp>
 
 using Json = nlohmann::ordered_json;
@@ -66,13 +67,15 @@ Json contact(const Run& run, int dimension) {
       {"pieces", run.size.pieces},       {"pairs", all.pairs},      {"active", all.active},  {"touching_without_force", all.touching},
       {"max_pressure", all.maxPressure}, {"force", Json::object()}, {"max_gap", all.maxGap}, {"max_penetration", all.maxPenetration},
       {"by_piece", Json::object()}};
+  const std::vector<double> oscillations = pressureOscillations(run.solution.pairs, run.size.pieces);
   for (std::size_t p = 0; p < run.pieces.size() && p < all.forceOnB.size(); ++p) {
     contact["force"][run.pieces[p].name] = components(all.forceOnB[p], dimension);
     contact["by_piece"][run.pieces[p].name] = {{"pairs", all.pairsOf[p]},
                                                {"active", all.activeOf[p]},
                                                {"max_pressure", all.pressureOf[p]},
                                                {"max_gap", all.gapOf[p]},
-                                               {"pressure_error_estimate", pressureError(run.pieces[p], all.pressureOf[p])}};
+                                               {"pressure_error_estimate", pressureError(run.pieces[p], all.pressureOf[p])},
+                                               {"pressure_oscillation", all.pressureOf[p] > 0 ? oscillations[p] / all.pressureOf[p] : 0.0}};
   }
   return contact;
 }

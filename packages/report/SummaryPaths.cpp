@@ -50,6 +50,7 @@ const std::vector<std::string>& summaryPaths() {
       "contact.by_piece.<piece>.max_pressure",
       "contact.by_piece.<piece>.max_gap",
       "contact.by_piece.<piece>.pressure_error_estimate",
+      "contact.by_piece.<piece>.pressure_oscillation",
       "neutral_motions.<number>.body",
       "neutral_motions.<number>.motion",
       "neutral_motions.<number>.loaded",
