@@ -1,6 +1,7 @@
 #include <suture/base/Collective.hpp>
 #include <suture/interface/CondensedProblem.hpp>
 #include <suture/interface/CondensedSets.hpp>
+#include <suture/interface/PlainFlips.hpp>
 
 #include <Teuchos_Comm.hpp>
 #include <Teuchos_CommHelpers.hpp>
@@ -13,8 +14,6 @@
 namespace suture {
 
 namespace {
-
-constexpr double kDigits = 1e-14;  // of displacements, in a gap
 
 bool isClosed(PairStatus status) { return status != PairStatus::Open; }
 
@@ -102,7 +101,7 @@ InterfaceEvaluation CondensedSets::evaluateSet(const InterfaceState& state, doub
         const bool closed = isClosed(state.status[place][row]);
         mine(rows.pairIds[row], 0) = closed ? response.force(row) : 0.0;
         mine(rows.pairIds[row], 1) = closed ? 0.0 : reached(row) + lift - rows.gap(row);
-        mine(rows.pairIds[row], 2) = kDigits * std::max({digits(row), std::abs(lift), std::abs(rows.gap(row))});
+        mine(rows.pairIds[row], 2) = kGapDigits * std::max({digits(row), std::abs(lift), std::abs(rows.gap(row))});
       }
     }
   });
@@ -111,20 +110,7 @@ InterfaceEvaluation CondensedSets::evaluateSet(const InterfaceState& state, doub
   const ClosedSet closed = closedSet(state.status);
   result.force = all.col(0);
   result.penetration = all.col(1);
-  const double least = std::max(resolution, kDigits);
-  result.forceTolerance = least * rigid.clusterScale(closed, result.force);
-  // A stiff pair among soft ones has the accuracy of its own compliance: a force that is much for it moves the soft ones by little.
-  result.penetrationTolerance = least * rigid.compliance().cwiseProduct(rigid.clusterScale(closed, result.force)) + all.col(2);
-  ClosedSet next = closed;
-  for (int i = 0; i < pairs; ++i) {
-    if (!rigid.data().able[i]) continue;
-    if (closed[i] ? result.force(i) < -result.forceTolerance(i) : result.penetration(i) > result.penetrationTolerance(i))
-      next[i] = !closed[i];
-    result.changed += next[i] != closed[i];
-    result.active += next[i] != 0;
-  }
-  result.next = statusOf(next);
-  result.settled = result.changed == 0;
+  result.next = statusOf(plainFlips(rigid, closed, resolution, all.col(2), result));
   result.residual = problem_.space()->vector();
   problem_.space()->scatterAdd(out, *result.residual);
   double total = 0.0;

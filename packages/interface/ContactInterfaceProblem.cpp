@@ -1,5 +1,6 @@
 #include <suture/base/Collective.hpp>
 #include <suture/interface/ContactInterfaceProblem.hpp>
+#include <suture/interface/PlainFlips.hpp>
 #include <suture/interface/SeamLayout.hpp>
 
 #include <Teuchos_Comm.hpp>
@@ -31,8 +32,6 @@ double reduce(const Comm& comm, Teuchos::EReductionType how, double mine) {
   Teuchos::reduceAll(comm, how, mine, Teuchos::outArg(all));
   return all;
 }
-
-constexpr double kDigits = 1e-14;  // of displacements, in a gap
 
 double largest(const Vector& values) { return values.size() > 0 ? values.cwiseAbs().maxCoeff() : 0.0; }
 
@@ -240,50 +239,28 @@ InterfaceProblem::Evaluation ContactInterfaceProblem::evaluate(const InterfaceSt
   const Vector force = clusters_->forces(state.status[0], out.col(0));
   const Vector moved = movedRows(state), gap = clusters_->gaps(trace.col(0), moved);
 
-  double sums[3] = {0.0, 0.0, 0.0}, allSums[3];
   result.next = state.status;
   if (bodies_) {
-    Matrix values(clusters_->size(), 2);
-    values << force, -gap;
+    Matrix values(clusters_->size(), 3);
+    values << force, -gap, Vector::Zero(clusters_->size());
+    for (int i = 0; i < clusters_->size(); ++i) {
+      if (clusters_->row(i).places.empty()) continue;
+      double digits = std::max(std::abs(clusters_->row(i).gap), moved.size() > 0 ? std::abs(moved(i)) : 0.0);
+      for (const int place : clusters_->row(i).places) digits = std::max(digits, std::abs(trace(place, 0)));
+      values(i, 2) = kGapDigits * digits;
+    }
     const Matrix all = everywhere(values);
-    const RigidContact& rigid = bodies_->rigid();
     const ClosedSet closed = closedSet(state.status);
     result.force = all.col(0);
     result.penetration = all.col(1);
     for (std::size_t i = 0; i < closed.size(); ++i) (closed[i] ? result.penetration : result.force)(static_cast<Eigen::Index>(i)) = 0.0;
-    const double least = std::max(resolution, 1e-14);
-    result.forceTolerance = least * rigid.clusterScale(closed, result.force);
-    // A stiff pair among soft ones has the accuracy of its own compliance: a force that is much for it moves the soft ones by little.
-    result.penetrationTolerance = least * rigid.compliance().cwiseProduct(rigid.clusterScale(closed, result.force));
-    for (int i = 0; i < clusters_->size(); ++i) {
-      if (clusters_->row(i).places.empty()) continue;
-      // Gaps are differences of displacements, and no better than their digits.
-      double digits = std::max(std::abs(clusters_->row(i).gap), moved.size() > 0 ? std::abs(moved(i)) : 0.0);
-      for (const int place : clusters_->row(i).places) digits = std::max(digits, std::abs(trace(place, 0)));
-      values(i, 0) = kDigits * digits;
-    }
-    result.penetrationTolerance += everywhere(values).col(0);
-    for (int i = 0; i < clusters_->size(); ++i) {
-      if (clusters_->row(i).places.empty()) continue;
-      PairStatus& next = result.next[0][i];
-      const int id = rows_[i].pair.id;
-      if (next == PairStatus::Open) {
-        if (result.penetration(id) > result.penetrationTolerance(id)) next = PairStatus::Slip;
-      } else if (result.force(id) < -result.forceTolerance(id)) {
-        next = PairStatus::Open;
-      }
-      if (!owned_[i]) continue;
-      sums[0] += next != state.status[0][i];
-      sums[1] += next != PairStatus::Open;
-    }
+    result.next = statusOf(plainFlips(bodies_->rigid(), closed, resolution, all.col(2), result));
   }
+  double work = 0.0, allWork = 0.0;
   for (int place = 0; place < space_->overlapSize(); ++place)
-    if (space_->ownedRow(place) >= 0) sums[2] += 0.5 * trace(place, 0) * (out(place, 0) - load_(place, 0));
-  Teuchos::reduceAll(*comm_, Teuchos::REDUCE_SUM, 3, sums, allSums);
-  result.changed = static_cast<int>(std::lround(allSums[0]));
-  result.active = static_cast<int>(std::lround(allSums[1]));
-  result.settled = result.changed == 0;
-  result.energy = constantEnergy_ + allSums[2] - rigidWork(state);
+    if (space_->ownedRow(place) >= 0) work += 0.5 * trace(place, 0) * (out(place, 0) - load_(place, 0));
+  Teuchos::reduceAll(*comm_, Teuchos::REDUCE_SUM, work, Teuchos::outArg(allWork));
+  result.energy = constantEnergy_ + allWork - rigidWork(state);
   result.residual = residual(out, *spaceOf(state.status));
   return result;
 }

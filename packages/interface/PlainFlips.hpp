@@ -1,0 +1,17 @@
+#pragma once
+#include <suture/contact/RigidContact.hpp>
+#include <suture/interface/InterfaceProblem.hpp>
+
+namespace suture {
+
+/// Digits of displacements that a gap can have: gaps are differences of them.
+constexpr double kGapDigits = 1e-14;
+
+/// The set after an evaluation's forces and penetrations: closed pairs that pull open, open ones that penetrate close, each by more than it
+/// must be believed by. Sets the evaluation's tolerances, and its counts of changed and closed pairs. Local; the same on all ranks.
+/// \param resolution  as of ContactSets::evaluateSet
+/// \param digits      rounding of each pair's penetration [length]
+ClosedSet plainFlips(const RigidContact& rigid, const ClosedSet& closed, double resolution, const Vector& digits,
+                     InterfaceEvaluation& found);
+
+}  // namespace suture
