@@ -6,6 +6,7 @@
 #include <suture/solver/MonolithicSystem.hpp>
 #include <suture/solver/Solvability.hpp>
 #include <suture/subdomain/CholmodFactor.hpp>
+#include <suture/subdomain/SubdomainProblem.hpp>
 
 #include <algorithm>
 #include <chrono>
@@ -98,7 +99,6 @@ CondensedContact condense(const Mesh& mesh, const Constraints& constraints, cons
 /// contact problem of the residual is solved with the same factor.
 void refine(const Mesh& mesh, const Constraints& constraints, const MonolithicSystem& system, const RigidParts& rigid,
             const CholmodFactor& factor, int most, Vector& x, ContactSolution& contact) {
-  constexpr double kMuchStiffer = 1e4;  // ratio of diagonal entries up to which rounding leaves four digits more than are asked for
   const Vector diagonal = system.stiffness().diagonal();
   if (diagonal.size() == 0 || diagonal.maxCoeff() <= kMuchStiffer * diagonal.minCoeff()) return;
   const int trailing = system.contactDofs(), leading = system.dofs() - trailing;

@@ -12,8 +12,6 @@ namespace suture {
 
 namespace {
 
-constexpr double kMuchStiffer = 1e4;  // rounding of the stiffness, 1e-16 of it, then is 1e-12 of the softest: four digits to spare
-
 double stiffnessOf(const Subdomain& subdomain) { return subdomain.dofs() > 0 ? subdomain.stiffness().diagonal().maxCoeff() : 0.0; }
 
 /// The Neumann problem of the whole subdomain, loaded on its boundary only.

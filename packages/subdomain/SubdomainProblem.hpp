@@ -47,6 +47,10 @@ class SubdomainProblem : public LocalProblem {
   Matrix balanced_;  // orthonormal basis of the kernel; empty where fluxes stay as they are
 };
 
+/// Ratio of stiffnesses up to which rounding of the stiffest, 1e-16 of it, is 1e-12 of the softest: four digits more than are asked for.
+/// Beyond it, the digits that it takes from the softest are restored.
+constexpr double kMuchStiffer = 1e4;
+
 /// Largest diagonal entry of a subdomain's stiffness matrix, the least of all subdomains. Collective. [force / length]
 double softestStiffness(const Comm& comm, const std::vector<std::unique_ptr<Subdomain>>& subdomains);
 
