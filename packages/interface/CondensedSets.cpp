@@ -20,7 +20,7 @@ bool isClosed(PairStatus status) { return status != PairStatus::Open; }
 }  // namespace
 
 CondensedSets::CondensedSets(const Comm& comm, const CondensedProblem& problem, const std::vector<std::unique_ptr<Subdomain>>& subdomains)
-    : comm_(comm), problem_(problem), subdomains_(subdomains) {
+    : comm_(comm), problem_(problem) {
   std::map<int, double> stiffness;
   for (const auto& group : problem.groups()) {
     const Vector diagonal = group->stiffness().diagonal();

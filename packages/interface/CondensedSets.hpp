@@ -44,7 +44,6 @@ class CondensedSets : public ContactSets {
 
   const Comm& comm_;
   const CondensedProblem& problem_;
-  const std::vector<std::unique_ptr<Subdomain>>& subdomains_;
   std::unique_ptr<ContactBodies> bodies_;
   std::vector<int> partOfOwned_;
   std::unique_ptr<TraceMotions> motions_;

@@ -9,6 +9,10 @@
 #define SUTURE_FOR_EACH_PROCESSOR
 #endif
 
+#ifdef __clang__
+#pragma clang diagnostic ignored "-Wpsabi"  // all of it is inlined: no such vector is passed in a call
+#endif
+
 namespace suture {
 
 /// `Bytes` of numbers that are added and multiplied at once (a vector extension of GCC and Clang), anywhere in memory.
