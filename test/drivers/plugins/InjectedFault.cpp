@@ -51,6 +51,7 @@ struct Fault {
   void work() {
     if (!now.empty()) reach("work", ++counts[now].works);
   }
+  void over() { now.clear(); }
 
  private:
   Fault() {
@@ -108,6 +109,11 @@ void collectively(const Comm& comm, const std::string& what, const std::function
   }
 
 extern "C" {
+// The ranks settle how the run has ended (MeetingPoint): no phase any more.
+int MPI_Iallreduce(const void* in, void* out, int n, MPI_Datatype type, MPI_Op op, MPI_Comm comm, MPI_Request* request) {
+  Fault::instance().over();
+  return PMPI_Iallreduce(in, out, n, type, op, comm, request);
+}
 SUTURE_BEFORE(Allreduce, (const void* in, void* out, int n, MPI_Datatype type, MPI_Op op, MPI_Comm comm), (in, out, n, type, op, comm))
 SUTURE_BEFORE(Bcast, (void* data, int n, MPI_Datatype type, int root, MPI_Comm comm), (data, n, type, root, comm))
 SUTURE_BEFORE(Barrier, (MPI_Comm comm), (comm))
