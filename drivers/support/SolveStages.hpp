@@ -81,8 +81,8 @@ void errorStage(const Comm& comm, const std::vector<SubdomainMesh>& meshes, cons
 
 /// Motions that the solution leaves free (settleNeutralMotions): notes, or what keeps the run from ending well; pressures on the axis.
 /// Collective.
-void neutralStage(const Comm& comm, std::vector<SubdomainMesh>& meshes, const ElasticModel& model,
-                  const std::vector<ContactPiece>& pieces, const Parameters& scene, Solution& solution, Monitor& monitor);
+void neutralStage(const Comm& comm, std::vector<SubdomainMesh>& meshes, const ElasticModel& model, const std::vector<ContactPiece>& pieces,
+                  const Parameters& scene, Solution& solution, Monitor& monitor);
 
 /// Judges the solution by its displacements and contact forces alone. A verdict that does not hold is the run's failure, whatever the
 /// solver believed. Collective.
