@@ -183,7 +183,8 @@ TEUCHOS_UNIT_TEST(ElasticModel, RefusesTrianglesThatLockAndTellsWhatToChoose) {
 }
 
 TEUCHOS_UNIT_TEST(ElasticModel, ChoosesElementsThatDoNotLock) {
-  const auto chosen = [](const std::string& model, const std::string& poisson, const std::string& setting = "Materials/rock/Young Modulus=1") {
+  const auto chosen = [](const std::string& model, const std::string& poisson,
+                         const std::string& setting = "Materials/rock/Young Modulus=1") {
     return modelOf({"Model=" + model, "Materials/rock/Poisson Ratio=" + poisson, setting}).materialOfBody[0].element;
   };
   for (const std::string model : {"Plane Strain", "Axisymmetric"}) {

@@ -1,7 +1,7 @@
 // Bodies of revolution against solutions in three dimensions.
 #include <Teuchos_UnitTestHarness.hpp>
-#include <suture/solver/Monolithic.hpp>
 #include <suture/constraints/RigidMotion.hpp>
+#include <suture/solver/Monolithic.hpp>
 #include <suture/solver/Solvability.hpp>
 
 #include "RoundScenes.hpp"

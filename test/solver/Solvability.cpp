@@ -1,8 +1,8 @@
 #include <Teuchos_UnitTestHarness.hpp>
 #include <suture/base/Errors.hpp>
+#include <suture/base/NonnegativeLeastSquares.hpp>
 #include <suture/mesh/Generators.hpp>
 #include <suture/solver/MonolithicSystem.hpp>
-#include <suture/base/NonnegativeLeastSquares.hpp>
 #include <suture/solver/Solvability.hpp>
 
 #include "MonolithicScenes.hpp"
