@@ -51,7 +51,7 @@ ContactFigures contactFigures(const Solution& solution, int pieces) {
 
 double pressureError(const ContactPiece& piece, double largest) { return largest > 0 ? piece.pressureDoubt / largest : 0.0; }
 
-/// Of the largest pressure: what triangles leave to meshes that are fine enough is less.
+/// Share of the largest pressure above which an oscillation is said: triangles that are fine enough leave less.
 constexpr double kSeenOscillation = 0.03;
 
 std::vector<std::string> pressureNotes(const Comm& comm, const std::vector<ContactPiece>& pieces, const Solution& solution) {

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <suture/report/PressureOscillation.hpp>
 
 namespace suture {
@@ -9,10 +8,10 @@ namespace {
 
 constexpr int kAlternating = 4;  // second differences in a row: a peak at one pair has three
 
-/// Of the pressures of neighbouring closed pairs.
+/// Amplitude of what alternates in the pressures of neighbouring closed pairs. [stress]
 double oscillation(const std::vector<double>& pressures) {
   double largest = 0.0, before = 0.0;
-  std::vector<double> row;  // of alternating second differences
+  std::vector<double> row;  // magnitudes of successive second differences whose signs alternate
   for (std::size_t j = 1; j + 1 < pressures.size(); ++j) {
     const double second = pressures[j - 1] - 2.0 * pressures[j] + pressures[j + 1];
     if (before * second >= 0.0) row.clear();
