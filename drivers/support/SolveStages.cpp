@@ -262,17 +262,17 @@ RunResult reportStage(const Run& run, const SolveOptions& options) {
   // First: who asked for the stop may not wait for the rest.
   if (code != ExitCode::Done || output.get<bool>("Checkpoint"))
     writeCheckpoint(run.comm, checkpointPath(run.folder), run.meshHash, run.subdomains, run.solution);
-  const std::string summary = writeReport(run, code);
+  const Written written = writeReport(run, code);
   if (code == ExitCode::Done && !output.get<bool>("Checkpoint") && output.get<double>("Checkpoint Every") > 0.0 &&
       run.comm.getRank() == 0) {
     std::error_code ignored;
     std::filesystem::remove(checkpointPath(run.folder), ignored);
   }
-  printFooter(consoleOf(run.comm, options.quiet), run);
+  if (std::ostream* console = consoleOf(run.comm, options.quiet)) printFooter(*console, run, written.figures);
   // With --quiet the exit code would be all that tells.
   if (code != ExitCode::Done && options.quiet && run.comm.getRank() == 0)
     std::cerr << "suture_solve: " << (run.solution.converged ? "" : "not converged: ") << run.solution.failure << std::endl;
-  return {code, run.solution.failure, summary};
+  return {code, run.solution.failure, written.summary};
 }
 
 }  // namespace suture

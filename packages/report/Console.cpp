@@ -89,22 +89,17 @@ void printHeader(std::ostream& console, const Comm& comm, const SceneFile& scene
   console << std::endl;
 }
 
-void printFooter(std::ostream* console, const Run& run) {
-  const double largest = maxDisplacement(run);
-  const std::vector<Timers::Statistics> phases = run.timers.statistics(run.comm);
-  const Memory memory = peakMemory(run.comm);
-  if (!console || run.comm.getRank() != 0) return;
-
-  *console << ending(run, largest) << "\n"
-           << verdict(run.solution.verification) << exactErrors(run.solution.errors) << estimatedErrors(run.solution);
-  for (const Timers::Statistics& phase : phases) *console << format("   %s %.2f s", phase.phase.c_str(), phase.max);
-  *console << format("   total %.2f s   peak %.0f MB a rank\n", run.timers.total(), memory.max);
+void printFooter(std::ostream& console, const Run& run, const RunFigures& figures) {
+  console << ending(run, figures.largestDisplacement) << "\n"
+          << verdict(run.solution.verification) << exactErrors(run.solution.errors) << estimatedErrors(run.solution);
+  for (const Timers::Statistics& phase : figures.phases) console << format("   %s %.2f s", phase.phase.c_str(), phase.max);
+  console << format("   total %.2f s   peak %.0f MB a rank\n", run.timers.total(), figures.memory.max);
   std::string folder = run.folder;
   if (folder.empty() || folder.back() != '/') folder += '/';
-  *console << "   " << folder;
+  console << "   " << folder;
   for (const char* name : {"fields_0000.vtkhdf", "contact_0000.vtkhdf", "history.csv", "summary.json"})
-    if (std::filesystem::exists(std::filesystem::path(run.folder) / name)) *console << "  " << name;
-  *console << std::endl;
+    if (std::filesystem::exists(std::filesystem::path(run.folder) / name)) console << "  " << name;
+  console << std::endl;
 }
 
 }  // namespace suture

@@ -1,5 +1,5 @@
 #pragma once
-#include <suture/report/Run.hpp>
+#include <suture/report/Figures.hpp>
 
 #include <iosfwd>
 
@@ -8,8 +8,7 @@ namespace suture {
 /// First line of the console: version, title, ranks, sizes. Local; rank 0's stream.
 void printHeader(std::ostream& console, const Comm& comm, const SceneFile& scene, const ProblemSize& size);
 
-/// Last lines of the console: converged or why not, contact figures, phases, memory, files. Collective; prints on rank 0, and only if
-/// its `console` is not null.
-void printFooter(std::ostream* console, const Run& run);
+/// Last lines of the console: converged or why not, contact figures, phases, memory, files. Local; rank 0's stream.
+void printFooter(std::ostream& console, const Run& run, const RunFigures& figures);
 
 }  // namespace suture

@@ -139,6 +139,8 @@ double maxDisplacement(const Run& run) { return largestDisplacement(run.comm, ru
 
 Memory peakMemory(const Comm& comm) { return memoryFigures(comm, peakMemoryMb()); }
 
+RunFigures runFigures(const Run& run) { return {maxDisplacement(run), run.timers.statistics(run.comm), peakMemory(run.comm)}; }
+
 Memory memoryFigures(const Comm& comm, double mine) {
   Memory memory{};
   Teuchos::reduceAll(comm, Teuchos::REDUCE_MIN, mine, Teuchos::outArg(memory.min));

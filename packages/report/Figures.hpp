@@ -49,6 +49,16 @@ struct Memory {
 };
 /// Collective.
 Memory peakMemory(const Comm& comm);
+
+/// What summary and console say of a run beside its solution, once its files are written.
+struct RunFigures {
+  double largestDisplacement;              ///< largest |u| over all nodes [length]
+  std::vector<Timers::Statistics> phases;  ///< [s]
+  Memory memory;                           ///< [MB]
+};
+/// Collective.
+RunFigures runFigures(const Run& run);
+
 /// Over all ranks, of what each has. Collective.
 Memory memoryFigures(const Comm& comm, double mine);
 

@@ -55,6 +55,11 @@ class Staging {
     move("summary.json");
     std::filesystem::remove(folder / "summary.previous.json", error);
   }
+  /// Takes the summary back: the run has failed after all.
+  void withdraw(const std::filesystem::path& folder) const {
+    std::error_code ignored;
+    if (isRoot_) std::filesystem::remove(folder / "summary.json", ignored);
+  }
 
  private:
   bool isRoot_;
@@ -63,7 +68,7 @@ class Staging {
 
 }  // namespace
 
-std::string writeReport(const Run& run, ExitCode code) {
+Written writeReport(const Run& run, ExitCode code) {
   const std::filesystem::path folder(run.folder);
   const Staging staging(run.comm, folder);
   {
@@ -74,9 +79,15 @@ std::string writeReport(const Run& run, ExitCode code) {
     }
     collectivelyOnRoot(run.comm, "writing history.csv", [&] { writeHistory(run.monitor.rows(), staging / "history.csv"); });
   }
-  const std::string text = writeSummary(run, code, staging / "summary.json");
-  collectivelyOnRoot(run.comm, "putting the results in place", [&] { staging.moveTo(folder); });
-  return text;
+  Written written{{}, runFigures(run)};
+  written.summary = writeSummary(run, written.figures, code, staging / "summary.json");
+  try {
+    collectivelyOnRoot(run.comm, "putting the results in place", [&] { staging.moveTo(folder); });
+  } catch (...) {
+    staging.withdraw(folder);
+    throw;
+  }
+  return written;
 }
 
 }  // namespace suture

@@ -8,11 +8,18 @@
 
 namespace suture {
 
+/// What a report leaves to be said.
+struct Written {
+  std::string summary;  ///< text of summary.json on rank 0, elsewhere nothing
+  RunFigures figures;
+};
+
 /// fields_0000.vtkhdf (and contact_0000.vtkhdf with contact lines), history.csv, summary.json. All of them are written into a folder `.new`
 /// first; only when all are complete do they replace those of an earlier run, one rename each, summary.json last. The files are written
 /// also for a run that did not converge; summary.json says so. Files of an earlier run into the same folder that this one does not write
-/// are removed. Its time is the phase "write" of the run's timers. Collective. \return on rank 0 the text of summary.json, elsewhere
-/// nothing \throws EnvironmentError  when something cannot be written
-std::string writeReport(const Run& run, ExitCode code);
+/// are removed. Its time is the phase "write" of the run's timers. No rank has anything to do once the results are in place: a run that
+/// fails later would leave a summary that does not know it. Collective.
+/// \throws EnvironmentError  when something cannot be written
+Written writeReport(const Run& run, ExitCode code);
 
 }  // namespace suture

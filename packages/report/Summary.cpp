@@ -95,11 +95,9 @@ Json verification(const Verification& verdict) {
 
 }  // namespace
 
-std::string writeSummary(const Run& run, ExitCode code, const std::string& path) {
+std::string writeSummary(const Run& run, const RunFigures& figures, ExitCode code, const std::string& path) {
   const int dimension = dimensionOf(run);
-  const double largest = maxDisplacement(run);
-  const std::vector<Timers::Statistics> statistics = run.timers.statistics(run.comm);
-  const Memory memory = peakMemory(run.comm);
+  const Memory& memory = figures.memory;
   const Memory read = memoryFigures(run.comm, run.solution.bytesRead / (1 << 20));
   const ElementsByRank elements = elementsByRank(run);
   std::string text;
@@ -108,7 +106,8 @@ std::string writeSummary(const Run& run, ExitCode code, const std::string& path)
     const Solution& answer = run.solution;
     const Parameters& parameters = *run.scene.parameters;
     Json phases = Json::object();
-    for (const Timers::Statistics& phase : statistics) phases[phase.phase] = {{"min", phase.min}, {"avg", phase.avg}, {"max", phase.max}};
+    for (const Timers::Statistics& phase : figures.phases)
+      phases[phase.phase] = {{"min", phase.min}, {"avg", phase.avg}, {"max", phase.max}};
     Json versions = {{"suture", version()}, {"commit", commit()}};
     for (const auto& [library, number] : libraryVersions()) versions[library] = number;
 
@@ -134,7 +133,7 @@ std::string writeSummary(const Run& run, ExitCode code, const std::string& path)
         {"contact", contact(run, dimension)},
         {"neutral_motions", neutralMotions(answer.neutral)},
         {"energy", answer.energy},
-        {"max_displacement", largest},
+        {"max_displacement", figures.largestDisplacement},
         {"equilibrium",
          {{"applied", components(answer.verification.balance.applied, dimension)},
           {"reactions", components(answer.verification.balance.reactions, dimension)},

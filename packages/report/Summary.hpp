@@ -1,6 +1,6 @@
 #pragma once
 #include <suture/base/Errors.hpp>
-#include <suture/report/Run.hpp>
+#include <suture/report/Figures.hpp>
 
 #include <string>
 #include <vector>
@@ -11,7 +11,7 @@ namespace suture {
 /// components as the scene has dimensions. A number that is not finite is null. Collective; rank 0 writes.
 /// \return on rank 0 what was written, elsewhere nothing
 /// \throws EnvironmentError
-std::string writeSummary(const Run& run, ExitCode code, const std::string& path);
+std::string writeSummary(const Run& run, const RunFigures& figures, ExitCode code, const std::string& path);
 
 /// The names of all numbers and texts in summary.json, as paths with dots ("outer.pcg_total"). A part in angle brackets stands for a name
 /// that the scene gives, or a number of a list ("contact.force.<piece>.<component>"); after "parameters" any path may follow. Local.

@@ -20,7 +20,7 @@ json readJson(const std::string& path) { return json::parse(std::ifstream(path))
 TEUCHOS_UNIT_TEST(Summary, HoldsTheKeysOfTheContract) {
   sample::SampleRun sample(sample::folderOf("summary"));
   prepareFolder(*sample.comm_, sample.folder_);
-  writeSummary(sample.run(), ExitCode::Done, sample.folder_ + "/summary.json");
+  writeSummary(sample.run(), runFigures(sample.run()), ExitCode::Done, sample.folder_ + "/summary.json");
   const json all = readJson(sample.folder_ + "/summary.json");
   for (const char* key : {"/converged",
                           "/exit_code",
@@ -90,7 +90,7 @@ bool fits(const std::string& path, const std::string& pattern) {
 TEUCHOS_UNIT_TEST(Summary, ReturnsOnRootWhatItWrote) {
   sample::SampleRun sample(sample::folderOf("summary"));
   prepareFolder(*sample.comm_, sample.folder_);
-  const std::string text = writeSummary(sample.run(), ExitCode::Done, sample.folder_ + "/summary.json");
+  const std::string text = writeSummary(sample.run(), runFigures(sample.run()), ExitCode::Done, sample.folder_ + "/summary.json");
   if (sample.comm_->getRank() == 0)
     TEST_ASSERT(json::parse(text) == readJson(sample.folder_ + "/summary.json"))
   else
@@ -104,7 +104,7 @@ TEUCHOS_UNIT_TEST(Summary, NamesEveryPathThatItWritesAndNoOther) {
   sample.solution_.errors["displacement_l2"] = 1e-5;
   sample.solution_.neutral = {{"left", "move (1, 0)", true, true}};
   prepareFolder(*sample.comm_, sample.folder_);
-  writeSummary(sample.run(), ExitCode::Done, sample.folder_ + "/summary.json");
+  writeSummary(sample.run(), runFigures(sample.run()), ExitCode::Done, sample.folder_ + "/summary.json");
   std::vector<std::string> written;
   leaves(readJson(sample.folder_ + "/summary.json"), "", written);
   const std::set<std::string> mayBeAbsent{"notes.<number>"};  // empty in this run
@@ -126,7 +126,7 @@ TEUCHOS_UNIT_TEST(Summary, TellsTheLargestConditionAndHowEvenlyTheElementsLie) {
   sample::SampleRun sample(sample::folderOf("summary"));
   sample.solution_.coarseSize = 7;
   prepareFolder(*sample.comm_, sample.folder_);
-  writeSummary(sample.run(), ExitCode::Done, sample.folder_ + "/summary.json");
+  writeSummary(sample.run(), runFigures(sample.run()), ExitCode::Done, sample.folder_ + "/summary.json");
   const json all = readJson(sample.folder_ + "/summary.json");
   TEST_EQUALITY(all["outer"]["condition"].get<double>(), 24.125);  // of the rows' 24.125 and 24.0
   TEST_EQUALITY(all["preconditioner"]["coarse_size"].get<int>(), 7);
@@ -140,7 +140,7 @@ TEUCHOS_UNIT_TEST(Summary, TellsTheLargestConditionAndHowEvenlyTheElementsLie) {
 TEUCHOS_UNIT_TEST(Summary, SumsUpContact) {
   sample::SampleRun sample(sample::folderOf("summary"));
   prepareFolder(*sample.comm_, sample.folder_);
-  writeSummary(sample.run(), ExitCode::Done, sample.folder_ + "/summary.json");
+  writeSummary(sample.run(), runFigures(sample.run()), ExitCode::Done, sample.folder_ + "/summary.json");
   const json contact = readJson(sample.folder_ + "/summary.json")["contact"];
   TEST_EQUALITY(contact["pairs"].get<int>(), 4);
   TEST_EQUALITY(contact["active"].get<int>(), 3);
@@ -156,7 +156,7 @@ TEUCHOS_UNIT_TEST(Summary, SumsUpContact) {
 TEUCHOS_UNIT_TEST(Summary, MeasuresTheWholeMeshOverAllRanks) {
   sample::SampleRun sample(sample::folderOf("summary"));
   prepareFolder(*sample.comm_, sample.folder_);
-  writeSummary(sample.run(), ExitCode::Done, sample.folder_ + "/summary.json");
+  writeSummary(sample.run(), runFigures(sample.run()), ExitCode::Done, sample.folder_ + "/summary.json");
   const json all = readJson(sample.folder_ + "/summary.json");
   // |u| of a linear field is largest in a corner of [0,2]^2: (2, 2).
   const double ux = 2 * (sample::Uxx + sample::Uxy), uy = 2 * (sample::Uyx + sample::Uyy);
@@ -171,7 +171,7 @@ TEUCHOS_UNIT_TEST(Summary, MeasuresTheWholeMeshOverAllRanks) {
 TEUCHOS_UNIT_TEST(Summary, NestsTheResolvedParameters) {
   sample::SampleRun sample(sample::folderOf("summary"));
   prepareFolder(*sample.comm_, sample.folder_);
-  writeSummary(sample.run(), ExitCode::Done, sample.folder_ + "/summary.json");
+  writeSummary(sample.run(), runFigures(sample.run()), ExitCode::Done, sample.folder_ + "/summary.json");
   const json parameters = readJson(sample.folder_ + "/summary.json")["parameters"];
   TEST_EQUALITY(parameters["Title"].get<std::string>(), "Two \"blocks\"");
   TEST_EQUALITY(parameters["Outer Solver"]["Tolerance"].get<double>(), 1e-8);
@@ -186,7 +186,7 @@ TEUCHOS_UNIT_TEST(Summary, SaysThatARunFailed) {
   sample.solution_.failure = "50 iterations were not enough";
   sample.solution_.energy = std::numeric_limits<double>::quiet_NaN();
   prepareFolder(*sample.comm_, sample.folder_);
-  writeSummary(sample.run(), ExitCode::Numerical, sample.folder_ + "/summary.json");
+  writeSummary(sample.run(), runFigures(sample.run()), ExitCode::Numerical, sample.folder_ + "/summary.json");
   const json all = readJson(sample.folder_ + "/summary.json");
   TEST_EQUALITY(all["converged"].get<bool>(), false);
   TEST_EQUALITY(all["exit_code"].get<int>(), 4);
@@ -198,7 +198,7 @@ TEUCHOS_UNIT_TEST(Summary, SaysWhichErrorsAreKnown) {
   sample::SampleRun sample(sample::folderOf("summary"));
   prepareFolder(*sample.comm_, sample.folder_);
   const auto written = [&] {
-    writeSummary(sample.run(), ExitCode::Done, sample.folder_ + "/summary.json");
+    writeSummary(sample.run(), runFigures(sample.run()), ExitCode::Done, sample.folder_ + "/summary.json");
     return readJson(sample.folder_ + "/summary.json");
   };
   json all = written();
