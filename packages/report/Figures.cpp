@@ -63,7 +63,7 @@ std::vector<std::string> pressureNotes(const Comm& comm, const std::vector<Conta
       if (oscillation[p] > kSeenOscillation * figures.pressureOf[p]) {
         const double share = oscillation[p] / figures.pressureOf[p];
         said += format(
-            "%scontact '%s': pressures alternate from node to node by %.0f %% of the largest: their mean is right, each is not. "
+            "%scontact '%s': pressures alternate from node to node by %.0f %% of the largest: the mesh does not resolve them. "
             "Finer elements, quadrilaterals or second order reduce it\n",
             share > 0.1 ? "warning: " : "", pieces[p].name.c_str(), 100 * share);
       }
