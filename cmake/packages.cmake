@@ -1,6 +1,6 @@
 # The packages in the order in which data flows. A package may include only packages to its left: each is a target of its own whose
 # include path holds its predecessors and nothing else, so that a wrong #include does not compile. All of them make one libsuture.so.
-set(SUTURE_ALL_PACKAGES base mesh constraints partition elasticity quality subdomain contact interface precond solver report)
+set(SUTURE_ALL_PACKAGES base algebra mesh constraints partition elasticity quality subdomain contact interface precond solver reference report)
 set(SUTURE_PACKAGES "${SUTURE_ALL_PACKAGES}" CACHE STRING "Packages to build: a leading part of the list, for work on one of them")
 
 # suture_package(name SOURCES a.cpp b.cpp LINK suture::x): one folder under packages/.

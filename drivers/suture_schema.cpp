@@ -3,10 +3,10 @@
 #include <iostream>
 #include <suture/report/SceneSchema.hpp>
 
+#include "study/Schema.hpp"
 #include "support/CommandLine.hpp"
 #include "support/Plugins.hpp"
 #include "support/Program.hpp"
-#include "support/StudySchema.hpp"
 
 int main(int argc, char* argv[]) {
   const std::string name = "suture_schema";
@@ -22,7 +22,8 @@ int main(int argc, char* argv[]) {
   if (const auto end = suture::parseCommandLine(argc, argv, name, "The documented parameters of a Suture scene.", describe)) return *end;
   try {
     suture::loadPlugins(plugins);
-    if (suture::isFirstProcess()) std::cout << (study ? suture::studySchema() : suture::sceneSchema()).document(format) << std::flush;
+    if (suture::isFirstProcess())
+      std::cout << (study ? suture::study::studySchema() : suture::sceneSchema()).document(format) << std::flush;
     return std::cout.good() ? 0 : int(suture::ExitCode::Environment);
   } catch (const std::exception& error) {
     const suture::Explanation end = suture::explain(name, "", error);

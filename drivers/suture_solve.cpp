@@ -4,6 +4,7 @@
 
 #include <suture/base/Timers.hpp>
 #include <suture/elasticity/LockingNotes.hpp>
+#include <suture/reference/MonolithicScene.hpp>
 #include <suture/report/Figures.hpp>
 #include <suture/solver/SolverSchema.hpp>
 

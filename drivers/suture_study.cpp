@@ -3,19 +3,17 @@
 #include <Teuchos_Comm.hpp>
 #include <suture/report/OutputFolder.hpp>
 
+#include "study/Loop.hpp"
 #include "support/Plugins.hpp"
-#include "support/StudyLoop.hpp"
 
-using namespace suture;
+namespace suture::study {
 
-namespace {
-
-ExitCode run(const CommPtr& comm, const StudyOptions& options) {
+ExitCode run(const CommPtr& comm, const Options& options) {
   loadPlugins(options.plugins);
   const Study study = readStudy(*comm, options.study, options.ofTheStudy);
   Problems problems;
-  const StudyFilter only = readOnly(study, options.only, problems);
-  const std::vector<StudyRun> runs = combinations(study, options.overrides, only, problems);
+  const Filter only = readOnly(study, options.only, problems);
+  const std::vector<Run> runs = combinations(study, options.overrides, only, problems);
   problems.throwIfAny();
   checkRuns(*comm, study, runs);
   if (options.check) {
@@ -24,14 +22,14 @@ ExitCode run(const CommPtr& comm, const StudyOptions& options) {
   }
   prepareFolder(*comm, options.folder());
   const FolderLock lock(*comm, options.folder());
-  const StudyRows rows = runAll(comm, study, runs, options);
+  const Rows rows = runAll(comm, study, runs, options);
   return reportStudy(*comm, study, rows, options);
 }
 
-}  // namespace
+}  // namespace suture::study
 
 int main(int argc, char* argv[]) {
-  StudyOptions options;
+  suture::study::Options options;
   if (const auto end = options.parse(argc, argv)) return *end;
-  return runProgram("suture_study", options.study, [&](const CommPtr& comm) { return run(comm, options); });
+  return suture::runProgram("suture_study", options.study, [&](const suture::CommPtr& comm) { return suture::study::run(comm, options); });
 }

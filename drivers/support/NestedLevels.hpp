@@ -1,6 +1,6 @@
 #pragma once
 #include <suture/base/Monitor.hpp>
-#include <suture/base/SceneReader.hpp>
+#include <suture/base/scene/SceneReader.hpp>
 #include <suture/solver/SolveScene.hpp>
 
 #include <memory>

@@ -14,8 +14,8 @@
 #include <iostream>
 #include <new>
 #include <suture/base/Collective.hpp>
-#include <suture/base/Hdf5File.hpp>
 #include <suture/base/Memory.hpp>
+#include <suture/base/hdf5/Hdf5File.hpp>
 #include <thread>
 #include <vector>
 

@@ -14,8 +14,8 @@
 #include <suture/quality/Verify.hpp>
 #include <suture/report/Checkpoint.hpp>
 #include <suture/report/Units.hpp>
-#include <suture/solver/NeutralMotions.hpp>
-#include <suture/solver/Solvability.hpp>
+#include <suture/solver/solvability/NeutralMotions.hpp>
+#include <suture/solver/solvability/Solvability.hpp>
 
 #include "NestedLevels.hpp"
 #include "Program.hpp"
@@ -201,7 +201,9 @@ bool wantsErrorEstimate(const Parameters& scene) { return scene.sublist("Output"
 void errorStage(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model, const Parameters& scene,
                 Solution& solution, Timers& timers) {
   if (!model.exact.empty())
-    solution.errors = timed(timers, "errors", [&] { return exactErrors(comm, meshes, model, scene.sublist("Contact"), solution); });
+    solution.errors = timed(timers, "errors", [&] {
+      return exactErrors(comm, meshes, model, scene.sublist("Contact"), solution.displacement, solution.pairs);
+    });
   if (wantsErrorEstimate(scene) && !solution.discretisation)
     solution.discretisation = timed(timers, "estimate", [&] { return estimateError(comm, meshes, model, solution.displacement); });
 }

@@ -1,12 +1,12 @@
 #pragma once
-#include <suture/base/SceneReader.hpp>
+#include <suture/base/scene/SceneReader.hpp>
 #include <suture/constraints/Constraints.hpp>
 #include <suture/elasticity/ElasticModel.hpp>
 #include <suture/mesh/Mesh.hpp>
 #include <suture/partition/PartitionFile.hpp>
+#include <suture/quality/ExactErrors.hpp>
 #include <suture/report/Report.hpp>
 #include <suture/report/SceneSchema.hpp>
-#include <suture/solver/ExactErrors.hpp>
 #include <suture/solver/MemoryEstimate.hpp>
 #include <suture/solver/SolveScene.hpp>
 

@@ -10,8 +10,8 @@
 
 #include "Errors.hpp"
 #include "Numbers.hpp"
-#include "SceneReader.hpp"
-#include "Schema.hpp"
+#include <suture/base/scene/SceneReader.hpp>
+#include <suture/base/scene/Schema.hpp>
 
 namespace suture {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 #include <suture/base/Errors.hpp>
-#include <suture/base/Schema.hpp>
+#include <suture/base/scene/Schema.hpp>
 
 #include <functional>
 #include <map>

@@ -6,7 +6,7 @@
 #include <Libraries.hpp>
 
 #include "Expression.hpp"
-#include "Hdf5File.hpp"
+#include <suture/base/hdf5/Hdf5File.hpp>
 
 namespace suture {
 namespace {

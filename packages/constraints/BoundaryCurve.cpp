@@ -17,7 +17,7 @@ using Curvature = std::optional<double>;
 
 Curvature curvatureBetween(const Point& before, const Point& after) {
   if (angleBetween(before, after) > kCornerAngle) return std::nullopt;
-  const double a = norm(before), b = norm(after), turn = cross(before, after);
+  const double a = norm(before), b = norm(after), turn = cross(before, after)[2];
   if (std::abs(turn) <= kStraight * a * b) return 0.0;
   const Point whole{before[0] + after[0], before[1] + after[1], 0};
   return 2 * turn / (a * b * norm(whole));

@@ -7,23 +7,7 @@
 
 namespace suture {
 
-double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1]; }
-double cross(const Point& a, const Point& b) { return a[0] * b[1] - a[1] * b[0]; }
-double norm(const Point& a) { return std::hypot(a[0], a[1]); }
-Point minus(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], 0}; }
 Point turned(const Point& a) { return {-a[1], a[0], 0}; }
-double angleBetween(const Point& a, const Point& b) { return std::atan2(std::abs(cross(a, b)), dot(a, b)); }
-
-Point unit(const Point& a) {
-  const double length = norm(a);
-  Point u{a[0] / length, a[1] / length, 0};
-  for (int k = 0; k < 2; ++k) {
-    if (std::abs(u[k]) > 1e-9) continue;
-    u[k] = 0;
-    u[1 - k] = std::copysign(1.0, u[1 - k]);
-  }
-  return u;
-}
 
 BoundaryLine::BoundaryLine(const CellBlock& block, const std::vector<Side>& sides) {
   for (const Side& side : sides) addSide(block, block.nodesOf(side));

@@ -1,4 +1,5 @@
 #pragma once
+#include <suture/base/Point.hpp>
 #include <suture/base/Types.hpp>
 #include <suture/mesh/CellBlock.hpp>
 
@@ -47,16 +48,7 @@ class BoundaryLine {
   std::vector<Chain> chains_;
 };
 
-/// Plane vectors, for the constraints' geometry.
-double dot(const Point& a, const Point& b);
-double cross(const Point& a, const Point& b);
-double norm(const Point& a);
-Point minus(const Point& a, const Point& b);
-/// a / |a|; components that are mere rounding (below 1e-9) become zero, so that straight axis-parallel lines have exact normals.
-Point unit(const Point& a);
-/// A quarter turn to the left.
+/// A quarter turn to the left, in the plane.
 Point turned(const Point& a);
-/// Between two directions, 0 .. pi.
-double angleBetween(const Point& a, const Point& b);
 
 }  // namespace suture

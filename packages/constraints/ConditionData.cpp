@@ -1,5 +1,5 @@
 #include <suture/base/Errors.hpp>
-#include <suture/base/SceneReader.hpp>
+#include <suture/base/scene/SceneReader.hpp>
 #include <suture/constraints/ConditionData.hpp>
 
 #include <Teuchos_Array.hpp>

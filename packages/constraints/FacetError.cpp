@@ -12,9 +12,7 @@ namespace {
 constexpr double kPressureOfGap = 2.4;  // nodal pressure error over E* (second difference of the gap) / h, measured on conforming pins
 constexpr double kNoInterference = 1e-6;
 
-double distance(const ContactPair& a, const ContactPair& b) {
-  return norm({a.position[0] - b.position[0], a.position[1] - b.position[1], 0});
-}
+double distance(const ContactPair& a, const ContactPair& b) { return norm(minus(a.position, b.position)); }
 
 /// Second difference of the gaps at a pair of a chain, at its ends that of the next.
 double bendAt(const std::vector<ContactPair>& pairs, const PairedLine::Chain& chain, int i) {

@@ -99,7 +99,7 @@ class Matcher {
     double theta = 0;
     for (const Point& n : a_.normalsNear(nodeA)) theta = std::max(theta, angleBetween(n, s.normal));
     for (const Point& n : b_.normalsNear(nodeB)) theta = std::max(theta, angleBetween({-n[0], -n[1], 0}, s.normal));
-    s.excess = std::max(0.0, std::abs(cross(d, s.normal)) - std::abs(s.gap) * std::tan(std::min(theta, pi / 3)));
+    s.excess = std::max(0.0, norm(cross(d, s.normal)) - std::abs(s.gap) * std::tan(std::min(theta, pi / 3)));
     // Between curved sides the nodes may stand opposite along any direction between the normals. Forces along it have no moment.
     if (theta > parallel && s.excess == 0 && norm(d) > coincident * meshSize(nodeA, nodeB)) {
       s.normal = unit(s.gap > 0 ? d : Point{-d[0], -d[1], 0});

@@ -49,7 +49,7 @@ bool MortarSampling::isCurved() const {
 
 /// Where the normal at a point of the carrying side meets an element of the other, face to face.
 std::optional<MortarSampling::Meeting> MortarSampling::meet(const Point& from, const Point& normal, const Segment& other) {
-  const auto eta = zeroOf([&](double t) { return cross(minus(other.at(t), from), normal); });
+  const auto eta = zeroOf([&](double t) { return cross(minus(other.at(t), from), normal)[2]; });
   if (!eta) return std::nullopt;
   const Point tangent = other.tangent(*eta);
   if (dot(unit({tangent[1], -tangent[0], 0}), normal) > -kFacing) return std::nullopt;
@@ -92,7 +92,7 @@ std::vector<double> MortarSampling::breaks(const Segment& own, const Point& norm
   std::vector<double> all{-1, 1};
   for (const Segment& other : other_)
     for (int end = 0; end < 2; ++end)
-      if (const auto xi = zeroOf([&](double t) { return cross(minus(other.end(end), own.at(t)), normal); })) all.push_back(*xi);
+      if (const auto xi = zeroOf([&](double t) { return cross(minus(other.end(end), own.at(t)), normal)[2]; })) all.push_back(*xi);
   std::sort(all.begin(), all.end());
   all.erase(std::unique(all.begin(), all.end(), [](double a, double b) { return b - a < kSamePlace; }), all.end());
   if (1 - all.back() < kSamePlace) all.back() = 1;
@@ -136,7 +136,7 @@ Point MortarSampling::meanNormal(const Segment& own, int node) const {
   const Segment* other = nearest(from, normal);
   if (!other) return normal;
   const Point facing = other->normalAt(meet(from, normal, *other)->eta);
-  return std::abs(cross(normal, facing)) > kOpposite ? unit(minus(normal, facing)) : normal;
+  return norm(cross(normal, facing)) > kOpposite ? unit(minus(normal, facing)) : normal;
 }
 
 MortarSampling::Samples MortarSampling::sample(const Segment& own, const Point& normal) const {

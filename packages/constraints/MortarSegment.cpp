@@ -30,7 +30,7 @@ MortarSegment::MortarSegment(const Mesh& mesh, const BoundaryLine& line, const s
   }
   if (isLinear()) return;
   const Point chord = unit(minus(points_[1], points_[0]));
-  height_ = cross(minus(points_[2], points_[0]), chord);  // outward: to the right of the chord
+  height_ = cross(minus(points_[2], points_[0]), chord)[2];  // outward: to the right of the chord
   skew_ = dot(minus(points_[2], points_[0]), chord) - length() / 2;
   straight_ = std::abs(height_) < std::abs(arcOver(bend_.at(0), length(), 0).height) / 8;
 }

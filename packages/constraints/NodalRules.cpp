@@ -121,12 +121,12 @@ NodeRule ruleOf(int node, const std::vector<Row>& rows, Contradictions& contradi
   double scale = 0;
   for (const Row& row : rows) {
     scale = std::max(scale, std::abs(row.value));
-    if (!second && std::abs(cross(first.direction, row.direction)) > parallel) second = &row;
+    if (!second && norm(cross(first.direction, row.direction)) > parallel) second = &row;
   }
   NodeRule rule;
   rule.node = node;
   if (second) {  // two equations for two components
-    const double det = cross(first.direction, second->direction);
+    const double det = cross(first.direction, second->direction)[2];
     rule.fixed = {true, true, false};
     rule.value = {(first.value * second->direction[1] - second->value * first.direction[1]) / det,
                   (first.direction[0] * second->value - second->direction[0] * first.value) / det, 0};
@@ -147,7 +147,7 @@ NodeRule ruleOf(int node, const std::vector<Row>& rows, Contradictions& contradi
     for (int k = 0; k < 2; ++k)
       if (rule.fixed[k]) along += dot(rule.axes[k], row.direction) * rule.value[k];
     if (std::abs(along - row.value) <= sameValue * scale) continue;
-    const bool likeFirst = std::abs(cross(first.direction, row.direction)) <= parallel;
+    const bool likeFirst = norm(cross(first.direction, row.direction)) <= parallel;
     Row kept = likeFirst || !second ? first : *second;
     kept.value = along;
     contradictions.add(node, kept, row);

@@ -1,8 +1,8 @@
 #pragma once
 #include <suture/base/Errors.hpp>
 #include <suture/base/Expression.hpp>
-#include <suture/base/Schema.hpp>
 #include <suture/base/Types.hpp>
+#include <suture/base/scene/Schema.hpp>
 
 #include <functional>
 #include <map>

@@ -1,8 +1,8 @@
+#include <suture/algebra/WorkSpace.hpp>
 #include <suture/base/Dense.hpp>
 #include <suture/base/Errors.hpp>
 #include <suture/contact/ContactCompliance.hpp>
 #include <suture/contact/DelassusProblem.hpp>
-#include <suture/subdomain/WorkSpace.hpp>
 
 #include <algorithm>
 #include <cmath>

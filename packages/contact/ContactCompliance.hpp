@@ -1,7 +1,7 @@
 #pragma once
+#include <suture/algebra/GeneralisedInverse.hpp>
 #include <suture/base/Types.hpp>
 #include <suture/contact/ContactRows.hpp>
-#include <suture/subdomain/GeneralisedInverse.hpp>
 
 #include <memory>
 #include <vector>

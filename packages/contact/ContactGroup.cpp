@@ -1,5 +1,5 @@
+#include <suture/algebra/RigidAssembly.hpp>
 #include <suture/contact/ContactGroup.hpp>
-#include <suture/subdomain/RigidAssembly.hpp>
 #include <suture/subdomain/SchurComplement.hpp>
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #pragma once
+#include <suture/algebra/GeneralisedInverse.hpp>
 #include <suture/contact/ContactCompliance.hpp>
 #include <suture/contact/ContactRows.hpp>
-#include <suture/subdomain/GeneralisedInverse.hpp>
 #include <suture/subdomain/Subdomain.hpp>
 
 #include <memory>

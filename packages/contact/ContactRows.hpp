@@ -1,6 +1,6 @@
 #pragma once
+#include <suture/algebra/SparseMatrix.hpp>
 #include <suture/base/Types.hpp>
-#include <suture/subdomain/SparseMatrix.hpp>
 
 #include <vector>
 

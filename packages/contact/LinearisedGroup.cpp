@@ -1,5 +1,5 @@
+#include <suture/algebra/WorkSpace.hpp>
 #include <suture/contact/LinearisedGroup.hpp>
-#include <suture/subdomain/WorkSpace.hpp>
 
 #include <algorithm>
 #include <sstream>

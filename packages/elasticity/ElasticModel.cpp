@@ -3,7 +3,7 @@
 #include <set>
 #include <sstream>
 #include <suture/base/Errors.hpp>
-#include <suture/base/SceneReader.hpp>
+#include <suture/base/scene/SceneReader.hpp>
 #include <suture/constraints/ConditionData.hpp>
 #include <suture/elasticity/ElasticModel.hpp>
 #include <suture/mesh/Regions.hpp>

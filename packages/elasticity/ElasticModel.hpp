@@ -1,6 +1,6 @@
 #pragma once
 #include <suture/base/Errors.hpp>
-#include <suture/base/Schema.hpp>
+#include <suture/base/scene/Schema.hpp>
 #include <suture/elasticity/ExactSolution.hpp>
 #include <suture/elasticity/ReferenceElement.hpp>
 #include <suture/mesh/CellBlock.hpp>

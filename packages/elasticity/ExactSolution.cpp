@@ -1,7 +1,7 @@
 #include <Teuchos_ParameterList.hpp>
 #include <algorithm>
 #include <suture/base/Errors.hpp>
-#include <suture/base/SceneReader.hpp>
+#include <suture/base/scene/SceneReader.hpp>
 #include <suture/elasticity/ExactSolution.hpp>
 
 namespace suture {

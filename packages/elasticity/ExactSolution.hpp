@@ -1,6 +1,6 @@
 #pragma once
 #include <suture/base/Expression.hpp>
-#include <suture/base/Schema.hpp>
+#include <suture/base/scene/Schema.hpp>
 
 #include <optional>
 #include <string>

@@ -1,6 +1,6 @@
 #include <suture/base/Collective.hpp>
 #include <suture/base/Errors.hpp>
-#include <suture/base/Hdf5File.hpp>
+#include <suture/base/hdf5/Hdf5File.hpp>
 #include <suture/mesh/CellGeometry.hpp>
 #include <suture/mesh/Hdf5Mesh.hpp>
 #include <suture/mesh/SideTable.hpp>

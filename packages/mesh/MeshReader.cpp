@@ -1,6 +1,6 @@
 #include <suture/base/Collective.hpp>
 #include <suture/base/Errors.hpp>
-#include <suture/base/SceneReader.hpp>
+#include <suture/base/scene/SceneReader.hpp>
 #include <suture/mesh/Generators.hpp>
 #include <suture/mesh/GmshReader.hpp>
 #include <suture/mesh/Hdf5Mesh.hpp>

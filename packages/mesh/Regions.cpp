@@ -1,5 +1,5 @@
 #include <suture/base/Errors.hpp>
-#include <suture/base/SceneReader.hpp>
+#include <suture/base/scene/SceneReader.hpp>
 #include <suture/mesh/CellGeometry.hpp>
 #include <suture/mesh/Regions.hpp>
 

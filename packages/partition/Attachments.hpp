@@ -1,7 +1,7 @@
 #pragma once
-#include <suture/partition/MeshShare.hpp>
 #include <suture/partition/Partition.hpp>
 #include <suture/partition/SubdomainMesh.hpp>
+#include <suture/partition/cut/MeshShare.hpp>
 
 #include <map>
 #include <string>

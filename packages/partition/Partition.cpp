@@ -4,14 +4,14 @@
 #include <suture/base/Buffer.hpp>
 #include <suture/base/Collective.hpp>
 #include <suture/base/Errors.hpp>
-#include <suture/base/SceneReader.hpp>
+#include <suture/base/scene/SceneReader.hpp>
 #include <suture/partition/Attachments.hpp>
-#include <suture/partition/ContactGroups.hpp>
-#include <suture/partition/Costs.hpp>
-#include <suture/partition/Cut.hpp>
 #include <suture/partition/Partition.hpp>
 #include <suture/partition/PartitionFile.hpp>
-#include <suture/partition/Placement.hpp>
+#include <suture/partition/cut/ContactGroups.hpp>
+#include <suture/partition/cut/Costs.hpp>
+#include <suture/partition/cut/Cut.hpp>
+#include <suture/partition/cut/Placement.hpp>
 
 namespace suture {
 

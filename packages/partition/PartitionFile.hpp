@@ -1,6 +1,6 @@
 #pragma once
-#include <suture/base/Hdf5File.hpp>
-#include <suture/base/Schema.hpp>
+#include <suture/base/hdf5/Hdf5File.hpp>
+#include <suture/base/scene/Schema.hpp>
 #include <suture/partition/SubdomainMesh.hpp>
 
 #include <map>

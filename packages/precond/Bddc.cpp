@@ -1,7 +1,7 @@
+#include <suture/algebra/UpdatedInverse.hpp>
 #include <suture/base/Collective.hpp>
 #include <suture/precond/Bddc.hpp>
-#include <suture/precond/CoarseSystem.hpp>
-#include <suture/subdomain/UpdatedInverse.hpp>
+#include <suture/precond/coarse/DirectCoarse.hpp>
 
 #include <Teuchos_Comm.hpp>
 #include <Teuchos_CommHelpers.hpp>
@@ -41,14 +41,14 @@ Schema Bddc::schema() {
   schema.choice("Weighting", "Stiffness Diagonal", Registry<Weighting>::instance().schemas(), "How subdomains share the interface, D_i.");
   schema.choice("Edge Constraints", "Rigid Modes", Registry<EdgeConstraints>::instance().schemas(),
                 "What subdomains have in common on an edge, beside its end points.");
-  CoarseLevels::addParameters(schema);
+  CoarseOptions::addParameters(schema);
   return schema;
 }
 
 Bddc::Bddc(const Parameters& own)
-    : Bddc(makeStrategy<Weighting>(own, "Weighting"), makeStrategy<EdgeConstraints>(own, "Edge Constraints"), CoarseLevels::from(own)) {}
+    : Bddc(makeStrategy<Weighting>(own, "Weighting"), makeStrategy<EdgeConstraints>(own, "Edge Constraints"), CoarseOptions::from(own)) {}
 
-Bddc::Bddc(std::unique_ptr<Weighting> weighting, std::unique_ptr<EdgeConstraints> edges, CoarseLevels levels)
+Bddc::Bddc(std::unique_ptr<Weighting> weighting, std::unique_ptr<EdgeConstraints> edges, CoarseOptions levels)
     : weighting_(std::move(weighting)), edges_(std::move(edges)), levels_(std::move(levels)) {}
 
 struct Bddc::Work {

@@ -1,9 +1,9 @@
 #pragma once
-#include <suture/precond/CoarseLevels.hpp>
 #include <suture/precond/EdgeConstraints.hpp>
 #include <suture/precond/Preconditioner.hpp>
 #include <suture/precond/PrimalConstraints.hpp>
 #include <suture/precond/Weighting.hpp>
+#include <suture/precond/coarse/CoarseOptions.hpp>
 
 #include <memory>
 #include <vector>
@@ -16,14 +16,14 @@ namespace suture {
 /// P_i the inverse of S_i under the primal constraints C_i x = 0, Phi_i the traces of least energy with C_i Phi_i = I, A_i the values of
 /// the constraints in primal unknowns: corners, and what EdgeConstraints demands of edges. Additive: coarse and local problems see the same
 /// residual. Condition C (1 + log H/h)^2, with all eigenvalues at least one. Cost of an application: a dense symmetric product for every
-/// local problem and one coarse solve: exact, or for many local problems approximate by a level more (CoarseLevels). Local problems whose
+/// local problem and one coarse solve: exact, or for many local problems approximate by a level more (CoarseOptions). Local problems whose
 /// S_i and constraints did not change are not factored again; where a few constraints did, the inverse is updated (UpdatedInverse).
 class Bddc : public Preconditioner {
  public:
   static Schema schema();
   explicit Bddc(const Parameters& own);
   /// For programs that bring their own strategies.
-  Bddc(std::unique_ptr<Weighting> weighting, std::unique_ptr<EdgeConstraints> edges, CoarseLevels levels);
+  Bddc(std::unique_ptr<Weighting> weighting, std::unique_ptr<EdgeConstraints> edges, CoarseOptions levels);
   ~Bddc() override;
 
   int coarseSize() const override { return coarse_ ? coarse_->size() : 0; }
@@ -43,7 +43,7 @@ class Bddc : public Preconditioner {
 
   std::unique_ptr<Weighting> weighting_;
   std::unique_ptr<EdgeConstraints> edges_;
-  CoarseLevels levels_;
+  CoarseOptions levels_;
   LocalProblems locals_;  // those the inverses belong to
   std::vector<PrimalConstraints> constraints_;
   // Made for other constraints, perhaps, than the present ones: what inverses_ are updates of.

@@ -61,7 +61,7 @@ void NeumannNeumann::doCompute() {
   for (const Matrix& own : columns) mine += static_cast<int>(own.cols());
   Teuchos::reduceAll(*space()->comm(), Teuchos::REDUCE_SUM, mine, Teuchos::outArg(all));
   coarse_.reset();
-  if (all > 0) coarse_ = std::make_unique<CoarseProblem>(*matrix(), columns, coarseSolver_(), copies_);
+  if (all > 0) coarse_ = std::make_unique<BalancingCoarse>(*matrix(), columns, coarseSolver_(), copies_);
 }
 
 void NeumannNeumann::doApply(const MultiVector& r, MultiVector& z) const {

@@ -1,8 +1,8 @@
 #pragma once
-#include <suture/precond/CoarseProblem.hpp>
-#include <suture/precond/CoarseSpace.hpp>
 #include <suture/precond/Preconditioner.hpp>
 #include <suture/precond/Weighting.hpp>
+#include <suture/precond/coarse/BalancingCoarse.hpp>
+#include <suture/precond/coarse/CoarseSpace.hpp>
 
 #include <memory>
 #include <vector>
@@ -36,7 +36,7 @@ class NeumannNeumann : public Preconditioner {
   int copies_;
   LocalProblems locals_;  // those the inverses belong to
   std::vector<std::unique_ptr<LocalInverse>> inverses_;
-  std::unique_ptr<CoarseProblem> coarse_;
+  std::unique_ptr<BalancingCoarse> coarse_;
   mutable Matrix residual_, whole_, sum_, flux_, trace_;  // work space: an application allocates nothing
   mutable Vector y_;
 };

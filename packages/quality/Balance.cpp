@@ -1,3 +1,4 @@
+#include <suture/base/Point.hpp>
 #include <suture/quality/Balance.hpp>
 
 #include <Teuchos_CommHelpers.hpp>
@@ -7,18 +8,14 @@
 
 namespace suture {
 
-namespace {
-double magnitude(const Point& p) { return std::hypot(p[0], p[1], p[2]); }
-}  // namespace
-
 void Balance::addNode(const Point& load, const Point& support, const NodeRule* rule, int dimension) {
   for (int k = 0; k < dimension; ++k) applied[k] += load[k];
-  absolute_ += magnitude(load);
+  absolute_ += norm(load);
   if (!rule) return;
   for (int k = 0; k < dimension; ++k) {
     if (!rule->fixed[k]) continue;
     const Point& axis = rule->axes[k];
-    const double along = support[0] * axis[0] + support[1] * axis[1] + support[2] * axis[2];
+    const double along = dot(support, axis);
     for (int c = 0; c < dimension; ++c) reactions[c] += along * axis[c];
     absolute_ += std::abs(along);
   }
@@ -27,7 +24,7 @@ void Balance::addNode(const Point& load, const Point& support, const NodeRule* r
 void Balance::addPair(const ContactPair& pair, double force) {
   const Point obstacle = obstacleForce(pair, force);
   for (int k = 0; k < 3; ++k) reactions[k] += obstacle[k];
-  absolute_ += magnitude(obstacle);
+  absolute_ += norm(obstacle);
 }
 
 void Balance::finish(const Comm& comm, bool axisymmetric) {
@@ -45,7 +42,7 @@ void Balance::finish(const Comm& comm, bool axisymmetric) {
 void Balance::finish(bool axisymmetric) {
   // Radial forces of a body of revolution balance round the circle, whatever their magnitudes.
   const Point sum{axisymmetric ? 0.0 : applied[0] + reactions[0], applied[1] + reactions[1], applied[2] + reactions[2]};
-  imbalance = absolute_ > 0.0 ? magnitude(sum) / (0.5 * absolute_) : 0.0;
+  imbalance = absolute_ > 0.0 ? norm(sum) / (0.5 * absolute_) : 0.0;
 }
 
 }  // namespace suture

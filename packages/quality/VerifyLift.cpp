@@ -1,4 +1,5 @@
 #include <suture/base/Gather.hpp>
+#include <suture/base/Point.hpp>
 #include <suture/quality/PairResult.hpp>
 #include <suture/quality/VerifyLift.hpp>
 
@@ -27,8 +28,6 @@ struct LiftedEnd {
 };
 
 Point motionOf(const SubdomainMesh& mesh, int node) { return {mesh.lift.motion[2 * node], mesh.lift.motion[2 * node + 1], 0.0}; }
-
-double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1]; }
 
 Finding at(const SubdomainMesh& mesh, int node) {
   Finding where;

@@ -1,7 +1,7 @@
+#include <suture/base/Point.hpp>
 #include <suture/quality/VerifyPairs.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <map>
 
@@ -71,9 +71,7 @@ void verifyPairs(std::vector<PairEndShare> ends, const std::vector<PairResult>& 
     ++found;
     const double pressing = pair->second->force, asForce = gap / compliance;
     // Where no force is to compare with, two bodies are as far apart as digits of their ways and places tell.
-    const double ways =
-        unloaded ? Bounds::nothing * unitRoundoff * (lifted + std::hypot(where.place[0], where.place[1], where.place[2])) / compliance
-                 : 0.0;
+    const double ways = unloaded ? Bounds::nothing * unitRoundoff * (lifted + norm(where.place)) / compliance : 0.0;
     const double slack = roundings * (rounding + unitRoundoff * moved / compliance) + ways, allowed = bound * force + slack;
     const bool open = pair->second->status == PairStatus::Open;
     // Zero unless the sign is wrong; NaN stays NaN.

@@ -1,6 +1,6 @@
 #include <suture/base/Collective.hpp>
 #include <suture/base/Errors.hpp>
-#include <suture/base/Hdf5File.hpp>
+#include <suture/base/hdf5/Hdf5File.hpp>
 #include <suture/report/Checkpoint.hpp>
 
 #include <Teuchos_Comm.hpp>

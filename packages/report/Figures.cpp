@@ -5,9 +5,9 @@
 #include <sstream>
 #include <suture/base/Collective.hpp>
 #include <suture/partition/RigidLift.hpp>
+#include <suture/quality/PressureOscillation.hpp>
 #include <suture/report/Figures.hpp>
 #include <suture/report/Format.hpp>
-#include <suture/report/PressureOscillation.hpp>
 
 namespace suture {
 

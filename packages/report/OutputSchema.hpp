@@ -1,6 +1,6 @@
 #pragma once
-#include <suture/base/SceneReader.hpp>
-#include <suture/base/Schema.hpp>
+#include <suture/base/scene/SceneReader.hpp>
+#include <suture/base/scene/Schema.hpp>
 
 #include <string>
 

@@ -1,5 +1,5 @@
 #pragma once
-#include <suture/base/Hdf5File.hpp>
+#include <suture/base/hdf5/Hdf5File.hpp>
 #include <suture/report/Run.hpp>
 
 namespace suture {

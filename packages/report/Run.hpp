@@ -1,6 +1,6 @@
 #pragma once
-#include <suture/base/SceneReader.hpp>
 #include <suture/base/Timers.hpp>
+#include <suture/base/scene/SceneReader.hpp>
 #include <suture/constraints/Constraints.hpp>
 #include <suture/elasticity/ElasticModel.hpp>
 #include <suture/partition/SubdomainMesh.hpp>

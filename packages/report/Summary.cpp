@@ -4,10 +4,10 @@
 #include <nlohmann/json.hpp>
 #include <suture/base/Collective.hpp>
 #include <suture/base/Version.hpp>
+#include <suture/quality/PressureOscillation.hpp>
 #include <suture/report/Figures.hpp>
 #include <suture/report/OutputFolder.hpp>
 #include <suture/report/ParametersJson.hpp>
-#include <suture/report/PressureOscillation.hpp>
 #include <suture/report/Summary.hpp>
 
 using Json = nlohmann::ordered_json;

@@ -1,7 +1,7 @@
 #pragma once
 #include <suture/base/Collective.hpp>
-#include <suture/base/Hdf5File.hpp>
 #include <suture/base/Types.hpp>
+#include <suture/base/hdf5/Hdf5File.hpp>
 
 #include <memory>
 #include <string>

@@ -1,6 +1,6 @@
 #pragma once
 #include <suture/interface/InterfaceProblem.hpp>
-#include <suture/solver/ErrorEstimate.hpp>
+#include <suture/quality/ErrorEstimate.hpp>
 #include <suture/solver/InnerSolver.hpp>
 
 #include <functional>

@@ -1,5 +1,5 @@
 #pragma once
-#include <suture/base/SceneReader.hpp>
+#include <suture/base/scene/SceneReader.hpp>
 #include <suture/partition/SubdomainMesh.hpp>
 
 #include <string>

@@ -1,4 +1,5 @@
 #include <suture/base/DisjointSets.hpp>
+#include <suture/solver/BodyImbalance.hpp>
 #include <suture/solver/SetSolves.hpp>
 
 #include <Teuchos_Comm.hpp>
@@ -16,8 +17,6 @@ constexpr int kRestarts = 4;         // of conjugate gradients whose recursion h
 constexpr double kStalled = 0.5;     // of the residual: a restart that leaves more has met the floor of rounding
 constexpr double kPassive = 1e-12;   // of its cluster's energy, below which a body has none of its own
 constexpr double kImbalance = 10.0;  // times the tolerance: a tenth of what the verdict allows the forces on a body
-constexpr double kLent = 1e-3;       // share of a neighbour's forces that a body without loads counts as its own, as in the verdict
-constexpr double kNothing = 1e-12;   // energy norm of a body that carries nothing, relative to the largest that it has had
 constexpr double kSharper = 0.7;     // of the tolerance that would do if all residuals fell alike
 constexpr int kRescales = 4;
 constexpr double kOverestimate = 2.0;  // of the solution's energy norm, from which on a solve is taken up again
@@ -163,39 +162,6 @@ double SetSolves::norm(const MultiVector& residual, const InterfaceState& state)
   return bodies;
 }
 
-/// Imbalance of the loads and pair forces on a body, in the motions that nothing but contact stops, beside the forces that pass through it:
-/// the largest of all bodies. Forces across these motions count, too, by what deforms the body, and a body without loads has a share of its
-/// neighbours': what is left along a motion that nothing drives is rounding of them.
-double SetSolves::imbalance(const Vector& force, const InterfaceState& state) const {
-  const RigidContact::Pairs& data = sets_.bodies().rigid().data();
-  const std::size_t parts = sets_.bodies().parts().size();
-  const Vector energy = sets_.energies(state);
-  std::vector<double> size(parts, 0.0), loads(parts, 0.0), stiffness(parts, 0.0);
-  for (std::size_t p = 0; p < parts; ++p)
-    size[p] = loads[p] = data.work.segment(sets_.bodies().firstMotion(static_cast<int>(p)), sets_.bodies().parts()[p].free.cols()).norm();
-  for (std::size_t i = 0; i < data.bodies.size(); ++i)
-    for (const int p : data.bodies[i]) {
-      size[p] += std::abs(force(static_cast<Eigen::Index>(i)));
-      stiffness[p] = std::max(stiffness[p], data.stiffness(static_cast<Eigen::Index>(i)));
-    }
-  const std::vector<double> own = size;
-  for (const auto& bodies : data.bodies)
-    for (const int p : bodies)
-      for (const int other : bodies)
-        if (loads[p] == 0.0) size[p] = std::max(size[p], kLent * own[other]);
-  double most = 0.0;
-  for (std::size_t p = 0; p < parts; ++p) {
-    const auto at = static_cast<Eigen::Index>(p);
-    const Eigen::Index first = sets_.bodies().firstMotion(static_cast<int>(p)), count = sets_.bodies().parts()[p].free.cols();
-    if (count == 0) continue;
-    const Vector rest = data.rows.middleCols(first, count).transpose() * force - data.work.segment(first, count);
-    if (rest.norm() <= kNothing * std::sqrt(largest_(at) * stiffness[p])) continue;
-    size[p] = std::max(size[p], kLent * std::sqrt(std::max(energy(at), 0.0) * stiffness[p]));
-    most = std::max(most, rest.norm() / size[p]);
-  }
-  return most;
-}
-
 void SetSolves::evaluateStart() {
   InterfaceState state = run_.result.state;
   state.trace = Teuchos::rcp(new MultiVector(*run_.result.state.trace, Teuchos::Copy));
@@ -306,7 +272,8 @@ ContactAnswer SetSolves::solve(const ClosedSet& closed, int level) {
         at = sets_.evaluateSet(state, final);
         const double sharper = sharper_;
         residual = norm(*at.residual, state);
-        if (const double forces = imbalance(at.force, state) / kImbalance; forces > final && residual <= final && !run_.automatic.on()) {
+        if (const double forces = bodyImbalance(sets_.bodies(), at.force, sets_.energies(state), largest_) / kImbalance;
+            forces > final && residual <= final && !run_.automatic.on()) {
           sharper_ = std::min(sharper_, kSharper * residual / forces);
           residual = forces;
         }

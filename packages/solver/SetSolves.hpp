@@ -38,7 +38,6 @@ class SetSolves : public ContactOracle {
   double overestimate(const InterfaceState& state) const;
   void scale(MultiVector& x, bool inverse) const;
   double norm(const MultiVector& residual, const InterfaceState& state);
-  double imbalance(const Vector& force, const InterfaceState& state) const;
   double tolerance(int level) const;
   bool oneSolve(InterfaceState& state, bool goOn, int level, InnerResult& cost, int& applications);
   bool solveLinear(InterfaceState& state, bool goOn, double tolerance, const EnergyCriterion& criterion, InnerResult& cost,

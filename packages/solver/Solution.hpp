@@ -1,9 +1,9 @@
 #pragma once
 #include <suture/base/Monitor.hpp>
 #include <suture/base/Types.hpp>
+#include <suture/quality/ErrorEstimate.hpp>
 #include <suture/quality/PairResult.hpp>
 #include <suture/quality/Verification.hpp>
-#include <suture/solver/ErrorEstimate.hpp>
 
 #include <map>
 #include <optional>

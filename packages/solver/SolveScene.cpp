@@ -1,14 +1,14 @@
 #include <suture/base/Buffer.hpp>
 #include <suture/base/Collective.hpp>
-#include <suture/base/SceneReader.hpp>
+#include <suture/base/scene/SceneReader.hpp>
 #include <suture/contact/GroupMemory.hpp>
 #include <suture/elasticity/SubdomainLoads.hpp>
 #include <suture/interface/CondensedProblem.hpp>
 #include <suture/interface/ContactInterfaceProblem.hpp>
 #include <suture/partition/RigidLift.hpp>
-#include <suture/solver/CarriedBodies.hpp>
 #include <suture/solver/SolveScene.hpp>
 #include <suture/solver/SolverSchema.hpp>
+#include <suture/solver/solvability/CarriedBodies.hpp>
 #include <suture/subdomain/ElasticSubdomain.hpp>
 
 #include <Teuchos_Comm.hpp>
@@ -74,6 +74,8 @@ AutomaticTolerance::Estimate discretisationErrorOf(const Comm& comm, const std::
   const double nodes = std::max(0.5 * all, 1.0);
   return {of, highest == 1 ? 3.0 / std::sqrt(nodes) : 1.5 / nodes};
 }
+
+bool isMonolithic(const Parameters& scene) { return scene.sublist("Outer Solver").get<std::string>("Type") == kMonolithic; }
 
 void checkCombination(const Parameters& scene) {
   const auto formulation = scene.get<std::string>("Formulation");

@@ -6,7 +6,7 @@
 #include <suture/interface/InterfaceProblem.hpp>
 #include <suture/mesh/Mesh.hpp>
 #include <suture/partition/SubdomainMesh.hpp>
-#include <suture/solver/ErrorEstimate.hpp>
+#include <suture/quality/ErrorEstimate.hpp>
 #include <suture/solver/OuterSolver.hpp>
 #include <suture/solver/Solution.hpp>
 #include <suture/subdomain/Subdomain.hpp>
@@ -15,8 +15,6 @@
 #include <vector>
 
 namespace suture {
-
-class MonolithicSystem;
 
 using Subdomains = std::vector<std::unique_ptr<Subdomain>>;
 
@@ -66,15 +64,6 @@ Solution recover(const Comm& comm, const InterfaceProblem& problem, const OuterR
 
 /// Whether the scene asks for the outer solver Monolithic.
 bool isMonolithic(const Parameters& scene);
-
-/// The matrix and the loads of the reference, on rank 0; null on the others. Collective.
-std::shared_ptr<const MonolithicSystem> assembleMonolithic(const Comm& comm, const Mesh& mesh, const Constraints& constraints,
-                                                           const ElasticModel& model);
-
-/// The reference: rank 0 solves the whole system, all ranks get their part of the answer. Collective. \throws NumericalError, InputError
-/// \param system  of assembleMonolithic()
-Solution solveMonolithicScene(const Comm& comm, const Mesh& mesh, const Constraints& constraints, const MonolithicSystem* system,
-                              const std::vector<SubdomainMesh>& meshes, const Parameters& scene, Monitor& monitor);
 
 /// Sizes for the report, but for the interface.
 ProblemSize problemSize(const Comm& comm, const Mesh& mesh, const Constraints& constraints, const Partition& partition);

@@ -1,8 +1,8 @@
-#include <suture/base/SceneReader.hpp>
+#include <suture/algebra/LocalSolver.hpp>
+#include <suture/base/scene/SceneReader.hpp>
 #include <suture/precond/Preconditioner.hpp>
 #include <suture/solver/OuterSolver.hpp>
 #include <suture/solver/SolverSchema.hpp>
-#include <suture/subdomain/LocalSolver.hpp>
 #include <suture/subdomain/SchurComplement.hpp>
 
 #include <Teuchos_ParameterList.hpp>

@@ -1,5 +1,5 @@
 #pragma once
-#include <suture/base/Schema.hpp>
+#include <suture/base/scene/Schema.hpp>
 
 #include <string>
 #include <vector>

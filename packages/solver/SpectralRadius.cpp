@@ -1,8 +1,8 @@
+#include <suture/algebra/RigidAssembly.hpp>
 #include <suture/base/Buffer.hpp>
 #include <suture/base/Collective.hpp>
 #include <suture/base/Dense.hpp>
 #include <suture/solver/SpectralRadius.hpp>
-#include <suture/subdomain/RigidAssembly.hpp>
 
 #include <Tpetra_MultiVector.hpp>
 

@@ -1,6 +1,6 @@
+#include <suture/algebra/elimination/StaticCondensation.hpp>
 #include <suture/base/Errors.hpp>
 #include <suture/subdomain/ExplicitSchurComplement.hpp>
-#include <suture/subdomain/StaticCondensation.hpp>
 
 namespace suture {
 

@@ -1,6 +1,6 @@
 #pragma once
+#include <suture/algebra/elimination/SingleFactor.hpp>
 #include <suture/subdomain/SchurComplement.hpp>
-#include <suture/subdomain/SingleFactor.hpp>
 
 namespace suture {
 

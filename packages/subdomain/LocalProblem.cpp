@@ -1,17 +1,7 @@
-#include <suture/subdomain/ConstrainedInverse.hpp>
+#include <suture/algebra/ConstrainedInverse.hpp>
 #include <suture/subdomain/LocalProblem.hpp>
 
 namespace suture {
-
-void LocalInverse::applyBasisTransposed(const Eigen::Ref<const Vector>& flux, Vector& values) const {
-  const Matrix phi = basis();
-  values.setZero(phi.cols());
-  if (phi.size() > 0) values = phi.transpose() * flux;
-}
-
-void LocalInverse::addBasis(const Vector& values, Eigen::Ref<Vector> trace) const {
-  if (values.size() > 0) trace += basis() * values;
-}
 
 std::unique_ptr<LocalInverse> LocalProblem::inverse(const Matrix& constraints) const {
   return std::make_unique<ConstrainedInverse>(schur(), constraints, name());

@@ -1,34 +1,12 @@
 #pragma once
+#include <suture/algebra/LocalInverse.hpp>
 #include <suture/base/Types.hpp>
-#include <suture/subdomain/SparseMatrix.hpp>
 
 #include <memory>
 #include <string>
 #include <vector>
 
 namespace suture {
-
-/// An inverse of a local problem's Schur complement. Without constraints a generalised inverse S^+: the local Neumann problems of eq.
-/// (28)-(29). With rows C the saddle problem  S x + C^T m = f, C x = 0  of BDDC. Local.
-class LocalInverse {
- public:
-  virtual ~LocalInverse() = default;
-  /// trace <- S^+ flux: without constraints S S^+ f = f for a flux orthogonal to the kernel. Positive definite or semidefinite for any
-  /// flux.
-  virtual void apply(ConstLocalView flux, LocalView trace) const = 0;
-  /// With constraints: the traces Phi of least energy with C Phi = I, size() x rows, and their energies Phi^T S Phi. Empty without.
-  virtual Matrix basis() const { return none_; }
-  virtual const Matrix& energy() const { return none_; }
-  /// Products with Phi, as fast as memory is: values <- Phi^T flux, trace <- trace + Phi values. One flux, one trace.
-  virtual void applyBasisTransposed(const Eigen::Ref<const Vector>& flux, Vector& values) const;
-  virtual void addBasis(const Vector& values, Eigen::Ref<Vector> trace) const;
-  /// What apply() with one right-hand side, and one product each with Phi^T and Phi, read of memory, in bytes; 0: not known.
-  virtual double bytesRead() const { return 0.0; }
-  virtual double basisBytesRead() const { return 0.0; }
-
- private:
-  Matrix none_;
-};
 
 /// One term of the sum (20): a linear problem on part of the bodies that the rest knows by its trace and flux on its boundary only. Made of
 /// a subdomain, or of a contact group with its pairs' status given. Local: a local problem lives whole on one rank.

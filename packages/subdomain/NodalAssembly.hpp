@@ -1,6 +1,6 @@
 #pragma once
+#include <suture/algebra/SparseMatrix.hpp>
 #include <suture/mesh/CellBlock.hpp>
-#include <suture/subdomain/SparseMatrix.hpp>
 
 #include <vector>
 

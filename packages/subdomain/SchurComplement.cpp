@@ -1,8 +1,8 @@
+#include <suture/algebra/GeneralisedInverse.hpp>
+#include <suture/algebra/WorkSpace.hpp>
 #include <suture/subdomain/AutomaticSchurComplement.hpp>
 #include <suture/subdomain/ExplicitSchurComplement.hpp>
-#include <suture/subdomain/GeneralisedInverse.hpp>
 #include <suture/subdomain/SchurComplement.hpp>
-#include <suture/subdomain/WorkSpace.hpp>
 
 namespace suture {
 

@@ -1,8 +1,8 @@
 #pragma once
+#include <suture/algebra/LocalSolver.hpp>
+#include <suture/algebra/PackedSymmetric.hpp>
+#include <suture/algebra/SymmetricMatrix.hpp>
 #include <suture/base/Registry.hpp>
-#include <suture/subdomain/LocalSolver.hpp>
-#include <suture/subdomain/PackedSymmetric.hpp>
-#include <suture/subdomain/SymmetricMatrix.hpp>
 
 #include <memory>
 #include <vector>

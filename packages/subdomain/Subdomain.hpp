@@ -1,6 +1,6 @@
 #pragma once
+#include <suture/algebra/SymmetricMatrix.hpp>
 #include <suture/partition/SubdomainMesh.hpp>
-#include <suture/subdomain/SymmetricMatrix.hpp>
 
 #include <vector>
 

@@ -1,6 +1,6 @@
+#include <suture/algebra/WorkSpace.hpp>
 #include <suture/base/Dense.hpp>
 #include <suture/subdomain/SubdomainProblem.hpp>
-#include <suture/subdomain/WorkSpace.hpp>
 
 #include <Teuchos_Comm.hpp>
 #include <Teuchos_CommHelpers.hpp>

@@ -1,5 +1,5 @@
 #pragma once
-#include <suture/subdomain/GeneralisedInverse.hpp>
+#include <suture/algebra/GeneralisedInverse.hpp>
 #include <suture/subdomain/LocalProblem.hpp>
 #include <suture/subdomain/SchurComplement.hpp>
 #include <suture/subdomain/Subdomain.hpp>

@@ -1,6 +1,6 @@
 #include <suture/base/Errors.hpp>
 #include <suture/base/Expression.hpp>
-#include <suture/base/SceneReader.hpp>
+#include <suture/base/scene/SceneReader.hpp>
 
 #include <Teuchos_ParameterList.hpp>
 #include <Teuchos_UnitTestHarness.hpp>

@@ -1,7 +1,7 @@
 // Everything a scene file can do wrong, and the traps of Teuchos' own reader (DESIGN.md section 5): each is an error here.
 #include <suture/base/Collective.hpp>
 #include <suture/base/Errors.hpp>
-#include <suture/base/SceneReader.hpp>
+#include <suture/base/scene/SceneReader.hpp>
 
 #include <Teuchos_Array.hpp>
 #include <Teuchos_Comm.hpp>

@@ -1,5 +1,6 @@
 // Mortar pairs: what the conditions say of displacements and gaps that are known everywhere.
 #include <Teuchos_UnitTestHarness.hpp>
+#include <suture/base/Point.hpp>
 #include <suture/constraints/BoundaryLine.hpp>
 
 #include <algorithm>
@@ -224,7 +225,7 @@ TEUCHOS_UNIT_TEST(MortarPairs, LeavesStraightSidesToTheLastBit) {
 /// Moment of a pair's unit force on both bodies, over the size of the scene: ends at their places.
 double momentOf(const Mesh& mesh, const ContactPair& pair) {
   double moment = 0;
-  for (const PairEnd& end : pair.ends) moment += end.weight * cross(mesh.point(end.node), pair.normal);
+  for (const PairEnd& end : pair.ends) moment += end.weight * cross(mesh.point(end.node), pair.normal)[2];
   return std::abs(moment);
 }
 

@@ -1,7 +1,7 @@
 #include <Teuchos_UnitTestHarness.hpp>
 #include <contact/GroupScenes.hpp>
+#include <suture/algebra/CholmodFactor.hpp>
 #include <suture/contact/GroupMemory.hpp>
-#include <suture/subdomain/CholmodFactor.hpp>
 
 namespace suture {
 namespace {

@@ -3,7 +3,8 @@
 #include <suture/base/Errors.hpp>
 #include <suture/mesh/Regions.hpp>
 #include <suture/partition/Partition.hpp>
-#include <suture/solver/NeutralMotions.hpp>
+#include <suture/reference/MonolithicScene.hpp>
+#include <suture/solver/solvability/NeutralMotions.hpp>
 
 #include <SolveStages.hpp>
 #include <Teuchos_CommHelpers.hpp>

@@ -1,6 +1,6 @@
 #pragma once
 #include <corpus/Builder.hpp>
-#include <suture/base/SceneReader.hpp>
+#include <suture/base/scene/SceneReader.hpp>
 
 #include <cstdint>
 #include <string>

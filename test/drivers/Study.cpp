@@ -4,11 +4,12 @@
 #include <nlohmann/json.hpp>
 #include <suture/base/Errors.hpp>
 
+#include "../../drivers/study/Bands.hpp"
+#include "../../drivers/study/Runs.hpp"
 #include "../../drivers/support/Overrides.hpp"
-#include "../../drivers/support/StudyBands.hpp"
-#include "../../drivers/support/StudyRuns.hpp"
 
 using namespace suture;
+using namespace suture::study;
 using Json = nlohmann::ordered_json;
 
 namespace {
@@ -18,20 +19,20 @@ const Json summary = Json::parse(R"({"dofs": 100, "subdomains": 8, "outer": {"it
   "contact": {"force": {"fault above": [3.0, -4.0]}, "by_piece": {"fault above": {"max_gap": null}}}})");
 
 double number(const std::string& text) {
-  const StudyCell cell = StudyFormula(text).evaluate(summary);
+  const study::Cell cell = study::Formula(text).evaluate(summary);
   return cell.isNumber() ? cell.number : std::nan("");
 }
 
 std::string complaint(const std::string& text) {
   try {
-    StudyFormula formula(text);
+    study::Formula formula(text);
   } catch (const InputError& error) {
     return error.problems().front().message;
   }
   return "";
 }
 
-TEUCHOS_UNIT_TEST(StudyFormula, CalculatesInTheUsualOrder) {
+TEUCHOS_UNIT_TEST(Formula, CalculatesInTheUsualOrder) {
   TEST_EQUALITY(number("2 + 3 * 4 - 6 / 3"), 12.0);
   TEST_EQUALITY(number("(2 + 3) * 4"), 20.0);
   TEST_EQUALITY(number("10 - 3 - 2"), 5.0);
@@ -43,14 +44,14 @@ TEUCHOS_UNIT_TEST(StudyFormula, CalculatesInTheUsualOrder) {
   TEST_EQUALITY(number("1000 * dofs / subdomains"), 12500.0);
 }
 
-TEUCHOS_UNIT_TEST(StudyFormula, AMissingFigureMakesAnEmptyCell) {
+TEUCHOS_UNIT_TEST(Formula, AMissingFigureMakesAnEmptyCell) {
   for (const char* text : {"nothing", "dofs + nothing", "contact.by_piece.fault above.max_gap", "1 / 0", "outer.solver + 1", "norm(outer)"})
-    TEST_ASSERT(StudyFormula(text).evaluate(summary).kind == StudyCell::Kind::Empty);
-  TEST_EQUALITY(StudyFormula("outer.solver").evaluate(summary).text, "Chord");
-  TEST_EQUALITY(StudyFormula("converged").evaluate(summary).text, "true");
+    TEST_ASSERT(study::Formula(text).evaluate(summary).kind == study::Cell::Kind::Empty);
+  TEST_EQUALITY(study::Formula("outer.solver").evaluate(summary).text, "Chord");
+  TEST_EQUALITY(study::Formula("converged").evaluate(summary).text, "true");
 }
 
-TEUCHOS_UNIT_TEST(StudyFormula, SaysWhatIsWrong) {
+TEUCHOS_UNIT_TEST(Formula, SaysWhatIsWrong) {
   for (const char* text : {"", "(1", "1 +", "max(", "max()", "1 2)", "norm(1 + 2)", "abs(1, 2)"}) TEST_INEQUALITY(complaint(text), "");
   TEST_INEQUALITY(complaint("nrom(a)").find("Did you mean 'norm'?"), std::string::npos);
 }
@@ -65,7 +66,7 @@ TEUCHOS_UNIT_TEST(StudyColumns, KnowTheSummaryBeforeThereIsOne) {
     readColumn(text, "Columns", problems);
   TEST_EQUALITY(problems.list().size(), 6u);
   TEST_INEQUALITY(problems.list().front().message.find("Did you mean 'outer.iterations'?"), std::string::npos);
-  const StudyColumn pcg = readColumn("pcg", "Columns", problems);
+  const study::Column pcg = readColumn("pcg", "Columns", problems);
   TEST_EQUALITY(pcg.formula.evaluate(summary).number, 31.0);
 }
 
@@ -81,13 +82,13 @@ TEUCHOS_UNIT_TEST(Overrides, TakeThePlaceOfThoseOfTheSameParameter) {
 Study sample() {
   Study study;
   study.sweeps = {{"size", {"small", "large"}, {{"a", "A", {"1", "2"}}}}, {"seed", {"1", "2", "3"}, {{"b", "B", {"x", kUnchanged, "z"}}}}};
-  study.columns = {{"dofs", StudyFormula("dofs")}};
+  study.columns = {{"dofs", study::Formula("dofs")}};
   return study;
 }
 
-std::vector<StudyRow> rowsOf(const Study& study, const std::vector<StudyRun>& runs) {
-  std::vector<StudyRow> rows;
-  for (const StudyRun& run : runs) {
+std::vector<study::Row> rowsOf(const Study& study, const std::vector<study::Run>& runs) {
+  std::vector<study::Row> rows;
+  for (const study::Run& run : runs) {
     const Json one{{"dofs", 10 * (run.choice[0] + 1) + run.choice[1]}};
     rows.push_back(studyRow(study, run, {one.dump()}, 0, ""));
   }
@@ -117,7 +118,7 @@ TEUCHOS_UNIT_TEST(StudyRuns, CombineAllSweepsTheLastOneFastest) {
 TEUCHOS_UNIT_TEST(StudyBands, AreKeptUpToTheirLimitsAndMissedBeyond) {
   Problems problems;
   Study study = sample();
-  const StudyFormula dofs("dofs");
+  const study::Formula dofs("dofs");
   study.bands = {{"1", "dofs", dofs, {}, 22.0, 10.0, {}, {}},
                  {"2", "dofs", dofs, {}, 21.0, {}, {}, {}},
                  {"3", "dofs", dofs, {{"size", {"small"}}}, 12.0, {}, 1.2, 2.0},
@@ -133,9 +134,9 @@ TEUCHOS_UNIT_TEST(StudyBands, AreKeptUpToTheirLimitsAndMissedBeyond) {
 TEUCHOS_UNIT_TEST(StudyBands, ARunThatFailedMissesTheBandUnlessTheBandIsAboutThat) {
   Problems problems;
   Study study = sample();
-  study.bands = {{"dofs", "dofs", StudyFormula("dofs"), {}, 100.0, {}, {}, {}},
-                 {"code", "exit_code", StudyFormula("exit_code"), {}, 4.0, {}, {}, {}},
-                 {"others", "dofs", StudyFormula("dofs"), {{"size", {"large"}}}, 100.0, {}, {}, {}}};
+  study.bands = {{"dofs", "dofs", study::Formula("dofs"), {}, 100.0, {}, {}, {}},
+                 {"code", "exit_code", study::Formula("exit_code"), {}, 4.0, {}, {}, {}},
+                 {"others", "dofs", study::Formula("dofs"), {{"size", {"large"}}}, 100.0, {}, {}, {}}};
   const auto runs = combinations(study, {}, {}, problems);
   auto rows = rowsOf(study, runs);
   rows[1] = studyRow(study, runs[1], {R"({"dofs": 11})"}, 4, "not converged");
@@ -149,12 +150,12 @@ TEUCHOS_UNIT_TEST(StudyBands, ARunThatFailedMissesTheBandUnlessTheBandIsAboutTha
 TEUCHOS_UNIT_TEST(StudyTable, KeepsTheMedianOfTimesAndTheFirstOfAllElse) {
   Problems problems;
   Study study = sample();
-  study.columns = {{"dofs", StudyFormula("dofs")}, {"solve", StudyFormula("phases.solve.max")}, {"all", StudyFormula("seconds")}};
+  study.columns = {{"dofs", study::Formula("dofs")}, {"solve", study::Formula("phases.solve.max")}, {"all", study::Formula("seconds")}};
   const auto runs = combinations(study, {}, {}, problems);
   std::vector<std::string> summaries;
   for (const double seconds : {3.0, 1.0, 2.0})
     summaries.push_back(Json{{"dofs", int(seconds)}, {"phases", {{"solve", {{"max", seconds}}}}}, {"seconds", 10 - seconds}}.dump());
-  const StudyRow row = studyRow(study, runs[0], summaries, 0, "");
+  const study::Row row = studyRow(study, runs[0], summaries, 0, "");
   TEST_EQUALITY(row.cells[0].number, 3.0);
   TEST_EQUALITY(row.cells[1].number, 2.0);
   TEST_EQUALITY(row.cells[2].number, 8.0);
@@ -165,8 +166,8 @@ TEUCHOS_UNIT_TEST(StudyTable, EscapesWhatItsFormatsUse) {
   Study study = sample();
   study.sweeps[0].labels = {"a, \"b\"", "c|d"};
   const auto runs = combinations(study, {}, {}, problems);
-  const std::vector<StudyRow> rows{studyRow(study, runs[0], {R"({"dofs": 1234567})"}, 0, ""),
-                                   studyRow(study, runs[3], {}, 3, "two\nlines")};
+  const std::vector<study::Row> rows{studyRow(study, runs[0], {R"({"dofs": 1234567})"}, 0, ""),
+                                     studyRow(study, runs[3], {}, 3, "two\nlines")};
   TEST_EQUALITY(tableCsv(study, rows), "size,seed,dofs,failure\n\"a, \"\"b\"\"\",1,1234567,\nc|d,1,,two lines\n");
   TEST_INEQUALITY(tableMarkdown(study, rows).find("| a, \"b\" | 1 | 1,234,567 |  |\n| c\\|d | 1 |  | two lines |"), std::string::npos);
 }

@@ -2,7 +2,7 @@
 #include <Teuchos_ParameterList.hpp>
 #include <Teuchos_UnitTestHarness.hpp>
 #include <suture/base/Errors.hpp>
-#include <suture/base/SceneReader.hpp>
+#include <suture/base/scene/SceneReader.hpp>
 #include <suture/constraints/BuildConstraints.hpp>
 #include <suture/elasticity/ElasticModel.hpp>
 #include <suture/elasticity/LockingNotes.hpp>

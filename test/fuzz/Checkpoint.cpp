@@ -2,7 +2,7 @@
 // that is sound for HDF5, with right checksums, and holds anything.
 #include "Hdf5.hpp"
 
-#include <suture/base/Hdf5File.hpp>
+#include <suture/base/hdf5/Hdf5File.hpp>
 #include <suture/report/Checkpoint.hpp>
 
 #include <cmath>

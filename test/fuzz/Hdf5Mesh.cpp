@@ -2,7 +2,7 @@
 // checksums, and holds anything.
 #include "Hdf5.hpp"
 
-#include <suture/base/Hdf5File.hpp>
+#include <suture/base/hdf5/Hdf5File.hpp>
 #include <suture/mesh/Hdf5Mesh.hpp>
 
 using namespace suture;

@@ -3,7 +3,7 @@
 #include "Fuzz.hpp"
 
 #include <suture/base/Expression.hpp>
-#include <suture/base/SceneReader.hpp>
+#include <suture/base/scene/SceneReader.hpp>
 #include <suture/report/SceneSchema.hpp>
 #include <suture/solver/SolveScene.hpp>
 

@@ -117,7 +117,7 @@ TEUCHOS_UNIT_TEST(CondensedProblem, ItsSolutionSolvesTheScene) {
   for (int k = 0; k < 20; ++k) {
     const auto linear = one.problem.linearise(state);
     const Matrix s = t.toDense(static_cast<const Operator&>(*linear.matrix));
-    state.trace->update(1.0, *t.toSpread(s.ldlt().solve(t.toDense(*linear.load))), 1.0);
+    state.trace->update(1.0, *t.toSpread(solveSymmetric(s, t.toDense(*linear.load))), 1.0);
     const auto value = one.problem.evaluate(state);
     state.status = value.next;
     if (value.changed == 0) break;

@@ -18,18 +18,7 @@ struct Interface {
   std::vector<GlobalId> overlap;  ///< unknowns that this rank sees, in the order of space->overlap()
 
   Interface(const Scene& given, const CommPtr& comm, const std::vector<double>& youngOf = {}, const std::string& solver = "CHOLMOD",
-            const std::string& schur = "Implicit")
-      : scene(given),
-        all(given, comm, youngOf),
-        problem(comm, all.partition, all.subdomains, localSolver(solver),
-                [schur] { return Registry<SchurComplement>::instance().make(schur, Parameters()); }),
-        closed(problem.initialState()),
-        linearised(problem.linearise(closed)),
-        space(problem.space()) {
-    std::set<GlobalId> seen;
-    for (const auto& local : linearised.matrix->locals()) seen.insert(local->boundary().begin(), local->boundary().end());
-    overlap.assign(seen.begin(), seen.end());
-  }
+            const std::string& schur = "Implicit");
   const InterfaceOperator& matrix() const { return *linearised.matrix; }
 };
 
@@ -42,115 +31,34 @@ struct Twins {
       : spread(scene, world(), youngOf), single(scene, alone(), youngOf) {}
 
   int size() const { return int(single.overlap.size()); }
-  int place(GlobalId unknown) const {
-    return int(std::lower_bound(single.overlap.begin(), single.overlap.end(), unknown) - single.overlap.begin());
-  }
+  int place(GlobalId unknown) const;
 
   MultiVectorPtr toSpread(const Matrix& values) const { return to(spread, values); }
   MultiVectorPtr toSingle(const Matrix& values) const { return to(single, values); }
 
   /// Collective.
-  Matrix toDense(const MultiVector& values) const {
-    Matrix seen;
-    spread.space->gather(values, seen);
-    const Vector ranks = ranksThatSee(spread);
-    Matrix mine = Matrix::Zero(size(), seen.cols()), sum(size(), seen.cols());
-    for (std::size_t i = 0; i < spread.overlap.size(); ++i) mine.row(place(spread.overlap[i])) = seen.row(i) / ranks(i);
-    Teuchos::reduceAll(*spread.space->comm(), Teuchos::REDUCE_SUM, int(mine.size()), mine.data(), sum.data());
-    return sum;
-  }
+  Matrix toDense(const MultiVector& values) const;
 
   /// The same of a vector of the single twin, whose order on one rank need not be ascending. Local.
-  Matrix toDenseSingle(const MultiVector& values) const {
-    Matrix seen;
-    single.space->gather(values, seen);
-    return seen;
-  }
+  Matrix toDenseSingle(const MultiVector& values) const;
 
   /// A distributed operator as a dense matrix, column by column. Collective.
-  Matrix toDense(const Operator& op) const {
-    const MultiVectorPtr x = toSpread(Matrix::Identity(size(), size())), y = spread.space->vector(size());
-    op.apply(*x, *y);
-    return toDense(*y);
-  }
+  Matrix toDense(const Operator& op) const;
 
  private:
-  static Vector ranksThatSee(const Interface& one) {
-    Matrix ones = Matrix::Ones(int(one.overlap.size()), 1);
-    one.space->sum(ones);
-    return ones.col(0);
-  }
-  MultiVectorPtr to(const Interface& one, const Matrix& values) const {
-    const Vector ranks = ranksThatSee(one);
-    Matrix seen(int(one.overlap.size()), values.cols());
-    for (std::size_t i = 0; i < one.overlap.size(); ++i) seen.row(i) = values.row(place(one.overlap[i])) / ranks(i);
-    const MultiVectorPtr made = one.space->vector(int(values.cols()));
-    one.space->scatterAdd(seen, *made);
-    return made;
-  }
+  static Vector ranksThatSee(const Interface& one);
+  MultiVectorPtr to(const Interface& one, const Matrix& values) const;
 };
 
 /// wavyBlocks() held below, pressed and moved on top: some pairs open, some closed.
-inline Scene pressed(Scene scene) {
-  scene.fixLower();
-  scene.hold("upper_top", 0, 0.01);
-  scene.hold("upper_top", 1, -0.015);
-  return scene;
-}
+Scene pressed(Scene scene);
 inline Scene pressedBlocks(int refinement = 1) { return pressed(wavyBlocks(100.0, 40.0, refinement)); }
 
 /// Three blocks on each other, the lowest fixed, the uppermost turned down on its right end; two contact groups, which may live on two
 /// ranks. \param middleRows  subdomains of the middle block: with 3 a plain one lies between the groups, with 2 they touch
-inline Scene stackedBlocks(int middleRows) {
-  std::vector<Box> all(3);
-  const char* names[3] = {"lower", "middle", "upper"};
-  for (int k = 0; k < 3; ++k) {
-    all[k].name = names[k];
-    all[k].y0 = k;
-    all[k].y1 = k + 1;
-    all[k].nx = 4;
-    all[k].ny = 6;
-    all[k].blocksY = k == 1 ? middleRows : 2;
-  }
-  Scene scene = scenes::fromBoxes(all, 100.0, 0.3);
-  scene.sideA = "middle_top";
-  scene.sideB = "upper_bottom";
-  scene.pairUp();
-  const Constraints above = scene.constraints;
-  scene.sideA = "lower_top";
-  scene.sideB = "middle_bottom";
-  scene.pairUp();
-  scene.constraints.pieces.push_back({"above", {}, 1, 2, 0.0, {}});
-  for (ContactPair pair : above.pairs) {
-    pair.id = int(scene.constraints.pairs.size());
-    pair.line = pair.piece = 1;
-    scene.constraints.pairs.push_back(pair);
-    scene.constraints.pieces.back().pairs.push_back(pair.id);
-  }
-  scene.fixLower();
-  scene.hold("upper_top", 0, 0.0);
-  scene.hold("upper_top", 1, -0.01);
-  for (int node : scene.nodesOf("upper_top"))
-    if (scene.mesh.point(node)[0] < 0.3) scene.holdNode(node, 1, 0.03);
-  scene.holdNode(scene.constraints.pairs[2].ends[1].node, 0, 0.0);  // the middle block may not slide out
-  return scene;
-}
+Scene stackedBlocks(int middleRows);
 
 /// A rectangle of 3 x 2 subdomains moved on its left side and loaded; no contact.
-inline Scene loadedRectangle() {
-  Box box;
-  box.x1 = 3;
-  box.y1 = 2;
-  box.nx = 9;
-  box.ny = 6;
-  box.blocksX = 3;
-  box.blocksY = 2;
-  Scene scene = scenes::fromBoxes({box}, 50.0, 0.3);
-  scene.hold("body_left", 0, 0.01);
-  scene.hold("body_left", 1, -0.02);
-  scene.pressure("body_top", 3.0);
-  scene.model.loads.push_back({Load::Kind::BodyForce, "", {0.5, -2.0, 0}});
-  return scene;
-}
+Scene loadedRectangle();
 
 }  // namespace suture::blocks

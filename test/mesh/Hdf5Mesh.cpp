@@ -1,4 +1,4 @@
-#include <suture/base/Hdf5File.hpp>
+#include <suture/base/hdf5/Hdf5File.hpp>
 #include <suture/mesh/Generators.hpp>
 #include <suture/mesh/Hdf5Mesh.hpp>
 

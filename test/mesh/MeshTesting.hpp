@@ -1,7 +1,7 @@
 #pragma once
 #include <suture/base/Collective.hpp>
 #include <suture/base/Errors.hpp>
-#include <suture/base/SceneReader.hpp>
+#include <suture/base/scene/SceneReader.hpp>
 #include <suture/mesh/MeshReader.hpp>
 
 #include <unistd.h>
@@ -23,44 +23,20 @@ inline Teuchos::RCP<const suture::Comm> world() { return Tpetra::getDefaultComm(
 /// A folder of its own for the files of one test, the same on all ranks; removed at the end.
 class Folder {
  public:
-  Folder() {
-    const std::string letters(6, 'X');  // mkdtemp wants six X, and puts its own letters there
-    std::string name = (std::filesystem::temp_directory_path() / ("suture-test-" + letters)).string();
-    suture::collectivelyOnRoot(*world(), "making a folder for the test", [&] {
-      if (!mkdtemp(name.data())) throw suture::EnvironmentError("cannot make the folder " + name + ": " + std::strerror(errno));
-    });
-    path_ = suture::broadcast(*world(), name);
-  }
-  ~Folder() {
-    world()->barrier();
-    std::error_code ignored;
-    if (world()->getRank() == 0) std::filesystem::remove_all(path_, ignored);
-  }
+  Folder();
+  ~Folder();
   const std::string& path() const { return path_; }
   /// Writes a file on rank 0; its path.
-  std::string write(const std::string& name, const std::string& text) const {
-    const std::string path = path_ + "/" + name;
-    if (world()->getRank() == 0) std::ofstream(path, std::ios::binary) << text;
-    world()->barrier();
-    return path;
-  }
+  std::string write(const std::string& name, const std::string& text) const;
 
  private:
   std::string path_;
 };
 
 /// The resolved list `Mesh` of a scene with these parameters in it.
-inline suture::SceneFile sceneWithMesh(const std::string& parameters) {
-  suture::Schema schema("scene");
-  schema.list("Mesh", suture::meshSchema(), true);
-  return suture::parseScene(
-      "<ParameterList name=\"Suture\"><ParameterList name=\"Mesh\">" + parameters + "</ParameterList></ParameterList>", "test.xml", schema);
-}
+suture::SceneFile sceneWithMesh(const std::string& parameters);
 
-inline suture::Mesh read(const std::string& parameters, const std::string& folder) {
-  const suture::SceneFile scene = sceneWithMesh(parameters);
-  return suture::readMesh(*world(), scene.parameters->sublist("Mesh"), folder);
-}
+suture::Mesh read(const std::string& parameters, const std::string& folder);
 
 inline std::string fileParameter(const std::string& name) { return "<Parameter name=\"File\" type=\"string\" value=\"" + name + "\"/>"; }
 
@@ -80,11 +56,7 @@ std::string problemsOf(Work work) {
 inline bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 /// The same text on all ranks?
-inline bool sameEverywhere(const std::string& text) {
-  for (const std::string& other : suture::allGather(*world(), text))
-    if (other != text) return false;
-  return true;
-}
+bool sameEverywhere(const std::string& text);
 
 }  // namespace meshtesting
 

@@ -1,7 +1,7 @@
 #include <Teuchos_UnitTestHarness.hpp>
 #include <numeric>
 #include <suture/base/Errors.hpp>
-#include <suture/partition/Apportion.hpp>
+#include <suture/partition/cut/Apportion.hpp>
 
 using suture::apportion;
 using Seats = std::vector<int>;

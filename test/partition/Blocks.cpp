@@ -2,8 +2,8 @@
 #include <Teuchos_UnitTestHarness.hpp>
 #include <algorithm>
 #include <numeric>
-#include <suture/partition/Blocks.hpp>
-#include <suture/partition/MetisCut.hpp>
+#include <suture/partition/cut/Blocks.hpp>
+#include <suture/partition/cut/MetisCut.hpp>
 
 #include "Scenes.hpp"
 

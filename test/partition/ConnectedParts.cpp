@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <set>
 #include <suture/base/Errors.hpp>
-#include <suture/partition/ConnectedParts.hpp>
+#include <suture/partition/cut/ConnectedParts.hpp>
 
 using namespace suture;
 

@@ -2,8 +2,8 @@
 #include <Teuchos_UnitTestHarness.hpp>
 #include <algorithm>
 #include <suture/mesh/Generators.hpp>
-#include <suture/partition/CutBlocks.hpp>
-#include <suture/partition/MetisCut.hpp>
+#include <suture/partition/cut/CutBlocks.hpp>
+#include <suture/partition/cut/MetisCut.hpp>
 
 #include "Scenes.hpp"
 

@@ -4,8 +4,8 @@
 #include <random>
 #include <set>
 #include <suture/mesh/Generators.hpp>
-#include <suture/partition/ElementGraph.hpp>
 #include <suture/partition/NodeSubdomains.hpp>
+#include <suture/partition/cut/ElementGraph.hpp>
 
 using namespace suture;
 

@@ -1,5 +1,5 @@
 #include <Teuchos_UnitTestHarness.hpp>
-#include <suture/partition/Glob.hpp>
+#include <suture/partition/cut/Glob.hpp>
 
 using suture::matchesPattern;
 

@@ -4,9 +4,9 @@
 #include <set>
 #include <suture/base/Buffer.hpp>
 #include <suture/base/Collective.hpp>
-#include <suture/partition/MeshShare.hpp>
 #include <suture/partition/SubdomainBytes.hpp>
 #include <suture/partition/SubdomainMesh.hpp>
+#include <suture/partition/cut/MeshShare.hpp>
 
 #include "Scenes.hpp"
 

@@ -3,8 +3,8 @@
 #include <Teuchos_UnitTestHarness.hpp>
 #include <algorithm>
 #include <suture/mesh/Generators.hpp>
-#include <suture/partition/Cut.hpp>
-#include <suture/partition/MetisCut.hpp>
+#include <suture/partition/cut/Cut.hpp>
+#include <suture/partition/cut/MetisCut.hpp>
 
 #include "Scenes.hpp"
 

@@ -1,6 +1,6 @@
 #include <Teuchos_UnitTestHarness.hpp>
 #include <algorithm>
-#include <suture/partition/Placement.hpp>
+#include <suture/partition/cut/Placement.hpp>
 
 using suture::placeOnRanks;
 

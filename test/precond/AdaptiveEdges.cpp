@@ -72,14 +72,14 @@ struct EdgeByHand {
     const int n = int(edge.size());
     Matrix block[2], weights[2];
     for (int s = 0; s < 2; ++s) block[s] = rowsAt(rowsAt(t[s], edge).transpose(), edge);
-    for (int s = 0; s < 2; ++s) weights[s] = (block[0] + block[1]).ldlt().solve(block[s]);
+    for (int s = 0; s < 2; ++s) weights[s] = solveSymmetric(block[0] + block[1], block[s]);
     if (weighting == "Multiplicity") weights[0] = weights[1] = 0.5 * Matrix::Identity(n, n);
     const Matrix cost = weights[1].transpose() * block[0] * weights[1] + weights[0].transpose() * block[1] * weights[0];
     // Least energy with a given jump z, zero at the corners: min over u of (u + z).T_1 (u + z) + u.T_2 u. The clamp is on the left: T_1 and
     // the sum are regular.
-    const Matrix stored = t[0] - t[0] * (t[0] + t[1]).ldlt().solve(t[0]);
+    const Matrix stored = t[0] - t[0] * solveSymmetric(t[0] + t[1], t[0]);
     const Matrix least = rowsAt(rowsAt(stored, edge).transpose(), edge);
-    values = Eigen::GeneralizedSelfAdjointEigenSolver<Matrix>(cost, 0.5 * (least + least.transpose())).eigenvalues();
+    values = eigenvalues(cost, 0.5 * (least + least.transpose()));
   }
   int above(double threshold) const { return int((values.array() > threshold).count()); }
   double largestBelow(double threshold) const {

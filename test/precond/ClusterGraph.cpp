@@ -1,6 +1,6 @@
 #include <Teuchos_UnitTestHarness.hpp>
 #include <precond/CoarseElementsOf.hpp>
-#include <suture/precond/ClusterGraph.hpp>
+#include <suture/precond/coarse/ClusterGraph.hpp>
 
 using namespace suture;
 using namespace suture::blocks;

@@ -1,6 +1,6 @@
 #pragma once
 #include <support/Blocks.hpp>
-#include <suture/precond/CoarseElement.hpp>
+#include <suture/precond/coarse/CoarseElement.hpp>
 
 #include <set>
 
@@ -8,29 +8,6 @@ namespace suture::blocks {
 
 /// A body's stiffness as if it were a coarse matrix, its subdomains' matrices the elements: what the coarse solves have to invert is then
 /// known from elsewhere (Dense).
-inline CoarseElements coarseElementsOf(const Blocks& all, const Dense& whole) {
-  CoarseElements coarse;
-  coarse.size = int(whole.place.size());
-  std::set<int> known;
-  for (const auto& subdomain : all.subdomains) {
-    std::map<int, int> order;  // coarse unknown -> free unknown of the subdomain
-    for (int dof = 0; dof < subdomain->dofs(); ++dof) {
-      const int number = whole.place.at(subdomain->globalDof(dof));
-      order[number] = dof;
-      if (known.insert(number).second)
-        coarse.unknowns.push_back({number, subdomain->mesh().point(subdomain->nodeOf(dof)), subdomain->direction(dof), 0.0});
-    }
-    CoarseElement element;
-    element.id = subdomain->mesh().id;
-    std::vector<int> dofs;
-    for (const auto& [number, dof] : order) {
-      element.unknowns.push_back(number);
-      dofs.push_back(dof);
-    }
-    element.matrix = Matrix(block(subdomain->stiffness().full(), dofs, dofs));
-    coarse.elements.push_back(std::move(element));
-  }
-  return coarse;
-}
+CoarseElements coarseElementsOf(const Blocks& all, const Dense& whole);
 
 }  // namespace suture::blocks

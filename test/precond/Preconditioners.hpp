@@ -5,37 +5,17 @@
 namespace suture::blocks {
 
 /// Neumann-Neumann by the names of the scene file, for an operator of a space. Collective.
-inline Teuchos::RCP<Preconditioner> neumannNeumann(const Interface& one, const Teuchos::RCP<const InterfaceOperator>& matrix,
-                                                   const std::string& coarse = "Rigid Modes",
-                                                   const std::string& weighting = "Stiffness Diagonal") {
-  const auto made = makePreconditioner(
-      resolved("Preconditioner", preconditionerSchema(),
-               {"Type=Neumann-Neumann", "Neumann-Neumann/Weighting=" + weighting, "Neumann-Neumann/Coarse Space=" + coarse}));
-  made->initialize(one.space);
-  made->compute(matrix);
-  return made;
-}
+Teuchos::RCP<Preconditioner> neumannNeumann(const Interface& one, const Teuchos::RCP<const InterfaceOperator>& matrix,
+                                            const std::string& coarse = "Rigid Modes", const std::string& weighting = "Stiffness Diagonal");
 
 /// The list Preconditioner with these settings of its list `BDDC`. Local.
-inline Parameters bddcList(std::vector<std::string> settings) {
-  for (std::string& setting : settings) setting = "BDDC/" + setting;
-  settings.insert(settings.begin(), "Type=BDDC");
-  return resolved("Preconditioner", preconditionerSchema(), settings);
-}
+Parameters bddcList(std::vector<std::string> settings);
 
 /// BDDC with these settings, for an operator and its space. Collective.
-inline Teuchos::RCP<Preconditioner> bddcWith(const Teuchos::RCP<const InterfaceOperator>& matrix,
-                                             const std::vector<std::string>& settings) {
-  const auto made = makePreconditioner(bddcList(settings));
-  made->initialize(matrix->space());
-  made->compute(matrix);
-  return made;
-}
+Teuchos::RCP<Preconditioner> bddcWith(const Teuchos::RCP<const InterfaceOperator>& matrix, const std::vector<std::string>& settings);
 
-inline Teuchos::RCP<Preconditioner> bddc(const Teuchos::RCP<const InterfaceOperator>& matrix, const std::string& edges = "Rigid Modes",
-                                         const std::string& weighting = "Stiffness Diagonal") {
-  return bddcWith(matrix, {"Weighting=" + weighting, "Edge Constraints=" + edges});
-}
+Teuchos::RCP<Preconditioner> bddc(const Teuchos::RCP<const InterfaceOperator>& matrix, const std::string& edges = "Rigid Modes",
+                                  const std::string& weighting = "Stiffness Diagonal");
 
 struct Lanczos {
   int iterations = 0;
@@ -45,57 +25,12 @@ struct Lanczos {
 
 /// Conjugate gradients, written out, until the preconditioned residual has fallen by 1e-10; the condition of M^-1 S from their Lanczos
 /// matrix. Collective.
-inline Lanczos conjugateGradients(const Operator& s, const Operator& m, const InterfaceSpace& space, const MultiVector& rhs) {
-  const MultiVectorPtr r = space.vector(), z = space.vector(), p = space.vector(), q = space.vector();
-  localView(*r) = localView(rhs);
-  m.apply(*r, *z);
-  localView(*p) = localView(static_cast<const MultiVector&>(*z));
-  double rho = dot(*r, *z);
-  const double first = rho;
-  std::vector<double> diagonal, offDiagonal;
-  double lastAlpha = 1.0, lastBeta = 0.0;
-  Lanczos result;
-  while (rho > 1e-20 * first && result.iterations < 400) {
-    s.apply(*p, *q);
-    const double alpha = rho / dot(*p, *q);
-    diagonal.push_back(1.0 / alpha + lastBeta / lastAlpha);
-    if (result.iterations > 0) offDiagonal.push_back(std::sqrt(lastBeta) / lastAlpha);
-    const Matrix before = result.iterates.empty() ? Matrix(Matrix::Zero(localView(*p).rows(), 1)) : result.iterates.back();
-    result.iterates.push_back(before + alpha * localView(static_cast<const MultiVector&>(*p)));
-    localView(*r) -= alpha * localView(static_cast<const MultiVector&>(*q));
-    m.apply(*r, *z);
-    const double next = dot(*r, *z);
-    lastBeta = next / rho;
-    lastAlpha = alpha;
-    rho = next;
-    const Matrix old = localView(static_cast<const MultiVector&>(*p));
-    localView(*p) = localView(static_cast<const MultiVector&>(*z)) + lastBeta * old;
-    ++result.iterations;
-  }
-  const int n = int(diagonal.size());
-  Matrix t = Matrix::Zero(n, n);
-  for (int i = 0; i < n; ++i) {
-    t(i, i) = diagonal[i];
-    if (i > 0) t(i, i - 1) = t(i - 1, i) = offDiagonal[i - 1];
-  }
-  const Vector values = Eigen::SelfAdjointEigenSolver<Matrix>(t).eigenvalues();
-  result.condition = values(n - 1) / values(0);
-  return result;
-}
+Lanczos conjugateGradients(const Operator& s, const Operator& m, const InterfaceSpace& space, const MultiVector& rhs);
 
-inline Lanczos conditionOf(const Scene& scene, const std::string& coarse, const std::string& weighting = "Stiffness Diagonal",
-                           const std::vector<double>& youngOf = {}) {
-  const Twins t(scene, youngOf);
-  const auto m = neumannNeumann(t.spread, t.spread.linearised.matrix, coarse, weighting);
-  return conjugateGradients(t.spread.matrix(), *m, *t.spread.space, *t.toSpread(random(t.size(), 1, 5)));
-}
+Lanczos conditionOf(const Scene& scene, const std::string& coarse, const std::string& weighting = "Stiffness Diagonal",
+                    const std::vector<double>& youngOf = {});
 
 /// Young moduli in turn, as on a chess board or in columns of subdomains (which are numbered column by column).
-inline std::vector<double> board(int blocks, double jump, bool columns) {
-  std::vector<double> young;
-  for (int i = 0; i < blocks; ++i)
-    for (int j = 0; j < blocks; ++j) young.push_back((columns ? i : i + j) % 2 == 0 ? 1.0 : jump);
-  return young;
-}
+std::vector<double> board(int blocks, double jump, bool columns);
 
 }  // namespace suture::blocks

@@ -1,8 +1,8 @@
 // Bodies of revolution against solutions in three dimensions.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <suture/constraints/RigidMotion.hpp>
-#include <suture/solver/Monolithic.hpp>
-#include <suture/solver/Solvability.hpp>
+#include <suture/reference/Monolithic.hpp>
+#include <suture/solver/solvability/Solvability.hpp>
 
 #include "RoundScenes.hpp"
 

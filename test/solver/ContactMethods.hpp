@@ -1,33 +1,20 @@
 #pragma once
 #include <interface/ContactScenes.hpp>
 #include <suture/precond/Preconditioner.hpp>
-#include <suture/solver/Monolithic.hpp>
+#include <suture/reference/Monolithic.hpp>
 #include <suture/solver/OuterSolver.hpp>
 #include <suture/solver/SolverSchema.hpp>
 
 namespace suture::blocks {
 
 /// Preconditioner by name, everything else by default.
-inline std::function<Teuchos::RCP<Preconditioner>()> preconditioner(const std::string& name) {
-  return [list = resolved("Preconditioner", preconditionerSchema(), {"Type=" + name})] { return makePreconditioner(list); };
-}
+std::function<Teuchos::RCP<Preconditioner>()> preconditioner(const std::string& name);
 
 /// \param tolerance  of the outer solver; \param start  in place of the auxiliary solution, or null. Collective.
-inline OuterResult solveWith(const std::string& method, const InterfaceProblem& problem, double tolerance,
-                             const std::function<Teuchos::RCP<Preconditioner>()>& makePreconditioner,
-                             const InterfaceState* start = nullptr) {
-  OuterSettings settings;
-  settings.tolerance = tolerance;
-  settings.preconditioner = makePreconditioner;
-  Monitor silent;
-  Parameters own;
-  own.set("Inner Tolerance", method == "Active Set" ? 1e-3 : 1e-2);
-  return Registry<OuterSolver>::instance().make(method, own)->solve(problem, settings, silent, start);
-}
-inline OuterResult solveWith(const std::string& method, const InterfaceProblem& problem, double tolerance = 1e-10,
-                             const std::string& preconditionerName = "BDDC", const InterfaceState* start = nullptr) {
-  return solveWith(method, problem, tolerance, preconditioner(preconditionerName), start);
-}
+OuterResult solveWith(const std::string& method, const InterfaceProblem& problem, double tolerance,
+                      const std::function<Teuchos::RCP<Preconditioner>()>& makePreconditioner, const InterfaceState* start = nullptr);
+OuterResult solveWith(const std::string& method, const InterfaceProblem& problem, double tolerance = 1e-10,
+                      const std::string& preconditionerName = "BDDC", const InterfaceState* start = nullptr);
 
 /// How far a solution is from the monolithic one, over all ranks.
 struct Distance {
@@ -35,22 +22,6 @@ struct Distance {
   int otherwise = 0;                       ///< pairs of another status
 };
 
-inline Distance distance(const Blocks& all, const InterfaceProblem::Recovered& found, const MonolithicResult& reference) {
-  double mine[3] = {0.0, 0.0, 0.0}, result[3], largestForce = 1e-300;
-  for (std::size_t s = 0; s < all.subdomains.size(); ++s) {
-    const Vector u = all.subdomains[s]->cartesian(found.freeValues[s]);
-    for (int node = 0; node < all.meshes[s].nodes(); ++node)
-      for (int k = 0; k < 2; ++k)
-        mine[0] = std::max(mine[0], std::abs(u(2 * node + k) - reference.displacement(2 * all.meshes[s].globalNodes[node] + k)));
-  }
-  for (const PairResult& pair : reference.pairs) largestForce = std::max(largestForce, std::abs(pair.force));
-  for (const PairForce& pair : found.pairs) {
-    mine[1] = std::max(mine[1], std::abs(pair.force - reference.pairs[pair.id].force));
-    mine[2] += pair.status != reference.pairs[pair.id].status;
-  }
-  Teuchos::reduceAll(*world(), Teuchos::REDUCE_MAX, 2, mine, result);
-  Teuchos::reduceAll(*world(), Teuchos::REDUCE_SUM, 1, mine + 2, result + 2);
-  return {result[0] / reference.displacement.lpNorm<Eigen::Infinity>(), result[1] / largestForce, int(result[2])};
-}
+Distance distance(const Blocks& all, const InterfaceProblem::Recovered& found, const MonolithicResult& reference);
 
 }  // namespace suture::blocks

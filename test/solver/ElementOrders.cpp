@@ -1,7 +1,7 @@
 // Every element against an exact solution of plane strain without body force: how fast its errors fall with the mesh size.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <suture/elasticity/ElementMap.hpp>
-#include <suture/solver/Monolithic.hpp>
+#include <suture/reference/Monolithic.hpp>
 
 #include "RoundScenes.hpp"
 

@@ -1,7 +1,7 @@
 // What an iteration of the inner solver takes from the heap: nothing that grows with the problem.
+#include <suture/algebra/AlignedVector.hpp>
 #include <suture/interface/CondensedProblem.hpp>
 #include <suture/solver/InnerSolver.hpp>
-#include <suture/subdomain/AlignedVector.hpp>
 
 #include <Teuchos_UnitTestHarness.hpp>
 #include <Tpetra_MultiVector.hpp>

@@ -1,6 +1,6 @@
 // Mixed elements where Poisson's ratio tends to 0.5, and that displacement elements do lock there.
 #include <Teuchos_UnitTestHarness.hpp>
-#include <suture/solver/Monolithic.hpp>
+#include <suture/reference/Monolithic.hpp>
 
 #include "RoundScenes.hpp"
 

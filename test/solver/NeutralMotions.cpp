@@ -1,5 +1,5 @@
 #include <suture/base/NonnegativeLeastSquares.hpp>
-#include <suture/solver/NeutralMotions.hpp>
+#include <suture/solver/solvability/NeutralMotions.hpp>
 
 #include <Teuchos_UnitTestHarness.hpp>
 

@@ -2,9 +2,9 @@
 // contact problem has the reference's solution.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <solver/SceneChoices.hpp>
-#include <suture/precond/CoarseSpace.hpp>
 #include <suture/precond/EdgeConstraints.hpp>
 #include <suture/precond/Weighting.hpp>
+#include <suture/precond/coarse/CoarseSpace.hpp>
 
 #include <set>
 

@@ -1,5 +1,5 @@
 #pragma once
-#include <solver/MonolithicScenes.hpp>
+#include <support/SmallScenes.hpp>
 #include <suture/base/Errors.hpp>
 #include <suture/constraints/NodalRules.hpp>
 
@@ -8,33 +8,7 @@ namespace suture::scenes {
 
 /// A quarter of the ring a < r < b about the origin, nr x nt cells: groups body_left (r = a), body_right (r = b), body_bottom (the x axis),
 /// body_top (the y axis). Curved sides of quadratic cells pass through the circle in three points.
-inline Scene quarterRing(Cell cell, double a, double b, int nr, int nt, const Material& material, bool axisymmetric = false) {
-  Box box;
-  box.x0 = a;
-  box.x1 = b;
-  box.nx = nr;
-  box.ny = nt;
-  box.cell = cell;
-  Scene scene = fromBoxes({box}, material.young, material.poisson);
-  scene.model.materialOfBody[0] = material;
-  const double quarter = std::acos(0.0);
-  for (int node = 0; node < scene.mesh.nodes(); ++node) {
-    double* x = &scene.mesh.coordinates[2 * node];
-    const double r = x[0], t = x[1];
-    x[0] = t == 1.0 ? 0.0 : r * std::cos(t * quarter);
-    x[1] = r * std::sin(t * quarter);
-  }
-  if (axisymmetric) {
-    makeAxisymmetric(scene.mesh);
-    scene.model.axisymmetric = true;
-    Problems problems;
-    scene.constraints.rules = nodalRules(scene.mesh, {}, problems);
-  } else {
-    scene.hold("body_top", 0, 0.0);
-  }
-  scene.hold("body_bottom", 1, 0.0);
-  return scene;
-}
+Scene quarterRing(Cell cell, double a, double b, int nr, int nt, const Material& material, bool axisymmetric = false);
 
 /// Largest error of the displacement of the nodes against a radial one, over the largest exact value.
 template <typename Radial>

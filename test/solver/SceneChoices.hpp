@@ -5,17 +5,10 @@
 namespace suture::blocks {
 
 /// What the scene's schema says of the solver packages.
-inline Schema solverSchema() {
-  Schema schema;
-  schema.list("Bodies", Schema());
-  addSolverParameters(schema);
-  return schema;
-}
+Schema solverSchema();
 
 /// A scene's parameters of the solver packages with these settings.
-inline Parameters solverParameters(const std::vector<std::string>& settings) {
-  return *parseScene("<ParameterList name=\"Suture\"/>", "test.xml", solverSchema(), settings).parameters;
-}
+Parameters solverParameters(const std::vector<std::string>& settings);
 
 /// Every formulation that a scene may name.
 inline std::vector<std::string> formulations() { return solverSchema().find("Formulation")->allowed; }

@@ -1,11 +1,12 @@
 #include <Teuchos_UnitTestHarness.hpp>
 #include <suture/base/Errors.hpp>
 #include <suture/base/NonnegativeLeastSquares.hpp>
+#include <suture/elasticity/NodalLoads.hpp>
 #include <suture/mesh/Generators.hpp>
-#include <suture/solver/MonolithicSystem.hpp>
-#include <suture/solver/Solvability.hpp>
+#include <suture/reference/MonolithicSystem.hpp>
+#include <suture/solver/solvability/Solvability.hpp>
 
-#include "MonolithicScenes.hpp"
+#include <support/SmallScenes.hpp>
 
 #include <cmath>
 #include <functional>

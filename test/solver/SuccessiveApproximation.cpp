@@ -5,13 +5,13 @@
 #include <Teuchos_UnitTestHarness.hpp>
 #include <suture/interface/CondensedProblem.hpp>
 #include <suture/partition/SubdomainMesh.hpp>
-#include <suture/solver/Monolithic.hpp>
+#include <suture/reference/Monolithic.hpp>
 #include <suture/solver/OuterSolver.hpp>
 #include <suture/subdomain/ElasticSubdomain.hpp>
 
 #include <cmath>
 
-#include "MonolithicScenes.hpp"
+#include <support/SmallScenes.hpp>
 
 using namespace suture;
 

@@ -1,7 +1,8 @@
 #include <Teuchos_CommHelpers.hpp>
 #include <Teuchos_UnitTestHarness.hpp>
-#include <suture/solver/Monolithic.hpp>
-#include <suture/solver/MonolithicSystem.hpp>
+#include <suture/elasticity/NodalLoads.hpp>
+#include <suture/reference/Monolithic.hpp>
+#include <suture/reference/MonolithicSystem.hpp>
 
 #include <support/Blocks.hpp>
 

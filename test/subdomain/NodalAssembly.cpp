@@ -2,7 +2,6 @@
 #include <suture/mesh/Generators.hpp>
 #include <suture/subdomain/NodalAssembly.hpp>
 
-#include <Eigen/Dense>
 #include <random>
 
 namespace suture {

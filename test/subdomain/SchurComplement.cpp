@@ -69,7 +69,7 @@ TEUCHOS_UNIT_TEST(SchurComplement, VanishesOnTracesOfRigidMotions) {
     one.problem.applySchur(kernel, flux);
     TEST_COMPARE(flux.norm(), <, 1e-13 * one.applied().norm() * kernel.norm());
     // and on nothing else
-    const Vector values = Eigen::SelfAdjointEigenSolver<Matrix>(one.applied()).eigenvalues();
+    const Vector values = eigenvalues(one.applied());
     TEST_COMPARE(values(2), <, 1e-12 * values(values.size() - 1));
     TEST_COMPARE(values(3), >, 1e-3 * values(values.size() - 1));
   }
@@ -106,14 +106,14 @@ TEUCHOS_UNIT_TEST(SchurComplement, TheLocalInverseSolvesBalancedFluxes) {
       const auto inverse = one.problem.inverse();
       Matrix f = random(n, 3), trace(n, 3), flux(n, 3);
       const Matrix& z = one.problem.kernel();
-      if (z.cols() > 0) f -= z * (z.transpose() * z).ldlt().solve(z.transpose() * f);
+      if (z.cols() > 0) f = withoutSpan(z, f);
       inverse->apply(f, trace);
       one.problem.applySchur(trace, flux);
       TEST_COMPARE(difference(flux, f), <, 1e-11);
       Matrix dense(n, n);
       inverse->apply(Matrix::Identity(n, n), dense);
       TEST_COMPARE(difference(dense, dense.transpose()), <, 1e-12);
-      const Vector values = Eigen::SelfAdjointEigenSolver<Matrix>(0.5 * (dense + dense.transpose())).eigenvalues();
+      const Vector values = eigenvalues(dense);
       TEST_COMPARE(values(0), >, 0.0);
     }
 }

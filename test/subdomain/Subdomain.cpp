@@ -65,7 +65,7 @@ TEUCHOS_UNIT_TEST(Subdomain, AConstantStrainStateIsExactInTurnedAxes) {
     const Subdomain& s = *body.subdomains[0];
     TEST_EQUALITY(s.kernel().cols(), 0);
     const Vector exact = plate.exact(s.mesh());
-    const Vector v = s.stiffness().dense().ldlt().solve(s.load());
+    const Vector v = solveSymmetric(s.stiffness().dense(), s.load());
     TEST_COMPARE(difference(s.cartesian(v), exact), <, 1e-12);
     TEST_COMPARE(difference(s.freeValues(exact), v), <, 1e-12);
     // stored energy less the work of the pull
@@ -82,7 +82,7 @@ TEUCHOS_UNIT_TEST(Subdomain, ReactionsBalanceTheLoads) {
   const Subdomain& s = *body.subdomains[0];
   Point applied{0, 0, 0}, reactions{0, 0, 0};
   double absolute = 0.0;
-  s.resultants(s.stiffness().dense().ldlt().solve(s.load()), applied, reactions, absolute);
+  s.resultants(solveSymmetric(s.stiffness().dense(), s.load()), applied, reactions, absolute);
   for (int k = 0; k < 2; ++k) {
     TEST_COMPARE(std::abs(applied[k] - plate.pull * plate.height * plate.along[k]), <, 1e-13);
     TEST_COMPARE(std::abs(reactions[k] + plate.pull * plate.height * plate.along[k]), <, 1e-12);

@@ -1,8 +1,8 @@
 // Suture inside another program: it has a communicator of its own (each rank solves by itself), takes the scene from memory and keeps the
 // console silent. The patch test: one block pressed on another with u_y = -0.1; the pressure is 1e5 everywhere.
 #include <suture/base/Errors.hpp>
-#include <suture/base/SceneReader.hpp>
 #include <suture/base/Version.hpp>
+#include <suture/base/scene/SceneReader.hpp>
 #include <suture/constraints/BuildConstraints.hpp>
 #include <suture/mesh/MeshReader.hpp>
 #include <suture/partition/Partition.hpp>

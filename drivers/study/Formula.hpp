@@ -1,0 +1,40 @@
+#pragma once
+#include <memory>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+namespace suture::study {
+
+/// A cell of a study's table: a number, a text, or nothing (a run that ended before it had the figure).
+struct Cell {
+  enum class Kind { Empty, Integer, Real, Text } kind = Kind::Empty;
+  double number = 0.0;  ///< of Integer and Real
+  std::string text;     ///< of Text
+  bool isNumber() const { return kind == Kind::Integer || kind == Kind::Real; }
+};
+
+/// A formula over the figures of summary.json: numbers, paths with dots ("outer.pcg_total"), the operators + - * / with a blank on both
+/// sides (names may contain hyphens and blanks), parentheses, and the functions abs(x), max(x, y, ...), sqrt(x), norm(path of a vector).
+class Formula {
+ public:
+  /// \throws InputError  says what was expected where; the path of the problem is empty. Local.
+  explicit Formula(const std::string& text);
+
+  /// All paths in it, in the order of the text.
+  std::vector<std::string> paths() const;
+  /// Replaces a path by a formula wherever it stands.
+  void substitute(const std::string& path, const Formula& meaning);
+  /// Empty where a figure is missing or not finite. A single path may also have a text or true/false as its value. Local.
+  Cell evaluate(const nlohmann::ordered_json& summary) const;
+
+  struct Node;
+
+ private:
+  std::shared_ptr<const Node> root_;
+};
+
+/// The entry that a path names, or null (the C++ one). Names with dots in them cannot be reached. Local.
+const nlohmann::ordered_json* findEntry(const nlohmann::ordered_json& summary, const std::string& path);
+
+}  // namespace suture::study

@@ -1,0 +1,45 @@
+#include "Options.hpp"
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+
+#include "../support/CommandLine.hpp"
+
+namespace suture::study {
+
+std::optional<int> Options::parse(int argc, char* argv[]) {
+  commandLine.assign(argv, argv + argc);
+  std::vector<std::string> set;
+  const auto describe = [&](CLI::App& app) {
+    app.add_option("STUDY", study, "Study file (XML); 'suture_schema --study' documents it")->required()->type_name("FILE");
+    app.add_option("--output", output, "Output folder, instead of studies_out/<study> beside the study")->type_name("DIR");
+    addSetOption(app, set,
+                 "Change a parameter of the scene in every run; with 'Study/' before it, one of the study, e.g. "
+                 "--set Study/Repetitions=3");
+    app.add_option("--only", only, "Run only the combinations with this label ('label' or 'sweep=label'); may be repeated")
+        ->type_name("LABEL")
+        ->allow_extra_args(false);
+    app.add_flag("--check", check, "Check the study and the parameters of all its runs, list them, run nothing");
+    app.add_flag("--continue", goOn, "Go on where an interrupted study stopped: take over the runs that its output folder has");
+    app.add_flag("--quiet", quiet, "Print errors and missed bands only");
+    addPluginOption(app, plugins);
+  };
+  const auto end =
+      parseCommandLine(argc, argv, "suture_study", "Runs a scene with many values of some of its parameters; one table of all.", describe);
+  const std::string prefix = "Study/";
+  for (const std::string& assignment : set) {
+    if (assignment.compare(0, prefix.size(), prefix) == 0)
+      ofTheStudy.push_back(assignment.substr(prefix.size()));
+    else
+      overrides.push_back(assignment);
+  }
+  return end;
+}
+
+std::string Options::folder() const {
+  if (!output.empty()) return output;
+  const std::filesystem::path file(study);
+  return (file.parent_path() / "studies_out" / file.stem()).string();
+}
+
+}  // namespace suture::study

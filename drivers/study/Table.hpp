@@ -1,0 +1,35 @@
+#pragma once
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "Runs.hpp"
+
+namespace suture::study {
+
+/// What one combination of a study gave.
+struct Row {
+  const Run* run = nullptr;
+  std::vector<Cell> cells;                     ///< of each column
+  std::vector<Cell> judged;                    ///< of each band the value of its column; empty for a run that failed
+  std::vector<std::pair<Cell, Cell>> ordered;  ///< of each order x and y; empty for a run that failed
+  int exitCode = 0;
+  std::string failure;  ///< in one line; empty: the run converged
+};
+
+/// The row of a run. \param summaries  texts of summary.json, one a repetition: of times the median is kept, all else is of the first; a
+/// run that ended without one gives a row with exit code and reason only. Local.
+Row studyRow(const Study& study, const Run& run, const std::vector<std::string>& summaries, int exitCode, const std::string& failure);
+
+/// "9,670", "0.00123", "true": for people. Local.
+std::string shown(const Cell& cell);
+/// All digits. Local.
+std::string exact(const Cell& cell);
+
+/// The table, labels of the sweeps first; the column `failure` only if a run has failed. Local.
+std::string tableCsv(const Study& study, const std::vector<Row>& rows);
+std::string tableMarkdown(const Study& study, const std::vector<Row>& rows);
+/// The table and the plots for suture_study_plot. Local.
+std::string tableJson(const Study& study, const std::vector<Row>& rows);
+
+}  // namespace suture::study

@@ -1,0 +1,25 @@
+#pragma once
+#include <suture/algebra/LocalSolver.hpp>
+
+#include <memory>
+
+namespace suture {
+
+/// A direct solver of Amesos2 (KLU2), on a communicator of its own rank: KLU2 gave wrong answers, silently, on matrices distributed over
+/// several ranks, so the matrix never is (DESIGN section 5; a regression test checks the answers).
+class AmesosSolver : public LocalSolver {
+ public:
+  static Schema schema();
+  explicit AmesosSolver(const Parameters& own);
+  ~AmesosSolver() override;
+
+ protected:
+  void doFactorise(const SparseMatrix& matrix) override;
+  void doSolve(LocalView x) const override;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace suture

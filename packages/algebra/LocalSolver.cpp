@@ -1,0 +1,39 @@
+#include <suture/algebra/AmesosSolver.hpp>
+#include <suture/algebra/CholmodSolver.hpp>
+#include <suture/algebra/LocalSolver.hpp>
+
+#include <Teuchos_ParameterList.hpp>
+
+namespace suture {
+
+void LocalSolver::factorise(const SparseMatrix& matrix) {
+  if (matrix.rows() != matrix.cols()) throw InternalError("a local solver was given a matrix that is not square");
+  size_ = static_cast<int>(matrix.rows());
+  if (size_ > 0) doFactorise(matrix);
+}
+
+void LocalSolver::solve(LocalView x) const {
+  if (x.rows() != size_) throw InternalError("a local solver was given a right-hand side of the wrong length");
+  if (size_ == 0 || x.cols() == 0) return;
+  solves_ += x.cols();
+  doSolve(x);
+}
+
+void registerBuiltIns(Registry<LocalSolver>& registry) {
+  registry.add("CHOLMOD", CholmodSolver::schema(), [](const Parameters& own) { return std::make_unique<CholmodSolver>(own); });
+  registry.add("Amesos2", AmesosSolver::schema(), [](const Parameters& own) { return std::make_unique<AmesosSolver>(own); });
+}
+
+Schema subdomainSchema() {
+  Schema schema("How the problem of a single subdomain is solved.");
+  schema.choice("Local Solver", "CHOLMOD", Registry<LocalSolver>::instance().schemas(), "Sparse direct solver of the subdomains.");
+  return schema;
+}
+
+LocalSolverMaker localSolverMaker(const Parameters& subdomain) {
+  const auto name = subdomain.get<std::string>("Local Solver");
+  const Parameters own = subdomain.isSublist(name) ? subdomain.sublist(name) : Parameters();
+  return [name, own] { return Registry<LocalSolver>::instance().make(name, own); };
+}
+
+}  // namespace suture

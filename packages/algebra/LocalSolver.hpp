@@ -1,0 +1,46 @@
+#pragma once
+#include <suture/algebra/SparseMatrix.hpp>
+#include <suture/base/Registry.hpp>
+#include <suture/base/Types.hpp>
+
+#include <memory>
+
+namespace suture {
+
+/// Sparse direct solver for the symmetric positive definite matrices of one subdomain, group or coarse problem. Strategies: CHOLMOD,
+/// Amesos2; a user adds his own through Registry<LocalSolver>. Local: never communicates.
+class LocalSolver {
+ public:
+  static const char* kind() { return "local solver"; }
+  virtual ~LocalSolver() = default;
+
+  /// Factors a symmetric positive definite matrix, both triangles given. Forgets an earlier one.
+  /// \throws NumericalError  breakdown (not positive definite, as far as the method notices).
+  void factorise(const SparseMatrix& matrix);
+
+  /// x <- matrix^-1 x, for any number of right-hand sides (columns).
+  void solve(LocalView x) const;
+
+  int size() const { return size_; }
+  /// Right-hand sides solved so far.
+  long long solves() const { return solves_; }
+
+ protected:
+  virtual void doFactorise(const SparseMatrix& matrix) = 0;
+  virtual void doSolve(LocalView x) const = 0;
+
+ private:
+  int size_ = 0;
+  mutable long long solves_ = 0;
+};
+
+void registerBuiltIns(Registry<LocalSolver>& registry);
+
+/// Makes fresh local solvers of the kind that the scene asks for.
+using LocalSolverMaker = std::function<std::unique_ptr<LocalSolver>()>;
+
+/// The scene's list `Subdomain`, and the maker it describes.
+Schema subdomainSchema();
+LocalSolverMaker localSolverMaker(const Parameters& subdomain);
+
+}  // namespace suture

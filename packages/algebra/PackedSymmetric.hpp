@@ -1,0 +1,41 @@
+#pragma once
+#include <suture/algebra/AlignedVector.hpp>
+#include <suture/base/Types.hpp>
+
+#include <vector>
+
+namespace suture {
+
+/// A dense symmetric matrix of which little more than the lower triangle is kept: panels of four columns each, from their diagonal block
+/// (whole) downwards, of which a line of the cache of each column follows the other. A product reads memory once, in one direction, and is
+/// as fast as memory is. In single precision half of that, for what need not be exact: a preconditioner. Local; const is safe with threads.
+class PackedSymmetric {
+ public:
+  enum class Precision { Double, Single };
+
+  PackedSymmetric() = default;
+  /// \param matrix  its lower triangle is read
+  explicit PackedSymmetric(const Matrix& matrix, Precision precision = Precision::Double);
+  /// In single precision, what is already. \param factor  times the matrix: a power of two beyond the range of single precision
+  explicit PackedSymmetric(const Eigen::MatrixXf& matrix, double factor = 1.0);
+
+  int size() const { return size_; }
+  double bytes() const { return static_cast<double>(sizeof(double) * values_.size() + sizeof(float) * singles_.size()); }
+  /// y <- A x, for several right-hand sides at once.
+  void multiply(ConstLocalView x, LocalView y) const;
+  Matrix full() const;
+  /// A(positions, positions).
+  Matrix block(const std::vector<int>& positions) const;
+
+ private:
+  template <typename Real>
+  void multiply(const AlignedVector<Real>& values, ConstLocalView x, LocalView y) const;
+  double at(int row, int column) const;
+
+  int size_ = 0;
+  double factor_ = 1.0;           // times what is kept
+  AlignedVector<double> values_;  // one of the two
+  AlignedVector<float> singles_;
+};
+
+}  // namespace suture

@@ -1,0 +1,135 @@
+#include <suture/algebra/UpdatedInverse.hpp>
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+namespace suture {
+
+namespace {
+
+// The base may be known to single precision only: what is lost by a condition of this inverse is a thousandth.
+constexpr double kLeastEigenvalue = 1e-4;
+constexpr double kAccuracy = 1e-4;  // of the values that the new basis has in the new rows
+
+/// B with a^-1 = B B^T; empty if a, its diagonal scaled to one, has an eigenvalue that is too small.
+Matrix inverseRoot(const Matrix& a) {
+  const Vector diagonal = a.diagonal();
+  if (!(diagonal.minCoeff() > 0.0)) return Matrix();
+  const Vector scale = diagonal.cwiseSqrt().cwiseInverse();
+  const Eigen::SelfAdjointEigenSolver<Matrix> eigen(scale.asDiagonal() * a * scale.asDiagonal());
+  if (eigen.info() != Eigen::Success || !(eigen.eigenvalues()(0) > kLeastEigenvalue)) return Matrix();
+  return scale.asDiagonal() * eigen.eigenvectors() * eigen.eigenvalues().cwiseSqrt().cwiseInverse().asDiagonal();
+}
+
+Matrix columnsAt(const Matrix& matrix, const std::vector<int>& positions) {
+  Matrix columns(matrix.rows(), positions.size());
+  for (std::size_t k = 0; k < positions.size(); ++k) columns.col(static_cast<int>(k)) = matrix.col(positions[k]);
+  return columns;
+}
+
+Matrix blockAt(const Matrix& matrix, const std::vector<int>& rows, const std::vector<int>& columns) {
+  return rowsAt(columnsAt(matrix, columns), rows);
+}
+
+/// What belongs to the constraints that are held at present; the inverse is P + plus plus^T - minus minus^T, P that of the base.
+struct Change {
+  Matrix basis, energy;
+  Matrix plus, minus;
+
+  /// Removes some rows of the base, keeps the others. \return false: inaccurate
+  bool remove(const std::vector<int>& removed, const std::vector<int>& kept) {
+    Matrix heldBasis = columnsAt(basis, kept), heldEnergy = blockAt(energy, kept, kept);
+    if (!removed.empty()) {
+      const Matrix own = blockAt(energy, removed, removed);
+      // Without them a motion may cost nothing.
+      if (!(own.diagonal().minCoeff() > kLeastEigenvalue * energy.diagonal().maxCoeff())) return false;
+      const Matrix root = inverseRoot(own);
+      if (root.size() == 0) return false;
+      plus = columnsAt(basis, removed) * root;
+      const Matrix mixed = root.transpose() * blockAt(energy, removed, kept);
+      heldBasis -= plus * mixed;
+      heldEnergy -= mixed.transpose() * mixed;
+    }
+    basis = std::move(heldBasis);
+    energy = std::move(heldEnergy);
+    return true;
+  }
+
+  /// Adds rows D behind those that are held. \return false: inaccurate
+  bool add(const Matrix& d, const LocalInverse& base) {
+    const Matrix across = d.transpose();
+    Matrix w(across.rows(), across.cols());
+    base.apply(across, w);
+    if (plus.size() > 0) w += plus * (plus.transpose() * across);
+    const Matrix product = d * w, root = inverseRoot(0.5 * (product + product.transpose()));
+    if (root.size() == 0) return false;
+    minus = w * root;
+    const Matrix mixed = root.transpose() * (d * basis), between = -mixed.transpose() * root.transpose();
+    const Eigen::Index before = basis.cols(), more = d.rows(), after = before + more;
+    basis -= minus * mixed;
+    basis.conservativeResize(Eigen::NoChange, after);
+    basis.rightCols(more) = minus * root.transpose();
+    energy += mixed.transpose() * mixed;
+    energy.conservativeResize(after, after);
+    energy.topRightCorner(before, more) = between;
+    energy.bottomLeftCorner(more, before) = between.transpose();
+    energy.bottomRightCorner(more, more) = root * root.transpose();
+    return true;
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<UpdatedInverse> UpdatedInverse::make(std::shared_ptr<const LocalInverse> base, const std::vector<int>& from,
+                                                     const Matrix& constraints) {
+  Change change{base->basis(), base->energy(), {}, {}};
+  const Eigen::Index held = change.basis.cols();
+  if (change.energy.rows() != held || change.energy.cols() != held) return nullptr;  // a user's, which need not tell
+  std::vector<int> kept, keptRows, addedRows;                                        // numbers in the base; new rows
+  for (int row = 0; row < static_cast<int>(from.size()); ++row) {
+    (from[row] < 0 ? addedRows : keptRows).push_back(row);
+    if (from[row] >= 0) kept.push_back(from[row]);
+  }
+  std::vector<int> sorted = kept;
+  std::sort(sorted.begin(), sorted.end());
+  const std::vector<int> removed = complement(static_cast<int>(held), sorted);
+  if (!change.remove(removed, kept)) return nullptr;
+  if (!addedRows.empty() && !change.add(rowsAt(constraints, addedRows), *base)) return nullptr;
+
+  // As the new rows are numbered.
+  std::vector<int> place(from.size());
+  for (std::size_t k = 0; k < keptRows.size(); ++k) place[keptRows[k]] = static_cast<int>(k);
+  for (std::size_t k = 0; k < addedRows.size(); ++k) place[addedRows[k]] = static_cast<int>(kept.size() + k);
+  const Matrix basis = columnsAt(change.basis, place);
+  // A row that follows from others has left nothing but rounding.
+  if (basis.cols() > 0) {
+    const Matrix error = constraints * basis - Matrix::Identity(basis.cols(), basis.cols());
+    if (!(error.cwiseAbs().maxCoeff() < kAccuracy)) return nullptr;
+  }
+  std::unique_ptr<UpdatedInverse> made(new UpdatedInverse);
+  made->base_ = std::move(base);
+  made->plus_ = PackedColumns(change.plus);
+  made->minus_ = PackedColumns(change.minus);
+  made->basis_ = PackedColumns(basis);
+  made->energy_ = blockAt(change.energy, place, place);
+  return made;
+}
+
+void UpdatedInverse::apply(ConstLocalView flux, LocalView trace) const {
+  base_->apply(flux, trace);
+  for (Eigen::Index c = 0; c < flux.cols(); ++c) {
+    plus_.multiplyTransposed(flux.col(c), gain_);
+    plus_.addProduct(gain_, trace.col(c));
+    minus_.multiplyTransposed(flux.col(c), loss_);
+    loss_ = -loss_;
+    minus_.addProduct(loss_, trace.col(c));
+  }
+}
+
+double UpdatedInverse::bytesRead() const {
+  const double own = base_->bytesRead();
+  return own > 0.0 ? own + 2.0 * (plus_.bytes() + minus_.bytes()) : 0.0;
+}
+
+}  // namespace suture

@@ -1,0 +1,40 @@
+#pragma once
+#include <suture/algebra/SymmetricMatrix.hpp>
+#include <suture/algebra/elimination/SingleFactor.hpp>
+#include <suture/base/Types.hpp>
+
+#include <vector>
+
+namespace suture {
+
+/// The interior of a subdomain eliminated onto its boundary:
+///     S = A_BB - A_BI A_II^-1 A_IB,   g = f_B - A_BI A_II^-1 f_I,
+/// by a multifrontal factorisation of A_II (FrontTree) that stops at the boundary: S is what the last front is left with. It is never
+/// factored and multiplied back, as with a factorisation of the whole matrix, so that floating bodies need no shift. Dense blocks by BLAS
+/// and LAPACK. S times a translation vanishes to 2e-15 of S for 200 unknowns, 1e-14 for 1,900, 3e-14 for 7,400 (bounds of the test). Local.
+class StaticCondensation {
+ public:
+  /// \param load      all unknowns
+  /// \param boundary  positions of B
+  /// \param places    of each unknown: where its node is. S does not depend on them but for rounding, the time does.
+  /// \throws NumericalError    a pivot of A_II is not positive, or nothing but rounding; names the unknown
+  /// \throws EnvironmentError  out of memory
+  StaticCondensation(const SymmetricMatrix& matrix, const Vector& load, const std::vector<int>& boundary, const std::vector<Point>& places);
+
+  /// S in the order of `boundary`; its lower triangle is set. To be moved from, as the factor below.
+  Matrix& schur() { return schur_; }
+  /// g.
+  const Vector& condensedLoad() const { return condensedLoad_; }
+  /// -f_I A_II^-1 f_I / 2.
+  double interiorEnergy() const { return interiorEnergy_; }
+  /// The factor of A_II, rounded to single precision.
+  SingleFactor& factor() { return factor_; }
+
+ private:
+  Matrix schur_;
+  Vector condensedLoad_;
+  double interiorEnergy_ = 0.0;
+  SingleFactor factor_;
+};
+
+}  // namespace suture

@@ -1,0 +1,88 @@
+#include "SceneReader.hpp"
+
+#include <Teuchos_Comm.hpp>
+#include <Teuchos_ParameterList.hpp>
+#include <cerrno>
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include <suture/base/Collective.hpp>
+#include <suture/base/Errors.hpp>
+#include "SceneResolver.hpp"
+
+namespace suture {
+namespace {
+
+const char* const arrow = "->";  // between the names of nested lists, Teuchos' own
+
+constexpr std::uintmax_t largestFile = 16u << 20;  // bytes; the largest scene of ours has 9,000
+
+std::string readFile(const std::string& path) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored)) throw InputError(path, "is a folder; expected an XML file");
+  if (std::filesystem::exists(path, ignored)) {
+    // A pipe may never end, a device neither.
+    if (!std::filesystem::is_regular_file(path, ignored)) throw InputError(path, "is no regular file; expected an XML file");
+    if (const auto size = std::filesystem::file_size(path, ignored); !ignored && size > largestFile)
+      throw InputError(path, "has " + std::to_string(size) + " bytes; expected an XML file of at most " + std::to_string(largestFile));
+  }
+  errno = 0;
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw InputError(path, std::string("cannot be read: ") + std::strerror(errno != 0 ? errno : ENOENT));
+  std::ostringstream text;
+  text << file.rdbuf();
+  if (file.bad() || (text.fail() && file.peek() != std::ifstream::traits_type::eof())) throw InputError(path, "cannot be read to its end");
+  return text.str();
+}
+
+}  // namespace
+
+SceneFile readScene(const Comm& comm, const std::string& path, const Schema& schema, const std::vector<std::string>& overrides) {
+  std::string text;
+  collectivelyOnRoot(comm, "reading " + path, [&] { text = readFile(path); });
+  text = broadcast(comm, text);
+  // Every rank checks the same text: should it throw, it throws the same everywhere, and nobody waits.
+  return parseScene(text, path, schema, overrides);
+}
+
+SceneFile parseScene(const std::string& text, const std::string& path, const Schema& schema, const std::vector<std::string>& overrides) {
+  Problems problems;
+  RawList tree = parseTree(text, path, problems);
+  if (tree.parameters.empty() && tree.lists.empty()) problems.throwIfAny();  // no XML: what the schema misses is no news
+  for (const std::string& assignment : overrides) applyOverride(tree, assignment, problems);
+
+  SceneFile scene;
+  scene.path = path;
+  scene.folder = std::filesystem::path(path).parent_path().string();
+  if (scene.folder.empty()) scene.folder = ".";
+  scene.text = text;
+  scene.parameters = Teuchos::rcp(new Parameters(tree.name.empty() ? "Suture" : tree.name));
+  resolve(tree, schema, *scene.parameters, problems);
+  problems.throwIfAny();
+  return scene;
+}
+
+std::string pathOf(const Parameters& list, const std::string& parameter) {
+  const std::string name = list.name();
+  std::string path;
+  // The first name is that of the whole scene and says nothing.
+  for (std::size_t at = name.find(arrow); at != std::string::npos;) {
+    const std::size_t begin = at + 2;
+    at = name.find(arrow, begin);
+    path = joinPath(path, name.substr(begin, at == std::string::npos ? at : at - begin));
+  }
+  return joinPath(path, parameter);
+}
+
+std::vector<std::string> sublistNames(const Parameters& list) {
+  std::vector<std::string> names;
+  for (auto entry = list.begin(); entry != list.end(); ++entry) {
+    if (list.isSublist(list.name(entry))) names.push_back(list.name(entry));
+  }
+  return names;
+}
+
+}  // namespace suture

@@ -1,0 +1,327 @@
+#include "SceneResolver.hpp"
+
+#include <Teuchos_Array.hpp>
+#include <Teuchos_ParameterList.hpp>
+#include <algorithm>
+#include <cmath>
+
+#include <suture/base/Numbers.hpp>
+
+namespace suture {
+namespace {
+
+using Kind = Schema::Kind;
+
+/// What a value of a kind should look like, with the names it may have or the range it must lie in.
+std::string expectation(const Schema::Parameter& parameter) {
+  std::string text;
+  switch (parameter.kind) {
+    case Kind::Integer:
+      text = "an integer";
+      break;
+    case Kind::Real:
+      text = "a number";
+      break;
+    case Kind::Boolean:
+      text = "true or false";
+      break;
+    case Kind::Text:
+      text = "a text";
+      break;
+    case Kind::Reals:
+      text = "numbers as in {1.0, 2.0}";
+      break;
+    case Kind::Integers:
+      text = "integers as in {1, 2}";
+      break;
+    case Kind::Texts:
+      text = "names as in {a, b}";
+      break;
+  }
+  const bool number = parameter.kind != Kind::Text && parameter.kind != Kind::Texts && parameter.kind != Kind::Boolean;
+  if (number && parameter.range.text() != "any") text += ", " + parameter.range.text();
+  if (!parameter.allowed.empty()) text = "one of: " + joinNames(parameter.allowed);
+  if (parameter.numberToo)
+    text =
+        "one of: " + joinNames(parameter.words) + ", or a number" + (parameter.range.text() == "any" ? "" : " " + parameter.range.text());
+  return text;
+}
+
+/// What is wrong with a number outside its range: "0.5 is not below 0.5 (note)"; "" for one inside.
+std::string outside(double value, const std::string& written, const Range& range) {
+  if (range.contains(value)) return "";
+  std::string text = written + " is not ";
+  const bool tooLow = range.lowOpen ? value <= range.low : value < range.low;
+  if (tooLow)
+    text += (range.lowOpen ? "above " : "at least ") + realText(range.low);
+  else
+    text += (range.highOpen ? "below " : "at most ") + realText(range.high);
+  if (std::isfinite(range.low) && std::isfinite(range.high)) text += ", it must lie " + range.text();
+  return range.note.empty() ? text : text + " (" + range.note + ")";
+}
+
+/// The `type` attributes under which a value of a kind may be written; a whole number is a number, and one entry is an array of one.
+const std::vector<std::string>& typesFor(const Schema::Parameter& parameter) {
+  static const std::vector<std::string> integer{"int"}, real{"double", "int"}, boolean{"bool"}, text{"string"},
+      word{"string", "double", "int"}, reals{"Array(double)", "Array(int)", "double", "int"}, integers{"Array(int)", "int"},
+      texts{"Array(string)", "string"};
+  switch (parameter.kind) {
+    case Kind::Integer:
+      return integer;
+    case Kind::Real:
+      return real;
+    case Kind::Boolean:
+      return boolean;
+    case Kind::Text:
+      return parameter.numberToo ? word : text;
+    case Kind::Reals:
+      return reals;
+    case Kind::Integers:
+      return integers;
+    case Kind::Texts:
+      return texts;
+  }
+  throw InternalError("a parameter of no kind");
+}
+
+class Resolver {
+ public:
+  explicit Resolver(Problems& problems) : problems_(problems) {}
+
+  /// `demanded`: what has no default must be given; not so inside a choice that is not taken.
+  void list(const RawList& raw, const Schema& schema, const std::string& path, bool demanded, Parameters& resolved) {
+    refuseUnknown(raw, schema, path);
+    for (const Schema::Parameter& parameter : schema.parameters()) {
+      const std::string here = joinPath(path, parameter.name);
+      if (raw.list(parameter.name)) {
+        problems_.add(here, "is a parameter, not a list: expected " + expectation(parameter));
+      } else if (const RawParameter* given = raw.parameter(parameter.name)) {
+        value(*given, parameter, here, resolved);
+      } else if (parameter.fallback) {
+        store(*parameter.fallback, parameter.name, true, resolved);
+      } else if (demanded && !parameter.optional) {
+        problems_.add(here, "is missing and has no default: " + parameter.doc + " (expected " + expectation(parameter) + ")");
+      }
+    }
+    if (schema.userParameter()) userParameters(raw, schema, path, resolved);
+    for (const auto& [name, inner] : schema.lists()) {
+      const std::string here = joinPath(path, name);
+      const RawList* given = raw.list(name);
+      if (raw.parameter(name)) {
+        problems_.add(here, "is a list of parameters, not a parameter");
+      } else if (!given && schema.requiredList(name)) {
+        // One message for the list, not one more for each entry it should have had.
+        if (demanded) problems_.add(here, "this list is missing: " + inner.doc());
+        list(RawList(), inner, here, false, resolved.sublist(name));
+      } else {
+        const bool taken = demanded && isTaken(name, raw, schema);
+        list(given ? *given : RawList(), inner, here, taken, resolved.sublist(name));
+      }
+    }
+    if (schema.userLists()) userLists(raw, schema, path, demanded, resolved);
+  }
+
+ private:
+  /// False for the list of a choice other than the one taken.
+  static bool isTaken(const std::string& name, const RawList& raw, const Schema& schema) {
+    for (const Schema::Parameter& parameter : schema.parameters()) {
+      if (!parameter.choice || std::find(parameter.allowed.begin(), parameter.allowed.end(), name) == parameter.allowed.end()) continue;
+      const RawParameter* given = raw.parameter(parameter.name);
+      if (given) return given->value == name;
+      return parameter.fallback && std::get<std::string>(*parameter.fallback) == name;
+    }
+    return true;
+  }
+
+  void userParameters(const RawList& raw, const Schema& schema, const std::string& path, Parameters& resolved) {
+    for (const RawParameter& given : raw.parameters) {
+      if (!schema.find(given.name) && !schema.findList(given.name))
+        value(given, *schema.userParameter(), joinPath(path, given.name), resolved);
+    }
+  }
+
+  void userLists(const RawList& raw, const Schema& schema, const std::string& path, bool demanded, Parameters& resolved) {
+    int count = 0;
+    for (const RawList& given : raw.lists) {
+      if (schema.find(given.name) || schema.findList(given.name)) continue;
+      ++count;
+      list(given, *schema.userLists(), joinPath(path, given.name), demanded, resolved.sublist(given.name));
+    }
+    if (demanded && count < schema.leastUserLists()) {
+      problems_.add(path, "has " + std::to_string(count) + " lists <" + schema.userListPlaceholder() + ">, expected at least " +
+                              std::to_string(schema.leastUserLists()) + ": " + schema.userLists()->doc());
+    }
+  }
+
+  void refuseUnknown(const RawList& raw, const Schema& schema, const std::string& path) {
+    std::vector<std::string> parameters, lists;
+    for (const Schema::Parameter& parameter : schema.parameters()) parameters.push_back(parameter.name);
+    for (const auto& entry : schema.lists()) lists.push_back(entry.first);
+    for (const RawParameter& given : raw.parameters) {
+      if (schema.find(given.name) || schema.findList(given.name) || schema.userParameter()) continue;
+      std::string message = "no such parameter." + suggestion(given.name, parameters);
+      const std::string home = homeOf(given.name, schema, "");
+      if (!home.empty()) message += ". One of this name belongs in " + home;
+      problems_.add(joinPath(path, given.name), message);
+    }
+    for (const RawList& given : raw.lists) {
+      if (schema.find(given.name) || schema.findList(given.name) || schema.userLists()) continue;
+      problems_.add(joinPath(path, given.name), "no such list." + suggestion(given.name, lists));
+    }
+  }
+
+  /// Where below this list a parameter of the name is known: a right name at the wrong level is a common slip.
+  static std::string homeOf(const std::string& name, const Schema& schema, const std::string& path) {
+    for (const auto& [inner, below] : schema.lists()) {
+      const std::string here = joinPath(path, inner);
+      if (below.find(name)) return here;
+      const std::string deeper = homeOf(name, below, here);
+      if (!deeper.empty()) return deeper;
+    }
+    return "";
+  }
+
+  void value(const RawParameter& given, const Schema::Parameter& parameter, const std::string& path, Parameters& resolved) {
+    if (!given.hasValue || !typeFits(given, parameter, path)) return;
+    switch (parameter.kind) {
+      case Kind::Integer:
+        if (const auto number = integer(given.value, parameter, path)) store(static_cast<long long>(*number), given.name, false, resolved);
+        break;
+      case Kind::Real:
+        if (const auto number = real(given.value, parameter, path)) store(*number, given.name, false, resolved);
+        break;
+      case Kind::Boolean:
+        boolean(given, parameter, path, resolved);
+        break;
+      case Kind::Text:
+        text(given, parameter, path, resolved);
+        break;
+      case Kind::Reals:
+        if (const auto all = entries<double>(given, parameter, path, &Resolver::real)) store(*all, given.name, false, resolved);
+        break;
+      case Kind::Integers:
+        if (const auto all = entries<int>(given, parameter, path, &Resolver::integer)) store(*all, given.name, false, resolved);
+        break;
+      case Kind::Texts:
+        if (const auto all = split(given, parameter, path)) store(*all, given.name, false, resolved);
+        break;
+    }
+  }
+
+  /// The `type` attribute must be one that exists, suit the parameter and, where it says int, the value, too.
+  bool typeFits(const RawParameter& given, const Schema::Parameter& parameter, const std::string& path) {
+    if (given.type.empty()) return true;
+    static const std::vector<std::string> known{"int", "double", "bool", "string", "Array(double)", "Array(int)", "Array(string)"};
+    if (std::find(known.begin(), known.end(), given.type) == known.end()) {
+      problems_.add(path, unknownName("type", given.type, known));
+      return false;
+    }
+    const std::vector<std::string>& fitting = typesFor(parameter);
+    if (std::find(fitting.begin(), fitting.end(), given.type) == fitting.end()) {
+      problems_.add(
+          path, "is of type " + given.type + " ('" + given.value + "'), expected type " + fitting.front() + ": " + expectation(parameter));
+      return false;
+    }
+    if (given.type != "int" && given.type != "Array(int)") return true;
+    const auto all = parseEntries(given.value);
+    const bool whole =
+        all && std::all_of(all->begin(), all->end(), [](const std::string& entry) { return parseInteger(entry).has_value(); });
+    if (!whole) problems_.add(path, "'" + given.value + "' is not of its type " + given.type);
+    return whole;
+  }
+
+  std::optional<int> integer(const std::string& written, const Schema::Parameter& parameter, const std::string& path) {
+    const std::optional<int> number = parseInteger(written);
+    if (!number) problems_.add(path, "'" + written + "' is not an integer: expected " + expectation(parameter));
+    return number && inRange(*number, written, parameter, path) ? number : std::nullopt;
+  }
+
+  std::optional<double> real(const std::string& written, const Schema::Parameter& parameter, const std::string& path) {
+    const std::optional<double> number = parseReal(written);
+    if (!number) problems_.add(path, "'" + written + "' is not a (finite) number: expected " + expectation(parameter));
+    return number && inRange(*number, written, parameter, path) ? number : std::nullopt;
+  }
+
+  bool inRange(double number, const std::string& written, const Schema::Parameter& parameter, const std::string& path) {
+    const std::string wrong = outside(number, trimmed(written), parameter.range);
+    if (!wrong.empty()) problems_.add(path, wrong);
+    return wrong.empty();
+  }
+
+  std::optional<std::vector<std::string>> split(const RawParameter& given, const Schema::Parameter& parameter, const std::string& path) {
+    auto all = parseEntries(given.value);
+    if (!all) problems_.add(path, "'" + given.value + "' cannot be read: expected " + expectation(parameter));
+    return all;
+  }
+
+  template <typename T>
+  std::optional<std::vector<T>> entries(const RawParameter& given, const Schema::Parameter& parameter, const std::string& path,
+                                        std::optional<T> (Resolver::*one)(const std::string&, const Schema::Parameter&,
+                                                                          const std::string&)) {
+    const auto written = split(given, parameter, path);
+    if (!written) return std::nullopt;
+    std::vector<T> all;
+    for (const std::string& entry : *written) {
+      if (const std::optional<T> number = (this->*one)(entry, parameter, path)) all.push_back(*number);
+    }
+    return all.size() == written->size() ? std::optional<std::vector<T>>(std::move(all)) : std::nullopt;
+  }
+
+  void boolean(const RawParameter& given, const Schema::Parameter& parameter, const std::string& path, Parameters& resolved) {
+    const std::string written = trimmed(given.value);
+    if (written == "true" || written == "false")
+      store(written == "true", given.name, false, resolved);
+    else
+      problems_.add(path, "'" + given.value + "' is not a truth value: expected " + expectation(parameter));
+  }
+
+  void text(const RawParameter& given, const Schema::Parameter& parameter, const std::string& path, Parameters& resolved) {
+    const std::vector<std::string>& names = parameter.numberToo ? parameter.words : parameter.allowed;
+    const bool known = std::find(names.begin(), names.end(), given.value) != names.end();
+    if (parameter.numberToo && !known) {
+      if (const std::optional<double> number = parseReal(given.value)) {
+        if (!inRange(*number, given.value, parameter, path)) return;
+        store(trimmed(given.value), given.name, false, resolved);
+        return;
+      }
+      problems_.add(path, "'" + given.value + "' is neither a word known here nor a number: expected " + expectation(parameter) +
+                              didYouMean(given.value, names));
+      return;
+    }
+    if (!known && !names.empty()) {
+      problems_.add(path, "no such name '" + given.value + "'." + suggestion(given.value, names));
+      return;
+    }
+    store(given.value, given.name, false, resolved);
+  }
+
+  static std::string didYouMean(const std::string& name, const std::vector<std::string>& names) {
+    const std::string nearest = nearestName(name, names);
+    return nearest.empty() ? "" : ". Did you mean '" + nearest + "'?";
+  }
+
+  static void store(const Schema::Value& value, const std::string& name, bool isDefault, Parameters& resolved) {
+    std::visit(
+        [&](const auto& held) {
+          using T = std::decay_t<decltype(held)>;
+          if constexpr (std::is_same_v<T, long long>)
+            resolved.setEntry(name, Teuchos::ParameterEntry(static_cast<int>(held), isDefault));
+          else if constexpr (std::is_same_v<T, std::vector<double>> || std::is_same_v<T, std::vector<int>> ||
+                             std::is_same_v<T, std::vector<std::string>>)
+            resolved.setEntry(name, Teuchos::ParameterEntry(Teuchos::Array<typename T::value_type>(held), isDefault));
+          else
+            resolved.setEntry(name, Teuchos::ParameterEntry(held, isDefault));
+        },
+        value);
+  }
+
+  Problems& problems_;
+};
+
+}  // namespace
+
+void resolve(const RawList& tree, const Schema& schema, Parameters& resolved, Problems& problems) {
+  Resolver(problems).list(tree, schema, "", true, resolved);
+}
+
+}  // namespace suture

@@ -1,0 +1,178 @@
+// The schema for readers: a person at the console (text), a person in a browser (markdown), a person with a new scene (xml).
+#include <suture/base/Errors.hpp>
+#include "Schema.hpp"
+#include "Xml.hpp"
+
+namespace suture {
+namespace {
+
+std::string quoted(const Schema::Parameter& parameter) {
+  const std::string value = valueText(*parameter.fallback);
+  return parameter.kind == Schema::Kind::Text && value.empty() ? "\"\"" : value;
+}
+
+std::string defaultText(const Schema::Parameter& parameter) {
+  if (parameter.fallback) return quoted(parameter);
+  return parameter.optional ? "optional" : "required";
+}
+
+/// Range or names: what a value may be; "" when anything goes.
+std::string allowedText(const Schema::Parameter& parameter) {
+  const std::string range = parameter.range.text() == "any" ? "" : parameter.range.text();
+  const auto bars = [](const std::vector<std::string>& names) {
+    std::string all;
+    for (const std::string& name : names) all += (all.empty() ? "" : " | ") + name;
+    return all;
+  };
+  if (parameter.numberToo) return bars(parameter.words) + " | number" + (range.empty() ? "" : " " + range);
+  return parameter.allowed.empty() ? range : bars(parameter.allowed);
+}
+
+/// "(double, default 1e-08, > 0, stress) meaning"
+std::string sentence(const Schema::Parameter& parameter) {
+  std::string text = "(" + typeName(parameter.kind) + ", " + (parameter.fallback ? "default " : "") + defaultText(parameter);
+  const std::string allowed = allowedText(parameter);
+  if (!allowed.empty()) text += ", " + allowed;
+  if (!parameter.unit.empty()) text += ", " + parameter.unit;
+  return text + ") " + parameter.doc;
+}
+
+std::string placeholder(const std::string& name) { return "<" + name + ">"; }
+
+// text ------------------------------------------------------------------------------------------------------------------------------
+
+void appendText(std::string& out, const Schema& schema, int depth) {
+  const std::string blanks = indentation(depth);
+  for (const Schema::Parameter& parameter : schema.parameters()) {
+    out += blanks + parameter.name + "  " + sentence(parameter) + "\n";
+    for (std::size_t i = 0; i < parameter.allowedDocs.size(); ++i)
+      out += blanks + "    " + parameter.allowed[i] + ": " + parameter.allowedDocs[i] + "\n";
+  }
+  if (const Schema::Parameter* any = schema.userParameter())
+    out += blanks + placeholder(any->name) + "  (" + typeName(any->kind) + ", named by you) " + any->doc + "\n";
+  for (const auto& [name, inner] : schema.lists()) {
+    out += blanks + name + "/" + (schema.requiredList(name) ? "  (required) " : "  ") + inner.doc() + "\n";
+    appendText(out, inner, depth + 1);
+  }
+  if (schema.userLists()) {
+    out += blanks + placeholder(schema.userListPlaceholder()) + "/  (named by you, at least " + std::to_string(schema.leastUserLists()) +
+           ") " + schema.userLists()->doc() + "\n";
+    appendText(out, *schema.userLists(), depth + 1);
+  }
+}
+
+// markdown --------------------------------------------------------------------------------------------------------------------------
+
+std::string cell(const std::string& text) {
+  std::string all;
+  for (const char c : text) all += c == '|' ? std::string("\\|") : c == '<' ? std::string("&lt;") : std::string(1, c);
+  return all;
+}
+
+void appendMarkdown(std::string& out, const Schema& schema, const std::string& path) {
+  out += "## " + (path.empty() ? "(top)" : cell(path)) + "\n\n" + schema.doc() + "\n\n";
+  if (!schema.parameters().empty() || schema.userParameter()) {
+    out += "| parameter | type | default | allowed | unit | meaning |\n|---|---|---|---|---|---|\n";
+    for (const Schema::Parameter& parameter : schema.parameters()) {
+      std::string doc = parameter.doc;
+      for (std::size_t i = 0; i < parameter.allowedDocs.size(); ++i)
+        doc += " *" + parameter.allowed[i] + "*: " + parameter.allowedDocs[i] + ".";
+      out += "| " + parameter.name + " | " + typeName(parameter.kind) + " | " + cell(defaultText(parameter)) + " | " +
+             cell(allowedText(parameter)) + " | " + cell(parameter.unit) + " | " + cell(doc) + " |\n";
+    }
+    if (const Schema::Parameter* any = schema.userParameter())
+      out += "| " + cell(placeholder(any->name)) + " | " + typeName(any->kind) + " | named by you | | | " + cell(any->doc) + " |\n";
+    out += "\n";
+  }
+  const std::string slash = path.empty() ? "" : path + "/";
+  for (const auto& [name, inner] : schema.lists()) appendMarkdown(out, inner, slash + name);
+  if (schema.userLists()) appendMarkdown(out, *schema.userLists(), slash + placeholder(schema.userListPlaceholder()));
+}
+
+// xml -------------------------------------------------------------------------------------------------------------------------------
+
+/// Two hyphens in a row are not allowed inside an XML comment.
+std::string commentable(std::string text) {
+  for (std::size_t at = text.find("--"); at != std::string::npos; at = text.find("--", at)) text.replace(at, 2, "- -");
+  return text;
+}
+
+/// A scene with every default. What the user must name or give himself stands in a comment, and in a comment there are no others.
+class XmlScene {
+ public:
+  std::string write(const Schema& schema) {
+    out_ = "<ParameterList name=\"Suture\">\n";
+    remark(1, schema.doc());
+    body(schema, 1);
+    return out_ + "</ParameterList>\n";
+  }
+
+ private:
+  void remark(int depth, const std::string& text) {
+    if (!inComment_ && !text.empty()) out_ += indentation(depth) + "<!-- " + commentable(text) + " -->\n";
+  }
+
+  /// Runs `content` inside a comment that begins with `why`.
+  template <typename Content>
+  void comment(int depth, const std::string& why, Content content) {
+    const bool outer = inComment_;
+    if (!outer) out_ += indentation(depth) + "<!-- " + commentable(why) + ":\n";
+    inComment_ = true;
+    content();
+    inComment_ = outer;
+    if (!outer) out_ += indentation(depth) + "-->\n";
+  }
+
+  void element(int depth, const std::string& name, Schema::Kind kind, const std::string& value) {
+    const std::string line = parameterElement(depth, name, typeName(kind), value);
+    out_ += inComment_ ? commentable(line) : line;
+  }
+
+  void list(int depth, const std::string& name, const Schema& schema) {
+    out_ += indentation(depth) + "<ParameterList name=\"" + escaped(name) + "\">\n";
+    remark(depth + 1, schema.doc());
+    body(schema, depth + 1);
+    out_ += indentation(depth) + "</ParameterList>\n";
+  }
+
+  void body(const Schema& schema, int depth) {
+    for (const Schema::Parameter& parameter : schema.parameters()) {
+      remark(depth, parameter.name + " " + sentence(parameter));
+      for (std::size_t i = 0; i < parameter.allowedDocs.size(); ++i) remark(depth, parameter.allowed[i] + ": " + parameter.allowedDocs[i]);
+      if (parameter.fallback)
+        element(depth, parameter.name, parameter.kind, valueText(*parameter.fallback));
+      else
+        comment(depth, parameter.optional ? "may be given" : "to be given", [&] { element(depth, parameter.name, parameter.kind, ""); });
+    }
+    if (const Schema::Parameter* any = schema.userParameter()) {
+      comment(depth, "as many as you like, " + any->doc, [&] { element(depth, placeholder(any->name), any->kind, "0"); });
+    }
+    for (const auto& [name, inner] : schema.lists()) list(depth, name, inner);
+    if (schema.userLists()) {
+      comment(depth, "as many as you like, at least " + std::to_string(schema.leastUserLists()) + ", " + schema.userLists()->doc(),
+              [&] { list(depth, placeholder(schema.userListPlaceholder()), *schema.userLists()); });
+    }
+  }
+
+  std::string out_;
+  bool inComment_ = false;
+};
+
+}  // namespace
+
+std::string Schema::document(const std::string& format) const {
+  std::string out;
+  if (format == "text") {
+    out = doc_ + "\n";
+    appendText(out, *this, 1);
+  } else if (format == "markdown") {
+    appendMarkdown(out, *this, "");
+  } else if (format == "xml") {
+    out = XmlScene().write(*this);
+  } else {
+    throw CommandLineError(unknownName("format", format, {"text", "xml", "markdown"}));
+  }
+  return out;
+}
+
+}  // namespace suture

@@ -1,0 +1,180 @@
+#include <Teuchos_Comm.hpp>
+#include <Teuchos_ParameterList.hpp>
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <suture/base/Buffer.hpp>
+#include <suture/base/Collective.hpp>
+#include <suture/base/Errors.hpp>
+#include <suture/base/Gather.hpp>
+#include <suture/base/scene/SceneReader.hpp>
+#include <suture/partition/cut/Apportion.hpp>
+#include <suture/partition/cut/Blocks.hpp>
+#include <suture/partition/cut/Cut.hpp>
+#include <suture/partition/cut/CutBlocks.hpp>
+#include <suture/partition/cut/ElementGraph.hpp>
+#include <suture/partition/cut/Hinges.hpp>
+
+namespace suture {
+
+Schema metisSchema() {
+  return Schema("Every body is cut on its own by METIS, in proportion to its elements; all subdomains are connected through element sides.")
+      .wordOrNumber("Subdomains", "Automatic", {"Automatic"}, Range::atLeast(1),
+                    "How many in all, at least one a body. Automatic: one for about 7200 elements, to a multiple of four, up to six of 800 "
+                    "in small scenes, and at least one a rank while each has 50 elements; only then does the cut depend on the number of "
+                    "ranks.")
+      .integer("Seed", 1, "Of METIS' random numbers: the same seed gives the same subdomains.", Range::atLeast(0));
+}
+
+int automaticSubdomains(int elements, int pieces, int ranks) {
+  const int enough = (elements + 3600) / 7200, small = std::min((elements + 400) / 800, 6);
+  const int large = enough > 6 ? (enough + 2) / 4 * 4 : enough;  // seven and six are no fair shares of two ranks
+  return std::max({pieces, large, small, std::min(ranks, elements / 50)});
+}
+
+namespace {
+
+// A connected part of a body, as rank 0 knows it.
+struct PartSize {
+  int body, rank, elements;
+};
+
+// Body by body, so that the numbers of a body's subdomains follow each other.
+std::vector<std::vector<int>> partsOfBodies(const MeshShare& share, Components connected) {
+  std::vector<std::vector<int>> parts = std::move(connected.elements);
+  const auto bodyOf = [&](const std::vector<int>& elements) { return share.bodyOfElement[elements.front()]; };
+  std::stable_sort(parts.begin(), parts.end(), [&](const auto& a, const auto& b) { return bodyOf(a) < bodyOf(b); });
+  return parts;
+}
+
+// On rank 0, body by body.
+std::vector<PartSize> gatherSizes(const Comm& comm, const MeshShare& share, const std::vector<std::vector<int>>& mine) {
+  std::vector<PartSize> sizes;
+  for (const std::vector<int>& elements : mine)
+    sizes.push_back({share.bodyOfElement[elements.front()], comm.getRank(), static_cast<int>(elements.size())});
+  std::vector<PartSize> all = joinOnRoot(comm, sizes);
+  std::stable_sort(all.begin(), all.end(), [](const PartSize& a, const PartSize& b) { return a.body < b.body; });
+  return all;
+}
+
+bool onePartEach(const std::vector<PartSize>& parts, std::size_t bodies) {
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    if (parts[i].body != static_cast<int>(i)) return false;
+  return parts.size() == bodies;
+}
+
+std::string describe(const std::vector<std::string>& bodies, const std::vector<PartSize>& parts) {
+  std::vector<int> count(bodies.size(), 0);
+  for (const PartSize& part : parts) ++count[part.body];
+  std::string text = std::to_string(bodies.size()) + (bodies.size() == 1 ? " body" : " bodies");
+  for (std::size_t body = 0; body < count.size(); ++body)
+    if (count[body] > 1) text += ", '" + bodies[body] + "' of " + std::to_string(count[body]) + " disconnected parts";
+  return text;
+}
+
+int wantedSubdomains(const Mesh& mesh, const std::vector<PartSize>& parts, const Parameters& own, int ranks) {
+  const std::string text = own.get<std::string>("Subdomains");
+  const int elements = mesh.elements(), least = static_cast<int>(parts.size());
+  if (text == "Automatic") return automaticSubdomains(elements, least, ranks);
+  const double number = std::stod(text);  // the reader has checked that it is one
+  const std::string path = pathOf(own, "Subdomains");
+  if (number != std::floor(number)) throw InputError(path, text + " is not a whole number");
+  if (number > elements)
+    throw InputError(
+        path, text + " subdomains are more than the " + std::to_string(elements) + " elements of the mesh; every subdomain needs one");
+  if (number < least)
+    throw InputError(path, text + (number == 1 ? " subdomain is" : " subdomains are") + " too few for " + describe(mesh.bodies, parts) +
+                               ": a subdomain lies in one body and is connected, so at least " + std::to_string(least) + " are needed");
+  return static_cast<int>(number);
+}
+
+std::string repaired(const std::string& body, int repairs) {
+  return "METIS left subdomains of body '" + body + "' empty or hanging together by single nodes: " + std::to_string(repairs) +
+         (repairs == 1 ? " fragment was" : " fragments were") + " given to a neighbour, so that every subdomain is connected through sides";
+}
+
+// In the order of their numbers; names and bodies of all subdomains go to `cut`.
+std::vector<Block> makeBlocks(const std::vector<PartSize>& parts, const std::vector<std::string>& bodies, int wanted, int ranks, Cut& cut) {
+  std::vector<int> sizes;
+  for (const PartSize& part : parts) sizes.push_back(part.elements);
+  const std::vector<int> subdomains = apportion(sizes, wanted);
+  std::vector<int> partsOfRank(ranks, 0), numberInBody(bodies.size(), 0);
+  std::vector<Block> blocks;
+  std::vector<int> elements;  // of each block, about
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const int body = parts[i].body, part = partsOfRank[parts[i].rank]++;
+    for (const int own : subdomainsOfBlocks(sizes[i], subdomains[i])) {
+      blocks.push_back({parts[i].rank, part, static_cast<int>(cut.names.size()), own, 0});
+      elements.push_back(static_cast<int>((long long)sizes[i] * own / subdomains[i]));
+      for (int k = 0; k < own; ++k) {
+        cut.bodyOf.push_back(body);
+        cut.names.push_back(bodies[body] + " " + std::to_string(++numberInBody[body]));
+      }
+    }
+  }
+  placeBlocks(elements, ranks, blocks);
+  return blocks;
+}
+
+// Those of a rank.
+std::vector<Block> blocksOf(int rank, const std::vector<Block>& all) {
+  std::vector<Block> own;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(own), [rank](const Block& block) { return block.owner == rank; });
+  return own;
+}
+
+}  // namespace
+
+Cut cutByMetis(const Comm& comm, const Mesh& mesh, const Parameters& own, MeshShare& share) {
+  const std::string what = "partition";
+  const int seed = own.get<int>("Seed");
+  ElementGraph graph;
+  std::vector<std::vector<int>> parts;
+  collectively(comm, what, [&] {
+    graph = elementGraph(share.block(mesh));
+    Problems problems;
+    Components connected = components(graph, share.bodyOfElement);
+    findHinges(share.block(mesh), share.bodyOfElement, share.bodies, connected, problems);
+    problems.throwIfAny();
+    parts = partsOfBodies(share, std::move(connected));
+  });
+  const std::vector<PartSize> sizes = gatherSizes(comm, share, parts);
+  Cut cut;
+  std::vector<Block> blocks;
+  collectivelyOnRoot(comm, what, [&] {
+    cut.bodiesAreConnected = onePartEach(sizes, share.bodies.size());
+    blocks = makeBlocks(sizes, share.bodies, wantedSubdomains(mesh, sizes, own, comm.getSize()), comm.getSize(), cut);
+  });
+  broadcast(comm, blocks);
+  const std::vector<Block> mine = blocksOf(comm.getRank(), blocks);
+  std::vector<int> blockOf;
+  std::vector<ElementGraph> graphs;
+  collectively(comm, what, [&] {
+    std::vector<std::vector<int>> subdomains(parts.size());
+    for (const Block& block : mine) subdomains[block.part].push_back(block.subdomains);
+    blockOf = cutIntoBlocks(graph, parts, subdomains, seed);
+    if (mine.size() == 1)
+      graphs.push_back(std::move(graph));
+    else
+      graphs = subgraphs(graph, blockOf, static_cast<int>(mine.size()));
+    graph = ElementGraph();
+  });
+  const std::vector<BlockCut> cuts = cutBlocks(comm, blocks, std::move(graphs), seed);
+  std::map<int, int> repairs;  // by body
+  collectively(comm, what, [&] {
+    std::vector<std::size_t> next(mine.size(), 0);  // element of each block
+    share.subdomainOfElement.reserve(blockOf.size());
+    for (const int block : blockOf) share.subdomainOfElement.push_back(mine[block].first + cuts[block].partOf[next[block]++]);
+    for (std::size_t block = 0; block < mine.size(); ++block)
+      if (cuts[block].repairs > 0) repairs[share.bodyOfElement[parts[mine[block].part].front()]] += cuts[block].repairs;
+    share.holders = nodeSubdomains(share.block(mesh), share.subdomainOfElement);
+  });
+  Packer packer;
+  packer.put(repairs);
+  std::map<int, int> all;
+  for (const std::string& of : gatherOnRoot(comm, packer.bytes())) all.merge(Unpacker(of).get<std::map<int, int>>());
+  for (const auto& [body, count] : all) cut.notes.push_back(repaired(share.bodies[body], count));
+  return cut;
+}
+
+}  // namespace suture

@@ -1,0 +1,45 @@
+#pragma once
+#include <suture/interface/InterfaceOperator.hpp>
+#include <suture/precond/coarse/DirectCoarse.hpp>
+
+#include <memory>
+#include <vector>
+
+namespace suture {
+
+/// The coarse problem of balancing: E = Z^T S Z for columns Z with local support, a DirectCoarse.
+///
+/// Columns may depend on each other across local problems (two subdomains that share one edge have the same D_i Z_i there). Then E is
+/// singular; its solution is determined but for combinations n with Z n = 0, which no trace feels.
+class BalancingCoarse {
+ public:
+  /// \param columns  of each local problem of this rank, its traces: size() x k, orthonormal. Collective. \throws NumericalError
+  /// \param copies  see DirectCoarse
+  BalancingCoarse(const InterfaceOperator& matrix, const std::vector<Matrix>& columns, std::unique_ptr<LocalSolver> solver, int copies);
+
+  int size() const { return size_; }
+  /// E^-1 Z^T r, kept until the next solve. `r`: overlap values. Collective.
+  const Vector& fromResidual(const Matrix& overlap) const;
+  /// E^-1 (S Z)^T t, kept until the next solve. `t`: overlap values. Collective.
+  const Vector& fromTrace(const Matrix& overlap) const;
+  /// overlap += Z y, this rank's part of the sum over ranks. Local.
+  void addColumns(const Vector& y, Matrix& overlap) const;
+  /// overlap += S Z y, this rank's part of the sum over ranks. Local.
+  void addImages(const Vector& y, Matrix& overlap) const;
+
+ private:
+  void exchange(const std::vector<Matrix>& columns);
+  void assemble(const InterfaceOperator& matrix, std::unique_ptr<LocalSolver> solver, int copies);
+
+  std::shared_ptr<const InterfaceSpace> space_;
+  int size_ = 0;
+  std::vector<Matrix> columns_;        // of each local problem: its own
+  std::vector<int> firstColumn_;       // number of the first of them
+  std::vector<Matrix> seen_, images_;  // of each local problem: all columns that it feels, V, and S V
+  std::vector<std::vector<int>> seenIds_;
+  std::unique_ptr<DirectCoarse> system_;
+  mutable Matrix trace_;  // work space: for any local problem
+  mutable Vector part_, mine_;
+};
+
+}  // namespace suture

@@ -1,0 +1,45 @@
+#pragma once
+#include <suture/precond/coarse/ChebyshevInverse.hpp>
+#include <suture/precond/coarse/ClusterProblem.hpp>
+#include <suture/precond/coarse/CoarseOptions.hpp>
+
+#include <memory>
+#include <vector>
+
+namespace suture {
+
+/// The coarse problem of BDDC solved by domain decomposition once more (multilevel BDDC: Mandel, Sousedik and Dohrmann, 2008).
+///
+/// Local problems are gathered into clusters (CoarseClusters), each on one rank. Coarse unknowns inside a cluster are eliminated exactly;
+/// on those between clusters some Chebyshev steps with BDDC of the clusters, corners and edges in their turn, come near to the inverse of
+/// the Schur complement. With  K = L diag(K_II, S) L^T  the answer is  L^-T diag(K_II^-1, P) L^-1 r,  P the steps: a fixed symmetric
+/// positive definite operator, with the spectrum of P S about one. Nothing is factored that grows with the number of local problems, but
+/// by the size of clusters and their number.
+class ClusterCoarse : public CoarseSolve {
+ public:
+  /// \param locals  local problems over all ranks. Collective. \throws NumericalError;  InputError  the clusters have mechanisms
+  ClusterCoarse(CommPtr comm, const CoarseElements& coarse, int locals, const CoarseOptions& levels);
+
+  int size() const override { return size_; }
+  const Vector& solve(const Vector& mine) const override;
+  int clusters() const override { return count_; }
+  /// Chebyshev steps an application; 0 where one cluster has it all.
+  int steps() const { return inverse_ ? inverse_->steps() : 0; }
+  /// Largest eigenvalue of the clusters' preconditioned operator, 1 where one cluster has it all.
+  double largest() const { return inverse_ ? inverse_->largest() : 1.0; }
+
+ private:
+  CommPtr comm_;
+  int size_, count_ = 0;
+  std::vector<std::shared_ptr<const ClusterProblem>> problems_;
+  std::shared_ptr<const InterfaceSpace> space_;
+  std::unique_ptr<ChebyshevInverse> inverse_;
+  mutable Vector answer_;  // of the last solve
+  // Of solve(), which every iteration calls: it allocates nothing.
+  mutable Vector load_;
+  mutable Matrix overlap_;
+  mutable std::vector<double> interior_, trace_;  // of a cluster
+  MultiVectorPtr right_, left_;
+};
+
+}  // namespace suture

@@ -1,0 +1,39 @@
+#include <suture/precond/coarse/ClusterCoarse.hpp>
+#include <suture/precond/coarse/CoarseOptions.hpp>
+#include <suture/precond/coarse/DirectCoarse.hpp>
+
+#include <Teuchos_ParameterList.hpp>
+
+namespace suture {
+
+void CoarseOptions::addParameters(Schema& schema) {
+  const CoarseOptions defaults;
+  addCoarseParameters(schema);
+  schema.integer("Coarse Level Above", defaults.above,
+                 "With more local problems than this the coarse problem is not factored but solved by BDDC on clusters of them; 0: always.",
+                 Range::atLeast(0));
+  schema.wordOrNumber("Coarse Clusters", "Automatic", {"Automatic"}, Range::atLeast(1),
+                      "Clusters of that level. Automatic: the square root of the number of local problems, at least one for each rank.");
+  schema.real(
+      "Coarse Accuracy", defaults.accuracy,
+      "Of that level's solution; decides how many steps it makes. The coarse solution is within this part of the exact one, in energy.",
+      Range{1e-12, 0.9, false, false, {}});
+}
+
+CoarseOptions CoarseOptions::from(const Parameters& own) {
+  CoarseOptions levels;
+  levels.solver = [own] { return makeStrategy<LocalSolver>(own, "Coarse Solver"); };
+  levels.copies = own.get<int>("Coarse Copies");
+  levels.above = own.get<int>("Coarse Level Above");
+  const auto clusters = own.get<std::string>("Coarse Clusters");
+  levels.clusters = clusters == "Automatic" ? 0 : std::stoi(clusters);
+  levels.accuracy = own.get<double>("Coarse Accuracy");
+  return levels;
+}
+
+std::unique_ptr<CoarseSolve> makeCoarseSolve(const CommPtr& comm, CoarseElements coarse, int locals, const CoarseOptions& levels) {
+  if (levels.goesOn(locals)) return std::make_unique<ClusterCoarse>(comm, coarse, locals, levels);
+  return std::make_unique<DirectCoarse>(comm, coarse.size, std::move(coarse.elements), levels.solver(), levels.copies, false);
+}
+
+}  // namespace suture

@@ -1,0 +1,31 @@
+#pragma once
+#include <suture/algebra/LocalSolver.hpp>
+#include <suture/base/scene/Schema.hpp>
+#include <suture/precond/coarse/CoarseElement.hpp>
+#include <suture/precond/coarse/CoarseSolve.hpp>
+
+#include <memory>
+
+namespace suture {
+
+/// How the coarse problem of BDDC is solved: exactly, or by a level more when there are many local problems.
+struct CoarseOptions {
+  LocalSolverMaker solver;  ///< of the last level
+  int copies = 0;           ///< of its factor, see DirectCoarse
+  int above = 1000;         ///< local problems beyond which there is a level more; 0: always one, and no further
+  int clusters = 0;         ///< local problems of the next level; 0: automatic, see coarseClusters
+  double accuracy = 0.1;    ///< of the coarse solve where it is not exact: eigenvalues in [1 - accuracy, 1 + accuracy]
+
+  /// Parameters `Coarse Solver`, `Coarse Copies`, `Coarse Level Above`, `Coarse Clusters`, `Coarse Accuracy`.
+  static void addParameters(Schema& schema);
+  static CoarseOptions from(const Parameters& own);
+
+  /// Whether the coarse problem of so many local problems is solved by a level more.
+  bool goesOn(int locals) const { return locals > above && locals > 1; }
+};
+
+/// \param locals  local problems of all ranks; where there is a level more for them it needs `coarse.unknowns`
+/// Collective. \throws NumericalError  the coarse matrix is not positive definite
+std::unique_ptr<CoarseSolve> makeCoarseSolve(const CommPtr& comm, CoarseElements coarse, int locals, const CoarseOptions& levels);
+
+}  // namespace suture

@@ -1,0 +1,23 @@
+#pragma once
+#include <suture/elasticity/ElasticModel.hpp>
+#include <suture/partition/SubdomainMesh.hpp>
+
+#include <vector>
+
+namespace suture {
+
+/// The error that the mesh leaves in a solution, estimated. Energy norms: sqrt(a(v, v)), [force x length]^(1/2).
+struct DiscretisationError {
+  double energyNorm = 0.0;         ///< of the error: eta
+  double solutionNorm = 0.0;       ///< of the computed displacements
+  std::vector<Vector> ofElements;  ///< eta_K of every element of every subdomain of this rank
+
+  double relative() const { return solutionNorm > 0.0 ? energyNorm / solutionNorm : 0.0; }
+};
+
+/// Estimates by patch recovery (quality/PatchRecovery), patches that seams cut summed over subdomains and ranks: but for rounding the
+/// answer depends neither on the cut nor on the ranks. `displacement`: of each mesh, node-major, Cartesian. Collective.
+DiscretisationError estimateError(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model,
+                                  const std::vector<Vector>& displacement);
+
+}  // namespace suture

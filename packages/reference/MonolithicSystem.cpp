@@ -1,0 +1,218 @@
+#include <suture/base/Errors.hpp>
+#include <suture/elasticity/NodalLoads.hpp>
+#include <suture/quality/ElementForces.hpp>
+#include <suture/reference/MonolithicSystem.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace suture {
+
+namespace {
+
+constexpr double negligible = 1e-14;  // a component of a unit normal that is rounding only
+
+Vector normalInAxes(const NodeRule* rule, const Point& normal, int dimension) {
+  const Eigen::Map<const Vector> n(normal.data(), dimension);
+  if (rule == nullptr) return n;
+  return axesOf(*rule, dimension) * n;
+}
+
+}  // namespace
+
+MonolithicSystem::MonolithicSystem(const Mesh& mesh, const Constraints& constraints, const ElasticModel& model)
+    : mesh_(mesh), constraints_(constraints), model_(model), forces_(nodalLoads(mesh, model)) {
+  requireGeometry(mesh, model);
+  number();
+  assemble();
+}
+
+void MonolithicSystem::number() {
+  const int dimension = mesh_.dimension, components = mesh_.nodes() * dimension;
+  ruleOf_.assign(mesh_.nodes(), -1);
+  std::vector<char> fixed(components, 0), inContact(components, 0);
+  prescribed_ = Vector::Zero(components);
+  for (std::size_t r = 0; r < constraints_.rules.size(); ++r) {
+    const NodeRule& rule = constraints_.rules[r];
+    ruleOf_[rule.node] = int(r);
+    for (int k = 0; k < dimension; ++k) {
+      if (!rule.fixed[k]) continue;
+      fixed[component(rule.node, k)] = 1;
+      prescribed_[component(rule.node, k)] = rule.value[k];
+    }
+  }
+  const auto ruleAt = [&](int node) { return ruleOf_[node] < 0 ? nullptr : &constraints_.rules[ruleOf_[node]]; };
+
+  // Contact rows over node components first; unknowns are numbered when all of them are known.
+  struct Entry {
+    int row, component;
+    double coefficient;
+  };
+  std::vector<Entry> entries;
+  rows_.resize(constraints_.pairs.size());
+  for (std::size_t p = 0; p < constraints_.pairs.size(); ++p) {
+    const ContactPair& pair = constraints_.pairs[p];
+    rows_[p].bound = pair.gap;
+    for (const auto& [node, weight] : pair.ends) {
+      const Vector normal = normalInAxes(ruleAt(node), pair.normal, dimension);
+      for (int k = 0; k < dimension; ++k) {
+        const int c = component(node, k);
+        if (fixed[c]) {
+          rows_[p].bound -= weight * normal[k] * prescribed_[c];
+        } else if (std::abs(normal[k]) > negligible) {
+          inContact[c] = 1;
+          entries.push_back({int(p), c, weight * normal[k]});
+        }
+      }
+    }
+  }
+
+  index_.assign(components, -1);
+  std::vector<int> last;
+  dofs_ = 0;
+  for (int c = 0; c < components; ++c) {
+    if (fixed[c]) continue;
+    if (inContact[c]) {
+      last.push_back(c);
+    } else {
+      index_[c] = dofs_++;
+    }
+  }
+  // The Schur complement couples within a body only: grouped by body its blocks are dense and their factors stay apart.
+  std::stable_sort(last.begin(), last.end(),
+                   [&](int a, int b) { return mesh_.bodyOfNode[a / dimension] < mesh_.bodyOfNode[b / dimension]; });
+  const int leading = dofs_;
+  for (const int c : last) {
+    const int node = c / dimension, k = c % dimension;
+    Point direction{0, 0, 0};
+    direction[k] = 1;
+    if (const NodeRule* rule = ruleAt(node)) direction = rule->axes[k];
+    contactDof_.push_back({node, direction});
+    index_[c] = dofs_++;
+  }
+  contactDofs_ = int(last.size());
+  for (const Entry& entry : entries) {
+    rows_[entry.row].dofs.push_back(index_[entry.component] - leading);
+    rows_[entry.row].coefficients.push_back(entry.coefficient);
+  }
+}
+
+// Columns of the lower triangle from the neighbours of nodes: no list of triplets, which would be several times larger than the matrix.
+SparseMatrix MonolithicSystem::pattern() const {
+  const int dimension = mesh_.dimension, nodes = mesh_.nodes();
+  std::vector<int> offset(nodes + 1, 0), elementsAt;
+  for (const int node : mesh_.connectivity) ++offset[node + 1];
+  std::partial_sum(offset.begin(), offset.end(), offset.begin());
+  elementsAt.resize(mesh_.connectivity.size());
+  std::vector<int> next(offset.begin(), offset.end() - 1);
+  for (int e = 0; e < mesh_.elements(); ++e)
+    for (const int node : mesh_.nodesOf(e)) elementsAt[next[node]++] = e;
+
+  std::vector<int> nodeOf(dofs_);
+  for (std::size_t c = 0; c < index_.size(); ++c)
+    if (index_[c] >= 0) nodeOf[index_[c]] = int(c) / dimension;
+  std::vector<int> seen(nodes, -1), rows;
+  const auto columnRows = [&](int column) {
+    rows.clear();
+    for (int at = offset[nodeOf[column]]; at < offset[nodeOf[column] + 1]; ++at)
+      for (const int other : mesh_.nodesOf(elementsAt[at])) {
+        if (seen[other] == column) continue;
+        seen[other] = column;
+        for (int k = 0; k < dimension; ++k)
+          if (index_[component(other, k)] >= column) rows.push_back(index_[component(other, k)]);
+      }
+  };
+  SparseMatrix matrix(dofs_, dofs_);
+  int* outer = matrix.outerIndexPtr();
+  outer[0] = 0;
+  for (int column = 0; column < dofs_; ++column) {
+    columnRows(column);
+    outer[column + 1] = outer[column] + int(rows.size());
+  }
+  matrix.resizeNonZeros(outer[dofs_]);
+  std::fill(seen.begin(), seen.end(), -1);
+  for (int column = 0; column < dofs_; ++column) {
+    columnRows(column);
+    std::sort(rows.begin(), rows.end());
+    std::copy(rows.begin(), rows.end(), matrix.innerIndexPtr() + outer[column]);
+  }
+  std::fill_n(matrix.valuePtr(), outer[dofs_], 0.0);
+  return matrix;
+}
+
+void MonolithicSystem::assemble() {
+  const int dimension = mesh_.dimension;
+  load_ = onFree(forces_);
+  energy_ = -forces_.dot(expand(Vector::Zero(dofs_)));
+
+  SparseMatrix matrix = pattern();
+  const int *outer = matrix.outerIndexPtr(), *inner = matrix.innerIndexPtr();
+  double* values = matrix.valuePtr();
+  Matrix k;
+  const auto take = [&](int element, ConstLocalView stiffness) {
+    const Span<const int> nodes = mesh_.nodesOf(element);
+    const int size = int(nodes.size()) * dimension;
+    k = stiffness;
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      if (ruleOf_[nodes[i]] < 0) continue;
+      const Matrix axes = axesOf(constraints_.rules[ruleOf_[nodes[i]]], dimension);
+      const Eigen::Index at = Eigen::Index(i) * dimension;
+      k.middleRows(at, dimension) = (axes * k.middleRows(at, dimension)).eval();
+      k.middleCols(at, dimension) = (k.middleCols(at, dimension) * axes.transpose()).eval();
+    }
+    for (int s = 0; s < size; ++s) {
+      const int columnComponent = component(nodes[s / dimension], s % dimension), column = index_[columnComponent];
+      const double value = prescribed_[columnComponent];
+      for (int r = 0; r < size; ++r) {
+        const int rowComponent = component(nodes[r / dimension], r % dimension), row = index_[rowComponent];
+        if (column < 0) {
+          if (row >= 0) {
+            load_[row] -= k(r, s) * value;
+          } else {
+            energy_ += 0.5 * prescribed_[rowComponent] * k(r, s) * value;
+          }
+        } else if (row >= column) {
+          values[std::lower_bound(inner + outer[column], inner + outer[column + 1], row) - inner] += k(r, s);
+        }
+      }
+    }
+  };
+  elementStiffnesses(
+      mesh_, [&](int element) -> const Material& { return model_.materialOf(mesh_, element, mesh_.bodyOfElement[element]); }, model_.plane,
+      take);
+  stiffness_ = SymmetricMatrix(std::move(matrix));
+}
+
+Vector MonolithicSystem::onFree(const Vector& nodal) const {
+  const int dimension = mesh_.dimension;
+  Vector own = Vector::Zero(dofs_);
+  for (int node = 0; node < mesh_.nodes(); ++node) {
+    Vector force = nodal.segment(component(node, 0), dimension);
+    if (ruleOf_[node] >= 0) force = axesOf(constraints_.rules[ruleOf_[node]], dimension) * force;
+    for (int k = 0; k < dimension; ++k)
+      if (isFree(component(node, k))) own[index_[component(node, k)]] = force[k];
+  }
+  return own;
+}
+
+Vector MonolithicSystem::expand(const Vector& x) const {
+  const int dimension = mesh_.dimension;
+  Vector u = prescribed_;
+  for (std::size_t c = 0; c < index_.size(); ++c)
+    if (index_[c] >= 0) u[c] = x[index_[c]];
+  for (const NodeRule& rule : constraints_.rules) {
+    auto local = u.segment(component(rule.node, 0), dimension);
+    local = (axesOf(rule, dimension).transpose() * local).eval();
+  }
+  return u;
+}
+
+Vector MonolithicSystem::internalForces(const Vector& displacement) const {
+  return elementForces(
+             mesh_, [&](int element) -> const Material& { return model_.materialOf(mesh_, element, mesh_.bodyOfElement[element]); },
+             model_.plane, displacement)
+      .internal;
+}
+
+}  // namespace suture

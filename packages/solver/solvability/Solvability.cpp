@@ -1,0 +1,185 @@
+#include <suture/base/Dense.hpp>
+#include <suture/base/Errors.hpp>
+#include <suture/base/NonnegativeLeastSquares.hpp>
+#include <suture/elasticity/NodalLoads.hpp>
+#include <suture/solver/solvability/Solvability.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace suture {
+
+namespace {
+
+constexpr double noWork = 1e-9;    // of the forces on the part
+constexpr double noMotion = 1e-8;  // of a unit amplitude
+// Largest change of a gap, of the amplitude of the motion, that is none: what the coordinates of mesh files leave of the turning of a round
+// body in its seat (normals of nodes that Gmsh puts on circles are good to 1e-8).
+constexpr double noOpening = 1e-6;
+
+// Of a space of amplitudes (orthonormal columns) the motion that is easiest to say: a translation if there is one, along an axis if
+// possible.
+std::string inWords(const RigidPart& part, const Matrix& space, int dimension) {
+  const Matrix rotations = space.bottomRows(space.rows() - dimension);
+  const Matrix translations = space * nullSpace(rotations, noMotion);
+  if (translations.cols() == 0) return inWords(part, Vector(space.col(0)), dimension);
+  if (translations.cols() == dimension) return "move in any direction";
+  Eigen::Index axis = 0;
+  translations.topRows(dimension).rowwise().norm().maxCoeff(&axis);
+  return inWords(part, Vector(translations * translations.row(axis).transpose()), dimension);
+}
+
+// A space of motions of one part, as found in columns over all parts: orthonormal basis of what is not negligible.
+Matrix spanOf(const Matrix& columns) {
+  const SingularValues svd = singularValues(columns);
+  return svd.u.leftCols((svd.values.array() > noMotion).count());
+}
+
+struct Modes {
+  std::vector<int> first;  // column of each part's first motion
+  int count = 0;
+};
+
+Matrix contactRows(const Mesh& mesh, const Constraints& constraints, const RigidParts& rigid, const Modes& modes) {
+  const int dimension = mesh.dimension;
+  Matrix rows = Matrix::Zero(Eigen::Index(constraints.pairs.size()), modes.count);
+  for (std::size_t p = 0; p < constraints.pairs.size(); ++p) {
+    const ContactPair& pair = constraints.pairs[p];
+    for (const auto& [node, weight] : pair.ends) {
+      const int part = rigid.partOfNode[node];
+      const RigidPart& r = rigid.parts[part];
+      if (r.free.cols() == 0) continue;
+      rows.row(Eigen::Index(p)).segment(modes.first[part], r.free.cols()) +=
+          weight * Eigen::Map<const Vector>(pair.normal.data(), dimension).transpose() * r.at(mesh.point(node), dimension) * r.free;
+    }
+  }
+  return rows;
+}
+
+/// Motions that keep all gaps: orthonormal columns. They are taken out of the rows, in which they are nothing but inaccuracy of the mesh:
+/// forces of contact that balance loads along them do not exist.
+Matrix slidingMotions(Matrix& rows) {
+  const SingularValues svd = singularValues(rows);
+  Eigen::Index held = std::min(rows.rows(), rows.cols());
+  while (held > 0 && (rows * svd.v.col(held - 1)).lpNorm<Eigen::Infinity>() <= noOpening) --held;
+  const Matrix sliding = svd.v.rightCols(rows.cols() - held);
+  rows -= rows * sliding * sliding.transpose();
+  return sliding;
+}
+
+void checkPrescribedPairs(const Mesh& mesh, const Constraints& constraints, Problems& problems) {
+  const int dimension = mesh.dimension;
+  std::vector<int> ruleOf(mesh.nodes(), -1);
+  for (std::size_t r = 0; r < constraints.rules.size(); ++r) ruleOf[constraints.rules[r].node] = int(r);
+  for (const ContactPair& pair : constraints.pairs) {
+    double bound = pair.gap, size = std::abs(pair.gap) + pair.length;
+    bool free = false;
+    for (const auto& [node, weight] : pair.ends) {
+      if (ruleOf[node] < 0) {
+        free = true;
+        break;
+      }
+      const NodeRule& rule = constraints.rules[ruleOf[node]];
+      for (int k = 0; k < dimension; ++k) {
+        double along = 0;
+        for (int c = 0; c < dimension; ++c) along += rule.axes[k][c] * pair.normal[c];
+        if (!rule.fixed[k]) {
+          free = free || std::abs(along) > 1e-14;
+        } else {
+          bound -= weight * along * rule.value[k];
+          size = std::max(size, std::abs(rule.value[k]));
+        }
+      }
+    }
+    if (free || bound >= -1e-10 * size) continue;
+    std::ostringstream text;
+    text << "at (" << pair.position[0] << ", " << pair.position[1]
+         << ") the displacements of both sides are prescribed, into each other by " << -bound
+         << ". Prescribe them so that the gap stays positive, or leave one side free";
+    problems.add("Contact", text.str());
+    return;
+  }
+}
+
+}  // namespace
+
+void checkSolvability(const Mesh& mesh, const Constraints& constraints, const Vector& forces, const RigidParts& rigid) {
+  const int dimension = mesh.dimension, parts = int(rigid.parts.size());
+  Problems problems;
+  checkPrescribedPairs(mesh, constraints, problems);
+
+  std::vector<char> inContact(parts, 0);
+  for (const ContactPair& pair : constraints.pairs)
+    for (const PairEnd& end : pair.ends) inContact[rigid.partOfNode[end.node]] = 1;
+  const auto path = [&](int part) { return "Bodies/" + mesh.bodies[rigid.parts[part].body]; };
+  const auto name = [&](int part) { return "body '" + mesh.bodies[rigid.parts[part].body] + "'"; };
+
+  Modes modes;
+  for (int part = 0; part < parts; ++part) {
+    modes.first.push_back(modes.count);
+    modes.count += int(rigid.parts[part].free.cols());
+    const RigidPart& r = rigid.parts[part];
+    if (inContact[part] || r.free.cols() == 0) continue;
+    problems.add(path(part),
+                 name(part) +
+                     (r.free.cols() == r.free.rows()
+                          ? " is held by nothing: no displacement is prescribed on it and it is in no contact"
+                          : " can " + inWords(r, r.free, dimension) + ": it is in no contact and nothing prescribes that displacement") +
+                     ". Prescribe displacements on it, make a side of it Bilateral, or put it in contact");
+  }
+  if (modes.count == 0 || !problems.empty()) {
+    problems.throwIfAny();
+    return;
+  }
+
+  // Work of the loads in each motion, and the forces with which that work is compared.
+  Vector work = Vector::Zero(modes.count), force = Vector::Zero(parts);
+  for (int i = 0; i < mesh.nodes(); ++i) {
+    const int part = rigid.partOfNode[i];
+    const RigidPart& r = rigid.parts[part];
+    const auto f = forces.segment(Eigen::Index(i) * dimension, dimension);
+    if (r.free.cols() == 0 || f.isZero(0.0)) continue;
+    force[part] += f.norm();
+    work.segment(modes.first[part], r.free.cols()) += (f.transpose() * r.at(mesh.point(i), dimension) * r.free).transpose();
+  }
+  Matrix rows = contactRows(mesh, constraints, rigid, modes);
+  const Matrix sliding = slidingMotions(rows);
+  const double loads = force.sum();
+  if (loads > 0) {
+    const Vector contact = nonnegativeLeastSquares(rows.transpose(), work / loads);
+    const Vector escape = work / loads - rows.transpose() * contact;
+    for (std::size_t p = 0; p < constraints.pairs.size(); ++p)
+      for (const PairEnd& end : constraints.pairs[p].ends)
+        force[rigid.partOfNode[end.node]] += loads * contact[Eigen::Index(p)] * std::abs(end.weight);
+    for (int part = 0; part < parts; ++part) {
+      const RigidPart& r = rigid.parts[part];
+      const Vector own = escape.segment(modes.first[part], r.free.cols());
+      if (own.norm() <= std::max(noWork * force[part] / loads, 1e-13) || own.norm() < 1e-3 * escape.norm()) continue;
+      problems.add(path(part),
+                   name(part) + " can " + inWords(r, Vector(r.free * own), dimension) +
+                       ": the loads push it there and neither a prescribed displacement nor contact stops it. Prescribe a displacement "
+                       "that holds it, or load it against its contact");
+    }
+    problems.throwIfAny();
+  }
+
+  for (int part = 0; part < parts && sliding.cols() > 0; ++part) {
+    const RigidPart& r = rigid.parts[part];
+    if (r.free.cols() == 0) continue;
+    const Matrix own = spanOf(sliding.middleRows(modes.first[part], r.free.cols()));
+    if (own.cols() == 0) continue;
+    problems.add(path(part),
+                 name(part) + " can " + inWords(r, Matrix(r.free * own), dimension) +
+                     " without opening its contacts: nothing holds it and no load pushes it, so that its place is not determined. "
+                     "Prescribe that displacement somewhere on it");
+  }
+  problems.throwIfAny();
+}
+
+void checkSolvability(const Mesh& mesh, const Constraints& constraints, const ElasticModel& model, bool bodiesAreConnected) {
+  checkSolvability(mesh, constraints, nodalLoads(mesh, model), freeRigidMotions(mesh, constraints, bodiesAreConnected));
+}
+
+}  // namespace suture

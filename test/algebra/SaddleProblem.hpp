@@ -1,0 +1,32 @@
+#pragma once
+#include <suture/algebra/LocalInverse.hpp>
+
+#include <support/DenseAlgebra.hpp>
+
+/// The saddle problem of BDDC by dense algebra, for tests of its inverses.
+namespace suture::saddle {
+
+using dense::random;
+
+// Symmetric, semidefinite, with a kernel of the given dimension, its diagonal over some orders of magnitude as with a jump of stiffness.
+Matrix semidefinite(int n, int kernel, double orders = 4.0);
+
+// Units (corners), averages along stretches, and one row that overlaps a unit and a stretch, not of length one.
+Matrix rows(int n);
+
+// As one dense system, solved by elimination with full pivoting.
+struct Saddle {
+  Matrix inverse, basis, energy;
+  Saddle(const Matrix& s, const Matrix& c);
+};
+
+Matrix applied(const LocalInverse& inverse, const Matrix& flux);
+
+// What a user writes: apply(), and a basis or none.
+struct Given : LocalInverse {
+  Matrix phi;
+  void apply(ConstLocalView flux, LocalView trace) const override { trace = flux; }
+  Matrix basis() const override { return phi; }
+};
+
+}  // namespace suture::saddle
