@@ -14,8 +14,8 @@ struct FinishedRun {
   std::string failure;
 };
 
-/// Of this combination, if `folder` has it and was made by the same program from the same scene file with the same changes, on as many
-/// ranks and as often repeated. A damaged file is as good as none. Local.
+/// The run of this combination, if `folder` has it and was made by the same program from the same scene file with the same changes, on as
+/// many ranks and as often repeated. A damaged file is as good as none. Local.
 std::optional<FinishedRun> finishedRun(const std::string& folder, const Run& run, int repetitions, int ranks);
 
 /// Keeps it in `folder`, which exists. \throws EnvironmentError. Local.

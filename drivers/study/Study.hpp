@@ -76,7 +76,7 @@ Study readStudy(const Comm& comm, const std::string& path, const std::vector<std
 /// "sweep=label" or "sweep=label|label" into `filter`, checked against the sweeps; what is wrong goes to `problems` under `path`. Local.
 void addToFilter(const std::string& text, const std::vector<Sweep>& sweeps, const std::string& path, Filter& filter, Problems& problems);
 
-/// Whether a combination (of each sweep the index of its label) takes part. Local.
+/// True if a combination (of each sweep the index of its label) takes part. Local.
 bool passes(const Filter& filter, const std::vector<Sweep>& sweeps, const std::vector<std::size_t>& choice);
 
 }  // namespace suture::study

@@ -62,7 +62,7 @@ bool isTime(const std::string& path) {
   return path.rfind("/phases/", 0) == 0 || (path.size() > unit.size() && path.compare(path.size() - unit.size(), unit.size(), unit) == 0);
 }
 
-// Of an even number of values the lower of the middle two: a time that was measured.
+// The median; the lower of the middle two if their number is even: a time that was measured.
 double median(std::vector<double> values) {
   const auto middle = values.begin() + (values.size() - 1) / 2;
   std::nth_element(values.begin(), middle, values.end());

@@ -45,7 +45,7 @@ class MeetingPoint {
   std::unique_ptr<Impl> impl_;
 };
 
-/// Whether this process is the first of its mpirun, also before MPI begins: a help text is printed once.
+/// True if this process is the first of its mpirun, also before MPI begins: a help text is printed once.
 bool isFirstProcess();
 
 /// Standard output on rank 0, null on the others and when quiet.

@@ -25,12 +25,12 @@ Mesh meshStage(const Comm& comm, const SceneFile& file);
 /// Rules, pairs and pieces, on rank 0. \throws InputError  Collective.
 Constraints constraintsStage(const Comm& comm, const Mesh& mesh, const Parameters& scene);
 
-/// Whether elements go with their materials, of the whole mesh on rank 0 or of each rank's own. \throws InputError  names material and
+/// Checks that elements go with their materials, in the whole mesh on rank 0 or in each rank's own. \throws InputError  names material and
 /// body. Collective.
 void elementsStage(const Comm& comm, const Mesh& mesh, const ElasticModel& model);
 void elementsStage(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model);
 
-/// Whether the scene has a solution at all. \throws InputError  names the body and where it can move. Collective.
+/// Checks that the scene has a solution. \throws InputError  names the body and where it can move. Collective.
 /// \param partition  of the mesh: whether its bodies are known to be connected
 void solvabilityStage(const Comm& comm, const Mesh& mesh, const Constraints& constraints, const ElasticModel& model,
                       const Partition& partition);
@@ -52,7 +52,7 @@ struct CutMesh {
   Whole whole;
 };
 
-/// Whether rank 0 needs the whole mesh; not, where it is in the file in pieces (Partition/Type = Partitioned Mesh). Local.
+/// True if rank 0 needs the whole mesh; not, where it is in the file in pieces (Partition/Type = Partitioned Mesh). Local.
 bool needsWholeMesh(const Parameters& scene);
 
 /// Cuts mesh and constraints of rank 0, or reads what suture_partition has cut. \throws InputError  Collective.

@@ -8,7 +8,7 @@ namespace suture {
 /// ends with 75 and without a new checkpoint; a second one ends it at once.
 void listenForStop(RunMonitor& monitor);
 
-/// Whether such a signal came, on this rank.
+/// True if such a signal came, on this rank.
 bool stopWasAsked();
 
 /// The iterations have ended: the verdict and the files may take as long as they need. Local.

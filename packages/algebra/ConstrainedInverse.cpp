@@ -229,7 +229,7 @@ ConstrainedInverse::ConstrainedInverse(Matrix schur, const Matrix& constraints, 
   double softest = 0.0;
   for (int i = 0; i < d; ++i) softest = std::max(softest, 1.0 / (trapezoid(i, i) * trapezoid(i, i)));
   if (d >= kLeastForSingle && stiffest * softest < kConditionForSingle) {
-    // Of the matrix by its largest entry, so that nothing leaves the narrow range of single precision.
+    // The matrix is scaled by its largest entry, so that nothing leaves the narrow range of single precision.
     Dense<float> inverse = inverseOf<float>((trapezoid.topRows(d) / std::sqrt(stiffest)).cast<float>(), dual, n, rotation, softest);
     if (softest < kConditionForSingle) {
       int power = 0;

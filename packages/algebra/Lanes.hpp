@@ -87,8 +87,8 @@ __attribute__((always_inline)) inline Real scalarProduct(int n, const Real* a, c
 /// The next multiple of `width`.
 inline int padded(int size, int width) { return (size + width - 1) / width * width; }
 
-/// By what a vector of n numbers is divided before it is rounded to Real: the range of single precision is narrow, and vectors are brought
-/// to the size of one. What is no number is passed over: it stays none.
+/// Scale of n numbers, applied before rounding to Real: brings a vector to the size of one, since the range of single precision is narrow.
+/// NaNs are skipped and stay NaN.
 template <typename Real>
 __attribute__((always_inline)) inline double scaleOf(int n, const double* x) {
   if (sizeof(Real) == sizeof(double)) return 1.0;

@@ -10,7 +10,7 @@
 
 namespace suture {
 
-/// Whether T has a static forEachField(object, each) that calls each(member) for its members in order: how a struct whose members are not
+/// True if T has a static forEachField(object, each) that calls each(member) for its members in order: how a struct whose members are not
 /// all plain bytes is packed and unpacked.
 template <typename T, typename = void>
 struct HasFields : std::false_type {};

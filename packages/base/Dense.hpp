@@ -28,7 +28,7 @@ Vector leastSquares(const Matrix& a, const Vector& b);
 /// The rows on which the columns are determined best, as many as there are columns: the first pivots of a QR of the transpose.
 std::vector<int> pivotRows(const Matrix& columns);
 
-/// Of a symmetric matrix; values ascend.
+/// Eigenvalues and eigenvectors of a symmetric matrix, ascending.
 struct Eigenpairs {
   Vector values;
   Matrix vectors;

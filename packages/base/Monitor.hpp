@@ -43,7 +43,7 @@ class Monitor {
   /// One inner (PCG) iteration; only for those who ask for it (--verbose).
   virtual void inner(int /*iteration*/, double /*relativeResidual*/) {}
   virtual bool wantsInner() const { return false; }
-  /// Whether the user asked this process to stop at the next opportunity; outer solvers ask after every iteration, on all ranks.
+  /// True if the user asked this process to stop at the next opportunity; outer solvers ask after every iteration, on all ranks.
   virtual bool stopRequested() const { return false; }
   /// The state that an outer iteration ended with, behind its row: where a run could go on. Collective, as it is told on every rank.
   virtual void accepted(const InterfaceState&) {}

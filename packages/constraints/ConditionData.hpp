@@ -10,7 +10,7 @@ struct ConditionData {
   std::vector<double> values;
   std::vector<Expression> expressions;  ///< instead of values
 
-  /// Of component i at a point. \throws InputError  an expression has no finite value there. Local.
+  /// Value of component i at a point. \throws InputError  an expression has no finite value there. Local.
   double at(std::size_t i, const Point& point) const { return expressions.empty() ? values[i] : expressions[i].at(point); }
 };
 

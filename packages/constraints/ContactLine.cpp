@@ -94,7 +94,7 @@ void readCoupling(const Parameters& list, bool rigid, ContactLine& line, Problem
   line.carrier = carrier == "Side A" ? Carrier::SideA : carrier == "Side B" ? Carrier::SideB : Carrier::Automatic;
 }
 
-/// Of all curve groups that contact names.
+/// Sides of all curve groups that contact names.
 std::vector<Side> sidesOf(const Mesh& mesh, const Parameters& contact) {
   std::vector<Side> sides;
   for (const std::string& name : sublistNames(contact))

@@ -38,7 +38,7 @@ class Mortar {
   }
 
   std::size_t nodes() const { return line_.nodes().size(); }
-  /// Whether the other side stands opposite to all of this one.
+  /// True if the other side stands opposite to all of this one.
   bool coversAll() const {
     double covered = 0, whole = 0;
     for (const auto& entry : rows_) covered += entry.second.weight;
@@ -207,7 +207,7 @@ Mortar carriedByEither(const Mesh& mesh, const ContactLine& line) {
   return a.nodes() >= b.nodes() ? a : b;
 }
 
-/// Of a side that the scene names to carry the stress.
+/// Notes that the side which the scene names to carry the stress is the finer one.
 void warnOfFinerCarrier(const Mesh& mesh, const ContactLine& line, const Mortar& mortar, std::vector<std::string>& notes) {
   const bool onA = line.carrier == ContactLine::Carrier::SideA;
   if (line.carrier == ContactLine::Carrier::Automatic || !mortar.isCurved()) return;

@@ -32,7 +32,7 @@ class MortarSegment {
   double curvatureDoubt() const { return bend_.doubt; }
   bool isCurved() const { return bend_.begin != 0 || bend_.end != 0; }
   bool isLinear() const { return count() == 2; }
-  /// Whether its points lie on its chord: a middle node that is on the curve gives the element its true shape.
+  /// True if its points lie on its chord: a middle node that is on the curve gives the element its true shape.
   bool isStraight() const { return straight_; }
   /// Curvature of the parabola through three nodes. [1 / length]
   double ownCurvature() const { return 8 * height_ / (length() * length()); }

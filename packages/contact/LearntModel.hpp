@@ -12,7 +12,7 @@ class LearntModel {
  public:
   /// \param history  forces and penetrations of solves, the last one last
   LearntModel(const RigidContact& rigid, const std::vector<std::pair<Vector, Vector>>& history);
-  /// Whether a dense model of so many pairs is cheap beside an elastic solve.
+  /// True if a dense model of so many pairs is cheap beside an elastic solve.
   static bool fits(int pairs) { return pairs <= 500; }
   /// Empty: the model's own problem was not solved.
   ClosedSet closedSet() const;

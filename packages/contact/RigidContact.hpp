@@ -52,7 +52,7 @@ class RigidContact {
 
   /// Orthonormal combinations of motions that leave all pairs of a set as they are: motions x k.
   Matrix loose(const ClosedSet& closed) const;
-  /// Whether a set leaves a motion free that all pairs together would stop.
+  /// True if a set leaves a motion free that all pairs together would stop.
   bool loosens(const ClosedSet& closed) const;
   /// Open pairs that, closed beside a set with the loose motions Z, stop all that pairs can stop: one for each, the best determined.
   std::vector<int> holders(const ClosedSet& closed, const Matrix& loose) const;

@@ -50,7 +50,7 @@ struct Load {
 
   /// Acts on bodies as a whole, not on sides.
   bool onBody() const { return kind == Kind::BodyForce || kind == Kind::Random; }
-  /// Whether a load on bodies acts on the body of this name.
+  /// True if a load on bodies acts on the body of this name.
   bool actsOn(const std::string& body) const { return group.empty() || group == body; }
 };
 
@@ -67,11 +67,11 @@ struct ElasticModel {
   /// Material of an element of a body: that of its region, or else the body's.
   /// \throws InternalError  the scene has regions but the mesh was not told (assignRegions).
   const Material& materialOf(const CellBlock& block, int element, int body) const;
-  /// Whether volume changes much less easily than shape anywhere: a Poisson ratio above 0.45, but not in plane stress.
+  /// True if volume changes much less easily than shape anywhere: a Poisson ratio above 0.45, but not in plane stress.
   bool nearlyIncompressible() const;
 };
 
-/// Whether the scene's `Model` is Axisymmetric. Local.
+/// True if the scene's `Model` is Axisymmetric. Local.
 bool isAxisymmetric(const Parameters& scene);
 
 /// \throws InternalError  model and block are not both axisymmetric, or neither: makeAxisymmetric() was forgotten.

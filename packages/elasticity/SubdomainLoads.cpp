@@ -7,7 +7,7 @@ namespace suture {
 
 namespace {
 
-// Of the subdomains that hold a node the first one carries its force, so that the sum over all has it once, exactly.
+// The first subdomain that holds a node carries its force: the sum over all subdomains has it exactly once.
 void addRandomForces(const SubdomainMesh& mesh, const Load& given, Vector& load) {
   for (int node = 0; node < mesh.nodes(); ++node) {
     const auto others = mesh.others(node);

@@ -41,7 +41,7 @@ class CondensedProblem : public InterfaceProblem {
  private:
   friend class CondensedSets;
   std::vector<Vector> traces(const MultiVector& trace) const;
-  /// Of a group among local problems and statuses.
+  /// Place of a group among local problems and statuses.
   int placeOfGroup(int group) const { return static_cast<int>(plain_.size()) + group; }
   /// Places of a group's members among the subdomains of this rank.
   const std::vector<int>& membersOf(int group) const { return groupMembers_[group]; }

@@ -54,7 +54,7 @@ class InterfaceSpace {
   /// The most rows that one of them has: work space that serves all. Local.
   int mostRows() const;
 
-  // Of the unknowns of overlap(), by place.
+  // For each unknown of overlap(), by place.
   GlobalId id(int place) const { return ids_[place]; }
   int ownedRow(int place) const { return ownedRows_[place]; }  ///< in map(); -1: another rank owns it
   const Point& point(int place) const { return points_[place]; }

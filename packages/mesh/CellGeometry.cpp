@@ -74,7 +74,7 @@ double jacobianAt(const CellBlock& block, int element, Reference at) {
   return xs * yt - xt * ys;
 }
 
-// Of a Triangle6 the determinant is a quadratic polynomial: it is least at a vertex, where it is stationary on a side, or where it is
+// The determinant of a Triangle6 is a quadratic polynomial: it is least at a vertex, where it is stationary on a side, or where it is
 // inside.
 double leastOnTriangle(const CellBlock& block, int element, Reference& where) {
   double v[6];
@@ -105,9 +105,9 @@ double leastOnTriangle(const CellBlock& block, int element, Reference& where) {
   return least;
 }
 
-// Of quadratic quadrilaterals it is cubic in each direction. In Bernstein's form its values lie between the least and the largest
-// coefficient, and coefficients at the corners are values; halving brings the two together (Johnen, Remacle, Geuzaine, J. Comput. Phys.
-// 2013).
+// The determinant of a quadratic quadrilateral is cubic in each direction. In Bernstein's form its values lie between the least and the
+// largest coefficient, and coefficients at the corners are values; halving brings the two together (Johnen, Remacle, Geuzaine, J. Comput.
+// Phys. 2013).
 using Cubic = std::array<std::array<double, 4>, 4>;
 
 void leastOfCubic(const Cubic& c, Reference low, Reference high, int depth, double& least, Reference& where) {

@@ -26,7 +26,7 @@ std::vector<GeoToken> geoTokens(const std::string& text, const std::string& file
 /// \param path  of the .geo file;  every finding goes to `problems` under "Mesh/File", with file and line
 void checkGeoStatements(const std::string& path, Problems& problems);
 
-/// Whether Gmsh takes the file for a mesh; it runs any other file as a .geo file, whatever its name. Local.
+/// True if Gmsh takes the file for a mesh; it runs any other file as a .geo file, whatever its name. Local.
 bool beginsAsMsh(const std::string& path);
 
 }  // namespace suture

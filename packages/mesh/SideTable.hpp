@@ -8,15 +8,15 @@ namespace suture {
 /// All sides of all elements by their two end points: whose side is a given segment, and does it lie on the boundary?
 class SideTable {
  public:
-  /// Of all sides.
+  /// Indexes all sides.
   explicit SideTable(const CellBlock& block);
-  /// Of those that join end points of some sides only: whoever asks for few of them need not wait for all.
+  /// Indexes only sides whose end points occur in `some`; cheaper for few lookups.
   SideTable(const CellBlock& block, const std::vector<Side>& some);
 
   /// The sides (none, one, or two in a sound mesh) that join nodes a and b, in ascending order of elements. Local.
   std::vector<Side> between(int a, int b) const;
 
-  /// Whether a side belongs to its element only. Local.
+  /// True if a side belongs to its element only. Local.
   bool onBoundary(const Side& side) const;
 
  private:

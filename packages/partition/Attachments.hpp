@@ -24,7 +24,7 @@ struct Attachments {
   }
 };
 
-/// Of each rank. Local (rank 0).
+/// Attachments of each rank. Local (rank 0).
 /// \param share           of rank 0, for who cuts which body
 /// \param contactHolders  subdomains of the nodes of all pairs
 std::vector<Attachments> attachmentsOf(const Mesh& mesh, const Constraints& constraints, const Partition& partition, const MeshShare& share,

@@ -33,7 +33,7 @@ class Cutter {
   const MeshShare& share_;
   const Attachments& attachments_;
   const Partition& partition_;
-  // Of each subdomain; nodes and elements in the numbers of the share.
+  // One for each subdomain; nodes and elements in the numbers of the share.
   std::vector<std::vector<int>> elements_, nodes_;  // ascending
   std::vector<std::vector<NamedSide>> sides_;
   std::vector<std::vector<NodeRule>> rules_;

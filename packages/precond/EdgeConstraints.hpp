@@ -17,7 +17,7 @@ class EdgeConstraints {
   /// For each edge of the space: constraints x unknowns of the edge, orthonormal rows, the same on both sides of the edge. Collective.
   /// \param locals  in the order of the space's couplings; \param weighting  set up for them
   virtual std::vector<Matrix> rows(const InterfaceSpace& space, const LocalProblems& locals, const Weighting& weighting) const = 0;
-  /// Whether their number is not known beforehand, so that the user is told.
+  /// True if their number is not known beforehand, so that the user is told.
   virtual bool isAdaptive() const { return false; }
 };
 

@@ -20,7 +20,7 @@ struct PrimalConstraints {
   std::vector<InterfaceLayout::Unknown> unknowns;  ///< those that the terms name, by key, ascending: how they move; if asked for
 };
 
-/// Of each row of `now`: the row of `old` that is the same, or -1.
+/// For each row of `now`, the row of `old` that is the same, or -1.
 std::vector<int> rowsIn(const PrimalConstraints::Rows& old, const PrimalConstraints::Rows& now);
 
 /// For each local problem of this rank. Local.

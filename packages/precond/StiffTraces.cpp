@@ -26,7 +26,7 @@ Matrix randomColumns(int rows, int columns) {
   return values;
 }
 
-/// Of a side, in unknowns of the edge: the shear stiffness, and D_j^T V, what the other side's weights leave of V. D_i + D_j = I.
+/// One side of an edge, in the edge's unknowns: the shear stiffness, and D_j^T V, what the other side's weights leave of V. D_i + D_j = I.
 Matrix sideColumns(const EdgeSide& side, const LocalProblem& local, const Matrix& traces, const Weighting& weighting) {
   const Vector squares = side.coefficients.cwiseAbs2();
   const Matrix own = rowsAt(traces, side.rows);

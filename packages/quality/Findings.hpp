@@ -63,7 +63,7 @@ class Findings {
     where.made = true;
     take(quantity, where);
   }
-  /// Whether take() would keep this: cheaper than a Finding for every node.
+  /// True if take() would keep this: cheaper than a Finding for every node.
   bool isWorse(Quantity quantity, double size, double allowed) const {
     const Finding& worst = all[std::size_t(quantity)];
     return !worst.made || !(size * worst.bound <= worst.value * allowed);

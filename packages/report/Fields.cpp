@@ -45,7 +45,7 @@ class PointNumbers {
       if (other < mesh.id && here_.count(other)) return false;
     return true;
   }
-  // Of all nodes of the next subdomain.
+  // Appends the nodes of the next subdomain.
   const std::vector<GlobalId>& of(const SubdomainMesh& mesh) {
     numbers_.clear();
     for (int n = 0; n < mesh.nodes(); ++n) {

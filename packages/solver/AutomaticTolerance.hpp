@@ -39,9 +39,9 @@ class AutomaticTolerance {
 
   /// The norm of the solution, roughly: better when the first solve has told it.
   void startsFrom(double norm) { scale_ = norm; }
-  /// Whether an algebraic error (negative: not known) may be small enough, as far as is known.
+  /// True if an algebraic error (negative: not known) may be small enough, as far as is known.
   bool within(double error) const { return on() && error >= 0.0 && error <= target(); }
-  /// Whether it is, and the estimate is good enough to say so.
+  /// True if the algebraic error is small enough and the estimate is good enough to say so.
   bool met(double error) const { return sure_ && within(error); }
   bool sure() const { return sure_; }
   /// Estimates at a state with an algebraic error. Collective.

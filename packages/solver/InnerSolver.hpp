@@ -49,7 +49,7 @@ class InnerSolver {
                     const MultiVector& b, MultiVector& x, double tolerance, double reference, Monitor& monitor,
                     const EnergyCriterion& energy = EnergyCriterion());
 
-  /// Whether the last solve stopped where it can be gone on with: neither at nothing to do nor after too many iterations. All ranks say
+  /// True if goOn() may resume the last solve: it had something to do, and did not stop at the iteration limit. All ranks say
   /// the same.
   bool canGoOn() const;
   /// Goes on with the last solve: same operator, preconditioner (neither of them changed since) and right-hand side, no iteration lost.

@@ -232,7 +232,7 @@ OuterResult OuterSolver::solve(const InterfaceProblem& problem, const OuterSetti
   result.pcgTotal += run.evaluation.applications;
   result.residual = run.norm(run.evaluation);
   result.state.status = run.evaluation.next;
-  // Of the auxiliary solution the error is known as long as all pairs stay closed.
+  // The error of the auxiliary solution is known as long as all pairs stay closed.
   if (run.evaluation.changed > 0 || given) result.energyError = run.energyBound(result.residual);
   run.confirm();
   if (!run.done()) doSolve(run);

@@ -100,9 +100,9 @@ class OuterSolver {
     double energyErrorByTangent(const InterfaceState& state, const InterfaceProblem::Evaluation& at, double residual, InnerResult& cost);
     /// Why the automatic tolerance ended the iterations, for the user.
     std::string reason() const;
-    /// Whether somebody asked to stop. Collective.
+    /// True if somebody asked to stop. Collective.
     bool stopRequested();
-    /// Whether there is something to do and nobody minds: not done, not exhausted, not asked to stop. Collective.
+    /// True while not converged, not at the iteration limit and not asked to stop. Collective.
     bool goesOn();
   };
 
@@ -111,7 +111,7 @@ class OuterSolver {
   /// with the state to start from in run.result.state, not evaluated. Where that is the auxiliary solution (wantsAuxiliary() and
   /// Start = Bilateral), run.fromAuxiliary holds, and there is a preconditioner; else there is none.
   virtual bool worksBySets() const { return false; }
-  /// Whether Start = Bilateral means the auxiliary solution; else the state with all pairs closed, not solved.
+  /// True if Start = Bilateral means the auxiliary solution; else the state with all pairs closed, not solved.
   virtual bool wantsAuxiliary() const { return true; }
   /// From the auxiliary solution in run.result.state, evaluated, until run.done() or given up with run.result.failure.
   virtual void doSolve(Run& run) const = 0;

@@ -27,7 +27,7 @@ struct Solution {
   std::string failure;                 ///< why not
   std::string undetermined;            ///< bodies that are free to move at the solution, where the scene does not allow that; else empty
   std::vector<NeutralMotion> neutral;  ///< see settleNeutralMotions()
-  /// Of each subdomain of this rank, in the order of distribute(), beside its lift: node-major, Cartesian [length].
+  /// One vector for each subdomain of this rank, in the order of distribute(), beside its lift: node-major, Cartesian [length].
   std::vector<Vector> displacement;
   std::vector<PairResult> pairs;   ///< on rank 0: all, by id
   std::vector<PairResult> onAxis;  ///< on rank 0: see axisResults()

@@ -28,7 +28,7 @@ double takeOutLift(const Comm& comm, const ElasticModel& model, std::vector<Subd
 /// Elastic subdomains of this rank's meshes, assembled. `meshes` and `model` must outlive them. \throws NumericalError
 Subdomains makeSubdomains(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model);
 
-/// Whether the scene's formulation is the paper's: contact groups live whole on one rank. Local.
+/// True if the scene's formulation is the paper's: contact groups live whole on one rank. Local.
 bool isCondensed(const Parameters& scene);
 
 /// \throws InputError  the scene's outer solver does not fit its formulation: names those that do. Local, the same on all ranks.
@@ -39,7 +39,7 @@ void checkCombination(const Parameters& scene);
 std::unique_ptr<InterfaceProblem> makeInterfaceProblem(const CommPtr& comm, const Partition& partition, const Subdomains& subdomains,
                                                        const Parameters& scene);
 
-/// Whether the scene's tolerance is Automatic. Local.
+/// True if the scene's tolerance is Automatic. Local.
 bool isAutomatic(const Parameters& scene);
 
 /// The relative algebraic error that the scene's tolerance asks of a solution: a tenth of its estimated discretisation error where it is
@@ -62,7 +62,7 @@ OuterResult solveInterface(const InterfaceProblem& problem, const Parameters& sc
 Solution recover(const Comm& comm, const InterfaceProblem& problem, const OuterResult& result, const Subdomains& subdomains,
                  const Parameters& scene);
 
-/// Whether the scene asks for the outer solver Monolithic.
+/// True if the scene asks for the outer solver Monolithic.
 bool isMonolithic(const Parameters& scene);
 
 /// Sizes for the report, but for the interface.

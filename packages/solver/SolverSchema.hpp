@@ -9,7 +9,7 @@ namespace suture {
 inline constexpr const char* kCondensedGroups = "Condensed Groups";
 inline constexpr const char* kContactOnTheInterface = "Contact On The Interface";
 
-/// Whether an outer solver, by name, can solve a formulation; both are believed of a user's own. Local.
+/// True if an outer solver, by name, can solve a formulation; both are believed of a user's own. Local.
 bool solvesFormulation(const std::string& method, const std::string& formulation);
 
 /// Adds what the solver packages read to the scene's schema: Formulation, Outer Solver, Preconditioner, Subdomain. Local.

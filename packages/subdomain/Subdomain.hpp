@@ -43,8 +43,8 @@ class Subdomain {
   /// of side A; zero everywhere if volume changes as easily as shape, and where both are not. For preconditioners. [area; axisymmetric:
   /// volume]
   Vector seamFlux() const { return freeValues(doSeamFlux()); }
-  /// Of each free unknown, the diagonal of the stiffness against change of shape alone, where volume changes much less easily anywhere in
-  /// the scene; else empty. For preconditioners. [force / length]
+  /// The diagonal of the stiffness against change of shape alone, one entry for each free unknown, where volume changes much less easily
+  /// anywhere in the scene; else empty. For preconditioners. [force / length]
   const Vector& shearDiagonal() const { return shearDiagonal_; }
   Matrix rigidModes() const;  ///< free x all rigid modes
   /// free x the motions that cost least, for coarse spaces: their span contains that of rigidModes().

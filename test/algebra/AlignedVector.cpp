@@ -10,7 +10,7 @@
 namespace suture {
 namespace {
 
-// Of this process, bytes that are in memory.
+// Resident bytes of this process.
 double resident() {
   std::ifstream file("/proc/self/statm");
   double all = 0.0, pages = 0.0;

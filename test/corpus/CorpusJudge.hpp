@@ -5,7 +5,7 @@
 
 namespace suture::corpus {
 
-/// Whether a scene has a solution, decided by the rigid motions z of its bodies that the prescribed components allow: Held, one solution;
+/// True if a scene has a solution, decided by the rigid motions z of its bodies that the prescribed components allow: Held, one solution;
 /// Slides, some z keeps all gaps (B z = 0); None, some z opens no gap that is closed (B z <= 0) and gains work of the loads.
 enum class Feasibility { Held, Slides, None };
 

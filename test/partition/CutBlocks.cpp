@@ -23,7 +23,7 @@ std::vector<Block> ownedBy(const std::vector<int>& owners) {
   return blocks;
 }
 
-// Of block i, the same on every rank.
+// The element graph of block i, the same on every rank.
 ElementGraph graphOf(int i) { return elementGraph(boxes({scenes::box("body", 0, 1, 0, 1, 12 + 3 * i, 10)})); }
 
 }  // namespace

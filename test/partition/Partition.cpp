@@ -230,7 +230,7 @@ TEUCHOS_UNIT_TEST(Partition, RefusesABodyThatHangsTogetherInSingleNodes) {
 }
 
 TEUCHOS_UNIT_TEST(Partition, TakesABodyThatTouchesItselfInANode) {
-  // Of 3 x 3 blocks the middle one and the upper right one are missing: (2/3, 2/3) joins two blocks that are connected all around.
+  // The middle and the upper right one of 3 x 3 blocks are missing: (2/3, 2/3) joins two blocks that are connected all around.
   const auto third = [](double x) { return static_cast<int>(3 * x); };
   const Mesh grid = kept(mesh({box("a", 0, 1, 0, 1, 9, 9)}), [&](double x, double y) { return third(x) != third(y) || third(x) == 0; });
   for (int subdomains : {1, 4}) {

@@ -12,7 +12,7 @@ struct DensePair {
   DensePair(const InterfaceOperator& matrix, const Preconditioner& preconditioner);
   double idle;  ///< what M^-1 does to idle unknowns
 
-  /// Of M^-1 S, ascending: those of L^T M^-1 L, S = L L^T.
+  /// Eigenvalues of M^-1 S, ascending: those of L^T M^-1 L, S = L L^T.
   Vector eigenvalues() const;
 };
 

@@ -38,7 +38,7 @@ Matrix motions(const InterfaceSpace& space, const InterfaceEdge& edge) {
   return columns;
 }
 
-// Of two ranks that describe an edge, each has the same rows for it.
+// Two ranks that describe an edge have the same rows for it.
 void sameOnAllRanks(const InterfaceSpace& space, const std::vector<Matrix>& rows, bool& success, Teuchos::FancyOStream& out) {
   Packer packer;
   for (std::size_t e = 0; e < rows.size(); ++e) {

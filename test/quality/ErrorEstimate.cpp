@@ -203,7 +203,7 @@ TEUCHOS_UNIT_TEST(ErrorEstimate, IsGoodAtTheEndOfContact) {
 TEUCHOS_UNIT_TEST(ErrorEstimate, IsZeroWhereTheSolutionIsExact) {
   for (const Cell cell : cells) {
     const int order = cell == Cell::Triangle3 || cell == Cell::Quadrilateral4 ? 1 : 2;
-    // Of curved cells displacements of the first order are exact, of straight ones those of the cell's.
+    // Curved cells have displacements of the first order exactly, straight ones those of the cell's order.
     for (const int p : order == 1 ? std::vector<int>{1} : std::vector<int>{1, 2}) {
       const scenes::Scene scene = square(cell, 4, 2, p == 1 ? 1.0 : 0.0, power(p));
       const DiscretisationError error = estimate(blocks::Blocks(scene, blocks::world()), solve(scene));

@@ -17,7 +17,7 @@ double sumOver(double mine) {
   return all;
 }
 
-// Of the difference of two states, over all unknowns.
+// Energy norm of the difference of two states, over all unknowns.
 double energyDistance(const Blocks& all, const InterfaceProblem& problem, const InterfaceState& a, const InterfaceState& b) {
   const std::vector<Vector> u = problem.recover(a).freeValues, v = problem.recover(b).freeValues;
   double square = 0.0;

@@ -73,7 +73,7 @@ scenes::Scene stackedScene() {
   return scene;
 }
 
-/// Of each element the layer of height 1/2 that it lies in: 0 and 3 are stiff, 1 and 2 soft.
+/// The layer of height 1/2 that each element lies in: 0 and 3 are stiff, 1 and 2 soft.
 std::vector<int> layers(const Mesh& mesh) {
   std::vector<int> layer;
   for (int e = 0; e < mesh.elements(); ++e) {

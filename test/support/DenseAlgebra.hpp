@@ -6,11 +6,11 @@
 /// Dense linear algebra that tests compare with, compiled once: Eigen's decompositions take seconds in every source that names them.
 namespace suture::dense {
 
-/// Of the symmetric part, ascending.
+/// Eigenvalues of the symmetric part, ascending.
 Vector eigenvalues(const Matrix& a);
-/// Of A x = lambda B x, A by its symmetric part, B symmetric and definite; ascending.
+/// Eigenvalues of A x = lambda B x, A by its symmetric part, B symmetric and definite; ascending.
 Vector eigenvalues(const Matrix& a, const Matrix& b);
-/// Of M S, with S symmetric and definite: those of L^T M L, S = L L^T; ascending.
+/// Eigenvalues of M S, with S symmetric and definite: those of L^T M L, S = L L^T; ascending.
 Vector eigenvaluesOfProduct(const Matrix& m, const Matrix& s);
 Vector singularValues(const Matrix& a);
 int rank(const Matrix& a);

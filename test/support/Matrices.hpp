@@ -18,7 +18,7 @@ Sparse floatingBody(int nx, int ny);
 // Where its nodes are, of each unknown.
 std::vector<Point> placesOfBody(int nx, int ny);
 
-// Of unknowns that are nowhere in particular.
+// Random places, for unknowns that are nowhere in particular.
 std::vector<Point> randomPlaces(int n, unsigned seed);
 
 Sparse randomDefinite(int n, unsigned seed);

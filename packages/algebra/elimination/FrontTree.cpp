@@ -22,7 +22,7 @@ struct Groups {
   int count() const { return static_cast<int>(first.size()); }
 };
 
-/// Of each unknown, whether it has the pattern of the one before: both are in the same columns before theirs, and in their own the rows
+/// For each unknown, true if it has the pattern of the one before: both are in the same columns before theirs, and in their own the rows
 /// below are the same.
 std::vector<char> patternOfTheOneBefore(const SymmetricMatrix& matrix) {
   const int n = matrix.rows(), *first = matrix.lower().outerIndexPtr(), *rows = matrix.lower().innerIndexPtr();

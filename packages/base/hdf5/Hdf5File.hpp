@@ -87,7 +87,7 @@ class Hdf5File {
   /// For programs, before anything else of HDF5. Local.
   static void withoutExitHandler();
 
-  /// Of the HDF5 library linked: "1.10.8". Local.
+  /// Version of the HDF5 library linked: "1.10.8". Local.
   static std::string libraryVersion();
 
  private:

@@ -69,7 +69,7 @@ struct Hdf5File::Impl {
   /// Checks, once, what HDF5 does not before it reads a text of variable length. On rank 0. \throws hdf5::Failed
   void checkTexts() const;
   mutable bool textsChecked = false;
-  /// Whether every value that the file's type can hold is an int.
+  /// True if every value that the file's type can hold is an int.
   bool fitsInt(const std::string& at) const;
   unsigned long long fileSize() const;  ///< bytes; the largest number where the system does not tell
 };

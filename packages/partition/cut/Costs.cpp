@@ -11,7 +11,7 @@ struct Size {
   int subdomain, nodes, interfaceNodes;
 };
 
-// Of the subdomains that this rank cuts, without contact.
+// Costs of the subdomains that this rank cuts, without contact.
 std::vector<Size> sizesOf(const MeshShare& share, int nodes) {
   std::vector<Size> sizes;
   std::vector<int> place;  // of each subdomain in sizes

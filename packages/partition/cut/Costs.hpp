@@ -11,7 +11,7 @@ namespace suture {
 /// tenth).
 constexpr long long expectedCost(long long nodes, long long interfaceNodes) { return nodes + interfaceNodes * interfaceNodes / 16; }
 
-/// Of every subdomain, on rank 0. Interface nodes are those that several subdomains hold, and those in contact. Collective.
+/// Costs of every subdomain, on rank 0. Interface nodes are those that several subdomains hold, and those in contact. Collective.
 /// \param subdomains      their number, on rank 0
 /// \param contactHolders  holders of the nodes in contact, on rank 0
 std::vector<long long> expectedCosts(const Comm& comm, const CellBlock& mesh, const MeshShare& share, int subdomains,

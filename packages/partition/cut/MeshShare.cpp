@@ -37,7 +37,7 @@ struct Extent {
   std::size_t nodes = 0, elements = 0, corners = 0;
 };
 
-// Whose nodes and elements they are, in one pass for all ranks.
+// Owners of nodes and elements, in one pass for all ranks.
 struct ByRank {
   std::vector<std::vector<int>> nodes, elements;  // of each rank, ascending
   std::vector<int> local;                         // of each node of the mesh: its number among those of its rank

@@ -35,7 +35,7 @@ class ClusterCoarse : public CoarseSolve {
   std::shared_ptr<const InterfaceSpace> space_;
   std::unique_ptr<ChebyshevInverse> inverse_;
   mutable Vector answer_;  // of the last solve
-  // Of solve(), which every iteration calls: it allocates nothing.
+  // Work space of solve(), which every iteration calls: it allocates nothing.
   mutable Vector load_;
   mutable Matrix overlap_;
   mutable std::vector<double> interior_, trace_;  // of a cluster

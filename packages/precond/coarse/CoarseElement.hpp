@@ -28,8 +28,8 @@ struct CoarseElements {
 void pack(const CoarseElement& element, Packer& packer);
 CoarseElement unpackCoarseElement(Unpacker& unpacker);
 
-/// Of all ranks, by id, so that sums do not depend on where elements come from: on every rank, or on rank 0 alone and nothing elsewhere.
-/// Collective.
+/// Coarse elements of all ranks, by id, so that sums do not depend on where elements come from: on every rank, or on rank 0 alone and
+/// nothing elsewhere. Collective.
 std::vector<CoarseElement> gatherCoarseElements(const Comm& comm, std::vector<CoarseElement> mine, bool everywhere);
 
 /// Their sum, both triangles, of so many unknowns. They need not be ascending within an element. Local.

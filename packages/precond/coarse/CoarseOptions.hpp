@@ -20,7 +20,7 @@ struct CoarseOptions {
   static void addParameters(Schema& schema);
   static CoarseOptions from(const Parameters& own);
 
-  /// Whether the coarse problem of so many local problems is solved by a level more.
+  /// True if the coarse problem of so many local problems is solved by a level more.
   bool goesOn(int locals) const { return locals > above && locals > 1; }
 };
 

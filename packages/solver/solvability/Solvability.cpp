@@ -19,7 +19,7 @@ constexpr double noMotion = 1e-8;  // of a unit amplitude
 // body in its seat (normals of nodes that Gmsh puts on circles are good to 1e-8).
 constexpr double noOpening = 1e-6;
 
-// Of a space of amplitudes (orthonormal columns) the motion that is easiest to say: a translation if there is one, along an axis if
+// The motion in a space of amplitudes (orthonormal columns) that is easiest to say: a translation if there is one, along an axis if
 // possible.
 std::string inWords(const RigidPart& part, const Matrix& space, int dimension) {
   const Matrix rotations = space.bottomRows(space.rows() - dimension);
