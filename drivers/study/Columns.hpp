@@ -18,7 +18,7 @@ struct Column {
 const std::vector<std::pair<std::string, std::string>>& namedColumns();
 
 /// A formula whose names are all known: of namedColumns(), which are replaced by what they mean, or paths of summary.json (summaryPaths()).
-/// What is wrong is added to `problems` under `path`; the result is then of no use. Local.
+/// Errors are added to `problems` under `path`; the result is then of no use. Local.
 Formula columnFormula(const std::string& text, const std::string& path, Problems& problems);
 
 /// "name", "path" or "name = formula". Local.

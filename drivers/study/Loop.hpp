@@ -8,7 +8,7 @@
 
 namespace suture::study {
 
-/// What the runs of a study left.
+/// Results of the runs of a study.
 struct Rows {
   std::vector<Row> rows;  ///< on rank 0
   bool stopped = false;   ///< on request (SIGUSR1): rows are missing

@@ -7,7 +7,7 @@
 
 namespace suture::study {
 
-/// What a combination of a study gave, as it is kept in the combination's folder, so that an interrupted study can go on (--continue).
+/// Result of a combination of a study, as it is kept in the combination's folder, so that an interrupted study can go on (--continue).
 struct FinishedRun {
   std::vector<std::string> summaries;  ///< texts of summary.json, one a repetition
   int exitCode = 0;

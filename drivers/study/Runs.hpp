@@ -27,7 +27,7 @@ void checkRuns(const Comm& comm, const Study& study, const std::vector<Run>& run
 /// "size=h/2  seed=3". Local.
 std::string labelsOf(const Study& study, const Run& run);
 
-/// What is written on the command line behind --only: "label" or "sweep=label", several of one sweep add up. Local.
+/// Argument of --only on the command line: "label" or "sweep=label", several of one sweep add up. Local.
 Filter readOnly(const Study& study, const std::vector<std::string>& only, Problems& problems);
 
 }  // namespace suture::study

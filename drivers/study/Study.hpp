@@ -9,7 +9,7 @@
 
 namespace suture::study {
 
-/// What stands for "as the scene has it" in a list of values.
+/// Placeholder for "as the scene has it" in a list of values.
 inline constexpr const char* kUnchanged = "-";
 
 /// One parameter of the scene (or "Scene", the scene file itself) and its values, tied to those of the others of its sweep.
@@ -29,7 +29,7 @@ struct Sweep {
 /// Sweep -> the labels that take part; a sweep that is not named takes part with all.
 using Filter = std::map<std::string, std::vector<std::string>>;
 
-/// What a column must be like over the rows that a filter leaves.
+/// Bounds of a column over the rows that a filter leaves.
 struct Band {
   std::string name, column;  ///< column: as written
   Formula formula;

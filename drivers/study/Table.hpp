@@ -7,7 +7,7 @@
 
 namespace suture::study {
 
-/// What one combination of a study gave.
+/// Result of one combination of a study.
 struct Row {
   const Run* run = nullptr;
   std::vector<Cell> cells;                     ///< of each column

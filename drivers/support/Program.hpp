@@ -11,7 +11,7 @@
 namespace suture {
 
 /// Runs the work of a driver between the beginning and the end of MPI and returns the exit code of the program, the same on all ranks.
-/// What the work throws is printed once (see explain()). When a rank fails alone, while the others wait for it in a collective, the last
+/// Errors of the work are printed once (see explain()). When a rank fails alone, while the others wait for it in a collective, the last
 /// resort after two seconds is its message and MPI_Abort with its exit code. One thread a rank, unless the environment says otherwise.
 /// \param name     of the program, for messages;  \param subject  the file it works on
 int runProgram(const std::string& name, const std::string& subject, const std::function<ExitCode(const CommPtr& comm)>& work);

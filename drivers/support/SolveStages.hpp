@@ -35,7 +35,7 @@ void elementsStage(const Comm& comm, const std::vector<SubdomainMesh>& meshes, c
 void solvabilityStage(const Comm& comm, const Mesh& mesh, const Constraints& constraints, const ElasticModel& model,
                       const Partition& partition);
 
-/// What the later stages want to know of the scene as a whole.
+/// Properties of the whole scene that later stages need.
 struct Whole {
   ProblemSize size;                  ///< on all ranks; without the interface
   std::vector<ContactPiece> pieces;  ///< on rank 0

@@ -5,14 +5,14 @@
 
 namespace suture {
 
-/// What `make` returns; the time it takes is added to a phase.
+/// Returns the result of `make`; the time it takes is added to a phase.
 template <typename Make>
 auto timed(Timers& timers, const std::string& phase, const Make& make) {
   const Timers::Scope scope(timers, phase);
   return make();
 }
 
-/// What `make` returns on rank 0, an empty object elsewhere; an exception becomes that of all ranks. Collective.
+/// Returns the result of `make` on rank 0, an empty object elsewhere; an exception becomes that of all ranks. Collective.
 template <typename Make>
 auto onRoot(const Comm& comm, const std::string& what, const Make& make) {
   decltype(make()) result{};

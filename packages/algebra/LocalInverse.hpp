@@ -18,7 +18,7 @@ class LocalInverse {
   /// Products with Phi, as fast as memory is: values <- Phi^T flux, trace <- trace + Phi values. One flux, one trace.
   virtual void applyBasisTransposed(const Eigen::Ref<const Vector>& flux, Vector& values) const;
   virtual void addBasis(const Vector& values, Eigen::Ref<Vector> trace) const;
-  /// What apply() with one right-hand side, and one product each with Phi^T and Phi, read of memory, in bytes; 0: not known.
+  /// Bytes that apply() with one right-hand side, and one product each with Phi^T and Phi, read of memory; 0 if not known.
   virtual double bytesRead() const { return 0.0; }
   virtual double basisBytesRead() const { return 0.0; }
 

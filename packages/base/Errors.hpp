@@ -5,7 +5,7 @@
 
 namespace suture {
 
-/// What a program that meets the error returns; the contract with users' scripts.
+/// Exit code of a program that meets the error; the contract with users' scripts.
 enum class ExitCode : int { Done = 0, CommandLine = 2, Input = 3, Numerical = 4, Environment = 5, Internal = 70, Stopped = 75 };
 
 /// A message for people: a word, or a text between single quotes, of more than 200 characters is cut, and says how long it was; so is a

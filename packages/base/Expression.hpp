@@ -37,7 +37,7 @@ class Expression {
   std::shared_ptr<const Compiled> compiled_;
 };
 
-/// What the user named for the expressions of his scene.
+/// Constants and functions that the user named for the expressions of the scene.
 struct Constants {
   std::map<std::string, double> numbers;
   std::map<std::string, Expression> functions;  ///< of the place: in another expression its name stands for its value there

@@ -5,7 +5,7 @@ namespace suture {
 
 struct InterfaceState;
 
-/// What an outer solver tells about one of its iterations: a row of the console's table and of history.csv.
+/// Report of an outer solver about one of its iterations: a row of the console's table and of history.csv.
 struct OuterRow {
   int iteration = 0;
   int pcg = 0;                ///< operator applications of the inner solver in this iteration, failed steps included

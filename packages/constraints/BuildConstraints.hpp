@@ -13,7 +13,7 @@ namespace suture {
 Schema boundaryConditionSchema();
 Schema contactSchema();
 
-/// What contact needs to know of the bodies besides their mesh.
+/// Properties of the bodies that contact needs besides their mesh.
 struct ContactScales {
   /// Compliance of the material of an element under contact pressure: (1 - nu^2) / E, in plane stress 1 / E [1 / stress]. If it is empty
   /// all bodies count as equally compliant, and pressure errors are not estimated.

@@ -5,7 +5,7 @@
 
 namespace suture {
 
-/// What a boundary condition gives for each of its components: a number, or a function of the place.
+/// Value of a boundary condition for each of its components: a number, or a function of the place.
 struct ConditionData {
   std::vector<double> values;
   std::vector<Expression> expressions;  ///< instead of values

@@ -47,7 +47,7 @@ struct ContactPair {
   }
 };
 
-/// What a solver decides about a pair; its gap and pressure follow from the displacements.
+/// Decision of a solver about a pair; its gap and pressure follow from the displacements.
 struct PairForce {
   int id = -1;
   PairStatus status = PairStatus::Open;
@@ -57,7 +57,8 @@ struct PairForce {
 /// A pair of two nodes that stand opposite to each other.
 std::vector<PairEnd> matchingEnds(int nodeA, int nodeB);
 
-/// What a pair of this contact force takes from the bodies as a whole: the force of a rigid obstacle on them; zero between bodies. [force]
+/// Resultant of a pair with this contact force on the bodies as a whole: the force of a rigid obstacle on them; zero between bodies.
+/// [force]
 Point obstacleForce(const ContactPair& pair, double force);
 
 /// The end of a second-order side on the axis of a body of revolution. Its shape function has no integral over the circle: no pressure has

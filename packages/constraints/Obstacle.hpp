@@ -24,7 +24,7 @@ class Obstacle {
   /// \throws InputError  an expression without a finite value there. Local.
   Foot from(const Point& point) const { return foot_(point); }
 
-  /// What the parameter `Obstacle` of a contact line may be: None; Line, a half-plane; Circle, a disc or the outside of one; Height, what
+  /// Values of the parameter `Obstacle` of a contact line: None; Line, a half-plane; Circle, a disc or the outside of one; Height, what
   /// lies below (or above) the graph of a function of x. On a graph the condition is linear in the displacement of the point (x, y):
   /// y + u_y >= h(x) + h'(x) u_x, divided by sqrt(1 + h'^2); with Direction = Vertical without the term h' u_x, and undivided.
   static std::map<std::string, Schema> choices();

@@ -7,7 +7,7 @@ namespace suture {
 /// compliance W = N K^+ N^T, the penetrations d without forces, and rigid amplitudes a. Answers by dense factorisations. Local.
 class DelassusProblem : public ContactOracle {
  public:
-  /// What a solve found, for whoever recovers displacements.
+  /// Result of a solve, for the recovery of displacements.
   struct State {
     Vector force;      ///< of all pairs, holders' included
     Vector amplitude;  ///< a

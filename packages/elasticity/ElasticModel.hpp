@@ -12,7 +12,7 @@
 
 namespace suture {
 
-/// What an element takes as unknown: displacements only, or displacements and a pressure of its own, discontinuous between elements and
+/// Unknowns of an element: displacements only, or displacements and a pressure of its own, discontinuous between elements and
 /// eliminated element by element, so that it does not lock when nu tends to 0.5.
 enum class ElementForm { Displacement, Mixed };
 
@@ -26,8 +26,8 @@ struct Material {
   bool named = false;         ///< the scene names the element; else it was chosen: one that does not lock
 };
 
-/// What is zero across the plane. Axisymmetric scenes have the law of plane strain, with a hoop strain: their geometry is the mesh's
-/// (CellBlock::axisymmetric).
+/// Quantity that vanishes across the plane. Axisymmetric scenes have the law of plane strain, with a hoop strain: their geometry is the
+/// mesh's (CellBlock::axisymmetric).
 enum class PlaneModel { Strain, Stress };
 
 /// A load of the scene: on a named side group, on the volume of a body, or on its nodes (random, for studies of solvers).

@@ -8,7 +8,7 @@
 
 namespace suture {
 
-/// What is known exactly of a body's solution, as functions of the place on the undeformed body.
+/// Exact solution of a body, as far as it is known, as functions of the place on the undeformed body.
 struct ExactFields {
   std::vector<Expression> displacement;  ///< x, y; or none [length]
   std::vector<Expression> stress;  ///< xx, yy, xy, tension positive, or none [stress]; and zz, which in the plane follows from the model

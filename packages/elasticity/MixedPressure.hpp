@@ -27,7 +27,7 @@ class MixedPressure {
     for (int j = 0; j < n; ++j)
       for (int i = 0; i <= j; ++i) k(i, j) += lambda * rows_.col(i).dot(rows_.col(j));
   }
-  /// What a unit of lambda adds to the diagonal of K.
+  /// Addition to the diagonal of K for each unit of lambda.
   double diagonal(int dof) const { return rows_.col(dof).squaredNorm(); }
   /// Projected dilatation at a place, for displacements of the element's nodes (node-major).
   template <typename Displacement>

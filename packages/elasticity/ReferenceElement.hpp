@@ -21,7 +21,7 @@ struct ReferenceElement {
   const double* gradientsAt(int point) const { return gradients.data() + std::size_t(point) * nodes * dimension; }
 };
 
-/// What a rule is for. The first two are exact on affine cells with constant data.
+/// Purpose of a quadrature rule. The first two are exact on affine cells with constant data.
 enum class Rule : int {
   Stiffness = 0,  ///< products of gradients: degree 2 (p - 1) on triangles, 2 p in each direction on quadrilaterals
   Load = 1,       ///< products of a shape function with a factor of order p

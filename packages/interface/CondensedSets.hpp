@@ -32,7 +32,7 @@ class CondensedSets : public ContactSets {
   /// For subdomains without contact that of the harmonic extension.
   Vector energies(const InterfaceState& state) const override;
 
-  /// What the rigid motions of a state add to the rows of a group of this rank; empty: nothing.
+  /// Addition of a state's rigid motions to the rows of a group of this rank; empty if there is none.
   Vector movedRows(int group, const InterfaceState& state) const;
   /// Work of the loads in them.
   double rigidWork(const InterfaceState& state) const;

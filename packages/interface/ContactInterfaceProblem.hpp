@@ -63,7 +63,7 @@ class ContactInterfaceProblem : public InterfaceProblem, public ContactSets {
   void collectRows(const Vector& stiffness);
   void findChains();
   void findBodies();
-  /// What the rigid motions of a state add to the rows that this rank sees; empty: nothing.
+  /// Addition of a state's rigid motions to the rows that this rank sees; empty if there is none.
   Vector movedRows(const InterfaceState& state) const;
   /// Work of the loads in them.
   double rigidWork(const InterfaceState& state) const;

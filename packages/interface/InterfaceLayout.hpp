@@ -6,7 +6,7 @@
 
 namespace suture {
 
-/// What an interface consists of, as far as one rank knows it: the input of InterfaceSpace.
+/// Unknowns and edges of an interface, as far as one rank knows them: the input of InterfaceSpace.
 struct InterfaceLayout {
   /// An interface unknown. `id`: the same on all ranks, any distinct numbers. On the finest level the displacement of a point along a unit
   /// direction. In general a sum of displacements, known by its values under rigid motions: the motion with translation t at the point and
@@ -19,7 +19,7 @@ struct InterfaceLayout {
     /// side A), where a nearly incompressible body cares; else zero, and on coarse levels. [area; volume if axisymmetric]
     double flux = 0.0;
   };
-  /// What lies between two local problems and two corners: an edge of the decomposition. Unknowns in an order and sense that both share.
+  /// Edge of the decomposition: the unknowns between two local problems and two corners. Unknowns in an order and sense that both share.
   struct Edge {
     std::array<int, 2> locals;  ///< ids, ascending
     std::vector<GlobalId> unknowns;

@@ -27,7 +27,7 @@ class InterfaceOperator : public Operator {
 
   const std::shared_ptr<const InterfaceSpace>& space() const { return space_; }
   const LocalProblems& locals() const { return locals_; }
-  /// What one application reads of this rank's memory, in bytes, as far as the local problems know. Local.
+  /// Bytes that one application reads of this rank's memory, as far as the local problems know. Local.
   double bytesRead() const;
   /// Applications so far (each right-hand side counts one).
   long long applications() const { return applications_; }

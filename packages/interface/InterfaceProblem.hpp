@@ -20,12 +20,12 @@ struct InterfaceState {
   ContactStatus status;
   /// Rigid motions of parts (ContactBodies) on top of the trace, so that deformations are no differences of large numbers; empty: none.
   Vector rigid{};
-  /// What the formulation remembers of this trace, so that it need not apply operators again; dropped by whoever changes the trace himself.
+  /// Cache of the formulation for this trace, which saves applications of operators. Reset it whenever you modify the trace directly.
   std::shared_ptr<const Matrix> memory = nullptr;
   int applications = 0;  ///< of the operator, that making the state took
 };
 
-/// What a formulation says of a state.
+/// Value of a formulation at a state.
 struct InterfaceEvaluation {
   MultiVectorPtr residual;  ///< F - S_0 U - S_KON(U) = -grad J(U)
   double energy = 0.0;      ///< J(U), the total potential energy
@@ -58,7 +58,7 @@ class ContactSets {
   virtual InterfaceState padState() const = 0;
   /// Moves parts rigidly: `motion` are amplitudes of bodies().rigid(). Forces do not change.
   virtual void move(InterfaceState& state, const Vector& motion) const = 0;
-  /// What pair forces, > 0 compressive, load the interface with, in the space of a status. [force]
+  /// Load of pair forces (> 0 compressive) on the interface, in the space of a status. [force]
   virtual MultiVectorPtr loadOf(const Vector& pairForces, const ContactStatus& status) const = 0;
   /// Forces that a step in the space of a status adds to closed pairs, and penetrations that it adds to open ones.
   /// \param pairForces  that act beside them

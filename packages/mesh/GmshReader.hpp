@@ -6,7 +6,7 @@
 
 namespace suture {
 
-/// What a scene says about reading a .geo or .msh file.
+/// Options of a scene for reading a .geo or .msh file.
 struct GmshInput {
   std::string path;
   std::map<std::string, double> constants;  ///< override the values of DefineConstant (.geo only)

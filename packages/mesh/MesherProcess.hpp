@@ -5,7 +5,7 @@
 
 namespace suture {
 
-/// What suture_mesher shall do.
+/// Task of suture_mesher.
 struct MesherOrder {
   std::string file;             ///< as the user knows it, for messages
   std::string opened;           ///< what Gmsh opens

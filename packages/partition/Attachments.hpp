@@ -9,7 +9,7 @@
 
 namespace suture {
 
-/// What hangs on the bodies that a rank cuts: named sides, rules, contact. Rank 0 has it in the numbers of the mesh; it is as large as
+/// Named sides, rules and contact of the bodies that a rank cuts. Rank 0 has it in the numbers of the mesh; it is as large as
 /// boundaries and contact are.
 struct Attachments {
   std::map<std::string, std::vector<Side>> sideGroups;

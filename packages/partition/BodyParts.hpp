@@ -21,7 +21,7 @@ struct BodyParts {
   void findMotions(const Comm& comm, const std::vector<const SubdomainMesh*>& meshes, int dimension);
 };
 
-/// What a unit vector at a point feels of a part's motions: amplitudes.
+/// Components of a part's motions along a unit vector at a point.
 Vector along(const RigidPart& part, const Point& point, const Point& direction, int dimension);
 
 }  // namespace suture

@@ -11,7 +11,7 @@ namespace suture {
 
 struct MeshShare;
 
-/// Who owns which element, which subdomains make a contact group, and which rank they live on. The same on all ranks
+/// Subdomain of each element, subdomains of each contact group, and the ranks on which they live. The same on all ranks
 /// but for the first two, which only rank 0 has, and share, which is each rank's own.
 struct Partition {
   std::vector<int> subdomainOfElement;     ///< rank 0 only

@@ -7,7 +7,7 @@
 
 namespace suture {
 
-/// What BDDC demands of an edge beside its end points: rows of which both sides must have the same value. Strategies: None, Averages,
+/// Primal constraints of BDDC on an edge beside its end points: rows whose value is the same on both sides. Strategies: None, Averages,
 /// Rigid Modes, Adaptive; a user adds his own through Registry<EdgeConstraints>.
 class EdgeConstraints {
  public:

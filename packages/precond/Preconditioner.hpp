@@ -14,7 +14,7 @@ class Preconditioner : public Operator {
  public:
   static const char* kind() { return "preconditioner"; }
 
-  /// What depends on the space alone. Collective.
+  /// Set-up that depends on the space alone. Collective.
   void initialize(std::shared_ptr<const InterfaceSpace> space);
   /// Everything that an application needs. Collective. \throws NumericalError
   void compute(Teuchos::RCP<const InterfaceOperator> matrix);
@@ -32,9 +32,9 @@ class Preconditioner : public Operator {
   double setupSeconds() const { return setupSeconds_; }
   /// Dimension of the coarse problem, 0 without one.
   virtual int coarseSize() const { return 0; }
-  /// What one application reads of this rank's memory, the coarse problem left out, in bytes; 0: not known. Local.
+  /// Bytes that one application reads of this rank's memory, without the coarse problem; 0 if not known. Local.
   virtual double bytesRead() const { return 0.0; }
-  /// What the user should know of choices that the preconditioner made by itself, or nothing. Collective.
+  /// Note for the user about choices that the preconditioner made by itself; empty if there are none. Collective.
   virtual std::string remark() const { return std::string(); }
 
  protected:

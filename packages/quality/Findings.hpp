@@ -79,7 +79,7 @@ class Findings {
   std::array<Finding, kQuantities> all;
 };
 
-/// What a body's forces and displacements are measured by; summed over all ranks.
+/// Scales of a body's forces and displacements, summed over all ranks.
 struct BodyScale {
   double loads = 0.0, contact = 0.0, reactions = 0.0;  ///< sums of magnitudes over the nodes [force]
   double largestContact = 0.0;                         ///< at a node [force]

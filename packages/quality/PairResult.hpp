@@ -6,7 +6,7 @@
 
 namespace suture {
 
-/// What is known of a contact pair at the end of a run. Signs as in DESIGN: gap > 0 open, pressure and force > 0 compressive.
+/// State of a contact pair at the end of a run: gap > 0 open, pressure and force > 0 compressive.
 struct PairResult {
   int id = -1;
   GlobalId node = -1;  ///< that carries it: number in the mesh
@@ -27,7 +27,7 @@ struct PairResult {
 /// The one place where a PairResult is made. \param ofEnds  displacement of each of the pair's ends, in their order. Local.
 PairResult pairResult(const ContactPair& pair, const PairForce& force, const std::vector<Point>& ofEnds);
 
-/// What is shown on the axis: pressures and gaps there from those of the pairs beside, without force; as open as the nearer pair. Local, on
+/// Values shown on the axis: pressures and gaps there from those of the pairs beside, without force; as open as the nearer pair. Local, on
 /// rank 0. \param pairs  all, by id
 std::vector<PairResult> axisResults(const std::vector<ContactPiece>& pieces, const std::vector<PairResult>& pairs);
 

@@ -5,7 +5,7 @@
 
 namespace suture {
 
-/// What the blocks of a mesh that was cut tell each other, so that a patch is the same whoever holds a part of it. As it stands here: for a
+/// Sums over the blocks of a cut mesh, so that a patch is the same on every rank that holds a part of it. As it stands here: for a
 /// mesh that was not cut.
 class PatchExchange {
  public:

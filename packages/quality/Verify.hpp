@@ -7,7 +7,7 @@
 
 namespace suture {
 
-/// What a run says that it has found.
+/// Answer of a run, as it is to be verified.
 struct Answer {
   const std::vector<SubdomainMesh>& meshes;  ///< of this rank
   const ElasticModel& model;

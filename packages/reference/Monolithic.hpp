@@ -19,7 +19,7 @@ struct MonolithicOptions {
   CholmodOptions::Ordering ordering = CholmodOptions::Ordering::Amd;
 };
 
-/// What Solution holds, for the whole mesh on one rank.
+/// Solution for the whole mesh on one rank.
 struct MonolithicResult {
   bool converged = false;
   std::string failure;            ///< why not

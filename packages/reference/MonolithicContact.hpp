@@ -24,7 +24,7 @@ struct CondensedContact {
   std::vector<int> lines{};  ///< contact line of each row, successive rows of one being neighbours; empty: all of one
 };
 
-/// What one step of the active set found; what Monitor::outer reports of it.
+/// Result of one step of the active set; Monitor::outer reports it.
 struct ActiveSetStep {
   int active = 0;
   int changed = 0;

@@ -7,7 +7,7 @@
 
 namespace suture {
 
-/// What the pairs of a run say together.
+/// Figures of all pairs of a run.
 struct ContactFigures {
   int pairs = 0, active = 0;
   int touching = 0;                    ///< open ones without a gap
@@ -50,7 +50,7 @@ struct Memory {
 /// Collective.
 Memory peakMemory(const Comm& comm);
 
-/// What summary and console say of a run beside its solution, once its files are written.
+/// Figures of a run beside its solution, for summary and console, gathered once its files are written.
 struct RunFigures {
   double largestDisplacement;              ///< largest |u| over all nodes [length]
   std::vector<Timers::Statistics> phases;  ///< [s]

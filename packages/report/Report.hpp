@@ -8,7 +8,7 @@
 
 namespace suture {
 
-/// What a report leaves to be said.
+/// Results of writing a report, for the console.
 struct Written {
   std::string summary;  ///< text of summary.json on rank 0, elsewhere nothing
   RunFigures figures;

@@ -22,7 +22,7 @@ struct GridSize {
   GlobalId points = 0, cells = 0, connectivity = 0;
 };
 
-/// What an array is: everything but its numbers.
+/// Description of an array: everything but its numbers.
 struct FieldInfo {
   std::string name;
   int components = 1;

@@ -34,7 +34,7 @@ class AutomaticTolerance {
   bool on() const { return estimate_.of != nullptr; }
   const std::optional<DiscretisationError>& last() const { return last_; }
   int estimates() const { return estimates_; }
-  /// What was recovered for an estimate at the end of the last solve, once; else null.
+  /// Recovered solution of the estimate at the end of the last solve, given out once; else null.
   Recovered takeRecovered() { return std::exchange(recovered_, nullptr); }
 
   /// The norm of the solution, roughly: better when the first solve has told it.

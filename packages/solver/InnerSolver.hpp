@@ -8,7 +8,7 @@
 
 namespace suture {
 
-/// What an inner (linear) solve cost and reached.
+/// Cost and accuracy of an inner (linear) solve.
 struct InnerResult {
   int pcg = 0;  ///< applications of the operator
   bool converged = false;

@@ -7,7 +7,7 @@
 
 namespace suture {
 
-/// What this rank's subdomains take at the peak of a run, in 2^20 bytes, from their meshes alone: n unknowns on N nodes, c pairs of nodes
+/// Memory of this rank's subdomains at the peak of a run, in 2^20 bytes, from their meshes alone: n unknowns on N nodes, c pairs of nodes
 /// that are coupled, b unknowns on the boundary,
 ///     12 (d^2 c + d (d + 1) N / 2)   stiffness, its lower triangle, d components a node
 ///     6 c d log2(n)                  interior factor in single precision

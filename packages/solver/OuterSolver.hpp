@@ -14,7 +14,7 @@
 
 namespace suture {
 
-/// What holds for every outer solver.
+/// Settings of every outer solver.
 struct OuterSettings {
   double tolerance = 1e-8;  ///< of sqrt(r.M r) relative to the residual of the lifted start, r = F - S_0 U - S_KON(U)
   int maximumIterations = 50;
@@ -57,7 +57,7 @@ class OuterSolver {
   OuterResult solve(const InterfaceProblem& problem, const OuterSettings& settings, Monitor& monitor,
                     const InterfaceState* start = nullptr) const;
 
-  /// What a method needs while it runs.
+  /// Data of a method while it runs.
   struct Run {
     const InterfaceProblem& problem;
     const OuterSettings& settings;
@@ -92,7 +92,7 @@ class OuterSolver {
     void describe(const InterfaceOperator& matrix);
     /// Remembers the smallest eigenvalue that a solve met.
     void learn(const InnerResult& solve);
-    /// What a residual says of the algebraic error in the energy norm: sqrt(r.M r / lowest). An upper bound where the operator at the
+    /// Estimate of the algebraic error in the energy norm from a residual: sqrt(r.M r / lowest). An upper bound where the operator at the
     /// solution is the one whose eigenvalues were met. Negative: not known.
     double energyBound(double residual) const { return lowest > 0.0 ? residual * reference / std::sqrt(lowest) : -1.0; }
     /// The algebraic error in the energy norm, found with the tangent there: for methods that do not solve with it. Only where it may

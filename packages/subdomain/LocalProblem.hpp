@@ -42,7 +42,7 @@ class LocalProblem {
   /// The inverse under constraints C x = 0, rows x size(), of full rank. \throws NumericalError  they leave a mechanism
   virtual std::unique_ptr<LocalInverse> inverse(const Matrix& constraints) const;
 
-  /// What one applySchur() reads of memory, in bytes; 0: not known.
+  /// Bytes that one applySchur() reads of memory; 0 if not known.
   virtual double bytesRead() const { return 0.0; }
   /// How S_loc is kept, where that was chosen automatically; else empty.
   virtual std::string chosenSchur() const { return {}; }

@@ -9,7 +9,7 @@
 
 namespace suture {
 
-/// What a Schur complement is made of: a stiffness matrix whose unknowns are cut in interior (I) and boundary (B), and loads.
+/// Input of a Schur complement: a stiffness matrix whose unknowns are split into interior (I) and boundary (B), and loads.
 struct SchurData {
   const SymmetricMatrix& stiffness;  ///< all unknowns
   const Vector& load;                ///< all unknowns
@@ -44,7 +44,7 @@ class SchurComplement {
   /// Least energy with zero trace: -f_I A_II^-1 f_I / 2.
   virtual double interiorEnergy() const = 0;
 
-  /// What one application reads of memory, in bytes; 0: not known.
+  /// Bytes that one application reads of memory; 0 if not known.
   virtual double bytesRead() const { return 0.0; }
   /// Name of the strategy that Automatic chose; empty where the user did.
   virtual std::string chosen() const { return {}; }

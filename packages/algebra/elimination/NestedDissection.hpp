@@ -5,7 +5,7 @@
 
 namespace suture {
 
-/// Who is coupled to whom, both ways: neighbours of i are adjacent[first[i] .. first[i + 1]).
+/// Graph of the couplings, both ways: neighbours of i are adjacent[first[i] .. first[i + 1]).
 struct Adjacency {
   std::vector<int> first = {0}, adjacent;
 

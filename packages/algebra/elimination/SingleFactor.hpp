@@ -16,7 +16,7 @@ class SingleFactor {
   /// \param unknownOf  column of L -> unknown of the matrix that solve() is given; unknowns that do not occur are held at zero
   explicit SingleFactor(std::vector<int> unknownOf) : unknownOf_(std::move(unknownOf)) {}
 
-  /// What a supernode of so many columns, with so many rows below its triangle, takes.
+  /// Size of a supernode of so many columns, with so many rows below its triangle.
   static std::size_t entries(int columns, int below) {
     return static_cast<std::size_t>(columns) * (columns + 1) / 2 + static_cast<std::size_t>(columns) * below;
   }

@@ -62,7 +62,7 @@ struct Hdf5File::Impl {
 
   /// Runs `work` on rank 0; a failing HDF5 call is the same InputError on all ranks.
   void readOnRoot(const std::string& at, const std::function<void()>& work) const;
-  /// What is said where nothing is, with the nearest name. On rank 0.
+  /// Message for a missing object, with the nearest name. On rank 0.
   std::string missing(const std::string& at) const;
   template <typename T>
   std::vector<T> readNumbers(const std::string& at, bool wholeOnly) const;

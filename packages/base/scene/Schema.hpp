@@ -93,7 +93,7 @@ class Schema {
   const Schema* userLists() const { return userLists_.get(); }
   const std::string& userListPlaceholder() const { return userListPlaceholder_; }
   int leastUserLists() const { return leastUserLists_; }
-  /// What the user may name as he likes, a parameter with his placeholder as its name; or null.
+  /// Parameter whose name the user chooses, with a placeholder as its name; or null.
   const Parameter* userParameter() const { return userParameter_ ? &*userParameter_ : nullptr; }
   /// Parameter or null.
   const Parameter* find(const std::string& name) const;

@@ -5,7 +5,7 @@
 
 namespace suture {
 
-/// What a subdomain costs from assembly to solution with explicit Schur complements, in nodes: what is done with all of its b interface
+/// Cost of a subdomain from assembly to solution with explicit Schur complements, in nodes: what is done with all of its b interface
 /// nodes at once grows with b^2 or b^3 and is as much as the rest for usual sizes. b^2 / 16 fits the times of the 268 subdomains of tunnel
 /// and Hertz at 1M unknowns (3600 nodes, 120 to 340 on the interface; single times scatter by 15 %, whole halves of a scene differ by a
 /// tenth).

@@ -17,7 +17,7 @@ struct Block {
 /// goes to the rank that has least. Deterministic. Local.
 void placeBlocks(const std::vector<int>& elements, int ranks, std::vector<Block>& blocks);
 
-/// What METIS made of a block.
+/// Result of METIS for a block.
 struct BlockCut {
   std::vector<int> partOf;  ///< element of the block -> subdomain, counted from the block's first
   int repairs = 0;          ///< as metisCut() counts

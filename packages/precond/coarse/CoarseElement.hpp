@@ -17,7 +17,7 @@ struct CoarseElement {
   Matrix matrix;              ///< between them; symmetric, positive semidefinite: its lower triangle counts
 };
 
-/// What one rank knows of a coarse matrix: the sum of elements over all ranks.
+/// Contribution of one rank to a coarse matrix, the sum of elements over all ranks.
 struct CoarseElements {
   int size = 0;                                    ///< coarse unknowns, over all ranks
   std::vector<CoarseElement> elements;             ///< of this rank's local problems

@@ -3,7 +3,7 @@
 
 namespace suture {
 
-/// What a preconditioner does with its coarse residual: a fixed symmetric positive definite linear operator, the inverse of the coarse
+/// Solve of a preconditioner's coarse problem: a fixed symmetric positive definite linear operator, the inverse of the coarse
 /// matrix or near to it.
 class CoarseSolve {
  public:

@@ -9,7 +9,7 @@ namespace suture {
 
 // Which pairs hold bodies, which touch them, and which are closed by rounding alone: for NeutralMotions.cpp.
 
-/// What all ranks know of the pairs.
+/// Pairs at a solution, known to all ranks.
 struct PairsAtSolution {
   Vector force, gap, change;  ///< change of the gap, its magnitude
   ClosedSet closed;
@@ -18,7 +18,7 @@ struct PairsAtSolution {
 /// From rank 0. Collective.
 PairsAtSolution broadcastPairs(const Comm& comm, const std::vector<PairResult>& results, int count);
 
-/// What forces on each part are rounding of.
+/// Magnitudes whose rounding appears in the forces on each part.
 struct ForceScales {
   std::vector<double> loads;  ///< sum of their magnitudes
   std::vector<double> ways;   ///< what the last digit of a prescribed way is worth: eps E |way|
@@ -27,7 +27,7 @@ struct ForceScales {
 /// Collective.
 ForceScales forceScales(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model, const ContactBodies& bodies);
 
-/// What pairs are at a solution.
+/// Classes of the pairs at a solution.
 struct PairClasses {
   ClosedSet carrying;  ///< with a force that holds its bodies
   ClosedSet touching;  ///< without a gap, not carrying
