@@ -8,7 +8,7 @@
 #include <suture/base/Numbers.hpp>
 #include <suture/report/ParametersJson.hpp>
 #include <suture/report/SceneSchema.hpp>
-#include <suture/solver/SolveScene.hpp>
+#include <suture/solver/Decomposition.hpp>
 
 #include "../support/Overrides.hpp"
 

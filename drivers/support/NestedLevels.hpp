@@ -1,7 +1,7 @@
 #pragma once
 #include <suture/base/Monitor.hpp>
 #include <suture/base/scene/SceneReader.hpp>
-#include <suture/solver/SolveScene.hpp>
+#include <suture/solver/Decomposition.hpp>
 
 #include <memory>
 

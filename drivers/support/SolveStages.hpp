@@ -7,8 +7,8 @@
 #include <suture/quality/ExactErrors.hpp>
 #include <suture/report/Report.hpp>
 #include <suture/report/SceneSchema.hpp>
+#include <suture/solver/Decomposition.hpp>
 #include <suture/solver/MemoryEstimate.hpp>
-#include <suture/solver/SolveScene.hpp>
 
 #include "SolveOptions.hpp"
 #include "SolveScene.hpp"

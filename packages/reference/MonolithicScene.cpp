@@ -3,7 +3,7 @@
 #include <suture/base/Collective.hpp>
 #include <suture/reference/Monolithic.hpp>
 #include <suture/reference/MonolithicScene.hpp>
-#include <suture/solver/SolveScene.hpp>
+#include <suture/solver/Decomposition.hpp>
 
 #include <Teuchos_Comm.hpp>
 #include <Teuchos_CommHelpers.hpp>

@@ -2,8 +2,8 @@
 #include <suture/base/Errors.hpp>
 #include <suture/base/Memory.hpp>
 #include <suture/base/MpiHandle.hpp>
+#include <suture/solver/Decomposition.hpp>
 #include <suture/solver/MemoryEstimate.hpp>
-#include <suture/solver/SolveScene.hpp>
 
 #include <mpi.h>
 #include <Teuchos_CommHelpers.hpp>

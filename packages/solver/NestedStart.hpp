@@ -1,7 +1,7 @@
 #pragma once
 #include <suture/interface/InterfaceProblem.hpp>
 #include <suture/partition/SubdomainMesh.hpp>
-#include <suture/solver/SolveScene.hpp>
+#include <suture/solver/Decomposition.hpp>
 
 #include <vector>
 

@@ -5,7 +5,7 @@
 #include <suture/base/Expression.hpp>
 #include <suture/base/scene/SceneReader.hpp>
 #include <suture/report/SceneSchema.hpp>
-#include <suture/solver/SolveScene.hpp>
+#include <suture/solver/Decomposition.hpp>
 
 #include <Teuchos_ParameterList.hpp>
 

@@ -11,7 +11,7 @@
 #include <suture/quality/PressureField.hpp>
 #include <suture/reference/MonolithicScene.hpp>
 #include <suture/report/SceneSchema.hpp>
-#include <suture/solver/SolveScene.hpp>
+#include <suture/solver/Decomposition.hpp>
 
 namespace suture {
 namespace {

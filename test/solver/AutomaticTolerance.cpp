@@ -1,5 +1,5 @@
 // Tolerance = Automatic against the solution of the same mesh to ten digits.
-#include <suture/solver/SolveScene.hpp>
+#include <suture/solver/Decomposition.hpp>
 
 #include <Teuchos_UnitTestHarness.hpp>
 #include <interface/ContactScenes.hpp>

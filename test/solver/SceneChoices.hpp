@@ -1,6 +1,6 @@
 #pragma once
 #include <solver/ContactMethods.hpp>
-#include <suture/solver/SolveScene.hpp>
+#include <suture/solver/Decomposition.hpp>
 
 namespace suture::blocks {
 

@@ -5,7 +5,7 @@
 #include <suture/partition/RigidLift.hpp>
 #include <suture/quality/Verify.hpp>
 #include <suture/reference/MonolithicScene.hpp>
-#include <suture/solver/SolveScene.hpp>
+#include <suture/solver/Decomposition.hpp>
 #include <suture/solver/SolverSchema.hpp>
 
 #include <support/ExtendedReference.hpp>

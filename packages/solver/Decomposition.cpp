@@ -6,7 +6,7 @@
 #include <suture/interface/CondensedProblem.hpp>
 #include <suture/interface/ContactInterfaceProblem.hpp>
 #include <suture/partition/RigidLift.hpp>
-#include <suture/solver/SolveScene.hpp>
+#include <suture/solver/Decomposition.hpp>
 #include <suture/solver/SolverSchema.hpp>
 #include <suture/solver/solvability/CarriedBodies.hpp>
 #include <suture/subdomain/ElasticSubdomain.hpp>
