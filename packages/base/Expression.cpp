@@ -8,10 +8,10 @@
 #include <cmath>
 #include <cstdio>
 
-#include "Errors.hpp"
-#include "Numbers.hpp"
 #include <suture/base/scene/SceneReader.hpp>
 #include <suture/base/scene/Schema.hpp>
+#include "Errors.hpp"
+#include "Numbers.hpp"
 
 namespace suture {
 namespace {

@@ -5,8 +5,8 @@
 #include <Eigen/Core>
 #include <Libraries.hpp>
 
-#include "Expression.hpp"
 #include <suture/base/hdf5/Hdf5File.hpp>
+#include "Expression.hpp"
 
 namespace suture {
 namespace {

@@ -7,9 +7,9 @@
 
 #include <suture/base/Buffer.hpp>
 #include <suture/base/Collective.hpp>
+#include <suture/base/Memory.hpp>
 #include "Hdf5Heaps.hpp"
 #include "Hdf5Impl.hpp"
-#include <suture/base/Memory.hpp>
 
 namespace suture {
 

@@ -7,8 +7,8 @@
 #include <cstring>
 
 #include <suture/base/Collective.hpp>
-#include "Hdf5Impl.hpp"
 #include <suture/base/MpiHandle.hpp>
+#include "Hdf5Impl.hpp"
 
 namespace suture {
 
