@@ -10,9 +10,9 @@ namespace suture::study {
 /// Result of one combination of a study.
 struct Row {
   const Run* run = nullptr;
-  std::vector<Cell> cells;                     ///< of each column
-  std::vector<Cell> judged;                    ///< of each band the value of its column; empty for a run that failed
-  std::vector<std::pair<Cell, Cell>> ordered;  ///< of each order x and y; empty for a run that failed
+  std::vector<Cell> cells;                     ///< one for each column
+  std::vector<Cell> judged;                    ///< value of its column for each band; empty for a run that failed
+  std::vector<std::pair<Cell, Cell>> ordered;  ///< x and y for each order; empty for a run that failed
   int exitCode = 0;
   std::string failure;  ///< in one line; empty: the run converged
 };

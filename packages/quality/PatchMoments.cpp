@@ -7,7 +7,7 @@ namespace suture::patch {
 
 namespace {
 
-constexpr double leastPivot = 1e-10;      // of the matrix with a unit diagonal
+constexpr double leastPivot = 1e-10;      // smallest pivot accepted, of the matrix scaled to a unit diagonal
 constexpr double leastThickness = 1e-20;  // square of a patch's extent along an axis over that along both: less is rounding
 
 int degreeOf(int term) { return term == 0 ? 0 : term < 3 ? 1 : 2; }

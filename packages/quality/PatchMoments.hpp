@@ -4,7 +4,7 @@
 
 namespace suture::patch {
 
-// What patch recovery does with one patch: moments of stresses about its vertex, and the polynomial that fits them. For PatchRecovery.cpp.
+// Patch recovery on one patch: moments of stresses about its vertex, and the polynomial that fits them. For PatchRecovery.cpp.
 
 constexpr int components = 4;  // as in elementStresses(): xx, yy, zz, xy
 constexpr int maxTerms = 6;

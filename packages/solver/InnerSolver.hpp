@@ -34,7 +34,7 @@ struct EnergyCriterion {
 
 /// Preconditioned conjugate gradients (Belos' PseudoBlockCGIter, with a status test of ours): stops when sqrt(r.M r) falls below
 /// tolerance * reference. Belos' own managers stop on the Euclidean norm, which with jumps of stiffness or given displacements accepts
-/// what is no solution. What it has learnt of the spectrum is not lost when it stops: a solve may be resumed.
+/// vectors that are no solution. A solve may be resumed: its state and Lanczos matrix are kept when it stops.
 class InnerSolver {
  public:
   /// \param most  iterations at most, of one call

@@ -47,7 +47,7 @@ class SetSolves : public ContactOracle {
   const ContactSets& sets_;
   const double inner_;
   MultiVectorPtr step_;
-  ClosedSet closed_;                // of the last solve; empty: it cannot be resumed
+  ClosedSet closed_;                // set of the last solve; empty if that cannot be resumed
   ContactStatus preconditioned_;    // what the preconditioner was made for
   bool hasPreconditioner_ = false;  // the same on all ranks, also on those without a local problem
   Teuchos::RCP<InterfaceOperator> matrix_;
