@@ -1,11 +1,10 @@
 #!/usr/bin/python3
-"""Runs studies and puts their tables into the READMEs.
+"""Runs studies and puts their tables into README.md of this folder.
 
     input/studies/results.py [--ranks 2] [--program build/drivers/suture_study] [--no-run] [STUDY...]
 
 Without names: all studies of this folder. Results go to build/studies_out/<study>/; a table.md found there is put between the lines
-"<!-- results: STUDY -->" and "<!-- end -->" wherever they stand in README.md of this folder and in packages/precond/README.md, and
-a matrix of it between "<!-- matrix: STUDY ROWS x COLUMN: CELLS -->" (sweeps, sweep, columns) and "<!-- end -->"; a picture
+"<!-- results: STUDY -->" and "<!-- end -->", and a matrix of it between "<!-- matrix: STUDY ROWS x COLUMN: CELLS -->" (sweeps, sweep, columns) and "<!-- end -->"; a picture
 NAME.png of the study is copied to STUDY_NAME.png of this folder if the README shows it. Returns 1 when a study missed a band.
 """
 import argparse
@@ -19,7 +18,7 @@ from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
-READMES = [HERE / "README.md", ROOT / "packages" / "precond" / "README.md"]
+READMES = [HERE / "README.md"]
 ENVIRONMENT = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1", "OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"}
 
 
