@@ -31,7 +31,7 @@ double bodyImbalance(const ContactBodies& bodies, const Vector& force, const Vec
     const Eigen::Index first = bodies.firstMotion(static_cast<int>(p)), count = bodies.parts()[p].free.cols();
     if (count == 0) continue;
     const Vector rest = data.rows.middleCols(first, count).transpose() * force - data.work.segment(first, count);
-    if (rest.norm() <= kNothing * std::sqrt(largest(at) * stiffness[p])) continue;
+    if (rest.norm() <= kNegligibleEnergyNorm * std::sqrt(largest(at) * stiffness[p])) continue;
     size[p] = std::max(size[p], kLent * std::sqrt(std::max(energy(at), 0.0) * stiffness[p]));
     most = std::max(most, rest.norm() / size[p]);
   }

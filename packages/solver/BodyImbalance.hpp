@@ -4,7 +4,7 @@
 namespace suture {
 
 /// Energy norm of a body that carries nothing, relative to the largest that it has had.
-constexpr double kNothing = 1e-12;
+constexpr double kNegligibleEnergyNorm = 1e-12;
 
 /// Imbalance of the loads and pair forces on a body, in the motions that nothing but contact stops, beside the forces that pass through it:
 /// the largest of all bodies. Forces across these motions count, too, by what deforms the body, and a body without loads has a share of its

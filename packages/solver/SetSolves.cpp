@@ -145,7 +145,7 @@ double SetSolves::tolerance(int level) const {
 double SetSolves::norm(const MultiVector& residual, const InterfaceState& state) {
   const Vector energy = sets_.energies(state), own = productsByPart(residual);
   largest_ = largest_.cwiseMax(energy);
-  const Vector nothing = kNothing * kNothing * largest_;
+  const Vector nothing = kNegligibleEnergyNorm * kNegligibleEnergyNorm * largest_;
   double sum = 0.0, bodies = 0.0;
   for (std::size_t p = 0; p < clusterOf_.size(); ++p) {
     const auto at = static_cast<Eigen::Index>(p), cluster = static_cast<Eigen::Index>(clusterOf_[p]);
