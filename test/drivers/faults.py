@@ -147,7 +147,7 @@ for name, ranks, hit in signals + ([("SIGINT", 1, 1), ("SIGTERM", 2, 2), ("SIGIN
     check(what + ": restart", (code, ended(folder + "_resumed")), (0, (0, True)))
 
 # mpirun kills its ranks a second after a SIGTERM of its own, unless told otherwise; it no longer reads what they print.
-process = start("launcher", OPEN, *SLOW, "--output", work / "launcher", ranks=2, launcher=("--mca", "odls_base_sigkill_timeout", "5"))
+process = start("launcher", OPEN, *SLOW, "--output", work / "launcher", ranks=2, launcher=("--mca", "odls_base_sigkill_timeout", "3"))
 process.send_signal(signal.SIGTERM)
 process.wait(timeout=60 * SLOWER)
 check("SIGTERM to mpirun: a checkpoint", (work / "launcher" / "checkpoint.h5").exists(), True)
