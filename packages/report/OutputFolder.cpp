@@ -11,6 +11,7 @@
 #include <suture/base/Errors.hpp>
 #include <suture/report/OutputFolder.hpp>
 #include <system_error>
+#include <vector>
 
 namespace fs = std::filesystem;
 
@@ -19,6 +20,23 @@ namespace {
 
 // Two runs into one folder must not write into one temporary file.
 std::string temporaryName(const std::string& path) { return path + ".part" + std::to_string(::getpid()); }
+
+/// True for a temporary name of a file that runs write into their folder themselves; results are staged in a folder of their own.
+bool isTemporary(const std::string& name) {
+  const std::size_t end = name.rfind(".part");
+  if (end == std::string::npos || name.find_first_not_of("0123456789", end + 5) != std::string::npos) return false;
+  const std::string own = name.substr(0, end);
+  return own == "checkpoint.h5" || own == "summary.json" || own == "history.csv" || own == "writable";
+}
+
+/// Removes what runs left that were killed while they wrote. Only with the folder's lock, when no other run lives.
+void removeTemporaries(const std::string& folder) {
+  std::error_code ignored;
+  std::vector<fs::path> left;
+  for (fs::directory_iterator file(folder, ignored), none; file != none; file.increment(ignored))
+    if (isTemporary(file->path().filename().string()) && file->is_regular_file(ignored)) left.push_back(file->path());
+  for (const fs::path& path : left) fs::remove(path, ignored);
+}
 
 }  // namespace
 
@@ -84,6 +102,7 @@ FolderLock::~FolderLock() {
 
 RunFolder::RunFolder(const Comm& comm, const std::string& folder) : lock_((prepareFolder(comm, folder), comm), folder) {
   collectivelyOnRoot(comm, "preparing the output folder", [&] {
+    removeTemporaries(folder);
     const fs::path summary = fs::path(folder) / "summary.json";
     std::error_code error;
     if (!fs::exists(summary, error)) return;

@@ -25,7 +25,8 @@ class FolderLock {
 };
 
 /// The folder of one run, prepared and locked. What an earlier run left stays until the new results are complete; only its summary.json is
-/// renamed to summary.previous.json at once: should this run fail, nobody takes the earlier summary for its own.
+/// renamed to summary.previous.json at once: should this run fail, nobody takes the earlier summary for its own. Temporary files of runs
+/// that were killed while they wrote are removed.
 class RunFolder {
  public:
   /// Collective. \throws EnvironmentError

@@ -192,8 +192,14 @@ process.wait()
 check("killed: no summary to be taken for that of the run", (work / "killed" / "summary.json").exists(), False)
 check("killed: the earlier result is there", (json.loads((work / "killed" / "summary.previous.json").read_text())["converged"],
                                              digest(work / "killed" / "fields_0000.vtkhdf")), (True, fields))
+half = [work / "killed" / name for name in ("checkpoint.h5.part", "summary.json.part12345")]  # as a kill may leave them
+users = work / "killed" / "engine.part1"
+for path in (*half, users):
+    path.write_text("half")
 code, _, _ = run(2, OPEN, *MESH, "--quiet", "--restart", work / "killed" / "checkpoint.h5", "--output", work / "killed")
 check("killed: restart on two ranks, into the folder of the dead", (code, ended("killed")), (0, (0, True)))
+check("a user's file is untouched", users.exists(), True)
+users.unlink()
 check("nothing else is left", sorted(f.name for f in (work / "killed").iterdir() if f.name != "checkpoint.h5"),
       ["contact_0000.vtkhdf", "fields_0000.vtkhdf", "history.csv", "summary.json"])
 
