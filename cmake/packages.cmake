@@ -1,7 +1,17 @@
 # The packages in the order in which data flows. A package may include only packages to its left: each is a target of its own whose
 # include path holds its predecessors and nothing else, so that a wrong #include does not compile. All of them make one libsuture.so.
 set(SUTURE_ALL_PACKAGES base algebra mesh constraints partition elasticity quality subdomain contact interface precond solver reference report)
-set(SUTURE_PACKAGES "${SUTURE_ALL_PACKAGES}" CACHE STRING "Packages to build: a leading part of the list, for work on one of them")
+set(SUTURE_LAST_PACKAGE "" CACHE STRING "The last package to build, for work on a leading part of the list; empty: all")
+# Not in the cache: a build folder of an older version must not keep that version's list.
+set(SUTURE_PACKAGES ${SUTURE_ALL_PACKAGES})
+if(SUTURE_LAST_PACKAGE)
+  list(FIND SUTURE_ALL_PACKAGES "${SUTURE_LAST_PACKAGE}" last)
+  if(last LESS 0)
+    message(FATAL_ERROR "SUTURE_LAST_PACKAGE: '${SUTURE_LAST_PACKAGE}' is none of ${SUTURE_ALL_PACKAGES}")
+  endif()
+  math(EXPR last "${last} + 1")
+  list(SUBLIST SUTURE_ALL_PACKAGES 0 ${last} SUTURE_PACKAGES)
+endif()
 
 # suture_package(name SOURCES a.cpp b.cpp LINK suture::x): one folder under packages/.
 function(suture_package name)

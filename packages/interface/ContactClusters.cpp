@@ -13,6 +13,7 @@ namespace {
 using Sparse = std::map<int, double>;  // place -> coefficient
 
 constexpr double kDependent = 1e-10;  // of coefficients of unit normals
+constexpr double kRounding = 1e-15;   // of the same, where they cancel: what is dropped beyond it is missing from the forces
 
 void addTo(Sparse& row, const Sparse& other, double factor) {
   for (const auto& [place, value] : other) row[place] += factor * value;
@@ -72,7 +73,7 @@ std::vector<InterfaceRelation> ContactClusters::relations(const std::vector<Pair
       const int place = pivot->first;
       Sparse by;
       for (const auto& [other, value] : row)
-        if (other != place && std::abs(value) > kDependent) by[other] = -value / pivot->second;
+        if (other != place && std::abs(value) > kRounding) by[other] = -value / pivot->second;
       if (uses[place] > 1)
         for (auto& [earlier, expression] : solved)
           if (const auto used = expression.find(place); used != expression.end()) {
@@ -85,7 +86,7 @@ std::vector<InterfaceRelation> ContactClusters::relations(const std::vector<Pair
     for (const auto& [place, by] : solved) {
       InterfaceRelation relation{place, {}, {}};
       for (const auto& [other, value] : by)
-        if (std::abs(value) > kDependent) {
+        if (std::abs(value) > kRounding) {
           relation.others.push_back(other);
           relation.coefficients.push_back(value);
         }

@@ -70,6 +70,19 @@ void spansTheNullSpace(const std::vector<InterfaceRelation>& relations, const Ma
       TEST_ASSERT(std::find(relation.others.begin(), relation.others.end(), other.unknown) == relation.others.end());
 }
 
+// V1 with quadrilaterals of second order: coefficients between 1e-12 and 1e-10, of nodes that a mesher has put nearly on the line, were
+// dropped, and nodal pressures wrong by 1.4e-10.
+TEUCHOS_UNIT_TEST(ContactClusters, SmallCoefficientsAreKept) {
+  Vector stiffness = Vector::Ones(5);
+  const ContactClusters clusters({{{0, 2, 3, 4}, {1.0, -0.6, -0.4, 6e-11}, 0.0, 0}, {{1, 2, 3, 4}, {1.0, 3e-11, -0.5, -0.5}, 0.0, 0}},
+                                 stiffness);
+  Matrix rows(2, 5);
+  rows << 1.0, 0.0, -0.6, -0.4, 6e-11, 0.0, 1.0, 3e-11, -0.5, -0.5;
+  const Matrix columns = freeColumns(clusters.relations({kClosed, kClosed}), 5);
+  TEST_EQUALITY(columns.cols(), 3);
+  TEST_COMPARE((rows * columns).cwiseAbs().maxCoeff(), <, 1e-15);
+}
+
 TEUCHOS_UNIT_TEST(ContactClusters, RelationsSpanTheNullSpaceOfEverySubsetOfRows) {
   for (const double skew : {1.3, M_PI / 2, 1e-3}) {
     const CrossPoint cross(0.4, skew);
