@@ -39,8 +39,7 @@ RunResult solveScene(const CommPtr& comm, const SolveOptions& options) {
   const double liftWork = timed(timers, "partition", [&] { return takeOutLift(*comm, model, cut.meshes, constraints); });
   monitor.shiftEnergy(-liftWork);
   if (!isMonolithic(scene)) forget(mesh, constraints, cut.partition);
-  auto subdomains =
-      timed(timers, "assemble", [&] { return isMonolithic(scene) ? Subdomains() : makeSubdomains(*comm, cut.meshes, model); });
+  auto subdomains = timed(timers, "assemble", [&] { return subdomainsStage(*comm, cut.meshes, model, scene); });
   auto problem = timed(timers, "factor", [&] { return problemStage(comm, cut.partition, subdomains, scene); });
   const ProblemSize size = withInterface(cut.whole.size, problem.get());
   printSizes(*comm, file, size, memory, options);
@@ -60,10 +59,11 @@ RunResult solveScene(const CommPtr& comm, const SolveOptions& options) {
   if (solution.stopped) stopIsHeard();
   solution.energy -= liftWork;
   problem.reset();
-  subdomains.clear();
+  releaseFollowers(subdomains);
   timed(timers, "verify", [&] { neutralStage(*comm, cut.meshes, model, cut.whole.pieces, scene, solution, monitor); });
   errorStage(*comm, cut.meshes, model, scene, solution, timers);
-  timed(timers, "verify", [&] { verifyStage(*comm, cut.meshes, model, cut.whole.pieces, scene, solution); });
+  timed(timers, "verify", [&] { verifyStage(*comm, cut.meshes, model, cut.whole.pieces, subdomains, scene, solution); });
+  subdomains.clear();
   giveBackFreedMemory();  // what is written needs it; the verdict works in it as it is
 
   for (const std::string& note : pressureNotes(*comm, cut.whole.pieces, solution)) monitor.note(note);

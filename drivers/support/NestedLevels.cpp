@@ -44,7 +44,7 @@ CoarseAnswer solveLevel(const CommPtr& comm, const SceneFile& file, const Coarse
     size = problemSize(*comm, mesh, constraints, partition);
     takeOutLift(*comm, model, answer.meshes, constraints);
   }
-  const Subdomains subdomains = makeSubdomains(*comm, answer.meshes, model);
+  const Subdomains subdomains = makeSubdomains(*comm, answer.meshes, model, scene);
   const auto problem = makeInterfaceProblem(comm, partition, subdomains, scene);
   std::unique_ptr<InterfaceState> start;
   if (coarser) start = std::make_unique<InterfaceState>(nestedStart(*comm, *coarser, *problem, subdomains));

@@ -178,6 +178,12 @@ void forget(Mesh& mesh, Constraints& constraints, Partition& partition) {
   giveBackFreedMemory();
 }
 
+Subdomains subdomainsStage(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model, const Parameters& scene) {
+  if (!isMonolithic(scene)) return makeSubdomains(comm, meshes, model, scene);
+  checkPhysics(comm, meshes, model, scene);
+  return {};
+}
+
 std::unique_ptr<InterfaceProblem> problemStage(const CommPtr& comm, const Partition& partition, const Subdomains& subdomains,
                                                const Parameters& scene) {
   return isMonolithic(scene) ? nullptr : makeInterfaceProblem(comm, partition, subdomains, scene);
@@ -218,9 +224,17 @@ void neutralStage(const Comm& comm, std::vector<SubdomainMesh>& meshes, const El
 }
 
 void verifyStage(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model,
-                 const std::vector<ContactPiece>& pieces, const Parameters& scene, Solution& solution) {
+                 const std::vector<ContactPiece>& pieces, const Subdomains& subdomains, const Parameters& scene, Solution& solution) {
+  const auto own = [&](int mesh) -> std::optional<OwnForces> {
+    if (subdomains.empty() || !subdomains[mesh]) return std::nullopt;
+    return OwnForces{subdomains[mesh]->internalForces(solution.displacement[mesh]), subdomains[mesh]->nodalLoads()};
+  };
   const double tolerance = requestedAccuracy(scene, solution);
-  solution.verification = verify(comm, {meshes, model, solution.displacement, solution.pairs, pieces, tolerance});
+  solution.verification = verify(comm, {meshes, model, solution.displacement, solution.pairs, pieces, tolerance, own});
+  collectively(comm, "finding the stresses", [&] {
+    for (std::size_t i = 0; i < subdomains.size(); ++i)
+      if (subdomains[i]) solution.ownStresses[static_cast<int>(i)] = subdomains[i]->stresses(solution.displacement[i]);
+  });
   if (solution.converged && !solution.verification.holds())
     solution.failure = "the verdict does not hold: " + solution.verification.failure();
 }

@@ -65,6 +65,9 @@ void addCut(Hdf5File& file, const Mesh& mesh, const Constraints& constraints, co
 /// Frees what rank 0 holds in proportion to the whole mesh: after distribute() and the checks only Monolithic needs it. Local.
 void forget(Mesh& mesh, Constraints& constraints, Partition& partition);
 
+/// Subdomains of the kinds that the scene names, assembled; none for the outer solver Monolithic, which must do without. Collective.
+Subdomains subdomainsStage(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model, const Parameters& scene);
+
 /// The interface problem of the scene's formulation; null for the outer solver Monolithic, which has none. Collective.
 std::unique_ptr<InterfaceProblem> problemStage(const CommPtr& comm, const Partition& partition, const Subdomains& subdomains,
                                                const Parameters& scene);
@@ -85,9 +88,10 @@ void neutralStage(const Comm& comm, std::vector<SubdomainMesh>& meshes, const El
                   const Parameters& scene, Solution& solution, Monitor& monitor);
 
 /// Judges the solution by its displacements and contact forces alone. A verdict that does not hold is the run's failure, whatever the
-/// solver believed. Collective.
+/// solver believed. Of `subdomains` those with physics of their own are asked for their forces and stresses; the others may be null.
+/// Collective.
 void verifyStage(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model,
-                 const std::vector<ContactPiece>& pieces, const Parameters& scene, Solution& solution);
+                 const std::vector<ContactPiece>& pieces, const Subdomains& subdomains, const Parameters& scene, Solution& solution);
 
 /// Output/Checkpoint Every: from now on `monitor` writes checkpoint.h5 into the folder at the end of outer iterations, as often as the
 /// scene asks for. All arguments must outlive the solver. \return false if it asks for none. Local.

@@ -6,8 +6,20 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <type_traits>
 
 namespace suture {
+
+/// How the strategies of a kind are made: from the parameters of their own sublist, and, if the kind has a `Base::Maker` that says so, from
+/// more before them.
+template <typename Base, typename = void>
+struct MakerOf {
+  using Type = std::function<std::unique_ptr<Base>(const Parameters&)>;
+};
+template <typename Base>
+struct MakerOf<Base, std::void_t<typename Base::Maker>> {
+  using Type = typename Base::Maker;
+};
 
 /// Open table of the strategies of one kind: name -> how to make it, and the schema of its own parameters. A user's shared library adds
 /// its own from a static object:
@@ -19,8 +31,7 @@ namespace suture {
 template <typename Base>
 class Registry {
  public:
-  /// The parameters are those of the strategy's own sublist.
-  using Maker = std::function<std::unique_ptr<Base>(const Parameters&)>;
+  using Maker = typename MakerOf<Base>::Type;
 
   static Registry& instance() {
     static Registry registry;
@@ -37,11 +48,13 @@ class Registry {
 
   bool has(const std::string& name) const { return entries_.count(name) > 0; }
 
+  /// \param inputs  what the maker takes, the parameters of the strategy's own sublist last
   /// \throws InputError  for an unknown name, with the nearest and all known ones.
-  std::unique_ptr<Base> make(const std::string& name, const Parameters& own) const {
+  template <typename... Inputs>
+  std::unique_ptr<Base> make(const std::string& name, const Inputs&... inputs) const {
     const auto found = entries_.find(name);
     if (found == entries_.end()) throw InputError(Base::kind(), unknownName(Base::kind(), name, names()));
-    return found->second.maker(own);
+    return found->second.maker(inputs...);
   }
 
   std::vector<std::string> names() const {
@@ -67,10 +80,10 @@ class Registry {
 };
 
 /// The strategy that a resolved list names: the value of `parameter`, with the sublist of that name as its own parameters.
-template <typename Base, typename List = Parameters>
-std::unique_ptr<Base> makeStrategy(const List& list, const std::string& parameter) {
+template <typename Base, typename List = Parameters, typename... Inputs>
+std::unique_ptr<Base> makeStrategy(const List& list, const std::string& parameter, const Inputs&... inputs) {
   const auto name = list.template get<std::string>(parameter);
-  return Registry<Base>::instance().make(name, list.isSublist(name) ? list.sublist(name) : List());
+  return Registry<Base>::instance().make(name, inputs..., list.isSublist(name) ? list.sublist(name) : List());
 }
 
 /// Adds a strategy while the program or a plugin is loaded.

@@ -1,3 +1,4 @@
+#include <Eigen/Cholesky>
 #include <Teuchos_ParameterList.hpp>
 #include <algorithm>
 #include <set>
@@ -6,6 +7,8 @@
 #include <suture/base/scene/SceneReader.hpp>
 #include <suture/constraints/ConditionData.hpp>
 #include <suture/elasticity/ElasticModel.hpp>
+#include <suture/elasticity/HookesLaw.hpp>
+#include <suture/elasticity/IsotropicLaw.hpp>
 #include <suture/mesh/Regions.hpp>
 
 namespace suture {
@@ -35,15 +38,9 @@ Schema bodySchema() {
 }
 
 Schema materialSchema() {
-  Range poisson;
-  poisson.low = -1.0;
-  poisson.high = 0.5;
-  poisson.lowOpen = poisson.highOpen = true;
-  poisson.note = "the elements Displacement and Mixed of Materials/<name>/Element go up to 0.4999 and further, not to 0.5 itself";
   return Schema("A material, named by the user.")
-      .oneOf("Type", "Isotropic", {"Isotropic"}, "The law: isotropic linear elasticity.")
-      .real("Young Modulus", std::nullopt, "Stress over strain in a bar pulled along its axis.", Range::positive(), "stress")
-      .real("Poisson Ratio", std::nullopt, "Contraction across over extension along a bar.", poisson)
+      .choice("Type", IsotropicLaw::kName, Registry<MaterialLaw>::instance().schemas(),
+              "The law, linear elastic; its parameters stand in the list of its name, those of Isotropic beside Type.", IsotropicLaw::kName)
       .oneOf(
           "Element", kAutomatic, {kAutomatic, "Displacement", kMixed},
           "Unknowns of the elements of this material. Automatic: Mixed with a Poisson ratio above 0.49 (plane strain, axisymmetric), else "
@@ -57,16 +54,21 @@ Schema materialSchema() {
 }
 
 Matrix elasticity(const Material& material, PlaneModel plane, int dimension) {
-  const double young = material.young, nu = material.poisson;
-  const double shear = young / (2.0 * (1.0 + nu));
-  // Plane stress: the Lame constant that remains after the stress across has been eliminated.
-  const bool sheet = dimension == 2 && plane == PlaneModel::Stress;
-  const double lambda = sheet ? young * nu / (1.0 - nu * nu) : young * nu / ((1.0 + nu) * (1.0 - 2.0 * nu));
-  const int normals = dimension, voigt = dimension == 2 ? 3 : 6;
-  Matrix d = Matrix::Zero(voigt, voigt);
-  d.topLeftCorner(normals, normals).setConstant(lambda);
-  d.diagonal().head(normals).array() += 2.0 * shear;
-  d.diagonal().tail(voigt - normals).setConstant(shear);
+  const ElasticStiffness c = material.stiffness();
+  if (dimension == 3) return c;
+  const Eigen::Vector3i inPlane(0, 1, 3);
+  Eigen::Matrix3d d;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) d(i, j) = c(inPlane[i], inPlane[j]);
+  if (plane == PlaneModel::Strain) return d;
+  // The stress across is eliminated. In closed form where there is one: near nu = 0.5 the difference has few digits.
+  if (material.law) {
+    const Eigen::Vector3d across(c(0, 2), c(1, 2), c(3, 2));
+    return d - across * across.transpose() / c(2, 2);
+  }
+  const double lambda = material.young * material.poisson / (1.0 - material.poisson * material.poisson);
+  d.topLeftCorner<2, 2>().setConstant(lambda);
+  d.diagonal().head<2>().array() += 2.0 * c(3, 3);
   return d;
 }
 
@@ -108,6 +110,39 @@ Load loadOf(const Parameters& condition, const std::vector<std::string>& bodies,
   return load;
 }
 
+// The law of an entry of Materials; false if there is something wrong with it.
+bool readLaw(const Parameters& entry, int number, Material& material, Problems& problems) {
+  const std::string type = entry.get<std::string>("Type");
+  try {
+    std::shared_ptr<const MaterialLaw> law =
+        Registry<MaterialLaw>::instance().make(type, entry.isSublist(type) ? entry.sublist(type) : entry);
+    const std::optional<IsotropicModuli> moduli = law->isotropic();
+    const auto [young, poisson] = moduli ? *moduli : nearestIsotropic(law->stiffness());
+    material.young = young;
+    material.poisson = poisson;
+    if (!moduli) {
+      material.law = std::move(law);
+      material.number = number;
+    }
+    return true;
+  } catch (const InputError& error) {
+    for (const Problem& problem : error.problems()) {
+      const bool placed = problem.path != MaterialLaw::kind();
+      const std::string path = placed ? problem.path : pathOf(entry, "Type");
+      const auto& all = problems.list();  // bodies and regions may share the material
+      if (std::none_of(all.begin(), all.end(), [&](const Problem& p) { return p.path == path && p.message == problem.message; }))
+        problems.add(path, placed ? problem.message : type + ": " + problem.message);
+    }
+    return false;
+  }
+}
+
+bool mayBeMixed(const Material& material) {
+  const HookesLaw law({material.name, material.young, material.poisson, ElementForm::Mixed, false, false, 0, material.law},
+                      PlaneModel::Strain);
+  return Eigen::LLT<Eigen::Matrix4d>(law.pointwise).info() == Eigen::Success;
+}
+
 // What the parameter `Material` of a list names.
 Material materialNamedIn(const Parameters& list, const Parameters& materials, PlaneModel plane, Problems& problems) {
   Material material;
@@ -118,13 +153,15 @@ Material materialNamedIn(const Parameters& list, const Parameters& materials, Pl
     return material;
   }
   const Parameters& own = materials.sublist(material.name);
-  material.young = own.get<double>("Young Modulus");
-  material.poisson = own.get<double>("Poisson Ratio");
+  if (!readLaw(own, int(std::find(known.begin(), known.end(), material.name) - known.begin()) + 1, material, problems)) return material;
   const std::string element = textOf(own, "Element");
   material.named = !element.empty() && element != kAutomatic;
   material.allowLocking = own.isType<bool>("Allow Locking") && own.get<bool>("Allow Locking");
   const bool locks = plane == PlaneModel::Strain && material.poisson > kLockingPoisson && !material.allowLocking;
-  if (element == kMixed || (!material.named && locks)) material.element = ElementForm::Mixed;
+  if (element == kMixed || (!material.named && locks && mayBeMixed(material))) material.element = ElementForm::Mixed;
+  if (element == kMixed && plane == PlaneModel::Strain && !mayBeMixed(material))
+    problems.add(pathOf(own, "Element"), "Mixed, but without what couples its normal strains the law " + own.get<std::string>("Type") +
+                                             " with these moduli is not positive definite. Choose Displacement");
   return material;
 }
 

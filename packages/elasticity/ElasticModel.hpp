@@ -2,6 +2,7 @@
 #include <suture/base/Errors.hpp>
 #include <suture/base/scene/Schema.hpp>
 #include <suture/elasticity/ExactSolution.hpp>
+#include <suture/elasticity/MaterialLaw.hpp>
 #include <suture/elasticity/ReferenceElement.hpp>
 #include <suture/mesh/CellBlock.hpp>
 
@@ -16,14 +17,18 @@ namespace suture {
 /// eliminated element by element, so that it does not lock when nu tends to 0.5.
 enum class ElementForm { Displacement, Mixed };
 
-/// Isotropic linear elastic material. Young modulus [stress], Poisson ratio [-].
+/// A linear elastic material: isotropic by its two moduli, or of another law.
 struct Material {
   std::string name;
-  double young = 0.0;
-  double poisson = 0.0;
+  double young = 0.0;    ///< Young modulus [stress]; of another law that of nearestIsotropic()
+  double poisson = 0.0;  ///< Poisson ratio [-]; likewise
   ElementForm element = ElementForm::Displacement;
   bool allowLocking = false;  ///< displacement elements, 3-node triangles among them, although nu is near 0.5
   bool named = false;         ///< the scene names the element; else it was chosen: one that does not lock
+  int number = 0;  ///< tells materials of the scene apart whose moduli are the same; zero of isotropic ones, which are the same then
+  std::shared_ptr<const MaterialLaw> law{};  ///< null: isotropic
+
+  ElasticStiffness stiffness() const { return law ? law->stiffness() : isotropicStiffness({young, poisson}); }
 };
 
 /// Quantity that vanishes across the plane. Axisymmetric scenes have the law of plane strain, with a hoop strain: their geometry is the
@@ -98,7 +103,8 @@ Schema materialSchema();
 ///                     wrong length.
 ElasticModel makeElasticModel(const Parameters& scene);
 
-/// By how much a surface of this material gives way under contact pressure: (1 - nu^2) / E, in plane stress 1 / E. [1 / stress]
+/// By how much a surface of this material (its nearest isotropic one) gives way under contact pressure: (1 - nu^2) / E, in plane stress 1 /
+/// E. [1 / stress]
 double contactCompliance(const Material& material, PlaneModel plane);
 
 /// Stress-strain matrix in Voigt order with engineering shear: 3 x 3 (xx, yy, xy) in 2D; 6 x 6, normals first, in 3D, where `plane` means

@@ -41,7 +41,7 @@ void addElement(const CellBlock& block, int element, const HookesLaw& law, const
   ElementMap map(block, element, reference);
   std::optional<MixedPressure> pressure;
   if (law.projected != 0.0) pressure.emplace(block.cells[element], reference, map);
-  const double stiffest = law.pointwise(0, 0) + law.projected, slip = law.pointwise(3, 3);
+  const double stiffest = law.normal() + law.projected, slip = law.pointwise(3, 3);
   for (int a = 0; pressure && a < count; ++a)
     forces.stiffness[nodes[a]] += 0.5 * law.projected * (pressure->diagonal(2 * a) + pressure->diagonal(2 * a + 1));
   for (int q = 0; q < reference.points; ++q) {
@@ -76,7 +76,7 @@ void addElement(const CellBlock& block, int element, const HookesLaw& law, const
       forces.internal[2 * nodes[a]] += fx;
       forces.internal[2 * nodes[a] + 1] += gy * stress[1] + gx * stress[3];
       forces.rounding[nodes[a]] += rounded * slope;
-      forces.stiffness[nodes[a]] += 0.5 * (law.pointwise(0, 0) + slip) * map.measure() * squares;
+      forces.stiffness[nodes[a]] += 0.5 * (law.normal() + slip) * map.measure() * squares;
     }
   }
 }
@@ -108,7 +108,7 @@ bool addTriangle(const CellBlock& block, int element, const HookesLaw& law, cons
   const double sx = area * (hooke(0, 0) * xx + hooke(0, 1) * yy + hooke(0, 3) * xy),
                sy = area * (hooke(1, 0) * xx + hooke(1, 1) * yy + hooke(1, 3) * xy),
                sxy = area * (hooke(3, 0) * xx + hooke(3, 1) * yy + hooke(3, 3) * xy);
-  const double rounded = area * hooke(0, 0) * unitRoundoff * steepness * largest, stiff = 0.5 * (hooke(0, 0) + hooke(3, 3)) * area;
+  const double rounded = area * law.normal() * unitRoundoff * steepness * largest, stiff = 0.5 * (law.normal() + hooke(3, 3)) * area;
   for (int a = 0; a < 3; ++a) {
     forces.internal[2 * nodes[a]] += gx[a] * sx + gy[a] * sxy;
     forces.internal[2 * nodes[a] + 1] += gy[a] * sy + gx[a] * sxy;

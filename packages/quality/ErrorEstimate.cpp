@@ -20,7 +20,10 @@ namespace {
 struct Key {
   GlobalId node;
   double young, poisson;
-  bool operator<(const Key& other) const { return std::tie(node, young, poisson) < std::tie(other.node, other.young, other.poisson); }
+  GlobalId material;  // as wide as the others: no byte of what is sent is undefined
+  bool operator<(const Key& other) const {
+    return std::tie(node, young, poisson, material) < std::tie(other.node, other.young, other.poisson, other.material);
+  }
 };
 
 /// What a subdomain has of the patches at nodes that it shares.
@@ -52,7 +55,7 @@ class SubdomainExchange : public PatchExchange {
         const auto others = meshes[i].others(patch.node);
         if (others.empty()) continue;
         shared_.back().push_back(static_cast<int>(p));
-        keys_.back().push_back({meshes[i].globalNodes[patch.node], patch.young, patch.poisson});
+        keys_.back().push_back({meshes[i].globalNodes[patch.node], patch.young, patch.poisson, patch.material});
         for (const int other : others) ranks.insert(rankOf.at(other));
       }
       for (const int rank : ranks) toRanks_[rank].push_back(static_cast<int>(i));

@@ -31,7 +31,7 @@ BodyErrors bodyErrors(const CellBlock& block, const ExactFields& exact, const st
       if (exact.stress.empty()) continue;
       const auto given = [&](int k) { return exact.stress[std::size_t(k)].at(place); };
       Eigen::Vector4d s(given(0), given(1), 0.0, given(2));
-      s[2] = exact.stress.size() > 3 ? given(3) : plane == PlaneModel::Strain ? material.poisson * (s[0] + s[1]) : 0.0;
+      s[2] = exact.stress.size() > 3 ? given(3) : plane == PlaneModel::Strain ? law.across(s) : 0.0;
       const Eigen::Vector4d difference = element.stress() - s;
       errors.energy.add({map.measure() * law.complementary(difference), map.measure() * law.complementary(s)});
     }

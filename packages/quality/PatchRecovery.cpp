@@ -49,10 +49,13 @@ PatchRecovery::PatchRecovery(const CellBlock& block, Materials materialOf, Plane
     const Span<const int> nodes = block.nodesOf(e);
     for (int v = 0; v < cellInfo(block.cells[e]).vertices; ++v) {
       int patch = lastAt[nodes[v]];
-      while (patch >= 0 && (patches_[patch].young != material.young || patches_[patch].poisson != material.poisson)) patch = before[patch];
+      const auto ofAnother = [&](const Patch& p) {
+        return p.young != material.young || p.poisson != material.poisson || p.material != material.number;
+      };
+      while (patch >= 0 && ofAnother(patches_[patch])) patch = before[patch];
       if (patch < 0) {
         patch = static_cast<int>(patches_.size());
-        patches_.push_back({nodes[v], material.young, material.poisson});
+        patches_.push_back({nodes[v], material.young, material.poisson, material.number});
         before.push_back(lastAt[nodes[v]]);
         lastAt[nodes[v]] = patch;
       }

@@ -47,6 +47,7 @@ class PatchRecovery {
   struct Patch {
     int node;
     double young, poisson;
+    int material;  ///< Material::number
   };
 
   /// Local. `block` must outlive it. A lambda for the materials must say `-> const Material&`. `displacement`: node-major, Cartesian.

@@ -37,6 +37,7 @@ class Verifier {
 
  private:
   void gatherForces();
+  OwnForces forcesOf(int mesh) const;
   void addContact(int mesh);
   void gatherEnds();
   void sumBodies();
@@ -103,6 +104,13 @@ void Verifier::addContact(int i) {
   }
 }
 
+OwnForces Verifier::forcesOf(int i) const {
+  if (std::optional<OwnForces> own = answer_.own ? answer_.own(i) : std::nullopt) return std::move(*own);
+  const SubdomainMesh& mesh = answer_.meshes[i];
+  const auto materialOf = [&](int element) -> const Material& { return answer_.model.materialOf(mesh, element, mesh.body); };
+  return {elementForces(mesh, materialOf, answer_.model.plane, answer_.displacement[i]), subdomainLoads(mesh, answer_.model)};
+}
+
 void Verifier::gatherForces() {
   std::vector<PairForce> forces;
   for (const PairResult& pair : answer_.pairs) forces.push_back({pair.id, pair.status, pair.force});
@@ -111,9 +119,7 @@ void Verifier::gatherForces() {
   collectively(comm_, "verifying the solution", [&] {
     for (std::size_t i = 0; i < answer_.meshes.size(); ++i) {
       const SubdomainMesh& mesh = answer_.meshes[i];
-      const auto materialOf = [&](int element) -> const Material& { return answer_.model.materialOf(mesh, element, mesh.body); };
-      const ElementForces elements = elementForces(mesh, materialOf, answer_.model.plane, answer_.displacement[i]);
-      const Vector load = subdomainLoads(mesh, answer_.model);
+      const auto [elements, load] = forcesOf(static_cast<int>(i));
       Matrix& own = nodes_.emplace_back(kRows, mesh.nodes());
       own.middleRows<2>(Internal) = Eigen::Map<const Matrix>(elements.internal.data(), 2, mesh.nodes());
       own.middleRows<2>(Load) = Eigen::Map<const Matrix>(load.data(), 2, mesh.nodes());

@@ -1,11 +1,20 @@
 #pragma once
 #include <suture/elasticity/ElasticModel.hpp>
+#include <suture/quality/ElementForces.hpp>
 #include <suture/quality/PairResult.hpp>
 #include <suture/quality/Verification.hpp>
 
+#include <functional>
+#include <optional>
 #include <vector>
 
 namespace suture {
+
+/// Sums at the nodes of a mesh that is not made of the model's materials and loads.
+struct OwnForces {
+  ElementForces elements;
+  Vector load;  ///< node-major, Cartesian [force]
+};
 
 /// Answer of a run, as it is to be verified.
 struct Answer {
@@ -15,6 +24,8 @@ struct Answer {
   const std::vector<PairResult>& pairs;     ///< on rank 0, all; only their ids, statuses and forces are used
   const std::vector<ContactPiece>& pieces;  ///< on rank 0, for names in messages; may be empty
   double tolerance = 1e-8;                  ///< relative algebraic error that was asked for
+  /// For a mesh of this rank with physics of its own; null, or nothing of a mesh: element loops over the model's materials.
+  std::function<std::optional<OwnForces>(int mesh)> own{};
 };
 
 /// Judges an answer by loops over elements, conditions and pairs, with nothing that a solver made. See README.md for the quantities and

@@ -95,9 +95,10 @@ void addCells(const SubdomainMesh& mesh, const std::vector<GlobalId>& number, Pi
   }
 }
 
-void addStresses(const SubdomainMesh& mesh, const ElasticModel& model, const Vector& u, Piece& all) {
+/// \param own  stresses of the subdomain's own physics, or null
+void addStresses(const SubdomainMesh& mesh, const ElasticModel& model, const Vector& u, const Matrix* own, Piece& all) {
   const auto materialOf = [&](int e) -> const Material& { return model.materialOf(mesh, e, mesh.body); };
-  const Matrix stress = elementStresses(mesh, materialOf, model.plane, u);
+  const Matrix stress = own ? *own : elementStresses(mesh, materialOf, model.plane, u);
   const Matrix principal = principalStresses(stress);
   const Vector mises = vonMises(stress);
   const auto append = [](std::vector<double>& values, std::initializer_list<double> more) { values.insert(values.end(), more); };
@@ -186,7 +187,8 @@ void appendAll(const Run& run, PointNumbers& numbers, FieldRows& rows) {
     const Vector& u = run.solution.displacement[s];
     addNodes(mesh, numbers, u, piece);
     addCells(mesh, numbers.of(mesh), piece);
-    addStresses(mesh, run.model, u, piece);
+    const auto own = run.solution.ownStresses.find(static_cast<int>(s));
+    addStresses(mesh, run.model, u, own == run.solution.ownStresses.end() ? nullptr : &own->second, piece);
     if (run.solution.discretisation) {
       const Vector& error = run.solution.discretisation->ofElements[s];
       piece.error.insert(piece.error.end(), error.data(), error.data() + error.size());

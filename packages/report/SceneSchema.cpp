@@ -6,6 +6,7 @@
 #include <suture/report/OutputSchema.hpp>
 #include <suture/report/SceneSchema.hpp>
 #include <suture/solver/SolverSchema.hpp>
+#include <suture/subdomain/Subdomain.hpp>
 
 namespace suture {
 
@@ -17,7 +18,9 @@ Schema sceneSchema() {
   scene.list("Constants", constantsSchema());
   scene.list("Functions", functionsSchema());
   scene.list("Mesh", meshSchema(), true);
-  scene.list("Bodies", Schema("The elastic bodies, each named as its element group in the mesh.").each("<body>", bodySchema(), 1), true);
+  Schema body = bodySchema();
+  body.choice("Subdomain", "Elastic", Registry<Subdomain>::instance().schemas(), "The physics of the body's subdomains.");
+  scene.list("Bodies", Schema("The elastic bodies, each named as its element group in the mesh.").each("<body>", body, 1), true);
   scene.list("Materials", Schema("Materials, named by the user.").each("<material>", materialSchema(), 1), true);
   scene.list("Boundary Conditions",
              Schema("Loads and supports, named by the user; several may meet at a node.").each("<condition>", boundaryConditionSchema()));

@@ -48,6 +48,54 @@ Subdomains makeSubdomains(const Comm& comm, const std::vector<SubdomainMesh>& me
   return subdomains;
 }
 
+namespace {
+
+Subdomains namedSubdomains(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model, const Parameters& scene) {
+  Subdomains subdomains;
+  std::vector<int> own;  // bodies of this rank with physics of their own
+  collectively(comm, "making the subdomains", [&] {
+    for (const SubdomainMesh& mesh : meshes) {
+      const Parameters& body = scene.sublist("Bodies").sublist(model.bodies[mesh.body]);
+      subdomains.push_back(makeStrategy<Subdomain>(body, "Subdomain", mesh, model));
+      if (!subdomains.back()->followsModel()) own.push_back(mesh.body);
+    }
+  });
+  const bool needsLaw =
+      isMonolithic(scene) || !model.exact.empty() || scene.sublist("Output").get<bool>("Error Estimate") || isAutomatic(scene);
+  if (!needsLaw) return subdomains;
+  Problems problems;
+  for (const int number : unionOverRanks(comm, own)) {
+    const Parameters& body = scene.sublist("Bodies").sublist(model.bodies[number]);
+    problems.add(
+        pathOf(body, "Subdomain"),
+        "'" + body.get<std::string>("Subdomain") +
+            "' has physics of its own, but the scene asks for what needs the law of a material at every point: the outer solver "
+            "Monolithic, an Exact Solution, Output/Error Estimate or the tolerance Automatic. A law of your own (Materials/<name>/Type) "
+            "goes with all of them");
+  }
+  problems.throwIfAny();
+  return subdomains;
+}
+
+}  // namespace
+
+Subdomains makeSubdomains(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model, const Parameters& scene) {
+  Subdomains subdomains = namedSubdomains(comm, meshes, model, scene);
+  collectively(comm, "assembling the subdomains", [&] {
+    for (const auto& subdomain : subdomains) subdomain->assemble();
+  });
+  return subdomains;
+}
+
+void checkPhysics(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model, const Parameters& scene) {
+  namedSubdomains(comm, meshes, model, scene);
+}
+
+void releaseFollowers(Subdomains& subdomains) {
+  for (auto& subdomain : subdomains)
+    if (subdomain->followsModel()) subdomain.reset();
+}
+
 bool isCondensed(const Parameters& scene) { return scene.get<std::string>("Formulation") == kCondensedGroups; }
 
 bool isAutomatic(const Parameters& scene) { return scene.sublist("Outer Solver").get<std::string>("Tolerance") == "Automatic"; }

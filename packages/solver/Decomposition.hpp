@@ -28,6 +28,18 @@ double takeOutLift(const Comm& comm, const ElasticModel& model, std::vector<Subd
 /// Elastic subdomains of this rank's meshes, assembled. `meshes` and `model` must outlive them. \throws NumericalError
 Subdomains makeSubdomains(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model);
 
+/// The same, each of the kind that the scene names for its body (`Bodies/<name>/Subdomain`).
+/// \throws NumericalError;  InputError  physics of a subdomain's own where the scene asks for what needs the law of a material at every
+/// point:
+///                           Monolithic, an error estimate or an automatic tolerance, an exact solution. Names the body.
+Subdomains makeSubdomains(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model, const Parameters& scene);
+
+/// For the check before Monolithic, which has no subdomains. \throws InputError  as makeSubdomains(). Collective.
+void checkPhysics(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model, const Parameters& scene);
+
+/// Frees the subdomains (null then) that nobody needs to judge an answer: those that follow the model. Local.
+void releaseFollowers(Subdomains& subdomains);
+
 /// True if the scene's formulation is the paper's: contact groups live whole on one rank. Local.
 bool isCondensed(const Parameters& scene);
 

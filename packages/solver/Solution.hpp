@@ -29,8 +29,9 @@ struct Solution {
   std::vector<NeutralMotion> neutral;  ///< see settleNeutralMotions()
   /// One vector for each subdomain of this rank, in the order of distribute(), beside its lift: node-major, Cartesian [length].
   std::vector<Vector> displacement;
-  std::vector<PairResult> pairs;   ///< on rank 0: all, by id
-  std::vector<PairResult> onAxis;  ///< on rank 0: see axisResults()
+  std::map<int, Matrix> ownStresses;  ///< of subdomains of this rank with physics of their own, by place: see Subdomain::stresses()
+  std::vector<PairResult> pairs;      ///< on rank 0: all, by id
+  std::vector<PairResult> onAxis;     ///< on rank 0: see axisResults()
 
   std::string outerSolver;  ///< "" for a scene without unilateral contact
   int outerIterations = 0;

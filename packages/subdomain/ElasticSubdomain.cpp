@@ -1,6 +1,5 @@
 #include <suture/elasticity/SubdomainLoads.hpp>
 #include <suture/subdomain/ElasticSubdomain.hpp>
-#include <suture/subdomain/NodalAssembly.hpp>
 #include <suture/subdomain/RigidModes.hpp>
 
 #include <algorithm>
@@ -10,23 +9,7 @@
 namespace suture {
 
 SparseMatrix ElasticSubdomain::assembleStiffness(const std::function<const Material&(int element)>& materials) const {
-  const SubdomainMesh& m = mesh();
-  const int d = components();
-  ElementMatrices matrices;
-  matrices.reserve(m.connectivity.size() * m.connectivity.size() / std::max(m.elements(), 1) * d * d);
-  elementStiffnesses(m, materials, model_.plane, [&](int element, ConstLocalView given) {
-    const auto nodes = m.nodesOf(element);
-    const auto begin = matrices.size();
-    matrices.insert(matrices.end(), given.data(), given.data() + given.size());
-    if (!std::any_of(nodes.begin(), nodes.end(), [this](int node) { return axes(node) != nullptr; })) return;
-    Eigen::Map<Matrix> k(matrices.data() + begin, given.rows(), given.cols());
-    for (std::size_t a = 0; a < nodes.size(); ++a)
-      if (const Matrix* q = axes(nodes[a])) {
-        k.middleRows(a * d, d) = (*q * k.middleRows(a * d, d)).eval();
-        k.middleCols(a * d, d) = (k.middleCols(a * d, d) * q->transpose()).eval();
-      }
-  });
-  return assembleNodal(m, d, matrices);
+  return assembled([&](const auto& take) { elementStiffnesses(mesh(), materials, model_.plane, take); });
 }
 
 void ElasticSubdomain::doAssemble(SparseMatrix& stiffness, Vector& load) {
@@ -35,6 +18,11 @@ void ElasticSubdomain::doAssemble(SparseMatrix& stiffness, Vector& load) {
   stiffness.swap(assembled);  // Eigen would copy it
   load = subdomainLoads(m, model_);
   toAxes(load);
+}
+
+Matrix ElasticSubdomain::doStresses(const Vector& displacement) const {
+  return elementStresses(
+      mesh(), [this](int element) -> const Material& { return materialOf(element); }, model_.plane, displacement);
 }
 
 Matrix ElasticSubdomain::doRigidModes() const {

@@ -6,16 +6,19 @@
 
 namespace suture {
 
-/// Linear elasticity of one subdomain: stiffness and loads of its elements, rotated into the axes of the nodes.
-class ElasticSubdomain : public Subdomain {
+/// Linear elasticity of one subdomain: stiffness and loads of its elements, rotated into the axes of the nodes. Final, because it says that
+/// it follows the model; another law is a MaterialLaw, other physics a Subdomain of its own.
+class ElasticSubdomain final : public Subdomain {
  public:
   /// `mesh` and `model` must outlive it. \throws InternalError  an axisymmetric scene whose mesh was not told (makeAxisymmetric).
   ElasticSubdomain(const SubdomainMesh& mesh, const ElasticModel& model) : Subdomain(mesh), model_(model) { requireGeometry(mesh, model); }
 
+  bool followsModel() const override { return true; }
   const Material& materialOf(int element) const { return model_.materialOf(mesh(), element, mesh().body); }
 
  protected:
   void doAssemble(SparseMatrix& stiffness, Vector& load) override;
+  Matrix doStresses(const Vector& displacement) const override;
   Matrix doRigidModes() const override;
   Matrix doCoarseModes() const override;
   Vector doSeamFlux() const override;

@@ -1,11 +1,22 @@
 #include <suture/base/Dense.hpp>
 #include <suture/base/Errors.hpp>
+#include <suture/subdomain/ElasticSubdomain.hpp>
+#include <suture/subdomain/NodalAssembly.hpp>
 #include <suture/subdomain/Subdomain.hpp>
 
+#include <algorithm>
+#include <limits>
 #include <numeric>
 #include <sstream>
 
 namespace suture {
+
+void registerBuiltIns(Registry<Subdomain>& registry) {
+  registry.add("Elastic", Schema("linear elasticity with the materials of the body and its regions"),
+               [](const SubdomainMesh& mesh, const ElasticModel& model, const Parameters&) {
+                 return std::make_unique<ElasticSubdomain>(mesh, model);
+               });
+}
 
 Subdomain::Subdomain(const SubdomainMesh& mesh) : mesh_(mesh), numberOf_(mesh.nodes() * mesh.dimension, 0), axesOfNode_(mesh.nodes(), -1) {
   const int d = components();
@@ -71,6 +82,67 @@ void Subdomain::assemble() {
   freeMotions_ = nullSpace(heldModes_);
 }
 
+SparseMatrix Subdomain::assembled(
+    const std::function<void(const std::function<void(int element, ConstLocalView stiffness)>& take)>& elements) const {
+  const int d = components();
+  ElementMatrices matrices;
+  matrices.reserve(mesh_.connectivity.size() * mesh_.connectivity.size() / std::max(mesh_.elements(), 1) * d * d);
+  elements([&](int element, ConstLocalView given) {
+    const auto nodes = mesh_.nodesOf(element);
+    const auto begin = matrices.size();
+    matrices.insert(matrices.end(), given.data(), given.data() + given.size());
+    if (!std::any_of(nodes.begin(), nodes.end(), [this](int node) { return axes(node) != nullptr; })) return;
+    Eigen::Map<Matrix> k(matrices.data() + begin, given.rows(), given.cols());
+    for (std::size_t a = 0; a < nodes.size(); ++a)
+      if (const Matrix* q = axes(nodes[a])) {
+        k.middleRows(a * d, d) = (*q * k.middleRows(a * d, d)).eval();
+        k.middleCols(a * d, d) = (k.middleCols(a * d, d) * q->transpose()).eval();
+      }
+  });
+  return assembleNodal(mesh_, d, matrices);
+}
+
+Matrix Subdomain::stresses(const Vector& displacement) const {
+  Matrix found = doStresses(displacement);
+  if (found.rows() != mesh_.elements() || found.cols() != 4)
+    throw NumericalError("subdomain '" + mesh_.name + "': expected stresses xx, yy, zz, xy of every element");
+  return found;
+}
+
+ElementForces Subdomain::internalForces(const Vector& displacement) const {
+  const int d = components(), n = static_cast<int>(numberOf_.size());
+  const Vector u = inAxes(displacement), free = rowsAt(u, free_), given = rowsAt(u, fixed_);
+  const auto product = [&](const Vector& onFree, const Vector& onFixed, auto&& times, auto&& held) {
+    Vector all = held * onFixed;  // rows of the free unknowns: what the prescribed ones do to them
+    const Vector inside = times(onFree);
+    for (int i = 0; i < dofs(); ++i) all(free_[i]) += inside(i);
+    Vector whole = Vector::Zero(n);
+    for (int i = 0; i < dofs(); ++i) whole(free_[i]) = onFree(i);
+    for (std::size_t i = 0; i < fixed_.size(); ++i) whole(fixed_[i]) = onFixed(static_cast<int>(i));
+    const Vector reactions = held.transpose() * whole;
+    for (std::size_t i = 0; i < fixed_.size(); ++i) all(fixed_[i]) = reactions(static_cast<int>(i));
+    return all;
+  };
+  const SparseMatrix stiffness = stiffness_.full(), sizes = stiffness.cwiseAbs(), heldSizes = held_.cwiseAbs();
+  const Vector force = product(
+      free, given, [&](const Vector& x) { return Vector(stiffness * x); }, held_);
+  const Vector absolute = product(
+      free.cwiseAbs(), given.cwiseAbs(), [&](const Vector& x) { return Vector(sizes * x); }, heldSizes);
+  Vector diagonal(n);
+  const Vector own = stiffness_.diagonal();
+  for (int i = 0; i < dofs(); ++i) diagonal(free_[i]) = own(i);
+  for (std::size_t i = 0; i < fixed_.size(); ++i) diagonal(fixed_[i]) = held_.coeff(fixed_[i], static_cast<int>(i));
+
+  ElementForces all{outOfAxes(force), Vector::Zero(mesh_.nodes()), Vector::Zero(mesh_.nodes())};
+  for (int i = 0; i < n; ++i) {
+    all.rounding(i / d) += std::numeric_limits<double>::epsilon() * absolute(i);
+    all.stiffness(i / d) += diagonal(i) / d;
+  }
+  return all;
+}
+
+Vector Subdomain::nodalLoads() const { return outOfAxes(fullLoad_); }
+
 Vector Subdomain::youngModulus() const {
   const Vector young = doYoungModulus();
   Vector values(dofs());
@@ -95,18 +167,27 @@ void Subdomain::toAxes(LocalView values) const {
     if (const Matrix* q = axes(node)) values.middleRows(node * d, d) = (*q * values.middleRows(node * d, d)).eval();
 }
 
-Vector Subdomain::cartesian(const Vector& values) const {
+Vector Subdomain::inAxes(const Vector& cartesian) const {
+  Vector values = cartesian;
+  toAxes(values);
+  return values;
+}
+
+Vector Subdomain::outOfAxes(Vector values) const {
   const int d = components();
+  for (int node = 0; node < mesh_.nodes(); ++node)
+    if (const Matrix* q = axes(node)) values.segment(node * d, d) = (q->transpose() * values.segment(node * d, d)).eval();
+  return values;
+}
+
+Vector Subdomain::cartesian(const Vector& values) const {
   Vector all = prescribed_;
   for (int i = 0; i < dofs(); ++i) all(free_[i]) = values(i);
-  for (int node = 0; node < mesh_.nodes(); ++node)
-    if (const Matrix* q = axes(node)) all.segment(node * d, d) = (q->transpose() * all.segment(node * d, d)).eval();
-  return all;
+  return outOfAxes(std::move(all));
 }
 
 Vector Subdomain::freeValues(const Vector& cartesian) const {
-  Vector all = cartesian;
-  toAxes(all);
+  const Vector all = inAxes(cartesian);
   Vector values(dofs());
   for (int i = 0; i < dofs(); ++i) values(i) = all(free_[i]);
   return values;

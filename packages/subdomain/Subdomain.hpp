@@ -1,16 +1,23 @@
 #pragma once
 #include <suture/algebra/SymmetricMatrix.hpp>
+#include <suture/base/Registry.hpp>
 #include <suture/partition/SubdomainMesh.hpp>
+#include <suture/quality/ElementForces.hpp>
 
+#include <functional>
 #include <vector>
 
 namespace suture {
 
-/// The physics of one subdomain. A user writes doAssemble() and doRigidModes(); the shell numbers unknowns, takes prescribed components out
-/// and finds the kernel. Unknowns are the components of nodal displacements in the axes of the node (Cartesian, or those of its NodeRule).
-/// All functions are local; the mesh must outlive the subdomain.
+/// The physics of one subdomain, made by name: `Bodies/<name>/Subdomain`. A user writes doAssemble(), doRigidModes() and doStresses(); the
+/// shell numbers unknowns, takes prescribed components out and finds the kernel. Unknowns are the components of nodal displacements in the
+/// axes of the node (Cartesian, or those of its NodeRule). All functions are local; the mesh must outlive the subdomain.
 class Subdomain {
  public:
+  static const char* kind() { return "subdomain"; }
+  /// The mesh and the model outlive what is made.
+  using Maker = std::function<std::unique_ptr<Subdomain>(const SubdomainMesh&, const ElasticModel&, const Parameters& own)>;
+
   explicit Subdomain(const SubdomainMesh& mesh);
   virtual ~Subdomain() = default;
 
@@ -20,6 +27,16 @@ class Subdomain {
 
   const SubdomainMesh& mesh() const { return mesh_; }
   int components() const { return mesh_.dimension; }
+
+  /// True if stiffness, loads and stresses are those of the materials and loads of the ElasticModel: whoever judges an answer may then
+  /// find them without the subdomain. Of all others it asks what follows.
+  virtual bool followsModel() const { return false; }
+  /// Stresses at element centroids for nodal displacements (node-major, Cartesian): see elementStresses().
+  Matrix stresses(const Vector& displacement) const;
+  /// K u by the assembled matrix, prescribed components included, with its rounding and the order of the diagonal. After assemble().
+  ElementForces internalForces(const Vector& displacement) const;
+  /// Nodal loads: node-major, Cartesian [force]. After assemble().
+  Vector nodalLoads() const;
 
   /// Free unknowns: those that no rule prescribes.
   int dofs() const { return static_cast<int>(free_.size()); }
@@ -64,6 +81,8 @@ class Subdomain {
   /// Stiffness matrix and loads over ALL unknowns: nodes x components, in the axes of the nodes (see toAxes()). Of the matrix, which is
   /// symmetric, the lower triangle is read; compressed, rows ascending in each column.
   virtual void doAssemble(SparseMatrix& stiffness, Vector& load) = 0;
+  /// elements x 4 (xx, yy, zz, xy), tension positive, at centroids; `displacement`: node-major, Cartesian. [stress]
+  virtual Matrix doStresses(const Vector& displacement) const = 0;
   /// All rigid modes over ALL unknowns, columns of the order of one, in the axes of the nodes.
   virtual Matrix doRigidModes() const = 0;
   /// The rigid modes, and others that cost little energy and that a preconditioner should know; in the same form.
@@ -79,8 +98,14 @@ class Subdomain {
   const Matrix* axes(int node) const { return axesOfNode_[node] < 0 ? nullptr : &axes_[axesOfNode_[node]]; }
   /// Rows of nodal vectors (node-major) from Cartesian components to those of the nodes' axes, in place.
   void toAxes(LocalView values) const;
+  /// The sum of element matrices, turned into the axes of the nodes: what doAssemble() gives as stiffness.
+  /// \param elements  calls what it is given with the matrix of every element in turn, Cartesian, node-major: see elementStiffnesses()
+  SparseMatrix assembled(const std::function<void(const std::function<void(int element, ConstLocalView stiffness)>& take)>& elements) const;
 
  private:
+  Vector inAxes(const Vector& cartesian) const;
+  Vector outOfAxes(Vector values) const;
+
   const SubdomainMesh& mesh_;
   std::vector<int> numberOf_, free_, fixed_;
   std::vector<int> axesOfNode_;
@@ -92,5 +117,7 @@ class Subdomain {
   double constantEnergy_ = 0.0;
   Matrix heldModes_, freeMotions_;  // rigid modes where prescribed, and combinations of them that vanish there
 };
+
+void registerBuiltIns(Registry<Subdomain>& registry);
 
 }  // namespace suture

@@ -99,7 +99,7 @@ class Resolver {
         value(*given, parameter, here, resolved);
       } else if (parameter.fallback) {
         store(*parameter.fallback, parameter.name, true, resolved);
-      } else if (demanded && !parameter.optional) {
+      } else if (demanded && !parameter.optional && (!parameter.with || isTaken(*parameter.with, raw, schema))) {
         problems_.add(here, "is missing and has no default: " + parameter.doc + " (expected " + expectation(parameter) + ")");
       }
     }
@@ -131,6 +131,13 @@ class Resolver {
       return parameter.fallback && std::get<std::string>(*parameter.fallback) == name;
     }
     return true;
+  }
+
+  /// False where another value of the choice is given: without a value the fallback counts.
+  static bool isTaken(const std::pair<std::string, std::string>& choice, const RawList& raw, const Schema& schema) {
+    if (const RawParameter* given = raw.parameter(choice.first)) return given->value == choice.second;
+    const Schema::Parameter* parameter = schema.find(choice.first);
+    return parameter && parameter->fallback && std::get<std::string>(*parameter->fallback) == choice.second;
   }
 
   void userParameters(const RawList& raw, const Schema& schema, const std::string& path, Parameters& resolved) {

@@ -193,7 +193,7 @@ Schema& Schema::eachText(const std::string& placeholder, const std::string& doc)
 }
 
 Schema& Schema::choice(const std::string& parameter, const std::string& fallback, const std::map<std::string, Schema>& names,
-                       const std::string& doc) {
+                       const std::string& doc, const std::string& beside) {
   std::vector<std::string> allowed, docs;
   for (const auto& [name, schema] : names) {
     allowed.push_back(name);
@@ -202,7 +202,14 @@ Schema& Schema::choice(const std::string& parameter, const std::string& fallback
   oneOf(parameter, fallback.empty() ? std::nullopt : std::optional<std::string>(fallback), allowed, doc);
   parameters_.back().allowedDocs = docs;
   parameters_.back().choice = true;
-  for (const auto& [name, schema] : names) list(name, schema);
+  for (const auto& [name, schema] : names)
+    if (name != beside) list(name, schema);
+  if (const auto found = names.find(beside); found != names.end())
+    for (const Parameter& own : found->second.parameters()) {
+      claim(own.name);
+      parameters_.push_back(own);
+      parameters_.back().with = {parameter, beside};
+    }
   return *this;
 }
 

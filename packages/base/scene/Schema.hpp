@@ -47,7 +47,8 @@ class Schema {
     std::vector<std::string> allowedDocs;
     std::vector<std::string> words;  ///< Text that may also be a number in `range` ("None | Automatic | value"): the words
     bool numberToo = false;
-    bool choice = false;  ///< Text whose allowed names have a sublist each, see Schema::choice
+    bool choice = false;                                      ///< Text whose allowed names have a sublist each, see Schema::choice
+    std::optional<std::pair<std::string, std::string>> with;  ///< belongs to this value of that choice, beside which it stands
   };
 
   explicit Schema(std::string doc = "") : doc_(std::move(doc)) {}
@@ -83,8 +84,10 @@ class Schema {
   /// Parameters without a default in a choice's list are demanded of the choice taken only.
   /// \param fallback  the default; "" makes the parameter required
   /// \param names  choice -> its schema (documentation in its doc)
+  /// \param beside  a choice whose parameters stand in this list, beside `parameter`, instead of a sublist of their own; they, too, are
+  ///                checked but not used when another is taken
   Schema& choice(const std::string& parameter, const std::string& fallback, const std::map<std::string, Schema>& names,
-                 const std::string& doc);
+                 const std::string& doc, const std::string& beside = "");
 
   const std::string& doc() const { return doc_; }
   const std::vector<Parameter>& parameters() const { return parameters_; }

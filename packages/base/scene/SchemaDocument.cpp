@@ -13,7 +13,8 @@ std::string quoted(const Schema::Parameter& parameter) {
 
 std::string defaultText(const Schema::Parameter& parameter) {
   if (parameter.fallback) return quoted(parameter);
-  return parameter.optional ? "optional" : "required";
+  if (parameter.optional) return "optional";
+  return parameter.with ? "required with " + parameter.with->first + " " + parameter.with->second : "required";
 }
 
 /// Range or names: what a value may be; "" when anything goes.

@@ -1,0 +1,22 @@
+#pragma once
+#include <suture/elasticity/MaterialLaw.hpp>
+
+namespace suture {
+
+/// The same in all directions.
+class IsotropicLaw : public MaterialLaw {
+ public:
+  static constexpr const char* kName = "Isotropic";
+  static Schema schema();
+
+  explicit IsotropicLaw(const Parameters& own);
+  std::optional<IsotropicModuli> isotropic() const override { return moduli_; }
+
+ protected:
+  ElasticStiffness doStiffness() const override { return isotropicStiffness(moduli_); }
+
+ private:
+  IsotropicModuli moduli_;
+};
+
+}  // namespace suture
