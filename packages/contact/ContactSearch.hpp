@@ -52,7 +52,7 @@ class ContactOracle {
 ///   2. when a set returns, or after many solves: the learnt model (LearntModel) and plain flips in turn;
 ///   3. when that does not help either: a safe step from the best state with l >= 0, along which the dual energy improves strictly. Faces
 ///      of the dual problem are finite: the search ends.
-/// Measured (RESEARCH.md G): 0 failures of 402 scenes, 2.1 solves in the mean.
+/// Measured (doc/numerics.md): no failure on 402 scenes, 2.1 solves in the mean.
 class ContactSearch {
  public:
   struct Result {

@@ -1,4 +1,4 @@
-// Everything a scene file can do wrong, and the traps of Teuchos' own reader (DESIGN.md section 5): each is an error here.
+// Everything a scene file can do wrong, and the traps of Teuchos' own reader (doc/numerics.md): each is an error here.
 #include <suture/base/Collective.hpp>
 #include <suture/base/Errors.hpp>
 #include <suture/base/scene/SceneReader.hpp>

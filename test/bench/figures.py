@@ -1,4 +1,4 @@
-"""From repetitions to medians and ratios, and from those to the figures of the issue."""
+"""From repetitions to medians and ratios, and from those to the figures that the report compares."""
 import statistics
 
 from runs import GEOMETRY, is_bonded, is_reference
@@ -133,7 +133,7 @@ def judged(what, value, floor, aim=None):
 
 
 def verdict(bench):
-    """One line for each figure of the issue."""
+    """One line for each figure that is compared."""
     lines, missing = [], []
     for what, size, key, floor, aim in FIGURES:
         found = {name: quantity(case, key) for name, case in bench["cases"].items() if name.endswith(f"/{size}")}

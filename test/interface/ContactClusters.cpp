@@ -128,7 +128,7 @@ TEUCHOS_UNIT_TEST(ContactClusters, ForceOfASinglePairIsThatOfTheSofterSide) {
   const ContactClusters clusters({{{0, 1}, {1.0, -1.0}, 0.0, 0}}, stiffness);
   // 1/k = 1/k_A + 1/k_B
   TEST_FLOATING_EQUALITY(clusters.stiffness()(0), stiff * soft / (stiff + soft), 1e-14);
-  // side A sees the force -f_A, side B +f_B; weights k_m / (k_s + k_m) of DESIGN: the softer side's force counts
+  // Side A sees the force -f_A, side B +f_B. Weights k_m / (k_s + k_m): the force of the softer side counts (doc/numerics.md).
   Vector imbalance(2);
   imbalance << -5.0, 7.0;
   const double expected = (soft * 5.0 + stiff * 7.0) / (soft + stiff);

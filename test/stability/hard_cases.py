@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Hard cases (VALIDATION.md) that every formulation must solve, equal to the monolithic reference, or refuse with a reason.
+"""Hard cases (doc/validation.md) that every formulation must solve, equal to the monolithic reference, or refuse with a reason.
 
     hard_cases.py --list                                          the tests: "<variant>.<case> <ranks> [long]" a line
     hard_cases.py <variant>.<case> --solve ... --work ... [--ranks N] [--mpirun ...]     one of them, by test/drivers/check_run.py
@@ -12,7 +12,7 @@ import subprocess
 import sys
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-SOURCE = "VALIDATION.md, hard cases: as the monolithic reference"
+SOURCE = "doc/validation.md, hard cases: as the monolithic reference"
 
 VARIANTS = {
     "condensed_groups": ["Formulation=Condensed Groups", "Outer Solver/Type=Semismooth Newton"],

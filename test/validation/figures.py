@@ -1,7 +1,7 @@
 """Figures that the tests compute from the files of a run, independently of the program: what summary.json does not say.
 
 figure("hertz.fittedPressure", folder) reads folder/fields_0000.vtkhdf and folder/contact_0000.vtkhdf. Signs as in the files: tension
-positive, contact pressure and gap positive as in DESIGN.md.
+positive, contact pressure > 0 where it presses, gap > 0 where open.
 """
 import json
 import math
