@@ -81,7 +81,7 @@ void giveBackFreedMemory() {
 }
 
 bool resetPeakMemory() {
-  giveBackFreedMemory();  // what is free but kept would count as resident
+  giveBackFreedMemory();  // free memory that is kept would count as resident
   std::ofstream request("/proc/self/clear_refs");
   request << "5" << std::flush;  // proc(5): resets the peak resident set size
   return request.good();

@@ -32,14 +32,14 @@ class MortarSampling {
 
   /// A point of both sides.
   struct Sample {
-    double xi, weight;  ///< of the carrying element; quadrature weight [length]; axisymmetric: times 2 pi r [area]
+    double xi, weight;  ///< place in the carrying element; quadrature weight [length]; axisymmetric: times 2 pi r [area]
     double gap, doubt;  ///< doubt: estimated error of the gap by the elements' shape [length]
     const MortarSegment* other;
     double eta;
   };
   struct Samples {
     std::vector<Sample> all;
-    double covered = 0;  ///< of the element's interval, in units of its half
+    double covered = 0;  ///< covered part of the element's interval, in units of its half
   };
   /// Quadrature points of an element of the carrying side, seen along one direction; intervals end where an element of the other begins.
   Samples sample(const MortarSegment& own, const Point& normal) const;
@@ -60,7 +60,7 @@ class MortarSampling {
 
   const Mesh& mesh_;
   const ContactLine& contact_;
-  double share_;  // of the change of curvature that the carrying side takes where both are pressed together
+  double share_;  // share of the change of curvature that the carrying side takes where both are pressed together
   std::vector<MortarSegment> own_, other_;
   LineRule rule_;
 };

@@ -25,16 +25,16 @@ class ContactGroup {
   struct Response {
     Vector flux;                     ///< gradient of the least energy with respect to the trace, loads included [force]
     double energy = 0.0;             ///< least energy, prescribed displacements' part included
-    std::vector<PairStatus> status;  ///< of each row
-    Vector force;                    ///< of each row [force]
+    std::vector<PairStatus> status;  ///< status of each row
+    Vector force;                    ///< force of each row [force]
     Vector displacement;             ///< all unknowns of the group
   };
   /// Solves the group's contact problem for a trace, from a status to start with.
-  /// \param moved  what rigid motions of bodies, beside the trace, add to the rows; empty: nothing [length]
+  /// \param moved  addition of the bodies' rigid motions, beside the trace, to the rows; empty: none [length]
   Response respond(const Vector& trace, const std::vector<PairStatus>& start, const Vector& moved = {}) const;
 
   /// Response with some pairs glued in the normal direction (at their gaps), the others free: the linear problem (11).
-  /// \param closed  of held()
+  /// \param closed  pairs, made by held()
   Response respondLinear(const Vector& trace, const ContactCompliance::Closed& closed, const Vector& moved = {}) const;
   /// Its change with the trace and with forces of pairs, > 0 compressive, that act beside those of the closed ones: without loads and gaps.
   Response changeLinear(const Vector& trace, const ContactCompliance::Closed& closed, const Vector& pairForces) const;
@@ -42,7 +42,7 @@ class ContactGroup {
   int id() const { return id_; }
   const std::vector<Member>& members() const { return members_; }
   const ContactRows& rows() const { return rows_; }
-  const std::vector<ContactPair>& pairs() const { return pairs_; }  ///< of each row
+  const std::vector<ContactPair>& pairs() const { return pairs_; }  ///< pair of each row
   /// Pairs both of whose nodes are held in the normal direction: never part of the local problem.
   const std::vector<ContactPair>& idlePairs() const { return idlePairs_; }
   const std::vector<GlobalId>& boundary() const { return boundary_; }
@@ -71,7 +71,7 @@ class ContactGroup {
   void number(const std::vector<GlobalId>& boundary);
   void assemble();
   void collectRows();
-  Matrix heldLoad(const Vector& trace) const;  // of the interior, one column
+  Matrix heldLoad(const Vector& trace) const;  // load of the interior, one column
   void place(const Vector& trace, const Vector& interior, Response& response) const;
   Response finish(const Vector& trace, const Vector& interior, Response response) const;
 

@@ -8,9 +8,9 @@ namespace suture {
 
 /// State of elastic bodies with a given set of closed pairs, glued in the normal direction (equalities), the others without force.
 struct ContactAnswer {
-  Vector force;                 ///< of closed pairs, > 0 compressive; zero of open ones [force]
-  Vector penetration;           ///< of open pairs, > 0 where they penetrate; zero of closed ones [length]
-  Vector forceTolerance;        ///< of each pair: what a force must pull by before it is believed [force]
+  Vector force;                 ///< forces of closed pairs, > 0 compressive; zero for open ones [force]
+  Vector penetration;           ///< penetrations of open pairs, > 0 where they penetrate; zero for closed ones [length]
+  Vector forceTolerance;        ///< pull of each pair below which it is not believed [force]
   Vector penetrationTolerance;  ///< the same for penetrations [length]
   double energy = 0.0;          ///< potential energy of the state
   bool solved = true;           ///< false: the linear solve failed, and says why elsewhere
@@ -99,7 +99,7 @@ class ContactSearch {
   int left_, solves_ = 0, plain_ = 0, level_ = 0;  // plain_: solves since the accuracy was raised
   bool failed_ = false, stopped_ = false;
   bool driven_ = false;      // loads pull a body away from a holder: no equilibrium
-  ClosedSet set_, holding_;  // of the last solve: without holders, holders alone
+  ClosedSet set_, holding_;  // set of the last solve: without holders, holders alone
   ContactAnswer answer_;
   std::vector<ClosedSet> seen_;
   std::vector<std::pair<Vector, Vector>> history_;  // forces and penetrations of final solves, for the model

@@ -5,10 +5,10 @@
 
 namespace suture {
 
-/// How large a contact group is, and what that costs the one rank on which it lives. Known before anything is factored.
+/// Size of a contact group, and its cost to the one rank on which it lives. Known before anything is factored.
 struct GroupMemory {
   GlobalId unknowns = 0;          ///< free ones, those that several members hold once
-  double stiffnessEntries = 0.0;  ///< of all members together
+  double stiffnessEntries = 0.0;  ///< entries of all members together
   int rows = 0;                   ///< pairs that can move
 
   /// Estimate, on the safe side, of what a ContactGroup and its linearisation take in memory, in 2^20 bytes:
@@ -21,7 +21,7 @@ struct GroupMemory {
   double megabytes() const;
 };
 
-/// \param members  of one group, assembled. Local.
+/// Memory of one group. \param members  subdomains of the group, assembled. Local.
 GroupMemory groupMemory(const std::vector<const Subdomain*>& members);
 
 }  // namespace suture

@@ -29,7 +29,7 @@ struct CellBlock {
   /// makeAxisymmetric(); whatever integrates over elements or sides then has the factor 2 pi r.
   bool axisymmetric = false;
 
-  std::vector<int> regions;  ///< of each element: number of its region in the scene, or -1; empty: the scene has no regions
+  std::vector<int> regions;  ///< number of each element's region in the scene, or -1; empty: the scene has no regions
 
   int nodes() const { return static_cast<int>(coordinates.size()) / dimension; }
   int elements() const { return static_cast<int>(cells.size()); }

@@ -95,7 +95,7 @@ std::vector<Matrix> AdaptiveEdges::rows(const InterfaceSpace& space, const Local
   std::vector<EdgeSide> sides = edgeSides(space);
   keepCommonCorners(space, sides);
   int last = -1;
-  Matrix schur;  // of the local problem that was asked last: its sides come one after the other
+  Matrix schur;  // schur complement of the last local problem: its sides come one after the other
   std::vector<Matrix> own(sides.size());
   collectively(*space.comm(), "adaptive edge constraints", [&] {
     std::vector<int> order(sides.size());

@@ -62,7 +62,7 @@ class Bddc : public Preconditioner {
   std::vector<std::vector<Value>> values_;
   std::unique_ptr<CoarseSolve> coarse_;
   struct Work;
-  mutable std::unique_ptr<Work> work_;                 // of an application, which allocates nothing
+  mutable std::unique_ptr<Work> work_;                 // work space of an application, which allocates nothing
   GlobalId edgeConstraints_ = 0, sharedUnknowns_ = 0;  // over all ranks
 };
 

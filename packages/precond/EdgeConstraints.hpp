@@ -23,7 +23,7 @@ class EdgeConstraints {
 
 void registerBuiltIns(Registry<EdgeConstraints>& registry);
 
-/// Corners only: the condition grows like H/h.
+/// Corners only: of all choices the largest condition.
 class NoEdgeConstraints : public EdgeConstraints {
  public:
   std::vector<Matrix> rows(const InterfaceSpace& space, const LocalProblems& locals, const Weighting& weighting) const override;

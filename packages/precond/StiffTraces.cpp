@@ -13,9 +13,10 @@ namespace suture {
 
 namespace {
 
-// In terms of the stiffness against change of shape. What is left to chance multiplies the condition by about one twentieth of it.
-constexpr double kStiff = 20.0;       // of a subdomain's trace
-constexpr double kStiffOnEdge = 0.5;  // of what weighting leaves of it on an edge
+// Thresholds in units of the stiffness against change of shape. A trace below them multiplies the condition by about a twentieth of its
+// stiffness.
+constexpr double kStiff = 20.0;       // threshold for a trace of a subdomain
+constexpr double kStiffOnEdge = 0.5;  // threshold for the part of it that weighting leaves on an edge
 constexpr int kMostSteps = 10;
 
 Matrix randomColumns(int rows, int columns) {
@@ -76,7 +77,7 @@ Matrix stiffTraces(const LocalProblem& local) {
       const Vector values = pairs.values.tail(count);
       const Matrix found = basis * pairs.vectors.rightCols(count);
       const Matrix missed = image * pairs.vectors.rightCols(count) - found * values.asDiagonal();
-      // What is missed couples a direction with the rest: small against the stiffness there, which is of the order of one.
+      // The missed part couples a direction with the rest: small against the stiffness there, which is of the order of one.
       const bool settled = (missed.colwise().squaredNorm().array() < 1e-2).all() && (count > 0 || step > 2);
       if (count == m && m < n) break;  // perhaps there are more of them
       if (settled || step + 1 == kMostSteps || m == n) return scale.asDiagonal() * found * values.cwiseSqrt().asDiagonal();

@@ -24,8 +24,8 @@ class FolderLock {
   int file_ = -1;  ///< on rank 0
 };
 
-/// The folder of one run, prepared and locked. What an earlier run left stays until the new results are complete; only its summary.json is
-/// renamed to summary.previous.json at once: should this run fail, nobody takes the earlier summary for its own. Temporary files of runs
+/// The folder of one run, prepared and locked. The files of an earlier run stay until the new results are complete; only its summary.json
+/// is renamed to summary.previous.json at once: if this run fails, the earlier summary is not taken for its own. Temporary files of runs
 /// that were killed while they wrote are removed.
 class RunFolder {
  public:

@@ -351,7 +351,7 @@ TEUCHOS_UNIT_TEST(SceneReader, RefusesBadOverrides) {
 
 // Collective reading ----------------------------------------------------------------------------------------------------------------
 
-/// What readScene throws, the same on every rank or it says so.
+/// Message of readScene's error; says so if it is not the same on every rank.
 std::string errorOfFile(const Comm& comm, const std::string& path, const std::vector<std::string>& overrides = {}) {
   std::string mine;
   try {

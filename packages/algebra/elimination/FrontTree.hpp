@@ -20,7 +20,7 @@ struct FrontTree {
   };
 
   /// \param boundary  unknowns that are not eliminated
-  /// \param places    of each unknown: where its node is
+  /// \param places    place of each unknown's node
   FrontTree(const SymmetricMatrix& matrix, const std::vector<int>& boundary, const std::vector<Point>& places);
 
   int groups() const { return static_cast<int>(start.size()) - 1; }

@@ -100,7 +100,7 @@ class Dissector {
   const std::vector<Point>& places_;
   const int leaf_;
   int marks_ = 0;
-  std::vector<int> half_;  // of each vertex: the mark of the half it was in last; none of vertices that are not ordered
+  std::vector<int> half_;  // mark of the half that each vertex was in last; none for vertices that are not ordered
   std::vector<int> vertices_;
   DissectionOrder result_;
 };

@@ -39,12 +39,12 @@ class SingleFactor {
 
   struct Supernode {
     int first, columns, below;
-    std::size_t rows, values;  // where they begin
+    std::size_t rows, values;  // begins of its rows and values
   };
 
   std::vector<Supernode> supernodes_;
   std::vector<int> rows_;
-  std::vector<float> values_;  // of each supernode its columns, from the reciprocal of the diagonal entry downwards
+  std::vector<float> values_;  // columns of each supernode, from the reciprocal of the diagonal entry downwards
   std::vector<int> unknownOf_;
   double scale_ = 0.0;  // power of two that `values_` are divided by; zero: no supernode yet
   int mostRows_ = 0;

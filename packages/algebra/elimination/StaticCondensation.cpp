@@ -32,13 +32,13 @@ class Block {
   std::size_t size_ = 0;
 };
 
-/// What an elimination leaves for its parent: the lower triangle, by columns, all rows long.
+/// Contribution of an elimination to its parent: the lower triangle, by columns, all rows long.
 struct Update {
   Block block;
   int size = 0;
 };
 
-/// Where updates are added to: the lower triangle of a block whose first row and column are number `origin` of the front.
+/// Target of updates: the lower triangle of a block whose first row and column are number `origin` of the front.
 struct Target {
   double* values;
   int stride, origin;
@@ -82,7 +82,7 @@ class Elimination {
         diagonal_(matrix.diagonal()),
         children_(tree_.fronts.size()),
         updates_(tree_.fronts.size()) {
-    std::vector<int> place(matrix.rows());  // of each unknown
+    std::vector<int> place(matrix.rows());  // place of each unknown
     for (int g = 0; g < tree_.groups(); ++g)
       for (int p = tree_.start[g]; p < tree_.start[g + 1]; ++p) {
         place[tree_.unknownAt[p]] = p;
@@ -238,7 +238,7 @@ class Elimination {
   FrontTree tree_;
   PivotCheck check_;
   std::unique_ptr<const Moved> matrix_;
-  std::vector<int> groupOf_;  // of each position
+  std::vector<int> groupOf_;  // group of each position
   std::vector<int> at_;       // group -> row of the present front
   std::vector<int> below_;
   Vector diagonal_, moved_;

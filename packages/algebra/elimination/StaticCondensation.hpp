@@ -16,7 +16,7 @@ class StaticCondensation {
  public:
   /// \param load      all unknowns
   /// \param boundary  positions of B
-  /// \param places    of each unknown: where its node is. S does not depend on them but for rounding, the time does.
+  /// \param places    place of each unknown's node. S does not depend on them but for rounding, the time does.
   /// \throws NumericalError    a pivot of A_II is not positive, or nothing but rounding; names the unknown
   /// \throws EnvironmentError  out of memory
   StaticCondensation(const SymmetricMatrix& matrix, const Vector& load, const std::vector<int>& boundary, const std::vector<Point>& places);

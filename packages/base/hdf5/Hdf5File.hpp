@@ -31,7 +31,7 @@ class Hdf5Rows {
 ///
 /// A file for writing is written under a temporary name in the same folder and renamed by close(), so that a reader never sees half a
 /// file; without close() (an exception) the temporary file is removed. Rank 0 alone speaks to HDF5; the other ranks write their numbers
-/// where it says, and disk space is reserved before anything is written there: a full disk is an error on all ranks, whoever meets it. A
+/// where it says, and disk space is reserved before anything is written there: a full disk is an error on all ranks. A
 /// file is read by rank 0 alone, which sends what it found to the others. Paths are absolute within the file ("/VTKHDF/Points"), groups on
 /// the way are made. A file being written cannot be read. All functions are collective over the communicator, and what they throw they
 /// throw on every rank; nothing is printed. Errors: EnvironmentError when the file cannot be written, InputError when it cannot be read, is

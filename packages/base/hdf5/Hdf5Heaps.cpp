@@ -13,7 +13,7 @@ namespace {
 
 using Length = unsigned long long;
 
-constexpr char kSignature[] = {'G', 'C', 'O', 'L', 1};  // and the version
+constexpr char kSignature[] = {'G', 'C', 'O', 'L', 1};  // signature with the version
 constexpr std::size_t kPiece = 1 << 20;
 
 Length aligned(Length bytes) { return (bytes + 7) / 8 * 8; }

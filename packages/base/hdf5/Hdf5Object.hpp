@@ -7,7 +7,7 @@
 #include <type_traits>
 #include <vector>
 
-// What reading and writing HDF5 have in common, without HDF5's own header. Inside this package only.
+// Types that reading and writing HDF5 have in common, without HDF5's own header. Inside this package only.
 
 namespace suture::hdf5 {
 
@@ -58,8 +58,8 @@ class Handle {
 template <typename T>
 Id memoryType();
 
-/// Checksum of values that begin at the place `first` of a dataset. Sums of parts add up to that of the whole, whoever holds them; integers
-/// of any width have the same.
+/// Checksum of values that begin at the place `first` of a dataset. Sums of parts add up to that of the whole, on whatever ranks they are;
+/// integers of any width have the same.
 template <typename T>
 std::uint64_t checksum(const T* values, std::size_t count, std::uint64_t first) {
   std::uint64_t sum = 0;

@@ -44,7 +44,7 @@ SceneFile readScene(const Comm& comm, const std::string& path, const Schema& sch
   std::string text;
   collectivelyOnRoot(comm, "reading " + path, [&] { text = readFile(path); });
   text = broadcast(comm, text);
-  // Every rank checks the same text: should it throw, it throws the same everywhere, and nobody waits.
+  // Every rank checks the same text: if it throws, it throws the same everywhere, and no rank waits.
   return parseScene(text, path, schema, overrides);
 }
 

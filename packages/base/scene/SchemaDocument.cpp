@@ -97,7 +97,7 @@ std::string commentable(std::string text) {
   return text;
 }
 
-/// A scene with every default. What the user must name or give himself stands in a comment, and in a comment there are no others.
+/// A scene with every default. Names and values that the user must give stand in a comment, which holds no other comment.
 class XmlScene {
  public:
   std::string write(const Schema& schema) {

@@ -15,7 +15,7 @@ std::vector<int> subdomainsOfBlocks(int elements, int subdomains);
 /// each). Deterministic. Local.
 /// \param graph       parts have no neighbours in others
 /// \param parts       their elements
-/// \param subdomains  of each block of each part
+/// \param subdomains  number of subdomains of each block of each part
 /// \return element -> block, numbered part by part
 std::vector<int> cutIntoBlocks(const ElementGraph& graph, const std::vector<std::vector<int>>& parts,
                                const std::vector<std::vector<int>>& subdomains, int seed);

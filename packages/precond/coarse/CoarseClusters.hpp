@@ -11,7 +11,7 @@ namespace suture {
 /// slides), so that a cluster moves as one body; the graph is cut by METIS. Corners of the clusters: coarse unknowns of three or more
 /// clusters, and those at both ends of every edge. An edge is a chain of what two clusters share.
 struct CoarseClusters {
-  std::vector<int> clusterOf, rankOf;  ///< of each element of this rank: its cluster, and the rank that holds it
+  std::vector<int> clusterOf, rankOf;  ///< cluster of each element of this rank, and the rank that holds it
   std::vector<int> neighbours;         ///< ranks with which this one exchanges elements, both ways
   InterfaceLayout layout;              ///< clusters of this rank as local problems, coarse unknowns as unknowns
   int count = 0;                       ///< clusters over all ranks

@@ -6,7 +6,7 @@
 
 namespace suture {
 
-/// Which traces Z_i of a local problem the balancing coarse problem holds (eq. 28-31: the columns D_i Z_i). The traces must contain the
+/// Traces Z_i of a local problem that the balancing coarse problem holds (eq. 28-31: the columns D_i Z_i). The traces must contain the
 /// kernel of S_i if its Neumann problem is to see balanced loads only. Strategies: None, Kernels, Rigid Modes; a user adds his own through
 /// Registry<CoarseSpace>. Local.
 class CoarseSpace {
