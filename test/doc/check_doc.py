@@ -59,7 +59,7 @@ class Sources:
 
     def __init__(self, root):
         self.members = {}  # class -> texts of its definitions
-        self.free = []     # what stands in namespaces
+        self.free = []     # texts of namespaces
         for file in sorted(root.glob("packages/**/*.hpp")):
             text = withoutComments(file.read_text())
             for found in re.finditer(r"\b(?:class|struct)\s+(" + NAME + r")\b[^;{}()=]*\{", text):

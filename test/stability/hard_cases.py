@@ -49,7 +49,7 @@ def metis(subdomains, seed=1):
     return ["Partition/Type=METIS", f"Partition/METIS/Subdomains={subdomains}", f"Partition/METIS/Seed={seed}"]
 
 
-# What the Neumann problem of a group says whose stiffness has eigenvalues that are zero to rounding: it will not guess.
+# Message of the Neumann problem of a group whose stiffness has eigenvalues that are zero to rounding: it does not guess.
 ILL = ["more mechanisms than", "rigid modes known"]
 QUADS = boxes("Cell", "Quadrilateral4")
 HANG = ["Boundary Conditions/wall/Type=Displacement", "Boundary Conditions/wall/Value={0.0, 0.1}"]
@@ -77,7 +77,8 @@ def cases():
     # Rounding leaves 1e-10 to 1e-7 of the residual, another number in each step: 1e-10 would be met by chance (once in 47 steps).
     all["upper_harder_1e8"]["tolerance"] = 1e-12
     all["bricks_within_subdomains_1e8"]["refuses"] = {"condensed_groups_neumann_neumann": ILL}
-    # What double precision holds, at any tolerance; in hard bricks within a subdomain no rigid motion can be told from the deformation.
+    # Accuracy that double precision holds, at any tolerance. In hard bricks within a subdomain no rigid motion can be told from the
+    # deformation.
     for name, floor in (("upper_harder_1e8", 1e-6), ("bricks_within_subdomains_1e8", 4e-6)):
         all[name].update(floor=floor, displacement=floor, force=floor)
     all["bricks_metis_1e8"]["refuses"] = {"condensed_groups_neumann_neumann": ILL}
