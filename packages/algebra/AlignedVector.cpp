@@ -61,7 +61,7 @@ class HugePages {
     }
   };
 
-  /// Begins at a huge page: what is mapped before and behind it goes back.
+  /// Begins at a huge page: memory mapped before and behind it goes back.
   Chunk& open(std::size_t size) {
     void* mapped = mmap(nullptr, size + kHugePage, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
     if (mapped == MAP_FAILED) throw std::bad_alloc();

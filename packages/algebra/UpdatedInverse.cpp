@@ -8,7 +8,7 @@ namespace suture {
 
 namespace {
 
-// The base may be known to single precision only: what is lost by a condition of this inverse is a thousandth.
+// The base may be known to single precision only: a condition of this inverse loses a thousandth.
 constexpr double kLeastEigenvalue = 1e-4;
 constexpr double kAccuracy = 1e-4;  // relative accuracy of the values of the new basis in the new rows
 

@@ -83,7 +83,7 @@ struct Failure {
   }
 };
 
-/// Runs `work`; true and what happened if it threw.
+/// Runs `work`; true and the error if it threw.
 bool fails(const std::string& what, const std::function<void()>& work, Failure& failure) {
   try {
     work();

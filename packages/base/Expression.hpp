@@ -22,7 +22,7 @@ struct Constants;
 class Expression {
  public:
   /// \param path  parameter that holds the text, for messages
-  /// \throws InputError  all unknown names (nearest; what is known), or where the text is not an expression. Local.
+  /// \throws InputError  all unknown names (nearest; those known), or where the text is not an expression. Local.
   Expression(const std::string& text, const Constants& constants, const std::string& path = "");
   explicit Expression(const std::string& text);
 

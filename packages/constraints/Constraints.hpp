@@ -8,7 +8,7 @@
 
 namespace suture {
 
-/// A node whose displacement components are not simply the Cartesian ones, all free: what is prescribed there, and in which axes.
+/// A node whose displacement components are not simply the Cartesian ones, all free: prescribed values and axes.
 /// The local component k of the displacement u is axes[k] . u ; a fixed one has the given value. Axes are orthonormal.
 struct NodeRule {
   int node = -1;
@@ -92,7 +92,7 @@ struct Constraints {
   std::vector<NodeRule> rules;     ///< at most one a node, sorted by node
   std::vector<ContactPair> pairs;  ///< pairs[i].id == i
   std::vector<ContactPiece> pieces;
-  std::vector<std::string> notes;  ///< sentences for the user: what was chosen
+  std::vector<std::string> notes;  ///< sentences for the user about choices made
 };
 
 /// u_local = Q u for one node: row k of Q is axis k. `dimension` x `dimension`.

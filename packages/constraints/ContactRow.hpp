@@ -14,7 +14,7 @@ struct ContactRow {
   std::vector<GlobalId> dofs;  ///< node of the mesh x dimension + component in the axes of the node (as Subdomain::globalDof), ascending;
                                ///< none where all nodes are held along the normal: nothing can change such a pair
   std::vector<double> coefficients;  ///< coefficient of each dof; mere rounding is left out
-  double gap = 0.0;                  ///< initial gap less what prescribed components close of it [length]
+  double gap = 0.0;                  ///< initial gap less the part closed by prescribed components [length]
   int cluster = -1;                  ///< rows that share a dof, and those that share one with them: lowest pair id among them
   std::vector<Point> points;         ///< coordinates of each dof's node
 

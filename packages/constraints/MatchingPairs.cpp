@@ -20,7 +20,7 @@ const double coincident = 1e-9;  // relative to the mesh size: nodes nearer than
 struct Standing {
   Point normal{0, 0, 0};
   double gap = 0;
-  double excess = 0;  ///< tangential distance, less what the curvature of the sides accounts for [length]
+  double excess = 0;  ///< tangential distance beyond that by the curvature of the sides [length]
   bool facing = false;
 };
 

@@ -130,7 +130,7 @@ class Mortar {
     }
   }
 
-  /// Nodes that carry next to nothing hand on what they have, along the line, to the neighbour that carries more: projected along its
+  /// Nodes that carry next to nothing hand their share on, along the line, to the neighbour that carries more: projected along its
   /// normal.
   void handOn() {
     const std::map<int, int> heirs = findHeirs();

@@ -8,11 +8,11 @@
 
 namespace suture {
 
-/// Two facing sides of a contact line, one of which carries the conditions: where points of the carrying side meet the other along a given
-/// normal, and the gap there. Between straight elements whose nodes lie on curves the gap is taken between smooth curves. Local.
+/// Two facing sides of a contact line, one of which carries the conditions: points where the carrying side meets the other along a given
+/// normal, and their gaps. Between straight elements whose nodes lie on curves the gap is taken between smooth curves. Local.
 ///
 /// A second-order element of straight shape stands for the drawn curve: its displacements can follow any change of curvature. Those of a
-/// two-node element cannot; what its chord approximates where the contact is closed is the curve that both sides then share. Its curvature
+/// two-node element cannot; where the contact is closed its chord approximates the curve that both sides then share. Its curvature
 /// lies between those of the two sides, by the compliances along them (ContactLine::shareOfA): of rings and pins both are nearly alike,
 /// a cylinder on a plane of the same material has half its curvature there.
 class MortarSampling {

@@ -11,7 +11,7 @@
 
 namespace suture {
 
-/// A rigid obstacle that fills a part of the plane: what stands against side A of a contact line instead of a second body.
+/// A rigid obstacle that fills a part of the plane: the partner of side A of a contact line instead of a second body.
 class Obstacle {
  public:
   /// Foot of a point on the obstacle.

@@ -43,7 +43,7 @@ class ContactCompliance {
 
    private:
     friend class ContactCompliance;
-    // force, in: what would be the gaps of the closed pairs; out: their forces.
+    // force, in: gaps of the closed pairs without forces; out: their forces.
     void forces(LocalView force, const Matrix& e, Matrix& rigid) const;
     // The same, refined against the matrix itself: the factor's shift leaves no trace.
     void refinedForces(LocalView force, const Matrix& e, Matrix& rigid) const;

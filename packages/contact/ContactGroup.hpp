@@ -10,7 +10,7 @@
 namespace suture {
 
 /// All subdomains that touch a contact piece (or pieces that share a subdomain), together, whole on one rank: seams inside are eliminated
-/// with the interior, the group's boundary is what it shares with other subdomains. Given the trace U there, it solves its own small
+/// with the interior, the group's boundary are the unknowns shared with other subdomains. Given the trace U there, it solves its own small
 /// contact problem (8), exactly, and answers with the flux S_*j(U) of (15). Local.
 class ContactGroup {
  public:
@@ -56,7 +56,7 @@ class ContactGroup {
   const ContactCompliance& held() const { return *held_; }
   const ContactCompliance& floating() const;
 
-  /// flux <- K_BB trace + K_BI v: what the boundary feels for unknowns v of the interior.
+  /// flux <- K_BB trace + K_BI v: flux of the boundary for unknowns v of the interior.
   void flux(ConstLocalView trace, ConstLocalView interior, LocalView flux) const;
   /// load <- -K_IB trace
   void interiorLoad(ConstLocalView trace, LocalView load) const;

@@ -260,7 +260,7 @@ bool ContactSearch::descend(const State& from, bool pushFirst, State& to) {
     const ContactOracle::Change step = oracle_.redistribute(held, push);
     const Vector& change = step.force;
     if (change.size() != n) return false;
-    // The dual energy l.C l / 2 - d.l along it: slope -w.change, curvature change.C change, which is what the penetrations lose.
+    // The dual energy l.C l / 2 - d.l along it: slope -w.change, curvature change.C change, the loss of the penetrations.
     const double curvature = -change.dot(step.penetration);
     double length = curvature > 0.0 ? from.penetration.dot(change) / curvature : 1.0;
     for (int i = 0; i < n; ++i)

@@ -46,7 +46,7 @@ class ContactOracle {
 ///
 /// A solve has a set of closed pairs; sets that leave a motion loose get holders beside them, which carry no force: no singular matrix is
 /// ever factored. The next set is found by
-///   1. in the first solves what the oracle proposes (semismooth Newton on condensed groups), or plain flips (closed pairs that pull open,
+///   1. in the first solves the oracle's proposal (semismooth Newton on condensed groups), or plain flips (closed pairs that pull open,
 ///      open ones that penetrate close: primal-dual active set); where a flip would make a body loose, by the equilibrium on the pads from
 ///      t = c l + w;
 ///   2. when a set returns, or after many solves: the learnt model (LearntModel) and plain flips in turn;
@@ -67,7 +67,7 @@ class ContactSearch {
 
   /// `rigid` and `oracle` must outlive it. \param most  solves at most
   ContactSearch(const RigidContact& rigid, ContactOracle& oracle, int most);
-  /// Without the learnt model: what the model's own small problem is solved with.
+  /// Without the learnt model, as the model's own small problem is solved.
   void withoutModel() { learns_ = false; }
   Result run(ClosedSet start);
 

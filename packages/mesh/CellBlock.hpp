@@ -16,7 +16,7 @@ struct Side {
 /// 2 pi r: what a point of the meridian plane stands for in axisymmetric blocks.
 inline double circumference(double radius) { return 6.283185307179586476925286766559 * radius; }
 
-/// Elements and their nodes, numbered from 0: what assembly needs to know of a mesh. The whole mesh and the mesh of a subdomain are both
+/// Elements and their nodes, numbered from 0: the part of a mesh that assembly needs. The whole mesh and the mesh of a subdomain are both
 /// made of one, so that elasticity serves both.
 struct CellBlock {
   int dimension = 2;

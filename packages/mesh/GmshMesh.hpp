@@ -36,7 +36,7 @@ struct GmshMesh {
 /// Messages of suture_mesher to its parent through its file descriptor 3: one letter, the length in eight bytes, and the text.
 enum class MesherMessage : char {
   Opened = 'O',  ///< all statements are read; meshing begins
-  Failed = 'F',  ///< text: what Gmsh complains of
+  Failed = 'F',  ///< text: Gmsh's complaints
   Mesh = 'M'     ///< a packed GmshMesh: all went well
 };
 

@@ -12,7 +12,7 @@ struct RegionEntry {
   const Parameters* list;  ///< list of the scene, which must outlive it
 };
 
-/// All regions of the scene, body by body, in the order of the file: what CellBlock::regions counts. Local.
+/// All regions of the scene, body by body, in the order of the file, as CellBlock::regions counts them. Local.
 /// \param bodies  the scene's list `Bodies`
 std::vector<RegionEntry> regionEntries(const Parameters& bodies);
 

@@ -30,7 +30,7 @@ class NoEdgeConstraints : public EdgeConstraints {
 };
 
 /// The average of each displacement component; on a contact line, of the normal displacement; the flux through the edge where the space has
-/// one (InterfaceSpace::flux), and what else nearly incompressible subdomains are stiff against (StiffTraces.hpp).
+/// one (InterfaceSpace::flux), and the other stiff traces of nearly incompressible subdomains (StiffTraces.hpp).
 class EdgeAverages : public EdgeConstraints {
  public:
   std::vector<Matrix> rows(const InterfaceSpace& space, const LocalProblems& locals, const Weighting& weighting) const override;

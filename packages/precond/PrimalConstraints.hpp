@@ -6,7 +6,7 @@
 
 namespace suture {
 
-/// The primal constraints of one local problem in BDDC: rows C_i on its trace, and what each row's value is in primal unknowns, which
+/// The primal constraints of one local problem in BDDC: rows C_i on its trace, and the value of each row in primal unknowns, which
 /// neighbours share. Corner rows pick an unknown; edge rows are combinations along an edge.
 struct PrimalConstraints {
   struct Term {

@@ -27,7 +27,8 @@ Matrix randomColumns(int rows, int columns) {
   return values;
 }
 
-/// One side of an edge, in the edge's unknowns: the shear stiffness, and D_j^T V, what the other side's weights leave of V. D_i + D_j = I.
+/// One side of an edge, in the edge's unknowns: the shear stiffness, and D_j^T V, the part of V that the other side's weights leave. D_i +
+/// D_j = I.
 Matrix sideColumns(const EdgeSide& side, const LocalProblem& local, const Matrix& traces, const Weighting& weighting) {
   const Vector squares = side.coefficients.cwiseAbs2();
   const Matrix own = rowsAt(traces, side.rows);
@@ -42,7 +43,7 @@ Matrix sideColumns(const EdgeSide& side, const LocalProblem& local, const Matrix
 
 Matrix withColumns(const Matrix& rows, const std::array<Matrix, 2>& sides) {
   if (sides[0].cols() + sides[1].cols() <= 2 || sides[0].size() == 0 || sides[1].size() == 0) return rows;
-  // The stiffness of two springs in a row, which is what a jump meets, is half of this.
+  // A jump meets the stiffness of two springs in a row, half of this.
   const Vector a = sides[0].col(0), b = sides[1].col(0), scale = (2 * a.cwiseProduct(b).cwiseQuotient(a + b)).cwiseSqrt();
   Matrix columns(a.size(), sides[0].cols() + sides[1].cols() - 2);
   columns << sides[0].rightCols(sides[0].cols() - 1), sides[1].rightCols(sides[1].cols() - 1);

@@ -6,7 +6,7 @@
 namespace suture {
 
 /// Makes the output folder and checks that it can be written, before any work is done. Collective.
-/// \throws EnvironmentError  names the folder and what the system says
+/// \throws EnvironmentError  names the folder and the system's reason
 void prepareFolder(const Comm& comm, const std::string& folder);
 
 /// Keeps other runs out of a folder while it lives. The lock is the system's (flock on the file .suture.lock, held by rank 0): it goes with

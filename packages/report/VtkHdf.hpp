@@ -56,7 +56,7 @@ class VtkHdf {
     collectively(comm_, "writing a field", [&] { rows.append(values); });
   }
 
-  /// For what is beside the grid (/Record).
+  /// The file, for content beside the grid (/Record).
   Hdf5File& file() { return file_; }
   void close();
 

@@ -38,7 +38,7 @@ void subtractColumnsBefore(int first, int columns, int rows, double* values, int
                 1.0, values + static_cast<std::ptrdiff_t>(first) * (stride + 1), stride);
 }
 
-/// Strips of `width` columns one after the other: what those before take from a strip, then the strip itself.
+/// Strips of `width` columns one after the other: subtraction of those before, then the strip itself.
 template <typename Factor>
 int factorStrips(int width, int columns, int rows, double* values, int stride, const Factor& factor) {
   for (int first = 0; first < columns; first += width) {

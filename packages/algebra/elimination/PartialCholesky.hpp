@@ -2,7 +2,7 @@
 
 namespace suture {
 
-// The two dense steps of an elimination: columns are factored with what is below them, and what they leave goes to the rest. Matrices of
+// The two dense steps of an elimination: columns are factored with the rows below them, and subtracted from the rest. Matrices of
 // doubles by columns, `stride` (at least `rows`) numbers apart. Local.
 //
 // By products of matrices between panels of a few columns, because most fronts are small (16 columns of 50 rows). Hertz at 1M unknowns, all

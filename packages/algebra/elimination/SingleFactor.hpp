@@ -7,9 +7,9 @@
 namespace suture {
 
 /// A Cholesky factor in single precision, half the memory of the original. It is used as preconditioner of conjugate gradients in double
-/// precision, which gives back what rounding took: two or three steps where it is nearly the inverse, a few more where stiffness jumps
-/// by many orders of magnitude; the accuracy does not depend on it. Factor and loads are scaled by powers of two before they are rounded:
-/// nothing leaves the narrow range of single precision, whatever the units are. Local, const.
+/// precision, which restores the digits that rounding took: two or three steps where it is nearly the inverse, a few more where stiffness
+/// jumps by many orders of magnitude; the accuracy does not depend on it. Factor and loads are scaled by powers of two before they are
+/// rounded: nothing leaves the narrow range of single precision, whatever the units are. Local, const.
 class SingleFactor {
  public:
   SingleFactor() = default;

@@ -32,7 +32,7 @@ struct Hdf5File::Impl {
   std::set<std::string> datasets;             ///< datasets among the names
   std::set<std::pair<std::string, std::string>> attributes;
   std::vector<std::function<void(hdf5::Id)>> kept;  ///< on rank 0
-  std::size_t keptBytes = 0;                        ///< about what they take in the file
+  std::size_t keptBytes = 0;                        ///< their size in the file, about
   unsigned long long owed = 0;                      ///< rows of this rank that were promised and not yet given
 
   bool isRoot() const { return comm->getRank() == 0; }

@@ -81,7 +81,7 @@ constexpr const char* checksumName = "Checksum";  ///< attribute of a dataset
 /// "/a/b/c" -> "/a", "/a/b", "/a/b/c".
 std::vector<std::string> prefixes(const std::string& path);
 bool isThere(Id file, const std::string& path);
-/// Names of what is in a group, sorted. \throws Failed
+/// Names of the members of a group, sorted. \throws Failed
 std::vector<std::string> membersOf(Id file, const std::string& path);
 
 }  // namespace suture::hdf5

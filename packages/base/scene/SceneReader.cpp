@@ -51,7 +51,7 @@ SceneFile readScene(const Comm& comm, const std::string& path, const Schema& sch
 SceneFile parseScene(const std::string& text, const std::string& path, const Schema& schema, const std::vector<std::string>& overrides) {
   Problems problems;
   RawList tree = parseTree(text, path, problems);
-  if (tree.parameters.empty() && tree.lists.empty()) problems.throwIfAny();  // no XML: what the schema misses is no news
+  if (tree.parameters.empty() && tree.lists.empty()) problems.throwIfAny();  // no XML: missing parameters are no news
   for (const std::string& assignment : overrides) applyOverride(tree, assignment, problems);
 
   SceneFile scene;

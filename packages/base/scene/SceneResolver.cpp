@@ -88,7 +88,7 @@ class Resolver {
  public:
   explicit Resolver(Problems& problems) : problems_(problems) {}
 
-  /// `demanded`: what has no default must be given; not so inside a choice that is not taken.
+  /// `demanded`: parameters without a default must be given; not so inside a choice that is not taken.
   void list(const RawList& raw, const Schema& schema, const std::string& path, bool demanded, Parameters& resolved) {
     refuseUnknown(raw, schema, path);
     for (const Schema::Parameter& parameter : schema.parameters()) {

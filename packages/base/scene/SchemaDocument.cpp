@@ -16,7 +16,7 @@ std::string defaultText(const Schema::Parameter& parameter) {
   return parameter.optional ? "optional" : "required";
 }
 
-/// Range or names: what a value may be; "" when anything goes.
+/// Range or names of a value; "" when anything goes.
 std::string allowedText(const Schema::Parameter& parameter) {
   const std::string range = parameter.range.text() == "any" ? "" : parameter.range.text();
   const auto bars = [](const std::vector<std::string>& names) {

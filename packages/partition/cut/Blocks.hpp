@@ -6,7 +6,7 @@
 namespace suture {
 
 /// Into how many subdomains each block of a connected part is cut: blocks of about 240,000 elements and at least nine subdomains, as equal
-/// as can be; a smaller part is one block. Blocks are what ranks share METIS' work by. Local.
+/// as can be; a smaller part is one block. Ranks share METIS' work by blocks. Local.
 std::vector<int> subdomainsOfBlocks(int elements, int subdomains);
 
 /// Cuts connected parts into connected blocks, in proportion to their subdomains: METIS on groups of up to 32 neighbouring elements, then

@@ -13,7 +13,7 @@ struct Cut {
   std::vector<int> subdomainOfElement;  ///< subdomain of each element of the mesh
   std::vector<std::string> names;       ///< names of the subdomains
   std::vector<int> bodyOf;              ///< subdomain -> body
-  std::vector<std::string> notes;       ///< sentences for the user: what was repaired
+  std::vector<std::string> notes;       ///< sentences for the user about repairs
   bool bodiesAreConnected = false;      ///< each body is one part; false: not known
 };
 
@@ -22,7 +22,7 @@ Schema metisSchema();
 Schema namedGroupsSchema();
 
 /// Every body on its own, in proportion to its elements; a body of several disconnected parts, each part on its own. Every rank cuts the
-/// bodies of its share; the cut does not depend on who has which. Subdomains = Automatic makes at least one a rank where the elements allow
+/// bodies of its share; the cut does not depend on the ranks. Subdomains = Automatic makes at least one a rank where the elements allow
 /// it. Collective.
 /// \param mesh   mesh that the share was made from
 /// \param own    the list `METIS`

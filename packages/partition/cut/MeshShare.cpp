@@ -146,7 +146,8 @@ MeshShare shareBodies(const Comm& comm, const Mesh& mesh) {
   }
   const auto kind = unpacker.get<Kind>();
   const auto extents = unpacker.get<std::vector<Extent>>();
-  // Rank by rank: beside the mesh there is never more than one share on the way. Ranks make room while rank 0 takes what they wait for.
+  // Rank by rank: beside the mesh there is never more than one share on the way. Ranks make room while rank 0 prepares the share that they
+  // wait for.
   for (int to = 1; to < comm.getSize(); ++to) {
     MeshShare sent;
     collectively(comm, what, [&] {

@@ -13,7 +13,7 @@ class CoarseSpace {
  public:
   static const char* kind() { return "coarse space"; }
   virtual ~CoarseSpace() = default;
-  /// size() x k; columns may depend on each other (what depends is left out).
+  /// size() x k; columns may depend on each other (dependent ones are left out).
   virtual Matrix columns(const LocalProblem& local) const = 0;
 };
 
