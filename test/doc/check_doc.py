@@ -115,6 +115,9 @@ class Tests:
         file = self.root / "test" / parts[1] / (parts[2] + ".cpp")
         if not file.is_file():
             return f"there is no {file.relative_to(self.root)}"
+        made = file.parent / "CMakeLists.txt"
+        if not made.is_file() or not re.search(r"\b" + parts[2] + r"\b", re.sub(r"#[^\n]*", "", made.read_text())):
+            return f"{file.relative_to(self.root)} is not named in its CMakeLists.txt"
         wanted = (parts[3] or parts[2], parts[4])
         return None if wanted in self.units(file) else f"{file.relative_to(self.root)} has no TEUCHOS_UNIT_TEST({wanted[0]}, {wanted[1]})"
 

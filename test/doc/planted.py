@@ -40,7 +40,9 @@ TEUCHOS_UNIT_TEST(Plain, IsPlain) { TEST_ASSERT(true); }
 // TEUCHOS_UNIT_TEST(Bridge, IsCommentedOut) {}
 PLANT(HoldsWhatIsPlanted, small())
 """
-CMAKE = """add_test(NAME way.whole COMMAND x)  # add_test(NAME way.gone COMMAND x)
+CMAKE = """suture_test(way Bridge RANKS 1)
+# suture_test(way Loose)
+add_test(NAME way.whole COMMAND x)  # add_test(NAME way.gone COMMAND x)
 suture_run_table(way.case ${CMAKE_CURRENT_SOURCE_DIR}/cases.json RANKS 2)
 """
 HEAD = ["| equation | meaning | code | test |", "|---|---|---|---|"]
@@ -52,6 +54,7 @@ RIGHT = ["| (1) | a class | `Bridge` | `way/Bridge.CarriesItsLoad` |", "| (2) | 
 def clean(rows=RIGHT, head=HEAD, page="[theory](doc/theory.md#the-table), [the web](https://localhost/none), [here](#a-heading)"):
     shutil.rmtree(tree, ignore_errors=True)
     for name, text in {"packages/way/Bridge.hpp": HEADER, "test/way/Bridge.cpp": UNIT, "test/way/CMakeLists.txt": CMAKE,
+                       "test/way/Loose.cpp": "TEUCHOS_UNIT_TEST(Loose, IsNotBuilt) {}",
                        "test/way/cases.json": '{"cases": {"one": {}}}', "input/validation/v1/checks.json": "{}",
                        "doc/theory.md": "\n".join(["# The table", ""] + head + rows + [""]),
                        "README.md": f"# A heading\n\n{page}\n\n```\n[code](nowhere)\n```\n"}.items():
@@ -93,6 +96,7 @@ for name in ["lord", "weigh", "span", "length_"]:
     expect(HERE + f"class Bridge has no member {name}()", **row(f"`Bridge::{name}`", GOOD_TEST))
 for name in ["CarriesNothing", "IsCommentedOut", "IsPlain", "Name"]:
     expect(HERE + f"test/way/Bridge.cpp has no TEUCHOS_UNIT_TEST(Bridge, {name})", **row(GOOD_CODE, f"`way/Bridge.{name}`"))
+expect(HERE + "test/way/Loose.cpp is not named in its CMakeLists.txt", **row(GOOD_CODE, "`way/Loose.IsNotBuilt`"))
 expect(HERE + "there is no test/way/Road.cpp", **row(GOOD_CODE, "`way/Road.CarriesItsLoad`"))
 for name in ["way.gone", "way.case.two", "validation.v2"]:
     expect(HERE + f"ctest has no test {name}", **row(GOOD_CODE, f"`ctest {name}`"))
