@@ -16,8 +16,8 @@ namespace suture {
 /// \param name     of the program, for messages;  \param subject  the file it works on
 int runProgram(const std::string& name, const std::string& subject, const std::function<ExitCode(const CommPtr& comm)>& work);
 
-/// The exit code of an exception, and the message for the user in the form of STYLE.md: "suture_solve: 3 errors in scene.xml", then a line
-/// "  path: message" each. Local.
+/// The exit code of an exception, and the message for the user in the form of doc/style.md: "suture_solve: 3 errors in scene.xml", then a
+/// line "  path: message" each. Local.
 struct Explanation {
   ExitCode code;
   std::string message;

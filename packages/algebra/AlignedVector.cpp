@@ -21,7 +21,7 @@ std::size_t roundedUp(std::size_t size, std::size_t unit) { return (size + unit 
 
 #if defined(__linux__)
 
-/// Chunks of the system's memory that are filled from one end to the other. What is freed goes back to the system at once, by pages, and a
+/// Chunks of the system's memory that are filled from one end to the other. Freed memory goes back to the system at once, by pages, and a
 /// chunk as a whole with its last piece.
 class HugePages {
  public:
@@ -61,7 +61,7 @@ class HugePages {
     }
   };
 
-  /// Begins at a huge page: what is mapped before and behind it goes back.
+  /// Begins at a huge page: memory mapped before and behind it goes back.
   Chunk& open(std::size_t size) {
     void* mapped = mmap(nullptr, size + kHugePage, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
     if (mapped == MAP_FAILED) throw std::bad_alloc();
@@ -69,7 +69,7 @@ class HugePages {
     if (begin > from) munmap(mapped, begin - from);
     munmap(reinterpret_cast<void*>(begin + size), from + kHugePage - begin);
     auto* const at = reinterpret_cast<char*>(begin);
-    madvise(at, size, MADV_HUGEPAGE);  // where it is refused pages are small
+    madvise(at, size, MADV_HUGEPAGE);  // pages stay small where the system refuses
     return chunks_.emplace(at, Chunk{at, size}).first->second;
   }
 

@@ -6,7 +6,7 @@
 namespace suture {
 
 /// A direct solver of Amesos2 (KLU2), on a communicator of its own rank: KLU2 gave wrong answers, silently, on matrices distributed over
-/// several ranks, so the matrix never is (DESIGN section 5; a regression test checks the answers).
+/// several ranks, so the matrix never is (doc/numerics.md; a regression test checks the answers).
 class AmesosSolver : public LocalSolver {
  public:
   static Schema schema();

@@ -108,7 +108,7 @@ struct CholmodFactor::Data : CholmodHandle {
 
   std::vector<int> permutation;  // column of L -> dof
   std::vector<int> columnSupernode;
-  int mostRows = 0;  // of a supernode
+  int mostRows = 0;  // rows of the largest supernode
   Vector shift;
   Statistics statistics;
 };

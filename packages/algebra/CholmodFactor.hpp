@@ -7,7 +7,7 @@
 
 namespace suture {
 
-/// How CholmodFactor orders and stores. The defaults suit plane problems.
+/// Order and storage of CholmodFactor. The defaults suit plane problems.
 struct CholmodOptions {
   /// Amd: of the leading block alone. Constrained Amd: of the whole graph, trailing dofs last, so that fill in their rows is weighed too.
   /// Metis: nested dissection of the leading block; pays in 3D.
@@ -36,12 +36,12 @@ class CholmodFactor {
   struct Statistics {
     int size = 0, trailing = 0;
     double factorEntries = 0.0;  ///< nonzeros of L
-    double flops = 0.0;          ///< of the factorisation
+    double flops = 0.0;          ///< operations of the factorisation
     double bytes = 0.0;          ///< held by the factor
     bool supernodal = false;
     std::string ordering;
     double smallestPivot = 1.0;  ///< smallest l_jj^2 / a_jj (shift included): near rounding for a singular matrix
-    int smallestPivotDof = -1;   ///< where
+    int smallestPivotDof = -1;   ///< place of the smallest pivot
   };
 
   /// \param matrix  n x n, compressed columns; only the lower triangle is read (the upper may be there or not)

@@ -39,7 +39,7 @@ Dense<Real> product(CBLAS_TRANSPOSE transposed, const Dense<Real>& a, const Dens
 /// H = I - 2 v v^T, v zero off the support.
 struct Reflection {
   std::vector<int> support;
-  Vector v;  // of length one
+  Vector v;  // unit vector
 
   /// x <- x H
   void onColumns(Matrix& x) const {
@@ -213,7 +213,7 @@ ConstrainedInverse::ConstrainedInverse(Matrix schur, const Matrix& constraints, 
   }
 
   Matrix basis = Matrix::Zero(n, m);
-  Matrix toPrimal = Matrix::Identity(m, m);  // of the order taken, from that of the rows given
+  Matrix toPrimal = Matrix::Identity(m, m);  // to the order taken, from that of the rows given
   triangle.triangularView<Eigen::Lower>().solveInPlace(toPrimal);
   Matrix inOrder(m, m);
   for (int a = 0; a < m; ++a) inOrder.col(order[a]) = toPrimal.col(a);

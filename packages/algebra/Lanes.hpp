@@ -1,6 +1,6 @@
 #pragma once
 
-// What our own dense kernels are written with: packed matrices, supernodes, fronts. For sources only.
+// Vectors of numbers for the dense kernels: packed matrices, supernodes, fronts. For sources only.
 
 // One function for each generation of processors, chosen when the program is loaded: the baseline of x86-64 has vectors of two numbers.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)

@@ -9,9 +9,9 @@ namespace suture {
 
 namespace {
 
-constexpr int kWidth = 4;  // columns of a panel: what one pass over x and y takes
+constexpr int kWidth = 4;  // columns of a panel, taken in one pass over x and y
 
-/// Where a panel begins.
+/// Begin of a panel.
 std::size_t begin(int panel, int rows) { return static_cast<std::size_t>(kWidth) * panel * (rows - kWidth * (panel - 1) / 2); }
 
 /// A panel is the diagonal block, then blocks of as many rows as a line of the cache has numbers, then, where fewer are left, of four.
@@ -130,7 +130,7 @@ double PackedSymmetric::at(int row, int column) const {
   if (row < column) std::swap(row, column);
   const int line = singles_.empty() ? Line<double>::count : Line<float>::count;
   const int rows = padded(size_, kWidth), first = column / kWidth * kWidth;
-  int top = first, height = kWidth;  // of the block
+  int top = first, height = kWidth;  // first row and height of the block
   if (row >= first + kWidth) {
     const int below = rows - first - kWidth, whole = below / line * line, at = row - first - kWidth;
     height = at < whole ? line : kWidth;

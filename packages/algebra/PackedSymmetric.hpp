@@ -8,7 +8,8 @@ namespace suture {
 
 /// A dense symmetric matrix of which little more than the lower triangle is kept: panels of four columns each, from their diagonal block
 /// (whole) downwards, of which a line of the cache of each column follows the other. A product reads memory once, in one direction, and is
-/// as fast as memory is. In single precision half of that, for what need not be exact: a preconditioner. Local; const is safe with threads.
+/// as fast as memory is. In single precision half of that, for operators that need not be exact: preconditioners. Local; const is safe with
+/// threads.
 class PackedSymmetric {
  public:
   enum class Precision { Double, Single };
@@ -16,7 +17,8 @@ class PackedSymmetric {
   PackedSymmetric() = default;
   /// \param matrix  its lower triangle is read
   explicit PackedSymmetric(const Matrix& matrix, Precision precision = Precision::Double);
-  /// In single precision, what is already. \param factor  times the matrix: a power of two beyond the range of single precision
+  /// From a matrix that is in single precision already. \param factor  times the matrix: a power of two beyond the range of single
+  /// precision
   explicit PackedSymmetric(const Eigen::MatrixXf& matrix, double factor = 1.0);
 
   int size() const { return size_; }
@@ -33,7 +35,7 @@ class PackedSymmetric {
   double at(int row, int column) const;
 
   int size_ = 0;
-  double factor_ = 1.0;           // times what is kept
+  double factor_ = 1.0;           // times the values kept
   AlignedVector<double> values_;  // one of the two
   AlignedVector<float> singles_;
 };

@@ -3,7 +3,7 @@
 namespace suture {
 
 /// While one lives, OpenMP regions that this thread enters run on it alone. CHOLMOD asks for four threads in each supernode of some size,
-/// whatever OMP_NUM_THREADS says; ranks have their cores for themselves only if nobody does. Local.
+/// whatever OMP_NUM_THREADS says; ranks have their cores for themselves only if no rank does. Local.
 class SerialSection {
  public:
   SerialSection();

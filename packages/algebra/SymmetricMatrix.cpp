@@ -6,7 +6,7 @@ namespace suture {
 
 SymmetricMatrix::SymmetricMatrix(SparseMatrix&& matrix) {
   const int n = static_cast<int>(matrix.rows()), *start = matrix.outerIndexPtr(), *row = matrix.innerIndexPtr();
-  std::vector<int> from(n);  // where the triangle begins in each column
+  std::vector<int> from(n);  // begin of the triangle in each column
   Eigen::Index onDiagonal = 0, below = 0;
   for (int j = 0; j < n; ++j) {
     from[j] = static_cast<int>(std::lower_bound(row + start[j], row + start[j + 1], j) - row);

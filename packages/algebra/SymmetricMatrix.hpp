@@ -6,12 +6,12 @@
 
 namespace suture {
 
-/// A symmetric sparse matrix of which the lower triangle is kept: half the memory of a SparseMatrix. Stiffness matrices outlive what is
-/// made of them, until interiors are recovered: it is their lasting form. Local.
+/// A symmetric sparse matrix of which the lower triangle is kept: half the memory of a SparseMatrix. Stiffness matrices live until
+/// interiors are recovered: it is their lasting form. Local.
 class SymmetricMatrix {
  public:
   SymmetricMatrix() = default;
-  /// Keeps the lower triangle; what is above it is not read, and need not be there.
+  /// Keeps the lower triangle; entries above it are not read, and need not be there.
   /// \param matrix  square, compressed, rows ascending in each column
   explicit SymmetricMatrix(SparseMatrix&& matrix);
   explicit SymmetricMatrix(const SparseMatrix& matrix) : SymmetricMatrix(SparseMatrix(matrix)) {}
@@ -32,7 +32,7 @@ class SymmetricMatrix {
   /// Entries of both triangles.
   Eigen::Index nonZeros() const { return nonZeros_; }
 
-  /// Both triangles, made anew at each call, for what eliminates or cuts blocks out.
+  /// Both triangles, made anew at each call, for eliminations and for cutting blocks out.
   SparseMatrix full() const;
   Matrix dense() const { return Matrix(full()); }
 

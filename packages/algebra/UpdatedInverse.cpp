@@ -8,9 +8,9 @@ namespace suture {
 
 namespace {
 
-// The base may be known to single precision only: what is lost by a condition of this inverse is a thousandth.
+// The base may be known to single precision only: a condition of this inverse loses a thousandth.
 constexpr double kLeastEigenvalue = 1e-4;
-constexpr double kAccuracy = 1e-4;  // of the values that the new basis has in the new rows
+constexpr double kAccuracy = 1e-4;  // relative accuracy of the values of the new basis in the new rows
 
 /// B with a^-1 = B B^T; empty if a, its diagonal scaled to one, has an eigenvalue that is too small.
 Matrix inverseRoot(const Matrix& a) {
@@ -32,7 +32,7 @@ Matrix blockAt(const Matrix& matrix, const std::vector<int>& rows, const std::ve
   return rowsAt(columnsAt(matrix, columns), rows);
 }
 
-/// What belongs to the constraints that are held at present; the inverse is P + plus plus^T - minus minus^T, P that of the base.
+/// Update for the constraints held at present; the inverse is P + plus plus^T - minus minus^T, P that of the base.
 struct Change {
   Matrix basis, energy;
   Matrix plus, minus;

@@ -8,11 +8,11 @@
 
 namespace suture {
 
-/// A matrix that a function needs until it returns, undefined at first. A single column lies in what the function's thread keeps for its
-/// next call: inner loops allocate nothing, and an object serves several threads. Several columns are given back.
+/// A matrix that a function needs until it returns, undefined at first. A single column lies in memory that the function's thread keeps for
+/// its next call: inner loops allocate nothing, and an object serves several threads. Several columns are given back.
 class WorkSpace {
  public:
-  /// \param kept  thread_local, of one function only: what it calls may use work space of its own
+  /// \param kept  thread_local, of one function only: functions that it calls may use work space of their own
   WorkSpace(Eigen::Index rows, Eigen::Index columns, std::vector<double>& kept) : values(room(rows, columns, kept), rows, columns) {}
 
  private:
@@ -26,7 +26,7 @@ class WorkSpace {
     return kept.data();
   }
 
-  std::unique_ptr<double[]> own_;  // before `values`, which lie in it or in what is kept
+  std::unique_ptr<double[]> own_;  // before `values`, which lie in it or in `kept`
 
  public:
   Eigen::Map<Matrix> values;

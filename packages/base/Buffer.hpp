@@ -62,7 +62,7 @@ class Packer {
   std::string bytes_;
 };
 
-/// Reads what a Packer wrote. \throws InternalError when there is less than is asked for.
+/// Reads the bytes of a Packer. \throws InternalError when there is less than is asked for.
 class Unpacker {
  public:
   explicit Unpacker(std::string bytes) : bytes_(std::move(bytes)) {}

@@ -19,7 +19,7 @@ std::size_t roundBytes(int ranks) {
   return std::min<std::size_t>(std::size_t(1) << 26, std::numeric_limits<int>::max() / static_cast<std::size_t>(ranks));
 }
 
-/// What every rank sends in one round, and where it lies in the round's buffer.
+/// Bytes that every rank sends in one round, and their places in the round's buffer.
 struct Round {
   std::vector<int> counts, places;
   int total = 0;
@@ -83,7 +83,7 @@ struct Failure {
   }
 };
 
-/// Runs `work`; true and what happened if it threw.
+/// Runs `work`; true and the error if it threw.
 bool fails(const std::string& what, const std::function<void()>& work, Failure& failure) {
   try {
     work();

@@ -56,7 +56,7 @@ void receiveMemory(const Comm& comm, void* to, std::size_t count, int from);
 /// All ranks' byte strings on every rank, in the order of ranks. Collective.
 std::vector<std::string> allGather(const Comm& comm, const std::string& bytes);
 
-/// Swaps byte strings with neighbours: whoever is a key here has this rank as a key, too (it may be itself). Only neighbours take part.
+/// Swaps byte strings with neighbours: a rank that is a key here has this rank as a key, too (it may be itself). Only neighbours take part.
 std::map<int, std::string> swapWithNeighbours(const Comm& comm, const std::map<int, std::string>& toNeighbours);
 
 /// Numbers that any rank gave, ascending, each once. Collective.

@@ -34,7 +34,7 @@ bool endsWith(const std::string& text, const std::string& end) {
   return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
 
-// What was cut before stays as it is: a message may pass through several errors.
+// A text that was cut before stays as it is: a message may pass through several errors.
 std::string cut(const std::string& text, std::size_t most) {
   if (text.size() <= most || (text.size() <= most + 3 && endsWith(text, "...")) ||
       (text.size() <= most + 40 && endsWith(text, " characters)")))

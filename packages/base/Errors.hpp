@@ -22,7 +22,7 @@ class Error : public std::runtime_error {
   ExitCode code_;
 };
 
-/// One thing wrong with the input: where (path in the scene file, or the file itself) and what was found against what is expected.
+/// One thing wrong with the input: where (path in the scene file, or the file itself) and the value found against the one expected.
 struct Problem {
   std::string path;
   std::string message;
@@ -82,7 +82,7 @@ class Problems {
 /// The candidate nearest to `name` (edit distance, case ignored), or "" if none is close enough to be meant.
 std::string nearestName(const std::string& name, const std::vector<std::string>& candidates);
 
-/// " Did you mean 'x'? Known here: a, b, c": what follows the full stop after any unknown name. Candidates are listed sorted.
+/// " Did you mean 'x'? Known here: a, b, c": the text after the full stop of any unknown name. Candidates are listed sorted.
 std::string suggestion(const std::string& name, std::vector<std::string> candidates);
 
 /// "no such <kind> 'name'. Did you mean 'x'? Known here: a, b, c": the sentence for every unknown name.

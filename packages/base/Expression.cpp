@@ -40,7 +40,7 @@ struct Expression::Compiled {
     mutable double value = 0.0;
   };
 
-  mutable double x = 0.0, y = 0.0;  // where the parser looks: hence never copied
+  mutable double x = 0.0, y = 0.0;  // variables that the parser reads: hence never copied
   std::map<std::string, Used> used;
   mu::Parser parser;
   std::string text, path;

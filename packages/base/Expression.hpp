@@ -21,8 +21,8 @@ struct Constants;
 /// evaluated from two threads at once.
 class Expression {
  public:
-  /// \param path  of the parameter that holds the text, for messages
-  /// \throws InputError  all unknown names (nearest; what is known), or where the text is not an expression. Local.
+  /// \param path  parameter that holds the text, for messages
+  /// \throws InputError  all unknown names (nearest; those known), or where the text is not an expression. Local.
   Expression(const std::string& text, const Constants& constants, const std::string& path = "");
   explicit Expression(const std::string& text);
 
@@ -40,7 +40,7 @@ class Expression {
 /// Constants and functions that the user named for the expressions of the scene.
 struct Constants {
   std::map<std::string, double> numbers;
-  std::map<std::string, Expression> functions;  ///< of the place: in another expression its name stands for its value there
+  std::map<std::string, Expression> functions;  ///< functions of the place: in another expression the name stands for its value there
 
   Constants() = default;
   Constants(std::initializer_list<std::pair<const std::string, double>> numbers) : numbers(numbers) {}

@@ -28,7 +28,7 @@ struct AuxiliaryRow {
   double residual = 0.0;           ///< reached, in the stopping norm
   bool contact = true;             ///< false: the scene is linear and this is its solution
   double energyError = -1.0;       ///< as in OuterRow, of the problem with all pairs closed
-  double iterationSeconds = -1.0;  ///< that one iteration took; negative: there was none
+  double iterationSeconds = -1.0;  ///< seconds of one iteration; negative: there was none
 };
 
 /// Observer of a run: solvers speak to it, reports listen. Called on every rank with the same numbers, so that a listener may

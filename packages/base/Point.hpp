@@ -16,7 +16,7 @@ inline Point cross(const Point& a, const Point& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 inline double norm(const Point& a) { return a[2] == 0.0 ? std::hypot(a[0], a[1]) : std::hypot(a[0], a[1], a[2]); }
-/// a / |a|; components that are mere rounding (below 1e-9) become zero, so that what lies along an axis has exact normals. a is not zero.
+/// a / |a|; components that are mere rounding (below 1e-9) become zero, so that sides along an axis have exact normals. a is not zero.
 Point unit(const Point& a);
 /// Between two directions, 0 .. pi.
 inline double angleBetween(const Point& a, const Point& b) { return std::atan2(norm(cross(a, b)), dot(a, b)); }

@@ -64,7 +64,7 @@ std::vector<Timers::Statistics> Timers::statistics(const Comm& comm) const {
 double Timers::now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 double peakMemoryMb() {
-  // getrusage's ru_maxrss is inherited over exec from what mpirun was: the kernel's VmHWM is that of this program.
+  // getrusage's ru_maxrss is inherited over exec from mpirun: the kernel's VmHWM is that of this program.
   std::ifstream status("/proc/self/status");
   for (std::string line; std::getline(status, line);) {
     if (line.compare(0, 6, "VmHWM:") == 0) return std::stod(line.substr(6)) / 1024.0;
@@ -81,7 +81,7 @@ void giveBackFreedMemory() {
 }
 
 bool resetPeakMemory() {
-  giveBackFreedMemory();  // what is free but kept would count as resident
+  giveBackFreedMemory();  // free memory that is kept would count as resident
   std::ofstream request("/proc/self/clear_refs");
   request << "5" << std::flush;  // proc(5): resets the peak resident set size
   return request.good();

@@ -56,7 +56,7 @@ double peakMemoryMb();
 /// 0.45. Local.
 void giveBackFreedMemory();
 
-/// Lets the high water mark fall to what is resident now, for programs that run several scenes. False where the system does not let it.
+/// Lets the high water mark fall to the memory resident now, for programs that run several scenes. False where the system does not let it.
 bool resetPeakMemory();
 
 }  // namespace suture

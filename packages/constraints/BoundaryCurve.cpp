@@ -10,7 +10,7 @@ namespace suture {
 namespace {
 
 constexpr double kStraight = 1e-9;  // sine of the angle between chords, below which they are one line
-constexpr double kAlike = 0.25;     // of the larger curvature, up to which its change along a side is smooth
+constexpr double kAlike = 0.25;     // part of the larger curvature up to which a change along a side is smooth
 const double kCornerAngle = 45.001 * 3.14159265358979323846 / 180;  // a ring of eight sides is still round
 
 using Curvature = std::optional<double>;

@@ -81,7 +81,7 @@ void addContactFrames(const std::vector<ContactPair>& pairs, std::vector<NodeRul
 // A body that nothing touches can be anywhere.
 void checkHeld(const Mesh& mesh, const Constraints& constraints, Problems& problems) {
   std::vector<char> held(mesh.bodies.size(), 0);
-  for (const NodeRule& rule : constraints.rules) held[mesh.bodyOfNode[rule.node]] = 1;  // of boundary conditions only, as yet
+  for (const NodeRule& rule : constraints.rules) held[mesh.bodyOfNode[rule.node]] = 1;  // boundary conditions only, as yet
   for (const ContactPiece& piece : constraints.pieces)
     for (const int body : {piece.bodyA, piece.bodyB})
       if (body >= 0) held[body] = 1;

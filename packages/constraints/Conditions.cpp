@@ -18,7 +18,7 @@ const std::vector<std::pair<std::string, Condition::Type>>& types() {
   return all;
 }
 
-/// Checks one entry against what its type takes.
+/// Checks one entry against the form of its type.
 class Entry {
  public:
   Entry(const Mesh& mesh, const Parameters& list, const Constants& constants, Problems& problems)

@@ -16,7 +16,7 @@ struct Condition {
   Type type = Type::Bilateral;
   std::string group;            ///< curve group; empty for a body force or random load
   std::vector<int> components;  ///< prescribed by a Displacement
-  ConditionData data;           ///< of each component; of loads as well; none of Bilateral and RandomLoad
+  ConditionData data;           ///< data of each component, of loads as well; none for Bilateral and RandomLoad
 
   bool holds() const { return type == Type::Displacement || type == Type::Bilateral; }
 };

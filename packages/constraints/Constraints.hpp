@@ -8,19 +8,19 @@
 
 namespace suture {
 
-/// A node whose displacement components are not simply the Cartesian ones, all free: what is prescribed there, and in which axes.
+/// A node whose displacement components are not simply the Cartesian ones, all free: prescribed values and axes.
 /// The local component k of the displacement u is axes[k] . u ; a fixed one has the given value. Axes are orthonormal.
 struct NodeRule {
   int node = -1;
   std::array<Point, 3> axes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   std::array<bool, 3> fixed{{false, false, false}};
-  Point value{0, 0, 0};  ///< of the fixed components [length]
+  Point value{0, 0, 0};  ///< values of the fixed components [length]
 };
 
 /// A node's share in the condition of a contact pair: weight normal . u(node).
 struct PairEnd {
   int node = -1;
-  double weight = 0.0;  ///< of side A > 0 in sum, of side B < 0
+  double weight = 0.0;  ///< weights of side A add up to a positive number, those of side B to a negative one
 };
 
 /// One unilateral condition of a contact line: sum over its ends of weight normal . u(node) <= gap, that is (u_A - u_B) . normal <= gap.
@@ -29,16 +29,16 @@ struct PairEnd {
 /// of each; with mortar it has the mean of several on the other side; with a rigid obstacle none.
 struct ContactPair {
   int id = -1;     ///< 0..pairs-1 over the whole scene, along the lines
-  int line = -1;   ///< which contact of the scene (its place in the list `Contact`)
-  int piece = -1;  ///< which connected component of Gamma_c
+  int line = -1;   ///< contact of the scene (place in the list `Contact`)
+  int piece = -1;  ///< connected component of Gamma_c
   std::vector<PairEnd> ends;
   Point normal{0, 0, 0};
   double gap = 0.0;         ///< initial gap along the normal [length]; negative: interference
   double length = 0.0;      ///< tributary length: integral of the carrying node's hat function [length]; axisymmetric: times 2 pi r [area]
   double arc = 0.0;         ///< arc length from the first node of its line on the carrying side
-  Point position{0, 0, 0};  ///< of the carrying node
+  Point position{0, 0, 0};  ///< position of the carrying node
 
-  int node() const { return ends.front().node; }  ///< that carries it
+  int node() const { return ends.front().node; }  ///< carrying node
 
   template <typename Self, typename Each>
   static void forEachField(Self& self, const Each& each) {
@@ -62,7 +62,7 @@ std::vector<PairEnd> matchingEnds(int nodeA, int nodeB);
 Point obstacleForce(const ContactPair& pair, double force);
 
 /// The end of a second-order side on the axis of a body of revolution. Its shape function has no integral over the circle: no pressure has
-/// a force there, no pair stands for it, and nothing is decided by it. What is shown there follows from the two pairs beside it.
+/// a force there, no pair stands for it, and nothing is decided by it. The values shown there follow from the two pairs beside it.
 struct AxisPoint {
   std::array<int, 2> pairs{{-1, -1}};          ///< ids, the nearer one first
   std::array<double, 2> pressure{{1.0, 0.0}};  ///< weights of their pressures: of a + b r^2 whose means over both are these
@@ -79,7 +79,7 @@ struct AxisPoint {
 
 /// A connected component of Gamma_c.
 struct ContactPiece {
-  std::string name;            ///< of the contact line; "<line> 2" for its second component, "a + b" for lines that touch
+  std::string name;            ///< name of the contact line; "<line> 2" for its second component, "a + b" for lines that touch
   std::vector<int> pairs;      ///< ids
   int bodyA = -1, bodyB = -1;  ///< B: -1 for a rigid obstacle
   double pressureDoubt = 0.0;  ///< estimated error of nodal pressures where straight elements stand for curved sides [stress]
@@ -92,7 +92,7 @@ struct Constraints {
   std::vector<NodeRule> rules;     ///< at most one a node, sorted by node
   std::vector<ContactPair> pairs;  ///< pairs[i].id == i
   std::vector<ContactPiece> pieces;
-  std::vector<std::string> notes;  ///< sentences for the user: what was chosen
+  std::vector<std::string> notes;  ///< sentences for the user about choices made
 };
 
 /// u_local = Q u for one node: row k of Q is axis k. `dimension` x `dimension`.

@@ -77,7 +77,7 @@ class SideCheck {
   Problems& problems_;
 };
 
-// What side A meets: Side B, in one of two ways, or an obstacle.
+// Partner of side A: Side B, in one of two ways, or an obstacle.
 void readCoupling(const Parameters& list, bool rigid, ContactLine& line, Problems& problems) {
   const bool given = list.isParameter("Side B");
   if (given) line.groupB = list.get<std::string>("Side B");

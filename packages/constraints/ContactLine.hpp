@@ -20,7 +20,7 @@ struct ContactLine {
   double tolerance = 1e-3;     ///< tangential distance of partners, as a fraction of the local mesh size
   int bodyA = -1, bodyB = -1;
   enum class Coupling { Automatic, MatchingNodes, Mortar } coupling = Coupling::Automatic;
-  enum class Carrier { Automatic, SideA, SideB } carrier = Carrier::Automatic;  ///< which side's nodes carry a mortar's pairs
+  enum class Carrier { Automatic, SideA, SideB } carrier = Carrier::Automatic;  ///< side whose nodes carry a mortar's pairs
   /// Between which curves the gap of a mortar is taken, where elements are straight and the sides are not.
   enum class Geometry { Automatic, Smooth, Facets } geometry = Geometry::Automatic;
   double complianceA = 0, complianceB = 0;  ///< mean over the elements of each side [1 / stress]; zero: rigid, or not known

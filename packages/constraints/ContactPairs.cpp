@@ -11,7 +11,7 @@ namespace suture {
 
 namespace {
 
-constexpr double kWeightless = 1e-2;  // of a neighbour's tributary area; on the axis a two-node side has a sixth of it
+constexpr double kWeightless = 1e-2;  // part of a neighbour's tributary area; on the axis a two-node side has a sixth of it
 
 /// Means of r^2 over the circle with the shape functions of the first two nodes beside the axis, whose sides are (0, 1, 2) and, where there
 /// are as many, (2, 3, 4).

@@ -14,13 +14,13 @@ using Chain = BoundaryLine::Chain;
 
 const double pi = 3.14159265358979323846;
 const double parallel = 1e-9;    // angle between the normals of sides that are straight
-const double coincident = 1e-9;  // of the mesh size: nodes nearer than this have no direction between them
+const double coincident = 1e-9;  // relative to the mesh size: nodes nearer than this have no direction between them
 
-// How two nodes, one of each side, stand to each other.
+// Relative position of two nodes, one of each side.
 struct Standing {
   Point normal{0, 0, 0};
   double gap = 0;
-  double excess = 0;  ///< tangential distance, less what the curvature of the sides accounts for [length]
+  double excess = 0;  ///< tangential distance beyond that by the curvature of the sides [length]
   bool facing = false;
 };
 
@@ -211,7 +211,7 @@ class Matcher {
       for (const auto& candidate : other.line().nodes()) {
         const int nodeA = ownIsA ? entry.first : candidate.first, nodeB = ownIsA ? candidate.first : entry.first;
         const Standing s = standing(nodeA, nodeB);
-        // where normals differ too much to project, the whole way counts
+        // Normals that differ too much to project: the whole way counts.
         const double away = s.facing ? s.excess : norm(minus(mesh_.point(nodeA), mesh_.point(nodeB)));
         least = std::min(least, away / entry.second.spacing);
       }

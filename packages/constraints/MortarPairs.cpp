@@ -19,7 +19,7 @@ using Samples = MortarSampling::Samples;
 using Sample = MortarSampling::Sample;
 
 constexpr double kParallel = 1e-13;  // difference of two normals that are one
-constexpr double kCovered = 0.2;     // of a hat function, below which its node carries no condition of its own
+constexpr double kCovered = 0.2;     // part of a hat function below which its node carries no condition of its own
 constexpr double kMuchFiner = 2.0;   // intervals of one side for each of the other
 
 class Mortar {
@@ -130,7 +130,7 @@ class Mortar {
     }
   }
 
-  /// Nodes that carry next to nothing hand on what they have, along the line, to the neighbour that carries more: projected along its
+  /// Nodes that carry next to nothing hand their share on, along the line, to the neighbour that carries more: projected along its
   /// normal.
   void handOn() {
     const std::map<int, int> heirs = findHeirs();
@@ -197,9 +197,10 @@ class Mortar {
   double coveredIntervals_ = 0;
 };
 
-/// Where elements of two nodes meet a curve, the side with fewer nodes on what both share: the finer one would take what the other cannot
-/// follow for pressure. Else the side that the other covers wholly, where the stress ends with the side and not inside an element; of two
-/// or none such that with more nodes, which resolves the stress better and has a node of its own for each condition.
+/// Chooses the carrying side. Where elements of two nodes meet a curve, the side with fewer nodes on what both share: the finer one would
+/// take what the other cannot follow for pressure. Else the side that the other covers wholly, where the stress ends with the side and not
+/// inside an element; of two or none such that with more nodes, which resolves the stress better and has a node of its own for each
+/// condition.
 Mortar carriedByEither(const Mesh& mesh, const ContactLine& line) {
   Mortar a(mesh, line, true), b(mesh, line, false);
   if (a.isCurved() && (a.isLinear() || b.isLinear())) return a.coveredIntervals() <= b.coveredIntervals() ? a : b;

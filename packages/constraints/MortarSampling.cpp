@@ -12,7 +12,7 @@ namespace {
 using Segment = MortarSegment;
 using Geometry = ContactLine::Geometry;
 
-constexpr double kSamePlace = 1e-10;  // of an element's reference interval
+constexpr double kSamePlace = 1e-10;  // relative to an element's reference interval
 constexpr double kFacing = 0.5;       // cosine of the angle up to which two normals are opposite
 constexpr double kOpposite = 1e-9;    // sine of the angle up to which two sides are parallel
 
@@ -47,7 +47,7 @@ bool MortarSampling::isCurved() const {
   return std::any_of(own_.begin(), own_.end(), curved) || std::any_of(other_.begin(), other_.end(), curved);
 }
 
-/// Where the normal at a point of the carrying side meets an element of the other, face to face.
+/// Point where the normal at a point of the carrying side meets an element of the other, face to face.
 std::optional<MortarSampling::Meeting> MortarSampling::meet(const Point& from, const Point& normal, const Segment& other) {
   const auto eta = zeroOf([&](double t) { return cross(minus(other.at(t), from), normal)[2]; });
   if (!eta) return std::nullopt;
@@ -110,12 +110,12 @@ const Segment* MortarSampling::nearest(const Point& from, const Point& normal) c
   return best;
 }
 
-// How much nearer the smooth sides are than their elements at a point of both, and the estimated error of that.
+// Distance by which the smooth sides are nearer than their elements at a point of both, and its estimated error.
 MortarSampling::Nearer MortarSampling::nearer(const Segment& own, double xi, const Segment& other, double eta, const Point& normal) const {
   Nearer result;
   const Point back{-normal[0], -normal[1], 0};
   const double mine = own.curvature(xi), its = other.curvature(eta);
-  // Straight elements of two nodes stay so. What they approximate is the shape of the sides in contact, which is one curve.
+  // Straight elements of two nodes stay so. They approximate the shape of the sides in contact, which is one curve.
   const double common = contact_.geometry == Geometry::Smooth ? mine : (1 - share_) * mine - share_ * its;
   const double against = contact_.geometry == Geometry::Smooth ? its : -common;
   const auto add = [&](const Segment& segment, double drawn, double closed, double at, const Point& out) {

@@ -8,11 +8,11 @@
 
 namespace suture {
 
-/// Two facing sides of a contact line, one of which carries the conditions: where points of the carrying side meet the other along a given
-/// normal, and the gap there. Between straight elements whose nodes lie on curves the gap is taken between smooth curves. Local.
+/// Two facing sides of a contact line, one of which carries the conditions: points where the carrying side meets the other along a given
+/// normal, and their gaps. Between straight elements whose nodes lie on curves the gap is taken between smooth curves. Local.
 ///
 /// A second-order element of straight shape stands for the drawn curve: its displacements can follow any change of curvature. Those of a
-/// two-node element cannot; what its chord approximates where the contact is closed is the curve that both sides then share. Its curvature
+/// two-node element cannot; where the contact is closed its chord approximates the curve that both sides then share. Its curvature
 /// lies between those of the two sides, by the compliances along them (ContactLine::shareOfA): of rings and pins both are nearly alike,
 /// a cylinder on a plane of the same material has half its curvature there.
 class MortarSampling {
@@ -32,14 +32,14 @@ class MortarSampling {
 
   /// A point of both sides.
   struct Sample {
-    double xi, weight;  ///< of the carrying element; quadrature weight [length]; axisymmetric: times 2 pi r [area]
+    double xi, weight;  ///< place in the carrying element; quadrature weight [length]; axisymmetric: times 2 pi r [area]
     double gap, doubt;  ///< doubt: estimated error of the gap by the elements' shape [length]
     const MortarSegment* other;
     double eta;
   };
   struct Samples {
     std::vector<Sample> all;
-    double covered = 0;  ///< of the element's interval, in units of its half
+    double covered = 0;  ///< covered part of the element's interval, in units of its half
   };
   /// Quadrature points of an element of the carrying side, seen along one direction; intervals end where an element of the other begins.
   Samples sample(const MortarSegment& own, const Point& normal) const;
@@ -60,7 +60,7 @@ class MortarSampling {
 
   const Mesh& mesh_;
   const ContactLine& contact_;
-  double share_;  // of the change of curvature that the carrying side takes where both are pressed together
+  double share_;  // share of the change of curvature that the carrying side takes where both are pressed together
   std::vector<MortarSegment> own_, other_;
   LineRule rule_;
 };

@@ -19,7 +19,7 @@ class MortarSegment {
   const Point& end(int which) const { return points_[which]; }
   // Ends at once: of most elements of the other side they alone are asked for.
   Point at(double xi) const { return xi == -1 ? points_[0] : xi == 1 ? points_[1] : mixed(xi); }
-  Point tangent(double xi) const;  ///< of the length ds / d xi
+  Point tangent(double xi) const;  ///< its length is ds / d xi
   const Point& point(int node) const { return points_[node]; }
   /// Outward normal of the line at a node of the element.
   const Point& normal(int node) const { return normals_[node]; }
@@ -36,7 +36,7 @@ class MortarSegment {
   bool isStraight() const { return straight_; }
   /// Curvature of the parabola through three nodes. [1 / length]
   double ownCurvature() const { return 8 * height_ / (length() * length()); }
-  /// \param change  of the line's curvature from the element's begin to its end [1 / length]
+  /// \param change  difference of the line's curvature from the element's begin to its end [1 / length]
   void setChange(double change) { change_ = change; }
   /// Estimated distance of the line from a curved element that displacements do not follow, at a point: what a parabola misses of an arc,
   /// at most, and a part of what it misses of a curvature that changes along the element. [length]

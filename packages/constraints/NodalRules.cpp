@@ -46,7 +46,7 @@ void addDisplacement(const Mesh& mesh, const std::vector<Condition>& conditions,
 // All conditions together: a round wall named in two pieces must not get two nearly parallel rows where the pieces meet.
 void addBilateral(const Mesh& mesh, const std::vector<Condition>& conditions, Rows& rows) {
   struct Bundle {
-    Point sum;  // of the normals, weighted by length
+    Point sum;  // sum of the normals, weighted by length
     int condition;
   };
   std::map<int, std::vector<Bundle>> bundles;
@@ -141,7 +141,7 @@ NodeRule ruleOf(int node, const std::vector<Row>& rows, Contradictions& contradi
     rule.value[0] = first.value;
   }
 
-  // What the rule says along each row's direction against what the row says.
+  // Displacement that the rule gives along each row's direction, against the value of the row.
   for (const Row& row : rows) {
     double along = 0;
     for (int k = 0; k < 2; ++k)

@@ -11,10 +11,10 @@
 
 namespace suture {
 
-/// A rigid obstacle that fills a part of the plane: what stands against side A of a contact line instead of a second body.
+/// A rigid obstacle that fills a part of the plane: the partner of side A of a contact line instead of a second body.
 class Obstacle {
  public:
-  /// How a point stands to it.
+  /// Foot of a point on the obstacle.
   struct Foot {
     Point normal{0, 0, 0};  ///< unit, into the obstacle
     double gap = 0.0;       ///< way to its surface along the normal; negative inside [length]

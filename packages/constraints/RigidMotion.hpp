@@ -31,7 +31,7 @@ struct RigidParts {
 /// A motion of a part in words: "move upwards (0, 1)", "turn about (3, 4), counterclockwise".
 std::string inWords(const RigidPart& part, const Vector& amplitudes, int dimension);
 
-/// Connected parts (through shared nodes) of the mesh and what holds them. A motion is held when a prescribed component's direction moves
+/// Connected parts (through shared nodes) of the mesh and their supports. A motion is held when a prescribed component's direction moves
 /// by more than 1e-10 of it (singular values of the prescribed rows). Bodies of revolution move along their axis only. Local.
 /// \param bodiesAreConnected  each body is known to be one part: it need not be found out
 RigidParts freeRigidMotions(const Mesh& mesh, const Constraints& constraints, bool bodiesAreConnected = false);

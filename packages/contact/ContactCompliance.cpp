@@ -135,7 +135,7 @@ void ContactCompliance::Closed::solve(LocalView v, double gaps, Matrix* pairForc
     refinedForces(closedForce, e, rigid);
   else
     forces(closedForce, e, rigid);
-  LocalView force = gap;  // of all pairs, in the same place
+  LocalView force = gap;  // forces of all pairs, in the same place
   force.setZero();
   for (std::size_t i = 0; i < closed_.size(); ++i) force.row(closed_[i]) = closedForce.row(i);
   WorkSpace correctionSpace(v.rows(), v.cols(), keptCorrection);

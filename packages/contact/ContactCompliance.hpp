@@ -35,7 +35,7 @@ class ContactCompliance {
     /// columns) b must be orthogonal to it, and the solution is one of many.
     /// \param gaps  zero for the homogeneous problem (tangents), one for the gaps of the rows
     /// \param force  pair forces, pairs x right-hand sides, or null; where they are wanted they are refined
-    /// \param moved  what rigid motions beside v add to the rows: their gaps are smaller by it; empty: nothing [length]
+    /// \param moved  addition of rigid motions beside v to the rows: their gaps are smaller by it; empty: none [length]
     void solve(LocalView v, double gaps, Matrix* force = nullptr, const Vector& moved = {}) const;
     /// Kernel of the structure with these pairs closed: unknowns x k. By a singular value decomposition of N_A R.
     const Matrix& kernel() const { return kernel_; }
@@ -43,7 +43,7 @@ class ContactCompliance {
 
    private:
     friend class ContactCompliance;
-    // force, in: what would be the gaps of the closed pairs; out: their forces.
+    // force, in: gaps of the closed pairs without forces; out: their forces.
     void forces(LocalView force, const Matrix& e, Matrix& rigid) const;
     // The same, refined against the matrix itself: the factor's shift leaves no trace.
     void refinedForces(LocalView force, const Matrix& e, Matrix& rigid) const;

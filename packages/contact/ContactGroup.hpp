@@ -10,7 +10,7 @@
 namespace suture {
 
 /// All subdomains that touch a contact piece (or pieces that share a subdomain), together, whole on one rank: seams inside are eliminated
-/// with the interior, the group's boundary is what it shares with other subdomains. Given the trace U there, it solves its own small
+/// with the interior, the group's boundary are the unknowns shared with other subdomains. Given the trace U there, it solves its own small
 /// contact problem (8), exactly, and answers with the flux S_*j(U) of (15). Local.
 class ContactGroup {
  public:
@@ -25,16 +25,16 @@ class ContactGroup {
   struct Response {
     Vector flux;                     ///< gradient of the least energy with respect to the trace, loads included [force]
     double energy = 0.0;             ///< least energy, prescribed displacements' part included
-    std::vector<PairStatus> status;  ///< of each row
-    Vector force;                    ///< of each row [force]
+    std::vector<PairStatus> status;  ///< status of each row
+    Vector force;                    ///< force of each row [force]
     Vector displacement;             ///< all unknowns of the group
   };
   /// Solves the group's contact problem for a trace, from a status to start with.
-  /// \param moved  what rigid motions of bodies, beside the trace, add to the rows; empty: nothing [length]
+  /// \param moved  addition of the bodies' rigid motions, beside the trace, to the rows; empty: none [length]
   Response respond(const Vector& trace, const std::vector<PairStatus>& start, const Vector& moved = {}) const;
 
   /// Response with some pairs glued in the normal direction (at their gaps), the others free: the linear problem (11).
-  /// \param closed  of held()
+  /// \param closed  pairs, made by held()
   Response respondLinear(const Vector& trace, const ContactCompliance::Closed& closed, const Vector& moved = {}) const;
   /// Its change with the trace and with forces of pairs, > 0 compressive, that act beside those of the closed ones: without loads and gaps.
   Response changeLinear(const Vector& trace, const ContactCompliance::Closed& closed, const Vector& pairForces) const;
@@ -42,7 +42,7 @@ class ContactGroup {
   int id() const { return id_; }
   const std::vector<Member>& members() const { return members_; }
   const ContactRows& rows() const { return rows_; }
-  const std::vector<ContactPair>& pairs() const { return pairs_; }  ///< of each row
+  const std::vector<ContactPair>& pairs() const { return pairs_; }  ///< pair of each row
   /// Pairs both of whose nodes are held in the normal direction: never part of the local problem.
   const std::vector<ContactPair>& idlePairs() const { return idlePairs_; }
   const std::vector<GlobalId>& boundary() const { return boundary_; }
@@ -56,7 +56,7 @@ class ContactGroup {
   const ContactCompliance& held() const { return *held_; }
   const ContactCompliance& floating() const;
 
-  /// flux <- K_BB trace + K_BI v: what the boundary feels for unknowns v of the interior.
+  /// flux <- K_BB trace + K_BI v: flux of the boundary for unknowns v of the interior.
   void flux(ConstLocalView trace, ConstLocalView interior, LocalView flux) const;
   /// load <- -K_IB trace
   void interiorLoad(ConstLocalView trace, LocalView load) const;
@@ -71,7 +71,7 @@ class ContactGroup {
   void number(const std::vector<GlobalId>& boundary);
   void assemble();
   void collectRows();
-  Matrix heldLoad(const Vector& trace) const;  // of the interior, one column
+  Matrix heldLoad(const Vector& trace) const;  // load of the interior, one column
   void place(const Vector& trace, const Vector& interior, Response& response) const;
   Response finish(const Vector& trace, const Vector& interior, Response response) const;
 

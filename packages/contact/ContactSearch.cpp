@@ -10,11 +10,12 @@ namespace suture {
 
 namespace {
 
-constexpr int kPlainSolves = 12;    // of one accuracy before other sets than plain flips are tried
-constexpr int kModelSolves = 3;     // whose next set the half-planes propose: later ones differ by a pair, which a plain flip finds as well
-constexpr int kPatience = 25;       // solves without a better state before a safe step
-constexpr double kIdle = 1e-10;     // forces below this part of the largest of their cluster are those of pairs that only touch
-constexpr double kNoForce = 1e-13;  // of forces by statics: rounding
+constexpr int kPlainSolves = 12;  // solves of one accuracy before other sets than plain flips are tried
+constexpr int kModelSolves =
+    3;  // solves whose next set the half-planes propose: later ones differ by a pair, which a plain flip finds as well
+constexpr int kPatience = 25;        // solves without a better state before a safe step
+constexpr double kIdle = 1e-10;      // forces below this part of the largest of their cluster are those of pairs that only touch
+constexpr double kNoForce = 1e-13;   // forces by statics that are rounding
 constexpr double kProgress = 1e-13;  // energies that differ by less are equal
 constexpr std::size_t kMemory = 30;  // solves that the model learns from
 
@@ -259,7 +260,7 @@ bool ContactSearch::descend(const State& from, bool pushFirst, State& to) {
     const ContactOracle::Change step = oracle_.redistribute(held, push);
     const Vector& change = step.force;
     if (change.size() != n) return false;
-    // The dual energy l.C l / 2 - d.l along it: slope -w.change, curvature change.C change, which is what the penetrations lose.
+    // The dual energy l.C l / 2 - d.l along it: slope -w.change, curvature change.C change, the loss of the penetrations.
     const double curvature = -change.dot(step.penetration);
     double length = curvature > 0.0 ? from.penetration.dot(change) / curvature : 1.0;
     for (int i = 0; i < n; ++i)

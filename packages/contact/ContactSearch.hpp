@@ -8,9 +8,9 @@ namespace suture {
 
 /// State of elastic bodies with a given set of closed pairs, glued in the normal direction (equalities), the others without force.
 struct ContactAnswer {
-  Vector force;                 ///< of closed pairs, > 0 compressive; zero of open ones [force]
-  Vector penetration;           ///< of open pairs, > 0 where they penetrate; zero of closed ones [length]
-  Vector forceTolerance;        ///< of each pair: what a force must pull by before it is believed [force]
+  Vector force;                 ///< forces of closed pairs, > 0 compressive; zero for open ones [force]
+  Vector penetration;           ///< penetrations of open pairs, > 0 where they penetrate; zero for closed ones [length]
+  Vector forceTolerance;        ///< pull of each pair below which it is not believed [force]
   Vector penetrationTolerance;  ///< the same for penetrations [length]
   double energy = 0.0;          ///< potential energy of the state
   bool solved = true;           ///< false: the linear solve failed, and says why elsewhere
@@ -46,13 +46,13 @@ class ContactOracle {
 ///
 /// A solve has a set of closed pairs; sets that leave a motion loose get holders beside them, which carry no force: no singular matrix is
 /// ever factored. The next set is found by
-///   1. in the first solves what the oracle proposes (semismooth Newton on condensed groups), or plain flips (closed pairs that pull open,
+///   1. in the first solves the oracle's proposal (semismooth Newton on condensed groups), or plain flips (closed pairs that pull open,
 ///      open ones that penetrate close: primal-dual active set); where a flip would make a body loose, by the equilibrium on the pads from
 ///      t = c l + w;
 ///   2. when a set returns, or after many solves: the learnt model (LearntModel) and plain flips in turn;
 ///   3. when that does not help either: a safe step from the best state with l >= 0, along which the dual energy improves strictly. Faces
 ///      of the dual problem are finite: the search ends.
-/// Measured (RESEARCH.md G): 0 failures of 402 scenes, 2.1 solves in the mean.
+/// Measured (doc/numerics.md): no failure on 402 scenes, 2.1 solves in the mean.
 class ContactSearch {
  public:
   struct Result {
@@ -67,7 +67,7 @@ class ContactSearch {
 
   /// `rigid` and `oracle` must outlive it. \param most  solves at most
   ContactSearch(const RigidContact& rigid, ContactOracle& oracle, int most);
-  /// Without the learnt model: what the model's own small problem is solved with.
+  /// Without the learnt model, as the model's own small problem is solved.
   void withoutModel() { learns_ = false; }
   Result run(ClosedSet start);
 
@@ -99,7 +99,7 @@ class ContactSearch {
   int left_, solves_ = 0, plain_ = 0, level_ = 0;  // plain_: solves since the accuracy was raised
   bool failed_ = false, stopped_ = false;
   bool driven_ = false;      // loads pull a body away from a holder: no equilibrium
-  ClosedSet set_, holding_;  // of the last solve: without holders, holders alone
+  ClosedSet set_, holding_;  // set of the last solve: without holders, holders alone
   ContactAnswer answer_;
   std::vector<ClosedSet> seen_;
   std::vector<std::pair<Vector, Vector>> history_;  // forces and penetrations of final solves, for the model

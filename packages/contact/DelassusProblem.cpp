@@ -8,7 +8,7 @@ namespace suture {
 
 namespace {
 
-constexpr double kRounding = 1e-11;  // of forces and of what they deform, by the dense solves
+constexpr double kRounding = 1e-11;  // rounding of forces, and of deformations by them, in the dense solves
 constexpr double kRepeated = 1e-13;  // shift of the scaled diagonal that lets rows which repeat each other share their force
 
 std::vector<int> closedOnes(const ClosedSet& set) {

@@ -9,13 +9,13 @@ class DelassusProblem : public ContactOracle {
  public:
   /// Result of a solve, for the recovery of displacements.
   struct State {
-    Vector force;      ///< of all pairs, holders' included
+    Vector force;      ///< forces of all pairs, holders' included
     Vector amplitude;  ///< a
   };
 
   /// `rigid` and `compliance` must outlive it.
   /// \param open     d [length]
-  /// \param rounding  of d at each pair; empty: nothing beyond that of its own digits [length]
+  /// \param rounding  error of d at each pair; empty: none beyond that of its own digits [length]
   DelassusProblem(const RigidContact& rigid, const Matrix& compliance, const Vector& open, const Vector& rounding);
 
   ContactAnswer solve(const ClosedSet& closed, int level) override;

@@ -12,7 +12,7 @@ constexpr int kReach = 24;  // pairs on each side of one that changes
 constexpr int kMostSolves = 60;
 constexpr double kSelf = 1.5;     // -ln of the distance, in mesh sizes, averaged over a hat of pressure around its middle
 constexpr double kShare = 0.8;    // 2 / (pi E*) times the stiffness of one node, measured: .5 to 1.2 do alike
-constexpr double kLeast = 1e-11;  // of the largest force
+constexpr double kLeast = 1e-11;  // relative to the largest force
 
 /// Pairs first..last-1 of one line, with the others of the scene left out.
 ClosedSet solveWindow(const RigidContact& rigid, int first, int last, const Vector& force, const Vector& penetration) {

@@ -4,13 +4,13 @@
 namespace suture {
 
 /// Bodies near the ends of their contact zones as half-planes: normal displacements of a line of pairs under their forces fall with the
-/// logarithm of the distance (Johnson, Contact Mechanics, 2.3). What a small set of pairs on both sides of each end does when some of
-/// them change is then known without a linear solve; forces farther away stay. Local.
+/// logarithm of the distance (Johnson, Contact Mechanics, 2.3). The response of a small set of pairs on both sides of each end, when
+/// some of them change, is then known without a linear solve; forces farther away stay. Local.
 class HalfPlaneModel {
  public:
   explicit HalfPlaneModel(const RigidContact& rigid) : rigid_(rigid) {}
   /// The closed set that the model comes to from a state of the bodies.
-  /// \param closed, flipped      the state's, and what its signs alone ask for
+  /// \param closed, flipped      the state's, and the set by its signs alone
   /// \param force, penetration   the state's: forces of closed pairs, penetrations of open ones
   ClosedSet closedSet(const ClosedSet& closed, const ClosedSet& flipped, const Vector& force, const Vector& penetration) const;
 

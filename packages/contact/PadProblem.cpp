@@ -10,13 +10,13 @@ namespace suture {
 namespace {
 
 constexpr double kEquilibrium = 1e-12;  // imbalance of pad forces that is rounding
-constexpr double kFlat = 1e-12;         // of the first slope of a line search, below which one is rounding
+constexpr double kFlat = 1e-12;         // slope of a line search that is rounding, relative to the first
 constexpr int kMostSteps = 300;
-constexpr int kSoonSteps = 60;      // of the plain method, before soft pads show the way
+constexpr int kSoonSteps = 60;      // steps of the plain method before soft pads show the way
 constexpr int kSoftSteps = 12;      // at one softness
 constexpr double kSofter = 0.25;    // from one softness to the next
 constexpr double kSoftly = 1e-3;    // imbalance at which a softness is done with
-constexpr double kNotSoft = 1e-16;  // of the first softness
+constexpr double kNotSoft = 1e-16;  // softness that is none, relative to the first
 
 }  // namespace
 

@@ -7,7 +7,7 @@ constexpr double kDependentRows = 1e-9;     ///< singular value of rows of the o
 constexpr double kNoPadEquilibrium = 1e-8;  ///< imbalance of pad forces, relative to their sum, that is no equilibrium
 
 /// Equilibrium of rigid bodies on unilateral pads:  min over x of  sum k (t + rows x)_+^2 / 2 - e.x.  Convex and piecewise quadratic in few
-/// unknowns: Newton's method with an exact line search. Holds references: what it is made of must outlive it. Local.
+/// unknowns: Newton's method with an exact line search. Holds references: its arguments must outlive it. Local.
 class PadProblem {
  public:
   /// \param rows        pads x motions, of the order of one
@@ -19,7 +19,7 @@ class PadProblem {
 
   /// From x to the equilibrium; where plain steps do not settle, over pads that press before they are touched and get harder.
   /// \param x  motions
-  /// \param y  penetrations t + rows x. They are moved with x, never computed from it: what rounding leaves of long ways is a change of the
+  /// \param y  penetrations t + rows x. They are moved with x, never computed from it: rounding of long ways changes the
   ///           gaps by as little, and forces keep their digits.
   /// \return false: the loads drive a motion that no pad stops
   bool solve(Vector& x, Vector& y) const;

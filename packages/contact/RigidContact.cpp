@@ -13,7 +13,7 @@ namespace suture {
 namespace {
 
 constexpr double kTouching = 1e-12;  // penetration, relative to the gaps' own size, at which a pair touches
-constexpr double kNoWork = 1e-11;    // of loads in a motion, relative to the sum of its parts
+constexpr double kNoWork = 1e-11;    // work of loads in a motion that is none, relative to the sum of its parts
 constexpr int kPatchRounds = 4;      // fixed point of compliance and patch lengths
 
 std::vector<int> members(const ClosedSet& set, char value) {

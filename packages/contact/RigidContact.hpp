@@ -5,13 +5,13 @@
 
 namespace suture {
 
-/// Which contact pairs are closed.
+/// Closed contact pairs: one entry a pair, not zero where it is closed.
 using ClosedSet = std::vector<char>;
 
 /// A scene's bodies as rigid ones that touch through unilateral elastic pads, one a contact pair: the cheap model from which contact
 /// solvers take their first set of closed pairs, and with which they keep sets from leaving a body loose.
 ///
-/// A rigid motion has amplitudes a (lengths), the columns of `rows` are what the pairs feel of them: penetration grows by rows a. With
+/// A rigid motion has amplitudes a (lengths), the columns of `rows` are their effect on the pairs: penetration grows by rows a. With
 /// pads of compliance c and penetrations t at a = 0 the equilibrium under loads that do the work e in each motion is
 ///     min over a of  sum (t + rows a)_+^2 / 2 c - e.a,       pad forces (t + rows a)_+ / c >= 0,  rows^T force = e.
 /// Convex and piecewise quadratic in few unknowns: Newton with an exact line search. Local; the same arguments give the same answer on all
@@ -21,10 +21,10 @@ class RigidContact {
   struct Pairs {
     Matrix rows;            ///< pairs x motions, of the order of one: motions are measured by the largest displacement they cause
     Vector work;            ///< e, of the loads in each motion [force]
-    Vector penetration;     ///< t where all motions are zero: minus the initial gap, and what prescribed motions close of it [length]
-    Vector stiffness;       ///< of the bodies at each pair along its normal, both sides in series: 1 / k = sum n^2 / K_nn [force / length]
+    Vector penetration;     ///< t where all motions are zero: minus the initial gap, plus the part closed by prescribed motions [length]
+    Vector stiffness;       ///< both sides in series at each pair, along its normal: 1 / k = sum n^2 / K_nn [force / length]
     std::vector<int> line;  ///< contact line of each pair; successive pairs of one line are neighbours
-    std::vector<std::vector<int>> bodies;  ///< of each pair: those that it touches. Empty: all pairs belong together
+    std::vector<std::vector<int>> bodies;  ///< bodies that each pair touches. Empty: all pairs belong together
     std::vector<char> able;                ///< pairs that can change; others have no free unknowns, and rows of zeros
   };
 
@@ -43,7 +43,8 @@ class RigidContact {
   /// Equilibrium on the pads from penetrations t.
   Equilibrium project(const Vector& t) const;
 
-  /// The least motion that pairs with force and penetrations allow, where they leave one free. \param motion  whose penetrations are given
+  /// The least motion that pairs with force and penetrations allow, where they leave one free. \param motion  that of the given
+  /// penetrations
   Vector leastMotion(const ClosedSet& carrying, const Vector& motion, const Vector& penetration) const;
 
   /// The closed set of the equilibrium from `penetration`; sets compliance(). Pairs between parts that cannot move rigidly carry no pad
@@ -79,7 +80,7 @@ class RigidContact {
     std::vector<int> motions, pairs;
   };
   std::vector<Component> components_;  // motions that pads couple
-  double norm_ = 0.0;                  // of the work
+  double norm_ = 0.0;                  // norm of the work
   int rank_ = 0;                       // motions that pairs can stop
 };
 

@@ -14,7 +14,7 @@ struct CellInfo {
   int dimension;
   int nodes;
   int vertices;                             ///< the first nodes
-  std::vector<std::vector<int>> sideNodes;  ///< of each side: local nodes, end points first, in the positive sense of the element
+  std::vector<std::vector<int>> sideNodes;  ///< local nodes of each side, end points first, in the positive sense of the element
   int vtkType;
 };
 

@@ -16,7 +16,7 @@ struct Side {
 /// 2 pi r: what a point of the meridian plane stands for in axisymmetric blocks.
 inline double circumference(double radius) { return 6.283185307179586476925286766559 * radius; }
 
-/// Elements and their nodes, numbered from 0: what assembly needs to know of a mesh. The whole mesh and the mesh of a subdomain are both
+/// Elements and their nodes, numbered from 0: the part of a mesh that assembly needs. The whole mesh and the mesh of a subdomain are both
 /// made of one, so that elasticity serves both.
 struct CellBlock {
   int dimension = 2;
@@ -29,7 +29,7 @@ struct CellBlock {
   /// makeAxisymmetric(); whatever integrates over elements or sides then has the factor 2 pi r.
   bool axisymmetric = false;
 
-  std::vector<int> regions;  ///< of each element: number of its region in the scene, or -1; empty: the scene has no regions
+  std::vector<int> regions;  ///< number of each element's region in the scene, or -1; empty: the scene has no regions
 
   int nodes() const { return static_cast<int>(coordinates.size()) / dimension; }
   int elements() const { return static_cast<int>(cells.size()); }

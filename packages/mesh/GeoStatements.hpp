@@ -10,7 +10,7 @@ namespace suture {
 struct GeoToken {
   enum class Kind { Word, Text, Number, Sign };
   Kind kind;
-  std::string text;  ///< of a Text without its quotes
+  std::string text;  ///< text of a Text without its quotes
   int line;          ///< counted from 1
 };
 
@@ -23,7 +23,7 @@ std::vector<GeoToken> geoTokens(const std::string& text, const std::string& file
 /// ExternalProcess, ...), end or hold up the mesher (Exit, Abort, Sleep, ...), write files (Save, Print, Printf > "file"), read the
 /// environment or the terminal, and any command that is not known. Other files (Include, Merge, ShapeFromFile) must be named by a literal
 /// text, lie in the folder of the .geo file or below, and be CAD files, meshes, or .geo files that pass the same check. Local.
-/// \param path  of the .geo file;  every finding goes to `problems` under "Mesh/File", with file and line
+/// \param path  path of the .geo file;  every finding goes to `problems` under "Mesh/File", with file and line
 void checkGeoStatements(const std::string& path, Problems& problems);
 
 /// True if Gmsh takes the file for a mesh; it runs any other file as a .geo file, whatever its name. Local.

@@ -10,7 +10,7 @@ namespace suture {
 std::vector<std::string> geoConstants(const std::string& path);
 
 /// File that Gmsh opens instead of a .geo file: the file itself, or a temporary one around it that gives the constants first (a
-/// DefineConstant does not touch what is defined already; Gmsh's own -setnumber would outlive this file) and ends with a newline (without
+/// DefineConstant does not touch defined constants; Gmsh's own -setnumber would outlive this file) and ends with a newline (without
 /// one Gmsh 4.8 drops the last statements). The temporary file is removed with the object. Local.
 class GeoWrapper {
  public:

@@ -13,18 +13,18 @@ struct GmshMesh {
   struct Surface {
     int tag;                         ///< Gmsh's surface
     Cell cell;                       ///< all of these elements
-    std::vector<std::size_t> nodes;  ///< of one element after the other
+    std::vector<std::size_t> nodes;  ///< nodes of one element after the other
     template <typename Self, typename Each>
     static void forEachField(Self& self, Each each) {
       each(self.tag), each(self.cell), each(self.nodes);
     }
   };
-  std::vector<std::size_t> tags;    ///< of nodes, ascending
+  std::vector<std::size_t> tags;    ///< tags of nodes, ascending
   std::vector<double> coordinates;  ///< x, y, z of each
   std::vector<Surface> surfaces;
   std::map<int, std::vector<std::size_t>> curves;                      ///< two end points of each curve element, by Gmsh's curve
   std::map<std::string, std::vector<int>> surfaceGroups, curveGroups;  ///< name -> Gmsh's surfaces or curves
-  std::vector<std::string> problems;                                   ///< what is wrong with it
+  std::vector<std::string> problems;                                   ///< problems of the mesh
 
   template <typename Self, typename Each>
   static void forEachField(Self& self, Each each) {
@@ -33,10 +33,10 @@ struct GmshMesh {
   }
 };
 
-/// How suture_mesher speaks to its parent through its file descriptor 3: messages of one letter, the length in eight bytes, and the text.
+/// Messages of suture_mesher to its parent through its file descriptor 3: one letter, the length in eight bytes, and the text.
 enum class MesherMessage : char {
   Opened = 'O',  ///< all statements are read; meshing begins
-  Failed = 'F',  ///< text: what Gmsh complains of
+  Failed = 'F',  ///< text: Gmsh's complaints
   Mesh = 'M'     ///< a packed GmshMesh: all went well
 };
 

@@ -221,7 +221,7 @@ Mesh readGmsh(const GmshInput& input) {
   problems.throwIfAny();
   Mesh mesh = assemble(raw, input.path, problems);
   problems.throwIfAny();
-  // Numbers of a .msh file are the user's; those of a mesh that is made here are nobody's yet.
+  // Numbers of a .msh file are the user's; those of a mesh that is made here may still change.
   if (isGeometry) numberAlongHilbertCurve(mesh);
   return mesh;
 }

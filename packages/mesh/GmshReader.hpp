@@ -11,7 +11,7 @@ struct GmshInput {
   std::string path;
   std::map<std::string, double> constants;  ///< override the values of DefineConstant (.geo only)
   double meshSizeFactor = 1.0;              ///< multiplies all mesh sizes (.geo only)
-  double seconds = 600.0;                   ///< that Gmsh may take; a tenth of it for the statements of a .geo file
+  double seconds = 600.0;                   ///< time limit of Gmsh; a tenth of it for the statements of a .geo file
   bool allowPrograms = false;               ///< a .geo file may run programs, write files, ...: see checkGeoStatements()
 };
 

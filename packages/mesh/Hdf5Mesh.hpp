@@ -12,7 +12,7 @@ namespace suture {
 ///     /Coordinates  nodes x dimension       /Cells  shape of each element      /Offsets, /Connectivity   as in CellBlock
 ///     /ElementGroups/<i>  elements          /SideGroups/<i>  (element, side)    both with the attribute Name
 /// Reading it back gives every bit. Collective.
-/// \param more  adds what else the file shall hold; runs on rank 0
+/// \param more  adds further content to the file; runs on rank 0
 /// \throws EnvironmentError  if the file cannot be written
 void writeHdf5Mesh(const Comm& comm, const Mesh& mesh, const std::string& path, const std::function<void(Hdf5File&)>& more = {});
 

@@ -8,7 +8,7 @@
 namespace suture {
 namespace {
 
-constexpr std::uint32_t kCells = 1u << 16;  // of the square in x and in y; elements in the same one keep their order
+constexpr std::uint32_t kCells = 1u << 16;  // cells of the square in x and in y; elements in the same one keep their order
 
 // Place of a cell on the curve that starts in the lower left corner: quadrant by quadrant, each turned so that the curve goes on.
 std::uint32_t placeOnCurve(std::uint32_t x, std::uint32_t y) {
@@ -83,7 +83,7 @@ void numberAlongHilbertCurve(Mesh& mesh) {
     offsets.push_back(static_cast<int>(connectivity.size()));
   }
   for (int& number : nodeOf)
-    if (number < 0) number = nodes++;  // of no element: whoever checks the mesh says so
+    if (number < 0) number = nodes++;  // a node of no element: the check of the mesh reports it
   mesh.offsets = std::move(offsets);
   mesh.connectivity = std::move(connectivity);
   renumber(elementOf, 1, mesh.cells);

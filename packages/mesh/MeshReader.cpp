@@ -74,9 +74,9 @@ std::map<std::string, double> constantsOf(const Parameters& mesh) {
   return constants;
 }
 
-// Where the mesh comes from, checked the same way on all ranks: nothing here needs the file.
+// Source of the mesh, checked the same way on all ranks: nothing here needs the file.
 struct Source {
-  std::string path, extension;  ///< of the file; empty: a generator
+  std::string path, extension;  ///< file and its extension; empty: a generator
   std::map<std::string, double> constants;
   double factor = 1;
 };

@@ -79,7 +79,7 @@ class Process {
     sigfillset(&all);
     posix_spawnattr_setsigmask(&attributes, &none);
     posix_spawnattr_setsigdefault(&attributes, &all);
-    posix_spawnattr_setpgroup(&attributes, 0);  // what is sent to the terminal's group is for the parent
+    posix_spawnattr_setpgroup(&attributes, 0);  // signals to the terminal's group are for the parent
     posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETPGROUP);
     const int failed = posix_spawn(&id_, arguments[0], &files, &attributes, arguments.data(), environ);
     posix_spawnattr_destroy(&attributes);
@@ -90,7 +90,7 @@ class Process {
   Process(const Process&) = delete;
   Process& operator=(const Process&) = delete;
 
-  /// Waits for its end, a second at most, and tells how it ended; kills it, and what it has started, if it does not end.
+  /// Waits for its end, a second at most, and tells how it ended; kills it and its children if it does not end.
   std::string end() {
     if (id_ <= 0) return ended_;
     int status = 0;
@@ -133,7 +133,7 @@ class Messages {
     if (!take(&letter, 1) || !take(reinterpret_cast<char*>(&length), sizeof length)) return false;
     message = static_cast<MesherMessage>(letter);
     text.clear();
-    // Memory grows with what has come, not with what is announced.
+    // Memory grows with the bytes that have come, not with those announced.
     while (text.size() < length) {
       const std::size_t old = text.size(), more = std::min<std::uint64_t>(length - old, std::max<std::size_t>(1 << 20, old));
       text.resize(old + more);
@@ -177,7 +177,7 @@ std::string withOwnName(std::string message, const MesherOrder& order) {
   return message;
 }
 
-// Numbers that refer to each other: what comes from Gmsh is not trusted.
+// Numbers that refer to each other: Gmsh's output is not trusted.
 void check(const GmshMesh& mesh, const std::string& file) {
   const auto known = [&](std::size_t tag) { return std::binary_search(mesh.tags.begin(), mesh.tags.end(), tag); };
   bool sound = mesh.coordinates.size() == 3 * mesh.tags.size() && std::is_sorted(mesh.tags.begin(), mesh.tags.end());

@@ -8,7 +8,7 @@ namespace suture {
 /// Task of suture_mesher.
 struct MesherOrder {
   std::string file;             ///< as the user knows it, for messages
-  std::string opened;           ///< what Gmsh opens
+  std::string opened;           ///< file that Gmsh opens
   bool geometry = true;         ///< a .geo file, to be meshed; else a .msh file
   double meshSizeFactor = 1.0;  ///< multiplies all mesh sizes
   double seconds = 600.0;       ///< for all; a tenth of it for the statements of the file

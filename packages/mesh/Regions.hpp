@@ -9,10 +9,10 @@ namespace suture {
 /// An entry of the scene's list `Bodies/<body>/Regions`: a part of a body that has something of its own, its material.
 struct RegionEntry {
   std::string body;
-  const Parameters* list;  ///< of the scene, which must outlive it
+  const Parameters* list;  ///< list of the scene, which must outlive it
 };
 
-/// All regions of the scene, body by body, in the order of the file: what CellBlock::regions counts. Local.
+/// All regions of the scene, body by body, in the order of the file, as CellBlock::regions counts them. Local.
 /// \param bodies  the scene's list `Bodies`
 std::vector<RegionEntry> regionEntries(const Parameters& bodies);
 

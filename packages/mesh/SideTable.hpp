@@ -5,7 +5,7 @@
 
 namespace suture {
 
-/// All sides of all elements by their two end points: whose side is a given segment, and does it lie on the boundary?
+/// All sides of all elements by their two end points. Finds the owners of a segment, and tells whether it lies on the boundary.
 class SideTable {
  public:
   /// Indexes all sides.

@@ -43,7 +43,7 @@ Matrix sideMatrices(const EdgeSide& side, const LocalProblem& local, const Matri
   Matrix reduced = pick(schur, kept, kept);
   if (!others.empty()) {
     const Matrix across = pick(schur, others, kept);
-    // Contact edges hold one component only: what they leave free is a kernel that `across` does not feel.
+    // Contact edges hold one component only: the motions left free are a kernel that `across` does not feel.
     reduced -= across.transpose() * solveSemidefinite(pick(schur, others, others), across);
   }
   Matrix weights = Matrix::Zero(local.size(), n);
@@ -71,7 +71,7 @@ Matrix chosenRows(const std::array<Matrix, 2>& sides, int n, double threshold) {
   Matrix least = (stored(0) * solveSemidefinite(stored(0) + stored(1), stored(1))).topLeftCorner(n, n);
   Matrix lower;
   if (!choleskyFactor(0.5 * (jump + jump.transpose()), lower)) throw NumericalError("an edge of the interface has no stiffness");
-  // The inverse problem: what is stored may vanish, the energy of a jump does not.
+  // The inverse problem: the stored energy may vanish, that of a jump does not.
   least = 0.5 * (least + least.transpose()).eval();
   lower.triangularView<Eigen::Lower>().solveInPlace(least);
   least = least.transpose().eval();
@@ -95,7 +95,7 @@ std::vector<Matrix> AdaptiveEdges::rows(const InterfaceSpace& space, const Local
   std::vector<EdgeSide> sides = edgeSides(space);
   keepCommonCorners(space, sides);
   int last = -1;
-  Matrix schur;  // of the local problem that was asked last: its sides come one after the other
+  Matrix schur;  // schur complement of the last local problem: its sides come one after the other
   std::vector<Matrix> own(sides.size());
   collectively(*space.comm(), "adaptive edge constraints", [&] {
     std::vector<int> order(sides.size());

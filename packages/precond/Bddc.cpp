@@ -53,8 +53,8 @@ Bddc::Bddc(std::unique_ptr<Weighting> weighting, std::unique_ptr<EdgeConstraints
 
 struct Bddc::Work {
   Matrix overlap;
-  std::vector<Matrix> flux, trace;  // of each local problem
-  std::vector<Vector> own;          // of each local problem's primal unknowns
+  std::vector<Matrix> flux, trace;  // flux and trace of each local problem
+  std::vector<Vector> own;          // values of each local problem's primal unknowns
   Vector primal;
 };
 

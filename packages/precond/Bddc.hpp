@@ -14,10 +14,10 @@ namespace suture {
 ///     M^-1 = sum_i R_i^T D_i x_i,   x_i = P_i f_i + Phi_i A_i y,   f_i = D_i^T R_i r,   (sum A_i^T Phi_i^T S_i Phi_i A_i) y = sum A_i^T
 ///     Phi_i^T f_i,
 /// P_i the inverse of S_i under the primal constraints C_i x = 0, Phi_i the traces of least energy with C_i Phi_i = I, A_i the values of
-/// the constraints in primal unknowns: corners, and what EdgeConstraints demands of edges. Additive: coarse and local problems see the same
-/// residual. Condition C (1 + log H/h)^2, with all eigenvalues at least one. Cost of an application: a dense symmetric product for every
-/// local problem and one coarse solve: exact, or for many local problems approximate by a level more (CoarseOptions). Local problems whose
-/// S_i and constraints did not change are not factored again; where a few constraints did, the inverse is updated (UpdatedInverse).
+/// the constraints in primal unknowns: corners, and the constraints of edges (EdgeConstraints). Additive: coarse and local problems see the
+/// same residual. Condition C (1 + log H/h)^2, with all eigenvalues at least one. Cost of an application: a dense symmetric product for
+/// every local problem and one coarse solve: exact, or for many local problems approximate by a level more (CoarseOptions). Local problems
+/// whose S_i and constraints did not change are not factored again; where a few constraints did, the inverse is updated (UpdatedInverse).
 class Bddc : public Preconditioner {
  public:
   static Schema schema();
@@ -46,7 +46,7 @@ class Bddc : public Preconditioner {
   CoarseOptions levels_;
   LocalProblems locals_;  // those the inverses belong to
   std::vector<PrimalConstraints> constraints_;
-  // Made for other constraints, perhaps, than the present ones: what inverses_ are updates of.
+  // Bases of inverses_, perhaps made for other constraints than the present ones.
   struct Base {
     PrimalConstraints::Rows rows;
     std::shared_ptr<const LocalInverse> inverse;
@@ -62,7 +62,7 @@ class Bddc : public Preconditioner {
   std::vector<std::vector<Value>> values_;
   std::unique_ptr<CoarseSolve> coarse_;
   struct Work;
-  mutable std::unique_ptr<Work> work_;                 // of an application, which allocates nothing
+  mutable std::unique_ptr<Work> work_;                 // work space of an application, which allocates nothing
   GlobalId edgeConstraints_ = 0, sharedUnknowns_ = 0;  // over all ranks
 };
 

@@ -8,7 +8,7 @@ void DeluxeWeighting::doSetup(const InterfaceSpace& space, const LocalProblems& 
   StiffnessDiagonalWeighting::doSetup(space, locals);
   blocks_.assign(locals.size(), {});
   const std::vector<EdgeSide> sides = edgeSides(space);
-  // In unknowns of the edge: T S T, T the coefficients of the trace. Who does not take part has no stiffness.
+  // In unknowns of the edge: T S T, T the coefficients of the trace. A local problem that does not take part has no stiffness.
   const auto stiffness = exchangeEdges(space, sides, [&](const EdgeSide& side) {
     const int n = static_cast<int>(side.rows.size());
     if (!locals[side.local]) return Matrix(Matrix::Zero(n, n));

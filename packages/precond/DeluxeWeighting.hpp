@@ -20,7 +20,7 @@ class DeluxeWeighting : public StiffnessDiagonalWeighting {
     std::vector<int> rows;
     Matrix weights;
   };
-  std::vector<std::vector<Block>> blocks_;  // of each local problem
+  std::vector<std::vector<Block>> blocks_;  // blocks of each local problem
 };
 
 }  // namespace suture

@@ -23,14 +23,14 @@ class EdgeConstraints {
 
 void registerBuiltIns(Registry<EdgeConstraints>& registry);
 
-/// Corners only: the condition grows like H/h.
+/// Corners only: of all choices the largest condition.
 class NoEdgeConstraints : public EdgeConstraints {
  public:
   std::vector<Matrix> rows(const InterfaceSpace& space, const LocalProblems& locals, const Weighting& weighting) const override;
 };
 
 /// The average of each displacement component; on a contact line, of the normal displacement; the flux through the edge where the space has
-/// one (InterfaceSpace::flux), and what else nearly incompressible subdomains are stiff against (StiffTraces.hpp).
+/// one (InterfaceSpace::flux), and the other stiff traces of nearly incompressible subdomains (StiffTraces.hpp).
 class EdgeAverages : public EdgeConstraints {
  public:
   std::vector<Matrix> rows(const InterfaceSpace& space, const LocalProblems& locals, const Weighting& weighting) const override;

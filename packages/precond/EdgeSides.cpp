@@ -47,7 +47,7 @@ std::vector<EdgeSide> edgeSides(const InterfaceSpace& space) {
       if (const auto here = localOf.find(space.edges()[e].locals[side]); here != localOf.end())
         sidesOf[here->second].push_back({static_cast<int>(e), side, count++});
 
-  // Where an interface unknown is in the trace of the local problem at hand: read only where that has written it.
+  // Position of an interface unknown in the trace of the local problem at hand: read only where that has written it.
   struct Position {
     int row;
     double coefficient;

@@ -11,10 +11,10 @@ namespace suture {
 struct EdgeSide {
   int edge;                     ///< in space.edges()
   int side;                     ///< 0 or 1: which of the edge's two local problems
-  int local;                    ///< that local problem, in the order of the space's couplings
-  std::vector<int> rows;        ///< of the trace, one an unknown of the edge
+  int local;                    ///< place of that local problem, in the order of the space's couplings
+  std::vector<int> rows;        ///< rows of the trace, one an unknown of the edge
   Vector coefficients;          ///< the trace there is this times the unknown
-  std::vector<int> cornerRows;  ///< of the trace: corner unknowns that both local problems feel (the edge's end points), by id
+  std::vector<int> cornerRows;  ///< rows of the trace for corner unknowns that both local problems feel (the edge's end points), by id
   Vector cornerCoefficients;
   std::vector<GlobalId> cornerIds;
 };
@@ -27,7 +27,7 @@ std::vector<EdgeSide> edgeSides(const InterfaceSpace& space);
 void keepCommonCorners(const InterfaceSpace& space, std::vector<EdgeSide>& sides);
 
 /// A matrix for each side of each edge of the space, both sides known to both ranks. Collective.
-/// \param own  of a side of this rank
+/// \param own  makes the matrix of a side of this rank
 std::vector<std::array<Matrix, 2>> exchangeEdges(const InterfaceSpace& space, const std::vector<EdgeSide>& sides,
                                                  const std::function<Matrix(const EdgeSide&)>& own);
 

@@ -6,26 +6,26 @@
 
 namespace suture {
 
-/// The primal constraints of one local problem in BDDC: rows C_i on its trace, and what each row's value is in primal unknowns, which
+/// The primal constraints of one local problem in BDDC: rows C_i on its trace, and the value of each row in primal unknowns, which
 /// neighbours share. Corner rows pick an unknown; edge rows are combinations along an edge.
 struct PrimalConstraints {
   struct Term {
-    GlobalId key;  ///< of a primal unknown: the same on all ranks, each its own
+    GlobalId key;  ///< key of a primal unknown: the same on all ranks, each its own
     double coefficient;
   };
   /// By rows: most of them touch one edge of many.
   using Rows = Eigen::SparseMatrix<double, Eigen::RowMajor, int>;
   Rows rows;                                       ///< constraints x trace
-  std::vector<std::vector<Term>> terms;            ///< of each row: C_i x = sum of coefficients times primal unknowns
+  std::vector<std::vector<Term>> terms;            ///< terms of each row: C_i x = sum of coefficients times primal unknowns
   std::vector<InterfaceLayout::Unknown> unknowns;  ///< those that the terms name, by key, ascending: how they move; if asked for
 };
 
 /// For each row of `now`, the row of `old` that is the same, or -1.
 std::vector<int> rowsIn(const PrimalConstraints::Rows& old, const PrimalConstraints::Rows& now);
 
-/// For each local problem of this rank. Local.
+/// Primal constraints of each local problem of this rank. Local.
 /// \param edgeRows  for each edge of the space (EdgeConstraints::rows)
-/// \param withUnknowns  what a further level needs to know
+/// \param withUnknowns  true: also `unknowns`, for a further level
 std::vector<PrimalConstraints> primalConstraints(const InterfaceSpace& space, const std::vector<Matrix>& edgeRows, bool withUnknowns);
 
 }  // namespace suture

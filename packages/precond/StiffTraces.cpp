@@ -13,9 +13,10 @@ namespace suture {
 
 namespace {
 
-// In terms of the stiffness against change of shape. What is left to chance multiplies the condition by about one twentieth of it.
-constexpr double kStiff = 20.0;       // of a subdomain's trace
-constexpr double kStiffOnEdge = 0.5;  // of what weighting leaves of it on an edge
+// Thresholds in units of the stiffness against change of shape. A trace below them multiplies the condition by about a twentieth of its
+// stiffness.
+constexpr double kStiff = 20.0;       // threshold for a trace of a subdomain
+constexpr double kStiffOnEdge = 0.5;  // threshold for the part of it that weighting leaves on an edge
 constexpr int kMostSteps = 10;
 
 Matrix randomColumns(int rows, int columns) {
@@ -26,7 +27,8 @@ Matrix randomColumns(int rows, int columns) {
   return values;
 }
 
-/// One side of an edge, in the edge's unknowns: the shear stiffness, and D_j^T V, what the other side's weights leave of V. D_i + D_j = I.
+/// One side of an edge, in the edge's unknowns: the shear stiffness, and D_j^T V, the part of V that the other side's weights leave. D_i +
+/// D_j = I.
 Matrix sideColumns(const EdgeSide& side, const LocalProblem& local, const Matrix& traces, const Weighting& weighting) {
   const Vector squares = side.coefficients.cwiseAbs2();
   const Matrix own = rowsAt(traces, side.rows);
@@ -41,7 +43,7 @@ Matrix sideColumns(const EdgeSide& side, const LocalProblem& local, const Matrix
 
 Matrix withColumns(const Matrix& rows, const std::array<Matrix, 2>& sides) {
   if (sides[0].cols() + sides[1].cols() <= 2 || sides[0].size() == 0 || sides[1].size() == 0) return rows;
-  // The stiffness of two springs in a row, which is what a jump meets, is half of this.
+  // A jump meets the stiffness of two springs in a row, half of this.
   const Vector a = sides[0].col(0), b = sides[1].col(0), scale = (2 * a.cwiseProduct(b).cwiseQuotient(a + b)).cwiseSqrt();
   Matrix columns(a.size(), sides[0].cols() + sides[1].cols() - 2);
   columns << sides[0].rightCols(sides[0].cols() - 1), sides[1].rightCols(sides[1].cols() - 1);
@@ -76,7 +78,7 @@ Matrix stiffTraces(const LocalProblem& local) {
       const Vector values = pairs.values.tail(count);
       const Matrix found = basis * pairs.vectors.rightCols(count);
       const Matrix missed = image * pairs.vectors.rightCols(count) - found * values.asDiagonal();
-      // What is missed couples a direction with the rest: small against the stiffness there, which is of the order of one.
+      // The missed part couples a direction with the rest: small against the stiffness there, which is of the order of one.
       const bool settled = (missed.colwise().squaredNorm().array() < 1e-2).all() && (count > 0 || step > 2);
       if (count == m && m < n) break;  // perhaps there are more of them
       if (settled || step + 1 == kMostSteps || m == n) return scale.asDiagonal() * found * values.cwiseSqrt().asDiagonal();

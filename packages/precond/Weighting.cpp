@@ -19,7 +19,7 @@ void DiagonalWeighting::doSetup(const InterfaceSpace& space, const LocalProblems
       space.coupling(static_cast<int>(i)).addTransposed(weights_[i], sum);
     }
   space.sumDensities(sum);
-  // What several unknowns express, or none, has no weight of its own: they have it all.
+  // An unknown that several others express, or none, has no weight of its own: they have it all.
   const auto weightless = [&](int place) { return space.relation(place) && space.relation(place)->others.size() != 1; };
   collectively(*space.comm(), "weighting the interface", [&] {
     for (int k = 0; k < space.overlapSize(); ++k)

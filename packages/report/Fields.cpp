@@ -59,7 +59,7 @@ class PointNumbers {
 
  private:
   std::set<int> here_;
-  std::unordered_map<GlobalId, GlobalId> ofSeam_;  // of nodes that other subdomains have, too
+  std::unordered_map<GlobalId, GlobalId> ofSeam_;  // points of nodes that other subdomains have, too
   std::vector<GlobalId> numbers_;
   GlobalId next_ = 0;
 };

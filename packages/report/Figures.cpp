@@ -83,7 +83,7 @@ std::vector<std::string> pressureNotes(const Comm& comm, const std::vector<Conta
 
 namespace {
 
-constexpr double kLarge = 0.1;  // of the scene's size
+constexpr double kLarge = 0.1;  // relative to the scene's size
 constexpr int kLong = 10, kFew = 3;
 
 double largestDisplacement(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const std::vector<Vector>& displacement) {

@@ -14,10 +14,10 @@ struct ContactFigures {
   double maxPressure = 0.0;            ///< [stress]; of a scene without pairs 0
   double maxGap = 0.0;                 ///< largest current gap [length]
   double maxPenetration = 0.0;         ///< largest -gap [length]
-  std::vector<Point> forceOnB;         ///< of each piece: sum of the pairs' forces on side B [force]
-  std::vector<double> pressureOf;      ///< of each piece: its largest pressure
-  std::vector<double> gapOf;           ///< of each piece: its largest gap
-  std::vector<int> pairsOf, activeOf;  ///< of each piece
+  std::vector<Point> forceOnB;         ///< sum of each piece's pair forces on side B [force]
+  std::vector<double> pressureOf;      ///< largest pressure of each piece
+  std::vector<double> gapOf;           ///< largest gap of each piece
+  std::vector<int> pairsOf, activeOf;  ///< pairs and closed pairs of each piece
 };
 
 /// Local; \param pieces number of pieces
@@ -62,7 +62,7 @@ RunFigures runFigures(const Run& run);
 /// Over all ranks, of what each has. Collective.
 Memory memoryFigures(const Comm& comm, double mine);
 
-/// How evenly the elements lie on the ranks.
+/// Distribution of the elements over the ranks.
 struct ElementsByRank {
   GlobalId least, most, sum;
   int ranks;

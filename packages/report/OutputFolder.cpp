@@ -29,7 +29,7 @@ bool isTemporary(const std::string& name) {
   return own == "checkpoint.h5" || own == "summary.json" || own == "history.csv" || own == "writable";
 }
 
-/// Removes what runs left that were killed while they wrote. Only with the folder's lock, when no other run lives.
+/// Removes files of runs that were killed while they wrote. Only with the folder's lock, when no other run lives.
 void removeTemporaries(const std::string& folder) {
   std::error_code ignored;
   std::vector<fs::path> left;

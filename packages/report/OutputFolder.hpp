@@ -6,7 +6,7 @@
 namespace suture {
 
 /// Makes the output folder and checks that it can be written, before any work is done. Collective.
-/// \throws EnvironmentError  names the folder and what the system says
+/// \throws EnvironmentError  names the folder and the system's reason
 void prepareFolder(const Comm& comm, const std::string& folder);
 
 /// Keeps other runs out of a folder while it lives. The lock is the system's (flock on the file .suture.lock, held by rank 0): it goes with
@@ -24,8 +24,8 @@ class FolderLock {
   int file_ = -1;  ///< on rank 0
 };
 
-/// The folder of one run, prepared and locked. What an earlier run left stays until the new results are complete; only its summary.json is
-/// renamed to summary.previous.json at once: should this run fail, nobody takes the earlier summary for its own. Temporary files of runs
+/// The folder of one run, prepared and locked. The files of an earlier run stay until the new results are complete; only its summary.json
+/// is renamed to summary.previous.json at once: if this run fails, the earlier summary is not taken for its own. Temporary files of runs
 /// that were killed while they wrote are removed.
 class RunFolder {
  public:

@@ -18,7 +18,7 @@ struct Run {
   const SceneFile& scene;
   const ElasticModel& model;
   const std::vector<ContactPiece>& pieces;       ///< on rank 0; not used on the others
-  const std::vector<SubdomainMesh>& subdomains;  ///< of this rank
+  const std::vector<SubdomainMesh>& subdomains;  ///< subdomains of this rank
   const ProblemSize& size;
   const Solution& solution;
   const RunMonitor& monitor;

@@ -32,7 +32,7 @@ class RunMonitor : public Monitor {
   /// \param take  given the state after every outer iteration that is not the last, on all ranks
   void takeStates(std::function<void(const InterfaceState&)> take) { accepted_ = std::move(take); }
 
-  /// Added to the energy of every row: what the solver does not know of it.
+  /// Energy that the solver does not know of, added to that of every row.
   void shiftEnergy(double shift) { energyShift_ = shift; }
 
   const std::vector<OuterRow>& rows() const { return rows_; }

@@ -3,7 +3,7 @@
 
 namespace suture {
 
-/// The whole scene file: what its reader accepts, suture_schema prints and --print-defaults fills in; composed of the packages' schemas,
+/// Schema of the whole scene file, for the reader, suture_schema and --print-defaults; composed of the packages' schemas,
 /// the strategies of plugins included that were loaded before. Local.
 Schema sceneSchema();
 

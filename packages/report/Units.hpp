@@ -10,7 +10,7 @@ struct Units {
   std::string length = "m", force = "N", stress = "Pa";
 };
 
-/// From the scene's `Units` ("m, N, Pa": length, force, stress); what is missing there is called by its quantity ("length"). Local.
+/// From the scene's `Units` ("m, N, Pa": length, force, stress); a missing one is called by its quantity ("length"). Local.
 Units unitsOf(const Parameters& scene);
 
 }  // namespace suture

@@ -13,11 +13,11 @@ namespace suture {
 struct GridPiece {
   std::vector<double> points;          ///< points x 3
   std::vector<GlobalId> connectivity;  ///< numbers of the rank's points, of earlier pieces, too
-  std::vector<GlobalId> ends;          ///< of each cell: where its points end in this piece's connectivity
+  std::vector<GlobalId> ends;          ///< end of each cell's points in this piece's connectivity
   std::vector<unsigned char> types;    ///< VTK's number of each cell's shape
 };
 
-/// How large all pieces of a rank are together.
+/// Size of all pieces of a rank together.
 struct GridSize {
   GlobalId points = 0, cells = 0, connectivity = 0;
 };
@@ -56,7 +56,7 @@ class VtkHdf {
     collectively(comm_, "writing a field", [&] { rows.append(values); });
   }
 
-  /// For what is beside the grid (/Record).
+  /// The file, for content beside the grid (/Record).
   Hdf5File& file() { return file_; }
   void close();
 
@@ -81,7 +81,7 @@ class VtkHdf {
   Hdf5File file_;
   GridSize mine_;
   std::unique_ptr<Grid> grid_;
-  GlobalId corners_ = 0;  ///< of all pieces so far
+  GlobalId corners_ = 0;  ///< corners of all pieces so far
   std::vector<GlobalId> offsets_;
 };
 

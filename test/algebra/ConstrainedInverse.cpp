@@ -28,9 +28,9 @@ TEUCHOS_UNIT_TEST(ConstrainedInverse, IsTheSaddleProblemsSolution) {
       TEST_COMPARE((found.basis() - expected.basis).norm(), <, rounding * expected.basis.norm());
       TEST_COMPARE((found.energy() - expected.energy).norm(), <, exact * s.norm());
     }
-    const double kept = rounding > 1e-7 ? rounding : 1e-12;  // what single precision leaves, where it is used
+    const double kept = rounding > 1e-7 ? rounding : 1e-12;  // accuracy of single precision, where it is used
     TEST_COMPARE((p - p.transpose()).norm(), <, kept * p.norm());
-    // what is claimed of them, in their own terms
+    // The claims about them, in their own terms.
     TEST_COMPARE((c * found.basis() - Matrix::Identity(5, 5)).norm(), <, kept);
     TEST_COMPARE((c * p).norm(), <, rounding * c.norm() * p.norm());
     TEST_COMPARE((found.basis().transpose() * s * found.basis() - found.energy()).norm(), <, std::max(1e-10, kept) * s.norm());

@@ -52,7 +52,7 @@ TEUCHOS_UNIT_TEST(NestedDissection, OrdersEveryVertexOnce) {
       }
 }
 
-// A line separates a square of n x n nodes, with one step where the number is odd; half as long, either half. What is left of the square is
+// A line separates a square of n x n nodes, with one step where the number is odd; half as long, either half. The rest of the square is
 // in two parts of nearly the same size.
 TEUCHOS_UNIT_TEST(NestedDissection, SeparatesAGridByItsMiddleLine) {
   for (const int n : {30, 31}) {

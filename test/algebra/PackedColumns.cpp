@@ -12,7 +12,7 @@ using Precision = PackedColumns::Precision;
 const std::vector<std::pair<int, int>> sizes{{1, 1}, {7, 3}, {8, 4}, {15, 5}, {16, 8}, {17, 9}, {100, 31}, {250, 1}};
 
 Vector transposed(const PackedColumns& packed, const Vector& x) {
-  Vector y = Vector::Constant(3, 7.0);  // what y was before must not matter
+  Vector y = Vector::Constant(3, 7.0);  // earlier values of y must not matter
   packed.multiplyTransposed(x, y);
   return y;
 }

@@ -19,7 +19,7 @@ Matrix symmetric(int size) {
 }
 
 Matrix product(const PackedSymmetric& packed, const Matrix& x) {
-  Matrix y = Matrix::Constant(x.rows(), x.cols(), nan);  // what y was before must not matter
+  Matrix y = Matrix::Constant(x.rows(), x.cols(), nan);  // earlier values of y must not matter
   packed.multiply(x, y);
   return y;
 }

@@ -22,7 +22,7 @@ struct Saddle {
 
 Matrix applied(const LocalInverse& inverse, const Matrix& flux);
 
-// What a user writes: apply(), and a basis or none.
+// A user's LocalInverse: apply(), and a basis or none.
 struct Given : LocalInverse {
   Matrix phi;
   void apply(ConstLocalView flux, LocalView trace) const override { trace = flux; }

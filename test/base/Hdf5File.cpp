@@ -31,7 +31,7 @@ void removeOnRoot(const std::string& path) {
 
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
-/// What `work` throws as an InputError, and that every rank throws the same.
+/// Message of the InputError that `work` throws; every rank must throw the same.
 std::string inputErrorOf(const std::function<void()>& work) {
   std::string mine;
   try {
@@ -328,7 +328,7 @@ TEUCHOS_UNIT_TEST(Hdf5File, BlamesDamagedNumbersOnTheFile) {
     const Hdf5File file = Hdf5File::open(*comm, path);
     TEST_EQUALITY(file.readReals("/Reals").size(), values.size() * std::size_t(comm->getSize()));
     TEST_EQUALITY(file.readInts("/Ints")[0], 7);
-    TEST_EQUALITY(file.readGlobalIds("/Ints")[0], 7);  // of another width, with the same sum
+    TEST_EQUALITY(file.readGlobalIds("/Ints")[0], 7);  // integers of another width, with the same sum
   }
   if (comm->getRank() == 0) {
     std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);

@@ -1,4 +1,4 @@
-// Everything a scene file can do wrong, and the traps of Teuchos' own reader (DESIGN.md section 5): each is an error here.
+// Everything a scene file can do wrong, and the traps of Teuchos' own reader (doc/numerics.md): each is an error here.
 #include <suture/base/Collective.hpp>
 #include <suture/base/Errors.hpp>
 #include <suture/base/scene/SceneReader.hpp>
@@ -351,7 +351,7 @@ TEUCHOS_UNIT_TEST(SceneReader, RefusesBadOverrides) {
 
 // Collective reading ----------------------------------------------------------------------------------------------------------------
 
-/// What readScene throws, the same on every rank or it says so.
+/// Message of readScene's error; says so if it is not the same on every rank.
 std::string errorOfFile(const Comm& comm, const std::string& path, const std::vector<std::string>& overrides = {}) {
   std::string mine;
   try {

@@ -32,12 +32,12 @@ def repeated(runs, scene, size, options):
     mesh = mesh_of(scene, size, options)
     results = {name: [] for name in runs}
     for repetition in range(options.repetitions):
-        if repetition == 1:  # of the references only the fastest goes on: they take most of the time
+        if repetition == 1:  # only the fastest reference goes on: references take most of the time
             best = fastest_reference(results)
             runs = {name: run for name, run in runs.items() if name == best or not is_reference(name)}
         for name in runs if repetition % 2 == 0 else reversed(runs):
             results[name].append(measure(name, runs[name], scene, size, mesh, options))
-            if is_bonded(name):  # what its iterations are compared with, by as many processes, right after them
+            if is_bonded(name):  # measure for its iterations, by as many processes, right after them
                 results[name][-1]["read_gb_s"] = bandwidth(runs[name]["ranks"])["read_median"]
         print(f"{scene}/{size}: repetition {repetition + 1} of {options.repetitions}: "
               + ", ".join(f"{name} {results[name][-1]['seconds']:.2f} s" for name in runs), flush=True)

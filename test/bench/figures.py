@@ -1,4 +1,4 @@
-"""From repetitions to medians and ratios, and from those to the figures of the issue."""
+"""From repetitions to medians and ratios, and from those to the figures that the report compares."""
 import statistics
 
 from runs import GEOMETRY, is_bonded, is_reference
@@ -18,7 +18,7 @@ FIGURES = [
     ("from assembled matrices against the reference", "4M", "from_assembled", 4.0, None),
     ("memory over all ranks, GiB", "4M", "memory_gib", -20.0, None),
 ]
-GROWTH = ("60k", "1M", -1.3)  # of the time per unknown
+GROWTH = ("60k", "1M", -1.3)  # growth of the time per unknown
 
 
 def spread(values):
@@ -102,14 +102,14 @@ def growth(cases):
 
 
 def disagreement(results):
-    """Of the energies of all runs that solve the contact problem, relative."""
+    """Relative spread of the energies of all runs that solve the contact problem."""
     energies = [result["energy"] for name, repetitions in results.items() if not is_bonded(name) for result in repetitions]
     largest = max(map(abs, energies))
     return (max(energies) - min(energies)) / largest if largest > 0 else 0.0
 
 
 def quantity(case, key):
-    """What a figure of FIGURES is compared by: a ratio of medians, or a median itself; None where the programs do not tell."""
+    """Value of a figure of FIGURES: a ratio of medians, or a median itself; None where the programs do not tell."""
     if key == "bonded_seconds":
         return case["runs"]["bonded_2"]["from_assembled"]["median"]
     if key == "iteration":
@@ -133,7 +133,7 @@ def judged(what, value, floor, aim=None):
 
 
 def verdict(bench):
-    """One line for each figure of the issue."""
+    """One line for each figure that is compared."""
     lines, missing = [], []
     for what, size, key, floor, aim in FIGURES:
         found = {name: quantity(case, key) for name, case in bench["cases"].items() if name.endswith(f"/{size}")}

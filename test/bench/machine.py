@@ -1,4 +1,4 @@
-"""What the machine is and what its memory gives."""
+"""The machine, and the bandwidth of its memory."""
 import datetime
 import multiprocessing
 import os

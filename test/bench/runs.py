@@ -28,7 +28,7 @@ def fail(message):
 
 
 def environment(threads=1):
-    """So many threads of OpenBLAS a rank, whatever the caller's environment says. One of OpenMP: CHOLMOD's gain nothing (README.md)."""
+    """So many threads of OpenBLAS a rank, whatever the caller's environment says. One of OpenMP: CHOLMOD's gain nothing (CHANGELOG.md)."""
     fixed = {"OPENBLAS_NUM_THREADS": str(threads), "OMP_NUM_THREADS": "1"}
     return {**os.environ, **fixed, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
 
@@ -68,7 +68,7 @@ def cut_of(scene, mesh, options):
 def configurations(implicit=False):
     """By name: ranks, threads, what is set beside the mesh."""
     runs = {f"suture_{ranks}": {"ranks": ranks, "set": []} for ranks in (1, 2)}
-    # What the machine gives two processes that never wait for each other: beside that the gain of two ranks is to be seen.
+    # The most that the machine gives two processes, which never wait for each other: the measure for the gain of two ranks.
     runs["copies_1"] = {"ranks": 1, "copies": 2, "set": []}
     runs["suture_cut_2"] = {"ranks": 2, "cut": True, "set": ["Partition/Type=Partitioned Mesh"]}
     # Linear, all pairs closed, to the tolerance of the whole: ends, not converged, where contact would begin.
@@ -101,7 +101,7 @@ def command_of(run, scene, mesh, folder, options):
 
 
 def busy_seconds():
-    """Of all cores, whoever used them."""
+    """Busy seconds of all cores, of all programs."""
     user, nice, system, _, _, irq, softirq, steal = (int(word) for word in Path("/proc/stat").read_text().split("\n")[0].split()[1:9])
     return (user + nice + system + irq + softirq + steal) / os.sysconf("SC_CLK_TCK")
 
@@ -128,7 +128,7 @@ def measure(name, run, scene, size, mesh, options):
         "phases": phases,
         "memory_mb": sum(one["peak_memory_mb"]["sum"] for one in summaries),
         "memory_rank_mb": summary["peak_memory_mb"]["max"],
-        "data_mb": summary.get("solver_data_mb", {}).get("sum"),  # what an iteration streams; older programs do not say
+        "data_mb": summary.get("solver_data_mb", {}).get("sum"),  # read by an iteration; older programs do not say
         "iteration_seconds": summary["auxiliary"].get("iteration_seconds"),  # so do they not of this
         "energy": summary["energy"],
         "unknowns": summary["dofs"],

@@ -140,7 +140,7 @@ TEUCHOS_UNIT_TEST(BoundaryCurve, KeepsLinesBesideAChamfer) {
 // Lines of long elements, and between them an arc of radius 2 of two elements. The curvature at the joints is a mean of line and arc.
 TEUCHOS_UNIT_TEST(BoundaryCurve, FindsTheArcOfAFilletOfTwoElements) {
   const double half = 0.2;
-  for (const double spacing : {0.3, 1.0, 3.0}) {  // of the lines, the arc's being 0.4
+  for (const double spacing : {0.3, 1.0, 3.0}) {  // spacing on the lines, the arc's being 0.4
     const auto fillet = [&](double t) {
       const double i = 8 * t - 4;
       if (std::abs(i) < 1.5) return Point{2 * std::sin(i * half), 2 - 2 * std::cos(i * half), 0};

@@ -26,7 +26,7 @@ std::string matching(const std::string& name, const std::string& a, const std::s
 
 Constraints build(const Mesh& mesh, const std::string& conditions, const std::string& contacts = "", const ContactScales& scales = {});
 
-/// What is wrong, one problem a line, or "no error".
+/// Problems of the scene, one a line, or "no error".
 std::string said(const Mesh& mesh, const std::string& conditions, const std::string& contacts = "");
 
 /// Blocks [0,4] x [k, k+1], k = 0, 1, ..., of nx x 2 cells, named b0, b1, ...

@@ -304,7 +304,7 @@ TEUCHOS_UNIT_TEST(ContactFrames, FollowTheNormalUnlessSomethingIsPrescribed) {
     for (const int node : {pair.ends[0].node, pair.ends[1].node}) {
       const NodeRule& rule = *ruleAt(constraints, node);
       if (rule.fixed[0] || rule.fixed[1]) {
-        TEST_ASSERT(node == nodeAt(mesh, 0, 2, 0));  // where the roller meets the joint
+        TEST_ASSERT(node == nodeAt(mesh, 0, 2, 0));  // the roller meets the joint here
         TEST_ASSERT(axesOf(rule, 2) == Matrix::Identity(2, 2));
         continue;
       }

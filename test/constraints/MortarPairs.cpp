@@ -271,7 +271,8 @@ TEUCHOS_UNIT_TEST(MortarPairs, WarnsOfAFinerSideThatIsToldToCarryOnACurve) {
   TEST_EQUALITY(warnings(twoRings(P1, P1, 0.1, 0.25), "Automatic"), 0);
 }
 
-// Where a crowned side touches, the linear function nearest to the gap is below zero: no interference. Deeper than that it is one.
+// At the point where a crowned side touches, the linear function nearest to the gap is below zero: no interference. Deeper than that it is
+// one.
 TEUCHOS_UNIT_TEST(MortarPairs, CallsTouchingCurvesNoInterference) {
   for (const std::string carrier : {"Side A", "Side B"})
     for (const double depth : {0.0, 0.2}) {
@@ -344,7 +345,7 @@ TEUCHOS_UNIT_TEST(MortarPairs, TakesTheGapOfAnExpression) {
 TEUCHOS_UNIT_TEST(MortarPairs, IsChosenWhereNodesDoNotMatchAndSaysSo) {
   const Mesh mesh = twoBoxes(0, 4, 8, 13, P1, P1);
   const Constraints constraints = build(mesh, held, contact("joint", "upper_bottom", "lower_top"));
-  TEST_EQUALITY(constraints.pairs.size(), 14u);  // of the finer side
+  TEST_EQUALITY(constraints.pairs.size(), 14u);  // pairs of the finer side
   TEST_EQUALITY(constraints.notes.size(), 1u);
   SUTURE_CHECK_SAYS(constraints.notes[0], "contact 'joint': the nodes of its sides do not match; mortar, carried by 'lower_top'");
   // Carrying nodes have the axes of their pair, the others the mean of theirs.

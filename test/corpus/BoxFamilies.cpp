@@ -30,7 +30,7 @@ double gap(Random& random) {
   return random.real(0.0, 10.0);
 }
 
-/// What keeps a box from moving sideways: a roller at its left, or walls beside it with a push against one of them. Returns the push.
+/// Keeps a box from moving sideways: by a roller at its left, or walls beside it with a push against one of them. Returns the push.
 double holdSideways(Builder& scene, const std::string& body, double x0, double x1, double y) {
   Random& random = scene.random;
   if (random.chance(0.55)) {

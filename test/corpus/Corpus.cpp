@@ -1,4 +1,4 @@
-// A corpus of random contact scenes that nobody chose: each is solved by both formulations and by Monolithic. Every run must be solved with
+// A corpus of contact scenes drawn from a seed: each is solved by both formulations and by Monolithic. Every run must be solved with
 // a verdict that holds and agree with the others, or be refused for the same reason by all.
 //
 //     test_corpus [--first S] [--count N] [--only SEED] [--formulation monolithic|interface|groups] [--dump DIR] [--verbose]
@@ -69,7 +69,7 @@ std::vector<std::string> scene(const CommPtr& comm, const CorpusScene& scene, co
                                std::map<std::string, std::map<std::string, Counts>>& table) {
   std::vector<std::string> wrong;
   std::vector<std::pair<const Way*, Outcome>> outcomes;
-  Whole whole;  // of the first way whose constraints could be built
+  Whole whole;  // the first way whose constraints could be built
   for (const Way& way : ways()) {
     if (!options.only.empty() && way.name != options.only) continue;
     Whole own;

@@ -22,10 +22,10 @@ class Judge {
   /// Proved either way: by contact forces p >= 0 with B^T p = loads, or by a motion of escape. \throws NumericalError  neither found
   Feasibility feasibility() const;
 
-  /// What is wrong with a solution, or "".
+  /// Complaint about a solution, or "".
   std::string verdict(const Outcome& found) const;
 
-  /// What differs between two solutions, or "": forces always, against the largest pair force of the body; displacements less neutral
+  /// Difference between two solutions, or "": forces always, against the largest pair force of the body; displacements less neutral
   /// motions, those rigid motions of the bodies that no prescribed component and no pair that carries force restrains.
   std::string difference(const Outcome& found, const Outcome& reference) const;
 
@@ -37,7 +37,7 @@ class Judge {
 
  private:
   struct Scales {
-    Vector force, floor, displacement;  ///< of each body
+    Vector force, floor, displacement;  ///< scales of each body
     Vector residual;                    ///< node components: loads + contact - internal
     double loosened = 1.0;
   };

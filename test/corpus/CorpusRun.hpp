@@ -15,13 +15,13 @@ const std::vector<Way>& ways();
 
 enum class Ending { Solved, Refused, Lost };
 
-/// How a run ended and, on rank 0, what it found.
+/// End of a run and, on rank 0, its results.
 struct Outcome {
   Ending ending = Ending::Lost;
-  std::string reason;   ///< of a refusal or loss
-  Vector displacement;  ///< of the whole mesh: node-major, Cartesian
+  std::string reason;   ///< reason of a refusal or loss
+  Vector displacement;  ///< displacement of the whole mesh: node-major, Cartesian
   double seam = 0.0;    ///< largest difference between subdomains that share a node, relative to the largest displacement of its body
-  std::vector<double> forces;  ///< of each pair
+  std::vector<double> forces;  ///< force of each pair
   int iterations = 0, pcg = 0;
   double seconds = 0.0;
 };

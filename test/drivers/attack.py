@@ -30,7 +30,7 @@ work = options.work
 INPUT = pathlib.Path(options.input).resolve()
 ALLOWED = {0, 2, 3, 4, 5, 75}
 SECONDS = 30 * SLOWER
-MARK = work / "mark"  # what a program started by an input would leave
+MARK = work / "mark"  # file that a program started by an input would leave
 FIFO = work / "fifo.xml"
 os.mkfifo(FIFO)
 
@@ -60,7 +60,7 @@ def program(name, *words):
 
 BLOCKS = (INPUT / "two_blocks" / "two_blocks.xml").read_text()
 TUNNEL = (INPUT / "tunnel" / "tunnel_open.xml").read_text()
-MESHED = re.sub(r'<ParameterList name="Constants">.*?</ParameterList>', "", TUNNEL, flags=re.S)  # of a mesh file
+MESHED = re.sub(r'<ParameterList name="Constants">.*?</ParameterList>', "", TUNNEL, flags=re.S)  # scene of a mesh file
 GEO = (INPUT / "tunnel" / "tunnel.geo").read_text()
 FEW = ["--set", "Mesh/Constants/scale=4"]
 program(options.solve, INPUT / "two_blocks" / "two_blocks.xml", "--set", "Output/Checkpoint=true", "--quiet", "--output", work / "sound")

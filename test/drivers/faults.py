@@ -1,4 +1,4 @@
-"""What goes wrong around a run: a full disk, too little memory, signals, a second run into the same folder. The exit code tells, no rank waits
+"""Faults around a run: a full disk, too little memory, signals, a second run into the same folder. The exit code tells, no rank waits
 for ever, and what was there before is neither lost nor taken for the new result.
 
 faults.py --solve PROGRAM --mpirun "mpirun ..." --work DIR --input FOLDER [--all]
@@ -52,7 +52,7 @@ def summary(folder):
 
 
 def ended(folder):
-    """How a run ended, by its summary: exit code and whether it converged; None without one."""
+    """End of a run, by its summary: exit code and whether it converged; None without one."""
     return (summary(folder)["exit_code"], summary(folder)["converged"]) if (work / folder / "summary.json").exists() else None
 
 
@@ -168,7 +168,7 @@ check("SIGTERM to it", (code, time.time() - begin < 5 * SLOWER, ended("unread"),
       (75, True, (75, False), True))
 os.close(reader)
 
-# Where no iteration can end, while the mesh is made, the run ends all the same.
+# The run ends even where no iteration can end, while the mesh is made.
 geometry = work / "endless.geo"
 geometry.write_text("DefineConstant[ scale = 1 ];\nFor i In {1:1e12}\n x = i;\nEndFor\n")
 process = subprocess.Popen([options.solve, str(OPEN), "--set", f"Mesh/File={geometry}", "--output", str(work / "endless")], stderr=subprocess.PIPE, text=True)

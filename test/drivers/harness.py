@@ -1,4 +1,4 @@
-"""What the tests of the programs have in common: options, an empty folder to work in, runs, and checks that are counted.
+"""Tools that the tests of the programs have in common: options, an empty folder to work in, runs, and checks that are counted.
 
     from harness import arguments, check, finish, run
     options = arguments("--solve", "--input")       # each of them required, and --mpirun and --work

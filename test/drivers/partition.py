@@ -82,7 +82,7 @@ check("--no-cut is not partitioned: exit code and what to do", (code, "make one 
 again = solve("uncut", readingFrom(mesh), 2, *METIS)
 check("--no-cut: energy", again["energy"] / whole["energy"] - 1, lambda e: abs(e) < 1e-10)
 
-# What is wrong is said, on any number of ranks.
+# Errors are reported on any number of ranks.
 for ranks in (1, 2):
     # More subdomains than elements: cutting would be refused, were it tried.
     impossible = ["--set", "Partition/Type=METIS", "--set", "Partition/METIS/Subdomains=1000000"]

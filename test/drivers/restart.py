@@ -74,7 +74,7 @@ code, _, rest = run(4, OPEN, "resumed", "--restart", str(work / "stopped" / "che
 check("exit code of its restart", code, 0)
 check("closed pairs of its restart", rest["contact"]["active"], whole["contact"]["active"])
 
-# What is no checkpoint of this mesh.
+# Files that are no checkpoint of this mesh.
 code, text, _ = run(2, OTHER, "foreign", "--restart", str(work / "cut" / "checkpoint.h5"))
 check("exit code for the checkpoint of another mesh", code, 3)
 check("message for it", "another mesh" in text, True)

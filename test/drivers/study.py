@@ -86,7 +86,7 @@ FAIL = ["--set", "Outer Solver/Maximum Inner Iterations=10", "--only", "large"]
 
 
 def ends(ranks):
-    """How a study can end, and what its options do."""
+    """Ends of a study, and effects of its options."""
     # --check, --only, --quiet.
     code, text = run(options.study, ranks, TINY, "--output", work / "checked", "--check")
     check("--check: exit code", code, 0)

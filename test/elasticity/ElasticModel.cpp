@@ -171,7 +171,7 @@ TEUCHOS_UNIT_TEST(ElasticModel, RefusesTrianglesThatLockAndTellsWhatToChoose) {
   if (found.size() != 1u) return;
   TEST_ASSERT(says(found[0], "Materials/rock/Poisson Ratio", "0.4901 with 3-node triangles in the body 'lower': above 0.49 they lock"));
   TEST_ASSERT(says(found[0], "Materials/rock/Poisson Ratio", "or choose Displacement there, or set Materials/rock/Allow Locking"));
-  TEST_EQUALITY(problemsIn({nearly}, 1).size(), 0u);  // of steel
+  TEST_EQUALITY(problemsIn({nearly}, 1).size(), 0u);  // problems of steel
   TEST_EQUALITY(problemsIn({nearly, "Materials/rock/Allow Locking=true"}, 0).size(), 0u);
   TEST_EQUALITY(problemsIn({nearly, "Materials/rock/Element=Displacement"}, 0).size(), 0u);  // asked for by name
   const std::vector<Problem> mixed = problemsIn({"Materials/rock/Element=Mixed"}, 0);

@@ -100,7 +100,7 @@ TEUCHOS_UNIT_TEST(ElementStiffness, OfMixedElementsHasTheRigidModesAndNothingEls
       TEST_COMPARE((k * turn).norm(), <, 1e-14 * k.norm() * turn.norm());
       const Vector eigenvalues = dense::eigenvalues(k);
       TEST_COMPARE(std::abs(eigenvalues[2]), <, 1e-13 * k.norm());
-      TEST_COMPARE(eigenvalues[3], >, 1e-3);  // of the order of mu, whatever lambda
+      TEST_COMPARE(eigenvalues[3], >, 1e-3);  // order of mu, whatever lambda
       TEST_EQUALITY((k - k.transpose()).norm(), 0.0);
       // Energy: the projection takes away, and what it takes is nothing when lambda is.
       const Matrix pointwise = stiffness(block, {"m", 1.0, poisson}, PlaneModel::Strain);

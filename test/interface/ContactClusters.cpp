@@ -10,7 +10,7 @@ using Row = ContactClusters::Row;
 constexpr PairStatus kOpen = PairStatus::Open, kClosed = PairStatus::Slip;
 
 // A point where four bodies meet, their seams inclined: body b has unknowns 2b, 2b + 1 (Cartesian), the seams 0-1 and 2-3 have the normal
-// n, 0-2 and 1-3 the normal m. A ninth unknown is nobody's.
+// n, 0-2 and 1-3 the normal m. A ninth unknown belongs to no row.
 struct CrossPoint {
   std::vector<Row> rows;
   Vector stiffness{9};
@@ -128,7 +128,7 @@ TEUCHOS_UNIT_TEST(ContactClusters, ForceOfASinglePairIsThatOfTheSofterSide) {
   const ContactClusters clusters({{{0, 1}, {1.0, -1.0}, 0.0, 0}}, stiffness);
   // 1/k = 1/k_A + 1/k_B
   TEST_FLOATING_EQUALITY(clusters.stiffness()(0), stiff * soft / (stiff + soft), 1e-14);
-  // side A sees the force -f_A, side B +f_B; weights k_m / (k_s + k_m) of DESIGN: the softer side's force counts
+  // Side A sees the force -f_A, side B +f_B. Weights k_m / (k_s + k_m): the force of the softer side counts (doc/numerics.md).
   Vector imbalance(2);
   imbalance << -5.0, 7.0;
   const double expected = (soft * 5.0 + stiff * 7.0) / (soft + stiff);
@@ -146,7 +146,7 @@ TEUCHOS_UNIT_TEST(ContactClusters, ForcesInBalanceAreFoundExactly) {
   // S U - F = -C^T f, forces pull back the unknowns on side A; C^T has full rank here, so that there is one answer
   const Vector found = clusters.forces(status, -cross.dense(status).transpose() * force);
   TEST_COMPARE(std::abs(found(0) - 2.0) + std::abs(found(1) + 1.5) + std::abs(found(2)) + std::abs(found(3) - 4.0), <, 1e-12);
-  // what does not balance is weighed by compliance: C K^-1 (S U - F + C^T f) = 0
+  // The rest that does not balance is weighed by compliance: C K^-1 (S U - F + C^T f) = 0
   Vector imbalance = Vector::LinSpaced(9, -1.0, 2.0);
   const Vector f = clusters.forces(status, imbalance);
   Vector closed(3);

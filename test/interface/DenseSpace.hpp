@@ -26,7 +26,7 @@ struct DenseSpace {
   MultiVectorPtr vector(const Matrix& values) const;
   Matrix dense(const MultiVector& values) const;
   Matrix dense(const Operator& op) const;
-  /// What gather() makes of unit vectors: the matrix T of a space's relations, all unknowns x all unknowns. Rows that several ranks see
+  /// Result of gather() for unit vectors: the matrix T of a space's relations, all unknowns x all unknowns. Rows that several ranks see
   /// must agree; `spread` is by how much they do not.
   Matrix gathered(double* spread = nullptr) const;
 };

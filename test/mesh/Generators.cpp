@@ -117,7 +117,7 @@ TEUCHOS_UNIT_TEST(Generators, LayBricksLikeAChessBoard) {
     TEST_EQUALITY(even.size() + odd.size(), std::size_t(mesh.elements()));
     TEST_FLOATING_EQUALITY(areaOf(mesh, even), (4 * 3 + 2 * 1) / 3.0, 1e-13);
     TEST_FLOATING_EQUALITY(areaOf(mesh, odd), (2 * 3 + 4 * 1) / 3.0, 1e-13);
-    const double crossX = -1 + 4 * 2.0 / 3, crossY = 1.5;  // where four bricks meet
+    const double crossX = -1 + 4 * 2.0 / 3, crossY = 1.5;  // the point where four bricks meet
     for (const int e : even) TEST_COMPARE((centreOf(mesh, e)[0] - crossX) * (centreOf(mesh, e)[1] - crossY), >, 0);
     for (const int e : odd) TEST_COMPARE((centreOf(mesh, e)[0] - crossX) * (centreOf(mesh, e)[1] - crossY), <, 0);
     TEST_ASSERT(mesh.elementGroups.count("subdomain_b_2_1"));

@@ -29,7 +29,7 @@ int nodesInCommon(const Mesh& mesh, int e, int f) {
   return static_cast<int>(std::count_if(b.begin(), b.end(), [&](int node) { return of.count(node) > 0; }));
 }
 
-// What a mesh is, whatever its numbers: the elements of each group by the places of their nodes, and the middles of the sides.
+// Content of a mesh, whatever its numbers: the elements of each group by the places of their nodes, and the middles of the sides.
 using Places = std::multiset<std::vector<double>>;
 
 std::vector<double> placesOf(const Mesh& mesh, int e) {

@@ -12,7 +12,7 @@ using meshtesting::world;
 
 namespace {
 
-// What reading says, which must be the same on all ranks (and must come to an end).
+// Message of reading, which must be the same on all ranks (and must come to an end).
 std::string said(const std::string& parameters, const std::string& folder) {
   const std::string text = meshtesting::problemsOf([&] { meshtesting::read(parameters, folder); });
   return meshtesting::sameEverywhere(text) ? text : "different messages";

@@ -30,7 +30,7 @@ Mesh shuffled(Cell cell) {
   other.connectivity.clear();
   for (int e = 0; e < mesh.elements(); ++e)
     other.connectivity.insert(other.connectivity.end(), mesh.nodesOf(order[e]).begin(), mesh.nodesOf(order[e]).end());
-  return other;  // of equal cells: offsets stay
+  return other;  // a mesh of equal cells: offsets stay
 }
 
 std::set<int> verticesOf(const Mesh& mesh, int e) {

@@ -130,7 +130,7 @@ TEUCHOS_UNIT_TEST(MeshShare, CarriesSubdomainsThereAndBack) {
   }
 }
 
-// The same bytes of every subdomain as when rank 0 does all alone, whoever cut it and wherever it lives.
+// The bytes of every subdomain are those of rank 0 alone, on whatever rank it was cut and lives.
 TEUCHOS_UNIT_TEST(MeshShare, GivesTheSubdomainsThatOneRankAloneCuts) {
   const Mesh root = mixed();
   Constraints constraints;

@@ -53,7 +53,7 @@ TEUCHOS_UNIT_TEST(MetisCut, WorksForOnePartAndForOneElementAPart) {
   }
 }
 
-// What METIS says by itself to the same question, to be sure that there is something to repair.
+// The answer of METIS alone to the same question shows that there is something to repair.
 TEUCHOS_UNIT_TEST(MetisCut, CountsTheFragmentsThatMetisLeaves) {
   const Mesh comb = scenes::kept(scenes::mesh({scenes::box("body", 0, 1, 0, 1, 32, 32)}),
                                  [](double x, double y) { return y < 1.0 / 16 || static_cast<int>(32 * x) % 2 == 0; });
@@ -104,5 +104,5 @@ TEUCHOS_UNIT_TEST(MetisCut, AutomaticGivesTwoAndFourRanksEqualShares) {
   TEST_EQUALITY(automaticSubdomains(2400, 2, 1), 3);
   TEST_EQUALITY(automaticSubdomains(100, 5, 1), 5);     // a piece lies in one
   TEST_EQUALITY(automaticSubdomains(1000, 1, 12), 12);  // every rank has one
-  TEST_EQUALITY(automaticSubdomains(100, 1, 12), 2);    // of fifty elements
+  TEST_EQUALITY(automaticSubdomains(100, 1, 12), 2);    // two of fifty elements
 }

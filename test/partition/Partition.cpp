@@ -84,7 +84,7 @@ TEUCHOS_UNIT_TEST(Partition, GivesATinyBodyItsSubdomain) {
   const Partition all = makePartition(*comm(), grid, Constraints(), metis(5).list());
   TEST_EQUALITY(all.elementsOf[0], 2);
   TEST_EQUALITY(std::count(all.bodyOf.begin(), all.bodyOf.end(), 1), 4);
-  TEST_EQUALITY(all.bodiesAreConnected, onRoot());  // nobody else has the bodies
+  TEST_EQUALITY(all.bodiesAreConnected, onRoot());  // no other rank has the bodies
 }
 
 TEUCHOS_UNIT_TEST(Partition, CutsDisconnectedPartsOfABodyOnTheirOwn) {

@@ -60,7 +60,7 @@ std::string bytesOf(const SubdomainMesh& part) {
 
 }  // namespace
 
-// What each rank reads is what distribute() would have sent to it, byte by byte.
+// Each rank reads what distribute() would have sent to it, byte by byte.
 TEUCHOS_UNIT_TEST(PartitionFile, IsWhatDistributeSends) {
   Written scene;
   for (const bool keepGroupsWhole : {false, true}) {

@@ -24,7 +24,7 @@ Box box(const std::string& name, double x0, double x1, double y0, double y1, int
 
 Mesh mesh(const std::vector<Box>& all);
 
-// What is left of a mesh when only the elements whose centres a predicate chooses stay, as one body; element groups come along, side groups
+// Part of a mesh: the elements whose centres a predicate chooses, as one body; element groups come along, side groups
 // do not.
 template <typename Choice>
 Mesh kept(const Mesh& whole, const Choice& choice) {

@@ -18,8 +18,8 @@ namespace {
 struct Seams {
   Mesh whole;
   std::vector<SubdomainMesh> mine;
-  std::vector<SeamEntity> here;  // of this rank
-  std::vector<SeamEntity> all;   // of all ranks, each once, in the order of the first that knows it
+  std::vector<SeamEntity> here;  // entities of this rank
+  std::vector<SeamEntity> all;   // entities of all ranks, each once, in the order of the first that knows it
 
   Seams(const Mesh& given, const std::vector<int>& subdomainOfElement, int subdomains) : whole(given) {
     Partition partition;

@@ -226,7 +226,7 @@ TEUCHOS_UNIT_TEST(SubdomainMesh, KnowsWhichSidesItSharesWithWhom) {
       found.insert(found.end(), some.begin(), some.end());
     }
     if (!onRoot()) continue;
-    std::map<std::pair<int, int>, std::vector<int>> holders;  // of each side of the mesh
+    std::map<std::pair<int, int>, std::vector<int>> holders;  // holders of each side of the mesh
     for (int e = 0; e < scene.whole.elements(); ++e) {
       const auto nodes = scene.whole.nodesOf(e);
       for (int i = 0; i < 3; ++i) holders[std::minmax(nodes[i], nodes[(i + 1) % 3])].push_back(scene.partition.subdomainOfElement[e]);
@@ -245,7 +245,7 @@ TEUCHOS_UNIT_TEST(SubdomainMesh, KnowsWhichSidesItSharesWithWhom) {
 }
 
 TEUCHOS_UNIT_TEST(SubdomainMesh, NamesTheOtherHoldersOfANode) {
-  // Where every subdomain is on this rank's side of the fence, holders are checked one by one; in general: symmetric.
+  // Holders are checked one by one where every subdomain is on this rank's side of the fence; in general: symmetric.
   const Scene scene(7);
   std::map<std::pair<int, int>, std::set<GlobalId>> told;
   for (const SubdomainMesh& part : scene.mine)

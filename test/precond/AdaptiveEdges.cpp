@@ -51,7 +51,7 @@ void staysBelowItsBound(const Teuchos::RCP<const InterfaceOperator>& matrix, dou
 
 /// The edge between two subdomains without any code of the library beyond assembly: stiffness onto the seam, and from it the pencil.
 struct EdgeByHand {
-  Vector values;  ///< of the pencil, ascending
+  Vector values;  ///< eigenvalues of the pencil, ascending
 
   EdgeByHand(const Scene& scene, const std::string& weighting) {
     const Blocks all(scene, alone());
@@ -150,7 +150,8 @@ TEUCHOS_UNIT_TEST(AdaptiveEdges, OnContactLinesAreTheSameOnAnyNumberOfRanks) {
   TEST_COMPARE(difference(DensePair(*a, *m).m, DensePair(*b, *other).m), <, 1e-7);
 }
 
-// Where contact lines meet, one side may feel a corner through a relation of several unknowns only. Both leave it out, on any ranks.
+// At a meeting point of contact lines one side may feel a corner through a relation of several unknowns only. Both leave it out, on any
+// ranks.
 TEUCHOS_UNIT_TEST(EdgeSides, AgreeOnTheCornersOfAnEdge) {
   int differed = 0;
   Scene kinks = brickBlocks();  // along the line one unknown is another; at its ends, and once within, four are in an equation

@@ -213,7 +213,7 @@ TEUCHOS_UNIT_TEST(Bddc, ComputesAgainForAnotherStatus) {
     Teuchos::reduceAll(*world(), Teuchos::REDUCE_SUM, more, Teuchos::outArg(all));
     TEST_EQUALITY(all > 0.0, updates);
     again->initialize(closed->space());
-    again->compute(closed);  // what they were made for: nothing is left of the updates
+    again->compute(closed);  // the first set again: nothing is left of the updates
     TEST_EQUALITY(again->bytesRead(), bddc(closed)->bytesRead());
   }
 }

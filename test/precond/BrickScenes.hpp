@@ -3,7 +3,7 @@
 
 namespace suture::blocks {
 
-constexpr double kBrickJump = 1e4;  ///< of the Young modulus, from brick to brick
+constexpr double kBrickJump = 1e4;  ///< ratio of Young moduli from brick to brick
 
 /// A clamped square whose bricks, every other one stiffer, are cut by the seams of the subdomains.
 Scene bricks(int blocksX, int blocksY, int cells, double jump = kBrickJump, int brickX = 3, int brickY = 2);

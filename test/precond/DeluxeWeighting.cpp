@@ -104,7 +104,7 @@ TEUCHOS_UNIT_TEST(DeluxeWeighting, AreHalvesOfEachComponentBetweenMirrorImages) 
         }
     out << "subdomain " << id << ": coupling up to " << odd << "\n";
     TEST_COMPARE(even, <, 1e-10);
-    TEST_COMPARE(odd, >, 1e-3);  // what a diagonal weighting does not know
+    TEST_COMPARE(odd, >, 1e-3);  // a diagonal weighting has zero here
   }
 }
 

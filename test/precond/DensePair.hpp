@@ -10,7 +10,7 @@ struct DensePair {
   Matrix s, m;
   /// Collective.
   DensePair(const InterfaceOperator& matrix, const Preconditioner& preconditioner);
-  double idle;  ///< what M^-1 does to idle unknowns
+  double idle;  ///< factor of M^-1 on idle unknowns
 
   /// Eigenvalues of M^-1 S, ascending: those of L^T M^-1 L, S = L L^T.
   Vector eigenvalues() const;

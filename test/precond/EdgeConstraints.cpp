@@ -1,4 +1,4 @@
-// What BDDC holds in common: rows on edges, and the constraints of each local problem made of them and of corners.
+// Constraints that subdomains of BDDC have in common: rows on edges, and the constraints of each local problem made of them and of corners.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <interface/ContactScenes.hpp>
 #include <interface/DenseSpace.hpp>

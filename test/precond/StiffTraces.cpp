@@ -1,4 +1,4 @@
-// What nearly incompressible subdomains are stiff against, on a subdomain whose pressures are known in closed form.
+// Stiff traces of nearly incompressible subdomains, on a subdomain whose pressures are known in closed form.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <interface/ContactScenes.hpp>
 #include <suture/base/Dense.hpp>
@@ -150,14 +150,14 @@ TEUCHOS_UNIT_TEST(StiffTraces, KeepWeightedJumpsOfAnEdgeOrthogonalToThem) {
       const InterfaceEdge& edge = one.space->edges()[e];
       const Matrix jumps = nullSpace(rows[e]);
       for (const int side : {0, 1}) {
-        const int i = edge.locals[side];  // of one rank: all, by id
+        const int i = edge.locals[side];  // one rank has all, by id
         const std::vector<int>& places = one.space->coupling(i).columns();
         Matrix trace = Matrix::Zero(one.space->coupling(i).rows(), jumps.cols());
         for (std::size_t k = 0; k < edge.unknowns.size(); ++k)
           trace.row(std::find(places.begin(), places.end(), edge.unknowns[k]) - places.begin()) = jumps.row(int(k));
         Matrix weighted = trace;
         weighting->apply(i, weighted);
-        weighted = trace - weighted;  // what the other side's average leaves here
+        weighted = trace - weighted;  // the rest that the other side's average leaves here
         const double energy = (weighted.transpose() * (matrix.locals()[i]->schur() * weighted)).diagonal().maxCoeff();
         TEST_COMPARE(energy, <, 50.0);  // shear modulus 1, lambda 5e5
       }

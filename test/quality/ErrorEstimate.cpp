@@ -168,7 +168,7 @@ Exact williams(double end) {
 }
 
 TEUCHOS_UNIT_TEST(ErrorEstimate, IsGoodAtTheEndOfContact) {
-  // The stresses that VALIDATION V6 states: 3 A sqrt(x) on the line, none beyond its end.
+  // The stresses of V6 (doc/validation.md): 3 A sqrt(x) on the line, none beyond its end.
   TEST_FLOATING_EQUALITY(williams(0).stress({0.49, 1e-300, 0})(1), -3 * 0.7, 1e-12);
   TEST_COMPARE(williams(0).stress({-0.49, 1e-300, 0}).tail(2).norm(), <, 1e-12);
   // On a node, and at places inside an edge: of quadratic quadrilaterals half to nine tenths of the square of the error are in the one or

@@ -85,7 +85,7 @@ TEUCHOS_UNIT_TEST(ErrorNorms, SideMassIsTheKnownMatrix) {
   Matrix two(2, 2), three(3, 3);
   two << 2, 1, 1, 2;
   three << 4, -1, 2, -1, 4, 2, 2, 2, 16;
-  const double length = 5.0;  // of (3, 4)
+  const double length = 5.0;  // length of (3, 4)
   TEST_COMPARE((sideMass({{1, 1, 0}, {4, 5, 0}}) - length / 6 * two).norm(), <, 1e-13);
   TEST_COMPARE((sideMass({{1, 1, 0}, {4, 5, 0}, {2.5, 3, 0}}) - length / 30 * three).norm(), <, 1e-13);
 }

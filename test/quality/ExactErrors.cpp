@@ -182,7 +182,7 @@ TEUCHOS_UNIT_TEST(ExactErrors, OfThePressureFallWithTheOrdersOfTheSides) {
     const double displacement = std::log2(coarse.at("displacement_l2") / fine.at("displacement_l2"));
     out << cell << ": pressure " << fine.at("pressure_l2_relative") << ", order " << pressure << "; displacement "
         << fine.at("displacement_l2_relative") << ", order " << displacement << "\n";
-    TEST_COMPARE(pressure, >, p == 1 ? 1.0 : 1.9);  // issue 5, figures to reach on V5
+    TEST_COMPARE(pressure, >, p == 1 ? 1.0 : 1.9);  // target on V5
     TEST_COMPARE(displacement, >, p + 1 - 0.15);
     TEST_COMPARE(fine.at("pressure_l2_relative"), <, 0.02);
   }
@@ -233,7 +233,7 @@ TEUCHOS_UNIT_TEST(ExactErrors, TellWhereAnExpressionIsNotFiniteBeforeTheSolveAnd
     }
 }
 
-// The scenes of VALIDATION.md as they are, with other cells.
+// The scenes of input/validation as they are, with other cells.
 Errors validated(const CommPtr& comm, const std::string& scene, const std::string& box, const std::string& cell, const std::string& cells) {
   const std::string path = std::string(SUTURE_INPUT) + "/validation/" + scene + "/" + scene + ".xml", own = "Mesh/Boxes/" + box + "/";
   return errorsOf(comm, readScene(*comm, path, sceneSchema(),
@@ -254,7 +254,7 @@ TEUCHOS_UNIT_TEST(ExactErrors, OnTheCurvedObstacleFallWithTheOrdersOfV5) {
     out << cell << ": displacement " << displacement << ", energy " << energy << ", pressure " << pressure << "; "
         << fine.at("displacement_l2_relative") << ", " << fine.at("energy_norm_relative") << ", " << fine.at("pressure_l2_relative")
         << "\n";
-    TEST_COMPARE(displacement, >, linear ? 1.95 : 2.9);  // issue 5, figures to reach
+    TEST_COMPARE(displacement, >, linear ? 1.95 : 2.9);  // target
     TEST_COMPARE(pressure, >, linear ? 1.0 : 1.9);
     TEST_COMPARE(std::abs(energy - (linear ? 1 : 2)), <, 0.1);
     TEST_COMPARE(fine.at("displacement_l2_relative"), <, linear ? 1e-2 : 1e-4);
@@ -272,7 +272,7 @@ TEUCHOS_UNIT_TEST(ExactErrors, WhereContactEndsFallWithTheOrdersOfV6) {
       const double energy = order(coarse, fine, "energy_norm"), pressure = order(coarse, fine, "pressure_l2");
       out << cell << (onANode ? ", on a node: " : ", in an edge: ") << "energy " << energy << ", pressure " << pressure << "; "
           << fine.at("energy_norm_relative") << ", " << fine.at("pressure_l2_relative") << "\n";
-      TEST_COMPARE(energy, >, linear ? 0.98 : 1.45);  // issue 5, figures to reach
+      TEST_COMPARE(energy, >, linear ? 0.98 : 1.45);  // target
       TEST_COMPARE(energy, <, linear ? 1.1 : 1.7);
       TEST_COMPARE(fine.at("energy_norm_relative"), <, linear ? 3e-2 : 3e-3);
     }

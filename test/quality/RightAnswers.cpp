@@ -1,4 +1,4 @@
-// Right answers hold, whoever found them, however the scene is cut.
+// The verdict holds for right answers of every solver, however the scene is cut.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <interface/RecoveredPairs.hpp>
 #include <quality/Judged.hpp>
@@ -55,7 +55,7 @@ TEUCHOS_UNIT_TEST(RightAnswers, BalanceAppliedAndReactions) {
   Teuchos::reduceAll(*world(), Teuchos::REDUCE_SUM, pressing, Teuchos::outArg(all));
   const Verification onGround = ground.verdict();
   TEST_COMPARE(all, >, 0.0);
-  TEST_COMPARE(std::abs(onGround.balance.reactions[1]), <, 1e-11 * all);  // what the ground pushes up the top takes
+  TEST_COMPARE(std::abs(onGround.balance.reactions[1]), <, 1e-11 * all);  // the top takes the push of the ground
   TEST_COMPARE(onGround.balance.imbalance, <, 1e-11);
 }
 

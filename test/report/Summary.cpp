@@ -80,7 +80,7 @@ std::vector<std::string> parts(const std::string& path) {
 }
 
 bool fits(const std::string& path, const std::string& pattern) {
-  if (pattern == "versions.<name>") return path.rfind("versions.", 0) == 0;  // of libraries: names with dots
+  if (pattern == "versions.<name>") return path.rfind("versions.", 0) == 0;  // libraries have names with dots
   const std::vector<std::string> a = parts(path), b = parts(pattern);
   bool same = a.size() == b.size();
   for (std::size_t i = 0; same && i < a.size(); ++i) same = b[i].front() == '<' || a[i] == b[i];
@@ -128,7 +128,7 @@ TEUCHOS_UNIT_TEST(Summary, TellsTheLargestConditionAndHowEvenlyTheElementsLie) {
   prepareFolder(*sample.comm_, sample.folder_);
   writeSummary(sample.run(), runFigures(sample.run()), ExitCode::Done, sample.folder_ + "/summary.json");
   const json all = readJson(sample.folder_ + "/summary.json");
-  TEST_EQUALITY(all["outer"]["condition"].get<double>(), 24.125);  // of the rows' 24.125 and 24.0
+  TEST_EQUALITY(all["outer"]["condition"].get<double>(), 24.125);  // the larger of the rows' 24.125 and 24.0
   TEST_EQUALITY(all["preconditioner"]["coarse_size"].get<int>(), 7);
   // Subdomains of 18, 18 and 36 triangles go to ranks 0, 1, 2, 0, ...
   const int ranks = sample.comm_->getSize();

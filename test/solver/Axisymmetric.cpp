@@ -86,7 +86,7 @@ constexpr double kYoung = 3.0, kInner = 1.0, kOuter = 2.0, kPressure = 0.1;
 
 struct Errors {
   double displacement;  // largest at nodes, relative
-  double hoop;          // of the mean hoop stress over the elements, by area, relative
+  double hoop;          // relative error of the mean hoop stress over the elements, by area
 };
 
 // Lame: a hollow sphere under inner pressure p; u = p a^3 / (E (b^3 - a^3)) ((1 - 2 nu) R + (1 + nu) b^3 / (2 R^2)),

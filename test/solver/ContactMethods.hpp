@@ -10,13 +10,14 @@ namespace suture::blocks {
 /// Preconditioner by name, everything else by default.
 std::function<Teuchos::RCP<Preconditioner>()> preconditioner(const std::string& name);
 
-/// \param tolerance  of the outer solver; \param start  in place of the auxiliary solution, or null. Collective.
+/// Solves by an outer solver's name. \param tolerance  that of the outer solver;  \param start  in place of the auxiliary solution, or
+/// null. Collective.
 OuterResult solveWith(const std::string& method, const InterfaceProblem& problem, double tolerance,
                       const std::function<Teuchos::RCP<Preconditioner>()>& makePreconditioner, const InterfaceState* start = nullptr);
 OuterResult solveWith(const std::string& method, const InterfaceProblem& problem, double tolerance = 1e-10,
                       const std::string& preconditionerName = "BDDC", const InterfaceState* start = nullptr);
 
-/// How far a solution is from the monolithic one, over all ranks.
+/// Distance of a solution from the monolithic one, over all ranks.
 struct Distance {
   double displacement = 0.0, force = 0.0;  ///< relative to the largest
   int otherwise = 0;                       ///< pairs of another status

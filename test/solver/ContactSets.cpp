@@ -134,7 +134,7 @@ TEUCHOS_UNIT_TEST(ContactSets, RigidMotionsPutBesideTheTraceAreTheSameState) {
     const Vector beside = moved.rigid;
     held.sets.separate(moved);
     TEST_COMPARE((moved.rigid - (beside.size() > 0 ? beside : Vector(Vector::Zero(moved.rigid.size())))).norm(), >,
-                 1e-6);  // of steps of 1e-3
+                 1e-6);  // steps are 1e-3
     InterfaceState again = moved;
     again.trace = Teuchos::rcp(new MultiVector(*moved.trace, Teuchos::Copy));
     held.sets.separate(again);

@@ -124,7 +124,7 @@ TEUCHOS_UNIT_TEST(ElementOrders, OfMixedElementsDoNotDependOnPoissonsRatio) {
       TEST_COMPARE(stress, >, orders.second - 0.1);
       TEST_COMPARE(fine.displacement, <, 2.2 * easy.displacement);
       TEST_COMPARE(fine.stress, <, 2.5 * easy.stress);
-      TEST_COMPARE(errorsOf(cell, 16, poisson).stress, >, 4 * fine.stress);  // of displacement elements
+      TEST_COMPARE(errorsOf(cell, 16, poisson).stress, >, 4 * fine.stress);  // stress error of displacement elements
     }
   }
 }

@@ -1,4 +1,4 @@
-// What an iteration of the inner solver takes from the heap: nothing that grows with the problem.
+// Heap memory that an iteration of the inner solver takes: nothing that grows with the problem.
 #include <suture/algebra/AlignedVector.hpp>
 #include <suture/interface/CondensedProblem.hpp>
 #include <suture/solver/InnerSolver.hpp>
@@ -51,8 +51,8 @@ using namespace blocks;
 
 struct Found {
   double iteration = 0.0;  // bytes taken in one, the most of all ranks
-  double unknowns = 0.0;   // of all ranks
-  double messages = 0.0;   // of the unknowns that it shares with other ranks and does not own, the most of all ranks
+  double unknowns = 0.0;   // unknowns of all ranks
+  double messages = 0.0;   // unknowns shared with other ranks and not owned, the most of all ranks
   double coarse = 0.0;     // bytes of the coarse unknowns, where several ranks sum them up
 };
 

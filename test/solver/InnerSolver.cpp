@@ -77,7 +77,7 @@ TEUCHOS_UNIT_TEST(InnerSolver, ShowsTheCriterionWhatItAddsItself) {
   InnerSolver solver(200);
   p.solve(solver, *whole, 1e-12);
   p.solve(solver, *first, 1e-2);
-  whole->update(-1.0, *first, 1.0);  // what is left to add
+  whole->update(-1.0, *first, 1.0);  // the rest to add
   const double left = std::sqrt(dot(*whole, *whole));
   double nearest = left;
   EnergyCriterion criterion;

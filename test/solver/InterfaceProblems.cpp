@@ -63,7 +63,7 @@ bool everywhere(bool here) {
 
 double norm(const MultiVector& x) { return std::sqrt(dot(x, x)); }
 
-/// What the operator makes of x.
+/// Product of the operator with x.
 MultiVectorPtr product(const InterfaceOperator& matrix, const MultiVector& x) {
   const MultiVectorPtr y = matrix.space()->vector();
   matrix.apply(x, *y);
@@ -145,7 +145,7 @@ TEUCHOS_UNIT_TEST(InterfaceProblems, LinearisationIsTheDerivativeOfTheResidual) 
     for (double seed = 1.0; seed < 7.0; ++seed) {
       Place place(*one.problem, seed);
       const auto here = one.problem->evaluate(place.state);
-      // Where the status follows from the trace, the tangent is that of this status.
+      // If the status follows from the trace, the tangent is that of this status.
       if (here.settled) {
         place.state.status = here.next;
         place.linear = one.problem->linearise(place.state);

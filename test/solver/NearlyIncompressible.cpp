@@ -50,7 +50,7 @@ TEUCHOS_UNIT_TEST(NearlyIncompressible, MixedElementsFollowLame) {
 }
 
 TEUCHOS_UNIT_TEST(NearlyIncompressible, DisplacementElementsLockOrLoseTheirPressure) {
-  // What the mixed ones are for. Quadrilateral4 does not deform at all; quadratic ones do, with pressures that mean nothing.
+  // Failures of displacement elements. Quadrilateral4 does not deform at all; quadratic ones do, with pressures that mean nothing.
   TEST_COMPARE(cylinder(Cell::Quadrilateral4, ElementForm::Displacement, 0.3, 8).displacement, <, 4e-3);
   TEST_COMPARE(cylinder(Cell::Quadrilateral4, ElementForm::Displacement, 0.499999, 8).displacement, >, 0.9);
   for (const Cell cell : {Cell::Quadrilateral8, Cell::Quadrilateral9, Cell::Triangle6})

@@ -44,7 +44,7 @@ TEUCHOS_UNIT_TEST(NestedStart, InterpolatesLinearFieldsOfEachBodyExactly) {
   for (const SubdomainMesh& mesh : fine.meshes)
     for (int node = 0; node < mesh.nodes(); ++node) {
       points.push_back(mesh.point(node));
-      bodies.push_back(mesh.body);                                              // of two points on the line, one of each
+      bodies.push_back(mesh.body);                                              // bodies of two points on the line, one of each
       points.push_back({1.02 * points.back()[0], 1.02 * points.back()[1], 0});  // just outside, where linear fields go on
       bodies.push_back(mesh.body);
     }

@@ -31,7 +31,7 @@ void checkEntries(const std::string& path, bool& success, Teuchos::FancyOStream&
   for (const std::string& name : registry.names()) {
     out << Base::kind() << " " << name << "\n";
     isDocumented(name, registry.schemas().at(name), success, out);
-    // What a scene gets that names it and nothing else.
+    // Parameters of a scene that names the strategy and nothing else.
     Parameters scene = solverParameters({path + "=" + name});
     Parameters* own = &scene;
     for (std::size_t at = 0, end = 0; end != std::string::npos; at = end + 1) {

@@ -4,7 +4,7 @@
 
 namespace suture::blocks {
 
-/// What the scene's schema says of the solver packages.
+/// Schema of the scene's lists for the solver packages.
 Schema solverSchema();
 
 /// A scene's parameters of the solver packages with these settings.

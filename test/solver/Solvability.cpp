@@ -17,7 +17,7 @@ namespace {
 
 using scenes::Scene;
 
-// What the check says, or "" when it lets the scene pass.
+// Message of the check, or "" when it lets the scene pass.
 std::string verdict(const Scene& scene) {
   try {
     checkSolvability(scene.mesh, scene.constraints, scene.model);

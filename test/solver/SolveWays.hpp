@@ -16,7 +16,7 @@ namespace suture::blocks {
 struct Solved {
   bool converged = false;
   std::string failure;
-  Vector deformation, motion;  ///< of the mesh's nodes, on all ranks: what was found, and what had been taken out before
+  Vector deformation, motion;  ///< motions of the mesh's nodes, on all ranks: those found, and those taken out before
   std::vector<PairResult> pairs;
   Verification verdict;
   std::vector<std::string> notes;
@@ -35,10 +35,10 @@ struct Notes : Monitor {
 /// \param subdomains  by METIS; 0: the named blocks
 Solved solveAs(const std::string& way, const Scene& given, std::vector<std::string> settings = {}, int subdomains = 0);
 
-/// How far an answer is from a reference, body by body.
+/// Distance of an answer from a reference, body by body.
 struct BodyByBody {
-  double force = 0.0;         ///< of a pair, relative to the largest of the body that has the smaller one
-  double displacement = 0.0;  ///< of a node, less the rigid motion, relative to the body's largest
+  double force = 0.0;         ///< force of a pair, relative to the largest of the body that has the smaller one
+  double displacement = 0.0;  ///< displacement of a node, less the rigid motion, relative to the body's largest
   int otherwise = 0;          ///< pairs of another status
 };
 

@@ -1,4 +1,4 @@
-// The stacked blocks of DESIGN section 4: where the paper's successive approximations contract, how fast, and where not. Two blocks
+// The stacked blocks of doc/numerics.md: where the paper's successive approximations contract, how fast, and where not. Two blocks
 // [0,4] x [0,1] and [0,4] x [1,2]; Young modulus 1, but alpha within 0.5 of the contact line, which is the contact group.
 #include <Teuchos_DefaultComm.hpp>
 #include <Teuchos_ParameterList.hpp>
@@ -170,8 +170,8 @@ TEUCHOS_UNIT_TEST(SuccessiveApproximation, NeedsSixteenStepsAtTwiceTheStiffness)
   TEST_EQUALITY(rows.stepsToResidual(1e-6), 13);
   TEST_EQUALITY(rows.active, 65 - 29);
   TEST_FLOATING_EQUALITY(result.estimates.at("mu"), 0.61, 0.05);
-  // DESIGN has 0.55 at the solution. Here the slowest mode sits where the pairs are closed: the radius stays that of S^0, and the observed
-  // rate is that radius to five digits.
+  // A prototype had 0.55 at the solution. Here the slowest mode sits where the pairs are closed: the radius stays that of S^0, and the
+  // observed rate is that radius to five digits.
   TEST_FLOATING_EQUALITY(result.estimates.at("radius"), 0.608, 0.01);
   TEST_FLOATING_EQUALITY(observedRate(rows.residuals), result.estimates.at("radius"), 0.1);
 }

@@ -27,7 +27,7 @@ double area(const Point& a, const Point& b, const Point& c) {
   return 0.5 * ((b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1]));
 }
 
-/// How far a point is outside the nearest of all triangles: largest negative area coordinate, 0 inside one.
+/// Distance of a point from the nearest of all triangles: largest negative area coordinate, 0 inside one.
 double leastOutside(const CellBlock& mesh, const Point& p) {
   double least = 1e300;
   for (int e = 0; e < mesh.elements(); ++e) {

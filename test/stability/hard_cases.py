@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Hard cases (VALIDATION.md) that every formulation must solve, equal to the monolithic reference, or refuse with a reason.
+"""Hard cases (doc/validation.md) that every formulation must solve, equal to the monolithic reference, or refuse with a reason.
 
     hard_cases.py --list                                          the tests: "<variant>.<case> <ranks> [long]" a line
     hard_cases.py <variant>.<case> --solve ... --work ... [--ranks N] [--mpirun ...]     one of them, by test/drivers/check_run.py
@@ -12,7 +12,7 @@ import subprocess
 import sys
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-SOURCE = "VALIDATION.md, hard cases: as the monolithic reference"
+SOURCE = "doc/validation.md, hard cases: as the monolithic reference"
 
 VARIANTS = {
     "condensed_groups": ["Formulation=Condensed Groups", "Outer Solver/Type=Semismooth Newton"],
@@ -49,7 +49,7 @@ def metis(subdomains, seed=1):
     return ["Partition/Type=METIS", f"Partition/METIS/Subdomains={subdomains}", f"Partition/METIS/Seed={seed}"]
 
 
-# What the Neumann problem of a group says whose stiffness has eigenvalues that are zero to rounding: it will not guess.
+# Message of the Neumann problem of a group whose stiffness has eigenvalues that are zero to rounding: it does not guess.
 ILL = ["more mechanisms than", "rigid modes known"]
 QUADS = boxes("Cell", "Quadrilateral4")
 HANG = ["Boundary Conditions/wall/Type=Displacement", "Boundary Conditions/wall/Value={0.0, 0.1}"]
@@ -77,7 +77,8 @@ def cases():
     # Rounding leaves 1e-10 to 1e-7 of the residual, another number in each step: 1e-10 would be met by chance (once in 47 steps).
     all["upper_harder_1e8"]["tolerance"] = 1e-12
     all["bricks_within_subdomains_1e8"]["refuses"] = {"condensed_groups_neumann_neumann": ILL}
-    # What double precision holds, at any tolerance; in hard bricks within a subdomain no rigid motion can be told from the deformation.
+    # Accuracy that double precision holds, at any tolerance. In hard bricks within a subdomain no rigid motion can be told from the
+    # deformation.
     for name, floor in (("upper_harder_1e8", 1e-6), ("bricks_within_subdomains_1e8", 4e-6)):
         all[name].update(floor=floor, displacement=floor, force=floor)
     all["bricks_metis_1e8"]["refuses"] = {"condensed_groups_neumann_neumann": ILL}

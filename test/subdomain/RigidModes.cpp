@@ -59,12 +59,12 @@ TEUCHOS_UNIT_TEST(RigidModes, OfBodiesOfRevolutionAreTheTranslationAlongTheAxis)
     TEST_EQUALITY(modes(2 * node, 0), 0.0);
     TEST_EQUALITY(modes(2 * node + 1, 0), 1.0);
   }
-  TEST_EQUALITY((sectionModes(mesh) - plane).norm(), 0.0);  // what coarse spaces are given
+  TEST_EQUALITY((sectionModes(mesh) - plane).norm(), 0.0);  // the motions that coarse spaces get
 }
 
 TEUCHOS_UNIT_TEST(RigidModes, NullSpaceIsWhatTheRowsLeaveFree) {
   TEST_EQUALITY((nullSpace(Matrix(0, 3)) - Matrix::Identity(3, 3)).norm(), 0.0);
-  Matrix rows(5, 3);  // of rank two, the last rows rounding
+  Matrix rows(5, 3);  // a matrix of rank two, its last rows rounding
   rows << 1, 2, 3, 2, 4, 6, 0, 1, -1, 1, 3, 2, 1e-14, 0, 0;
   const Matrix free = nullSpace(rows);
   TEST_EQUALITY(free.cols(), 1);

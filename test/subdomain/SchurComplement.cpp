@@ -86,7 +86,7 @@ TEUCHOS_UNIT_TEST(SchurComplement, RecoversTheDiscreteHarmonicExtension) {
     TEST_EQUALITY(difference(rowsAt(u, one.boundary), trace), 0.0);
     const Vector residual = subdomain->stiffness() * u - subdomain->load();
     TEST_COMPARE(rowsAt(residual, interior).norm(), <, 1e-12 * (subdomain->stiffness() * u).norm());
-    // what is left on the boundary is S trace - condensed load, and the energies agree
+    // The boundary keeps S trace - condensed load, and the energies agree.
     Matrix flux(trace.size(), 1);
     one.problem.applySchur(trace, flux);
     TEST_COMPARE(difference(rowsAt(residual, one.boundary), flux - one.problem.condensedLoad()), <, 1e-12);

@@ -35,7 +35,7 @@ struct Blocks {
   std::vector<SubdomainMesh> meshes;
   std::vector<std::unique_ptr<Subdomain>> subdomains;
 
-  /// \param youngOf          of each subdomain, in place of the body's: a body of several materials
+  /// \param youngOf          Young modulus of each subdomain, in place of the body's: a body of several materials
   /// \param keepGroupsWhole  false: for Contact On The Interface
   Blocks(const Scene& scene, const CommPtr& comm, const std::vector<double>& youngOf = {}, bool keepGroupsWhole = true);
   /// \param subdomains  by METIS; as many as bodies: each body whole

@@ -22,8 +22,8 @@ struct ExtendedReference {
   using Sparse = Eigen::SparseMatrix<Real>;
   using Column = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
 
-  Column displacement;  ///< of the mesh's nodes: node-major, Cartesian
-  Column force, gap;    ///< of each pair
+  Column displacement;  ///< displacement of the mesh's nodes: node-major, Cartesian
+  Column force, gap;    ///< force and gap of each pair
   std::vector<char> closed;
 
   /// Rigid motion of a body that is taken out of rules and gaps before they are used.

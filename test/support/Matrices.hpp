@@ -15,7 +15,7 @@ using Sparse = Eigen::SparseMatrix<double>;
 // kernel are the three rigid modes. Scaled by 24 all entries are whole numbers, so that translations are in the kernel without rounding.
 Sparse floatingBody(int nx, int ny);
 
-// Where its nodes are, of each unknown.
+// Place of the node of each unknown.
 std::vector<Point> placesOfBody(int nx, int ny);
 
 // Random places, for unknowns that are nowhere in particular.

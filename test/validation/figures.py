@@ -1,7 +1,7 @@
 """Figures that the tests compute from the files of a run, independently of the program: what summary.json does not say.
 
 figure("hertz.fittedPressure", folder) reads folder/fields_0000.vtkhdf and folder/contact_0000.vtkhdf. Signs as in the files: tension
-positive, contact pressure and gap positive as in DESIGN.md.
+positive, contact pressure > 0 where it presses, gap > 0 where open.
 """
 import json
 import math
@@ -79,7 +79,7 @@ def patch_pressureError(folder, _, pressure=1e5):
 # --- V2: rings ---
 
 def radial(folder, radius):
-    """Of every node once: a point that several ranks have written would count more in a mean, and where they meet is not part of the answer."""
+    """Values of every node once: points that several ranks have written would count more in a mean."""
     f = fields(folder)
     r = np.hypot(f.points[:, 0], f.points[:, 1])
     at = np.flatnonzero(np.abs(r - radius) < 1e-6)
@@ -278,7 +278,7 @@ def summary(folder):
 
 
 def hooke(folder, f):
-    """Of every cell the matrix D of plane strain or plane stress, from the scene's materials (Regions are not looked at)."""
+    """Matrix D of every cell in plane strain or plane stress, from the scene's materials (Regions are not looked at)."""
     scene = summary(folder)["parameters"]
     sheet = scene["Model"] == "Plane Stress"
     laws = []
@@ -299,7 +299,7 @@ def linearTriangles(f, displacement):
     turned = np.array([[0, 1], [-1, 0]])
     edges = np.stack([x[:, 2] - x[:, 1], x[:, 0] - x[:, 2], x[:, 1] - x[:, 0]], axis=1)
     area = 0.5 * (edges[:, 0, 0] * edges[:, 1, 1] - edges[:, 0, 1] * edges[:, 1, 0])
-    gradient = -edges @ turned.T / (2 * area[:, None, None])  # of the shape functions
+    gradient = -edges @ turned.T / (2 * area[:, None, None])  # gradients of the shape functions
     h = np.einsum("cak,cai->cik", gradient, u)
     return area, np.stack([h[:, 0, 0], h[:, 1, 1], h[:, 0, 1] + h[:, 1, 0]], axis=1)
 

@@ -66,7 +66,7 @@ with tempfile.TemporaryDirectory() as folder:
         code, text = run(content, words)
         if (code == 0) != passes:
             wrong.append(f"{name}: returned {code}\n{text}")
-    # What --record writes is a table that passes as it is, and fails when the numbers change.
+    # The table of --record passes as it is, and fails when the numbers change.
     banded = table(D=case(0.2, checks=[{"key": "u", "value": 2.0, "relative": 0.1}]))
     code, text = run(banded, ["--record"])
     with open(checks) as file:

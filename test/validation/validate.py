@@ -107,7 +107,7 @@ def number(value):
 
 
 def referenceText(check):
-    """What a check compares with: the reference, and the tolerance."""
+    """Reference and tolerance of a check."""
     bands = []
     if "value" in check:
         value, tolerance = number(check["value"]), ""

@@ -113,7 +113,7 @@ FrontTree::FrontTree(const SymmetricMatrix& matrix, const std::vector<int>& boun
     start.push_back(static_cast<int>(unknownAt.size()));
   }
 
-  // The rows of a front: what its groups are coupled to, and what its children leave.
+  // The rows of a front: couplings of its groups, and rows that its children leave.
   const std::vector<int>& ends = dissection.ends;
   std::vector<std::vector<int>> children(ends.size());
   std::vector<int> seen(groups.count(), -1);

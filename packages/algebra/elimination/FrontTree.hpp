@@ -6,21 +6,21 @@
 
 namespace suture {
 
-/// In which order the interior unknowns of a subdomain are eliminated, and in which dense fronts: the symbolic part of a multifrontal
+/// Order and dense fronts of the elimination of a subdomain's interior unknowns: the symbolic part of a multifrontal
 /// factorisation (Duff and Reid 1983; Liu 1992) with the boundary last. Unknowns that follow each other and have the same pattern, as those
 /// of a node, are one group. Groups are ordered by nestedDissection(); each of its blocks is a front. For 7,200 triangles with 240 nodes on
 /// the boundary that takes 1.4 ms and leaves 99 million operations; CHOLMOD's AMD of the interior and its supernodes take 2.3 and leave
 /// 152. Local.
 struct FrontTree {
-  /// A front eliminates some groups that follow each other; what is below them is numbered by `rows`. Children come before parents.
+  /// A front eliminates some groups that follow each other; the rows below them are numbered by `rows`. Children come before parents.
   struct Front {
     int firstGroup = 0, endGroup = 0;
     int firstRow = 0, endRow = 0;  // in `rows`
-    int parent = -1;               // -1: what it leaves belongs to the boundary
+    int parent = -1;               // -1: its contribution belongs to the boundary
   };
 
   /// \param boundary  unknowns that are not eliminated
-  /// \param places    of each unknown: where its node is
+  /// \param places    place of each unknown's node
   FrontTree(const SymmetricMatrix& matrix, const std::vector<int>& boundary, const std::vector<Point>& places);
 
   int groups() const { return static_cast<int>(start.size()) - 1; }

@@ -57,7 +57,7 @@ class Dissector {
     const int first = fromLow ? begin : middle, last = fromLow ? middle : end;
     const auto isInside = [this, other = fromLow ? high : low](int vertex) { return !touches(vertex, other); };
     const int split = static_cast<int>(std::partition(at(first), at(last), isInside) - vertices_.begin());
-    // Along the line, so that what is below a front has few gaps there.
+    // Along the line, so that the rows below a front have few gaps there.
     std::sort(at(split), at(last), Before{places_, axis == 0 ? 1 : 0});
     dissect(begin, fromLow ? split : middle);
     dissect(middle, fromLow ? end : split);
@@ -100,7 +100,7 @@ class Dissector {
   const std::vector<Point>& places_;
   const int leaf_;
   int marks_ = 0;
-  std::vector<int> half_;  // of each vertex: the mark of the half it was in last; none of vertices that are not ordered
+  std::vector<int> half_;  // mark of the half that each vertex was in last; none for vertices that are not ordered
   std::vector<int> vertices_;
   DissectionOrder result_;
 };

@@ -16,7 +16,7 @@ struct Adjacency {
 /// An order of elimination in blocks, children before parents.
 struct DissectionOrder {
   std::vector<int> order;  ///< position -> vertex
-  std::vector<int> ends;   ///< of each block: where the next begins
+  std::vector<int> ends;   ///< end of each block: where the next begins
 };
 
 /// Nested dissection (George 1973) by places: a set of vertices is halved at the median along the longer side of its bounding box; those of

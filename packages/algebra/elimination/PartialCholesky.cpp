@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kPanel = 12;    // columns that are eliminated one by one
 constexpr int kBlock = 96;    // columns whose panels are products of few columns, between products of many
-constexpr int kColumns = 24;  // of a product; what lies above the diagonal is wasted
+constexpr int kColumns = 24;  // columns of a product; the part above the diagonal is wasted
 
 __attribute__((always_inline)) inline void scale(int n, double x, double* y) {
   int i = 0;
@@ -31,14 +31,14 @@ SUTURE_FOR_EACH_PROCESSOR int factorPanel(int columns, int rows, double* values,
   return 0;
 }
 
-/// What the columns before `first` take from those from there on.
+/// Subtracts the product of the columns before `first` from those from there on.
 void subtractColumnsBefore(int first, int columns, int rows, double* values, int stride) {
   if (first > 0)
     cblas_dgemm(CblasColMajor, CblasNoTrans, CblasTrans, rows - first, columns, first, -1.0, values + first, stride, values + first, stride,
                 1.0, values + static_cast<std::ptrdiff_t>(first) * (stride + 1), stride);
 }
 
-/// Strips of `width` columns one after the other: what those before take from a strip, then the strip itself.
+/// Strips of `width` columns one after the other: subtraction of those before, then the strip itself.
 template <typename Factor>
 int factorStrips(int width, int columns, int rows, double* values, int stride, const Factor& factor) {
   for (int first = 0; first < columns; first += width) {

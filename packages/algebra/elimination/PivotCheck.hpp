@@ -9,13 +9,13 @@ namespace suture {
 class PivotCheck {
  public:
   /// \param size      unknowns of the matrix
-  /// \param trailing  of them ordered last, for messages
+  /// \param trailing  number of those that are ordered last, for messages
   PivotCheck(int size, int trailing) : size_(size), trailing_(trailing) {}
 
   /// \param pivot  l_jj^2
   void see(int unknown, double pivot, double diagonal) {
     const double ratio = pivot / diagonal;
-    if (ratio >= smallest_ || std::isnan(smallest_)) return;  // what is no number is kept
+    if (ratio >= smallest_ || std::isnan(smallest_)) return;  // a NaN is kept
     smallest_ = ratio;
     unknown_ = unknown;
   }

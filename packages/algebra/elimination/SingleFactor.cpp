@@ -12,7 +12,7 @@ namespace {
 
 using Singles = Eigen::VectorXf;
 
-constexpr double kAccuracy = 1e-15;  // of the recursion; what rounding leaves in the true residual is that of a direct solve
+constexpr double kAccuracy = 1e-15;  // accuracy of the recursion; the rounding left in the true residual is that of a direct solve
 constexpr double kSurely = 1e-4;     // by how much a residual that is only expected has to be below its square
 constexpr int kMost = 200;
 

@@ -7,9 +7,9 @@
 namespace suture {
 
 /// A Cholesky factor in single precision, half the memory of the original. It is used as preconditioner of conjugate gradients in double
-/// precision, which gives back what rounding took: two or three steps where it is nearly the inverse, a few more where stiffness jumps
-/// by many orders of magnitude; the accuracy does not depend on it. Factor and loads are scaled by powers of two before they are rounded:
-/// nothing leaves the narrow range of single precision, whatever the units are. Local, const.
+/// precision, which restores the digits that rounding took: two or three steps where it is nearly the inverse, a few more where stiffness
+/// jumps by many orders of magnitude; the accuracy does not depend on it. Factor and loads are scaled by powers of two before they are
+/// rounded: nothing leaves the narrow range of single precision, whatever the units are. Local, const.
 class SingleFactor {
  public:
   SingleFactor() = default;
@@ -39,12 +39,12 @@ class SingleFactor {
 
   struct Supernode {
     int first, columns, below;
-    std::size_t rows, values;  // where they begin
+    std::size_t rows, values;  // begins of its rows and values
   };
 
   std::vector<Supernode> supernodes_;
   std::vector<int> rows_;
-  std::vector<float> values_;  // of each supernode its columns, from the reciprocal of the diagonal entry downwards
+  std::vector<float> values_;  // columns of each supernode, from the reciprocal of the diagonal entry downwards
   std::vector<int> unknownOf_;
   double scale_ = 0.0;  // power of two that `values_` are divided by; zero: no supernode yet
   int mostRows_ = 0;

@@ -17,7 +17,7 @@ struct Run {
   int from, to, length;
 };
 
-/// Work space that grows without keeping or clearing what it held.
+/// Work space that grows without keeping or clearing its content.
 class Block {
  public:
   double* reserve(std::size_t size) {
@@ -32,13 +32,13 @@ class Block {
   std::size_t size_ = 0;
 };
 
-/// What an elimination leaves for its parent: the lower triangle, by columns, all rows long.
+/// Contribution of an elimination to its parent: the lower triangle, by columns, all rows long.
 struct Update {
   Block block;
   int size = 0;
 };
 
-/// Where updates are added to: the lower triangle of a block whose first row and column are number `origin` of the front.
+/// Target of updates: the lower triangle of a block whose first row and column are number `origin` of the front.
 struct Target {
   double* values;
   int stride, origin;
@@ -71,7 +71,7 @@ struct Moved {
   }
 };
 
-/// Front by front, children before parents: what a front leaves waits for its parent, or goes to S.
+/// Front by front, children before parents: a front's contribution waits for its parent, or goes to S.
 class Elimination {
  public:
   Elimination(const SymmetricMatrix& matrix, const std::vector<int>& boundary, const std::vector<Point>& places)
@@ -82,7 +82,7 @@ class Elimination {
         diagonal_(matrix.diagonal()),
         children_(tree_.fronts.size()),
         updates_(tree_.fronts.size()) {
-    std::vector<int> place(matrix.rows());  // of each unknown
+    std::vector<int> place(matrix.rows());  // place of each unknown
     for (int g = 0; g < tree_.groups(); ++g)
       for (int p = tree_.start[g]; p < tree_.start[g + 1]; ++p) {
         place[tree_.unknownAt[p]] = p;
@@ -96,7 +96,7 @@ class Elimination {
   const FrontTree& tree() const { return tree_; }
   const PivotCheck& check() const { return check_; }
 
-  /// Eliminates the interior. `load`, in positions, becomes L^-1 f_I and what is left for the boundary.
+  /// Eliminates the interior. `load`, in positions, becomes L^-1 f_I and the condensed load of the boundary.
   SingleFactor run(Vector& load, Matrix& schur) {
     const int interior = tree_.interior(), size = static_cast<int>(groupOf_.size()) - interior;
     schur.setZero(size, size);
@@ -113,7 +113,7 @@ class Elimination {
  private:
   int groupSize(int g) const { return tree_.start[g + 1] - tree_.start[g]; }
 
-  /// Then what it leaves is added to S at once, row by row.
+  /// Its contribution is then added to S at once, row by row.
   bool isWholeBoundary(const FrontTree::Front& front) const {
     return front.parent < 0 && front.endRow - front.firstRow == tree_.groups() - tree_.interiorGroups;
   }
@@ -143,7 +143,7 @@ class Elimination {
     }
     const int below = size - columns;
 
-    // Pivot columns: entries of the matrix and what children leave in them.
+    // Pivot columns: entries of the matrix and contributions of children.
     panel_.assign(static_cast<std::size_t>(size) * columns, 0.0);
     for (int j = 0; j < columns; ++j) {
       double* column = panel_.data() + static_cast<std::size_t>(j) * size;
@@ -238,7 +238,7 @@ class Elimination {
   FrontTree tree_;
   PivotCheck check_;
   std::unique_ptr<const Moved> matrix_;
-  std::vector<int> groupOf_;  // of each position
+  std::vector<int> groupOf_;  // group of each position
   std::vector<int> at_;       // group -> row of the present front
   std::vector<int> below_;
   Vector diagonal_, moved_;

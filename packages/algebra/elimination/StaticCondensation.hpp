@@ -9,14 +9,14 @@ namespace suture {
 
 /// The interior of a subdomain eliminated onto its boundary:
 ///     S = A_BB - A_BI A_II^-1 A_IB,   g = f_B - A_BI A_II^-1 f_I,
-/// by a multifrontal factorisation of A_II (FrontTree) that stops at the boundary: S is what the last front is left with. It is never
+/// by a multifrontal factorisation of A_II (FrontTree) that stops at the boundary: S is the rest of the last front. It is never
 /// factored and multiplied back, as with a factorisation of the whole matrix, so that floating bodies need no shift. Dense blocks by BLAS
 /// and LAPACK. S times a translation vanishes to 2e-15 of S for 200 unknowns, 1e-14 for 1,900, 3e-14 for 7,400 (bounds of the test). Local.
 class StaticCondensation {
  public:
   /// \param load      all unknowns
   /// \param boundary  positions of B
-  /// \param places    of each unknown: where its node is. S does not depend on them but for rounding, the time does.
+  /// \param places    place of each unknown's node. S does not depend on them but for rounding, the time does.
   /// \throws NumericalError    a pivot of A_II is not positive, or nothing but rounding; names the unknown
   /// \throws EnvironmentError  out of memory
   StaticCondensation(const SymmetricMatrix& matrix, const Vector& load, const std::vector<int>& boundary, const std::vector<Point>& places);

@@ -26,7 +26,7 @@ void Hdf5File::Impl::closeQuietly() noexcept {
   if (descriptor >= 0) ::close(std::exchange(descriptor, -1));
   if (file < 0) return;
   const Quiet quiet;
-  // HDF5 writes what it knows of the file when it closes it: what is thrown away anyway gives the room back first.
+  // HDF5 writes its data on the file when it closes it: a file that is thrown away anyway gives the room back first.
   if (writing) static_cast<void>(::truncate(temporary().c_str(), 0) == 0);
   H5Fclose(file);
   file = -1;

@@ -9,7 +9,7 @@ namespace suture {
 
 class Hdf5File;
 
-/// This rank's rows of a dataset that is being written, given piece by piece: what is written need never be in memory as a whole. It must
+/// This rank's rows of a dataset that is being written, given piece by piece: the rows need never be in memory as a whole. It must
 /// go before the file is closed. T: double, int, GlobalId, unsigned char.
 template <typename T>
 class Hdf5Rows {
@@ -31,11 +31,11 @@ class Hdf5Rows {
 ///
 /// A file for writing is written under a temporary name in the same folder and renamed by close(), so that a reader never sees half a
 /// file; without close() (an exception) the temporary file is removed. Rank 0 alone speaks to HDF5; the other ranks write their numbers
-/// where it says, and disk space is reserved before anything is written there: a full disk is an error on all ranks, whoever meets it. A
-/// file is read by rank 0 alone, which sends what it found to the others. Paths are absolute within the file ("/VTKHDF/Points"), groups on
-/// the way are made. A file being written cannot be read. All functions are collective over the communicator, and what they throw they
-/// throw on every rank; nothing is printed. Errors: EnvironmentError when the file cannot be written, InputError when it cannot be read, is
-/// not HDF5, is truncated, or lacks what is asked for (names file and path).
+/// where it says, and disk space is reserved before anything is written there: a full disk is an error on all ranks. A
+/// file is read by rank 0 alone, which sends the content to the others. Paths are absolute within the file ("/VTKHDF/Points"), groups on
+/// the way are made. A file being written cannot be read. All functions are collective over the communicator, and throw on every rank;
+/// nothing is printed. Errors: EnvironmentError when the file cannot be written, InputError when it cannot be read, is not HDF5, is
+/// truncated, or lacks the object asked for (names file and path).
 class Hdf5File {
  public:
   static Hdf5File create(const Comm& comm, const std::string& path);
@@ -63,7 +63,7 @@ class Hdf5File {
 
   /// Attributes of a group or dataset that exists; each name once.
   void attribute(const std::string& path, const std::string& name, const std::string& text);
-  /// ASCII, fixed length: what VTKHDF wants for its Type.
+  /// ASCII, fixed length, as VTKHDF wants it for its Type.
   void fixedAttribute(const std::string& path, const std::string& name, const std::string& text);
   void attribute(const std::string& path, const std::string& name, const std::vector<GlobalId>& values);
   void attribute(const std::string& path, const std::string& name, double value);

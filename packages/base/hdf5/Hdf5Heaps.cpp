@@ -13,7 +13,7 @@ namespace {
 
 using Length = unsigned long long;
 
-constexpr char kSignature[] = {'G', 'C', 'O', 'L', 1};  // and the version
+constexpr char kSignature[] = {'G', 'C', 'O', 'L', 1};  // signature with the version
 constexpr std::size_t kPiece = 1 << 20;
 
 Length aligned(Length bytes) { return (bytes + 7) / 8 * 8; }
@@ -25,7 +25,7 @@ Length number(const char* at, std::size_t bytes) {
 }
 
 /// Walks through one heap as HDF5 will. "HDF5 File Format Specification", III.E: signature, version, 3 bytes, size of all; then objects of
-/// index (2 bytes), references (2), 4 bytes, size of the data; index 0 is what is free, its size includes its header. All is padded to 8
+/// index (2 bytes), references (2), 4 bytes, size of the data; index 0 is free space, its size includes its header. All is padded to 8
 /// bytes.
 void checkHeap(std::ifstream& file, Length begin, Length fileSize, std::size_t lengthBytes) {
   const Length header = aligned(8 + lengthBytes);

@@ -25,14 +25,14 @@ struct Hdf5File::Impl {
 
   // A file being written: rank 0 makes datasets, every rank writes its numbers to their places in the file. Texts and attributes are kept
   // and written by close().
-  int descriptor = -1;  ///< of the temporary file, on every rank
+  int descriptor = -1;  ///< temporary file, on every rank
   bool checksums = false;
   std::map<std::string, std::uint64_t> sums;  ///< dataset -> sum of the checksums of this rank's values
   std::set<std::string> known{"/"};           ///< groups and datasets made, the same on all ranks
-  std::set<std::string> datasets;             ///< of these the datasets
+  std::set<std::string> datasets;             ///< datasets among the names
   std::set<std::pair<std::string, std::string>> attributes;
   std::vector<std::function<void(hdf5::Id)>> kept;  ///< on rank 0
-  std::size_t keptBytes = 0;                        ///< about what they take in the file
+  std::size_t keptBytes = 0;                        ///< their size in the file, about
   unsigned long long owed = 0;                      ///< rows of this rank that were promised and not yet given
 
   bool isRoot() const { return comm->getRank() == 0; }
@@ -55,7 +55,7 @@ struct Hdf5File::Impl {
   void reserve(unsigned long long more) const;
   /// Adds the attributes with the checksums. Collective.
   void keepChecksums();
-  /// Where the rows of this rank begin, and how many there are on all. Collective.
+  /// First row of this rank, and number of rows on all. Collective.
   std::pair<unsigned long long, unsigned long long> placeOf(unsigned long long mine) const;
 
   // Reading.

@@ -7,7 +7,7 @@
 #include <type_traits>
 #include <vector>
 
-// What reading and writing HDF5 have in common, without HDF5's own header. Inside this package only.
+// Types that reading and writing HDF5 have in common, without HDF5's own header. Inside this package only.
 
 namespace suture::hdf5 {
 
@@ -58,8 +58,8 @@ class Handle {
 template <typename T>
 Id memoryType();
 
-/// Checksum of values that begin at the place `first` of a dataset. Sums of parts add up to that of the whole, whoever holds them; integers
-/// of any width have the same.
+/// Checksum of values that begin at the place `first` of a dataset. Sums of parts add up to that of the whole, on whatever ranks they are;
+/// integers of any width have the same.
 template <typename T>
 std::uint64_t checksum(const T* values, std::size_t count, std::uint64_t first) {
   std::uint64_t sum = 0;
@@ -81,7 +81,7 @@ constexpr const char* checksumName = "Checksum";  ///< attribute of a dataset
 /// "/a/b/c" -> "/a", "/a/b", "/a/b/c".
 std::vector<std::string> prefixes(const std::string& path);
 bool isThere(Id file, const std::string& path);
-/// Names of what is in a group, sorted. \throws Failed
+/// Names of the members of a group, sorted. \throws Failed
 std::vector<std::string> membersOf(Id file, const std::string& path);
 
 }  // namespace suture::hdf5

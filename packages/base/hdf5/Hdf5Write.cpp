@@ -33,7 +33,7 @@ Id variableText() {
   return type;
 }
 
-// What the file needs beyond its numbers, for each object and for all: reserved, lest HDF5 meet a full disk when it closes the file.
+// Bytes beyond the numbers, for each object and for the file: reserved, so that HDF5 meets no full disk when it closes the file.
 constexpr std::size_t kObjectBytes = 1024, kHeadBytes = 16384;
 
 /// Writes an attribute of integers to an object.
@@ -159,8 +159,8 @@ struct Hdf5Rows<T>::Impl {
   Hdf5File::Impl& file;
   const std::string at;
   const unsigned long long width;
-  unsigned long long next, end;  ///< of this rank's rows
-  unsigned long long offset;     ///< of the dataset in the file, in bytes
+  unsigned long long next, end;  ///< rows of this rank
+  unsigned long long offset;     ///< place of the dataset in the file, in bytes
 };
 
 template <typename T>

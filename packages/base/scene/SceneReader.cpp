@@ -44,14 +44,14 @@ SceneFile readScene(const Comm& comm, const std::string& path, const Schema& sch
   std::string text;
   collectivelyOnRoot(comm, "reading " + path, [&] { text = readFile(path); });
   text = broadcast(comm, text);
-  // Every rank checks the same text: should it throw, it throws the same everywhere, and nobody waits.
+  // Every rank checks the same text: if it throws, it throws the same everywhere, and no rank waits.
   return parseScene(text, path, schema, overrides);
 }
 
 SceneFile parseScene(const std::string& text, const std::string& path, const Schema& schema, const std::vector<std::string>& overrides) {
   Problems problems;
   RawList tree = parseTree(text, path, problems);
-  if (tree.parameters.empty() && tree.lists.empty()) problems.throwIfAny();  // no XML: what the schema misses is no news
+  if (tree.parameters.empty() && tree.lists.empty()) problems.throwIfAny();  // no XML: missing parameters are no news
   for (const std::string& assignment : overrides) applyOverride(tree, assignment, problems);
 
   SceneFile scene;

@@ -9,7 +9,7 @@ namespace suture {
 /// A scene (or study) file as it was read: the text as found, and the parameters with all defaults filled in, the same on all ranks.
 struct SceneFile {
   std::string path;                     ///< as given
-  std::string folder;                   ///< where relative names in the file start
+  std::string folder;                   ///< folder that relative names in the file start from
   std::string text;                     ///< verbatim
   Teuchos::RCP<Parameters> parameters;  ///< resolved; sublist names are full paths as Teuchos writes them
 };

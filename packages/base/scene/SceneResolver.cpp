@@ -12,7 +12,7 @@ namespace {
 
 using Kind = Schema::Kind;
 
-/// What a value of a kind should look like, with the names it may have or the range it must lie in.
+/// Form of a value of this kind, with the names it may have or the range it must lie in.
 std::string expectation(const Schema::Parameter& parameter) {
   std::string text;
   switch (parameter.kind) {
@@ -47,7 +47,7 @@ std::string expectation(const Schema::Parameter& parameter) {
   return text;
 }
 
-/// What is wrong with a number outside its range: "0.5 is not below 0.5 (note)"; "" for one inside.
+/// Complaint about a number outside its range: "0.5 is not below 0.5 (note)"; "" for one inside.
 std::string outside(double value, const std::string& written, const Range& range) {
   if (range.contains(value)) return "";
   std::string text = written + " is not ";
@@ -88,7 +88,7 @@ class Resolver {
  public:
   explicit Resolver(Problems& problems) : problems_(problems) {}
 
-  /// `demanded`: what has no default must be given; not so inside a choice that is not taken.
+  /// `demanded`: parameters without a default must be given; not so inside a choice that is not taken.
   void list(const RawList& raw, const Schema& schema, const std::string& path, bool demanded, Parameters& resolved) {
     refuseUnknown(raw, schema, path);
     for (const Schema::Parameter& parameter : schema.parameters()) {
@@ -177,7 +177,7 @@ class Resolver {
     }
   }
 
-  /// Where below this list a parameter of the name is known: a right name at the wrong level is a common slip.
+  /// List below this one that knows a parameter of the name: a right name at the wrong level is a common slip.
   static std::string homeOf(const std::string& name, const Schema& schema, const std::string& path) {
     for (const auto& [inner, below] : schema.lists()) {
       const std::string here = joinPath(path, inner);

@@ -89,7 +89,7 @@ class TreeBuilder {
       problems_.add(path, what + " whose name is empty");
       return false;
     }
-    // They would make the path of what is inside ambiguous: in messages, in --set and in the names of Teuchos' lists.
+    // They would make paths inside ambiguous: in messages, in --set and in the names of Teuchos' lists.
     for (const char* taken : {"/", "=", "->"}) {
       if (name.find(taken) == std::string::npos) continue;
       problems_.add(path, "the name '" + name + "' contains '" + taken + "', which paths need");

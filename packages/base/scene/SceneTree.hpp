@@ -35,7 +35,7 @@ std::string joinPath(const std::string& list, const std::string& entry);
 /// text that is no XML ends it (the problem names the line) and gives an empty tree. Local.
 RawList parseTree(const std::string& text, const std::string& path, Problems& problems);
 
-/// Writes "Path/To/Parameter=value" into the tree; lists on the way are made. What the path means is checked with the tree. Local.
+/// Writes "Path/To/Parameter=value" into the tree; lists on the way are made. The path is checked with the tree. Local.
 void applyOverride(RawList& top, const std::string& assignment, Problems& problems);
 
 }  // namespace suture

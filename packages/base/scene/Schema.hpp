@@ -42,8 +42,8 @@ class Schema {
     bool optional = false;          ///< may be absent and then has no value
     std::string doc;
     std::string unit;                  ///< "length", "stress", "" for none
-    Range range;                       ///< of numbers, and of each entry of Reals / Integers
-    std::vector<std::string> allowed;  ///< of Text: the names it may have; empty means any
+    Range range;                       ///< range of a number, and of each entry of Reals / Integers
+    std::vector<std::string> allowed;  ///< names that a Text may have; empty means any
     std::vector<std::string> allowedDocs;
     std::vector<std::string> words;  ///< Text that may also be a number in `range` ("None | Automatic | value"): the words
     bool numberToo = false;

@@ -17,7 +17,7 @@ std::string defaultText(const Schema::Parameter& parameter) {
   return parameter.with ? "required with " + parameter.with->first + " " + parameter.with->second : "required";
 }
 
-/// Range or names: what a value may be; "" when anything goes.
+/// Range or names of a value; "" when anything goes.
 std::string allowedText(const Schema::Parameter& parameter) {
   const std::string range = parameter.range.text() == "any" ? "" : parameter.range.text();
   const auto bars = [](const std::vector<std::string>& names) {
@@ -98,7 +98,7 @@ std::string commentable(std::string text) {
   return text;
 }
 
-/// A scene with every default. What the user must name or give himself stands in a comment, and in a comment there are no others.
+/// A scene with every default. Names and values that the user must give stand in a comment, which holds no other comment.
 class XmlScene {
  public:
   std::string write(const Schema& schema) {

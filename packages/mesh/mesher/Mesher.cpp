@@ -1,5 +1,5 @@
 // suture_mesher: the only program that runs Gmsh. The library starts it for every .geo and .msh file (MesherProcess.hpp), so that a file
-// that ends, hangs or crashes Gmsh, or makes it run programs, harms nobody but this process. Writes MesherMessages to its descriptor 3.
+// that ends, hangs or crashes Gmsh, or makes it run programs, harms only this process. Writes MesherMessages to its descriptor 3.
 //     suture_mesher geo|msh FILE MESH_SIZE_FACTOR BYTES SECONDS ALLOW_PROGRAMS(0|1)
 #include <suture/base/Buffer.hpp>
 #include <suture/mesh/GmshMesh.hpp>
@@ -238,7 +238,7 @@ GmshMesh readMesh(bool geometry, const std::string& path) {
   return mesh;
 }
 
-/// What an exception says; libgmsh 4.8 throws texts and numbers, later ones exceptions.
+/// Text of the exception in hand; libgmsh 4.8 throws texts and numbers, later ones exceptions.
 std::string thrownText() {
   try {
     throw;
@@ -276,7 +276,7 @@ int main(int argc, char* argv[]) {
   const bool geometry = std::string(argv[1]) == "geo", allowPrograms = std::string(argv[6]) == "1";
   const std::string path = argv[2];
   const double factor = std::atof(argv[3]);
-  for (int open = 4; open < 1024; ++open) close(open);  // of the parent
+  for (int open = 4; open < 1024; ++open) close(open);  // files of the parent
   limitThisProcess(std::strtoull(argv[4], nullptr, 10), std::atof(argv[5]));
   gmsh::initialize(0, nullptr, false);  // without the user's own configuration files
   gmsh::option::setNumber("General.Terminal", 0);

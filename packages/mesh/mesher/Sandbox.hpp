@@ -3,7 +3,7 @@
 
 namespace suture {
 
-/// Limits of this process and of what it starts: so many bytes of address space, so many seconds of processor time, no core file, and the
+/// Limits of this process and its children: so many bytes of address space, so many seconds of processor time, no core file, and the
 /// end with its parent's.
 void limitThisProcess(std::size_t bytes, double seconds);
 

@@ -6,7 +6,7 @@
 namespace suture {
 
 /// Into how many subdomains each block of a connected part is cut: blocks of about 240,000 elements and at least nine subdomains, as equal
-/// as can be; a smaller part is one block. Blocks are what ranks share METIS' work by. Local.
+/// as can be; a smaller part is one block. Ranks share METIS' work by blocks. Local.
 std::vector<int> subdomainsOfBlocks(int elements, int subdomains);
 
 /// Cuts connected parts into connected blocks, in proportion to their subdomains: METIS on groups of up to 32 neighbouring elements, then
@@ -15,7 +15,7 @@ std::vector<int> subdomainsOfBlocks(int elements, int subdomains);
 /// each). Deterministic. Local.
 /// \param graph       parts have no neighbours in others
 /// \param parts       their elements
-/// \param subdomains  of each block of each part
+/// \param subdomains  number of subdomains of each block of each part
 /// \return element -> block, numbered part by part
 std::vector<int> cutIntoBlocks(const ElementGraph& graph, const std::vector<std::vector<int>>& parts,
                                const std::vector<std::vector<int>>& subdomains, int seed);

@@ -8,12 +8,12 @@
 
 namespace suture {
 
-/// Which element is in which subdomain: the result of cutting a mesh.
+/// Subdomain of each element: the result of cutting a mesh.
 struct Cut {
-  std::vector<int> subdomainOfElement;  ///< of the mesh
-  std::vector<std::string> names;       ///< of the subdomains
+  std::vector<int> subdomainOfElement;  ///< subdomain of each element of the mesh
+  std::vector<std::string> names;       ///< names of the subdomains
   std::vector<int> bodyOf;              ///< subdomain -> body
-  std::vector<std::string> notes;       ///< sentences for the user: what was repaired
+  std::vector<std::string> notes;       ///< sentences for the user about repairs
   bool bodiesAreConnected = false;      ///< each body is one part; false: not known
 };
 
@@ -22,9 +22,9 @@ Schema metisSchema();
 Schema namedGroupsSchema();
 
 /// Every body on its own, in proportion to its elements; a body of several disconnected parts, each part on its own. Every rank cuts the
-/// bodies of its share; the cut does not depend on who has which. Subdomains = Automatic makes at least one a rank where the elements allow
+/// bodies of its share; the cut does not depend on the ranks. Subdomains = Automatic makes at least one a rank where the elements allow
 /// it. Collective.
-/// \param mesh   what the share was made from
+/// \param mesh   mesh that the share was made from
 /// \param own    the list `METIS`
 /// \param share  gets its subdomains and their holders
 /// \return names, bodies and notes on rank 0, nothing elsewhere

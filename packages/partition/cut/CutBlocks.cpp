@@ -42,7 +42,7 @@ void deliver(const Comm& comm, const std::vector<Block>& blocks, const From& fro
 }  // namespace
 
 void placeBlocks(const std::vector<int>& elements, int ranks, std::vector<Block>& blocks) {
-  constexpr double sent = 1.1;  // what a block that is sent there and back costs by one that is not
+  constexpr double sent = 1.1;  // cost of a block that is sent there and back, by that of one that is not
   std::vector<double> load(ranks, 0.0);
   for (std::size_t i = 0; i < blocks.size(); ++i) {
     blocks[i].cutter = blocks[i].owner;
@@ -51,7 +51,7 @@ void placeBlocks(const std::vector<int>& elements, int ranks, std::vector<Block>
   for (std::size_t moved = 0; moved < blocks.size(); ++moved) {
     const auto most = std::max_element(load.begin(), load.end()), least = std::min_element(load.begin(), load.end());
     const auto busiest = static_cast<int>(most - load.begin());
-    // What helps these two ranks most; what has been sent stays where it is.
+    // The block that helps these two ranks most; blocks that were sent stay where they are.
     std::size_t best = blocks.size();
     double after = *most;
     for (std::size_t i = 0; i < blocks.size(); ++i) {

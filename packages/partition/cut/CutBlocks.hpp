@@ -23,10 +23,10 @@ struct BlockCut {
   int repairs = 0;          ///< as metisCut() counts
 };
 
-/// Every block on its cutter, which gets the graph from the owner and sends back what it found. Collective.
+/// Every block on its cutter, which gets the graph from the owner and sends back the cut. Collective.
 /// \param blocks  the same on all ranks
-/// \param graphs  of this rank's own blocks, in their order
-/// \return of this rank's own blocks, in their order; whoever cuts them
+/// \param graphs  graphs of this rank's own blocks, in their order
+/// \return cuts of this rank's own blocks, in their order, wherever they were made
 std::vector<BlockCut> cutBlocks(const Comm& comm, const std::vector<Block>& blocks, std::vector<ElementGraph> graphs, int seed);
 
 }  // namespace suture

@@ -100,7 +100,7 @@ std::vector<Block> makeBlocks(const std::vector<PartSize>& parts, const std::vec
   const std::vector<int> subdomains = apportion(sizes, wanted);
   std::vector<int> partsOfRank(ranks, 0), numberInBody(bodies.size(), 0);
   std::vector<Block> blocks;
-  std::vector<int> elements;  // of each block, about
+  std::vector<int> elements;  // elements of each block, about
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const int body = parts[i].body, part = partsOfRank[parts[i].rank]++;
     for (const int own : subdomainsOfBlocks(sizes[i], subdomains[i])) {

@@ -27,7 +27,7 @@ std::vector<ElementGraph> subgraphs(const ElementGraph& graph, const std::vector
 /// Connected components of equally labelled elements.
 struct Components {
   std::vector<int> of;                     ///< element -> component
-  std::vector<std::vector<int>> elements;  ///< of each component, ascending; components in the order of their first elements
+  std::vector<std::vector<int>> elements;  ///< elements of each component, ascending; components in the order of their first elements
   int count() const { return static_cast<int>(elements.size()); }
 };
 Components components(const ElementGraph& graph, const std::vector<int>& labels);

@@ -32,16 +32,16 @@ void takeAll(const Mesh& mesh, MeshShare& share) {
   share.bodyOfElement = mesh.bodyOfElement.empty() ? std::vector<int>(mesh.elements(), 0) : mesh.bodyOfElement;
 }
 
-// How much a share holds.
+// Size of a share.
 struct Extent {
   std::size_t nodes = 0, elements = 0, corners = 0;
 };
 
 // Owners of nodes and elements, in one pass for all ranks.
 struct ByRank {
-  std::vector<std::vector<int>> nodes, elements;  // of each rank, ascending
-  std::vector<int> local;                         // of each node of the mesh: its number among those of its rank
-  std::vector<Extent> extents;                    // of each rank's share
+  std::vector<std::vector<int>> nodes, elements;  // nodes and elements of each rank, ascending
+  std::vector<int> local;                         // number of each node of the mesh among those of its rank
+  std::vector<Extent> extents;                    // sizes of each rank's share
 
   ByRank(const Mesh& mesh, const std::vector<int>& rankOf, int ranks) : nodes(ranks), elements(ranks), local(mesh.nodes()), extents(ranks) {
     for (int node = 0; node < mesh.nodes(); ++node) {
@@ -86,7 +86,7 @@ void takeBodiesOf(int rank, const Mesh& mesh, ByRank& all, MeshShare& share) {
   }
 }
 
-// What is the same for all shares.
+// Properties that all shares have in common.
 struct Kind {
   int dimension = 0;
   bool axisymmetric = false, hasRegions = false;
@@ -146,7 +146,8 @@ MeshShare shareBodies(const Comm& comm, const Mesh& mesh) {
   }
   const auto kind = unpacker.get<Kind>();
   const auto extents = unpacker.get<std::vector<Extent>>();
-  // Rank by rank: beside the mesh there is never more than one share on the way. Ranks make room while rank 0 takes what they wait for.
+  // Rank by rank: beside the mesh there is never more than one share on the way. Ranks make room while rank 0 prepares the share that they
+  // wait for.
   for (int to = 1; to < comm.getSize(); ++to) {
     MeshShare sent;
     collectively(comm, what, [&] {

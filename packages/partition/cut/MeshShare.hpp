@@ -17,9 +17,9 @@ struct MeshShare {
   std::vector<int> globalNodes, globalElements;  ///< local -> mesh, ascending; empty if whole
   std::vector<int> bodyOfElement;
   std::vector<int> subdomainOfElement;  ///< once they are cut
-  NodeSubdomains holders;               ///< of each node, once they are cut
+  NodeSubdomains holders;               ///< holders of each node, once they are cut
 
-  /// \param mesh  what the share was made from
+  /// \param mesh  mesh that the share was made from
   const CellBlock& block(const CellBlock& mesh) const { return whole ? mesh : own; }
   GlobalId globalNode(int local) const { return whole ? local : globalNodes[local]; }
   GlobalId globalElement(int local) const { return whole ? local : globalElements[local]; }

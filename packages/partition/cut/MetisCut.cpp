@@ -12,7 +12,7 @@ namespace {
 // Recursive bisection gives the better cut for few parts, as METIS' own manual says.
 bool isBisected(int parts) { return parts <= 8; }
 
-// What METIS is asked; null: every vertex and side weighs one, all parts are to be equal.
+// Problem for METIS; null: every vertex and side weighs one, all parts are to be equal.
 struct Question {
   const ElementGraph& graph;
   int parts;

@@ -13,7 +13,7 @@ std::vector<int> metisCut(const ElementGraph& graph, int parts, int seed, int* r
 /// A graph whose vertices are groups of elements.
 struct GroupGraph {
   ElementGraph graph;
-  std::vector<int> elements;  ///< of each group: how many
+  std::vector<int> elements;  ///< number of elements of each group
   std::vector<int> sides;     ///< as graph.neighbours: how many sides the two groups have in common
 };
 

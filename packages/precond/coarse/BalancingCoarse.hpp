@@ -13,7 +13,7 @@ namespace suture {
 /// singular; its solution is determined but for combinations n with Z n = 0, which no trace feels.
 class BalancingCoarse {
  public:
-  /// \param columns  of each local problem of this rank, its traces: size() x k, orthonormal. Collective. \throws NumericalError
+  /// \param columns  traces of each local problem of this rank: size() x k, orthonormal. Collective. \throws NumericalError
   /// \param copies  see DirectCoarse
   BalancingCoarse(const InterfaceOperator& matrix, const std::vector<Matrix>& columns, std::unique_ptr<LocalSolver> solver, int copies);
 
@@ -33,9 +33,9 @@ class BalancingCoarse {
 
   std::shared_ptr<const InterfaceSpace> space_;
   int size_ = 0;
-  std::vector<Matrix> columns_;        // of each local problem: its own
+  std::vector<Matrix> columns_;        // own columns of each local problem
   std::vector<int> firstColumn_;       // number of the first of them
-  std::vector<Matrix> seen_, images_;  // of each local problem: all columns that it feels, V, and S V
+  std::vector<Matrix> seen_, images_;  // columns V that each local problem feels, and S V
   std::vector<std::vector<int>> seenIds_;
   std::unique_ptr<DirectCoarse> system_;
   mutable Matrix trace_;  // work space: for any local problem

@@ -27,7 +27,7 @@ class ChebyshevInverse {
   Teuchos::RCP<const Preconditioner> preconditioner_;
   double largest_ = 1.0;
   int steps_ = 1;
-  mutable std::array<MultiVectorPtr, 4> work_;  // of apply(), which every iteration calls
+  mutable std::array<MultiVectorPtr, 4> work_;  // work space of apply(), which every iteration calls
 };
 
 }  // namespace suture

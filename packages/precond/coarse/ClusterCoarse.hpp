@@ -34,11 +34,11 @@ class ClusterCoarse : public CoarseSolve {
   std::vector<std::shared_ptr<const ClusterProblem>> problems_;
   std::shared_ptr<const InterfaceSpace> space_;
   std::unique_ptr<ChebyshevInverse> inverse_;
-  mutable Vector answer_;  // of the last solve
+  mutable Vector answer_;  // answer of the last solve
   // Work space of solve(), which every iteration calls: it allocates nothing.
   mutable Vector load_;
   mutable Matrix overlap_;
-  mutable std::vector<double> interior_, trace_;  // of a cluster
+  mutable std::vector<double> interior_, trace_;  // values of one cluster
   MultiVectorPtr right_, left_;
 };
 

@@ -13,7 +13,7 @@ namespace {
 
 /// Do these values of a plane body tell all its rigid motion? Lengths by the extent of the unknowns.
 bool fixesMotion(const ClusterGraph& graph, const std::vector<int>& shared) {
-  constexpr double least = 1e-6;  // of the smallest to the largest singular value squared
+  constexpr double least = 1e-6;  // smallest over largest singular value, squared
   if (shared.size() < 3) return false;
   const Point& origin = graph.unknowns[shared[0]].point;
   Matrix motions(static_cast<int>(shared.size()), 3);

@@ -8,9 +8,9 @@ namespace suture {
 
 /// All local problems and the coarse unknowns they name, on one rank, without the matrices.
 struct ClusterGraph {
-  std::vector<std::vector<int>> unknownsOf;        ///< of each local problem, by ascending id
+  std::vector<std::vector<int>> unknownsOf;        ///< unknowns of each local problem, by ascending id
   std::vector<InterfaceLayout::Unknown> unknowns;  ///< by number
-  std::vector<std::vector<int>> holders;           ///< of each unknown: local problems, ascending
+  std::vector<std::vector<int>> holders;           ///< local problems that hold each unknown, ascending
 
   /// From unknownsOf.
   void findHolders();
@@ -20,7 +20,7 @@ struct ClusterGraph {
 ElementGraph fixedNeighbours(const ClusterGraph& graph);
 
 /// The interface of clusters: corners and edges of the layout, both of all clusters. `boundaries`, `locals`, `unknowns` are for the caller.
-/// \param clusterOf  of each local problem. Local.
+/// \param clusterOf  cluster of each local problem. Local.
 InterfaceLayout clusterEntities(const ClusterGraph& graph, const std::vector<int>& clusterOf);
 
 }  // namespace suture

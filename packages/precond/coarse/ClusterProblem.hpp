@@ -13,7 +13,7 @@ namespace suture {
 class ClusterProblem : public LocalProblem {
  public:
   /// \param boundary  coarse unknowns that other clusters touch, too
-  /// \param elements  of its members; they name all of `boundary`
+  /// \param elements  matrices of its members; they name all of `boundary`
   /// \throws NumericalError  the interior is singular
   ClusterProblem(int id, std::vector<GlobalId> boundary, const std::vector<CoarseElement>& elements);
 

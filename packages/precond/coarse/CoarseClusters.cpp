@@ -24,7 +24,7 @@ struct PlainUnknown {
   double moment;
 };
 
-/// Where each local problem stands: its rank, and its place there.
+/// Rank of a local problem, and its place there.
 struct Place {
   int rank, place;
 };

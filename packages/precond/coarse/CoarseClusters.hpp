@@ -5,13 +5,13 @@
 
 namespace suture {
 
-/// Local problems gathered into connected clusters, and the interface between these: what each rank has to know.
+/// Local problems gathered into connected clusters, and the interface between these, as far as each rank needs it.
 ///
 /// Local problems are neighbours when the coarse unknowns they share fix them to each other (not at a hinge, not on a contact line that
 /// slides), so that a cluster moves as one body; the graph is cut by METIS. Corners of the clusters: coarse unknowns of three or more
-/// clusters, and those at both ends of every edge. An edge is a chain of what two clusters share.
+/// clusters, and those at both ends of every edge. An edge is a chain of unknowns that two clusters share.
 struct CoarseClusters {
-  std::vector<int> clusterOf, rankOf;  ///< of each element of this rank: its cluster, and the rank that holds it
+  std::vector<int> clusterOf, rankOf;  ///< cluster of each element of this rank, and the rank that holds it
   std::vector<int> neighbours;         ///< ranks with which this one exchanges elements, both ways
   InterfaceLayout layout;              ///< clusters of this rank as local problems, coarse unknowns as unknowns
   int count = 0;                       ///< clusters over all ranks

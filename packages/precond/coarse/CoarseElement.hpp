@@ -12,7 +12,7 @@ class Unpacker;
 
 /// The term of the coarse matrix that comes from one local problem. Local.
 struct CoarseElement {
-  int id;                     ///< of the local problem
+  int id;                     ///< id of the local problem
   std::vector<int> unknowns;  ///< coarse unknowns, ascending
   Matrix matrix;              ///< between them; symmetric, positive semidefinite: its lower triangle counts
 };
@@ -20,7 +20,7 @@ struct CoarseElement {
 /// Contribution of one rank to a coarse matrix, the sum of elements over all ranks.
 struct CoarseElements {
   int size = 0;                                    ///< coarse unknowns, over all ranks
-  std::vector<CoarseElement> elements;             ///< of this rank's local problems
+  std::vector<CoarseElement> elements;             ///< elements of this rank's local problems
   std::vector<InterfaceLayout::Unknown> unknowns;  ///< all that `elements` name, once; `id` is the number of the coarse unknown
 };
 

@@ -8,13 +8,13 @@
 
 namespace suture {
 
-/// How the coarse problem of BDDC is solved: exactly, or by a level more when there are many local problems.
+/// Choices for the coarse problem of BDDC: exact, or by a level more when there are many local problems.
 struct CoarseOptions {
-  LocalSolverMaker solver;  ///< of the last level
+  LocalSolverMaker solver;  ///< solver of the last level
   int copies = 0;           ///< ranks that hold a factor; 0: all
   int above = 1000;         ///< local problems beyond which there is a level more; 0: always one, and no further
   int clusters = 0;         ///< local problems of the next level; 0: automatic, see coarseClusters
-  double accuracy = 0.1;    ///< of the coarse solve where it is not exact: eigenvalues in [1 - accuracy, 1 + accuracy]
+  double accuracy = 0.1;    ///< accuracy of a coarse solve that is not exact: eigenvalues in [1 - accuracy, 1 + accuracy]
 
   /// Parameters `Coarse Solver`, `Coarse Copies`, `Coarse Level Above`, `Coarse Clusters`, `Coarse Accuracy`.
   static void addParameters(Schema& schema);

@@ -6,14 +6,14 @@
 
 namespace suture {
 
-/// Which traces Z_i of a local problem the balancing coarse problem holds (eq. 28-31: the columns D_i Z_i). The traces must contain the
+/// Traces Z_i of a local problem that the balancing coarse problem holds (eq. 28-31: the columns D_i Z_i). The traces must contain the
 /// kernel of S_i if its Neumann problem is to see balanced loads only. Strategies: None, Kernels, Rigid Modes; a user adds his own through
 /// Registry<CoarseSpace>. Local.
 class CoarseSpace {
  public:
   static const char* kind() { return "coarse space"; }
   virtual ~CoarseSpace() = default;
-  /// size() x k; columns may depend on each other (what depends is left out).
+  /// size() x k; columns may depend on each other (dependent ones are left out).
   virtual Matrix columns(const LocalProblem& local) const = 0;
 };
 

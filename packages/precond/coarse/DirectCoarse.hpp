@@ -13,8 +13,8 @@ namespace suture {
 /// messages; the answer is the same.
 class DirectCoarse : public CoarseSolve {
  public:
-  /// \param size      of the system, the same on all ranks
-  /// \param elements  of this rank; those of all ranks are added up
+  /// \param size      number of unknowns, the same on all ranks
+  /// \param elements  matrices of this rank; those of all ranks are added up
   /// \param copies    ranks that hold a factor; 0: all
   /// \param dependent  the system may be singular, and consistent: its diagonal, scaled to one, is shifted by 1e-11, and iterative
   ///                   refinement takes the shift out again, but for the null space
