@@ -35,6 +35,28 @@ TEUCHOS_UNIT_TEST(Schema, RefusesANameThatIsTaken) {
   TEST_THROW(Schema().real("A/B", 1.0, ""), InternalError);
 }
 
+TEUCHOS_UNIT_TEST(Schema, ParametersOfAChoiceMayStandBesideIt) {
+  const Schema laws = Schema().choice(
+      "Type", "Plain",
+      {{"Plain", Schema("one number").real("Modulus", std::nullopt, "stiffness")}, {"Rich", Schema("many").real("Angle", 0.0, "turn")}},
+      "the law", "Plain");
+  const auto errorOf = [&](const std::string& inside) -> std::string {
+    try {
+      parseScene("<ParameterList name=\"Suture\">" + inside + "</ParameterList>", "laws.xml", laws);
+    } catch (const InputError& error) {
+      return error.problems().front().path + ": " + error.problems().front().message;
+    }
+    return "";
+  };
+  const std::string modulus = "<Parameter name=\"Modulus\" type=\"double\" value=\"2\"/>",
+                    rich = "<Parameter name=\"Type\" type=\"string\" value=\"Rich\"/>";
+  TEST_EQUALITY(errorOf(modulus), "");
+  TEST_EQUALITY(errorOf(""), "Modulus: is missing and has no default: stiffness (expected a number)");
+  TEST_EQUALITY(errorOf(rich), "");            // not demanded of another choice
+  TEST_EQUALITY(errorOf(rich + modulus), "");  // nor refused, as lists of choices not taken
+  TEST_ASSERT(laws.document("text").find("Modulus  (double, required with Type Plain) stiffness") != std::string::npos);
+}
+
 TEUCHOS_UNIT_TEST(Schema, RefusesADefaultThatIsNotAllowed) { TEST_THROW(Schema().oneOf("A", "z", {"x", "y"}, ""), InternalError); }
 
 TEUCHOS_UNIT_TEST(Schema, DocumentsInTextDefaultUnitRangeNamesAndMeaning) {
