@@ -126,12 +126,11 @@ bool readLaw(const Parameters& entry, int number, Material& material, Problems& 
     }
     return true;
   } catch (const InputError& error) {
-    for (const Problem& problem : error.problems()) {
-      const bool placed = problem.path != MaterialLaw::kind();
-      const std::string path = placed ? problem.path : pathOf(entry, "Type");
+    for (Problem problem : error.problems()) {
+      if (problem.path == MaterialLaw::kind()) problem.path = pathOf(entry, entry.isSublist(type) ? type : "Type");
       const auto& all = problems.list();  // bodies and regions may share the material
-      if (std::none_of(all.begin(), all.end(), [&](const Problem& p) { return p.path == path && p.message == problem.message; }))
-        problems.add(path, placed ? problem.message : type + ": " + problem.message);
+      if (std::none_of(all.begin(), all.end(), [&](const Problem& p) { return p.path == problem.path && p.message == problem.message; }))
+        problems.add(problem.path, problem.message);
     }
     return false;
   }

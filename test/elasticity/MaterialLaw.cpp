@@ -15,18 +15,15 @@ constexpr double kE1 = 140.0, kE2 = 10.0, kE3 = 9.0, kNu12 = 0.3, kNu23 = 0.4, k
 
 Schema lawSchema() { return Schema().list("Materials", Schema().each("material", materialSchema())); }
 
-std::string number(double value) { return std::to_string(value); }
-
 std::string orthotropic(const std::string& young, const std::string& poisson, const std::string& shear, double angle = 0.0) {
-  return R"(<ParameterList name="Suture"><ParameterList name="Materials"><ParameterList name="ply">
-    <Parameter name="Type" type="string" value="Orthotropic"/>
-    <ParameterList name="Orthotropic">
-      <Parameter name="Young Moduli" type="Array(double)" value = ")" + young + R"("/>
-      <Parameter name="Poisson Ratios" type="Array(double)" value = ")" + poisson + R"("/>
-      <Parameter name="Shear Moduli" type="Array(double)" value =
-                                                                        ")" + shear + R"("/>
-      <Parameter name="Angle" type="double" value=")" + number(angle) + R"("/>
-    </ParameterList></ParameterList></ParameterList></ParameterList>)";
+  const auto parameter = [](const char* name, const char* type, const std::string& value) {
+    return "<Parameter name='" + std::string(name) + "' type='" + type + "' value='" + value + "'/>";
+  };
+  return "<ParameterList name='Suture'><ParameterList name='Materials'><ParameterList name='ply'>" +
+         parameter("Type", "string", "Orthotropic") + "<ParameterList name='Orthotropic'>" +
+         parameter("Young Moduli", "Array(double)", young) + parameter("Poisson Ratios", "Array(double)", poisson) +
+         parameter("Shear Moduli", "Array(double)", shear) + parameter("Angle", "double", std::to_string(angle)) +
+         "</ParameterList></ParameterList></ParameterList></ParameterList>";
 }
 
 std::unique_ptr<MaterialLaw> lawOf(const std::string& xml) {
