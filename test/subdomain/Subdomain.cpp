@@ -1,5 +1,6 @@
 #include <Teuchos_UnitTestHarness.hpp>
 #include <support/Blocks.hpp>
+#include <suture/elasticity/SubdomainLoads.hpp>
 
 namespace suture {
 namespace {
@@ -102,6 +103,27 @@ TEUCHOS_UNIT_TEST(Subdomain, ABodyOnAnInclineCanSlide) {
   for (int node = 0; node < s.mesh().nodes(); ++node) sliding.segment(2 * node, 2) << plate.along[0], plate.along[1];
   const Vector expected = s.freeValues(sliding), found = s.kernel().col(0);
   TEST_COMPARE(difference(found * (found.dot(expected) / found.squaredNorm()), expected), <, 1e-12);
+}
+
+// By the matrix and by element loops: two ways to one force, in turned axes and with prescribed components.
+TEUCHOS_UNIT_TEST(Subdomain, ItsForcesAndLoadsAreThoseOfElementLoops) {
+  const Plate plate(0.4);
+  const Blocks body(plate.scene, alone(), 3);
+  for (const auto& subdomain : body.subdomains) {
+    const SubdomainMesh& mesh = subdomain->mesh();
+    Vector u(2 * mesh.nodes());
+    for (int i = 0; i < u.size(); ++i) u(i) = std::sin(1.0 + 3.7 * i);  // prescribed components as they come: K u is asked for, not a state
+    const auto materialOf = [&](int e) -> const Material& { return plate.scene.model.materialOf(mesh, e, mesh.body); };
+    const ElementForces found = subdomain->internalForces(u), expected = elementForces(mesh, materialOf, plate.scene.model.plane, u);
+    TEST_COMPARE(difference(found.internal, expected.internal), <, 1e-13);
+    TEST_COMPARE(difference(subdomain->nodalLoads(), subdomainLoads(mesh, plate.scene.model)), <, 1e-14);
+    for (int node = 0; node < mesh.nodes(); ++node) {  // orders only
+      TEST_COMPARE(found.stiffness(node), <, 4 * expected.stiffness(node));
+      TEST_COMPARE(found.stiffness(node), >, expected.stiffness(node) / 4);
+    }
+    const Matrix stresses = elementStresses(mesh, materialOf, plate.scene.model.plane, u);
+    TEST_COMPARE((subdomain->stresses(u) - stresses).norm(), <, 1e-14 * stresses.norm());
+  }
 }
 
 // A subdomain of a user's own physics: the shell checks what it is given.

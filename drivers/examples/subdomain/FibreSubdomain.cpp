@@ -1,14 +1,13 @@
-// A subdomain with physics of one's own: an elastic body with thin fibres in one direction, which are stiff along themselves and nothing
-// else.
+// A subdomain with physics of one's own: an elastic body with thin fibres in one direction, which are stiff along themselves only.
 #include <Teuchos_ParameterList.hpp>
 #include <cmath>
 #include <suture/elasticity/SubdomainLoads.hpp>
 #include <suture/subdomain/RigidModes.hpp>
 #include <suture/subdomain/Subdomain.hpp>
 
-namespace {
-
 using namespace suture;
+
+namespace {
 
 class FibreSubdomain : public Subdomain {
  public:
@@ -20,14 +19,14 @@ class FibreSubdomain : public Subdomain {
 
   FibreSubdomain(const SubdomainMesh& mesh, const ElasticModel& model, const Parameters& own) : Subdomain(mesh), model_(model) {
     const double angle = own.get<double>("Angle") * M_PI / 180, c = std::cos(angle), s = std::sin(angle);
-    Eigen::Matrix<double, 6, 1> along;  // the strain of the fibres is along . (xx, yy, zz, xy, yz, xz)
-    along << c * c, s * s, 0, c * s, 0, 0;
+    // The strain of the fibres is along . (xx, yy, zz, xy, yz, xz).
+    const auto along = (Eigen::Matrix<double, 6, 1>() << c * c, s * s, 0, c * s, 0, 0).finished();
     for (int e = 0; e < mesh.elements(); ++e) {
       const Material& plain = model.materialOf(mesh, e, mesh.body);
-      if (reinforced_.count(&plain) > 0) continue;
-      Material& mine = reinforced_[&plain] = plain;
-      mine.element = ElementForm::Displacement;
-      mine.law = std::make_shared<GivenLaw>(plain.stiffness() + own.get<double>("Stiffness") * along * along.transpose());
+      const auto [mine, isNew] = reinforced_.try_emplace(&plain, plain);
+      mine->second.element = ElementForm::Displacement;
+      if (isNew)
+        mine->second.law = std::make_shared<GivenLaw>(plain.stiffness() + own.get<double>("Stiffness") * along * along.transpose());
     }
   }
 
@@ -53,9 +52,8 @@ class FibreSubdomain : public Subdomain {
   std::map<const Material*, Material> reinforced_;
 };
 
-const Registration<Subdomain> registration("Fibres", FibreSubdomain::schema(),
-                                           [](const SubdomainMesh& mesh, const ElasticModel& model, const Parameters& own) {
-                                             return std::make_unique<FibreSubdomain>(mesh, model, own);
-                                           });
+const Registration<Subdomain> registration("Fibres", FibreSubdomain::schema(), [](const auto& mesh, const auto& model, const auto& own) {
+  return std::make_unique<FibreSubdomain>(mesh, model, own);
+});
 
 }  // namespace
