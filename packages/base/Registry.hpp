@@ -10,8 +10,8 @@
 
 namespace suture {
 
-/// How the strategies of a kind are made: from the parameters of their own sublist, and, if the kind has a `Base::Maker` that says so, from
-/// more before them.
+/// Maker of the strategies of a kind: takes the parameters of their own sublist; a kind that needs more before them says so by a
+/// `Base::Maker` of its own.
 template <typename Base, typename = void>
 struct MakerOf {
   using Type = std::function<std::unique_ptr<Base>(const Parameters&)>;

@@ -110,7 +110,7 @@ Load loadOf(const Parameters& condition, const std::vector<std::string>& bodies,
   return load;
 }
 
-// The law of an entry of Materials; false if there is something wrong with it.
+// Reads the law of an entry of Materials; false if there is something wrong with it. `number`: of the entry, from 1.
 bool readLaw(const Parameters& entry, int number, Material& material, Problems& problems) {
   const std::string type = entry.get<std::string>("Type");
   try {
@@ -136,23 +136,25 @@ bool readLaw(const Parameters& entry, int number, Material& material, Problems& 
   }
 }
 
+// True if the law is positive definite without the couplings that Mixed elements replace by a pressure.
 bool mayBeMixed(const Material& material) {
-  const HookesLaw law({material.name, material.young, material.poisson, ElementForm::Mixed, false, false, 0, material.law},
-                      PlaneModel::Strain);
-  return Eigen::LLT<Eigen::Matrix4d>(law.pointwise).info() == Eigen::Success;
+  Material mixed = material;
+  mixed.element = ElementForm::Mixed;
+  return Eigen::LLT<Eigen::Matrix4d>(HookesLaw(mixed, PlaneModel::Strain).pointwise).info() == Eigen::Success;
 }
 
-// What the parameter `Material` of a list names.
+// The material that the parameter `Material` of a list names.
 Material materialNamedIn(const Parameters& list, const Parameters& materials, PlaneModel plane, Problems& problems) {
   Material material;
   material.name = list.get<std::string>("Material");
   const std::vector<std::string> known = sublistNames(materials);
-  if (std::find(known.begin(), known.end(), material.name) == known.end()) {
+  const auto found = std::find(known.begin(), known.end(), material.name);
+  if (found == known.end()) {
     problems.add(pathOf(list, "Material"), unknownName("material", material.name, known));
     return material;
   }
   const Parameters& own = materials.sublist(material.name);
-  if (!readLaw(own, int(std::find(known.begin(), known.end(), material.name) - known.begin()) + 1, material, problems)) return material;
+  if (!readLaw(own, static_cast<int>(found - known.begin()) + 1, material, problems)) return material;
   const std::string element = textOf(own, "Element");
   material.named = !element.empty() && element != kAutomatic;
   material.allowLocking = own.isType<bool>("Allow Locking") && own.get<bool>("Allow Locking");

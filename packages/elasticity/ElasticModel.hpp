@@ -25,7 +25,7 @@ struct Material {
   ElementForm element = ElementForm::Displacement;
   bool allowLocking = false;  ///< displacement elements, 3-node triangles among them, although nu is near 0.5
   bool named = false;         ///< the scene names the element; else it was chosen: one that does not lock
-  int number = 0;  ///< tells materials of the scene apart whose moduli are the same; zero of isotropic ones, which are the same then
+  int number = 0;  ///< tells materials apart that have the same moduli but other laws: place in the scene's list, from 1; isotropic: 0
   std::shared_ptr<const MaterialLaw> law{};  ///< null: isotropic
 
   ElasticStiffness stiffness() const { return law ? law->stiffness() : isotropicStiffness({young, poisson}); }

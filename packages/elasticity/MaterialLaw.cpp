@@ -11,7 +11,8 @@ namespace suture {
 namespace {
 
 constexpr int kFirst[] = {0, 1, 2, 0, 1, 0}, kSecond[] = {0, 1, 2, 1, 2, 2};  // the pair of axes of each component
-constexpr double kRounding = 1e-12;  // of entries over the largest: laws are computed, not measured
+// Entries of a stiffness may differ by this share of the largest where they should be equal: laws are computed, with rounding.
+constexpr double kRounding = 1e-12;
 
 template <typename Law>
 void add(Registry<MaterialLaw>& registry) {
@@ -54,7 +55,7 @@ IsotropicModuli nearestIsotropic(const ElasticStiffness& c) {
 }
 
 double meanCoupling(const ElasticStiffness& c) {
-  // Of equal ones exactly that.
+  // Three equal entries give exactly that value.
   return c(0, 1) + ((c(1, 2) - c(0, 1)) + (c(0, 2) - c(0, 1))) / 3.0;
 }
 

@@ -17,8 +17,8 @@ struct IsotropicModuli {
 };
 
 /// The law of a material: linear elastic, of whatever anisotropy. Made by name, `Materials/<name>/Type`; its parameters stand in the list
-/// of that name, but those of Isotropic beside `Type`. Everything else in the program that depends on a material - elements, stresses,
-/// recovery, estimates, the verdict, Monolithic, fields - follows from stiffness().
+/// of that name, but those of Isotropic beside `Type`. Elements, stresses, recovery, estimates, the verdict, Monolithic and fields follow
+/// from stiffness() alone.
 ///
 /// A law of a user's own: derive, and write doStiffness().
 class MaterialLaw {

@@ -12,8 +12,10 @@ namespace {
 
 using Sparse = std::map<int, double>;  // place -> coefficient
 
-constexpr double kDependent = 1e-10;  // of coefficients of unit normals
-constexpr double kRounding = 1e-15;   // of the same, where they cancel: what is dropped beyond it is missing from the forces
+// Coefficients are those of unit normals. Rows whose largest one is below kDependent depend on others. Coefficients below kRounding are
+// remainders of others that cancelled; a larger one would be missing from the forces.
+constexpr double kDependent = 1e-10;
+constexpr double kRounding = 1e-14;
 
 void addTo(Sparse& row, const Sparse& other, double factor) {
   for (const auto& [place, value] : other) row[place] += factor * value;

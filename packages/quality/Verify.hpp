@@ -24,7 +24,7 @@ struct Answer {
   const std::vector<PairResult>& pairs;     ///< on rank 0, all; only their ids, statuses and forces are used
   const std::vector<ContactPiece>& pieces;  ///< on rank 0, for names in messages; may be empty
   double tolerance = 1e-8;                  ///< relative algebraic error that was asked for
-  /// For a mesh of this rank with physics of its own; null, or nothing of a mesh: element loops over the model's materials.
+  /// Forces of a mesh of this rank with physics of its own. Null, or nothing for a mesh: element loops over the model's materials.
   std::function<std::optional<OwnForces>(int mesh)> own{};
 };
 

@@ -29,7 +29,7 @@ struct Solution {
   std::vector<NeutralMotion> neutral;  ///< see settleNeutralMotions()
   /// One vector for each subdomain of this rank, in the order of distribute(), beside its lift: node-major, Cartesian [length].
   std::vector<Vector> displacement;
-  std::map<int, Matrix> ownStresses;  ///< of subdomains of this rank with physics of their own, by place: see Subdomain::stresses()
+  std::map<int, Matrix> ownStresses;  ///< Subdomain::stresses() of those of this rank with physics of their own, by place
   std::vector<PairResult> pairs;      ///< on rank 0: all, by id
   std::vector<PairResult> onAxis;     ///< on rank 0: see axisResults()
 

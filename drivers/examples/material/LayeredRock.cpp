@@ -15,8 +15,8 @@ class LayeredRock : public MaterialLaw {
  public:
   static Schema schema() {
     return Schema("thin layers of two isotropic rocks")
-        .reals("Young Moduli", std::nullopt, "Of the two rocks.", "stress", Range::positive())
-        .reals("Poisson Ratios", std::vector<double>{0.25, 0.25}, "Of the two rocks.", "", Range{-1.0, 0.5, true, true, {}})
+        .reals("Young Moduli", std::nullopt, "Young modulus of each rock.", "stress", Range::positive())
+        .reals("Poisson Ratios", std::vector<double>{0.25, 0.25}, "Poisson ratio of each rock.", "", Range{-1.0, 0.5, true, true, {}})
         .real("Fraction", 0.5, "Share of the first rock.", Range{0.0, 1.0, false, false, {}})
         .real("Angle", 0.0, "From the x axis to the layers, anticlockwise. [degrees]");
   }

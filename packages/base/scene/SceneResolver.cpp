@@ -99,7 +99,8 @@ class Resolver {
         value(*given, parameter, here, resolved);
       } else if (parameter.fallback) {
         store(*parameter.fallback, parameter.name, true, resolved);
-      } else if (demanded && !parameter.optional && (!parameter.with || isTaken(*parameter.with, raw, schema))) {
+      } else if (demanded && !parameter.optional &&
+                 (!parameter.with || hasValue(*schema.find(parameter.with->first), parameter.with->second, raw))) {
         problems_.add(here, "is missing and has no default: " + parameter.doc + " (expected " + expectation(parameter) + ")");
       }
     }
@@ -126,18 +127,15 @@ class Resolver {
   static bool isTaken(const std::string& name, const RawList& raw, const Schema& schema) {
     for (const Schema::Parameter& parameter : schema.parameters()) {
       if (!parameter.choice || std::find(parameter.allowed.begin(), parameter.allowed.end(), name) == parameter.allowed.end()) continue;
-      const RawParameter* given = raw.parameter(parameter.name);
-      if (given) return given->value == name;
-      return parameter.fallback && std::get<std::string>(*parameter.fallback) == name;
+      return hasValue(parameter, name, raw);
     }
     return true;
   }
 
-  /// False where another value of the choice is given: without a value the fallback counts.
-  static bool isTaken(const std::pair<std::string, std::string>& choice, const RawList& raw, const Schema& schema) {
-    if (const RawParameter* given = raw.parameter(choice.first)) return given->value == choice.second;
-    const Schema::Parameter* parameter = schema.find(choice.first);
-    return parameter && parameter->fallback && std::get<std::string>(*parameter->fallback) == choice.second;
+  /// True if this is the value given, or, where none is given, the fallback.
+  static bool hasValue(const Schema::Parameter& choice, const std::string& value, const RawList& raw) {
+    if (const RawParameter* given = raw.parameter(choice.name)) return given->value == value;
+    return choice.fallback && std::get<std::string>(*choice.fallback) == value;
   }
 
   void userParameters(const RawList& raw, const Schema& schema, const std::string& path, Parameters& resolved) {
