@@ -34,7 +34,7 @@ Matrix rigidMotionsOf(const InterfaceSpace& space, const std::vector<int>& unkno
 
 namespace {
 
-constexpr double kFelt = 1e-3;   // motions that the seams between two subdomains tell: above this, relative to the one they tell best
+constexpr double kFelt = 1e-3;   // motions that the seams between two subdomains feel: above this, relative to the one they feel best
 constexpr double kTold = 1e-6;   // what constraints tell of a motion of length one; a mechanism leaves rounding
 constexpr double kAlone = 1e-8;  // the same for a local problem alone, whose points may be close to each other
 
@@ -50,21 +50,40 @@ class Mechanisms {
         if (const auto here = localOf.find(sharer); here != localOf.end()) entitiesOf_[here->second].push_back(static_cast<int>(e));
   }
 
-  /// Marks points where motions are left. Local.
-  void mark() {
-    added_ = Matrix::Zero(space_.overlapSize(), 1);
-    rows_.clear();
+  /// Finds local problems, and pairs of neighbours, of which points alone do not tell all motions: few. Local.
+  bool look() {
+    loose_.clear();
+    pairs_.clear();
     for (int i = 0; i < space_.locals(); ++i) {
       if (!locals_[i]) continue;
-      holdAlone(i);
-      std::map<int, std::vector<int>> shared;  // other local problem -> entities
-      for (const int e : entitiesOf_[i])
-        for (const int other : space_.entities()[e].sharers)
-          if (other != space_.localId(i)) shared[other].push_back(e);
-      for (const auto& [other, entities] : shared) holdTogether(entities);
+      if (!pointsTellAll(entitiesOf_[i]) && locals_[i]->kernel().cols() > 0) loose_.push_back(i);
+      std::map<int, Pair> shared;  // by the other local problem
+      for (const int e : entitiesOf_[i]) {
+        const InterfaceEntity& entity = space_.entities()[e];
+        const bool vertex = entity.kind == EntityKind::Vertex;
+        if (entity.contact && !vertex) continue;  // may slide
+        for (const int other : entity.sharers) {
+          if (other == space_.localId(i)) continue;
+          Pair& pair = shared.emplace(other, Pair{space_.localId(i), other, {}, false}).first->second;
+          pair.entities.push_back(e);
+          pair.seam = pair.seam || !vertex;
+        }
+      }
+      for (auto& [other, pair] : shared)
+        if (pair.seam && !pointsTellAll(pair.entities) && locals_[i]->kernel().cols() > 0) pairs_.push_back(std::move(pair));
     }
+    return !loose_.empty() || !pairs_.empty();
   }
-  bool any() const { return added_.size() > 0 && added_.maxCoeff() > 0.0; }
+
+  /// Marks points where these have motions left. Collective.
+  bool mark() {
+    if (motions_.empty()) findMotions();
+    added_ = Matrix::Zero(space_.overlapSize(), 1);
+    rows_.clear();
+    for (const int i : loose_) holdAlone(i);
+    for (const Pair& pair : pairs_) holdTogether(pair);
+    return added_.size() > 0 && added_.maxCoeff() > 0.0;
+  }
 
   /// Makes the marked points of all ranks primal alone; rows of their entities are about the rest. Collective.
   void add() {
@@ -83,9 +102,33 @@ class Mechanisms {
   }
 
  private:
-  /// True if these unknowns, primal alone, tell all rigid motions by themselves: nearly always, and cheap.
-  bool pointsTellAll(const std::vector<int>& alone) const {
+  struct Pair {
+    int one, other;             // ids; the first lives here and floats
+    std::vector<int> entities;  // that both share
+    bool seam;                  // they share more than vertices
+  };
+
+  /// Kernels of all sharers on each entity, in its unknowns.
+  void findMotions() {
+    const std::vector<EntitySide> sides = entitySides(space_, space_.entities());
+    motions_ = exchangeSides(space_, space_.entities(), sides, [&](std::size_t k) {
+      const EntitySide& side = sides[k];
+      if (!locals_[side.local]) return Matrix();
+      const Matrix& kernel = locals_[side.local]->kernel();
+      Matrix motion = Matrix::Zero(static_cast<int>(side.rows.size()), kernel.cols());
+      for (int row = 0; row < motion.rows(); ++row)
+        if (side.rows[row] >= 0) motion.row(row) = kernel.row(side.rows[row]) / side.coefficients(row);
+      return motion;
+    });
+  }
+
+  /// True if the unknowns that are primal alone tell all rigid motions by themselves: nearly always, and cheap.
+  bool pointsTellAll(const std::vector<int>& entities) const {
     const int motions = rigidMotions(space_.dimension());
+    std::vector<int> alone;
+    for (const int e : entities)
+      for (const int place : space_.entities()[e].unknowns)
+        if (choice_.alone[place]) alone.push_back(place);
     if (static_cast<int>(alone.size()) < motions) return false;
     const Matrix modes = rigidMotionsOf(space_, alone, true);
     const Matrix gram = modes.transpose() * modes;
@@ -110,14 +153,7 @@ class Mechanisms {
 
   /// The first rule.
   void holdAlone(int i) {
-    std::vector<int> alone;
-    for (const int e : entitiesOf_[i])
-      for (const int place : space_.entities()[e].unknowns)
-        if (choice_.alone[place]) alone.push_back(place);
-    if (pointsTellAll(alone)) return;
-    const Matrix& kernel = locals_[i]->kernel();
-    if (kernel.cols() == 0) return;
-    const Matrix modes = orthonormalBasis(kernel, kAlone);
+    const Matrix modes = orthonormalBasis(locals_[i]->kernel(), kAlone);
     if (rows_.empty()) rows_ = primalRows(space_, choice_, false);
     const Matrix left = nullSpace(Matrix(rows_[i].rows * modes), kAlone);
     if (left.cols() == 0) return;
@@ -132,32 +168,40 @@ class Mechanisms {
     markLargest(unknowns, rowsAt(Matrix(modes * left), rows));
   }
 
-  /// The second rule, for the entities that two neighbours share. Lines of contact may slide.
-  void holdTogether(const std::vector<int>& entities) {
-    std::vector<int> felt, alone, seams;
-    bool seam = false;
+  /// Motions of a sharer on some entities, one below the other, of the order of one; false if it does not take part.
+  bool motionsOf(int sharer, const std::vector<int>& entities, Matrix& motions) const {
+    motions.resize(0, 0);
     for (const int e : entities) {
-      const InterfaceEntity& entity = space_.entities()[e];
-      const bool vertex = entity.kind == EntityKind::Vertex;
-      if (entity.contact && !vertex) continue;
-      seam = seam || !vertex;
-      seams.push_back(e);
-      felt.insert(felt.end(), entity.unknowns.begin(), entity.unknowns.end());
-      for (const int place : entity.unknowns)
-        if (choice_.alone[place]) alone.push_back(place);
+      const std::vector<int>& sharers = space_.entities()[e].sharers;
+      const Matrix& own = motions_[e][std::lower_bound(sharers.begin(), sharers.end(), sharer) - sharers.begin()];
+      if (own.rows() == 0) return false;
+      const auto before = motions.rows();
+      motions.conservativeResize(before + own.rows(), own.cols());
+      motions.bottomRows(own.rows()) = own;
     }
-    if (!seam || pointsTellAll(alone)) return;
-    const Matrix modes = orthonormalBasis(rigidMotionsOf(space_, felt, true), kFelt);
+    if (const double size = motions.size() > 0 ? motions.cwiseAbs().maxCoeff() : 0.0; size > 0.0) motions /= size;
+    return true;
+  }
+
+  /// The second rule.
+  void holdTogether(const Pair& pair) {
+    Matrix one, other;
+    if (!motionsOf(pair.one, pair.entities, one) || !motionsOf(pair.other, pair.entities, other)) return;
+    Matrix both(one.rows(), one.cols() + other.cols());
+    both << one, other;
+    const Matrix modes = orthonormalBasis(both, kFelt);
+    std::vector<int> felt;
     std::vector<Matrix> told;
-    int first = 0, count = 0;
-    for (const int e : seams) {
+    int count = 0;
+    for (const int e : pair.entities) {
       std::vector<int> rest;
       for (const int place : space_.entities()[e].unknowns) {
+        const int row = static_cast<int>(felt.size());
+        felt.push_back(place);
         if (choice_.alone[place])
-          told.push_back(modes.row(first));
+          told.push_back(modes.row(row));
         else
-          rest.push_back(first);
-        ++first;
+          rest.push_back(row);
       }
       if (choice_.rows[e].rows() > 0) told.push_back(choice_.rows[e] * rowsAt(modes, rest));
     }
@@ -176,21 +220,24 @@ class Mechanisms {
   const LocalProblems& locals_;
   PrimalChoice& choice_;
   std::vector<std::vector<int>> entitiesOf_;  // of each local problem that takes part
-  std::vector<PrimalRows> rows_;              // made when they are needed
-  Matrix added_;                              // unknowns to add, by place
+  std::vector<int> loose_;                    // local problems to look at
+  std::vector<Pair> pairs_;
+  std::vector<std::vector<Matrix>> motions_;  // of each sharer of each entity; made when they are needed, as rows_
+  std::vector<PrimalRows> rows_;
+  Matrix added_;  // unknowns to add, by place
 };
 
 }  // namespace
 
 void stopMechanisms(const InterfaceSpace& space, const LocalProblems& locals, PrimalChoice& choice) {
-  for (Mechanisms mechanisms(space, locals, choice);;) {
-    mechanisms.mark();
-    const int mine = mechanisms.any();
+  const auto anywhere = [&](bool here) {
+    const int mine = here;
     int any = 0;
     Teuchos::reduceAll(*space.comm(), Teuchos::REDUCE_MAX, mine, Teuchos::outArg(any));
-    if (!any) return;
-    mechanisms.add();
-  }
+    return any > 0;
+  };
+  Mechanisms mechanisms(space, locals, choice);
+  while (anywhere(mechanisms.look()) && anywhere(mechanisms.mark())) mechanisms.add();
 }
 
 }  // namespace suture

@@ -110,7 +110,8 @@ TEUCHOS_UNIT_TEST(EntityGraph, FindsEdgesThatThreeShare) {
   TEST_EQUALITY(countOf(all, EntityKind::Vertex), 0);
   for (const SeamEntity& entity : all) {
     if (entity.kind == EntityKind::Face) {
-      TEST_EQUALITY(entity.boundary.size(), entity.sharers == std::vector<int>{1, 2} ? 2u : 1u);
+      const bool middle = entity.sharers == std::vector<int>({1, 2});
+      TEST_EQUALITY(entity.boundary.size(), middle ? 2u : 1u);
       continue;
     }
     TEST_EQUALITY(entity.sharers.size(), 3u);
