@@ -89,7 +89,7 @@ Solution solveMonolithicScene(const Comm& comm, const Mesh& mesh, const Constrai
   solution.energy = figures.energy;
   solution.displacement = scatterToSubdomains(comm, result.displacement, unpacker.get<int>(), meshes);
   std::vector<PairForce> forces;
-  for (const PairResult& pair : result.pairs) forces.push_back({pair.id, pair.status, pair.force});
+  for (const PairResult& pair : result.pairs) forces.push_back({pair.id, pair.state, pair.force});
   std::vector<const SubdomainMesh*> pointers;
   for (const SubdomainMesh& mesh : meshes) pointers.push_back(&mesh);
   solution.pairs = pairResults(comm, pointers, solution.displacement, forces);

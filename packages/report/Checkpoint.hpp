@@ -9,11 +9,11 @@
 
 namespace suture {
 
-/// State of an unfinished run: displacements of all nodes and the status of all contact pairs, in the mesh's numbers, so that any number
+/// State of an unfinished run: displacements of all nodes and the state of all contact pairs, in the mesh's numbers, so that any number
 /// of ranks and any partition can go on from it.
 struct Checkpoint {
-  std::vector<Vector> displacement;  ///< displacements of each subdomain of this rank: beside its lift, node-major, Cartesian [length]
-  std::map<int, PairStatus> status;  ///< pair id -> status; on all ranks
+  std::vector<Vector> displacement;    ///< displacements of each subdomain of this rank: beside its lift, node-major, Cartesian [length]
+  std::map<int, ContactState> status;  ///< pair id -> state; on all ranks
 };
 
 /// Writes a checkpoint (HDF5) under a temporary name first. Collective. \throws EnvironmentError

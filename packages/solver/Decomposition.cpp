@@ -125,7 +125,26 @@ AutomaticTolerance::Estimate discretisationErrorOf(const Comm& comm, const std::
 
 bool isMonolithic(const Parameters& scene) { return scene.sublist("Outer Solver").get<std::string>("Type") == kMonolithic; }
 
+namespace {
+
+// Sets of closed pairs decide about normals alone: nobody would decide which pairs of such a law stick.
+void checkLaws(const Parameters& contact) {
+  Problems problems;
+  const ContactLaws laws(contact);
+  const std::vector<std::string> names = sublistNames(contact);
+  for (int line = 0; line < laws.size(); ++line)
+    if (laws.of(line).rows(2) > 1) {
+      const Parameters& own = contact.sublist(names[line]);
+      problems.add(pathOf(own, "Law"), "'" + own.get<std::string>("Law") + "' restricts sliding, which no outer solver looks for; " +
+                                           "expected a law of the normal direction, as " + Frictionless::kName);
+    }
+  problems.throwIfAny();
+}
+
+}  // namespace
+
 void checkCombination(const Parameters& scene) {
+  checkLaws(scene.sublist("Contact"));
   const auto formulation = scene.get<std::string>("Formulation");
   const auto method = scene.sublist("Outer Solver").get<std::string>("Type");
   if (scene.sublist("Contact").numParams() == 0 || solvesFormulation(method, formulation)) return;
@@ -201,11 +220,12 @@ std::unique_ptr<InterfaceProblem> makeInterfaceProblem(const CommPtr& comm, cons
                                                        const Parameters& scene) {
   const Parameters& own = scene.sublist("Subdomain");
   const auto schur = [&own] { return makeStrategy<SchurComplement>(own, "Schur Complement"); };
+  const ContactLaws laws(scene.sublist("Contact"));
   if (isCondensed(scene)) {
     checkGroupMemory(*comm, partition, subdomains, scene.sublist(kCondensedGroups));
-    return std::make_unique<CondensedProblem>(comm, partition, subdomains, localSolverMaker(own), schur);
+    return std::make_unique<CondensedProblem>(comm, partition, subdomains, localSolverMaker(own), schur, laws);
   }
-  return std::make_unique<ContactInterfaceProblem>(comm, partition, subdomains, localSolverMaker(own), schur);
+  return std::make_unique<ContactInterfaceProblem>(comm, partition, subdomains, localSolverMaker(own), schur, laws);
 }
 
 OuterResult solveInterface(const InterfaceProblem& problem, const Parameters& scene, Monitor& monitor, const InterfaceState* start,

@@ -43,7 +43,8 @@ void releaseFollowers(Subdomains& subdomains);
 /// True if the scene's formulation is the paper's: contact groups live whole on one rank. Local.
 bool isCondensed(const Parameters& scene);
 
-/// \throws InputError  the scene's outer solver does not fit its formulation: names those that do. Local, the same on all ranks.
+/// \throws InputError  the scene's outer solver does not fit its formulation: names those that do; a law of a contact restricts sliding.
+/// Local, the same on all ranks.
 void checkCombination(const Parameters& scene);
 
 /// The scene's formulation: subdomains and contact groups factored. `subdomains` must outlive it.

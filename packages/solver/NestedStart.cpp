@@ -23,26 +23,29 @@ struct Answer {
   Point value{0, 0, 0};
 };
 
-/// Closed or open at a place of a line, from the pairs of another mesh along it.
+/// State at a place of a line: that of the nearest pair of another mesh along it.
 class LineStatus {
  public:
+  using Entry = std::pair<double, ContactState>;  // arc length, state
   explicit LineStatus(const std::vector<PairResult>& pairs) {
-    for (const PairResult& pair : pairs) lines_[pair.line].push_back({pair.arc, pair.status});
-    for (auto& [line, entries] : lines_) std::sort(entries.begin(), entries.end());
+    for (const PairResult& pair : pairs) lines_[pair.line].push_back({pair.arc, pair.state});
+    for (auto& [line, entries] : lines_)
+      std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.first < b.first; });
   }
-  PairStatus at(int line, double arc) const {
+  /// Of a line without pairs: null.
+  const ContactState* at(int line, double arc) const {
     const auto found = lines_.find(line);
-    if (found == lines_.end()) return PairStatus::Slip;
+    if (found == lines_.end()) return nullptr;
     const auto& entries = found->second;
-    const auto above = std::lower_bound(entries.begin(), entries.end(), std::make_pair(arc, PairStatus::Open));
-    if (above == entries.begin()) return entries.front().second;
-    if (above == entries.end()) return entries.back().second;
+    const auto above = std::lower_bound(entries.begin(), entries.end(), arc, [](const Entry& entry, double a) { return entry.first < a; });
+    if (above == entries.begin()) return &entries.front().second;
+    if (above == entries.end()) return &entries.back().second;
     const auto below = above - 1;
-    return arc - below->first < above->first - arc ? below->second : above->second;
+    return arc - below->first < above->first - arc ? &below->second : &above->second;
   }
 
  private:
-  std::map<int, std::vector<std::pair<double, PairStatus>>> lines_;
+  std::map<int, std::vector<Entry>> lines_;
 };
 
 std::vector<PairResult> onAllRanks(const Comm& comm, const std::vector<PairResult>& pairs) {
@@ -130,9 +133,10 @@ InterfaceState nestedStart(const Comm& comm, const CoarseAnswer& coarse, const I
   }
 
   const LineStatus lines(onAllRanks(comm, coarse.solution.pairs));
-  std::map<int, PairStatus> status;
+  std::map<int, ContactState> status;
   for (const auto& subdomain : subdomains)
-    for (const ContactRow& contact : subdomain->mesh().contactRows) status[contact.pair.id] = lines.at(contact.pair.line, contact.pair.arc);
+    for (const ContactRow& contact : subdomain->mesh().contactRows)
+      if (const ContactState* state = lines.at(contact.pair.line, contact.pair.arc)) status[contact.pair.id] = *state;
   return problem.stateOf(freeValues, status);
 }
 

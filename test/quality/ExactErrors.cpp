@@ -310,7 +310,7 @@ TEUCHOS_UNIT_TEST(PressureField, GivesBackThePolynomialWhoseForcesAreGiven) {
     pairs[i].id = i;
     pairs[i].line = 0;
     pairs[i].node = 2 * i;
-    pairs[i].status = PairStatus::Slip;
+    pairs[i].state = PairStatus::Slip;
   }
   for (int i = 0; i < 3; ++i) {
     const double h = ends[i + 1] - ends[i];
@@ -333,7 +333,7 @@ TEUCHOS_UNIT_TEST(PressureField, GoesOnIntoAHeldEnd) {
       pair.id = static_cast<int>(pairs.size());
       pair.line = 0;
       pair.node = node;
-      pair.status = PairStatus::Slip;
+      pair.state = PairStatus::Slip;
       const double side = nodes == 2 ? 0.25 : node % 2 ? 1.0 / 3 : 1.0 / 12;  // its share of one side of length 1/2
       pair.force = q * side * (node == 2 ? 2 : 1);
       pairs.push_back(pair);

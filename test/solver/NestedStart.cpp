@@ -66,7 +66,7 @@ TEUCHOS_UNIT_TEST(NestedStart, BeginsWithTheDisplacementsOnTheInterface) {
   std::vector<Vector> exact;
   for (std::size_t s = 0; s < fine.all.subdomains.size(); ++s)
     exact.push_back(fine.all.subdomains[s]->freeValues(linear(fine.all.meshes[s])));
-  std::map<int, PairStatus> closed;  // no pairs in the coarse answer
+  std::map<int, ContactState> closed;  // no pairs in the coarse answer
   const InterfaceState expected = fine.problem.stateOf(exact, closed);
   const DenseSpace all(*fine.problem.space());
   TEST_COMPARE(all.dense(*expected.trace).norm(), >, 1.0);
@@ -78,20 +78,20 @@ TEUCHOS_UNIT_TEST(NestedStart, FinePairsBetweenTwoOfOneStatusHaveIt) {
   const Scene coarseScene = pressedBlocks(), fineScene = pressedBlocks(3);
   const Blocks coarse(coarseScene, world(), std::vector<double>(), false);
   CoarseAnswer answer = linearAnswer(coarse);
-  std::map<int, PairStatus> coarseStatus;
-  const std::vector<PairStatus> pattern{PairStatus::Slip, PairStatus::Slip, PairStatus::Open, PairStatus::Open,
-                                        PairStatus::Open, PairStatus::Slip, PairStatus::Open};
+  std::map<int, ContactState> coarseStatus;
+  const std::vector<ContactState> pattern{PairStatus::Slip, PairStatus::Slip, PairStatus::Open, PairStatus::Open,
+                                          PairStatus::Open, PairStatus::Slip, PairStatus::Open};
   TEST_EQUALITY(coarseScene.constraints.pairs.size(), pattern.size());
   for (const ContactPair& pair : coarseScene.constraints.pairs) {
     PairResult result;
     result.id = pair.id;
     result.line = pair.line;
     result.arc = pair.arc;
-    result.status = coarseStatus[pair.id] = pattern.at(pair.id);
+    result.state = coarseStatus[pair.id] = pattern.at(pair.id);
     if (world()->getRank() == 0) answer.solution.pairs.push_back(result);  // as recover() leaves it
   }
   // Three fine steps to a coarse one: fine pair 3 c + k lies between the coarse pairs c and c + 1, nearer to c for k = 1.
-  std::map<int, PairStatus> expected;
+  std::map<int, ContactState> expected;
   for (const ContactPair& pair : fineScene.constraints.pairs) {
     const int before = pair.id / 3, k = pair.id % 3;
     expected[pair.id] = pattern.at(k == 2 ? before + 1 : before);
@@ -101,7 +101,7 @@ TEUCHOS_UNIT_TEST(NestedStart, FinePairsBetweenTwoOfOneStatusHaveIt) {
   const InterfaceState state = nestedStart(*world(), answer, fine.problem, fine.all.subdomains);
   TEST_ASSERT(fine.problem.differing(state.status, fine.problem.stateOf(zeros(fine.all), expected).status).empty());
   TEST_EQUALITY(fine.problem.differing(state.status, fine.problem.initialState().status).size(),
-                std::size_t(std::count_if(expected.begin(), expected.end(), [](const auto& e) { return e.second == PairStatus::Open; })));
+                std::size_t(std::count_if(expected.begin(), expected.end(), [](const auto& e) { return !e.second.closed(); })));
 }
 
 TEUCHOS_UNIT_TEST(NestedStart, LeadsToTheSameSolutionInFewerSteps) {

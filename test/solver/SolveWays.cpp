@@ -109,7 +109,7 @@ BodyByBody compareOnRoot(const Scene& scene, const Solved& found, const scenes::
     long double least = force[mesh.bodyOfNode[pair.ends[0].node]];
     for (const PairEnd& end : pair.ends) least = std::min(least, force[mesh.bodyOfNode[end.node]]);
     if (least > 0) worst.force = std::max(worst.force, double(std::abs(found.pairs.at(pair.id).force - forceOf(pair.id)) / least));
-    worst.otherwise += (found.pairs.at(pair.id).status != PairStatus::Open) != bool(reference.closed[pair.id]);
+    worst.otherwise += (found.pairs.at(pair.id).state.closed()) != bool(reference.closed[pair.id]);
   }
   return worst;
 }
