@@ -68,7 +68,7 @@ configureAndBuild() {
   if [ -f "$build/CMakeCache.txt" ]; then
     cmake -S . -B "$build" </dev/null
   else
-    cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release </dev/null
+    cmake -S . -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DSUTURE_UNITY=ON </dev/null
   fi
   cmake --build "$build" --parallel "${JOBS:-$(getconf _NPROCESSORS_ONLN)}" "$@" </dev/null
 }

@@ -15,6 +15,8 @@
 
 namespace suture {
 
+constexpr int kWidth = 4;  ///< columns of a panel of a packed matrix, taken in one pass over x and y
+
 /// `Bytes` of numbers that are added and multiplied at once (a vector extension of GCC and Clang), anywhere in memory.
 template <typename Real, int Bytes>
 struct Lanes {

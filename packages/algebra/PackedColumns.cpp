@@ -8,8 +8,6 @@ namespace suture {
 
 namespace {
 
-constexpr int kWidth = 4;  // columns of a panel
-
 template <typename Real>
 constexpr int kLine = suture::Line<Real>::count;
 

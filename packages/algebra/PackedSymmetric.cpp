@@ -9,8 +9,6 @@ namespace suture {
 
 namespace {
 
-constexpr int kWidth = 4;  // columns of a panel, taken in one pass over x and y
-
 /// Begin of a panel.
 std::size_t begin(int panel, int rows) { return static_cast<std::size_t>(kWidth) * panel * (rows - kWidth * (panel - 1) / 2); }
 

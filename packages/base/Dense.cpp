@@ -75,6 +75,13 @@ bool choleskyFactor(const Matrix& matrix, Matrix& lower) {
   return true;
 }
 
+Matrix choleskySolve(const Matrix& lower, Matrix rhs) {
+  if (lower.rows() == 0) return rhs;
+  lower.triangularView<Eigen::Lower>().solveInPlace(rhs);
+  lower.transpose().triangularView<Eigen::Upper>().solveInPlace(rhs);
+  return rhs;
+}
+
 Matrix solvePositive(const Matrix& matrix, const Matrix& rhs) {
   const Eigen::LLT<Matrix> llt(matrix);
   if (llt.info() != Eigen::Success) throw NumericalError("a dense matrix that should be positive definite is not");

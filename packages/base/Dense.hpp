@@ -41,6 +41,9 @@ std::vector<double> tridiagonalEigenvalues(const std::vector<double>& diagonal, 
 /// lower * lower^T = matrix; false, and `lower` is not to be used, when the matrix is not positive definite to working accuracy.
 bool choleskyFactor(const Matrix& matrix, Matrix& lower);
 
+/// (lower * lower^T)^-1 rhs.
+Matrix choleskySolve(const Matrix& lower, Matrix rhs);
+
 /// matrix^-1 rhs for a symmetric positive definite matrix. \throws NumericalError  it is not.
 Matrix solvePositive(const Matrix& matrix, const Matrix& rhs);
 

@@ -14,7 +14,7 @@ namespace suture {
 namespace {
 
 const double sharpAngle = 45.001 * 3.14159265358979323846 / 180;  // a ring of eight sides is still round
-const double parallel = 1e-6;                                     // sine, below which two directions are one
+const double sameDirection = 1e-6;                                // sine, below which two directions are one
 const double sameValue = 1e-9;                                    // relative
 
 /// direction . u = value
@@ -121,7 +121,7 @@ NodeRule ruleOf(int node, const std::vector<Row>& rows, Contradictions& contradi
   double scale = 0;
   for (const Row& row : rows) {
     scale = std::max(scale, std::abs(row.value));
-    if (!second && norm(cross(first.direction, row.direction)) > parallel) second = &row;
+    if (!second && norm(cross(first.direction, row.direction)) > sameDirection) second = &row;
   }
   NodeRule rule;
   rule.node = node;
@@ -147,7 +147,7 @@ NodeRule ruleOf(int node, const std::vector<Row>& rows, Contradictions& contradi
     for (int k = 0; k < 2; ++k)
       if (rule.fixed[k]) along += dot(rule.axes[k], row.direction) * rule.value[k];
     if (std::abs(along - row.value) <= sameValue * scale) continue;
-    const bool likeFirst = norm(cross(first.direction, row.direction)) <= parallel;
+    const bool likeFirst = norm(cross(first.direction, row.direction)) <= sameDirection;
     Row kept = likeFirst || !second ? first : *second;
     kept.value = along;
     contradictions.add(node, kept, row);

@@ -28,13 +28,6 @@ Matrix factorOf(Matrix matrix) {
   throw NumericalError("the compliance of the contact pairs is not positive definite");
 }
 
-Matrix solveWith(const Matrix& lower, Matrix b) {
-  if (lower.rows() == 0) return b;
-  lower.triangularView<Eigen::Lower>().solveInPlace(b);
-  lower.transpose().triangularView<Eigen::Upper>().solveInPlace(b);
-  return b;
-}
-
 }  // namespace
 
 DelassusProblem::DelassusProblem(const RigidContact& rigid, const Matrix& compliance, const Vector& open, const Vector& rounding)
@@ -58,14 +51,14 @@ void DelassusProblem::solveSaddle(const std::vector<int>& closed, const Vector& 
   Matrix g = scale.asDiagonal() * (rows * stopped);
   const Vector columns = g.colwise().norm().cwiseInverse();
   g = (g * columns.asDiagonal()).eval();
-  const Matrix inverse = solveWith(lower, g);
+  const Matrix inverse = choleskySolve(lower, g);
   const Matrix middle = g.cols() > 0 ? factorOf(g.transpose() * inverse) : Matrix(0, 0);
   const Vector b = scale.cwiseProduct(right), e = columns.cwiseProduct(stopped.transpose() * balance);
   Vector f = Vector::Zero(b.size()), a = Vector::Zero(e.size());
   for (int pass = 0; pass < 3; ++pass) {  // refined: the factor's shift leaves no trace
     const Vector restB = b - w * f + g * a, restE = e - g.transpose() * f;
-    const Vector y = solveWith(lower, restB);
-    const Vector da = e.size() > 0 ? Vector(solveWith(middle, restE - g.transpose() * y)) : e;
+    const Vector y = choleskySolve(lower, restB);
+    const Vector da = e.size() > 0 ? Vector(choleskySolve(middle, restE - g.transpose() * y)) : e;
     a += da;
     f += y + inverse * da;
   }

@@ -9,7 +9,7 @@ namespace suture {
 
 namespace {
 constexpr int kReach = 24;  // pairs on each side of one that changes
-constexpr int kMostSolves = 60;
+constexpr int kMostPadSolves = 60;
 constexpr double kSelf = 1.5;     // -ln of the distance, in mesh sizes, averaged over a hat of pressure around its middle
 constexpr double kShare = 0.8;    // 2 / (pi E*) times the stiffness of one node, measured: .5 to 1.2 do alike
 constexpr double kLeast = 1e-11;  // relative to the largest force
@@ -29,7 +29,7 @@ ClosedSet solveWindow(const RigidContact& rigid, int first, int last, const Vect
   DelassusProblem problem(pads, compliance, open, {});
   ClosedSet start(n, 0);
   for (int i = 0; i < n; ++i) start[i] = pads.data().able[i] && (force(first + i) > 0.0 || penetration(first + i) > 0.0);
-  ContactSearch search(pads, problem, kMostSolves);
+  ContactSearch search(pads, problem, kMostPadSolves);
   search.withoutModel();
   const ContactSearch::Result result = search.run(start);
   if (!result.converged) return {};

@@ -8,6 +8,8 @@
 
 namespace suture {
 
+constexpr const char* kMeshFile = "Mesh/File";  ///< the parameter that errors of a mesh file are told of
+
 /// A mesh in Gmsh's own numbers, as suture_mesher hands it on.
 struct GmshMesh {
   struct Surface {

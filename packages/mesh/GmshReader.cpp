@@ -18,8 +18,6 @@ namespace suture {
 
 namespace {
 
-const char* const path = "Mesh/File";
-
 // The same cell seen from behind: the first node stays.
 std::vector<std::size_t> turnedRound(Cell cell, const std::vector<std::size_t>& nodes) {
   static const int order[][9] = {{0, 2, 1}, {0, 2, 1, 5, 4, 3}, {0, 3, 2, 1}, {0, 3, 2, 1, 7, 6, 5, 4}, {0, 3, 2, 1, 7, 6, 5, 4, 8}};
@@ -146,8 +144,8 @@ void addSideGroups(const Raw& raw, const Numbering& numbering, Mesh& mesh, Probl
         [](const Side& x, const Side& y) { return x.element == y.element && x.side == y.side; });
     const auto report = [&, &group = name](const std::vector<Point>& middles, const std::string& what) {
       if (!middles.empty())
-        problems.add(path, mesh.source + ": curve group '" + group + "': " + std::to_string(middles.size()) + " of its elements " + what +
-                               " (the first at " + placeText(middles[0]) + ")");
+        problems.add(kMeshFile, mesh.source + ": curve group '" + group + "': " + std::to_string(middles.size()) + " of its elements " +
+                                    what + " (the first at " + placeText(middles[0]) + ")");
     };
     report(outside, "are no side of any surface element");
     report(inside,
@@ -172,7 +170,7 @@ Mesh assemble(Raw& raw, const std::string& file, Problems& problems) {
         away = std::max(away, std::abs(p[2]));
       }
   if (away > 1e-9 * size)
-    problems.add(path, file + ": nodes up to " + std::to_string(away) + " away from the plane z = 0; expected a plane mesh");
+    problems.add(kMeshFile, file + ": nodes up to " + std::to_string(away) + " away from the plane z = 0; expected a plane mesh");
 
   for (const auto& [name, surfaces] : raw.gmsh.surfaceGroups) {
     std::vector<int>& elements = mesh.elementGroups[name];
@@ -202,7 +200,7 @@ Raw readRaw(const GmshInput& input, bool isGeometry, Problems& problems) {
     order.opened = wrapper->path();
   }
   Raw raw(runMesher(order));
-  for (const std::string& problem : raw.gmsh.problems) problems.add(path, input.path + ": " + problem);
+  for (const std::string& problem : raw.gmsh.problems) problems.add(kMeshFile, input.path + ": " + problem);
   return raw;
 }
 
@@ -213,7 +211,7 @@ Mesh readGmsh(const GmshInput& input) {
   Problems problems;
   if (isGeometry && !input.allowPrograms) checkGeoStatements(input.path, problems);
   if (!isGeometry && !beginsAsMsh(input.path))
-    problems.add(path, input.path + ": is no mesh of Gmsh; expected $MeshFormat in its first line");
+    problems.add(kMeshFile, input.path + ": is no mesh of Gmsh; expected $MeshFormat in its first line");
   problems.throwIfAny();  // the names of constants are looked up in a sound file only
   if (isGeometry) checkConstants(input, problems);
   problems.throwIfAny();

@@ -30,8 +30,6 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-const char* const path = "Mesh/File";
-
 std::string mesherProgram() {
   Dl_info info{};
   if (dladdr(reinterpret_cast<void*>(&runMesher), &info) == 0 || !info.dli_fname)
@@ -185,10 +183,10 @@ void check(const GmshMesh& mesh, const std::string& file) {
     sound = sound && surface.nodes.size() % static_cast<std::size_t>(cellInfo(surface.cell).nodes) == 0 &&
             std::all_of(surface.nodes.begin(), surface.nodes.end(), known);
   for (const auto& [tag, ends] : mesh.curves) sound = sound && ends.size() % 2 == 0 && std::all_of(ends.begin(), ends.end(), known);
-  if (!sound) throw InputError(path, file + ": is damaged: its elements have nodes that it does not hold");
+  if (!sound) throw InputError(kMeshFile, file + ": is damaged: its elements have nodes that it does not hold");
   for (std::size_t i = 0; i < mesh.coordinates.size(); ++i)
     if (!std::isfinite(mesh.coordinates[i]))
-      throw InputError(path, file + ": the place of its node " + std::to_string(mesh.tags[i / 3]) + " is not finite");
+      throw InputError(kMeshFile, file + ": the place of its node " + std::to_string(mesh.tags[i / 3]) + " is not finite");
 }
 
 }  // namespace
@@ -219,7 +217,7 @@ GmshMesh runMesher(const MesherOrder& order) {
       opened = true;
       messages.setLimit(begin, order.seconds);
     } else if (message == MesherMessage::Failed) {
-      throw InputError(path, order.file + ": Gmsh says: " + withOwnName(text, order));
+      throw InputError(kMeshFile, order.file + ": Gmsh says: " + withOwnName(text, order));
     } else if (message == MesherMessage::Mesh) {
       GmshMesh mesh = Unpacker(std::move(text)).get<GmshMesh>();
       check(mesh, order.file);
@@ -231,12 +229,13 @@ GmshMesh runMesher(const MesherOrder& order) {
   if (messages.timedOut()) {
     mesher.terminate();
     const std::string limit = "Mesh/Time Limit (" + realText(order.seconds) + " s)";
-    throw InputError(path, order.file + ": Gmsh has not " +
-                               (opened || !order.geometry ? "ended within " + limit + "; a coarser mesh or a longer time may help"
-                                                          : "read its statements within a tenth of " + limit +
-                                                                "; does it hold a loop without an end, or a macro that calls itself?"));
+    throw InputError(kMeshFile,
+                     order.file + ": Gmsh has not " +
+                         (opened || !order.geometry ? "ended within " + limit + "; a coarser mesh or a longer time may help"
+                                                    : "read its statements within a tenth of " + limit +
+                                                          "; does it hold a loop without an end, or a macro that calls itself?"));
   }
-  throw InputError(path, order.file + ": Gmsh gave no mesh: " + mesher.end());
+  throw InputError(kMeshFile, order.file + ": Gmsh gave no mesh: " + mesher.end());
 }
 
 }  // namespace suture

@@ -3,6 +3,7 @@
 #include <suture/elasticity/HookesLaw.hpp>
 #include <suture/elasticity/MixedPressure.hpp>
 #include <suture/quality/ElementForces.hpp>
+#include <suture/quality/Findings.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +15,6 @@ namespace suture {
 
 namespace {
 
-constexpr double unitRoundoff = 0.5 * std::numeric_limits<double>::epsilon();
 using ElementVector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, 2 * ReferenceElement::maxNodes, 1>;
 
 /// Displacements less those of the first node, as far as a translation costs nothing. Returns the largest of what was given.

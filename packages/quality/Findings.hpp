@@ -10,6 +10,8 @@
 
 namespace suture {
 
+constexpr double unitRoundoff = 0.5 * std::numeric_limits<double>::epsilon();
+
 /// Not std::hypot: that guards against overflow, at several times the cost, and loops over all nodes call it.
 inline double length(double x, double y) { return std::sqrt(x * x + y * y); }
 

@@ -18,8 +18,6 @@ namespace suture {
 
 namespace {
 
-constexpr double unitRoundoff = 0.5 * std::numeric_limits<double>::epsilon();
-
 enum Row { Internal = 0, Load = 2, Contact = 4, Rounding = 6, Stiffness = 7, kRows = 8 };
 
 /// Sums over the nodes of one body.

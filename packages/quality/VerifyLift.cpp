@@ -14,7 +14,6 @@ namespace suture {
 
 namespace {
 
-constexpr double unitRoundoff = 0.5 * std::numeric_limits<double>::epsilon();
 constexpr double kRounded = 8.0;     // times the rounding of what is compared
 constexpr double kBalanced = 1e-12;  // of weights: a sum that is zero but for rounding, as in takeOutRigidMotions()
 

@@ -12,8 +12,8 @@ namespace suture {
 namespace {
 
 constexpr int kLanczosSteps = 12;
-constexpr double kMargin = 1.05;  // Lanczos estimates from below
-constexpr int kMostSteps = 100;   // beyond a condition of 5000 the outer iteration has to help
+constexpr double kMargin = 1.05;     // Lanczos estimates from below
+constexpr int kMostChebyshev = 100;  // beyond a condition of 5000 the outer iteration has to help
 
 /// A vector with a part in every eigenvector, the same on any number of ranks.
 void fillUneven(const InterfaceSpace& space, MultiVector& x) {
@@ -31,7 +31,7 @@ ChebyshevInverse::ChebyshevInverse(Teuchos::RCP<const InterfaceOperator> matrix,
     : matrix_(std::move(matrix)), preconditioner_(std::move(preconditioner)), largest_(std::max(1.0, estimateLargest())) {
   const double high = std::max(kMargin * largest_, 1.0 + 1e-3);
   steps_ = static_cast<int>(std::ceil(std::acosh(1.0 / accuracy) / std::acosh((high + 1.0) / (high - 1.0))));
-  steps_ = std::clamp(steps_, 1, kMostSteps);
+  steps_ = std::clamp(steps_, 1, kMostChebyshev);
 }
 
 /// By the Lanczos matrix of conjugate gradients.

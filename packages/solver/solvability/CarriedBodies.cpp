@@ -16,9 +16,9 @@ namespace suture {
 
 namespace {
 
-constexpr double kFar = 1e3;       // times the compression of a part's pads: beside smaller motions three digits are lost
-constexpr double kNoGap = 1e-12;   // of the coordinates
-constexpr double kNoWork = 1e-12;  // of the sum of magnitudes: rounding of loads that balance
+constexpr double kFar = 1e3;           // times the compression of a part's pads: beside smaller motions three digits are lost
+constexpr double kCoincident = 1e-12;  // of the coordinates
+constexpr double kNoWork = 1e-12;      // of the sum of magnitudes: rounding of loads that balance
 
 /// End of a pair: what it feels of its part's motions. Plain.
 struct End {
@@ -90,7 +90,7 @@ bool hasGaps(const Comm& comm, const std::vector<SubdomainMesh>& meshes) {
     for (int node = 0; node < mesh.nodes(); ++node)
       for (int k = 0; k < mesh.dimension; ++k) size = std::max(size, std::abs(mesh.point(node)[k]));
   }
-  return reduced(comm, Teuchos::REDUCE_MAX, gap) > kNoGap * reduced(comm, Teuchos::REDUCE_MAX, size);
+  return reduced(comm, Teuchos::REDUCE_MAX, gap) > kCoincident * reduced(comm, Teuchos::REDUCE_MAX, size);
 }
 
 std::vector<Vector> carriedMotions(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model,
