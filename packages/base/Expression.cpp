@@ -151,6 +151,8 @@ double Expression::at(const Point& point) const {
 
 const std::string& Expression::text() const { return compiled_->text; }
 
+std::vector<std::string> Expression::functions() { return namesOf(mu::Parser().GetFunDef()); }
+
 std::string Expression::libraryVersion() { return mu::Parser().GetVersion(mu::pviBRIEF); }
 
 Schema constantsSchema() {

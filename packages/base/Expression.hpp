@@ -31,6 +31,8 @@ class Expression {
 
   const std::string& text() const;
   static std::string libraryVersion();
+  /// Names of all functions, ascending.
+  static std::vector<std::string> functions();
 
  private:
   struct Compiled;
