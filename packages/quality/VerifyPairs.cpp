@@ -9,7 +9,6 @@ namespace suture {
 
 namespace {
 
-constexpr double unitRoundoff = 0.5 * std::numeric_limits<double>::epsilon();
 
 bool isPassive(const BodyScale& body) { return body.loads == 0.0 && body.prescribed == 0.0; }
 
