@@ -186,7 +186,7 @@ void CondensedSets::pairChanges(const MultiVector& step, const ContactStates& st
       const Vector moved = group.rows().rows * change.displacement;
       for (int row = 0; row < group.rows().size(); ++row) {
         mine(group.rows().pairIds[row], 0) = change.force(row);
-        mine(group.rows().pairIds[row], 1) = isClosed(status[place][row]) ? 0.0 : moved(row);
+        mine(group.rows().pairIds[row], 1) = status[place][row].closed() ? 0.0 : moved(row);
       }
     }
   });
