@@ -1,5 +1,6 @@
 #pragma once
 #include <suture/base/Types.hpp>
+#include <suture/constraints/ContactState.hpp>
 #include <suture/interface/InterfaceSpace.hpp>
 
 #include <vector>

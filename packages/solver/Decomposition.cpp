@@ -220,7 +220,7 @@ std::unique_ptr<InterfaceProblem> makeInterfaceProblem(const CommPtr& comm, cons
                                                        const Parameters& scene) {
   const Parameters& own = scene.sublist("Subdomain");
   const auto schur = [&own] { return makeStrategy<SchurComplement>(own, "Schur Complement"); };
-  const ContactLaws laws(scene.sublist("Contact"));
+  const ContactLaws laws = scene.isSublist("Contact") ? ContactLaws(scene.sublist("Contact")) : ContactLaws();
   if (isCondensed(scene)) {
     checkGroupMemory(*comm, partition, subdomains, scene.sublist(kCondensedGroups));
     return std::make_unique<CondensedProblem>(comm, partition, subdomains, localSolverMaker(own), schur, laws);
