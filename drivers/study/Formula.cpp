@@ -126,28 +126,28 @@ NodePtr replaced(const NodePtr& node, const std::string& path, const NodePtr& by
   return std::make_shared<Node>(copy);
 }
 
-Cell finite(double value, bool integer) {
+TableCell finite(double value, bool integer) {
   if (!std::isfinite(value)) return {};
-  return {integer ? Cell::Kind::Integer : Cell::Kind::Real, value, ""};
+  return {integer ? TableCell::Kind::Integer : TableCell::Kind::Real, value, ""};
 }
 
-Cell entryCell(const Json* entry) {
+TableCell entryCell(const Json* entry) {
   if (!entry) return {};
   if (entry->is_number()) return finite(entry->get<double>(), entry->is_number_integer());
-  if (entry->is_boolean()) return {Cell::Kind::Text, 0.0, entry->get<bool>() ? "true" : "false"};
-  if (entry->is_string()) return {Cell::Kind::Text, 0.0, entry->get<std::string>()};
+  if (entry->is_boolean()) return {TableCell::Kind::Text, 0.0, entry->get<bool>() ? "true" : "false"};
+  if (entry->is_string()) return {TableCell::Kind::Text, 0.0, entry->get<std::string>()};
   return {};
 }
 
-Cell norm(const Json* vector) {
+TableCell norm(const Json* vector) {
   if (!vector || !vector->is_array()) return {};
   double squares = 0.0;
   for (const Json& component : *vector) squares += component.is_number() ? std::pow(component.get<double>(), 2) : std::nan("");
   return finite(std::sqrt(squares), false);
 }
 
-Cell operation(char sign, const Cell& a, const Cell& b) {
-  const bool integer = a.kind == Cell::Kind::Integer && b.kind == Cell::Kind::Integer;
+TableCell operation(char sign, const TableCell& a, const TableCell& b) {
+  const bool integer = a.kind == TableCell::Kind::Integer && b.kind == TableCell::Kind::Integer;
   switch (sign) {
     case '+':
       return finite(a.number + b.number, integer);
@@ -160,23 +160,23 @@ Cell operation(char sign, const Cell& a, const Cell& b) {
   }
 }
 
-Cell value(const Node& node, const Json& summary) {
+TableCell value(const Node& node, const Json& summary) {
   if (node.kind == Node::Kind::Path) return entryCell(findEntry(summary, node.name));
   if (node.kind == Node::Kind::Number) return finite(node.number, node.number == std::floor(node.number));
   if (node.name == "norm") return norm(findEntry(summary, node.arguments[0]->name));
-  std::vector<Cell> arguments;
+  std::vector<TableCell> arguments;
   for (const NodePtr& argument : node.arguments) {
     arguments.push_back(value(*argument, summary));
     if (!arguments.back().isNumber()) return {};
   }
   if (node.kind == Node::Kind::Operation) return operation(node.name[0], arguments[0], arguments[1]);
-  Cell result = arguments[0];
+  TableCell result = arguments[0];
   if (node.name == "abs") result.number = std::abs(result.number);
   if (node.name == "sqrt") {
-    result.kind = Cell::Kind::Real;
+    result.kind = TableCell::Kind::Real;
     result.number = std::sqrt(result.number);
   }
-  for (const Cell& other : arguments)
+  for (const TableCell& other : arguments)
     if (node.name == "max" && other.number > result.number) result = other;
   return result;
 }
@@ -211,6 +211,6 @@ std::vector<std::string> Formula::paths() const {
 
 void Formula::substitute(const std::string& path, const Formula& meaning) { root_ = replaced(root_, path, meaning.root_); }
 
-Cell Formula::evaluate(const Json& summary) const { return value(*root_, summary); }
+TableCell Formula::evaluate(const Json& summary) const { return value(*root_, summary); }
 
 }  // namespace suture::study

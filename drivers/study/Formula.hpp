@@ -7,7 +7,7 @@
 namespace suture::study {
 
 /// A cell of a study's table: a number, a text, or nothing (a run that ended before it had the figure).
-struct Cell {
+struct TableCell {
   enum class Kind { Empty, Integer, Real, Text } kind = Kind::Empty;
   double number = 0.0;  ///< of Integer and Real
   std::string text;     ///< of Text
@@ -26,7 +26,7 @@ class Formula {
   /// Replaces a path by a formula wherever it stands.
   void substitute(const std::string& path, const Formula& meaning);
   /// Empty where a figure is missing or not finite. A single path may also have a text or true/false as its value. Local.
-  Cell evaluate(const nlohmann::ordered_json& summary) const;
+  TableCell evaluate(const nlohmann::ordered_json& summary) const;
 
   struct Node;
 

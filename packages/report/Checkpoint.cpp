@@ -51,8 +51,7 @@ void writeCheckpoint(const Comm& comm, const std::string& path, const std::strin
   file.close();
 }
 
-Checkpoint readCheckpoint(const Comm& comm, const std::string& path, const std::string& meshHash,
-                          const std::vector<SubdomainMesh>& meshes) {
+Start readCheckpoint(const Comm& comm, const std::string& path, const std::string& meshHash, const std::vector<SubdomainMesh>& meshes) {
   const Hdf5File file = Hdf5File::open(comm, path);
   if (!file.has(kGroup)) throw InputError(path, "not a checkpoint of Suture: it has no group " + std::string(kGroup));
   const std::string expected = broadcast(comm, meshHash), found = file.readTextAttribute(kGroup, "MeshHash");
@@ -62,7 +61,7 @@ Checkpoint readCheckpoint(const Comm& comm, const std::string& path, const std::
   const std::vector<double> rests = file.has(at("Rest")) ? file.readReals(at("Rest")) : std::vector<double>(values.size(), 0.0);
   const std::vector<int> pairs = file.readInts(at("Pairs")), status = file.readInts(at("Status"));
 
-  Checkpoint checkpoint;
+  Start start;
   collectively(comm, "reading a checkpoint", [&] {
     std::map<GlobalId, std::size_t> rowOf;
     for (std::size_t i = 0; i < nodes.size(); ++i) rowOf.emplace(nodes[i], i);
@@ -81,17 +80,17 @@ Checkpoint readCheckpoint(const Comm& comm, const std::string& path, const std::
           displacement(static_cast<Eigen::Index>(to)) = values[from] - motion + rests[from];
         }
       }
-      checkpoint.displacement.push_back(std::move(displacement));
+      start.displacement.push_back(std::move(displacement));
     }
     if (pairs.size() != status.size())
       throw InputError(path, "damaged: " + std::to_string(pairs.size()) + " pairs, " + std::to_string(status.size()) + " states");
     for (std::size_t i = 0; i < pairs.size(); ++i) {
       if (status[i] < 0 || status[i] > static_cast<int>(PairStatus::Stick))
         throw InputError(path, "damaged: pair " + std::to_string(pairs[i]) + " has the unknown status " + std::to_string(status[i]));
-      checkpoint.status[pairs[i]] = static_cast<PairStatus>(status[i]);
+      start.status[pairs[i]] = static_cast<PairStatus>(status[i]);
     }
   });
-  return checkpoint;
+  return start;
 }
 
 }  // namespace suture
