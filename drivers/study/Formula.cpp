@@ -13,20 +13,20 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-Cell finite(double value, bool integer) {
+TableCell finite(double value, bool integer) {
   if (!std::isfinite(value)) return {};
-  return {integer ? Cell::Kind::Integer : Cell::Kind::Real, value, ""};
+  return {integer ? TableCell::Kind::Integer : TableCell::Kind::Real, value, ""};
 }
 
-Cell entryCell(const Json* entry) {
+TableCell entryCell(const Json* entry) {
   if (!entry) return {};
   if (entry->is_number()) return finite(entry->get<double>(), entry->is_number_integer());
-  if (entry->is_boolean()) return {Cell::Kind::Text, 0.0, entry->get<bool>() ? "true" : "false"};
-  if (entry->is_string()) return {Cell::Kind::Text, 0.0, entry->get<std::string>()};
+  if (entry->is_boolean()) return {TableCell::Kind::Text, 0.0, entry->get<bool>() ? "true" : "false"};
+  if (entry->is_string()) return {TableCell::Kind::Text, 0.0, entry->get<std::string>()};
   return {};
 }
 
-Cell norm(const Json* vector) {
+TableCell norm(const Json* vector) {
   if (!vector || !vector->is_array()) return {};
   double squares = 0.0;
   for (const Json& component : *vector) squares += component.is_number() ? std::pow(component.get<double>(), 2) : std::nan("");
@@ -139,7 +139,7 @@ void Formula::substitute(const std::string& path, const Formula& meaning) {
   pieces_ = std::move(replaced);
 }
 
-Cell Formula::evaluate(const Json& summary) const {
+TableCell Formula::evaluate(const Json& summary) const {
   if (pieces_.size() == 1 && pieces_[0].kind == Piece::Kind::Figure) return entryCell(findEntry(summary, pieces_[0].text));
   Constants figures;
   std::string form;
@@ -150,9 +150,9 @@ Cell Formula::evaluate(const Json& summary) const {
       continue;
     }
     const Json* entry = findEntry(summary, pieces_[i].text);
-    const Cell cell = pieces_[i].kind == Piece::Kind::Norm ? norm(entry) : entryCell(entry);
+    const TableCell cell = pieces_[i].kind == Piece::Kind::Norm ? norm(entry) : entryCell(entry);
     if (!cell.isNumber()) return {};
-    integer = integer && cell.kind == Cell::Kind::Integer;
+    integer = integer && cell.kind == TableCell::Kind::Integer;
     figures.numbers[standIn(i)] = cell.number;
     form += standIn(i);
   }

@@ -6,7 +6,7 @@
 namespace suture::study {
 
 /// A cell of a study's table: a number, a text, or nothing (a run that ended before it had the figure).
-struct Cell {
+struct TableCell {
   enum class Kind { Empty, Integer, Real, Text } kind = Kind::Empty;
   double number = 0.0;  ///< of Integer and Real
   std::string text;     ///< of Text
@@ -27,7 +27,7 @@ class Formula {
   void substitute(const std::string& path, const Formula& meaning);
   /// Empty where a figure is missing or not finite. A single path may also have a text or true/false as its value. An integer if all that
   /// it is made of are integers, without a quotient. Local.
-  Cell evaluate(const nlohmann::ordered_json& summary) const;
+  TableCell evaluate(const nlohmann::ordered_json& summary) const;
 
  private:
   /// A part of the text: as it stands, or a figure that a value stands for.

@@ -59,8 +59,7 @@ void writeCheckpoint(const Comm& comm, const std::string& path, const std::strin
   file.close();
 }
 
-Checkpoint readCheckpoint(const Comm& comm, const std::string& path, const std::string& meshHash,
-                          const std::vector<SubdomainMesh>& meshes) {
+Start readCheckpoint(const Comm& comm, const std::string& path, const std::string& meshHash, const std::vector<SubdomainMesh>& meshes) {
   const Hdf5File file = Hdf5File::open(comm, path);
   if (!file.has(kGroup)) throw InputError(path, "not a checkpoint of Suture: it has no group " + std::string(kGroup));
   const std::string expected = broadcast(comm, meshHash), found = file.readTextAttribute(kGroup, "MeshHash");
@@ -72,7 +71,7 @@ Checkpoint readCheckpoint(const Comm& comm, const std::string& path, const std::
   const std::vector<double> sliding =
       file.has(at("Sliding")) ? file.readReals(at("Sliding")) : std::vector<double>(kSliding * status.size(), 0.0);
 
-  Checkpoint checkpoint;
+  Start start;
   collectively(comm, "reading a checkpoint", [&] {
     std::map<GlobalId, std::size_t> rowOf;
     for (std::size_t i = 0; i < nodes.size(); ++i) rowOf.emplace(nodes[i], i);
@@ -91,7 +90,7 @@ Checkpoint readCheckpoint(const Comm& comm, const std::string& path, const std::
           displacement(static_cast<Eigen::Index>(to)) = values[from] - motion + rests[from];
         }
       }
-      checkpoint.displacement.push_back(std::move(displacement));
+      start.displacement.push_back(std::move(displacement));
     }
     if (pairs.size() != status.size())
       throw InputError(path, "damaged: " + std::to_string(pairs.size()) + " pairs, " + std::to_string(status.size()) + " states");
@@ -104,10 +103,10 @@ Checkpoint readCheckpoint(const Comm& comm, const std::string& path, const std::
       const double* row = sliding.data() + kSliding * i;
       if (!std::all_of(row, row + kSliding, [](double value) { return std::isfinite(value); }))
         throw InputError(path, "damaged: direction or bound of pair " + std::to_string(pairs[i]) + " is not finite");
-      checkpoint.status[pairs[i]] = {static_cast<PairStatus>(status[i]), {row[0], row[1], row[2]}, row[3]};
+      start.status[pairs[i]] = {static_cast<PairStatus>(status[i]), {row[0], row[1], row[2]}, row[3]};
     }
   });
-  return checkpoint;
+  return start;
 }
 
 }  // namespace suture

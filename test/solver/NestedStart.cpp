@@ -2,7 +2,8 @@
 #include <Teuchos_UnitTestHarness.hpp>
 #include <interface/DenseSpace.hpp>
 #include <solver/ContactMethods.hpp>
-#include <suture/solver/NestedStart.hpp>
+#include <suture/solver/SolveInterface.hpp>
+#include <suture/solver/nested/NestedStart.hpp>
 
 namespace suture {
 namespace {
@@ -62,7 +63,7 @@ TEUCHOS_UNIT_TEST(NestedStart, InterpolatesLinearFieldsOfEachBodyExactly) {
 TEUCHOS_UNIT_TEST(NestedStart, BeginsWithTheDisplacementsOnTheInterface) {
   const Blocks coarse(pressedBlocks(), world(), std::vector<double>(), false);
   const OnInterface fine(pressedBlocks(3), world());
-  const InterfaceState state = nestedStart(*world(), linearAnswer(coarse), fine.problem, fine.all.subdomains);
+  const InterfaceState state = stateOf(nestedStart(*world(), linearAnswer(coarse), fine.all.meshes), fine.problem, fine.all.subdomains);
   std::vector<Vector> exact;
   for (std::size_t s = 0; s < fine.all.subdomains.size(); ++s)
     exact.push_back(fine.all.subdomains[s]->freeValues(linear(fine.all.meshes[s])));
@@ -98,7 +99,7 @@ TEUCHOS_UNIT_TEST(NestedStart, FinePairsBetweenTwoOfOneStatusHaveIt) {
     TEST_FLOATING_EQUALITY(1.0 + pair.arc, 1.0 + coarseScene.constraints.pairs[before].arc + k / 9.0, 1e-12);
   }
   const OnInterface fine(fineScene, world());
-  const InterfaceState state = nestedStart(*world(), answer, fine.problem, fine.all.subdomains);
+  const InterfaceState state = stateOf(nestedStart(*world(), answer, fine.all.meshes), fine.problem, fine.all.subdomains);
   TEST_ASSERT(fine.problem.differing(state.status, fine.problem.stateOf(zeros(fine.all), expected).status).empty());
   TEST_EQUALITY(fine.problem.differing(state.status, fine.problem.initialState().status).size(),
                 std::size_t(std::count_if(expected.begin(), expected.end(), [](const auto& e) { return !e.second.closed(); })));
@@ -111,7 +112,7 @@ TEUCHOS_UNIT_TEST(NestedStart, LeadsToTheSameSolutionInFewerSteps) {
   Parameters scene;
   scene.sublist("Outer Solver").set("Type", std::string("Active Set"));
   const CoarseAnswer answer{coarse.all.meshes, recover(*world(), coarse.problem, onCoarse, coarse.all.subdomains, scene)};
-  const InterfaceState start = nestedStart(*world(), answer, fine.problem, fine.all.subdomains);
+  const InterfaceState start = stateOf(nestedStart(*world(), answer, fine.all.meshes), fine.problem, fine.all.subdomains);
 
   const OuterResult from = solveWith("Active Set", fine.problem, 1e-10, "BDDC", &start), plain = solveWith("Active Set", fine.problem);
   TEST_ASSERT(from.converged && plain.converged);

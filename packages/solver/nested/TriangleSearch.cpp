@@ -1,4 +1,4 @@
-#include <suture/solver/TriangleSearch.hpp>
+#include <suture/solver/nested/TriangleSearch.hpp>
 
 #include <algorithm>
 #include <cmath>

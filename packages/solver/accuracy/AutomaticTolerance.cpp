@@ -1,4 +1,4 @@
-#include <suture/solver/AutomaticTolerance.hpp>
+#include <suture/solver/accuracy/AutomaticTolerance.hpp>
 
 #include <Tpetra_MultiVector.hpp>
 

@@ -1,8 +1,8 @@
 #include <suture/base/Buffer.hpp>
 #include <suture/base/Collective.hpp>
 #include <suture/partition/RigidLift.hpp>
-#include <suture/solver/NestedStart.hpp>
-#include <suture/solver/TriangleSearch.hpp>
+#include <suture/solver/nested/NestedStart.hpp>
+#include <suture/solver/nested/TriangleSearch.hpp>
 
 #include <Teuchos_Comm.hpp>
 
@@ -102,13 +102,13 @@ Matrix interpolate(const Comm& comm, const CoarseAnswer& coarse, const std::vect
   return values;
 }
 
-InterfaceState nestedStart(const Comm& comm, const CoarseAnswer& coarse, const InterfaceProblem& problem, const Subdomains& subdomains) {
+Start nestedStart(const Comm& comm, const CoarseAnswer& coarse, const std::vector<SubdomainMesh>& meshes) {
   // The interface lies at nodes that several subdomains hold, and on contact lines; nothing else is asked for.
   std::vector<Point> points;
   std::vector<int> bodies;
-  std::vector<std::vector<int>> nodes(subdomains.size());
-  for (std::size_t s = 0; s < subdomains.size(); ++s) {
-    const SubdomainMesh& mesh = subdomains[s]->mesh();
+  std::vector<std::vector<int>> nodes(meshes.size());
+  for (std::size_t s = 0; s < meshes.size(); ++s) {
+    const SubdomainMesh& mesh = meshes[s];
     std::vector<char> wanted(mesh.nodes(), 0);
     for (int node = 0; node < mesh.nodes(); ++node) wanted[node] = !mesh.others(node).empty();
     for (const SubdomainMesh::ContactEnd& end : mesh.contactEnds) wanted[end.node] = 1;
@@ -120,24 +120,23 @@ InterfaceState nestedStart(const Comm& comm, const CoarseAnswer& coarse, const I
       }
   }
   const Matrix values = interpolate(comm, coarse, points, bodies);
-  std::vector<Vector> freeValues;
+  Start start;
   int row = 0;
-  for (std::size_t s = 0; s < subdomains.size(); ++s) {
-    const int d = subdomains[s]->components();
-    Vector cartesian = Vector::Zero(subdomains[s]->mesh().nodes() * d);
+  for (std::size_t s = 0; s < meshes.size(); ++s) {
+    const int d = meshes[s].dimension;
+    Vector displacement = Vector::Zero(Eigen::Index(meshes[s].nodes()) * d);
     for (const int node : nodes[s]) {
-      for (int k = 0; k < d; ++k) cartesian(node * d + k) = values(row, k);
+      for (int k = 0; k < d; ++k) displacement(node * d + k) = values(row, k);
       ++row;
     }
-    freeValues.push_back(subdomains[s]->freeValues(besideLift(subdomains[s]->mesh(), std::move(cartesian))));
+    start.displacement.push_back(besideLift(meshes[s], std::move(displacement)));
   }
 
   const LineStatus lines(onAllRanks(comm, coarse.solution.pairs));
-  std::map<int, ContactState> status;
-  for (const auto& subdomain : subdomains)
-    for (const ContactRow& contact : subdomain->mesh().contactRows)
-      if (const ContactState* state = lines.at(contact.pair.line, contact.pair.arc)) status[contact.pair.id] = *state;
-  return problem.stateOf(freeValues, status);
+  for (const SubdomainMesh& mesh : meshes)
+    for (const ContactRow& contact : mesh.contactRows)
+      if (const ContactState* state = lines.at(contact.pair.line, contact.pair.arc)) start.status[contact.pair.id] = *state;
+  return start;
 }
 
 }  // namespace suture

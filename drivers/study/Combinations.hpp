@@ -7,7 +7,7 @@
 namespace suture::study {
 
 /// One combination of a study.
-struct Run {
+struct Combination {
   int number = 0;                   ///< from 1, over all combinations of the study
   std::vector<std::size_t> choice;  ///< of each sweep the index of its label
   std::string scene;                ///< path of the scene file
@@ -18,14 +18,14 @@ struct Run {
 
 /// All combinations that `only` leaves, the last sweep varying fastest. \param set  assignments of the command line; they take the place of
 /// those of the study's Set. What is wrong with them goes to `problems`. Local.
-std::vector<Run> combinations(const Study& study, const std::vector<std::string>& set, const Filter& only, Problems& problems);
+std::vector<Combination> combinations(const Study& study, const std::vector<std::string>& set, const Filter& only, Problems& problems);
 
 /// Checks scene and parameters of every run as suture_solve would before it reads the mesh, so that nothing wrong is found after hours.
 /// Reads each scene file once. \throws InputError  with the problems of all runs, each once, named by where the study has them. Collective.
-void checkRuns(const Comm& comm, const Study& study, const std::vector<Run>& runs);
+void checkRuns(const Comm& comm, const Study& study, const std::vector<Combination>& runs);
 
 /// "size=h/2  seed=3". Local.
-std::string labelsOf(const Study& study, const Run& run);
+std::string labelsOf(const Study& study, const Combination& run);
 
 /// Argument of --only on the command line: "label" or "sweep=label", several of one sweep add up. Local.
 Filter readOnly(const Study& study, const std::vector<std::string>& only, Problems& problems);

@@ -1,4 +1,4 @@
-#include "Runs.hpp"
+#include "Combinations.hpp"
 
 #include <Teuchos_ParameterList.hpp>
 #include <algorithm>
@@ -8,15 +8,16 @@
 #include <suture/base/Numbers.hpp>
 #include <suture/report/ParametersJson.hpp>
 #include <suture/report/SceneSchema.hpp>
-#include <suture/solver/Decomposition.hpp>
+#include <suture/simulation/Overrides.hpp>
+#include <suture/solver/Method.hpp>
 
-#include "../support/Overrides.hpp"
+#include "../support/TellingOverrides.hpp"
 
 namespace suture::study {
 namespace {
 
-Run combine(const Study& study, const std::vector<std::string>& set, const std::vector<std::size_t>& choice) {
-  Run run;
+Combination combine(const Study& study, const std::vector<std::string>& set, const std::vector<std::size_t>& choice) {
+  Combination run;
   run.choice = choice;
   std::string scene = study.scene;
   const auto add = [&](const std::string& assignment, const std::string& origin) {
@@ -53,14 +54,14 @@ void checkParameterColumns(const Study& study, const Parameters& scene, Problems
 
 }  // namespace
 
-std::vector<Run> combinations(const Study& study, const std::vector<std::string>& set, const Filter& only, Problems& problems) {
+std::vector<Combination> combinations(const Study& study, const std::vector<std::string>& set, const Filter& only, Problems& problems) {
   for (const std::string& assignment : set)
     for (const Sweep& sweep : study.sweeps)
       for (const Parameter& parameter : sweep.parameters)
         if (parameter.path == overridePath(assignment))
           problems.add("--set", "'" + parameter.path + "' is varied by the sweep '" + sweep.name + "'");
 
-  std::vector<Run> runs;
+  std::vector<Combination> runs;
   std::vector<std::size_t> choice(study.sweeps.size(), 0);
   for (int number = 1;; ++number) {
     if (passes(only, study.sweeps, choice)) {
@@ -80,7 +81,7 @@ class SceneTexts {
  public:
   SceneTexts(const Comm& comm, const Schema& schema) : comm_(comm), schema_(schema) {}
 
-  SceneFile scene(const Run& run) {
+  SceneFile scene(const Combination& run) {
     const auto known = texts_.find(run.scene);
     if (known != texts_.end()) return parseScene(known->second, run.scene, schema_, run.overrides);
     const SceneFile scene = readScene(comm_, run.scene, schema_, run.overrides);
@@ -96,7 +97,7 @@ class SceneTexts {
 
 }  // namespace
 
-void checkRuns(const Comm& comm, const Study& study, const std::vector<Run>& runs) {
+void checkRuns(const Comm& comm, const Study& study, const std::vector<Combination>& runs) {
   const Schema schema = sceneSchema();
   SceneTexts texts(comm, schema);
   std::set<std::pair<std::string, std::string>> known;
@@ -105,10 +106,10 @@ void checkRuns(const Comm& comm, const Study& study, const std::vector<Run>& run
     if (known.emplace(origin, problem.path + problem.message).second)
       problems.add(origin, origin == problem.path ? problem.message : problem.path + ": " + problem.message);
   };
-  for (const Run& run : runs) {
+  for (const Combination& run : runs) {
     try {
       const SceneFile scene = texts.scene(run);
-      checkCombination(*scene.parameters);
+      makeMethod(*scene.parameters, scene.parameters->sublist("Contact").numParams() > 0);
       Problems columns;
       if (&run == &runs.front()) checkParameterColumns(study, *scene.parameters, columns);
       for (const Problem& problem : columns.list()) add(problem, problem.path);
@@ -122,7 +123,7 @@ void checkRuns(const Comm& comm, const Study& study, const std::vector<Run>& run
   problems.throwIfAny();
 }
 
-std::string labelsOf(const Study& study, const Run& run) {
+std::string labelsOf(const Study& study, const Combination& run) {
   std::string text;
   for (std::size_t s = 0; s < study.sweeps.size(); ++s)
     text += (text.empty() ? "" : "  ") + study.sweeps[s].name + "=" + study.sweeps[s].labels[run.choice[s]];

@@ -1,9 +1,7 @@
-// The reference within a distributed run: rank 0 solves, the others listen and get their part.
 #include <suture/base/Buffer.hpp>
 #include <suture/base/Collective.hpp>
-#include <suture/reference/Monolithic.hpp>
-#include <suture/reference/MonolithicScene.hpp>
-#include <suture/solver/Decomposition.hpp>
+#include <suture/reference/Reference.hpp>
+#include <suture/solver/MemoryEstimate.hpp>
 
 #include <Teuchos_Comm.hpp>
 #include <Teuchos_CommHelpers.hpp>
@@ -48,33 +46,45 @@ struct Figures {
   double residual, energy;
 };
 
+constexpr const char* kName = "Monolithic";
+
 }  // namespace
 
-std::shared_ptr<const MonolithicSystem> assembleMonolithic(const Comm& comm, const Mesh& mesh, const Constraints& constraints,
-                                                           const ElasticModel& model) {
-  std::shared_ptr<const MonolithicSystem> system;
-  collectivelyOnRoot(comm, "assembling the monolithic system",
-                     [&] { system = std::make_shared<MonolithicSystem>(mesh, constraints, model); });
-  return system;
+Schema Reference::schema() {
+  return Schema(
+             "The whole system on one rank, one factorisation with the contact unknowns last, active set: for small scenes and as a "
+             "reference.")
+      .oneOf("Ordering", "AMD", {"AMD", "METIS"},
+             "Of the unknowns that are not in contact: METIS leaves less fill than AMD and takes longer to find it.");
 }
 
-Solution solveMonolithicScene(const Comm& comm, const Mesh& mesh, const Constraints& constraints, const MonolithicSystem* system,
-                              const std::vector<SubdomainMesh>& meshes, const Parameters& scene, Monitor& monitor) {
+Reference::Reference(const Parameters& settings, const Parameters& own) {
+  options_.maximumIterations = settings.sublist("Outer Solver").get<int>("Maximum Iterations");
+  if (own.get<std::string>("Ordering") == "METIS") options_.ordering = CholmodOptions::Ordering::Metis;
+}
+
+double Reference::megabytes(const Comm& comm, const std::vector<SubdomainMesh>&, GlobalId unknowns) const {
+  return comm.getRank() == 0 ? estimatedMonolithicMegabytes(unknowns) : programMegabytes();
+}
+
+void Reference::doAssemble(Subdomains) {
+  collectivelyOnRoot(*scene().comm, "assembling the monolithic system",
+                     [&] { system_ = std::make_unique<const MonolithicSystem>(scene().mesh, scene().constraints, scene().model); });
+}
+
+Solution Reference::doSolve(Monitor& monitor, const Start*, const Keep&) {
+  const Comm& comm = *scene().comm;
   MonolithicResult result;
   collectivelyOnRoot(comm, "the monolithic solver", [&] {
-    const Parameters& own = scene.sublist("Outer Solver");
-    MonolithicOptions options;
-    options.maximumIterations = own.get<int>("Maximum Iterations");
-    if (own.sublist(kMonolithic).get<std::string>("Ordering") == "METIS") options.ordering = CholmodOptions::Ordering::Metis;
     Monitor later;  // the rows are told on all ranks below
-    result = solveMonolithic(mesh, constraints, *system, options, later);
+    result = solveMonolithic(scene().mesh, scene().constraints, *system_, options_, later);
   });
   Packer packer;
   packer.put(Figures{result.converged, result.iterations, result.residual, result.energy});
   packer.put(result.rows);
   packer.put(result.failure);
-  packer.put(constraints.pairs.size());
-  packer.put(mesh.dimension);
+  packer.put(scene().constraints.pairs.size());
+  packer.put(scene().mesh.dimension);
   Unpacker unpacker(broadcast(comm, packer.bytes()));
   const auto figures = unpacker.get<Figures>();
   for (const OuterRow& row : unpacker.get<std::vector<OuterRow>>()) monitor.outer(row);
@@ -82,18 +92,24 @@ Solution solveMonolithicScene(const Comm& comm, const Mesh& mesh, const Constrai
   Solution solution;
   solution.converged = figures.converged;
   solution.failure = unpacker.get<std::string>();
-  if (unpacker.get<std::size_t>() > 0) solution.outerSolver = kMonolithic;
+  if (unpacker.get<std::size_t>() > 0) solution.outerSolver = kName;
   solution.auxiliary.contact = !solution.outerSolver.empty();
   solution.outerIterations = figures.iterations;
   solution.residual = figures.residual;
   solution.energy = figures.energy;
-  solution.displacement = scatterToSubdomains(comm, result.displacement, unpacker.get<int>(), meshes);
+  solution.displacement = scatterToSubdomains(comm, result.displacement, unpacker.get<int>(), scene().meshes);
   std::vector<PairForce> forces;
   for (const PairResult& pair : result.pairs) forces.push_back({pair.id, pair.state, pair.force});
   std::vector<const SubdomainMesh*> pointers;
-  for (const SubdomainMesh& mesh : meshes) pointers.push_back(&mesh);
+  for (const SubdomainMesh& mesh : scene().meshes) pointers.push_back(&mesh);
   solution.pairs = pairResults(comm, pointers, solution.displacement, forces);
   return solution;
 }
+
+namespace {
+const Registration<Method> registration(kName, Reference::schema(), [](const Parameters& settings, const Parameters& own) {
+  return std::make_unique<Reference>(settings, own);
+});
+}  // namespace
 
 }  // namespace suture

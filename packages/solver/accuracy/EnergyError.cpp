@@ -1,5 +1,5 @@
 #include <suture/base/Dense.hpp>
-#include <suture/solver/EnergyError.hpp>
+#include <suture/solver/accuracy/EnergyError.hpp>
 
 #include <algorithm>
 #include <cmath>
