@@ -104,8 +104,8 @@ class Borrowed : public Formulation {
 
  protected:
   std::unique_ptr<InterfaceProblem> doMake(const CommPtr& comm, const Partition& partition,
-                                           const std::vector<std::unique_ptr<Subdomain>>& subdomains,
-                                           const LocalAlgebra& algebra) const override {
+                                           const std::vector<std::unique_ptr<Subdomain>>& subdomains, const LocalAlgebra& algebra,
+                                           const ContactLaws&) const override {
     return std::make_unique<CondensedProblem>(comm, partition, subdomains, algebra.solver, algebra.schur);
   }
 };
