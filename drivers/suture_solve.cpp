@@ -1,5 +1,6 @@
 // Solves a scene: elastic bodies in unilateral contact, by domain decomposition. One statement a stage, in the order of the packages.
 // The program's main is in support/SolveMain.cpp: suture_study runs this function, too.
+#include <Teuchos_Comm.hpp>
 #include <suture/base/Timers.hpp>
 #include <suture/report/OutputSchema.hpp>
 #include <suture/report/SceneSchema.hpp>
