@@ -1,5 +1,6 @@
 #pragma once
 #include <solver/ContactMethods.hpp>
+#include <suture/interface/Formulation.hpp>
 #include <suture/solver/SolveInterface.hpp>
 
 namespace suture::blocks {

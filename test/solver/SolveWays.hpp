@@ -2,6 +2,7 @@
 #include <interface/ContactScenes.hpp>
 #include <suture/base/Gather.hpp>
 #include <suture/base/scene/SceneReader.hpp>
+#include <suture/interface/Formulation.hpp>
 #include <suture/partition/RigidLift.hpp>
 #include <suture/quality/Verify.hpp>
 #include <suture/solver/Method.hpp>
