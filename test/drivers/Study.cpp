@@ -3,10 +3,10 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <suture/base/Errors.hpp>
+#include <suture/simulation/Overrides.hpp>
 
 #include "../../drivers/study/Bands.hpp"
 #include "../../drivers/study/Combinations.hpp"
-#include "../../drivers/support/Overrides.hpp"
 
 using namespace suture;
 using namespace suture::study;

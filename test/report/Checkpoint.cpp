@@ -20,7 +20,7 @@ void comesBack(sample::SampleRun& sample, const std::string& name, bool slides, 
   }
   for (PairResult& pair : sample.solution_.pairs) pair.state = expected.at(pair.id);
   writeCheckpoint(*sample.comm_, path, "hash", sample.subdomains_, sample.solution_);
-  const Checkpoint found = readCheckpoint(*sample.comm_, path, "hash", sample.subdomains_);
+  const Start found = readCheckpoint(*sample.comm_, path, "hash", sample.subdomains_);
   TEST_ASSERT(found.status == expected);
   TEST_EQUALITY(found.displacement.size(), sample.solution_.displacement.size());
   for (std::size_t s = 0; s < found.displacement.size(); ++s) TEST_ASSERT(found.displacement[s] == sample.solution_.displacement[s]);

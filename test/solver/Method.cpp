@@ -1,6 +1,8 @@
 // The ways from a scene in subdomains to its solution.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <solver/SceneChoices.hpp>
+#include <suture/base/Buffer.hpp>
+#include <suture/base/Collective.hpp>
 #include <suture/solver/Method.hpp>
 
 namespace suture {
@@ -36,7 +38,7 @@ Start startOf(const Solution& solution) {
   std::vector<PairResult> pairs = solution.pairs;
   broadcast(*world(), pairs);
   Start start{solution.displacement, {}};
-  for (const PairResult& pair : pairs) start.status[pair.id] = pair.status;
+  for (const PairResult& pair : pairs) start.status[pair.id] = pair.state;
   return start;
 }
 
