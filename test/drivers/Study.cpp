@@ -88,7 +88,7 @@ Study sample() {
 
 std::vector<study::Row> rowsOf(const Study& study, const std::vector<study::Combination>& runs) {
   std::vector<study::Row> rows;
-  for (const study::Run& run : runs) {
+  for (const study::Combination& run : runs) {
     const Json one{{"dofs", 10 * (run.choice[0] + 1) + run.choice[1]}};
     rows.push_back(studyRow(study, run, {one.dump()}, 0, ""));
   }
