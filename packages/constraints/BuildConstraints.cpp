@@ -1,9 +1,9 @@
 #include <suture/constraints/BuildConstraints.hpp>
 #include <suture/constraints/Conditions.hpp>
-#include <suture/constraints/ContactPairs.hpp>
 #include <suture/constraints/ContactPieces.hpp>
 #include <suture/constraints/FacetError.hpp>
 #include <suture/constraints/NodalRules.hpp>
+#include <suture/constraints/pairing/ContactPairs.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include <suture/constraints/MatchingPairs.hpp>
+#include <suture/constraints/pairing/MatchingPairs.hpp>
 #include <suture/mesh/CellGeometry.hpp>
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #pragma once
 #include <suture/constraints/ContactLine.hpp>
-#include <suture/constraints/MortarSegment.hpp>
+#include <suture/constraints/pairing/Segmentation.hpp>
 #include <suture/mesh/SideShape.hpp>
 
 #include <optional>
@@ -18,6 +18,8 @@ namespace suture {
 class MortarSampling {
  public:
   MortarSampling(const Mesh& mesh, const ContactLine& line, bool onA);
+  MortarSampling(const MortarSampling&) = delete;
+  MortarSampling& operator=(const MortarSampling&) = delete;
 
   /// Elements of the carrying side.
   const std::vector<MortarSegment>& own() const { return own_; }
@@ -45,23 +47,18 @@ class MortarSampling {
   Samples sample(const MortarSegment& own, const Point& normal) const;
 
  private:
-  struct Meeting {
-    double eta, gap;
-  };
   struct Nearer {
     double way = 0, doubt = 0;
   };
-  static std::optional<Meeting> meet(const Point& from, const Point& normal, const MortarSegment& other);
   std::vector<MortarSegment> segments(const std::string& group) const;
   static void findChanges(std::vector<MortarSegment>& all);
-  std::vector<double> breaks(const MortarSegment& own, const Point& normal) const;
-  const MortarSegment* nearest(const Point& from, const Point& normal) const;
   Nearer nearer(const MortarSegment& own, double xi, const MortarSegment& other, double eta, const Point& normal) const;
 
   const Mesh& mesh_;
   const ContactLine& contact_;
   double share_;  // share of the change of curvature that the carrying side takes where both are pressed together
   std::vector<MortarSegment> own_, other_;
+  Segmentation segmentation_;
   LineRule rule_;
 };
 

@@ -15,6 +15,7 @@ class MortarSegment {
   MortarSegment(const Mesh& mesh, const BoundaryLine& line, const std::vector<int>& nodes, const BoundaryCurve::Bend& bend);
 
   const std::vector<int>& nodes() const { return nodes_; }
+  const std::vector<Point>& points() const { return points_; }
   int count() const { return static_cast<int>(nodes_.size()); }
   const Point& end(int which) const { return points_[which]; }
   // Ends at once: of most elements of the other side they alone are asked for.

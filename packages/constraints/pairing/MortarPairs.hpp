@@ -1,6 +1,6 @@
 #pragma once
 #include <suture/constraints/ContactLine.hpp>
-#include <suture/constraints/ContactPairs.hpp>
+#include <suture/constraints/pairing/ContactPairs.hpp>
 
 #include <string>
 #include <vector>

@@ -1,5 +1,5 @@
 #include <suture/constraints/BoundaryLine.hpp>
-#include <suture/constraints/ObstaclePairs.hpp>
+#include <suture/constraints/pairing/ObstaclePairs.hpp>
 #include <suture/mesh/CellGeometry.hpp>
 
 namespace suture {

@@ -1,12 +1,13 @@
-#include <suture/constraints/MortarPairs.hpp>
-#include <suture/constraints/MortarSampling.hpp>
+#include <suture/constraints/pairing/DualBasis.hpp>
+#include <suture/constraints/pairing/MortarPairs.hpp>
+#include <suture/constraints/pairing/MortarSampling.hpp>
 #include <suture/mesh/SideShape.hpp>
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
 #include <map>
+#include <memory>
 #include <sstream>
 
 namespace suture {
@@ -106,21 +107,18 @@ class Mortar {
 
   static void addTo(std::map<int, Row>& rows, const Segment& own, int j, int functions, const std::vector<Sample>& samples) {
     if (samples.empty()) return;
-    Matrix mass = Matrix::Zero(functions, functions);
-    Vector integral = Vector::Zero(functions);
-    const auto shape = [functions](double xi) -> Vector {
-      const SideShape values = sideShape(functions, xi);
-      return Eigen::Map<const Vector>(values.value.data(), functions);
-    };
-    for (const Sample& sample : samples) {
-      const Vector chi = shape(sample.xi);
-      mass += sample.weight * chi * chi.transpose();
-      integral += sample.weight * chi;
+    Matrix shapes(functions, samples.size());
+    Vector weights(samples.size());
+    for (std::size_t q = 0; q < samples.size(); ++q) {
+      const SideShape values = sideShape(functions, samples[q].xi);
+      shapes.col(q) = Eigen::Map<const Vector>(values.value.data(), functions);
+      weights(q) = samples[q].weight;
     }
-    const Matrix dual = integral.asDiagonal() * mass.ldlt().solve(Matrix::Identity(functions, functions));
+    const DualBasis dual(shapes, weights);
     Row& row = rows[own.nodes()[j]];
-    for (const Sample& sample : samples) {
-      const Vector psi = sample.weight * (dual * shape(sample.xi));
+    for (std::size_t q = 0; q < samples.size(); ++q) {
+      const Sample& sample = samples[q];
+      const Vector psi = sample.weight * dual.at(shapes.col(q));
       const SideShape phi = sideShape(own.count(), sample.xi), others = sideShape(sample.other->count(), sample.eta);
       row.weight += psi(j);
       row.gap += psi(j) * sample.gap;
@@ -197,15 +195,21 @@ class Mortar {
   double coveredIntervals_ = 0;
 };
 
-/// Chooses the carrying side. Where elements of two nodes meet a curve, the side with fewer nodes on what both share: the finer one would
-/// take what the other cannot follow for pressure. Else the side that the other covers wholly, where the stress ends with the side and not
-/// inside an element; of two or none such that with more nodes, which resolves the stress better and has a node of its own for each
-/// condition.
-Mortar carriedByEither(const Mesh& mesh, const ContactLine& line) {
-  Mortar a(mesh, line, true), b(mesh, line, false);
-  if (a.isCurved() && (a.isLinear() || b.isLinear())) return a.coveredIntervals() <= b.coveredIntervals() ? a : b;
-  if (a.coversAll() != b.coversAll()) return a.coversAll() ? a : b;
-  return a.nodes() >= b.nodes() ? a : b;
+/// True if side A is the one to carry. Where elements of two nodes meet a curve, the side with fewer nodes on what both share: the finer
+/// one would take what the other cannot follow for pressure. Else the side that the other covers wholly, where the stress ends with the
+/// side and not inside an element; of two or none such that with more nodes, which resolves the stress better and has a node of its own for
+/// each condition.
+bool carriesBetter(const Mortar& a, const Mortar& b) {
+  if (a.isCurved() && (a.isLinear() || b.isLinear())) return a.coveredIntervals() <= b.coveredIntervals();
+  if (a.coversAll() != b.coversAll()) return a.coversAll();
+  return a.nodes() >= b.nodes();
+}
+
+std::unique_ptr<const Mortar> makeMortar(const Mesh& mesh, const ContactLine& line) {
+  using Carrier = ContactLine::Carrier;
+  if (line.carrier != Carrier::Automatic) return std::make_unique<Mortar>(mesh, line, line.carrier == Carrier::SideA);
+  auto a = std::make_unique<Mortar>(mesh, line, true), b = std::make_unique<Mortar>(mesh, line, false);
+  return carriesBetter(*a, *b) ? std::move(a) : std::move(b);
 }
 
 /// Notes that the side which the scene names to carry the stress is the finer one.
@@ -225,15 +229,14 @@ void warnOfFinerCarrier(const Mesh& mesh, const ContactLine& line, const Mortar&
 }  // namespace
 
 PairedLine mortarLine(const Mesh& mesh, const ContactLine& line, Problems& problems, std::vector<std::string>& notes) {
-  const Mortar mortar = line.carrier == ContactLine::Carrier::Automatic ? carriedByEither(mesh, line)
-                                                                        : Mortar(mesh, line, line.carrier == ContactLine::Carrier::SideA);
-  PairedLine result = mortar.pairs();
+  const std::unique_ptr<const Mortar> mortar = makeMortar(mesh, line);
+  PairedLine result = mortar->pairs();
   if (result.pairs.empty())
     problems.add(line.path, "the sides '" + line.groupA + "' and '" + line.groupB +
                                 "' overlap nowhere: no normal of one meets the other face to face. Do the bodies lie on opposite sides of "
                                 "the line?");
   else
-    warnOfFinerCarrier(mesh, line, mortar, notes);
+    warnOfFinerCarrier(mesh, line, *mortar, notes);
   return result;
 }
 

@@ -1,7 +1,7 @@
-#include <suture/constraints/ContactPairs.hpp>
-#include <suture/constraints/MatchingPairs.hpp>
-#include <suture/constraints/MortarPairs.hpp>
-#include <suture/constraints/ObstaclePairs.hpp>
+#include <suture/constraints/pairing/ContactPairs.hpp>
+#include <suture/constraints/pairing/MatchingPairs.hpp>
+#include <suture/constraints/pairing/MortarPairs.hpp>
+#include <suture/constraints/pairing/ObstaclePairs.hpp>
 
 #include <algorithm>
 #include <array>

@@ -1,8 +1,7 @@
-#include <suture/constraints/MortarSampling.hpp>
+#include <suture/constraints/pairing/MortarSampling.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 
 namespace suture {
@@ -12,25 +11,7 @@ namespace {
 using Segment = MortarSegment;
 using Geometry = ContactLine::Geometry;
 
-constexpr double kSamePlace = 1e-10;  // relative to an element's reference interval
-constexpr double kFacing = 0.5;       // cosine of the angle up to which two normals are opposite
-constexpr double kOpposite = 1e-9;    // sine of the angle up to which two sides are parallel
-
-/// Zero of a function on [-1, 1] that changes its sign there; nothing if it does not.
-template <typename Function>
-std::optional<double> zeroOf(const Function& f) {
-  double low = -1, high = 1;
-  const double atLow = f(low), atHigh = f(high);
-  if (atLow == 0) return low;
-  if (atHigh == 0) return high;
-  if ((atLow > 0) == (atHigh > 0)) return std::nullopt;
-  while (high - low > 1e-16) {
-    const double middle = (low + high) / 2;
-    if (middle == low || middle == high) break;
-    ((f(middle) > 0) == (atLow > 0) ? low : high) = middle;
-  }
-  return (low + high) / 2;
-}
+constexpr double kOpposite = 1e-9;  // sine of the angle up to which two sides are parallel
 
 }  // namespace
 
@@ -40,20 +21,12 @@ MortarSampling::MortarSampling(const Mesh& mesh, const ContactLine& line, bool o
       share_(onA ? line.shareOfA() : 1 - line.shareOfA()),
       own_(segments(onA ? line.groupA : line.groupB)),
       other_(segments(onA ? line.groupB : line.groupA)),
+      segmentation_(other_),
       rule_(gaussRule(6)) {}
 
 bool MortarSampling::isCurved() const {
   const auto curved = [](const Segment& s) { return s.isCurved(); };
   return std::any_of(own_.begin(), own_.end(), curved) || std::any_of(other_.begin(), other_.end(), curved);
-}
-
-/// Point where the normal at a point of the carrying side meets an element of the other, face to face.
-std::optional<MortarSampling::Meeting> MortarSampling::meet(const Point& from, const Point& normal, const Segment& other) {
-  const auto eta = zeroOf([&](double t) { return cross(minus(other.at(t), from), normal)[2]; });
-  if (!eta) return std::nullopt;
-  const Point tangent = other.tangent(*eta);
-  if (dot(unit({tangent[1], -tangent[0], 0}), normal) > -kFacing) return std::nullopt;
-  return Meeting{*eta, dot(minus(other.at(*eta), from), normal)};
 }
 
 std::vector<Segment> MortarSampling::segments(const std::string& group) const {
@@ -87,29 +60,6 @@ void MortarSampling::findChanges(std::vector<Segment>& all) {
   }
 }
 
-/// Reference coordinates where elements of the other side begin or end, seen along a normal, and the ends.
-std::vector<double> MortarSampling::breaks(const Segment& own, const Point& normal) const {
-  std::vector<double> all{-1, 1};
-  for (const Segment& other : other_)
-    for (int end = 0; end < 2; ++end)
-      if (const auto xi = zeroOf([&](double t) { return cross(minus(other.end(end), own.at(t)), normal)[2]; })) all.push_back(*xi);
-  std::sort(all.begin(), all.end());
-  all.erase(std::unique(all.begin(), all.end(), [](double a, double b) { return b - a < kSamePlace; }), all.end());
-  if (1 - all.back() < kSamePlace) all.back() = 1;
-  return all;
-}
-
-const Segment* MortarSampling::nearest(const Point& from, const Point& normal) const {
-  const Segment* best = nullptr;
-  double least = std::numeric_limits<double>::infinity();
-  for (const Segment& other : other_)
-    if (const auto met = meet(from, normal, other); met && std::abs(met->gap) < least) {
-      least = std::abs(met->gap);
-      best = &other;
-    }
-  return best;
-}
-
 // Distance by which the smooth sides are nearer than their elements at a point of both, and its estimated error.
 MortarSampling::Nearer MortarSampling::nearer(const Segment& own, double xi, const Segment& other, double eta, const Point& normal) const {
   Nearer result;
@@ -133,31 +83,29 @@ MortarSampling::Nearer MortarSampling::nearer(const Segment& own, double xi, con
 
 Point MortarSampling::meanNormal(const Segment& own, int node) const {
   const Point &normal = own.normal(node), from = own.point(node);
-  const Segment* other = nearest(from, normal);
-  if (!other) return normal;
-  const Point facing = other->normalAt(meet(from, normal, *other)->eta);
+  const auto met = segmentation_.nearest(from, normal);
+  if (!met) return normal;
+  const Point facing = met->other->normalAt(met->eta);
   return norm(cross(normal, facing)) > kOpposite ? unit(minus(normal, facing)) : normal;
 }
 
 MortarSampling::Samples MortarSampling::sample(const Segment& own, const Point& normal) const {
   Samples result;
-  const std::vector<double> at = breaks(own, normal);
-  for (std::size_t s = 0; s + 1 < at.size(); ++s) {
-    const double half = (at[s + 1] - at[s]) / 2, middle = (at[s] + at[s + 1]) / 2;
-    const Segment* other = nearest(own.at(middle), normal);
-    if (!other) continue;
+  for (const Segmentation::Overlap& overlap : segmentation_.overlaps(own, normal)) {
+    const double half = (overlap.end - overlap.begin) / 2, middle = (overlap.begin + overlap.end) / 2;
+    const Segment& other = *overlap.other;
     result.covered += half;
     for (int q = 0; q < rule_.points.size(); ++q) {
       const double xi = middle + half * rule_.points(q);
       const Point from = own.at(xi);
-      const auto met = meet(from, normal, *other);
+      const auto met = Segmentation::meet(from, normal, other);
       if (!met) continue;  // beyond the element's end by rounding of its curve: of no weight
-      Sample point{xi, half * rule_.weights(q) * norm(own.tangent(xi)), met->gap, 0, other, met->eta};
+      Sample point{xi, half * rule_.weights(q) * norm(own.tangent(xi)), met->gap, 0, &other, met->eta};
       if (mesh_.axisymmetric) point.weight *= circumference(from[0]);
       if (contact_.initialGap)
         point.gap = contact_.initialGap->at(from);
       else {
-        const Nearer smooth = nearer(own, xi, *other, met->eta, normal);
+        const Nearer smooth = nearer(own, xi, other, met->eta, normal);
         if (contact_.geometry == Geometry::Facets)
           point.doubt = smooth.way;
         else

@@ -1,4 +1,4 @@
-#include <suture/constraints/MortarSegment.hpp>
+#include <suture/constraints/pairing/MortarSegment.hpp>
 #include <suture/mesh/SideShape.hpp>
 
 #include <algorithm>

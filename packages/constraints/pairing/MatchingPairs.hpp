@@ -1,5 +1,5 @@
 #pragma once
-#include <suture/constraints/ContactPairs.hpp>
+#include <suture/constraints/pairing/ContactPairs.hpp>
 
 #include <optional>
 
