@@ -71,10 +71,13 @@ Formula::Formula(const std::string& text) {
   std::vector<std::string> functions = Expression::functions();
   functions.emplace_back("norm");
   bool inNorm = false;
+  int open = 0;  // parentheses
   for (std::size_t at = 0; at < text.size();) {
     if (isMark(text, at)) {
       integer_ = integer_ && text[at] != '/';
       inNorm = inNorm && text[at] == '(';
+      open += text[at] == '(' ? 1 : text[at] == ')' ? -1 : 0;
+      if (open < 0) throw wrong("unexpected ')' at '" + text.substr(at) + "'");
       pieces_.push_back({Piece::Kind::Plain, std::string(1, text[at++])});
       continue;
     }
@@ -98,6 +101,7 @@ Formula::Formula(const std::string& text) {
     }
     if (inNorm && (at >= text.size() || text[at] != '(')) throw wrong("the argument of norm is the path of a vector");
   }
+  if (open > 0) throw wrong("expected ')' at the end");
   // Read once with numbers for the figures: what it complains of is the form.
   Constants ones;
   std::string form;

@@ -18,7 +18,6 @@ namespace suture {
 
 namespace {
 
-const double sharpAngle = 45.001 * 3.14159265358979323846 / 180;  // a ring of eight sides is still round
 
 /// Checks one side of one line.
 class SideCheck {
