@@ -7,15 +7,18 @@
 #include <iomanip>
 #include <iostream>
 #include <sstream>
+#include <suture/base/Collective.hpp>
 #include <suture/base/Errors.hpp>
 #include <suture/mesh/Hdf5Mesh.hpp>
 #include <suture/partition/Partition.hpp>
+#include <suture/report/SceneSchema.hpp>
+#include <suture/simulation/CutStage.hpp>
+#include <suture/simulation/ReadStage.hpp>
 
 #include "support/CommandLine.hpp"
-#include "support/Overrides.hpp"
 #include "support/Plugins.hpp"
 #include "support/Program.hpp"
-#include "support/SolveStages.hpp"
+#include "support/TellingOverrides.hpp"
 
 using namespace suture;
 
@@ -67,18 +70,16 @@ void addGroups(Mesh& mesh, const Partition& partition, const std::string& name) 
 
 ExitCode run(const CommPtr& comm, const Options& options) {
   loadPlugins(options.plugins);
-  const SceneFile file = readScene(*comm, options.scene, sceneSchema(), options.overrides);
-  const Parameters& scene = *file.parameters;
-  Mesh mesh = meshStage(*comm, file);
+  const Scene scene = sceneOf(readScene(*comm, options.scene, sceneSchema(), options.overrides));
+  Mesh mesh = readBodies(*comm, scene);
   const int elements = int(mesh.elements());
   if (!options.noCut) {
     collectivelyOnRoot(*comm, "checking the name of the subdomains", [&] { checkGroups(mesh, options.groups); });
-    const Constraints constraints = constraintsStage(*comm, mesh, scene);
-    const ElasticModel model = makeElasticModel(scene);
-    elementsStage(*comm, mesh, model);
-    const Partition partition = makePartition(*comm, mesh, constraints, scene.sublist("Partition"), false);
-    solvabilityStage(*comm, mesh, constraints, model, partition);
-    const Whole whole = wholeStage(*comm, mesh, constraints, partition);
+    const Constraints constraints = readConstraints(*comm, mesh, scene);
+    checkElements(*comm, mesh, scene.model);
+    const Partition partition = makePartition(*comm, mesh, constraints, scene.settings().sublist("Partition"), false);
+    checkSolvability(*comm, mesh, constraints, scene.model, partition);
+    const Whole whole = wholeOf(*comm, mesh, constraints, partition);
     collectivelyOnRoot(*comm, "naming the subdomains", [&] { addGroups(mesh, partition, options.groups); });
     writeHdf5Mesh(*comm, mesh, options.output, [&](Hdf5File& to) { addCut(to, mesh, constraints, partition, whole, scene); });
   } else {

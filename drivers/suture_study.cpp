@@ -13,7 +13,7 @@ ExitCode run(const CommPtr& comm, const Options& options) {
   const Study study = readStudy(*comm, options.study, options.ofTheStudy);
   Problems problems;
   const Filter only = readOnly(study, options.only, problems);
-  const std::vector<Run> runs = combinations(study, options.overrides, only, problems);
+  const std::vector<Combination> runs = combinations(study, options.overrides, only, problems);
   problems.throwIfAny();
   checkRuns(*comm, study, runs);
   if (options.check) {

@@ -3,183 +3,48 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <suture/base/Errors.hpp>
+#include <suture/base/Expression.hpp>
 #include <suture/base/Numbers.hpp>
 
 namespace suture::study {
 
 using Json = nlohmann::ordered_json;
 
-struct Formula::Node {
-  enum class Kind { Number, Path, Operation, Function } kind = Kind::Number;
-  double number = 0.0;
-  std::string name;  // the path, the operator's sign, or the function's name
-  std::vector<std::shared_ptr<const Node>> arguments;
-};
-
 namespace {
 
-using Node = Formula::Node;
-using NodePtr = std::shared_ptr<const Node>;
-
-NodePtr makeNode(Node::Kind kind, const std::string& name, std::vector<NodePtr> arguments) {
-  return std::make_shared<Node>(Node{kind, 0.0, name, std::move(arguments)});
-}
-
-// One token after the other: "(", ")", ",", an operator with its blanks, or what stands between them.
-class Parser {
- public:
-  explicit Parser(const std::string& text) : text_(text) {}
-
-  NodePtr all() {
-    const NodePtr root = sum();
-    if (at_ < text_.size()) fail("an operator or the end");
-    return root;
-  }
-
- private:
-  [[noreturn]] void fail(const std::string& expected) const {
-    throw InputError("",
-                     "'" + text_ + "': expected " + expected + (at_ < text_.size() ? " at '" + text_.substr(at_) + "'" : " at the end"));
-  }
-
-  void skipBlanks() {
-    while (at_ < text_.size() && text_[at_] == ' ') ++at_;
-  }
-
-  bool take(char wanted) {
-    skipBlanks();
-    if (at_ >= text_.size() || text_[at_] != wanted) return false;
-    ++at_;
-    return true;
-  }
-
-  // A sign is an operator only with a blank after it and after what stands before it; otherwise it belongs to a name or a number.
-  bool isOperator(std::size_t at) const {
-    return std::string("+-*/").find(text_[at]) != std::string::npos && at > 0 && (text_[at - 1] == ' ' || text_[at - 1] == ')') &&
-           (at + 1 == text_.size() || text_[at + 1] == ' ' || text_[at + 1] == '(');
-  }
-
-  std::optional<char> takeOperator(const std::string& signs) {
-    skipBlanks();
-    if (at_ >= text_.size() || !isOperator(at_) || signs.find(text_[at_]) == std::string::npos) return std::nullopt;
-    return text_[at_++];
-  }
-
-  NodePtr sum() {
-    return chain("+-", [this] { return product(); });
-  }
-  NodePtr product() {
-    return chain("*/", [this] { return factor(); });
-  }
-
-  template <typename Next>
-  NodePtr chain(const std::string& signs, const Next& next) {
-    NodePtr left = next();
-    while (const auto sign = takeOperator(signs)) left = makeNode(Node::Kind::Operation, std::string(1, *sign), {left, next()});
-    return left;
-  }
-
-  NodePtr factor() {
-    if (take('(')) {
-      const NodePtr inner = sum();
-      if (!take(')')) fail("')'");
-      return inner;
-    }
-    skipBlanks();
-    const std::size_t begin = at_;
-    while (at_ < text_.size() && std::string("(),").find(text_[at_]) == std::string::npos && !isOperator(at_)) ++at_;
-    const std::string word = trimmed(text_.substr(begin, at_ - begin));
-    if (word.empty()) fail("a number, a figure or '('");
-    if (take('(')) return function(word);
-    if (const auto number = parseReal(word)) return std::make_shared<Node>(Node{Node::Kind::Number, *number, "", {}});
-    return makeNode(Node::Kind::Path, word, {});
-  }
-
-  NodePtr function(const std::string& name) {
-    static const std::vector<std::string> known{"abs", "max", "norm", "sqrt"};
-    if (std::find(known.begin(), known.end(), name) == known.end())
-      throw InputError("", "'" + text_ + "': " + unknownName("function", name, known));
-    std::vector<NodePtr> arguments{sum()};
-    while (take(',')) arguments.push_back(sum());
-    if (!take(')')) fail("')'");
-    if (name != "max" && arguments.size() != 1) throw InputError("", "'" + text_ + "': " + name + " has one argument");
-    if (name == "norm" && arguments[0]->kind != Node::Kind::Path)
-      throw InputError("", "'" + text_ + "': the argument of norm is the path of a vector");
-    return makeNode(Node::Kind::Function, name, arguments);
-  }
-
-  const std::string& text_;
-  std::size_t at_ = 0;
-};
-
-void collect(const Node& node, std::vector<std::string>& paths) {
-  if (node.kind == Node::Kind::Path) paths.push_back(node.name);
-  for (const NodePtr& argument : node.arguments) collect(*argument, paths);
-}
-
-NodePtr replaced(const NodePtr& node, const std::string& path, const NodePtr& by) {
-  if (node->kind == Node::Kind::Path) return node->name == path ? by : node;
-  Node copy = *node;
-  for (NodePtr& argument : copy.arguments) argument = replaced(argument, path, by);
-  return std::make_shared<Node>(copy);
-}
-
-Cell finite(double value, bool integer) {
+TableCell finite(double value, bool integer) {
   if (!std::isfinite(value)) return {};
-  return {integer ? Cell::Kind::Integer : Cell::Kind::Real, value, ""};
+  return {integer ? TableCell::Kind::Integer : TableCell::Kind::Real, value, ""};
 }
 
-Cell entryCell(const Json* entry) {
+TableCell entryCell(const Json* entry) {
   if (!entry) return {};
   if (entry->is_number()) return finite(entry->get<double>(), entry->is_number_integer());
-  if (entry->is_boolean()) return {Cell::Kind::Text, 0.0, entry->get<bool>() ? "true" : "false"};
-  if (entry->is_string()) return {Cell::Kind::Text, 0.0, entry->get<std::string>()};
+  if (entry->is_boolean()) return {TableCell::Kind::Text, 0.0, entry->get<bool>() ? "true" : "false"};
+  if (entry->is_string()) return {TableCell::Kind::Text, 0.0, entry->get<std::string>()};
   return {};
 }
 
-Cell norm(const Json* vector) {
+TableCell norm(const Json* vector) {
   if (!vector || !vector->is_array()) return {};
   double squares = 0.0;
   for (const Json& component : *vector) squares += component.is_number() ? std::pow(component.get<double>(), 2) : std::nan("");
   return finite(std::sqrt(squares), false);
 }
 
-Cell operation(char sign, const Cell& a, const Cell& b) {
-  const bool integer = a.kind == Cell::Kind::Integer && b.kind == Cell::Kind::Integer;
-  switch (sign) {
-    case '+':
-      return finite(a.number + b.number, integer);
-    case '-':
-      return finite(a.number - b.number, integer);
-    case '*':
-      return finite(a.number * b.number, integer);
-    default:
-      return finite(a.number / b.number, false);
-  }
+// A sign is an operator only with a blank or a parenthesis on both sides; otherwise it belongs to a name or a number.
+bool isOperator(const std::string& text, std::size_t at) {
+  return std::string("+-*/").find(text[at]) != std::string::npos && at > 0 && (text[at - 1] == ' ' || text[at - 1] == ')') &&
+         (at + 1 == text.size() || text[at + 1] == ' ' || text[at + 1] == '(');
 }
 
-Cell value(const Node& node, const Json& summary) {
-  if (node.kind == Node::Kind::Path) return entryCell(findEntry(summary, node.name));
-  if (node.kind == Node::Kind::Number) return finite(node.number, node.number == std::floor(node.number));
-  if (node.name == "norm") return norm(findEntry(summary, node.arguments[0]->name));
-  std::vector<Cell> arguments;
-  for (const NodePtr& argument : node.arguments) {
-    arguments.push_back(value(*argument, summary));
-    if (!arguments.back().isNumber()) return {};
-  }
-  if (node.kind == Node::Kind::Operation) return operation(node.name[0], arguments[0], arguments[1]);
-  Cell result = arguments[0];
-  if (node.name == "abs") result.number = std::abs(result.number);
-  if (node.name == "sqrt") {
-    result.kind = Cell::Kind::Real;
-    result.number = std::sqrt(result.number);
-  }
-  for (const Cell& other : arguments)
-    if (node.name == "max" && other.number > result.number) result = other;
-  return result;
+bool isMark(const std::string& text, std::size_t at) {
+  return std::string("(),").find(text[at]) != std::string::npos || isOperator(text, at);
 }
+
+// Stands for a figure where Expression calculates.
+std::string standIn(std::size_t piece) { return "figure_" + std::to_string(piece); }
 
 }  // namespace
 
@@ -201,16 +66,105 @@ const Json* findEntry(const Json& summary, const std::string& path) {
   return at;
 }
 
-Formula::Formula(const std::string& text) : root_(Parser(text).all()) {}
+Formula::Formula(const std::string& text) {
+  const auto wrong = [&text](const std::string& what) -> InputError { return InputError("", "'" + text + "': " + what); };
+  std::vector<std::string> functions = Expression::functions();
+  functions.emplace_back("norm");
+  bool inNorm = false;
+  int open = 0;  // parentheses
+  for (std::size_t at = 0; at < text.size();) {
+    if (isMark(text, at)) {
+      integer_ = integer_ && text[at] != '/';
+      inNorm = inNorm && text[at] == '(';
+      open += text[at] == '(' ? 1 : text[at] == ')' ? -1 : 0;
+      if (open < 0) throw wrong("unexpected ')' at '" + text.substr(at) + "'");
+      pieces_.push_back({Piece::Kind::Plain, std::string(1, text[at++])});
+      continue;
+    }
+    std::size_t end = at;
+    while (end < text.size() && !isMark(text, end)) ++end;
+    const std::string word = trimmed(text.substr(at, end - at));
+    at = end;
+    if (word.empty()) continue;
+    if (at < text.size() && text[at] == '(') {
+      if (std::find(functions.begin(), functions.end(), word) == functions.end()) throw wrong(unknownName("function", word, functions));
+      inNorm = word == "norm";
+      if (!inNorm) pieces_.push_back({Piece::Kind::Plain, word});
+      integer_ = integer_ && (word == "abs" || word == "max" || word == "min");
+    } else if (const auto number = parseReal(word)) {
+      pieces_.push_back({Piece::Kind::Plain, "(" + word + ")"});
+      integer_ = integer_ && *number == std::floor(*number);
+    } else {
+      const bool alone = inNorm && at < text.size() && text[at] == ')';
+      pieces_.push_back({alone ? Piece::Kind::Norm : Piece::Kind::Figure, word});
+      if (alone) inNorm = false;
+    }
+    if (inNorm && (at >= text.size() || text[at] != '(')) throw wrong("the argument of norm is the path of a vector");
+  }
+  if (open > 0) throw wrong("expected ')' at the end");
+  // Read once with numbers for the figures: what it complains of is the form.
+  Constants ones;
+  std::string form;
+  for (std::size_t i = 0; i < pieces_.size(); ++i) {
+    if (pieces_[i].kind != Piece::Kind::Plain) ones.numbers[standIn(i)] = 1.0;
+    form += pieces_[i].kind == Piece::Kind::Plain ? pieces_[i].text : standIn(i);
+  }
+  try {
+    Expression(form, ones);
+  } catch (const InputError&) {
+    throw wrong(
+        "is no formula; expected numbers and figures of summary.json, operators with a blank on both sides, as in 2 * outer.pcg_total + 1");
+  }
+}
 
 std::vector<std::string> Formula::paths() const {
   std::vector<std::string> all;
-  collect(*root_, all);
+  for (const Piece& piece : pieces_)
+    if (piece.kind != Piece::Kind::Plain) all.push_back(piece.text);
   return all;
 }
 
-void Formula::substitute(const std::string& path, const Formula& meaning) { root_ = replaced(root_, path, meaning.root_); }
+void Formula::substitute(const std::string& path, const Formula& meaning) {
+  std::vector<Piece> replaced;
+  for (const Piece& piece : pieces_) {
+    if (piece.kind != Piece::Kind::Figure || piece.text != path) {
+      replaced.push_back(piece);
+      continue;
+    }
+    integer_ = integer_ && meaning.integer_;
+    if (pieces_.size() == 1) {  // a text stays one
+      replaced = meaning.pieces_;
+      break;
+    }
+    replaced.push_back({Piece::Kind::Plain, "("});
+    replaced.insert(replaced.end(), meaning.pieces_.begin(), meaning.pieces_.end());
+    replaced.push_back({Piece::Kind::Plain, ")"});
+  }
+  pieces_ = std::move(replaced);
+}
 
-Cell Formula::evaluate(const Json& summary) const { return value(*root_, summary); }
+TableCell Formula::evaluate(const Json& summary) const {
+  if (pieces_.size() == 1 && pieces_[0].kind == Piece::Kind::Figure) return entryCell(findEntry(summary, pieces_[0].text));
+  Constants figures;
+  std::string form;
+  bool integer = integer_;
+  for (std::size_t i = 0; i < pieces_.size(); ++i) {
+    if (pieces_[i].kind == Piece::Kind::Plain) {
+      form += pieces_[i].text;
+      continue;
+    }
+    const Json* entry = findEntry(summary, pieces_[i].text);
+    const TableCell cell = pieces_[i].kind == Piece::Kind::Norm ? norm(entry) : entryCell(entry);
+    if (!cell.isNumber()) return {};
+    integer = integer && cell.kind == TableCell::Kind::Integer;
+    figures.numbers[standIn(i)] = cell.number;
+    form += standIn(i);
+  }
+  try {
+    return finite(Expression(form, figures).at({0, 0, 0}), integer);
+  } catch (const InputError&) {  // not finite
+    return {};
+  }
+}
 
 }  // namespace suture::study

@@ -1,5 +1,4 @@
 #pragma once
-#include <memory>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
@@ -7,7 +6,7 @@
 namespace suture::study {
 
 /// A cell of a study's table: a number, a text, or nothing (a run that ended before it had the figure).
-struct Cell {
+struct TableCell {
   enum class Kind { Empty, Integer, Real, Text } kind = Kind::Empty;
   double number = 0.0;  ///< of Integer and Real
   std::string text;     ///< of Text
@@ -15,7 +14,8 @@ struct Cell {
 };
 
 /// A formula over the figures of summary.json: numbers, paths with dots ("outer.pcg_total"), the operators + - * / with a blank on both
-/// sides (names may contain hyphens and blanks), parentheses, and the functions abs(x), max(x, y, ...), sqrt(x), norm(path of a vector).
+/// sides (names may contain hyphens and blanks), parentheses, norm(path of a vector), and the functions of base/Expression, which
+/// calculates: abs(x), max(x, y, ...), sqrt(x), ...
 class Formula {
  public:
   /// \throws InputError  says what was expected where; the path of the problem is empty. Local.
@@ -23,15 +23,20 @@ class Formula {
 
   /// All paths in it, in the order of the text.
   std::vector<std::string> paths() const;
-  /// Replaces a path by a formula wherever it stands.
+  /// Replaces a path by a formula wherever it stands, but for a vector of norm().
   void substitute(const std::string& path, const Formula& meaning);
-  /// Empty where a figure is missing or not finite. A single path may also have a text or true/false as its value. Local.
-  Cell evaluate(const nlohmann::ordered_json& summary) const;
-
-  struct Node;
+  /// Empty where a figure is missing or not finite. A single path may also have a text or true/false as its value. An integer if all that
+  /// it is made of are integers, without a quotient. Local.
+  TableCell evaluate(const nlohmann::ordered_json& summary) const;
 
  private:
-  std::shared_ptr<const Node> root_;
+  /// A part of the text: as it stands, or a figure that a value stands for.
+  struct Piece {
+    enum class Kind { Plain, Figure, Norm } kind = Kind::Plain;
+    std::string text;
+  };
+  std::vector<Piece> pieces_;
+  bool integer_ = true;  // nothing but the figures can make it a fraction
 };
 
 /// The entry that a path names, or null (the C++ one). Names with dots in them cannot be reached. Local.

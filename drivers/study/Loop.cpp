@@ -9,7 +9,6 @@
 #include <suture/base/Collective.hpp>
 
 #include "../support/SolveScene.hpp"
-#include "../support/SolveStages.hpp"
 #include "../support/StopSignals.hpp"
 #include "Memory.hpp"
 
@@ -39,11 +38,11 @@ Outcome attempt(const CommPtr& comm, const MeetingPoint& meeting, const SolveOpt
   return outcome;
 }
 
-std::string folderOf(const Run& run, const Options& options) {
+std::string folderOf(const Combination& run, const Options& options) {
   return (std::filesystem::path(options.folder()) / "runs" / format("%03d", run.number)).string();
 }
 
-SolveOptions optionsOf(const Run& run, const Options& options) {
+SolveOptions optionsOf(const Combination& run, const Options& options) {
   SolveOptions own;
   own.scene = run.scene;
   own.overrides = run.overrides;
@@ -57,7 +56,7 @@ std::string figures(const Study& study, const Row& row) {
   std::string text;
   for (std::size_t c = 0; c < study.columns.size(); ++c)
     for (const char* wanted : {"dofs", "steps", "pcg", "condition"})
-      if (study.columns[c].name == wanted && row.cells[c].kind != Cell::Kind::Empty)
+      if (study.columns[c].name == wanted && row.cells[c].kind != TableCell::Kind::Empty)
         text += std::string("  ") + wanted + " " + shown(row.cells[c]);
   return text;
 }
@@ -66,7 +65,7 @@ std::string figures(const Study& study, const Row& row) {
 
 namespace {
 
-FinishedRun solveRun(const CommPtr& comm, const MeetingPoint& meeting, const Study& study, const Run& run, const Options& options) {
+FinishedRun solveRun(const CommPtr& comm, const MeetingPoint& meeting, const Study& study, const Combination& run, const Options& options) {
   FinishedRun own;
   Outcome last;
   for (int repetition = 0; repetition < study.repetitions && last.end.code == ExitCode::Done; ++repetition) {
@@ -84,14 +83,14 @@ FinishedRun solveRun(const CommPtr& comm, const MeetingPoint& meeting, const Stu
 
 }  // namespace
 
-Rows runAll(const CommPtr& comm, const Study& study, const std::vector<Run>& runs, const Options& options) {
+Rows runAll(const CommPtr& comm, const Study& study, const std::vector<Combination>& runs, const Options& options) {
   const MeetingPoint meeting(*comm);
   std::ostream* console = consoleOf(*comm, options.quiet);
   if (console)
     *console << "Study: " << study.title << "   " << counted(comm->getSize(), "rank") << ", "
              << counted(static_cast<long long>(runs.size()), "combination") << std::endl;
   Rows all;
-  for (const Run& run : runs) {
+  for (const Combination& run : runs) {
     const double begin = Timers::now();
     const std::string folder = folderOf(run, options);
     const int ranks = comm->getSize();
@@ -131,11 +130,11 @@ Rows runAll(const CommPtr& comm, const Study& study, const std::vector<Run>& run
   return all;
 }
 
-void listRuns(const Comm& comm, const Study& study, const std::vector<Run>& runs) {
+void listRuns(const Comm& comm, const Study& study, const std::vector<Combination>& runs) {
   std::ostream* console = consoleOf(comm, false);
   if (!console) return;
   *console << study.title << "\n";
-  for (const Run& run : runs) {
+  for (const Combination& run : runs) {
     *console << format("%4d  ", run.number) << labelsOf(study, run) << "   " << run.scene << "\n";
     for (const std::string& assignment : run.overrides) *console << "        " << assignment << "\n";
   }

@@ -16,10 +16,10 @@ struct Rows {
 
 /// Runs every combination, as suture_solve would, into folder/runs/<number>; a line each on the console. A run that does not converge, or
 /// is refused when its mesh is known, is a row with exit code and reason. \throws Error  for an internal error only. Collective.
-Rows runAll(const CommPtr& comm, const Study& study, const std::vector<Run>& runs, const Options& options);
+Rows runAll(const CommPtr& comm, const Study& study, const std::vector<Combination>& runs, const Options& options);
 
 /// --check: the runs and what they change, on the console.
-void listRuns(const Comm& comm, const Study& study, const std::vector<Run>& runs);
+void listRuns(const Comm& comm, const Study& study, const std::vector<Combination>& runs);
 
 /// table.csv, table.md, study.json and the plots into the folder, the verdicts on the console; the exit code of the study. Collective.
 ExitCode reportStudy(const Comm& comm, const Study& study, const Rows& all, const Options& options);

@@ -22,7 +22,7 @@ std::string textOf(const std::string& path) {
 }
 
 // All that the figures depend on, but for a mesh file that the scene names.
-Json keyOf(const Run& run, int repetitions, int ranks) {
+Json keyOf(const Combination& run, int repetitions, int ranks) {
   return {{"scene", run.scene},
           {"text", textOf(run.scene)},
           {"overrides", run.overrides},
@@ -34,7 +34,7 @@ Json keyOf(const Run& run, int repetitions, int ranks) {
 
 }  // namespace
 
-std::optional<FinishedRun> finishedRun(const std::string& folder, const Run& run, int repetitions, int ranks) {
+std::optional<FinishedRun> finishedRun(const std::string& folder, const Combination& run, int repetitions, int ranks) {
   const Json kept = Json::parse(textOf(pathIn(folder)), nullptr, false);
   if (!kept.is_object() || !kept.contains("key") || kept["key"] != keyOf(run, repetitions, ranks)) return std::nullopt;
   FinishedRun finished;
@@ -50,7 +50,7 @@ std::optional<FinishedRun> finishedRun(const std::string& folder, const Run& run
   return finished;
 }
 
-void keepRun(const std::string& folder, const Run& run, int repetitions, int ranks, const FinishedRun& finished) {
+void keepRun(const std::string& folder, const Combination& run, int repetitions, int ranks, const FinishedRun& finished) {
   const Json kept{{"key", keyOf(run, repetitions, ranks)},
                   {"summaries", finished.summaries},
                   {"exit_code", finished.exitCode},

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "Runs.hpp"
+#include "Combinations.hpp"
 
 namespace suture::study {
 
@@ -16,9 +16,9 @@ struct FinishedRun {
 
 /// The run of this combination, if `folder` has it and was made by the same program from the same scene file with the same changes, on as
 /// many ranks and as often repeated. A damaged file is as good as none. Local.
-std::optional<FinishedRun> finishedRun(const std::string& folder, const Run& run, int repetitions, int ranks);
+std::optional<FinishedRun> finishedRun(const std::string& folder, const Combination& run, int repetitions, int ranks);
 
 /// Keeps it in `folder`, which exists. \throws EnvironmentError. Local.
-void keepRun(const std::string& folder, const Run& run, int repetitions, int ranks, const FinishedRun& finished);
+void keepRun(const std::string& folder, const Combination& run, int repetitions, int ranks, const FinishedRun& finished);
 
 }  // namespace suture::study

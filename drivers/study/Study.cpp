@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <set>
 #include <suture/base/Numbers.hpp>
+#include <suture/simulation/Overrides.hpp>
 
-#include "../support/Overrides.hpp"
 #include "Schema.hpp"
 
 namespace suture::study {

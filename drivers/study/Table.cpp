@@ -19,7 +19,7 @@ template <typename Write>
 std::vector<std::string> fields(const Study& study, const Row& row, bool failures, const Write& write) {
   std::vector<std::string> all;
   for (std::size_t s = 0; s < study.sweeps.size(); ++s) all.push_back(study.sweeps[s].labels[row.run->choice[s]]);
-  for (const Cell& cell : row.cells) all.push_back(write(cell));
+  for (const TableCell& cell : row.cells) all.push_back(write(cell));
   if (failures) all.push_back(row.failure);
   return all;
 }
@@ -85,7 +85,8 @@ Json withMedians(const std::vector<std::string>& summaries) {
 
 }  // namespace
 
-Row studyRow(const Study& study, const Run& run, const std::vector<std::string>& summaries, int exitCode, const std::string& failure) {
+Row studyRow(const Study& study, const Combination& run, const std::vector<std::string>& summaries, int exitCode,
+             const std::string& failure) {
   Row row{&run, {}, {}, {}, exitCode, failure};
   std::replace(row.failure.begin(), row.failure.end(), '\n', ' ');
   Json summary = summaries.empty() ? Json::object() : withMedians(summaries);
@@ -95,23 +96,23 @@ Row studyRow(const Study& study, const Run& run, const std::vector<std::string>&
     // The iterations of a run that did not converge say nothing; that it did not is a figure of its own.
     const std::vector<std::string> paths = band.formula.paths();
     const bool counts = exitCode == 0 || paths == std::vector<std::string>{"exit_code"} || paths == std::vector<std::string>{"converged"};
-    row.judged.push_back(counts ? band.formula.evaluate(summary) : Cell());
+    row.judged.push_back(counts ? band.formula.evaluate(summary) : TableCell());
   }
   for (const Order& order : study.orders)
     row.ordered.push_back(exitCode == 0 ? std::make_pair(order.xFormula.evaluate(summary), order.yFormula.evaluate(summary))
-                                        : std::make_pair(Cell(), Cell()));
+                                        : std::make_pair(TableCell(), TableCell()));
   return row;
 }
 
-std::string shown(const Cell& cell) {
-  if (cell.kind == Cell::Kind::Integer) return grouped(static_cast<long long>(cell.number));
-  if (cell.kind == Cell::Kind::Real) return format("%.4g", cell.number);
+std::string shown(const TableCell& cell) {
+  if (cell.kind == TableCell::Kind::Integer) return grouped(static_cast<long long>(cell.number));
+  if (cell.kind == TableCell::Kind::Real) return format("%.4g", cell.number);
   return cell.text;
 }
 
-std::string exact(const Cell& cell) {
-  if (cell.kind == Cell::Kind::Integer) return std::to_string(static_cast<long long>(cell.number));
-  return cell.kind == Cell::Kind::Real ? realText(cell.number) : cell.text;
+std::string exact(const TableCell& cell) {
+  if (cell.kind == TableCell::Kind::Integer) return std::to_string(static_cast<long long>(cell.number));
+  return cell.kind == TableCell::Kind::Real ? realText(cell.number) : cell.text;
 }
 
 std::string tableCsv(const Study& study, const std::vector<Row>& rows) {
@@ -139,8 +140,8 @@ std::string tableJson(const Study& study, const std::vector<Row>& rows) {
   for (const Row& row : rows) {
     Json labels = Json::array(), cells = Json::array();
     for (std::size_t s = 0; s < study.sweeps.size(); ++s) labels.push_back(study.sweeps[s].labels[row.run->choice[s]]);
-    for (const Cell& cell : row.cells)
-      cells.push_back(cell.isNumber() ? Json(cell.number) : cell.kind == Cell::Kind::Text ? Json(cell.text) : Json());
+    for (const TableCell& cell : row.cells)
+      cells.push_back(cell.isNumber() ? Json(cell.number) : cell.kind == TableCell::Kind::Text ? Json(cell.text) : Json());
     all["rows"].push_back({{"labels", labels}, {"cells", cells}, {"exit_code", row.exitCode}, {"failure", row.failure}});
   }
   for (const Plot& plot : study.plots)

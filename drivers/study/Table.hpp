@@ -3,28 +3,29 @@
 #include <utility>
 #include <vector>
 
-#include "Runs.hpp"
+#include "Combinations.hpp"
 
 namespace suture::study {
 
 /// Result of one combination of a study.
 struct Row {
-  const Run* run = nullptr;
-  std::vector<Cell> cells;                     ///< one for each column
-  std::vector<Cell> judged;                    ///< value of its column for each band; empty for a run that failed
-  std::vector<std::pair<Cell, Cell>> ordered;  ///< x and y for each order; empty for a run that failed
+  const Combination* run = nullptr;
+  std::vector<TableCell> cells;                          ///< one for each column
+  std::vector<TableCell> judged;                         ///< value of its column for each band; empty for a run that failed
+  std::vector<std::pair<TableCell, TableCell>> ordered;  ///< x and y for each order; empty for a run that failed
   int exitCode = 0;
   std::string failure;  ///< in one line; empty: the run converged
 };
 
 /// The row of a run. \param summaries  texts of summary.json, one a repetition: of times the median is kept, all else is of the first; a
 /// run that ended without one gives a row with exit code and reason only. Local.
-Row studyRow(const Study& study, const Run& run, const std::vector<std::string>& summaries, int exitCode, const std::string& failure);
+Row studyRow(const Study& study, const Combination& run, const std::vector<std::string>& summaries, int exitCode,
+             const std::string& failure);
 
 /// "9,670", "0.00123", "true": for people. Local.
-std::string shown(const Cell& cell);
+std::string shown(const TableCell& cell);
 /// All digits. Local.
-std::string exact(const Cell& cell);
+std::string exact(const TableCell& cell);
 
 /// The table, labels of the sweeps first; the column `failure` only if a run has failed. Local.
 std::string tableCsv(const Study& study, const std::vector<Row>& rows);

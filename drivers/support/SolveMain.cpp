@@ -1,8 +1,8 @@
 // main of suture_solve; what it does is in ../suture_solve.cpp.
-#include "Overrides.hpp"
 #include "Plugins.hpp"
 #include "Program.hpp"
 #include "SolveScene.hpp"
+#include "TellingOverrides.hpp"
 
 using namespace suture;
 

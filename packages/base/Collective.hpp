@@ -18,6 +18,14 @@ void collectively(const Comm& comm, const std::string& what, const std::function
 /// Runs `root` on rank 0 only, with the same promise. Collective.
 void collectivelyOnRoot(const Comm& comm, const std::string& what, const std::function<void()>& root);
 
+/// The result of `make` on rank 0, an empty object elsewhere, with the same promise. Collective.
+template <typename Make>
+auto onRoot(const Comm& comm, const std::string& what, const Make& make) {
+  decltype(make()) result{};
+  collectivelyOnRoot(comm, what, [&] { result = make(); });
+  return result;
+}
+
 /// Sends a string from rank 0 to all. Collective.
 std::string broadcast(const Comm& comm, const std::string& text);
 

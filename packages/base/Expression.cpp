@@ -138,9 +138,15 @@ Expression::Expression(const std::string& text, const Constants& constants, cons
 
 Expression::Expression(const std::string& text) : Expression(text, Constants()) {}
 
+Expression::Expression(std::function<double(const Point&)> function) : function_(std::move(function)) {
+  const auto named = std::make_shared<Compiled>("0", Constants(), "");
+  named->text = "a function of the program";
+  compiled_ = named;
+}
+
 double Expression::at(const Point& point) const {
   const Compiled& c = *compiled_;
-  const double value = c.at(point);
+  const double value = function_ ? function_(point) : c.at(point);
   if (!std::isfinite(value)) {
     char place[80];
     std::snprintf(place, sizeof place, "(%.10g, %.10g)", point[0], point[1]);
@@ -150,6 +156,8 @@ double Expression::at(const Point& point) const {
 }
 
 const std::string& Expression::text() const { return compiled_->text; }
+
+std::vector<std::string> Expression::functions() { return namesOf(mu::Parser().GetFunDef()); }
 
 std::string Expression::libraryVersion() { return mu::Parser().GetVersion(mu::pviBRIEF); }
 

@@ -1,6 +1,7 @@
 #pragma once
 #include <suture/base/Types.hpp>
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -25,16 +26,21 @@ class Expression {
   /// \throws InputError  all unknown names (nearest; those known), or where the text is not an expression. Local.
   Expression(const std::string& text, const Constants& constants, const std::string& path = "");
   explicit Expression(const std::string& text);
+  /// A function of a program in place of a text; not to be named in Constants.
+  explicit Expression(std::function<double(const Point&)> function);
 
   /// \throws InputError  when the value is not finite: which expression, at which point. Local.
   double at(const Point& point) const;
 
   const std::string& text() const;
   static std::string libraryVersion();
+  /// Names of all functions, ascending.
+  static std::vector<std::string> functions();
 
  private:
   struct Compiled;
   std::shared_ptr<const Compiled> compiled_;
+  std::function<double(const Point&)> function_;
 };
 
 /// Constants and functions that the user named for the expressions of the scene.

@@ -3,8 +3,6 @@
 
 namespace suture {
 
-struct InterfaceState;
-
 /// Report of an outer solver about one of its iterations: a row of the console's table and of history.csv.
 struct OuterRow {
   int iteration = 0;
@@ -45,8 +43,6 @@ class Monitor {
   virtual bool wantsInner() const { return false; }
   /// True if the user asked this process to stop at the next opportunity; outer solvers ask after every iteration, on all ranks.
   virtual bool stopRequested() const { return false; }
-  /// The state that an outer iteration ended with, behind its row: where a run could go on. Collective, as it is told on every rank.
-  virtual void accepted(const InterfaceState&) {}
 };
 
 }  // namespace suture

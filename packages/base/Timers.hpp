@@ -47,6 +47,13 @@ class Timers {
   std::map<std::string, double> seconds_;
 };
 
+/// The result of `make`; the time it takes is added to a phase.
+template <typename Make>
+auto timed(Timers& timers, const std::string& phase, const Make& make) {
+  const Timers::Scope scope(timers, phase);
+  return make();
+}
+
 /// Resident memory's high water mark of this process [MB of 1024 kB].
 double peakMemoryMb();
 

@@ -50,7 +50,4 @@ class Span {
   std::size_t size_ = 0;
 };
 
-/// State of a contact pair. Frictionless scenes know open and slip (closed, free to slide); stick is for friction laws.
-enum class PairStatus : int { Open = 0, Slip = 1, Stick = 2 };
-
 }  // namespace suture

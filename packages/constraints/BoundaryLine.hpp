@@ -9,6 +9,9 @@
 
 namespace suture {
 
+/// Sides that meet at a larger angle make a corner: a ring of eight sides is still round.
+constexpr double sharpAngle = 45.001 * 3.14159265358979323846 / 180;
+
 /// A named group of sides seen as lines through nodes: outward normals, tributary lengths and the order of the nodes along it. Plane.
 class BoundaryLine {
  public:

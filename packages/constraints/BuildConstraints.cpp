@@ -1,9 +1,9 @@
 #include <suture/constraints/BuildConstraints.hpp>
 #include <suture/constraints/Conditions.hpp>
-#include <suture/constraints/ContactPairs.hpp>
 #include <suture/constraints/ContactPieces.hpp>
 #include <suture/constraints/FacetError.hpp>
 #include <suture/constraints/NodalRules.hpp>
+#include <suture/constraints/pairing/ContactPairs.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -105,6 +105,7 @@ Constraints buildConstraints(const Mesh& mesh, const Parameters& conditionList, 
   checkRoles(mesh, conditions, lines, problems);
 
   Constraints constraints;
+  constraints.laws = ContactLaws(contactList);
   constraints.rules = nodalRules(mesh, conditions, problems);
   std::vector<PairedLine> paired;
   for (const ContactLine& line : lines) {

@@ -1,5 +1,7 @@
 #pragma once
 #include <suture/base/Types.hpp>
+#include <suture/constraints/ContactLaw.hpp>
+#include <suture/constraints/ContactState.hpp>
 #include <suture/mesh/CellBlock.hpp>
 
 #include <array>
@@ -50,7 +52,7 @@ struct ContactPair {
 /// Decision of a solver about a pair; its gap and pressure follow from the displacements.
 struct PairForce {
   int id = -1;
-  PairStatus status = PairStatus::Open;
+  ContactState state;
   double force = 0.0;  ///< > 0 compressive [force]
 };
 
@@ -92,6 +94,7 @@ struct Constraints {
   std::vector<NodeRule> rules;     ///< at most one a node, sorted by node
   std::vector<ContactPair> pairs;  ///< pairs[i].id == i
   std::vector<ContactPiece> pieces;
+  ContactLaws laws;                ///< of the contact lines
   std::vector<std::string> notes;  ///< sentences for the user about choices made
 };
 

@@ -1,6 +1,7 @@
 #include <suture/base/scene/SceneReader.hpp>
 #include <suture/constraints/BuildConstraints.hpp>
 #include <suture/constraints/Conditions.hpp>
+#include <suture/constraints/ContactLaw.hpp>
 #include <suture/constraints/ContactLine.hpp>
 #include <suture/mesh/CellGeometry.hpp>
 #include <suture/mesh/SideTable.hpp>
@@ -17,7 +18,6 @@ namespace suture {
 
 namespace {
 
-const double sharpAngle = 45.001 * 3.14159265358979323846 / 180;  // a ring of eight sides is still round
 
 /// Checks one side of one line.
 class SideCheck {
@@ -158,6 +158,7 @@ Schema contactSchema() {
       .text("Side A", std::nullopt, "curve group of the mesh, on one body; the normal points from here to Side B or into the obstacle")
       .text("Side B", std::nullopt, "curve group of the mesh, on the other body; none with an Obstacle")
       .optional()
+      .choice("Law", Frictionless::kName, Registry<ContactLaw>::instance().schemas(), "which forces the two sides exert on each other")
       .choice("Obstacle", "None", Obstacle::choices(), "what stands against Side A instead of a second body")
       .oneOf(
           "Coupling", "Automatic", {"Automatic", "Matching Nodes", "Mortar"},

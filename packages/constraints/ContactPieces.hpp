@@ -1,7 +1,7 @@
 #pragma once
 #include <suture/constraints/Constraints.hpp>
 #include <suture/constraints/ContactLine.hpp>
-#include <suture/constraints/ContactPairs.hpp>
+#include <suture/constraints/pairing/ContactPairs.hpp>
 
 #include <vector>
 

@@ -1,5 +1,6 @@
 #include <suture/base/DisjointSets.hpp>
 #include <suture/constraints/ContactRow.hpp>
+#include <suture/constraints/PairFrame.hpp>
 #include <suture/mesh/Mesh.hpp>
 
 #include <algorithm>
@@ -17,13 +18,13 @@ struct Entry {
 };
 
 // A node without a rule is Cartesian and free.
-void addEnd(const PairEnd& end, const NodeRule& rule, int dimension, ContactRow& row, std::vector<Entry>& entries) {
+void addEnd(const PairEnd& end, const NodeRule& rule, const Point& direction, int dimension, double& gap, std::vector<Entry>& entries) {
   for (int k = 0; k < dimension; ++k) {
     double along = 0.0;
-    for (int c = 0; c < dimension; ++c) along += rule.axes[k][c] * row.pair.normal[c];
+    for (int c = 0; c < dimension; ++c) along += rule.axes[k][c] * direction[c];
     if (rule.fixed[k])
-      row.gap -= end.weight * along * rule.value[k];
-    else if (std::abs(along) > 1e-12)  // the row of a unit normal: this is rounding of the axes
+      gap -= end.weight * along * rule.value[k];
+    else if (std::abs(along) > 1e-12)  // the row of a unit vector: this is rounding of the axes
       entries.push_back({static_cast<GlobalId>(end.node) * dimension + k, end.weight * along, end.node});
   }
 }
@@ -33,7 +34,8 @@ void findClusters(std::vector<ContactRow>& rows) {
   DisjointSets clusters(static_cast<int>(rows.size()));
   std::unordered_map<GlobalId, int> firstWith;
   for (std::size_t row = 0; row < rows.size(); ++row)
-    for (GlobalId dof : rows[row].dofs) clusters.join(static_cast<int>(row), firstWith.emplace(dof, static_cast<int>(row)).first->second);
+    for (const ContactRow::Equation& equation : rows[row].equations)
+      for (GlobalId dof : equation.dofs) clusters.join(static_cast<int>(row), firstWith.emplace(dof, static_cast<int>(row)).first->second);
   for (std::size_t row = 0; row < rows.size(); ++row) rows[row].cluster = rows[clusters.lowest(static_cast<int>(row))].pair.id;
 }
 
@@ -49,15 +51,21 @@ std::vector<ContactRow> contactRows(const Mesh& mesh, const Constraints& constra
     rows.emplace_back();
     ContactRow& row = rows.back();
     row.pair = pair;
-    row.gap = pair.gap;
-    std::vector<Entry> entries;
-    for (const PairEnd& end : pair.ends)
-      addEnd(end, ruleOf[end.node] < 0 ? free : constraints.rules[ruleOf[end.node]], mesh.dimension, row, entries);
-    std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.dof < b.dof; });
-    for (const Entry& entry : entries) {
-      row.dofs.push_back(entry.dof);
-      row.coefficients.push_back(entry.coefficient);
-      row.points.push_back(mesh.point(entry.node));
+    const std::vector<Point> frame = pairFrame(pair.normal, mesh.dimension);
+    row.equations.resize(constraints.laws.of(pair.line).rows(mesh.dimension));
+    for (std::size_t component = 0; component < row.equations.size(); ++component) {
+      ContactRow::Equation& equation = row.equations[component];
+      if (component == 0) equation.gap = pair.gap;
+      std::vector<Entry> entries;
+      for (const PairEnd& end : pair.ends)
+        addEnd(end, ruleOf[end.node] < 0 ? free : constraints.rules[ruleOf[end.node]], frame[component], mesh.dimension, equation.gap,
+               entries);
+      std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.dof < b.dof; });
+      for (const Entry& entry : entries) {
+        equation.dofs.push_back(entry.dof);
+        equation.coefficients.push_back(entry.coefficient);
+        equation.points.push_back(mesh.point(entry.node));
+      }
     }
   }
   findClusters(rows);

@@ -7,24 +7,39 @@ namespace suture {
 
 struct Mesh;
 
-/// The condition (u_A - u_B) . n <= gap of one contact pair in the free unknowns of its nodes, whatever their axes: one coefficient on
-/// a node whose axes are the pair's, several on another. The gap includes the contribution of prescribed components.
+/// The rows of one contact pair, a block: what its law restricts, in the frame of the pair (PairFrame). The first is the condition
+/// (u_A - u_B) . normal <= gap; a law that restricts sliding adds (u_A - u_B) . tangent, which vanishes where the pair sticks.
 struct ContactRow {
+  /// A row in the free unknowns of the pair's nodes, whatever their axes: one coefficient on a node whose axes are the pair's, several on
+  /// another.
+  struct Equation {
+    std::vector<GlobalId> dofs;  ///< node of the mesh x dimension + component in the axes of the node (as Subdomain::globalDof), ascending;
+                                 ///< none where all nodes are held along the row's direction: nothing can change there
+    std::vector<double> coefficients;  ///< coefficient of each dof; mere rounding is left out
+    double gap = 0.0;                  ///< initial gap (0 along tangents) less the part closed by prescribed components [length]
+    std::vector<Point> points;         ///< coordinates of each dof's node
+
+    template <typename Self, typename Each>
+    static void forEachField(Self& self, const Each& each) {
+      each(self.dofs), each(self.coefficients), each(self.gap), each(self.points);
+    }
+  };
   ContactPair pair;
-  std::vector<GlobalId> dofs;  ///< node of the mesh x dimension + component in the axes of the node (as Subdomain::globalDof), ascending;
-                               ///< none where all nodes are held along the normal: nothing can change such a pair
-  std::vector<double> coefficients;  ///< coefficient of each dof; mere rounding is left out
-  double gap = 0.0;                  ///< initial gap less the part closed by prescribed components [length]
-  int cluster = -1;                  ///< rows that share a dof, and those that share one with them: lowest pair id among them
-  std::vector<Point> points;         ///< coordinates of each dof's node
+  std::vector<Equation> equations;  ///< the normal one, then those of the tangents
+  int cluster = -1;                 ///< rows that share a dof, and those that share one with them: lowest pair id among them
+
+  const Equation& normal() const { return equations.front(); }
+  Equation& normal() { return equations.front(); }
+  /// True if the pair can open and close: some node of it can move along the normal.
+  bool able() const { return !normal().dofs.empty(); }
 
   template <typename Self, typename Each>
   static void forEachField(Self& self, const Each& each) {
-    each(self.pair), each(self.dofs), each(self.coefficients), each(self.gap), each(self.cluster), each(self.points);
+    each(self.pair), each(self.equations), each(self.cluster);
   }
 };
 
-/// The rows of all pairs, in their order. Cost in proportion to nodes and pairs. Local (rank 0).
+/// The rows of all pairs, in their order, as many of each as its law restricts. Cost in proportion to nodes and pairs. Local (rank 0).
 std::vector<ContactRow> contactRows(const Mesh& mesh, const Constraints& constraints);
 
 }  // namespace suture

@@ -1,7 +1,7 @@
 #pragma once
 #include <suture/constraints/BuildConstraints.hpp>
 #include <suture/constraints/ContactLine.hpp>
-#include <suture/constraints/ContactPairs.hpp>
+#include <suture/constraints/pairing/ContactPairs.hpp>
 
 #include <string>
 #include <vector>

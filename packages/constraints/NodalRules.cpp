@@ -13,7 +13,6 @@ namespace suture {
 
 namespace {
 
-const double sharpAngle = 45.001 * 3.14159265358979323846 / 180;  // a ring of eight sides is still round
 const double sameDirection = 1e-6;                                // sine, below which two directions are one
 const double sameValue = 1e-9;                                    // relative
 

@@ -15,12 +15,10 @@ namespace {
 constexpr double kPointCompliance = 2.0;
 constexpr int kMostSolves = 1000;
 
-bool isClosed(PairStatus status) { return status != PairStatus::Open; }
-
-std::vector<int> closedOnes(const std::vector<PairStatus>& status) {
+std::vector<int> closedOnes(const std::vector<ContactState>& status) {
   std::vector<int> closed;
   for (std::size_t i = 0; i < status.size(); ++i)
-    if (isClosed(status[i])) closed.push_back(static_cast<int>(i));
+    if (status[i].closed()) closed.push_back(static_cast<int>(i));
   return closed;
 }
 
@@ -76,7 +74,7 @@ ContactCompliance::ContactCompliance(const GeneralisedInverse& inverse, const Co
   compliance_ = (0.5 * (compliance_ + compliance_.transpose())).eval();
 }
 
-ContactCompliance::Closed::Closed(const ContactCompliance& contact, const std::vector<PairStatus>& status)
+ContactCompliance::Closed::Closed(const ContactCompliance& contact, const std::vector<ContactState>& status)
     : contact_(contact), status_(status), closed_(closedOnes(status)) {
   const Matrix g = rowsAt(contact.rigidRows_, closed_);
   loose_ = nullSpace(g);
@@ -148,7 +146,7 @@ void ContactCompliance::Closed::solve(LocalView v, double gaps, Matrix* pairForc
   if (pairForce) *pairForce = force;
 }
 
-ContactCompliance::State ContactCompliance::solve(LocalView v, const std::vector<PairStatus>& start, const Vector& moved) const {
+ContactCompliance::State ContactCompliance::solve(LocalView v, const std::vector<ContactState>& start, const Vector& moved) const {
   const Matrix& kernel = inverse_.kernel();
   const Vector work = kernel.transpose() * v.col(0);
   inverse_.apply(v);
@@ -164,7 +162,7 @@ ContactCompliance::State ContactCompliance::solve(LocalView v, const std::vector
   RigidContact rigid(std::move(data));
   DelassusProblem problem(rigid, compliance_, open, {});
   ClosedSet first(pairs(), 0);
-  for (int i = 0; i < pairs(); ++i) first[i] = isClosed(start[i]);
+  for (int i = 0; i < pairs(); ++i) first[i] = start[i].closed();
   if (rigid.loosens(first)) first = rigid.start();
   const ContactSearch::Result found = ContactSearch(rigid, problem, kMostSolves).run(first);
   if (!found.converged) throw NumericalError("contact group: " + found.failure);
@@ -173,7 +171,7 @@ ContactCompliance::State ContactCompliance::solve(LocalView v, const std::vector
   state.steps = found.solves;
   state.force = found.force;
   state.rigid = problem.state().amplitude;
-  for (int i = 0; i < pairs(); ++i) state.status.push_back(found.closed[i] ? PairStatus::Slip : PairStatus::Open);
+  for (int i = 0; i < pairs(); ++i) state.status.push_back(found.closed[i] ? rows_.pressed[i] : ContactState());
   Matrix correction = rows_.rows.transpose() * state.force;
   inverse_.apply(correction);
   v -= correction;

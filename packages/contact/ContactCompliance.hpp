@@ -20,17 +20,17 @@ class ContactCompliance {
 
   /// State of the structure under loads b with some pairs closed or with unilateral contact.
   struct State {
-    Vector force;                    ///< a pair, >= 0 compressive; 0 for open pairs [force]
-    Vector rigid;                    ///< coefficients a of the kernel
-    std::vector<PairStatus> status;  ///< a pair
-    int steps = 0;                   ///< changes of the active set
+    Vector force;                      ///< a pair, >= 0 compressive; 0 for open pairs [force]
+    Vector rigid;                      ///< coefficients a of the kernel
+    std::vector<ContactState> status;  ///< a pair
+    int steps = 0;                     ///< changes of the active set
   };
 
   /// The pairs of one status closed as if glued in the normal direction (equality), the others without force: factored once, for
   /// many right-hand sides.
   class Closed {
    public:
-    Closed(const ContactCompliance& contact, const std::vector<PairStatus>& status);
+    Closed(const ContactCompliance& contact, const std::vector<ContactState>& status);
     /// v (unknowns x right-hand sides), in: loads b, out: solution with N v = gap on the closed pairs. With a kernel left (kernel() has
     /// columns) b must be orthogonal to it, and the solution is one of many.
     /// \param gaps  zero for the homogeneous problem (tangents), one for the gaps of the rows
@@ -39,7 +39,7 @@ class ContactCompliance {
     void solve(LocalView v, double gaps, Matrix* force = nullptr, const Vector& moved = {}) const;
     /// Kernel of the structure with these pairs closed: unknowns x k. By a singular value decomposition of N_A R.
     const Matrix& kernel() const { return kernel_; }
-    const std::vector<PairStatus>& status() const { return status_; }
+    const std::vector<ContactState>& status() const { return status_; }
 
    private:
     friend class ContactCompliance;
@@ -49,7 +49,7 @@ class ContactCompliance {
     void refinedForces(LocalView force, const Matrix& e, Matrix& rigid) const;
 
     const ContactCompliance& contact_;
-    std::vector<PairStatus> status_;
+    std::vector<ContactState> status_;
     std::vector<int> closed_;
     Matrix factor_;        // Cholesky factor of W on the closed pairs
     Matrix held_, loose_;  // orthonormal combinations of the kernel that closed pairs hold, and that they do not
@@ -63,7 +63,7 @@ class ContactCompliance {
   /// \param v  in: loads b; out: displacements
   /// \param moved  as in Closed::solve
   /// \throws NumericalError  no equilibrium (a body is pushed away from its contacts)
-  State solve(LocalView v, const std::vector<PairStatus>& start, const Vector& moved = {}) const;
+  State solve(LocalView v, const std::vector<ContactState>& start, const Vector& moved = {}) const;
 
   int pairs() const { return rows_.size(); }
   const Matrix& compliance() const { return compliance_; }

@@ -7,11 +7,12 @@
 
 namespace suture {
 
-ContactGroup::ContactGroup(int id, std::vector<Member> members, const std::vector<GlobalId>& boundary, const LocalSolverMaker& solver)
+ContactGroup::ContactGroup(int id, std::vector<Member> members, const std::vector<GlobalId>& boundary, const LocalSolverMaker& solver,
+                           const ContactLaws& laws)
     : id_(id), members_(std::move(members)), solver_(solver), boundary_(boundary) {
   number(boundary);
   assemble();
-  collectRows();
+  collectRows(laws);
 
   std::vector<int> interiorNodes;
   for (int i : interiorPositions_) interiorNodes.push_back(nodeOf_[i]);
@@ -64,7 +65,7 @@ void ContactGroup::assemble() {
   bb_ = block(stiffness_, boundaryPositions_, boundaryPositions_);
 }
 
-void ContactGroup::collectRows() {
+void ContactGroup::collectRows(const ContactLaws& laws) {
   std::map<int, const ContactRow*> found;  // by pair, so that the order is the same however the body was cut
   for (const Member& member : members_)
     for (const ContactRow& row : member.subdomain->mesh().contactRows) found.emplace(row.pair.id, &row);
@@ -72,15 +73,17 @@ void ContactGroup::collectRows() {
   std::vector<Eigen::Triplet<double>> entries;
   std::vector<double> gaps;
   for (const auto& [id, row] : found) {
-    if (row->dofs.empty()) {
+    if (!row->able()) {
       idlePairs_.push_back(row->pair);
       continue;
     }
-    for (std::size_t i = 0; i < row->dofs.size(); ++i)
-      entries.emplace_back(static_cast<int>(gaps.size()), placeOf(row->dofs[i]), row->coefficients[i]);
-    gaps.push_back(row->gap);
+    const ContactRow::Equation& normal = row->normal();
+    for (std::size_t i = 0; i < normal.dofs.size(); ++i)
+      entries.emplace_back(static_cast<int>(gaps.size()), placeOf(normal.dofs[i]), normal.coefficients[i]);
+    gaps.push_back(normal.gap);
     pairs_.push_back(row->pair);
     rows_.pairIds.push_back(id);
+    rows_.pressed.push_back(laws.of(row->pair.line).pressed());
   }
   rows_.rows.resize(static_cast<int>(gaps.size()), dofs());
   rows_.rows.setFromTriplets(entries.begin(), entries.end());
@@ -149,7 +152,7 @@ Matrix ContactGroup::heldLoad(const Vector& trace) const {
   return load + rowsAt(load_, interiorPositions_);
 }
 
-ContactGroup::Response ContactGroup::respond(const Vector& trace, const std::vector<PairStatus>& start, const Vector& moved) const {
+ContactGroup::Response ContactGroup::respond(const Vector& trace, const std::vector<ContactState>& start, const Vector& moved) const {
   Matrix v = heldLoad(trace);
   ContactCompliance::State state = held_->solve(v, start, moved);
   Response response;

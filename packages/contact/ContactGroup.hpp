@@ -1,5 +1,6 @@
 #pragma once
 #include <suture/algebra/GeneralisedInverse.hpp>
+#include <suture/constraints/ContactLaw.hpp>
 #include <suture/contact/ContactCompliance.hpp>
 #include <suture/contact/ContactRows.hpp>
 #include <suture/subdomain/Subdomain.hpp>
@@ -20,18 +21,19 @@ class ContactGroup {
 
   /// \param boundary  global numbers of the unknowns on the interface, ascending; members must be assembled and outlive the group
   /// \throws NumericalError
-  ContactGroup(int id, std::vector<Member> members, const std::vector<GlobalId>& boundary, const LocalSolverMaker& solver);
+  ContactGroup(int id, std::vector<Member> members, const std::vector<GlobalId>& boundary, const LocalSolverMaker& solver,
+               const ContactLaws& laws = {});
 
   struct Response {
-    Vector flux;                     ///< gradient of the least energy with respect to the trace, loads included [force]
-    double energy = 0.0;             ///< least energy, prescribed displacements' part included
-    std::vector<PairStatus> status;  ///< status of each row
-    Vector force;                    ///< force of each row [force]
-    Vector displacement;             ///< all unknowns of the group
+    Vector flux;                       ///< gradient of the least energy with respect to the trace, loads included [force]
+    double energy = 0.0;               ///< least energy, prescribed displacements' part included
+    std::vector<ContactState> status;  ///< status of each row
+    Vector force;                      ///< force of each row [force]
+    Vector displacement;               ///< all unknowns of the group
   };
   /// Solves the group's contact problem for a trace, from a status to start with.
   /// \param moved  addition of the bodies' rigid motions, beside the trace, to the rows; empty: none [length]
-  Response respond(const Vector& trace, const std::vector<PairStatus>& start, const Vector& moved = {}) const;
+  Response respond(const Vector& trace, const std::vector<ContactState>& start, const Vector& moved = {}) const;
 
   /// Response with some pairs glued in the normal direction (at their gaps), the others free: the linear problem (11).
   /// \param closed  pairs, made by held()
@@ -70,7 +72,7 @@ class ContactGroup {
   int placeOf(GlobalId dof) const;
   void number(const std::vector<GlobalId>& boundary);
   void assemble();
-  void collectRows();
+  void collectRows(const ContactLaws& laws);
   Matrix heldLoad(const Vector& trace) const;  // load of the interior, one column
   void place(const Vector& trace, const Vector& interior, Response& response) const;
   Response finish(const Vector& trace, const Vector& interior, Response response) const;

@@ -25,7 +25,7 @@ GroupMemory groupMemory(const std::vector<const Subdomain*>& members) {
       memory.unknowns += !counted;
     }
     for (const ContactRow& row : mesh.contactRows)
-      if (!row.dofs.empty()) pairs.insert(row.pair.id);
+      if (row.able()) pairs.insert(row.pair.id);
   }
   memory.rows = static_cast<int>(pairs.size());
   return memory;

@@ -31,7 +31,7 @@ class NeumannInverse : public LocalInverse {
 
 }  // namespace
 
-LinearisedGroup::LinearisedGroup(int id, const ContactGroup& group, const std::vector<PairStatus>& status)
+LinearisedGroup::LinearisedGroup(int id, const ContactGroup& group, const std::vector<ContactState>& status)
     : LocalProblem(id, "contact group " + std::to_string(group.id() + 1), group.boundary()),
       group_(group),
       status_(status),

@@ -10,7 +10,7 @@ class LinearisedGroup : public LocalProblem {
  public:
   /// `group` must outlive it.
   /// \throws NumericalError  with these pairs a body of the group is held neither by its boundary nor by contact.
-  LinearisedGroup(int id, const ContactGroup& group, const std::vector<PairStatus>& status);
+  LinearisedGroup(int id, const ContactGroup& group, const std::vector<ContactState>& status);
 
   void applySchur(ConstLocalView trace, LocalView flux) const override;
   Vector condensedLoad() const override { return -atRest_.flux; }
@@ -23,7 +23,7 @@ class LinearisedGroup : public LocalProblem {
   using LocalProblem::inverse;
   std::unique_ptr<LocalInverse> inverse() const override;
 
-  const std::vector<PairStatus>& status() const { return status_; }
+  const std::vector<ContactState>& status() const { return status_; }
   const ContactGroup& group() const { return group_; }
   /// The closed pairs with the group's boundary held.
   const ContactCompliance::Closed& held() const { return held_; }
@@ -32,7 +32,7 @@ class LinearisedGroup : public LocalProblem {
   const ContactCompliance::Closed& floating() const;
 
   const ContactGroup& group_;
-  std::vector<PairStatus> status_;
+  std::vector<ContactState> status_;
   ContactCompliance::Closed held_;
   ContactGroup::Response atRest_;  // zero trace
   Vector diagonal_, shear_, young_;

@@ -44,15 +44,15 @@ int sumOver(const Comm& comm, int mine) {
   return all;
 }
 
-int closedPairs(const std::vector<PairStatus>& status) {
-  return static_cast<int>(std::count_if(status.begin(), status.end(), [](PairStatus s) { return s != PairStatus::Open; }));
+int closedPairs(const std::vector<ContactState>& status) {
+  return static_cast<int>(std::count_if(status.begin(), status.end(), [](const ContactState& s) { return s.closed(); }));
 }
 
 }  // namespace
 
 CondensedProblem::CondensedProblem(CommPtr comm, const Partition& partition, const std::vector<std::unique_ptr<Subdomain>>& subdomains,
-                                   const LocalSolverMaker& solver, const SchurMaker& schur)
-    : comm_(std::move(comm)), subdomains_(subdomains), subdomainCount_(partition.subdomains()) {
+                                   const LocalSolverMaker& solver, const SchurMaker& schur, ContactLaws laws)
+    : comm_(std::move(comm)), subdomains_(subdomains), laws_(std::move(laws)), subdomainCount_(partition.subdomains()) {
   InterfaceLayout layout;
   const double softest = softestStiffness(*comm_, subdomains);
   collectively(*comm_, "factoring subdomains and contact groups", [&] {
@@ -81,7 +81,7 @@ CondensedProblem::CondensedProblem(CommPtr comm, const Partition& partition, con
       if (all.size() != partition.groups[group].size()) throw InternalError("a contact group does not live whole on one rank");
       std::sort(boundary.begin(), boundary.end());
       boundary.erase(std::unique(boundary.begin(), boundary.end()), boundary.end());
-      groups_.push_back(std::make_unique<ContactGroup>(group, std::move(all), boundary, solver));
+      groups_.push_back(std::make_unique<ContactGroup>(group, std::move(all), boundary, solver, laws_));
       groupMembers_.push_back(places);
       layout.boundaries.push_back(boundary);
       layout.locals.push_back(partition.subdomains() + group);
@@ -102,7 +102,7 @@ Vector CondensedProblem::movedRows(int group, const InterfaceState& state) const
   return sets_ ? sets_->movedRows(group, state) : Vector();
 }
 
-std::shared_ptr<const LinearisedGroup> CondensedProblem::linearised(int group, const std::vector<PairStatus>& status) const {
+std::shared_ptr<const LinearisedGroup> CondensedProblem::linearised(int group, const std::vector<ContactState>& status) const {
   auto& kept = linearised_[group];
   if (!kept || kept->status() != status)
     kept = std::make_shared<const LinearisedGroup>(subdomainCount_ + groups_[group]->id(), *groups_[group], status);
@@ -135,11 +135,11 @@ InterfaceState CondensedProblem::initialState() const {
   InterfaceState state;
   state.trace = space_->vector();
   state.status.resize(plain_.size());
-  for (const auto& group : groups_) state.status.emplace_back(group->rows().size(), PairStatus::Slip);
+  for (const auto& group : groups_) state.status.push_back(group->rows().pressed);
   return state;
 }
 
-InterfaceState CondensedProblem::stateOf(const std::vector<Vector>& freeValues, const std::map<int, PairStatus>& status) const {
+InterfaceState CondensedProblem::stateOf(const std::vector<Vector>& freeValues, const std::map<int, ContactState>& status) const {
   InterfaceState state = initialState();
   auto owned = localView(*state.trace);
   for (std::size_t s = 0; s < subdomains_.size(); ++s)
@@ -166,7 +166,7 @@ std::vector<Vector> CondensedProblem::traces(const MultiVector& trace) const {
   return all;
 }
 
-std::vector<int> CondensedProblem::differing(const ContactStatus& a, const ContactStatus& b) const {
+std::vector<int> CondensedProblem::differing(const ContactStates& a, const ContactStates& b) const {
   std::vector<int> mine;
   for (std::size_t g = 0; g < groups_.size(); ++g)
     for (int row = 0; row < groups_[g]->rows().size(); ++row)

@@ -20,13 +20,13 @@ class CondensedProblem : public InterfaceProblem {
   /// \param subdomains  of this rank, assembled, in ascending order of ids; they must outlive the problem
   /// Collective. \throws NumericalError
   CondensedProblem(CommPtr comm, const Partition& partition, const std::vector<std::unique_ptr<Subdomain>>& subdomains,
-                   const LocalSolverMaker& solver, const SchurMaker& schur);
+                   const LocalSolverMaker& solver, const SchurMaker& schur, ContactLaws laws = {});
 
   const std::shared_ptr<const InterfaceSpace>& space() const override { return space_; }
   InterfaceState initialState() const override;
-  InterfaceState stateOf(const std::vector<Vector>& freeValues, const std::map<int, PairStatus>& status) const override;
+  InterfaceState stateOf(const std::vector<Vector>& freeValues, const std::map<int, ContactState>& status) const override;
   Evaluation evaluate(const InterfaceState& state, double resolution = 0.0) const override;
-  std::vector<int> differing(const ContactStatus& a, const ContactStatus& b) const override;
+  std::vector<int> differing(const ContactStates& a, const ContactStates& b) const override;
   Linearisation linearise(const InterfaceState& state) const override;
   Teuchos::RCP<InterfaceOperator> withoutContact() const override;
   Recovered recover(const InterfaceState& state) const override;
@@ -37,6 +37,7 @@ class CondensedProblem : public InterfaceProblem {
   const ContactSets* sets() const override { return sets_.get(); }
 
   const std::vector<std::unique_ptr<ContactGroup>>& groups() const { return groups_; }
+  const ContactLaws& laws() const { return laws_; }
 
  private:
   friend class CondensedSets;
@@ -46,7 +47,7 @@ class CondensedProblem : public InterfaceProblem {
   /// Places of a group's members among the subdomains of this rank.
   const std::vector<int>& membersOf(int group) const { return groupMembers_[group]; }
   /// A group with a status; the last one is kept. Local.
-  std::shared_ptr<const LinearisedGroup> linearised(int group, const std::vector<PairStatus>& status) const;
+  std::shared_ptr<const LinearisedGroup> linearised(int group, const std::vector<ContactState>& status) const;
   /// Adds F - S_0 U of the plain subdomains, this rank's part, and returns their energy. Collective.
   double addPlain(const std::vector<Vector>& trace, Matrix& force) const;
   /// U.S U of each plain subdomain, by its place. Local.
@@ -55,6 +56,7 @@ class CondensedProblem : public InterfaceProblem {
 
   CommPtr comm_;
   const std::vector<std::unique_ptr<Subdomain>>& subdomains_;
+  ContactLaws laws_;
   int subdomainCount_;                                          // over all ranks
   std::vector<std::shared_ptr<const SubdomainProblem>> plain_;  // members of T on this rank: local problems 0 ..
   std::vector<std::unique_ptr<ContactGroup>> groups_;           // then the groups

@@ -13,12 +13,6 @@
 
 namespace suture {
 
-namespace {
-
-bool isClosed(PairStatus status) { return status != PairStatus::Open; }
-
-}  // namespace
-
 CondensedSets::CondensedSets(const Comm& comm, const CondensedProblem& problem, const std::vector<std::unique_ptr<Subdomain>>& subdomains)
     : comm_(comm), problem_(problem) {
   std::map<int, double> stiffness;
@@ -54,22 +48,22 @@ Vector CondensedSets::ofGroup(int group, const Vector& ofPairs) const {
   return own;
 }
 
-ContactStatus CondensedSets::statusOf(const ClosedSet& closed) const {
-  ContactStatus status = problem_.initialState().status;
+ContactStates CondensedSets::statusOf(const ClosedSet& closed) const {
+  ContactStates status = problem_.initialState().status;
   for (std::size_t g = 0; g < problem_.groups().size(); ++g) {
     const ContactRows& rows = problem_.groups()[g]->rows();
     for (int row = 0; row < rows.size(); ++row)
-      status[problem_.placeOfGroup(static_cast<int>(g))][row] = closed[rows.pairIds[row]] ? PairStatus::Slip : PairStatus::Open;
+      status[problem_.placeOfGroup(static_cast<int>(g))][row] = closed[rows.pairIds[row]] ? rows.pressed[row] : ContactState();
   }
   return status;
 }
 
-ClosedSet CondensedSets::closedSet(const ContactStatus& status) const {
+ClosedSet CondensedSets::closedSet(const ContactStates& status) const {
   Matrix mine = Matrix::Zero(bodies_->rigid().pairs(), 1);
   for (std::size_t g = 0; g < problem_.groups().size(); ++g) {
     const ContactRows& rows = problem_.groups()[g]->rows();
     for (int row = 0; row < rows.size(); ++row)
-      mine(rows.pairIds[row], 0) = isClosed(status[problem_.placeOfGroup(static_cast<int>(g))][row]);
+      mine(rows.pairIds[row], 0) = status[problem_.placeOfGroup(static_cast<int>(g))][row].closed();
   }
   const Matrix all = everywhere(mine);
   ClosedSet set(all.rows(), 0);
@@ -98,7 +92,7 @@ InterfaceEvaluation CondensedSets::evaluateSet(const InterfaceState& state, doub
       const Vector digits = rows.rows.cwiseAbs() * response.displacement.cwiseAbs();
       for (int row = 0; row < rows.size(); ++row) {
         const double lift = moved.size() > 0 ? moved(row) : 0.0;
-        const bool closed = isClosed(state.status[place][row]);
+        const bool closed = state.status[place][row].closed();
         mine(rows.pairIds[row], 0) = closed ? response.force(row) : 0.0;
         mine(rows.pairIds[row], 1) = closed ? 0.0 : reached(row) + lift - rows.gap(row);
         mine(rows.pairIds[row], 2) = kGapDigits * std::max({digits(row), std::abs(lift), std::abs(rows.gap(row))});
@@ -110,7 +104,7 @@ InterfaceEvaluation CondensedSets::evaluateSet(const InterfaceState& state, doub
   const ClosedSet closed = closedSet(state.status);
   result.force = all.col(0);
   result.penetration = all.col(1);
-  result.next = statusOf(plainFlips(rigid, closed, resolution, all.col(2), result));
+  result.next = statusOf(plainFlips(rigid, problem_.laws(), closed, resolution, all.col(2), result));
   result.residual = problem_.space()->vector();
   problem_.space()->scatterAdd(out, *result.residual);
   double total = 0.0;
@@ -121,7 +115,7 @@ InterfaceEvaluation CondensedSets::evaluateSet(const InterfaceState& state, doub
 
 ClosedSet CondensedSets::proposal(const InterfaceState& state) const {
   const std::vector<Vector> trace = problem_.traces(*state.trace);
-  ContactStatus next = state.status;
+  ContactStates next = state.status;
   double found = 1.0, all = 0.0;
   for (std::size_t g = 0; g < problem_.groups().size(); ++g) {
     const int number = static_cast<int>(g), place = problem_.placeOfGroup(number);
@@ -162,7 +156,7 @@ double CondensedSets::rigidWork(const InterfaceState& state) const {
   return state.rigid.size() > 0 ? bodies_->rigid().data().work.dot(state.rigid) : 0.0;
 }
 
-MultiVectorPtr CondensedSets::loadOf(const Vector& pairForces, const ContactStatus& status) const {
+MultiVectorPtr CondensedSets::loadOf(const Vector& pairForces, const ContactStates& status) const {
   Matrix out = Matrix::Zero(problem_.space()->overlapSize(), 1);
   collectively(comm_, "loading the contact groups with pair forces", [&] {
     for (std::size_t g = 0; g < problem_.groups().size(); ++g) {
@@ -179,7 +173,7 @@ MultiVectorPtr CondensedSets::loadOf(const Vector& pairForces, const ContactStat
   return load;
 }
 
-void CondensedSets::pairChanges(const MultiVector& step, const ContactStatus& status, const Vector& pairForces, Vector& force,
+void CondensedSets::pairChanges(const MultiVector& step, const ContactStates& status, const Vector& pairForces, Vector& force,
                                 Vector& penetration) const {
   const std::vector<Vector> trace = problem_.traces(step);
   Matrix mine = Matrix::Zero(bodies_->rigid().pairs(), 2);
@@ -192,7 +186,7 @@ void CondensedSets::pairChanges(const MultiVector& step, const ContactStatus& st
       const Vector moved = group.rows().rows * change.displacement;
       for (int row = 0; row < group.rows().size(); ++row) {
         mine(group.rows().pairIds[row], 0) = change.force(row);
-        mine(group.rows().pairIds[row], 1) = isClosed(status[place][row]) ? 0.0 : moved(row);
+        mine(group.rows().pairIds[row], 1) = status[place][row].closed() ? 0.0 : moved(row);
       }
     }
   });

@@ -17,14 +17,14 @@ class CondensedSets : public ContactSets {
   CondensedSets(const Comm& comm, const CondensedProblem& problem, const std::vector<std::unique_ptr<Subdomain>>& subdomains);
 
   const ContactBodies& bodies() const override { return *bodies_; }
-  ContactStatus statusOf(const ClosedSet& closed) const override;
-  ClosedSet closedSet(const ContactStatus& status) const override;
+  ContactStates statusOf(const ClosedSet& closed) const override;
+  ClosedSet closedSet(const ContactStates& status) const override;
   InterfaceEvaluation evaluateSet(const InterfaceState& state, double resolution) const override;
   ClosedSet proposal(const InterfaceState& state) const override;
   InterfaceState padState() const override;
   void move(InterfaceState& state, const Vector& motion) const override;
-  MultiVectorPtr loadOf(const Vector& pairForces, const ContactStatus& status) const override;
-  void pairChanges(const MultiVector& step, const ContactStatus& status, const Vector& pairForces, Vector& force,
+  MultiVectorPtr loadOf(const Vector& pairForces, const ContactStates& status) const override;
+  void pairChanges(const MultiVector& step, const ContactStates& status, const Vector& pairForces, Vector& force,
                    Vector& penetration) const override;
   const std::vector<int>& partOfOwned() const override { return partOfOwned_; }
   void separate(InterfaceState& state) const override;

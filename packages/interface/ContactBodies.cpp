@@ -81,16 +81,17 @@ RigidContact::Pairs ContactBodies::gatherPairs(const Comm& comm, const Meshes& m
     };
     for (const ContactRow& row : mesh.contactRows) {
       if (const auto stiffness = pairStiffness.find(row.pair.id); stiffness != pairStiffness.end())
-        own.emplace(row.pair.id, PairData{row.pair.id, row.pair.line, row.gap, stiffness->second, !row.dofs.empty()});
-      for (std::size_t i = 0; i < row.dofs.size(); ++i) {
-        const auto at = std::lower_bound(mesh.globalNodes.begin(), mesh.globalNodes.end(), row.dofs[i] / dimension_);
-        if (at == mesh.globalNodes.end() || *at != row.dofs[i] / dimension_) continue;
+        own.emplace(row.pair.id, PairData{row.pair.id, row.pair.line, row.normal().gap, stiffness->second, row.able()});
+      const ContactRow::Equation& normal = row.normal();
+      for (std::size_t i = 0; i < normal.dofs.size(); ++i) {
+        const auto at = std::lower_bound(mesh.globalNodes.begin(), mesh.globalNodes.end(), normal.dofs[i] / dimension_);
+        if (at == mesh.globalNodes.end() || *at != normal.dofs[i] / dimension_) continue;
         const int node = static_cast<int>(at - mesh.globalNodes.begin());
-        Term term{row.pair.id, partOf_[s], row.dofs[i], {}};
-        const Point axis = direction(node, static_cast<int>(row.dofs[i] % dimension_));
+        Term term{row.pair.id, partOf_[s], normal.dofs[i], {}};
+        const Point axis = direction(node, static_cast<int>(normal.dofs[i] % dimension_));
         const Vector moved = along(parts_[partOf_[s]], mesh.point(node), axis, dimension_);
-        for (int k = 0; k < amplitudes; ++k) term.amplitudes[k] = row.coefficients[i] * moved(k);
-        terms.emplace(std::make_pair(row.pair.id, row.dofs[i]), term);
+        for (int k = 0; k < amplitudes; ++k) term.amplitudes[k] = normal.coefficients[i] * moved(k);
+        terms.emplace(std::make_pair(row.pair.id, normal.dofs[i]), term);
       }
     }
   }

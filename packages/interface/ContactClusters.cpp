@@ -27,6 +27,7 @@ ContactClusters::ContactClusters(std::vector<Row> rows, Vector stiffness) : rows
   std::map<int, std::vector<int>> byNumber;
   rowStiffness_ = Vector::Zero(size());
   for (int i = 0; i < size(); ++i) {
+    if (rows_[i].pair < 0) rows_[i].pair = i;
     if (rows_[i].places.empty()) continue;
     byNumber[rows_[i].cluster].push_back(i);
     double compliance = 0.0;
@@ -37,14 +38,14 @@ ContactClusters::ContactClusters(std::vector<Row> rows, Vector stiffness) : rows
   for (auto& [number, members] : byNumber) clusters_.push_back(std::move(members));
 }
 
-std::vector<int> ContactClusters::closedRows(const std::vector<int>& cluster, const std::vector<PairStatus>& status) const {
+std::vector<int> ContactClusters::closedRows(const std::vector<int>& cluster, const std::vector<ContactState>& status) const {
   std::vector<int> closed;
   for (const int row : cluster)
-    if (status[row] != PairStatus::Open) closed.push_back(row);
+    if (status[rows_[row].pair].holds(rows_[row].component)) closed.push_back(row);
   return closed;
 }
 
-std::vector<InterfaceRelation> ContactClusters::relations(const std::vector<PairStatus>& status) const {
+std::vector<InterfaceRelation> ContactClusters::relations(const std::vector<ContactState>& status) const {
   std::vector<InterfaceRelation> all;
   for (const auto& cluster : clusters_) {
     std::map<int, Sparse> solved;  // expressed unknown -> what expresses it
@@ -126,7 +127,7 @@ Vector ContactClusters::solve(const std::vector<int>& rows, const Vector& rhs) c
   return leastSquares(Matrix(compliance), rhs);
 }
 
-Vector ContactClusters::forces(const std::vector<PairStatus>& status, const Vector& imbalance) const {
+Vector ContactClusters::forces(const std::vector<ContactState>& status, const Vector& imbalance) const {
   Vector force = Vector::Zero(size());
   for (const auto& cluster : clusters_) {
     const std::vector<int> closed = closedRows(cluster, status);
@@ -143,7 +144,7 @@ Vector ContactClusters::forces(const std::vector<PairStatus>& status, const Vect
   return force;
 }
 
-Vector ContactClusters::correction(const std::vector<PairStatus>& status, const Vector& trace, const Vector& moved) const {
+Vector ContactClusters::correction(const std::vector<ContactState>& status, const Vector& trace, const Vector& moved) const {
   Vector change = Vector::Zero(trace.size());
   const Vector gap = gaps(trace, moved);
   for (const auto& cluster : clusters_) {

@@ -1,21 +1,24 @@
 #pragma once
 #include <suture/base/Types.hpp>
+#include <suture/constraints/ContactState.hpp>
 #include <suture/interface/InterfaceSpace.hpp>
 
 #include <vector>
 
 namespace suture {
 
-/// The contact rows that one rank sees, as equations between interface unknowns: row . v <= gap. Rows that share an unknown (a node in
-/// several pieces) make a cluster and are treated together; most clusters are a single row between two normal components. Local; every
-/// rank that sees a cluster sees all of it and comes to the same result.
+/// The contact rows that one rank sees, as equations between interface unknowns: row . v <= gap, or row . v = gap along tangents. Rows that
+/// share an unknown (a node in several pieces) make a cluster and are treated together; most clusters are a single row between two normal
+/// components. Local; every rank that sees a cluster sees all of it and comes to the same result.
 class ContactClusters {
  public:
   struct Row {
     std::vector<int> places;  ///< of the unknowns in the overlap; none: nothing can change
     std::vector<double> coefficients;
-    double gap = 0.0;  ///< [length]
-    int cluster = 0;   ///< any number that the rows of a cluster share
+    double gap = 0.0;   ///< [length]
+    int cluster = 0;    ///< any number that the rows of a cluster share
+    int pair = -1;      ///< place of the state that decides about the row; -1: that of the row itself
+    int component = 0;  ///< in the pair's frame: 0 the normal, others hold where the pair sticks (ContactState::holds)
   };
 
   /// \param stiffness  of each unknown of the overlap: diagonal of the assembled matrix. What has to give, the softer side gives.
@@ -24,9 +27,9 @@ class ContactClusters {
   int size() const { return static_cast<int>(rows_.size()); }
   const Row& row(int i) const { return rows_[i]; }
 
-  /// Closed rows as equations solved for one unknown each, by elimination within the cluster; a row that follows from the others is left
-  /// out.
-  std::vector<InterfaceRelation> relations(const std::vector<PairStatus>& status) const;
+  /// `status`: states of the pairs, here and below. Rows that their pair's state closes as equations solved for one unknown each, by
+  /// elimination within the cluster; a row that follows from the others is left out.
+  std::vector<InterfaceRelation> relations(const std::vector<ContactState>& status) const;
 
   /// gap - row . v of every row. [length]
   /// \param moved  what rigid motions beside the trace add to row . v; empty: nothing
@@ -35,12 +38,12 @@ class ContactClusters {
   const Vector& stiffness() const { return rowStiffness_; }
   /// Forces of the closed rows that balance `imbalance` (internal less external forces of every unknown) best, weighted by compliance:
   /// for a single pair the force that the softer side feels. > 0 compressive; 0 for open rows. [force]
-  Vector forces(const std::vector<PairStatus>& status, const Vector& imbalance) const;
+  Vector forces(const std::vector<ContactState>& status, const Vector& imbalance) const;
   /// Change of the trace, smallest in the energy of the diagonal, that makes closed rows hold exactly. Zero where they do already.
-  Vector correction(const std::vector<PairStatus>& status, const Vector& trace, const Vector& moved = {}) const;
+  Vector correction(const std::vector<ContactState>& status, const Vector& trace, const Vector& moved = {}) const;
 
  private:
-  std::vector<int> closedRows(const std::vector<int>& cluster, const std::vector<PairStatus>& status) const;
+  std::vector<int> closedRows(const std::vector<int>& cluster, const std::vector<ContactState>& status) const;
   /// C K^-1 C^T of some rows of a cluster, and the solution of a system with it.
   Vector solve(const std::vector<int>& rows, const Vector& rhs) const;
 

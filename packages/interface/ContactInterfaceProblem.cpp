@@ -20,7 +20,8 @@ namespace {
 std::vector<int> boundaryDofs(const Subdomain& subdomain) {
   const SubdomainMesh& mesh = subdomain.mesh();
   std::set<GlobalId> inContact;
-  for (const ContactRow& row : mesh.contactRows) inContact.insert(row.dofs.begin(), row.dofs.end());
+  for (const ContactRow& row : mesh.contactRows)
+    for (const ContactRow::Equation& equation : row.equations) inContact.insert(equation.dofs.begin(), equation.dofs.end());
   std::vector<int> dofs;
   for (int dof = 0; dof < subdomain.dofs(); ++dof)
     if (!mesh.others(subdomain.nodeOf(dof)).empty() || inContact.count(subdomain.globalDof(dof))) dofs.push_back(dof);
@@ -39,8 +40,8 @@ double largest(const Vector& values) { return values.size() > 0 ? values.cwiseAb
 
 ContactInterfaceProblem::ContactInterfaceProblem(CommPtr comm, const Partition& partition,
                                                  const std::vector<std::unique_ptr<Subdomain>>& subdomains, const LocalSolverMaker& solver,
-                                                 const SchurMaker& schur)
-    : comm_(std::move(comm)), subdomains_(subdomains) {
+                                                 const SchurMaker& schur, ContactLaws laws)
+    : comm_(std::move(comm)), subdomains_(subdomains), laws_(std::move(laws)) {
   InterfaceLayout layout;
   const double softest = softestStiffness(*comm_, subdomains);
   collectively(*comm_, "factoring the subdomains", [&] {
@@ -51,7 +52,8 @@ ContactInterfaceProblem::ContactInterfaceProblem(CommPtr comm, const Partition& 
       layout.locals.push_back(subdomain->mesh().id);
       layout.boundaries.push_back(locals_.back()->boundary());
       for (const ContactRow& row : subdomain->mesh().contactRows)
-        layout.partners.insert(layout.partners.end(), row.dofs.begin(), row.dofs.end());
+        for (const ContactRow::Equation& equation : row.equations)
+          layout.partners.insert(layout.partners.end(), equation.dofs.begin(), equation.dofs.end());
     }
     addSeams(
         subdomains, [](int subdomain) { return subdomain; }, layout);
@@ -89,35 +91,43 @@ void ContactInterfaceProblem::collectRows(const Vector& stiffness) {
       if (end.end == 0 && std::all_of(others.begin(), others.end(), [&](int other) { return other > mesh.id; })) mine.insert(end.pair);
     }
   }
-  std::vector<ContactClusters::Row> rows;
   int able = 0;
   for (const auto& [id, row] : byPair) {
-    ContactClusters::Row own{{}, row->coefficients, row->gap, row->cluster};
-    for (const GlobalId dof : row->dofs) own.places.push_back(space_->overlap()->getLocalElement(dof));
     owned_.push_back(mine.count(id) > 0);
-    able += owned_.back() && !own.places.empty();
-    rows.push_back(std::move(own));
+    able += owned_.back() && row->able();
     rows_.push_back(*row);
   }
+  // The normal rows first, so that they have the numbers of their pairs.
+  std::vector<ContactClusters::Row> rows;
+  for (std::size_t component = 0; component < 3; ++component)
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+      if (component >= rows_[i].equations.size()) continue;
+      const ContactRow::Equation& equation = rows_[i].equations[component];
+      rows.push_back({{}, equation.coefficients, equation.gap, rows_[i].cluster, static_cast<int>(i), static_cast<int>(component)});
+      for (const GlobalId dof : equation.dofs) rows.back().places.push_back(space_->overlap()->getLocalElement(dof));
+    }
   clusters_ = std::make_unique<ContactClusters>(std::move(rows), stiffness);
   Teuchos::reduceAll(*comm_, Teuchos::REDUCE_SUM, able, Teuchos::outArg(pairs_));
 }
 
 /// Pairs are numbered along their lines: neighbours are successors.
 void ContactInterfaceProblem::findChains() {
-  for (int i = 0; i < clusters_->size(); ++i) {
+  for (int i = 0; i < static_cast<int>(rows_.size()); ++i) {
     const bool follows = i > 0 && rows_[i].pair.id == rows_[i - 1].pair.id + 1 && rows_[i].pair.line == rows_[i - 1].pair.line;
     if (!follows) chains_.emplace_back();
     chains_.back().push_back(i);
   }
 }
 
+ContactState ContactInterfaceProblem::pressed(const ContactRow& row) const {
+  return row.able() ? laws_.of(row.pair.line).pressed() : ContactState();
+}
+
 InterfaceState ContactInterfaceProblem::allClosed() const {
   InterfaceState state;
   state.trace = space_->vector();
   state.status.emplace_back();
-  for (int i = 0; i < clusters_->size(); ++i)
-    state.status[0].push_back(clusters_->row(i).places.empty() ? PairStatus::Open : PairStatus::Slip);
+  for (const ContactRow& row : rows_) state.status[0].push_back(pressed(row));
   return state;
 }
 
@@ -128,7 +138,7 @@ InterfaceState ContactInterfaceProblem::initialState() const {
   return state;
 }
 
-InterfaceState ContactInterfaceProblem::stateOf(const std::vector<Vector>& freeValues, const std::map<int, PairStatus>& status) const {
+InterfaceState ContactInterfaceProblem::stateOf(const std::vector<Vector>& freeValues, const std::map<int, ContactState>& status) const {
   InterfaceState state = allClosed();
   auto owned = localView(*state.trace);
   for (std::size_t s = 0; s < subdomains_.size(); ++s)
@@ -137,8 +147,7 @@ InterfaceState ContactInterfaceProblem::stateOf(const std::vector<Vector>& freeV
       if (at >= 0) owned(at, 0) = freeValues[s](dof);
     }
   for (std::size_t i = 0; i < rows_.size(); ++i)
-    if (const auto found = status.find(rows_[i].pair.id); found != status.end() && !clusters_->row(static_cast<int>(i)).places.empty())
-      state.status[0][i] = found->second;
+    if (const auto found = status.find(rows_[i].pair.id); found != status.end() && rows_[i].able()) state.status[0][i] = found->second;
   conform(state);
   return state;
 }
@@ -202,7 +211,7 @@ void ContactInterfaceProblem::update(InterfaceState& state, const MultiVector& s
   state.memory = std::make_shared<Matrix>(*state.memory + length * flux);
 }
 
-std::shared_ptr<const InterfaceSpace> ContactInterfaceProblem::spaceOf(const ContactStatus& status) const {
+std::shared_ptr<const InterfaceSpace> ContactInterfaceProblem::spaceOf(const ContactStates& status) const {
   if (derived_ && status == spaceStatus_) return derived_;
   std::vector<std::vector<int>> chains;
   for (const auto& chain : chains_) {
@@ -210,7 +219,7 @@ std::shared_ptr<const InterfaceSpace> ContactInterfaceProblem::spaceOf(const Con
     for (const int row : chain) {
       const auto& places = clusters_->row(row).places;
       // What is identified by a closed pair: any of its unknowns stands for it. A pair that is open, or held on one side, ends a stretch.
-      const bool joins = status[0][row] != PairStatus::Open && places.size() == 2;
+      const bool joins = status[0][row].closed() && places.size() == 2;
       if (joins)
         chains.back().push_back(places[0]);
       else if (!chains.back().empty())
@@ -241,10 +250,11 @@ InterfaceProblem::Evaluation ContactInterfaceProblem::evaluate(const InterfaceSt
 
   result.next = state.status;
   if (bodies_) {
-    Matrix values(clusters_->size(), 3);
-    values << force, -gap, Vector::Zero(clusters_->size());
-    for (int i = 0; i < clusters_->size(); ++i) {
-      if (clusters_->row(i).places.empty()) continue;
+    const int pairs = static_cast<int>(rows_.size());
+    Matrix values(pairs, 3);
+    values << force.head(pairs), -gap.head(pairs), Vector::Zero(pairs);
+    for (int i = 0; i < pairs; ++i) {
+      if (!rows_[i].able()) continue;
       double digits = std::max(std::abs(clusters_->row(i).gap), moved.size() > 0 ? std::abs(moved(i)) : 0.0);
       for (const int place : clusters_->row(i).places) digits = std::max(digits, std::abs(trace(place, 0)));
       values(i, 2) = kGapDigits * digits;
@@ -254,7 +264,7 @@ InterfaceProblem::Evaluation ContactInterfaceProblem::evaluate(const InterfaceSt
     result.force = all.col(0);
     result.penetration = all.col(1);
     for (std::size_t i = 0; i < closed.size(); ++i) (closed[i] ? result.penetration : result.force)(static_cast<Eigen::Index>(i)) = 0.0;
-    result.next = statusOf(plainFlips(bodies_->rigid(), closed, resolution, all.col(2), result));
+    result.next = statusOf(plainFlips(bodies_->rigid(), laws_, closed, resolution, all.col(2), result));
   }
   double work = 0.0, allWork = 0.0;
   for (int place = 0; place < space_->overlapSize(); ++place)
@@ -268,9 +278,7 @@ InterfaceProblem::Evaluation ContactInterfaceProblem::evaluate(const InterfaceSt
 void ContactInterfaceProblem::findBodies() {
   std::map<int, double> stiffness;
   for (std::size_t i = 0; i < rows_.size(); ++i)
-    if (owned_[i])
-      stiffness[rows_[i].pair.id] =
-          clusters_->row(static_cast<int>(i)).places.empty() ? 1.0 : clusters_->stiffness()(static_cast<Eigen::Index>(i));
+    if (owned_[i]) stiffness[rows_[i].pair.id] = !rows_[i].able() ? 1.0 : clusters_->stiffness()(static_cast<Eigen::Index>(i));
   bodies_ = std::make_unique<ContactBodies>(*comm_, subdomains_, stiffness);
   partOfOwned_.assign(space_->map()->getNodeNumElements(), 0);
   for (std::size_t s = 0; s < locals_.size(); ++s)
@@ -289,17 +297,15 @@ Matrix ContactInterfaceProblem::everywhere(const Matrix& ofRows) const {
   return all;
 }
 
-ContactStatus ContactInterfaceProblem::statusOf(const ClosedSet& closed) const {
-  ContactStatus status(1);
-  for (std::size_t i = 0; i < rows_.size(); ++i)
-    status[0].push_back(closed[rows_[i].pair.id] && !clusters_->row(static_cast<int>(i)).places.empty() ? PairStatus::Slip
-                                                                                                        : PairStatus::Open);
+ContactStates ContactInterfaceProblem::statusOf(const ClosedSet& closed) const {
+  ContactStates status(1);
+  for (const ContactRow& row : rows_) status[0].push_back(closed[row.pair.id] ? pressed(row) : ContactState());
   return status;
 }
 
-ClosedSet ContactInterfaceProblem::closedSet(const ContactStatus& status) const {
+ClosedSet ContactInterfaceProblem::closedSet(const ContactStates& status) const {
   Matrix closed(rows_.size(), 1);
-  for (std::size_t i = 0; i < rows_.size(); ++i) closed(static_cast<Eigen::Index>(i), 0) = status[0][i] != PairStatus::Open;
+  for (std::size_t i = 0; i < rows_.size(); ++i) closed(static_cast<Eigen::Index>(i), 0) = status[0][i].closed();
   const Matrix all = everywhere(closed);
   ClosedSet set(all.rows(), 0);
   for (std::size_t i = 0; i < set.size(); ++i) set[i] = all(static_cast<Eigen::Index>(i), 0) != 0.0;
@@ -333,7 +339,7 @@ double ContactInterfaceProblem::rigidWork(const InterfaceState& state) const {
   return state.rigid.size() > 0 ? bodies_->rigid().data().work.dot(state.rigid) : 0.0;
 }
 
-MultiVectorPtr ContactInterfaceProblem::loadOf(const Vector& pairForces, const ContactStatus& status) const {
+MultiVectorPtr ContactInterfaceProblem::loadOf(const Vector& pairForces, const ContactStates& status) const {
   Matrix imbalance = Matrix::Zero(space_->overlapSize(), 1);
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const auto& row = clusters_->row(static_cast<int>(i));
@@ -343,7 +349,7 @@ MultiVectorPtr ContactInterfaceProblem::loadOf(const Vector& pairForces, const C
   return residual(imbalance, *spaceOf(status));
 }
 
-void ContactInterfaceProblem::pairChanges(const MultiVector& step, const ContactStatus& status, const Vector& pairForces, Vector& force,
+void ContactInterfaceProblem::pairChanges(const MultiVector& step, const ContactStates& status, const Vector& pairForces, Vector& force,
                                           Vector& penetration) const {
   Matrix moved;
   spaceOf(status)->gather(step, moved);
@@ -354,15 +360,16 @@ void ContactInterfaceProblem::pairChanges(const MultiVector& step, const Contact
   apart_->apply(*trace, *flux);
   Matrix imbalance;
   space_->gather(*flux, imbalance);
-  Matrix values = Matrix::Zero(clusters_->size(), 2);
-  for (int i = 0; i < clusters_->size(); ++i) {
+  const int pairs = static_cast<int>(rows_.size());
+  Matrix values = Matrix::Zero(pairs, 2);
+  for (int i = 0; i < pairs; ++i) {
     const auto& row = clusters_->row(i);
     for (std::size_t k = 0; k < row.places.size(); ++k) {
       imbalance(row.places[k], 0) += row.coefficients[k] * pairForces(rows_[i].pair.id);
       values(i, 1) += row.coefficients[k] * moved(row.places[k], 0);
     }
   }
-  values.col(0) = clusters_->forces(status[0], imbalance.col(0));
+  values.col(0) = clusters_->forces(status[0], imbalance.col(0)).head(pairs);
   const Matrix all = everywhere(values);
   force = all.col(0) + pairForces;
   penetration = all.col(1);
@@ -385,7 +392,7 @@ Vector ContactInterfaceProblem::energies(const InterfaceState& state) const {
   return all;
 }
 
-std::vector<int> ContactInterfaceProblem::differing(const ContactStatus& a, const ContactStatus& b) const {
+std::vector<int> ContactInterfaceProblem::differing(const ContactStates& a, const ContactStates& b) const {
   std::vector<int> mine;
   for (std::size_t i = 0; i < rows_.size(); ++i)
     if (a[0][i] != b[0][i]) mine.push_back(rows_[i].pair.id);

@@ -26,18 +26,18 @@ class ContactInterfaceProblem : public InterfaceProblem, public ContactSets {
   /// \param subdomains  of this rank, assembled, in ascending order of ids; they must outlive the problem. Collective.
   /// \throws NumericalError
   ContactInterfaceProblem(CommPtr comm, const Partition& partition, const std::vector<std::unique_ptr<Subdomain>>& subdomains,
-                          const LocalSolverMaker& solver, const SchurMaker& schur);
+                          const LocalSolverMaker& solver, const SchurMaker& schur, ContactLaws laws = {});
 
   const std::shared_ptr<const InterfaceSpace>& space() const override { return space_; }
   InterfaceState initialState() const override;
-  InterfaceState stateOf(const std::vector<Vector>& freeValues, const std::map<int, PairStatus>& status) const override;
+  InterfaceState stateOf(const std::vector<Vector>& freeValues, const std::map<int, ContactState>& status) const override;
   /// A closed pair opens when its force pulls, an open one closes when it penetrates: semismooth Newton's choice of the next set. Forces
   /// are those that the softer side feels.
   Evaluation evaluate(const InterfaceState& state, double resolution = 0.0) const override;
   Linearisation linearise(const InterfaceState& state) const override;
   int conform(InterfaceState& state) const override;
   void update(InterfaceState& state, const MultiVector& step, double length, const Matrix* image = nullptr) const override;
-  std::vector<int> differing(const ContactStatus& a, const ContactStatus& b) const override;
+  std::vector<int> differing(const ContactStates& a, const ContactStates& b) const override;
   Recovered recover(const InterfaceState& state) const override;
   std::vector<Vector> interiors(const InterfaceState& state) const override;
   int pieces() const override { return pieces_; }
@@ -45,13 +45,13 @@ class ContactInterfaceProblem : public InterfaceProblem, public ContactSets {
 
   const ContactSets* sets() const override { return bodies_ ? this : nullptr; }
   const ContactBodies& bodies() const override { return *bodies_; }
-  ContactStatus statusOf(const ClosedSet& closed) const override;
-  ClosedSet closedSet(const ContactStatus& status) const override;
+  ContactStates statusOf(const ClosedSet& closed) const override;
+  ClosedSet closedSet(const ContactStates& status) const override;
   Evaluation evaluateSet(const InterfaceState& state, double resolution) const override { return evaluate(state, resolution); }
   InterfaceState padState() const override;
   void move(InterfaceState& state, const Vector& motion) const override;
-  MultiVectorPtr loadOf(const Vector& pairForces, const ContactStatus& status) const override;
-  void pairChanges(const MultiVector& step, const ContactStatus& status, const Vector& pairForces, Vector& force,
+  MultiVectorPtr loadOf(const Vector& pairForces, const ContactStates& status) const override;
+  void pairChanges(const MultiVector& step, const ContactStates& status, const Vector& pairForces, Vector& force,
                    Vector& penetration) const override;
   const std::vector<int>& partOfOwned() const override { return partOfOwned_; }
   void separate(InterfaceState& state) const override;
@@ -59,6 +59,7 @@ class ContactInterfaceProblem : public InterfaceProblem, public ContactSets {
   Vector energies(const InterfaceState& state) const override;
 
  private:
+  ContactState pressed(const ContactRow& row) const;
   InterfaceState allClosed() const;
   void collectRows(const Vector& stiffness);
   void findChains();
@@ -69,7 +70,7 @@ class ContactInterfaceProblem : public InterfaceProblem, public ContactSets {
   double rigidWork(const InterfaceState& state) const;
   /// Values of this rank's own rows, made known to all by pair id. Collective.
   Matrix everywhere(const Matrix& ofRows) const;
-  std::shared_ptr<const InterfaceSpace> spaceOf(const ContactStatus& status) const;
+  std::shared_ptr<const InterfaceSpace> spaceOf(const ContactStates& status) const;
   /// S U - F on the overlap, complete; `applications` counts. Collective.
   Matrix imbalance(const MultiVector& trace) const;
   Matrix rememberedImbalance(const InterfaceState& state, int& applications) const;
@@ -78,6 +79,7 @@ class ContactInterfaceProblem : public InterfaceProblem, public ContactSets {
 
   CommPtr comm_;
   const std::vector<std::unique_ptr<Subdomain>>& subdomains_;
+  ContactLaws laws_;
   std::vector<std::shared_ptr<const SubdomainProblem>> locals_;
   std::shared_ptr<const InterfaceSpace> space_;  // without relations
   Teuchos::RCP<InterfaceOperator> apart_;        // S on it: all pairs open
@@ -91,7 +93,7 @@ class ContactInterfaceProblem : public InterfaceProblem, public ContactSets {
   Matrix load_;                           // F on the overlap, complete
   double constantEnergy_ = 0.0;           // over all ranks
   int pieces_ = 0, pairs_ = 0;
-  mutable ContactStatus spaceStatus_;  // that derived_ was made for
+  mutable ContactStates spaceStatus_;  // that derived_ was made for
   mutable std::shared_ptr<const InterfaceSpace> derived_;
 };
 

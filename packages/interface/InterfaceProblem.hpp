@@ -12,12 +12,12 @@ namespace suture {
 
 /// Status of all contact pairs that a rank knows of, in the formulation's own order: for Condensed Groups the rows of each of its local
 /// problems (none for a problem without contact), for Contact On The Interface one list of all rows.
-using ContactStatus = std::vector<std::vector<PairStatus>>;
+using ContactStates = std::vector<std::vector<ContactState>>;
 
 /// Where an outer solver stands.
 struct InterfaceState {
   MultiVectorPtr trace;  ///< U
-  ContactStatus status;
+  ContactStates status;
   /// Rigid motions of parts (ContactBodies) on top of the trace, so that deformations are no differences of large numbers; empty: none.
   Vector rigid{};
   /// Cache of the formulation for this trace, which saves applications of operators. Reset it whenever you modify the trace directly.
@@ -29,7 +29,7 @@ struct InterfaceState {
 struct InterfaceEvaluation {
   MultiVectorPtr residual;  ///< F - S_0 U - S_KON(U) = -grad J(U)
   double energy = 0.0;      ///< J(U), the total potential energy
-  ContactStatus next;       ///< status of the pairs at U
+  ContactStates next;       ///< status of the pairs at U
   int changed = 0;          ///< pairs whose status differs from the state's
   int active = 0;           ///< closed pairs at U
   bool settled = true;      ///< no residual counts before this holds: the residual is that of another status than the next
@@ -45,8 +45,8 @@ class ContactSets {
  public:
   virtual ~ContactSets() = default;
   virtual const ContactBodies& bodies() const = 0;
-  virtual ContactStatus statusOf(const ClosedSet& closed) const = 0;
-  virtual ClosedSet closedSet(const ContactStatus& status) const = 0;
+  virtual ContactStates statusOf(const ClosedSet& closed) const = 0;
+  virtual ClosedSet closedSet(const ContactStates& status) const = 0;
   /// The linear problem of the state's set: closed pairs glued in the normal direction, open ones without force. Residual, pair forces and
   /// penetrations are its own; `next` are plain flips.
   /// \param resolution  accuracy of the trace: what a pair must violate its condition by before its status changes, relative to the
@@ -59,10 +59,10 @@ class ContactSets {
   /// Moves parts rigidly: `motion` are amplitudes of bodies().rigid(). Forces do not change.
   virtual void move(InterfaceState& state, const Vector& motion) const = 0;
   /// Load of pair forces (> 0 compressive) on the interface, in the space of a status. [force]
-  virtual MultiVectorPtr loadOf(const Vector& pairForces, const ContactStatus& status) const = 0;
+  virtual MultiVectorPtr loadOf(const Vector& pairForces, const ContactStates& status) const = 0;
   /// Forces that a step in the space of a status adds to closed pairs, and penetrations that it adds to open ones.
   /// \param pairForces  that act beside them
-  virtual void pairChanges(const MultiVector& step, const ContactStatus& status, const Vector& pairForces, Vector& force,
+  virtual void pairChanges(const MultiVector& step, const ContactStates& status, const Vector& pairForces, Vector& force,
                            Vector& penetration) const = 0;
   /// Part of each owned unknown.
   virtual const std::vector<int>& partOfOwned() const = 0;
@@ -87,7 +87,7 @@ class InterfaceProblem {
 
   /// The state that belongs to given values of the subdomains' free unknowns (of this rank) and status of pairs (by id; a pair that is not
   /// named is closed): a restart.
-  virtual InterfaceState stateOf(const std::vector<Vector>& freeValues, const std::map<int, PairStatus>& status) const = 0;
+  virtual InterfaceState stateOf(const std::vector<Vector>& freeValues, const std::map<int, ContactState>& status) const = 0;
 
   using Evaluation = InterfaceEvaluation;
   /// \param resolution  accuracy of the trace: what a pair must violate its condition by before its status changes, relative to the largest
@@ -116,7 +116,7 @@ class InterfaceProblem {
   virtual void update(InterfaceState& state, const MultiVector& step, double length, const Matrix* image = nullptr) const;
 
   /// Pairs whose status differs, by id, ascending; each once, the same on all ranks.
-  virtual std::vector<int> differing(const ContactStatus& a, const ContactStatus& b) const = 0;
+  virtual std::vector<int> differing(const ContactStates& a, const ContactStates& b) const = 0;
 
   struct Recovered {
     std::vector<Vector> freeValues;  ///< of each subdomain of this rank

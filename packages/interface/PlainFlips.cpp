@@ -3,7 +3,7 @@
 
 namespace suture {
 
-ClosedSet plainFlips(const RigidContact& rigid, const ClosedSet& closed, double resolution, const Vector& digits,
+ClosedSet plainFlips(const RigidContact& rigid, const ContactLaws& laws, const ClosedSet& closed, double resolution, const Vector& digits,
                      InterfaceEvaluation& found) {
   found.forceTolerance = std::max(resolution, kGapDigits) * rigid.clusterScale(closed, found.force);
   // A stiff pair among soft ones has the accuracy of its own compliance: a force that is much for it moves the soft ones by little.
@@ -12,8 +12,14 @@ ClosedSet plainFlips(const RigidContact& rigid, const ClosedSet& closed, double 
   for (std::size_t i = 0; i < closed.size(); ++i) {
     if (!rigid.data().able[i]) continue;
     const auto pair = static_cast<Eigen::Index>(i);
-    if (closed[i] ? found.force(pair) < -found.forceTolerance(pair) : found.penetration(pair) > found.penetrationTolerance(pair))
-      next[i] = !closed[i];
+    // What is not believed is given in favour of the state that the pair has.
+    const ContactLaw& law = laws.of(rigid.data().line[i]);
+    ContactTrial trial;
+    if (closed[i])
+      trial.force[0] = found.force(pair) + found.forceTolerance(pair);
+    else
+      trial.jump[0] = (found.penetration(pair) - found.penetrationTolerance(pair)) * rigid.data().stiffness(pair);
+    next[i] = law.project(trial, closed[i] ? law.pressed() : ContactState()).closed();
     found.changed += next[i] != closed[i];
     found.active += next[i] != 0;
   }

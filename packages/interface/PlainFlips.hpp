@@ -1,4 +1,5 @@
 #pragma once
+#include <suture/constraints/ContactLaw.hpp>
 #include <suture/contact/RigidContact.hpp>
 #include <suture/interface/InterfaceProblem.hpp>
 
@@ -7,11 +8,10 @@ namespace suture {
 /// Digits of displacements that a gap can have: gaps are differences of them.
 constexpr double kGapDigits = 1e-14;
 
-/// The set after an evaluation's forces and penetrations: closed pairs that pull open, open ones that penetrate close, each by more than it
-/// must be believed by. Sets the evaluation's tolerances, and its counts of changed and closed pairs. Local; the same on all ranks.
-/// \param resolution  as of ContactSets::evaluateSet
-/// \param digits      rounding of each pair's penetration [length]
-ClosedSet plainFlips(const RigidContact& rigid, const ClosedSet& closed, double resolution, const Vector& digits,
+/// The set after an evaluation's forces and penetrations, as the laws project them: closed pairs that pull open, open ones that penetrate
+/// close, each by more than it must be believed by. Sets the evaluation's tolerances, and its counts of changed and closed pairs. Local;
+/// the same on all ranks. \param resolution  as of ContactSets::evaluateSet \param digits      rounding of each pair's penetration [length]
+ClosedSet plainFlips(const RigidContact& rigid, const ContactLaws& laws, const ClosedSet& closed, double resolution, const Vector& digits,
                      InterfaceEvaluation& found);
 
 }  // namespace suture

@@ -221,7 +221,7 @@ void Lifting::shiftGaps() {
       // Bodies that were carried to where they touch do touch: rounding would press them together or hold them apart.
       const Extended size = shift.size + std::abs(before), rest = before - shift.moved;
       row.pair.gap = shift.moved != 0 && std::abs(rest) <= kNoGap * size ? 0.0 : double(rest);
-      row.gap = double(row.pair.gap - shift.given);
+      row.normal().gap = double(row.pair.gap - shift.given);
     }
 }
 

@@ -40,7 +40,7 @@ PairResult pairResult(const ContactPair& pair, const PairForce& force, const std
   result.node = pair.node();
   result.line = pair.line;
   result.piece = pair.piece;
-  result.status = force.status;
+  result.state = force.state;
   result.initialGap = result.gap = pair.gap;
   for (std::size_t end = 0; end < pair.ends.size(); ++end)
     for (int k = 0; k < 3; ++k) result.gap -= pair.ends[end].weight * ofEnds[end][k] * pair.normal[k];
@@ -65,7 +65,7 @@ std::vector<PairResult> axisResults(const std::vector<ContactPiece>& pieces, con
       result.position = point.position;
       result.normal = point.normal;
       result.force = 0.0;
-      const bool bothClosed = near.status != PairStatus::Open && far.status != PairStatus::Open;
+      const bool bothClosed = near.state.closed() && far.state.closed();
       if (bothClosed) result.pressure = std::max(0.0, point.pressure[0] * near.pressure + point.pressure[1] * far.pressure);
       const auto at = [&](double a, double b) { return point.value[0] * a + point.value[1] * b; };
       result.initialGap = at(near.initialGap, far.initialGap);

@@ -12,7 +12,7 @@ struct PairResult {
   GlobalId node = -1;  ///< that carries it: number in the mesh
   int line = -1;
   int piece = -1;
-  PairStatus status = PairStatus::Open;
+  ContactState state;           ///< as the law of its contact decided it
   bool touching = false;        ///< open, and without a gap
   double initialGap = 0.0;      ///< [length]
   double gap = 0.0;             ///< initial gap - (u_A - u_B).n [length]

@@ -25,7 +25,7 @@ std::vector<int> heldPairs(const Comm& comm, const std::vector<SubdomainMesh>& m
   std::vector<int> mine;
   for (const SubdomainMesh& mesh : meshes)
     for (const ContactRow& row : mesh.contactRows)
-      if (row.dofs.empty()) mine.push_back(row.pair.id);
+      if (!row.able()) mine.push_back(row.pair.id);
   return unionOverRanks(comm, mine);
 }
 
@@ -91,7 +91,7 @@ std::map<GlobalId, double> pressureField(const std::vector<ContactSide>& sides, 
     if (pair.line != line) continue;
     if (std::binary_search(heldPairs.begin(), heldPairs.end(), pair.id)) {
       held.insert(pair.node);
-    } else if (pair.status != PairStatus::Open && number.emplace(pair.node, static_cast<int>(forces.size())).second) {
+    } else if (pair.state.closed() && number.emplace(pair.node, static_cast<int>(forces.size())).second) {
       forces.push_back(pair.force);
     }
   }

@@ -34,7 +34,7 @@ std::vector<double> pressureOscillations(const std::vector<PairResult>& pairs, i
     double largest = 0.0;
     std::vector<double> closed;
     for (const PairResult* pair : own) {
-      if (pair->status != PairStatus::Open) {
+      if (pair->state.closed()) {
         closed.push_back(pair->pressure);
         continue;
       }

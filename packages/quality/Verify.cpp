@@ -111,7 +111,7 @@ OwnForces Verifier::forcesOf(int i) const {
 
 void Verifier::gatherForces() {
   std::vector<PairForce> forces;
-  for (const PairResult& pair : answer_.pairs) forces.push_back({pair.id, pair.status, pair.force});
+  for (const PairResult& pair : answer_.pairs) forces.push_back({pair.id, pair.state, pair.force});
   broadcast(comm_, forces);
   for (const PairForce& pair : forces) force_[pair.id] = pair.force;
   collectively(comm_, "verifying the solution", [&] {

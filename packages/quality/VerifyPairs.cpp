@@ -72,7 +72,7 @@ void verifyPairs(std::vector<PairEndShare> ends, const std::vector<PairResult>& 
     // Where no force is to compare with, two bodies are as far apart as digits of their ways and places tell.
     const double ways = unloaded ? Bounds::nothing * unitRoundoff * (lifted + norm(where.place)) / compliance : 0.0;
     const double slack = roundings * (rounding + unitRoundoff * moved / compliance) + ways, allowed = bound * force + slack;
-    const bool open = pair->second->status == PairStatus::Open;
+    const bool open = !pair->second->state.closed();
     // Zero unless the sign is wrong; NaN stays NaN.
     findings.take(Quantity::Penetration, asForce > 0.0 ? 0.0 : -asForce, allowed, force, where);
     findings.take(Quantity::Tension, pressing > 0.0 ? 0.0 : -pressing, allowed, force, where);

@@ -149,7 +149,8 @@ std::vector<PairResult> pairResults(const Mesh& mesh, const Constraints& constra
   for (const ContactPair& pair : constraints.pairs) {
     std::vector<Point> ofEnds;
     for (const PairEnd& end : pair.ends) ofEnds.push_back(nodal(displacement, end.node, mesh.dimension));
-    results.push_back(pairResult(pair, {pair.id, active[pair.id] ? PairStatus::Slip : PairStatus::Open, force[pair.id]}, ofEnds));
+    results.push_back(
+        pairResult(pair, {pair.id, active[pair.id] ? constraints.laws.of(pair.line).pressed() : ContactState(), force[pair.id]}, ofEnds));
   }
   return results;
 }
@@ -189,7 +190,7 @@ MonolithicResult solveMonolithic(const Mesh& mesh, const Constraints& constraint
   } else {
     const double heldEnergy = system.prescribedEnergy() - 0.5 * system.load().head(leading).dot(interior.col(0));
     std::vector<char> start;
-    for (const PairStatus status : options.start) start.push_back(status != PairStatus::Open);
+    for (const ContactState& state : options.start) start.push_back(state.closed());
     const auto tell = [&](const ActiveSetStep& step) {
       OuterRow row;
       row.iteration = ++result.iterations;

@@ -14,8 +14,8 @@ namespace suture {
 class MonolithicSystem;
 
 struct MonolithicOptions {
-  int maximumIterations = 200;      ///< solves of the condensed contact problem with an active set
-  std::vector<PairStatus> start{};  ///< of each pair; empty: all closed
+  int maximumIterations = 200;        ///< solves of the condensed contact problem with an active set
+  std::vector<ContactState> start{};  ///< of each pair; empty: all closed
   CholmodOptions::Ordering ordering = CholmodOptions::Ordering::Amd;
 };
 

@@ -13,6 +13,7 @@ namespace suture {
 
 namespace {
 constexpr const char* kGroup = "/SutureCheckpoint";
+constexpr int kSliding = 4;  // components of a row of Sliding: direction, bound [force]
 std::string at(const char* name) { return std::string(kGroup) + "/" + name; }
 }  // namespace
 
@@ -32,10 +33,16 @@ void writeCheckpoint(const Comm& comm, const std::string& path, const std::strin
     }
   }
   std::vector<int> pairs, status;
+  std::vector<double> sliding;  // direction and bound of each pair
+  int slides = 0, anySlides = 0;
   for (const PairResult& pair : solution.pairs) {
     pairs.push_back(pair.id);
-    status.push_back(static_cast<int>(pair.status));
+    status.push_back(static_cast<int>(pair.state.status));
+    sliding.insert(sliding.end(), pair.state.direction.begin(), pair.state.direction.end());
+    sliding.push_back(pair.state.bound);
+    if (pair.state != ContactState(pair.state.status)) slides = 1;
   }
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, slides, Teuchos::outArg(anySlides));
   Hdf5File file = Hdf5File::create(comm, path);
   file.addChecksums();
   file.group(kGroup);
@@ -48,11 +55,11 @@ void writeCheckpoint(const Comm& comm, const std::string& path, const std::strin
   if (any) file.write(at("Rest"), rests, dimension);
   file.write(at("Pairs"), pairs);
   file.write(at("Status"), status);
+  if (anySlides) file.write(at("Sliding"), sliding, kSliding);  // nothing without friction
   file.close();
 }
 
-Checkpoint readCheckpoint(const Comm& comm, const std::string& path, const std::string& meshHash,
-                          const std::vector<SubdomainMesh>& meshes) {
+Start readCheckpoint(const Comm& comm, const std::string& path, const std::string& meshHash, const std::vector<SubdomainMesh>& meshes) {
   const Hdf5File file = Hdf5File::open(comm, path);
   if (!file.has(kGroup)) throw InputError(path, "not a checkpoint of Suture: it has no group " + std::string(kGroup));
   const std::string expected = broadcast(comm, meshHash), found = file.readTextAttribute(kGroup, "MeshHash");
@@ -61,8 +68,10 @@ Checkpoint readCheckpoint(const Comm& comm, const std::string& path, const std::
   const std::vector<double> values = file.readReals(at("Displacement"));
   const std::vector<double> rests = file.has(at("Rest")) ? file.readReals(at("Rest")) : std::vector<double>(values.size(), 0.0);
   const std::vector<int> pairs = file.readInts(at("Pairs")), status = file.readInts(at("Status"));
+  const std::vector<double> sliding =
+      file.has(at("Sliding")) ? file.readReals(at("Sliding")) : std::vector<double>(kSliding * status.size(), 0.0);
 
-  Checkpoint checkpoint;
+  Start start;
   collectively(comm, "reading a checkpoint", [&] {
     std::map<GlobalId, std::size_t> rowOf;
     for (std::size_t i = 0; i < nodes.size(); ++i) rowOf.emplace(nodes[i], i);
@@ -81,17 +90,23 @@ Checkpoint readCheckpoint(const Comm& comm, const std::string& path, const std::
           displacement(static_cast<Eigen::Index>(to)) = values[from] - motion + rests[from];
         }
       }
-      checkpoint.displacement.push_back(std::move(displacement));
+      start.displacement.push_back(std::move(displacement));
     }
     if (pairs.size() != status.size())
       throw InputError(path, "damaged: " + std::to_string(pairs.size()) + " pairs, " + std::to_string(status.size()) + " states");
+    if (sliding.size() != kSliding * status.size())
+      throw InputError(path,
+                       "damaged: " + std::to_string(sliding.size()) + " numbers of sliding for " + std::to_string(pairs.size()) + " pairs");
     for (std::size_t i = 0; i < pairs.size(); ++i) {
       if (status[i] < 0 || status[i] > static_cast<int>(PairStatus::Stick))
         throw InputError(path, "damaged: pair " + std::to_string(pairs[i]) + " has the unknown status " + std::to_string(status[i]));
-      checkpoint.status[pairs[i]] = static_cast<PairStatus>(status[i]);
+      const double* row = sliding.data() + kSliding * i;
+      if (!std::all_of(row, row + kSliding, [](double value) { return std::isfinite(value); }))
+        throw InputError(path, "damaged: direction or bound of pair " + std::to_string(pairs[i]) + " is not finite");
+      start.status[pairs[i]] = {static_cast<PairStatus>(status[i]), {row[0], row[1], row[2]}, row[3]};
     }
   });
-  return checkpoint;
+  return start;
 }
 
 }  // namespace suture

@@ -86,8 +86,7 @@ void writeContactFields(const Run& run, const std::string& path) {
   reals("ContactPressure", units.stress, area + "; compression positive", &Pair::pressure);
   reals("ContactForce", units.force, circle + "; compression positive", &Pair::force);
   reals("ArcLength", units.length, "along the side that carries the pairs (A, unless a mortar chose B), from its first node", &Pair::arc);
-  file.pointData({"Active", 1, "", "1 closed, 0 open"},
-                 column<unsigned char>(pairs, [](const Pair& pair) { return pair.status != PairStatus::Open; }));
+  file.pointData({"Active", 1, "", "1 closed, 0 open"}, column<unsigned char>(pairs, [](const Pair& pair) { return pair.state.closed(); }));
   file.pointData({"Touching", 1, "", "1 without a gap and without force, else 0"},
                  column<unsigned char>(pairs, [](const Pair& pair) { return pair.touching; }));
   file.pointData({"Displacement", 3, units.length, "of the node that carries the pair; x, y, z; along the axes"},

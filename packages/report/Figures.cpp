@@ -20,7 +20,7 @@ ContactFigures contactFigures(const std::vector<PairResult>& pairs, int pieces) 
   all.pairsOf.assign(std::size_t(pieces), 0);
   all.activeOf.assign(std::size_t(pieces), 0);
   for (const PairResult& pair : pairs) {
-    const bool closed = pair.status != PairStatus::Open;
+    const bool closed = pair.state.closed();
     all.active += closed;
     all.touching += pair.touching;
     all.maxPressure = std::max(all.maxPressure, pair.pressure);

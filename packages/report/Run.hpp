@@ -5,6 +5,7 @@
 #include <suture/elasticity/ElasticModel.hpp>
 #include <suture/partition/SubdomainMesh.hpp>
 #include <suture/report/RunMonitor.hpp>
+#include <suture/solver/ProblemSize.hpp>
 #include <suture/solver/Solution.hpp>
 
 #include <string>

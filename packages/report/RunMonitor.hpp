@@ -19,9 +19,6 @@ class RunMonitor : public Monitor {
   RunMonitor(std::ostream* console, bool verbose, bool strict = false);
   void auxiliary(const AuxiliaryRow& row) override;
   void outer(const OuterRow& row) override;
-  void accepted(const InterfaceState& state) override {
-    if (accepted_) accepted_(state);
-  }
   /// \throws InputError  for a warning, when strict; on every rank, since every rank is told the same
   void note(const std::string& text) override;
   void inner(int iteration, double relativeResidual) override;
@@ -29,12 +26,11 @@ class RunMonitor : public Monitor {
   bool stopRequested() const override { return stop_ && stop_(); }
   /// \param stop  asked after every outer iteration whether the user wants the run to end
   void stopWhen(std::function<bool()> stop) { stop_ = std::move(stop); }
-  /// \param take  given the state after every outer iteration that is not the last, on all ranks
-  void takeStates(std::function<void(const InterfaceState&)> take) { accepted_ = std::move(take); }
 
   /// Energy that the solver does not know of, added to that of every row.
   void shiftEnergy(double shift) { energyShift_ = shift; }
 
+  std::ostream* console() const { return console_; }  ///< null: silent
   const std::vector<OuterRow>& rows() const { return rows_; }
   const std::vector<std::string>& notes() const { return notes_; }
 
@@ -43,7 +39,6 @@ class RunMonitor : public Monitor {
   bool verbose_, strict_;
   double energyShift_ = 0.0;
   std::function<bool()> stop_;
-  std::function<void(const InterfaceState&)> accepted_;
   std::vector<OuterRow> rows_;
   std::vector<std::string> notes_;
 };

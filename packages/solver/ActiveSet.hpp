@@ -12,6 +12,7 @@ class ActiveSet : public OuterSolver {
  public:
   static Schema schema();
   explicit ActiveSet(const Parameters& own);
+  bool solves(const Formulation& formulation) const override { return !formulation.hidesContact(); }
   /// ContactSearch from run.result.state, by conjugate gradients.
   /// \param innerTolerance  of linear solves until the set stays
   static void search(Run& run, double innerTolerance);

@@ -10,6 +10,7 @@ class Chord : public OuterSolver {
  public:
   static Schema schema();
   explicit Chord(const Parameters& own);
+  bool solves(const Formulation& formulation) const override { return formulation.hidesContact(); }
 
  protected:
   void doSolve(Run& run) const override;

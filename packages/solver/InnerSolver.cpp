@@ -1,6 +1,6 @@
 #include <suture/base/Timers.hpp>
-#include <suture/solver/EnergyError.hpp>
 #include <suture/solver/InnerSolver.hpp>
+#include <suture/solver/accuracy/EnergyError.hpp>
 
 #include <BelosCGIteration.hpp>
 #include <BelosLinearProblem.hpp>

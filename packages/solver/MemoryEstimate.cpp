@@ -2,12 +2,10 @@
 #include <suture/base/Errors.hpp>
 #include <suture/base/Memory.hpp>
 #include <suture/base/MpiHandle.hpp>
-#include <suture/solver/Decomposition.hpp>
 #include <suture/solver/MemoryEstimate.hpp>
 
 #include <mpi.h>
 #include <Teuchos_CommHelpers.hpp>
-#include <Teuchos_ParameterList.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -81,10 +79,6 @@ double checkMemory(const Comm& comm, double mine, double limit) {
   return all;
 }
 
-double checkMemory(const Comm& comm, const std::vector<SubdomainMesh>& meshes, GlobalId unknowns, const Parameters& scene) {
-  const bool monolithic = isMonolithic(scene);
-  const double mine = !monolithic ? estimatedMegabytes(meshes) : comm.getRank() == 0 ? estimatedMonolithicMegabytes(unknowns) : kProgram;
-  return checkMemory(comm, mine, scene.sublist("Subdomain").get<double>("Memory Limit"));
-}
+double programMegabytes() { return kProgram; }
 
 }  // namespace suture

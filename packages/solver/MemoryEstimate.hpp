@@ -1,5 +1,4 @@
 #pragma once
-#include <suture/base/scene/SceneReader.hpp>
 #include <suture/partition/SubdomainMesh.hpp>
 
 #include <string>
@@ -30,7 +29,7 @@ double estimatedMonolithicMegabytes(GlobalId unknowns);
 /// \throws EnvironmentError  they exceed it: the figures, and what to change. Collective.
 double checkMemory(const Comm& comm, double mine, double limit);
 
-/// Estimate and check for a scene: of its subdomains, or for Monolithic of the whole. Collective. \throws EnvironmentError
-double checkMemory(const Comm& comm, const std::vector<SubdomainMesh>& meshes, GlobalId unknowns, const Parameters& scene);
+/// Part of the estimates that program and libraries take. [MB] Local.
+double programMegabytes();
 
 }  // namespace suture

@@ -86,7 +86,7 @@ void OuterSolver::Run::accept(InterfaceState state, InterfaceProblem::Evaluation
   result.state.status = at.next;
   evaluation = std::move(at);
   confirm();
-  if (!done()) monitor.accepted(result.state);
+  if (!done() && settings.accepted) settings.accepted(result.state);
 }
 
 void OuterSolver::Run::confirm() {

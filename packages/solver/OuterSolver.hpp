@@ -1,10 +1,11 @@
 #pragma once
 #include <suture/base/Monitor.hpp>
 #include <suture/base/Registry.hpp>
+#include <suture/interface/Formulation.hpp>
 #include <suture/interface/InterfaceProblem.hpp>
 #include <suture/precond/Preconditioner.hpp>
-#include <suture/solver/AutomaticTolerance.hpp>
 #include <suture/solver/InnerSolver.hpp>
+#include <suture/solver/accuracy/AutomaticTolerance.hpp>
 
 #include <cmath>
 #include <functional>
@@ -22,6 +23,8 @@ struct OuterSettings {
   std::function<Teuchos::RCP<Preconditioner>()> preconditioner;  ///< makes a fresh one of the scene's kind
   bool rigidStart = true;  ///< methods that start themselves: from rigid bodies on pads; else with all pairs closed
   AutomaticTolerance::Estimate discretisationError = {};  ///< set: iterations may end before `tolerance`, see AutomaticTolerance
+  /// Told the state of every outer iteration but the last, on all ranks: where a run could go on. Collective.
+  std::function<void(const InterfaceState&)> accepted = {};
 };
 
 struct OuterResult {
@@ -52,6 +55,9 @@ class OuterSolver {
   static const char* kind() { return "outer solver"; }
   virtual ~OuterSolver() = default;
 
+  /// True if it can solve the problems of a formulation; of a user's own it is believed. Local.
+  virtual bool solves(const Formulation&) const { return true; }
+
   /// \throws NumericalError  breakdown; not for a mere lack of convergence, which the result says.
   /// \param start  where to begin instead of the auxiliary solution (a restart), or null; a linear problem does not ask for it
   OuterResult solve(const InterfaceProblem& problem, const OuterSettings& settings, Monitor& monitor,
@@ -69,11 +75,11 @@ class OuterSolver {
     double referenceEuclidean = 0.0;
     double begin = 0.0;  ///< seconds
     OuterResult& result;
-    ContactStatus reported;                   ///< of the last row: what `changed` counts from; at first all closed
+    ContactStates reported;                   ///< of the last row: what `changed` counts from; at first all closed
     InterfaceProblem::Evaluation evaluation;  ///< at result.state, whose status is the evaluation's
     AutomaticTolerance automatic;
     bool fromAuxiliary = false;         ///< a method by sets starts from the auxiliary solution
-    ContactStatus preconditioned = {};  ///< what the preconditioner was made for then
+    ContactStates preconditioned = {};  ///< what the preconditioner was made for then
     bool given = false;                 ///< the start is one to go on from
     bool solved = false;   ///< a method that finds the set of closed pairs itself has found it, and the residual is small enough
     bool atFloor = false;  ///< rounding hides what the tolerance asks for beyond result.residual
@@ -123,8 +129,5 @@ class OuterSolver {
 };
 
 void registerBuiltIns(Registry<OuterSolver>& registry);
-
-/// Names of outer solvers that do not work on an interface problem but on the whole system; for the schema.
-inline constexpr const char* kMonolithic = "Monolithic";
 
 }  // namespace suture

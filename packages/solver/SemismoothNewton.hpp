@@ -11,6 +11,7 @@ class SemismoothNewton : public OuterSolver {
  public:
   static Schema schema();
   explicit SemismoothNewton(const Parameters& own);
+  bool solves(const Formulation& formulation) const override { return formulation.hidesContact(); }
 
  protected:
   bool worksBySets() const override { return true; }

@@ -50,12 +50,4 @@ struct Solution {
   std::map<std::string, double> estimates;  ///< of the outer solver: "mu", "contraction bound", "radius", "relaxation", ...
 };
 
-/// Sizes of the discrete problem, for the console and summary.json; the same on all ranks.
-struct ProblemSize {
-  GlobalId nodes = 0, elements = 0, dofs = 0;  ///< of the mesh; dofs: free ones
-  GlobalId interfaceDofs = 0;                  ///< unknowns of the interface problem
-  int subdomains = 0, groups = 0;
-  int pairs = 0, pieces = 0;
-};
-
 }  // namespace suture

@@ -1,24 +1,53 @@
 #include <suture/algebra/LocalSolver.hpp>
 #include <suture/base/scene/SceneReader.hpp>
 #include <suture/precond/Preconditioner.hpp>
+#include <suture/solver/Method.hpp>
 #include <suture/solver/OuterSolver.hpp>
 #include <suture/solver/SolverSchema.hpp>
 #include <suture/subdomain/SchurComplement.hpp>
 
 #include <Teuchos_ParameterList.hpp>
 
-#include <map>
 #include <sstream>
 
 namespace suture {
 
-bool solvesFormulation(const std::string& method, const std::string& formulation) {
-  static const std::map<std::string, std::string> only = {{"Active Set", kContactOnTheInterface},
-                                                          {"Chord", kCondensedGroups},
-                                                          {"Semismooth Newton", kCondensedGroups},
-                                                          {"Successive Approximation", kCondensedGroups}};
-  const auto found = only.find(method);
-  return found == only.end() || found->second == formulation;  // of a user's own we do not know
+namespace {
+
+std::string listed(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
+template <typename Base>
+std::unique_ptr<Base> madeBy(const Parameters& list, const std::string& name) {
+  return Registry<Base>::instance().make(name, list.isSublist(name) ? list.sublist(name) : Parameters());
+}
+
+/// The outer solver that goes with the formulation of a resolved scene. `fallback`: where it fits anyway.
+std::string fittingSolver(const Parameters& scene, const std::string& fallback) {
+  const auto formulation = formulationOf(scene);
+  const bool fits = madeBy<OuterSolver>(scene.sublist("Outer Solver"), fallback)->solves(*formulation);
+  return fits ? fallback : formulation->outerSolver();
+}
+
+}  // namespace
+
+void checkCombination(const Parameters& settings) {
+  const Parameters& outer = settings.sublist("Outer Solver");
+  const auto formulation = formulationOf(settings);
+  const auto chosen = makeStrategy<OuterSolver>(outer, "Type");
+  if (chosen->solves(*formulation)) return;
+  std::vector<std::string> solvers, formulations;
+  for (const std::string& name : Registry<OuterSolver>::instance().names())
+    if (madeBy<OuterSolver>(outer, name)->solves(*formulation)) solvers.push_back(name);
+  for (const std::string& name : Registry<Method>::instance().names()) solvers.push_back(name);
+  for (const std::string& name : Registry<Formulation>::instance().names())
+    if (chosen->solves(*madeBy<Formulation>(settings, name))) formulations.push_back("'" + name + "'");
+  throw InputError(pathOf(outer, "Type"), "'" + outer.get<std::string>("Type") + "' does not solve the formulation '" +
+                                              settings.get<std::string>("Formulation") + "'. Those that do: " + listed(solvers) +
+                                              ". Or choose the Formulation " + listed(formulations));
 }
 
 std::vector<std::string> looseTolerances(const Parameters& scene) {
@@ -42,26 +71,19 @@ std::vector<std::string> looseTolerances(const Parameters& scene) {
 }
 
 void addSolverParameters(Schema& scene) {
-  Schema condensed("The paper's: contact is hidden inside groups of subdomains, each whole on one rank.");
-  condensed.real("Memory Limit", 4096.0,
-                 "A group whose factors are estimated to take more is refused before it is factored: it lives on one rank, however many "
-                 "there are.",
-                 Range::positive(), "MB");
-  scene.choice("Formulation", kContactOnTheInterface,
-               {{kContactOnTheInterface,
-                 Schema("Closed pairs identify unknowns of the interface; any partition, any length of contact line, on any ranks.")},
-                {kCondensedGroups, condensed}},
+  scene.choice("Formulation", "Contact On The Interface", Registry<Formulation>::instance().schemas(),
                "What the unknowns on the interface are, and where contact is.");
 
-  auto methods = Registry<OuterSolver>::instance().schemas();
-  Schema monolithic(
-      "The whole system on one rank, one factorisation with the contact unknowns last, active set: for small scenes and as a "
-      "reference.");
-  monolithic.oneOf("Ordering", "AMD", {"AMD", "METIS"},
-                   "Of the unknowns that are not in contact: METIS leaves less fill than AMD and takes longer to find it.");
-  methods.emplace(kMonolithic, monolithic);
+  constexpr const char* usual = "Active Set";
+  auto solvers = Registry<OuterSolver>::instance().schemas();
+  for (const auto& [name, schema] : Registry<Method>::instance().schemas())
+    if (!solvers.emplace(name, schema).second) throw InternalError("an outer solver and a method have the same name: '" + name + "'");
   Schema outer("How the contact problem is solved; a scene without contact is linear and enters no outer loop.");
-  outer.choice("Type", "Active Set", methods, "Name of the outer solver.");
+  outer
+      .choice("Type", usual, solvers,
+              std::string("Name of the outer solver; where none is given and ") + usual +
+                  " does not fit the Formulation, the one that goes with that.")
+      .fittingDefault([](const Parameters& whole) { return fittingSolver(whole, usual); });
   outer.choice("Start", "Rigid Bodies",
                {{"Rigid Bodies", Schema("Rigid bodies on unilateral elastic pads in place of contact: no linear solve. Active Set and "
                                         "Monolithic; other methods start as Bilateral.")},

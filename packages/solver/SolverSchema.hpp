@@ -6,11 +6,9 @@
 
 namespace suture {
 
-inline constexpr const char* kCondensedGroups = "Condensed Groups";
-inline constexpr const char* kContactOnTheInterface = "Contact On The Interface";
-
-/// True if an outer solver, by name, can solve a formulation; both are believed of a user's own. Local.
-bool solvesFormulation(const std::string& method, const std::string& formulation);
+/// \throws InputError  the settings' outer solver does not fit their formulation: names those that do. Local, the same on all ranks.
+/// \param settings  resolved lists of the solver packages
+void checkCombination(const Parameters& settings);
 
 /// Adds what the solver packages read to the scene's schema: Formulation, Outer Solver, Preconditioner, Subdomain. Local.
 void addSolverParameters(Schema& scene);

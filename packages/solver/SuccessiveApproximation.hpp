@@ -14,6 +14,7 @@ class SuccessiveApproximation : public OuterSolver {
  public:
   static Schema schema();
   explicit SuccessiveApproximation(const Parameters& own);
+  bool solves(const Formulation& formulation) const override { return formulation.hidesContact(); }
 
  protected:
   /// \throws NumericalError  S_0 is singular: says why

@@ -147,4 +147,17 @@ TEUCHOS_UNIT_TEST(Functions, KnowOnlyThoseAboveThem) {
   }
 }
 
+TEUCHOS_UNIT_TEST(Expression, MayBeAFunctionOfTheProgram) {
+  const Expression f([](const Point& p) { return 1.0 / (p[0] - 2 * p[1] + p[2]); });
+  TEST_EQUALITY(f.at({3, 1, 1}), 0.5);
+  const Expression copy = f;
+  TEST_EQUALITY(copy.at({0, 0, 4}), 0.25);
+  try {
+    f.at({2, 1, 0});
+    TEST_ASSERT(false);
+  } catch (const InputError& error) {
+    TEST_EQUALITY(error.problems()[0].message, "'a function of the program' is infinite at (x, y) = (2, 1)");
+  }
+}
+
 }  // namespace

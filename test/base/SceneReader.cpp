@@ -235,4 +235,20 @@ TEUCHOS_UNIT_TEST(SceneReader, ReadsRegularFilesOfASceneSizeOnly) {
   TEST_EQUALITY(errorOfFile(*comm, large.path), large.path + ": has 16777217 bytes; expected an XML file of at most 16777216");
 }
 
+TEUCHOS_UNIT_TEST(SceneReader, ADefaultMayFitTheRestOfTheScene) {
+  const Schema schema =
+      Schema("of a meal")
+          .list("Drink", Schema("beside it").text("Name", "water", "what is poured").fittingDefault([](const Parameters& meal) {
+            return meal.get<std::string>("Dish") == "Fish" ? "white wine" : "water";
+          }))
+          .text("Dish", "Soup", "what is eaten");
+  const auto drinkOf = [&](const std::vector<std::string>& settings) {
+    return parseScene("<ParameterList/>", "meal.xml", schema, settings).parameters->sublist("Drink").get<std::string>("Name");
+  };
+  TEST_EQUALITY(drinkOf({}), "water");
+  TEST_EQUALITY(drinkOf({"Dish=Fish"}), "white wine");
+  TEST_EQUALITY(drinkOf({"Dish=Fish", "Drink/Name=beer"}), "beer");
+  TEST_THROW(Schema().integer("N", 1, "").fittingDefault([](const Parameters&) { return ""; }), InternalError);
+}
+
 }  // namespace

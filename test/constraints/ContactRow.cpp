@@ -4,6 +4,7 @@
 #include <suture/constraints/ContactRow.hpp>
 
 #include "ConstraintsTesting.hpp"
+#include "RoughLaw.hpp"
 
 using namespace constraintstesting;
 
@@ -33,11 +34,12 @@ struct Motion {
     for (int c = 0; c < 2; ++c) left -= (cartesian[pair.ends[0].node][c] - cartesian[pair.ends[1].node][c]) * pair.normal[c];
     return left;
   }
-  double gap(const ContactRow& row) const {
+  double gap(const ContactRow::Equation& row) const {
     double left = row.gap;
     for (std::size_t i = 0; i < row.dofs.size(); ++i) left -= row.coefficients[i] * local.at(row.dofs[i]);  // throws if it is not free
     return left;
   }
+  double gap(const ContactRow& row) const { return gap(row.normal()); }
 };
 
 NodeRule& ruleFor(Constraints& constraints, int node) {
@@ -76,16 +78,17 @@ TEUCHOS_UNIT_TEST(ContactRow, GivesTheGapOfEveryMotionThatTheRulesAllow) {
     for (std::size_t i = 0; i < rows.size(); ++i) {
       TEST_EQUALITY(rows[i].pair.id, static_cast<int>(i));
       TEST_COMPARE(std::abs(motion.gap(rows[i]) - motion.gap(constraints.pairs[i])), <, 1e-14);
-      TEST_ASSERT(std::is_sorted(rows[i].dofs.begin(), rows[i].dofs.end()));
-      lengths.insert(rows[i].dofs.size());
-      for (std::size_t k = 0; k < rows[i].dofs.size(); ++k) TEST_ASSERT(rows[i].points[k] == mesh.point(int(rows[i].dofs[k] / 2)));
+      TEST_ASSERT(std::is_sorted(rows[i].normal().dofs.begin(), rows[i].normal().dofs.end()));
+      lengths.insert(rows[i].normal().dofs.size());
+      for (std::size_t k = 0; k < rows[i].normal().dofs.size(); ++k)
+        TEST_ASSERT(rows[i].normal().points[k] == mesh.point(int(rows[i].normal().dofs[k] / 2)));
     }
   }
-  TEST_EQUALITY(rows[5].dofs.size(), 2u);  // both nodes in the axes of the pair
-  TEST_EQUALITY(rows[5].coefficients[0], 1.0);
-  TEST_EQUALITY(rows[5].coefficients[1], -1.0);
-  TEST_EQUALITY(rows[4].dofs.size(), 3u);  // one of them Cartesian
-  TEST_ASSERT(lengths.count(1) == 1);      // one end is pulled: only the other can move
+  TEST_EQUALITY(rows[5].normal().dofs.size(), 2u);  // both nodes in the axes of the pair
+  TEST_EQUALITY(rows[5].normal().coefficients[0], 1.0);
+  TEST_EQUALITY(rows[5].normal().coefficients[1], -1.0);
+  TEST_EQUALITY(rows[4].normal().dofs.size(), 3u);  // one of them Cartesian
+  TEST_ASSERT(lengths.count(1) == 1);               // one end is pulled: only the other can move
 }
 
 TEUCHOS_UNIT_TEST(ContactRow, TakesWhatPrescribedComponentsCloseFromTheGap) {
@@ -98,7 +101,7 @@ TEUCHOS_UNIT_TEST(ContactRow, TakesWhatPrescribedComponentsCloseFromTheGap) {
   a.value[1] = 0.25;
   ruleFor(constraints, 30).fixed = {true, true, false};
   ruleFor(constraints, 30).value = {-0.5, 1.0, 0};
-  const ContactRow row = contactRows(mesh, constraints).at(0);
+  const ContactRow::Equation row = contactRows(mesh, constraints).at(0).normal();
   TEST_ASSERT(row.dofs == std::vector<GlobalId>{6});
   TEST_FLOATING_EQUALITY(row.coefficients[0], 0.6, 1e-15);
   // 0.6 u <= 0.5 - 0.8 * 0.25 + (0.6 * -0.5 + 0.8 * 1.0)
@@ -113,10 +116,10 @@ TEUCHOS_UNIT_TEST(ContactRow, IsEmptyWhereNothingCanMove) {
   const std::vector<ContactRow> rows = contactRows(mesh, constraints);
   int empty = 0;
   for (const ContactRow& row : rows) {
-    if (!row.dofs.empty()) continue;
+    if (row.able()) continue;
     ++empty;
     TEST_EQUALITY(mesh.point(row.pair.ends[0].node)[0], 4.0);
-    TEST_FLOATING_EQUALITY(row.gap, 0.375, 1e-14);  // B moved away by 0.5 - 0.125
+    TEST_FLOATING_EQUALITY(row.normal().gap, 0.375, 1e-14);  // B moved away by 0.5 - 0.125
     TEST_EQUALITY(row.cluster, row.pair.id);
   }
   TEST_EQUALITY(empty, 1);
@@ -138,6 +141,29 @@ TEUCHOS_UNIT_TEST(ContactRow, BelongsToTheClusterOfRowsThatShareAnUnknown) {
   std::vector<int> clusters;
   for (const ContactRow& row : contactRows(mesh, constraints)) clusters.push_back(row.cluster);
   TEST_COMPARE_ARRAYS(clusters, (std::vector<int>{0, 1, 0, 0, 1, 5, 6, 7, 8, 9}));
+}
+
+// With a law that restricts sliding a row along the tangent is there: u_A - u_B along (-n_y, n_x), prescribed parts taken out.
+TEUCHOS_UNIT_TEST(ContactRow, HasTangentsWhereTheLawRestrictsSliding) {
+  Mesh mesh = stack(2);
+  moveAll(mesh, [](Point p) -> Point { return {p[0] * 0.8 - p[1] * 0.6, p[0] * 0.6 + p[1] * 0.8, 0}; });
+  Constraints constraints =
+      build(mesh, bilateral("roller", "b0_left") + displacement("pull", "b1_right", "{0.25, -1}"), contact("line", "b0_top", "b1_bottom"));
+  for (const ContactRow& row : contactRows(mesh, constraints)) TEST_EQUALITY(row.equations.size(), 1u);
+  constraints.laws = ContactLaws({std::make_shared<RoughLaw>()});
+  const std::vector<ContactRow> rows = contactRows(mesh, constraints);
+  TEST_EQUALITY(rows.size(), constraints.pairs.size());
+  for (unsigned seed = 1; seed <= 3; ++seed) {
+    const Motion motion(mesh, constraints, seed);
+    for (const ContactRow& row : rows) {
+      TEST_EQUALITY(row.equations.size(), 2u);
+      ContactPair along = row.pair;
+      along.gap = 0.0;
+      along.normal = {-row.pair.normal[1], row.pair.normal[0], 0};
+      TEST_COMPARE(std::abs(motion.gap(row.equations[0]) - motion.gap(row.pair)), <, 1e-14);
+      TEST_COMPARE(std::abs(motion.gap(row.equations[1]) - motion.gap(along)), <, 1e-14);
+    }
+  }
 }
 
 TEUCHOS_UNIT_TEST(ContactRow, IsNoneWithoutContact) {

@@ -38,6 +38,7 @@ struct Chains {
     rows.gap = 0.5 * random(pairs, 1, seed + 100).col(0);  // gaps and interference
     for (int p = 0; p < pairs; ++p) {
       rows.pairIds.push_back(p);
+      rows.pressed.push_back(PairStatus::Slip);
       rows.rows.insert(p, p % each) = 1.0;
       rows.rows.insert(p, each + (p + p / each) % each) = -1.0;
     }
@@ -97,7 +98,7 @@ TEUCHOS_UNIT_TEST(ContactCompliance, FindsWhatEnumerationOfAllActiveSetsFinds) {
         TEST_COMPARE(best.energy, <, 1e299);
         const auto alternating = [&](int p) { return (p + int(seed)) % 2 ? kOpen : kClosed; };
         for (int start = 0; start < 3; ++start) {
-          std::vector<PairStatus> status(pairs, start == 0 ? kClosed : kOpen);
+          std::vector<ContactState> status(pairs, start == 0 ? kClosed : kOpen);
           if (start == 2)
             for (int p = 0; p < pairs; ++p) status[p] = alternating(p);
           Matrix v = b;
@@ -128,15 +129,15 @@ TEUCHOS_UNIT_TEST(ContactCompliance, SaysThatABodyIsPushedAway) {
   const Chains chains(4, true, false, 3);
   Matrix v = Matrix::Zero(2 * Chains::each, 1);
   v.bottomRows(Chains::each).setOnes();  // the pairs say v_A - v_B <= g: the floating B is pulled off
-  TEST_THROW(chains.contact->solve(v, std::vector<PairStatus>(4, kClosed)), NumericalError);
+  TEST_THROW(chains.contact->solve(v, std::vector<ContactState>(4, kClosed)), NumericalError);
   v.bottomRows(Chains::each).setConstant(-1.0);  // and pushed on
-  TEST_NOTHROW(chains.contact->solve(v, std::vector<PairStatus>(4, kOpen)));
+  TEST_NOTHROW(chains.contact->solve(v, std::vector<ContactState>(4, kOpen)));
 }
 
 TEUCHOS_UNIT_TEST(ContactCompliance, ClosedPairsKeepTheirGapsAndBalance) {
   for (int ground = 0; ground < 4; ++ground) {
     const Chains chains(6, ground & 1, ground & 2, 5);
-    const std::vector<PairStatus> status{kClosed, kOpen, kClosed, kClosed, kOpen, kClosed};
+    const std::vector<ContactState> status{kClosed, kOpen, kClosed, kClosed, kOpen, kClosed};
     const ContactCompliance::Closed closed(*chains.contact, status);
     const int left = ground == 0 ? 1 : 0;  // both floating: they move together
     TEST_EQUALITY(closed.kernel().cols(), left);

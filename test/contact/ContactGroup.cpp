@@ -6,7 +6,7 @@ namespace {
 
 using namespace blocks;
 
-int openPairs(const std::vector<PairStatus>& status) { return int(std::count(status.begin(), status.end(), kOpen)); }
+int openPairs(const std::vector<ContactState>& status) { return int(std::count(status.begin(), status.end(), kOpen)); }
 
 TEUCHOS_UNIT_TEST(ContactGroup, IsAllThatTouchesThePiece) {
   const GroupOf g(wavyBlocks());

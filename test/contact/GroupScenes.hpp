@@ -18,7 +18,7 @@ struct GroupOf {
   explicit GroupOf(const Scene& given, const std::string& solver = "CHOLMOD");
 
   int size() const { return int(group->boundary().size()); }
-  std::vector<PairStatus> status(PairStatus all) const { return std::vector<PairStatus>(group->rows().size(), all); }
+  std::vector<ContactState> status(PairStatus all) const { return std::vector<ContactState>(group->rows().size(), all); }
   ContactGroup::Response respond(const Vector& trace) const { return group->respond(trace, status(kClosed)); }
 
   /// Cartesian displacements of the nodes of the mesh that the group holds.

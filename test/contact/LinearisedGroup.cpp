@@ -11,7 +11,7 @@ struct Bilateral {
   Matrix schur;
   Vector load;  // condensed, gaps included
 
-  Bilateral(const GroupOf& g, const std::vector<PairStatus>& status) {
+  Bilateral(const GroupOf& g, const std::vector<ContactState>& status) {
     const std::vector<int>&interior = g.group->interiorPositions(), &boundary = g.group->boundaryPositions();
     const Matrix k(g.group->stiffness());
     Vector f = Vector::Zero(k.rows());
@@ -56,7 +56,7 @@ struct Bilateral {
 TEUCHOS_UNIT_TEST(LinearisedGroup, EqualsTheDenseBilateralGroup) {
   for (const char* solver : {"CHOLMOD", "Amesos2"}) {
     const GroupOf g(wavyBlocks(), solver);
-    for (const std::vector<PairStatus>& status :
+    for (const std::vector<ContactState>& status :
          {g.status(kClosed), g.status(kOpen), {kOpen, kClosed, kClosed, kOpen, kOpen, kClosed, kOpen}}) {
       const LinearisedGroup group(9, *g.group, status);
       const Bilateral expected(g, status);
@@ -89,7 +89,7 @@ TEUCHOS_UNIT_TEST(LinearisedGroup, TangentAgreesWithFiniteDifferences) {
 TEUCHOS_UNIT_TEST(LinearisedGroup, LiesBetweenZeroAndTheBilateralGroup) {
   const GroupOf g(wavyBlocks());
   const Matrix closed = schurOf(LinearisedGroup(9, *g.group, g.status(kClosed)));
-  const std::vector<PairStatus> some{kOpen, kClosed, kClosed, kOpen, kOpen, kClosed, kOpen};
+  const std::vector<ContactState> some{kOpen, kClosed, kClosed, kOpen, kOpen, kClosed, kOpen};
   for (const auto& status : {some, g.status(kOpen)}) {
     const Matrix tangent = schurOf(LinearisedGroup(9, *g.group, status));
     TEST_COMPARE(difference(tangent, tangent.transpose()), <, 1e-12);
@@ -101,8 +101,8 @@ TEUCHOS_UNIT_TEST(LinearisedGroup, LiesBetweenZeroAndTheBilateralGroup) {
 
 TEUCHOS_UNIT_TEST(LinearisedGroup, KnowsItsKernel) {
   const GroupOf g(wavyBlocks());
-  const std::vector<PairStatus> one{kOpen, kOpen, kOpen, kClosed, kOpen, kOpen, kOpen};
-  const std::vector<std::pair<std::vector<PairStatus>, int>> cases{{g.status(kClosed), 4}, {one, 5}, {g.status(kOpen), 6}};
+  const std::vector<ContactState> one{kOpen, kOpen, kOpen, kClosed, kOpen, kOpen, kOpen};
+  const std::vector<std::pair<std::vector<ContactState>, int>> cases{{g.status(kClosed), 4}, {one, 5}, {g.status(kOpen), 6}};
   for (const auto& [status, expected] : cases) {
     const LinearisedGroup group(9, *g.group, status);
     TEST_EQUALITY(group.kernel().cols(), expected);
@@ -121,7 +121,7 @@ TEUCHOS_UNIT_TEST(LinearisedGroup, TheLocalInverseSolvesBalancedFluxes) {
   held.hold("lower_left", 0, 0.0);
   for (const Scene& scene : {wavyBlocks(), held}) {
     const GroupOf g(scene);
-    for (const std::vector<PairStatus>& status :
+    for (const std::vector<ContactState>& status :
          {g.status(kClosed), g.status(kOpen), {kOpen, kClosed, kClosed, kOpen, kOpen, kClosed, kOpen}}) {
       const LinearisedGroup group(9, *g.group, status);
       const int n = group.size();

@@ -1,14 +1,8 @@
 #include <corpus/CorpusRun.hpp>
-#include <suture/base/Collective.hpp>
 #include <suture/base/Errors.hpp>
-#include <suture/mesh/Regions.hpp>
-#include <suture/partition/Partition.hpp>
-#include <suture/reference/MonolithicScene.hpp>
-#include <suture/solver/solvability/NeutralMotions.hpp>
+#include <suture/simulation/Simulation.hpp>
 
-#include <SolveStages.hpp>
 #include <Teuchos_CommHelpers.hpp>
-#include <Teuchos_ParameterList.hpp>
 
 #include <chrono>
 
@@ -47,34 +41,22 @@ Vector gathered(const Comm& comm, const Mesh& mesh, int nodes, const std::vector
 }
 
 void solve(const CommPtr& comm, const CorpusScene& corpusScene, const Way& way, Whole& whole, Outcome& outcome) {
-  const SceneFile file = resolve(corpusScene, way.overrides());
-  const Parameters& scene = *file.parameters;
-  checkCombination(scene);
-  Mesh mesh;
-  if (comm->getRank() == 0) mesh = corpusScene.mesh;
-  collectivelyOnRoot(*comm, "checking the mesh", [&] {
-    assignBodies(mesh, sublistNames(scene.sublist("Bodies")));
-    assignRegions(mesh, scene.sublist("Bodies"));
-  });
-  Constraints constraints = constraintsStage(*comm, mesh, scene);
-  CutMesh cut = cutStage(*comm, file, mesh, constraints);
-  const ElasticModel model = makeElasticModel(scene);
-  elementsStage(*comm, cut.meshes, model);
-  whole = {mesh, constraints, model};
-  solvabilityStage(*comm, mesh, constraints, model, cut.partition);
-  takeOutLift(*comm, model, cut.meshes, constraints);
-  const auto subdomains = isMonolithic(scene) ? Subdomains() : makeSubdomains(*comm, cut.meshes, model);
-  const auto problem = problemStage(comm, cut.partition, subdomains, scene);
-  const auto reference = isMonolithic(scene) ? assembleMonolithic(*comm, mesh, constraints, model) : nullptr;
-  Monitor silent;
-  Solution solution = problem ? recover(*comm, *problem, solveInterface(*problem, scene, silent), subdomains, scene)
-                              : solveMonolithicScene(*comm, mesh, constraints, reference.get(), cut.meshes, scene, silent);
-  settleNeutralMotions(*comm, cut.meshes, model, solution);
+  Scene scene = sceneOf(resolve(corpusScene, way.overrides()));
+  scene.mesh = [&](const Comm& ranks) { return ranks.getRank() == 0 ? corpusScene.mesh : Mesh(); };
+  Simulation simulation(comm, scene);
+  simulation.read();
+  whole = {simulation.mesh(), simulation.constraints(), scene.model};
+  simulation.cut();
+  simulation.check();
+  simulation.prepare();
+  simulation.iterate();
+  simulation.judge();
+  const Solution& solution = simulation.solution();
   outcome.ending = solution.converged ? Ending::Solved : Ending::Lost;
   outcome.reason = solution.failure;
   outcome.iterations = solution.outerIterations;
   outcome.pcg = solution.pcgTotal + solution.auxiliary.pcg;
-  outcome.displacement = gathered(*comm, mesh, corpusScene.mesh.nodes(), cut.meshes, solution, outcome.seam);
+  outcome.displacement = gathered(*comm, whole.mesh, corpusScene.mesh.nodes(), simulation.meshes(), solution, outcome.seam);
   for (const PairResult& pair : solution.pairs) outcome.forces.push_back(pair.force);
 }
 

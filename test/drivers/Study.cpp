@@ -3,10 +3,10 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <suture/base/Errors.hpp>
+#include <suture/simulation/Overrides.hpp>
 
 #include "../../drivers/study/Bands.hpp"
-#include "../../drivers/study/Runs.hpp"
-#include "../../drivers/support/Overrides.hpp"
+#include "../../drivers/study/Combinations.hpp"
 
 using namespace suture;
 using namespace suture::study;
@@ -19,7 +19,7 @@ const Json summary = Json::parse(R"({"dofs": 100, "subdomains": 8, "outer": {"it
   "contact": {"force": {"fault above": [3.0, -4.0]}, "by_piece": {"fault above": {"max_gap": null}}}})");
 
 double number(const std::string& text) {
-  const study::Cell cell = study::Formula(text).evaluate(summary);
+  const study::TableCell cell = study::Formula(text).evaluate(summary);
   return cell.isNumber() ? cell.number : std::nan("");
 }
 
@@ -46,7 +46,7 @@ TEUCHOS_UNIT_TEST(Formula, CalculatesInTheUsualOrder) {
 
 TEUCHOS_UNIT_TEST(Formula, AMissingFigureMakesAnEmptyCell) {
   for (const char* text : {"nothing", "dofs + nothing", "contact.by_piece.fault above.max_gap", "1 / 0", "outer.solver + 1", "norm(outer)"})
-    TEST_ASSERT(study::Formula(text).evaluate(summary).kind == study::Cell::Kind::Empty);
+    TEST_ASSERT(study::Formula(text).evaluate(summary).kind == study::TableCell::Kind::Empty);
   TEST_EQUALITY(study::Formula("outer.solver").evaluate(summary).text, "Chord");
   TEST_EQUALITY(study::Formula("converged").evaluate(summary).text, "true");
 }
@@ -86,9 +86,9 @@ Study sample() {
   return study;
 }
 
-std::vector<study::Row> rowsOf(const Study& study, const std::vector<study::Run>& runs) {
+std::vector<study::Row> rowsOf(const Study& study, const std::vector<study::Combination>& runs) {
   std::vector<study::Row> rows;
-  for (const study::Run& run : runs) {
+  for (const study::Combination& run : runs) {
     const Json one{{"dofs", 10 * (run.choice[0] + 1) + run.choice[1]}};
     rows.push_back(studyRow(study, run, {one.dump()}, 0, ""));
   }

@@ -56,8 +56,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   else
     write(path, {data + 1, size - 1});
   fuzz::accepts([&] {
-    const Checkpoint checkpoint = readCheckpoint(fuzz::alone(), path, meshHash, mine);
-    fuzz::require(checkpoint.displacement.size() == 1 && checkpoint.displacement[0].size() == 8 && checkpoint.displacement[0].allFinite());
+    const Start start = readCheckpoint(fuzz::alone(), path, meshHash, mine);
+    fuzz::require(start.displacement.size() == 1 && start.displacement[0].size() == 8 && start.displacement[0].allFinite());
   });
   return 0;
 }

@@ -5,7 +5,7 @@
 #include <suture/base/Expression.hpp>
 #include <suture/base/scene/SceneReader.hpp>
 #include <suture/report/SceneSchema.hpp>
-#include <suture/solver/Decomposition.hpp>
+#include <suture/solver/Method.hpp>
 
 #include <Teuchos_ParameterList.hpp>
 
@@ -26,7 +26,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const SceneFile scene = parseScene(text, "scene.xml", schema, overrides);
     const std::string printed = toXml(*scene.parameters);
     fuzz::require(fuzz::accepts([&] { fuzz::require(toXml(*parseScene(printed, "printed.xml", schema).parameters) == printed); }));
-    fuzz::accepts([&] { checkCombination(*scene.parameters); });
+    fuzz::accepts([&] { makeMethod(*scene.parameters, true); });
     fuzz::accepts([&] { sceneConstants(*scene.parameters); });
     fuzz::accepts([&] { makeElasticModel(*scene.parameters); });
   });

@@ -20,7 +20,7 @@ TEUCHOS_UNIT_TEST(CondensedProblem, CountsPiecesAndPairs) {
   TEST_EQUALITY(t.spread.problem.pairs(), 7);
   int closed = 0, all = 0;
   for (const auto& row : t.spread.closed.status)
-    for (PairStatus status : row) closed += status != PairStatus::Open;
+    for (const ContactState& state : row) closed += state.closed();
   Teuchos::reduceAll(*world(), Teuchos::REDUCE_SUM, closed, Teuchos::outArg(all));
   TEST_EQUALITY(all, 7);  // contact is started closed
 }
@@ -135,7 +135,7 @@ TEUCHOS_UNIT_TEST(CondensedProblem, ItsSolutionSolvesTheScene) {
     TEST_COMPARE(pair.gap, >, -1e-12);
     TEST_COMPARE(pair.force, >, -1e-12);
     TEST_COMPARE(std::abs(pair.gap * pair.force), <, 1e-12);
-    TEST_EQUALITY(pair.force > 0.0, pair.status != PairStatus::Open);
+    TEST_EQUALITY(pair.force > 0.0, pair.state.closed());
     forces += pair.force;
   }
   Teuchos::reduceAll(*world(), Teuchos::REDUCE_SUM, forces, Teuchos::outArg(allForces));

@@ -26,13 +26,13 @@ struct CrossPoint {
   void add(int a, int b, const double* normal, double gap) {
     rows.push_back({{2 * a, 2 * a + 1, 2 * b, 2 * b + 1}, {normal[0], normal[1], -normal[0], -normal[1]}, gap, 4});
   }
-  Matrix dense(const std::vector<PairStatus>& status) const {
+  Matrix dense(const std::vector<ContactState>& status) const {
     int count = 0;
-    for (PairStatus s : status) count += s != kOpen;
+    for (const ContactState& s : status) count += s.closed();
     Matrix c = Matrix::Zero(count, 9);
     int r = 0;
     for (std::size_t i = 0; i < rows.size(); ++i) {
-      if (status[i] == kOpen) continue;
+      if (!status[i].closed()) continue;
       for (std::size_t k = 0; k < rows[i].places.size(); ++k) c(r, rows[i].places[k]) += rows[i].coefficients[k];
       ++r;
     }
@@ -88,7 +88,7 @@ TEUCHOS_UNIT_TEST(ContactClusters, RelationsSpanTheNullSpaceOfEverySubsetOfRows)
     const CrossPoint cross(0.4, skew);
     const ContactClusters clusters(cross.rows, cross.stiffness);
     for (int subset = 0; subset < 16; ++subset) {
-      std::vector<PairStatus> status(4, kOpen);
+      std::vector<ContactState> status(4, kOpen);
       for (int i = 0; i < 4; ++i)
         if (subset >> i & 1) status[i] = kClosed;
       spansTheNullSpace(clusters.relations(status), cross.dense(status), success, out);
@@ -98,11 +98,43 @@ TEUCHOS_UNIT_TEST(ContactClusters, RelationsSpanTheNullSpaceOfEverySubsetOfRows)
 
 TEUCHOS_UNIT_TEST(ContactClusters, ARowThatFollowsFromOthersIsLeftOut) {
   CrossPoint cross(0.4, 0.0);  // all normals parallel: around the point the four rows are linearly dependent
-  const std::vector<PairStatus> closed(4, kClosed);
+  const std::vector<ContactState> closed(4, kClosed);
   TEST_EQUALITY(dense::rank(cross.dense(closed)), 3);
   const ContactClusters clusters(cross.rows, cross.stiffness);
   TEST_EQUALITY(clusters.relations(closed).size(), 3u);
   spansTheNullSpace(clusters.relations(closed), cross.dense(closed), success, out);
+}
+
+// Two pairs between Cartesian nodes, each with a row along its normal and one along its tangent: one state decides about both.
+TEUCHOS_UNIT_TEST(ContactClusters, APairThatSticksHoldsItsTangentToo) {
+  const double c = std::cos(0.4), s = std::sin(0.4);
+  std::vector<Row> rows;
+  for (int component = 0; component < 2; ++component)
+    for (int pair = 0; pair < 2; ++pair) {
+      const double n[2] = {component == 0 ? c : -s, component == 0 ? s : c};
+      rows.push_back({{4 * pair, 4 * pair + 1, 4 * pair + 2, 4 * pair + 3}, {n[0], n[1], -n[0], -n[1]}, 0.0, pair, pair, component});
+    }
+  const ContactClusters clusters(rows, Vector::LinSpaced(9, 1.0, 5.0));
+  const std::vector<PairStatus> all{PairStatus::Open, PairStatus::Slip, PairStatus::Stick};
+  for (const PairStatus first : all)
+    for (const PairStatus second : all) {
+      const std::vector<ContactState> states{first, second};
+      Matrix dense(0, 9);
+      for (const Row& row : rows) {
+        if (states[row.pair] == PairStatus::Open || (row.component == 1 && states[row.pair] != PairStatus::Stick)) continue;
+        dense.conservativeResize(dense.rows() + 1, 9);
+        dense.row(dense.rows() - 1).setZero();
+        for (int k = 0; k < 4; ++k) dense(dense.rows() - 1, row.places[k]) = row.coefficients[k];
+      }
+      spansTheNullSpace(clusters.relations(states), dense, success, out);
+      // What sticks moves as one: forces of the two rows are those of the vector between the nodes.
+      if (first != PairStatus::Stick) continue;
+      Vector imbalance = Vector::Zero(9);
+      imbalance.head(4) << -3.0, 5.0, 3.0, -5.0;  // side A is pushed back by (3, -5)
+      const Vector force = clusters.forces(states, imbalance);
+      TEST_FLOATING_EQUALITY(force(0), 3.0 * c - 5.0 * s, 1e-13);
+      TEST_FLOATING_EQUALITY(force(2), -3.0 * s - 5.0 * c, 1e-13);
+    }
 }
 
 TEUCHOS_UNIT_TEST(ContactClusters, ClustersDoNotMeet) {
@@ -140,7 +172,7 @@ TEUCHOS_UNIT_TEST(ContactClusters, ForceOfASinglePairIsThatOfTheSofterSide) {
 TEUCHOS_UNIT_TEST(ContactClusters, ForcesInBalanceAreFoundExactly) {
   const CrossPoint cross;
   const ContactClusters clusters(cross.rows, cross.stiffness);
-  const std::vector<PairStatus> status{kClosed, kClosed, kOpen, kClosed};
+  const std::vector<ContactState> status{kClosed, kClosed, kOpen, kClosed};
   Vector force(3);
   force << 2.0, -1.5, 4.0;
   // S U - F = -C^T f, forces pull back the unknowns on side A; C^T has full rank here, so that there is one answer
@@ -159,7 +191,7 @@ TEUCHOS_UNIT_TEST(ContactClusters, ForcesInBalanceAreFoundExactly) {
 TEUCHOS_UNIT_TEST(ContactClusters, CorrectionMeetsTheClosedRowsAndIsTheSmallest) {
   const CrossPoint cross;
   const ContactClusters clusters(cross.rows, cross.stiffness);
-  const std::vector<PairStatus> status{kClosed, kOpen, kClosed, kClosed};
+  const std::vector<ContactState> status{kClosed, kOpen, kClosed, kClosed};
   const Vector trace = Vector::LinSpaced(9, 0.05, -0.07);
   const Vector change = clusters.correction(status, trace), gaps = clusters.gaps(trace + change), before = clusters.gaps(trace);
   for (int i : {0, 2, 3}) TEST_COMPARE(std::abs(gaps(i)), <, 1e-15);

@@ -1,4 +1,5 @@
 #include <Teuchos_UnitTestHarness.hpp>
+#include <constraints/RoughLaw.hpp>
 #include <interface/ContactScenes.hpp>
 #include <interface/DenseSpace.hpp>
 #include <interface/RecoveredPairs.hpp>
@@ -11,8 +12,8 @@ using namespace blocks;
 // The same scene by dense algebra: all bodies apart, condensed to the interface's unknowns; contact rows from the pairs and rules.
 struct Reference {
   const Scene& scene;
-  Matrix s, rows;
-  Vector load, gaps;
+  Matrix s, rows, tangents;  // rows of the pairs along their normals and along (-n_y, n_x)
+  Vector load, gaps, slips;  // and their right-hand sides
   double constant = 0.0;
 
   Reference(const Scene& given, const DenseSpace& space) : scene(given) {
@@ -25,8 +26,8 @@ struct Reference {
     constant = whole.constantEnergy - 0.5 * f.dot(solveSymmetric(ii, f).col(0));
 
     const int pairs = int(scene.constraints.pairs.size());
-    rows = Matrix::Zero(pairs, space.size());
-    gaps = Vector::Zero(pairs);
+    rows = tangents = Matrix::Zero(pairs, space.size());
+    gaps = slips = Vector::Zero(pairs);
     for (const ContactPair& pair : scene.constraints.pairs) {
       gaps(pair.id) = pair.gap;
       for (const auto& [node, side] : {std::make_pair(pair.ends[0].node, 1), std::make_pair(pair.ends[1].node, -1)}) {
@@ -35,23 +36,28 @@ struct Reference {
           if (own.node == node) rule = own;
         for (int k = 0; k < 2; ++k) {
           const double along = side * (rule.axes[k][0] * pair.normal[0] + rule.axes[k][1] * pair.normal[1]);
-          if (rule.fixed[k])
+          const double across = side * (rule.axes[k][1] * pair.normal[0] - rule.axes[k][0] * pair.normal[1]);
+          if (rule.fixed[k]) {
             gaps(pair.id) -= along * rule.value[k];
-          else if (std::abs(along) > 1e-12)
-            rows(pair.id, space.place(2 * node + k)) += along;
+            slips(pair.id) -= across * rule.value[k];
+            continue;
+          }
+          if (std::abs(along) > 1e-12) rows(pair.id, space.place(2 * node + k)) += along;
+          if (std::abs(across) > 1e-12 && sticks()) tangents(pair.id, space.place(2 * node + k)) += across;
         }
       }
     }
   }
+  bool sticks() const { return scene.constraints.laws.size() > 0; }
   bool able(int pair) const { return rows.row(pair).norm() > 0.0; }
   double energy(const Vector& u) const { return constant + 0.5 * u.dot(s * u) - u.dot(load); }
 };
 
-std::map<int, PairStatus> statusOf(int pairs, int pattern) {
-  std::map<int, PairStatus> status;
+std::map<int, ContactState> statusOf(int pairs, int pattern, PairStatus closed = PairStatus::Slip) {
+  std::map<int, ContactState> status;
   for (int p = 0; p < pairs; ++p) {
     const bool open = pattern == 1 ? p % 3 == 1 : pattern == 2 ? (p * 7 + 3) % 5 < 3 : pattern == 3;
-    status[p] = open ? PairStatus::Open : PairStatus::Slip;
+    status[p] = open ? PairStatus::Open : closed;
   }
   return status;
 }
@@ -77,17 +83,21 @@ void agreesWithTheReference(const Scene& scene, bool& success, Teuchos::FancyOSt
   const double size = reference.s.norm();
 
   for (int pattern = 0; pattern < 4; ++pattern) {
-    const std::map<int, PairStatus> status = statusOf(pairs, pattern);
+    const std::map<int, ContactState> status = statusOf(pairs, pattern, reference.sticks() ? PairStatus::Stick : PairStatus::Slip);
     InterfaceState state = one.problem.stateOf(someValues(one.all), status);
     Matrix closed(0, space.size());
     Vector closedGaps(0);
     int count = 0;
     for (int p = 0; p < pairs; ++p) {
-      if (status.at(p) == PairStatus::Open || !reference.able(p)) continue;
-      closed.conservativeResize(count + 1, space.size());
-      closedGaps.conservativeResize(count + 1);
-      closed.row(count) = reference.rows.row(p);
-      closedGaps(count++) = reference.gaps(p);
+      if (!status.at(p).closed() || !reference.able(p)) continue;
+      const auto add = [&](const Matrix& rows, const Vector& gaps) {
+        closed.conservativeResize(count + 1, space.size());
+        closedGaps.conservativeResize(count + 1);
+        closed.row(count) = rows.row(p);
+        closedGaps(count++) = gaps(p);
+      };
+      add(reference.rows, reference.gaps);
+      if (reference.sticks() && reference.tangents.row(p).norm() > 0.0) add(reference.tangents, reference.slips);
     }
     Vector u = space.dense(*state.trace);
     if (count > 0) TEST_COMPARE((closed * u - closedGaps).norm(), <, 1e-14 * count);  // the trace was moved onto the rows
@@ -120,8 +130,8 @@ void agreesWithTheReference(const Scene& scene, bool& success, Teuchos::FancyOSt
     for (const PairResult& pair : pairsOf(one.all, found)) {  // throws unless each of them is on one rank
       const int p = pair.id;
       TEST_COMPARE(std::abs(pair.gap - (reference.gaps(p) - reference.rows.row(p).dot(u))), <, 1e-14);
-      TEST_ASSERT(pair.status == (reference.able(p) ? status.at(p) : PairStatus::Open));
-      if (pair.status == PairStatus::Open) TEST_EQUALITY(pair.force, 0.0);
+      TEST_ASSERT(pair.state == (reference.able(p) ? status.at(p) : ContactState()));
+      if (!pair.state.closed()) TEST_EQUALITY(pair.force, 0.0);
     }
 
     // A step, and what the operator recorded of it: the state then remembers what a fresh application gives.
@@ -164,6 +174,19 @@ TEUCHOS_UNIT_TEST(ContactInterfaceProblem, InclinedBlocksThatMeetInAPoint) {
   agreesWithTheReference(turned(crossingBlocks(), 0.5), success, out);
 }
 
+// A law that restricts sliding: closed pairs stick, both components of their nodes are identified.
+Scene rough(Scene scene) {
+  scene.constraints.laws = ContactLaws(std::vector<std::shared_ptr<const ContactLaw>>(3, std::make_shared<RoughLaw>()));
+  return scene;
+}
+
+TEUCHOS_UNIT_TEST(ContactInterfaceProblem, RoughBlocks) { agreesWithTheReference(rough(pressedBlocks()), success, out); }
+TEUCHOS_UNIT_TEST(ContactInterfaceProblem, RoughInclinedBlocks) {
+  agreesWithTheReference(rough(turned(pressedBlocks(), 0.5)), success, out);
+}
+TEUCHOS_UNIT_TEST(ContactInterfaceProblem, RoughNodesHeldOnTheLine) { agreesWithTheReference(rough(heldOnTheLine()), success, out); }
+TEUCHOS_UNIT_TEST(ContactInterfaceProblem, RoughBlocksThatMeetInAPoint) { agreesWithTheReference(rough(crossingBlocks()), success, out); }
+
 // Semismooth Newton's choice of the next set, pair by pair: what pulls opens, what penetrates closes.
 TEUCHOS_UNIT_TEST(ContactInterfaceProblem, OpensWhatPullsAndClosesWhatPenetrates) {
   const OnInterface one(pressedBlocks(), world());
@@ -172,7 +195,7 @@ TEUCHOS_UNIT_TEST(ContactInterfaceProblem, OpensWhatPullsAndClosesWhatPenetrates
   const std::vector<int> changed = one.problem.differing(state.status, value.next);
   int mine = 0, all = 0;
   for (const PairResult& pair : pairsOf(one.all, one.problem.recover(state))) {
-    const bool expected = pair.status == PairStatus::Open ? pair.gap < 0.0 : pair.force < 0.0;
+    const bool expected = !pair.state.closed() ? pair.gap < 0.0 : pair.force < 0.0;
     TEST_EQUALITY(std::count(changed.begin(), changed.end(), pair.id) == 1, expected);
     mine += expected;
   }

@@ -13,7 +13,7 @@ std::vector<Vector> zeros(const Blocks& all) {
 }
 
 Teuchos::RCP<InterfaceOperator> OnInterface::matrix(const Scene& scene, int openEvery) const {
-  std::map<int, PairStatus> status;
+  std::map<int, ContactState> status;
   for (const ContactPair& pair : scene.constraints.pairs)
     if (openEvery > 0 && pair.id % openEvery == 1) status[pair.id] = PairStatus::Open;
   return problem.linearise(problem.stateOf(zeros(all), status)).matrix;

@@ -15,7 +15,8 @@ struct OnInterface {
   ContactInterfaceProblem problem;
 
   OnInterface(const Scene& scene, const CommPtr& comm, const std::string& schur = "Explicit")
-      : all(scene, comm, std::vector<double>(), false), problem(comm, all.partition, all.subdomains, localSolver(), schurOf(schur)) {}
+      : all(scene, comm, std::vector<double>(), false),
+        problem(comm, all.partition, all.subdomains, localSolver(), schurOf(schur), scene.constraints.laws) {}
   /// Cut by METIS.
   OnInterface(const Scene& scene, const CommPtr& comm, int count, int seed)
       : all(scene, comm, count, seed, false), problem(comm, all.partition, all.subdomains, localSolver(), schurOf()) {}

@@ -188,13 +188,14 @@ TEUCHOS_UNIT_TEST(SubdomainMesh, HasAllRowsOfEveryClusterItTouches) {
         row2[2 * pair.ends[0].node + k] = pair.normal[k];
         row2[2 * pair.ends[1].node + k] = -pair.normal[k];
       }
-      TEST_EQUALITY(row.dofs.size(), 4u);
-      TEST_EQUALITY(row.points.size(), 4u);
-      for (std::size_t i = 0; i < row.dofs.size(); ++i) {
-        TEST_EQUALITY(row.coefficients[i], row2.at(row.dofs[i]));
-        for (int k = 0; k < 2; ++k) TEST_EQUALITY(row.points[i][k], coordinates[2 * (row.dofs[i] / 2) + k]);
+      const ContactRow::Equation& normal = row.normal();
+      TEST_EQUALITY(normal.dofs.size(), 4u);
+      TEST_EQUALITY(normal.points.size(), 4u);
+      for (std::size_t i = 0; i < normal.dofs.size(); ++i) {
+        TEST_EQUALITY(normal.coefficients[i], row2.at(normal.dofs[i]));
+        for (int k = 0; k < 2; ++k) TEST_EQUALITY(normal.points[i][k], coordinates[2 * (normal.dofs[i] / 2) + k]);
       }
-      TEST_EQUALITY(row.gap, pair.gap);
+      TEST_EQUALITY(normal.gap, pair.gap);
       TEST_EQUALITY(row.pair.ends[1].node, pair.ends[1].node);
     }
     TEST_ASSERT(found == expected[part.id]);

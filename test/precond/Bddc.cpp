@@ -198,7 +198,7 @@ TEUCHOS_UNIT_TEST(Bddc, MoreConstraintsGiveALowerCondition) {
 TEUCHOS_UNIT_TEST(Bddc, ComputesAgainForAnotherStatus) {
   for (const auto& [refinement, updates] : {std::pair(1, false), std::pair(12, true)}) {
     const OnInterface one(pressedBlocks(refinement), world());
-    const auto withOpen = [&](std::map<int, PairStatus> status) {
+    const auto withOpen = [&](std::map<int, ContactState> status) {
       return one.problem.linearise(one.problem.stateOf(zeros(one.all), status)).matrix;
     };
     const auto closed = withOpen({}), partly = withOpen({{1, PairStatus::Open}, {4, PairStatus::Open}}),

@@ -6,12 +6,12 @@
 #include <support/Blocks.hpp>
 #include <suture/base/Collective.hpp>
 #include <suture/constraints/BuildConstraints.hpp>
+#include <suture/interface/Formulation.hpp>
 #include <suture/mesh/MeshReader.hpp>
 #include <suture/quality/ExactErrors.hpp>
 #include <suture/quality/PressureField.hpp>
-#include <suture/reference/MonolithicScene.hpp>
 #include <suture/report/SceneSchema.hpp>
-#include <suture/solver/Decomposition.hpp>
+#include <suture/solver/Method.hpp>
 
 namespace suture {
 namespace {
@@ -130,20 +130,15 @@ Errors errorsOf(const CommPtr& comm, const SceneFile& file, bool check = false) 
     assignBodies(mesh, model.bodies);
     constraints = buildConstraints(mesh, scene.sublist("Boundary Conditions"), scene.sublist("Contact"), sceneConstants(scene));
   });
-  const Partition partition = makePartition(*comm, mesh, constraints, scene.sublist("Partition"), isCondensed(scene));
+  const Partition partition = makePartition(*comm, mesh, constraints, scene.sublist("Partition"), formulationOf(scene)->keepsGroupsWhole());
   const std::vector<SubdomainMesh> meshes = distribute(*comm, mesh, constraints, partition);
   if (check) checkExactSolution(*comm, meshes, model, scene.sublist("Contact"));
   if (check) return {};
   Monitor silent;
-  Solution solution;
-  if (isMonolithic(scene)) {
-    const auto system = assembleMonolithic(*comm, mesh, constraints, model);
-    solution = solveMonolithicScene(*comm, mesh, constraints, system.get(), meshes, scene, silent);
-  } else {
-    const Subdomains subdomains = makeSubdomains(*comm, meshes, model);
-    const auto problem = makeInterfaceProblem(comm, partition, subdomains, scene);
-    solution = recover(*comm, *problem, solveInterface(*problem, scene, silent), subdomains, scene);
-  }
+  Timers timers;
+  const auto method = makeMethod(scene, true);
+  method->prepare({comm, mesh, constraints, partition, meshes, model, scene}, timers);
+  const Solution solution = method->solve(silent, timers);
   return exactErrors(*comm, meshes, model, scene.sublist("Contact"), solution.displacement, solution.pairs);
 }
 
@@ -153,14 +148,14 @@ Errors errorsOf(const CommPtr& comm, const Case& given, const std::string& cell,
 }
 
 const std::vector<std::string> kCells{"Triangle3", "Quadrilateral4", "Triangle6", "Quadrilateral8", "Quadrilateral9"};
-const std::vector<std::string> kMonolithicScene{"Outer Solver/Type=Monolithic"};
+const std::vector<std::string> kMonolithic{"Outer Solver/Type=Monolithic"};
 
 TEUCHOS_UNIT_TEST(ExactErrors, FallWithTheOrdersOfTheory) {
   if (world()->getSize() > 1) return;  // the same on more ranks, below
   for (const std::string& cell : kCells) {
     const int p = cell == "Triangle3" || cell == "Quadrilateral4" ? 1 : 2;
-    const Errors coarse = errorsOf(world(), {waves(), kMonolithicScene}, cell, 8);
-    const Errors fine = errorsOf(world(), {waves(), kMonolithicScene}, cell, 16);
+    const Errors coarse = errorsOf(world(), {waves(), kMonolithic}, cell, 8);
+    const Errors fine = errorsOf(world(), {waves(), kMonolithic}, cell, 16);
     TEST_EQUALITY(fine.size(), 4u);
     const double displacement = std::log2(coarse.at("displacement_l2") / fine.at("displacement_l2"));
     const double energy = std::log2(coarse.at("energy_norm") / fine.at("energy_norm"));
@@ -176,8 +171,8 @@ TEUCHOS_UNIT_TEST(ExactErrors, OfThePressureFallWithTheOrdersOfTheSides) {
   if (world()->getSize() > 1) return;
   for (const std::string& cell : kCells) {
     const int p = cell == "Triangle3" || cell == "Quadrilateral4" ? 1 : 2;
-    const Errors coarse = errorsOf(world(), {squeezed(), kMonolithicScene}, cell, 8);
-    const Errors fine = errorsOf(world(), {squeezed(), kMonolithicScene}, cell, 16);
+    const Errors coarse = errorsOf(world(), {squeezed(), kMonolithic}, cell, 8);
+    const Errors fine = errorsOf(world(), {squeezed(), kMonolithic}, cell, 16);
     const double pressure = std::log2(coarse.at("pressure_l2") / fine.at("pressure_l2"));
     const double displacement = std::log2(coarse.at("displacement_l2") / fine.at("displacement_l2"));
     out << cell << ": pressure " << fine.at("pressure_l2_relative") << ", order " << pressure << "; displacement "
@@ -190,7 +185,7 @@ TEUCHOS_UNIT_TEST(ExactErrors, OfThePressureFallWithTheOrdersOfTheSides) {
 
 TEUCHOS_UNIT_TEST(ExactErrors, OfALinearFieldAreRounding) {
   for (const std::string& cell : kCells)
-    for (const auto& settings : {kMonolithicScene, std::vector<std::string>{}}) {
+    for (const auto& settings : {kMonolithic, std::vector<std::string>{}}) {
       const Errors errors = errorsOf(world(), {patch(), settings}, cell, 4);
       out << cell << ": " << errors.at("displacement_l2_relative") << ", " << errors.at("energy_norm_relative") << "\n";
       TEST_COMPARE(errors.at("displacement_l2_relative"), <, 1e-12);
@@ -206,10 +201,10 @@ void compare(const Errors& errors, const Errors& reference, double tolerance, bo
 TEUCHOS_UNIT_TEST(ExactErrors, AreTheSameOnAnyRanksAndByMonolithic) {
   for (const std::string& text : {waves(), squeezed()})
     for (const char* cell : {"Triangle3", "Quadrilateral9"}) {
-      const Errors reference = errorsOf(alone(), {text, kMonolithicScene}, cell, 8);
+      const Errors reference = errorsOf(alone(), {text, kMonolithic}, cell, 8);
       TEST_EQUALITY(reference.size(), text == waves() ? 4u : 6u);
       compare(errorsOf(world(), {text}, cell, 8), reference, 1e-10, success, out);
-      compare(errorsOf(world(), {text, kMonolithicScene}, cell, 8), reference, 1e-10, success, out);
+      compare(errorsOf(world(), {text, kMonolithic}, cell, 8), reference, 1e-10, success, out);
     }
 }
 
@@ -310,7 +305,7 @@ TEUCHOS_UNIT_TEST(PressureField, GivesBackThePolynomialWhoseForcesAreGiven) {
     pairs[i].id = i;
     pairs[i].line = 0;
     pairs[i].node = 2 * i;
-    pairs[i].status = PairStatus::Slip;
+    pairs[i].state = PairStatus::Slip;
   }
   for (int i = 0; i < 3; ++i) {
     const double h = ends[i + 1] - ends[i];
@@ -333,7 +328,7 @@ TEUCHOS_UNIT_TEST(PressureField, GoesOnIntoAHeldEnd) {
       pair.id = static_cast<int>(pairs.size());
       pair.line = 0;
       pair.node = node;
-      pair.status = PairStatus::Slip;
+      pair.state = PairStatus::Slip;
       const double side = nodes == 2 ? 0.25 : node % 2 ? 1.0 / 3 : 1.0 / 12;  // its share of one side of length 1/2
       pair.force = q * side * (node == 2 ? 2 : 1);
       pairs.push_back(pair);

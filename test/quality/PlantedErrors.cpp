@@ -55,10 +55,10 @@ PLANT(AFixedBodyMoved, pressedBlocks(), "prescribed", {
 
 // Contact.
 PLANT(AClosedPairCalledOpen, looseBlock(), "status", {
-  if (const int pair = answer.strongest(); pair >= 0) answer.pairs[pair].status = PairStatus::Open;
+  if (const int pair = answer.strongest(); pair >= 0) answer.pairs[pair].state = PairStatus::Open;
 })
 PLANT(AnOpenPairCalledClosed, looseBlock(), "status", {
-  if (const int pair = answer.widest(); pair >= 0) answer.pairs[pair].status = PairStatus::Slip;
+  if (const int pair = answer.widest(); pair >= 0) answer.pairs[pair].state = PairStatus::Slip;
 })
 PLANT(AForceScaled, looseBlock(), "residual", {
   if (const int pair = answer.strongest(); pair >= 0) answer.pairs[pair].force *= 1.001;
@@ -103,7 +103,7 @@ PLANT(AMortarNodePushedIn, mortarBlock(), "penetration", {
   answer.move(1, [&](const Point&, double* u) { u[1] -= shift; });
 })
 PLANT(AMortarPairCalledOpen, mortarBlock(), "status", {
-  if (const int pair = answer.strongest(); pair >= 0) answer.pairs[pair].status = PairStatus::Open;
+  if (const int pair = answer.strongest(); pair >= 0) answer.pairs[pair].state = PairStatus::Open;
 })
 PLANT(AnObstaclesForceScaled, blockOnObstacle(), "residual", {
   if (const int pair = answer.strongest(); pair >= 0) answer.pairs[pair].force *= 1.001;

@@ -15,7 +15,7 @@ std::vector<PairResult> piece(int count, const std::function<double(int)>& press
     pair.piece = 0;
     pair.arc = 0.1 * i;
     pair.pressure = std::max(0.0, pressure(i));
-    pair.status = pair.pressure > 0 ? PairStatus::Slip : PairStatus::Open;
+    pair.state = pair.pressure > 0 ? PairStatus::Slip : PairStatus::Open;
   }
   return pairs;
 }

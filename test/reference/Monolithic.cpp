@@ -56,7 +56,7 @@ TEUCHOS_UNIT_TEST(Monolithic, PassesThePatchTestForAnyRatioOfYoungModuli) {
     TEST_COMPARE(error, <, 1e-11 * by);
     for (const PairResult& pair : result.pairs) {
       TEST_FLOATING_EQUALITY(pair.pressure, pressure, 1e-11);
-      TEST_ASSERT(pair.status == PairStatus::Slip);
+      TEST_ASSERT(pair.state == PairStatus::Slip);
       TEST_COMPARE(std::abs(pair.gap), <, 1e-12 * by);
     }
     // Forces and energy come from the displacement, whose last digit is that much force in a body so much stiffer.
@@ -79,7 +79,7 @@ TEUCHOS_UNIT_TEST(Monolithic, ClosesAGapBeforeItPresses) {
     TEST_ASSERT(result.converged);
     const bool touches = by > scene.gap;
     for (const PairResult& pair : result.pairs) {
-      TEST_ASSERT(pair.status == (touches ? PairStatus::Slip : PairStatus::Open));
+      TEST_ASSERT(pair.state == (touches ? PairStatus::Slip : PairStatus::Open));
       TEST_COMPARE(std::abs(pair.gap - std::max(0.0, scene.gap - by)), <, 1e-12);
       TEST_EQUALITY(pair.initialGap, scene.gap);
     }
@@ -179,7 +179,7 @@ TEUCHOS_UNIT_TEST(Monolithic, OpensWhatTheEnumerationOfAllActiveSetsOpens) {
     TEST_ASSERT(result.converged);
     TEST_COMPARE((result.displacement - expected).norm(), <, 1e-11 * expected.norm());
     for (int i = 0; i < p; ++i) {
-      TEST_EQUALITY(result.pairs[i].status == PairStatus::Slip, force[i] > 0);
+      TEST_EQUALITY(result.pairs[i].state == PairStatus::Slip, force[i] > 0);
       TEST_COMPARE(std::abs(result.pairs[i].force - force[i]), <, 1e-9 * force.maxCoeff());
       (force[i] > 0 ? closed : open) += 1;
     }
@@ -227,7 +227,7 @@ TEUCHOS_UNIT_TEST(Monolithic, OrderingChangesTheFactorNotTheAnswer) {
   TEST_INEQUALITY(amd.factorEntries, metis.factorEntries);
   TEST_COMPARE((amd.displacement - metis.displacement).norm(), <, 1e-11 * amd.displacement.norm());
   for (std::size_t i = 0; i < amd.pairs.size(); ++i) {
-    TEST_ASSERT(amd.pairs[i].status == metis.pairs[i].status);
+    TEST_ASSERT(amd.pairs[i].state == metis.pairs[i].state);
     TEST_COMPARE(std::abs(amd.pairs[i].force - metis.pairs[i].force), <, 1e-9 * totalForce(amd));
   }
 }

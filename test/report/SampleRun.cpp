@@ -127,7 +127,7 @@ void SampleRun::makeSolution() {
     suture::PairResult pair;
     pair.id = i;
     pair.line = pair.piece = i == 3 ? 1 : 0;
-    pair.status = i == 2 ? PairStatus::Open : PairStatus::Slip;
+    pair.state = i == 2 ? PairStatus::Open : PairStatus::Slip;
     pair.initialGap = 1e-3;
     pair.gap = gap[i];
     pair.force = force[i];

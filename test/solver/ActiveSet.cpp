@@ -14,7 +14,7 @@ struct Passing : InterfaceProblem {
   explicit Passing(const InterfaceProblem& given) : real(given) {}
   const std::shared_ptr<const InterfaceSpace>& space() const override { return real.space(); }
   InterfaceState initialState() const override { return real.initialState(); }
-  InterfaceState stateOf(const std::vector<Vector>& values, const std::map<int, PairStatus>& status) const override {
+  InterfaceState stateOf(const std::vector<Vector>& values, const std::map<int, ContactState>& status) const override {
     return real.stateOf(values, status);
   }
   Evaluation evaluate(const InterfaceState& state, double resolution) const override { return real.evaluate(state, resolution); }
@@ -23,7 +23,7 @@ struct Passing : InterfaceProblem {
   void update(InterfaceState& state, const MultiVector& step, double length, const Matrix* image) const override {
     real.update(state, step, length, image);
   }
-  std::vector<int> differing(const ContactStatus& a, const ContactStatus& b) const override { return real.differing(a, b); }
+  std::vector<int> differing(const ContactStates& a, const ContactStates& b) const override { return real.differing(a, b); }
   Recovered recover(const InterfaceState& state) const override { return real.recover(state); }
   int pieces() const override { return real.pieces(); }
   int pairs() const override { return real.pairs(); }
@@ -63,7 +63,7 @@ TEUCHOS_UNIT_TEST(ActiveSet, GoesOnFromASolution) {
   own.set("Inner Tolerance", 1e-3);
   // every rank must know the status of the pairs it sees, not of those that it reports
   const ClosedSet closed = one.problem.closedSet(first.state.status);
-  std::map<int, PairStatus> status;
+  std::map<int, ContactState> status;
   for (std::size_t i = 0; i < closed.size(); ++i) status[static_cast<int>(i)] = closed[i] ? PairStatus::Slip : PairStatus::Open;
   const InterfaceState start = one.problem.stateOf(one.problem.interiors(first.state), status);
   const OuterResult again = Registry<OuterSolver>::instance().make("Active Set", own)->solve(one.problem, settings, silent, &start);

@@ -1,5 +1,6 @@
 // Tolerance = Automatic against the solution of the same mesh to ten digits.
-#include <suture/solver/Decomposition.hpp>
+#include <suture/solver/SolveInterface.hpp>
+#include <suture/solver/accuracy/RequestedAccuracy.hpp>
 
 #include <Teuchos_UnitTestHarness.hpp>
 #include <interface/ContactScenes.hpp>

@@ -33,7 +33,7 @@ Distance distance(const Blocks& all, const InterfaceProblem::Recovered& found, c
   for (const PairResult& pair : reference.pairs) largestForce = std::max(largestForce, std::abs(pair.force));
   for (const PairForce& pair : found.pairs) {
     mine[1] = std::max(mine[1], std::abs(pair.force - reference.pairs[pair.id].force));
-    mine[2] += pair.status != reference.pairs[pair.id].status;
+    mine[2] += pair.state != reference.pairs[pair.id].state;
   }
   Teuchos::reduceAll(*world(), Teuchos::REDUCE_MAX, 2, mine, result);
   Teuchos::reduceAll(*world(), Teuchos::REDUCE_SUM, 1, mine + 2, result + 2);

@@ -32,7 +32,7 @@ void allAgree(const Scene& scene, bool& success, Teuchos::FancyOStream& out) {
   const MonolithicResult reference = monolithic(scene);
   TEST_ASSERT(reference.converged);
   int closed = 0;
-  for (const PairResult& pair : reference.pairs) closed += pair.status != PairStatus::Open;
+  for (const PairResult& pair : reference.pairs) closed += pair.state.closed();
   TEST_COMPARE(closed, >, 0);
   TEST_COMPARE(closed, <, int(reference.pairs.size()));  // else it would not be a contact problem
 

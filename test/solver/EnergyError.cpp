@@ -1,5 +1,5 @@
 // The error of conjugate gradients in the energy norm, estimated from their coefficients, against the true one.
-#include <suture/solver/EnergyError.hpp>
+#include <suture/solver/accuracy/EnergyError.hpp>
 
 #include <Teuchos_UnitTestHarness.hpp>
 #include <Tpetra_MultiVector.hpp>

@@ -267,13 +267,13 @@ TEUCHOS_UNIT_TEST(InterfaceProblems, RecoveredStatesAreTheSameStates) {
     for (std::size_t i = 0; i < interiors.size(); ++i)
       TEST_COMPARE((interiors[i] - found.freeValues[i]).norm(), <=, 1e-12 * (1e-300 + interiors[i].norm()));
 
-    std::map<int, PairStatus> mine;
-    for (const PairForce& pair : found.pairs) mine[pair.id] = pair.status;
+    std::map<int, ContactState> mine;
+    for (const PairForce& pair : found.pairs) mine[pair.id] = pair.state;
     Packer packer;
     packer.put(mine);
-    std::map<int, PairStatus> status;
+    std::map<int, ContactState> status;
     for (const std::string& bytes : allGather(*world(), packer.bytes()))
-      for (const auto& [pair, of] : Unpacker(bytes).get<std::map<int, PairStatus>>()) status[pair] = of;
+      for (const auto& [pair, of] : Unpacker(bytes).get<std::map<int, ContactState>>()) status[pair] = of;
     const InterfaceState again = one.problem->stateOf(found.freeValues, status);
     MultiVector difference(*again.trace, Teuchos::Copy);
     difference.update(-1.0, *here.trace, 1.0);

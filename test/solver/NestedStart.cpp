@@ -2,7 +2,8 @@
 #include <Teuchos_UnitTestHarness.hpp>
 #include <interface/DenseSpace.hpp>
 #include <solver/ContactMethods.hpp>
-#include <suture/solver/NestedStart.hpp>
+#include <suture/solver/SolveInterface.hpp>
+#include <suture/solver/nested/NestedStart.hpp>
 
 namespace suture {
 namespace {
@@ -62,11 +63,11 @@ TEUCHOS_UNIT_TEST(NestedStart, InterpolatesLinearFieldsOfEachBodyExactly) {
 TEUCHOS_UNIT_TEST(NestedStart, BeginsWithTheDisplacementsOnTheInterface) {
   const Blocks coarse(pressedBlocks(), world(), std::vector<double>(), false);
   const OnInterface fine(pressedBlocks(3), world());
-  const InterfaceState state = nestedStart(*world(), linearAnswer(coarse), fine.problem, fine.all.subdomains);
+  const InterfaceState state = stateOf(nestedStart(*world(), linearAnswer(coarse), fine.all.meshes), fine.problem, fine.all.subdomains);
   std::vector<Vector> exact;
   for (std::size_t s = 0; s < fine.all.subdomains.size(); ++s)
     exact.push_back(fine.all.subdomains[s]->freeValues(linear(fine.all.meshes[s])));
-  std::map<int, PairStatus> closed;  // no pairs in the coarse answer
+  std::map<int, ContactState> closed;  // no pairs in the coarse answer
   const InterfaceState expected = fine.problem.stateOf(exact, closed);
   const DenseSpace all(*fine.problem.space());
   TEST_COMPARE(all.dense(*expected.trace).norm(), >, 1.0);
@@ -78,30 +79,30 @@ TEUCHOS_UNIT_TEST(NestedStart, FinePairsBetweenTwoOfOneStatusHaveIt) {
   const Scene coarseScene = pressedBlocks(), fineScene = pressedBlocks(3);
   const Blocks coarse(coarseScene, world(), std::vector<double>(), false);
   CoarseAnswer answer = linearAnswer(coarse);
-  std::map<int, PairStatus> coarseStatus;
-  const std::vector<PairStatus> pattern{PairStatus::Slip, PairStatus::Slip, PairStatus::Open, PairStatus::Open,
-                                        PairStatus::Open, PairStatus::Slip, PairStatus::Open};
+  std::map<int, ContactState> coarseStatus;
+  const std::vector<ContactState> pattern{PairStatus::Slip, PairStatus::Slip, PairStatus::Open, PairStatus::Open,
+                                          PairStatus::Open, PairStatus::Slip, PairStatus::Open};
   TEST_EQUALITY(coarseScene.constraints.pairs.size(), pattern.size());
   for (const ContactPair& pair : coarseScene.constraints.pairs) {
     PairResult result;
     result.id = pair.id;
     result.line = pair.line;
     result.arc = pair.arc;
-    result.status = coarseStatus[pair.id] = pattern.at(pair.id);
+    result.state = coarseStatus[pair.id] = pattern.at(pair.id);
     if (world()->getRank() == 0) answer.solution.pairs.push_back(result);  // as recover() leaves it
   }
   // Three fine steps to a coarse one: fine pair 3 c + k lies between the coarse pairs c and c + 1, nearer to c for k = 1.
-  std::map<int, PairStatus> expected;
+  std::map<int, ContactState> expected;
   for (const ContactPair& pair : fineScene.constraints.pairs) {
     const int before = pair.id / 3, k = pair.id % 3;
     expected[pair.id] = pattern.at(k == 2 ? before + 1 : before);
     TEST_FLOATING_EQUALITY(1.0 + pair.arc, 1.0 + coarseScene.constraints.pairs[before].arc + k / 9.0, 1e-12);
   }
   const OnInterface fine(fineScene, world());
-  const InterfaceState state = nestedStart(*world(), answer, fine.problem, fine.all.subdomains);
+  const InterfaceState state = stateOf(nestedStart(*world(), answer, fine.all.meshes), fine.problem, fine.all.subdomains);
   TEST_ASSERT(fine.problem.differing(state.status, fine.problem.stateOf(zeros(fine.all), expected).status).empty());
   TEST_EQUALITY(fine.problem.differing(state.status, fine.problem.initialState().status).size(),
-                std::size_t(std::count_if(expected.begin(), expected.end(), [](const auto& e) { return e.second == PairStatus::Open; })));
+                std::size_t(std::count_if(expected.begin(), expected.end(), [](const auto& e) { return !e.second.closed(); })));
 }
 
 TEUCHOS_UNIT_TEST(NestedStart, LeadsToTheSameSolutionInFewerSteps) {
@@ -111,7 +112,7 @@ TEUCHOS_UNIT_TEST(NestedStart, LeadsToTheSameSolutionInFewerSteps) {
   Parameters scene;
   scene.sublist("Outer Solver").set("Type", std::string("Active Set"));
   const CoarseAnswer answer{coarse.all.meshes, recover(*world(), coarse.problem, onCoarse, coarse.all.subdomains, scene)};
-  const InterfaceState start = nestedStart(*world(), answer, fine.problem, fine.all.subdomains);
+  const InterfaceState start = stateOf(nestedStart(*world(), answer, fine.all.meshes), fine.problem, fine.all.subdomains);
 
   const OuterResult from = solveWith("Active Set", fine.problem, 1e-10, "BDDC", &start), plain = solveWith("Active Set", fine.problem);
   TEST_ASSERT(from.converged && plain.converged);

@@ -2,6 +2,7 @@
 // contact problem has the reference's solution.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <solver/SceneChoices.hpp>
+#include <suture/interface/CondensedProblem.hpp>
 #include <suture/precond/PrimalConstraints.hpp>
 #include <suture/precond/Weighting.hpp>
 #include <suture/precond/coarse/CoarseSpace.hpp>
@@ -27,14 +28,15 @@ template <typename Base>
 void checkEntries(const std::string& path, bool& success, Teuchos::FancyOStream& out) {
   const auto& registry = Registry<Base>::instance();
   TEST_COMPARE(registry.names().size(), >=, 2);
-  const std::string list = path.substr(0, path.rfind('/')), parameter = path.substr(path.rfind('/') + 1);
+  const std::size_t slash = path.rfind('/');
+  const std::string list = slash == std::string::npos ? "" : path.substr(0, slash), parameter = path.substr(list.empty() ? 0 : slash + 1);
   for (const std::string& name : registry.names()) {
     out << Base::kind() << " " << name << "\n";
     isDocumented(name, registry.schemas().at(name), success, out);
     // Parameters of a scene that names the strategy and nothing else.
     Parameters scene = solverParameters({path + "=" + name});
     Parameters* own = &scene;
-    for (std::size_t at = 0, end = 0; end != std::string::npos; at = end + 1) {
+    for (std::size_t at = 0, end = 0; !list.empty() && end != std::string::npos; at = end + 1) {
       end = list.find('/', at);
       own = &own->sublist(list.substr(at, end == std::string::npos ? end : end - at));
     }
@@ -55,20 +57,13 @@ void isTheReferences(const Scene& scene, const MonolithicResult& reference, cons
                      bool& success, Teuchos::FancyOStream& out) {
   int solved = 0;
   for (const std::string& formulation : formulations()) {
-    const Parameters wanted = solverParameters(settings);
-    std::string method = wanted.sublist("Outer Solver").get<std::string>("Type");
     std::vector<std::string> all = settings;
-    if (!solvesFormulation(method, formulation)) {
-      // A setting that chooses no method is for every formulation: by the first method that fits.
-      if (std::any_of(settings.begin(), settings.end(), [](const std::string& s) { return s.rfind("Outer Solver/Type", 0) == 0; }))
-        continue;
-      for (const char* other : {"Semismooth Newton", "Active Set"})
-        if (solvesFormulation(other, formulation)) method = other;
-      all.push_back("Outer Solver/Type=" + method);
-    }
+    all.push_back("Formulation=" + formulation);
+    const Parameters wanted = solverParameters(all);
+    if (!makeStrategy<OuterSolver>(wanted.sublist("Outer Solver"), "Type")->solves(*formulationOf(wanted))) continue;  // settings chose it
     for (const std::string& setting : all) out << setting << "; ";
-    out << formulation << "\n";
-    const Formulated one(scene, world(), formulation, all);
+    out << "\n";
+    const Formulated one(scene, world(), formulation, settings);
     Monitor silent;
     const OuterResult result = solveInterface(*one.problem, one.parameters, silent);
     TEST_ASSERT(result.converged);
@@ -100,10 +95,55 @@ void checkRegistry(const std::vector<std::string>& paths, const std::vector<std:
   }
 }
 
+/// A formulation of a user's own.
+class Borrowed : public Formulation {
+ public:
+  bool keepsGroupsWhole() const override { return true; }
+  bool hidesContact() const override { return true; }
+  std::string outerSolver() const override { return "Chord"; }
+
+ protected:
+  std::unique_ptr<InterfaceProblem> doMake(const CommPtr& comm, const Partition& partition,
+                                           const std::vector<std::unique_ptr<Subdomain>>& subdomains, const LocalAlgebra& algebra,
+                                           const ContactLaws&) const override {
+    return std::make_unique<CondensedProblem>(comm, partition, subdomains, algebra.solver, algebra.schur);
+  }
+};
+const Registration<Formulation> borrowed("Borrowed Groups", Schema("groups of a user's own"),
+                                         [](const Parameters&) { return std::make_unique<Borrowed>(); });
+
 const std::vector<std::string> precise = {"Outer Solver/Tolerance=1e-10"};
 
 TEUCHOS_UNIT_TEST(Registries, EveryOuterSolver) {
   checkRegistry<OuterSolver>({"Outer Solver/Type"}, {"Outer Solver/Tolerance=1e-8", "Outer Solver/Maximum Iterations=2000"}, success, out);
+}
+TEUCHOS_UNIT_TEST(Registries, EveryFormulation) {
+  checkEntries<Formulation>("Formulation", success, out);
+  const Scene scene = pressedBlocks();
+  Monitor silent;
+  const MonolithicResult reference = solveMonolithic(scene.mesh, scene.constraints, scene.model, MonolithicOptions(), silent);
+  isTheReferences(scene, reference, precise, 1e-6, success, out);  // in every one
+}
+TEUCHOS_UNIT_TEST(Registries, AFormulationAlonePicksAnOuterSolverThatFits) {
+  for (const std::string& formulation : formulations()) {
+    const Parameters scene = solverParameters({"Formulation=" + formulation});
+    const auto solver = scene.sublist("Outer Solver").get<std::string>("Type");
+    out << formulation << ": " << solver << "\n";
+    TEST_EQUALITY(solver, formulationOf(scene)->outerSolver());
+    TEST_NOTHROW(checkCombination(scene));
+  }
+  TEST_EQUALITY(solverParameters({}).sublist("Outer Solver").get<std::string>("Type"), "Active Set");
+}
+TEUCHOS_UNIT_TEST(Registries, AChosenOuterSolverThatDoesNotFitIsRefusedWithThoseThatDo) {
+  try {
+    checkCombination(solverParameters({"Formulation=Borrowed Groups", "Outer Solver/Type=Active Set"}));
+    TEST_ASSERT(false);
+  } catch (const InputError& error) {
+    TEST_EQUALITY(error.problems()[0].path, "Outer Solver/Type");
+    TEST_EQUALITY(error.problems()[0].message,
+                  "'Active Set' does not solve the formulation 'Borrowed Groups'. Those that do: Chord, Semismooth Newton, Successive "
+                  "Approximation, Monolithic. Or choose the Formulation 'Contact On The Interface'");
+  }
 }
 TEUCHOS_UNIT_TEST(Registries, EveryPreconditioner) { checkRegistry<Preconditioner>({"Preconditioner/Type"}, precise, success, out); }
 TEUCHOS_UNIT_TEST(Registries, EveryWeighting) {

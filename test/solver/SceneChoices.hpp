@@ -1,6 +1,7 @@
 #pragma once
 #include <solver/ContactMethods.hpp>
-#include <suture/solver/Decomposition.hpp>
+#include <suture/interface/Formulation.hpp>
+#include <suture/solver/SolveInterface.hpp>
 
 namespace suture::blocks {
 
@@ -21,7 +22,7 @@ struct Formulated {
 
   Formulated(const Scene& scene, const CommPtr& comm, const std::string& formulation, std::vector<std::string> settings = {})
       : parameters(solverParameters((settings.push_back("Formulation=" + formulation), settings))),
-        all(scene, comm, std::vector<double>(), isCondensed(parameters)),
+        all(scene, comm, std::vector<double>(), formulationOf(parameters)->keepsGroupsWhole()),
         problem(makeInterfaceProblem(comm, all.partition, all.subdomains, parameters)) {}
 };
 

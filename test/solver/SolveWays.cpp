@@ -18,7 +18,7 @@ Parameters defaultsOf(const Scene& scene, const std::string& way, std::vector<st
   for (const std::string& body : scene.model.bodies) text += "<ParameterList name=\"" + body + "\"/>";
   text += "</ParameterList></ParameterList>";
   settings.push_back("Outer Solver/Type=" + way);
-  settings.push_back(std::string("Formulation=") + (way == "Semismooth Newton" ? kCondensedGroups : kContactOnTheInterface));
+  settings.push_back(std::string("Formulation=") + (way == "Semismooth Newton" ? "Condensed Groups" : "Contact On The Interface"));
   return *parseScene(text, "test.xml", schema, settings).parameters;
 }
 
@@ -32,20 +32,15 @@ Solved solveAs(const std::string& way, const Scene& given, std::vector<std::stri
       *comm, mesh, constraints,
       subdomains > 0 ? resolved("Partition", partitionSchema(), {"Type=METIS", "METIS/Subdomains=" + std::to_string(subdomains)})
                      : resolved("Partition", partitionSchema(), {"Type=Named Groups", "Named Groups/Pattern=subdomain_*"}),
-      isCondensed(scene));
+      formulationOf(scene)->keepsGroupsWhole());
   std::vector<SubdomainMesh> meshes = distribute(*comm, mesh, constraints, partition);
   takeOutLift(*comm, given.model, meshes, constraints);
   Solved result;
   Notes notes;
-  Solution solution;
-  if (isMonolithic(scene)) {
-    const auto system = assembleMonolithic(*comm, mesh, constraints, given.model);
-    solution = solveMonolithicScene(*comm, mesh, constraints, system.get(), meshes, scene, notes);
-  } else {
-    const Subdomains all = makeSubdomains(*comm, meshes, given.model);
-    const auto problem = makeInterfaceProblem(comm, partition, all, scene);
-    solution = recover(*comm, *problem, solveInterface(*problem, scene, notes), all, scene);
-  }
+  Timers timers;
+  const auto method = makeMethod(scene, true);
+  method->prepare({comm, mesh, constraints, partition, meshes, given.model, scene}, timers);
+  const Solution solution = method->solve(notes, timers);
   result.verdict = verify(*comm, {meshes, given.model, solution.displacement, solution.pairs, given.constraints.pieces, 1e-8});
   result.converged = solution.converged;
   result.failure = solution.failure;
@@ -109,7 +104,7 @@ BodyByBody compareOnRoot(const Scene& scene, const Solved& found, const scenes::
     long double least = force[mesh.bodyOfNode[pair.ends[0].node]];
     for (const PairEnd& end : pair.ends) least = std::min(least, force[mesh.bodyOfNode[end.node]]);
     if (least > 0) worst.force = std::max(worst.force, double(std::abs(found.pairs.at(pair.id).force - forceOf(pair.id)) / least));
-    worst.otherwise += (found.pairs.at(pair.id).status != PairStatus::Open) != bool(reference.closed[pair.id]);
+    worst.otherwise += (found.pairs.at(pair.id).state.closed()) != bool(reference.closed[pair.id]);
   }
   return worst;
 }

@@ -2,11 +2,12 @@
 #include <interface/ContactScenes.hpp>
 #include <suture/base/Gather.hpp>
 #include <suture/base/scene/SceneReader.hpp>
+#include <suture/interface/Formulation.hpp>
 #include <suture/partition/RigidLift.hpp>
 #include <suture/quality/Verify.hpp>
-#include <suture/reference/MonolithicScene.hpp>
-#include <suture/solver/Decomposition.hpp>
+#include <suture/solver/Method.hpp>
 #include <suture/solver/SolverSchema.hpp>
+#include <suture/solver/solvability/TakeOutLift.hpp>
 
 #include <support/ExtendedReference.hpp>
 

@@ -231,7 +231,7 @@ TEUCHOS_UNIT_TEST(SuccessiveApproximation, EqualsTheMonolithicReferenceAsTheOthe
     int otherwise = 0;
     for (const PairForce& pair : recovered.pairs) {
       forces = std::max(forces, std::abs(pair.force - reference.pairs[pair.id].force));
-      otherwise += pair.status != reference.pairs[pair.id].status;
+      otherwise += pair.state != reference.pairs[pair.id].state;
     }
     TEST_COMPARE(difference, <=, 1e-7 * largest);
     TEST_COMPARE(forces, <=, 1e-6 * largestForce);

@@ -1,6 +1,6 @@
 #include <Teuchos_UnitTestHarness.hpp>
 #include <support/Blocks.hpp>
-#include <suture/solver/TriangleSearch.hpp>
+#include <suture/solver/nested/TriangleSearch.hpp>
 
 namespace suture {
 namespace {

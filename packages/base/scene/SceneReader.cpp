@@ -59,6 +59,7 @@ SceneFile parseScene(const std::string& text, const std::string& path, const Sch
   scene.folder = std::filesystem::path(path).parent_path().string();
   if (scene.folder.empty()) scene.folder = ".";
   scene.text = text;
+  scene.overrides = overrides;
   scene.parameters = Teuchos::rcp(new Parameters(tree.name.empty() ? "Suture" : tree.name));
   resolve(tree, schema, *scene.parameters, problems);
   problems.throwIfAny();

@@ -11,6 +11,7 @@ struct SceneFile {
   std::string path;                     ///< as given
   std::string folder;                   ///< folder that relative names in the file start from
   std::string text;                     ///< verbatim
+  std::vector<std::string> overrides;   ///< applied to it
   Teuchos::RCP<Parameters> parameters;  ///< resolved; sublist names are full paths as Teuchos writes them
 };
 

@@ -99,6 +99,7 @@ class Resolver {
         value(*given, parameter, here, resolved);
       } else if (parameter.fallback) {
         store(*parameter.fallback, parameter.name, true, resolved);
+        if (parameter.fitting) fitting_.push_back({path, &parameter});
       } else if (demanded && !parameter.optional &&
                  (!parameter.with || hasValue(*schema.find(parameter.with->first), parameter.with->second, raw))) {
         problems_.add(here, "is missing and has no default: " + parameter.doc + " (expected " + expectation(parameter) + ")");
@@ -120,6 +121,19 @@ class Resolver {
       }
     }
     if (schema.userLists()) userLists(raw, schema, path, demanded, resolved);
+  }
+
+  /// Defaults that fit the rest of the scene, after all of it.
+  void fitDefaults(Parameters& whole) const {
+    for (const auto& [path, parameter] : fitting_) {
+      Parameters* list = &whole;
+      for (std::size_t begin = 0; begin < path.size();) {
+        const std::size_t end = std::min(path.find('/', begin), path.size());
+        list = &list->sublist(path.substr(begin, end - begin));
+        begin = end + 1;
+      }
+      store(parameter->fitting(whole), parameter->name, true, *list);
+    }
   }
 
  private:
@@ -321,12 +335,15 @@ class Resolver {
   }
 
   Problems& problems_;
+  std::vector<std::pair<std::string, const Schema::Parameter*>> fitting_;  // path of the list; parameter whose default fits the rest
 };
 
 }  // namespace
 
 void resolve(const RawList& tree, const Schema& schema, Parameters& resolved, Problems& problems) {
-  Resolver(problems).list(tree, schema, "", true, resolved);
+  Resolver resolver(problems);
+  resolver.list(tree, schema, "", true, resolved);
+  if (problems.empty()) resolver.fitDefaults(resolved);
 }
 
 }  // namespace suture

@@ -163,6 +163,13 @@ Schema& Schema::optional() {
   return *this;
 }
 
+Schema& Schema::fittingDefault(std::function<std::string(const Parameters& whole)> find) {
+  if (parameters_.empty() || parameters_.back().kind != Kind::Text || !parameters_.back().fallback)
+    throw InternalError("Schema::fittingDefault() not behind a text with a default");
+  parameters_.back().fitting = std::move(find);
+  return *this;
+}
+
 Schema& Schema::list(const std::string& name, Schema schema, bool required) {
   claim(name);
   lists_.emplace_back(name, std::move(schema));

@@ -1,6 +1,7 @@
 #pragma once
 #include <suture/base/Types.hpp>
 
+#include <functional>
 #include <limits>
 #include <map>
 #include <memory>
@@ -47,8 +48,9 @@ class Schema {
     std::vector<std::string> allowedDocs;
     std::vector<std::string> words;  ///< Text that may also be a number in `range` ("None | Automatic | value"): the words
     bool numberToo = false;
-    bool choice = false;                                      ///< Text whose allowed names have a sublist each, see Schema::choice
-    std::optional<std::pair<std::string, std::string>> with;  ///< belongs to this value of that choice, beside which it stands
+    bool choice = false;                                          ///< Text whose allowed names have a sublist each, see Schema::choice
+    std::optional<std::pair<std::string, std::string>> with;      ///< belongs to this value of that choice, beside which it stands
+    std::function<std::string(const Parameters& whole)> fitting;  ///< finds the default of a Text from the rest; see fittingDefault()
   };
 
   explicit Schema(std::string doc = "") : doc_(std::move(doc)) {}
@@ -69,6 +71,9 @@ class Schema {
   Schema& texts(const std::string& name, std::optional<std::vector<std::string>> fallback, const std::string& doc);
   /// The parameter added last may be absent (has no default, is not required).
   Schema& optional();
+  /// The parameter added last, a Text with a default, has the value that `find` gives where the scene does not give one: it fits the rest
+  /// of the scene, which is resolved before. Without problems in the scene only.
+  Schema& fittingDefault(std::function<std::string(const Parameters& whole)> find);
 
   /// A sublist with a fixed name. A required one must be present in the scene; the others are filled with defaults.
   /// \throws InternalError  if the name is taken by a parameter or list already (as all the functions here that add a name).

@@ -194,13 +194,13 @@ void settleNeutralMotions(const Comm& comm, std::vector<SubdomainMesh>& meshes, 
   if (comm.getRank() == 0)
     for (PairResult& pair : solution.pairs)
       if (classes.idle[pair.id]) {
-        pair.status = PairStatus::Open;
+        pair.state = PairStatus::Open;
         pair.force = pair.pressure = 0.0;  // rounding, which is not worth a note on pressures
       }
 
   const auto take = [&] {  // the displacements have changed
     std::vector<PairForce> forces;
-    for (const PairResult& pair : solution.pairs) forces.push_back({pair.id, pair.status, pair.force});
+    for (const PairResult& pair : solution.pairs) forces.push_back({pair.id, pair.state, pair.force});
     solution.pairs = pairResults(comm, all, solution.displacement, forces);
     pairs.gap = broadcastPairs(comm, solution.pairs, count).gap;
     classes.touching = classify(bodies, pairs, scales).touching;
@@ -213,8 +213,8 @@ void settleNeutralMotions(const Comm& comm, std::vector<SubdomainMesh>& meshes, 
       // PairsAtSolution that the motion has opened carry nothing: their forces were rounding of the moments of others.
       if (comm.getRank() == 0)
         for (PairResult& pair : solution.pairs)
-          if (pair.status != PairStatus::Open && !classes.carrying[pair.id] && !classes.touching[pair.id]) {
-            pair.status = PairStatus::Open;
+          if (pair.state.closed() && !classes.carrying[pair.id] && !classes.touching[pair.id]) {
+            pair.state = PairStatus::Open;
             pair.force = pair.pressure = 0.0;
           }
     }
@@ -228,7 +228,7 @@ void settleNeutralMotions(const Comm& comm, std::vector<SubdomainMesh>& meshes, 
                  solution.neutral);
   }
   if (comm.getRank() == 0)
-    for (PairResult& pair : solution.pairs) pair.touching = pair.status == PairStatus::Open && classes.touching[pair.id];
+    for (PairResult& pair : solution.pairs) pair.touching = !pair.state.closed() && classes.touching[pair.id];
 }
 
 std::string inWords(const NeutralMotion& motion) {

@@ -61,7 +61,7 @@ PairsAtSolution broadcastPairs(const Comm& comm, const std::vector<PairResult>& 
   Matrix all = Matrix::Zero(count, 4);
   if (comm.getRank() == 0)
     for (const PairResult& pair : results)
-      if (pair.id < count) all.row(pair.id) << pair.force, pair.gap, pair.initialGap, pair.status != PairStatus::Open;
+      if (pair.id < count) all.row(pair.id) << pair.force, pair.gap, pair.initialGap, pair.state.closed();
   broadcastBytes(comm, all.data(), sizeof(double) * static_cast<std::size_t>(all.size()));
   pairs.force = all.col(0).cwiseMax(0.0);
   pairs.gap = all.col(1);

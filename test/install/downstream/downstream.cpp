@@ -6,7 +6,7 @@
 #include <suture/constraints/BuildConstraints.hpp>
 #include <suture/mesh/MeshReader.hpp>
 #include <suture/partition/Partition.hpp>
-#include <suture/solver/Decomposition.hpp>
+#include <suture/solver/SolveInterface.hpp>
 #include <suture/solver/SolverSchema.hpp>
 
 #include <Teuchos_DefaultMpiComm.hpp>

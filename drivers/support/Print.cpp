@@ -1,0 +1,32 @@
+#include "Print.hpp"
+
+#include <Teuchos_Comm.hpp>
+#include <cmath>
+#include <iostream>
+#include <suture/report/Console.hpp>
+
+#include "Program.hpp"
+
+namespace suture {
+
+RunResult printDefaults(const Comm& comm, const SceneFile& file) {
+  if (std::ostream* out = consoleOf(comm, false)) *out << toXml(*file.parameters) << std::flush;
+  return {};
+}
+
+void printSizes(const Comm& comm, const Simulation& simulation, const SolveOptions& options) {
+  std::ostream* console = consoleOf(comm, options.quiet && !options.check);
+  if (!console) return;
+  printHeader(*console, comm, simulation.scene().file, simulation.size());
+  if (options.check)
+    *console << "   about " << static_cast<long>(std::ceil(simulation.megabytes())) << " MB of memory for a run\n"
+             << "   nothing wrong was found; nothing was solved (--check)" << std::endl;
+}
+
+void printFailure(const Comm& comm, const Simulation& simulation, const SolveOptions& options) {
+  if (!options.quiet || comm.getRank() != 0 || simulation.ending() == ExitCode::Done) return;
+  const Solution& solution = simulation.solution();
+  std::cerr << "suture_solve: " << (solution.converged ? "" : "not converged: ") << solution.failure << std::endl;
+}
+
+}  // namespace suture

@@ -1,0 +1,111 @@
+#include <suture/base/Collective.hpp>
+#include <suture/base/Errors.hpp>
+#include <suture/base/scene/SceneReader.hpp>
+#include <suture/contact/GroupMemory.hpp>
+#include <suture/interface/CondensedProblem.hpp>
+#include <suture/interface/ContactInterfaceProblem.hpp>
+#include <suture/interface/Formulation.hpp>
+
+#include <Teuchos_ParameterList.hpp>
+
+#include <iomanip>
+#include <map>
+#include <sstream>
+
+namespace suture {
+
+std::unique_ptr<InterfaceProblem> Formulation::make(const CommPtr& comm, const Partition& partition,
+                                                    const std::vector<std::unique_ptr<Subdomain>>& subdomains, const LocalAlgebra& algebra,
+                                                    const ContactLaws& laws) const {
+  if (keepsGroupsWhole())
+    for (const std::vector<int>& group : partition.groups)
+      for (const int subdomain : group)
+        if (partition.rankOf[subdomain] != partition.rankOf[group.front()])
+          throw InternalError("a formulation keeps contact groups whole, but the partition spreads one over ranks");
+  return doMake(comm, partition, subdomains, algebra, laws);
+}
+
+namespace {
+
+constexpr const char* kOnTheInterface = "Contact On The Interface";
+constexpr const char* kMemoryLimit = "Memory Limit";
+
+class ContactOnTheInterface : public Formulation {
+ public:
+  static Schema schema() {
+    return Schema("Closed pairs identify unknowns of the interface; any partition, any length of contact line, on any ranks.");
+  }
+  bool keepsGroupsWhole() const override { return false; }
+  bool hidesContact() const override { return false; }
+  std::string outerSolver() const override { return "Active Set"; }
+
+ protected:
+  std::unique_ptr<InterfaceProblem> doMake(const CommPtr& comm, const Partition& partition,
+                                           const std::vector<std::unique_ptr<Subdomain>>& subdomains, const LocalAlgebra& algebra,
+                                           const ContactLaws& laws) const override {
+    return std::make_unique<ContactInterfaceProblem>(comm, partition, subdomains, algebra.solver, algebra.schur, laws);
+  }
+};
+
+class CondensedGroups : public Formulation {
+ public:
+  static Schema schema() {
+    return Schema("The paper's: contact is hidden inside groups of subdomains, each whole on one rank.")
+        .real(kMemoryLimit, 4096.0,
+              "A group whose factors are estimated to take more is refused before it is factored: it lives on one rank, however many "
+              "there are.",
+              Range::positive(), "MB");
+  }
+  explicit CondensedGroups(const Parameters& own) : limit_(own.get<double>(kMemoryLimit)), path_(pathOf(own, kMemoryLimit)) {}
+  bool keepsGroupsWhole() const override { return true; }
+  bool hidesContact() const override { return true; }
+  std::string outerSolver() const override { return "Semismooth Newton"; }
+
+ protected:
+  std::unique_ptr<InterfaceProblem> doMake(const CommPtr& comm, const Partition& partition,
+                                           const std::vector<std::unique_ptr<Subdomain>>& subdomains, const LocalAlgebra& algebra,
+                                           const ContactLaws& laws) const override {
+    checkMemory(*comm, partition, subdomains);
+    return std::make_unique<CondensedProblem>(comm, partition, subdomains, algebra.solver, algebra.schur, laws);
+  }
+
+ private:
+  /// Groups do not spread over ranks: one that cannot fit is refused before hours are spent on it, or the machine.
+  void checkMemory(const Comm& comm, const Partition& partition, const std::vector<std::unique_ptr<Subdomain>>& subdomains) const {
+    collectively(comm, "measuring the contact groups", [&] {
+      std::map<int, std::vector<const Subdomain*>> membersOf;
+      for (const auto& subdomain : subdomains)
+        if (const int group = partition.groupOf[subdomain->mesh().id]; group >= 0) membersOf[group].push_back(subdomain.get());
+      Problems problems;
+      for (const auto& [group, members] : membersOf) {
+        const GroupMemory memory = groupMemory(members);
+        if (memory.megabytes() <= limit_) continue;
+        std::ostringstream text;
+        text << "contact group " << group + 1 << " of " << members.size() << " subdomains ('" << members.front()->mesh().name
+             << "', ...) has " << memory.unknowns << " unknowns and " << memory.rows
+             << " pairs; factoring it, on one rank, is estimated to take " << std::fixed
+             << std::setprecision(memory.megabytes() < 10 ? 2 : 0) << memory.megabytes() << " MB, more than the limit of "
+             << std::defaultfloat << std::setprecision(6) << limit_
+             << " MB. Raise the limit if the rank has the memory, or choose Formulation '" << kOnTheInterface
+             << "', which needs no group on one rank";
+        problems.add(path_, text.str());
+      }
+      problems.throwIfAny();
+    });
+  }
+
+  double limit_;  // megabytes
+  std::string path_;
+};
+
+}  // namespace
+
+void registerBuiltIns(Registry<Formulation>& registry) {
+  registry.add(kOnTheInterface, ContactOnTheInterface::schema(),
+               [](const Parameters&) { return std::make_unique<ContactOnTheInterface>(); });
+  registry.add("Condensed Groups", CondensedGroups::schema(), [](const Parameters& own) { return std::make_unique<CondensedGroups>(own); });
+}
+
+std::unique_ptr<Formulation> formulationOf(const Parameters& settings) { return makeStrategy<Formulation>(settings, "Formulation"); }
+
+}  // namespace suture

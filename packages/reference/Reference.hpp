@@ -1,0 +1,31 @@
+#pragma once
+#include <suture/reference/Monolithic.hpp>
+#include <suture/reference/MonolithicSystem.hpp>
+#include <suture/solver/Method.hpp>
+
+#include <memory>
+
+namespace suture {
+
+/// The reference within a distributed run: rank 0 solves the whole system by one factorisation, all ranks get their part of the answer.
+/// XML `Outer Solver/Type` = Monolithic.
+class Reference : public Method {
+ public:
+  static Schema schema();
+  Reference(const Parameters& settings, const Parameters& own);
+
+  bool needsWholeMesh() const override { return true; }
+  double megabytes(const Comm& comm, const std::vector<SubdomainMesh>& meshes, GlobalId unknowns) const override;
+
+ protected:
+  bool needsLaw() const override { return true; }
+  void doAssemble(Subdomains subdomains) override;
+  /// \throws NumericalError, InputError
+  Solution doSolve(Monitor& monitor, const Start* start, const Keep& keep) override;
+
+ private:
+  MonolithicOptions options_;
+  std::unique_ptr<const MonolithicSystem> system_;  // on rank 0
+};
+
+}  // namespace suture

@@ -1,0 +1,117 @@
+#include <suture/base/Buffer.hpp>
+#include <suture/base/Collective.hpp>
+#include <suture/base/Errors.hpp>
+#include <suture/base/Timers.hpp>
+#include <suture/interface/Formulation.hpp>
+#include <suture/mesh/MeshReader.hpp>
+#include <suture/simulation/CutStage.hpp>
+
+#include <Teuchos_ParameterList.hpp>
+
+#include <algorithm>
+
+namespace suture {
+
+namespace {
+
+bool mayBeMortar(const Parameters& contact) {
+  const std::vector<std::string> lines = sublistNames(contact);
+  return std::any_of(lines.begin(), lines.end(), [&](const std::string& line) {
+    const Parameters& own = contact.sublist(line);
+    return own.isParameter("Side B") && own.get<std::string>("Coupling") != "Matching Nodes";
+  });
+}
+
+MadeFor madeFor(const Parameters& scene) {
+  MadeFor lists;
+  for (const char* name : {"Bodies", "Boundary Conditions", "Constants", "Contact", "Functions"}) lists[name] = toXml(scene.sublist(name));
+  lists["Model"] = isAxisymmetric(scene) ? "axisymmetric" : "plane";
+  // The gap between curved sides depends on which of the bodies gives way more.
+  if (mayBeMortar(scene.sublist("Contact"))) {
+    lists["Materials"] = toXml(scene.sublist("Materials"));
+    lists["Model"] = scene.get<std::string>("Model");
+  }
+  return lists;
+}
+
+}  // namespace
+
+bool isCut(const Scene& scene) { return scene.settings().sublist("Partition").get<std::string>("Type") == kPartitionedMesh; }
+
+Whole wholeOf(const Comm& comm, const Mesh& mesh, const Constraints& constraints, const Partition& partition) {
+  return {problemSize(comm, mesh, constraints, partition), constraints.pieces,
+          onRoot(comm, "hashing the mesh", [&] { return mesh.hash(); })};
+}
+
+namespace {
+
+std::string bytesOf(const Whole& whole) {
+  Packer packer;
+  packer.put(whole.size);
+  packer.put(whole.hash);
+  packer.put(whole.pieces.size());
+  for (const ContactPiece& piece : whole.pieces) {
+    packer.put(piece.name);
+    packer.put(piece.pairs);
+    packer.put(piece.bodyA);
+    packer.put(piece.bodyB);
+    packer.put(piece.pressureDoubt);
+    packer.put(piece.onAxis);
+  }
+  return std::move(packer).bytes();
+}
+
+Whole wholeFrom(const std::string& bytes) {
+  Unpacker unpacker(bytes);
+  Whole whole;
+  unpacker.get(whole.size);
+  unpacker.get(whole.hash);
+  whole.pieces.resize(unpacker.get<std::size_t>());
+  for (ContactPiece& piece : whole.pieces) {
+    unpacker.get(piece.name);
+    unpacker.get(piece.pairs);
+    unpacker.get(piece.bodyA);
+    unpacker.get(piece.bodyB);
+    unpacker.get(piece.pressureDoubt);
+    unpacker.get(piece.onAxis);
+  }
+  return whole;
+}
+
+}  // namespace
+
+CutMesh cutMesh(const Comm& comm, const Scene& scene, const Mesh& mesh, const Constraints& constraints) {
+  const Parameters& settings = scene.settings();
+  const bool keepsGroupsWhole = formulationOf(settings)->keepsGroupsWhole();
+  CutMesh cut;
+  if (!isCut(scene)) {
+    cut.partition = makePartition(comm, mesh, constraints, settings.sublist("Partition"), keepsGroupsWhole);
+    cut.meshes = distribute(comm, mesh, constraints, cut.partition);
+    cut.partition.share.reset();  // nothing else needs it
+    cut.whole = wholeOf(comm, mesh, constraints, cut.partition);
+    return cut;
+  }
+  const std::string path = meshFile(settings.sublist("Mesh"), scene.file.folder);
+  if (path.empty())
+    throw InputError(pathOf(settings.sublist("Partition"), "Type"),
+                     std::string(kPartitionedMesh) + " needs a Mesh/File of suture_partition; this scene generates its mesh");
+  PartitionedMesh read = readPartitionedMesh(comm, path, madeFor(settings), keepsGroupsWhole);
+  cut.partition = std::move(read.partition);
+  cut.meshes = std::move(read.mine);
+  cut.whole = wholeFrom(read.remarks);
+  return cut;
+}
+
+void addCut(Hdf5File& file, const Mesh& mesh, const Constraints& constraints, const Partition& partition, const Whole& whole,
+            const Scene& scene) {
+  addPartition(file, mesh, constraints, partition, madeFor(scene.settings()), bytesOf(whole));
+}
+
+void forget(Mesh& mesh, Constraints& constraints, Partition& partition) {
+  mesh = Mesh();
+  constraints = Constraints();
+  partition.subdomainOfElement = std::vector<int>();
+  giveBackFreedMemory();
+}
+
+}  // namespace suture

@@ -1,0 +1,54 @@
+#include <suture/base/Collective.hpp>
+#include <suture/quality/ErrorEstimate.hpp>
+#include <suture/quality/ExactErrors.hpp>
+#include <suture/quality/Verify.hpp>
+#include <suture/simulation/JudgeStage.hpp>
+#include <suture/solver/accuracy/RequestedAccuracy.hpp>
+#include <suture/solver/solvability/NeutralMotions.hpp>
+
+#include <Teuchos_Comm.hpp>
+#include <Teuchos_ParameterList.hpp>
+
+namespace suture {
+
+bool wantsErrorEstimate(const Parameters& settings) {
+  return settings.sublist("Output").get<bool>("Error Estimate") || isAutomatic(settings);
+}
+
+void settleMotions(const Comm& comm, std::vector<SubdomainMesh>& meshes, const std::vector<ContactPiece>& pieces, const Scene& scene,
+                   Solution& solution, Monitor& monitor) {
+  if (solution.converged) settleNeutralMotions(comm, meshes, scene.model, solution);
+  if (comm.getRank() == 0) solution.onAxis = axisResults(pieces, solution.pairs);
+  for (const NeutralMotion& motion : solution.neutral) monitor.note(inWords(motion));
+  if (scene.settings().sublist("Outer Solver").get<std::string>("Neutral Motions") != "Least")
+    solution.undetermined = undetermined(solution.neutral);
+  if (!solution.undetermined.empty()) solution.failure = solution.undetermined;
+}
+
+void findErrors(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const Scene& scene, Solution& solution, Timers& timers) {
+  const ElasticModel& model = scene.model;
+  if (!model.exact.empty())
+    solution.errors = timed(timers, "errors", [&] {
+      return exactErrors(comm, meshes, model, scene.settings().sublist("Contact"), solution.displacement, solution.pairs);
+    });
+  if (wantsErrorEstimate(scene.settings()) && !solution.discretisation)
+    solution.discretisation = timed(timers, "estimate", [&] { return estimateError(comm, meshes, model, solution.displacement); });
+}
+
+void verifySolution(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const std::vector<ContactPiece>& pieces,
+                    const Subdomains& subdomains, const Scene& scene, Solution& solution) {
+  const auto own = [&](int mesh) -> std::optional<OwnForces> {
+    if (subdomains.empty() || !subdomains[mesh]) return std::nullopt;
+    return OwnForces{subdomains[mesh]->internalForces(solution.displacement[mesh]), subdomains[mesh]->nodalLoads()};
+  };
+  const double tolerance = requestedAccuracy(scene.settings(), solution);
+  solution.verification = verify(comm, {meshes, scene.model, solution.displacement, solution.pairs, pieces, tolerance, own});
+  collectively(comm, "finding the stresses", [&] {
+    for (std::size_t i = 0; i < subdomains.size(); ++i)
+      if (subdomains[i]) solution.ownStresses[static_cast<int>(i)] = subdomains[i]->stresses(solution.displacement[i]);
+  });
+  if (solution.converged && !solution.verification.holds())
+    solution.failure = "the verdict does not hold: " + solution.verification.failure();
+}
+
+}  // namespace suture

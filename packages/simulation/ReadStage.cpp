@@ -1,0 +1,49 @@
+#include <suture/base/Collective.hpp>
+#include <suture/mesh/Regions.hpp>
+#include <suture/simulation/ReadStage.hpp>
+#include <suture/solver/solvability/Solvability.hpp>
+
+#include <Teuchos_ParameterList.hpp>
+
+namespace suture {
+
+Mesh readBodies(const Comm& comm, const Scene& scene) {
+  Mesh mesh = scene.mesh(comm);
+  collectivelyOnRoot(comm, "checking the mesh", [&] {
+    assignBodies(mesh, scene.model.bodies);
+    assignRegions(mesh, scene.settings().sublist("Bodies"));
+    if (scene.model.axisymmetric) makeAxisymmetric(mesh);
+  });
+  return mesh;
+}
+
+Constraints readConstraints(const Comm& comm, const Mesh& mesh, const Scene& scene) {
+  return onRoot(comm, "building the constraints", [&] { return scene.constraints(mesh); });
+}
+
+void checkElements(const Comm& comm, const Mesh& mesh, const ElasticModel& model) {
+  collectivelyOnRoot(comm, "checking the elements", [&] {
+    Problems problems;
+    checkElements(
+        mesh, [&](int element) { return mesh.bodyOfElement[element]; }, model, problems);
+    problems.throwIfAny();
+  });
+}
+
+void checkElements(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model) {
+  collectively(comm, "checking the elements", [&] {
+    Problems problems;
+    for (const SubdomainMesh& mesh : meshes)
+      checkElements(
+          mesh, [&](int) { return mesh.body; }, model, problems);
+    problems.throwIfAny();
+  });
+}
+
+void checkSolvability(const Comm& comm, const Mesh& mesh, const Constraints& constraints, const ElasticModel& model,
+                      const Partition& partition) {
+  collectivelyOnRoot(comm, "checking that the scene has a solution",
+                     [&] { checkSolvability(mesh, constraints, model, partition.bodiesAreConnected); });
+}
+
+}  // namespace suture

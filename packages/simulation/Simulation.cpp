@@ -1,0 +1,159 @@
+#include <suture/base/Buffer.hpp>
+#include <suture/base/Collective.hpp>
+#include <suture/elasticity/LockingNotes.hpp>
+#include <suture/quality/ExactErrors.hpp>
+#include <suture/report/Checkpoint.hpp>
+#include <suture/report/Report.hpp>
+#include <suture/simulation/JudgeStage.hpp>
+#include <suture/simulation/NestedLevels.hpp>
+#include <suture/simulation/ReadStage.hpp>
+#include <suture/simulation/Simulation.hpp>
+#include <suture/solver/MemoryEstimate.hpp>
+#include <suture/solver/SolverSchema.hpp>
+#include <suture/solver/solvability/TakeOutLift.hpp>
+
+#include <Teuchos_Comm.hpp>
+#include <Teuchos_ParameterList.hpp>
+
+#include <filesystem>
+
+namespace suture {
+
+Simulation::Simulation(const CommPtr& comm, Scene scene, RunMonitor& monitor, Timers& timers)
+    : comm_(comm),
+      scene_(std::move(scene)),
+      monitor_(monitor),
+      timers_(timers),
+      method_(makeMethod(scene_.settings(), !scene_.contacts.empty())),
+      isWhole_(method_->needsWholeMesh() || !isCut(scene_)) {}
+
+Simulation::Simulation(const CommPtr& comm, Scene scene, std::unique_ptr<Silence> silence)
+    : Simulation(comm, std::move(scene), silence->monitor, silence->timers) {
+  silence_ = std::move(silence);
+}
+
+Simulation::Simulation(const CommPtr& comm, Scene scene) : Simulation(comm, std::move(scene), std::make_unique<Silence>()) {}
+
+void Simulation::writeInto(const std::string& folder) {
+  folder_ = folder;
+  output_ = std::make_unique<const RunFolder>(*comm_, folder);
+}
+
+const Solution& Simulation::solve() {
+  read();
+  cut();
+  check();
+  prepare();
+  remark();
+  start();
+  iterate();
+  judge();
+  return solution_;
+}
+
+void Simulation::read() {
+  if (!isWhole_) return;
+  mesh_ = timed(timers_, "read", [&] { return readBodies(*comm_, scene_); });
+  constraints_ = timed(timers_, "read", [&] { return readConstraints(*comm_, mesh_, scene_); });
+}
+
+void Simulation::cut() {
+  cut_ = timed(timers_, "partition", [&] { return cutMesh(*comm_, scene_, mesh_, constraints_); });
+  size_ = cut_.whole.size;
+}
+
+void Simulation::check() {
+  timed(timers_, "partition", [&] {
+    checkElements(*comm_, cut_.meshes, scene_.model);
+    if (isWhole_) checkSolvability(*comm_, mesh_, constraints_, scene_.model, cut_.partition);
+  });
+  checkExactSolution(*comm_, cut_.meshes, scene_.model, scene_.settings().sublist("Contact"));
+  const double limit = scene_.settings().sublist("Subdomain").get<double>("Memory Limit");
+  megabytes_ = checkMemory(*comm_, method_->megabytes(*comm_, cut_.meshes, size_.dofs), limit);
+}
+
+void Simulation::prepare() {
+  liftWork_ = timed(timers_, "partition", [&] { return takeOutLift(*comm_, scene_.model, cut_.meshes, constraints_); });
+  monitor_.shiftEnergy(-liftWork_);
+  if (!method_->needsWholeMesh()) forget(mesh_, constraints_, cut_.partition);
+  const bool needsLaw = !scene_.model.exact.empty() || wantsErrorEstimate(scene_.settings());
+  method_->prepare({comm_, mesh_, constraints_, cut_.partition, cut_.meshes, scene_.model, scene_.settings(), scene_.kinds, scene_.contacts,
+                    scene_.laws, needsLaw},
+                   timers_);
+  size_.interfaceDofs = method_->interfaceUnknowns();
+}
+
+void Simulation::remark() {
+  for (const std::string& note : cut_.partition.notes) monitor_.note(note);
+  for (const std::string& note : lockingNotes(scene_.model)) monitor_.note(note);
+  for (const std::string& note : looseTolerances(scene_.settings())) monitor_.note(note);
+}
+
+void Simulation::start(const std::string& restart) {
+  if (!restart.empty())
+    start_ = readCheckpoint(*comm_, restart, cut_.whole.hash, cut_.meshes);
+  else if (!scene_.levels.empty() && method_->takesStart())
+    start_ = startFromLevels(comm_, scene_, cut_.meshes, monitor_);
+}
+
+void Simulation::iterate() {
+  solution_ = method_->solve(monitor_, timers_, start_ ? &*start_ : nullptr, checkpoints());
+  solution_.energy -= liftWork_;
+  start_.reset();
+}
+
+void Simulation::judge() {
+  const Subdomains subdomains = method_->takeSubdomains();
+  method_.reset();
+  const std::vector<ContactPiece>& pieces = cut_.whole.pieces;
+  timed(timers_, "verify", [&] { settleMotions(*comm_, cut_.meshes, pieces, scene_, solution_, monitor_); });
+  findErrors(*comm_, cut_.meshes, scene_, solution_, timers_);
+  timed(timers_, "verify", [&] { verifySolution(*comm_, cut_.meshes, pieces, subdomains, scene_, solution_); });
+  for (const std::string& note : pressureNotes(*comm_, pieces, solution_)) monitor_.note(note);
+  for (const std::string& note : plausibilityNotes(*comm_, cut_.meshes, pieces, solution_)) monitor_.note(note);
+}
+
+ExitCode Simulation::ending() const {
+  const bool done = solution_.converged && solution_.undetermined.empty() && solution_.verification.holds();
+  return done ? ExitCode::Done : solution_.stopped ? ExitCode::Stopped : ExitCode::Numerical;
+}
+
+namespace {
+std::string checkpointIn(const std::string& folder) { return (std::filesystem::path(folder) / "checkpoint.h5").string(); }
+}  // namespace
+
+void Simulation::writeState(const Solution& solution) const {
+  writeCheckpoint(*comm_, checkpointIn(folder_), cut_.whole.hash, cut_.meshes, solution);
+}
+
+Method::Keep Simulation::checkpoints() {
+  const double every = 60.0 * scene_.settings().sublist("Output").get<double>("Checkpoint Every");
+  if (every <= 0.0 || !output_) return {};
+  return [this, every, last = Timers::now()](const std::function<Solution()>& solution) mutable {
+    int due = comm_->getRank() == 0 && Timers::now() - last >= every;
+    broadcastBytes(*comm_, &due, sizeof due);
+    if (due == 0) return;
+    writeState(solution());
+    last = Timers::now();
+  };
+}
+
+RunResult Simulation::report(const std::vector<std::string>& commandLine) {
+  if (!output_) throw InternalError("a simulation reports without a folder: writeInto() comes first");
+  giveBackFreedMemory();  // what is written needs it
+  const ExitCode code = ending();
+  const Parameters& output = scene_.settings().sublist("Output");
+  // First: who asked for the stop may not wait for the rest.
+  if (code != ExitCode::Done || output.get<bool>("Checkpoint")) writeState(solution_);
+  const Run run{*comm_,    scene_.file, scene_.model, cut_.whole.pieces, cut_.meshes, size_,
+                solution_, monitor_,    timers_,      cut_.whole.hash,   commandLine, folder_};
+  const Written written = writeReport(run, code);
+  if (code == ExitCode::Done && !output.get<bool>("Checkpoint") && output.get<double>("Checkpoint Every") > 0.0 && comm_->getRank() == 0) {
+    std::error_code ignored;
+    std::filesystem::remove(checkpointIn(folder_), ignored);
+  }
+  if (std::ostream* console = monitor_.console()) printFooter(*console, run, written.figures);
+  return {code, solution_.failure, written.summary};
+}
+
+}  // namespace suture

@@ -1,0 +1,104 @@
+#pragma once
+#include <suture/base/Errors.hpp>
+#include <suture/report/OutputFolder.hpp>
+#include <suture/report/RunMonitor.hpp>
+#include <suture/simulation/CutStage.hpp>
+#include <suture/simulation/Scene.hpp>
+#include <suture/solver/Method.hpp>
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace suture {
+
+/// How a run ended.
+struct RunResult {
+  ExitCode code = ExitCode::Done;
+  std::string failure = {};  ///< why it did not converge
+  std::string summary = {};  ///< on rank 0: the text of summary.json; empty if nothing was written
+};
+
+/// The whole way from a scene to its answer. solve() goes it in one call:
+///
+///     const Solution solution = Simulation(comm, scene).solve();
+///
+/// Programs that do something between the stages call these one by one, in the order in which they stand here. Nothing is printed but what
+/// a monitor prints, and nothing is written without writeInto(). All functions are collective, but for those that return what is known.
+/// \throws Error  of any kind, the same on all ranks
+class Simulation {
+ public:
+  /// Silent.
+  Simulation(const CommPtr& comm, Scene scene);
+  /// \param monitor, timers  must outlive it
+  Simulation(const CommPtr& comm, Scene scene, RunMonitor& monitor, Timers& timers);
+  Simulation(const Simulation&) = delete;
+  Simulation& operator=(const Simulation&) = delete;
+
+  /// Takes an output folder and locks it: the files of a run go there, and checkpoints while it solves, if the settings ask for them.
+  /// \throws EnvironmentError
+  void writeInto(const std::string& folder);
+
+  /// All stages but report().
+  const Solution& solve();
+
+  /// Mesh and constraints, if a later stage needs them whole.
+  void read();
+  /// Subdomains on their ranks.
+  void cut();
+  /// Refuses elements that lock, scenes without a solution, exact solutions without a value, runs larger than the memory.
+  void check();
+  /// Takes rigid motions out of the scene, assembles and factors.
+  void prepare();
+  /// Notes for the user on the cut and on the settings.
+  void remark();
+  /// Finds where to begin: the checkpoint of an earlier run of this mesh, or, if `restart` is empty, the answers of the scene's levels.
+  void start(const std::string& restart = "");
+  /// Begins there instead.
+  void startFrom(Start start) { start_ = std::move(start); }
+  /// Solves.
+  void iterate();
+  /// Settles what the solution leaves free, measures its errors, verifies it.
+  void judge();
+  /// Writes the results, and the last lines of the monitor's console. \param commandLine  for the record
+  RunResult report(const std::vector<std::string>& commandLine = {});
+
+  const Scene& scene() const { return scene_; }
+  const Mesh& mesh() const { return mesh_; }                                ///< on rank 0, from read() to prepare()
+  const Constraints& constraints() const { return constraints_; }           ///< likewise
+  const std::vector<SubdomainMesh>& meshes() const { return cut_.meshes; }  ///< of this rank, after cut()
+  const ProblemSize& size() const { return size_; }                         ///< after prepare()
+  double megabytes() const { return megabytes_; }                           ///< memory for all ranks, estimated; after check()
+  const Solution& solution() const { return solution_; }                    ///< after iterate()
+  ExitCode ending() const;                                                  ///< after judge()
+
+ private:
+  struct Silence {
+    RunMonitor monitor{nullptr, false};
+    Timers timers;
+  };
+  Simulation(const CommPtr& comm, Scene scene, std::unique_ptr<Silence> silence);
+  Method::Keep checkpoints();
+  void writeState(const Solution& solution) const;
+
+  CommPtr comm_;
+  Scene scene_;
+  std::unique_ptr<Silence> silence_;
+  RunMonitor& monitor_;
+  Timers& timers_;
+  std::string folder_;
+  std::unique_ptr<const RunFolder> output_;  // null: nothing is written
+  std::unique_ptr<Method> method_;
+  bool isWhole_;  // rank 0 holds the whole mesh until prepare()
+  Mesh mesh_;
+  Constraints constraints_;
+  CutMesh cut_;
+  ProblemSize size_;
+  double megabytes_ = 0.0;
+  double liftWork_ = 0.0;  // of the loads in the motions taken out, which the method's energies lack
+  std::optional<Start> start_;
+  Solution solution_;
+};
+
+}  // namespace suture

@@ -1,0 +1,55 @@
+#include <suture/base/Collective.hpp>
+#include <suture/base/Errors.hpp>
+#include <suture/solver/Decomposition.hpp>
+#include <suture/solver/MemoryEstimate.hpp>
+#include <suture/solver/Method.hpp>
+#include <suture/solver/SolverSchema.hpp>
+
+#include <Teuchos_ParameterList.hpp>
+
+namespace suture {
+
+double Method::megabytes(const Comm&, const std::vector<SubdomainMesh>& meshes, GlobalId) const { return estimatedMegabytes(meshes); }
+
+namespace {
+
+// Sets of closed pairs decide about normals alone: nobody would decide which pairs of such a law stick.
+void checkLaws(const CutScene& scene) {
+  Problems problems;
+  for (int line = 0; line < scene.laws.size(); ++line)
+    if (scene.laws.of(line).rows(2) > 1)
+      problems.add("Contact/" + scene.contacts.at(line) + "/Law",
+                   std::string("restricts sliding, which no outer solver looks for; expected a ") + "law of the normal direction, as " +
+                       Frictionless::kName);
+  problems.throwIfAny();
+}
+
+}  // namespace
+
+void Method::prepare(const CutScene& scene, Timers& timers) {
+  if (scene_) throw InternalError("a method is prepared twice");
+  if (needsWholeMesh())
+    collectivelyOnRoot(*scene.comm, "preparing a method", [&] {
+      if (scene.mesh.elements() == 0) throw InternalError("a method needs the whole mesh, but rank 0 does not hold it");
+    });
+  checkLaws(scene);
+  scene_.emplace(scene);
+  timed(timers, "assemble",
+        [&] { doAssemble(makeSubdomains(*scene.comm, scene.meshes, scene.model, scene.kinds, scene.needsLaw || needsLaw())); });
+  timed(timers, "factor", [&] { doFactor(); });
+  isPrepared_ = true;
+}
+
+Solution Method::solve(Monitor& monitor, Timers& timers, const Start* start, const Keep& keep) {
+  if (!isPrepared_) throw InternalError("a method solves before it is prepared");
+  return timed(timers, "solve", [&] { return doSolve(monitor, start, keep); });
+}
+
+std::unique_ptr<Method> makeMethod(const Parameters& settings, bool contact) {
+  const Parameters& outer = settings.sublist("Outer Solver");
+  if (Registry<Method>::instance().has(outer.get<std::string>("Type"))) return makeStrategy<Method>(outer, "Type", settings);
+  if (contact) checkCombination(settings);
+  return std::make_unique<Decomposition>();
+}
+
+}  // namespace suture

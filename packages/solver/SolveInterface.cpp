@@ -1,0 +1,99 @@
+#include <suture/base/Errors.hpp>
+#include <suture/interface/Formulation.hpp>
+#include <suture/solver/SolveInterface.hpp>
+#include <suture/solver/accuracy/RequestedAccuracy.hpp>
+
+#include <Teuchos_Comm.hpp>
+#include <Teuchos_ParameterList.hpp>
+
+#include <map>
+#include <set>
+
+namespace suture {
+
+std::unique_ptr<InterfaceProblem> makeInterfaceProblem(const CommPtr& comm, const Partition& partition, const Subdomains& subdomains,
+                                                       const Parameters& settings, const ContactLaws& laws) {
+  const Parameters& own = settings.sublist("Subdomain");
+  const auto schur = [&own] { return makeStrategy<SchurComplement>(own, "Schur Complement"); };
+  return formulationOf(settings)->make(comm, partition, subdomains, {localSolverMaker(own), schur}, laws);
+}
+
+InterfaceState stateOf(const Start& start, const InterfaceProblem& problem, const Subdomains& subdomains) {
+  std::vector<Vector> freeValues;
+  for (std::size_t i = 0; i < subdomains.size(); ++i) freeValues.push_back(subdomains[i]->freeValues(start.displacement[i]));
+  return problem.stateOf(freeValues, start.status);
+}
+
+std::string unsettled(const ContactSets& sets, const std::vector<int>& pairs, const std::vector<std::string>& contacts,
+                      const std::vector<std::string>& bodies) {
+  constexpr std::size_t kMost = 10;
+  const RigidContact::Pairs& data = sets.bodies().rigid().data();
+  std::map<int, std::vector<int>> byLine;
+  for (const int pair : pairs) byLine[data.line[pair]].push_back(pair);
+  std::string text;
+  for (const auto& [line, own] : byLine) {
+    std::set<std::string> names;
+    text += "; pairs ";
+    for (std::size_t k = 0; k < own.size(); ++k) {
+      if (k < kMost) text += (k > 0 ? ", " : "") + std::to_string(own[k]);
+      for (const int part : data.bodies[own[k]]) names.insert("'" + bodies.at(sets.bodies().parts()[part].body) + "'");
+    }
+    if (own.size() > kMost) text += " and " + std::to_string(own.size() - kMost) + " more";
+    text += " of contact '" + contacts.at(line) + "' (";
+    for (const std::string& name : names) text += (name == *names.begin() ? "" : ", ") + name;
+    text += ")";
+  }
+  return text +
+         " still open and close from step to step; more Outer Solver/Maximum Iterations, or Outer Solver/Type = Monolithic, may settle "
+         "them";
+}
+
+OuterResult solveInterface(const InterfaceProblem& problem, const Parameters& settings, Monitor& monitor, const InterfaceState* start,
+                           const AutomaticTolerance::Estimate& discretisationError,
+                           const std::function<void(const InterfaceState&)>& accepted) {
+  const Parameters& own = settings.sublist("Outer Solver");
+  OuterSettings outer;
+  if (isAutomatic(settings)) {
+    if (!discretisationError.of) throw InternalError("an automatic tolerance without an estimate of the error");
+    outer.discretisationError = discretisationError;
+  } else {
+    outer.tolerance = std::stod(own.get<std::string>("Tolerance"));
+  }
+  outer.maximumIterations = own.get<int>("Maximum Iterations");
+  outer.maximumInnerIterations = own.get<int>("Maximum Inner Iterations");
+  outer.rigidStart = own.get<std::string>("Start") != "Bilateral";
+  outer.preconditioner = [&settings] { return makePreconditioner(settings.sublist("Preconditioner")); };
+  outer.accepted = accepted;
+  return makeStrategy<OuterSolver>(own, "Type")->solve(problem, outer, monitor, start);
+}
+
+Solution recover(const Comm& comm, const InterfaceProblem& problem, const OuterResult& result, const Subdomains& subdomains,
+                 const Parameters& settings) {
+  const AutomaticTolerance::Recovered before = result.recovered;
+  const InterfaceProblem::Recovered recovered = before ? *before : problem.recover(result.state);
+  Solution solution;
+  solution.converged = result.converged;
+  solution.stopped = result.stopped && !result.converged;
+  solution.failure = result.failure;
+  if (problem.pairs() > 0) solution.outerSolver = settings.sublist("Outer Solver").get<std::string>("Type");
+  solution.outerIterations = result.iterations;
+  solution.pcgTotal = result.pcgTotal;
+  solution.residual = result.residual;
+  solution.energyError = result.energyError;
+  solution.discretisation = result.discretisation;
+  solution.auxiliary = result.auxiliary;
+  solution.estimates = result.estimates;
+  solution.coarseSize = result.coarseSize;
+  solution.setupSeconds = result.setupSeconds;
+  solution.bytesRead = result.bytesRead;
+  solution.chosenSchur = result.chosenSchur;
+  solution.energy = recovered.energy;
+  for (std::size_t i = 0; i < subdomains.size(); ++i) solution.displacement.push_back(subdomains[i]->cartesian(recovered.freeValues[i]));
+
+  std::vector<const SubdomainMesh*> meshes;
+  for (const auto& subdomain : subdomains) meshes.push_back(&subdomain->mesh());
+  solution.pairs = pairResults(comm, meshes, solution.displacement, recovered.pairs);
+  return solution;
+}
+
+}  // namespace suture

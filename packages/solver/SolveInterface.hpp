@@ -1,0 +1,40 @@
+#pragma once
+#include <suture/base/Monitor.hpp>
+#include <suture/interface/InterfaceProblem.hpp>
+#include <suture/solver/Method.hpp>
+#include <suture/solver/OuterSolver.hpp>
+#include <suture/solver/Solution.hpp>
+
+#include <memory>
+
+namespace suture {
+
+/// The steps of Decomposition from assembled subdomains to a solution. `settings` are the resolved lists of the solver packages. All
+/// collective.
+
+/// The problem of the settings' formulation: subdomains and contact groups factored. `subdomains` must outlive it.
+/// \throws NumericalError;  InputError  a contact group larger than the Memory Limit of Condensed Groups
+std::unique_ptr<InterfaceProblem> makeInterfaceProblem(const CommPtr& comm, const Partition& partition, const Subdomains& subdomains,
+                                                       const Parameters& settings, const ContactLaws& laws = {});
+
+/// The state of a problem that belongs to a start.
+InterfaceState stateOf(const Start& start, const InterfaceProblem& problem, const Subdomains& subdomains);
+
+/// Solves with the settings' outer solver and preconditioner, from `start` or, if it is null, from the auxiliary problem.
+/// \param discretisationError  for an automatic tolerance; not asked for another
+/// \param accepted  told the state of every outer iteration but the last, or empty
+/// \throws NumericalError
+OuterResult solveInterface(const InterfaceProblem& problem, const Parameters& settings, Monitor& monitor,
+                           const InterfaceState* start = nullptr, const AutomaticTolerance::Estimate& discretisationError = {},
+                           const std::function<void(const InterfaceState&)>& accepted = {});
+
+/// Why a search for the set of closed pairs did not end: "; pairs 3, 4 of contact 'joint' (bodies 'upper', 'lower') still open ...". Local.
+/// \param pairs  that changed last, not empty;  \param contacts, bodies  names
+std::string unsettled(const ContactSets& sets, const std::vector<int>& pairs, const std::vector<std::string>& contacts,
+                      const std::vector<std::string>& bodies);
+
+/// Interiors, contact and energy of the state that the outer solver ended with.
+Solution recover(const Comm& comm, const InterfaceProblem& problem, const OuterResult& result, const Subdomains& subdomains,
+                 const Parameters& settings);
+
+}  // namespace suture

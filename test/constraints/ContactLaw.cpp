@@ -1,0 +1,109 @@
+#include <Teuchos_UnitTestHarness.hpp>
+#include <limits>
+#include <random>
+#include <suture/constraints/ContactLaw.hpp>
+#include <suture/constraints/PairFrame.hpp>
+
+#include "ConstraintsTesting.hpp"
+#include "RoughLaw.hpp"
+
+using namespace constraintstesting;
+
+namespace {
+
+ContactTrial trial(double force, double jump) {
+  ContactTrial t;
+  t.force[0] = force;
+  t.jump[0] = jump;
+  return t;
+}
+
+}  // namespace
+
+// Signorini: forces f >= 0, gap g >= 0, f g = 0 are equivalent to f = max(0, f - c g) with any c > 0.
+TEUCHOS_UNIT_TEST(ContactLaw, FrictionlessPairsAreClosedWhereTheProjectedForcePresses) {
+  const Frictionless law;
+  for (const double force : {-2.0, 0.0, 3.0})
+    for (const double jump : {-1.5, 0.0, 0.5}) {
+      const double projected = std::max(0.0, force + jump);
+      for (const PairStatus now : {PairStatus::Open, PairStatus::Slip}) {
+        const ContactState next = law.project(trial(force, jump), now);
+        TEST_EQUALITY(next.closed(), force + jump == 0.0 ? now == PairStatus::Slip : projected > 0.0);
+        TEST_ASSERT(next.status != PairStatus::Stick);
+      }
+    }
+  TEST_EQUALITY(law.rows(2), 1);
+  TEST_EQUALITY(law.rows(3), 1);
+  TEST_THROW(law.project(trial(std::numeric_limits<double>::quiet_NaN(), 0.0), {}), NumericalError);
+}
+
+// Contract of every law: a pair that is pressed without slip is closed; its state is the projection of its own force; the decision does
+// not depend on the unit of force; rows are one or as many as the space has dimensions.
+TEUCHOS_UNIT_TEST(ContactLaw, EveryRegisteredLawKeepsTheContract) {
+  TEST_ASSERT(Registry<ContactLaw>::instance().has(Frictionless::kName));
+  for (const std::string& name : Registry<ContactLaw>::instance().names()) {
+    const auto law = Registry<ContactLaw>::instance().make(name, Parameters());
+    for (const int dimension : {2, 3}) TEST_ASSERT(law->rows(dimension) == 1 || law->rows(dimension) == dimension);
+    const ContactState pressed = law->pressed();
+    TEST_ASSERT(pressed.closed());
+    TEST_ASSERT(law->project(trial(1.0, 0.0), pressed) == pressed);
+    TEST_ASSERT(!law->project(trial(0.0, -1.0), pressed).closed());
+    for (const double unit : {1e-30, 1e30}) {
+      TEST_EQUALITY(law->project(trial(unit, 0.0), {}).closed(), true);
+      TEST_EQUALITY(law->project(trial(-unit, 0.0), pressed).closed(), false);
+    }
+  }
+}
+
+// A state that the law may not answer with is told at once.
+TEUCHOS_UNIT_TEST(ContactLaw, RefusesAnswersThatAreNoState) {
+  struct Wrong : RoughLaw {
+    ContactState answer;
+    ContactState doProject(const ContactTrial&, const ContactState&) const override { return answer; }
+  };
+  Wrong law;
+  for (const ContactState& answer : {ContactState(PairStatus::Slip, {0, 2, 0}, 0.0), ContactState(PairStatus::Stick, {0, 1, 0}, 1.0),
+                                     ContactState(PairStatus::Slip, {0, 1, 0}, -1.0)}) {
+    law.answer = answer;
+    TEST_THROW(law.project({}, {}), InternalError);
+  }
+  law.answer = {PairStatus::Slip, {0, 0.6, 0.8}, 2.0};
+  TEST_NOTHROW(law.project({}, {}));
+}
+
+TEUCHOS_UNIT_TEST(ContactLaw, AnOpenPairHoldsNoRowAndAStickingOneAll) {
+  for (int component = 0; component < 3; ++component) {
+    TEST_ASSERT(!ContactState(PairStatus::Open).holds(component));
+    TEST_EQUALITY(ContactState(PairStatus::Slip).holds(component), component == 0);
+    TEST_ASSERT(ContactState(PairStatus::Stick).holds(component));
+  }
+}
+
+TEUCHOS_UNIT_TEST(PairFrame, IsOrthonormalAndRightHanded) {
+  std::mt19937 generator(5);
+  std::vector<Point> normals{{1, 0, 0}, {0, -1, 0}, {0, 0, 1}};
+  for (int k = 0; k < 50; ++k) {
+    Point n{generator() / 2147483647.5 - 1, generator() / 2147483647.5 - 1, generator() / 2147483647.5 - 1};
+    const double length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+    normals.push_back({n[0] / length, n[1] / length, n[2] / length});
+  }
+  for (const Point& n : normals) {
+    const std::vector<Point> frame = pairFrame(n, 3);
+    TEST_EQUALITY(frame.size(), 3u);
+    TEST_ASSERT(frame[0] == n);
+    double worst = 0.0, triple = 0.0;
+    for (int a = 0; a < 3; ++a) {
+      for (int b = 0; b < 3; ++b) {
+        double product = 0.0;
+        for (int k = 0; k < 3; ++k) product += frame[a][k] * frame[b][k];
+        worst = std::max(worst, std::abs(product - (a == b)));
+      }
+      triple += frame[0][a] * (frame[1][(a + 1) % 3] * frame[2][(a + 2) % 3] - frame[1][(a + 2) % 3] * frame[2][(a + 1) % 3]);
+    }
+    TEST_COMPARE(worst, <, 1e-15);
+    TEST_FLOATING_EQUALITY(triple, 1.0, 1e-14);
+  }
+  const std::vector<Point> plane = pairFrame({0.6, 0.8, 0}, 2);
+  TEST_EQUALITY(plane.size(), 2u);
+  TEST_ASSERT((plane[1] == Point{-0.8, 0.6, 0}));
+}
