@@ -17,7 +17,7 @@ std::string at(const char* name) { return std::string(kGroup) + "/" + name; }
 
 /// The form of the file, and the sizes of what is written as it lies in memory: another compiler may lay it out otherwise.
 std::string version() {
-  std::string text = "3";
+  std::string text = "4";
   for (const std::size_t size : {sizeof(NodeRule), sizeof(Side), sizeof(PairEnd), sizeof(SubdomainMesh::ContactEnd),
                                  sizeof(SubdomainMesh::SeamSide), sizeof(Cell), sizeof(std::size_t)})
     text += "." + std::to_string(size);

@@ -1,5 +1,7 @@
 #include <suture/base/Buffer.hpp>
 #include <suture/base/Collective.hpp>
+#include <suture/base/Point.hpp>
+#include <suture/mesh/BoxTree.hpp>
 #include <suture/partition/RigidLift.hpp>
 #include <suture/solver/NestedStart.hpp>
 #include <suture/solver/TriangleSearch.hpp>
@@ -23,26 +25,28 @@ struct Answer {
   Point value{0, 0, 0};
 };
 
-/// Closed or open at a place of a line, from the pairs of another mesh along it.
-class LineStatus {
+/// Closed or open at a place of a contact, from the nearest pair of another mesh there.
+class NearestStatus {
  public:
-  explicit LineStatus(const std::vector<PairResult>& pairs) {
-    for (const PairResult& pair : pairs) lines_[pair.line].push_back({pair.arc, pair.status});
-    for (auto& [line, entries] : lines_) std::sort(entries.begin(), entries.end());
+  explicit NearestStatus(const std::vector<PairResult>& pairs) {
+    std::map<int, std::vector<BoundingBox>> boxes;
+    for (const PairResult& pair : pairs) {
+      pairs_[pair.line].push_back(pair);
+      boxes[pair.line].emplace_back();
+      boxes[pair.line].back().include(pair.position);
+    }
+    for (const auto& [contact, own] : boxes) trees_.emplace(contact, BoxTree(own));
   }
-  PairStatus at(int line, double arc) const {
-    const auto found = lines_.find(line);
-    if (found == lines_.end()) return PairStatus::Slip;
-    const auto& entries = found->second;
-    const auto above = std::lower_bound(entries.begin(), entries.end(), std::make_pair(arc, PairStatus::Open));
-    if (above == entries.begin()) return entries.front().second;
-    if (above == entries.end()) return entries.back().second;
-    const auto below = above - 1;
-    return arc - below->first < above->first - arc ? below->second : above->second;
+  PairStatus at(int contact, const Point& place) const {
+    const auto tree = trees_.find(contact);
+    if (tree == trees_.end()) return PairStatus::Slip;
+    const std::vector<PairResult>& own = pairs_.at(contact);
+    return own[tree->second.nearest(place, [&](int i) { return norm(minus(own[i].position, place)); })].status;
   }
 
  private:
-  std::map<int, std::vector<std::pair<double, PairStatus>>> lines_;
+  std::map<int, std::vector<PairResult>> pairs_;  // by contact
+  std::map<int, BoxTree> trees_;
 };
 
 std::vector<PairResult> onAllRanks(const Comm& comm, const std::vector<PairResult>& pairs) {
@@ -129,10 +133,10 @@ InterfaceState nestedStart(const Comm& comm, const CoarseAnswer& coarse, const I
     freeValues.push_back(subdomains[s]->freeValues(besideLift(subdomains[s]->mesh(), std::move(cartesian))));
   }
 
-  const LineStatus lines(onAllRanks(comm, coarse.solution.pairs));
+  const NearestStatus coarseStatus(onAllRanks(comm, coarse.solution.pairs));
   std::map<int, PairStatus> status;
   for (const auto& subdomain : subdomains)
-    for (const ContactRow& contact : subdomain->mesh().contactRows) status[contact.pair.id] = lines.at(contact.pair.line, contact.pair.arc);
+    for (const ContactRow& row : subdomain->mesh().contactRows) status[row.pair.id] = coarseStatus.at(row.pair.line, row.pair.position);
   return problem.stateOf(freeValues, status);
 }
 
