@@ -18,7 +18,6 @@ namespace suture {
 
 namespace {
 
-
 /// Checks one side of one line.
 class SideCheck {
  public:

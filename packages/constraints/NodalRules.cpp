@@ -13,8 +13,8 @@ namespace suture {
 
 namespace {
 
-const double sameDirection = 1e-6;                                // sine, below which two directions are one
-const double sameValue = 1e-9;                                    // relative
+const double sameDirection = 1e-6;  // sine, below which two directions are one
+const double sameValue = 1e-9;      // relative
 
 /// direction . u = value
 struct Row {

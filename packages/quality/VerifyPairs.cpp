@@ -9,7 +9,6 @@ namespace suture {
 
 namespace {
 
-
 bool isPassive(const BodyScale& body) { return body.loads == 0.0 && body.prescribed == 0.0; }
 
 }  // namespace

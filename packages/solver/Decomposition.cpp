@@ -11,7 +11,9 @@ void Decomposition::doAssemble(Subdomains subdomains) {
   assemble(*scene().comm, subdomains_);
 }
 
-void Decomposition::doFactor() { problem_ = makeInterfaceProblem(scene().comm, scene().partition, subdomains_, scene().settings, scene().laws); }
+void Decomposition::doFactor() {
+  problem_ = makeInterfaceProblem(scene().comm, scene().partition, subdomains_, scene().settings, scene().laws);
+}
 
 Solution Decomposition::doSolve(Monitor& monitor, const Start* start, const Keep& keep) {
   const CutScene& given = scene();
