@@ -13,7 +13,7 @@ namespace suture {
 
 namespace {
 
-constexpr std::size_t kLine = 64, kPage = 4096, kHugePage = std::size_t(1) << 21;
+constexpr std::size_t kCacheLine = 64, kPage = 4096, kHugePage = std::size_t(1) << 21;
 constexpr std::size_t kSmall = std::size_t(1) << 15;  // up to here memory is as good as any
 constexpr std::size_t kChunk = std::size_t(1) << 25;
 
@@ -27,7 +27,7 @@ class HugePages {
  public:
   void* allocate(std::size_t bytes) {
     const std::lock_guard<std::mutex> lock(mutex_);
-    const std::size_t size = roundedUp(bytes, kLine);
+    const std::size_t size = roundedUp(bytes, kCacheLine);
     if (size > kChunk / 2) return open(roundedUp(size, kHugePage)).take(size);
     if (current_ == nullptr || current_->size - current_->used < size) current_ = &open(kChunk);
     return current_->take(size);
@@ -92,7 +92,7 @@ void* allocateLines(std::size_t bytes) {
 #if defined(__linux__)
   if (bytes > kSmall) return hugePages().allocate(bytes);
 #endif
-  return ::operator new(std::max(bytes, kLine), std::align_val_t(kLine));
+  return ::operator new(std::max(bytes, kCacheLine), std::align_val_t(kCacheLine));
 }
 
 void freeLines(void* at, std::size_t bytes) noexcept {
@@ -102,7 +102,7 @@ void freeLines(void* at, std::size_t bytes) noexcept {
     return;
   }
 #endif
-  ::operator delete(at, std::align_val_t(kLine));
+  ::operator delete(at, std::align_val_t(kCacheLine));
 }
 
 }  // namespace suture

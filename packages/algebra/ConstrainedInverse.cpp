@@ -18,7 +18,7 @@ using Dense = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
 
 /// c <- factor * a b + share * c, a transposed if told. By BLAS: Eigen's own is compiled for the oldest processors.
 template <typename Real>
-void multiply(Real factor, CBLAS_TRANSPOSE transposed, const Dense<Real>& a, const Dense<Real>& b, Real share, Dense<Real>& c) {
+void addProductTo(Real factor, CBLAS_TRANSPOSE transposed, const Dense<Real>& a, const Dense<Real>& b, Real share, Dense<Real>& c) {
   const int rows = static_cast<int>(transposed == CblasTrans ? a.cols() : a.rows()), columns = static_cast<int>(b.cols());
   if (share == Real(0)) c.resize(rows, columns);
   if (c.size() == 0 || b.rows() == 0) {
@@ -32,7 +32,7 @@ void multiply(Real factor, CBLAS_TRANSPOSE transposed, const Dense<Real>& a, con
 template <typename Real>
 Dense<Real> product(CBLAS_TRANSPOSE transposed, const Dense<Real>& a, const Dense<Real>& b) {
   Dense<Real> c;
-  multiply(Real(1), transposed, a, b, Real(0), c);
+  addProductTo(Real(1), transposed, a, b, Real(0), c);
   return c;
 }
 
@@ -70,7 +70,7 @@ class Rotation {
     twoSided<Real>(a, v_.template cast<Real>(), t_.transpose().template cast<Real>());
   }
   /// x <- Q x
-  void fromColumns(Matrix& x) const { multiply(-1.0, CblasNoTrans, v_, product(CblasNoTrans, t_, product(CblasTrans, v_, x)), 1.0, x); }
+  void fromColumns(Matrix& x) const { addProductTo(-1.0, CblasNoTrans, v_, product(CblasNoTrans, t_, product(CblasTrans, v_, x)), 1.0, x); }
 
  private:
   /// a <- (I - V U^T) a (I - U V^T) = a - V W^T - W V^T with U = V T, X = a U, W = X - V (U^T X) / 2.
@@ -81,7 +81,7 @@ class Rotation {
     const Dense<Real> u = product(CblasNoTrans, v, t);
     Dense<Real> w(n, m);
     symm(n, m, a.data(), u.data(), w.data());
-    multiply(Real(-0.5), CblasNoTrans, v, product(CblasTrans, u, w), Real(1), w);
+    addProductTo(Real(-0.5), CblasNoTrans, v, product(CblasTrans, u, w), Real(1), w);
     syr2k(n, m, Real(-1), v.data(), w.data(), a.data());
   }
 

@@ -10,7 +10,7 @@ namespace {
 
 // The base may be known to single precision only: a condition of this inverse loses a thousandth.
 constexpr double kLeastEigenvalue = 1e-4;
-constexpr double kAccuracy = 1e-4;  // relative accuracy of the values of the new basis in the new rows
+constexpr double kBasisAccuracy = 1e-4;  // relative accuracy of the values of the new basis in the new rows
 
 /// B with a^-1 = B B^T; empty if a, its diagonal scaled to one, has an eigenvalue that is too small.
 Matrix inverseRoot(const Matrix& a) {
@@ -105,7 +105,7 @@ std::unique_ptr<UpdatedInverse> UpdatedInverse::make(std::shared_ptr<const Local
   // A row that follows from others has left nothing but rounding.
   if (basis.cols() > 0) {
     const Matrix error = constraints * basis - Matrix::Identity(basis.cols(), basis.cols());
-    if (!(error.cwiseAbs().maxCoeff() < kAccuracy)) return nullptr;
+    if (!(error.cwiseAbs().maxCoeff() < kBasisAccuracy)) return nullptr;
   }
   std::unique_ptr<UpdatedInverse> made(new UpdatedInverse);
   made->base_ = std::move(base);

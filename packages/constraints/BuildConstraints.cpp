@@ -105,7 +105,6 @@ Constraints buildConstraints(const Mesh& mesh, const Parameters& conditionList, 
   checkRoles(mesh, conditions, lines, problems);
 
   Constraints constraints;
-  constraints.laws = ContactLaws(contactList);
   constraints.rules = nodalRules(mesh, conditions, problems);
   std::vector<PairedLine> paired;
   for (const ContactLine& line : lines) {

@@ -86,6 +86,11 @@ struct ContactPiece {
   int bodyA = -1, bodyB = -1;  ///< B: -1 for a rigid obstacle
   double pressureDoubt = 0.0;  ///< estimated error of nodal pressures where straight elements stand for curved sides [stress]
   std::vector<AxisPoint> onAxis;
+
+  template <typename Self, typename Each>
+  static void forEachField(Self& self, const Each& each) {
+    each(self.name), each(self.pairs), each(self.bodyA), each(self.bodyB), each(self.pressureDoubt), each(self.onAxis);
+  }
 };
 
 /// All that restricts the displacements of a scene: Dirichlet and bilateral rows as nodal rules, contact pairs and pieces. On rank 0, for
@@ -94,7 +99,7 @@ struct Constraints {
   std::vector<NodeRule> rules;     ///< at most one a node, sorted by node
   std::vector<ContactPair> pairs;  ///< pairs[i].id == i
   std::vector<ContactPiece> pieces;
-  ContactLaws laws;                ///< of the contact lines
+  ContactLaws laws{};              ///< laws of the contact lines, given by the scene (simulation/Scene); empty: frictionless
   std::vector<std::string> notes;  ///< sentences for the user about choices made
 };
 

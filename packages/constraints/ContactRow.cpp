@@ -11,14 +11,14 @@ namespace suture {
 
 namespace {
 
-struct Entry {
+struct Term {
   GlobalId dof;
   double coefficient;
   int node;
 };
 
 // A node without a rule is Cartesian and free.
-void addEnd(const PairEnd& end, const NodeRule& rule, const Point& direction, int dimension, double& gap, std::vector<Entry>& entries) {
+void addEnd(const PairEnd& end, const NodeRule& rule, const Point& direction, int dimension, double& gap, std::vector<Term>& entries) {
   for (int k = 0; k < dimension; ++k) {
     double along = 0.0;
     for (int c = 0; c < dimension; ++c) along += rule.axes[k][c] * direction[c];
@@ -56,12 +56,12 @@ std::vector<ContactRow> contactRows(const Mesh& mesh, const Constraints& constra
     for (std::size_t component = 0; component < row.equations.size(); ++component) {
       ContactRow::Equation& equation = row.equations[component];
       if (component == 0) equation.gap = pair.gap;
-      std::vector<Entry> entries;
+      std::vector<Term> entries;
       for (const PairEnd& end : pair.ends)
         addEnd(end, ruleOf[end.node] < 0 ? free : constraints.rules[ruleOf[end.node]], frame[component], mesh.dimension, equation.gap,
                entries);
-      std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.dof < b.dof; });
-      for (const Entry& entry : entries) {
+      std::sort(entries.begin(), entries.end(), [](const Term& a, const Term& b) { return a.dof < b.dof; });
+      for (const Term& entry : entries) {
         equation.dofs.push_back(entry.dof);
         equation.coefficients.push_back(entry.coefficient);
         equation.points.push_back(mesh.point(entry.node));

@@ -3,7 +3,8 @@
 
 namespace suture {
 
-/// What a contact pair does. Frictionless pairs are open or slip (closed, free to slide).
+/// Status of a contact pair: apart, or pressed together and sliding or stuck. Frictionless pairs that are closed slip: nothing keeps them
+/// from sliding.
 enum class PairStatus : int { Open = 0, Slip = 1, Stick = 2 };
 
 /// State of a contact pair as its law decides it (ContactLaw::project): all that a solver, a checkpoint or a nested start need to go on

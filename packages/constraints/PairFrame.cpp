@@ -1,4 +1,5 @@
 #include <suture/base/Point.hpp>
+#include <suture/constraints/BoundaryLine.hpp>
 #include <suture/constraints/PairFrame.hpp>
 
 #include <cmath>
@@ -6,7 +7,7 @@
 namespace suture {
 
 std::vector<Point> pairFrame(const Point& normal, int dimension) {
-  if (dimension == 2) return {normal, {-normal[1], normal[0], 0.0}};
+  if (dimension == 2) return {normal, turned(normal)};
   // Beside the axis that is farthest from the normal: nothing cancels.
   int least = 0;
   for (int k = 1; k < 3; ++k)

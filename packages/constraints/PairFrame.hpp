@@ -5,9 +5,8 @@
 
 namespace suture {
 
-/// Frame of a contact pair: its normal, then one tangent in the plane, the normal turned by a right angle anticlockwise, or two in space,
-/// right-handed. Orthonormal. Local.
-/// \param normal  a unit vector
+/// The frame of a contact pair, or of any direction: the normal, then one tangent in the plane, the normal turned by a right angle
+/// anticlockwise, or two in space, right-handed. Orthonormal. Local. \param normal  a unit vector
 std::vector<Point> pairFrame(const Point& normal, int dimension);
 
 }  // namespace suture

@@ -1,7 +1,7 @@
+#include <suture/algebra/NonnegativeLeastSquares.hpp>
 #include <suture/base/Dense.hpp>
 #include <suture/base/DisjointSets.hpp>
 #include <suture/base/Errors.hpp>
-#include <suture/base/NonnegativeLeastSquares.hpp>
 #include <suture/contact/PadProblem.hpp>
 #include <suture/contact/RigidContact.hpp>
 

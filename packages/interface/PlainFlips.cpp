@@ -12,7 +12,7 @@ ClosedSet plainFlips(const RigidContact& rigid, const ContactLaws& laws, const C
   for (std::size_t i = 0; i < closed.size(); ++i) {
     if (!rigid.data().able[i]) continue;
     const auto pair = static_cast<Eigen::Index>(i);
-    // What is not believed is given in favour of the state that the pair has.
+    // The tolerance goes to the state that the pair has.
     const ContactLaw& law = laws.of(rigid.data().line[i]);
     ContactTrial trial;
     if (closed[i])

@@ -49,15 +49,7 @@ std::string bytesOf(const Whole& whole) {
   Packer packer;
   packer.put(whole.size);
   packer.put(whole.hash);
-  packer.put(whole.pieces.size());
-  for (const ContactPiece& piece : whole.pieces) {
-    packer.put(piece.name);
-    packer.put(piece.pairs);
-    packer.put(piece.bodyA);
-    packer.put(piece.bodyB);
-    packer.put(piece.pressureDoubt);
-    packer.put(piece.onAxis);
-  }
+  packer.put(whole.pieces);
   return std::move(packer).bytes();
 }
 
@@ -66,15 +58,7 @@ Whole wholeFrom(const std::string& bytes) {
   Whole whole;
   unpacker.get(whole.size);
   unpacker.get(whole.hash);
-  whole.pieces.resize(unpacker.get<std::size_t>());
-  for (ContactPiece& piece : whole.pieces) {
-    unpacker.get(piece.name);
-    unpacker.get(piece.pairs);
-    unpacker.get(piece.bodyA);
-    unpacker.get(piece.bodyB);
-    unpacker.get(piece.pressureDoubt);
-    unpacker.get(piece.onAxis);
-  }
+  unpacker.get(whole.pieces);
   return whole;
 }
 

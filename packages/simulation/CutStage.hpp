@@ -12,7 +12,7 @@ namespace suture {
 struct Whole {
   ProblemSize size;                  ///< on all ranks; without the interface
   std::vector<ContactPiece> pieces;  ///< on rank 0
-  std::string hash;                  ///< of the mesh, on rank 0
+  std::string hash;                  ///< hash of the mesh, on rank 0
 };
 
 /// Collective.

@@ -18,7 +18,11 @@ Mesh readBodies(const Comm& comm, const Scene& scene) {
 }
 
 Constraints readConstraints(const Comm& comm, const Mesh& mesh, const Scene& scene) {
-  return onRoot(comm, "building the constraints", [&] { return scene.constraints(mesh); });
+  return onRoot(comm, "building the constraints", [&] {
+    Constraints constraints = scene.constraints(mesh);
+    constraints.laws = scene.laws;
+    return constraints;
+  });
 }
 
 void checkElements(const Comm& comm, const Mesh& mesh, const ElasticModel& model) {

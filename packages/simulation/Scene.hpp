@@ -15,12 +15,12 @@ namespace suture {
 struct Scene {
   /// The mesh on rank 0, elsewhere empty; its bodies are element groups. Collective.
   std::function<Mesh(const Comm&)> mesh;
-  /// Rules, pairs and pieces of the mesh with its bodies. On rank 0.
+  /// Rules, pairs and pieces of the mesh with its bodies, without laws. On rank 0.
   std::function<Constraints(const Mesh&)> constraints;
   ElasticModel model;
-  std::vector<SubdomainKind> kinds;   ///< of each body; empty: all elastic
+  std::vector<SubdomainKind> kinds;   ///< physics of each body; empty: all elastic
   std::vector<std::string> contacts;  ///< names of the contact lines
-  ContactLaws laws;                   ///< of the contact lines
+  ContactLaws laws;                   ///< laws of the contact lines; empty: frictionless
   SceneFile file;                     ///< settings of all packages, resolved, and where they come from, for the record of a run
   std::vector<Scene> levels;          ///< the scene on coarser meshes, the coarsest first, whose answers a nested start begins with
 

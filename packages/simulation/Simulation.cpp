@@ -140,7 +140,7 @@ Method::Keep Simulation::checkpoints() {
 
 RunResult Simulation::report(const std::vector<std::string>& commandLine) {
   if (!output_) throw InternalError("a simulation reports without a folder: writeInto() comes first");
-  giveBackFreedMemory();  // what is written needs it
+  giveBackFreedMemory();  // for the files
   const ExitCode code = ending();
   const Parameters& output = scene_.settings().sublist("Output");
   // First: who asked for the stop may not wait for the rest.

@@ -61,13 +61,14 @@ class Simulation {
   void iterate();
   /// Settles what the solution leaves free, measures its errors, verifies it.
   void judge();
-  /// Writes the results, and the last lines of the monitor's console. \param commandLine  for the record
+  /// Writes the results, and the last lines of the monitor's console.
+  /// \param commandLine  for the record
   RunResult report(const std::vector<std::string>& commandLine = {});
 
   const Scene& scene() const { return scene_; }
   const Mesh& mesh() const { return mesh_; }                                ///< on rank 0, from read() to prepare()
   const Constraints& constraints() const { return constraints_; }           ///< likewise
-  const std::vector<SubdomainMesh>& meshes() const { return cut_.meshes; }  ///< of this rank, after cut()
+  const std::vector<SubdomainMesh>& meshes() const { return cut_.meshes; }  ///< subdomains of this rank, after cut()
   const ProblemSize& size() const { return size_; }                         ///< after prepare()
   double megabytes() const { return megabytes_; }                           ///< memory for all ranks, estimated; after check()
   const Solution& solution() const { return solution_; }                    ///< after iterate()
@@ -96,7 +97,7 @@ class Simulation {
   CutMesh cut_;
   ProblemSize size_;
   double megabytes_ = 0.0;
-  double liftWork_ = 0.0;  // of the loads in the motions taken out, which the method's energies lack
+  double liftWork_ = 0.0;  // work of the loads in the motions taken out, which the method's energies lack
   std::optional<Start> start_;
   Solution solution_;
 };

@@ -22,18 +22,18 @@ struct CutScene {
   const Mesh& mesh;                ///< on rank 0, if the method needs it; else empty
   const Constraints& constraints;  ///< likewise
   const Partition& partition;
-  const std::vector<SubdomainMesh>& meshes;  ///< of this rank
+  const std::vector<SubdomainMesh>& meshes;  ///< subdomains of this rank
   const ElasticModel& model;
   const Parameters& settings;           ///< resolved lists of the solver packages
-  std::vector<SubdomainKind> kinds{};   ///< of each body; empty: all elastic
+  std::vector<SubdomainKind> kinds{};   ///< physics of each body; empty: all elastic
   std::vector<std::string> contacts{};  ///< names of the contact lines, for messages
-  ContactLaws laws{};                   ///< of the contact lines
+  ContactLaws laws{};                   ///< laws of the contact lines; empty: frictionless
   bool needsLaw = false;                ///< the scene asks for what needs the law of a material at every point
 };
 
-/// Where a solution may begin: an earlier state of the scene, or the answer on a coarser mesh.
+/// A state to begin a solution from: an earlier one of the scene, or the answer on a coarser mesh.
 struct Start {
-  std::vector<Vector> displacement;    ///< of each subdomain of this rank: beside its lift, node-major, Cartesian [length]
+  std::vector<Vector> displacement;    ///< displacements of each subdomain of this rank: beside its lift, node-major, Cartesian [length]
   std::map<int, ContactState> status;  ///< pair id -> state, of this rank's pairs at least; one that is not named is closed
 };
 

@@ -75,11 +75,11 @@ class OuterSolver {
     double referenceEuclidean = 0.0;
     double begin = 0.0;  ///< seconds
     OuterResult& result;
-    ContactStates reported;                   ///< of the last row: what `changed` counts from; at first all closed
+    ContactStates reported;                   ///< states of the last row, from which `changed` counts; at first all closed
     InterfaceProblem::Evaluation evaluation;  ///< at result.state, whose status is the evaluation's
     AutomaticTolerance automatic;
     bool fromAuxiliary = false;         ///< a method by sets starts from the auxiliary solution
-    ContactStates preconditioned = {};  ///< what the preconditioner was made for then
+    ContactStates preconditioned = {};  ///< states that the preconditioner was made for then
     bool given = false;                 ///< the start is one to go on from
     bool solved = false;   ///< a method that finds the set of closed pairs itself has found it, and the residual is small enough
     bool atFloor = false;  ///< rounding hides what the tolerance asks for beyond result.residual

@@ -48,7 +48,7 @@ class SetSolves : public ContactOracle {
   const double inner_;
   MultiVectorPtr step_;
   ClosedSet closed_;                // set of the last solve; empty if that cannot be resumed
-  ContactStates preconditioned_;    // what the preconditioner was made for
+  ContactStates preconditioned_;    // states that the preconditioner was made for
   bool hasPreconditioner_ = false;  // the same on all ranks, also on those without a local problem
   Teuchos::RCP<InterfaceOperator> matrix_;
   std::vector<int> clusterOf_;  // of each part

@@ -55,6 +55,28 @@ TEUCHOS_UNIT_TEST(ContactLaw, EveryRegisteredLawKeepsTheContract) {
   }
 }
 
+const Registration<ContactLaw> rough("Rough", Schema("What is pressed sticks."),
+                                     [](const Parameters&) { return std::make_unique<RoughLaw>(); });
+
+// A user's law is chosen by its name, contact by contact; a scene that names none is frictionless.
+TEUCHOS_UNIT_TEST(ContactLaw, IsChosenByItsNameInTheScene) {
+  Schema schema("scene");
+  schema.list("Contact", Schema("lines").each("<line>", contactSchema()));
+  const std::string law = "<Parameter name=\"Law\" type=\"string\" value=\"";
+  const auto line = [](const std::string& name, const std::string& more) {
+    return "<ParameterList name=\"" + name + "\"><Parameter name=\"Side A\" type=\"string\" value=\"a\"/>" +
+           "<Parameter name=\"Side B\" type=\"string\" value=\"b\"/>" + more + "</ParameterList>";
+  };
+  const auto lawsOf = [&](const std::string& lines) {
+    const std::string text = "<ParameterList name=\"Suture\"><ParameterList name=\"Contact\">" + lines + "</ParameterList></ParameterList>";
+    return ContactLaws(parseScene(text, "test.xml", schema, {}).parameters->sublist("Contact"));
+  };
+  const ContactLaws laws = lawsOf(line("first", "") + line("second", law + "Rough\"/>") + line("third", law + "Frictionless\"/>"));
+  TEST_EQUALITY(laws.size(), 3);
+  for (const int at : {0, 1, 2, 3}) TEST_EQUALITY(laws.of(at).rows(2), at == 1 ? 2 : 1);
+  TEST_THROW(lawsOf(line("first", law + "Ruogh\"/>")), InputError);
+}
+
 // A state that the law may not answer with is told at once.
 TEUCHOS_UNIT_TEST(ContactLaw, RefusesAnswersThatAreNoState) {
   struct Wrong : RoughLaw {

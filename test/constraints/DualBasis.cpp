@@ -1,11 +1,13 @@
 // Biorthogonal functions against those that are known in closed form.
 #include <Teuchos_UnitTestHarness.hpp>
+#include <support/Matrices.hpp>
 #include <suture/constraints/pairing/DualBasis.hpp>
 #include <suture/mesh/SideShape.hpp>
 
 #include <cmath>
 
 using namespace suture;
+using matrices::rows;
 
 namespace {
 
@@ -29,17 +31,6 @@ Part part(int nodes, double begin, double end, int points = 4) {
 Matrix coefficients(const DualBasis& basis, int functions) {
   Matrix all(functions, functions);
   for (int k = 0; k < functions; ++k) all.col(k) = basis.at(Vector::Unit(functions, k));
-  return all;
-}
-
-Matrix rows(std::initializer_list<std::initializer_list<double>> values) {
-  Matrix all(values.size(), values.begin()->size());
-  Eigen::Index i = 0;
-  for (const auto& row : values) {
-    Eigen::Index j = 0;
-    for (const double value : row) all(i, j++) = value;
-    ++i;
-  }
   return all;
 }
 

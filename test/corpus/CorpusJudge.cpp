@@ -1,6 +1,6 @@
 #include <corpus/CorpusJudge.hpp>
+#include <suture/algebra/NonnegativeLeastSquares.hpp>
 #include <suture/base/Errors.hpp>
-#include <suture/base/NonnegativeLeastSquares.hpp>
 
 #include <Eigen/Dense>
 

@@ -127,7 +127,7 @@ TEUCHOS_UNIT_TEST(ContactClusters, APairThatSticksHoldsItsTangentToo) {
         for (int k = 0; k < 4; ++k) dense(dense.rows() - 1, row.places[k]) = row.coefficients[k];
       }
       spansTheNullSpace(clusters.relations(states), dense, success, out);
-      // What sticks moves as one: forces of the two rows are those of the vector between the nodes.
+      // Nodes that stick move as one: forces of the two rows are those of the vector between the nodes.
       if (first != PairStatus::Stick) continue;
       Vector imbalance = Vector::Zero(9);
       imbalance.head(4) << -3.0, 5.0, 3.0, -5.0;  // side A is pushed back by (3, -5)

@@ -1,5 +1,6 @@
 // The ways from a scene in subdomains to its solution.
 #include <Teuchos_UnitTestHarness.hpp>
+#include <constraints/RoughLaw.hpp>
 #include <solver/SceneChoices.hpp>
 #include <suture/base/Buffer.hpp>
 #include <suture/base/Collective.hpp>
@@ -66,6 +67,23 @@ TEUCHOS_UNIT_TEST(Method, DecompositionAndReferenceHaveOneSolution) {
     TEST_ASSERT(solution.converged);
     TEST_COMPARE(difference(solution, reference), <, 1e-9);
     TEST_FLOATING_EQUALITY(solution.energy, reference.energy, 1e-9);
+  }
+}
+
+TEUCHOS_UNIT_TEST(Method, RefusesLawsThatRestrictSliding) {
+  for (const char* method : {"Active Set", "Monolithic"}) {
+    const Given given({std::string("Outer Solver/Type=") + method});
+    CutScene cut = given.cut();
+    cut.contacts = {"smooth", "rough"};
+    cut.laws = ContactLaws({std::make_shared<Frictionless>(), std::make_shared<RoughLaw>()});
+    Timers timers;
+    try {
+      makeMethod(given.settings, true)->prepare(cut, timers);
+      TEST_ASSERT(false);
+    } catch (const InputError& error) {
+      TEST_EQUALITY(error.problems().size(), 1u);
+      TEST_EQUALITY(error.problems().front().path, "Contact/rough/Law");
+    }
   }
 }
 

@@ -1,4 +1,5 @@
-#include <suture/base/NonnegativeLeastSquares.hpp>
+#include <support/Matrices.hpp>
+#include <suture/algebra/NonnegativeLeastSquares.hpp>
 #include <suture/solver/solvability/NeutralMotions.hpp>
 
 #include <Teuchos_UnitTestHarness.hpp>
@@ -6,17 +7,7 @@
 namespace {
 
 using namespace suture;
-
-Matrix rows(std::initializer_list<std::initializer_list<double>> values) {
-  Matrix all(values.size(), values.begin()->size());
-  Eigen::Index i = 0;
-  for (const auto& row : values) {
-    Eigen::Index j = 0;
-    for (const double value : row) all(i, j++) = value;
-    ++i;
-  }
-  return all;
-}
+using matrices::rows;
 
 TEUCHOS_UNIT_TEST(NeutralMotions, FindTheLeastVectorInAPolyhedron) {
   const auto least = [](const Matrix& a, std::initializer_list<double> b) {

@@ -1,6 +1,6 @@
 #include <Teuchos_UnitTestHarness.hpp>
+#include <suture/algebra/NonnegativeLeastSquares.hpp>
 #include <suture/base/Errors.hpp>
-#include <suture/base/NonnegativeLeastSquares.hpp>
 #include <suture/elasticity/NodalLoads.hpp>
 #include <suture/mesh/Generators.hpp>
 #include <suture/reference/MonolithicSystem.hpp>

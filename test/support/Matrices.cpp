@@ -68,4 +68,15 @@ Sparse randomDefinite(int n, unsigned seed) {
   return a;
 }
 
+Matrix rows(std::initializer_list<std::initializer_list<double>> values) {
+  Matrix all(values.size(), values.begin()->size());
+  Eigen::Index i = 0;
+  for (const auto& row : values) {
+    Eigen::Index j = 0;
+    for (const double value : row) all(i, j++) = value;
+    ++i;
+  }
+  return all;
+}
+
 }  // namespace suture::matrices

@@ -4,6 +4,7 @@
 #include <support/DenseAlgebra.hpp>
 
 #include <Eigen/SparseCore>
+#include <initializer_list>
 #include <vector>
 
 /// Sparse matrices for tests of factorisations, written from formulas, and the dense algebra that they are compared with.
@@ -22,6 +23,9 @@ std::vector<Point> placesOfBody(int nx, int ny);
 std::vector<Point> randomPlaces(int n, unsigned seed);
 
 Sparse randomDefinite(int n, unsigned seed);
+
+// A dense matrix by its rows.
+Matrix rows(std::initializer_list<std::initializer_list<double>> values);
 
 using dense::difference;
 // With the last unknowns as boundary.

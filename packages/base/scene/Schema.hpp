@@ -71,8 +71,8 @@ class Schema {
   Schema& texts(const std::string& name, std::optional<std::vector<std::string>> fallback, const std::string& doc);
   /// The parameter added last may be absent (has no default, is not required).
   Schema& optional();
-  /// The parameter added last, a Text with a default, has the value that `find` gives where the scene does not give one: it fits the rest
-  /// of the scene, which is resolved before. Without problems in the scene only.
+  /// The parameter added last, a Text with a default, gets its value from `find` where the scene does not give one. `find` sees the whole
+  /// scene, resolved with the default; it is not called for a scene with problems.
   Schema& fittingDefault(std::function<std::string(const Parameters& whole)> find);
 
   /// A sublist with a fixed name. A required one must be present in the scene; the others are filled with defaults.

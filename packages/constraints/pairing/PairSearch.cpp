@@ -1,5 +1,6 @@
 #include <suture/base/Errors.hpp>
 #include <suture/base/Point.hpp>
+#include <suture/constraints/PairFrame.hpp>
 #include <suture/constraints/pairing/PairSearch.hpp>
 
 #include <algorithm>
@@ -20,7 +21,7 @@ double overshoot(std::size_t nodes) {
     case 2:
     case 4:
       return 1.0;
-    case 3:  // of a line; a triangle has 1
+    case 3:  // for a line; a triangle has 1
       return 1.25;
     case 6:
       return 5.0 / 3;
@@ -68,21 +69,6 @@ class Interval {
   double low_ = std::numeric_limits<double>::infinity(), high_ = -low_;
 };
 
-// unit() rounds small components to zero, which would turn a line by that much.
-Point normalised(const Point& a) { return scaled(1 / norm(a), a); }
-
-/// Two unit vectors normal to a direction and to each other: of a direction in the plane, one in the plane and the third axis.
-std::array<Point, 2> across(const Point& direction) {
-  const Point n = normalised(direction);
-  int least = 2;
-  for (int k = 1; k >= 0; --k)
-    if (std::abs(n[k]) < std::abs(n[least])) least = k;
-  Point axis{0, 0, 0};
-  axis[least] = 1;
-  const Point first = normalised(cross(axis, n));
-  return {first, cross(n, first)};
-}
-
 }  // namespace
 
 PairSearch::PairSearch(const std::vector<std::vector<Point>>& sides) : tree_(boxesOf(sides)) {
@@ -91,8 +77,9 @@ PairSearch::PairSearch(const std::vector<std::vector<Point>>& sides) : tree_(box
 }
 
 std::vector<int> PairSearch::along(const std::vector<Point>& nodes, const Point& direction) const {
-  const std::array<Point, 2> tangents = across(direction);
-  std::array<Interval, 2> shadow{Interval(tangents[0]), Interval(tangents[1])};
+  // Not unit(): it rounds small components to zero, which would turn a line by that much.
+  const std::vector<Point> frame = pairFrame(scaled(1 / norm(direction), direction), 3);
+  std::array<Interval, 2> shadow{Interval(frame[1]), Interval(frame[2])};
   double size = size_;
   for (const Point& node : nodes) {
     size = std::max(size, norm(node));

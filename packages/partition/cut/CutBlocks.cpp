@@ -8,7 +8,7 @@
 namespace suture {
 namespace {
 
-const char* const what = "partition";
+const char* const cutting = "partition";
 
 // Something of every block travels from the rank `from` of it to the rank `to`. Collective.
 template <typename From, typename To, typename Put, typename Take>
@@ -26,11 +26,11 @@ void deliver(const Comm& comm, const std::vector<Block>& blocks, const From& fro
         if (to(blocks[i]) == rank && from(blocks[i]) == sender) visit(i);
     };
     Packer packer;
-    collectively(comm, what, [&] {
+    collectively(comm, cutting, [&] {
       if (me != rank) forEachBlock(me, [&](std::size_t i) { put(i, packer); });
     });
     std::vector<std::string> received = gatherOn(comm, rank, senders, packer.bytes());
-    collectively(comm, what, [&] {
+    collectively(comm, cutting, [&] {
       for (std::size_t k = 0; k < received.size(); ++k) {
         Unpacker unpacker(std::move(received[k]));
         forEachBlock(senders[k], [&](std::size_t i) { take(i, unpacker); });
@@ -90,7 +90,7 @@ std::vector<BlockCut> cutBlocks(const Comm& comm, const std::vector<Block>& bloc
         unpacker.get(graphOf[i].offsets);
         unpacker.get(graphOf[i].neighbours);
       });
-  collectively(comm, what, [&] {
+  collectively(comm, cutting, [&] {
     for (std::size_t i = 0; i < blocks.size(); ++i) {
       if (blocks[i].cutter != me) continue;
       cutOf[i].partOf = metisCut(graphOf[i], blocks[i].subdomains, seed, &cutOf[i].repairs);

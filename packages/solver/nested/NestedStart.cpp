@@ -32,7 +32,7 @@ class LineStatus {
     for (auto& [line, entries] : lines_)
       std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.first < b.first; });
   }
-  /// Of a line without pairs: null.
+  /// Null on a line without pairs.
   const ContactState* at(int line, double arc) const {
     const auto found = lines_.find(line);
     if (found == lines_.end()) return nullptr;

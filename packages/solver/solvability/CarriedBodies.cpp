@@ -17,8 +17,8 @@ namespace suture {
 namespace {
 
 constexpr double kFar = 1e3;           // times the compression of a part's pads: beside smaller motions three digits are lost
-constexpr double kCoincident = 1e-12;  // of the coordinates
-constexpr double kNoWork = 1e-12;      // of the sum of magnitudes: rounding of loads that balance
+constexpr double kCoincident = 1e-12;  // relative to the coordinates
+constexpr double kNoWork = 1e-12;      // relative to the sum of magnitudes: rounding of loads that balance
 
 /// End of a pair: what it feels of its part's motions. Plain.
 struct End {

@@ -1,6 +1,6 @@
+#include <suture/algebra/NonnegativeLeastSquares.hpp>
 #include <suture/base/Buffer.hpp>
 #include <suture/base/Dense.hpp>
-#include <suture/base/NonnegativeLeastSquares.hpp>
 #include <suture/elasticity/SubdomainLoads.hpp>
 #include <suture/partition/RigidLift.hpp>
 #include <suture/solver/solvability/NeutralMotions.hpp>
@@ -16,10 +16,10 @@ namespace suture {
 
 namespace {
 
-constexpr double kNoMotion = 1e-8;   // of an amplitude of the order of one
-constexpr double kRounding = 1e-14;  // of a motion: what is left of a displacement that was this motion alone
-constexpr double kNothing = 1e-15;   // of a body's size: a motion that coordinates do not hold
-constexpr double kAsItIs = 1e-9;     // of the displacements: a motion not worth making
+constexpr double kNoMotion = 1e-8;         // of an amplitude of the order of one
+constexpr double kMotionRounding = 1e-14;  // of a motion: what is left of a displacement that was this motion alone
+constexpr double kNothing = 1e-15;         // of a body's size: a motion that coordinates do not hold
+constexpr double kAsItIs = 1e-9;           // of the displacements: a motion not worth making
 
 std::vector<char> loadedParts(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model,
                               const ContactBodies& bodies, const ClosedSet& carrying) {
@@ -135,7 +135,7 @@ class Least {
       auto u = displacement[s].segment(Eigen::Index(node) * d, d);
       u += shift;
       for (int c = 0; c < d; ++c)
-        if (std::abs(u(c)) <= kRounding * shift.norm()) u(c) = 0.0;  // it was this motion alone
+        if (std::abs(u(c)) <= kMotionRounding * shift.norm()) u(c) = 0.0;  // it was this motion alone
     });
     return true;
   }

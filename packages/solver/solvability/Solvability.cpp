@@ -1,6 +1,6 @@
+#include <suture/algebra/NonnegativeLeastSquares.hpp>
 #include <suture/base/Dense.hpp>
 #include <suture/base/Errors.hpp>
-#include <suture/base/NonnegativeLeastSquares.hpp>
 #include <suture/elasticity/NodalLoads.hpp>
 #include <suture/solver/solvability/Solvability.hpp>
 
