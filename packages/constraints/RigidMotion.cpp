@@ -1,5 +1,6 @@
 #include <suture/base/Dense.hpp>
 #include <suture/base/DisjointSets.hpp>
+#include <suture/base/RigidValues.hpp>
 #include <suture/constraints/RigidMotion.hpp>
 
 #include <algorithm>
@@ -36,38 +37,31 @@ std::vector<int> components(const CellBlock& block) {
   return part;
 }
 
+/// Place of a point about the centre of the rotations, in radii.
+Point armOf(const RigidPart& part, const Point& point) {
+  Point arm = minus(point, part.centre);
+  for (double& x : arm) x /= part.radius;
+  return arm;
+}
+
 }  // namespace
 
 Matrix RigidPart::at(const Point& point, int dimension) const {
-  Matrix motion = Matrix::Zero(dimension, dimension == 2 ? 3 : 6);
-  motion.leftCols(dimension).setIdentity();
-  Point arm{0, 0, 0};
-  for (int k = 0; k < dimension; ++k) arm[k] = (point[k] - centre[k]) / radius;
-  if (dimension == 2) {
-    motion(0, 2) = -arm[1];
-    motion(1, 2) = arm[0];
-  } else {
-    for (int r = 0; r < 3; ++r) {  // e_r x arm
-      const int s = (r + 1) % 3, t = (r + 2) % 3;
-      motion(s, 3 + r) = -arm[t];
-      motion(t, 3 + r) = arm[s];
-    }
+  Matrix motion(dimension, rigidMotions(dimension));
+  const Point arm = armOf(*this, point);
+  for (int k = 0; k < dimension; ++k) {
+    Point axis{0, 0, 0};
+    axis[k] = 1.0;
+    const std::array<double, 6> values = rigidValues(dimension, arm, axis);
+    for (int column = 0; column < motion.cols(); ++column) motion(k, column) = values[column];
   }
   return motion;
 }
 
 Point RigidPart::displacement(const Point& point, const Vector& amplitudes, int dimension) const {
-  Point arm{0, 0, 0}, moved{0, 0, 0}, turn{0, 0, 0};
-  for (int k = 0; k < dimension; ++k) {
-    arm[k] = (point[k] - centre[k]) / radius;
-    moved[k] = amplitudes(k);
-  }
-  if (dimension == 2)
-    turn[2] = amplitudes(2);
-  else
-    for (int k = 0; k < 3; ++k) turn[k] = amplitudes(3 + k);
-  for (int k = 0; k < dimension; ++k) moved[k] += turn[(k + 1) % 3] * arm[(k + 2) % 3] - turn[(k + 2) % 3] * arm[(k + 1) % 3];
-  return moved;
+  Point translation, rotation;
+  splitAmplitudes(amplitudes, dimension, translation, rotation);
+  return rigidDisplacement(translation, rotation, armOf(*this, point));
 }
 
 std::string inWords(const RigidPart& part, const Vector& amplitudes, int dimension) {
@@ -82,7 +76,7 @@ std::string inWords(const RigidPart& part, const Vector& amplitudes, int dimensi
     return text + ")";
   }
   if (dimension == 2) {
-    // u = t + r (-y, x) / radius vanishes at the centre of the rotation
+    // The centre of the rotation, where the displacement t + w x arm vanishes: arm = w x t / w^2.
     const double x = part.centre[0] - part.radius * translation[1] / rotation[0],
                  y = part.centre[1] + part.radius * translation[0] / rotation[0];
     return "turn about (" + number(x, part.radius) + ", " + number(y, part.radius) + "), " +
@@ -93,7 +87,7 @@ std::string inWords(const RigidPart& part, const Vector& amplitudes, int dimensi
 }
 
 RigidParts freeRigidMotions(const Mesh& mesh, const Constraints& constraints, bool bodiesAreConnected) {
-  const int dimension = mesh.dimension, amplitudes = dimension == 2 ? 3 : 6;
+  const int dimension = mesh.dimension, amplitudes = rigidMotions(dimension);
   RigidParts all;
   all.partOfNode = bodiesAreConnected ? mesh.bodyOfNode : components(mesh);
   const int count = all.partOfNode.empty() ? 0 : 1 + *std::max_element(all.partOfNode.begin(), all.partOfNode.end());

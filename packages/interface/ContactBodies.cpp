@@ -1,5 +1,6 @@
 #include <suture/base/Buffer.hpp>
 #include <suture/base/Collective.hpp>
+#include <suture/base/RigidValues.hpp>
 #include <suture/interface/ContactBodies.hpp>
 #include <suture/partition/BodyParts.hpp>
 
@@ -65,7 +66,7 @@ void ContactBodies::findParts(const Comm& comm, const Meshes& meshes) {
 }
 
 RigidContact::Pairs ContactBodies::gatherPairs(const Comm& comm, const Meshes& meshes, const std::map<int, double>& pairStiffness) const {
-  const int amplitudes = dimension_ == 2 ? 3 : 6;
+  const int amplitudes = rigidMotions(dimension_);
   std::map<std::pair<int, GlobalId>, Term> terms;
   std::map<int, PairData> own;
   for (std::size_t s = 0; s < meshes.size(); ++s) {

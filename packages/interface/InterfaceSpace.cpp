@@ -28,7 +28,8 @@ MapPtr mapOf(const std::vector<GO>& ids, const CommPtr& comm) {
 }
 }  // namespace
 
-InterfaceSpace::InterfaceSpace(CommPtr comm, const InterfaceLayout& layout) : comm_(std::move(comm)), localIds_(layout.locals) {
+InterfaceSpace::InterfaceSpace(CommPtr comm, const InterfaceLayout& layout)
+    : comm_(std::move(comm)), localIds_(layout.locals), dimension_(layout.dimension) {
   std::vector<GO> touched;
   for (const auto& boundary : layout.boundaries) touched.insert(touched.end(), boundary.begin(), boundary.end());
   // Owners are found among those whose local problems hold the unknown, not among its partners.
@@ -48,18 +49,7 @@ InterfaceSpace::InterfaceSpace(CommPtr comm, const InterfaceLayout& layout) : co
   relationOf_.assign(ids_.size(), -1);
   importPoints(layout);
   exchangeSharers(layout);
-
-  corner_.assign(ids_.size(), 0);
-  for (const GlobalId id : layout.corners)
-    if (const int place = overlap_->getLocalElement(id); place >= 0) corner_[place] = 1;
-  for (std::size_t place = 0; place < ids_.size(); ++place)
-    if (sharers_[place].size() > 2) corner_[place] = 1;
-  for (const InterfaceLayout::Edge& edge : layout.edges) {
-    InterfaceEdge own{edge.locals, {}, false};
-    for (const GlobalId id : edge.unknowns)
-      if (const int place = overlap_->getLocalElement(id); place >= 0 && !corner_[place]) own.unknowns.push_back(place);
-    if (!own.unknowns.empty()) edges_.push_back(std::move(own));
-  }
+  addEntities(layout);
 }
 
 /// Owners learn points and directions from whoever knows them, and tell all who see the unknown.
@@ -67,16 +57,16 @@ void InterfaceSpace::importPoints(const InterfaceLayout& layout) {
   std::vector<GO> known;
   for (const InterfaceLayout::Unknown& unknown : layout.unknowns) known.push_back(unknown.id);
   const MapPtr knownMap = mapOf(sorted(known), comm_);
-  MultiVector source(knownMap, 8), owned(map_, 8), target(overlap_, 8);
+  MultiVector source(knownMap, 10), owned(map_, 10), target(overlap_, 10);
   auto values = localView(source);
   for (const InterfaceLayout::Unknown& unknown : layout.unknowns) {
     const int row = knownMap->getLocalElement(unknown.id);
     for (int k = 0; k < 3; ++k) {
       values(row, k) = unknown.point[k];
       values(row, 3 + k) = unknown.direction[k];
+      values(row, 6 + k) = unknown.moment[k];
     }
-    values(row, 6) = unknown.moment;
-    values(row, 7) = unknown.flux;
+    values(row, 9) = unknown.flux;
   }
   owned.doExport(source, Tpetra::Export<>(knownMap, map_), Tpetra::INSERT);
   target.doImport(owned, *import_, Tpetra::INSERT);
@@ -89,9 +79,9 @@ void InterfaceSpace::importPoints(const InterfaceLayout& layout) {
     for (int k = 0; k < 3; ++k) {
       points_[row][k] = all(static_cast<int>(row), k);
       directions_[row][k] = all(static_cast<int>(row), 3 + k);
+      moments_[row][k] = all(static_cast<int>(row), 6 + k);
     }
-    moments_[row] = all(static_cast<int>(row), 6);
-    fluxes_[row] = all(static_cast<int>(row), 7);
+    fluxes_[row] = all(static_cast<int>(row), 9);
   }
 }
 
@@ -124,82 +114,6 @@ void InterfaceSpace::exchangeSharers(const InterfaceLayout& layout) {
     for (std::size_t c = 0; c < columns.extent(0); ++c)
       sharers_[k].push_back(static_cast<int>(all->getColMap()->getGlobalElement(columns(c))));
     std::sort(sharers_[k].begin(), sharers_[k].end());
-  }
-}
-
-std::shared_ptr<const InterfaceSpace> InterfaceSpace::related(std::vector<InterfaceRelation> relations,
-                                                              const std::vector<std::vector<int>>& chains) const {
-  if (!relations_.empty()) throw InternalError("relations of a space that has some already");
-  auto derived = std::make_shared<InterfaceSpace>(*this);
-  derived->relations_ = std::move(relations);
-  for (std::size_t r = 0; r < derived->relations_.size(); ++r) {
-    const InterfaceRelation& relation = derived->relations_[r];
-    derived->relationOf_[relation.unknown] = static_cast<int>(r);
-    for (const int other : relation.others) {
-      std::vector<int>& all = derived->sharers_[other];
-      std::vector<int> both;
-      std::set_union(all.begin(), all.end(), sharers_[relation.unknown].begin(), sharers_[relation.unknown].end(),
-                     std::back_inserter(both));
-      all = std::move(both);
-      // A row of several terms leaves no unknown to weigh by itself: hold them all together.
-      if (relation.others.size() > 1 || corner_[relation.unknown]) derived->corner_[other] = 1;
-    }
-  }
-  for (const InterfaceRelation& relation : derived->relations_) {
-    derived->sharers_[relation.unknown].clear();
-    derived->corner_[relation.unknown] = 0;
-  }
-  for (std::size_t place = 0; place < ids_.size(); ++place)
-    if (derived->sharers_[place].size() > 2) derived->corner_[place] = 1;
-
-  std::vector<InterfaceEdge> kept;
-  for (InterfaceEdge& edge : derived->edges_) {
-    const auto gone = [&](int place) { return derived->corner_[place] || derived->relationOf_[place] >= 0; };
-    edge.unknowns.erase(std::remove_if(edge.unknowns.begin(), edge.unknowns.end(), gone), edge.unknowns.end());
-    if (!edge.unknowns.empty()) kept.push_back(std::move(edge));
-  }
-  derived->edges_ = std::move(kept);
-  for (const auto& chain : chains) derived->cutChain(chain);
-  // Unknowns that local problems share by a relation alone, on no chain: a row whose other terms are rounding.
-  std::vector<char> onEdge(ids_.size(), 0);
-  for (const InterfaceEdge& edge : derived->edges_)
-    for (const int place : edge.unknowns) onEdge[place] = 1;
-  for (const InterfaceRelation& relation : derived->relations_)
-    if (relation.others.size() == 1 && derived->sharers_[relation.others[0]].size() == 2 && !onEdge[relation.others[0]])
-      derived->corner_[relation.others[0]] = 1;
-  return derived;
-}
-
-/// Stretches of a contact line between the same two local problems. A stretch ends at a corner that both feel, or its last unknown becomes
-/// one.
-void InterfaceSpace::cutChain(const std::vector<int>& chain) {
-  std::vector<int> places;
-  for (const int place : chain) {
-    const InterfaceRelation* by = relation(place);
-    places.push_back(by ? (by->others.size() == 1 ? by->others[0] : -1) : place);
-  }
-  const auto inside = [&](std::size_t k) {
-    return k < places.size() && places[k] >= 0 && !corner_[places[k]] && sharers_[places[k]].size() == 2;
-  };
-  const auto holds = [&](std::size_t k, const std::vector<int>& both) {  // a corner that ends the stretch
-    return k < places.size() && places[k] >= 0 && corner_[places[k]] &&
-           std::includes(sharers_[places[k]].begin(), sharers_[places[k]].end(), both.begin(), both.end());
-  };
-  for (std::size_t begin = 0; begin < places.size();) {
-    if (!inside(begin)) {
-      ++begin;
-      continue;
-    }
-    const std::vector<int> both = sharers_[places[begin]];
-    std::size_t end = begin + 1;
-    while (inside(end) && sharers_[places[end]] == both) ++end;
-    std::size_t first = begin, last = end;
-    if (!holds(begin - 1, both)) ++first;  // begin - 1 wraps to a number beyond the end
-    if (!holds(end, both) && last > first) --last;
-    for (std::size_t k = begin; k < first; ++k) corner_[places[k]] = 1;
-    for (std::size_t k = last; k < end; ++k) corner_[places[k]] = 1;
-    if (last > first) edges_.push_back({{both[0], both[1]}, {places.begin() + first, places.begin() + last}, true});
-    begin = end;
   }
 }
 

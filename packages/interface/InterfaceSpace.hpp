@@ -10,10 +10,12 @@
 
 namespace suture {
 
-/// An edge of the interface: what two local problems, and only they, share between two corners.
-struct InterfaceEdge {
-  std::array<int, 2> locals;  ///< ids of the two, ascending
-  std::vector<int> unknowns;  ///< places in overlap(); in an order that both sides share
+/// A vertex, an edge or a face of the interface: a connected set of unknowns with the same sharers.
+struct InterfaceEntity {
+  EntityKind kind;
+  std::vector<int> sharers;   ///< ids of the local problems, ascending, two or more
+  std::vector<int> unknowns;  ///< places in overlap(); in an order that all sharers have in common
+  std::vector<int> ends;      ///< those of an edge's unknowns where it ends at no vertex
   bool contact = false;       ///< closed pairs of a contact line
 };
 
@@ -25,7 +27,7 @@ struct InterfaceRelation {
 };
 
 /// The space of traces on the interface: one Tpetra map, each unknown owned by one rank, the coupling R_i of every local problem of this
-/// rank, and which entity of the decomposition (corner, edge) an unknown belongs to. Immutable.
+/// rank, and the entities of the decomposition (vertices, edges, faces) that unknowns belong to. Immutable.
 ///
 /// related() derives the space in which some unknowns are expressed by others: closed contact pairs identify two of them. With T the
 /// matrix of these relations the couplings become R_i T. The map stays the same: an expressed unknown stays in it, idle, as a zero. T is
@@ -38,14 +40,16 @@ class InterfaceSpace {
 
   /// The space with relations. Every expressed unknown at most once, its `others` not expressed themselves; every rank that sees the
   /// unknown gives the same relation and sees all the others. Local.
-  /// \param chains  unknowns along contact lines, those of neighbouring closed pairs one after the other: what two local problems share of
-  ///                one becomes an edge whose end points are corners. Expressed unknowns stand for what expresses them.
+  /// \param chains  unknowns along contact lines, those of neighbouring closed pairs one after the other: neighbours with the same two
+  ///                sharers make an edge. Expressed unknowns stand for what expresses them. An unknown whose sharers change and that lies
+  ///                on no such edge becomes a vertex, and so does one in a relation of several terms.
   std::shared_ptr<const InterfaceSpace> related(std::vector<InterfaceRelation> relations,
                                                 const std::vector<std::vector<int>>& chains) const;
 
   const MapPtr& map() const { return map_; }          ///< owned, one to one
   const MapPtr& overlap() const { return overlap_; }  ///< all that this rank's local problems touch, and their partners in relations
   const CommPtr& comm() const { return comm_; }
+  int dimension() const { return dimension_; }
   GlobalId size() const;  ///< over all ranks, idle ones included
   int overlapSize() const { return static_cast<int>(points_.size()); }
   int locals() const { return static_cast<int>(couplings_.size()); }
@@ -59,15 +63,17 @@ class InterfaceSpace {
   int ownedRow(int place) const { return ownedRows_[place]; }  ///< in map(); -1: another rank owns it
   const Point& point(int place) const { return points_[place]; }
   const Point& direction(int place) const { return directions_[place]; }  ///< along which it displaces; see InterfaceLayout::Unknown
-  double moment(int place) const { return moments_[place]; }              ///< value under a unit rotation about point(); zero for a point
+  const Point& moment(int place) const { return moments_[place]; }        ///< values under unit rotations about point(); zero for a point
   double flux(int place) const { return fluxes_[place]; }                 ///< see InterfaceLayout::Unknown
   /// The relation that expresses it, or null.
   const InterfaceRelation* relation(int place) const { return relationOf_[place] < 0 ? nullptr : &relations_[relationOf_[place]]; }
   /// Ids of the local problems that feel it, ascending; none for an expressed one.
   const std::vector<int>& sharers(int place) const { return sharers_[place]; }
-  bool isCorner(int place) const { return corner_[place] != 0; }
-  /// Edges that touch local problems of this rank; no unknown in two of them.
-  const std::vector<InterfaceEdge>& edges() const { return edges_; }
+  /// Entities that touch local problems of this rank, none empty; no unknown in two of them. Ranks that know several of them list these in
+  /// the same order.
+  const std::vector<InterfaceEntity>& entities() const { return entities_; }
+  /// The entity that an unknown belongs to, -1: none.
+  std::vector<int> entityOfPlaces() const;
 
   /// overlap <- T owned. Collective.
   void gather(const MultiVector& owned, Matrix& overlap) const;
@@ -89,7 +95,9 @@ class InterfaceSpace {
  private:
   void exchangeSharers(const InterfaceLayout& layout);
   void importPoints(const InterfaceLayout& layout);
-  void cutChain(const std::vector<int>& chain);
+  void addEntities(const InterfaceLayout& layout);
+  void leaveEntities(const std::vector<char>& leaves);
+  void addContactEntities(const std::vector<std::vector<int>>& chains, std::vector<char> single);
   MultiVector& overlapping(std::size_t columns) const;
 
   CommPtr comm_;
@@ -101,11 +109,11 @@ class InterfaceSpace {
   std::vector<Coupling> couplings_;
   std::vector<GlobalId> ids_;
   std::vector<int> ownedRows_;
-  std::vector<Point> points_, directions_;
-  std::vector<double> moments_, fluxes_;
+  int dimension_;
+  std::vector<Point> points_, directions_, moments_;
+  std::vector<double> fluxes_;
   std::vector<std::vector<int>> sharers_;
-  std::vector<char> corner_;
-  std::vector<InterfaceEdge> edges_;
+  std::vector<InterfaceEntity> entities_;
   std::vector<InterfaceRelation> relations_;
   std::vector<int> relationOf_;
 };

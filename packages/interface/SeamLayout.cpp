@@ -1,5 +1,5 @@
 #include <suture/interface/SeamLayout.hpp>
-#include <suture/partition/SeamTopology.hpp>
+#include <suture/partition/Seams.hpp>
 
 #include <algorithm>
 
@@ -38,29 +38,32 @@ void addSeams(const std::vector<std::unique_ptr<Subdomain>>& subdomains, const s
   };
   for (const SeamEntity& entity : findSeams(meshes)) {
     std::vector<const Subdomain*> holders;
-    for (const int id : entity.subdomains)
-      if (const Subdomain* own = find(id)) holders.push_back(own);
-    if (entity.kind == EntityClass::Corner) {
-      const std::vector<GlobalId> ids = unknownsAt(entity.nodes.front(), holders);
-      layout.corners.insert(layout.corners.end(), ids.begin(), ids.end());
-      continue;
+    InterfaceLayout::Entity own{entity.kind, {}, {}, {}};
+    for (const int id : entity.sharers) {
+      if (const Subdomain* subdomain = find(id)) holders.push_back(subdomain);
+      own.sharers.push_back(problemOf(id));
     }
-    InterfaceLayout::Edge edge{{problemOf(entity.subdomains[0]), problemOf(entity.subdomains[1])}, {}};
-    if (edge.locals[0] == edge.locals[1]) continue;
-    std::sort(edge.locals.begin(), edge.locals.end());
-    for (const GlobalId node : entity.nodes) {
-      const std::vector<GlobalId> ids = unknownsAt(node, holders);
-      edge.unknowns.insert(edge.unknowns.end(), ids.begin(), ids.end());
-    }
-    layout.edges.push_back(std::move(edge));
+    std::sort(own.sharers.begin(), own.sharers.end());
+    own.sharers.erase(std::unique(own.sharers.begin(), own.sharers.end()), own.sharers.end());
+    if (own.sharers.size() < 2) continue;
+    const auto addUnknowns = [&](const std::vector<GlobalId>& nodes, std::vector<GlobalId>& unknowns) {
+      for (const GlobalId node : nodes) {
+        const std::vector<GlobalId> ids = unknownsAt(node, holders);
+        unknowns.insert(unknowns.end(), ids.begin(), ids.end());
+      }
+    };
+    addUnknowns(entity.nodes, own.unknowns);
+    addUnknowns(entity.ends, own.ends);
+    layout.entities.push_back(std::move(own));
   }
 }
 
 void addUnknowns(const Subdomain& subdomain, const std::vector<int>& dofs, InterfaceLayout& layout) {
+  layout.dimension = subdomain.mesh().dimension;
   const Vector flux = subdomain.seamFlux();
   for (const int dof : dofs)
     layout.unknowns.push_back(
-        {subdomain.globalDof(dof), subdomain.mesh().point(subdomain.nodeOf(dof)), subdomain.direction(dof), 0.0, flux(dof)});
+        {subdomain.globalDof(dof), subdomain.mesh().point(subdomain.nodeOf(dof)), subdomain.direction(dof), {0, 0, 0}, flux(dof)});
 }
 
 }  // namespace suture

@@ -2,6 +2,7 @@
 #include <suture/base/Collective.hpp>
 #include <suture/base/Dense.hpp>
 #include <suture/base/DisjointSets.hpp>
+#include <suture/base/RigidValues.hpp>
 #include <suture/partition/BodyParts.hpp>
 
 #include <algorithm>
@@ -90,7 +91,7 @@ void BodyParts::findParts(const Comm& comm, const std::vector<const SubdomainMes
 
 /// Each rank compresses the rows of prescribed components, and their values, to a triangle for each part.
 void BodyParts::findMotions(const Comm& comm, const std::vector<const SubdomainMesh*>& meshes, int dimension) {
-  const int amplitudes = dimension == 2 ? 3 : 6;
+  const int amplitudes = rigidMotions(dimension);
   std::map<int, std::vector<Vector>> rows;
   for (std::size_t s = 0; s < meshes.size(); ++s) {
     const SubdomainMesh& mesh = *meshes[s];

@@ -1,4 +1,5 @@
 #include <suture/base/Gather.hpp>
+#include <suture/base/RigidValues.hpp>
 #include <suture/partition/BodyParts.hpp>
 #include <suture/partition/RigidLift.hpp>
 
@@ -36,17 +37,10 @@ Extended dot(const Point& axis, const std::array<Extended, 3>& moved) {
 using Amplitudes = std::array<Extended, 6>;
 
 std::array<Extended, 3> motionAt(const RigidPart& part, const Amplitudes& amplitudes, const Point& point, int dimension) {
-  std::array<Extended, 3> arm{0, 0, 0}, turn{0, 0, 0}, moved{0, 0, 0};
-  for (int k = 0; k < dimension; ++k) {
-    arm[k] = (Extended(point[k]) - part.centre[k]) / part.radius;
-    moved[k] = amplitudes[k];
-  }
-  if (dimension == 2)
-    turn[2] = amplitudes[2];
-  else
-    for (int k = 0; k < 3; ++k) turn[k] = amplitudes[3 + k];
-  for (int k = 0; k < dimension; ++k) moved[k] += turn[(k + 1) % 3] * arm[(k + 2) % 3] - turn[(k + 2) % 3] * arm[(k + 1) % 3];
-  return moved;
+  std::array<Extended, 3> arm{0, 0, 0}, translation, rotation;
+  for (int k = 0; k < dimension; ++k) arm[k] = (Extended(point[k]) - part.centre[k]) / part.radius;
+  splitAmplitudes(amplitudes, dimension, translation, rotation);
+  return rigidDisplacement(translation, rotation, arm);
 }
 
 Amplitudes extended(const Vector& amplitudes) {
@@ -136,7 +130,7 @@ bool Lifting::choose() {
   Teuchos::reduceAll(comm_, Teuchos::REDUCE_MAX, int(mine.size()), mine.data(), all.data());
   for (std::size_t p = 0; p < parts; ++p)
     if (!(all[2 * p + 1] <= kRigid * all[2 * p])) parts_->lift[p].setZero();
-  std::vector<Vector> carried(parts, Vector::Zero(dimension_ == 2 ? 3 : 6));
+  std::vector<Vector> carried(parts, Vector::Zero(rigidMotions(dimension_)));
   if (carry_) carried = carry_(*parts_);
   bool any = false;
   for (std::size_t p = 0; p < parts; ++p) {

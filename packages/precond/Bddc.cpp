@@ -23,8 +23,8 @@ namespace {
 constexpr int kLeastSizeByChanges = 16;
 
 /// The inverse under other constraints; null where it is better made anew.
-std::shared_ptr<const LocalInverse> updated(const std::shared_ptr<const LocalInverse>& base, const PrimalConstraints::Rows& old,
-                                            const PrimalConstraints::Rows& now) {
+std::shared_ptr<const LocalInverse> updated(const std::shared_ptr<const LocalInverse>& base, const PrimalRows::Rows& old,
+                                            const PrimalRows::Rows& now) {
   const std::vector<int> from = rowsIn(old, now);
   const auto kept = static_cast<int>(from.size() - std::count(from.begin(), from.end(), -1));
   const int changes = static_cast<int>(old.rows() + now.rows()) - 2 * kept;
@@ -39,17 +39,17 @@ Schema Bddc::schema() {
   Schema schema(
       "Balancing domain decomposition by constraints: local problems held at corners and edge constraints, and a coarse problem of these.");
   schema.choice("Weighting", "Stiffness Diagonal", Registry<Weighting>::instance().schemas(), "How subdomains share the interface, D_i.");
-  schema.choice("Edge Constraints", "Rigid Modes", Registry<EdgeConstraints>::instance().schemas(),
+  schema.choice("Edge Constraints", "Rigid Modes", Registry<PrimalConstraints>::instance().schemas(),
                 "What subdomains have in common on an edge, beside its end points.");
   CoarseOptions::addParameters(schema);
   return schema;
 }
 
 Bddc::Bddc(const Parameters& own)
-    : Bddc(makeStrategy<Weighting>(own, "Weighting"), makeStrategy<EdgeConstraints>(own, "Edge Constraints"), CoarseOptions::from(own)) {}
+    : Bddc(makeStrategy<Weighting>(own, "Weighting"), makeStrategy<PrimalConstraints>(own, "Edge Constraints"), CoarseOptions::from(own)) {}
 
-Bddc::Bddc(std::unique_ptr<Weighting> weighting, std::unique_ptr<EdgeConstraints> edges, CoarseOptions levels)
-    : weighting_(std::move(weighting)), edges_(std::move(edges)), levels_(std::move(levels)) {}
+Bddc::Bddc(std::unique_ptr<Weighting> weighting, std::unique_ptr<PrimalConstraints> primal, CoarseOptions levels)
+    : weighting_(std::move(weighting)), primal_(std::move(primal)), levels_(std::move(levels)) {}
 
 struct Bddc::Work {
   Matrix overlap;
@@ -65,27 +65,27 @@ void Bddc::doInitialize() { coarse_.reset(); }
 void Bddc::doCompute() {
   const LocalProblems& locals = matrix()->locals();
   weighting_->setup(*space(), locals);
-  const std::vector<Matrix> edgeRows = edges_->rows(*space(), locals, *weighting_);
+  const PrimalChoice choice = primal_->choose(*space(), locals, *weighting_);
   int mine = 0, all = 0;
   for (const auto& local : locals) mine += local != nullptr;
   Teuchos::reduceAll(*space()->comm(), Teuchos::REDUCE_SUM, mine, Teuchos::outArg(all));
   collectively(*space()->comm(), "factoring the local problems of BDDC",
-               [&] { factorLocals(primalConstraints(*space(), edgeRows, levels_.goesOn(all))); });
+               [&] { factorLocals(primalRows(*space(), choice, levels_.goesOn(all))); });
   assembleCoarse(all);
-  if (edges_->isAdaptive()) countConstraints(edgeRows);
+  if (primal_->isAdaptive()) countConstraints(choice.rows);
 }
 
-/// Edges where their first local problem lives, unknowns where they are owned.
-void Bddc::countConstraints(const std::vector<Matrix>& edgeRows) {
+/// Entities where their first local problem lives, unknowns where they are owned.
+void Bddc::countConstraints(const std::vector<Matrix>& rows) {
   std::map<int, int> here;
   for (int i = 0; i < space()->locals(); ++i) here[space()->localId(i)] = i;
   GlobalId mine[2] = {0, 0}, all[2];
-  for (std::size_t e = 0; e < edgeRows.size(); ++e)
-    if (here.count(space()->edges()[e].locals[0])) mine[0] += edgeRows[e].rows();
+  for (std::size_t e = 0; e < rows.size(); ++e)
+    if (here.count(space()->entities()[e].sharers[0])) mine[0] += rows[e].rows();
   for (int place = 0; place < space()->overlapSize(); ++place)
     mine[1] += space()->sharers(place).size() > 1 && space()->ownedRow(place) >= 0;
   Teuchos::reduceAll(*space()->comm(), Teuchos::REDUCE_SUM, 2, mine, all);
-  edgeConstraints_ = all[0];
+  entityConstraints_ = all[0];
   sharedUnknowns_ = all[1];
 }
 
@@ -97,16 +97,16 @@ double Bddc::bytesRead() const {
 }
 
 std::string Bddc::remark() const {
-  if (!edges_->isAdaptive()) return std::string();
+  if (!primal_->isAdaptive()) return std::string();
   std::ostringstream text;
   text.precision(2);
-  text << "adaptive coarse space: " << edgeConstraints_ << " edge constraints ("
-       << 100.0 * static_cast<double>(edgeConstraints_) / static_cast<double>(sharedUnknowns_) << " % of " << sharedUnknowns_
-       << " shared unknowns) and " << coarseSize() - edgeConstraints_ << " corner unknowns";
+  text << "adaptive coarse space: " << entityConstraints_ << " edge constraints ("
+       << 100.0 * static_cast<double>(entityConstraints_) / static_cast<double>(sharedUnknowns_) << " % of " << sharedUnknowns_
+       << " shared unknowns) and " << coarseSize() - entityConstraints_ << " corner unknowns";
   return text.str();
 }
 
-void Bddc::factorLocals(std::vector<PrimalConstraints> constraints) {
+void Bddc::factorLocals(std::vector<PrimalRows> constraints) {
   const LocalProblems& locals = matrix()->locals();
   locals_.resize(locals.size());
   bases_.resize(locals.size());
@@ -114,7 +114,7 @@ void Bddc::factorLocals(std::vector<PrimalConstraints> constraints) {
   constraints_.resize(locals.size());
   for (std::size_t i = 0; i < locals.size(); ++i) {
     const bool known = locals_[i] && locals_[i] == locals[i] && inverses_[i];
-    const PrimalConstraints::Rows &before = constraints_[i].rows, &now = constraints[i].rows;
+    const PrimalRows::Rows &before = constraints_[i].rows, &now = constraints[i].rows;
     const bool same = known && before.rows() == now.rows() && before.isApprox(now, 0.0);
     locals_[i] = locals[i];
     constraints_[i] = std::move(constraints[i]);
@@ -137,6 +137,7 @@ void Bddc::assembleCoarse(int locals) {
       for (const auto& unknown : constraints_[i].unknowns) keys.push_back(unknown.id);
     }
   CoarseElements coarse;
+  coarse.dimension = space()->dimension();
   const std::vector<int> numbers = numberKeys(space()->comm(), keys, coarse.size);
   values_.assign(locals_.size(), {});
   std::map<int, InterfaceLayout::Unknown> unknowns;

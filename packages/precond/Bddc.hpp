@@ -1,7 +1,6 @@
 #pragma once
-#include <suture/precond/EdgeConstraints.hpp>
 #include <suture/precond/Preconditioner.hpp>
-#include <suture/precond/PrimalConstraints.hpp>
+#include <suture/precond/PrimalRows.hpp>
 #include <suture/precond/Weighting.hpp>
 #include <suture/precond/coarse/CoarseOptions.hpp>
 
@@ -14,7 +13,7 @@ namespace suture {
 ///     M^-1 = sum_i R_i^T D_i x_i,   x_i = P_i f_i + Phi_i A_i y,   f_i = D_i^T R_i r,   (sum A_i^T Phi_i^T S_i Phi_i A_i) y = sum A_i^T
 ///     Phi_i^T f_i,
 /// P_i the inverse of S_i under the primal constraints C_i x = 0, Phi_i the traces of least energy with C_i Phi_i = I, A_i the values of
-/// the constraints in primal unknowns: corners, and the constraints of edges (EdgeConstraints). Additive: coarse and local problems see the
+/// the constraints in primal unknowns (PrimalConstraints). Additive: coarse and local problems see the
 /// same residual. Condition C (1 + log H/h)^2, with all eigenvalues at least one. Cost of an application: a dense symmetric product for
 /// every local problem and one coarse solve: exact, or for many local problems approximate by a level more (CoarseOptions). Local problems
 /// whose S_i and constraints did not change are not factored again; where a few constraints did, the inverse is updated (UpdatedInverse).
@@ -23,7 +22,7 @@ class Bddc : public Preconditioner {
   static Schema schema();
   explicit Bddc(const Parameters& own);
   /// For programs that bring their own strategies.
-  Bddc(std::unique_ptr<Weighting> weighting, std::unique_ptr<EdgeConstraints> edges, CoarseOptions levels);
+  Bddc(std::unique_ptr<Weighting> weighting, std::unique_ptr<PrimalConstraints> primal, CoarseOptions levels);
   ~Bddc() override;
 
   int coarseSize() const override { return coarse_ ? coarse_->size() : 0; }
@@ -36,19 +35,19 @@ class Bddc : public Preconditioner {
   void doApply(const MultiVector& r, MultiVector& z) const override;
 
  private:
-  void factorLocals(std::vector<PrimalConstraints> constraints);
+  void factorLocals(std::vector<PrimalRows> constraints);
   void assembleCoarse(int locals);
   CoarseElement element(std::size_t i) const;
-  void countConstraints(const std::vector<Matrix>& edgeRows);
+  void countConstraints(const std::vector<Matrix>& rows);
 
   std::unique_ptr<Weighting> weighting_;
-  std::unique_ptr<EdgeConstraints> edges_;
+  std::unique_ptr<PrimalConstraints> primal_;
   CoarseOptions levels_;
   LocalProblems locals_;  // those the inverses belong to
-  std::vector<PrimalConstraints> constraints_;
+  std::vector<PrimalRows> constraints_;
   // Bases of inverses_, perhaps made for other constraints than the present ones.
   struct Base {
-    PrimalConstraints::Rows rows;
+    PrimalRows::Rows rows;
     std::shared_ptr<const LocalInverse> inverse;
   };
   std::vector<Base> bases_;
@@ -62,8 +61,8 @@ class Bddc : public Preconditioner {
   std::vector<std::vector<Value>> values_;
   std::unique_ptr<CoarseSolve> coarse_;
   struct Work;
-  mutable std::unique_ptr<Work> work_;                 // work space of an application, which allocates nothing
-  GlobalId edgeConstraints_ = 0, sharedUnknowns_ = 0;  // over all ranks
+  mutable std::unique_ptr<Work> work_;                   // work space of an application, which allocates nothing
+  GlobalId entityConstraints_ = 0, sharedUnknowns_ = 0;  // over all ranks
 };
 
 }  // namespace suture

@@ -1,25 +1,49 @@
 #include <suture/base/Collective.hpp>
 #include <suture/base/Dense.hpp>
 #include <suture/precond/DeluxeWeighting.hpp>
+#include <suture/precond/EntitySides.hpp>
 
 namespace suture {
+
+namespace {
+
+/// Entities to weigh whole: edges and faces without their ends, and vertices where no relation joins unknowns.
+std::vector<InterfaceEntity> weighed(const InterfaceSpace& space) {
+  std::vector<char> apart(space.overlapSize(), 0);
+  for (const InterfaceEntity& entity : space.entities())
+    for (const int place : entity.ends) apart[place] = 1;
+  std::vector<char> joined(space.overlapSize(), 0);
+  for (int place = 0; place < space.overlapSize(); ++place)
+    if (const InterfaceRelation* by = space.relation(place))
+      for (const int other : by->others) joined[other] = 1;
+  for (const InterfaceEntity& entity : space.entities())
+    if (entity.kind == EntityKind::Vertex)
+      for (const int place : entity.unknowns) apart[place] = joined[place];
+  return withoutAlone(space, apart);
+}
+
+}  // namespace
 
 void DeluxeWeighting::doSetup(const InterfaceSpace& space, const LocalProblems& locals) {
   StiffnessDiagonalWeighting::doSetup(space, locals);
   blocks_.assign(locals.size(), {});
-  const std::vector<EdgeSide> sides = edgeSides(space);
-  // In unknowns of the edge: T S T, T the coefficients of the trace. A local problem that does not take part has no stiffness.
-  const auto stiffness = exchangeEdges(space, sides, [&](const EdgeSide& side) {
+  const std::vector<InterfaceEntity> entities = weighed(space);
+  const std::vector<EntitySide> sides = entitySides(space, entities);
+  // In unknowns of the entity: T S T, T the coefficients of the trace. A local problem that does not take part has no stiffness.
+  const auto stiffness = exchangeSides(space, entities, sides, [&](std::size_t k) {
+    const EntitySide& side = sides[k];
     const int n = static_cast<int>(side.rows.size());
     if (!locals[side.local]) return Matrix(Matrix::Zero(n, n));
     return Matrix(side.coefficients.asDiagonal() * locals[side.local]->schurBlock(side.rows) * side.coefficients.asDiagonal());
   });
-  collectively(*space.comm(), "weighting the edges", [&] {
-    for (const EdgeSide& side : sides) {
+  collectively(*space.comm(), "weighting the entities", [&] {
+    for (const EntitySide& side : sides) {
       if (!locals[side.local]) continue;
-      const Matrix& own = stiffness[side.edge][side.side];
+      const std::vector<Matrix>& all = stiffness[side.entity];
+      Matrix sum = all[0];
+      for (std::size_t k = 1; k < all.size(); ++k) sum += all[k];
       const Vector back = side.coefficients.cwiseInverse();
-      const Matrix share = solvePositive(stiffness[side.edge][0] + stiffness[side.edge][1], own);
+      const Matrix share = solvePositive(sum, all[side.side]);
       blocks_[side.local].push_back({side.rows, back.asDiagonal() * share * back.asDiagonal()});
     }
   });

@@ -1,14 +1,14 @@
 #pragma once
-#include <suture/precond/EdgeSides.hpp>
 #include <suture/precond/Weighting.hpp>
 
 #include <vector>
 
 namespace suture {
 
-/// Deluxe weights (Dohrmann and Widlund, 2013): on an edge of two local problems D_i = (S_1 + S_2)^-1 S_i with the blocks of their Schur
-/// complements there, a dense matrix; elsewhere by the diagonal of the stiffness matrix. Robust for jumps within the edge that both sides
-/// see. Cost: S_i as a matrix, a factorisation and two products for each edge.
+/// Deluxe weights (Dohrmann and Widlund, 2013): on every vertex, edge and face D_i = (sum_j S_j)^-1 S_i with the blocks of the sharers'
+/// Schur complements there, a dense matrix, for any number of sharers. Elsewhere (ends of edges, unknowns that relations join in points) by
+/// the diagonal of the stiffness matrix. Robust for jumps within the entity that all sharers see. Cost: S_i as a matrix, a factorisation
+/// and a product for each sharer of each entity.
 class DeluxeWeighting : public StiffnessDiagonalWeighting {
  protected:
   void doSetup(const InterfaceSpace& space, const LocalProblems& locals) override;

@@ -1,126 +1,98 @@
-#include <suture/precond/EdgeSides.hpp>
-#include <suture/precond/PrimalConstraints.hpp>
+#include <suture/base/Dense.hpp>
+#include <suture/precond/AdaptiveConstraints.hpp>
+#include <suture/precond/EntitySides.hpp>
+#include <suture/precond/Mechanisms.hpp>
+#include <suture/precond/StiffTraces.hpp>
+
+#include <Teuchos_ParameterList.hpp>
 
 #include <algorithm>
-#include <utility>
+#include <cmath>
 
 namespace suture {
 
 namespace {
 
-// Two primal unknowns may belong to one interface unknown: the corner, and the edge constraint that is numbered after it.
-GlobalId cornerKey(const InterfaceSpace& space, int place) { return 2 * space.id(place); }
-GlobalId edgeKey(const InterfaceSpace& space, int place) { return 2 * space.id(place) + 1; }
-
-InterfaceLayout::Unknown cornerUnknown(const InterfaceSpace& space, int place) {
-  return {cornerKey(space, place), space.point(place), space.direction(place), space.moment(place)};
+/// With the flux as another column, where it is anything: nearly incompressible bodies are as stiff as their bulk modulus against jumps
+/// that change the volume on one side, and averages of nodal values are no flux on edges that turn or whose nodes are of several kinds (Li,
+/// Widlund, "BDDC algorithms for incompressible Stokes equations", SIAM J. Numer. Anal. 2006).
+Matrix withFlux(const InterfaceSpace& space, const std::vector<int>& unknowns, const Matrix& modes) {
+  Vector flux(modes.rows());
+  for (int i = 0; i < flux.size(); ++i) flux(i) = space.flux(unknowns[i]);
+  const double size = flux.size() > 0 ? flux.cwiseAbs().maxCoeff() : 0.0;
+  if (!(size > 0.0)) return modes;
+  Matrix all(modes.rows(), modes.cols() + 1);
+  all << modes, flux / size;
+  return all;
 }
 
-/// A combination of unknowns, as it moves about their centre.
-InterfaceLayout::Unknown combined(const InterfaceSpace& space, GlobalId key, const std::vector<int>& places, const Matrix& coefficients) {
-  InterfaceLayout::Unknown sum{key, {0, 0, 0}, {0, 0, 0}, 0.0};
-  for (const int place : places)
-    for (int k = 0; k < 3; ++k) sum.point[k] += space.point(place)[k] / static_cast<double>(places.size());
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    const Point &p = space.point(places[i]), &d = space.direction(places[i]);
-    const double c = coefficients(0, static_cast<int>(i));
-    for (int k = 0; k < 3; ++k) sum.direction[k] += c * d[k];
-    sum.moment += c * (d[1] * (p[0] - sum.point[0]) - d[0] * (p[1] - sum.point[1]) + space.moment(places[i]));
+/// Columns: one, and if asked for the place along the line.
+Matrix momentsAlong(const InterfaceSpace& space, const std::vector<int>& unknowns, bool withFirst) {
+  const int n = static_cast<int>(unknowns.size());
+  Matrix moments = Matrix::Ones(n, withFirst && n > 1 ? 2 : 1);
+  if (moments.cols() == 1) return moments;
+  moments(0, 1) = 0.0;
+  for (int i = 1; i < n; ++i) {
+    const Point &a = space.point(unknowns[i - 1]), &b = space.point(unknowns[i]);
+    moments(i, 1) = moments(i - 1, 1) + std::hypot(b[0] - a[0], b[1] - a[1]);
   }
-  return sum;
-}
-
-struct Row {
-  std::vector<std::pair<int, double>> entries;  // position in the trace, coefficient
-  std::vector<PrimalConstraints::Term> terms;
-};
-
-/// Sorts the entries.
-PrimalConstraints::Rows sparse(std::vector<Row>& rows, int columns) {
-  PrimalConstraints::Rows made(static_cast<int>(rows.size()), columns);
-  std::size_t entries = 0;
-  for (const Row& row : rows) entries += row.entries.size();
-  made.reserve(static_cast<Eigen::Index>(entries));
-  for (std::size_t r = 0; r < rows.size(); ++r) {
-    std::sort(rows[r].entries.begin(), rows[r].entries.end());
-    made.startVec(static_cast<int>(r));
-    for (const auto& [position, value] : rows[r].entries) made.insertBack(static_cast<int>(r), position) = value;
-  }
-  made.finalize();
-  return made;
+  const double length = moments(n - 1, 1);
+  moments.col(1).array() -= moments.col(1).mean();
+  moments.col(1) /= length;
+  return moments;
 }
 
 }  // namespace
 
-std::vector<int> rowsIn(const PrimalConstraints::Rows& old, const PrimalConstraints::Rows& now) {
-  const auto same = [&](int a, int b) {
-    const int begin = old.outerIndexPtr()[a], end = old.outerIndexPtr()[a + 1], other = now.outerIndexPtr()[b];
-    return now.outerIndexPtr()[b + 1] - other == end - begin &&
-           std::equal(old.innerIndexPtr() + begin, old.innerIndexPtr() + end, now.innerIndexPtr() + other) &&
-           std::equal(old.valuePtr() + begin, old.valuePtr() + end, now.valuePtr() + other);
-  };
-  std::vector<int> from(now.rows(), -1);
-  std::vector<char> taken(old.rows(), 0);
-  for (int row = 0; row < now.rows(); ++row)
-    for (int k = 0; k < old.rows() && from[row] < 0; ++k)
-      if (!taken[k] && same(k, row)) {
-        from[row] = k;
-        taken[k] = 1;
-      }
-  return from;
+std::vector<char> verticesAndEnds(const InterfaceSpace& space) {
+  std::vector<char> alone(space.overlapSize(), 0);
+  for (const InterfaceEntity& entity : space.entities())
+    for (const int place : entity.kind == EntityKind::Vertex ? entity.unknowns : entity.ends) alone[place] = 1;
+  return alone;
 }
 
-std::vector<PrimalConstraints> primalConstraints(const InterfaceSpace& space, const std::vector<Matrix>& edgeRows, bool withUnknowns) {
-  std::vector<std::vector<Row>> rows(space.locals());
-  std::vector<std::vector<InterfaceLayout::Unknown>> unknowns(space.locals());
-  for (int i = 0; i < space.locals(); ++i) {
-    const std::vector<int>& places = space.coupling(i).columns();
-    for (std::size_t k = 0; k < places.size(); ++k) {
-      const InterfaceRelation* by = space.relation(places[k]);
-      const std::size_t count = by ? by->others.size() : 1;
-      if (count == 0) {  // held: no value of its own, but the trace is known to be zero
-        rows[i].push_back({{{static_cast<int>(k), 1.0}}, {}});
-        continue;
-      }
-      const int first = by ? by->others[0] : places[k];
-      if (count == 1 && !space.isCorner(first)) {
-        // Two unknowns of one local problem (a node that slides along an oblique obstacle): it must know that they go together.
-        if (const auto own = by ? std::find(places.begin(), places.end(), first) : places.end(); own != places.end())
-          rows[i].push_back({{{static_cast<int>(k), 1.0}, {static_cast<int>(own - places.begin()), -by->coefficients[0]}}, {}});
-        continue;
-      }
-      Row row{{{static_cast<int>(k), 1.0}}, {}};
-      for (std::size_t t = 0; t < count; ++t) {
-        const int place = by ? by->others[t] : first;
-        row.terms.push_back({cornerKey(space, place), by ? by->coefficients[t] : 1.0});
-        if (withUnknowns) unknowns[i].push_back(cornerUnknown(space, place));
-      }
-      rows[i].push_back(std::move(row));
-    }
-  }
+PrimalChoice PrimalConstraints::choose(const InterfaceSpace& space, const LocalProblems& locals, const Weighting& weighting) const {
+  PrimalChoice choice = doChoose(space, locals, weighting);
+  stopMechanisms(space, locals, choice);
+  return choice;
+}
 
-  for (const EdgeSide& side : edgeSides(space))
-    for (int r = 0; r < edgeRows[side.edge].rows(); ++r) {
-      Row row;
-      for (std::size_t k = 0; k < side.rows.size(); ++k)
-        row.entries.emplace_back(side.rows[k], edgeRows[side.edge](r, static_cast<int>(k)) / side.coefficients(static_cast<int>(k)));
-      const std::vector<int>& places = space.edges()[side.edge].unknowns;
-      row.terms = {{edgeKey(space, places[r]), 1.0}};
-      if (withUnknowns) unknowns[side.local].push_back(combined(space, row.terms[0].key, places, edgeRows[side.edge].row(r)));
-      rows[side.local].push_back(std::move(row));
-    }
+PrimalChoice VertexConstraints::doChoose(const InterfaceSpace& space, const LocalProblems&, const Weighting&) const {
+  PrimalChoice choice{verticesAndEnds(space), {}};
+  for (const InterfaceEntity& entity : withoutAlone(space, choice.alone))
+    choice.rows.emplace_back(0, static_cast<int>(entity.unknowns.size()));
+  return choice;
+}
 
-  std::vector<PrimalConstraints> all(space.locals());
-  for (int i = 0; i < space.locals(); ++i) {
-    all[i].rows = sparse(rows[i], space.coupling(i).rows());
-    for (Row& row : rows[i]) all[i].terms.push_back(std::move(row.terms));
-    const auto before = [](const InterfaceLayout::Unknown& a, const InterfaceLayout::Unknown& b) { return a.id < b.id; };
-    const auto same = [](const InterfaceLayout::Unknown& a, const InterfaceLayout::Unknown& b) { return a.id == b.id; };
-    std::stable_sort(unknowns[i].begin(), unknowns[i].end(), before);
-    unknowns[i].erase(std::unique(unknowns[i].begin(), unknowns[i].end(), same), unknowns[i].end());
-    all[i].unknowns = std::move(unknowns[i]);
+PrimalChoice MomentConstraints::doChoose(const InterfaceSpace& space, const LocalProblems&, const Weighting&) const {
+  PrimalChoice choice{verticesAndEnds(space), {}};
+  for (const InterfaceEntity& entity : withoutAlone(space, choice.alone)) {
+    if (entity.unknowns.empty()) {
+      choice.rows.emplace_back(0, 0);
+      continue;
+    }
+    const Matrix modes =
+        entity.contact ? momentsAlong(space, entity.unknowns, withFirst_) : rigidMotionsOf(space, entity.unknowns, withFirst_);
+    choice.rows.push_back(orthonormalBasis(withFlux(space, entity.unknowns, modes), 1e-8).transpose());
   }
-  return all;
+  return choice;
+}
+
+std::unique_ptr<PrimalConstraints> rigidModeConstraints() {
+  return std::make_unique<StiffTraces>(std::make_unique<MomentConstraints>(true));
+}
+
+void registerBuiltIns(Registry<PrimalConstraints>& registry) {
+  registry.add("None", Schema("Vertices and ends of edges only."), [](const Parameters&) { return std::make_unique<VertexConstraints>(); });
+  registry.add(
+      "Averages",
+      Schema("The average of each component; on contact lines of the normal displacement. With a Poisson ratio above 0.45 also the "
+             "volume that flows through."),
+      [](const Parameters&) { return std::make_unique<StiffTraces>(std::make_unique<MomentConstraints>(false)); });
+  registry.add("Rigid Modes", Schema("Averages and the first moment: all rigid motions of the edge."),
+               [](const Parameters&) { return rigidModeConstraints(); });
+  registry.add("Adaptive", AdaptiveConstraints::schema(),
+               [](const Parameters& own) { return std::make_unique<AdaptiveConstraints>(own.get<double>("Threshold")); });
 }
 
 }  // namespace suture

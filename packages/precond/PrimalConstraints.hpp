@@ -1,31 +1,69 @@
 #pragma once
-#include <suture/interface/InterfaceSpace.hpp>
+#include <suture/base/Registry.hpp>
+#include <suture/precond/Weighting.hpp>
 
-#include <Eigen/SparseCore>
+#include <memory>
 #include <vector>
 
 namespace suture {
 
-/// The primal constraints of one local problem in BDDC: rows C_i on its trace, and the value of each row in primal unknowns, which
-/// neighbours share. Corner rows pick an unknown; edge rows are combinations along an edge.
-struct PrimalConstraints {
-  struct Term {
-    GlobalId key;  ///< key of a primal unknown: the same on all ranks, each its own
-    double coefficient;
-  };
-  /// By rows: most of them touch one edge of many.
-  using Rows = Eigen::SparseMatrix<double, Eigen::RowMajor, int>;
-  Rows rows;                                       ///< constraints x trace
-  std::vector<std::vector<Term>> terms;            ///< terms of each row: C_i x = sum of coefficients times primal unknowns
-  std::vector<InterfaceLayout::Unknown> unknowns;  ///< those that the terms name, by key, ascending: how they move; if asked for
+/// What the local problems of BDDC have in common, the same on all ranks that know an unknown or an entity.
+struct PrimalChoice {
+  std::vector<char> alone;   ///< for each unknown of overlap(), by place: true if it is primal alone
+  std::vector<Matrix> rows;  ///< for each entity of the space: constraints x its unknowns that are not alone, in their order; orthonormal
+                             ///< rows, no more than unknowns. A row's value is the same for all sharers. The rows of an entity get the
+                             ///< global ids of its first unknowns.
 };
 
-/// For each row of `now`, the row of `old` that is the same, or -1.
-std::vector<int> rowsIn(const PrimalConstraints::Rows& old, const PrimalConstraints::Rows& now);
+/// Strategy that chooses the primal unknowns of BDDC: unknowns that are primal alone (vertices), and averages, moments or modes of the rest
+/// of each entity. Strategies: None, Averages, Rigid Modes, Adaptive; a user adds his own through Registry<PrimalConstraints>.
+class PrimalConstraints {
+ public:
+  static const char* kind() { return "edge constraints"; }
+  virtual ~PrimalConstraints() = default;
 
-/// Primal constraints of each local problem of this rank. Local.
-/// \param edgeRows  for each edge of the space (EdgeConstraints::rows)
-/// \param withUnknowns  true: also `unknowns`, for a further level
-std::vector<PrimalConstraints> primalConstraints(const InterfaceSpace& space, const std::vector<Matrix>& edgeRows, bool withUnknowns);
+  /// The strategy's choice, and vertices where that leaves a mechanism (stopMechanisms). Collective.
+  /// \param locals  in the order of the space's couplings; \param weighting  set up for them
+  PrimalChoice choose(const InterfaceSpace& space, const LocalProblems& locals, const Weighting& weighting) const;
+  /// True if the number of rows is not known beforehand, so that the user is told.
+  virtual bool isAdaptive() const { return false; }
+
+ protected:
+  virtual PrimalChoice doChoose(const InterfaceSpace& space, const LocalProblems& locals, const Weighting& weighting) const = 0;
+
+  /// Another strategy's choice as it is, for decorators.
+  static PrimalChoice plainChoice(const PrimalConstraints& other, const InterfaceSpace& space, const LocalProblems& locals,
+                                  const Weighting& weighting) {
+    return other.doChoose(space, locals, weighting);
+  }
+};
+
+void registerBuiltIns(Registry<PrimalConstraints>& registry);
+
+/// The unknowns of vertices, and those where an edge ends at no vertex, by place. Local.
+std::vector<char> verticesAndEnds(const InterfaceSpace& space);
+
+/// Vertices and ends of edges only: of all choices the largest condition.
+class VertexConstraints : public PrimalConstraints {
+ protected:
+  PrimalChoice doChoose(const InterfaceSpace& space, const LocalProblems& locals, const Weighting& weighting) const override;
+};
+
+/// Vertices, ends of edges, and moments of the rest of each entity: the average of each displacement component, on a contact line of the
+/// normal displacement; and if asked for the first moment as well: all rigid motions of the entity. The flux through it where the space has
+/// one (InterfaceSpace::flux).
+class MomentConstraints : public PrimalConstraints {
+ public:
+  explicit MomentConstraints(bool withFirst) : withFirst_(withFirst) {}
+
+ protected:
+  PrimalChoice doChoose(const InterfaceSpace& space, const LocalProblems& locals, const Weighting& weighting) const override;
+
+ private:
+  bool withFirst_;
+};
+
+/// Rigid motions and the other stiff traces of nearly incompressible subdomains, see StiffTraces: what clusters of a coarse problem use.
+std::unique_ptr<PrimalConstraints> rigidModeConstraints();
 
 }  // namespace suture

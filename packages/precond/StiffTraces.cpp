@@ -1,6 +1,6 @@
 #include <suture/base/Collective.hpp>
 #include <suture/base/Dense.hpp>
-#include <suture/precond/EdgeSides.hpp>
+#include <suture/precond/EntitySides.hpp>
 #include <suture/precond/StiffTraces.hpp>
 
 #include <Teuchos_Comm.hpp>
@@ -15,8 +15,8 @@ namespace {
 
 // Thresholds in units of the stiffness against change of shape. A trace below them multiplies the condition by about a twentieth of its
 // stiffness.
-constexpr double kStiff = 20.0;       // threshold for a trace of a subdomain
-constexpr double kStiffOnEdge = 0.5;  // threshold for the part of it that weighting leaves on an edge
+constexpr double kStiff = 20.0;         // threshold for a trace of a subdomain
+constexpr double kStiffOnEntity = 0.5;  // threshold for the part of it that weighting leaves on an entity
 constexpr int kMostSteps = 10;
 
 Matrix randomColumns(int rows, int columns) {
@@ -27,34 +27,67 @@ Matrix randomColumns(int rows, int columns) {
   return values;
 }
 
-/// One side of an edge, in the edge's unknowns: the shear stiffness, and D_j^T V, the part of V that the other side's weights leave. D_i +
-/// D_j = I.
-Matrix sideColumns(const EdgeSide& side, const LocalProblem& local, const Matrix& traces, const Weighting& weighting) {
+/// One side of an entity, in its unknowns: the shear stiffness; (I - D_i)^T V_i for two sharers, the part of V_i that the other one's
+/// weights leave; for more of them V_i and D_i, which the others need.
+Matrix sideColumns(const EntitySide& side, int sharers, const LocalProblem& local, const Matrix& traces, const Weighting& weighting) {
   const Vector squares = side.coefficients.cwiseAbs2();
   const Matrix own = rowsAt(traces, side.rows);
-  Matrix weighted = Matrix::Zero(local.size(), traces.cols());
-  for (int k = 0; k < own.rows(); ++k) weighted.row(side.rows[k]) = squares(k) * own.row(k);
-  weighting.applyTranspose(side.local, weighted);
-  Matrix all(own.rows(), 1 + own.cols());
+  const auto n = static_cast<int>(own.rows()), count = static_cast<int>(own.cols());
+  const auto toEntity = side.coefficients.asDiagonal();
+  Matrix all(n, 1 + count + (sharers > 2 ? n : 0));
   all.col(0) = squares.cwiseProduct(Vector(rowsAt(local.shearDiagonal(), side.rows)));
-  all.rightCols(own.cols()) = side.coefficients.asDiagonal() * (own - rowsAt(weighted, side.rows));
+  if (sharers > 2) {
+    Matrix weights = Matrix::Zero(local.size(), n);
+    for (int k = 0; k < n; ++k) weights(side.rows[k], k) = 1.0;
+    weighting.apply(side.local, weights);
+    all.middleCols(1, count) = toEntity * own;
+    all.rightCols(n) = toEntity * rowsAt(weights, side.rows) * toEntity;
+    return all;
+  }
+  Matrix weighted = Matrix::Zero(local.size(), count);
+  for (int k = 0; k < n; ++k) weighted.row(side.rows[k]) = squares(k) * own.row(k);
+  weighting.applyTranspose(side.local, weighted);
+  all.rightCols(count) = toEntity * (own - rowsAt(weighted, side.rows));
   return all;
 }
 
-Matrix withColumns(const Matrix& rows, const std::array<Matrix, 2>& sides) {
-  if (sides[0].cols() + sides[1].cols() <= 2 || sides[0].size() == 0 || sides[1].size() == 0) return rows;
-  // A jump meets the stiffness of two springs in a row, half of this.
-  const Vector a = sides[0].col(0), b = sides[1].col(0), scale = (2 * a.cwiseProduct(b).cwiseQuotient(a + b)).cwiseSqrt();
-  Matrix columns(a.size(), sides[0].cols() + sides[1].cols() - 2);
-  columns << sides[0].rightCols(sides[0].cols() - 1), sides[1].rightCols(sides[1].cols() - 1);
+/// D_j^T V_i for all pairs of sharers: averaging leaves sum_j D_j (w_i - w_j) on sharer i.
+Matrix leftOver(const std::vector<Matrix>& sides) {
+  const auto n = sides[0].rows();
+  const bool several = sides.size() > 2;
+  std::vector<Matrix> parts;
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    if (!several) parts.push_back(sides[i].rightCols(sides[i].cols() - 1));
+    for (std::size_t j = 0; j < sides.size() && several; ++j)
+      if (j != i) parts.push_back(sides[j].rightCols(n).transpose() * sides[i].middleCols(1, sides[i].cols() - 1 - n));
+  }
+  Eigen::Index count = 0;
+  for (const Matrix& part : parts) count += part.cols();
+  Matrix columns(n, count);
+  count = 0;
+  for (const Matrix& part : parts) {
+    columns.middleCols(count, part.cols()) = part;
+    count += part.cols();
+  }
+  return columns;
+}
+
+Matrix withColumns(const Matrix& rows, const std::vector<Matrix>& sides) {
+  if (sides.empty() || std::any_of(sides.begin(), sides.end(), [](const Matrix& side) { return side.size() == 0; })) return rows;
+  Matrix columns = leftOver(sides);
+  if (columns.cols() == 0) return rows;
+  // A jump meets the stiffness of springs in a row: the harmonic mean is that of two alike.
+  Vector give = Vector::Zero(columns.rows());
+  for (const Matrix& side : sides) give += side.col(0).cwiseInverse();
+  const Vector scale = (static_cast<double>(sides.size()) * give.cwiseInverse()).cwiseSqrt();
   columns = scale.cwiseInverse().asDiagonal() * columns;
   const Matrix known = orthonormalBasis(scale.cwiseInverse().asDiagonal() * rows.transpose(), 1e-12);
   for (int pass = 0; pass < 2; ++pass) columns -= (known * (known.transpose() * columns)).eval();
   const SingularValues svd = singularValues(columns);
   int count = 0;
-  while (count < svd.values.size() && svd.values(count) * svd.values(count) > kStiffOnEdge) ++count;
+  while (count < svd.values.size() && svd.values(count) * svd.values(count) > kStiffOnEntity) ++count;
   if (count == 0) return rows;
-  Matrix all(a.size(), known.cols() + count);
+  Matrix all(columns.rows(), known.cols() + count);
   all << known, svd.u.leftCols(count);
   return orthonormalBasis(scale.asDiagonal() * all, 1e-12).transpose();
 }
@@ -87,13 +120,13 @@ Matrix stiffTraces(const LocalProblem& local) {
   }
 }
 
-std::vector<Matrix> StiffTraces::addedTo(std::vector<Matrix> rows, const InterfaceSpace& space, const LocalProblems& locals,
-                                         const Weighting& weighting) {
+PrimalChoice StiffTraces::doChoose(const InterfaceSpace& space, const LocalProblems& locals, const Weighting& weighting) const {
+  PrimalChoice choice = plainChoice(*plain_, space, locals, weighting);
   const auto incompressible = [](const auto& local) { return local && local->shearDiagonal().size() > 0; };
   const int mine = std::any_of(locals.begin(), locals.end(), incompressible);
   int any = 0;
   Teuchos::reduceAll(*space.comm(), Teuchos::REDUCE_MAX, mine, Teuchos::outArg(any));
-  if (!any) return rows;
+  if (!any) return choice;
   locals_.resize(locals.size());
   traces_.resize(locals.size());
   collectively(*space.comm(), "what nearly incompressible subdomains are stiff against", [&] {
@@ -102,14 +135,17 @@ std::vector<Matrix> StiffTraces::addedTo(std::vector<Matrix> rows, const Interfa
       locals_[i] = locals[i];
     }
   });
-  const auto both = exchangeEdges(space, edgeSides(space), [&](const EdgeSide& side) {
-    if (!incompressible(locals[side.local])) return Matrix();
-    return sideColumns(side, *locals[side.local], traces_[side.local], weighting);
+  const std::vector<InterfaceEntity> entities = withoutAlone(space, choice.alone);
+  const std::vector<EntitySide> sides = entitySides(space, entities);
+  const auto all = exchangeSides(space, entities, sides, [&](std::size_t k) {
+    const int local = sides[k].local;
+    if (!incompressible(locals[local])) return Matrix();
+    return sideColumns(sides[k], static_cast<int>(entities[sides[k].entity].sharers.size()), *locals[local], traces_[local], weighting);
   });
-  collectively(*space.comm(), "edges of nearly incompressible subdomains", [&] {
-    for (std::size_t e = 0; e < rows.size(); ++e) rows[e] = withColumns(rows[e], both[e]);
+  collectively(*space.comm(), "entities of nearly incompressible subdomains", [&] {
+    for (std::size_t e = 0; e < entities.size(); ++e) choice.rows[e] = withColumns(choice.rows[e], all[e]);
   });
-  return rows;
+  return choice;
 }
 
 }  // namespace suture

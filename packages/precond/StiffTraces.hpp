@@ -1,6 +1,8 @@
 #pragma once
-#include <suture/precond/Weighting.hpp>
+#include <suture/precond/PrimalConstraints.hpp>
 
+#include <memory>
+#include <utility>
 #include <vector>
 
 namespace suture {
@@ -8,24 +10,28 @@ namespace suture {
 // Traces against which a nearly incompressible subdomain is as stiff as its bulk modulus. A pressure field p of a subdomain that does no
 // work on inner displacements makes S_i >= v v^T of the order of lambda, v its work on the trace: the constant pressure (v is the flux
 // through the whole boundary), and in quadrilaterals of constant pressure, on meshes that are structured, one of alternating sign (a chess
-// board), whose v no flux tells of. The condition of BDDC grows like lambda unless the jumps that averaging leaves on a side, D_j (u_i -
-// u_j), are orthogonal to v on each edge; with weights that change along an edge that is more than no jump of the flux.
+// board), whose v no flux tells of. The condition of BDDC grows like lambda unless the jumps that averaging leaves on a side, u_i - sum D_j
+// u_j, are orthogonal to v on each entity; with weights that change along an edge that is more than no jump of the flux.
 
 /// size() x k: V with V V^T <= S, and S - V V^T at most about kStiff times the stiffness against change of shape: eigenvectors, by subspace
 /// iteration with S. No columns where a local problem knows no shearDiagonal(). Local.
 Matrix stiffTraces(const LocalProblem& local);
 
-/// The same for edges. Remembers the traces of local problems that it was given last: they outlive changes of the contact set.
-class StiffTraces {
+/// Decorator of a choice: adds the rows that keep weighted jumps of each entity orthogonal to the stiff traces of all its sharers, as far
+/// as they cost anything. In scenes without nearly incompressible bodies the choice stays as it is. Remembers the traces of local problems
+/// that it was given last: they outlive changes of the contact set.
+class StiffTraces : public PrimalConstraints {
  public:
-  /// `rows` of each edge (orthonormal, see EdgeConstraints::rows) and those that keep weighted jumps orthogonal to the stiff traces of both
-  /// sides, as far as they cost anything; `rows` in scenes without nearly incompressible bodies. Collective.
-  std::vector<Matrix> addedTo(std::vector<Matrix> rows, const InterfaceSpace& space, const LocalProblems& locals,
-                              const Weighting& weighting);
+  explicit StiffTraces(std::unique_ptr<PrimalConstraints> plain) : plain_(std::move(plain)) {}
+  bool isAdaptive() const override { return plain_->isAdaptive(); }
+
+ protected:
+  PrimalChoice doChoose(const InterfaceSpace& space, const LocalProblems& locals, const Weighting& weighting) const override;
 
  private:
-  LocalProblems locals_;
-  std::vector<Matrix> traces_;
+  std::unique_ptr<PrimalConstraints> plain_;
+  mutable LocalProblems locals_;
+  mutable std::vector<Matrix> traces_;
 };
 
 }  // namespace suture

@@ -1,3 +1,4 @@
+#include <suture/base/RigidValues.hpp>
 #include <suture/quality/Deformation.hpp>
 #include <suture/quality/Findings.hpp>
 #include <suture/quality/PairResult.hpp>
@@ -62,10 +63,9 @@ std::vector<Deformation> deformations(const Comm& comm, const std::vector<Subdom
   // A second pass corrects the mean: the first one has rounded as often as there are nodes.
   Sums<4> turns(bodies, {0, 0, 0, 0});
   forEachNode(meshes, displacement, [&](int body, const Point& x, const Point& u) {
-    const double arm[2] = {x[0] - all[body].centre[0], x[1] - all[body].centre[1]};
-    const double rest[2] = {u[0] - motion[body].shift[0], u[1] - motion[body].shift[1]};
-    turns[body][0] += arm[0] * arm[0] + arm[1] * arm[1];
-    turns[body][1] += arm[0] * rest[1] - arm[1] * rest[0];
+    const Point arm = minus(x, all[body].centre), rest = minus(u, motion[body].shift);
+    turns[body][0] += dot(arm, arm);
+    turns[body][1] += cross(arm, rest)[2];
     for (int k = 0; k < 2; ++k) turns[body][2 + k] += rest[k];
   });
   turns = reduced<4>(comm, turns, Teuchos::REDUCE_SUM);
@@ -75,11 +75,11 @@ std::vector<Deformation> deformations(const Comm& comm, const std::vector<Subdom
   }
   Sums<3> largest(bodies, {0, 0, 0});
   forEachNode(meshes, displacement, [&](int body, const Point& x, const Point& u) {
-    const double arm[2] = {x[0] - all[body].centre[0], x[1] - all[body].centre[1]};
+    const Point arm = minus(x, all[body].centre);
     const Motion& rigid = motion[body];
-    const double rest = length(u[0] - rigid.shift[0] + rigid.turn * arm[1], u[1] - rigid.shift[1] - rigid.turn * arm[0]);
+    const Point rest = minus(minus(u, rigid.shift), rigidDisplacement<double>({0, 0, 0}, {0, 0, rigid.turn}, arm));
     auto& own = largest[body];
-    own[0] = std::max(own[0], rest);
+    own[0] = std::max(own[0], length(rest[0], rest[1]));
     own[1] = std::max({own[1], std::abs(u[0]), std::abs(u[1])});
     own[2] = std::max(own[2], length(arm[0], arm[1]));
   });

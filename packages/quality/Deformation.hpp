@@ -1,4 +1,5 @@
 #pragma once
+#include <suture/base/Point.hpp>
 #include <suture/partition/SubdomainMesh.hpp>
 
 #include <vector>

@@ -189,7 +189,7 @@ void Verifier::sumBodies() {
       body.rounding += rounding;
       body.roundingSquared += rounding * rounding;
       for (int k = 0; k < 2; ++k) body.resultant[k] += rest[k];
-      body.moment += (x[0] - deformation.centre[0]) * rest[1] - (x[1] - deformation.centre[1]) * rest[0];
+      body.moment += cross(minus(x, deformation.centre), rest)[2];
       if (!(size <= worstNode_[mesh.body].value)) {
         worstNode_[mesh.body] = place(int(i), node);
         worstNode_[mesh.body].value = size;

@@ -1,5 +1,5 @@
 #include <suture/base/Gather.hpp>
-#include <suture/base/Point.hpp>
+#include <suture/base/RigidValues.hpp>
 #include <suture/quality/PairResult.hpp>
 #include <suture/quality/VerifyLift.hpp>
 
@@ -46,13 +46,12 @@ void judgeMotion(const SubdomainMesh& mesh, Findings& findings) {
     largest = std::max({largest, std::abs(motion[0]), std::abs(motion[1])});
     if (const double squared = dot(away, away); squared > farthest) farthest = squared, arm = away, turned = motion;
   }
-  const double turn =
-      mesh.axisymmetric || farthest == 0.0 ? 0.0 : (arm[0] * (turned[1] - shift[1]) - arm[1] * (turned[0] - shift[0])) / farthest;
+  const double turn = mesh.axisymmetric || farthest == 0.0 ? 0.0 : cross(arm, minus(turned, shift))[2] / farthest;
   const double allowed = kRounded * unitRoundoff * largest;
   for (int node = 0; node < mesh.nodes(); ++node) {
     const Point place = mesh.point(node), motion = motionOf(mesh, node);
-    const double x = motion[0] - shift[0] + turn * (place[1] - origin[1]), y = motion[1] - shift[1] - turn * (place[0] - origin[0]);
-    const double size = std::max(std::abs(x), std::abs(y));
+    const Point rest = minus(minus(motion, shift), rigidDisplacement<double>({0, 0, 0}, {0, 0, turn}, minus(place, origin)));
+    const double size = std::max(std::abs(rest[0]), std::abs(rest[1]));
     if (size > 0.0 && findings.isWorse(Quantity::Prescribed, size, allowed))
       findings.take(Quantity::Prescribed, size, allowed, allowed, at(mesh, node));
   }

@@ -1,3 +1,4 @@
+#include <suture/base/RigidValues.hpp>
 #include <suture/subdomain/RigidModes.hpp>
 
 #include <algorithm>
@@ -26,16 +27,15 @@ Matrix sectionModes(const CellBlock& block) {
   for (int k = 0; k < d; ++k) half = std::max(half, 0.5 * (high[k] - low[k]));
   if (half == 0.0) half = 1.0;
 
-  Matrix modes = Matrix::Zero(n * d, d + d * (d - 1) / 2);
+  constexpr Point axes[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  const int count = rigidMotions(d);
+  Matrix modes(n * d, count);
   for (int node = 0; node < n; ++node) {
-    const Point p = block.point(node);
-    int column = d;
+    Point arm = minus(block.point(node), centre);
+    for (double& x : arm) x /= half;
     for (int i = 0; i < d; ++i) {
-      modes(node * d + i, i) = 1.0;
-      for (int j = i + 1; j < d; ++j, ++column) {
-        modes(node * d + i, column) = -(p[j] - centre[j]) / half;
-        modes(node * d + j, column) = (p[i] - centre[i]) / half;
-      }
+      const std::array<double, 6> values = rigidValues(d, arm, axes[i]);
+      for (int column = 0; column < count; ++column) modes(node * d + i, column) = values[column];
     }
   }
   return modes;

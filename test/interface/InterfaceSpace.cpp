@@ -58,14 +58,23 @@ TEUCHOS_UNIT_TEST(InterfaceSpace, SumsCountTheLocalProblemsThatMeet) {
   }
 }
 
+// Unknowns of vertices and of edges' ends.
+std::vector<char> pointsOf(const InterfaceSpace& space) {
+  std::vector<char> points(space.overlapSize(), 0);
+  for (const InterfaceEntity& entity : space.entities())
+    for (const int place : entity.kind == EntityKind::Vertex ? entity.unknowns : entity.ends) points[place] = 1;
+  return points;
+}
+
 // 3 x 3 subdomains of 4 x 4 cells, free. By hand: 4 cross points and 8 end points of seams; 12 edges of 3 nodes.
-TEUCHOS_UNIT_TEST(InterfaceSpace, KnowsCornersEdgesAndSharersOfAGrid) {
+TEUCHOS_UNIT_TEST(InterfaceSpace, KnowsEntitiesAndSharersOfAGrid) {
   const Twins t(square(3, 4));
   const InterfaceSpace& space = *t.spread.space;
   int counts[3] = {0, 0, 0}, all[3];
+  const std::vector<char> points = pointsOf(space);
   for (int i = 0; i < space.overlapSize(); ++i) {
     if (space.map()->getLocalElement(space.id(i)) < 0) continue;  // count each once
-    counts[0] += space.isCorner(i);
+    counts[0] += points[i];
     counts[1] += space.sharers(i).size() == 4;
     counts[2] += space.sharers(i).size() == 2;
   }
@@ -77,17 +86,20 @@ TEUCHOS_UNIT_TEST(InterfaceSpace, KnowsCornersEdgesAndSharersOfAGrid) {
   std::set<int> mine;
   for (int i = 0; i < space.locals(); ++i) mine.insert(space.localId(i));
   Packer packer;
-  for (const InterfaceEdge& edge : space.edges()) {
-    TEST_ASSERT(!edge.contact);
-    TEST_ASSERT(mine.count(edge.locals[0]) + mine.count(edge.locals[1]) > 0);
-    TEST_EQUALITY(edge.unknowns.size(), 2u * 3u);
-    std::vector<GlobalId> ids{edge.locals[0], edge.locals[1]};
-    for (const int place : edge.unknowns) {
-      TEST_ASSERT(!space.isCorner(place));
-      TEST_ASSERT((space.sharers(place) == std::vector<int>{edge.locals[0], edge.locals[1]}));
+  const std::vector<int> entityOf = space.entityOfPlaces();
+  for (std::size_t e = 0; e < space.entities().size(); ++e) {
+    const InterfaceEntity& entity = space.entities()[e];
+    TEST_ASSERT(!entity.contact);
+    TEST_ASSERT(std::any_of(entity.sharers.begin(), entity.sharers.end(), [&](int s) { return mine.count(s) > 0; }));
+    const bool vertex = entity.kind == EntityKind::Vertex;
+    TEST_EQUALITY(entity.unknowns.size(), vertex ? 2u : 2u * 3u + entity.ends.size());
+    std::vector<GlobalId> ids(entity.sharers.begin(), entity.sharers.end());
+    for (const int place : entity.unknowns) {
+      TEST_ASSERT(space.sharers(place) == entity.sharers);
+      TEST_EQUALITY(entityOf[place], int(e));
       ids.push_back(space.id(place));
     }
-    packer.put(ids);
+    if (!vertex) packer.put(ids);
   }
   std::set<std::vector<GlobalId>> edges;  // an edge that two ranks describe must be the same to the order of its unknowns
   for (const std::string& bytes : allGather(*world(), packer.bytes())) {
@@ -183,14 +195,15 @@ TEUCHOS_UNIT_TEST(InterfaceSpace, RelationsJoinSharersAndHoldWhatSeveralExpress)
   TEST_ASSERT((sharers(30) == std::vector<int>{1, 2}));
   TEST_ASSERT((sharers(13) == std::vector<int>{0, 1, 2, 3}));
   TEST_ASSERT((sharers(31) == std::vector<int>{0, 2, 3}));
+  const std::vector<char> points = pointsOf(*r.space);
   for (GlobalId expressed : {20, 4, 2}) {
     TEST_ASSERT(sharers(expressed).empty());
-    TEST_ASSERT(!r.space->isCorner(r.at(expressed)));
+    TEST_EQUALITY(r.space->entityOfPlaces()[r.at(expressed)], -1);
     TEST_ASSERT(r.space->relation(r.at(expressed)) != nullptr);
     TEST_EQUALITY(r.plain->sharers(r.at(expressed)).size(), expressed == 20 ? 1u : 2u);  // the space itself is as it was
   }
   // 30 is shared by two by a relation alone, on no chain: it would be in no edge.
-  TEST_ASSERT(r.space->isCorner(r.at(13)) && r.space->isCorner(r.at(31)) && r.space->isCorner(r.at(30)));
+  TEST_ASSERT(points[r.at(13)] && points[r.at(31)] && points[r.at(30)]);
   TEST_THROW(r.space->related({}, {}), InternalError);
 }
 
@@ -213,20 +226,22 @@ TEUCHOS_UNIT_TEST(InterfaceSpace, ChainsAreCutWhereLocalProblemsChangeAndPairsOp
     both.push_back(2);
     TEST_ASSERT(space->sharers(hand.at(k)) == (k == 8 ? below : std::vector<int>()));
     TEST_ASSERT(space->sharers(hand.at(100 + k)) == (k == 8 ? std::vector<int>{2} : both));
-    TEST_EQUALITY(space->isCorner(hand.at(100 + k)), k == 1 || k == 5 || k == 7 || k == 9);
-    TEST_ASSERT(!space->isCorner(hand.at(k)));
+    TEST_EQUALITY(bool(pointsOf(*space)[hand.at(100 + k)]), k == 1 || k == 5 || k == 7 || k == 9);
+    TEST_ASSERT(!pointsOf(*space)[hand.at(k)]);
   }
-  TEST_EQUALITY(space->edges().size(), 2u);
-  for (const InterfaceEdge& edge : space->edges()) {
-    TEST_ASSERT(edge.contact);
+  std::map<std::vector<int>, std::vector<GlobalId>> edges;  // by sharers
+  for (const InterfaceEntity& entity : space->entities()) {
+    TEST_ASSERT(entity.contact);
     std::vector<GlobalId> ids;
-    for (const int place : edge.unknowns) ids.push_back(space->id(place));
-    if (edge.locals[0] == 0)
-      TEST_ASSERT((ids == std::vector<GlobalId>{102, 103, 104}))
-    else
-      TEST_ASSERT((ids == std::vector<GlobalId>{106}));
-    TEST_EQUALITY(edge.locals[1], 2);
+    for (const int place : entity.unknowns) ids.push_back(space->id(place));
+    if (entity.kind == EntityKind::Edge)
+      edges[entity.sharers] = ids;
+    else  // where the seam meets the line, and the last pair, alone behind the open one
+      TEST_ASSERT(ids == std::vector<GlobalId>{105} || ids == std::vector<GlobalId>{109});
   }
+  TEST_EQUALITY(edges.size(), 2u);
+  TEST_ASSERT((edges[{0, 2}] == std::vector<GlobalId>{101, 102, 103, 104}));
+  TEST_ASSERT((edges[{1, 2}] == std::vector<GlobalId>{106, 107}));
 }
 
 }  // namespace

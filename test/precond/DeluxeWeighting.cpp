@@ -4,6 +4,8 @@
 #include <precond/BrickScenes.hpp>
 #include <precond/DensePair.hpp>
 #include <precond/Preconditioners.hpp>
+#include <precond/Sheets.hpp>
+#include <suture/base/Dense.hpp>
 #include <suture/precond/DeluxeWeighting.hpp>
 
 namespace suture {
@@ -106,6 +108,42 @@ TEUCHOS_UNIT_TEST(DeluxeWeighting, AreHalvesOfEachComponentBetweenMirrorImages) 
     TEST_COMPARE(even, <, 1e-10);
     TEST_COMPARE(odd, >, 1e-3);  // a diagonal weighting has zero here
   }
+}
+
+// By hand: D_i = (S_0 + S_1 + S_2)^-1 S_i on what all three share, the ends apart; together the identity.
+TEUCHOS_UNIT_TEST(DeluxeWeighting, AreTheShareOfTheSchurComplementsOfThreeSharers) {
+  const Sheets sheets(world());
+  const auto onLine = [&](const Matrix& m) { return pick(m, sheets.inner, sheets.inner); };
+  const Matrix all = onLine(sheets.schur[0]) + onLine(sheets.schur[1]) + onLine(sheets.schur[2]);
+  Matrix mine = Matrix::Zero(20, 20), sum(20, 20);
+  for (const auto& [id, d] : weightsOf(*sheets.matrix)) {
+    TEST_COMPARE(difference(onLine(d), solveSymmetric(all, onLine(sheets.schur[id]))), <, 1e-8);
+    mine += d;
+  }
+  Teuchos::reduceAll(*world(), Teuchos::REDUCE_SUM, 400, mine.data(), sum.data());
+  TEST_COMPARE((sum - Matrix::Identity(20, 20)).norm(), <, 1e-10);
+}
+
+// At a cross point of four subdomains the two components are weighed together: by hand from dense Schur complements.
+TEUCHOS_UNIT_TEST(DeluxeWeighting, AreTheShareOfTheSchurComplementsAtAVertex) {
+  const Scene scene = bricks(2, 2, 7);
+  const Twins t(scene);
+  const Blocks all(scene, alone());
+  std::map<int, Matrix> block;
+  std::map<int, std::vector<int>> places;
+  Matrix sum = Matrix::Zero(2, 2);
+  for (const auto& subdomain : all.subdomains) {
+    const std::vector<int> shared = sharedDofs(*subdomain);
+    std::vector<int>& centre = places[subdomain->mesh().id];
+    for (std::size_t k = 0; k < shared.size(); ++k) {
+      const Point p = subdomain->mesh().point(subdomain->nodeOf(shared[k]));
+      if (std::abs(p[0] - 1) + std::abs(p[1] - 1) < 1e-9) centre.push_back(int(k));
+    }
+    const Matrix schur = denseSchur(subdomain->stiffness().dense(), shared);
+    sum += block[subdomain->mesh().id] = pick(schur, centre, centre);
+  }
+  for (const auto& [id, d] : weightsOf(t.spread.matrix()))
+    TEST_COMPARE(difference(pick(d, places[id], places[id]), solveSymmetric(sum, block[id])), <, 1e-9);
 }
 
 TEUCHOS_UNIT_TEST(DeluxeWeighting, DoNotChangeWhenAllIsStifferAlike) {

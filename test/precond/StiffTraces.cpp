@@ -3,7 +3,7 @@
 #include <interface/ContactScenes.hpp>
 #include <suture/base/Dense.hpp>
 #include <suture/base/Errors.hpp>
-#include <suture/precond/EdgeConstraints.hpp>
+#include <suture/precond/EntitySides.hpp>
 #include <suture/precond/StiffTraces.hpp>
 
 namespace suture {
@@ -128,9 +128,9 @@ TEUCHOS_UNIT_TEST(StiffTraces, AddNothingToScenesThatAreNotNearlyIncompressible)
   const InterfaceOperator& matrix = *one.linearised.matrix;
   const auto weighting = Registry<Weighting>::instance().make("Stiffness Diagonal", Parameters());
   weighting->setup(*one.space, matrix.locals());
-  std::vector<Matrix> rows;
-  for (const InterfaceEdge& edge : one.space->edges()) rows.push_back(Matrix::Ones(1, int(edge.unknowns.size())));
-  TEST_ASSERT(StiffTraces().addedTo(rows, *one.space, matrix.locals(), *weighting) == rows);
+  const PrimalChoice plain = MomentConstraints(true).choose(*one.space, matrix.locals(), *weighting);
+  const PrimalChoice same = StiffTraces(std::make_unique<MomentConstraints>(true)).choose(*one.space, matrix.locals(), *weighting);
+  TEST_ASSERT(same.rows == plain.rows && same.alone == plain.alone);
   for (const auto& local : matrix.locals()) TEST_EQUALITY(stiffTraces(*local).cols(), 0);
 }
 
@@ -144,13 +144,14 @@ TEUCHOS_UNIT_TEST(StiffTraces, KeepWeightedJumpsOfAnEdgeOrthogonalToThem) {
     const InterfaceOperator& matrix = *one.linearised.matrix;
     const auto weighting = Registry<Weighting>::instance().make(name, Parameters());
     weighting->setup(*one.space, matrix.locals());
-    const auto rows =
-        Registry<EdgeConstraints>::instance().make("Rigid Modes", Parameters())->rows(*one.space, matrix.locals(), *weighting);
-    for (std::size_t e = 0; e < rows.size(); ++e) {
-      const InterfaceEdge& edge = one.space->edges()[e];
-      const Matrix jumps = nullSpace(rows[e]);
-      for (const int side : {0, 1}) {
-        const int i = edge.locals[side];  // one rank has all, by id
+    const PrimalChoice choice =
+        Registry<PrimalConstraints>::instance().make("Rigid Modes", Parameters())->choose(*one.space, matrix.locals(), *weighting);
+    const std::vector<InterfaceEntity> rest = withoutAlone(*one.space, choice.alone);
+    for (std::size_t e = 0; e < rest.size(); ++e) {
+      const InterfaceEntity& edge = rest[e];
+      if (edge.unknowns.empty()) continue;
+      const Matrix jumps = nullSpace(choice.rows[e]);
+      for (const int i : edge.sharers) {  // one rank has all, by id
         const std::vector<int>& places = one.space->coupling(i).columns();
         Matrix trace = Matrix::Zero(one.space->coupling(i).rows(), jumps.cols());
         for (std::size_t k = 0; k < edge.unknowns.size(); ++k)

@@ -3,7 +3,7 @@
 #include <Teuchos_UnitTestHarness.hpp>
 #include <solver/SceneChoices.hpp>
 #include <suture/interface/CondensedProblem.hpp>
-#include <suture/precond/EdgeConstraints.hpp>
+#include <suture/precond/PrimalConstraints.hpp>
 #include <suture/precond/Weighting.hpp>
 #include <suture/precond/coarse/CoarseSpace.hpp>
 
@@ -152,8 +152,8 @@ TEUCHOS_UNIT_TEST(Registries, EveryWeighting) {
 TEUCHOS_UNIT_TEST(Registries, EveryCoarseSpace) {
   checkRegistry<CoarseSpace>({"Preconditioner/Neumann-Neumann/Coarse Space"}, precise, success, out);
 }
-TEUCHOS_UNIT_TEST(Registries, EveryEdgeConstraints) {
-  checkRegistry<EdgeConstraints>({"Preconditioner/BDDC/Edge Constraints"}, precise, success, out);
+TEUCHOS_UNIT_TEST(Registries, EveryPrimalConstraints) {
+  checkRegistry<PrimalConstraints>({"Preconditioner/BDDC/Edge Constraints"}, precise, success, out);
 }
 TEUCHOS_UNIT_TEST(Registries, EverySchurComplement) {
   checkRegistry<SchurComplement>({"Subdomain/Schur Complement"}, precise, success, out);

@@ -14,7 +14,7 @@ namespace suture {
 
 namespace {
 
-const char* const sharing = "sharing the bodies";
+const char* const kSharing = "sharing the bodies";
 
 bool allOnRoot(const std::vector<int>& rankOf) {
   return std::all_of(rankOf.begin(), rankOf.end(), [](int rank) { return rank == 0; });
@@ -33,7 +33,7 @@ void takeAll(const Mesh& mesh, MeshShare& share) {
 }
 
 // Size of a share.
-struct ShareSize {
+struct Extent {
   std::size_t nodes = 0, elements = 0, corners = 0;
 };
 
@@ -41,7 +41,7 @@ struct ShareSize {
 struct ByRank {
   std::vector<std::vector<int>> nodes, elements;  // nodes and elements of each rank, ascending
   std::vector<int> local;                         // number of each node of the mesh among those of its rank
-  std::vector<ShareSize> extents;                 // sizes of each rank's share
+  std::vector<Extent> extents;                    // sizes of each rank's share
 
   ByRank(const Mesh& mesh, const std::vector<int>& rankOf, int ranks) : nodes(ranks), elements(ranks), local(mesh.nodes()), extents(ranks) {
     for (int node = 0; node < mesh.nodes(); ++node) {
@@ -92,7 +92,7 @@ struct Kind {
   bool axisymmetric = false, hasRegions = false;
 };
 
-void makeRoom(const Kind& kind, const ShareSize& extent, MeshShare& share) {
+void makeRoom(const Kind& kind, const Extent& extent, MeshShare& share) {
   share.own.dimension = kind.dimension;
   share.own.axisymmetric = kind.axisymmetric;
   share.own.coordinates.resize(extent.nodes * kind.dimension);
@@ -125,7 +125,7 @@ MeshShare shareBodies(const Comm& comm, const Mesh& mesh) {
   const int me = comm.getRank();
   std::unique_ptr<ByRank> all;
   std::string common;
-  collectivelyOnRoot(comm, sharing, [&] {
+  collectivelyOnRoot(comm, kSharing, [&] {
     const std::vector<int> rankOf = placeBodies(mesh, comm.getSize());
     Packer packer;
     packer.put(mesh.bodies);
@@ -141,23 +141,23 @@ MeshShare shareBodies(const Comm& comm, const Mesh& mesh) {
   unpacker.get(mine.bodies);
   unpacker.get(mine.rankOf);
   if (allOnRoot(mine.rankOf)) {
-    collectivelyOnRoot(comm, sharing, [&] { takeAll(mesh, mine); });
+    collectivelyOnRoot(comm, kSharing, [&] { takeAll(mesh, mine); });
     return mine;
   }
   const auto kind = unpacker.get<Kind>();
-  const auto extents = unpacker.get<std::vector<ShareSize>>();
+  const auto extents = unpacker.get<std::vector<Extent>>();
   // Rank by rank: beside the mesh there is never more than one share on the way. Ranks make room while rank 0 prepares the share that they
   // wait for.
   for (int to = 1; to < comm.getSize(); ++to) {
     MeshShare sent;
-    collectively(comm, sharing, [&] {
+    collectively(comm, kSharing, [&] {
       if (me == 0) takeBodiesOf(to, mesh, *all, sent);
       if (me == to) makeRoom(kind, extents[to], mine);
     });
     if (me == 0) forEachVector(sent, [&](const auto& values) { send(comm, values, to); });
     if (me == to) forEachVector(mine, [&](auto& values) { receive(comm, values, 0); });
   }
-  collectivelyOnRoot(comm, sharing, [&] { takeBodiesOf(0, mesh, *all, mine); });
+  collectivelyOnRoot(comm, kSharing, [&] { takeBodiesOf(0, mesh, *all, mine); });
   return mine;
 }
 
@@ -173,16 +173,16 @@ MeshShare wholeShare(const Mesh& mesh, const std::vector<int>& subdomainOfElemen
 
 void shareSubdomains(const Comm& comm, const Mesh& mesh, const std::vector<int>& subdomainOfElement, MeshShare& share) {
   std::vector<std::vector<int>> of(comm.getSize());  // each rank's elements
-  collectivelyOnRoot(comm, sharing, [&] {
+  collectivelyOnRoot(comm, kSharing, [&] {
     if (share.whole) return;
     for (int e = 0; e < mesh.elements(); ++e) of[share.rankOf[mesh.bodyOfElement[e]]].push_back(subdomainOfElement[e]);
   });
-  const std::string bytes = scatterFromRoot(comm, sharing, [&](int rank) {
+  const std::string bytes = scatterFromRoot(comm, kSharing, [&](int rank) {
     Packer packer;
     packer.put(of[rank]);
     return std::move(packer).bytes();
   });
-  collectively(comm, sharing, [&] {
+  collectively(comm, kSharing, [&] {
     if (share.whole)
       share.subdomainOfElement = subdomainOfElement;
     else
@@ -197,7 +197,7 @@ std::vector<int> gatherSubdomains(const Comm& comm, const Mesh& mesh, const Mesh
   packer.put(share.subdomainOfElement);
   const std::vector<std::string> all = gatherOnRoot(comm, packer.bytes());
   std::vector<int> subdomainOfElement;
-  collectivelyOnRoot(comm, sharing, [&] {
+  collectivelyOnRoot(comm, kSharing, [&] {
     std::vector<std::vector<int>> of;  // rank -> subdomains of its elements, in their order
     for (const std::string& bytes : all) of.push_back(Unpacker(bytes).get<std::vector<int>>());
     std::vector<std::size_t> next(of.size(), 0);
@@ -225,7 +225,7 @@ NodeSubdomains gatherHolders(const Comm& comm, const Mesh& mesh, const MeshShare
   }
   std::vector<Holder> holders = joinOnRoot(comm, mine);
   NodeSubdomains found;
-  collectivelyOnRoot(comm, sharing, [&] {
+  collectivelyOnRoot(comm, kSharing, [&] {
     // A node is in one share, where its subdomains are in order.
     std::stable_sort(holders.begin(), holders.end(), [](const Holder& a, const Holder& b) { return a.node < b.node; });
     found.offsets.assign(static_cast<std::size_t>(mesh.nodes()) + 1, 0);

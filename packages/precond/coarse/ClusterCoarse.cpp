@@ -62,7 +62,7 @@ ClusterCoarse::ClusterCoarse(CommPtr comm, const CoarseElements& coarse, int loc
   // As deep as there is something to gain: clusters that are hardly fewer than their members, and a level forced upon few, end it.
   if (levels.above == 0 || 2 * count_ > locals) next.above = std::max(count_, 1);
   const auto matrix = Teuchos::rcp(new InterfaceOperator(space_, std::move(problems)));
-  const auto bddc = Teuchos::rcp(new Bddc(std::make_unique<StiffnessDiagonalWeighting>(), std::make_unique<EdgeRigidModes>(), next));
+  const auto bddc = Teuchos::rcp(new Bddc(std::make_unique<StiffnessDiagonalWeighting>(), rigidModeConstraints(), next));
   bddc->initialize(space_);
   // Closed pairs whose equations name four unknowns each leave a cluster of one side free in ways that no edge constraint knows.
   try {

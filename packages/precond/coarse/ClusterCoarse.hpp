@@ -11,7 +11,7 @@ namespace suture {
 /// The coarse problem of BDDC solved by domain decomposition once more (multilevel BDDC: Mandel, Sousedik and Dohrmann, 2008).
 ///
 /// Local problems are gathered into clusters (CoarseClusters), each on one rank. Coarse unknowns inside a cluster are eliminated exactly;
-/// on those between clusters some Chebyshev steps with BDDC of the clusters, corners and edges in their turn, come near to the inverse of
+/// on those between clusters some Chebyshev steps with BDDC of the clusters, vertices and edges in their turn, come near to the inverse of
 /// the Schur complement. With  K = L diag(K_II, S) L^T  the answer is  L^-T diag(K_II^-1, P) L^-1 r,  P the steps: a fixed symmetric
 /// positive definite operator, with the spectrum of P S about one. Nothing is factored that grows with the number of local problems, but
 /// by the size of clusters and their number.

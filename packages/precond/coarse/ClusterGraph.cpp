@@ -1,32 +1,33 @@
 #include <suture/base/Dense.hpp>
-#include <suture/base/DisjointSets.hpp>
+#include <suture/base/RigidValues.hpp>
 #include <suture/precond/coarse/ClusterGraph.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <set>
+#include <utility>
 
 namespace suture {
 
 namespace {
 
-/// Do these values of a plane body tell all its rigid motion? Lengths by the extent of the unknowns.
+/// Do these values of a body tell all its rigid motions? Lengths by the extent of the unknowns.
 bool fixesMotion(const ClusterGraph& graph, const std::vector<int>& shared) {
   constexpr double least = 1e-6;  // smallest over largest singular value, squared
-  if (shared.size() < 3) return false;
+  const int d = graph.dimension, count = rigidMotions(d);
+  if (static_cast<int>(shared.size()) < count) return false;
   const Point& origin = graph.unknowns[shared[0]].point;
-  Matrix motions(static_cast<int>(shared.size()), 3);
+  Matrix motions(static_cast<int>(shared.size()), count);
   for (std::size_t i = 0; i < shared.size(); ++i) {
     const InterfaceLayout::Unknown& u = graph.unknowns[shared[i]];
-    const double turned = u.direction[1] * (u.point[0] - origin[0]) - u.direction[0] * (u.point[1] - origin[1]) + u.moment;
-    motions.row(static_cast<int>(i)) << u.direction[0], u.direction[1], turned;
+    const std::array<double, 6> values = rigidValues(d, minus(u.point, origin), u.direction, u.moment);
+    for (int k = 0; k < count; ++k) motions(static_cast<int>(i), k) = values[k];
   }
-  const double size = motions.col(2).cwiseAbs().maxCoeff();
+  const double size = motions.rightCols(count - d).cwiseAbs().maxCoeff();
   if (!(size > 0.0)) return false;
-  motions.col(2) /= size;
+  motions.rightCols(count - d) /= size;
   const Vector values = symmetricEigenpairs(motions.transpose() * motions).values;
-  return values(0) > least * values(2);
+  return values(0) > least * values(count - 1);
 }
 
 double squareDistance(const Point& a, const Point& b) {
@@ -78,56 +79,44 @@ ElementGraph fixedNeighbours(const ClusterGraph& graph) {
   return result;
 }
 
-InterfaceLayout clusterEntities(const ClusterGraph& graph, const std::vector<int>& clusterOf) {
-  const int size = static_cast<int>(graph.unknowns.size());
-  std::vector<std::vector<int>> sharers(size);
-  for (int u = 0; u < size; ++u) {
-    for (const int local : graph.holders[u]) sharers[u].push_back(clusterOf[local]);
-    std::sort(sharers[u].begin(), sharers[u].end());
-    sharers[u].erase(std::unique(sharers[u].begin(), sharers[u].end()), sharers[u].end());
-  }
-
-  // Unknowns of two clusters hang together where two local problems, one in each, share both of them.
-  DisjointSets chains(size);
-  std::map<std::pair<int, int>, int> firstOf;             // local problems of two clusters -> an unknown they share
-  std::map<std::pair<int, int>, std::vector<int>> fixed;  // the same -> unknowns of three or more clusters among those they share
-  for (int u = 0; u < size; ++u) {
-    if (sharers[u].size() < 2) continue;
+std::vector<InterfaceLayout::Entity> clusterEntities(const ClusterGraph& graph, const std::vector<int>& clusterOf) {
+  EntityGraph entities;
+  std::map<std::pair<int, int>, std::vector<GlobalId>> shared;  // local problems of two clusters -> unknowns they share
+  for (int u = 0; u < static_cast<int>(graph.unknowns.size()); ++u) {
+    std::vector<int> sharers;
+    for (const int local : graph.holders[u]) sharers.push_back(clusterOf[local]);
+    std::sort(sharers.begin(), sharers.end());
+    sharers.erase(std::unique(sharers.begin(), sharers.end()), sharers.end());
+    if (sharers.size() < 2) continue;
+    entities.addNode(u, std::move(sharers));
     for (std::size_t a = 0; a < graph.holders[u].size(); ++a)
       for (std::size_t b = a + 1; b < graph.holders[u].size(); ++b) {
         const std::pair<int, int> pair{graph.holders[u][a], graph.holders[u][b]};
-        if (clusterOf[pair.first] == clusterOf[pair.second]) continue;
-        if (sharers[u].size() > 2)
-          fixed[pair].push_back(u);
-        else
-          chains.join(firstOf.emplace(pair, u).first->second, u);
+        if (clusterOf[pair.first] != clusterOf[pair.second]) shared[pair].push_back(u);
       }
   }
-  std::map<int, std::vector<int>> members;  // by the first of each chain
-  for (int u = 0; u < size; ++u)
-    if (sharers[u].size() == 2) members[chains.lowest(u)].push_back(u);
-  std::map<int, std::set<int>> touching;  // corners that a chain ends at
-  for (const auto& [pair, corners] : fixed)
-    if (const auto found = firstOf.find(pair); found != firstOf.end())
-      touching[chains.lowest(found->second)].insert(corners.begin(), corners.end());
+  for (const auto& [pair, unknowns] : shared) {
+    const auto [a, b] = std::minmax(clusterOf[pair.first], clusterOf[pair.second]);
+    entities.addSet(unknowns, {a, b}, graph.dimension == 2 ? EntityKind::Edge : EntityKind::Face);
+  }
+  std::vector<SeamEntity> found = entities.entities();
 
-  InterfaceLayout layout;
-  for (int u = 0; u < size; ++u)
-    if (sharers[u].size() > 2) layout.corners.push_back(u);
-  for (const auto& [first, chain] : members) {
-    std::vector<int> all = chain;
-    all.insert(all.end(), touching[first].begin(), touching[first].end());
-    const auto [one, other] = ends(graph, all);
-    InterfaceLayout::Edge edge{{sharers[first][0], sharers[first][1]}, {}};
-    for (const int u : chain)
+  std::vector<InterfaceLayout::Entity> all;
+  for (const SeamEntity& entity : found) {
+    all.push_back({entity.kind, entity.sharers, entity.nodes, {}});
+    if (entity.kind != EntityKind::Edge) continue;
+    std::vector<int> line(entity.nodes.begin(), entity.nodes.end());
+    for (const int vertex : entity.boundary) line.insert(line.end(), found[vertex].nodes.begin(), found[vertex].nodes.end());
+    const auto [one, other] = ends(graph, line);
+    for (const GlobalId u : entity.nodes)
       if (squareDistance(graph.unknowns[u].point, graph.unknowns[one].point) == 0.0 ||
           squareDistance(graph.unknowns[u].point, graph.unknowns[other].point) == 0.0)
-        layout.corners.push_back(u);
-      else
-        edge.unknowns.push_back(u);
-    if (!edge.unknowns.empty()) layout.edges.push_back(std::move(edge));
+        all.back().ends.push_back(u);
   }
-  return layout;
+  std::stable_sort(all.begin(), all.end(), [](const InterfaceLayout::Entity& a, const InterfaceLayout::Entity& b) {
+    return std::make_pair(a.kind, a.unknowns.front()) < std::make_pair(b.kind, b.unknowns.front());
+  });
+  return all;
 }
 
 }  // namespace suture

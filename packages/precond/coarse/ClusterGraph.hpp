@@ -8,6 +8,7 @@ namespace suture {
 
 /// All local problems and the coarse unknowns they name, on one rank, without the matrices.
 struct ClusterGraph {
+  int dimension = 2;
   std::vector<std::vector<int>> unknownsOf;        ///< unknowns of each local problem, by ascending id
   std::vector<InterfaceLayout::Unknown> unknowns;  ///< by number
   std::vector<std::vector<int>> holders;           ///< local problems that hold each unknown, ascending
@@ -19,8 +20,9 @@ struct ClusterGraph {
 /// Local problems as vertices; neighbours share unknowns whose values under rigid motions determine the motion. Local.
 ElementGraph fixedNeighbours(const ClusterGraph& graph);
 
-/// The interface of clusters: corners and edges of the layout, both of all clusters. `boundaries`, `locals`, `unknowns` are for the caller.
-/// \param clusterOf  cluster of each local problem. Local.
-InterfaceLayout clusterEntities(const ClusterGraph& graph, const std::vector<int>& clusterOf);
+/// Vertices and edges between clusters, both of all clusters, in coarse unknowns. Unknowns of two clusters hang together where two local
+/// problems, one in each, share both of them. The ends of an edge are its unknowns at the two places that are farthest apart, counted with
+/// the vertices that bound it. \param clusterOf  cluster of each local problem. Local.
+std::vector<InterfaceLayout::Entity> clusterEntities(const ClusterGraph& graph, const std::vector<int>& clusterOf);
 
 }  // namespace suture

@@ -20,8 +20,7 @@ constexpr int kSeed = 1;
 
 struct PlainUnknown {
   GlobalId id;
-  Point point, direction;
-  double moment;
+  Point point, direction, moment;
 };
 
 /// Rank of a local problem, and its place there.
@@ -39,6 +38,7 @@ std::string connectionsOf(const CoarseElements& coarse) {
   std::vector<PlainUnknown> unknowns;
   for (const InterfaceLayout::Unknown& u : coarse.unknowns) unknowns.push_back({u.id, u.point, u.direction, u.moment});
   Packer packer;
+  packer.put(coarse.dimension);
   packer.put(ids);
   packer.put(unknownsOf);
   packer.put(unknowns);
@@ -51,6 +51,7 @@ ClusterGraph readConnections(const std::vector<std::string>& bytes, int size, st
   graph.unknowns.resize(size);
   for (std::size_t rank = 0; rank < bytes.size(); ++rank) {
     Unpacker reader(bytes[rank]);
+    graph.dimension = std::max(graph.dimension, reader.get<int>());
     const auto ids = reader.get<std::vector<int>>();
     auto unknownsOf = reader.get<std::vector<std::vector<int>>>();
     for (std::size_t i = 0; i < ids.size(); ++i) byId[ids[i]] = {{static_cast<int>(rank), static_cast<int>(i)}, std::move(unknownsOf[i])};
@@ -107,11 +108,10 @@ struct Part {
   std::vector<int> clusters;
   std::vector<std::vector<GlobalId>> boundaries;
   std::set<int> unknowns;
-  std::vector<GlobalId> corners;
-  std::vector<int> edges;
+  std::vector<int> entities;
 };
 
-std::string pack(const Part& part, const ClusterGraph& graph, const InterfaceLayout& all, int count) {
+std::string pack(const Part& part, const ClusterGraph& graph, const std::vector<InterfaceLayout::Entity>& all, int count) {
   std::vector<PlainUnknown> unknowns;
   for (const int u : part.unknowns) unknowns.push_back({u, graph.unknowns[u].point, graph.unknowns[u].direction, graph.unknowns[u].moment});
   Packer packer;
@@ -121,12 +121,14 @@ std::string pack(const Part& part, const ClusterGraph& graph, const InterfaceLay
   packer.put(part.clusters);
   packer.put(part.boundaries);
   packer.put(unknowns);
-  packer.put(part.corners);
-  packer.put(part.edges.size());
-  for (const int e : part.edges) {
-    packer.put(all.edges[e].locals);
-    packer.put(all.edges[e].unknowns);
+  packer.put(part.entities.size());
+  for (const int e : part.entities) {
+    packer.put(all[e].kind);
+    packer.put(all[e].sharers);
+    packer.put(all[e].unknowns);
+    packer.put(all[e].ends);
   }
+  packer.put(graph.dimension);
   packer.put(count);
   return packer.bytes();
 }
@@ -141,12 +143,14 @@ CoarseClusters unpack(const std::string& bytes) {
   reader.get(result.layout.boundaries);
   for (const PlainUnknown& u : reader.get<std::vector<PlainUnknown>>())
     result.layout.unknowns.push_back({u.id, u.point, u.direction, u.moment});
-  reader.get(result.layout.corners);
-  result.layout.edges.resize(reader.get<std::size_t>());
-  for (InterfaceLayout::Edge& edge : result.layout.edges) {
-    reader.get(edge.locals);
-    reader.get(edge.unknowns);
+  result.layout.entities.resize(reader.get<std::size_t>());
+  for (InterfaceLayout::Entity& entity : result.layout.entities) {
+    reader.get(entity.kind);
+    reader.get(entity.sharers);
+    reader.get(entity.unknowns);
+    reader.get(entity.ends);
   }
+  reader.get(result.layout.dimension);
   reader.get(result.count);
   return result;
 }
@@ -159,7 +163,7 @@ std::vector<std::string> divide(const std::vector<std::string>& connections, int
   int count = 0;
   const std::vector<int> clusterOf = cut(fixedNeighbours(graph), wanted > 0 ? wanted : automaticClusters(locals, ranks), count);
   const std::vector<int> rankOf = ranksOf(clusterOf, count, places, ranks);
-  const InterfaceLayout all = clusterEntities(graph, clusterOf);
+  const std::vector<InterfaceLayout::Entity> all = clusterEntities(graph, clusterOf);
 
   std::vector<Part> parts(ranks);
   for (int i = 0; i < locals; ++i) {
@@ -188,14 +192,11 @@ std::vector<std::string> divide(const std::vector<std::string>& connections, int
       parts[rankOf[c]].unknowns.insert(u);
     }
   }
-  for (const GlobalId corner : all.corners) {
+  for (std::size_t e = 0; e < all.size(); ++e) {
     std::set<int> seers;
-    for (const int i : graph.holders[corner]) seers.insert(rankOf[clusterOf[i]]);
-    for (const int rank : seers) parts[rank].corners.push_back(corner);
+    for (const int cluster : all[e].sharers) seers.insert(rankOf[cluster]);
+    for (const int rank : seers) parts[rank].entities.push_back(static_cast<int>(e));
   }
-  for (std::size_t e = 0; e < all.edges.size(); ++e)
-    for (const int rank : std::set<int>{rankOf[all.edges[e].locals[0]], rankOf[all.edges[e].locals[1]]})
-      parts[rank].edges.push_back(static_cast<int>(e));
   std::vector<std::string> bytes;
   for (const Part& part : parts) bytes.push_back(pack(part, graph, all, count));
   return bytes;

@@ -8,8 +8,7 @@ namespace suture {
 /// Local problems gathered into connected clusters, and the interface between these, as far as each rank needs it.
 ///
 /// Local problems are neighbours when the coarse unknowns they share fix them to each other (not at a hinge, not on a contact line that
-/// slides), so that a cluster moves as one body; the graph is cut by METIS. Corners of the clusters: coarse unknowns of three or more
-/// clusters, and those at both ends of every edge. An edge is a chain of unknowns that two clusters share.
+/// slides), so that a cluster moves as one body; the graph is cut by METIS. Entities between clusters: see clusterEntities().
 struct CoarseClusters {
   std::vector<int> clusterOf, rankOf;  ///< cluster of each element of this rank, and the rank that holds it
   std::vector<int> neighbours;         ///< ranks with which this one exchanges elements, both ways

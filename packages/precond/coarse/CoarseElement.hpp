@@ -19,6 +19,7 @@ struct CoarseElement {
 
 /// Contribution of one rank to a coarse matrix, the sum of elements over all ranks.
 struct CoarseElements {
+  int dimension = 2;
   int size = 0;                                    ///< coarse unknowns, over all ranks
   std::vector<CoarseElement> elements;             ///< elements of this rank's local problems
   std::vector<InterfaceLayout::Unknown> unknowns;  ///< all that `elements` name, once; `id` is the number of the coarse unknown

@@ -5,7 +5,7 @@
 #include <set>
 #include <suture/base/Buffer.hpp>
 #include <suture/base/Collective.hpp>
-#include <suture/partition/SeamTopology.hpp>
+#include <suture/partition/Seams.hpp>
 
 #include "Scenes.hpp"
 
@@ -14,14 +14,34 @@ using namespace scenes;
 
 namespace {
 
+// An entity, its boundary as nodes of the vertices.
+void put(const SeamEntity& entity, const std::vector<SeamEntity>& among, Packer& packer) {
+  std::vector<GlobalId> boundary;
+  for (const int vertex : entity.boundary) boundary.push_back(among[vertex].nodes[0]);
+  packer.put(static_cast<int>(entity.kind));
+  packer.put(entity.sharers);
+  packer.put(entity.nodes);
+  packer.put(entity.ends);
+  packer.put(boundary);
+}
+
+SeamEntity read(Unpacker& unpacker) {
+  SeamEntity entity;
+  entity.kind = static_cast<EntityKind>(unpacker.get<int>());
+  unpacker.get(entity.sharers);
+  unpacker.get(entity.nodes);
+  unpacker.get(entity.ends);
+  return entity;
+}
+
 // A mesh, its subdomains (number of each element's, on rank 0), and what findSeams() makes of them.
-struct Seams {
+struct Found {
   Mesh whole;
   std::vector<SubdomainMesh> mine;
   std::vector<SeamEntity> here;  // entities of this rank
   std::vector<SeamEntity> all;   // entities of all ranks, each once, in the order of the first that knows it
 
-  Seams(const Mesh& given, const std::vector<int>& subdomainOfElement, int subdomains) : whole(given) {
+  Found(const Mesh& given, const std::vector<int>& subdomainOfElement, int subdomains) : whole(given) {
     Partition partition;
     partition.subdomainOfElement = subdomainOfElement;
     for (int s = 0; s < subdomains; ++s) {
@@ -32,13 +52,30 @@ struct Seams {
     }
     find(partition);
   }
-  Seams(const Mesh& given, const Partition& partition) : whole(given) { find(partition); }
+  Found(const Mesh& given, const Partition& partition) : whole(given) { find(partition); }
 
-  std::vector<SeamEntity> of(EntityClass kind) const {
+  std::vector<SeamEntity> of(EntityKind kind) const {
     std::vector<SeamEntity> some;
     for (const SeamEntity& entity : all)
       if (entity.kind == kind) some.push_back(entity);
     return some;
+  }
+  // Nodes that are vertices or ends of edges, each once.
+  std::set<GlobalId> points() const {
+    std::set<GlobalId> nodes;
+    for (const SeamEntity& entity : all)
+      if (entity.kind == EntityKind::Vertex)
+        nodes.insert(entity.nodes[0]);
+      else
+        nodes.insert(entity.ends.begin(), entity.ends.end());
+    return nodes;
+  }
+  // The two nodes, or the same twice, between which an edge lies, from front to back; none for a ring.
+  std::vector<GlobalId> bounds(const SeamEntity& edge) const {
+    std::vector<GlobalId> two = edge.ends;
+    for (const int vertex : edge.boundary) two.push_back(all[vertex].nodes[0]);
+    if (two.size() == 2 && edge.ends.size() == 1 && edge.ends[0] == edge.nodes.back()) std::swap(two[0], two[1]);
+    return two;
   }
   Point point(GlobalId node) const { return whole.point(static_cast<int>(node)); }  // rank 0
 
@@ -47,32 +84,31 @@ struct Seams {
     mine = distribute(*comm(), whole, Constraints(), partition);
     here = findSeams(mine);
     Packer packer;
-    for (const SeamEntity& entity : here) {
-      packer.put(static_cast<int>(entity.kind));
-      packer.put(entity.subdomains);
-      packer.put(entity.nodes);
-      packer.put(entity.endPoints);
-    }
+    for (const SeamEntity& entity : here) put(entity, here, packer);
     std::set<std::vector<GlobalId>> seen;
+    std::map<GlobalId, int> vertexAt;
+    std::vector<std::vector<GlobalId>> boundaries;
     for (const std::string& bytes : allGather(*comm(), packer.bytes())) {
       Unpacker unpacker(bytes);
       while (!unpacker.done()) {
-        SeamEntity entity;
-        entity.kind = static_cast<EntityClass>(unpacker.get<int>());
-        unpacker.get(entity.subdomains);
-        unpacker.get(entity.nodes);
-        unpacker.get(entity.endPoints);
-        if (seen.insert(entity.nodes).second) all.push_back(entity);
+        SeamEntity entity = read(unpacker);
+        const auto boundary = unpacker.get<std::vector<GlobalId>>();
+        if (!seen.insert(entity.nodes).second) continue;
+        if (entity.kind == EntityKind::Vertex) vertexAt[entity.nodes[0]] = static_cast<int>(all.size());
+        all.push_back(entity);
+        boundaries.push_back(boundary);
       }
     }
+    for (std::size_t k = 0; k < all.size(); ++k)
+      for (const GlobalId node : boundaries[k]) all[k].boundary.push_back(vertexAt.at(node));
   }
 };
 
-Seams blocks(int n, int cells, Cell cell = Cell::Triangle3) {
+Found blocks(int n, int cells, Cell cell = Cell::Triangle3) {
   Box one = box("body", 0, 1, 0, 1, n * cells, n * cells, n, n);
   one.cell = cell;
   const Mesh grid = mesh({one});
-  return Seams(grid, makePartition(*comm(), grid, Constraints(), named("subdomain_*").list()));
+  return Found(grid, makePartition(*comm(), grid, Constraints(), named("subdomain_*").list()));
 }
 
 // A grid with the subdomain of each element chosen by its centre.
@@ -119,31 +155,31 @@ Mesh quadraticSquares(int n, Cell cell) {
 
 }  // namespace
 
-TEUCHOS_UNIT_TEST(SeamTopology, KnowsCornersAndEdgesOfBlocks) {
+TEUCHOS_UNIT_TEST(Seams, KnowsVerticesAndEdgesOfBlocks) {
   // n x n blocks: (n-1)^2 cross points and 4 (n-1) ends on the boundary; 2 n (n-1) edges of cells - 1 nodes.
   for (Cell cell : {Cell::Triangle3, Cell::Quadrilateral4})
     for (int n : {2, 4}) {
       const int cells = 4;
-      const Seams seams = blocks(n, cells, cell);
-      const auto corners = seams.of(EntityClass::Corner), edges = seams.of(EntityClass::Edge);
-      TEST_EQUALITY(static_cast<int>(corners.size()), (n - 1) * (n - 1) + 4 * (n - 1));
+      const Found seams = blocks(n, cells, cell);
+      const auto vertices = seams.of(EntityKind::Vertex), edges = seams.of(EntityKind::Edge);
+      TEST_EQUALITY(static_cast<int>(vertices.size()), (n - 1) * (n - 1));
+      TEST_EQUALITY(static_cast<int>(seams.points().size()), (n - 1) * (n - 1) + 4 * (n - 1));
       TEST_EQUALITY(static_cast<int>(edges.size()), 2 * n * (n - 1));
-      int crossPoints = 0;
-      for (const SeamEntity& corner : corners) {
-        TEST_EQUALITY(corner.nodes.size(), 1u);
-        crossPoints += corner.subdomains.size() == 4;
-        if (corner.subdomains.size() != 4) TEST_EQUALITY(corner.subdomains.size(), 2u);
+      for (const SeamEntity& vertex : vertices) {
+        TEST_EQUALITY(vertex.nodes.size(), 1u);
+        TEST_EQUALITY(vertex.sharers.size(), 4u);
       }
-      TEST_EQUALITY(crossPoints, (n - 1) * (n - 1));
       for (const SeamEntity& edge : edges) {
-        TEST_EQUALITY(edge.subdomains.size(), 2u);
-        TEST_EQUALITY(static_cast<int>(edge.nodes.size()), cells - 1);
-        TEST_EQUALITY(edge.endPoints.size(), 2u);
+        TEST_EQUALITY(edge.sharers.size(), 2u);
+        TEST_EQUALITY(edge.nodes.size(), cells - 1 + edge.ends.size());
+        TEST_EQUALITY(edge.boundary.size() + edge.ends.size(), 2u);
         if (onRoot()) {
           // In order: equal steps from end to end.
           std::vector<GlobalId> way = edge.nodes;
-          way.insert(way.begin(), edge.endPoints[0]);
-          way.push_back(edge.endPoints[1]);
+          const std::vector<GlobalId> bounds = seams.bounds(edge);
+          if (bounds[0] != way.front()) way.insert(way.begin(), bounds[0]);
+          if (bounds[1] != way.back()) way.push_back(bounds[1]);
+          TEST_EQUALITY(static_cast<int>(way.size()), cells + 1);
           for (std::size_t i = 1; i < way.size(); ++i) {
             const Point p = seams.point(way[i - 1]), q = seams.point(way[i]);
             TEST_FLOATING_EQUALITY(std::hypot(p[0] - q[0], p[1] - q[1]), 1.0 / (n * cells), 1e-12);
@@ -153,27 +189,28 @@ TEUCHOS_UNIT_TEST(SeamTopology, KnowsCornersAndEdgesOfBlocks) {
     }
 }
 
-TEUCHOS_UNIT_TEST(SeamTopology, FollowsAnLShapedSeam) {
+TEUCHOS_UNIT_TEST(Seams, FollowsAnLShapedSeam) {
   const Mesh grid = mesh({box("body", 0, 1, 0, 1, 8, 8)});
-  const Seams seams(grid, choose(grid, [](double x, double y) { return x < 0.5 && y < 0.5; }), 2);
-  const auto corners = seams.of(EntityClass::Corner), edges = seams.of(EntityClass::Edge);
-  TEST_EQUALITY(corners.size(), 2u);  // the two ends; the kink is inside
+  const Found seams(grid, choose(grid, [](double x, double y) { return x < 0.5 && y < 0.5; }), 2);
+  const auto vertices = seams.of(EntityKind::Vertex), edges = seams.of(EntityKind::Edge);
+  TEST_EQUALITY(vertices.size(), 0u);  // the kink is inside
   TEST_EQUALITY(edges.size(), 1u);
-  TEST_EQUALITY(edges[0].nodes.size(), 7u);
+  TEST_EQUALITY(edges[0].nodes.size(), 9u);
+  TEST_ASSERT(edges[0].ends == (std::vector<GlobalId>{edges[0].nodes[0], edges[0].nodes[8]}));
   if (onRoot()) {
-    TEST_EQUALITY(seams.point(edges[0].nodes[3])[0], 0.5);
-    TEST_EQUALITY(seams.point(edges[0].nodes[3])[1], 0.5);
+    TEST_EQUALITY(seams.point(edges[0].nodes[4])[0], 0.5);
+    TEST_EQUALITY(seams.point(edges[0].nodes[4])[1], 0.5);
   }
 }
 
-TEUCHOS_UNIT_TEST(SeamTopology, FollowsARing) {
+TEUCHOS_UNIT_TEST(Seams, FollowsARing) {
   const Mesh grid = mesh({box("body", 0, 1, 0, 1, 8, 8)});
-  const Seams seams(grid, choose(grid, [](double x, double y) { return std::abs(x - 0.5) < 0.25 && std::abs(y - 0.5) < 0.25; }), 2);
-  TEST_EQUALITY(seams.of(EntityClass::Corner).size(), 0u);
-  const auto edges = seams.of(EntityClass::Edge);
+  const Found seams(grid, choose(grid, [](double x, double y) { return std::abs(x - 0.5) < 0.25 && std::abs(y - 0.5) < 0.25; }), 2);
+  TEST_EQUALITY(seams.of(EntityKind::Vertex).size(), 0u);
+  const auto edges = seams.of(EntityKind::Edge);
   TEST_EQUALITY(edges.size(), 1u);
   TEST_EQUALITY(edges[0].nodes.size(), 16u);
-  TEST_EQUALITY(edges[0].endPoints.size(), 0u);
+  TEST_EQUALITY(edges[0].ends.size() + edges[0].boundary.size(), 0u);
   TEST_EQUALITY(edges[0].nodes[0], *std::min_element(edges[0].nodes.begin(), edges[0].nodes.end()));
   TEST_EQUALITY(std::set<GlobalId>(edges[0].nodes.begin(), edges[0].nodes.end()).size(), 16u);
   if (onRoot())
@@ -183,37 +220,42 @@ TEUCHOS_UNIT_TEST(SeamTopology, FollowsARing) {
     }
 }
 
-TEUCHOS_UNIT_TEST(SeamTopology, GivesALoopThroughOneCornerTwoEqualEnds) {
+TEUCHOS_UNIT_TEST(Seams, BoundsALoopByItsVertexTwice) {
   // Subdomain 1 is a square in the middle, 2 is a square that meets it in one point, (0.75, 0.75), both inside 0.
   const Mesh grid = mesh({box("body", 0, 1, 0, 1, 16, 16)});
-  const Seams seams(grid,
+  const Found seams(grid,
                     choose(grid,
                            [](double x, double y) {
                              if (std::abs(x - 0.5) < 0.25 && std::abs(y - 0.5) < 0.25) return 1;
                              return x > 0.75 && x < 0.875 && y > 0.75 && y < 0.875 ? 2 : 0;
                            }),
                     3);
-  const auto corners = seams.of(EntityClass::Corner), edges = seams.of(EntityClass::Edge);
-  TEST_EQUALITY(corners.size(), 1u);
-  TEST_ASSERT(corners[0].subdomains == (std::vector<int>{0, 1, 2}));
+  const auto vertices = seams.of(EntityKind::Vertex), edges = seams.of(EntityKind::Edge);
+  TEST_EQUALITY(vertices.size(), 1u);
+  TEST_ASSERT(vertices[0].sharers == (std::vector<int>{0, 1, 2}));
   TEST_EQUALITY(edges.size(), 2u);
   for (const SeamEntity& edge : edges) {
-    TEST_EQUALITY(edge.nodes.size(), edge.subdomains[1] == 1 ? 31u : 7u);
-    TEST_ASSERT(edge.endPoints == (std::vector<GlobalId>{corners[0].nodes[0], corners[0].nodes[0]}));
+    TEST_EQUALITY(edge.nodes.size(), edge.sharers[1] == 1 ? 31u : 7u);
+    TEST_EQUALITY(edge.ends.size(), 0u);
+    TEST_ASSERT(seams.bounds(edge) == (std::vector<GlobalId>{vertices[0].nodes[0], vertices[0].nodes[0]}));
   }
 }
 
-TEUCHOS_UNIT_TEST(SeamTopology, TakesAPointContactOfTwoSubdomainsForACorner) {
+TEUCHOS_UNIT_TEST(Seams, TakesAPointContactOfTwoSubdomainsForAVertex) {
   // A chessboard of two colours, 2 x 2 fields: four seams meet in the middle, which only two subdomains hold.
   const Mesh grid = mesh({box("body", 0, 1, 0, 1, 8, 8)});
-  const Seams seams(grid, choose(grid, [](double x, double y) { return (x < 0.5) == (y < 0.5); }), 2);
-  const auto corners = seams.of(EntityClass::Corner), edges = seams.of(EntityClass::Edge);
-  TEST_EQUALITY(corners.size(), 5u);
+  const Found seams(grid, choose(grid, [](double x, double y) { return (x < 0.5) == (y < 0.5); }), 2);
+  const auto vertices = seams.of(EntityKind::Vertex), edges = seams.of(EntityKind::Edge);
+  TEST_EQUALITY(vertices.size(), 1u);
+  TEST_ASSERT(vertices[0].sharers == (std::vector<int>{0, 1}));
   TEST_EQUALITY(edges.size(), 4u);
-  for (const SeamEntity& edge : edges) TEST_EQUALITY(edge.nodes.size(), 3u);
+  for (const SeamEntity& edge : edges) {
+    TEST_EQUALITY(edge.nodes.size(), 4u);
+    TEST_EQUALITY(edge.ends.size(), 1u);
+  }
 }
 
-TEUCHOS_UNIT_TEST(SeamTopology, DoesNotTakeTheBoundaryOfTheBodyForASeam) {
+TEUCHOS_UNIT_TEST(Seams, DoesNotTakeTheBoundaryOfTheBodyForASeam) {
   // A single triangle on the bottom, inside the other subdomain: its bottom side joins two seam nodes but is no seam.
   const Mesh grid = mesh({box("body", 0, 1, 0, 1, 4, 4)});
   std::vector<int> subdomainOfElement(grid.elements(), 0);
@@ -229,26 +271,25 @@ TEUCHOS_UNIT_TEST(SeamTopology, DoesNotTakeTheBoundaryOfTheBodyForASeam) {
     if (below == 2 && left > 0 && right < 1) bottom = e;
   }
   if (onRoot()) subdomainOfElement[bottom] = 1;
-  const Seams seams(grid, subdomainOfElement, 2);
-  const auto corners = seams.of(EntityClass::Corner), edges = seams.of(EntityClass::Edge);
-  TEST_EQUALITY(corners.size(), 2u);
+  const Found seams(grid, subdomainOfElement, 2);
+  const auto vertices = seams.of(EntityKind::Vertex), edges = seams.of(EntityKind::Edge);
+  TEST_EQUALITY(vertices.size(), 0u);
   TEST_EQUALITY(edges.size(), 1u);
-  TEST_EQUALITY(edges[0].nodes.size(), 1u);
-  if (onRoot()) {
-    TEST_EQUALITY(seams.point(corners[0].nodes[0])[1], 0.0);
-    TEST_EQUALITY(seams.point(corners[1].nodes[0])[1], 0.0);
-  }
+  TEST_EQUALITY(edges[0].nodes.size(), 3u);
+  TEST_EQUALITY(edges[0].ends.size(), 2u);
+  if (onRoot())
+    for (const GlobalId end : edges[0].ends) TEST_EQUALITY(seams.point(end)[1], 0.0);
 }
 
-TEUCHOS_UNIT_TEST(SeamTopology, CountsMidSideNodesOfQuadraticElements) {
+TEUCHOS_UNIT_TEST(Seams, CountsMidSideNodesOfQuadraticElements) {
   for (Cell cell : {Cell::Quadrilateral8, Cell::Quadrilateral9}) {
     const Mesh grid = quadraticSquares(4, cell);
-    const Seams seams(grid, choose(grid, [](double x, double y) { return (x > 0.5) + 2 * (y > 0.5); }), 4);
-    const auto corners = seams.of(EntityClass::Corner), edges = seams.of(EntityClass::Edge);
-    TEST_EQUALITY(corners.size(), 5u);
+    const Found seams(grid, choose(grid, [](double x, double y) { return (x > 0.5) + 2 * (y > 0.5); }), 4);
+    const auto vertices = seams.of(EntityKind::Vertex), edges = seams.of(EntityKind::Edge);
+    TEST_EQUALITY(vertices.size(), 1u);
     TEST_EQUALITY(edges.size(), 4u);
     for (const SeamEntity& edge : edges) {
-      TEST_EQUALITY(edge.nodes.size(), 3u);
+      TEST_EQUALITY(edge.nodes.size(), 4u);  // the end at the boundary included
       if (onRoot()) {
         const Point p = seams.point(edge.nodes[0]), q = seams.point(edge.nodes[1]);
         TEST_FLOATING_EQUALITY(std::hypot(p[0] - q[0], p[1] - q[1]), 0.125, 1e-12);
@@ -257,41 +298,41 @@ TEUCHOS_UNIT_TEST(SeamTopology, CountsMidSideNodesOfQuadraticElements) {
   }
 }
 
-TEUCHOS_UNIT_TEST(SeamTopology, PutsEverySeamNodeIntoOneEntityAndObeysEuler) {
+TEUCHOS_UNIT_TEST(Seams, PutsEverySeamNodeIntoOneEntityAndObeysEuler) {
   const Mesh grid = mesh({box("body", 0, 1, 0, 1, 40, 40)});
   for (int subdomains : {5, 16})
     for (int seed : {1, 2, 3}) {
       const Partition partition = makePartition(*comm(), grid, Constraints(), metis(subdomains, seed).list());
-      const Seams seams(grid, partition);
+      const Found seams(grid, partition);
       std::map<GlobalId, int> times;
       for (const SeamEntity& entity : seams.all)
         for (GlobalId node : entity.nodes) ++times[node];
       for (const auto& [node, count] : times) TEST_EQUALITY(count, 1);
       for (const SubdomainMesh& part : seams.mine)
         for (int i = 0; i < part.nodes(); ++i) TEST_EQUALITY(times.count(part.globalNodes[i]), part.others(i).empty() ? 0u : 1u);
-      // Planar graph of the square cut up: corners + the boundary as a ring through those on it; faces are the (connected) subdomains.
-      // V - E + F = 1 + C (F without the outside, C connected components of the seams with the boundary). Every edge without nodes of
-      // its own is missing from the list, so they are counted from the corners' neighbours: here, by linked corners that are one side
-      // apart.
+      // Planar graph of the square cut up: vertices, ends + the boundary as a ring through those on it; faces are the (connected)
+      // subdomains. V - E + F = 1 + C (F without the outside, C connected components of the seams with the boundary). Every edge without
+      // nodes of its own is missing from the list, so they are counted from these points' neighbours: here, by linked points that are one
+      // side apart.
       if (!onRoot()) continue;
-      const auto corners = seams.of(EntityClass::Corner), edges = seams.of(EntityClass::Edge);
-      std::set<GlobalId> cornerNodes;
-      int onBoundary = 0;
-      for (const SeamEntity& corner : corners) {
-        cornerNodes.insert(corner.nodes[0]);
-        const Point p = seams.point(corner.nodes[0]);
+      const auto edges = seams.of(EntityKind::Edge);
+      const std::set<GlobalId> points = seams.points();
+      int onBoundary = 0, inner = 0;
+      for (const SeamEntity& edge : edges) inner += edge.nodes.size() > edge.ends.size();
+      for (const GlobalId node : points) {
+        const Point p = seams.point(node);
         onBoundary += p[0] == 0 || p[0] == 1 || p[1] == 0 || p[1] == 1;
       }
       std::map<std::pair<int, int>, std::set<int>> sideSubdomains;
       for (int e = 0; e < grid.elements(); ++e) {
         const auto nodes = grid.nodesOf(e);
         for (int i = 0; i < 3; ++i)
-          if (cornerNodes.count(nodes[i]) && cornerNodes.count(nodes[(i + 1) % 3]))
+          if (points.count(nodes[i]) && points.count(nodes[(i + 1) % 3]))
             sideSubdomains[std::minmax(nodes[i], nodes[(i + 1) % 3])].insert(partition.subdomainOfElement[e]);
       }
       const int bare = static_cast<int>(
           std::count_if(sideSubdomains.begin(), sideSubdomains.end(), [](const auto& side) { return side.second.size() == 2; }));
-      // Components by merging the ends of edges; the boundary joins all corners on it, and each ring edge is a component of its own.
+      // Components by merging the ends of edges; the boundary joins all points on it, and each ring edge is a component of its own.
       std::map<GlobalId, GlobalId> parent;
       const std::function<GlobalId(GlobalId)> root = [&](GlobalId node) {
         auto known = parent.emplace(node, node).first;
@@ -300,75 +341,73 @@ TEUCHOS_UNIT_TEST(SeamTopology, PutsEverySeamNodeIntoOneEntityAndObeysEuler) {
       const GlobalId boundary = -1;
       int rings = 0;
       root(boundary);
-      for (GlobalId node : cornerNodes) {
+      for (GlobalId node : points) {
         const Point p = seams.point(node);
         root(node);
         if (p[0] == 0 || p[0] == 1 || p[1] == 0 || p[1] == 1) parent[root(node)] = root(boundary);
       }
       for (const SeamEntity& edge : edges) {
-        if (edge.endPoints.empty())
+        const std::vector<GlobalId> bounds = seams.bounds(edge);
+        if (bounds.empty())
           ++rings;
         else
-          parent[root(edge.endPoints[0])] = root(edge.endPoints[1]);
+          parent[root(bounds[0])] = root(bounds[1]);
       }
       for (const auto& [side, holders] : sideSubdomains)
         if (holders.size() == 2) parent[root(side.first)] = root(side.second);
       int components = rings;
       for (const auto& [node, above] : parent) components += node == above;
       // A ring has one vertex and one edge: nothing in V - E. The boundary has as many edges as vertices.
-      const int vertices = static_cast<int>(corners.size()) + rings;
-      const int allEdges = static_cast<int>(edges.size()) + bare + onBoundary;
+      const int vertices = static_cast<int>(points.size()) + rings;
+      const int allEdges = inner + bare + onBoundary;
       TEST_EQUALITY(vertices - allEdges + subdomains, components);
     }
 }
 
-TEUCHOS_UNIT_TEST(SeamTopology, TellsARankOfTheEntitiesItTouches) {
-  const Seams seams = blocks(4, 3);
+TEUCHOS_UNIT_TEST(Seams, TellsARankOfTheEntitiesItTouches) {
+  const Found seams = blocks(4, 3);
   std::set<int> ids;
   for (const SubdomainMesh& part : seams.mine) ids.insert(part.id);
   const auto touches = [&](const SeamEntity& entity) {
-    return std::any_of(entity.subdomains.begin(), entity.subdomains.end(), [&](int s) { return ids.count(s) > 0; });
+    return std::any_of(entity.sharers.begin(), entity.sharers.end(), [&](int s) { return ids.count(s) > 0; });
   };
   for (const SeamEntity& entity : seams.here) TEST_ASSERT(touches(entity));
   TEST_EQUALITY(static_cast<int>(seams.here.size()), static_cast<int>(std::count_if(seams.all.begin(), seams.all.end(), touches)));
 }
 
-TEUCHOS_UNIT_TEST(SeamTopology, DescribesAnEntityAlikeOnEveryRankAndOnOne) {
+TEUCHOS_UNIT_TEST(Seams, DescribesAnEntityAlikeOnEveryRankAndOnOne) {
   const Mesh grid = mesh({box("body", 0, 1, 0, 1, 30, 30)});
   for (int subdomains : {2, 9, 40}) {
     const Partition partition = makePartition(*comm(), grid, Constraints(), metis(subdomains).list());
-    const Seams seams(grid, partition);
+    const Found seams(grid, partition);
     Packer packer;
     if (onRoot()) {
       Partition together = partition;
       together.rankOf.assign(subdomains, 0);
-      for (const SeamEntity& entity : findSeams(distribute(Teuchos::SerialComm<int>(), grid, Constraints(), together))) {
-        packer.put(static_cast<int>(entity.kind));
-        packer.put(entity.subdomains);
-        packer.put(entity.nodes);
-        packer.put(entity.endPoints);
-      }
+      const std::vector<SeamEntity> all = findSeams(distribute(Teuchos::SerialComm<int>(), grid, Constraints(), together));
+      for (const SeamEntity& entity : all) put(entity, all, packer);
     }
     std::set<int> ids;
     for (const SubdomainMesh& part : seams.mine) ids.insert(part.id);
     Unpacker unpacker(broadcast(*comm(), packer.bytes()));
     std::size_t at = 0;
     while (!unpacker.done()) {
-      const auto kind = static_cast<EntityClass>(unpacker.get<int>());
-      const auto holders = unpacker.get<std::vector<int>>();
-      const auto nodes = unpacker.get<std::vector<GlobalId>>(), endPoints = unpacker.get<std::vector<GlobalId>>();
-      if (std::none_of(holders.begin(), holders.end(), [&](int s) { return ids.count(s) > 0; })) continue;
+      const SeamEntity one = read(unpacker);
+      const auto boundary = unpacker.get<std::vector<GlobalId>>();
+      if (std::none_of(one.sharers.begin(), one.sharers.end(), [&](int s) { return ids.count(s) > 0; })) continue;
       TEST_COMPARE(at, <, seams.here.size());
       if (at == seams.here.size()) break;
       const SeamEntity& entity = seams.here[at++];
-      TEST_ASSERT(entity.kind == kind && entity.subdomains == holders && entity.nodes == nodes && entity.endPoints == endPoints);
+      TEST_ASSERT(entity.kind == one.kind && entity.sharers == one.sharers && entity.nodes == one.nodes && entity.ends == one.ends);
+      TEST_EQUALITY(entity.boundary.size(), boundary.size());
+      for (std::size_t k = 0; k < boundary.size(); ++k) TEST_EQUALITY(seams.here[entity.boundary[k]].nodes[0], boundary[k]);
     }
     TEST_EQUALITY(at, seams.here.size());
   }
 }
 
-TEUCHOS_UNIT_TEST(SeamTopology, FindsNothingWithoutSeams) {
+TEUCHOS_UNIT_TEST(Seams, FindsNothingWithoutSeams) {
   const Mesh grid = mesh({box("body", 0, 1, 0, 1, 3, 3)});
-  const Seams seams(grid, std::vector<int>(grid.elements(), 0), 1);
+  const Found seams(grid, std::vector<int>(grid.elements(), 0), 1);
   TEST_EQUALITY(seams.here.size(), 0u);
 }

@@ -5,8 +5,9 @@
 #include <precond/BrickScenes.hpp>
 #include <precond/DensePair.hpp>
 #include <precond/Preconditioners.hpp>
-#include <suture/precond/AdaptiveEdges.hpp>
-#include <suture/precond/EdgeSides.hpp>
+#include <precond/Sheets.hpp>
+#include <suture/base/Dense.hpp>
+#include <suture/precond/AdaptiveConstraints.hpp>
 
 namespace suture {
 namespace {
@@ -25,8 +26,10 @@ Teuchos::RCP<Preconditioner> adaptive(const Teuchos::RCP<const InterfaceOperator
 int edgesOfASubdomain(const InterfaceSpace& space) {
   int mine = 0, all = 0;
   for (int i = 0; i < space.locals(); ++i) {
-    const auto touches = [&](const InterfaceEdge& e) { return e.locals[0] == space.localId(i) || e.locals[1] == space.localId(i); };
-    mine = std::max(mine, int(std::count_if(space.edges().begin(), space.edges().end(), touches)));
+    const auto touches = [&](const InterfaceEntity& e) {
+      return e.kind == EntityKind::Edge && std::count(e.sharers.begin(), e.sharers.end(), space.localId(i)) > 0;
+    };
+    mine = std::max(mine, int(std::count_if(space.entities().begin(), space.entities().end(), touches)));
   }
   Teuchos::reduceAll(*space.comm(), Teuchos::REDUCE_MAX, mine, Teuchos::outArg(all));
   return all;
@@ -90,7 +93,7 @@ struct EdgeByHand {
   }
 };
 
-TEUCHOS_UNIT_TEST(AdaptiveEdges, OfOneEdgeLeaveExactlyTheEigenvaluesBelowTheThreshold) {
+TEUCHOS_UNIT_TEST(AdaptiveConstraints, OfOneEdgeLeaveExactlyTheEigenvaluesBelowTheThreshold) {
   const Scene scene = bricks(2, 1, 9);
   const Twins t(scene);
   for (const std::string weighting : {"Deluxe", "Multiplicity"}) {
@@ -110,7 +113,7 @@ TEUCHOS_UNIT_TEST(AdaptiveEdges, OfOneEdgeLeaveExactlyTheEigenvaluesBelowTheThre
   }
 }
 
-TEUCHOS_UNIT_TEST(AdaptiveEdges, KeepTheSpectrumBelowAMultipleOfTheThresholdOnUnalignedBricks) {
+TEUCHOS_UNIT_TEST(AdaptiveConstraints, KeepTheSpectrumBelowAMultipleOfTheThresholdOnUnalignedBricks) {
   for (const Scene& scene : {bricks(2, 2, 7), bricks(3, 3, 5)}) {
     const Twins t(scene);
     for (const double threshold : {2.0, 5.0, 20.0}) staysBelowItsBound(t.spread.linearised.matrix, threshold, "Deluxe", success, out);
@@ -122,13 +125,13 @@ TEUCHOS_UNIT_TEST(AdaptiveEdges, KeepTheSpectrumBelowAMultipleOfTheThresholdOnUn
   }
 }
 
-TEUCHOS_UNIT_TEST(AdaptiveEdges, KeepTheSpectrumBelowAMultipleOfTheThresholdOnContactLines) {
+TEUCHOS_UNIT_TEST(AdaptiveConstraints, KeepTheSpectrumBelowAMultipleOfTheThresholdOnContactLines) {
   for (const Scene& scene : {brickBlocks(), pressedBlocks(), turned(brickBlocks(), 0.5), heldOnTheLine(), turned(crossingBlocks(), 0.5)})
     for (const int open : {0, 5}) {
       const OnInterface one(scene, world());
       const auto matrix = one.matrix(scene, open);
       int mine = 0, contact = 0;
-      for (const InterfaceEdge& edge : matrix->space()->edges()) mine += edge.contact;
+      for (const InterfaceEntity& edge : matrix->space()->entities()) mine += edge.contact && edge.kind == EntityKind::Edge;
       Teuchos::reduceAll(*world(), Teuchos::REDUCE_SUM, mine, Teuchos::outArg(contact));
       out << contact << " contact edges, of each rank that sees them\n";
       for (const double threshold : {1.5, 5.0}) staysBelowItsBound(matrix, threshold, "Deluxe", success, out);
@@ -139,56 +142,19 @@ TEUCHOS_UNIT_TEST(AdaptiveEdges, KeepTheSpectrumBelowAMultipleOfTheThresholdOnCo
     }
 }
 
-TEUCHOS_UNIT_TEST(AdaptiveEdges, OnContactLinesAreTheSameOnAnyNumberOfRanks) {
+TEUCHOS_UNIT_TEST(AdaptiveConstraints, OnContactLinesAreTheSameOnAnyNumberOfRanks) {
   const OnInterface spread(brickBlocks(), world()), single(brickBlocks(), alone());
   const auto a = spread.problem.linearise(spread.problem.initialState()).matrix;
   const auto b = single.problem.linearise(single.problem.initialState()).matrix;
-  const auto contact = [](const InterfaceEdge& edge) { return edge.contact && edge.unknowns.size() > 5; };
-  TEST_EQUALITY(std::count_if(b->space()->edges().begin(), b->space()->edges().end(), contact), 2);
+  const auto contact = [](const InterfaceEntity& edge) { return edge.contact && edge.unknowns.size() > 5; };
+  TEST_EQUALITY(std::count_if(b->space()->entities().begin(), b->space()->entities().end(), contact), 2);
   const auto m = adaptive(a, 3.0), other = adaptive(b, 3.0);
   TEST_EQUALITY(m->coarseSize(), other->coarseSize());
   TEST_COMPARE(difference(DensePair(*a, *m).m, DensePair(*b, *other).m), <, 1e-7);
 }
 
-// At a meeting point of contact lines one side may feel a corner through a relation of several unknowns only. Both leave it out, on any
-// ranks.
-TEUCHOS_UNIT_TEST(EdgeSides, AgreeOnTheCornersOfAnEdge) {
-  int differed = 0;
-  Scene kinks = brickBlocks();  // along the line one unknown is another; at its ends, and once within, four are in an equation
-  for (const std::size_t pair : {std::size_t(0), std::size_t(4), kinks.constraints.pairs.size() - 1})
-    kinks.constraints.pairs[pair].normal = {0.6, 0.8, 0};
-  for (const Scene& scene : {kinks, swapped(kinks), crossingBlocks()}) {
-    const OnInterface one(scene, world());
-    const auto matrix = one.problem.linearise(one.problem.initialState()).matrix;
-    const InterfaceSpace& space = *matrix->space();
-    const auto idsOf = [&](const std::vector<EdgeSide>& sides) {
-      return exchangeEdges(space, sides, [](const EdgeSide& side) {
-        Matrix ids(int(side.cornerIds.size()), 1);
-        for (int k = 0; k < ids.rows(); ++k) ids(k, 0) = double(side.cornerIds[k]);
-        return ids;
-      });
-    };
-    std::vector<EdgeSide> sides = edgeSides(space);
-    const auto before = idsOf(sides);
-    keepCommonCorners(space, sides);
-    const auto after = idsOf(sides);
-    for (std::size_t e = 0; e < after.size(); ++e) {
-      TEST_EQUALITY(after[e][0].rows(), after[e][1].rows());
-      if (after[e][0].rows() == after[e][1].rows()) TEST_ASSERT(after[e][0] == after[e][1]);
-      TEST_EQUALITY(after[e][0].rows(), std::count_if(before[e][0].data(), before[e][0].data() + before[e][0].size(),
-                                                      [&](double id) { return (before[e][1].array() == id).any(); }));
-      differed += before[e][0].rows() != before[e][1].rows();
-    }
-    staysBelowItsBound(matrix, 3.0, "Deluxe", success, out);
-  }
-  int all = 0;
-  Teuchos::reduceAll(*world(), Teuchos::REDUCE_MAX, differed, Teuchos::outArg(all));
-  out << all << " edges whose sides differed\n";
-  TEST_COMPARE(all, >, 0);
-}
-
 // S_0, in which contact groups do not take part: an edge to one of them has one side, and no jump to pay for.
-TEUCHOS_UNIT_TEST(AdaptiveEdges, DoNotAskForLocalProblemsThatDoNotTakePart) {
+TEUCHOS_UNIT_TEST(AdaptiveConstraints, DoNotAskForLocalProblemsThatDoNotTakePart) {
   Scene scene = brickBlocks(4);
   scene.hold("upper_top", 1, 0.0);
   const Twins t(scene);
@@ -197,7 +163,92 @@ TEUCHOS_UNIT_TEST(AdaptiveEdges, DoNotAskForLocalProblemsThatDoNotTakePart) {
   TEST_COMPARE(DensePair(*plain, *bddc(plain, "None", "Deluxe")).eigenvalues().maxCoeff(), >, 20.0);
 }
 
-TEUCHOS_UNIT_TEST(AdaptiveEdges, AreNoFewerForALowerThreshold) {
+/// Largest value of the pencil of the line that three sheets share, jumps against energy, without any code of the library: all traces that
+/// are equal at the ends, continuous ones left out.
+Vector pencilOfSheets(const Sheets& sheets, const std::vector<Matrix>& weights) {
+  const int n = int(sheets.inner.size()), all = int(sheets.schur[0].rows()), free = 3 * n + (all - n);
+  std::vector<int> ends;
+  for (int k = 0; k < all; ++k)
+    if (std::find(sheets.inner.begin(), sheets.inner.end(), k) == sheets.inner.end()) ends.push_back(k);
+  Matrix energy = Matrix::Zero(free, free), cost = Matrix::Zero(free, free);
+  for (int i = 0; i < 3; ++i) {
+    Matrix trace = Matrix::Zero(all, free), jump = Matrix::Zero(n, free);
+    for (int k = 0; k < n; ++k) trace(sheets.inner[k], i * n + k) = 1.0;
+    for (std::size_t k = 0; k < ends.size(); ++k) trace(ends[k], 3 * n + int(k)) = 1.0;
+    for (int j = 0; j < 3; ++j) jump.middleCols(j * n, n) -= weights[j];
+    jump.middleCols(i * n, n) += Matrix::Identity(n, n);
+    energy += trace.transpose() * sheets.schur[i] * trace;
+    cost += jump.transpose() * pick(sheets.schur[i], sheets.inner, sheets.inner) * jump;
+  }
+  return eigenvalues(cost, energy);  // two sheets are clamped: regular, for rigid motions are the same at the ends
+}
+
+// Three sharers: symmetric, definite, and no eigenvalue above the threshold, which points alone miss by far. With one entity there is no
+// constant in the bound.
+TEUCHOS_UNIT_TEST(AdaptiveConstraints, KeepTheSpectrumBelowTheThresholdOnAnEdgeOfThreeSharers) {
+  for (const std::string weighting : {"Deluxe", "Stiffness Diagonal"}) {
+    const Sheets sheets(world());
+    const auto none = bddcWith(sheets.matrix, {"Weighting=" + weighting, "Edge Constraints=None"});
+    const double before = DensePair(*sheets.matrix, *none).eigenvalues().maxCoeff();
+    TEST_EQUALITY(none->coarseSize(), 4);
+    int last = none->coarseSize();
+    for (const double threshold : {1e3, 100.0, 10.0}) {
+      const auto m = adaptive(sheets.matrix, threshold, weighting);
+      const DensePair pair(*sheets.matrix, *m);
+      const Vector values = pair.eigenvalues();
+      out << weighting << ", threshold " << threshold << ": " << m->coarseSize() << " coarse unknowns, eigenvalues " << values(0) << " .. "
+          << values(values.size() - 1) << ", points alone " << before << "\n";
+      TEST_COMPARE(difference(pair.m, pair.m.transpose()), <, 1e-9);
+      TEST_COMPARE(values(0), >, 1.0 - 1e-7);
+      TEST_COMPARE(values(values.size() - 1), <, threshold * (1 + 1e-6));
+      TEST_COMPARE(m->coarseSize(), >=, last);
+      last = m->coarseSize();
+    }
+    TEST_COMPARE(before, >, 100.0);
+    if (weighting == "Deluxe") TEST_COMPARE(last, <, 16);
+  }
+}
+
+// Points alone leave exactly the largest value of the pencil.
+TEUCHOS_UNIT_TEST(AdaptiveConstraints, OfThreeSharersHaveThePencilOfTheJumps) {
+  const Sheets sheets(world());
+  const int n = int(sheets.inner.size());
+  Matrix sum = Matrix::Zero(n, n);
+  std::vector<Matrix> weights;
+  for (const Matrix& schur : sheets.schur) sum += pick(schur, sheets.inner, sheets.inner);
+  for (const Matrix& schur : sheets.schur) weights.push_back(solveSymmetric(sum, pick(schur, sheets.inner, sheets.inner)));
+  const Vector values = pencilOfSheets(sheets, weights);
+  const double largest = values(values.size() - 1);
+  const auto none = bddcWith(sheets.matrix, {"Weighting=Deluxe", "Edge Constraints=None"});
+  const double before = DensePair(*sheets.matrix, *none).eigenvalues().maxCoeff();
+  out << "points alone " << before << ", pencil " << largest << "\n";
+  TEST_FLOATING_EQUALITY(before, largest, 1e-5);
+  TEST_EQUALITY(adaptive(sheets.matrix, largest * (1 + 1e-4))->coarseSize(), none->coarseSize());
+  TEST_EQUALITY(adaptive(sheets.matrix, largest * (1 - 1e-4))->coarseSize(), none->coarseSize() + 2);  // one row for each of two jumps
+}
+
+TEUCHOS_UNIT_TEST(AdaptiveConstraints, OfThreeSharersAreTheSameOnAnyNumberOfRanks) {
+  const Sheets spread(world()), single(alone());
+  const auto m = adaptive(spread.matrix, 5.0), other = adaptive(single.matrix, 5.0);
+  TEST_EQUALITY(m->coarseSize(), other->coarseSize());
+  TEST_COMPARE(difference(DensePair(*spread.matrix, *m).m, DensePair(*single.matrix, *other).m), <, 1e-7);
+}
+
+// Aligned jumps: a sheet much stiffer or softer than the others costs nothing more.
+TEUCHOS_UNIT_TEST(AdaptiveConstraints, OfThreeSharersDoNotFeelAnAlignedJump) {
+  std::map<double, int> sizes;
+  for (const double jump : {1.0, 1e3, 1e-3, 1e6, 1e-6}) {
+    const Sheets sheets(world(), 1.0, {1.0, jump, 1.0});
+    const auto m = adaptive(sheets.matrix, 5.0);
+    const Vector values = DensePair(*sheets.matrix, *m).eigenvalues();
+    sizes[jump] = m->coarseSize();
+    out << "jump " << jump << ": " << m->coarseSize() << " coarse unknowns, largest " << values.maxCoeff() << "\n";
+    TEST_COMPARE(values.maxCoeff(), <, 5.0 * (1 + 1e-4));
+    TEST_COMPARE(m->coarseSize(), <=, 10);
+  }
+}
+
+TEUCHOS_UNIT_TEST(AdaptiveConstraints, AreNoFewerForALowerThreshold) {
   const Twins t(bricks(3, 3, 5));
   int last = 0;
   double largest = 1e300;
@@ -212,7 +263,7 @@ TEUCHOS_UNIT_TEST(AdaptiveEdges, AreNoFewerForALowerThreshold) {
   }
 }
 
-TEUCHOS_UNIT_TEST(AdaptiveEdges, DemandNothingWithoutAJump) {
+TEUCHOS_UNIT_TEST(AdaptiveConstraints, DemandNothingWithoutAJump) {
   const Twins t(clampedSquare(3, 5));
   const auto none = bddc(t.spread.linearised.matrix, "None", "Deluxe");
   const auto m = adaptive(t.spread.linearised.matrix, 50.0);
@@ -225,7 +276,7 @@ TEUCHOS_UNIT_TEST(AdaptiveEdges, DemandNothingWithoutAJump) {
 }
 
 // Eigenvalues know nothing of the units of stress.
-TEUCHOS_UNIT_TEST(AdaptiveEdges, DoNotChangeWhenAllIsStifferAlike) {
+TEUCHOS_UNIT_TEST(AdaptiveConstraints, DoNotChangeWhenAllIsStifferAlike) {
   Scene scene = bricks(2, 2, 7);
   const Twins soft(scene);
   scene.model.materialOfBody[0].young *= 1e9;
@@ -236,7 +287,7 @@ TEUCHOS_UNIT_TEST(AdaptiveEdges, DoNotChangeWhenAllIsStifferAlike) {
   TEST_COMPARE(difference(1e9 * DensePair(stiff.spread.matrix(), *b).m, DensePair(soft.spread.matrix(), *a).m), <, 1e-6);
 }
 
-TEUCHOS_UNIT_TEST(AdaptiveEdges, AreTheSameOnAnyNumberOfRanks) {
+TEUCHOS_UNIT_TEST(AdaptiveConstraints, AreTheSameOnAnyNumberOfRanks) {
   const Twins t(bricks(3, 3, 5));
   for (const double threshold : {3.0, 30.0}) {
     const auto spread = adaptive(t.spread.linearised.matrix, threshold), single = adaptive(t.single.linearised.matrix, threshold);
@@ -245,7 +296,7 @@ TEUCHOS_UNIT_TEST(AdaptiveEdges, AreTheSameOnAnyNumberOfRanks) {
   }
 }
 
-TEUCHOS_UNIT_TEST(AdaptiveEdges, ThatWouldBeMostOfTheInterfaceAreRefused) {
+TEUCHOS_UNIT_TEST(AdaptiveConstraints, ThatWouldBeMostOfTheInterfaceAreRefused) {
   const Twins t(bricks(3, 3, 6));  // 12 edges of five nodes: 120 unknowns
   try {
     adaptive(t.spread.linearised.matrix, 1.0 + 1e-9);

@@ -1,0 +1,194 @@
+#include <suture/base/Collective.hpp>
+#include <suture/base/Dense.hpp>
+#include <suture/precond/AdaptiveConstraints.hpp>
+#include <suture/precond/EntitySides.hpp>
+
+#include <Teuchos_Comm.hpp>
+#include <Teuchos_CommHelpers.hpp>
+
+#include <algorithm>
+#include <sstream>
+
+namespace suture {
+
+namespace {
+
+constexpr double kMostOfInterface = 0.5;  // beyond this a direct solver of the interface is meant
+
+/// matrix^+ rhs, for a right-hand side that the kernel does not feel: by a shift that rounding hides. Where that of the matrix itself is
+/// larger (a Schur complement of a nearly incompressible body is a small difference of large terms) the shift is what it takes.
+Matrix solveSemidefinite(const Matrix& matrix, const Matrix& rhs) {
+  for (double shift = 1e-12; shift < 1e-4; shift *= 10) {
+    Matrix shifted = matrix, lower;
+    shifted.diagonal() *= 1.0 + shift;
+    if (!choleskyFactor(shifted, lower)) continue;
+    Matrix solution = lower.triangularView<Eigen::Lower>().solve(rhs);
+    lower.transpose().triangularView<Eigen::Upper>().solveInPlace(solution);
+    return solution;
+  }
+  throw NumericalError("the stiffness of an edge of the interface is not positive semidefinite");
+}
+
+/// One sharer's part of the eigenproblem of an entity: its n unknowns come first, then the c unknowns that are primal alone.
+struct Part {
+  Matrix stored;   ///< Schur complement of the sharer onto both
+  Matrix block;    ///< the entity's block of S
+  Matrix weights;  ///< the entity's block of D
+};
+
+/// The three of them side by side, the last two above.
+Matrix partOf(const EntitySide& side, const AloneRows& points, const LocalProblem& local, const Matrix& schur, const Weighting& weighting) {
+  const int n = static_cast<int>(side.rows.size()), c = static_cast<int>(points.rows.size());
+  std::vector<int> kept = side.rows;
+  kept.insert(kept.end(), points.rows.begin(), points.rows.end());
+  std::vector<int> sorted = kept;
+  std::sort(sorted.begin(), sorted.end());
+  const std::vector<int> others = complement(local.size(), sorted);
+  Vector coefficients(n + c);
+  coefficients << side.coefficients, points.coefficients;
+  Matrix reduced = pick(schur, kept, kept);
+  if (!others.empty()) {
+    const Matrix across = pick(schur, others, kept);
+    // Contact edges hold one component only: the motions left free are a kernel that `across` does not feel.
+    reduced -= across.transpose() * solveSemidefinite(pick(schur, others, others), across);
+  }
+  Matrix weights = Matrix::Zero(local.size(), n);
+  for (int k = 0; k < n; ++k) weights(side.rows[k], k) = 1.0;
+  weighting.apply(side.local, weights);
+  Matrix all = Matrix::Zero(n + c, 3 * n + c);
+  const auto t = side.coefficients.asDiagonal();
+  all.leftCols(n + c) = coefficients.asDiagonal() * reduced * coefficients.asDiagonal();
+  all.block(0, n + c, n, n) = t * pick(schur, side.rows, side.rows) * t;
+  all.block(0, 2 * n + c, n, n) = t * rowsAt(weights, side.rows) * t;
+  return all;
+}
+
+Part split(const Matrix& all, int n) {
+  const int both = static_cast<int>(all.rows());
+  return {all.leftCols(both), all.block(0, both, n, n), all.block(0, both + n, n, n)};
+}
+
+Matrix symmetric(const Matrix& matrix) { return 0.5 * (matrix + matrix.transpose()); }
+
+/// Of a jump between two traces that vanishes at the points: its cost J after averaging, and the least energy E of such a jump. Rigid
+/// motions of both together are free.
+void jumpOfTwo(const std::vector<Part>& parts, int n, Matrix& cost, Matrix& least) {
+  const Part &a = parts[0], &b = parts[1];
+  cost = b.weights.transpose() * a.block * b.weights + a.weights.transpose() * b.block * a.weights;
+  least = (a.stored * solveSemidefinite(a.stored + b.stored, b.stored)).topLeftCorner(n, n);
+}
+
+/// The same for k traces: the jumps y_i = w_i - w_k, i < k, one below the other, w_k the trace of the stiffest sharer (the energy of the
+/// softer ones is then no difference of large numbers). Averaging leaves P_i y = y_i - sum D_j y_j on sharer i; the least energy is over
+/// the motion that all have in common.
+void jumpOfSeveral(const std::vector<Part>& parts, int n, Matrix& cost, Matrix& least) {
+  const int k = static_cast<int>(parts.size()), all = (k - 1) * n, common = static_cast<int>(parts[0].stored.rows());
+  Matrix averaged(n, all);
+  for (int i = 0; i + 1 < k; ++i) averaged.middleCols(i * n, n) = parts[i].weights;
+  cost = Matrix::Zero(all, all);
+  Matrix across = Matrix::Zero(all, common), together = Matrix::Zero(common, common);
+  least = Matrix::Zero(all, all);
+  for (int i = 0; i < k; ++i) {
+    Matrix left = -averaged;
+    if (i + 1 < k) {
+      left.middleCols(i * n, n) += Matrix::Identity(n, n);
+      across.middleRows(i * n, n) = parts[i].stored.topRows(n);
+      least.block(i * n, i * n, n, n) = parts[i].stored.topLeftCorner(n, n);
+    }
+    cost += left.transpose() * parts[i].block * left;
+    together += parts[i].stored;
+  }
+  least -= across * solveSemidefinite(together, across.transpose());
+}
+
+/// Rows to demand of an entity of n unknowns, orthonormal. Where a sharer does not take part the others decide; one alone has no jump.
+Matrix chosenRows(const std::vector<Matrix>& sides, int n, double threshold) {
+  std::vector<Part> parts;
+  for (const Matrix& side : sides) {
+    if (side.size() == 0) continue;
+    if (side.rows() != sides[0].rows() && sides[0].size() > 0)
+      throw InternalError("the sides of an entity of the interface differ in the points that they share");
+    parts.push_back(split(side, n));
+  }
+  if (parts.size() < 2) return Matrix(0, n);
+  const auto softer = [](const Part& a, const Part& b) { return a.stored.trace() < b.stored.trace(); };
+  if (parts.size() > 2) std::iter_swap(std::max_element(parts.begin(), parts.end(), softer), parts.end() - 1);
+  Matrix cost, least, lower;
+  if (parts.size() == 2)
+    jumpOfTwo(parts, n, cost, least);
+  else
+    jumpOfSeveral(parts, n, cost, least);
+  if (!choleskyFactor(symmetric(cost), lower)) throw NumericalError("an entity of the interface has no stiffness");
+  // The inverse problem: the stored energy may vanish, that of a jump does not.
+  least = symmetric(least);
+  lower.triangularView<Eigen::Lower>().solveInPlace(least);
+  least = least.transpose().eval();
+  lower.triangularView<Eigen::Lower>().solveInPlace(least);
+  const Eigenpairs pairs = symmetricEigenpairs(symmetric(least));
+  int count = 0;
+  while (count < pairs.values.size() && pairs.values(count) * threshold < 1.0) ++count;
+  // What one eigenvector demands of the jumps is demanded of each of them: one column for two sharers, k - 1 for k.
+  const Matrix demanded = lower * pairs.vectors.leftCols(count);
+  const int jumps = static_cast<int>(parts.size()) - 1;
+  Matrix columns(n, count * jumps);
+  for (int i = 0; i < jumps; ++i) columns.middleCols(i * count, count) = demanded.middleRows(i * n, n);
+  return orthonormalBasis(columns, 1e-12).transpose();
+}
+
+}  // namespace
+
+Schema AdaptiveConstraints::schema() {
+  Schema schema("Eigenvectors of each edge's generalised problem, chosen by what they would cost: for jumps that no partition follows.");
+  schema.real("Threshold", 5.0, "Eigenvectors whose value is above become constraints; the condition stays below a multiple of it.",
+              {1.0, 1e12, true, false, {}});
+  return schema;
+}
+
+PrimalChoice AdaptiveConstraints::doChoose(const InterfaceSpace& space, const LocalProblems& locals, const Weighting& weighting) const {
+  PrimalChoice choice{verticesAndEnds(space), {}};
+  const std::vector<InterfaceEntity> entities = withoutAlone(space, choice.alone);
+  const std::vector<EntitySide> sides = entitySides(space, entities);
+  const std::vector<AloneRows> points = aloneRows(space, entities, sides, choice.alone);
+  int last = -1;
+  Matrix schur;  // schur complement of the last local problem: its sides come one after the other
+  std::vector<Matrix> own(sides.size());
+  collectively(*space.comm(), "adaptive constraints", [&] {
+    std::vector<int> order(sides.size());
+    for (std::size_t k = 0; k < order.size(); ++k) order[k] = static_cast<int>(k);
+    std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return sides[a].local < sides[b].local; });
+    for (const int k : order) {
+      if (!locals[sides[k].local]) continue;  // does not take part
+      if (sides[k].local != last) schur = locals[sides[k].local]->schur();
+      last = sides[k].local;
+      own[k] = partOf(sides[k], points[k], *locals[last], schur, weighting);
+    }
+  });
+  const auto all = exchangeSides(space, entities, sides, [&](std::size_t k) { return own[k]; });
+  collectively(*space.comm(), "adaptive constraints", [&] {
+    for (std::size_t e = 0; e < all.size(); ++e) {
+      const auto n = static_cast<int>(entities[e].unknowns.size());
+      choice.rows.push_back(n > 0 ? chosenRows(all[e], n, threshold_) : Matrix(0, 0));
+    }
+  });
+  refuseTooMany(space, sides, choice);
+  return choice;
+}
+
+/// An entity counts where its first sharer lives.
+void AdaptiveConstraints::refuseTooMany(const InterfaceSpace& space, const std::vector<EntitySide>& sides,
+                                        const PrimalChoice& choice) const {
+  double mine[2] = {0.0, 0.0}, sums[2];
+  for (const EntitySide& side : sides)
+    if (side.side == 0) {
+      mine[0] += static_cast<double>(choice.rows[side.entity].rows());
+      mine[1] += static_cast<double>(choice.rows[side.entity].cols());
+    }
+  Teuchos::reduceAll(*space.comm(), Teuchos::REDUCE_SUM, 2, mine, sums);
+  if (sums[1] < 100.0 || sums[0] <= kMostOfInterface * sums[1]) return;
+  std::ostringstream text;
+  text << "a threshold of " << threshold_ << " makes constraints of " << sums[0] << " of the " << sums[1]
+       << " unknowns on edges: the coarse problem would be as large as the interface. Thresholds of 3 to 100 are useful";
+  throw InputError("Preconditioner/BDDC/Adaptive/Threshold", text.str());
+}
+
+}  // namespace suture
