@@ -15,6 +15,8 @@ inline double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * 
 inline Point cross(const Point& a, const Point& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
+/// A quarter turn to the left, in the plane.
+inline Point turned(const Point& a) { return {-a[1], a[0], 0}; }
 inline double norm(const Point& a) { return a[2] == 0.0 ? std::hypot(a[0], a[1]) : std::hypot(a[0], a[1], a[2]); }
 /// a / |a|; components that are mere rounding (below 1e-9) become zero, so that sides along an axis have exact normals. a is not zero.
 Point unit(const Point& a);

@@ -1,5 +1,5 @@
+#include <suture/base/Point.hpp>
 #include <suture/constraints/BoundaryCurve.hpp>
-#include <suture/constraints/BoundaryLine.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -57,29 +57,24 @@ Bend bendOf(Curvature first, Curvature second, Curvature third, Curvature fourth
 
 }  // namespace
 
-BoundaryCurve::BoundaryCurve(const CellBlock& block, const std::vector<Side>& sides) {
-  std::vector<std::pair<int, int>> ends;
-  std::map<int, int> next, previous;
-  for (const Side& side : sides) {
-    const std::vector<int> nodes = block.nodesOf(side);
-    ends.push_back({nodes[0], nodes[1]});
-    next.emplace(nodes[0], nodes[1]);
-    previous.emplace(nodes[1], nodes[0]);
+BoundaryCurve::BoundaryCurve(const Surface& surface) {
+  std::vector<Point> chords;
+  for (int side = 0; side < surface.sides(); ++side) {
+    const std::vector<int>& nodes = surface.nodesOf(side);
+    chords.push_back(minus(surface.at(nodes[1]).position, surface.at(nodes[0]).position));
   }
-  const auto follow = [](const std::map<int, int>& way, int node) {
-    const auto found = way.find(node);
-    return found == way.end() ? -1 : found->second;
+  const auto before = [&](int side) { return side < 0 ? -1 : surface.across(side, 0).side; };
+  const auto after = [&](int side) { return side < 0 ? -1 : surface.across(side, 1).side; };
+  const auto curvature = [&](int first, int second) -> Curvature {  // where two sides meet
+    if (first < 0 || second < 0) return std::nullopt;
+    return curvatureBetween(chords[first], chords[second]);
   };
-  const auto curvature = [&](int node) -> Curvature {
-    const int from = node < 0 ? -1 : follow(previous, node), to = node < 0 ? -1 : follow(next, node);
-    if (from < 0 || to < 0) return std::nullopt;
-    return curvatureBetween(minus(block.point(node), block.point(from)), minus(block.point(to), block.point(node)));
-  };
-  for (const auto& [a, b] : ends) {
+  for (int side = 0; side < surface.sides(); ++side) {
+    const int previous = before(side), next = after(side);
     // Nothing is seen across a corner.
-    const Curvature atA = curvature(a), atB = curvature(b);
-    bends_.push_back(
-        bendOf(atA ? curvature(follow(previous, a)) : std::nullopt, atA, atB, atB ? curvature(follow(next, b)) : std::nullopt));
+    const Curvature atBegin = curvature(previous, side), atEnd = curvature(side, next);
+    bends_.push_back(bendOf(atBegin ? curvature(before(previous), previous) : std::nullopt, atBegin, atEnd,
+                            atEnd ? curvature(next, after(next)) : std::nullopt));
   }
 }
 

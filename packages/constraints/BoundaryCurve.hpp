@@ -1,7 +1,6 @@
 #pragma once
-#include <suture/mesh/CellBlock.hpp>
+#include <suture/mesh/Surface.hpp>
 
-#include <map>
 #include <vector>
 
 namespace suture {
@@ -14,7 +13,7 @@ namespace suture {
 /// 45 degrees) take the value of the neighbouring node on their side.
 class BoundaryCurve {
  public:
-  BoundaryCurve(const CellBlock& block, const std::vector<Side>& sides);
+  explicit BoundaryCurve(const Surface& surface);
 
   /// Curvature along one side [1 / length].
   struct Bend {
@@ -22,8 +21,8 @@ class BoundaryCurve {
     double doubt = 0.0;             ///< estimated error: difference to the next lower order of construction, with its sign
     double at(double xi) const { return ((1 - xi) * begin + (1 + xi) * end) / 2; }
   };
-  /// In the order of the sides that the curve was made of.
-  const Bend& bend(std::size_t side) const { return bends_[side]; }
+  /// Of a side of the surface.
+  const Bend& bend(int side) const { return bends_[side]; }
 
  private:
   std::vector<Bend> bends_;

@@ -1,3 +1,4 @@
+#include <suture/base/Point.hpp>
 #include <suture/constraints/BuildConstraints.hpp>
 #include <suture/constraints/Conditions.hpp>
 #include <suture/constraints/ContactPieces.hpp>
@@ -16,9 +17,9 @@ namespace {
 
 using SideSet = std::set<std::pair<int, int>>;
 
-SideSet sidesOf(const Mesh& mesh, const std::string& group) {
+SideSet sideSet(const Mesh& mesh, const std::vector<std::string>& groups) {
   SideSet all;
-  for (const Side& side : mesh.sideGroups.at(group)) all.insert({side.element, side.side});
+  for (const Side& side : sidesOf(mesh.sideGroups, groups)) all.insert({side.element, side.side});
   return all;
 }
 
@@ -28,39 +29,46 @@ bool holdsEverything(const Condition& condition, int dimension) {
 }
 
 // A side that is held on its whole length can neither take part in contact nor feel a load: one of the two is a slip.
-void checkRoles(const Mesh& mesh, const std::vector<Condition>& conditions, const std::vector<ContactLine>& lines, Problems& problems) {
+void checkRoles(const Mesh& mesh, const std::vector<Condition>& conditions, const std::vector<ContactSurface>& contacts,
+                Problems& problems) {
   for (const Condition& holding : conditions) {
     if (!holdsEverything(holding, mesh.dimension)) continue;
-    const SideSet held = sidesOf(mesh, holding.group);
-    const auto covers = [&](const std::string& group) {
-      const SideSet other = sidesOf(mesh, group);
-      return std::includes(held.begin(), held.end(), other.begin(), other.end());
+    const SideSet held = sideSet(mesh, holding.groups);
+    const auto heldAmong = [&](const std::vector<std::string>& groups) {
+      std::vector<std::string> found;
+      for (const std::string& group : groups) {
+        const SideSet own = sideSet(mesh, {group});
+        if (std::includes(held.begin(), held.end(), own.begin(), own.end())) found.push_back(group);
+      }
+      return found;
     };
-    for (const ContactLine& line : lines)
-      for (const auto& [group, side] : {std::make_pair(line.groupA, "Side A"), std::make_pair(line.groupB, "Side B")})
-        if (!group.empty() && covers(group))
-          problems.add(line.path + "/" + side,
+    for (const ContactSurface& contact : contacts)
+      for (const auto& [face, side] : {std::make_pair(&contact.a, "Side A"), std::make_pair(&contact.b, "Side B")})
+        for (const std::string& group : heldAmong(face->groups))
+          problems.add(contact.path + "/" + side,
                        "'" + group + "' is held on its whole length by " + holding.path + "; a side is either held or in contact");
-    for (const Condition& load : conditions)
-      if (holding.type == Condition::Type::Displacement && !load.holds() && !load.group.empty() && covers(load.group))
+    for (const Condition& load : conditions) {
+      if (holding.type != Condition::Type::Displacement || load.holds()) continue;
+      for (const std::string& group : heldAmong(load.groups))
         problems.add(load.path + "/Group",
-                     "all displacements of '" + load.group + "' are given by " + holding.path + ", so that no load can act there");
+                     "all displacements of '" + group + "' are given by " + holding.path + ", so that no load can act there");
+    }
   }
 }
 
-// Contact nodes in one line, and with nothing prescribed, get the pair's axes, or the mean of several pairs (mortar).
+// Contact nodes in one contact, and with nothing prescribed, get the pair's axes, or the mean of several pairs (mortar).
 void addContactFrames(const std::vector<ContactPair>& pairs, std::vector<NodeRule>& rules) {
   struct Use {
-    int pairs = 0, line = -1;
-    bool oneLine = true;
+    int pairs = 0, contact = -1;
+    bool oneContact = true;
     Point last{0, 0, 0}, sum{0, 0, 0};  // normals: of the last pair; of all, each with its weight
   };
   std::map<int, Use> uses;
   for (const ContactPair& pair : pairs)
     for (const PairEnd& end : pair.ends) {
       Use& use = uses[end.node];
-      use.oneLine = use.oneLine && (use.pairs == 0 || use.line == pair.line);
-      use.line = pair.line;
+      use.oneContact = use.oneContact && (use.pairs == 0 || use.contact == pair.line);
+      use.contact = pair.line;
       use.last = pair.normal;
       ++use.pairs;
       for (int k = 0; k < 2; ++k) use.sum[k] += std::abs(end.weight) * pair.normal[k];
@@ -68,7 +76,7 @@ void addContactFrames(const std::vector<ContactPair>& pairs, std::vector<NodeRul
   std::set<int> ruled;
   for (const NodeRule& rule : rules) ruled.insert(rule.node);
   for (const auto& [node, use] : uses) {
-    if (!use.oneLine || ruled.count(node)) continue;
+    if (!use.oneContact || ruled.count(node)) continue;
     NodeRule rule;
     rule.node = node;
     rule.axes[0] = use.pairs == 1 ? use.last : unit(use.sum);
@@ -83,8 +91,7 @@ void checkHeld(const Mesh& mesh, const Constraints& constraints, Problems& probl
   std::vector<char> held(mesh.bodies.size(), 0);
   for (const NodeRule& rule : constraints.rules) held[mesh.bodyOfNode[rule.node]] = 1;  // boundary conditions only, as yet
   for (const ContactPiece& piece : constraints.pieces)
-    for (const int body : {piece.bodyA, piece.bodyB})
-      if (body >= 0) held[body] = 1;
+    for (const int body : piece.bodies) held[body] = 1;
   for (std::size_t body = 0; body < mesh.bodies.size(); ++body)
     if (!held[body])
       problems.add("Bodies/" + mesh.bodies[body],
@@ -97,19 +104,17 @@ Constraints buildConstraints(const Mesh& mesh, const Parameters& conditionList, 
                              const ContactScales& scales) {
   Problems problems;
   const std::vector<Condition> conditions = readConditions(mesh, conditionList, constants, problems);
-  std::vector<ContactLine> lines = readContact(mesh, contactList, constants, problems);
-  for (ContactLine& line : lines) {
-    line.complianceA = complianceOf(mesh, line.groupA, scales);
-    line.complianceB = complianceOf(mesh, line.groupB, scales);
-  }
-  checkRoles(mesh, conditions, lines, problems);
+  std::vector<ContactSurface> contacts = readContact(mesh, contactList, constants, problems);
+  for (ContactSurface& contact : contacts)
+    for (ContactFace* face : {&contact.a, &contact.b}) face->compliance = complianceOf(mesh, *face, scales);
+  checkRoles(mesh, conditions, contacts, problems);
 
   Constraints constraints;
   constraints.rules = nodalRules(mesh, conditions, problems);
-  std::vector<PairedLine> paired;
-  for (const ContactLine& line : lines) {
-    paired.push_back(pairLine(mesh, line, problems, constraints.notes));
-    noteInterference(line, paired.back(), scales.lengthUnit, constraints.notes);
+  std::vector<PairedSurface> paired;
+  for (const ContactSurface& contact : contacts) {
+    paired.push_back(pairSurface(mesh, contact, problems, constraints.notes));
+    noteInterference(contact, paired.back(), scales.lengthUnit, constraints.notes);
     const int base = static_cast<int>(constraints.pairs.size());
     for (ContactPair pair : paired.back().pairs) {
       pair.id += base;
@@ -118,20 +123,27 @@ Constraints buildConstraints(const Mesh& mesh, const Parameters& conditionList, 
   }
   problems.throwIfAny();
 
-  constraints.pieces = findPieces(lines, paired, constraints.pairs);
-  int base = 0;
-  for (const PairedLine& line : paired) {
-    for (AxisPoint point : line.onAxis) {
-      for (int& id : point.pairs) id += base;
-      constraints.pieces[constraints.pairs[point.pairs[0]].piece].onAxis.push_back(point);
-    }
-    base += static_cast<int>(line.pairs.size());
-  }
-  estimatePressures(lines, paired, constraints);
+  constraints.pieces = findPieces(mesh, contacts, paired, constraints.pairs);
+  estimatePressures(contacts, paired, constraints);
   checkHeld(mesh, constraints, problems);
   problems.throwIfAny();
   addContactFrames(constraints.pairs, constraints.rules);
   return constraints;
+}
+
+std::vector<std::vector<int>> neighbourPairs(const std::vector<std::vector<int>>& cells, int pairs) {
+  std::vector<std::vector<int>> beside(pairs);
+  for (const std::vector<int>& cell : cells)
+    for (std::size_t i = 0; i < cell.size(); ++i) {
+      const int a = cell[i], b = cell[(i + 1) % cell.size()];
+      beside[a].push_back(b);
+      beside[b].push_back(a);
+    }
+  for (std::vector<int>& own : beside) {
+    std::sort(own.begin(), own.end());
+    own.erase(std::unique(own.begin(), own.end()), own.end());
+  }
+  return beside;
 }
 
 std::vector<PairEnd> matchingEnds(int nodeA, int nodeB) { return {{nodeA, 1.0}, {nodeB, -1.0}}; }

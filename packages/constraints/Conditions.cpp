@@ -44,17 +44,19 @@ class Entry {
 
   void readPlace() {
     const bool body = condition_.type == Type::BodyForce || condition_.type == Type::RandomLoad;
-    if (list_.isParameter("Group")) {
-      condition_.group = list_.get<std::string>("Group");
-      if (body)
-        wrong("Group", "a " + typeName_ + " acts on a body, not on a curve group; name it in Body, or leave it out for all bodies");
-      else if (!mesh_.sideGroups.count(condition_.group))
-        wrong("Group", unknownCurve(mesh_, condition_.group));
-      else if (mesh_.sideGroups.at(condition_.group).empty())
-        wrong("Group", "the curve group '" + condition_.group + "' of the mesh " + mesh_.source + " is empty");
-    } else if (!body) {
+    condition_.groups = groupNames(list_, "Group");
+    if (list_.isParameter("Group") && body)
+      wrong("Group", "a " + typeName_ + " acts on a body, not on a curve group; name it in Body, or leave it out for all bodies");
+    else if (condition_.groups.empty() && !body)
       wrong("Group", "is missing: a " + typeName_ + " needs a curve group. Curve groups: " + joinNames(mesh_.sideGroupNames()));
-    }
+    else
+      for (const std::string& group : condition_.groups) {
+        const auto found = mesh_.sideGroups.find(group);
+        if (found == mesh_.sideGroups.end())
+          wrong("Group", unknownCurve(mesh_, group));
+        else if (found->second.empty())
+          wrong("Group", "the curve group '" + group + "' of the mesh " + mesh_.source + " is empty");
+      }
     if (!list_.isParameter("Body")) return;
     const std::string name = list_.get<std::string>("Body");
     if (!body)
@@ -122,7 +124,8 @@ Schema boundaryConditionSchema() {
   std::vector<std::string> names;
   for (const auto& entry : types()) names.push_back(entry.first);
   return Schema("one boundary condition; several may meet at a corner")
-      .text("Group", std::nullopt, "curve group of the mesh on which it acts; not for a Body Force or Random Load")
+      .texts("Group", std::nullopt,
+             "curve group of the mesh on which it acts, or several as {left, right}; not for a Body Force or Random Load")
       .optional()
       .oneOf("Type", std::nullopt, names,
              "Displacement: given; Bilateral: normal displacement zero, free to slide; Traction: force vector on an area of the undeformed "

@@ -14,9 +14,9 @@ struct Condition {
   std::string name;
   std::string path;  ///< "Boundary Conditions/push", for messages
   Type type = Type::Bilateral;
-  std::string group;            ///< curve group; empty for a body force or random load
-  std::vector<int> components;  ///< prescribed by a Displacement
-  ConditionData data;           ///< data of each component, of loads as well; none for Bilateral and RandomLoad
+  std::vector<std::string> groups;  ///< curve groups; none for a body force or random load
+  std::vector<int> components;      ///< prescribed by a Displacement
+  ConditionData data;               ///< data of each component, of loads as well; none for Bilateral and RandomLoad
 
   bool holds() const { return type == Type::Displacement || type == Type::Bilateral; }
 };

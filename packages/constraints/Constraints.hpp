@@ -25,19 +25,19 @@ struct PairEnd {
   double weight = 0.0;  ///< weights of side A add up to a positive number, those of side B to a negative one
 };
 
-/// One unilateral condition of a contact line: sum over its ends of weight normal . u(node) <= gap, that is (u_A - u_B) . normal <= gap.
+/// One unilateral condition of a contact: sum over its ends of weight normal . u(node) <= gap, that is (u_A - u_B) . normal <= gap.
 /// One unit normal a pair, from side A to side B. The first end is the node that carries the pair (its contact force acts there), with
 /// weight 1 on side A, -1 on side B (others only where a mortar covers a quadratic element in part). Of matching sides a pair has one node
 /// of each; with mortar it has the mean of several on the other side; with a rigid obstacle none.
 struct ContactPair {
-  int id = -1;     ///< 0..pairs-1 over the whole scene, along the lines
+  int id = -1;     ///< 0..pairs-1 over the whole scene, in the order of the contacts
   int line = -1;   ///< contact of the scene (place in the list `Contact`)
   int piece = -1;  ///< connected component of Gamma_c
   std::vector<PairEnd> ends;
   Point normal{0, 0, 0};
   double gap = 0.0;         ///< initial gap along the normal [length]; negative: interference
   double length = 0.0;      ///< tributary length: integral of the carrying node's hat function [length]; axisymmetric: times 2 pi r [area]
-  double arc = 0.0;         ///< arc length from the first node of its line on the carrying side
+  double arc = 0.0;         ///< in the plane: arc length from the first node of its run of the carrying side [length]; for output
   Point position{0, 0, 0};  ///< position of the carrying node
 
   int node() const { return ends.front().node; }  ///< carrying node
@@ -81,17 +81,23 @@ struct AxisPoint {
 
 /// A connected component of Gamma_c.
 struct ContactPiece {
-  std::string name;            ///< name of the contact line; "<line> 2" for its second component, "a + b" for lines that touch
-  std::vector<int> pairs;      ///< ids
-  int bodyA = -1, bodyB = -1;  ///< B: -1 for a rigid obstacle
+  std::string name;         ///< name of the contact; "<contact> 2" for its second component, "a + b" for contacts that touch
+  std::vector<int> pairs;   ///< ids
+  std::vector<int> bodies;  ///< ascending
+  /// Cells between the nodes that carry pairs, by ids of the pairs: segments in the plane, triangles and quadrilaterals in space. Of a
+  /// second-order side there are several.
+  std::vector<std::vector<int>> cells;
   double pressureDoubt = 0.0;  ///< estimated error of nodal pressures where straight elements stand for curved sides [stress]
   std::vector<AxisPoint> onAxis;
 
   template <typename Self, typename Each>
   static void forEachField(Self& self, const Each& each) {
-    each(self.name), each(self.pairs), each(self.bodyA), each(self.bodyB), each(self.pressureDoubt), each(self.onAxis);
+    each(self.name), each(self.pairs), each(self.bodies), each(self.cells), each(self.pressureDoubt), each(self.onAxis);
   }
 };
+
+/// Pairs beside each pair in cells, ascending. Local. \param pairs  their number, with ids from 0
+std::vector<std::vector<int>> neighbourPairs(const std::vector<std::vector<int>>& cells, int pairs);
 
 /// All that restricts the displacements of a scene: Dirichlet and bilateral rows as nodal rules, contact pairs and pieces. On rank 0, for
 /// the whole mesh.

@@ -1,6 +1,8 @@
-#include <suture/constraints/BoundaryLine.hpp>
+#include <suture/base/Point.hpp>
+#include <suture/constraints/ContactSurface.hpp>
 #include <suture/constraints/NodalRules.hpp>
 #include <suture/mesh/CellGeometry.hpp>
+#include <suture/mesh/SideGeometry.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -28,7 +30,7 @@ using Rows = std::map<int, std::vector<Row>>;  // node -> rows
 void addDisplacement(const Mesh& mesh, const std::vector<Condition>& conditions, int number, Rows& rows, Problems& problems) try {
   const Condition& condition = conditions[number];
   std::set<int> nodes;
-  for (const Side& side : mesh.sideGroups.at(condition.group))
+  for (const Side& side : sidesOf(mesh.sideGroups, condition.groups))
     for (const int node : mesh.nodesOf(side)) nodes.insert(node);
   for (const int node : nodes)
     for (std::size_t i = 0; i < condition.components.size(); ++i) {
@@ -52,18 +54,21 @@ void addBilateral(const Mesh& mesh, const std::vector<Condition>& conditions, Ro
   std::set<std::pair<int, int>> seen;
   for (int number = 0; number < static_cast<int>(conditions.size()); ++number) {
     if (conditions[number].type != Condition::Type::Bilateral) continue;
-    for (const Side& side : mesh.sideGroups.at(conditions[number].group)) {
+    for (const Side& side : sidesOf(mesh.sideGroups, conditions[number].groups)) {
       if (!seen.insert({side.element, side.side}).second) continue;
-      const BoundaryLine alone(mesh, {side});
-      for (const auto& [node, data] : alone.nodes()) {
-        std::vector<Bundle>& here = bundles[node];
-        const Point& normal = data.weightedNormal;
+      const std::vector<int> nodes = mesh.nodesOf(side);
+      std::vector<Point> points;
+      for (const int node : nodes) points.push_back(mesh.point(node));
+      const std::vector<NodeNormal> normals = nodeNormals(points, mesh.dimension);
+      for (std::size_t i = 0; i < nodes.size(); ++i) {
+        std::vector<Bundle>& here = bundles[nodes[i]];
+        const Point normal = scaled(normals[i].weight, normals[i].density);
         const auto like =
-            std::find_if(here.begin(), here.end(), [&](const Bundle& b) { return angleBetween(b.sum, normal) <= sharpAngle; });
+            std::find_if(here.begin(), here.end(), [&](const Bundle& b) { return angleBetween(b.sum, normal) <= kSharpAngle; });
         if (like == here.end())
           here.push_back({normal, number});
         else
-          like->sum = {like->sum[0] + normal[0], like->sum[1] + normal[1], 0};
+          like->sum = plus(like->sum, normal);
       }
     }
   }
@@ -161,7 +166,7 @@ std::vector<NodeRule> nodalRules(const Mesh& mesh, const std::vector<Condition>&
   std::vector<Condition> conditions = scene;
   if (mesh.axisymmetric) addAxis(mesh, conditions, rows);
   for (int number = 0; number < static_cast<int>(conditions.size()); ++number)
-    if (conditions[number].type == Condition::Type::Displacement && !conditions[number].group.empty())
+    if (conditions[number].type == Condition::Type::Displacement && !conditions[number].groups.empty())
       addDisplacement(mesh, conditions, number, rows, problems);
   addBilateral(mesh, conditions, rows);
 

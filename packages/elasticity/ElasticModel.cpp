@@ -7,6 +7,7 @@
 #include <suture/base/scene/SceneReader.hpp>
 #include <suture/constraints/ConditionData.hpp>
 #include <suture/elasticity/ElasticModel.hpp>
+#include <suture/mesh/SideGroups.hpp>
 #include <suture/elasticity/HookesLaw.hpp>
 #include <suture/elasticity/IsotropicLaw.hpp>
 #include <suture/mesh/Regions.hpp>
@@ -91,9 +92,12 @@ Load loadOf(const Parameters& condition, const std::vector<std::string>& bodies,
   Load load;
   const std::string type = textOf(condition, "Type");
   load.kind = kindOf(type);
-  load.group = textOf(condition, load.onBody() ? "Body" : "Group");
-  if (load.onBody() && !load.group.empty() && std::find(bodies.begin(), bodies.end(), load.group) == bodies.end())
-    problems.add(pathOf(condition, "Body"), unknownName("body", load.group, bodies));
+  if (load.onBody())
+    load.body = textOf(condition, "Body");
+  else
+    load.groups = groupNames(condition, "Group");
+  if (!load.body.empty() && std::find(bodies.begin(), bodies.end(), load.body) == bodies.end())
+    problems.add(pathOf(condition, "Body"), unknownName("body", load.body, bodies));
 
   if (load.kind == Load::Kind::Random) {
     if (condition.isType<int>("Seed")) load.seed = condition.get<int>("Seed");

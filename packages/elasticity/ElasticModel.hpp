@@ -39,11 +39,12 @@ enum class PlaneModel { Strain, Stress };
 struct Load {
   enum class Kind { Traction, Pressure, BodyForce, Random };
   Kind kind = Kind::Traction;
-  std::string group;     ///< side group, or the body's name for BodyForce and Random ("" : all bodies)
+  std::string body;      ///< of BodyForce and Random; "": all bodies
   Point value{0, 0, 0};  ///< traction [stress], body force [force / volume]; Pressure: value[0], > 0 pushes into the body; Random:
                          ///< value[0] about value[1] [force]
   int seed = 0;          ///< of Random
   std::vector<Expression> expressions{};  ///< of the place, instead of value: as many as it has components; not of Random
+  std::vector<std::string> groups{};      ///< side groups on which Traction and Pressure act
 
   /// Value at a place. \throws InputError  an expression is not finite there
   Point at(const Point& place) const {
@@ -56,7 +57,7 @@ struct Load {
   /// Acts on bodies as a whole, not on sides.
   bool onBody() const { return kind == Kind::BodyForce || kind == Kind::Random; }
   /// True if a load on bodies acts on the body of this name.
-  bool actsOn(const std::string& body) const { return group.empty() || group == body; }
+  bool actsOn(const std::string& name) const { return body.empty() || body == name; }
 };
 
 /// Materials of the bodies, the plane model and the loads: what the scene says about physics. The same on all ranks.

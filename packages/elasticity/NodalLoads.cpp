@@ -16,9 +16,9 @@ Vector nodalLoads(const Mesh& mesh, const ElasticModel& model) {
         if (load.actsOn(mesh.bodies[mesh.bodyOfElement[e]])) elements.push_back(e);
       addBodyForce(mesh, elements, load, forces);
     } else {
-      const auto group = mesh.sideGroups.find(load.group);
-      if (group == mesh.sideGroups.end()) throw InternalError("a load on the group '" + load.group + "', which the mesh does not have");
-      addSideLoad(mesh, group->second, load, forces);
+      for (const std::string& group : load.groups)
+        if (!mesh.sideGroups.count(group)) throw InternalError("a load on the group '" + group + "', which the mesh does not have");
+      addSideLoad(mesh, sidesOf(mesh.sideGroups, load.groups), load, forces);
     }
   }
   return forces;

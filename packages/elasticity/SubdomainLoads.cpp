@@ -29,8 +29,8 @@ Vector subdomainLoads(const SubdomainMesh& mesh, const ElasticModel& model) {
         addRandomForces(mesh, given, load);
       else
         addBodyForce(mesh, all, given, load);
-    } else if (const auto sides = mesh.sideGroups.find(given.group); sides != mesh.sideGroups.end()) {
-      addSideLoad(mesh, sides->second, given, load);
+    } else {
+      addSideLoad(mesh, sidesOf(mesh.sideGroups, given.groups), given, load);
     }
   }
   return load;

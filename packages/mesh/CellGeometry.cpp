@@ -1,4 +1,5 @@
 #include <suture/mesh/CellGeometry.hpp>
+#include <suture/mesh/ShapeFunctions.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -8,66 +9,12 @@ namespace suture {
 
 namespace {
 
-using Reference = std::array<double, 2>;
-
-// Reference coordinates of the nodes: triangles on (0,0), (1,0), (0,1), quadrilaterals on [-1,1]^2.
-Reference referencePoint(Cell cell, int node) {
-  static const Reference triangle[] = {{0, 0}, {1, 0}, {0, 1}, {0.5, 0}, {0.5, 0.5}, {0, 0.5}};
-  static const Reference square[] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {0, -1}, {1, 0}, {0, 1}, {-1, 0}, {0, 0}};
-  return cellInfo(cell).vertices == 3 ? triangle[node] : square[node];
-}
-
-// Gradient of shape function i of the linear (bilinear) element at (s, t).
-Reference linearGradient(int vertices, int i, Reference at) {
-  if (vertices == 3) {
-    static const Reference constant[] = {{-1, -1}, {1, 0}, {0, 1}};
-    return constant[i];
-  }
-  const Reference p = referencePoint(Cell::Quadrilateral4, i);
-  return {p[0] * (1 + p[1] * at[1]) / 4, p[1] * (1 + p[0] * at[0]) / 4};
-}
-
-Reference triangle6Gradient(int i, Reference at) {
-  const double l[] = {1 - at[0] - at[1], at[0], at[1]};
-  const Reference g[] = {{-1, -1}, {1, 0}, {0, 1}};
-  if (i < 3) return {(4 * l[i] - 1) * g[i][0], (4 * l[i] - 1) * g[i][1]};
-  const int a = i - 3, b = (i - 2) % 3;
-  return {4 * (l[a] * g[b][0] + l[b] * g[a][0]), 4 * (l[a] * g[b][1] + l[b] * g[a][1])};
-}
-
-Reference serendipityGradient(int i, Reference at) {
-  const Reference p = referencePoint(Cell::Quadrilateral8, i);
-  const double s = at[0], t = at[1];
-  if (i < 4) return {p[0] * (1 + p[1] * t) * (2 * p[0] * s + p[1] * t) / 4, p[1] * (1 + p[0] * s) * (2 * p[1] * t + p[0] * s) / 4};
-  if (p[0] == 0) return {-s * (1 + p[1] * t), p[1] * (1 - s * s) / 2};
-  return {p[0] * (1 - t * t) / 2, -t * (1 + p[0] * s)};
-}
-
-// The quadratic through -1, 0, 1 that is one at `node`, and its derivative.
-double parabola(double node, double x) { return node == 0 ? 1 - x * x : x * (x + node) / 2; }
-double slope(double node, double x) { return node == 0 ? -2 * x : x + node / 2; }
-
-Reference gradient(Cell cell, int i, Reference at) {
-  switch (cell) {
-    case Cell::Triangle6:
-      return triangle6Gradient(i, at);
-    case Cell::Quadrilateral8:
-      return serendipityGradient(i, at);
-    case Cell::Quadrilateral9: {
-      const Reference p = referencePoint(cell, i);
-      return {slope(p[0], at[0]) * parabola(p[1], at[1]), parabola(p[0], at[0]) * slope(p[1], at[1])};
-    }
-    default:
-      return linearGradient(cellInfo(cell).vertices, i, at);
-  }
-}
-
-double jacobianAt(const CellBlock& block, int element, Reference at) {
+double jacobianAt(const CellBlock& block, int element, ReferencePoint at) {
   const Cell cell = block.cells[element];
   const Span<const int> nodes = block.nodesOf(element);
   double xs = 0, xt = 0, ys = 0, yt = 0;
   for (int i = 0; i < static_cast<int>(nodes.size()); ++i) {
-    const Reference g = gradient(cell, i, at);
+    const ReferencePoint g = shapeGradient(cell, i, at);
     const Point x = block.point(nodes[i]);
     xs += g[0] * x[0], xt += g[1] * x[0], ys += g[0] * x[1], yt += g[1] * x[1];
   }
@@ -76,16 +23,18 @@ double jacobianAt(const CellBlock& block, int element, Reference at) {
 
 // The determinant of a Triangle6 is a quadratic polynomial: it is least at a vertex, where it is stationary on a side, or where it is
 // inside.
-double leastOnTriangle(const CellBlock& block, int element, Reference& where) {
+double leastOnTriangle(const CellBlock& block, int element, ReferencePoint& where) {
   double v[6];
   for (int k = 0; k < 6; ++k) v[k] = jacobianAt(block, element, referencePoint(Cell::Triangle6, k));
   // c0 + cs s + ct t + css s^2 + cst s t + ctt t^2 through the six nodes
   const double cs = 4 * v[3] - 3 * v[0] - v[1], ct = 4 * v[5] - 3 * v[0] - v[2];
   const double css = 2 * (v[0] + v[1] - 2 * v[3]), ctt = 2 * (v[0] + v[2] - 2 * v[5]), cst = 4 * (v[0] + v[4] - v[3] - v[5]);
-  const auto value = [&](Reference p) { return v[0] + cs * p[0] + ct * p[1] + css * p[0] * p[0] + cst * p[0] * p[1] + ctt * p[1] * p[1]; };
+  const auto value = [&](ReferencePoint p) {
+    return v[0] + cs * p[0] + ct * p[1] + css * p[0] * p[0] + cst * p[0] * p[1] + ctt * p[1] * p[1];
+  };
   double least = v[0];
   where = {0, 0};
-  const auto consider = [&](Reference p, double at) {
+  const auto consider = [&](ReferencePoint p, double at) {
     if (at < least) least = at, where = p;
   };
   for (int k = 1; k < 6; ++k) consider(referencePoint(Cell::Triangle6, k), v[k]);
@@ -94,12 +43,12 @@ double leastOnTriangle(const CellBlock& block, int element, Reference& where) {
     const double b = 4 * v[3 + side] - 3 * v[from] - v[to], c = 2 * (v[from] + v[to] - 2 * v[3 + side]);
     const double x = -b / (2 * c);
     if (!(c > 0 && x > 0 && x < 1)) continue;
-    const Reference p = referencePoint(Cell::Triangle6, from), q = referencePoint(Cell::Triangle6, to);
+    const ReferencePoint p = referencePoint(Cell::Triangle6, from), q = referencePoint(Cell::Triangle6, to);
     consider({p[0] + x * (q[0] - p[0]), p[1] + x * (q[1] - p[1])}, v[from] + b * x / 2);
   }
   const double hessian = 4 * css * ctt - cst * cst;
   if (hessian > 0 && css > 0) {
-    const Reference p{(cst * ct - 2 * ctt * cs) / hessian, (cst * cs - 2 * css * ct) / hessian};
+    const ReferencePoint p{(cst * ct - 2 * ctt * cs) / hessian, (cst * cs - 2 * css * ct) / hessian};
     if (p[0] > 0 && p[1] > 0 && p[0] + p[1] < 1) consider(p, value(p));
   }
   return least;
@@ -110,7 +59,7 @@ double leastOnTriangle(const CellBlock& block, int element, Reference& where) {
 // Phys. 2013).
 using Cubic = std::array<std::array<double, 4>, 4>;
 
-void leastOfCubic(const Cubic& c, Reference low, Reference high, int depth, double& least, Reference& where) {
+void leastOfCubic(const Cubic& c, ReferencePoint low, ReferencePoint high, int depth, double& least, ReferencePoint& where) {
   double bound = c[0][0], size = 0;
   for (const auto& row : c)
     for (const double value : row) bound = std::min(bound, value), size = std::max(size, std::abs(value));
@@ -132,7 +81,7 @@ void leastOfCubic(const Cubic& c, Reference low, Reference high, int depth, doub
     halves(column, left, right);
     for (int i = 0; i < 4; ++i) inS[0][i][j] = left[i], inS[1][i][j] = right[i];
   }
-  const Reference middle{(low[0] + high[0]) / 2, (low[1] + high[1]) / 2};
+  const ReferencePoint middle{(low[0] + high[0]) / 2, (low[1] + high[1]) / 2};
   for (int s = 0; s < 2; ++s) {
     Cubic inT[2];
     for (int i = 0; i < 4; ++i) halves(inS[s][i], inT[0][i], inT[1][i]);
@@ -142,7 +91,7 @@ void leastOfCubic(const Cubic& c, Reference low, Reference high, int depth, doub
   }
 }
 
-double leastOnSquare(const CellBlock& block, int element, Reference& where) {
+double leastOnSquare(const CellBlock& block, int element, ReferencePoint& where) {
   // Bernstein coefficients of the cubic through values at -1, -1/3, 1/3, 1.
   static const double toBernstein[4][4] = {{1, 0, 0, 0}, {-5. / 6, 3, -1.5, 1. / 3}, {1. / 3, -1.5, 3, -5. / 6}, {0, 0, 0, 1}};
   double values[4][4];
@@ -159,32 +108,12 @@ double leastOnSquare(const CellBlock& block, int element, Reference& where) {
   return least;
 }
 
-// Shape function i at a place.
-double shape(Cell cell, int i, Reference at) {
-  const Reference p = referencePoint(cell, i);
-  const double l[] = {1 - at[0] - at[1], at[0], at[1]};
-  switch (cell) {
-    case Cell::Triangle3:
-      return l[i];
-    case Cell::Triangle6:
-      return i < 3 ? l[i] * (2 * l[i] - 1) : 4 * l[i - 3] * l[(i - 2) % 3];
-    case Cell::Quadrilateral4:
-      return (1 + p[0] * at[0]) * (1 + p[1] * at[1]) / 4;
-    case Cell::Quadrilateral8:
-      if (i < 4) return (1 + p[0] * at[0]) * (1 + p[1] * at[1]) * (p[0] * at[0] + p[1] * at[1] - 1) / 4;
-      return p[0] == 0 ? (1 - at[0] * at[0]) * (1 + p[1] * at[1]) / 2 : (1 - at[1] * at[1]) * (1 + p[0] * at[0]) / 2;
-    case Cell::Quadrilateral9:
-      return parabola(p[0], at[0]) * parabola(p[1], at[1]);
-  }
-  return 0;
-}
-
 }  // namespace
 
 double smallestJacobian(const CellBlock& block, int element, Point* place) {
   const Cell cell = block.cells[element];
   double least = 0;
-  Reference where{0, 0};
+  ReferencePoint where{0, 0};
   if (cell == Cell::Triangle3) {
     least = 2 * signedArea(block, element);  // everywhere
   } else if (cell == Cell::Triangle6) {
@@ -201,7 +130,7 @@ double smallestJacobian(const CellBlock& block, int element, Point* place) {
     *place = {0, 0, 0};
     const Span<const int> nodes = block.nodesOf(element);
     for (int i = 0; i < static_cast<int>(nodes.size()); ++i)
-      for (int k = 0; k < block.dimension; ++k) (*place)[k] += shape(cell, i, where) * block.point(nodes[i])[k];
+      for (int k = 0; k < block.dimension; ++k) (*place)[k] += shapeFunction(cell, i, where) * block.point(nodes[i])[k];
   }
   return least;
 }

@@ -1,5 +1,5 @@
 #pragma once
-#include <suture/mesh/CellBlock.hpp>
+#include <suture/mesh/SideGroups.hpp>
 
 #include <map>
 #include <string>
@@ -12,7 +12,7 @@ namespace suture {
 struct Mesh : CellBlock {
   std::string source;                                     ///< file, for messages
   std::map<std::string, std::vector<int>> elementGroups;  ///< "surface groups": bodies, named subdomains
-  std::map<std::string, std::vector<Side>> sideGroups;    ///< "curve groups": boundary conditions, contact sides
+  SideGroups sideGroups;                                  ///< "curve groups": boundary conditions, contact sides
   std::vector<std::string> bodies;                        ///< names, in the order of the scene; see assignBodies()
   std::vector<int> bodyOfElement;
   std::vector<int> bodyOfNode;

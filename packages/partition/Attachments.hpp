@@ -12,7 +12,7 @@ namespace suture {
 /// Named sides, rules and contact of the bodies that a rank cuts. Rank 0 has it in the numbers of the mesh; it is as large as
 /// boundaries and contact are.
 struct Attachments {
-  std::map<std::string, std::vector<Side>> sideGroups;
+  SideGroups sideGroups;
   std::vector<NodeRule> rules;
   std::vector<SubdomainMesh::ContactEnd> contactEnds;  ///< by pair, then end
   std::vector<ContactRow> rows;                        ///< those that any subdomain of these bodies needs

@@ -18,11 +18,11 @@ struct SubdomainMesh : CellBlock {
   int body = -1;
   int group = -1;  ///< contact group, or -1
   std::string name;
-  std::vector<GlobalId> globalNodes;                    ///< local -> node of the mesh, ascending
-  std::vector<GlobalId> globalElements;                 ///< local -> element of the mesh, ascending
-  std::map<std::string, std::vector<Side>> sideGroups;  ///< the mesh's side groups as far as they lie here
-  std::vector<NodeRule> rules;                          ///< node: local
-  std::vector<int> sharedOffsets{0}, sharedWith;        ///< nodes + 1; of each local node the other subdomains of its body that hold it
+  std::vector<GlobalId> globalNodes;              ///< local -> node of the mesh, ascending
+  std::vector<GlobalId> globalElements;           ///< local -> element of the mesh, ascending
+  SideGroups sideGroups;                          ///< the mesh's side groups as far as they lie here
+  std::vector<NodeRule> rules;                    ///< node: local
+  std::vector<int> sharedOffsets{0}, sharedWith;  ///< nodes + 1; of each local node the other subdomains of its body that hold it
 
   /// An end of a contact pair whose node is here.
   struct ContactEnd {

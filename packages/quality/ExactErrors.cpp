@@ -48,7 +48,7 @@ void checkExactSolution(const Comm& comm, const std::vector<SubdomainMesh>& mesh
     for (const SubdomainMesh& mesh : meshes) errorsOf(mesh, model, Vector::Zero(Eigen::Index(mesh.coordinates.size())));
     if (!model.exact.pressure) return;
     for (const std::string& line : sublistNames(contact))
-      for (const ContactSide& side : contactSidesHere(meshes, contact.sublist(line).get<std::string>("Side A")))
+      for (const ContactSide& side : contactSidesHere(meshes, groupNames(contact.sublist(line), "Side A")))
         sideErrors(side.points, Vector::Zero(Eigen::Index(side.nodes.size())), *model.exact.pressure, side.axisymmetric);
   });
 }

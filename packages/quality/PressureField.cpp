@@ -47,19 +47,16 @@ std::vector<Continuation> continuationsOf(const ContactSide& side, const std::se
 
 }  // namespace
 
-std::vector<ContactSide> contactSidesHere(const std::vector<SubdomainMesh>& meshes, const std::string& group) {
+std::vector<ContactSide> contactSidesHere(const std::vector<SubdomainMesh>& meshes, const std::vector<std::string>& groups) {
   std::vector<ContactSide> all;
-  for (const SubdomainMesh& mesh : meshes) {
-    const auto found = mesh.sideGroups.find(group);
-    if (found == mesh.sideGroups.end()) continue;
-    for (const Side& side : found->second) {
+  for (const SubdomainMesh& mesh : meshes)
+    for (const Side& side : sidesOf(mesh.sideGroups, groups)) {
       all.emplace_back();
       for (const int node : mesh.nodesOf(side)) {
         all.back().nodes.push_back(mesh.globalNodes[node]);
         all.back().points.push_back(mesh.point(node));
       }
     }
-  }
   return all;
 }
 
@@ -72,9 +69,9 @@ ContactSides contactSides(const Comm& comm, const std::vector<SubdomainMesh>& me
     for (const PairResult& pair : pairs)
       if (pair.line == line) carriers.insert(pair.node);
     for (const char* name : {"Side A", "Side B"}) {
-      const Parameters& list = contact.sublist(lines[line]);
-      if (!list.isType<std::string>(name)) continue;
-      std::vector<ContactSide> sides = joinOnRoot(comm, contactSidesHere(meshes, list.get<std::string>(name)));
+      const std::vector<std::string> groups = groupNames(contact.sublist(lines[line]), name);
+      if (groups.empty()) continue;
+      std::vector<ContactSide> sides = joinOnRoot(comm, contactSidesHere(meshes, groups));
       if (carries(sides, carriers)) result.ofLine[line] = std::move(sides);
     }
   }

@@ -26,8 +26,8 @@ struct ContactSides {
   std::vector<int> heldPairs;                      ///< ids of pairs whose nodes are all held along the normal: their force says nothing
 };
 
-/// A side group's sides in these subdomains. Local.
-std::vector<ContactSide> contactSidesHere(const std::vector<SubdomainMesh>& meshes, const std::string& group);
+/// The sides of several side groups in these subdomains. Local.
+std::vector<ContactSide> contactSidesHere(const std::vector<SubdomainMesh>& meshes, const std::vector<std::string>& groups);
 
 /// From the subdomains of all ranks. \param contact  the scene's list `Contact`. Collective.
 ContactSides contactSides(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const Parameters& contact,

@@ -1,47 +1,71 @@
+#include <suture/base/DisjointSets.hpp>
+#include <suture/quality/PressureOscillation.hpp>
+
 #include <algorithm>
 #include <cmath>
-#include <suture/quality/PressureOscillation.hpp>
 
 namespace suture {
 
 namespace {
 
-constexpr int kAlternating = 4;  // second differences in a row: a peak at one pair has three
+constexpr int kAlternating = 4;  // pairs whose second differences alternate: a peak at one pair has three
 
-/// Amplitude of what alternates in the pressures of neighbouring closed pairs. [stress]
-double oscillation(const std::vector<double>& pressures) {
-  double largest = 0.0, before = 0.0;
-  std::vector<double> row;  // magnitudes of successive second differences whose signs alternate
-  for (std::size_t j = 1; j + 1 < pressures.size(); ++j) {
-    const double second = pressures[j - 1] - 2.0 * pressures[j] + pressures[j + 1];
-    if (before * second >= 0.0) row.clear();
-    row.push_back(std::abs(second));
-    before = second;
-    if (int(row.size()) >= kAlternating) largest = std::max(largest, *std::min_element(row.end() - kAlternating, row.end()) / 4.0);
+/// Second difference of the pressures at each pair of a piece; zero where the pair or one beside it is open, or nothing lies on two sides.
+std::vector<double> secondDifferences(const std::vector<const PairResult*>& pairs, const std::vector<std::vector<int>>& beside) {
+  std::vector<double> second(pairs.size(), 0.0);
+  const auto isOpen = [&](int i) { return !pairs[std::size_t(i)]->state.closed(); };
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const std::vector<int>& others = beside[i];
+    if (others.size() < 2 || isOpen(int(i)) || std::any_of(others.begin(), others.end(), isOpen)) continue;
+    double sum = pairs[std::size_t(others[0])]->pressure - double(others.size()) * pairs[i]->pressure;
+    for (std::size_t k = 1; k < others.size(); ++k) sum += pairs[std::size_t(others[k])]->pressure;
+    second[i] = 2.0 * sum / double(others.size());
   }
-  return largest;
+  return second;
+}
+
+/// Amplitude of what alternates in the pressures of a piece: the largest value that the second differences of so many neighbours reach
+/// whose signs alternate, by a fourth. [stress]
+double oscillation(const std::vector<double>& second, const std::vector<std::vector<int>>& beside) {
+  std::vector<int> order;  // from the largest magnitude downwards
+  for (std::size_t i = 0; i < second.size(); ++i)
+    if (second[i] != 0.0) order.push_back(int(i));
+  std::sort(order.begin(), order.end(), [&](int a, int b) {
+    const double x = std::abs(second[std::size_t(a)]), y = std::abs(second[std::size_t(b)]);
+    return x > y || (x == y && a < b);
+  });
+  DisjointSets sets(int(second.size()));
+  std::vector<int> members(second.size(), 0);  // of the set that has this pair as its lowest
+  for (const int i : order) {
+    members[std::size_t(i)] = 1;
+    for (const int other : beside[std::size_t(i)]) {
+      const int a = sets.lowest(i), b = sets.lowest(other);
+      if (a == b || members[std::size_t(b)] == 0 || second[std::size_t(i)] * second[std::size_t(other)] > 0.0) continue;
+      const int together = members[std::size_t(a)] + members[std::size_t(b)];
+      members[std::size_t(sets.join(a, b))] = together;
+    }
+    if (members[std::size_t(sets.lowest(i))] >= kAlternating) return std::abs(second[std::size_t(i)]) / 4.0;
+  }
+  return 0.0;
+}
+
+/// The pairs of a piece by their places in it, and those beside each in cells.
+std::vector<std::vector<int>> neighboursIn(const ContactPiece& piece) {
+  std::vector<std::vector<int>> cells = piece.cells;
+  for (std::vector<int>& cell : cells)
+    for (int& id : cell) id = int(std::lower_bound(piece.pairs.begin(), piece.pairs.end(), id) - piece.pairs.begin());
+  return neighbourPairs(cells, int(piece.pairs.size()));
 }
 
 }  // namespace
 
-std::vector<double> pressureOscillations(const std::vector<PairResult>& pairs, int pieces) {
-  std::vector<std::vector<const PairResult*>> ofPiece(static_cast<std::size_t>(pieces));
-  for (const PairResult& pair : pairs)
-    if (pair.piece >= 0 && pair.piece < pieces) ofPiece[std::size_t(pair.piece)].push_back(&pair);
+std::vector<double> pressureOscillations(const std::vector<PairResult>& pairs, const std::vector<ContactPiece>& pieces) {
   std::vector<double> found;
-  for (std::vector<const PairResult*>& own : ofPiece) {
-    std::stable_sort(own.begin(), own.end(), [](const PairResult* a, const PairResult* b) { return a->arc < b->arc; });
-    double largest = 0.0;
-    std::vector<double> closed;
-    for (const PairResult* pair : own) {
-      if (pair->state.closed()) {
-        closed.push_back(pair->pressure);
-        continue;
-      }
-      largest = std::max(largest, oscillation(closed));
-      closed.clear();
-    }
-    found.push_back(std::max(largest, oscillation(closed)));
+  for (const ContactPiece& piece : pieces) {
+    std::vector<const PairResult*> own;
+    for (const int id : piece.pairs) own.push_back(&pairs.at(std::size_t(id)));
+    const std::vector<std::vector<int>> beside = neighboursIn(piece);
+    found.push_back(oscillation(secondDifferences(own, beside), beside));
   }
   return found;
 }

@@ -5,12 +5,12 @@
 
 namespace suture {
 
-/// Amplitude by which nodal pressures alternate from pair to pair, the largest of each piece. Four neighbouring closed pairs (with closed
-/// ones beside them) whose second differences d_j = p_(j-1) - 2 p_j + p_(j+1) change their sign each time give the smallest |d_j| / 4:
-/// p_j = mean + (-1)^j a gives a. A smooth pressure has none, nor has one that peaks or jumps at a pair. Local.
-/// \param pairs   of all pieces, as in Solution, with pressures in [stress]
-/// \param pieces  their number
+/// Amplitude by which nodal pressures alternate from pair to pair, the largest of each piece. The second difference at a closed pair with
+/// closed ones on all sides is d_j = 2 (mean of the pressures beside it - p_j). Four neighbouring pairs or more with d of alternating
+/// signs, of at least |d|, give |d| / 4: p_j = mean + (-1)^j a gives a. A smooth pressure has none, nor has one that peaks or jumps at a
+/// pair. Local.
+/// \param pairs   of all pieces, by id, with pressures in [stress]
 /// \returns one amplitude a piece [stress]
-std::vector<double> pressureOscillations(const std::vector<PairResult>& pairs, int pieces);
+std::vector<double> pressureOscillations(const std::vector<PairResult>& pairs, const std::vector<ContactPiece>& pieces);
 
 }  // namespace suture

@@ -12,22 +12,59 @@
 namespace suture {
 namespace {
 
-constexpr unsigned char vtkVertex = 1, vtkLine = 3;
+/// Pairs and points on the axis as they are drawn: each point beside the pair that it follows from.
+struct Drawn {
+  std::vector<PairResult> points;
+  std::vector<std::vector<GlobalId>> cells;  ///< places in `points`
+};
 
-GridPiece gridOf(const std::vector<PairResult>& pairs) {
+Drawn drawn(const std::vector<ContactPiece>& pieces, const Solution& solution) {
+  std::vector<std::vector<const PairResult*>> beside(solution.pairs.size());  // points on the axis, by pair
+  std::size_t next = 0;
+  for (const ContactPiece& piece : pieces)
+    for (const AxisPoint& point : piece.onAxis)
+      if (next < solution.onAxis.size()) beside.at(std::size_t(point.pairs[0])).push_back(&solution.onAxis[next++]);
+  Drawn all;
+  std::vector<GlobalId> placeOf;
+  for (const PairResult& pair : solution.pairs) {
+    const std::vector<const PairResult*>& own = beside[placeOf.size()];
+    const auto isBefore = [&](const PairResult* point) { return point->arc < pair.arc; };
+    for (const PairResult* point : own)
+      if (isBefore(point)) all.points.push_back(*point);
+    const auto at = GlobalId(all.points.size());
+    placeOf.push_back(at);
+    all.points.push_back(pair);
+    for (const PairResult* point : own)
+      if (!isBefore(point)) all.points.push_back(*point);
+    for (GlobalId k = 0; k < GlobalId(own.size()); ++k)
+      all.cells.push_back(isBefore(own[std::size_t(k)]) ? std::vector<GlobalId>{at - 1, at} : std::vector<GlobalId>{at, at + 1});
+  }
+  std::vector<char> inCell(all.points.size(), 0);
+  for (const std::vector<GlobalId>& cell : all.cells)
+    for (const GlobalId at : cell) inCell[std::size_t(at)] = 1;
+  for (const ContactPiece& piece : pieces)
+    for (const std::vector<int>& cell : piece.cells) {
+      all.cells.emplace_back();
+      for (const int id : cell) {
+        all.cells.back().push_back(placeOf.at(std::size_t(id)));
+        inCell[std::size_t(placeOf[std::size_t(id)])] = 1;
+      }
+    }
+  // A pair alone would be in no cell and vanish from the picture.
+  for (std::size_t at = 0; at < all.points.size(); ++at)
+    if (!inCell[at]) all.cells.push_back({GlobalId(at)});
+  std::sort(all.cells.begin(), all.cells.end());
+  return all;
+}
+
+GridPiece gridOf(const Drawn& drawn) {
+  constexpr unsigned char vtkTypes[] = {0, 1, 3, 5, 9};  // by the number of points: vertex, line, triangle, quadrilateral
   GridPiece grid;
-  const auto joined = [&](std::size_t i) {  // pair i and the next
-    return i + 1 < pairs.size() && pairs[i].line == pairs[i + 1].line && pairs[i].piece == pairs[i + 1].piece;
-  };
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    grid.points.insert(grid.points.end(), pairs[i].position.begin(), pairs[i].position.end());
-    // A pair alone would be in no cell and vanish from the picture.
-    const bool alone = !joined(i) && (i == 0 || !joined(i - 1));
-    if (!joined(i) && !alone) continue;
-    grid.connectivity.push_back(GlobalId(i));
-    if (!alone) grid.connectivity.push_back(GlobalId(i + 1));
+  for (const PairResult& point : drawn.points) grid.points.insert(grid.points.end(), point.position.begin(), point.position.end());
+  for (const std::vector<GlobalId>& cell : drawn.cells) {
+    grid.connectivity.insert(grid.connectivity.end(), cell.begin(), cell.end());
     grid.ends.push_back(GlobalId(grid.connectivity.size()));
-    grid.types.push_back(alone ? vtkVertex : vtkLine);
+    grid.types.push_back(vtkTypes[cell.size()]);
   }
   return grid;
 }
@@ -45,18 +82,6 @@ std::vector<double> vectors(const std::vector<PairResult>& pairs, Point PairResu
   return values;
 }
 
-/// Points on the axis stand where they are on their line, before or behind the pair beside them.
-std::vector<PairResult> withAxis(std::vector<PairResult> pairs, const std::vector<PairResult>& onAxis) {
-  for (const PairResult& point : onAxis) {
-    const auto nearest = std::min_element(pairs.begin(), pairs.end(), [&](const PairResult& a, const PairResult& b) {
-      const auto far = [&](const PairResult& pair) { return pair.line == point.line ? std::abs(pair.arc - point.arc) : HUGE_VAL; };
-      return far(a) < far(b);
-    });
-    pairs.insert(nearest->arc > point.arc ? nearest : nearest + 1, point);
-  }
-  return pairs;
-}
-
 std::string namesOf(const std::vector<ContactPiece>& pieces) {
   nlohmann::json names = nlohmann::json::array();
   for (const ContactPiece& piece : pieces) names.push_back(piece.name);
@@ -68,9 +93,10 @@ std::string namesOf(const std::vector<ContactPiece>& pieces) {
 void writeContactFields(const Run& run, const std::string& path) {
   using Pair = PairResult;
   const Units units = unitsOf(*run.scene.parameters);
-  std::vector<Pair> pairs;  // rank 0 has all of them
-  if (run.comm.getRank() == 0) pairs = withAxis(run.solution.pairs, run.solution.onAxis);
-  const GridPiece grid = gridOf(pairs);
+  Drawn all;  // rank 0 has all pairs
+  collectivelyOnRoot(run.comm, "drawing the contact surfaces", [&] { all = drawn(run.pieces, run.solution); });
+  const std::vector<Pair>& pairs = all.points;
+  const GridPiece grid = gridOf(all);
   VtkHdf file(run.comm, path, {GlobalId(grid.points.size() / 3), GlobalId(grid.types.size()), GlobalId(grid.connectivity.size())});
   collectively(run.comm, "writing " + path, [&] { file.append(grid); });
   const std::string area = run.model.axisymmetric ? "force over tributary area" : "force over tributary length",

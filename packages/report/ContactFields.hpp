@@ -5,9 +5,10 @@
 
 namespace suture {
 
-/// The contact lines as a VTKHDF grid of line cells: nodes of side A, undeformed, in the order of the pairs; a cell joins two successive
-/// pairs of the same line and piece. Point data: Gap, InitialGap, ContactPressure, ContactForce, Active, ArcLength, Displacement (of A),
-/// Normal (A to B), Pair, Line, Piece; `unit` and `meaning` as in Fields.hpp. /Record with the names of the pieces. Collective.
+/// The contact surfaces as a VTKHDF grid: points are the nodes that carry pairs, undeformed, in the order of the pairs; cells are lines in
+/// the plane, triangles and quadrilaterals in space (ContactPiece::cells). Point data: Gap, InitialGap, ContactPressure, ContactForce,
+/// Active, ArcLength, Displacement (of the carrying node), Normal (A to B), Pair, Line, Piece; `unit` and `meaning` as in Fields.hpp.
+/// /Record with the names of the pieces. Collective.
 /// \throws EnvironmentError
 void writeContactFields(const Run& run, const std::string& path);
 

@@ -58,7 +58,7 @@ std::vector<std::string> pressureNotes(const Comm& comm, const std::vector<Conta
   std::string said;
   collectivelyOnRoot(comm, "estimating contact pressures", [&] {
     const ContactFigures figures = contactFigures(solution, int(pieces.size()));
-    const std::vector<double> oscillation = pressureOscillations(solution.pairs, int(pieces.size()));
+    const std::vector<double> oscillation = pressureOscillations(solution.pairs, pieces);
     for (std::size_t p = 0; p < pieces.size(); ++p) {
       if (oscillation[p] > kSeenOscillation * figures.pressureOf[p]) {
         const double share = oscillation[p] / figures.pressureOf[p];

@@ -67,7 +67,7 @@ Json contact(const Run& run, int dimension) {
       {"pieces", run.size.pieces},       {"pairs", all.pairs},      {"active", all.active},  {"touching_without_force", all.touching},
       {"max_pressure", all.maxPressure}, {"force", Json::object()}, {"max_gap", all.maxGap}, {"max_penetration", all.maxPenetration},
       {"by_piece", Json::object()}};
-  const std::vector<double> oscillations = pressureOscillations(run.solution.pairs, run.size.pieces);
+  const std::vector<double> oscillations = pressureOscillations(run.solution.pairs, run.pieces);
   for (std::size_t p = 0; p < run.pieces.size() && p < all.forceOnB.size(); ++p) {
     contact["force"][run.pieces[p].name] = components(all.forceOnB[p], dimension);
     contact["by_piece"][run.pieces[p].name] = {{"pairs", all.pairsOf[p]},

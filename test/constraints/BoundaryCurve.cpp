@@ -1,7 +1,6 @@
 // Curvature from the nodes of a line, against curves that are known.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <suture/constraints/BoundaryCurve.hpp>
-#include <suture/constraints/BoundaryLine.hpp>
 
 #include <algorithm>
 
@@ -30,7 +29,7 @@ const std::vector<Side>& lower(const Mesh& mesh) { return mesh.sideGroups.at("st
 
 /// Largest of f(point of the smooth line) over all sides and a few points of each.
 double largest(const Mesh& mesh, const std::function<double(Point)>& f) {
-  const BoundaryCurve curve(mesh, lower(mesh));
+  const BoundaryCurve curve(Surface(mesh, lower(mesh)));
   double most = 0;
   for (std::size_t s = 0; s < lower(mesh).size(); ++s) {
     const std::vector<int> nodes = mesh.nodesOf(lower(mesh)[s]);
@@ -54,7 +53,7 @@ TEUCHOS_UNIT_TEST(BoundaryCurve, IsExactOnGradedArcs) {
     };
     const Mesh mesh = strip(9, arc);
     TEST_COMPARE(largest(mesh, [](Point p) { return std::hypot(p[0], p[1]) - 3; }), <, 1e-13);
-    const BoundaryCurve curve(mesh, lower(mesh));
+    const BoundaryCurve curve(Surface(mesh, lower(mesh)));
     for (std::size_t s = 0; s < lower(mesh).size(); ++s) {
       TEST_FLOATING_EQUALITY(curve.bend(s).at(0.3), sign / 3, 1e-12);
       TEST_COMPARE(std::abs(curve.bend(s).doubt), <, 1e-12);
@@ -65,7 +64,7 @@ TEUCHOS_UNIT_TEST(BoundaryCurve, IsExactOnGradedArcs) {
 TEUCHOS_UNIT_TEST(BoundaryCurve, IsZeroToTheLastBitOnStraightLines) {
   for (const double slope : {0.0, 0.3, 1.7}) {
     const Mesh mesh = strip(13, [&](double t) { return Point{1e3 + 7.3 * t * t + t, slope * (7.3 * t * t + t), 0}; });
-    const BoundaryCurve curve(mesh, lower(mesh));
+    const BoundaryCurve curve(Surface(mesh, lower(mesh)));
     for (std::size_t s = 0; s < lower(mesh).size(); ++s) {
       TEST_EQUALITY(curve.bend(s).begin, 0.0);
       TEST_EQUALITY(curve.bend(s).end, 0.0);
@@ -121,7 +120,7 @@ TEUCHOS_UNIT_TEST(BoundaryCurve, KeepsLinesBesideAChamfer) {
     return Point{std::min(i, 3) + u * std::cos(turn) + v * std::cos(2 * turn), u * std::sin(turn) + v * std::sin(2 * turn), 0};
   };
   const Mesh mesh = strip(7, chamfer);
-  const BoundaryCurve curve(mesh, lower(mesh));
+  const BoundaryCurve curve(Surface(mesh, lower(mesh)));
   int lines = 0;
   for (std::size_t s = 0; s < lower(mesh).size(); ++s) {
     const std::vector<int> nodes = mesh.nodesOf(lower(mesh)[s]);
@@ -185,7 +184,7 @@ TEUCHOS_UNIT_TEST(BoundaryCurve, DoubtsNoisyCoordinates) {
     const double angle = 1.2 * t - 0.6, radius = 10 + noise * std::sin(40 * pi * t * 0.37 + ++k);
     return Point{radius * std::sin(angle), -radius * std::cos(angle), 0};
   });
-  const BoundaryCurve curve(mesh, lower(mesh));
+  const BoundaryCurve curve(Surface(mesh, lower(mesh)));
   double doubt = 0;
   for (std::size_t s = 0; s < lower(mesh).size(); ++s) doubt = std::max(doubt, std::abs(arcOver(curve.bend(s).doubt, 0.6, 0).height));
   TEST_COMPARE(doubt, >, 0.3 * noise);

@@ -1,7 +1,7 @@
 // Mortar pairs: what the conditions say of displacements and gaps that are known everywhere.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <suture/base/Point.hpp>
-#include <suture/constraints/BoundaryLine.hpp>
+#include <suture/mesh/Surface.hpp>
 
 #include <algorithm>
 #include <cstdio>
@@ -106,8 +106,8 @@ TEUCHOS_UNIT_TEST(MortarPairs, PassesAConstantPressureOnToBothSides) {
     const bool inside = c.x0 > 0;  // then only the upper side is covered as a whole
     for (const auto& [group, sign] : {std::make_pair("upper_bottom", 1.0), std::make_pair("lower_top", -1.0)}) {
       if (inside && sign < 0) continue;
-      const BoundaryLine line(mesh, mesh.sideGroups.at(group));
-      for (const auto& [node, data] : line.nodes()) TEST_FLOATING_EQUALITY(sign * force[node], data.tributary, 1e-11);
+      const Surface surface(mesh, mesh.sideGroups.at(group));
+      for (const auto& [node, data] : surface.nodes()) TEST_FLOATING_EQUALITY(sign * force[node], data.tributary, 1e-11);
     }
   }
 }

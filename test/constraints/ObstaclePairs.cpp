@@ -42,7 +42,7 @@ TEUCHOS_UNIT_TEST(ObstaclePairs, HasOneEndAPair) {
     }
     TEST_FLOATING_EQUALITY(length, 2.0, 1e-13);
     TEST_EQUALITY(constraints.pieces.size(), 1u);
-    TEST_EQUALITY(constraints.pieces[0].bodyB, -1);
+    TEST_ASSERT(constraints.pieces[0].bodies == std::vector<int>{0});
   }
 }
 

@@ -1,6 +1,5 @@
 // Overlaps of two lines of sides that are known by hand.
 #include <Teuchos_UnitTestHarness.hpp>
-#include <suture/constraints/BoundaryLine.hpp>
 #include <suture/constraints/pairing/Segmentation.hpp>
 
 #include "ConstraintsTesting.hpp"
@@ -20,10 +19,10 @@ Mesh twoBoxes(double x0, double x1, int lower, int upper, double gap = 0, Cell c
 }
 
 std::vector<MortarSegment> segmentsOf(const Mesh& mesh, const std::string& group) {
-  const std::vector<Side>& sides = mesh.sideGroups.at(group);
-  const BoundaryLine line(mesh, sides);
+  const Surface surface(mesh, mesh.sideGroups.at(group));
   std::vector<MortarSegment> all;
-  for (const Side& side : sides) all.emplace_back(mesh, line, mesh.nodesOf(side), BoundaryCurve::Bend{});
+  for (int side = 0; side < surface.sides(); ++side)
+    all.emplace_back(surface, side, BoundaryCurve::Bend{}, mesh.bodyOfNode[surface.nodesOf(side)[0]]);
   return all;
 }
 
@@ -71,14 +70,15 @@ TEUCHOS_UNIT_TEST(Segmentation, MeetsTheNearestSideFaceToFaceOnly) {
   std::vector<MortarSegment> upper = fromLeft(mesh, "upper_bottom");
   for (const MortarSegment& side : fromLeft(mesh, "upper_top")) upper.push_back(side);
   const Segmentation segmentation(upper);
-  const auto met = segmentation.nearest({0.5, 1, 0}, {0, 1, 0});
+  const auto met = segmentation.nearest({0.5, 1, 0}, {0, 1, 0}, 0);
   TEST_ASSERT(met && met->other == &upper[0]);
   TEST_FLOATING_EQUALITY(met->gap, 0.25, 1e-14);
   TEST_FLOATING_EQUALITY(met->other->at(met->eta)[0], 0.5, 1e-14);
-  TEST_ASSERT(!segmentation.nearest({5, 1, 0}, {0, 1, 0}));
-  const auto behind = segmentation.nearest({0.5, 1, 0}, {0, -1, 0});  // the lower side of the upper body looks the same way
+  TEST_ASSERT(!segmentation.nearest({5, 1, 0}, {0, 1, 0}, 0));
+  const auto behind = segmentation.nearest({0.5, 1, 0}, {0, -1, 0}, 0);  // the lower side of the upper body looks the same way
   TEST_ASSERT(behind && behind->other == &upper[2]);
   TEST_FLOATING_EQUALITY(behind->gap, -1.0, 1e-14);
+  TEST_ASSERT(!segmentation.nearest({0.5, 1, 0}, {0, 1, 0}, 1));  // a body does not meet itself
 }
 
 }  // namespace

@@ -36,7 +36,7 @@ Judge::Judge(const Whole& whole) : whole_(whole), ruleOf_(whole.mesh.nodes(), -1
   loads_ = Vector::Zero(2 * mesh.nodes());
   for (const Load& load : whole.model.loads) {
     if (!load.onBody()) {
-      addSideLoad(mesh, mesh.sideGroups.at(load.group), load, loads_);
+      addSideLoad(mesh, sidesOf(mesh.sideGroups, load.groups), load, loads_);
       continue;
     }
     std::vector<int> elements;

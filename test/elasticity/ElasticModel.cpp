@@ -74,13 +74,13 @@ TEUCHOS_UNIT_TEST(ElasticModel, HoldsWhatTheSceneSays) {
   TEST_EQUALITY(model.materialOfBody[1].young, 210e9);
   TEST_EQUALITY(model.loads.size(), 4u);
   TEST_ASSERT(model.loads[0].kind == Load::Kind::Pressure);
-  TEST_EQUALITY(model.loads[0].group, "top");
+  TEST_ASSERT(model.loads[0].groups == std::vector<std::string>{"top"});
   TEST_EQUALITY(model.loads[0].value[0], 0.5e7);
   TEST_ASSERT(model.loads[1].kind == Load::Kind::Traction);
   TEST_EQUALITY(model.loads[1].value[1], -4.0);
   TEST_ASSERT(model.loads[2].kind == Load::Kind::BodyForce);
-  TEST_EQUALITY(model.loads[2].group, "");
-  TEST_EQUALITY(model.loads[3].group, "upper");
+  TEST_EQUALITY(model.loads[2].body, "");
+  TEST_EQUALITY(model.loads[3].body, "upper");
 }
 
 TEUCHOS_UNIT_TEST(ElasticModel, NamesAllProblemsAtOnce) {

@@ -10,8 +10,8 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
-Load traction(double x, double y) { return {Load::Kind::Traction, "side", {x, y, 0}}; }
-Load pressure(double p) { return {Load::Kind::Pressure, "side", {p, 0, 0}}; }
+Load traction(double x, double y) { return {Load::Kind::Traction, "", {x, y, 0}, 0, {}, {"side"}}; }
+Load pressure(double p) { return {Load::Kind::Pressure, "", {p, 0, 0}, 0, {}, {"side"}}; }
 Load bodyForce(double x, double y) { return {Load::Kind::BodyForce, "", {x, y, 0}}; }
 
 // Force and moment about the origin of nodal forces: (Fx, Fy, M).

@@ -100,7 +100,7 @@ Scene blockOnObstacle(double young) {
   scene.hold("block_top", 0, 0.0);
   scene.hold("block_top", 1, -0.002);
   const std::vector<int> nodes = scene.nodesOf("block_bottom");
-  ContactPiece piece{"ground", {}, 0, -1, 0.0, {}};
+  ContactPiece piece{"ground", {}, {0}, {}, 0.0, {}};
   for (const int node : nodes) {
     ContactPair pair;
     pair.id = int(scene.constraints.pairs.size());

@@ -121,7 +121,7 @@ void SampleRun::makeSolution() {
   solution_.verification.checks = {{"residual", 2e-9, 1e-6, "body 'left', (0, 0)", ""}};
   solution_.estimates = {{"mu", 21.6}};
   if (comm_->getRank() != 0) return;
-  pieces_ = {{"joint", {0, 1, 2}, 0, 1, 0.0, {}}, {"crack", {3}, 0, 1, 0.0, {}}};
+  pieces_ = {{"joint", {0, 1, 2}, {0, 1}, {{0, 1}, {1, 2}}, 0.0, {}}, {"crack", {3}, {0, 1}, {}, 0.0, {}}};
   const double force[] = {2.0, 3.0, 0.0, 5.0}, gap[] = {0.0, -1e-15, 4e-3, 0.0};
   for (int i = 0; i < 4; ++i) {
     suture::PairResult pair;

@@ -195,7 +195,7 @@ TEUCHOS_UNIT_TEST(ElasticSubdomain, CountsTheRandomLoadOfANodeOnce) {
     Scene scene = scenes::fromBoxes(all, 1.0, 0.3);
     Load load;
     load.kind = Load::Kind::Random;
-    load.group = body;
+    load.body = body;
     load.value[0] = 0.25;
     load.seed = 11;
     scene.model.loads = {load};

@@ -69,9 +69,11 @@ void Scene::pairUp(Point normal) {
     }
   ContactPiece piece;
   piece.name = "contact";
-  for (const ContactPair& pair : constraints.pairs) piece.pairs.push_back(pair.id);
-  piece.bodyA = 0;
-  piece.bodyB = 1;
+  for (const ContactPair& pair : constraints.pairs) {
+    if (!piece.pairs.empty()) piece.cells.push_back({piece.pairs.back(), pair.id});
+    piece.pairs.push_back(pair.id);
+  }
+  piece.bodies = {0, 1};
   constraints.pieces = {piece};
 }
 

@@ -224,6 +224,15 @@ def line_pressureL2(folder, _, curve, along="x", within=None, **options):
     return float(math.sqrt(errors / norms))
 
 
+# --- statics: forces of contact pairs, whatever the bodies ---
+
+def statics_moment(folder, _):
+    """Moment about the origin of the contact forces on side B."""
+    c = contact(folder)
+    f = c.point["ContactForce"][:, None] * c.point["Normal"]
+    return float(np.sum(c.points[:, 0] * f[:, 1] - c.points[:, 1] * f[:, 0]))
+
+
 # --- V8: the tunnel (centre (60, 39.5), radius 6, fault leaning 25 degrees) ---
 
 def wallStress(folder, side):

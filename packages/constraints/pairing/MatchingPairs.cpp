@@ -1,16 +1,20 @@
+#include <suture/base/Point.hpp>
+#include <suture/constraints/pairing/FacingNodes.hpp>
 #include <suture/constraints/pairing/MatchingPairs.hpp>
+#include <suture/constraints/pairing/PairSearch.hpp>
 #include <suture/mesh/CellGeometry.hpp>
+#include <suture/mesh/SurfaceOrder.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <numeric>
 #include <optional>
+#include <set>
 
 namespace suture {
 
 namespace {
-
-using Chain = BoundaryLine::Chain;
 
 const double pi = 3.14159265358979323846;
 const double parallel = 1e-9;    // angle between the normals of sides that are straight
@@ -24,151 +28,121 @@ struct Standing {
   bool facing = false;
 };
 
-/// One side of the line: its chains, and how much the normals turn near each node.
-class SideOfLine {
+/// Directions of the sides within two steps of each node: how much the normals turn there.
+class NormalsNear {
  public:
-  SideOfLine(const Mesh& mesh, const std::string& group) : line_(mesh, mesh.sideGroups.at(group)) {
-    for (const Chain& chain : line_.chains()) {
-      const int n = static_cast<int>(chain.nodes.size());
-      for (int i = 0; i < n; ++i) {
-        std::vector<Point>& normals = nearby_[chain.nodes[i]];
-        for (int step = -2; step <= 2; ++step) {
-          int j = i + step;
-          if (chain.closed) j = (j % n + n) % n;
-          if (j < 0 || j >= n) continue;
-          const std::vector<Point>& more = line_.at(chain.nodes[j]).sideNormals;
-          normals.insert(normals.end(), more.begin(), more.end());
-        }
+  explicit NormalsNear(const Surface& surface) {
+    for (const auto& entry : surface.nodes())
+      for (const int near : surface.nodesNear(entry.first)) {
+        const std::vector<Point>& more = surface.at(near).sideNormals;
+        std::vector<Point>& own = normals_[entry.first];
+        own.insert(own.end(), more.begin(), more.end());
       }
-    }
   }
-  const BoundaryLine& line() const { return line_; }
-  const std::vector<Point>& normalsNear(int node) const { return nearby_.at(node); }
+  const std::vector<Point>& at(int node) const { return normals_.at(node); }
 
  private:
-  BoundaryLine line_;
-  std::map<int, std::vector<Point>> nearby_;
+  std::map<int, std::vector<Point>> normals_;
 };
 
 class Matcher {
  public:
-  Matcher(const Mesh& mesh, const ContactLine& line, Problems* problems)
-      : mesh_(mesh), line_(line), problems_(problems), a_(mesh, line.groupA), b_(mesh, line.groupB) {}
+  Matcher(const Mesh& mesh, const ContactSurface& contact, Problems* problems)
+      : mesh_(mesh),
+        contact_(contact),
+        problems_(problems),
+        a_(*contact.a.surface),
+        b_(*contact.b.surface),
+        nearA_(a_),
+        nearB_(b_),
+        facing_(a_, b_) {}
 
-  std::optional<PairedLine> match() {
+  std::optional<PairedSurface> match() {
     if (!sameOrder()) return std::nullopt;
-    PairedLine result;
-    std::vector<const Chain*> free;
-    for (const Chain& chain : b_.line().chains()) free.push_back(&chain);
-    bool sound = a_.line().chains().size() == free.size();
-    for (const Chain& chainA : a_.line().chains()) {
-      if (!sound) break;
-      const auto partners = bestPartners(chainA, free);
-      sound = partners.has_value();
-      if (sound) append(chainA, *partners, result);
+    const std::optional<FacingNodes::Partners> partners = partnersOfAll();
+    if (!partners) {
+      if (problems_) reportCounts();
+      return std::nullopt;
     }
-    if (sound)
-      sound = verify(result.pairs);
-    else if (problems_)
-      reportCounts();
-    if (!sound) return std::nullopt;
+    PairedSurface result;
+    for (const OrderedNode& own : inOrder(a_, [](int) { return true; })) append(own, partners->at(own.node), result);
+    if (!verify(result.pairs)) return std::nullopt;
+    result.cells = cellsOf(a_, result.pairs);
     return result;
   }
 
  private:
   // Nodes of sides of two and of three nodes may coincide, but their forces do not belong to each other.
   bool sameOrder() const {
-    const auto nodes = [&](const std::string& group) { return mesh_.nodesOf(mesh_.sideGroups.at(group).front()).size(); };
-    const bool same = nodes(line_.groupA) == nodes(line_.groupB);
-    if (!same && problems_)
-      problems_->add(line_.path, "'" + line_.groupA + "' and '" + line_.groupB + "' have sides of " + std::to_string(nodes(line_.groupA)) +
-                                     " and " + std::to_string(nodes(line_.groupB)) +
-                                     " nodes, which match nowhere; choose Coupling = Mortar");
-    return same;
+    const std::size_t own = a_.nodesOf(0).size(), other = b_.nodesOf(0).size();
+    if (own != other && problems_)
+      problems_->add(contact_.path, contact_.a.name() + " and " + contact_.b.name() + " have sides of " + std::to_string(own) + " and " +
+                                        std::to_string(other) + " nodes, which match nowhere; choose Coupling = Mortar");
+    return own == other;
+  }
+
+  /// Partners of all nodes of A: each part's on the nearest part of B that has the same sides and is not taken.
+  std::optional<FacingNodes::Partners> partnersOfAll() const {
+    if (facing_.partsOfA() != facing_.partsOfB()) return std::nullopt;
+    std::vector<int> free(facing_.partsOfB());
+    std::iota(free.begin(), free.end(), 0);
+    FacingNodes::Partners all;
+    for (int part = 0; part < facing_.partsOfA(); ++part) {
+      std::optional<FacingNodes::Partners> best;
+      std::size_t taken = 0;
+      for (std::size_t k = 0; k < free.size(); ++k) {
+        std::optional<FacingNodes::Partners> partners = facing_.between(part, free[k]);
+        if (!partners || sameBody(*partners) || (best && facing_.distance(*partners) >= facing_.distance(*best))) continue;
+        best = std::move(partners);
+        taken = k;
+      }
+      if (!best) return std::nullopt;
+      free.erase(free.begin() + static_cast<std::ptrdiff_t>(taken));
+      all.merge(*best);
+    }
+    return all;
+  }
+
+  bool sameBody(const FacingNodes::Partners& partners) const {
+    const auto& [a, b] = *partners.begin();
+    return mesh_.bodyOfNode[a] == mesh_.bodyOfNode[b];
   }
 
   Standing standing(int nodeA, int nodeB) const {
     Standing s;
-    const Point nA = a_.line().normal(nodeA), nB = b_.line().normal(nodeB);
+    const Point nA = a_.normal(nodeA), nB = b_.normal(nodeB);
     const Point sum = minus(nA, nB);
-    s.facing = angleBetween(nA, {-nB[0], -nB[1], 0}) < pi / 3;
+    s.facing = angleBetween(nA, scaled(-1.0, nB)) < pi / 3;
     if (!s.facing) return s;
     s.normal = unit(sum);
-    const Point d = minus(mesh_.point(nodeB), mesh_.point(nodeA));
+    const Point d = minus(b_.at(nodeB).position, a_.at(nodeA).position);
     s.gap = dot(d, s.normal);
     double theta = 0;
-    for (const Point& n : a_.normalsNear(nodeA)) theta = std::max(theta, angleBetween(n, s.normal));
-    for (const Point& n : b_.normalsNear(nodeB)) theta = std::max(theta, angleBetween({-n[0], -n[1], 0}, s.normal));
+    for (const Point& n : nearA_.at(nodeA)) theta = std::max(theta, angleBetween(n, s.normal));
+    for (const Point& n : nearB_.at(nodeB)) theta = std::max(theta, angleBetween(scaled(-1.0, n), s.normal));
     s.excess = std::max(0.0, norm(cross(d, s.normal)) - std::abs(s.gap) * std::tan(std::min(theta, pi / 3)));
     // Between curved sides the nodes may stand opposite along any direction between the normals. Forces along it have no moment.
     if (theta > parallel && s.excess == 0 && norm(d) > coincident * meshSize(nodeA, nodeB)) {
-      s.normal = unit(s.gap > 0 ? d : Point{-d[0], -d[1], 0});
+      s.normal = unit(s.gap > 0 ? d : scaled(-1.0, d));
       s.gap = dot(d, s.normal);
     }
     return s;
   }
 
-  double meshSize(int nodeA, int nodeB) const { return std::min(a_.line().at(nodeA).spacing, b_.line().at(nodeB).spacing); }
+  double meshSize(int nodeA, int nodeB) const { return std::min(a_.at(nodeA).spacing, b_.at(nodeB).spacing); }
 
-  // Sum of squared distances of facing nodes; what chooses between chains and between starts on a ring.
-  double distance(const std::vector<int>& nodesA, const std::vector<int>& nodesB) const {
-    double sum = 0;
-    for (std::size_t i = 0; i < nodesA.size(); ++i) {
-      const Point d = minus(mesh_.point(nodesB[i]), mesh_.point(nodesA[i]));
-      sum += dot(d, d);
-    }
-    return sum;
-  }
-
-  // Nodes of B in the order of A's, from the nearest chain of the same kind, which is taken out of `free`.
-  std::optional<std::vector<int>> bestPartners(const Chain& chainA, std::vector<const Chain*>& free) const {
-    std::optional<std::vector<int>> best;
-    std::size_t taken = 0;
-    for (std::size_t c = 0; c < free.size(); ++c) {
-      if (free[c]->closed != chainA.closed || free[c]->nodes.size() != chainA.nodes.size()) continue;
-      const std::vector<int> candidate = facingOrder(chainA, *free[c]);
-      if (best && distance(chainA.nodes, candidate) >= distance(chainA.nodes, *best)) continue;
-      best = candidate;
-      taken = c;
-    }
-    if (best) free.erase(free.begin() + static_cast<std::ptrdiff_t>(taken));
-    return best;
-  }
-
-  // Both bodies lie on the left of their chains, so facing chains run against each other. A ring may begin anywhere: its first node is
-  // looked for around the one nearest to A's.
-  std::vector<int> facingOrder(const Chain& chainA, const Chain& chainB) const {
-    std::vector<int> nodes(chainB.nodes.rbegin(), chainB.nodes.rend());
-    if (!chainB.closed) return nodes;
-    const int n = static_cast<int>(nodes.size());
-    const Point first = mesh_.point(chainA.nodes[0]);
-    const auto away = [&](int node) { return norm(minus(mesh_.point(node), first)); };
-    const int nearest =
-        static_cast<int>(std::min_element(nodes.begin(), nodes.end(), [&](int x, int y) { return away(x) < away(y); }) - nodes.begin());
-    std::vector<int> best;
-    for (int shift = -3; shift <= 3; ++shift) {
-      std::vector<int> turned = nodes;
-      std::rotate(turned.begin(), turned.begin() + ((nearest + shift) % n + n) % n, turned.end());
-      if (best.empty() || distance(chainA.nodes, turned) < distance(chainA.nodes, best)) best = turned;
-    }
-    return best;
-  }
-
-  void append(const Chain& chainA, const std::vector<int>& partners, PairedLine& result) const {
-    result.chains.push_back({static_cast<int>(result.pairs.size()), static_cast<int>(partners.size()), chainA.closed});
-    for (std::size_t i = 0; i < partners.size(); ++i) {
-      const Standing s = standing(chainA.nodes[i], partners[i]);
-      ContactPair pair;
-      pair.id = static_cast<int>(result.pairs.size());
-      pair.line = line_.number;
-      pair.ends = matchingEnds(chainA.nodes[i], partners[i]);
-      pair.normal = s.normal;
-      pair.gap = line_.initialGap ? line_.initialGap->at(mesh_.point(pair.node())) : s.gap;
-      pair.length = a_.line().at(pair.node()).tributary;
-      pair.arc = chainA.arc[i];
-      pair.position = mesh_.point(pair.node());
-      result.pairs.push_back(pair);
-    }
+  void append(const OrderedNode& own, int partner, PairedSurface& result) const {
+    const Standing s = standing(own.node, partner);
+    ContactPair pair;
+    pair.id = static_cast<int>(result.pairs.size());
+    pair.line = contact_.number;
+    pair.ends = matchingEnds(own.node, partner);
+    pair.normal = s.normal;
+    pair.position = a_.at(own.node).position;
+    pair.gap = contact_.initialGap ? contact_.initialGap->at(pair.position) : s.gap;
+    pair.length = a_.at(own.node).tributary;
+    pair.arc = own.arc;
+    result.pairs.push_back(pair);
   }
 
   bool verify(const std::vector<ContactPair>& pairs) {
@@ -184,15 +158,15 @@ class Matcher {
         continue;
       }
       const double relative = s.excess / meshSize(nodeA, nodeB);
-      if (relative <= line_.tolerance) continue;
+      if (relative <= contact_.tolerance) continue;
       ++apart;
       if (relative > worst) worst = relative, where = &pair;
     }
     if (averted > 0 && problems_)
-      problems_->add(line_.path, "the sides '" + line_.groupA + "' and '" + line_.groupB + "' do not face each other: at " +
-                                     std::to_string(averted) + " of " + std::to_string(pairs.size()) +
-                                     " nodes their normals differ by more than 60 degrees (the first at " +
-                                     placeText(whereAverted->position) + "). Do the bodies lie on opposite sides of the line?");
+      problems_->add(contact_.path, "the sides " + contact_.a.name() + " and " + contact_.b.name() + " do not face each other: at " +
+                                        std::to_string(averted) + " of " + std::to_string(pairs.size()) +
+                                        " nodes their normals differ by more than 60 degrees (the first at " +
+                                        placeText(whereAverted->position) + "). Do the bodies lie on opposite sides of the line?");
     if (apart > 0 && problems_) reportMismatch(apart, apart, worst, where->node(), where->position);
     return apart == 0 && averted == 0;
   }
@@ -203,21 +177,36 @@ class Matcher {
     int node = -1;
   };
 
-  // Nodes of one side that no node of the other stands opposite to.
-  Lonely lonely(const SideOfLine& own, const SideOfLine& other, bool ownIsA) const {
+  /// Nodes of one face that no node of the other stands opposite to.
+  Lonely lonely(const Surface& own, const Surface& other, bool ownIsA) const {
+    std::vector<std::vector<Point>> sides(other.sides());
+    std::vector<BoundingBox> places;
+    std::vector<int> nodes;
+    for (int side = 0; side < other.sides(); ++side)
+      for (const int node : other.nodesOf(side)) sides[side].push_back(other.at(node).position);
+    for (const auto& [node, data] : other.nodes()) {
+      nodes.push_back(node);
+      places.emplace_back();
+      places.back().include(data.position);
+    }
+    const PairSearch search(sides);
+    const BoxTree tree(places);
     Lonely result;
-    for (const auto& entry : own.line().nodes()) {
+    for (const auto& [node, data] : own.nodes()) {
+      const Point& from = data.position;
+      std::set<int> candidates{nodes[tree.nearest(from, [&](int i) { return norm(minus(places[i].low, from)); })]};
+      for (const int side : search.along({from}, own.normal(node)))
+        candidates.insert(other.nodesOf(side).begin(), other.nodesOf(side).end());
       double least = std::numeric_limits<double>::infinity();
-      for (const auto& candidate : other.line().nodes()) {
-        const int nodeA = ownIsA ? entry.first : candidate.first, nodeB = ownIsA ? candidate.first : entry.first;
-        const Standing s = standing(nodeA, nodeB);
+      for (const int candidate : candidates) {
+        const Standing s = ownIsA ? standing(node, candidate) : standing(candidate, node);
         // Normals that differ too much to project: the whole way counts.
-        const double away = s.facing ? s.excess : norm(minus(mesh_.point(nodeA), mesh_.point(nodeB)));
-        least = std::min(least, away / entry.second.spacing);
+        const double away = s.facing ? s.excess : norm(minus(from, other.at(candidate).position));
+        least = std::min(least, away / data.spacing);
       }
-      if (least <= line_.tolerance) continue;
+      if (least <= contact_.tolerance) continue;
       ++result.count;
-      if (least > result.worst) result.worst = least, result.node = entry.first;
+      if (least > result.worst) result.worst = least, result.node = node;
     }
     return result;
   }
@@ -228,35 +217,36 @@ class Matcher {
     reportMismatch(a.count, b.count, worse.worst, worse.node, worse.node >= 0 ? mesh_.point(worse.node) : Point{0, 0, 0});
   }
 
-  static std::string sizes(const std::string& group, const BoundaryLine& line) {
-    const std::size_t chains = line.chains().size();
-    return "'" + group + "' has " + std::to_string(line.nodes().size()) + " nodes" +
-           (chains > 1 ? " in " + std::to_string(chains) + " connected parts" : "");
+  static std::string sizes(const ContactFace& face, int parts) {
+    return face.name() + " has " + std::to_string(face.surface->nodes().size()) + " nodes" +
+           (parts > 1 ? " in " + std::to_string(parts) + " connected parts" : "");
   }
 
   void reportMismatch(int lonelyA, int lonelyB, double worst, int node, const Point& place) {
-    std::string text = "the sides do not match: " + sizes(line_.groupA, a_.line()) + ", " + sizes(line_.groupB, b_.line()) + "; " +
-                       std::to_string(lonelyA) + " and " + std::to_string(lonelyB) + " of them have no partner opposite";
+    std::string text = "the sides do not match: " + sizes(contact_.a, facing_.partsOfA()) + ", " + sizes(contact_.b, facing_.partsOfB()) +
+                       "; " + std::to_string(lonelyA) + " and " + std::to_string(lonelyB) + " of them have no partner opposite";
     if (node >= 0) {
-      const auto& own = a_.line().nodes().count(node) ? a_.line() : b_.line();
+      const Surface& own = a_.nodes().count(node) > 0 ? a_ : b_;
       char far[120];
       std::snprintf(far, sizeof far, ", %.3g away along the line = %.3g of the mesh size there (Tolerance %.3g)",
-                    worst * own.at(node).spacing, worst, line_.tolerance);
+                    worst * own.at(node).spacing, worst, contact_.tolerance);
       text += "; the worst at " + placeText(place) + far;
     }
-    problems_->add(line_.path, text + ". Mesh both sides with the same nodes, or choose Coupling = Mortar");
+    problems_->add(contact_.path, text + ". Mesh both sides with the same nodes, or choose Coupling = Mortar");
   }
 
   const Mesh& mesh_;
-  const ContactLine& line_;
+  const ContactSurface& contact_;
   Problems* problems_;
-  SideOfLine a_, b_;
+  const Surface &a_, &b_;
+  NormalsNear nearA_, nearB_;
+  FacingNodes facing_;
 };
 
 }  // namespace
 
-std::optional<PairedLine> matchingLine(const Mesh& mesh, const ContactLine& line, Problems* problems) {
-  return Matcher(mesh, line, problems).match();
+std::optional<PairedSurface> matchingPairs(const Mesh& mesh, const ContactSurface& contact, Problems* problems) {
+  return Matcher(mesh, contact, problems).match();
 }
 
 }  // namespace suture

@@ -1,7 +1,9 @@
+#include <suture/base/Point.hpp>
 #include <suture/constraints/pairing/DualBasis.hpp>
 #include <suture/constraints/pairing/MortarPairs.hpp>
 #include <suture/constraints/pairing/MortarSampling.hpp>
 #include <suture/mesh/SideShape.hpp>
+#include <suture/mesh/SurfaceOrder.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +16,6 @@ namespace suture {
 
 namespace {
 
-using Chain = BoundaryLine::Chain;
 using Segment = MortarSegment;
 using Samples = MortarSampling::Samples;
 using Sample = MortarSampling::Sample;
@@ -25,12 +26,8 @@ constexpr double kMuchFiner = 2.0;   // intervals of one side for each of the ot
 
 class Mortar {
  public:
-  Mortar(const Mesh& mesh, const ContactLine& line, bool onA)
-      : mesh_(mesh),
-        contact_(line),
-        sign_(onA ? 1.0 : -1.0),
-        line_(mesh, mesh.sideGroups.at(onA ? line.groupA : line.groupB)),
-        sampling_(mesh, line, onA) {
+  Mortar(const Mesh& mesh, const ContactSurface& contact, bool onA)
+      : contact_(contact), sign_(onA ? 1.0 : -1.0), surface_(*(onA ? contact.a : contact.b).surface), sampling_(mesh, contact, onA) {
     for (const Segment& own : sampling_.own())
       for (int j = 0; j < own.count(); ++j)
         if (!rowNormals_.count(own.nodes()[j])) rowNormals_[own.nodes()[j]] = sampling_.meanNormal(own, j);
@@ -38,12 +35,12 @@ class Mortar {
     handOn();
   }
 
-  std::size_t nodes() const { return line_.nodes().size(); }
+  std::size_t nodes() const { return surface_.nodes().size(); }
   /// True if the other side stands opposite to all of this one.
   bool coversAll() const {
     double covered = 0, whole = 0;
     for (const auto& entry : rows_) covered += entry.second.weight;
-    for (const auto& entry : line_.nodes()) whole += entry.second.tributary;
+    for (const auto& entry : surface_.nodes()) whole += entry.second.tributary;
     return covered > (1 - 1e-6) * whole;
   }
 
@@ -52,24 +49,14 @@ class Mortar {
   /// Number of intervals between nodes that the other side stands opposite to.
   double coveredIntervals() const { return coveredIntervals_; }
 
-  PairedLine pairs() const {
-    PairedLine result;
-    for (const Chain& chain : line_.chains()) {
-      const int n = static_cast<int>(chain.nodes.size());
-      int begin = 0;  // a ring that is covered in part begins where a gap ends
-      while (chain.closed && begin < n && rows_.count(chain.nodes[(begin + n - 1) % n])) ++begin;
-      const bool closed = begin == n;
-      for (int i = 0; i < n; ++i) {
-        const int at = (begin + i) % n;
-        const auto row = rows_.find(chain.nodes[at]);
-        if (row == rows_.end()) continue;
-        if (i == 0 || !rows_.count(chain.nodes[(at + n - 1) % n]))
-          result.chains.push_back({static_cast<int>(result.pairs.size()), 0, closed});
-        ++result.chains.back().count;
-        result.pairs.push_back(pairOf(row->first, row->second, chain.arc[at], static_cast<int>(result.pairs.size())));
-        result.gapDoubts.push_back(row->second.doubt / row->second.weight);
-      }
+  PairedSurface pairs() const {
+    PairedSurface result;
+    for (const OrderedNode& own : inOrder(surface_, [this](int node) { return rows_.count(node) > 0; })) {
+      const Row& row = rows_.at(own.node);
+      result.pairs.push_back(pairOf(own.node, row, own.arc, static_cast<int>(result.pairs.size())));
+      result.gapDoubts.push_back(row.doubt / row.weight);
     }
+    result.cells = cellsOf(surface_, result.pairs);
     return result;
   }
 
@@ -147,20 +134,20 @@ class Mortar {
 
   std::map<int, int> findHeirs() const {
     std::map<int, int> heirs;
-    const auto share = [&](int node) { return rows_.at(node).weight / line_.at(node).tributary; };
-    for (const Chain& chain : line_.chains()) {
-      const int n = static_cast<int>(chain.nodes.size());
-      for (int i = 0; i < n; ++i) {
-        const int node = chain.nodes[i];
-        if (!rows_.count(node) || share(node) >= kCovered) continue;
-        int heir = -1;
-        for (const int step : {-2, -1, 1, 2}) {  // two, for the end points of quadratic elements
-          const int at = chain.closed ? (i + step + n) % n : i + step;
-          if (at < 0 || at >= n || !rows_.count(chain.nodes[at]) || share(chain.nodes[at]) < kCovered) continue;
-          if (heir < 0 || share(chain.nodes[at]) > share(heir)) heir = chain.nodes[at];
-        }
-        if (heir >= 0) heirs[node] = heir;
+    const auto share = [&](int node) { return rows_.at(node).weight / surface_.at(node).tributary; };
+    const std::vector<OrderedNode> order = inOrder(surface_, [](int) { return true; });
+    std::map<int, int> placeOf;
+    for (std::size_t i = 0; i < order.size(); ++i) placeOf[order[i].node] = static_cast<int>(i);
+    for (const OrderedNode& own : order) {
+      if (!rows_.count(own.node) || share(own.node) >= kCovered) continue;
+      std::vector<int> near = surface_.nodesNear(own.node);  // two steps, for the end points of quadratic elements
+      std::sort(near.begin(), near.end(), [&](int x, int y) { return placeOf.at(x) < placeOf.at(y); });
+      int heir = -1;
+      for (const int other : near) {
+        if (!rows_.count(other) || share(other) < kCovered) continue;
+        if (heir < 0 || share(other) > share(heir)) heir = other;
       }
+      if (heir >= 0) heirs[own.node] = heir;
     }
     return heirs;
   }
@@ -170,11 +157,11 @@ class Mortar {
     pair.id = id;
     pair.line = contact_.number;
     const Point& normal = rowNormals_.at(node);
-    pair.normal = {sign_ * normal[0], sign_ * normal[1], 0};
+    pair.normal = scaled(sign_, normal);
     pair.gap = row.gap / row.weight;
     pair.length = row.weight;
     pair.arc = arc;
-    pair.position = mesh_.point(node);
+    pair.position = surface_.at(node).position;
     pair.ends.push_back({node, sign_ * row.own.at(node) / row.weight});
     const auto add = [&](int at, double weight) {
       if (std::abs(weight) > 1e-12) pair.ends.push_back({at, weight});
@@ -185,10 +172,9 @@ class Mortar {
     return pair;
   }
 
-  const Mesh& mesh_;
-  const ContactLine& contact_;
+  const ContactSurface& contact_;
   double sign_;
-  BoundaryLine line_;
+  const Surface& surface_;
   MortarSampling sampling_;
   std::map<int, Row> rows_;          // by the node that carries it
   std::map<int, Point> rowNormals_;  // by node
@@ -205,21 +191,21 @@ bool carriesBetter(const Mortar& a, const Mortar& b) {
   return a.nodes() >= b.nodes();
 }
 
-std::unique_ptr<const Mortar> makeMortar(const Mesh& mesh, const ContactLine& line) {
-  using Carrier = ContactLine::Carrier;
-  if (line.carrier != Carrier::Automatic) return std::make_unique<Mortar>(mesh, line, line.carrier == Carrier::SideA);
-  auto a = std::make_unique<Mortar>(mesh, line, true), b = std::make_unique<Mortar>(mesh, line, false);
+std::unique_ptr<const Mortar> makeMortar(const Mesh& mesh, const ContactSurface& contact) {
+  using Carrier = ContactSurface::Carrier;
+  if (contact.carrier != Carrier::Automatic) return std::make_unique<Mortar>(mesh, contact, contact.carrier == Carrier::SideA);
+  auto a = std::make_unique<Mortar>(mesh, contact, true), b = std::make_unique<Mortar>(mesh, contact, false);
   return carriesBetter(*a, *b) ? std::move(a) : std::move(b);
 }
 
 /// Notes that the side which the scene names to carry the stress is the finer one.
-void warnOfFinerCarrier(const Mesh& mesh, const ContactLine& line, const Mortar& mortar, std::vector<std::string>& notes) {
-  const bool onA = line.carrier == ContactLine::Carrier::SideA;
-  if (line.carrier == ContactLine::Carrier::Automatic || !mortar.isCurved()) return;
-  const Mortar other(mesh, line, !onA);
+void warnOfFinerCarrier(const Mesh& mesh, const ContactSurface& contact, const Mortar& mortar, std::vector<std::string>& notes) {
+  const bool onA = contact.carrier == ContactSurface::Carrier::SideA;
+  if (contact.carrier == ContactSurface::Carrier::Automatic || !mortar.isCurved()) return;
+  const Mortar other(mesh, contact, !onA);
   if (!(mortar.isLinear() || other.isLinear()) || !(mortar.coveredIntervals() >= kMuchFiner * other.coveredIntervals())) return;
   std::ostringstream text;
-  text << "warning: " << line.path << "/Multipliers On: " << (onA ? "Side A" : "Side B") << " is curved and has " << std::setprecision(2)
+  text << "warning: " << contact.path << "/Multipliers On: " << (onA ? "Side A" : "Side B") << " is curved and has " << std::setprecision(2)
        << mortar.coveredIntervals() / other.coveredIntervals()
        << " elements for each of the other side, whose straight elements cannot follow it: nodal pressures may alternate between zero and "
           "twice the right ones; choose Automatic, which lets the coarser side carry";
@@ -228,15 +214,16 @@ void warnOfFinerCarrier(const Mesh& mesh, const ContactLine& line, const Mortar&
 
 }  // namespace
 
-PairedLine mortarLine(const Mesh& mesh, const ContactLine& line, Problems& problems, std::vector<std::string>& notes) {
-  const std::unique_ptr<const Mortar> mortar = makeMortar(mesh, line);
-  PairedLine result = mortar->pairs();
+PairedSurface mortarPairs(const Mesh& mesh, const ContactSurface& contact, Problems& problems, std::vector<std::string>& notes) {
+  const std::unique_ptr<const Mortar> mortar = makeMortar(mesh, contact);
+  PairedSurface result = mortar->pairs();
   if (result.pairs.empty())
-    problems.add(line.path, "the sides '" + line.groupA + "' and '" + line.groupB +
-                                "' overlap nowhere: no normal of one meets the other face to face. Do the bodies lie on opposite sides of "
-                                "the line?");
+    problems.add(contact.path,
+                 "the sides " + contact.a.name() + " and " + contact.b.name() +
+                     " overlap nowhere: no normal of one meets the other face to face. Do the bodies lie on opposite sides of "
+                     "the line?");
   else
-    warnOfFinerCarrier(mesh, line, *mortar, notes);
+    warnOfFinerCarrier(mesh, contact, *mortar, notes);
   return result;
 }
 

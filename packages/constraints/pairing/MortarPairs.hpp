@@ -1,5 +1,4 @@
 #pragma once
-#include <suture/constraints/ContactLine.hpp>
 #include <suture/constraints/pairing/ContactPairs.hpp>
 
 #include <string>
@@ -7,7 +6,7 @@
 
 namespace suture {
 
-/// Pairs of a contact line whose sides need not match, by dual mortar. One side carries the contact stress, sum of p_j psi_j over its
+/// Pairs of a contact whose faces need not match, by dual mortar. One side carries the contact stress, sum of p_j psi_j over its
 /// nodes. On each of its elements the psi_j are combinations of the shape functions, biorthogonal to them over the part that the other
 /// side covers: int psi_j phi_k = delta_jk int phi_k (Wohlmuth 2000; over partly covered elements as Cichosz and Bischoff 2011). Condition
 /// j is the mean of the gap with weight psi_j,
@@ -21,7 +20,7 @@ namespace suture {
 /// than a fifth of its hat function covered hands its psi on to its neighbour: the sum of all psi is one wherever the sides meet.
 ///
 /// \param problems  gets sides that meet nowhere;  \param notes  a warning where the scene lets the finer of two curved sides carry
-/// \return pairs as pairLine(), along the carrying side. Local.
-PairedLine mortarLine(const Mesh& mesh, const ContactLine& line, Problems& problems, std::vector<std::string>& notes);
+/// \return pairs as pairSurface(), in the order of the carrying side's nodes. Local.
+PairedSurface mortarPairs(const Mesh& mesh, const ContactSurface& contact, Problems& problems, std::vector<std::string>& notes);
 
 }  // namespace suture

@@ -1,63 +1,61 @@
+#include <suture/base/Point.hpp>
 #include <suture/constraints/pairing/MortarSampling.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 namespace suture {
 
 namespace {
 
 using Segment = MortarSegment;
-using Geometry = ContactLine::Geometry;
+using Geometry = ContactSurface::Geometry;
 
 constexpr double kOpposite = 1e-9;  // sine of the angle up to which two sides are parallel
 
+/// Tells each second-order element how the curvature changes along it: from its neighbours' by the smaller of the two differences, which
+/// sees no change beside the joint of a line and an arc.
+void findChanges(const Surface& surface, std::vector<Segment>& all) {
+  for (int side = 0; side < surface.sides(); ++side) {
+    Segment& segment = all[side];
+    if (segment.isLinear() || segment.isStraight()) continue;
+    const auto difference = [&](int facet, double sign) -> std::optional<double> {
+      const int neighbour = surface.across(side, facet).side;
+      if (neighbour < 0) return std::nullopt;
+      const Segment& other = all[neighbour];
+      return sign * (other.ownCurvature() - segment.ownCurvature()) * 2 * segment.length() / (segment.length() + other.length());
+    };
+    const auto before = difference(0, -1), after = difference(1, 1);
+    if (before && after)
+      segment.setChange(*before * *after <= 0 ? 0.0 : std::abs(*before) < std::abs(*after) ? *before : *after);
+    else
+      segment.setChange(before.value_or(after.value_or(0.0)));
+  }
+}
+
+std::vector<Segment> segmentsOf(const Mesh& mesh, const Surface& surface) {
+  const BoundaryCurve curve(surface);
+  std::vector<Segment> all;
+  for (int side = 0; side < surface.sides(); ++side)
+    all.emplace_back(surface, side, curve.bend(side), mesh.bodyOfNode[surface.nodesOf(side)[0]]);
+  findChanges(surface, all);
+  return all;
+}
+
 }  // namespace
 
-MortarSampling::MortarSampling(const Mesh& mesh, const ContactLine& line, bool onA)
+MortarSampling::MortarSampling(const Mesh& mesh, const ContactSurface& contact, bool onA)
     : mesh_(mesh),
-      contact_(line),
-      share_(onA ? line.shareOfA() : 1 - line.shareOfA()),
-      own_(segments(onA ? line.groupA : line.groupB)),
-      other_(segments(onA ? line.groupB : line.groupA)),
+      contact_(contact),
+      share_(onA ? contact.shareOfA() : 1 - contact.shareOfA()),
+      own_(segmentsOf(mesh, *(onA ? contact.a : contact.b).surface)),
+      other_(segmentsOf(mesh, *(onA ? contact.b : contact.a).surface)),
       segmentation_(other_),
       rule_(gaussRule(6)) {}
 
 bool MortarSampling::isCurved() const {
   const auto curved = [](const Segment& s) { return s.isCurved(); };
   return std::any_of(own_.begin(), own_.end(), curved) || std::any_of(other_.begin(), other_.end(), curved);
-}
-
-std::vector<Segment> MortarSampling::segments(const std::string& group) const {
-  const std::vector<Side>& sides = mesh_.sideGroups.at(group);
-  const BoundaryLine line(mesh_, sides);
-  const BoundaryCurve curve(mesh_, sides);
-  std::vector<Segment> all;
-  for (std::size_t s = 0; s < sides.size(); ++s) all.emplace_back(mesh_, line, mesh_.nodesOf(sides[s]), curve.bend(s));
-  findChanges(all);
-  return all;
-}
-
-/// Tells each second-order element how the curvature changes along it: from its neighbours' by the smaller of the two differences, which
-/// sees no change beside the joint of a line and an arc.
-void MortarSampling::findChanges(std::vector<Segment>& all) {
-  std::map<int, std::size_t> beginning, ending;
-  for (std::size_t s = 0; s < all.size(); ++s) beginning[all[s].nodes()[0]] = s, ending[all[s].nodes()[1]] = s;
-  for (Segment& segment : all) {
-    if (segment.isLinear() || segment.isStraight()) continue;
-    const auto difference = [&](const std::map<int, std::size_t>& found, int node, double sign) -> std::optional<double> {
-      const auto at = found.find(node);
-      if (at == found.end()) return std::nullopt;
-      const Segment& other = all[at->second];
-      return sign * (other.ownCurvature() - segment.ownCurvature()) * 2 * segment.length() / (segment.length() + other.length());
-    };
-    const auto before = difference(ending, segment.nodes()[0], -1), after = difference(beginning, segment.nodes()[1], 1);
-    if (before && after)
-      segment.setChange(*before * *after <= 0 ? 0.0 : std::abs(*before) < std::abs(*after) ? *before : *after);
-    else
-      segment.setChange(before.value_or(after.value_or(0.0)));
-  }
 }
 
 // Distance by which the smooth sides are nearer than their elements at a point of both, and its estimated error.
@@ -83,7 +81,7 @@ MortarSampling::Nearer MortarSampling::nearer(const Segment& own, double xi, con
 
 Point MortarSampling::meanNormal(const Segment& own, int node) const {
   const Point &normal = own.normal(node), from = own.point(node);
-  const auto met = segmentation_.nearest(from, normal);
+  const auto met = segmentation_.nearest(from, normal, own.body());
   if (!met) return normal;
   const Point facing = met->other->normalAt(met->eta);
   return norm(cross(normal, facing)) > kOpposite ? unit(minus(normal, facing)) : normal;

@@ -1,5 +1,5 @@
 #pragma once
-#include <suture/constraints/ContactLine.hpp>
+#include <suture/constraints/ContactSurface.hpp>
 #include <suture/constraints/pairing/Segmentation.hpp>
 #include <suture/mesh/SideShape.hpp>
 
@@ -8,16 +8,16 @@
 
 namespace suture {
 
-/// Two facing sides of a contact line, one of which carries the conditions: points where the carrying side meets the other along a given
+/// Two facing sides of a contact, one of which carries the conditions: points where the carrying side meets the other along a given
 /// normal, and their gaps. Between straight elements whose nodes lie on curves the gap is taken between smooth curves. Local.
 ///
 /// A second-order element of straight shape stands for the drawn curve: its displacements can follow any change of curvature. Those of a
 /// two-node element cannot; where the contact is closed its chord approximates the curve that both sides then share. Its curvature
-/// lies between those of the two sides, by the compliances along them (ContactLine::shareOfA): of rings and pins both are nearly alike,
+/// lies between those of the two sides, by the compliances along them (ContactSurface::shareOfA): of rings and pins both are nearly alike,
 /// a cylinder on a plane of the same material has half its curvature there.
 class MortarSampling {
  public:
-  MortarSampling(const Mesh& mesh, const ContactLine& line, bool onA);
+  MortarSampling(const Mesh& mesh, const ContactSurface& contact, bool onA);
   MortarSampling(const MortarSampling&) = delete;
   MortarSampling& operator=(const MortarSampling&) = delete;
 
@@ -50,12 +50,10 @@ class MortarSampling {
   struct Nearer {
     double way = 0, doubt = 0;
   };
-  std::vector<MortarSegment> segments(const std::string& group) const;
-  static void findChanges(std::vector<MortarSegment>& all);
   Nearer nearer(const MortarSegment& own, double xi, const MortarSegment& other, double eta, const Point& normal) const;
 
   const Mesh& mesh_;
-  const ContactLine& contact_;
+  const ContactSurface& contact_;
   double share_;  // share of the change of curvature that the carrying side takes where both are pressed together
   std::vector<MortarSegment> own_, other_;
   Segmentation segmentation_;

@@ -22,11 +22,11 @@ Point mix(const std::vector<Point>& points, const std::array<double, 3>& by) {
 
 }  // namespace
 
-MortarSegment::MortarSegment(const Mesh& mesh, const BoundaryLine& line, const std::vector<int>& nodes, const BoundaryCurve::Bend& bend)
-    : nodes_(nodes), bend_(bend) {
-  for (const int node : nodes) {
-    points_.push_back(mesh.point(node));
-    normals_.push_back(unit(line.normal(node)));
+MortarSegment::MortarSegment(const Surface& surface, int side, const BoundaryCurve::Bend& bend, int body)
+    : nodes_(surface.nodesOf(side)), body_(body), bend_(bend) {
+  for (const int node : nodes_) {
+    points_.push_back(surface.at(node).position);
+    normals_.push_back(unit(surface.normal(node)));
   }
   if (isLinear()) return;
   const Point chord = unit(minus(points_[1], points_[0]));

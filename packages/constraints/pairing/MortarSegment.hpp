@@ -1,7 +1,7 @@
 #pragma once
+#include <suture/base/Point.hpp>
 #include <suture/constraints/BoundaryCurve.hpp>
-#include <suture/constraints/BoundaryLine.hpp>
-#include <suture/mesh/Mesh.hpp>
+#include <suture/mesh/Surface.hpp>
 
 #include <array>
 #include <optional>
@@ -9,13 +9,14 @@
 
 namespace suture {
 
-/// An element of one side of a mortar line as a curve on [-1, 1], the body on its left.
+/// An element of one face of a contact as a curve on [-1, 1], the body on its left.
 class MortarSegment {
  public:
-  MortarSegment(const Mesh& mesh, const BoundaryLine& line, const std::vector<int>& nodes, const BoundaryCurve::Bend& bend);
+  MortarSegment(const Surface& surface, int side, const BoundaryCurve::Bend& bend, int body);
 
   const std::vector<int>& nodes() const { return nodes_; }
   const std::vector<Point>& points() const { return points_; }
+  int body() const { return body_; }
   int count() const { return static_cast<int>(nodes_.size()); }
   const Point& end(int which) const { return points_[which]; }
   // Ends at once: of most elements of the other side they alone are asked for.
@@ -48,6 +49,7 @@ class MortarSegment {
  private:
   Point mixed(double xi) const;
   std::vector<int> nodes_;
+  int body_;
   std::vector<Point> points_, normals_;
   BoundaryCurve::Bend bend_;
   bool straight_ = true;

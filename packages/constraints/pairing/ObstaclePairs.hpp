@@ -1,13 +1,12 @@
 #pragma once
-#include <suture/constraints/ContactLine.hpp>
 #include <suture/constraints/pairing/ContactPairs.hpp>
 
 namespace suture {
 
-/// Pairs of a line whose partner is a rigid obstacle: one for each node of side A that has the obstacle in front, with the obstacle's
+/// Pairs of a contact whose partner is a rigid obstacle: one for each node of side A that has the obstacle in front, with the obstacle's
 /// normal and distance there. Nodes that see it more than 60 degrees aside, across a gap, make no pair: a flat side beyond a bump. Local.
 /// \param problems  gets a side none of whose nodes has the obstacle in front, or with nodes that are inside the obstacle and face away
 /// \param notes     gets the number of nodes left out
-PairedLine obstacleLine(const Mesh& mesh, const ContactLine& line, Problems& problems, std::vector<std::string>& notes);
+PairedSurface obstaclePairs(const ContactSurface& contact, Problems& problems, std::vector<std::string>& notes);
 
 }  // namespace suture

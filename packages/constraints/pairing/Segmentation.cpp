@@ -46,8 +46,15 @@ std::optional<Segmentation::Meeting> Segmentation::meet(const Point& from, const
   return Meeting{&other, *eta, dot(minus(other.at(*eta), from), direction)};
 }
 
-std::optional<Segmentation::Meeting> Segmentation::nearest(const Point& from, const Point& direction) const {
-  return nearest(from, direction, search_.along({from}, direction));
+/// Sides of other bodies that lines through a side's nodes may meet.
+std::vector<int> Segmentation::candidates(const std::vector<Point>& nodes, const Point& direction, int body) const {
+  std::vector<int> found = search_.along(nodes, direction);
+  found.erase(std::remove_if(found.begin(), found.end(), [&](int i) { return others_[i].body() == body; }), found.end());
+  return found;
+}
+
+std::optional<Segmentation::Meeting> Segmentation::nearest(const Point& from, const Point& direction, int body) const {
+  return nearest(from, direction, candidates({from}, direction, body));
 }
 
 std::optional<Segmentation::Meeting> Segmentation::nearest(const Point& from, const Point& direction,
@@ -75,11 +82,11 @@ std::vector<double> Segmentation::breaks(const MortarSegment& own, const Point& 
 }
 
 std::vector<Segmentation::Overlap> Segmentation::overlaps(const MortarSegment& own, const Point& direction) const {
-  const std::vector<int> candidates = search_.along(own.points(), direction);
-  const std::vector<double> at = breaks(own, direction, candidates);
+  const std::vector<int> opposite = candidates(own.points(), direction, own.body());
+  const std::vector<double> at = breaks(own, direction, opposite);
   std::vector<Overlap> found;
   for (std::size_t s = 0; s + 1 < at.size(); ++s)
-    if (const auto met = nearest(own.at((at[s] + at[s + 1]) / 2), direction, candidates)) found.push_back({at[s], at[s + 1], met->other});
+    if (const auto met = nearest(own.at((at[s] + at[s + 1]) / 2), direction, opposite)) found.push_back({at[s], at[s + 1], met->other});
   return found;
 }
 

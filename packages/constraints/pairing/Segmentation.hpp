@@ -22,8 +22,8 @@ class Segmentation {
   };
   /// The point on one side of the other surface; nothing if the line passes it, or the normals differ by less than 120 degrees.
   static std::optional<Meeting> meet(const Point& from, const Point& direction, const MortarSegment& other);
-  /// The nearest of these points on any side of the other surface, before or behind `from`.
-  std::optional<Meeting> nearest(const Point& from, const Point& direction) const;
+  /// The nearest of these points on any side of the other surface, before or behind `from`. \param body  of `from`: it meets other bodies
+  std::optional<Meeting> nearest(const Point& from, const Point& direction, int body) const;
 
   /// Part of a side to which one side of the other surface is the nearest.
   struct Overlap {
@@ -33,9 +33,8 @@ class Segmentation {
   /// Overlaps of a side in ascending order. They fill it where the other surface stands opposite to all of it.
   std::vector<Overlap> overlaps(const MortarSegment& own, const Point& direction) const;
 
-  const PairSearch& search() const { return search_; }
-
  private:
+  std::vector<int> candidates(const std::vector<Point>& nodes, const Point& direction, int body) const;
   std::optional<Meeting> nearest(const Point& from, const Point& direction, const std::vector<int>& candidates) const;
   std::vector<double> breaks(const MortarSegment& own, const Point& direction, const std::vector<int>& candidates) const;
 

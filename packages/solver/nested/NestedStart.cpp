@@ -1,5 +1,7 @@
 #include <suture/base/Buffer.hpp>
 #include <suture/base/Collective.hpp>
+#include <suture/base/Point.hpp>
+#include <suture/mesh/BoxTree.hpp>
 #include <suture/partition/RigidLift.hpp>
 #include <suture/solver/nested/NestedStart.hpp>
 #include <suture/solver/nested/TriangleSearch.hpp>
@@ -23,29 +25,29 @@ struct Answer {
   Point value{0, 0, 0};
 };
 
-/// State at a place of a line: that of the nearest pair of another mesh along it.
-class LineStatus {
+/// State at a place of a contact: that of the nearest pair of another mesh there.
+class NearestState {
  public:
-  using Entry = std::pair<double, ContactState>;  // arc length, state
-  explicit LineStatus(const std::vector<PairResult>& pairs) {
-    for (const PairResult& pair : pairs) lines_[pair.line].push_back({pair.arc, pair.state});
-    for (auto& [line, entries] : lines_)
-      std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.first < b.first; });
+  explicit NearestState(const std::vector<PairResult>& pairs) {
+    std::map<int, std::vector<BoundingBox>> boxes;
+    for (const PairResult& pair : pairs) {
+      pairs_[pair.line].push_back(pair);
+      boxes[pair.line].emplace_back();
+      boxes[pair.line].back().include(pair.position);
+    }
+    for (const auto& [contact, own] : boxes) trees_.emplace(contact, BoxTree(own));
   }
-  /// Null on a line without pairs.
-  const ContactState* at(int line, double arc) const {
-    const auto found = lines_.find(line);
-    if (found == lines_.end()) return nullptr;
-    const auto& entries = found->second;
-    const auto above = std::lower_bound(entries.begin(), entries.end(), arc, [](const Entry& entry, double a) { return entry.first < a; });
-    if (above == entries.begin()) return &entries.front().second;
-    if (above == entries.end()) return &entries.back().second;
-    const auto below = above - 1;
-    return arc - below->first < above->first - arc ? &below->second : &above->second;
+  /// Null for a contact without pairs.
+  const ContactState* at(int contact, const Point& place) const {
+    const auto tree = trees_.find(contact);
+    if (tree == trees_.end()) return nullptr;
+    const std::vector<PairResult>& own = pairs_.at(contact);
+    return &own[tree->second.nearest(place, [&](int i) { return norm(minus(own[i].position, place)); })].state;
   }
 
  private:
-  std::map<int, std::vector<Entry>> lines_;
+  std::map<int, std::vector<PairResult>> pairs_;  // by contact
+  std::map<int, BoxTree> trees_;
 };
 
 std::vector<PairResult> onAllRanks(const Comm& comm, const std::vector<PairResult>& pairs) {
@@ -132,10 +134,10 @@ Start nestedStart(const Comm& comm, const CoarseAnswer& coarse, const std::vecto
     start.displacement.push_back(besideLift(meshes[s], std::move(displacement)));
   }
 
-  const LineStatus lines(onAllRanks(comm, coarse.solution.pairs));
+  const NearestState coarseState(onAllRanks(comm, coarse.solution.pairs));
   for (const SubdomainMesh& mesh : meshes)
-    for (const ContactRow& contact : mesh.contactRows)
-      if (const ContactState* state = lines.at(contact.pair.line, contact.pair.arc)) start.status[contact.pair.id] = *state;
+    for (const ContactRow& row : mesh.contactRows)
+      if (const ContactState* state = coarseState.at(row.pair.line, row.pair.position)) start.status[row.pair.id] = *state;
   return start;
 }
 

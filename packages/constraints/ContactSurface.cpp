@@ -1,0 +1,217 @@
+#include <suture/base/Point.hpp>
+#include <suture/base/scene/SceneReader.hpp>
+#include <suture/constraints/BuildConstraints.hpp>
+#include <suture/constraints/Conditions.hpp>
+#include <suture/constraints/ContactLaw.hpp>
+#include <suture/constraints/ContactSurface.hpp>
+#include <suture/mesh/CellGeometry.hpp>
+#include <suture/mesh/SideTable.hpp>
+
+#include <Teuchos_ParameterList.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <set>
+
+namespace suture {
+
+namespace {
+
+/// Reads and checks one face of one contact.
+class FaceCheck {
+ public:
+  FaceCheck(const Mesh& mesh, const SideTable& table, const std::string& path, Problems& problems)
+      : mesh_(mesh), table_(table), path_(path), problems_(problems) {}
+
+  /// The face; without a surface after a problem.
+  ContactFace read(const std::vector<std::string>& groups) {
+    ContactFace face;
+    face.groups = groups;
+    if (groups.empty() || std::count(groups.begin(), groups.end(), "") > 0) return face;
+    bool known = true;
+    for (const std::string& group : groups) known = exists(group) && known;
+    if (!known) return face;
+    const std::vector<Side> sides = sidesOf(mesh_.sideGroups, groups);
+    std::set<int> bodies;
+    std::set<std::size_t> orders;
+    for (const Side& side : sides) {
+      bodies.insert(mesh_.bodyOfElement[side.element]);
+      orders.insert(mesh_.nodesOf(side).size());
+      if (table_.onBoundary(side)) continue;
+      wrong(face.name() + " lies inside the material near " + placeText(centreOf(mesh_, side.element), mesh_.dimension) +
+            "; expected a part of the boundary of bodies");
+      return face;
+    }
+    face.bodies.assign(bodies.begin(), bodies.end());
+    if (orders.size() > 1) {
+      wrong(face.name() + " has sides of two and of three nodes; expected elements of one order along a contact side");
+      return face;
+    }
+    Surface surface(mesh_, sides);
+    if (isSound(face, surface)) face.surface = std::move(surface);
+    return face;
+  }
+
+ private:
+  void wrong(const std::string& what) { problems_.add(path_, what); }
+
+  bool exists(const std::string& group) {
+    const auto found = mesh_.sideGroups.find(group);
+    if (found == mesh_.sideGroups.end())
+      wrong(unknownCurve(mesh_, group));
+    else if (found->second.empty())
+      wrong("the curve group '" + group + "' of the mesh " + mesh_.source + " is empty");
+    else
+      return true;
+    return false;
+  }
+
+  bool isSound(const ContactFace& face, const Surface& surface) {
+    const auto place = [&](int node) { return placeText(mesh_.point(node), mesh_.dimension); };
+    if (!surface.branchings().empty()) {
+      wrong(face.name() + " is no line: more than two of its elements meet at " + place(surface.branchings()[0]));
+      return false;
+    }
+    for (const auto& [node, data] : surface.nodes()) {
+      double turn = 0;
+      for (const Point& normal : data.sideNormals) turn = std::max(turn, angleBetween(data.sideNormals[0], normal));
+      if (turn <= kSharpAngle) continue;
+      char degrees[20];
+      std::snprintf(degrees, sizeof degrees, "%.0f", turn * 180 / 3.14159265358979);
+      wrong(face.name() + " turns by " + degrees + " degrees at " + place(node) +
+            ", so that the contact has no normal there; make each leg a contact line of its own");
+      return false;
+    }
+    return true;
+  }
+
+  const Mesh& mesh_;
+  const SideTable& table_;
+  std::string path_;
+  Problems& problems_;
+};
+
+/// Finds contacts that name a side which another face has already.
+class Taken {
+ public:
+  void claim(const Mesh& mesh, const ContactFace& face, const std::string& path, Problems& problems) {
+    std::string other;
+    for (const Side& side : sidesOf(mesh.sideGroups, face.groups)) {
+      const auto [at, isNew] = pathOf_.emplace(std::make_pair(side.element, side.side), path);
+      if (!isNew) other = at->second;
+    }
+    if (!other.empty())
+      problems.add(path, face.name() + (face.groups.size() > 1 ? " lie" : " lies") + ", in whole or in part, also in " + other +
+                             "; a side is in one contact only");
+  }
+
+ private:
+  std::map<std::pair<int, int>, std::string> pathOf_;  // (element, side)
+};
+
+/// How the two faces are coupled. \param rigid  an obstacle stands there instead of Side B
+void readCoupling(const Parameters& list, bool rigid, ContactSurface& surface, Problems& problems) {
+  const bool given = list.isParameter("Side B");
+  for (const char* side : {"Side A", "Side B"}) {
+    const std::vector<std::string> groups = groupNames(list, side);
+    if (list.isParameter(side) && (groups.empty() || std::count(groups.begin(), groups.end(), "") > 0))
+      problems.add(pathOf(list, side), "is empty; expected a curve group, or several as {left, right}");
+  }
+  if (given && rigid) problems.add(pathOf(list, "Side B"), "found beside an Obstacle; expected one of the two");
+  if (!given && !rigid) problems.add(pathOf(list, "Side B"), "is missing: expected a curve group on another body, or an Obstacle");
+  const std::string coupling = list.get<std::string>("Coupling"), carrier = list.get<std::string>("Multipliers On");
+  using Coupling = ContactSurface::Coupling;
+  using Carrier = ContactSurface::Carrier;
+  surface.coupling = coupling == "Mortar" ? Coupling::Mortar : coupling == "Matching Nodes" ? Coupling::MatchingNodes : Coupling::Automatic;
+  using Geometry = ContactSurface::Geometry;
+  const std::string geometry = list.get<std::string>("Geometry");
+  surface.geometry = geometry == "Smooth" ? Geometry::Smooth : geometry == "Facets" ? Geometry::Facets : Geometry::Automatic;
+  surface.carrier = carrier == "Side A" ? Carrier::SideA : carrier == "Side B" ? Carrier::SideB : Carrier::Automatic;
+}
+
+/// Sides of all groups that contact names.
+std::vector<Side> allSides(const Mesh& mesh, const Parameters& contact) {
+  std::vector<Side> all;
+  for (const std::string& name : sublistNames(contact))
+    for (const char* which : {"Side A", "Side B"}) {
+      const std::vector<Side> own = sidesOf(mesh.sideGroups, groupNames(contact.sublist(name), which));
+      all.insert(all.end(), own.begin(), own.end());
+    }
+  return all;
+}
+
+/// A name that two lists have, or nothing.
+std::string inBoth(const std::vector<std::string>& a, const std::vector<std::string>& b) {
+  const auto found = std::find_first_of(a.begin(), a.end(), b.begin(), b.end());
+  return found == a.end() ? "" : *found;
+}
+
+}  // namespace
+
+std::string ContactFace::name() const { return quoted(groups); }
+
+std::vector<ContactSurface> readContact(const Mesh& mesh, const Parameters& contact, const Constants& constants, Problems& problems) {
+  std::vector<ContactSurface> surfaces;
+  const std::vector<std::string> names = sublistNames(contact);
+  if (names.empty()) return surfaces;
+  const SideTable table(mesh, allSides(mesh, contact));
+  Taken taken;
+  for (int number = 0; number < static_cast<int>(names.size()); ++number) {
+    const Parameters& list = contact.sublist(names[number]);
+    const std::size_t before = problems.list().size();
+    ContactSurface surface;
+    surface.number = number;
+    surface.name = names[number];
+    surface.path = pathOf(list);
+    surface.obstacle = Obstacle::read(list, constants, problems);
+    surface.initialGap = readExpression(list, "Initial Gap", constants, problems);
+    const bool rigid = list.get<std::string>("Obstacle") != "None";
+    readCoupling(list, rigid, surface, problems);
+    surface.tolerance = list.get<double>("Tolerance");
+    const std::string pathA = pathOf(list, "Side A"), pathB = pathOf(list, "Side B");
+    surface.a = FaceCheck(mesh, table, pathA, problems).read(groupNames(list, "Side A"));
+    surface.b = FaceCheck(mesh, table, pathB, problems).read(groupNames(list, "Side B"));
+    const std::vector<int>& bodies = surface.a.bodies;
+    if (const std::string both = inBoth(surface.a.groups, surface.b.groups); !both.empty()) {
+      problems.add(pathB, "'" + both + "' is Side A, too; expected the group on the other body");
+    } else if (bodies.size() == 1 && bodies == surface.b.bodies) {
+      problems.add(pathB, surface.b.name() + " is on the body '" + mesh.bodies[bodies[0]] + "', as Side A; contact is between two bodies");
+    } else {
+      taken.claim(mesh, surface.a, pathA, problems);
+      taken.claim(mesh, surface.b, pathB, problems);
+    }
+    if (problems.list().size() == before) surfaces.push_back(std::move(surface));
+  }
+  return surfaces;
+}
+
+Schema contactSchema() {
+  return Schema("one contact: two facing sides, or a side and a rigid obstacle")
+      .texts(
+          "Side A", std::nullopt,
+          "curve group of the mesh, or several as {left, right}, on one or several bodies; the normal points from here to Side B or into "
+          "the obstacle")
+      .texts("Side B", std::nullopt, "curve group of the mesh, or several, on other bodies; none with an Obstacle")
+      .optional()
+      .choice("Law", Frictionless::kName, Registry<ContactLaw>::instance().schemas(), "which forces the two sides exert on each other")
+      .choice("Obstacle", "None", Obstacle::choices(), "what stands against Side A instead of a second body")
+      .oneOf(
+          "Coupling", "Automatic", {"Automatic", "Matching Nodes", "Mortar"},
+          "Matching Nodes: each node has one opposite; Mortar: any two meshes, dual Lagrange multipliers; Automatic: Mortar where nodes do "
+          "not match")
+      .oneOf("Multipliers On", "Automatic", {"Automatic", "Side A", "Side B"},
+             "with Mortar, the side whose nodes carry the contact stress; Automatic: one that the other covers wholly, or that with more "
+             "nodes; of two-node elements on a curve the coarser one")
+      .oneOf("Geometry", "Automatic", {"Automatic", "Smooth", "Facets"},
+             "with Mortar, what curve stands for a side whose elements are straight while their nodes lie on a curve. Automatic: the shape "
+             "that both sides have when pressed together, between their curvatures by the bodies' stiffnesses; Smooth: the drawn curve, by "
+             "the curvature through neighbouring nodes; Facets: the elements themselves")
+      .text("Initial Gap", std::nullopt, "a function of x and y on Side A [length], instead of the distance in the mesh")
+      .optional()
+      .real("Tolerance", 1e-3, "how far apart along the line the two nodes of a pair may be, as a fraction of the local mesh size",
+            Range::positive());
+}
+
+}  // namespace suture

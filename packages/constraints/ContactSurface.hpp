@@ -1,0 +1,55 @@
+#pragma once
+#include <suture/base/Errors.hpp>
+#include <suture/base/Expression.hpp>
+#include <suture/constraints/Obstacle.hpp>
+#include <suture/mesh/Mesh.hpp>
+#include <suture/mesh/Surface.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace suture {
+
+/// Sides that meet at a larger angle make a corner: a ring of eight sides is still round.
+constexpr double kSharpAngle = 45.001 * 3.14159265358979323846 / 180;
+
+/// One of the two faces of a contact: a part of the boundary of one or several bodies.
+struct ContactFace {
+  std::vector<std::string> groups;  ///< side groups that it is made of; none for a rigid obstacle
+  std::optional<Surface> surface;
+  std::vector<int> bodies;  ///< ascending
+  double compliance = 0.0;  ///< mean over the elements along it [1 / stress]; zero: rigid, or not known
+
+  bool empty() const { return groups.empty(); }
+  /// "'left' + 'right'", for messages.
+  std::string name() const;
+};
+
+/// One entry of the scene's list `Contact`, its faces checked each for itself and against the other entries.
+struct ContactSurface {
+  int number = -1;  ///< place in the list
+  std::string name;
+  std::string path;         ///< "Contact/fault above"
+  ContactFace a, b;         ///< b is empty for a rigid obstacle
+  double tolerance = 1e-3;  ///< tangential distance of partners, as a fraction of the local mesh size
+  enum class Coupling { Automatic, MatchingNodes, Mortar } coupling = Coupling::Automatic;
+  enum class Carrier { Automatic, SideA, SideB } carrier = Carrier::Automatic;  ///< face whose nodes carry a mortar's pairs
+  /// Between which curves the gap of a mortar is taken, where elements are straight and the faces are not.
+  enum class Geometry { Automatic, Smooth, Facets } geometry = Geometry::Automatic;
+  std::optional<Obstacle> obstacle;      ///< instead of face b
+  std::optional<Expression> initialGap;  ///< instead of that of the geometry [length]
+
+  double compliance() const { return a.compliance + b.compliance; }
+  /// Share of face a in the change of curvature by which both faces fit each other when pressed together, as of two half-planes. One half
+  /// where compliances are not known.
+  double shareOfA() const { return compliance() > 0 ? a.compliance / compliance() : 0.5; }
+};
+
+/// Reads the list; an entry with a problem is left out. Local.
+/// \param problems  gets: an unknown or empty group; a face inside the material, or with branches or sharp corners; the same group on both
+///                  sides, or one body alone on both; a side in two contacts; sides of two and of three nodes in one face; a side B beside
+///                  an obstacle, or neither; a bad expression or obstacle
+std::vector<ContactSurface> readContact(const Mesh& mesh, const Parameters& contact, const Constants& constants, Problems& problems);
+
+}  // namespace suture
