@@ -98,13 +98,8 @@ void checkHeld(const Mesh& mesh, const Constraints& constraints, Problems& probl
                    "nothing holds this body: no Displacement or Bilateral condition and no contact line is on its boundary");
 }
 
-}  // namespace
-
-Constraints buildConstraints(const Mesh& mesh, const Parameters& conditionList, const Parameters& contactList, const Constants& constants,
-                             const ContactScales& scales) {
-  Problems problems;
-  const std::vector<Condition> conditions = readConditions(mesh, conditionList, constants, problems);
-  std::vector<ContactSurface> contacts = readContact(mesh, contactList, constants, problems);
+Constraints build(const Mesh& mesh, const std::vector<Condition>& conditions, std::vector<ContactSurface> contacts, const ContactScales& scales,
+                  Problems& problems) {
   for (ContactSurface& contact : contacts)
     for (ContactFace* face : {&contact.a, &contact.b}) face->compliance = complianceOf(mesh, *face, scales);
   checkRoles(mesh, conditions, contacts, problems);
@@ -129,6 +124,22 @@ Constraints buildConstraints(const Mesh& mesh, const Parameters& conditionList, 
   problems.throwIfAny();
   addContactFrames(constraints.pairs, constraints.rules);
   return constraints;
+}
+
+}  // namespace
+
+Constraints buildConstraints(const Mesh& mesh, const std::vector<Condition>& conditions, const std::vector<Contact>& contacts,
+                             const ContactScales& scales) {
+  Problems problems;
+  const std::vector<Condition> sound = conditionsOn(mesh, conditions, problems);
+  return build(mesh, sound, contactsOn(mesh, contacts, problems), scales, problems);
+}
+
+Constraints buildConstraints(const Mesh& mesh, const Parameters& conditionList, const Parameters& contactList, const Constants& constants,
+                             const ContactScales& scales) {
+  Problems problems;
+  const std::vector<Condition> sound = readConditions(mesh, conditionList, constants, problems);
+  return build(mesh, sound, readContact(mesh, contactList, constants, problems), scales, problems);
 }
 
 std::vector<std::vector<int>> neighbourPairs(const std::vector<std::vector<int>>& cells, int pairs) {

@@ -1,7 +1,9 @@
 #pragma once
 #include <suture/base/Expression.hpp>
 #include <suture/base/scene/Schema.hpp>
+#include <suture/constraints/Conditions.hpp>
 #include <suture/constraints/Constraints.hpp>
+#include <suture/constraints/ContactSurface.hpp>
 #include <suture/mesh/Mesh.hpp>
 
 #include <functional>
@@ -17,24 +19,28 @@ Schema contactSchema();
 struct ContactScales {
   /// Compliance of the material of an element under contact pressure: (1 - nu^2) / E, in plane stress 1 / E [1 / stress]. If it is empty
   /// all bodies count as equally compliant, and pressure errors are not estimated.
-  std::function<double(int element)> compliance;
+  std::function<double(const Mesh& mesh, int element)> compliance;
   std::string lengthUnit;  ///< for notes, as "mm"
 };
 
-/// Turns the scene's boundary conditions and contact lines into nodal rules, pairs and pieces. Local (rank 0).
+/// Turns boundary conditions and contacts into nodal rules, pairs and pieces. Local (rank 0).
 ///
 /// Nodal rules: each condition gives rows (direction, value) at its nodes: Displacement a row a prescribed component, Bilateral the row
 /// (averaged outward normal, 0). At a node where several meet, equal directions with equal values pass; a second independent direction
 /// fixes the node; contradictory ones are an error. A contact node without prescribed component gets the axes (normal, tangent) of
 /// its pair if it is in exactly one; with a prescribed component its rule stays as it is (the contact row is then scaled, not rotated).
 ///
-/// \param conditions  the scene's list `Boundary Conditions`;  \param contact  the scene's list `Contact`
-/// \param constants  for their expressions;  \param scales  stiffer bodies keep more of their shape when pressed together
+/// \param scales  stiffer bodies keep more of their shape when pressed together
 /// \throws InputError  all of: unknown group (nearest, known); a group used in contradictory roles (contact side and displacement on the
 ///                     whole of it, both sides of one contact the same group or the same body, a side in two contacts); sides that do
 ///                     not match (how many nodes on each, how many without partner, how far); a side that is not on the boundary;
 ///                     contradictory prescribed values (place, the two conditions); an expression that cannot be read, or has no finite
 ///                     value (place).
+Constraints buildConstraints(const Mesh& mesh, const std::vector<Condition>& conditions, const std::vector<Contact>& contacts,
+                             const ContactScales& scales = {});
+
+/// The same of a scene file. \param conditions  its list `Boundary Conditions` \param contact  its list `Contact` \param constants  for
+/// their expressions
 Constraints buildConstraints(const Mesh& mesh, const Parameters& conditions, const Parameters& contact, const Constants& constants = {},
                              const ContactScales& scales = {});
 

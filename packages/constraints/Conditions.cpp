@@ -18,6 +18,44 @@ const std::vector<std::pair<std::string, Condition::Type>>& types() {
   return all;
 }
 
+std::string nameOf(Condition::Type type) {
+  for (const auto& [name, known] : types())
+    if (known == type) return name;
+  throw InternalError("a type of boundary condition without a name");
+}
+
+/// Groups and bodies of a condition, against those of the mesh.
+void checkPlace(const Mesh& mesh, const Condition& condition, Problems& problems) {
+  const auto wrong = [&](const std::string& parameter, const std::string& what) { problems.add(condition.path + "/" + parameter, what); };
+  if (condition.onBody()) {
+    if (!condition.body.empty() && std::find(mesh.bodies.begin(), mesh.bodies.end(), condition.body) == mesh.bodies.end())
+      wrong("Body", unknownName("body", condition.body, mesh.bodies));
+    return;
+  }
+  if (condition.groups.empty())
+    wrong("Group",
+          "is missing: a " + nameOf(condition.type) + " needs a curve group. Curve groups: " + joinNames(mesh.sideGroupNames()));
+  for (const std::string& group : condition.groups) {
+    const auto found = mesh.sideGroups.find(group);
+    if (found == mesh.sideGroups.end())
+      wrong("Group", unknownCurve(mesh, group));
+    else if (found->second.empty())
+      wrong("Group", "the curve group '" + group + "' of the mesh " + mesh.source + " is empty");
+  }
+}
+
+/// Components and data of a displacement made in C++; a scene file has only sound ones.
+void checkComponents(const Mesh& mesh, const Condition& condition, Problems& problems) {
+  const std::size_t count = condition.components.size(),
+                    given = condition.data.expressions.empty() ? condition.data.values.size() : condition.data.expressions.size();
+  const bool known =
+      std::all_of(condition.components.begin(), condition.components.end(), [&](int k) { return k >= 0 && k < mesh.dimension; });
+  if (count == 0 || !known)
+    problems.add(condition.path + "/Components", "expected components between 0 and " + std::to_string(mesh.dimension - 1));
+  if (given != count)
+    problems.add(condition.path + "/Value", std::to_string(given) + " values for " + std::to_string(count) + " components");
+}
+
 /// Checks one entry against the form of its type.
 class Entry {
  public:
@@ -43,26 +81,14 @@ class Entry {
   void wrong(const std::string& parameter, const std::string& what) { problems_.add(pathOf(list_, parameter), what); }
 
   void readPlace() {
-    const bool body = condition_.type == Type::BodyForce || condition_.type == Type::RandomLoad;
     condition_.groups = groupNames(list_, "Group");
-    if (list_.isParameter("Group") && body)
+    if (list_.isParameter("Group") && condition_.onBody())
       wrong("Group", "a " + typeName_ + " acts on a body, not on a curve group; name it in Body, or leave it out for all bodies");
-    else if (condition_.groups.empty() && !body)
-      wrong("Group", "is missing: a " + typeName_ + " needs a curve group. Curve groups: " + joinNames(mesh_.sideGroupNames()));
-    else
-      for (const std::string& group : condition_.groups) {
-        const auto found = mesh_.sideGroups.find(group);
-        if (found == mesh_.sideGroups.end())
-          wrong("Group", unknownCurve(mesh_, group));
-        else if (found->second.empty())
-          wrong("Group", "the curve group '" + group + "' of the mesh " + mesh_.source + " is empty");
-      }
-    if (!list_.isParameter("Body")) return;
-    const std::string name = list_.get<std::string>("Body");
-    if (!body)
+    if (list_.isParameter("Body") && !condition_.onBody())
       wrong("Body", "only a Body Force or a Random Load has it; found in a " + typeName_);
-    else if (std::find(mesh_.bodies.begin(), mesh_.bodies.end(), name) == mesh_.bodies.end())
-      wrong("Body", unknownName("body", name, mesh_.bodies));
+    else if (list_.isParameter("Body"))
+      condition_.body = list_.get<std::string>("Body");
+    checkPlace(mesh_, condition_, problems_);
   }
 
   void readComponents() {
@@ -105,6 +131,33 @@ class Entry {
 };
 
 }  // namespace
+
+Condition Condition::displacement(const std::string& group, const std::vector<double>& values, const std::vector<int>& components) {
+  Condition condition;
+  condition.name = group, condition.path = "Boundary Conditions/" + group;
+  condition.type = Type::Displacement;
+  condition.groups = {group};
+  condition.components = components;
+  condition.data.values = values;
+  return condition;
+}
+
+Condition Condition::bilateral(const std::string& group) {
+  Condition condition = displacement(group, {}, {});
+  condition.type = Type::Bilateral;
+  return condition;
+}
+
+std::vector<Condition> conditionsOn(const Mesh& mesh, const std::vector<Condition>& conditions, Problems& problems) {
+  std::vector<Condition> sound;
+  for (const Condition& condition : conditions) {
+    const std::size_t before = problems.list().size();
+    checkPlace(mesh, condition, problems);
+    if (condition.type == Condition::Type::Displacement) checkComponents(mesh, condition, problems);
+    if (problems.list().size() == before) sound.push_back(condition);
+  }
+  return sound;
+}
 
 std::string unknownCurve(const Mesh& mesh, const std::string& group) {
   return "in the mesh " + mesh.source + ": " + unknownName("curve group", group, mesh.sideGroupNames());

@@ -8,7 +8,7 @@
 
 namespace suture {
 
-/// One entry of the scene's list `Boundary Conditions`, its form checked.
+/// One boundary condition: an entry of the scene's list `Boundary Conditions`, or made in C++.
 struct Condition {
   enum class Type { Displacement, Bilateral, Traction, Pressure, BodyForce, RandomLoad };
   std::string name;
@@ -17,13 +17,23 @@ struct Condition {
   std::vector<std::string> groups;  ///< curve groups; none for a body force or random load
   std::vector<int> components;      ///< prescribed by a Displacement
   ConditionData data;               ///< data of each component, of loads as well; none for Bilateral and RandomLoad
+  std::string body;                 ///< of a body force or random load; empty: all bodies
 
   bool holds() const { return type == Type::Displacement || type == Type::Bilateral; }
+  bool onBody() const { return type == Type::BodyForce || type == Type::RandomLoad; }
+
+  /// Displacements given on a curve group. \param values  one a component [length] \param components  the prescribed ones, ascending
+  static Condition displacement(const std::string& group, const std::vector<double>& values, const std::vector<int>& components = {0, 1});
+  /// Normal displacement zero, free to slide.
+  static Condition bilateral(const std::string& group);
 };
 
+/// Those that the mesh has a place for. Local. \param problems  gets: a group or body that the mesh does not have, an empty group,
+/// components and values of different numbers
+std::vector<Condition> conditionsOn(const Mesh& mesh, const std::vector<Condition>& conditions, Problems& problems);
+
 /// Reads the list; an entry with a problem is left out. Local.
-/// \param problems  gets: a group or body that the mesh does not have, a parameter that the type does not take or lacks, a wrong number of
-/// values, a bad
+/// \param problems  gets: what conditionsOn() finds, a parameter that the type does not take or lacks, a wrong number of values, a bad
 /// expression
 std::vector<Condition> readConditions(const Mesh& mesh, const Parameters& conditions, const Constants& constants, Problems& problems);
 

@@ -111,32 +111,35 @@ class Taken {
   std::map<std::pair<int, int>, std::string> pathOf_;  // (element, side)
 };
 
-/// How the two faces are coupled. \param rigid  an obstacle stands there instead of Side B
-void readCoupling(const Parameters& list, bool rigid, ContactSurface& surface, Problems& problems) {
-  const bool given = list.isParameter("Side B");
-  for (const char* side : {"Side A", "Side B"}) {
-    const std::vector<std::string> groups = groupNames(list, side);
-    if (list.isParameter(side) && (groups.empty() || std::count(groups.begin(), groups.end(), "") > 0))
-      problems.add(pathOf(list, side), "is empty; expected a curve group, or several as {left, right}");
-  }
-  if (given && rigid) problems.add(pathOf(list, "Side B"), "found beside an Obstacle; expected one of the two");
-  if (!given && !rigid) problems.add(pathOf(list, "Side B"), "is missing: expected a curve group on another body, or an Obstacle");
-  const std::string coupling = list.get<std::string>("Coupling"), carrier = list.get<std::string>("Multipliers On");
-  using Coupling = ContactSurface::Coupling;
-  using Carrier = ContactSurface::Carrier;
-  surface.coupling = coupling == "Mortar" ? Coupling::Mortar : coupling == "Matching Nodes" ? Coupling::MatchingNodes : Coupling::Automatic;
-  using Geometry = ContactSurface::Geometry;
-  const std::string geometry = list.get<std::string>("Geometry");
-  surface.geometry = geometry == "Smooth" ? Geometry::Smooth : geometry == "Facets" ? Geometry::Facets : Geometry::Automatic;
-  surface.carrier = carrier == "Side A" ? Carrier::SideA : carrier == "Side B" ? Carrier::SideB : Carrier::Automatic;
+/// That each face has groups, or an obstacle stands instead of face B.
+void checkGroups(const Contact& contact, Problems& problems) {
+  const auto lacksName = [](const std::vector<std::string>& groups) { return std::count(groups.begin(), groups.end(), "") > 0; };
+  const std::string pathA = contact.path + "/Side A", pathB = contact.path + "/Side B";
+  const std::string empty = "is empty; expected a curve group, or several as {left, right}";
+  if (contact.groupsA.empty() || lacksName(contact.groupsA)) problems.add(pathA, empty);
+  if (lacksName(contact.groupsB)) problems.add(pathB, empty);
+  if (!contact.groupsB.empty() && contact.obstacle) problems.add(pathB, "found beside an Obstacle; expected one of the two");
+  if (contact.groupsB.empty() && !contact.obstacle) problems.add(pathB, "is missing: expected a curve group on another body, or an Obstacle");
 }
 
-/// Sides of all groups that contact names.
-std::vector<Side> allSides(const Mesh& mesh, const Parameters& contact) {
+/// How the two faces are coupled.
+void readCoupling(const Parameters& list, Contact& contact) {
+  const std::string coupling = list.get<std::string>("Coupling"), carrier = list.get<std::string>("Multipliers On");
+  using Coupling = Contact::Coupling;
+  using Carrier = Contact::Carrier;
+  contact.coupling = coupling == "Mortar" ? Coupling::Mortar : coupling == "Matching Nodes" ? Coupling::MatchingNodes : Coupling::Automatic;
+  using Geometry = Contact::Geometry;
+  const std::string geometry = list.get<std::string>("Geometry");
+  contact.geometry = geometry == "Smooth" ? Geometry::Smooth : geometry == "Facets" ? Geometry::Facets : Geometry::Automatic;
+  contact.carrier = carrier == "Side A" ? Carrier::SideA : carrier == "Side B" ? Carrier::SideB : Carrier::Automatic;
+}
+
+/// Sides of all groups that contacts name.
+std::vector<Side> allSides(const Mesh& mesh, const std::vector<Contact>& contacts) {
   std::vector<Side> all;
-  for (const std::string& name : sublistNames(contact))
-    for (const char* which : {"Side A", "Side B"}) {
-      const std::vector<Side> own = sidesOf(mesh.sideGroups, groupNames(contact.sublist(name), which));
+  for (const Contact& contact : contacts)
+    for (const std::vector<std::string>* groups : {&contact.groupsA, &contact.groupsB}) {
+      const std::vector<Side> own = sidesOf(mesh.sideGroups, *groups);
       all.insert(all.end(), own.begin(), own.end());
     }
   return all;
@@ -148,33 +151,54 @@ std::string inBoth(const std::vector<std::string>& a, const std::vector<std::str
   return found == a.end() ? "" : *found;
 }
 
+Contact contactIn(const Parameters& list, const std::string& name, const Constants& constants, Problems& problems) {
+  Contact contact;
+  contact.name = name;
+  contact.path = pathOf(list);
+  contact.obstacle = Obstacle::read(list, constants, problems);
+  // One with a problem: what is said of the faces shall not depend on it.
+  if (list.get<std::string>("Obstacle") != "None" && !contact.obstacle) contact.obstacle = Obstacle(nullptr);
+  contact.initialGap = readExpression(list, "Initial Gap", constants, problems);
+  readCoupling(list, contact);
+  contact.tolerance = list.get<double>("Tolerance");
+  contact.groupsA = groupNames(list, "Side A");
+  contact.groupsB = groupNames(list, "Side B");
+  return contact;
+}
+
 }  // namespace
 
 std::string ContactFace::name() const { return quoted(groups); }
 
-std::vector<ContactSurface> readContact(const Mesh& mesh, const Parameters& contact, const Constants& constants, Problems& problems) {
+Contact Contact::between(const std::string& groupA, const std::string& groupB) {
+  Contact contact;
+  contact.name = groupA + " on " + groupB, contact.path = "Contact/" + contact.name;
+  contact.groupsA = {groupA}, contact.groupsB = {groupB};
+  return contact;
+}
+
+Contact Contact::with(const Obstacle& obstacle, const std::string& group) {
+  Contact contact;
+  contact.name = group, contact.path = "Contact/" + group;
+  contact.groupsA = {group};
+  contact.obstacle = obstacle;
+  return contact;
+}
+
+std::vector<ContactSurface> contactsOn(const Mesh& mesh, const std::vector<Contact>& contacts, Problems& problems) {
   std::vector<ContactSurface> surfaces;
-  const std::vector<std::string> names = sublistNames(contact);
-  if (names.empty()) return surfaces;
-  const SideTable table(mesh, allSides(mesh, contact));
+  if (contacts.empty()) return surfaces;
+  const SideTable table(mesh, allSides(mesh, contacts));
   Taken taken;
-  for (int number = 0; number < static_cast<int>(names.size()); ++number) {
-    const Parameters& list = contact.sublist(names[number]);
+  for (std::size_t number = 0; number < contacts.size(); ++number) {
     const std::size_t before = problems.list().size();
-    ContactSurface surface;
-    surface.number = number;
-    surface.name = names[number];
-    surface.path = pathOf(list);
-    surface.obstacle = Obstacle::read(list, constants, problems);
-    surface.initialGap = readExpression(list, "Initial Gap", constants, problems);
-    const bool rigid = list.get<std::string>("Obstacle") != "None";
-    readCoupling(list, rigid, surface, problems);
-    surface.tolerance = list.get<double>("Tolerance");
-    const std::string pathA = pathOf(list, "Side A"), pathB = pathOf(list, "Side B");
-    surface.a = FaceCheck(mesh, table, pathA, problems).read(groupNames(list, "Side A"));
-    surface.b = FaceCheck(mesh, table, pathB, problems).read(groupNames(list, "Side B"));
+    ContactSurface surface{contacts[number], int(number), {}, {}};
+    checkGroups(surface, problems);
+    const std::string pathA = surface.path + "/Side A", pathB = surface.path + "/Side B";
+    surface.a = FaceCheck(mesh, table, pathA, problems).read(surface.groupsA);
+    surface.b = FaceCheck(mesh, table, pathB, problems).read(surface.groupsB);
     const std::vector<int>& bodies = surface.a.bodies;
-    if (const std::string both = inBoth(surface.a.groups, surface.b.groups); !both.empty()) {
+    if (const std::string both = inBoth(surface.groupsA, surface.groupsB); !both.empty()) {
       problems.add(pathB, "'" + both + "' is Side A, too; expected the group on the other body");
     } else if (bodies.size() == 1 && bodies == surface.b.bodies) {
       problems.add(pathB, surface.b.name() + " is on the body '" + mesh.bodies[bodies[0]] + "', as Side A; contact is between two bodies");
@@ -184,6 +208,20 @@ std::vector<ContactSurface> readContact(const Mesh& mesh, const Parameters& cont
     }
     if (problems.list().size() == before) surfaces.push_back(std::move(surface));
   }
+  return surfaces;
+}
+
+std::vector<ContactSurface> readContact(const Mesh& mesh, const Parameters& contact, const Constants& constants, Problems& problems) {
+  std::vector<Contact> given;
+  std::vector<char> sound;
+  for (const std::string& name : sublistNames(contact)) {
+    const std::size_t before = problems.list().size();
+    given.push_back(contactIn(contact.sublist(name), name, constants, problems));
+    sound.push_back(problems.list().size() == before);
+  }
+  std::vector<ContactSurface> surfaces = contactsOn(mesh, given, problems);
+  surfaces.erase(std::remove_if(surfaces.begin(), surfaces.end(), [&](const ContactSurface& s) { return !sound[std::size_t(s.number)]; }),
+                 surfaces.end());
   return surfaces;
 }
 

@@ -26,13 +26,12 @@ struct ContactFace {
   std::string name() const;
 };
 
-/// One entry of the scene's list `Contact`, its faces checked each for itself and against the other entries.
-struct ContactSurface {
-  int number = -1;  ///< place in the list
+/// What a scene says about one contact: an entry of its list `Contact`, or made in C++.
+struct Contact {
   std::string name;
-  std::string path;         ///< "Contact/fault above"
-  ContactFace a, b;         ///< b is empty for a rigid obstacle
-  double tolerance = 1e-3;  ///< tangential distance of partners, as a fraction of the local mesh size
+  std::string path;                 ///< "Contact/fault above", for messages
+  std::vector<std::string> groupsA, groupsB;  ///< curve groups of the two faces; of face B none with an obstacle
+  double tolerance = 1e-3;          ///< tangential distance of partners, as a fraction of the local mesh size
   enum class Coupling { Automatic, MatchingNodes, Mortar } coupling = Coupling::Automatic;
   enum class Carrier { Automatic, SideA, SideB } carrier = Carrier::Automatic;  ///< face whose nodes carry a mortar's pairs
   /// Between which curves the gap of a mortar is taken, where elements are straight and the faces are not.
@@ -40,16 +39,30 @@ struct ContactSurface {
   std::optional<Obstacle> obstacle;      ///< instead of face b
   std::optional<Expression> initialGap;  ///< instead of that of the geometry [length]
 
+  /// Two faces that may touch.
+  static Contact between(const std::string& groupA, const std::string& groupB);
+  /// A face before a rigid obstacle.
+  static Contact with(const Obstacle& obstacle, const std::string& group);
+};
+
+/// A contact on the mesh, its faces checked each for itself and against the other contacts.
+struct ContactSurface : Contact {
+  int number = -1;   ///< place in the scene's list
+  ContactFace a, b;  ///< b is empty for a rigid obstacle
+
   double compliance() const { return a.compliance + b.compliance; }
   /// Share of face a in the change of curvature by which both faces fit each other when pressed together, as of two half-planes. One half
   /// where compliances are not known.
   double shareOfA() const { return compliance() > 0 ? a.compliance / compliance() : 0.5; }
 };
 
-/// Reads the list; an entry with a problem is left out. Local.
+/// Contacts on the mesh; one with a problem is left out. Local.
 /// \param problems  gets: an unknown or empty group; a face inside the material, or with branches or sharp corners; the same group on both
-///                  sides, or one body alone on both; a side in two contacts; sides of two and of three nodes in one face; a side B beside
-///                  an obstacle, or neither; a bad expression or obstacle
+///                  sides, or one body alone on both; a side in two contacts; sides of two and of three nodes in one face; a face B beside
+///                  an obstacle, or neither
+std::vector<ContactSurface> contactsOn(const Mesh& mesh, const std::vector<Contact>& contacts, Problems& problems);
+
+/// Reads the list; an entry with a problem is left out. Local. \param problems  gets what contactsOn() finds, and bad expressions and obstacles
 std::vector<ContactSurface> readContact(const Mesh& mesh, const Parameters& contact, const Constants& constants, Problems& problems);
 
 }  // namespace suture

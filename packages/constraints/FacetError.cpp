@@ -31,7 +31,7 @@ double complianceOf(const Mesh& mesh, const ContactFace& face, const ContactScal
   if (face.empty() || !scales.compliance) return 0.0;
   const std::vector<Side> sides = sidesOf(mesh.sideGroups, face.groups);
   double sum = 0.0;
-  for (const Side& side : sides) sum += scales.compliance(side.element);
+  for (const Side& side : sides) sum += scales.compliance(mesh, side.element);
   return sum / double(sides.size());
 }
 

@@ -25,20 +25,13 @@ std::optional<Obstacle> lineIn(const Parameters& own, Problems& problems) {
     problems.add(pathOf(own, "Normal"), "has no length; expected the direction out of the obstacle, towards the body");
     return std::nullopt;
   }
-  const Point into = unit({-outward[0], -outward[1], 0});
-  return Obstacle([=](const Point& point) { return Obstacle::Foot{into, dot(minus(through, point), into)}; });
+  return Obstacle::line(through, outward);
 }
 
 std::optional<Obstacle> circleIn(const Parameters& own, Problems& problems) {
   const Point centre = pointIn(own, "Centre", problems);
   if (!problems.empty()) return std::nullopt;
-  const double radius = own.get<double>("Radius"), sign = own.get<bool>("Hollow") ? -1.0 : 1.0;
-  return Obstacle([=](const Point& point) {
-    const Point way = minus(centre, point);
-    const double distance = norm(way);
-    if (distance == 0) return Obstacle::Foot{{0, -1, 0}, -sign * radius};
-    return Obstacle::Foot{unit({sign * way[0], sign * way[1], 0}), sign * (distance - radius)};
-  });
+  return Obstacle::circle(centre, own.get<double>("Radius"), own.get<bool>("Hollow"));
 }
 
 // By central differences of fourth order. The step balances their error with rounding: eps^(1/5) of the scale.
@@ -62,6 +55,21 @@ std::optional<Obstacle> heightIn(const Parameters& own, const Constants& constan
 }
 
 }  // namespace
+
+Obstacle Obstacle::line(const Point& through, const Point& outward) {
+  const Point into = unit({-outward[0], -outward[1], 0});
+  return Obstacle([=](const Point& point) { return Foot{into, dot(minus(through, point), into)}; });
+}
+
+Obstacle Obstacle::circle(const Point& centre, double radius, bool hollow) {
+  const double sign = hollow ? -1.0 : 1.0;
+  return Obstacle([=](const Point& point) {
+    const Point way = minus(centre, point);
+    const double distance = norm(way);
+    if (distance == 0) return Foot{{0, -1, 0}, -sign * radius};
+    return Foot{unit({sign * way[0], sign * way[1], 0}), sign * (distance - radius)};
+  });
+}
 
 std::map<std::string, Schema> Obstacle::choices() {
   return {{"None", Schema("the partner is Side B, on another body")},

@@ -20,6 +20,10 @@ class Obstacle {
     double gap = 0.0;       ///< way to its surface along the normal; negative inside [length]
   };
   explicit Obstacle(std::function<Foot(const Point&)> foot) : foot_(std::move(foot)) {}
+  /// A half-plane with this point on its surface. \param outward  out of it, towards the body, of any length but zero
+  static Obstacle line(const Point& through, const Point& outward);
+  /// A disc, or all but a disc. \param hollow  the body is inside the circle
+  static Obstacle circle(const Point& centre, double radius, bool hollow = false);
 
   /// \throws InputError  an expression without a finite value there. Local.
   Foot from(const Point& point) const { return foot_(point); }

@@ -114,20 +114,22 @@ Load loadOf(const Parameters& condition, const std::vector<std::string>& bodies,
   return load;
 }
 
+// \param number  of the law among those of the scene, from 1. \throws InputError  it is none
+void setLaw(Material& material, std::shared_ptr<const MaterialLaw> law, int number) {
+  const std::optional<IsotropicModuli> moduli = law->isotropic();
+  const auto [young, poisson] = moduli ? *moduli : nearestIsotropic(law->stiffness());
+  material.young = young;
+  material.poisson = poisson;
+  if (moduli) return;
+  material.law = std::move(law);
+  material.number = number;
+}
+
 // Reads the law of an entry of Materials; false if there is something wrong with it. `number`: of the entry, from 1.
 bool readLaw(const Parameters& entry, int number, Material& material, Problems& problems) {
   const std::string type = entry.get<std::string>("Type");
   try {
-    std::shared_ptr<const MaterialLaw> law =
-        Registry<MaterialLaw>::instance().make(type, entry.isSublist(type) ? entry.sublist(type) : entry);
-    const std::optional<IsotropicModuli> moduli = law->isotropic();
-    const auto [young, poisson] = moduli ? *moduli : nearestIsotropic(law->stiffness());
-    material.young = young;
-    material.poisson = poisson;
-    if (!moduli) {
-      material.law = std::move(law);
-      material.number = number;
-    }
+    setLaw(material, Registry<MaterialLaw>::instance().make(type, entry.isSublist(type) ? entry.sublist(type) : entry), number);
     return true;
   } catch (const InputError& error) {
     for (Problem problem : error.problems()) {
@@ -147,6 +149,10 @@ bool mayBeMixed(const Material& material) {
   return Eigen::LLT<Eigen::Matrix4d>(HookesLaw(mixed, PlaneModel::Strain).pointwise).info() == Eigen::Success;
 }
 
+bool isMixedOfItself(const Material& material, PlaneModel plane) {
+  return plane == PlaneModel::Strain && material.poisson > kLockingPoisson && !material.allowLocking && mayBeMixed(material);
+}
+
 // The material that the parameter `Material` of a list names.
 Material materialNamedIn(const Parameters& list, const Parameters& materials, PlaneModel plane, Problems& problems) {
   Material material;
@@ -162,8 +168,7 @@ Material materialNamedIn(const Parameters& list, const Parameters& materials, Pl
   const std::string element = textOf(own, "Element");
   material.named = !element.empty() && element != kAutomatic;
   material.allowLocking = own.isType<bool>("Allow Locking") && own.get<bool>("Allow Locking");
-  const bool locks = plane == PlaneModel::Strain && material.poisson > kLockingPoisson && !material.allowLocking;
-  if (element == kMixed || (!material.named && locks && mayBeMixed(material))) material.element = ElementForm::Mixed;
+  if (element == kMixed || (!material.named && isMixedOfItself(material, plane))) material.element = ElementForm::Mixed;
   if (element == kMixed && plane == PlaneModel::Strain && !mayBeMixed(material))
     problems.add(pathOf(own, "Element"), "Mixed, but without what couples its normal strains the law " + own.get<std::string>("Type") +
                                              " with these moduli is not positive definite. Choose Displacement");
@@ -177,6 +182,16 @@ const Material& ElasticModel::materialOf(const CellBlock& block, int element, in
   if (block.regions.empty()) throw InternalError("the scene has regions, but the mesh does not know which element is in which");
   const int region = block.regions[element];
   return region < 0 ? materialOfBody[body] : materialOfRegion[region];
+}
+
+void ElasticModel::addBody(const std::string& body, std::shared_ptr<const MaterialLaw> law) {
+  law->stiffness();  // throws
+  Material material;
+  material.name = body;
+  setLaw(material, std::move(law), int(bodies.size()) + 1);
+  if (isMixedOfItself(material, plane)) material.element = ElementForm::Mixed;
+  bodies.push_back(body);
+  materialOfBody.push_back(material);
 }
 
 bool ElasticModel::nearlyIncompressible() const {

@@ -54,6 +54,11 @@ struct Load {
   }
   Rule rule() const { return expressions.empty() ? Rule::Load : Rule::Data; }
 
+  static Load pressure(const std::string& group, double value) { return {Kind::Pressure, "", {value, 0, 0}, 0, {}, {group}}; }
+  static Load traction(const std::string& group, const Point& value) { return {Kind::Traction, "", value, 0, {}, {group}}; }
+  /// \param body  empty: all bodies
+  static Load bodyForce(const Point& value, const std::string& body = "") { return {Kind::BodyForce, body, value}; }
+
   /// Acts on bodies as a whole, not on sides.
   bool onBody() const { return kind == Kind::BodyForce || kind == Kind::Random; }
   /// True if a load on bodies acts on the body of this name.
@@ -69,6 +74,10 @@ struct ElasticModel {
   std::vector<Material> materialOfRegion;  ///< in the order of regionEntries(); empty for most scenes
   std::vector<Load> loads;
   ExactSolution exact;  ///< as far as the scene gives it
+
+  /// Adds a body, in C++: its elements are those that do not lock for the plane model set before.
+  /// \param body  its element group in the mesh \throws InputError  the law is none (MaterialLaw::stiffness)
+  void addBody(const std::string& body, std::shared_ptr<const MaterialLaw> law);
 
   /// Material of an element of a body: that of its region, or else the body's.
   /// \throws InternalError  the scene has regions but the mesh was not told (assignRegions).

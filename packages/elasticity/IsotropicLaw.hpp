@@ -10,6 +10,7 @@ class IsotropicLaw : public MaterialLaw {
   static Schema schema();
 
   explicit IsotropicLaw(const Parameters& own);
+  explicit IsotropicLaw(const IsotropicModuli& moduli) : moduli_(moduli) {}
   std::optional<IsotropicModuli> isotropic() const override { return moduli_; }
 
  protected:

@@ -10,18 +10,23 @@
 
 namespace suture {
 
-Schema sceneSchema() {
+namespace {
+
+/// \param inFile  mesh, bodies and materials are demanded
+Schema schemaOf(bool inFile) {
+  const int least = inFile ? 1 : 0;
   Schema scene("A scene: elastic bodies in equilibrium, in unilateral contact with each other.");
   scene.text("Title", "", "Printed and drawn; empty: the name of the file.");
   scene.text("Units", "m, N, Pa", "Names of the units of length, force and stress: recorded and printed, never converted.");
   addModelParameters(scene);
   scene.list("Constants", constantsSchema());
   scene.list("Functions", functionsSchema());
-  scene.list("Mesh", meshSchema(), true);
+  scene.list("Mesh", meshSchema(), inFile);
   Schema body = bodySchema();
   body.choice("Subdomain", "Elastic", Registry<Subdomain>::instance().schemas(), "The physics of the body's subdomains.");
-  scene.list("Bodies", Schema("The elastic bodies, each named as its element group in the mesh.").each("<body>", body, 1), true);
-  scene.list("Materials", Schema("Materials, named by the user.").each("<material>", materialSchema(), 1), true);
+  scene.list("Bodies", Schema("The elastic bodies, each named as its element group in the mesh.").each("<body>", body, least), inFile);
+  scene.list("Materials", Schema("Materials, named by the user.").each("<material>", materialSchema(), least),
+             inFile);
   scene.list("Boundary Conditions",
              Schema("Loads and supports, named by the user; several may meet at a node.").each("<condition>", boundaryConditionSchema()));
   scene.list("Contact", Schema("Contact lines, named by the user.").each("<line>", contactSchema()));
@@ -31,5 +36,10 @@ Schema sceneSchema() {
   scene.list("Output", outputSchema());
   return scene;
 }
+
+}  // namespace
+
+Schema sceneSchema() { return schemaOf(true); }
+Schema settingsSchema() { return schemaOf(false); }
 
 }  // namespace suture

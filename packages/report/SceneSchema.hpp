@@ -7,4 +7,7 @@ namespace suture {
 /// the strategies of plugins included that were loaded before. Local.
 Schema sceneSchema();
 
+/// Schema of the settings of a scene that is made in C++: as sceneSchema(), but nothing of the scene itself is demanded. Local.
+Schema settingsSchema();
+
 }  // namespace suture

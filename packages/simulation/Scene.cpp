@@ -1,13 +1,86 @@
+#include <suture/base/Collective.hpp>
 #include <suture/base/Expression.hpp>
 #include <suture/constraints/BuildConstraints.hpp>
 #include <suture/mesh/MeshReader.hpp>
+#include <suture/report/SceneSchema.hpp>
 #include <suture/report/Units.hpp>
 #include <suture/simulation/NestedLevels.hpp>
 #include <suture/simulation/Scene.hpp>
 
+#include <Teuchos_Array.hpp>
 #include <Teuchos_ParameterList.hpp>
 
+#include <set>
+
 namespace suture {
+
+namespace {
+
+ContactScales scalesOf(const ElasticModel& model, const Parameters& settings) {
+  const auto compliance = [model](const Mesh& mesh, int element) {
+    return contactCompliance(model.materialOf(mesh, element, mesh.bodyOfElement[element]), model.plane);
+  };
+  return {compliance, unitsOf(settings).length};
+}
+
+/// A load as a condition: its place is checked as that of the others.
+Condition conditionOf(const Load& load, const std::string& name) {
+  Condition condition;
+  condition.name = name;
+  condition.path = "ElasticModel::loads/" + name;
+  using Type = Condition::Type;
+  condition.type = load.kind == Load::Kind::Traction    ? Type::Traction
+                   : load.kind == Load::Kind::Pressure  ? Type::Pressure
+                   : load.kind == Load::Kind::BodyForce ? Type::BodyForce
+                                                        : Type::RandomLoad;
+  condition.groups = load.groups;
+  condition.body = load.body;
+  return condition;
+}
+
+void checkLoads(const ElasticModel& model, Problems& problems) {
+  for (std::size_t i = 0; i < model.loads.size(); ++i) {
+    const Load& load = model.loads[i];
+    const std::size_t given = load.expressions.size(), wanted = load.kind == Load::Kind::Pressure ? 1 : 2;
+    if (given > 0 && (load.kind == Load::Kind::Random || given != wanted))
+      problems.add("ElasticModel::loads/" + std::to_string(i + 1),
+                   std::to_string(given) + " expressions; expected " +
+                       (load.kind == Load::Kind::Random ? "none, the load is random" : std::to_string(wanted)));
+  }
+}
+
+/// Lists of the scene file that later stages look up by the contacts' names, and the record of a run.
+void record(const std::vector<Contact>& contacts, Parameters& list, Problems& problems) {
+  std::set<std::string> names;
+  for (const Contact& contact : contacts) {
+    if (!names.insert(contact.name).second) problems.add("Contact/" + contact.name, "two contacts have this name");
+    Parameters& own = list.sublist(contact.name);
+    own.set("Side A", Teuchos::Array<std::string>(contact.groupsA));
+    if (!contact.groupsB.empty()) own.set("Side B", Teuchos::Array<std::string>(contact.groupsB));
+  }
+}
+
+}  // namespace
+
+Scene makeScene(const ElasticModel& model, const std::function<Mesh()>& mesh, const std::vector<Condition>& conditions,
+                const std::vector<Contact>& contacts, const std::vector<std::string>& settings) {
+  Scene scene;
+  scene.file = parseScene("<ParameterList name=\"Suture\"/>", "a scene made in C++", settingsSchema(), settings);
+  Problems problems;
+  if (model.bodies.empty()) problems.add("ElasticModel::bodies", "there are none: ElasticModel::addBody() adds one");
+  checkLoads(model, problems);
+  record(contacts, scene.file.parameters->sublist("Contact"), problems);
+  problems.throwIfAny();
+  scene.model = model;
+  for (const Contact& contact : contacts) scene.contacts.push_back(contact.name);
+  scene.mesh = [mesh](const Comm& comm) { return onRoot(comm, "making the mesh", mesh); };
+  std::vector<Condition> all = conditions;
+  for (std::size_t i = 0; i < model.loads.size(); ++i) all.push_back(conditionOf(model.loads[i], std::to_string(i + 1)));
+  scene.constraints = [all, contacts, scales = scalesOf(model, scene.settings())](const Mesh& whole) {
+    return buildConstraints(whole, all, contacts, scales);
+  };
+  return scene;
+}
 
 Scene sceneOf(const SceneFile& file) {
   Scene scene;
@@ -18,12 +91,8 @@ Scene sceneOf(const SceneFile& file) {
   scene.contacts = sublistNames(all->sublist("Contact"));
   scene.laws = ContactLaws(all->sublist("Contact"));
   scene.mesh = [all, folder = file.folder](const Comm& comm) { return readMesh(comm, all->sublist("Mesh"), folder); };
-  scene.constraints = [all, model = scene.model](const Mesh& mesh) {
-    const auto compliance = [&](int element) {
-      return contactCompliance(model.materialOf(mesh, element, mesh.bodyOfElement[element]), model.plane);
-    };
-    return buildConstraints(mesh, all->sublist("Boundary Conditions"), all->sublist("Contact"), sceneConstants(*all),
-                            {compliance, unitsOf(*all).length});
+  scene.constraints = [all, scales = scalesOf(scene.model, *all)](const Mesh& mesh) {
+    return buildConstraints(mesh, all->sublist("Boundary Conditions"), all->sublist("Contact"), sceneConstants(*all), scales);
   };
   for (const SceneFile& level : nestedLevels(file)) scene.levels.push_back(sceneOf(level));
   return scene;

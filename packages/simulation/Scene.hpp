@@ -1,6 +1,8 @@
 #pragma once
 #include <suture/base/scene/SceneReader.hpp>
+#include <suture/constraints/Conditions.hpp>
 #include <suture/constraints/Constraints.hpp>
+#include <suture/constraints/ContactSurface.hpp>
 #include <suture/elasticity/ElasticModel.hpp>
 #include <suture/mesh/Mesh.hpp>
 #include <suture/solver/MakeSubdomains.hpp>
@@ -30,5 +32,16 @@ struct Scene {
 /// The objects of a scene file. Local, the same on all ranks.
 /// \throws InputError  all that is wrong with materials, loads and levels of a nested start
 Scene sceneOf(const SceneFile& file);
+
+/// A scene made in C++. Local, the same on all ranks.
+/// \param model  plane model, bodies and materials (addBody), loads, exact solution
+/// \param mesh  called on rank 0; its element groups are the bodies, its side groups carry conditions, loads and contacts
+/// \param conditions  displacements; loads are the model's
+/// \param contacts  their names differ
+/// \param settings  of all packages, as assignments "Outer Solver/Tolerance=1e-10", checked as those of --set; the others have their
+/// defaults. A nested start takes its levels from Scene::levels.
+/// \throws InputError  all of: settings that are none, no bodies, loads with a wrong number of expressions, two contacts of one name
+Scene makeScene(const ElasticModel& model, const std::function<Mesh()>& mesh, const std::vector<Condition>& conditions,
+                const std::vector<Contact>& contacts, const std::vector<std::string>& settings = {});
 
 }  // namespace suture

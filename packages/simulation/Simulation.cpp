@@ -94,6 +94,8 @@ void Simulation::start(const std::string& restart) {
     start_ = readCheckpoint(*comm_, restart, cut_.whole.hash, cut_.meshes);
   else if (!scene_.levels.empty() && method_->takesStart())
     start_ = startFromLevels(comm_, scene_, cut_.meshes, monitor_);
+  else if (method_->takesStart() && scene_.settings().sublist("Outer Solver").get<std::string>("Start") == "Nested")
+    throw InputError("Outer Solver/Start", "Nested, but the scene has no coarser levels (Scene::levels)");
 }
 
 void Simulation::iterate() {

@@ -311,7 +311,8 @@ TEUCHOS_UNIT_TEST(MortarPairs, DoubtsPressuresByTheMaterialAlongTheSides) {
   for (const char* group : {"upper_bottom", "lower_top"})
     for (const Side& side : mesh.sideGroups.at(group)) along.insert(side.element);
   const auto doubt = [&](const std::function<double(int)>& compliance) {
-    return build(mesh, held, withGeometry("Side A", "Facets"), {compliance, ""}).pieces[0].pressureDoubt;
+    const auto here = [&](const Mesh&, int element) { return compliance(element); };
+    return build(mesh, held, withGeometry("Side A", "Facets"), {here, ""}).pieces[0].pressureDoubt;
   };
   const double uniform = doubt([](int) { return 2.0; });
   TEST_COMPARE(uniform, >, 0.0);

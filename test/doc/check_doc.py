@@ -157,11 +157,12 @@ def anchors(text):
 
 
 def checkLinks(root):
-    """Problems of relative links in Markdown files. Folders with names that begin with a dot or with 'build' are not the project's."""
+    """Problems of relative links in Markdown files. Hidden folders and those that a build has made are not the project's."""
     problems = []
+    made = {path.parent.name for path in root.glob("*/CMakeCache.txt")} | {path.parent.name for path in root.glob("*/CTestTestfile.cmake")}
     for page in sorted(root.rglob("*.md")):
         inside = page.relative_to(root)
-        if any(part.startswith((".", "build")) for part in inside.parts[:-1]):
+        if any(part.startswith(".") for part in inside.parts[:-1]) or inside.parts[0] in made:
             continue
         text = re.sub(r"^```.*?^```", lambda found: "\n" * found[0].count("\n"), page.read_text(), flags=re.S | re.M)
         for number, line in enumerate(text.splitlines(), 1):

@@ -26,10 +26,8 @@ struct Scene {
   void holdNode(int node, int component, double value);
   void hold(const std::string& group, int component, double value);
   void fixLower();
-  void pressure(const std::string& group, double value) {
-    model.loads.push_back({Load::Kind::Pressure, "", {value, 0, 0}, 0, {}, {group}});
-  }
-  void traction(const std::string& group, Point value) { model.loads.push_back({Load::Kind::Traction, "", value, 0, {}, {group}}); }
+  void pressure(const std::string& group, double value) { model.loads.push_back(Load::pressure(group, value)); }
+  void traction(const std::string& group, Point value) { model.loads.push_back(Load::traction(group, value)); }
 
   /// Another Young modulus, and the body's Poisson ratio, in an element group.
   void region(const std::string& group, double young);
