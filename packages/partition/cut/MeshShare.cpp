@@ -33,7 +33,7 @@ void takeAll(const Mesh& mesh, MeshShare& share) {
 }
 
 // Size of a share.
-struct Extent {
+struct ShareSize {
   std::size_t nodes = 0, elements = 0, corners = 0;
 };
 
@@ -41,7 +41,7 @@ struct Extent {
 struct ByRank {
   std::vector<std::vector<int>> nodes, elements;  // nodes and elements of each rank, ascending
   std::vector<int> local;                         // number of each node of the mesh among those of its rank
-  std::vector<Extent> extents;                    // sizes of each rank's share
+  std::vector<ShareSize> extents;                    // sizes of each rank's share
 
   ByRank(const Mesh& mesh, const std::vector<int>& rankOf, int ranks) : nodes(ranks), elements(ranks), local(mesh.nodes()), extents(ranks) {
     for (int node = 0; node < mesh.nodes(); ++node) {
@@ -92,7 +92,7 @@ struct Kind {
   bool axisymmetric = false, hasRegions = false;
 };
 
-void makeRoom(const Kind& kind, const Extent& extent, MeshShare& share) {
+void makeRoom(const Kind& kind, const ShareSize& extent, MeshShare& share) {
   share.own.dimension = kind.dimension;
   share.own.axisymmetric = kind.axisymmetric;
   share.own.coordinates.resize(extent.nodes * kind.dimension);
@@ -145,7 +145,7 @@ MeshShare shareBodies(const Comm& comm, const Mesh& mesh) {
     return mine;
   }
   const auto kind = unpacker.get<Kind>();
-  const auto extents = unpacker.get<std::vector<Extent>>();
+  const auto extents = unpacker.get<std::vector<ShareSize>>();
   // Rank by rank: beside the mesh there is never more than one share on the way. Ranks make room while rank 0 prepares the share that they
   // wait for.
   for (int to = 1; to < comm.getSize(); ++to) {
