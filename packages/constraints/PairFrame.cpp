@@ -1,5 +1,4 @@
 #include <suture/base/Point.hpp>
-#include <suture/constraints/BoundaryLine.hpp>
 #include <suture/constraints/PairFrame.hpp>
 
 #include <cmath>

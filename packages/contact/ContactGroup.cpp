@@ -7,12 +7,11 @@
 
 namespace suture {
 
-ContactGroup::ContactGroup(int id, std::vector<Member> members, const std::vector<GlobalId>& boundary, const LocalSolverMaker& solver,
-                           const ContactLaws& laws)
-    : id_(id), members_(std::move(members)), solver_(solver), boundary_(boundary) {
-  number(boundary);
+ContactGroup::ContactGroup(const Parts& parts)
+    : id_(parts.id), members_(parts.members), solver_(parts.solver), boundary_(parts.boundary) {
+  number(boundary_);
   assemble();
-  collectRows(laws);
+  collectRows(parts.laws);
 
   std::vector<int> interiorNodes;
   for (int i : interiorPositions_) interiorNodes.push_back(nodeOf_[i]);
@@ -154,7 +153,10 @@ Matrix ContactGroup::heldLoad(const Vector& trace) const {
 
 ContactGroup::Response ContactGroup::respond(const Vector& trace, const std::vector<ContactState>& start, const Vector& moved) const {
   Matrix v = heldLoad(trace);
-  ContactCompliance::State state = held_->solve(v, start, moved);
+  ContactCompliance::State state = doSolve(v, start, moved);
+  if (state.status.size() != pairs_.size() || state.force.size() != Eigen::Index(pairs_.size()))
+    throw InternalError("a contact group answers with " + std::to_string(state.status.size()) + " statuses and " +
+                        std::to_string(state.force.size()) + " forces of its " + std::to_string(pairs_.size()) + " pairs");
   Response response;
   response.status = std::move(state.status);
   response.force = std::move(state.force);
@@ -201,6 +203,26 @@ ContactGroup::Response ContactGroup::finish(const Vector& trace, const Vector& i
   response.energy =
       constantEnergy_ + 0.5 * response.displacement.dot(stiffness_ * response.displacement) - response.displacement.dot(load_);
   return response;
+}
+
+namespace {
+
+/// By ContactSearch.
+class ExactGroup final : public ContactGroup {
+ public:
+  using ContactGroup::ContactGroup;
+
+ protected:
+  ContactCompliance::State doSolve(LocalView v, const std::vector<ContactState>& start, const Vector& moved) const override {
+    return held().solve(v, start, moved);
+  }
+};
+
+}  // namespace
+
+void registerBuiltIns(Registry<ContactGroup>& registry) {
+  registry.add("Exact", Schema("the closed pairs of each trace to the last one, whatever they were before"),
+               [](const ContactGroup::Parts& parts, const Parameters&) { return std::make_unique<ExactGroup>(parts); });
 }
 
 }  // namespace suture

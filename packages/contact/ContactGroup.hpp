@@ -1,10 +1,12 @@
 #pragma once
 #include <suture/algebra/GeneralisedInverse.hpp>
+#include <suture/base/Registry.hpp>
 #include <suture/constraints/ContactLaw.hpp>
 #include <suture/contact/ContactCompliance.hpp>
 #include <suture/contact/ContactRows.hpp>
 #include <suture/subdomain/Subdomain.hpp>
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -12,17 +14,30 @@ namespace suture {
 
 /// All subdomains that touch a contact piece (or pieces that share a subdomain), together, whole on one rank: seams inside are eliminated
 /// with the interior, the group's boundary are the unknowns shared with other subdomains. Given the trace U there, it solves its own small
-/// contact problem (8), exactly, and answers with the flux S_*j(U) of (15). Local.
+/// contact problem (8), and answers with the flux S_*j(U) of (15). Local.
+///
+/// How the contact problem is solved is a strategy, `Condensed Groups/Contact Group`: Exact; a user's own derives, and writes doSolve().
 class ContactGroup {
  public:
+  static const char* kind() { return "contact group"; }
   struct Member {
     const Subdomain* subdomain;
   };
+  /// What a group is made of. Members must be assembled and outlive the group.
+  struct Parts {
+    int id = 0;
+    std::vector<Member> members;
+    std::vector<GlobalId> boundary;  ///< global numbers of the unknowns on the interface, ascending
+    LocalSolverMaker solver;
+    ContactLaws laws{};
+  };
+  using Maker = std::function<std::unique_ptr<ContactGroup>(const Parts& parts, const Parameters& own)>;
 
-  /// \param boundary  global numbers of the unknowns on the interface, ascending; members must be assembled and outlive the group
   /// \throws NumericalError
-  ContactGroup(int id, std::vector<Member> members, const std::vector<GlobalId>& boundary, const LocalSolverMaker& solver,
-               const ContactLaws& laws = {});
+  explicit ContactGroup(const Parts& parts);
+  virtual ~ContactGroup() = default;
+  ContactGroup(const ContactGroup&) = delete;
+  ContactGroup& operator=(const ContactGroup&) = delete;
 
   struct Response {
     Vector flux;                       ///< gradient of the least energy with respect to the trace, loads included [force]
@@ -68,6 +83,16 @@ class ContactGroup {
   /// prescribed, and on the boundary if it is held. (A hinge between two members is found, too.)
   Matrix rigidKernel(bool boundaryHeld) const;
 
+ protected:
+  /// The unilateral problem with the boundary held: forces and gaps >= 0, their product zero.
+  /// \param v  in: loads of the interior, one column; out: its displacements
+  /// \param start  a status to start with
+  /// \param moved  addition to the rows, which makes their gaps smaller; empty: none [length]
+  /// \throws NumericalError  there is no equilibrium, or none was found
+  virtual ContactCompliance::State doSolve(LocalView v, const std::vector<ContactState>& start, const Vector& moved) const = 0;
+  /// The rows in the unknowns of the interior.
+  const ContactRows& heldRows() const { return interiorRows_; }
+
  private:
   int placeOf(GlobalId dof) const;
   void number(const std::vector<GlobalId>& boundary);
@@ -95,5 +120,7 @@ class ContactGroup {
   mutable std::unique_ptr<GeneralisedInverse> floatingInverse_;
   mutable std::unique_ptr<ContactCompliance> floating_;
 };
+
+void registerBuiltIns(Registry<ContactGroup>& registry);
 
 }  // namespace suture

@@ -4,6 +4,7 @@
 
 #include <Teuchos_Comm.hpp>
 #include <Teuchos_CommHelpers.hpp>
+#include <Teuchos_ParameterList.hpp>
 #include <Tpetra_MultiVector.hpp>
 
 #include <algorithm>
@@ -51,7 +52,7 @@ int closedPairs(const std::vector<ContactState>& status) {
 }  // namespace
 
 CondensedProblem::CondensedProblem(CommPtr comm, const Partition& partition, const std::vector<std::unique_ptr<Subdomain>>& subdomains,
-                                   const LocalSolverMaker& solver, const SchurMaker& schur, ContactLaws laws)
+                                   const LocalSolverMaker& solver, const SchurMaker& schur, ContactLaws laws, const GroupMaker& make)
     : comm_(std::move(comm)), subdomains_(subdomains), laws_(std::move(laws)), subdomainCount_(partition.subdomains()) {
   InterfaceLayout layout;
   const double softest = softestStiffness(*comm_, subdomains);
@@ -81,7 +82,8 @@ CondensedProblem::CondensedProblem(CommPtr comm, const Partition& partition, con
       if (all.size() != partition.groups[group].size()) throw InternalError("a contact group does not live whole on one rank");
       std::sort(boundary.begin(), boundary.end());
       boundary.erase(std::unique(boundary.begin(), boundary.end()), boundary.end());
-      groups_.push_back(std::make_unique<ContactGroup>(group, std::move(all), boundary, solver, laws_));
+      const ContactGroup::Parts parts{group, std::move(all), boundary, solver, laws_};
+      groups_.push_back(make ? make(parts) : Registry<ContactGroup>::instance().make("Exact", parts, Parameters()));
       groupMembers_.push_back(places);
       layout.boundaries.push_back(boundary);
       layout.locals.push_back(partition.subdomains() + group);

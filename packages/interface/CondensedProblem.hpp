@@ -16,11 +16,13 @@ namespace suture {
 class CondensedProblem : public InterfaceProblem {
  public:
   using SchurMaker = std::function<std::unique_ptr<SchurComplement>()>;
+  using GroupMaker = std::function<std::unique_ptr<ContactGroup>(const ContactGroup::Parts&)>;
 
   /// \param subdomains  of this rank, assembled, in ascending order of ids; they must outlive the problem
+  /// \param group  how groups are made; empty: Exact
   /// Collective. \throws NumericalError
   CondensedProblem(CommPtr comm, const Partition& partition, const std::vector<std::unique_ptr<Subdomain>>& subdomains,
-                   const LocalSolverMaker& solver, const SchurMaker& schur, ContactLaws laws = {});
+                   const LocalSolverMaker& solver, const SchurMaker& schur, ContactLaws laws = {}, const GroupMaker& group = {});
 
   const std::shared_ptr<const InterfaceSpace>& space() const override { return space_; }
   InterfaceState initialState() const override;

@@ -29,6 +29,7 @@ namespace {
 
 constexpr const char* kOnTheInterface = "Contact On The Interface";
 constexpr const char* kMemoryLimit = "Memory Limit";
+constexpr const char* kGroup = "Contact Group";
 
 class ContactOnTheInterface : public Formulation {
  public:
@@ -54,9 +55,11 @@ class CondensedGroups : public Formulation {
         .real(kMemoryLimit, 4096.0,
               "A group whose factors are estimated to take more is refused before it is factored: it lives on one rank, however many "
               "there are.",
-              Range::positive(), "MB");
+              Range::positive(), "MB")
+        .choice(kGroup, "Exact", Registry<ContactGroup>::instance().schemas(), "How a group finds its closed pairs for a given trace.");
   }
-  explicit CondensedGroups(const Parameters& own) : limit_(own.get<double>(kMemoryLimit)), path_(pathOf(own, kMemoryLimit)) {}
+  explicit CondensedGroups(const Parameters& own)
+      : own_(own), limit_(own.get<double>(kMemoryLimit)), path_(pathOf(own, kMemoryLimit)) {}
   bool keepsGroupsWhole() const override { return true; }
   bool hidesContact() const override { return true; }
   std::string outerSolver() const override { return "Semismooth Newton"; }
@@ -66,7 +69,8 @@ class CondensedGroups : public Formulation {
                                            const std::vector<std::unique_ptr<Subdomain>>& subdomains, const LocalAlgebra& algebra,
                                            const ContactLaws& laws) const override {
     checkMemory(*comm, partition, subdomains);
-    return std::make_unique<CondensedProblem>(comm, partition, subdomains, algebra.solver, algebra.schur, laws);
+    const auto make = [&](const ContactGroup::Parts& parts) { return makeStrategy<ContactGroup>(own_, kGroup, parts); };
+    return std::make_unique<CondensedProblem>(comm, partition, subdomains, algebra.solver, algebra.schur, laws, make);
   }
 
  private:
@@ -94,6 +98,7 @@ class CondensedGroups : public Formulation {
     });
   }
 
+  Parameters own_;
   double limit_;  // megabytes
   std::string path_;
 };

@@ -173,7 +173,7 @@ std::vector<SeamEntity> EntityGraph::Finder::entities() {
   findLinks();
   bool crossed = false;
   for (std::size_t i = 0; i < ids_.size(); ++i)
-    if (kind_[i] == EntityKind::Edge && links_[i].size() > 2) crossed = single_[i] = 1;
+    if (kind_[i] == EntityKind::Edge && links_[i].size() > 2) crossed = true, single_[i] = 1;
   if (crossed) findLinks();
 
   DisjointSets sets(static_cast<int>(ids_.size()));

@@ -1,3 +1,4 @@
+#include <Teuchos_ParameterList.hpp>
 #include <contact/GroupScenes.hpp>
 
 namespace suture::blocks {
@@ -15,7 +16,7 @@ GroupOf::GroupOf(const Scene& given, const std::string& solver) : scene(given), 
   }
   std::sort(boundary.begin(), boundary.end());
   boundary.erase(std::unique(boundary.begin(), boundary.end()), boundary.end());
-  group = std::make_unique<ContactGroup>(0, list, boundary, localSolver(solver));
+  group = Registry<ContactGroup>::instance().make("Exact", ContactGroup::Parts{0, list, boundary, localSolver(solver)}, Parameters());
 }
 
 std::map<GlobalId, Point> GroupOf::displacements(const ContactGroup::Response& response) const {
