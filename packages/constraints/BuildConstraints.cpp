@@ -98,8 +98,8 @@ void checkHeld(const Mesh& mesh, const Constraints& constraints, Problems& probl
                    "nothing holds this body: no Displacement or Bilateral condition and no contact line is on its boundary");
 }
 
-Constraints build(const Mesh& mesh, const std::vector<Condition>& conditions, std::vector<ContactSurface> contacts, const ContactScales& scales,
-                  Problems& problems) {
+Constraints build(const Mesh& mesh, const std::vector<Condition>& conditions, std::vector<ContactSurface> contacts,
+                  const ContactScales& scales, Problems& problems) {
   for (ContactSurface& contact : contacts)
     for (ContactFace* face : {&contact.a, &contact.b}) face->compliance = complianceOf(mesh, *face, scales);
   checkRoles(mesh, conditions, contacts, problems);

@@ -33,8 +33,7 @@ void checkPlace(const Mesh& mesh, const Condition& condition, Problems& problems
     return;
   }
   if (condition.groups.empty())
-    wrong("Group",
-          "is missing: a " + nameOf(condition.type) + " needs a curve group. Curve groups: " + joinNames(mesh.sideGroupNames()));
+    wrong("Group", "is missing: a " + nameOf(condition.type) + " needs a curve group. Curve groups: " + joinNames(mesh.sideGroupNames()));
   for (const std::string& group : condition.groups) {
     const auto found = mesh.sideGroups.find(group);
     if (found == mesh.sideGroups.end())
@@ -179,6 +178,7 @@ Schema boundaryConditionSchema() {
   return Schema("one boundary condition; several may meet at a corner")
       .texts("Group", std::nullopt,
              "curve group of the mesh on which it acts, or several as {left, right}; not for a Body Force or Random Load")
+      .orOne()
       .optional()
       .oneOf("Type", std::nullopt, names,
              "Displacement: given; Bilateral: normal displacement zero, free to slide; Traction: force vector on an area of the undeformed "

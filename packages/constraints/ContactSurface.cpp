@@ -119,7 +119,8 @@ void checkGroups(const Contact& contact, Problems& problems) {
   if (contact.groupsA.empty() || lacksName(contact.groupsA)) problems.add(pathA, empty);
   if (lacksName(contact.groupsB)) problems.add(pathB, empty);
   if (!contact.groupsB.empty() && contact.obstacle) problems.add(pathB, "found beside an Obstacle; expected one of the two");
-  if (contact.groupsB.empty() && !contact.obstacle) problems.add(pathB, "is missing: expected a curve group on another body, or an Obstacle");
+  if (contact.groupsB.empty() && !contact.obstacle)
+    problems.add(pathB, "is missing: expected a curve group on another body, or an Obstacle");
 }
 
 /// How the two faces are coupled.
@@ -231,7 +232,9 @@ Schema contactSchema() {
           "Side A", std::nullopt,
           "curve group of the mesh, or several as {left, right}, on one or several bodies; the normal points from here to Side B or into "
           "the obstacle")
+      .orOne()
       .texts("Side B", std::nullopt, "curve group of the mesh, or several, on other bodies; none with an Obstacle")
+      .orOne()
       .optional()
       .choice("Law", Frictionless::kName, Registry<ContactLaw>::instance().schemas(), "which forces the two sides exert on each other")
       .choice("Obstacle", "None", Obstacle::choices(), "what stands against Side A instead of a second body")

@@ -29,9 +29,9 @@ struct ContactFace {
 /// What a scene says about one contact: an entry of its list `Contact`, or made in C++.
 struct Contact {
   std::string name;
-  std::string path;                 ///< "Contact/fault above", for messages
+  std::string path;                           ///< "Contact/fault above", for messages
   std::vector<std::string> groupsA, groupsB;  ///< curve groups of the two faces; of face B none with an obstacle
-  double tolerance = 1e-3;          ///< tangential distance of partners, as a fraction of the local mesh size
+  double tolerance = 1e-3;                    ///< tangential distance of partners, as a fraction of the local mesh size
   enum class Coupling { Automatic, MatchingNodes, Mortar } coupling = Coupling::Automatic;
   enum class Carrier { Automatic, SideA, SideB } carrier = Carrier::Automatic;  ///< face whose nodes carry a mortar's pairs
   /// Between which curves the gap of a mortar is taken, where elements are straight and the faces are not.
@@ -62,7 +62,8 @@ struct ContactSurface : Contact {
 ///                  an obstacle, or neither
 std::vector<ContactSurface> contactsOn(const Mesh& mesh, const std::vector<Contact>& contacts, Problems& problems);
 
-/// Reads the list; an entry with a problem is left out. Local. \param problems  gets what contactsOn() finds, and bad expressions and obstacles
+/// Reads the list; an entry with a problem is left out. Local. \param problems  gets what contactsOn() finds, and bad expressions and
+/// obstacles
 std::vector<ContactSurface> readContact(const Mesh& mesh, const Parameters& contact, const Constants& constants, Problems& problems);
 
 }  // namespace suture

@@ -1,5 +1,5 @@
-#include <suture/base/scene/SceneReader.hpp>
 #include <suture/base/Point.hpp>
+#include <suture/base/scene/SceneReader.hpp>
 #include <suture/constraints/Obstacle.hpp>
 
 #include <Teuchos_Array.hpp>

@@ -7,8 +7,7 @@
 
 namespace suture {
 
-ContactGroup::ContactGroup(const Parts& parts)
-    : id_(parts.id), members_(parts.members), solver_(parts.solver), boundary_(parts.boundary) {
+ContactGroup::ContactGroup(const Parts& parts) : id_(parts.id), members_(parts.members), solver_(parts.solver), boundary_(parts.boundary) {
   number(boundary_);
   assemble();
   collectRows(parts.laws);

@@ -36,8 +36,7 @@ LinearisedGroup::LinearisedGroup(int id, const ContactGroup& group, const std::v
       group_(group),
       status_(status),
       held_(group.held(), status),
-      diagonal_(size()),
-      young_(Vector::Zero(size())) {
+      diagonal_(size()) {
   if (held_.kernel().cols() > 0) {
     std::ostringstream text;
     text << name() << ": " << held_.kernel().cols() << " rigid motion(s) are held neither by the group's boundary nor by its closed pairs";
@@ -46,19 +45,6 @@ LinearisedGroup::LinearisedGroup(int id, const ContactGroup& group, const std::v
   atRest_ = group.respondLinear(Vector::Zero(size()), held_);
   const std::vector<int>& positions = group.boundaryPositions();
   for (int i = 0; i < size(); ++i) diagonal_(i) = group.stiffness().coeff(positions[i], positions[i]);
-  std::vector<int> boundaryOf(group.dofs(), -1);
-  for (int i = 0; i < size(); ++i) boundaryOf[positions[i]] = i;
-  for (std::size_t m = 0; m < group.members().size(); ++m) {
-    const std::vector<int>& at = group.positionsOf(static_cast<int>(m));
-    const Vector young = group.members()[m].subdomain->youngModulus();
-    for (std::size_t i = 0; i < at.size(); ++i)
-      if (boundaryOf[at[i]] >= 0) young_(boundaryOf[at[i]]) = std::max(young_(boundaryOf[at[i]]), young(i));
-    const Vector& shear = group.members()[m].subdomain->shearDiagonal();
-    if (shear.size() == 0) continue;
-    if (shear_.size() == 0) shear_ = Vector::Zero(size());
-    for (std::size_t i = 0; i < at.size(); ++i)
-      if (boundaryOf[at[i]] >= 0) shear_(boundaryOf[at[i]]) += shear(i);
-  }
 }
 
 void LinearisedGroup::applySchur(ConstLocalView trace, LocalView flux) const {
@@ -76,34 +62,35 @@ const ContactCompliance::Closed& LinearisedGroup::floating() const {
 }
 
 const Matrix& LinearisedGroup::kernel() const {
-  coarseModes();
-  return kernel_;
+  if (!kernel_) kernel_ = rowsAt(floating().kernel(), group_.boundaryPositions());
+  return *kernel_;
 }
 
-const Matrix& LinearisedGroup::coarseModes() const {
-  if (modesMade_) return coarseModes_;
-  modesMade_ = true;
-  const std::vector<int>& positions = group_.boundaryPositions();
-  kernel_ = rowsAt(floating().kernel(), positions);
+Matrix LinearisedGroup::doHint(const std::string& name) const {
   std::vector<int> boundaryOf(group_.dofs(), -1);
-  for (int i = 0; i < size(); ++i) boundaryOf[positions[i]] = i;
-  std::vector<Matrix> modesOf;
-  int columns = 0;
-  for (const ContactGroup::Member& member : group_.members()) {
-    modesOf.push_back(member.subdomain->coarseModes());
-    columns += static_cast<int>(modesOf.back().cols());
-  }
-  coarseModes_ = Matrix::Zero(size(), columns + kernel_.cols());
-  int column = 0;
+  for (int i = 0; i < size(); ++i) boundaryOf[group_.boundaryPositions()[i]] = i;
+  Matrix joined(size(), 0);
   for (std::size_t m = 0; m < group_.members().size(); ++m) {
-    const Matrix& modes = modesOf[m];
+    const Hint hint = group_.members()[m].subdomain->hint(name);
+    if (hint.empty()) continue;
+    const Eigen::Index columns = hint.values.cols(), before = hint.join == Hint::Join::Columns ? joined.cols() : 0;
+    if (joined.cols() < before + columns) {
+      const Eigen::Index had = joined.cols();
+      joined.conservativeResize(Eigen::NoChange, before + columns);
+      joined.rightCols(before + columns - had).setZero();
+    }
     const std::vector<int>& at = group_.positionsOf(static_cast<int>(m));
-    for (std::size_t i = 0; i < at.size(); ++i)
-      if (boundaryOf[at[i]] >= 0) coarseModes_.row(boundaryOf[at[i]]).segment(column, modes.cols()) = modes.row(i);
-    column += static_cast<int>(modes.cols());
+    for (std::size_t i = 0; i < at.size(); ++i) {
+      if (boundaryOf[at[i]] < 0) continue;
+      auto row = joined.row(boundaryOf[at[i]]).segment(before, columns);
+      const auto values = hint.values.row(static_cast<Eigen::Index>(i));
+      row = hint.join == Hint::Join::Largest ? row.cwiseMax(values).eval() : (row + values).eval();
+    }
   }
-  coarseModes_.rightCols(kernel_.cols()) = kernel_;
-  return coarseModes_;
+  if (name != Hint::kCoarseModes) return joined;
+  Matrix modes(size(), joined.cols() + kernel().cols());
+  modes << joined, kernel();
+  return modes;
 }
 
 std::unique_ptr<LocalInverse> LinearisedGroup::inverse() const {

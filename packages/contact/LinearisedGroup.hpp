@@ -2,6 +2,8 @@
 #include <suture/contact/ContactGroup.hpp>
 #include <suture/subdomain/LocalProblem.hpp>
 
+#include <optional>
+
 namespace suture {
 
 /// A contact group with the status of its pairs given: S^0_*j of (11) with all pairs closed, the tangent S_*j' at a state otherwise. Open
@@ -16,10 +18,7 @@ class LinearisedGroup : public LocalProblem {
   Vector condensedLoad() const override { return -atRest_.flux; }
   double constantEnergy() const override { return atRest_.energy; }
   const Vector& stiffnessDiagonal() const override { return diagonal_; }
-  const Vector& shearDiagonal() const override { return shear_; }
-  const Vector& youngModulus() const override { return young_; }
   const Matrix& kernel() const override;
-  const Matrix& coarseModes() const override;
   using LocalProblem::inverse;
   std::unique_ptr<LocalInverse> inverse() const override;
 
@@ -28,6 +27,10 @@ class LinearisedGroup : public LocalProblem {
   /// The closed pairs with the group's boundary held.
   const ContactCompliance::Closed& held() const { return held_; }
 
+ protected:
+  /// Joined from the members' hints.
+  Matrix doHint(const std::string& name) const override;
+
  private:
   const ContactCompliance::Closed& floating() const;
 
@@ -35,10 +38,9 @@ class LinearisedGroup : public LocalProblem {
   std::vector<ContactState> status_;
   ContactCompliance::Closed held_;
   ContactGroup::Response atRest_;  // zero trace
-  Vector diagonal_, shear_, young_;
+  Vector diagonal_;
   mutable std::unique_ptr<ContactCompliance::Closed> floating_;
-  mutable Matrix kernel_, coarseModes_;
-  mutable bool modesMade_ = false;
+  mutable std::optional<Matrix> kernel_;
 };
 
 }  // namespace suture

@@ -7,10 +7,10 @@
 #include <suture/base/scene/SceneReader.hpp>
 #include <suture/constraints/ConditionData.hpp>
 #include <suture/elasticity/ElasticModel.hpp>
-#include <suture/mesh/SideGroups.hpp>
 #include <suture/elasticity/HookesLaw.hpp>
 #include <suture/elasticity/IsotropicLaw.hpp>
 #include <suture/mesh/Regions.hpp>
+#include <suture/mesh/SideGroups.hpp>
 
 namespace suture {
 

@@ -67,8 +67,8 @@ ContactInterfaceProblem::ContactInterfaceProblem(CommPtr comm, const Partition& 
   for (std::size_t i = 0; i < locals_.size(); ++i) {
     space_->coupling(static_cast<int>(i)).addTransposed(locals_[i]->condensedLoad(), load_);
     // A surface gives way to contact by change of shape, also where volume does not change.
-    const Vector& shear = locals_[i]->shearDiagonal();
-    space_->coupling(static_cast<int>(i)).addTransposed(shear.size() > 0 ? shear : locals_[i]->stiffnessDiagonal(), stiffness);
+    const Matrix& shear = locals_[i]->hint(Hint::kShearDiagonal);
+    space_->coupling(static_cast<int>(i)).addTransposed(shear.cols() > 0 ? shear : Matrix(locals_[i]->stiffnessDiagonal()), stiffness);
     energy += locals_[i]->constantEnergy();
   }
   space_->sum(load_);

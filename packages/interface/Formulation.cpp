@@ -58,8 +58,7 @@ class CondensedGroups : public Formulation {
               Range::positive(), "MB")
         .choice(kGroup, "Exact", Registry<ContactGroup>::instance().schemas(), "How a group finds its closed pairs for a given trace.");
   }
-  explicit CondensedGroups(const Parameters& own)
-      : own_(own), limit_(own.get<double>(kMemoryLimit)), path_(pathOf(own, kMemoryLimit)) {}
+  explicit CondensedGroups(const Parameters& own) : own_(own), limit_(own.get<double>(kMemoryLimit)), path_(pathOf(own, kMemoryLimit)) {}
   bool keepsGroupsWhole() const override { return true; }
   bool hidesContact() const override { return true; }
   std::string outerSolver() const override { return "Semismooth Newton"; }

@@ -60,10 +60,13 @@ void addSeams(const std::vector<std::unique_ptr<Subdomain>>& subdomains, const s
 
 void addUnknowns(const Subdomain& subdomain, const std::vector<int>& dofs, InterfaceLayout& layout) {
   layout.dimension = subdomain.mesh().dimension;
-  const Vector flux = subdomain.seamFlux();
+  const Hint flux = subdomain.hint(Hint::kSeamFlux);
   for (const int dof : dofs)
-    layout.unknowns.push_back(
-        {subdomain.globalDof(dof), subdomain.mesh().point(subdomain.nodeOf(dof)), subdomain.direction(dof), {0, 0, 0}, flux(dof)});
+    layout.unknowns.push_back({subdomain.globalDof(dof),
+                               subdomain.mesh().point(subdomain.nodeOf(dof)),
+                               subdomain.direction(dof),
+                               {0, 0, 0},
+                               flux.empty() ? 0.0 : flux.values(dof, 0)});
 }
 
 }  // namespace suture

@@ -35,7 +35,7 @@ Matrix sideColumns(const EntitySide& side, int sharers, const LocalProblem& loca
   const auto n = static_cast<int>(own.rows()), count = static_cast<int>(own.cols());
   const auto toEntity = side.coefficients.asDiagonal();
   Matrix all(n, 1 + count + (sharers > 2 ? n : 0));
-  all.col(0) = squares.cwiseProduct(Vector(rowsAt(local.shearDiagonal(), side.rows)));
+  all.col(0) = squares.cwiseProduct(Vector(rowsAt(local.hint(Hint::kShearDiagonal), side.rows)));
   if (sharers > 2) {
     Matrix weights = Matrix::Zero(local.size(), n);
     for (int k = 0; k < n; ++k) weights(side.rows[k], k) = 1.0;
@@ -96,8 +96,9 @@ Matrix withColumns(const Matrix& rows, const std::vector<Matrix>& sides) {
 
 Matrix stiffTraces(const LocalProblem& local) {
   const int n = local.size();
-  if (local.shearDiagonal().size() == 0 || n == 0) return Matrix(n, 0);
-  const Vector scale = local.shearDiagonal().cwiseSqrt();
+  const Matrix& shear = local.hint(Hint::kShearDiagonal);
+  if (shear.cols() == 0 || n == 0) return Matrix(n, 0);
+  const Vector scale = shear.col(0).cwiseSqrt();
   for (int block = std::min(8, n);; block = std::min(2 * block, n)) {
     Matrix basis = orthonormalBasis(randomColumns(n, block), 1e-12), image;
     for (int step = 0; step < kMostSteps; ++step) {
@@ -122,7 +123,7 @@ Matrix stiffTraces(const LocalProblem& local) {
 
 PrimalChoice StiffTraces::doChoose(const InterfaceSpace& space, const LocalProblems& locals, const Weighting& weighting) const {
   PrimalChoice choice = plainChoice(*plain_, space, locals, weighting);
-  const auto incompressible = [](const auto& local) { return local && local->shearDiagonal().size() > 0; };
+  const auto incompressible = [](const auto& local) { return local && local->hint(Hint::kShearDiagonal).cols() > 0; };
   const int mine = std::any_of(locals.begin(), locals.end(), incompressible);
   int any = 0;
   Teuchos::reduceAll(*space.comm(), Teuchos::REDUCE_MAX, mine, Teuchos::outArg(any));

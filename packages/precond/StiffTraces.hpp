@@ -14,7 +14,7 @@ namespace suture {
 // u_j, are orthogonal to v on each entity; with weights that change along an edge that is more than no jump of the flux.
 
 /// size() x k: V with V V^T <= S, and S - V V^T at most about kStiff times the stiffness against change of shape: eigenvectors, by subspace
-/// iteration with S. No columns where a local problem knows no shearDiagonal(). Local.
+/// iteration with S. No columns where a local problem knows no shear diagonal (Hint). Local.
 Matrix stiffTraces(const LocalProblem& local);
 
 /// Decorator of a choice: adds the rows that keep weighted jumps of each entity orthogonal to the stiff traces of all its sharers, as far

@@ -54,10 +54,13 @@ class MultiplicityWeighting : public DiagonalWeighting {
   Vector density(const LocalProblem& local) const override { return Vector::Ones(local.size()); }
 };
 
-/// By Young's modulus: the paper's.
+/// By Young's modulus: the paper's. Of problems that know none, as Multiplicity.
 class YoungWeighting : public DiagonalWeighting {
  protected:
-  Vector density(const LocalProblem& local) const override { return local.youngModulus(); }
+  Vector density(const LocalProblem& local) const override {
+    const Matrix& young = local.hint(Hint::kYoungModulus);
+    return young.cols() > 0 ? Vector(young.col(0)) : Vector::Ones(local.size());
+  }
 };
 
 /// By the diagonal of the stiffness matrix: follows jumps and element sizes.

@@ -25,8 +25,7 @@ Schema schemaOf(bool inFile) {
   Schema body = bodySchema();
   body.choice("Subdomain", "Elastic", Registry<Subdomain>::instance().schemas(), "The physics of the body's subdomains.");
   scene.list("Bodies", Schema("The elastic bodies, each named as its element group in the mesh.").each("<body>", body, least), inFile);
-  scene.list("Materials", Schema("Materials, named by the user.").each("<material>", materialSchema(), least),
-             inFile);
+  scene.list("Materials", Schema("Materials, named by the user.").each("<material>", materialSchema(), least), inFile);
   scene.list("Boundary Conditions",
              Schema("Loads and supports, named by the user; several may meet at a node.").each("<condition>", boundaryConditionSchema()));
   scene.list("Contact", Schema("Contact lines, named by the user.").each("<line>", contactSchema()));

@@ -31,16 +31,22 @@ Matrix ElasticSubdomain::doRigidModes() const {
   return modes;
 }
 
-Matrix ElasticSubdomain::doCoarseModes() const {
-  Matrix modes = sectionModes(mesh());
-  toAxes(modes);
-  return modes;
+Hint ElasticSubdomain::doHint(const std::string& name) const {
+  if (name == Hint::kYoungModulus) return {youngModulus(), Hint::Join::Largest};
+  if (name == Hint::kCoarseModes) {
+    Matrix modes = sectionModes(mesh());
+    toAxes(modes);
+    return {modes, Hint::Join::Columns};
+  }
+  if (!model_.nearlyIncompressible()) return {};
+  if (name == Hint::kShearDiagonal) return {shearDiagonal(), Hint::Join::Sum};
+  if (name == Hint::kSeamFlux) return {seamFlux(), Hint::Join::Sum};
+  return {};
 }
 
-Vector ElasticSubdomain::doSeamFlux() const {
+Vector ElasticSubdomain::seamFlux() const {
   const SubdomainMesh& m = mesh();
   Vector flux = Vector::Zero(Eigen::Index(m.nodes()) * components());
-  if (!model_.nearlyIncompressible()) return flux;
   for (const SubdomainMesh::SeamSide& seam : m.seamSides)
     addSideFlux(m, {seam.element, seam.side}, seam.neighbour > m.id ? 1.0 : -1.0, flux);
   // psi_j sum to one: lengths times weights are integrals of each node's own shape function, on either side of a mortar, too.
@@ -51,11 +57,11 @@ Vector ElasticSubdomain::doSeamFlux() const {
     for (int k = 0; k < components(); ++k)
       flux(end.node * components() + k) += std::abs(pair.ends[end.end].weight) * pair.length * pair.normal[k];
   }
+  toAxes(flux);
   return flux;
 }
 
-Vector ElasticSubdomain::doShearDiagonal() const {
-  if (!model_.nearlyIncompressible()) return Vector();
+Vector ElasticSubdomain::shearDiagonal() const {
   std::map<const Material*, Material> withoutVolume;  // the same shear modulus, no Lame constant
   return assembleStiffness([&](int element) -> const Material& {
            const Material& given = materialOf(element);
@@ -64,10 +70,12 @@ Vector ElasticSubdomain::doShearDiagonal() const {
       .diagonal();
 }
 
-Vector ElasticSubdomain::doYoungModulus() const {
-  Vector young = Vector::Zero(mesh().nodes());
+Vector ElasticSubdomain::youngModulus() const {
+  const int d = components();
+  Vector young = Vector::Zero(Eigen::Index(mesh().nodes()) * d);
   for (int element = 0; element < mesh().elements(); ++element)
-    for (const int node : mesh().nodesOf(element)) young(node) = std::max(young(node), materialOf(element).young);
+    for (const int node : mesh().nodesOf(element))
+      young.segment(node * d, d) = young.segment(node * d, d).cwiseMax(materialOf(element).young);
   return young;
 }
 

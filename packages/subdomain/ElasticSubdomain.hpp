@@ -20,12 +20,12 @@ class ElasticSubdomain final : public Subdomain {
   void doAssemble(SparseMatrix& stiffness, Vector& load) override;
   Matrix doStresses(const Vector& displacement) const override;
   Matrix doRigidModes() const override;
-  Matrix doCoarseModes() const override;
-  Vector doSeamFlux() const override;
-  Vector doShearDiagonal() const override;
-  Vector doYoungModulus() const override;
+  Hint doHint(const std::string& name) const override;
 
  private:
+  Vector youngModulus() const;
+  Vector shearDiagonal() const;
+  Vector seamFlux() const;
   SparseMatrix assembleStiffness(const std::function<const Material&(int element)>& materials) const;
 
   const ElasticModel& model_;

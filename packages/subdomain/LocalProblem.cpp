@@ -7,6 +7,11 @@ std::unique_ptr<LocalInverse> LocalProblem::inverse(const Matrix& constraints) c
   return std::make_unique<ConstrainedInverse>(schur(), constraints, name());
 }
 
+const Matrix& LocalProblem::hint(const std::string& name) const {
+  const auto known = hints_.find(name);
+  return known != hints_.end() ? known->second : hints_.emplace(name, doHint(name)).first->second;
+}
+
 Matrix LocalProblem::schur() const {
   Matrix flux(size(), size());
   applySchur(Matrix::Identity(size(), size()), flux);

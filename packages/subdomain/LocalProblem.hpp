@@ -1,7 +1,9 @@
 #pragma once
 #include <suture/algebra/LocalInverse.hpp>
 #include <suture/base/Types.hpp>
+#include <suture/subdomain/Hint.hpp>
 
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -28,15 +30,11 @@ class LocalProblem {
   virtual double constantEnergy() const = 0;
   /// Diagonal of the stiffness matrix on the boundary (not of S). [force / length]
   virtual const Vector& stiffnessDiagonal() const = 0;
-  /// The same of the stiffness against change of shape alone, where volume changes much less easily anywhere in the scene; else empty.
-  virtual const Vector& shearDiagonal() const { return none_; }
-  /// Young modulus of what lies at each boundary unknown; where several materials meet, the largest. [stress]
-  virtual const Vector& youngModulus() const = 0;
   /// Traces of a basis of the kernel of S_loc: size() x k.
   virtual const Matrix& kernel() const = 0;
-  /// Traces of all coarse modes (Subdomain::coarseModes: rigid modes and the like) of every member subdomain, each on its own part of the
-  /// boundary, and of the kernel: size() x m.
-  virtual const Matrix& coarseModes() const = 0;
+  /// Optional data on the boundary, size() x columns; without columns there is none of this name. Of the coarse modes of a group: those of
+  /// its subdomains, each on its own part, and its kernel. Made when first asked for, and kept.
+  const Matrix& hint(const std::string& name) const;
   /// S^+, made when it is asked for. \throws NumericalError
   virtual std::unique_ptr<LocalInverse> inverse() const = 0;
   /// The inverse under constraints C x = 0, rows x size(), of full rank. \throws NumericalError  they leave a mechanism
@@ -55,12 +53,14 @@ class LocalProblem {
  protected:
   LocalProblem(int id, std::string name, std::vector<GlobalId> boundary)
       : id_(id), name_(std::move(name)), boundary_(std::move(boundary)) {}
+  /// See hint(): a row an unknown of the boundary, or no columns.
+  virtual Matrix doHint(const std::string& name) const { return (void)name, Matrix(size(), 0); }
 
  private:
   int id_;
   std::string name_;
   std::vector<GlobalId> boundary_;
-  Vector none_;
+  mutable std::map<std::string, Matrix> hints_;
 };
 
 }  // namespace suture

@@ -74,10 +74,6 @@ void Subdomain::assemble() {
   for (int i = 0; i < dofs(); ++i) load_(i) = lifted(free_[i]);
   constantEnergy_ = 0.5 * prescribed_.dot(held) - prescribed_.dot(fullLoad_);
 
-  const Vector young = doYoungModulus();
-  if (young.size() != mesh_.nodes() || !(young.minCoeff() > 0.0))
-    throw NumericalError("subdomain '" + mesh_.name + "': expected a positive Young modulus at every node");
-  if (const Vector shear = doShearDiagonal(); shear.size() > 0) shearDiagonal_ = rowsAt(shear, free_);
   heldModes_ = rowsAt(doRigidModes(), fixed_);
   freeMotions_ = nullSpace(heldModes_);
 }
@@ -143,16 +139,17 @@ ElementForces Subdomain::internalForces(const Vector& displacement) const {
 
 Vector Subdomain::nodalLoads() const { return outOfAxes(fullLoad_); }
 
-Vector Subdomain::youngModulus() const {
-  const Vector young = doYoungModulus();
-  Vector values(dofs());
-  for (int i = 0; i < dofs(); ++i) values(i) = young(nodeOf(i));
-  return values;
+Hint Subdomain::hint(const std::string& name) const {
+  Hint all = doHint(name);
+  if (all.empty() && name == Hint::kCoarseModes) all = {doRigidModes(), Hint::Join::Columns};
+  if (all.empty()) return {Matrix(dofs(), 0), all.join};
+  if (all.values.rows() != Eigen::Index(numberOf_.size()))
+    throw NumericalError("subdomain '" + mesh_.name + "': the hint '" + name + "' has " + std::to_string(all.values.rows()) +
+                         " rows, expected " + std::to_string(numberOf_.size()));
+  return {rowsAt(all.values, free_), all.join};
 }
 
 Matrix Subdomain::rigidModes() const { return rowsAt(doRigidModes(), free_); }
-
-Matrix Subdomain::coarseModes() const { return rowsAt(doCoarseModes(), free_); }
 
 Point Subdomain::direction(int dof) const {
   Point along{0, 0, 0};

@@ -3,8 +3,10 @@
 #include <suture/base/Registry.hpp>
 #include <suture/partition/SubdomainMesh.hpp>
 #include <suture/quality/ElementForces.hpp>
+#include <suture/subdomain/Hint.hpp>
 
 #include <functional>
+#include <string>
 #include <vector>
 
 namespace suture {
@@ -22,7 +24,7 @@ class Subdomain {
   virtual ~Subdomain() = default;
 
   /// Assembles stiffness and loads. Call it once, before anything below.
-  /// \throws NumericalError  the matrix has the wrong size or a non-positive diagonal; a modulus is not positive.
+  /// \throws NumericalError  the matrix has the wrong size or a non-positive diagonal.
   void assemble();
 
   const SubdomainMesh& mesh() const { return mesh_; }
@@ -52,20 +54,11 @@ class Subdomain {
   const SymmetricMatrix& stiffness() const { return stiffness_; }  ///< free x free
   const Vector& load() const { return load_; }               ///< free: loads less the stiffness times prescribed displacements [force]
   double constantEnergy() const { return constantEnergy_; }  ///< what prescribed displacements alone store, less their loads' work
-  // For preconditioners. What is returned by value is found anew at each call, in time that grows with the subdomain: ask once, and keep
-  // what belongs to the boundary.
-  /// Young modulus at the node of each free unknown, the largest of the elements there; for the weighting Young. [stress]
-  Vector youngModulus() const;
-  /// Volume that a unit of each free unknown carries through the seam out of the subdomain of lower number, or through a contact line out
-  /// of side A; zero everywhere if volume changes as easily as shape, and where both are not. For preconditioners. [area; axisymmetric:
-  /// volume]
-  Vector seamFlux() const { return freeValues(doSeamFlux()); }
-  /// The diagonal of the stiffness against change of shape alone, one entry for each free unknown, where volume changes much less easily
-  /// anywhere in the scene; else empty. For preconditioners. [force / length]
-  const Vector& shearDiagonal() const { return shearDiagonal_; }
-  Matrix rigidModes() const;  ///< free x all rigid modes
-  /// free x the motions that cost least, for coarse spaces: their span contains that of rigidModes().
-  Matrix coarseModes() const;
+  /// The hint of this name on the free unknowns; of the coarse modes the rigid ones, if the subdomain knows no others. Found anew at each
+  /// call, in time that grows with the subdomain: ask once, and keep what belongs to the boundary. \throws NumericalError  it has not a row
+  /// for every unknown
+  Hint hint(const std::string& name) const;
+  Matrix rigidModes() const;                                     ///< free x all rigid modes
   const Matrix& heldModes() const { return heldModes_; }         ///< prescribed components x all rigid modes
   Matrix kernel() const { return rigidModes() * freeMotions_; }  ///< null space of stiffness(): the modes that vanish where prescribed
 
@@ -85,14 +78,8 @@ class Subdomain {
   virtual Matrix doStresses(const Vector& displacement) const = 0;
   /// All rigid modes over ALL unknowns, columns of the order of one, in the axes of the nodes.
   virtual Matrix doRigidModes() const = 0;
-  /// The rigid modes, and others that cost little energy and that a preconditioner should know; in the same form.
-  virtual Matrix doCoarseModes() const { return doRigidModes(); }
-  /// See seamFlux(): over ALL unknowns, Cartesian.
-  virtual Vector doSeamFlux() const { return Vector::Zero(Eigen::Index(mesh().nodes()) * components()); }
-  /// See shearDiagonal(): over ALL unknowns, in the axes of the nodes, or empty.
-  virtual Vector doShearDiagonal() const { return Vector(); }
-  /// Young modulus at every node, or whatever stands for it: positive. Ones, without an override: the weighting Young is Multiplicity then.
-  virtual Vector doYoungModulus() const { return Vector::Ones(mesh().nodes()); }
+  /// Optional data over ALL unknowns, in the axes of the nodes, by the names in Hint or others.
+  virtual Hint doHint(const std::string& name) const { return (void)name, Hint(); }
 
   /// Q of a node, or null when its axes are Cartesian.
   const Matrix* axes(int node) const { return axesOfNode_[node] < 0 ? nullptr : &axes_[axesOfNode_[node]]; }
@@ -113,7 +100,7 @@ class Subdomain {
   Vector prescribed_;  // all unknowns; zero where free
   SymmetricMatrix stiffness_;
   SparseMatrix held_;  // all unknowns x prescribed components
-  Vector fullLoad_, load_, shearDiagonal_;
+  Vector fullLoad_, load_;
   double constantEnergy_ = 0.0;
   Matrix heldModes_, freeMotions_;  // rigid modes where prescribed, and combinations of them that vanish there
 };

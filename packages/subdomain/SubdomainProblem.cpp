@@ -63,10 +63,7 @@ SubdomainProblem::SubdomainProblem(int id, const Subdomain& subdomain, const std
       solver_(solver),
       schur_(std::move(schur)),
       diagonal_(rowsAt(subdomain.stiffness().diagonal(), boundary)),
-      shear_(subdomain.shearDiagonal().size() > 0 ? Vector(rowsAt(subdomain.shearDiagonal(), boundary)) : Vector()),
-      young_(rowsAt(subdomain.youngModulus(), boundary)),
-      kernel_(rowsAt(subdomain.kernel(), boundary)),
-      coarseModes_(rowsAt(subdomain.coarseModes(), boundary)) {
+      kernel_(rowsAt(subdomain.kernel(), boundary)) {
   schur_->compute({subdomain.stiffness(), subdomain.load(), positions_, nodesOfDofs(subdomain), placesOfDofs(subdomain), solver, name()});
   if (softest > 0.0 && kernel_.cols() > 0 && stiffnessOf(subdomain) > kMuchStiffer * softest) balanced_ = orthonormalBasis(kernel_, 1e-14);
 }

@@ -22,10 +22,7 @@ class SubdomainProblem : public LocalProblem {
   Vector condensedLoad() const override { return schur_->condensedLoad(); }
   double constantEnergy() const override { return schur_->interiorEnergy() + subdomain_.constantEnergy(); }
   const Vector& stiffnessDiagonal() const override { return diagonal_; }
-  const Vector& shearDiagonal() const override { return shear_; }
-  const Vector& youngModulus() const override { return young_; }
   const Matrix& kernel() const override { return kernel_; }
-  const Matrix& coarseModes() const override { return coarseModes_; }
   using LocalProblem::inverse;
   std::unique_ptr<LocalInverse> inverse() const override;
   double bytesRead() const override { return schur_->bytesRead(); }
@@ -37,13 +34,16 @@ class SubdomainProblem : public LocalProblem {
   /// Free unknowns of the subdomain for a trace.
   Vector recover(const Vector& trace) const { return schur_->recover(trace); }
 
+ protected:
+  Matrix doHint(const std::string& name) const override { return rowsAt(subdomain_.hint(name).values, positions_); }
+
  private:
   const Subdomain& subdomain_;
   std::vector<int> positions_;
   LocalSolverMaker solver_;
   std::unique_ptr<SchurComplement> schur_;
-  Vector diagonal_, shear_, young_;
-  Matrix kernel_, coarseModes_;
+  Vector diagonal_;
+  Matrix kernel_;
   Matrix balanced_;  // orthonormal basis of the kernel; empty where fluxes stay as they are
 };
 

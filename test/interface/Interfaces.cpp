@@ -83,7 +83,7 @@ Scene stackedBlocks(int middleRows) {
   scene.sideA = "lower_top";
   scene.sideB = "middle_bottom";
   scene.pairUp();
-  scene.constraints.pieces.push_back({"above", {}, 1, 2, 0.0, {}});
+  scene.constraints.pieces.push_back({"above", {}, {1, 2}, {}, 0.0, {}});
   for (ContactPair pair : above.pairs) {
     pair.id = int(scene.constraints.pairs.size());
     pair.line = pair.piece = 1;

@@ -20,9 +20,7 @@ class Sheet : public LocalProblem {
   Vector condensedLoad() const override { return Vector::Zero(size()); }
   double constantEnergy() const override { return 0.0; }
   const Vector& stiffnessDiagonal() const override { return diagonal_; }
-  const Vector& youngModulus() const override { return diagonal_; }
   const Matrix& kernel() const override { return kernel_; }
-  const Matrix& coarseModes() const override { return kernel_; }
   std::unique_ptr<LocalInverse> inverse() const override { return nullptr; }
   using LocalProblem::inverse;
   Matrix schur() const override { return schur_; }

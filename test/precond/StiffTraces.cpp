@@ -100,11 +100,13 @@ class FewStiffDirections : public LocalProblem {
   Vector condensedLoad() const override { return Vector::Zero(size()); }
   double constantEnergy() const override { return 0.0; }
   const Vector& stiffnessDiagonal() const override { return ones_; }
-  const Vector& shearDiagonal() const override { return ones_; }
-  const Vector& youngModulus() const override { return ones_; }
   const Matrix& kernel() const override { return none_; }
-  const Matrix& coarseModes() const override { return none_; }
   std::unique_ptr<LocalInverse> inverse() const override { return nullptr; }
+
+ protected:
+  Matrix doHint(const std::string& name) const override {
+    return name == Hint::kShearDiagonal ? Matrix(ones_) : LocalProblem::doHint(name);
+  }
 
  private:
   Matrix schur_, none_;

@@ -1,11 +1,11 @@
 // Scenes made in C++ against the same scenes in XML, and what is wrong with them.
 #include <Teuchos_UnitTestHarness.hpp>
+#include <support/Blocks.hpp>
 #include <suture/base/Collective.hpp>
 #include <suture/elasticity/IsotropicLaw.hpp>
 #include <suture/mesh/Generators.hpp>
 #include <suture/report/SceneSchema.hpp>
 #include <suture/simulation/Simulation.hpp>
-#include <support/Blocks.hpp>
 
 namespace suture {
 namespace {
@@ -119,7 +119,10 @@ TEUCHOS_UNIT_TEST(Scene, IsRefusedWithAllThatIsWrong) {
     }
   };
   const Contact joint = Contact::between("upper_bottom", "lower_top");
-  says(complaint([&] { return makeScene(model(), mesh, held(), {joint, joint}, {"Outer Solver/Tolerence=1"}); }), {"Tolerence", "Tolerance"});
+  says(complaint([&] {
+         return makeScene(model(), mesh, held(), {joint, joint}, {"Outer Solver/Tolerence=1"});
+       }),
+       {"Tolerence", "Tolerance"});
   says(complaint([&] {
          ElasticModel wrong;
          wrong.loads = {Load::pressure("upper_top", 1.0)};

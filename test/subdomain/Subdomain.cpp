@@ -154,13 +154,15 @@ TEUCHOS_UNIT_TEST(Subdomain, RefusesAMatrixOfTheWrongSizeOrWithoutStiffness) {
   TEST_NOTHROW(Broken(body.meshes[0], n, 1.0).assemble());
 }
 
-TEUCHOS_UNIT_TEST(Subdomain, HasTheYoungModulusOfItsMaterialAtEveryUnknownAndOneWithoutAny) {
+TEUCHOS_UNIT_TEST(Subdomain, HasHintsAtItsFreeUnknownsAndOneOfAUsersOwnNone) {
   const Scene scene = clampedSquare(1, 3, 7e9);
   const Blocks body(scene, alone(), 1);
-  TEST_EQUALITY(body.subdomains[0]->youngModulus(), Vector::Constant(2 * (16 - 4), 7e9));
+  TEST_EQUALITY(body.subdomains[0]->hint(Hint::kYoungModulus).values, Matrix::Constant(2 * (16 - 4), 1, 7e9));
+  TEST_ASSERT(body.subdomains[0]->hint("colour").empty());
   Broken users(body.meshes[0], 2 * 16, 1.0);
   users.assemble();
-  TEST_EQUALITY(users.youngModulus(), Vector::Ones(2 * (16 - 4)));
+  TEST_ASSERT(users.hint(Hint::kYoungModulus).empty());
+  TEST_EQUALITY(users.hint(Hint::kCoarseModes).values, users.rigidModes());
 }
 
 }  // namespace

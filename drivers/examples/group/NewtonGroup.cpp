@@ -45,8 +45,7 @@ class NewtonGroup : public ContactGroup {
   int most_;
 };
 
-const Registration<ContactGroup> registration("Newton", NewtonGroup::schema(), [](const auto& parts, const auto& own) {
-  return std::make_unique<NewtonGroup>(parts, own);
-});
+const Registration<ContactGroup> registration("Newton", NewtonGroup::schema(),
+                                              [](const auto& parts, const auto& own) { return std::make_unique<NewtonGroup>(parts, own); });
 
 }  // namespace

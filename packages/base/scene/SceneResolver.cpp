@@ -35,7 +35,7 @@ std::string expectation(const Schema::Parameter& parameter) {
       text = "integers as in {1, 2}";
       break;
     case Kind::Texts:
-      text = "names as in {a, b}";
+      text = parameter.orOne ? "a name, or several as in {a, b}" : "names as in {a, b}";
       break;
   }
   const bool number = parameter.kind != Kind::Text && parameter.kind != Kind::Texts && parameter.kind != Kind::Boolean;
@@ -222,7 +222,10 @@ class Resolver {
         if (const auto all = entries<int>(given, parameter, path, &Resolver::integer)) store(*all, given.name, false, resolved);
         break;
       case Kind::Texts:
-        if (const auto all = split(given, parameter, path)) store(*all, given.name, false, resolved);
+        if (parameter.orOne && trimmed(given.value).substr(0, 1) != "{")
+          store(given.value, given.name, false, resolved);
+        else if (const auto all = split(given, parameter, path))
+          store(*all, given.name, false, resolved);
         break;
     }
   }

@@ -156,6 +156,12 @@ Schema& Schema::texts(const std::string& name, std::optional<std::vector<std::st
   return *this;
 }
 
+Schema& Schema::orOne() {
+  if (parameters_.empty() || parameters_.back().kind != Kind::Texts) throw InternalError("Schema::orOne() after no list of texts");
+  parameters_.back().orOne = true;
+  return *this;
+}
+
 Schema& Schema::optional() {
   if (parameters_.empty()) throw InternalError("Schema::optional() before any parameter");
   parameters_.back().optional = true;

@@ -48,6 +48,7 @@ class Schema {
     std::vector<std::string> allowedDocs;
     std::vector<std::string> words;  ///< Text that may also be a number in `range` ("None | Automatic | value"): the words
     bool numberToo = false;
+    bool orOne = false;                                           ///< Texts that may be one text, see Schema::orOne
     bool choice = false;                                          ///< Text whose allowed names have a sublist each, see Schema::choice
     std::optional<std::pair<std::string, std::string>> with;      ///< belongs to this value of that choice, beside which it stands
     std::function<std::string(const Parameters& whole)> fitting;  ///< finds the default of a Text from the rest; see fittingDefault()
@@ -69,6 +70,8 @@ class Schema {
                 Range range = Range::any());
   Schema& integers(const std::string& name, std::optional<std::vector<int>> fallback, const std::string& doc, Range range = Range::any());
   Schema& texts(const std::string& name, std::optional<std::vector<std::string>> fallback, const std::string& doc);
+  /// The parameter added last, Texts, may also be one text without braces, whatever it is made of: it stays one, of the type string.
+  Schema& orOne();
   /// The parameter added last may be absent (has no default, is not required).
   Schema& optional();
   /// The parameter added last, a Text with a default, gets its value from `find` where the scene does not give one. `find` sees the whole

@@ -41,7 +41,7 @@ struct ShareSize {
 struct ByRank {
   std::vector<std::vector<int>> nodes, elements;  // nodes and elements of each rank, ascending
   std::vector<int> local;                         // number of each node of the mesh among those of its rank
-  std::vector<ShareSize> extents;                    // sizes of each rank's share
+  std::vector<ShareSize> extents;                 // sizes of each rank's share
 
   ByRank(const Mesh& mesh, const std::vector<int>& rankOf, int ranks) : nodes(ranks), elements(ranks), local(mesh.nodes()), extents(ranks) {
     for (int node = 0; node < mesh.nodes(); ++node) {

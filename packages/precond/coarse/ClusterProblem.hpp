@@ -21,11 +21,8 @@ class ClusterProblem : public LocalProblem {
   Vector condensedLoad() const override { return Vector::Zero(size()); }
   double constantEnergy() const override { return 0.0; }
   const Vector& stiffnessDiagonal() const override { return diagonal_; }
-  /// A cluster has no material: the diagonal again, which follows jumps as Young's modulus would.
-  const Vector& youngModulus() const override { return diagonal_; }
   /// From the eigenvalues of S, when it is asked for.
   const Matrix& kernel() const override;
-  const Matrix& coarseModes() const override { return kernel(); }
   using LocalProblem::inverse;
   /// From the eigenvalues of S.
   std::unique_ptr<LocalInverse> inverse() const override;
@@ -38,6 +35,12 @@ class ClusterProblem : public LocalProblem {
   void condense(LocalView interior, LocalView flux) const;
   /// \param interior  in: the loads; out: the values under them and with this trace
   void recover(ConstLocalView trace, LocalView interior) const;
+
+ protected:
+  /// A cluster has no material: for Young's modulus its diagonal again, which follows jumps in the same way.
+  Matrix doHint(const std::string& name) const override {
+    return name == Hint::kYoungModulus ? Matrix(diagonal_) : LocalProblem::doHint(name);
+  }
 
  private:
   std::vector<int> interior_;

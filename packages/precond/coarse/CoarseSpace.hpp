@@ -34,7 +34,10 @@ class KernelCoarseSpace : public CoarseSpace {
 /// All rigid modes of every original subdomain, floating or not, members of groups included.
 class RigidModeCoarseSpace : public CoarseSpace {
  public:
-  Matrix columns(const LocalProblem& local) const override { return local.coarseModes(); }
+  Matrix columns(const LocalProblem& local) const override {
+    const Matrix& modes = local.hint(Hint::kCoarseModes);
+    return modes.cols() > 0 ? modes : local.kernel();
+  }
 };
 
 }  // namespace suture

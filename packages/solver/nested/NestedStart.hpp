@@ -14,8 +14,8 @@ struct CoarseAnswer {
 };
 
 /// Where to begin on a fine mesh: displacements interpolated from the coarse one, linearly within each cell, and the set of closed pairs
-/// from the nearest coarse pair of the same contact. Forces follow from both. Only points on the interface travel between ranks; displacements inside
-/// subdomains are zero. Collective. \param meshes  the fine ones of this rank
+/// from the nearest coarse pair of the same contact. Forces follow from both. Only points on the interface travel between ranks;
+/// displacements inside subdomains are zero. Collective. \param meshes  the fine ones of this rank
 Start nestedStart(const Comm& comm, const CoarseAnswer& coarse, const std::vector<SubdomainMesh>& meshes);
 
 /// Displacements (Cartesian, one row a point) of a coarse answer at points of given bodies: from the cell that holds the point, or the
