@@ -49,6 +49,7 @@ std::vector<InterfaceRelation> ContactClusters::relations(const std::vector<Cont
   std::vector<InterfaceRelation> all;
   for (const auto& cluster : clusters_) {
     std::map<int, Sparse> solved;  // expressed unknown -> what expresses it
+    std::map<int, double> sizes;   // expressed unknown -> size of the row
     const std::vector<int> closed = closedRows(cluster, status);
     std::map<int, int> uses;  // unknown -> number of rows
     for (const int number : closed)
@@ -85,9 +86,10 @@ std::vector<InterfaceRelation> ContactClusters::relations(const std::vector<Cont
             addTo(expression, by, factor);
           }
       solved[place] = by;
+      sizes[place] = rows_[number].size;
     }
     for (const auto& [place, by] : solved) {
-      InterfaceRelation relation{place, {}, {}};
+      InterfaceRelation relation{place, {}, {}, sizes[place]};
       for (const auto& [other, value] : by)
         if (std::abs(value) > kRounding) {
           relation.others.push_back(other);

@@ -19,6 +19,7 @@ class ContactClusters {
     int cluster = 0;    ///< any number that the rows of a cluster share
     int pair = -1;      ///< place of the state that decides about the row; -1: that of the row itself
     int component = 0;  ///< in the pair's frame: 0 the normal, others hold where the pair sticks (ContactState::holds)
+    double size = 1.0;  ///< tributary length or area of the pair
   };
 
   /// \param stiffness  of each unknown of the overlap: diagonal of the assembled matrix. What has to give, the softer side gives.

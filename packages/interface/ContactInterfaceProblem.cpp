@@ -103,7 +103,13 @@ void ContactInterfaceProblem::collectRows(const Vector& stiffness) {
     for (std::size_t i = 0; i < rows_.size(); ++i) {
       if (component >= rows_[i].equations.size()) continue;
       const ContactRow::Equation& equation = rows_[i].equations[component];
-      rows.push_back({{}, equation.coefficients, equation.gap, rows_[i].cluster, static_cast<int>(i), static_cast<int>(component)});
+      rows.push_back({{},
+                      equation.coefficients,
+                      equation.gap,
+                      rows_[i].cluster,
+                      static_cast<int>(i),
+                      static_cast<int>(component),
+                      rows_[i].pair.length});
       for (const GlobalId dof : equation.dofs) rows.back().places.push_back(space_->overlap()->getLocalElement(dof));
     }
   clusters_ = std::make_unique<ContactClusters>(std::move(rows), stiffness);

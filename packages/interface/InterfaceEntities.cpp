@@ -1,6 +1,8 @@
 #include <suture/base/Errors.hpp>
 #include <suture/interface/InterfaceSpace.hpp>
 
+#include <Teuchos_Comm.hpp>
+#include <Teuchos_CommHelpers.hpp>
 #include <Tpetra_Map.hpp>
 
 #include <algorithm>
@@ -44,6 +46,40 @@ void InterfaceSpace::leaveEntities(const std::vector<char>& leaves) {
 std::shared_ptr<const InterfaceSpace> InterfaceSpace::related(std::vector<InterfaceRelation> relations,
                                                               const std::vector<std::vector<int>>& chains) const {
   if (!relations_.empty()) throw InternalError("relations of a space that has some already");
+  std::vector<InterfaceRelation> plain;
+  std::vector<int> inRows;  // unknowns of the others
+  std::vector<char> expressed(ids_.size(), 0);
+  for (const InterfaceRelation& relation : relations) {
+    if (relation.others.size() < 2) {
+      plain.push_back(relation);
+      continue;
+    }
+    expressed[relation.unknown] = 1;
+    inRows.push_back(relation.unknown);
+    inRows.insert(inRows.end(), relation.others.begin(), relation.others.end());
+  }
+  const int mine = !inRows.empty();
+  int any = 0;
+  Teuchos::reduceAll(*comm_, Teuchos::REDUCE_MAX, mine, Teuchos::outArg(any));
+  const std::shared_ptr<InterfaceSpace> derived = withRelations(std::move(relations), chains);
+  if (any == 0) return derived;
+  std::vector<std::vector<int>> stretches;  // rows of several terms end them
+  for (const auto& chain : chains) {
+    stretches.emplace_back();
+    for (const int place : chain)
+      if (!expressed[place])
+        stretches.back().push_back(place);
+      else if (!stretches.back().empty())
+        stretches.emplace_back();
+  }
+  derived->torn_ = withRelations(std::move(plain), stretches, inRows);
+  return derived;
+}
+
+/// \param inRows  unknowns that other relations name: vertices, where one of these joins them to other local problems
+std::shared_ptr<InterfaceSpace> InterfaceSpace::withRelations(std::vector<InterfaceRelation> relations,
+                                                              const std::vector<std::vector<int>>& chains,
+                                                              const std::vector<int>& inRows) const {
   auto derived = std::make_shared<InterfaceSpace>(*this);
   derived->relations_ = std::move(relations);
   std::vector<char> isPoint(ids_.size(), 0), joined(ids_.size(), 0), single(ids_.size(), 0), leaves(ids_.size(), 0);
@@ -65,6 +101,8 @@ std::shared_ptr<const InterfaceSpace> InterfaceSpace::related(std::vector<Interf
     }
   }
   for (const InterfaceRelation& relation : derived->relations_) derived->sharers_[relation.unknown].clear();
+  for (const int place : inRows)
+    if (joined[place]) single[place] = 1;
   for (std::size_t place = 0; place < ids_.size(); ++place) {
     if (!joined[place]) continue;
     const bool changed = derived->sharers_[place] != sharers_[place];

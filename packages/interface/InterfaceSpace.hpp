@@ -24,6 +24,7 @@ struct InterfaceRelation {
   int unknown;
   std::vector<int> others;
   std::vector<double> coefficients;
+  double size = 1.0;  ///< tributary length or area of the unknown
 };
 
 /// The space of traces on the interface: one Tpetra map, each unknown owned by one rank, the coupling R_i of every local problem of this
@@ -43,6 +44,7 @@ class InterfaceSpace {
   /// \param chains  unknowns along contact lines, those of neighbouring closed pairs one after the other: neighbours with the same two
   ///                sharers make an edge. Expressed unknowns stand for what expresses them. An unknown whose sharers change and that lies
   ///                on no such edge becomes a vertex, and so does one in a relation of several terms.
+  /// Collective, for torn().
   std::shared_ptr<const InterfaceSpace> related(std::vector<InterfaceRelation> relations,
                                                 const std::vector<std::vector<int>>& chains) const;
 
@@ -67,6 +69,11 @@ class InterfaceSpace {
   double flux(int place) const { return fluxes_[place]; }                 ///< see InterfaceLayout::Unknown
   /// The relation that expresses it, or null.
   const InterfaceRelation* relation(int place) const { return relationOf_[place] < 0 ? nullptr : &relations_[relationOf_[place]]; }
+  /// The relations that this rank sees, in an order that does not depend on the rank.
+  const std::vector<InterfaceRelation>& relations() const { return relations_; }
+  /// The space without the relations of several terms: what they express (the rows of a mortar) is free there, and its sharers are those of
+  /// its own body. Null if there are none, on all ranks or on no rank.
+  const std::shared_ptr<const InterfaceSpace>& torn() const { return torn_; }
   /// Ids of the local problems that feel it, ascending; none for an expressed one.
   const std::vector<int>& sharers(int place) const { return sharers_[place]; }
   /// Entities that touch local problems of this rank, none empty; no unknown in two of them. Ranks that know several of them list these in
@@ -96,6 +103,8 @@ class InterfaceSpace {
   void exchangeSharers(const InterfaceLayout& layout);
   void importPoints(const InterfaceLayout& layout);
   void addEntities(const InterfaceLayout& layout);
+  std::shared_ptr<InterfaceSpace> withRelations(std::vector<InterfaceRelation> relations, const std::vector<std::vector<int>>& chains,
+                                                const std::vector<int>& inRows = {}) const;
   void leaveEntities(const std::vector<char>& leaves);
   void addContactEntities(const std::vector<std::vector<int>>& chains, std::vector<char> single);
   MultiVector& overlapping(std::size_t columns) const;
@@ -116,6 +125,7 @@ class InterfaceSpace {
   std::vector<InterfaceEntity> entities_;
   std::vector<InterfaceRelation> relations_;
   std::vector<int> relationOf_;
+  std::shared_ptr<const InterfaceSpace> torn_;
 };
 
 /// View of a vector's values on this rank as an Eigen matrix. Local.

@@ -1,6 +1,8 @@
 #include <suture/algebra/UpdatedInverse.hpp>
 #include <suture/base/Collective.hpp>
+#include <suture/base/Dense.hpp>
 #include <suture/precond/Bddc.hpp>
+#include <suture/precond/MortarRows.hpp>
 #include <suture/precond/coarse/DirectCoarse.hpp>
 
 #include <Teuchos_Comm.hpp>
@@ -21,6 +23,8 @@ namespace {
 // A row that changes takes a product with a matrix of size n, and an application reads two vectors more for it; a factorisation is worth n
 // such products.
 constexpr int kLeastSizeByChanges = 16;
+
+constexpr double kToldMotion = 1e-8;  // what constraints tell of a motion of length one, at least
 
 /// The inverse under other constraints; null where it is better made anew.
 std::shared_ptr<const LocalInverse> updated(const std::shared_ptr<const LocalInverse>& base, const PrimalRows::Rows& old,
@@ -56,6 +60,7 @@ struct Bddc::Work {
   std::vector<Matrix> flux, trace;  // flux and trace of each local problem
   std::vector<Vector> own;          // values of each local problem's primal unknowns
   Vector primal;
+  MultiVectorPtr averaged;
 };
 
 Bddc::~Bddc() = default;
@@ -64,26 +69,55 @@ void Bddc::doInitialize() { coarse_.reset(); }
 
 void Bddc::doCompute() {
   const LocalProblems& locals = matrix()->locals();
-  weighting_->setup(*space(), locals);
-  const PrimalChoice choice = primal_->choose(*space(), locals, *weighting_);
   int mine = 0, all = 0;
   for (const auto& local : locals) mine += local != nullptr;
   Teuchos::reduceAll(*space()->comm(), Teuchos::REDUCE_SUM, mine, Teuchos::outArg(all));
-  collectively(*space()->comm(), "factoring the local problems of BDDC",
-               [&] { factorLocals(primalRows(*space(), choice, levels_.goesOn(all))); });
+  PrimalChoice choice;
+  std::vector<PrimalRows> rows = constrain(all, choice);
+  collectively(*space()->comm(), "factoring the local problems of BDDC", [&] { factorLocals(std::move(rows)); });
   assembleCoarse(all);
   if (primal_->isAdaptive()) countConstraints(choice.rows);
+}
+
+/// In the torn space, if there is one and its rows leave no local problem loose; else in the space itself, where every unknown of a
+/// relation of several terms is primal.
+std::vector<PrimalRows> Bddc::constrain(int locals, PrimalChoice& choice) {
+  const LocalProblems& all = matrix()->locals();
+  const bool withUnknowns = levels_.goesOn(locals);
+  // Adaptive constraints bound the condition on entities, of which a mortar has none.
+  torn_ = primal_->isAdaptive() ? nullptr : space()->torn();
+  averaging_.reset();
+  if (torn_) {
+    weighting_->setup(*torn_, all);
+    choice = primal_->choose(*torn_, all, *weighting_);
+    const MortarRows mortar(*space(), choice);
+    std::vector<PrimalRows> rows = primalRows(*torn_, choice, withUnknowns, &mortar);
+    int mine = 0, any = 0;
+    for (std::size_t i = 0; i < all.size(); ++i)
+      if (all[i] && all[i]->kernel().cols() > 0) {
+        const Matrix told = rows[i].rows * orthonormalBasis(all[i]->kernel(), kToldMotion);
+        mine = mine || nullSpace(told, kToldMotion).cols() > 0;
+      }
+    Teuchos::reduceAll(*space()->comm(), Teuchos::REDUCE_MAX, mine, Teuchos::outArg(any));
+    if (!any) {
+      averaging_ = std::make_unique<MortarAveraging>(*space(), all);
+      return rows;
+    }
+  }
+  torn_ = space();
+  weighting_->setup(*torn_, all);
+  choice = primal_->choose(*torn_, all, *weighting_);
+  return primalRows(*torn_, choice, withUnknowns);
 }
 
 /// Entities where their first local problem lives, unknowns where they are owned.
 void Bddc::countConstraints(const std::vector<Matrix>& rows) {
   std::map<int, int> here;
-  for (int i = 0; i < space()->locals(); ++i) here[space()->localId(i)] = i;
+  for (int i = 0; i < torn_->locals(); ++i) here[torn_->localId(i)] = i;
   GlobalId mine[2] = {0, 0}, all[2];
   for (std::size_t e = 0; e < rows.size(); ++e)
-    if (here.count(space()->entities()[e].sharers[0])) mine[0] += rows[e].rows();
-  for (int place = 0; place < space()->overlapSize(); ++place)
-    mine[1] += space()->sharers(place).size() > 1 && space()->ownedRow(place) >= 0;
+    if (here.count(torn_->entities()[e].sharers[0])) mine[0] += rows[e].rows();
+  for (int place = 0; place < torn_->overlapSize(); ++place) mine[1] += torn_->sharers(place).size() > 1 && torn_->ownedRow(place) >= 0;
   Teuchos::reduceAll(*space()->comm(), Teuchos::REDUCE_SUM, 2, mine, all);
   entityConstraints_ = all[0];
   sharedUnknowns_ = all[1];
@@ -181,11 +215,18 @@ void Bddc::doApply(const MultiVector& r, MultiVector& z) const {
   work.own.resize(locals_.size());
   for (std::size_t column = 0; column < r.getNumVectors(); ++column) {
     const auto zOne = z.getVectorNonConst(column);
-    space()->gather(*r.getVector(column), work.overlap);
+    if (averaging_) {
+      if (work.averaged.is_null()) work.averaged = space()->vector();
+      work.averaged->assign(*r.getVector(column));
+      averaging_->applyTranspose(*work.averaged);
+      torn_->gather(*work.averaged, work.overlap);
+    } else {
+      torn_->gather(*r.getVector(column), work.overlap);
+    }
     work.primal.setZero(coarse_->size());
     for (std::size_t i = 0; i < locals_.size(); ++i) {
       if (!locals_[i]) continue;
-      const Coupling& coupling = space()->coupling(static_cast<int>(i));
+      const Coupling& coupling = torn_->coupling(static_cast<int>(i));
       Matrix& flux = work.flux[i];
       flux.resize(coupling.rows(), 1);
       coupling.restrictTo(work.overlap, flux);
@@ -197,7 +238,7 @@ void Bddc::doApply(const MultiVector& r, MultiVector& z) const {
     work.overlap.setZero();
     for (std::size_t i = 0; i < locals_.size(); ++i) {
       if (!locals_[i]) continue;
-      const Coupling& coupling = space()->coupling(static_cast<int>(i));
+      const Coupling& coupling = torn_->coupling(static_cast<int>(i));
       Matrix& trace = work.trace[i];
       trace.resize(coupling.rows(), 1);
       inverses_[i]->apply(work.flux[i], trace);
@@ -207,7 +248,8 @@ void Bddc::doApply(const MultiVector& r, MultiVector& z) const {
       weighting_->apply(static_cast<int>(i), trace);
       coupling.addTransposed(trace, work.overlap);
     }
-    space()->scatterAdd(work.overlap, *zOne);
+    torn_->scatterAdd(work.overlap, *zOne);
+    if (averaging_) averaging_->apply(*zOne);
   }
 }
 

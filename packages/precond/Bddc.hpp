@@ -1,4 +1,5 @@
 #pragma once
+#include <suture/precond/MortarAveraging.hpp>
 #include <suture/precond/Preconditioner.hpp>
 #include <suture/precond/PrimalRows.hpp>
 #include <suture/precond/Weighting.hpp>
@@ -9,7 +10,7 @@
 
 namespace suture {
 
-/// Balancing domain decomposition by constraints (Dohrmann, 2003):
+/// Balancing domain decomposition by constraints (Dohrmann, 2003), on the two sides of a mortar with MortarRows and MortarAveraging:
 ///     M^-1 = sum_i R_i^T D_i x_i,   x_i = P_i f_i + Phi_i A_i y,   f_i = D_i^T R_i r,   (sum A_i^T Phi_i^T S_i Phi_i A_i) y = sum A_i^T
 ///     Phi_i^T f_i,
 /// P_i the inverse of S_i under the primal constraints C_i x = 0, Phi_i the traces of least energy with C_i Phi_i = I, A_i the values of
@@ -35,6 +36,7 @@ class Bddc : public Preconditioner {
   void doApply(const MultiVector& r, MultiVector& z) const override;
 
  private:
+  std::vector<PrimalRows> constrain(int locals, PrimalChoice& choice);
   void factorLocals(std::vector<PrimalRows> constraints);
   void assembleCoarse(int locals);
   CoarseElement element(std::size_t i) const;
@@ -43,7 +45,9 @@ class Bddc : public Preconditioner {
   std::unique_ptr<Weighting> weighting_;
   std::unique_ptr<PrimalConstraints> primal_;
   CoarseOptions levels_;
-  LocalProblems locals_;  // those the inverses belong to
+  std::shared_ptr<const InterfaceSpace> torn_;  // where local problems share unknowns: the space, or the torn one
+  std::unique_ptr<MortarAveraging> averaging_;  // null: the space is not torn
+  LocalProblems locals_;                        // those the inverses belong to
   std::vector<PrimalRows> constraints_;
   // Bases of inverses_, perhaps made for other constraints than the present ones.
   struct Base {

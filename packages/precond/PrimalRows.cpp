@@ -1,5 +1,6 @@
 #include <suture/base/Point.hpp>
 #include <suture/precond/EntitySides.hpp>
+#include <suture/precond/MortarRows.hpp>
 #include <suture/precond/PrimalRows.hpp>
 
 #include <algorithm>
@@ -10,28 +11,10 @@ namespace suture {
 namespace {
 
 // Two primal unknowns may belong to one interface unknown: itself where it is alone, and the row of an entity that is numbered after it.
-GlobalId aloneKey(const InterfaceSpace& space, int place) { return 2 * space.id(place); }
 GlobalId rowKey(const InterfaceSpace& space, int place) { return 2 * space.id(place) + 1; }
 
 InterfaceLayout::Unknown aloneUnknown(const InterfaceSpace& space, int place) {
   return {aloneKey(space, place), space.point(place), space.direction(place), space.moment(place)};
-}
-
-/// A combination of unknowns, as it moves about their centre.
-InterfaceLayout::Unknown combined(const InterfaceSpace& space, GlobalId key, const std::vector<int>& places, const Matrix& coefficients) {
-  InterfaceLayout::Unknown sum{key, {0, 0, 0}, {0, 0, 0}};
-  for (const int place : places)
-    for (int k = 0; k < 3; ++k) sum.point[k] += space.point(place)[k] / static_cast<double>(places.size());
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    const Point& d = space.direction(places[i]);
-    const Point turned = plus(cross(minus(space.point(places[i]), sum.point), d), space.moment(places[i]));
-    const double c = coefficients(0, static_cast<int>(i));
-    for (int k = 0; k < 3; ++k) {
-      sum.direction[k] += c * d[k];
-      sum.moment[k] += c * turned[k];
-    }
-  }
-  return sum;
 }
 
 struct Row {
@@ -56,6 +39,25 @@ PrimalRows::Rows sparse(std::vector<Row>& rows, int columns) {
 
 }  // namespace
 
+GlobalId aloneKey(const InterfaceSpace& space, int place) { return 2 * space.id(place); }
+
+InterfaceLayout::Unknown combinedUnknown(const InterfaceSpace& space, GlobalId key, const std::vector<int>& places,
+                                         const Matrix& coefficients) {
+  InterfaceLayout::Unknown sum{key, {0, 0, 0}, {0, 0, 0}};
+  for (const int place : places)
+    for (int k = 0; k < 3; ++k) sum.point[k] += space.point(place)[k] / static_cast<double>(places.size());
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const Point& d = space.direction(places[i]);
+    const Point turned = plus(cross(minus(space.point(places[i]), sum.point), d), space.moment(places[i]));
+    const double c = coefficients(0, static_cast<int>(i));
+    for (int k = 0; k < 3; ++k) {
+      sum.direction[k] += c * d[k];
+      sum.moment[k] += c * turned[k];
+    }
+  }
+  return sum;
+}
+
 std::vector<int> rowsIn(const PrimalRows::Rows& old, const PrimalRows::Rows& now) {
   const auto same = [&](int a, int b) {
     const int begin = old.outerIndexPtr()[a], end = old.outerIndexPtr()[a + 1], other = now.outerIndexPtr()[b];
@@ -74,7 +76,7 @@ std::vector<int> rowsIn(const PrimalRows::Rows& old, const PrimalRows::Rows& now
   return from;
 }
 
-std::vector<PrimalRows> primalRows(const InterfaceSpace& space, const PrimalChoice& choice, bool withUnknowns) {
+std::vector<PrimalRows> primalRows(const InterfaceSpace& space, const PrimalChoice& choice, bool withUnknowns, const MortarRows* mortar) {
   std::vector<std::vector<Row>> rows(space.locals());
   std::vector<std::vector<InterfaceLayout::Unknown>> unknowns(space.locals());
   for (int i = 0; i < space.locals(); ++i) {
@@ -94,6 +96,12 @@ std::vector<PrimalRows> primalRows(const InterfaceSpace& space, const PrimalChoi
         continue;
       }
       Row row{{{static_cast<int>(k), 1.0}}, {}};
+      if (const auto* instead = mortar ? mortar->instead(first) : nullptr) {
+        row.terms = *instead;
+        for (PrimalRows::Term& term : row.terms) term.coefficient *= by ? by->coefficients[0] : 1.0;
+        rows[i].push_back(std::move(row));
+        continue;
+      }
       for (std::size_t t = 0; t < count; ++t) {
         const int place = by ? by->others[t] : first;
         row.terms.push_back({aloneKey(space, place), by ? by->coefficients[t] : 1.0});
@@ -111,12 +119,16 @@ std::vector<PrimalRows> primalRows(const InterfaceSpace& space, const PrimalChoi
         row.entries.emplace_back(side.rows[k], choice.rows[side.entity](r, static_cast<int>(k)) / side.coefficients(static_cast<int>(k)));
       const std::vector<int>& places = entities[side.entity].unknowns;
       row.terms = {{rowKey(space, places[r]), 1.0}};
-      if (withUnknowns) unknowns[side.local].push_back(combined(space, row.terms[0].key, places, choice.rows[side.entity].row(r)));
+      if (withUnknowns) unknowns[side.local].push_back(combinedUnknown(space, row.terms[0].key, places, choice.rows[side.entity].row(r)));
       rows[side.local].push_back(std::move(row));
     }
 
   std::vector<PrimalRows> all(space.locals());
   for (int i = 0; i < space.locals(); ++i) {
+    if (mortar) {
+      for (const MortarRows::Row& row : mortar->of(i)) rows[i].push_back({row.entries, row.terms});
+      if (withUnknowns) unknowns[i].insert(unknowns[i].end(), mortar->privateOf(i).begin(), mortar->privateOf(i).end());
+    }
     all[i].rows = sparse(rows[i], space.coupling(i).rows());
     for (Row& row : rows[i]) all[i].terms.push_back(std::move(row.terms));
     const auto before = [](const InterfaceLayout::Unknown& a, const InterfaceLayout::Unknown& b) { return a.id < b.id; };

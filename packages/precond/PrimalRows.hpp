@@ -23,8 +23,18 @@ struct PrimalRows {
 /// For each row of `now`, the row of `old` that is the same, or -1.
 std::vector<int> rowsIn(const PrimalRows::Rows& old, const PrimalRows::Rows& now);
 
+class MortarRows;
+
 /// Primal constraints of each local problem of this rank. Local.
 /// \param withUnknowns  true: also `unknowns`, for a further level
-std::vector<PrimalRows> primalRows(const InterfaceSpace& space, const PrimalChoice& choice, bool withUnknowns);
+/// \param mortar        of a torn space, what its two sides have in common; null: nothing
+std::vector<PrimalRows> primalRows(const InterfaceSpace& space, const PrimalChoice& choice, bool withUnknowns,
+                                   const MortarRows* mortar = nullptr);
+
+/// Key of an unknown that is primal alone.
+GlobalId aloneKey(const InterfaceSpace& space, int place);
+/// A combination of unknowns as a primal unknown: how it moves about their centre. \param coefficients  one row
+InterfaceLayout::Unknown combinedUnknown(const InterfaceSpace& space, GlobalId key, const std::vector<int>& places,
+                                         const Matrix& coefficients);
 
 }  // namespace suture

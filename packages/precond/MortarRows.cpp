@@ -1,0 +1,268 @@
+#include <suture/base/Dense.hpp>
+#include <suture/precond/Mechanisms.hpp>
+#include <suture/precond/MortarRows.hpp>
+
+#include <Teuchos_Comm.hpp>
+#include <Teuchos_CommHelpers.hpp>
+#include <Tpetra_Map.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace suture {
+
+namespace {
+
+constexpr double kSameMotion = 1e-2;  // motions of a group that differ by less: a line that is nearly straight
+constexpr double kDependent = 1e-8;   // of a functional, relative to itself
+
+int largest(const Comm& comm, int mine) {
+  int all = 0;
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, mine, Teuchos::outArg(all));
+  return all;
+}
+
+}  // namespace
+
+/// All of it in the torn space.
+class MortarRows::Maker {
+ public:
+  Maker(const InterfaceSpace& space, const PrimalChoice& choice, MortarRows& made) : space_(*space.torn()), made_(made) {
+    // A rank knows the entities of its own local problems only: owners tell the others.
+    Matrix alone = Matrix::Zero(space_.overlapSize(), 1);
+    for (int place = 0; place < space_.overlapSize(); ++place) alone(place, 0) = space_.ownedRow(place) >= 0 && choice.alone[place];
+    space_.sum(alone);
+    for (int place = 0; place < space_.overlapSize(); ++place) alone_.push_back(alone(place, 0) > 0.0);
+    for (int i = 0; i < space_.locals(); ++i) localOf_[space_.localId(i)] = i;
+    for (const InterfaceRelation& relation : space.relations())
+      if (relation.others.size() > 1) relations_[space_.id(relation.unknown)] = &relation;
+  }
+
+  void make() {
+    findGroups();
+    for (const auto& [id, relation] : relations_)
+      if (alone_[relation->unknown]) addPoint(*relation);
+    orthonormalise();
+    exchange();
+    write();
+  }
+
+ private:
+  /// A right-hand side on one local problem j: coefficients of its unknowns that are not primal alone. It is known by one of the rows that
+  /// it is made of and a number there, so that all ranks find it.
+  struct Functional {
+    int row;                                       // place of that row's expressed unknown
+    int slot;                                      // number there
+    int on;                                        // id of j
+    std::map<int, double> coefficients;            // by place
+    std::vector<std::pair<int, double>> combined;  // private primal unknowns of j, by number
+  };
+  /// A left-hand side, and the right-hand sides that it is the sum of.
+  struct Side {
+    std::vector<std::pair<int, double>> entries;  // place, coefficient; of a group
+    std::map<int, double> alone;                  // coefficients of unknowns that are primal alone, by place
+    std::vector<int> functionals;
+    int on = -1;  // id of i; -1: the expressed unknown itself, in all local problems that have it
+  };
+
+  bool isOn(int place, int local) const {
+    const std::vector<int>& sharers = space_.sharers(place);
+    return std::binary_search(sharers.begin(), sharers.end(), local);
+  }
+
+  /// Adds coefficients of unknowns that express a row or several.
+  void add(Side& side, const std::map<int, double>& masters, int row, int firstSlot, int on) {
+    std::map<int, std::map<int, double>> byLocal;
+    for (const auto& [place, value] : masters)
+      if (alone_[place])
+        side.alone[place] += value;
+      else
+        byLocal[on >= 0 && isOn(place, on) ? on : space_.sharers(place).front()][place] += value;
+    int slot = firstSlot;
+    for (auto& [id, coefficients] : byLocal) {
+      side.functionals.push_back(static_cast<int>(functionals_.size()));
+      functionals_.push_back({row, slot++, id, std::move(coefficients), {}});
+    }
+  }
+
+  void findGroups() {
+    std::map<std::pair<int, int>, std::vector<const InterfaceRelation*>> groups;  // (i, j)
+    for (const auto& [id, relation] : relations_) {
+      const std::vector<int>& own = space_.sharers(relation->unknown);
+      if (own.size() != 1 || alone_[relation->unknown]) continue;
+      std::vector<int> common;
+      bool any = false, allAlone = true;
+      for (const int place : relation->others) {
+        const std::vector<int>& sharers = space_.sharers(place);
+        if (isOn(place, own[0])) continue;
+        std::vector<int> both;
+        std::set_intersection(common.begin(), common.end(), sharers.begin(), sharers.end(), std::back_inserter(both));
+        common = any ? std::move(both) : sharers;
+        any = true;
+        allAlone = allAlone && alone_[place];
+      }
+      if (!common.empty() && !allAlone) groups[{own[0], common[0]}].push_back(relation);
+    }
+    for (const auto& [pair, rows] : groups) {
+      // Ranks of other local problems see some of the rows only.
+      if (!localOf_.count(pair.first) && !localOf_.count(pair.second)) continue;
+      std::vector<int> places;
+      for (const InterfaceRelation* row : rows) places.push_back(row->unknown);
+      const Matrix motions = orthonormalBasis(rigidMotionsOf(space_, places, true), kSameMotion);
+      double size = 0.0;
+      for (const InterfaceRelation* row : rows) size = std::max(size, row->size);
+      for (Eigen::Index c = 0; c < motions.cols(); ++c) {
+        Side side;
+        side.on = pair.first;
+        std::map<int, double> masters;
+        for (std::size_t r = 0; r < rows.size(); ++r) {
+          const double q = motions(static_cast<Eigen::Index>(r), c) * rows[r]->size / size;
+          side.entries.emplace_back(rows[r]->unknown, q);
+          for (std::size_t k = 0; k < rows[r]->others.size(); ++k) {
+            const int place = rows[r]->others[k];
+            if (isOn(place, pair.first))  // another component of the same node
+              side.entries.emplace_back(place, -q * rows[r]->coefficients[k]);
+            else
+              masters[place] += q * rows[r]->coefficients[k];
+          }
+        }
+        add(side, masters, places[static_cast<std::size_t>(c)], 0, pair.second);
+        sides_.push_back(std::move(side));
+      }
+    }
+  }
+
+  void addPoint(const InterfaceRelation& relation) {
+    Side side;
+    side.entries.emplace_back(relation.unknown, 1.0);
+    std::map<int, double> masters;
+    for (std::size_t k = 0; k < relation.others.size(); ++k) masters[relation.others[k]] = relation.coefficients[k];
+    add(side, masters, relation.unknown, 0, -1);
+    sides_.push_back(std::move(side));
+  }
+
+  /// In the order of the rows, twice for the digits.
+  void orthonormalise() {
+    std::map<int, std::vector<Functional*>> on;
+    for (Functional& functional : functionals_)
+      if (localOf_.count(functional.on)) on[functional.on].push_back(&functional);
+    int most = 0;
+    for (auto& [id, all] : on) {
+      std::sort(all.begin(), all.end(), [&](const Functional* a, const Functional* b) {
+        return std::make_pair(space_.id(a->row), a->slot) < std::make_pair(space_.id(b->row), b->slot);
+      });
+      std::vector<std::map<int, double>>& basis = basisOf_[id];
+      for (Functional* functional : all) {
+        std::map<int, double> left = functional->coefficients;
+        const double whole = norm(left);
+        std::map<int, double> parts;
+        for (int turn = 0; turn < 2; ++turn)
+          for (std::size_t q = 0; q < basis.size(); ++q) {
+            double product = 0.0;
+            for (const auto& [place, value] : basis[q])
+              if (const auto found = left.find(place); found != left.end()) product += value * found->second;
+            if (product == 0.0) continue;
+            for (const auto& [place, value] : basis[q]) left[place] -= product * value;
+            parts[static_cast<int>(q)] += product;
+          }
+        if (const double rest = norm(left); rest > kDependent * whole) {
+          for (auto& entry : left) entry.second /= rest;
+          parts[static_cast<int>(basis.size())] = rest;
+          basis.push_back(std::move(left));
+        }
+        functional->combined.assign(parts.begin(), parts.end());
+      }
+      most = std::max(most, static_cast<int>(basis.size()));
+    }
+    most_ = largest(*space_.comm(), most);
+  }
+
+  static double norm(const std::map<int, double>& values) {
+    double sum = 0.0;
+    for (const auto& entry : values) sum += entry.second * entry.second;
+    return std::sqrt(sum);
+  }
+
+  /// What a functional is made of is found where j lives, and told to all who see its row.
+  void exchange() {
+    int slots = 0;
+    for (const Functional& functional : functionals_) slots = std::max(slots, functional.slot + 1);
+    slots = largest(*space_.comm(), slots);
+    if (slots * most_ == 0) return;
+    Matrix values = Matrix::Zero(space_.overlapSize(), slots * most_);
+    for (const Functional& functional : functionals_)
+      for (const auto& [number, value] : functional.combined) values(functional.row, functional.slot * most_ + number) = value;
+    space_.sum(values);
+    for (Functional& functional : functionals_) {
+      functional.combined.clear();
+      for (int number = 0; number < most_; ++number)
+        if (const double value = values(functional.row, functional.slot * most_ + number); value != 0.0)
+          functional.combined.emplace_back(number, value);
+    }
+  }
+
+  /// Keys after those of all unknowns and entities.
+  GlobalId keyOf(int id, int number) const {
+    return 2 * (space_.map()->getMaxAllGlobalIndex() + 1 + static_cast<GlobalId>(id) * most_ + number);
+  }
+
+  void write() {
+    std::vector<std::map<int, int>> positions(space_.locals());  // place -> position in the trace
+    for (int i = 0; i < space_.locals(); ++i) {
+      const std::vector<int>& places = space_.coupling(i).columns();
+      for (std::size_t k = 0; k < places.size(); ++k) positions[i][places[k]] = static_cast<int>(k);
+    }
+    made_.rows_.resize(space_.locals());
+    made_.private_.resize(space_.locals());
+    for (const auto& [id, basis] : basisOf_) {
+      const int local = localOf_.at(id);
+      for (std::size_t q = 0; q < basis.size(); ++q) {
+        Row row;
+        std::vector<int> places;
+        Matrix coefficients(1, static_cast<int>(basis[q].size()));
+        for (const auto& [place, value] : basis[q]) {
+          row.entries.emplace_back(positions[local].at(place), value);
+          coefficients(0, static_cast<int>(places.size())) = value;
+          places.push_back(place);
+        }
+        row.terms = {{keyOf(id, static_cast<int>(q)), 1.0}};
+        made_.private_[local].push_back(combinedUnknown(space_, row.terms[0].key, places, coefficients));
+        made_.rows_[local].push_back(std::move(row));
+      }
+    }
+    for (const Side& side : sides_) {
+      std::vector<PrimalRows::Term> terms;
+      for (const auto& [place, value] : side.alone) terms.push_back({aloneKey(space_, place), value});
+      for (const int f : side.functionals)
+        for (const auto& [number, value] : functionals_[f].combined) terms.push_back({keyOf(functionals_[f].on, number), value});
+      if (side.on < 0) {
+        made_.instead_[side.entries[0].first] = std::move(terms);
+        continue;
+      }
+      const auto here = localOf_.find(side.on);
+      if (here == localOf_.end()) continue;
+      Row row;
+      std::map<int, double> entries;
+      for (const auto& [place, value] : side.entries) entries[place] += value;
+      const double size = norm(entries);
+      for (const auto& [place, value] : entries) row.entries.emplace_back(positions[here->second].at(place), value / size);
+      for (PrimalRows::Term& term : terms) term.coefficient /= size;
+      row.terms = std::move(terms);
+      made_.rows_[here->second].push_back(std::move(row));
+    }
+  }
+
+  const InterfaceSpace& space_;
+  MortarRows& made_;
+  std::vector<char> alone_;                                 // of each place: primal alone
+  std::map<int, int> localOf_;                              // id -> place among those of this rank
+  std::map<GlobalId, const InterfaceRelation*> relations_;  // of several terms, by what they express
+  std::vector<Functional> functionals_;
+  std::vector<Side> sides_;
+  std::map<int, std::vector<std::map<int, double>>> basisOf_;  // id of j -> orthonormal functionals
+  int most_ = 0;                                               // private unknowns of a local problem
+};
+
+MortarRows::MortarRows(const InterfaceSpace& space, const PrimalChoice& choice) { Maker(space, choice, *this).make(); }
+
+}  // namespace suture
