@@ -2,9 +2,9 @@
 #include <suture/base/Errors.hpp>
 #include <suture/base/scene/SceneReader.hpp>
 #include <suture/mesh/Generators.hpp>
-#include <suture/mesh/GmshReader.hpp>
 #include <suture/mesh/Hdf5Mesh.hpp>
 #include <suture/mesh/MeshReader.hpp>
+#include <suture/mesh/gmsh/GmshReader.hpp>
 
 #include <Teuchos_Array.hpp>
 #include <Teuchos_Comm.hpp>

@@ -1,7 +1,7 @@
 // A mesh file of Gmsh, through the mesher in its own process: a few inputs a second.
 #include "Fuzz.hpp"
 
-#include <suture/mesh/GmshReader.hpp>
+#include <suture/mesh/gmsh/GmshReader.hpp>
 
 using namespace suture;
 

@@ -1,6 +1,6 @@
 // Needs SUTURE_GMSH. One rank: the reader is local; see MeshReader for several.
 #include <suture/mesh/CellGeometry.hpp>
-#include <suture/mesh/GmshReader.hpp>
+#include <suture/mesh/gmsh/GmshReader.hpp>
 
 #include <Teuchos_UnitTestHarness.hpp>
 #include <cmath>

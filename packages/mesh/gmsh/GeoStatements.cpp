@@ -1,4 +1,4 @@
-#include <suture/mesh/GeoStatements.hpp>
+#include <suture/mesh/gmsh/GeoStatements.hpp>
 
 #include <algorithm>
 #include <cctype>

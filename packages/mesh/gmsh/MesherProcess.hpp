@@ -1,5 +1,5 @@
 #pragma once
-#include <suture/mesh/GmshMesh.hpp>
+#include <suture/mesh/gmsh/GmshMesh.hpp>
 
 #include <string>
 

@@ -2,7 +2,7 @@
 // that ends, hangs or crashes Gmsh, or makes it run programs, harms only this process. Writes MesherMessages to its descriptor 3.
 //     suture_mesher geo|msh FILE MESH_SIZE_FACTOR BYTES SECONDS ALLOW_PROGRAMS(0|1)
 #include <suture/base/Buffer.hpp>
-#include <suture/mesh/GmshMesh.hpp>
+#include <suture/mesh/gmsh/GmshMesh.hpp>
 
 #include <gmsh.h>
 #include <unistd.h>

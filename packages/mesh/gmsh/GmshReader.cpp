@@ -1,12 +1,12 @@
 #include <suture/base/Errors.hpp>
 #include <suture/mesh/CellGeometry.hpp>
-#include <suture/mesh/GeoStatements.hpp>
-#include <suture/mesh/GeoText.hpp>
-#include <suture/mesh/GmshMesh.hpp>
-#include <suture/mesh/GmshReader.hpp>
 #include <suture/mesh/HilbertOrder.hpp>
-#include <suture/mesh/MesherProcess.hpp>
 #include <suture/mesh/SideTable.hpp>
+#include <suture/mesh/gmsh/GeoStatements.hpp>
+#include <suture/mesh/gmsh/GeoText.hpp>
+#include <suture/mesh/gmsh/GmshMesh.hpp>
+#include <suture/mesh/gmsh/GmshReader.hpp>
+#include <suture/mesh/gmsh/MesherProcess.hpp>
 
 #include <algorithm>
 #include <cmath>

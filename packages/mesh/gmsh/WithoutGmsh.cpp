@@ -1,6 +1,6 @@
 // Stands for GmshReader.cpp when Suture is configured with SUTURE_GMSH=OFF.
 #include <suture/base/Errors.hpp>
-#include <suture/mesh/GmshReader.hpp>
+#include <suture/mesh/gmsh/GmshReader.hpp>
 
 namespace suture {
 

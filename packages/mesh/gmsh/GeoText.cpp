@@ -1,5 +1,5 @@
 #include <suture/base/Errors.hpp>
-#include <suture/mesh/GeoText.hpp>
+#include <suture/mesh/gmsh/GeoText.hpp>
 
 #include <unistd.h>
 

@@ -2,7 +2,7 @@
 #include <suture/base/Errors.hpp>
 #include <suture/base/Memory.hpp>
 #include <suture/base/Numbers.hpp>
-#include <suture/mesh/MesherProcess.hpp>
+#include <suture/mesh/gmsh/MesherProcess.hpp>
 
 #include <dlfcn.h>
 #include <fcntl.h>
