@@ -79,6 +79,8 @@ class ContactSearch {
     double energy = 0.0;
   };
 
+  void remember(const Vector& force, const Vector& penetration);
+  static ClosedSet joined(ClosedSet a, const ClosedSet& b);
   bool solve(const ClosedSet& closed);
   ClosedSet flipped() const;
   bool pulls() const;
