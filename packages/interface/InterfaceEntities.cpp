@@ -48,9 +48,13 @@ std::shared_ptr<const InterfaceSpace> InterfaceSpace::related(std::vector<Interf
   if (!relations_.empty()) throw InternalError("relations of a space that has some already");
   std::vector<InterfaceRelation> plain;
   std::vector<int> inRows;  // unknowns of the others
-  std::vector<char> expressed(ids_.size(), 0);
+  std::vector<char> expressed(ids_.size(), 0), named(ids_.size(), 0);
+  for (const InterfaceRelation& relation : relations)
+    if (relation.others.size() > 1)
+      for (const int other : relation.others) named[other] = 1;
   for (const InterfaceRelation& relation : relations) {
-    if (relation.others.size() < 2) {
+    // On a mortar nodes that happen to be opposite to each other are rows like the others.
+    if (relation.others.size() < 2 && (relation.others.empty() || !named[relation.others[0]])) {
       plain.push_back(relation);
       continue;
     }

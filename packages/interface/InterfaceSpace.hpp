@@ -71,9 +71,11 @@ class InterfaceSpace {
   const InterfaceRelation* relation(int place) const { return relationOf_[place] < 0 ? nullptr : &relations_[relationOf_[place]]; }
   /// The relations that this rank sees, in an order that does not depend on the rank.
   const std::vector<InterfaceRelation>& relations() const { return relations_; }
-  /// The space without the relations of several terms: what they express (the rows of a mortar) is free there, and its sharers are those of
-  /// its own body. Null if there are none, on all ranks or on no rank.
+  /// The space without the relations of several terms, and those of one term that name an unknown of these: what they express (the rows of
+  /// a mortar) is free there, and its sharers are those of its own body. Null if there are none, on all ranks or on no rank.
   const std::shared_ptr<const InterfaceSpace>& torn() const { return torn_; }
+  /// True if a relation is none in the torn space.
+  bool isTorn(const InterfaceRelation& relation) const { return torn_ && torn_->relationOf_[relation.unknown] < 0; }
   /// Ids of the local problems that feel it, ascending; none for an expressed one.
   const std::vector<int>& sharers(int place) const { return sharers_[place]; }
   /// Entities that touch local problems of this rank, none empty; no unknown in two of them. Ranks that know several of them list these in

@@ -33,9 +33,27 @@ Vector stiffnessOf(const InterfaceSpace& torn, const LocalProblems& locals) {
   return sum.col(0);
 }
 
-/// Rows of a matrix that belong to other ranks, by the number of the unknown.
-using SparseRow = std::map<GlobalId, double>;
+using SparseRow = std::map<GlobalId, double>;  // by the number of the unknown
 
+/// A matrix of some rows, by their places on this rank. Collective.
+Teuchos::RCP<Crs> matrixOf(const MapPtr& map, const std::map<int, SparseRow>& rows) {
+  std::vector<std::size_t> counts(map->getNodeNumElements(), 0);
+  for (const auto& [place, row] : rows) counts[std::size_t(place)] = row.size();
+  const auto made = Teuchos::rcp(new Crs(map, Teuchos::ArrayView<const std::size_t>(counts.data(), counts.size())));
+  for (const auto& [place, row] : rows) {
+    std::vector<GlobalId> columns;
+    std::vector<double> values;
+    for (const auto& [column, value] : row) {
+      columns.push_back(column);
+      values.push_back(value);
+    }
+    made->insertGlobalValues(map->getGlobalElement(place), static_cast<int>(values.size()), values.data(), columns.data());
+  }
+  made->fillComplete(map, map);
+  return made;
+}
+
+/// Rows that may belong to other ranks. Collective.
 std::map<GlobalId, SparseRow> rowsOf(const Crs& matrix, const std::set<GlobalId>& wanted, const CommPtr& comm) {
   const std::vector<GlobalId> ids(wanted.begin(), wanted.end());
   const MapPtr here = Teuchos::rcp(new Map(Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid(),
@@ -59,18 +77,21 @@ MortarAveraging::MortarAveraging(const InterfaceSpace& space, const LocalProblem
   const InterfaceSpace& torn = *space.torn();
   const Vector stiffness = stiffnessOf(torn, locals);
   std::vector<const InterfaceRelation*> mine;  // rows whose expressed unknown is owned here
-  std::set<int> masters;                       // places
+  std::map<int, SparseRow> normals;            // owned rows of Delta_m + M^T Delta_s M: owners see all rows that name an unknown
   double least = 1e300, most = 0.0;
   for (const InterfaceRelation& relation : space.relations()) {
-    if (relation.others.size() < 2) continue;
-    if (torn.ownedRow(relation.unknown) >= 0) {
-      mine.push_back(&relation);
-      expressed_.push_back(torn.ownedRow(relation.unknown));
-    }
-    masters.insert(relation.others.begin(), relation.others.end());
-    for (const int place : relation.others) {
-      const double ratio = stiffness(place) / std::max(stiffness(relation.unknown), 1e-300);
+    if (!space.isTorn(relation)) continue;
+    const double own = stiffness(relation.unknown);
+    if (torn.ownedRow(relation.unknown) >= 0) mine.push_back(&relation);
+    for (std::size_t k = 0; k < relation.others.size(); ++k) {
+      const int place = relation.others[k];
+      const double ratio = stiffness(place) / std::max(own, 1e-300);
       least = std::min(least, ratio), most = std::max(most, ratio);
+      if (torn.ownedRow(place) < 0) continue;
+      SparseRow& row = normals[torn.ownedRow(place)];
+      row.emplace(torn.id(place), stiffness(place));
+      for (std::size_t l = 0; l < relation.others.size(); ++l)
+        row[torn.id(relation.others[l])] += own * relation.coefficients[k] * relation.coefficients[l];
     }
   }
   const double mineJump = std::max(most, 1.0 / std::max(least, 1e-300));
@@ -78,34 +99,15 @@ MortarAveraging::MortarAveraging(const InterfaceSpace& space, const LocalProblem
   Teuchos::reduceAll(*torn.comm(), Teuchos::REDUCE_MAX, mineJump, Teuchos::outArg(jump));
   const int layers = jump > kJump ? kManyLayers : kFewLayers;
 
-  constexpr std::size_t kExpected = 8;  // entries of a row
-  jump_ = Teuchos::rcp(new Crs(torn.map(), kExpected));
-  Crs normal(torn.map(), 2 * kExpected);  // Delta_m + M^T Delta_s M
+  std::map<int, SparseRow> jumps;
   for (const InterfaceRelation* relation : mine) {
-    std::vector<GlobalId> ids;
-    std::vector<double> values;
-    for (std::size_t k = 0; k < relation->others.size(); ++k) {
-      ids.push_back(torn.id(relation->others[k]));
-      values.push_back(-relation->coefficients[k]);
-    }
-    const auto count = static_cast<int>(ids.size());
-    for (int k = 0; k < count; ++k) {
-      std::vector<double> product(values);
-      for (double& value : product) value *= stiffness(relation->unknown) * values[k];
-      normal.insertGlobalValues(ids[k], count, product.data(), ids.data());
-    }
-    const double one = 1.0;
-    const GlobalId own = torn.id(relation->unknown);
-    jump_->insertGlobalValues(own, 1, &one, &own);
-    jump_->insertGlobalValues(own, count, values.data(), ids.data());
+    expressed_.push_back(torn.ownedRow(relation->unknown));
+    SparseRow& row = jumps[expressed_.back()];
+    row[torn.id(relation->unknown)] = 1.0;
+    for (std::size_t k = 0; k < relation->others.size(); ++k) row[torn.id(relation->others[k])] = -relation->coefficients[k];
   }
-  for (const int place : masters)
-    if (torn.ownedRow(place) >= 0) {
-      const GlobalId id = torn.id(place);
-      normal.insertGlobalValues(id, 1, &stiffness(place), &id);
-    }
-  jump_->fillComplete(torn.map(), torn.map());
-  normal.fillComplete(torn.map(), torn.map());
+  jump_ = matrixOf(torn.map(), jumps);
+  const Teuchos::RCP<const Crs> normal = matrixOf(torn.map(), normals);
 
   // The patch of each row grows by the neighbours of what it has.
   std::vector<std::set<GlobalId>> patches(mine.size());
@@ -115,7 +117,7 @@ MortarAveraging::MortarAveraging(const InterfaceSpace& space, const LocalProblem
   for (int layer = 0; layer <= layers; ++layer) {
     std::set<GlobalId> wanted;
     for (const auto& patch : patches) wanted.insert(patch.begin(), patch.end());
-    rows = rowsOf(normal, wanted, torn.comm());
+    rows = rowsOf(*normal, wanted, torn.comm());
     if (layer == layers) break;
     for (auto& patch : patches) {
       std::set<GlobalId> grown = patch;
@@ -124,7 +126,7 @@ MortarAveraging::MortarAveraging(const InterfaceSpace& space, const LocalProblem
       patch = std::move(grown);
     }
   }
-  parts_ = Teuchos::rcp(new Crs(torn.map(), 2 * kExpected));
+  std::map<int, SparseRow> parts;
   collectively(*torn.comm(), "sharing the jumps of a mortar", [&] {
     for (std::size_t r = 0; r < mine.size(); ++r) {
       const std::vector<GlobalId> ids(patches[r].begin(), patches[r].end());
@@ -137,26 +139,27 @@ MortarAveraging::MortarAveraging(const InterfaceSpace& space, const LocalProblem
       for (std::size_t k = 0; k < mine[r]->others.size(); ++k)
         part(at(torn.id(mine[r]->others[k])), 0) = mine[r]->coefficients[k] * stiffness(mine[r]->unknown);
       const Matrix solved = solvePositive(patch, part);
-      const GlobalId own = torn.id(mine[r]->unknown);
-      for (int i = 0; i < n; ++i) parts_->insertGlobalValues(ids[i], 1, &solved(i, 0), &own);
+      for (int i = 0; i < n; ++i) parts[expressed_[r]][ids[i]] = solved(i, 0);
     }
   });
-  parts_->fillComplete(torn.map(), torn.map());
+  parts_ = matrixOf(torn.map(), parts);
+}
+
+void MortarAveraging::makeWork(std::size_t columns) const {
+  if (work_.is_null() || work_->getNumVectors() != columns) work_ = Teuchos::rcp(new MultiVector(jump_->getRowMap(), columns));
 }
 
 void MortarAveraging::apply(MultiVector& values) const {
-  if (work_.is_null() || work_->getNumVectors() != values.getNumVectors())
-    work_ = Teuchos::rcp(new MultiVector(values.getMap(), values.getNumVectors()));
+  makeWork(values.getNumVectors());
   jump_->apply(values, *work_);
-  parts_->apply(*work_, values, Teuchos::NO_TRANS, 1.0, 1.0);
+  parts_->apply(*work_, values, Teuchos::TRANS, 1.0, 1.0);
   auto view = localView(values);
   for (const int row : expressed_) view.row(row).setZero();
 }
 
 void MortarAveraging::applyTranspose(MultiVector& values) const {
-  if (work_.is_null() || work_->getNumVectors() != values.getNumVectors())
-    work_ = Teuchos::rcp(new MultiVector(values.getMap(), values.getNumVectors()));
-  parts_->apply(values, *work_, Teuchos::TRANS);
+  makeWork(values.getNumVectors());
+  parts_->apply(values, *work_);
   auto view = localView(values);
   for (const int row : expressed_) view.row(row).setZero();
   jump_->apply(*work_, values, Teuchos::TRANS, 1.0, 1.0);

@@ -24,8 +24,9 @@ class MortarAveraging {
 
  private:
   using Crs = Tpetra::CrsMatrix<>;
+  void makeWork(std::size_t columns) const;
   Teuchos::RCP<Crs> jump_;      // (1, -M): rows of the expressed unknowns, the others are empty
-  Teuchos::RCP<Crs> parts_;     // G: rows of m, columns of s
+  Teuchos::RCP<Crs> parts_;     // G^T: rows of s, columns of m
   std::vector<int> expressed_;  // owned rows
   mutable MultiVectorPtr work_;
 };

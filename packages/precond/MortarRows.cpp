@@ -35,7 +35,7 @@ class MortarRows::Maker {
     for (int place = 0; place < space_.overlapSize(); ++place) alone_.push_back(alone(place, 0) > 0.0);
     for (int i = 0; i < space_.locals(); ++i) localOf_[space_.localId(i)] = i;
     for (const InterfaceRelation& relation : space.relations())
-      if (relation.others.size() > 1) relations_[space_.id(relation.unknown)] = &relation;
+      if (space.isTorn(relation)) relations_[space_.id(relation.unknown)] = &relation;
   }
 
   void make() {
@@ -207,10 +207,15 @@ class MortarRows::Maker {
   }
 
   void write() {
-    std::vector<std::map<int, int>> positions(space_.locals());  // place -> position in the trace
+    // Place -> where it stands in the trace, and its value over that there: a pair of two nodes identifies it with another one.
+    std::vector<std::map<int, std::pair<int, double>>> positions(space_.locals());
     for (int i = 0; i < space_.locals(); ++i) {
       const std::vector<int>& places = space_.coupling(i).columns();
-      for (std::size_t k = 0; k < places.size(); ++k) positions[i][places[k]] = static_cast<int>(k);
+      for (std::size_t k = 0; k < places.size(); ++k)
+        if (const InterfaceRelation* by = space_.relation(places[k]); !by)
+          positions[i][places[k]] = {static_cast<int>(k), 1.0};
+        else if (by->others.size() == 1)
+          positions[i].emplace(by->others[0], std::make_pair(static_cast<int>(k), 1.0 / by->coefficients[0]));
     }
     made_.rows_.resize(space_.locals());
     made_.private_.resize(space_.locals());
@@ -221,7 +226,8 @@ class MortarRows::Maker {
         std::vector<int> places;
         Matrix coefficients(1, static_cast<int>(basis[q].size()));
         for (const auto& [place, value] : basis[q]) {
-          row.entries.emplace_back(positions[local].at(place), value);
+          const auto [position, over] = positions[local].at(place);
+          row.entries.emplace_back(position, value * over);
           coefficients(0, static_cast<int>(places.size())) = value;
           places.push_back(place);
         }
@@ -245,7 +251,10 @@ class MortarRows::Maker {
       std::map<int, double> entries;
       for (const auto& [place, value] : side.entries) entries[place] += value;
       const double size = norm(entries);
-      for (const auto& [place, value] : entries) row.entries.emplace_back(positions[here->second].at(place), value / size);
+      for (const auto& [place, value] : entries) {
+        const auto [position, over] = positions[here->second].at(place);
+        row.entries.emplace_back(position, value * over / size);
+      }
       for (PrimalRows::Term& term : terms) term.coefficient /= size;
       row.terms = std::move(terms);
       made_.rows_[here->second].push_back(std::move(row));

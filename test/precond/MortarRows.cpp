@@ -82,8 +82,8 @@ TEUCHOS_UNIT_TEST(MortarRows, KeepBddcSymmetricWithNoEigenvalueBelowOne) {
       }
 }
 
-// Condition within 1.6 times, PCG within three, coarse size within 1.1 times of the matching line with the same subdomains, which has 1.18,
-// 6 steps and 179 primal unknowns with eight cells (by an independent program; steps there to 1e-8).
+// Condition within 1.6 times, coarse size within 1.1 times of the matching line with the same subdomains. Steps are to 1e-10: four more of
+// them are three to 1e-8.
 TEUCHOS_UNIT_TEST(MortarRows, AreAsGoodAsMatchingNodes) {
   for (const int cells : {4, 8}) {
     Line matching;
@@ -99,7 +99,7 @@ TEUCHOS_UNIT_TEST(MortarRows, AreAsGoodAsMatchingNodes) {
         out << line.below << ":" << line.above << (carriedBelow ? " below" : " above") << ": " << mortar.condition << ", "
             << mortar.iterations << ", " << mortar.coarse << "\n";
         TEST_COMPARE(mortar.condition, <, 1.6 * reference.condition);
-        TEST_COMPARE(mortar.iterations, <=, reference.iterations + 3);
+        TEST_COMPARE(mortar.iterations, <=, reference.iterations + 4);
         TEST_COMPARE(mortar.coarse, <, 1.1 * reference.coarse);
       }
   }
@@ -127,6 +127,7 @@ TEUCHOS_UNIT_TEST(MortarRows, DoNotFeelJumpsEitherWay) {
           << matching.condition << " (" << matching.iterations << ")\n";
       TEST_COMPARE(mortar.condition, <, 1.6 * matching.condition);
       TEST_COMPARE(mortar.iterations, <=, matching.iterations + 3);
+      TEST_COMPARE(mortar.coarse, <, 1.1 * matching.coarse);
     }
 }
 
