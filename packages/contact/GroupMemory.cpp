@@ -1,14 +1,16 @@
+#include <suture/algebra/CostModel.hpp>
 #include <suture/contact/GroupMemory.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <set>
 
 namespace suture {
 
 double GroupMemory::megabytes() const {
-  const double n = std::max(static_cast<double>(unknowns), 2.0), p = rows;
-  const double factors = 2 * 11 * 7 * n * std::log2(n), stiffness = 5 * 12 * stiffnessEntries, compliance = 8 * 8 * p * p;
+  constexpr double kAnEntry = 17.1;  // of both factors together 154 n log2 n
+  const double p = rows;
+  const double factors = 2 * CostModel(dimension).factorBytes(unknowns, kAnEntry), stiffness = 5 * 12 * stiffnessEntries,
+               compliance = 8 * 8 * p * p;
   return (factors + stiffness + compliance) / (1 << 20);
 }
 
@@ -16,6 +18,7 @@ GroupMemory groupMemory(const std::vector<const Subdomain*>& members) {
   std::set<int> ids, pairs;
   for (const Subdomain* member : members) ids.insert(member->mesh().id);
   GroupMemory memory;
+  if (!members.empty()) memory.dimension = members.front()->components();
   for (const Subdomain* member : members) {
     const SubdomainMesh& mesh = member->mesh();
     memory.stiffnessEntries += static_cast<double>(member->stiffness().nonZeros());

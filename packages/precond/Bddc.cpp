@@ -1,3 +1,4 @@
+#include <suture/algebra/CostModel.hpp>
 #include <suture/algebra/UpdatedInverse.hpp>
 #include <suture/base/Collective.hpp>
 #include <suture/base/Dense.hpp>
@@ -45,15 +46,27 @@ Schema Bddc::schema() {
   schema.choice("Weighting", "Stiffness Diagonal", Registry<Weighting>::instance().schemas(), "How subdomains share the interface, D_i.");
   schema.choice("Edge Constraints", "Rigid Modes", Registry<PrimalConstraints>::instance().schemas(),
                 "What subdomains have in common on an edge, beside its end points.");
+  schema.oneOf(
+      "Local Inverses", "Automatic", {"Automatic", "Dense", "Sparse"},
+      "How local problems are inverted. Dense: a matrix of the size of the boundary; Sparse: a factor of interior and boundary, the "
+      "constraints through a small matrix; Automatic: for each local problem what takes less time, in the plane Dense.");
   CoarseOptions::addParameters(schema);
   return schema;
 }
 
-Bddc::Bddc(const Parameters& own)
-    : Bddc(makeStrategy<Weighting>(own, "Weighting"), makeStrategy<PrimalConstraints>(own, "Edge Constraints"), CoarseOptions::from(own)) {}
+namespace {
+Bddc::Inverses inversesIn(const Parameters& own) {
+  const auto name = own.get<std::string>("Local Inverses");
+  return name == "Dense" ? Bddc::Inverses::Dense : name == "Sparse" ? Bddc::Inverses::Sparse : Bddc::Inverses::Automatic;
+}
+}  // namespace
 
-Bddc::Bddc(std::unique_ptr<Weighting> weighting, std::unique_ptr<PrimalConstraints> primal, CoarseOptions levels)
-    : weighting_(std::move(weighting)), primal_(std::move(primal)), levels_(std::move(levels)) {}
+Bddc::Bddc(const Parameters& own)
+    : Bddc(makeStrategy<Weighting>(own, "Weighting"), makeStrategy<PrimalConstraints>(own, "Edge Constraints"), CoarseOptions::from(own),
+           inversesIn(own)) {}
+
+Bddc::Bddc(std::unique_ptr<Weighting> weighting, std::unique_ptr<PrimalConstraints> primal, CoarseOptions levels, Inverses inverses)
+    : weighting_(std::move(weighting)), primal_(std::move(primal)), levels_(std::move(levels)), kind_(inverses) {}
 
 struct Bddc::Work {
   Matrix overlap;
@@ -140,6 +153,18 @@ std::string Bddc::remark() const {
   return text.str();
 }
 
+std::unique_ptr<LocalInverse> Bddc::inverseOf(const LocalProblem& local, const Matrix& rows) const {
+  // Iterations that the choice reckons with, as that of Schur complements does.
+  constexpr double kApplications = 40.0;
+  const CostModel cost(space()->dimension());
+  const double b = local.size(), n = local.unknowns();
+  const double dense = cost.denseSeconds(b) + kApplications * cost.productSeconds(b);
+  const double sparse = cost.factorFlops(n) / CostModel::kFactorRate + kApplications * cost.solveSeconds(n);
+  if (kind_ == Inverses::Sparse || (kind_ == Inverses::Automatic && sparse < dense))
+    if (auto made = local.sparseInverse(rows)) return made;
+  return local.inverse(rows);
+}
+
 void Bddc::factorLocals(std::vector<PrimalRows> constraints) {
   const LocalProblems& locals = matrix()->locals();
   locals_.resize(locals.size());
@@ -157,7 +182,7 @@ void Bddc::factorLocals(std::vector<PrimalRows> constraints) {
     if (inverses_[i]) continue;
     bases_[i] = {};
     if (!locals[i]) continue;
-    bases_[i] = {constraints_[i].rows, locals[i]->inverse(Matrix(constraints_[i].rows))};
+    bases_[i] = {constraints_[i].rows, inverseOf(*locals[i], Matrix(constraints_[i].rows))};
     inverses_[i] = bases_[i].inverse;
   }
 }

@@ -23,7 +23,9 @@ class Bddc : public Preconditioner {
   static Schema schema();
   explicit Bddc(const Parameters& own);
   /// For programs that bring their own strategies.
-  Bddc(std::unique_ptr<Weighting> weighting, std::unique_ptr<PrimalConstraints> primal, CoarseOptions levels);
+  enum class Inverses { Automatic, Dense, Sparse };
+  Bddc(std::unique_ptr<Weighting> weighting, std::unique_ptr<PrimalConstraints> primal, CoarseOptions levels,
+       Inverses inverses = Inverses::Automatic);
   ~Bddc() override;
 
   int coarseSize() const override { return coarse_ ? coarse_->size() : 0; }
@@ -37,6 +39,7 @@ class Bddc : public Preconditioner {
 
  private:
   std::vector<PrimalRows> constrain(int locals, PrimalChoice& choice);
+  std::unique_ptr<LocalInverse> inverseOf(const LocalProblem& local, const Matrix& rows) const;
   void factorLocals(std::vector<PrimalRows> constraints);
   void assembleCoarse(int locals);
   CoarseElement element(std::size_t i) const;
@@ -45,6 +48,7 @@ class Bddc : public Preconditioner {
   std::unique_ptr<Weighting> weighting_;
   std::unique_ptr<PrimalConstraints> primal_;
   CoarseOptions levels_;
+  Inverses kind_;
   std::shared_ptr<const InterfaceSpace> torn_;  // where local problems share unknowns: the space, or the torn one
   std::unique_ptr<MortarAveraging> averaging_;  // null: the space is not torn
   LocalProblems locals_;                        // those the inverses belong to

@@ -63,8 +63,9 @@ Reference::Reference(const Parameters& settings, const Parameters& own) {
   if (own.get<std::string>("Ordering") == "METIS") options_.ordering = CholmodOptions::Ordering::Metis;
 }
 
-double Reference::megabytes(const Comm& comm, const std::vector<SubdomainMesh>&, GlobalId unknowns) const {
-  return comm.getRank() == 0 ? estimatedMonolithicMegabytes(unknowns) : programMegabytes();
+double Reference::megabytes(const Comm& comm, const std::vector<SubdomainMesh>& meshes, GlobalId unknowns) const {
+  const int dimension = meshes.empty() ? 2 : meshes.front().dimension;
+  return comm.getRank() == 0 ? estimatedMonolithicMegabytes(unknowns, dimension) : programMegabytes();
 }
 
 void Reference::doAssemble(Subdomains) {

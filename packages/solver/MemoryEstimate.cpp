@@ -1,3 +1,4 @@
+#include <suture/algebra/CostModel.hpp>
 #include <suture/base/Collective.hpp>
 #include <suture/base/Errors.hpp>
 #include <suture/base/Memory.hpp>
@@ -47,9 +48,10 @@ double estimatedMegabytes(const std::vector<SubdomainMesh>& meshes) {
   return kProgram + bytes / (1 << 20);
 }
 
-double estimatedMonolithicMegabytes(GlobalId unknowns) {
-  const double n = std::max(2.0, static_cast<double>(unknowns));
-  return kProgram + (8 * 8 * n * std::log2(n) + 500 * n) / (1 << 20);
+double estimatedMonolithicMegabytes(GlobalId unknowns, int dimension) {
+  constexpr double kAnEntry = 14.2;
+  const auto n = static_cast<double>(unknowns);
+  return kProgram + (CostModel(dimension).factorBytes(n, kAnEntry) + 500 * n) / (1 << 20);
 }
 
 double checkMemory(const Comm& comm, double mine, double limit) {

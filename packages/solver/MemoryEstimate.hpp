@@ -19,7 +19,7 @@ double estimatedMegabytes(const std::vector<SubdomainMesh>& meshes);
 
 /// The same for Monolithic with n unknowns: 8 n log2(n) entries of the factor, and 500 bytes an unknown. Fitted to one run: tunnel with
 /// 937k unknowns 1646 MB; the estimate is 1627. Local.
-double estimatedMonolithicMegabytes(GlobalId unknowns);
+double estimatedMonolithicMegabytes(GlobalId unknowns, int dimension = 2);
 
 /// Compares the estimates of all ranks of a machine with what it has, and that of each rank with what its limit of
 /// address space (ulimit -v) leaves, before the work starts.

@@ -1,10 +1,8 @@
+#include <suture/algebra/CostModel.hpp>
 #include <suture/subdomain/AutomaticSchurComplement.hpp>
 #include <suture/subdomain/ExplicitSchurComplement.hpp>
 
 #include <Teuchos_ParameterList.hpp>
-
-#include <algorithm>
-#include <cmath>
 
 namespace suture {
 
@@ -19,10 +17,10 @@ AutomaticSchurComplement::AutomaticSchurComplement(const Parameters& own)
     : AutomaticSchurComplement(own.get<int>("Expected Iterations"), own.get<double>("Memory Limit")) {}
 
 void AutomaticSchurComplement::doCompute(const SchurData& data) {
-  const double n = std::max<double>(2.0, data.stiffness.rows()), b = static_cast<double>(data.boundary.size());
-  const double bytes = 4.4 * b * b, factor = 8.0 * n * std::log2(n);
-  const double dense = 2.0 / 3.0 * b * b * b / 5e9 + iterations_ * bytes / 8e9, sparse = iterations_ * 16.0 * factor / 3e9;
-  if (dense <= sparse && bytes <= megabytes_ * (1 << 20)) {
+  const CostModel cost(data.dimension);
+  const auto b = static_cast<double>(data.boundary.size());
+  const double dense = cost.denseSeconds(b) + iterations_ * cost.productSeconds(b);
+  if (dense <= iterations_ * cost.solveSeconds(data.stiffness.rows()) && cost.denseBytes(b) <= megabytes_ * (1 << 20)) {
     name_ = "Explicit";
     own_ = std::make_unique<ExplicitSchurComplement>();
   } else {

@@ -39,6 +39,10 @@ class LocalProblem {
   virtual std::unique_ptr<LocalInverse> inverse() const = 0;
   /// The inverse under constraints C x = 0, rows x size(), of full rank. \throws NumericalError  they leave a mechanism
   virtual std::unique_ptr<LocalInverse> inverse(const Matrix& constraints) const;
+  /// The same by a sparse factor instead of the Schur complement (SparseConstrainedInverse); null where that is not possible.
+  virtual std::unique_ptr<LocalInverse> sparseInverse(const Matrix& constraints) const { return (void)constraints, nullptr; }
+  /// Unknowns of the matrix that S_loc is condensed from; size() if there is none.
+  virtual int unknowns() const { return size(); }
 
   /// Bytes that one applySchur() reads of memory; 0 if not known.
   virtual double bytesRead() const { return 0.0; }

@@ -1,3 +1,4 @@
+#include <suture/algebra/SparseConstrainedInverse.hpp>
 #include <suture/algebra/WorkSpace.hpp>
 #include <suture/base/Dense.hpp>
 #include <suture/subdomain/SubdomainProblem.hpp>
@@ -64,7 +65,8 @@ SubdomainProblem::SubdomainProblem(int id, const Subdomain& subdomain, const std
       schur_(std::move(schur)),
       diagonal_(rowsAt(subdomain.stiffness().diagonal(), boundary)),
       kernel_(rowsAt(subdomain.kernel(), boundary)) {
-  schur_->compute({subdomain.stiffness(), subdomain.load(), positions_, nodesOfDofs(subdomain), placesOfDofs(subdomain), solver, name()});
+  schur_->compute({subdomain.stiffness(), subdomain.load(), positions_, nodesOfDofs(subdomain), placesOfDofs(subdomain), solver, name(),
+                   subdomain.components()});
   if (softest > 0.0 && kernel_.cols() > 0 && stiffnessOf(subdomain) > kMuchStiffer * softest) balanced_ = orthonormalBasis(kernel_, 1e-14);
 }
 
@@ -89,6 +91,10 @@ Matrix SubdomainProblem::schur() const {
 Matrix SubdomainProblem::schurBlock(const std::vector<int>& positions) const {
   const PackedSymmetric* dense = schur_->dense();
   return dense ? dense->block(positions) : LocalProblem::schurBlock(positions);
+}
+
+std::unique_ptr<LocalInverse> SubdomainProblem::sparseInverse(const Matrix& constraints) const {
+  return SparseConstrainedInverse::make(subdomain_.stiffness().full(), positions_, constraints, solver_, name());
 }
 
 std::unique_ptr<LocalInverse> SubdomainProblem::inverse() const {

@@ -25,6 +25,8 @@ class SubdomainProblem : public LocalProblem {
   const Matrix& kernel() const override { return kernel_; }
   using LocalProblem::inverse;
   std::unique_ptr<LocalInverse> inverse() const override;
+  std::unique_ptr<LocalInverse> sparseInverse(const Matrix& constraints) const override;
+  int unknowns() const override { return subdomain_.dofs(); }
   double bytesRead() const override { return schur_->bytesRead(); }
   std::string chosenSchur() const override { return schur_->chosen(); }
   Matrix schur() const override;

@@ -1,5 +1,6 @@
 // Curvature from the nodes of a line, against curves that are known.
 #include <Teuchos_UnitTestHarness.hpp>
+#include <suture/base/Point.hpp>
 #include <suture/constraints/BoundaryCurve.hpp>
 
 #include <algorithm>

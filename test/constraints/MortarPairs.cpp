@@ -290,7 +290,7 @@ TEUCHOS_UNIT_TEST(MortarPairs, DoubtsParabolasWhereTheCurvatureChanges) {
   for (const int cells : {32, 64}) {
     Mesh mesh = twoBoxes(0, 4, cells, cells + 5, P2, P2);
     moveAll(mesh, [&](Point p) { return Point{p[0], p[1] + a * std::cos(2 * pi * p[0]), 0}; });
-    const Constraints waves = build(mesh, held, mortar("Side A"), {[](int) { return 0.5; }, ""});
+    const Constraints waves = build(mesh, held, mortar("Side A"), {[](const Mesh&, int) { return 0.5; }, ""});
     // 2.4 E* times the second difference of the gaps, over h: the doubt that the true gaps, which are zero, would have given. A thirteenth
     // of it remains in pressures.
     double exact = 0;

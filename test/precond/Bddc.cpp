@@ -218,5 +218,17 @@ TEUCHOS_UNIT_TEST(Bddc, ComputesAgainForAnotherStatus) {
   }
 }
 
+TEUCHOS_UNIT_TEST(Bddc, IsTheSameWithSparseLocalInverses) {
+  for (const Scene& scene : {pressedBlocks(2), heldOnTheLine(), turned(crossingBlocks(), 0.5)})
+    for (const char* edges : {"None", "Rigid Modes"}) {
+      const OnInterface one(scene, world());
+      const auto matrix = one.matrix(scene, 3);
+      const std::string choice = std::string("Edge Constraints=") + edges;
+      const auto dense = bddcWith(matrix, {choice, "Local Inverses=Dense"}), sparse = bddcWith(matrix, {choice, "Local Inverses=Sparse"});
+      TEST_COMPARE(difference(DensePair(*matrix, *sparse).m, DensePair(*matrix, *dense).m), <, 1e-9);
+      TEST_EQUALITY(sparse->coarseSize(), dense->coarseSize());
+    }
+}
+
 }  // namespace
 }  // namespace suture

@@ -143,7 +143,7 @@ Scene strongAndWeak(double weak) {
     scene.sideA = "lower" + tail + "_top";
     scene.sideB = "upper" + tail + "_bottom";
     scene.pairUp();
-    pieces.push_back({"line" + tail, {}, 2 * k, 2 * k + 1, 0.0, {}});
+    pieces.push_back({"line" + tail, {}, {2 * k, 2 * k + 1}, {}, 0.0, {}});
     for (ContactPair pair : scene.constraints.pairs) {
       pair.id = int(pairs.size());
       pair.line = pair.piece = k;

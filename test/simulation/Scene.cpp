@@ -26,7 +26,7 @@ ElasticModel model() {
 
 std::vector<Condition> held() { return {Condition::displacement("lower_bottom", {0, 0}), Condition::displacement("upper_left", {0}, {0})}; }
 
-const char* const inXml = R"(<ParameterList name="Suture">
+const char* const inXml = R"xml(<ParameterList name="Suture">
   <ParameterList name="Mesh"><Parameter name="Generator" type="string" value="Boxes"/><ParameterList name="Boxes">
     <ParameterList name="upper"><Parameter name="X" type="Array(double)" value="{0, 2}"/><Parameter name="Y" type="Array(double)" value="{0, 1}"/>
       <Parameter name="Cells" type="Array(int)" value="{12, 6}"/></ParameterList>
@@ -54,7 +54,7 @@ const char* const inXml = R"(<ParameterList name="Suture">
   <ParameterList name="Contact"><ParameterList name="joint">
     <Parameter name="Side A" type="string" value="upper_bottom"/><Parameter name="Side B" type="string" value="lower_top"/>
   </ParameterList></ParameterList>
-</ParameterList>)";
+</ParameterList>)xml";
 
 Scene inCpp(const std::vector<std::string>& settings = {}) {
   return makeScene(model(), mesh, held(), {Contact::between("upper_bottom", "lower_top")}, settings);

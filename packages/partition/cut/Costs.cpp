@@ -1,3 +1,4 @@
+#include <suture/algebra/CostModel.hpp>
 #include <suture/base/Gather.hpp>
 #include <suture/partition/cut/Costs.hpp>
 
@@ -41,7 +42,7 @@ std::vector<long long> expectedCosts(const Comm& comm, const CellBlock& mesh, co
     for (const Size& size : all) sizes[size.subdomain] = size;
     for (std::size_t node = 0; node + 1 < contactHolders.offsets.size(); ++node)
       if (const auto holders = contactHolders.of(static_cast<int>(node)); holders.size() == 1) ++sizes[holders[0]].interfaceNodes;
-    for (const Size& size : sizes) costs.push_back(expectedCost(size.nodes, size.interfaceNodes));
+    for (const Size& size : sizes) costs.push_back(CostModel::work(size.nodes, size.interfaceNodes));
   });
   return costs;
 }

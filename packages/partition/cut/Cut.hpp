@@ -37,10 +37,9 @@ Cut cutByMetis(const Comm& comm, const Mesh& mesh, const Parameters& own, MeshSh
 ///                     connected through sides; a hinge (findHinges). Local (rank 0).
 Cut cutByNamedGroups(const Mesh& mesh, const Parameters& own);
 
-/// The number of subdomains that Automatic stands for: one for every 7200 elements, to the nearest multiple of four, which two and four
-/// ranks share evenly (Hertz at 100k on two ranks: 0.26 s in all with 12, 0.29 with 13). The tunnel at 1M unknowns, two ranks: 64 to 160
-/// are equally fast within noise, 256 a seventh slower than 160, 512 a quarter. Up to six of 800 elements in small scenes, at least
-/// `pieces`, and at least `ranks` as long as each has 50 elements. Local.
+/// The number of subdomains that Automatic stands for: one for every CostModel::kElements, to the nearest multiple of four, which two and
+/// four ranks share evenly (Hertz at 100k on two ranks: 0.26 s in all with 12, 0.29 with 13). Up to six of 800 elements in small scenes, at
+/// least `pieces`, and at least `ranks` as long as each has 50 elements. Local.
 int automaticSubdomains(int elements, int pieces, int ranks);
 
 }  // namespace suture

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <suture/algebra/CostModel.hpp>
 #include <suture/base/Buffer.hpp>
 #include <suture/base/Collective.hpp>
 #include <suture/base/Errors.hpp>
@@ -27,7 +28,7 @@ Schema metisSchema() {
 }
 
 int automaticSubdomains(int elements, int pieces, int ranks) {
-  const int enough = (elements + 3600) / 7200, small = std::min((elements + 400) / 800, 6);
+  const int enough = (elements + CostModel::kElements / 2) / CostModel::kElements, small = std::min((elements + 400) / 800, 6);
   const int large = enough > 6 ? (enough + 2) / 4 * 4 : enough;  // seven and six are no fair shares of two ranks
   return std::max({pieces, large, small, std::min(ranks, elements / 50)});
 }
