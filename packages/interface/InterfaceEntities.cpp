@@ -1,8 +1,6 @@
 #include <suture/base/Errors.hpp>
 #include <suture/interface/InterfaceSpace.hpp>
 
-#include <Teuchos_Comm.hpp>
-#include <Teuchos_CommHelpers.hpp>
 #include <Tpetra_Map.hpp>
 
 #include <algorithm>
@@ -62,11 +60,8 @@ std::shared_ptr<const InterfaceSpace> InterfaceSpace::related(std::vector<Interf
     inRows.push_back(relation.unknown);
     inRows.insert(inRows.end(), relation.others.begin(), relation.others.end());
   }
-  const int mine = !inRows.empty();
-  int any = 0;
-  Teuchos::reduceAll(*comm_, Teuchos::REDUCE_MAX, mine, Teuchos::outArg(any));
   const std::shared_ptr<InterfaceSpace> derived = withRelations(std::move(relations), chains);
-  if (any == 0) return derived;
+  if (inRows.empty()) return derived;
   std::vector<std::vector<int>> stretches;  // rows of several terms end them
   for (const auto& chain : chains) {
     stretches.emplace_back();

@@ -44,7 +44,6 @@ class InterfaceSpace {
   /// \param chains  unknowns along contact lines, those of neighbouring closed pairs one after the other: neighbours with the same two
   ///                sharers make an edge. Expressed unknowns stand for what expresses them. An unknown whose sharers change and that lies
   ///                on no such edge becomes a vertex, and so does one in a relation of several terms.
-  /// Collective, for torn().
   std::shared_ptr<const InterfaceSpace> related(std::vector<InterfaceRelation> relations,
                                                 const std::vector<std::vector<int>>& chains) const;
 
@@ -72,7 +71,7 @@ class InterfaceSpace {
   /// The relations that this rank sees, in an order that does not depend on the rank.
   const std::vector<InterfaceRelation>& relations() const { return relations_; }
   /// The space without the relations of several terms, and those of one term that name an unknown of these: what they express (the rows of
-  /// a mortar) is free there, and its sharers are those of its own body. Null if there are none, on all ranks or on no rank.
+  /// a mortar) is free there, and its sharers are those of its own body. Null if this rank sees none of them: the space is as it would be.
   const std::shared_ptr<const InterfaceSpace>& torn() const { return torn_; }
   /// True if a relation is none in the torn space.
   bool isTorn(const InterfaceRelation& relation) const { return torn_ && torn_->relationOf_[relation.unknown] < 0; }

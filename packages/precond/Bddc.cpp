@@ -97,13 +97,16 @@ void Bddc::doCompute() {
 std::vector<PrimalRows> Bddc::constrain(int locals, PrimalChoice& choice) {
   const LocalProblems& all = matrix()->locals();
   const bool withUnknowns = levels_.goesOn(locals);
-  // Adaptive constraints bound the condition on entities, of which a mortar has none.
-  torn_ = primal_->isAdaptive() ? nullptr : space()->torn();
   averaging_.reset();
-  if (torn_) {
+  // Adaptive constraints bound the condition on entities, of which a mortar has none.
+  const int isTorn = space()->torn() && !primal_->isAdaptive();
+  int isTornAnywhere = 0;
+  Teuchos::reduceAll(*space()->comm(), Teuchos::REDUCE_MAX, isTorn, Teuchos::outArg(isTornAnywhere));
+  if (isTornAnywhere) {
+    torn_ = isTorn ? space()->torn() : space();
     weighting_->setup(*torn_, all);
     choice = primal_->choose(*torn_, all, *weighting_);
-    const MortarRows mortar(*space(), choice);
+    const MortarRows mortar(*space(), *torn_, choice);
     std::vector<PrimalRows> rows = primalRows(*torn_, choice, withUnknowns, &mortar);
     int mine = 0, any = 0;
     for (std::size_t i = 0; i < all.size(); ++i)
@@ -113,7 +116,7 @@ std::vector<PrimalRows> Bddc::constrain(int locals, PrimalChoice& choice) {
       }
     Teuchos::reduceAll(*space()->comm(), Teuchos::REDUCE_MAX, mine, Teuchos::outArg(any));
     if (!any) {
-      averaging_ = std::make_unique<MortarAveraging>(*space(), all);
+      averaging_ = std::make_unique<MortarAveraging>(*space(), *torn_, all);
       return rows;
     }
   }

@@ -73,8 +73,7 @@ std::map<GlobalId, SparseRow> rowsOf(const Crs& matrix, const std::set<GlobalId>
 
 }  // namespace
 
-MortarAveraging::MortarAveraging(const InterfaceSpace& space, const LocalProblems& locals) {
-  const InterfaceSpace& torn = *space.torn();
+MortarAveraging::MortarAveraging(const InterfaceSpace& space, const InterfaceSpace& torn, const LocalProblems& locals) {
   const Vector stiffness = stiffnessOf(torn, locals);
   std::vector<const InterfaceRelation*> mine;  // rows whose expressed unknown is owned here
   std::map<int, SparseRow> normals;            // owned rows of Delta_m + M^T Delta_s M: owners see all rows that name an unknown

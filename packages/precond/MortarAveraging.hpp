@@ -14,8 +14,8 @@ namespace suture {
 /// some layers of neighbours, more where stiffness jumps.
 class MortarAveraging {
  public:
-  /// \param space  with a torn() one; \param locals  in the order of its couplings. Collective.
-  MortarAveraging(const InterfaceSpace& space, const LocalProblems& locals);
+  /// \param torn  the torn space, or the space itself where a rank has none; \param locals  in the order of its couplings. Collective.
+  MortarAveraging(const InterfaceSpace& space, const InterfaceSpace& torn, const LocalProblems& locals);
 
   /// values <- B values: sums within the bodies in, a trace of the space out (its expressed unknowns are zero). Collective.
   void apply(MultiVector& values) const;

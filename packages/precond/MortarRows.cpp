@@ -27,7 +27,7 @@ int largest(const Comm& comm, int mine) {
 /// All of it in the torn space.
 class MortarRows::Maker {
  public:
-  Maker(const InterfaceSpace& space, const PrimalChoice& choice, MortarRows& made) : space_(*space.torn()), made_(made) {
+  Maker(const InterfaceSpace& space, const InterfaceSpace& torn, const PrimalChoice& choice, MortarRows& made) : space_(torn), made_(made) {
     // A rank knows the entities of its own local problems only: owners tell the others.
     Matrix alone = Matrix::Zero(space_.overlapSize(), 1);
     for (int place = 0; place < space_.overlapSize(); ++place) alone(place, 0) = space_.ownedRow(place) >= 0 && choice.alone[place];
@@ -272,6 +272,8 @@ class MortarRows::Maker {
   int most_ = 0;                                               // private unknowns of a local problem
 };
 
-MortarRows::MortarRows(const InterfaceSpace& space, const PrimalChoice& choice) { Maker(space, choice, *this).make(); }
+MortarRows::MortarRows(const InterfaceSpace& space, const InterfaceSpace& torn, const PrimalChoice& choice) {
+  Maker(space, torn, choice, *this).make();
+}
 
 }  // namespace suture

@@ -18,8 +18,8 @@ namespace suture {
 /// and what is left is private: primal unknowns that only j and the rows on i know. Rows that straddle two j are left out.
 class MortarRows {
  public:
-  /// \param space  with a torn() one; \param choice  of that. Collective.
-  MortarRows(const InterfaceSpace& space, const PrimalChoice& choice);
+  /// \param torn  the torn space, or the space itself where a rank has none; \param choice  of that. Collective.
+  MortarRows(const InterfaceSpace& space, const InterfaceSpace& torn, const PrimalChoice& choice);
 
   struct Row {
     std::vector<std::pair<int, double>> entries;  ///< position in the trace, coefficient
