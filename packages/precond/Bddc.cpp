@@ -98,8 +98,9 @@ std::vector<PrimalRows> Bddc::constrain(int locals, PrimalChoice& choice) {
   const LocalProblems& all = matrix()->locals();
   const bool withUnknowns = levels_.goesOn(locals);
   averaging_.reset();
-  // Adaptive constraints bound the condition on entities, of which a mortar has none.
-  const int isTorn = space()->torn() && !primal_->isAdaptive();
+  // Adaptive constraints bound the condition on entities, of which a mortar has none. Two local problems with all that they share as
+  // vertices are solved exactly.
+  const int isTorn = space()->torn() && !primal_->isAdaptive() && locals > 2;
   int isTornAnywhere = 0;
   Teuchos::reduceAll(*space()->comm(), Teuchos::REDUCE_MAX, isTorn, Teuchos::outArg(isTornAnywhere));
   if (isTornAnywhere) {
