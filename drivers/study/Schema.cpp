@@ -15,18 +15,21 @@ Schema sweepsSchema() {
   sweep.texts("Labels", std::vector<std::string>{},
               "How the values are called in tables, bands and --only; by default the values themselves.");
   sweep.each("<parameter>", parameter, 1);
-  return Schema("What is varied, named by the user; all combinations of different sweeps are run.").each("<sweep>", sweep);
+  return Schema("Parameters that are varied, named by the user; all combinations of different sweeps are run.").each("<sweep>", sweep);
 }
 
 Schema bandsSchema() {
-  Schema band("What a column must be like; missed: exit code 4.");
+  Schema band("Condition on a column; if it is missed, the exit code is 4.");
   band.text("Column", std::nullopt, "A column, a path of summary.json, or a formula of them.");
   band.texts("Where", std::vector<std::string>{}, "Rows that count, as sweep=label or sweep=label|label; by default all.");
   band.real("At Most", std::nullopt, "Every value.").optional();
   band.real("At Least", std::nullopt, "Every value.").optional();
-  band.real("Largest Over Smallest At Most", std::nullopt, "Of the values of all rows that count.", Range::atLeast(1.0)).optional();
-  band.real("Largest Minus Smallest At Most", std::nullopt, "Of the values of all rows that count.", Range::atLeast(0.0)).optional();
-  return Schema("What the table must fulfil, named by the user.").each("<band>", band);
+  band.real("Largest Over Smallest At Most", std::nullopt, "Bound of this ratio of the values of all rows that count.", Range::atLeast(1.0))
+      .optional();
+  band.real("Largest Minus Smallest At Most", std::nullopt, "Bound of this difference of the values of all rows that count.",
+            Range::atLeast(0.0))
+      .optional();
+  return Schema("Conditions that the table must fulfil, named by the user.").each("<band>", band);
 }
 
 Schema ordersSchema() {
@@ -62,9 +65,9 @@ Schema studySchema() {
   study.text("Scene", "", "Scene file, relative to this file; it may be swept instead.");
   study.texts("Set", std::vector<std::string>{}, "Changes of the scene in every run, as behind --set: {Path/To/Parameter=value, ...}.");
   study.list("Sweeps", sweepsSchema());
-  study.texts(
-      "Columns", std::vector<std::string>{},
-      "Of the table: names (pcg, condition, ...), paths of summary.json with dots, or 'name = formula'. Empty: all that have a name.");
+  study.texts("Columns", std::vector<std::string>{},
+              "Columns of the table: names (pcg, condition, ...), paths of summary.json with dots, or 'name = formula'. Empty: all that "
+              "have a name.");
   study.list("Bands", bandsSchema());
   study.list("Orders", ordersSchema());
   study.list("Plots", plotsSchema());

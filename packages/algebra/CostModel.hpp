@@ -2,7 +2,7 @@
 
 namespace suture {
 
-/// What sparse and dense algebra of one subdomain costs, in plane problems and in space: the one place that choices and estimates ask.
+/// Cost of sparse and dense algebra of one subdomain, in plane problems and in space: the one place that choices and estimates ask.
 ///
 /// Factors: entries and operations of CHOLMOD's on square and cubic grids of elements of displacements (ordering AMD in the plane, METIS in
 /// space), within a third from 900 unknowns on (test algebra.CostModel):

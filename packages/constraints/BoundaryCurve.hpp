@@ -21,7 +21,7 @@ class BoundaryCurve {
     double doubt = 0.0;             ///< estimated error: difference to the next lower order of construction, with its sign
     double at(double xi) const { return ((1 - xi) * begin + (1 + xi) * end) / 2; }
   };
-  /// Of a side of the surface.
+  /// Curvature of a side of the surface.
   const Bend& bend(int side) const { return bends_[side]; }
 
  private:

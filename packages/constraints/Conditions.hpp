@@ -17,7 +17,7 @@ struct Condition {
   std::vector<std::string> groups;  ///< curve groups; none for a body force or random load
   std::vector<int> components;      ///< prescribed by a Displacement
   ConditionData data;               ///< data of each component, of loads as well; none for Bilateral and RandomLoad
-  std::string body;                 ///< of a body force or random load; empty: all bodies
+  std::string body;                 ///< body of a body force or random load; empty: all bodies
 
   bool holds() const { return type == Type::Displacement || type == Type::Bilateral; }
   bool onBody() const { return type == Type::BodyForce || type == Type::RandomLoad; }

@@ -26,7 +26,7 @@ struct ContactFace {
   std::string name() const;
 };
 
-/// What a scene says about one contact: an entry of its list `Contact`, or made in C++.
+/// One contact as the scene gives it: an entry of its list `Contact`, or made in C++.
 struct Contact {
   std::string name;
   std::string path;                           ///< "Contact/fault above", for messages

@@ -23,7 +23,7 @@ class ContactGroup {
   struct Member {
     const Subdomain* subdomain;
   };
-  /// What a group is made of. Members must be assembled and outlive the group.
+  /// Input of a group. Members must be assembled and outlive the group.
   struct Parts {
     int id = 0;
     std::vector<Member> members;

@@ -39,11 +39,11 @@ enum class PlaneModel { Strain, Stress };
 struct Load {
   enum class Kind { Traction, Pressure, BodyForce, Random };
   Kind kind = Kind::Traction;
-  std::string body;      ///< of BodyForce and Random; "": all bodies
+  std::string body;      ///< body of BodyForce and Random; "": all bodies
   Point value{0, 0, 0};  ///< traction [stress], body force [force / volume]; Pressure: value[0], > 0 pushes into the body; Random:
                          ///< value[0] about value[1] [force]
-  int seed = 0;          ///< of Random
-  std::vector<Expression> expressions{};  ///< of the place, instead of value: as many as it has components; not of Random
+  int seed = 0;          ///< seed of Random
+  std::vector<Expression> expressions{};  ///< functions of the place, instead of value: as many as it has components; not of Random
   std::vector<std::string> groups{};      ///< side groups on which Traction and Pressure act
 
   /// Value at a place. \throws InputError  an expression is not finite there

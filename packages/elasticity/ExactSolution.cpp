@@ -57,7 +57,7 @@ void requireAllBodies(const ExactSolution& exact, std::vector<Expression> ExactF
 
 Schema exactSolutionSchema() {
   Schema schema(
-      "What the solution should be, as far as it is known: errors are measured against it, in the norm of L2 and in the energy norm, and "
+      "The exact solution, as far as it is known: errors are measured against it, in the norm of L2 and in the energy norm, and "
       "reported.");
   addFields(schema);
   schema.text("Pressure", std::nullopt, "an expression in x and y: the contact pressure on all contact lines, > 0 compressive [stress]")

@@ -8,7 +8,7 @@ namespace suture {
 /// Shape functions of a reference element, tabulated at the points of a quadrature rule. Made once a shape by Intrepid2's bases and
 /// cubature; loops over elements need nothing else of it.
 struct ReferenceElement {
-  static constexpr int maxNodes = 9;  ///< of all cells: a bound for arrays on the stack
+  static constexpr int maxNodes = 9;  ///< largest number of all cells: a bound for arrays on the stack
 
   int nodes = 0;
   int points = 0;

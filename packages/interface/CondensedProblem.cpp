@@ -14,7 +14,7 @@ namespace suture {
 
 namespace {
 
-/// Who answers for a subdomain: itself, or its contact group.
+/// Local problem that a subdomain belongs to: itself, or its contact group.
 int problemOf(const Partition& partition, int subdomain) {
   return partition.groupOf[subdomain] < 0 ? subdomain : partition.subdomains() + partition.groupOf[subdomain];
 }

@@ -224,7 +224,7 @@ std::shared_ptr<const InterfaceSpace> ContactInterfaceProblem::spaceOf(const Con
     chains.emplace_back();
     for (const int row : chain) {
       const auto& places = clusters_->row(row).places;
-      // What is identified by a closed pair: any of its unknowns stands for it. A pair that is open, or held on one side, ends a stretch.
+      // A closed pair identifies its unknowns: any of them stands for it. A pair that is open, or held on one side, ends a stretch.
       const bool joins = status[0][row].closed() && places.size() == 2;
       if (joins)
         chains.back().push_back(places[0]);

@@ -22,7 +22,7 @@ struct InterfaceState {
   Vector rigid{};
   /// Cache of the formulation for this trace, which saves applications of operators. Reset it whenever you modify the trace directly.
   std::shared_ptr<const Matrix> memory = nullptr;
-  int applications = 0;  ///< of the operator, that making the state took
+  int applications = 0;  ///< applications of the operator that making the state took
 };
 
 /// Value of a formulation at a state.
@@ -33,7 +33,7 @@ struct InterfaceEvaluation {
   int changed = 0;          ///< pairs whose status differs from the state's
   int active = 0;           ///< closed pairs at U
   bool settled = true;      ///< no residual counts before this holds: the residual is that of another status than the next
-  int applications = 0;     ///< of the operator, that this took
+  int applications = 0;     ///< applications of the operator that this took
   /// By pair id, of sets: forces of closed pairs, penetrations of open ones, and what these must violate their conditions by before they
   /// are believed.
   Vector force = {}, penetration = {}, forceTolerance = {}, penetrationTolerance = {};
@@ -119,8 +119,8 @@ class InterfaceProblem {
   virtual std::vector<int> differing(const ContactStates& a, const ContactStates& b) const = 0;
 
   struct Recovered {
-    std::vector<Vector> freeValues;  ///< of each subdomain of this rank
-    std::vector<PairForce> pairs;    ///< of this rank; each pair on one rank
+    std::vector<Vector> freeValues;  ///< values of each subdomain of this rank
+    std::vector<PairForce> pairs;    ///< pairs of this rank; each pair on one rank
     double energy = 0.0;             ///< over all ranks
   };
   virtual Recovered recover(const InterfaceState& state) const = 0;

@@ -10,8 +10,8 @@ namespace suture {
 /// All ranks know all parts.
 struct BodyParts {
   std::vector<RigidPart> parts;
-  std::vector<Vector> lift;  ///< of each part: amplitudes of the motion that fits its prescribed values best; none along free motions
-  std::vector<int> partOf;   ///< of each mesh of this rank
+  std::vector<Vector> lift;  ///< lift of each part: amplitudes of the motion that fits its prescribed values best; none along free motions
+  std::vector<int> partOf;   ///< part of each mesh of this rank
 
   /// \param meshes  of this rank. Collective.
   BodyParts(const Comm& comm, const std::vector<const SubdomainMesh*>& meshes, int dimension);

@@ -12,7 +12,7 @@ enum class EntityKind : int { Vertex = 0, Edge = 1, Face = 2 };
 struct SeamEntity {
   EntityKind kind = EntityKind::Vertex;
   std::vector<int> sharers;     ///< ids of the subdomains, ascending; two or more
-  std::vector<GlobalId> nodes;  ///< of an edge in order along it, where that is known; else ascending
+  std::vector<GlobalId> nodes;  ///< nodes of an edge in order along it, where that is known; else ascending
   std::vector<GlobalId> ends;   ///< those of an edge's nodes where it ends at no vertex (at the boundary of the body), in order
   std::vector<int> boundary;    ///< entities that bound it, as places in the list; of an edge with an order first those at its front
 };

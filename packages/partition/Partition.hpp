@@ -16,7 +16,7 @@ struct MeshShare;
 struct Partition {
   std::vector<int> subdomainOfElement;     ///< rank 0 only
   bool bodiesAreConnected = false;         ///< each body is one part, as METIS needed to know; false: not known; rank 0 only
-  std::vector<std::string> names;          ///< of the subdomains: group name, or "<body> <number>"
+  std::vector<std::string> names;          ///< names of the subdomains: group name, or "<body> <number>"
   std::vector<int> bodyOf;                 ///< subdomain -> body
   std::vector<int> elementsOf;             ///< subdomain -> number of elements
   std::vector<long long> costOf;           ///< subdomain -> expected work, in nodes; what ranks are balanced by
@@ -25,7 +25,7 @@ struct Partition {
   std::vector<std::vector<int>> piecesOf;  ///< contact group -> its contact pieces
   std::vector<std::string> notes;          ///< sentences for the user: of the constraints, and what was repaired
   std::vector<int> rankOf;                 ///< subdomain -> rank; the subdomains of a group share one, if groups are kept whole
-  std::shared_ptr<const MeshShare> share;  ///< what this rank cut, for distribute(); null: distribute() shares the mesh anew
+  std::shared_ptr<const MeshShare> share;  ///< part that this rank cut, for distribute(); null: distribute() shares the mesh anew
   int subdomains() const { return static_cast<int>(names.size()); }
 };
 

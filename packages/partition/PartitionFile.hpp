@@ -19,7 +19,7 @@ using MadeFor = std::map<std::string, std::string>;
 /// A mesh that is cut, from a file.
 struct PartitionedMesh {
   Partition partition;              ///< placed on the ranks of this run; without subdomainOfElement
-  std::vector<SubdomainMesh> mine;  ///< of this rank
+  std::vector<SubdomainMesh> mine;  ///< subdomains of this rank
   std::string remarks;              ///< bytes that the writer added, on all ranks
 };
 

@@ -70,7 +70,7 @@ Part split(const Matrix& all, int n) {
 
 Matrix symmetric(const Matrix& matrix) { return 0.5 * (matrix + matrix.transpose()); }
 
-/// Of a jump between two traces that vanishes at the points: its cost J after averaging, and the least energy E of such a jump. Rigid
+/// A jump between two traces that vanishes at the points: its cost J after averaging, and the least energy E of such a jump. Rigid
 /// motions of both together are free.
 void jumpOfTwo(const std::vector<Part>& parts, int n, Matrix& cost, Matrix& least) {
   const Part &a = parts[0], &b = parts[1];
@@ -127,7 +127,7 @@ Matrix chosenRows(const std::vector<Matrix>& sides, int n, double threshold) {
   const Eigenpairs pairs = symmetricEigenpairs(symmetric(least));
   int count = 0;
   while (count < pairs.values.size() && pairs.values(count) * threshold < 1.0) ++count;
-  // What one eigenvector demands of the jumps is demanded of each of them: one column for two sharers, k - 1 for k.
+  // The demand of one eigenvector on the jumps holds for each of them: one column for two sharers, k - 1 for k.
   const Matrix demanded = lower * pairs.vectors.leftCols(count);
   const int jumps = static_cast<int>(parts.size()) - 1;
   Matrix columns(n, count * jumps);

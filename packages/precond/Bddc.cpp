@@ -45,7 +45,7 @@ Schema Bddc::schema() {
       "Balancing domain decomposition by constraints: local problems held at corners and edge constraints, and a coarse problem of these.");
   schema.choice("Weighting", "Stiffness Diagonal", Registry<Weighting>::instance().schemas(), "How subdomains share the interface, D_i.");
   schema.choice("Edge Constraints", "Rigid Modes", Registry<PrimalConstraints>::instance().schemas(),
-                "What subdomains have in common on an edge, beside its end points.");
+                "Constraints that subdomains share on an edge, beside its end points.");
   schema.oneOf(
       "Local Inverses", "Automatic", {"Automatic", "Dense", "Sparse"},
       "How local problems are inverted. Dense: a matrix of the size of the boundary; Sparse: a factor of interior and boundary, the "

@@ -183,7 +183,7 @@ class MortarRows::Maker {
     return std::sqrt(sum);
   }
 
-  /// What a functional is made of is found where j lives, and told to all who see its row.
+  /// Coefficients of a functional are found where j lives, and told to all who see its row.
   void exchange() {
     int slots = 0;
     for (const Functional& functional : functionals_) slots = std::max(slots, functional.slot + 1);

@@ -7,7 +7,7 @@
 
 namespace suture {
 
-/// What local problems on the two sides of closed rows of several terms (a mortar) have in common in BDDC, without a primal unknown for
+/// Constraints that local problems on the two sides of closed rows of several terms (a mortar) share in BDDC, without a primal unknown for
 /// every one of these rows: of a group of rows whose expressed unknowns lie inside one local problem i, and the unknowns that express them
 /// in one local problem j, the rigid motions of the line, as integrals against the rows' own functions. With q such a motion,
 ///
@@ -29,7 +29,7 @@ class MortarRows {
   const std::vector<Row>& of(int local) const { return rows_[local]; }
   /// Primal unknowns of a local problem that are private, as they move.
   const std::vector<InterfaceLayout::Unknown>& privateOf(int local) const { return private_[local]; }
-  /// What stands for an expressed unknown that is primal alone, or null.
+  /// Terms that stand for an expressed unknown that is primal alone, or null.
   const std::vector<PrimalRows::Term>* instead(int place) const {
     const auto found = instead_.find(place);
     return found == instead_.end() ? nullptr : &found->second;

@@ -7,7 +7,7 @@
 
 namespace suture {
 
-/// What the local problems of BDDC have in common, the same on all ranks that know an unknown or an entity.
+/// Constraints that the local problems of BDDC share, the same on all ranks that know an unknown or an entity.
 struct PrimalChoice {
   std::vector<char> alone;   ///< for each unknown of overlap(), by place: true if it is primal alone
   std::vector<Matrix> rows;  ///< for each entity of the space: constraints x its unknowns that are not alone, in their order; orthonormal

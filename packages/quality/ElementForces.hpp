@@ -8,8 +8,8 @@ namespace suture {
 /// Sums over the elements at each node of a block, of given displacements.
 struct ElementForces {
   Vector internal;   ///< K u: nodes x dimension, node-major, Cartesian [force]
-  Vector rounding;   ///< of each node: what the rounding of u to double precision may do to K u, eps |K| |u| [force]
-  Vector stiffness;  ///< of each node: its force when it alone moves by one, the order of its diagonal entry [force / length]
+  Vector rounding;   ///< effect at each node that rounding u to double precision may have on K u, eps |K| |u| [force]
+  Vector stiffness;  ///< force of each node when it alone moves by one, the order of its diagonal entry [force / length]
 };
 
 /// Internal forces from stresses at quadrature points: the same integrals as elementStiffnesses(), without any matrix. Two-dimensional.

@@ -26,7 +26,7 @@ struct Key {
   }
 };
 
-/// What a subdomain has of the patches at nodes that it shares.
+/// A subdomain's part of the patches at nodes that it shares.
 struct Share {
   int subdomain;
   std::vector<Key> patches;

@@ -8,8 +8,8 @@ namespace suture {
 
 /// The error that the mesh leaves in a solution, estimated. Energy norms: sqrt(a(v, v)), [force x length]^(1/2).
 struct DiscretisationError {
-  double energyNorm = 0.0;         ///< of the error: eta
-  double solutionNorm = 0.0;       ///< of the computed displacements
+  double energyNorm = 0.0;         ///< energy norm of the error: eta
+  double solutionNorm = 0.0;       ///< energy norm of the computed displacements
   std::vector<Vector> ofElements;  ///< eta_K of every element of every subdomain of this rank
 
   double relative() const { return solutionNorm > 0.0 ? energyNorm / solutionNorm : 0.0; }

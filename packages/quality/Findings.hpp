@@ -114,10 +114,10 @@ struct Bounds {
   static constexpr Bound resultant{100.0, 0.05}, residual{1000.0, 0.3}, node{100.0, 0.05}, contact{1000.0, 1.0}, pair{100.0, 0.05};
   static constexpr double rounding = 4.0;  ///< times eps |K| |u|
   static constexpr double nothing = 64.0;  ///< times eps |K| |u|: forces of a body that only moves
-  static constexpr double digits = 1e-4;   ///< of a body's forces or deformation, that rounding may take
+  static constexpr double digits = 1e-4;   ///< part of a body's forces or deformation that rounding may take
   static constexpr double passive =
-      1e-3;  ///< of its neighbours' force, that a body without data of its own is measured by; of a body's force, its contact
-  static constexpr double geometry = 1e-10;  ///< of a body's deformation, that prescribed values and seams may be off by
+      1e-3;  ///< part of its neighbours' force that a body without data of its own is measured by; of a body's force, its contact
+  static constexpr double geometry = 1e-10;  ///< part of a body's deformation that prescribed values and seams may be off by
 };
 
 inline bool BodyScale::isUnloaded() const { return loads == 0.0 && contact == 0.0 && reactions + residual <= Bounds::nothing * rounding; }

@@ -19,8 +19,8 @@ struct PairResult {
   double force = 0.0;           ///< along the normal, on B; per unit thickness in the plane, of the whole circle if axisymmetric [force]
   double pressure = 0.0;        ///< force / tributary length (axisymmetric: area) [stress]
   double arc = 0.0;             ///< arc length along the line [length]
-  Point position{0, 0, 0};      ///< of the node that carries it, undeformed
-  Point displacement{0, 0, 0};  ///< of the node that carries it
+  Point position{0, 0, 0};      ///< place of the node that carries it, undeformed
+  Point displacement{0, 0, 0};  ///< displacement of the node that carries it
   Point normal{0, 0, 0};
 };
 

@@ -21,8 +21,8 @@ class PatchExchange {
 
 /// Squares of energy norms, element by element. [force x length]
 struct ElementErrors {
-  Vector error;  ///< of recovered less computed stresses: integral of (s* - s).D^-1 (s* - s), the estimate of the error
-  Vector norm;   ///< of the computed stresses
+  Vector error;  ///< norm of recovered less computed stresses: integral of (s* - s).D^-1 (s* - s), the estimate of the error
+  Vector norm;   ///< norm of the computed stresses
 };
 
 /// Superconvergent patch recovery of Zienkiewicz and Zhu (Int. J. Num. Meth. Eng. 33, 1331-1382, 1992) on one block of elements.

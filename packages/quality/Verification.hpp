@@ -10,9 +10,9 @@ namespace suture {
 struct Check {
   std::string name;    ///< as in summary.json
   double value = 0.0;  ///< relative to the body's own forces or deformation
-  double bound = 0.0;  ///< what the tolerance and the rounding of displacements allow, relative to the same
+  double bound = 0.0;  ///< allowed by the tolerance and the rounding of displacements, relative to the same
   std::string where;   ///< body and place, or pair, place and bodies; empty: nothing to check
-  std::string advice;  ///< what to try when the bound is exceeded
+  std::string advice;  ///< remedy when the bound is exceeded
 
   bool holds() const { return value <= bound; }  // not, when one is NaN
 };

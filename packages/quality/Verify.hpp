@@ -18,9 +18,9 @@ struct OwnForces {
 
 /// Answer of a run, as it is to be verified.
 struct Answer {
-  const std::vector<SubdomainMesh>& meshes;  ///< of this rank
+  const std::vector<SubdomainMesh>& meshes;  ///< subdomains of this rank
   const ElasticModel& model;
-  const std::vector<Vector>& displacement;  ///< of each mesh, beside its lift: node-major, Cartesian [length]
+  const std::vector<Vector>& displacement;  ///< displacements of each mesh, beside its lift: node-major, Cartesian [length]
   const std::vector<PairResult>& pairs;     ///< on rank 0, all; only their ids, statuses and forces are used
   const std::vector<ContactPiece>& pieces;  ///< on rank 0, for names in messages; may be empty
   double tolerance = 1e-8;                  ///< relative algebraic error that was asked for

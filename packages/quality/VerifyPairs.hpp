@@ -12,11 +12,11 @@ struct PairEndShare {
   double closing;    ///< weight x normal . u [length]
   double moved;      ///< |weight| x |u| [length]
   double lifted;     ///< |weight| x the rigid motion that was taken out [length]
-  double weight;     ///< of the end in the pair
-  double stiffness;  ///< of the node, over all its subdomains [force / length]
-  double rounding;   ///< of the node's internal force [force]
+  double weight;     ///< weight of the end in the pair
+  double stiffness;  ///< stiffness of the node, over all its subdomains [force / length]
+  double rounding;   ///< rounding of the node's internal force [force]
   double gap;        ///< initial [length]
-  Point place;       ///< of the node that carries the pair
+  Point place;       ///< place of the node that carries the pair
 };
 
 /// Makes bodies without data of their own known by a part of their neighbours' force. On rank 0.

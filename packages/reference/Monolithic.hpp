@@ -23,17 +23,17 @@ struct MonolithicOptions {
 struct MonolithicResult {
   bool converged = false;
   std::string failure;            ///< why not
-  Vector displacement;            ///< of the whole mesh: node-major, Cartesian [length]
+  Vector displacement;            ///< displacements of the whole mesh: node-major, Cartesian [length]
   std::vector<PairResult> pairs;  ///< by id
   int iterations = 0;             ///< 0 for a scene without unilateral contact
   double residual = 0.0;          ///< largest violation of the contact conditions over the size of the displacements
   double energy = 0.0;            ///< total potential energy
-  Balance balance;                ///< of forces
+  Balance balance;                ///< balance of forces
   std::vector<OuterRow> rows;     ///< the same that the monitor was told, for replay on other ranks
 
   GlobalId dofs = 0;           ///< free ones
   int contactDofs = 0;         ///< ordered last
-  double factorEntries = 0.0;  ///< of the sparse factor
+  double factorEntries = 0.0;  ///< entries of the sparse factor
   double factorFlops = 0.0;
 };
 

@@ -27,7 +27,7 @@ class MonolithicSystem {
   const Vector& load() const { return load_; }
   const std::vector<Row>& rows() const { return rows_; }  ///< one a contact pair, in their order
   double prescribedEnergy() const { return energy_; }     ///< energy when all free dofs are zero
-  const Vector& nodalForces() const { return forces_; }   ///< of the loads: node-major, Cartesian
+  const Vector& nodalForces() const { return forces_; }   ///< forces of the loads: node-major, Cartesian
 
   /// The contact component that stands at each trailing dof: node and Cartesian direction.
   struct ContactDof {

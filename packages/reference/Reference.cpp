@@ -39,7 +39,7 @@ std::vector<Vector> scatterToSubdomains(const Comm& comm, const Vector& whole, i
   return displacement;
 }
 
-/// What all ranks must know of rank 0's answer.
+/// The part of rank 0's answer that all ranks need.
 struct Figures {
   bool converged;
   int iterations;
@@ -55,7 +55,7 @@ Schema Reference::schema() {
              "The whole system on one rank, one factorisation with the contact unknowns last, active set: for small scenes and as a "
              "reference.")
       .oneOf("Ordering", "AMD", {"AMD", "METIS"},
-             "Of the unknowns that are not in contact: METIS leaves less fill than AMD and takes longer to find it.");
+             "Order of the unknowns that are not in contact: METIS leaves less fill than AMD and takes longer to find it.");
 }
 
 Reference::Reference(const Parameters& settings, const Parameters& own) {

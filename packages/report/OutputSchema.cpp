@@ -5,7 +5,7 @@
 namespace suture {
 
 Schema outputSchema() {
-  return Schema("What a run leaves behind.")
+  return Schema("Files that a run writes.")
       .text("Folder", "", "Output folder, made if missing, relative to the current folder. Empty: the name of the scene file with '_out'.")
       .boolean("Fields", true,
                "Write the fields (fields_0000.vtkhdf, contact_0000.vtkhdf); history.csv and summary.json are always written.")

@@ -39,7 +39,7 @@ double residualNorm(const ConjugateGradients& cg) {
 /// Stops on sqrt(r.z), z = M^-1 r, which the iteration has anyway. Keeps norms and steps of all iterations.
 class PreconditionedNormTest : public Belos::StatusTest<double, MultiVector, Operator> {
  public:
-  /// What one call wants.
+  /// Demands of one call.
   struct Aim {
     double tolerance, reference;
     int last;  ///< iteration at most
@@ -72,7 +72,7 @@ class PreconditionedNormTest : public Belos::StatusTest<double, MultiVector, Ope
         const std::vector<double> errors = energyErrors(norms, steps, lowest);
         converged = enough = aim_->energy.enough(errors.front(), errors.back(), aim_->x());
       }
-    // What is no number never becomes one: stop, and let the caller see.
+    // NaN stays NaN: stop, and let the caller see.
     status_ = converged || !std::isfinite(relative) || iteration->getNumIters() >= aim_->last ? Belos::Passed : Belos::Failed;
     return status_;
   }

@@ -14,14 +14,14 @@ struct InnerResult {
   bool converged = false;
   double residual = 0.0;             ///< sqrt(r.M r) / reference
   double reference = 0.0;            ///< norm that it is relative to: the given one, or that of the right-hand side
-  double condition = 1.0;            ///< of M^-1 S, estimated from the Lanczos matrix of the CG coefficients
-  double largestEigenvalue = 1.0;    ///< of the same
-  double smallestEigenvalue = 0.0;   ///< of the same, from above; 0: not known
+  double condition = 1.0;            ///< condition of M^-1 S, estimated from the Lanczos matrix of the CG coefficients
+  double largestEigenvalue = 1.0;    ///< largest one of the same
+  double smallestEigenvalue = 0.0;   ///< smallest one of the same, from above; 0: not known
   std::vector<double> energyErrors;  ///< estimates of |x - x_k|_S after each iteration, as history (see EnergyError); empty: not known
   bool enough = false;               ///< ended because EnergyCriterion said so
   std::vector<double> history;       ///< residual after each iteration, the first entry before them
   double seconds = 0.0;              ///< that the iterations took, with what the criterion asks
-  std::vector<double> steps;         ///< of each iteration along its search direction: x is the sum of steps times directions
+  std::vector<double> steps;         ///< step of each iteration along its search direction: x is the sum of steps times directions
 };
 
 /// A second reason to stop: the error in the energy norm is small enough.
@@ -29,7 +29,7 @@ struct EnergyCriterion {
   /// Asked after every iteration, on all ranks with the same numbers: the estimates of |x - x_0|_S and |x - x_k|_S, and x_k. May
   /// communicate.
   std::function<bool(double start, double error, const MultiVector& x)> enough = nullptr;
-  double lowest = 0.0;  ///< what earlier solves found to be the smallest eigenvalue of M^-1 S; 0: not known
+  double lowest = 0.0;  ///< smallest eigenvalue that earlier solves found of M^-1 S; 0: not known
 };
 
 /// Preconditioned conjugate gradients (Belos' PseudoBlockCGIter, with a status test of ours): stops when sqrt(r.M r) falls below

@@ -17,7 +17,7 @@ namespace suture {
 
 /// Settings of every outer solver.
 struct OuterSettings {
-  double tolerance = 1e-8;  ///< of sqrt(r.M r) relative to the residual of the lifted start, r = F - S_0 U - S_KON(U)
+  double tolerance = 1e-8;  ///< bound of sqrt(r.M r) relative to the residual of the lifted start, r = F - S_0 U - S_KON(U)
   int maximumIterations = 50;
   int maximumInnerIterations = 1000;
   std::function<Teuchos::RCP<Preconditioner>()> preconditioner;  ///< makes a fresh one of the scene's kind
@@ -34,15 +34,15 @@ struct OuterResult {
   std::string failure;
   std::vector<int> unsettled;  ///< pairs that changed between the last two sets, where it did not converge
   int iterations = 0;
-  int pcgTotal = 0;  ///< of the outer iterations, failed steps included
+  int pcgTotal = 0;  ///< PCG steps of the outer iterations, failed ones included
   double residual = 0.0;
   double energyError = -1.0;                          ///< algebraic error at the end in the energy norm, estimated; negative: not known
-  std::optional<DiscretisationError> discretisation;  ///< of the state, where an automatic tolerance has estimated it
+  std::optional<DiscretisationError> discretisation;  ///< error of the state, where an automatic tolerance has estimated it
   AutomaticTolerance::Recovered recovered;            ///< from the state, where an automatic tolerance needed it; else null
   AuxiliaryRow auxiliary;
   int coarseSize = 0;
-  double setupSeconds = 0.0;               ///< of the preconditioner
-  double bytesRead = 0.0;                  ///< what one conjugate gradient iteration reads of this rank's memory, as far as known
+  double setupSeconds = 0.0;               ///< set-up time of the preconditioner
+  double bytesRead = 0.0;                  ///< bytes of this rank's memory that one conjugate gradient iteration reads, as far as known
   std::map<std::string, int> chosenSchur;  ///< local problems over all ranks, by what Automatic chose
   std::map<std::string, double> estimates;
 };
@@ -70,7 +70,7 @@ class OuterSolver {
     Monitor& monitor;
     InnerSolver inner;
     Teuchos::RCP<InterfaceOperator> bilateral;    ///< S, all pairs closed
-    Teuchos::RCP<Preconditioner> preconditioner;  ///< of S; its norm is the stopping norm
+    Teuchos::RCP<Preconditioner> preconditioner;  ///< preconditioner of S; its norm is the stopping norm
     double reference = 0.0;                       ///< norm of the lifted start's residual
     double referenceEuclidean = 0.0;
     double begin = 0.0;  ///< seconds

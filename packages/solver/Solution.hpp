@@ -35,19 +35,19 @@ struct Solution {
 
   std::string outerSolver;  ///< "" for a scene without unilateral contact
   int outerIterations = 0;
-  int pcgTotal = 0;                                   ///< of the outer iterations, without the auxiliary ones
+  int pcgTotal = 0;                                   ///< PCG steps of the outer iterations, without the auxiliary ones
   double residual = 0.0;                              ///< at the end, in the stopping norm
   double energyError = -1.0;                          ///< algebraic error in the energy norm, estimated; negative: not known
   std::optional<DiscretisationError> discretisation;  ///< estimated, if the scene asks for it
   AuxiliaryRow auxiliary;                             ///< all pairs closed, or the linear problem itself
   int coarseSize = 0;                                 ///< dimension of the preconditioner's coarse problem
   double setupSeconds = 0.0;                          ///< that the preconditioner took on this rank before its first use
-  double bytesRead = 0.0;                   ///< what one conjugate gradient iteration reads of this rank's memory, as far as known
+  double bytesRead = 0.0;                   ///< bytes of this rank's memory that one conjugate gradient iteration reads, as far as known
   std::map<std::string, int> chosenSchur;   ///< local problems, by how their Schur complement is kept where that was chosen automatically
   double energy = 0.0;                      ///< total potential energy a(u,u)/2 - L(u)
   Verification verification;                ///< and the balance of forces; without checks before verify()
   std::map<std::string, double> errors;     ///< against the scene's exact solution, where it has one: see exactErrors()
-  std::map<std::string, double> estimates;  ///< of the outer solver: "mu", "contraction bound", "radius", "relaxation", ...
+  std::map<std::string, double> estimates;  ///< figures of the outer solver: "mu", "contraction bound", "radius", "relaxation", ...
 };
 
 }  // namespace suture

@@ -72,7 +72,7 @@ std::vector<std::string> looseTolerances(const Parameters& scene) {
 
 void addSolverParameters(Schema& scene) {
   scene.choice("Formulation", "Contact On The Interface", Registry<Formulation>::instance().schemas(),
-               "What the unknowns on the interface are, and where contact is.");
+               "Unknowns of the interface, and where contact enters.");
 
   constexpr const char* usual = "Active Set";
   auto solvers = Registry<OuterSolver>::instance().schemas();
@@ -95,14 +95,13 @@ void addSolverParameters(Schema& scene) {
                "Where the outer solver begins.");
   outer.wordOrNumber(
       "Tolerance", "1e-8", {"Automatic"}, {0.0, 1.0, true, true, {}},
-      "Of the preconditioned norm of the residual, relative to that of the lifted start. Automatic: no digits that the mesh "
+      "Bound of the residual's preconditioned norm, relative to that of the lifted start. Automatic: no digits that the mesh "
       "cannot hold; iterations end where the algebraic error is a tenth of the estimated discretisation error (energy norm), "
       "or at 1e-8.");
-  outer.oneOf(
-      "Neutral Motions", "Refuse", {"Refuse", "Least"},
-      "What becomes of a solution in which a loaded body slides or turns freely after pairs have opened: its place is not determined "
-      "then. Refuse: the run writes its results, names body and motion and ends with exit code 4. Least: the least displacement is "
-      "kept, and a note says so.");
+  outer.oneOf("Neutral Motions", "Refuse", {"Refuse", "Least"},
+              "How to treat a solution in which a loaded body slides or turns freely after pairs have opened: its place is not determined "
+              "then. Refuse: the run writes its results, names body and motion and ends with exit code 4. Least: the least displacement is "
+              "kept, and a note says so.");
   outer.integer("Maximum Iterations", 200, "Outer iterations at most; methods by closed sets: sets at most.", Range::atLeast(0));
   outer.integer("Maximum Inner Iterations", 1000, "Conjugate gradient iterations of one linear solve at most.", Range::atLeast(1));
   scene.list("Outer Solver", outer);
@@ -111,10 +110,11 @@ void addSolverParameters(Schema& scene) {
 
   Schema subdomain = subdomainSchema();
   subdomain.choice("Schur Complement", "Automatic", Registry<SchurComplement>::instance().schemas(), "How S_i is kept.");
-  subdomain.real("Memory Limit", 0.0,
-                 "What all ranks on one machine may take together; a run that is estimated to take more is refused before it starts. 0: "
-                 "what the machine has left.",
-                 Range::atLeast(0), "MB");
+  subdomain.real(
+      "Memory Limit", 0.0,
+      "Memory that all ranks on one machine may take together; a run that is estimated to take more is refused before it starts. 0: "
+      "what the machine has left.",
+      Range::atLeast(0), "MB");
   scene.list("Subdomain", subdomain);
 }
 

@@ -44,7 +44,7 @@ Schema SuccessiveApproximation::schema() {
   Schema schema("The paper's successive approximations (18)/(32); they contract only where contact groups are soft against the rest.");
   schema.wordOrNumber("Relaxation", "Automatic", {"None", "Automatic"}, {0.0, 2.0, true, false, {}},
                       "Factor of the correction: None is 1 (the paper), Automatic 2 / (2 + 1.1 mu), halved when the energy rises.");
-  schema.real("Inner Tolerance", 1e-3, "Of each linear solve, relative to the outer residual that it starts from.",
+  schema.real("Inner Tolerance", 1e-3, "Tolerance of each linear solve, relative to the outer residual that it starts from.",
               {0.0, 1.0, true, true, {}});
   return schema;
 }

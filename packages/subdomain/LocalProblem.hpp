@@ -17,7 +17,7 @@ class LocalProblem {
   virtual ~LocalProblem() = default;
 
   const std::string& name() const { return name_; }
-  int id() const { return id_; }  ///< of all local problems of the scene, the same on any number of ranks
+  int id() const { return id_; }  ///< number among all local problems of the scene, the same on any number of ranks
   /// Unknowns on the boundary, as all local problems number them; the order of traces and fluxes.
   const std::vector<GlobalId>& boundary() const { return boundary_; }
   int size() const { return static_cast<int>(boundary_.size()); }

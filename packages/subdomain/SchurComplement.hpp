@@ -15,10 +15,10 @@ struct SchurData {
   const Vector& load;                ///< all unknowns
   const std::vector<int>& boundary;  ///< positions of B, in the order of traces
   const std::vector<int>& nodeOf;    ///< node of each unknown
-  const std::vector<Point>& places;  ///< of each unknown: where its node is [length]
+  const std::vector<Point>& places;  ///< place of the node of each unknown [length]
   LocalSolverMaker solver;
   std::string what;   ///< for messages
-  int dimension = 2;  ///< of the problem: 2 or 3
+  int dimension = 2;  ///< dimension of the problem: 2 or 3
 };
 
 /// S_i = A_BB - A_BI A_II^-1 A_IB of eq. (12)-(14), the energy of the discrete harmonic extension, without saying how it is kept.

@@ -53,7 +53,7 @@ class Subdomain {
 
   const SymmetricMatrix& stiffness() const { return stiffness_; }  ///< free x free
   const Vector& load() const { return load_; }               ///< free: loads less the stiffness times prescribed displacements [force]
-  double constantEnergy() const { return constantEnergy_; }  ///< what prescribed displacements alone store, less their loads' work
+  double constantEnergy() const { return constantEnergy_; }  ///< energy of prescribed displacements alone, less their loads' work
   /// The hint of this name on the free unknowns; of the coarse modes the rigid ones, if the subdomain knows no others. Found anew at each
   /// call, in time that grows with the subdomain: ask once, and keep what belongs to the boundary. \throws NumericalError  it has not a row
   /// for every unknown

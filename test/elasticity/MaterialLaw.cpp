@@ -63,7 +63,7 @@ TEUCHOS_UNIT_TEST(MaterialLaw, LaminaPulledOffItsAxes) {
     TEST_FLOATING_EQUALITY(compliance(1, 1), alongY, 1e-12);
     TEST_COMPARE(std::abs(compliance(0, 1) - across), <, 1e-12 * alongY);
     TEST_COMPARE(std::abs(compliance(0, 2) - sheared), <, 1e-12 * alongY);
-    // What elements and estimates use says the same.
+    // The functions that elements and estimates use say the same.
     const HookesLaw law(ply, PlaneModel::Stress);
     TEST_COMPARE(std::abs(law.complementary({1, 0, 0, 0}) - alongX), <, 1e-12 * alongX);
     TEST_COMPARE((law.pointwise * law.compliance.col(0) - Eigen::Vector4d(1, 0, 0, 0)).norm(), <, 1e-12);

@@ -1,4 +1,4 @@
-// What subdomains of BDDC have in common: points, rows on edges, and the constraints of each local problem made of them.
+// Constraints that subdomains of BDDC share: points, rows on edges, and the constraints of each local problem made of them.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <interface/ContactScenes.hpp>
 #include <interface/DenseSpace.hpp>

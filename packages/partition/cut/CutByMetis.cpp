@@ -24,7 +24,7 @@ Schema metisSchema() {
                     "How many in all, at least one a body. Automatic: one for about 7200 elements, to a multiple of four, up to six of 800 "
                     "in small scenes, and at least one a rank while each has 50 elements; only then does the cut depend on the number of "
                     "ranks.")
-      .integer("Seed", 1, "Of METIS' random numbers: the same seed gives the same subdomains.", Range::atLeast(0));
+      .integer("Seed", 1, "Seed of METIS' random numbers: the same one gives the same subdomains.", Range::atLeast(0));
 }
 
 int automaticSubdomains(int elements, int pieces, int ranks) {

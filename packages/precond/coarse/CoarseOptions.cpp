@@ -14,10 +14,10 @@ void CoarseOptions::addParameters(Schema& schema) {
                  Range::atLeast(0));
   schema.wordOrNumber("Coarse Clusters", "Automatic", {"Automatic"}, Range::atLeast(1),
                       "Clusters of that level. Automatic: the square root of the number of local problems, at least one for each rank.");
-  schema.real(
-      "Coarse Accuracy", defaults.accuracy,
-      "Of that level's solution; decides how many steps it makes. The coarse solution is within this part of the exact one, in energy.",
-      Range{1e-12, 0.9, false, false, {}});
+  schema.real("Coarse Accuracy", defaults.accuracy,
+              "Accuracy of that level's solution; decides how many steps it makes. The coarse solution is within this part of the exact "
+              "one, in energy.",
+              Range{1e-12, 0.9, false, false, {}});
 }
 
 CoarseOptions CoarseOptions::from(const Parameters& own) {

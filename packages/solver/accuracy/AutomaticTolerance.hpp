@@ -23,8 +23,8 @@ namespace suture {
 class AutomaticTolerance {
  public:
   struct Estimate {
-    std::function<DiscretisationError(const std::vector<Vector>& freeValues)> of;  ///< of this rank's subdomains; collective
-    double expected = 0.0;  ///< what it may be, relative to the norm of the solution: a guess
+    std::function<DiscretisationError(const std::vector<Vector>& freeValues)> of;  ///< error of this rank's subdomains; collective
+    double expected = 0.0;  ///< guess of it, relative to the norm of the solution
   };
   using Recovered = std::shared_ptr<const InterfaceProblem::Recovered>;
 

@@ -9,7 +9,7 @@ namespace suture {
 
 /// The solution of a scene on a coarser mesh, with the bodies and contact lines of the fine one.
 struct CoarseAnswer {
-  std::vector<SubdomainMesh> meshes;  ///< of this rank
+  std::vector<SubdomainMesh> meshes;  ///< subdomains of this rank
   Solution solution;
 };
 

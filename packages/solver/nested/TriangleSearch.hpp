@@ -15,7 +15,7 @@ class TriangleSearch {
   struct Place {
     double outside = 1e300;                    ///< largest negative barycentric coordinate: 0 inside, the distance in cell sizes outside
     std::array<int, 3> nodes{{0, 0, 0}};       ///< corners of the triangle
-    std::array<double, 3> weights{{0, 0, 0}};  ///< of linear interpolation; extrapolates outside
+    std::array<double, 3> weights{{0, 0, 0}};  ///< weights of linear interpolation; extrapolates outside
   };
   /// The triangle nearest to the point, in its own size, among those in the bins about it; outside = 1e300 for a mesh of no cells.
   Place find(const Point& point) const;

@@ -21,7 +21,7 @@ PairsAtSolution broadcastPairs(const Comm& comm, const std::vector<PairResult>& 
 /// Magnitudes whose rounding appears in the forces on each part.
 struct ForceScales {
   std::vector<double> loads;  ///< sum of their magnitudes
-  std::vector<double> ways;   ///< what the last digit of a prescribed way is worth: eps E |way|
+  std::vector<double> ways;   ///< force that the last digit of a prescribed way is worth: eps E |way|
 };
 
 /// Collective.
