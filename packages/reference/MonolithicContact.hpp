@@ -29,7 +29,7 @@ struct ActiveSetStep {
   int active = 0;
   int changed = 0;
   double residual = 0.0;  ///< largest violation: penetration of an open pair, or pull of a closed one times its compliance; over the size
-                          ///< rounding of the displacements
+                          ///< of the displacements
   double energy = 0.0;    ///< x.S x / 2 - f.x of the step's solution
 };
 
