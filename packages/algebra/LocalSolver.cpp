@@ -1,6 +1,6 @@
-#include <suture/algebra/AmesosSolver.hpp>
-#include <suture/algebra/CholmodSolver.hpp>
 #include <suture/algebra/LocalSolver.hpp>
+#include <suture/algebra/solvers/AmesosSolver.hpp>
+#include <suture/algebra/solvers/CholmodSolver.hpp>
 
 #include <Teuchos_ParameterList.hpp>
 

@@ -4,6 +4,7 @@
 #include <Teuchos_ParameterList.hpp>
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include <suture/base/Numbers.hpp>
 
@@ -14,30 +15,14 @@ using Kind = Schema::Kind;
 
 /// Form of a value of this kind, with the names it may have or the range it must lie in.
 std::string expectation(const Schema::Parameter& parameter) {
-  std::string text;
-  switch (parameter.kind) {
-    case Kind::Integer:
-      text = "an integer";
-      break;
-    case Kind::Real:
-      text = "a number";
-      break;
-    case Kind::Boolean:
-      text = "true or false";
-      break;
-    case Kind::Text:
-      text = "a text";
-      break;
-    case Kind::Reals:
-      text = "numbers as in {1.0, 2.0}";
-      break;
-    case Kind::Integers:
-      text = "integers as in {1, 2}";
-      break;
-    case Kind::Texts:
-      text = parameter.orOne ? "a name, or several as in {a, b}" : "names as in {a, b}";
-      break;
-  }
+  static const std::map<Kind, std::string> forms{{Kind::Integer, "an integer"},
+                                                 {Kind::Real, "a number"},
+                                                 {Kind::Boolean, "true or false"},
+                                                 {Kind::Text, "a text"},
+                                                 {Kind::Reals, "numbers as in {1.0, 2.0}"},
+                                                 {Kind::Integers, "integers as in {1, 2}"},
+                                                 {Kind::Texts, "names as in {a, b}"}};
+  std::string text = parameter.orOne ? "a name, or several as in {a, b}" : forms.at(parameter.kind);
   const bool number = parameter.kind != Kind::Text && parameter.kind != Kind::Texts && parameter.kind != Kind::Boolean;
   if (number && parameter.range.text() != "any") text += ", " + parameter.range.text();
   if (!parameter.allowed.empty()) text = "one of: " + joinNames(parameter.allowed);

@@ -1,5 +1,5 @@
 #include <suture/algebra/CholmodFactor.hpp>
-#include <suture/algebra/CholmodSolver.hpp>
+#include <suture/algebra/solvers/CholmodSolver.hpp>
 
 #include <Teuchos_ParameterList.hpp>
 

@@ -1,4 +1,4 @@
-#include <suture/algebra/AmesosSolver.hpp>
+#include <suture/algebra/solvers/AmesosSolver.hpp>
 
 #include <Amesos2.hpp>
 #include <Teuchos_DefaultSerialComm.hpp>
