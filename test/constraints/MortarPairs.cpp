@@ -14,14 +14,6 @@ namespace {
 
 using namespace constraintstesting;
 
-/// Sum over the ends of a pair that lie on a body of weight times f(place).
-double sum(const Mesh& mesh, const ContactPair& pair, int body, const std::function<double(Point)>& f) {
-  double all = 0;
-  for (const PairEnd& end : pair.ends)
-    if (mesh.bodyOfNode[end.node] == body) all += end.weight * f(mesh.point(end.node));
-  return all;
-}
-
 TEUCHOS_UNIT_TEST(MortarPairs, WeighsBothSidesByOneInAll) {
   for (const Case& c : cases)
     for (const std::string carrier : {"Side A", "Side B"}) {

@@ -37,4 +37,12 @@ inline const Case cases[] = {{0, 4, 8, 13, P1, P1},     {0, 4, 40, 3, P1, P1},  
                              {-0.7, 3.3, 8, 8, P1, P1}, {0, 4, 8, 13, P2, P2},         {0, 4, 7, 5, P2, P1},         {0, 4, 5, 8, P1, Q8},
                              {-0.7, 3.3, 8, 9, P2, P2}, {-0.001, 3.999, 8, 8, P1, P1}, {-0.001, 3.999, 8, 8, P2, P2}};
 
+/// Sum over the ends of a pair that lie on a body of weight times f(place).
+inline double sum(const Mesh& mesh, const ContactPair& pair, int body, const std::function<double(Point)>& f) {
+  double all = 0;
+  for (const PairEnd& end : pair.ends)
+    if (mesh.bodyOfNode[end.node] == body) all += end.weight * f(mesh.point(end.node));
+  return all;
+}
+
 }  // namespace constraintstesting
