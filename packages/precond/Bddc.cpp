@@ -14,6 +14,7 @@
 #include <Tpetra_Vector.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <sstream>
 
@@ -26,6 +27,8 @@ namespace {
 constexpr int kLeastSizeByChanges = 16;
 
 constexpr double kToldMotion = 1e-8;  // what constraints tell of a motion of length one, at least
+// Error of a coarse solve, in the energy of the diagonal: rounding times the scaled condition, which jumps of 1e8 leave below 1e8.
+constexpr double kRegular = 1e-6;
 
 /// The inverse under other constraints; null where it is better made anew.
 std::shared_ptr<const LocalInverse> updated(const std::shared_ptr<const LocalInverse>& base, const PrimalRows::Rows& old,
@@ -81,50 +84,80 @@ Bddc::~Bddc() = default;
 void Bddc::doInitialize() { coarse_.reset(); }
 
 void Bddc::doCompute() {
-  const LocalProblems& locals = matrix()->locals();
   int mine = 0, all = 0;
-  for (const auto& local : locals) mine += local != nullptr;
+  for (const auto& local : matrix()->locals()) mine += local != nullptr;
   Teuchos::reduceAll(*space()->comm(), Teuchos::REDUCE_SUM, mine, Teuchos::outArg(all));
-  PrimalChoice choice;
-  std::vector<PrimalRows> rows = constrain(all, choice);
-  collectively(*space()->comm(), "factoring the local problems of BDDC", [&] { factorLocals(std::move(rows)); });
-  assembleCoarse(all);
-  if (primal_->isAdaptive()) countConstraints(choice.rows);
-}
-
-/// In the torn space, if there is one and its rows leave no local problem loose; else in the space itself, where every unknown of a
-/// relation of several terms is primal.
-std::vector<PrimalRows> Bddc::constrain(int locals, PrimalChoice& choice) {
-  const LocalProblems& all = matrix()->locals();
-  const bool withUnknowns = levels_.goesOn(locals);
   averaging_.reset();
   // Adaptive constraints bound the condition on entities, of which a mortar has none. Two local problems with all that they share as
   // vertices are solved exactly.
-  const int isTorn = space()->torn() && !primal_->isAdaptive() && locals > 2;
+  const int isTorn = space()->torn() && !primal_->isAdaptive() && all > 2;
   int isTornAnywhere = 0;
   Teuchos::reduceAll(*space()->comm(), Teuchos::REDUCE_MAX, isTorn, Teuchos::outArg(isTornAnywhere));
-  if (isTornAnywhere) {
-    torn_ = isTorn ? space()->torn() : space();
-    weighting_->setup(*torn_, all);
-    choice = primal_->choose(*torn_, all, *weighting_);
-    const MortarRows mortar(*space(), *torn_, choice);
-    std::vector<PrimalRows> rows = primalRows(*torn_, choice, withUnknowns, &mortar);
-    int mine = 0, any = 0;
-    for (std::size_t i = 0; i < all.size(); ++i)
-      if (all[i] && all[i]->kernel().cols() > 0) {
-        const Matrix told = rows[i].rows * orthonormalBasis(all[i]->kernel(), kToldMotion);
-        mine = mine || nullSpace(told, kToldMotion).cols() > 0;
-      }
-    Teuchos::reduceAll(*space()->comm(), Teuchos::REDUCE_MAX, mine, Teuchos::outArg(any));
-    if (!any) {
-      averaging_ = std::make_unique<MortarAveraging>(*space(), *torn_, all);
-      return rows;
+  if (isTornAnywhere && computeTorn(all, isTorn)) return;
+  torn_ = space();
+  const PrimalChoice choice = choose();
+  factor(primalRows(*torn_, choice, levels_.goesOn(all)), all);
+  if (primal_->isAdaptive()) countConstraints(choice.rows);
+}
+
+PrimalChoice Bddc::choose() {
+  weighting_->setup(*torn_, matrix()->locals());
+  return primal_->choose(*torn_, matrix()->locals(), *weighting_);
+}
+
+void Bddc::factor(std::vector<PrimalRows> rows, int locals) {
+  collectively(*space()->comm(), "factoring the local problems of BDDC", [&] { factorLocals(std::move(rows)); });
+  assembleCoarse(locals);
+}
+
+/// In the torn space. False where rows of the mortar leave something loose: a local problem, or bodies as a whole. Then every unknown that
+/// a relation of several terms names is primal.
+bool Bddc::computeTorn(int locals, bool isTornHere) {
+  const LocalProblems& all = matrix()->locals();
+  torn_ = isTornHere ? space()->torn() : space();
+  const PrimalChoice choice = choose();
+  const MortarRows mortar(*space(), *torn_, choice);
+  std::vector<PrimalRows> rows = primalRows(*torn_, choice, levels_.goesOn(locals), &mortar);
+  int mine = 0, any = 0;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (all[i] && all[i]->kernel().cols() > 0) {
+      const Matrix told = rows[i].rows * orthonormalBasis(all[i]->kernel(), kToldMotion);
+      mine = mine || nullSpace(told, kToldMotion).cols() > 0;
+    }
+  Teuchos::reduceAll(*space()->comm(), Teuchos::REDUCE_MAX, mine, Teuchos::outArg(any));
+  if (any) return false;
+  try {
+    factor(std::move(rows), locals);
+  } catch (const NumericalError&) {
+    return false;
+  } catch (const InputError&) {  // clusters of the next level
+    return false;
+  }
+  if (!coarseIsRegular()) return false;
+  averaging_ = std::make_unique<MortarAveraging>(*space(), *torn_, all);
+  return true;
+}
+
+/// True if the coarse problem gives a vector back that it was applied to: what is nothing but rounding beside the rest, and was factored
+/// all the same, does not. A coarse problem of several levels says so itself.
+bool Bddc::coarseIsRegular() const {
+  if (coarse_->clusters() > 0 || coarse_->size() == 0) return true;
+  Vector given(coarse_->size()), image = Vector::Zero(coarse_->size()), diagonal = image, sum = image;
+  for (int k = 0; k < given.size(); ++k) given(k) = 1.0 + 0.5 * std::sin(1.0 + 7.0 * k);
+  for (std::size_t i = 0; i < locals_.size(); ++i) {
+    if (!locals_[i]) continue;
+    const CoarseElement own = element(i);
+    Vector part(static_cast<int>(own.unknowns.size()));
+    for (std::size_t k = 0; k < own.unknowns.size(); ++k) part(static_cast<int>(k)) = given(own.unknowns[k]);
+    const Vector product = own.matrix * part;
+    for (std::size_t k = 0; k < own.unknowns.size(); ++k) {
+      image(own.unknowns[k]) += product(static_cast<int>(k));
+      diagonal(own.unknowns[k]) += own.matrix(static_cast<int>(k), static_cast<int>(k));
     }
   }
-  torn_ = space();
-  weighting_->setup(*torn_, all);
-  choice = primal_->choose(*torn_, all, *weighting_);
-  return primalRows(*torn_, choice, withUnknowns);
+  Teuchos::reduceAll(*space()->comm(), Teuchos::REDUCE_SUM, coarse_->size(), diagonal.data(), sum.data());
+  const Vector scale = sum.cwiseSqrt(), error = scale.cwiseProduct(coarse_->solve(image) - given);
+  return error.norm() < kRegular * scale.cwiseProduct(given).norm();
 }
 
 /// Entities where their first local problem lives, unknowns where they are owned.

@@ -38,7 +38,10 @@ class Bddc : public Preconditioner {
   void doApply(const MultiVector& r, MultiVector& z) const override;
 
  private:
-  std::vector<PrimalRows> constrain(int locals, PrimalChoice& choice);
+  PrimalChoice choose();
+  bool computeTorn(int locals, bool isTornHere);
+  bool coarseIsRegular() const;
+  void factor(std::vector<PrimalRows> rows, int locals);
   std::unique_ptr<LocalInverse> inverseOf(const LocalProblem& local, const Matrix& rows) const;
   void factorLocals(std::vector<PrimalRows> constraints);
   void assembleCoarse(int locals);

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace suture {
 
@@ -40,8 +41,7 @@ class MortarRows::Maker {
 
   void make() {
     findGroups();
-    for (const auto& [id, relation] : relations_)
-      if (alone_[relation->unknown]) addPoint(*relation);
+    addPoints();
     orthonormalise();
     exchange();
     write();
@@ -103,6 +103,7 @@ class MortarRows::Maker {
       }
       if (!common.empty() && !allAlone) groups[{own[0], common[0]}].push_back(relation);
     }
+    findUngrouped(groups);
     for (const auto& [pair, rows] : groups) {
       // Ranks of other local problems see some of the rows only.
       if (!localOf_.count(pair.first) && !localOf_.count(pair.second)) continue;
@@ -132,13 +133,34 @@ class MortarRows::Maker {
     }
   }
 
-  void addPoint(const InterfaceRelation& relation) {
-    Side side;
-    side.entries.emplace_back(relation.unknown, 1.0);
-    std::map<int, double> masters;
-    for (std::size_t k = 0; k < relation.others.size(); ++k) masters[relation.others[k]] = relation.coefficients[k];
-    add(side, masters, relation.unknown, 0, -1);
-    sides_.push_back(std::move(side));
+  /// Local problems whose rows all straddle: these count one by one. Their ranks tell the others.
+  void findUngrouped(const std::map<std::pair<int, int>, std::vector<const InterfaceRelation*>>& groups) {
+    std::set<int> grouped;
+    for (const auto& entry : groups) grouped.insert(entry.first.first);
+    Matrix flags = Matrix::Zero(space_.overlapSize(), 1);
+    for (const auto& [id, relation] : relations_) {
+      const std::vector<int>& own = space_.sharers(relation->unknown);
+      if (own.size() == 1 && localOf_.count(own[0]) && !grouped.count(own[0])) flags(relation->unknown, 0) = 1.0;
+    }
+    space_.sum(flags);
+    for (int place = 0; place < space_.overlapSize(); ++place) counts_.push_back(flags(place, 0) > 0.0);
+  }
+
+  void addPoints() {
+    for (const auto& [id, relation] : relations_) {
+      if (!alone_[relation->unknown] && !counts_[relation->unknown]) continue;
+      Side side;
+      side.entries.emplace_back(relation->unknown, 1.0);
+      if (!alone_[relation->unknown]) side.on = space_.sharers(relation->unknown)[0];
+      std::map<int, double> masters;
+      for (std::size_t k = 0; k < relation->others.size(); ++k)
+        if (side.on >= 0 && isOn(relation->others[k], side.on))
+          side.entries.emplace_back(relation->others[k], -relation->coefficients[k]);
+        else
+          masters[relation->others[k]] = relation->coefficients[k];
+      add(side, masters, relation->unknown, 0, -1);
+      sides_.push_back(std::move(side));
+    }
   }
 
   /// In the order of the rows, twice for the digits.
@@ -263,6 +285,7 @@ class MortarRows::Maker {
 
   const InterfaceSpace& space_;
   MortarRows& made_;
+  std::vector<char> counts_;                                // of each place: a row that counts by itself
   std::vector<char> alone_;                                 // of each place: primal alone
   std::map<int, int> localOf_;                              // id -> place among those of this rank
   std::map<GlobalId, const InterfaceRelation*> relations_;  // of several terms, by what they express
