@@ -93,6 +93,7 @@ TEUCHOS_UNIT_TEST(NestedStart, FinePairsBetweenTwoOfOneStatusHaveIt) {
     result.id = pair.id;
     result.line = pair.line;
     result.arc = pair.arc;
+    result.position = pair.position;
     result.state = coarseStatus[pair.id] = pattern.at(pair.id);
     if (world()->getRank() == 0) answer.solution.pairs.push_back(result);  // as recover() leaves it
   }
