@@ -115,9 +115,9 @@ class Taken {
 void checkGroups(const Contact& contact, Problems& problems) {
   const auto lacksName = [](const std::vector<std::string>& groups) { return std::count(groups.begin(), groups.end(), "") > 0; };
   const std::string pathA = contact.path + "/Side A", pathB = contact.path + "/Side B";
-  const std::string empty = "is empty; expected a curve group, or several as {left, right}";
-  if (contact.groupsA.empty() || lacksName(contact.groupsA)) problems.add(pathA, empty);
-  if (lacksName(contact.groupsB)) problems.add(pathB, empty);
+  const std::string several = ", or several as {left, right}";
+  if (contact.groupsA.empty() || lacksName(contact.groupsA)) problems.add(pathA, "is empty; expected a curve group" + several);
+  if (lacksName(contact.groupsB)) problems.add(pathB, "is empty; expected a curve group on another body" + several);
   if (!contact.groupsB.empty() && contact.obstacle) problems.add(pathB, "found beside an Obstacle; expected one of the two");
   if (contact.groupsB.empty() && !contact.obstacle)
     problems.add(pathB, "is missing: expected a curve group on another body, or an Obstacle");

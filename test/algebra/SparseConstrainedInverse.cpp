@@ -42,7 +42,11 @@ struct Springs {
 };
 
 LocalSolverMaker cholmod() {
-  return [] { return Registry<LocalSolver>::instance().make("CHOLMOD", Parameters()); };
+  return [] {
+    Parameters own;
+    own.set("Ordering", std::string("AMD"));
+    return Registry<LocalSolver>::instance().make("CHOLMOD", own);
+  };
 }
 
 TEUCHOS_UNIT_TEST(SparseConstrainedInverse, IsTheDenseOne) {
