@@ -77,7 +77,7 @@ class Mechanisms {
 
   /// Marks points where these have motions left. Collective.
   bool mark() {
-    if (motions_.empty()) findMotions();
+    if (!motionsMade_) findMotions();  // where there are no entities, too: the others wait
     added_ = Matrix::Zero(space_.overlapSize(), 1);
     rows_.clear();
     for (const int i : loose_) holdAlone(i);
@@ -110,6 +110,7 @@ class Mechanisms {
 
   /// Kernels of all sharers on each entity, in its unknowns.
   void findMotions() {
+    motionsMade_ = true;
     const std::vector<EntitySide> sides = entitySides(space_, space_.entities());
     motions_ = exchangeSides(space_, space_.entities(), sides, [&](std::size_t k) {
       const EntitySide& side = sides[k];
@@ -223,6 +224,7 @@ class Mechanisms {
   std::vector<int> loose_;                    // local problems to look at
   std::vector<Pair> pairs_;
   std::vector<std::vector<Matrix>> motions_;  // of each sharer of each entity; made when they are needed, as rows_
+  bool motionsMade_ = false;
   std::vector<PrimalRows> rows_;
   Matrix added_;  // unknowns to add, by place
 };
