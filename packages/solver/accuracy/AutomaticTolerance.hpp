@@ -24,7 +24,7 @@ class AutomaticTolerance {
  public:
   struct Estimate {
     std::function<DiscretisationError(const std::vector<Vector>& freeValues)> of;  ///< error of this rank's subdomains; collective
-    double expected = 0.0;  ///< guess of it, relative to the norm of the solution
+    double expected = 0.0;                                                         ///< guess of it, relative to the norm of the solution
   };
   using Recovered = std::shared_ptr<const InterfaceProblem::Recovered>;
 
