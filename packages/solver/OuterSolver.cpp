@@ -137,6 +137,7 @@ void OuterSolver::Run::describe(const InterfaceOperator& matrix) {
 OuterResult OuterSolver::conclude(Run& run) {
   OuterResult& result = run.result;
   result.converged = run.done() || run.solved;
+  if (!run.preconditioner.is_null()) result.coarseSize = run.preconditioner->coarseSize();  // sets change it
   if (run.done() && result.residual > run.settings.tolerance) run.monitor.note(run.reason());
   if (result.stopped && !result.converged && result.failure.empty()) result.failure = "stopped on request";
   if (!result.converged && result.failure.empty())
