@@ -1,11 +1,7 @@
-#include <cblas.h>
 #include <cholmod.h>
-#include <suture/algebra/CholmodFactor.hpp>
-#include <suture/algebra/CholmodHandle.hpp>
-#include <suture/algebra/Lanes.hpp>
 #include <suture/algebra/SerialSection.hpp>
-#include <suture/algebra/WorkSpace.hpp>
 #include <suture/algebra/elimination/PivotCheck.hpp>
+#include <suture/algebra/solvers/CholmodData.hpp>
 #include <suture/base/Errors.hpp>
 
 #include <Eigen/Dense>
@@ -18,10 +14,6 @@ extern "C" void dlauum_(const char* uplo, const int* n, double* a, const int* ld
 namespace suture {
 
 namespace {
-
-constexpr int columnsAtOnce = 32;  // right-hand sides that share one pass over L
-
-thread_local std::vector<double> keptUpdate;  // a supernode's part of x, forward and backward
 
 // The nested dissections and AMD of CHOLMOD take a pattern: the leading block of the lower triangle.
 Eigen::SparseMatrix<double> leadingLower(const Eigen::SparseMatrix<double>& matrix, int size) {
@@ -68,50 +60,7 @@ const char* nameOf(CholmodOptions::Ordering ordering) {
   return "METIS";
 }
 
-/// x <- [L_11 0; L_21 I]^-1 x for a supernode, column by column.
-SUTURE_FOR_EACH_PROCESSOR void eliminate(int columns, int rows, const double* values, int stride, double* x) {
-  for (int j = 0; j < columns; ++j, values += stride + 1) {
-    x[j] /= values[0];
-    subtractMultiple(rows - j - 1, x[j], values + 1, x + j + 1);
-  }
-}
-
-/// x_1 <- L_11^-T (x_1 - L_21^T x_2)
-SUTURE_FOR_EACH_PROCESSOR void substituteBack(int columns, int rows, const double* values, int stride, double* x) {
-  values += static_cast<std::ptrdiff_t>(columns) * (stride + 1);
-  for (int j = columns - 1; j >= 0; --j) {
-    values -= stride + 1;
-    x[j] = (x[j] - scalarProduct(rows - j - 1, values + 1, x + j + 1)) / values[0];
-  }
-}
-
 }  // namespace
-
-struct CholmodFactor::Data : CholmodHandle {
-  void order(const Eigen::SparseMatrix<double>& matrix, CholmodOptions::Ordering ordering);
-  void factorise(const Eigen::SparseMatrix<double>& matrix, const CholmodOptions& options);
-  void judgePivots(const Vector& diagonal, PivotCheck& check);
-
-  double pivot(int column) const;
-  void forward(int upTo, Eigen::Ref<Matrix> x) const;
-  void backward(int upTo, Eigen::Ref<Matrix> x) const;
-  void solve(int upTo, LocalView rhs) const;
-
-  // Supernode s: its first column, its columns and rows below a limit, its dense block, its row numbers.
-  struct Supernode {
-    int first, columns, rows;
-    const double* values;
-    int stride;
-    const int* below;  // row numbers after the diagonal block's
-  };
-  Supernode supernode(int s, int upTo) const;
-
-  std::vector<int> permutation;  // column of L -> dof
-  std::vector<int> columnSupernode;
-  int mostRows = 0;  // rows of the largest supernode
-  Vector shift;
-  Statistics statistics;
-};
 
 void CholmodFactor::Data::order(const Eigen::SparseMatrix<double>& matrix, CholmodOptions::Ordering ordering) {
   const int n = statistics.size, leading = n - statistics.trailing;
@@ -205,125 +154,6 @@ void CholmodFactor::Data::judgePivots(const Vector& diagonal, PivotCheck& check)
   statistics.smallestPivot = check.smallest();
   statistics.smallestPivotDof = check.unknown();
   check.judge();
-}
-
-CholmodFactor::Data::Supernode CholmodFactor::Data::supernode(int s, int upTo) const {
-  const int* super = static_cast<const int*>(factor->super);
-  const int* pi = static_cast<const int*>(factor->pi);
-  const int* px = static_cast<const int*>(factor->px);
-  const int* rows = static_cast<const int*>(factor->s) + pi[s];
-  const int allRows = pi[s + 1] - pi[s];
-  Supernode node;
-  node.first = super[s];
-  node.columns = std::min(super[s + 1], upTo) - super[s];  // relaxed supernodes may straddle the limit
-  node.rows = upTo >= statistics.size ? allRows : int(std::lower_bound(rows, rows + allRows, upTo) - rows);
-  node.values = static_cast<const double*>(factor->x) + px[s];
-  node.stride = allRows;
-  node.below = rows + node.columns;
-  return node;
-}
-
-// x <- L^-1 x for the first `upTo` columns and rows of L. Row numbers ascend within a column, so that the limit cuts off a tail.
-void CholmodFactor::Data::forward(int upTo, Eigen::Ref<Matrix> x) const {
-  if (!statistics.supernodal) {
-    const int *p = static_cast<const int*>(factor->p), *rows = static_cast<const int*>(factor->i),
-              *nz = static_cast<const int*>(factor->nz);
-    const double* l = static_cast<const double*>(factor->x);
-    for (int c = 0; c < x.cols(); ++c) {
-      double* y = x.col(c).data();
-      for (int j = 0; j < upTo; ++j) {
-        const double yj = y[j] /= l[p[j]];
-        for (int k = p[j] + 1; k < p[j] + nz[j] && rows[k] < upTo; ++k) y[rows[k]] -= l[k] * yj;
-      }
-    }
-    return;
-  }
-  WorkSpace space(mostRows, x.cols(), keptUpdate);
-  Eigen::Map<Matrix>& update = space.values;
-  for (int s = 0; s < int(factor->nsuper); ++s) {
-    const Supernode node = supernode(s, upTo);
-    if (node.columns <= 0) break;
-    const int m = node.rows - node.columns;
-    const double* off = node.values + node.columns;
-    if (x.cols() == 1) {
-      double *own = x.data() + node.first, *all = update.data(), *below = all + node.columns;
-      std::copy_n(own, node.columns, all);
-      std::fill_n(below, m, 0.0);
-      eliminate(node.columns, node.rows, node.values, node.stride, all);
-      std::copy_n(all, node.columns, own);
-      for (int r = 0; r < m; ++r) x(node.below[r], 0) += below[r];
-      continue;
-    }
-    double* y = x.data() + node.first;
-    cblas_dtrsm(CblasColMajor, CblasLeft, CblasLower, CblasNoTrans, CblasNonUnit, node.columns, x.cols(), 1.0, node.values, node.stride, y,
-                x.outerStride());
-    if (m == 0) continue;
-    cblas_dgemm(CblasColMajor, CblasNoTrans, CblasNoTrans, m, x.cols(), node.columns, 1.0, off, node.stride, y, x.outerStride(), 0.0,
-                update.data(), update.outerStride());
-    for (int c = 0; c < x.cols(); ++c)
-      for (int r = 0; r < m; ++r) x(node.below[r], c) -= update(r, c);
-  }
-}
-
-// x <- L^-T x, likewise.
-void CholmodFactor::Data::backward(int upTo, Eigen::Ref<Matrix> x) const {
-  if (!statistics.supernodal) {
-    const int *p = static_cast<const int*>(factor->p), *rows = static_cast<const int*>(factor->i),
-              *nz = static_cast<const int*>(factor->nz);
-    const double* l = static_cast<const double*>(factor->x);
-    for (int c = 0; c < x.cols(); ++c) {
-      double* y = x.col(c).data();
-      for (int j = upTo - 1; j >= 0; --j) {
-        double sum = y[j];
-        for (int k = p[j] + 1; k < p[j] + nz[j] && rows[k] < upTo; ++k) sum -= l[k] * y[rows[k]];
-        y[j] = sum / l[p[j]];
-      }
-    }
-    return;
-  }
-  if (upTo == 0) return;
-  WorkSpace space(mostRows, x.cols(), keptUpdate);
-  Eigen::Map<Matrix>& update = space.values;
-  for (int s = columnSupernode[upTo - 1]; s >= 0; --s) {
-    const Supernode node = supernode(s, upTo);
-    const int m = node.rows - node.columns;
-    const double* off = node.values + node.columns;
-    if (x.cols() == 1) {
-      double *own = x.data() + node.first, *all = update.data(), *below = all + node.columns;
-      std::copy_n(own, node.columns, all);
-      for (int r = 0; r < m; ++r) below[r] = x(node.below[r], 0);
-      substituteBack(node.columns, node.rows, node.values, node.stride, all);
-      std::copy_n(all, node.columns, own);
-      continue;
-    }
-    for (int c = 0; c < x.cols(); ++c)
-      for (int r = 0; r < m; ++r) update(r, c) = x(node.below[r], c);
-    double* y = x.data() + node.first;
-    if (m > 0)
-      cblas_dgemm(CblasColMajor, CblasTrans, CblasNoTrans, node.columns, x.cols(), m, -1.0, off, node.stride, update.data(),
-                  update.outerStride(), 1.0, y, x.outerStride());
-    cblas_dtrsm(CblasColMajor, CblasLeft, CblasLower, CblasTrans, CblasNonUnit, node.columns, x.cols(), 1.0, node.values, node.stride, y,
-                x.outerStride());
-  }
-}
-
-void CholmodFactor::Data::solve(int upTo, LocalView rhs) const {
-  if (rhs.rows() != upTo)
-    throw InternalError("CholmodFactor: right-hand side of " + std::to_string(rhs.rows()) + " rows for " + std::to_string(upTo) + " dofs");
-  if (upTo == 0) return;
-  thread_local std::vector<double> kept;
-  WorkSpace space(upTo, std::min<Eigen::Index>(rhs.cols(), columnsAtOnce), kept);
-  Eigen::Map<Matrix>& work = space.values;
-  for (Eigen::Index first = 0; first < rhs.cols(); first += columnsAtOnce) {
-    const Eigen::Index count = std::min<Eigen::Index>(columnsAtOnce, rhs.cols() - first);
-    auto x = work.leftCols(count);
-    for (Eigen::Index c = 0; c < count; ++c)
-      for (int j = 0; j < upTo; ++j) x(j, c) = rhs(permutation[j], first + c);
-    forward(upTo, x);
-    backward(upTo, x);
-    for (Eigen::Index c = 0; c < count; ++c)
-      for (int j = 0; j < upTo; ++j) rhs(permutation[j], first + c) = x(j, c);
-  }
 }
 
 CholmodFactor::CholmodFactor(const Eigen::SparseMatrix<double>& matrix, const CholmodOptions& options) : data_(std::make_unique<Data>()) {
