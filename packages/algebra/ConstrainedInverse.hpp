@@ -1,6 +1,5 @@
 #pragma once
-#include <suture/algebra/LocalInverse.hpp>
-#include <suture/algebra/PackedColumns.hpp>
+#include <suture/algebra/InverseWithBasis.hpp>
 
 #include <string>
 
@@ -12,25 +11,16 @@ namespace suture {
 /// none). The coordinates left are free, their block of S is definite, and its inverse, turned back, is kept as a matrix: an application
 /// is one symmetric product, and as the basis in single precision if it is large and well-conditioned. No multiplier, no penalty; S may be
 /// singular. Local.
-class ConstrainedInverse : public LocalInverse {
+class ConstrainedInverse : public InverseWithBasis {
  public:
   /// \param what  for messages. \throws NumericalError  C is not of full rank, or leaves a mechanism.
   ConstrainedInverse(Matrix schur, const Matrix& constraints, const std::string& what);
 
   void apply(ConstLocalView flux, LocalView trace) const override { inverse_.multiply(flux, trace); }
-  Matrix basis() const override { return basis_.full(); }
-  const Matrix& energy() const override { return energy_; }
-  void applyBasisTransposed(const Eigen::Ref<const Vector>& flux, Vector& values) const override {
-    basis_.multiplyTransposed(flux, values);
-  }
-  void addBasis(const Vector& values, Eigen::Ref<Vector> trace) const override { basis_.addProduct(values, trace); }
   double bytesRead() const override { return inverse_.bytes(); }
-  double basisBytesRead() const override { return 2.0 * basis_.bytes(); }
 
  private:
   PackedSymmetric inverse_;
-  PackedColumns basis_;
-  Matrix energy_;
 };
 
 }  // namespace suture

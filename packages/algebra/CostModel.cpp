@@ -10,7 +10,7 @@ namespace {
 constexpr double kSolveRate = 1.05e8;     // entries of a factor that a solve passes twice, a second
 constexpr double kProductRate = 8e9;      // bytes a second
 constexpr double kEliminationRate = 5e9;  // operations a second
-constexpr double kPackedBytes = 4.4;      // of a packed matrix, by the square of its size
+constexpr double kPackedBytes = 4.4;      // bytes of a packed matrix over the square of its size
 
 }  // namespace
 

@@ -2,7 +2,9 @@
 
 namespace suture {
 
-/// Cost of sparse and dense algebra of one subdomain, in plane problems and in space: the one place that choices and estimates ask.
+/// Cost of sparse and dense algebra of one subdomain, in plane problems and in space. Asked by the choice of Schur complements and local
+/// inverses, the memory of groups and of Monolithic, the number of subdomains, and the balance of ranks. (The memory of a decomposed run
+/// is fitted to runs as a whole: MemoryEstimate.)
 ///
 /// Factors: entries and operations of CHOLMOD's on square and cubic grids of elements of displacements (ordering AMD in the plane, METIS in
 /// space), within a third from 900 unknowns on (test algebra.CostModel):

@@ -10,8 +10,8 @@ namespace suture {
 
 namespace {
 
-constexpr double kZeroEntry = 1e-14;  // of a constraint
-constexpr double kFollows = 1e-10;    // of a constraint's stiffness beside the others, relative to its own: it follows from them
+constexpr double kZeroEntry = 1e-14;  // entry of a constraint that counts as none
+constexpr double kFollows = 1e-10;    // part of a constraint's stiffness that others leave, below which it follows from them
 
 /// Entry of a row that has one only, or -1.
 int singleEntry(const Matrix& rows, int row) {

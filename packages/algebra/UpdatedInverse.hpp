@@ -1,5 +1,5 @@
 #pragma once
-#include <suture/algebra/LocalInverse.hpp>
+#include <suture/algebra/InverseWithBasis.hpp>
 #include <suture/algebra/PackedColumns.hpp>
 
 #include <memory>
@@ -13,7 +13,7 @@ namespace suture {
 /// those with none in all rows and the span of Phi_R, which is S-orthogonal to them. Exact, by a product with P for each row added instead
 /// of a factorisation, and P is not touched. Low-rank updates of an inverse in general: Hager, Updating the inverse of a matrix, SIAM
 /// Review 31 (1989). Local.
-class UpdatedInverse : public LocalInverse {
+class UpdatedInverse : public InverseWithBasis {
  public:
   /// \param base         an inverse under constraints
   /// \param from         row of `base` that each new row is, or -1
@@ -23,22 +23,13 @@ class UpdatedInverse : public LocalInverse {
                                               const Matrix& constraints);
 
   void apply(ConstLocalView flux, LocalView trace) const override;
-  Matrix basis() const override { return basis_.full(); }
-  const Matrix& energy() const override { return energy_; }
-  void applyBasisTransposed(const Eigen::Ref<const Vector>& flux, Vector& values) const override {
-    basis_.multiplyTransposed(flux, values);
-  }
-  void addBasis(const Vector& values, Eigen::Ref<Vector> trace) const override { basis_.addProduct(values, trace); }
   double bytesRead() const override;
-  double basisBytesRead() const override { return 2.0 * basis_.bytes(); }
 
  private:
   UpdatedInverse() = default;
 
   std::shared_ptr<const LocalInverse> base_;
   PackedColumns plus_, minus_;  // Phi_R E_RR^-1/2, W G^-1/2
-  PackedColumns basis_;
-  Matrix energy_;
   mutable Vector gain_, loss_;  // work space
 };
 

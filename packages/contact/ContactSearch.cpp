@@ -10,9 +10,8 @@ namespace suture {
 
 namespace {
 
-constexpr int kPlainSolves = 12;  // solves of one accuracy before other sets than plain flips are tried
-constexpr int kModelSolves =
-    3;  // solves whose next set the half-planes propose: later ones differ by a pair, which a plain flip finds as well
+constexpr int kPlainSolves = 12;     // solves of one accuracy before other sets than plain flips are tried
+constexpr int kModelSolves = 3;      // solves whose next set the half-planes propose: later ones differ by a pair, as a plain flip does
 constexpr int kPatience = 25;        // solves without a better state before a safe step
 constexpr double kIdle = 1e-10;      // forces below this part of the largest of their cluster are those of pairs that only touch
 constexpr double kProgress = 1e-13;  // energies that differ by less are equal

@@ -15,14 +15,14 @@
 namespace suture {
 
 namespace {
-constexpr const char* kAxisymmetric = "Axisymmetric";
+constexpr const char *kPlaneStrain = "Plane Strain", *kPlaneStress = "Plane Stress", *kAxisymmetric = "Axisymmetric";
 constexpr const char* kMixed = "Mixed";
 constexpr const char* kAutomatic = "Automatic";
 }  // namespace
 
 void addModelParameters(Schema& scene) {
   scene.oneOf(
-      "Model", "Plane Strain", {"Plane Strain", "Plane Stress", kAxisymmetric},
+      "Model", kPlaneStrain, {kPlaneStrain, kPlaneStress, kAxisymmetric},
       "How the third dimension is treated: no strain across the plane (long bodies), no stress across it (thin sheets), or bodies of "
       "revolution about the axis x = 0: x >= 0 is the radius and y runs along the axis, on which u_x = 0 without being said. Forces "
       "(loads on sides and bodies, reactions, contact) are those of the whole circle, not of a radian; the sums of their radial "
@@ -202,6 +202,10 @@ bool ElasticModel::nearlyIncompressible() const {
 
 bool isAxisymmetric(const Parameters& scene) { return textOf(scene, "Model") == kAxisymmetric; }
 
+std::string modelName(const ElasticModel& model) {
+  return model.axisymmetric ? kAxisymmetric : model.plane == PlaneModel::Stress ? kPlaneStress : kPlaneStrain;
+}
+
 void requireGeometry(const CellBlock& block, const ElasticModel& model) {
   if (block.axisymmetric != model.axisymmetric)
     throw InternalError(model.axisymmetric ? "the scene is axisymmetric, but the mesh was not told (makeAxisymmetric)"
@@ -238,7 +242,7 @@ ElasticModel makeElasticModel(const Parameters& scene) {
   ElasticModel model;
   Problems problems;
   const Constants constants = sceneConstants(scene);
-  model.plane = textOf(scene, "Model") == "Plane Stress" ? PlaneModel::Stress : PlaneModel::Strain;
+  model.plane = textOf(scene, "Model") == kPlaneStress ? PlaneModel::Stress : PlaneModel::Strain;
   model.axisymmetric = isAxisymmetric(scene);
 
   const Parameters& bodies = scene.sublist("Bodies");

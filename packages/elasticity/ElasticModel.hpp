@@ -88,6 +88,8 @@ struct ElasticModel {
 
 /// True if the scene's `Model` is Axisymmetric. Local.
 bool isAxisymmetric(const Parameters& scene);
+/// Value of the scene's `Model` that a model stands for. Local.
+std::string modelName(const ElasticModel& model);
 
 /// \throws InternalError  model and block are not both axisymmetric, or neither: makeAxisymmetric() was forgotten.
 void requireGeometry(const CellBlock& block, const ElasticModel& model);

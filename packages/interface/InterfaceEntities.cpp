@@ -120,7 +120,7 @@ std::shared_ptr<InterfaceSpace> InterfaceSpace::withRelations(std::vector<Interf
 void InterfaceSpace::addContactEntities(const std::vector<std::vector<int>>& chains, std::vector<char> single) {
   const std::vector<int> entityOf = entityOfPlaces();
   EntityGraph graph;
-  std::vector<int> placeOf;  // of each node of the graph: numbered along the lines
+  std::vector<int> placeOf;  // place of each node of the graph, which are numbered along the lines
   for (const auto& chain : chains) {
     int last = -1;
     for (const int named : chain) {

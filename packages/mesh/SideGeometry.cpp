@@ -11,7 +11,7 @@ namespace suture {
 
 namespace {
 
-constexpr int kPoints = 4;  // of a Gauss rule in each direction of a side in space
+constexpr int kPoints = 4;  // points of a Gauss rule in each direction of a side in space
 
 [[noreturn]] void noSuchSide(int nodes, int dimension) {
   throw InternalError("a side of " + std::to_string(nodes) + " nodes in " + std::to_string(dimension) + " dimensions");

@@ -105,7 +105,7 @@ std::vector<int> Surface::parts() const {
   for (int side = 0; side < sides(); ++side)
     for (const Facet& neighbour : neighbours_[side])
       if (neighbour.side >= 0) sets.join(side, neighbour.side);
-  std::map<int, int> lowestNode;  // of the part that has this side as its lowest
+  std::map<int, int> lowestNode;  // lowest node of the part that has this side as its lowest
   for (int side = 0; side < sides(); ++side) {
     const int lowest = *std::min_element(sides_[side].begin(), sides_[side].end());
     const auto [at, isNew] = lowestNode.emplace(sets.lowest(side), lowest);

@@ -60,7 +60,7 @@ class EntityGraph::Finder {
   std::vector<EntityKind> kind_;
   std::vector<char> ordered_;             // neighbours along its edge are known
   std::vector<std::vector<int>> links_;   // neighbours along the edge that a node belongs to, bounding vertices included
-  std::vector<int> entityOf_;             // of each node
+  std::vector<int> entityOf_;             // entity of each node
   std::vector<std::array<int, 2>> ends_;  // nodes that bound each edge at front and back, -1: none
   std::vector<GlobalId> first_;           // number that sorts entities of equal sharers
 };

@@ -26,7 +26,7 @@ namespace {
 // such products.
 constexpr int kLeastSizeByChanges = 16;
 
-constexpr double kToldMotion = 1e-8;  // what constraints tell of a motion of length one, at least
+constexpr double kToldMotion = 1e-8;  // least that constraints tell of a motion of length one
 // Error of a coarse solve, in the energy of the diagonal: rounding times the scaled condition, which jumps of 1e8 leave below 1e8.
 constexpr double kRegular = 1e-6;
 

@@ -35,7 +35,7 @@ Matrix rigidMotionsOf(const InterfaceSpace& space, const std::vector<int>& unkno
 namespace {
 
 constexpr double kFelt = 1e-3;   // motions that the seams between two subdomains feel: above this, relative to the one they feel best
-constexpr double kTold = 1e-6;   // what constraints tell of a motion of length one; a mechanism leaves rounding
+constexpr double kTold = 1e-6;   // least that constraints tell of a motion of length one; a mechanism leaves rounding
 constexpr double kAlone = 1e-8;  // the same for a local problem alone, whose points may be close to each other
 
 class Mechanisms {
@@ -220,10 +220,10 @@ class Mechanisms {
   const InterfaceSpace& space_;
   const LocalProblems& locals_;
   PrimalChoice& choice_;
-  std::vector<std::vector<int>> entitiesOf_;  // of each local problem that takes part
+  std::vector<std::vector<int>> entitiesOf_;  // entities of each local problem that takes part
   std::vector<int> loose_;                    // local problems to look at
   std::vector<Pair> pairs_;
-  std::vector<std::vector<Matrix>> motions_;  // of each sharer of each entity; made when they are needed, as rows_
+  std::vector<std::vector<Matrix>> motions_;  // motions of each sharer of each entity; made when they are needed, as rows_
   bool motionsMade_ = false;
   std::vector<PrimalRows> rows_;
   Matrix added_;  // unknowns to add, by place

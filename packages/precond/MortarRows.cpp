@@ -15,7 +15,7 @@ namespace suture {
 namespace {
 
 constexpr double kSameMotion = 1e-2;  // motions of a group that differ by less: a line that is nearly straight
-constexpr double kDependent = 1e-8;   // of a functional, relative to itself
+constexpr double kDependent = 1e-8;   // rest of a functional beside the others, relative to itself, below which it depends on them
 
 int largest(const Comm& comm, int mine) {
   int all = 0;
@@ -285,10 +285,10 @@ class MortarRows::Maker {
 
   const InterfaceSpace& space_;
   MortarRows& made_;
-  std::vector<char> counts_;                                // of each place: a row that counts by itself
-  std::vector<char> alone_;                                 // of each place: primal alone
+  std::vector<char> counts_;                                // true for places of rows that count by themselves
+  std::vector<char> alone_;                                 // true for places that are primal alone
   std::map<int, int> localOf_;                              // id -> place among those of this rank
-  std::map<GlobalId, const InterfaceRelation*> relations_;  // of several terms, by what they express
+  std::map<GlobalId, const InterfaceRelation*> relations_;  // torn relations, by the unknown that they express
   std::vector<Functional> functionals_;
   std::vector<Side> sides_;
   std::map<int, std::vector<std::map<int, double>>> basisOf_;  // id of j -> orthonormal functionals

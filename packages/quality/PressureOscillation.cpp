@@ -35,7 +35,7 @@ double oscillation(const std::vector<double>& second, const std::vector<std::vec
     return x > y || (x == y && a < b);
   });
   DisjointSets sets(int(second.size()));
-  std::vector<int> members(second.size(), 0);  // of the set that has this pair as its lowest
+  std::vector<int> members(second.size(), 0);  // number in the set that has this pair as its lowest
   for (const int i : order) {
     members[std::size_t(i)] = 1;
     for (const int other : beside[std::size_t(i)]) {

@@ -49,6 +49,17 @@ void checkLoads(const ElasticModel& model, Problems& problems) {
   }
 }
 
+/// Assignments that would say again what the objects of the scene say: nobody would hear them.
+void refuseObjects(const std::vector<std::string>& settings, Problems& problems) {
+  const std::set<std::string> objects{"Model",   "Mesh",      "Bodies",    "Materials",     "Boundary Conditions",
+                                      "Contact", "Constants", "Functions", "Exact Solution"};
+  for (const std::string& assignment : settings) {
+    const std::string path = assignment.substr(0, assignment.find('='));
+    const std::string list = path.substr(0, path.find('/'));
+    if (objects.count(list)) problems.add(path, "a scene made in C++ has it from its objects: model, mesh, conditions, contacts");
+  }
+}
+
 /// Lists of the scene file that later stages look up by the contacts' names, and the record of a run.
 void record(const std::vector<Contact>& contacts, Parameters& list, Problems& problems) {
   std::set<std::string> names;
@@ -67,10 +78,12 @@ Scene makeScene(const ElasticModel& model, const std::function<Mesh()>& mesh, co
   Scene scene;
   scene.file = parseScene("<ParameterList name=\"Suture\"/>", "a scene made in C++", settingsSchema(), settings);
   Problems problems;
+  refuseObjects(settings, problems);
   if (model.bodies.empty()) problems.add("ElasticModel::bodies", "there are none: ElasticModel::addBody() adds one");
   checkLoads(model, problems);
   record(contacts, scene.file.parameters->sublist("Contact"), problems);
   problems.throwIfAny();
+  scene.file.parameters->set("Model", modelName(model));
   scene.model = model;
   for (const Contact& contact : contacts) scene.contacts.push_back(contact.name);
   scene.mesh = [mesh](const Comm& comm) { return onRoot(comm, "making the mesh", mesh); };

@@ -227,6 +227,7 @@ TEUCHOS_UNIT_TEST(Bddc, IsTheSameWithSparseLocalInverses) {
       const auto dense = bddcWith(matrix, {choice, "Local Inverses=Dense"}), sparse = bddcWith(matrix, {choice, "Local Inverses=Sparse"});
       TEST_COMPARE(difference(DensePair(*matrix, *sparse).m, DensePair(*matrix, *dense).m), <, 1e-9);
       TEST_EQUALITY(sparse->coarseSize(), dense->coarseSize());
+      TEST_EQUALITY(bddcWith(matrix, {choice})->bytesRead(), dense->bytesRead());  // Automatic in the plane
     }
 }
 

@@ -53,6 +53,7 @@ Lanczos conjugateGradients(const Operator& s, const Operator& m, const Interface
     lastBeta = next / rho;
     lastAlpha = alpha;
     rho = next;
+    result.residuals.push_back(std::sqrt(rho / first));
     const Matrix old = localView(static_cast<const MultiVector&>(*p));
     localView(*p) = localView(static_cast<const MultiVector&>(*z)) + lastBeta * old;
     ++result.iterations;

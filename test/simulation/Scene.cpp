@@ -7,6 +7,8 @@
 #include <suture/report/SceneSchema.hpp>
 #include <suture/simulation/Simulation.hpp>
 
+#include <filesystem>
+
 namespace suture {
 namespace {
 
@@ -87,6 +89,22 @@ TEUCHOS_UNIT_TEST(Scene, IsTheSameInCppAndInXml) {
   }
 }
 
+TEUCHOS_UNIT_TEST(Scene, WritesTheFilesOfARun) {
+  const std::string folder = "scene_" + std::to_string(blocks::world()->getSize()) + "_out";
+  ElasticModel sheet = model();
+  sheet.plane = PlaneModel::Stress;
+  Simulation simulation(blocks::world(), makeScene(sheet, mesh, held(), {Contact::between("upper_bottom", "lower_top")}, {"Title=mine"}));
+  simulation.writeInto(folder);
+  simulation.solve();
+  const RunResult result = simulation.report();
+  TEST_ASSERT(result.code == ExitCode::Done);
+  if (blocks::world()->getRank() != 0) return;
+  for (const char* file : {"summary.json", "fields_0000.vtkhdf", "contact_0000.vtkhdf", "history.csv"})
+    TEST_ASSERT(std::filesystem::exists(folder + "/" + file));
+  for (const char* text : {"mine", "Plane Stress", "upper_bottom on lower_top"})
+    TEST_ASSERT(result.summary.find(text) != std::string::npos);
+}
+
 TEUCHOS_UNIT_TEST(Scene, MayHaveARigidObstacleAndNoOtherBody) {
   ElasticModel one;
   one.addBody("body", isotropic(2e6, 0.0));
@@ -123,6 +141,10 @@ TEUCHOS_UNIT_TEST(Scene, IsRefusedWithAllThatIsWrong) {
          return makeScene(model(), mesh, held(), {joint, joint}, {"Outer Solver/Tolerence=1"});
        }),
        {"Tolerence", "Tolerance"});
+  says(complaint([&] {
+         return makeScene(model(), mesh, held(), {joint}, {"Model=Plane Stress", "Mesh/Generator=Boxes"});
+       }),
+       {"Model: a scene made in C++ has it", "Mesh/Generator: a scene made in C++ has it"});
   says(complaint([&] {
          ElasticModel wrong;
          wrong.loads = {Load::pressure("upper_top", 1.0)};

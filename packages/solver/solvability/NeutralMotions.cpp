@@ -16,10 +16,10 @@ namespace suture {
 
 namespace {
 
-constexpr double kNoMotion = 1e-8;         // of an amplitude of the order of one
-constexpr double kMotionRounding = 1e-14;  // of a motion: what is left of a displacement that was this motion alone
-constexpr double kNothing = 1e-15;         // of a body's size: a motion that coordinates do not hold
-constexpr double kAsItIs = 1e-9;           // of the displacements: a motion not worth making
+constexpr double kNoMotion = 1e-8;         // amplitude beside one that counts as none
+constexpr double kMotionRounding = 1e-14;  // rest of a displacement that was one motion alone, relative to it
+constexpr double kNothing = 1e-15;         // motion, relative to a body's size, that coordinates do not hold
+constexpr double kAsItIs = 1e-9;           // motion, relative to the displacements, that is not worth making
 
 std::vector<char> loadedParts(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model,
                               const ContactBodies& bodies, const ClosedSet& carrying) {
