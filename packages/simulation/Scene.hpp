@@ -40,7 +40,8 @@ Scene sceneOf(const SceneFile& file);
 /// \param contacts  their names differ
 /// \param settings  of all packages, as assignments "Outer Solver/Tolerance=1e-10", checked as those of --set; the others have their
 /// defaults. A nested start takes its levels from Scene::levels.
-/// \throws InputError  all of: settings that are none or that the objects give, no bodies, loads with a wrong number of expressions, two contacts of one name
+/// \throws InputError  all of: settings that are none or that the objects give, no bodies, loads with a wrong number of expressions, two
+/// contacts of one name
 Scene makeScene(const ElasticModel& model, const std::function<Mesh()>& mesh, const std::vector<Condition>& conditions,
                 const std::vector<Contact>& contacts, const std::vector<std::string>& settings = {});
 
