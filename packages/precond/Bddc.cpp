@@ -2,9 +2,9 @@
 #include <suture/algebra/UpdatedInverse.hpp>
 #include <suture/base/Collective.hpp>
 #include <suture/base/Dense.hpp>
+#include <suture/interface/Directory.hpp>
 #include <suture/precond/Bddc.hpp>
 #include <suture/precond/MortarRows.hpp>
-#include <suture/precond/coarse/DirectCoarse.hpp>
 
 #include <Teuchos_Comm.hpp>
 #include <Teuchos_CommHelpers.hpp>
@@ -46,14 +46,11 @@ std::shared_ptr<const LocalInverse> updated(const std::shared_ptr<const LocalInv
 Schema Bddc::schema() {
   Schema schema(
       "Balancing domain decomposition by constraints: local problems held at corners and edge constraints, and a coarse problem of these.");
-  schema.choice("Weighting", "Stiffness Diagonal", Registry<Weighting>::instance().schemas(), "How subdomains share the interface, D_i.");
-  schema.choice("Edge Constraints", "Rigid Modes", Registry<PrimalConstraints>::instance().schemas(),
-                "Constraints that subdomains share on an edge, beside its end points.");
+  CoarseOptions::addParameters(schema);
   schema.oneOf(
       "Local Inverses", "Automatic", {"Automatic", "Dense", "Sparse"},
       "How local problems are inverted. Dense: a matrix of the size of the boundary; Sparse: a factor of interior and boundary, the "
       "constraints through a small matrix; Automatic: for each local problem what takes less time, in the plane Dense.");
-  CoarseOptions::addParameters(schema);
   return schema;
 }
 
@@ -64,12 +61,10 @@ Bddc::Inverses inversesIn(const Parameters& own) {
 }
 }  // namespace
 
-Bddc::Bddc(const Parameters& own)
-    : Bddc(makeStrategy<Weighting>(own, "Weighting"), makeStrategy<PrimalConstraints>(own, "Edge Constraints"), CoarseOptions::from(own),
-           inversesIn(own)) {}
+Bddc::Bddc(const Parameters& own) : Bddc(CoarseOptions::from(own), inversesIn(own)) {}
 
-Bddc::Bddc(std::unique_ptr<Weighting> weighting, std::unique_ptr<PrimalConstraints> primal, CoarseOptions levels, Inverses inverses)
-    : weighting_(std::move(weighting)), primal_(std::move(primal)), levels_(std::move(levels)), kind_(inverses) {}
+Bddc::Bddc(CoarseOptions levels, Inverses inverses)
+    : weighting_(levels.weighting()), primal_(levels.primal()), levels_(std::move(levels)), kind_(inverses) {}
 
 struct Bddc::Work {
   Matrix overlap;
@@ -142,22 +137,20 @@ bool Bddc::computeTorn(int locals, bool isTornHere) {
 /// all the same, does not. A coarse problem of several levels says so itself.
 bool Bddc::coarseIsRegular() const {
   if (coarse_->clusters() > 0 || coarse_->size() == 0) return true;
-  Vector given(coarse_->size()), image = Vector::Zero(coarse_->size()), diagonal = image, sum = image;
-  for (int k = 0; k < given.size(); ++k) given(k) = 1.0 + 0.5 * std::sin(1.0 + 7.0 * k);
+  Vector given(static_cast<int>(names_.size())), image = Vector::Zero(given.size()), diagonal = image;
+  for (int k = 0; k < given.size(); ++k) given(k) = 1.0 + 0.5 * std::sin(1.0 + 7.0 * names_[k]);
   for (std::size_t i = 0; i < locals_.size(); ++i) {
     if (!locals_[i]) continue;
     const CoarseElement own = element(i);
-    Vector part(static_cast<int>(own.unknowns.size()));
-    for (std::size_t k = 0; k < own.unknowns.size(); ++k) part(static_cast<int>(k)) = given(own.unknowns[k]);
-    const Vector product = own.matrix * part;
-    for (std::size_t k = 0; k < own.unknowns.size(); ++k) {
-      image(own.unknowns[k]) += product(static_cast<int>(k));
-      diagonal(own.unknowns[k]) += own.matrix(static_cast<int>(k), static_cast<int>(k));
-    }
+    const std::vector<int> places = placesAmong(names_, own.unknowns);
+    image(places) += own.matrix * given(places);
+    diagonal(places) += own.matrix.diagonal();
   }
-  Teuchos::reduceAll(*space()->comm(), Teuchos::REDUCE_SUM, coarse_->size(), diagonal.data(), sum.data());
-  const Vector scale = sum.cwiseSqrt(), error = scale.cwiseProduct(coarse_->solve(image) - given);
-  return error.norm() < kRegular * scale.cwiseProduct(given).norm();
+  const Vector error = coarse_->solve(image) - given;
+  const double mine[2] = {diagonal.dot(error.cwiseAbs2()), diagonal.dot(given.cwiseAbs2())};
+  double all[2];
+  Teuchos::reduceAll(*space()->comm(), Teuchos::REDUCE_SUM, 2, mine, all);
+  return all[0] < kRegular * kRegular * all[1];
 }
 
 /// Entities where their first local problem lives, unknowns where they are owned.
@@ -235,13 +228,17 @@ void Bddc::assembleCoarse(int locals) {
   CoarseElements coarse;
   coarse.dimension = space()->dimension();
   const std::vector<int> numbers = numberKeys(space()->comm(), keys, coarse.size);
+  names_ = numbers;
+  std::sort(names_.begin(), names_.end());
+  names_.erase(std::unique(names_.begin(), names_.end()), names_.end());
+  const std::vector<int> places = placesAmong(names_, numbers);
   values_.assign(locals_.size(), {});
   std::map<int, InterfaceLayout::Unknown> unknowns;
   std::size_t next = 0;
   for (std::size_t i = 0; i < locals_.size(); ++i) {
     if (!locals_[i]) continue;
     for (std::size_t row = 0; row < constraints_[i].terms.size(); ++row)
-      for (const auto& term : constraints_[i].terms[row]) values_[i].push_back({static_cast<int>(row), numbers[next++], term.coefficient});
+      for (const auto& term : constraints_[i].terms[row]) values_[i].push_back({static_cast<int>(row), places[next++], term.coefficient});
     for (InterfaceLayout::Unknown unknown : constraints_[i].unknowns) {
       unknown.id = numbers[next++];
       unknowns.emplace(static_cast<int>(unknown.id), unknown);
@@ -256,13 +253,15 @@ void Bddc::assembleCoarse(int locals) {
 CoarseElement Bddc::element(std::size_t i) const {
   CoarseElement made;
   made.id = locals_[i]->id();
-  for (const Value& value : values_[i]) made.unknowns.push_back(value.number);
-  std::sort(made.unknowns.begin(), made.unknowns.end());
-  made.unknowns.erase(std::unique(made.unknowns.begin(), made.unknowns.end()), made.unknowns.end());
+  std::vector<int> places;
+  for (const Value& value : values_[i]) places.push_back(value.place);
+  std::sort(places.begin(), places.end());
+  places.erase(std::unique(places.begin(), places.end()), places.end());
+  for (const int place : places) made.unknowns.push_back(names_[place]);
   const Matrix& energy = inverses_[i]->energy();
-  Matrix a = Matrix::Zero(energy.rows(), static_cast<int>(made.unknowns.size()));
+  Matrix a = Matrix::Zero(energy.rows(), static_cast<int>(places.size()));
   for (const Value& value : values_[i]) {
-    const auto at = std::lower_bound(made.unknowns.begin(), made.unknowns.end(), value.number) - made.unknowns.begin();
+    const auto at = std::lower_bound(places.begin(), places.end(), value.place) - places.begin();
     a(value.row, at) += value.coefficient;
   }
   made.matrix = a.transpose() * energy * a;
@@ -285,7 +284,7 @@ void Bddc::doApply(const MultiVector& r, MultiVector& z) const {
     } else {
       torn_->gather(*r.getVector(column), work.overlap);
     }
-    work.primal.setZero(coarse_->size());
+    work.primal.setZero(static_cast<int>(names_.size()));
     for (std::size_t i = 0; i < locals_.size(); ++i) {
       if (!locals_[i]) continue;
       const Coupling& coupling = torn_->coupling(static_cast<int>(i));
@@ -294,7 +293,7 @@ void Bddc::doApply(const MultiVector& r, MultiVector& z) const {
       coupling.restrictTo(work.overlap, flux);
       weighting_->applyTranspose(static_cast<int>(i), flux);
       inverses_[i]->applyBasisTransposed(flux.col(0), work.own[i]);
-      for (const Value& value : values_[i]) work.primal(value.number) += value.coefficient * work.own[i](value.row);
+      for (const Value& value : values_[i]) work.primal(value.place) += value.coefficient * work.own[i](value.row);
     }
     const Vector& y = coarse_->solve(work.primal);
     work.overlap.setZero();
@@ -305,7 +304,7 @@ void Bddc::doApply(const MultiVector& r, MultiVector& z) const {
       trace.resize(coupling.rows(), 1);
       inverses_[i]->apply(work.flux[i], trace);
       work.own[i].setZero();
-      for (const Value& value : values_[i]) work.own[i](value.row) += value.coefficient * y(value.number);
+      for (const Value& value : values_[i]) work.own[i](value.row) += value.coefficient * y(value.place);
       inverses_[i]->addBasis(work.own[i], trace.col(0));
       weighting_->apply(static_cast<int>(i), trace);
       coupling.addTransposed(trace, work.overlap);

@@ -2,7 +2,6 @@
 #include <suture/precond/MortarAveraging.hpp>
 #include <suture/precond/Preconditioner.hpp>
 #include <suture/precond/PrimalRows.hpp>
-#include <suture/precond/Weighting.hpp>
 #include <suture/precond/coarse/CoarseOptions.hpp>
 
 #include <memory>
@@ -24,8 +23,7 @@ class Bddc : public Preconditioner {
   explicit Bddc(const Parameters& own);
   /// For programs that bring their own strategies.
   enum class Inverses { Automatic, Dense, Sparse };
-  Bddc(std::unique_ptr<Weighting> weighting, std::unique_ptr<PrimalConstraints> primal, CoarseOptions levels,
-       Inverses inverses = Inverses::Automatic);
+  explicit Bddc(CoarseOptions levels, Inverses inverses = Inverses::Automatic);
   ~Bddc() override;
 
   int coarseSize() const override { return coarse_ ? coarse_->size() : 0; }
@@ -63,10 +61,11 @@ class Bddc : public Preconditioner {
   };
   std::vector<Base> bases_;
   std::vector<std::shared_ptr<const LocalInverse>> inverses_;
+  std::vector<int> names_;  // primal unknowns of this rank's local problems, as in CoarseSolve::solve
   // A_i, one entry after another.
   struct Value {
-    int row;     // constraint of the local problem
-    int number;  // primal unknown
+    int row;    // constraint of the local problem
+    int place;  // primal unknown, among names_
     double coefficient;
   };
   std::vector<std::vector<Value>> values_;

@@ -1,5 +1,7 @@
 #include <precond/CoarseElementsOf.hpp>
 
+#include <Teuchos_CommHelpers.hpp>
+
 namespace suture::blocks {
 
 CoarseElements coarseElementsOf(const Blocks& all, const Dense& whole) {
@@ -24,7 +26,22 @@ CoarseElements coarseElementsOf(const Blocks& all, const Dense& whole) {
     element.matrix = Matrix(block(subdomain->stiffness().full(), dofs, dofs));
     coarse.elements.push_back(std::move(element));
   }
+  std::sort(coarse.unknowns.begin(), coarse.unknowns.end(), [](const auto& a, const auto& b) { return a.id < b.id; });
   return coarse;
 }
+
+Vector CoarseParts::sum(const Vector& mine) const {
+  Vector own = Vector::Zero(size), all(size);
+  own(names) = mine;
+  Teuchos::reduceAll(*comm, Teuchos::REDUCE_SUM, size, own.data(), all.data());
+  return all;
+}
+
+Vector CoarseParts::partOf(const Vector& all) const {
+  const Vector sharers = sum(Vector::Ones(int(names.size())));
+  return all(names).cwiseQuotient(sharers(names));
+}
+
+Vector CoarseParts::joined(const Vector& mine) const { return sum(mine).cwiseQuotient(sum(Vector::Ones(int(names.size())))); }
 
 }  // namespace suture::blocks

@@ -38,8 +38,8 @@ class FewConstraints : public PrimalConstraints {
 Teuchos::RCP<Bddc> bddcBy(const Teuchos::RCP<const InterfaceOperator>& matrix, bool averages) {
   CoarseOptions coarse;
   coarse.solver = localSolver();
-  const auto m =
-      Teuchos::rcp(new Bddc(std::make_unique<StiffnessDiagonalWeighting>(), std::make_unique<FewConstraints>(averages), std::move(coarse)));
+  coarse.primal = [averages] { return std::make_unique<FewConstraints>(averages); };
+  const auto m = Teuchos::rcp(new Bddc(std::move(coarse)));
   m->initialize(matrix->space());
   m->compute(matrix);
   return m;

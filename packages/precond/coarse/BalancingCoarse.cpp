@@ -105,8 +105,12 @@ void BalancingCoarse::exchange(const std::vector<Matrix>& columns) {
 void BalancingCoarse::assemble(const InterfaceOperator& matrix, std::unique_ptr<LocalSolver> solver, int copies) {
   std::vector<CoarseElement> elements;
   for (int i = 0; i < space_->locals(); ++i) {
+    if (!matrix.locals()[i]) {
+      seen_[i].resize(seen_[i].rows(), 0);
+      seenIds_[i].clear();
+    }
     images_.emplace_back(Matrix::Zero(seen_[i].rows(), seen_[i].cols()));
-    if (!matrix.locals()[i] || seen_[i].cols() == 0) continue;
+    if (seen_[i].cols() == 0) continue;
     matrix.locals()[i]->applySchur(seen_[i], images_[i]);
     const Matrix block = seen_[i].transpose() * images_[i];
     elements.push_back({space_->localId(i), seenIds_[i], 0.5 * (block + block.transpose())});
@@ -117,10 +121,13 @@ void BalancingCoarse::assemble(const InterfaceOperator& matrix, std::unique_ptr<
   trace_.resize(space_->mostRows(), 1);
   part_.resize(parts);
   system_ = std::make_unique<DirectCoarse>(space_->comm(), size_, std::move(elements), std::move(solver), copies, true);
+  for (auto& ids : seenIds_) ids = placesAmong(system_->names(), ids);
+  firstColumn_ = placesAmong(system_->names(), firstColumn_);
+  coefficients_ = static_cast<int>(system_->names().size());
 }
 
 const Vector& BalancingCoarse::fromResidual(const Matrix& overlap) const {
-  mine_.setZero(size_);
+  mine_.setZero(coefficients_);
   for (std::size_t i = 0; i < columns_.size(); ++i) {
     if (columns_[i].cols() == 0) continue;
     auto trace = trace_.topRows(columns_[i].rows());
@@ -131,7 +138,7 @@ const Vector& BalancingCoarse::fromResidual(const Matrix& overlap) const {
 }
 
 const Vector& BalancingCoarse::fromTrace(const Matrix& overlap) const {
-  mine_.setZero(size_);
+  mine_.setZero(coefficients_);
   for (std::size_t i = 0; i < images_.size(); ++i) {
     if (images_[i].cols() == 0) continue;
     auto trace = trace_.topRows(images_[i].rows());

@@ -18,6 +18,7 @@ class BalancingCoarse {
   BalancingCoarse(const InterfaceOperator& matrix, const std::vector<Matrix>& columns, std::unique_ptr<LocalSolver> solver, int copies);
 
   int size() const { return size_; }
+  // Coefficients y of columns are those that this rank's local problems feel, see DirectCoarse::names.
   /// E^-1 Z^T r, kept until the next solve. `r`: overlap values. Collective.
   const Vector& fromResidual(const Matrix& overlap) const;
   /// E^-1 (S Z)^T t, kept until the next solve. `t`: overlap values. Collective.
@@ -32,11 +33,11 @@ class BalancingCoarse {
   void assemble(const InterfaceOperator& matrix, std::unique_ptr<LocalSolver> solver, int copies);
 
   std::shared_ptr<const InterfaceSpace> space_;
-  int size_ = 0;
-  std::vector<Matrix> columns_;        // own columns of each local problem
-  std::vector<int> firstColumn_;       // number of the first of them
-  std::vector<Matrix> seen_, images_;  // columns V that each local problem feels, and S V
-  std::vector<std::vector<int>> seenIds_;
+  int size_ = 0, coefficients_ = 0;
+  std::vector<Matrix> columns_;            // own columns of each local problem
+  std::vector<int> firstColumn_;           // number of the first of them; from assemble() on its place among the coefficients
+  std::vector<Matrix> seen_, images_;      // columns V that each local problem feels, and S V
+  std::vector<std::vector<int>> seenIds_;  // their numbers; from assemble() on their places among the coefficients
   std::unique_ptr<DirectCoarse> system_;
   mutable Matrix trace_;  // work space: for any local problem
   mutable Vector part_, mine_;

@@ -1,11 +1,14 @@
 #include <suture/base/Buffer.hpp>
 #include <suture/base/Collective.hpp>
+#include <suture/interface/Directory.hpp>
 #include <suture/partition/cut/Apportion.hpp>
 #include <suture/partition/cut/MetisCut.hpp>
 #include <suture/precond/coarse/ClusterGraph.hpp>
 #include <suture/precond/coarse/CoarseClusters.hpp>
 
 #include <Teuchos_Comm.hpp>
+#include <Teuchos_CommHelpers.hpp>
+#include <Tpetra_Map.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -18,49 +21,12 @@ namespace {
 
 constexpr int kSeed = 1;
 
-struct PlainUnknown {
-  GlobalId id;
-  Point point, direction, moment;
-};
-
-/// Rank of a local problem, and its place there.
-struct Place {
-  int rank, place;
-};
-
-std::string connectionsOf(const CoarseElements& coarse) {
-  std::vector<int> ids;
-  std::vector<std::vector<int>> unknownsOf;
-  for (const CoarseElement& element : coarse.elements) {
-    ids.push_back(element.id);
-    unknownsOf.push_back(element.unknowns);
-  }
-  std::vector<PlainUnknown> unknowns;
-  for (const InterfaceLayout::Unknown& u : coarse.unknowns) unknowns.push_back({u.id, u.point, u.direction, u.moment});
-  Packer packer;
-  packer.put(coarse.dimension);
-  packer.put(ids);
-  packer.put(unknownsOf);
-  packer.put(unknowns);
-  return packer.bytes();
-}
-
-ClusterGraph readConnections(const std::vector<std::string>& bytes, int size, std::vector<Place>& places) {
-  std::map<int, std::pair<Place, std::vector<int>>> byId;
+/// Elements of this rank; unknowns by their places among those that it names.
+ClusterGraph ownGraph(const CoarseElements& coarse, const std::vector<int>& names, std::vector<InterfaceLayout::Unknown> unknowns) {
   ClusterGraph graph;
-  graph.unknowns.resize(size);
-  for (std::size_t rank = 0; rank < bytes.size(); ++rank) {
-    Unpacker reader(bytes[rank]);
-    graph.dimension = std::max(graph.dimension, reader.get<int>());
-    const auto ids = reader.get<std::vector<int>>();
-    auto unknownsOf = reader.get<std::vector<std::vector<int>>>();
-    for (std::size_t i = 0; i < ids.size(); ++i) byId[ids[i]] = {{static_cast<int>(rank), static_cast<int>(i)}, std::move(unknownsOf[i])};
-    for (const PlainUnknown& u : reader.get<std::vector<PlainUnknown>>()) graph.unknowns[u.id] = {u.id, u.point, u.direction, u.moment};
-  }
-  for (auto& [id, entry] : byId) {
-    places.push_back(entry.first);
-    graph.unknownsOf.push_back(std::move(entry.second));
-  }
+  graph.dimension = coarse.dimension;
+  graph.unknowns = std::move(unknowns);
+  for (const CoarseElement& element : coarse.elements) graph.unknownsOf.push_back(placesAmong(names, element.unknowns));
   graph.findHolders();
   return graph;
 }
@@ -84,133 +50,94 @@ std::vector<int> cut(const ElementGraph& graph, int wanted, int& count) {
   return clusterOf;
 }
 
-/// Each to the rank that holds most of its members, as long as there is room.
-std::vector<int> ranksOf(const std::vector<int>& clusterOf, int count, const std::vector<Place>& places, int ranks) {
-  std::vector<std::map<int, int>> members(count);
-  for (std::size_t i = 0; i < clusterOf.size(); ++i) ++members[clusterOf[i]][places[i].rank];
-  std::vector<int> held(ranks, 0), rankOf(count);
-  const int most = (count + ranks - 1) / ranks;
-  for (int c = 0; c < count; ++c) {
-    int best = -1, votes = -1;
-    for (const auto& [rank, number] : members[c])
-      if (held[rank] < most && number > votes) best = rank, votes = number;
-    if (best < 0) best = static_cast<int>(std::min_element(held.begin(), held.end()) - held.begin());
-    rankOf[c] = best;
-    ++held[best];
-  }
-  return rankOf;
+/// This rank's part of so many clusters. Collective.
+int shareOf(const Comm& comm, int own, int locals, int clusters) {
+  int upToOwn = 0;
+  Teuchos::scan(comm, Teuchos::REDUCE_SUM, own, Teuchos::outArg(upToOwn));
+  const auto clustersUpTo = [&](long long elements) { return static_cast<int>(elements * clusters / locals); };
+  return clustersUpTo(upToOwn) - clustersUpTo(upToOwn - own);
 }
 
-/// One rank's part, in the making.
-struct Part {
-  std::vector<int> clusterOf, rankOf;  // by place
-  std::set<int> neighbours;
-  std::vector<int> clusters;
-  std::vector<std::vector<GlobalId>> boundaries;
-  std::set<int> unknowns;
-  std::vector<int> entities;
-};
-
-std::string pack(const Part& part, const ClusterGraph& graph, const std::vector<InterfaceLayout::Entity>& all, int count) {
-  std::vector<PlainUnknown> unknowns;
-  for (const int u : part.unknowns) unknowns.push_back({u, graph.unknowns[u].point, graph.unknowns[u].direction, graph.unknowns[u].moment});
-  Packer packer;
-  packer.put(part.clusterOf);
-  packer.put(part.rankOf);
-  packer.put(std::vector<int>(part.neighbours.begin(), part.neighbours.end()));
-  packer.put(part.clusters);
-  packer.put(part.boundaries);
-  packer.put(unknowns);
-  packer.put(part.entities.size());
-  for (const int e : part.entities) {
-    packer.put(all[e].kind);
-    packer.put(all[e].sharers);
-    packer.put(all[e].unknowns);
-    packer.put(all[e].ends);
-  }
-  packer.put(graph.dimension);
-  packer.put(count);
-  return packer.bytes();
-}
-
-CoarseClusters unpack(const std::string& bytes) {
-  CoarseClusters result;
-  Unpacker reader(bytes);
-  reader.get(result.clusterOf);
-  reader.get(result.rankOf);
-  reader.get(result.neighbours);
-  reader.get(result.layout.locals);
-  reader.get(result.layout.boundaries);
-  for (const PlainUnknown& u : reader.get<std::vector<PlainUnknown>>())
-    result.layout.unknowns.push_back({u.id, u.point, u.direction, u.moment});
-  result.layout.entities.resize(reader.get<std::size_t>());
-  for (InterfaceLayout::Entity& entity : result.layout.entities) {
-    reader.get(entity.kind);
-    reader.get(entity.sharers);
-    reader.get(entity.unknowns);
-    reader.get(entity.ends);
-  }
-  reader.get(result.layout.dimension);
-  reader.get(result.count);
-  return result;
-}
-
-std::vector<std::string> divide(const std::vector<std::string>& connections, int size, int wanted) {
-  std::vector<Place> places;
-  const int ranks = static_cast<int>(connections.size());
-  const ClusterGraph graph = readConnections(connections, size, places);
-  const int locals = static_cast<int>(places.size());
-  int count = 0;
-  const std::vector<int> clusterOf = cut(fixedNeighbours(graph), wanted > 0 ? wanted : automaticClusters(locals, ranks), count);
-  const std::vector<int> rankOf = ranksOf(clusterOf, count, places, ranks);
-  const std::vector<InterfaceLayout::Entity> all = clusterEntities(graph, clusterOf);
-
-  std::vector<Part> parts(ranks);
-  for (int i = 0; i < locals; ++i) {
-    Part& part = parts[places[i].rank];
-    const int holder = rankOf[clusterOf[i]];
-    part.clusterOf.resize(std::max<std::size_t>(part.clusterOf.size(), places[i].place + 1));
-    part.rankOf.resize(part.clusterOf.size());
-    part.clusterOf[places[i].place] = clusterOf[i];
-    part.rankOf[places[i].place] = holder;
-    part.neighbours.insert(holder);
-    parts[holder].neighbours.insert(places[i].rank);
-  }
-  std::vector<int> local(count);
-  for (int c = 0; c < count; ++c) {
-    Part& part = parts[rankOf[c]];
-    local[c] = static_cast<int>(part.clusters.size());
-    part.clusters.push_back(c);
-    part.boundaries.emplace_back();
-  }
-  for (int u = 0; u < size; ++u) {
-    std::set<int> sharers;
-    for (const int i : graph.holders[u]) sharers.insert(clusterOf[i]);
-    if (sharers.size() < 2) continue;
-    for (const int c : sharers) {
-      parts[rankOf[c]].boundaries[local[c]].push_back(u);
-      parts[rankOf[c]].unknowns.insert(u);
+/// Adds other ranks' elements that name unknowns of this one, without their other unknowns. Collective.
+/// \param ranksOf    ranks that name each unknown
+/// \param clusterOf  clusters, numbered over all ranks; of the added elements, too
+void addNeighbours(const Comm& comm, const std::vector<int>& names, const std::vector<std::vector<int>>& ranksOf, ClusterGraph& graph,
+                   std::vector<int>& clusterOf) {
+  const int rank = comm.getRank();
+  std::map<int, Packer> packers;
+  for (const auto& own : ranksOf)
+    for (const int other : own)
+      if (other != rank) packers[other];
+  for (std::size_t i = 0; i < graph.unknownsOf.size(); ++i) {
+    std::map<int, std::vector<int>> shared;
+    for (const int place : graph.unknownsOf[i])
+      for (const int other : ranksOf[place])
+        if (other != rank) shared[other].push_back(names[place]);
+    for (const auto& [other, numbers] : shared) {
+      packers[other].put(clusterOf[i]);
+      packers[other].put(numbers);
     }
   }
-  for (std::size_t e = 0; e < all.size(); ++e) {
-    std::set<int> seers;
-    for (const int cluster : all[e].sharers) seers.insert(rankOf[cluster]);
-    for (const int rank : seers) parts[rank].entities.push_back(static_cast<int>(e));
+  std::map<int, std::string> bytes;
+  for (auto& [other, packer] : packers) bytes[other] = std::move(packer).bytes();
+  for (const auto& [other, message] : swapWithNeighbours(comm, bytes))
+    for (Unpacker reader(message); !reader.done();) {
+      clusterOf.push_back(reader.get<int>());
+      graph.unknownsOf.push_back(placesAmong(names, reader.get<std::vector<int>>()));
+    }
+  graph.findHolders();
+}
+
+/// \param first, count  clusters of this rank
+InterfaceLayout layoutOf(const ClusterGraph& graph, const std::vector<int>& names, const std::vector<int>& clusterOf, int first,
+                         int count) {
+  InterfaceLayout layout;
+  layout.dimension = graph.dimension;
+  for (int k = 0; k < count; ++k) layout.locals.push_back(first + k);
+  layout.boundaries.resize(count);
+  for (std::size_t u = 0; u < names.size(); ++u) {
+    std::set<int> sharers;
+    for (const int local : graph.holders[u]) sharers.insert(clusterOf[local]);
+    if (sharers.size() < 2) continue;
+    layout.unknowns.push_back(graph.unknowns[u]);
+    for (const int cluster : sharers)
+      if (cluster >= first && cluster < first + count) layout.boundaries[cluster - first].push_back(names[u]);
   }
-  std::vector<std::string> bytes;
-  for (const Part& part : parts) bytes.push_back(pack(part, graph, all, count));
-  return bytes;
+  const auto isOwn = [&](int cluster) { return cluster >= first && cluster < first + count; };
+  for (InterfaceLayout::Entity& entity : clusterEntities(graph, clusterOf)) {
+    if (std::none_of(entity.sharers.begin(), entity.sharers.end(), isOwn)) continue;
+    for (std::vector<GlobalId>* unknowns : {&entity.unknowns, &entity.ends})
+      for (GlobalId& unknown : *unknowns) unknown = names[unknown];
+    layout.entities.push_back(std::move(entity));
+  }
+  return layout;
 }
 
 }  // namespace
 
 int automaticClusters(int locals, int ranks) { return std::max(ranks, static_cast<int>(std::lround(std::sqrt(locals)))); }
 
-CoarseClusters coarseClusters(const Comm& comm, const CoarseElements& coarse, int wanted) {
-  const std::vector<std::string> connections = gatherOnRoot(comm, connectionsOf(coarse));
-  std::vector<std::string> parts;
-  collectivelyOnRoot(comm, "gathering local problems into clusters", [&] { parts = divide(connections, coarse.size, wanted); });
-  return unpack(scatterFromRoot(comm, parts));
+CoarseClusters coarseClusters(const CommPtr& comm, const CoarseElements& coarse, int locals, int wanted) {
+  CoarseClusters result;
+  const std::vector<int> names = namesIn(coarse.elements);
+  const int own = static_cast<int>(coarse.elements.size());
+  const int share = shareOf(*comm, own, locals, std::min(locals, wanted > 0 ? wanted : automaticClusters(locals, comm->getSize())));
+  const MapPtr seen = mapOf(comm, {names.begin(), names.end()}), owned = Tpetra::createOneToOne(seen);
+  std::vector<InterfaceLayout::Unknown> unknowns = joinUnknowns(seen, owned, coarse.unknowns);
+  const auto ranksOf = joinNumbers(seen, owned, std::vector<std::vector<int>>(names.size(), {comm->getRank()}));
+  ClusterGraph graph;
+  int count = 0, upToOwn = 0;
+  collectively(*comm, "gathering local problems into clusters", [&] {
+    graph = ownGraph(coarse, names, std::move(unknowns));
+    result.clusterOf = cut(fixedNeighbours(graph), share, count);
+  });
+  Teuchos::scan(*comm, Teuchos::REDUCE_SUM, count, Teuchos::outArg(upToOwn));
+  Teuchos::reduceAll(*comm, Teuchos::REDUCE_SUM, count, Teuchos::outArg(result.count));
+  std::vector<int> clusterOf = result.clusterOf;
+  for (int& cluster : clusterOf) cluster += upToOwn - count;
+  addNeighbours(*comm, names, ranksOf, graph, clusterOf);
+  collectively(*comm, "entities between clusters", [&] { result.layout = layoutOf(graph, names, clusterOf, upToOwn - count, count); });
+  return result;
 }
 
 }  // namespace suture

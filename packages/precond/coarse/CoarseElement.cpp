@@ -9,6 +9,20 @@
 
 namespace suture {
 
+std::vector<int> namesIn(const std::vector<CoarseElement>& elements) {
+  std::vector<int> names;
+  for (const CoarseElement& element : elements) names.insert(names.end(), element.unknowns.begin(), element.unknowns.end());
+  std::sort(names.begin(), names.end());
+  names.erase(std::unique(names.begin(), names.end()), names.end());
+  return names;
+}
+
+std::vector<int> placesAmong(const std::vector<int>& names, const std::vector<int>& numbers) {
+  std::vector<int> places;
+  for (const int number : numbers) places.push_back(static_cast<int>(std::lower_bound(names.begin(), names.end(), number) - names.begin()));
+  return places;
+}
+
 void pack(const CoarseElement& element, Packer& packer) {
   packer.put(element.id);
   packer.put(element.unknowns);

@@ -22,8 +22,13 @@ struct CoarseElements {
   int dimension = 2;
   int size = 0;                                    ///< coarse unknowns, over all ranks
   std::vector<CoarseElement> elements;             ///< elements of this rank's local problems
-  std::vector<InterfaceLayout::Unknown> unknowns;  ///< all that `elements` name, once; `id` is the number of the coarse unknown
+  std::vector<InterfaceLayout::Unknown> unknowns;  ///< as they move, for a further level; each at least once over all ranks
 };
+
+/// The coarse unknowns that elements name, ascending, each once: the order of a rank's values in CoarseSolve::solve. Local.
+std::vector<int> namesIn(const std::vector<CoarseElement>& elements);
+/// Places of numbers among names that hold them all. Local.
+std::vector<int> placesAmong(const std::vector<int>& names, const std::vector<int>& numbers);
 
 /// Into a message, and out of it.
 void pack(const CoarseElement& element, Packer& packer);

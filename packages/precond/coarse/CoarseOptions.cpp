@@ -8,12 +8,19 @@ namespace suture {
 
 void CoarseOptions::addParameters(Schema& schema) {
   const CoarseOptions defaults;
+  schema.choice("Weighting", "Stiffness Diagonal", Registry<Weighting>::instance().schemas(), "How subdomains share the interface, D_i.");
+  schema.choice("Edge Constraints", "Rigid Modes", Registry<PrimalConstraints>::instance().schemas(),
+                "Constraints that subdomains share on an edge, beside its end points.");
   addCoarseParameters(schema);
-  schema.integer("Coarse Level Above", defaults.above,
-                 "With more local problems than this the coarse problem is not factored but solved by BDDC on clusters of them; 0: always.",
-                 Range::atLeast(0));
-  schema.wordOrNumber("Coarse Clusters", "Automatic", {"Automatic"}, Range::atLeast(1),
-                      "Clusters of that level. Automatic: the square root of the number of local problems, at least one for each rank.");
+  schema.integer(
+      "Coarse Level Above", defaults.above,
+      "With more local problems than this the coarse problem is not factored but solved by BDDC on clusters of them, with the same "
+      "strategies; 0: always.",
+      Range::atLeast(0));
+  schema.wordOrNumber(
+      "Coarse Clusters", "Automatic", {"Automatic"}, Range::atLeast(1),
+      "Clusters of that level, each of local problems of one rank. Automatic: the square root of the number of local problems, "
+      "at least one for each rank.");
   schema.real("Coarse Accuracy", defaults.accuracy,
               "Accuracy of that level's solution; decides how many steps it makes. The coarse solution is within this part of the exact "
               "one, in energy.",
@@ -22,6 +29,8 @@ void CoarseOptions::addParameters(Schema& schema) {
 
 CoarseOptions CoarseOptions::from(const Parameters& own) {
   CoarseOptions levels;
+  levels.weighting = [own] { return makeStrategy<Weighting>(own, "Weighting"); };
+  levels.primal = [own] { return makeStrategy<PrimalConstraints>(own, "Edge Constraints"); };
   levels.solver = [own] { return makeStrategy<LocalSolver>(own, "Coarse Solver"); };
   levels.copies = own.get<int>("Coarse Copies");
   levels.above = own.get<int>("Coarse Level Above");
@@ -32,7 +41,7 @@ CoarseOptions CoarseOptions::from(const Parameters& own) {
 }
 
 std::unique_ptr<CoarseSolve> makeCoarseSolve(const CommPtr& comm, CoarseElements coarse, int locals, const CoarseOptions& levels) {
-  if (levels.goesOn(locals)) return std::make_unique<ClusterCoarse>(comm, coarse, locals, levels);
+  if (levels.goesOn(locals)) return std::make_unique<ClusterCoarse>(comm, std::move(coarse), locals, levels);
   return std::make_unique<DirectCoarse>(comm, coarse.size, std::move(coarse.elements), levels.solver(), levels.copies, false);
 }
 

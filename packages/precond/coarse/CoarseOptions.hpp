@@ -1,22 +1,28 @@
 #pragma once
 #include <suture/algebra/LocalSolver.hpp>
 #include <suture/base/scene/Schema.hpp>
+#include <suture/precond/PrimalConstraints.hpp>
 #include <suture/precond/coarse/CoarseElement.hpp>
 #include <suture/precond/coarse/CoarseSolve.hpp>
 
+#include <functional>
 #include <memory>
 
 namespace suture {
 
-/// Choices for the coarse problem of BDDC: exact, or by a level more when there are many local problems.
+/// Strategies of BDDC, the same on each of its levels, and choices for its coarse problem: exact, or by a level more when there are many
+/// local problems.
 struct CoarseOptions {
+  std::function<std::unique_ptr<Weighting>()> weighting = [] { return std::make_unique<StiffnessDiagonalWeighting>(); };
+  std::function<std::unique_ptr<PrimalConstraints>()> primal = rigidModeConstraints;
   LocalSolverMaker solver;  ///< solver of the last level
   int copies = 0;           ///< ranks that hold a factor; 0: all
   int above = 1000;         ///< local problems beyond which there is a level more; 0: always one, and no further
-  int clusters = 0;         ///< local problems of the next level; 0: automatic, see coarseClusters
+  int clusters = 0;         ///< local problems of the next level; 0: automatic, see automaticClusters
   double accuracy = 0.1;    ///< accuracy of a coarse solve that is not exact: eigenvalues in [1 - accuracy, 1 + accuracy]
 
-  /// Parameters `Coarse Solver`, `Coarse Copies`, `Coarse Level Above`, `Coarse Clusters`, `Coarse Accuracy`.
+  /// Parameters `Weighting`, `Edge Constraints`, `Coarse Solver`, `Coarse Copies`, `Coarse Level Above`, `Coarse Clusters`,
+  /// `Coarse Accuracy`.
   static void addParameters(Schema& schema);
   static CoarseOptions from(const Parameters& own);
 

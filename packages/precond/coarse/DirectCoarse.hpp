@@ -10,7 +10,8 @@ namespace suture {
 
 /// A sparse symmetric positive definite system that is small beside the rest: assembled from all ranks' contributions and factored on a
 /// chosen number of ranks, each of which answers for its share of the others. Few copies save memory and the work of factoring, many save
-/// messages; the answer is the same.
+/// messages; the answer is the same. A solve sums the whole coarse vector over the ranks: one number
+/// an unknown, where the factor has tens.
 class DirectCoarse : public CoarseSolve {
  public:
   /// \param size      number of unknowns, the same on all ranks
@@ -23,24 +24,24 @@ class DirectCoarse : public CoarseSolve {
                bool dependent);
 
   int size() const override { return size_; }
+  /// namesIn() of this rank's elements.
+  const std::vector<int>& names() const { return names_; }
   const Vector& solve(const Vector& mine) const override;
 
  private:
   CommPtr comm_, share_;  // all ranks; those that one copy answers for, its holder first
   int size_, copies_;
+  std::vector<int> names_;
   bool dependent_;
   std::unique_ptr<LocalSolver> solver_;
   SparseMatrix scaled_;  // kept for refinement only
   Vector scale_;
-  mutable Vector sum_;  // the answer, and work space: the inner loop allocates nothing
+  mutable Vector answer_;
+  mutable Vector mine_, sum_;  // work space, of all unknowns: the inner loop allocates nothing
   mutable Matrix load_, solution_, correction_;
 };
 
 /// Parameters `Coarse Solver` and `Coarse Copies` of a preconditioner's list.
 void addCoarseParameters(Schema& schema);
-
-/// Numbers 0, 1, ... for distinct keys that several ranks may use: number of each of this rank's keys, and how many there are over all
-/// ranks. Which key gets which number depends on the ranks. Collective.
-std::vector<int> numberKeys(const CommPtr& comm, const std::vector<GlobalId>& keys, int& count);
 
 }  // namespace suture
