@@ -25,7 +25,7 @@ void InterfaceSpace::addEntities(const InterfaceLayout& layout) {
 }
 
 std::vector<int> InterfaceSpace::entityOfPlaces() const {
-  std::vector<int> entityOf(ids_.size(), -1);
+  std::vector<int> entityOf(ownedRows_.size(), -1);
   for (std::size_t e = 0; e < entities_.size(); ++e)
     for (const int place : entities_[e].unknowns) entityOf[place] = static_cast<int>(e);
   return entityOf;
@@ -46,7 +46,7 @@ std::shared_ptr<const InterfaceSpace> InterfaceSpace::related(std::vector<Interf
   if (!relations_.empty()) throw InternalError("relations of a space that has some already");
   std::vector<InterfaceRelation> plain;
   std::vector<int> inRows;  // unknowns of the others
-  std::vector<char> expressed(ids_.size(), 0), named(ids_.size(), 0);
+  std::vector<char> expressed(ownedRows_.size(), 0), named(ownedRows_.size(), 0);
   for (const InterfaceRelation& relation : relations)
     if (relation.others.size() > 1)
       for (const int other : relation.others) named[other] = 1;
@@ -81,7 +81,7 @@ std::shared_ptr<InterfaceSpace> InterfaceSpace::withRelations(std::vector<Interf
                                                               const std::vector<int>& inRows) const {
   auto derived = std::make_shared<InterfaceSpace>(*this);
   derived->relations_ = std::move(relations);
-  std::vector<char> isPoint(ids_.size(), 0), joined(ids_.size(), 0), single(ids_.size(), 0), leaves(ids_.size(), 0);
+  std::vector<char> isPoint(ownedRows_.size(), 0), joined(ownedRows_.size(), 0), single(ownedRows_.size(), 0), leaves(ownedRows_.size(), 0);
   for (const InterfaceEntity& entity : entities_)
     for (const int place : entity.kind == EntityKind::Vertex ? entity.unknowns : entity.ends) isPoint[place] = 1;
   for (std::size_t r = 0; r < derived->relations_.size(); ++r) {
@@ -102,7 +102,7 @@ std::shared_ptr<InterfaceSpace> InterfaceSpace::withRelations(std::vector<Interf
   for (const InterfaceRelation& relation : derived->relations_) derived->sharers_[relation.unknown].clear();
   for (const int place : inRows)
     if (joined[place]) single[place] = 1;
-  for (std::size_t place = 0; place < ids_.size(); ++place) {
+  for (std::size_t place = 0; place < ownedRows_.size(); ++place) {
     if (!joined[place]) continue;
     const bool changed = derived->sharers_[place] != sharers_[place];
     // On a line local problems change where there are more than two.
@@ -140,7 +140,7 @@ void InterfaceSpace::addContactEntities(const std::vector<std::vector<int>>& cha
   }
   std::vector<SeamEntity> found = graph.entities();
   std::sort(found.begin(), found.end(), [](const SeamEntity& a, const SeamEntity& b) { return a.nodes.front() < b.nodes.front(); });
-  std::vector<char> onEdge(ids_.size(), 0);
+  std::vector<char> onEdge(ownedRows_.size(), 0);
   for (const SeamEntity& entity : found) {
     if (entity.kind != EntityKind::Edge) continue;
     InterfaceEntity own{EntityKind::Edge, entity.sharers, {}, {}, true};
@@ -152,7 +152,7 @@ void InterfaceSpace::addContactEntities(const std::vector<std::vector<int>>& cha
   for (const InterfaceRelation& relation : relations_)
     if (relation.others.size() == 1 && sharers_[relation.others[0]].size() > 1 && !onEdge[relation.others[0]])
       single[relation.others[0]] = 1;
-  for (std::size_t place = 0; place < ids_.size(); ++place)
+  for (std::size_t place = 0; place < ownedRows_.size(); ++place)
     if (single[place] && entityOf[place] < 0)
       entities_.push_back({EntityKind::Vertex, sharers_[place], {static_cast<int>(place)}, {}, true});
 }

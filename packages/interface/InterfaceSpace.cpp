@@ -19,32 +19,21 @@ InterfaceSpace::InterfaceSpace(CommPtr comm, const InterfaceLayout& layout)
   touched.insert(touched.end(), layout.partners.begin(), layout.partners.end());
   overlap_ = mapOf(comm_, std::move(touched));
   import_ = Teuchos::rcp(new Import(map_, overlap_));
-  const auto seen = overlap_->getNodeElementList();
-  ids_.assign(seen.begin(), seen.end());
-  for (const GlobalId id : ids_) ownedRows_.push_back(map_->getLocalElement(id));
+  for (const GlobalId id : overlap_->getNodeElementList()) ownedRows_.push_back(map_->getLocalElement(id));
 
   for (const auto& boundary : layout.boundaries) {
     std::vector<int> columns;
     for (const GlobalId id : boundary) columns.push_back(overlap_->getLocalElement(id));
     couplings_.emplace_back(std::move(columns));
   }
-  relationOf_.assign(ids_.size(), -1);
-  importPoints(layout);
+  relationOf_.assign(ownedRows_.size(), -1);
+  unknowns_ = std::make_shared<const std::vector<InterfaceLayout::Unknown>>(joinUnknowns(overlap_, map_, layout.unknowns));
   exchangeSharers(layout);
   addEntities(layout);
 }
 
-void InterfaceSpace::importPoints(const InterfaceLayout& layout) {
-  for (const InterfaceLayout::Unknown& unknown : joinUnknowns(overlap_, map_, layout.unknowns)) {
-    points_.push_back(unknown.point);
-    directions_.push_back(unknown.direction);
-    moments_.push_back(unknown.moment);
-    fluxes_.push_back(unknown.flux);
-  }
-}
-
 void InterfaceSpace::exchangeSharers(const InterfaceLayout& layout) {
-  std::vector<std::vector<int>> mine(ids_.size());
+  std::vector<std::vector<int>> mine(ownedRows_.size());
   for (std::size_t i = 0; i < couplings_.size(); ++i)
     for (const int place : couplings_[i].columns()) mine[place].push_back(layout.locals[i]);
   sharers_ = joinNumbers(overlap_, map_, mine);

@@ -52,7 +52,7 @@ class InterfaceSpace {
   const CommPtr& comm() const { return comm_; }
   int dimension() const { return dimension_; }
   GlobalId size() const;  ///< over all ranks, idle ones included
-  int overlapSize() const { return static_cast<int>(points_.size()); }
+  int overlapSize() const { return static_cast<int>(ownedRows_.size()); }
   int locals() const { return static_cast<int>(couplings_.size()); }
   int localId(int local) const { return localIds_[local]; }
   const Coupling& coupling(int local) const { return couplings_[local]; }
@@ -60,12 +60,12 @@ class InterfaceSpace {
   int mostRows() const;
 
   // For each unknown of overlap(), by place.
-  GlobalId id(int place) const { return ids_[place]; }
+  GlobalId id(int place) const { return unknown(place).id; }
   int ownedRow(int place) const { return ownedRows_[place]; }  ///< in map(); -1: another rank owns it
-  const Point& point(int place) const { return points_[place]; }
-  const Point& direction(int place) const { return directions_[place]; }  ///< along which it displaces; see InterfaceLayout::Unknown
-  const Point& moment(int place) const { return moments_[place]; }        ///< values under unit rotations about point(); zero for a point
-  double flux(int place) const { return fluxes_[place]; }                 ///< see InterfaceLayout::Unknown
+  const Point& point(int place) const { return unknown(place).point; }
+  const Point& direction(int place) const { return unknown(place).direction; }  ///< along which it displaces; see InterfaceLayout::Unknown
+  const Point& moment(int place) const { return unknown(place).moment; }  ///< values under unit rotations about point(); zero for a point
+  double flux(int place) const { return unknown(place).flux; }            ///< see InterfaceLayout::Unknown
   /// The relation that expresses it, or null.
   const InterfaceRelation* relation(int place) const { return relationOf_[place] < 0 ? nullptr : &relations_[relationOf_[place]]; }
   /// The relations that this rank sees, in an order that does not depend on the rank.
@@ -102,7 +102,7 @@ class InterfaceSpace {
 
  private:
   void exchangeSharers(const InterfaceLayout& layout);
-  void importPoints(const InterfaceLayout& layout);
+  const InterfaceLayout::Unknown& unknown(int place) const { return (*unknowns_)[place]; }
   void addEntities(const InterfaceLayout& layout);
   std::shared_ptr<InterfaceSpace> withRelations(std::vector<InterfaceRelation> relations, const std::vector<std::vector<int>>& chains,
                                                 const std::vector<int>& inRows = {}) const;
@@ -117,11 +117,9 @@ class InterfaceSpace {
   mutable MultiVectorPtr sum_;   // of sum()
   std::vector<int> localIds_;
   std::vector<Coupling> couplings_;
-  std::vector<GlobalId> ids_;
+  std::shared_ptr<const std::vector<InterfaceLayout::Unknown>> unknowns_;  // of overlap_; the spaces of all relations share them
   std::vector<int> ownedRows_;
   int dimension_;
-  std::vector<Point> points_, directions_, moments_;
-  std::vector<double> fluxes_;
   std::vector<std::vector<int>> sharers_;
   std::vector<InterfaceEntity> entities_;
   std::vector<InterfaceRelation> relations_;

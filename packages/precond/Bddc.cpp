@@ -244,6 +244,8 @@ void Bddc::assembleCoarse(int locals) {
       unknowns.emplace(static_cast<int>(unknown.id), unknown);
     }
     coarse.elements.push_back(element(i));
+    constraints_[i].terms = {};  // values_ has them
+    constraints_[i].unknowns = {};
   }
   for (const auto& entry : unknowns) coarse.unknowns.push_back(entry.second);
   coarse_ = makeCoarseSolve(space()->comm(), std::move(coarse), locals, levels_);

@@ -95,7 +95,7 @@ Solution Reference::doSolve(Monitor& monitor, const Start*, const Keep&) {
   solution.failure = unpacker.get<std::string>();
   if (unpacker.get<std::size_t>() > 0) solution.outerSolver = kName;
   solution.auxiliary.contact = !solution.outerSolver.empty();
-  solution.outerIterations = figures.iterations;
+  solution.iterations = figures.iterations;
   solution.residual = figures.residual;
   solution.energy = figures.energy;
   solution.displacement = scatterToSubdomains(comm, result.displacement, unpacker.get<int>(), scene().meshes);

@@ -26,7 +26,7 @@ std::string ending(const Run& run, double largestDisplacement) {
   if (answer.outerSolver.empty())
     line += answer.auxiliary.pcg == 0 ? "no interface iteration" : format("%d PCG", answer.auxiliary.pcg);
   else
-    line += format("%d outer, %d + %d PCG", answer.outerIterations, answer.pcgTotal, answer.auxiliary.pcg);
+    line += format("%d outer, %d + %d PCG", answer.iterations, answer.pcgTotal, answer.auxiliary.pcg);
   line += format(", residual %.1e; ", answer.residual);
   if (run.size.pairs > 0) {
     const ContactFigures contact = contactFigures(answer, run.size.pieces);

@@ -40,8 +40,8 @@ CoarseAnswer solveLevel(const CommPtr& comm, const Scene& level, const CoarseAns
   const Solution& solution = simulation.solution();
   const std::string elements = std::to_string(simulation.size().elements) + " elements";
   if (!solution.converged) throw NumericalError("nested start, level of " + elements + ": " + solution.failure);
-  monitor.note("nested start: " + elements + ", " + std::to_string(solution.outerIterations) + " outer, " +
-               std::to_string(solution.pcgTotal) + " + " + std::to_string(solution.auxiliary.pcg) + " PCG");
+  monitor.note("nested start: " + elements + ", " + std::to_string(solution.iterations) + " outer, " + std::to_string(solution.pcgTotal) +
+               " + " + std::to_string(solution.auxiliary.pcg) + " PCG");
   return {simulation.meshes(), solution};
 }
 

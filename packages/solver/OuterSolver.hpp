@@ -1,10 +1,10 @@
 #pragma once
-#include <suture/base/Monitor.hpp>
 #include <suture/base/Registry.hpp>
 #include <suture/interface/Formulation.hpp>
 #include <suture/interface/InterfaceProblem.hpp>
 #include <suture/precond/Preconditioner.hpp>
 #include <suture/solver/InnerSolver.hpp>
+#include <suture/solver/OuterFigures.hpp>
 #include <suture/solver/accuracy/AutomaticTolerance.hpp>
 
 #include <cmath>
@@ -27,24 +27,10 @@ struct OuterSettings {
   std::function<void(const InterfaceState&)> accepted = {};
 };
 
-struct OuterResult {
+struct OuterResult : OuterFigures {
   InterfaceState state;
-  bool converged = false;
-  bool stopped = false;  ///< on request, between two iterations
-  std::string failure;
-  std::vector<int> unsettled;  ///< pairs that changed between the last two sets, where it did not converge
-  int iterations = 0;
-  int pcgTotal = 0;  ///< PCG steps of the outer iterations, failed ones included
-  double residual = 0.0;
-  double energyError = -1.0;                          ///< algebraic error at the end in the energy norm, estimated; negative: not known
-  std::optional<DiscretisationError> discretisation;  ///< error of the state, where an automatic tolerance has estimated it
-  AutomaticTolerance::Recovered recovered;            ///< from the state, where an automatic tolerance needed it; else null
-  AuxiliaryRow auxiliary;
-  int coarseSize = 0;
-  double setupSeconds = 0.0;               ///< set-up time of the preconditioner
-  double bytesRead = 0.0;                  ///< bytes of this rank's memory that one conjugate gradient iteration reads, as far as known
-  std::map<std::string, int> chosenSchur;  ///< local problems over all ranks, by what Automatic chose
-  std::map<std::string, double> estimates;
+  std::vector<int> unsettled;               ///< pairs that changed between the last two sets, where it did not converge
+  AutomaticTolerance::Recovered recovered;  ///< from the state, where an automatic tolerance needed it; else null
 };
 
 /// Solves an InterfaceProblem of which it knows nothing else. The shell solves the auxiliary problem (20)-(21), all pairs closed, from

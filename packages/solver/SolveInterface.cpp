@@ -72,21 +72,9 @@ Solution recover(const Comm& comm, const InterfaceProblem& problem, const OuterR
   const AutomaticTolerance::Recovered before = result.recovered;
   const InterfaceProblem::Recovered recovered = before ? *before : problem.recover(result.state);
   Solution solution;
-  solution.converged = result.converged;
+  static_cast<OuterFigures&>(solution) = result;
   solution.stopped = result.stopped && !result.converged;
-  solution.failure = result.failure;
   if (problem.pairs() > 0) solution.outerSolver = settings.sublist("Outer Solver").get<std::string>("Type");
-  solution.outerIterations = result.iterations;
-  solution.pcgTotal = result.pcgTotal;
-  solution.residual = result.residual;
-  solution.energyError = result.energyError;
-  solution.discretisation = result.discretisation;
-  solution.auxiliary = result.auxiliary;
-  solution.estimates = result.estimates;
-  solution.coarseSize = result.coarseSize;
-  solution.setupSeconds = result.setupSeconds;
-  solution.bytesRead = result.bytesRead;
-  solution.chosenSchur = result.chosenSchur;
   solution.energy = recovered.energy;
   for (std::size_t i = 0; i < subdomains.size(); ++i) solution.displacement.push_back(subdomains[i]->cartesian(recovered.freeValues[i]));
 

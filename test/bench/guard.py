@@ -1,14 +1,26 @@
-"""Counts instead of seconds: iterations and instructions, compared with a file. A busy machine does not change them."""
+"""Counts instead of seconds: iterations, instructions and allocations, compared with a file. A busy machine does not change them."""
 import json
 import re
 import shutil
 from pathlib import Path
 
-from runs import command_of, configurations, execute, fail, measure, mesh_of
+from runs import ROOT, command_of, configurations, execute, fail, measure, mesh_of
 
 SIZES = ["10k", "100k"]
 COUNT = 2  # iterations more or less
-INSTRUCTIONS = 1.05
+INSTRUCTIONS = 1.03
+CELLS = (48, 384)
+ALLOCATIONS, VIEWS = 1.1, 512  # of the smaller problem's bytes, and bytes: a vector of the larger one has 40,000
+SQUARE = ("input/studies/square.xml", ["square"], "Outer Solver/Tolerance")
+GROUPS = ("input/long_contact/long_contact.xml", ["upper", "lower"], "Outer Solver/Semismooth Newton/Inner Tolerance")
+COUNTED = {  # scene, boxes, tolerance of the linear problem; what is set
+    "BDDC": (*SQUARE, []),
+    "coarse level": (*SQUARE, ["Preconditioner/BDDC/Coarse Level Above=1", "Preconditioner/BDDC/Coarse Clusters=4"]),
+    "Neumann-Neumann": (*SQUARE, ["Preconditioner/Type=Neumann-Neumann"]),
+    "implicit": (*SQUARE, ["Subdomain/Schur Complement=Implicit"]),
+    "contact groups": (*GROUPS, ["Formulation=Condensed Groups", "Outer Solver/Type=Semismooth Newton", "Outer Solver/Start=Bilateral",
+                                 "Outer Solver/Maximum Iterations=0", "Partition/Type=Named Groups", "Partition/Named Groups/Pattern=subdomain_*"]),
+}
 
 
 def counts_now(options):
@@ -35,6 +47,44 @@ def instructions_now(options):
                    extra=kernels)
     found = re.search(r"Collected\s*:\s*(\d+)", text)
     return int(found.group(1)) if found and found.group(1) != "0" else fail(f"callgrind says no count:\n{text[-2000:]}")
+
+
+def allocations_now(options):
+    """Bytes that an iteration of conjugate gradients takes from the heap beside the one vector that it keeps (InterfaceOperator::record), of
+    linear problems with few and with many cells in as many subdomains: two runs, one of which ends earlier, under glibc's counting
+    library."""
+    folder = options.output / "runs" / "allocations"
+    taken = {}
+    for name, (scene, boxes, tolerance, chosen) in COUNTED.items():
+        for cells in CELLS:
+            found = []
+            for value in ("1e-5", "1e-10"):
+                command = [str(options.programs / "suture_solve"), str(ROOT / scene), "--output", str(folder)]
+                meshed = [f"Mesh/Boxes/{box}/{key}" for box in boxes for key in (f"Cells={{{cells}, {cells}}}", "Blocks={6, 6}")]
+                for assignment in (*meshed, f"{tolerance}={value}", *chosen):
+                    command += ["--set", assignment]
+                text = execute(command, extra={"LD_PRELOAD": "libmemusage.so", "MEMUSAGE_NO_TIMER": "1"}, expected=(0, 4))
+                total = re.search(r"heap total: (\d+)", text)
+                if not total:
+                    fail(f"libmemusage.so says no count:\n{text[-2000:]}")
+                summary = json.loads((folder / "summary.json").read_text())
+                found.append((int(total.group(1)), summary["auxiliary"]["iterations"]))
+            (few, first), (many, last) = found
+            if first >= last:
+                fail(f"allocations: {name}, {first} and {last} iterations to 1e-5 and 1e-10")
+            taken[name, cells] = round((many - few) / (last - first)) - 8 * summary["interface_dofs"]
+    return taken
+
+
+def grown(allocations):
+    """One line for each case whose iteration takes more memory of the larger problem: what grows with it is not kept."""
+    wrong = []
+    for name in COUNTED:
+        small, large = (allocations[name, cells] for cells in CELLS)
+        print(f"allocations: {name}, {small} and {large} bytes an iteration with {CELLS[0]} and {CELLS[1]} cells a side")
+        if not 0 < large <= ALLOCATIONS * small + VIEWS:  # zero: nothing was counted
+            wrong.append(f"allocations: {name}, {large} bytes an iteration, {small} of the smaller problem")
+    return wrong
 
 
 def differences(now, before):
@@ -69,7 +119,7 @@ def guard(options):
         path.write_text(json.dumps(now, indent=2) + "\n")
         print(f"{path}: written")
         return 0
-    wrong = differences(now, json.loads(path.read_text()))
+    wrong = differences(now, json.loads(path.read_text())) + grown(allocations_now(options))
     print(f"{len(now['counts'])} runs compared, {len(wrong)} wrong")
     for line in wrong:
         print(f"  {line}")

@@ -54,7 +54,7 @@ void solve(const CommPtr& comm, const CorpusScene& corpusScene, const Way& way, 
   const Solution& solution = simulation.solution();
   outcome.ending = solution.converged ? Ending::Solved : Ending::Lost;
   outcome.reason = solution.failure;
-  outcome.iterations = solution.outerIterations;
+  outcome.iterations = solution.iterations;
   outcome.pcg = solution.pcgTotal + solution.auxiliary.pcg;
   outcome.displacement = gathered(*comm, whole.mesh, corpusScene.mesh.nodes(), simulation.meshes(), solution, outcome.seam);
   for (const PairResult& pair : solution.pairs) outcome.forces.push_back(pair.force);

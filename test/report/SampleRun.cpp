@@ -110,7 +110,7 @@ void SampleRun::makeSolution() {
   }
   solution_.converged = true;
   solution_.outerSolver = "Chord";
-  solution_.outerIterations = 2;
+  solution_.iterations = 2;
   solution_.pcgTotal = 16;
   solution_.residual = 4.4e-9;
   solution_.auxiliary = {8, 22.6, 1e-2, 3e-3, true};

@@ -99,10 +99,10 @@ TEUCHOS_UNIT_TEST(Method, GoesOnFromAnIntermediateState) {
   const Solution whole =
       solved(given, silent, nullptr, [&](const std::function<Solution()>& solution) { kept.push_back(startOf(solution())); });
   TEST_ASSERT(whole.converged);
-  TEST_EQUALITY(int(kept.size()), whole.outerIterations - 1);
+  TEST_EQUALITY(int(kept.size()), whole.iterations - 1);
   const Solution rest = solved(given, silent, &kept[kept.size() / 2]);
   TEST_ASSERT(rest.converged);
-  TEST_COMPARE(rest.outerIterations, <, whole.outerIterations);
+  TEST_COMPARE(rest.iterations, <, whole.iterations);
   TEST_COMPARE(difference(rest, whole), <, 1e-9);
 }
 

@@ -20,7 +20,8 @@ ClusterCoarse::ClusterCoarse(const CommPtr& comm, CoarseElements coarse, int loc
     std::vector<std::vector<CoarseElement>> members(ids.size());
     for (std::size_t i = 0; i < coarse.elements.size(); ++i) members[clusters.clusterOf[i]].push_back(std::move(coarse.elements[i]));
     for (std::size_t k = 0; k < ids.size(); ++k) {
-      problems_.push_back(std::make_shared<ClusterProblem>(ids[k], clusters.layout.boundaries[k], members[k]));
+      problems_.push_back(
+          std::make_shared<ClusterProblem>(ids[k], clusters.layout.boundaries[k], members[k], clusters.motionsOf(static_cast<int>(k))));
       problems.push_back(problems_.back());
       interiors_.push_back(placesAmong(names, problems_.back()->interior()));
     }

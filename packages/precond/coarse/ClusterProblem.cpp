@@ -34,7 +34,7 @@ class SpectralInverse : public LocalInverse {
 
 }  // namespace
 
-ClusterProblem::ClusterProblem(int id, std::vector<GlobalId> boundary, const std::vector<CoarseElement>& elements)
+ClusterProblem::ClusterProblem(int id, std::vector<GlobalId> boundary, const std::vector<CoarseElement>& elements, const Matrix& motions)
     : LocalProblem(id, "cluster " + std::to_string(id), std::move(boundary)) {
   std::map<GlobalId, int> place;
   for (const CoarseElement& element : elements)
@@ -67,21 +67,25 @@ ClusterProblem::ClusterProblem(int id, std::vector<GlobalId> boundary, const std
     throw NumericalError("coarse problem, " + name() + ": " + error.what());
   }
   schur_ = factor_->trailingSchur();
+  kernel_ = withoutEnergy(motions);
+}
+
+Matrix ClusterProblem::withoutEnergy(const Matrix& motions) const {
+  constexpr double dependent = 1e-8;  // columns of the order of one
+  if (size() == 0) return motions;
+  const Matrix basis = orthonormalBasis(motions, dependent);
+  Matrix flux(basis.rows(), basis.cols());
+  applySchur(basis, flux);
+  const Eigenpairs pairs = symmetricEigenpairs(basis.transpose() * flux);
+  const double least = kNull * schur_.diagonal().maxCoeff();
+  int nulls = 0;
+  while (nulls < pairs.values.size() && pairs.values(nulls) <= least) ++nulls;
+  return basis * pairs.vectors.leftCols(nulls);
 }
 
 // Column by column: Eigen takes work space for a product of matrices.
 void ClusterProblem::applySchur(ConstLocalView trace, LocalView flux) const {
   for (Eigen::Index c = 0; c < trace.cols(); ++c) flux.col(c).noalias() = schur_.selfadjointView<Eigen::Lower>() * trace.col(c);
-}
-
-const Matrix& ClusterProblem::kernel() const {
-  if (!kernel_) {
-    const Eigenpairs pairs = symmetricEigenpairs(schur_);
-    int nulls = 0;
-    while (nulls < size() && pairs.values(nulls) <= kNull * pairs.values(size() - 1)) ++nulls;
-    kernel_ = pairs.vectors.leftCols(nulls);
-  }
-  return *kernel_;
 }
 
 std::unique_ptr<LocalInverse> ClusterProblem::inverse() const { return std::make_unique<SpectralInverse>(schur_); }

@@ -3,8 +3,6 @@
 #include <suture/precond/coarse/CoarseElement.hpp>
 #include <suture/subdomain/LocalProblem.hpp>
 
-#include <optional>
-
 namespace suture {
 
 /// A cluster of local problems, seen from the coarse problem that they share: the sum of their terms in the coarse matrix. To the next
@@ -14,15 +12,16 @@ class ClusterProblem : public LocalProblem {
  public:
   /// \param boundary  coarse unknowns that other clusters touch, too
   /// \param elements  matrices of its members; they name all of `boundary`
+  /// \param motions   values of the boundary under rigid motions, size() x their number
   /// \throws NumericalError  the interior is singular
-  ClusterProblem(int id, std::vector<GlobalId> boundary, const std::vector<CoarseElement>& elements);
+  ClusterProblem(int id, std::vector<GlobalId> boundary, const std::vector<CoarseElement>& elements, const Matrix& motions);
 
   void applySchur(ConstLocalView trace, LocalView flux) const override;
   Vector condensedLoad() const override { return Vector::Zero(size()); }
   double constantEnergy() const override { return 0.0; }
   const Vector& stiffnessDiagonal() const override { return diagonal_; }
-  /// From the eigenvalues of S, when it is asked for.
-  const Matrix& kernel() const override;
+  /// Rigid motions without energy: members fix each other, so that there are no others.
+  const Matrix& kernel() const override { return kernel_; }
   using LocalProblem::inverse;
   /// From the eigenvalues of S.
   std::unique_ptr<LocalInverse> inverse() const override;
@@ -43,11 +42,13 @@ class ClusterProblem : public LocalProblem {
   }
 
  private:
+  Matrix withoutEnergy(const Matrix& motions) const;
+
   std::vector<int> interior_;
   SparseMatrix ib_;
   std::unique_ptr<CholmodFactor> factor_;
   Matrix schur_;
-  mutable std::optional<Matrix> kernel_;
+  Matrix kernel_;
   Vector diagonal_;
 };
 
