@@ -203,3 +203,22 @@ TEUCHOS_UNIT_TEST(ClusterCoarse, InBddcTendsToTheExactPreconditioner) {
   TEST_COMPARE(difference(products, products.transpose()), <, 1e-11);
   TEST_COMPARE(eigenvalues(products)(0), >, 0.0);
 }
+
+TEUCHOS_UNIT_TEST(ClusterCoarse, APartThatTouchesNothingIsAClusterByItself) {
+  const Cells cells(4);
+  CoarseElements coarse = coarseElementsOf(cells.single, cells.whole);
+  const int first = coarse.size;
+  coarse.size += 3;
+  CoarseElement apart{1000, {first, first + 1, first + 2}, Matrix(Vector::LinSpaced(3, 2.0, 4.0).asDiagonal())};
+  for (int k = 0; k < 3; ++k) coarse.unknowns.push_back({first + k, {5.0 + k, 5, 0}, {k == 2 ? 0.0 : 1.0, k == 2 ? 1.0 : 0.0, 0}});
+  coarse.elements.push_back(apart);
+  const ClusterCoarse level(alone(), coarse, int(coarse.elements.size()), cells.options(4, 1e-8));
+  TEST_EQUALITY(level.clusters(), 4);
+  const Vector exact = random(coarse.size, 1, 7);
+  Vector load(coarse.size);
+  load.head(first) = cells.whole.stiffness * exact.head(first);
+  load.tail(3) = apart.matrix * exact.tail(3);
+  const Vector answer = level.solve(load);
+  TEST_COMPARE(difference(answer.tail(3), exact.tail(3)), <, 1e-14);
+  TEST_COMPARE(difference(answer.head(first), exact.head(first)), <, 1e-6);
+}

@@ -72,7 +72,7 @@ ClusterProblem::ClusterProblem(int id, std::vector<GlobalId> boundary, const std
 
 Matrix ClusterProblem::withoutEnergy(const Matrix& motions) const {
   constexpr double dependent = 1e-8;  // columns of the order of one
-  if (size() == 0) return motions;
+  if (size() == 0) return Matrix(0, 0);
   const Matrix basis = orthonormalBasis(motions, dependent);
   Matrix flux(basis.rows(), basis.cols());
   applySchur(basis, flux);
