@@ -1,11 +1,18 @@
 #!/usr/bin/python3
-"""Runs studies and puts their tables into README.md of this folder.
+"""Runs studies and puts their tables into the pages of this folder.
 
     input/studies/results.py [--ranks 2] [--program build/drivers/suture_study] [--no-run] [STUDY...]
 
-Without names: all studies of this folder. Results go to build/studies_out/<study>/; a table.md found there is put between the lines
-"<!-- results: STUDY -->" and "<!-- end -->", and a matrix of it between "<!-- matrix: STUDY ROWS x COLUMN: CELLS -->" (sweeps, sweep, columns) and "<!-- end -->"; a picture
-NAME.png of the study is copied to STUDY_NAME.png of this folder if the README shows it. Returns 1 when a study missed a band.
+Without names: all studies of this folder. Results go to build/studies_out/<study>/. A page (*.md) holds each of them between a line
+
+    <!-- results: STUDY -->                          all runs and bands (table.md)
+    <!-- bands: STUDY -->                            bands only
+    <!-- matrix: STUDY ROWS x COLUMN: CELLS -->      a line for each combination of labels of the sweeps ROWS, a column for each label of the
+                                                     sweep COLUMN, the columns CELLS of table.csv in each cell
+    <!-- matrix: STUDY SWEEP=LABEL|LABEL; ROWS x COLUMN: CELLS -->     the runs with these labels only
+
+and a line "<!-- end -->". A picture NAME.png of a study is copied to STUDY_NAME.png of this folder if its page shows it. Returns 1 when a
+study missed a band, or has no page <study>.md.
 """
 import argparse
 import csv
@@ -18,58 +25,71 @@ from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
-READMES = [HERE / "README.md"]
 ENVIRONMENT = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1", "OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"}
 
 
 def body(table):
-    """Without the title: the README has its own."""
+    """Text of a table.md without its title: the page has its own."""
     return table.split("\n", 2)[2].strip()
 
 
+def bands(table):
+    """Provenance and bands of a table.md, without its runs."""
+    provenance, *rest = body(table).split("\n\n")
+    return "\n\n".join([provenance, *(part for part in rest if part.startswith("| band |"))])
+
+
+def figure(text):
+    """A count as it is, any other number with three digits."""
+    return text if text.isdecimal() else f"{float(text):.3g}"
+
+
 def shown(row, cells):
-    """The figures of a run, three digits; a run without a solution has none."""
-    return " / ".join(f"{float(row[cell]):.3g}" for cell in cells) if row["exit_code"] == "0" else "-"
+    """Figures of a run; '-' for a run without a solution."""
+    return " / ".join(figure(row[cell]) for cell in cells) if row["exit_code"] == "0" else "-"
 
 
-def matrix(study, rows, column, cells):
-    """One line for each combination of the sweeps `rows`, one column for each label of the sweep `column`."""
+def matrix(study, where, rows, column, cells):
+    """One line for each combination of the sweeps `rows`, one column for each label of the sweep `column`; runs with the labels `where`."""
     with open(study / "table.csv") as file:
         runs = list(csv.DictReader(file))
+    if where:
+        sweep, wanted = where.split("=", 1)
+        runs = [run for run in runs if run[sweep] in wanted.split("|")]
     labels = list(dict.fromkeys(run[column] for run in runs))
     lines = {}
     for run in runs:
         lines.setdefault(tuple(run[row] for row in rows), {})[run[column]] = shown(run, cells)
-    table = [" | ".join(rows + labels), "|".join(["---"] * (len(rows) + len(labels)))]
-    table += [" | ".join([*line, *(found.get(label, "") for label in labels)]) for line, found in lines.items()]
-    return "\n".join(f"| {line} |" for line in table)
+    table = [rows + labels, ["---"] * (len(rows) + len(labels))]
+    table += [[*line, *(found.get(label, "") for label in labels)] for line, found in lines.items()]
+    return "\n".join(f"| {' | '.join(line)} |" for line in table)
 
 
-def insert(readme, results):
-    text = readme.read_text()
+def insert(page, results, studies):
+    text = page.read_text()
 
-    def replace(match):
-        study = match.group(1)
-        table = results / study / "table.md"
-        return f"<!-- results: {study} -->\n\n{body(table.read_text())}\n\n<!-- end -->" if table.exists() else match.group(0)
-
-    changed = re.sub(r"<!-- results: (\w+) -->.*?<!-- end -->", replace, text, flags=re.S)
-
-    def draw(match):
-        study, rows, column, cells = match.groups()
-        if not (results / study / "table.csv").exists():
+    def fill(match):
+        head, kind, study, rest = match.group(1, 2, 3, 4)
+        folder = results / study
+        if not (folder / "table.md").exists():
             return match.group(0)
-        made = matrix(results / study, rows.split(", "), column, cells.split(", "))
-        return f"<!-- matrix: {study} {rows} x {column}: {cells} -->\n\n{made}\n\n<!-- end -->"
+        if kind == "matrix":
+            where, rows, column, cells = re.fullmatch(r"(?:(.+?); )?(.+?) x (.+?): (.+)", rest.strip()).groups()
+            made = matrix(folder, where, rows.split(", "), column, cells.split(", "))
+        else:
+            table = (folder / "table.md").read_text()
+            made = body(table) if kind == "results" else bands(table)
+        return f"{head}\n\n{made}\n\n<!-- end -->"
 
-    changed = re.sub(r"<!-- matrix: (\w+) (.+?) x (.+?): (.+?) -->.*?<!-- end -->", draw, changed, flags=re.S)
+    changed = re.sub(r"(<!-- (results|bands|matrix): (\w+)( .*?)? -->).*?<!-- end -->", fill, text, flags=re.S)
     if changed != text:
-        readme.write_text(changed)
-        print(f"{readme.relative_to(ROOT)}: tables renewed")
-    for study, picture in re.findall(r"!\[[^\]]*\]\((\w+?)__(\w+\.png)\)", changed):
-        drawn = results / study / picture
-        if readme.parent == HERE and drawn.exists():
-            shutil.copy(drawn, HERE / f"{study}__{picture}")
+        page.write_text(changed)
+        print(f"{page.relative_to(ROOT)}: tables renewed")
+    for picture in re.findall(r"!\[[^\]]*\]\((\w+\.png)\)", changed):
+        for study in studies:
+            drawn = results / study / picture[len(study) + 1:]
+            if picture.startswith(f"{study}_") and drawn.is_file():
+                shutil.copy(drawn, HERE / picture)
 
 
 def main():
@@ -78,7 +98,7 @@ def main():
     parser.add_argument("--ranks", type=int, default=2)
     parser.add_argument("--program", default=str(ROOT / "build" / "drivers" / "suture_study"))
     parser.add_argument("--results", default=str(ROOT / "build" / "studies_out"))
-    parser.add_argument("--no-run", action="store_true", help="only put the tables that exist into the READMEs")
+    parser.add_argument("--no-run", action="store_true", help="only put the tables that exist into the pages")
     options = parser.parse_args()
     known = sorted(path.stem for path in HERE.glob("*.xml") if 'name="Study"' in path.read_text())
     unknown = sorted(set(options.studies) - set(known))
@@ -91,11 +111,15 @@ def main():
         print("$", " ".join(command), flush=True)
         if subprocess.run(command, env={**ENVIRONMENT, **os.environ}).returncode != 0:
             missed.append(study)
-    for readme in READMES:
-        insert(readme, results)
+    for page in sorted(HERE.glob("*.md")):
+        insert(page, results, known)
+    without = [study for study in known if not (HERE / f"{study}.md").is_file()]
+    if without:
+        print(f"results.py: no page for: {', '.join(without)}", file=sys.stderr)
     if missed:
-        sys.exit(f"results.py: missed: {', '.join(missed)}")
+        print(f"results.py: missed: {', '.join(missed)}", file=sys.stderr)
+    return 1 if missed or without else 0
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(main())
