@@ -13,6 +13,9 @@ constexpr int kMostPadSolves = 60;
 constexpr double kSelf = 1.5;     // -ln of the distance, in mesh sizes, averaged over a hat of pressure around its middle
 constexpr double kShare = 0.8;    // 2 / (pi E*) times the stiffness of one node, measured: .5 to 1.2 do alike
 constexpr double kLeast = 1e-11;  // relative to the largest force
+// Pairs of a window: where signs change along a longer stretch, no end of a contact zone is known yet, and the model's dense matrices take
+// longer than linear solves (2,000 pairs: 2 s).
+constexpr int kMostPairs = 400;
 
 /// Pairs first..last-1 of one line, with the others of the scene left out.
 ClosedSet solveWindow(const RigidContact& rigid, int first, int last, const Vector& force, const Vector& penetration) {
@@ -53,6 +56,7 @@ ClosedSet HalfPlaneModel::closedSet(const ClosedSet& closed, const ClosedSet& fl
     int most = i;
     for (last = i + 1; last < pairs && last - most <= kReach && line[last] == line[i]; ++last)
       if (flipped[last] != closed[last]) most = last;
+    if (last - first > kMostPairs) continue;
     const ClosedSet window = solveWindow(rigid_, first, last, force, penetration);
     if (!window.empty()) std::copy(window.begin(), window.end(), set.begin() + first);
   }

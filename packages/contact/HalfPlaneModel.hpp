@@ -9,7 +9,8 @@ namespace suture {
 class HalfPlaneModel {
  public:
   explicit HalfPlaneModel(const RigidContact& rigid) : rigid_(rigid) {}
-  /// The closed set that the model comes to from a state of the bodies.
+  /// The closed set that the model comes to from a state of the bodies; where signs change all along a stretch of some hundred pairs, the
+  /// set by these signs.
   /// \param closed, flipped      the state's, and the set by its signs alone
   /// \param force, penetration   the state's: forces of closed pairs, penetrations of open ones
   ClosedSet closedSet(const ClosedSet& closed, const ClosedSet& flipped, const Vector& force, const Vector& penetration) const;

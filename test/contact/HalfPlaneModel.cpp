@@ -91,5 +91,16 @@ TEUCHOS_UNIT_TEST(HalfPlaneModel, ChangesNothingFarFromTheEnds) {
   for (int i = 100; i < 200; ++i) TEST_EQUALITY(static_cast<int>(found[i]), 1);
 }
 
+// Where signs change along a whole line, no end of a zone is known: they are taken as they are.
+TEUCHOS_UNIT_TEST(HalfPlaneModel, LeavesLongStretchesToTheSigns) {
+  const int n = 1000;
+  const RigidContact rigid(Parabola::data(n));
+  const ClosedSet closed(n, 1);
+  ClosedSet flipped = closed;
+  Vector force = Vector::Constant(n, 1.0);
+  for (int i = 0; i < n; i += 10) flipped[i] = 0, force(i) = -0.1;
+  TEST_ASSERT(HalfPlaneModel(rigid).closedSet(closed, flipped, force, Vector::Zero(n)) == flipped);
+}
+
 }  // namespace
 }  // namespace suture
