@@ -117,7 +117,7 @@ class InterfaceSpace {
   mutable MultiVectorPtr sum_;   // of sum()
   std::vector<int> localIds_;
   std::vector<Coupling> couplings_;
-  std::shared_ptr<const std::vector<InterfaceLayout::Unknown>> unknowns_;  // of overlap_; the spaces of all relations share them
+  std::shared_ptr<const std::vector<InterfaceLayout::Unknown>> unknowns_;  // unknowns of overlap_, which related spaces share
   std::vector<int> ownedRows_;
   int dimension_;
   std::vector<std::vector<int>> sharers_;

@@ -125,8 +125,6 @@ bool Bddc::computeTorn(int locals, bool isTornHere) {
     factor(std::move(rows), locals);
   } catch (const NumericalError&) {
     return false;
-  } catch (const InputError&) {  // clusters of the next level
-    return false;
   }
   if (!coarseIsRegular()) return false;
   averaging_ = std::make_unique<MortarAveraging>(*space(), *torn_, all);
@@ -174,9 +172,11 @@ double Bddc::bytesRead() const {
 }
 
 std::string Bddc::remark() const {
-  if (!primal_->isAdaptive()) return std::string();
   std::ostringstream text;
   text.precision(2);
+  if (exactInstead_) text << "closed pairs of more than two nodes: the coarse problem is solved exactly, without a level more";
+  if (!primal_->isAdaptive()) return text.str();
+  if (exactInstead_) text << "; ";
   text << "adaptive coarse space: " << entityConstraints_ << " edge constraints ("
        << 100.0 * static_cast<double>(entityConstraints_) / static_cast<double>(sharedUnknowns_) << " % of " << sharedUnknowns_
        << " shared unknowns) and " << coarseSize() - entityConstraints_ << " corner unknowns";
@@ -235,6 +235,7 @@ void Bddc::assembleCoarse(int locals) {
   values_.assign(locals_.size(), {});
   std::map<int, InterfaceLayout::Unknown> unknowns;
   std::size_t next = 0;
+  int mine = 0, any = 0;
   for (std::size_t i = 0; i < locals_.size(); ++i) {
     if (!locals_[i]) continue;
     for (std::size_t row = 0; row < constraints_[i].terms.size(); ++row)
@@ -244,11 +245,18 @@ void Bddc::assembleCoarse(int locals) {
       unknowns.emplace(static_cast<int>(unknown.id), unknown);
     }
     coarse.elements.push_back(element(i));
+    if (static_cast<int>(coarse.elements.back().unknowns.size()) > constraints_[i].rows.rows()) mine = 1;
     constraints_[i].terms = {};  // values_ has them
     constraints_[i].unknowns = {};
   }
   for (const auto& entry : unknowns) coarse.unknowns.push_back(entry.second);
-  coarse_ = makeCoarseSolve(space()->comm(), std::move(coarse), locals, levels_);
+  Teuchos::reduceAll(*space()->comm(), Teuchos::REDUCE_MAX, mine, Teuchos::outArg(any));
+  // Rows of several terms name unknowns that other local problems determine. A cluster without these has motions of which its constraints
+  // to other clusters tell little: the condition grows to 1e3 and beyond.
+  CoarseOptions levels = levels_;
+  exactInstead_ = any && levels.goesOn(locals);
+  if (exactInstead_) levels.above = locals;
+  coarse_ = makeCoarseSolve(space()->comm(), std::move(coarse), locals, levels);
 }
 
 /// A_i^T Phi_i^T S_i Phi_i A_i

@@ -70,6 +70,7 @@ class Bddc : public Preconditioner {
   };
   std::vector<std::vector<Value>> values_;
   std::unique_ptr<CoarseSolve> coarse_;
+  bool exactInstead_ = false;  // of a level more, for rows of several terms
   struct Work;
   mutable std::unique_ptr<Work> work_;                   // work space of an application, which allocates nothing
   GlobalId entityConstraints_ = 0, sharedUnknowns_ = 0;  // over all ranks

@@ -93,13 +93,14 @@ TEUCHOS_UNIT_TEST(HalfPlaneModel, ChangesNothingFarFromTheEnds) {
 
 // Where signs change along a whole line, no end of a zone is known: they are taken as they are.
 TEUCHOS_UNIT_TEST(HalfPlaneModel, LeavesLongStretchesToTheSigns) {
-  const int n = 1000;
-  const RigidContact rigid(Parabola::data(n));
-  const ClosedSet closed(n, 1);
-  ClosedSet flipped = closed;
-  Vector force = Vector::Constant(n, 1.0);
-  for (int i = 0; i < n; i += 10) flipped[i] = 0, force(i) = -0.1;
-  TEST_ASSERT(HalfPlaneModel(rigid).closedSet(closed, flipped, force, Vector::Zero(n)) == flipped);
+  for (const int n : {300, 1000}) {
+    const RigidContact rigid(Parabola::data(n));
+    const ClosedSet closed(n, 1);
+    ClosedSet flipped = closed;
+    Vector force = Vector::Constant(n, 1.0);
+    for (int i = 0; i < n; i += 10) flipped[i] = 0, force(i) = -20.0;  // their neighbours would open with them
+    TEST_EQUALITY(HalfPlaneModel(rigid).closedSet(closed, flipped, force, Vector::Zero(n)) == flipped, n == 1000);
+  }
 }
 
 }  // namespace

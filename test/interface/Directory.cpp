@@ -56,5 +56,22 @@ TEUCHOS_UNIT_TEST(Directory, NumbersAreJoinedOverAllRanksThatSeeAnId) {
   TEST_EQUALITY(all.back().front(), 200);
 }
 
+// Each rank knows how its own unknown moves, and sees its neighbour's, too.
+TEUCHOS_UNIT_TEST(Directory, UnknownsAreThoseOfTheRanksThatKnowThem) {
+  const int rank = world()->getRank(), ranks = world()->getSize();
+  const auto unknownOf = [](int r) { return InterfaceLayout::Unknown{7 * r, {1.0 * r, 2, 3}, {0, 1.0 + r, 0}, {0, 0, 4.0 - r}, 0.5 * r}; };
+  const MapPtr seen = mapOf(world(), {7 * rank, 7 * ((rank + 1) % ranks)});
+  const auto found = joinUnknowns(seen, Tpetra::createOneToOne(seen), {unknownOf(rank)});
+  TEST_EQUALITY(found.size(), std::size_t(ranks == 1 ? 1 : 2));
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    const InterfaceLayout::Unknown expected = unknownOf(int(seen->getGlobalElement(int(k)) / 7));
+    TEST_EQUALITY(found[k].id, expected.id);
+    TEST_ASSERT(found[k].point == expected.point);
+    TEST_ASSERT(found[k].direction == expected.direction);
+    TEST_ASSERT(found[k].moment == expected.moment);
+    TEST_EQUALITY(found[k].flux, expected.flux);
+  }
+}
+
 }  // namespace
 }  // namespace suture

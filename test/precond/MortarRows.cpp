@@ -89,6 +89,19 @@ TEUCHOS_UNIT_TEST(MortarRows, KeepBddcSymmetricWithNoEigenvalueBelowOne) {
       }
 }
 
+// Local problems name rows' unknowns that others determine, of which clusters of a further level would be loose.
+TEUCHOS_UNIT_TEST(MortarRows, LeaveOutAFurtherLevel) {
+  Line line;
+  line.below = 2, line.above = 3;
+  const Scene scene = line.scene();
+  const OnInterface one(scene, world());
+  const auto matrix = one.matrix(scene);
+  const auto exact = bddcWith(matrix, {"Coarse Level Above=1000"}), level = bddcWith(matrix, {"Coarse Level Above=4"});
+  TEST_EQUALITY(exact->remark(), "");
+  TEST_INEQUALITY(level->remark().find("solved exactly"), std::string::npos);
+  TEST_COMPARE(difference(DensePair(*matrix, *level).m, DensePair(*matrix, *exact).m), <, 1e-9);
+}
+
 // Condition within 1.6 times, steps within three, coarse size within 1.1 times of the matching line with the same subdomains.
 TEUCHOS_UNIT_TEST(MortarRows, AreAsGoodAsMatchingNodes) {
   for (const int cells : {4, 8}) {

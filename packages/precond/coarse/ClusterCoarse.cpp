@@ -1,6 +1,7 @@
 #include <suture/algebra/WorkSpace.hpp>
 #include <suture/base/Collective.hpp>
 #include <suture/precond/Bddc.hpp>
+#include <suture/precond/Mechanisms.hpp>
 #include <suture/precond/coarse/ClusterCoarse.hpp>
 #include <suture/precond/coarse/CoarseClusters.hpp>
 
@@ -14,19 +15,19 @@ ClusterCoarse::ClusterCoarse(const CommPtr& comm, CoarseElements coarse, int loc
   const CoarseClusters clusters = coarseClusters(comm, coarse, locals, levels.clusters);
   count_ = clusters.count;
   const std::vector<int> names = namesIn(coarse.elements);
+  space_ = std::make_shared<InterfaceSpace>(comm, clusters.layout);
   LocalProblems problems;
   collectively(*comm, "factoring the clusters of the coarse problem", [&] {
     const std::vector<int>& ids = clusters.layout.locals;
     std::vector<std::vector<CoarseElement>> members(ids.size());
     for (std::size_t i = 0; i < coarse.elements.size(); ++i) members[clusters.clusterOf[i]].push_back(std::move(coarse.elements[i]));
     for (std::size_t k = 0; k < ids.size(); ++k) {
-      problems_.push_back(
-          std::make_shared<ClusterProblem>(ids[k], clusters.layout.boundaries[k], members[k], clusters.motionsOf(static_cast<int>(k))));
+      problems_.push_back(std::make_shared<ClusterProblem>(ids[k], clusters.layout.boundaries[k], members[k],
+                                                           rigidMotionsOf(*space_, space_->coupling(static_cast<int>(k)).columns(), true)));
       problems.push_back(problems_.back());
       interiors_.push_back(placesAmong(names, problems_.back()->interior()));
     }
   });
-  space_ = std::make_shared<InterfaceSpace>(comm, clusters.layout);
   if (space_->size() == 0) return;  // clusters that do not touch
   for (int place = 0; place < space_->overlapSize(); ++place) boundary_.push_back(static_cast<int>(space_->id(place)));
   boundary_ = placesAmong(names, boundary_);
@@ -38,15 +39,7 @@ ClusterCoarse::ClusterCoarse(const CommPtr& comm, CoarseElements coarse, int loc
   const auto matrix = Teuchos::rcp(new InterfaceOperator(space_, std::move(problems)));
   const auto bddc = Teuchos::rcp(new Bddc(next));
   bddc->initialize(space_);
-  // Closed pairs whose equations name four unknowns each leave a cluster of one side free in ways that no edge constraint knows.
-  try {
-    bddc->compute(matrix);
-  } catch (const NumericalError& error) {
-    throw InputError("Preconditioner/BDDC/Coarse Level Above", std::string("the coarse problem of ") + std::to_string(locals) +
-                                                                   " local problems cannot be divided into " + std::to_string(count_) +
-                                                                   " clusters (" + error.what() + "). With " + std::to_string(locals) +
-                                                                   " or more it is solved exactly; or choose other Coarse Clusters");
-  }
+  bddc->compute(matrix);
   inverse_ = std::make_unique<ChebyshevInverse>(matrix, bddc, levels.accuracy);
   right_ = space_->vector();
   left_ = space_->vector();

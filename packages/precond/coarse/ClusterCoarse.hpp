@@ -19,7 +19,7 @@ namespace suture {
 /// between clusters of different ranks.
 class ClusterCoarse : public CoarseSolve {
  public:
-  /// \param locals  local problems over all ranks. Collective. \throws NumericalError;  InputError  the clusters have mechanisms
+  /// \param locals  local problems over all ranks. Collective. \throws NumericalError
   ClusterCoarse(const CommPtr& comm, CoarseElements coarse, int locals, const CoarseOptions& levels);
 
   int size() const override { return size_; }
@@ -33,8 +33,8 @@ class ClusterCoarse : public CoarseSolve {
  private:
   int size_, count_ = 0;
   std::vector<std::shared_ptr<const ClusterProblem>> problems_;
-  std::vector<std::vector<int>> interiors_;  // of each cluster, as places in the arguments of solve()
-  std::vector<int> boundary_;                // of the space's overlap, the same
+  std::vector<std::vector<int>> interiors_;  // inner unknowns of each cluster, as places in the arguments of solve()
+  std::vector<int> boundary_;                // unknowns of the space's overlap, in the same way
   std::shared_ptr<const InterfaceSpace> space_;
   std::unique_ptr<ChebyshevInverse> inverse_;
   mutable Vector answer_;  // answer of the last solve

@@ -20,7 +20,7 @@ class ClusterProblem : public LocalProblem {
   Vector condensedLoad() const override { return Vector::Zero(size()); }
   double constantEnergy() const override { return 0.0; }
   const Vector& stiffnessDiagonal() const override { return diagonal_; }
-  /// Rigid motions without energy: members fix each other, so that there are no others.
+  /// Rigid motions without energy: elements have no others (Bddc makes no level where they have), and members fix each other.
   const Matrix& kernel() const override { return kernel_; }
   using LocalProblem::inverse;
   /// From the eigenvalues of S.

@@ -1,6 +1,5 @@
 #include <suture/base/Buffer.hpp>
 #include <suture/base/Collective.hpp>
-#include <suture/base/RigidValues.hpp>
 #include <suture/interface/Directory.hpp>
 #include <suture/partition/cut/Apportion.hpp>
 #include <suture/partition/cut/MetisCut.hpp>
@@ -115,27 +114,6 @@ InterfaceLayout layoutOf(const ClusterGraph& graph, const std::vector<int>& name
 }
 
 }  // namespace
-
-Matrix CoarseClusters::motionsOf(int cluster) const {
-  const std::vector<GlobalId>& boundary = layout.boundaries[cluster];
-  const int d = layout.dimension, count = rigidMotions(d), size = static_cast<int>(boundary.size());
-  std::vector<const InterfaceLayout::Unknown*> unknowns;
-  Point centre{0, 0, 0};
-  for (const GlobalId id : boundary) {
-    const auto before = [](const InterfaceLayout::Unknown& unknown, GlobalId number) { return unknown.id < number; };
-    unknowns.push_back(&*std::lower_bound(layout.unknowns.begin(), layout.unknowns.end(), id, before));
-    for (int k = 0; k < 3; ++k) centre[k] += unknowns.back()->point[k] / size;
-  }
-  Matrix motions(size, count);
-  for (int row = 0; row < size; ++row) {
-    const InterfaceLayout::Unknown& u = *unknowns[row];
-    const std::array<double, 6> values = rigidValues(d, minus(u.point, centre), u.direction, u.moment);
-    for (int k = 0; k < count; ++k) motions(row, k) = values[k];
-  }
-  for (int k = 0; k < count; ++k)
-    if (const double norm = motions.col(k).norm(); norm > 0.0) motions.col(k) /= norm;
-  return motions;
-}
 
 int automaticClusters(int locals, int ranks) { return std::max(ranks, static_cast<int>(std::lround(std::sqrt(locals)))); }
 

@@ -14,9 +14,6 @@ struct CoarseClusters {
   std::vector<int> clusterOf;  ///< cluster of each element of this rank, a place in `layout.locals`
   InterfaceLayout layout;      ///< clusters of this rank as local problems, coarse unknowns as unknowns
   int count = 0;               ///< clusters over all ranks
-
-  /// Values of a cluster's boundary under rigid motions about its centre, columns of the order of one. Local.
-  Matrix motionsOf(int cluster) const;
 };
 
 /// Ranks that share coarse unknowns tell each other what they know of them: messages and memory in proportion to a rank's own elements.

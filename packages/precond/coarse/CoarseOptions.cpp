@@ -15,7 +15,7 @@ void CoarseOptions::addParameters(Schema& schema) {
   schema.integer(
       "Coarse Level Above", defaults.above,
       "With more local problems than this the coarse problem is not factored but solved by BDDC on clusters of them, with the same "
-      "strategies; 0: always.",
+      "strategies; 0: always. Not where closed pairs have more than two nodes.",
       Range::atLeast(0));
   schema.wordOrNumber(
       "Coarse Clusters", "Automatic", {"Automatic"}, Range::atLeast(1),
