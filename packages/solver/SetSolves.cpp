@@ -8,7 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
+#include <utility>
 
 namespace suture {
 
@@ -186,6 +186,26 @@ void SetSolves::evaluateStart() {
   run_.confirm();
 }
 
+/// Where the second set's solve begins. The first set is a guess, which may lead far astray (a long slab that no pair carries bends under
+/// its load by more than its length): of the first solve's state and the start, the one with less energy once the set's gaps are closed.
+void SetSolves::chooseOrigin(const InterfaceState& from, InterfaceState& state, int& applications) {
+  if (!deformed_) {
+    start_ = from;
+    start_.status = state.status;
+  }
+  if (start_.trace.is_null() || run_.problem.differing(start_.status, state.status).empty()) return;
+  InterfaceState first = std::exchange(start_, InterfaceState());
+  first.status = state.status;
+  const auto energy = [&](const InterfaceState& at) { return sets_.evaluateSet(at, 1.0).energy; };
+  const double own = energy(state);
+  if (own <= energy(first)) return;
+  first.trace = Teuchos::rcp(new MultiVector(*first.trace, Teuchos::Copy));
+  applications += run_.problem.conform(first);
+  if (own <= energy(first)) return;
+  state = std::move(first);
+  deformed_ = false;
+}
+
 /// One call of conjugate gradients, or the next of the same: moves the state.
 bool SetSolves::solveLinear(InterfaceState& state, bool goOn, double tolerance, const EnergyCriterion& criterion, InnerResult& cost,
                             int& applications) {
@@ -197,6 +217,7 @@ bool SetSolves::solveLinear(InterfaceState& state, bool goOn, double tolerance, 
     const InterfaceState from = state;
     state.trace = Teuchos::rcp(new MultiVector(*state.trace, Teuchos::Copy));
     applications += run_.problem.conform(state);
+    chooseOrigin(from, state, applications);
     const InterfaceProblem::Linearisation linear = run_.problem.linearise(state);
     matrix_ = linear.matrix;
     precondition(state, matrix_);
@@ -231,6 +252,9 @@ bool SetSolves::oneSolve(InterfaceState& state, bool goOn, int level, InnerResul
     more.pcg += cost.pcg;
     cost = std::move(more);
   }
+  // Without an iteration nothing new is known: the start was as accurate as is asked (a nested one is). More is asked then.
+  if (solved && level + 1 < levels() && cost.steps.empty() && cost.residual > this->tolerance(levels() - 1))
+    return oneSolve(state, goOn && run_.inner.canGoOn(), level + 1, cost, applications);
   if (solved) return true;
   run_.result.pcgTotal += cost.pcg + applications;
   run_.result.failure = "a linear solve did not reach its tolerance within " + std::to_string(run_.settings.maximumInnerIterations) +
