@@ -40,7 +40,7 @@ void ActiveSet::search(Run& run, double innerTolerance) {
       std::ostringstream text;
       text.precision(2);
       text << std::scientific << "rounding ends the iterations at a residual of " << run.result.residual << ", above the tolerance of "
-           << run.settings.tolerance << ": double precision holds no more digits of this scene";
+           << run.settings.tolerance << ": the precision of this run holds no more digits of this scene";
       run.monitor.note(text.str());
     }
     return;
