@@ -1,9 +1,7 @@
-#include <suture/base/DisjointSets.hpp>
 #include <suture/solver/BodyImbalance.hpp>
 #include <suture/solver/SetSolves.hpp>
 
 #include <Teuchos_Comm.hpp>
-#include <Teuchos_CommHelpers.hpp>
 #include <Tpetra_MultiVector.hpp>
 
 #include <algorithm>
@@ -15,12 +13,9 @@ namespace suture {
 namespace {
 constexpr int kRestarts = 4;         // of conjugate gradients whose recursion has lost the residual
 constexpr double kStalled = 0.5;     // of the residual: a restart that leaves more has met the floor of rounding
-constexpr double kPassive = 1e-12;   // of its cluster's energy, below which a body has none of its own
 constexpr double kImbalance = 10.0;  // times the tolerance: a tenth of what the verdict allows the forces on a body
-constexpr double kSharper = 0.7;     // of the tolerance that would do if all residuals fell alike
 constexpr int kRescales = 4;
 constexpr double kOverestimate = 2.0;  // of the solution's energy norm, from which on a solve is taken up again
-constexpr double kRounding = 1e-14;    // of the energy norm that a solve began with, which its answer cannot be free of
 }  // namespace
 
 SetSolves::SetSolves(OuterSolver::Run& run, double inner)
@@ -48,118 +43,9 @@ void SetSolves::precondition(const InterfaceState& state, const Teuchos::RCP<Int
   if (first) run_.describe(*matrix);
 }
 
-void SetSolves::findClusters(const ClosedSet& closed) {
-  const RigidContact& rigid = sets_.bodies().rigid();
-  const auto parts = static_cast<int>(sets_.bodies().parts().size());
-  DisjointSets clusters(parts);
-  for (std::size_t i = 0; i < closed.size(); ++i)
-    if (closed[i])
-      for (const int part : rigid.data().bodies[i]) clusters.join(part, rigid.data().bodies[i].front());
-  lift_ = Vector::Zero(parts);
-  clusterOf_.clear();
-  for (int p = 0; p < parts; ++p) clusterOf_.push_back(clusters.lowest(p));
-}
-
-bool SetSolves::oneCluster() const {
-  return std::all_of(clusterOf_.begin(), clusterOf_.end(), [&](int cluster) { return cluster == clusterOf_.front(); });
-}
-
-/// U.S U of each cluster, at its first part.
-Vector SetSolves::energies(const InterfaceState& state) const {
-  const Vector ofParts = sets_.energies(state);
-  Vector sums = Vector::Zero(ofParts.size());
-  for (std::size_t p = 0; p < clusterOf_.size(); ++p) sums(clusterOf_[p]) += std::max(ofParts(static_cast<Eigen::Index>(p)), 0.0);
-  return sums;
-}
-
-/// Scales of the clusters: from the energies of the state `from`, or before there are any from the residual. `state` is where the solve
-/// begins: its gaps are closed, which may take far more energy than the solution has.
-void SetSolves::scaleBy(const InterfaceState& from, const InterfaceState& state, const MultiVector& load) {
-  const Vector energy = deformed_ ? energies(from) : Vector(Vector::Zero(static_cast<Eigen::Index>(clusterOf_.size())));
-  lift_ = energies(state).cwiseSqrt();
-  largest_ = largest_.cwiseMax(sets_.energies(state));
-  scale_.clear();
-  size_.resize(0);
-  scaled_ = false;
-  largestScale_ = 1.0;
-  // One cluster needs no scaling; an automatic tolerance asks for the error of the whole.
-  if (oneCluster() || run_.automatic.on()) {
-    reference_ = std::sqrt(energy.sum());
-    if (run_.automatic.on() && reference_ == 0.0) {  // it needs to know the size of the solution
-      reference_ = preconditionedNorm(*run_.preconditioner, load);
-      run_.automatic.startsFrom(reference_);
-    }
-    return;
-  }
-  const Vector ofParts = productsByPart(load);
-  Vector fresh = Vector::Zero(energy.size());
-  for (std::size_t p = 0; p < clusterOf_.size(); ++p) fresh(clusterOf_[p]) += ofParts(static_cast<Eigen::Index>(p));
-  size_.resize(energy.size());
-  for (Eigen::Index c = 0; c < size_.size(); ++c) size_(c) = std::sqrt(std::max(energy(c) > 0.0 ? energy(c) : fresh(c), 0.0));
-  largestScale_ = size_.maxCoeff() > 0.0 ? size_.maxCoeff() : 1.0;
-  for (const int part : sets_.partOfOwned()) {
-    const double own = size_(clusterOf_[part]);
-    scale_.push_back(own > 0.0 ? own : largestScale_);
-  }
-  scaled_ = true;
-  reference_ = 1.0;
-}
-
-/// r.M r, summed by part.
-Vector SetSolves::productsByPart(const MultiVector& r) const {
-  const MultiVectorPtr z = run_.problem.space()->vector();
-  run_.preconditioner->apply(r, *z);
-  const std::vector<int>& partOf = sets_.partOfOwned();
-  Vector mine = Vector::Zero(static_cast<Eigen::Index>(clusterOf_.size())), all = mine;
-  const auto a = localView(r), b = localView(static_cast<const MultiVector&>(*z));
-  for (std::size_t k = 0; k < partOf.size(); ++k)
-    mine(partOf[k]) += a(static_cast<Eigen::Index>(k), 0) * b(static_cast<Eigen::Index>(k), 0);
-  Teuchos::reduceAll(*run_.problem.space()->comm(), Teuchos::REDUCE_SUM, static_cast<int>(mine.size()), mine.data(), all.data());
-  return all;
-}
-
-/// Largest ratio of what a cluster's residual was relative to and the energy norm that its solve found.
-double SetSolves::overestimate(const InterfaceState& state) const {
-  if (run_.automatic.on()) return 1.0;
-  const Vector own = energies(state).cwiseSqrt().cwiseMax(kRounding * lift_);
-  if (!scaled_) return own.norm() > 0.0 ? reference_ / own.norm() : 1.0;
-  double most = 1.0;
-  for (Eigen::Index c = 0; c < size_.size(); ++c)
-    if (own(c) > 0.0) most = std::max(most, size_(c) / own(c));
-  return most;
-}
-
-void SetSolves::scale(MultiVector& x, bool inverse) const {
-  if (!scaled_) return;
-  auto values = localView(x);
-  for (std::size_t k = 0; k < scale_.size(); ++k) values(static_cast<Eigen::Index>(k), 0) *= inverse ? 1.0 / scale_[k] : scale_[k];
-}
-
 double SetSolves::tolerance(int level) const {
   const double final = run_.settings.tolerance;
   return sharper_ * (level == 0 ? inner_ : level == 1 ? std::sqrt(inner_ * final) : final);
-}
-
-/// Residual of the whole; of the body that has the largest beside its own energy, if that is larger. Then tolerances become sharper. The
-/// state remembers its image.
-double SetSolves::norm(const MultiVector& residual, const InterfaceState& state) {
-  const Vector energy = sets_.energies(state), own = productsByPart(residual);
-  largest_ = largest_.cwiseMax(energy);
-  const Vector nothing = kNegligibleEnergyNorm * kNegligibleEnergyNorm * largest_;
-  double sum = 0.0, bodies = 0.0;
-  for (std::size_t p = 0; p < clusterOf_.size(); ++p) {
-    const auto at = static_cast<Eigen::Index>(p), cluster = static_cast<Eigen::Index>(clusterOf_[p]);
-    const double size = scaled_ ? size_(cluster) : reference_, lift = kRounding * lift_(cluster);
-    if (own(at) == 0.0 || (energy(at) <= nothing(at) && own(at) <= nothing(at))) continue;
-    sum += own(at) / (size > 0.0 ? size * size : std::abs(own(at)));
-    const double scale = std::max({energy(at), kPassive * size * size, lift * lift});
-    if (scale > 0.0) bodies = std::max(bodies, std::sqrt(std::abs(own(at)) / scale));
-  }
-  const double whole = std::sqrt(std::max(sum, 0.0));
-  if (run_.automatic.on() || bodies <= whole) return whole;
-  const double final = run_.settings.tolerance;
-  if (whole <= final && bodies > final) sharper_ = std::min(sharper_, kSharper * whole / bodies);
-  return bodies;
 }
 
 void SetSolves::evaluateStart() {

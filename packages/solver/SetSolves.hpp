@@ -44,6 +44,8 @@ class SetSolves : public ContactOracle {
   bool solveLinear(InterfaceState& state, bool goOn, double tolerance, const EnergyCriterion& criterion, InnerResult& cost,
                    int& applications);
 
+  static constexpr double kSharper = 0.7;  // of the tolerance that would do if all residuals fell alike
+
   OuterSolver::Run& run_;
   const ContactSets& sets_;
   const double inner_;
