@@ -1,0 +1,23 @@
+#pragma once
+#include <string>
+
+#include "Proposal.hpp"
+
+namespace suture::proposal {
+
+/// What a new scene is made of.
+struct NewScene {
+  std::string title, model;
+  std::string file;                    ///< geometry or mesh, relative to the scene
+  std::vector<std::string> constants;  ///< NAME=VALUE of the .geo file
+  Bodies bodies;
+  std::vector<std::pair<Point, Point>> boxes;
+  std::vector<Group> groups;
+  Contacts contacts;
+  std::vector<Support> supports;
+};
+
+/// The text of its scene file: it runs as it stands; "FILL IN" marks what is an example. Local.
+std::string sceneText(const NewScene& scene);
+
+}  // namespace suture::proposal

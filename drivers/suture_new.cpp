@@ -1,0 +1,123 @@
+// Begins a scene from a geometry or mesh: lists its groups, takes its bodies, proposes contacts between sides that face each other, and
+// writes a scene file that runs.
+#include <CLI/CLI.hpp>
+#include <Teuchos_Comm.hpp>
+#include <Teuchos_ParameterList.hpp>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <suture/base/Collective.hpp>
+#include <suture/base/Errors.hpp>
+#include <suture/base/scene/SceneReader.hpp>
+#include <suture/mesh/MeshReader.hpp>
+#include <suture/report/SceneSchema.hpp>
+
+#include "new/SceneText.hpp"
+#include "support/CommandLine.hpp"
+#include "support/Program.hpp"
+
+using namespace suture;
+using namespace suture::proposal;
+namespace fs = std::filesystem;
+
+namespace {
+
+const std::vector<std::string> models{"Plane Strain", "Plane Stress", "Axisymmetric"};
+
+struct Options {
+  std::string geometry, output, model = models.front();
+  std::vector<std::string> constants;
+  bool force = false;
+
+  std::optional<int> parse(int argc, char* argv[]) {
+    const auto describe = [&](CLI::App& app) {
+      app.add_option("GEOMETRY", geometry, "Geometry (.geo) or mesh (.msh, .h5)")->required()->type_name("FILE");
+      app.add_option("--output", output, "Scene file to write; <geometry>.xml in the current folder if left out")->type_name("FILE");
+      app.add_option("--model", model, "Plane Strain | Plane Stress | Axisymmetric")->check(CLI::IsMember(models))->type_name("NAME");
+      app.add_option("--constant", constants, "NAME=VALUE of a DefineConstant of the .geo file; may be repeated")
+          ->type_name("NAME=VALUE")
+          ->check([](const std::string& text) {
+            return text.find('=') == std::string::npos ? "found '" + text + "', expected NAME=VALUE" : std::string();
+          });
+      app.add_flag("--force", force, "Overwrite the scene file if there is one");
+    };
+    return parseCommandLine(argc, argv, "suture_new", "Begins a scene: one that runs, with what a geometry holds.", describe);
+  }
+};
+
+/// The path of a file as a scene in another folder names it.
+std::string relativeTo(const fs::path& scene, const fs::path& file) {
+  const fs::path folder = fs::absolute(scene).parent_path();
+  const fs::path near = fs::absolute(file).lexically_relative(folder);
+  return (near.empty() ? fs::absolute(file) : near).string();
+}
+
+NewScene propose(Mesh& mesh, const Options& options, const fs::path& output) {
+  NewScene scene;
+  scene.bodies = proposeBodies(mesh);
+  Problems problems;
+  for (const std::string& note : scene.bodies.notes) problems.add("Bodies", note);
+  if (scene.bodies.names.empty() && scene.bodies.notes.empty())
+    problems.add("Bodies", mesh.source + " has no elements in a surface group; expected at least one");
+  problems.throwIfAny();
+  assignBodies(mesh, scene.bodies.names);
+  if (options.model == "Axisymmetric") makeAxisymmetric(mesh);
+  scene.title = fs::path(options.geometry).stem().string();
+  scene.model = options.model;
+  scene.file = relativeTo(output, options.geometry);
+  scene.constants = options.constants;
+  scene.boxes = boxesOf(mesh);
+  scene.groups = groupsOf(mesh);
+  scene.contacts = proposeContacts(mesh, scene.groups);
+  scene.supports = proposeSupports(mesh, scene.groups, scene.contacts);
+  return scene;
+}
+
+void write(const fs::path& output, const std::string& text) {
+  std::ofstream file(output);
+  file << text << std::flush;
+  if (!file) throw EnvironmentError("cannot write '" + output.string() + "'");
+}
+
+std::string counted(std::size_t count, const std::string& what) { return std::to_string(count) + " " + what + (count == 1 ? "" : "s"); }
+
+void tell(std::ostream& out, const NewScene& scene, const fs::path& output) {
+  out << output.string() << ": " << (scene.bodies.names.size() == 1 ? "1 body" : std::to_string(scene.bodies.names.size()) + " bodies")
+      << ", " << counted(scene.groups.size(), "curve group") << ", " << counted(scene.contacts.all.size(), "contact") << " proposed\n";
+  for (const proposal::Contact& contact : scene.contacts.all)
+    out << "   contact: " << contact.sideA << " on " << joinNames(contact.sideB) << ", least distance " << contact.gap << "\n";
+  for (const std::string& note : scene.contacts.notes) out << "   note: " << note << "\n";
+  for (const std::string& body : scene.bodies.names)
+    if (std::none_of(scene.supports.begin(), scene.supports.end(), [&](const Support& support) { return support.body == body; }))
+      out << "   note: body '" << body
+          << "' has no curve group but those in contact: name a side or a corner of it, by which something holds it\n";
+  out << "   now fill in what the file marks, then: suture_solve " << output.string() << std::endl;
+}
+
+ExitCode run(const CommPtr& comm, const Options& options) {
+  const fs::path output = options.output.empty() ? fs::path(fs::path(options.geometry).stem().string() + ".xml") : fs::path(options.output);
+  onRoot(*comm, "looking for the scene file", [&] {
+    if (!options.force && fs::exists(output))
+      throw InputError("--output", "'" + output.string() + "' exists; another name, or --force to overwrite it");
+    return 0;
+  });
+  std::vector<std::string> settings{"Mesh/File=" + fs::absolute(options.geometry).string()};
+  for (const std::string& constant : options.constants) settings.push_back("Mesh/Constants/" + constant);
+  const SceneFile file = parseScene("<ParameterList name=\"Suture\"/>", options.geometry, settingsSchema(), settings);
+  Mesh mesh = readMesh(*comm, file.parameters->sublist("Mesh"), ".");
+  const NewScene scene = onRoot(*comm, "reading the groups", [&] {
+    NewScene made = propose(mesh, options, output);
+    write(output, sceneText(made));
+    return made;
+  });
+  if (std::ostream* out = consoleOf(*comm, false)) tell(*out, scene, output);
+  return ExitCode::Done;
+}
+
+}  // namespace
+
+int main(int argc, char* argv[]) {
+  Options options;
+  if (const auto end = options.parse(argc, argv)) return *end;
+  return runProgram("suture_new", options.geometry, [&](const CommPtr& comm) { return run(comm, options); });
+}
