@@ -31,9 +31,8 @@ Schema subdomainSchema() {
 }
 
 LocalSolverMaker localSolverMaker(const Parameters& subdomain) {
-  const auto name = subdomain.get<std::string>("Local Solver");
-  const Parameters own = subdomain.isSublist(name) ? subdomain.sublist(name) : Parameters();
-  return [name, own] { return Registry<LocalSolver>::instance().make(name, own); };
+  // Every subdomain keeps a copy of the maker: the list is shared.
+  return [own = std::make_shared<const Parameters>(subdomain)] { return makeStrategy<LocalSolver>(*own, "Local Solver"); };
 }
 
 }  // namespace suture

@@ -76,6 +76,7 @@ std::vector<InterfaceLayout::Unknown> joinUnknowns(const MapPtr& seen, const Map
   target.doImport(middle, Import(owned, seen), Tpetra::INSERT);
   const auto all = localView(static_cast<const MultiVector&>(target));
   std::vector<InterfaceLayout::Unknown> result;
+  result.reserve(all.rows());
   for (int row = 0; row < all.rows(); ++row) {
     InterfaceLayout::Unknown unknown{seen->getGlobalElement(row), {}, {}, {}, all(row, 9)};
     for (int k = 0; k < 3; ++k) {
@@ -101,6 +102,7 @@ std::vector<int> numberKeys(const CommPtr& comm, const std::vector<GlobalId>& ke
   seen.doImport(numbers, Import(owned, used), Tpetra::INSERT);
   const auto found = localView(static_cast<const MultiVector&>(seen));
   std::vector<int> result;
+  result.reserve(keys.size());
   for (const GlobalId key : keys) result.push_back(static_cast<int>(std::lround(found(used->getLocalElement(key), 0))));
   return result;
 }

@@ -17,28 +17,32 @@ void InterfaceSpace::addEntities(const InterfaceLayout& layout) {
   };
   for (const InterfaceLayout::Entity& entity : layout.entities) {
     InterfaceEntity own{entity.kind, entity.sharers, placesOf(entity.unknowns), placesOf(entity.ends), false};
-    if (!own.unknowns.empty()) entities_.push_back(std::move(own));
+    if (!own.unknowns.empty()) entities_.own().push_back(std::move(own));
   }
   const std::vector<int> entityOf = entityOfPlaces();
   for (int place = 0; place < overlapSize(); ++place)
-    if (sharers_[place].size() > 2 && entityOf[place] < 0) entities_.push_back({EntityKind::Vertex, sharers_[place], {place}, {}, false});
+    if (sharers(place).size() > 2 && entityOf[place] < 0)
+      entities_.own().push_back({EntityKind::Vertex, sharers(place), {place}, {}, false});
+  entities_.own().shrink_to_fit();
 }
 
 std::vector<int> InterfaceSpace::entityOfPlaces() const {
-  std::vector<int> entityOf(ownedRows_.size(), -1);
-  for (std::size_t e = 0; e < entities_.size(); ++e)
-    for (const int place : entities_[e].unknowns) entityOf[place] = static_cast<int>(e);
+  std::vector<int> entityOf(ownedRows_->size(), -1);
+  for (std::size_t e = 0; e < entities_->size(); ++e)
+    for (const int place : entities()[e].unknowns) entityOf[place] = static_cast<int>(e);
   return entityOf;
 }
 
 /// Takes unknowns out of their entities.
 void InterfaceSpace::leaveEntities(const std::vector<char>& leaves) {
+  if (std::find(leaves.begin(), leaves.end(), 1) == leaves.end()) return;
   const auto gone = [&](int place) { return leaves[place] != 0; };
-  for (InterfaceEntity& entity : entities_)
+  std::vector<InterfaceEntity>& all = entities_.own();
+  for (InterfaceEntity& entity : all)
     for (std::vector<int>* places : {&entity.unknowns, &entity.ends})
       places->erase(std::remove_if(places->begin(), places->end(), gone), places->end());
   const auto empty = [](const InterfaceEntity& entity) { return entity.unknowns.empty(); };
-  entities_.erase(std::remove_if(entities_.begin(), entities_.end(), empty), entities_.end());
+  all.erase(std::remove_if(all.begin(), all.end(), empty), all.end());
 }
 
 std::shared_ptr<const InterfaceSpace> InterfaceSpace::related(std::vector<InterfaceRelation> relations,
@@ -46,7 +50,7 @@ std::shared_ptr<const InterfaceSpace> InterfaceSpace::related(std::vector<Interf
   if (!relations_.empty()) throw InternalError("relations of a space that has some already");
   std::vector<InterfaceRelation> plain;
   std::vector<int> inRows;  // unknowns of the others
-  std::vector<char> expressed(ownedRows_.size(), 0), named(ownedRows_.size(), 0);
+  std::vector<char> expressed(ownedRows_->size(), 0), named(ownedRows_->size(), 0);
   for (const InterfaceRelation& relation : relations)
     if (relation.others.size() > 1)
       for (const int other : relation.others) named[other] = 1;
@@ -81,32 +85,32 @@ std::shared_ptr<InterfaceSpace> InterfaceSpace::withRelations(std::vector<Interf
                                                               const std::vector<int>& inRows) const {
   auto derived = std::make_shared<InterfaceSpace>(*this);
   derived->relations_ = std::move(relations);
-  std::vector<char> isPoint(ownedRows_.size(), 0), joined(ownedRows_.size(), 0), single(ownedRows_.size(), 0), leaves(ownedRows_.size(), 0);
-  for (const InterfaceEntity& entity : entities_)
+  std::vector<char> isPoint(ownedRows_->size(), 0), joined(ownedRows_->size(), 0), single(ownedRows_->size(), 0),
+      leaves(ownedRows_->size(), 0);
+  for (const InterfaceEntity& entity : entities())
     for (const int place : entity.kind == EntityKind::Vertex ? entity.unknowns : entity.ends) isPoint[place] = 1;
   for (std::size_t r = 0; r < derived->relations_.size(); ++r) {
     const InterfaceRelation& relation = derived->relations_[r];
     derived->relationOf_[relation.unknown] = static_cast<int>(r);
     leaves[relation.unknown] = 1;
     for (const int other : relation.others) {
-      std::vector<int>& all = derived->sharers_[other];
+      std::vector<int>& all = derived->sharers_.own()[other];
       std::vector<int> both;
-      std::set_union(all.begin(), all.end(), sharers_[relation.unknown].begin(), sharers_[relation.unknown].end(),
-                     std::back_inserter(both));
+      std::set_union(all.begin(), all.end(), sharers(relation.unknown).begin(), sharers(relation.unknown).end(), std::back_inserter(both));
       all = std::move(both);
       joined[other] = 1;
       // Neighbours of one row of several terms do not share a single displacement.
       if (relation.others.size() > 1 || isPoint[relation.unknown]) single[other] = 1;
     }
   }
-  for (const InterfaceRelation& relation : derived->relations_) derived->sharers_[relation.unknown].clear();
+  for (const InterfaceRelation& relation : derived->relations_) derived->sharers_.own()[relation.unknown].clear();
   for (const int place : inRows)
     if (joined[place]) single[place] = 1;
-  for (std::size_t place = 0; place < ownedRows_.size(); ++place) {
+  for (std::size_t place = 0; place < ownedRows_->size(); ++place) {
     if (!joined[place]) continue;
-    const bool changed = derived->sharers_[place] != sharers_[place];
+    const bool changed = derived->sharers(static_cast<int>(place)) != sharers(static_cast<int>(place));
     // On a line local problems change where there are more than two.
-    if ((isPoint[place] && changed) || derived->sharers_[place].size() > 2) single[place] = 1;
+    if ((isPoint[place] && changed) || derived->sharers(static_cast<int>(place)).size() > 2) single[place] = 1;
     if (isPoint[place] && !changed) single[place] = 0;  // stays where it was
     if (single[place]) leaves[place] = 1;
   }
@@ -126,13 +130,13 @@ void InterfaceSpace::addContactEntities(const std::vector<std::vector<int>>& cha
     for (const int named : chain) {
       const InterfaceRelation* by = relation(named);
       const int place = by ? (by->others.size() == 1 ? by->others[0] : -1) : named;
-      const std::vector<int>* own = place >= 0 && sharers_[place].size() > 1 ? &sharers_[place] : nullptr;
+      const std::vector<int>* own = place >= 0 && sharers(place).size() > 1 ? &sharers(place) : nullptr;
       const auto node = static_cast<GlobalId>(placeOf.size());
       placeOf.push_back(place);
       if (own) graph.addNode(node, *own, single[place] || entityOf[place] >= 0);
       if (own && last >= 0) {
         std::vector<int> both;
-        std::set_intersection(own->begin(), own->end(), sharers_[last].begin(), sharers_[last].end(), std::back_inserter(both));
+        std::set_intersection(own->begin(), own->end(), sharers(last).begin(), sharers(last).end(), std::back_inserter(both));
         graph.addSide({node - 1, node}, 2, both);
       }
       last = own ? place : -1;
@@ -140,21 +144,21 @@ void InterfaceSpace::addContactEntities(const std::vector<std::vector<int>>& cha
   }
   std::vector<SeamEntity> found = graph.entities();
   std::sort(found.begin(), found.end(), [](const SeamEntity& a, const SeamEntity& b) { return a.nodes.front() < b.nodes.front(); });
-  std::vector<char> onEdge(ownedRows_.size(), 0);
+  std::vector<char> onEdge(ownedRows_->size(), 0);
   for (const SeamEntity& entity : found) {
     if (entity.kind != EntityKind::Edge) continue;
     InterfaceEntity own{EntityKind::Edge, entity.sharers, {}, {}, true};
     for (const GlobalId node : entity.nodes) own.unknowns.push_back(placeOf[node]);
     for (const GlobalId node : entity.ends) own.ends.push_back(placeOf[node]);
     for (const int place : own.unknowns) onEdge[place] = 1;
-    entities_.push_back(std::move(own));
+    entities_.own().push_back(std::move(own));
   }
   for (const InterfaceRelation& relation : relations_)
-    if (relation.others.size() == 1 && sharers_[relation.others[0]].size() > 1 && !onEdge[relation.others[0]])
+    if (relation.others.size() == 1 && sharers(relation.others[0]).size() > 1 && !onEdge[relation.others[0]])
       single[relation.others[0]] = 1;
-  for (std::size_t place = 0; place < ownedRows_.size(); ++place)
+  for (std::size_t place = 0; place < ownedRows_->size(); ++place)
     if (single[place] && entityOf[place] < 0)
-      entities_.push_back({EntityKind::Vertex, sharers_[place], {static_cast<int>(place)}, {}, true});
+      entities_.own().push_back({EntityKind::Vertex, sharers(static_cast<int>(place)), {static_cast<int>(place)}, {}, true});
 }
 
 }  // namespace suture

@@ -19,23 +19,25 @@ InterfaceSpace::InterfaceSpace(CommPtr comm, const InterfaceLayout& layout)
   touched.insert(touched.end(), layout.partners.begin(), layout.partners.end());
   overlap_ = mapOf(comm_, std::move(touched));
   import_ = Teuchos::rcp(new Import(map_, overlap_));
-  for (const GlobalId id : overlap_->getNodeElementList()) ownedRows_.push_back(map_->getLocalElement(id));
+  ownedRows_.own().resize(overlap_->getNodeNumElements());
+  for (int place = 0; place < overlapSize(); ++place) ownedRows_.own()[place] = map_->getLocalElement(overlap_->getGlobalElement(place));
 
+  couplings_.own().reserve(layout.boundaries.size());
   for (const auto& boundary : layout.boundaries) {
-    std::vector<int> columns;
-    for (const GlobalId id : boundary) columns.push_back(overlap_->getLocalElement(id));
-    couplings_.emplace_back(std::move(columns));
+    std::vector<int> columns(boundary.size());
+    for (std::size_t i = 0; i < boundary.size(); ++i) columns[i] = overlap_->getLocalElement(boundary[i]);
+    couplings_.own().emplace_back(std::move(columns));
   }
-  relationOf_.assign(ownedRows_.size(), -1);
-  unknowns_ = std::make_shared<const std::vector<InterfaceLayout::Unknown>>(joinUnknowns(overlap_, map_, layout.unknowns));
+  relationOf_.assign(ownedRows_->size(), -1);
+  unknowns_ = joinUnknowns(overlap_, map_, layout.unknowns);
   exchangeSharers(layout);
   addEntities(layout);
 }
 
 void InterfaceSpace::exchangeSharers(const InterfaceLayout& layout) {
-  std::vector<std::vector<int>> mine(ownedRows_.size());
-  for (std::size_t i = 0; i < couplings_.size(); ++i)
-    for (const int place : couplings_[i].columns()) mine[place].push_back(layout.locals[i]);
+  std::vector<std::vector<int>> mine(ownedRows_->size());
+  for (std::size_t i = 0; i < couplings_->size(); ++i)
+    for (const int place : coupling(static_cast<int>(i)).columns()) mine[place].push_back(layout.locals[i]);
   sharers_ = joinNumbers(overlap_, map_, mine);
 }
 
@@ -45,7 +47,7 @@ MultiVectorPtr InterfaceSpace::vector(int columns) const { return Teuchos::rcp(n
 
 int InterfaceSpace::mostRows() const {
   int most = 0;
-  for (const Coupling& coupling : couplings_) most = std::max(most, coupling.rows());
+  for (const Coupling& coupling : *couplings_) most = std::max(most, coupling.rows());
   return most;
 }
 

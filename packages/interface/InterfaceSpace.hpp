@@ -1,4 +1,5 @@
 #pragma once
+#include <suture/base/CopyOnWrite.hpp>
 #include <suture/base/Types.hpp>
 #include <suture/interface/Coupling.hpp>
 #include <suture/interface/InterfaceLayout.hpp>
@@ -52,16 +53,16 @@ class InterfaceSpace {
   const CommPtr& comm() const { return comm_; }
   int dimension() const { return dimension_; }
   GlobalId size() const;  ///< over all ranks, idle ones included
-  int overlapSize() const { return static_cast<int>(ownedRows_.size()); }
-  int locals() const { return static_cast<int>(couplings_.size()); }
-  int localId(int local) const { return localIds_[local]; }
-  const Coupling& coupling(int local) const { return couplings_[local]; }
+  int overlapSize() const { return static_cast<int>(ownedRows_->size()); }
+  int locals() const { return static_cast<int>(couplings_->size()); }
+  int localId(int local) const { return (*localIds_)[local]; }
+  const Coupling& coupling(int local) const { return (*couplings_)[local]; }
   /// The most rows that one of them has: work space that serves all. Local.
   int mostRows() const;
 
   // For each unknown of overlap(), by place.
   GlobalId id(int place) const { return unknown(place).id; }
-  int ownedRow(int place) const { return ownedRows_[place]; }  ///< in map(); -1: another rank owns it
+  int ownedRow(int place) const { return (*ownedRows_)[place]; }  ///< in map(); -1: another rank owns it
   const Point& point(int place) const { return unknown(place).point; }
   const Point& direction(int place) const { return unknown(place).direction; }  ///< along which it displaces; see InterfaceLayout::Unknown
   const Point& moment(int place) const { return unknown(place).moment; }  ///< values under unit rotations about point(); zero for a point
@@ -76,10 +77,10 @@ class InterfaceSpace {
   /// True if a relation is none in the torn space.
   bool isTorn(const InterfaceRelation& relation) const { return torn_ && torn_->relationOf_[relation.unknown] < 0; }
   /// Ids of the local problems that feel it, ascending; none for an expressed one.
-  const std::vector<int>& sharers(int place) const { return sharers_[place]; }
+  const std::vector<int>& sharers(int place) const { return (*sharers_)[place]; }
   /// Entities that touch local problems of this rank, none empty; no unknown in two of them. Ranks that know several of them list these in
   /// the same order.
-  const std::vector<InterfaceEntity>& entities() const { return entities_; }
+  const std::vector<InterfaceEntity>& entities() const { return *entities_; }
   /// The entity that an unknown belongs to, -1: none.
   std::vector<int> entityOfPlaces() const;
 
@@ -115,13 +116,14 @@ class InterfaceSpace {
   Teuchos::RCP<const Import> import_;
   mutable MultiVectorPtr work_;  // of gather() and scatterAdd(), which PCG calls twice an iteration
   mutable MultiVectorPtr sum_;   // of sum()
-  std::vector<int> localIds_;
-  std::vector<Coupling> couplings_;
-  std::shared_ptr<const std::vector<InterfaceLayout::Unknown>> unknowns_;  // unknowns of overlap_, which related spaces share
-  std::vector<int> ownedRows_;
+  // Related spaces share all that relations do not change.
+  CopyOnWrite<std::vector<int>> localIds_;
+  CopyOnWrite<std::vector<Coupling>> couplings_;
+  CopyOnWrite<std::vector<InterfaceLayout::Unknown>> unknowns_;  // unknowns of overlap_
+  CopyOnWrite<std::vector<int>> ownedRows_;
   int dimension_;
-  std::vector<std::vector<int>> sharers_;
-  std::vector<InterfaceEntity> entities_;
+  CopyOnWrite<std::vector<std::vector<int>>> sharers_;
+  CopyOnWrite<std::vector<InterfaceEntity>> entities_;
   std::vector<InterfaceRelation> relations_;
   std::vector<int> relationOf_;
   std::shared_ptr<const InterfaceSpace> torn_;

@@ -48,6 +48,7 @@ std::vector<SubdomainMesh> distribute(const Comm& comm, const Mesh& mesh, const 
   // Rank by rank: beside its share no rank ever holds more than one other rank's part of it, and its own last.
   std::vector<SubdomainMesh> mine;
   const int me = comm.getRank();
+  mine.reserve(std::count(partition.rankOf.begin(), partition.rankOf.end(), me));
   for (int to = 0; to < comm.getSize(); ++to) {
     Packer packer;
     std::vector<int> senders;

@@ -161,7 +161,8 @@ void Lifting::shiftRules() {
       const auto moved = at(s, node);
       for (int k = 0; k < dimension_; ++k) mesh.lift.motion[Eigen::Index(node) * dimension_ + k] = double(moved[k]);
     }
-    mesh.lift.amplitudes = amplitudes_[parts_->partOf[s]];
+    const Amplitudes& own = amplitudes_[parts_->partOf[s]];
+    mesh.lift.amplitudes.assign(own.begin(), own.end());
   }
 }
 
@@ -253,7 +254,8 @@ void Lifting::further(const std::vector<Vector>& motion) {
     const std::size_t part = std::size_t(parts_->partOf[s]);
     if (added[part]) continue;
     added[part] = 1;
-    for (std::size_t k = 0; k < amplitudes_[part].size(); ++k) amplitudes_[part][k] += meshes_[s].lift.amplitudes[k];
+    const std::vector<Extended>& before = meshes_[s].lift.amplitudes;
+    for (std::size_t k = 0; k < before.size(); ++k) amplitudes_[part][k] += before[k];
   }
   shiftRules();
   shiftGaps();

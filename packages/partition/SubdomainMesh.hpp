@@ -44,10 +44,10 @@ struct SubdomainMesh : CellBlock {
 
   /// Rigid motion that takeOutRigidMotions() took out of rules and gaps. The displacements that solvers find are those beside it.
   struct Lift {
-    std::array<long double, 6> amplitudes{};  ///< amplitudes of the part of the body that the subdomain belongs to
-    Vector motion;                            ///< motion of each node: node-major, Cartesian [length]; empty: nothing was taken out
-    std::vector<Point> values;                ///< values of the rules before
-    std::map<int, double> gaps;               ///< gaps of the contact rows' pairs before, by id
+    std::vector<long double> amplitudes;  ///< amplitudes of the part of the body that the subdomain belongs to; empty with `motion`
+    Vector motion;                        ///< motion of each node: node-major, Cartesian [length]; empty: nothing was taken out
+    std::vector<Point> values;            ///< values of the rules before
+    std::map<int, double> gaps;           ///< gaps of the contact rows' pairs before, by id
   };
   Lift lift;
   /// Component of a node's displacement, the lift included. \param i  node x dimension + component  \param u  beside the lift

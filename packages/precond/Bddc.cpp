@@ -2,7 +2,6 @@
 #include <suture/algebra/UpdatedInverse.hpp>
 #include <suture/base/Collective.hpp>
 #include <suture/base/Dense.hpp>
-#include <suture/interface/Directory.hpp>
 #include <suture/precond/Bddc.hpp>
 #include <suture/precond/MortarRows.hpp>
 
@@ -27,8 +26,6 @@ namespace {
 constexpr int kLeastSizeByChanges = 16;
 
 constexpr double kToldMotion = 1e-8;  // least that constraints tell of a motion of length one
-// Error of a coarse solve, in the energy of the diagonal: rounding times the scaled condition, which jumps of 1e8 leave below 1e8.
-constexpr double kRegular = 1e-6;
 
 /// The inverse under other constraints; null where it is better made anew.
 std::shared_ptr<const LocalInverse> updated(const std::shared_ptr<const LocalInverse>& base, const PrimalRows::Rows& old,
@@ -68,8 +65,8 @@ Bddc::Bddc(CoarseOptions levels, Inverses inverses)
 
 struct Bddc::Work {
   Matrix overlap;
-  std::vector<Matrix> flux, trace;  // flux and trace of each local problem
-  std::vector<Vector> own;          // values of each local problem's primal unknowns
+  Matrix flux, trace;       // fluxes of all local problems, one after the other; the trace of one
+  std::vector<Vector> own;  // values of each local problem's primal unknowns
   Vector primal;
   MultiVectorPtr averaged;
 };
@@ -101,8 +98,8 @@ PrimalChoice Bddc::choose() {
 }
 
 void Bddc::factor(std::vector<PrimalRows> rows, int locals) {
-  collectively(*space()->comm(), "factoring the local problems of BDDC", [&] { factorLocals(std::move(rows)); });
-  assembleCoarse(locals);
+  collectively(*space()->comm(), "factoring the local problems of BDDC", [&] { factorLocals(rows); });
+  assembleCoarse(std::move(rows), locals);
 }
 
 /// In the torn space. False where rows of the mortar leave something loose: a local problem, or bodies as a whole. Then every unknown that
@@ -131,26 +128,6 @@ bool Bddc::computeTorn(int locals, bool isTornHere) {
   return true;
 }
 
-/// True if the coarse problem gives a vector back that it was applied to: what is nothing but rounding beside the rest, and was factored
-/// all the same, does not. A coarse problem of several levels says so itself.
-bool Bddc::coarseIsRegular() const {
-  if (coarse_->clusters() > 0 || coarse_->size() == 0) return true;
-  Vector given(static_cast<int>(names_.size())), image = Vector::Zero(given.size()), diagonal = image;
-  for (int k = 0; k < given.size(); ++k) given(k) = 1.0 + 0.5 * std::sin(1.0 + 7.0 * names_[k]);
-  for (std::size_t i = 0; i < locals_.size(); ++i) {
-    if (!locals_[i]) continue;
-    const CoarseElement own = element(i);
-    const std::vector<int> places = placesAmong(names_, own.unknowns);
-    image(places) += own.matrix * given(places);
-    diagonal(places) += own.matrix.diagonal();
-  }
-  const Vector error = coarse_->solve(image) - given;
-  const double mine[2] = {diagonal.dot(error.cwiseAbs2()), diagonal.dot(given.cwiseAbs2())};
-  double all[2];
-  Teuchos::reduceAll(*space()->comm(), Teuchos::REDUCE_SUM, 2, mine, all);
-  return all[0] < kRegular * kRegular * all[1];
-}
-
 /// Entities where their first local problem lives, unknowns where they are owned.
 void Bddc::countConstraints(const std::vector<Matrix>& rows) {
   std::map<int, int> here;
@@ -166,8 +143,8 @@ void Bddc::countConstraints(const std::vector<Matrix>& rows) {
 
 double Bddc::bytesRead() const {
   double sum = 0.0;
-  for (const auto& inverse : inverses_)
-    if (inverse) sum += inverse->bytesRead() + inverse->basisBytesRead();
+  for (const Constrained& present : present_)
+    if (present.inverse) sum += present.inverse->bytesRead() + present.inverse->basisBytesRead();
   return sum;
 }
 
@@ -195,94 +172,38 @@ std::unique_ptr<LocalInverse> Bddc::inverseOf(const LocalProblem& local, const M
   return local.inverse(rows);
 }
 
-void Bddc::factorLocals(std::vector<PrimalRows> constraints) {
+/// Takes the rows out of what it is given.
+void Bddc::factorLocals(std::vector<PrimalRows>& constraints) {
   const LocalProblems& locals = matrix()->locals();
   locals_.resize(locals.size());
   bases_.resize(locals.size());
-  inverses_.resize(locals.size());
-  constraints_.resize(locals.size());
+  present_.resize(locals.size());
   for (std::size_t i = 0; i < locals.size(); ++i) {
-    const bool known = locals_[i] && locals_[i] == locals[i] && inverses_[i];
-    const PrimalRows::Rows &before = constraints_[i].rows, &now = constraints[i].rows;
-    const bool same = known && before.rows() == now.rows() && before.isApprox(now, 0.0);
+    Constrained& present = present_[i];
+    const bool known = locals_[i] && locals_[i] == locals[i] && present.inverse;
+    auto rows = std::make_shared<PrimalRows::Rows>();
+    rows->swap(constraints[i].rows);  // Eigen 3.4 copies sparse matrices where they could be moved
+    const bool same = known && present.rows->rows() == rows->rows() && present.rows->isApprox(*rows, 0.0);
     locals_[i] = locals[i];
-    constraints_[i] = std::move(constraints[i]);
     if (same) continue;
-    inverses_[i] = known ? updated(bases_[i].inverse, bases_[i].rows, constraints_[i].rows) : nullptr;
-    if (inverses_[i]) continue;
+    present = {rows, known ? updated(bases_[i].inverse, *bases_[i].rows, *rows) : nullptr};
+    if (present.inverse) continue;
     bases_[i] = {};
     if (!locals[i]) continue;
-    bases_[i] = {constraints_[i].rows, inverseOf(*locals[i], Matrix(constraints_[i].rows))};
-    inverses_[i] = bases_[i].inverse;
+    present.inverse = inverseOf(*locals[i], Matrix(*rows));
+    bases_[i] = present;
   }
-}
-
-void Bddc::assembleCoarse(int locals) {
-  std::vector<GlobalId> keys;
-  for (std::size_t i = 0; i < locals_.size(); ++i)
-    if (locals_[i]) {
-      for (const auto& row : constraints_[i].terms)
-        for (const auto& term : row) keys.push_back(term.key);
-      for (const auto& unknown : constraints_[i].unknowns) keys.push_back(unknown.id);
-    }
-  CoarseElements coarse;
-  coarse.dimension = space()->dimension();
-  const std::vector<int> numbers = numberKeys(space()->comm(), keys, coarse.size);
-  names_ = numbers;
-  std::sort(names_.begin(), names_.end());
-  names_.erase(std::unique(names_.begin(), names_.end()), names_.end());
-  const std::vector<int> places = placesAmong(names_, numbers);
-  values_.assign(locals_.size(), {});
-  std::map<int, InterfaceLayout::Unknown> unknowns;
-  std::size_t next = 0;
-  int mine = 0, any = 0;
-  for (std::size_t i = 0; i < locals_.size(); ++i) {
-    if (!locals_[i]) continue;
-    for (std::size_t row = 0; row < constraints_[i].terms.size(); ++row)
-      for (const auto& term : constraints_[i].terms[row]) values_[i].push_back({static_cast<int>(row), places[next++], term.coefficient});
-    for (InterfaceLayout::Unknown unknown : constraints_[i].unknowns) {
-      unknown.id = numbers[next++];
-      unknowns.emplace(static_cast<int>(unknown.id), unknown);
-    }
-    coarse.elements.push_back(element(i));
-    if (static_cast<int>(coarse.elements.back().unknowns.size()) > constraints_[i].rows.rows()) mine = 1;
-    constraints_[i].terms = {};  // values_ has them
-    constraints_[i].unknowns = {};
-  }
-  for (const auto& entry : unknowns) coarse.unknowns.push_back(entry.second);
-  Teuchos::reduceAll(*space()->comm(), Teuchos::REDUCE_MAX, mine, Teuchos::outArg(any));
-  // Rows of several terms name unknowns that other local problems determine. A cluster without these has motions of which its constraints
-  // to other clusters tell little: the condition grows to 1e3 and beyond.
-  CoarseOptions levels = levels_;
-  exactInstead_ = any && levels.goesOn(locals);
-  if (exactInstead_) levels.above = locals;
-  coarse_ = makeCoarseSolve(space()->comm(), std::move(coarse), locals, levels);
-}
-
-/// A_i^T Phi_i^T S_i Phi_i A_i
-CoarseElement Bddc::element(std::size_t i) const {
-  CoarseElement made;
-  made.id = locals_[i]->id();
-  std::vector<int> places;
-  for (const Value& value : values_[i]) places.push_back(value.place);
-  std::sort(places.begin(), places.end());
-  places.erase(std::unique(places.begin(), places.end()), places.end());
-  for (const int place : places) made.unknowns.push_back(names_[place]);
-  const Matrix& energy = inverses_[i]->energy();
-  Matrix a = Matrix::Zero(energy.rows(), static_cast<int>(places.size()));
-  for (const Value& value : values_[i]) {
-    const auto at = std::lower_bound(places.begin(), places.end(), value.place) - places.begin();
-    a(value.row, at) += value.coefficient;
-  }
-  made.matrix = a.transpose() * energy * a;
-  return made;
 }
 
 void Bddc::doApply(const MultiVector& r, MultiVector& z) const {
   if (!work_) work_ = std::make_unique<Work>();
   Work& work = *work_;
-  work.flux.resize(locals_.size());
-  work.trace.resize(locals_.size());
+  const auto room = [](int rows) { return rows + rows % 2; };  // each flux begins at a packet of Eigen's: sums do not depend on the others
+  int rows = 0;
+  for (std::size_t i = 0; i < locals_.size(); ++i)
+    if (locals_[i]) rows += room(torn_->coupling(static_cast<int>(i)).rows());
+  work.flux.resize(rows, 1);
+  work.trace.resize(torn_->mostRows(), 1);
   work.own.resize(locals_.size());
   for (std::size_t column = 0; column < r.getNumVectors(); ++column) {
     const auto zOne = z.getVectorNonConst(column);
@@ -295,27 +216,29 @@ void Bddc::doApply(const MultiVector& r, MultiVector& z) const {
       torn_->gather(*r.getVector(column), work.overlap);
     }
     work.primal.setZero(static_cast<int>(names_.size()));
+    int begin = 0;
     for (std::size_t i = 0; i < locals_.size(); ++i) {
       if (!locals_[i]) continue;
       const Coupling& coupling = torn_->coupling(static_cast<int>(i));
-      Matrix& flux = work.flux[i];
-      flux.resize(coupling.rows(), 1);
+      auto flux = work.flux.middleRows(begin, coupling.rows());
+      begin += room(coupling.rows());
       coupling.restrictTo(work.overlap, flux);
       weighting_->applyTranspose(static_cast<int>(i), flux);
-      inverses_[i]->applyBasisTransposed(flux.col(0), work.own[i]);
-      for (const Value& value : values_[i]) work.primal(value.place) += value.coefficient * work.own[i](value.row);
+      present_[i].inverse->applyBasisTransposed(flux.col(0), work.own[i]);
+      for (const Value& value : valuesOf(i)) work.primal(value.place) += value.coefficient * work.own[i](value.row);
     }
     const Vector& y = coarse_->solve(work.primal);
     work.overlap.setZero();
+    begin = 0;
     for (std::size_t i = 0; i < locals_.size(); ++i) {
       if (!locals_[i]) continue;
       const Coupling& coupling = torn_->coupling(static_cast<int>(i));
-      Matrix& trace = work.trace[i];
-      trace.resize(coupling.rows(), 1);
-      inverses_[i]->apply(work.flux[i], trace);
+      auto trace = work.trace.topRows(coupling.rows());
+      present_[i].inverse->apply(work.flux.middleRows(begin, coupling.rows()), trace);
+      begin += room(coupling.rows());
       work.own[i].setZero();
-      for (const Value& value : values_[i]) work.own[i](value.row) += value.coefficient * y(value.place);
-      inverses_[i]->addBasis(work.own[i], trace.col(0));
+      for (const Value& value : valuesOf(i)) work.own[i](value.row) += value.coefficient * y(value.place);
+      present_[i].inverse->addBasis(work.own[i], trace.col(0));
       weighting_->apply(static_cast<int>(i), trace);
       coupling.addTransposed(trace, work.overlap);
     }

@@ -41,8 +41,9 @@ class Bddc : public Preconditioner {
   bool coarseIsRegular() const;
   void factor(std::vector<PrimalRows> rows, int locals);
   std::unique_ptr<LocalInverse> inverseOf(const LocalProblem& local, const Matrix& rows) const;
-  void factorLocals(std::vector<PrimalRows> constraints);
-  void assembleCoarse(int locals);
+  void factorLocals(std::vector<PrimalRows>& constraints);
+  void assembleCoarse(std::vector<PrimalRows> constraints, int locals);
+  bool numberPrimal(std::vector<PrimalRows> constraints, CoarseElements& coarse);
   CoarseElement element(std::size_t i) const;
   void countConstraints(const std::vector<Matrix>& rows);
 
@@ -53,22 +54,23 @@ class Bddc : public Preconditioner {
   std::shared_ptr<const InterfaceSpace> torn_;  // where local problems share unknowns: the space, or the torn one
   std::unique_ptr<MortarAveraging> averaging_;  // null: the space is not torn
   LocalProblems locals_;                        // those the inverses belong to
-  std::vector<PrimalRows> constraints_;
-  // Bases of inverses_, perhaps made for other constraints than the present ones.
-  struct Base {
-    PrimalRows::Rows rows;
+  // An inverse, and the constraints that it is made for.
+  struct Constrained {
+    std::shared_ptr<const PrimalRows::Rows> rows;
     std::shared_ptr<const LocalInverse> inverse;
   };
-  std::vector<Base> bases_;
-  std::vector<std::shared_ptr<const LocalInverse>> inverses_;
-  std::vector<int> names_;  // primal unknowns of this rank's local problems, as in CoarseSolve::solve
-  // A_i, one entry after another.
+  std::vector<Constrained> present_;
+  std::vector<Constrained> bases_;  // made by factoring; the present ones are these, or updates of them
+  std::vector<int> names_;          // primal unknowns of this rank's local problems, as in CoarseSolve::solve
+  // A_i of all local problems, one entry after another; those of local problem i begin at valuesFrom_[i].
   struct Value {
     int row;    // constraint of the local problem
     int place;  // primal unknown, among names_
     double coefficient;
   };
-  std::vector<std::vector<Value>> values_;
+  std::vector<Value> values_;
+  std::vector<std::size_t> valuesFrom_;
+  Span<const Value> valuesOf(std::size_t i) const { return {values_.data() + valuesFrom_[i], valuesFrom_[i + 1] - valuesFrom_[i]}; }
   std::unique_ptr<CoarseSolve> coarse_;
   bool exactInstead_ = false;  // of a level more, for rows of several terms
   struct Work;

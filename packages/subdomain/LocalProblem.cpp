@@ -8,8 +8,12 @@ std::unique_ptr<LocalInverse> LocalProblem::inverse(const Matrix& constraints) c
 }
 
 const Matrix& LocalProblem::hint(const std::string& name) const {
-  const auto known = hints_.find(name);
-  return known != hints_.end() ? known->second : hints_.emplace(name, doHint(name)).first->second;
+  for (const auto& [known, values] : hints_)
+    if (known == name) return values;
+  Matrix made = doHint(name);
+  if (made.cols() > 0) return hints_.emplace_front(name, std::move(made)).second;
+  none_.resize(size(), 0);
+  return none_;
 }
 
 Matrix LocalProblem::schur() const {

@@ -3,9 +3,10 @@
 #include <suture/base/Types.hpp>
 #include <suture/subdomain/Hint.hpp>
 
-#include <map>
+#include <forward_list>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace suture {
@@ -33,7 +34,8 @@ class LocalProblem {
   /// Traces of a basis of the kernel of S_loc: size() x k.
   virtual const Matrix& kernel() const = 0;
   /// Optional data on the boundary, size() x columns; without columns there is none of this name. Of the coarse modes of a group: those of
-  /// its subdomains, each on its own part, and its kernel. Made when first asked for, and kept.
+  /// its subdomains, each on its own part, and its kernel. Made when first asked for, and kept
+  /// if there is one.
   const Matrix& hint(const std::string& name) const;
   /// S^+, made when it is asked for. \throws NumericalError
   virtual std::unique_ptr<LocalInverse> inverse() const = 0;
@@ -64,7 +66,8 @@ class LocalProblem {
   int id_;
   std::string name_;
   std::vector<GlobalId> boundary_;
-  mutable std::map<std::string, Matrix> hints_;
+  mutable std::forward_list<std::pair<std::string, Matrix>> hints_;  // those that there are
+  mutable Matrix none_;
 };
 
 }  // namespace suture

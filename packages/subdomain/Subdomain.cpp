@@ -18,12 +18,13 @@ void registerBuiltIns(Registry<Subdomain>& registry) {
                });
 }
 
-Subdomain::Subdomain(const SubdomainMesh& mesh) : mesh_(mesh), numberOf_(mesh.nodes() * mesh.dimension, 0), axesOfNode_(mesh.nodes(), -1) {
+Subdomain::Subdomain(const SubdomainMesh& mesh) : mesh_(mesh), numberOf_(mesh.nodes() * mesh.dimension, 0) {
   const int d = components();
   prescribed_ = Vector::Zero(mesh.nodes() * d);
   for (const NodeRule& rule : mesh.rules) {
     const Matrix q = axesOf(rule, d);
     if (!q.isIdentity(0.0)) {
+      axesOfNode_.resize(mesh.nodes(), -1);
       axesOfNode_[rule.node] = static_cast<int>(axes_.size());
       axes_.push_back(q);
     }

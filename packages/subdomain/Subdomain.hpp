@@ -82,7 +82,7 @@ class Subdomain {
   virtual Hint doHint(const std::string& name) const { return (void)name, Hint(); }
 
   /// Q of a node, or null when its axes are Cartesian.
-  const Matrix* axes(int node) const { return axesOfNode_[node] < 0 ? nullptr : &axes_[axesOfNode_[node]]; }
+  const Matrix* axes(int node) const { return axes_.empty() || axesOfNode_[node] < 0 ? nullptr : &axes_[axesOfNode_[node]]; }
   /// Rows of nodal vectors (node-major) from Cartesian components to those of the nodes' axes, in place.
   void toAxes(LocalView values) const;
   /// The sum of element matrices, turned into the axes of the nodes: what doAssemble() gives as stiffness.
@@ -95,7 +95,7 @@ class Subdomain {
 
   const SubdomainMesh& mesh_;
   std::vector<int> numberOf_, free_, fixed_;
-  std::vector<int> axesOfNode_;
+  std::vector<int> axesOfNode_;  // empty where all axes are Cartesian
   std::vector<Matrix> axes_;
   Vector prescribed_;  // all unknowns; zero where free
   SymmetricMatrix stiffness_;

@@ -40,6 +40,7 @@ class NeumannInverse : public LocalInverse {
 
 std::vector<GlobalId> globalDofs(const Subdomain& subdomain, const std::vector<int>& dofs) {
   std::vector<GlobalId> ids;
+  ids.reserve(dofs.size());
   for (int i : dofs) ids.push_back(subdomain.globalDof(i));
   return ids;
 }

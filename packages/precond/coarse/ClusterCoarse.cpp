@@ -14,6 +14,7 @@ namespace suture {
 ClusterCoarse::ClusterCoarse(const CommPtr& comm, CoarseElements coarse, int locals, const CoarseOptions& levels) : size_(coarse.size) {
   const CoarseClusters clusters = coarseClusters(comm, coarse, locals, levels.clusters);
   count_ = clusters.count;
+  coarse.unknowns = std::vector<InterfaceLayout::Unknown>();
   const std::vector<int> names = namesIn(coarse.elements);
   space_ = std::make_shared<InterfaceSpace>(comm, clusters.layout);
   LocalProblems problems;
@@ -21,8 +22,10 @@ ClusterCoarse::ClusterCoarse(const CommPtr& comm, CoarseElements coarse, int loc
     const std::vector<int>& ids = clusters.layout.locals;
     std::vector<std::vector<CoarseElement>> members(ids.size());
     for (std::size_t i = 0; i < coarse.elements.size(); ++i) members[clusters.clusterOf[i]].push_back(std::move(coarse.elements[i]));
+    coarse.elements = std::vector<CoarseElement>();
     for (std::size_t k = 0; k < ids.size(); ++k) {
-      problems_.push_back(std::make_shared<ClusterProblem>(ids[k], clusters.layout.boundaries[k], members[k],
+      const std::vector<CoarseElement> own = std::move(members[k]);  // freed with its cluster
+      problems_.push_back(std::make_shared<ClusterProblem>(ids[k], clusters.layout.boundaries[k], own,
                                                            rigidMotionsOf(*space_, space_->coupling(static_cast<int>(k)).columns(), true)));
       problems.push_back(problems_.back());
       interiors_.push_back(placesAmong(names, problems_.back()->interior()));

@@ -19,6 +19,7 @@ std::vector<int> namesIn(const std::vector<CoarseElement>& elements) {
 
 std::vector<int> placesAmong(const std::vector<int>& names, const std::vector<int>& numbers) {
   std::vector<int> places;
+  places.reserve(numbers.size());
   for (const int number : numbers) places.push_back(static_cast<int>(std::lower_bound(names.begin(), names.end(), number) - names.begin()));
   return places;
 }

@@ -1,0 +1,121 @@
+#include <suture/interface/Directory.hpp>
+#include <suture/precond/Bddc.hpp>
+
+#include <Teuchos_Comm.hpp>
+#include <Teuchos_CommHelpers.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace suture {
+
+namespace {
+// Error of a coarse solve, in the energy of the diagonal: rounding times the scaled condition, which jumps of 1e8 leave below 1e8.
+constexpr double kRegular = 1e-6;
+}  // namespace
+
+void Bddc::assembleCoarse(std::vector<PrimalRows> constraints, int locals) {
+  CoarseElements coarse;
+  coarse.dimension = space()->dimension();
+  const int mine = numberPrimal(std::move(constraints), coarse);
+  int any = 0;
+  Teuchos::reduceAll(*space()->comm(), Teuchos::REDUCE_MAX, mine, Teuchos::outArg(any));
+  // Rows of several terms name unknowns that other local problems determine. A cluster without these has motions of which its constraints
+  // to other clusters tell little: the condition grows to 1e3 and beyond.
+  CoarseOptions levels = levels_;
+  exactInstead_ = any && levels.goesOn(locals);
+  if (exactInstead_) levels.above = locals;
+  coarse_ = makeCoarseSolve(space()->comm(), std::move(coarse), locals, levels);
+}
+
+/// Numbers the primal unknowns over all ranks, and makes the coarse elements. True if a local problem names more unknowns than it has rows.
+/// Frees terms and unknowns of the constraints as it goes: what it leaves is A_i.
+bool Bddc::numberPrimal(std::vector<PrimalRows> constraints, CoarseElements& coarse) {
+  std::vector<GlobalId> keys;
+  std::size_t entries = 0, problems = 0;
+  for (std::size_t i = 0; i < locals_.size(); ++i)
+    if (locals_[i]) {
+      ++problems;
+      for (const auto& row : constraints[i].terms) {
+        entries += row.size();
+        for (const auto& term : row) keys.push_back(term.key);
+      }
+      for (const auto& unknown : constraints[i].unknowns) keys.push_back(unknown.id);
+    }
+  const std::vector<int> numbers = numberKeys(space()->comm(), keys, coarse.size);
+  names_ = numbers;
+  std::sort(names_.begin(), names_.end());
+  names_.erase(std::unique(names_.begin(), names_.end()), names_.end());
+  names_.shrink_to_fit();
+  const std::vector<int> places = placesAmong(names_, numbers);
+  values_.clear();
+  values_.reserve(entries);
+  valuesFrom_.assign(1, 0);
+  valuesFrom_.reserve(locals_.size() + 1);
+  coarse.elements.reserve(problems);
+  std::vector<char> known(names_.size(), 0);
+  std::size_t next = 0;
+  bool named = false;
+  for (std::size_t i = 0; i < locals_.size(); ++i) {
+    if (locals_[i])
+      for (std::size_t row = 0; row < constraints[i].terms.size(); ++row)
+        for (const auto& term : constraints[i].terms[row]) values_.push_back({static_cast<int>(row), places[next++], term.coefficient});
+    valuesFrom_.push_back(values_.size());
+    if (!locals_[i]) continue;
+    for (InterfaceLayout::Unknown unknown : constraints[i].unknowns) {
+      const int place = places[next];
+      unknown.id = numbers[next++];
+      if (!known[place]) coarse.unknowns.push_back(unknown);
+      known[place] = 1;
+    }
+    coarse.elements.push_back(element(i));
+    named = named || static_cast<int>(coarse.elements.back().unknowns.size()) > present_[i].rows->rows();
+    constraints[i] = PrimalRows();
+  }
+  std::sort(coarse.unknowns.begin(), coarse.unknowns.end(),
+            [](const InterfaceLayout::Unknown& a, const InterfaceLayout::Unknown& b) { return a.id < b.id; });
+  coarse.unknowns.shrink_to_fit();
+  return named;
+}
+
+/// A_i^T Phi_i^T S_i Phi_i A_i
+CoarseElement Bddc::element(std::size_t i) const {
+  CoarseElement made;
+  made.id = locals_[i]->id();
+  std::vector<int> places;
+  for (const Value& value : valuesOf(i)) places.push_back(value.place);
+  std::sort(places.begin(), places.end());
+  places.erase(std::unique(places.begin(), places.end()), places.end());
+  made.unknowns.reserve(places.size());
+  for (const int place : places) made.unknowns.push_back(names_[place]);
+  const Matrix& energy = present_[i].inverse->energy();
+  Matrix a = Matrix::Zero(energy.rows(), static_cast<int>(places.size()));
+  for (const Value& value : valuesOf(i)) {
+    const auto at = std::lower_bound(places.begin(), places.end(), value.place) - places.begin();
+    a(value.row, at) += value.coefficient;
+  }
+  made.matrix = a.transpose() * energy * a;
+  return made;
+}
+
+/// True if the coarse problem gives a vector back that it was applied to: what is nothing but rounding beside the rest, and was factored
+/// all the same, does not. A coarse problem of several levels says so itself.
+bool Bddc::coarseIsRegular() const {
+  if (coarse_->clusters() > 0 || coarse_->size() == 0) return true;
+  Vector given(static_cast<int>(names_.size())), image = Vector::Zero(given.size()), diagonal = image;
+  for (int k = 0; k < given.size(); ++k) given(k) = 1.0 + 0.5 * std::sin(1.0 + 7.0 * names_[k]);
+  for (std::size_t i = 0; i < locals_.size(); ++i) {
+    if (!locals_[i]) continue;
+    const CoarseElement own = element(i);
+    const std::vector<int> places = placesAmong(names_, own.unknowns);
+    image(places) += own.matrix * given(places);
+    diagonal(places) += own.matrix.diagonal();
+  }
+  const Vector error = coarse_->solve(image) - given;
+  const double mine[2] = {diagonal.dot(error.cwiseAbs2()), diagonal.dot(given.cwiseAbs2())};
+  double all[2];
+  Teuchos::reduceAll(*space()->comm(), Teuchos::REDUCE_SUM, 2, mine, all);
+  return all[0] < kRegular * kRegular * all[1];
+}
+
+}  // namespace suture
