@@ -74,7 +74,7 @@ configureAndBuild() {
 }
 
 # The tests take as long again to build, and nobody asked for them.
-programs="--target suture_solve suture_study suture_partition_program suture_schema suture_plot_script"
+programs="--target suture_solve suture_study suture_partition_program suture_schema suture_new suture_plot_script"
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 # a container has no other user
 export OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1                  # the ranks are the parallelism
 export HWLOC_HIDE_ERRORS=2                                       # Open MPI complains where a chroot has no /sys

@@ -12,7 +12,7 @@ install(DIRECTORY ${CMAKE_SOURCE_DIR}/packages/ DESTINATION ${CMAKE_INSTALL_INCL
 
 # The programs find the library beside themselves, wherever the folder is moved to.
 file(RELATIVE_PATH suture_bin_to_lib /${CMAKE_INSTALL_BINDIR} /${CMAKE_INSTALL_LIBDIR})
-foreach(program suture_solve suture_study suture_partition_program suture_schema)
+foreach(program suture_solve suture_study suture_partition_program suture_schema suture_new)
   if(TARGET ${program})
     set_target_properties(${program} PROPERTIES INSTALL_RPATH "$ORIGIN/${suture_bin_to_lib}")
     install(TARGETS ${program})
