@@ -27,7 +27,8 @@ packages="g++ cmake ninja-build ccache git pkg-config openmpi-bin libopenmpi-dev
   libtrilinos-intrepid2-dev libtrilinos-shards-dev libtrilinos-sacado-dev libptscotch-dev libmumps-dev
   libmetis-dev libsuitesparse-dev libeigen3-dev libhdf5-openmpi-dev libgmsh-dev libopenblas-dev libcli11-dev nlohmann-json3-dev
   libmuparser-dev
-  python3 python3-numpy python3-h5py python3-matplotlib python3-vtk9"
+  python3 python3-numpy python3-h5py python3-matplotlib python3-vtk9
+  python3-meshio python3-netcdf4"
 
 asRoot() {
   if [ "$(id -u)" -eq 0 ]; then
@@ -74,7 +75,7 @@ configureAndBuild() {
 }
 
 # The tests take as long again to build, and nobody asked for them.
-programs="--target suture_solve suture_study suture_partition_program suture_schema suture_new suture_plot_script"
+programs="--target suture_solve suture_study suture_partition_program suture_schema suture_new suture_plot_script suture_convert_script"
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 # a container has no other user
 export OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1                  # the ranks are the parallelism
 export HWLOC_HIDE_ERRORS=2                                       # Open MPI complains where a chroot has no /sys

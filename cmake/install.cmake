@@ -19,7 +19,9 @@ foreach(program suture_solve suture_study suture_partition_program suture_schema
   endif()
 endforeach()
 if(EXISTS ${CMAKE_SOURCE_DIR}/drivers/plot/suture_plot)
-  install(PROGRAMS ${CMAKE_SOURCE_DIR}/drivers/plot/suture_plot ${CMAKE_SOURCE_DIR}/drivers/plot/suture_study_plot DESTINATION ${CMAKE_INSTALL_BINDIR})
+  install(PROGRAMS ${CMAKE_SOURCE_DIR}/drivers/plot/suture_plot ${CMAKE_SOURCE_DIR}/drivers/plot/suture_study_plot
+    ${CMAKE_SOURCE_DIR}/drivers/convert/suture_convert DESTINATION ${CMAKE_INSTALL_BINDIR})
+  install(DIRECTORY ${CMAKE_SOURCE_DIR}/drivers/convert/suture_convert_formats DESTINATION ${CMAKE_INSTALL_DATADIR}/suture FILES_MATCHING PATTERN "*.py")
 endif()
 if(TARGET suture_mesher)
   install(TARGETS suture_mesher DESTINATION ${CMAKE_INSTALL_LIBDIR}/suture)

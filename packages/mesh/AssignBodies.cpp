@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 
 namespace suture {
 
@@ -12,21 +13,28 @@ namespace {
 
 constexpr double leastJacobian = 1e-12;  // relative to the element's own size; a sliver of aspect ratio 1e8 still passes
 
-// Most elements of most large meshes, without a call: assignBodies() of 935,000 triangles takes 0.035 s instead of 0.088.
-bool isSoundTriangle(const Mesh& mesh, int e) {
-  if (mesh.cells[e] != Cell::Triangle3) return false;
+// Most elements of most large meshes, without a call: the determinant of a bilinear map is least in a corner, where it is a quarter of the
+// product of the two edges. 935,000 triangles or 500,000 quadrilaterals take about 0.03 s instead of 0.1 and 0.25 s.
+bool isSound(const Mesh& mesh, int e) {
+  const Cell cell = mesh.cells[e];
+  if (cell != Cell::Triangle3 && cell != Cell::Quadrilateral4) return false;
   const Span<const int> nodes = mesh.nodesOf(e);
+  const int corners = cell == Cell::Triangle3 ? 3 : 4;
   const auto at = [&](int k) { return mesh.coordinates.data() + std::size_t(nodes[k]) * 2; };
-  const double *a = at(0), *b = at(1), *c = at(2);
-  const double ux = b[0] - a[0], uy = b[1] - a[1], vx = c[0] - a[0], vy = c[1] - a[1];
-  const double square = std::max({ux * ux + uy * uy, vx * vx + vy * vy, (vx - ux) * (vx - ux) + (vy - uy) * (vy - uy)});
-  return ux * vy - uy * vx > leastJacobian * square;
+  double least = std::numeric_limits<double>::max(), square = 0;
+  for (int k = 0; k < corners; ++k) {
+    const double *a = at(k), *b = at(k + 1 < corners ? k + 1 : 0), *c = at(k > 0 ? k - 1 : corners - 1);
+    const double ux = b[0] - a[0], uy = b[1] - a[1], vx = c[0] - a[0], vy = c[1] - a[1];
+    least = std::min(least, ux * vy - uy * vx);
+    square = std::max({square, ux * ux + uy * uy, (vx - ux) * (vx - ux) + (vy - uy) * (vy - uy)});
+  }
+  return least > (corners == 3 ? 1 : 4) * leastJacobian * square;
 }
 
 void checkShapes(const Mesh& mesh, Problems& problems) {
   std::vector<int> inverted, flat, folded;
   for (int e = 0; e < mesh.elements(); ++e) {
-    if (isSoundTriangle(mesh, e)) continue;
+    if (isSound(mesh, e)) continue;
     const double diameter = diameterOf(mesh, e);
     const double jacobian = smallestJacobian(mesh, e);
     if (jacobian > leastJacobian * diameter * diameter) continue;

@@ -119,7 +119,7 @@ Schema meshSchema() {
           "Allow Programs", false,
           "let a .geo file run programs (SystemCall), write files, read any other file and end Gmsh; false: such statements are refused")
       .real("Time Limit", 600.0,
-            "seconds that Gmsh may take for a .geo or .msh file; a tenth of it for the statements of a .geo file before they are meshed",
+            "seconds that Gmsh may take for a .geo file; a tenth of it for the statements of a .geo file before they are meshed",
             Range::positive(), "s")
       .real("Mesh Size Factor", 1.0, "multiplies all mesh sizes of a .geo file", Range::positive())
       .choice("Generator", "None",

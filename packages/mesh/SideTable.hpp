@@ -5,12 +5,12 @@
 
 namespace suture {
 
-/// All sides of all elements by their two end points. Finds the owners of a segment, and tells whether it lies on the boundary.
+/// Sides of elements by their two end points. Finds the owners of a segment, and tells whether it lies on the boundary.
 class SideTable {
  public:
-  /// Indexes all sides.
-  explicit SideTable(const CellBlock& block);
-  /// Indexes only sides whose end points occur in `some`; cheaper for few lookups.
+  /// Indexes only sides whose end points are both marked: the fewer, the cheaper. \param among  by node
+  SideTable(const CellBlock& block, const std::vector<char>& among);
+  /// Indexes only sides whose end points occur in `some`.
   SideTable(const CellBlock& block, const std::vector<Side>& some);
 
   /// The sides (none, one, or two in a sound mesh) that join nodes a and b, in ascending order of elements. Local.
@@ -24,9 +24,6 @@ class SideTable {
     int high;  ///< end point of higher number
     Side side;
   };
-  template <typename Wanted>
-  void fill(const std::vector<int>& elements, const Wanted& wanted);
-
   const CellBlock& block_;
   std::vector<int> start_;  ///< nodes + 1: the sides whose lower end point is node n are entries_[start_[n] .. start_[n+1])
   std::vector<Entry> entries_;

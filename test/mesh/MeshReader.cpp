@@ -60,10 +60,11 @@ TEUCHOS_UNIT_TEST(MeshReader, SaysWhatItCannotRead) {
   SUTURE_CHECK_SAYS(said(fileParameter("none.geo"), folder.path()), "Mesh/File: there is no file " + folder.path() + "/none.geo");
   SUTURE_CHECK_SAYS(said(fileParameter("none.h5"), folder.path()), "none.h5");
   SUTURE_CHECK_SAYS(said(fileParameter("a.h5"), folder.path()), "a.h5");
-#ifdef SUTURE_TEST_GMSH
   SUTURE_CHECK_SAYS(said(fileParameter("garbage.msh"), folder.path()),
                     "garbage.msh: is no mesh of Gmsh; expected $MeshFormat in its first line");
-  SUTURE_CHECK_SAYS(said(fileParameter("broken.msh"), folder.path()), "broken.msh: Gmsh says: ");
+  SUTURE_CHECK_SAYS(said(fileParameter("broken.msh"), folder.path()),
+                    "broken.msh: $Nodes, line 5: 1 nodes are announced, but the file ends before");
+#ifdef SUTURE_TEST_GMSH
   SUTURE_CHECK_SAYS(said(fileParameter("empty.geo"), folder.path()), "empty.geo: holds no surface elements");
   SUTURE_CHECK_SAYS(said(fileParameter("command.geo"), folder.path()),
                     "command.geo, line 1: 'Foo' is no command that is known to be harmless");

@@ -35,7 +35,7 @@ TEUCHOS_UNIT_TEST(SideTable, FindsWhatASearchFinds) {
     box.cell = cell;
     const Mesh mesh = boxes({box});
     const std::vector<Side> some{{0, 0}, {5, 1}, {mesh.elements() - 1, 2}};
-    const SideTable all(mesh), few(mesh, some);
+    const SideTable all(mesh, std::vector<char>(mesh.nodes(), 1)), few(mesh, some);
     std::set<int> ends;
     for (const Side& side : some)
       for (const int k : {0, 1}) ends.insert(mesh.nodesOf(side)[k]);

@@ -11,17 +11,15 @@ struct GmshInput {
   std::string path;
   std::map<std::string, double> constants;  ///< override the values of DefineConstant (.geo only)
   double meshSizeFactor = 1.0;              ///< multiplies all mesh sizes (.geo only)
-  double seconds = 600.0;                   ///< time limit of Gmsh; a tenth of it for the statements of a .geo file
+  double seconds = 600.0;                   ///< time limit of Gmsh; a tenth of it for the statements of the file (.geo only)
   bool allowPrograms = false;               ///< a .geo file may run programs, write files, ...: see checkGeoStatements()
 };
 
-/// Reads a .msh file, or meshes a .geo file, through libgmsh. Only named physical surfaces and curves become groups; only nodes of
-/// elements are kept: of a .msh file in the order of its numbers, of a .geo file as numberAlongHilbertCurve() says. Surfaces meshed
-/// clockwise as a whole are turned round. Gmsh runs in a process of its own (MesherProcess).
-/// Local (rank 0).
-/// \throws InputError        Gmsh's own errors; unknown constants (nearest, known); no elements; a cell of another kind; a node outside the
-///                           plane z = 0; a curve element that is no side of an element, or lies inside the material
-/// \throws EnvironmentError  Suture was built without Gmsh (SUTURE_GMSH=OFF)
+/// Reads a .msh file (readMsh(), without Gmsh), or meshes a .geo file through libgmsh in a process of its own (runMesher()). Physical
+/// surfaces and curves become groups; assembleGmsh() tells what else becomes of the mesh. Nodes keep the order of their numbers in a .msh
+/// file; a mesh that is made of a .geo file is numbered by numberAlongHilbertCurve(). Local (rank 0).
+/// \throws InputError        everything that is wrong with the file or with the mesh; Gmsh's own errors; unknown constants (nearest, known)
+/// \throws EnvironmentError  a .geo file, and Suture was built without Gmsh (SUTURE_GMSH=OFF)
 Mesh readGmsh(const GmshInput& input);
 
 }  // namespace suture

@@ -38,7 +38,7 @@ std::string mesherProgram() {
   const fs::path library = fs::canonical(info.dli_fname, failed);
   const fs::path program = (failed ? fs::path(info.dli_fname) : library).parent_path() / "suture" / "suture_mesher";
   if (access(program.c_str(), X_OK) != 0)
-    throw EnvironmentError("cannot run " + program.string() + ", which reads .geo and .msh files: " + std::strerror(errno));
+    throw EnvironmentError("cannot run " + program.string() + ", which meshes .geo files: " + std::strerror(errno));
   return program.string();
 }
 
@@ -177,8 +177,9 @@ std::string withOwnName(std::string message, const MesherOrder& order) {
 
 // Numbers that refer to each other: Gmsh's output is not trusted.
 void check(const GmshMesh& mesh, const std::string& file) {
-  const auto known = [&](std::size_t tag) { return std::binary_search(mesh.tags.begin(), mesh.tags.end(), tag); };
-  bool sound = mesh.coordinates.size() == 3 * mesh.tags.size() && std::is_sorted(mesh.tags.begin(), mesh.tags.end());
+  const int nodes = static_cast<int>(mesh.tags.size());
+  const auto known = [&](int node) { return node >= 0 && node < nodes; };
+  bool sound = mesh.coordinates.size() == 3 * mesh.tags.size();
   for (const GmshMesh::Surface& surface : mesh.surfaces)
     sound = sound && surface.nodes.size() % static_cast<std::size_t>(cellInfo(surface.cell).nodes) == 0 &&
             std::all_of(surface.nodes.begin(), surface.nodes.end(), known);
@@ -194,7 +195,6 @@ void check(const GmshMesh& mesh, const std::string& file) {
 GmshMesh runMesher(const MesherOrder& order) {
   const double megabytes = std::min(availableMegabytes(), 1e9);
   const std::vector<std::string> words = {mesherProgram(),
-                                          order.geometry ? "geo" : "msh",
                                           order.opened,
                                           realText(order.meshSizeFactor),
                                           std::to_string(static_cast<unsigned long long>(megabytes * (1 << 20))),
@@ -207,8 +207,7 @@ GmshMesh runMesher(const MesherOrder& order) {
   Process mesher(words, out);
   out.close();
 
-  // A mesh file is read in one go; statements may loop for ever, and need less time than the mesh.
-  Messages messages(in, order.geometry ? order.seconds / 10 : order.seconds);
+  Messages messages(in, order.seconds / 10);  // statements may loop for ever, and need less time than the mesh
   MesherMessage message{};
   std::string text;
   bool opened = false;
@@ -229,11 +228,10 @@ GmshMesh runMesher(const MesherOrder& order) {
   if (messages.timedOut()) {
     mesher.terminate();
     const std::string limit = "Mesh/Time Limit (" + realText(order.seconds) + " s)";
-    throw InputError(kMeshFile,
-                     order.file + ": Gmsh has not " +
-                         (opened || !order.geometry ? "ended within " + limit + "; a coarser mesh or a longer time may help"
-                                                    : "read its statements within a tenth of " + limit +
-                                                          "; does it hold a loop without an end, or a macro that calls itself?"));
+    throw InputError(kMeshFile, order.file + ": Gmsh has not " +
+                                    (opened ? "ended within " + limit + "; a coarser mesh or a longer time may help"
+                                            : "read its statements within a tenth of " + limit +
+                                                  "; does it hold a loop without an end, or a macro that calls itself?"));
   }
   throw InputError(kMeshFile, order.file + ": Gmsh gave no mesh: " + mesher.end());
 }

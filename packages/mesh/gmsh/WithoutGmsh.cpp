@@ -1,12 +1,13 @@
-// Stands for GmshReader.cpp when Suture is configured with SUTURE_GMSH=OFF.
+// Stands for MesherProcess.cpp when Suture is configured with SUTURE_GMSH=OFF.
 #include <suture/base/Errors.hpp>
-#include <suture/mesh/gmsh/GmshReader.hpp>
+#include <suture/mesh/gmsh/MesherProcess.hpp>
 
 namespace suture {
 
-Mesh readGmsh(const GmshInput& input) {
-  throw EnvironmentError("cannot read " + input.path +
-                         ": this Suture was built without Gmsh. Configure with -DSUTURE_GMSH=ON, or convert the mesh to .h5 elsewhere");
+GmshMesh runMesher(const MesherOrder& order) {
+  throw EnvironmentError(
+      "cannot mesh " + order.file +
+      ": this Suture was built without Gmsh. Configure with -DSUTURE_GMSH=ON, or mesh it elsewhere and read the .msh file");
 }
 
 }  // namespace suture

@@ -1,0 +1,41 @@
+"""A mesh as another program describes it, before it is one of Suture's."""
+import numpy as np
+
+# Kinds of elements that become something, by meshio's names: dimension, nodes.
+KINDS = {"vertex": (0, 1), "line": (1, 2), "line3": (1, 3), "triangle": (2, 3), "triangle6": (2, 6), "quad": (2, 4), "quad8": (2, 8), "quad9": (2, 9)}
+
+
+class ConvertError(Exception):
+    """Something wrong with the input: the message names the file, the place and the way out."""
+
+
+class Foreign:
+    """Points and blocks of elements; elements are counted from 0 through all blocks.
+
+    points       points x 3 [length]
+    blocks       list of (kind, elements x nodes): meshio's kind and order of nodes, numbers of points from 0
+    groups       name -> numbers of elements of any dimension
+    node_sets    name -> numbers of points
+    side_sets    name -> sides x 2: end points
+    remarks      what was left out
+    """
+
+    def __init__(self, points):
+        self.points = np.zeros((len(points), 3))
+        if len(points):
+            points = np.asarray(points, dtype=float)
+            self.points[:, :points.shape[1]] = points[:, :3]
+        self.blocks, self.groups, self.node_sets, self.side_sets, self.remarks = [], {}, {}, {}, []
+
+    def elements(self):
+        return sum(len(nodes) for _, nodes in self.blocks)
+
+    def add_block(self, kind, nodes):
+        """\\return numbers of its elements"""
+        first = self.elements()
+        self.blocks.append((kind, np.asarray(nodes, dtype=np.int64)))
+        return np.arange(first, first + len(nodes))
+
+    def add_to(self, sets, name, members):
+        members = np.asarray(members, dtype=np.int64)
+        sets[name] = np.concatenate([sets[name], members]) if name in sets else members
