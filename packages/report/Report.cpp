@@ -7,15 +7,18 @@
 #include <suture/report/History.hpp>
 #include <suture/report/Report.hpp>
 #include <suture/report/Summary.hpp>
+#include <suture/report/answers/Tables.hpp>
 
 namespace suture {
 namespace {
 
-bool wantsFields(const Parameters& scene) {
-  return !scene.isSublist("Output") || !scene.sublist("Output").isType<bool>("Fields") || scene.sublist("Output").get<bool>("Fields");
+/// \param choice  of the list `Output`, true by default
+bool wants(const Parameters& scene, const char* choice) {
+  return !scene.isSublist("Output") || !scene.sublist("Output").isType<bool>(choice) || scene.sublist("Output").get<bool>(choice);
 }
 
 const char* const fieldFiles[] = {"fields_0000.vtkhdf", "contact_0000.vtkhdf"};
+const char* const tables[] = {"contact.csv", "reactions.csv"};
 
 /// A folder in the output folder for files that are not complete yet; whatever is in it at the end is removed. Collective but for its end.
 class Staging {
@@ -45,7 +48,7 @@ class Staging {
       std::filesystem::rename(path_ / name, folder / name, error);
       if (error) throw EnvironmentError("cannot put '" + (folder / name).string() + "' in place: " + error.message());
     };
-    for (const char* name : fieldFiles) {
+    for (const char* name : {fieldFiles[0], fieldFiles[1], tables[0], tables[1]}) {
       if (std::filesystem::exists(path_ / name, error))
         move(name);
       else
@@ -73,10 +76,15 @@ Written writeReport(const Run& run, ExitCode code) {
   const Staging staging(run.comm, folder);
   {
     const Timers::Scope write(run.timers, "write");
-    if (wantsFields(*run.scene.parameters)) {
+    if (wants(*run.scene.parameters, "Fields")) {
       writeFields(run, staging / fieldFiles[0]);
       if (run.size.pairs > 0) writeContactFields(run, staging / fieldFiles[1]);
     }
+    if (wants(*run.scene.parameters, "Tables"))
+      collectivelyOnRoot(run.comm, "writing tables", [&] {
+        if (run.size.pairs > 0) writeContactTable(run, staging / tables[0]);
+        writeReactionTable(run, staging / tables[1]);
+      });
     collectivelyOnRoot(run.comm, "writing history.csv", [&] { writeHistory(run.monitor.rows(), staging / "history.csv"); });
   }
   Written written{{}, runFigures(run)};
