@@ -169,7 +169,8 @@ Contacts proposeContacts(const Mesh& mesh, const std::vector<Group>& groups) {
     for (const auto& [pair, facing] : found) {
       if (pair.first != widest || !open.count(pair)) continue;
       contact.sideB.push_back(groups[pair.second].name);
-      contact.gap = std::min(contact.gap, facing.gap);
+      const double rounding = 1e-12 * reach(groups[widest].body, groups[pair.second].body) / kReach;
+      contact.gap = std::min(contact.gap, facing.gap > rounding ? facing.gap : 0.0);
       contact.normal = plus(contact.normal, facing.normal);
       open.erase(pair);
       open.erase({pair.second, pair.first});
@@ -178,23 +179,21 @@ Contacts proposeContacts(const Mesh& mesh, const std::vector<Group>& groups) {
     result.all.push_back(std::move(contact));
   }
 
+  // Once a pair of bodies; sides beyond the ends of a proposed contact face each other, too, and are none of it.
+  std::set<std::pair<int, int>> told;
+  for (const auto& [pair, facing] : found) told.insert(std::minmax(groups[pair.first].body, groups[pair.second].body));
+  const auto tell = [&](int body, int other, const Facing& there) {
+    if (there.nodes < kFewest || !told.insert(std::minmax(body, other)).second) return;
+    result.notes.push_back("'" + mesh.bodies[body] + "' and '" + mesh.bodies[other] + "' face each other near " +
+                           placeText(there.place, mesh.dimension) + " with sides in no curve group: name these, if they may touch");
+  };
   const std::map<int, std::vector<Side>> unnamed = unnamedSides(mesh, groups);
   for (const auto& [body, sides] : unnamed) {
     const Face face(mesh, sides);
-    for (std::size_t j = 0; j < groups.size(); ++j) {
-      if (!faces[j] || groups[j].body == body) continue;
-      const Facing there = facing(face, *faces[j], reach(body, groups[j].body));
-      if (there.nodes < kFewest) continue;
-      result.notes.push_back("sides of '" + mesh.bodies[body] + "' near " + placeText(there.place, mesh.dimension) + " face '" +
-                             groups[j].name + "' and belong to no curve group: name them, if they may touch");
-    }
-    for (const auto& [other, theirs] : unnamed) {
-      if (other <= body) continue;
-      const Facing there = facing(face, Face(mesh, theirs), reach(body, other));
-      if (there.nodes < kFewest) continue;
-      result.notes.push_back("sides of '" + mesh.bodies[body] + "' and '" + mesh.bodies[other] + "' face each other near " +
-                             placeText(there.place, mesh.dimension) + " and belong to no curve group: name them, if they may touch");
-    }
+    for (std::size_t j = 0; j < groups.size(); ++j)
+      if (faces[j] && groups[j].body != body) tell(body, groups[j].body, facing(face, *faces[j], reach(body, groups[j].body)));
+    for (const auto& [other, theirs] : unnamed)
+      if (other > body) tell(body, other, facing(face, Face(mesh, theirs), reach(body, other)));
   }
   return result;
 }

@@ -75,7 +75,7 @@ code, text, path = new(geometry, scene="joined.xml")
 root = xml.parse(path).getroot()
 check("a group of all of it is the body", sorted(e.get("name") for e in sublists(root, "Bodies")), ["both", "lid"])
 check("its parts are offered as regions", [f'name="Group" type="string" value="{part}"' in path.read_text() for part in "ab"], [True, True])
-check("sides without a name that face another body are told", "face 'lid_bottom' and belong to no curve group" in text, True)
+check("sides without a name that face another body are told", "with sides in no curve group: name these" in text, True)
 
 geometry.write_text("Point(1) = {0, 0, 0, .3}; Point(2) = {1, 0, 0, .3}; Point(3) = {0, 1, 0, .3}; Line(1) = {1, 2}; Line(2) = {2, 3}; "
                     "Line(3) = {3, 1}; Curve Loop(1) = {1, 2, 3}; Plane Surface(1) = {1}; Physical Curve(\"all\") = {1, 2, 3};")
