@@ -80,7 +80,7 @@ std::map<int, std::vector<Side>> unnamedSides(const Mesh& mesh, const std::vecto
   std::set<Key> named;
   for (const Group& group : groups)
     for (const Side& side : group.all) named.insert(keyOf(side));
-  const SideTable table(mesh);
+  const SideTable table(mesh, std::vector<char>(mesh.nodes(), 1));
   std::map<int, std::vector<Side>> result;
   for (int e = 0; e < mesh.elements(); ++e)
     forEachSide(mesh, e, [&](const std::pair<int, int>&, const Side& side) {
