@@ -105,7 +105,8 @@ Constraints build(const Mesh& mesh, const std::vector<Condition>& conditions, st
   checkRoles(mesh, conditions, contacts, problems);
 
   Constraints constraints;
-  constraints.rules = nodalRules(mesh, conditions, problems);
+  constraints.rules = nodalRules(mesh, conditions, problems, constraints.supports);
+  for (const Condition& condition : conditions) constraints.conditions.push_back(condition.name);
   std::vector<PairedSurface> paired;
   for (const ContactSurface& contact : contacts) {
     paired.push_back(pairSurface(mesh, contact, problems, constraints.notes));

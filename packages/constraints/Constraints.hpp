@@ -19,6 +19,15 @@ struct NodeRule {
   Point value{0, 0, 0};  ///< values of the fixed components [length]
 };
 
+/// Share of a boundary condition in the force that holds a node: along . force, in its direction. The shares of a node add up to the force
+/// along the fixed axes of its rule. Conditions that prescribe the same direction share alike; a condition whose direction the others hold
+/// already has no share.
+struct Support {
+  int node = -1;
+  int condition = -1;  ///< place in Constraints::conditions
+  Point direction{0, 0, 0}, along{0, 0, 0};
+};
+
 /// A node's share in the condition of a contact pair: weight normal . u(node).
 struct PairEnd {
   int node = -1;
@@ -102,8 +111,10 @@ std::vector<std::vector<int>> neighbourPairs(const std::vector<std::vector<int>>
 /// All that restricts the displacements of a scene: Dirichlet and bilateral rows as nodal rules, contact pairs and pieces. On rank 0, for
 /// the whole mesh.
 struct Constraints {
-  std::vector<NodeRule> rules;     ///< at most one a node, sorted by node
-  std::vector<ContactPair> pairs;  ///< pairs[i].id == i
+  std::vector<NodeRule> rules;            ///< at most one a node, sorted by node
+  std::vector<Support> supports{};        ///< conditions behind the rules, sorted by node; none on the axis of symmetry
+  std::vector<std::string> conditions{};  ///< names of all boundary conditions of the scene, loads included, in its order
+  std::vector<ContactPair> pairs;         ///< pairs[i].id == i
   std::vector<ContactPiece> pieces;
   ContactLaws laws{};              ///< laws of the contact lines, given by the scene (simulation/Scene); empty: frictionless
   std::vector<std::string> notes;  ///< sentences for the user about choices made

@@ -48,7 +48,7 @@ void addDisplacement(const Mesh& mesh, const std::vector<Condition>& conditions,
 void addBilateral(const Mesh& mesh, const std::vector<Condition>& conditions, Rows& rows) {
   struct Bundle {
     Point sum;  // sum of the normals, weighted by length
-    int condition;
+    std::set<int> conditions;
   };
   std::map<int, std::vector<Bundle>> bundles;
   std::set<std::pair<int, int>> seen;
@@ -66,14 +66,15 @@ void addBilateral(const Mesh& mesh, const std::vector<Condition>& conditions, Ro
         const auto like =
             std::find_if(here.begin(), here.end(), [&](const Bundle& b) { return angleBetween(b.sum, normal) <= kSharpAngle; });
         if (like == here.end())
-          here.push_back({normal, number});
+          here.push_back({normal, {number}});
         else
-          like->sum = plus(like->sum, normal);
+          like->sum = plus(like->sum, normal), like->conditions.insert(number);
       }
     }
   }
   for (const auto& [node, here] : bundles)
-    for (const Bundle& bundle : here) rows[node].push_back({unit(bundle.sum), 0.0, bundle.condition});
+    for (const Bundle& bundle : here)
+      for (const int condition : bundle.conditions) rows[node].push_back({unit(bundle.sum), 0.0, condition});
 }
 
 // u_r = 0 at r = 0, as if the scene said it: the last of the conditions, but the first row of its nodes.
@@ -119,14 +120,34 @@ class Contradictions {
   std::map<std::pair<int, int>, Found> all_;
 };
 
+bool areParallel(const Row& a, const Row& b) { return norm(cross(a.direction, b.direction)) <= sameDirection; }
+
+/// The first row of another direction than that of the first; null where there is none.
+const Row* secondOf(const std::vector<Row>& rows) {
+  const auto found = std::find_if(rows.begin(), rows.end(), [&](const Row& row) { return !areParallel(rows[0], row); });
+  return found == rows.end() ? nullptr : &*found;
+}
+
+/// \param last  conditions from this number on are none of the scene's
+void addSupports(int node, const std::vector<Row>& rows, int last, std::vector<Support>& supports) {
+  const Row *first = &rows[0], *second = secondOf(rows);
+  const auto add = [&](const Row& held, const Point& along) {
+    std::set<int> conditions;
+    for (const Row& row : rows)
+      if (areParallel(held, row)) conditions.insert(row.condition);
+    for (const int condition : conditions)
+      if (condition < last) supports.push_back({node, condition, held.direction, scaled(1.0 / double(conditions.size()), along)});
+  };
+  if (!second) return add(*first, first->direction);
+  const double det = cross(first->direction, second->direction)[2];
+  add(*first, {second->direction[1] / det, -second->direction[0] / det, 0});
+  add(*second, {-first->direction[1] / det, first->direction[0] / det, 0});
+}
+
 NodeRule ruleOf(int node, const std::vector<Row>& rows, Contradictions& contradictions) {
-  const Row& first = rows[0];
-  const Row* second = nullptr;
+  const Row &first = rows[0], *second = secondOf(rows);
   double scale = 0;
-  for (const Row& row : rows) {
-    scale = std::max(scale, std::abs(row.value));
-    if (!second && norm(cross(first.direction, row.direction)) > sameDirection) second = &row;
-  }
+  for (const Row& row : rows) scale = std::max(scale, std::abs(row.value));
   NodeRule rule;
   rule.node = node;
   if (second) {  // two equations for two components
@@ -151,8 +172,7 @@ NodeRule ruleOf(int node, const std::vector<Row>& rows, Contradictions& contradi
     for (int k = 0; k < 2; ++k)
       if (rule.fixed[k]) along += dot(rule.axes[k], row.direction) * rule.value[k];
     if (std::abs(along - row.value) <= sameValue * scale) continue;
-    const bool likeFirst = norm(cross(first.direction, row.direction)) <= sameDirection;
-    Row kept = likeFirst || !second ? first : *second;
+    Row kept = areParallel(first, row) || !second ? first : *second;
     kept.value = along;
     contradictions.add(node, kept, row);
   }
@@ -161,7 +181,8 @@ NodeRule ruleOf(int node, const std::vector<Row>& rows, Contradictions& contradi
 
 }  // namespace
 
-std::vector<NodeRule> nodalRules(const Mesh& mesh, const std::vector<Condition>& scene, Problems& problems) {
+std::vector<NodeRule> nodalRules(const Mesh& mesh, const std::vector<Condition>& scene, Problems& problems,
+                                 std::vector<Support>& supports) {
   Rows rows;
   std::vector<Condition> conditions = scene;
   if (mesh.axisymmetric) addAxis(mesh, conditions, rows);
@@ -172,7 +193,10 @@ std::vector<NodeRule> nodalRules(const Mesh& mesh, const std::vector<Condition>&
 
   Contradictions contradictions(mesh, conditions);
   std::vector<NodeRule> rules;
-  for (const auto& [node, here] : rows) rules.push_back(ruleOf(node, here, contradictions));
+  for (const auto& [node, here] : rows) {
+    rules.push_back(ruleOf(node, here, contradictions));
+    addSupports(node, here, int(scene.size()), supports);
+  }
   contradictions.report(problems);
   return rules;
 }

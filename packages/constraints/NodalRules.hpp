@@ -14,6 +14,8 @@ namespace suture {
 /// One row: it is axis 0 of the rule (Cartesian axes, if it is Cartesian). Two independent rows: the node is fixed, in Cartesian axes.
 /// Result sorted by node. Local.
 /// \param problems  gets rows that contradict each other: the two conditions, place, values, how many nodes
-std::vector<NodeRule> nodalRules(const Mesh& mesh, const std::vector<Condition>& conditions, Problems& problems);
+/// \param supports  gets the conditions behind the rules, sorted by node
+std::vector<NodeRule> nodalRules(const Mesh& mesh, const std::vector<Condition>& conditions, Problems& problems,
+                                 std::vector<Support>& supports);
 
 }  // namespace suture

@@ -262,7 +262,7 @@ ElasticModel makeElasticModel(const Parameters& scene) {
     const Parameters& conditions = scene.sublist("Boundary Conditions");
     for (const std::string& name : sublistNames(conditions))
       if (isLoad(textOf(conditions.sublist(name), "Type")))
-        model.loads.push_back(loadOf(conditions.sublist(name), model.bodies, constants, problems));
+        model.loads.push_back(loadOf(conditions.sublist(name), model.bodies, constants, problems)), model.loads.back().name = name;
   }
   if (scene.isSublist("Exact Solution"))
     model.exact = readExactSolution(scene.sublist("Exact Solution"), model.bodies, constants, problems);

@@ -18,14 +18,14 @@ std::string at(const char* name) { return std::string(kGroup) + "/" + name; }
 /// The form of the file, the sizes of what is written as it lies in memory (another compiler may lay it out otherwise), and the bytes of a
 /// mesh with one contact row: a field that was added or taken away changes them.
 std::string version() {
-  std::string text = "5";
+  std::string text = "6";
   SubdomainMesh sample;
   sample.contactRows.resize(1);
   sample.contactRows[0].equations.resize(1);
   Packer packer;
   pack(sample, packer);
   text += "." + std::to_string(std::move(packer).bytes().size());
-  for (const std::size_t size : {sizeof(NodeRule), sizeof(Side), sizeof(PairEnd), sizeof(SubdomainMesh::ContactEnd),
+  for (const std::size_t size : {sizeof(NodeRule), sizeof(Support), sizeof(Side), sizeof(PairEnd), sizeof(SubdomainMesh::ContactEnd),
                                  sizeof(SubdomainMesh::SeamSide), sizeof(Cell), sizeof(std::size_t)})
     text += "." + std::to_string(size);
   return text;

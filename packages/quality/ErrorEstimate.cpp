@@ -117,8 +117,8 @@ class SubdomainExchange : public PatchExchange {
 
 }  // namespace
 
-DiscretisationError estimateError(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model,
-                                  const std::vector<Vector>& displacement) {
+std::vector<PatchRecovery> recoverStresses(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model,
+                                           const std::vector<Vector>& displacement) {
   std::vector<PatchRecovery> blocks;
   for (std::size_t i = 0; i < meshes.size(); ++i) {
     const SubdomainMesh* mesh = &meshes[i];
@@ -126,12 +126,15 @@ DiscretisationError estimateError(const Comm& comm, const std::vector<SubdomainM
         *mesh, [mesh, &model](int element) -> const Material& { return model.materialOf(*mesh, element, mesh->body); }, model.plane,
         displacement[i]);
   }
-  const SubdomainExchange exchange(comm, meshes, blocks);
-  recoverPatches(blocks, exchange);
+  recoverPatches(blocks, SubdomainExchange(comm, meshes, blocks));
+  return blocks;
+}
+
+DiscretisationError estimateError(const Comm& comm, const std::vector<PatchRecovery>& recovered) {
   DiscretisationError result;
   double squares[2] = {0.0, 0.0}, all[2];
-  exchange.local([&] {
-    for (const PatchRecovery& block : blocks) {
+  collectively(comm, "recovering stresses", [&] {
+    for (const PatchRecovery& block : recovered) {
       const ElementErrors errors = block.errors();
       squares[0] += errors.error.sum();
       squares[1] += errors.norm.sum();
@@ -142,6 +145,11 @@ DiscretisationError estimateError(const Comm& comm, const std::vector<SubdomainM
   result.energyNorm = std::sqrt(all[0]);
   result.solutionNorm = std::sqrt(all[1]);
   return result;
+}
+
+DiscretisationError estimateError(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model,
+                                  const std::vector<Vector>& displacement) {
+  return estimateError(comm, recoverStresses(comm, meshes, model, displacement));
 }
 
 }  // namespace suture

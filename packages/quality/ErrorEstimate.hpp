@@ -1,6 +1,7 @@
 #pragma once
 #include <suture/elasticity/ElasticModel.hpp>
 #include <suture/partition/SubdomainMesh.hpp>
+#include <suture/quality/PatchRecovery.hpp>
 
 #include <vector>
 
@@ -15,8 +16,14 @@ struct DiscretisationError {
   double relative() const { return solutionNorm > 0.0 ? energyNorm / solutionNorm : 0.0; }
 };
 
-/// Estimates by patch recovery (quality/PatchRecovery), patches that seams cut summed over subdomains and ranks: but for rounding the
-/// answer depends neither on the cut nor on the ranks. `displacement`: of each mesh, node-major, Cartesian. Collective.
+/// Recovered stresses of each mesh (quality/PatchRecovery), patches that seams cut summed over subdomains and ranks: but for rounding they
+/// depend neither on the cut nor on the ranks. `displacement`: of each mesh, node-major, Cartesian. Meshes and model outlive them.
+/// Collective.
+std::vector<PatchRecovery> recoverStresses(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model,
+                                           const std::vector<Vector>& displacement);
+
+/// Estimates by recovered stresses. Collective.
+DiscretisationError estimateError(const Comm& comm, const std::vector<PatchRecovery>& recovered);
 DiscretisationError estimateError(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model,
                                   const std::vector<Vector>& displacement);
 

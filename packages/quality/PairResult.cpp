@@ -11,7 +11,7 @@ namespace suture {
 namespace {
 
 struct EndShare {
-  int pair, end;
+  int pair, end, body;
   Point displacement;  // beside the lift
   Point motion;        // of the lift
 };
@@ -46,6 +46,7 @@ PairResult pairResult(const ContactPair& pair, const PairForce& force, const std
     for (int k = 0; k < 3; ++k) result.gap -= pair.ends[end].weight * ofEnds[end][k] * pair.normal[k];
   result.force = force.force;
   result.pressure = pair.length > 0.0 ? force.force / pair.length : 0.0;
+  result.length = pair.length;
   result.arc = pair.arc;
   result.position = pair.position;
   result.displacement = ofEnds.front();
@@ -87,7 +88,7 @@ std::vector<PairResult> pairResults(const Comm& comm, const std::vector<const Su
     for (const ContactRow& row : mesh.contactRows) known[row.pair.id] = &row.pair;
     for (const SubdomainMesh::ContactEnd& end : mesh.contactEnds) {
       if (!counts(mesh, end.node)) continue;
-      EndShare share{end.pair, end.end, {0, 0, 0}, {0, 0, 0}};
+      EndShare share{end.pair, end.end, mesh.body, {0, 0, 0}, {0, 0, 0}};
       for (int k = 0; k < mesh.dimension; ++k) {
         const Eigen::Index at = Eigen::Index(end.node) * mesh.dimension + k;
         share.displacement[k] = displacement[i][at];
@@ -112,9 +113,12 @@ std::vector<PairResult> pairResults(const Comm& comm, const std::vector<const Su
     if (allForces.size() != pairs.size()) throw InternalError("the contact forces are not as many as the pairs");
     std::map<int, std::vector<Point>> ofEnds;
     std::map<int, Point> motion;  // of the carrying nodes
+    std::map<int, std::array<int, 2>> bodies;
     for (const auto& [id, carrier] : pairs) ofEnds[id].resize(carrier.pair.ends.size());
     for (const EndShare& end : allEnds) {
       ofEnds.at(end.pair).at(end.end) = end.displacement;
+      const bool onA = pairs.at(end.pair).pair.ends.at(end.end).weight > 0.0;
+      bodies.try_emplace(end.pair, std::array<int, 2>{-1, -1}).first->second[onA ? 0 : 1] = end.body;
       if (end.end == 0) motion[end.pair] = end.motion;
     }
     for (const PairForce& force : allForces) {
@@ -122,6 +126,7 @@ std::vector<PairResult> pairResults(const Comm& comm, const std::vector<const Su
       if (pair == pairs.end()) throw InternalError("a contact force of a pair that does not exist");
       PairResult& result = results.emplace_back(pairResult(pair->second.pair, force, ofEnds.at(force.id)));
       result.initialGap = pair->second.gap;
+      result.bodies = bodies.at(force.id);
       for (int k = 0; k < 3; ++k) result.displacement[k] += motion.at(force.id)[k];
     }
   });

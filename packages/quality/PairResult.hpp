@@ -2,6 +2,7 @@
 #include <suture/constraints/Constraints.hpp>
 #include <suture/partition/SubdomainMesh.hpp>
 
+#include <array>
 #include <vector>
 
 namespace suture {
@@ -12,12 +13,14 @@ struct PairResult {
   GlobalId node = -1;  ///< that carries it: number in the mesh
   int line = -1;
   int piece = -1;
-  ContactState state;           ///< as the law of its contact decided it
-  bool touching = false;        ///< open, and without a gap
-  double initialGap = 0.0;      ///< [length]
-  double gap = 0.0;             ///< initial gap - (u_A - u_B).n [length]
+  std::array<int, 2> bodies{{-1, -1}};  ///< bodies of sides A and B; -1: a rigid obstacle
+  ContactState state;                   ///< as the law of its contact decided it
+  bool touching = false;                ///< open, and without a gap
+  double initialGap = 0.0;              ///< [length]
+  double gap = 0.0;                     ///< initial gap - (u_A - u_B).n [length]
   double force = 0.0;           ///< along the normal, on B; per unit thickness in the plane, of the whole circle if axisymmetric [force]
   double pressure = 0.0;        ///< force / tributary length (axisymmetric: area) [stress]
+  double length = 0.0;          ///< tributary length, axisymmetric: area [length or area]
   double arc = 0.0;             ///< arc length along the line [length]
   Point position{0, 0, 0};      ///< place of the node that carries it, undeformed
   Point displacement{0, 0, 0};  ///< displacement of the node that carries it

@@ -187,28 +187,47 @@ void PatchRecovery::fitEnlarged(const Matrix& moments) {
 
 bool PatchRecovery::unfitted() const { return std::find(origin_.begin(), origin_.end(), Origin::None) != origin_.end(); }
 
+// Recovered stresses at the nodes of an element.
+void PatchRecovery::nodalOf(int e, Nodal& nodal) const {
+  const int terms = termsOf(order_);
+  const Cell cell = block_->cells[e];
+  const Span<const int> nodes = block_->nodesOf(e), patches = patchesOf(e);
+  const auto valueAt = [&](int vertex, int node) -> Stress {
+    const Point from = placeOf(patches[vertex]), at = block_->point(nodes[node]);
+    return Eigen::Map<const Matrix>(polynomials_.col(patches[vertex]).data(), terms, components).transpose() *
+           monomials(at[0] - from[0], at[1] - from[1], order_);
+  };
+  const int vertices = static_cast<int>(patches.size());
+  for (int v = 0; v < vertices; ++v)
+    for (int k = 0; k < components; ++k) nodal(k, v) = polynomials_(k * terms, patches[v]);
+  if (orderOf(cell) > 1)
+    for (const std::vector<int>& side : cellInfo(cell).sideNodes)
+      nodal.col(side[2]) = 0.5 * (valueAt(side[0], side[2]) + valueAt(side[1], side[2]));
+  if (cell == Cell::Quadrilateral9) nodal.col(8) = 0.25 * (valueAt(0, 8) + valueAt(1, 8) + valueAt(2, 8) + valueAt(3, 8));
+}
+
+Matrix PatchRecovery::nodalSums() const {
+  Matrix sums = Matrix::Zero(components + 1, block_->nodes());
+  Nodal nodal;
+  for (int e = 0; e < block_->elements(); ++e) {
+    nodalOf(e, nodal);
+    const Span<const int> nodes = block_->nodesOf(e);
+    for (std::size_t a = 0; a < nodes.size(); ++a) {
+      sums.col(nodes[a]).head<components>() += nodal.col(a);
+      sums(components, nodes[a]) += 1.0;
+    }
+  }
+  return sums;
+}
+
 ElementErrors PatchRecovery::errors() const {
   ElementErrors all{Vector::Zero(block_->elements()), Vector::Zero(block_->elements())};
-  const int terms = termsOf(order_);
   Laws laws(plane_);
-  Eigen::Matrix<double, components, ReferenceElement::maxNodes> nodal;
+  Nodal nodal;
   for (int e = 0; e < block_->elements(); ++e) {
     const HookesLaw& law = laws.of(materialOf_(e));
     const Cell cell = block_->cells[e];
-    const Span<const int> nodes = block_->nodesOf(e), patches = patchesOf(e);
-    const auto valueAt = [&](int vertex, int node) -> Stress {
-      const Point from = placeOf(patches[vertex]), at = block_->point(nodes[node]);
-      return Eigen::Map<const Matrix>(polynomials_.col(patches[vertex]).data(), terms, components).transpose() *
-             monomials(at[0] - from[0], at[1] - from[1], order_);
-    };
-    const int vertices = static_cast<int>(patches.size());
-    for (int v = 0; v < vertices; ++v)
-      for (int k = 0; k < components; ++k) nodal(k, v) = polynomials_(k * terms, patches[v]);
-    if (orderOf(cell) > 1)
-      for (const std::vector<int>& side : cellInfo(cell).sideNodes)
-        nodal.col(side[2]) = 0.5 * (valueAt(side[0], side[2]) + valueAt(side[1], side[2]));
-    if (cell == Cell::Quadrilateral9) nodal.col(8) = 0.25 * (valueAt(0, 8) + valueAt(1, 8) + valueAt(2, 8) + valueAt(3, 8));
-
+    nodalOf(e, nodal);
     if (cell == Cell::Triangle3 && !block_->axisymmetric) {  // a linear difference: its mass matrix is known
       ElementStress element(*block_, e, referenceElement(cell, Rule::Sampling), law, displacement_);
       element.at(0);

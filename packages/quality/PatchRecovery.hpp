@@ -56,6 +56,9 @@ class PatchRecovery {
   const std::vector<Patch>& patches() const { return patches_; }  ///< by node
   /// After recoverPatches(). \throws InputError  an element is folded
   ElementErrors errors() const;
+  /// After recoverPatches(): the recovered stresses at all nodes, each element's with the shape functions of its cell, as sums over the
+  /// elements that meet there (materials differ, and their stresses), and the number of elements. (components + 1) x nodes. Local.
+  Matrix nodalSums() const;
 
  private:
   friend void recoverPatches(std::vector<PatchRecovery>& blocks, const PatchExchange& exchange);
@@ -75,6 +78,8 @@ class PatchRecovery {
   Span<const int> patchesOf(int element) const {
     return {patchOf_.data() + first_[element], std::size_t(first_[element + 1] - first_[element])};
   }
+  using Nodal = Eigen::Matrix<double, 4, 9>;
+  void nodalOf(int element, Nodal& nodal) const;
   Point placeOf(int patch) const { return block_->point(patches_[patch].node); }
 
   const CellBlock* block_;

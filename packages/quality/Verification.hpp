@@ -1,5 +1,6 @@
 #pragma once
 #include <suture/quality/Balance.hpp>
+#include <suture/quality/answers/Reactions.hpp>
 
 #include <string>
 #include <vector>
@@ -17,10 +18,11 @@ struct Check {
   bool holds() const { return value <= bound; }  // not, when one is NaN
 };
 
-/// The verdict on a run, and the balance of its forces.
+/// The verdict on a run, and its forces: their balance, and one by one.
 struct Verification {
   std::vector<Check> checks;
   Balance balance;
+  Reactions reactions;
 
   bool holds() const;
   /// The check that uses most of its bound; null without checks.

@@ -1,8 +1,6 @@
 #include <suture/base/Gather.hpp>
-#include <suture/elasticity/SubdomainLoads.hpp>
 #include <suture/quality/Deformation.hpp>
-#include <suture/quality/ElementForces.hpp>
-#include <suture/quality/SeamExchange.hpp>
+#include <suture/quality/NodalForces.hpp>
 #include <suture/quality/Verify.hpp>
 #include <suture/quality/VerifyLift.hpp>
 #include <suture/quality/VerifyPairs.hpp>
@@ -18,7 +16,11 @@ namespace suture {
 
 namespace {
 
-enum Row { Internal = 0, Load = 2, Contact = 4, Rounding = 6, Stiffness = 7, kRows = 8 };
+using nodal::Contact;
+using nodal::Internal;
+using nodal::Load;
+using nodal::Rounding;
+using nodal::Stiffness;
 
 /// Sums over the nodes of one body.
 struct BodySums {
@@ -34,9 +36,6 @@ class Verifier {
   Verification run();
 
  private:
-  void gatherForces();
-  OwnForces forcesOf(int mesh) const;
-  void addContact(int mesh);
   void gatherEnds();
   void sumBodies();
   void judgeBodies();
@@ -63,9 +62,8 @@ class Verifier {
   const int bodies_;
   const double tolerance_;
   bool axisymmetric_ = false;
-  std::vector<Matrix> nodes_;                        // of each mesh: rows as in Row x nodes, summed over subdomains
+  std::vector<Matrix> nodes_;                        // of each mesh: rows as in nodal::Row x nodes, summed over subdomains
   std::vector<std::vector<const NodeRule*>> rules_;  // of each mesh's nodes; null: free
-  std::map<int, double> force_;                      // of each pair
   std::vector<PairEndShare> ends_;                   // on rank 0: of all ranks
   std::vector<Deformation> deformation_;
   std::vector<BodySums> sums_;
@@ -73,6 +71,7 @@ class Verifier {
   std::vector<Finding> worstNode_;  // of each body: where the residual is largest on this rank
   Findings findings_;
   Balance balance_;
+  Reactions reactions_;
 };
 
 Verifier::Verifier(const Comm& comm, const Answer& answer)
@@ -86,47 +85,6 @@ Verifier::Verifier(const Comm& comm, const Answer& answer)
   }
   Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, revolved, Teuchos::outArg(any));
   axisymmetric_ = any > 0;
-}
-
-void Verifier::addContact(int i) {
-  const SubdomainMesh& mesh = answer_.meshes[i];
-  std::map<int, const ContactPair*> pairs;
-  for (const ContactRow& row : mesh.contactRows) pairs[row.pair.id] = &row.pair;
-  for (const SubdomainMesh::ContactEnd& end : mesh.contactEnds) {
-    if (!counts(mesh, end.node)) continue;
-    const ContactPair& pair = *pairs.at(end.pair);
-    const auto force = force_.find(end.pair);
-    if (force == force_.end()) continue;  // verifyPairs() tells
-    for (int k = 0; k < 2; ++k) nodes_[i](Contact + k, end.node) -= force->second * pair.ends[end.end].weight * pair.normal[k];
-    if (end.end == 0) balance_.addPair(pair, force->second);
-  }
-}
-
-OwnForces Verifier::forcesOf(int i) const {
-  if (std::optional<OwnForces> own = answer_.own ? answer_.own(i) : std::nullopt) return std::move(*own);
-  const SubdomainMesh& mesh = answer_.meshes[i];
-  const auto materialOf = [&](int element) -> const Material& { return answer_.model.materialOf(mesh, element, mesh.body); };
-  return {elementForces(mesh, materialOf, answer_.model.plane, answer_.displacement[i]), subdomainLoads(mesh, answer_.model)};
-}
-
-void Verifier::gatherForces() {
-  std::vector<PairForce> forces;
-  for (const PairResult& pair : answer_.pairs) forces.push_back({pair.id, pair.state, pair.force});
-  broadcast(comm_, forces);
-  for (const PairForce& pair : forces) force_[pair.id] = pair.force;
-  collectively(comm_, "verifying the solution", [&] {
-    for (std::size_t i = 0; i < answer_.meshes.size(); ++i) {
-      const SubdomainMesh& mesh = answer_.meshes[i];
-      const auto [elements, load] = forcesOf(static_cast<int>(i));
-      Matrix& own = nodes_.emplace_back(kRows, mesh.nodes());
-      own.middleRows<2>(Internal) = Eigen::Map<const Matrix>(elements.internal.data(), 2, mesh.nodes());
-      own.middleRows<2>(Load) = Eigen::Map<const Matrix>(load.data(), 2, mesh.nodes());
-      own.middleRows<2>(Contact).setZero();
-      own.row(Rounding) = elements.rounding.transpose();
-      own.row(Stiffness) = elements.stiffness.transpose();
-      addContact(int(i));
-    }
-  });
 }
 
 void Verifier::gatherEnds() {
@@ -207,6 +165,7 @@ void Verifier::sumBodies() {
   prescribed = largest(prescribed);
   largestContact = largest(largestContact);
   balance_.finish(comm_, axisymmetric_);
+  reactions_.finish(comm_, axisymmetric_);
   for (int b = 0; b < bodies_; ++b) {
     const double force = 0.5 * (sums_[b].loads + sums_[b].contact + sums_[b].reactions);
     scales_[b] = {sums_[b].loads,
@@ -317,6 +276,7 @@ Verification Verifier::conclude() {
   Unpacker unpacker(broadcast(comm_, verdict.bytes()));
   Verification result;
   result.balance = balance_;
+  result.reactions = reactions_;
   for (int q = 0; q < kQuantities; ++q) {
     Check& check = result.checks.emplace_back();
     check.name = nameOf(Quantity(q));
@@ -331,8 +291,10 @@ Verification Verifier::conclude() {
 Verification Verifier::run() {
   const SeamExchange seams(comm_, answer_.meshes);
   deformation_ = deformations(comm_, answer_.meshes, answer_.displacement, bodies_);
-  gatherForces();
-  seams.sum(nodes_);
+  NodalForces forces = nodalForces(comm_, answer_, seams);
+  nodes_ = std::move(forces.nodes);
+  balance_ = forces.balance;
+  reactions_ = std::move(forces.reactions);
   gatherEnds();
   sumBodies();
   judgeBodies();

@@ -7,6 +7,7 @@
 #include <suture/report/Figures.hpp>
 #include <suture/report/Format.hpp>
 #include <suture/report/Units.hpp>
+#include <suture/report/answers/Answers.hpp>
 
 namespace suture {
 namespace {
@@ -91,13 +92,14 @@ void printHeader(std::ostream& console, const Comm& comm, const SceneFile& scene
 
 void printFooter(std::ostream& console, const Run& run, const RunFigures& figures) {
   console << ending(run, figures.largestDisplacement) << "\n"
-          << verdict(run.solution.verification) << exactErrors(run.solution.errors) << estimatedErrors(run.solution);
+          << verdict(run.solution.verification) << exactErrors(run.solution.errors) << estimatedErrors(run.solution)
+          << extremesText(run, figures.dimension);
   for (const Timers::Statistics& phase : figures.phases) console << format("   %s %.2f s", phase.phase.c_str(), phase.max);
   console << format("   total %.2f s   peak %.0f MB a rank\n", run.timers.total(), figures.memory.max);
   std::string folder = run.folder;
   if (folder.empty() || folder.back() != '/') folder += '/';
   console << "   " << folder;
-  for (const char* name : {"fields_0000.vtkhdf", "contact_0000.vtkhdf", "history.csv", "summary.json"})
+  for (const char* name : {"fields_0000.vtkhdf", "contact_0000.vtkhdf", "contact.csv", "reactions.csv", "history.csv", "summary.json"})
     if (std::filesystem::exists(std::filesystem::path(run.folder) / name)) console << "  " << name;
   console << std::endl;
 }

@@ -1,4 +1,5 @@
 #include <Teuchos_RCP.hpp>
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <set>
@@ -17,7 +18,7 @@ constexpr int kPieceElements = 4096;  // work space of a megabyte, which stays i
 // Subdomains one after the other, and all that is written of them.
 struct Piece {
   GridPiece grid;
-  std::vector<double> displacement;
+  std::vector<double> displacement, nodalStress, nodalPrincipal, nodalVonMises;
   std::vector<GlobalId> nodeId;
   std::vector<double> stress, principal, direction1, direction2, vonMises, young, error;
   std::vector<int> subdomain, body;
@@ -26,7 +27,8 @@ struct Piece {
   bool isFull() const { return grid.types.size() >= kPieceElements; }
   // Keeps the memory.
   void clear() {
-    for (auto* values : {&grid.points, &displacement, &stress, &principal, &direction1, &direction2, &vonMises, &young, &error})
+    for (auto* values : {&grid.points, &displacement, &nodalStress, &nodalPrincipal, &nodalVonMises, &stress, &principal, &direction1,
+                         &direction2, &vonMises, &young, &error})
       values->clear();
     for (auto* values : {&grid.connectivity, &grid.ends, &nodeId, &elementId}) values->clear();
     for (auto* values : {&subdomain, &body}) values->clear();
@@ -84,6 +86,20 @@ void addNodes(const SubdomainMesh& mesh, const PointNumbers& numbers, const Vect
   }
 }
 
+/// \param stresses  of the nodes, rows as elementStresses()
+void addNodalStresses(const SubdomainMesh& mesh, const PointNumbers& numbers, const Matrix& stresses, Piece& all) {
+  const Matrix principal = principalStresses(stresses);
+  const Vector mises = vonMises(stresses);
+  for (int n = 0; n < mesh.nodes(); ++n) {
+    if (!numbers.isNew(mesh, n)) continue;
+    const double zz = stresses(n, 2), larger = principal(n, 0), smaller = principal(n, 1);
+    for (const double component : {stresses(n, 0), stresses(n, 1), zz, stresses(n, 3), 0.0, 0.0}) all.nodalStress.push_back(component);
+    for (const double one : {std::max(larger, zz), std::max(smaller, std::min(larger, zz)), std::min(smaller, zz)})
+      all.nodalPrincipal.push_back(one);
+    all.nodalVonMises.push_back(mises[n]);
+  }
+}
+
 void addCells(const SubdomainMesh& mesh, const std::vector<GlobalId>& number, Piece& all) {
   for (int e = 0; e < mesh.elements(); ++e) {
     for (const int n : mesh.nodesOf(e)) all.grid.connectivity.push_back(number[std::size_t(n)]);
@@ -114,10 +130,15 @@ void addStresses(const SubdomainMesh& mesh, const ElasticModel& model, const Vec
   all.vonMises.insert(all.vonMises.end(), mises.data(), mises.data() + mises.size());
 }
 
-const char* stressMeaning(const ElasticModel& model) {
-  return model.axisymmetric ? "XX radial, YY along the axis, ZZ hoop, XY; YZ XZ zero; at the centroid; tension positive"
-                            : "XX YY ZZ XY YZ XZ; at the centroid; tension positive";
+std::string stressMeaning(const ElasticModel& model, const std::string& where) {
+  return (model.axisymmetric ? "XX radial, YY along the axis, ZZ hoop, XY; YZ XZ zero; " : "XX YY ZZ XY YZ XZ; ") + where +
+         "; tension positive";
 }
+
+constexpr const char* kRecovered = "recovered from the elements; NaN in bodies with physics of their own";
+
+/// True on all ranks if any has them. Collective.
+bool hasNodalStresses(const Run& run) { return unionOverRanks(run.comm, {int(!run.solution.nodalStresses.empty())}).back() > 0; }
 
 // The arrays of the file, open for the next piece.
 class FieldRows {
@@ -127,13 +148,21 @@ class FieldRows {
         units_(unitsOf(*run.scene.parameters)),
         displacement_(file.pointData<double>({"Displacement", 3, units_.length, "x, y, z; along the axes"})),
         nodeId_(file.pointData<GlobalId>({"NodeId", 1, "", "number of the node in the mesh, from 0"})),
-        stress_(reals("Stress", 6, units_.stress, stressMeaning(run.model))),
+        stress_(reals("Stress", 6, units_.stress, stressMeaning(run.model, "at the centroid"))),
         principal_(reals("PrincipalStress", 3, units_.stress,
                          run.model.axisymmetric ? "larger in the meridian plane, smaller, hoop; at the centroid; tension positive"
                                                 : "larger in-plane, smaller in-plane, out of plane; at the centroid; tension positive")),
         direction1_(reals("PrincipalDirection1", 3, "", "unit vector of the larger in-plane principal stress")),
         direction2_(reals("PrincipalDirection2", 3, "", "unit vector of the smaller in-plane principal stress")),
         vonMises_(reals("VonMises", 1, units_.stress, "at the centroid; never negative")) {
+    if (hasNodalStresses(run)) {
+      const auto atNodes = [&](const char* name, int components, const std::string& meaning) {
+        return file.pointData<double>({name, components, units_.stress, meaning});
+      };
+      nodalStress_.emplace(atNodes("NodalStress", 6, stressMeaning(run.model, kRecovered)));
+      nodalPrincipal_.emplace(atNodes("NodalPrincipalStress", 3, std::string("largest, middle, smallest of the tensor; ") + kRecovered));
+      nodalVonMises_.emplace(atNodes("NodalVonMises", 1, kRecovered));
+    }
     if (!run.model.materialOfRegion.empty()) young_.emplace(reals("YoungModulus", 1, units_.stress, "of the element's material"));
     if (run.solution.discretisation)
       error_.emplace(reals("ErrorEstimate", 1, "(" + units_.stress + " " + units_.length + "^2)^(1/2)",
@@ -153,6 +182,11 @@ class FieldRows {
     direction1_.append(piece.direction1);
     direction2_.append(piece.direction2);
     vonMises_.append(piece.vonMises);
+    if (nodalStress_) {
+      nodalStress_->append(piece.nodalStress);
+      nodalPrincipal_->append(piece.nodalPrincipal);
+      nodalVonMises_->append(piece.nodalVonMises);
+    }
     if (young_) young_->append(piece.young);
     if (error_) error_->append(piece.error);
     subdomain_->append(piece.subdomain);
@@ -174,7 +208,7 @@ class FieldRows {
   Hdf5Rows<double> displacement_;
   Hdf5Rows<GlobalId> nodeId_;
   Hdf5Rows<double> stress_, principal_, direction1_, direction2_, vonMises_;
-  std::optional<Hdf5Rows<double>> young_, error_;
+  std::optional<Hdf5Rows<double>> nodalStress_, nodalPrincipal_, nodalVonMises_, young_, error_;
   std::optional<Hdf5Rows<int>> subdomain_, body_;
   std::optional<Hdf5Rows<GlobalId>> elementId_;
 };
@@ -186,6 +220,7 @@ void appendAll(const Run& run, PointNumbers& numbers, FieldRows& rows) {
     const SubdomainMesh& mesh = run.subdomains[s];
     const Vector& u = run.solution.displacement[s];
     addNodes(mesh, numbers, u, piece);
+    if (!run.solution.nodalStresses.empty()) addNodalStresses(mesh, numbers, run.solution.nodalStresses[s], piece);
     addCells(mesh, numbers.of(mesh), piece);
     const auto own = run.solution.ownStresses.find(static_cast<int>(s));
     addStresses(mesh, run.model, u, own == run.solution.ownStresses.end() ? nullptr : &own->second, piece);

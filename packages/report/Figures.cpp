@@ -139,7 +139,9 @@ double maxDisplacement(const Run& run) { return largestDisplacement(run.comm, ru
 
 Memory peakMemory(const Comm& comm) { return memoryFigures(comm, peakMemoryMb()); }
 
-RunFigures runFigures(const Run& run) { return {maxDisplacement(run), run.timers.statistics(run.comm), peakMemory(run.comm)}; }
+RunFigures runFigures(const Run& run) {
+  return {maxDisplacement(run), run.timers.statistics(run.comm), peakMemory(run.comm), dimensionOf(run)};
+}
 
 Memory memoryFigures(const Comm& comm, double mine) {
   Memory memory{};

@@ -55,6 +55,7 @@ struct RunFigures {
   double largestDisplacement;              ///< largest |u| over all nodes [length]
   std::vector<Timers::Statistics> phases;  ///< [s]
   Memory memory;                           ///< [MB]
+  int dimension = 2;
 };
 /// Collective.
 RunFigures runFigures(const Run& run);

@@ -1,6 +1,7 @@
 #include <Teuchos_ParameterList.hpp>
 #include <filesystem>
 #include <suture/report/OutputSchema.hpp>
+#include <suture/report/answers/Probes.hpp>
 
 namespace suture {
 
@@ -12,6 +13,11 @@ Schema outputSchema() {
       .boolean("Error Estimate", false,
                "Estimate the discretisation error in the energy norm from recovered stresses, element by element (field ErrorEstimate; "
                "summary, console). An automatic tolerance does so anyway.")
+      .boolean(
+          "Nodal Stresses", true,
+          "Recover the stresses at the nodes from those inside the elements: fields NodalStress, NodalVonMises and NodalPrincipalStress, "
+          "and the extremes of summary and console. Off: extremes are those at the elements' centroids.")
+      .boolean("Tables", true, "Write contact.csv, a row a pair, and reactions.csv, a row a condition and contact.")
       .boolean("Checkpoint", false,
                "Write checkpoint.h5 of a run that converged, too: the next load step starts from it (--restart). One that did not always "
                "leaves it.")
@@ -20,7 +26,9 @@ Schema outputSchema() {
             "(and the iteration in hand); removed at the end of a run that converged. 0: never.",
             Range::atLeast(0), "min")
       .wordOrNumber("Enlargement", "Automatic", {"Automatic"}, Range::positive(),
-                    "How many times suture_plot enlarges the displacements; Automatic: to about a twentieth of the scene's size.");
+                    "How many times suture_plot enlarges the displacements; Automatic: to about a twentieth of the scene's size.")
+      .list("Probes",
+            Schema("Tables of values at points, along lines and along groups, named by the user.").each("<probe>", probeSchema()));
 }
 
 std::string outputFolder(const SceneFile& scene) {

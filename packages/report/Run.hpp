@@ -26,7 +26,9 @@ struct Run {
   Timers& timers;
   std::string meshHash;  ///< on rank 0
   std::vector<std::string> commandLine;
-  std::string folder;  ///< output folder
+  std::string folder;                     ///< output folder
+  std::vector<std::string> conditions{};  ///< names of boundary conditions as Support::condition numbers them, on rank 0
+  std::vector<std::string> contacts{};    ///< names of contact lines
 };
 
 /// The run's number of space dimensions (a rank without subdomains does not see it alone). Collective.

@@ -9,6 +9,7 @@
 #include <suture/report/OutputFolder.hpp>
 #include <suture/report/ParametersJson.hpp>
 #include <suture/report/Summary.hpp>
+#include <suture/report/answers/Answers.hpp>
 
 using Json = nlohmann::ordered_json;
 
@@ -138,6 +139,8 @@ std::string writeSummary(const Run& run, const RunFigures& figures, ExitCode cod
          {{"applied", components(answer.verification.balance.applied, dimension)},
           {"reactions", components(answer.verification.balance.reactions, dimension)},
           {"imbalance", answer.verification.balance.imbalance}}},
+        {"extremes", extremesJson(run, dimension)},
+        {"reactions", reactionsJson(run, dimension)},
         {"verified", answer.verification.holds()},
         {"verification", verification(answer.verification)},
         {"error", errors(answer)},

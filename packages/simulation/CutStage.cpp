@@ -40,7 +40,7 @@ bool isCut(const Scene& scene) { return scene.settings().sublist("Partition").ge
 
 Whole wholeOf(const Comm& comm, const Mesh& mesh, const Constraints& constraints, const Partition& partition) {
   return {problemSize(comm, mesh, constraints, partition), constraints.pieces,
-          onRoot(comm, "hashing the mesh", [&] { return mesh.hash(); })};
+          onRoot(comm, "hashing the mesh", [&] { return mesh.hash(); }), constraints.conditions};
 }
 
 namespace {
@@ -50,6 +50,7 @@ std::string bytesOf(const Whole& whole) {
   packer.put(whole.size);
   packer.put(whole.hash);
   packer.put(whole.pieces);
+  packer.put(whole.conditions);
   return std::move(packer).bytes();
 }
 
@@ -59,6 +60,7 @@ Whole wholeFrom(const std::string& bytes) {
   unpacker.get(whole.size);
   unpacker.get(whole.hash);
   unpacker.get(whole.pieces);
+  unpacker.get(whole.conditions);
   return whole;
 }
 

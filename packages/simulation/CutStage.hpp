@@ -10,9 +10,10 @@ namespace suture {
 
 /// Properties of the whole scene that later stages need.
 struct Whole {
-  ProblemSize size;                  ///< on all ranks; without the interface
-  std::vector<ContactPiece> pieces;  ///< on rank 0
-  std::string hash;                  ///< hash of the mesh, on rank 0
+  ProblemSize size;                     ///< on all ranks; without the interface
+  std::vector<ContactPiece> pieces;     ///< on rank 0
+  std::string hash;                     ///< hash of the mesh, on rank 0
+  std::vector<std::string> conditions;  ///< Constraints::conditions, on rank 0
 };
 
 /// Collective.

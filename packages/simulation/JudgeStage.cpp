@@ -1,7 +1,7 @@
 #include <suture/base/Collective.hpp>
-#include <suture/quality/ErrorEstimate.hpp>
 #include <suture/quality/ExactErrors.hpp>
 #include <suture/quality/Verify.hpp>
+#include <suture/quality/answers/NodalStresses.hpp>
 #include <suture/simulation/JudgeStage.hpp>
 #include <suture/solver/accuracy/RequestedAccuracy.hpp>
 #include <suture/solver/solvability/NeutralMotions.hpp>
@@ -9,11 +9,15 @@
 #include <Teuchos_Comm.hpp>
 #include <Teuchos_ParameterList.hpp>
 
+#include <limits>
+
 namespace suture {
 
 bool wantsErrorEstimate(const Parameters& settings) {
   return settings.sublist("Output").get<bool>("Error Estimate") || isAutomatic(settings);
 }
+
+bool wantsNodalStresses(const Parameters& settings) { return settings.sublist("Output").get<bool>("Nodal Stresses"); }
 
 void settleMotions(const Comm& comm, std::vector<SubdomainMesh>& meshes, const std::vector<ContactPiece>& pieces, const Scene& scene,
                    Solution& solution, Monitor& monitor) {
@@ -31,8 +35,20 @@ void findErrors(const Comm& comm, const std::vector<SubdomainMesh>& meshes, cons
     solution.errors = timed(timers, "errors", [&] {
       return exactErrors(comm, meshes, model, scene.settings().sublist("Contact"), solution.displacement, solution.pairs);
     });
+  const bool nodal = wantsNodalStresses(scene.settings());
+  if (!nodal && !(wantsErrorEstimate(scene.settings()) && !solution.discretisation)) return;
+  const std::vector<PatchRecovery> recovered =
+      timed(timers, "recover", [&] { return recoverStresses(comm, meshes, model, solution.displacement); });
   if (wantsErrorEstimate(scene.settings()) && !solution.discretisation)
-    solution.discretisation = timed(timers, "estimate", [&] { return estimateError(comm, meshes, model, solution.displacement); });
+    solution.discretisation = timed(timers, "estimate", [&] { return estimateError(comm, recovered); });
+  if (nodal) solution.nodalStresses = timed(timers, "recover", [&] { return nodalStresses(comm, meshes, model, recovered); });
+}
+
+void findAnswers(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const Scene& scene, Solution& solution) {
+  if (!solution.nodalStresses.empty())
+    for (const auto& own : solution.ownStresses)  // recovered with a law that is not theirs
+      solution.nodalStresses[own.first].setConstant(std::numeric_limits<double>::quiet_NaN());
+  solution.extremes = findExtremes(comm, {meshes, scene.model, solution.displacement, solution.ownStresses, solution.nodalStresses});
 }
 
 void verifySolution(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const std::vector<ContactPiece>& pieces,

@@ -23,6 +23,8 @@ ContactScales scalesOf(const ElasticModel& model, const Parameters& settings) {
   return {compliance, unitsOf(settings).length};
 }
 
+std::string nameOf(const Load& load, std::size_t place) { return load.name.empty() ? std::to_string(place + 1) : load.name; }
+
 /// A load as a condition: its place is checked as that of the others.
 Condition conditionOf(const Load& load, const std::string& name) {
   Condition condition;
@@ -85,10 +87,11 @@ Scene makeScene(const ElasticModel& model, const std::function<Mesh()>& mesh, co
   problems.throwIfAny();
   scene.file.parameters->set("Model", modelName(model));
   scene.model = model;
+  for (std::size_t i = 0; i < model.loads.size(); ++i) scene.model.loads[i].name = nameOf(model.loads[i], i);
   for (const Contact& contact : contacts) scene.contacts.push_back(contact.name);
   scene.mesh = [mesh](const Comm& comm) { return onRoot(comm, "making the mesh", mesh); };
   std::vector<Condition> all = conditions;
-  for (std::size_t i = 0; i < model.loads.size(); ++i) all.push_back(conditionOf(model.loads[i], std::to_string(i + 1)));
+  for (std::size_t i = 0; i < model.loads.size(); ++i) all.push_back(conditionOf(model.loads[i], nameOf(model.loads[i], i)));
   scene.constraints = [all, contacts, scales = scalesOf(model, scene.settings())](const Mesh& whole) {
     return buildConstraints(whole, all, contacts, scales);
   };

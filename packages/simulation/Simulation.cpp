@@ -4,6 +4,7 @@
 #include <suture/quality/ExactErrors.hpp>
 #include <suture/report/Checkpoint.hpp>
 #include <suture/report/Report.hpp>
+#include <suture/report/answers/Probes.hpp>
 #include <suture/simulation/JudgeStage.hpp>
 #include <suture/simulation/NestedLevels.hpp>
 #include <suture/simulation/ReadStage.hpp>
@@ -67,6 +68,7 @@ void Simulation::check() {
     checkElements(*comm_, cut_.meshes, scene_.model);
     if (isWhole_) checkSolvability(*comm_, mesh_, constraints_, scene_.model, cut_.partition);
   });
+  locateProbes(*comm_, cut_.meshes, scene_.model.bodies, readProbes(scene_.settings(), scene_.model.bodies));
   checkExactSolution(*comm_, cut_.meshes, scene_.model, scene_.settings().sublist("Contact"));
   const double limit = scene_.settings().sublist("Subdomain").get<double>("Memory Limit");
   megabytes_ = checkMemory(*comm_, method_->megabytes(*comm_, cut_.meshes, size_.dofs), limit);
@@ -111,6 +113,7 @@ void Simulation::judge() {
   timed(timers_, "verify", [&] { settleMotions(*comm_, cut_.meshes, pieces, scene_, solution_, monitor_); });
   findErrors(*comm_, cut_.meshes, scene_, solution_, timers_);
   timed(timers_, "verify", [&] { verifySolution(*comm_, cut_.meshes, pieces, subdomains, scene_, solution_); });
+  timed(timers_, "verify", [&] { findAnswers(*comm_, cut_.meshes, scene_, solution_); });
   for (const std::string& note : pressureNotes(*comm_, pieces, solution_)) monitor_.note(note);
   for (const std::string& note : plausibilityNotes(*comm_, cut_.meshes, pieces, solution_)) monitor_.note(note);
 }
@@ -147,8 +150,8 @@ RunResult Simulation::report(const std::vector<std::string>& commandLine) {
   const Parameters& output = scene_.settings().sublist("Output");
   // First: who asked for the stop may not wait for the rest.
   if (code != ExitCode::Done || output.get<bool>("Checkpoint")) writeState(solution_);
-  const Run run{*comm_,    scene_.file, scene_.model, cut_.whole.pieces, cut_.meshes, size_,
-                solution_, monitor_,    timers_,      cut_.whole.hash,   commandLine, folder_};
+  const Run run{*comm_,  scene_.file,     scene_.model, cut_.whole.pieces, cut_.meshes,           size_,          solution_, monitor_,
+                timers_, cut_.whole.hash, commandLine,  folder_,           cut_.whole.conditions, scene_.contacts};
   const Written written = writeReport(run, code);
   if (code == ExitCode::Done && !output.get<bool>("Checkpoint") && output.get<double>("Checkpoint Every") > 0.0 && comm_->getRank() == 0) {
     std::error_code ignored;

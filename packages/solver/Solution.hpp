@@ -2,6 +2,7 @@
 #include <suture/base/Types.hpp>
 #include <suture/quality/PairResult.hpp>
 #include <suture/quality/Verification.hpp>
+#include <suture/quality/answers/Extremes.hpp>
 #include <suture/solver/OuterFigures.hpp>
 
 #include <map>
@@ -25,12 +26,14 @@ struct Solution : OuterFigures {
   /// One vector for each subdomain of this rank, in the order of distribute(), beside its lift: node-major, Cartesian [length].
   std::vector<Vector> displacement;
   std::map<int, Matrix> ownStresses;  ///< Subdomain::stresses() of those of this rank with physics of their own, by place
+  std::vector<Matrix> nodalStresses;  ///< of each such subdomain: see nodalStresses(); empty if nobody asked for them
   std::vector<PairResult> pairs;      ///< on rank 0: all, by id
   std::vector<PairResult> onAxis;     ///< on rank 0: see axisResults()
 
   std::string outerSolver;               ///< "" for a scene without unilateral contact
   double energy = 0.0;                   ///< total potential energy a(u,u)/2 - L(u)
   Verification verification;             ///< and the balance of forces; without checks before verify()
+  Extremes extremes;                     ///< see findExtremes()
   std::map<std::string, double> errors;  ///< against the scene's exact solution, where it has one: see exactErrors()
 };
 

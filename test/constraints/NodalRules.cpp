@@ -1,5 +1,7 @@
 #include <Eigen/LU>
 #include <Teuchos_UnitTestHarness.hpp>
+#include <map>
+#include <suture/base/Point.hpp>
 
 #include "ConstraintsTesting.hpp"
 
@@ -247,4 +249,37 @@ TEUCHOS_UNIT_TEST(NodalRules, TellWhereADisplacementIsNotFinite) {
                 entry("push", {{"Type", "Displacement"}, {"Group", "b0_top"}, {"Expression x", "0"}, {"Expression y", "sqrt(x - 10)"}}));
   SUTURE_CHECK_SAYS(text, "Boundary Conditions/pull/Expression x: '1/(x - 2)' is infinite at (x, y) = (2, 0)");
   SUTURE_CHECK_SAYS(text, "Boundary Conditions/push/Expression y: 'sqrt(x - 10)' is not a number (nan) at (x, y) = (");
+}
+
+/// The force that holds a node goes to the conditions behind its rule: each along its own direction, and all of it.
+TEUCHOS_UNIT_TEST(NodalRules, ShareTheForceOfANodeAmongTheirConditions) {
+  Mesh mesh = stack(1);
+  moveAll(mesh, [](Point p) -> Point { return {p[0] + 0.5 * p[1], p[1], 0}; });  // sides that lean
+  const Constraints all = build(mesh, bilateral("wall", "b0_left") + displacement("floor", "b0_bottom", "0", "y") +
+                                          displacement("same floor", "b0_bottom", "0", "y") + displacement("push", "b0_right", "{0, 0}"));
+  TEST_EQUALITY(all.conditions.size(), 4);
+  TEST_EQUALITY(all.conditions[2], "same floor");
+  const Point force{3, -5, 0}, wall{-1 / std::sqrt(1.25), 0.5 / std::sqrt(1.25), 0};
+  const auto shares = [&](double x, double y) {
+    std::map<int, Point> found;
+    for (const Support& support : all.supports)
+      if (support.node == nodeAt(mesh, 0, x, y))
+        found[support.condition] = plus(found[support.condition], scaled(dot(support.along, force), support.direction));
+    return found;
+  };
+  const std::map<int, Point> corner = shares(0, 0), middle = shares(2, 0), right = shares(4.5, 1), beside = shares(4, 0);
+  TEST_EQUALITY(corner.size(), 3);
+  TEST_COMPARE(norm(minus(plus(corner.at(0), plus(corner.at(1), corner.at(2))), force)), <, 1e-14);
+  TEST_COMPARE(norm(cross(corner.at(0), wall)), <, 1e-14);  // along its normal
+  TEST_COMPARE(norm(minus(corner.at(1), corner.at(2))), <, 1e-15);
+  TEST_EQUALITY(corner.at(1)[0], 0.0);
+  TEST_EQUALITY(middle.size(), 2);
+  TEST_EQUALITY(middle.at(1)[1], -2.5);
+  TEST_EQUALITY(middle.at(2)[1], -2.5);
+  TEST_COMPARE(norm(minus(right.at(3), force)), <, 1e-14);
+  // Three conditions hold the corner upwards.
+  TEST_EQUALITY(beside.size(), 3);
+  TEST_FLOATING_EQUALITY(beside.at(1)[1], -5.0 / 3, 1e-14);
+  TEST_FLOATING_EQUALITY(beside.at(3)[1], -5.0 / 3, 1e-14);
+  TEST_FLOATING_EQUALITY(beside.at(3)[0], 3.0, 1e-14);
 }

@@ -1,4 +1,5 @@
 #include <report/SampleRun.hpp>
+#include <suture/quality/answers/NodalStresses.hpp>
 
 namespace sample {
 
@@ -46,7 +47,9 @@ suture::Run SampleRun::run() {
           timers_,
           "abcd",
           {"suture_solve", "scene.xml", "--set", "Outer Solver/Type=Chord"},
-          folder_};
+          folder_,
+          {"floor, below"},
+          {"joint", "crack"}};
 }
 
 void SampleRun::makeScene() {
@@ -108,6 +111,10 @@ void SampleRun::makeSolution() {
     }
     solution_.displacement.push_back(u);
   }
+  solution_.nodalStresses =
+      suture::nodalStresses(*comm_, subdomains_, model_, suture::recoverStresses(*comm_, subdomains_, model_, solution_.displacement));
+  solution_.extremes = suture::findExtremes(*comm_, {subdomains_, model_, solution_.displacement, {}, solution_.nodalStresses});
+  solution_.verification.reactions.supports = {{{1, 4, 0}, {0, 0, 2}}};
   solution_.converged = true;
   solution_.outerSolver = "Chord";
   solution_.iterations = 2;
@@ -127,6 +134,8 @@ void SampleRun::makeSolution() {
     suture::PairResult pair;
     pair.id = i;
     pair.line = pair.piece = i == 3 ? 1 : 0;
+    pair.bodies = {0, 1};
+    pair.length = 0.5;
     pair.state = i == 2 ? PairStatus::Open : PairStatus::Slip;
     pair.initialGap = 1e-3;
     pair.gap = gap[i];

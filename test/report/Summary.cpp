@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 #include <suture/report/History.hpp>
+#include <suture/report/answers/Tables.hpp>
 
 #include "SampleRun.hpp"
 
@@ -151,6 +152,70 @@ TEUCHOS_UNIT_TEST(Summary, SumsUpContact) {
   TEST_FLOATING_EQUALITY(contact["force"]["joint"][1].get<double>(), 5.0, 1e-15);
   TEST_FLOATING_EQUALITY(contact["force"]["crack"][0].get<double>(), 3.0, 1e-15);
   TEST_FLOATING_EQUALITY(contact["force"]["crack"][1].get<double>(), 4.0, 1e-15);
+}
+
+// A linear field: all stresses are Hooke's, and the first node is told.
+TEUCHOS_UNIT_TEST(Summary, TellsTheExtremesAndTheirPlaces) {
+  sample::SampleRun sample(sample::folderOf("summary"));
+  prepareFolder(*sample.comm_, sample.folder_);
+  writeSummary(sample.run(), runFigures(sample.run()), ExitCode::Done, sample.folder_ + "/summary.json");
+  const json extremes = readJson(sample.folder_ + "/summary.json")["extremes"];
+  const sample::Stress s = sample::exactStress();
+  const double mean = 0.5 * (s.xx + s.yy), radius = std::hypot(0.5 * (s.xx - s.yy), s.xy);
+  TEST_EQUALITY(extremes["stresses"], "recovered at nodes");
+  TEST_FLOATING_EQUALITY(extremes["tension"]["value"].get<double>(), std::max(mean + radius, s.zz), 1e-11);
+  TEST_FLOATING_EQUALITY(extremes["compression"]["value"].get<double>(), std::min(mean - radius, s.zz), 1e-11);
+  const double a = mean + radius - s.zz, b = mean - radius - s.zz, c = 2 * radius;
+  TEST_FLOATING_EQUALITY(extremes["von_mises"]["value"].get<double>(), std::sqrt(0.5 * (a * a + b * b + c * c)), 1e-11);
+  TEST_EQUALITY(extremes["von_mises"]["unit"], "Pa");
+  TEST_EQUALITY(extremes["von_mises"]["body"], "lower");
+  TEST_EQUALITY(extremes["von_mises"]["place"], json::array({0.0, 0.0}));
+  TEST_EQUALITY(extremes["displacement"]["body"], "upper");
+  TEST_EQUALITY(extremes["displacement"]["place"], json::array({2.0, 2.0}));
+  TEST_EQUALITY(extremes["pressure"]["value"], 10.0);
+  TEST_EQUALITY(extremes["pressure"]["contact"], "crack");
+  TEST_EQUALITY(extremes["pressure"]["bodies"], json::array({"lower", "upper"}));
+}
+
+TEUCHOS_UNIT_TEST(Summary, SumsUpConditionsAndContacts) {
+  sample::SampleRun sample(sample::folderOf("summary"));
+  prepareFolder(*sample.comm_, sample.folder_);
+  writeSummary(sample.run(), runFigures(sample.run()), ExitCode::Done, sample.folder_ + "/summary.json");
+  const json reactions = readJson(sample.folder_ + "/summary.json")["reactions"];
+  TEST_EQUALITY(reactions["conditions"]["floor, below"], json::parse(R"({"kind": "support", "force": [1.0, 4.0], "moment": [2.0]})"));
+  const json& joint = reactions["contacts"]["joint"];  // forces 2, 3 up at x = 0, 0.5; open at x = 1
+  TEST_FLOATING_EQUALITY(joint["force"][1].get<double>(), 5.0, 1e-15);
+  TEST_FLOATING_EQUALITY(joint["moment"][0].get<double>(), 1.5, 1e-15);
+  TEST_FLOATING_EQUALITY(joint["centre"][0].get<double>(), 0.3, 1e-15);
+  TEST_EQUALITY(joint["closed"].get<double>(), 1.0);
+  TEST_EQUALITY(joint["whole"].get<double>(), 1.5);
+  TEST_EQUALITY(reactions["sum"]["force"], json::array({1.0, 4.0}));  // contact between bodies is none of it
+}
+
+TEUCHOS_UNIT_TEST(Tables, HaveARowAPairAndAConditionWithNamesThatSpreadsheetsRead) {
+  sample::SampleRun sample(sample::folderOf("tables"));
+  prepareFolder(*sample.comm_, sample.folder_);
+  if (sample.comm_->getRank() != 0) return;
+  writeContactTable(sample.run(), sample.folder_ + "/contact.csv");
+  writeReactionTable(sample.run(), sample.folder_ + "/reactions.csv");
+  const auto lines = [](const std::string& path) {
+    std::ifstream file(path);
+    std::vector<std::string> all;
+    for (std::string line; std::getline(file, line);) all.push_back(line);
+    return all;
+  };
+  const std::vector<std::string> pairs = lines(sample.folder_ + "/contact.csv"), sums = lines(sample.folder_ + "/reactions.csv");
+  TEST_EQUALITY(pairs.size(), 5);
+  TEST_EQUALITY(pairs.at(1), "0,joint,lower,upper,0,1,0,0,1,0,0,0.001,0,4,2,0.5,closed");
+  TEST_EQUALITY(pairs.at(3), "2,joint,lower,upper,1,1,0,0,1,0,1,0.001,0.004,0,0,0.5,open");
+  TEST_EQUALITY(sums.size(), 5);
+  TEST_EQUALITY(sums.at(1), "\"floor, below\",support,,,1,4,0,0,0,2,,,,");
+  TEST_EQUALITY(sums.at(2), "joint,contact,lower,upper,0,5,0,0,0,1.5,0.3,1,0,1");
+  TEST_EQUALITY(sums.at(4), "sum,sum,,,1,4,0,0,0,2,,,,");
+  const auto commas = [](const std::string& line) { return std::count(line.begin(), line.end(), ','); };
+  TEST_EQUALITY(commas(sums[0]), commas(sums[2]));
+  TEST_EQUALITY(commas(sums[0]), commas(sums[4]));
+  TEST_EQUALITY(csvField("a \"b\""), "\"a \"\"b\"\"\"");
 }
 
 TEUCHOS_UNIT_TEST(Summary, MeasuresTheWholeMeshOverAllRanks) {

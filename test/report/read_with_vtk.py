@@ -47,6 +47,10 @@ same("VonMises", cell_data["VonMises"], np.full(72, np.sqrt(1.5 * (deviator**2).
 in_plane = np.sort(np.linalg.eigvalsh(stress[:2, :2]))[::-1]
 same("PrincipalStress", cell_data["PrincipalStress"], np.tile([*in_plane, stress[2, 2]], (72, 1)), 1e-12)
 
+same("NodalStress", point_data["NodalStress"], np.tile([stress[0, 0], stress[1, 1], stress[2, 2], stress[0, 1], 0, 0], (len(points), 1)), 1e-11)
+same("NodalVonMises", point_data["NodalVonMises"], np.full(len(points), np.sqrt(1.5 * (deviator**2).sum())), 1e-11)
+same("NodalPrincipalStress", point_data["NodalPrincipalStress"], np.tile(np.linalg.eigvalsh(stress)[::-1], (len(points), 1)), 1e-11)
+
 # Cells refer to the right points: every subdomain has its area, every body its place.
 area = {0: 0.0, 1: 0.0, 2: 0.0}
 for i in range(72):

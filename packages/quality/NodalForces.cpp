@@ -1,0 +1,79 @@
+#include <suture/base/Collective.hpp>
+#include <suture/elasticity/SubdomainLoads.hpp>
+#include <suture/quality/NodalForces.hpp>
+
+#include <map>
+
+namespace suture {
+
+namespace {
+
+using PairForces = std::map<int, double>;
+
+PairForces forcesOfPairs(const Comm& comm, const std::vector<PairResult>& pairs) {
+  std::vector<PairForce> forces;
+  for (const PairResult& pair : pairs) forces.push_back({pair.id, pair.state, pair.force});
+  broadcast(comm, forces);
+  PairForces all;
+  for (const PairForce& pair : forces) all[pair.id] = pair.force;
+  return all;
+}
+
+void addContact(const SubdomainMesh& mesh, const PairForces& forces, Matrix& nodes, Balance& balance) {
+  std::map<int, const ContactPair*> pairs;
+  for (const ContactRow& row : mesh.contactRows) pairs[row.pair.id] = &row.pair;
+  for (const SubdomainMesh::ContactEnd& end : mesh.contactEnds) {
+    if (!counts(mesh, end.node)) continue;
+    const ContactPair& pair = *pairs.at(end.pair);
+    const auto force = forces.find(end.pair);
+    if (force == forces.end()) continue;  // verifyPairs() tells
+    for (int k = 0; k < 2; ++k) nodes(nodal::Contact + k, end.node) -= force->second * pair.ends[end.end].weight * pair.normal[k];
+    if (end.end == 0) balance.addPair(pair, force->second);
+  }
+}
+
+OwnForces forcesOf(const Answer& answer, int i, Reactions& reactions) {
+  const SubdomainMesh& mesh = answer.meshes[i];
+  if (std::optional<OwnForces> own = answer.own ? answer.own(i) : std::nullopt) {
+    reactions.addOwn(mesh, own->load);
+    return std::move(*own);
+  }
+  const auto materialOf = [&](int element) -> const Material& { return answer.model.materialOf(mesh, element, mesh.body); };
+  OwnForces all{elementForces(mesh, materialOf, answer.model.plane, answer.displacement[i]),
+                Vector::Zero(Eigen::Index(mesh.nodes()) * mesh.dimension)};
+  forEachLoad(mesh, answer.model, [&](int number, const Vector& forces) {
+    all.load += forces;
+    reactions.addLoad(mesh, number, forces);
+  });
+  return all;
+}
+
+}  // namespace
+
+NodalForces nodalForces(const Comm& comm, const Answer& answer, const SeamExchange& seams) {
+  const PairForces pairs = forcesOfPairs(comm, answer.pairs);
+  NodalForces all;
+  collectively(comm, "verifying the solution", [&] {
+    for (std::size_t i = 0; i < answer.meshes.size(); ++i) {
+      const SubdomainMesh& mesh = answer.meshes[i];
+      const auto [elements, load] = forcesOf(answer, static_cast<int>(i), all.reactions);
+      Matrix& own = all.nodes.emplace_back(nodal::kRows, mesh.nodes());
+      own.middleRows<2>(nodal::Internal) = Eigen::Map<const Matrix>(elements.internal.data(), 2, mesh.nodes());
+      own.middleRows<2>(nodal::Load) = Eigen::Map<const Matrix>(load.data(), 2, mesh.nodes());
+      own.middleRows<2>(nodal::Contact).setZero();
+      own.row(nodal::Rounding) = elements.rounding.transpose();
+      own.row(nodal::Stiffness) = elements.stiffness.transpose();
+      addContact(mesh, pairs, own, all.balance);
+    }
+  });
+  seams.sum(all.nodes);
+  for (std::size_t i = 0; i < answer.meshes.size(); ++i)
+    all.reactions.addSupports(answer.meshes[i], [&own = all.nodes[i]](int node) {
+      Point force{0, 0, 0};
+      for (int k = 0; k < 2; ++k) force[k] = own(nodal::Internal + k, node) - own(nodal::Load + k, node) - own(nodal::Contact + k, node);
+      return force;
+    });
+  return all;
+}
+
+}  // namespace suture

@@ -1,0 +1,123 @@
+#include <suture/base/Buffer.hpp>
+#include <suture/base/Collective.hpp>
+#include <suture/mesh/CellGeometry.hpp>
+#include <suture/quality/answers/Extremes.hpp>
+
+#include <Teuchos_Comm.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <tuple>
+
+namespace suture {
+
+namespace {
+
+constexpr double kEqual = 1e-6;  // relative difference of values that count as equal
+
+constexpr double kNothing = 1e-9;  // of von Mises: principal stresses that are rounding of others, and whose places mean nothing
+
+bool isBefore(const Extreme& a, const Extreme& b) { return std::tie(a.body, a.id) < std::tie(b.body, b.id); }
+
+/// Searches of one rank, in the order of Extremes.
+class Search {
+ public:
+  template <typename Place>
+  void stress(double xx, double yy, double zz, double xy, int body, GlobalId id, const Place& place) {
+    const double mean = 0.5 * (xx + yy), radius = std::sqrt(0.25 * (xx - yy) * (xx - yy) + xy * xy);
+    const double a = xx - yy, b = yy - zz, c = zz - xx;
+    all_[0].take(std::sqrt(0.5 * (a * a + b * b + c * c) + 3.0 * xy * xy), body, id, place);
+    all_[1].take(std::max(mean + radius, zz), body, id, place);
+    all_[2].take(-std::min(mean - radius, zz), body, id, place);
+  }
+  template <typename Place>
+  void displacement(double size, int body, GlobalId id, const Place& place) {
+    all_[3].take(size, body, id, place);
+  }
+
+  std::array<Extreme, 4> over(const Comm& comm) const {
+    Packer packer;
+    for (const Largest& one : all_) packer.put(one);
+    std::array<Largest, 4> whole;
+    for (const std::string& bytes : allGather(comm, packer.bytes())) {
+      Unpacker unpacker(bytes);
+      for (Largest& one : whole) {
+        Largest theirs;
+        unpacker.get(theirs);
+        one.take(theirs);
+      }
+    }
+    std::array<Extreme, 4> found;
+    std::transform(whole.begin(), whole.end(), found.begin(), [](const Largest& one) { return one.found(); });
+    return found;
+  }
+
+ private:
+  std::array<Largest, 4> all_;
+};
+
+void searchDisplacements(const SubdomainMesh& mesh, const Vector& u, Search& search) {
+  for (int node = 0; node < mesh.nodes(); ++node) {
+    double squared = 0.0;
+    for (int k = 0; k < mesh.dimension; ++k) {
+      const double component = mesh.total(u, Eigen::Index(node) * mesh.dimension + k);
+      squared += component * component;
+    }
+    search.displacement(std::sqrt(squared), mesh.body, mesh.globalNodes[node], [&] { return mesh.point(node); });
+  }
+}
+
+/// \param stresses  rows as elementStresses(), of elements or, `atNodes`, of nodes
+void searchStresses(const SubdomainMesh& mesh, const Matrix& stresses, bool atNodes, Search& search) {
+  for (int i = 0; i < int(stresses.rows()); ++i)
+    search.stress(stresses(i, 0), stresses(i, 1), stresses(i, 2), stresses(i, 3), mesh.body,
+                  atNodes ? mesh.globalNodes[i] : mesh.globalElements[i], [&] { return atNodes ? mesh.point(i) : centreOf(mesh, i); });
+}
+
+}  // namespace
+
+void Largest::insert(const Extreme& one) {
+  const auto at = std::lower_bound(front_.begin(), front_.end(), one, isBefore);
+  if (at != front_.begin() && !((at - 1)->value < one.value)) return;  // an earlier place has as much
+  if (at != front_.end() && !isBefore(one, *at) && !(at->value < one.value)) return;
+  const auto end = std::find_if(at, front_.end(), [&](const Extreme& later) { return later.value > one.value; });
+  front_.insert(front_.erase(at, end), one);
+  least_ = front_.back().value - kEqual * std::abs(front_.back().value);
+  front_.erase(front_.begin(), std::find_if(front_.begin(), front_.end(), [&](const Extreme& kept) { return kept.value >= least_; }));
+}
+
+Extreme Largest::found() const {
+  if (front_.empty()) return {};
+  Extreme first = front_.front();
+  first.value = front_.back().value;
+  return first;
+}
+
+Extremes findExtremes(const Comm& comm, const SearchedFields& fields) {
+  Search search;
+  collectively(comm, "finding the extremes", [&] {
+    for (std::size_t i = 0; i < fields.meshes.size(); ++i) {
+      const SubdomainMesh& mesh = fields.meshes[i];
+      searchDisplacements(mesh, fields.displacement[i], search);
+      const auto own = fields.own.find(static_cast<int>(i));
+      if (own != fields.own.end()) {
+        searchStresses(mesh, own->second, false, search);
+      } else if (!fields.nodal.empty()) {
+        searchStresses(mesh, fields.nodal[i], true, search);
+      } else {
+        const auto materialOf = [&](int e) -> const Material& { return fields.model.materialOf(mesh, e, mesh.body); };
+        searchStresses(mesh, elementStresses(mesh, materialOf, fields.model.plane, fields.displacement[i]), false, search);
+      }
+    }
+  });
+  int recovered = !fields.nodal.empty();
+  recovered = unionOverRanks(comm, {recovered}).back();
+  auto [vonMises, tension, compression, displacement] = search.over(comm);
+  compression.value = -compression.value;
+  for (Extreme* one : {&tension, &compression})
+    if (std::abs(one->value) <= kNothing * vonMises.value) *one = {};
+  return {vonMises, tension, compression, displacement, recovered > 0};
+}
+
+}  // namespace suture

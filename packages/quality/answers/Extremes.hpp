@@ -1,0 +1,70 @@
+#pragma once
+#include <suture/elasticity/ElasticModel.hpp>
+#include <suture/partition/SubdomainMesh.hpp>
+
+#include <map>
+#include <vector>
+
+namespace suture {
+
+/// A value and where it is found. Plain: it travels as bytes.
+struct Extreme {
+  double value = 0.0;
+  GlobalId id = -1;  ///< node or element of the mesh
+  Point place{0, 0, 0};
+  int body = -1;
+  int unused = 0;  ///< no byte of what is sent is undefined
+
+  bool exists() const { return body >= 0; }
+};
+
+/// The largest of many values. Those that differ from it by less than a millionth count as equal, and the place is that of the lowest body
+/// and number among them: rounding, and so the number of ranks, does not move it to another of several equal places.
+class Largest {
+ public:
+  /// Local. \param place  called only if the value may be the largest
+  template <typename Place>
+  void take(double value, int body, GlobalId id, const Place& place) {
+    if (value >= least_ || front_.empty()) insert({value, id, place(), body, 0});
+  }
+  /// Takes what another one has kept. Local.
+  void take(const Largest& other) {
+    for (const Extreme& one : other.front_) insert(one);
+  }
+  Extreme found() const;
+
+  template <typename Self, typename Each>
+  static void forEachField(Self& self, const Each& each) {
+    each(self.front_), each(self.least_);
+  }
+
+ private:
+  void insert(const Extreme& one);
+
+  std::vector<Extreme> front_;  // nearly the largest, by body and number; each larger than those before it
+  double least_ = 0.0;          // values below are not kept
+};
+
+/// Extremes of a solution over all bodies. A principal stress that is mere rounding of others (uniaxial stress) is zero, and nowhere. The
+/// three-dimensional tensor counts: the stress across the plane is one of the principal ones.
+struct Extremes {
+  Extreme vonMises;        ///< [stress]
+  Extreme tension;         ///< largest principal stress [stress]
+  Extreme compression;     ///< smallest principal stress [stress]
+  Extreme displacement;    ///< largest norm of u [length]
+  bool recovered = false;  ///< stresses are recovered ones at nodes, else those at centroids; Extreme::id numbers nodes or elements
+};
+
+/// Displacements and stresses in which extremes are sought; references outlive the call.
+struct SearchedFields {
+  const std::vector<SubdomainMesh>& meshes;  ///< of this rank
+  const ElasticModel& model;
+  const std::vector<Vector>& displacement;  ///< of each mesh, beside its lift
+  const std::map<int, Matrix>& own;         ///< stresses at centroids of meshes with physics of their own, by place
+  const std::vector<Matrix>& nodal;         ///< recovered stresses of each mesh; empty: centroids count
+};
+
+/// The same on all ranks. Collective.
+Extremes findExtremes(const Comm& comm, const SearchedFields& fields);
+
+}  // namespace suture

@@ -1,0 +1,22 @@
+#include <suture/base/Collective.hpp>
+#include <suture/quality/SeamExchange.hpp>
+#include <suture/quality/answers/NodalStresses.hpp>
+
+namespace suture {
+
+std::vector<Matrix> nodalStresses(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model,
+                                  const std::vector<PatchRecovery>& recovered) {
+  std::vector<Matrix> all;
+  collectively(comm, "recovering stresses", [&] {
+    for (const PatchRecovery& block : recovered) all.push_back(block.nodalSums());
+  });
+  // In a body of one material a node has one stress, whoever computes it.
+  if (!model.materialOfRegion.empty()) SeamExchange(comm, meshes).sum(all);
+  for (Matrix& sums : all) {
+    const auto stresses = sums.topRows(4);
+    sums = (stresses.array().rowwise() / sums.row(4).array()).matrix().transpose().eval();
+  }
+  return all;
+}
+
+}  // namespace suture

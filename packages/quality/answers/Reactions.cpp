@@ -1,0 +1,88 @@
+#include <suture/base/Point.hpp>
+#include <suture/quality/answers/Reactions.hpp>
+
+#include <Teuchos_CommHelpers.hpp>
+
+#include <algorithm>
+
+namespace suture {
+
+namespace {
+
+void addForces(const SubdomainMesh& mesh, const Vector& forces, Resultant& sum) {
+  for (int node = 0; node < mesh.nodes(); ++node) {
+    Point force{0, 0, 0};
+    for (int k = 0; k < mesh.dimension; ++k) force[k] = forces[Eigen::Index(node) * mesh.dimension + k];
+    if (force != Point{0, 0, 0}) sum.add(mesh.point(node), force);
+  }
+}
+
+Resultant& at(std::vector<Resultant>& all, int number) {
+  if (number >= static_cast<int>(all.size())) all.resize(number + 1);
+  return all[number];
+}
+
+}  // namespace
+
+void Resultant::add(const Point& place, const Point& more) {
+  force = plus(force, more);
+  moment = plus(moment, cross(place, more));
+}
+
+void Resultant::add(const Resultant& other, double factor) {
+  force = plus(force, scaled(factor, other.force));
+  moment = plus(moment, scaled(factor, other.moment));
+}
+
+void Reactions::addSupport(const SubdomainMesh& mesh, const Support& support, const Point& force) {
+  at(supports, support.condition).add(mesh.point(support.node), scaled(dot(support.along, force), support.direction));
+}
+
+void Reactions::addLoad(const SubdomainMesh& mesh, int number, const Vector& forces) { addForces(mesh, forces, at(loads, number)); }
+
+void Reactions::addOwn(const SubdomainMesh& mesh, const Vector& forces) { addForces(mesh, forces, own); }
+
+void Reactions::finish(const Comm& comm, bool axisymmetric) {
+  const int mine[2] = {static_cast<int>(supports.size()), static_cast<int>(loads.size())};
+  int most[2];
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, 2, mine, most);
+  supports.resize(most[0]);
+  loads.resize(most[1]);
+  std::vector<Resultant*> each{&own};
+  for (auto* list : {&supports, &loads})
+    for (Resultant& one : *list) each.push_back(&one);
+  std::vector<double> values, sums;
+  for (const Resultant* one : each) {
+    values.insert(values.end(), one->force.begin(), one->force.end());
+    values.insert(values.end(), one->moment.begin(), one->moment.end());
+  }
+  sums.resize(values.size());
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, static_cast<int>(values.size()), values.data(), sums.data());
+  for (std::size_t i = 0; i < each.size(); ++i) {
+    std::copy_n(sums.data() + 6 * i, 3, each[i]->force.begin());
+    std::copy_n(sums.data() + 6 * i + 3, 3, each[i]->moment.begin());
+    if (axisymmetric) each[i]->moment = {0, 0, 0};
+  }
+}
+
+std::vector<ContactResultant> contactResultants(const std::vector<PairResult>& pairs, int lines, bool axisymmetric) {
+  std::vector<ContactResultant> all(lines);
+  for (const PairResult& pair : pairs) {
+    if (pair.line < 0 || pair.line >= lines) continue;
+    ContactResultant& line = all[pair.line];
+    line.bodies = pair.bodies;
+    line.pairs += 1;
+    line.whole += pair.length;
+    if (pair.state.closed()) line.active += 1, line.closed += pair.length;
+    line.onB.add(pair.position, scaled(pair.force, pair.normal));  // the normal points from A to B
+    line.pressing += pair.force;
+    line.centre = plus(line.centre, scaled(pair.force, pair.position));
+  }
+  for (ContactResultant& line : all) {
+    if (line.presses()) line.centre = scaled(1.0 / line.pressing, line.centre);
+    if (axisymmetric) line.onB.moment = {0, 0, 0};
+  }
+  return all;
+}
+
+}  // namespace suture

@@ -1,0 +1,59 @@
+#pragma once
+#include <suture/partition/SubdomainMesh.hpp>
+#include <suture/quality/PairResult.hpp>
+
+#include <vector>
+
+namespace suture {
+
+/// Forces and their moment about the origin. Per unit thickness in the plane. Axisymmetric: of the whole circle, where x is the sum of
+/// radial magnitudes and there is no moment.
+struct Resultant {
+  Point force{0, 0, 0};   ///< [force]
+  Point moment{0, 0, 0};  ///< [force x length]
+
+  void add(const Point& place, const Point& more);
+  void add(const Resultant& other, double factor = 1.0);
+};
+
+/// Resultants of every condition of a scene, as they act on the bodies.
+struct Reactions {
+  std::vector<Resultant> supports;  ///< forces of prescribed displacements, by Support::condition; zero of conditions that are loads
+  std::vector<Resultant> loads;     ///< in the order of ElasticModel::loads
+  Resultant own;                    ///< loads of subdomains with physics of their own
+
+  /// Adds what holds the nodes that this mesh counts. Local. \param force  internal less external and contact forces at a node
+  template <typename Force>
+  void addSupports(const SubdomainMesh& mesh, const Force& force) {
+    for (const Support& support : mesh.supports)
+      if (counts(mesh, support.node)) addSupport(mesh, support, force(support.node));
+  }
+  /// Adds the forces of a load. Local. \param forces  node-major, Cartesian
+  void addLoad(const SubdomainMesh& mesh, int number, const Vector& forces);
+  /// Adds other loads. Local.
+  void addOwn(const SubdomainMesh& mesh, const Vector& forces);
+  /// Sums over ranks. Collective.
+  void finish(const Comm& comm, bool axisymmetric);
+
+ private:
+  void addSupport(const SubdomainMesh& mesh, const Support& support, const Point& force);
+};
+
+/// Resultant of a contact line.
+struct ContactResultant {
+  std::array<int, 2> bodies{{-1, -1}};  ///< of sides A and B; -1: a rigid obstacle
+  Resultant onB;                        ///< forces on side B
+  Point centre{0, 0, 0};                ///< mean of the pairs' places by their forces; without meaning where `pressing` is zero
+  double pressing = 0.0;                ///< sum of the pair forces [force]
+  double closed = 0.0;                  ///< length or, axisymmetric, area of the closed pairs
+  double whole = 0.0;                   ///< the same of all pairs
+  int pairs = 0, active = 0;
+
+  /// The centre is that of a circle if axisymmetric: its distance from the axis is a mean radius.
+  bool presses() const { return pressing > 0.0; }
+};
+
+/// Of each line of the scene, in its order. Pair forces act at the places of the carrying nodes. Local. \param lines  their number
+std::vector<ContactResultant> contactResultants(const std::vector<PairResult>& pairs, int lines, bool axisymmetric);
+
+}  // namespace suture

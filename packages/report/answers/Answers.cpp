@@ -1,0 +1,157 @@
+#include <suture/base/Point.hpp>
+#include <suture/mesh/CellGeometry.hpp>
+#include <suture/report/Format.hpp>
+#include <suture/report/Units.hpp>
+#include <suture/report/answers/Answers.hpp>
+
+#include <Teuchos_RCP.hpp>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+using Json = nlohmann::ordered_json;
+
+namespace suture {
+
+namespace {
+
+constexpr double kEqualPressure = 1e-6;  // relative difference of pressures that count as equal: the first pair of them is told
+
+Json componentsOf(const Point& vector, int dimension) {
+  Json all = Json::array();
+  for (int k = 0; k < dimension; ++k) all.push_back(vector[k]);
+  return all;
+}
+
+/// In the plane the moment about the axis across it.
+Json momentOf(const Point& moment, int dimension) { return dimension == 2 ? Json::array({moment[2]}) : componentsOf(moment, 3); }
+
+Json resultantOf(const Resultant& sum, int dimension) {
+  return {{"force", componentsOf(sum.force, dimension)}, {"moment", momentOf(sum.moment, dimension)}};
+}
+
+Json extreme(const Run& run, const Extreme& found, const std::string& unit, int dimension) {
+  if (!found.exists()) return {{"value", found.value}, {"unit", unit}, {"body", nullptr}, {"place", nullptr}};
+  return {{"value", found.value}, {"unit", unit}, {"body", bodyName(run, found.body)}, {"place", componentsOf(found.place, dimension)}};
+}
+
+std::string contactName(const Run& run, int line) {
+  return line >= 0 && line < static_cast<int>(run.contacts.size()) ? run.contacts[line] : std::to_string(line + 1);
+}
+
+Json bodiesOf(const Run& run, const std::array<int, 2>& bodies) {
+  Json all = Json::array();
+  for (const int body : bodies)
+    if (body >= 0) all.push_back(bodyName(run, body));
+  return all;
+}
+
+/// "2.31e+05 Pa in 'left' at (1, 2)"
+std::string told(const Run& run, const char* pattern, const Extreme& found, const std::string& unit, int dimension) {
+  if (!found.exists()) return "0 " + unit;
+  return format("%s %s in '%s' at %s", format(pattern, found.value).c_str(), unit.c_str(), bodyName(run, found.body).c_str(),
+                placeText(found.place, dimension).c_str());
+}
+
+}  // namespace
+
+std::string bodyName(const Run& run, int body) {
+  return body >= 0 && body < static_cast<int>(run.model.bodies.size()) ? run.model.bodies[body] : "";
+}
+
+std::vector<ConditionResultant> conditionResultants(const Run& run) {
+  const Reactions& reactions = run.solution.verification.reactions;
+  std::vector<ConditionResultant> all;
+  for (std::size_t c = 0; c < run.conditions.size(); ++c)
+    all.push_back({run.conditions[c], "support", c < reactions.supports.size() ? reactions.supports[c] : Resultant()});
+  for (std::size_t l = 0; l < run.model.loads.size(); ++l) {
+    const std::string& name = run.model.loads[l].name;
+    auto row = std::find_if(all.begin(), all.end(), [&](const ConditionResultant& one) { return one.name == name; });
+    if (row == all.end()) row = all.insert(all.end(), {name, "load", {}});
+    row->kind = "load";
+    if (l < reactions.loads.size()) row->sum.add(reactions.loads[l]);
+  }
+  if (norm(reactions.own.force) > 0.0 || norm(reactions.own.moment) > 0.0)
+    all.push_back({"subdomains with physics of their own", "load", reactions.own});
+  return all;
+}
+
+std::vector<ContactResultant> contactResultants(const Run& run) {
+  return contactResultants(run.solution.pairs, static_cast<int>(run.contacts.size()), run.model.axisymmetric);
+}
+
+Resultant sumOfResultants(const std::vector<ConditionResultant>& conditions, const std::vector<ContactResultant>& contacts) {
+  Resultant sum;
+  for (const ConditionResultant& condition : conditions) sum.add(condition.sum);
+  for (const ContactResultant& contact : contacts)
+    if (contact.pairs > 0 && contact.bodies[1] < 0) sum.add(contact.onB, -1.0);  // an obstacle pushes back
+  return sum;
+}
+
+const PairResult* largestPressure(const Solution& solution) {
+  double most = 0.0;
+  for (const auto* list : {&solution.pairs, &solution.onAxis})
+    for (const PairResult& pair : *list) most = std::max(most, pair.pressure);
+  for (const auto* list : {&solution.pairs, &solution.onAxis})
+    for (const PairResult& pair : *list)
+      if (pair.pressure >= most * (1.0 - kEqualPressure)) return &pair;
+  return nullptr;
+}
+
+Json extremesJson(const Run& run, int dimension) {
+  const Extremes& found = run.solution.extremes;
+  const Units units = unitsOf(*run.scene.parameters);
+  Json all = {{"stresses", found.recovered ? "recovered at nodes" : "at centroids of elements"},
+              {"von_mises", extreme(run, found.vonMises, units.stress, dimension)},
+              {"tension", extreme(run, found.tension, units.stress, dimension)},
+              {"compression", extreme(run, found.compression, units.stress, dimension)},
+              {"displacement", extreme(run, found.displacement, units.length, dimension)},
+              {"pressure", Json()}};
+  if (const PairResult* pair = largestPressure(run.solution))
+    all["pressure"] = {{"value", pair->pressure},
+                       {"unit", units.stress},
+                       {"contact", contactName(run, pair->line)},
+                       {"bodies", bodiesOf(run, pair->bodies)},
+                       {"place", componentsOf(pair->position, dimension)}};
+  return all;
+}
+
+Json reactionsJson(const Run& run, int dimension) {
+  const std::vector<ConditionResultant> conditions = conditionResultants(run);
+  const std::vector<ContactResultant> contacts = contactResultants(run);
+  Json all = {{"about", componentsOf({0, 0, 0}, dimension)}, {"conditions", Json::object()}, {"contacts", Json::object()}};
+  for (const ConditionResultant& condition : conditions) {
+    Json row = {{"kind", condition.kind}};
+    row.update(resultantOf(condition.sum, dimension));
+    all["conditions"][condition.name] = row;
+  }
+  for (std::size_t line = 0; line < contacts.size(); ++line) {
+    const ContactResultant& contact = contacts[line];
+    Json row = {{"bodies", bodiesOf(run, contact.bodies)}};
+    row.update(resultantOf(contact.onB, dimension));
+    row["centre"] = contact.presses() ? componentsOf(contact.centre, dimension) : Json();
+    row["closed"] = contact.closed;
+    row["whole"] = contact.whole;
+    all["contacts"][contactName(run, static_cast<int>(line))] = row;
+  }
+  all["sum"] = resultantOf(sumOfResultants(conditions, contacts), dimension);
+  return all;
+}
+
+std::string extremesText(const Run& run, int dimension) {
+  const Extremes& found = run.solution.extremes;
+  if (!found.displacement.exists()) return "";
+  const Units units = unitsOf(*run.scene.parameters);
+  std::string text = "   von Mises stress up to " + told(run, "%.3e", found.vonMises, units.stress, dimension);
+  text += found.recovered ? " (recovered at nodes)" : " (at centroids)";
+  text += "\n   principal stresses from " + told(run, "%.3e", found.compression, units.stress, dimension) + " to " +
+          told(run, "%.3e", found.tension, units.stress, dimension);
+  text += "\n   displacement up to " + told(run, "%.3e", found.displacement, units.length, dimension);
+  if (const PairResult* pair = largestPressure(run.solution); pair && pair->pressure > 0.0)
+    text += format("; contact pressure up to %.3e %s on '%s' at %s", pair->pressure, units.stress.c_str(),
+                   contactName(run, pair->line).c_str(), placeText(pair->position, dimension).c_str());
+  return text + "\n";
+}
+
+}  // namespace suture
