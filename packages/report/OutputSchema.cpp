@@ -1,6 +1,7 @@
 #include <Teuchos_ParameterList.hpp>
 #include <filesystem>
 #include <suture/report/OutputSchema.hpp>
+#include <suture/report/answers/Probes.hpp>
 
 namespace suture {
 
@@ -25,7 +26,9 @@ Schema outputSchema() {
             "(and the iteration in hand); removed at the end of a run that converged. 0: never.",
             Range::atLeast(0), "min")
       .wordOrNumber("Enlargement", "Automatic", {"Automatic"}, Range::positive(),
-                    "How many times suture_plot enlarges the displacements; Automatic: to about a twentieth of the scene's size.");
+                    "How many times suture_plot enlarges the displacements; Automatic: to about a twentieth of the scene's size.")
+      .list("Probes",
+            Schema("Tables of values at points, along lines and along groups, named by the user.").each("<probe>", probeSchema()));
 }
 
 std::string outputFolder(const SceneFile& scene) {

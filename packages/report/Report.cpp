@@ -1,12 +1,14 @@
 #include <Teuchos_Comm.hpp>
 #include <Teuchos_ParameterList.hpp>
 #include <filesystem>
+#include <set>
 #include <suture/base/Collective.hpp>
 #include <suture/report/ContactFields.hpp>
 #include <suture/report/Fields.hpp>
 #include <suture/report/History.hpp>
 #include <suture/report/Report.hpp>
 #include <suture/report/Summary.hpp>
+#include <suture/report/answers/Probes.hpp>
 #include <suture/report/answers/Tables.hpp>
 
 namespace suture {
@@ -19,6 +21,9 @@ bool wants(const Parameters& scene, const char* choice) {
 
 const char* const fieldFiles[] = {"fields_0000.vtkhdf", "contact_0000.vtkhdf"};
 const char* const tables[] = {"contact.csv", "reactions.csv"};
+bool isProbe(const std::string& name) {
+  return name.rfind("probe_", 0) == 0 && name.size() > 4 && name.compare(name.size() - 4, 4, ".csv") == 0;
+}
 
 /// A folder in the output folder for files that are not complete yet; whatever is in it at the end is removed. Collective but for its end.
 class Staging {
@@ -39,16 +44,21 @@ class Staging {
   Staging& operator=(const Staging&) = delete;
 
   std::string operator/(const char* name) const { return (path_ / name).string(); }
+  const std::filesystem::path& path() const { return path_; }
 
   /// Puts the new files in the place of those of an earlier run, summary.json last. On rank 0.
   void moveTo(const std::filesystem::path& folder) const {
     std::error_code error;
     std::filesystem::remove(folder / "summary.json", error);
-    const auto move = [&](const char* name) {
+    const auto move = [&](const std::string& name) {
       std::filesystem::rename(path_ / name, folder / name, error);
       if (error) throw EnvironmentError("cannot put '" + (folder / name).string() + "' in place: " + error.message());
     };
-    for (const char* name : {fieldFiles[0], fieldFiles[1], tables[0], tables[1]}) {
+    std::set<std::string> names{fieldFiles[0], fieldFiles[1], tables[0], tables[1]};
+    for (const std::filesystem::path& place : {folder, path_})  // probes of this run, and of an earlier one
+      for (const auto& entry : std::filesystem::directory_iterator(place, error))
+        if (isProbe(entry.path().filename().string())) names.insert(entry.path().filename().string());
+    for (const std::string& name : names) {
       if (std::filesystem::exists(path_ / name, error))
         move(name);
       else
@@ -85,6 +95,7 @@ Written writeReport(const Run& run, ExitCode code) {
         if (run.size.pairs > 0) writeContactTable(run, staging / tables[0]);
         writeReactionTable(run, staging / tables[1]);
       });
+    writeProbes(run, readProbes(*run.scene.parameters, run.model.bodies), staging.path().string());
     collectivelyOnRoot(run.comm, "writing history.csv", [&] { writeHistory(run.monitor.rows(), staging / "history.csv"); });
   }
   Written written{{}, runFigures(run)};

@@ -4,6 +4,7 @@
 #include <suture/quality/ExactErrors.hpp>
 #include <suture/report/Checkpoint.hpp>
 #include <suture/report/Report.hpp>
+#include <suture/report/answers/Probes.hpp>
 #include <suture/simulation/JudgeStage.hpp>
 #include <suture/simulation/NestedLevels.hpp>
 #include <suture/simulation/ReadStage.hpp>
@@ -67,6 +68,7 @@ void Simulation::check() {
     checkElements(*comm_, cut_.meshes, scene_.model);
     if (isWhole_) checkSolvability(*comm_, mesh_, constraints_, scene_.model, cut_.partition);
   });
+  locateProbes(*comm_, cut_.meshes, scene_.model.bodies, readProbes(scene_.settings(), scene_.model.bodies));
   checkExactSolution(*comm_, cut_.meshes, scene_.model, scene_.settings().sublist("Contact"));
   const double limit = scene_.settings().sublist("Subdomain").get<double>("Memory Limit");
   megabytes_ = checkMemory(*comm_, method_->megabytes(*comm_, cut_.meshes, size_.dofs), limit);

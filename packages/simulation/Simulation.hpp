@@ -47,7 +47,8 @@ class Simulation {
   void read();
   /// Subdomains on their ranks.
   void cut();
-  /// Refuses elements that lock, scenes without a solution, exact solutions without a value, runs larger than the memory.
+  /// Refuses elements that lock, scenes without a solution, exact solutions without a value, probes outside the
+  /// bodies, runs larger than the memory.
   void check();
   /// Takes rigid motions out of the scene, assembles and factors.
   void prepare();

@@ -201,7 +201,7 @@ check("killed: restart on two ranks, into the folder of the dead", (code, ended(
 check("a user's file is untouched", users.exists(), True)
 users.unlink()
 check("nothing else is left", sorted(f.name for f in (work / "killed").iterdir() if f.name != "checkpoint.h5"),
-      ["contact_0000.vtkhdf", "fields_0000.vtkhdf", "history.csv", "summary.json"])
+      ["contact.csv", "contact_0000.vtkhdf", "fields_0000.vtkhdf", "history.csv", "reactions.csv", "summary.json"])
 
 # A run that fails on its input leaves the earlier result, but no summary.
 code, _, _ = run(2, OPEN, *MESH, "--quiet", "--output", work / "killed", *setting("Contact/fault above/Side A", "none"))

@@ -45,7 +45,8 @@ class Largest {
   double least_ = 0.0;          // values below are not kept
 };
 
-/// Extremes of a solution over all bodies. The three-dimensional tensor counts: the stress across the plane is one of the principal ones.
+/// Extremes of a solution over all bodies. A principal stress that is mere rounding of others (uniaxial stress) is zero, and nowhere. The
+/// three-dimensional tensor counts: the stress across the plane is one of the principal ones.
 struct Extremes {
   Extreme vonMises;        ///< [stress]
   Extreme tension;         ///< largest principal stress [stress]

@@ -32,7 +32,7 @@ Json resultantOf(const Resultant& sum, int dimension) {
 }
 
 Json extreme(const Run& run, const Extreme& found, const std::string& unit, int dimension) {
-  if (!found.exists()) return {};
+  if (!found.exists()) return {{"value", found.value}, {"unit", unit}, {"body", nullptr}, {"place", nullptr}};
   return {{"value", found.value}, {"unit", unit}, {"body", bodyName(run, found.body)}, {"place", componentsOf(found.place, dimension)}};
 }
 
@@ -49,6 +49,7 @@ Json bodiesOf(const Run& run, const std::array<int, 2>& bodies) {
 
 /// "2.31e+05 Pa in 'left' at (1, 2)"
 std::string told(const Run& run, const char* pattern, const Extreme& found, const std::string& unit, int dimension) {
+  if (!found.exists()) return "0 " + unit;
   return format("%s %s in '%s' at %s", format(pattern, found.value).c_str(), unit.c_str(), bodyName(run, found.body).c_str(),
                 placeText(found.place, dimension).c_str());
 }
