@@ -14,6 +14,8 @@ namespace constraintstesting {
 
 using namespace suture;
 
+constexpr double pi = 3.14159265358979323846;
+
 /// A list of parameters `name`: entries as "name=value" with the type that the value looks like.
 std::string entry(const std::string& name, const std::vector<std::pair<std::string, std::string>>& parameters);
 std::string displacement(const std::string& name, const std::string& group, const std::string& value,

@@ -173,13 +173,14 @@ std::string msh2(const std::string& nodes, const std::string& elements, int node
          "$Nodes\n" +
          std::to_string(nodeCount) + "\n" + nodes + "$EndNodes\n$Elements\n" + std::to_string(count) + "\n" + elements + "$EndElements\n";
 }
-const std::string square = "1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n";
+const std::string squareNodes = "1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n";
 
 }  // namespace
 
 TEUCHOS_UNIT_TEST(GmshReader, TakesRepeatedElementsOfVersion2Once) {
   const Folder folder;
-  const std::string path = folder.write("a.msh", msh2(square, "1 2 2 1 1 1 2 3\n2 2 2 1 2 1 3 4\n3 2 2 2 1 1 2 3\n4 1 2 3 1 1 2\n", 4, 4));
+  const std::string path =
+      folder.write("a.msh", msh2(squareNodes, "1 2 2 1 1 1 2 3\n2 2 2 1 2 1 3 4\n3 2 2 2 1 1 2 3\n4 1 2 3 1 1 2\n", 4, 4));
   const Mesh mesh = readGmsh({path, {}, 1.0});
   TEST_EQUALITY(mesh.elements(), 2);
   TEST_EQUALITY(mesh.elementGroups.at("body").size(), std::size_t(2));
@@ -189,9 +190,9 @@ TEUCHOS_UNIT_TEST(GmshReader, TakesRepeatedElementsOfVersion2Once) {
 
 TEUCHOS_UNIT_TEST(GmshReader, RefusesCurvesInsideTheMaterialAndOffIt) {
   const Folder folder;
-  const std::string inside = folder.write("a.msh", msh2(square, "1 2 2 1 1 1 2 3\n2 2 2 1 1 1 3 4\n3 1 2 4 1 1 3\n", 4, 3));
+  const std::string inside = folder.write("a.msh", msh2(squareNodes, "1 2 2 1 1 1 2 3\n2 2 2 1 1 1 3 4\n3 1 2 4 1 1 3\n", 4, 3));
   SUTURE_CHECK_SAYS(problemsOf([&] { readGmsh({inside, {}, 1.0}); }), "curve group 'odd': 1 of its elements lie inside the material");
-  const std::string off = folder.write("b.msh", msh2(square, "1 2 2 1 1 1 2 3\n2 2 2 1 1 1 3 4\n3 1 2 4 1 2 4\n", 4, 3));
+  const std::string off = folder.write("b.msh", msh2(squareNodes, "1 2 2 1 1 1 2 3\n2 2 2 1 1 1 3 4\n3 1 2 4 1 2 4\n", 4, 3));
   SUTURE_CHECK_SAYS(problemsOf([&] {
                       readGmsh({off, {}, 1.0});
                     }),
@@ -201,7 +202,7 @@ TEUCHOS_UNIT_TEST(GmshReader, RefusesCurvesInsideTheMaterialAndOffIt) {
 // Found by the fuzzer: the table of sides was asked for a node that it does not have.
 TEUCHOS_UNIT_TEST(GmshReader, RefusesCurvesAtNodesOfNoElement) {
   const Folder folder;
-  const std::string nodes = square + "5 2 0 0\n6 4 0 0\n", triangles = "1 2 2 1 1 1 2 3\n2 2 2 1 1 1 3 4\n";
+  const std::string nodes = squareNodes + "5 2 0 0\n6 4 0 0\n", triangles = "1 2 2 1 1 1 2 3\n2 2 2 1 1 1 3 4\n";
   const std::string one = folder.write("a.msh", msh2(nodes, triangles + "3 1 2 4 1 2 5\n", 6, 3));
   SUTURE_CHECK_SAYS(problemsOf([&] { readGmsh({one, {}, 1.0}); }), "are no side of any surface element (the first at (1.5, 0))");
   const std::string both = folder.write("b.msh", msh2(nodes, triangles + "3 1 2 4 1 6 5\n", 6, 3));
@@ -218,7 +219,7 @@ TEUCHOS_UNIT_TEST(GmshReader, RefusesWhatIsNotPlane) {
 
 TEUCHOS_UNIT_TEST(GmshReader, LeavesSingleInvertedElementsToTheCheck) {
   const Folder folder;
-  const std::string path = folder.write("a.msh", msh2(square, "1 2 2 1 1 1 2 3\n2 2 2 1 1 1 4 3\n", 4, 2));
+  const std::string path = folder.write("a.msh", msh2(squareNodes, "1 2 2 1 1 1 2 3\n2 2 2 1 1 1 4 3\n", 4, 2));
   Mesh mesh = readGmsh({path, {}, 1.0});
   SUTURE_CHECK_SAYS(problemsOf([&] { assignBodies(mesh, {"body"}); }), "1 inverted element (at (0.333333, 0.666667))");
 }
@@ -329,7 +330,7 @@ TEUCHOS_UNIT_TEST(GmshReader, RefusesAMeshThatWouldLoseElements) {
   // 34: a polygon, which Gmsh passes over without a word; 84 crashes it
   for (const auto& [type, complaint] : {std::make_pair("34", "1 elements of the kind 'Polygon"), std::make_pair("84", "crashed"),
                                         std::make_pair("222", "Unknown type of element 222")}) {
-    const std::string path = folder.write("a.msh", msh2(square, std::string("1 2 2 1 1 1 2 3\n2 ") + type + " 2 1 1 1 3 4\n", 4, 2));
+    const std::string path = folder.write("a.msh", msh2(squareNodes, std::string("1 2 2 1 1 1 2 3\n2 ") + type + " 2 1 1 1 3 4\n", 4, 2));
     SUTURE_CHECK_SAYS(problemsOf([&] { readGmsh({path, {}, 1.0}); }), complaint);
   }
 }

@@ -1,4 +1,5 @@
 #pragma once
+#include <support/Texts.hpp>
 #include <suture/base/Collective.hpp>
 #include <suture/base/Errors.hpp>
 #include <suture/base/scene/SceneReader.hpp>
@@ -53,7 +54,7 @@ std::string problemsOf(Work work) {
   return "no error";
 }
 
-inline bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+using texts::contains;
 
 /// The same text on all ranks?
 bool sameEverywhere(const std::string& text);

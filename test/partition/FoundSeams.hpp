@@ -8,7 +8,7 @@
 
 #include "Scenes.hpp"
 
-namespace scenes {
+namespace partitiontesting {
 
 using namespace suture;
 
@@ -122,4 +122,4 @@ std::vector<int> choose(const Mesh& grid, const Choice& choice) {
   return subdomainOfElement;
 }
 
-}  // namespace scenes
+}  // namespace partitiontesting

@@ -10,7 +10,7 @@
 #include "Scenes.hpp"
 
 using namespace suture;
-using namespace scenes;
+using namespace partitiontesting;
 
 namespace {
 
