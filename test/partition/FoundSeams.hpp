@@ -102,7 +102,7 @@ struct Found {
   }
 };
 
-inline Found blocks(int n, int cells, Cell cell = Cell::Triangle3) {
+inline Found squareBlocks(int n, int cells, Cell cell = Cell::Triangle3) {
   Box one = box("body", 0, 1, 0, 1, n * cells, n * cells, n, n);
   one.cell = cell;
   const Mesh grid = mesh({one});
