@@ -32,7 +32,7 @@ void dgemm_(const char*, const char*, const int*, const int*, const int*, const 
 namespace suture {
 namespace {
 
-constexpr double patience = 2.0;  // seconds for the other ranks to arrive, once one has failed
+constexpr double secondsForOthers = 2.0;  // seconds for the other ranks to arrive, once one has failed
 
 void oneThreadARank() {
   if (omp_set_num_threads && !std::getenv("OMP_NUM_THREADS")) omp_set_num_threads(1);
@@ -136,7 +136,7 @@ Explanation MeetingPoint::settle(const Explanation& mine) const {
   const double begin = MPI_Wtime();
   // A rank that has succeeded waits as long as it takes: the one it waits for comes, or aborts.
   for (MPI_Test(&request, &done, MPI_STATUS_IGNORE); !done; MPI_Test(&request, &done, MPI_STATUS_IGNORE)) {
-    if (!mine.message.empty() && MPI_Wtime() - begin > patience)
+    if (!mine.message.empty() && MPI_Wtime() - begin > secondsForOthers)
       abortAll(mine.message + "  This rank failed alone, the others still wait for it: aborting.\n", mine.code);
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }

@@ -10,7 +10,7 @@ namespace suture {
 
 namespace {
 
-constexpr unsigned patience = 4;  // seconds
+constexpr unsigned secondsToStop = 4;  // seconds
 
 volatile std::sig_atomic_t stopAsked = 0;
 
@@ -34,7 +34,7 @@ void askInAHurry(int number) {
   }
   stopAsked = 1;
   std::signal(SIGALRM, giveUp);
-  alarm(patience);
+  alarm(secondsToStop);
 }
 
 }  // namespace

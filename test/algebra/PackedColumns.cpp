@@ -9,7 +9,7 @@ namespace {
 
 using Precision = PackedColumns::Precision;
 
-const std::vector<std::pair<int, int>> sizes{{1, 1}, {7, 3}, {8, 4}, {15, 5}, {16, 8}, {17, 9}, {100, 31}, {250, 1}};
+const std::vector<std::pair<int, int>> shapes{{1, 1}, {7, 3}, {8, 4}, {15, 5}, {16, 8}, {17, 9}, {100, 31}, {250, 1}};
 
 Vector transposed(const PackedColumns& packed, const Vector& x) {
   Vector y = Vector::Constant(3, 7.0);  // earlier values of y must not matter
@@ -18,12 +18,12 @@ Vector transposed(const PackedColumns& packed, const Vector& x) {
 }
 
 // Largest difference relative to what an entry of A x is summed of.
-double difference(const Matrix& a, const Vector& x, const Vector& y) {
+double productError(const Matrix& a, const Vector& x, const Vector& y) {
   return ((y - a * x).array().abs() / (a.cwiseAbs() * x.cwiseAbs()).array()).maxCoeff();
 }
 
 TEUCHOS_UNIT_TEST(PackedColumns, MultipliesFromEitherSide) {
-  for (const auto& [rows, columns] : sizes)
+  for (const auto& [rows, columns] : shapes)
     for (const auto& [precision, rounding] : {std::pair(Precision::Double, 1e-14), std::pair(Precision::Single, 1e-5)}) {
       const Matrix a = Matrix::Random(rows, columns);
       const PackedColumns packed(a, precision);
@@ -32,10 +32,10 @@ TEUCHOS_UNIT_TEST(PackedColumns, MultipliesFromEitherSide) {
       TEST_COMPARE((packed.full() - a).norm(), <=, precision == Precision::Double ? 0.0 : 1e-7 * a.norm());
       for (int times = 0; times < 2; ++times) {  // nothing is left from one product to the next
         const Vector x = Vector::Random(rows), c = Vector::Random(columns), before = Vector::Random(rows);
-        TEST_COMPARE(difference(a.transpose(), x, transposed(packed, x)), <, rounding);
+        TEST_COMPARE(productError(a.transpose(), x, transposed(packed, x)), <, rounding);
         Vector y = before;
         packed.addProduct(c, y);
-        TEST_COMPARE(difference(a, c, y - before), <, rounding + 1e-15 / (a.cwiseAbs() * c.cwiseAbs()).minCoeff());
+        TEST_COMPARE(productError(a, c, y - before), <, rounding + 1e-15 / (a.cwiseAbs() * c.cwiseAbs()).minCoeff());
       }
     }
 }

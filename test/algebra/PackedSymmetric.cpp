@@ -25,7 +25,7 @@ Matrix product(const PackedSymmetric& packed, const Matrix& x) {
 }
 
 // Largest difference relative to what an entry of A x is summed of.
-double difference(const Matrix& a, const Matrix& x, const Matrix& y) {
+double productError(const Matrix& a, const Matrix& x, const Matrix& y) {
   if (y.size() == 0) return 0.0;
   return ((y - a * x).array().abs() / (a.cwiseAbs() * x.cwiseAbs()).array()).maxCoeff();
 }
@@ -33,8 +33,8 @@ double difference(const Matrix& a, const Matrix& x, const Matrix& y) {
 TEUCHOS_UNIT_TEST(PackedSymmetric, MultipliesLikeAFullMatrix) {
   for (const int size : sizes) {
     const Matrix a = symmetric(size), x = Matrix::Random(size, 3);
-    TEST_COMPARE(difference(a, x, product(PackedSymmetric(a), x)), <, 1e-14);
-    TEST_COMPARE(difference(a, x, product(PackedSymmetric(a, Precision::Single), x)), <, 1e-5);
+    TEST_COMPARE(productError(a, x, product(PackedSymmetric(a), x)), <, 1e-14);
+    TEST_COMPARE(productError(a, x, product(PackedSymmetric(a, Precision::Single), x)), <, 1e-5);
   }
 }
 
@@ -81,7 +81,7 @@ TEUCHOS_UNIT_TEST(PackedSymmetric, KeepsLittleMoreThanATriangle) {
 TEUCHOS_UNIT_TEST(PackedSymmetric, InSinglePrecisionTakesVectorsOfAnySize) {
   const Matrix a = symmetric(40), x = Matrix::Random(40, 1);
   const PackedSymmetric packed(a, Precision::Single);
-  for (const double scale : {1e-200, 1e-3, 1e200}) TEST_COMPARE(difference(a, scale * x, product(packed, scale * x)), <, 1e-5);
+  for (const double scale : {1e-200, 1e-3, 1e200}) TEST_COMPARE(productError(a, scale * x, product(packed, scale * x)), <, 1e-5);
   TEST_ASSERT(product(packed, Matrix::Zero(40, 1)) == Matrix::Zero(40, 1));
   Matrix broken = x;
   broken(7, 0) = nan;

@@ -15,7 +15,7 @@ namespace {
 using namespace blocks;
 
 // A held square of n x n cells whose stiffness jumps by `jump` in every other cell, its last unknowns ordered last.
-SparseMatrix square(int n, double jump, std::vector<Point>* places = nullptr) {
+SparseMatrix gridMatrix(int n, double jump, std::vector<Point>* places = nullptr) {
   Scene scene = blocks::square(1, n, 1.0);
   scene.hold("body_left", 0, 0.0);
   scene.hold("body_left", 1, 0.0);
@@ -32,7 +32,7 @@ TEUCHOS_UNIT_TEST(SingleFactor, SolvesToTheAccuracyOfADoubleOne) {
   for (const double jump : {1.0, 1e3, 1e5})
     for (const int trailing : {0, 40}) {
       std::vector<Point> places;
-      const SparseMatrix k = square(12, jump, &places);
+      const SparseMatrix k = gridMatrix(12, jump, &places);
       const int n = static_cast<int>(k.rows()), leading = n - trailing;
       CholmodOptions options;
       options.form = CholmodOptions::Form::Supernodal;
@@ -57,7 +57,7 @@ TEUCHOS_UNIT_TEST(SingleFactor, SolvesToTheAccuracyOfADoubleOne) {
 }
 
 TEUCHOS_UNIT_TEST(SingleFactor, OfNothingLeavesNothing) {
-  const SparseMatrix k = square(3, 1.0);
+  const SparseMatrix k = gridMatrix(3, 1.0);
   Vector x = random(static_cast<int>(k.rows()), 1).col(0);
   SingleFactor().solve(SymmetricMatrix(k), x);
   TEST_EQUALITY(x.norm(), 0.0);

@@ -1,4 +1,5 @@
 #pragma once
+#include <support/Texts.hpp>
 #include <suture/base/Collective.hpp>
 #include <suture/base/Errors.hpp>
 #include <suture/base/hdf5/Hdf5File.hpp>
@@ -24,7 +25,7 @@ inline void removeOnRoot(const std::string& path) {
   if (world()->getRank() == 0) std::remove(path.c_str());
 }
 
-inline bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+using texts::contains;
 
 /// Message of the InputError that `work` throws; every rank must throw the same.
 inline std::string inputErrorOf(const std::function<void()>& work) {

@@ -1,5 +1,6 @@
 // A schema with one parameter of every kind, and scenes for it.
 #pragma once
+#include <support/Texts.hpp>
 #include <suture/base/Errors.hpp>
 #include <suture/base/scene/SceneReader.hpp>
 
@@ -74,6 +75,6 @@ inline std::string errorOf(const std::string& text, const std::vector<std::strin
 
 inline std::string errorOfSolver(const std::string& inside) { return errorOf(scene(list("Outer Solver", inside))); }
 
-inline bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+using texts::contains;
 
 }  // namespace suture::scenes

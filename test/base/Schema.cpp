@@ -1,3 +1,4 @@
+#include <support/Texts.hpp>
 #include <suture/base/Errors.hpp>
 #include <suture/base/scene/SceneReader.hpp>
 
@@ -7,8 +8,7 @@
 namespace {
 
 using namespace suture;
-
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+using texts::contains;
 
 Schema solver() {
   return Schema("outer (contact) iterations")

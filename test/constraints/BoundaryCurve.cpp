@@ -11,8 +11,6 @@ namespace {
 
 using namespace constraintstesting;
 
-const double pi = 3.14159265358979323846;
-
 /// A strip whose lower side, of so many elements, follows a curve of the parameter t from 0 to 1; the body is above.
 Mesh strip(int elements, const std::function<Point(double)>& curve, Cell cell = Cell::Triangle3) {
   Box box;

@@ -1,4 +1,5 @@
 #pragma once
+#include <support/CheckSays.hpp>
 #include <suture/base/Errors.hpp>
 #include <suture/base/scene/SceneReader.hpp>
 #include <suture/constraints/BuildConstraints.hpp>
@@ -13,6 +14,8 @@
 namespace constraintstesting {
 
 using namespace suture;
+
+constexpr double pi = 3.14159265358979323846;
 
 /// A list of parameters `name`: entries as "name=value" with the type that the value looks like.
 std::string entry(const std::string& name, const std::vector<std::pair<std::string, std::string>>& parameters);
@@ -41,12 +44,3 @@ int nodeAt(const Mesh& mesh, int body, double x, double y);
 const NodeRule* ruleAt(const Constraints& constraints, int node);
 
 }  // namespace constraintstesting
-
-/// Asserts that the text `problems` holds `part`, and shows the whole if it does not.
-#define SUTURE_CHECK_SAYS(problems, part)                                                    \
-  do {                                                                                       \
-    const std::string suture_whole = problems, suture_part = part;                           \
-    const bool suture_found = suture_whole.find(suture_part) != std::string::npos;           \
-    if (!suture_found) out << "not in the message: " << suture_part << "\n" << suture_whole; \
-    TEST_ASSERT(suture_found);                                                               \
-  } while (false)

@@ -9,8 +9,6 @@ using namespace constraintstesting;
 
 namespace {
 
-const double pi = 3.14159265358979323846;
-
 // Both bodies of a stack bent to rings about the origin: body 0 from radius 1 to 2 (top outside), body 1 beyond. `whole`: nodes of the two
 // ends are one. Angle grows with -x, so that elements stay positive.
 Mesh rings(int nx, double sweep, double clearance) {

@@ -3,8 +3,6 @@
 
 namespace constraintstesting {
 
-constexpr double pi = 3.14159265358979323846;
-
 /// Two boxes one on the other, the upper one from x0 to x1, the lower from 0 to 4, with so many cells.
 inline Mesh twoBoxes(double x0, double x1, int upperCells, int lowerCells, Cell upper, Cell lower) {
   Box above, below;

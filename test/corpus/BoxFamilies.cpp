@@ -4,8 +4,6 @@ namespace suture::corpus {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
-
 using Line = std::function<double(double)>;
 
 Line level(double y) {

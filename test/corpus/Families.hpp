@@ -3,6 +3,8 @@
 
 namespace suture::corpus {
 
+constexpr double pi = 3.14159265358979323846;
+
 /// Each family fills a builder with a random scene of its kind.
 using Family = void (*)(Builder&);
 

@@ -4,9 +4,7 @@ namespace suture::corpus {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
-
-double gap(Random& random) {
+double obstacleGap(Random& random) {
   const double kind = random.real(0, 1);
   return kind < 0.3 ? 0.0 : kind < 0.6 ? random.power(-6, -2) : random.real(0.0, 3.0);
 }
@@ -32,7 +30,7 @@ std::string pile(Builder& scene, double low) {
     }
     scene.bodyForce(name, {random.real(0.02, 0.2), -random.real(0.2, 1), 0});
     if (k > 0) scene.contact("box" + std::to_string(k - 1) + "_top", name + "_bottom", true);
-    y = top + gap(random) / 3;
+    y = top + obstacleGap(random) / 3;
   }
   if (random.chance(0.3)) scene.pressure("box" + std::to_string(count - 1) + "_top", random.power(-2, 1));
   if (random.chance(0.12)) {
@@ -46,7 +44,7 @@ std::string pile(Builder& scene, double low) {
 
 void onHalfPlane(Builder& scene) {
   Random& random = scene.random;
-  const double slope = random.chance(0.5) ? 0.0 : random.real(-0.3, 0.3), g = gap(random);
+  const double slope = random.chance(0.5) ? 0.0 : random.real(-0.3, 0.3), g = obstacleGap(random);
   const std::string body = pile(scene, g + std::abs(slope) * 1.2);
   scene.line(body + "_bottom", {0, 0, 0}, {-std::sin(slope), std::cos(slope), 0});
   if (slope != 0.0 && scene.expected == Expected::Solvable) scene.expected = Expected::Unknown;
@@ -54,7 +52,7 @@ void onHalfPlane(Builder& scene) {
 
 void onDisc(Builder& scene) {
   Random& random = scene.random;
-  const double radius = random.real(1.5, 6), g = gap(random);
+  const double radius = random.real(1.5, 6), g = obstacleGap(random);
   const std::string body = pile(scene, g);
   scene.circle(body + "_bottom", {random.real(-0.5, 0.5), -radius, 0}, radius, false);
   if (scene.expected == Expected::Solvable) scene.expected = Expected::Unknown;
@@ -62,7 +60,7 @@ void onDisc(Builder& scene) {
 
 void onGraph(Builder& scene) {
   Random& random = scene.random;
-  const double amplitude = random.power(-4, -1), wave = random.real(0.5, 5), g = gap(random);
+  const double amplitude = random.power(-4, -1), wave = random.real(0.5, 5), g = obstacleGap(random);
   const std::string body = pile(scene, amplitude + g);
   scene.height(body + "_bottom", 0, amplitude, wave, random.real(0, 2 * pi));
   if (scene.expected == Expected::Solvable) scene.expected = Expected::Unknown;

@@ -4,8 +4,6 @@ namespace suture::corpus {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
-
 /// Grid of an annulus: s along the angle from `from` to `to`, t from the outer radius inwards (so that the sense of rotation is kept).
 /// Sides: outer (t = 0), inner (t = 1), first (s = 0), last (s = 1).
 GridBody annulus(const std::string& name, Point centre, double inner, double outer, double from, double to, int nt, int nr) {

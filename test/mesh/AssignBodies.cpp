@@ -9,7 +9,7 @@ using meshtesting::problemsOf;
 
 namespace {
 
-Mesh twoBoxes() {
+Mesh twoSquares() {
   Box lower, upper;
   lower.name = "lower";
   lower.nx = lower.ny = 2;
@@ -26,7 +26,7 @@ std::string saidOf(Mesh mesh, const std::vector<std::string>& names = {"lower", 
 }  // namespace
 
 TEUCHOS_UNIT_TEST(AssignBodies, FollowsTheOrderOfTheScene) {
-  Mesh mesh = twoBoxes();
+  Mesh mesh = twoSquares();
   assignBodies(mesh, {"upper", "lower"});
   TEST_EQUALITY(mesh.bodyOfElement[mesh.elementGroups.at("upper")[0]], 0);
   TEST_EQUALITY(mesh.bodyOfElement[mesh.elementGroups.at("lower")[0]], 1);
@@ -35,7 +35,7 @@ TEUCHOS_UNIT_TEST(AssignBodies, FollowsTheOrderOfTheScene) {
 }
 
 TEUCHOS_UNIT_TEST(AssignBodies, NamesTheNearestGroupForAnUnknownBody) {
-  const std::string said = saidOf(twoBoxes(), {"lowr", "upper"});
+  const std::string said = saidOf(twoSquares(), {"lowr", "upper"});
   SUTURE_CHECK_SAYS(said, "Bodies/lowr: ");
   SUTURE_CHECK_SAYS(said, "no such surface group 'lowr'. Did you mean 'lower'?");
   SUTURE_CHECK_SAYS(said, "subdomain_upper_0_0");
@@ -43,18 +43,18 @@ TEUCHOS_UNIT_TEST(AssignBodies, NamesTheNearestGroupForAnUnknownBody) {
 }
 
 TEUCHOS_UNIT_TEST(AssignBodies, RefusesElementsInNoBody) {
-  const std::string said = saidOf(twoBoxes(), {"lower"});
+  const std::string said = saidOf(twoSquares(), {"lower"});
   SUTURE_CHECK_SAYS(said, "8 elements (the first at (0.333333, 1.16667)) in none of the bodies (lower)");
 }
 
 TEUCHOS_UNIT_TEST(AssignBodies, RefusesElementsInTwoBodies) {
-  Mesh mesh = twoBoxes();
+  Mesh mesh = twoSquares();
   mesh.elementGroups["upper"].push_back(0);
   SUTURE_CHECK_SAYS(saidOf(mesh), "Bodies/upper: 1 element (at (0.333333, 0.166667)) also in the body 'lower'");
 }
 
 TEUCHOS_UNIT_TEST(AssignBodies, RefusesBodiesThatShareNodes) {
-  Mesh mesh = twoBoxes();
+  Mesh mesh = twoSquares();
   const Mesh sound = mesh;
   // glue the three nodes of the line y = 1: the upper body's take the lower's numbers
   for (int& node : mesh.connectivity)
@@ -66,7 +66,7 @@ TEUCHOS_UNIT_TEST(AssignBodies, RefusesBodiesThatShareNodes) {
 }
 
 TEUCHOS_UNIT_TEST(AssignBodies, RefusesInvertedAndCollapsedElementsWithTheirPlace) {
-  Mesh mesh = twoBoxes();
+  Mesh mesh = twoSquares();
   std::swap(mesh.connectivity[0], mesh.connectivity[1]);
   mesh.connectivity[mesh.offsets[8] + 1] = mesh.connectivity[mesh.offsets[8]];
   const std::string said = saidOf(mesh);
@@ -94,14 +94,14 @@ TEUCHOS_UNIT_TEST(AssignBodies, RefusesTangledCurvedElementsWithTheirPlace) {
 }
 
 TEUCHOS_UNIT_TEST(AssignBodies, AcceptsSlivers) {
-  Mesh mesh = twoBoxes();
+  Mesh mesh = twoSquares();
   for (std::size_t i = 1; i < mesh.coordinates.size(); i += 2) mesh.coordinates[i] *= 1e-7;
   TEST_EQUALITY(saidOf(mesh), "no error");
 }
 
 TEUCHOS_UNIT_TEST(Mesh, HashSeesEveryChangeAndNothingElse) {
-  const Mesh mesh = twoBoxes();
-  Mesh same = twoBoxes();
+  const Mesh mesh = twoSquares();
+  Mesh same = twoSquares();
   same.source = "elsewhere";
   same.coordinates[0] = -same.coordinates[0];  // -0.0
   TEST_EQUALITY(same.hash(), mesh.hash());

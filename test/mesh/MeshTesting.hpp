@@ -1,4 +1,5 @@
 #pragma once
+#include <support/CheckSays.hpp>
 #include <suture/base/Collective.hpp>
 #include <suture/base/Errors.hpp>
 #include <suture/base/scene/SceneReader.hpp>
@@ -53,18 +54,9 @@ std::string problemsOf(Work work) {
   return "no error";
 }
 
-inline bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+using texts::contains;
 
 /// The same text on all ranks?
 bool sameEverywhere(const std::string& text);
 
 }  // namespace meshtesting
-
-/// Asserts that the text `problems` holds `part`, and shows the whole if it does not.
-#define SUTURE_CHECK_SAYS(problems, part)                                                    \
-  do {                                                                                       \
-    const std::string suture_whole = problems, suture_part = part;                           \
-    const bool suture_found = meshtesting::contains(suture_whole, suture_part);              \
-    if (!suture_found) out << "not in the message: " << suture_part << "\n" << suture_whole; \
-    TEST_ASSERT(suture_found);                                                               \
-  } while (false)

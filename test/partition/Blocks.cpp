@@ -47,7 +47,8 @@ TEUCHOS_UNIT_TEST(Blocks, AreForLargePartsWithManySubdomains) {
 }
 
 TEUCHOS_UNIT_TEST(Blocks, AreInProportionAndNumberedPartByPart) {
-  const Mesh mesh = scenes::mesh({scenes::box("wide", 0, 3, 0, 1, 90, 30), scenes::box("high", 0, 1, 2, 4, 20, 40)});
+  const Mesh mesh =
+      partitiontesting::mesh({partitiontesting::box("wide", 0, 3, 0, 1, 90, 30), partitiontesting::box("high", 0, 1, 2, 4, 20, 40)});
   const ElementGraph graph = elementGraph(mesh);
   const Components parts = components(graph, mesh.bodyOfElement);
   const std::vector<int> blockOf = cutIntoBlocks(graph, parts.elements, {{10, 10, 15}, {4, 5}}, 1);
@@ -56,7 +57,7 @@ TEUCHOS_UNIT_TEST(Blocks, AreInProportionAndNumberedPartByPart) {
   const std::vector<double> wanted{5400 * 10 / 35.0, 5400 * 10 / 35.0, 5400 * 15 / 35.0, 1600 * 4 / 9.0, 1600 * 5 / 9.0};
   for (int block = 0; block < 5; ++block) {
     TEST_FLOATING_EQUALITY(double(sizes[block]), wanted[block], 0.03);
-    TEST_EQUALITY(scenes::connectedParts(mesh, blockOf, block), 1);
+    TEST_EQUALITY(partitiontesting::connectedParts(mesh, blockOf, block), 1);
   }
   for (int e = 0; e < mesh.elements(); ++e) TEST_EQUALITY(blockOf[e] >= 3, mesh.bodyOfElement[e] == 1);
   // No longer than straight lines across: 30 cells high, twice; 20 cells wide.
@@ -64,7 +65,7 @@ TEUCHOS_UNIT_TEST(Blocks, AreInProportionAndNumberedPartByPart) {
 }
 
 TEUCHOS_UNIT_TEST(Blocks, OfOneAPartAreTheParts) {
-  const Mesh mesh = scenes::mesh({scenes::box("a", 0, 1, 0, 1, 4, 4), scenes::box("b", 0, 1, 2, 3, 4, 4)});
+  const Mesh mesh = partitiontesting::mesh({partitiontesting::box("a", 0, 1, 0, 1, 4, 4), partitiontesting::box("b", 0, 1, 2, 3, 4, 4)});
   const ElementGraph graph = elementGraph(mesh);
   const Components parts = components(graph, mesh.bodyOfElement);
   TEST_ASSERT(cutIntoBlocks(graph, parts.elements, {{2}, {3}}, 1) == parts.of);
@@ -72,18 +73,18 @@ TEUCHOS_UNIT_TEST(Blocks, OfOneAPartAreTheParts) {
 
 // METIS joins teeth of a comb that have nothing in common but their likeness.
 TEUCHOS_UNIT_TEST(Blocks, AreInOnePiece) {
-  const Mesh comb = scenes::kept(scenes::mesh({scenes::box("body", 0, 1, 0, 3, 10, 30)}),
-                                 [](double x, double y) { return y < 0.3 || static_cast<int>(10 * x) % 4 < 2; });
+  const Mesh comb = partitiontesting::kept(partitiontesting::mesh({partitiontesting::box("body", 0, 1, 0, 3, 10, 30)}),
+                                           [](double x, double y) { return y < 0.3 || static_cast<int>(10 * x) % 4 < 2; });
   const ElementGraph graph = elementGraph(comb);
   for (const int blocks : {2, 3, 5}) {
     const std::vector<int> blockOf = cutIntoBlocks(graph, {allOf(comb)}, {std::vector<int>(blocks, 9)}, 1);
-    for (int block = 0; block < blocks; ++block) TEST_EQUALITY(scenes::connectedParts(comb, blockOf, block), 1);
+    for (int block = 0; block < blocks; ++block) TEST_EQUALITY(partitiontesting::connectedParts(comb, blockOf, block), 1);
   }
 }
 
 // METIS' own cut of single elements is the measure.
 TEUCHOS_UNIT_TEST(Blocks, HaveShortBorders) {
-  const Mesh mesh = scenes::mesh({scenes::box("body", 0, 1, 0, 1, 120, 120)});
+  const Mesh mesh = partitiontesting::mesh({partitiontesting::box("body", 0, 1, 0, 1, 120, 120)});
   const ElementGraph graph = elementGraph(mesh);
   for (const int blocks : {2, 4}) {
     const std::vector<int> own = cutIntoBlocks(graph, {allOf(mesh)}, {std::vector<int>(blocks, 9)}, 1);

@@ -24,7 +24,7 @@ std::vector<Block> ownedBy(const std::vector<int>& owners) {
 }
 
 // The element graph of block i, the same on every rank.
-ElementGraph graphOf(int i) { return elementGraph(boxes({scenes::box("body", 0, 1, 0, 1, 12 + 3 * i, 10)})); }
+ElementGraph graphOf(int i) { return elementGraph(boxes({partitiontesting::box("body", 0, 1, 0, 1, 12 + 3 * i, 10)})); }
 
 }  // namespace
 
@@ -52,7 +52,7 @@ TEUCHOS_UNIT_TEST(CutBlocks, GoToRanksThatHaveLess) {
 }
 
 TEUCHOS_UNIT_TEST(CutBlocks, AreCutTheSameWhoeverCutsThem) {
-  const auto comm = scenes::comm();
+  const auto comm = partitiontesting::comm();
   const int me = comm->getRank(), ranks = comm->getSize();
   constexpr int count = 7, seed = 3;
   for (const int shift : {0, 1, 3}) {
@@ -76,7 +76,7 @@ TEUCHOS_UNIT_TEST(CutBlocks, AreCutTheSameWhoeverCutsThem) {
 }
 
 TEUCHOS_UNIT_TEST(CutBlocks, WorkForRanksThatOwnNothing) {
-  const auto comm = scenes::comm();
+  const auto comm = partitiontesting::comm();
   const int last = comm->getSize() - 1;
   std::vector<ElementGraph> mine;
   if (comm->getRank() == 0) mine.push_back(graphOf(0));

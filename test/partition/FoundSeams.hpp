@@ -8,7 +8,7 @@
 
 #include "Scenes.hpp"
 
-namespace scenes {
+namespace partitiontesting {
 
 using namespace suture;
 
@@ -102,7 +102,7 @@ struct Found {
   }
 };
 
-inline Found blocks(int n, int cells, Cell cell = Cell::Triangle3) {
+inline Found squareBlocks(int n, int cells, Cell cell = Cell::Triangle3) {
   Box one = box("body", 0, 1, 0, 1, n * cells, n * cells, n, n);
   one.cell = cell;
   const Mesh grid = mesh({one});
@@ -122,4 +122,4 @@ std::vector<int> choose(const Mesh& grid, const Choice& choice) {
   return subdomainOfElement;
 }
 
-}  // namespace scenes
+}  // namespace partitiontesting

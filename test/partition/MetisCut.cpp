@@ -21,7 +21,7 @@ std::vector<int> sizesOf(const std::vector<int>& partOf, int parts) {
 }  // namespace
 
 TEUCHOS_UNIT_TEST(MetisCut, MakesConnectedPartsOfAboutEqualSize) {
-  const Mesh mesh = scenes::mesh({scenes::box("body", 0, 1, 0, 1, 40, 40)});
+  const Mesh mesh = partitiontesting::mesh({partitiontesting::box("body", 0, 1, 0, 1, 40, 40)});
   const ElementGraph graph = elementGraph(mesh);
   for (int parts : {2, 3, 8, 9, 16, 64})
     for (int seed : {1, 2, 17}) {
@@ -29,12 +29,12 @@ TEUCHOS_UNIT_TEST(MetisCut, MakesConnectedPartsOfAboutEqualSize) {
       const std::vector<int> sizes = sizesOf(partOf, parts);
       TEST_COMPARE(*std::min_element(sizes.begin(), sizes.end()), >, 0.6 * 3200 / parts);
       TEST_COMPARE(*std::max_element(sizes.begin(), sizes.end()), <, 1.3 * 3200 / parts);
-      for (int part = 0; part < parts; ++part) TEST_EQUALITY(scenes::connectedParts(mesh, partOf, part), 1);
+      for (int part = 0; part < parts; ++part) TEST_EQUALITY(partitiontesting::connectedParts(mesh, partOf, part), 1);
     }
 }
 
 TEUCHOS_UNIT_TEST(MetisCut, RepeatsItselfAndFollowsItsSeed) {
-  const Mesh mesh = scenes::mesh({scenes::box("body", 0, 1, 0, 1, 40, 40)});
+  const Mesh mesh = partitiontesting::mesh({partitiontesting::box("body", 0, 1, 0, 1, 40, 40)});
   const ElementGraph graph = elementGraph(mesh);
   const std::vector<int> first = metisCut(graph, 16, 1), other = metisCut(graph, 16, 2);
   TEST_ASSERT(metisCut(graph, 16, 1) == first);
@@ -42,21 +42,21 @@ TEUCHOS_UNIT_TEST(MetisCut, RepeatsItselfAndFollowsItsSeed) {
 }
 
 TEUCHOS_UNIT_TEST(MetisCut, WorksForOnePartAndForOneElementAPart) {
-  const Mesh mesh = scenes::mesh({scenes::box("body", 0, 1, 0, 1, 4, 3)});
+  const Mesh mesh = partitiontesting::mesh({partitiontesting::box("body", 0, 1, 0, 1, 4, 3)});
   const ElementGraph graph = elementGraph(mesh);
   TEST_ASSERT(metisCut(graph, 1, 1) == std::vector<int>(24, 0));
   for (int parts = 2; parts <= 24; ++parts) {
     const std::vector<int> partOf = metisCut(graph, parts, 1);
     const std::vector<int> sizes = sizesOf(partOf, parts);
     TEST_COMPARE(*std::min_element(sizes.begin(), sizes.end()), >=, 1);
-    for (int part = 0; part < parts; ++part) TEST_EQUALITY(scenes::connectedParts(mesh, partOf, part), 1);
+    for (int part = 0; part < parts; ++part) TEST_EQUALITY(partitiontesting::connectedParts(mesh, partOf, part), 1);
   }
 }
 
 // The answer of METIS alone to the same question shows that there is something to repair.
 TEUCHOS_UNIT_TEST(MetisCut, CountsTheFragmentsThatMetisLeaves) {
-  const Mesh comb = scenes::kept(scenes::mesh({scenes::box("body", 0, 1, 0, 1, 32, 32)}),
-                                 [](double x, double y) { return y < 1.0 / 16 || static_cast<int>(32 * x) % 2 == 0; });
+  const Mesh comb = partitiontesting::kept(partitiontesting::mesh({partitiontesting::box("body", 0, 1, 0, 1, 32, 32)}),
+                                           [](double x, double y) { return y < 1.0 / 16 || static_cast<int>(32 * x) % 2 == 0; });
   const ElementGraph graph = elementGraph(comb);
   int repaired = 0;
   for (int parts : {2, 3, 4, 6, 8})
@@ -71,19 +71,19 @@ TEUCHOS_UNIT_TEST(MetisCut, CountsTheFragmentsThatMetisLeaves) {
                                              nullptr, nullptr, options, &cut, raw.data()),
                     METIS_OK);
       int pieces = 0, repairs = 0;
-      for (int part = 0; part < parts; ++part) pieces += scenes::connectedParts(comb, {raw.begin(), raw.end()}, part);
+      for (int part = 0; part < parts; ++part) pieces += partitiontesting::connectedParts(comb, {raw.begin(), raw.end()}, part);
       const std::vector<int> partOf = metisCut(graph, parts, seed, &repairs);
-      for (int part = 0; part < parts; ++part) TEST_EQUALITY(scenes::connectedParts(comb, partOf, part), 1);
+      for (int part = 0; part < parts; ++part) TEST_EQUALITY(partitiontesting::connectedParts(comb, partOf, part), 1);
       TEST_EQUALITY(repairs, pieces - parts);
       repaired += repairs > 0;
     }
   TEST_COMPARE(repaired, >, 0);
 }
 
-TEUCHOS_UNIT_TEST(ElementGraph, HasTheInnerSidesOfAGrid) {
+TEUCHOS_UNIT_TEST(MetisCut, HasTheInnerSidesOfAGrid) {
   // n x n squares cut in two: 3 n^2 + 2 n sides, 4 n of them on the boundary.
   const int n = 10;
-  const Mesh mesh = scenes::mesh({scenes::box("body", 0, 1, 0, 1, n, n)});
+  const Mesh mesh = partitiontesting::mesh({partitiontesting::box("body", 0, 1, 0, 1, n, n)});
   const ElementGraph graph = elementGraph(mesh);
   TEST_EQUALITY(graph.elements(), 2 * n * n);
   TEST_EQUALITY(static_cast<int>(graph.neighbours.size()), 2 * (3 * n * n + 2 * n - 4 * n));

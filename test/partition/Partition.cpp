@@ -6,7 +6,7 @@
 #include "Scenes.hpp"
 
 using namespace suture;
-using namespace scenes;
+using namespace partitiontesting;
 
 namespace {
 

@@ -12,7 +12,7 @@
 #include "Scenes.hpp"
 
 using namespace suture;
-using namespace scenes;
+using namespace partitiontesting;
 
 namespace {
 

@@ -1,6 +1,6 @@
 #include <partition/Scenes.hpp>
 
-namespace scenes {
+namespace partitiontesting {
 
 Box box(const std::string& name, double x0, double x1, double y0, double y1, int nx, int ny, int blocksX, int blocksY) {
   Box one;
@@ -79,4 +79,4 @@ int connectedParts(const Mesh& mesh, const std::vector<int>& subdomainOfElement,
   return static_cast<int>(std::count_if(parent.begin(), parent.end(), [](const auto& entry) { return entry.first == entry.second; }));
 }
 
-}  // namespace scenes
+}  // namespace partitiontesting

@@ -13,7 +13,7 @@
 #include <vector>
 
 // Meshes and parameters for the tests of partition. As in a run, only rank 0 has the mesh.
-namespace scenes {
+namespace partitiontesting {
 
 using namespace suture;
 
@@ -68,4 +68,4 @@ void addContact(const Mesh& mesh, const std::string& sideA, const std::string& s
 // Components of one subdomain by brute force: two elements are neighbours when they have two nodes in common.
 int connectedParts(const Mesh& mesh, const std::vector<int>& subdomainOfElement, int subdomain);
 
-}  // namespace scenes
+}  // namespace partitiontesting

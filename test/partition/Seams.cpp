@@ -47,7 +47,7 @@ TEUCHOS_UNIT_TEST(Seams, KnowsVerticesAndEdgesOfBlocks) {
   for (Cell cell : {Cell::Triangle3, Cell::Quadrilateral4})
     for (int n : {2, 4}) {
       const int cells = 4;
-      const Found seams = blocks(n, cells, cell);
+      const Found seams = squareBlocks(n, cells, cell);
       const auto vertices = seams.of(EntityKind::Vertex), edges = seams.of(EntityKind::Edge);
       TEST_EQUALITY(static_cast<int>(vertices.size()), (n - 1) * (n - 1));
       TEST_EQUALITY(static_cast<int>(seams.points().size()), (n - 1) * (n - 1) + 4 * (n - 1));
@@ -252,7 +252,7 @@ TEUCHOS_UNIT_TEST(Seams, PutsEverySeamNodeIntoOneEntityAndObeysEuler) {
 }
 
 TEUCHOS_UNIT_TEST(Seams, TellsARankOfTheEntitiesItTouches) {
-  const Found seams = blocks(4, 3);
+  const Found seams = squareBlocks(4, 3);
   std::set<int> ids;
   for (const SubdomainMesh& part : seams.mine) ids.insert(part.id);
   const auto touches = [&](const SeamEntity& entity) {

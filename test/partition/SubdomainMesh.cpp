@@ -10,7 +10,7 @@
 #include "Scenes.hpp"
 
 using namespace suture;
-using namespace scenes;
+using namespace partitiontesting;
 
 namespace {
 
@@ -21,13 +21,13 @@ double sumOverRanks(double mine) {
 }
 
 // Two stacked boxes with contact, a rule on the lower side and METIS subdomains.
-struct Scene {
+struct CutScene {
   Mesh whole = mesh({box("low", 0, 4, 0, 1, 24, 6), box("top", 0, 4, 1, 2, 24, 6)});
   Constraints constraints;
   Partition partition;
   std::vector<SubdomainMesh> mine;
 
-  explicit Scene(int subdomains, bool keepGroupsWhole = false) {
+  explicit CutScene(int subdomains, bool keepGroupsWhole = false) {
     addContact(whole, "low_top", "top_bottom", constraints);
     if (onRoot())
       for (int node = 0; node < whole.nodes(); ++node)
@@ -46,7 +46,7 @@ struct Scene {
 }  // namespace
 
 TEUCHOS_UNIT_TEST(SubdomainMesh, LivesWhereThePartitionSays) {
-  const Scene scene(7);
+  const CutScene scene(7);
   std::vector<int> expected, found;
   for (int s = 0; s < 7; ++s)
     if (scene.partition.rankOf[s] == comm()->getRank()) expected.push_back(s);
@@ -61,7 +61,7 @@ TEUCHOS_UNIT_TEST(SubdomainMesh, LivesWhereThePartitionSays) {
 }
 
 TEUCHOS_UNIT_TEST(SubdomainMesh, CoversTheBodiesOnce) {
-  const Scene scene(7);
+  const CutScene scene(7);
   double area = 0, moment = 0, nodesByShares = 0;
   for (const SubdomainMesh& part : scene.mine) {
     for (int e = 0; e < part.elements(); ++e) {
@@ -79,7 +79,7 @@ TEUCHOS_UNIT_TEST(SubdomainMesh, CoversTheBodiesOnce) {
 }
 
 TEUCHOS_UNIT_TEST(SubdomainMesh, KeepsTheSidesOfNamedGroups) {
-  const Scene scene(7);
+  const CutScene scene(7);
   double bottom = 0, contact = 0;
   for (const SubdomainMesh& part : scene.mine)
     for (const auto& [name, sides] : part.sideGroups) {
@@ -97,7 +97,7 @@ TEUCHOS_UNIT_TEST(SubdomainMesh, KeepsTheSidesOfNamedGroups) {
 }
 
 TEUCHOS_UNIT_TEST(SubdomainMesh, HasTheRulesOfItsNodes) {
-  const Scene scene(7);
+  const CutScene scene(7);
   double rules = 0;
   for (const SubdomainMesh& part : scene.mine) {
     for (const NodeRule& rule : part.rules) {
@@ -114,7 +114,7 @@ TEUCHOS_UNIT_TEST(SubdomainMesh, HasTheRulesOfItsNodes) {
 }
 
 TEUCHOS_UNIT_TEST(SubdomainMesh, HasTheContactEndsOfItsNodes) {
-  const Scene scene(7);
+  const CutScene scene(7);
   double ends = 0, sides = 0;
   Packer packer;
   packer.put(scene.constraints.pairs);
@@ -132,7 +132,7 @@ TEUCHOS_UNIT_TEST(SubdomainMesh, HasTheContactEndsOfItsNodes) {
 }
 
 TEUCHOS_UNIT_TEST(SubdomainMesh, HasAllRowsOfEveryClusterItTouches) {
-  Scene scene(12);
+  CutScene scene(12);
   if (onRoot()) {  // diagonal pairs beside the straight ones: runs of pairs that share unknowns, over more than one subdomain
     const std::vector<ContactPair> straight = scene.constraints.pairs;
     for (std::size_t i : {3, 4, 5, 6, 7, 8, 18, 19}) {
@@ -206,7 +206,7 @@ TEUCHOS_UNIT_TEST(SubdomainMesh, HasAllRowsOfEveryClusterItTouches) {
 TEUCHOS_UNIT_TEST(SubdomainMesh, KnowsWhichSidesItSharesWithWhom) {
   using SharedSide = std::array<GlobalId, 4>;  // subdomain, neighbour, end points
   for (int subdomains : {2, 7, 24}) {
-    const Scene scene(subdomains);
+    const CutScene scene(subdomains);
     std::vector<SharedSide> mine;
     for (const SubdomainMesh& part : scene.mine) {
       const auto before = [](const SubdomainMesh::SeamSide& a, const SubdomainMesh::SeamSide& b) {
@@ -247,7 +247,7 @@ TEUCHOS_UNIT_TEST(SubdomainMesh, KnowsWhichSidesItSharesWithWhom) {
 
 TEUCHOS_UNIT_TEST(SubdomainMesh, NamesTheOtherHoldersOfANode) {
   // Holders are checked one by one where every subdomain is on this rank's side of the fence; in general: symmetric.
-  const Scene scene(7);
+  const CutScene scene(7);
   std::map<std::pair<int, int>, std::set<GlobalId>> told;
   for (const SubdomainMesh& part : scene.mine)
     for (int i = 0; i < part.nodes(); ++i)
@@ -267,7 +267,7 @@ TEUCHOS_UNIT_TEST(SubdomainMesh, NamesTheOtherHoldersOfANode) {
 }
 
 TEUCHOS_UNIT_TEST(SubdomainMesh, LeavesRanksWithoutUnitsEmpty) {
-  const Scene scene(4, true);  // few subdomains, most of them in one group
+  const CutScene scene(4, true);  // few subdomains, most of them in one group
   TEST_EQUALITY(sumOverRanks(static_cast<double>(scene.mine.size())), 4.0);
   for (const SubdomainMesh& part : scene.mine) TEST_EQUALITY(scene.partition.rankOf[part.id], comm()->getRank());
 }

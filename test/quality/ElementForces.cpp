@@ -7,14 +7,14 @@
 namespace suture {
 namespace {
 
-struct Case {
+struct ForcesCase {
   Mesh mesh;
   Material material;
   PlaneModel plane;
   Vector u;
   std::function<const Material&(int)> materialOf = [this](int) -> const Material& { return material; };
 
-  Case(Cell cell, ElementForm form, PlaneModel model, bool revolved) : plane(model) {
+  ForcesCase(Cell cell, ElementForm form, PlaneModel model, bool revolved) : plane(model) {
     Box box;
     box.x1 = 2;
     box.nx = 5;
@@ -47,20 +47,20 @@ struct Case {
   }
 };
 
-void forAllCases(const std::function<void(Case&)>& each) {
+void forAllCases(const std::function<void(ForcesCase&)>& each) {
   for (const Cell cell : {Cell::Triangle3, Cell::Triangle6, Cell::Quadrilateral4, Cell::Quadrilateral8, Cell::Quadrilateral9})
     for (const ElementForm form : {ElementForm::Displacement, ElementForm::Mixed})
       for (const bool revolved : {false, true}) {
         if (form == ElementForm::Mixed && cell == Cell::Triangle3) continue;
-        Case one(cell, form, PlaneModel::Strain, revolved);
+        ForcesCase one(cell, form, PlaneModel::Strain, revolved);
         each(one);
       }
-  Case sheet(Cell::Quadrilateral4, ElementForm::Displacement, PlaneModel::Stress, false);
+  ForcesCase sheet(Cell::Quadrilateral4, ElementForm::Displacement, PlaneModel::Stress, false);
   each(sheet);
 }
 
 TEUCHOS_UNIT_TEST(ElementForces, AreThoseOfTheElementMatrices) {
-  forAllCases([&](Case& one) {
+  forAllCases([&](ForcesCase& one) {
     Vector diagonal;
     const Vector expected = one.byMatrices(one.u, &diagonal);
     const ElementForces forces = elementForces(one.mesh, one.materialOf, one.plane, one.u);
@@ -74,7 +74,7 @@ TEUCHOS_UNIT_TEST(ElementForces, AreThoseOfTheElementMatrices) {
 }
 
 TEUCHOS_UNIT_TEST(ElementForces, ATranslationCostsNothing) {
-  forAllCases([&](Case& one) {
+  forAllCases([&](ForcesCase& one) {
     const ElementForces still = elementForces(one.mesh, one.materialOf, one.plane, one.u);
     // whole numbers carried by a power of two: nothing is rounded
     Vector u = (one.u * 1024).array().round().matrix(), moved = u;
@@ -90,7 +90,7 @@ TEUCHOS_UNIT_TEST(ElementForces, ATranslationCostsNothing) {
 }
 
 TEUCHOS_UNIT_TEST(ElementForces, RoundingBoundsWhatRoundedDisplacementsDo) {
-  forAllCases([&](Case& one) {
+  forAllCases([&](ForcesCase& one) {
     Vector far = one.u, near = one.u;
     for (Eigen::Index i = 0; i < far.size(); ++i) {
       if (one.mesh.axisymmetric && i % 2 == 0) continue;

@@ -115,11 +115,11 @@ DiscretisationError estimate(const blocks::Blocks& all, const Vector& u) {
   return estimateError(*blocks::world(), all.meshes, all.model, displacement);
 }
 
-const std::vector<Cell> cells{Cell::Triangle3, Cell::Quadrilateral4, Cell::Triangle6, Cell::Quadrilateral8, Cell::Quadrilateral9};
+const std::vector<Cell> estimatedCells{Cell::Triangle3, Cell::Quadrilateral4, Cell::Triangle6, Cell::Quadrilateral8, Cell::Quadrilateral9};
 
 TEUCHOS_UNIT_TEST(ErrorEstimate, ApproachesTheExactErrorOfEveryCell) {
   for (const double bend : {0.0, 1.0})
-    for (const Cell cell : cells) {
+    for (const Cell cell : estimatedCells) {
       double last = 0.0;
       for (const int n : {8, 16, 32}) {
         const Exact exact = exponential();
@@ -174,7 +174,7 @@ TEUCHOS_UNIT_TEST(ErrorEstimate, IsGoodAtTheEndOfContact) {
   // On a node, and at places inside an edge: of quadratic quadrilaterals half to nine tenths of the square of the error are in the one or
   // two elements at the point, and depend on where it is in them.
   for (const double inEdge : {0.0, 0.1, 0.25, 0.5, 0.75, 0.9})
-    for (const Cell cell : cells)
+    for (const Cell cell : estimatedCells)
       for (const int n : {16, 32}) {
         const double end = inEdge * 2.0 / n;
         const Exact exact = williams(end);
@@ -201,7 +201,7 @@ TEUCHOS_UNIT_TEST(ErrorEstimate, IsGoodAtTheEndOfContact) {
 }
 
 TEUCHOS_UNIT_TEST(ErrorEstimate, IsZeroWhereTheSolutionIsExact) {
-  for (const Cell cell : cells) {
+  for (const Cell cell : estimatedCells) {
     const int order = cell == Cell::Triangle3 || cell == Cell::Quadrilateral4 ? 1 : 2;
     // Curved cells have displacements of the first order exactly, straight ones those of the cell's order.
     for (const int p : order == 1 ? std::vector<int>{1} : std::vector<int>{1, 2}) {
@@ -215,7 +215,7 @@ TEUCHOS_UNIT_TEST(ErrorEstimate, IsZeroWhereTheSolutionIsExact) {
 
 // Patches of one or two elements, none of them interior.
 TEUCHOS_UNIT_TEST(ErrorEstimate, IsZeroForUniformStressInBodiesOfFewElements) {
-  for (const Cell cell : cells)
+  for (const Cell cell : estimatedCells)
     for (const auto& [nx, ny] : std::vector<std::pair<int, int>>{{1, 1}, {2, 1}, {5, 1}, {2, 2}}) {
       Box box;
       box.nx = nx;
@@ -234,7 +234,7 @@ TEUCHOS_UNIT_TEST(ErrorEstimate, IsZeroForUniformStressInBodiesOfFewElements) {
 
 // Stress across jumps by a factor of 50 within the body and from body to body: uniform in each, so that nothing is to be estimated.
 TEUCHOS_UNIT_TEST(ErrorEstimate, DoesNotSmoothJumpsBetweenMaterialsAndBodies) {
-  for (const Cell cell : cells) {
+  for (const Cell cell : estimatedCells) {
     auto boxes = blocks::twoBoxes(4, 4, 2, 2);
     for (Box& box : boxes) box.cell = cell;
     scenes::Scene scene = scenes::fromBoxes(boxes, kYoung, kPoisson);
@@ -260,7 +260,7 @@ TEUCHOS_UNIT_TEST(ErrorEstimate, DoesNotSmoothJumpsBetweenMaterialsAndBodies) {
 }
 
 TEUCHOS_UNIT_TEST(ErrorEstimate, DoesNotDependOnTheCut) {
-  for (const Cell cell : cells) {
+  for (const Cell cell : estimatedCells) {
     const scenes::Scene whole = square(cell, 8, 1, 1.0, exponential());
     const Vector u = solve(whole);
     // One block of the whole mesh, nothing to exchange.

@@ -114,7 +114,7 @@ std::string squeezed() {
   return replaced(text, "UY", "-y*(0.02 + 0.01*sin(2*x))");
 }
 
-struct Case {
+struct ExactCase {
   std::string text;
   std::vector<std::string> settings{};
   bool check = false;  ///< the exact solution only, before any solve
@@ -142,7 +142,7 @@ Errors errorsOf(const CommPtr& comm, const SceneFile& file, bool check = false) 
   return exactErrors(*comm, meshes, model, scene.sublist("Contact"), solution.displacement, solution.pairs);
 }
 
-Errors errorsOf(const CommPtr& comm, const Case& given, const std::string& cell, int cells) {
+Errors errorsOf(const CommPtr& comm, const ExactCase& given, const std::string& cell, int cells) {
   const std::string text = replaced(replaced(given.text, "CELLS", std::to_string(cells)), "CELL", cell);
   return errorsOf(comm, parseScene(text, "scene.xml", sceneSchema(), given.settings), given.check);
 }
@@ -209,7 +209,7 @@ TEUCHOS_UNIT_TEST(ExactErrors, AreTheSameOnAnyRanksAndByMonolithic) {
 }
 
 TEUCHOS_UNIT_TEST(ExactErrors, AreNoneWithoutAnExactSolution) {
-  Case nothing{waves()};
+  ExactCase nothing{waves()};
   const std::size_t begin = nothing.text.find("<ParameterList name=\"Exact Solution\">");
   nothing.text.erase(begin, nothing.text.find("</ParameterList>", begin) + 16 - begin);
   TEST_ASSERT(errorsOf(world(), nothing, "Triangle3", 4).empty());
@@ -230,7 +230,8 @@ TEUCHOS_UNIT_TEST(ExactErrors, TellWhereAnExpressionIsNotFiniteBeforeTheSolveAnd
 
 // The scenes of input/validation as they are, with other cells.
 Errors validated(const CommPtr& comm, const std::string& scene, const std::string& box, const std::string& cell, const std::string& cells) {
-  const std::string path = std::string(SUTURE_INPUT) + "/validation/" + scene + "/" + scene + ".xml", own = "Mesh/Boxes/" + box + "/";
+  const std::string path = std::string(SUTURE_SOURCE_DIR "/input/validation/") + scene + "/" + scene + ".xml",
+                    own = "Mesh/Boxes/" + box + "/";
   return errorsOf(comm, readScene(*comm, path, sceneSchema(),
                                   {own + "Cell=" + cell, own + "Cells=" + cells, own + "Blocks={1, 1}", "Partition/Type=METIS",
                                    "Partition/METIS/Subdomains=4", "Outer Solver/Tolerance=1e-14"}));

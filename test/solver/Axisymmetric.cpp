@@ -82,21 +82,20 @@ TEUCHOS_UNIT_TEST(Axisymmetric, PassesThePatchTestOnAndOffTheAxis) {
     }
 }
 
-constexpr double kYoung = 3.0, kInner = 1.0, kOuter = 2.0, kPressure = 0.1;
-
-struct Errors {
+struct SphereErrors {
   double displacement;  // largest at nodes, relative
   double hoop;          // relative error of the mean hoop stress over the elements, by area
 };
 
 // Lame: a hollow sphere under inner pressure p; u = p a^3 / (E (b^3 - a^3)) ((1 - 2 nu) R + (1 + nu) b^3 / (2 R^2)),
 // s_RR = p a^3 / (b^3 - a^3) (1 - b^3 / R^3), s_tt = p a^3 / (b^3 - a^3) (1 + b^3 / (2 R^3)).
-Errors hollowSphere(const Element& element, double nu, int cells) {
-  scenes::Scene scene = scenes::quarterRing(element.cell, kInner, kOuter, cells, 2 * cells, {"m", kYoung, nu, element.form}, true);
-  scene.pressure("body_left", kPressure);
+SphereErrors hollowSphere(const Element& element, double nu, int cells) {
+  scenes::Scene scene =
+      scenes::quarterRing(element.cell, scenes::kInner, scenes::kOuter, cells, 2 * cells, {"m", scenes::kYoung, nu, element.form}, true);
+  scene.pressure("body_left", scenes::kPressure);
   const Vector u = displacementOf(scene);
-  const double b3 = kOuter * kOuter * kOuter, factor = kPressure / (b3 - 1);
-  const auto exact = [&](double r) { return factor / kYoung * ((1 - 2 * nu) * r + (1 + nu) * b3 / (2 * r * r)); };
+  const double b3 = scenes::kOuter * scenes::kOuter * scenes::kOuter, factor = scenes::kPressure / (b3 - 1);
+  const auto exact = [&](double r) { return factor / scenes::kYoung * ((1 - 2 * nu) * r + (1 + nu) * b3 / (2 * r * r)); };
   const Matrix stress = stressOf(scene, u);
   double found = 0, expected = 0;
   for (int e = 0; e < scene.mesh.elements(); ++e) {
@@ -120,7 +119,7 @@ TEUCHOS_UNIT_TEST(Axisymmetric, HollowSpheresFollowLame) {
                                      {Cell::Quadrilateral9, 3.0}};
   for (const double nu : {0.3, 0.4999})
     for (const Element& element : elements()) {
-      const Errors coarse = hollowSphere(element, nu, 4), fine = hollowSphere(element, nu, 8);
+      const SphereErrors coarse = hollowSphere(element, nu, 4), fine = hollowSphere(element, nu, 8);
       const double order = std::log2(coarse.displacement / fine.displacement);
       out << element.name() << ", nu " << nu << ": displacement " << fine.displacement << ", order " << order << "; hoop stress "
           << fine.hoop << "\n";
@@ -138,20 +137,20 @@ TEUCHOS_UNIT_TEST(Axisymmetric, ADiscUnderInnerPressureIsLamesDisc) {
   // Free to change its thickness: plane stress, which no axisymmetric law knows of. u = p a^2 / (E (b^2 - a^2)) ((1 - nu) r + (1 + nu) b^2
   // / r).
   Box box;
-  box.x0 = kInner;
-  box.x1 = kOuter;
+  box.x0 = scenes::kInner;
+  box.x1 = scenes::kOuter;
   box.y1 = 0.25;
   box.nx = 32;
   box.ny = 4;
   box.cell = Cell::Quadrilateral9;
   const double nu = 0.3;
-  scenes::Scene scene = scenes::fromBoxes({box}, kYoung, nu);
+  scenes::Scene scene = scenes::fromBoxes({box}, scenes::kYoung, nu);
   makeAxisymmetric(scene.mesh);
   scene.model.axisymmetric = true;
   scene.hold("body_bottom", 1, 0.0);
-  scene.pressure("body_left", kPressure);
+  scene.pressure("body_left", scenes::kPressure);
   const Vector u = displacementOf(scene);
-  const double factor = kPressure / (kOuter * kOuter - 1) / kYoung;
+  const double factor = scenes::kPressure / (scenes::kOuter * scenes::kOuter - 1) / scenes::kYoung;
   for (int node = 0; node < scene.mesh.nodes(); ++node) {
     const double r = scene.mesh.point(node)[0];
     TEST_FLOATING_EQUALITY(u(2 * node), factor * ((1 - nu) * r + (1 + nu) * 4 / r), 1e-6);

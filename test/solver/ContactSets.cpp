@@ -9,17 +9,6 @@ namespace {
 
 using namespace blocks;
 
-/// Numbers that look random and belong to the unknowns, whatever the ranks.
-MultiVectorPtr someStep(const InterfaceSpace& space, double size, double seed) {
-  const MultiVectorPtr x = space.vector();
-  auto values = localView(*x);
-  for (Eigen::Index k = 0; k < values.rows(); ++k)
-    values(k, 0) = size * std::sin(seed + 12.9898 * double(space.map()->getGlobalElement(int(k)) + 1));
-  return x;
-}
-
-double norm(const MultiVector& x) { return std::sqrt(dot(x, x)); }
-
 /// A block that only contact holds, in a formulation, with every so many pairs closed (0: none).
 struct Held : Formulated {
   const ContactSets& sets;

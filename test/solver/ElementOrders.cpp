@@ -52,11 +52,11 @@ scenes::Scene bentSquare(Cell cell, int cells, double poisson = 0.3, ElementForm
   return scene;
 }
 
-struct Errors {
+struct BendingErrors {
   double displacement, stress;  // in the norm of L2; stress at centroids, weighted by areas
 };
 
-Errors errorsOf(Cell cell, int cells, double poisson = 0.3, ElementForm form = ElementForm::Displacement) {
+BendingErrors errorsOf(Cell cell, int cells, double poisson = 0.3, ElementForm form = ElementForm::Displacement) {
   const scenes::Scene scene = bentSquare(cell, cells, poisson, form);
   const Mesh& mesh = scene.mesh;
   Monitor quiet;
@@ -70,7 +70,7 @@ Errors errorsOf(Cell cell, int cells, double poisson = 0.3, ElementForm form = E
       for (int k = 0; k < 2; ++k) p[k] += reference.valuesAt(q)[a] * mesh.point(mesh.nodesOf(element)[a])[k];
     return p;
   };
-  Errors squares{0, 0};
+  BendingErrors squares{0, 0};
   for (int e = 0; e < mesh.elements(); ++e) {
     ElementMap map(mesh, e, rule);
     double area = 0;
@@ -97,7 +97,7 @@ TEUCHOS_UNIT_TEST(ElementOrders, AreThoseOfTheoryForEveryCell) {
       {"Triangle3", {2, 1}}, {"Quadrilateral4", {2, 2}}, {"Triangle6", {3, 2}}, {"Quadrilateral8", {3, 2}}, {"Quadrilateral9", {3, 2}}};
   for (int c = 0; c <= static_cast<int>(Cell::Quadrilateral9); ++c) {
     const Cell cell = static_cast<Cell>(c);
-    const Errors coarse = errorsOf(cell, 8), fine = errorsOf(cell, 16);
+    const BendingErrors coarse = errorsOf(cell, 8), fine = errorsOf(cell, 16);
     const double displacement = std::log2(coarse.displacement / fine.displacement), stress = std::log2(coarse.stress / fine.stress);
     const auto& [p, q] = least.at(cellInfo(cell).name);
     out << cellInfo(cell).name << ": displacement " << fine.displacement << ", order " << displacement << "; stress " << fine.stress
@@ -114,9 +114,9 @@ TEUCHOS_UNIT_TEST(ElementOrders, OfMixedElementsDoNotDependOnPoissonsRatio) {
   const std::map<Cell, std::pair<double, double>> least{
       {Cell::Quadrilateral4, {2, 2}}, {Cell::Triangle6, {2, 1}}, {Cell::Quadrilateral8, {2, 1}}, {Cell::Quadrilateral9, {3, 2}}};
   for (const auto& [cell, orders] : least) {
-    const Errors easy = errorsOf(cell, 16, 0.3, ElementForm::Mixed);
+    const BendingErrors easy = errorsOf(cell, 16, 0.3, ElementForm::Mixed);
     for (const double poisson : {0.4999, 0.49999999}) {
-      const Errors coarse = errorsOf(cell, 8, poisson, ElementForm::Mixed), fine = errorsOf(cell, 16, poisson, ElementForm::Mixed);
+      const BendingErrors coarse = errorsOf(cell, 8, poisson, ElementForm::Mixed), fine = errorsOf(cell, 16, poisson, ElementForm::Mixed);
       const double displacement = std::log2(coarse.displacement / fine.displacement), stress = std::log2(coarse.stress / fine.stress);
       out << cellInfo(cell).name << ", 0.5 - nu = " << 0.5 - poisson << ": displacement " << fine.displacement << ", order " << displacement
           << "; stress " << fine.stress << ", order " << stress << "\n";

@@ -33,15 +33,6 @@ void forAll(Teuchos::FancyOStream& out, const Claim& claim) {
     }
 }
 
-/// Numbers that look random and belong to the unknowns, whatever the ranks.
-MultiVectorPtr someStep(const InterfaceSpace& space, double size, double seed) {
-  const MultiVectorPtr x = space.vector();
-  auto values = localView(*x);
-  for (Eigen::Index k = 0; k < values.rows(); ++k)
-    values(k, 0) = size * std::sin(seed + 12.9898 * double(space.map()->getGlobalElement(int(k)) + 1));
-  return x;
-}
-
 InterfaceState copyOf(const InterfaceState& state) {
   InterfaceState copy = state;
   copy.trace = Teuchos::rcp(new MultiVector(*state.trace, Teuchos::Copy));
@@ -60,8 +51,6 @@ bool everywhere(bool here) {
   Teuchos::reduceAll(*world(), Teuchos::REDUCE_MIN, mine, Teuchos::outArg(all));
   return all == 1;
 }
-
-double norm(const MultiVector& x) { return std::sqrt(dot(x, x)); }
 
 /// Product of the operator with x.
 MultiVectorPtr product(const InterfaceOperator& matrix, const MultiVector& x) {

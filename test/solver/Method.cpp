@@ -43,7 +43,7 @@ Start startOf(const Solution& solution) {
   return start;
 }
 
-double difference(const Solution& a, const Solution& b) {
+double relativeDistance(const Solution& a, const Solution& b) {
   double size = 0.0, far = 0.0, sizes = 0.0, all = 0.0;
   for (std::size_t s = 0; s < a.displacement.size(); ++s) {
     size = std::max(size, b.displacement[s].lpNorm<Eigen::Infinity>());
@@ -65,7 +65,7 @@ TEUCHOS_UNIT_TEST(Method, DecompositionAndReferenceHaveOneSolution) {
     TEST_EQUALITY(reference.outerSolver, "Monolithic");
     const Solution solution = solved(Given({precise, formulation}), silent);
     TEST_ASSERT(solution.converged);
-    TEST_COMPARE(difference(solution, reference), <, 1e-9);
+    TEST_COMPARE(relativeDistance(solution, reference), <, 1e-9);
     TEST_FLOATING_EQUALITY(solution.energy, reference.energy, 1e-9);
   }
 }
@@ -103,7 +103,7 @@ TEUCHOS_UNIT_TEST(Method, GoesOnFromAnIntermediateState) {
   const Solution rest = solved(given, silent, &kept[kept.size() / 2]);
   TEST_ASSERT(rest.converged);
   TEST_COMPARE(rest.iterations, <, whole.iterations);
-  TEST_COMPARE(difference(rest, whole), <, 1e-9);
+  TEST_COMPARE(relativeDistance(rest, whole), <, 1e-9);
 }
 
 TEUCHOS_UNIT_TEST(Method, RefusesAnotherOrderOfCalls) {

@@ -9,21 +9,20 @@
 namespace suture {
 namespace {
 
-constexpr double kYoung = 3.0, kInner = 1.0, kOuter = 2.0, kPressure = 0.1;
-
 struct Cylinder {
   double displacement, stress;  // relative errors; stress: mean stress at centroids
 };
 
 // Lame: a tube under inner pressure in plane strain.
 Cylinder cylinder(Cell cell, ElementForm form, double nu, int cells) {
-  scenes::Scene scene = scenes::quarterRing(cell, kInner, kOuter, cells, 2 * cells, {"rubber", kYoung, nu, form});
-  scene.pressure("body_left", kPressure);
+  scenes::Scene scene = scenes::quarterRing(cell, scenes::kInner, scenes::kOuter, cells, 2 * cells, {"rubber", scenes::kYoung, nu, form});
+  scene.pressure("body_left", scenes::kPressure);
   Monitor quiet;
   const Vector u = solveMonolithic(scene.mesh, scene.constraints, scene.model, {}, quiet).displacement;
-  const double a2 = kInner * kInner, b2 = kOuter * kOuter, factor = kPressure * a2 / (b2 - a2);
+  const double a2 = scenes::kInner * scenes::kInner, b2 = scenes::kOuter * scenes::kOuter, factor = scenes::kPressure * a2 / (b2 - a2);
   Cylinder errors;
-  errors.displacement = scenes::radialError(scene, u, [&](double r) { return (1 + nu) / kYoung * factor * ((1 - 2 * nu) * r + b2 / r); });
+  errors.displacement =
+      scenes::radialError(scene, u, [&](double r) { return (1 + nu) / scenes::kYoung * factor * ((1 - 2 * nu) * r + b2 / r); });
   const Matrix stress = elementStresses(
       scene.mesh, [&](int) -> const Material& { return scene.model.materialOfBody[0]; }, PlaneModel::Strain, u);
   errors.stress = 0;  // s_rr + s_tt = 2 factor, the same everywhere, and s_zz = nu times it

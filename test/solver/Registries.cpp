@@ -112,7 +112,7 @@ class Borrowed : public Formulation {
 const Registration<Formulation> borrowed("Borrowed Groups", Schema("groups of a user's own"),
                                          [](const Parameters&) { return std::make_unique<Borrowed>(); });
 
-const std::vector<std::string> precise = {"Outer Solver/Tolerance=1e-10"};
+const std::vector<std::string> preciseOptions = {"Outer Solver/Tolerance=1e-10"};
 
 TEUCHOS_UNIT_TEST(Registries, EveryOuterSolver) {
   checkRegistry<OuterSolver>({"Outer Solver/Type"}, {"Outer Solver/Tolerance=1e-8", "Outer Solver/Maximum Iterations=2000"}, success, out);
@@ -122,7 +122,7 @@ TEUCHOS_UNIT_TEST(Registries, EveryFormulation) {
   const Scene scene = pressedBlocks();
   Monitor silent;
   const MonolithicResult reference = solveMonolithic(scene.mesh, scene.constraints, scene.model, MonolithicOptions(), silent);
-  isTheReferences(scene, reference, precise, 1e-6, success, out);  // in every one
+  isTheReferences(scene, reference, preciseOptions, 1e-6, success, out);  // in every one
 }
 TEUCHOS_UNIT_TEST(Registries, AFormulationAlonePicksAnOuterSolverThatFits) {
   for (const std::string& formulation : formulations()) {
@@ -145,20 +145,20 @@ TEUCHOS_UNIT_TEST(Registries, AChosenOuterSolverThatDoesNotFitIsRefusedWithThose
                   "Approximation, Monolithic. Or choose the Formulation 'Contact On The Interface'");
   }
 }
-TEUCHOS_UNIT_TEST(Registries, EveryPreconditioner) { checkRegistry<Preconditioner>({"Preconditioner/Type"}, precise, success, out); }
+TEUCHOS_UNIT_TEST(Registries, EveryPreconditioner) { checkRegistry<Preconditioner>({"Preconditioner/Type"}, preciseOptions, success, out); }
 TEUCHOS_UNIT_TEST(Registries, EveryWeighting) {
-  checkRegistry<Weighting>({"Preconditioner/BDDC/Weighting", "Preconditioner/Neumann-Neumann/Weighting"}, precise, success, out);
+  checkRegistry<Weighting>({"Preconditioner/BDDC/Weighting", "Preconditioner/Neumann-Neumann/Weighting"}, preciseOptions, success, out);
 }
 TEUCHOS_UNIT_TEST(Registries, EveryCoarseSpace) {
-  checkRegistry<CoarseSpace>({"Preconditioner/Neumann-Neumann/Coarse Space"}, precise, success, out);
+  checkRegistry<CoarseSpace>({"Preconditioner/Neumann-Neumann/Coarse Space"}, preciseOptions, success, out);
 }
 TEUCHOS_UNIT_TEST(Registries, EveryPrimalConstraints) {
-  checkRegistry<PrimalConstraints>({"Preconditioner/BDDC/Edge Constraints"}, precise, success, out);
+  checkRegistry<PrimalConstraints>({"Preconditioner/BDDC/Edge Constraints"}, preciseOptions, success, out);
 }
 TEUCHOS_UNIT_TEST(Registries, EverySchurComplement) {
-  checkRegistry<SchurComplement>({"Subdomain/Schur Complement"}, precise, success, out);
+  checkRegistry<SchurComplement>({"Subdomain/Schur Complement"}, preciseOptions, success, out);
 }
-TEUCHOS_UNIT_TEST(Registries, EveryLocalSolver) { checkRegistry<LocalSolver>({"Subdomain/Local Solver"}, precise, success, out); }
+TEUCHOS_UNIT_TEST(Registries, EveryLocalSolver) { checkRegistry<LocalSolver>({"Subdomain/Local Solver"}, preciseOptions, success, out); }
 
 }  // namespace
 }  // namespace suture

@@ -6,6 +6,9 @@
 /// Bodies between two circles or spheres, from boxes bent round: for comparison with Lame's solutions.
 namespace suture::scenes {
 
+/// Data of tubes and spheres under inner pressure.
+constexpr double kYoung = 3.0, kInner = 1.0, kOuter = 2.0, kPressure = 0.1;
+
 /// A quarter of the ring a < r < b about the origin, nr x nt cells: groups body_left (r = a), body_right (r = b), body_bottom (the x axis),
 /// body_top (the y axis). Curved sides of quadratic cells pass through the circle in three points.
 Scene quarterRing(Cell cell, double a, double b, int nr, int nt, const Material& material, bool axisymmetric = false);

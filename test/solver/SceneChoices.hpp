@@ -11,6 +11,12 @@ Schema solverSchema();
 /// A scene's parameters of the solver packages with these settings.
 Parameters solverParameters(const std::vector<std::string>& settings);
 
+/// Numbers that look random and belong to the unknowns, whatever the ranks.
+MultiVectorPtr someStep(const InterfaceSpace& space, double size, double seed);
+
+/// Euclidean norm over all ranks.
+double norm(const MultiVector& x);
+
 /// Every formulation that a scene may name.
 inline std::vector<std::string> formulations() { return solverSchema().find("Formulation")->allowed; }
 
