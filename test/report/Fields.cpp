@@ -194,7 +194,7 @@ TEUCHOS_UNIT_TEST(Report, LeavesNothingBesideItsFiles) {
   for (const auto& entry : std::filesystem::directory_iterator(folder))
     if (entry.path().extension() != ".png") names.push_back(entry.path().filename().string());
   std::sort(names.begin(), names.end());
-  const std::vector<std::string> expected{"contact.csv",  "contact_0000.vtkhdf", "fields_0000.vtkhdf",
+  const std::vector<std::string> expected{"contact.csv", "contact_0000.vtkhdf", "fields_0000.vtkhdf",
                                           "history.csv", "reactions.csv",       "summary.json"};
   TEST_COMPARE_ARRAYS(names, expected);
 }
