@@ -21,7 +21,7 @@ struct Piece {
   std::vector<double> displacement, nodalStress, nodalPrincipal, nodalVonMises;
   std::vector<GlobalId> nodeId;
   std::vector<double> stress, principal, direction1, direction2, vonMises, young, error;
-  std::vector<int> subdomain, body;
+  std::vector<int> subdomain, body, material;
   std::vector<GlobalId> elementId;
 
   bool isFull() const { return grid.types.size() >= kPieceElements; }
@@ -31,7 +31,7 @@ struct Piece {
                          &direction2, &vonMises, &young, &error})
       values->clear();
     for (auto* values : {&grid.connectivity, &grid.ends, &nodeId, &elementId}) values->clear();
-    for (auto* values : {&subdomain, &body}) values->clear();
+    for (auto* values : {&subdomain, &body, &material}) values->clear();
     grid.types.clear();
   }
 };
@@ -111,6 +111,18 @@ void addCells(const SubdomainMesh& mesh, const std::vector<GlobalId>& number, Pi
   }
 }
 
+/// \param names  of materials: materialNames()
+void addMaterials(const SubdomainMesh& mesh, const ElasticModel& model, const std::vector<std::string>& names, Piece& all) {
+  const Material* last = nullptr;
+  int number = -1;
+  for (int e = 0; e < mesh.elements(); ++e) {
+    const Material& material = model.materialOf(mesh, e, mesh.body);
+    if (&material != last) number = int(std::find(names.begin(), names.end(), material.name) - names.begin());
+    last = &material;
+    all.material.push_back(number);
+  }
+}
+
 /// \param own  stresses of the subdomain's own physics, or null
 void addStresses(const SubdomainMesh& mesh, const ElasticModel& model, const Vector& u, const Matrix* own, Piece& all) {
   const auto materialOf = [&](int e) -> const Material& { return model.materialOf(mesh, e, mesh.body); };
@@ -167,8 +179,9 @@ class FieldRows {
     if (run.solution.discretisation)
       error_.emplace(reals("ErrorEstimate", 1, "(" + units_.stress + " " + units_.length + "^2)^(1/2)",
                            "estimated discretisation error of the element in the energy norm; never negative"));
-    subdomain_.emplace(integers<int>("Subdomain", "number of the subdomain, from 0; names in /Record/Subdomains"));
-    body_.emplace(integers<int>("Body", "number of the body, from 0; names in /Record/Bodies"));
+    subdomain_.emplace(integers<int>("Subdomain", "number of the subdomain, from 0; names in SubdomainNames"));
+    body_.emplace(integers<int>("Body", "number of the body, from 0; names in BodyNames"));
+    material_.emplace(integers<int>("Material", "number of the material, from 0; names in MaterialNames"));
     elementId_.emplace(integers<GlobalId>("ElementId", "number of the element in the mesh, from 0"));
   }
 
@@ -191,6 +204,7 @@ class FieldRows {
     if (error_) error_->append(piece.error);
     subdomain_->append(piece.subdomain);
     body_->append(piece.body);
+    material_->append(piece.material);
     elementId_->append(piece.elementId);
   }
 
@@ -209,19 +223,21 @@ class FieldRows {
   Hdf5Rows<GlobalId> nodeId_;
   Hdf5Rows<double> stress_, principal_, direction1_, direction2_, vonMises_;
   std::optional<Hdf5Rows<double>> nodalStress_, nodalPrincipal_, nodalVonMises_, young_, error_;
-  std::optional<Hdf5Rows<int>> subdomain_, body_;
+  std::optional<Hdf5Rows<int>> subdomain_, body_, material_;
   std::optional<Hdf5Rows<GlobalId>> elementId_;
 };
 
 // Local.
 void appendAll(const Run& run, PointNumbers& numbers, FieldRows& rows) {
   Piece piece;
+  const std::vector<std::string> materials = materialNames(run.model);
   for (std::size_t s = 0; s < run.subdomains.size(); ++s) {
     const SubdomainMesh& mesh = run.subdomains[s];
     const Vector& u = run.solution.displacement[s];
     addNodes(mesh, numbers, u, piece);
     if (!run.solution.nodalStresses.empty()) addNodalStresses(mesh, numbers, run.solution.nodalStresses[s], piece);
     addCells(mesh, numbers.of(mesh), piece);
+    addMaterials(mesh, run.model, materials, piece);
     const auto own = run.solution.ownStresses.find(static_cast<int>(s));
     addStresses(mesh, run.model, u, own == run.solution.ownStresses.end() ? nullptr : &own->second, piece);
     if (run.solution.discretisation) {
@@ -244,7 +260,7 @@ void writeFields(const Run& run, const std::string& path) {
     collectively(run.comm, "writing " + path, [&] { appendAll(run, numbers, rows); });
   }
   writeProvenance(run, file.file());
-  writeNames(run, file.file());
+  writeNames(run, file);
   file.close();
 }
 

@@ -69,7 +69,16 @@ void writeProvenance(const Run& run, Hdf5File& file) {
   file.write("/Record/CommandLine", joined(run.commandLine));
 }
 
-void writeNames(const Run& run, Hdf5File& file) {
+std::vector<std::string> materialNames(const ElasticModel& model) {
+  std::vector<std::string> names;
+  for (const auto* materials : {&model.materialOfBody, &model.materialOfRegion})
+    for (const Material& material : *materials)
+      if (std::find(names.begin(), names.end(), material.name) == names.end()) names.push_back(material.name);
+  return names;
+}
+
+void writeNames(const Run& run, VtkHdf& vtk) {
+  Hdf5File& file = vtk.file();
   // Every rank knows its own subdomains only, and with them only some of the side groups.
   Packer mine;
   std::map<int, std::string> ownNames;
@@ -97,6 +106,10 @@ void writeNames(const Run& run, Hdf5File& file) {
   file.write("/Record/Subdomains", subdomains.dump());
   file.write("/Record/Bodies", nlohmann::json(run.model.bodies).dump());
   file.group("/Record/SideGroups");
+  vtk.names("BodyNames", run.model.bodies);
+  vtk.names("MaterialNames", materialNames(run.model));
+  vtk.names("SubdomainNames", subdomains.get<std::vector<std::string>>());
+  vtk.names("GroupNames", {groups.begin(), groups.end()});
   for (const std::string& group : groups) file.write("/Record/SideGroups/" + step(group), endPoints(run.subdomains, group), 6);
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-#include <suture/base/hdf5/Hdf5File.hpp>
 #include <suture/report/Run.hpp>
+#include <suture/report/VtkHdf.hpp>
 
 namespace suture {
 
@@ -9,8 +9,12 @@ namespace suture {
 /// Collective.
 void writeProvenance(const Run& run, Hdf5File& file);
 
+/// Names of the materials of bodies and regions, each once: the numbers of the field Material are places among them. Local.
+std::vector<std::string> materialNames(const ElasticModel& model);
+
 /// Names that pictures need: texts Bodies and Subdomains (JSON lists in the order of the numbers in the fields), and for each side group of
-/// the mesh a dataset /Record/SideGroups/<name>, a row a side: x, y, z of its first and of its second end point. Collective.
-void writeNames(const Run& run, Hdf5File& file);
+/// the mesh a dataset /Record/SideGroups/<name>, a row a side: x, y, z of its first and of its second end point. As field data, which
+/// ParaView shows: BodyNames, MaterialNames, SubdomainNames, in the order of the numbers in the fields, and GroupNames. Collective.
+void writeNames(const Run& run, VtkHdf& file);
 
 }  // namespace suture

@@ -56,6 +56,11 @@ class VtkHdf {
     collectively(comm_, "writing a field", [&] { rows.append(values); });
   }
 
+  /// Texts that belong to the whole grid, as field data. The same on all ranks.
+  void names(const std::string& name, const std::vector<std::string>& texts) {
+    if (!texts.empty()) file_.write("/VTKHDF/FieldData/" + name, texts);
+  }
+
   /// The file, for content beside the grid (/Record).
   Hdf5File& file() { return file_; }
   void close();

@@ -51,6 +51,17 @@ same("NodalStress", point_data["NodalStress"], np.tile([stress[0, 0], stress[1, 
 same("NodalVonMises", point_data["NodalVonMises"], np.full(len(points), np.sqrt(1.5 * (deviator**2).sum())), 1e-11)
 same("NodalPrincipalStress", point_data["NodalPrincipalStress"], np.tile(np.linalg.eigvalsh(stress)[::-1], (len(points), 1)), 1e-11)
 
+# Names that ParaView shows as field data.
+names = {}
+for i in range(grid.GetFieldData().GetNumberOfArrays()):
+    array = grid.GetFieldData().GetAbstractArray(i)
+    names[array.GetName()] = [array.GetVariantValue(k).ToString() for k in range(array.GetNumberOfTuples())]
+assert names["BodyNames"] == ["lower", "upper"], names
+assert names["MaterialNames"] == ["rock"], names
+assert names["SubdomainNames"] == ["subdomain_lower_0_0", "subdomain_lower_1_0", "subdomain_upper_0_0"], names
+assert "upper_top" in names["GroupNames"] and sorted(names["GroupNames"]) == names["GroupNames"], names
+assert (cell_data["Material"] == 0).all()
+
 # Cells refer to the right points: every subdomain has its area, every body its place.
 area = {0: 0.0, 1: 0.0, 2: 0.0}
 for i in range(72):

@@ -60,6 +60,8 @@ class Hdf5File {
   void write(const std::string& path, const std::vector<unsigned char>& values, int components = 1);
   /// One text, the same on all ranks (variable length UTF-8).
   void write(const std::string& path, const std::string& text);
+  /// Texts, the same on all ranks: variable length, and said to be ASCII whatever their bytes are, since VTK 9.1 reads no others.
+  void write(const std::string& path, const std::vector<std::string>& texts);
 
   /// Attributes of a group or dataset that exists; each name once.
   void attribute(const std::string& path, const std::string& name, const std::string& text);

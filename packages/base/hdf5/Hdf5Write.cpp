@@ -260,6 +260,24 @@ void Hdf5File::write(const std::string& path, const std::string& text) {
       text.size());
 }
 
+void Hdf5File::write(const std::string& path, const std::vector<std::string>& texts) {
+  impl_->claim(path, true);
+  std::size_t bytes = 0;
+  for (const std::string& text : texts) bytes += text.size();
+  impl_->keep(
+      [path, texts](hid_t file) {
+        std::vector<const char*> data;
+        for (const std::string& text : texts) data.push_back(text.c_str());
+        const hsize_t count = data.size();
+        const Handle links(createGroupsOnTheWay(), H5Pclose), space(H5Screate_simple(1, &count, nullptr), H5Sclose);
+        const Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
+        checked(H5Tset_size(type, H5T_VARIABLE));
+        const Handle set(H5Dcreate2(file, path.c_str(), type, space, links, H5P_DEFAULT, H5P_DEFAULT), H5Dclose);
+        if (count > 0) checked(H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data.data()));
+      },
+      bytes);
+}
+
 void Hdf5File::attribute(const std::string& path, const std::string& name, const std::string& text) {
   impl_->addAttribute(path, name, text.size(), [name, text](hid_t object) {
     const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
