@@ -25,7 +25,7 @@ std::string replaced(std::string text, const std::string& old, const std::string
   return text.replace(at, old.size(), by);
 }
 
-// The unit square of two triangles in version 4.1: surface 1 is of two groups, one without a name; nodes have sparse tags.
+// The unit squareFile of two triangleLines in version 4.1: surface 1 is of two groups, one without a name; nodes have sparse tags.
 const std::string square41 =
     "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n"
     "$PhysicalNames\n2\n2 1 \"body\"\n1 3 \"bottom edge\"\n$EndPhysicalNames\n"
@@ -55,20 +55,21 @@ std::string binarySquare() {
          "\n$EndElements\n";
 }
 
-// Two triangles of the unit square in Gmsh's version 2, which repeats an element for each of its groups.
+// Two triangleLines of the unit squareFile in Gmsh's version 2, which repeats an element for each of its groups.
 std::string msh2(const std::string& nodes, const std::string& elements, int nodeCount, int count) {
   return "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n4\n2 1 \"body\"\n2 2 \"part\"\n1 3 \"bottom\"\n1 4 "
          "\"odd\"\n$EndPhysicalNames\n"
          "$Nodes\n" +
          std::to_string(nodeCount) + "\n" + nodes + "$EndNodes\n$Elements\n" + std::to_string(count) + "\n" + elements + "$EndElements\n";
 }
-const std::string square = "1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n";
+const std::string squareFile = "1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n";
 
 }  // namespace
 
 TEUCHOS_UNIT_TEST(MshReader, TakesRepeatedElementsOfVersion2Once) {
   const Folder folder;
-  const std::string path = folder.write("a.msh", msh2(square, "1 2 2 1 1 1 2 3\n2 2 2 1 2 1 3 4\n3 2 2 2 1 1 2 3\n4 1 2 3 1 1 2\n", 4, 4));
+  const std::string path =
+      folder.write("a.msh", msh2(squareFile, "1 2 2 1 1 1 2 3\n2 2 2 1 2 1 3 4\n3 2 2 2 1 1 2 3\n4 1 2 3 1 1 2\n", 4, 4));
   const Mesh mesh = readGmsh({path, {}, 1.0});
   TEST_EQUALITY(mesh.elements(), 2);
   TEST_EQUALITY(mesh.elementGroups.at("body").size(), std::size_t(2));
@@ -78,9 +79,9 @@ TEUCHOS_UNIT_TEST(MshReader, TakesRepeatedElementsOfVersion2Once) {
 
 TEUCHOS_UNIT_TEST(MshReader, RefusesCurvesInsideTheMaterialAndOffIt) {
   const Folder folder;
-  const std::string inside = folder.write("a.msh", msh2(square, "1 2 2 1 1 1 2 3\n2 2 2 1 1 1 3 4\n3 1 2 4 1 1 3\n", 4, 3));
+  const std::string inside = folder.write("a.msh", msh2(squareFile, "1 2 2 1 1 1 2 3\n2 2 2 1 1 1 3 4\n3 1 2 4 1 1 3\n", 4, 3));
   SUTURE_CHECK_SAYS(problemsOf([&] { readGmsh({inside, {}, 1.0}); }), "curve group 'odd': 1 of its elements lie inside the material");
-  const std::string off = folder.write("b.msh", msh2(square, "1 2 2 1 1 1 2 3\n2 2 2 1 1 1 3 4\n3 1 2 4 1 2 4\n", 4, 3));
+  const std::string off = folder.write("b.msh", msh2(squareFile, "1 2 2 1 1 1 2 3\n2 2 2 1 1 1 3 4\n3 1 2 4 1 2 4\n", 4, 3));
   SUTURE_CHECK_SAYS(problemsOf([&] {
                       readGmsh({off, {}, 1.0});
                     }),
@@ -90,10 +91,10 @@ TEUCHOS_UNIT_TEST(MshReader, RefusesCurvesInsideTheMaterialAndOffIt) {
 // Found by the fuzzer: the table of sides was asked for a node that it does not have.
 TEUCHOS_UNIT_TEST(MshReader, RefusesCurvesAtNodesOfNoElement) {
   const Folder folder;
-  const std::string nodes = square + "5 2 0 0\n6 4 0 0\n", triangles = "1 2 2 1 1 1 2 3\n2 2 2 1 1 1 3 4\n";
-  const std::string one = folder.write("a.msh", msh2(nodes, triangles + "3 1 2 4 1 2 5\n", 6, 3));
+  const std::string nodes = squareFile + "5 2 0 0\n6 4 0 0\n", triangleLines = "1 2 2 1 1 1 2 3\n2 2 2 1 1 1 3 4\n";
+  const std::string one = folder.write("a.msh", msh2(nodes, triangleLines + "3 1 2 4 1 2 5\n", 6, 3));
   SUTURE_CHECK_SAYS(problemsOf([&] { readGmsh({one, {}, 1.0}); }), "are no side of any surface element (the first at (1.5, 0))");
-  const std::string both = folder.write("b.msh", msh2(nodes, triangles + "3 1 2 4 1 6 5\n", 6, 3));
+  const std::string both = folder.write("b.msh", msh2(nodes, triangleLines + "3 1 2 4 1 6 5\n", 6, 3));
   SUTURE_CHECK_SAYS(problemsOf([&] { readGmsh({both, {}, 1.0}); }), "are no side of any surface element (the first at (3, 0))");
 }
 
@@ -107,7 +108,7 @@ TEUCHOS_UNIT_TEST(MshReader, RefusesWhatIsNotPlane) {
 
 TEUCHOS_UNIT_TEST(MshReader, LeavesSingleInvertedElementsToTheCheck) {
   const Folder folder;
-  const std::string path = folder.write("a.msh", msh2(square, "1 2 2 1 1 1 2 3\n2 2 2 1 1 1 4 3\n", 4, 2));
+  const std::string path = folder.write("a.msh", msh2(squareFile, "1 2 2 1 1 1 2 3\n2 2 2 1 1 1 4 3\n", 4, 2));
   Mesh mesh = readGmsh({path, {}, 1.0});
   SUTURE_CHECK_SAYS(problemsOf([&] { assignBodies(mesh, {"body"}); }), "1 inverted element (at (0.333333, 0.666667))");
 }
@@ -148,8 +149,8 @@ TEUCHOS_UNIT_TEST(MshReader, SkipsOtherSectionsAndLineEndsOfOtherSystems) {
 // Groups of version 2 are those that the elements name, although all have the same entity here.
 TEUCHOS_UNIT_TEST(MshReader, TellsGroupsOfVersion2Apart) {
   const Folder folder;
-  const Mesh mesh =
-      readGmsh({folder.write("a.msh", msh2(square, "1 2 2 1 1 1 2 3\n2 2 2 2 1 1 3 4\n3 1 1 6 1 2\n4 1 4 3 1 1 -2 3 4\n", 4, 4)), {}, 1.0});
+  const Mesh mesh = readGmsh(
+      {folder.write("a.msh", msh2(squareFile, "1 2 2 1 1 1 2 3\n2 2 2 2 1 1 3 4\n3 1 1 6 1 2\n4 1 4 3 1 1 -2 3 4\n", 4, 4)), {}, 1.0});
   TEST_EQUALITY(mesh.elementGroups.at("body").at(0), 0);
   TEST_EQUALITY(mesh.elementGroups.at("part").at(0), 1);
   TEST_EQUALITY(mesh.sideGroups.at("curve 6").size(), std::size_t(1));
@@ -158,8 +159,8 @@ TEUCHOS_UNIT_TEST(MshReader, TellsGroupsOfVersion2Apart) {
 
 TEUCHOS_UNIT_TEST(MshReader, LeavesOutCurvesWithoutNameInsideTheMaterial) {
   const Folder folder;
-  const Mesh mesh =
-      readGmsh({folder.write("a.msh", msh2(square, "1 2 2 1 1 1 2 3\n2 2 2 1 1 1 3 4\n3 1 2 9 1 1 3\n4 1 2 8 1 1 2\n", 4, 4)), {}, 1.0});
+  const Mesh mesh = readGmsh(
+      {folder.write("a.msh", msh2(squareFile, "1 2 2 1 1 1 2 3\n2 2 2 1 1 1 3 4\n3 1 2 9 1 1 3\n4 1 2 8 1 1 2\n", 4, 4)), {}, 1.0});
   const std::vector<std::string> curves = {"curve 8"};
   TEST_COMPARE_ARRAYS(mesh.sideGroupNames(), curves);
 }
@@ -172,7 +173,7 @@ TEUCHOS_UNIT_TEST(MshReader, NamesElementsThatItDoesNotKnow) {
         std::make_pair("222", "1 elements of the kind 'Gmsh type 222'"),
         std::make_pair("21 2 1 1 3 4 1 2 3 4 1 2 3 4", "'Triangle 10' (in the group 'body')")}) {
     const std::string rest = std::string(type).size() > 3 ? "" : " 2 1 1 3 4";
-    const std::string path = folder.write("a.msh", msh2(square, "1 2 2 1 1 1 2 3\n2 " + std::string(type) + rest + "\n", 4, 2));
+    const std::string path = folder.write("a.msh", msh2(squareFile, "1 2 2 1 1 1 2 3\n2 " + std::string(type) + rest + "\n", 4, 2));
     SUTURE_CHECK_SAYS(problemsOf([&] { readGmsh({path, {}, 1.0}); }), complaint);
   }
   const std::string blocks =
