@@ -25,7 +25,7 @@ std::string replaced(std::string text, const std::string& old, const std::string
   return text.replace(at, old.size(), by);
 }
 
-// The unit squareFile of two triangleLines in version 4.1: surface 1 is of two groups, one without a name; nodes have sparse tags.
+// The unit square of two triangles in version 4.1: surface 1 is of two groups, one without a name; nodes have sparse tags.
 const std::string square41 =
     "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n"
     "$PhysicalNames\n2\n2 1 \"body\"\n1 3 \"bottom edge\"\n$EndPhysicalNames\n"
@@ -55,7 +55,7 @@ std::string binarySquare() {
          "\n$EndElements\n";
 }
 
-// Two triangleLines of the unit squareFile in Gmsh's version 2, which repeats an element for each of its groups.
+// Two triangles of the unit square in Gmsh's version 2, which repeats an element for each of its groups.
 std::string msh2(const std::string& nodes, const std::string& elements, int nodeCount, int count) {
   return "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n4\n2 1 \"body\"\n2 2 \"part\"\n1 3 \"bottom\"\n1 4 "
          "\"odd\"\n$EndPhysicalNames\n"
