@@ -13,6 +13,7 @@ Cutter::Cutter(const CellBlock& mesh, const MeshShare& share, const Attachments&
       nodes_(partition.subdomains()),
       sides_(partition.subdomains()),
       rules_(partition.subdomains()),
+      springs_(partition.subdomains()),
       ends_(partition.subdomains()),
       seams_(partition.subdomains()),
       localNode_(block_.nodes(), -1),
@@ -28,6 +29,11 @@ Cutter::Cutter(const CellBlock& mesh, const MeshShare& share, const Attachments&
   for (NodeRule rule : attachments.rules) {
     rule.node = share.localNode(rule.node);
     for (int s : share.holders.of(rule.node)) rules_[s].push_back(rule);
+  }
+  for (SpringDirection spring : attachments.springs) {
+    spring.element = share.localElement(spring.element);
+    spring.node = share.localNode(spring.node);
+    springs_[share.subdomainOfElement[spring.element]].push_back(spring);
   }
   for (SubdomainMesh::ContactEnd end : attachments.contactEnds) {
     end.node = share.localNode(end.node);
@@ -99,6 +105,8 @@ void Cutter::cutConstraints(SubdomainMesh& part) const {
     part.sideGroups[*named.group].push_back({localElement_[named.side.element], named.side.side});
   part.rules = rules_[part.id];
   for (NodeRule& rule : part.rules) rule.node = localNode_[rule.node];
+  part.springs = springs_[part.id];
+  for (SpringDirection& spring : part.springs) spring = {localElement_[spring.element], localNode_[spring.node], spring.direction};
   part.contactEnds = ends_[part.id];
   for (SubdomainMesh::ContactEnd& end : part.contactEnds) end.node = localNode_[end.node];
   if (const auto rows = attachments_.rowsOf.find(part.id); rows != attachments_.rowsOf.end())

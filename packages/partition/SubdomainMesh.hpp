@@ -22,6 +22,7 @@ struct SubdomainMesh : CellBlock {
   std::vector<GlobalId> globalElements;           ///< local -> element of the mesh, ascending
   SideGroups sideGroups;                          ///< the mesh's side groups as far as they lie here
   std::vector<NodeRule> rules;                    ///< node: local
+  std::vector<SpringDirection> springs;           ///< of sides here; element and node: local
   std::vector<int> sharedOffsets{0}, sharedWith;  ///< nodes + 1; of each local node the other subdomains of its body that hold it
 
   /// An end of a contact pair whose node is here.

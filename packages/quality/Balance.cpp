@@ -21,6 +21,13 @@ void Balance::addNode(const Point& load, const Point& support, const NodeRule* r
   }
 }
 
+void Balance::addSupports(const Point& force, double magnitudes) {
+  reactions = plus(reactions, force);
+  absolute_ += magnitudes;
+}
+
+void Balance::leaveOut(const Point& load) { applied = minus(applied, load); }
+
 void Balance::addPair(const ContactPair& pair, double force) {
   const Point obstacle = obstacleForce(pair, force);
   for (int k = 0; k < 3; ++k) reactions[k] += obstacle[k];

@@ -124,7 +124,7 @@ DiscretisationError estimateError(const Comm& comm, const std::vector<SubdomainM
     const SubdomainMesh* mesh = &meshes[i];
     blocks.emplace_back(
         *mesh, [mesh, &model](int element) -> const Material& { return model.materialOf(*mesh, element, mesh->body); }, model.plane,
-        displacement[i]);
+        displacement[i], InitialState(model, mesh->body));
   }
   const SubdomainExchange exchange(comm, meshes, blocks);
   recoverPatches(blocks, exchange);

@@ -1,7 +1,5 @@
 #include <suture/base/Gather.hpp>
-#include <suture/elasticity/SubdomainLoads.hpp>
 #include <suture/quality/Deformation.hpp>
-#include <suture/quality/ElementForces.hpp>
 #include <suture/quality/SeamExchange.hpp>
 #include <suture/quality/Verify.hpp>
 #include <suture/quality/VerifyLift.hpp>
@@ -104,9 +102,7 @@ void Verifier::addContact(int i) {
 
 OwnForces Verifier::forcesOf(int i) const {
   if (std::optional<OwnForces> own = answer_.own ? answer_.own(i) : std::nullopt) return std::move(*own);
-  const SubdomainMesh& mesh = answer_.meshes[i];
-  const auto materialOf = [&](int element) -> const Material& { return answer_.model.materialOf(mesh, element, mesh.body); };
-  return {elementForces(mesh, materialOf, answer_.model.plane, answer_.displacement[i]), subdomainLoads(mesh, answer_.model)};
+  return modelForces(answer_.meshes[i], answer_.model, answer_.displacement[i]);
 }
 
 void Verifier::gatherForces() {
@@ -117,7 +113,11 @@ void Verifier::gatherForces() {
   collectively(comm_, "verifying the solution", [&] {
     for (std::size_t i = 0; i < answer_.meshes.size(); ++i) {
       const SubdomainMesh& mesh = answer_.meshes[i];
-      const auto [elements, load] = forcesOf(static_cast<int>(i));
+      const OwnForces forces = forcesOf(static_cast<int>(i));
+      const ElementForces& elements = forces.elements;
+      const Vector& load = forces.load;
+      balance_.addSupports(forces.supports, forces.supportMagnitudes);
+      balance_.leaveOut(forces.initial);
       Matrix& own = nodes_.emplace_back(kRows, mesh.nodes());
       own.middleRows<2>(Internal) = Eigen::Map<const Matrix>(elements.internal.data(), 2, mesh.nodes());
       own.middleRows<2>(Load) = Eigen::Map<const Matrix>(load.data(), 2, mesh.nodes());

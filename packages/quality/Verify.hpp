@@ -1,6 +1,6 @@
 #pragma once
 #include <suture/elasticity/ElasticModel.hpp>
-#include <suture/quality/ElementForces.hpp>
+#include <suture/quality/ModelForces.hpp>
 #include <suture/quality/PairResult.hpp>
 #include <suture/quality/Verification.hpp>
 
@@ -10,12 +10,6 @@
 
 namespace suture {
 
-/// Sums at the nodes of a mesh that is not made of the model's materials and loads.
-struct OwnForces {
-  ElementForces elements;
-  Vector load;  ///< node-major, Cartesian [force]
-};
-
 /// Answer of a run, as it is to be verified.
 struct Answer {
   const std::vector<SubdomainMesh>& meshes;  ///< subdomains of this rank
@@ -24,7 +18,7 @@ struct Answer {
   const std::vector<PairResult>& pairs;     ///< on rank 0, all; only their ids, statuses and forces are used
   const std::vector<ContactPiece>& pieces;  ///< on rank 0, for names in messages; may be empty
   double tolerance = 1e-8;                  ///< relative algebraic error that was asked for
-  /// Forces of a mesh of this rank with physics of its own. Null, or nothing for a mesh: element loops over the model's materials.
+  /// Forces of a mesh of this rank with physics of its own. Null, or nothing for a mesh: modelForces().
   std::function<std::optional<OwnForces>(int mesh)> own{};
 };
 

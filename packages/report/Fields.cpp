@@ -98,7 +98,7 @@ void addCells(const SubdomainMesh& mesh, const std::vector<GlobalId>& number, Pi
 /// \param own  stresses of the subdomain's own physics, or null
 void addStresses(const SubdomainMesh& mesh, const ElasticModel& model, const Vector& u, const Matrix* own, Piece& all) {
   const auto materialOf = [&](int e) -> const Material& { return model.materialOf(mesh, e, mesh.body); };
-  const Matrix stress = own ? *own : elementStresses(mesh, materialOf, model.plane, u);
+  const Matrix stress = own ? *own : elementStresses(mesh, materialOf, model.plane, u, InitialState(model, mesh.body));
   const Matrix principal = principalStresses(stress);
   const Vector mises = vonMises(stress);
   const auto append = [](std::vector<double>& values, std::initializer_list<double> more) { values.insert(values.end(), more); };

@@ -1,6 +1,8 @@
 #include <suture/base/Buffer.hpp>
 #include <suture/base/Collective.hpp>
+#include <suture/elasticity/LoadList.hpp>
 #include <suture/elasticity/LockingNotes.hpp>
+#include <suture/elasticity/ResolveLoads.hpp>
 #include <suture/quality/ExactErrors.hpp>
 #include <suture/report/Checkpoint.hpp>
 #include <suture/report/Report.hpp>
@@ -60,6 +62,7 @@ void Simulation::read() {
 void Simulation::cut() {
   cut_ = timed(timers_, "partition", [&] { return cutMesh(*comm_, scene_, mesh_, constraints_); });
   size_ = cut_.whole.size;
+  resolveLoads(*comm_, cut_.meshes, scene_.model);
 }
 
 void Simulation::check() {
@@ -86,6 +89,7 @@ void Simulation::prepare() {
 void Simulation::remark() {
   for (const std::string& note : cut_.partition.notes) monitor_.note(note);
   for (const std::string& note : lockingNotes(scene_.model)) monitor_.note(note);
+  for (const std::string& note : loadNotes(scene_.model)) monitor_.note(note);
   for (const std::string& note : looseTolerances(scene_.settings())) monitor_.note(note);
 }
 

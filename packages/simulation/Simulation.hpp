@@ -45,7 +45,7 @@ class Simulation {
 
   /// Mesh and constraints, if a later stage needs them whole.
   void read();
-  /// Subdomains on their ranks.
+  /// Subdomains on their ranks, and what loads are on them.
   void cut();
   /// Refuses elements that lock, scenes without a solution, exact solutions without a value, runs larger than the memory.
   void check();

@@ -1,7 +1,7 @@
 #include <suture/algebra/NonnegativeLeastSquares.hpp>
 #include <suture/base/Buffer.hpp>
 #include <suture/base/Dense.hpp>
-#include <suture/elasticity/SubdomainLoads.hpp>
+#include <suture/elasticity/NodalLoads.hpp>
 #include <suture/partition/RigidLift.hpp>
 #include <suture/solver/solvability/NeutralMotions.hpp>
 #include <suture/solver/solvability/PairClasses.hpp>
