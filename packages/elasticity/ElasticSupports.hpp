@@ -1,5 +1,6 @@
 #pragma once
 #include <suture/elasticity/ElasticModel.hpp>
+#include <suture/mesh/SideGroups.hpp>
 
 #include <map>
 #include <vector>

@@ -18,12 +18,6 @@ struct HookesLaw {
   /// s.C s, C the compliance: twice the complementary energy density, whatever the plane model. [stress]
   double complementary(const Eigen::Vector4d& s) const { return s.dot(compliance * s); }
 
-  /// Stress of a strain at a point, without any projection.
-  Eigen::Vector4d stressOf(const Eigen::Vector4d& strain) const {
-    Eigen::Vector4d stress = pointwise * strain;
-    stress.head<3>().array() += projected * strain.head<3>().sum();
-    return stress;
-  }
   /// True in plane stress.
   bool isSheet() const { return pointwise(2, 2) == 0.0; }
 

@@ -165,5 +165,22 @@ TEUCHOS_UNIT_TEST(Loads, DoNotMoveRockThatCarriesItsWeight) {
   TEST_COMPARE(overRanks(Teuchos::REDUCE_MAX, moved), <, 1e-12 * weight / 1e7);
 }
 
+TEUCHOS_UNIT_TEST(Loads, OfTemperatureOnABodyThatMayNotGrowAreReactionsOnly) {
+  Stack stack;
+  stack.contacts.clear();
+  stack.held.clear();
+  for (const char* side : {"left", "right", "bottom", "top"})
+    for (const char* body : {"upper_", "lower_"}) stack.held.push_back(Condition::displacement(std::string(body) + side, {0, 0}));
+  stack.model.loads = {Load::temperature(50.0, 0.0)};
+  Simulation simulation(blocks::world(), stack.scene({}));
+  const Solution& solution = simulation.solve();
+  out << solution.failure << "\n";
+  TEST_ASSERT(simulation.ending() == ExitCode::Done);
+  double moved = 0.0;
+  for (const Vector& u : solution.displacement) moved = std::max(moved, u.lpNorm<Eigen::Infinity>());
+  TEST_COMPARE(overRanks(Teuchos::REDUCE_MAX, moved), <, 1e-12 * 2e-5 * 50.0);
+  TEST_COMPARE(norm(solution.verification.balance.applied), <, 1e-9);
+}
+
 }  // namespace
 }  // namespace suture
