@@ -112,13 +112,12 @@ std::vector<PairResult> pairResults(const Comm& comm, const std::vector<const Su
     std::sort(allForces.begin(), allForces.end(), [](const PairForce& a, const PairForce& b) { return a.id < b.id; });
     if (allForces.size() != pairs.size()) throw InternalError("the contact forces are not as many as the pairs");
     std::map<int, std::vector<Point>> ofEnds;
-    std::map<int, Point> motion;  // of the carrying nodes
-    std::map<int, std::array<int, 2>> bodies;
+    std::map<int, Point> motion;                   // of the carrying nodes
+    std::map<int, std::map<int, double>> weights;  // sum of each body's; single ones of a mortar may have either sign
     for (const auto& [id, carrier] : pairs) ofEnds[id].resize(carrier.pair.ends.size());
     for (const EndShare& end : allEnds) {
       ofEnds.at(end.pair).at(end.end) = end.displacement;
-      const bool onA = pairs.at(end.pair).pair.ends.at(end.end).weight > 0.0;
-      bodies.try_emplace(end.pair, std::array<int, 2>{-1, -1}).first->second[onA ? 0 : 1] = end.body;
+      weights[end.pair][end.body] += pairs.at(end.pair).pair.ends.at(end.end).weight;
       if (end.end == 0) motion[end.pair] = end.motion;
     }
     for (const PairForce& force : allForces) {
@@ -126,7 +125,7 @@ std::vector<PairResult> pairResults(const Comm& comm, const std::vector<const Su
       if (pair == pairs.end()) throw InternalError("a contact force of a pair that does not exist");
       PairResult& result = results.emplace_back(pairResult(pair->second.pair, force, ofEnds.at(force.id)));
       result.initialGap = pair->second.gap;
-      result.bodies = bodies.at(force.id);
+      for (const auto& [body, weight] : weights.at(force.id)) result.bodies[weight > 0.0 ? 0 : 1] = body;
       for (int k = 0; k < 3; ++k) result.displacement[k] += motion.at(force.id)[k];
     }
   });

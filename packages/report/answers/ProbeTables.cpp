@@ -186,16 +186,30 @@ std::string textOf(const Run& run, const std::vector<Row>& rows, bool ofGroup) {
     for (const auto* list : {&run.solution.pairs, &run.solution.onAxis})
       for (const PairResult& pair : *list) pairs[pair.node] = &pair;
   std::string text = "arc_length,x,y,z,body,ux,uy,uz,sxx,syy,szz,sxy,syz,sxz,von_mises,principal_1,principal_3,gap,pressure\n";
+  double place = 0.0, displacement = 0.0, largest = 0.0, gap = 0.0, pressure = 0.0;  // largest of each kind
+  for (const Row& row : rows) {
+    place = std::max({place, norm(row.place), row.arc});
+    displacement = std::max(displacement, norm(row.displacement));
+    for (const double one : row.stress) largest = std::max(largest, std::abs(one));
+  }
+  for (const PairResult& pair : run.solution.pairs) {
+    gap = std::max({gap, std::abs(pair.gap), std::abs(pair.initialGap), norm(pair.displacement)});
+    pressure = std::max(pressure, std::abs(pair.pressure));
+  }
   for (const Row& row : rows) {
     Matrix stress(1, 4);
     for (int k = 0; k < 4; ++k) stress(0, k) = row.stress[k];
     const Matrix principal = principalStresses(stress);
-    text += format("%.9g,%.9g,%.9g,%.9g,", row.arc, row.place[0], row.place[1], row.place[2]) + csvField(bodyName(run, row.body)) +
-            format(",%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,0,0,%.9g,%.9g,%.9g", row.displacement[0], row.displacement[1], row.displacement[2],
-                   row.stress[0], row.stress[1], row.stress[2], row.stress[3], vonMises(stress)[0],
-                   std::max(principal(0, 0), row.stress[2]), std::min(principal(0, 1), row.stress[2]));
+    text += csvNumber(row.arc, place).substr(1);
+    for (const double one : row.place) text += csvNumber(one, place);
+    text += "," + csvField(bodyName(run, row.body));
+    for (const double one : row.displacement) text += csvNumber(one, displacement);
+    for (const double one : row.stress) text += csvNumber(one, largest);
+    text += ",0,0";
+    for (const double one : {vonMises(stress)[0], std::max(principal(0, 0), row.stress[2]), std::min(principal(0, 1), row.stress[2])})
+      text += csvNumber(one, largest);
     const auto pair = pairs.find(row.order);
-    text += pair == pairs.end() ? ",,\n" : format(",%.9g,%.9g\n", pair->second->gap, pair->second->pressure);
+    text += pair == pairs.end() ? ",,\n" : csvNumber(pair->second->gap, gap) + csvNumber(pair->second->pressure, pressure) + "\n";
   }
   return text;
 }

@@ -1,15 +1,31 @@
+#include <suture/base/Point.hpp>
 #include <suture/report/Format.hpp>
 #include <suture/report/OutputFolder.hpp>
 #include <suture/report/answers/Answers.hpp>
 #include <suture/report/answers/Tables.hpp>
 
+#include <algorithm>
+#include <cmath>
+
 namespace suture {
 
 namespace {
 
-std::string vectorFields(const Point& vector) { return format(",%.9g,%.9g,%.9g", vector[0], vector[1], vector[2]); }
+constexpr double kRounding = 1e-12;
 
-std::string resultantFields(const Resultant& sum) { return vectorFields(sum.force) + vectorFields(sum.moment); }
+std::string vectorFields(const Point& vector, double largest) {
+  return csvNumber(vector[0], largest) + csvNumber(vector[1], largest) + csvNumber(vector[2], largest);
+}
+
+/// Largest force and moment of a table.
+struct Scales {
+  double force = 0.0, moment = 0.0;
+  void take(const Resultant& sum) {
+    force = std::max(force, norm(sum.force));
+    moment = std::max(moment, norm(sum.moment));
+  }
+  std::string fields(const Resultant& sum) const { return vectorFields(sum.force, force) + vectorFields(sum.moment, moment); }
+};
 
 const char* statusOf(const PairResult& pair) { return pair.state.closed() ? "closed" : pair.touching ? "touching" : "open"; }
 
@@ -22,14 +38,23 @@ std::string csvField(const std::string& text) {
   return quoted + '"';
 }
 
+std::string csvNumber(double value, double largest) { return std::abs(value) <= kRounding * largest ? ",0" : format(",%.9g", value); }
+
 void writeContactTable(const Run& run, const std::string& path) {
   std::string text = "pair,contact,body_a,body_b,x,y,z,nx,ny,nz,arc_length,initial_gap,gap,pressure,force,length,status\n";
+  double place = 0.0, gap = 0.0, pressure = 0.0, force = 0.0;
+  for (const PairResult& pair : run.solution.pairs) {
+    place = std::max(place, norm(pair.position));
+    gap = std::max({gap, std::abs(pair.gap), std::abs(pair.initialGap), norm(pair.displacement)});
+    pressure = std::max(pressure, std::abs(pair.pressure));
+    force = std::max(force, std::abs(pair.force));
+  }
   for (const PairResult& pair : run.solution.pairs) {
     const bool named = pair.line >= 0 && pair.line < static_cast<int>(run.contacts.size());
     text += std::to_string(pair.id) + "," + csvField(named ? run.contacts[pair.line] : "") + "," + csvField(bodyName(run, pair.bodies[0])) +
-            "," + csvField(bodyName(run, pair.bodies[1])) + vectorFields(pair.position) + vectorFields(pair.normal) +
-            format(",%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%s\n", pair.arc, pair.initialGap, pair.gap, pair.pressure, pair.force, pair.length,
-                   statusOf(pair));
+            "," + csvField(bodyName(run, pair.bodies[1])) + vectorFields(pair.position, place) + vectorFields(pair.normal, 1.0) +
+            csvNumber(pair.arc, place) + csvNumber(pair.initialGap, gap) + csvNumber(pair.gap, gap) + csvNumber(pair.pressure, pressure) +
+            csvNumber(pair.force, force) + csvNumber(pair.length, 0.0) + "," + statusOf(pair) + "\n";
   }
   writeTextFile(path, text);
 }
@@ -37,16 +62,22 @@ void writeContactTable(const Run& run, const std::string& path) {
 void writeReactionTable(const Run& run, const std::string& path) {
   const std::vector<ConditionResultant> conditions = conditionResultants(run);
   const std::vector<ContactResultant> contacts = contactResultants(run);
+  const Resultant sum = sumOfResultants(conditions, contacts);
+  Scales scales;
+  for (const ConditionResultant& condition : conditions) scales.take(condition.sum);
+  for (const ContactResultant& contact : contacts) scales.take(contact.onB);
+  double place = 0.0;
+  for (const PairResult& pair : run.solution.pairs) place = std::max(place, norm(pair.position));
   std::string text = "name,kind,body_a,body_b,fx,fy,fz,mx,my,mz,centre_x,centre_y,centre_z,closed\n";
   for (const ConditionResultant& condition : conditions)
-    text += csvField(condition.name) + "," + condition.kind + ",," + resultantFields(condition.sum) + ",,,,\n";
+    text += csvField(condition.name) + "," + condition.kind + ",," + scales.fields(condition.sum) + ",,,,\n";
   for (std::size_t line = 0; line < contacts.size(); ++line) {
     const ContactResultant& contact = contacts[line];
     text += csvField(run.contacts[line]) + ",contact," + csvField(bodyName(run, contact.bodies[0])) + "," +
-            csvField(bodyName(run, contact.bodies[1])) + resultantFields(contact.onB) +
-            (contact.presses() ? vectorFields(contact.centre) : ",,,") + format(",%.9g\n", contact.closed);
+            csvField(bodyName(run, contact.bodies[1])) + scales.fields(contact.onB) +
+            (contact.presses() ? vectorFields(contact.centre, place) : ",,,") + csvNumber(contact.closed, 0.0) + "\n";
   }
-  text += "sum,sum,," + resultantFields(sumOfResultants(conditions, contacts)) + ",,,,\n";
+  text += "sum,sum,," + scales.fields(sum) + ",,,,\n";
   writeTextFile(path, text);
 }
 
