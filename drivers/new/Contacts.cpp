@@ -18,10 +18,10 @@ namespace suture::proposal {
 namespace {
 
 constexpr double kOpposite = -0.5;  // cosine between normals that face each other
-constexpr double kReach = 0.05;     // of the smaller body: a clearance
-constexpr int kFewest = 3;          // nodes that face another side
-constexpr double kCorner = 0.2;     // of the nodes that face something: fewer lie at the end of a neighbouring contact
-constexpr double kSpacings = 1.5;   // of the distance between nodes
+constexpr double kReach = 0.05;     // largest clearance over the diagonal of the smaller body
+constexpr int kFewest = 3;          // least number of facing nodes of a contact
+constexpr double kCorner = 0.2;     // least part of a group's facing nodes; a smaller one is the end of a neighbouring contact
+constexpr double kSpacings = 1.5;   // largest distance between facing nodes over that between neighbours
 
 using Key = std::pair<int, int>;
 Key keyOf(const Side& side) { return {side.element, side.side}; }
@@ -143,7 +143,7 @@ Contacts proposeContacts(const Mesh& mesh, const std::vector<Group>& groups) {
   for (const auto& [pair, facing] : found) most[pair.first] = std::max(most[pair.first], facing.nodes);
   for (auto pair = found.begin(); pair != found.end();)
     pair = pair->second.nodes < kCorner * most[pair->first.first] ? found.erase(pair) : std::next(pair);
-  // Of two groups, one within the other, the smaller says more.
+  // A group that lies within another one says more than that.
   for (auto pair = found.begin(); pair != found.end();) {
     const auto [i, j] = pair->first;
     const bool coarse = std::any_of(found.begin(), found.end(), [&, i = i, j = j](const auto& other) {
@@ -205,7 +205,7 @@ std::vector<Support> proposeSupports(const Mesh& mesh, const std::vector<Group>&
   for (std::size_t b = 1; b < boxes.size(); ++b)
     if (boxes[b].first[up] < boxes[ground].first[up]) ground = static_cast<int>(b);
   std::set<std::string> touching;
-  std::map<int, Point> push;  // of a body, towards what it faces
+  std::map<int, Point> push;  // by body: direction towards the body that it faces
   const auto bodyOf = [&](const std::string& name) {
     return std::find_if(groups.begin(), groups.end(), [&](const Group& group) { return group.name == name; })->body;
   };

@@ -11,7 +11,7 @@ namespace suture::proposal {
 struct Bodies {
   std::vector<std::string> names;
   std::vector<std::pair<std::string, std::string>> parts;  ///< other surface groups within one body, with its name
-  std::vector<std::string> notes;                          ///< what of the mesh has no body, and why
+  std::vector<std::string> notes;                          ///< elements without a body, and why they have none
 };
 /// Local (rank 0).
 Bodies proposeBodies(const Mesh& mesh);

@@ -184,6 +184,10 @@ std::string sceneText(const NewScene& scene) {
   conditions(out, scene);
   out.space();
   contacts(out, scene);
+  out.space();
+  out.open("Output");
+  out.parameter("Nodal Stresses", "bool", "true", "largest values at boundaries; off saves a tenth of the time of a large scene");
+  out.close();
   out.close();
   return out.text();
 }

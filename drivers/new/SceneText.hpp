@@ -5,7 +5,7 @@
 
 namespace suture::proposal {
 
-/// What a new scene is made of.
+/// The parts of a new scene.
 struct NewScene {
   std::string title, model;
   std::string file;                    ///< geometry or mesh, relative to the scene

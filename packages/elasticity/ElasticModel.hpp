@@ -45,7 +45,7 @@ struct Load {
   int seed = 0;          ///< seed of Random
   std::vector<Expression> expressions{};  ///< functions of the place, instead of value: as many as it has components; not of Random
   std::vector<std::string> groups{};      ///< side groups on which Traction and Pressure act
-  std::string name{};                     ///< of the boundary condition
+  std::string name{};                     ///< name of the boundary condition
 
   /// Value at a place. \throws InputError  an expression is not finite there
   Point at(const Point& place) const {

@@ -11,9 +11,9 @@ enum Row { Internal = 0, Load = 2, Contact = 4, Rounding = 6, Stiffness = 7, kRo
 
 /// Forces at the nodes of a scene, and the first of their resultants.
 struct NodalForces {
-  std::vector<Matrix> nodes;  ///< of each mesh: kRows x nodes, summed over subdomains
+  std::vector<Matrix> nodes;  ///< by mesh: kRows x nodes, summed over subdomains
   Balance balance;            ///< rigid obstacles only, on the rank that counts a pair
-  Reactions reactions;        ///< of this rank
+  Reactions reactions;        ///< sums over this rank
 };
 
 /// Loops over elements, loads and pairs. Collective. \throws InputError  an element is folded

@@ -112,7 +112,7 @@ std::vector<PairResult> pairResults(const Comm& comm, const std::vector<const Su
     std::sort(allForces.begin(), allForces.end(), [](const PairForce& a, const PairForce& b) { return a.id < b.id; });
     if (allForces.size() != pairs.size()) throw InternalError("the contact forces are not as many as the pairs");
     std::map<int, std::vector<Point>> ofEnds;
-    std::map<int, Point> motion;                   // of the carrying nodes
+    std::map<int, Point> motion;                   // rigid motions of the carrying nodes
     std::map<int, std::map<int, double>> weights;  // sum of each body's; single ones of a mortar may have either sign
     for (const auto& [id, carrier] : pairs) ofEnds[id].resize(carrier.pair.ends.size());
     for (const EndShare& end : allEnds) {

@@ -62,7 +62,7 @@ class Verifier {
   const int bodies_;
   const double tolerance_;
   bool axisymmetric_ = false;
-  std::vector<Matrix> nodes_;                        // of each mesh: rows as in nodal::Row x nodes, summed over subdomains
+  std::vector<Matrix> nodes_;                        // by mesh: rows as in nodal::Row x nodes, summed over subdomains
   std::vector<std::vector<const NodeRule*>> rules_;  // of each mesh's nodes; null: free
   std::vector<PairEndShare> ends_;                   // on rank 0: of all ranks
   std::vector<Deformation> deformation_;

@@ -13,8 +13,8 @@
 namespace suture {
 
 namespace {
-constexpr double kPassive = 1e-12;   // of its cluster's energy, below which a body has none of its own
-constexpr double kRounding = 1e-14;  // of the energy norm that a solve began with, which its answer cannot be free of
+constexpr double kPassive = 1e-12;   // part of its cluster's energy below which a body has none of its own
+constexpr double kRounding = 1e-14;  // part of the energy norm at the start of a solve that rounding leaves in its answer
 }  // namespace
 
 void SetSolves::findClusters(const ClosedSet& closed) {

@@ -44,7 +44,7 @@ class SetSolves : public ContactOracle {
   bool solveLinear(InterfaceState& state, bool goOn, double tolerance, const EnergyCriterion& criterion, InnerResult& cost,
                    int& applications);
 
-  static constexpr double kSharper = 0.7;  // of the tolerance that would do if all residuals fell alike
+  static constexpr double kSharper = 0.7;  // factor on the tolerance that would do if all residuals fell alike
 
   OuterSolver::Run& run_;
   const ContactSets& sets_;

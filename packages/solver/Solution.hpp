@@ -26,7 +26,7 @@ struct Solution : OuterFigures {
   /// One vector for each subdomain of this rank, in the order of distribute(), beside its lift: node-major, Cartesian [length].
   std::vector<Vector> displacement;
   std::map<int, Matrix> ownStresses;  ///< Subdomain::stresses() of those of this rank with physics of their own, by place
-  std::vector<Matrix> nodalStresses;  ///< of each such subdomain: see nodalStresses(); empty if nobody asked for them
+  std::vector<Matrix> nodalStresses;  ///< by subdomain: see nodalStresses(); empty if nobody asked for them
   std::vector<PairResult> pairs;      ///< on rank 0: all, by id
   std::vector<PairResult> onAxis;     ///< on rank 0: see axisResults()
 

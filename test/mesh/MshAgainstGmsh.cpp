@@ -111,7 +111,7 @@ void makeModel(bool recombine, int order, bool incomplete) {
   gmsh::option::setNumber("Mesh.SecondOrderIncomplete", incomplete);
   gmsh::model::occ::addRectangle(0, 0, 0, 2, 1, 5);
   gmsh::model::occ::addRectangle(0, 1, 0, 2, 1, 3);
-  gmsh::model::occ::addPoint(9, 9, 0, 0, 40);  // of no element
+  gmsh::model::occ::addPoint(9, 9, 0, 0, 40);  // a node of no element
   gmsh::model::occ::synchronize();
   const auto group = [](int dimension, std::vector<int> tags, int number, const std::string& name) {
     gmsh::model::addPhysicalGroup(dimension, tags, number);

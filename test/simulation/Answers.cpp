@@ -113,7 +113,7 @@ TEUCHOS_UNIT_TEST(Answers, BalanceEveryBodyOnItsOwn) {
                                                     std::string("Formulation=") + formulation}));
     const Solution& solution = simulation.solve();
     const Reactions& reactions = solution.verification.reactions;
-    const double force = -2e4 - 4e3, moment = -8e4 / 3 - 4e3;  // of the load and the weight: integrals of 1e4 x, 1e4 x^2
+    const double force = -2e4 - 4e3, moment = -8e4 / 3 - 4e3;  // load and weight: integrals of 1e4 x, 1e4 x^2
     TEST_FLOATING_EQUALITY(reactions.loads[0].force[1], -2e4, 1e-11);
     TEST_FLOATING_EQUALITY(reactions.loads[0].moment[2], -8e4 / 3, 1e-11);
     TEST_FLOATING_EQUALITY(reactions.loads[1].force[1], -4e3, 1e-11);

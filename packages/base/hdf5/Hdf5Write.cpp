@@ -273,7 +273,10 @@ void Hdf5File::write(const std::string& path, const std::vector<std::string>& te
         const Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
         checked(H5Tset_size(type, H5T_VARIABLE));
         const Handle set(H5Dcreate2(file, path.c_str(), type, space, links, H5P_DEFAULT, H5P_DEFAULT), H5Dclose);
-        if (count > 0) checked(H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data.data()));
+        // Texts are converted in a buffer, which HDF5 fills with zeros: a megabyte of them, unless it is told how much it needs.
+        const Handle transfer(H5Pcreate(H5P_DATASET_XFER), H5Pclose);
+        checked(H5Pset_buffer(transfer, 1024, nullptr, nullptr));
+        if (count > 0) checked(H5Dwrite(set, type, H5S_ALL, H5S_ALL, transfer, data.data()));
       },
       bytes);
 }

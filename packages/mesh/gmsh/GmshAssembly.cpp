@@ -123,7 +123,7 @@ class Assembly {
     mesh_.offsets.reserve(most + 1);
     mesh_.connectivity.reserve(entries_);
     std::vector<int> head(static_cast<std::size_t>(nodes), -1), next;
-    std::vector<long long> sums;  // of the nodes: most others in a chain have another one
+    std::vector<long long> sums;  // sum of each side's nodes: most others in a chain have another one
     next.reserve(most);
     sums.reserve(most);
     for (const GmshMesh::Surface& surface : gmsh_.surfaces) {
@@ -216,7 +216,7 @@ class Assembly {
   Mesh mesh_;
   Problems problems_;
   std::size_t entries_ = 0;                   // nodes of all elements
-  std::vector<int> number_;                   // of each node of Gmsh; -1: it is of no element
+  std::vector<int> number_;                   // number of each node of Gmsh; -1: no element has it
   std::vector<std::vector<int>> elementsOf_;  // each surface
 };
 

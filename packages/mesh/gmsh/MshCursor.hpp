@@ -48,7 +48,7 @@ class MshCursor {
   std::string quoted(const char* what);
   /// Skips what is left of the line.
   void endLine();
-  const char* rest() const { return at_; }  ///< what is not read yet; a zero stands behind it
+  const char* rest() const { return at_; }  ///< bytes that are not read yet; a zero stands behind them
   std::size_t left() const { return static_cast<std::size_t>(end_ - at_); }
 
   [[noreturn]] void fail(const std::string& what) const;

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kEqual = 1e-6;  // relative difference of values that count as equal
 
-constexpr double kNothing = 1e-9;  // of von Mises: principal stresses that are rounding of others, and whose places mean nothing
+constexpr double kNothing = 1e-9;  // part of von Mises below which a principal stress is rounding of others and its place means nothing
 
 bool isBefore(const Extreme& a, const Extreme& b) { return std::tie(a.body, a.id) < std::tie(b.body, b.id); }
 

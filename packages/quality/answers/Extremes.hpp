@@ -57,9 +57,9 @@ struct Extremes {
 
 /// Displacements and stresses in which extremes are sought; references outlive the call.
 struct SearchedFields {
-  const std::vector<SubdomainMesh>& meshes;  ///< of this rank
+  const std::vector<SubdomainMesh>& meshes;  ///< subdomains of this rank
   const ElasticModel& model;
-  const std::vector<Vector>& displacement;  ///< of each mesh, beside its lift
+  const std::vector<Vector>& displacement;  ///< by mesh, beside its lift
   const std::map<int, Matrix>& own;         ///< stresses at centroids of meshes with physics of their own, by place
   const std::vector<Matrix>& nodal;         ///< recovered stresses of each mesh; empty: centroids count
 };

@@ -17,9 +17,9 @@ namespace suture {
 
 namespace {
 
-constexpr double kNear = 0.05;    // of an element: a point so far outside counts as in it
-constexpr double kInside = 1e-9;  // of an element: rounding of a point on a side
-constexpr double kBulge = 0.125;  // of the nodes' box: how far a curved side may leave it
+constexpr double kNear = 0.05;    // part of an element's size: a point so far outside counts as in it
+constexpr double kInside = 1e-9;  // part of an element's size: rounding of a point on a side
+constexpr double kBulge = 0.125;  // part of the nodes' box by which a curved side may leave it
 constexpr int kNewtonSteps = 25;
 
 bool isTriangle(Cell cell) { return cellInfo(cell).vertices == 3; }
@@ -80,7 +80,7 @@ Point nearestOf(const CellBlock& block, int element, const Point& place) {
 /// An element that holds a point, or the one nearest to it. Plain.
 struct Candidate {
   double off = std::numeric_limits<double>::infinity();  // how far outside: in reference coordinates, or [length]
-  GlobalId element = -1;                                 // of the mesh
+  GlobalId element = -1;                                 // number in the mesh
   int body = -1, rank = -1;
   Point place{0, 0, 0};
 

