@@ -8,8 +8,8 @@ run_page.py PAGE --source FOLDER --drivers FOLDER --work DIR [--checkout] [--ren
 - Lines of blocks ```text must be printed by the commands above them: words equal, numbers within one per cent, those below 1e-5 (residuals,
   rounding) within a factor of three; ... stands for anything.
 - Blocks ```xml must stand in a scene that the page links to, blocks ```cpp and ```cmake in a source or beside it.
-- A picture with a title, ![words](file.png "run_out/mesh.png"), must be made by the commands under that name, in the size of the one that
-  the page shows. --renew copies it there instead.
+- A picture with a title, ![words](file.png "run_out/mesh.png"), must be made by the commands under that name, in the size (a tenth more or
+  less) of the one that the page shows. --renew copies it there instead.
 """
 import argparse
 import os
@@ -38,20 +38,31 @@ def agree(number, other):
     return abs(other - number) <= 0.01 * abs(number)
 
 
-def says(line, printed):
-    """Whether one of the printed lines is `line`."""
+def stands(segment, text, begin):
+    """End of `segment` in `text` where it stands at `begin`, or None."""
     numbers, pattern, end = [], "", 0
-    for found in re.finditer(NUMBER, line):
-        pattern += re.escape(line[end:found.start()]) + f"({NUMBER})"
+    for found in re.finditer(NUMBER, segment):
+        pattern += re.escape(segment[end:found.start()]) + f"({NUMBER})"
         numbers.append(value(found[0]))
         end = found.end()
-    pattern = (pattern + re.escape(line[end:])).replace(re.escape("..."), ".*?")
-    pattern = re.sub(r"(?:\\ )+", r"\\s+", pattern)
-    for candidate in printed.splitlines():
-        found = re.fullmatch(pattern, candidate.strip())
-        if found and all(agree(number, value(text)) for text, number in zip(found.groups(), numbers)):
-            return True
-    return False
+    pattern = re.sub(r"(?:\\ )+", r"\\s+", pattern + re.escape(segment[end:]))
+    found = re.compile(pattern).match(text, begin)
+    return found.end() if found and all(agree(number, value(text)) for text, number in zip(found.groups(), numbers)) else None
+
+
+def continues(segments, text, begin):
+    """Whether the segments stand in `text` from `begin` on, the last one at its end, with anything between two of them."""
+    end = stands(segments[0], text, begin)
+    if end is None:
+        return False
+    if len(segments) == 1:
+        return end == len(text)
+    return any(continues(segments[1:], text, place) for place in range(end, len(text) + 1))
+
+
+def says(line, printed):
+    """Whether one of the printed lines is `line`."""
+    return any(continues(line.split("..."), candidate.strip(), 0) for candidate in printed.splitlines())
 
 
 def pixels(file):
@@ -111,8 +122,9 @@ class Reading:
                 self.failures.append(f"the commands make no picture {made}")
             elif renew:
                 shown.parent.mkdir(exist_ok=True)
-                shutil.copyfile(file, shown)
-            elif pixels(file) != pixels(shown):
+                from PIL import Image  # with matplotlib; a palette makes pictures small
+                Image.open(file).convert("RGB").quantize(64, dither=0).save(shown, optimize=True)
+            elif not pixels(shown) or any(abs(a - b) > 0.1 * b for a, b in zip(pixels(file), pixels(shown))):
                 self.failures.append(f"{link} is not {made}: {pixels(shown)} and {pixels(file)} pixels; run_page.py --renew copies it")
 
 
