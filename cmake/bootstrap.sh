@@ -4,16 +4,17 @@
 #   sh cmake/bootstrap.sh build   install what is missing and build library and programs into build/
 #   sh cmake/bootstrap.sh test    build and run all tests but those labelled long
 #   sh cmake/bootstrap.sh validate  build, run all validation cases and 5,000 random scenes, write build/validation/validation.md; half an hour
+#   sh cmake/bootstrap.sh doc     write the documentation as HTML into build/doc/html; compiles nothing
 #   sh cmake/bootstrap.sh bench   build and measure against the monolithic reference; long (test/bench/README.md)
 # The environment may set BUILD (another build folder) and JOBS (parallel compilations).
 set -eu
 
 usage() {
-  echo "usage: sh cmake/bootstrap.sh run | build | test | validate | bench" >&2
+  echo "usage: sh cmake/bootstrap.sh run | build | test | validate | doc | bench" >&2
   exit 2
 }
 [ $# -eq 1 ] || usage
-case $1 in run | build | test | validate | bench) ;; *) usage ;; esac
+case $1 in run | build | test | validate | doc | bench) ;; *) usage ;; esac
 
 root=$(CDPATH='' cd -- "$(dirname -- "$0")/.." && pwd)
 cd "$root"
@@ -28,7 +29,9 @@ packages="g++ cmake ninja-build ccache git pkg-config openmpi-bin libopenmpi-dev
   libmetis-dev libsuitesparse-dev libeigen3-dev libhdf5-openmpi-dev libgmsh-dev libopenblas-dev libcli11-dev nlohmann-json3-dev
   libmuparser-dev
   python3 python3-numpy python3-h5py python3-matplotlib python3-vtk9
-  python3-meshio python3-netcdf4"
+  python3-meshio python3-netcdf4
+  cmark-gfm"
+[ "$1" != doc ] || packages="python3 cmark-gfm"
 
 asRoot() {
   if [ "$(id -u)" -eq 0 ]; then
@@ -103,6 +106,7 @@ case $1 in
     /usr/bin/python3 -B test/validation/validate.py --solve "$build/drivers/suture_solve" --corpus "$build/bin/test_corpus" \
       --output "$build/validation" </dev/null
     ;;
+  doc) /usr/bin/python3 -B doc/html/render.py "$build/doc/html" ;;
   bench)
     configureAndBuild $programs
     /usr/bin/python3 test/bench/bench.py --programs "$build/drivers" --output "$build/bench" </dev/null

@@ -10,7 +10,7 @@ namespace suture {
 /// Writes the mesh that rank 0 has (bodies are not part of it) as Suture's own file: attribute SutureMesh = "1" (the version of the form),
 /// and the datasets
 ///     /Coordinates  nodes x dimension       /Cells  shape of each element      /Offsets, /Connectivity   as in CellBlock
-///     /ElementGroups/<i>  elements          /SideGroups/<i>  (element, side)    both with the attribute Name
+///     `/ElementGroups/<i>`  elements        `/SideGroups/<i>`  (element, side)  both with the attribute Name
 /// Reading it back gives every bit. Collective.
 /// \param more  adds further content to the file; runs on rank 0
 /// \throws EnvironmentError  if the file cannot be written

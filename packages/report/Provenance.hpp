@@ -13,7 +13,7 @@ void writeProvenance(const Run& run, Hdf5File& file);
 std::vector<std::string> materialNames(const ElasticModel& model);
 
 /// Names that pictures need: texts Bodies and Subdomains (JSON lists in the order of the numbers in the fields), and for each side group of
-/// the mesh a dataset /Record/SideGroups/<name>, a row a side: x, y, z of its first and of its second end point. As field data, which
+/// the mesh a dataset `/Record/SideGroups/<name>`, a row a side: x, y, z of its first and of its second end point. As field data, which
 /// ParaView shows: BodyNames, MaterialNames, SubdomainNames, in the order of the numbers in the fields, and GroupNames. Collective.
 void writeNames(const Run& run, VtkHdf& file);
 

@@ -166,7 +166,7 @@ def checkLinks(root):
             continue
         text = re.sub(r"^```.*?^```", lambda found: "\n" * found[0].count("\n"), page.read_text(), flags=re.S | re.M)
         for number, line in enumerate(text.splitlines(), 1):
-            for target in re.findall(r"\]\(([^)\s]+)\)", re.sub(r"`[^`]*`", "", line)):
+            for target in re.findall(r"\]\(([^)\s]+)(?: \"[^\"]*\")?\)", re.sub(r"`[^`]*`", "", line)):
                 if re.match(r"[a-z]+:", target):
                     continue
                 path, _, part = target.partition("#")

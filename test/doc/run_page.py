@@ -1,44 +1,148 @@
-"""Runs the commands of a page of doc/ as a reader would, one after the other in an empty folder: all of its blocks ```sh. Its blocks ```xml must
-stand in a scene that the page links to. run_page.py PAGE --source FOLDER --drivers FOLDER --work DIR"""
+#!/usr/bin/python3
+"""Runs a page of the documentation as a reader would, in an empty folder, and compares what it says with what happens.
+
+run_page.py PAGE --source FOLDER --drivers FOLDER --work DIR [--checkout] [--renew]
+
+- Lines of blocks ```sh are commands, run one after the other; $SUTURE is the source folder. --checkout: the folder looks like a checkout
+  that has been built, with input/ and build/drivers/.
+- Lines of blocks ```text must be printed by the commands above them: words equal, numbers within one per cent, those below 1e-5 (residuals,
+  rounding) within a factor of three; ... stands for anything.
+- Blocks ```xml must stand in a scene that the page links to, blocks ```cpp and ```cmake in a source or beside it.
+- A picture with a title, ![words](file.png "run_out/mesh.png"), must be made by the commands under that name, in the size (a tenth more or
+  less) of the one that the page shows. --renew copies it there instead.
+"""
 import argparse
 import os
 import pathlib
 import re
 import shutil
+import struct
 import subprocess
 import sys
 import xml.etree.ElementTree as xml
 
-parser = argparse.ArgumentParser()
-parser.add_argument("page", type=pathlib.Path)
-for option in ("--source", "--drivers", "--work"):
-    parser.add_argument(option, type=pathlib.Path, required=True)
-options = parser.parse_args()
-shutil.rmtree(options.work, ignore_errors=True)
-options.work.mkdir(parents=True)
-text = options.page.read_text()
-environment = {**os.environ, "SUTURE": str(options.source), "PATH": f"{options.drivers}:{os.environ['PATH']}"}
-failures = []
+NUMBER = r"(?<![\w.])[-+]?(?:\d{1,3}(?:,\d{3})+|\d+)(?:\.\d+)?(?:[eE][-+]?\d+)?(?![\w])"
 
 
 def canonical(element):
     return (element.tag, tuple(sorted(element.attrib.items())), tuple(canonical(child) for child in element))
 
 
-commands = [line for block in re.findall(r"^```sh\n(.*?)^```", text, re.S | re.M) for line in block.splitlines() if line.strip()]
-for command in commands:
-    done = subprocess.run(command, shell=True, cwd=options.work, env=environment, capture_output=True, text=True, timeout=120)
-    print(f"$ {command}\n{done.stdout}{done.stderr}", flush=True)
-    if done.returncode != 0:
-        failures.append(f"{command}: exit code {done.returncode}")
+def value(text):
+    return float(text.replace(",", ""))
 
-known = set()
-for link in re.findall(r"\]\(([^)]+\.xml)\)", text):
-    known |= {canonical(element) for element in xml.parse(options.page.parent / link).getroot().iter()}
-for block in re.findall(r"^```xml\n(.*?)^```", text, re.S | re.M):
-    if canonical(xml.fromstring(block)) not in known:
-        failures.append(f"no linked scene has this:\n{block}")
 
-if not commands:
-    failures.append(f"{options.page} has no commands")
-sys.exit("failed:\n  " + "\n  ".join(failures) if failures else 0)
+def agree(number, other):
+    if 0 < abs(number) < 1e-5:
+        return 1 / 3 <= other / number <= 3
+    return abs(other - number) <= 0.01 * abs(number)
+
+
+def stands(segment, text, begin):
+    """End of `segment` in `text` where it stands at `begin`, or None."""
+    numbers, pattern, end = [], "", 0
+    for found in re.finditer(NUMBER, segment):
+        pattern += re.escape(segment[end:found.start()]) + f"({NUMBER})"
+        numbers.append(value(found[0]))
+        end = found.end()
+    pattern = re.sub(r"(?:\\ )+", r"\\s+", pattern + re.escape(segment[end:]))
+    found = re.compile(pattern).match(text, begin)
+    return found.end() if found and all(agree(number, value(text)) for text, number in zip(found.groups(), numbers)) else None
+
+
+def continues(segments, text, begin):
+    """Whether the segments stand in `text` from `begin` on, the last one at its end, with anything between two of them."""
+    end = stands(segments[0], text, begin)
+    if end is None:
+        return False
+    if len(segments) == 1:
+        return end == len(text)
+    return any(continues(segments[1:], text, place) for place in range(end, len(text) + 1))
+
+
+def says(line, printed):
+    """Whether one of the printed lines is `line`."""
+    return any(continues(line.split("..."), candidate.strip(), 0) for candidate in printed.splitlines())
+
+
+def pixels(file):
+    """Width and height of a PNG."""
+    head = file.read_bytes()[:24] if file.is_file() else b""
+    return struct.unpack(">II", head[16:24]) if head[:8] == b"\x89PNG\r\n\x1a\n" else None
+
+
+class Reading:
+    def __init__(self, options):
+        self.page, self.work = options.page, options.work
+        self.text = options.page.read_text()
+        self.environment = {**os.environ, "SUTURE": str(options.source), "PATH": f"{options.drivers}:{os.environ['PATH']}"}
+        self.printed, self.failures, self.checked = "", [], 0
+        shutil.rmtree(self.work, ignore_errors=True)
+        self.work.mkdir(parents=True)
+        if options.checkout:
+            (self.work / "build").mkdir()
+            (self.work / "build" / "drivers").symlink_to(options.drivers.resolve())
+            (self.work / "input").symlink_to(options.source.resolve() / "input")
+
+    def run(self, command):
+        done = subprocess.run(command, shell=True, cwd=self.work, env=self.environment, capture_output=True, text=True, timeout=120)
+        print(f"$ {command}\n{done.stdout}{done.stderr}", flush=True)
+        self.printed += done.stdout + done.stderr
+        if done.returncode != 0:
+            self.failures.append(f"{command}: exit code {done.returncode}")
+
+    def blocks(self):
+        known = set()
+        for link in re.findall(r"\]\(([^)]+\.xml)\)", self.text):
+            known |= {canonical(element) for element in xml.parse(self.page.parent / link).getroot().iter()}
+        sources = ""
+        for link in re.findall(r"\]\(([^)]+\.cpp)\)", self.text):
+            source = self.page.parent / link
+            sources += source.read_text() + (source.parent / "CMakeLists.txt").read_text()
+        for kind, block in re.findall(r"^```(sh|text|xml|cpp|cmake)\n(.*?)^```", self.text, re.S | re.M):
+            self.checked += 1
+            if kind == "xml":
+                if canonical(xml.fromstring(block)) not in known:
+                    self.failures.append(f"no linked scene has this:\n{block}")
+                continue
+            if kind in ("cpp", "cmake"):
+                lines = [line for line in block.splitlines() if line not in sources.splitlines()]
+                self.failures += [f"no linked source has the line: {line}" for line in lines]
+                continue
+            for line in block.replace("\\\n", "").splitlines():
+                if line.strip() and kind == "sh":
+                    self.run(line)
+                elif line.strip() and not says(line.strip(), self.printed):
+                    self.failures.append(f"no command above prints: {line.strip()}")
+
+    def pictures(self, renew):
+        for link, made in re.findall(r"!\[[^\]]*\]\(([^)\s]+) \"([^\"]+)\"\)", self.text):
+            shown, file = self.page.parent / link, self.work / made
+            if pixels(file) is None:
+                self.failures.append(f"the commands make no picture {made}")
+            elif renew:
+                shown.parent.mkdir(exist_ok=True)
+                from PIL import Image  # with matplotlib; a palette makes pictures small
+                Image.open(file).convert("RGB").quantize(64, dither=0).save(shown, optimize=True)
+            elif not pixels(shown) or any(abs(a - b) > 0.1 * b for a, b in zip(pixels(file), pixels(shown))):
+                self.failures.append(f"{link} is not {made}: {pixels(shown)} and {pixels(file)} pixels; run_page.py --renew copies it")
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("page", type=pathlib.Path)
+    for option in ("--source", "--drivers", "--work"):
+        parser.add_argument(option, type=pathlib.Path, required=True)
+    parser.add_argument("--checkout", action="store_true")
+    parser.add_argument("--renew", action="store_true")
+    options = parser.parse_args()
+    reading = Reading(options)
+    reading.blocks()
+    reading.pictures(options.renew)
+    if not reading.checked:
+        reading.failures.append(f"{options.page} has nothing to run or to compare")
+    sys.exit("failed:\n  " + "\n  ".join(reading.failures) if reading.failures else 0)
+
+
+if __name__ == "__main__":
+    main()
