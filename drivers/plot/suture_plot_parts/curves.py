@@ -13,7 +13,7 @@ from .units import scaled
 def contact_figure(run):
     grid = run.contact
     data = grid.point_data
-    pieces = grid.names.get("ContactPieces", [])
+    names = list(run.parameter("Contact", default={}))
     lines = sorted(set(zip(data["Piece"].tolist(), data["Line"].tolist())))
     pressure_factor, pressure_unit = scaled(grid.units["ContactPressure"], np.nanmax(np.abs(data["ContactPressure"])))
     gap_factor, gap_unit = scaled(grid.units["Gap"], max(np.nanmax(np.abs(data["Gap"])), 1e-12))
@@ -31,7 +31,7 @@ def contact_figure(run):
         own = own[np.argsort(data["ArcLength"][own], kind="stable")]
         arc, active = data["ArcLength"][own], data["Active"][own].astype(bool)
         pressure, gap, initial = (data[name][own] for name in ("ContactPressure", "Gap", "InitialGap"))
-        name = pieces[int(piece)] if piece < len(pieces) else f"piece {piece}"
+        name = names[int(line)] if 0 <= line < len(names) else f"line {line:g}"
         pairs = f"{len(own)} pair{'s' if len(own) != 1 else ''}, {np.count_nonzero(~active)} open"
         above.set_title(f"{shortened(name, 26 if columns > 1 else 60)}: {pairs}", loc="left", fontsize=9)
         for axis, values, factor, colour in ((above, pressure, pressure_factor, PRESSURE_COLOUR), (below, gap, gap_factor, GAP_COLOUR)):

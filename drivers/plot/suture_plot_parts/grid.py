@@ -54,6 +54,7 @@ class Grid:
         record = file["Record"]
         self.names = {name: json.loads(as_text(record[name][()])) for name in ("Bodies", "Subdomains", "ContactPieces") if name in record}
         self.side_groups = {name: data[:] for name, data in record["SideGroups"].items()} if "SideGroups" in record else {}
+        self.mesh_hash = as_text(record["MeshHash"][()]) if "MeshHash" in record else ""
         self.scene = as_text(record["Input"][()]) if "Input" in record else ""
 
     def polygons(self, points):

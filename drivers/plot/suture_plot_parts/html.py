@@ -18,7 +18,7 @@ nav { margin: 1rem 0; font-size: .92rem; line-height: 1.9; } nav a { margin-righ
 .figures { display: grid; grid-template-columns: repeat(auto-fill, minmax(13rem, 1fr)); gap: .7rem; margin: 1rem 0; padding: 0; }
 .figures > div { border: 1px solid var(--line); border-radius: .4rem; padding: .6rem .8rem; }
 .figures .name, .figures .where { color: var(--soft); font-size: .86rem; } .figures .value { font-size: 1.3rem; }
-figure { margin: 1rem 0 1.6rem; } figure img { display: block; max-width: 100%; height: auto; } figcaption { margin-top: .3rem; max-width: 60rem; }
+figure { margin: 1rem 0 1.6rem; } figure img { display: block; max-width: 100%; max-height: 50rem; width: auto; height: auto; } figcaption { margin-top: .3rem; max-width: 60rem; }
 .wide { overflow-x: auto; margin: .6rem 0 1rem; }
 table { border-collapse: collapse; font-size: .92rem; font-variant-numeric: tabular-nums; } caption { text-align: left; padding-bottom: .25rem; }
 th, td { text-align: left; vertical-align: top; padding: .26rem 1rem .26rem 0; border-bottom: 1px solid var(--line); overflow-wrap: normal; }
@@ -27,7 +27,8 @@ th { font-weight: 600; } td.n, th.n { text-align: right; white-space: nowrap; } 
 .bar { display: block; height: .7rem; min-width: 1px; background: #56b4e9; } td.bars { width: 14rem; min-width: 6rem; }
 pre { font-size: .8rem; line-height: 1.4; background: #f5f6f8; padding: .8rem; overflow-x: auto; white-space: pre-wrap; } code { font-size: .9em; }
 details > summary { cursor: pointer; color: var(--accent); }
-@media (max-width: 40rem) { body { padding: 1rem .8rem 3rem; font-size: 15px; } h1 { font-size: 1.5rem; } }
+@media (max-width: 40rem) { body { padding: 1rem .8rem 3rem; font-size: 15px; } h1 { font-size: 1.5rem; }
+  table { font-size: .84rem; } th, td { padding-right: .6rem; } td.long { min-width: 5.5rem; } }
 @media print {
   body { max-width: none; padding: 0; font-size: 10pt; } nav { display: none; } h2, h3 { break-after: avoid; } h2 { margin-top: 1.4rem; }
   figure, tr, .verdict, .figures > div { break-inside: avoid; } figure img { max-height: 21cm; width: auto; } .wide { overflow: visible; }

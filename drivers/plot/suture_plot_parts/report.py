@@ -3,7 +3,7 @@ import os
 
 from .html import esc, figure, number, page
 from .report_run import convergence, cost, error, provenance, verdict
-from .report_scene import reactions, scene_in_words
+from .report_scene import contact_pieces, reactions, scene_in_words
 from .stresses import taken_at
 
 EXIT = {0: "done", 2: "command line", 3: "input", 4: "numerical", 5: "environment", 70: "internal", 75: "stopped on request"}
@@ -16,12 +16,16 @@ def banner(run):
     code = summary["exit_code"]
     words = [f"Exit code {number(code)} ({EXIT.get(code, 'unknown')})."]
     if summary.get("failure"):
-        words.append(esc(summary["failure"]) + ("" if summary["failure"].endswith(".") else "."))
+        words.append(esc(sentence(summary["failure"])))
     if not run.good:
         words.append("Every picture and number below is that of this unfinished or doubtful state.")
-    notes = "".join(f"<br/>Note: {esc(note)}." for note in summary.get("notes", []))
-    head = run.verdict[0].upper() + run.verdict[1:]
+    notes = "".join(f"<br/>Note: {esc(note if note.endswith('.') else note + '.')}" for note in summary.get("notes", []))
+    head = sentence(run.verdict).rstrip(".")
     return f'<div class="verdict{"" if run.good else " bad"}" id="banner"><strong>{esc(head)}</strong>{" ".join(words)}{notes}</div>\n'
+
+
+def sentence(text):
+    return text[:1].upper() + text[1:] + ("" if text.endswith((".", "!", "?")) else ".")
 
 
 def key_figures(run):
@@ -53,7 +57,7 @@ def report(run, pictures, path):
         ("deformation", "Deformed shape", drawn("deformation", without)),
         ("von_mises", "Von Mises stress", drawn("von_mises", without)),
         ("principal", "Principal stresses", drawn("principal", without)),
-        ("contact", "Contact", drawn("contact", "This scene has no contact." if not contact.get("pairs") else without)),
+        ("contact", "Contact", contact_pieces(run) + drawn("contact", "This scene has no contact." if not contact.get("pairs") else without)),
         ("reactions", "Forces of loads, supports and contacts", reactions(run)),
         ("convergence", "Convergence", convergence(run) + drawn("convergence", "No outer iterations in this run.")),
         ("verdict", "Verdict", verdict(run)),

@@ -73,21 +73,15 @@ def reactions(run):
     rows.append(("<strong>sum</strong>", "", vector(total.get("force")), vector(total.get("moment"))))
     markup = table(("condition", "kind", f"force on the bodies [{force}]", f"moment [{force} {length}]"), rows,
                    caption=f"In {force} and {force} {length}, {thickness}; moments about {given_vector(found.get('about', []))}.", long=(0,))
-    rows = []
-    pieces = summary["contact"].get("by_piece", {})
-    for name, c in found.get("contacts", {}).items():
-        own = [piece for key, piece in pieces.items() if key == name]
-        piece = own[0] if own else {}
-        rows.append((esc(name), names(c.get("bodies", [])), vector(c.get("force")), vector(c.get("centre")), closed(c), count(piece),
-                     number(piece["max_pressure"]) if "max_pressure" in piece else "", number(piece["max_gap"]) if "max_gap" in piece else ""))
+    rows = [(esc(name), names(c.get("bodies") or []), vector(c.get("force")), vector(c.get("moment")), vector(c.get("centre")), closed(c))
+            for name, c in found.get("contacts", {}).items()]
     if rows:
         size = f"{length}²" if run.model == "Axisymmetric" else length
-        markup += table(("contact", "bodies", f"force on side B [{force}]", f"centre [{length}]", f"closed [{size}]", "closed pairs",
-                         f"largest pressure [{stress}]", f"largest gap [{length}]"), rows, numeric=(5, 6, 7), long=(0,),
-                        caption="Resultant of each contact, the centre of its forces and how much of it is closed.")
+        markup += table(("contact", "bodies", f"force on side B [{force}]", f"moment [{force} {length}]", f"centre [{length}]", f"closed [{size}]"), rows,
+                        long=(0,), caption="Resultant of each contact, the centre of its forces and how much of it is closed.")
     balance = summary.get("equilibrium", {})
     if "imbalance" in balance:
-        markup += f"<p>Loads and reactions balance to {number(balance['imbalance'], form='.2g')}, relative to the loads.</p>\n"
+        markup += f"<p>Loads and reactions balance to {number(balance['imbalance'], form='.3g')}, relative to the loads.</p>\n"
     return markup
 
 
@@ -97,5 +91,11 @@ def closed(contact):
     return f"{number(contact['closed'])} of {number(contact.get('whole'))}"
 
 
-def count(piece):
-    return f"{number(piece['active'])} of {number(piece['pairs'])}" if "pairs" in piece else ""
+def contact_pieces(run):
+    """Contacts as the solver groups them."""
+    contact = run.summary["contact"]
+    rows = [(esc(name), f"{number(piece.get('active'))} of {number(piece.get('pairs'))}", number(piece.get("max_pressure")), number(piece.get("max_gap")))
+            for name, piece in contact.get("by_piece", {}).items()]
+    if not rows:
+        return ""
+    return table(("piece", "closed pairs", f"largest pressure [{run.stress_unit}]", f"largest gap [{run.length_unit}]"), rows, numeric=(1, 2, 3), long=(0,))

@@ -1,7 +1,6 @@
 """The output folder of a run."""
 import csv
 import datetime
-import json
 import math
 from pathlib import Path
 
@@ -9,9 +8,7 @@ import numpy as np
 
 from .grid import Grid
 from .style import PlotError
-
-# Keys of summary.json without which no report can be written.
-NEEDED = ("converged", "exit_code", "parameters", "elements", "outer", "contact", "phases", "versions")
+from .summary import read_summary
 
 
 def last(folder, pattern):
@@ -28,20 +25,25 @@ class RunFolder:
     def __init__(self, folder):
         self.folder = Path(folder)
         self.summary = self._summary(folder)
-        fields = last(self.folder, "fields_*.vtkhdf")
-        if fields is None and self.summary["exit_code"] == 0 and self.parameter("Output", "Fields", default=True):
+        # Fields of an earlier run may lie in the folder of a run without.
+        wanted = self.parameter("Output", "Fields", default=True) is not False
+        fields = last(self.folder, "fields_*.vtkhdf") if wanted else None
+        if fields is None and wanted and self.summary["exit_code"] == 0:
             raise PlotError(f"'{folder}' has no fields_*.vtkhdf, although its run wrote fields (summary.json: Output/Fields is true)")
         self.fields = Grid(fields) if fields else None
+        if fields and self.fields.mesh_hash and self.fields.mesh_hash != self.summary.get("mesh_hash", self.fields.mesh_hash):
+            raise PlotError(f"{fields} is of another mesh than summary.json: its run has hash {self.fields.mesh_hash}, "
+                            f"that of the summary {self.summary['mesh_hash']}")
         contact = last(self.folder, "contact_*.vtkhdf")
         self.contact = Grid(contact) if fields and contact else None
         self.history = self._history(self.folder / "history.csv")
-        self.title = self.summary.get("title") or Path(self.summary.get("scene", "")).stem or "untitled"
+        self.title = self.summary.get("title") or Path(self.summary.get("scene") or "").stem or "untitled"
         self.units = ([part.strip() for part in str(self.summary.get("units", "")).split(",")] + ["", "", ""])[:3]
         self.length_unit, self.force_unit, self.stress_unit = self.units
         self.model = self.parameter("Model", default="Plane Strain")
         self.axes = ("r", "axis y") if self.model == "Axisymmetric" else ("x", "y")
         # Suffix of every title: a picture of an unfinished iteration must say so itself.
-        self.state = "" if self.good else f"  ({self.verdict})"
+        self.state = "" if self.good else f"  ({self.verdict})".replace("NOT ", "NOT\u00a0")
 
     def _summary(self, folder):
         if not self.folder.is_dir():
@@ -50,21 +52,11 @@ class RunFolder:
         if not path.is_file():
             if (self.folder / "study.json").is_file():
                 raise PlotError(f"'{folder}' is the folder of a study: 'suture_study_plot {folder}' draws it, and this program the runs in it")
+            if (self.folder / "summary.previous.json").is_file():
+                raise PlotError(f"'{folder}' has no summary.json: its last run did not finish (summary.previous.json is of the run before)")
             raise PlotError(f"'{folder}' has no summary.json: is it the output folder of a finished run (suture_solve SCENE.xml --output DIR)?")
-        try:
-            summary = json.loads(path.read_text(encoding="utf-8"))
-        except ValueError as error:
-            raise PlotError(f"{path} is damaged: {error}") from error
-        if not isinstance(summary, dict):
-            raise PlotError(f"{path} is damaged: it holds {type(summary).__name__} instead of an object with keys")
-        missing = [key for key in NEEDED if key not in summary]
-        if missing:
-            raise PlotError(f"{path} is damaged or of another program: it lacks {', '.join(missing)}")
-        for key in ("parameters", "outer", "contact", "phases", "versions"):
-            if not isinstance(summary[key], dict):
-                raise PlotError(f"{path} is damaged: '{key}' is {json.dumps(summary[key])[:40]} instead of an object with keys")
         self.written = datetime.datetime.fromtimestamp(path.stat().st_mtime)
-        return summary
+        return read_summary(path)
 
     @staticmethod
     def _history(path):

@@ -12,12 +12,13 @@ class Symbols:
 
     def lines(self, segments, colour, width=1.0):
         segments = np.asarray(segments, dtype=float).reshape(-1, 2, 2)
-        self.axes.add_collection(LineCollection(segments, colors=[colour], linewidths=width, capstyle="round", zorder=6))
+        self.axes.add_collection(LineCollection(segments, colors=[colour], linewidths=width, capstyle="round", zorder=6, gid="sign"))
         self.segments.append(segments)
 
     def polygons(self, corners, colour, filled):
         corners = np.asarray(corners, dtype=float)
-        self.axes.add_collection(PolyCollection(corners, facecolors=colour if filled else "white", edgecolors=colour, linewidths=0.9, zorder=6))
+        self.axes.add_collection(PolyCollection(corners, facecolors=colour if filled else "white", edgecolors=colour, linewidths=0.9, zorder=6,
+                                            gid="sign"))
         self.segments.append(np.stack([corners, np.roll(corners, -1, axis=1)], axis=2).reshape(-1, 2, 2))
 
     def arrows(self, tails, tips, colour, filled=True):
