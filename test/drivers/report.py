@@ -198,4 +198,33 @@ check("a folder of a study", (code, "suture_study_plot" in text), (3, True))
 (empty / "study.json").rename(empty / "summary.previous.json")
 code, text = plot(empty)
 check("a folder whose last run did not finish", (code, "did not finish" in text), (3, True))
+
+# A study with failed runs: one whose columns are known, one without any.
+study = options.work / "study"
+study.mkdir()
+cells = {("small", "None"): [4.0, 19.0], ("small", "Kernels"): [4.0, 9.0], ("large", "None"): [None, None], ("large", "Kernels"): [16.0, 15.0]}
+rows = [{"labels": list(labels), "cells": found, "exit_code": 4 if labels[1] == "None" else 0, "failure": "did <not> converge" if labels[1] == "None" else ""}
+        for labels, found in cells.items()]
+plots = [{"name": name, "x": x, "y": ["pcg"], "by": ["space"], "logarithmic_x": True, "logarithmic_y": True, "pareto": False}
+         for name, x in (("by sweep", "size"), ("by column", "subdomains"))]
+planted = {"title": "Failures", "columns": ["subdomains", "pcg"], "rows": rows, "plots": plots,
+           "sweeps": [{"name": "size", "labels": ["small", "large"]}, {"name": "space", "labels": ["None", "Kernels"]}]}
+(study / "study.json").write_text(json.dumps(planted))
+sys.path.insert(0, str(Path(options.plot).resolve().parent))
+from suture_plot_parts.study import Table, study_figure  # noqa: E402
+
+for plotted, crosses, words in ((plots[0], 2, "no solution: 2 of 4 runs"), (plots[1], 1, "no solution: 2 of 4 runs\n(1 of unknown subdomains)")):
+    panel = study_figure(Table(study / "study.json"), plotted).axes[0]
+    check(f"study {plotted['name']}: crosses", sum(line.get_gid() == "failed" for line in panel.lines), crosses)
+    check(f"study {plotted['name']}: legend", words in [text.get_text() for text in panel.get_legend().get_texts()], True)
+done = subprocess.run([sys.executable, "-B", Path(options.plot).with_name("suture_study_plot"), study], capture_output=True, text=True, timeout=100)
+check("study: suture_study_plot", (done.returncode, sorted(path.name for path in study.glob("*.png"))), (0, ["by_column.png", "by_sweep.png"]))
+tree = ElementTree.fromstring((study / "report.html").read_text(encoding="utf-8").split("\n", 1)[1])
+marked = ["".join(line.itertext()) for line in tree.iter("tr") if any(span.get("class") == "fails" for span in line.iter("span"))]
+check("study: failed runs are marked in the table", (len(marked), all("did <not> converge" in text for text in marked)), (2, True))
+for row_ in planted["rows"]:
+    row_["exit_code"] = 4
+(study / "study.json").write_text(json.dumps(planted))
+done = subprocess.run([sys.executable, "-B", Path(options.plot).with_name("suture_study_plot"), study], capture_output=True, text=True, timeout=100)
+check("study without any solution", (done.returncode, "no run has converged" in done.stderr, "Traceback" in done.stderr), (3, True, False))
 finish()

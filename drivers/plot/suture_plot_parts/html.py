@@ -1,6 +1,9 @@
 """Parts of a web page that needs no network, no script and no second file. Well-formed XML, too."""
 import base64
 import html as _html
+import io
+
+from PIL import Image
 
 STYLE = """
 :root { --ink: #1d2329; --soft: #59636e; --line: #d5dae0; --good: #00694d; --bad: #b3261e; --accent: #0b4f9e; }
@@ -22,7 +25,7 @@ figure { margin: 1rem 0 1.6rem; } figure img { display: block; max-width: 100%; 
 .wide { overflow-x: auto; margin: .6rem 0 1rem; }
 table { border-collapse: collapse; font-size: .92rem; font-variant-numeric: tabular-nums; } caption { text-align: left; padding-bottom: .25rem; }
 th, td { text-align: left; vertical-align: top; padding: .26rem 1rem .26rem 0; border-bottom: 1px solid var(--line); overflow-wrap: normal; }
-th { font-weight: 600; } td.n, th.n { text-align: right; white-space: nowrap; } td.long { overflow-wrap: anywhere; min-width: 9rem; }
+th { font-weight: 600; } td.n, th.n { text-align: right; white-space: nowrap; } td.long { overflow-wrap: anywhere; min-width: 9rem; max-width: 32rem; }
 .holds { color: var(--good); font-weight: 600; } .fails { color: var(--bad); font-weight: 700; }
 .bar { display: block; height: .7rem; min-width: 1px; background: #56b4e9; } td.bars { width: 14rem; min-width: 6rem; }
 pre { font-size: .8rem; line-height: 1.4; background: #f5f6f8; padding: .8rem; overflow-x: auto; white-space: pre-wrap; } code { font-size: .9em; }
@@ -31,7 +34,8 @@ details > summary { cursor: pointer; color: var(--accent); }
   table { font-size: .84rem; } th, td { padding-right: .6rem; } td.long { min-width: 5.5rem; } }
 @media print {
   body { max-width: none; padding: 0; font-size: 10pt; } nav { display: none; } h2, h3 { break-after: avoid; } h2 { margin-top: 1.4rem; }
-  figure, tr, .verdict, .figures > div { break-inside: avoid; } figure img { max-height: 21cm; width: auto; } .wide { overflow: visible; }
+  figure, tr, .verdict, .figures > div { break-inside: avoid; } figure img { max-height: 11cm; width: auto; }
+  table { font-size: 8pt; } th, td { padding-right: .7rem; } .wide { overflow: visible; }
   * { print-color-adjust: exact; -webkit-print-color-adjust: exact; } @page { margin: 16mm 14mm; }
 }
 """
@@ -72,8 +76,16 @@ def table(head, rows, caption="", numeric=(), long=()):
     return f'<div class="wide"><table>{said}{first}<tbody>\n{body}</tbody></table></div>\n'
 
 
+def embedded(path):
+    """The picture with a palette of 256 colours, a third of its size: a page holds ten of them."""
+    small = io.BytesIO()
+    with Image.open(path) as image:
+        image.convert("RGB").quantize(256, method=Image.Quantize.MAXCOVERAGE, dither=Image.Dither.NONE).save(small, "png")
+    return base64.b64encode(small.getvalue()).decode()
+
+
 def figure(picture, title):
-    data = base64.b64encode(picture.path.read_bytes()).decode()
+    data = embedded(picture.path)
     return (f'<figure id="picture_{esc(picture.name)}"><img src="data:image/png;base64,{data}" alt="{esc(title)}: {esc(picture.name.replace("_", " "))}"/>'
             f"<figcaption>{esc(picture.caption)}</figcaption></figure>\n")
 

@@ -5,6 +5,7 @@ from .html import esc, figure, number, page
 from .report_run import convergence, cost, error, provenance, verdict
 from .report_scene import contact_pieces, reactions, scene_in_words
 from .stresses import taken_at
+from .units import scaled
 
 EXIT = {0: "done", 2: "command line", 3: "input", 4: "numerical", 5: "environment", 70: "internal", 75: "stopped on request"}
 EXTREMES = (("von_mises", "largest von Mises stress"), ("tension", "largest tension"), ("compression", "largest compression"),
@@ -24,6 +25,12 @@ def banner(run):
     return f'<div class="verdict{"" if run.good else " bad"}" id="banner"><strong>{esc(head)}</strong>{" ".join(words)}{notes}</div>\n'
 
 
+def readable(value, unit):
+    """In the units of the scene, and in a multiple of them where that reads better."""
+    factor, name = scaled(unit, abs(value))
+    return number(value, unit) + ("" if name == unit else f' <span class="soft">({factor * value:.4g} {esc(name)})</span>'.replace("(-", "(\u2212"))
+
+
 def sentence(text):
     return text[:1].upper() + text[1:] + ("" if text.endswith((".", "!", "?")) else ".")
 
@@ -36,7 +43,7 @@ def key_figures(run):
             continue
         where = f"{found['contact']}" if found.get("contact") else found.get("body", "")
         at = f" at ({', '.join(number(x) for x in found['place'])})" if found.get("place") else ""
-        cards.append(f'<div id="extreme_{name}"><div class="name">{esc(words)}</div><div class="value">{number(found["value"], found.get("unit", ""))}</div>'
+        cards.append(f'<div id="extreme_{name}"><div class="name">{esc(words)}</div><div class="value">{readable(found["value"], found.get("unit", ""))}</div>'
                      f'<div class="where">{esc(where)}{at}</div></div>')
     if not cards:
         return ""
