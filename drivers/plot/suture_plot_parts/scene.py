@@ -94,6 +94,22 @@ class Drawing:
             clear = np.where(np.abs(outward @ axis) < 0.5, 0.35 * self.signs.size, 0.0)[:, None]
             self.signs.rollers(foot + clear * outward, side, SUPPORT)
 
+    def obstacle(self, contact, colour):
+        """The rigid partner of a contact, where its shape is a number: a circle or a line."""
+        of, step = contact.given.get(contact.obstacle, {}), 0.5 * self.signs.size
+        if contact.obstacle == "Circle":
+            radius = float(of["Radius"])
+            angles = np.linspace(0, 2 * np.pi, int(np.clip(2 * np.pi * radius / step, 24, 2000)) + 1)
+            outward = np.column_stack([np.cos(angles), np.sin(angles)])
+            self.signs.surface(np.array(of["Centre"][:2], dtype=float) + radius * outward, outward if of.get("Hollow") else -outward, colour)
+        elif contact.obstacle == "Line":
+            normal = np.array(of["Normal"][:2], dtype=float)
+            normal /= np.hypot(*normal)
+            middle = 0.5 * (self.grid.points.min(axis=0) + self.grid.points.max(axis=0))[:2]
+            foot = middle - normal * (normal @ (middle - np.array(of["Point"][:2], dtype=float)))
+            reach = np.arange(-0.6 * self.extent.sum(), 0.6 * self.extent.sum(), step)
+            self.signs.surface(foot + reach[:, None] * np.array([-normal[1], normal[0]]), np.broadcast_to(-normal, (len(reach), 2)), colour)
+
     def elsewhere(self, condition):
         """Loads on bodies and at points. \\return anchors for the name, none of what has no sign"""
         s, direction = self.signs.size, condition.direction
@@ -164,14 +180,14 @@ def scene_figure(run):
     for number, contact in enumerate(contacts(run)):
         colour = LINES[number % len(LINES)]
         anchors = []
-        for side, style in ((contact.side_a, "solid"), (contact.side_b, (0, (2.5, 1.2)))):
+        drawing.obstacle(contact, colour)
+        for side, strength in ((contact.side_a, 1.0), (contact.side_b, 0.55)):
             for group in side:
                 sides = grid.side_groups.get(group)
                 if sides is None or len(sides) == 0:
                     continue
                 segments = inward(sides, 0.004 * size)
-                axes.add_collection(LineCollection(segments, colors=[colour], linewidths=2.4, linestyles=[style] if len(sides) < 2 else "solid",
-                                                   alpha=1.0 if style == "solid" else 0.55, zorder=5, gid="named"))
+                axes.add_collection(LineCollection(segments, colors=[colour], linewidths=2.4, alpha=strength, zorder=5, gid="named"))
                 lines.append(segments)
                 anchors.extend(along(sides, [0.5, 0.3, 0.7, 0.15, 0.85])[0])
         if anchors:

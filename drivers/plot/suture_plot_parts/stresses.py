@@ -12,6 +12,7 @@ from .style import COMPRESSION, TENSION, PlotError, canvas
 from .units import round_down, scaled
 
 __all__ = ["crosses_figure", "principal_caption", "region_of_interest", "von_mises_caption", "von_mises_figure"]
+ROUNDING = 1e-6  # parts of the largest stress below which a stress is none
 CALLOUT = {"fontsize": 9, "zorder": 9, "bbox": {"boxstyle": "round,pad=0.25", "fc": "white", "ec": "black", "lw": 0.5}}
 
 
@@ -146,7 +147,7 @@ def crosses_figure(run, region=None):
     # The cells with the largest stresses are the message: they are never thinned out.
     chosen = np.union1d(chosen, within[[np.argmin(stress[within, 1]), np.argmax(stress[within, 0])]])
     typical = np.percentile(np.abs(stress[chosen, :2]).max(axis=1), 97) or 1.0
-    reach = 0.62 * spacing / typical
+    reach = 0.5 * spacing / typical
     title = f"{run.title}: principal stresses" + (f" {region[4]}" if region else "") + run.state
     figure, axes = framed(run, window, title)
     axes.add_collection(PolyCollection(grid.outlines, facecolors="#f4f4f2", edgecolors="none", zorder=0))
@@ -157,7 +158,8 @@ def crosses_figure(run, region=None):
         # Half a bar longer than the typical one would cross its neighbours.
         half = grid.cell_data[direction][chosen, :2] * (np.minimum(np.abs(value), 1.6 * typical) * reach)[:, None]
         bars = np.stack([centroids[chosen] - half, centroids[chosen] + half], axis=1)
-        for colour, mask in ((COMPRESSION, value <= 0), (TENSION, value > 0)):
+        pulls = value > ROUNDING * typical
+        for colour, mask in ((COMPRESSION, ~pulls), (TENSION, pulls)):
             axes.add_collection(LineCollection(bars[mask], colors=colour, linewidths=0.9, capstyle="butt", zorder=2 if colour == COMPRESSION else 3))
             bars_of.setdefault(colour, []).append(mask.any())
     scale_bar(figure, axes, run, typical, 2 * reach / (x1 - x0) / 1.04, any(bars_of[TENSION]))
@@ -173,7 +175,7 @@ def crosses_figure(run, region=None):
 
 def extremes_in(run, window, within, stress):
     """[(place, value, words)]: both extremes of summary.json; in a region without them those of its cells."""
-    found = []
+    found, least = [], ROUNDING * np.abs(stress[within, :2]).max()
     for name, column, pick, sign in (("tension", 0, np.argmax, 1), ("compression", 1, np.argmin, -1)):
         known = extreme(run, name)
         if known and inside(window, known[1][None])[0]:
@@ -185,7 +187,7 @@ def extremes_in(run, window, within, stress):
         else:
             cell = within[pick(stress[within, column])]
             place, value, where = run.fields.centroids[cell], stress[cell, column], " here"
-        if sign * value > 0:
+        if sign * value > least:
             found.append((place, value, f"largest {name}{where}"))
     return found
 

@@ -155,8 +155,9 @@ def study_figure(table, plot):
                 panel.yaxis.set_major_locator(LogLocator(subs=(1, 2, 3, 5)) if high > 3 * low else MaxNLocator(nbins=5))
                 panel.yaxis.set_major_formatter(FormatStrFormatter("%g"))
         else:
-            panel.set_ylim(bottom=0)
             values = [p[1] for points in drawn.values() for p in points]
+            largest = max((p[3] for points in drawn.values() for p in points), default=0.0)
+            panel.set_ylim(0, 1.08 * largest or 1.0)
             panel.yaxis.set_major_locator(MaxNLocator(nbins=6, integer=all(float(value).is_integer() for value in values)))
         nowhere = mark_failed(panel, table, plot, place, colours)
     handles, labels = panels[0][-1].get_legend_handles_labels()

@@ -60,6 +60,12 @@ class Symbols:
         ground = points + 0.85 * s * outward
         self.lines(np.stack([ground + 0.3 * s * across, ground - 0.3 * s * across], axis=1), colour)
 
+    def surface(self, points, into, colour):
+        """Hatched edge of a rigid obstacle; `into`: unit vectors into it."""
+        self.lines(np.stack([points[:-1], points[1:]], axis=1), colour, 1.4)
+        across = np.column_stack([-into[:, 1], into[:, 0]])
+        self.lines(np.stack([points, points + 0.3 * self.size * (into - 0.6 * across)], axis=1), colour, 0.7)
+
     def turn(self, centre, counterclockwise, colour, radius=1.0):
         """An arrow round `centre`."""
         angles = np.radians(np.linspace(-60, 200, 40))
