@@ -21,7 +21,8 @@ endforeach()
 if(EXISTS ${CMAKE_SOURCE_DIR}/drivers/plot/suture_plot)
   install(PROGRAMS ${CMAKE_SOURCE_DIR}/drivers/plot/suture_plot ${CMAKE_SOURCE_DIR}/drivers/plot/suture_study_plot
     ${CMAKE_SOURCE_DIR}/drivers/convert/suture_convert DESTINATION ${CMAKE_INSTALL_BINDIR})
-  install(DIRECTORY ${CMAKE_SOURCE_DIR}/drivers/convert/suture_convert_formats DESTINATION ${CMAKE_INSTALL_DATADIR}/suture FILES_MATCHING PATTERN "*.py")
+  install(DIRECTORY ${CMAKE_SOURCE_DIR}/drivers/convert/suture_convert_formats ${CMAKE_SOURCE_DIR}/drivers/plot/suture_plot_parts
+    DESTINATION ${CMAKE_INSTALL_DATADIR}/suture FILES_MATCHING PATTERN "*.py")
 endif()
 if(TARGET suture_mesher)
   install(TARGETS suture_mesher DESTINATION ${CMAKE_INSTALL_LIBDIR}/suture)
