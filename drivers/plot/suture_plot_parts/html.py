@@ -81,7 +81,7 @@ def embedded(path):
     """The picture with a palette of 256 colours, a third of its size: a page holds ten of them."""
     small = io.BytesIO()
     with Image.open(path) as image:
-        image.convert("RGB").quantize(256, method=Image.Quantize.MAXCOVERAGE, dither=Image.Dither.NONE).save(small, "png")
+        image.convert("RGB").quantize(256, method=Image.Quantize.MEDIANCUT, dither=Image.Dither.NONE).save(small, "png")
     return base64.b64encode(small.getvalue()).decode()
 
 
