@@ -4,6 +4,7 @@
     report.py --solve suture_solve --plot suture_plot --input DIR --work DIR --mpirun "..."
 """
 import base64
+import io
 import json
 import re
 import shutil
@@ -13,6 +14,7 @@ import xml.etree.ElementTree as ElementTree
 from html.parser import HTMLParser
 from pathlib import Path
 
+from PIL import Image, ImageChops
 from harness import arguments, check, finish, run, setting
 
 SECTIONS = ["scene", "mesh", "deformation", "von_mises", "principal", "contact", "reactions", "convergence", "verdict", "error", "cost", "provenance"]
@@ -61,9 +63,20 @@ def page_of(name, folder):
     check(f"{name}: links lead to sections", [key for key in linked if tree.find(f".//section[@id='{key}']") is None], [])
     pictures = [base64.b64decode(image.get("src").split(",", 1)[1])[:8] for image in tree.iter("img")]
     check(f"{name}: pictures are PNG", set(pictures) <= {b"\x89PNG\r\n\x1a\n"}, True)
+    for drawn in tree.iter("figure"):
+        off = pixels_off(drawn.find("img"), folder / f"{drawn.get('id')[len('picture_'):]}.png")
+        check(f"{name}: {drawn.get('id')} looks like its file", off, lambda part: part < 0.01)
     wrong = [data.get("value") for data in tree.iter("data") if not reads(data)]
     check(f"{name}: numbers read as they are", wrong, [])
     return tree, len(pictures)
+
+
+def pixels_off(image, path):
+    """Part of the pixels in which an embedded picture is farther than a twentieth of the scale from its file."""
+    with Image.open(io.BytesIO(base64.b64decode(image.get("src").split(",", 1)[1]))) as embedded, Image.open(path) as file:
+        difference = ImageChops.difference(embedded.convert("RGB"), file.convert("RGB"))
+    count = sum(band > 12 for band in difference.convert("L").tobytes())
+    return count / (difference.width * difference.height)
 
 
 def reads(data):

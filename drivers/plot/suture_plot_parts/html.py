@@ -53,7 +53,7 @@ def number(value, unit="", form=".4g"):
         return '<span class="soft">not finite</span>'
     if isinstance(value, bool) or not isinstance(value, (int, float)):
         return esc(value)
-    text = f"{value:,}" if isinstance(value, int) else f"{value:{form}}"
+    text = f"{value:,}" if isinstance(value, int) else f"{value:{form}}" if value else "0"
     return f'<data value="{value!r}">{text.replace("-", chr(0x2212), 1) if text.startswith("-") else text}</data>' + (f" {esc(unit)}" if unit else "")
 
 
@@ -61,7 +61,8 @@ def vector(values, unit=""):
     """(1, 2) with units; None where there is none."""
     if values is None:
         return '<span class="soft">none</span>'
-    return f"({', '.join(number(value) for value in values)})" + (f" {esc(unit)}" if unit else "")
+    listed = ", ".join(number(value) for value in values)
+    return (listed if len(values) == 1 else f"({listed})") + (f" {esc(unit)}" if unit else "")
 
 
 def table(head, rows, caption="", numeric=(), long=()):
@@ -80,7 +81,7 @@ def embedded(path):
     """The picture with a palette of 256 colours, a third of its size: a page holds ten of them."""
     small = io.BytesIO()
     with Image.open(path) as image:
-        image.convert("RGB").quantize(256, method=Image.Quantize.MAXCOVERAGE, dither=Image.Dither.NONE).save(small, "png")
+        image.convert("RGB").quantize(256, method=Image.Quantize.MEDIANCUT, dither=Image.Dither.NONE).save(small, "png")
     return base64.b64encode(small.getvalue()).decode()
 
 

@@ -7,8 +7,14 @@ from matplotlib.transforms import Bbox
 
 DISTANCES = (9, 16, 26, 40, 60, 85, 115, 150, 200)  # points from what is named to the nearest edge of its label
 ANGLES = np.radians(np.arange(0, 360, 15))
-# Costs: a covered label and a covered mark are to be avoided at (nearly) any distance, covered material is not.
-COVERED_LABEL, COVERED_MARK, COVERED_LINE, OUTSIDE, CROSSED_LABEL, CROSSED_MARK, COVERED_MATERIAL, WRONG_SIDE, FAR = 5000.0, 1500.0, 60.0, 5000.0, 1500.0, 40.0, 45.0, 150.0, 0.6
+# Costs. A covered label or mark is to be avoided at (nearly) any distance, covered material is not.
+COVERED_LABEL = OUTSIDE = 5000.0
+COVERED_MARK = CROSSED_LABEL = 1500.0
+WRONG_SIDE = 150.0
+COVERED_LINE = 60.0  # each point of it
+COVERED_MATERIAL = 45.0
+CROSSED_MARK = 40.0  # each point of it
+FAR = 0.6  # each point of distance
 
 
 class LabelPlacer:

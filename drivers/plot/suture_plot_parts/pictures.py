@@ -6,8 +6,9 @@ from typing import Any
 from .curves import contact_figure, convergence_figure, probe_figure
 from .deformation import deformation_figure
 from .mesh import mesh_figure
+from .region import region_of_interest
 from .scene import scene_figure
-from .stresses import crosses_figure, principal_caption, region_of_interest, von_mises_caption, von_mises_figure
+from .stresses import crosses_figure, principal_caption, von_mises_caption, von_mises_figure
 
 
 @dataclass

@@ -41,6 +41,10 @@ def key_figures(run):
         found = run.summary.get("extremes", {}).get(name)
         if not found or found.get("value") is None:
             continue
+        if name == "tension" and found["value"] < 0:
+            words = "largest principal stress: no tension"
+        if name == "compression" and found["value"] > 0:
+            words = "smallest principal stress: no compression"
         where = f"{found['contact']}" if found.get("contact") else found.get("body", "")
         at = f" at ({', '.join(number(x) for x in found['place'])})" if found.get("place") else ""
         cards.append(f'<div id="extreme_{name}"><div class="name">{esc(words)}</div><div class="value">{readable(found["value"], found.get("unit", ""))}</div>'

@@ -69,12 +69,12 @@ def error(run):
             rows.append((esc(words), number(found[name]), "" if relative is None else number(relative, form=".3g")))
     if "effectivity" in found:
         rows.append(("estimated over exact (effectivity)", number(found["effectivity"]), ""))
-    oscillations = [(name, piece["pressure_error_estimate"]) for name, piece in run.summary["contact"].get("by_piece", {}).items()
-                    if piece.get("pressure_error_estimate")]
+    facets = [(esc(name), number(piece["pressure_error_estimate"], form=".3g")) for name, piece in run.summary["contact"].get("by_piece", {}).items()
+              if (piece.get("pressure_error_estimate") or 0.0) > 1e-6]
     markup = table(("error", "value", "relative"), rows, numeric=(1, 2)) if rows else ""
-    if oscillations:
-        markup += table(("contact", f"estimated error of the pressure [{run.stress_unit}]"), [(esc(n), number(v, form=".3g")) for n, v in oscillations],
-                        numeric=(1,), long=(0,))
+    if facets:
+        markup += table(("piece of contact", "relative"), facets, numeric=(1,), long=(0,),
+                        caption="Estimated error of the pressure where straight elements stand for curved sides, relative to its largest value.")
     if "estimated_energy_norm" not in found:
         markup += ("<p>The error of the mesh was not estimated. <code>--set \"Output/Error Estimate=true\"</code> does so; a second run on a mesh of half the "
                    "size shows how stresses change.</p>\n")

@@ -7,11 +7,9 @@ from matplotlib.transforms import ScaledTranslation
 from matplotlib.tri import Triangulation
 
 from .labels import LabelPlacer
-from .region import region_of_interest
 from .style import COMPRESSION, TENSION, PlotError, canvas
 from .units import round_down, scaled
 
-__all__ = ["crosses_figure", "principal_caption", "region_of_interest", "von_mises_caption", "von_mises_figure"]
 ROUNDING = 1e-6  # parts of the largest stress below which a stress is none
 CALLOUT = {"fontsize": 9, "zorder": 9, "bbox": {"boxstyle": "round,pad=0.25", "fc": "white", "ec": "black", "lw": 0.5}}
 
@@ -63,26 +61,17 @@ def outline(run, axes, **style):
     return segments
 
 
-def mark(placer, axes, place, label):
-    axes.plot(*place, "o", ms=10, mfc="none", mec="white", mew=2.4, zorder=7)
-    axes.plot(*place, "o", ms=10, mfc="none", mec="black", mew=1.1, zorder=8, gid="marked")
-    return lambda: placer.place(label, [place], least=26.0, **CALLOUT)
-
-
-def ring(placer, axes, place):
-    """Points of the ring around a marked place, which no label is to cover."""
-    at = axes.transData.transform(place)
-    angles = np.linspace(0, 2 * np.pi, 12, endpoint=False)
-    circle = at + 8.0 * np.column_stack([np.cos(angles), np.sin(angles)])
-    placer.keep_visible(axes.transData.inverted().transform(np.vstack([circle, [at]])))
-
-
 def callouts(placer, axes, found):
-    """`found`: [(place, label)]. All rings first: a label covers none of them."""
+    """Rings and labels of marked places. `found`: [(place, label)]. All rings come first, so that no label covers one."""
+    angles = np.linspace(0, 2 * np.pi, 12, endpoint=False)
     for place, _ in found:
-        ring(placer, axes, place)
-    for put in [mark(placer, axes, place, label) for place, label in found]:
-        put()
+        axes.plot(*place, "o", ms=10, mfc="none", mec="white", mew=2.4, zorder=7)
+        axes.plot(*place, "o", ms=10, mfc="none", mec="black", mew=1.1, zorder=8, gid="marked")
+        at = axes.transData.transform(place)
+        circle = at + 8.0 * np.column_stack([np.cos(angles), np.sin(angles)])
+        placer.keep_visible(axes.transData.inverted().transform(np.vstack([circle, [at]])))
+    for place, label in found:
+        placer.place(label, [place], least=26.0, **CALLOUT)
 
 
 def visible(run, window):

@@ -74,11 +74,6 @@ def edge_style(count, width):
     return {"edgecolors": "face", "linewidths": 0.1} if count > MOST_EDGES else {"linewidths": width}
 
 
-def darker(colour):
-    """The same hue, dark enough to be read as text on white and on pale colours."""
-    return tuple(0.62 * part for part in matplotlib.colors.to_rgb(colour))
-
-
 def pale(colour):
     return 0.45 * np.array(matplotlib.colors.to_rgb(colour)) + 0.55
 
