@@ -21,11 +21,16 @@ endforeach()
 if(EXISTS ${CMAKE_SOURCE_DIR}/drivers/plot/suture_plot)
   install(PROGRAMS ${CMAKE_SOURCE_DIR}/drivers/plot/suture_plot ${CMAKE_SOURCE_DIR}/drivers/plot/suture_study_plot
     ${CMAKE_SOURCE_DIR}/drivers/convert/suture_convert DESTINATION ${CMAKE_INSTALL_BINDIR})
-  install(DIRECTORY ${CMAKE_SOURCE_DIR}/drivers/convert/suture_convert_formats DESTINATION ${CMAKE_INSTALL_DATADIR}/suture FILES_MATCHING PATTERN "*.py")
+  install(DIRECTORY ${CMAKE_SOURCE_DIR}/drivers/convert/suture_convert_formats ${CMAKE_SOURCE_DIR}/drivers/plot/suture_plot_parts
+    DESTINATION ${CMAKE_INSTALL_DATADIR}/suture FILES_MATCHING PATTERN "*.py")
 endif()
 if(TARGET suture_mesher)
   install(TARGETS suture_mesher DESTINATION ${CMAKE_INSTALL_LIBDIR}/suture)
 endif()
+# bash looks for a file with the name of the command.
+foreach(program suture_solve suture_study suture_partition suture_schema suture_new suture_plot suture_study_plot suture_convert)
+  install(FILES ${CMAKE_SOURCE_DIR}/drivers/completion/suture.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME ${program})
+endforeach()
 install(FILES ${CMAKE_SOURCE_DIR}/LICENSE ${CMAKE_SOURCE_DIR}/README.md ${CMAKE_SOURCE_DIR}/CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 configure_package_config_file(${CMAKE_SOURCE_DIR}/cmake/SutureConfig.cmake.in ${CMAKE_BINARY_DIR}/SutureConfig.cmake

@@ -32,7 +32,8 @@ function(suture_package name)
     target_include_directories(suture_${name} PUBLIC ${CMAKE_BINARY_DIR}/include/${predecessor})
   endforeach()
 
-  set_target_properties(suture_${name} PROPERTIES UNITY_BUILD ${SUTURE_UNITY} UNITY_BUILD_BATCH_SIZE 8)
+  set_target_properties(suture_${name} PROPERTIES UNITY_BUILD ${SUTURE_UNITY} UNITY_BUILD_BATCH_SIZE 40)
+  target_precompile_headers(suture_${name} REUSE_FROM suture_headers)
 
   target_sources(suture PRIVATE $<TARGET_OBJECTS:suture_${name}>)
   target_link_libraries(suture PRIVATE ${ARG_LINK})

@@ -9,6 +9,7 @@
 #include <sstream>
 #include <suture/base/Collective.hpp>
 #include <suture/base/Errors.hpp>
+#include <suture/base/Timers.hpp>
 #include <suture/mesh/Hdf5Mesh.hpp>
 #include <suture/partition/Partition.hpp>
 #include <suture/report/SceneSchema.hpp>
@@ -16,6 +17,7 @@
 #include <suture/simulation/ReadStage.hpp>
 
 #include "support/CommandLine.hpp"
+#include "support/Heartbeat.hpp"
 #include "support/Plugins.hpp"
 #include "support/Program.hpp"
 #include "support/TellingOverrides.hpp"
@@ -70,14 +72,19 @@ void addGroups(Mesh& mesh, const Partition& partition, const std::string& name) 
 
 ExitCode run(const CommPtr& comm, const Options& options) {
   loadPlugins(options.plugins);
+  std::ostream* const console = consoleOf(*comm, options.quiet);
+  const Heartbeat heartbeat(console);
+  Timers timers;
   const Scene scene = sceneOf(readScene(*comm, options.scene, sceneSchema(), options.overrides));
-  Mesh mesh = readBodies(*comm, scene);
+  Mesh mesh = timed(timers, "read", [&] { return readBodies(*comm, scene); });
   const int elements = int(mesh.elements());
   if (!options.noCut) {
     collectivelyOnRoot(*comm, "checking the name of the subdomains", [&] { checkGroups(mesh, options.groups); });
-    const Constraints constraints = readConstraints(*comm, mesh, scene);
+    const Constraints constraints = timed(timers, "read", [&] { return readConstraints(*comm, mesh, scene); });
     checkElements(*comm, mesh, scene.model);
-    const Partition partition = makePartition(*comm, mesh, constraints, scene.settings().sublist("Partition"), false);
+    const Parameters& way = scene.settings().sublist("Partition");
+    const Partition partition = timed(timers, "partition", [&] { return makePartition(*comm, mesh, constraints, way, false); });
+    const Timers::Scope write(timers, "write");
     checkSolvability(*comm, mesh, constraints, scene.model, partition);
     const Whole whole = wholeOf(*comm, mesh, constraints, partition);
     collectivelyOnRoot(*comm, "naming the subdomains", [&] { addGroups(mesh, partition, options.groups); });
@@ -85,13 +92,13 @@ ExitCode run(const CommPtr& comm, const Options& options) {
   } else {
     writeHdf5Mesh(*comm, mesh, options.output);
   }
-  if (std::ostream* out = consoleOf(*comm, options.quiet)) {
-    *out << options.output << ": " << elements << " elements";
+  if (console) {
+    *console << options.output << ": " << elements << " elements";
     if (!options.noCut)
-      *out << ", subdomains " << options.groups
-           << "_*: in this scene with Mesh/File = this file, Partition/Type = Partitioned Mesh; in another one Named Groups "
-              "with this Pattern";
-    *out << std::endl;
+      *console << ", subdomains " << options.groups
+               << "_*: in this scene with Mesh/File = this file, Partition/Type = Partitioned Mesh; in another one Named Groups "
+                  "with this Pattern";
+    *console << std::endl;
   }
   return ExitCode::Done;
 }

@@ -8,13 +8,41 @@
 #include "support/Plugins.hpp"
 #include "support/Program.hpp"
 
+namespace {
+
+/// Two blocks, one pressed upon the other: the scene that --format xml shows.
+const suture::Schema::Example scene = {{"Title", "Two blocks"},
+                                       {"Mesh/Generator", "Boxes"},
+                                       {"Mesh/Boxes/lower/X", "{0, 2}"},
+                                       {"Mesh/Boxes/lower/Y", "{0, 1}"},
+                                       {"Mesh/Boxes/lower/Cells", "{16, 8}"},
+                                       {"Mesh/Boxes/upper/X", "{0, 2}"},
+                                       {"Mesh/Boxes/upper/Y", "{1, 2}"},
+                                       {"Mesh/Boxes/upper/Cells", "{16, 8}"},
+                                       {"Bodies/lower/Material", "steel"},
+                                       {"Bodies/upper/Material", "steel"},
+                                       {"Materials/steel/Young Modulus", "2.1e11"},
+                                       {"Materials/steel/Poisson Ratio", "0.3"},
+                                       {"Boundary Conditions/ground/Group", "{lower_bottom}"},
+                                       {"Boundary Conditions/ground/Type", "Displacement"},
+                                       {"Boundary Conditions/ground/Value", "{0, 0}"},
+                                       {"Boundary Conditions/guide/Group", "{upper_left}"},
+                                       {"Boundary Conditions/guide/Type", "Bilateral"},
+                                       {"Boundary Conditions/load/Group", "{upper_top}"},
+                                       {"Boundary Conditions/load/Type", "Pressure"},
+                                       {"Boundary Conditions/load/Value", "{1e6}"},
+                                       {"Contact/joint/Side A", "{lower_top}"},
+                                       {"Contact/joint/Side B", "{upper_bottom}"}};
+
+}  // namespace
+
 int main(int argc, char* argv[]) {
   const std::string name = "suture_schema";
   std::string format = "text";
   std::vector<std::string> plugins;
   bool study = false;
   const auto describe = [&](CLI::App& app) {
-    app.add_option("--format", format, "text | xml (a scene with all defaults) | markdown")
+    app.add_option("--format", format, "text | xml (a scene that runs, with all defaults) | markdown")
         ->check(CLI::IsMember({"text", "xml", "markdown"}));
     app.add_flag("--study", study, "The parameters of a study, not of a scene");
     suture::addPluginOption(app, plugins);
@@ -23,7 +51,7 @@ int main(int argc, char* argv[]) {
   try {
     suture::loadPlugins(plugins);
     if (suture::isFirstProcess())
-      std::cout << (study ? suture::study::studySchema() : suture::sceneSchema()).document(format) << std::flush;
+      std::cout << (study ? suture::study::studySchema().document(format) : suture::sceneSchema().document(format, scene)) << std::flush;
     return std::cout.good() ? 0 : int(suture::ExitCode::Environment);
   } catch (const std::exception& error) {
     const suture::Explanation end = suture::explain(name, "", error);

@@ -6,6 +6,7 @@
 #include <suture/report/SceneSchema.hpp>
 #include <suture/simulation/Simulation.hpp>
 
+#include "support/Heartbeat.hpp"
 #include "support/Print.hpp"
 #include "support/Program.hpp"
 #include "support/SolveScene.hpp"
@@ -16,6 +17,7 @@ namespace suture {
 RunResult solveScene(const CommPtr& comm, const SolveOptions& options) {
   Timers timers;
   RunMonitor monitor(consoleOf(*comm, options.quiet), options.verbose, options.strict);
+  const Heartbeat heartbeat(monitor.console());
   listenForStop(monitor);
   const SceneFile file = timed(timers, "read", [&] { return readScene(*comm, options.scene, sceneSchema(), options.overrides); });
   if (options.printDefaults) return printDefaults(*comm, file);
@@ -27,13 +29,18 @@ RunResult solveScene(const CommPtr& comm, const SolveOptions& options) {
   simulation.prepare();
   printSizes(*comm, simulation, options);
   simulation.remark();
-  if (options.check) return {};
+  if (options.check) {
+    printChecked(*comm, simulation);
+    monitor.repeatWarnings();
+    return {};
+  }
   simulation.start(options.restart);
   simulation.iterate();
   if (simulation.solution().stopped) stopIsHeard();
   simulation.judge();
   stopIsHeard();
   const RunResult result = simulation.report(options.commandLine);
+  monitor.repeatWarnings();
   printFailure(*comm, simulation, options);
   return result;
 }

@@ -18,7 +18,10 @@ void printSizes(const Comm& comm, const Simulation& simulation, const SolveOptio
   std::ostream* console = consoleOf(comm, options.quiet && !options.check);
   if (!console) return;
   printHeader(*console, comm, simulation.scene().file, simulation.size());
-  if (options.check)
+}
+
+void printChecked(const Comm& comm, const Simulation& simulation) {
+  if (std::ostream* console = consoleOf(comm, false))
     *console << "   about " << static_cast<long>(std::ceil(simulation.megabytes())) << " MB of memory for a run\n"
              << "   nothing wrong was found; nothing was solved (--check)" << std::endl;
 }

@@ -16,6 +16,7 @@
 #include <suture/base/Collective.hpp>
 #include <suture/base/Memory.hpp>
 #include <suture/base/hdf5/Hdf5File.hpp>
+#include <suture/report/Console.hpp>
 #include <thread>
 #include <vector>
 
@@ -110,7 +111,7 @@ Explanation explain(const std::string& name, const std::string& subject, const s
   const std::string what = indented(error.what()) + "\n";
   if (const auto* ours = dynamic_cast<const Error*>(&error); ours && ours->code() != ExitCode::Internal) {
     if (ours->code() == ExitCode::CommandLine) return {ours->code(), begin + what + "  '" + name + " --help' lists the options\n"};
-    if (ours->code() == ExitCode::Numerical) return {ours->code(), begin + "no solution of" + of + "\n  " + what};
+    if (ours->code() == ExitCode::Numerical) return {ours->code(), begin + "no solution of" + of + "\n  " + what + whatToTry("  ")};
     return {ours->code(), begin + what};
   }
   return {ExitCode::Internal, begin + "internal error" + (subject.empty() ? "" : " in " + subject) + "\n  " + what +

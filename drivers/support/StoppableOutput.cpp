@@ -18,9 +18,10 @@ constexpr int pause = 100;          // milliseconds for the reader once the run 
 
 }  // namespace
 
-StoppableOutput::StoppableOutput() : before_(std::cout.rdbuf(this)) {}
+StoppableOutput::StoppableOutput() : before_(std::cout.rdbuf(this)), terminal_(isatty(STDOUT_FILENO) != 0) {}
 
 StoppableOutput::~StoppableOutput() {
+  wipe();
   sync();
   std::cout.rdbuf(before_);
 }
@@ -32,11 +33,34 @@ StoppableOutput::int_type StoppableOutput::overflow(int_type letter) {
 }
 
 std::streamsize StoppableOutput::xsputn(const char* text, std::streamsize length) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (text_.empty()) wipe();
   text_.append(text, static_cast<std::size_t>(length));
-  return text_.size() < most || sync() == 0 ? length : 0;
+  return text_.size() < most || send() == 0 ? length : 0;
 }
 
 int StoppableOutput::sync() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return send();
+}
+
+void StoppableOutput::wipe() {
+  if (!isWiped_) text_.insert(0, "\r\033[K");
+  isWiped_ = true;
+}
+
+void StoppableOutput::between(const std::string& line) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (text_.empty() ? !endsLine_ : text_.back() != '\n') return;
+  wipe();
+  text_ += terminal_ ? line : line + "\n";
+  isWiped_ = !terminal_;
+  send();
+  endsLine_ = true;
+}
+
+int StoppableOutput::send() {
+  if (!text_.empty()) endsLine_ = text_.back() == '\n';
   std::string text;
   text.swap(text_);
   for (std::size_t sent = 0; sent < text.size();) {

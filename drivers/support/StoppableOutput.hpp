@@ -1,4 +1,5 @@
 #pragma once
+#include <mutex>
 #include <streambuf>
 #include <string>
 
@@ -6,20 +7,31 @@ namespace suture {
 
 /// Stands behind std::cout while it lives. A reader that takes nothing (a terminal on hold, a pipe that nobody empties, an mpirun that is
 /// about to end its ranks) holds a run up only until a signal asks it to stop: text that the reader then does not take is dropped.
-class StoppableOutput : private std::streambuf {
+class StoppableOutput : public std::streambuf {
  public:
   StoppableOutput();
   ~StoppableOutput() override;
   StoppableOutput(const StoppableOutput&) = delete;
   StoppableOutput& operator=(const StoppableOutput&) = delete;
 
+  bool isTerminal() const { return terminal_; }
+  /// A line of another thread, between two lines of the program: on a terminal until the next text, else for good. Nothing happens while
+  /// the program is within a line of its own.
+  void between(const std::string& line);
+
  private:
   int_type overflow(int_type letter) override;
   std::streamsize xsputn(const char* text, std::streamsize length) override;
   int sync() override;
+  int send();
+  void wipe();
 
   std::streambuf* before_;
-  std::string text_;  // written, and not yet sent
+  const bool terminal_;
+  std::mutex mutex_;
+  std::string text_;      // written, and not yet sent
+  bool endsLine_ = true;  // what was sent before
+  bool isWiped_ = true;   // no line of between() stands on the terminal
 };
 
 }  // namespace suture

@@ -1,5 +1,5 @@
 #include <suture/algebra/GeneralisedInverse.hpp>
-#include <suture/base/Dense.hpp>
+#include <suture/algebra/dense/Decompositions.hpp>
 
 #include <algorithm>
 #include <random>

@@ -1,6 +1,6 @@
 #pragma once
 #include <suture/algebra/LocalInverse.hpp>
-#include <suture/algebra/PackedColumns.hpp>
+#include <suture/algebra/dense/PackedColumns.hpp>
 
 namespace suture {
 

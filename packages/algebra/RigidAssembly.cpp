@@ -1,5 +1,5 @@
 #include <suture/algebra/RigidAssembly.hpp>
-#include <suture/base/Dense.hpp>
+#include <suture/algebra/dense/Decompositions.hpp>
 
 #include <unordered_map>
 

@@ -1,6 +1,6 @@
 #include <suture/algebra/SparseConstrainedInverse.hpp>
 #include <suture/algebra/WorkSpace.hpp>
-#include <suture/base/Dense.hpp>
+#include <suture/algebra/dense/Decompositions.hpp>
 #include <suture/base/Errors.hpp>
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #pragma once
 #include <suture/algebra/InverseWithBasis.hpp>
-#include <suture/algebra/PackedColumns.hpp>
+#include <suture/algebra/dense/PackedColumns.hpp>
 
 #include <memory>
 #include <vector>

@@ -1,5 +1,5 @@
 #pragma once
-#include <suture/algebra/AlignedVector.hpp>
+#include <suture/algebra/dense/AlignedVector.hpp>
 #include <suture/base/Types.hpp>
 
 #include <cstddef>

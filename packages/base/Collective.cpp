@@ -10,6 +10,7 @@
 #include "Errors.hpp"
 #include "Gather.hpp"
 #include "MpiHandle.hpp"
+#include "Progress.hpp"
 
 namespace suture {
 namespace {
@@ -115,6 +116,7 @@ MPI_Comm mpiComm(const Comm& comm) {
 }
 
 void collectively(const Comm& comm, const std::string& what, const std::function<void()>& local) {
+  const Progress::Step step(what);
   Failure mine;
   const bool failed = fails(what, local, mine);
   if (failed) completeProblems(mine);

@@ -11,12 +11,19 @@
 
 #include "Buffer.hpp"
 #include "Collective.hpp"
+#include "Progress.hpp"
 
 namespace suture {
 
-Timers::Scope::Scope(Timers& timers, const std::string& phase) : timers_(timers), phase_(phase), begin_(now()) { timers_.add(phase_, 0.0); }
+Timers::Scope::Scope(Timers& timers, const std::string& phase) : timers_(timers), phase_(phase), begin_(now()) {
+  timers_.add(phase_, 0.0);
+  Progress::phase(phase_);
+}
 
-Timers::Scope::~Scope() { timers_.add(phase_, now() - begin_); }
+Timers::Scope::~Scope() {
+  timers_.add(phase_, now() - begin_);
+  Progress::phase("");
+}
 
 Timers::Timers() : begin_(now()) {}
 

@@ -1,4 +1,4 @@
-#include <suture/base/Dense.hpp>
+#include <suture/algebra/dense/Decompositions.hpp>
 #include <suture/contact/PadProblem.hpp>
 
 #include <algorithm>

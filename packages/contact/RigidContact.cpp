@@ -1,5 +1,5 @@
-#include <suture/algebra/NonnegativeLeastSquares.hpp>
-#include <suture/base/Dense.hpp>
+#include <suture/algebra/dense/Decompositions.hpp>
+#include <suture/algebra/dense/NonnegativeLeastSquares.hpp>
 #include <suture/base/DisjointSets.hpp>
 #include <suture/base/Errors.hpp>
 #include <suture/contact/PadProblem.hpp>

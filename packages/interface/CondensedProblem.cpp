@@ -1,4 +1,5 @@
 #include <suture/base/Collective.hpp>
+#include <suture/base/Progress.hpp>
 #include <suture/interface/CondensedProblem.hpp>
 #include <suture/interface/SeamLayout.hpp>
 
@@ -59,6 +60,7 @@ CondensedProblem::CondensedProblem(CommPtr comm, const Partition& partition, con
   collectively(*comm_, "factoring subdomains and contact groups", [&] {
     std::map<int, std::vector<int>> members;
     for (std::size_t s = 0; s < subdomains.size(); ++s) {
+      Progress::count("subdomains", static_cast<long>(subdomains.size()));
       const Subdomain& subdomain = *subdomains[s];
       const std::vector<int> boundary = boundaryDofs(subdomain, partition);
       addUnknowns(subdomain, boundary, layout);

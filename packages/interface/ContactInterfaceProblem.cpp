@@ -1,4 +1,5 @@
 #include <suture/base/Collective.hpp>
+#include <suture/base/Progress.hpp>
 #include <suture/interface/ContactInterfaceProblem.hpp>
 #include <suture/interface/PlainFlips.hpp>
 #include <suture/interface/SeamLayout.hpp>
@@ -46,6 +47,7 @@ ContactInterfaceProblem::ContactInterfaceProblem(CommPtr comm, const Partition& 
   const double softest = softestStiffness(*comm_, subdomains);
   collectively(*comm_, "factoring the subdomains", [&] {
     for (const auto& subdomain : subdomains) {
+      Progress::count("subdomains", static_cast<long>(subdomains.size()));
       const std::vector<int> boundary = boundaryDofs(*subdomain);
       addUnknowns(*subdomain, boundary, layout);
       locals_.push_back(std::make_shared<SubdomainProblem>(subdomain->mesh().id, *subdomain, boundary, solver, schur(), softest));

@@ -1,6 +1,6 @@
+#include <suture/algebra/dense/Decompositions.hpp>
 #include <suture/base/Buffer.hpp>
 #include <suture/base/Collective.hpp>
-#include <suture/base/Dense.hpp>
 #include <suture/base/DisjointSets.hpp>
 #include <suture/base/RigidValues.hpp>
 #include <suture/partition/BodyParts.hpp>

@@ -1,5 +1,5 @@
+#include <suture/algebra/dense/Decompositions.hpp>
 #include <suture/base/Collective.hpp>
-#include <suture/base/Dense.hpp>
 #include <suture/precond/AdaptiveConstraints.hpp>
 #include <suture/precond/EntitySides.hpp>
 

@@ -1,7 +1,8 @@
 #include <suture/algebra/CostModel.hpp>
 #include <suture/algebra/UpdatedInverse.hpp>
+#include <suture/algebra/dense/Decompositions.hpp>
 #include <suture/base/Collective.hpp>
-#include <suture/base/Dense.hpp>
+#include <suture/base/Progress.hpp>
 #include <suture/precond/Bddc.hpp>
 #include <suture/precond/MortarRows.hpp>
 
@@ -179,6 +180,7 @@ void Bddc::factorLocals(std::vector<PrimalRows>& constraints) {
   bases_.resize(locals.size());
   present_.resize(locals.size());
   for (std::size_t i = 0; i < locals.size(); ++i) {
+    Progress::count("subdomains", static_cast<long>(locals.size()));
     Constrained& present = present_[i];
     const bool known = locals_[i] && locals_[i] == locals[i] && present.inverse;
     auto rows = std::make_shared<PrimalRows::Rows>();

@@ -1,5 +1,5 @@
 #include <suture/algebra/CholmodFactor.hpp>
-#include <suture/base/Dense.hpp>
+#include <suture/algebra/dense/Decompositions.hpp>
 #include <suture/base/Errors.hpp>
 #include <suture/constraints/RigidMotion.hpp>
 #include <suture/reference/Monolithic.hpp>

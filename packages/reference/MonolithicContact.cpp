@@ -1,5 +1,5 @@
 #include <cblas.h>
-#include <suture/base/Dense.hpp>
+#include <suture/algebra/dense/Decompositions.hpp>
 #include <suture/base/Errors.hpp>
 #include <suture/contact/DelassusProblem.hpp>
 #include <suture/reference/MonolithicContact.hpp>

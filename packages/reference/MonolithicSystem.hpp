@@ -1,5 +1,5 @@
 #pragma once
-#include <suture/algebra/SymmetricMatrix.hpp>
+#include <suture/algebra/dense/SymmetricMatrix.hpp>
 #include <suture/constraints/Constraints.hpp>
 #include <suture/elasticity/ElasticModel.hpp>
 #include <suture/mesh/Mesh.hpp>

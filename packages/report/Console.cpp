@@ -80,6 +80,11 @@ std::string estimatedErrors(const Solution& answer) {
   return line + "\n";
 }
 
+// A run that was stopped needs time, not advice.
+bool isAnswered(const Solution& answer) {
+  return answer.stopped || (answer.converged && answer.undetermined.empty() && answer.verification.holds());
+}
+
 }  // namespace
 
 void printHeader(std::ostream& console, const Comm& comm, const SceneFile& scene, const ProblemSize& size) {
@@ -90,10 +95,17 @@ void printHeader(std::ostream& console, const Comm& comm, const SceneFile& scene
   console << std::endl;
 }
 
+std::string whatToTry(const std::string& indent) {
+  return indent +
+         "to try: --set \"Outer Solver/Type=Monolithic\", which needs neither subdomains nor iterations, tells whether the scene is at "
+         "fault;\n" +
+         indent + "        mesh.png of suture_plot shows what is held and what touches; doc/convergence.md goes through the causes\n";
+}
+
 void printFooter(std::ostream& console, const Run& run, const RunFigures& figures) {
   console << ending(run, figures.largestDisplacement) << "\n"
-          << verdict(run.solution.verification) << exactErrors(run.solution.errors) << estimatedErrors(run.solution)
-          << extremesText(run, figures.dimension);
+          << verdict(run.solution.verification) << (isAnswered(run.solution) ? "" : whatToTry("   ")) << exactErrors(run.solution.errors)
+          << estimatedErrors(run.solution) << extremesText(run, figures.dimension);
   for (const Timers::Statistics& phase : figures.phases) console << format("   %s %.2f s", phase.phase.c_str(), phase.max);
   console << format("   total %.2f s   peak %.0f MB a rank\n", run.timers.total(), figures.memory.max);
   std::string folder = run.folder;

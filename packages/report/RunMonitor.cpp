@@ -12,6 +12,8 @@ std::string condition(double value) {
   return value < 1e5 ? format("%.1f", value) : format("%.1e", value);
 }
 
+bool isWarning(const std::string& note) { return note.rfind("warning: ", 0) == 0; }
+
 }  // namespace
 
 RunMonitor::RunMonitor(std::ostream* console, bool verbose, bool strict) : console_(console), verbose_(verbose), strict_(strict) {}
@@ -37,8 +39,15 @@ void RunMonitor::outer(const OuterRow& given) {
   rows_.push_back(row);
 }
 
+void RunMonitor::repeatWarnings() const {
+  if (!console_) return;
+  for (const std::string& note : notes_)
+    if (isWarning(note)) *console_ << "   " + note + "\n";
+  *console_ << std::flush;
+}
+
 void RunMonitor::note(const std::string& text) {
-  const bool warning = text.rfind("warning: ", 0) == 0;
+  const bool warning = isWarning(text);
   if (warning && strict_) throw InputError("--strict", text);
   notes_.push_back(text);
   if (console_) *console_ << (warning ? "   " : "   note: ") << text << std::endl;

@@ -33,6 +33,8 @@ class RunMonitor : public Monitor {
   std::ostream* console() const { return console_; }  ///< null: silent
   const std::vector<OuterRow>& rows() const { return rows_; }
   const std::vector<std::string>& notes() const { return notes_; }
+  /// Prints the warnings again: the last lines are those that are read.
+  void repeatWarnings() const;
 
  private:
   std::ostream* console_;

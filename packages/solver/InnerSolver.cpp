@@ -1,3 +1,4 @@
+#include <suture/base/Progress.hpp>
 #include <suture/base/Timers.hpp>
 #include <suture/solver/InnerSolver.hpp>
 #include <suture/solver/accuracy/EnergyError.hpp>
@@ -63,6 +64,7 @@ class PreconditionedNormTest : public Belos::StatusTest<double, MultiVector, Ope
         const double ratio = k > 1 ? norms[k - 1] / norms[k - 2] : 0.0;
         steps.push_back(1.0 / (cg.getDiag()[k - 1] - (k > 1 ? ratio * ratio / steps[k - 2] : 0.0)));
       }
+      Progress::iteration(static_cast<long>(k), norms.back() / aim_->reference, aim_->tolerance);
       if (aim_->monitor.wantsInner()) aim_->monitor.inner(static_cast<int>(k), norms.back() / aim_->reference);
     }
     const double relative = norms.back() / aim_->reference;
@@ -170,8 +172,9 @@ InnerResult InnerSolver::iterate(MultiVector& x, double tolerance, double refere
   const double begin = Timers::now();
   try {
     solve_->iteration->iterate();
-  } catch (const Belos::CGIterateFailure& failure) {
-    throw NumericalError(std::string("conjugate gradients broke down: ") + failure.what());
+  } catch (const Belos::CGIterateFailure&) {
+    throw NumericalError("conjugate gradients broke down in iteration " + std::to_string(solve_->iteration->getNumIters() + 1) +
+                         ": the operator or the preconditioner is not positive definite");
   }
   InnerResult result;
   result.reference = reference;

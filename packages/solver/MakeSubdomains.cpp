@@ -1,4 +1,5 @@
 #include <suture/base/Collective.hpp>
+#include <suture/base/Progress.hpp>
 #include <suture/base/scene/SceneReader.hpp>
 #include <suture/solver/MakeSubdomains.hpp>
 #include <suture/subdomain/ElasticSubdomain.hpp>
@@ -43,7 +44,10 @@ Subdomains makeSubdomains(const Comm& comm, const std::vector<SubdomainMesh>& me
 
 void assemble(const Comm& comm, const Subdomains& subdomains) {
   collectively(comm, "assembling the subdomains", [&] {
-    for (const auto& subdomain : subdomains) subdomain->assemble();
+    for (const auto& subdomain : subdomains) {
+      Progress::count("subdomains", static_cast<long>(subdomains.size()));
+      subdomain->assemble();
+    }
   });
 }
 

@@ -1,7 +1,7 @@
 #include <suture/algebra/RigidAssembly.hpp>
+#include <suture/algebra/dense/Decompositions.hpp>
 #include <suture/base/Buffer.hpp>
 #include <suture/base/Collective.hpp>
-#include <suture/base/Dense.hpp>
 #include <suture/solver/SpectralRadius.hpp>
 
 #include <Tpetra_MultiVector.hpp>

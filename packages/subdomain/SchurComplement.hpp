@@ -1,7 +1,7 @@
 #pragma once
 #include <suture/algebra/LocalSolver.hpp>
-#include <suture/algebra/PackedSymmetric.hpp>
-#include <suture/algebra/SymmetricMatrix.hpp>
+#include <suture/algebra/dense/PackedSymmetric.hpp>
+#include <suture/algebra/dense/SymmetricMatrix.hpp>
 #include <suture/base/Registry.hpp>
 
 #include <memory>

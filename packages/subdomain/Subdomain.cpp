@@ -1,4 +1,4 @@
-#include <suture/base/Dense.hpp>
+#include <suture/algebra/dense/Decompositions.hpp>
 #include <suture/base/Errors.hpp>
 #include <suture/subdomain/ElasticSubdomain.hpp>
 #include <suture/subdomain/NodalAssembly.hpp>

@@ -1,5 +1,5 @@
 #pragma once
-#include <suture/algebra/SymmetricMatrix.hpp>
+#include <suture/algebra/dense/SymmetricMatrix.hpp>
 #include <suture/base/Registry.hpp>
 #include <suture/partition/SubdomainMesh.hpp>
 #include <suture/quality/ElementForces.hpp>

@@ -1,6 +1,6 @@
 // Memory for kernels: where it begins, that pieces do not meet, and that what is freed goes back to the system.
 #include <Teuchos_UnitTestHarness.hpp>
-#include <suture/algebra/AlignedVector.hpp>
+#include <suture/algebra/dense/AlignedVector.hpp>
 
 #include <cstdint>
 #include <fstream>

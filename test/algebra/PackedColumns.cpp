@@ -1,5 +1,5 @@
 #include <Teuchos_UnitTestHarness.hpp>
-#include <suture/algebra/PackedColumns.hpp>
+#include <suture/algebra/dense/PackedColumns.hpp>
 
 #include <cmath>
 #include <limits>

@@ -1,5 +1,5 @@
 #include <Teuchos_UnitTestHarness.hpp>
-#include <suture/algebra/PackedSymmetric.hpp>
+#include <suture/algebra/dense/PackedSymmetric.hpp>
 
 #include <Eigen/Dense>
 #include <cmath>

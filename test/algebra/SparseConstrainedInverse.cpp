@@ -2,7 +2,7 @@
 #include <Teuchos_UnitTestHarness.hpp>
 #include <suture/algebra/ConstrainedInverse.hpp>
 #include <suture/algebra/SparseConstrainedInverse.hpp>
-#include <suture/base/Dense.hpp>
+#include <suture/algebra/dense/Decompositions.hpp>
 #include <suture/base/Errors.hpp>
 
 #include <algebra/SaddleProblem.hpp>

@@ -1,5 +1,5 @@
 #include <Teuchos_UnitTestHarness.hpp>
-#include <suture/algebra/SymmetricMatrix.hpp>
+#include <suture/algebra/dense/SymmetricMatrix.hpp>
 
 #include <algorithm>
 #include <cmath>

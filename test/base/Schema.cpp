@@ -88,6 +88,22 @@ TEUCHOS_UNIT_TEST(Schema, DocumentInXmlIsASceneThatReadsBackAsTheDefaults) {
   TEST_EQUALITY(documented.parameters->sublist("Outer Solver").get<std::string>("Name <of> \"it\""), "a & b");
 }
 
+TEUCHOS_UNIT_TEST(Schema, DocumentInXmlHasTheExamplesListsAndValues) {
+  const Schema schema =
+      Schema("scene")
+          .list("Outer Solver", solver())
+          .list("Bodies", Schema("all").each("body", Schema("one").text("Material", std::nullopt, "its name").real("Size", 1.0, "of it")));
+  const std::string text =
+      schema.document("xml", {{"Outer Solver/Tolerance", "1e-3"}, {"Bodies/upper/Material", "steel"}, {"Bodies/lower/Material", "rock"}});
+  const SceneFile documented = parseScene(text, "documented", schema);
+  TEST_EQUALITY(documented.parameters->sublist("Outer Solver").get<double>("Tolerance"), 1e-3);
+  const Parameters& bodies = documented.parameters->sublist("Bodies");
+  TEST_EQUALITY(bodies.sublist("upper").get<std::string>("Material"), "steel");
+  TEST_EQUALITY(bodies.sublist("lower").get<std::string>("Material"), "rock");
+  TEST_EQUALITY(bodies.sublist("lower").get<double>("Size"), 1.0);
+  TEST_ASSERT(contains(text, "&lt;body&gt;"));
+}
+
 TEUCHOS_UNIT_TEST(Schema, RefusesAnUnknownFormatWithTheKnownOnes) {
   TEST_THROW(solver().document("html"), CommandLineError);
   try {

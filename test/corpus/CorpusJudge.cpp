@@ -1,5 +1,5 @@
 #include <corpus/CorpusJudge.hpp>
-#include <suture/algebra/NonnegativeLeastSquares.hpp>
+#include <suture/algebra/dense/NonnegativeLeastSquares.hpp>
 #include <suture/base/Errors.hpp>
 
 #include <Eigen/Dense>

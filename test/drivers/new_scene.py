@@ -1,4 +1,4 @@
-"""suture_new: scenes that run, bodies and contacts found from geometries, refusals. new_scene.py --new PROGRAM --solve PROGRAM
+"""suture_new, and the scene of suture_schema: scenes that run, bodies and contacts found from geometries, refusals. new_scene.py --new PROGRAM --solve PROGRAM
 --mpirun "mpirun ..." --work DIR --input FOLDER"""
 import json
 import pathlib
@@ -7,7 +7,7 @@ import xml.etree.ElementTree as xml
 
 from harness import arguments, check, finish, run, setting
 
-options = arguments("--new", "--solve", "--input")
+options = arguments("--new", "--solve", "--input", "--schema")
 INPUT = pathlib.Path(options.input)
 
 # Bodies and contacts of geometries, as those who drew them named them.
@@ -34,6 +34,16 @@ def new(geometry, *words, ranks=1, scene="scene.xml"):
     code, text = run(options.new, ranks, geometry, "--output", path, *words)
     return code, text, path
 
+
+# The documented scene runs as it is: a pressure of 1e6 on a width of 2 goes through the contact.
+code, text = run(options.schema, 1, "--format", "xml")
+documented = options.work / "documented.xml"
+documented.write_text(text)
+for ranks in (1, 2):
+    code, text = run(options.solve, ranks, documented, "--output", options.work / "documented_out")
+    check(f"the documented scene on {ranks} ranks: exit code", code, 0)
+    contact = json.loads((options.work / "documented_out/summary.json").read_text())["reactions"]["contacts"]["joint"]
+    check("its contact carries the load", abs(abs(contact["force"][1]) - 2e6) < 1, True)
 
 for name, (bodies, contacts, gap) in KNOWN.items():
     code, text, path = new(INPUT / name / f"{name}.geo", ranks=2, scene=f"{name}.xml")

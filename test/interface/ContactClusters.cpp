@@ -1,6 +1,6 @@
 #include <Teuchos_UnitTestHarness.hpp>
 #include <support/DenseAlgebra.hpp>
-#include <suture/base/Dense.hpp>
+#include <suture/algebra/dense/Decompositions.hpp>
 #include <suture/interface/ContactClusters.hpp>
 
 namespace suture {

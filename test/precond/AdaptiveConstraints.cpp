@@ -6,7 +6,7 @@
 #include <precond/DensePair.hpp>
 #include <precond/Preconditioners.hpp>
 #include <precond/Sheets.hpp>
-#include <suture/base/Dense.hpp>
+#include <suture/algebra/dense/Decompositions.hpp>
 #include <suture/precond/AdaptiveConstraints.hpp>
 
 namespace suture {

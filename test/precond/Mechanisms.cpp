@@ -4,7 +4,7 @@
 #include <precond/DensePair.hpp>
 #include <precond/Preconditioners.hpp>
 #include <precond/Sheets.hpp>
-#include <suture/base/Dense.hpp>
+#include <suture/algebra/dense/Decompositions.hpp>
 #include <suture/precond/Bddc.hpp>
 #include <suture/precond/EntitySides.hpp>
 #include <suture/precond/Mechanisms.hpp>

@@ -2,7 +2,7 @@
 #include <Teuchos_UnitTestHarness.hpp>
 #include <interface/ContactScenes.hpp>
 #include <interface/DenseSpace.hpp>
-#include <suture/base/Dense.hpp>
+#include <suture/algebra/dense/Decompositions.hpp>
 #include <suture/precond/EntitySides.hpp>
 #include <suture/precond/PrimalRows.hpp>
 

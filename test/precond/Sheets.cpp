@@ -1,6 +1,6 @@
 #include <precond/BrickScenes.hpp>
 #include <precond/Sheets.hpp>
-#include <suture/base/Dense.hpp>
+#include <suture/algebra/dense/Decompositions.hpp>
 #include <suture/interface/InterfaceSpace.hpp>
 
 namespace suture::blocks {

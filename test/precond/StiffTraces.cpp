@@ -1,7 +1,7 @@
 // Stiff traces of nearly incompressible subdomains, on a subdomain whose pressures are known in closed form.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <interface/ContactScenes.hpp>
-#include <suture/base/Dense.hpp>
+#include <suture/algebra/dense/Decompositions.hpp>
 #include <suture/base/Errors.hpp>
 #include <suture/precond/EntitySides.hpp>
 #include <suture/precond/StiffTraces.hpp>

@@ -2,7 +2,7 @@
 #include <Teuchos_CommHelpers.hpp>
 #include <Teuchos_UnitTestHarness.hpp>
 #include <support/Blocks.hpp>
-#include <suture/base/Dense.hpp>
+#include <suture/algebra/dense/Decompositions.hpp>
 #include <suture/elasticity/ElementMap.hpp>
 #include <suture/quality/ErrorEstimate.hpp>
 #include <suture/quality/PatchRecovery.hpp>

@@ -57,4 +57,13 @@ TEUCHOS_UNIT_TEST(RunMonitor, TurnsWarningsButNotNotesIntoErrorsWhenStrict) {
   TEST_THROW(strict.note("warning: a subdomain was split"), InputError);
 }
 
+TEUCHOS_UNIT_TEST(RunMonitor, RepeatsWarningsButNotNotes) {
+  std::ostringstream console;
+  RunMonitor monitor(&console, false);
+  for (const char* note : {"warning: a subdomain was split", "relaxation 0.08 chosen", "warning: nu is near .5"}) monitor.note(note);
+  console.str("");
+  monitor.repeatWarnings();
+  TEST_EQUALITY(console.str(), "   warning: a subdomain was split\n   warning: nu is near .5\n");
+}
+
 }  // namespace

@@ -23,11 +23,12 @@ def run(*arguments):
 
 with tempfile.TemporaryDirectory() as out:
     assert run(folder, "--output", out, "--zoom", "0.5,1.5,0.5,1.5", "--factor", "20").returncode == 0
-    for name in ("mesh", "deformation", "principal_stress", "principal_stress_zoom", "contact", "convergence"):
+    for name in ("scene", "mesh", "deformation", "von_mises", "von_mises_zoom", "principal_stress", "principal_stress_zoom", "contact", "convergence"):
         image = matplotlib.image.imread(f"{out}/{name}.png")
         assert min(image.shape[:2]) > 300, f"{name}.png is too small: {image.shape}"
         ink = (image[..., :3].min(axis=2) < 0.9).mean()
         assert 0.01 < ink < 0.95, f"{name}.png has ink on {ink:.1%} of its area"
+    assert Path(out, "report.html").stat().st_size > 100000
 
 with tempfile.TemporaryDirectory() as out:
     assert run(folder, "--output", out).returncode == 0  # region and factor chosen by the program

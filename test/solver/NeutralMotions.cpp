@@ -1,5 +1,5 @@
 #include <support/Matrices.hpp>
-#include <suture/algebra/NonnegativeLeastSquares.hpp>
+#include <suture/algebra/dense/NonnegativeLeastSquares.hpp>
 #include <suture/solver/solvability/NeutralMotions.hpp>
 
 #include <Teuchos_UnitTestHarness.hpp>

@@ -1,5 +1,5 @@
 #include <Teuchos_UnitTestHarness.hpp>
-#include <suture/algebra/NonnegativeLeastSquares.hpp>
+#include <suture/algebra/dense/NonnegativeLeastSquares.hpp>
 #include <suture/base/Errors.hpp>
 #include <suture/elasticity/NodalLoads.hpp>
 #include <suture/mesh/Generators.hpp>

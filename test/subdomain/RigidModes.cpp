@@ -1,7 +1,7 @@
 #include <Teuchos_UnitTestHarness.hpp>
 #include <support/DenseAlgebra.hpp>
 #include <suture/algebra/RigidAssembly.hpp>
-#include <suture/base/Dense.hpp>
+#include <suture/algebra/dense/Decompositions.hpp>
 #include <suture/mesh/Generators.hpp>
 #include <suture/subdomain/RigidModes.hpp>
 

@@ -1,5 +1,5 @@
 #pragma once
-#include <suture/algebra/SymmetricMatrix.hpp>
+#include <suture/algebra/dense/SymmetricMatrix.hpp>
 #include <suture/algebra/elimination/SingleFactor.hpp>
 #include <suture/base/Types.hpp>
 

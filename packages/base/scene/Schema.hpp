@@ -110,9 +110,11 @@ class Schema {
   const Parameter* find(const std::string& name) const;
   const Schema* findList(const std::string& name) const;
 
-  /// The whole schema, documented. `format`: "text", "xml" (a scene with all defaults), "markdown".
+  /// Values of a scene, as XML has them, by path: "Bodies/block/Material" -> "steel".
+  using Example = std::map<std::string, std::string>;
+  /// The whole schema, documented. `format`: "text", "xml" (a scene with all defaults, but for what the example gives), "markdown".
   /// \throws CommandLineError  for another format.
-  std::string document(const std::string& format) const;
+  std::string document(const std::string& format, const Example& example = {}) const;
 
  private:
   Parameter& add(const std::string& name, Kind kind, const std::string& doc);

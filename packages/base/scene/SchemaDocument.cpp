@@ -1,4 +1,5 @@
 // The schema for readers: a person at the console (text), a person in a browser (markdown), a person with a new scene (xml).
+#include <algorithm>
 #include <suture/base/Errors.hpp>
 #include "Schema.hpp"
 #include "Xml.hpp"
@@ -98,13 +99,16 @@ std::string commentable(std::string text) {
   return text;
 }
 
-/// A scene with every default. Names and values that the user must give stand in a comment, which holds no other comment.
+/// A scene with every default, or what the example has instead. Names and values that the user must give, and the example does not have,
+/// stand in a comment, which holds no other comment.
 class XmlScene {
  public:
+  explicit XmlScene(const Schema::Example& example) : example_(example) {}
+
   std::string write(const Schema& schema) {
     out_ = "<ParameterList name=\"Suture\">\n";
     remark(1, schema.doc());
-    body(schema, 1);
+    body(schema, 1, "");
     return out_ + "</ParameterList>\n";
   }
 
@@ -129,18 +133,36 @@ class XmlScene {
     out_ += inComment_ ? commentable(line) : line;
   }
 
-  void list(int depth, const std::string& name, const Schema& schema) {
+  /// The lists of the example below a path, in its order of names; none within a comment.
+  std::vector<std::string> examples(const std::string& path) const {
+    std::vector<std::string> names;
+    if (inComment_) return names;
+    for (const auto& [key, value] : example_) {
+      if (key.rfind(path, 0) != 0) continue;
+      const std::size_t end = key.find('/', path.size());
+      if (end == std::string::npos) continue;
+      const std::string name = key.substr(path.size(), end - path.size());
+      if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+    }
+    return names;
+  }
+
+  void list(int depth, const std::string& name, const Schema& schema, const std::string& path) {
     out_ += indentation(depth) + "<ParameterList name=\"" + escaped(name) + "\">\n";
     remark(depth + 1, schema.doc());
-    body(schema, depth + 1);
+    body(schema, depth + 1, path + name + "/");
     out_ += indentation(depth) + "</ParameterList>\n";
   }
 
-  void body(const Schema& schema, int depth) {
+  /// \param path  of the list, with a slash at its end
+  void body(const Schema& schema, int depth, const std::string& path) {
     for (const Schema::Parameter& parameter : schema.parameters()) {
       remark(depth, parameter.name + " " + sentence(parameter));
       for (std::size_t i = 0; i < parameter.allowedDocs.size(); ++i) remark(depth, parameter.allowed[i] + ": " + parameter.allowedDocs[i]);
-      if (parameter.fallback)
+      const auto given = example_.find(path + parameter.name);
+      if (!inComment_ && given != example_.end())
+        element(depth, parameter.name, parameter.kind, given->second);
+      else if (parameter.fallback)
         element(depth, parameter.name, parameter.kind, valueText(*parameter.fallback));
       else
         comment(depth, parameter.optional ? "may be given" : "to be given", [&] { element(depth, parameter.name, parameter.kind, ""); });
@@ -148,20 +170,25 @@ class XmlScene {
     if (const Schema::Parameter* any = schema.userParameter()) {
       comment(depth, "as many as you like, " + any->doc, [&] { element(depth, placeholder(any->name), any->kind, "0"); });
     }
-    for (const auto& [name, inner] : schema.lists()) list(depth, name, inner);
-    if (schema.userLists()) {
+    for (const auto& [name, inner] : schema.lists()) list(depth, name, inner, path);
+    if (!schema.userLists()) return;
+    for (const std::string& name : examples(path))
+      if (std::none_of(schema.lists().begin(), schema.lists().end(), [&](const auto& list) { return list.first == name; }))
+        list(depth, name, *schema.userLists(), path);
+    {
       comment(depth, "as many as you like, at least " + std::to_string(schema.leastUserLists()) + ", " + schema.userLists()->doc(),
-              [&] { list(depth, placeholder(schema.userListPlaceholder()), *schema.userLists()); });
+              [&] { list(depth, placeholder(schema.userListPlaceholder()), *schema.userLists(), path); });
     }
   }
 
+  const Schema::Example& example_;
   std::string out_;
   bool inComment_ = false;
 };
 
 }  // namespace
 
-std::string Schema::document(const std::string& format) const {
+std::string Schema::document(const std::string& format, const Example& example) const {
   std::string out;
   if (format == "text") {
     out = doc_ + "\n";
@@ -169,7 +196,7 @@ std::string Schema::document(const std::string& format) const {
   } else if (format == "markdown") {
     appendMarkdown(out, *this, "");
   } else if (format == "xml") {
-    out = XmlScene().write(*this);
+    out = XmlScene(example).write(*this);
   } else {
     throw CommandLineError(unknownName("format", format, {"text", "xml", "markdown"}));
   }

@@ -1,4 +1,4 @@
-#include <suture/base/Dense.hpp>
+#include <suture/algebra/dense/Decompositions.hpp>
 #include <suture/base/RigidValues.hpp>
 #include <suture/precond/coarse/ClusterGraph.hpp>
 

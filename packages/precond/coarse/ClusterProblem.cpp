@@ -1,5 +1,5 @@
 #include <suture/algebra/WorkSpace.hpp>
-#include <suture/base/Dense.hpp>
+#include <suture/algebra/dense/Decompositions.hpp>
 #include <suture/base/Errors.hpp>
 #include <suture/precond/coarse/ClusterProblem.hpp>
 

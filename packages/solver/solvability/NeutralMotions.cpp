@@ -1,6 +1,6 @@
-#include <suture/algebra/NonnegativeLeastSquares.hpp>
+#include <suture/algebra/dense/Decompositions.hpp>
+#include <suture/algebra/dense/NonnegativeLeastSquares.hpp>
 #include <suture/base/Buffer.hpp>
-#include <suture/base/Dense.hpp>
 #include <suture/elasticity/SubdomainLoads.hpp>
 #include <suture/partition/RigidLift.hpp>
 #include <suture/solver/solvability/NeutralMotions.hpp>

@@ -1,5 +1,5 @@
-#include <suture/algebra/NonnegativeLeastSquares.hpp>
-#include <suture/base/Dense.hpp>
+#include <suture/algebra/dense/Decompositions.hpp>
+#include <suture/algebra/dense/NonnegativeLeastSquares.hpp>
 #include <suture/base/Errors.hpp>
 #include <suture/elasticity/NodalLoads.hpp>
 #include <suture/solver/solvability/Solvability.hpp>

@@ -1,6 +1,6 @@
 #include <suture/algebra/Lanes.hpp>
-#include <suture/algebra/PackedSymmetric.hpp>
 #include <suture/algebra/WorkSpace.hpp>
+#include <suture/algebra/dense/PackedSymmetric.hpp>
 
 #include <algorithm>
 #include <type_traits>

@@ -1,6 +1,6 @@
 #include <suture/algebra/Lanes.hpp>
-#include <suture/algebra/PackedColumns.hpp>
 #include <suture/algebra/WorkSpace.hpp>
+#include <suture/algebra/dense/PackedColumns.hpp>
 
 #include <algorithm>
 

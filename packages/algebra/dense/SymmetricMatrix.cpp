@@ -1,4 +1,4 @@
-#include <suture/algebra/SymmetricMatrix.hpp>
+#include <suture/algebra/dense/SymmetricMatrix.hpp>
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 #pragma once
-#include <suture/algebra/PackedSymmetric.hpp>
+#include <suture/algebra/dense/PackedSymmetric.hpp>
 
 namespace suture {
 

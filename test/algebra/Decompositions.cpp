@@ -1,5 +1,5 @@
 #include <Teuchos_UnitTestHarness.hpp>
-#include <suture/base/Dense.hpp>
+#include <suture/algebra/dense/Decompositions.hpp>
 
 #include <cmath>
 
@@ -24,7 +24,7 @@ Matrix withValues(const Vector& values, int rows) {
 
 }  // namespace
 
-TEUCHOS_UNIT_TEST(Dense, SingularValuesAreThoseTheMatrixWasMadeOf) {
+TEUCHOS_UNIT_TEST(Decompositions, SingularValuesAreThoseTheMatrixWasMadeOf) {
   for (const int rows : {3, 7}) {
     const Vector values = Eigen::Vector3d(5.0, 2.0, 1e-7);
     const Matrix m = withValues(values, rows);
@@ -35,7 +35,7 @@ TEUCHOS_UNIT_TEST(Dense, SingularValuesAreThoseTheMatrixWasMadeOf) {
   }
 }
 
-TEUCHOS_UNIT_TEST(Dense, NullSpaceOfAWideMatrixIsWhatItsRowsDoNotSee) {
+TEUCHOS_UNIT_TEST(Decompositions, NullSpaceOfAWideMatrixIsWhatItsRowsDoNotSee) {
   const Matrix rows = withValues(Eigen::Vector2d(1.0, 3.0), 5).transpose();  // 2 x 5
   const Matrix z = nullSpace(rows);
   TEST_EQUALITY(z.cols(), 3);
@@ -43,13 +43,13 @@ TEUCHOS_UNIT_TEST(Dense, NullSpaceOfAWideMatrixIsWhatItsRowsDoNotSee) {
   TEST_COMPARE((z.transpose() * z - Matrix::Identity(3, 3)).norm(), <, 1e-14);
 }
 
-TEUCHOS_UNIT_TEST(Dense, NullSpaceCountsWhatIsBelowTheThresholdAsZero) {
+TEUCHOS_UNIT_TEST(Decompositions, NullSpaceCountsWhatIsBelowTheThresholdAsZero) {
   const Matrix m = withValues(Eigen::Vector3d(1.0, 1e-9, 1e-11), 6);
   TEST_EQUALITY(nullSpace(m).cols(), 1);
   TEST_EQUALITY(nullSpace(m, 1e-8).cols(), 2);
 }
 
-TEUCHOS_UNIT_TEST(Dense, OrthonormalBasisLeavesOutDependentColumns) {
+TEUCHOS_UNIT_TEST(Decompositions, OrthonormalBasisLeavesOutDependentColumns) {
   Matrix m = withValues(Eigen::Vector3d(4.0, 3.0, 2.0), 6);
   m.col(2) = m.col(0) - 2.0 * m.col(1);
   const Matrix q = orthonormalBasis(m, 1e-10);
@@ -58,7 +58,7 @@ TEUCHOS_UNIT_TEST(Dense, OrthonormalBasisLeavesOutDependentColumns) {
   TEST_COMPARE((m - q * (q.transpose() * m)).norm(), <, 1e-13);
 }
 
-TEUCHOS_UNIT_TEST(Dense, PivotRowsDetermineTheColumns) {
+TEUCHOS_UNIT_TEST(Decompositions, PivotRowsDetermineTheColumns) {
   Matrix m = Matrix::Zero(6, 2);
   m(1, 0) = 1e-3;
   m(3, 0) = 2.0;
@@ -69,19 +69,19 @@ TEUCHOS_UNIT_TEST(Dense, PivotRowsDetermineTheColumns) {
   TEST_EQUALITY(rows[1], 3);
 }
 
-TEUCHOS_UNIT_TEST(Dense, LeastSquaresLeavesAResidualOrthogonalToTheColumns) {
+TEUCHOS_UNIT_TEST(Decompositions, LeastSquaresLeavesAResidualOrthogonalToTheColumns) {
   const Matrix a = withValues(Eigen::Vector3d(4.0, 3.0, 2.0), 6);
   const Vector b = Vector::LinSpaced(6, -1.0, 2.0);
   TEST_COMPARE((a.transpose() * (a * leastSquares(a, b) - b)).norm(), <, 1e-13);
 }
 
-TEUCHOS_UNIT_TEST(Dense, TridiagonalEigenvaluesOfTheSecondDifferenceAreKnown) {
+TEUCHOS_UNIT_TEST(Decompositions, TridiagonalEigenvaluesOfTheSecondDifferenceAreKnown) {
   const int n = 8;
   const std::vector<double> values = tridiagonalEigenvalues(std::vector<double>(n, 2.0), std::vector<double>(n - 1, -1.0));
   for (int k = 0; k < n; ++k) TEST_FLOATING_EQUALITY(values[k], 2.0 - 2.0 * std::cos((k + 1) * M_PI / (n + 1)), 1e-12);
 }
 
-TEUCHOS_UNIT_TEST(Dense, CholeskyFactorRefusesAnIndefiniteMatrix) {
+TEUCHOS_UNIT_TEST(Decompositions, CholeskyFactorRefusesAnIndefiniteMatrix) {
   Matrix m(2, 2), lower;
   m << 4.0, 2.0, 2.0, 5.0;
   TEST_ASSERT(choleskyFactor(m, lower));
@@ -90,7 +90,7 @@ TEUCHOS_UNIT_TEST(Dense, CholeskyFactorRefusesAnIndefiniteMatrix) {
   TEST_ASSERT(!choleskyFactor(m, lower));
 }
 
-TEUCHOS_UNIT_TEST(Dense, EigenpairsOfASymmetricMatrix) {
+TEUCHOS_UNIT_TEST(Decompositions, EigenpairsOfASymmetricMatrix) {
   const Matrix half = withValues(Eigen::Vector3d(3.0, 2.0, 1.0), 3);
   const Eigenpairs pairs = symmetricEigenpairs(half * half.transpose());
   for (int i = 0; i < 3; ++i) TEST_FLOATING_EQUALITY(pairs.values(i), (i + 1.0) * (i + 1.0), 1e-12);

@@ -1,4 +1,4 @@
-#include <suture/algebra/AlignedVector.hpp>
+#include <suture/algebra/dense/AlignedVector.hpp>
 
 #if defined(__linux__)
 #include <sys/mman.h>

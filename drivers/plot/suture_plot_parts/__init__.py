@@ -1,0 +1,1 @@
+"""Parts of suture_plot: reading a run, drawing its pictures, writing its report."""

@@ -1,0 +1,128 @@
+"""Curves: contact.png, convergence.png, probe_*.png."""
+import math
+
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.ticker import MaxNLocator
+
+from .run import probe_table
+from .style import GAP_COLOUR, GREY, PALETTE, PRESSURE_COLOUR, shortened, wrapped
+from .units import scaled
+
+
+def contact_figure(run):
+    grid = run.contact
+    data = grid.point_data
+    names = list(run.parameter("Contact", default={}))
+    lines = sorted(set(zip(data["Piece"].tolist(), data["Line"].tolist())))
+    pressure_factor, pressure_unit = scaled(grid.units["ContactPressure"], np.nanmax(np.abs(data["ContactPressure"])))
+    gap_factor, gap_unit = scaled(grid.units["Gap"], max(np.nanmax(np.abs(data["Gap"])), 1e-12))
+    columns = min(len(lines), 3)
+    rows = math.ceil(len(lines) / columns)
+    width = max(3.6 * columns, 6.5)
+    figure, axes = plt.subplots(2 * rows, columns, figsize=(width, 4.2 * rows + 0.5), squeeze=False, constrained_layout=True)
+    figure.suptitle(wrapped(f"{run.title}: contact lines; filled: closed, hollow on grey: open{run.state}", int(13 * width)), fontsize=10, x=0.01, ha="left")
+    for extra in range(len(lines), rows * columns):
+        for k in range(2):
+            axes[2 * (extra // columns) + k][extra % columns].set_visible(False)
+    for number, (piece, line) in enumerate(lines):
+        above, below = (axes[2 * (number // columns) + k][number % columns] for k in range(2))
+        own = np.flatnonzero((data["Piece"] == piece) & (data["Line"] == line))
+        own = own[np.argsort(data["ArcLength"][own], kind="stable")]
+        arc, active = data["ArcLength"][own], data["Active"][own].astype(bool)
+        pressure, gap, initial = (data[name][own] for name in ("ContactPressure", "Gap", "InitialGap"))
+        name = names[int(line)] if 0 <= line < len(names) else f"line {line:g}"
+        pairs = f"{len(own)} pair{'s' if len(own) != 1 else ''}, {np.count_nonzero(~active)} open"
+        above.set_title(f"{shortened(name, 26 if columns > 1 else 60)}: {pairs}", loc="left", fontsize=9)
+        for axis, values, factor, colour in ((above, pressure, pressure_factor, PRESSURE_COLOUR), (below, gap, gap_factor, GAP_COLOUR)):
+            for first, end in runs(~active):
+                # An open pair stands for its surroundings half way to its neighbours.
+                a = arc[first] if first == 0 else 0.5 * (arc[first - 1] + arc[first])
+                b = arc[end - 1] if end == len(arc) else 0.5 * (arc[end - 1] + arc[end])
+                axis.axvspan(a, b, color="#e9e9e9", lw=0, zorder=0)
+            axis.axhline(0.0, color=GREY, lw=0.6, zorder=1)
+            axis.plot(arc, factor * values, color=colour, zorder=2)
+            axis.plot(arc[active], factor * values[active], "o", ms=3, color=colour, zorder=3)
+            axis.plot(arc[~active], factor * values[~active], "o", ms=3.5, mfc="white", mec=colour, zorder=4)
+            axis.margins(x=0.02)
+            axis.yaxis.set_major_locator(MaxNLocator(nbins=5))
+            axis.xaxis.set_major_locator(MaxNLocator(nbins=6))
+            # Rounding errors are not to be enlarged to the height of the picture.
+            if np.nanmax(np.abs(factor * values), initial=0.0) < 1e-6:
+                axis.set_ylim(-1, 1)
+        if np.nanmax(np.abs(initial), initial=0.0) > 1e-9 * max(arc.max(), 1e-300):
+            below.plot(arc, gap_factor * initial, ls="--", lw=0.9, color="#555555", label="initial gap")
+            below.legend(loc="lower right", bbox_to_anchor=(1.0, 1.0), borderaxespad=0.0, fontsize=8)
+        below.set_xlabel(f"arc length [{grid.units['ArcLength']}]")
+        above.set_ylabel(f"pressure [{pressure_unit}]")
+        below.set_ylabel(f"gap [{gap_unit}]")
+    return figure
+
+
+def runs(mask):
+    """(first, end) of each stretch of true values."""
+    edges = np.flatnonzero(np.diff(np.concatenate([[0], mask.astype(int), [0]])))
+    return list(zip(edges[::2], edges[1::2]))
+
+
+def probe_figure(run, path):
+    """Values along a line or group. Points and empty tables have no picture."""
+    table = probe_table(path)
+    if not table or len(table["arc_length"]) < 2 or not table["arc_length"][-1] > 0:
+        return None
+    length = run.length_unit
+    stresses = np.abs([table["von_mises"], table["principal_1"], table["principal_3"]])
+    stress_factor, stress_unit = scaled(run.stress_unit, np.nanmax(stresses, initial=0.0))
+    panels = [(f"displacement [{length}]", [("ux", 1.0, "along x"), ("uy", 1.0, "along y")]),
+              (f"stress [{stress_unit}]", [("von_mises", stress_factor, "von Mises"), ("principal_1", stress_factor, "largest principal"),
+                                          ("principal_3", stress_factor, "smallest principal")])]
+    if np.isfinite(table["pressure"]).any():
+        factor, unit = scaled(run.stress_unit, np.nanmax(np.abs(table["pressure"])))
+        panels.append((f"pressure [{unit}]", [("pressure", factor, "contact pressure")]))
+    figure, axes = plt.subplots(len(panels), 1, figsize=(6.5, 2.3 * len(panels) + 0.6), sharex=True, squeeze=False, constrained_layout=True)
+    for axis, (label, curves) in zip(axes[:, 0], panels):
+        axis.axhline(0.0, color=GREY, lw=0.6, zorder=1)
+        for number, (name, factor, words) in enumerate(curves):
+            axis.plot(table["arc_length"], factor * table[name], "o-" if len(table[name]) <= 40 else "-", ms=3, color=PALETTE[(4, 5, 2)[number]],
+                      ls=("-", "-", "--")[number], label=words)
+        axis.set_ylabel(label)
+        axis.margins(x=0.02)
+        axis.yaxis.set_major_locator(MaxNLocator(nbins=5))
+        axis.legend(loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=len(curves), borderaxespad=0.0, fontsize=8)
+    axes[-1, 0].set_xlabel(f"arc length [{length}]")
+    figure.suptitle(wrapped(f"{run.title}: {path.stem.replace('probe_', 'probe ')}{run.state}", 85), fontsize=10, x=0.01, ha="left")
+    return figure
+
+
+def convergence_figure(run):
+    k = [row["iteration"] for row in run.history]
+    figure, (above, below) = plt.subplots(2, 1, figsize=(6.5, 5.2), sharex=True, height_ratios=[2, 1], constrained_layout=True)
+    above.semilogy(k, [max(row["residual"], 1e-18) for row in run.history], "o-", ms=4, color=PALETTE[4], label="stopping norm")
+    euclidean = [row.get("euclidean", 0.0) for row in run.history]
+    if max(euclidean) > 0:
+        above.semilogy(k, [max(e, 1e-18) for e in euclidean], "s--", ms=3, lw=0.9, color=GREY, label="Euclidean (decides nothing)")
+    try:
+        tolerance = float(run.parameter("Outer Solver", "Tolerance"))
+        above.axhline(tolerance, color=PALETTE[5], lw=0.9, ls=":", label=f"tolerance {tolerance:g}")
+    except (TypeError, ValueError):
+        pass  # Automatic: it depends on the estimated error
+    above.set_ylabel("relative residual")
+    above.grid(axis="y", lw=0.3, color="#cccccc")
+    above.legend(loc="upper left", bbox_to_anchor=(1.01, 1.0), borderaxespad=0.0, fontsize=8)
+    auxiliary, outer = run.summary.get("auxiliary", {}), run.summary["outer"]
+    first = auxiliary.get("iterations", 0)
+    after = f", after {first} of the auxiliary problem" if first else ""
+    above.set_title(wrapped(f"{run.title}{run.state}", 60) + f"\n{outer.get('solver', '')}: {outer.get('pcg_total', 0)} PCG{after}", loc="left")
+    below.bar(k, [row["pcg"] for row in run.history], width=0.6, color=PALETTE[1])
+    below.set_ylabel("PCG iterations", color="#1c6b9c")
+    below.set_xlabel("outer iteration")
+    below.xaxis.set_major_locator(MaxNLocator(integer=True, min_n_ticks=1, nbins=12))
+    below.yaxis.set_major_locator(MaxNLocator(integer=True, min_n_ticks=1, nbins=5))
+    below.set_xlim(min(k) - 0.6, max(k) + 0.6)
+    changed = below.twinx()
+    changed.spines["right"].set_visible(True)
+    changed.plot(k, [row["changed"] for row in run.history], "D-", ms=3.5, lw=0.9, color=PALETTE[5])
+    changed.set_ylabel("changed pairs", color=PALETTE[5])
+    changed.yaxis.set_major_locator(MaxNLocator(integer=True, min_n_ticks=1, nbins=5))
+    changed.set_ylim(0, max(1.0, 1.1 * max(row["changed"] for row in run.history)))
+    return figure

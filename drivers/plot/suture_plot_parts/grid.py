@@ -1,0 +1,133 @@
+"""Grids of the field files."""
+import json
+from functools import cached_property
+
+import h5py
+import numpy as np
+
+from .style import PlotError
+
+# Nodes of a VTK cell, in the order of its outline.
+OUTLINE = {5: [0, 1, 2], 22: [0, 3, 1, 4, 2, 5], 9: [0, 1, 2, 3], 23: [0, 4, 1, 5, 2, 6, 3, 7], 28: [0, 4, 1, 5, 2, 6, 3, 7]}
+NODES = {5: 3, 22: 6, 9: 4, 23: 8, 28: 9}
+WORDS = {5: "triangles of 3 nodes", 22: "triangles of 6 nodes", 9: "quadrilaterals of 4 nodes", 23: "quadrilaterals of 8 nodes",
+         28: "quadrilaterals of 9 nodes"}
+
+
+class Grid:
+    """Unstructured grid of a VTKHDF file, its partitions put together."""
+
+    def __init__(self, path):
+        self.path = path
+        try:
+            with h5py.File(path, "r") as file:
+                self._read(file)
+        except (OSError, KeyError, ValueError, IndexError) as error:
+            raise PlotError(f"{path} is not a field file of suture_solve, or is damaged: {error}") from error
+
+    def _read(self, file):
+        root = file["VTKHDF"]
+        points, cells, ids = (root[name][:] for name in ("NumberOfPoints", "NumberOfCells", "NumberOfConnectivityIds"))
+        self.points = root["Points"][:]
+        self.types = root["Types"][:]
+        connectivity, offsets = root["Connectivity"][:], root["Offsets"][:]
+        nodes, starts = [], []
+        point_base = id_base = offset_base = 0
+        for n_points, n_cells, n_ids in zip(points, cells, ids):
+            nodes.append(connectivity[id_base:id_base + n_ids] + point_base)
+            starts.append(offsets[offset_base:offset_base + n_cells] + id_base)
+            point_base, id_base, offset_base = point_base + n_points, id_base + n_ids, offset_base + n_cells + 1
+        nodes = np.concatenate(nodes) if nodes else np.zeros(0, dtype=int)
+        starts = np.concatenate(starts) if starts else np.zeros(0, dtype=int)
+        self.count = len(self.types)
+        # Cells of one kind: their numbers, and their nodes along the outline.
+        self.blocks = []
+        for kind in sorted(set(self.types.tolist()) & set(OUTLINE)):
+            own = np.flatnonzero(self.types == kind)
+            self.blocks.append((kind, own, nodes[starts[own][:, None] + np.array(OUTLINE[kind])]))
+        self.point_data = {name: data[:] for name, data in root["PointData"].items()}
+        self.cell_data = {name: data[:] for name, data in root["CellData"].items()}
+        self.units = {}
+        for group in (root["PointData"], root["CellData"]):
+            for name, data in group.items():
+                self.units[name] = as_text(data.attrs.get("unit", ""))
+        record = file["Record"]
+        self.names = {name: json.loads(as_text(record[name][()])) for name in ("Bodies", "Subdomains", "ContactPieces") if name in record}
+        self.side_groups = {name: data[:] for name, data in record["SideGroups"].items()} if "SideGroups" in record else {}
+        self.mesh_hash = as_text(record["MeshHash"][()]) if "MeshHash" in record else ""
+        self.scene = as_text(record["Input"][()]) if "Input" in record else ""
+
+    def polygons(self, points):
+        """Outline of each plane cell, mid-side nodes included."""
+        result = [None] * self.count
+        for _, own, nodes in self.blocks:
+            for cell, polygon in zip(own, points[nodes][:, :, :2]):
+                result[cell] = polygon
+        return [polygon for polygon in result if polygon is not None]
+
+    @cached_property
+    def outlines(self):
+        return self.polygons(self.points)
+
+    @cached_property
+    def centroids(self):
+        result = np.zeros((self.count, 2))
+        for kind, own, nodes in self.blocks:
+            corners = nodes[:, ::2] if kind in (22, 23, 28) else nodes
+            result[own] = self.points[corners][:, :, :2].mean(axis=1)
+        return result
+
+    def cell_means(self, values):
+        """Mean over the nodes of each cell."""
+        result = np.zeros(self.count)
+        for _, own, nodes in self.blocks:
+            result[own] = values[nodes].mean(axis=1)
+        return result
+
+    def triangles(self):
+        """Triangles that cover the cells: three nodes each, for values at nodes."""
+        fans = [nodes[:, [0, i, i + 1]] for _, _, nodes in self.blocks for i in range(1, nodes.shape[1] - 1)]
+        return np.concatenate([fan.reshape(-1, 3) for fan in fans])
+
+    @cached_property
+    def boundary(self):
+        """Edges that only one cell of the same body has, one a row: two points, their merged numbers, the cell."""
+        return self._edges_used_once(self.merged(self.cell_data["Body"]))
+
+    @cached_property
+    def silhouette(self):
+        """Edges that only one cell of the scene has: contact lines on which both sides coincide are inside."""
+        return self._edges_used_once(self.merged(None))
+
+    def lines(self, edges, points):
+        """The edges as segments in the plane."""
+        return points[edges[:, :2]][:, :, :2]
+
+    def merged(self, body):
+        """A number for each node, equal where the points coincide (and are of one body, if `body` is given)."""
+        size = np.ptp(self.points, axis=0).max() or 1.0
+        grid = np.round(self.points / (1e-9 * size)).astype(np.int64)
+        if body is not None:
+            of_point = np.zeros(len(self.points), dtype=np.int64)
+            for _, own, nodes in self.blocks:
+                of_point[nodes] = body[own][:, None]
+            grid = np.column_stack([grid, of_point])
+        return np.unique(grid, axis=0, return_inverse=True)[1].reshape(-1)
+
+    def _edges_used_once(self, number):
+        edges = []
+        for _, own, nodes in self.blocks:
+            a, b = nodes, np.roll(nodes, -1, axis=1)
+            cell = np.broadcast_to(own[:, None], a.shape)
+            edges.append(np.stack([a, b, number[a], number[b], cell], axis=-1).reshape(-1, 5))
+        if not edges:
+            return np.zeros((0, 5), dtype=int)
+        edges = np.concatenate(edges)
+        keys = np.sort(edges[:, 2:4], axis=1)
+        keys = keys[:, 0].astype(np.int64) * (number.max() + 1) + keys[:, 1]
+        _, inverse, count = np.unique(keys, return_inverse=True, return_counts=True)
+        return edges[count[inverse] == 1]
+
+
+def as_text(value):
+    return value.decode() if isinstance(value, bytes) else str(value)

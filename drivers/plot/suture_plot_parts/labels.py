@@ -1,0 +1,204 @@
+"""Texts in a picture, placed where they cover nothing that is to be seen."""
+import math
+
+import matplotlib
+import numpy as np
+from matplotlib.transforms import Bbox
+
+DISTANCES = (9, 16, 26, 40, 60, 85, 115, 150, 200)  # points from what is named to the nearest edge of its label
+ANGLES = np.radians(np.arange(0, 360, 15))
+# Costs: a covered label and a covered mark are to be avoided at (nearly) any distance, covered material is not.
+COVERED_LABEL, COVERED_MARK, COVERED_LINE, OUTSIDE, CROSSED_LABEL, CROSSED_MARK, COVERED_MATERIAL, WRONG_SIDE, FAR = 5000.0, 1500.0, 60.0, 5000.0, 1500.0, 40.0, 45.0, 150.0, 0.6
+
+
+class LabelPlacer:
+    """Finds places for texts: none covers another, a mark or the line that it names.
+
+    Marks are points of the picture that stay visible (`keep_visible`); leaders cross other lines, too (`keep_off`); material is covered
+    only if need be (`prefer_outside`).
+    The figure's layout is final once a placer exists.
+    """
+
+    def __init__(self, figure, axes):
+        self.figure, self.axes, self.taken = figure, axes, []
+        self.marks = np.zeros((0, 2))
+        self.lines = np.zeros((0, 2))
+        self.material = np.zeros((0, 2))
+        figure.canvas.draw()
+        figure.set_layout_engine("none")
+        self.renderer = figure.canvas.get_renderer()
+        self.points = figure.dpi / 72.0
+        for label in (*axes.get_xticklabels(), *axes.get_yticklabels(), axes.xaxis.label, axes.yaxis.label, axes.title, axes._left_title):
+            if label.get_text():
+                self.taken.append(label.get_window_extent(self.renderer).padded(3))
+        if axes.get_legend():
+            self.taken.append(axes.get_legend().get_window_extent(self.renderer))
+        # Along the axes' lines.
+        frame = axes.get_window_extent(self.renderer)
+        self.frame = Bbox.from_extents(frame.x0 + 2, frame.y0 + 2, frame.x1 - 2, max(axes.title.get_window_extent(self.renderer).y0, frame.y1) - 2)
+
+    def keep_visible(self, points):
+        self.marks = np.vstack([self.marks, self._inside(points)])
+
+    def keep_visible_lines(self, segments):
+        """`segments`: n x 2 points x 2; sampled, so that no label fits between two points of a line."""
+        self.keep_visible(sampled(np.asarray(segments), self._data_length(5.0)))
+
+    def keep_off(self, segments):
+        """Lines that leaders may cross, but labels not cover."""
+        self.lines = np.vstack([self.lines, self._inside(sampled(np.asarray(segments), self._data_length(5.0)))])
+
+    def prefer_outside(self, points):
+        self.material = np.vstack([self.material, self._inside(points)])
+
+    def place(self, label, anchors, toward=None, least=0.0, centred=False, **style):
+        """Annotation of one of `anchors` (data coordinates), best first, with a line to it.
+
+        \\param toward   directions, one an anchor, in which the label is to lie
+        \\param least    distance in points within which the anchor's surroundings stay visible
+        \\param centred  the anchor itself is the first choice: names of areas
+        """
+        artist = self.axes.annotate(label, anchors[0], (0, 0), textcoords="offset points", ha="center", va="center",
+                                    arrowprops={"arrowstyle": "-", "lw": 0.7, "color": style.get("color", "black"), "shrinkA": 0,
+                                                "shrinkB": 0.25 * least + 1.0}, **style)
+        size = own_extent(artist, self.renderer)
+        width, height = size.width + 6, size.height + 4
+        best = None
+        for rank, anchor in enumerate(anchors):
+            at = self.axes.transData.transform(anchor)
+            for offset, distance in self._offsets(width, height, centred):
+                if distance < least:
+                    continue
+                cost = FAR * distance + 6 * rank
+                if toward is not None and np.dot(offset, toward[rank]) < 0.35 * np.hypot(*offset):
+                    cost += WRONG_SIDE
+                if best and cost >= best[0]:
+                    continue
+                centre = at + offset
+                box = Bbox.from_extents(*(centre - 0.5 * np.array([width, height])), *(centre + 0.5 * np.array([width, height])))
+                cost += self._cost(box, at if distance > 0 else None, not centred, best[0] - cost if best else math.inf)
+                if best is None or cost < best[0]:
+                    best = (cost, anchor, offset, box)
+        artist.xy = tuple(best[1])
+        artist.set_position(tuple(best[2] / self.points))
+        self.taken.append(best[3])
+        at = self.axes.transData.transform(best[1])
+        self.marks = np.vstack([self.marks, np.linspace(at, at + best[2], 12)[1:9]])
+        return artist
+
+    def place_within(self, label, cells, **style):
+        """Text amid `cells` (their centroids), without a line to them: the name of an area. None where it finds no room there."""
+        middle = cells[np.argmin(np.hypot(*(cells - cells.mean(axis=0)).T))]  # of a bent area the mean may lie outside
+        artist = self.axes.annotate(label, middle, (0, 0), textcoords="offset points", ha="center", va="center", **style)
+        size = own_extent(artist, self.renderer)
+        low, high = (self.axes.transData.transform(corner) for corner in (cells.min(axis=0), cells.max(axis=0)))
+        if size.width > 1.2 * (high - low)[0] or size.height > 1.2 * (high - low)[1]:
+            artist.remove()
+            return None
+        others = cells[np.linspace(0, len(cells) - 1, min(40, len(cells))).astype(int)]
+        others = others[np.argsort(np.hypot(*(others - middle).T), kind="stable")]
+        half = 0.5 * np.array([size.width + 2, size.height + 2])
+        for at in [middle, *others]:
+            centre = self.axes.transData.transform(at)
+            box = Bbox.from_extents(*(centre - half), *(centre + half))
+            if self._cost(box, None, False) < 0.5 * COVERED_MARK:
+                artist.xy = tuple(at)
+                self.taken.append(box)
+                return artist
+        artist.remove()
+        return None
+
+    def _offsets(self, width, height, centred):
+        if centred:
+            yield np.zeros(2), 0.0
+        for distance in DISTANCES:
+            for angle in ANGLES:
+                direction = np.array([math.cos(angle), math.sin(angle)])
+                # From the anchor to the label's centre, so that its edge is at the distance.
+                reach = min(0.5 * width / max(abs(direction[0]), 1e-9), 0.5 * height / max(abs(direction[1]), 1e-9))
+                yield direction * (distance * self.points + reach), distance
+
+    def _cost(self, box, leader_from, material, limit=math.inf):
+        """Cost of a label there; not complete where it is above `limit`, which saves most of the work."""
+        outside = 1.0 - overlap(box, self.frame) / (box.width * box.height)
+        cost = OUTSIDE * (outside if outside > 1e-9 else 0.0) + COVERED_LABEL * sum(overlap(box, other) > 0 for other in self.taken)
+        if cost >= limit:
+            return cost
+        cost += COVERED_MARK * min(np.count_nonzero(within(box, self.marks)), 10)
+        cost += COVERED_LINE * min(np.count_nonzero(within(box, self.lines)), 10)
+        if material:
+            cost += COVERED_MATERIAL * min(np.count_nonzero(within(box, self.material)), 4) / 4
+        if cost >= limit or leader_from is None:
+            return cost
+        centre = np.array([0.5 * (box.x0 + box.x1), 0.5 * (box.y0 + box.y1)])
+        way = np.linspace(leader_from, centre, 40)[2:]
+        cost += CROSSED_LABEL * sum(bool(within(other, way).any()) for other in self.taken)
+        if cost >= limit or len(self.marks) == 0:
+            return cost
+        bounds = Bbox.from_extents(*way.min(axis=0), *way.max(axis=0)).padded(3)
+        near = self.marks[within(bounds, self.marks)]
+        near = near[np.hypot(*(near - leader_from).T) > 8]
+        if len(near):
+            crossed = np.hypot(near[:, None, 0] - way[None, :, 0], near[:, None, 1] - way[None, :, 1]).min(axis=1) < 3
+            cost += CROSSED_MARK * min(np.count_nonzero(crossed), 20)
+        return cost
+
+    def _inside(self, points):
+        points = np.asarray(points, dtype=float).reshape(-1, 2)
+        return self.axes.transData.transform(points) if len(points) else np.zeros((0, 2))
+
+    def _data_length(self, pixels):
+        a, b = self.axes.transData.inverted().transform([[0, 0], [pixels, 0]])
+        return abs(b[0] - a[0])
+
+
+def own_extent(artist, renderer):
+    """Box of the text alone: that of an annotation contains its leader."""
+    box = matplotlib.text.Text.get_window_extent(artist, renderer)
+    patch = artist.get_bbox_patch()
+    return Bbox.union([box, patch.get_window_extent(renderer)]) if patch else box
+
+
+def overlap(a, b):
+    return max(0.0, min(a.x1, b.x1) - max(a.x0, b.x0)) * max(0.0, min(a.y1, b.y1) - max(a.y0, b.y0))
+
+
+def within(box, points):
+    return (points[:, 0] > box.x0) & (points[:, 0] < box.x1) & (points[:, 1] > box.y0) & (points[:, 1] < box.y1)
+
+
+def sampled(segments, spacing):
+    """Points on the segments, at most `spacing` apart, the ends included."""
+    if len(segments) == 0:
+        return np.zeros((0, 2))
+    lengths = np.hypot(*(segments[:, 1] - segments[:, 0]).T)
+    parts = np.minimum(np.maximum(1, np.ceil(lengths / spacing)).astype(int), 400)
+    return np.concatenate([np.linspace(a, b, n + 1) for (a, b), n in zip(segments, parts)])
+
+
+def along(sides, fractions):
+    """Places on a side group at fractions of its length: (points, normals out of the body)."""
+    sides = ordered(sides)
+    steps = sides[:, 3:5] - sides[:, 0:2]
+    lengths = np.hypot(*steps.T)
+    ends = np.cumsum(lengths)
+    where = np.asarray(fractions) * ends[-1]
+    at = np.minimum(np.searchsorted(ends, where), len(sides) - 1)
+    part = np.clip((where - (ends[at] - lengths[at])) / np.maximum(lengths[at], 1e-300), 0, 1)
+    tangent = steps[at] / np.maximum(lengths[at], 1e-300)[:, None]
+    return sides[at, 0:2] + part[:, None] * steps[at], np.column_stack([tangent[:, 1], -tangent[:, 0]])
+
+
+def ordered(sides):
+    """Sides in the order in which they follow one another, as far as they do."""
+    start = {tuple(np.round(side[0:2], 12)): i for i, side in enumerate(sides)}
+    targets = {tuple(np.round(side[3:5], 12)) for side in sides}
+    left, result = dict.fromkeys(range(len(sides))), []
+    heads = [i for key, i in start.items() if key not in targets]
+    while left:
+        at = next((i for i in heads if i in left), next(iter(left)))
+        while at is not None and at in left:
+            del left[at]
+            result.append(at)
+            at = start.get(tuple(np.round(sides[at][3:5], 12)))
+    return sides[result]

@@ -1,0 +1,90 @@
+"""mesh.png: elements, subdomains and named sides."""
+import numpy as np
+from matplotlib.collections import LineCollection, PolyCollection
+
+from .labels import LabelPlacer, along
+from .style import LINES, PALETTE, canvas, edge_style, halo, pale, shortened
+from .words import contacts
+
+MOST_NAMED_SUBDOMAINS = 150
+
+
+def subdomain_colours(grid):
+    """A pale colour for each subdomain, different from its neighbours'."""
+    number = grid.merged(None)
+    pairs = [np.column_stack([number[nodes].reshape(-1), np.repeat(grid.cell_data["Subdomain"][own], nodes.shape[1])])
+             for _, own, nodes in grid.blocks]
+    at_point = {}
+    for node, s in np.unique(np.concatenate(pairs).astype(np.int64), axis=0).tolist():
+        at_point.setdefault(node, []).append(s)
+    neighbours = {int(s): set() for s in np.unique(grid.cell_data["Subdomain"])}
+    for met in at_point.values():
+        if len(met) > 1:
+            for s in met:
+                neighbours[s].update(t for t in met if t != s)
+    chosen = {}
+    usable = len(PALETTE) - 1  # not black
+    use = [0] * usable
+    for s in sorted(neighbours, key=lambda s: -len(neighbours[s])):
+        taken = [chosen[n] for n in neighbours[s] if n in chosen]
+        chosen[s] = min(range(usable), key=lambda c: (taken.count(c), use[c], c))
+        use[chosen[s]] += 1
+    return {s: pale(PALETTE[c]) for s, c in chosen.items()}
+
+
+def short_names(names):
+    """Names without the beginning that all share ("subdomain_"), cut at a word."""
+    if len(names) < 2:
+        return names, ""
+    prefix = names[0]
+    for name in names[1:]:
+        while not name.startswith(prefix):
+            prefix = prefix[:-1]
+    while prefix and prefix[-1] not in "_ -.":
+        prefix = prefix[:-1]
+    return [name[len(prefix):] for name in names], prefix
+
+
+def inward(sides, distance):
+    """The sides, moved into their own body, which lies on the left of the way: the two sides of a contact line would cover each other."""
+    way = sides[:, 3:5] - sides[:, 0:2]
+    shift = np.column_stack([-way[:, 1], way[:, 0]]) * (distance / np.maximum(np.hypot(*way.T), 1e-300))[:, None]
+    return np.stack([sides[:, 0:2] + shift, sides[:, 3:5] + shift], axis=1)
+
+
+def mesh_figure(run):
+    grid = run.fields
+    names, prefix = short_names(grid.names["Subdomains"])
+    few = len(grid.side_groups) <= 40
+    title = f"{run.title}: {grid.count:,} elements, {len(names)} subdomain{'s' if len(names) != 1 else ''}" + (f" {prefix}*" if prefix else "")
+    figure, axes = canvas(grid.points, title, run.length_unit, room=0.14 if few else 0.05, names=run.axes)
+    colours = subdomain_colours(grid)
+    axes.add_collection(PolyCollection(grid.outlines, facecolors=[colours[s] for s in grid.cell_data["Subdomain"].astype(int).tolist()],
+                                       **{"edgecolors": "#5b5b5b", **edge_style(grid.count, 0.12)}))
+    placer = LabelPlacer(figure, axes)
+    placer.prefer_outside(grid.centroids[::max(1, grid.count // 4000)])
+    size = np.ptp(grid.points[:, :2], axis=0).max()
+    shown = []
+    for i, (name, sides) in enumerate(sorted(grid.side_groups.items())):
+        if len(sides) == 0:
+            continue
+        colour = LINES[i % len(LINES)]
+        segments = inward(sides, 0.0022 * size)
+        axes.add_collection(LineCollection(segments, colors=[colour], linewidths=1.8, capstyle="round", zorder=3, gid="named"))
+        placer.keep_visible_lines(segments)
+        shown.append((name, sides, colour))
+    # The name of a side of a contact lies in its own body, that of another side outside.
+    within = {group for contact in contacts(run) if contact.obstacle == "None" for group in contact.side_a + contact.side_b}
+    if few:
+        for name, sides, colour in shown:
+            anchors, outward = along(sides, [0.5, 0.35, 0.65, 0.2, 0.8])
+            placer.place(shortened(name), anchors, toward=-outward if name in within else outward, color=colour, fontsize=8, weight="bold",
+                         path_effects=halo(), zorder=5)
+    if len(names) <= MOST_NAMED_SUBDOMAINS:
+        subdomain = grid.cell_data["Subdomain"].astype(int)
+        for s, name in enumerate(names):
+            own = grid.centroids[subdomain == s]
+            if len(own) == 0:
+                continue
+            placer.place_within(shortened(name), own, fontsize=8 if len(names) <= 40 else 6, weight="bold", path_effects=halo())
+    return figure

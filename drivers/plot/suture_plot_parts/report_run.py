@@ -1,0 +1,121 @@
+"""Sections of the report on the run: convergence, verdict, error, cost, provenance."""
+import shlex
+
+from .html import esc, number, table
+
+# Checks of the verdict in words, and what their values are relative to.
+CHECKS = {
+    "forces": ("Forces on each body balance", "force through the body"),
+    "moments": ("Moments on each body balance", "force through the body times its extent"),
+    "residual": ("Nodal forces balance, summed over each body", "force through the body"),
+    "nodes": ("How far a node out of balance would move", "deformation of the body"),
+    "contact": ("Nodes in contact balance", "largest contact force of the body"),
+    "prescribed": ("Prescribed displacements hold", "deformation of the body"),
+    "seams": ("Subdomains agree where they meet", "deformation of the body"),
+    "penetration": ("No body enters another", "force through the body, by stiffness"),
+    "tension": ("No contact pulls", "force through the body"),
+    "complementarity": ("Each pair has a force or a gap, not both", "force through the body"),
+    "status": ("Open pairs carry nothing, closed ones have no gap", "force through the body"),
+    "digits": ("Double precision holds the answer", "force through the body"),
+}
+ERRORS = {
+    "estimated_energy_norm": "of the mesh, estimated from recovered stresses, energy norm",
+    "algebraic_energy_norm": "of the iterations, energy norm",
+    "energy_norm": "of the mesh, against the exact solution, energy norm",
+    "displacement_l2": "of the displacement, against the exact solution, L2",
+    "pressure_l2": "of the contact pressure, against the exact solution, L2",
+}
+
+
+def convergence(run):
+    outer, auxiliary = run.summary["outer"], run.summary.get("auxiliary", {})
+    rows = []
+    if auxiliary.get("iterations"):
+        rows.append(("auxiliary problem: PCG iterations, condition", f"{number(auxiliary['iterations'])}, {number(auxiliary.get('condition'))}"))
+    if outer.get("solver"):
+        rows += [("outer solver", esc(outer["solver"])), ("outer iterations", number(outer.get("iterations"))),
+                 ("PCG iterations in all of them", number(outer.get("pcg_total")))]
+        if outer.get("condition"):
+            rows.append(("largest condition", number(outer["condition"])))
+    rows += [("relative residual at the end", number(outer.get("residual"), form=".2e")),
+             ("tolerance", esc(run.parameter("Outer Solver", "Tolerance", default="")))]
+    return table(("", ""), rows)
+
+
+def verdict(run):
+    checks = run.summary.get("verification")
+    if not checks:
+        return '<p class="soft">Not verified: the run ended before.</p>\n'
+    rows = []
+    for name, check in checks.items():
+        value, bound = check.get("value"), check.get("bound")
+        holds = value is not None and bound is not None and value <= bound
+        words, relative = CHECKS.get(name, (name, ""))
+        rows.append((esc(name), esc(words), number(value, form=".2e"), number(bound, form=".2e"), esc(relative),
+                     f'<span class="{"holds" if holds else "fails"}">{"holds" if holds else "FAILS"}</span>', esc(check.get("where", "")) or "everywhere"))
+    said = run.summary.get("verified")
+    return ("<p>A second computation, which shares no operator with the solver, checks the answer: " +
+            ("<strong class=\"holds\">all checks hold</strong>" if said else "<strong class=\"fails\">NOT VERIFIED</strong>") + ".</p>\n" +
+            table(("check", "meaning", "value", "bound", "relative to", "", "largest at"), rows, numeric=(2, 3), long=(6,)))
+
+
+def error(run):
+    found = run.summary.get("error", {})
+    rows = []
+    for name, words in ERRORS.items():
+        if name in found:
+            relative = found.get(name + "_relative")
+            rows.append((esc(words), number(found[name]), "" if relative is None else number(relative, form=".3g")))
+    if "effectivity" in found:
+        rows.append(("estimated over exact (effectivity)", number(found["effectivity"]), ""))
+    oscillations = [(name, piece["pressure_error_estimate"]) for name, piece in run.summary["contact"].get("by_piece", {}).items()
+                    if piece.get("pressure_error_estimate")]
+    markup = table(("error", "value", "relative"), rows, numeric=(1, 2)) if rows else ""
+    if oscillations:
+        markup += table(("contact", f"estimated error of the pressure [{run.stress_unit}]"), [(esc(n), number(v, form=".3g")) for n, v in oscillations],
+                        numeric=(1,), long=(0,))
+    if "estimated_energy_norm" not in found:
+        markup += ("<p>The error of the mesh was not estimated. <code>--set \"Output/Error Estimate=true\"</code> does so; a second run on a mesh of half the "
+                   "size shows how stresses change.</p>\n")
+    return markup
+
+
+def cost(run):
+    phases = run.summary["phases"]
+    most = max((phase.get("max") or 0.0 for phase in phases.values()), default=0.0) or 1.0
+    rows = []
+    for name, phase in phases.items():
+        width = 100.0 * (phase.get("max") or 0.0) / most
+        rows.append((esc(name), *(number(phase.get(key), form=".3g") for key in ("min", "avg", "max")), f'<span class="bar" style="width: {width:.1f}%"></span>'))
+    whole = run.summary.get("seconds")
+    if whole is not None:
+        rows.append(("<strong>total</strong>", "", "", number(whole, form=".3g"), ""))
+    markup = ('<div class="wide"><table><caption>Seconds by phase, over all ranks.</caption><thead><tr><th>phase</th><th class="n">least</th>'
+              '<th class="n">mean</th><th class="n">largest</th><th></th></tr></thead><tbody>\n' +
+              "".join(f'<tr><td>{a}</td><td class="n">{b}</td><td class="n">{c}</td><td class="n">{d}</td><td class="bars">{e}</td></tr>\n'
+                      for a, b, c, d, e in rows) + "</tbody></table></div>\n")
+    summary = run.summary
+    facts = [("ranks", number(summary.get("ranks"))), ("subdomains", number(summary.get("subdomains"))), ("unknowns", number(summary.get("dofs"))),
+             ("unknowns on the interface", number(summary.get("interface_dofs")))]
+    for key, words in (("peak_memory_mb", "memory at its peak, largest rank [MB]"), ("solver_data_mb", "data that one PCG iteration reads, largest rank [MB]")):
+        if summary.get(key, {}).get("max") is not None:
+            facts.append((words, number(summary[key]["max"], form=".3g")))
+    if summary.get("preconditioner", {}).get("coarse_size") is not None:
+        facts.append(("coarse unknowns", number(summary["preconditioner"]["coarse_size"])))
+    seconds = summary.get("auxiliary", {}).get("iteration_seconds")
+    if seconds is not None:
+        facts.append(("seconds of one PCG iteration", number(seconds, form=".3g")))
+    return markup + table(("", ""), facts, numeric=(1,))
+
+
+def provenance(run):
+    summary = run.summary
+    versions = dict(summary["versions"])
+    rows = [("Command", f"<code>{esc(shlex.join(summary.get('command_line', [])))}</code>"), ("Scene", esc(summary.get("scene", ""))),
+            ("Folder", esc(run.folder.resolve())), ("Written", f"{run.written:%Y-%m-%d %H:%M:%S} (time of summary.json)"),
+            ("Suture", f"{esc(versions.pop('suture', ''))}, commit {esc(versions.pop('commit', ''))}"), ("Mesh hash", esc(summary.get("mesh_hash", ""))),
+            ("Ranks", number(summary.get("ranks"))), ("Libraries", esc(", ".join(f"{name} {version}" for name, version in sorted(versions.items()))))]
+    markup = table(("", ""), [(f"<strong>{name}</strong>", cell) for name, cell in rows], long=(1,))
+    if run.fields is not None and run.fields.scene:
+        markup += f"<details><summary>The scene file</summary><pre>{esc(run.fields.scene)}</pre></details>\n"
+    return markup

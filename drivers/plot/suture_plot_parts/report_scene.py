@@ -1,0 +1,101 @@
+"""Sections of the report on the scene and its forces."""
+from .html import esc, number, table, vector
+from .units import vector as given_vector
+from .words import MODELS, cells_in_words, conditions, contacts, material_words
+
+
+def names(values):
+    return esc(", ".join(values))
+
+
+def scene_in_words(run):
+    summary = run.summary
+    length, force, stress = run.units
+    mesh = run.parameter("Mesh", default={})
+    source = mesh.get("File") or f"generator {mesh.get('Generator', '')}"
+    rows = [("Model", esc(MODELS.get(run.model, run.model))),
+            ("Units", f"length {esc(length)}, force {esc(force)}, stress {esc(stress)}"),
+            ("Mesh", f"{esc(source)}: {number(summary['elements'])} elements, {number(summary.get('nodes'))} nodes" +
+             (f" ({esc(cells_in_words(run.fields))})" if run.fields is not None else ""))]
+    constants = {**mesh.get("Constants", {}), **run.parameter("Constants", default={})}
+    if constants:
+        rows.append(("Constants", esc(", ".join(f"{name} = {given_vector(value)}" for name, value in constants.items()))))
+    functions = run.parameter("Functions", default={})
+    if functions:
+        rows.append(("Functions", esc(", ".join(f"{name} = {value}" for name, value in functions.items()))))
+    return (table(("", ""), [(f"<strong>{name}</strong>", cell) for name, cell in rows], long=(1,)) + bodies(run) + materials(run) +
+            conditions_table(run) + contacts_table(run))
+
+
+def bodies(run):
+    rows = []
+    for name, given in run.parameter("Bodies", default={}).items():
+        regions = ", ".join(f"{region.get('Group')}: {region.get('Material')}" for region in given.get("Regions", {}).values())
+        count = ""
+        if run.fields is not None and name in run.fields.names.get("Bodies", []):
+            count = number(int((run.fields.cell_data["Body"] == run.fields.names["Bodies"].index(name)).sum()))
+        rows.append((esc(name), esc(given.get("Material", "")) + (f" (regions {esc(regions)})" if regions else ""), count))
+    return "<h3>Bodies</h3>\n" + table(("body", "material", "elements"), rows, numeric=(2,), long=(0, 1))
+
+
+def materials(run):
+    rows = []
+    for name, given in run.parameter("Materials", default={}).items():
+        words = ", ".join(f"{what} {given_vector(value)}" + (f" {unit}" if unit else "") for what, value, unit in material_words(run, given))
+        rows.append((esc(name), esc(str(given.get("Type", "Isotropic")).lower()), esc(words)))
+    return "<h3>Materials</h3>\n" + table(("material", "law", "values"), rows, long=(0, 2))
+
+
+def conditions_table(run):
+    rows = [(esc(c.name), esc(c.type), esc(c.amount()), esc(c.place())) for c in conditions(run)]
+    if not rows:
+        return "<h3>Loads and supports</h3>\n<p>None.</p>\n"
+    return "<h3>Loads and supports</h3>\n" + table(("name", "type", "value", "where"), rows, long=(0, 2, 3))
+
+
+def contacts_table(run):
+    given = contacts(run)
+    if not given:
+        return "<h3>Contacts</h3>\n<p>None.</p>\n"
+    rows = [(esc(c.name), names(c.side_a), esc(c.partner()), esc(c.given.get("Law", "")), esc(c.initial_gap()), esc(c.coupling())) for c in given]
+    return "<h3>Contacts</h3>\n" + table(("contact", "side A", "side B or obstacle", "law", "initial gap", "coupling"), rows, long=(0, 1, 2))
+
+
+def reactions(run):
+    summary = run.summary
+    found = summary.get("reactions")
+    if not found:
+        return '<p class="soft">Not known: the run ended before.</p>\n'
+    length, force, stress = run.units
+    thickness = "forces of the whole circle; the radial component is a sum of magnitudes" if run.model == "Axisymmetric" else "per unit thickness"
+    rows = [(esc(name), esc(c.get("kind", "")), vector(c.get("force")), vector(c.get("moment"))) for name, c in found.get("conditions", {}).items()]
+    total = found.get("sum", {})
+    rows.append(("<strong>sum</strong>", "", vector(total.get("force")), vector(total.get("moment"))))
+    markup = table(("condition", "kind", f"force on the bodies [{force}]", f"moment [{force} {length}]"), rows,
+                   caption=f"In {force} and {force} {length}, {thickness}; moments about {given_vector(found.get('about', []))}.", long=(0,))
+    rows = [(esc(name), names(c.get("bodies") or []), vector(c.get("force")), vector(c.get("moment")), vector(c.get("centre")), closed(c))
+            for name, c in found.get("contacts", {}).items()]
+    if rows:
+        size = f"{length}²" if run.model == "Axisymmetric" else length
+        markup += table(("contact", "bodies", f"force on side B [{force}]", f"moment [{force} {length}]", f"centre [{length}]", f"closed [{size}]"), rows,
+                        long=(0,), caption="Resultant of each contact, the centre of its forces and how much of it is closed.")
+    balance = summary.get("equilibrium", {})
+    if "imbalance" in balance:
+        markup += f"<p>Loads and reactions balance to {number(balance['imbalance'], form='.3g')}, relative to the loads.</p>\n"
+    return markup
+
+
+def closed(contact):
+    if contact.get("closed") is None:
+        return ""
+    return f"{number(contact['closed'])} of {number(contact.get('whole'))}"
+
+
+def contact_pieces(run):
+    """Contacts as the solver groups them."""
+    contact = run.summary["contact"]
+    rows = [(esc(name), f"{number(piece.get('active'))} of {number(piece.get('pairs'))}", number(piece.get("max_pressure")), number(piece.get("max_gap")))
+            for name, piece in contact.get("by_piece", {}).items()]
+    if not rows:
+        return ""
+    return table(("piece", "closed pairs", f"largest pressure [{run.stress_unit}]", f"largest gap [{run.length_unit}]"), rows, numeric=(1, 2, 3), long=(0,))

@@ -1,0 +1,229 @@
+"""scene.png: bodies, loads, supports and contacts as in an engineering drawing."""
+import numpy as np
+from matplotlib.collections import LineCollection, PolyCollection
+from matplotlib.legend_handler import HandlerBase
+from matplotlib.lines import Line2D
+from matplotlib.patches import Patch
+from matplotlib.transforms import offset_copy
+
+from .labels import LabelPlacer, along
+from .mesh import inward
+from .style import LINES, LOAD, PALETTE, SUPPORT, canvas, edge_style, halo, pale, shortened, wrapped
+from .symbols import Symbols
+from .words import conditions, contacts
+
+
+class Drawing:
+    """Signs of the conditions of one scene. Conditions on the same group stand behind each other."""
+
+    def __init__(self, run, axes):
+        self.run, self.grid = run, run.fields
+        self.extent = np.ptp(self.grid.points[:, :2], axis=0)
+        self.signs = Symbols(axes, 0.05 * self.extent.max())
+        self.rows = {}
+
+    def row(self, groups, height):
+        """Distance from the sides at which the next sign on these groups begins."""
+        start = max((self.rows.get(group, 0.0) for group in groups), default=0.0)
+        for group in groups:
+            self.rows[group] = start + height
+        return start * self.signs.size
+
+    def places(self, condition):
+        """Points and outward normals, evenly along the condition's groups."""
+        found = []
+        for group in condition.groups:
+            sides = self.grid.side_groups.get(group)
+            if sides is None or len(sides) == 0:
+                continue
+            length = np.hypot(*(sides[:, 3:5] - sides[:, 0:2]).T).sum()
+            count = int(np.clip(round(length / (1.6 * self.signs.size)), 1, 24))
+            found.append(along(sides, (np.arange(count) + 0.5) / count))
+        if not found:
+            return np.zeros((0, 2)), np.zeros((0, 2))
+        return np.concatenate([f[0] for f in found]), np.concatenate([f[1] for f in found])
+
+    def on_sides(self, condition):
+        """\\return anchors for the condition's name"""
+        points, outward = self.places(condition)
+        if len(points) == 0:
+            return []
+        s = self.signs.size
+        direction = condition.direction
+        if condition.type == "Pressure":
+            pushes = condition.value[0] >= 0 if condition.value else condition.resultant is None or self._pushes(condition, outward)
+            foot = points + self.row(condition.groups, 1.2) * outward
+            tail, tip = foot + s * outward, foot
+            self.signs.arrows(tail if pushes else tip, tip if pushes else tail, LOAD)
+            return foot + 0.9 * s * outward
+        if condition.type == "Elastic Support":
+            foot = points + self.row(condition.groups, 1.0) * outward
+            self.signs.springs(foot, outward, SUPPORT)
+            return foot + 0.8 * s * outward
+        if condition.type == "Bilateral" or (condition.type == "Displacement" and (direction is None or not direction.any())):
+            foot = points + self.row(condition.groups, 0.9) * outward
+            self._supports(condition, foot, outward)
+            return foot + 0.6 * s * outward
+        if condition.type == "Moment":
+            centre = points.mean(axis=0)
+            self.signs.turn(centre, not condition.value or condition.value[0] > 0, LOAD)
+            return [centre + s * np.array([0.7, 0.7])]
+        if direction is None or not direction.any():
+            return points
+        # Arrows press with their tip on the side, or pull with their tail on it.
+        unit = direction / np.hypot(*direction)
+        presses = outward @ unit <= 1e-9
+        foot = points + self.row(condition.groups, 1.2) * outward
+        tails = np.where(presses[:, None], foot - s * unit, foot)
+        colour = SUPPORT if condition.support else LOAD
+        self.signs.arrows(tails, tails + s * unit, colour, filled=not condition.support)
+        return tails + np.where(presses, 0.1, 0.9)[:, None] * s * unit
+
+    def _pushes(self, condition, outward):
+        return float(np.sum(outward, axis=0) @ np.array(condition.resultant[:2])) <= 0.0
+
+    def _supports(self, condition, foot, outward):
+        if condition.type == "Bilateral":
+            self.signs.rollers(foot, outward, SUPPORT)
+        elif condition.components == "All":
+            self.signs.hatches(foot, outward, SUPPORT)
+        else:
+            axis = np.array([1.0, 0.0] if condition.components == "x" else [0.0, 1.0])
+            side = np.where(outward @ axis < -1e-9, -1.0, 1.0)[:, None] * axis
+            # Held along the side: beside it, so that the triangle does not lie on the body.
+            clear = np.where(np.abs(outward @ axis) < 0.5, 0.35 * self.signs.size, 0.0)[:, None]
+            self.signs.rollers(foot + clear * outward, side, SUPPORT)
+
+    def obstacle(self, contact, colour):
+        """The rigid partner of a contact, where its shape is a number: a circle or a line."""
+        of, step = contact.given.get(contact.obstacle, {}), 0.5 * self.signs.size
+        if contact.obstacle == "Circle":
+            radius = float(of["Radius"])
+            angles = np.linspace(0, 2 * np.pi, int(np.clip(2 * np.pi * radius / step, 24, 2000)) + 1)
+            outward = np.column_stack([np.cos(angles), np.sin(angles)])
+            self.signs.surface(np.array(of["Centre"][:2], dtype=float) + radius * outward, outward if of.get("Hollow") else -outward, colour)
+        elif contact.obstacle == "Line":
+            normal = np.array(of["Normal"][:2], dtype=float)
+            normal /= np.hypot(*normal)
+            middle = 0.5 * (self.grid.points.min(axis=0) + self.grid.points.max(axis=0))[:2]
+            foot = middle - normal * (normal @ (middle - np.array(of["Point"][:2], dtype=float)))
+            reach = np.arange(-0.6 * self.extent.sum(), 0.6 * self.extent.sum(), step)
+            self.signs.surface(foot + reach[:, None] * np.array([-normal[1], normal[0]]), np.broadcast_to(-normal, (len(reach), 2)), colour)
+
+    def elsewhere(self, condition):
+        """Loads on bodies and at points. \\return anchors for the name, none of what has no sign"""
+        s, direction = self.signs.size, condition.direction
+        if condition.type == "Point Force" and direction is not None and direction.any():
+            point, unit = np.array(condition.given["Point"][:2], dtype=float), direction / np.hypot(*direction)
+            self.signs.arrows([point - 1.4 * s * unit], [point], LOAD)
+            return [point - 1.3 * s * unit]
+        if condition.type == "Rotation":
+            centre = np.array((condition.given.get("Point") or [0.0, 0.0])[:2], dtype=float)
+            low, high = self.grid.points.min(axis=0)[:2], self.grid.points.max(axis=0)[:2]
+            centre = np.clip(centre, low, high)
+            self.signs.turn(centre, not condition.value or condition.value[0] > 0, LOAD)
+            return [centre + 0.8 * s * np.array([0.7, 0.7])]
+        if condition.type in ("Body Force", "Gravity") and direction is not None and direction.any():
+            unit, anchors = direction / np.hypot(*direction), []
+            for number, body in enumerate(self.grid.names["Bodies"]):
+                own = self.grid.centroids[self.grid.cell_data["Body"] == number]
+                if len(own) and condition.body in (None, body):
+                    centre = own[np.argmin(np.hypot(*(own - own.mean(axis=0)).T))]
+                    self.signs.arrows([centre - 0.8 * s * unit], [centre + 0.8 * s * unit], LOAD)
+                    anchors.append(centre - 0.7 * s * unit)
+            return anchors
+        return []
+
+
+class SignHandler(HandlerBase):
+    """A small arrow or triangle in the legend."""
+
+    def create_artists(self, legend, handle, x, y, width, height, size, transform):
+        marker = Line2D([x + 0.5 * width - x], [0.5 * height], marker=handle.marker, ms=7, color=handle.colour, mfc=handle.fill, ls="none")
+        marker.set_transform(transform)
+        return [marker]
+
+
+class Sign:
+    def __init__(self, condition):
+        self.colour = SUPPORT if condition.support else LOAD
+        moved = condition.support and condition.direction is not None and condition.direction.any()
+        self.marker = "$\\rightarrow$" if moved or not condition.support else "^"
+        held = condition.support and condition.type == "Displacement" and condition.components == "All"
+        self.fill = self.colour if held or not condition.support else "white"
+
+    def get_label(self):
+        return ""
+
+
+def scene_figure(run):
+    grid = run.fields
+    longest = max((len(shortened(name, 26)) for name in [c.name for c in conditions(run)]), default=0)
+    figure, axes = canvas(grid.points, f"{run.title}: loads, supports and contacts", run.length_unit, room=(0.12 + 0.012 * longest, 0.17),
+                          names=run.axes)
+    bodies, size = grid.names["Bodies"], np.ptp(grid.points[:, :2], axis=0).max()
+    colours = [pale(PALETTE[i % 7]) for i in range(len(bodies))]
+    axes.add_collection(PolyCollection(grid.outlines, facecolors=[colours[b] for b in grid.cell_data["Body"].astype(int).tolist()],
+                                       **{"edgecolors": "#00000016", **edge_style(grid.count, 0.12)}))
+    outline = grid.lines(grid.boundary, grid.points)
+    axes.add_collection(LineCollection(outline, colors="#444444", linewidths=0.8, zorder=2))
+    drawing = Drawing(run, axes)
+    named, handles, texts = [], [], []  # named: label, anchors, colour
+    for condition in sorted(conditions(run), key=lambda c: not c.support):  # supports stand at the side, loads behind them
+        anchors = drawing.on_sides(condition) if condition.groups else drawing.elsewhere(condition)
+        colour = SUPPORT if condition.support else LOAD
+        if len(anchors):
+            named.append((condition.name, thinned(anchors), colour))
+        handles.append(Sign(condition) if len(anchors) else Patch(facecolor="none", edgecolor="none"))
+        texts.append(condition.sentence() + ("" if len(anchors) else " (not drawn)"))
+    lines = []
+    for number, contact in enumerate(contacts(run)):
+        colour = LINES[number % len(LINES)]
+        anchors = []
+        drawing.obstacle(contact, colour)
+        for side, strength in ((contact.side_a, 1.0), (contact.side_b, 0.55)):
+            for group in side:
+                sides = grid.side_groups.get(group)
+                if sides is None or len(sides) == 0:
+                    continue
+                segments = inward(sides, 0.004 * size)
+                axes.add_collection(LineCollection(segments, colors=[colour], linewidths=2.4, alpha=strength, zorder=5, gid="named"))
+                lines.append(segments)
+                anchors.extend(along(sides, [0.5, 0.3, 0.7, 0.15, 0.85])[0])
+        if anchors:
+            named.append((contact.name, anchors[:5], colour))
+        handles.append(Line2D([], [], color=colour, lw=2.4))
+        texts.append(f"{contact.name}: A {', '.join(contact.side_a)} (strong), " +
+                     (f"B {contact.partner()} (pale)" if contact.obstacle == "None" else contact.partner()))
+    legend(figure, axes, handles, texts)
+    placer = LabelPlacer(figure, axes)
+    for segments in (drawing.signs.everything(), *lines):
+        placer.keep_visible_lines(segments)
+    placer.prefer_outside(grid.centroids[::max(1, grid.count // 3000)])
+    placer.keep_off(outline)
+    for name, anchors, colour in named:
+        placer.place(shortened(name, 26), anchors, color=colour, fontsize=9, weight="bold", path_effects=halo(), zorder=8)
+    for number, body in enumerate(bodies):
+        own = grid.centroids[grid.cell_data["Body"] == number]
+        if len(own):
+            anchors = [own[np.argmin(np.hypot(*(own - own.mean(axis=0) - shift).T))]
+                       for shift in np.array([[0, 0], [0.2, 0.2], [-0.2, -0.2], [-0.2, 0.2], [0.2, -0.2]]) * np.ptp(own, axis=0)]
+            placer.place(shortened(body), anchors, centred=True, fontsize=9, style="italic", color="#333333", path_effects=halo(), zorder=7)
+    return figure
+
+
+def thinned(anchors):
+    """At most five of them, the middle first."""
+    anchors = np.asarray(anchors)
+    order = [len(anchors) // 2, len(anchors) // 4, 3 * len(anchors) // 4, 0, len(anchors) - 1]
+    return anchors[list(dict.fromkeys(order))]
+
+
+def legend(figure, axes, handles, texts):
+    """Below the axes, in one column: names are long."""
+    if not handles:
+        return
+    width = int(figure.get_figwidth() * 13.5)
+    axes.legend(handles, [wrapped(text, width) for text in texts], handler_map={Sign: SignHandler()}, loc="upper left",
+                bbox_to_anchor=(0.0, 0.0), bbox_transform=offset_copy(axes.transAxes, fig=figure, y=-30.0, units="points"), fontsize=8,
+                borderaxespad=0.0, handlelength=1.8, labelspacing=0.35)

@@ -1,0 +1,145 @@
+"""The scene in words, from its resolved parameters."""
+import numpy as np
+
+from .grid import WORDS
+from .units import vector
+
+MODELS = {
+    "Plane Strain": "plane strain: no strain across the plane (long bodies)",
+    "Plane Stress": "plane stress: no stress across the plane (thin sheets)",
+    "Axisymmetric": "axisymmetric: bodies of revolution about the axis x = 0; forces are those of the whole circle"
+}
+# Types of conditions that hold bodies; all others load them.
+SUPPORTS = ("Displacement", "Bilateral", "Elastic Support")
+
+
+def as_list(value):
+    return [] if value is None else list(value) if isinstance(value, (list, tuple)) else [str(value)]
+
+
+class Condition:
+    """A boundary condition or load of the scene."""
+
+    def __init__(self, run, name, given):
+        self.run, self.name, self.given = run, name, given
+        self.type = str(given.get("Type", ""))
+        self.groups = as_list(given.get("Group"))
+        self.body = given.get("Body")
+        value = given.get("Value")
+        self.value = value if isinstance(value, list) or value is None else [value]
+        self.components = given.get("Components", "All") if self.type == "Displacement" else "All"
+        self.expressions = {key.replace("Expression", "").strip(): text for key, text in given.items() if key.startswith("Expression")}
+        self.support = self.type in SUPPORTS
+
+    @property
+    def unit(self):
+        length, force, stress = self.run.units
+        return {"Displacement": length, "Traction": stress, "Pressure": stress, "Force": force, "Point Force": force,
+                "Moment": f"{force} {length}", "Body Force": f"{force}/{length}³", "Initial Stress": stress,
+                "Gravity": f"{length}/time²", "Rotation": "1/time"}.get(self.type, "")
+
+    @property
+    def direction(self):
+        """Vector in the plane, or None: where the values are functions, that of the resultant."""
+        if self.value is not None and len(self.value) >= 2:
+            found = self.value[:2]
+        elif self.components in ("x", "y") and self.value:
+            found = [self.value[0], 0.0] if self.components == "x" else [0.0, self.value[0]]
+        elif self.expressions and self.type != "Displacement":
+            found = self.resultant
+        else:
+            return None
+        return None if found is None else np.array(found[:2], dtype=float)
+
+    @property
+    def resultant(self):
+        return self.run.summary.get("reactions", {}).get("conditions", {}).get(self.name, {}).get("force")
+
+    def amount(self):
+        """Values with their unit: (0, -5) MPa."""
+        unit = f" {self.unit}" if self.unit else ""
+        if self.type == "Bilateral":
+            return "normal displacement zero, free to slide"
+        if self.type == "Elastic Support":
+            per = f"{self.run.stress_unit}/{self.run.length_unit}"
+            return ", ".join(f"{what.lower()} {vector(self.given[what])} {per}" for what in ("Normal Stiffness", "Tangential Stiffness")
+                             if self.given.get(what))
+        if self.type == "Random Load":
+            return f"amplitude {vector(self.given.get('Amplitude', 0))} {self.run.force_unit}"
+        if self.expressions:
+            return ", ".join((f"{axis}: " if axis else "") + text for axis, text in self.expressions.items()) + unit
+        if self.value is None:
+            return ""
+        if self.type == "Displacement" and self.components != "All":
+            return f"u_{self.components} = {vector(self.value)}{unit}"
+        if self.type == "Displacement" and not any(self.value):
+            return "held: u = 0"
+        extra = f", about {vector(self.given['Point'])}" if self.type == "Rotation" and self.given.get("Point") else ""
+        return vector(self.value) + unit + extra
+
+    def place(self):
+        if self.type == "Point Force":
+            return f"at {vector(self.given.get('Point', []))}"
+        if self.groups:
+            return ", ".join(self.groups)
+        return f"body {self.body}" if self.body else "all bodies"
+
+    def sentence(self):
+        return f"{self.name}: {self.type}, {self.amount()}, {'on ' if self.groups else ''}{self.place()}"
+
+
+def conditions(run):
+    return [Condition(run, name, given) for name, given in run.parameter("Boundary Conditions", default={}).items() if isinstance(given, dict)]
+
+
+class Contact:
+    """A contact of the scene: two sides, or a side and an obstacle."""
+
+    def __init__(self, run, name, given):
+        self.run, self.name, self.given = run, name, given
+        self.side_a, self.side_b = as_list(given.get("Side A")), as_list(given.get("Side B"))
+        self.obstacle = given.get("Obstacle", "None")
+
+    def partner(self):
+        if self.obstacle == "None":
+            return ", ".join(self.side_b)
+        of = self.given.get(self.obstacle, {})
+        unit = self.run.length_unit
+        if self.obstacle == "Circle":
+            return f"rigid {'hollow ' if of.get('Hollow') else ''}circle about {vector(of.get('Centre', []))} {unit}, radius {vector(of.get('Radius', 0))} {unit}"
+        if self.obstacle == "Line":
+            return f"rigid half-plane through {vector(of.get('Point', []))} {unit}, normal {vector(of.get('Normal', []))}"
+        if self.obstacle == "Height":
+            return f"rigid ground {'above' if of.get('Body Below') else 'below'} y = {of.get('Expression', '')}"
+        return f"rigid {self.obstacle.lower()}"
+
+    def initial_gap(self):
+        return self.given.get("Initial Gap") or "as drawn"
+
+    def coupling(self):
+        wanted = self.given.get("Coupling", "Automatic")
+        told = [note for note in self.run.summary.get("notes", []) if f"'{self.name}'" in note and "mortar" in note]
+        return "mortar (nodes do not match)" if told and wanted == "Automatic" else wanted.lower()
+
+
+def contacts(run):
+    return [Contact(run, name, given) for name, given in run.parameter("Contact", default={}).items() if isinstance(given, dict)]
+
+
+def material_words(run, given):
+    """[(property, value, unit)] of a material."""
+    stress = run.stress_unit
+    if given.get("Type", "Isotropic") == "Isotropic":
+        found = [("Young's modulus", given.get("Young Modulus"), stress), ("Poisson ratio", given.get("Poisson Ratio"), "")]
+    else:
+        of = given.get(given["Type"], {})
+        found = [("Young's moduli 1, 2, 3", of.get("Young Moduli"), stress), ("Poisson ratios 12, 23, 13", of.get("Poisson Ratios"), ""),
+                 ("shear moduli 12, 23, 13", of.get("Shear Moduli"), stress), ("angle of axis 1", of.get("Angle"), "degrees")]
+        found += [(name, value, "") for name, value in of.items()
+                  if name not in ("Young Moduli", "Poisson Ratios", "Shear Moduli", "Angle") and isinstance(value, (int, float, list))]
+    found += [("density", given.get("Density"), ""), ("thermal expansion", given.get("Thermal Expansion"), "")]
+    return [(name, value, unit) for name, value, unit in found if value is not None]
+
+
+def cells_in_words(grid):
+    return ", ".join(f"{len(own):,} {WORDS[kind]}" for kind, own, _ in grid.blocks)

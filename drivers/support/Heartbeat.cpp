@@ -1,0 +1,60 @@
+#include "Heartbeat.hpp"
+
+#include <chrono>
+#include <iostream>
+#include <suture/base/Timers.hpp>
+#include <suture/report/Format.hpp>
+
+#include "StoppableOutput.hpp"
+
+namespace suture {
+
+namespace {
+constexpr double patience = 2.0;  // seconds of a phase without a word
+constexpr double longer = 1.6;    // ratio of one line's time in the phase to that of the line before, in a file
+constexpr std::chrono::milliseconds glance(100);
+}  // namespace
+
+Heartbeat::Heartbeat(bool speaks) {
+  if (speaks) thread_ = std::thread([this] { beat(); });
+}
+
+Heartbeat::~Heartbeat() {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    ends_ = true;
+  }
+  wake_.notify_all();
+  if (thread_.joinable()) thread_.join();
+}
+
+std::string Heartbeat::line(const Progress::State& state, double now) {
+  std::string text = format("   ... %s: %.0f s", state.phase.c_str(), now - state.since);
+  if (!state.step.empty()) text += ", " + state.step;
+  if (state.residual >= 0.0)
+    text += format(", iteration %ld, residual %.1e of %.1e", state.done, state.residual, state.tolerance);
+  else if (state.total > 0)
+    text += format(", %ld of %ld %s", state.done, state.total, state.unit.c_str());
+  return text;
+}
+
+void Heartbeat::beat() {
+  auto* output = dynamic_cast<StoppableOutput*>(std::cout.rdbuf());
+  double phase = 0.0, next = 0.0;
+  if (!output) return;
+  std::unique_lock<std::mutex> lock(mutex_);
+  while (!wake_.wait_for(lock, glance, [this] { return ends_; })) {
+    const Progress::State state = progress_.state();
+    const double now = Timers::now();
+    if (state.phase.empty()) continue;
+    if (state.since != phase) {
+      phase = state.since;
+      next = phase + patience;
+    }
+    if (now < next) continue;
+    output->between(line(state, now));
+    next = output->isTerminal() ? now + 1.0 : phase + longer * (now - phase);
+  }
+}
+
+}  // namespace suture

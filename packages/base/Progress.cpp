@@ -1,0 +1,64 @@
+#include <suture/base/Progress.hpp>
+#include <suture/base/Timers.hpp>
+
+namespace suture {
+
+namespace {
+thread_local Progress* watched = nullptr;
+}
+
+Progress::State Progress::state() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return state_;
+}
+
+template <typename Change>
+void Progress::change(const Change& change) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  change(state_);
+}
+
+Progress::Watch::Watch(Progress& progress) : before_(watched) { watched = &progress; }
+Progress::Watch::~Watch() { watched = before_; }
+
+void Progress::phase(const std::string& name) {
+  if (!watched) return;
+  watched->change([&](State& state) {
+    state = {};
+    state.phase = name;
+    state.since = Timers::now();
+  });
+}
+
+Progress::Step::Step(const std::string& name) {
+  if (!watched) return;
+  watched->change([&](State& state) {
+    state.step = name;
+    if (state.residual < 0.0) state.done = state.total = 0;  // within an iteration, that is what counts
+  });
+}
+
+Progress::Step::~Step() {
+  if (watched) watched->change([](State& state) { state.step.clear(); });
+}
+
+void Progress::count(const char* unit, long total) {
+  if (!watched) return;
+  watched->change([&](State& state) {
+    state.unit = unit;
+    state.total = total;
+    ++state.done;
+  });
+}
+
+void Progress::iteration(long number, double residual, double tolerance) {
+  if (!watched) return;
+  watched->change([&](State& state) {
+    state.done = number;
+    state.total = 0;
+    state.residual = residual;
+    state.tolerance = tolerance;
+  });
+}
+
+}  // namespace suture

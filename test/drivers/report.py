@@ -1,0 +1,230 @@
+#!/usr/bin/python3
+"""report.html of suture_plot: whole, without network, with the numbers of summary.json; clear errors for what is no run.
+
+    report.py --solve suture_solve --plot suture_plot --input DIR --work DIR --mpirun "..."
+"""
+import base64
+import json
+import re
+import shutil
+import subprocess
+import sys
+import xml.etree.ElementTree as ElementTree
+from html.parser import HTMLParser
+from pathlib import Path
+
+from harness import arguments, check, finish, run, setting
+
+SECTIONS = ["scene", "mesh", "deformation", "von_mises", "principal", "contact", "reactions", "convergence", "verdict", "error", "cost", "provenance"]
+EMPTY = {"area", "base", "br", "col", "embed", "hr", "img", "input", "link", "meta", "source", "track", "wbr"}
+options = arguments("--solve", "--plot", "--input")
+scenes = Path(options.input)
+
+
+class Nesting(HTMLParser):
+    """Whether every element is closed where it was opened, as a browser reads the page."""
+
+    def __init__(self):
+        super().__init__()
+        self.open, self.wrong = [], []
+
+    def handle_starttag(self, tag, attributes):
+        if tag not in EMPTY:
+            self.open.append(tag)
+
+    def handle_endtag(self, tag):
+        if tag not in EMPTY and (not self.open or self.open.pop() != tag):
+            self.wrong.append(tag)
+
+
+def plot(folder, *more):
+    done = subprocess.run([sys.executable, "-B", options.plot, str(folder), *map(str, more)], capture_output=True, text=True, timeout=200)
+    return done.returncode, done.stdout + done.stderr
+
+
+def page_of(name, folder):
+    """The page as a tree, after the checks that hold for every report."""
+    text = (folder / "report.html").read_text(encoding="utf-8")
+    nesting = Nesting()
+    nesting.feed(text)
+    check(f"{name}: elements are nested", (nesting.wrong, nesting.open), ([], []))
+    tree = ElementTree.fromstring(text.split("\n", 1)[1])
+    bare = re.sub(r"data:image/png;base64,[A-Za-z0-9+/=]*", "", text)
+    check(f"{name}: nothing outside is named", re.findall(r"https?:|//[a-z]|url\(|@import|<script|<link|<iframe|<object|javascript:", bare), [])
+    for element in tree.iter():
+        for key, value in element.attrib.items():
+            if key == "src" and not value.startswith("data:image/png;base64,") or key == "href" and not value.startswith("#") or key.startswith("on"):
+                check(f"{name}: {element.tag} {key}", value[:60], "data: or #")
+    check(f"{name}: sections", [section.get("id") for section in tree.iter("section") if section.get("id") != "probes"], SECTIONS)
+    check(f"{name}: every section has a heading and content", [s.get("id") for s in tree.iter("section") if s.find("h2") is None or len(s) < 2], [])
+    linked = [a.get("href")[1:] for a in tree.iter("a")]
+    check(f"{name}: links lead to sections", [key for key in linked if tree.find(f".//section[@id='{key}']") is None], [])
+    pictures = [base64.b64decode(image.get("src").split(",", 1)[1])[:8] for image in tree.iter("img")]
+    check(f"{name}: pictures are PNG", set(pictures) <= {b"\x89PNG\r\n\x1a\n"}, True)
+    wrong = [data.get("value") for data in tree.iter("data") if not reads(data)]
+    check(f"{name}: numbers read as they are", wrong, [])
+    return tree, len(pictures)
+
+
+def reads(data):
+    """Whether the text of a number is the number, to the digits that are written."""
+    text, whole = data.text.replace(",", "").replace("\u2212", "-"), re.fullmatch(r"-?[0-9]+", data.get("value"))
+    value = float(data.get("value"))
+    return float(text) == value if whole else abs(float(text) - value) <= 6e-3 * abs(value)
+
+
+def numbers(element):
+    return [json.loads(data.get("value")) for data in element.iter("data")]
+
+
+def row(tree, section, first):
+    """Numbers in the row of a table whose first cell reads `first`."""
+    for line in tree.find(f".//section[@id='{section}']").iter("tr"):
+        cells = line.findall("td")
+        if cells and "".join(cells[0].itertext()) == first:
+            return [number for cell in cells[1:] for number in numbers(cell)]
+    return None
+
+
+def same_numbers(name, tree, summary):
+    """Numbers of the page against those of summary.json, all digits."""
+    for key in ("von_mises", "tension", "compression", "displacement", "pressure"):
+        known = summary["extremes"][key]
+        card = tree.find(f".//div[@id='extreme_{key}']")
+        check(f"{name}: extreme {key}", numbers(card) if card is not None else None, [known["value"], *known["place"]] if known else None)
+    for key, found in summary["verification"].items():
+        check(f"{name}: check {key}", row(tree, "verdict", key), [found["value"], found["bound"]])
+    for key, found in summary["phases"].items():
+        check(f"{name}: seconds of {key}", row(tree, "cost", key), [found["min"], found["avg"], found["max"]])
+    check(f"{name}: seconds", row(tree, "cost", "total"), [summary["seconds"]])
+    for key, found in summary["reactions"]["conditions"].items():
+        check(f"{name}: force of {key}", row(tree, "reactions", key), [*found["force"], *found["moment"]])
+    for key, found in summary["reactions"]["contacts"].items():
+        check(f"{name}: force of {key}", row(tree, "reactions", key),
+              [*found["force"], *found["moment"], *(found["centre"] or []), found["closed"], found["whole"]])
+    for key, found in summary["contact"]["by_piece"].items():
+        check(f"{name}: piece {key}", row(tree, "contact", key), [found["active"], found["pairs"], found["max_pressure"], found["max_gap"]])
+    if summary["outer"]["solver"]:
+        check(f"{name}: iterations", (row(tree, "convergence", "outer iterations"), row(tree, "convergence", "PCG iterations in all of them")),
+              ([summary["outer"]["iterations"]], [summary["outer"]["pcg_total"]]))
+    check(f"{name}: residual", row(tree, "convergence", "relative residual at the end"), [summary["outer"]["residual"]])
+
+
+def solved(name, scene, code, *more):
+    folder = options.work / name
+    check(f"{name}: exit code of the run", run(options.solve, 2, scene, "--output", folder, *more)[0], code)
+    return folder, json.loads((folder / "summary.json").read_text())
+
+
+def said(tree, section):
+    return " ".join(tree.find(f".//section[@id='{section}']").itertext())
+
+
+# Runs that ended well.
+for name, more, pictures in (("hertz_sphere", setting("Output/Error Estimate", "true"), 9), ("linear_square", [], 5)):
+    folder, summary = solved(name, scenes / name / f"{name}.xml", 0, *more)
+    code, text = plot(folder)
+    check(f"{name}: suture_plot", (code, "report.html" in text), (0, True))
+    tree, drawn = page_of(name, folder)
+    check(f"{name}: pictures", drawn, pictures)
+    check(f"{name}: good", tree.find(".//div[@id='banner']").get("class"), "verdict")
+    same_numbers(name, tree, summary)
+    scene = said(tree, "scene")
+    given = summary["parameters"]
+    check(f"{name}: the scene in words", [word for word in (*given["Bodies"], *given["Materials"], *given["Boundary Conditions"], *given["Contact"])
+                                          if word not in scene], [])
+    check(f"{name}: provenance", [word for word in (summary["mesh_hash"], *summary["command_line"], *summary["versions"].values())
+                                  if word not in said(tree, "provenance")], [])
+    if more:
+        check(f"{name}: error estimate", row(tree, "error", "of the mesh, estimated from recovered stresses, energy norm"),
+              [summary["error"]["estimated_energy_norm"], summary["error"]["estimated_energy_norm_relative"]])
+
+# A run that did not converge, and one whose answer is not determined.
+for name, scene, more in (("not_converged", scenes / "pin" / "pin.xml", setting("Outer Solver/Maximum Iterations", "1")),
+                          ("not_determined", Path(__file__).with_name("loose_block.xml"), [])):
+    folder, summary = solved(name, scene, 4, *more)
+    check(f"{name}: suture_plot", plot(folder)[0], 0)
+    tree, drawn = page_of(name, folder)
+    banner = tree.find(".//div[@id='banner']")
+    check(f"{name}: the failure is said", (banner.get("class"), summary["failure"][1:] in "".join(banner.itertext())), ("verdict bad", True))
+    same_numbers(name, tree, summary)
+
+# Without fields: a report without pictures of them; fields of an earlier run in the same folder are not taken.
+folder, summary = solved("linear_square", scenes / "linear_square" / "linear_square.xml", 0, *setting("Output/Fields", "false"))
+code, text = plot(folder, "--output", options.work / "elsewhere")
+check("without fields: suture_plot", (code, "wrote no fields" in text), (0, True))
+tree, drawn = page_of("without fields", options.work / "elsewhere")
+check("without fields: pictures", drawn, 0)
+same_numbers("without fields", tree, summary)
+
+# Names that are long or have signs of markup, and nulls for what is not finite.
+strange = options.work / "strange"
+shutil.copytree(options.work / "not_determined", strange)
+summary = json.loads((strange / "summary.json").read_text())
+summary["title"] = "<script>alert(1)</script> & \"quotes\" \x01 " + "name_without_an_end_" * 12
+summary["verification"]["forces"]["value"] = None
+summary["extremes"]["pressure"] = None
+for key in ("contacts", "conditions"):
+    summary["reactions"][key] = {f"{name} {'long ' * 40}": of for name, of in summary["reactions"][key].items()}
+parameters = summary["parameters"]
+parameters["Contact"] = {f"{name} {'long ' * 40}": of for name, of in parameters["Contact"].items()}
+parameters["Boundary Conditions"]["unknown type <b>"] = {"Group": ["block_top"], "Type": "Magnet", "Value": [1.0]}
+(strange / "summary.json").write_text(json.dumps(summary))
+check("strange names: suture_plot", plot(strange)[0], 0)
+tree, _ = page_of("strange names", strange)
+check("strange names: null is said", "not finite" in said(tree, "verdict") and "FAILS" in said(tree, "verdict"), True)
+
+# Clear errors.
+good = (options.work / "not_determined" / "summary.json").read_text()
+for name, text, words in (
+        ("cut off", good[:len(good) // 2], "summary.json is damaged"), ("no object", "[1, 2]", "instead of an object with keys"),
+        ("without a key", json.dumps({k: v for k, v in json.loads(good).items() if k != "phases"}), "phases: missing"),
+        ("a text for a number", good.replace('"exit_code": 4', '"exit_code": "four"'), 'exit_code: "four" instead of a whole number'),
+        ("a list for an object", json.dumps({**json.loads(good), "reactions": []}), "reactions: [] instead of an object with keys"),
+        ("of another mesh", json.dumps({**json.loads(good), "mesh_hash": "0123"}), "of another mesh")):
+    folder = options.work / "damaged"
+    shutil.rmtree(folder, ignore_errors=True)
+    shutil.copytree(options.work / "not_determined", folder)
+    (folder / "summary.json").write_text(text)
+    code, said_ = plot(folder)
+    check(f"summary {name}", (code, words in said_, "Traceback" in said_), (3, True, False))
+empty = options.work / "empty"
+empty.mkdir()
+code, text = plot(empty)
+check("a folder that is none of a run", (code, "has no summary.json" in text), (3, True))
+(empty / "study.json").write_text("{}")
+code, text = plot(empty)
+check("a folder of a study", (code, "suture_study_plot" in text), (3, True))
+(empty / "study.json").rename(empty / "summary.previous.json")
+code, text = plot(empty)
+check("a folder whose last run did not finish", (code, "did not finish" in text), (3, True))
+
+# A study with failed runs: one whose columns are known, one without any.
+study = options.work / "study"
+study.mkdir()
+cells = {("small", "None"): [4.0, 19.0], ("small", "Kernels"): [4.0, 9.0], ("large", "None"): [None, None], ("large", "Kernels"): [16.0, 15.0]}
+rows = [{"labels": list(labels), "cells": found, "exit_code": 4 if labels[1] == "None" else 0, "failure": "did <not> converge" if labels[1] == "None" else ""}
+        for labels, found in cells.items()]
+plots = [{"name": name, "x": x, "y": ["pcg"], "by": ["space"], "logarithmic_x": True, "logarithmic_y": True, "pareto": False}
+         for name, x in (("by sweep", "size"), ("by column", "subdomains"))]
+planted = {"title": "Failures", "columns": ["subdomains", "pcg"], "rows": rows, "plots": plots,
+           "sweeps": [{"name": "size", "labels": ["small", "large"]}, {"name": "space", "labels": ["None", "Kernels"]}]}
+(study / "study.json").write_text(json.dumps(planted))
+sys.path.insert(0, str(Path(options.plot).resolve().parent))
+from suture_plot_parts.study import Table, study_figure  # noqa: E402
+
+for plotted, crosses, words in ((plots[0], 2, "no solution: 2 of 4 runs"), (plots[1], 1, "no solution: 2 of 4 runs\n(1 of unknown subdomains)")):
+    panel = study_figure(Table(study / "study.json"), plotted).axes[0]
+    check(f"study {plotted['name']}: crosses", sum(line.get_gid() == "failed" for line in panel.lines), crosses)
+    check(f"study {plotted['name']}: legend", words in [text.get_text() for text in panel.get_legend().get_texts()], True)
+done = subprocess.run([sys.executable, "-B", Path(options.plot).with_name("suture_study_plot"), study], capture_output=True, text=True, timeout=100)
+check("study: suture_study_plot", (done.returncode, sorted(path.name for path in study.glob("*.png"))), (0, ["by_column.png", "by_sweep.png"]))
+tree = ElementTree.fromstring((study / "report.html").read_text(encoding="utf-8").split("\n", 1)[1])
+marked = ["".join(line.itertext()) for line in tree.iter("tr") if any(span.get("class") == "fails" for span in line.iter("span"))]
+check("study: failed runs are marked in the table", (len(marked), all("did <not> converge" in text for text in marked)), (2, True))
+for row_ in planted["rows"]:
+    row_["exit_code"] = 4
+(study / "study.json").write_text(json.dumps(planted))
+done = subprocess.run([sys.executable, "-B", Path(options.plot).with_name("suture_study_plot"), study], capture_output=True, text=True, timeout=100)
+check("study without any solution", (done.returncode, "no run has converged" in done.stderr, "Traceback" in done.stderr), (3, True, False))
+finish()
