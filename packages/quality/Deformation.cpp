@@ -34,6 +34,8 @@ void forEachNode(const std::vector<SubdomainMesh>& meshes, const std::vector<Vec
     }
 }
 
+constexpr double kExplained = 100.0;  // ratio of a body's motion in a turn to the largest deformation of any body: levers have less
+
 struct Motion {
   Point shift{0, 0, 0};
   double turn = 0.0;
@@ -73,7 +75,7 @@ std::vector<Deformation> deformations(const Comm& comm, const std::vector<Subdom
     for (int k = axisymmetric ? 1 : 0; k < 2 && means[b][0] > 0.0; ++k) motion[b].shift[k] += turns[b][2 + k] / means[b][0];
     if (!axisymmetric && turns[b][0] > 0.0) motion[b].turn = turns[b][1] / turns[b][0];
   }
-  Sums<3> largest(bodies, {0, 0, 0});
+  Sums<4> largest(bodies, {0, 0, 0, 0});
   forEachNode(meshes, displacement, [&](int body, const Point& x, const Point& u) {
     const Point arm = minus(x, all[body].centre);
     const Motion& rigid = motion[body];
@@ -83,13 +85,28 @@ std::vector<Deformation> deformations(const Comm& comm, const std::vector<Subdom
     own[1] = std::max({own[1], std::abs(u[0]), std::abs(u[1])});
     own[2] = std::max(own[2], length(arm[0], arm[1]));
   });
-  largest = reduced<3>(comm, largest, Teuchos::REDUCE_MAX);
+  for (const SubdomainMesh& mesh : meshes)
+    for (const NodeRule& rule : mesh.rules)
+      for (int k = 0; k < mesh.dimension; ++k)
+        if (rule.fixed[k] && rule.value[k] != 0.0) largest[mesh.body][3] = 1.0;
+  largest = reduced<4>(comm, largest, Teuchos::REDUCE_MAX);
   for (int b = 0; b < bodies; ++b) {
     all[b].largest = largest[b][0];
     all[b].moved = largest[b][1];
     all[b].extent = largest[b][2];
+    all[b].isMoved = largest[b][3] > 0.0;
+    all[b].turn = std::abs(motion[b].turn);
   }
   return all;
+}
+
+double unexplainedTurn(const std::vector<Deformation>& all, int body) {
+  double around = 0.0;
+  for (const Deformation& other : all) {
+    if (other.isMoved) return 0.0;
+    around = std::max(around, other.largest);
+  }
+  return all[body].turn * all[body].extent > kExplained * around ? all[body].turn : 0.0;
 }
 
 }  // namespace suture

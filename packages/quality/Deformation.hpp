@@ -11,11 +11,17 @@ struct Deformation {
   double largest = 0.0;  ///< distance of a node from the rigid motion: the body's deformation scale [length]
   double moved = 0.0;    ///< largest component of a node's displacement, the rigid motion included [length]
   double extent = 0.0;   ///< largest distance of a node from the centre of the nodes [length]
+  double turn = 0.0;     ///< rigid rotation [rad]
+  bool isMoved = false;  ///< displacements other than zero are prescribed
   Point centre{0, 0, 0};
 };
 
 /// Deformation of each body, in the plane. Collective. \param displacement  of each mesh of this rank, node-major, Cartesian
 std::vector<Deformation> deformations(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const std::vector<Vector>& displacement,
                                       int bodies);
+
+/// Rotation of a body that the deformation of no body explains: it moves its nodes a hundred times farther. Zero in any other case, and
+/// where displacements are prescribed. [rad]
+double unexplainedTurn(const std::vector<Deformation>& all, int body);
 
 }  // namespace suture

@@ -33,6 +33,10 @@ constexpr Name kNames[kQuantities] = {
      "Double precision cannot hold the answer: the body's own forces drown in the rounding of its displacements. Take the large rigid "
      "motion "
      "or gap out of the scene, or bring the stiffnesses closer together"},
+    {"rotation",
+     "The body turns, and nothing but the shape of a contact holds it: rotations are taken for small ones, so its place means nothing. "
+     "Hold "
+     "it by a condition on one component (Boundary Conditions/<name>/Components)"},
 };
 
 }  // namespace

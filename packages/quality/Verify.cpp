@@ -197,6 +197,8 @@ void Verifier::judgeBodies() {
     if (!axisymmetric_) findings_.take(Quantity::Moments, std::abs(sums.moment), allowed * extent, force * extent, where);
     findings_.take(Quantity::Residual, sums.residual, Bounds::residual.at(tolerance_) * force + roundings * sums.rounding, force, where);
     if (force > 0.0 && !scales_[b].carriesNothing()) findings_.take(Quantity::Digits, rounded, Bounds::digits * force, force, where);
+    if (const double turn = unexplainedTurn(deformation_, b); turn > 0.0)
+      findings_.take(Quantity::Rotation, turn, Bounds::rotation, 1.0, where);
   }
 }
 

@@ -17,6 +17,7 @@ CHECKS = {
     "complementarity": ("Each pair has a force or a gap, not both", "force through the body"),
     "status": ("Open pairs carry nothing, closed ones have no gap", "force through the body"),
     "digits": ("Double precision holds the answer", "force through the body"),
+    "rotation": ("No body turns beyond small rotations where nothing holds it", "radian"),
 }
 ERRORS = {
     "estimated_energy_norm": "of the mesh, estimated from recovered stresses, energy norm",
