@@ -21,6 +21,7 @@ import subprocess
 import sys
 import xml.etree.ElementTree as xml
 
+SLOWER = float(os.environ.get("SUTURE_TIME_FACTOR", 1))  # limits of time are multiplied by it: the test presets set it
 NUMBER = r"(?<![\w.])[-+]?(?:\d{1,3}(?:,\d{3})+|\d+)(?:\.\d+)?(?:[eE][-+]?\d+)?(?![\w])"
 
 
@@ -85,7 +86,7 @@ class Reading:
             (self.work / "input").symlink_to(options.source.resolve() / "input")
 
     def run(self, command):
-        done = subprocess.run(command, shell=True, cwd=self.work, env=self.environment, capture_output=True, text=True, timeout=120)
+        done = subprocess.run(command, shell=True, cwd=self.work, env=self.environment, capture_output=True, text=True, timeout=120 * SLOWER)
         print(f"$ {command}\n{done.stdout}{done.stderr}", flush=True)
         self.printed += done.stdout + done.stderr
         if done.returncode != 0:
