@@ -116,7 +116,7 @@ struct Bounds {
   static constexpr double rounding = 4.0;  ///< times eps |K| |u|
   static constexpr double nothing = 64.0;  ///< times eps |K| |u|: forces of a body that only moves
   static constexpr double digits = 1e-4;   ///< part of a body's forces or deformation that rounding may take
-  static constexpr double rotation = 1.0;  ///< [rad] of a body that hardly anything holds: far beyond small rotations
+  static constexpr double rotation = 0.3;  ///< [rad] of a body that hardly anything holds: a cosine of .955 is taken for 1
   static constexpr double passive =
       1e-3;  ///< part of its neighbours' force that a body without data of its own is measured by; of a body's force, its contact
   static constexpr double geometry = 1e-10;  ///< part of a body's deformation that prescribed values and seams may be off by

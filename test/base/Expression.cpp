@@ -86,14 +86,14 @@ TEUCHOS_UNIT_TEST(Expression, TellsWhereItsValueIsNotFinite) {
   TEST_THROW(Expression("ln(x)").at({-1, 0, 0}), InputError);
 }
 
-Parameters scene(const std::string& inside) {
+Parameters parametersOf(const std::string& inside) {
   return *parseScene("<ParameterList>" + inside + "</ParameterList>", "scene.xml",
                      Schema().list("Constants", constantsSchema()).text("Gap", std::nullopt, "an expression").optional())
               .parameters;
 }
 
 TEUCHOS_UNIT_TEST(Constants, AreKnownToTheExpressionsOfTheScene) {
-  const Parameters list = scene(R"xml(<ParameterList name="Constants"><Parameter name="R" type="double" value="8"/></ParameterList>
+  const Parameters list = parametersOf(R"xml(<ParameterList name="Constants"><Parameter name="R" type="double" value="8"/></ParameterList>
     <Parameter name="Gap" type="string" value="x &lt; R ? R - sqrt(R^2 - x^2) : R"/>)xml");
   Problems problems;
   const Constants constants = readConstants(list.sublist("Constants"), problems);
@@ -104,7 +104,7 @@ TEUCHOS_UNIT_TEST(Constants, AreKnownToTheExpressionsOfTheScene) {
 }
 
 TEUCHOS_UNIT_TEST(Constants, WithNamesThatNoExpressionCanUseAreProblems) {
-  const Parameters list = scene(R"xml(<ParameterList name="Constants"><Parameter name="E star" type="double" value="1"/>
+  const Parameters list = parametersOf(R"xml(<ParameterList name="Constants"><Parameter name="E star" type="double" value="1"/>
     <Parameter name="x" type="double" value="1"/><Parameter name="sin" type="double" value="1"/></ParameterList>
     <Parameter name="Gap" type="string" value="R"/>)xml");
   Problems problems;
