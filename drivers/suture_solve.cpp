@@ -17,6 +17,7 @@ namespace suture {
 RunResult solveScene(const CommPtr& comm, const SolveOptions& options) {
   Timers timers;
   RunMonitor monitor(consoleOf(*comm, options.quiet), options.verbose, options.strict);
+  if (isTerminal()) monitor.useColours();
   const Heartbeat heartbeat(monitor.console());
   listenForStop(monitor);
   const SceneFile file = timed(timers, "read", [&] { return readScene(*comm, options.scene, sceneSchema(), options.overrides); });

@@ -1,6 +1,7 @@
 #include "Program.hpp"
 
 #include <mpi.h>
+#include <unistd.h>
 #ifdef __GLIBC__
 #include <malloc.h>
 #endif
@@ -192,6 +193,8 @@ bool isFirstProcess() {
     if (const char* rank = std::getenv(variable)) return std::string(rank) == "0";
   return true;
 }
+
+bool isTerminal() { return isatty(STDOUT_FILENO) != 0 && !std::getenv("NO_COLOR"); }
 
 std::ostream* consoleOf(const Comm& comm, bool quiet) { return quiet || comm.getRank() != 0 ? nullptr : &std::cout; }
 

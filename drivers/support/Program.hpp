@@ -48,6 +48,9 @@ class MeetingPoint {
 /// True if this process is the first of its mpirun, also before MPI begins: a help text is printed once.
 bool isFirstProcess();
 
+/// True if standard output is a terminal whose user has nothing against colours (NO_COLOR).
+bool isTerminal();
+
 /// Standard output on rank 0, null on the others and when quiet.
 std::ostream* consoleOf(const Comm& comm, bool quiet);
 

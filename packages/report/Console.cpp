@@ -22,7 +22,7 @@ std::string titleOf(const SceneFile& scene) {
 std::string ending(const Run& run, double largestDisplacement) {
   const Solution& answer = run.solution;
   const Units units = unitsOf(*run.scene.parameters);
-  std::string line = answer.converged ? "converged: " : "not converged: ";
+  std::string line = answer.converged ? "converged: " : run.monitor.in(RunMonitor::Colour::Bad, "not converged: ");
   if (!answer.converged && !answer.failure.empty()) line += answer.failure + "; ";
   if (answer.outerSolver.empty())
     line += answer.auxiliary.pcg == 0 ? "no interface iteration" : format("%d PCG", answer.auxiliary.pcg);
@@ -38,16 +38,16 @@ std::string ending(const Run& run, double largestDisplacement) {
   } else {
     line += format("largest displacement %.3e %s", largestDisplacement, units.length.c_str());
   }
-  if (!answer.undetermined.empty()) line = "NOT DETERMINED: " + answer.undetermined + "\n" + line;
+  if (!answer.undetermined.empty()) line = run.monitor.in(RunMonitor::Colour::Bad, "NOT DETERMINED: ") + answer.undetermined + "\n" + line;
   return line + format(", forces balance to %.0e", answer.verification.balance.imbalance);
 }
 
 // "verified: balance, supports and contact hold; nearest to its bound: residual 2.1e-09 of 1.0e-06 (body 'left', (0, 3))"
-std::string verdict(const Verification& verification) {
+std::string verdict(const RunMonitor& monitor, const Verification& verification) {
   const Check* worst = verification.worst();
   if (!worst) return "";
-  if (!verification.holds()) return "   NOT VERIFIED: " + verification.failure() + "\n";
-  std::string line = "   verified: forces, supports and contact hold";
+  if (!verification.holds()) return "   " + monitor.in(RunMonitor::Colour::Bad, "NOT VERIFIED: ") + verification.failure() + "\n";
+  std::string line = "   " + monitor.in(RunMonitor::Colour::Good, "verified:") + " forces, supports and contact hold";
   if (worst->value > 0.0)
     line += format("; nearest to its bound: %s %.1e of %.1e", worst->name.c_str(), worst->value, worst->bound) + " (" + worst->where + ")";
   return line + "\n";
@@ -99,13 +99,13 @@ std::string whatToTry(const std::string& indent) {
   return indent +
          "to try: --set \"Outer Solver/Type=Monolithic\", which needs neither subdomains nor iterations, tells whether the scene is at "
          "fault;\n" +
-         indent + "        mesh.png of suture_plot shows what is held and what touches; doc/convergence.md goes through the causes\n";
+         indent + "        scene.png of suture_plot shows what is held and what touches; doc/convergence.md goes through the causes\n";
 }
 
 void printFooter(std::ostream& console, const Run& run, const RunFigures& figures) {
   console << ending(run, figures.largestDisplacement) << "\n"
-          << verdict(run.solution.verification) << (isAnswered(run.solution) ? "" : whatToTry("   ")) << exactErrors(run.solution.errors)
-          << estimatedErrors(run.solution) << extremesText(run, figures.dimension);
+          << verdict(run.monitor, run.solution.verification) << (isAnswered(run.solution) ? "" : whatToTry("   "))
+          << exactErrors(run.solution.errors) << estimatedErrors(run.solution) << extremesText(run, figures.dimension);
   for (const Timers::Statistics& phase : figures.phases) console << format("   %s %.2f s", phase.phase.c_str(), phase.max);
   console << format("   total %.2f s   peak %.0f MB a rank\n", run.timers.total(), figures.memory.max);
   std::string folder = run.folder;

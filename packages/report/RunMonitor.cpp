@@ -39,10 +39,14 @@ void RunMonitor::outer(const OuterRow& given) {
   rows_.push_back(row);
 }
 
+std::string RunMonitor::in(Colour colour, const std::string& text) const {
+  return coloured_ ? format("\033[%dm", int(colour)) + text + "\033[0m" : text;
+}
+
 void RunMonitor::repeatWarnings() const {
   if (!console_) return;
   for (const std::string& note : notes_)
-    if (isWarning(note)) *console_ << "   " + note + "\n";
+    if (isWarning(note)) *console_ << "   " + in(Colour::Warning, note) + "\n";
   *console_ << std::flush;
 }
 
@@ -50,7 +54,7 @@ void RunMonitor::note(const std::string& text) {
   const bool warning = isWarning(text);
   if (warning && strict_) throw InputError("--strict", text);
   notes_.push_back(text);
-  if (console_) *console_ << (warning ? "   " : "   note: ") << text << std::endl;
+  if (console_) *console_ << (warning ? "   " + in(Colour::Warning, text) : "   note: " + text) << std::endl;
 }
 
 void RunMonitor::inner(int iteration, double relativeResidual) {

@@ -30,6 +30,12 @@ class RunMonitor : public Monitor {
   /// Energy that the solver does not know of, added to that of every row.
   void shiftEnergy(double shift) { energyShift_ = shift; }
 
+  /// Bad news in red, warnings in yellow: for a terminal.
+  void useColours() { coloured_ = true; }
+  enum class Colour { Good = 32, Warning = 33, Bad = 31 };
+  /// The text in a colour, if there are any.
+  std::string in(Colour colour, const std::string& text) const;
+
   std::ostream* console() const { return console_; }  ///< null: silent
   const std::vector<OuterRow>& rows() const { return rows_; }
   const std::vector<std::string>& notes() const { return notes_; }
@@ -38,7 +44,7 @@ class RunMonitor : public Monitor {
 
  private:
   std::ostream* console_;
-  bool verbose_, strict_;
+  bool verbose_, strict_, coloured_ = false;
   double energyShift_ = 0.0;
   std::function<bool()> stop_;
   std::vector<OuterRow> rows_;

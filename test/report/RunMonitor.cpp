@@ -57,6 +57,16 @@ TEUCHOS_UNIT_TEST(RunMonitor, TurnsWarningsButNotNotesIntoErrorsWhenStrict) {
   TEST_THROW(strict.note("warning: a subdomain was split"), InputError);
 }
 
+TEUCHOS_UNIT_TEST(RunMonitor, ColoursOnRequestOnly) {
+  std::ostringstream console;
+  RunMonitor monitor(&console, false);
+  TEST_EQUALITY(monitor.in(RunMonitor::Colour::Bad, "not converged"), "not converged");
+  monitor.useColours();
+  TEST_EQUALITY(monitor.in(RunMonitor::Colour::Bad, "not converged"), "\033[31mnot converged\033[0m");
+  monitor.note("a choice");
+  TEST_EQUALITY(console.str(), "   note: a choice\n");
+}
+
 TEUCHOS_UNIT_TEST(RunMonitor, RepeatsWarningsButNotNotes) {
   std::ostringstream console;
   RunMonitor monitor(&console, false);

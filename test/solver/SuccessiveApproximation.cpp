@@ -17,7 +17,7 @@ using namespace suture;
 
 namespace {
 
-struct Rows : Monitor {
+struct StepRows : Monitor {
   void outer(const OuterRow& row) override {
     residuals.push_back(row.residual);
     energies.push_back(row.energy);
@@ -124,7 +124,7 @@ struct StackedBlocks {
                                                  [] { return std::make_unique<ImplicitSchurComplement>(); });
   }
 
-  OuterResult solve(const std::string& relaxation, double tolerance, int most, Rows& rows) const {
+  OuterResult solve(const std::string& relaxation, double tolerance, int most, StepRows& rows) const {
     Parameters own;
     own.set<std::string>("Relaxation", relaxation);
     own.set("Inner Tolerance", 1e-6);  // so that the contraction is the method's own
@@ -150,7 +150,7 @@ double observedRate(const std::vector<double>& residuals) {
 
 TEUCHOS_UNIT_TEST(SuccessiveApproximation, NeedsSevenStepsOnTheSoftGroup) {
   const StackedBlocks blocks(0.1);
-  Rows rows;
+  StepRows rows;
   const OuterResult result = blocks.solve("None", 1e-12, 100, rows);
   TEST_ASSERT(result.converged);
   TEST_COMPARE(rows.stepsToError(1e-6), >=, 6);
@@ -162,7 +162,7 @@ TEUCHOS_UNIT_TEST(SuccessiveApproximation, NeedsSevenStepsOnTheSoftGroup) {
 
 TEUCHOS_UNIT_TEST(SuccessiveApproximation, NeedsSixteenStepsAtTwiceTheStiffness) {
   const StackedBlocks blocks(0.2);
-  Rows rows;
+  StepRows rows;
   const OuterResult result = blocks.solve("None", 1e-12, 100, rows);
   TEST_ASSERT(result.converged);
   TEST_COMPARE(rows.stepsToError(1e-6), >=, 15);
@@ -178,7 +178,7 @@ TEUCHOS_UNIT_TEST(SuccessiveApproximation, NeedsSixteenStepsAtTwiceTheStiffness)
 
 TEUCHOS_UNIT_TEST(SuccessiveApproximation, IsPredictedAndSeenToDivergeOnAStiffGroup) {
   const StackedBlocks blocks(0.4);
-  Rows rows;
+  StepRows rows;
   const OuterResult result = blocks.solve("None", 1e-6, 60, rows);
   TEST_ASSERT(!result.converged);
   TEST_COMPARE(result.estimates.at("radius"), >, 1.0);
@@ -187,7 +187,7 @@ TEUCHOS_UNIT_TEST(SuccessiveApproximation, IsPredictedAndSeenToDivergeOnAStiffGr
 
 TEUCHOS_UNIT_TEST(SuccessiveApproximation, ConvergesOnAStiffGroupWithAutomaticRelaxation) {
   const StackedBlocks blocks(0.4);
-  Rows rows;
+  StepRows rows;
   const OuterResult result = blocks.solve("Automatic", 1e-6, 100, rows);
   TEST_ASSERT(result.converged);
   TEST_COMPARE(result.estimates.at("relaxation"), <, 1.0);
@@ -216,7 +216,7 @@ TEUCHOS_UNIT_TEST(SuccessiveApproximation, EqualsTheMonolithicReferenceAsTheOthe
       {"Successive Approximation", &approximation}, {"Semismooth Newton", &newton}, {"Chord", &chord}};
   for (const auto& [method, own] : methods) {
     out << method << "\n";
-    Rows rows;
+    StepRows rows;
     const OuterResult result = blocks.solveWith(method, *own, 1e-9, 100, rows);
     TEST_ASSERT(result.converged);
     const InterfaceProblem::Recovered recovered = blocks.problem->recover(result.state);
