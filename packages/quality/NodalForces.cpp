@@ -1,5 +1,5 @@
 #include <suture/base/Collective.hpp>
-#include <suture/elasticity/SubdomainLoads.hpp>
+#include <suture/elasticity/loads/SubdomainLoads.hpp>
 #include <suture/quality/NodalForces.hpp>
 
 #include <map>

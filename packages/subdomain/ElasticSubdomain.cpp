@@ -1,4 +1,4 @@
-#include <suture/elasticity/SubdomainLoads.hpp>
+#include <suture/elasticity/loads/SubdomainLoads.hpp>
 #include <suture/subdomain/ElasticSubdomain.hpp>
 #include <suture/subdomain/RigidModes.hpp>
 

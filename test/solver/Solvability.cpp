@@ -1,7 +1,7 @@
 #include <Teuchos_UnitTestHarness.hpp>
 #include <suture/algebra/dense/NonnegativeLeastSquares.hpp>
 #include <suture/base/Errors.hpp>
-#include <suture/elasticity/NodalLoads.hpp>
+#include <suture/elasticity/loads/NodalLoads.hpp>
 #include <suture/mesh/Generators.hpp>
 #include <suture/reference/MonolithicSystem.hpp>
 #include <suture/solver/solvability/Solvability.hpp>

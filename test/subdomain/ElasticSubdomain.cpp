@@ -1,6 +1,6 @@
 #include <Teuchos_CommHelpers.hpp>
 #include <Teuchos_UnitTestHarness.hpp>
-#include <suture/elasticity/NodalLoads.hpp>
+#include <suture/elasticity/loads/NodalLoads.hpp>
 #include <suture/reference/Monolithic.hpp>
 #include <suture/reference/MonolithicSystem.hpp>
 

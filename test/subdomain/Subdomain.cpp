@@ -1,6 +1,6 @@
 #include <Teuchos_UnitTestHarness.hpp>
 #include <support/Blocks.hpp>
-#include <suture/elasticity/SubdomainLoads.hpp>
+#include <suture/elasticity/loads/SubdomainLoads.hpp>
 
 namespace suture {
 namespace {

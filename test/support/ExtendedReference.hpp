@@ -1,6 +1,6 @@
 #pragma once
 #include <support/SmallScenes.hpp>
-#include <suture/elasticity/NodalLoads.hpp>
+#include <suture/elasticity/loads/NodalLoads.hpp>
 #include <suture/reference/MonolithicSystem.hpp>
 
 #include <Eigen/SparseCore>

@@ -1,7 +1,7 @@
 #include <suture/algebra/dense/Decompositions.hpp>
 #include <suture/algebra/dense/NonnegativeLeastSquares.hpp>
 #include <suture/base/Errors.hpp>
-#include <suture/elasticity/NodalLoads.hpp>
+#include <suture/elasticity/loads/NodalLoads.hpp>
 #include <suture/solver/solvability/Solvability.hpp>
 
 #include <algorithm>

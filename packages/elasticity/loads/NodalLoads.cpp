@@ -1,5 +1,5 @@
 #include <suture/base/Errors.hpp>
-#include <suture/elasticity/NodalLoads.hpp>
+#include <suture/elasticity/loads/NodalLoads.hpp>
 
 namespace suture {
 

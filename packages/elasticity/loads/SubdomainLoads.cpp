@@ -1,4 +1,4 @@
-#include <suture/elasticity/SubdomainLoads.hpp>
+#include <suture/elasticity/loads/SubdomainLoads.hpp>
 
 #include <algorithm>
 #include <numeric>
