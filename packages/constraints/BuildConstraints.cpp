@@ -5,6 +5,7 @@
 #include <suture/constraints/FacetError.hpp>
 #include <suture/constraints/NodalRules.hpp>
 #include <suture/constraints/pairing/ContactPairs.hpp>
+#include <suture/mesh/SideGeometry.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -86,16 +87,37 @@ void addContactFrames(const std::vector<ContactPair>& pairs, std::vector<NodeRul
   std::sort(rules.begin(), rules.end(), [](const NodeRule& x, const NodeRule& y) { return x.node < y.node; });
 }
 
+std::vector<SpringDirection> springsOf(const Mesh& mesh, const std::vector<Condition>& conditions) {
+  std::vector<SpringDirection> springs;
+  for (const Condition& condition : conditions) {
+    if (condition.type != Condition::Type::ElasticSupport) continue;
+    for (const Side& side : sidesOf(mesh.sideGroups, condition.groups)) {
+      const std::vector<int> nodes = mesh.nodesOf(side);
+      std::vector<Point> points;
+      for (const int node : nodes) points.push_back(mesh.point(node));
+      const std::vector<NodeNormal> normals = nodeNormals(points, mesh.dimension);
+      for (std::size_t i = 0; i < nodes.size(); ++i) {
+        const Point normal = unit(normals[i].density);
+        if (condition.normal > 0.0) springs.push_back({side.element, nodes[i], normal});
+        if (condition.tangential > 0.0) springs.push_back({side.element, nodes[i], turned(normal)});
+      }
+    }
+  }
+  return springs;
+}
+
 // A body that nothing touches can be anywhere.
 void checkHeld(const Mesh& mesh, const Constraints& constraints, Problems& problems) {
   std::vector<char> held(mesh.bodies.size(), 0);
   for (const NodeRule& rule : constraints.rules) held[mesh.bodyOfNode[rule.node]] = 1;  // boundary conditions only, as yet
+  for (const SpringDirection& spring : constraints.springs) held[mesh.bodyOfNode[spring.node]] = 1;
   for (const ContactPiece& piece : constraints.pieces)
     for (const int body : piece.bodies) held[body] = 1;
   for (std::size_t body = 0; body < mesh.bodies.size(); ++body)
     if (!held[body])
-      problems.add("Bodies/" + mesh.bodies[body],
-                   "nothing holds this body: no Displacement or Bilateral condition and no contact line is on its boundary");
+      problems.add(
+          "Bodies/" + mesh.bodies[body],
+          "nothing holds this body: no Displacement, Bilateral or Elastic Support condition and no contact line is on its boundary");
 }
 
 Constraints build(const Mesh& mesh, const std::vector<Condition>& conditions, std::vector<ContactSurface> contacts,
@@ -107,6 +129,7 @@ Constraints build(const Mesh& mesh, const std::vector<Condition>& conditions, st
   Constraints constraints;
   constraints.rules = nodalRules(mesh, conditions, problems, constraints.supports);
   for (const Condition& condition : conditions) constraints.conditions.push_back(condition.name);
+  constraints.springs = springsOf(mesh, conditions);
   std::vector<PairedSurface> paired;
   for (const ContactSurface& contact : contacts) {
     paired.push_back(pairSurface(mesh, contact, problems, constraints.notes));

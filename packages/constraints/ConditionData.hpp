@@ -14,9 +14,9 @@ struct ConditionData {
   double at(std::size_t i, const Point& point) const { return expressions.empty() ? values[i] : expressions[i].at(point); }
 };
 
-/// Reads `Value`, or else `Expression x` and `Expression y` (a Pressure: `Expression`), of one entry of `Boundary Conditions`; components
-/// that a Displacement leaves free have neither. For the types that have data. Local.
-/// \param problems  gets: no data, both kinds of data, a wrong number of values, an expression too many or too few, one that cannot be read
+/// Reads `Value`, or else the expressions of the type (ConditionForm: `Expression x` and `Expression y`, or `Expression`), of one entry of
+/// `Boundary Conditions`; components that a Displacement leaves free have neither. For the types that have data. Local. \param problems
+/// gets: no data, both kinds of data, a wrong number of values, an expression too many or too few, one that cannot be read
 ConditionData readConditionData(const Parameters& condition, const Constants& constants, Problems& problems);
 
 /// The names of the parameters that hold expressions, of all types.

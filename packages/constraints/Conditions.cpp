@@ -1,7 +1,7 @@
 #include <suture/base/scene/SceneReader.hpp>
-#include <suture/constraints/BuildConstraints.hpp>
-#include <suture/constraints/Conditions.hpp>
+#include <suture/constraints/ConditionForm.hpp>
 
+#include <Teuchos_Array.hpp>
 #include <Teuchos_ParameterList.hpp>
 
 #include <algorithm>
@@ -10,30 +10,17 @@ namespace suture {
 
 namespace {
 
-const std::vector<std::pair<std::string, Condition::Type>>& types() {
-  using T = Condition::Type;
-  static const std::vector<std::pair<std::string, T>> all = {{"Displacement", T::Displacement}, {"Bilateral", T::Bilateral},
-                                                             {"Traction", T::Traction},         {"Pressure", T::Pressure},
-                                                             {"Body Force", T::BodyForce},      {"Random Load", T::RandomLoad}};
-  return all;
-}
-
-std::string nameOf(Condition::Type type) {
-  for (const auto& [name, known] : types())
-    if (known == type) return name;
-  throw InternalError("a type of boundary condition without a name");
-}
-
 /// Groups and bodies of a condition, against those of the mesh.
 void checkPlace(const Mesh& mesh, const Condition& condition, Problems& problems) {
   const auto wrong = [&](const std::string& parameter, const std::string& what) { problems.add(condition.path + "/" + parameter, what); };
-  if (condition.onBody()) {
+  if (!condition.onSides()) {
     if (!condition.body.empty() && std::find(mesh.bodies.begin(), mesh.bodies.end(), condition.body) == mesh.bodies.end())
       wrong("Body", unknownName("body", condition.body, mesh.bodies));
     return;
   }
   if (condition.groups.empty())
-    wrong("Group", "is missing: a " + nameOf(condition.type) + " needs a curve group. Curve groups: " + joinNames(mesh.sideGroupNames()));
+    wrong("Group", "is missing: " + withArticle(formOf(condition.type).name) +
+                       " needs a curve group. Curve groups: " + joinNames(mesh.sideGroupNames()));
   for (const std::string& group : condition.groups) {
     const auto found = mesh.sideGroups.find(group);
     if (found == mesh.sideGroups.end())
@@ -64,13 +51,13 @@ class Entry {
   Condition read(const std::string& name) {
     condition_.name = name;
     condition_.path = pathOf(list_);
-    typeName_ = list_.get<std::string>("Type");
-    for (const auto& [known, type] : types())
-      if (known == typeName_) condition_.type = type;
+    form_ = &formNamed(list_.get<std::string>("Type"));
+    condition_.type = form_->type;
     readPlace();
     readComponents();
     readData();
-    readRandom();
+    checkSpecials();
+    readSupport();
     return condition_;
   }
 
@@ -81,10 +68,13 @@ class Entry {
 
   void readPlace() {
     condition_.groups = groupNames(list_, "Group");
-    if (list_.isParameter("Group") && condition_.onBody())
-      wrong("Group", "a " + typeName_ + " acts on a body, not on a curve group; name it in Body, or leave it out for all bodies");
-    if (list_.isParameter("Body") && !condition_.onBody())
-      wrong("Body", "only a Body Force or a Random Load has it; found in a " + typeName_);
+    const std::string subject = withArticle(form_->name);
+    if (list_.isParameter("Group") && form_->place == ConditionForm::Place::Body)
+      wrong("Group", subject + " acts on a body, not on a curve group; name it in Body, or leave it out for all bodies");
+    if (list_.isParameter("Group") && form_->place == ConditionForm::Place::Point)
+      wrong("Group", subject + " acts at a point, not on a curve group; name its place in Point");
+    if (list_.isParameter("Body") && condition_.onSides())
+      wrong("Body", subject + " acts on a curve group, not on a body; name it in Group");
     else if (list_.isParameter("Body"))
       condition_.body = list_.get<std::string>("Body");
     checkPlace(mesh_, condition_, problems_);
@@ -92,33 +82,44 @@ class Entry {
 
   void readComponents() {
     const std::string components = list_.get<std::string>("Components");
-    if (condition_.type != Type::Displacement) {
-      if (components != "All") wrong("Components", "only a Displacement has it; found in a " + typeName_);
-      return;
-    }
+    if (!form_->isPartial() && components != "All")
+      wrong("Components", "only a Displacement or a Mean Displacement has it; found in " + withArticle(form_->name));
+    if (condition_.type != Type::Displacement) return;
     if (components != "y") condition_.components.push_back(0);
     if (components != "x") condition_.components.push_back(1);
   }
 
   void readData() {
-    const bool random = condition_.type == Type::RandomLoad;
-    if (condition_.type != Type::Bilateral && !random) {
+    if (!form_->components.empty()) {
       condition_.data = readConditionData(list_, constants_, problems_);
       return;
     }
     std::vector<std::string> names = expressionNames();
     names.push_back("Value");
+    const std::string subject = withArticle(form_->name) + (condition_.type == Type::Bilateral ? " condition" : "");
     for (const std::string& name : names)
-      if (list_.isParameter(name))
-        wrong(name, random ? "a Random Load has no value: it has Amplitude and Seed"
-                           : "a Bilateral condition has no value: the normal displacement is zero");
+      if (list_.isParameter(name)) wrong(name, subject + " has no value: " + form_->instead);
   }
 
-  void readRandom() {
-    const bool random = condition_.type == Type::RandomLoad;
-    for (const char* name : {"Seed", "Amplitude", "Mean"})
-      if (!random && list_.isParameter(name)) wrong(name, "only a Random Load has it; found in a " + typeName_);
-    if (random && !list_.isParameter("Amplitude")) wrong("Amplitude", "is missing: a Random Load needs the largest force on a component");
+  void readSupport() {
+    if (condition_.type != Type::ElasticSupport) return;
+    for (const auto& [name, value] :
+         {std::make_pair("Normal Stiffness", &condition_.normal), {"Tangential Stiffness", &condition_.tangential}})
+      if (list_.isType<double>(name)) *value = list_.get<double>(name);
+    if (condition_.normal == 0.0 && condition_.tangential == 0.0)
+      wrong("Normal Stiffness", "an Elastic Support needs a stiffness above zero, here or in Tangential Stiffness");
+  }
+
+  void checkSpecials() {
+    for (const std::string& parameter : specialParameters())
+      if (!form_->takes(parameter) && list_.isParameter(parameter))
+        wrong(parameter, "only " + takersOf(parameter) + " has it; found in " + withArticle(form_->name));
+    for (const std::string& parameter : form_->needs)
+      if (!list_.isParameter(parameter)) wrong(parameter, "is missing: " + withArticle(form_->name) + " needs it");
+    for (const char* vector : {"Point", "Direction"})
+      if (form_->takes(vector) && list_.isParameter(vector))
+        if (const auto count = static_cast<int>(list_.get<Teuchos::Array<double>>(vector).size()); count != mesh_.dimension)
+          wrong(vector, std::to_string(count) + " coordinates; expected " + std::to_string(mesh_.dimension));
   }
 
   const Mesh& mesh_;
@@ -126,10 +127,12 @@ class Entry {
   const Constants& constants_;
   Problems& problems_;
   Condition condition_;
-  std::string typeName_;
+  const ConditionForm* form_ = nullptr;
 };
 
 }  // namespace
+
+bool Condition::onSides() const { return formOf(type).place == ConditionForm::Place::Sides; }
 
 Condition Condition::displacement(const std::string& group, const std::vector<double>& values, const std::vector<int>& components) {
   Condition condition;
@@ -170,43 +173,6 @@ std::vector<Condition> readConditions(const Mesh& mesh, const Parameters& condit
     if (problems.list().size() == before) all.push_back(condition);
   }
   return all;
-}
-
-Schema boundaryConditionSchema() {
-  std::vector<std::string> names;
-  for (const auto& entry : types()) names.push_back(entry.first);
-  return Schema("one boundary condition; several may meet at a corner")
-      .texts("Group", std::nullopt,
-             "curve group of the mesh on which it acts, or several as {left, right}; not for a Body Force or Random Load")
-      .orOne()
-      .optional()
-      .oneOf("Type", std::nullopt, names,
-             "Displacement: given; Bilateral: normal displacement zero, free to slide; Traction: force vector on an area of the undeformed "
-             "body; Pressure: > 0 pushes into the body; Body Force: force on a volume; Random Load: forces on all nodes of a "
-             "body, for studies of solvers")
-      .reals("Value", std::nullopt,
-             "Displacement: one entry a component [length]; Traction: two [stress]; Pressure: one [stress]; Body Force: two "
-             "[force / volume]; none for Bilateral and Random Load")
-      .optional()
-      .text("Expression x", std::nullopt,
-            "instead of Value: the component along x as a function of x and y, the place on the undeformed body. Known are the names in "
-            "Constants and Functions, pi, + - * / ^, comparisons, c ? a : b, and sqrt, sin, atan2, exp, ln, abs, min and others; in the "
-            "file < is written &lt;")
-      .optional()
-      .text("Expression y", std::nullopt, "the same of the component along y")
-      .optional()
-      .text("Expression", std::nullopt, "the same of a Pressure")
-      .optional()
-      .oneOf("Components", "All", {"All", "x", "y"}, "components that a Displacement prescribes; the others are free")
-      .text("Body", std::nullopt, "body on which a Body Force or Random Load acts; all bodies if left out")
-      .optional()
-      .integer("Seed", std::nullopt,
-               "of a Random Load, whose forces depend on it, on the number of the node and on the component only; 0 if left out")
-      .optional()
-      .real("Amplitude", std::nullopt, "of a Random Load: forces are uniform between minus and plus this", Range::positive(), "force")
-      .optional()
-      .real("Mean", std::nullopt, "of a Random Load, added to every component; 0 if left out", Range::any(), "force")
-      .optional();
 }
 
 }  // namespace suture

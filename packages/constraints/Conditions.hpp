@@ -10,17 +10,38 @@ namespace suture {
 
 /// One boundary condition: an entry of the scene's list `Boundary Conditions`, or made in C++.
 struct Condition {
-  enum class Type { Displacement, Bilateral, Traction, Pressure, BodyForce, RandomLoad };
+  enum class Type {
+    Displacement,
+    Bilateral,
+    Traction,
+    Pressure,
+    Force,
+    Moment,
+    PointForce,
+    BodyForce,
+    Gravity,
+    Rotation,
+    Temperature,
+    InitialStrain,
+    InitialStress,
+    MeanDisplacement,
+    Preload,
+    ElasticSupport,
+    RandomLoad
+  };
   std::string name;
   std::string path;  ///< "Boundary Conditions/push", for messages
   Type type = Type::Bilateral;
-  std::vector<std::string> groups;  ///< curve groups; none for a body force or random load
+  std::vector<std::string> groups;  ///< curve groups; none for loads on bodies and at points
   std::vector<int> components;      ///< prescribed by a Displacement
-  ConditionData data;               ///< data of each component, of loads as well; none for Bilateral and RandomLoad
-  std::string body;                 ///< body of a body force or random load; empty: all bodies
+  ConditionData data;               ///< data of each component, of loads as well; none for types without a value
+  std::string body;                 ///< body of a load on bodies or at a point; empty: all bodies
+
+  double normal = 0.0, tangential = 0.0;  ///< stiffness of an ElasticSupport [stress / length]
 
   bool holds() const { return type == Type::Displacement || type == Type::Bilateral; }
-  bool onBody() const { return type == Type::BodyForce || type == Type::RandomLoad; }
+  /// Acts on curve groups; else on bodies as a whole, or at a point.
+  bool onSides() const;
 
   /// Displacements given on a curve group. \param values  one a component [length] \param components  the prescribed ones, ascending
   static Condition displacement(const std::string& group, const std::vector<double>& values, const std::vector<int>& components = {0, 1});

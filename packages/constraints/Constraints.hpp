@@ -28,6 +28,12 @@ struct Support {
   Point direction{0, 0, 0}, along{0, 0, 0};
 };
 
+/// A direction along which an elastic support resists a node of a side of an element: rigid motions that move it are held.
+struct SpringDirection {
+  int element = -1, node = -1;
+  Point direction{0, 0, 0};
+};
+
 /// A node's share in the condition of a contact pair: weight normal . u(node).
 struct PairEnd {
   int node = -1;
@@ -111,10 +117,11 @@ std::vector<std::vector<int>> neighbourPairs(const std::vector<std::vector<int>>
 /// All that restricts the displacements of a scene: Dirichlet and bilateral rows as nodal rules, contact pairs and pieces. On rank 0, for
 /// the whole mesh.
 struct Constraints {
-  std::vector<NodeRule> rules;            ///< at most one a node, sorted by node
-  std::vector<Support> supports{};        ///< conditions behind the rules, sorted by node; none on the axis of symmetry
-  std::vector<std::string> conditions{};  ///< names of all boundary conditions of the scene, loads included, in its order
-  std::vector<ContactPair> pairs;         ///< pairs[i].id == i
+  std::vector<NodeRule> rules;             ///< at most one a node, sorted by node
+  std::vector<Support> supports{};         ///< conditions behind the rules, sorted by node; none on the axis of symmetry
+  std::vector<SpringDirection> springs{};  ///< directions held by elastic supports
+  std::vector<std::string> conditions{};   ///< names of all boundary conditions of the scene, loads included, in its order
+  std::vector<ContactPair> pairs;          ///< pairs[i].id == i
   std::vector<ContactPiece> pieces;
   ContactLaws laws{};              ///< laws of the contact lines, given by the scene (simulation/Scene); empty: frictionless
   std::vector<std::string> notes;  ///< sentences for the user about choices made

@@ -116,6 +116,7 @@ RigidParts freeRigidMotions(const Mesh& mesh, const Constraints& constraints, bo
   std::vector<int> rowsOf(count, 0);
   for (const NodeRule& rule : constraints.rules)
     for (int k = 0; k < dimension; ++k) rowsOf[all.partOfNode[rule.node]] += rule.fixed[k];
+  for (const SpringDirection& spring : constraints.springs) ++rowsOf[all.partOfNode[spring.node]];
   std::vector<Matrix> rows(count);
   // A body of revolution cannot turn in its meridian plane or shift away from the axis.
   const int excluded = mesh.axisymmetric ? 2 : 0;
@@ -124,14 +125,15 @@ RigidParts freeRigidMotions(const Mesh& mesh, const Constraints& constraints, bo
     if (mesh.axisymmetric) rows[part](rowsOf[part], 0) = rows[part](rowsOf[part] + 1, 2) = 1.0;
   }
   std::fill(rowsOf.begin(), rowsOf.end(), 0);
-  for (const NodeRule& rule : constraints.rules) {
-    const int part = all.partOfNode[rule.node];
-    const Matrix motion = all.parts[part].at(mesh.point(rule.node), dimension);
-    for (int k = 0; k < dimension; ++k) {
-      if (!rule.fixed[k]) continue;
-      rows[part].row(rowsOf[part]++) = Eigen::Map<const Vector>(rule.axes[k].data(), dimension).transpose() * motion;
-    }
-  }
+  const auto addRow = [&](int node, const Point& direction) {
+    const int part = all.partOfNode[node];
+    const Matrix motion = all.parts[part].at(mesh.point(node), dimension);
+    rows[part].row(rowsOf[part]++) = Eigen::Map<const Vector>(direction.data(), dimension).transpose() * motion;
+  };
+  for (const NodeRule& rule : constraints.rules)
+    for (int k = 0; k < dimension; ++k)
+      if (rule.fixed[k]) addRow(rule.node, rule.axes[k]);
+  for (const SpringDirection& spring : constraints.springs) addRow(spring.node, spring.direction);
   for (int part = 0; part < count; ++part) all.parts[part].free = nullSpace(rows[part]);
   return all;
 }

@@ -7,7 +7,8 @@
 
 namespace suture {
 
-/// The rigid motions of a connected part of a body (nearly always the whole of it) that its prescribed components leave free.
+/// The rigid motions of a connected part of a body (nearly always the whole of it) that its prescribed components and elastic supports
+/// leave free.
 ///
 /// A motion is given by amplitudes: translations along the axes, then rotations (one in 2D, three in 3D) measured by the displacement
 /// that they cause at the distance `radius` from `centre`. All amplitudes are lengths, so that nothing depends on units.

@@ -5,12 +5,11 @@
 #include <sstream>
 #include <suture/base/Errors.hpp>
 #include <suture/base/scene/SceneReader.hpp>
-#include <suture/constraints/ConditionData.hpp>
 #include <suture/elasticity/ElasticModel.hpp>
 #include <suture/elasticity/HookesLaw.hpp>
 #include <suture/elasticity/IsotropicLaw.hpp>
+#include <suture/elasticity/loads/LoadList.hpp>
 #include <suture/mesh/Regions.hpp>
-#include <suture/mesh/SideGroups.hpp>
 
 namespace suture {
 
@@ -48,6 +47,15 @@ Schema materialSchema() {
           "Displacement. Mixed: also a pressure in each element, discontinuous and eliminated there, for "
           "nearly incompressible materials, where Displacement elements lock: constant in Quadrilateral4, Quadrilateral8 and Triangle6, "
           "linear in Quadrilateral9; not for 3-node triangles, and not in plane stress, where nothing locks.")
+      .real("Density", std::nullopt,
+            "Mass per volume, for Gravity and Rotation: in units in which density x length / time^2 x length is a stress, as kg/m^3 with "
+            "N, m, "
+            "s or t/mm^3 with N, mm, s.",
+            Range::atLeast(0.0), "mass / volume")
+      .optional()
+      .real("Thermal Expansion", std::nullopt, "Strain of a free body along any direction per unit of Temperature.", Range::any(),
+            "1 / temperature")
+      .optional()
       .boolean("Allow Locking", false,
                "Accept 3-node triangles with a Poisson ratio above 0.49 (plane strain, axisymmetric), as Displacement elements: they are "
                "much too "
@@ -75,43 +83,8 @@ Matrix elasticity(const Material& material, PlaneModel plane, int dimension) {
 
 namespace {
 
-Load::Kind kindOf(const std::string& type) {
-  if (type == "Traction") return Load::Kind::Traction;
-  if (type == "Pressure") return Load::Kind::Pressure;
-  if (type == "Random Load") return Load::Kind::Random;
-  return Load::Kind::BodyForce;
-}
-
-bool isLoad(const std::string& type) { return type == "Traction" || type == "Pressure" || type == "Body Force" || type == "Random Load"; }
-
 std::string textOf(const Parameters& list, const std::string& name) {
   return list.isType<std::string>(name) ? list.get<std::string>(name) : std::string();
-}
-
-Load loadOf(const Parameters& condition, const std::vector<std::string>& bodies, const Constants& constants, Problems& problems) {
-  Load load;
-  const std::string type = textOf(condition, "Type");
-  load.kind = kindOf(type);
-  if (load.onBody())
-    load.body = textOf(condition, "Body");
-  else
-    load.groups = groupNames(condition, "Group");
-  if (!load.body.empty() && std::find(bodies.begin(), bodies.end(), load.body) == bodies.end())
-    problems.add(pathOf(condition, "Body"), unknownName("body", load.body, bodies));
-
-  if (load.kind == Load::Kind::Random) {
-    if (condition.isType<int>("Seed")) load.seed = condition.get<int>("Seed");
-    if (condition.isType<double>("Mean")) load.value[1] = condition.get<double>("Mean");
-    if (condition.isType<double>("Amplitude"))
-      load.value[0] = condition.get<double>("Amplitude");
-    else
-      problems.add(pathOf(condition, "Amplitude"), "is missing: a Random Load needs the largest force on a node's component");
-    return load;
-  }
-  ConditionData data = readConditionData(condition, constants, problems);
-  std::copy_n(data.values.begin(), std::min<std::size_t>(data.values.size(), 2), load.value.begin());
-  load.expressions = std::move(data.expressions);
-  return load;
 }
 
 // \param number  of the law among those of the scene, from 1. \throws InputError  it is none
@@ -167,6 +140,11 @@ Material materialNamedIn(const Parameters& list, const Parameters& materials, Pl
   if (!readLaw(own, static_cast<int>(found - known.begin()) + 1, material, problems)) return material;
   const std::string element = textOf(own, "Element");
   material.named = !element.empty() && element != kAutomatic;
+  if (own.isType<double>("Density")) material.density = own.get<double>("Density");
+  if (own.isType<double>("Thermal Expansion")) {
+    material.expansion = own.get<double>("Thermal Expansion");
+    material.number = static_cast<int>(found - known.begin()) + 1;  // stresses jump where it does
+  }
   material.allowLocking = own.isType<bool>("Allow Locking") && own.get<bool>("Allow Locking");
   if (element == kMixed || (!material.named && isMixedOfItself(material, plane))) material.element = ElementForm::Mixed;
   if (element == kMixed && plane == PlaneModel::Strain && !mayBeMixed(material))
@@ -250,20 +228,17 @@ ElasticModel makeElasticModel(const Parameters& scene) {
   model.bodies = sublistNames(bodies);
   for (const std::string& body : model.bodies)
     model.materialOfBody.push_back(materialNamedIn(bodies.sublist(body), materials, model.plane, problems));
-  for (const RegionEntry& region : regionEntries(bodies))
+  for (const RegionEntry& region : regionEntries(bodies)) {
     model.materialOfRegion.push_back(materialNamedIn(*region.list, materials, model.plane, problems));
+    model.bodyOfRegion.push_back(region.body);
+  }
   if (model.plane == PlaneModel::Stress)
     for (const std::string& name : sublistNames(materials))
       if (textOf(materials.sublist(name), "Element") == kMixed)
         problems.add(pathOf(materials.sublist(name), "Element"),
                      "Mixed in plane stress, where no element locks: a sheet is free to change its thickness. Choose Displacement");
 
-  if (scene.isSublist("Boundary Conditions")) {
-    const Parameters& conditions = scene.sublist("Boundary Conditions");
-    for (const std::string& name : sublistNames(conditions))
-      if (isLoad(textOf(conditions.sublist(name), "Type")))
-        model.loads.push_back(loadOf(conditions.sublist(name), model.bodies, constants, problems)), model.loads.back().name = name;
-  }
+  readLoads(scene, constants, model, problems);
   if (scene.isSublist("Exact Solution"))
     model.exact = readExactSolution(scene.sublist("Exact Solution"), model.bodies, constants, problems);
   problems.throwIfAny();

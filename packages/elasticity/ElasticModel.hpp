@@ -4,14 +4,19 @@
 #include <suture/elasticity/ExactSolution.hpp>
 #include <suture/elasticity/MaterialLaw.hpp>
 #include <suture/elasticity/ReferenceElement.hpp>
+#include <suture/elasticity/loads/InitialState.hpp>
+#include <suture/elasticity/loads/Load.hpp>
 #include <suture/mesh/CellBlock.hpp>
 
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace suture {
+
+struct SubdomainMesh;
 
 /// Unknowns of an element: displacements only, or displacements and a pressure of its own, discontinuous between elements and
 /// eliminated element by element, so that it does not lock when nu tends to 0.5.
@@ -25,8 +30,11 @@ struct Material {
   ElementForm element = ElementForm::Displacement;
   bool allowLocking = false;  ///< displacement elements, 3-node triangles among them, although nu is near 0.5
   bool named = false;         ///< the scene names the element; else it was chosen: one that does not lock
-  int number = 0;  ///< tells materials apart that have the same moduli but other laws: place in the scene's list, from 1; isotropic: 0
+  int number =
+      0;  ///< tells materials apart that have the same moduli but other laws or expansions: place in the scene's list, from 1; else 0
   std::shared_ptr<const MaterialLaw> law{};  ///< null: isotropic
+  std::optional<double> density{};           ///< [mass / volume], where the scene gives it
+  std::optional<double> expansion{};         ///< strain of a free body per unit of temperature, likewise [1 / temperature]
 
   ElasticStiffness stiffness() const { return law ? law->stiffness() : isotropicStiffness({young, poisson}); }
 };
@@ -35,37 +43,6 @@ struct Material {
 /// mesh's (CellBlock::axisymmetric).
 enum class PlaneModel { Strain, Stress };
 
-/// A load of the scene: on a named side group, on the volume of a body, or on its nodes (random, for studies of solvers).
-struct Load {
-  enum class Kind { Traction, Pressure, BodyForce, Random };
-  Kind kind = Kind::Traction;
-  std::string body;      ///< body of BodyForce and Random; "": all bodies
-  Point value{0, 0, 0};  ///< traction [stress], body force [force / volume]; Pressure: value[0], > 0 pushes into the body; Random:
-                         ///< value[0] about value[1] [force]
-  int seed = 0;          ///< seed of Random
-  std::vector<Expression> expressions{};  ///< functions of the place, instead of value: as many as it has components; not of Random
-  std::vector<std::string> groups{};      ///< side groups on which Traction and Pressure act
-  std::string name{};                     ///< name of the boundary condition
-
-  /// Value at a place. \throws InputError  an expression is not finite there
-  Point at(const Point& place) const {
-    Point here = value;
-    for (std::size_t k = 0; k < expressions.size(); ++k) here[k] = expressions[k].at(place);
-    return here;
-  }
-  Rule rule() const { return expressions.empty() ? Rule::Load : Rule::Data; }
-
-  static Load pressure(const std::string& group, double value) { return {Kind::Pressure, "", {value, 0, 0}, 0, {}, {group}}; }
-  static Load traction(const std::string& group, const Point& value) { return {Kind::Traction, "", value, 0, {}, {group}}; }
-  /// \param body  empty: all bodies
-  static Load bodyForce(const Point& value, const std::string& body = "") { return {Kind::BodyForce, body, value}; }
-
-  /// Acts on bodies as a whole, not on sides.
-  bool onBody() const { return kind == Kind::BodyForce || kind == Kind::Random; }
-  /// True if a load on bodies acts on the body of this name.
-  bool actsOn(const std::string& name) const { return body.empty() || body == name; }
-};
-
 /// Materials of the bodies, the plane model and the loads: what the scene says about physics. The same on all ranks.
 struct ElasticModel {
   PlaneModel plane = PlaneModel::Strain;
@@ -73,7 +50,9 @@ struct ElasticModel {
   std::vector<std::string> bodies;  ///< as in the scene's list `Bodies`
   std::vector<Material> materialOfBody;
   std::vector<Material> materialOfRegion;  ///< in the order of regionEntries(); empty for most scenes
+  std::vector<std::string> bodyOfRegion;   ///< likewise
   std::vector<Load> loads;
+  std::vector<ElasticSupport> supports;
   ExactSolution exact;  ///< as far as the scene gives it
 
   /// Adds a body, in C++: its elements are those that do not lock for the plane model set before.
@@ -110,10 +89,7 @@ Schema materialSchema();
 
 /// Local, the same on all ranks. \param scene  the whole resolved scene (Model, Bodies, Materials, Boundary Conditions, Constants,
 /// Exact Solution).
-/// Loads are the boundary conditions of type Traction, Pressure (on `Group`), Body Force and Random Load (on `Body`, all bodies without
-/// it). \throws InputError  all of: unknown material of a body or region (nearest name), a body force on an unknown body, a load's `Value`
-/// of the
-///                     wrong length.
+/// \throws InputError  all of: unknown material of a body or region (nearest name), and what readLoads() and readExactSolution() find
 ElasticModel makeElasticModel(const Parameters& scene);
 
 /// By how much a surface of this material (its nearest isotropic one) gives way under contact pressure: (1 - nu^2) / E, in plane stress 1 /
@@ -140,16 +116,24 @@ void addSideLoad(const CellBlock& block, const std::vector<Side>& sides, const L
 /// Adds factor x integral of (shape function x outward normal) over a side to the nodes' values: what a nodal displacement carries through
 /// it.
 void addSideFlux(const CellBlock& block, const Side& side, double factor, Vector& flux);
-void addBodyForce(const CellBlock& block, const std::vector<int>& elements, const Load& load, Vector& forces);
+/// \param density  of an element [mass / volume]: of a Gravity or Rotation, which act on mass
+void addBodyForce(const CellBlock& block, const std::vector<int>& elements, const Load& load, Vector& forces,
+                  const std::function<double(int element)>& density = {});
 
-/// Force of a Random load on a component of a node of the mesh: uniform in value[1] + [-value[0], value[0]), a pure function of (seed,
-/// node, component), and so the same however the mesh is cut. Cartesian. Local.
+/// Force of a load on nodes (Random or resolved PointForce) on a component of a node of the mesh: a pure function of (load, node,
+/// component), and so the same however the mesh is cut. Cartesian. Local. \throws InternalError  a PointForce that is not resolved
+double nodeForce(const Load& load, GlobalId node, int component);
+/// The same of a Random load: uniform in value[1] + [-value[0], value[0]).
 double randomForce(const Load& load, GlobalId node, int component);
 
 /// Stresses at element centroids: elements x 4 (xx, yy, zz, xy) in 2D, tension positive; zz: across the plane, the hoop stress in
-/// axisymmetric blocks. Mixed elements: with their own pressure. `displacement`: node-major, Cartesian. Local.
+/// axisymmetric blocks. Mixed elements: with their own pressure. `displacement`: node-major, Cartesian. Initial strains are taken off,
+/// initial stresses are added. Local.
 Matrix elementStresses(const CellBlock& block, const std::function<const Material&(int element)>& materialOf, PlaneModel plane,
-                       const Vector& displacement);
+                       const Vector& displacement, const InitialState& initial = InitialState());
+
+/// The same of a subdomain by its model: materials and initial states. Local.
+Matrix elementStresses(const SubdomainMesh& mesh, const ElasticModel& model, const Vector& displacement);
 
 /// Rows of in-plane principal stresses and their directions, from rows of `elementStresses`: (s1 >= s2, angle of the first axis [rad],
 /// in (-pi/2, pi/2] from the x axis, counter-clockwise).

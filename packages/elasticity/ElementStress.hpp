@@ -11,22 +11,32 @@ namespace suture {
 class ElementStress {
  public:
   /// \param displacement  of the block's nodes, node-major, Cartesian;  all but `law` must outlive it
-  ElementStress(const CellBlock& block, int element, const ReferenceElement& reference, const HookesLaw& law, const Vector& displacement);
+  ElementStress(const CellBlock& block, int element, const ReferenceElement& reference, const HookesLaw& law, const Vector& displacement,
+                const InitialState& initial);
 
   /// Moves to a point of the rule.
   void at(int point) { map_.at(point); }
   const ElementMap& map() const { return map_; }
   /// xx, yy, zz, xy; tension positive. [stress]
   Eigen::Vector4d stress() const;
+  /// The part that follows from the displacement: without initial strain and stress.
+  Eigen::Vector4d ofDisplacement() const;
+  /// True if there is another part.
+  bool isInitial() const { return initial_ != nullptr; }
+  /// Initial strain and stress at the point.
+  InitialState::Values initial() const { return initial_ ? initial_->at(element_, map_.place(), law_) : InitialState::Values(); }
 
  private:
   using ElementVector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, 2 * ReferenceElement::maxNodes, 1>;
 
+  int element_;
+  const InitialState* initial_;  // null: the element has none
   HookesLaw law_;
   ElementMap map_;
   ElementVector u_;
   bool axisymmetric_;
   std::optional<MixedPressure> pressure_;
+  MixedPressure::Projection initialDilatation_;
 };
 
 }  // namespace suture

@@ -5,6 +5,7 @@
 namespace suture {
 
 HookesLaw::HookesLaw(const Material& material, PlaneModel plane) : HookesLaw() {
+  expansion = material.expansion.value_or(0.0);
   const ElasticStiffness c = material.stiffness();
   if (material.law) {
     compliance = c.inverse().topLeftCorner<4, 4>();

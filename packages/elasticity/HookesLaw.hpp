@@ -9,6 +9,7 @@ namespace suture {
 struct HookesLaw {
   Eigen::Matrix4d pointwise;   ///< on the strain at each point; without zz row and column in plane stress
   double projected = 0.0;      ///< on the projection of the dilatation: of Mixed elements, whose `pointwise` lacks it
+  double expansion = 0.0;      ///< thermal strain along any direction per unit of temperature
   Eigen::Matrix4d compliance;  ///< strains of stresses in three dimensions, whatever the plane model [1 / stress]
 
   HookesLaw() : pointwise(Eigen::Matrix4d::Zero()), compliance(Eigen::Matrix4d::Zero()) {}
@@ -16,6 +17,9 @@ struct HookesLaw {
 
   /// s.C s, C the compliance: twice the complementary energy density, whatever the plane model. [stress]
   double complementary(const Eigen::Vector4d& s) const { return s.dot(compliance * s); }
+
+  /// True in plane stress.
+  bool isSheet() const { return pointwise(2, 2) == 0.0; }
 
   /// Stress across the plane that keeps the strain there zero, from the others.
   double across(const Eigen::Vector4d& s) const {

@@ -17,7 +17,7 @@ MixedPressure::MixedPressure(Cell cell, const ReferenceElement& reference, Eleme
   }
   for (int q = 0; q < reference.points; ++q) {
     map.at(q);
-    const Pressures weighted = map.measure() * basisAt(map.place());
+    const Projection weighted = map.measure() * basisAt(map.place());
     root_ += weighted * basisAt(map.place()).transpose();
     for (int a = 0; a < reference.nodes; ++a) {
       rows_.col(2 * a) += weighted * (map.gradient(a)[0] + map.hoop(a));
@@ -28,8 +28,8 @@ MixedPressure::MixedPressure(Cell cell, const ReferenceElement& reference, Eleme
   root_.triangularView<Eigen::Lower>().solveInPlace(rows_);
 }
 
-MixedPressure::Pressures MixedPressure::basisAt(const Point& place) const {
-  Pressures values = Pressures::Ones(count_);
+MixedPressure::Projection MixedPressure::basisAt(const Point& place) const {
+  Projection values = Projection::Ones(count_);
   if (count_ > 1)
     for (int k = 0; k < 2; ++k) values[1 + k] = (place[k] - centre_[k]) / size_;
   return values;

@@ -27,18 +27,35 @@ class MixedPressure {
     for (int j = 0; j < n; ++j)
       for (int i = 0; i <= j; ++i) k(i, j) += lambda * rows_.col(i).dot(rows_.col(j));
   }
+  static constexpr int most = 3;
+  /// A function's projection onto the pressures: its coefficients in the orthonormal basis.
+  using Projection = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, most, 1>;
+  /// \param function  its value at the map's place; all as in the constructor
+  template <typename Function>
+  Projection projection(const ReferenceElement& reference, ElementMap& map, const Function& function) const {
+    Projection moments = Projection::Zero(count_);
+    for (int q = 0; q < reference.points; ++q) {
+      map.at(q);
+      moments += (map.measure() * function(map.place())) * basisAt(map.place());
+    }
+    root_.template triangularView<Eigen::Lower>().solveInPlace(moments);
+    return moments;
+  }
+  double at(const Projection& function, const Point& place) const {
+    return basisAt(place).dot(root_.transpose().triangularView<Eigen::Upper>().solve(function));
+  }
+  /// Integral of the projected dilatation of each unit displacement times a function.
+  double work(const Projection& function, int dof) const { return rows_.col(dof).dot(function); }
   /// Addition to the diagonal of K for each unit of lambda.
   double diagonal(int dof) const { return rows_.col(dof).squaredNorm(); }
   /// Projected dilatation at a place, for displacements of the element's nodes (node-major).
   template <typename Displacement>
   double dilatation(const Displacement& u, const Point& place) const {
-    return basisAt(place).dot(root_.transpose().triangularView<Eigen::Upper>().solve(rows_ * u));
+    return at(rows_ * u, place);
   }
 
  private:
-  static constexpr int most = 3;
-  using Pressures = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, most, 1>;
-  Pressures basisAt(const Point& place) const;
+  Projection basisAt(const Point& place) const;
 
   int count_;
   Point centre_{0, 0, 0};

@@ -2,6 +2,7 @@
 #include <suture/base/Errors.hpp>
 #include <suture/elasticity/ElasticModel.hpp>
 #include <suture/elasticity/ElementStress.hpp>
+#include <suture/partition/SubdomainMesh.hpp>
 
 namespace suture {
 namespace {
@@ -9,7 +10,7 @@ enum Column { XX = 0, YY = 1, ZZ = 2, XY = 3 };
 }  // namespace
 
 Matrix elementStresses(const CellBlock& block, const std::function<const Material&(int element)>& materialOf, PlaneModel plane,
-                       const Vector& displacement) {
+                       const Vector& displacement, const InitialState& initial) {
   if (block.axisymmetric && plane == PlaneModel::Stress) throw InternalError("plane stress in an axisymmetric block");
   Matrix stresses(block.elements(), 4);
   const Material* last = nullptr;
@@ -20,11 +21,16 @@ Matrix elementStresses(const CellBlock& block, const std::function<const Materia
       law = HookesLaw(material, plane);
       last = &material;
     }
-    ElementStress element(block, e, referenceElement(block.cells[e], Rule::Centroid), law, displacement);
+    ElementStress element(block, e, referenceElement(block.cells[e], Rule::Centroid), law, displacement, initial);
     element.at(0);
     stresses.row(e) = element.stress().transpose();
   }
   return stresses;
+}
+
+Matrix elementStresses(const SubdomainMesh& mesh, const ElasticModel& model, const Vector& displacement) {
+  const auto materialOf = [&](int e) -> const Material& { return model.materialOf(mesh, e, mesh.body); };
+  return elementStresses(mesh, materialOf, model.plane, displacement, InitialState(model, mesh.body));
 }
 
 Matrix principalStresses(const Matrix& stresses) {

@@ -15,13 +15,15 @@ struct Attachments {
   SideGroups sideGroups;
   std::vector<NodeRule> rules;
   std::vector<Support> supports;
+  std::vector<SpringDirection> springs;
   std::vector<SubdomainMesh::ContactEnd> contactEnds;  ///< by pair, then end
   std::vector<ContactRow> rows;                        ///< those that any subdomain of these bodies needs
   std::map<int, std::vector<int>> rowsOf;              ///< subdomain -> places in rows, by pair
 
   template <typename Self, typename Each>
   static void forEachField(Self& self, const Each& each) {
-    each(self.sideGroups), each(self.rules), each(self.supports), each(self.contactEnds), each(self.rows), each(self.rowsOf);
+    each(self.sideGroups), each(self.rules), each(self.supports), each(self.springs), each(self.contactEnds), each(self.rows),
+        each(self.rowsOf);
   }
 };
 

@@ -93,6 +93,7 @@ void BodyParts::findParts(const Comm& comm, const std::vector<const SubdomainMes
 void BodyParts::findMotions(const Comm& comm, const std::vector<const SubdomainMesh*>& meshes, int dimension) {
   const int amplitudes = rigidMotions(dimension);
   std::map<int, std::vector<Vector>> rows;
+  sprung.assign(parts.size(), 0);
   for (std::size_t s = 0; s < meshes.size(); ++s) {
     const SubdomainMesh& mesh = *meshes[s];
     const RigidPart& part = parts[partOf[s]];
@@ -104,6 +105,10 @@ void BodyParts::findMotions(const Comm& comm, const std::vector<const SubdomainM
     for (const NodeRule& rule : mesh.rules)
       for (int k = 0; k < dimension; ++k)
         if (rule.fixed[k]) add(along(part, mesh.point(rule.node), rule.axes[k], dimension), rule.value[k]);
+    for (const SpringDirection& spring : mesh.springs) {
+      add(along(part, mesh.point(spring.node), spring.direction, dimension), 0.0);
+      sprung[partOf[s]] = 1;
+    }
     if (mesh.axisymmetric)  // neither away from the axis nor turning in the meridian plane
       for (const int k : {0, 2}) add(Vector::Unit(amplitudes, k), 0.0);
   }
@@ -117,6 +122,7 @@ void BodyParts::findMotions(const Comm& comm, const std::vector<const SubdomainM
     if (const double size = matrix.col(amplitudes).cwiseAbs().maxCoeff(); size > 0.0) scaled.col(amplitudes) /= size;
     const Matrix triangle = orthonormalBasis(scaled, 1e-15).transpose() * matrix;
     packer.put(part);
+    packer.put(static_cast<int>(sprung[part]));
     packer.put(std::vector<double>(triangle.data(), triangle.data() + triangle.size()));
   }
   std::vector<Matrix> held(parts.size(), Matrix(0, amplitudes + 1));
@@ -124,6 +130,7 @@ void BodyParts::findMotions(const Comm& comm, const std::vector<const SubdomainM
     Unpacker unpacker(bytes);
     while (!unpacker.done()) {
       const int part = unpacker.get<int>();
+      if (unpacker.get<int>() != 0) sprung[part] = 1;
       const auto values = unpacker.get<std::vector<double>>();
       const Eigen::Map<const Matrix> triangle(values.data(), static_cast<Eigen::Index>(values.size()) / (amplitudes + 1), amplitudes + 1);
       Matrix both(held[part].rows() + triangle.rows(), amplitudes + 1);

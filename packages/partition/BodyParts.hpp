@@ -11,6 +11,7 @@ namespace suture {
 struct BodyParts {
   std::vector<RigidPart> parts;
   std::vector<Vector> lift;  ///< lift of each part: amplitudes of the motion that fits its prescribed values best; none along free motions
+  std::vector<char> sprung;  ///< true of a part on elastic supports: no rigid motion but the free ones leaves its forces alone
   std::vector<int> partOf;   ///< part of each mesh of this rank
 
   /// \param meshes  of this rank. Collective.

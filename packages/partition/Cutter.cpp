@@ -14,6 +14,7 @@ Cutter::Cutter(const CellBlock& mesh, const MeshShare& share, const Attachments&
       sides_(partition.subdomains()),
       rules_(partition.subdomains()),
       supports_(partition.subdomains()),
+      springs_(partition.subdomains()),
       ends_(partition.subdomains()),
       seams_(partition.subdomains()),
       localNode_(block_.nodes(), -1),
@@ -33,6 +34,11 @@ Cutter::Cutter(const CellBlock& mesh, const MeshShare& share, const Attachments&
   for (Support support : attachments.supports) {
     support.node = share.localNode(support.node);
     for (int s : share.holders.of(support.node)) supports_[s].push_back(support);
+  }
+  for (SpringDirection spring : attachments.springs) {
+    spring.element = share.localElement(spring.element);
+    spring.node = share.localNode(spring.node);
+    springs_[share.subdomainOfElement[spring.element]].push_back(spring);
   }
   for (SubdomainMesh::ContactEnd end : attachments.contactEnds) {
     end.node = share.localNode(end.node);
@@ -106,6 +112,8 @@ void Cutter::cutConstraints(SubdomainMesh& part) const {
   for (NodeRule& rule : part.rules) rule.node = localNode_[rule.node];
   part.supports = supports_[part.id];
   for (Support& support : part.supports) support.node = localNode_[support.node];
+  part.springs = springs_[part.id];
+  for (SpringDirection& spring : part.springs) spring = {localElement_[spring.element], localNode_[spring.node], spring.direction};
   part.contactEnds = ends_[part.id];
   for (SubdomainMesh::ContactEnd& end : part.contactEnds) end.node = localNode_[end.node];
   if (const auto rows = attachments_.rowsOf.find(part.id); rows != attachments_.rowsOf.end())

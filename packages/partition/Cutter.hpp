@@ -38,6 +38,7 @@ class Cutter {
   std::vector<std::vector<NamedSide>> sides_;
   std::vector<std::vector<NodeRule>> rules_;
   std::vector<std::vector<Support>> supports_;
+  std::vector<std::vector<SpringDirection>> springs_;
   std::vector<std::vector<SubdomainMesh::ContactEnd>> ends_;
   std::vector<std::vector<SubdomainMesh::SeamSide>> seams_;
   std::vector<int> localNode_, localElement_;  // work space: numbers in the current subdomain, -1 outside

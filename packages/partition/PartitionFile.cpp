@@ -25,8 +25,8 @@ std::string version() {
   Packer packer;
   pack(sample, packer);
   text += "." + std::to_string(std::move(packer).bytes().size());
-  for (const std::size_t size : {sizeof(NodeRule), sizeof(Support), sizeof(Side), sizeof(PairEnd), sizeof(SubdomainMesh::ContactEnd),
-                                 sizeof(SubdomainMesh::SeamSide), sizeof(Cell), sizeof(std::size_t)})
+  for (const std::size_t size : {sizeof(NodeRule), sizeof(Support), sizeof(SpringDirection), sizeof(Side), sizeof(PairEnd),
+                                 sizeof(SubdomainMesh::ContactEnd), sizeof(SubdomainMesh::SeamSide), sizeof(Cell), sizeof(std::size_t)})
     text += "." + std::to_string(size);
   return text;
 }

@@ -113,6 +113,8 @@ void Lifting::takeTranslationsAsPrescribed() {
 /// The motion of each part: the best fit, if it leaves little of what is prescribed, and what carries it.
 bool Lifting::choose() {
   const std::size_t parts = parts_->parts.size();
+  for (std::size_t p = 0; p < parts; ++p)
+    if (parts_->sprung[p]) parts_->lift[p].setZero();
   for (Vector& lift : parts_->lift) round(lift);
   takeTranslationsAsPrescribed();
   for (const Vector& lift : parts_->lift) amplitudes_.push_back(extended(lift));

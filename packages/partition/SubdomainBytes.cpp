@@ -22,6 +22,7 @@ void forEachField(SubdomainMeshRef& part, const Each& each) {
   each(part.sideGroups);
   each(part.rules);
   each(part.supports);
+  each(part.springs);
   each(part.sharedOffsets);
   each(part.sharedWith);
   each(part.contactEnds);

@@ -23,6 +23,7 @@ struct SubdomainMesh : CellBlock {
   SideGroups sideGroups;                          ///< the mesh's side groups as far as they lie here
   std::vector<NodeRule> rules;                    ///< node: local
   std::vector<Support> supports;                  ///< likewise
+  std::vector<SpringDirection> springs;           ///< of sides here; element and node: local
   std::vector<int> sharedOffsets{0}, sharedWith;  ///< nodes + 1; of each local node the other subdomains of its body that hold it
 
   /// An end of a contact pair whose node is here.

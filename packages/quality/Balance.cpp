@@ -21,6 +21,17 @@ void Balance::addNode(const Point& load, const Point& support, const NodeRule* r
   }
 }
 
+void Balance::addSupports(const Vector& forces, int dimension) {
+  for (Eigen::Index i = 0; i < forces.size(); i += dimension) {
+    Point force{0, 0, 0};
+    std::copy_n(forces.data() + i, dimension, force.begin());
+    reactions = plus(reactions, force);
+    absolute_ += norm(force);
+  }
+}
+
+void Balance::leaveOut(const Point& load) { applied = minus(applied, load); }
+
 void Balance::addPair(const ContactPair& pair, double force) {
   const Point obstacle = obstacleForce(pair, force);
   for (int k = 0; k < 3; ++k) reactions[k] += obstacle[k];

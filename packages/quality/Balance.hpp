@@ -7,12 +7,16 @@ namespace suture {
 class Balance {
  public:
   Point applied{0, 0, 0};    ///< sum of the loads [force]; x of axisymmetric scenes: of magnitudes round the circle
-  Point reactions{0, 0, 0};  ///< sum of the forces of prescribed displacements and rigid obstacles [force]
+  Point reactions{0, 0, 0};  ///< sum of the forces of prescribed displacements, elastic supports and rigid obstacles [force]
   double imbalance = 0.0;    ///< |applied + reactions| (axisymmetric: along the axis) over half of the sum of the forces' magnitudes
 
   /// One node of the mesh, once. \param load  on it;  \param support  internal less external and contact forces, of which the prescribed
   /// components are reactions;  \param rule  of the node, or null
   void addNode(const Point& load, const Point& support, const NodeRule* rule, int dimension);
+  /// Forces of elastic supports on the nodes of a mesh. \param forces  node-major, Cartesian; may be empty
+  void addSupports(const Vector& forces, int dimension);
+  /// A part of the loads that is none, as the nodal forces of initial stresses.
+  void leaveOut(const Point& load);
   /// One pair, once.
   void addPair(const ContactPair& pair, double force);
   /// Sums over ranks, and sets `imbalance`. Collective.

@@ -124,7 +124,7 @@ std::vector<PatchRecovery> recoverStresses(const Comm& comm, const std::vector<S
     const SubdomainMesh* mesh = &meshes[i];
     blocks.emplace_back(
         *mesh, [mesh, &model](int element) -> const Material& { return model.materialOf(*mesh, element, mesh->body); }, model.plane,
-        displacement[i]);
+        displacement[i], InitialState(model, mesh->body));
   }
   recoverPatches(blocks, SubdomainExchange(comm, meshes, blocks));
   return blocks;

@@ -4,8 +4,18 @@
 #include <suture/quality/ErrorNorms.hpp>
 
 namespace suture {
+
+namespace {
+
+/// Stress across the plane, from the others: its strain is opposite to the initial one.
+double acrossPlane(const Eigen::Vector4d& s, const InitialState::Values& initial, const HookesLaw& law) {
+  return law.across(s - initial.stress) + initial.stress[2] - initial.strain[2] / law.compliance(2, 2);
+}
+
+}  // namespace
+
 BodyErrors bodyErrors(const CellBlock& block, const ExactFields& exact, const std::function<const Material&(int element)>& materialOf,
-                      PlaneModel plane, const Vector& displacement) {
+                      PlaneModel plane, const Vector& displacement, const InitialState& initial) {
   BodyErrors errors;
   if (block.axisymmetric && exact.stress.size() == 3)
     throw InputError("Exact Solution", "'Stress zz' is missing: in an axisymmetric scene the hoop stress does not follow from the others");
@@ -17,7 +27,7 @@ BodyErrors bodyErrors(const CellBlock& block, const ExactFields& exact, const st
     last = &material;
     const ReferenceElement& reference = referenceElement(block.cells[e], Rule::Data);
     const Span<const int> nodes = block.nodesOf(e);
-    ElementStress element(block, e, reference, law, displacement);
+    ElementStress element(block, e, reference, law, displacement, initial);
     const ElementMap& map = element.map();
     for (int q = 0; q < reference.points; ++q) {
       element.at(q);
@@ -31,7 +41,7 @@ BodyErrors bodyErrors(const CellBlock& block, const ExactFields& exact, const st
       if (exact.stress.empty()) continue;
       const auto given = [&](int k) { return exact.stress[std::size_t(k)].at(place); };
       Eigen::Vector4d s(given(0), given(1), 0.0, given(2));
-      s[2] = exact.stress.size() > 3 ? given(3) : plane == PlaneModel::Strain ? law.across(s) : 0.0;
+      s[2] = exact.stress.size() > 3 ? given(3) : plane == PlaneModel::Strain ? acrossPlane(s, element.initial(), law) : 0.0;
       const Eigen::Vector4d difference = element.stress() - s;
       errors.energy.add({map.measure() * law.complementary(difference), map.measure() * law.complementary(s)});
     }

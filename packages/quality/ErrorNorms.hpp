@@ -17,7 +17,7 @@ struct BodyErrors {
 
 /// \param displacement  node-major, Cartesian. Integrals of Rule::Data. \throws InputError  an expression is not finite (place)
 BodyErrors bodyErrors(const CellBlock& block, const ExactFields& exact, const std::function<const Material&(int element)>& materialOf,
-                      PlaneModel plane, const Vector& displacement);
+                      PlaneModel plane, const Vector& displacement, const InitialState& initial = InitialState());
 
 /// Integrals of products of the shape functions of a side of 2 or 3 nodes, end points first [length]; axisymmetric: of
 /// the side revolved [area]. Local.

@@ -18,7 +18,7 @@ namespace {
 BodyErrors errorsOf(const SubdomainMesh& mesh, const ElasticModel& model, const Vector& displacement) {
   return bodyErrors(
       mesh, model.exact.ofBody[mesh.body], [&](int e) -> const Material& { return model.materialOf(mesh, e, mesh.body); }, model.plane,
-      displacement);
+      displacement, InitialState(model, mesh.body));
 }
 
 SquaredNorms pressureErrors(const ContactSides& lines, const std::vector<PairResult>& pairs, const Expression& exact) {

@@ -1,5 +1,7 @@
 #include <suture/base/Collective.hpp>
-#include <suture/elasticity/loads/SubdomainLoads.hpp>
+#include <suture/elasticity/loads/ElasticSupports.hpp>
+#include <suture/elasticity/loads/NodalLoads.hpp>
+#include <suture/quality/Findings.hpp>
 #include <suture/quality/NodalForces.hpp>
 
 #include <map>
@@ -32,20 +34,49 @@ void addContact(const SubdomainMesh& mesh, const PairForces& forces, Matrix& nod
   }
 }
 
+void addSupports(const SubdomainMesh& mesh, const ElasticModel& model, const Vector& displacement, OwnForces& all, Reactions& reactions) {
+  const ElasticSupports supports(mesh, mesh.sideGroups, model);
+  if (supports.empty()) return;
+  const ElasticSupports::Forces forces = supports.forces(displacement);
+  all.supports = -forces.nodal;
+  all.elements.internal += forces.nodal;
+  all.elements.stiffness += forces.stiffness;
+  all.elements.rounding += forces.rounding;
+  supports.forEachSupport(displacement, [&](int number, const Vector& own) { reactions.addSpring(mesh, number, own); });
+}
+
+/// Initial states leave the rounding of their own forces, whatever the displacements are.
+void addInitial(const SubdomainMesh& mesh, const ElasticModel& model, OwnForces& all) {
+  Vector sizes;
+  const Vector forces = initialForces(mesh, model, &sizes);
+  if (forces.size() == 0) return;
+  all.load += forces;
+  for (Eigen::Index i = 0; i < forces.size(); ++i) {
+    all.initial[i % mesh.dimension] += forces[i];
+    all.elements.rounding[i / mesh.dimension] += unitRoundoff * sizes[i];
+  }
+}
+
+/// Forces of the model's materials, loads and supports, by loops over elements and sides.
+OwnForces modelForces(const SubdomainMesh& mesh, const ElasticModel& model, const Vector& displacement, Reactions& reactions) {
+  const auto materialOf = [&](int element) -> const Material& { return model.materialOf(mesh, element, mesh.body); };
+  OwnForces all{elementForces(mesh, materialOf, model.plane, displacement), Vector::Zero(Eigen::Index(mesh.nodes()) * mesh.dimension)};
+  forEachLoad(mesh, model, [&](int number, const Vector& forces) {
+    all.load += forces;
+    reactions.addLoad(mesh, number, forces);
+  });
+  addSupports(mesh, model, displacement, all, reactions);
+  addInitial(mesh, model, all);
+  return all;
+}
+
 OwnForces forcesOf(const Answer& answer, int i, Reactions& reactions) {
   const SubdomainMesh& mesh = answer.meshes[i];
   if (std::optional<OwnForces> own = answer.own ? answer.own(i) : std::nullopt) {
     reactions.addOwn(mesh, own->load);
     return std::move(*own);
   }
-  const auto materialOf = [&](int element) -> const Material& { return answer.model.materialOf(mesh, element, mesh.body); };
-  OwnForces all{elementForces(mesh, materialOf, answer.model.plane, answer.displacement[i]),
-                Vector::Zero(Eigen::Index(mesh.nodes()) * mesh.dimension)};
-  forEachLoad(mesh, answer.model, [&](int number, const Vector& forces) {
-    all.load += forces;
-    reactions.addLoad(mesh, number, forces);
-  });
-  return all;
+  return modelForces(mesh, answer.model, answer.displacement[i], reactions);
 }
 
 }  // namespace
@@ -56,10 +87,14 @@ NodalForces nodalForces(const Comm& comm, const Answer& answer, const SeamExchan
   collectively(comm, "verifying the solution", [&] {
     for (std::size_t i = 0; i < answer.meshes.size(); ++i) {
       const SubdomainMesh& mesh = answer.meshes[i];
-      const auto [elements, load] = forcesOf(answer, static_cast<int>(i), all.reactions);
+      const OwnForces forces = forcesOf(answer, static_cast<int>(i), all.reactions);
+      const ElementForces& elements = forces.elements;
+      const Vector& load = forces.load;
+      all.balance.addSupports(forces.supports, mesh.dimension);
+      all.balance.leaveOut(forces.initial);
       Matrix& own = all.nodes.emplace_back(nodal::kRows, mesh.nodes());
       own.middleRows<2>(nodal::Internal) = Eigen::Map<const Matrix>(elements.internal.data(), 2, mesh.nodes());
-      own.middleRows<2>(nodal::Load) = Eigen::Map<const Matrix>(load.data(), 2, mesh.nodes());
+      own.middleRows<2>(nodal::Applied) = Eigen::Map<const Matrix>(load.data(), 2, mesh.nodes());
       own.middleRows<2>(nodal::Contact).setZero();
       own.row(nodal::Rounding) = elements.rounding.transpose();
       own.row(nodal::Stiffness) = elements.stiffness.transpose();
@@ -70,7 +105,7 @@ NodalForces nodalForces(const Comm& comm, const Answer& answer, const SeamExchan
   for (std::size_t i = 0; i < answer.meshes.size(); ++i)
     all.reactions.addSupports(answer.meshes[i], [&own = all.nodes[i]](int node) {
       Point force{0, 0, 0};
-      for (int k = 0; k < 2; ++k) force[k] = own(nodal::Internal + k, node) - own(nodal::Load + k, node) - own(nodal::Contact + k, node);
+      for (int k = 0; k < 2; ++k) force[k] = own(nodal::Internal + k, node) - own(nodal::Applied + k, node) - own(nodal::Contact + k, node);
       return force;
     });
   return all;

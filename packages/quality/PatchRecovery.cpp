@@ -19,6 +19,8 @@ constexpr double mostAmplified = 2.0;
 // boundary only. (Where the stress is not smooth, at the end of contact, the neighbours' polynomial is far from the stress at the vertex.)
 constexpr double weights[] = {0.001, 0.1, 1.0};
 constexpr double mostAmplifiedJoined = 1.0;
+// Part of the whole norm squared that stands for displacements without stress: an error of theirs is then told relative to that.
+constexpr double kLeastNorm = 1e-16;
 
 /// The law of the material that elements have, one after the other.
 class Laws {
@@ -40,8 +42,12 @@ class Laws {
 
 void PatchExchange::sum(std::vector<Matrix>&) const {}
 
-PatchRecovery::PatchRecovery(const CellBlock& block, Materials materialOf, PlaneModel plane, Vector displacement)
-    : block_(&block), materialOf_(std::move(materialOf)), plane_(plane), displacement_(std::move(displacement)) {
+PatchRecovery::PatchRecovery(const CellBlock& block, Materials materialOf, PlaneModel plane, Vector displacement, InitialState initial)
+    : block_(&block),
+      materialOf_(std::move(materialOf)),
+      plane_(plane),
+      displacement_(std::move(displacement)),
+      initial_(std::move(initial)) {
   if (block.dimension != 2) throw InternalError("recovery of stresses in dimension " + std::to_string(block.dimension));
   std::vector<int> lastAt(block.nodes(), -1), before;  // patches of a node form a chain, of one link nearly everywhere
   for (int e = 0; e < block.elements(); ++e) {
@@ -79,7 +85,7 @@ Matrix PatchRecovery::moments() const {
   for (int e = 0; e < block_->elements(); ++e) {
     const ReferenceElement& sampling = referenceElement(block_->cells[e], Rule::Sampling);
     const Span<const int> patches = patchesOf(e);
-    ElementStress element(*block_, e, sampling, laws.of(materialOf_(e)), displacement_);
+    ElementStress element(*block_, e, sampling, laws.of(materialOf_(e)), displacement_, initial_);
     for (int q = 0; q < sampling.points; ++q) {
       element.at(q);
       const Stress stress = element.stress();
@@ -228,8 +234,8 @@ ElementErrors PatchRecovery::errors() const {
     const HookesLaw& law = laws.of(materialOf_(e));
     const Cell cell = block_->cells[e];
     nodalOf(e, nodal);
-    if (cell == Cell::Triangle3 && !block_->axisymmetric) {  // a linear difference: its mass matrix is known
-      ElementStress element(*block_, e, referenceElement(cell, Rule::Sampling), law, displacement_);
+    if (cell == Cell::Triangle3 && !block_->axisymmetric && !initial_.isIn(e)) {  // a linear difference: its mass matrix is known
+      ElementStress element(*block_, e, referenceElement(cell, Rule::Sampling), law, displacement_, initial_);
       element.at(0);
       const Stress stress = element.stress();
       Stress sum = Stress::Zero();
@@ -244,14 +250,16 @@ ElementErrors PatchRecovery::errors() const {
       continue;
     }
     const ReferenceElement& reference = referenceElement(cell, Rule::Recovery);
-    ElementStress element(*block_, e, reference, law, displacement_);
+    ElementStress element(*block_, e, reference, law, displacement_, initial_);
     for (int q = 0; q < reference.points; ++q) {
       element.at(q);
       const Stress stress = element.stress();
       Stress difference = -stress;
       for (int a = 0; a < reference.nodes; ++a) difference += reference.valuesAt(q)[a] * nodal.col(a);
       all.error[e] += element.map().measure() * law.complementary(difference);
-      all.norm[e] += element.map().measure() * law.complementary(stress);
+      const double whole = law.complementary(stress);
+      all.norm[e] += element.map().measure() *
+                     (element.isInitial() ? std::max(law.complementary(element.ofDisplacement()), kLeastNorm * whole) : whole);
     }
   }
   return all;

@@ -22,7 +22,7 @@ class PatchExchange {
 /// Squares of energy norms, element by element. [force x length]
 struct ElementErrors {
   Vector error;  ///< norm of recovered less computed stresses: integral of (s* - s).D^-1 (s* - s), the estimate of the error
-  Vector norm;   ///< norm of the computed stresses
+  Vector norm;   ///< norm of the computed stresses without those of initial states, but at least 1e-16 of their whole
 };
 
 /// Superconvergent patch recovery of Zienkiewicz and Zhu (Int. J. Num. Meth. Eng. 33, 1331-1382, 1992) on one block of elements.
@@ -51,7 +51,7 @@ class PatchRecovery {
   };
 
   /// Local. `block` must outlive it. A lambda for the materials must say `-> const Material&`. `displacement`: node-major, Cartesian.
-  PatchRecovery(const CellBlock& block, Materials materialOf, PlaneModel plane, Vector displacement);
+  PatchRecovery(const CellBlock& block, Materials materialOf, PlaneModel plane, Vector displacement, InitialState initial = InitialState());
 
   const std::vector<Patch>& patches() const { return patches_; }  ///< by node
   /// After recoverPatches(). \throws InputError  an element is folded
@@ -86,6 +86,7 @@ class PatchRecovery {
   Materials materialOf_;
   PlaneModel plane_;
   Vector displacement_;
+  InitialState initial_;
   std::vector<Patch> patches_;
   std::vector<int> first_{0}, patchOf_;  // the patch of every vertex of every element
   std::vector<Origin> origin_;           // of each patch's polynomial

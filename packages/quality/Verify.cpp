@@ -16,9 +16,9 @@ namespace suture {
 
 namespace {
 
+using nodal::Applied;
 using nodal::Contact;
 using nodal::Internal;
-using nodal::Load;
 using nodal::Rounding;
 using nodal::Stiffness;
 
@@ -108,7 +108,8 @@ void Verifier::gatherEnds() {
 
 Point Verifier::residual(int mesh, int node, const NodeRule* rule) const {
   Point rest{0, 0, 0};
-  for (int k = 0; k < 2; ++k) rest[k] = nodes_[mesh](Load + k, node) + nodes_[mesh](Contact + k, node) - nodes_[mesh](Internal + k, node);
+  for (int k = 0; k < 2; ++k)
+    rest[k] = nodes_[mesh](Applied + k, node) + nodes_[mesh](Contact + k, node) - nodes_[mesh](Internal + k, node);
   if (!rule) return rest;
   Point free{0, 0, 0};
   for (int k = 0; k < 2; ++k) {
@@ -131,7 +132,7 @@ void Verifier::sumBodies() {
     for (int node = 0; node < mesh.nodes(); ++node) {
       if (!counts(mesh, node)) continue;
       const NodeRule* rule = rules_[i][node];
-      const Point load = at(int(i), node, Load), contact = at(int(i), node, Contact), internal = at(int(i), node, Internal);
+      const Point load = at(int(i), node, Applied), contact = at(int(i), node, Contact), internal = at(int(i), node, Internal);
       const Point support{internal[0] - load[0] - contact[0], internal[1] - load[1] - contact[1], 0.0};
       const Point rest = residual(int(i), node, rule), x = mesh.point(node);
       balance_.addNode(load, support, rule, 2);

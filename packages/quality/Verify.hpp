@@ -10,10 +10,14 @@
 
 namespace suture {
 
-/// Sums at the nodes of a mesh that is not made of the model's materials and loads.
+/// Sums at the nodes of a mesh, by whatever makes its forces.
 struct OwnForces {
-  ElementForces elements;
-  Vector load;  ///< node-major, Cartesian [force]
+  ElementForces elements;  ///< those of elastic supports among them
+  Vector load;             ///< node-major, Cartesian [force]
+  Vector supports{};       ///< forces of elastic supports on the mesh, likewise; empty: none
+  /// Part of the loads that initial strains and stresses add, which is no load: round the circle of a body of revolution it has a sum.
+  /// [force]
+  Point initial{0, 0, 0};
 };
 
 /// Answer of a run, as it is to be verified.
@@ -24,7 +28,8 @@ struct Answer {
   const std::vector<PairResult>& pairs;     ///< on rank 0, all; only their ids, statuses and forces are used
   const std::vector<ContactPiece>& pieces;  ///< on rank 0, for names in messages; may be empty
   double tolerance = 1e-8;                  ///< relative algebraic error that was asked for
-  /// Forces of a mesh of this rank with physics of its own. Null, or nothing for a mesh: element loops over the model's materials.
+  /// Forces of a mesh of this rank with physics of its own. Null, or nothing for a mesh: loops over elements, loads and elastic
+  /// supports of the model.
   std::function<std::optional<OwnForces>(int mesh)> own{};
 };
 

@@ -140,6 +140,7 @@ void balance(const Mesh& mesh, const Constraints& constraints, const MonolithicS
   for (const NodeRule& rule : constraints.rules) ruleOf[rule.node] = &rule;
   for (int i = 0; i < mesh.nodes(); ++i)
     result.balance.addNode(nodal(system.nodalForces(), i, dimension), nodal(support, i, dimension), ruleOf[i], dimension);
+  system.addParts(result.displacement, result.balance);
   result.balance.finish(mesh.axisymmetric);
 }
 

@@ -1,4 +1,5 @@
 #include <suture/base/Errors.hpp>
+#include <suture/elasticity/loads/ElasticSupports.hpp>
 #include <suture/elasticity/loads/NodalLoads.hpp>
 #include <suture/quality/ElementForces.hpp>
 #include <suture/reference/MonolithicSystem.hpp>
@@ -178,9 +179,9 @@ void MonolithicSystem::assemble() {
       }
     }
   };
-  elementStiffnesses(
-      mesh_, [&](int element) -> const Material& { return model_.materialOf(mesh_, element, mesh_.bodyOfElement[element]); }, model_.plane,
-      take);
+  supportedStiffnesses(
+      mesh_, mesh_.sideGroups,
+      [&](int element) -> const Material& { return model_.materialOf(mesh_, element, mesh_.bodyOfElement[element]); }, model_, take);
   stiffness_ = SymmetricMatrix(std::move(matrix));
 }
 
@@ -209,10 +210,20 @@ Vector MonolithicSystem::expand(const Vector& x) const {
 }
 
 Vector MonolithicSystem::internalForces(const Vector& displacement) const {
-  return elementForces(
-             mesh_, [&](int element) -> const Material& { return model_.materialOf(mesh_, element, mesh_.bodyOfElement[element]); },
-             model_.plane, displacement)
-      .internal;
+  const auto materialOf = [&](int element) -> const Material& { return model_.materialOf(mesh_, element, mesh_.bodyOfElement[element]); };
+  Vector forces = elementForces(mesh_, materialOf, model_.plane, displacement).internal;
+  const ElasticSupports supports(mesh_, mesh_.sideGroups, model_);
+  if (!supports.empty()) forces += supports.forces(displacement).nodal;
+  return forces;
+}
+
+void MonolithicSystem::addParts(const Vector& displacement, Balance& balance) const {
+  const ElasticSupports supports(mesh_, mesh_.sideGroups, model_);
+  if (!supports.empty()) balance.addSupports(-supports.forces(displacement).nodal, mesh_.dimension);
+  const Vector initial = initialForces(mesh_, model_);
+  Point sum{0, 0, 0};
+  for (Eigen::Index i = 0; i < initial.size(); ++i) sum[i % mesh_.dimension] += initial[i];
+  balance.leaveOut(sum);
 }
 
 }  // namespace suture

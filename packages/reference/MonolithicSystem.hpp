@@ -3,6 +3,7 @@
 #include <suture/constraints/Constraints.hpp>
 #include <suture/elasticity/ElasticModel.hpp>
 #include <suture/mesh/Mesh.hpp>
+#include <suture/quality/Balance.hpp>
 
 #include <vector>
 
@@ -45,6 +46,8 @@ class MonolithicSystem {
   /// Internal forces K u of the whole mesh, prescribed nodes included; from stresses at quadrature points, not with stiffness(): a stiff
   /// part that moves rigidly answers with the rounding of its strains only. Same shape as u.
   Vector internalForces(const Vector& displacement) const;
+  /// Adds the forces of elastic supports to a balance, and takes out of it the loads that stand for initial strains and stresses.
+  void addParts(const Vector& displacement, Balance& balance) const;
 
  private:
   void number();

@@ -125,8 +125,7 @@ void addMaterials(const SubdomainMesh& mesh, const ElasticModel& model, const st
 
 /// \param own  stresses of the subdomain's own physics, or null
 void addStresses(const SubdomainMesh& mesh, const ElasticModel& model, const Vector& u, const Matrix* own, Piece& all) {
-  const auto materialOf = [&](int e) -> const Material& { return model.materialOf(mesh, e, mesh.body); };
-  const Matrix stress = own ? *own : elementStresses(mesh, materialOf, model.plane, u);
+  const Matrix stress = own ? *own : elementStresses(mesh, model, u);
   const Matrix principal = principalStresses(stress);
   const Vector mises = vonMises(stress);
   const auto append = [](std::vector<double>& values, std::initializer_list<double> more) { values.insert(values.end(), more); };
@@ -137,7 +136,7 @@ void addStresses(const SubdomainMesh& mesh, const ElasticModel& model, const Vec
     append(all.principal, {principal(e, 0), principal(e, 1), zz});
     append(all.direction1, {c, s, 0.0});
     append(all.direction2, {-s, c, 0.0});
-    if (!model.materialOfRegion.empty()) all.young.push_back(materialOf(e).young);
+    if (!model.materialOfRegion.empty()) all.young.push_back(model.materialOf(mesh, e, mesh.body).young);
   }
   all.vonMises.insert(all.vonMises.end(), mises.data(), mises.data() + mises.size());
 }

@@ -3,6 +3,7 @@
 #include <suture/quality/Verify.hpp>
 #include <suture/quality/answers/NodalStresses.hpp>
 #include <suture/simulation/JudgeStage.hpp>
+#include <suture/simulation/LoadControl.hpp>
 #include <suture/solver/accuracy/RequestedAccuracy.hpp>
 #include <suture/solver/solvability/NeutralMotions.hpp>
 
@@ -59,6 +60,7 @@ void verifySolution(const Comm& comm, const std::vector<SubdomainMesh>& meshes, 
   };
   const double tolerance = requestedAccuracy(scene.settings(), solution);
   solution.verification = verify(comm, {meshes, scene.model, solution.displacement, solution.pairs, pieces, tolerance, own});
+  if (hasControlledLoads(scene)) solution.verification.checks.push_back(targetCheck(comm, scene, meshes, solution));
   collectively(comm, "finding the stresses", [&] {
     for (std::size_t i = 0; i < subdomains.size(); ++i)
       if (subdomains[i]) solution.ownStresses[static_cast<int>(i)] = subdomains[i]->stresses(solution.displacement[i]);

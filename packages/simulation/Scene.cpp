@@ -1,6 +1,8 @@
 #include <suture/base/Collective.hpp>
 #include <suture/base/Expression.hpp>
 #include <suture/constraints/BuildConstraints.hpp>
+#include <suture/constraints/ConditionForm.hpp>
+#include <suture/elasticity/loads/LoadList.hpp>
 #include <suture/mesh/MeshReader.hpp>
 #include <suture/report/SceneSchema.hpp>
 #include <suture/report/Units.hpp>
@@ -23,32 +25,32 @@ ContactScales scalesOf(const ElasticModel& model, const Parameters& settings) {
   return {compliance, unitsOf(settings).length};
 }
 
-std::string nameOf(const Load& load, std::size_t place) { return load.name.empty() ? std::to_string(place + 1) : load.name; }
+/// Name of a load or an elastic support, or its place. \param kind  of list, for names that are places
+template <typename Entry>
+std::string nameOf(const Entry& entry, std::size_t place) {
+  return entry.name.empty() ? std::to_string(place + 1) : entry.name;
+}
 
 /// A load as a condition: its place is checked as that of the others.
 Condition conditionOf(const Load& load, const std::string& name) {
   Condition condition;
   condition.name = name;
   condition.path = "ElasticModel::loads/" + name;
-  using Type = Condition::Type;
-  condition.type = load.kind == Load::Kind::Traction    ? Type::Traction
-                   : load.kind == Load::Kind::Pressure  ? Type::Pressure
-                   : load.kind == Load::Kind::BodyForce ? Type::BodyForce
-                                                        : Type::RandomLoad;
+  condition.type = formNamed(nameOf(load.kind)).type;
   condition.groups = load.groups;
   condition.body = load.body;
   return condition;
 }
 
-void checkLoads(const ElasticModel& model, Problems& problems) {
-  for (std::size_t i = 0; i < model.loads.size(); ++i) {
-    const Load& load = model.loads[i];
-    const std::size_t given = load.expressions.size(), wanted = load.kind == Load::Kind::Pressure ? 1 : 2;
-    if (given > 0 && (load.kind == Load::Kind::Random || given != wanted))
-      problems.add("ElasticModel::loads/" + std::to_string(i + 1),
-                   std::to_string(given) + " expressions; expected " +
-                       (load.kind == Load::Kind::Random ? "none, the load is random" : std::to_string(wanted)));
-  }
+Condition conditionOf(const ElasticSupport& support, const std::string& name) {
+  Condition condition;
+  condition.name = name;
+  condition.path = "ElasticModel::supports/" + name;
+  condition.type = Condition::Type::ElasticSupport;
+  condition.groups = support.groups;
+  condition.normal = support.normal;
+  condition.tangential = support.tangential;
+  return condition;
 }
 
 /// Assignments that would say again what the objects of the scene say: nobody would hear them.
@@ -87,11 +89,16 @@ Scene makeScene(const ElasticModel& model, const std::function<Mesh()>& mesh, co
   problems.throwIfAny();
   scene.file.parameters->set("Model", modelName(model));
   scene.model = model;
-  for (std::size_t i = 0; i < model.loads.size(); ++i) scene.model.loads[i].name = nameOf(model.loads[i], i);
+  for (std::size_t i = 0; i < model.loads.size(); ++i) {
+    scene.model.loads[i].name = nameOf(model.loads[i], i);
+    scene.model.loads[i].path = "ElasticModel::loads/" + std::to_string(i + 1);
+  }
+  for (std::size_t i = 0; i < model.supports.size(); ++i) scene.model.supports[i].name = nameOf(model.supports[i], i);
   for (const Contact& contact : contacts) scene.contacts.push_back(contact.name);
   scene.mesh = [mesh](const Comm& comm) { return onRoot(comm, "making the mesh", mesh); };
   std::vector<Condition> all = conditions;
-  for (std::size_t i = 0; i < model.loads.size(); ++i) all.push_back(conditionOf(model.loads[i], nameOf(model.loads[i], i)));
+  for (std::size_t i = 0; i < model.loads.size(); ++i) all.push_back(conditionOf(model.loads[i], scene.model.loads[i].name));
+  for (std::size_t i = 0; i < model.supports.size(); ++i) all.push_back(conditionOf(model.supports[i], scene.model.supports[i].name));
   scene.constraints = [all, contacts, scales = scalesOf(model, scene.settings())](const Mesh& whole) {
     return buildConstraints(whole, all, contacts, scales);
   };

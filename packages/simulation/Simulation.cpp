@@ -1,11 +1,14 @@
 #include <suture/base/Buffer.hpp>
 #include <suture/base/Collective.hpp>
 #include <suture/elasticity/LockingNotes.hpp>
+#include <suture/elasticity/loads/LoadList.hpp>
+#include <suture/elasticity/loads/ResolveLoads.hpp>
 #include <suture/quality/ExactErrors.hpp>
 #include <suture/report/Checkpoint.hpp>
 #include <suture/report/Report.hpp>
 #include <suture/report/answers/Probes.hpp>
 #include <suture/simulation/JudgeStage.hpp>
+#include <suture/simulation/LoadControl.hpp>
 #include <suture/simulation/NestedLevels.hpp>
 #include <suture/simulation/ReadStage.hpp>
 #include <suture/simulation/Simulation.hpp>
@@ -61,6 +64,7 @@ void Simulation::read() {
 void Simulation::cut() {
   cut_ = timed(timers_, "partition", [&] { return cutMesh(*comm_, scene_, mesh_, constraints_); });
   size_ = cut_.whole.size;
+  resolveLoads(*comm_, cut_.meshes, scene_.model);
 }
 
 void Simulation::check() {
@@ -75,6 +79,7 @@ void Simulation::check() {
 }
 
 void Simulation::prepare() {
+  if (hasControlledLoads(scene_)) timed(timers_, "control", [&] { controlLoads(comm_, scene_, cut_.meshes, monitor_); });
   liftWork_ = timed(timers_, "partition", [&] { return takeOutLift(*comm_, scene_.model, cut_.meshes, constraints_); });
   monitor_.shiftEnergy(-liftWork_);
   if (!method_->needsWholeMesh()) forget(mesh_, constraints_, cut_.partition);
@@ -88,6 +93,7 @@ void Simulation::prepare() {
 void Simulation::remark() {
   for (const std::string& note : cut_.partition.notes) monitor_.note(note);
   for (const std::string& note : lockingNotes(scene_.model)) monitor_.note(note);
+  for (const std::string& note : loadNotes(scene_.model)) monitor_.note(note);
   for (const std::string& note : looseTolerances(scene_.settings())) monitor_.note(note);
 }
 

@@ -45,12 +45,12 @@ class Simulation {
 
   /// Mesh and constraints, if a later stage needs them whole.
   void read();
-  /// Subdomains on their ranks.
+  /// Subdomains on their ranks, and what loads are on them.
   void cut();
   /// Refuses elements that lock, scenes without a solution, exact solutions without a value, probes outside the
   /// bodies, runs larger than the memory.
   void check();
-  /// Takes rigid motions out of the scene, assembles and factors.
+  /// Finds the amounts of controlled loads, takes rigid motions out of the scene, assembles and factors.
   void prepare();
   /// Notes for the user on the cut and on the settings.
   void remark();

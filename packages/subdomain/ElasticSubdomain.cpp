@@ -1,4 +1,5 @@
-#include <suture/elasticity/loads/SubdomainLoads.hpp>
+#include <suture/elasticity/loads/ElasticSupports.hpp>
+#include <suture/elasticity/loads/NodalLoads.hpp>
 #include <suture/subdomain/ElasticSubdomain.hpp>
 #include <suture/subdomain/RigidModes.hpp>
 
@@ -9,7 +10,7 @@
 namespace suture {
 
 SparseMatrix ElasticSubdomain::assembleStiffness(const std::function<const Material&(int element)>& materials) const {
-  return assembled([&](const auto& take) { elementStiffnesses(mesh(), materials, model_.plane, take); });
+  return assembled([&](const auto& take) { supportedStiffnesses(mesh(), mesh().sideGroups, materials, model_, take); });
 }
 
 void ElasticSubdomain::doAssemble(SparseMatrix& stiffness, Vector& load) {
@@ -20,10 +21,7 @@ void ElasticSubdomain::doAssemble(SparseMatrix& stiffness, Vector& load) {
   toAxes(load);
 }
 
-Matrix ElasticSubdomain::doStresses(const Vector& displacement) const {
-  return elementStresses(
-      mesh(), [this](int element) -> const Material& { return materialOf(element); }, model_.plane, displacement);
-}
+Matrix ElasticSubdomain::doStresses(const Vector& displacement) const { return elementStresses(mesh(), model_, displacement); }
 
 Matrix ElasticSubdomain::doRigidModes() const {
   Matrix modes = suture::rigidModes(mesh());

@@ -75,7 +75,9 @@ void Subdomain::assemble() {
   for (int i = 0; i < dofs(); ++i) load_(i) = lifted(free_[i]);
   constantEnergy_ = 0.5 * prescribed_.dot(held) - prescribed_.dot(fullLoad_);
 
-  heldModes_ = rowsAt(doRigidModes(), fixed_);
+  const Matrix modes = doRigidModes(), onSprings = springModes(modes);
+  heldModes_ = Matrix(onSprings.rows() + Eigen::Index(fixed_.size()), modes.cols());
+  heldModes_ << rowsAt(modes, fixed_), onSprings;
   freeMotions_ = nullSpace(heldModes_);
 }
 
@@ -97,6 +99,21 @@ SparseMatrix Subdomain::assembled(
       }
   });
   return assembleNodal(mesh_, d, matrices);
+}
+
+Matrix Subdomain::springModes(const Matrix& modes) const {
+  if (!mesh_.springs.empty() && !followsModel())
+    throw InputError("Boundary Conditions", "an Elastic Support acts on bodies whose Subdomain is Elastic only; subdomain '" + mesh_.name +
+                                                "' has physics of its own");
+  const int d = components();
+  Matrix rows(static_cast<Eigen::Index>(mesh_.springs.size()), modes.cols());
+  for (std::size_t i = 0; i < mesh_.springs.size(); ++i) {
+    const SpringDirection& spring = mesh_.springs[i];
+    Vector direction = Eigen::Map<const Vector>(spring.direction.data(), d);
+    if (const Matrix* q = axes(spring.node)) direction = (*q * direction).eval();
+    rows.row(static_cast<Eigen::Index>(i)) = direction.transpose() * modes.middleRows(spring.node * d, d);
+  }
+  return rows;
 }
 
 Matrix Subdomain::stresses(const Vector& displacement) const {

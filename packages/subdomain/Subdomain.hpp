@@ -24,7 +24,8 @@ class Subdomain {
   virtual ~Subdomain() = default;
 
   /// Assembles stiffness and loads. Call it once, before anything below.
-  /// \throws NumericalError  the matrix has the wrong size or a non-positive diagonal.
+  /// \throws NumericalError  the matrix has the wrong size or a non-positive diagonal. \throws InputError  an elastic support on physics
+  /// that do not follow the model
   void assemble();
 
   const SubdomainMesh& mesh() const { return mesh_; }
@@ -59,7 +60,7 @@ class Subdomain {
   /// for every unknown
   Hint hint(const std::string& name) const;
   Matrix rigidModes() const;                                     ///< free x all rigid modes
-  const Matrix& heldModes() const { return heldModes_; }         ///< prescribed components x all rigid modes
+  const Matrix& heldModes() const { return heldModes_; }         ///< prescribed components and springs x all rigid modes
   Matrix kernel() const { return rigidModes() * freeMotions_; }  ///< null space of stiffness(): the modes that vanish where prescribed
 
   /// Nodal displacements (node-major, Cartesian) of the free unknowns' values; prescribed ones filled in.
@@ -90,6 +91,7 @@ class Subdomain {
   SparseMatrix assembled(const std::function<void(const std::function<void(int element, ConstLocalView stiffness)>& take)>& elements) const;
 
  private:
+  Matrix springModes(const Matrix& modes) const;
   Vector inAxes(const Vector& cartesian) const;
   Vector outOfAxes(Vector values) const;
 
@@ -102,7 +104,7 @@ class Subdomain {
   SparseMatrix held_;  // all unknowns x prescribed components
   Vector fullLoad_, load_;
   double constantEnergy_ = 0.0;
-  Matrix heldModes_, freeMotions_;  // rigid modes where prescribed, and combinations of them that vanish there
+  Matrix heldModes_, freeMotions_;  // rigid modes where prescribed or on springs, and combinations of them that vanish there
 };
 
 void registerBuiltIns(Registry<Subdomain>& registry);

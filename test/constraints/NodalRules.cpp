@@ -181,9 +181,10 @@ TEUCHOS_UNIT_TEST(NodalRules, WantTheFormOfEachType) {
         "valued roller/Value: a Bilateral condition has no value", "scalar traction/Value: 1 values; this Traction needs 2 values",
         "vector pressure/Value: 2 values; this Pressure needs 1 value",
         "no value/Value: is missing; this Pressure needs 1 value, or Expression",
-        "two for x/Value: 2 values; this Displacement needs 1 value", "x pressure/Components: only a Displacement has it",
-        "force on a curve/Group: a Body Force acts on a body", "force on nobody/Body: no such body 'b1'",
-        "traction of a body/Body: only a Body Force or a Random Load has it",
+        "two for x/Value: 2 values; this Displacement needs 1 value",
+        "x pressure/Components: only a Displacement or a Mean Displacement has it", "force on a curve/Group: a Body Force acts on a body",
+        "force on nobody/Body: no such body 'b1'",
+        "traction of a body/Body: a Traction acts on a curve group, not on a body; name it in Group",
         "seeded traction/Seed: only a Random Load has it; found in a Traction", "noise on a curve/Group: a Random Load acts on a body",
         "noise on a curve/Amplitude: is missing", "valued noise/Value: a Random Load has no value",
         "nowhere/Group: in the mesh boxes: no such curve group 'b0_topp'. Did you mean 'b0_top'?"})

@@ -1,6 +1,6 @@
 #include <Teuchos_UnitTestHarness.hpp>
 #include <support/Blocks.hpp>
-#include <suture/elasticity/loads/SubdomainLoads.hpp>
+#include <suture/elasticity/loads/NodalLoads.hpp>
 
 namespace suture {
 namespace {

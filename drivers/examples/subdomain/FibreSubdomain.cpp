@@ -1,7 +1,7 @@
 // A subdomain with physics of one's own: an elastic body with thin fibres in one direction, which are stiff along themselves only.
 #include <Teuchos_ParameterList.hpp>
 #include <cmath>
-#include <suture/elasticity/loads/SubdomainLoads.hpp>
+#include <suture/elasticity/loads/NodalLoads.hpp>
 #include <suture/subdomain/RigidModes.hpp>
 #include <suture/subdomain/Subdomain.hpp>
 

@@ -10,7 +10,8 @@ MODELS = {
     "Axisymmetric": "axisymmetric: bodies of revolution about the axis x = 0; forces are those of the whole circle"
 }
 # Types of conditions that hold bodies; all others load them.
-SUPPORTS = ("Displacement", "Bilateral", "Elastic Support")
+SUPPORTS = ("Displacement", "Bilateral", "Elastic Support", "Mean Displacement")
+PARTIAL = ("Displacement", "Mean Displacement")  # may prescribe some components
 
 
 def as_list(value):
@@ -27,14 +28,14 @@ class Condition:
         self.body = given.get("Body")
         value = given.get("Value")
         self.value = value if isinstance(value, list) or value is None else [value]
-        self.components = given.get("Components", "All") if self.type == "Displacement" else "All"
+        self.components = given.get("Components", "All") if self.type in PARTIAL else "All"
         self.expressions = {key.replace("Expression", "").strip(): text for key, text in given.items() if key.startswith("Expression")}
         self.support = self.type in SUPPORTS
 
     @property
     def unit(self):
         length, force, stress = self.run.units
-        return {"Displacement": length, "Traction": stress, "Pressure": stress, "Force": force, "Point Force": force,
+        return {"Displacement": length, "Mean Displacement": length, "Preload": force, "Traction": stress, "Pressure": stress, "Force": force, "Point Force": force,
                 "Moment": f"{force} {length}", "Body Force": f"{force}/{length}³", "Initial Stress": stress,
                 "Gravity": f"{length}/time²", "Rotation": "1/time"}.get(self.type, "")
 
@@ -70,7 +71,7 @@ class Condition:
             return ", ".join((f"{axis}: " if axis else "") + text for axis, text in self.expressions.items()) + unit
         if self.value is None:
             return ""
-        if self.type == "Displacement" and self.components != "All":
+        if self.components != "All":
             return f"u_{self.components} = {vector(self.value)}{unit}"
         if self.type == "Displacement" and not any(self.value):
             return "held: u = 0"

@@ -6,7 +6,8 @@
 namespace suture {
 
 void addSideLoad(const CellBlock& block, const std::vector<Side>& sides, const Load& load, Vector& forces) {
-  if (load.onBody()) throw InternalError("a load on bodies does not act on sides");
+  if (load.kind != Load::Kind::Traction && load.kind != Load::Kind::Pressure)
+    throw InternalError("a " + nameOf(load.kind) + " on sides: expected a Traction or a Pressure (resolveLoads() makes them)");
   for (const Side& side : sides) {
     const std::vector<int> nodes = block.nodesOf(side);
     std::vector<Point> points;
@@ -40,15 +41,18 @@ void addSideFlux(const CellBlock& block, const Side& side, double factor, Vector
   addSideLoad(block, {side}, inward, flux);
 }
 
-void addBodyForce(const CellBlock& block, const std::vector<int>& elements, const Load& load, Vector& forces) {
-  if (load.kind != Load::Kind::BodyForce) throw InternalError("only a body force acts on elements");
+void addBodyForce(const CellBlock& block, const std::vector<int>& elements, const Load& load, Vector& forces,
+                  const std::function<double(int element)>& density) {
+  if (!load.onElements()) throw InternalError("a " + nameOf(load.kind) + " does not act on elements");
+  if (load.usesDensity() && !density) throw InternalError("a " + nameOf(load.kind) + " without densities");
   for (int e : elements) {
     const ReferenceElement& reference = referenceElement(block.cells[e], load.rule());
     const Span<const int> nodes = block.nodesOf(e);
     ElementMap map(block, e, reference);
+    const double mass = load.usesDensity() ? density(e) : 1.0;
     for (int q = 0; q < reference.points; ++q) {
       map.at(q);
-      const Point value = load.at(map.place());
+      const Point value = load.usesDensity() ? scaled(mass, load.at(map.place())) : load.at(map.place());
       for (int a = 0; a < reference.nodes; ++a)
         for (int k = 0; k < 2; ++k) forces[2 * nodes[a] + k] += value[k] * reference.valuesAt(q)[a] * map.measure();
     }

@@ -106,8 +106,7 @@ Extremes findExtremes(const Comm& comm, const SearchedFields& fields) {
       } else if (!fields.nodal.empty()) {
         searchStresses(mesh, fields.nodal[i], true, search);
       } else {
-        const auto materialOf = [&](int e) -> const Material& { return fields.model.materialOf(mesh, e, mesh.body); };
-        searchStresses(mesh, elementStresses(mesh, materialOf, fields.model.plane, fields.displacement[i]), false, search);
+        searchStresses(mesh, elementStresses(mesh, fields.model, fields.displacement[i]), false, search);
       }
     }
   });

@@ -40,16 +40,18 @@ void Reactions::addSupport(const SubdomainMesh& mesh, const Support& support, co
 
 void Reactions::addLoad(const SubdomainMesh& mesh, int number, const Vector& forces) { addForces(mesh, forces, at(loads, number)); }
 
+void Reactions::addSpring(const SubdomainMesh& mesh, int number, const Vector& forces) { addForces(mesh, forces, at(springs, number)); }
+
 void Reactions::addOwn(const SubdomainMesh& mesh, const Vector& forces) { addForces(mesh, forces, own); }
 
 void Reactions::finish(const Comm& comm, bool axisymmetric) {
-  const int mine[2] = {static_cast<int>(supports.size()), static_cast<int>(loads.size())};
-  int most[2];
-  Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, 2, mine, most);
-  supports.resize(most[0]);
-  loads.resize(most[1]);
+  std::array<std::vector<Resultant>*, 3> lists{&supports, &loads, &springs};
+  int mine[3], most[3];
+  for (std::size_t i = 0; i < lists.size(); ++i) mine[i] = static_cast<int>(lists[i]->size());
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, 3, mine, most);
+  for (std::size_t i = 0; i < lists.size(); ++i) lists[i]->resize(most[i]);
   std::vector<Resultant*> each{&own};
-  for (auto* list : {&supports, &loads})
+  for (std::vector<Resultant>* list : lists)
     for (Resultant& one : *list) each.push_back(&one);
   std::vector<double> values, sums;
   for (const Resultant* one : each) {

@@ -19,7 +19,8 @@ struct Resultant {
 /// Resultants of every condition of a scene, as they act on the bodies.
 struct Reactions {
   std::vector<Resultant> supports;  ///< forces of prescribed displacements, by Support::condition; zero of conditions that are loads
-  std::vector<Resultant> loads;     ///< in the order of ElasticModel::loads
+  std::vector<Resultant> loads;     ///< in the order of ElasticModel::loads; zero of initial strains and stresses, which are no forces
+  std::vector<Resultant> springs;   ///< forces of elastic supports, in the order of ElasticModel::supports
   Resultant own;                    ///< loads of subdomains with physics of their own
 
   /// Adds what holds the nodes that this mesh counts. Local. \param force  internal less external and contact forces at a node
@@ -30,6 +31,8 @@ struct Reactions {
   }
   /// Adds the forces of a load. Local. \param forces  node-major, Cartesian
   void addLoad(const SubdomainMesh& mesh, int number, const Vector& forces);
+  /// Adds the forces of an elastic support. Local. \param forces  node-major, Cartesian
+  void addSpring(const SubdomainMesh& mesh, int number, const Vector& forces);
   /// Adds other loads. Local.
   void addOwn(const SubdomainMesh& mesh, const Vector& forces);
   /// Sums over ranks. Collective.

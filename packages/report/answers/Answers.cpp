@@ -65,13 +65,19 @@ std::vector<ConditionResultant> conditionResultants(const Run& run) {
   std::vector<ConditionResultant> all;
   for (std::size_t c = 0; c < run.conditions.size(); ++c)
     all.push_back({run.conditions[c], "support", c < reactions.supports.size() ? reactions.supports[c] : Resultant()});
-  for (std::size_t l = 0; l < run.model.loads.size(); ++l) {
-    const std::string& name = run.model.loads[l].name;
+  const auto rowOf = [&](const std::string& name, const char* kind) -> ConditionResultant& {
     auto row = std::find_if(all.begin(), all.end(), [&](const ConditionResultant& one) { return one.name == name; });
-    if (row == all.end()) row = all.insert(all.end(), {name, "load", {}});
-    row->kind = "load";
-    if (l < reactions.loads.size()) row->sum.add(reactions.loads[l]);
+    if (row == all.end()) row = all.insert(all.end(), {name, kind, {}});
+    row->kind = kind;
+    return *row;
+  };
+  for (std::size_t l = 0; l < run.model.loads.size(); ++l) {
+    const Load& load = run.model.loads[l];
+    ConditionResultant& row = rowOf(load.name, load.control == Load::Control::MeanDisplacement ? "support" : "load");
+    if (l < reactions.loads.size()) row.sum.add(reactions.loads[l]);
   }
+  for (std::size_t s = 0; s < run.model.supports.size() && s < reactions.springs.size(); ++s)
+    rowOf(run.model.supports[s].name, "support").sum.add(reactions.springs[s]);
   if (norm(reactions.own.force) > 0.0 || norm(reactions.own.moment) > 0.0)
     all.push_back({"subdomains with physics of their own", "load", reactions.own});
   return all;

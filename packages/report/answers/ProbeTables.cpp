@@ -43,10 +43,8 @@ class Centroids {
     if (!stresses_) {
       const SubdomainMesh& mesh = run_.subdomains[mesh_];
       const auto own = run_.solution.ownStresses.find(mesh_);
-      const auto materialOf = [&](int e) -> const Material& { return run_.model.materialOf(mesh, e, mesh.body); };
-      stresses_ = own != run_.solution.ownStresses.end()
-                      ? own->second
-                      : elementStresses(mesh, materialOf, run_.model.plane, run_.solution.displacement[mesh_]);
+      stresses_ =
+          own != run_.solution.ownStresses.end() ? own->second : elementStresses(mesh, run_.model, run_.solution.displacement[mesh_]);
     }
     return {(*stresses_)(element, 0), (*stresses_)(element, 1), (*stresses_)(element, 2), (*stresses_)(element, 3)};
   }

@@ -1,6 +1,6 @@
 #include <suture/base/Gather.hpp>
 #include <suture/contact/RigidContact.hpp>
-#include <suture/elasticity/loads/SubdomainLoads.hpp>
+#include <suture/elasticity/loads/NodalLoads.hpp>
 #include <suture/quality/PairResult.hpp>
 #include <suture/solver/solvability/CarriedBodies.hpp>
 

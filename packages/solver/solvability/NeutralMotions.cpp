@@ -1,7 +1,7 @@
 #include <suture/algebra/dense/Decompositions.hpp>
 #include <suture/algebra/dense/NonnegativeLeastSquares.hpp>
 #include <suture/base/Buffer.hpp>
-#include <suture/elasticity/loads/SubdomainLoads.hpp>
+#include <suture/elasticity/loads/NodalLoads.hpp>
 #include <suture/partition/RigidLift.hpp>
 #include <suture/solver/solvability/NeutralMotions.hpp>
 #include <suture/solver/solvability/PairClasses.hpp>

@@ -1,6 +1,6 @@
 #include <suture/base/Collective.hpp>
 #include <suture/base/DisjointSets.hpp>
-#include <suture/elasticity/loads/SubdomainLoads.hpp>
+#include <suture/elasticity/loads/NodalLoads.hpp>
 #include <suture/solver/solvability/PairClasses.hpp>
 
 #include <Teuchos_Comm.hpp>

@@ -122,12 +122,14 @@ void checkSolvability(const Mesh& mesh, const Constraints& constraints, const Ve
     modes.count += int(rigid.parts[part].free.cols());
     const RigidPart& r = rigid.parts[part];
     if (inContact[part] || r.free.cols() == 0) continue;
-    problems.add(path(part),
-                 name(part) +
-                     (r.free.cols() == r.free.rows()
-                          ? " is held by nothing: no displacement is prescribed on it and it is in no contact"
-                          : " can " + inWords(r, r.free, dimension) + ": it is in no contact and nothing prescribes that displacement") +
-                     ". Prescribe displacements on it, make a side of it Bilateral, or put it in contact");
+    problems.add(
+        path(part),
+        name(part) +
+            (r.free.cols() == r.free.rows()
+                 ? " is held by nothing: no displacement is prescribed on it, no Elastic Support carries it and it is in no contact"
+                 : " can " + inWords(r, r.free, dimension) +
+                       ": it is in no contact, and neither a prescribed displacement nor an Elastic Support holds it there") +
+            ". Prescribe displacements on it, make a side of it Bilateral or an Elastic Support, or put it in contact");
   }
   if (modes.count == 0 || !problems.empty()) {
     problems.throwIfAny();

@@ -1,4 +1,4 @@
-#include <suture/elasticity/loads/SubdomainLoads.hpp>
+#include <suture/elasticity/loads/NodalLoads.hpp>
 #include <suture/partition/RigidLift.hpp>
 #include <suture/solver/solvability/CarriedBodies.hpp>
 #include <suture/solver/solvability/TakeOutLift.hpp>

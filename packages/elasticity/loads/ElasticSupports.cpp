@@ -1,0 +1,99 @@
+#include <suture/elasticity/SideMap.hpp>
+#include <suture/elasticity/loads/ElasticSupports.hpp>
+
+#include <algorithm>
+#include <limits>
+
+namespace suture {
+
+namespace {
+
+Matrix sideStiffness(const std::vector<Point>& points, bool axisymmetric, const ElasticSupport& support) {
+  SideMap map(points, Rule::Load, axisymmetric);
+  const ReferenceElement& reference = map.reference();
+  Matrix all = Matrix::Zero(2 * reference.nodes, 2 * reference.nodes);
+  for (int q = 0; q < reference.points; ++q) {
+    map.at(q);
+    const Eigen::Vector2d normal = Eigen::Vector2d(map.tangent()[1], -map.tangent()[0]) / map.measure();
+    const Eigen::Matrix2d across = normal * normal.transpose(),
+                          here = map.measure() * (support.normal * across + support.tangential * (Eigen::Matrix2d::Identity() - across));
+    for (int a = 0; a < reference.nodes; ++a)
+      for (int b = 0; b < reference.nodes; ++b) all.block<2, 2>(2 * a, 2 * b) += reference.valuesAt(q)[a] * reference.valuesAt(q)[b] * here;
+  }
+  return all;
+}
+
+}  // namespace
+
+ElasticSupports::ElasticSupports(const CellBlock& block, const SideGroups& groups, const ElasticModel& model) : block_(block) {
+  for (std::size_t number = 0; number < model.supports.size(); ++number)
+    for (const Side& side : sidesOf(groups, model.supports[number].groups)) {
+      OnSide own;
+      own.support = static_cast<int>(number);
+      own.nodes = block.nodesOf(side);
+      std::vector<Point> points;
+      const Span<const int> ofElement = block.nodesOf(side.element);
+      for (const int node : own.nodes) {
+        points.push_back(block.point(node));
+        own.places.push_back(static_cast<int>(std::find(ofElement.begin(), ofElement.end(), node) - ofElement.begin()));
+      }
+      own.stiffness = sideStiffness(points, block.axisymmetric, model.supports[number]);
+      sides_.emplace(side.element, std::move(own));
+    }
+}
+
+void ElasticSupports::addStiffness(int element, LocalView stiffness) const {
+  const auto [begin, end] = sides_.equal_range(element);
+  for (auto own = begin; own != end; ++own) {
+    const OnSide& side = own->second;
+    for (std::size_t a = 0; a < side.places.size(); ++a)
+      for (std::size_t b = 0; b < side.places.size(); ++b)
+        stiffness.block<2, 2>(2 * side.places[a], 2 * side.places[b]) += side.stiffness.block<2, 2>(2 * a, 2 * b);
+  }
+}
+
+Vector ElasticSupports::forceOf(const OnSide& side, const Vector& displacement) const {
+  Vector u(2 * side.nodes.size());
+  for (std::size_t a = 0; a < side.nodes.size(); ++a) u.segment<2>(2 * a) = displacement.segment<2>(2 * side.nodes[a]);
+  return side.stiffness * u;
+}
+
+ElasticSupports::Forces ElasticSupports::forces(const Vector& displacement) const {
+  Forces all{Vector::Zero(displacement.size()), Vector::Zero(block_.nodes()), Vector::Zero(block_.nodes())};
+  for (const auto& [element, side] : sides_) {
+    const Vector force = forceOf(side, displacement);
+    double largest = 0.0;
+    for (const int node : side.nodes) largest = std::max(largest, displacement.segment<2>(2 * node).norm());
+    for (std::size_t a = 0; a < side.nodes.size(); ++a) {
+      const int node = side.nodes[a];
+      all.nodal.segment<2>(2 * node) += force.segment<2>(2 * a);
+      all.stiffness[node] += 0.5 * (side.stiffness(2 * a, 2 * a) + side.stiffness(2 * a + 1, 2 * a + 1));
+      all.rounding[node] += std::numeric_limits<double>::epsilon() * side.stiffness.middleRows<2>(2 * a).cwiseAbs().sum() * largest;
+    }
+  }
+  return all;
+}
+
+void ElasticSupports::forEachSupport(const Vector& displacement, const std::function<void(int number, const Vector& forces)>& take) const {
+  std::map<int, Vector> bySupport;
+  for (const auto& [element, side] : sides_) {
+    Vector& sum = bySupport.try_emplace(side.support, Vector::Zero(displacement.size())).first->second;
+    const Vector force = forceOf(side, displacement);
+    for (std::size_t a = 0; a < side.nodes.size(); ++a) sum.segment<2>(2 * side.nodes[a]) -= force.segment<2>(2 * a);
+  }
+  for (const auto& [number, forces] : bySupport) take(number, forces);
+}
+
+void supportedStiffnesses(const CellBlock& block, const SideGroups& groups, const std::function<const Material&(int element)>& materialOf,
+                          const ElasticModel& model, const std::function<void(int element, ConstLocalView stiffness)>& take) {
+  const ElasticSupports supports(block, groups, model);
+  if (supports.empty()) return elementStiffnesses(block, materialOf, model.plane, take);
+  Matrix sum;
+  elementStiffnesses(block, materialOf, model.plane, [&](int element, ConstLocalView stiffness) {
+    sum = stiffness;
+    supports.addStiffness(element, sum);
+    take(element, sum);
+  });
+}
+
+}  // namespace suture

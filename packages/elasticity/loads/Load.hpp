@@ -1,0 +1,127 @@
+#pragma once
+#include <suture/base/Expression.hpp>
+#include <suture/base/Point.hpp>
+#include <suture/base/Types.hpp>
+#include <suture/elasticity/ReferenceElement.hpp>
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace suture {
+
+/// A load of the scene: on named side groups, at a point, on the volume of a body, or on its nodes (random, for studies of solvers).
+///
+/// Force, Moment and PointForce are known on a mesh only: resolveLoads() makes tractions of the first two and finds the node of the third.
+struct Load {
+  enum class Kind {
+    Traction,
+    Pressure,
+    BodyForce,
+    Random,
+    Gravity,
+    Rotation,
+    Force,
+    Moment,
+    PointForce,
+    Temperature,
+    InitialStrain,
+    InitialStress
+  };
+  Kind kind = Kind::Traction;
+  std::string body;  ///< body of a load on bodies or at a point; "": all bodies
+  /// Traction [stress], body force [force / volume], Force and PointForce [force]; Pressure: value[0], > 0 pushes into the body; Gravity:
+  /// acceleration [length / time^2]; Temperature: value[0]; Rotation: angular velocity along its axis [1 / time]; Moment [force x length];
+  /// Random: value[0] about value[1] [force]
+  Point value{0, 0, 0};
+  int seed = 0;                           ///< seed of Random
+  std::vector<Expression> expressions{};  ///< functions of the place, instead of value: as many as it has components
+  std::vector<std::string> groups{};      ///< side groups on which it acts
+  Point place{0, 0, 0};                   ///< place of a PointForce; a point of the axis of a Rotation; where a traction's spin vanishes
+  Point spin{0, 0, 0};                    ///< added to a Traction: spin x (point - place) [stress / length]
+  double tolerance = 0;                   ///< of a PointForce: largest distance of its node [length]; 0: 1e-6 of the bodies' extent
+  GlobalId node = -1;                     ///< node of a PointForce, once resolved
+  std::string path{};                     ///< place in the scene, for messages
+  std::string name{};                     ///< name of the boundary condition
+  double reference = 0;                   ///< temperature at which a body is free of thermal strain
+  /// A load whose amount is unknown (setAmount()): it is the one at which the answer has the target. The mean displacement of its groups
+  /// along its axis [length], of a Force; the force that its body carries along its axis [force], of an InitialStrain.
+  enum class Control { None, MeanDisplacement, SectionForce };
+  Control control = Control::None;
+  double target = 0;
+  Point axis{0, 0, 0};  ///< a unit vector; once a Force is resolved, over the area of its groups
+  double length = 0;    ///< over which an InitialStrain shortens its body by the amount [length]
+  /// InitialStrain (shear: 2 e_xy) and InitialStress [stress], instead of value: xx, yy, zz, xy
+  std::array<double, 4> tensor{};
+
+  /// Makes a controlled load one of a known amount: a force along its axis [force], or a shortening [length].
+  void setAmount(double amount);
+
+  /// Value at a place: of a Gravity and a Rotation the force on a unit of mass. \throws InputError  an expression is not finite there
+  Point at(const Point& point) const {
+    if (kind == Kind::Rotation) return cross(cross(value, minus(point, place)), value);
+    Point here = value;
+    for (std::size_t k = 0; k < expressions.size(); ++k) here[k] = expressions[k].at(point);
+    return varies() ? plus(here, cross(spin, minus(point, place))) : here;
+  }
+  /// The same of a kind with a tensor.
+  std::array<double, 4> tensorAt(const Point& point) const {
+    std::array<double, 4> here = tensor;
+    for (std::size_t k = 0; k < expressions.size(); ++k) here[k] = expressions[k].at(point);
+    return here;
+  }
+  /// A value that is not the same everywhere.
+  bool varies() const { return !expressions.empty() || spin != Point{0, 0, 0} || kind == Kind::Rotation; }
+  Rule rule() const { return varies() ? Rule::Data : Rule::Load; }
+
+  static Load pressure(const std::string& group, double value) { return {Kind::Pressure, "", {value, 0, 0}, 0, {}, {group}}; }
+  static Load traction(const std::string& group, const Point& value) { return {Kind::Traction, "", value, 0, {}, {group}}; }
+  /// Total force. [force]
+  static Load force(const std::string& group, const Point& value) { return {Kind::Force, "", value, 0, {}, {group}}; }
+  /// Total moment about the centroid, in the plane counterclockwise. [force x length]
+  static Load moment(const std::string& group, double value) { return {Kind::Moment, "", {0, 0, value}, 0, {}, {group}}; }
+  /// \param body  empty: all bodies
+  static Load bodyForce(const Point& value, const std::string& body = "") { return {Kind::BodyForce, body, value}; }
+  static Load gravity(const Point& acceleration, const std::string& body = "") { return {Kind::Gravity, body, acceleration}; }
+  /// \param velocity  angular velocity, along the axis: z in the plane, y in axisymmetric scenes [1 / time]
+  static Load rotation(const Point& velocity, const Point& about = {0, 0, 0}, const std::string& body = "");
+  static Load temperature(double value, double reference, const std::string& body = "");
+  /// \param tensor  xx, yy, zz, xy
+  static Load initialStrain(const std::array<double, 4>& tensor, const std::string& body = "");
+  static Load initialStress(const std::array<double, 4>& tensor, const std::string& body = "");
+  static Load pointForce(const Point& place, const Point& value, const std::string& body = "");
+
+  /// Uniform traction at which the mean displacement of a group has this component. [length]
+  static Load meanDisplacement(const std::string& group, int component, double value);
+  /// Shortening along a direction of a body, as of a bolt, at which it carries a force. \param length  between the places where the force
+  /// enters and leaves the body [length] \param value  the force, tension positive [force]
+  static Load preload(const std::string& body, const Point& direction, double length, double value);
+
+  /// Acts on bodies as a whole.
+  bool onBody() const { return onElements() || isInitial() || kind == Kind::Random; }
+  /// A state of the bodies before they deform: a strain or stress of each element.
+  bool isInitial() const { return kind == Kind::Temperature || hasTensor(); }
+  bool hasTensor() const { return kind == Kind::InitialStrain || kind == Kind::InitialStress; }
+  /// Acts on the volume of bodies.
+  bool onElements() const { return kind == Kind::BodyForce || usesDensity(); }
+  /// Acts on the mass of bodies.
+  bool usesDensity() const { return kind == Kind::Gravity || kind == Kind::Rotation; }
+  bool onNodes() const { return kind == Kind::Random || kind == Kind::PointForce; }
+  /// True if a load on bodies acts on the body of this name.
+  bool actsOn(const std::string& name) const { return body.empty() || body == name; }
+};
+
+/// Name of a kind, as the scene's boundary conditions have it.
+const std::string& nameOf(Load::Kind kind);
+
+/// An elastic support of side groups (Winkler): its traction on them is -normal (u.n) n - tangential (u - (u.n) n), n their outward normal.
+struct ElasticSupport {
+  std::vector<std::string> groups;
+  double normal = 0.0, tangential = 0.0;  ///< [stress / length]
+  std::string name{};                     ///< name of the boundary condition
+};
+
+/// Components of a kind's value that a scene gives, in two dimensions; none of Random.
+int valuesOf(Load::Kind kind);
+
+}  // namespace suture

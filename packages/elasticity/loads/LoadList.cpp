@@ -1,0 +1,269 @@
+#include <suture/base/scene/SceneReader.hpp>
+#include <suture/constraints/ConditionData.hpp>
+#include <suture/elasticity/loads/LoadList.hpp>
+#include <suture/mesh/SideGroups.hpp>
+
+#include <Teuchos_Array.hpp>
+#include <Teuchos_ParameterList.hpp>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace suture {
+
+namespace {
+
+using Kind = Load::Kind;
+
+struct KindForm {
+  std::string name;
+  int values;
+};
+
+const std::map<Kind, KindForm>& kindForms() {
+  static const std::map<Kind, KindForm> all{{Kind::Traction, {"Traction", 2}},
+                                            {Kind::Pressure, {"Pressure", 1}},
+                                            {Kind::BodyForce, {"Body Force", 2}},
+                                            {Kind::Random, {"Random Load", 0}},
+                                            {Kind::Gravity, {"Gravity", 2}},
+                                            {Kind::Rotation, {"Rotation", 1}},
+                                            {Kind::Force, {"Force", 2}},
+                                            {Kind::Moment, {"Moment", 1}},
+                                            {Kind::PointForce, {"Point Force", 2}},
+                                            {Kind::Temperature, {"Temperature", 1}},
+                                            {Kind::InitialStrain, {"Initial Strain", 4}},
+                                            {Kind::InitialStress, {"Initial Stress", 4}}};
+  return all;
+}
+
+std::string textIn(const Parameters& list, const std::string& name) {
+  return list.isType<std::string>(name) ? list.get<std::string>(name) : std::string();
+}
+
+double numberIn(const Parameters& list, const std::string& name, double otherwise) {
+  return list.isType<double>(name) ? list.get<double>(name) : otherwise;
+}
+
+Point pointIn(const Parameters& list, const std::string& name) {
+  Point point{0, 0, 0};
+  if (!list.isParameter(name)) return point;
+  const auto values = list.get<Teuchos::Array<double>>(name);
+  std::copy_n(values.begin(), std::min<std::size_t>(values.size(), 3), point.begin());
+  return point;
+}
+
+/// A single value stands along the axis of what turns: z in the plane, y in axisymmetric scenes.
+int firstComponent(Kind kind, bool axisymmetric) { return kind == Kind::Moment || kind == Kind::Rotation ? (axisymmetric ? 1 : 2) : 0; }
+
+Load readLoad(Kind kind, const Parameters& condition, const ElasticModel& model, const Constants& constants, Problems& problems) {
+  Load load;
+  load.kind = kind;
+  load.path = pathOf(condition);
+  load.body = textIn(condition, "Body");
+  load.groups = groupNames(condition, "Group");
+  if (!load.body.empty() && std::find(model.bodies.begin(), model.bodies.end(), load.body) == model.bodies.end())
+    problems.add(pathOf(condition, "Body"), unknownName("body", load.body, model.bodies));
+  load.place = pointIn(condition, "Point");
+  load.tolerance = numberIn(condition, "Tolerance", 0.0);
+  if (kind == Kind::Rotation && model.axisymmetric && condition.isParameter("Point"))
+    problems.add(pathOf(condition, "Point"), "an axisymmetric body turns about its axis x = 0; leave Point out");
+
+  if (kind == Kind::Random) {
+    if (condition.isType<int>("Seed")) load.seed = condition.get<int>("Seed");
+    load.value = {numberIn(condition, "Amplitude", 0.0), numberIn(condition, "Mean", 0.0), 0.0};
+    if (!condition.isType<double>("Amplitude"))
+      problems.add(pathOf(condition, "Amplitude"), "is missing: a Random Load needs the largest force on a node's component");
+    return load;
+  }
+  ConditionData data = readConditionData(condition, constants, problems);
+  load.reference = numberIn(condition, "Reference Temperature", 0.0);
+  if (load.hasTensor() && data.values.size() == 4) std::copy(data.values.begin(), data.values.end(), load.tensor.begin());
+  const int first = firstComponent(kind, model.axisymmetric);
+  for (std::size_t k = 0; !load.hasTensor() && k < data.values.size() && first + k < 3; ++k) load.value[first + k] = data.values[k];
+  load.expressions = std::move(data.expressions);
+  return load;
+}
+
+/// Adds the loads of a Mean Displacement, one a component, or of a Preload.
+void readControlled(const Parameters& condition, ElasticModel& model, const Constants& constants, Problems& problems) {
+  const std::string type = textIn(condition, "Type");
+  if (type != "Mean Displacement" && type != "Preload") return;
+  const std::size_t before = problems.list().size();
+  const ConditionData data = readConditionData(condition, constants, problems);
+  std::vector<Load> loads;
+  if (type == "Preload") {
+    const Point direction = pointIn(condition, "Direction");
+    if (norm(direction) == 0.0)
+      problems.add(pathOf(condition, "Direction"), "is missing or zero: a Preload needs the axis of its bolt");
+    else if (model.axisymmetric && direction[0] != 0.0)
+      problems.add(pathOf(condition, "Direction"), "is not along the axis of a body of revolution; expected {0, 1}");
+    else if (numberIn(condition, "Length", 0.0) > 0.0 && data.values.size() == 1)
+      loads.push_back(Load::preload(textIn(condition, "Body"), direction, numberIn(condition, "Length", 0.0), data.values[0]));
+    if (const std::string body = textIn(condition, "Body"); std::find(model.bodies.begin(), model.bodies.end(), body) == model.bodies.end())
+      problems.add(pathOf(condition, "Body"), body.empty()
+                                                  ? "is missing: a Preload needs the body of its bolt. Bodies: " + joinNames(model.bodies)
+                                                  : unknownName("body", body, model.bodies));
+  } else {
+    const int first = textIn(condition, "Components") == "y" ? 1 : 0;
+    for (std::size_t k = 0; k < data.values.size(); ++k) {
+      loads.push_back(Load::meanDisplacement("", first + static_cast<int>(k), data.values[k]));
+      loads.back().groups = groupNames(condition, "Group");
+      if (model.axisymmetric && first + k == 0)
+        problems.add(pathOf(condition, "Components"), "the mean displacement of a circle has no component x; expected y");
+    }
+  }
+  if (problems.list().size() != before) return;
+  for (Load& load : loads) {
+    load.path = pathOf(condition);
+    load.name = load.path.substr(load.path.rfind('/') + 1);
+    model.loads.push_back(load);
+  }
+}
+
+/// Materials of a load's bodies and of their regions.
+std::set<const Material*> materialsUnder(const Load& load, const ElasticModel& model) {
+  std::set<const Material*> all;
+  for (std::size_t b = 0; b < model.bodies.size(); ++b)
+    if (load.actsOn(model.bodies[b])) all.insert(&model.materialOfBody[b]);
+  for (std::size_t r = 0; r < model.materialOfRegion.size(); ++r)
+    if (load.actsOn(model.bodyOfRegion[r])) all.insert(&model.materialOfRegion[r]);
+  return all;
+}
+
+void checkLoad(const Load& load, const std::string& path, const ElasticModel& model, Problems& problems) {
+  const std::string name = nameOf(load.kind);
+  const std::size_t given = load.expressions.size();
+  const auto wanted = static_cast<std::size_t>(valuesOf(load.kind));
+  const bool varies = load.kind == Kind::Traction || load.kind == Kind::Pressure || load.kind == Kind::BodyForce || load.isInitial();
+  if (given > 0 && (!varies || given != wanted))
+    problems.add(path, std::to_string(given) + " expressions; expected " +
+                           (load.kind == Kind::Random ? "none, the load is random"
+                            : varies                  ? std::to_string(wanted)
+                                                      : "none, a " + name + " is constant"));
+  if (model.axisymmetric && load.kind == Kind::Moment)
+    problems.add(path, "a Moment cannot act on a body of revolution: round the circle it has no resultant");
+  if (model.axisymmetric && load.kind == Kind::Gravity && load.value[0] != 0.0)
+    problems.add(path + "/Value", "gravity across the axis is not axisymmetric; expected {0, acceleration along the axis}");
+  if (model.plane == PlaneModel::Stress && load.kind == Kind::InitialStress && load.tensor[2] != 0.0)
+    problems.add(path + "/Value", "a stress zz in plane stress, where there is none across the sheet; expected 0 as the third entry");
+  std::set<std::string> told;
+  const auto demand = [&](const Material* material, const std::optional<double>& value, const std::string& parameter,
+                          const std::string& why) {
+    if (!value && told.insert(material->name).second)
+      problems.add("Materials/" + material->name + "/" + parameter, "is missing: the " + name + " of " + path + " " + why);
+  };
+  for (const Material* material : materialsUnder(load, model)) {
+    if (load.usesDensity()) demand(material, material->density, "Density", "acts on the mass");
+    if (load.kind == Kind::Temperature) demand(material, material->expansion, "Thermal Expansion", "acts through it");
+  }
+}
+
+/// A body has one temperature.
+void checkTemperatures(const ElasticModel& model, Problems& problems) {
+  for (std::size_t i = 0; i < model.loads.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      const Load &one = model.loads[j], &other = model.loads[i];
+      if (one.kind != Kind::Temperature || other.kind != Kind::Temperature) continue;
+      if (one.body.empty() || other.body.empty() || one.body == other.body)
+        problems.add(other.path + "/Body", "has a Temperature already, by " + one.path + "; a body has one");
+    }
+}
+
+}  // namespace
+
+const std::string& nameOf(Load::Kind kind) { return kindForms().at(kind).name; }
+int valuesOf(Load::Kind kind) { return kindForms().at(kind).values; }
+
+void Load::setAmount(double amount) {
+  if (kind == Kind::InitialStrain) {
+    const double strain = -amount / length;
+    tensor = {strain * axis[0] * axis[0], strain * axis[1] * axis[1], strain * axis[2] * axis[2], 2.0 * strain * axis[0] * axis[1]};
+  } else {
+    value = scaled(amount, axis);
+  }
+}
+
+Load Load::meanDisplacement(const std::string& group, int component, double value) {
+  Load load = force(group, {0, 0, 0});
+  load.control = Control::MeanDisplacement;
+  load.axis[component] = 1.0;
+  load.target = value;
+  return load;
+}
+
+Load Load::preload(const std::string& body, const Point& direction, double length, double value) {
+  Load load = initialStrain({0, 0, 0, 0}, body);
+  load.control = Control::SectionForce;
+  load.axis = unit(direction);
+  load.length = length;
+  load.target = value;
+  return load;
+}
+
+Load Load::rotation(const Point& velocity, const Point& about, const std::string& body) {
+  Load load{Kind::Rotation, body, velocity};
+  load.place = about;
+  return load;
+}
+
+Load Load::temperature(double value, double reference, const std::string& body) {
+  Load load{Kind::Temperature, body, {value, 0, 0}};
+  load.reference = reference;
+  return load;
+}
+
+Load Load::initialStrain(const std::array<double, 4>& tensor, const std::string& body) {
+  Load load{Kind::InitialStrain, body};
+  load.tensor = tensor;
+  return load;
+}
+
+Load Load::initialStress(const std::array<double, 4>& tensor, const std::string& body) {
+  Load load = initialStrain(tensor, body);
+  load.kind = Kind::InitialStress;
+  return load;
+}
+
+Load Load::pointForce(const Point& place, const Point& value, const std::string& body) {
+  Load load{Kind::PointForce, body, value};
+  load.place = place;
+  return load;
+}
+
+void readLoads(const Parameters& scene, const Constants& constants, ElasticModel& model, Problems& problems) {
+  if (!scene.isSublist("Boundary Conditions")) return;
+  const Parameters& conditions = scene.sublist("Boundary Conditions");
+  for (const std::string& name : sublistNames(conditions)) {
+    const Parameters& condition = conditions.sublist(name);
+    if (textIn(condition, "Type") == "Elastic Support")
+      model.supports.push_back({groupNames(condition, "Group"), numberIn(condition, "Normal Stiffness", 0.0),
+                                numberIn(condition, "Tangential Stiffness", 0.0), name});
+    readControlled(condition, model, constants, problems);
+    for (const auto& [kind, form] : kindForms()) {
+      if (form.name != textIn(condition, "Type")) continue;
+      const std::size_t before = problems.list().size();
+      model.loads.push_back(readLoad(kind, condition, model, constants, problems));
+      model.loads.back().name = name;
+      if (problems.list().size() == before) checkLoad(model.loads.back(), model.loads.back().path, model, problems);
+    }
+  }
+  checkTemperatures(model, problems);
+}
+
+void checkLoads(const ElasticModel& model, Problems& problems) {
+  for (std::size_t i = 0; i < model.loads.size(); ++i)
+    checkLoad(model.loads[i], "ElasticModel::loads/" + std::to_string(i + 1), model, problems);
+  checkTemperatures(model, problems);
+}
+
+std::vector<std::string> loadNotes(const ElasticModel& model) {
+  std::vector<std::string> notes;
+  for (const Load& load : model.loads)
+    if (load.kind == Kind::PointForce)
+      notes.push_back("the Point Force of " + (load.path.empty() ? std::string("the scene") : load.path) +
+                      " makes stresses singular at its node: there they grow without bound as the mesh is refined");
+  return notes;
+}
+
+}  // namespace suture

@@ -1,0 +1,191 @@
+#include <suture/base/Collective.hpp>
+#include <suture/algebra/dense/Decompositions.hpp>
+#include <suture/base/Gather.hpp>
+#include <suture/elasticity/SideMap.hpp>
+#include <suture/elasticity/loads/ResolveLoads.hpp>
+#include <suture/mesh/CellGeometry.hpp>
+
+#include <Teuchos_CommHelpers.hpp>
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+#include <sstream>
+
+namespace suture {
+
+namespace {
+
+constexpr double kNear = 1e-6;  // of the bodies' extent: default of Tolerance
+constexpr double kSame = 1e-9;  // of the extent: distances of nodes that are equal
+
+/// Node of a body, and how far it is from a point. Plain.
+struct Candidate {
+  double distance;
+  GlobalId node;
+  int body;
+  Point place;
+};
+
+/// The meshes of a scene, on however many ranks.
+struct Pieces {
+  struct Piece {
+    const CellBlock* block;
+    const SideGroups* groups;
+    std::function<GlobalId(int node)> numberOf;
+    std::function<int(int node)> bodyOf;
+  };
+  std::vector<Piece> pieces;
+  std::function<void(double*values, int count)> sum, most;                         ///< over all ranks, in place
+  std::function<std::vector<Candidate>(const std::vector<Candidate>& mine)> join;  ///< of all ranks
+};
+
+/// take(place, measure) at the quadrature points of all sides of a load.
+template <typename Take>
+void forEachPoint(const Pieces& pieces, const Load& load, Rule rule, const Take& take) {
+  for (const Pieces::Piece& piece : pieces.pieces)
+    for (const Side& side : sidesOf(*piece.groups, load.groups)) {
+      std::vector<Point> points;
+      for (const int node : piece.block->nodesOf(side)) points.push_back(piece.block->point(node));
+      SideMap map(points, rule, piece.block->axisymmetric);
+      for (int q = 0; q < map.reference().points; ++q) {
+        map.at(q);
+        take(map.place(), map.measure());
+      }
+    }
+}
+
+void makeTraction(const Pieces& pieces, Load& load) {
+  double area = 0.0;
+  forEachPoint(pieces, load, Rule::Load, [&](const Point&, double measure) { area += measure; });
+  pieces.sum(&area, 1);
+  load.kind = Load::Kind::Traction;
+  load.value = scaled(1.0 / area, load.value);
+  load.axis = scaled(1.0 / area, load.axis);
+}
+
+void makeLinearTraction(const Pieces& pieces, Load& load) {
+  double first[4] = {0, 0, 0, 0};  // area, and its moments
+  forEachPoint(pieces, load, Rule::Data, [&](const Point& place, double measure) {
+    first[0] += measure;
+    for (int k = 0; k < 3; ++k) first[1 + k] += measure * place[k];
+  });
+  pieces.sum(first, 4);
+  load.place = {first[1] / first[0], first[2] / first[0], first[3] / first[0]};
+  Matrix inertia = Matrix::Zero(3, 3);
+  forEachPoint(pieces, load, Rule::Data, [&](const Point& place, double measure) {
+    const Point arm = minus(place, load.place);
+    const Eigen::Map<const Eigen::Vector3d> r(arm.data());
+    inertia += measure * (r.squaredNorm() * Eigen::Matrix3d::Identity() - r * r.transpose());
+  });
+  pieces.sum(inertia.data(), 9);
+  const Vector spin = leastSquares(inertia, Eigen::Map<const Vector>(load.value.data(), 3));
+  load.kind = Load::Kind::Traction;
+  load.value = {0, 0, 0};
+  std::copy(spin.begin(), spin.end(), load.spin.begin());
+}
+
+double extentOf(const Pieces& pieces) {
+  const double none = -std::numeric_limits<double>::infinity();
+  double box[6] = {none, none, none, none, none, none};  // largest coordinates, and minus the smallest
+  for (const Pieces::Piece& piece : pieces.pieces)
+    for (int node = 0; node < piece.block->nodes(); ++node) {
+      const Point place = piece.block->point(node);
+      for (int k = 0; k < 3; ++k) {
+        box[k] = std::max(box[k], place[k]);
+        box[3 + k] = std::max(box[3 + k], -place[k]);
+      }
+    }
+  pieces.most(box, 6);
+  return norm({box[0] + box[3], box[1] + box[4], box[2] + box[5]});
+}
+
+/// The nearest node of each body that the load may take.
+std::vector<Candidate> nearest(const Pieces& pieces, const ElasticModel& model, const Load& load, double same) {
+  std::vector<Candidate> mine;
+  const auto isBetter = [same](const Candidate& a, const Candidate& b) {
+    return std::abs(a.distance - b.distance) > same ? a.distance < b.distance : a.node < b.node;
+  };
+  const auto offer = [&](std::vector<Candidate>& all, const Candidate& found) {
+    const auto own = std::find_if(all.begin(), all.end(), [&](const Candidate& one) { return one.body == found.body; });
+    if (own == all.end())
+      all.push_back(found);
+    else if (isBetter(found, *own))
+      *own = found;
+  };
+  for (const Pieces::Piece& piece : pieces.pieces)
+    for (int node = 0; node < piece.block->nodes(); ++node) {
+      const Point place = piece.block->point(node);
+      if (load.actsOn(model.bodies[piece.bodyOf(node)]))
+        offer(mine, {norm(minus(place, load.place)), piece.numberOf(node), piece.bodyOf(node), place});
+    }
+  std::vector<Candidate> all;
+  for (const Candidate& one : pieces.join(mine)) offer(all, one);
+  std::sort(all.begin(), all.end(), [](const Candidate& a, const Candidate& b) { return a.distance < b.distance; });
+  return all;
+}
+
+void findNode(const Pieces& pieces, const ElasticModel& model, Load& load, Problems& problems) {
+  const double extent = extentOf(pieces), tolerance = load.tolerance > 0.0 ? load.tolerance : kNear * extent;
+  const std::vector<Candidate> found = nearest(pieces, model, load, kSame * extent);
+  if (found.empty() || found.front().distance > tolerance) {
+    std::ostringstream text;
+    text << "no node within " << tolerance << " of " << placeText(load.place);
+    if (!found.empty())
+      text << "; the nearest one is " << placeText(found.front().place) << " of the body '" << model.bodies[found.front().body] << "', "
+           << found.front().distance << " away. Give the geometry a point there, or set Tolerance";
+    problems.add(load.path + "/Point", text.str());
+    return;
+  }
+  if (found.size() > 1 && found[1].distance <= found[0].distance + kSame * extent) {
+    problems.add(load.path + "/Body", "is missing: at " + placeText(load.place) + " there are nodes of the bodies '" +
+                                          model.bodies[found[0].body] + "' and '" + model.bodies[found[1].body] + "'");
+    return;
+  }
+  load.node = found.front().node;
+  load.body = model.bodies[found.front().body];
+}
+
+void resolve(const Pieces& pieces, ElasticModel& model) {
+  Problems problems;
+  for (Load& load : model.loads) {
+    if (load.kind == Load::Kind::Force) makeTraction(pieces, load);
+    if (load.kind == Load::Kind::Moment) makeLinearTraction(pieces, load);
+    if (load.kind == Load::Kind::PointForce) findNode(pieces, model, load, problems);
+  }
+  problems.throwIfAny();
+}
+
+}  // namespace
+
+void resolveLoads(const Comm& comm, const std::vector<SubdomainMesh>& meshes, ElasticModel& model) {
+  Pieces pieces;
+  for (const SubdomainMesh& mesh : meshes)
+    pieces.pieces.push_back(
+        {&mesh, &mesh.sideGroups, [&mesh](int node) { return mesh.globalNodes[node]; }, [&mesh](int) { return mesh.body; }});
+  const auto reduce = [&comm](Teuchos::EReductionType how) {
+    return [&comm, how](double* values, int count) {
+      const std::vector<double> mine(values, values + count);
+      Teuchos::reduceAll(comm, how, count, mine.data(), values);
+    };
+  };
+  pieces.sum = reduce(Teuchos::REDUCE_SUM);
+  pieces.most = reduce(Teuchos::REDUCE_MAX);
+  pieces.join = [&comm](const std::vector<Candidate>& mine) {
+    Packer packer;
+    packer.put(mine);
+    return joined<Candidate>(allGather(comm, packer.bytes()));
+  };
+  resolve(pieces, model);
+}
+
+void resolveLoads(const Mesh& mesh, ElasticModel& model) {
+  const auto alone = [](double*, int) {};
+  resolve({{{&mesh, &mesh.sideGroups, [](int node) { return GlobalId(node); }, [&mesh](int node) { return mesh.bodyOfNode[node]; }}},
+           alone,
+           alone,
+           [](const std::vector<Candidate>& mine) { return mine; }},
+          model);
+}
+
+}  // namespace suture
