@@ -12,7 +12,7 @@ using namespace blocks;
 
 void holds(const Verification& verdict, bool& success, Teuchos::FancyOStream& out) {
   TEST_ASSERT(verdict.holds());
-  TEST_EQUALITY(verdict.checks.size(), 12);
+  TEST_EQUALITY(verdict.checks.size(), 13);
   for (const Check& check : verdict.checks)
     out << "  " << check.name << " " << check.value << " of " << check.bound << " " << check.where << "\n";
 }
