@@ -1,4 +1,5 @@
 #include <suture/base/Collective.hpp>
+#include <suture/elasticity/loads/ResolveLoads.hpp>
 #include <suture/mesh/Regions.hpp>
 #include <suture/simulation/ReadStage.hpp>
 #include <suture/solver/solvability/Solvability.hpp>
@@ -46,8 +47,11 @@ void checkElements(const Comm& comm, const std::vector<SubdomainMesh>& meshes, c
 
 void checkSolvability(const Comm& comm, const Mesh& mesh, const Constraints& constraints, const ElasticModel& model,
                       const Partition& partition) {
-  collectivelyOnRoot(comm, "checking that the scene has a solution",
-                     [&] { checkSolvability(mesh, constraints, model, partition.bodiesAreConnected); });
+  collectivelyOnRoot(comm, "checking that the scene has a solution", [&] {
+    ElasticModel resolved = model;  // suture_partition comes here before the mesh is cut
+    resolveLoads(mesh, resolved);
+    checkSolvability(mesh, constraints, resolved, partition.bodiesAreConnected);
+  });
 }
 
 }  // namespace suture
