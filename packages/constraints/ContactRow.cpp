@@ -1,4 +1,4 @@
-#include <suture/base/DisjointSets.hpp>
+#include <suture/algebra/DisjointSets.hpp>
 #include <suture/constraints/ContactRow.hpp>
 #include <suture/constraints/PairFrame.hpp>
 #include <suture/mesh/Mesh.hpp>

@@ -1,5 +1,5 @@
+#include <suture/algebra/DisjointSets.hpp>
 #include <suture/algebra/dense/Decompositions.hpp>
-#include <suture/base/DisjointSets.hpp>
 #include <suture/base/RigidValues.hpp>
 #include <suture/constraints/RigidMotion.hpp>
 

@@ -1,6 +1,6 @@
+#include <suture/algebra/DisjointSets.hpp>
 #include <suture/algebra/dense/Decompositions.hpp>
 #include <suture/algebra/dense/NonnegativeLeastSquares.hpp>
-#include <suture/base/DisjointSets.hpp>
 #include <suture/base/Errors.hpp>
 #include <suture/contact/PadProblem.hpp>
 #include <suture/contact/RigidContact.hpp>

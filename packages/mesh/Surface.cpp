@@ -1,4 +1,4 @@
-#include <suture/base/DisjointSets.hpp>
+#include <suture/algebra/DisjointSets.hpp>
 #include <suture/base/Point.hpp>
 #include <suture/mesh/SideGeometry.hpp>
 #include <suture/mesh/Surface.hpp>

@@ -1,7 +1,7 @@
+#include <suture/algebra/DisjointSets.hpp>
 #include <suture/algebra/dense/Decompositions.hpp>
 #include <suture/base/Buffer.hpp>
 #include <suture/base/Collective.hpp>
-#include <suture/base/DisjointSets.hpp>
 #include <suture/base/RigidValues.hpp>
 #include <suture/partition/BodyParts.hpp>
 

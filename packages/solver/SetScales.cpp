@@ -1,5 +1,5 @@
 // SetSolves: clusters of bodies, their scales, and norms of residuals.
-#include <suture/base/DisjointSets.hpp>
+#include <suture/algebra/DisjointSets.hpp>
 #include <suture/solver/BodyImbalance.hpp>
 #include <suture/solver/SetSolves.hpp>
 

@@ -3,6 +3,7 @@
 #include <quality/Judged.hpp>
 
 #include <limits>
+#include <suture/quality/Deformation.hpp>
 
 namespace suture {
 namespace {
@@ -191,7 +192,7 @@ TEUCHOS_UNIT_TEST(PlantedErrors, DigitsLostToARigidMotion) {
 
 /// In a contact that slides freely, a body turned by the tangent's small slope: forces balance, and its place means nothing.
 TEUCHOS_UNIT_TEST(PlantedErrors, ATurnThatNothingHolds) {
-  for (const double turn : {0.2, 0.4}) {
+  for (const double turn : {0.2, 4.0}) {
     Judged answer(pressedBlocks());
     double size = 0.0;
     for (int body : {0, 1}) size = std::max(size, answer.deformation(body));
@@ -201,6 +202,21 @@ TEUCHOS_UNIT_TEST(PlantedErrors, ATurnThatNothingHolds) {
     TEST_EQUALITY(found.holds(), turn < 0.3);
     TEST_ASSERT(found.value == 0.0 || std::abs(found.value - turn) < 0.01);
   }
+}
+
+TEUCHOS_UNIT_TEST(PlantedErrors, ATurnThatDeformationExplains) {
+  Deformation roller, arm;
+  roller.turn = 0.4;
+  roller.extent = 1.0;
+  roller.largest = 1e-4;
+  arm.largest = 1e-3;
+  TEST_EQUALITY(unexplainedTurn({roller, arm}, 0), 0.4);
+  TEST_EQUALITY(unexplainedTurn({roller, arm}, 1), 0.0);
+  arm.largest = 1e-2;  // bent by as much as the roller has turned
+  TEST_EQUALITY(unexplainedTurn({roller, arm}, 0), 0.0);
+  arm.largest = 1e-3;
+  arm.isMoved = true;
+  TEST_EQUALITY(unexplainedTurn({roller, arm}, 0), 0.0);
 }
 
 /// A weak pair of bodies beside a strong one: its own forces are the measure.

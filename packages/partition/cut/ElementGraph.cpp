@@ -1,6 +1,6 @@
 #include <algorithm>
 #include <numeric>
-#include <suture/base/DisjointSets.hpp>
+#include <suture/algebra/DisjointSets.hpp>
 #include <suture/base/Errors.hpp>
 #include <suture/mesh/CellGeometry.hpp>
 #include <suture/partition/cut/ElementGraph.hpp>

@@ -1,5 +1,5 @@
+#include <suture/algebra/DisjointSets.hpp>
 #include <suture/base/Collective.hpp>
-#include <suture/base/DisjointSets.hpp>
 #include <suture/elasticity/loads/NodalLoads.hpp>
 #include <suture/solver/solvability/PairClasses.hpp>
 

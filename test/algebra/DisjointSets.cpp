@@ -2,7 +2,7 @@
 #include <Teuchos_UnitTestHarness.hpp>
 #include <algorithm>
 #include <random>
-#include <suture/base/DisjointSets.hpp>
+#include <suture/algebra/DisjointSets.hpp>
 #include <vector>
 
 using namespace suture;
