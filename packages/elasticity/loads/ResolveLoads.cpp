@@ -1,5 +1,5 @@
-#include <suture/base/Collective.hpp>
 #include <suture/algebra/dense/Decompositions.hpp>
+#include <suture/base/Collective.hpp>
 #include <suture/base/Gather.hpp>
 #include <suture/elasticity/SideMap.hpp>
 #include <suture/elasticity/loads/ResolveLoads.hpp>
