@@ -1,4 +1,4 @@
-#include <suture/base/DisjointSets.hpp>
+#include <suture/algebra/DisjointSets.hpp>
 #include <suture/base/Errors.hpp>
 #include <suture/mesh/CellGeometry.hpp>
 
