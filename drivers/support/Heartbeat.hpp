@@ -8,7 +8,8 @@
 namespace suture {
 
 /// Tells on the console where the run is while a phase takes longer than two seconds: what is done, what is left. On a terminal a line that
-/// goes with the next text, once a second; elsewhere a line that stays, at longer and longer intervals. A thread of its own while it lives.
+/// goes with the next text, once a second; elsewhere a line on standard error, at longer and longer intervals. A thread of its own while it
+/// lives.
 class Heartbeat {
  public:
   /// \param speaks  false: silent (--quiet; ranks without a console)

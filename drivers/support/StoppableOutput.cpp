@@ -52,9 +52,15 @@ void StoppableOutput::wipe() {
 void StoppableOutput::between(const std::string& line) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (text_.empty() ? !endsLine_ : text_.back() != '\n') return;
+  if (!terminal_) {
+    send();
+    const std::string whole = line + "\n";
+    if (takesText(STDERR_FILENO, 0) && write(STDERR_FILENO, whole.data(), whole.size()) < 0) return;
+    return;
+  }
   wipe();
-  text_ += terminal_ ? line : line + "\n";
-  isWiped_ = !terminal_;
+  text_ += line;
+  isWiped_ = false;
   send();
   endsLine_ = true;
 }

@@ -15,8 +15,8 @@ class StoppableOutput : public std::streambuf {
   StoppableOutput& operator=(const StoppableOutput&) = delete;
 
   bool isTerminal() const { return terminal_; }
-  /// A line of another thread, between two lines of the program: on a terminal until the next text, else for good. Nothing happens while
-  /// the program is within a line of its own.
+  /// A line of another thread, between two lines of the program: on a terminal until the next text, else for good on standard error, where
+  /// it is in nobody's way who reads the output. Nothing happens while the program is within a line of its own.
   void between(const std::string& line);
 
  private:

@@ -14,21 +14,23 @@ using namespace suture;
 
 namespace {
 
-/// Text that `work` leaves on standard output, which is a pipe meanwhile.
+/// Text that `work` leaves on standard output and error, which are one pipe meanwhile.
 template <typename Work>
 std::string textOf(const Work& work) {
   std::cout.flush();
   int ends[2];
   if (pipe(ends) != 0) return "no pipe";
-  const int before = dup(STDOUT_FILENO);
+  const int before[] = {dup(STDOUT_FILENO), dup(STDERR_FILENO)};
   dup2(ends[1], STDOUT_FILENO);
+  dup2(ends[1], STDERR_FILENO);
   close(ends[1]);
   {
     const StoppableOutput output;
     work();
   }
-  dup2(before, STDOUT_FILENO);
-  close(before);
+  dup2(before[0], STDOUT_FILENO);
+  dup2(before[1], STDERR_FILENO);
+  for (const int file : before) close(file);
   std::string text(4096, '\0');
   text.resize(static_cast<std::size_t>(read(ends[0], text.data(), text.size())));
   close(ends[0]);
