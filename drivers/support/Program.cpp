@@ -188,13 +188,21 @@ int runProgram(const std::string& name, const std::string& subject, const std::f
   return int(end.code);
 }
 
-bool isFirstProcess() {
+namespace {
+/// Rank that a launcher (mpirun, srun) gave this process; null without one.
+const char* launchedRank() {
   for (const char* variable : {"OMPI_COMM_WORLD_RANK", "PMIX_RANK", "PMI_RANK", "SLURM_PROCID"})
-    if (const char* rank = std::getenv(variable)) return std::string(rank) == "0";
-  return true;
+    if (const char* rank = std::getenv(variable)) return rank;
+  return nullptr;
+}
+}  // namespace
+
+bool isFirstProcess() {
+  const char* rank = launchedRank();
+  return !rank || std::string(rank) == "0";
 }
 
-bool isTerminal() { return isatty(STDOUT_FILENO) != 0 && !std::getenv("NO_COLOR"); }
+bool isTerminal() { return isatty(STDOUT_FILENO) != 0 && !launchedRank() && !std::getenv("NO_COLOR"); }
 
 std::ostream* consoleOf(const Comm& comm, bool quiet) { return quiet || comm.getRank() != 0 ? nullptr : &std::cout; }
 

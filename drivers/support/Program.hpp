@@ -48,7 +48,8 @@ class MeetingPoint {
 /// True if this process is the first of its mpirun, also before MPI begins: a help text is printed once.
 bool isFirstProcess();
 
-/// True if standard output is a terminal whose user has nothing against colours (NO_COLOR).
+/// True if standard output is a terminal whose user has nothing against colours (NO_COLOR). False below mpirun: Open MPI gives each rank a
+/// terminal, wherever its own output goes.
 bool isTerminal();
 
 /// Standard output on rank 0, null on the others and when quiet.

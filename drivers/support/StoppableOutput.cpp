@@ -6,6 +6,7 @@
 #include <cerrno>
 #include <iostream>
 
+#include "Program.hpp"
 #include "StopSignals.hpp"
 
 namespace suture {
@@ -18,7 +19,7 @@ constexpr int pause = 100;          // milliseconds for the reader once the run 
 
 }  // namespace
 
-StoppableOutput::StoppableOutput() : before_(std::cout.rdbuf(this)), terminal_(isatty(STDOUT_FILENO) != 0) {}
+StoppableOutput::StoppableOutput() : before_(std::cout.rdbuf(this)), terminal_(suture::isTerminal()) {}
 
 StoppableOutput::~StoppableOutput() {
   wipe();

@@ -80,9 +80,9 @@ std::string estimatedErrors(const Solution& answer) {
   return line + "\n";
 }
 
-// A run that was stopped needs time, not advice.
+// A run that was stopped needs time; what is not determined has an advice of its own.
 bool isAnswered(const Solution& answer) {
-  return answer.stopped || (answer.converged && answer.undetermined.empty() && answer.verification.holds());
+  return answer.stopped || !answer.undetermined.empty() || (answer.converged && answer.verification.holds());
 }
 
 }  // namespace
