@@ -112,7 +112,7 @@ Explanation explain(const std::string& name, const std::string& subject, const s
   const std::string what = indented(error.what()) + "\n";
   if (const auto* ours = dynamic_cast<const Error*>(&error); ours && ours->code() != ExitCode::Internal) {
     if (ours->code() == ExitCode::CommandLine) return {ours->code(), begin + what + "  '" + name + " --help' lists the options\n"};
-    if (ours->code() == ExitCode::Numerical) return {ours->code(), begin + "no solution of" + of + "\n  " + what + whatToTry("  ")};
+    if (ours->code() == ExitCode::Numerical) return {ours->code(), begin + "no solution of" + of + "\n  " + what + advice("  ")};
     return {ours->code(), begin + what};
   }
   return {ExitCode::Internal, begin + "internal error" + (subject.empty() ? "" : " in " + subject) + "\n  " + what +

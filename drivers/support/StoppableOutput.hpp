@@ -30,7 +30,7 @@ class StoppableOutput : public std::streambuf {
   const bool terminal_;
   std::mutex mutex_;
   std::string text_;      // written, and not yet sent
-  bool endsLine_ = true;  // what was sent before
+  bool endsLine_ = true;  // the text sent before did
   bool isWiped_ = true;   // no line of between() stands on the terminal
 };
 

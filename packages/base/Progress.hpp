@@ -13,14 +13,14 @@ class Progress {
     std::string phase, step;  ///< "factor", "factoring the subdomains"; empty: none
     double since = 0.0;       ///< begin of the phase, by Timers::now() [s]
     std::string unit;         ///< counted things: "subdomains"
-    long done = 0;            ///< how many of them; iterations
-    long total = 0;           ///< zero: not known
-    double residual = -1.0;   ///< relative, of the last iteration; negative: none runs
-    double tolerance = 0.0;   ///< where it ends
+    long done = 0;            ///< number of things done, or of iterations
+    long total = 0;           ///< number of things to do; zero: not known
+    double residual = -1.0;   ///< residual of the last iteration, relative to the start; negative: none runs
+    double tolerance = 0.0;   ///< residual at which the iterations end
   };
   State state() const;
 
-  /// While it lives, the thread that made it tells `progress`.
+  /// Watches the thread that made it while it lives: what this thread does is told to `progress`.
   class Watch {
    public:
     explicit Watch(Progress& progress);
@@ -32,7 +32,7 @@ class Progress {
     Progress* before_;
   };
 
-  /// A phase begins; empty: it ends.
+  /// Begins a phase; empty: ends it.
   static void phase(const std::string& name);
   /// A step of the phase, while it lives.
   struct Step {
@@ -41,9 +41,9 @@ class Progress {
     Step(const Step&) = delete;
     Step& operator=(const Step&) = delete;
   };
-  /// One more of `total` is done.
+  /// Counts one more of `total` things.
   static void count(const char* unit, long total);
-  /// An iteration is done.
+  /// Counts an iteration.
   static void iteration(long number, double residual, double tolerance);
 
  private:

@@ -14,11 +14,11 @@ struct ConditionForm {
   std::string name;
   Condition::Type type;
   Place place;
-  std::vector<std::string> components;  ///< what follows `Expression` for each entry of `Value`: " x", or nothing; none: no value
+  std::vector<std::string> components;  ///< endings of `Expression`, one for each entry of `Value`: " x", or ""; none: no value
   bool varies;                          ///< may be given by expressions
   std::vector<std::string> needs;       ///< further parameters that it must have
   std::vector<std::string> may;         ///< further parameters that it may have
-  std::string instead;                  ///< what a type without a value has in its place, for messages
+  std::string instead;                  ///< words for messages of a type without a value: "it has Amplitude and Seed"
 
   /// Names of its expressions. \param which  components of a Displacement: "All", "x", "y"
   std::vector<std::string> expressions(const std::string& which = "All") const;

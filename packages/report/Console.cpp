@@ -95,7 +95,7 @@ void printHeader(std::ostream& console, const Comm& comm, const SceneFile& scene
   console << std::endl;
 }
 
-std::string whatToTry(const std::string& indent) {
+std::string advice(const std::string& indent) {
   return indent +
          "to try: --set \"Outer Solver/Type=Monolithic\", which needs neither subdomains nor iterations, tells whether the scene is at "
          "fault;\n" +
@@ -104,7 +104,7 @@ std::string whatToTry(const std::string& indent) {
 
 void printFooter(std::ostream& console, const Run& run, const RunFigures& figures) {
   console << ending(run, figures.largestDisplacement) << "\n"
-          << verdict(run.monitor, run.solution.verification) << (isAnswered(run.solution) ? "" : whatToTry("   "))
+          << verdict(run.monitor, run.solution.verification) << (isAnswered(run.solution) ? "" : advice("   "))
           << exactErrors(run.solution.errors) << estimatedErrors(run.solution) << extremesText(run, figures.dimension);
   for (const Timers::Statistics& phase : figures.phases) console << format("   %s %.2f s", phase.phase.c_str(), phase.max);
   console << format("   total %.2f s   peak %.0f MB a rank\n", run.timers.total(), figures.memory.max);

@@ -11,7 +11,7 @@ void printHeader(std::ostream& console, const Comm& comm, const SceneFile& scene
 /// Last lines of the console: converged or why not, contact figures, phases, memory, files. Local; rank 0's stream.
 void printFooter(std::ostream& console, const Run& run, const RunFigures& figures);
 
-/// What a user may try when a run has no answer that holds: lines that begin with `indent`.
-std::string whatToTry(const std::string& indent);
+/// Advice for a run without an answer that holds: lines that begin with `indent`.
+std::string advice(const std::string& indent);
 
 }  // namespace suture

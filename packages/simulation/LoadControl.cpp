@@ -19,11 +19,11 @@ namespace suture {
 namespace {
 
 constexpr int kMostSteps = 30;
-constexpr double kReached = 1e-8;     // of the target, or of the largest value on the way; but no less than
-constexpr double kAccuracy = 10.0;    // times the accuracy of the solutions
-constexpr double kMissed = 100.0;     // times that, of an answer that is refused
-constexpr double kFirstPull = 1e-2;   // of the first step that a block of the stiffest material would take
-constexpr double kNoResponse = 1e-9;  // of the slopes that were expected
+constexpr double kReached = 1e-8;     // least misfit over the target, or over the largest value on the way
+constexpr double kAccuracy = 10.0;    // misfit over the accuracy of the solutions
+constexpr double kMissed = 100.0;     // misfit of a refused answer over that at which the search ends
+constexpr double kFirstPull = 1e-2;   // first step over that of a block of the stiffest material
+constexpr double kNoResponse = 1e-9;  // slope over the expected one, below which nothing responds
 
 using Control = Load::Control;
 
@@ -149,7 +149,7 @@ class Search {
   std::vector<std::size_t> loads_;
   Eigen::Index size_;
   Vector amounts_, largest_, expected_;
-  Matrix slopes_;  // of the values by the amounts
+  Matrix slopes_;  // derivatives of the values by the amounts
   double reached_ = kReached;
   int steps_ = 0;
 };

@@ -36,7 +36,7 @@ Condition conditionOf(const Load& load, const std::string& name) {
   Condition condition;
   condition.name = name;
   condition.path = "ElasticModel::loads/" + name;
-  condition.type = formNamed(nameOf(load.kind)).type;
+  condition.type = formOf(load.kind).type;
   condition.groups = load.groups;
   condition.body = load.body;
   return condition;

@@ -34,7 +34,7 @@ class ElasticSupports {
 
  private:
   struct OnSide {
-    std::vector<int> nodes;   // of the block
+    std::vector<int> nodes;   // numbers in the block
     std::vector<int> places;  // in the element
     int support;              // place in ElasticModel::supports
     Matrix stiffness;

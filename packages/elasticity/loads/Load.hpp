@@ -10,6 +10,8 @@
 
 namespace suture {
 
+struct ConditionForm;
+
 /// A load of the scene: on named side groups, at a point, on the volume of a body, or on its nodes (random, for studies of solvers).
 ///
 /// Force, Moment and PointForce are known on a mesh only: resolveLoads() makes tractions of the first two and finds the node of the third.
@@ -39,7 +41,7 @@ struct Load {
   std::vector<std::string> groups{};      ///< side groups on which it acts
   Point place{0, 0, 0};                   ///< place of a PointForce; a point of the axis of a Rotation; where a traction's spin vanishes
   Point spin{0, 0, 0};                    ///< added to a Traction: spin x (point - place) [stress / length]
-  double tolerance = 0;                   ///< of a PointForce: largest distance of its node [length]; 0: 1e-6 of the bodies' extent
+  double tolerance = 0;                   ///< largest distance of a PointForce from its node [length]; 0: 1e-6 of the bodies' extent
   GlobalId node = -1;                     ///< node of a PointForce, once resolved
   std::string path{};                     ///< place in the scene, for messages
   std::string name{};                     ///< name of the boundary condition
@@ -48,7 +50,7 @@ struct Load {
   /// along its axis [length], of a Force; the force that its body carries along its axis [force], of an InitialStrain.
   enum class Control { None, MeanDisplacement, SectionForce };
   Control control = Control::None;
-  double target = 0;
+  double target = 0;    ///< value that the answer is to have, in the unit of the control
   Point axis{0, 0, 0};  ///< a unit vector; once a Force is resolved, over the area of its groups
   double length = 0;    ///< over which an InitialStrain shortens its body by the amount [length]
   /// InitialStrain (shear: 2 e_xy) and InitialStress [stress], instead of value: xx, yy, zz, xy
@@ -111,6 +113,8 @@ struct Load {
   bool actsOn(const std::string& name) const { return body.empty() || body == name; }
 };
 
+/// Form of the boundary condition that a kind stands in. \throws std::out_of_range  none does
+const ConditionForm& formOf(Load::Kind kind);
 /// Name of a kind, as the scene's boundary conditions have it.
 const std::string& nameOf(Load::Kind kind);
 
@@ -120,8 +124,5 @@ struct ElasticSupport {
   double normal = 0.0, tangential = 0.0;  ///< [stress / length]
   std::string name{};                     ///< name of the boundary condition
 };
-
-/// Components of a kind's value that a scene gives, in two dimensions; none of Random.
-int valuesOf(Load::Kind kind);
 
 }  // namespace suture

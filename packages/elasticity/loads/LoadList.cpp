@@ -1,5 +1,6 @@
 #include <suture/base/scene/SceneReader.hpp>
 #include <suture/constraints/ConditionData.hpp>
+#include <suture/constraints/ConditionForm.hpp>
 #include <suture/elasticity/loads/LoadList.hpp>
 #include <suture/mesh/SideGroups.hpp>
 
@@ -16,24 +17,19 @@ namespace {
 
 using Kind = Load::Kind;
 
-struct KindForm {
-  std::string name;
-  int values;
-};
-
-const std::map<Kind, KindForm>& kindForms() {
-  static const std::map<Kind, KindForm> all{{Kind::Traction, {"Traction", 2}},
-                                            {Kind::Pressure, {"Pressure", 1}},
-                                            {Kind::BodyForce, {"Body Force", 2}},
-                                            {Kind::Random, {"Random Load", 0}},
-                                            {Kind::Gravity, {"Gravity", 2}},
-                                            {Kind::Rotation, {"Rotation", 1}},
-                                            {Kind::Force, {"Force", 2}},
-                                            {Kind::Moment, {"Moment", 1}},
-                                            {Kind::PointForce, {"Point Force", 2}},
-                                            {Kind::Temperature, {"Temperature", 1}},
-                                            {Kind::InitialStrain, {"Initial Strain", 4}},
-                                            {Kind::InitialStress, {"Initial Stress", 4}}};
+const std::map<Kind, Condition::Type>& types() {
+  static const std::map<Kind, Condition::Type> all{{Kind::Traction, Condition::Type::Traction},
+                                                   {Kind::Pressure, Condition::Type::Pressure},
+                                                   {Kind::BodyForce, Condition::Type::BodyForce},
+                                                   {Kind::Random, Condition::Type::RandomLoad},
+                                                   {Kind::Gravity, Condition::Type::Gravity},
+                                                   {Kind::Rotation, Condition::Type::Rotation},
+                                                   {Kind::Force, Condition::Type::Force},
+                                                   {Kind::Moment, Condition::Type::Moment},
+                                                   {Kind::PointForce, Condition::Type::PointForce},
+                                                   {Kind::Temperature, Condition::Type::Temperature},
+                                                   {Kind::InitialStrain, Condition::Type::InitialStrain},
+                                                   {Kind::InitialStress, Condition::Type::InitialStress}};
   return all;
 }
 
@@ -132,15 +128,14 @@ std::set<const Material*> materialsUnder(const Load& load, const ElasticModel& m
 }
 
 void checkLoad(const Load& load, const std::string& path, const ElasticModel& model, Problems& problems) {
-  const std::string name = nameOf(load.kind);
-  const std::size_t given = load.expressions.size();
-  const auto wanted = static_cast<std::size_t>(valuesOf(load.kind));
-  const bool varies = load.kind == Kind::Traction || load.kind == Kind::Pressure || load.kind == Kind::BodyForce || load.isInitial();
-  if (given > 0 && (!varies || given != wanted))
+  const ConditionForm& form = formOf(load.kind);
+  const std::string& name = form.name;
+  const std::size_t given = load.expressions.size(), wanted = form.components.size();
+  if (given > 0 && (!form.varies || given != wanted))
     problems.add(path, std::to_string(given) + " expressions; expected " +
                            (load.kind == Kind::Random ? "none, the load is random"
-                            : varies                  ? std::to_string(wanted)
-                                                      : "none, a " + name + " is constant"));
+                            : form.varies             ? std::to_string(wanted)
+                                                      : "none, " + withArticle(name) + " is constant"));
   if (model.axisymmetric && load.kind == Kind::Moment)
     problems.add(path, "a Moment cannot act on a body of revolution: round the circle it has no resultant");
   if (model.axisymmetric && load.kind == Kind::Gravity && load.value[0] != 0.0)
@@ -172,8 +167,8 @@ void checkTemperatures(const ElasticModel& model, Problems& problems) {
 
 }  // namespace
 
-const std::string& nameOf(Load::Kind kind) { return kindForms().at(kind).name; }
-int valuesOf(Load::Kind kind) { return kindForms().at(kind).values; }
+const ConditionForm& formOf(Load::Kind kind) { return formOf(types().at(kind)); }
+const std::string& nameOf(Load::Kind kind) { return formOf(kind).name; }
 
 void Load::setAmount(double amount) {
   if (kind == Kind::InitialStrain) {
@@ -240,8 +235,8 @@ void readLoads(const Parameters& scene, const Constants& constants, ElasticModel
       model.supports.push_back({groupNames(condition, "Group"), numberIn(condition, "Normal Stiffness", 0.0),
                                 numberIn(condition, "Tangential Stiffness", 0.0), name});
     readControlled(condition, model, constants, problems);
-    for (const auto& [kind, form] : kindForms()) {
-      if (form.name != textIn(condition, "Type")) continue;
+    for (const auto& [kind, type] : types()) {
+      if (formOf(type).name != textIn(condition, "Type")) continue;
       const std::size_t before = problems.list().size();
       model.loads.push_back(readLoad(kind, condition, model, constants, problems));
       model.loads.back().name = name;

@@ -8,7 +8,7 @@ namespace suture {
 /// moment on a body of revolution), a material without the property that a load asks for
 void readLoads(const Parameters& scene, const Constants& constants, ElasticModel& model, Problems& problems);
 
-/// What is wrong with loads made in C++: wrong numbers of expressions, and the same as in a scene file. Local.
+/// Checks loads made in C++: numbers of expressions, and all that is checked in a scene file. Local.
 void checkLoads(const ElasticModel& model, Problems& problems);
 
 /// Notes for the user: singular stresses under point forces. Local.

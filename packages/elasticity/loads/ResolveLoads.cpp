@@ -16,8 +16,8 @@ namespace suture {
 
 namespace {
 
-constexpr double kNear = 1e-6;  // of the bodies' extent: default of Tolerance
-constexpr double kSame = 1e-9;  // of the extent: distances of nodes that are equal
+constexpr double kNear = 1e-6;  // default of Tolerance over the bodies' extent
+constexpr double kSame = 1e-9;  // difference of equal distances over the extent
 
 /// Node of a body, and how far it is from a point. Plain.
 struct Candidate {
@@ -37,7 +37,7 @@ struct Pieces {
   };
   std::vector<Piece> pieces;
   std::function<void(double*values, int count)> sum, most;                         ///< over all ranks, in place
-  std::function<std::vector<Candidate>(const std::vector<Candidate>& mine)> join;  ///< of all ranks
+  std::function<std::vector<Candidate>(const std::vector<Candidate>& mine)> join;  ///< candidates of all ranks
 };
 
 /// take(place, measure) at the quadrature points of all sides of a load.
