@@ -144,29 +144,28 @@ Schema boundaryConditionSchema() {
       .reals("Point", std::nullopt, "place of a Point Force; point about which a Rotation turns in the plane, the origin if left out",
              "length")
       .optional()
-      .real("Tolerance", std::nullopt, "of a Point Force: largest distance of the nearest node; 1e-6 of the bodies' extent if left out",
+      .real("Tolerance", std::nullopt, "Point Force: largest distance of the nearest node; 1e-6 of the bodies' extent if left out",
             Range::positive(), "length")
       .optional()
-      .reals("Direction", std::nullopt, "of a Preload: the axis of its bolt, of any length")
+      .reals("Direction", std::nullopt, "Preload: the axis of its bolt, of any length")
       .optional()
-      .real("Length", std::nullopt, "of a Preload: from where the force enters the body to where it leaves it, as between head and nut",
+      .real("Length", std::nullopt, "Preload: from where the force enters the body to where it leaves it, as between head and nut",
             Range::positive(), "length")
       .optional()
-      .real("Reference Temperature", std::nullopt, "of a Temperature: where a body has no thermal strain; 0 if left out", Range::any(),
+      .real("Reference Temperature", std::nullopt, "Temperature: where a body has no thermal strain; 0 if left out", Range::any(),
             "temperature")
       .optional()
-      .real("Normal Stiffness", std::nullopt, "of an Elastic Support: pressure per displacement along the normal; 0 if left out",
+      .real("Normal Stiffness", std::nullopt, "Elastic Support: pressure per displacement along the normal; 0 if left out",
             Range::atLeast(0.0), "stress / length")
       .optional()
-      .real("Tangential Stiffness", std::nullopt, "of an Elastic Support: the same along the side; 0 if left out", Range::atLeast(0.0),
+      .real("Tangential Stiffness", std::nullopt, "Elastic Support: the same along the side; 0 if left out", Range::atLeast(0.0),
             "stress / length")
       .optional()
-      .integer("Seed", std::nullopt,
-               "of a Random Load, whose forces depend on it, on the number of the node and on the component only; 0 if left out")
+      .integer("Seed", std::nullopt, "Random Load: forces depend on it, on the number of the node and on the component only; 0 if left out")
       .optional()
-      .real("Amplitude", std::nullopt, "of a Random Load: forces are uniform between minus and plus this", Range::positive(), "force")
+      .real("Amplitude", std::nullopt, "Random Load: forces are uniform between minus and plus this", Range::positive(), "force")
       .optional()
-      .real("Mean", std::nullopt, "of a Random Load, added to every component; 0 if left out", Range::any(), "force")
+      .real("Mean", std::nullopt, "Random Load: added to every component; 0 if left out", Range::any(), "force")
       .optional();
 }
 

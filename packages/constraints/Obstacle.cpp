@@ -78,7 +78,7 @@ std::map<std::string, Schema> Obstacle::choices() {
                        .reals("Normal", std::nullopt, "out of the obstacle, towards the body; of any length")},
           {"Circle", Schema("a disc, or all but a disc")
                          .reals("Centre", std::nullopt, "x, y", "length")
-                         .real("Radius", std::nullopt, "of the disc", Range::positive(), "length")
+                         .real("Radius", std::nullopt, "radius of the disc", Range::positive(), "length")
                          .boolean("Hollow", false, "whether the body is inside the circle, and the obstacle around it")},
           {"Height", Schema("what lies below the graph of a function")
                          .text("Expression", std::nullopt, "height y of the surface, a function of x")

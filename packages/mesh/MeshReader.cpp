@@ -114,7 +114,8 @@ Schema meshSchema() {
   return Schema("where the mesh comes from: a File or a Generator")
       .text("File", std::nullopt, "mesh file, relative to the scene: .geo (meshed by Gmsh), .msh, or Suture's own .h5")
       .optional()
-      .list("Constants", Schema("of a .geo file").eachReal("constant", "value instead of that of DefineConstant in the .geo file"))
+      .list("Constants",
+            Schema("constants of a .geo file").eachReal("constant", "value instead of that of DefineConstant in the .geo file"))
       .boolean(
           "Allow Programs", false,
           "let a .geo file run programs (SystemCall), write files, read any other file and end Gmsh; false: such statements are refused")
