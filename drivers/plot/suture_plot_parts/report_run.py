@@ -18,6 +18,7 @@ CHECKS = {
     "status": ("Open pairs carry nothing, closed ones have no gap", "force through the body"),
     "digits": ("Double precision holds the answer", "force through the body"),
     "rotation": ("No body turns beyond small rotations where nothing holds it", "radian"),
+    "controlled_loads": ("Loads of unknown amount reach their targets", "target"),
 }
 ERRORS = {
     "estimated_energy_norm": "of the mesh, estimated from recovered stresses, energy norm",
