@@ -3,6 +3,7 @@
 #include <interface/ContactScenes.hpp>
 #include <precond/DensePair.hpp>
 #include <precond/Preconditioners.hpp>
+#include <support/Cases.hpp>
 
 #include <random>
 
@@ -28,7 +29,7 @@ TEUCHOS_UNIT_TEST(Bddc, HasNoEigenvalueBelowOneWithoutContact) {
 }
 
 TEUCHOS_UNIT_TEST(Bddc, HasNoEigenvalueBelowOneWithClosedAndOpenPairs) {
-  for (const Scene& scene : {pressedBlocks(), heldOnTheLine(), turned(crossingBlocks(), 0.5)})
+  for (const Scene& scene : casesOf({turned(crossingBlocks(), 0.5), pressedBlocks(), heldOnTheLine()}))
     for (const int open : {0, 3}) {
       const OnInterface one(scene, world());
       isSymmetricWithNoEigenvalueBelowOne(one.matrix(scene, open), success, out);
@@ -106,7 +107,7 @@ Scene softSquare(Cell cell, double poisson, bool ragged = false) {
 
 TEUCHOS_UNIT_TEST(Bddc, ConditionOfMixedElementsDoesNotGrowAsPoissonsRatioTendsToOneHalf) {
   // Quadrilateral4: a subdomain of a structured mesh is stiff against its chess boards, too, of which no flux tells.
-  for (const Cell cell : {Cell::Triangle6, Cell::Quadrilateral8, Cell::Quadrilateral9, Cell::Quadrilateral4}) {
+  for (const Cell cell : casesOf({Cell::Quadrilateral4, Cell::Triangle6, Cell::Quadrilateral8, Cell::Quadrilateral9})) {
     const Lanczos easy = condition(softSquare(cell, 0.3), "Rigid Modes");
     for (const double poisson : {0.4999, 0.499999}) {
       const Lanczos hard = condition(softSquare(cell, poisson), "Rigid Modes");
@@ -120,7 +121,7 @@ TEUCHOS_UNIT_TEST(Bddc, ConditionOfMixedElementsDoesNotGrowAsPoissonsRatioTendsT
 
 TEUCHOS_UNIT_TEST(Bddc, WeightsThatChangeAlongAnEdgeDoNotLetVolumeThrough) {
   // A jump without flux, weighted node by node, has one: it costs what the bulk modulus asks (470 at 0.499999 where only the flux is held).
-  for (const char* weighting : {"Stiffness Diagonal", "Deluxe"})
+  for (const char* weighting : casesOf({"Deluxe", "Stiffness Diagonal"}))
     for (const char* edges : {"Averages", "Rigid Modes"}) {
       const Lanczos easy = condition(softSquare(Cell::Quadrilateral4, 0.3, true), edges, weighting);
       for (const double poisson : {0.4999, 0.499999}) {
@@ -172,7 +173,7 @@ TEUCHOS_UNIT_TEST(Bddc, ConditionDoesNotFeelPoissonsRatioAcrossContactLines) {
 }
 
 TEUCHOS_UNIT_TEST(Bddc, AdaptiveEdgesKeepTheirThresholdAsPoissonsRatioTendsToOneHalf) {
-  for (const Cell cell : {Cell::Quadrilateral4, Cell::Triangle6}) {
+  for (const Cell cell : casesOf({Cell::Quadrilateral4, Cell::Triangle6})) {
     const Lanczos easy = condition(softSquare(cell, 0.3), "Adaptive");
     for (const double poisson : {0.4999, 0.499999, 0.49999999}) {
       const Lanczos hard = condition(softSquare(cell, poisson), "Adaptive");
@@ -219,7 +220,7 @@ TEUCHOS_UNIT_TEST(Bddc, ComputesAgainForAnotherStatus) {
 }
 
 TEUCHOS_UNIT_TEST(Bddc, IsTheSameWithSparseLocalInverses) {
-  for (const Scene& scene : {pressedBlocks(2), heldOnTheLine(), turned(crossingBlocks(), 0.5)})
+  for (const Scene& scene : casesOf({turned(crossingBlocks(), 0.5), heldOnTheLine(), pressedBlocks(2)}))
     for (const char* edges : {"None", "Rigid Modes"}) {
       const OnInterface one(scene, world());
       const auto matrix = one.matrix(scene, 3);

@@ -4,6 +4,7 @@
 #include <interface/ContactScenes.hpp>
 #include <precond/DensePair.hpp>
 #include <precond/Preconditioners.hpp>
+#include <support/Cases.hpp>
 #include <suture/constraints/BuildConstraints.hpp>
 
 #include <Tpetra_MultiVector.hpp>
@@ -70,7 +71,7 @@ Found found(const Line& line, int openEvery = 0) {
 TEUCHOS_UNIT_TEST(MortarRows, KeepBddcSymmetricWithNoEigenvalueBelowOne) {
   Line line;
   line.length = 2;
-  for (const auto& [below, above] : {std::pair(2, 3), std::pair(3, 2), std::pair(4, 4), std::pair(2, 5)})
+  for (const auto& [below, above] : casesOf({std::pair(2, 3), std::pair(3, 2), std::pair(4, 4), std::pair(2, 5)}))
     for (const bool carriedBelow : {true, false})
       for (const int open : {0, 2, 3}) {
         line.below = below, line.above = above, line.carriedBelow = carriedBelow;
@@ -104,7 +105,7 @@ TEUCHOS_UNIT_TEST(MortarRows, LeaveOutAFurtherLevel) {
 
 // Condition within 1.6 times, steps within three, coarse size within 1.1 times of the matching line with the same subdomains.
 TEUCHOS_UNIT_TEST(MortarRows, AreAsGoodAsMatchingNodes) {
-  for (const int cells : {4, 8}) {
+  for (const int cells : casesOf({4, 8})) {
     Line matching;
     matching.below = matching.above = cells;
     const Found reference = found(matching);
@@ -176,7 +177,7 @@ TEUCHOS_UNIT_TEST(MortarRows, HoldABodyThatRestsOnTwoPairs) {
   Line line;
   line.length = 2;
   line.restsOnContact = true;
-  for (const auto& [below, above] : {std::pair(2, 3), std::pair(3, 2)}) {
+  for (const auto& [below, above] : casesOf({std::pair(2, 3), std::pair(3, 2)})) {
     line.below = below, line.above = above;
     const Scene scene = line.scene();
     const OnInterface one(scene, world());

@@ -4,6 +4,7 @@
 #include <quality/Judged.hpp>
 #include <solver/ContactMethods.hpp>
 #include <solver/RoundScenes.hpp>
+#include <support/Cases.hpp>
 
 namespace suture {
 namespace {
@@ -67,7 +68,7 @@ Verification ofRecovered(const Scene& scene, const Blocks& all, const InterfaceP
 
 TEUCHOS_UNIT_TEST(RightAnswers, OfTheDecomposition) {
   for (const Scene& scene : sceneList())
-    for (const double tolerance : {1e-6, 1e-8, 1e-10}) {
+    for (const double tolerance : casesOf({1e-10, 1e-6, 1e-8})) {
       const OnInterface named(scene, world());
       for (const char* preconditioner : {"BDDC", "Neumann-Neumann"}) {
         const OuterResult result = solveWith("Active Set", named.problem, tolerance, preconditioner);

@@ -2,6 +2,7 @@
 #include <Teuchos_UnitTestHarness.hpp>
 #include <Tpetra_MultiVector.hpp>
 #include <solver/SceneChoices.hpp>
+#include <support/Cases.hpp>
 #include <suture/base/Buffer.hpp>
 #include <suture/base/Collective.hpp>
 
@@ -16,11 +17,12 @@ struct Case {
 };
 
 std::vector<Case> cases() {
-  return {{"pressed", pressedBlocks()},
-          {"inclined", turned(pressedBlocks(), 0.5)},
-          {"held on the line", heldOnTheLine()},
-          {"stacked", stackedBlocks(3)},
-          {"no contact", loadedRectangle()}};
+  return casesOf<Case>({{"inclined", turned(pressedBlocks(), 0.5)},
+                        {"stacked", stackedBlocks(3)},
+                        {"no contact", loadedRectangle()},
+                        {"pressed", pressedBlocks()},
+                        {"held on the line", heldOnTheLine()}},
+                       3);
 }
 
 /// Calls `claim` with every formulation of every scene.
