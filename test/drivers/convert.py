@@ -14,7 +14,7 @@ except ImportError as missing:
     print(f"skipped: {missing}")
     sys.exit(77)
 
-from harness import arguments, check, finish, run
+from harness import arguments, check, finish, forked, run
 
 options = arguments("--convert", "--solve")
 work = options.work
@@ -132,8 +132,7 @@ def through_meshio(path):
 
 
 def convert(source, target):
-    done = subprocess.run([options.convert, source, target], capture_output=True, text=True, timeout=60)
-    return done.returncode, done.stdout + done.stderr
+    return forked(options.convert, source, target)
 
 
 def contents(path):
@@ -238,6 +237,8 @@ for name, text, complaint in (
 check("no such file", convert(work / "none.inp", work / "out.h5")[0], 3)
 check("an unknown form of OUT", convert(work / "linear.inp", work / "out.stl"), lambda r: r[0] == 2 and "expected one of .h5, .msh" in r[1])
 check("a folder that is not there", convert(work / "linear.inp", work / "none" / "out.h5")[0], 5)
-code, text = convert("--help", "")
-check("help on one screen", code == 0 and len(text.splitlines()) <= 40, True)
+done = subprocess.run([options.convert, "--help"], capture_output=True, text=True, timeout=60)
+check("help on one screen", done.returncode == 0 and len(done.stdout.splitlines()) <= 40, True)
+done = subprocess.run([options.convert, work / "linear.inp", work / "out.h5"], capture_output=True, text=True, timeout=60)
+check("started by itself", (done.returncode, contents(work / "out.h5") == contents(work / "linear.inp.h5")), (0, True))
 finish()

@@ -9,9 +9,12 @@
 import argparse
 import os
 import pathlib
+import runpy
 import shutil
 import subprocess
 import sys
+import tempfile
+import traceback
 
 SLOWER = float(os.environ.get("SUTURE_TIME_FACTOR", 1))  # limits of time are multiplied by it: the test presets set it
 SANITIZED = "ASAN_OPTIONS" in os.environ  # AddressSanitizer takes 20 TB of addresses: no limit of them then, no measure of memory
@@ -33,13 +36,37 @@ def arguments(*names, parser=None):
 
 
 def command(program, ranks, *words):
-    return [*options.mpirun.split(), "-np", str(ranks), str(program), *map(str, words)]
+    """One rank is started as most users start it, without mpirun."""
+    return [*(options.mpirun.split() + ["-np", str(ranks)] if ranks > 1 else []), str(program), *map(str, words)]
 
 
 def run(program, ranks, *words, timeout=120):
     """Exit code and output, both streams."""
     done = subprocess.run(command(program, ranks, *words), capture_output=True, text=True, timeout=timeout * SLOWER)
     return done.returncode, done.stdout + done.stderr
+
+
+def forked(program, *words):
+    """Exit code and output of a program in Python, in a fork of this process: what this one has imported is not loaded again."""
+    with tempfile.TemporaryFile("w+") as output:
+        child = os.fork()
+        if child == 0:
+            for stream in (1, 2):
+                os.dup2(output.fileno(), stream)
+            sys.argv, code = [str(program), *map(str, words)], 0
+            try:
+                runpy.run_path(str(program), run_name="__main__")
+            except SystemExit as end:
+                code = end.code if isinstance(end.code, int) else int(end.code is not None)
+            except BaseException:
+                traceback.print_exc()
+                code = 1
+            sys.stdout.flush()
+            sys.stderr.flush()
+            os._exit(code)
+        code = os.waitstatus_to_exitcode(os.waitpid(child, 0)[1])
+        output.seek(0)
+        return code, output.read()
 
 
 def setting(path, value):

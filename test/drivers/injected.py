@@ -52,7 +52,7 @@ print(f"communications and works on rank 0: {counts[0]}; the run took {usual:.2f
 
 # As a phase begins; at its first, middle and last communication; in its first and last local work that ends collectively. A rank that
 # leaves its others in a communication does so by what no program plans for: NumericalErrors and InputErrors of one rank are thrown in
-# such works, where all ranks learn of them.
+# such works, where all ranks learn of them. Few: in the last work and in the middle communication, by turns.
 every = options.places == "all"
 places = []
 for i, phase in enumerate(counts[0]):
@@ -60,8 +60,10 @@ for i, phase in enumerate(counts[0]):
     messages, works = counts[rank].get(phase, (0, 0))
     middle = [1, (messages + 1) // 2, messages] if every else [(messages + 1) // 2]
     places += [(rank, phase, "phase", 0)] if every or messages == 0 else []
-    places += [(rank, phase, "message", n) for n in sorted(set(middle)) if n > 0]
-    places += [(rank, phase, "work", n) for n in sorted({1, works} if every else {works}) if n > 0]
+    if messages > 0 and (every or works == 0 or i % 2 == 1):
+        places += [(rank, phase, "message", n) for n in sorted(set(middle))]
+    if works > 0 and (every or messages == 0 or i % 2 == 0):
+        places += [(rank, phase, "work", n) for n in sorted({1, works} if every else {works})]
 
 for number, (rank, phase, place, at) in enumerate(places):
     kinds = [kind for kind in CODES if place == "work" or kind not in ("numerical", "input")]
