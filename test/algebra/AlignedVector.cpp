@@ -23,7 +23,7 @@ int mistakes(unsigned seed) {
   std::mt19937 generator(seed);
   std::vector<AlignedVector<double>> kept(40);
   int wrong = 0;
-  for (int step = 0; step < 2000; ++step) {
+  for (int step = 0; step < 600; ++step) {
     const std::size_t k = generator() % kept.size();
     for (const double value : kept[k]) wrong += value != static_cast<double>(k);
     const std::size_t size = generator() % 2 == 0 ? generator() % 100 : generator() % 150000;
