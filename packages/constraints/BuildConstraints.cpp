@@ -4,6 +4,7 @@
 #include <suture/constraints/ContactPieces.hpp>
 #include <suture/constraints/FacetError.hpp>
 #include <suture/constraints/NodalRules.hpp>
+#include <suture/constraints/OpenEnds.hpp>
 #include <suture/constraints/pairing/ContactPairs.hpp>
 #include <suture/mesh/SideGeometry.hpp>
 
@@ -144,6 +145,7 @@ Constraints build(const Mesh& mesh, const std::vector<Condition>& conditions, st
 
   constraints.pieces = findPieces(mesh, contacts, paired, constraints.pairs);
   estimatePressures(contacts, paired, constraints);
+  findOpenEnds(mesh, conditions, contacts, constraints);
   checkHeld(mesh, constraints, problems);
   problems.throwIfAny();
   addContactFrames(constraints.pairs, constraints.rules);

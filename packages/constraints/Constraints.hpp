@@ -104,10 +104,12 @@ struct ContactPiece {
   std::vector<std::vector<int>> cells;
   double pressureDoubt = 0.0;  ///< estimated error of nodal pressures where straight elements stand for curved sides [stress]
   std::vector<AxisPoint> onAxis;
+  std::vector<int> openEnds{};  ///< ids of pairs at the rim, beyond which the boundaries go on free and without a corner
 
   template <typename Self, typename Each>
   static void forEachField(Self& self, const Each& each) {
     each(self.name), each(self.pairs), each(self.bodies), each(self.cells), each(self.pressureDoubt), each(self.onAxis);
+    each(self.openEnds);
   }
 };
 

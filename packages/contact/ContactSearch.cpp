@@ -13,7 +13,7 @@ namespace {
 constexpr int kPlainSolves = 12;     // solves of one accuracy before other sets than plain flips are tried
 constexpr int kModelSolves = 3;      // solves whose next set the half-planes propose: later ones differ by a pair, as a plain flip does
 constexpr int kPatience = 25;        // solves without a better state before a safe step
-constexpr double kIdle = 1e-10;      // forces below this part of the largest of their cluster are those of pairs that only touch
+constexpr double kIdle = 1e-10;      // forces below this part of the largest on the less loaded body are those of pairs that only touch
 constexpr double kProgress = 1e-13;  // energies that differ by less are equal
 constexpr std::size_t kMemory = 30;  // solves that the model learns from
 
@@ -114,7 +114,7 @@ bool ContactSearch::proposed(const ClosedSet& set) const { return std::find(seen
 /// Takes pairs without force out of the equations for the bodies' places: they would fix them wrongly.
 void ContactSearch::dropIdle() {
   answer_.force = answer_.force.cwiseMax(0.0);
-  const Vector scale = rigid_.clusterScale(set_, answer_.force);
+  const Vector scale = rigid_.bodyScale(set_, answer_.force);
   ClosedSet carrying = set_;
   for (std::size_t i = 0; i < set_.size(); ++i) {
     const auto at = static_cast<Eigen::Index>(i);
@@ -199,7 +199,7 @@ ContactSearch::Result ContactSearch::finish(bool converged, std::string failure)
   result.solves = solves_;
   if (converged) {
     ClosedSet carrying = set_;
-    const Vector scale = rigid_.clusterScale(set_, result.force);
+    const Vector scale = rigid_.bodyScale(set_, result.force);
     ClosedSet touching(set_.size(), 0);
     for (std::size_t i = 0; i < set_.size(); ++i) {
       const auto at = static_cast<Eigen::Index>(i);

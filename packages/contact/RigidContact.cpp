@@ -208,25 +208,44 @@ Matrix RigidContact::neutral(const ClosedSet& carrying, const ClosedSet& touchin
   return found.cols() > 0 ? Matrix(free * orthonormalBasis(found, 1e-9)) : Matrix(motions(), 0);
 }
 
+int RigidContact::bodies() const {
+  int bodies = 0;
+  for (const auto& own : pairs_.bodies)
+    for (const int body : own) bodies = std::max(bodies, body + 1);
+  return bodies;
+}
+
 Vector RigidContact::clusterScale(const ClosedSet& closed, const Vector& values) const {
+  DisjointSets clusters(bodies());
+  for (int i = 0; i < pairs(); ++i)
+    if (closed[i] && !pairs_.bodies.empty())
+      for (const int body : pairs_.bodies[i]) clusters.join(body, pairs_.bodies[i].front());
+  return scaleOf(clusters, closed, values, false);
+}
+
+Vector RigidContact::bodyScale(const ClosedSet& closed, const Vector& values) const {
+  return scaleOf(DisjointSets(bodies()), closed, values, true);
+}
+
+/// Largest magnitude among the closed pairs of the sets that a pair's bodies belong to; of these the least or the most.
+Vector RigidContact::scaleOf(DisjointSets sets, const ClosedSet& closed, const Vector& values, bool least) const {
   Vector scale = Vector::Zero(pairs());
   if (pairs_.bodies.empty()) {
     if (values.size() > 0) scale.setConstant(values.cwiseAbs().maxCoeff());
     return scale;
   }
-  int bodies = 0;
-  for (const auto& own : pairs_.bodies)
-    for (const int body : own) bodies = std::max(bodies, body + 1);
-  DisjointSets clusters(bodies);
+  std::vector<double> most(bodies(), 0.0);
   for (int i = 0; i < pairs(); ++i)
     if (closed[i])
-      for (const int body : pairs_.bodies[i]) clusters.join(body, pairs_.bodies[i].front());
-  std::vector<double> most(bodies, 0.0);
-  for (int i = 0; i < pairs(); ++i)
-    if (closed[i])
-      for (const int body : pairs_.bodies[i]) most[clusters.lowest(body)] = std::max(most[clusters.lowest(body)], std::abs(values(i)));
-  for (int i = 0; i < pairs(); ++i)
-    for (const int body : pairs_.bodies[i]) scale(i) = std::max(scale(i), most[clusters.lowest(body)]);
+      for (const int body : pairs_.bodies[i]) most[sets.lowest(body)] = std::max(most[sets.lowest(body)], std::abs(values(i)));
+  for (int i = 0; i < pairs(); ++i) {
+    if (pairs_.bodies[i].empty()) continue;
+    double& own = scale(i) = most[sets.lowest(pairs_.bodies[i].front())];
+    for (const int body : pairs_.bodies[i]) {
+      const double other = most[sets.lowest(body)];
+      own = least ? std::min(own, other) : std::max(own, other);
+    }
+  }
   return scale;
 }
 

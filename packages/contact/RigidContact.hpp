@@ -5,6 +5,8 @@
 
 namespace suture {
 
+class DisjointSets;
+
 /// Closed contact pairs: one entry a pair, not zero where it is closed.
 using ClosedSet = std::vector<char>;
 
@@ -68,11 +70,15 @@ class RigidContact {
   /// Scale of values at each pair: the largest magnitude among pairs of its cluster, that is of the bodies which closed pairs connect with
   /// its own. A weak cluster is not measured by a strong one beside it.
   Vector clusterScale(const ClosedSet& closed, const Vector& values) const;
+  /// The same of the less loaded one of a pair's bodies: a light body is not measured by what it lies on.
+  Vector bodyScale(const ClosedSet& closed, const Vector& values) const;
   /// Forces p >= 0 on as few pairs as possible (linearly independent rows) with rows^T p = e; empty: there are none.
   Vector staticForces() const;
 
  private:
   void findComponents();
+  int bodies() const;
+  Vector scaleOf(DisjointSets sets, const ClosedSet& closed, const Vector& values, bool least) const;
 
   Pairs pairs_;
   Vector compliance_;

@@ -71,7 +71,7 @@ ClosedSet CondensedSets::closedSet(const ContactStates& status) const {
   return set;
 }
 
-InterfaceEvaluation CondensedSets::evaluateSet(const InterfaceState& state, double resolution) const {
+InterfaceEvaluation CondensedSets::evaluateSet(const InterfaceState& state, PairResolution resolution) const {
   const int pairs = bodies_->rigid().pairs();
   const std::vector<Vector> trace = problem_.traces(*state.trace);
   Matrix out = Matrix::Zero(problem_.space()->overlapSize(), 1);

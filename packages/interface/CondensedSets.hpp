@@ -19,7 +19,7 @@ class CondensedSets : public ContactSets {
   const ContactBodies& bodies() const override { return *bodies_; }
   ContactStates statusOf(const ClosedSet& closed) const override;
   ClosedSet closedSet(const ContactStates& status) const override;
-  InterfaceEvaluation evaluateSet(const InterfaceState& state, double resolution) const override;
+  InterfaceEvaluation evaluateSet(const InterfaceState& state, PairResolution resolution) const override;
   ClosedSet proposal(const InterfaceState& state) const override;
   InterfaceState padState() const override;
   void move(InterfaceState& state, const Vector& motion) const override;

@@ -248,7 +248,7 @@ InterfaceProblem::Linearisation ContactInterfaceProblem::linearise(const Interfa
   return result;
 }
 
-InterfaceProblem::Evaluation ContactInterfaceProblem::evaluate(const InterfaceState& state, double resolution) const {
+InterfaceProblem::Evaluation ContactInterfaceProblem::evaluateSet(const InterfaceState& state, PairResolution resolution) const {
   Evaluation result;
   const Matrix out = rememberedImbalance(state, result.applications);
   Matrix trace;

@@ -33,7 +33,7 @@ class ContactInterfaceProblem : public InterfaceProblem, public ContactSets {
   InterfaceState stateOf(const std::vector<Vector>& freeValues, const std::map<int, ContactState>& status) const override;
   /// A closed pair opens when its force pulls, an open one closes when it penetrates: semismooth Newton's choice of the next set. Forces
   /// are those that the softer side feels.
-  Evaluation evaluate(const InterfaceState& state, double resolution = 0.0) const override;
+  Evaluation evaluate(const InterfaceState& state, double resolution = 0.0) const override { return evaluateSet(state, {resolution}); }
   Linearisation linearise(const InterfaceState& state) const override;
   int conform(InterfaceState& state) const override;
   void update(InterfaceState& state, const MultiVector& step, double length, const Matrix* image = nullptr) const override;
@@ -47,7 +47,7 @@ class ContactInterfaceProblem : public InterfaceProblem, public ContactSets {
   const ContactBodies& bodies() const override { return *bodies_; }
   ContactStates statusOf(const ClosedSet& closed) const override;
   ClosedSet closedSet(const ContactStates& status) const override;
-  Evaluation evaluateSet(const InterfaceState& state, double resolution) const override { return evaluate(state, resolution); }
+  Evaluation evaluateSet(const InterfaceState& state, PairResolution resolution) const override;
   InterfaceState padState() const override;
   void move(InterfaceState& state, const Vector& motion) const override;
   MultiVectorPtr loadOf(const Vector& pairForces, const ContactStates& status) const override;

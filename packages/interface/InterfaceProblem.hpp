@@ -39,6 +39,12 @@ struct InterfaceEvaluation {
   Vector force = {}, penetration = {}, forceTolerance = {}, penetrationTolerance = {};
 };
 
+/// Accuracy of a trace: what a pair must violate its condition by before its status changes.
+struct PairResolution {
+  double ofCluster;     ///< relative to the largest force of its cluster of bodies and to what that deforms
+  double ofBody = 0.0;  ///< relative to the largest force on the less loaded one of its bodies
+};
+
 /// Contact states as sets of closed pairs: what a formulation offers to ContactSearch. Sets and pair values are by pair id, the same on
 /// all ranks. All functions but the first are collective.
 class ContactSets {
@@ -49,9 +55,7 @@ class ContactSets {
   virtual ClosedSet closedSet(const ContactStates& status) const = 0;
   /// The linear problem of the state's set: closed pairs glued in the normal direction, open ones without force. Residual, pair forces and
   /// penetrations are its own; `next` are plain flips.
-  /// \param resolution  accuracy of the trace: what a pair must violate its condition by before its status changes, relative to the
-  ///                    largest force of its cluster of bodies and to what that deforms
-  virtual InterfaceEvaluation evaluateSet(const InterfaceState& state, double resolution) const = 0;
+  virtual InterfaceEvaluation evaluateSet(const InterfaceState& state, PairResolution resolution) const = 0;
   /// The set that the formulation's own non-linear part answers with at a state: Newton's next. Empty: it has none, or no answer.
   virtual ClosedSet proposal(const InterfaceState&) const { return {}; }
   /// The state in which bodies have moved rigidly onto elastic pads in place of their contact, and the set that is closed then.

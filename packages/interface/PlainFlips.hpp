@@ -12,9 +12,8 @@ constexpr double kGapDigits = 1e-14;
 /// close, each by more than it must be believed by. Sets the evaluation's tolerances, and its counts of changed and closed pairs. Local;
 /// the same on all ranks.
 /// \param laws        of the contact lines
-/// \param resolution  as in ContactSets::evaluateSet
 /// \param digits      rounding of each pair's penetration [length]
-ClosedSet plainFlips(const RigidContact& rigid, const ContactLaws& laws, const ClosedSet& closed, double resolution, const Vector& digits,
-                     InterfaceEvaluation& found);
+ClosedSet plainFlips(const RigidContact& rigid, const ContactLaws& laws, const ClosedSet& closed, PairResolution resolution,
+                     const Vector& digits, InterfaceEvaluation& found);
 
 }  // namespace suture

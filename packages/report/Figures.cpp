@@ -2,8 +2,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <sstream>
 #include <suture/base/Collective.hpp>
+#include <suture/mesh/CellGeometry.hpp>
 #include <suture/partition/RigidLift.hpp>
 #include <suture/quality/PressureOscillation.hpp>
 #include <suture/report/Figures.hpp>
@@ -85,6 +87,7 @@ namespace {
 
 constexpr double kLarge = 0.1;  // relative to the scene's size
 constexpr int kLong = 10, kFew = 3;
+constexpr double kCarries = 1e-3;  // of the largest pressure
 
 double largestDisplacement(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const std::vector<Vector>& displacement) {
   double squared = 0.0, all = 0.0;
@@ -111,6 +114,26 @@ double sizeOfScene(const Comm& comm, const std::vector<SubdomainMesh>& meshes) {
   return std::hypot(box[0] + box[3], box[1] + box[4], box[2] + box[5]);
 }
 
+/// A warning for each piece that carries a force up to an end where the bodies may touch beyond.
+std::string openEndNotes(const std::vector<ContactPiece>& pieces, const std::vector<PairResult>& pairs) {
+  std::map<int, const PairResult*> byId;
+  for (const PairResult& pair : pairs) byId[pair.id] = &pair;
+  std::string said;
+  for (const ContactPiece& piece : pieces) {
+    double largest = 0.0;
+    for (const int id : piece.pairs) largest = std::max(largest, byId.count(id) ? byId[id]->pressure : 0.0);
+    for (const int id : piece.openEnds)
+      if (const auto at = byId.find(id); at != byId.end() && at->second->state.closed() && at->second->pressure > kCarries * largest) {
+        said += format(
+            "warning: contact '%s' is closed up to its end at %s, where the boundary goes on smoothly: the bodies may "
+            "touch beyond, where the scene has no contact. Let its sides reach further\n",
+            piece.name.c_str(), placeText(at->second->position).c_str());
+        break;
+      }
+  }
+  return said;
+}
+
 }  // namespace
 
 std::vector<std::string> plausibilityNotes(const Comm& comm, const std::vector<SubdomainMesh>& meshes,
@@ -129,6 +152,7 @@ std::vector<std::string> plausibilityNotes(const Comm& comm, const std::vector<S
       if (figures.pairsOf[p] >= kLong && figures.activeOf[p] > 0 && figures.activeOf[p] < kFew)
         said += format("contact '%s': %d of %d pairs closed: the mesh does not resolve the pressure; forces are right, pressures are not\n",
                        pieces[p].name.c_str(), figures.activeOf[p], figures.pairsOf[p]);
+    said += openEndNotes(pieces, solution.pairs);
   });
   std::istringstream lines(broadcast(comm, said));
   for (std::string line; std::getline(lines, line);) notes.push_back(line);

@@ -119,7 +119,7 @@ double SetSolves::norm(const MultiVector& residual, const InterfaceState& state)
     const double scale = std::max({energy(at), kPassive * size * size, lift * lift});
     if (scale > 0.0) bodies = std::max(bodies, std::sqrt(std::abs(own(at)) / scale));
   }
-  const double whole = std::sqrt(std::max(sum, 0.0));
+  const double whole = whole_ = std::sqrt(std::max(sum, 0.0));
   if (run_.automatic.on() || bodies <= whole) return whole;
   const double final = run_.settings.tolerance;
   if (whole <= final && bodies > final) sharper_ = std::min(sharper_, kSharper * whole / bodies);

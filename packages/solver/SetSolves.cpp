@@ -11,9 +11,10 @@
 namespace suture {
 
 namespace {
-constexpr int kRestarts = 4;         // of conjugate gradients whose recursion has lost the residual
-constexpr double kStalled = 0.5;     // of the residual: a restart that leaves more has met the floor of rounding
-constexpr double kImbalance = 10.0;  // times the tolerance: a tenth of what the verdict allows the forces on a body
+constexpr int kRestarts = 6;      // of conjugate gradients whose recursion has lost the residual
+constexpr double kStalled = 0.5;  // of the residuals of whole and bodies: a restart that leaves more of both has met the floor of rounding
+constexpr double kImbalance = 10.0;    // times the tolerance: a tenth of what the verdict allows the forces on a body
+constexpr double kPairDigits = 1e-12;  // rounding of a pair's force, in parts of the largest in its cluster
 constexpr int kRescales = 4;
 constexpr double kOverestimate = 2.0;  // of the solution's energy norm, from which on a solve is taken up again
 }  // namespace
@@ -48,6 +49,12 @@ double SetSolves::tolerance(int level) const {
   return sharper_ * (level == 0 ? inner_ : level == 1 ? std::sqrt(inner_ * final) : final);
 }
 
+/// At the end the residual of each body is small beside its own energy: then its pairs have digits of their own.
+PairResolution SetSolves::finalResolution() const {
+  const double final = run_.settings.tolerance;
+  return run_.automatic.on() ? PairResolution{final} : PairResolution{std::min(kPairDigits, final), final};
+}
+
 void SetSolves::evaluateStart() {
   InterfaceState state = run_.result.state;
   state.trace = Teuchos::rcp(new MultiVector(*run_.result.state.trace, Teuchos::Copy));
@@ -65,7 +72,7 @@ void SetSolves::evaluateStart() {
   findClusters(closed);
   scaleBy(state, state, *linear.load);
   run_.automatic.startsFrom(reference_);
-  run_.evaluation = sets_.evaluateSet(state, run_.settings.tolerance);
+  run_.evaluation = sets_.evaluateSet(state, {run_.settings.tolerance});
   run_.result.pcgTotal += applications + run_.evaluation.applications;
   run_.result.residual = norm(*run_.evaluation.residual, state);
   run_.result.state = state;
@@ -82,7 +89,7 @@ void SetSolves::chooseOrigin(const InterfaceState& from, InterfaceState& state, 
   if (start_.trace.is_null() || run_.problem.differing(start_.status, state.status).empty()) return;
   InterfaceState first = std::exchange(start_, InterfaceState());
   first.status = state.status;
-  const auto energy = [&](const InterfaceState& at) { return sets_.evaluateSet(at, 1.0).energy; };
+  const auto energy = [&](const InterfaceState& at) { return sets_.evaluateSet(at, {1.0}).energy; };
   const double own = energy(state);
   if (own <= energy(first)) return;
   first.trace = Teuchos::rcp(new MultiVector(*first.trace, Teuchos::Copy));
@@ -157,7 +164,7 @@ ContactAnswer SetSolves::solve(const ClosedSet& closed, int level) {
     sharper_ = 1.0;
   }
   closed_ = closed;
-  double before = 0.0;
+  double before = 0.0, wholeBefore = 0.0;
   try {
     for (int pass = 0;; ++pass) {
       InterfaceState state = run_.result.state;
@@ -171,7 +178,7 @@ ContactAnswer SetSolves::solve(const ClosedSet& closed, int level) {
         return answer;
       }
       // Statuses are believed as far as the solve has come.
-      InterfaceProblem::Evaluation at = sets_.evaluateSet(state, std::max(final, std::min(tolerance(level), cost.residual)));
+      InterfaceProblem::Evaluation at = sets_.evaluateSet(state, {std::max(final, std::min(tolerance(level), cost.residual))});
       double residual = cost.residual;
       bool drifted = false, sharpened = false;
       if (level == levels() - 1 ||
@@ -179,7 +186,7 @@ ContactAnswer SetSolves::solve(const ClosedSet& closed, int level) {
         state.memory.reset();
         sets_.separate(state);
         applications += sets_.remember(state);
-        at = sets_.evaluateSet(state, final);
+        at = sets_.evaluateSet(state, finalResolution());
         const double sharper = sharper_;
         residual = norm(*at.residual, state);
         if (const double forces = bodyImbalance(sets_.bodies(), at.force, sets_.energies(state), largest_) / kImbalance;
@@ -201,13 +208,15 @@ ContactAnswer SetSolves::solve(const ClosedSet& closed, int level) {
                   cost.energyErrors.empty() ? -1.0 : largestScale_ * cost.energyErrors.back());
       run_.result.state.status = sets_.statusOf(closed);
       if (!drifted) return answer;
-      if (pass > 0 && (residual > kStalled * before || pass >= kRestarts)) {
+      const bool stalled = pass > 0 && residual > kStalled * before && whole_ > kStalled * wholeBefore;
+      if ((stalled && !goOn) || pass >= kRestarts) {
         run_.atFloor = true;
         closed_.clear();
         return answer;
       }
       before = residual;
-      goOn = sharpened && run_.inner.canGoOn();
+      wholeBefore = whole_;
+      goOn = sharpened && !stalled && run_.inner.canGoOn();  // a recursion that stalls is begun anew
     }
   } catch (const NumericalError& error) {
     run_.result.failure = error.what();

@@ -39,6 +39,7 @@ class SetSolves : public ContactOracle {
   void scale(MultiVector& x, bool inverse) const;
   double norm(const MultiVector& residual, const InterfaceState& state);
   double tolerance(int level) const;
+  PairResolution finalResolution() const;
   void chooseOrigin(const InterfaceState& from, InterfaceState& state, int& applications);
   bool oneSolve(InterfaceState& state, bool goOn, int level, InnerResult& cost, int& applications);
   bool solveLinear(InterfaceState& state, bool goOn, double tolerance, const EnergyCriterion& criterion, InnerResult& cost,
@@ -62,6 +63,7 @@ class SetSolves : public ContactOracle {
   bool scaled_ = false;         // several clusters, each by its own energy. The same on all ranks
   double largestScale_ = 1.0;
   double reference_ = 0.0;
+  double whole_ = 0.0;     // last norm of the residual of the whole, of which single bodies may have more than their share
   double sharper_ = 1.0;   // factor of tolerances, for the sake of single bodies
   InterfaceState start_;   // the first solve's, with its status, until the second's
   bool deformed_ = false;  // the state is the answer of a solve: its energy is a scale

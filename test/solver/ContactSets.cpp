@@ -40,9 +40,9 @@ TEUCHOS_UNIT_TEST(ContactSets, ABodyThatNothingHoldsMovesWithoutForces) {
     const Matrix loose = held.rigid().loose(held.closed);
     TEST_EQUALITY(loose.cols(), 1);
     const Vector motion = 0.3 * loose.col(0);
-    const InterfaceEvaluation before = held.sets.evaluateSet(held.state, 0.0);
+    const InterfaceEvaluation before = held.sets.evaluateSet(held.state, {0.0});
     held.sets.move(held.state, motion);
-    const InterfaceEvaluation after = held.sets.evaluateSet(held.state, 0.0);
+    const InterfaceEvaluation after = held.sets.evaluateSet(held.state, {0.0});
     out << formulation << ": energy " << before.energy << ", " << after.energy << "\n";
     TEST_FLOATING_EQUALITY(after.energy - before.energy, -held.rigid().data().work.dot(motion), 1e-9);
     TEST_COMPARE((after.penetration - before.penetration - held.rigid().data().rows * motion).norm(), <, 1e-12);
@@ -58,7 +58,7 @@ TEUCHOS_UNIT_TEST(ContactSets, ChangesOfPairsAreDifferencesOfStates) {
     for (const int every : {1, 2, 3}) {
       const Held held(formulation, every);
       const MultiVectorPtr step = someStep(*held.space(), 1e-3, 1.0);
-      const InterfaceEvaluation before = held.sets.evaluateSet(held.state, 0.0), after = held.sets.evaluateSet(held.after(*step), 0.0);
+      const InterfaceEvaluation before = held.sets.evaluateSet(held.state, {0.0}), after = held.sets.evaluateSet(held.after(*step), {0.0});
       Vector force, penetration;
       held.sets.pairChanges(*step, held.state.status, Vector::Zero(held.rigid().pairs()), force, penetration);
       const Vector forces = after.force - before.force, penetrations = after.penetration - before.penetration;
@@ -119,7 +119,7 @@ TEUCHOS_UNIT_TEST(ContactSets, RigidMotionsPutBesideTheTraceAreTheSameState) {
   for (const std::string& formulation : formulations()) {
     const Held held(formulation, 0);
     InterfaceState moved = held.after(*someStep(*held.space(), 1e-3, 3.0));
-    const InterfaceEvaluation before = held.sets.evaluateSet(moved, 0.0);
+    const InterfaceEvaluation before = held.sets.evaluateSet(moved, {0.0});
     const Vector beside = moved.rigid;
     held.sets.separate(moved);
     TEST_COMPARE((moved.rigid - (beside.size() > 0 ? beside : Vector(Vector::Zero(moved.rigid.size())))).norm(), >,
@@ -129,7 +129,7 @@ TEUCHOS_UNIT_TEST(ContactSets, RigidMotionsPutBesideTheTraceAreTheSameState) {
     held.sets.separate(again);
     TEST_COMPARE((again.rigid - moved.rigid).norm(), <, 1e-15);  // nothing is left in the trace
     moved.memory.reset();
-    const InterfaceEvaluation after = held.sets.evaluateSet(moved, 0.0);
+    const InterfaceEvaluation after = held.sets.evaluateSet(moved, {0.0});
     TEST_FLOATING_EQUALITY(before.energy, after.energy, 1e-10);
     TEST_COMPARE((after.penetration - before.penetration).norm(), <, 1e-12);
     MultiVector difference(*after.residual, Teuchos::Copy);
