@@ -69,6 +69,7 @@ NewScene propose(Mesh& mesh, const Options& options, const fs::path& output) {
   scene.boxes = boxesOf(mesh);
   scene.groups = groupsOf(mesh);
   scene.contacts = proposeContacts(mesh, scene.groups);
+  scene.dimension = mesh.dimension;
   scene.supports = proposeSupports(mesh, scene.groups, scene.contacts);
   return scene;
 }
@@ -85,12 +86,20 @@ void tell(std::ostream& out, const NewScene& scene, const fs::path& output) {
   out << output.string() << ": " << (scene.bodies.names.size() == 1 ? "1 body" : std::to_string(scene.bodies.names.size()) + " bodies")
       << ", " << counted(scene.groups.size(), "curve group") << ", " << counted(scene.contacts.all.size(), "contact") << " proposed\n";
   for (const proposal::Contact& contact : scene.contacts.all)
-    out << "   contact: " << contact.sideA << " on " << joinNames(contact.sideB) << ", least distance " << contact.gap << "\n";
+    out << "   contact: " << contact.sideA << " on " << joinNames(contact.sideB) << ", " << distanceText(contact) << "\n";
+  for (const proposal::Contact& contact : scene.contacts.all)
+    for (const std::string& problem : contact.problems) out << "   note: left out of the scene: " << problem << "\n";
   for (const std::string& note : scene.contacts.notes) out << "   note: " << note << "\n";
-  for (const std::string& body : scene.bodies.names)
-    if (std::none_of(scene.supports.begin(), scene.supports.end(), [&](const Support& support) { return support.body == body; }))
-      out << "   note: body '" << body
-          << "' has no curve group but those in contact: name a side or a corner of it, by which something holds it\n";
+  const Supports& supports = scene.supports;
+  std::vector<std::string> parts;
+  if (!supports.held.empty()) parts.push_back("'" + supports.held + "' held");
+  if (!supports.pushed.empty()) parts.push_back("'" + supports.pushed + "' pushed" + (supports.byForce ? " by a force" : ""));
+  if (!supports.softBodies.empty()) parts.push_back("soft springs on " + joinNames(supports.softBodies, 5));
+  for (std::size_t i = 0; i < parts.size(); ++i) out << (i == 0 ? "   stand-ins: " : "; ") << parts[i];
+  if (!parts.empty()) out << "\n";
+  for (const std::string& body : supports.loose)
+    out << "   note: body '" << body
+        << "' has no curve group, so that nothing can hold it and the scene does not run yet: name a side of it\n";
   out << "   now fill in what the file marks, then: suture_solve " << output.string() << std::endl;
 }
 

@@ -1,5 +1,6 @@
 #include <suture/base/Errors.hpp>
 #include <suture/base/Point.hpp>
+#include <suture/constraints/ContactSurface.hpp>
 #include <suture/mesh/BoxTree.hpp>
 #include <suture/mesh/CellGeometry.hpp>
 #include <suture/mesh/SideTable.hpp>
@@ -22,6 +23,9 @@ constexpr double kReach = 0.05;     // largest clearance over the diagonal of th
 constexpr int kFewest = 3;          // least number of facing nodes of a contact
 constexpr double kCorner = 0.2;     // least part of a group's facing nodes; a smaller one is the end of a neighbouring contact
 constexpr double kSpacings = 1.5;   // largest distance between facing nodes over that between neighbours
+constexpr double kEnd = 0.1;        // distance beyond the end of a side over that between neighbours
+constexpr double kDrawn = 1e-3;     // overlap over the distance between neighbours below which it is rounding of a drawing
+constexpr double kSense = 0.1;      // length of the mean normal below which a side faces all around
 
 using Key = std::pair<int, int>;
 Key keyOf(const Side& side) { return {side.element, side.side}; }
@@ -45,9 +49,25 @@ struct Face {
 
 struct Facing {
   int nodes = 0;
-  double gap = std::numeric_limits<double>::infinity();
-  Point normal{0, 0, 0}, place{0, 0, 0};
+  double gap = std::numeric_limits<double>::infinity();  // < 0: the sides overlap
+  Point sum{0, 0, 0};                                    // of the normals
+  Point normal{0, 0, 0}, place{0, 0, 0};                 // where the gap is least
 };
+
+/// Distance of two facing nodes along the normals of both, < 0 where the sides overlap; 0 for an overlap within the error of a drawing.
+/// The mean of the distances to both tangents is exact for concentric arcs; elsewhere the angle between these bounds its error.
+double distanceOf(const Point& way, const Point& own, const Point& other, double spacing) {
+  const double distance = (dot(way, own) - dot(way, other)) / 2;
+  const double aside = norm(minus(way, scaled(dot(way, own), own)));
+  return distance < -(aside * norm(plus(own, other)) + kDrawn * spacing) ? distance : std::max(distance, 0.0);
+}
+
+/// Whether a place lies beyond the end of a surface, seen from the node there that is nearest: no neighbour of that is on the same side.
+bool isBeyond(const Surface& surface, const Surface::Node& nearest, const Point& aside) {
+  return std::isfinite(nearest.spacing) && norm(aside) > kEnd * nearest.spacing &&
+         std::all_of(nearest.beside.begin(), nearest.beside.end(),
+                     [&](int node) { return dot(minus(surface.at(node).position, nearest.position), aside) < 0; });
+}
 
 /// Nodes of `a` that face `b` within reach.
 Facing facing(const Face& a, const Face& b, double reach) {
@@ -57,23 +77,27 @@ Facing facing(const Face& a, const Face& b, double reach) {
     const int at = b.tree->nearest(own.position, [&](int i) { return norm(minus(b.surface.at(b.nodes[i]).position, own.position)); });
     if (at < 0) continue;
     const Surface::Node& other = b.surface.at(b.nodes[at]);
-    const Point way = minus(other.position, own.position), n = a.surface.normal(node);
-    if (dot(n, b.surface.normal(b.nodes[at])) > kOpposite) continue;
+    const Point way = minus(other.position, own.position), n = a.surface.normal(node), m = b.surface.normal(b.nodes[at]);
+    if (dot(n, m) > kOpposite) continue;
+    const Point aside = minus(way, scaled(dot(way, n), n));
+    if (isBeyond(b.surface, other, scaled(-1.0, aside))) continue;
     const double along = std::abs(dot(way, n));
     const double spacing =
         kSpacings * std::max(std::isfinite(own.spacing) ? own.spacing : 0.0, std::isfinite(other.spacing) ? other.spacing : 0.0);
-    if (along > std::max(reach, spacing) || norm(minus(way, scaled(dot(way, n), n))) > std::max(spacing, along / 2)) continue;
+    if (along > std::max(reach, spacing) || norm(aside) > std::max(spacing, along / 2)) continue;
     ++result.nodes;
-    result.normal = plus(result.normal, n);
-    if (along < result.gap) {
-      result.gap = along;
+    result.sum = plus(result.sum, n);
+    const double distance = distanceOf(way, n, m, std::isfinite(own.spacing) ? own.spacing : 0.0);
+    if (distance < result.gap) {
+      result.gap = distance;
+      result.normal = n;
       result.place = own.position;
     }
   }
   return result;
 }
 
-double smallestExtent(const std::pair<Point, Point>& box) { return norm(minus(box.second, box.first)); }
+double diagonal(const std::pair<Point, Point>& box) { return norm(minus(box.second, box.first)); }
 
 /// Sides on the boundary of the bodies that belong to no group, by body.
 std::map<int, std::vector<Side>> unnamedSides(const Mesh& mesh, const std::vector<Group>& groups) {
@@ -96,6 +120,21 @@ bool strictlyWithin(const Group& small, const Group& large) {
   return std::all_of(small.all.begin(), small.all.end(), [&](const Side& side) { return keys.count(keyOf(side)) > 0; });
 }
 
+/// Asks the checks of suture_solve.
+void check(const Mesh& mesh, std::vector<Contact>& proposed) {
+  std::vector<suture::Contact> contacts;
+  for (const Contact& contact : proposed) {
+    suture::Contact one;
+    one.path = std::to_string(contacts.size());
+    one.groupsA = {contact.sideA};
+    one.groupsB = contact.sideB;
+    contacts.push_back(one);
+  }
+  Problems problems;
+  contactsOn(mesh, contacts, problems);
+  for (const Problem& problem : problems.list()) proposed[std::stoul(problem.path)].problems.push_back(problem.message);
+}
+
 }  // namespace
 
 std::vector<Group> groupsOf(const Mesh& mesh) {
@@ -106,12 +145,12 @@ std::vector<Group> groupsOf(const Mesh& mesh) {
     group.name = name;
     group.sides = static_cast<int>(sides.size());
     group.all = sides;
-    std::set<int> bodies;
     BoundingBox box;
-    for (const Side& side : sides) bodies.insert(mesh.bodyOfElement[side.element]);
-    if (bodies.size() == 1) group.body = *bodies.begin();
+    for (const Side& side : sides) group.bodies.insert(mesh.bodyOfElement[side.element]);
+    if (group.bodies.size() == 1) group.body = *group.bodies.begin();
     const Surface surface(mesh, sides);
     for (const auto& [node, own] : surface.nodes()) {
+      group.nodes.insert(node);
       group.size += own.tributary;
       box.include(own.position);
       group.centre = plus(group.centre, scaled(1.0 / static_cast<double>(surface.nodes().size()), own.position));
@@ -125,7 +164,7 @@ std::vector<Group> groupsOf(const Mesh& mesh) {
 
 Contacts proposeContacts(const Mesh& mesh, const std::vector<Group>& groups) {
   const auto boxes = boxesOf(mesh);
-  const auto reach = [&](int a, int b) { return kReach * std::min(smallestExtent(boxes[a]), smallestExtent(boxes[b])); };
+  const auto reach = [&](int a, int b) { return kReach * std::min(diagonal(boxes[a]), diagonal(boxes[b])); };
   std::vector<std::unique_ptr<Face>> faces;
   for (const Group& group : groups) faces.push_back(group.body >= 0 ? std::make_unique<Face>(mesh, group.all) : nullptr);
 
@@ -166,18 +205,26 @@ Contacts proposeContacts(const Mesh& mesh, const std::vector<Group>& groups) {
     Contact contact;
     contact.sideA = groups[widest].name;
     contact.gap = std::numeric_limits<double>::infinity();
+    Facing whole;
     for (const auto& [pair, facing] : found) {
       if (pair.first != widest || !open.count(pair)) continue;
       contact.sideB.push_back(groups[pair.second].name);
       const double rounding = 1e-12 * reach(groups[widest].body, groups[pair.second].body) / kReach;
-      contact.gap = std::min(contact.gap, facing.gap > rounding ? facing.gap : 0.0);
-      contact.normal = plus(contact.normal, facing.normal);
+      const double gap = std::abs(facing.gap) > rounding ? facing.gap : 0.0;
+      if (gap < contact.gap) {
+        contact.gap = gap;
+        contact.normal = facing.normal;
+      }
+      whole.nodes += facing.nodes;
+      whole.sum = plus(whole.sum, facing.sum);
       open.erase(pair);
       open.erase({pair.second, pair.first});
     }
-    if (norm(contact.normal) > 0.0) contact.normal = unit(contact.normal);
+    if (norm(whole.sum) > kSense * whole.nodes) contact.normal = unit(whole.sum);
     result.all.push_back(std::move(contact));
   }
+
+  check(mesh, result.all);
 
   // Once a pair of bodies; sides beyond the ends of a proposed contact face each other, too, and are none of it.
   std::set<std::pair<int, int>> told;
@@ -194,51 +241,6 @@ Contacts proposeContacts(const Mesh& mesh, const std::vector<Group>& groups) {
       if (faces[j] && groups[j].body != body) tell(body, groups[j].body, facing(face, *faces[j], reach(body, groups[j].body)));
     for (const auto& [other, theirs] : unnamed)
       if (other > body) tell(body, other, facing(face, Face(mesh, theirs), reach(body, other)));
-  }
-  return result;
-}
-
-std::vector<Support> proposeSupports(const Mesh& mesh, const std::vector<Group>& groups, const Contacts& contacts) {
-  const auto boxes = boxesOf(mesh);
-  const int up = mesh.dimension - 1;
-  int ground = 0;
-  for (std::size_t b = 1; b < boxes.size(); ++b)
-    if (boxes[b].first[up] < boxes[ground].first[up]) ground = static_cast<int>(b);
-  std::set<std::string> touching;
-  std::map<int, Point> push;  // by body: direction towards the body that it faces
-  const auto bodyOf = [&](const std::string& name) {
-    return std::find_if(groups.begin(), groups.end(), [&](const Group& group) { return group.name == name; })->body;
-  };
-  for (const Contact& contact : contacts.all) {
-    touching.insert(contact.sideA);
-    push.try_emplace(bodyOf(contact.sideA), contact.normal);
-    for (const std::string& side : contact.sideB) {
-      touching.insert(side);
-      push.try_emplace(bodyOf(side), scaled(-1.0, contact.normal));
-    }
-  }
-  std::vector<Support> result;
-  for (std::size_t b = 0; b < mesh.bodies.size(); ++b) {
-    const int body = static_cast<int>(b);
-    const Point down = [&] {
-      Point p{0, 0, 0};
-      p[up] = -1.0;
-      return p;
-    }();
-    const Point way = body == ground ? down : push.count(body) ? push[body] : scaled(-1.0, down);
-    // The ground is held where it is lowest, another body on the side away from its contact.
-    const Group* best = nullptr;
-    for (const Group& group : groups) {
-      if (group.body != body || touching.count(group.name)) continue;
-      const double sign = body == ground ? 1.0 : -1.0;
-      if (!best || sign * dot(way, group.centre) > sign * dot(way, best->centre)) best = &group;
-    }
-    if (!best) continue;
-    Support support;
-    support.body = mesh.bodies[b];
-    support.group = best->name;
-    if (body != ground && push.count(body)) support.displacement = scaled(1e-3 * smallestExtent(boxes[b]), way);
-    result.push_back(std::move(support));
   }
   return result;
 }

@@ -1,6 +1,7 @@
 #pragma once
 #include <suture/mesh/Mesh.hpp>
 
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,7 +20,8 @@ Bodies proposeBodies(const Mesh& mesh);
 /// A curve group and where it lies.
 struct Group {
   std::string name;
-  int body = -1;  ///< number in Mesh::bodies; -1: on several
+  int body = -1;                ///< number in Mesh::bodies; -1: on several
+  std::set<int> bodies, nodes;  ///< numbers of all that it has sides of
   int sides = 0;
   double size = 0.0;                  ///< [length]
   Point low{0, 0, 0}, high{0, 0, 0};  ///< the box around it [length]
@@ -31,10 +33,11 @@ std::vector<Group> groupsOf(const Mesh& mesh);
 
 /// Sides of different bodies that face each other.
 struct Contact {
-  std::string sideA;               ///< a curve group
-  std::vector<std::string> sideB;  ///< curve groups of other bodies
-  double gap = 0.0;                ///< least distance between nodes of the two, along the normal [length]
-  Point normal{0, 0, 0};           ///< mean outward normal of Side A where it faces Side B
+  std::string sideA;                  ///< a curve group
+  std::vector<std::string> sideB;     ///< curve groups of other bodies
+  double gap = 0.0;                   ///< least distance between nodes of the two, along their normals; < 0: drawn to overlap [length]
+  Point normal{0, 0, 0};              ///< mean outward normal of Side A where it faces Side B; of a side that faces all around, at the gap
+  std::vector<std::string> problems;  ///< by which suture_solve would refuse it
 };
 struct Contacts {
   std::vector<Contact> all;
@@ -44,13 +47,27 @@ struct Contacts {
 /// body. Local (rank 0).
 Contacts proposeContacts(const Mesh& mesh, const std::vector<Group>& groups);
 
-/// A condition that makes the scene run: the lowest body held, the others pressed against what they face.
-struct Support {
-  std::string body, group;
-  Point displacement{0, 0, 0};  ///< [length]
+/// Conditions by which any scene runs: one body held, one pushed, soft springs on all others.
+///
+/// The rule: 1. The lowest body in contact is held at its lowest side, one that no contact reaches if there is one. Where every group is a
+/// side of a contact or reaches both sides of one, none is held. 2. The body that most contacts separate from it is pushed towards it,
+/// across the nearest of them, by a given displacement of the side farthest back; nodes of both sides of one contact are never prescribed.
+/// Without such a side a force on the body pushes. A geometry without contact is pressed together. 3. All other bodies stand on elastic
+/// supports, far softer than they are, at all of their sides: no contact holds a body in every direction. Such a problem has exactly one
+/// solution.
+struct Supports {
+  std::string held, heldBody;                 ///< curve group and its body; empty: none can be held
+  std::string pushed, pushedBody;             ///< empty: nothing to push
+  bool byForce = false;                       ///< a force instead of a displacement
+  Point push{0, 0, 0};                        ///< displacement [length] or total force
+  std::vector<std::string> soft, softBodies;  ///< curve groups with elastic supports, bodies that these keep
+  double stiffness = 0.0;                     ///< of these supports [stress / length]
+  std::vector<std::string> loose;             ///< bodies with no curve group at all: nothing can hold them
 };
-/// One a body; a body without a curve group that is in no contact has none. Local.
-std::vector<Support> proposeSupports(const Mesh& mesh, const std::vector<Group>& groups, const Contacts& contacts);
+/// Young modulus of the example material [stress].
+constexpr double kYoungModulus = 2.1e11;
+/// `groups`, `contacts` as proposed. Local.
+Supports proposeSupports(const Mesh& mesh, const std::vector<Group>& groups, const Contacts& contacts);
 
 /// Lowest and highest coordinates of each body. Local.
 std::vector<std::pair<Point, Point>> boxesOf(const Mesh& mesh);

@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <sstream>
+#include <suture/base/Errors.hpp>
 #include <suture/base/scene/Xml.hpp>
 
 namespace suture::proposal {
 
 namespace {
+
+constexpr std::size_t kWidth = 120;  // characters of a line of comment
 
 /// XML forbids two hyphens in a comment.
 std::string inComment(std::string text) {
@@ -27,6 +30,13 @@ std::string point(const Point& p, int dimension = 2) {
   return text + ")";
 }
 
+/// The value of an Array(double).
+std::string vector(const Point& p, int dimension) {
+  std::string text = "{";
+  for (int k = 0; k < dimension; ++k) text += (k > 0 ? ", " : "") + number(p[k]);
+  return text + "}";
+}
+
 std::string array(const std::vector<std::string>& names) {
   std::string text = "{";
   for (std::size_t i = 0; i < names.size(); ++i) text += (i > 0 ? ", " : "") + names[i];
@@ -35,7 +45,8 @@ std::string array(const std::vector<std::string>& names) {
 
 class Writer {
  public:
-  void comment(const std::string& words) { line("<!-- " + inComment(words) + " -->"); }
+  /// Broken into lines between words.
+  void comment(const std::string& words) { line(wrapped("<!-- " + inComment(words) + " -->")); }
   void open(const std::string& name) {
     line("<ParameterList name=\"" + escaped(name) + "\">");
     ++depth_;
@@ -50,7 +61,7 @@ class Writer {
   }
   /// Lines that wait for the user: a comment which holds parameters.
   void example(const std::string& words, const std::vector<std::string>& lines) {
-    line("<!-- " + inComment(words));
+    line(wrapped("<!-- " + inComment(words)));
     for (const std::string& text : lines) line("  " + text);
     line("-->");
   }
@@ -59,6 +70,18 @@ class Writer {
   std::string text() const { return text_.str(); }
 
  private:
+  std::string wrapped(const std::string& words) const {
+    std::istringstream rest(words);
+    std::string text, word;
+    std::size_t column = 0;
+    while (rest >> word) {
+      const bool next = column > 0 && column + word.size() > kWidth && word != "-->";
+      text += (next ? "\n" + std::string(2 * depth_ + 5, ' ') : column > 0 ? " " : "") + word;
+      column = (next ? 5 : column + 1) + word.size();
+    }
+    return text;
+  }
+
   std::ostringstream text_;
   std::size_t depth_ = 0;
 };
@@ -113,14 +136,54 @@ void materials(Writer& out, const NewScene& scene) {
 
 void conditions(Writer& out, const NewScene& scene) {
   out.open("Boundary Conditions");
-  for (const Support& support : scene.supports) {
-    const bool moved = support.displacement != Point{0, 0, 0};
-    out.open((moved ? "push " : "hold ") + support.body);
-    out.parameter("Group", "string", support.group, "FILL IN: an example that lets the scene run");
+  const Supports& supports = scene.supports;
+  if (supports.held.empty() && supports.soft.empty())
+    out.example("FILL IN: the geometry has no curve group; name one (in Gmsh: Physical Curve), by which a body is held:",
+                {"<ParameterList name=\"hold\">", "  " + entry("Group", "string", "..."), "  " + entry("Type", "string", "Displacement"),
+                 "  " + entry("Value", "Array(double)", vector({0, 0, 0}, scene.dimension)), "</ParameterList>"});
+  else if (supports.held.empty())
+    out.comment("FILL IN: no group is free to be held, since all are in contact or reach both sides of one; springs hold all bodies.");
+  else {
+    out.comment("FILL IN: a stand-in for the supports. It holds the lowest body at its lowest side.");
+    out.open("hold " + supports.heldBody);
+    out.parameter("Group", "string", supports.held);
     out.parameter("Type", "string", "Displacement");
-    out.parameter("Value", "Array(double)", "{" + number(support.displacement[0]) + ", " + number(support.displacement[1]) + "}");
+    out.parameter("Value", "Array(double)", vector({0, 0, 0}, scene.dimension));
     out.close();
   }
+  if (!supports.pushed.empty()) {
+    out.comment(std::string("FILL IN: a stand-in for the loads. It ") +
+                (scene.contacts.all.empty() ? "presses the body together by a thousandth of its size."
+                 : supports.byForce         ? "pushes the body into contact, by a force, since all its sides may touch."
+                                            : "pushes the body into contact, by the gap and a thousandth of its size."));
+    out.open("push " + supports.pushedBody);
+    out.parameter("Group", "string", supports.pushed);
+    out.parameter("Type", "string", supports.byForce ? "Force" : "Displacement");
+    out.parameter("Value", "Array(double)", vector(supports.push, scene.dimension));
+    out.close();
+  }
+  if (!supports.soft.empty()) {
+    out.comment(
+        "FILL IN: a stand-in for what holds " + joinNames(supports.softBodies) +
+        " besides contact, which holds no body in every direction: springs at all their sides, a thousandth as stiff as the bodies. "
+        "Take out the groups of a body that has conditions of its own. Keep springs where only contact holds a body: they decide "
+        "where it slides to.");
+    out.open("soft springs");
+    if (supports.soft.size() == 1)
+      out.parameter("Group", "string", supports.soft[0]);
+    else
+      out.parameter("Group", "Array(string)", array(supports.soft));
+    out.parameter("Type", "string", "Elastic Support");
+    out.parameter("Normal Stiffness", "double", number(supports.stiffness),
+                  "stress / length: Young Modulus / extent of the geometry / 1000");
+    out.parameter("Tangential Stiffness", "double", number(supports.stiffness));
+    out.close();
+  }
+  for (const std::string& body : supports.loose)
+    out.example("FILL IN: body '" + body + "' has no curve group, so that nothing can hold it. Name a side of it in the geometry, then:",
+                {"<ParameterList name=\"keep " + escaped(body) + "\">", "  " + entry("Group", "string", "..."),
+                 "  " + entry("Type", "string", "Elastic Support"), "  " + entry("Normal Stiffness", "double", number(supports.stiffness)),
+                 "  " + entry("Tangential Stiffness", "double", number(supports.stiffness)), "</ParameterList>"});
   out.example(
       "the other kinds, each with the Group it acts on:",
       {"<ParameterList name=\"roller\">", "  " + entry("Group", "string", "..."),
@@ -143,8 +206,15 @@ void contacts(Writer& out, const NewScene& scene) {
   }
   out.open("Contact");
   for (const Contact& contact : scene.contacts.all) {
-    out.open(contact.sideA + " on " + (contact.sideB.size() == 1 ? contact.sideB[0] : contact.sideB[0] + " and others"));
-    out.comment("proposed: least distance " + number(contact.gap));
+    const std::string name = contact.sideA + " on " + (contact.sideB.size() == 1 ? contact.sideB[0] : contact.sideB[0] + " and others");
+    if (!contact.problems.empty()) {
+      out.example("FILL IN: " + name + ", " + distanceText(contact) + ", is left out: " + joinNames(contact.problems),
+                  {"<ParameterList name=\"" + inComment(escaped(name)) + "\">", "  " + entry("Side A", "string", "..."),
+                   "  " + entry("Side B", "string", "..."), "</ParameterList>"});
+      continue;
+    }
+    out.open(name);
+    out.comment("proposed: " + distanceText(contact));
     out.parameter("Side A", "string", contact.sideA);
     if (contact.sideB.size() == 1)
       out.parameter("Side B", "string", contact.sideB[0]);
@@ -157,10 +227,20 @@ void contacts(Writer& out, const NewScene& scene) {
 
 }  // namespace
 
+std::string distanceText(const Contact& contact) {
+  return contact.gap < 0 ? "drawn to overlap by " + number(-contact.gap) + ", an interference that contact presses apart"
+                         : "least distance " + number(contact.gap);
+}
+
 std::string sceneText(const NewScene& scene) {
   Writer out;
   out.open("Suture");
-  out.comment("Made by suture_new. It runs as it is; FILL IN marks examples. 'suture_schema' documents every parameter.");
+  out.comment(
+      std::string("Made by suture_new. ") +
+      (scene.supports.loose.empty()
+           ? "It runs as it is; FILL IN marks examples and stand-ins."
+           : "It runs once the bodies below that nothing holds have conditions; FILL IN marks these places, examples and stand-ins.") +
+      " 'suture_schema' documents every parameter.");
   listGroups(out, scene);
   out.space();
   out.parameter("Title", "string", scene.title);

@@ -14,10 +14,14 @@ struct NewScene {
   std::vector<std::pair<Point, Point>> boxes;
   std::vector<Group> groups;
   Contacts contacts;
-  std::vector<Support> supports;
+  Supports supports;
+  int dimension = 2;
 };
 
-/// The text of its scene file: it runs as it stands; "FILL IN" marks what is an example. Local.
+/// How far apart the sides of a contact are, in words.
+std::string distanceText(const Contact& contact);
+
+/// The text of its scene file: it runs as it stands, unless Supports::loose names bodies; "FILL IN" marks what is an example. Local.
 std::string sceneText(const NewScene& scene);
 
 }  // namespace suture::proposal

@@ -1,5 +1,8 @@
 """suture_new, and the scene of suture_schema: scenes that run, bodies and contacts found from geometries, refusals. new_scene.py --new PROGRAM --solve PROGRAM
---mpirun "mpirun ..." --work DIR --input FOLDER"""
+--mpirun "mpirun ..." --work DIR --input FOLDER [--full]
+
+Every geometry of the input folder becomes a scene that is solved and verified: with coarse meshes on two ranks, with --full with its own on one and two."""
+import argparse
 import json
 import pathlib
 import re
@@ -7,8 +10,17 @@ import xml.etree.ElementTree as xml
 
 from harness import arguments, check, finish, run, setting
 
-options = arguments("--new", "--solve", "--input", "--schema")
+parser = argparse.ArgumentParser()
+parser.add_argument("--full", action="store_true")
+options = arguments("--new", "--solve", "--input", "--schema", parser=parser)
 INPUT = pathlib.Path(options.input)
+HERE = pathlib.Path(__file__).resolve().parent
+# Constants that make meshes coarse.
+COARSE = {"arch": "h=.2", "bolted_joint": "h=2", "bracket": "h=3", "dovetail": "h=2", "graben": "size=4", "layers": "scale=2", "roller_bearing": "fine=.2",
+          "v7_punch": "resolution=10"}
+AXISYMMETRIC = {"bolted_joint"}
+# Contacts that are drawn to overlap, and by how much.
+OVERLAPS = {"bolted_joint": {"lower_seat on nut_seat": 0.08}, "shrink_fit": {"bore of the outer on outside of the inner": 0.02}}
 
 # Bodies and contacts of geometries, as those who drew them named them.
 KNOWN = {
@@ -35,6 +47,28 @@ def new(geometry, *words, ranks=1, scene="scene.xml"):
     return code, text, path
 
 
+def runs(geometry, ranks, *words):
+    """A geometry becomes a scene that is solved, verified, and in which something touches where contacts are proposed."""
+    name = geometry.stem
+    model = ["--model", "Axisymmetric"] if name in AXISYMMETRIC else []
+    code, text, path = new(geometry, *model, *words, "--force", scene=f"{name}.xml")
+    check(f"{name}: a scene", code, 0)
+    found = {contact: float(depth) for contact, depth in re.findall(r"contact: (.*), drawn to overlap by ([^ ,]+)", text)}
+    check(f"{name}: overlaps are told", found, lambda told: told.keys() == OVERLAPS.get(name, {}).keys() and
+          all(abs(depth - OVERLAPS[name][contact]) < .02 * depth for contact, depth in told.items()))
+    check(f"{name}: all is held", "does not run yet" in text, False)
+    for number in ranks:
+        code, text = run(options.solve, number, path, "--output", options.work / name)
+        check(f"{name}: the scene runs on {number} rank(s)", (code, "verified: forces, supports and contact hold" in text), (0, True))
+        summary = json.loads((options.work / name / "summary.json").read_text())
+        check(f"{name}: contact carries", summary["contact"]["active"] > 0, len(sublists(xml.parse(path).getroot(), "Contact")) > 0)
+
+
+if options.full:
+    for geometry in sorted(INPUT.rglob("*.geo")):
+        runs(geometry, (1, 2))
+    finish()
+
 # The documented scene runs as it is: a pressure of 1e6 on a width of 2 goes through the contact.
 code, text = run(options.schema, 1, "--format", "xml")
 documented = options.work / "documented.xml"
@@ -56,10 +90,12 @@ for name, (bodies, contacts, gap) in KNOWN.items():
     again = path.read_text()
     new(INPUT / name / f"{name}.geo", "--force", ranks=1, scene=f"{name}.xml")
     check(f"{name}: the same on one rank", path.read_text(), again)
-    code, text = run(options.solve, 2, path, "--output", options.work / name)
-    check(f"{name}: the scene runs", (code, "verified: forces, supports and contact hold" in text), (0, True))
-    summary = json.loads((options.work / name / "summary.json").read_text())
-    check(f"{name}: its contact carries", summary["contact"]["active"], lambda found: found > 0)
+
+# All geometries, and those of other tests: bodies that only contact holds, sides that several bodies share.
+for geometry in sorted(INPUT.rglob("*.geo")):
+    runs(geometry, (2,), *(["--constant", COARSE[geometry.stem]] if geometry.stem in COARSE else []))
+for name in ("loose_roller", "pile_of_discs", "shaft_in_plates", "shrink_fit"):
+    runs(HERE / f"{name}.geo", (2,))
 
 code, text, path = new(INPUT / "tunnel" / "tunnel.geo", scene="tunnel.xml")
 check("an existing scene is kept", (code, "--force to overwrite" in text), (3, True))
@@ -86,6 +122,30 @@ root = xml.parse(path).getroot()
 check("a group of all of it is the body", sorted(e.get("name") for e in sublists(root, "Bodies")), ["both", "lid"])
 check("its parts are offered as regions", [f'name="Group" type="string" value="{part}"' in path.read_text() for part in "ab"], [True, True])
 check("sides without a name that face another body are told", "with sides in no curve group: name these" in text, True)
+
+
+# What no rule can do is said, and the scene has the place to fill in.
+BLOCKS = """
+SetFactory("OpenCASCADE");
+Rectangle(1) = {0, 0, 0, 1, 1}; Rectangle(2) = {0, 1, 0, 1, 1};
+MeshSize{:} = .2;
+Physical Surface("a") = {1}; Physical Surface("b") = {2};
+a() = Boundary{ Surface{1}; }; b() = Boundary{ Surface{2}; };
+"""
+geometry = options.work / "blocks.geo"
+geometry.write_text(BLOCKS + 'Physical Curve("a_bottom") = {a(0)}; Physical Curve("a_top") = {a(2)};\n')
+code, text, path = new(geometry, scene="bare.xml")
+check("a body without a curve group is told", (code, "body 'b' has no curve group" in text, "FILL IN: body 'b'" in path.read_text()), (0, True, True))
+code, text = run(options.solve, 1, path, "--output", options.work / "bare")
+check("and named when it is solved", (code, "Bodies/b: nothing holds this body" in text), (3, True))
+geometry.write_text(BLOCKS)
+code, text, path = new(geometry, scene="nameless.xml")
+check("a geometry without curve groups has the place for a support", (code, "FILL IN: the geometry has no curve group" in path.read_text()), (0, True))
+geometry.write_text(BLOCKS + 'Physical Curve("around a") = {a()}; Physical Curve("around b") = {b()};\n')
+code, text, path = new(geometry, scene="corners.xml")
+check("a contact that suture_solve would refuse is left out, and why", (code, "left out of the scene: 'around a' turns by 90 degrees" in text), (0, True))
+code, text = run(options.solve, 1, path, "--output", options.work / "corners")
+check("its scene runs", code, 0)
 
 geometry.write_text("Point(1) = {0, 0, 0, .3}; Point(2) = {1, 0, 0, .3}; Point(3) = {0, 1, 0, .3}; Line(1) = {1, 2}; Line(2) = {2, 3}; "
                     "Line(3) = {3, 1}; Curve Loop(1) = {1, 2, 3}; Plane Surface(1) = {1}; Physical Curve(\"all\") = {1, 2, 3};")

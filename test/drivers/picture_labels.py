@@ -6,13 +6,18 @@
 Text boxes are asked of the renderer; marked places, named lines and signs are the artists with the group ids "marked", "named", "sign".
 """
 import json
+import re
 import shutil
 import sys
+import warnings
 from pathlib import Path
 
 from harness import arguments, check, finish, run
 
-SCENES = ("bracket", "tunnel", "pin", "layers", "rings", "hertz_sphere", "linear_square")
+SCENES = {"bracket": [], "tunnel": [], "pin": [], "layers": [], "rings": [], "hertz_sphere": [], "linear_square": [], "bolted_joint": [],
+          "arch": ["--set", "Mesh/Constants/h=.2"], "roller_bearing": ["--set", "Mesh/Constants/fine=.2"]}
+CROWDED = {"arch": {"joint *", "voussoir_*"}, "roller_bearing": {"inner *", "outer *", "pocket before *", "roller_*"}}  # families in scene.png
+MOST_PIXELS = 1800  # height of a picture as it is saved
 options = arguments("--solve", "--plot", "--input")
 sys.path.insert(0, str(Path(options.plot).resolve().parent))
 
@@ -102,6 +107,21 @@ def faults(figure):
     return found
 
 
+def shape(picture):
+    """Faults of a picture as a whole: its height, and a title wider than its axes."""
+    found = []
+    picture.figure.canvas.draw()
+    height = picture.figure.get_tightbbox().height * plt.rcParams["savefig.dpi"]
+    if height > MOST_PIXELS:
+        found.append(f"{height:.0f} pixels high")
+    axes = picture.figure.axes[0]
+    if axes._left_title.get_text():
+        wide, room = box_of(axes._left_title, picture.figure.canvas.get_renderer()).width, axes.get_window_extent().width
+        if wide > 1.02 * room and " " in axes._left_title.get_text():
+            found.append(f"title of {wide:.0f} pixels over axes of {room:.0f}")
+    return found
+
+
 def planted():
     """The check itself: a label on a marked place, and one on another, are found."""
     figure, axes = plt.subplots()
@@ -143,21 +163,33 @@ def study_table(folder, labels, logarithmic):
 
 
 check("a label on what it names is found", planted(), True)
-for scene in SCENES:
+warnings.simplefilter("error")  # raw text of a library
+for scene, words in SCENES.items():
     folder = options.work / scene
-    code, said = run(options.solve, 2, Path(options.input) / scene / f"{scene}.xml", "--output", folder)
+    code, said = run(options.solve, 2, Path(options.input) / scene / f"{scene}.xml", *words, "--output", folder)
     check(f"{scene} is solved", code, 0)
     names = []
     for picture in pictures(RunFolder(folder)):
         check(f"{scene}, {picture.name}: labels", faults(picture.figure), [])
+        check(f"{scene}, {picture.name}: shape", shape(picture) if picture.name != "convergence" else [], [])
         names.append(picture.name)
-        if picture.name == "scene":
+        if picture.name == "deformation":
+            told = "(interference is not)" in picture.figure.axes[0]._left_title.get_text()
+            check(f"{scene}: an interference that is drawn is told", (told, "is not enlarged" in picture.caption), (scene == "bolted_joint",) * 2)
+        if picture.name == "mesh":
+            labels = {text.get_text() for text in picture.figure.axes[0].texts}
+            missing = [name for name in RunFolder(folder).fields.side_groups if not {name, re.sub(r"\d+", "*", name)} & labels]
+            check(f"{scene}: sides are named, or the caption says which are not", [name for name in missing if name not in picture.caption], [])
+        if picture.name == "scene" and scene in CROWDED:
+            check(f"{scene}: families are named", CROWDED[scene] - {text.get_text() for text in picture.figure.axes[0].texts}, set())
+        if picture.name == "scene" and scene not in CROWDED:
             labels = {text.get_text() for text in picture.figure.axes[0].texts}
             given = RunFolder(folder).summary["parameters"]
             expected = {*given["Boundary Conditions"], *given["Contact"], *given["Bodies"]}
             check(f"{scene}: conditions, contacts and bodies are named", sorted(name for name in expected if len(name) <= 26 and name not in labels), [])
         plt.close(picture.figure)
     check(f"{scene}: pictures", {"scene", "mesh", "deformation", "von_mises", "principal_stress"} <= set(names), True)
+    check(f"{scene}: pages of contact lines", sum(name.startswith("contact") for name in names), {"arch": 2, "roller_bearing": 3, "linear_square": 0}.get(scene, 1))
 for picture in pictures(crowded(options.work / "crowded", options.work / "hertz_sphere")):
     check(f"crowded, {picture.name}: labels", faults(picture.figure), [])
     plt.close(picture.figure)

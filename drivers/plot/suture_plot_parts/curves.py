@@ -1,68 +1,11 @@
-"""Curves: contact.png, convergence.png, probe_*.png."""
-import math
-
+"""Curves: convergence.png, probe_*.png."""
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.ticker import MaxNLocator
 
 from .run import probe_table
-from .style import GAP_COLOUR, GREY, PALETTE, PRESSURE_COLOUR, shortened, wrapped
+from .style import GREY, PALETTE, wrapped
 from .units import scaled
-
-
-def contact_figure(run):
-    grid = run.contact
-    data = grid.point_data
-    names = list(run.parameter("Contact", default={}))
-    lines = sorted(set(zip(data["Piece"].tolist(), data["Line"].tolist())))
-    pressure_factor, pressure_unit = scaled(grid.units["ContactPressure"], np.nanmax(np.abs(data["ContactPressure"])))
-    gap_factor, gap_unit = scaled(grid.units["Gap"], max(np.nanmax(np.abs(data["Gap"])), 1e-12))
-    columns = min(len(lines), 3)
-    rows = math.ceil(len(lines) / columns)
-    width = max(3.6 * columns, 6.5)
-    figure, axes = plt.subplots(2 * rows, columns, figsize=(width, 4.2 * rows + 0.5), squeeze=False, constrained_layout=True)
-    figure.suptitle(wrapped(f"{run.title}: contact lines; filled: closed, hollow on grey: open{run.state}", int(13 * width)), fontsize=10, x=0.01, ha="left")
-    for extra in range(len(lines), rows * columns):
-        for k in range(2):
-            axes[2 * (extra // columns) + k][extra % columns].set_visible(False)
-    for number, (piece, line) in enumerate(lines):
-        above, below = (axes[2 * (number // columns) + k][number % columns] for k in range(2))
-        own = np.flatnonzero((data["Piece"] == piece) & (data["Line"] == line))
-        own = own[np.argsort(data["ArcLength"][own], kind="stable")]
-        arc, active = data["ArcLength"][own], data["Active"][own].astype(bool)
-        pressure, gap, initial = (data[name][own] for name in ("ContactPressure", "Gap", "InitialGap"))
-        name = names[int(line)] if 0 <= line < len(names) else f"line {line:g}"
-        pairs = f"{len(own)} pair{'s' if len(own) != 1 else ''}, {np.count_nonzero(~active)} open"
-        above.set_title(f"{shortened(name, 26 if columns > 1 else 60)}: {pairs}", loc="left", fontsize=9)
-        for axis, values, factor, colour in ((above, pressure, pressure_factor, PRESSURE_COLOUR), (below, gap, gap_factor, GAP_COLOUR)):
-            for first, end in runs(~active):
-                # An open pair stands for its surroundings half way to its neighbours.
-                a = arc[first] if first == 0 else 0.5 * (arc[first - 1] + arc[first])
-                b = arc[end - 1] if end == len(arc) else 0.5 * (arc[end - 1] + arc[end])
-                axis.axvspan(a, b, color="#e9e9e9", lw=0, zorder=0)
-            axis.axhline(0.0, color=GREY, lw=0.6, zorder=1)
-            axis.plot(arc, factor * values, color=colour, zorder=2)
-            axis.plot(arc[active], factor * values[active], "o", ms=3, color=colour, zorder=3)
-            axis.plot(arc[~active], factor * values[~active], "o", ms=3.5, mfc="white", mec=colour, zorder=4)
-            axis.margins(x=0.02)
-            axis.yaxis.set_major_locator(MaxNLocator(nbins=5))
-            axis.xaxis.set_major_locator(MaxNLocator(nbins=6))
-            # Rounding errors are not to be enlarged to the height of the picture.
-            if np.nanmax(np.abs(factor * values), initial=0.0) < 1e-6:
-                axis.set_ylim(-1, 1)
-        if np.nanmax(np.abs(initial), initial=0.0) > 1e-9 * max(arc.max(), 1e-300):
-            below.plot(arc, gap_factor * initial, ls="--", lw=0.9, color="#555555", label="initial gap")
-            below.legend(loc="lower right", bbox_to_anchor=(1.0, 1.0), borderaxespad=0.0, fontsize=8)
-        below.set_xlabel(f"arc length [{grid.units['ArcLength']}]")
-        above.set_ylabel(f"pressure [{pressure_unit}]")
-        below.set_ylabel(f"gap [{gap_unit}]")
-    return figure
-
-
-def runs(mask):
-    """(first, end) of each stretch of true values."""
-    edges = np.flatnonzero(np.diff(np.concatenate([[0], mask.astype(int), [0]])))
-    return list(zip(edges[::2], edges[1::2]))
 
 
 def probe_figure(run, path):

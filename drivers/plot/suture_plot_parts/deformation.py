@@ -21,15 +21,16 @@ def enlargement(run, factor):
 
 
 def deformation_figure(run, factor):
-    """\\return figure, enlargement"""
+    """\\return figure, enlargement, whether bodies are drawn into each other"""
     grid = run.fields
     u = grid.point_data["Displacement"]
     norm = np.linalg.norm(u, axis=1)
     factor = enlargement(run, factor)
     moved = grid.points + factor * u
     scale, name = scaled(run.length_unit, norm.max())
-    figure, axes = canvas(np.vstack([grid.points, moved]), f"{run.title}: deformation, enlarged {factor:g} times{run.state}", run.length_unit,
-                          extra=0.9, names=run.axes)
+    drawn_in = factor != 1 and has_interference(run)
+    words = f"{run.title}: deformation, enlarged {factor:g} times{' (interference is not)' if drawn_in else ''}{run.state}"
+    figure, axes = canvas(np.vstack([grid.points, moved]), words, run.length_unit, extra=0.9, names=run.axes)
     edges = edge_style(grid.count, 0.15)
     drawn = PolyCollection(grid.polygons(moved), array=grid.cell_means(scale * norm), cmap="viridis", **{"edgecolors": "#00000066", **edges})
     axes.add_collection(drawn)
@@ -43,4 +44,12 @@ def deformation_figure(run, factor):
                          Line2D([], [], color="#8a8a8a", lw=0.9, ls=(0, (4, 2)), label="undeformed")],
                 loc="upper center", bbox_to_anchor=(0.5, 0.0), ncol=2,
                 bbox_transform=offset_copy(axes.transAxes, fig=figure, y=-26.0, units="points"))  # below the label, however flat the axes
-    return figure, factor
+    return figure, factor, drawn_in
+
+
+def has_interference(run):
+    """Whether sides of contacts overlap before anything moves, by more than a thousandth of the largest displacement."""
+    if run.contact is None or not len(run.contact.points):
+        return False
+    largest = np.linalg.norm(run.fields.point_data["Displacement"], axis=1).max()
+    return bool(np.nanmin(run.contact.point_data["InitialGap"], initial=0.0) < -1e-3 * largest)

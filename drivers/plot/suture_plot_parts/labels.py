@@ -27,6 +27,7 @@ class LabelPlacer:
 
     def __init__(self, figure, axes):
         self.figure, self.axes, self.taken = figure, axes, []
+        self.left_out = []  # labels that found no place
         self.marks = np.zeros((0, 2))
         self.lines = np.zeros((0, 2))
         self.material = np.zeros((0, 2))
@@ -58,7 +59,8 @@ class LabelPlacer:
         self.material = np.vstack([self.material, self._inside(points)])
 
     def place(self, label, anchors, toward=None, least=0.0, centred=False, **style):
-        """Annotation of one of `anchors` (data coordinates), best first, with a line to it.
+        """Annotation of one of `anchors` (data coordinates), best first, with a line to it. None where it would cover another label or a
+        mark, or lie outside: it is left out.
 
         \\param toward   directions, one an anchor, in which the label is to lie
         \\param least    distance in points within which the anchor's surroundings stay visible
@@ -85,6 +87,10 @@ class LabelPlacer:
                 cost += self._cost(box, at if distance > 0 else None, not centred, best[0] - cost if best else math.inf)
                 if best is None or cost < best[0]:
                     best = (cost, anchor, offset, box)
+        if self._hides(best[3]):
+            artist.remove()
+            self.left_out.append(label)
+            return None
         artist.xy = tuple(best[1])
         artist.set_position(tuple(best[2] / self.points))
         self.taken.append(best[3])
@@ -113,6 +119,10 @@ class LabelPlacer:
                 return artist
         artist.remove()
         return None
+
+    def _hides(self, box):
+        return overlap(box, self.frame) < (1 - 1e-9) * box.width * box.height or any(overlap(box, other) > 0 for other in self.taken) or \
+            bool(within(box, self.marks).any())
 
     def _offsets(self, width, height, centred):
         if centred:

@@ -2,11 +2,13 @@
 import numpy as np
 from matplotlib.collections import LineCollection, PolyCollection
 
+from .families import families
 from .labels import LabelPlacer, along
 from .style import LINES, PALETTE, canvas, edge_style, halo, pale, shortened
 from .words import contacts
 
 MOST_NAMED_SUBDOMAINS = 150
+MOST_NAMED_GROUPS = 40
 
 
 def subdomain_colours(grid):
@@ -53,9 +55,14 @@ def inward(sides, distance):
 
 
 def mesh_figure(run):
+    """\\return figure, names of side groups that found no room"""
     grid = run.fields
     names, prefix = short_names(grid.names["Subdomains"])
-    few = len(grid.side_groups) <= 40
+    if len(names) > 1 and all(name.endswith(" 1") for name in names):  # one a body
+        names = [name[:-2] for name in names]
+    groups = {name: sides for name, sides in sorted(grid.side_groups.items()) if len(sides)}
+    labels = families(groups)
+    few = len(labels) <= MOST_NAMED_GROUPS
     title = f"{run.title}: {grid.count:,} elements, {len(names)} subdomain{'s' if len(names) != 1 else ''}" + (f" {prefix}*" if prefix else "")
     figure, axes = canvas(grid.points, title, run.length_unit, room=0.14 if few else 0.05, names=run.axes)
     colours = subdomain_colours(grid)
@@ -64,21 +71,19 @@ def mesh_figure(run):
     placer = LabelPlacer(figure, axes)
     placer.prefer_outside(grid.centroids[::max(1, grid.count // 4000)])
     size = np.ptp(grid.points[:, :2], axis=0).max()
-    shown = []
-    for i, (name, sides) in enumerate(sorted(grid.side_groups.items())):
-        if len(sides) == 0:
-            continue
-        colour = LINES[i % len(LINES)]
-        segments = inward(sides, 0.0022 * size)
-        axes.add_collection(LineCollection(segments, colors=[colour], linewidths=1.8, capstyle="round", zorder=3, gid="named"))
-        placer.keep_visible_lines(segments)
-        shown.append((name, sides, colour))
+    colours = {}
+    for i, (label, members) in enumerate(labels.items()):
+        colours[label] = LINES[i % len(LINES)]
+        for name in members:
+            segments = inward(groups[name], 0.0022 * size)
+            axes.add_collection(LineCollection(segments, colors=[colours[label]], linewidths=1.8, capstyle="round", zorder=3, gid="named"))
+            placer.keep_visible_lines(segments)
     # The name of a side of a contact lies in its own body, that of another side outside.
     within = {group for contact in contacts(run) if contact.obstacle == "None" for group in contact.side_a + contact.side_b}
     if few:
-        for name, sides, colour in shown:
-            anchors, outward = along(sides, [0.5, 0.35, 0.65, 0.2, 0.8])
-            placer.place(shortened(name), anchors, toward=-outward if name in within else outward, color=colour, fontsize=8, weight="bold",
+        for label, members in labels.items():
+            anchors, toward = anchors_of([groups[name] for name in members])
+            placer.place(shortened(label), anchors, toward=-toward if members[0] in within else toward, color=colours[label], fontsize=8, weight="bold",
                          path_effects=halo(), zorder=5)
     if len(names) <= MOST_NAMED_SUBDOMAINS:
         subdomain = grid.cell_data["Subdomain"].astype(int)
@@ -87,4 +92,13 @@ def mesh_figure(run):
             if len(own) == 0:
                 continue
             placer.place_within(shortened(name), own, fontsize=8 if len(names) <= 40 else 6, weight="bold", path_effects=halo())
-    return figure
+    return figure, placer.left_out if few else list(labels)
+
+
+def anchors_of(members):
+    """Places for the label of side groups, best first, with the normals out of the body: five on one, or the middles of some of many."""
+    if len(members) == 1:
+        return along(members[0], [0.5, 0.35, 0.65, 0.2, 0.8])
+    order = np.unique(np.linspace(0, len(members) - 1, 7).astype(int))
+    points, normals = zip(*(along(members[i], [0.5]) for i in sorted(order, key=lambda i: abs(i - len(members) // 2))))
+    return np.concatenate(points), np.concatenate(normals)

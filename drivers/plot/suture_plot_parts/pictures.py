@@ -3,7 +3,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from .curves import contact_figure, convergence_figure, probe_figure
+from .contact import contact_figures
+from .curves import convergence_figure, probe_figure
 from .deformation import deformation_figure
 from .mesh import mesh_figure
 from .region import region_of_interest
@@ -23,14 +24,19 @@ class Picture:
 def pictures(run, factor=None, zoom=None):
     """Each picture as soon as it is drawn: whoever saves it closes it."""
     if run.fields is not None:
+        figure, left_out = scene_figure(run)
         yield Picture("scene", "mesh", "Orange: loads. Green: supports; open triangles hold one direction and slide along the other, filled ones "
                       "hold both, hollow arrows are given displacements. Thick lines: sides of contacts, each just inside its own body. Lengths of "
-                      "arrows mean nothing.", scene_figure(run))
-        yield Picture("mesh", "mesh", "Subdomains, each in a colour of its own, and named sides. Names that find no room are left out.",
-                      mesh_figure(run))
-        figure, used = deformation_figure(run, factor)
+                      "arrows mean nothing." + told(left_out), figure)
+        figure, left_out = mesh_figure(run)
+        yield Picture("mesh", "mesh", "Subdomains, each in a colour of its own, and named sides. Names of subdomains that find no room are left out." +
+                      told(left_out), figure)
+        figure, used, drawn_in = deformation_figure(run, factor)
         seem = "" if used == 1 else (f" Displacements are enlarged {used:g} times, so that bodies may seem to overlap or to part: the gaps are "
                                      "those of the section on contact.")
+        if drawn_in:
+            seem += (" An interference that is drawn or given is not enlarged with them: sides that are pressed apart by it seem to part, although they "
+                     "touch.")
         yield Picture("deformation", "deformation", f"Deformed bodies, coloured by the norm of the displacement; dashed: undeformed.{seem}", figure)
         yield Picture("von_mises", "von_mises", von_mises_caption(run), von_mises_figure(run))
         region = (*zoom, f"x {zoom[0]:g} to {zoom[1]:g}, y {zoom[2]:g} to {zoom[3]:g}") if zoom else region_of_interest(run)
@@ -41,8 +47,9 @@ def pictures(run, factor=None, zoom=None):
             yield Picture("principal_stress_zoom", "principal", f"The same {'in' if zoom else ''} {region[4]}.".replace("  ", " "),
                           crosses_figure(run, region))
         if run.contact is not None and len(run.contact.points):
-            yield Picture("contact", "contact", "Contact pressure and gap along each contact line. Filled: closed pairs; hollow on grey: open ones.",
-                          contact_figure(run))
+            for number, (part, figure) in enumerate(contact_figures(run)):
+                yield Picture("contact" if number == 0 else f"contact_{number + 1}", "contact", "Contact pressure and gap along each contact line. "
+                              f"Filled: closed pairs; hollow on grey: open ones.{part}", figure)
     if run.history:
         yield Picture("convergence", "convergence", "Residual, conjugate gradient iterations (PCG) and pairs that changed between closed and open, "
                       "in each outer iteration.", convergence_figure(run))
@@ -51,6 +58,14 @@ def pictures(run, factor=None, zoom=None):
             figure = probe_figure(run, path)
             if figure:
                 yield Picture(path.stem, "probes", f"Values along the probe '{path.stem[len('probe_'):]}'.", figure)
+
+
+def told(left_out):
+    """A sentence on names that a picture does not show."""
+    if not left_out:
+        return ""
+    names = ", ".join(left_out[:12]) + (f" and {len(left_out) - 12} more" if len(left_out) > 12 else "")
+    return f" Not named, for want of room: {names}."
 
 
 def missing(run):

@@ -1,4 +1,6 @@
 """scene.png: bodies, loads, supports and contacts as in an engineering drawing."""
+import re
+
 import numpy as np
 from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.legend_handler import HandlerBase
@@ -6,11 +8,16 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 from matplotlib.transforms import offset_copy
 
+from .families import families, pattern
 from .labels import LabelPlacer, along
 from .mesh import inward
 from .style import LINES, LOAD, PALETTE, SUPPORT, canvas, edge_style, halo, pale, shortened, wrapped
 from .symbols import Symbols
 from .words import conditions, contacts
+
+
+NUMBER = re.compile(r"(\d+)")
+MOST_ROWS = 24
 
 
 class Drawing:
@@ -107,8 +114,13 @@ class Drawing:
             normal /= np.hypot(*normal)
             middle = 0.5 * (self.grid.points.min(axis=0) + self.grid.points.max(axis=0))[:2]
             foot = middle - normal * (normal @ (middle - np.array(of["Point"][:2], dtype=float)))
-            reach = np.arange(-0.6 * self.extent.sum(), 0.6 * self.extent.sum(), step)
-            self.signs.surface(foot + reach[:, None] * np.array([-normal[1], normal[0]]), np.broadcast_to(-normal, (len(reach), 2)), colour)
+            # As long as the side before it asks for.
+            along_it = np.array([-normal[1], normal[0]])
+            sides = [self.grid.side_groups[group] for group in contact.side_a if len(self.grid.side_groups.get(group, []))]
+            places = (np.concatenate(sides)[:, 0:2] - foot) @ along_it if sides else np.zeros(1)
+            beyond = 0.25 * np.ptp(places) + 0.8 * self.signs.size
+            reach = np.arange(places.min() - beyond, places.max() + beyond, step)
+            self.signs.surface(foot + reach[:, None] * along_it, np.broadcast_to(-normal, (len(reach), 2)), colour)
 
     def elsewhere(self, condition):
         """Loads on bodies and at points. \\return anchors for the name, none of what has no sign"""
@@ -157,11 +169,14 @@ class Sign:
 
 
 def scene_figure(run):
+    """\\return figure, names that found no room"""
     grid = run.fields
-    longest = max((len(shortened(name, 26)) for name in [c.name for c in conditions(run)]), default=0)
+    given, touching, bodies = conditions(run), contacts(run), grid.names["Bodies"]
+    total = len(given) + len(touching) + len(bodies)
+    longest = max((len(shortened(name, 26)) for name in families([c.name for c in given], total)), default=0)
     figure, axes = canvas(grid.points, f"{run.title}: loads, supports and contacts", run.length_unit, room=(0.12 + 0.012 * longest, 0.17),
                           names=run.axes)
-    bodies, size = grid.names["Bodies"], np.ptp(grid.points[:, :2], axis=0).max()
+    size = np.ptp(grid.points[:, :2], axis=0).max()
     colours = [pale(PALETTE[i % 7]) for i in range(len(bodies))]
     axes.add_collection(PolyCollection(grid.outlines, facecolors=[colours[b] for b in grid.cell_data["Body"].astype(int).tolist()],
                                        **{"edgecolors": "#00000016", **edge_style(grid.count, 0.12)}))
@@ -169,47 +184,72 @@ def scene_figure(run):
     axes.add_collection(LineCollection(outline, colors="#444444", linewidths=0.8, zorder=2))
     drawing = Drawing(run, axes)
     named, handles, texts = [], [], []  # named: label, anchors, colour
-    for condition in sorted(conditions(run), key=lambda c: not c.support):  # supports stand at the side, loads behind them
-        anchors = drawing.on_sides(condition) if condition.groups else drawing.elsewhere(condition)
-        colour = SUPPORT if condition.support else LOAD
-        if len(anchors):
-            named.append((condition.name, thinned(anchors), colour))
-        handles.append(Sign(condition) if len(anchors) else Patch(facecolor="none", edgecolor="none"))
-        texts.append(condition.sentence() + ("" if len(anchors) else " (not drawn)"))
+    given.sort(key=lambda c: not c.support)  # supports stand at the side, loads behind them
+    for label, members in grouped(given, total):
+        anchors = [thinned(found) for found in (drawing.on_sides(c) if c.groups else drawing.elsewhere(c) for c in members) if len(found)]
+        if anchors:
+            named.append((label, anchors[len(anchors) // 2], SUPPORT if members[0].support else LOAD))
+        handles.append(Sign(members[0]) if anchors else Patch(facecolor="none", edgecolor="none"))
+        texts.append(in_common([c.sentence(short=True) for c in members]) + ("" if anchors else " (not drawn)"))
     lines = []
-    for number, contact in enumerate(contacts(run)):
+    for number, (label, members) in enumerate(grouped(touching, total)):
         colour = LINES[number % len(LINES)]
         anchors = []
-        drawing.obstacle(contact, colour)
-        for side, strength in ((contact.side_a, 1.0), (contact.side_b, 0.55)):
-            for group in side:
-                sides = grid.side_groups.get(group)
-                if sides is None or len(sides) == 0:
-                    continue
-                segments = inward(sides, 0.004 * size)
-                axes.add_collection(LineCollection(segments, colors=[colour], linewidths=2.4, alpha=strength, zorder=5, gid="named"))
-                lines.append(segments)
-                anchors.extend(along(sides, [0.5, 0.3, 0.7, 0.15, 0.85])[0])
+        for contact in members:
+            drawing.obstacle(contact, colour)
+            for side, strength in ((contact.side_a, 1.0), (contact.side_b, 0.55)):
+                for sides in (grid.side_groups.get(group, []) for group in side):
+                    if len(sides) == 0:
+                        continue
+                    segments = inward(sides, 0.004 * size)
+                    axes.add_collection(LineCollection(segments, colors=[colour], linewidths=2.4, alpha=strength, zorder=5, gid="named"))
+                    lines.append(segments)
+                    anchors.append(along(sides, [0.5, 0.3, 0.7, 0.15, 0.85])[0])
         if anchors:
-            named.append((contact.name, anchors[:5], colour))
+            some = anchors if len(members) == 1 else thinned([found[0] for found in anchors])[:, None]
+            named.append((label, np.concatenate(list(some))[:5], colour))
         handles.append(Line2D([], [], color=colour, lw=2.4))
-        texts.append(f"{contact.name}: A {', '.join(contact.side_a)} (strong), " +
-                     (f"B {contact.partner()} (pale)" if contact.obstacle == "None" else contact.partner()))
+        texts.append(in_common([f"{c.name}: A {', '.join(c.side_a)} (strong), " + (f"B {c.partner()} (pale)" if c.obstacle == "None" else c.partner())
+                                for c in members]))
     legend(figure, axes, handles, texts)
     placer = LabelPlacer(figure, axes)
+    if axes.get_legend():
+        axes.get_legend().set_in_layout(True)  # the layout is final; the saved picture holds the legend
     for segments in (drawing.signs.everything(), *lines):
         placer.keep_visible_lines(segments)
     placer.prefer_outside(grid.centroids[::max(1, grid.count // 3000)])
     placer.keep_off(outline)
     for name, anchors, colour in named:
         placer.place(shortened(name, 26), anchors, color=colour, fontsize=9, weight="bold", path_effects=halo(), zorder=8)
-    for number, body in enumerate(bodies):
-        own = grid.centroids[grid.cell_data["Body"] == number]
-        if len(own):
+    for label, members in families(bodies, total).items():
+        parts = [grid.centroids[grid.cell_data["Body"] == bodies.index(body)] for body in members]
+        parts = [own for own in parts if len(own)]
+        if len(parts) == 1:
+            own = parts[0]
             anchors = [own[np.argmin(np.hypot(*(own - own.mean(axis=0) - shift).T))]
                        for shift in np.array([[0, 0], [0.2, 0.2], [-0.2, -0.2], [-0.2, 0.2], [0.2, -0.2]]) * np.ptp(own, axis=0)]
-            placer.place(shortened(body), anchors, centred=True, fontsize=9, style="italic", color="#333333", path_effects=halo(), zorder=7)
-    return figure
+        else:
+            anchors = thinned([own[np.argmin(np.hypot(*(own - own.mean(axis=0)).T))] for own in parts]) if parts else []
+        if len(anchors):
+            placer.place(shortened(label), anchors, centred=True, fontsize=9, style="italic", color="#333333", path_effects=halo(), zorder=7)
+    return figure, placer.left_out
+
+
+def grouped(things, total):
+    """[(label, things)]: families of conditions or contacts, those of one kind together."""
+    named = {thing.name: thing for thing in things}
+    return [(label, [named[name] for name in names]) for label, names in families(named, total).items()]
+
+
+def in_common(sentences):
+    """One sentence on all members of a family: with * for numbers that differ, and of longer lists the beginning."""
+    if len(sentences) == 1:
+        return sentences[0]
+    first = sentences[0]
+    if len({pattern(sentence) for sentence in sentences}) > 1:
+        return f"{pattern(first.split(':')[0])}: {len(sentences)} of them, such as {first}"
+    words = [list(row) for row in zip(*(NUMBER.split(sentence) for sentence in sentences))]
+    return "".join(row[0] if len(set(row)) == 1 else "*" for row in words)
 
 
 def thinned(anchors):
@@ -220,10 +260,15 @@ def thinned(anchors):
 
 
 def legend(figure, axes, handles, texts):
-    """Below the axes, in one column: names are long."""
+    """Below the axes, in one column, since names are long; it takes no room from the axes."""
     if not handles:
         return
-    width = int(figure.get_figwidth() * 13.5)
-    axes.legend(handles, [wrapped(text, width) for text in texts], handler_map={Sign: SignHandler()}, loc="upper left",
-                bbox_to_anchor=(0.0, 0.0), bbox_transform=offset_copy(axes.transAxes, fig=figure, y=-30.0, units="points"), fontsize=8,
-                borderaxespad=0.0, handlelength=1.8, labelspacing=0.35)
+    if len(texts) > MOST_ROWS:
+        left = len(texts) - MOST_ROWS + 1
+        handles = [*handles[:MOST_ROWS - 1], Patch(facecolor="none", edgecolor="none")]
+        texts = [*texts[:MOST_ROWS - 1], f"and {left} more, which report.html lists"]
+    width = int(max(figure.get_figwidth(), 5.0) * 13.5)
+    drawn = axes.legend(handles, [wrapped(text, width) for text in texts], handler_map={Sign: SignHandler()}, loc="upper left",
+                        bbox_to_anchor=(0.0, 0.0), bbox_transform=offset_copy(axes.transAxes, fig=figure, y=-30.0, units="points"), fontsize=8,
+                        borderaxespad=0.0, handlelength=1.8, labelspacing=0.35)
+    drawn.set_in_layout(False)

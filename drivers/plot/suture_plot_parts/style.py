@@ -4,6 +4,7 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
+from matplotlib.font_manager import FontProperties
 from matplotlib.patheffects import withStroke
 
 # Okabe and Ito's palette, told apart by every kind of colour vision.
@@ -40,7 +41,7 @@ def canvas(points, title, unit, extra=0.0, room=0.03, names=("x", "y")):
     aspect = (high[1] - low[1]) / (high[0] - low[0])
     width = WIDEST - extra - 1.0
     if width * aspect > HIGHEST:
-        width = max(HIGHEST / aspect, 3.5)
+        width = max(HIGHEST / aspect, 2.5)
     height = min(max(width * aspect, 1.8), HIGHEST)
     figure, axes = plt.subplots(figsize=(width + extra + 1.0, height + 1.1), constrained_layout=True)
     axes.set_aspect("equal")
@@ -50,8 +51,23 @@ def canvas(points, title, unit, extra=0.0, room=0.03, names=("x", "y")):
     axes.locator_params(axis="y", nbins=max(3, min(9, int(height / 0.45))))
     axes.set_xlabel(f"{names[0]} [{unit}]")
     axes.set_ylabel(f"{names[1]} [{unit}]")
-    axes.set_title(wrapped(title, int(15 * (width + extra))), loc="left")
+    axes.set_title(fitted(figure, title, min(width, height / aspect)), loc="left")
     return figure, axes
+
+
+def fitted(figure, text, inches):
+    """The text of a title with line ends between words, so that no line is wider."""
+    renderer = figure.canvas.get_renderer()
+    font = FontProperties(size=plt.rcParams["axes.titlesize"])
+    lines = []
+    for word in text.split():
+        longer = f"{lines[-1]} {word}" if lines else word
+        if lines and renderer.get_text_width_height_descent(longer, font, False)[0] <= inches * figure.dpi:
+            lines[-1] = longer
+        else:
+            lines.append(word)
+    # Words longer than a line are broken by their number of characters.
+    return "\n".join(part for line in lines for part in wrapped(line, max(int(11 * inches), len(line) if " " in line else 0)).split("\n")) or text
 
 
 def wrapped(text, width):

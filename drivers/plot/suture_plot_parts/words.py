@@ -1,6 +1,7 @@
 """The scene in words, from its resolved parameters."""
 import numpy as np
 
+from .families import CROWD, families
 from .grid import WORDS
 from .units import vector
 
@@ -78,15 +79,16 @@ class Condition:
         extra = f", about {vector(self.given['Point'])}" if self.type == "Rotation" and self.given.get("Point") else ""
         return vector(self.value) + unit + extra
 
-    def place(self):
+    def place(self, short=False):
+        """\\param short  many groups by families"""
         if self.type == "Point Force":
             return f"at {vector(self.given.get('Point', []))}"
         if self.groups:
-            return ", ".join(self.groups)
+            return ", ".join(families(self.groups, CROWD + 1) if short and len(self.groups) > 6 else self.groups)
         return f"body {self.body}" if self.body else "all bodies"
 
-    def sentence(self):
-        return f"{self.name}: {self.type}, {self.amount()}, {'on ' if self.groups else ''}{self.place()}"
+    def sentence(self, short=False):
+        return f"{self.name}: {self.type}, {self.amount()}, {'on ' if self.groups else ''}{self.place(short)}"
 
 
 def conditions(run):

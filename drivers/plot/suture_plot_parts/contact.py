@@ -1,0 +1,86 @@
+"""contact.png, contact_2.png, ...: pressure and gap along each contact line."""
+import math
+
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.ticker import MaxNLocator
+
+from .style import GAP_COLOUR, GREY, PRESSURE_COLOUR, shortened, wrapped
+from .units import scaled
+
+FEW = 6  # lines on one page of large panels; more of them are spread evenly over pages of small ones
+MOST = 12
+
+
+def contact_figures(run):
+    """Pages of the picture: [(words on its part, figure)], drawn as they are asked for."""
+    data = run.contact.point_data
+    lines = sorted(set(zip(data["Piece"].tolist(), data["Line"].tolist())))
+    pages = 1 if len(lines) <= FEW else math.ceil(len(lines) / MOST)
+    each = math.ceil(len(lines) / pages)
+    for page in range(pages):
+        words = "" if pages == 1 else f" Lines {page * each + 1} to {min((page + 1) * each, len(lines))} of {len(lines)}."
+        yield words, contact_figure(run, lines[page * each:(page + 1) * each], len(lines) > FEW, f", part {page + 1} of {pages}" if pages > 1 else "")
+
+
+def contact_figure(run, lines, small, part):
+    grid, data = run.contact, run.contact.point_data
+    names = list(run.parameter("Contact", default={}))
+    pressure_factor, pressure_unit = scaled(grid.units["ContactPressure"], np.nanmax(np.abs(data["ContactPressure"])))
+    gap_factor, gap_unit = scaled(grid.units["Gap"], max(np.nanmax(np.abs(data["Gap"])), 1e-12))
+    columns = min(len(lines), 4 if small else 3)
+    rows = math.ceil(len(lines) / columns)
+    width, height = (max(2.9 * columns, 6.5), 3.1 * rows) if small else (max(3.6 * columns, 6.5), 4.2 * rows)
+    figure, axes = plt.subplots(2 * rows, columns, figsize=(width, height + 0.5), squeeze=False, constrained_layout=True)
+    figure.suptitle(wrapped(f"{run.title}: contact lines{part}; filled: closed, hollow on grey: open{run.state}", int(13 * width)), fontsize=10, x=0.01,
+                    ha="left")
+    for extra in range(len(lines), rows * columns):
+        for k in range(2):
+            axes[2 * (extra // columns) + k][extra % columns].set_visible(False)
+    for number, (piece, line) in enumerate(lines):
+        row, column = divmod(number, columns)
+        above, below = axes[2 * row][column], axes[2 * row + 1][column]
+        own = np.flatnonzero((data["Piece"] == piece) & (data["Line"] == line))
+        own = own[np.argsort(data["ArcLength"][own], kind="stable")]
+        arc, active = data["ArcLength"][own], data["Active"][own].astype(bool)
+        pressure, gap, initial = (data[name][own] for name in ("ContactPressure", "Gap", "InitialGap"))
+        name = names[int(line)] if 0 <= line < len(names) else f"line {line:g}"
+        pairs = f"{len(own)} pair{'s' if len(own) != 1 else ''}, {np.count_nonzero(~active)} open"
+        above.set_title(f"{shortened(name, 20 if small else 26 if columns > 1 else 60)}: {pairs}", loc="left", fontsize=8 if small else 9)
+        for axis, values, factor, colour in ((above, pressure, pressure_factor, PRESSURE_COLOUR), (below, gap, gap_factor, GAP_COLOUR)):
+            curve(axis, arc, factor * values, active, colour, small)
+        if np.nanmax(np.abs(initial), initial=0.0) > 1e-9 * max(arc.max(), 1e-300):
+            below.plot(arc, gap_factor * initial, ls="--", lw=0.9, color="#555555", label="initial gap")
+            if not small or number == 0:
+                below.legend(loc="lower right", bbox_to_anchor=(1.0, 1.0), borderaxespad=0.0, fontsize=8)
+        if not small or number + columns >= len(lines):
+            below.set_xlabel(f"arc length [{grid.units['ArcLength']}]")
+        if not small or column == 0:
+            above.set_ylabel(f"pressure [{pressure_unit}]")
+            below.set_ylabel(f"gap [{gap_unit}]")
+    return figure
+
+
+def curve(axis, arc, values, active, colour, small):
+    """One panel: values along the line, closed and open pairs told apart."""
+    for first, end in runs(~active):
+        # An open pair stands for its surroundings half way to its neighbours.
+        a = arc[first] if first == 0 else 0.5 * (arc[first - 1] + arc[first])
+        b = arc[end - 1] if end == len(arc) else 0.5 * (arc[end - 1] + arc[end])
+        axis.axvspan(a, b, color="#e9e9e9", lw=0, zorder=0)
+    axis.axhline(0.0, color=GREY, lw=0.6, zorder=1)
+    axis.plot(arc, values, color=colour, zorder=2)
+    axis.plot(arc[active], values[active], "o", ms=2 if small else 3, color=colour, zorder=3)
+    axis.plot(arc[~active], values[~active], "o", ms=2.5 if small else 3.5, mfc="white", mec=colour, zorder=4)
+    axis.margins(x=0.02)
+    axis.yaxis.set_major_locator(MaxNLocator(nbins=4 if small else 5))
+    axis.xaxis.set_major_locator(MaxNLocator(nbins=5 if small else 6))
+    # Rounding errors are not to be enlarged to the height of the picture.
+    if np.nanmax(np.abs(values), initial=0.0) < 1e-6:
+        axis.set_ylim(-1, 1)
+
+
+def runs(mask):
+    """(first, end) of each stretch of true values."""
+    edges = np.flatnonzero(np.diff(np.concatenate([[0], mask.astype(int), [0]])))
+    return list(zip(edges[::2], edges[1::2]))
