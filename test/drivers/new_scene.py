@@ -94,6 +94,7 @@ for name, (bodies, contacts, gap) in KNOWN.items():
 # All geometries, and those of other tests: bodies that only contact holds, sides that several bodies share.
 for geometry in sorted(INPUT.rglob("*.geo")):
     runs(geometry, (2,), *(["--constant", COARSE[geometry.stem]] if geometry.stem in COARSE else []))
+check("sides in a plane of symmetry are found", 'value="{ring_cut, roller_0_cut, shaft_cut}"' in (options.work / "roller_bearing.xml").read_text(), True)
 for name in ("loose_roller", "pile_of_discs", "shaft_in_plates", "shrink_fit"):
     runs(HERE / f"{name}.geo", (2,))
 
