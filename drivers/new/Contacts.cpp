@@ -229,18 +229,34 @@ Contacts proposeContacts(const Mesh& mesh, const std::vector<Group>& groups) {
   // Once a pair of bodies; sides beyond the ends of a proposed contact face each other, too, and are none of it.
   std::set<std::pair<int, int>> told;
   for (const auto& [pair, facing] : found) told.insert(std::minmax(groups[pair.first].body, groups[pair.second].body));
-  const auto tell = [&](int body, int other, const Facing& there) {
-    if (there.nodes < kFewest || !told.insert(std::minmax(body, other)).second) return;
-    result.notes.push_back("'" + mesh.bodies[body] + "' and '" + mesh.bodies[other] + "' face each other near " +
-                           placeText(there.place, mesh.dimension) + " with sides in no curve group: name these, if they may touch");
+  struct Unusable {
+    int body;
+    Face face;
+    std::string why;
   };
-  const std::map<int, std::vector<Side>> unnamed = unnamedSides(mesh, groups);
-  for (const auto& [body, sides] : unnamed) {
-    const Face face(mesh, sides);
+  std::vector<Unusable> unusable;
+  for (const auto& [body, sides] : unnamedSides(mesh, groups))
+    unusable.push_back({body, Face(mesh, sides), "in no curve group: name these, if they may touch"});
+  for (const Group& group : groups) {
+    std::map<int, std::vector<Side>> parts;
+    for (const Side& side : group.all) parts[mesh.bodyOfElement[side.element]].push_back(side);
+    if (parts.size() < 2) continue;
+    for (const auto& [body, sides] : parts)
+      unusable.push_back(
+          {body, Face(mesh, sides), "in the curve group '" + group.name + "', which is on several bodies: name each side of a contact"});
+  }
+  const auto tell = [&](const Unusable& one, int other, const Face& face) {
+    if (one.body == other) return;
+    const Facing there = facing(one.face, face, reach(one.body, other));
+    if (there.nodes < kFewest || !told.insert(std::minmax(one.body, other)).second) return;
+    result.notes.push_back("'" + mesh.bodies[one.body] + "' and '" + mesh.bodies[other] + "' face each other near " +
+                           placeText(there.place, mesh.dimension) + " with sides " + one.why);
+  };
+  for (const Unusable& one : unusable) {
     for (std::size_t j = 0; j < groups.size(); ++j)
-      if (faces[j] && groups[j].body != body) tell(body, groups[j].body, facing(face, *faces[j], reach(body, groups[j].body)));
-    for (const auto& [other, theirs] : unnamed)
-      if (other > body) tell(body, other, facing(face, Face(mesh, theirs), reach(body, other)));
+      if (faces[j]) tell(one, groups[j].body, *faces[j]);
+    for (const Unusable& other : unusable)
+      if (other.body > one.body) tell(one, other.body, other.face);
   }
   return result;
 }

@@ -1,8 +1,11 @@
 #include "SceneText.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <set>
 #include <sstream>
 #include <suture/base/Errors.hpp>
+#include <suture/base/Point.hpp>
 #include <suture/base/scene/Xml.hpp>
 
 namespace suture::proposal {
@@ -134,6 +137,33 @@ void materials(Writer& out, const NewScene& scene) {
   out.close();
 }
 
+/// Groups on one straight edge of the whole geometry, on several bodies: perhaps a plane of symmetry. An example for each edge.
+void symmetries(Writer& out, const NewScene& scene) {
+  Point low = scene.boxes[0].first, high = scene.boxes[0].second;
+  for (const auto& [least, most] : scene.boxes)
+    for (int k = 0; k < scene.dimension; ++k) {
+      low[k] = std::min(low[k], least[k]);
+      high[k] = std::max(high[k], most[k]);
+    }
+  const double rounding = 1e-9 * norm(minus(high, low));
+  for (int k = 0; k < scene.dimension; ++k)
+    for (const double edge : {low[k], high[k]}) {
+      std::vector<std::string> names;
+      std::set<int> bodies;
+      for (const Group& group : scene.groups)
+        if (std::abs(group.low[k] - edge) < rounding && std::abs(group.high[k] - edge) < rounding) {
+          names.push_back(group.name);
+          bodies.insert(group.bodies.begin(), group.bodies.end());
+        }
+      if (bodies.size() < 2) continue;
+      const std::string list = names.size() == 1 ? escaped(names[0]) : escaped(array(names));
+      out.example(
+          std::string("if ") + "xyz"[k] + " = " + number(edge) + " is a plane of symmetry:",
+          {"<ParameterList name=\"symmetry\">", "  " + inComment(entry("Group", names.size() == 1 ? "string" : "Array(string)", list)),
+           "  " + entry("Type", "string", "Bilateral"), "</ParameterList>"});
+    }
+}
+
 void conditions(Writer& out, const NewScene& scene) {
   out.open("Boundary Conditions");
   const Supports& supports = scene.supports;
@@ -153,9 +183,9 @@ void conditions(Writer& out, const NewScene& scene) {
   }
   if (!supports.pushed.empty()) {
     out.comment(std::string("FILL IN: a stand-in for the loads. It ") +
-                (scene.contacts.all.empty() ? "presses the body together by a thousandth of its size."
-                 : supports.byForce         ? "pushes the body into contact, by a force, since all its sides may touch."
-                                            : "pushes the body into contact, by the gap and a thousandth of its size."));
+                (supports.pushedBody == supports.heldBody ? "presses the body together by a thousandth of its size."
+                 : supports.byForce                       ? "pushes the body into contact, by a force, since all its sides may touch."
+                                                          : "pushes the body into contact, by the gap and a thousandth of its size."));
     out.open("push " + supports.pushedBody);
     out.parameter("Group", "string", supports.pushed);
     out.parameter("Type", "string", supports.byForce ? "Force" : "Displacement");
@@ -184,6 +214,7 @@ void conditions(Writer& out, const NewScene& scene) {
                 {"<ParameterList name=\"keep " + escaped(body) + "\">", "  " + entry("Group", "string", "..."),
                  "  " + entry("Type", "string", "Elastic Support"), "  " + entry("Normal Stiffness", "double", number(supports.stiffness)),
                  "  " + entry("Tangential Stiffness", "double", number(supports.stiffness)), "</ParameterList>"});
+  symmetries(out, scene);
   out.example(
       "the other kinds, each with the Group it acts on:",
       {"<ParameterList name=\"roller\">", "  " + entry("Group", "string", "..."),

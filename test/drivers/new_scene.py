@@ -94,6 +94,7 @@ for name, (bodies, contacts, gap) in KNOWN.items():
 # All geometries, and those of other tests: bodies that only contact holds, sides that several bodies share.
 for geometry in sorted(INPUT.rglob("*.geo")):
     runs(geometry, (2,), *(["--constant", COARSE[geometry.stem]] if geometry.stem in COARSE else []))
+check("sides in a plane of symmetry are found", 'value="{ring_cut, roller_0_cut, shaft_cut}"' in (options.work / "roller_bearing.xml").read_text(), True)
 for name in ("loose_roller", "pile_of_discs", "shaft_in_plates", "shrink_fit"):
     runs(HERE / f"{name}.geo", (2,))
 
@@ -141,6 +142,9 @@ check("and named when it is solved", (code, "Bodies/b: nothing holds this body" 
 geometry.write_text(BLOCKS)
 code, text, path = new(geometry, scene="nameless.xml")
 check("a geometry without curve groups has the place for a support", (code, "FILL IN: the geometry has no curve group" in path.read_text()), (0, True))
+geometry.write_text(BLOCKS + 'Physical Curve("joint") = {a(2), b(0)}; Physical Curve("bottom") = {a(0)};\\n')
+code, text, path = new(geometry, scene="shared.xml")
+check("one group for both sides of a contact is told", (code, "in the curve group 'joint', which is on several bodies" in text), (0, True))
 geometry.write_text(BLOCKS + 'Physical Curve("around a") = {a()}; Physical Curve("around b") = {b()};\n')
 code, text, path = new(geometry, scene="corners.xml")
 check("a contact that suture_solve would refuse is left out, and why", (code, "left out of the scene: 'around a' turns by 90 degrees" in text), (0, True))
