@@ -142,7 +142,7 @@ check("and named when it is solved", (code, "Bodies/b: nothing holds this body" 
 geometry.write_text(BLOCKS)
 code, text, path = new(geometry, scene="nameless.xml")
 check("a geometry without curve groups has the place for a support", (code, "FILL IN: the geometry has no curve group" in path.read_text()), (0, True))
-geometry.write_text(BLOCKS + 'Physical Curve("joint") = {a(2), b(0)}; Physical Curve("bottom") = {a(0)};\\n')
+geometry.write_text(BLOCKS + 'Physical Curve("joint") = {a(2), b(0)}; Physical Curve("bottom") = {a(0)};\n')
 code, text, path = new(geometry, scene="shared.xml")
 check("one group for both sides of a contact is told", (code, "in the curve group 'joint', which is on several bodies" in text), (0, True))
 geometry.write_text(BLOCKS + 'Physical Curve("around a") = {a()}; Physical Curve("around b") = {b()};\n')
