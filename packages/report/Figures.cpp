@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
 #include <sstream>
 #include <suture/base/Collective.hpp>
 #include <suture/mesh/CellGeometry.hpp>
@@ -86,7 +87,7 @@ std::vector<std::string> pressureNotes(const Comm& comm, const std::vector<Conta
 namespace {
 
 constexpr double kLarge = 0.1;  // relative to the scene's size
-constexpr int kLong = 10, kFew = 3;
+constexpr int kLong = 10, kFew = 4;
 constexpr double kCarries = 1e-3;  // of the largest pressure
 
 double largestDisplacement(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const std::vector<Vector>& displacement) {
@@ -112,6 +113,48 @@ double sizeOfScene(const Comm& comm, const std::vector<SubdomainMesh>& meshes) {
       }
   Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, 6, mine, box);
   return std::hypot(box[0] + box[3], box[1] + box[4], box[2] + box[5]);
+}
+
+/// A note for each long piece whose largest pressure is on a patch of few closed pairs.
+std::string patchNotes(const std::vector<ContactPiece>& pieces, const std::vector<PairResult>& pairs) {
+  std::map<int, const PairResult*> closed;
+  int ids = 0;
+  for (const PairResult& pair : pairs) {
+    ids = std::max(ids, pair.id + 1);
+    if (pair.state.closed()) closed[pair.id] = &pair;
+  }
+  std::string said;
+  for (const ContactPiece& piece : pieces) {
+    if (int(piece.pairs.size()) < kLong) continue;
+    const PairResult* most = nullptr;
+    int active = 0;
+    for (const int id : piece.pairs) {
+      const auto at = closed.find(id);
+      if (at == closed.end()) continue;
+      ++active;
+      if (!most || at->second->pressure > most->pressure) most = at->second;
+    }
+    if (!most) continue;
+    const std::vector<std::vector<int>> beside = neighbourPairs(piece.cells, ids);
+    std::set<int> patch{most->id};
+    for (std::vector<int> next{most->id}; !next.empty();) {
+      const int from = next.back();
+      next.pop_back();
+      for (const int id : beside[from])
+        if (closed.count(id) && patch.insert(id).second) next.push_back(id);
+    }
+    const int size = int(patch.size()), all = int(piece.pairs.size());
+    if (size >= kFew) continue;
+    if (size == active)
+      said += format("contact '%s': %d of %d pairs closed: the mesh does not resolve the pressure; forces are right, pressures are not\n",
+                     piece.name.c_str(), size, all);
+    else
+      said += format(
+          "contact '%s': its largest pressure is on %d of %d pairs, at %s: the mesh does not resolve it; forces are right, pressures are "
+          "not\n",
+          piece.name.c_str(), size, all, placeText(most->position).c_str());
+  }
+  return said;
 }
 
 /// A warning for each piece that carries a force up to an end where the bodies may touch beyond.
@@ -146,14 +189,8 @@ std::vector<std::string> plausibilityNotes(const Comm& comm, const std::vector<S
                "and contact is sought where the bodies were drawn",
                largest / size));
   std::string said;
-  collectivelyOnRoot(comm, "looking at the contacts", [&] {
-    const ContactFigures figures = contactFigures(solution, int(pieces.size()));
-    for (std::size_t p = 0; p < pieces.size(); ++p)
-      if (figures.pairsOf[p] >= kLong && figures.activeOf[p] > 0 && figures.activeOf[p] < kFew)
-        said += format("contact '%s': %d of %d pairs closed: the mesh does not resolve the pressure; forces are right, pressures are not\n",
-                       pieces[p].name.c_str(), figures.activeOf[p], figures.pairsOf[p]);
-    said += openEndNotes(pieces, solution.pairs);
-  });
+  collectivelyOnRoot(comm, "looking at the contacts",
+                     [&] { said = patchNotes(pieces, solution.pairs) + openEndNotes(pieces, solution.pairs); });
   std::istringstream lines(broadcast(comm, said));
   for (std::string line; std::getline(lines, line);) notes.push_back(line);
   return notes;
