@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kEquilibrium = 1e-12;  // imbalance of pad forces that is rounding
 constexpr double kFlat = 1e-12;         // slope of a line search that is rounding, relative to the first
+constexpr double kNoPadForce = 1e-14;      // pad force that is rounding, relative to those of the start
 constexpr int kMostSteps = 300;
 constexpr int kSoonSteps = 60;      // steps of the plain method before soft pads show the way
 constexpr int kSoftSteps = 12;      // at one softness
@@ -79,14 +80,14 @@ Vector PadProblem::scales(const Matrix& hessian) const {
 
 /// Newton on the motions that closed pads stop, then down the gradient of the others until pads stop them: one line search for both would
 /// hold back the long ways of the loose bodies by the short ones of the others.
-PadProblem::End PadProblem::newton(Vector& x, Vector& y, int steps) const {
+PadProblem::End PadProblem::newton(Vector& x, Vector& y, int steps, double nothing) const {
   const Eigen::Index n = rows_.cols();
   const auto move = [&](const Vector& direction, double length) {
     x += length * direction;
     y += length * (rows_ * direction);
   };
   for (int step = 0; step < steps; ++step) {
-    const double enough = kEquilibrium * (y.cwiseMax(0.0).dot(stiffness_) + forceScale_);
+    const double enough = kEquilibrium * (y.cwiseMax(0.0).dot(stiffness_) + forceScale_) + nothing;
     if (gradient(y).norm() <= enough) return End::Found;
 
     Matrix hessian = Matrix::Zero(n, n);
@@ -112,7 +113,7 @@ PadProblem::End PadProblem::newton(Vector& x, Vector& y, int steps) const {
     }
     if (y == before) break;
   }
-  return gradient(y).norm() <= kNoPadEquilibrium * (y.cwiseMax(0.0).dot(stiffness_) + forceScale_) ? End::Found : End::Exhausted;
+  return gradient(y).norm() <= kNoPadEquilibrium * (y.cwiseMax(0.0).dot(stiffness_) + forceScale_) + nothing ? End::Found : End::Exhausted;
 }
 
 /// Newton's steps with pads that press a little before they are touched: forces k s log(1 + exp(y / s)). Bodies that would bounce between
@@ -146,7 +147,9 @@ void PadProblem::soften(Vector& x, Vector& y, double softness) const {
 
 bool PadProblem::solve(Vector& x, Vector& y) const {
   const Vector from = x, open = y;
-  End end = newton(x, y, kSoonSteps);
+  // Bodies that nothing loads move apart until no pad presses: their forces are measured by those that they began with.
+  const double nothing = kNoPadForce * y.cwiseMax(0.0).dot(stiffness_);
+  End end = newton(x, y, kSoonSteps, nothing);
   if (end != End::Exhausted) return end == End::Found;
   x = from;
   y = open;
@@ -154,13 +157,13 @@ bool PadProblem::solve(Vector& x, Vector& y) const {
   for (double softness = size; softness > kNotSoft * size; softness *= kSofter) {
     soften(x, y, softness);
     Vector place = x, penetration = y;
-    if (newton(place, penetration, kSoftSteps) == End::Found) {
+    if (newton(place, penetration, kSoftSteps, nothing) == End::Found) {
       x = place;
       y = penetration;
       return true;
     }
   }
-  return newton(x, y, kMostSteps) == End::Found;
+  return newton(x, y, kMostSteps, nothing) == End::Found;
 }
 
 }  // namespace suture

@@ -31,7 +31,7 @@ class PadProblem {
   double lineSearch(const Vector& y, const Vector& v, double work) const;
   Vector gradient(const Vector& y) const;
   Vector scales(const Matrix& hessian) const;
-  End newton(Vector& x, Vector& y, int steps) const;
+  End newton(Vector& x, Vector& y, int steps, double nothing) const;
   void soften(Vector& x, Vector& y, double softness) const;
 
   const Matrix& rows_;
