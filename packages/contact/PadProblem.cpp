@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kEquilibrium = 1e-12;  // imbalance of pad forces that is rounding
 constexpr double kFlat = 1e-12;         // slope of a line search that is rounding, relative to the first
-constexpr double kNoPadForce = 1e-14;      // pad force that is rounding, relative to those of the start
+constexpr double kNoPadForce = 1e-14;   // pad force that is rounding, relative to those of the start
 constexpr int kMostSteps = 300;
 constexpr int kSoonSteps = 60;      // steps of the plain method before soft pads show the way
 constexpr int kSoftSteps = 12;      // at one softness

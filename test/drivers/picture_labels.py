@@ -1,10 +1,11 @@
 #!/usr/bin/python3
 """Labels in the pictures of suture_plot, by matplotlib's own boxes: none covers another, a tick, or anything that it names.
 
-    picture_labels.py --solve suture_solve --plot suture_plot --input DIR --work DIR --mpirun "..."
+    picture_labels.py --solve suture_solve --plot suture_plot --input DIR --work DIR --mpirun "..." [--full]
 
 Text boxes are asked of the renderer; marked places, named lines and signs are the artists with the group ids "marked", "named", "sign".
 """
+import argparse
 import json
 import re
 import shutil
@@ -14,11 +15,15 @@ from pathlib import Path
 
 from harness import arguments, check, finish, run
 
-SCENES = {"bracket": [], "tunnel": [], "pin": [], "layers": [], "rings": [], "hertz_sphere": [], "linear_square": [], "bolted_joint": [],
-          "arch": ["--set", "Mesh/Constants/h=.2"], "roller_bearing": ["--set", "Mesh/Constants/fine=.2"]}
+SCENES = {"bracket": [], "tunnel": [], "hertz_sphere": [], "bolted_joint": [], "arch": ["--set", "Mesh/Constants/h=.2"], "roller_bearing": ["--set", "Mesh/Constants/fine=.2"]}
 CROWDED = {"arch": {"joint *", "voussoir_*"}, "roller_bearing": {"inner *", "outer *", "pocket before *", "roller_*"}}  # families in scene.png
 MOST_PIXELS = 1800  # height of a picture as it is saved
-options = arguments("--solve", "--plot", "--input")
+OTHERS = ("pin", "layers", "rings", "linear_square")  # with --full
+parser = argparse.ArgumentParser()
+parser.add_argument("--full", action="store_true")
+options = arguments("--solve", "--plot", "--input", parser=parser)
+if options.full:
+    SCENES.update({scene: [] for scene in OTHERS})
 sys.path.insert(0, str(Path(options.plot).resolve().parent))
 
 import matplotlib.pyplot as plt  # noqa: E402
