@@ -26,7 +26,7 @@ def probe_figure(run, path):
     for axis, (label, curves) in zip(axes[:, 0], panels):
         axis.axhline(0.0, color=GREY, lw=0.6, zorder=1)
         for number, (name, factor, words) in enumerate(curves):
-            axis.plot(table["arc_length"], factor * table[name], "o-" if len(table[name]) <= 40 else "-", ms=3, color=PALETTE[(4, 5, 2)[number]],
+            axis.plot(table["arc_length"], factor * table[name], marker="o" if len(table[name]) <= 40 else None, ms=3, color=PALETTE[(4, 5, 2)[number]],
                       ls=("-", "-", "--")[number], label=words)
         axis.set_ylabel(label)
         axis.margins(x=0.02)
