@@ -50,7 +50,7 @@ struct Face {
 struct Facing {
   int nodes = 0;
   double gap = std::numeric_limits<double>::infinity();  // < 0: the sides overlap
-  Point sum{0, 0, 0};                                    // of the normals
+  Point sum{0, 0, 0};                                    // sum of the normals at these nodes
   Point normal{0, 0, 0}, place{0, 0, 0};                 // where the gap is least
 };
 

@@ -61,7 +61,7 @@ struct Supports {
   bool byForce = false;                       ///< a force instead of a displacement
   Point push{0, 0, 0};                        ///< displacement [length] or total force
   std::vector<std::string> soft, softBodies;  ///< curve groups with elastic supports, bodies that these keep
-  double stiffness = 0.0;                     ///< of these supports [stress / length]
+  double stiffness = 0.0;                     ///< normal and tangential, of the elastic supports [stress / length]
   std::vector<std::string> loose;             ///< bodies with no curve group at all: nothing can hold them
 };
 /// Young modulus of the example material [stress].

@@ -162,7 +162,7 @@ void MeetingPoint::wait() const { MPI_Barrier(impl_->comm); }
 int runProgram(const std::string& name, const std::string& subject, const std::function<ExitCode(const CommPtr& comm)>& work) {
   oneThreadARank();
   keepFreedMemory();
-  setenv("HWLOC_HIDE_ERRORS", "2", 0);  // of a machine without /sys; MPI asks hwloc, which would print
+  setenv("HWLOC_HIDE_ERRORS", "2", 0);  // MPI asks hwloc, which prints where a machine has no /sys
   const StoppableOutput output;
   Hdf5File::withoutExitHandler();
   // Kokkos would look for options of its own in ours.

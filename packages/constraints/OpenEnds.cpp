@@ -14,7 +14,8 @@ namespace {
 
 constexpr double kSmooth = 0.866;  // cosine of 30 degrees, between normals of sides: a circle of twelve sides is smooth
 
-std::set<int> rimOf(const Surface& surface) {
+/// Nodes of the facets (end points, in space edges) that only one side has.
+std::set<int> rimNodes(const Surface& surface) {
   std::set<int> rim;
   for (int side = 0; side < surface.sides(); ++side)
     for (int facet = 0; facet < surface.facets(side); ++facet) {
@@ -26,8 +27,8 @@ std::set<int> rimOf(const Surface& surface) {
   return rim;
 }
 
-/// Pairs on the rim of cells: of facets (end points, in space edges) that only one cell has.
-std::set<int> rimOf(const std::vector<std::vector<int>>& cells) {
+/// Pairs of the facets that only one cell has.
+std::set<int> rimPairs(const std::vector<std::vector<int>>& cells) {
   std::map<std::set<int>, int> uses;
   for (const std::vector<int>& cell : cells)
     for (std::size_t i = 0; i < cell.size(); ++i)
@@ -38,6 +39,7 @@ std::set<int> rimOf(const std::vector<std::vector<int>>& cells) {
   return rim;
 }
 
+/// Vertices of a side, ascending: the same for both elements that share it.
 std::vector<int> verticesOf(const Mesh& mesh, const Side& side) {
   std::vector<int> vertices = mesh.nodesOf(side);
   vertices.resize(sideVertices(static_cast<int>(vertices.size()), mesh.dimension));
@@ -66,6 +68,7 @@ class FreeSides {
       if (sides.size() == 1) add(mesh, sides.front());
   }
 
+  /// Whether one of them at the node is within 30 degrees of a normal.
   bool goOn(int node, const Point& normal) const {
     const auto at = normals_.find(node);
     return at != normals_.end() &&
@@ -96,17 +99,17 @@ void findOpenEnds(const Mesh& mesh, const std::vector<Condition>& conditions, co
   };
   for (const Condition& condition : conditions) take(condition.groups);
   std::set<int> nodes;
-  std::map<int, std::vector<std::pair<const Surface*, std::set<int>>>> faces;  // of each line: surfaces and their rims
+  std::map<int, std::vector<std::pair<const Surface*, std::set<int>>>> faces;  // surfaces and their rims, by line
   for (const ContactSurface& contact : contacts)
     for (const ContactFace* face : {&contact.a, &contact.b}) {
       if (face->empty()) continue;
       take(face->groups);
-      faces[contact.number].emplace_back(&*face->surface, rimOf(*face->surface));
+      faces[contact.number].emplace_back(&*face->surface, rimNodes(*face->surface));
       nodes.insert(faces[contact.number].back().second.begin(), faces[contact.number].back().second.end());
     }
   const FreeSides free(mesh, nodes, taken);
   std::set<int> last;
-  for (const ContactPiece& piece : constraints.pieces) last.merge(rimOf(piece.cells));
+  for (const ContactPiece& piece : constraints.pieces) last.merge(rimPairs(piece.cells));
   for (const ContactPair& pair : constraints.pairs) {
     if (last.count(pair.id) == 0) continue;
     bool onRim = false, closedOff = false;

@@ -86,9 +86,10 @@ std::vector<std::string> pressureNotes(const Comm& comm, const std::vector<Conta
 
 namespace {
 
-constexpr double kLarge = 0.1;  // relative to the scene's size
-constexpr int kLong = 10, kFew = 4;
-constexpr double kCarries = 1e-3;  // of the largest pressure
+constexpr double kLarge = 0.1;     // displacement relative to the scene's size
+constexpr int kLong = 10;          // least number of pairs of a piece that could resolve a pressure
+constexpr int kFew = 4;            // number of closed pairs side by side from which on they resolve it roughly
+constexpr double kCarries = 1e-3;  // part of the largest pressure that is more than rounding
 
 double largestDisplacement(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const std::vector<Vector>& displacement) {
   double squared = 0.0, all = 0.0;
@@ -123,6 +124,9 @@ std::string patchNotes(const std::vector<ContactPiece>& pieces, const std::vecto
     ids = std::max(ids, pair.id + 1);
     if (pair.state.closed()) closed[pair.id] = &pair;
   }
+  std::vector<std::vector<int>> cells;
+  for (const ContactPiece& piece : pieces) cells.insert(cells.end(), piece.cells.begin(), piece.cells.end());
+  const std::vector<std::vector<int>> beside = neighbourPairs(cells, ids);
   std::string said;
   for (const ContactPiece& piece : pieces) {
     if (int(piece.pairs.size()) < kLong) continue;
@@ -135,7 +139,6 @@ std::string patchNotes(const std::vector<ContactPiece>& pieces, const std::vecto
       if (!most || at->second->pressure > most->pressure) most = at->second;
     }
     if (!most) continue;
-    const std::vector<std::vector<int>> beside = neighbourPairs(piece.cells, ids);
     std::set<int> patch{most->id};
     for (std::vector<int> next{most->id}; !next.empty();) {
       const int from = next.back();

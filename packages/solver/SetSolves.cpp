@@ -11,8 +11,8 @@
 namespace suture {
 
 namespace {
-constexpr int kRestarts = 6;      // of conjugate gradients whose recursion has lost the residual
-constexpr double kStalled = 0.5;  // of the residuals of whole and bodies: a restart that leaves more of both has met the floor of rounding
+constexpr int kRestarts = 6;      // number of new beginnings of conjugate gradients whose recursion has lost the residual
+constexpr double kStalled = 0.5;  // part of the residuals, of the whole and of bodies, that a new beginning leaves where rounding ends it
 constexpr double kImbalance = 10.0;    // times the tolerance: a tenth of what the verdict allows the forces on a body
 constexpr double kPairDigits = 1e-12;  // rounding of a pair's force, in parts of the largest in its cluster
 constexpr int kRescales = 4;
@@ -72,7 +72,7 @@ void SetSolves::evaluateStart() {
   findClusters(closed);
   scaleBy(state, state, *linear.load);
   run_.automatic.startsFrom(reference_);
-  run_.evaluation = sets_.evaluateSet(state, {run_.settings.tolerance});
+  run_.evaluation = sets_.evaluateSet(state, finalResolution());
   run_.result.pcgTotal += applications + run_.evaluation.applications;
   run_.result.residual = norm(*run_.evaluation.residual, state);
   run_.result.state = state;

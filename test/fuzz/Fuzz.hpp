@@ -1,4 +1,5 @@
 #pragma once
+#include <support/TemporaryFolder.hpp>
 #include <suture/base/Errors.hpp>
 
 #include <unistd.h>
@@ -39,10 +40,9 @@ class Folder {
  public:
   Folder() {
     const std::filesystem::path memory = "/dev/shm";
-    std::string name =
-        ((std::filesystem::is_directory(memory) ? memory : std::filesystem::temp_directory_path()) / "suture_fuzz_XXXXXX").string();
-    if (!mkdtemp(name.data())) std::abort();
-    path_ = name;
+    path_ = suture::blocks::makeTemporaryFolder(std::filesystem::is_directory(memory) ? memory : std::filesystem::temp_directory_path(),
+                                                "suture_fuzz_");
+    if (path_.empty()) std::abort();
   }
   ~Folder() {
     std::error_code ignored;

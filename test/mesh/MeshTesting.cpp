@@ -1,12 +1,13 @@
 #include <mesh/MeshTesting.hpp>
+#include <support/TemporaryFolder.hpp>
 
 namespace meshtesting {
 
 Folder::Folder() {
-  const std::string letters(6, 'X');  // mkdtemp wants six X, and puts its own letters there
-  std::string name = (std::filesystem::temp_directory_path() / ("suture-test-" + letters)).string();
+  std::string name;
   suture::collectivelyOnRoot(*world(), "making a folder for the test", [&] {
-    if (!mkdtemp(name.data())) throw suture::EnvironmentError("cannot make the folder " + name + ": " + std::strerror(errno));
+    name = suture::blocks::makeTemporaryFolder(std::filesystem::temp_directory_path(), "suture-test-");
+    if (name.empty()) throw suture::EnvironmentError(std::string("cannot make a folder for the test: ") + std::strerror(errno));
   });
   path_ = suture::broadcast(*world(), name);
 }
