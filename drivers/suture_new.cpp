@@ -9,7 +9,7 @@
 #include <suture/base/Collective.hpp>
 #include <suture/base/Errors.hpp>
 #include <suture/base/scene/SceneReader.hpp>
-#include <suture/mesh/MeshReader.hpp>
+#include <suture/reader/MeshReader.hpp>
 #include <suture/report/SceneSchema.hpp>
 
 #include "new/SceneText.hpp"
@@ -22,10 +22,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const std::vector<std::string> models{"Plane Strain", "Plane Stress", "Axisymmetric"};
+const std::vector<std::string> models{"Plane Strain", "Plane Stress", "Axisymmetric", "Solid"};
 
 struct Options {
-  std::string geometry, output, model = models.front();
+  std::string geometry, output, model;
   std::vector<std::string> constants;
   bool force = false;
 
@@ -33,7 +33,9 @@ struct Options {
     const auto describe = [&](CLI::App& app) {
       app.add_option("GEOMETRY", geometry, "Geometry (.geo) or mesh (.msh, .h5)")->required()->type_name("FILE");
       app.add_option("--output", output, "Scene file to write; <geometry>.xml in the current folder if left out")->type_name("FILE");
-      app.add_option("--model", model, "Plane Strain | Plane Stress | Axisymmetric")->check(CLI::IsMember(models))->type_name("NAME");
+      app.add_option("--model", model, "Plane Strain | Plane Stress | Axisymmetric; Solid in space. Plane Strain or Solid if left out")
+          ->check(CLI::IsMember(models))
+          ->type_name("NAME");
       app.add_option("--constant", constants, "NAME=VALUE of a DefineConstant of the .geo file; may be repeated")
           ->type_name("NAME=VALUE")
           ->check([](const std::string& text) {
@@ -52,18 +54,29 @@ std::string relativeTo(const fs::path& scene, const fs::path& file) {
   return (near.empty() ? fs::absolute(file) : near).string();
 }
 
+/// The model of the scene. \throws InputError  a model of the plane for a mesh in space, or the other way round
+std::string modelOf(const Mesh& mesh, const Options& options) {
+  const bool inSpace = mesh.dimension == 3;
+  if (options.model.empty()) return inSpace ? "Solid" : models.front();
+  if (inSpace != (options.model == "Solid"))
+    throw InputError("--model", "'" + options.model + "' for " + mesh.source +
+                                    (inSpace ? ", a mesh in space; expected Solid"
+                                             : ", a plane mesh; expected Plane Strain, Plane Stress or Axisymmetric"));
+  return options.model;
+}
+
 NewScene propose(Mesh& mesh, const Options& options, const fs::path& output) {
   NewScene scene;
+  scene.model = modelOf(mesh, options);
   scene.bodies = proposeBodies(mesh);
   Problems problems;
   for (const std::string& note : scene.bodies.notes) problems.add("Bodies", note);
   if (scene.bodies.names.empty() && scene.bodies.notes.empty())
-    problems.add("Bodies", mesh.source + " has no elements in a surface group; expected at least one");
+    problems.add("Bodies", mesh.source + " has no elements in a " + mesh.elementGroupKind() + "; expected at least one");
   problems.throwIfAny();
   assignBodies(mesh, scene.bodies.names);
-  if (options.model == "Axisymmetric") makeAxisymmetric(mesh);
+  if (scene.model == "Axisymmetric") makeAxisymmetric(mesh);
   scene.title = fs::path(options.geometry).stem().string();
-  scene.model = options.model;
   scene.file = relativeTo(output, options.geometry);
   scene.constants = options.constants;
   scene.boxes = boxesOf(mesh);
@@ -83,8 +96,9 @@ void write(const fs::path& output, const std::string& text) {
 std::string counted(std::size_t count, const std::string& what) { return std::to_string(count) + " " + what + (count == 1 ? "" : "s"); }
 
 void tell(std::ostream& out, const NewScene& scene, const fs::path& output) {
+  const std::string sides = scene.dimension == 2 ? "curve group" : "surface group";
   out << output.string() << ": " << (scene.bodies.names.size() == 1 ? "1 body" : std::to_string(scene.bodies.names.size()) + " bodies")
-      << ", " << counted(scene.groups.size(), "curve group") << ", " << counted(scene.contacts.all.size(), "contact") << " proposed\n";
+      << ", " << counted(scene.groups.size(), sides) << ", " << counted(scene.contacts.all.size(), "contact") << " proposed\n";
   for (const proposal::Contact& contact : scene.contacts.all)
     out << "   contact: " << contact.sideA << " on " << joinNames(contact.sideB) << ", " << distanceText(contact) << "\n";
   for (const proposal::Contact& contact : scene.contacts.all)
@@ -98,8 +112,8 @@ void tell(std::ostream& out, const NewScene& scene, const fs::path& output) {
   for (std::size_t i = 0; i < parts.size(); ++i) out << (i == 0 ? "   stand-ins: " : "; ") << parts[i];
   if (!parts.empty()) out << "\n";
   for (const std::string& body : supports.loose)
-    out << "   note: body '" << body
-        << "' has no curve group, so that nothing can hold it and the scene does not run yet: name a side of it\n";
+    out << "   note: body '" << body << "' has no " << sides
+        << ", so that nothing can hold it and the scene does not run yet: name a side of it\n";
   out << "   now fill in what the file marks, then: suture_solve " << output.string() << std::endl;
 }
 

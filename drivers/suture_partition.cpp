@@ -10,8 +10,8 @@
 #include <suture/base/Collective.hpp>
 #include <suture/base/Errors.hpp>
 #include <suture/base/Timers.hpp>
-#include <suture/mesh/Hdf5Mesh.hpp>
 #include <suture/partition/Partition.hpp>
+#include <suture/reader/Hdf5Mesh.hpp>
 #include <suture/report/SceneSchema.hpp>
 #include <suture/simulation/CutStage.hpp>
 #include <suture/simulation/ReadStage.hpp>

@@ -70,10 +70,11 @@ Bodies proposeBodies(const Mesh& mesh) {
     for (const auto& [name, own] : partsOf)
       if (own.count(static_cast<int>(p))) inside.push_back(name);
     result.notes.push_back(countAt(size[p], "connected element", placeText(centreOf(mesh, first[p]), mesh.dimension)) +
-                           (inside.empty()
-                                ? " in no surface group: name the surface in the geometry (in Gmsh: Physical Surface)"
-                                : " share nodes and belong to " + joinNames(inside) +
-                                      ": one body, which needs a surface group that holds all of it; the others may be its Regions"));
+                           (inside.empty() ? " in no " + mesh.elementGroupKind() +
+                                                 (mesh.dimension == 2 ? ": name the surface in the geometry (in Gmsh: Physical Surface)"
+                                                                      : ": name the volume in the geometry (in Gmsh: Physical Volume)")
+                                           : " share nodes and belong to " + joinNames(inside) + ": one body, which needs a " +
+                                                 mesh.elementGroupKind() + " that holds all of it; the others may be its Regions"));
   }
   return result;
 }

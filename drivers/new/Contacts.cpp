@@ -1,10 +1,10 @@
 #include <suture/base/Errors.hpp>
 #include <suture/base/Point.hpp>
-#include <suture/constraints/ContactSurface.hpp>
 #include <suture/mesh/BoxTree.hpp>
 #include <suture/mesh/CellGeometry.hpp>
 #include <suture/mesh/SideTable.hpp>
 #include <suture/mesh/Surface.hpp>
+#include <suture/pairing/ContactSurface.hpp>
 
 #include <algorithm>
 #include <limits>
@@ -107,7 +107,7 @@ std::map<int, std::vector<Side>> unnamedSides(const Mesh& mesh, const std::vecto
   const SideTable table(mesh, std::vector<char>(mesh.nodes(), 1));
   std::map<int, std::vector<Side>> result;
   for (int e = 0; e < mesh.elements(); ++e)
-    forEachSide(mesh, e, [&](const std::pair<int, int>&, const Side& side) {
+    forEachSide(mesh, e, [&](const SideKey&, const Side& side) {
       if (!named.count(keyOf(side)) && table.onBoundary(side)) result[mesh.bodyOfElement[e]].push_back(side);
     });
   return result;
@@ -236,14 +236,15 @@ Contacts proposeContacts(const Mesh& mesh, const std::vector<Group>& groups) {
   };
   std::vector<Unusable> unusable;
   for (const auto& [body, sides] : unnamedSides(mesh, groups))
-    unusable.push_back({body, Face(mesh, sides), "in no curve group: name these, if they may touch"});
+    unusable.push_back({body, Face(mesh, sides), "in no " + mesh.sideGroupKind() + ": name these, if they may touch"});
   for (const Group& group : groups) {
     std::map<int, std::vector<Side>> parts;
     for (const Side& side : group.all) parts[mesh.bodyOfElement[side.element]].push_back(side);
     if (parts.size() < 2) continue;
     for (const auto& [body, sides] : parts)
       unusable.push_back(
-          {body, Face(mesh, sides), "in the curve group '" + group.name + "', which is on several bodies: name each side of a contact"});
+          {body, Face(mesh, sides),
+           "in the " + mesh.sideGroupKind() + " '" + group.name + "', which is on several bodies: name each side of a contact"});
   }
   const auto tell = [&](const Unusable& one, int other, const Face& face) {
     if (one.body == other) return;

@@ -8,33 +8,33 @@
 
 namespace suture::proposal {
 
-/// Bodies of a mesh, proposed from its surface groups: the smallest that hold whole connected parts of the mesh and do not overlap.
+/// Bodies of a mesh, proposed from its element groups: the smallest that hold whole connected parts of the mesh and do not overlap.
 struct Bodies {
   std::vector<std::string> names;
-  std::vector<std::pair<std::string, std::string>> parts;  ///< other surface groups within one body, with its name
+  std::vector<std::pair<std::string, std::string>> parts;  ///< other element groups within one body, with its name
   std::vector<std::string> notes;                          ///< elements without a body, and why they have none
 };
 /// Local (rank 0).
 Bodies proposeBodies(const Mesh& mesh);
 
-/// A curve group and where it lies.
+/// A side group and where it lies.
 struct Group {
   std::string name;
   int body = -1;                ///< number in Mesh::bodies; -1: on several
   std::set<int> bodies, nodes;  ///< numbers of all that it has sides of
   int sides = 0;
-  double size = 0.0;                  ///< [length]
+  double size = 0.0;                  ///< [length or area]
   Point low{0, 0, 0}, high{0, 0, 0};  ///< the box around it [length]
   Point centre{0, 0, 0};              ///< mean of its nodes
   std::vector<Side> all;
 };
-/// All curve groups with sides, by name. `mesh` has its bodies. Local (rank 0).
+/// All side groups with sides, by name. `mesh` has its bodies. Local (rank 0).
 std::vector<Group> groupsOf(const Mesh& mesh);
 
 /// Sides of different bodies that face each other.
 struct Contact {
-  std::string sideA;                  ///< a curve group
-  std::vector<std::string> sideB;     ///< curve groups of other bodies
+  std::string sideA;                  ///< a side group
+  std::vector<std::string> sideB;     ///< side groups of other bodies
   double gap = 0.0;                   ///< least distance between nodes of the two, along their normals; < 0: drawn to overlap [length]
   Point normal{0, 0, 0};              ///< mean outward normal of Side A where it faces Side B; of a side that faces all around, at the gap
   std::vector<std::string> problems;  ///< by which suture_solve would refuse it
@@ -56,13 +56,13 @@ Contacts proposeContacts(const Mesh& mesh, const std::vector<Group>& groups);
 /// supports, far softer than they are, at all of their sides: no contact holds a body in every direction. Such a problem has exactly one
 /// solution.
 struct Supports {
-  std::string held, heldBody;                 ///< curve group and its body; empty: none can be held
+  std::string held, heldBody;                 ///< side group and its body; empty: none can be held
   std::string pushed, pushedBody;             ///< empty: nothing to push
   bool byForce = false;                       ///< a force instead of a displacement
   Point push{0, 0, 0};                        ///< displacement [length] or total force
-  std::vector<std::string> soft, softBodies;  ///< curve groups with elastic supports, bodies that these keep
+  std::vector<std::string> soft, softBodies;  ///< side groups with elastic supports, bodies that these keep
   double stiffness = 0.0;                     ///< normal and tangential, of the elastic supports [stress / length]
-  std::vector<std::string> loose;             ///< bodies with no curve group at all: nothing can hold them
+  std::vector<std::string> loose;             ///< bodies with no side group at all: nothing can hold them
 };
 /// Young modulus of the example material [stress].
 constexpr double kYoungModulus = 2.1e11;

@@ -27,7 +27,7 @@ std::string number(double value) {
   return text.str();
 }
 
-std::string point(const Point& p, int dimension = 2) {
+std::string point(const Point& p, int dimension) {
   std::string text = "(";
   for (int k = 0; k < dimension; ++k) text += (k > 0 ? ", " : "") + number(p[k]);
   return text + ")";
@@ -93,17 +93,23 @@ std::string entry(const std::string& name, const std::string& type, const std::s
   return "<Parameter name=\"" + name + "\" type=\"" + type + "\" value=\"" + value + "\"/>";
 }
 
+/// Gmsh's words for the groups of sides: physical curves in the plane, physical surfaces in space.
+std::string sideWord(const NewScene& scene) { return scene.dimension == 2 ? "curve" : "surface"; }
+std::string physicalSide(const NewScene& scene) { return scene.dimension == 2 ? "Physical Curve" : "Physical Surface"; }
+
 void listGroups(Writer& out, const NewScene& scene) {
-  out.line("<!-- Surface groups (bodies and their parts), curve groups (places for conditions and contact):");
+  const auto place = [&](const Point& p) { return point(p, scene.dimension); };
+  out.line(std::string("<!-- ") + (scene.dimension == 2 ? "Surface" : "Volume") + " groups (bodies and their parts), " + sideWord(scene) +
+           " groups (places for conditions and contact):");
   for (std::size_t b = 0; b < scene.bodies.names.size(); ++b)
     out.line(
-        inComment("  body    " + scene.bodies.names[b] + "  from " + point(scene.boxes[b].first) + " to " + point(scene.boxes[b].second)));
+        inComment("  body    " + scene.bodies.names[b] + "  from " + place(scene.boxes[b].first) + " to " + place(scene.boxes[b].second)));
   for (const auto& [part, body] : scene.bodies.parts) out.line(inComment("  part    " + part + "  of " + body));
   for (const Group& group : scene.groups)
-    out.line(inComment("  curve   " + group.name + "  " +
+    out.line(inComment("  " + (sideWord(scene) + "   ").substr(0, 8) + group.name + "  " +
                        (group.body >= 0 ? "on " + scene.bodies.names[group.body] : std::string("on several bodies")) + ", from " +
-                       point(group.low) + " to " + point(group.high) + ", " + std::to_string(group.sides) + " sides, length " +
-                       number(group.size)));
+                       place(group.low) + " to " + place(group.high) + ", " + std::to_string(group.sides) +
+                       (scene.dimension == 2 ? " sides, length " : " sides, area ") + number(group.size)));
   out.line("-->");
 }
 
@@ -137,7 +143,8 @@ void materials(Writer& out, const NewScene& scene) {
   out.close();
 }
 
-/// Groups on one straight edge of the whole geometry, on several bodies: perhaps a plane of symmetry. An example for each edge.
+/// Groups on one straight edge, or plane face, of the whole geometry, on several bodies: perhaps a plane of symmetry. An example for each
+/// edge.
 void symmetries(Writer& out, const NewScene& scene) {
   Point low = scene.boxes[0].first, high = scene.boxes[0].second;
   for (const auto& [least, most] : scene.boxes)
@@ -168,7 +175,8 @@ void conditions(Writer& out, const NewScene& scene) {
   out.open("Boundary Conditions");
   const Supports& supports = scene.supports;
   if (supports.held.empty() && supports.soft.empty())
-    out.example("FILL IN: the geometry has no curve group; name one (in Gmsh: Physical Curve), by which a body is held:",
+    out.example("FILL IN: the geometry has no " + sideWord(scene) + " group; name one (in Gmsh: " + physicalSide(scene) +
+                    "), by which a body is held:",
                 {"<ParameterList name=\"hold\">", "  " + entry("Group", "string", "..."), "  " + entry("Type", "string", "Displacement"),
                  "  " + entry("Value", "Array(double)", vector({0, 0, 0}, scene.dimension)), "</ParameterList>"});
   else if (supports.held.empty())
@@ -210,27 +218,29 @@ void conditions(Writer& out, const NewScene& scene) {
     out.close();
   }
   for (const std::string& body : supports.loose)
-    out.example("FILL IN: body '" + body + "' has no curve group, so that nothing can hold it. Name a side of it in the geometry, then:",
+    out.example("FILL IN: body '" + body + "' has no " + sideWord(scene) +
+                    " group, so that nothing can hold it. Name a side of it in the geometry, then:",
                 {"<ParameterList name=\"keep " + escaped(body) + "\">", "  " + entry("Group", "string", "..."),
                  "  " + entry("Type", "string", "Elastic Support"), "  " + entry("Normal Stiffness", "double", number(supports.stiffness)),
                  "  " + entry("Tangential Stiffness", "double", number(supports.stiffness)), "</ParameterList>"});
   symmetries(out, scene);
-  out.example(
-      "the other kinds, each with the Group it acts on:",
-      {"<ParameterList name=\"roller\">", "  " + entry("Group", "string", "..."),
-       "  " + entry("Type", "string", "Bilateral") + "   normal displacement zero, free to slide", "</ParameterList>",
-       "<ParameterList name=\"pressure\">", "  " + entry("Group", "string", "..."), "  " + entry("Type", "string", "Pressure"),
-       "  " + entry("Value", "Array(double)", "{1e6}") + "   positive pushes into the body", "</ParameterList>",
-       "<ParameterList name=\"traction\">", "  " + entry("Group", "string", "..."), "  " + entry("Type", "string", "Traction"),
-       "  " + entry("Value", "Array(double)", "{0, 1e6}") + "   force on an area", "</ParameterList>", "<ParameterList name=\"weight\">",
-       "  " + entry("Type", "string", "Body Force"),
-       "  " + entry("Value", "Array(double)", "{0, -7.7e4}") + "   force on a volume; on one body with a Body", "</ParameterList>"});
+  out.example("the other kinds, each with the Group it acts on:",
+              {"<ParameterList name=\"roller\">", "  " + entry("Group", "string", "..."),
+               "  " + entry("Type", "string", "Bilateral") + "   normal displacement zero, free to slide", "</ParameterList>",
+               "<ParameterList name=\"pressure\">", "  " + entry("Group", "string", "..."), "  " + entry("Type", "string", "Pressure"),
+               "  " + entry("Value", "Array(double)", "{1e6}") + "   positive pushes into the body", "</ParameterList>",
+               "<ParameterList name=\"traction\">", "  " + entry("Group", "string", "..."), "  " + entry("Type", "string", "Traction"),
+               "  " + entry("Value", "Array(double)", scene.dimension == 2 ? "{0, 1e6}" : "{0, 0, 1e6}") + "   force on an area",
+               "</ParameterList>", "<ParameterList name=\"weight\">", "  " + entry("Type", "string", "Body Force"),
+               "  " + entry("Value", "Array(double)", scene.dimension == 2 ? "{0, -7.7e4}" : "{0, 0, -7.7e4}") +
+                   "   force on a volume; on one body with a Body",
+               "</ParameterList>"});
   out.close();
 }
 
 void contacts(Writer& out, const NewScene& scene) {
   if (scene.contacts.all.empty()) {
-    out.example("no curve groups of different bodies face each other; a contact is",
+    out.example("no " + sideWord(scene) + " groups of different bodies face each other; a contact is",
                 {"<ParameterList name=\"Contact\">", "  <ParameterList name=\"joint\">", "    " + entry("Side A", "string", "..."),
                  "    " + entry("Side B", "string", "..."), "  </ParameterList>", "</ParameterList>"});
     return;
@@ -275,7 +285,7 @@ std::string sceneText(const NewScene& scene) {
   listGroups(out, scene);
   out.space();
   out.parameter("Title", "string", scene.title);
-  out.parameter("Model", "string", scene.model, "Plane Strain | Plane Stress | Axisymmetric");
+  out.parameter("Model", "string", scene.model, scene.dimension == 2 ? "Plane Strain | Plane Stress | Axisymmetric" : "");
   out.parameter("Units", "string", "m, N, Pa", "FILL IN: printed, never converted; all numbers of the scene are in these");
   out.space();
   out.open("Mesh");

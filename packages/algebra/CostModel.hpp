@@ -34,12 +34,17 @@ class CostModel {
 
   /// Work on a subdomain from assembly to solution, in nodes; what ranks are balanced by. All that is done with the b interface nodes at
   /// once grows with b^2 or b^3: b^2 / 16 fits the times of the 268 subdomains of tunnel and Hertz at 1M unknowns (3600 nodes, 120 to 340
-  /// on the interface; single times scatter by 15 %, whole halves of a scene differ by a tenth). Plane; in space not measured yet.
-  static constexpr long long work(long long nodes, long long interfaceNodes) { return nodes + interfaceNodes * interfaceNodes / 16; }
+  /// on the interface; single times scatter by 15 %, whole halves of a scene differ by a tenth). In space boundaries stay sparse, and the
+  /// operations of a factor grow with the square of the nodes, which at some 500 are half of the time.
+  long long work(long long nodes, long long interfaceNodes) const {
+    return dimension_ == 2 ? nodes + interfaceNodes * interfaceNodes / 16 : nodes + nodes * nodes / 500;
+  }
 
   /// Elements of a subdomain for which a plane scene takes the least time: the tunnel at 1M unknowns, two ranks, is as fast with 64 to 160
   /// subdomains, a seventh slower with 256, a quarter with 512.
   static constexpr int kElements = 7200;
+  /// Nodes of a subdomain for which a scene in space takes the least time.
+  static constexpr int kNodesInSpace = 700;
 
   static constexpr double kFactorRate = 3e9;  ///< operations a second of a sparse factorisation
 

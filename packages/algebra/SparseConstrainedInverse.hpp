@@ -9,29 +9,38 @@
 namespace suture {
 
 /// The saddle problem of BDDC (see ConstrainedInverse) by a sparse factor of the stiffness matrix, without its Schur complement: unknowns
-/// that a constraint fixes alone are held, interior and all others are factored, and the other constraints C_2 follow through the small
-/// matrix C_2 K^-1 C_2^T. An application is a back-substitution, which reads what the factor has: less than the dense inverse where the
-/// boundary is large against the interior, as in space. Local.
+/// that a constraint fixes alone are held, interior and all others are factored, and the other constraints C_2 follow through a small
+/// matrix. Where the held unknowns leave motions, as many unknowns E as these need are kept apart from the factor and join the constraints
+/// in the small matrix. With F the factored unknowns and W = K_FF^-1 [K_FE, C_F^T]:
+///
+///     [ K_EE - K_EF W_E       (C_E - C_F W_E)^T ]   [x_E]   [f_E - W_E^T f_F]
+///     [ C_E - C_F W_E           - C_F W_C       ] * [ m ] = [   - W_C^T f_F  ],    x_F = K_FF^-1 f_F - W [x_E; m].
+///
+/// An application is a back-substitution, which reads what the factor has: less than the dense inverse where the boundary is large against
+/// the interior, as in space. Local.
 class SparseConstrainedInverse : public InverseWithBasis {
  public:
   /// \param stiffness    symmetric, positive semidefinite, both triangles
+  /// \param kernel       its null space, unknowns x motions
   /// \param boundary     positions of the trace
   /// \param constraints  rows x trace
-  /// \return null if the held unknowns alone leave a motion: the matrix that is factored would be singular
-  /// \throws NumericalError  a constraint follows from the others
-  static std::unique_ptr<SparseConstrainedInverse> make(const SparseMatrix& stiffness, const std::vector<int>& boundary,
-                                                        const Matrix& constraints, const LocalSolverMaker& solver, const std::string& what);
+  /// \throws NumericalError  a constraint follows from the others, or they leave a motion
+  SparseConstrainedInverse(const SparseMatrix& stiffness, const Matrix& kernel, const std::vector<int>& boundary, const Matrix& constraints,
+                           const LocalSolverMaker& solver, const std::string& what);
 
   void apply(ConstLocalView flux, LocalView trace) const override;
 
  private:
-  SparseConstrainedInverse() = default;
+  struct Unknowns;
+  Matrix smallMatrix(const SparseMatrix& stiffness, const Unknowns& all, const Matrix& columns, const Matrix& images) const;
 
-  std::unique_ptr<LocalSolver> factor_;      // factor of the free unknowns
-  int unknowns_ = 0;                         // number of free unknowns
-  std::vector<std::pair<int, int>> places_;  // free unknowns of the trace: (position in the trace, among the free unknowns)
-  Matrix images_;                            // K^-1 C_2^T: free unknowns x other constraints
-  Matrix shares_;                            // (C_2 K^-1 C_2^T)^-1
+  std::unique_ptr<LocalSolver> factor_;      // factor of F
+  int unknowns_ = 0;                         // number of F
+  std::vector<std::pair<int, int>> places_;  // F on the trace: (position in the trace, among F)
+  std::vector<std::pair<int, int>> apart_;   // E on the trace: (position in the trace, among E)
+  int motions_ = 0;                          // number of E
+  PackedColumns images_;                     // W on the trace; rows of E and of what is held are zero
+  Matrix small_;                             // inverse of the small matrix
 };
 
 }  // namespace suture

@@ -40,17 +40,18 @@ struct Expression::Compiled {
     mutable double value = 0.0;
   };
 
-  mutable double x = 0.0, y = 0.0;  // variables that the parser reads: hence never copied
+  mutable Point place{0, 0, 0};  // variables that the parser reads: hence never copied
+  const int dimension;           // number of these that expressions know
   std::map<std::string, Used> used;
   mu::Parser parser;
   std::string text, path;
 
-  Compiled(const std::string& given, const Constants& constants, const std::string& where) : text(trimmed(given)), path(where) {
+  Compiled(const std::string& given, const Constants& constants, const std::string& where)
+      : dimension(constants.dimension), text(trimmed(given)), path(where) {
     parser.ClearConst();
     parser.DefineConst("pi", 3.14159265358979323846);
     for (const auto& [name, value] : constants.numbers) parser.DefineConst(name, value);
-    parser.DefineVar("x", &x);
-    parser.DefineVar("y", &y);
+    for (int k = 0; k < dimension; ++k) parser.DefineVar(std::string(1, "xyz"[k]), &place[k]);
     for (const auto& [name, function] : constants.functions) {
       Used& use = used[name];
       use.function = function.compiled_;
@@ -70,8 +71,7 @@ struct Expression::Compiled {
 
   /// May be nan or infinite: a function that is not defined somewhere may not be needed there.
   double at(const Point& point) const {
-    x = point[0];
-    y = point[1];
+    place = point;
     for (const auto& entry : used) entry.second.value = entry.second.function->at(point);
     try {
       return parser.Eval();
@@ -129,7 +129,7 @@ struct Expression::Compiled {
     const std::size_t place = std::min(why.find(" found at position"), why.find(" at "));  // counted from 0: ours is from 1
     if (place != std::string::npos) why.resize(place);
     return (text.empty() ? "is empty" : "not an expression at character " + std::to_string(position + 1) + rest + ": " + why) +
-           "; expected a formula in x and y, such as 0.1 * x^2 + sin(pi * y)";
+           "; expected a formula in x" + (dimension == 3 ? ", y and z" : " and y") + ", such as 0.1 * x^2 + sin(pi * y)";
   }
 };
 
@@ -148,9 +148,12 @@ double Expression::at(const Point& point) const {
   const Compiled& c = *compiled_;
   const double value = function_ ? function_(point) : c.at(point);
   if (!std::isfinite(value)) {
-    char place[80];
-    std::snprintf(place, sizeof place, "(%.10g, %.10g)", point[0], point[1]);
-    throw InputError(c.path, "'" + c.text + "' is " + (std::isnan(value) ? "not a number (nan)" : "infinite") + " at (x, y) = " + place);
+    char place[120];
+    if (c.dimension == 3)
+      std::snprintf(place, sizeof place, "(x, y, z) = (%.10g, %.10g, %.10g)", point[0], point[1], point[2]);
+    else
+      std::snprintf(place, sizeof place, "(x, y) = (%.10g, %.10g)", point[0], point[1]);
+    throw InputError(c.path, "'" + c.text + "' is " + (std::isnan(value) ? "not a number (nan)" : "infinite") + " at " + place);
   }
   return value;
 }
@@ -167,7 +170,7 @@ Schema constantsSchema() {
 }
 
 Schema functionsSchema() {
-  return Schema("Functions of x and y for the expressions of this scene, named by the user: r = sqrt(x^2 + y^2), or mu = E/(2*(1 + nu)).")
+  return Schema("Functions of x and y (in space also z) for expressions, named by the user: r = sqrt(x^2 + y^2), or mu = E/(2*(1 + nu)).")
       .eachText("function",
                 "an expression, in which Constants and the functions above it are known; its name stands for its value in others");
 }
@@ -178,7 +181,8 @@ bool isUsable(const Parameters& list, const std::string& name, const Constants& 
   static const mu::Parser standard;
   if (!isName(name))
     problems.add(pathOf(list, name), "'" + name + "' cannot stand in an expression: expected letters, digits and _, a letter first");
-  else if (name == "x" || name == "y" || name == "pi" || standard.GetFunDef().count(name) || before.has(name))
+  else if (name == "x" || name == "y" || (name == "z" && before.dimension == 3) || name == "pi" || standard.GetFunDef().count(name) ||
+           before.has(name))
     problems.add(pathOf(list, name), "'" + name + "' has its meaning in expressions already: choose another name");
   else
     return true;
@@ -187,8 +191,9 @@ bool isUsable(const Parameters& list, const std::string& name, const Constants& 
 
 }  // namespace
 
-Constants readConstants(const Parameters& list, Problems& problems) {
+Constants readConstants(const Parameters& list, Problems& problems, int dimension) {
   Constants constants;
+  constants.dimension = dimension;
   for (auto entry = list.begin(); entry != list.end(); ++entry)
     if (isUsable(list, list.name(entry), constants, problems)) constants.numbers[list.name(entry)] = list.get<double>(list.name(entry));
   return constants;
@@ -205,7 +210,8 @@ void readFunctions(const Parameters& list, Constants& constants, Problems& probl
 Constants sceneConstants(const Parameters& scene) {
   Problems problems;
   Constants constants;
-  if (scene.isSublist("Constants")) constants = readConstants(scene.sublist("Constants"), problems);
+  if (scene.isType<std::string>("Model") && scene.get<std::string>("Model") == "Solid") constants.dimension = 3;
+  if (scene.isSublist("Constants")) constants = readConstants(scene.sublist("Constants"), problems, constants.dimension);
   if (scene.isSublist("Functions")) readFunctions(scene.sublist("Functions"), constants, problems);
   problems.throwIfAny();
   return constants;

@@ -15,8 +15,8 @@ class Schema;
 
 struct Constants;
 
-/// A function of the point (x, y), from a text such as "A * sqrt(x^2 + y^2)": operators + - * / ^ (-x^2 is -(x^2)), comparisons, && ||,
-/// c ? a : b, the functions of muParser (sin, atan2, sqrt, exp, ln, abs, min, ...), the constants given, and pi.
+/// A function of the point (x, y), in space (x, y, z), from a text such as "A * sqrt(x^2 + y^2)": operators + - * / ^ (-x^2 is -(x^2)),
+/// comparisons, && ||, c ? a : b, the functions of muParser (sin, atan2, sqrt, exp, ln, abs, min, ...), the constants given, and pi.
 ///
 /// Read once, then a byte code: an evaluation costs about as much as its operations and allocates nothing. Copies share it. Not to be
 /// evaluated from two threads at once.
@@ -47,6 +47,7 @@ class Expression {
 struct Constants {
   std::map<std::string, double> numbers;
   std::map<std::string, Expression> functions;  ///< functions of the place: in another expression the name stands for its value there
+  int dimension = 2;                            ///< in space expressions know z
 
   Constants() = default;
   Constants(std::initializer_list<std::pair<const std::string, double>> numbers) : numbers(numbers) {}
@@ -58,12 +59,13 @@ Schema constantsSchema();
 Schema functionsSchema();
 
 /// The numbers of a list `Constants`. \param problems  gets names that an expression cannot use or that mean something else there. Local.
-Constants readConstants(const Parameters& list, Problems& problems);
+Constants readConstants(const Parameters& list, Problems& problems, int dimension = 2);
 
 /// Adds the functions of a list `Functions`, each of which knows those above it. \param problems  the same, and unreadable ones. Local.
 void readFunctions(const Parameters& list, Constants& constants, Problems& problems);
 
-/// Constants and Functions of a whole scene; nothing if it has no such lists. \throws InputError  all of those problems. Local.
+/// Constants and Functions of a whole scene, if it has such lists, and its dimension, three where its `Model` is Solid. \throws InputError
+/// all of those problems. Local.
 Constants sceneConstants(const Parameters& scene);
 
 /// The expression in a text parameter of a list; nothing if the parameter is not there or (`problems` then knows) is no expression. Local.

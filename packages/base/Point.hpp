@@ -7,6 +7,10 @@ namespace suture {
 
 // Points and directions, of three components: the third is zero in the plane.
 
+/// A vector from its components, of which the plane has two.
+inline Point pointOf(const double* components, int dimension) {
+  return {components[0], components[1], dimension == 3 ? components[2] : 0.0};
+}
 inline Point plus(const Point& a, const Point& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
 inline Point minus(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 inline Point scaled(double factor, const Point& a) { return {factor * a[0], factor * a[1], factor * a[2]}; }

@@ -5,8 +5,9 @@
 #include <suture/constraints/FacetError.hpp>
 #include <suture/constraints/NodalRules.hpp>
 #include <suture/constraints/OpenEnds.hpp>
-#include <suture/constraints/pairing/ContactPairs.hpp>
 #include <suture/mesh/SideGeometry.hpp>
+#include <suture/pairing/ContactPairs.hpp>
+#include <suture/pairing/PairFrame.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -47,8 +48,8 @@ void checkRoles(const Mesh& mesh, const std::vector<Condition>& conditions, cons
     for (const ContactSurface& contact : contacts)
       for (const auto& [face, side] : {std::make_pair(&contact.a, "Side A"), std::make_pair(&contact.b, "Side B")})
         for (const std::string& group : heldAmong(face->groups))
-          problems.add(contact.path + "/" + side,
-                       "'" + group + "' is held on its whole length by " + holding.path + "; a side is either held or in contact");
+          problems.add(contact.path + "/" + side, "'" + group + "' is held on its whole " + (mesh.dimension == 2 ? "length" : "area") +
+                                                      " by " + holding.path + "; a side is either held or in contact");
     for (const Condition& load : conditions) {
       if (holding.type != Condition::Type::Displacement || load.holds()) continue;
       for (const std::string& group : heldAmong(load.groups))
@@ -59,7 +60,7 @@ void checkRoles(const Mesh& mesh, const std::vector<Condition>& conditions, cons
 }
 
 // Contact nodes in one contact, and with nothing prescribed, get the pair's axes, or the mean of several pairs (mortar).
-void addContactFrames(const std::vector<ContactPair>& pairs, std::vector<NodeRule>& rules) {
+void addContactFrames(int dimension, const std::vector<ContactPair>& pairs, std::vector<NodeRule>& rules) {
   struct Use {
     int pairs = 0, contact = -1;
     bool oneContact = true;
@@ -73,7 +74,7 @@ void addContactFrames(const std::vector<ContactPair>& pairs, std::vector<NodeRul
       use.contact = pair.line;
       use.last = pair.normal;
       ++use.pairs;
-      for (int k = 0; k < 2; ++k) use.sum[k] += std::abs(end.weight) * pair.normal[k];
+      for (int k = 0; k < 3; ++k) use.sum[k] += std::abs(end.weight) * pair.normal[k];
     }
   std::set<int> ruled;
   for (const NodeRule& rule : rules) ruled.insert(rule.node);
@@ -81,8 +82,8 @@ void addContactFrames(const std::vector<ContactPair>& pairs, std::vector<NodeRul
     if (!use.oneContact || ruled.count(node)) continue;
     NodeRule rule;
     rule.node = node;
-    rule.axes[0] = use.pairs == 1 ? use.last : unit(use.sum);
-    rule.axes[1] = turned(rule.axes[0]);
+    const std::vector<Point> frame = pairFrame(use.pairs == 1 ? use.last : unit(use.sum), dimension);
+    std::copy(frame.begin(), frame.end(), rule.axes.begin());
     rules.push_back(rule);
   }
   std::sort(rules.begin(), rules.end(), [](const NodeRule& x, const NodeRule& y) { return x.node < y.node; });
@@ -98,9 +99,9 @@ std::vector<SpringDirection> springsOf(const Mesh& mesh, const std::vector<Condi
       for (const int node : nodes) points.push_back(mesh.point(node));
       const std::vector<NodeNormal> normals = nodeNormals(points, mesh.dimension);
       for (std::size_t i = 0; i < nodes.size(); ++i) {
-        const Point normal = unit(normals[i].density);
-        if (condition.normal > 0.0) springs.push_back({side.element, nodes[i], normal});
-        if (condition.tangential > 0.0) springs.push_back({side.element, nodes[i], turned(normal)});
+        const std::vector<Point> frame = pairFrame(unit(normals[i].density), mesh.dimension);
+        for (std::size_t k = 0; k < frame.size(); ++k)
+          if ((k == 0 ? condition.normal : condition.tangential) > 0.0) springs.push_back({side.element, nodes[i], frame[k]});
       }
     }
   }
@@ -116,9 +117,8 @@ void checkHeld(const Mesh& mesh, const Constraints& constraints, Problems& probl
     for (const int body : piece.bodies) held[body] = 1;
   for (std::size_t body = 0; body < mesh.bodies.size(); ++body)
     if (!held[body])
-      problems.add(
-          "Bodies/" + mesh.bodies[body],
-          "nothing holds this body: no Displacement, Bilateral or Elastic Support condition and no contact line is on its boundary");
+      problems.add("Bodies/" + mesh.bodies[body],
+                   "nothing holds this body: no Displacement, Bilateral or Elastic Support condition and no contact is on its boundary");
 }
 
 Constraints build(const Mesh& mesh, const std::vector<Condition>& conditions, std::vector<ContactSurface> contacts,
@@ -148,11 +148,13 @@ Constraints build(const Mesh& mesh, const std::vector<Condition>& conditions, st
   findOpenEnds(mesh, conditions, contacts, constraints);
   checkHeld(mesh, constraints, problems);
   problems.throwIfAny();
-  addContactFrames(constraints.pairs, constraints.rules);
+  addContactFrames(mesh.dimension, constraints.pairs, constraints.rules);
   return constraints;
 }
 
 }  // namespace
+
+Schema contactSchema() { return contactSchema(Frictionless::kName, Registry<ContactLaw>::instance().schemas()); }
 
 Constraints buildConstraints(const Mesh& mesh, const std::vector<Condition>& conditions, const std::vector<Contact>& contacts,
                              const ContactScales& scales) {
@@ -164,32 +166,10 @@ Constraints buildConstraints(const Mesh& mesh, const std::vector<Condition>& con
 Constraints buildConstraints(const Mesh& mesh, const Parameters& conditionList, const Parameters& contactList, const Constants& constants,
                              const ContactScales& scales) {
   Problems problems;
-  const std::vector<Condition> sound = readConditions(mesh, conditionList, constants, problems);
-  return build(mesh, sound, readContact(mesh, contactList, constants, problems), scales, problems);
-}
-
-std::vector<std::vector<int>> neighbourPairs(const std::vector<std::vector<int>>& cells, int pairs) {
-  std::vector<std::vector<int>> beside(pairs);
-  for (const std::vector<int>& cell : cells)
-    for (std::size_t i = 0; i < cell.size(); ++i) {
-      const int a = cell[i], b = cell[(i + 1) % cell.size()];
-      beside[a].push_back(b);
-      beside[b].push_back(a);
-    }
-  for (std::vector<int>& own : beside) {
-    std::sort(own.begin(), own.end());
-    own.erase(std::unique(own.begin(), own.end()), own.end());
-  }
-  return beside;
-}
-
-std::vector<PairEnd> matchingEnds(int nodeA, int nodeB) { return {{nodeA, 1.0}, {nodeB, -1.0}}; }
-
-Point obstacleForce(const ContactPair& pair, double force) {
-  double sum = 0.0, size = 0.0;
-  for (const PairEnd& end : pair.ends) sum += end.weight, size += std::abs(end.weight);
-  if (std::abs(sum) < 1e-9 * size) return {0, 0, 0};
-  return {-force * sum * pair.normal[0], -force * sum * pair.normal[1], -force * sum * pair.normal[2]};
+  Constants known = constants;
+  known.dimension = mesh.dimension;
+  const std::vector<Condition> sound = readConditions(mesh, conditionList, known, problems);
+  return build(mesh, sound, readContact(mesh, contactList, known, problems), scales, problems);
 }
 
 Matrix axesOf(const NodeRule& rule, int dimension) {

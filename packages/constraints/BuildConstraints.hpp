@@ -3,8 +3,8 @@
 #include <suture/base/scene/Schema.hpp>
 #include <suture/constraints/Conditions.hpp>
 #include <suture/constraints/Constraints.hpp>
-#include <suture/constraints/ContactSurface.hpp>
 #include <suture/mesh/Mesh.hpp>
+#include <suture/pairing/ContactSurface.hpp>
 
 #include <functional>
 #include <string>

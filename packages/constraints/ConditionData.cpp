@@ -24,18 +24,20 @@ const std::vector<std::string>& expressionNames() {
   static const std::vector<std::string> all = [] {
     std::vector<std::string> names;
     for (const ConditionForm& form : conditionForms())
-      for (const std::string& name : form.expressions())
-        if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+      for (const int dimension : {2, 3})
+        for (const std::string& name : form.expressions(dimension))
+          if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
     return names;
   }();
   return all;
 }
 
-ConditionData readConditionData(const Parameters& condition, const Constants& constants, Problems& problems) {
+ConditionData readConditionData(const Parameters& condition, const Constants& constants, Problems& problems, int dimension) {
   const auto type = condition.get<std::string>("Type");
   const ConditionForm& form = formNamed(type);
   const std::string components = form.isPartial() ? condition.get<std::string>("Components") : "All";
-  const std::vector<std::string> names = form.expressions(components);
+  const std::vector<std::string> names = form.expressions(dimension, components);
+  if (names.empty()) return {};  // components of space in the plane, which readConditions() tells
   const std::string alternative = form.varies ? ", or " + joined(names) : "";
   const bool valued = condition.isParameter("Value");
   ConditionData data;

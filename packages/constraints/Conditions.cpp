@@ -5,10 +5,16 @@
 #include <Teuchos_ParameterList.hpp>
 
 #include <algorithm>
+#include <cctype>
 
 namespace suture {
 
 namespace {
+
+std::string capitalised(std::string text) {
+  text[0] = char(std::toupper(text[0]));
+  return text;
+}
 
 /// Groups and bodies of a condition, against those of the mesh.
 void checkPlace(const Mesh& mesh, const Condition& condition, Problems& problems) {
@@ -19,15 +25,10 @@ void checkPlace(const Mesh& mesh, const Condition& condition, Problems& problems
     return;
   }
   if (condition.groups.empty())
-    wrong("Group", "is missing: " + withArticle(formOf(condition.type).name) +
-                       " needs a curve group. Curve groups: " + joinNames(mesh.sideGroupNames()));
-  for (const std::string& group : condition.groups) {
-    const auto found = mesh.sideGroups.find(group);
-    if (found == mesh.sideGroups.end())
-      wrong("Group", unknownCurve(mesh, group));
-    else if (found->second.empty())
-      wrong("Group", "the curve group '" + group + "' of the mesh " + mesh.source + " is empty");
-  }
+    wrong("Group", "is missing: " + withArticle(formOf(condition.type).name) + " needs a " + mesh.sideGroupKind() + ". " +
+                       capitalised(mesh.sideGroupKind()) + "s: " + joinNames(mesh.sideGroupNames()));
+  for (const std::string& group : condition.groups)
+    if (const std::string problem = sideGroupProblem(mesh, group); !problem.empty()) wrong("Group", problem);
 }
 
 /// Components and data of a displacement made in C++; a scene file has only sound ones.
@@ -70,11 +71,11 @@ class Entry {
     condition_.groups = groupNames(list_, "Group");
     const std::string subject = withArticle(form_->name);
     if (list_.isParameter("Group") && form_->place == ConditionForm::Place::Body)
-      wrong("Group", subject + " acts on a body, not on a curve group; name it in Body, or leave it out for all bodies");
+      wrong("Group", subject + " acts on a body, not on a " + mesh_.sideGroupKind() + "; name it in Body, or leave it out for all bodies");
     if (list_.isParameter("Group") && form_->place == ConditionForm::Place::Point)
-      wrong("Group", subject + " acts at a point, not on a curve group; name its place in Point");
+      wrong("Group", subject + " acts at a point, not on a " + mesh_.sideGroupKind() + "; name its place in Point");
     if (list_.isParameter("Body") && condition_.onSides())
-      wrong("Body", subject + " acts on a curve group, not on a body; name it in Group");
+      wrong("Body", subject + " acts on a " + mesh_.sideGroupKind() + ", not on a body; name it in Group");
     else if (list_.isParameter("Body"))
       condition_.body = list_.get<std::string>("Body");
     checkPlace(mesh_, condition_, problems_);
@@ -84,14 +85,16 @@ class Entry {
     const std::string components = list_.get<std::string>("Components");
     if (!form_->isPartial() && components != "All")
       wrong("Components", "only a Displacement or a Mean Displacement has it; found in " + withArticle(form_->name));
+    if (form_->isPartial() && mesh_.dimension == 2 && components.find('z') != std::string::npos)
+      wrong("Components", "'" + components + "' in the plane; expected All, x or y");
     if (condition_.type != Type::Displacement) return;
-    if (components != "y") condition_.components.push_back(0);
-    if (components != "x") condition_.components.push_back(1);
+    for (int k = 0; k < mesh_.dimension; ++k)
+      if (components == "All" || components.find("xyz"[k]) != std::string::npos) condition_.components.push_back(k);
   }
 
   void readData() {
     if (!form_->components.empty()) {
-      condition_.data = readConditionData(list_, constants_, problems_);
+      condition_.data = readConditionData(list_, constants_, problems_, mesh_.dimension);
       return;
     }
     std::vector<std::string> names = expressionNames();
@@ -159,10 +162,6 @@ std::vector<Condition> conditionsOn(const Mesh& mesh, const std::vector<Conditio
     if (problems.list().size() == before) sound.push_back(condition);
   }
   return sound;
-}
-
-std::string unknownCurve(const Mesh& mesh, const std::string& group) {
-  return "in the mesh " + mesh.source + ": " + unknownName("curve group", group, mesh.sideGroupNames());
 }
 
 std::vector<Condition> readConditions(const Mesh& mesh, const Parameters& conditions, const Constants& constants, Problems& problems) {

@@ -32,7 +32,7 @@ struct Condition {
   std::string name;
   std::string path;  ///< "Boundary Conditions/push", for messages
   Type type = Type::Bilateral;
-  std::vector<std::string> groups;  ///< curve groups; none for loads on bodies and at points
+  std::vector<std::string> groups;  ///< side groups; none for loads on bodies and at points
   std::vector<int> components;      ///< prescribed by a Displacement
   ConditionData data;               ///< data of each component, of loads as well; none for types without a value
   std::string body;                 ///< body of a load on bodies or at a point; empty: all bodies
@@ -40,10 +40,10 @@ struct Condition {
   double normal = 0.0, tangential = 0.0;  ///< stiffness of an ElasticSupport [stress / length]
 
   bool holds() const { return type == Type::Displacement || type == Type::Bilateral; }
-  /// Acts on curve groups; else on bodies as a whole, or at a point.
+  /// Acts on side groups; else on bodies as a whole, or at a point.
   bool onSides() const;
 
-  /// Displacements given on a curve group. \param values  one a component [length] \param components  the prescribed ones, ascending
+  /// Displacements given on a side group. \param values  one a component [length] \param components  the prescribed ones, ascending
   static Condition displacement(const std::string& group, const std::vector<double>& values, const std::vector<int>& components = {0, 1});
   /// Normal displacement zero, free to slide.
   static Condition bilateral(const std::string& group);
@@ -57,8 +57,5 @@ std::vector<Condition> conditionsOn(const Mesh& mesh, const std::vector<Conditio
 /// \param problems  gets: what conditionsOn() finds, a parameter that the type does not take or lacks, a wrong number of values, a bad
 /// expression
 std::vector<Condition> readConditions(const Mesh& mesh, const Parameters& conditions, const Constants& constants, Problems& problems);
-
-/// "in the mesh m.geo: no such curve group 'x'. ...": the sentence for a group that is not there.
-std::string unknownCurve(const Mesh& mesh, const std::string& group);
 
 }  // namespace suture

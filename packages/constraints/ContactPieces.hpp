@@ -1,7 +1,7 @@
 #pragma once
 #include <suture/constraints/Constraints.hpp>
-#include <suture/constraints/ContactSurface.hpp>
-#include <suture/constraints/pairing/ContactPairs.hpp>
+#include <suture/pairing/ContactPairs.hpp>
+#include <suture/pairing/ContactSurface.hpp>
 
 #include <vector>
 

@@ -1,7 +1,7 @@
 #include <suture/algebra/DisjointSets.hpp>
 #include <suture/constraints/ContactRow.hpp>
-#include <suture/constraints/PairFrame.hpp>
 #include <suture/mesh/Mesh.hpp>
+#include <suture/pairing/PairFrame.hpp>
 
 #include <algorithm>
 #include <cmath>

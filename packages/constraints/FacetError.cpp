@@ -52,7 +52,7 @@ void noteInterference(const ContactSurface& contact, const PairedSurface& paired
   char depth[60];
   std::snprintf(depth, sizeof depth, "%.1e%s%s", deepest, unit.empty() ? "" : " ", unit.c_str());
   notes.push_back("contact '" + contact.name + "': " + (contact.initialGap ? "given" : "drawn") + " interference " + depth +
-                  ", deepest at " + placeText(place));
+                  ", deepest at " + placeText(place, contact.a.surface->dimension()));
 }
 
 void estimatePressures(const std::vector<ContactSurface>& contacts, const std::vector<PairedSurface>& paired, Constraints& constraints) {

@@ -1,7 +1,7 @@
 #pragma once
 #include <suture/constraints/BuildConstraints.hpp>
-#include <suture/constraints/ContactSurface.hpp>
-#include <suture/constraints/pairing/ContactPairs.hpp>
+#include <suture/pairing/ContactPairs.hpp>
+#include <suture/pairing/ContactSurface.hpp>
 
 #include <string>
 #include <vector>

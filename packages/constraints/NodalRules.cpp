@@ -1,15 +1,16 @@
 #include <suture/base/Point.hpp>
-#include <suture/constraints/ContactSurface.hpp>
 #include <suture/constraints/NodalRules.hpp>
 #include <suture/mesh/CellGeometry.hpp>
 #include <suture/mesh/SideGeometry.hpp>
+#include <suture/pairing/ContactSurface.hpp>
+#include <suture/pairing/PairFrame.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <map>
 #include <set>
-#include <tuple>
 
 namespace suture {
 
@@ -47,7 +48,7 @@ void addDisplacement(const Mesh& mesh, const std::vector<Condition>& conditions,
 // All conditions together: a round wall named in two pieces must not get two nearly parallel rows where the pieces meet.
 void addBilateral(const Mesh& mesh, const std::vector<Condition>& conditions, Rows& rows) {
   struct Bundle {
-    Point sum;  // sum of the normals, weighted by length
+    Point sum;  // sum of the normals, weighted by size
     std::set<int> conditions;
   };
   std::map<int, std::vector<Bundle>> bundles;
@@ -101,9 +102,9 @@ class Contradictions {
   void report(Problems& problems) const {
     for (const auto& [pair, found] : all_) {
       char text[300];
-      std::snprintf(text, sizeof text, "at %s the displacement along (%.6g, %.6g) is to be %.6g, but '%s' makes it %.6g",
-                    placeText(mesh_.point(found.node)).c_str(), found.other.direction[0], found.other.direction[1], found.other.value,
-                    conditions_[found.kept.condition].name.c_str(), found.kept.value);
+      std::snprintf(text, sizeof text, "at %s the displacement along %s is to be %.6g, but '%s' makes it %.6g",
+                    placeText(mesh_.point(found.node), mesh_.dimension).c_str(), placeText(found.other.direction, mesh_.dimension).c_str(),
+                    found.other.value, conditions_[found.kept.condition].name.c_str(), found.kept.value);
       problems.add(conditions_[found.other.condition].path,
                    std::string(text) + (found.nodes > 1 ? " (and so at " + std::to_string(found.nodes - 1) + " more nodes)" : "") +
                        "; where conditions meet, their values must agree");
@@ -122,61 +123,130 @@ class Contradictions {
 
 bool areParallel(const Row& a, const Row& b) { return norm(cross(a.direction, b.direction)) <= sameDirection; }
 
-/// The first row of another direction than that of the first; null where there is none.
-const Row* secondOf(const std::vector<Row>& rows) {
-  const auto found = std::find_if(rows.begin(), rows.end(), [&](const Row& row) { return !areParallel(rows[0], row); });
-  return found == rows.end() ? nullptr : &*found;
-}
+/// The rows of a node that decide its displacement: each the first whose direction is independent of those before. With the basis that is
+/// dual to their directions.
+struct Basis {
+  std::vector<const Row*> rows;
+  /// Directions that complete those of the rows to three: unit vectors, across the rows' span. In the plane the last is across the plane.
+  std::array<Point, 3> directions{};
+  double det = 1.0;  ///< of the three directions
+
+  Basis(const std::vector<Row>& all, int dimension) {
+    for (const Row& row : all)
+      if (int(rows.size()) < dimension && isIndependent(row)) rows.push_back(&row);
+    std::size_t known = 0;
+    for (const Row* row : rows) directions[known++] = row->direction;
+    if (known == 2) directions[2] = dimension == 2 ? Point{0, 0, 1} : across();
+    if (known >= 2) det = dot(cross(directions[0], directions[1]), directions[2]);
+  }
+
+  /// det times the vector whose product with direction i is one, with the others zero.
+  Point adjugate(int i) const { return cross(directions[(i + 1) % 3], directions[(i + 2) % 3]); }
+  /// The vector in the span of the rows whose product with direction i is one, with those of the other rows zero.
+  Point dual(int i) const {
+    if (rows.size() == 1) return directions[0];
+    const Point vector = adjugate(i);
+    return {vector[0] / det, vector[1] / det, vector[2] / det};
+  }
+  /// Unit vector across two rows.
+  Point across() const {
+    const Point normal = cross(rows[0]->direction, rows[1]->direction);
+    return scaled(1 / norm(normal), normal);
+  }
+
+ private:
+  bool isIndependent(const Row& row) const {
+    if (rows.empty()) return true;
+    if (rows.size() == 1) return !areParallel(*rows[0], row);
+    return std::abs(dot(across(), row.direction)) > sameDirection;
+  }
+};
 
 /// \param last  conditions from this number on are none of the scene's
-void addSupports(int node, const std::vector<Row>& rows, int last, std::vector<Support>& supports) {
-  const Row *first = &rows[0], *second = secondOf(rows);
-  const auto add = [&](const Row& held, const Point& along) {
+void addSupports(int node, const Basis& basis, const std::vector<Row>& rows, int last, std::vector<Support>& supports) {
+  for (int i = 0; i < int(basis.rows.size()); ++i) {
+    const Row& held = *basis.rows[i];
     std::set<int> conditions;
     for (const Row& row : rows)
       if (areParallel(held, row)) conditions.insert(row.condition);
     for (const int condition : conditions)
-      if (condition < last) supports.push_back({node, condition, held.direction, scaled(1.0 / double(conditions.size()), along)});
-  };
-  if (!second) return add(*first, first->direction);
-  const double det = cross(first->direction, second->direction)[2];
-  add(*first, {second->direction[1] / det, -second->direction[0] / det, 0});
-  add(*second, {-first->direction[1] / det, first->direction[0] / det, 0});
+      if (condition < last) supports.push_back({node, condition, held.direction, scaled(1.0 / double(conditions.size()), basis.dual(i))});
+  }
 }
 
-NodeRule ruleOf(int node, const std::vector<Row>& rows, Contradictions& contradictions) {
-  const Row &first = rows[0], *second = secondOf(rows);
-  double scale = 0;
-  for (const Row& row : rows) scale = std::max(scale, std::abs(row.value));
+/// Place of the only component that is not zero; -1 where there are several.
+int onlyComponent(const Point& direction) {
+  int place = -1;
+  for (int k = 0; k < 3; ++k) {
+    if (direction[k] == 0) continue;
+    if (place >= 0) return -1;
+    place = k;
+  }
+  return place;
+}
+
+/// Value of one component of the vector in the span of the rows whose products with their directions are their values.
+double component(const Basis& basis, int k) {
+  double sum = 0;
+  for (std::size_t i = 0; i < basis.rows.size(); ++i) sum += basis.rows[i]->value * basis.adjugate(int(i))[k];
+  return sum / basis.det;
+}
+
+/// The rule of one direction: axis 0, unless the Cartesian axes have it.
+void holdLine(const Row& row, int dimension, NodeRule& rule) {
+  if (const int k = onlyComponent(row.direction); k >= 0) {
+    rule.fixed[k] = true;
+    rule.value[k] = row.value / row.direction[k];
+    return;
+  }
+  const std::vector<Point> frame = pairFrame(row.direction, dimension);
+  std::copy(frame.begin(), frame.end(), rule.axes.begin());
+  rule.fixed[0] = true;
+  rule.value[0] = row.value;
+}
+
+/// The rule of two directions in space: axis 0 along the first, axis 1 in their plane, unless this is a plane of Cartesian axes.
+void holdPlane(const Basis& basis, NodeRule& rule) {
+  const Row &first = *basis.rows[0], &second = *basis.rows[1];
+  const Point normal = basis.directions[2];
+  if (const int free = onlyComponent(normal); free >= 0) {
+    for (int k = 0; k < 3; ++k)
+      if (k != free) rule.fixed[k] = true, rule.value[k] = component(basis, k);
+    return;
+  }
+  rule.axes = {first.direction, cross(normal, first.direction), normal};
+  rule.fixed = {true, true, false};
+  const double along = dot(second.direction, rule.axes[0]), aside = dot(second.direction, rule.axes[1]);
+  rule.value = {first.value, (second.value - along * first.value) / aside, 0};
+}
+
+NodeRule ruleOf(int node, const Basis& basis, int dimension) {
   NodeRule rule;
   rule.node = node;
-  if (second) {  // two equations for two components
-    const double det = cross(first.direction, second->direction)[2];
-    rule.fixed = {true, true, false};
-    rule.value = {(first.value * second->direction[1] - second->value * first.direction[1]) / det,
-                  (first.direction[0] * second->value - second->direction[0] * first.value) / det, 0};
-  } else if (first.direction[1] == 0 || first.direction[0] == 0) {  // Cartesian axes do
-    const int k = first.direction[0] == 0 ? 1 : 0;
-    rule.fixed[k] = true;
-    rule.value[k] = first.value / first.direction[k];
+  if (int(basis.rows.size()) == dimension) {  // as many equations as components
+    for (int k = 0; k < dimension; ++k) rule.fixed[k] = true, rule.value[k] = component(basis, k);
+  } else if (basis.rows.size() == 1) {
+    holdLine(*basis.rows[0], dimension, rule);
   } else {
-    rule.axes[0] = first.direction;
-    rule.axes[1] = turned(first.direction);
-    rule.fixed[0] = true;
-    rule.value[0] = first.value;
-  }
-
-  // Displacement that the rule gives along each row's direction, against the value of the row.
-  for (const Row& row : rows) {
-    double along = 0;
-    for (int k = 0; k < 2; ++k)
-      if (rule.fixed[k]) along += dot(rule.axes[k], row.direction) * rule.value[k];
-    if (std::abs(along - row.value) <= sameValue * scale) continue;
-    Row kept = areParallel(first, row) || !second ? first : *second;
-    kept.value = along;
-    contradictions.add(node, kept, row);
+    holdPlane(basis, rule);
   }
   return rule;
+}
+
+/// Compares the displacement that a rule gives along each row's direction with the value of the row.
+void compare(const NodeRule& rule, const Basis& basis, const std::vector<Row>& rows, int dimension, Contradictions& contradictions) {
+  double scale = 0;
+  for (const Row& row : rows) scale = std::max(scale, std::abs(row.value));
+  for (const Row& row : rows) {
+    double along = 0;
+    for (int k = 0; k < dimension; ++k)
+      if (rule.fixed[k]) along += dot(rule.axes[k], row.direction) * rule.value[k];
+    if (std::abs(along - row.value) <= sameValue * scale) continue;
+    const auto like = std::find_if(basis.rows.begin(), basis.rows.end(), [&](const Row* held) { return areParallel(*held, row); });
+    Row kept = like == basis.rows.end() ? *basis.rows.back() : **like;
+    kept.value = along;
+    contradictions.add(rule.node, kept, row);
+  }
 }
 
 }  // namespace
@@ -194,8 +264,10 @@ std::vector<NodeRule> nodalRules(const Mesh& mesh, const std::vector<Condition>&
   Contradictions contradictions(mesh, conditions);
   std::vector<NodeRule> rules;
   for (const auto& [node, here] : rows) {
-    rules.push_back(ruleOf(node, here, contradictions));
-    addSupports(node, here, int(scene.size()), supports);
+    const Basis basis(here, mesh.dimension);
+    rules.push_back(ruleOf(node, basis, mesh.dimension));
+    compare(rules.back(), basis, here, mesh.dimension, contradictions);
+    addSupports(node, basis, here, int(scene.size()), supports);
   }
   contradictions.report(problems);
   return rules;

@@ -21,8 +21,11 @@ std::set<int> rimNodes(const Surface& surface) {
     for (int facet = 0; facet < surface.facets(side); ++facet) {
       if (surface.across(side, facet).side >= 0) continue;
       const std::vector<int>& nodes = surface.nodesOf(side);
-      rim.insert(nodes[facet]);
-      if (surface.dimension() == 3) rim.insert(nodes[(facet + 1) % surface.facets(side)]);
+      const std::size_t vertices = surface.facets(side), at = facet;
+      rim.insert(nodes[at]);
+      if (surface.dimension() == 2) continue;
+      rim.insert(nodes[(at + 1) % vertices]);
+      if (nodes.size() > vertices) rim.insert(nodes[vertices + at]);  // the middle of the edge
     }
   return rim;
 }

@@ -1,6 +1,6 @@
 #pragma once
 #include <suture/constraints/Constraints.hpp>
-#include <suture/constraints/ContactSurface.hpp>
+#include <suture/pairing/ContactSurface.hpp>
 
 #include <vector>
 

@@ -83,7 +83,11 @@ std::string inWords(const RigidPart& part, const Vector& amplitudes, int dimensi
            (rotation[0] > 0 ? "counterclockwise" : "clockwise");
   }
   const Vector axis = rotation.normalized();
-  return "turn about the axis (" + number(axis[0], 1.0) + ", " + number(axis[1], 1.0) + ", " + number(axis[2], 1.0) + ")";
+  // The point of the axis that is nearest to the centre, from the displacement of the centre across the axis.
+  const Point spin{rotation[0], rotation[1], rotation[2]}, shift{translation[0], translation[1], translation[2]};
+  const Point arm = scaled(part.radius / rotation.squaredNorm(), cross(spin, shift)), through = plus(part.centre, arm);
+  return "turn about the axis (" + number(axis[0], 1.0) + ", " + number(axis[1], 1.0) + ", " + number(axis[2], 1.0) + ") through (" +
+         number(through[0], part.radius) + ", " + number(through[1], part.radius) + ", " + number(through[2], part.radius) + ")";
 }
 
 RigidParts freeRigidMotions(const Mesh& mesh, const Constraints& constraints, bool bodiesAreConnected) {

@@ -14,26 +14,27 @@
 namespace suture {
 
 namespace {
-constexpr const char *kPlaneStrain = "Plane Strain", *kPlaneStress = "Plane Stress", *kAxisymmetric = "Axisymmetric";
+constexpr const char *kPlaneStrain = "Plane Strain", *kPlaneStress = "Plane Stress", *kAxisymmetric = "Axisymmetric", *kSolid = "Solid";
 constexpr const char* kMixed = "Mixed";
 constexpr const char* kAutomatic = "Automatic";
 }  // namespace
 
 void addModelParameters(Schema& scene) {
-  scene.oneOf(
-      "Model", kPlaneStrain, {kPlaneStrain, kPlaneStress, kAxisymmetric},
-      "How the third dimension is treated: no strain across the plane (long bodies), no stress across it (thin sheets), or bodies of "
-      "revolution about the axis x = 0: x >= 0 is the radius and y runs along the axis, on which u_x = 0 without being said. Forces "
-      "(loads on sides and bodies, reactions, contact) are those of the whole circle, not of a radian; the sums of their radial "
-      "components are sums of magnitudes round the circle.");
+  scene.oneOf("Model", kPlaneStrain, {kPlaneStrain, kPlaneStress, kAxisymmetric, kSolid},
+              "Solid: bodies in space, meshed by volume elements. Else how the third dimension is treated: no strain across the plane "
+              "(long bodies), "
+              "no stress across it (thin sheets), or bodies of revolution about the axis x = 0: x >= 0 is the radius and y runs along the "
+              "axis, on which u_x = 0 without being said. Forces "
+              "(loads on sides and bodies, reactions, contact) are those of the whole circle, not of a radian; the sums of their radial "
+              "components are sums of magnitudes round the circle.");
 }
 
 Schema bodySchema() {
-  return Schema("A body: named like its surface group in the mesh.")
+  return Schema("A body: named like its surface group in the mesh, in space its volume group.")
       .text("Material", std::nullopt, "Name of its entry in the list Materials.")
       .list("Regions", Schema("Parts of the body with a material of their own; the rest has the body's.")
                            .each("region", Schema("A part of a body, named by the user.")
-                                               .text("Group", std::nullopt, "Its surface group in the mesh.")
+                                               .text("Group", std::nullopt, "Its surface group in the mesh, in space its volume group.")
                                                .text("Material", std::nullopt, "Name of its entry in the list Materials.")));
 }
 
@@ -41,12 +42,12 @@ Schema materialSchema() {
   return Schema("A material, named by the user.")
       .choice("Type", IsotropicLaw::kName, Registry<MaterialLaw>::instance().schemas(),
               "The law, linear elastic; its parameters stand in the list of its name, those of Isotropic beside Type.", IsotropicLaw::kName)
-      .oneOf(
-          "Element", kAutomatic, {kAutomatic, "Displacement", kMixed},
-          "Unknowns of the elements of this material. Automatic: Mixed with a Poisson ratio above 0.49 (plane strain, axisymmetric), else "
-          "Displacement. Mixed: also a pressure in each element, discontinuous and eliminated there, for "
-          "nearly incompressible materials, where Displacement elements lock: constant in Quadrilateral4, Quadrilateral8 and Triangle6, "
-          "linear in Quadrilateral9; not for 3-node triangles, and not in plane stress, where nothing locks.")
+      .oneOf("Element", kAutomatic, {kAutomatic, "Displacement", kMixed},
+             "Unknowns of the elements of this material. Automatic: Mixed with a Poisson ratio above 0.49 (but not in plane stress), else "
+             "Displacement. Mixed: also a pressure in each element, discontinuous and eliminated there, for "
+             "nearly incompressible materials, where Displacement elements lock: linear in Quadrilateral9 and "
+             "Hexahedron27, constant in the others; not for 3-node triangles and 4-node tetrahedra, and not in plane stress, where nothing "
+             "locks.")
       .real("Density", std::nullopt,
             "Mass per volume, for Gravity and Rotation: in units in which density x length / time^2 x length is a stress, as kg/m^3 with "
             "N, m, "
@@ -57,14 +58,13 @@ Schema materialSchema() {
             "1 / temperature")
       .optional()
       .boolean("Allow Locking", false,
-               "Accept 3-node triangles with a Poisson ratio above 0.49 (plane strain, axisymmetric), as Displacement elements: they are "
-               "much too "
-               "stiff there, and a warning says so.");
+               "Accept 3-node triangles and 4-node tetrahedra with a Poisson ratio above 0.49 (but not in plane stress), as Displacement "
+               "elements: they are much too stiff there, and a warning says so.");
 }
 
 Matrix elasticity(const Material& material, PlaneModel plane, int dimension) {
-  const ElasticStiffness c = material.stiffness();
-  if (dimension == 3) return c;
+  if (dimension == 3) return material.stiffness();
+  const Eigen::Matrix4d c = planePart(material.stiffness());
   const Eigen::Vector3i inPlane(0, 1, 3);
   Eigen::Matrix3d d;
   for (int i = 0; i < 3; ++i)
@@ -87,9 +87,10 @@ std::string textOf(const Parameters& list, const std::string& name) {
   return list.isType<std::string>(name) ? list.get<std::string>(name) : std::string();
 }
 
-// \param number  of the law among those of the scene, from 1. \throws InputError  it is none
-void setLaw(Material& material, std::shared_ptr<const MaterialLaw> law, int number) {
+// \param number  of the law among those of the scene, from 1. \throws InputError  it is none, or none of a plane body
+void setLaw(Material& material, std::shared_ptr<const MaterialLaw> law, int number, int dimension) {
   const std::optional<IsotropicModuli> moduli = law->isotropic();
+  if (!moduli && dimension == 2) planePart(law->stiffness());  // throws
   const auto [young, poisson] = moduli ? *moduli : nearestIsotropic(law->stiffness());
   material.young = young;
   material.poisson = poisson;
@@ -99,10 +100,10 @@ void setLaw(Material& material, std::shared_ptr<const MaterialLaw> law, int numb
 }
 
 // Reads the law of an entry of Materials; false if there is something wrong with it. `number`: of the entry, from 1.
-bool readLaw(const Parameters& entry, int number, Material& material, Problems& problems) {
+bool readLaw(const Parameters& entry, int number, int dimension, Material& material, Problems& problems) {
   const std::string type = entry.get<std::string>("Type");
   try {
-    setLaw(material, Registry<MaterialLaw>::instance().make(type, entry.isSublist(type) ? entry.sublist(type) : entry), number);
+    setLaw(material, Registry<MaterialLaw>::instance().make(type, entry.isSublist(type) ? entry.sublist(type) : entry), number, dimension);
     return true;
   } catch (const InputError& error) {
     for (Problem problem : error.problems()) {
@@ -119,7 +120,7 @@ bool readLaw(const Parameters& entry, int number, Material& material, Problems& 
 bool mayBeMixed(const Material& material) {
   Material mixed = material;
   mixed.element = ElementForm::Mixed;
-  return Eigen::LLT<Eigen::Matrix4d>(HookesLaw(mixed, PlaneModel::Strain).pointwise).info() == Eigen::Success;
+  return Eigen::LLT<ElasticStiffness>(HookesLaw<3>(mixed, PlaneModel::Strain).pointwise).info() == Eigen::Success;
 }
 
 bool isMixedOfItself(const Material& material, PlaneModel plane) {
@@ -127,7 +128,8 @@ bool isMixedOfItself(const Material& material, PlaneModel plane) {
 }
 
 // The material that the parameter `Material` of a list names.
-Material materialNamedIn(const Parameters& list, const Parameters& materials, PlaneModel plane, Problems& problems) {
+Material materialNamedIn(const Parameters& list, const Parameters& materials, const ElasticModel& model, Problems& problems) {
+  const PlaneModel plane = model.plane;
   Material material;
   material.name = list.get<std::string>("Material");
   const std::vector<std::string> known = sublistNames(materials);
@@ -137,7 +139,7 @@ Material materialNamedIn(const Parameters& list, const Parameters& materials, Pl
     return material;
   }
   const Parameters& own = materials.sublist(material.name);
-  if (!readLaw(own, static_cast<int>(found - known.begin()) + 1, material, problems)) return material;
+  if (!readLaw(own, static_cast<int>(found - known.begin()) + 1, model.dimension, material, problems)) return material;
   const std::string element = textOf(own, "Element");
   material.named = !element.empty() && element != kAutomatic;
   if (own.isType<double>("Density")) material.density = own.get<double>("Density");
@@ -166,7 +168,7 @@ void ElasticModel::addBody(const std::string& body, std::shared_ptr<const Materi
   law->stiffness();  // throws
   Material material;
   material.name = body;
-  setLaw(material, std::move(law), int(bodies.size()) + 1);
+  setLaw(material, std::move(law), int(bodies.size()) + 1, dimension);
   if (isMixedOfItself(material, plane)) material.element = ElementForm::Mixed;
   bodies.push_back(body);
   materialOfBody.push_back(material);
@@ -180,20 +182,35 @@ bool ElasticModel::nearlyIncompressible() const {
 
 bool isAxisymmetric(const Parameters& scene) { return textOf(scene, "Model") == kAxisymmetric; }
 
+int sceneDimension(const Parameters& scene) { return textOf(scene, "Model") == kSolid ? 3 : 2; }
+
 std::string modelName(const ElasticModel& model) {
+  if (model.dimension == 3) return kSolid;
   return model.axisymmetric ? kAxisymmetric : model.plane == PlaneModel::Stress ? kPlaneStress : kPlaneStrain;
 }
 
 void requireGeometry(const CellBlock& block, const ElasticModel& model) {
+  if (block.dimension != model.dimension)
+    throw InternalError("the model " + modelName(model) + " on a mesh of dimension " + std::to_string(block.dimension));
   if (block.axisymmetric != model.axisymmetric)
     throw InternalError(model.axisymmetric ? "the scene is axisymmetric, but the mesh was not told (makeAxisymmetric)"
                                            : "the mesh is axisymmetric, but the scene is not");
 }
 
+void requireDimension(const CellBlock& mesh, const std::string& source, const ElasticModel& model) {
+  if (mesh.dimension == model.dimension) return;
+  throw InputError(
+      "Model", model.dimension == 2
+                   ? "'" + modelName(model) + "' needs a plane mesh; the mesh " + source + " has volume elements: expected '" + kSolid + "'"
+                   : "'" + modelName(model) + "' needs volume elements; the mesh " + source + " is plane: expected '" + kPlaneStrain +
+                         "', '" + kPlaneStress + "' or '" + kAxisymmetric + "'");
+}
+
 void checkElements(const CellBlock& block, const std::function<int(int element)>& bodyOf, const ElasticModel& model, Problems& problems) {
   std::set<std::pair<const Material*, int>> seen;
   for (int e = 0; e < block.elements(); ++e) {
-    if (block.cells[e] != Cell::Triangle3) continue;
+    if (block.cells[e] != Cell::Triangle3 && block.cells[e] != Cell::Tetrahedron4) continue;
+    const std::string kind = block.dimension == 2 ? "3-node triangles" : "4-node tetrahedra";
     const int body = bodyOf(e);
     const Material& material = model.materialOf(block, e, body);
     const bool mixed = material.named && material.element == ElementForm::Mixed;
@@ -201,11 +218,11 @@ void checkElements(const CellBlock& block, const std::function<int(int element)>
     if ((!mixed && !locks) || !seen.insert({&material, body}).second) continue;
     std::ostringstream text;
     if (mixed)
-      text << "Mixed, but the body '" << model.bodies[body] << "' has 3-node triangles, for which there is no stable pressure";
+      text << "Mixed, but the body '" << model.bodies[body] << "' has " << kind << ", for which there is no stable pressure";
     else
-      text << material.poisson << " with 3-node triangles in the body '" << model.bodies[body] << "': above " << kLockingPoisson
+      text << material.poisson << " with " << kind << " in the body '" << model.bodies[body] << "': above " << kLockingPoisson
            << " they lock (the body becomes far too stiff)";
-    text << ". Mesh it with 6-node triangles or quadrilaterals";
+    text << ". Mesh it with " << (block.dimension == 2 ? "6-node triangles or quadrilaterals" : "10-node tetrahedra or hexahedra");
     if (!mixed)
       text << ", for which Materials/" << material.name << "/Element = Mixed is chosen, or choose Displacement there, or set Materials/"
            << material.name << "/Allow Locking, if locking is what you want to see";
@@ -222,14 +239,15 @@ ElasticModel makeElasticModel(const Parameters& scene) {
   const Constants constants = sceneConstants(scene);
   model.plane = textOf(scene, "Model") == kPlaneStress ? PlaneModel::Stress : PlaneModel::Strain;
   model.axisymmetric = isAxisymmetric(scene);
+  model.dimension = sceneDimension(scene);
 
   const Parameters& bodies = scene.sublist("Bodies");
   const Parameters& materials = scene.sublist("Materials");
   model.bodies = sublistNames(bodies);
   for (const std::string& body : model.bodies)
-    model.materialOfBody.push_back(materialNamedIn(bodies.sublist(body), materials, model.plane, problems));
+    model.materialOfBody.push_back(materialNamedIn(bodies.sublist(body), materials, model, problems));
   for (const RegionEntry& region : regionEntries(bodies)) {
-    model.materialOfRegion.push_back(materialNamedIn(*region.list, materials, model.plane, problems));
+    model.materialOfRegion.push_back(materialNamedIn(*region.list, materials, model, problems));
     model.bodyOfRegion.push_back(region.body);
   }
   if (model.plane == PlaneModel::Stress)
@@ -240,7 +258,7 @@ ElasticModel makeElasticModel(const Parameters& scene) {
 
   readLoads(scene, constants, model, problems);
   if (scene.isSublist("Exact Solution"))
-    model.exact = readExactSolution(scene.sublist("Exact Solution"), model.bodies, constants, problems);
+    model.exact = readExactSolution(scene.sublist("Exact Solution"), model.bodies, model.dimension, constants, problems);
   problems.throwIfAny();
   return model;
 }

@@ -28,7 +28,7 @@ struct Material {
   double young = 0.0;    ///< Young modulus [stress]; of another law that of nearestIsotropic()
   double poisson = 0.0;  ///< Poisson ratio [-]; likewise
   ElementForm element = ElementForm::Displacement;
-  bool allowLocking = false;  ///< displacement elements, 3-node triangles among them, although nu is near 0.5
+  bool allowLocking = false;  ///< displacement elements, linear simplices among them, although nu is near 0.5
   bool named = false;         ///< the scene names the element; else it was chosen: one that does not lock
   int number =
       0;  ///< tells materials apart that have the same moduli but other laws or expansions: place in the scene's list, from 1; else 0
@@ -40,13 +40,14 @@ struct Material {
 };
 
 /// Quantity that vanishes across the plane. Axisymmetric scenes have the law of plane strain, with a hoop strain: their geometry is the
-/// mesh's (CellBlock::axisymmetric).
+/// mesh's (CellBlock::axisymmetric). In space it means nothing, and is Strain.
 enum class PlaneModel { Strain, Stress };
 
 /// Materials of the bodies, the plane model and the loads: what the scene says about physics. The same on all ranks.
 struct ElasticModel {
   PlaneModel plane = PlaneModel::Strain;
   bool axisymmetric = false;
+  int dimension = 2;                ///< 3: Model = Solid
   std::vector<std::string> bodies;  ///< as in the scene's list `Bodies`
   std::vector<Material> materialOfBody;
   std::vector<Material> materialOfRegion;  ///< in the order of regionEntries(); empty for most scenes
@@ -55,8 +56,8 @@ struct ElasticModel {
   std::vector<ElasticSupport> supports;
   ExactSolution exact;  ///< as far as the scene gives it
 
-  /// Adds a body, in C++: its elements are those that do not lock for the plane model set before.
-  /// \param body  its element group in the mesh \throws InputError  the law is none (MaterialLaw::stiffness)
+  /// Adds a body, in C++: its elements are those that do not lock for the plane model and the dimension set before.
+  /// \param body  its element group in the mesh \throws InputError  the law is none (MaterialLaw::stiffness), or none of a plane body
   void addBody(const std::string& body, std::shared_ptr<const MaterialLaw> law);
 
   /// Material of an element of a body: that of its region, or else the body's.
@@ -68,18 +69,23 @@ struct ElasticModel {
 
 /// True if the scene's `Model` is Axisymmetric. Local.
 bool isAxisymmetric(const Parameters& scene);
+/// 3 if the scene's `Model` is Solid, else 2. Local.
+int sceneDimension(const Parameters& scene);
 /// Value of the scene's `Model` that a model stands for. Local.
 std::string modelName(const ElasticModel& model);
 
-/// \throws InternalError  model and block are not both axisymmetric, or neither: makeAxisymmetric() was forgotten.
+/// \throws InternalError  model and block are not both in space, or not both axisymmetric: makeAxisymmetric() was forgotten. Local.
 void requireGeometry(const CellBlock& block, const ElasticModel& model);
+/// Where a scene is read: the mesh is the user's. \param source  the mesh, for the message \throws InputError  `Model` and mesh are not of
+/// the same dimension. Local.
+void requireDimension(const CellBlock& mesh, const std::string& source, const ElasticModel& model);
 
-/// 3-node triangles that lock: of materials above this Poisson ratio, but in plane stress.
+/// 3-node triangles and 4-node tetrahedra lock above this Poisson ratio, but in plane stress.
 constexpr double kLockingPoisson = 0.49;
 
-/// Elements that do not go with their materials: 3-node triangles that lock (unless Displacement is asked for by name, or the material's
-/// `Allow Locking` is set) or are asked to be Mixed. Local. \param bodyOf  body of each element \param problems  gets one for each material
-/// and body: how many, what to choose instead, with the path of the material's parameter
+/// Elements that do not go with their materials: 3-node triangles and 4-node tetrahedra that lock (unless Displacement is asked for by
+/// name, or the material's `Allow Locking` is set) or are asked to be Mixed. Local. \param bodyOf  body of each element \param problems
+/// gets one for each material and body: how many, what to choose instead, with the path of the material's parameter
 void checkElements(const CellBlock& block, const std::function<int(int element)>& bodyOf, const ElasticModel& model, Problems& problems);
 
 /// Schemas of `Model` (added to the scene's top list), one entry of `Bodies`, one of `Materials`.
@@ -93,7 +99,7 @@ Schema materialSchema();
 ElasticModel makeElasticModel(const Parameters& scene);
 
 /// By how much a surface of this material (its nearest isotropic one) gives way under contact pressure: (1 - nu^2) / E, in plane stress 1 /
-/// E. [1 / stress]
+/// E. [1 / stress] Local.
 double contactCompliance(const Material& material, PlaneModel plane);
 
 /// Stress-strain matrix in Voigt order with engineering shear: 3 x 3 (xx, yy, xy) in 2D; 6 x 6, normals first, in 3D, where `plane` means
@@ -126,20 +132,21 @@ double nodeForce(const Load& load, GlobalId node, int component);
 /// The same of a Random load: uniform in value[1] + [-value[0], value[0]).
 double randomForce(const Load& load, GlobalId node, int component);
 
-/// Stresses at element centroids: elements x 4 (xx, yy, zz, xy) in 2D, tension positive; zz: across the plane, the hoop stress in
-/// axisymmetric blocks. Mixed elements: with their own pressure. `displacement`: node-major, Cartesian. Initial strains are taken off,
-/// initial stresses are added. Local.
+/// Stresses at element centroids: elements x 4 (xx, yy, zz, xy) in the plane, zz across it or the hoop stress of axisymmetric blocks;
+/// elements x 6 (xx, yy, zz, xy, yz, xz) in space; tension positive. Mixed elements: with their own pressure. `displacement`: node-major,
+/// Cartesian. Initial strains are taken off, initial stresses are added. Local.
 Matrix elementStresses(const CellBlock& block, const std::function<const Material&(int element)>& materialOf, PlaneModel plane,
                        const Vector& displacement, const InitialState& initial = InitialState());
 
 /// The same of a subdomain by its model: materials and initial states. Local.
 Matrix elementStresses(const SubdomainMesh& mesh, const ElasticModel& model, const Vector& displacement);
 
-/// Rows of in-plane principal stresses and their directions, from rows of `elementStresses`: (s1 >= s2, angle of the first axis [rad],
-/// in (-pi/2, pi/2] from the x axis, counter-clockwise).
+/// Principal stresses and their directions, row by row of elementStresses(). In the plane those in it: (s1 >= s2, angle of the first axis
+/// [rad], in (-pi/2, pi/2] from the x axis, counter-clockwise). In space (s1 >= s2 >= s3, unit vector of s1, unit vector of s3), the
+/// largest component of each vector above zero. Local.
 Matrix principalStresses(const Matrix& stresses);
 
-/// von Mises stress of each row of `elementStresses`, the stress across the plane included.
+/// von Mises stress of each row of elementStresses(), the stress across the plane included. Local.
 Vector vonMises(const Matrix& stresses);
 
 }  // namespace suture

@@ -5,18 +5,23 @@
 
 namespace suture {
 
-void ElementMap::failFolded(double determinant) const {
+template <int D>
+void ElementMap<D>::failFolded(double determinant) const {
   std::ostringstream text;
   text << "element " << element_ << " of shape " << cellInfo(block_.cells[element_]).name << " is inverted or folded at "
-       << placeText(place()) << ": the determinant of its map is " << determinant << ", it must be positive";
+       << placeText(place(), D) << ": the determinant of its map is " << determinant << ", it must be positive";
   throw InputError("Mesh", text.str());
 }
 
-void ElementMap::failAcrossAxis() const {
+template <int D>
+void ElementMap<D>::failAcrossAxis() const {
   std::ostringstream text;
   text << "element " << element_ << " of shape " << cellInfo(block_.cells[element_]).name << " reaches across the axis of the axisymmetric "
-       << "scene at " << placeText(place()) << ": x is the radius, it must be positive";
+       << "scene at " << placeText(place(), D) << ": x is the radius, it must be positive";
   throw InputError("Mesh", text.str());
 }
+
+template class ElementMap<2>;
+template class ElementMap<3>;
 
 }  // namespace suture

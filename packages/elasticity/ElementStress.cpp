@@ -2,49 +2,66 @@
 
 namespace suture {
 
-ElementStress::ElementStress(const CellBlock& block, int element, const ReferenceElement& reference, const HookesLaw& law,
-                             const Vector& displacement, const InitialState& initial)
+template <int D>
+ElementStress<D>::ElementStress(const CellBlock& block, int element, const ReferenceElement& reference, const HookesLaw<D>& law,
+                                const Vector& displacement, const InitialState& initial)
     : element_(element),
       initial_(initial.isIn(element) ? &initial : nullptr),
       law_(law),
       map_(block, element, reference),
-      u_(2 * reference.nodes),
+      u_(D * reference.nodes),
       axisymmetric_(block.axisymmetric) {
   const Span<const int> nodes = block.nodesOf(element);
   for (int a = 0; a < reference.nodes; ++a)
-    for (int k = 0; k < 2; ++k) u_[2 * a + k] = displacement[2 * nodes[a] + k];
+    for (int k = 0; k < D; ++k) u_[D * a + k] = displacement[D * nodes[a] + k];
   if (law_.projected == 0.0) return;
-  const ReferenceElement& whole = referenceElement(block.cells[element], stiffnessRule(block));
-  ElementMap through(block, element, whole);
+  const ReferenceElement& whole = stiffnessElement(block, element);
+  ElementMap<D> through(block, element, whole);
   pressure_.emplace(block.cells[element], whole, through);
   if (initial_)
     initialDilatation_ = pressure_->projection(
-        whole, through, [&](const Point& place) { return initial_->at(element_, place, law_).strain.head<3>().sum(); });
+        whole, through, [&](const Point& place) { return initial_->at(element_, place, law_).strain.template head<3>().sum(); });
 }
 
-Eigen::Vector4d ElementStress::stress() const {
-  Eigen::Vector4d stress = ofDisplacement();
+template <int D>
+StressVector<D> ElementStress<D>::stress() const {
+  StressVector<D> stress = ofDisplacement();
   if (!initial_) return stress;
-  const InitialState::Values here = initial();
+  const InitialState::Values<D> here = initial();
   stress += here.stress - law_.pointwise * here.strain;
-  if (pressure_) stress.head<3>().array() -= law_.projected * pressure_->at(initialDilatation_, map_.place());
+  if (pressure_) stress.template head<3>().array() -= law_.projected * pressure_->at(initialDilatation_, map_.place());
   return stress;
 }
 
-Eigen::Vector4d ElementStress::ofDisplacement() const {
-  const int nodes = static_cast<int>(u_.size()) / 2;
-  double xx = 0.0, yy = 0.0, zz = 0.0, xy = 0.0;  // one by one: they stay in registers
+template <int D>
+StressVector<D> ElementStress<D>::ofDisplacement() const {
+  const int nodes = static_cast<int>(u_.size()) / D;
+  StressVector<D> strain;
+  double xx = 0.0, yy = 0.0, zz = 0.0, xy = 0.0, yz = 0.0, xz = 0.0;  // one by one: they stay in registers
   for (int a = 0; a < nodes; ++a) {
-    const double ux = u_[2 * a], uy = u_[2 * a + 1], gx = map_.gradient(a)[0], gy = map_.gradient(a)[1];
+    const double ux = u_[D * a], uy = u_[D * a + 1], gx = map_.gradient(a)[0], gy = map_.gradient(a)[1];
     xx += gx * ux;
     yy += gy * uy;
     xy += gy * ux + gx * uy;
+    if constexpr (D == 3) {
+      const double uz = u_[D * a + 2], gz = map_.gradient(a)[2];
+      zz += gz * uz;
+      yz += gz * uy + gy * uz;
+      xz += gz * ux + gx * uz;
+    }
   }
   if (axisymmetric_)
-    for (int a = 0; a < nodes; ++a) zz += map_.hoop(a) * u_[2 * a];
-  Eigen::Vector4d stress = law_.pointwise * Eigen::Vector4d(xx, yy, zz, xy);
-  if (pressure_) stress.head<3>().array() += law_.projected * pressure_->dilatation(u_, map_.place());
+    for (int a = 0; a < nodes; ++a) zz += map_.hoop(a) * u_[D * a];
+  if constexpr (D == 2)
+    strain << xx, yy, zz, xy;
+  else
+    strain << xx, yy, zz, xy, yz, xz;
+  StressVector<D> stress = law_.pointwise * strain;
+  if (pressure_) stress.template head<3>().array() += law_.projected * pressure_->dilatation(u_, map_.place());
   return stress;
 }
+
+template class ElementStress<2>;
+template class ElementStress<3>;
 
 }  // namespace suture

@@ -8,35 +8,37 @@
 namespace suture {
 
 /// The computed stress of one element at the points of a rule, whatever the element's form and the geometry: rows as elementStresses().
+/// \tparam D  dimension
+template <int D>
 class ElementStress {
  public:
   /// \param displacement  of the block's nodes, node-major, Cartesian;  all but `law` must outlive it
-  ElementStress(const CellBlock& block, int element, const ReferenceElement& reference, const HookesLaw& law, const Vector& displacement,
+  ElementStress(const CellBlock& block, int element, const ReferenceElement& reference, const HookesLaw<D>& law, const Vector& displacement,
                 const InitialState& initial);
 
   /// Moves to a point of the rule.
   void at(int point) { map_.at(point); }
-  const ElementMap& map() const { return map_; }
-  /// xx, yy, zz, xy; tension positive. [stress]
-  Eigen::Vector4d stress() const;
+  const ElementMap<D>& map() const { return map_; }
+  /// Tension positive. [stress]
+  StressVector<D> stress() const;
   /// The part that follows from the displacement: without initial strain and stress.
-  Eigen::Vector4d ofDisplacement() const;
+  StressVector<D> ofDisplacement() const;
   /// True if there is another part.
   bool isInitial() const { return initial_ != nullptr; }
   /// Initial strain and stress at the point.
-  InitialState::Values initial() const { return initial_ ? initial_->at(element_, map_.place(), law_) : InitialState::Values(); }
+  InitialState::Values<D> initial() const { return initial_ ? initial_->at(element_, map_.place(), law_) : InitialState::Values<D>(); }
 
  private:
-  using ElementVector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, 2 * ReferenceElement::maxNodes, 1>;
+  using ElementVector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, D * mostNodes<D>, 1>;
 
   int element_;
   const InitialState* initial_;  // null: the element has none
-  HookesLaw law_;
-  ElementMap map_;
+  HookesLaw<D> law_;
+  ElementMap<D> map_;
   ElementVector u_;
   bool axisymmetric_;
-  std::optional<MixedPressure> pressure_;
-  MixedPressure::Projection initialDilatation_;
+  std::optional<MixedPressure<D>> pressure_;
+  typename MixedPressure<D>::Projection initialDilatation_;
 };
 
 }  // namespace suture

@@ -7,14 +7,26 @@
 namespace suture {
 namespace {
 
-const std::vector<std::string> displacementNames{"Displacement x", "Displacement y"}, stressNames{"Stress xx", "Stress yy", "Stress xy"};
+const std::vector<std::string> inPlane{"Displacement x", "Displacement y"}, inSpace{"Displacement x", "Displacement y", "Displacement z"};
+const std::vector<std::string> stressInPlane{"Stress xx", "Stress yy", "Stress xy"},
+    stressInSpace{"Stress xx", "Stress yy", "Stress zz", "Stress xy", "Stress yz", "Stress xz"};
 
 void addFields(Schema& schema) {
-  for (const std::string& name : displacementNames)
-    schema.text(name, std::nullopt, "an expression in x and y, the place on the undeformed body [length]").optional();
-  for (const std::string& name : stressNames)
-    schema.text(name, std::nullopt, "an expression in x and y, tension positive [stress]").optional();
-  schema.text("Stress zz", std::nullopt, "the hoop stress of an axisymmetric scene; in the plane it follows from the Model").optional();
+  for (const std::string& name : inSpace)
+    schema
+        .text(name, std::nullopt,
+              name == inSpace.back() ? "the same, in space"
+                                     : "an expression in x and y, in space in x, y and z, the place on the undeformed body [length]")
+        .optional();
+  for (const std::string& name : stressInSpace) {
+    const bool across = name == "Stress zz", onlyInSpace = name == "Stress yz" || name == "Stress xz";
+    schema
+        .text(name, std::nullopt,
+              across        ? "in space, or the hoop stress of an axisymmetric scene; in the plane it follows from the Model"
+              : onlyInSpace ? "the same, in space"
+                            : "an expression in the place, tension positive [stress]")
+        .optional();
+  }
 }
 
 // All of the names or none of them; `elsewhere` is what the field is where the list says nothing.
@@ -32,16 +44,29 @@ std::vector<Expression> readField(const Parameters& list, const std::vector<std:
   return field;
 }
 
-std::vector<Expression> readStress(const Parameters& list, const Constants& constants, const std::vector<Expression>& elsewhere,
-                                   Problems& problems) {
-  std::vector<Expression> field = readField(list, stressNames, constants, elsewhere, problems);
+std::vector<Expression> readStress(const Parameters& list, int dimension, const Constants& constants,
+                                   const std::vector<Expression>& elsewhere, Problems& problems) {
+  if (dimension == 3) return readField(list, stressInSpace, constants, elsewhere, problems);
+  std::vector<Expression> field = readField(list, stressInPlane, constants, elsewhere, problems);
   if (const auto across = readExpression(list, "Stress zz", constants, problems)) {
-    if (field.size() == stressNames.size())
+    if (field.size() == stressInPlane.size())
       field.push_back(*across);
-    else if (field.size() == stressNames.size() + 1)
+    else if (field.size() == stressInPlane.size() + 1)
       field.back() = *across;
   }
   return field;
+}
+
+// Fields of a list; what it does not say is as `elsewhere`.
+ExactFields readFields(const Parameters& list, int dimension, const Constants& constants, const ExactFields& elsewhere,
+                       Problems& problems) {
+  if (dimension == 2)
+    for (const char* name : {"Displacement z", "Stress yz", "Stress xz"})
+      if (list.isParameter(name)) problems.add(pathOf(list, name), "is of a scene in space (Model = Solid); this one is plane");
+  ExactFields fields;
+  fields.displacement = readField(list, dimension == 2 ? inPlane : inSpace, constants, elsewhere.displacement, problems);
+  fields.stress = readStress(list, dimension, constants, elsewhere.stress, problems);
+  return fields;
 }
 
 void requireAllBodies(const ExactSolution& exact, std::vector<Expression> ExactFields::*field, const std::string& what,
@@ -60,19 +85,19 @@ Schema exactSolutionSchema() {
       "The exact solution, as far as it is known: errors are measured against it, in the norm of L2 and in the energy norm, and "
       "reported.");
   addFields(schema);
-  schema.text("Pressure", std::nullopt, "an expression in x and y: the contact pressure on all contact lines, > 0 compressive [stress]")
+  schema
+      .text("Pressure", std::nullopt,
+            "an expression in the place: the contact pressure on all contact lines, in space surfaces, > 0 compressive [stress]")
       .optional();
   Schema body("of one body: instead of those above");
   addFields(body);
   return schema.list("Bodies", Schema("Where bodies differ.").each("<body>", body));
 }
 
-ExactSolution readExactSolution(const Parameters& list, const std::vector<std::string>& bodies, const Constants& constants,
+ExactSolution readExactSolution(const Parameters& list, const std::vector<std::string>& bodies, int dimension, const Constants& constants,
                                 Problems& problems) {
   const std::size_t before = problems.list().size();
-  ExactFields common;
-  common.displacement = readField(list, displacementNames, constants, {}, problems);
-  common.stress = readStress(list, constants, {}, problems);
+  const ExactFields common = readFields(list, dimension, constants, {}, problems);
   ExactSolution exact;
   exact.pressure = readExpression(list, "Pressure", constants, problems);
   exact.ofBody.assign(bodies.size(), common);
@@ -83,9 +108,7 @@ ExactSolution readExactSolution(const Parameters& list, const std::vector<std::s
       problems.add(pathOf(own, name), unknownName("body", name, bodies));
       continue;
     }
-    ExactFields& fields = exact.ofBody[body - bodies.begin()];
-    fields.displacement = readField(own.sublist(name), displacementNames, constants, common.displacement, problems);
-    fields.stress = readStress(own.sublist(name), constants, common.stress, problems);
+    exact.ofBody[body - bodies.begin()] = readFields(own.sublist(name), dimension, constants, common, problems);
   }
   if (problems.list().size() > before) return exact;
   requireAllBodies(exact, &ExactFields::displacement, "displacement", list, bodies, problems);

@@ -1,6 +1,7 @@
 #include <suture/elasticity/IsotropicLaw.hpp>
 #include <suture/elasticity/MaterialLaw.hpp>
 #include <suture/elasticity/OrthotropicLaw.hpp>
+#include <suture/elasticity/StressVector.hpp>
 
 #include <Eigen/Cholesky>
 #include <Teuchos_ParameterList.hpp>
@@ -10,7 +11,6 @@ namespace suture {
 
 namespace {
 
-constexpr int kFirst[] = {0, 1, 2, 0, 1, 0}, kSecond[] = {0, 1, 2, 1, 2, 2};  // the pair of axes of each component
 // Entries of a stiffness may differ by this share of the largest where they should be equal: laws are computed, with rounding.
 constexpr double kRounding = 1e-12;
 
@@ -26,17 +26,26 @@ void registerBuiltIns(Registry<MaterialLaw>& registry) {
   add<OrthotropicLaw>(registry);
 }
 
+namespace {
+
+InputError refuse(const std::string& why) { return {MaterialLaw::kind(), "the stiffness of the material " + why}; }
+
+}  // namespace
+
 ElasticStiffness MaterialLaw::stiffness() const {
   const ElasticStiffness c = doStiffness();
-  const auto refuse = [](const std::string& why) -> InputError { return {kind(), "the stiffness of the material " + why}; };
   if (!c.allFinite()) throw refuse("is not finite");
   const double largest = c.cwiseAbs().maxCoeff();
   if ((c - c.transpose()).cwiseAbs().maxCoeff() > kRounding * largest) throw refuse("is not symmetric: no energy belongs to it");
   const Eigen::LLT<ElasticStiffness> factor(c);
   if (factor.info() != Eigen::Success) throw refuse("is not positive definite: some strain would store no energy, or set energy free");
-  if (c.topRightCorner<4, 2>().cwiseAbs().maxCoeff() > kRounding * largest)
-    throw refuse("couples strains in the plane with the shear across it (yz, xz): the bodies would leave their plane");
   return 0.5 * (c + c.transpose());
+}
+
+Eigen::Matrix4d planePart(const ElasticStiffness& c) {
+  if (c.topRightCorner<4, 2>().cwiseAbs().maxCoeff() > kRounding * c.cwiseAbs().maxCoeff())
+    throw refuse("couples strains in the plane with the shear across it (yz, xz): the bodies would leave their plane");
+  return c.topLeftCorner<4, 4>();
 }
 
 ElasticStiffness isotropicStiffness(const IsotropicModuli& moduli) {
@@ -60,13 +69,17 @@ double meanCoupling(const ElasticStiffness& c) {
 }
 
 ElasticStiffness turned(const ElasticStiffness& c, double angle) {
-  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  // columns: the material's axes
+  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
   axes.topLeftCorner<2, 2>() << std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle);
+  return turned(c, axes);
+}
+
+ElasticStiffness turned(const ElasticStiffness& c, const Eigen::Matrix3d& axes) {
   // Strains in the material's axes from those in the scene's, e_ab = sum over i, j of axes_ia axes_jb e_ij; shear counts twice.
   ElasticStiffness strain;
   for (int row = 0; row < 6; ++row)
     for (int column = 0; column < 6; ++column) {
-      const int a = kFirst[row], b = kSecond[row], i = kFirst[column], j = kSecond[column];
+      const int a = kStressAxes[row][0], b = kStressAxes[row][1], i = kStressAxes[column][0], j = kStressAxes[column][1];
       const double once = axes(i, a) * axes(j, b), other = axes(j, a) * axes(i, b);
       strain(row, column) = (row < 3 ? 1.0 : 2.0) * (column < 3 ? once : 0.5 * (once + other));
     }

@@ -26,8 +26,7 @@ class MaterialLaw {
   static const char* kind() { return "material law"; }
   virtual ~MaterialLaw() = default;
 
-  /// Symmetric. \throws InputError  it is not finite, not symmetric or not positive definite, or couples the strains of a plane with the
-  /// shear across it, so that a plane problem would not stay in its plane: says which. Local.
+  /// Symmetric. \throws InputError  it is not finite, not symmetric or not positive definite: says which. Local.
   ElasticStiffness stiffness() const;
 
   /// The two moduli, if they are all that there is to the law: elements know the plane forms of this case. Local.
@@ -62,7 +61,13 @@ IsotropicModuli nearestIsotropic(const ElasticStiffness& stiffness);
 /// Mean of the couplings between normal strains: Lame's constant of an isotropic stiffness. [stress] Local.
 double meanCoupling(const ElasticStiffness& stiffness);
 
-/// The same stiffness in axes of the scene, the material's being turned by `angle` about z, anticlockwise from x. [rad] Local.
+/// The part that acts in the plane: rows and columns xx, yy, zz, xy. \throws InputError  the strains in the plane are coupled with the
+/// shear across it, so that a plane problem would not stay in its plane. Local.
+Eigen::Matrix4d planePart(const ElasticStiffness& stiffness);
+
+/// The same stiffness in axes of the scene. \param axes  columns: the material's axes, unit vectors at right angles. Local.
+ElasticStiffness turned(const ElasticStiffness& stiffness, const Eigen::Matrix3d& axes);
+/// The same of a material turned by `angle` about z, anticlockwise from x. [rad] Local.
 ElasticStiffness turned(const ElasticStiffness& stiffness, double angle);
 
 }  // namespace suture

@@ -1,38 +1,42 @@
 #include <suture/elasticity/MixedPressure.hpp>
 
 #include <Eigen/Cholesky>
-#include <algorithm>
-#include <cmath>
+#include <suture/base/Point.hpp>
 
 namespace suture {
 
-MixedPressure::MixedPressure(Cell cell, const ReferenceElement& reference, ElementMap& map)
-    : count_(cell == Cell::Quadrilateral9 ? most : 1),
+template <int D>
+MixedPressure<D>::MixedPressure(Cell cell, const ReferenceElement& reference, ElementMap<D>& map)
+    : count_(cell == Cell::Quadrilateral9 || cell == Cell::Hexahedron27 ? most : 1),
       root_(decltype(root_)::Zero(count_, count_)),
-      rows_(decltype(rows_)::Zero(count_, 2 * reference.nodes)) {
+      rows_(decltype(rows_)::Zero(count_, D * reference.nodes)) {
   if (count_ > 1) {
-    const Point first = map.node(0), opposite = map.node(2);
-    for (int k = 0; k < 2; ++k) centre_[k] = (first[k] + opposite[k]) / 2;
-    size_ = std::hypot(opposite[0] - first[0], opposite[1] - first[1]) / 2;
+    const Point first = map.node(0), opposite = map.node(D == 2 ? 2 : 6);
+    for (int k = 0; k < D; ++k) centre_[k] = (first[k] + opposite[k]) / 2;
+    size_ = norm(minus(opposite, first)) / 2;
   }
   for (int q = 0; q < reference.points; ++q) {
     map.at(q);
     const Projection weighted = map.measure() * basisAt(map.place());
     root_ += weighted * basisAt(map.place()).transpose();
     for (int a = 0; a < reference.nodes; ++a) {
-      rows_.col(2 * a) += weighted * (map.gradient(a)[0] + map.hoop(a));
-      rows_.col(2 * a + 1) += weighted * map.gradient(a)[1];
+      rows_.col(D * a) += weighted * (map.gradient(a)[0] + map.hoop(a));
+      for (int k = 1; k < D; ++k) rows_.col(D * a + k) += weighted * map.gradient(a)[k];
     }
   }
   root_ = root_.llt().matrixL().toDenseMatrix();
-  root_.triangularView<Eigen::Lower>().solveInPlace(rows_);
+  root_.template triangularView<Eigen::Lower>().solveInPlace(rows_);
 }
 
-MixedPressure::Projection MixedPressure::basisAt(const Point& place) const {
+template <int D>
+typename MixedPressure<D>::Projection MixedPressure<D>::basisAt(const Point& place) const {
   Projection values = Projection::Ones(count_);
   if (count_ > 1)
-    for (int k = 0; k < 2; ++k) values[1 + k] = (place[k] - centre_[k]) / size_;
+    for (int k = 0; k < D; ++k) values[1 + k] = (place[k] - centre_[k]) / size_;
   return values;
 }
+
+template class MixedPressure<2>;
+template class MixedPressure<3>;
 
 }  // namespace suture

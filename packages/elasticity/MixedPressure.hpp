@@ -12,13 +12,15 @@ namespace suture {
 /// lambda, not the bulk modulus: then the rest, 2 mu e : e, is definite by itself up to rigid motions. With the deviatoric strain in its
 /// place the bending of an axisymmetric plate one element thick (e = z I) would cost nothing in elements of constant pressure.
 ///
-/// Pressures: constant, but linear in Quadrilateral9 (the stable pairs Q1/P0 - stable but for its chess boards, which are eliminated here
-/// -, Q2/P-1, P2/P0; see Boffi, Brezzi, Fortin, "Mixed Finite Element Methods and Applications", 2013, ch. 8). The linear ones are
-/// functions of the mesh's coordinates, not of the reference element's: those lose an order on distorted cells (Arnold, Boffi, Falk 2002).
+/// Pressures: constant, but linear in Quadrilateral9 and Hexahedron27 (the stable pairs Q1/P0 - stable but for its chess boards, which are
+/// eliminated here -, Q2/P-1, P2/P0; see Boffi, Brezzi, Fortin, "Mixed Finite Element Methods and Applications", 2013, ch. 8). The linear
+/// ones are functions of the mesh's coordinates, not of the reference element's: those lose an order on distorted cells (Arnold, Boffi,
+/// Falk 2002). \tparam D  dimension
+template <int D>
 class MixedPressure {
  public:
   /// All of it at once: moves `map` through the points of the rule of `reference`.
-  MixedPressure(Cell cell, const ReferenceElement& reference, ElementMap& map);
+  MixedPressure(Cell cell, const ReferenceElement& reference, ElementMap<D>& map);
 
   /// K += lambda C^T M^-1 C, upper triangle.
   template <typename ElementMatrix>
@@ -27,12 +29,12 @@ class MixedPressure {
     for (int j = 0; j < n; ++j)
       for (int i = 0; i <= j; ++i) k(i, j) += lambda * rows_.col(i).dot(rows_.col(j));
   }
-  static constexpr int most = 3;
+  static constexpr int most = D + 1;
   /// A function's projection onto the pressures: its coefficients in the orthonormal basis.
   using Projection = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, most, 1>;
   /// \param function  its value at the map's place; all as in the constructor
   template <typename Function>
-  Projection projection(const ReferenceElement& reference, ElementMap& map, const Function& function) const {
+  Projection projection(const ReferenceElement& reference, ElementMap<D>& map, const Function& function) const {
     Projection moments = Projection::Zero(count_);
     for (int q = 0; q < reference.points; ++q) {
       map.at(q);
@@ -42,7 +44,7 @@ class MixedPressure {
     return moments;
   }
   double at(const Projection& function, const Point& place) const {
-    return basisAt(place).dot(root_.transpose().triangularView<Eigen::Upper>().solve(function));
+    return basisAt(place).dot(root_.transpose().template triangularView<Eigen::Upper>().solve(function));
   }
   /// Integral of the projected dilatation of each unit displacement times a function.
   double work(const Projection& function, int dof) const { return rows_.col(dof).dot(function); }
@@ -60,8 +62,8 @@ class MixedPressure {
   int count_;
   Point centre_{0, 0, 0};
   double size_ = 1.0;
-  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, most, most> root_;                            // L of M = L L^T
-  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, most, 2 * ReferenceElement::maxNodes> rows_;  // L^-1 C
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, most, most> root_;              // L of M = L L^T
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, most, D * mostNodes<D>> rows_;  // L^-1 C
 };
 
 }  // namespace suture

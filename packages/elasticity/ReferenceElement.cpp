@@ -1,15 +1,25 @@
 // The only source that includes Intrepid2.
 #include <Intrepid2_DefaultCubatureFactory.hpp>
+#include <Intrepid2_HGRAD_HEX_C1_FEM.hpp>
+#include <Intrepid2_HGRAD_HEX_C2_FEM.hpp>
+#include <Intrepid2_HGRAD_PYR_C1_FEM.hpp>
 #include <Intrepid2_HGRAD_QUAD_C1_FEM.hpp>
 #include <Intrepid2_HGRAD_QUAD_C2_FEM.hpp>
+#include <Intrepid2_HGRAD_TET_C1_FEM.hpp>
+#include <Intrepid2_HGRAD_TET_C2_FEM.hpp>
 #include <Intrepid2_HGRAD_TRI_C1_FEM.hpp>
 #include <Intrepid2_HGRAD_TRI_C2_FEM.hpp>
+#include <Intrepid2_HGRAD_WEDGE_C1_FEM.hpp>
 #include <Kokkos_Core.hpp>
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 #include <suture/base/Errors.hpp>
+#include <suture/base/Point.hpp>
 #include <suture/elasticity/ReferenceElement.hpp>
+#include <suture/mesh/ShapeFunctions.hpp>
+#include <suture/mesh/SideGeometry.hpp>
 
 namespace suture {
 namespace {
@@ -21,46 +31,65 @@ using Values = Kokkos::DynRankView<double, Device>;
 struct Shape {
   Teuchos::RCP<Basis> basis;
   shards::CellTopology topology;
-  int order;
-  bool triangle;
+  Cell whole;  // the cell that has all the basis' functions
 };
 
+template <typename OneBasis, typename Topology>
+Shape shapeOf(Cell whole) {
+  return {Teuchos::rcp(new OneBasis), shards::CellTopology(shards::getCellTopologyData<Topology>()), whole};
+}
+
 Shape shapeOf(Cell cell) {
-  const shards::CellTopology triangle(shards::getCellTopologyData<shards::Triangle<3>>());
-  const shards::CellTopology quadrilateral(shards::getCellTopologyData<shards::Quadrilateral<4>>());
   switch (cell) {
     case Cell::Triangle3:
-      return {Teuchos::rcp(new Intrepid2::Basis_HGRAD_TRI_C1_FEM<Device, double, double>), triangle, 1, true};
+      return shapeOf<Intrepid2::Basis_HGRAD_TRI_C1_FEM<Device, double, double>, shards::Triangle<3>>(cell);
     case Cell::Triangle6:
-      return {Teuchos::rcp(new Intrepid2::Basis_HGRAD_TRI_C2_FEM<Device, double, double>), triangle, 2, true};
+      return shapeOf<Intrepid2::Basis_HGRAD_TRI_C2_FEM<Device, double, double>, shards::Triangle<3>>(cell);
     case Cell::Quadrilateral4:
-      return {Teuchos::rcp(new Intrepid2::Basis_HGRAD_QUAD_C1_FEM<Device, double, double>), quadrilateral, 1, false};
-    case Cell::Quadrilateral8:  // a subspace of that of 9 nodes, see withoutCentre()
+      return shapeOf<Intrepid2::Basis_HGRAD_QUAD_C1_FEM<Device, double, double>, shards::Quadrilateral<4>>(cell);
+    case Cell::Quadrilateral8:
     case Cell::Quadrilateral9:
-      return {Teuchos::rcp(new Intrepid2::Basis_HGRAD_QUAD_C2_FEM<Device, double, double>), quadrilateral, 2, false};
+      return shapeOf<Intrepid2::Basis_HGRAD_QUAD_C2_FEM<Device, double, double>, shards::Quadrilateral<4>>(Cell::Quadrilateral9);
+    case Cell::Tetrahedron4:
+      return shapeOf<Intrepid2::Basis_HGRAD_TET_C1_FEM<Device, double, double>, shards::Tetrahedron<4>>(cell);
+    case Cell::Tetrahedron10:
+      return shapeOf<Intrepid2::Basis_HGRAD_TET_C2_FEM<Device, double, double>, shards::Tetrahedron<4>>(cell);
+    case Cell::Hexahedron8:
+      return shapeOf<Intrepid2::Basis_HGRAD_HEX_C1_FEM<Device, double, double>, shards::Hexahedron<8>>(cell);
+    case Cell::Hexahedron20:
+    case Cell::Hexahedron27:
+      return shapeOf<Intrepid2::Basis_HGRAD_HEX_C2_FEM<Device, double, double>, shards::Hexahedron<8>>(Cell::Hexahedron27);
+    case Cell::Wedge6:
+      return shapeOf<Intrepid2::Basis_HGRAD_WEDGE_C1_FEM<Device, double, double>, shards::Wedge<6>>(cell);
+    case Cell::Pyramid5:
+      return shapeOf<Intrepid2::Basis_HGRAD_PYR_C1_FEM<Device, double, double>, shards::Pyramid<5>>(cell);
   }
   throw InternalError("no reference element for a cell of kind " + std::to_string(static_cast<int>(cell)));
 }
 
-// The cubature's degree is that of the polynomials on a triangle, and of each direction on a quadrilateral.
-int degreeOf(const Shape& shape, Rule rule) {
+// Degree of a rule of loads: on a shape function times the determinant of the map, in the plane times the radius.
+int loadDegree(Cell cell, int order) {
+  if (dimensionOf(cell) == 2) return isSimplex(cell) ? (order == 1 ? 2 : 6) : 2 * order + 1;
+  return isSimplex(cell) ? (order == 1 ? 2 : 5) : 4 * order - 1;
+}
+
+int degreeOf(Cell cell, Rule rule) {
+  const int order = cellInfo(cell).order;
   switch (rule) {
     case Rule::Stiffness:
-      return shape.triangle ? std::max(1, 2 * (shape.order - 1)) : 2 * shape.order;
+      return isSimplex(cell) ? std::max(1, 2 * (order - 1)) : 2 * order;
     case Rule::Load:
-      // A quadrilateral's Jacobian, and that of a curved triangle, are of the order of the map.
-      // In axisymmetric blocks the radius comes on top.
-      return shape.triangle ? (shape.order == 1 ? 2 : 6) : 2 * shape.order + 1;
+      return loadDegree(cell, order);
     case Rule::Centroid:
       return 1;
-    case Rule::Data:
-      return 2 * shape.order + 4;
+    case Rule::Data:  // on tetrahedra the rules beyond degree 6 have weights below zero
+      return cell == Cell::Tetrahedron10 ? 6 : 2 * order + 4;
     case Rule::Sampling:
-      return shape.order == 1 ? 1 : shape.triangle ? 2 : 3;
+      return order == 1 ? 1 : isSimplex(cell) ? 2 : 3;
     case Rule::Recovery:
-      return 2 * shape.order;
+      return 2 * order;
     case Rule::Revolution:
-      return shape.triangle ? 2 * shape.order : 2 * shape.order + 1;
+      return isSimplex(cell) ? 2 * order : 2 * order + 1;
   }
   throw InternalError("no such quadrature rule");
 }
@@ -81,18 +110,38 @@ void requireKokkos() {
     throw InternalError("Kokkos is not initialised: a program that uses elements needs a Tpetra::ScopeGuard in its main()");
 }
 
-ReferenceElement tabulate(const Basis& basis, const Values& points, const Values& weights) {
-  const int nodes = basis.getCardinality(), count = static_cast<int>(points.extent(0)), dimension = 2;
+// Number in the basis of each of a cell's nodes: the two number edges and faces in orders of their own, but know where the nodes are.
+std::vector<int> numbersIn(const Basis& basis, Cell cell) {
+  const int nodes = basis.getCardinality(), dimension = cellInfo(cell).dimension;
+  Values places("places", nodes, dimension);
+  basis.getDofCoords(places);
+  std::vector<int> numbers;
+  for (int a = 0; a < nodes; ++a) {
+    const Point wanted = referencePoint(cell, a);
+    for (int b = 0; b < nodes; ++b) {
+      double distance = 0.0;
+      for (int k = 0; k < dimension; ++k) distance += std::abs(places(b, k) - wanted[k]);
+      if (distance < 1e-12) numbers.push_back(b);
+    }
+  }
+  if (static_cast<int>(numbers.size()) != nodes) throw InternalError("the basis of " + cellInfo(cell).name + " has its nodes elsewhere");
+  return numbers;
+}
+
+ReferenceElement tabulate(const Shape& shape, const Values& points, const Values& weights) {
+  const std::vector<int> numbers = numbersIn(*shape.basis, shape.whole);
+  const int nodes = static_cast<int>(numbers.size()), count = static_cast<int>(points.extent(0));
+  const int dimension = cellInfo(shape.whole).dimension;
   Values values("values", nodes, count), gradients("gradients", nodes, count, dimension);
-  basis.getValues(values, points, Intrepid2::OPERATOR_VALUE);
-  basis.getValues(gradients, points, Intrepid2::OPERATOR_GRAD);
+  shape.basis->getValues(values, points, Intrepid2::OPERATOR_VALUE);
+  shape.basis->getValues(gradients, points, Intrepid2::OPERATOR_GRAD);
   ReferenceElement table;
   table.nodes = nodes;
   table.points = count;
   table.dimension = dimension;
   for (int q = 0; q < count; ++q) {
     table.weights.push_back(weights(q));
-    for (int a = 0; a < nodes; ++a) {
+    for (const int a : numbers) {
       table.values.push_back(values(a, q));
       for (int k = 0; k < dimension; ++k) table.gradients.push_back(gradients(a, q, k));
     }
@@ -100,33 +149,41 @@ ReferenceElement tabulate(const Basis& basis, const Values& points, const Values
   return table;
 }
 
-// The serendipity functions of 8 nodes are in the space of the 9: N8_a = N9_a + N8_a(centre) N9_centre, with -1/4 at the centre for
-// vertices and 1/2 for mid-side nodes. (Intrepid2 13.2 has no serendipity basis.)
-ReferenceElement withoutCentre(const ReferenceElement& nine) {
-  ReferenceElement eight = nine;
-  eight.nodes = 8;
-  eight.values.clear();
-  eight.gradients.clear();
-  for (int q = 0; q < nine.points; ++q)
-    for (int a = 0; a < 8; ++a) {
-      const double share = a < 4 ? -0.25 : 0.5;
-      eight.values.push_back(nine.valuesAt(q)[a] + share * nine.valuesAt(q)[8]);
-      for (int k = 0; k < 2; ++k) eight.gradients.push_back(nine.gradientsAt(q)[2 * a + k] + share * nine.gradientsAt(q)[16 + k]);
+// The serendipity functions of 8 and 20 nodes are in the space of the 9 and 27: S_a = N_a + sum of S_a(place of b) N_b over the nodes b
+// that the cell lacks. (Intrepid2 13.2 has no serendipity basis.)
+ReferenceElement serendipity(const ReferenceElement& all, Cell whole, Cell cell) {
+  ReferenceElement own = all;
+  own.nodes = cellInfo(cell).nodes;
+  own.values.clear();
+  own.gradients.clear();
+  const int dimension = all.dimension;
+  const auto share = [&](int a, int b) { return shapeFunction(cell, a, referencePoint(whole, b)); };
+  for (int q = 0; q < all.points; ++q)
+    for (int a = 0; a < own.nodes; ++a) {
+      double value = all.valuesAt(q)[a];
+      for (int b = own.nodes; b < all.nodes; ++b) value += share(a, b) * all.valuesAt(q)[b];
+      own.values.push_back(value);
+      for (int k = 0; k < dimension; ++k) {
+        double slope = all.gradientsAt(q)[dimension * a + k];
+        for (int b = own.nodes; b < all.nodes; ++b) slope += share(a, b) * all.gradientsAt(q)[dimension * b + k];
+        own.gradients.push_back(slope);
+      }
     }
-  return eight;
+  return own;
 }
 
-ReferenceElement makeElement(Cell cell, Rule rule) {
+ReferenceElement makeElement(Cell cell, int degree) {
   requireKokkos();
   const Shape shape = shapeOf(cell);
-  const Cubature cubature = cubatureOf(shape.topology, degreeOf(shape, rule));
-  const ReferenceElement table = tabulate(*shape.basis, cubature.points, cubature.weights);
-  return cell == Cell::Quadrilateral8 ? withoutCentre(table) : table;
+  const Cubature cubature = cubatureOf(shape.topology, degree);
+  const ReferenceElement table = tabulate(shape, cubature.points, cubature.weights);
+  return shape.whole == cell ? table : serendipity(table, shape.whole, cell);
 }
 
-// All our cells have the same trace on a side: that of the square on its side y = -1, whose nodes are 0, 1 and, of order 2, 4.
+// In the plane all our cells have the same trace on a side: that of the square on its side y = -1, whose nodes are 0, 1 and, of order 2, 4.
 ReferenceElement makeSide(int nodes, Rule rule) {
   requireKokkos();
+  if (nodes != 2 && nodes != 3) throw InternalError("a side of " + std::to_string(nodes) + " nodes");
   const Shape square = shapeOf(nodes == 2 ? Cell::Quadrilateral4 : Cell::Quadrilateral9);
   // A constant traction on a curved side has the square root of a polynomial in its integrand: two points more than a straight one needs.
   const int degree = (nodes == 2 ? 3 : 7) + (rule == Rule::Data ? 4 : 0);
@@ -137,7 +194,7 @@ ReferenceElement makeSide(int nodes, Rule rule) {
     points(q, 0) = cubature.points(q, 0);
     points(q, 1) = -1.0;
   }
-  const ReferenceElement whole = tabulate(*square.basis, points, cubature.weights);
+  const ReferenceElement whole = tabulate(square, points, cubature.weights);
   ReferenceElement side;
   side.nodes = nodes;
   side.points = count;
@@ -152,28 +209,48 @@ ReferenceElement makeSide(int nodes, Rule rule) {
   return side;
 }
 
-constexpr int cellKinds = 5, rules = 7;
-using Tables = std::array<std::array<ReferenceElement, rules>, cellKinds>;
-
-Tables makeTables() {
-  Tables all;
-  for (int c = 0; c < cellKinds; ++c)
-    for (int r = 0; r < rules; ++r) all[c][r] = makeElement(static_cast<Cell>(c), static_cast<Rule>(r));
-  return all;
+// In space a side is a plane cell. Squares are curved or warped as often as not: more points, as above.
+ReferenceElement makeFace(int nodes, Rule rule) {
+  const Cell cell = sideCell(nodes);
+  const int straight = isSimplex(cell) ? (nodes == 3 ? 2 : 6) : (nodes == 4 ? 5 : 7);
+  return makeElement(cell, straight + (rule == Rule::Data ? 4 : 0));
 }
+
+constexpr int kRules = 7;
+std::array<ReferenceElement, kCells * kRules> elementTables;  // without points: not made yet. Plain vectors: they outlive Kokkos
+std::array<ReferenceElement, 2 * 2 * (kMostSideNodes + 1)> sideTables;
 
 }  // namespace
 
 const ReferenceElement& referenceElement(Cell cell, Rule rule) {
-  static const Tables tables = makeTables();  // plain vectors: they outlive Kokkos
-  return tables.at(static_cast<int>(cell)).at(static_cast<int>(rule));
+  ReferenceElement& table = elementTables[static_cast<int>(cell) * kRules + static_cast<int>(rule)];
+  if (table.points == 0) table = makeElement(cell, degreeOf(cell, rule));
+  return table;
 }
 
-const ReferenceElement& referenceSide(int nodes, Rule rule) {
-  static const std::array<ReferenceElement, 4> sides{makeSide(2, Rule::Load), makeSide(3, Rule::Load), makeSide(2, Rule::Data),
-                                                     makeSide(3, Rule::Data)};
-  if (nodes != 2 && nodes != 3) throw InternalError("a side of " + std::to_string(nodes) + " nodes");
-  return sides[nodes - 2 + (rule == Rule::Data ? 2 : 0)];
+bool isCurvedTetrahedron(const CellBlock& block, int element) {
+  constexpr double kRounding = 1e-10;  // of an edge's length
+  const Span<const int> nodes = block.nodesOf(element);
+  const CellInfo& cell = cellInfo(Cell::Tetrahedron10);
+  const double* x = block.coordinates.data();
+  for (std::size_t i = 0; i < cell.edges.size(); ++i) {
+    const double *a = x + 3 * std::size_t(nodes[cell.edges[i][0]]), *b = x + 3 * std::size_t(nodes[cell.edges[i][1]]),
+                 *middle = x + 3 * std::size_t(nodes[cell.vertices + i]);
+    double off = 0.0, length = 0.0;
+    for (int k = 0; k < 3; ++k) {
+      off += std::abs(2 * middle[k] - a[k] - b[k]);
+      length += std::abs(b[k] - a[k]);
+    }
+    if (off > kRounding * length) return true;
+  }
+  return false;
+}
+
+const ReferenceElement& referenceSide(int nodes, int dimension, Rule rule) {
+  if (nodes < 2 || nodes > kMostSideNodes) throw InternalError("a side of " + std::to_string(nodes) + " nodes");
+  ReferenceElement& table = sideTables[(2 * nodes + (dimension == 3)) * 2 + (rule == Rule::Data)];
+  if (table.points == 0) table = dimension == 2 ? makeSide(nodes, rule) : makeFace(nodes, rule);
+  return table;
 }
 
 }  // namespace suture

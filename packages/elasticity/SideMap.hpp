@@ -1,43 +1,50 @@
 #pragma once
-#include <suture/base/Types.hpp>
+#include <suture/base/Point.hpp>
 #include <suture/elasticity/ReferenceElement.hpp>
-
-#include <cmath>
 
 namespace suture {
 
-/// The map from the reference interval to a side of an element, at the points of a rule: the counterpart of ElementMap. Two-dimensional.
+/// The map from the reference side (an interval, in space a triangle or a square) to a side of an element, at the points of a rule: the
+/// counterpart of ElementMap.
 class SideMap {
  public:
-  /// \param nodes  coordinates of the side's nodes, end points first; outlives the map
+  /// \param nodes  coordinates of the side's nodes, in the order of SideGeometry.hpp; outlives the map
   /// \param axisymmetric  the side is revolved: weights have the factor 2 pi r
-  SideMap(const std::vector<Point>& nodes, Rule rule, bool axisymmetric = false)
-      : nodes_(nodes), reference_(referenceSide(static_cast<int>(nodes.size()), rule)), axisymmetric_(axisymmetric) {}
+  SideMap(const std::vector<Point>& nodes, int dimension, Rule rule, bool axisymmetric = false)
+      : nodes_(nodes), reference_(referenceSide(static_cast<int>(nodes.size()), dimension, rule)), axisymmetric_(axisymmetric) {}
 
   const ReferenceElement& reference() const { return reference_; }
 
   /// Moves to a quadrature point.
   void at(int point) {
-    place_ = tangent_ = {0, 0, 0};
+    place_ = {0, 0, 0};
+    Point tangents[2] = {{0, 0, 0}, {0, 0, 0}};
+    const int directions = reference_.dimension;
+    const double *values = reference_.valuesAt(point), *gradients = reference_.gradientsAt(point), weight = reference_.weights[point];
     for (int a = 0; a < reference_.nodes; ++a)
-      for (int k = 0; k < 2; ++k) {
-        place_[k] += reference_.valuesAt(point)[a] * nodes_[a][k];
-        tangent_[k] += reference_.weights[point] * reference_.gradientsAt(point)[a] * nodes_[a][k];
+      for (int k = 0; k <= directions; ++k) {
+        place_[k] += values[a] * nodes_[a][k];
+        tangents[0][k] += weight * gradients[directions * a] * nodes_[a][k];
+        if (directions == 2) tangents[1][k] += gradients[2 * a + 1] * nodes_[a][k];
       }
+    // In the plane the body is on the left of the way along the side.
+    normal_ = directions == 1 ? Point{tangents[0][1], -tangents[0][0], 0} : cross(tangents[0], tangents[1]);
     if (axisymmetric_)
-      for (double& t : tangent_) t *= circumference(place_[0]);
+      for (double& n : normal_) n *= circumference(place_[0]);
   }
 
   const Point& place() const { return place_; }
-  /// Weight of the point times the derivative of the place: of the length measure() [length]; axisymmetric: [area].
-  const Point& tangent() const { return tangent_; }
-  double measure() const { return std::hypot(tangent_[0], tangent_[1]); }
+  /// Outward normal, times the weight of the point, times the size that the map gives to a piece of the reference side; a polynomial also
+  /// on curved sides. [length, area in space and of revolved sides]
+  const Point& normal() const { return normal_; }
+  /// Its length: the size of the side that belongs to the point.
+  double measure() const { return norm(normal_); }
 
  private:
   const std::vector<Point>& nodes_;
   const ReferenceElement& reference_;
   bool axisymmetric_;
-  Point place_{0, 0, 0}, tangent_{0, 0, 0};
+  Point place_{0, 0, 0}, normal_{0, 0, 0};
 };
 
 }  // namespace suture

@@ -77,7 +77,7 @@ ContactInterfaceProblem::ContactInterfaceProblem(CommPtr comm, const Partition& 
   space_->sum(stiffness);
   constantEnergy_ = reduce(*comm_, Teuchos::REDUCE_SUM, energy);
   collectRows(stiffness);
-  findChains();
+  findNeighbours();
   if (pairs_ > 0) findBodies();
   for (const auto& piecesOfGroup : partition.piecesOf) pieces_ += static_cast<int>(piecesOfGroup.size());
 }
@@ -118,12 +118,27 @@ void ContactInterfaceProblem::collectRows(const Vector& stiffness) {
   Teuchos::reduceAll(*comm_, Teuchos::REDUCE_SUM, able, Teuchos::outArg(pairs_));
 }
 
-/// Pairs are numbered along their lines: neighbours are successors.
-void ContactInterfaceProblem::findChains() {
-  for (int i = 0; i < static_cast<int>(rows_.size()); ++i) {
-    const bool follows = i > 0 && rows_[i].pair.id == rows_[i - 1].pair.id + 1 && rows_[i].pair.line == rows_[i - 1].pair.line;
-    if (!follows) chains_.emplace_back();
-    chains_.back().push_back(i);
+/// In the plane pairs are numbered along their lines: neighbours are successors. In space cells tell, of which those with a pair of this
+/// rank are known here.
+void ContactInterfaceProblem::findNeighbours() {
+  if (space_->dimension() == 2) {
+    for (int i = 0; i < static_cast<int>(rows_.size()); ++i) {
+      const bool follows = i > 0 && rows_[i].pair.id == rows_[i - 1].pair.id + 1 && rows_[i].pair.line == rows_[i - 1].pair.line;
+      if (!follows) neighbours_.emplace_back();
+      neighbours_.back().push_back(i);
+    }
+    return;
+  }
+  std::map<int, int> rowOf;
+  for (int i = 0; i < static_cast<int>(rows_.size()); ++i) rowOf[rows_[i].pair.id] = i;
+  std::set<std::vector<int>> cells;
+  for (const auto& subdomain : subdomains_) cells.insert(subdomain->mesh().contactCells.begin(), subdomain->mesh().contactCells.end());
+  for (const std::vector<int>& cell : cells) {
+    neighbours_.emplace_back();
+    for (const int pair : cell) {
+      const auto at = rowOf.find(pair);
+      neighbours_.back().push_back(at == rowOf.end() ? -1 : at->second);
+    }
   }
 }
 
@@ -221,20 +236,20 @@ void ContactInterfaceProblem::update(InterfaceState& state, const MultiVector& s
 
 std::shared_ptr<const InterfaceSpace> ContactInterfaceProblem::spaceOf(const ContactStates& status) const {
   if (derived_ && status == spaceStatus_) return derived_;
-  std::vector<std::vector<int>> chains;
-  for (const auto& chain : chains_) {
-    chains.emplace_back();
-    for (const int row : chain) {
-      const auto& places = clusters_->row(row).places;
+  const bool inSpace = space_->dimension() == 3;
+  std::vector<std::vector<int>> neighbours;
+  for (const auto& rows : neighbours_) {
+    neighbours.emplace_back();
+    for (const int row : rows) {
       // A closed pair identifies its unknowns: any of them stands for it. A pair that is open, or held on one side, ends a stretch.
-      const bool joins = status[0][row].closed() && places.size() == 2;
-      if (joins)
-        chains.back().push_back(places[0]);
-      else if (!chains.back().empty())
-        chains.emplace_back();
+      const bool joins = row >= 0 && status[0][row].closed() && clusters_->row(row).places.size() == 2;
+      if (joins || inSpace)
+        neighbours.back().push_back(joins ? clusters_->row(row).places[0] : -1);
+      else if (!neighbours.back().empty())
+        neighbours.emplace_back();
     }
   }
-  derived_ = space_->related(clusters_->relations(status[0]), chains);
+  derived_ = space_->related(clusters_->relations(status[0]), neighbours);
   spaceStatus_ = status;
   return derived_;
 }

@@ -62,7 +62,7 @@ class ContactInterfaceProblem : public InterfaceProblem, public ContactSets {
   ContactState pressed(const ContactRow& row) const;
   InterfaceState allClosed() const;
   void collectRows(const Vector& stiffness);
-  void findChains();
+  void findNeighbours();
   void findBodies();
   /// Addition of a state's rigid motions to the rows that this rank sees; empty if there is none.
   Vector movedRows(const InterfaceState& state) const;
@@ -89,9 +89,9 @@ class ContactInterfaceProblem : public InterfaceProblem, public ContactSets {
   std::unique_ptr<ContactBodies> bodies_;  // null without pairs that can change
   std::vector<int> partOfOwned_;
   std::unique_ptr<TraceMotions> motions_;
-  std::vector<std::vector<int>> chains_;  // rows of neighbouring pairs, along the lines
-  Matrix load_;                           // F on the overlap, complete
-  double constantEnergy_ = 0.0;           // over all ranks
+  std::vector<std::vector<int>> neighbours_;  // rows of neighbouring pairs: along the lines, or around the cells of surfaces (-1: unknown)
+  Matrix load_;                               // F on the overlap, complete
+  double constantEnergy_ = 0.0;               // over all ranks
   int pieces_ = 0, pairs_ = 0;
   mutable ContactStates spaceStatus_;  // that derived_ was made for
   mutable std::shared_ptr<const InterfaceSpace> derived_;

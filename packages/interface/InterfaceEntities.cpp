@@ -4,6 +4,7 @@
 #include <Tpetra_Map.hpp>
 
 #include <algorithm>
+#include <map>
 
 namespace suture {
 
@@ -46,7 +47,7 @@ void InterfaceSpace::leaveEntities(const std::vector<char>& leaves) {
 }
 
 std::shared_ptr<const InterfaceSpace> InterfaceSpace::related(std::vector<InterfaceRelation> relations,
-                                                              const std::vector<std::vector<int>>& chains) const {
+                                                              const std::vector<std::vector<int>>& neighbours) const {
   if (!relations_.empty()) throw InternalError("relations of a space that has some already");
   std::vector<InterfaceRelation> plain;
   std::vector<int> inRows;  // unknowns of the others
@@ -64,13 +65,15 @@ std::shared_ptr<const InterfaceSpace> InterfaceSpace::related(std::vector<Interf
     inRows.push_back(relation.unknown);
     inRows.insert(inRows.end(), relation.others.begin(), relation.others.end());
   }
-  const std::shared_ptr<InterfaceSpace> derived = withRelations(std::move(relations), chains);
+  const std::shared_ptr<InterfaceSpace> derived = withRelations(std::move(relations), neighbours);
   if (inRows.empty()) return derived;
   std::vector<std::vector<int>> stretches;  // rows of several terms end them
-  for (const auto& chain : chains) {
+  for (const auto& chain : neighbours) {
     stretches.emplace_back();
     for (const int place : chain)
-      if (!expressed[place])
+      if (dimension_ == 3)
+        stretches.back().push_back(place >= 0 && expressed[place] ? -1 : place);
+      else if (!expressed[place])
         stretches.back().push_back(place);
       else if (!stretches.back().empty())
         stretches.emplace_back();
@@ -81,7 +84,7 @@ std::shared_ptr<const InterfaceSpace> InterfaceSpace::related(std::vector<Interf
 
 /// \param inRows  unknowns that other relations name: vertices, where one of these joins them to other local problems
 std::shared_ptr<InterfaceSpace> InterfaceSpace::withRelations(std::vector<InterfaceRelation> relations,
-                                                              const std::vector<std::vector<int>>& chains,
+                                                              const std::vector<std::vector<int>>& neighbours,
                                                               const std::vector<int>& inRows) const {
   auto derived = std::make_shared<InterfaceSpace>(*this);
   derived->relations_ = std::move(relations);
@@ -100,7 +103,7 @@ std::shared_ptr<InterfaceSpace> InterfaceSpace::withRelations(std::vector<Interf
       all = std::move(both);
       joined[other] = 1;
       // Neighbours of one row of several terms do not share a single displacement.
-      if (relation.others.size() > 1 || isPoint[relation.unknown]) single[other] = 1;
+      if (relation.others.size() > 1 || (dimension_ == 2 && isPoint[relation.unknown])) single[other] = 1;
     }
   }
   for (const InterfaceRelation& relation : derived->relations_) derived->sharers_.own()[relation.unknown].clear();
@@ -109,52 +112,110 @@ std::shared_ptr<InterfaceSpace> InterfaceSpace::withRelations(std::vector<Interf
   for (std::size_t place = 0; place < ownedRows_->size(); ++place) {
     if (!joined[place]) continue;
     const bool changed = derived->sharers(static_cast<int>(place)) != sharers(static_cast<int>(place));
+    if (dimension_ == 3) {  // cells tell which of them are on an edge or a face
+      if (changed || single[place]) leaves[place] = 1;
+      continue;
+    }
     // On a line local problems change where there are more than two.
     if ((isPoint[place] && changed) || derived->sharers(static_cast<int>(place)).size() > 2) single[place] = 1;
     if (isPoint[place] && !changed) single[place] = 0;  // stays where it was
     if (single[place]) leaves[place] = 1;
   }
   derived->leaveEntities(leaves);
-  derived->addContactEntities(chains, std::move(single));
+  derived->addContactEntities(neighbours, std::move(single));
   return derived;
 }
 
-/// Closed pairs with the same two sharers, neighbours along a line, are an edge; `single`, and all others whose sharers a relation has
-/// joined, are vertices.
-void InterfaceSpace::addContactEntities(const std::vector<std::vector<int>>& chains, std::vector<char> single) {
-  const std::vector<int> entityOf = entityOfPlaces();
+/// The unknown that expresses one that closed pairs name, or itself; -1: none, several, or one that its local problem has alone.
+int InterfaceSpace::expressing(int named) const {
+  if (named < 0) return -1;
+  const InterfaceRelation* by = relation(named);
+  const int place = by ? (by->others.size() == 1 ? by->others[0] : -1) : named;
+  return place >= 0 && sharers(place).size() > 1 ? place : -1;
+}
+
+/// Closed pairs with the same two sharers, neighbours along a line. \param apart  unknowns that belong to none
+std::vector<InterfaceSpace::ContactPlaces> InterfaceSpace::contactEdges(const std::vector<std::vector<int>>& chains,
+                                                                        const std::vector<char>& apart) const {
   EntityGraph graph;
   std::vector<int> placeOf;  // place of each node of the graph, which are numbered along the lines
   for (const auto& chain : chains) {
     int last = -1;
     for (const int named : chain) {
-      const InterfaceRelation* by = relation(named);
-      const int place = by ? (by->others.size() == 1 ? by->others[0] : -1) : named;
-      const std::vector<int>* own = place >= 0 && sharers(place).size() > 1 ? &sharers(place) : nullptr;
+      const int place = expressing(named);
       const auto node = static_cast<GlobalId>(placeOf.size());
       placeOf.push_back(place);
-      if (own) graph.addNode(node, *own, single[place] || entityOf[place] >= 0);
-      if (own && last >= 0) {
+      if (place >= 0) graph.addNode(node, sharers(place), apart[place] != 0);
+      if (place >= 0 && last >= 0) {
         std::vector<int> both;
-        std::set_intersection(own->begin(), own->end(), sharers(last).begin(), sharers(last).end(), std::back_inserter(both));
+        std::set_intersection(sharers(place).begin(), sharers(place).end(), sharers(last).begin(), sharers(last).end(),
+                              std::back_inserter(both));
         graph.addSide({node - 1, node}, 2, both);
       }
-      last = own ? place : -1;
+      last = place;
     }
   }
   std::vector<SeamEntity> found = graph.entities();
   std::sort(found.begin(), found.end(), [](const SeamEntity& a, const SeamEntity& b) { return a.nodes.front() < b.nodes.front(); });
-  std::vector<char> onEdge(ownedRows_->size(), 0);
+  std::vector<ContactPlaces> all;
   for (const SeamEntity& entity : found) {
     if (entity.kind != EntityKind::Edge) continue;
-    InterfaceEntity own{EntityKind::Edge, entity.sharers, {}, {}, true};
-    for (const GlobalId node : entity.nodes) own.unknowns.push_back(placeOf[node]);
-    for (const GlobalId node : entity.ends) own.ends.push_back(placeOf[node]);
-    for (const int place : own.unknowns) onEdge[place] = 1;
-    entities_.own().push_back(std::move(own));
+    all.push_back({EntityKind::Edge, entity.sharers, {}, {}});
+    for (const GlobalId node : entity.nodes) all.back().unknowns.push_back(placeOf[node]);
+    for (const GlobalId node : entity.ends) all.back().ends.push_back(placeOf[node]);
+  }
+  return all;
+}
+
+/// Closed pairs with the same sharers, neighbours in the cells of a surface: faces of two local problems, edges of more.
+std::vector<InterfaceSpace::ContactPlaces> InterfaceSpace::contactFaces(const std::vector<std::vector<int>>& cells,
+                                                                        const std::vector<char>& apart) const {
+  EntityGraph graph;
+  std::map<GlobalId, int> placeOf;
+  for (const auto& cell : cells) {
+    std::vector<int> places;
+    for (const int named : cell) {
+      places.push_back(expressing(named));
+      if (places.back() < 0) continue;
+      graph.addNode(id(places.back()), sharers(places.back()), apart[places.back()] != 0);
+      placeOf[id(places.back())] = places.back();
+    }
+    const std::size_t n = places.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      if (places[i] < 0) continue;
+      const std::vector<int>& own = sharers(places[i]);
+      if (own.size() > 2) {
+        const int next = places[(i + 1) % n];
+        const bool goesOn = next >= 0 && sharers(next) == own;
+        graph.addSet(goesOn ? std::vector<GlobalId>{id(places[i]), id(next)} : std::vector<GlobalId>{id(places[i])}, own, EntityKind::Edge);
+        continue;
+      }
+      std::vector<GlobalId> together;
+      for (const int other : places)
+        if (other >= 0 && sharers(other) == own) together.push_back(id(other));
+      graph.addSet(std::move(together), own, EntityKind::Face);
+    }
+  }
+  std::vector<ContactPlaces> all;
+  for (const SeamEntity& entity : graph.entities()) {
+    if (entity.kind == EntityKind::Vertex) continue;
+    all.push_back({entity.kind, entity.sharers, {}, {}});
+    for (const GlobalId node : entity.nodes) all.back().unknowns.push_back(placeOf.at(node));
+  }
+  return all;
+}
+
+/// `single`, and all other unknowns whose sharers a relation has joined and that lie on no edge or face, are vertices.
+void InterfaceSpace::addContactEntities(const std::vector<std::vector<int>>& neighbours, std::vector<char> single) {
+  const std::vector<int> entityOf = entityOfPlaces();
+  std::vector<char> apart = single, grouped(ownedRows_->size(), 0);
+  for (std::size_t place = 0; place < apart.size(); ++place) apart[place] = apart[place] || entityOf[place] >= 0;
+  for (ContactPlaces& found : dimension_ == 2 ? contactEdges(neighbours, apart) : contactFaces(neighbours, apart)) {
+    for (const int place : found.unknowns) grouped[place] = 1;
+    entities_.own().push_back({found.kind, std::move(found.sharers), std::move(found.unknowns), std::move(found.ends), true});
   }
   for (const InterfaceRelation& relation : relations_)
-    if (relation.others.size() == 1 && sharers(relation.others[0]).size() > 1 && !onEdge[relation.others[0]])
+    if (relation.others.size() == 1 && sharers(relation.others[0]).size() > 1 && !grouped[relation.others[0]])
       single[relation.others[0]] = 1;
   for (std::size_t place = 0; place < ownedRows_->size(); ++place)
     if (single[place] && entityOf[place] < 0)

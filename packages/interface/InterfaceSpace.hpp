@@ -17,7 +17,7 @@ struct InterfaceEntity {
   std::vector<int> sharers;   ///< ids of the local problems, ascending, two or more
   std::vector<int> unknowns;  ///< places in overlap(); in an order that all sharers have in common
   std::vector<int> ends;      ///< those of an edge's unknowns where it ends at no vertex
-  bool contact = false;       ///< closed pairs of a contact line
+  bool contact = false;       ///< closed pairs of a contact
 };
 
 /// An unknown that is expressed by others: x[unknown] = sum of coefficients * x[others]. Places in overlap().
@@ -42,11 +42,13 @@ class InterfaceSpace {
 
   /// The space with relations. Every expressed unknown at most once, its `others` not expressed themselves; every rank that sees the
   /// unknown gives the same relation and sees all the others. Local.
-  /// \param chains  unknowns along contact lines, those of neighbouring closed pairs one after the other: neighbours with the same two
-  ///                sharers make an edge. Expressed unknowns stand for what expresses them. An unknown whose sharers change and that lies
-  ///                on no such edge becomes a vertex, and so does one in a relation of several terms.
+  /// \param neighbours  in the plane unknowns along contact lines, those of neighbouring closed pairs one after the other: neighbours with
+  ///                    the same two sharers make an edge. In space the unknowns around the cells of contact surfaces, -1 where a pair is
+  ///                    open: neighbours with the same two sharers make a face, with the same three or more an edge. Expressed unknowns
+  ///                    stand for what expresses them. An unknown whose sharers change and that lies on no such edge or face becomes a
+  ///                    vertex, and so does one in a relation of several terms.
   std::shared_ptr<const InterfaceSpace> related(std::vector<InterfaceRelation> relations,
-                                                const std::vector<std::vector<int>>& chains) const;
+                                                const std::vector<std::vector<int>>& neighbours) const;
 
   const MapPtr& map() const { return map_; }          ///< owned, one to one
   const MapPtr& overlap() const { return overlap_; }  ///< all that this rank's local problems touch, and their partners in relations
@@ -105,10 +107,18 @@ class InterfaceSpace {
   void exchangeSharers(const InterfaceLayout& layout);
   const InterfaceLayout::Unknown& unknown(int place) const { return (*unknowns_)[place]; }
   void addEntities(const InterfaceLayout& layout);
-  std::shared_ptr<InterfaceSpace> withRelations(std::vector<InterfaceRelation> relations, const std::vector<std::vector<int>>& chains,
+  std::shared_ptr<InterfaceSpace> withRelations(std::vector<InterfaceRelation> relations, const std::vector<std::vector<int>>& neighbours,
                                                 const std::vector<int>& inRows = {}) const;
   void leaveEntities(const std::vector<char>& leaves);
-  void addContactEntities(const std::vector<std::vector<int>>& chains, std::vector<char> single);
+  /// Entity of closed pairs, by the places of their unknowns.
+  struct ContactPlaces {
+    EntityKind kind;
+    std::vector<int> sharers, unknowns, ends;
+  };
+  int expressing(int named) const;
+  std::vector<ContactPlaces> contactEdges(const std::vector<std::vector<int>>& chains, const std::vector<char>& apart) const;
+  std::vector<ContactPlaces> contactFaces(const std::vector<std::vector<int>>& cells, const std::vector<char>& apart) const;
+  void addContactEntities(const std::vector<std::vector<int>>& neighbours, std::vector<char> single);
   MultiVector& overlapping(std::size_t columns) const;
 
   CommPtr comm_;

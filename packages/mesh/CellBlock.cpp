@@ -11,4 +11,13 @@ std::vector<int> CellBlock::nodesOf(const Side& side) const {
   return found;
 }
 
+SideKey CellBlock::keyOf(const Side& side) const {
+  const Span<const int> nodes = nodesOf(side.element);
+  const CellInfo& cell = cellInfo(cells[side.element]);
+  int vertices[kMostSideVertices], count = 0;
+  for (const int local : cell.sideNodes[side.side])
+    if (local < cell.vertices) vertices[count++] = nodes[local];
+  return sideKey(vertices, count);
+}
+
 }  // namespace suture

@@ -13,6 +13,34 @@ struct Side {
   int side;  ///< number in cellInfo(...).sideNodes
 };
 
+/// A side by its vertices, whatever the order in which an element lists them: in the plane the two end points; in space the three lowest
+/// vertices, which are enough in a mesh whose elements fit each other.
+struct SideKey {
+  int low = -1;         ///< the lowest
+  long long rest = -1;  ///< the others
+
+  bool operator==(const SideKey& other) const { return low == other.low && rest == other.rest; }
+  bool operator<(const SideKey& other) const { return low < other.low || (low == other.low && rest < other.rest); }
+};
+
+inline SideKey sideKey(int a, int b) { return a < b ? SideKey{a, b} : SideKey{b, a}; }
+
+/// \param vertices  two, or in space three or four
+inline SideKey sideKey(const int* vertices, int count) {
+  if (count == 2) return sideKey(vertices[0], vertices[1]);
+  int a = vertices[0], b = vertices[1], c = vertices[2];  // the three lowest, to be ascending
+  if (b < a) std::swap(a, b);
+  if (c < b) std::swap(b, c);
+  if (b < a) std::swap(a, b);
+  if (count > 3) {
+    const int d = vertices[3];
+    if (d < c) c = d;
+    if (c < b) std::swap(b, c);
+    if (b < a) std::swap(a, b);
+  }
+  return {a, static_cast<long long>(b) << 32 | c};
+}
+
 /// 2 pi r: what a point of the meridian plane stands for in axisymmetric blocks.
 inline double circumference(double radius) { return 6.283185307179586476925286766559 * radius; }
 
@@ -41,18 +69,27 @@ struct CellBlock {
     for (int k = 0; k < dimension; ++k) p[k] = coordinates[std::size_t(node) * dimension + k];
     return p;
   }
-  /// Nodes of a side, end points first, so that the body lies on the left of the way from the first to the second.
+  /// Nodes of a side, vertices first, in the order that SideGeometry.hpp tells.
   std::vector<int> nodesOf(const Side& side) const;
+  SideKey keyOf(const Side& side) const;
 };
 
-/// Calls visit(ends, side) for every side of an element; ends: its two end points, the lower number first.
+/// Calls visit(key, side) for every side of an element.
 template <typename Visit>
 void forEachSide(const CellBlock& block, int element, const Visit& visit) {
   const Span<const int> nodes = block.nodesOf(element);
+  const CellInfo& cell = cellInfo(block.cells[element]);
   int number = 0;
-  for (const std::vector<int>& side : cellInfo(block.cells[element]).sideNodes) {
-    const int a = nodes[side[0]], b = nodes[side[1]];
-    visit(a < b ? std::pair<int, int>(a, b) : std::pair<int, int>(b, a), Side{element, number++});
+  if (block.dimension == 2) {
+    for (const std::vector<int>& side : cell.sideNodes) visit(sideKey(nodes[side[0]], nodes[side[1]]), Side{element, number++});
+    return;
+  }
+  int vertices[kMostSideVertices];
+  for (const std::vector<int>& side : cell.sideNodes) {
+    int count = 0;
+    for (const int local : side)
+      if (local < cell.vertices) vertices[count++] = nodes[local];
+    visit(sideKey(vertices, count), Side{element, number++});
   }
 }
 

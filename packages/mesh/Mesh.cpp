@@ -1,3 +1,4 @@
+#include <suture/base/Errors.hpp>
 #include <suture/mesh/Mesh.hpp>
 
 #include <array>
@@ -65,6 +66,14 @@ class Hash {
 
 std::vector<std::string> Mesh::elementGroupNames() const { return keys(elementGroups); }
 std::vector<std::string> Mesh::sideGroupNames() const { return keys(sideGroups); }
+
+std::string sideGroupProblem(const Mesh& mesh, const std::string& group) {
+  const auto found = mesh.sideGroups.find(group);
+  if (found == mesh.sideGroups.end())
+    return "in the mesh " + mesh.source + ": " + unknownName(mesh.sideGroupKind(), group, mesh.sideGroupNames());
+  if (found->second.empty()) return "the " + mesh.sideGroupKind() + " '" + group + "' of the mesh " + mesh.source + " is empty";
+  return "";
+}
 
 std::string Mesh::hash() const {
   Hash hash;

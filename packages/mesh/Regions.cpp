@@ -23,15 +23,16 @@ void assignRegions(Mesh& mesh, const Parameters& bodies) {
   const std::vector<RegionEntry> entries = regionEntries(bodies);
   if (entries.empty()) return;
   Problems problems;
+  const std::string kind = mesh.elementGroupKind();
   mesh.regions.assign(mesh.elements(), -1);
   for (int region = 0; region < static_cast<int>(entries.size()); ++region) {
     const std::string path = pathOf(*entries[region].list, "Group"), name = entries[region].list->get<std::string>("Group");
     const auto group = mesh.elementGroups.find(name);
     if (group == mesh.elementGroups.end()) {
-      problems.add(path, "in the mesh " + mesh.source + ": " + unknownName("surface group", name, mesh.elementGroupNames()));
+      problems.add(path, "in the mesh " + mesh.source + ": " + unknownName(kind, name, mesh.elementGroupNames()));
       continue;
     }
-    if (group->second.empty()) problems.add(path, "the surface group '" + name + "' has no elements");
+    if (group->second.empty()) problems.add(path, "the " + kind + " '" + name + "' has no elements");
     std::map<std::string, std::vector<int>> strangers, twice;  // other body, other region -> elements
     for (const int e : group->second) {
       int& here = mesh.regions[e];
@@ -43,10 +44,10 @@ void assignRegions(Mesh& mesh, const Parameters& bodies) {
       return countAt(which.size(), "element", placeText(centreOf(mesh, which[0]), mesh.dimension));
     };
     for (const auto& [body, which] : strangers)
-      problems.add(path, "the surface group '" + name + "' reaches outside the body '" + entries[region].body + "': " + elements(which) +
+      problems.add(path, "the " + kind + " '" + name + "' reaches outside the body '" + entries[region].body + "': " + elements(which) +
                              " in the body '" + body + "'; a region lies in one body");
     for (const auto& [other, which] : twice)
-      problems.add(path, elements(which) + " of the surface group '" + name + "' also in " + other + "; an element belongs to one region");
+      problems.add(path, elements(which) + " of the " + kind + " '" + name + "' also in " + other + "; an element belongs to one region");
   }
   problems.throwIfAny();
 }

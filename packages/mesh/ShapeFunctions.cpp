@@ -1,79 +1,172 @@
 #include <suture/mesh/ShapeFunctions.hpp>
 
-namespace suture {
+#include <algorithm>
 
-ReferencePoint referencePoint(Cell cell, int node) {
-  static const ReferencePoint triangle[] = {{0, 0}, {1, 0}, {0, 1}, {0.5, 0}, {0.5, 0.5}, {0, 0.5}};
-  static const ReferencePoint square[] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {0, -1}, {1, 0}, {0, 1}, {-1, 0}, {0, 0}};
-  return cellInfo(cell).vertices == 3 ? triangle[node] : square[node];
-}
+namespace suture {
 
 namespace {
 
-// Gradient of shape function i of the linear (bilinear) element at (s, t).
-ReferencePoint linearGradient(int vertices, int i, ReferencePoint at) {
-  if (vertices == 3) {
-    static const ReferencePoint constant[] = {{-1, -1}, {1, 0}, {0, 1}};
-    return constant[i];
+const Point square[] = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}, {0, -1, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, 0, 0}};
+const Point cube[] = {{-1, -1, -1}, {1, -1, -1}, {1, 1, -1},  {-1, 1, -1}, {-1, -1, 1}, {1, -1, 1}, {1, 1, 1},  {-1, 1, 1},  {0, -1, -1},
+                      {1, 0, -1},   {0, 1, -1},  {-1, 0, -1}, {0, -1, 1},  {1, 0, 1},   {0, 1, 1},  {-1, 0, 1}, {-1, -1, 0}, {1, -1, 0},
+                      {1, 1, 0},    {-1, 1, 0},  {-1, 0, 0},  {1, 0, 0},   {0, -1, 0},  {0, 1, 0},  {0, 0, -1}, {0, 0, 1},   {0, 0, 0}};
+const Point wedge[] = {{0, 0, -1}, {1, 0, -1}, {0, 1, -1}, {0, 0, 1}, {1, 0, 1}, {0, 1, 1}};
+const Point pyramid[] = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}, {0, 0, 1}};
+
+/// A function of the place with its gradient.
+struct Jet {
+  double value = 0.0;
+  Point gradient{0, 0, 0};
+};
+
+/// The barycentric coordinate of a vertex of the triangle (dimension 2) or the tetrahedron.
+Jet barycentric(int dimension, int vertex, const Point& at) {
+  Jet l;
+  if (vertex > 0) {
+    l.value = at[vertex - 1];
+    l.gradient[vertex - 1] = 1.0;
+    return l;
   }
-  const ReferencePoint p = referencePoint(Cell::Quadrilateral4, i);
-  return {p[0] * (1 + p[1] * at[1]) / 4, p[1] * (1 + p[0] * at[0]) / 4};
+  l.value = 1.0;
+  for (int k = 0; k < dimension; ++k) l.value -= at[k], l.gradient[k] = -1.0;
+  return l;
 }
 
-ReferencePoint triangle6Gradient(int i, ReferencePoint at) {
-  const double l[] = {1 - at[0] - at[1], at[0], at[1]};
-  const ReferencePoint g[] = {{-1, -1}, {1, 0}, {0, 1}};
-  if (i < 3) return {(4 * l[i] - 1) * g[i][0], (4 * l[i] - 1) * g[i][1]};
-  const int a = i - 3, b = (i - 2) % 3;
-  return {4 * (l[a] * g[b][0] + l[b] * g[a][0]), 4 * (l[a] * g[b][1] + l[b] * g[a][1])};
+Jet simplexFunction(const CellInfo& cell, int i, const Point& at) {
+  if (i < cell.vertices) {
+    Jet l = barycentric(cell.dimension, i, at);
+    if (cell.order == 1) return l;
+    for (double& g : l.gradient) g *= 4 * l.value - 1;
+    l.value *= 2 * l.value - 1;
+    return l;
+  }
+  const auto& edge = cell.edges[i - cell.vertices];
+  const Jet a = barycentric(cell.dimension, edge[0], at), b = barycentric(cell.dimension, edge[1], at);
+  Jet product;
+  product.value = 4 * a.value * b.value;
+  for (int k = 0; k < 3; ++k) product.gradient[k] = 4 * (a.value * b.gradient[k] + b.value * a.gradient[k]);
+  return product;
 }
 
-ReferencePoint serendipityGradient(int i, ReferencePoint at) {
-  const ReferencePoint p = referencePoint(Cell::Quadrilateral8, i);
-  const double s = at[0], t = at[1];
-  if (i < 4) return {p[0] * (1 + p[1] * t) * (2 * p[0] * s + p[1] * t) / 4, p[1] * (1 + p[0] * s) * (2 * p[1] * t + p[0] * s) / 4};
-  if (p[0] == 0) return {-s * (1 + p[1] * t), p[1] * (1 - s * s) / 2};
-  return {p[0] * (1 - t * t) / 2, -t * (1 + p[0] * s)};
+/// A product of functions of one coordinate each. \param factor  factor[k], slope[k]: those of coordinate k
+Jet productOf(int dimension, const double* factor, const double* slope) {
+  Jet product;
+  product.value = 1.0;
+  for (int k = 0; k < dimension; ++k) {
+    product.value *= factor[k];
+    product.gradient[k] = slope[k];
+    for (int j = 0; j < dimension; ++j)
+      if (j != k) product.gradient[k] *= factor[j];
+  }
+  return product;
 }
 
-// The quadratic through -1, 0, 1 that is one at `node`, and its derivative.
-double parabola(double node, double x) { return node == 0 ? 1 - x * x : x * (x + node) / 2; }
-double slope(double node, double x) { return node == 0 ? -2 * x : x + node / 2; }
+/// Linear in each coordinate. \param p  place of the node
+Jet linearProduct(int dimension, const Point& p, const Point& at) {
+  double factor[3], slope[3];
+  for (int k = 0; k < dimension; ++k) factor[k] = (1 + p[k] * at[k]) / 2, slope[k] = p[k] / 2;
+  return productOf(dimension, factor, slope);
+}
+
+/// Quadratic in each coordinate: through -1, 0 and 1.
+Jet quadraticProduct(int dimension, const Point& p, const Point& at) {
+  double factor[3], slope[3];
+  for (int k = 0; k < dimension; ++k) {
+    const double x = at[k];
+    factor[k] = p[k] == 0 ? 1 - x * x : x * (x + p[k]) / 2;
+    slope[k] = p[k] == 0 ? -2 * x : x + p[k] / 2;
+  }
+  return productOf(dimension, factor, slope);
+}
+
+/// Serendipity functions of 8 and 20 nodes.
+Jet serendipity(int dimension, const Point& p, const Point& at) {
+  double factor[3], slope[3], sum = 1 - dimension;
+  bool isMiddle = false;
+  for (int k = 0; k < dimension; ++k) {
+    const bool middle = p[k] == 0;
+    isMiddle = isMiddle || middle;
+    factor[k] = middle ? 1 - at[k] * at[k] : (1 + p[k] * at[k]) / 2;
+    slope[k] = middle ? -2 * at[k] : p[k] / 2;
+    sum += p[k] * at[k];
+  }
+  Jet jet = productOf(dimension, factor, slope);
+  if (isMiddle) return jet;
+  for (int k = 0; k < dimension; ++k) jet.gradient[k] = jet.gradient[k] * sum + jet.value * p[k];
+  jet.value *= sum;
+  return jet;
+}
+
+Jet wedgeFunction(int i, const Point& at) {
+  const Jet l = barycentric(2, i % 3, at);
+  const double half = (1 + wedge[i][2] * at[2]) / 2;
+  return {l.value * half, {l.gradient[0] * half, l.gradient[1] * half, l.value * wedge[i][2] / 2}};
+}
+
+Jet pyramidFunction(int i, const Point& at) {
+  if (i == 4) return {at[2], {0, 0, 1}};
+  const double p = pyramid[i][0], q = pyramid[i][1], x = at[0], y = at[1], z = at[2];
+  const double below = std::max(1 - z, 1e-14), ratio = p * q / below;
+  return {((1 + p * x) * (1 + q * y) - z + ratio * x * y * z) / 4,
+          {(p * (1 + q * y) + ratio * y * z) / 4, (q * (1 + p * x) + ratio * x * z) / 4, (ratio * x * y / below - 1) / 4}};
+}
+
+Jet jetOf(Cell cell, int i, const Point& at) {
+  switch (cell) {
+    case Cell::Triangle3:
+    case Cell::Triangle6:
+    case Cell::Tetrahedron4:
+    case Cell::Tetrahedron10:
+      return simplexFunction(cellInfo(cell), i, at);
+    case Cell::Quadrilateral4:
+      return linearProduct(2, square[i], at);
+    case Cell::Quadrilateral8:
+      return serendipity(2, square[i], at);
+    case Cell::Quadrilateral9:
+      return quadraticProduct(2, square[i], at);
+    case Cell::Hexahedron8:
+      return linearProduct(3, cube[i], at);
+    case Cell::Hexahedron20:
+      return serendipity(3, cube[i], at);
+    case Cell::Hexahedron27:
+      return quadraticProduct(3, cube[i], at);
+    case Cell::Wedge6:
+      return wedgeFunction(i, at);
+    case Cell::Pyramid5:
+      return pyramidFunction(i, at);
+  }
+  return {};
+}
 
 }  // namespace
 
-double shapeFunction(Cell cell, int i, ReferencePoint at) {
-  const ReferencePoint p = referencePoint(cell, i);
-  const double l[] = {1 - at[0] - at[1], at[0], at[1]};
-  switch (cell) {
-    case Cell::Triangle3:
-      return l[i];
-    case Cell::Triangle6:
-      return i < 3 ? l[i] * (2 * l[i] - 1) : 4 * l[i - 3] * l[(i - 2) % 3];
-    case Cell::Quadrilateral4:
-      return (1 + p[0] * at[0]) * (1 + p[1] * at[1]) / 4;
-    case Cell::Quadrilateral8:
-      if (i < 4) return (1 + p[0] * at[0]) * (1 + p[1] * at[1]) * (p[0] * at[0] + p[1] * at[1] - 1) / 4;
-      return p[0] == 0 ? (1 - at[0] * at[0]) * (1 + p[1] * at[1]) / 2 : (1 - at[1] * at[1]) * (1 + p[0] * at[0]) / 2;
-    case Cell::Quadrilateral9:
-      return parabola(p[0], at[0]) * parabola(p[1], at[1]);
+ReferencePoint referencePoint(Cell cell, int node) {
+  const CellInfo& info = cellInfo(cell);
+  if (cell == Cell::Wedge6) return wedge[node];
+  if (cell == Cell::Pyramid5) return pyramid[node];
+  if (!isSimplex(cell)) return info.dimension == 2 ? square[node] : cube[node];
+  Point place{0, 0, 0};
+  if (node < info.vertices) {
+    if (node > 0) place[node - 1] = 1;
+    return place;
   }
-  return 0;
+  for (const int vertex : info.edges[node - info.vertices])
+    if (vertex > 0) place[vertex - 1] = 0.5;
+  return place;
 }
 
-ReferencePoint shapeGradient(Cell cell, int i, ReferencePoint at) {
-  switch (cell) {
-    case Cell::Triangle6:
-      return triangle6Gradient(i, at);
-    case Cell::Quadrilateral8:
-      return serendipityGradient(i, at);
-    case Cell::Quadrilateral9: {
-      const ReferencePoint p = referencePoint(cell, i);
-      return {slope(p[0], at[0]) * parabola(p[1], at[1]), parabola(p[0], at[0]) * slope(p[1], at[1])};
-    }
-    default:
-      return linearGradient(cellInfo(cell).vertices, i, at);
+ReferencePoint referenceCentre(Cell cell) {
+  const int vertices = cellInfo(cell).vertices;
+  Point centre{0, 0, 0};
+  for (int i = 0; i < vertices; ++i) {
+    const Point p = referencePoint(cell, i);
+    for (int k = 0; k < 3; ++k) centre[k] += p[k] / vertices;
   }
+  return centre;
 }
+
+double shapeFunction(Cell cell, int i, const ReferencePoint& at) { return jetOf(cell, i, at).value; }
+
+ReferencePoint shapeGradient(Cell cell, int i, const ReferencePoint& at) { return jetOf(cell, i, at).gradient; }
 
 }  // namespace suture

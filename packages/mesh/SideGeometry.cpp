@@ -17,8 +17,9 @@ constexpr int kPoints = 4;  // points of a Gauss rule in each direction of a sid
   throw InternalError("a side of " + std::to_string(nodes) + " nodes in " + std::to_string(dimension) + " dimensions");
 }
 
-/// Shape of a side in space.
-Cell cellOf(int nodes) {
+}  // namespace
+
+Cell sideCell(int nodes) {
   switch (nodes) {
     case 3:
       return Cell::Triangle3;
@@ -33,6 +34,8 @@ Cell cellOf(int nodes) {
   }
   noSuchSide(nodes, 3);
 }
+
+namespace {
 
 std::vector<NodeNormal> nodeNormalsInPlane(const std::vector<Point>& points) {
   const Point &a = points[0], &b = points[1];
@@ -75,8 +78,9 @@ double weightInSpace(Cell cell, int node) {
       const ReferencePoint p = referencePoint(cell, node);
       return (p[0] == 0 ? 4.0 / 3 : 1.0 / 3) * (p[1] == 0 ? 4.0 / 3 : 1.0 / 3);
     }
+    default:
+      return 0.0;
   }
-  return 0.0;
 }
 
 struct QuadraturePoint {
@@ -92,15 +96,15 @@ std::vector<QuadraturePoint> quadrature(Cell cell) {
     for (int j = 0; j < kPoints; ++j) {
       const double s = rule.points(i), t = rule.points(j), weight = rule.weights(i) * rule.weights(j);
       if (cellInfo(cell).vertices == 4)
-        all.push_back({{s, t}, weight});
+        all.push_back({{s, t, 0}, weight});
       else
-        all.push_back({{(1 + s) / 2, (1 - s) * (1 + t) / 4}, weight * (1 - s) / 8});
+        all.push_back({{(1 + s) / 2, (1 - s) * (1 + t) / 4, 0}, weight * (1 - s) / 8});
     }
   return all;
 }
 
 void addSizesInSpace(const std::vector<Point>& points, std::vector<double>& sizes) {
-  const Cell cell = cellOf(static_cast<int>(points.size()));
+  const Cell cell = sideCell(static_cast<int>(points.size()));
   for (const QuadraturePoint& q : quadrature(cell)) {
     const double area = q.weight * norm(density(points, cell, q.at));
     for (std::size_t i = 0; i < points.size(); ++i) sizes[i] += area * shapeFunction(cell, static_cast<int>(i), q.at);
@@ -123,14 +127,14 @@ void addSizesOfCircle(const std::vector<Point>& points, std::vector<double>& siz
 }  // namespace
 
 int sideVertices(int nodes, int dimension) {
-  if (dimension == 3) return cellInfo(cellOf(nodes)).vertices;
+  if (dimension == 3) return cellInfo(sideCell(nodes)).vertices;
   if (nodes != 2 && nodes != 3) noSuchSide(nodes, dimension);
   return 2;
 }
 
 std::vector<NodeNormal> nodeNormals(const std::vector<Point>& points, int dimension) {
   if (dimension == 2) return nodeNormalsInPlane(points);
-  const Cell cell = cellOf(static_cast<int>(points.size()));
+  const Cell cell = sideCell(static_cast<int>(points.size()));
   std::vector<NodeNormal> normals;
   for (int i = 0; i < static_cast<int>(points.size()); ++i)
     normals.push_back({density(points, cell, referencePoint(cell, i)), weightInSpace(cell, i)});
@@ -162,7 +166,7 @@ std::vector<std::pair<int, int>> sideSteps(int nodes, int dimension) {
 
 std::vector<std::vector<int>> linearCells(int nodes, int dimension) {
   if (dimension == 2) return nodes == 2 ? std::vector<std::vector<int>>{{0, 1}} : std::vector<std::vector<int>>{{0, 2}, {2, 1}};
-  switch (cellOf(nodes)) {
+  switch (sideCell(nodes)) {
     case Cell::Triangle3:
       return {{0, 1, 2}};
     case Cell::Quadrilateral4:
@@ -173,8 +177,9 @@ std::vector<std::vector<int>> linearCells(int nodes, int dimension) {
       return {{0, 4, 7}, {4, 1, 5}, {5, 2, 6}, {6, 3, 7}, {4, 5, 6, 7}};
     case Cell::Quadrilateral9:
       return {{0, 4, 8, 7}, {4, 1, 5, 8}, {8, 5, 2, 6}, {7, 8, 6, 3}};
+    default:
+      noSuchSide(nodes, dimension);
   }
-  noSuchSide(nodes, dimension);
 }
 
 }  // namespace suture

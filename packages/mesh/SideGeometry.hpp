@@ -1,5 +1,6 @@
 #pragma once
 #include <suture/base/Types.hpp>
+#include <suture/mesh/Cell.hpp>
 
 #include <vector>
 
@@ -8,6 +9,9 @@ namespace suture {
 // Geometry of a side from its nodes alone. In the plane a side has two or three nodes: end points first, the body on the left of the way
 // from the first to the second. In space it has three or six (triangles), four, eight or nine nodes (quadrilaterals): vertices first,
 // counter-clockwise seen from outside the body, then the middles of the edges, then the centre.
+
+/// Shape of a side in space. \throws InternalError  there is no side of so many nodes. Local.
+Cell sideCell(int nodes);
 
 /// Number of vertices of a side. \throws InternalError  there is no side of so many nodes. Local.
 int sideVertices(int nodes, int dimension);

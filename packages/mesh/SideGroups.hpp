@@ -7,7 +7,7 @@
 
 namespace suture {
 
-/// Side groups by name: "curve groups" in the plane.
+/// Side groups by name: "curve groups" in the plane, "surface groups" in space.
 using SideGroups = std::map<std::string, std::vector<Side>>;
 
 /// The names under a parameter that holds several, as {left, right}, or a single one; none where it is left out. Local.

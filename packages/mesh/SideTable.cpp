@@ -7,18 +7,19 @@ namespace suture {
 
 namespace {
 
-std::vector<char> endsOf(const CellBlock& block, const std::vector<Side>& sides) {
+std::vector<char> verticesOf(const CellBlock& block, const std::vector<Side>& sides) {
   std::vector<char> among(block.nodes(), 0);
   for (const Side& side : sides) {
-    const std::vector<int>& ends = cellInfo(block.cells[side.element]).sideNodes[side.side];
-    for (const int end : {ends[0], ends[1]}) among[block.nodesOf(side.element)[end]] = 1;
+    const CellInfo& cell = cellInfo(block.cells[side.element]);
+    for (const int local : cell.sideNodes[side.side])
+      if (local < cell.vertices) among[block.nodesOf(side.element)[local]] = 1;
   }
   return among;
 }
 
 }  // namespace
 
-SideTable::SideTable(const CellBlock& block, const std::vector<Side>& some) : SideTable(block, endsOf(block, some)) {}
+SideTable::SideTable(const CellBlock& block, const std::vector<Side>& some) : SideTable(block, verticesOf(block, some)) {}
 
 // By counting, not sorting: linear in the number of elements, which stay in ascending order.
 SideTable::SideTable(const CellBlock& block, const std::vector<char>& among) : block_(block) {
@@ -29,30 +30,31 @@ SideTable::SideTable(const CellBlock& block, const std::vector<char>& among) : b
     if (count > 1) elements.push_back(e);
   }
   const auto forEach = [&](const auto& visit) {
-    for (const int e : elements)
-      forEachSide(block, e, [&](std::pair<int, int> ends, const Side& side) {
-        if (among[ends.first] && among[ends.second]) visit(ends, side);
+    for (const int e : elements) {
+      const CellInfo& cell = cellInfo(block.cells[e]);
+      const Span<const int> nodes = block.nodesOf(e);
+      forEachSide(block, e, [&](const SideKey& key, const Side& side) {
+        for (const int local : cell.sideNodes[side.side])
+          if (local < cell.vertices && !among[nodes[local]]) return;
+        visit(key, side);
       });
+    }
   };
   start_.assign(static_cast<std::size_t>(block.nodes()) + 1, 0);
-  forEach([&](std::pair<int, int> ends, const Side&) { ++start_[ends.first + 1]; });
+  forEach([&](const SideKey& key, const Side&) { ++start_[key.low + 1]; });
   std::partial_sum(start_.begin(), start_.end(), start_.begin());
   entries_.resize(start_.back());
   std::vector<int> next(start_.begin(), start_.end() - 1);
-  forEach([&](std::pair<int, int> ends, const Side& side) { entries_[next[ends.first]++] = {ends.second, side}; });
+  forEach([&](const SideKey& key, const Side& side) { entries_[next[key.low]++] = {key.rest, side}; });
 }
 
-std::vector<Side> SideTable::between(int a, int b) const {
-  const auto [low, high] = std::minmax(a, b);
+std::vector<Side> SideTable::of(const SideKey& key) const {
   std::vector<Side> found;
-  for (int k = start_[low]; k < start_[low + 1]; ++k)
-    if (entries_[k].high == high) found.push_back(entries_[k].side);
+  for (int k = start_[key.low]; k < start_[key.low + 1]; ++k)
+    if (entries_[k].rest == key.rest) found.push_back(entries_[k].side);
   return found;
 }
 
-bool SideTable::onBoundary(const Side& side) const {
-  const std::vector<int> nodes = block_.nodesOf(side);
-  return between(nodes[0], nodes[1]).size() == 1;
-}
+bool SideTable::onBoundary(const Side& side) const { return of(block_.keyOf(side)).size() == 1; }
 
 }  // namespace suture

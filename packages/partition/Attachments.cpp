@@ -28,6 +28,19 @@ std::vector<std::vector<int>> shareRows(const std::vector<ContactRow>& rows, con
   return pairs;
 }
 
+/// The subdomains that hold a node of a pair of a cell, ascending.
+std::vector<int> holdersOf(const std::vector<int>& cell, const Constraints& constraints, const NodeSubdomains& holdersOfNodes) {
+  std::vector<int> all;
+  for (const int pair : cell)
+    for (const PairEnd& end : constraints.pairs[pair].ends) {
+      const auto own = holdersOfNodes.of(end.node);
+      all.insert(all.end(), own.begin(), own.end());
+    }
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  return all;
+}
+
 }  // namespace
 
 std::vector<int> nodesInContact(const Constraints& constraints) {
@@ -67,6 +80,17 @@ std::vector<Attachments> attachmentsOf(const Mesh& mesh, const Constraints& cons
       places.push_back(at->second);
     }
   }
+  if (mesh.dimension == 2) return all;  // along a line the numbers of pairs tell which are neighbours
+  for (const ContactPiece& piece : constraints.pieces)
+    for (const std::vector<int>& cell : piece.cells) {
+      std::map<int, int> placeAt;  // by rank
+      for (const int s : holdersOf(cell, constraints, contactHolders)) {
+        Attachments& own = all[share.rankOfBody(partition.bodyOf[s])];
+        const auto [at, isNew] = placeAt.emplace(share.rankOfBody(partition.bodyOf[s]), static_cast<int>(own.cells.size()));
+        if (isNew) own.cells.push_back(cell);
+        own.cellsOf[s].push_back(at->second);
+      }
+    }
   return all;
 }
 

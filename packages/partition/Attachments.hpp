@@ -19,11 +19,13 @@ struct Attachments {
   std::vector<SubdomainMesh::ContactEnd> contactEnds;  ///< by pair, then end
   std::vector<ContactRow> rows;                        ///< those that any subdomain of these bodies needs
   std::map<int, std::vector<int>> rowsOf;              ///< subdomain -> places in rows, by pair
+  std::vector<std::vector<int>> cells;                 ///< in space: cells between pairs that any of these subdomains has a node of
+  std::map<int, std::vector<int>> cellsOf;             ///< subdomain -> places in cells, ascending
 
   template <typename Self, typename Each>
   static void forEachField(Self& self, const Each& each) {
     each(self.sideGroups), each(self.rules), each(self.supports), each(self.springs), each(self.contactEnds), each(self.rows),
-        each(self.rowsOf);
+        each(self.rowsOf), each(self.cells), each(self.cellsOf);
   }
 };
 

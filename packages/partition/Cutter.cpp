@@ -17,6 +17,7 @@ Cutter::Cutter(const CellBlock& mesh, const MeshShare& share, const Attachments&
       springs_(partition.subdomains()),
       ends_(partition.subdomains()),
       seams_(partition.subdomains()),
+      edges_(partition.subdomains()),
       localNode_(block_.nodes(), -1),
       localElement_(block_.elements(), -1) {
   for (int e = 0; e < block_.elements(); ++e) elements_[share.subdomainOfElement[e]].push_back(e);
@@ -45,24 +46,37 @@ Cutter::Cutter(const CellBlock& mesh, const MeshShare& share, const Attachments&
     for (int s : share.holders.of(end.node)) ends_[s].push_back(end);
   }
   findSeamSides();
+  if (block_.dimension == 3) findSeamEdges();
 }
 
-// Only sides all of whose nodes are shared can lie on a seam: work in proportion to the elements, memory to the seams.
+// Only sides all of whose vertices are shared can lie on a seam: work in proportion to the elements, memory to the seams.
 void Cutter::findSeamSides() {
   struct Candidate {
-    int low, high, element, side;  // end points first
+    SideKey key;
+    int element, side;
   };
   std::vector<Candidate> candidates;
   const auto isShared = [this](int node) { return share_.holders.of(node).size() > 1; };
-  for (int e = 0; e < block_.elements(); ++e)
-    forEachSide(block_, e, [&](std::pair<int, int> ends, const Side& side) {
-      if (isShared(ends.first) && isShared(ends.second)) candidates.push_back({ends.first, ends.second, e, side.side});
+  for (int e = 0; e < block_.elements(); ++e) {
+    const CellInfo& cell = cellInfo(block_.cells[e]);
+    const Span<const int> nodes = block_.nodesOf(e);
+    if (block_.dimension == 3) {  // most elements of a subdomain have no side on its boundary
+      int shared = 0;
+      for (int k = 0; k < cell.vertices; ++k) shared += isShared(nodes[k]);
+      if (shared < 3) continue;
+    }
+    forEachSide(block_, e, [&](const SideKey& key, const Side& side) {
+      for (const int local : cell.sideNodes[side.side])
+        if (local < cell.vertices && !isShared(nodes[local])) return;
+      candidates.push_back({key, e, side.side});
     });
-  std::sort(candidates.begin(), candidates.end(),
-            [](const Candidate& a, const Candidate& b) { return std::tie(a.low, a.high, a.element) < std::tie(b.low, b.high, b.element); });
+  }
+  std::sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
+    return std::tie(a.key.low, a.key.rest, a.element) < std::tie(b.key.low, b.key.rest, b.element);
+  });
   for (std::size_t i = 1; i < candidates.size(); ++i) {
     const Candidate &a = candidates[i - 1], &b = candidates[i];
-    if (a.low != b.low || a.high != b.high) continue;
+    if (!(a.key == b.key)) continue;
     const int sa = share_.subdomainOfElement[a.element], sb = share_.subdomainOfElement[b.element];
     if (sa == sb) continue;
     seams_[sa].push_back({a.element, a.side, sb});
@@ -72,6 +86,56 @@ void Cutter::findSeamSides() {
     std::sort(own.begin(), own.end(), [](const SubdomainMesh::SeamSide& a, const SubdomainMesh::SeamSide& b) {
       return std::tie(a.element, a.side) < std::tie(b.element, b.side);
     });
+}
+
+// A subdomain does not know the elements of those that it meets along an edge only: here all are known.
+void Cutter::findSeamEdges() {
+  struct Candidate {
+    int low, high, middle, subdomain;
+  };
+  std::vector<Candidate> all, onSides;
+  const auto isShared = [this](int node) { return share_.holders.of(node).size() > 1; };
+  const auto candidate = [&](int e, int edge, int subdomain) {
+    const CellInfo& cell = cellInfo(block_.cells[e]);
+    const Span<const int> nodes = block_.nodesOf(e);
+    const int a = nodes[cell.edges[edge][0]], b = nodes[cell.edges[edge][1]];
+    return Candidate{std::min(a, b), std::max(a, b), cell.order == 2 ? nodes[cell.vertices + edge] : -1, subdomain};
+  };
+  for (int e = 0; e < block_.elements(); ++e) {
+    const CellInfo& cell = cellInfo(block_.cells[e]);
+    const Span<const int> nodes = block_.nodesOf(e);
+    for (std::size_t k = 0; k < cell.edges.size(); ++k)
+      if (isShared(nodes[cell.edges[k][0]]) && isShared(nodes[cell.edges[k][1]]))
+        all.push_back(candidate(e, static_cast<int>(k), share_.subdomainOfElement[e]));
+  }
+  for (std::size_t s = 0; s < seams_.size(); ++s)
+    for (const SubdomainMesh::SeamSide& seam : seams_[s]) {
+      const CellInfo& cell = cellInfo(block_.cells[seam.element]);
+      const std::vector<int>& side = cell.sideNodes[seam.side];
+      const auto isOn = [&](int local) { return std::find(side.begin(), side.end(), local) != side.end(); };
+      for (std::size_t k = 0; k < cell.edges.size(); ++k)
+        if (isOn(cell.edges[k][0]) && isOn(cell.edges[k][1]))
+          onSides.push_back(candidate(seam.element, static_cast<int>(k), seam.neighbour));
+    }
+  const auto before = [](const Candidate& a, const Candidate& b) {
+    return std::tie(a.low, a.high, a.subdomain) < std::tie(b.low, b.high, b.subdomain);
+  };
+  const auto same = [](const Candidate& a, const Candidate& b) {
+    return std::tie(a.low, a.high, a.subdomain) == std::tie(b.low, b.high, b.subdomain);
+  };
+  std::sort(all.begin(), all.end(), before);
+  all.erase(std::unique(all.begin(), all.end(), same), all.end());
+  std::sort(onSides.begin(), onSides.end(), before);
+  for (std::size_t begin = 0, end = 0; begin < all.size(); begin = end) {
+    while (end < all.size() && all[end].low == all[begin].low && all[end].high == all[begin].high) ++end;
+    const auto count = end - begin;
+    if (count < 2) continue;
+    // Two subdomains that share a side with the edge know it as an edge of this side.
+    if (count == 2 && std::binary_search(onSides.begin(), onSides.end(), all[begin], before)) continue;
+    SubdomainMesh::SeamEdge edge{{all[begin].low, all[begin].high}, all[begin].middle, {}};
+    for (std::size_t i = begin; i < end; ++i) edge.sharers.push_back(all[i].subdomain);
+    for (const int s : edge.sharers) edges_[s].push_back(edge);
+  }
 }
 
 void Cutter::cutElements(SubdomainMesh& part) {
@@ -120,6 +184,13 @@ void Cutter::cutConstraints(SubdomainMesh& part) const {
     for (int place : rows->second) part.contactRows.push_back(attachments_.rows[place]);
   part.seamSides = seams_[part.id];
   for (SubdomainMesh::SeamSide& seam : part.seamSides) seam.element = localElement_[seam.element];
+  part.seamEdges = edges_[part.id];
+  for (SubdomainMesh::SeamEdge& edge : part.seamEdges) {
+    for (int& vertex : edge.vertices) vertex = localNode_[vertex];
+    if (edge.middle >= 0) edge.middle = localNode_[edge.middle];
+  }
+  if (const auto cells = attachments_.cellsOf.find(part.id); cells != attachments_.cellsOf.end())
+    for (const int place : cells->second) part.contactCells.push_back(attachments_.cells[place]);
 }
 
 SubdomainMesh Cutter::cut(int subdomain) {

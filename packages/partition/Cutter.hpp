@@ -25,6 +25,7 @@ class Cutter {
   };
 
   void findSeamSides();
+  void findSeamEdges();
 
   void cutElements(SubdomainMesh& part);
   void cutConstraints(SubdomainMesh& part) const;
@@ -41,6 +42,7 @@ class Cutter {
   std::vector<std::vector<SpringDirection>> springs_;
   std::vector<std::vector<SubdomainMesh::ContactEnd>> ends_;
   std::vector<std::vector<SubdomainMesh::SeamSide>> seams_;
+  std::vector<std::vector<SubdomainMesh::SeamEdge>> edges_;
   std::vector<int> localNode_, localElement_;  // work space: numbers in the current subdomain, -1 outside
 };
 

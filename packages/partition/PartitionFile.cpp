@@ -18,7 +18,7 @@ std::string at(const char* name) { return std::string(kGroup) + "/" + name; }
 /// The form of the file, the sizes of what is written as it lies in memory (another compiler may lay it out otherwise), and the bytes of a
 /// mesh with one contact row: a field that was added or taken away changes them.
 std::string version() {
-  std::string text = "6";
+  std::string text = "7";
   SubdomainMesh sample;
   sample.contactRows.resize(1);
   sample.contactRows[0].equations.resize(1);

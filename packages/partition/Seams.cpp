@@ -1,4 +1,4 @@
-#include <suture/base/Errors.hpp>
+#include <suture/mesh/SideGeometry.hpp>
 #include <suture/partition/Seams.hpp>
 
 #include <algorithm>
@@ -8,7 +8,6 @@ namespace suture {
 std::vector<SeamEntity> findSeams(const std::vector<const SubdomainMesh*>& subdomains) {
   EntityGraph graph;
   for (const SubdomainMesh* part : subdomains) {
-    if (part->dimension != 2) throw InternalError("seams in dimension " + std::to_string(part->dimension));
     for (int node = 0; node < part->nodes(); ++node) {
       const Span<const int> others = part->others(node);
       if (others.empty()) continue;
@@ -18,13 +17,24 @@ std::vector<SeamEntity> findSeams(const std::vector<const SubdomainMesh*>& subdo
       graph.addNode(part->globalNodes[node], std::move(sharers));
     }
   }
-  for (const SubdomainMesh* part : subdomains)
+  for (const SubdomainMesh* part : subdomains) {
     for (const SubdomainMesh::SeamSide& seam : part->seamSides) {
       std::vector<GlobalId> nodes;
       for (const int node : part->nodesOf(Side{seam.element, seam.side})) nodes.push_back(part->globalNodes[node]);
-      graph.addSide(nodes, 2, {std::min(part->id, seam.neighbour), std::max(part->id, seam.neighbour)});
+      graph.addSide(nodes, sideVertices(static_cast<int>(nodes.size()), part->dimension),
+                    {std::min(part->id, seam.neighbour), std::max(part->id, seam.neighbour)});
     }
-  return graph.entities();
+    for (const SubdomainMesh::SeamEdge& edge : part->seamEdges) {
+      std::vector<GlobalId> nodes{part->globalNodes[edge.vertices[0]], part->globalNodes[edge.vertices[1]]};
+      if (edge.middle >= 0) nodes.push_back(part->globalNodes[edge.middle]);
+      graph.addSide(nodes, 2, edge.sharers);
+    }
+  }
+  std::vector<SeamEntity> all = graph.entities();
+  // In space an edge hangs on faces: it needs no points where it ends at the surface of the body.
+  if (!subdomains.empty() && subdomains.front()->dimension == 3)
+    for (SeamEntity& entity : all) entity.ends.clear();
+  return all;
 }
 
 std::vector<SeamEntity> findSeams(const std::vector<SubdomainMesh>& subdomains) {

@@ -27,6 +27,8 @@ void forEachField(SubdomainMeshRef& part, const Each& each) {
   each(part.sharedWith);
   each(part.contactEnds);
   each(part.seamSides);
+  each(part.seamEdges);
+  each(part.contactCells);
   each(part.contactRows);
 }
 

@@ -44,6 +44,22 @@ struct SubdomainMesh : CellBlock {
   };
   std::vector<SeamSide> seamSides;  ///< by element, then side
 
+  /// An edge of elements in space where more than two subdomains (of the same body) meet, or two that have no side with it in common.
+  struct SeamEdge {
+    std::array<int, 2> vertices{{-1, -1}};  ///< local
+    int middle = -1;                        ///< local; -1: the edge has none
+    std::vector<int> sharers;               ///< all subdomains that have it as an edge of an element, ascending
+
+    template <typename Self, typename Each>
+    static void forEachField(Self& self, const Each& each) {
+      each(self.vertices), each(self.middle), each(self.sharers);
+    }
+  };
+  std::vector<SeamEdge> seamEdges;  ///< by vertices in the numbers of the mesh
+
+  /// Cells between pairs in space (ContactPiece::cells) that have a pair with a node here, by ids of the pairs.
+  std::vector<std::vector<int>> contactCells;
+
   /// Rigid motion that takeOutRigidMotions() took out of rules and gaps. The displacements that solvers find are those beside it.
   struct Lift {
     std::vector<long double> amplitudes;  ///< amplitudes of the part of the body that the subdomain belongs to; empty with `motion`

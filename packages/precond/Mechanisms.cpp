@@ -66,11 +66,13 @@ class Mechanisms {
           if (other == space_.localId(i)) continue;
           Pair& pair = shared.emplace(other, Pair{space_.localId(i), other, {}, false}).first->second;
           pair.entities.push_back(e);
-          pair.seam = pair.seam || !vertex;
+          // In space neighbours hang together by faces; along edges and at vertices others hold them.
+          pair.seam = pair.seam || (space_.dimension() == 2 ? !vertex : entity.kind == EntityKind::Face);
         }
       }
       for (auto& [other, pair] : shared)
-        if (pair.seam && !pointsTellAll(pair.entities) && locals_[i]->kernel().cols() > 0) pairs_.push_back(std::move(pair));
+        if (pair.seam && locals_[i]->kernel().cols() > 0 && !pointsTellAll(pair.entities) && !rowsTellAll(pair.entities))
+          pairs_.push_back(std::move(pair));
     }
     return !loose_.empty() || !pairs_.empty();
   }
@@ -138,6 +140,20 @@ class Mechanisms {
     for (int k = 0; k < motions; ++k)
       if (!(lower(k, k) * lower(k, k) > kTold * gram(k, k))) return false;
     return true;
+  }
+
+  /// True if the rows of one entity tell all its rigid motions by themselves: of faces nearly always.
+  bool rowsTellAll(const std::vector<int>& entities) const {
+    for (const int e : entities) {
+      const Matrix& rows = choice_.rows[e];
+      if (rows.rows() < rigidMotions(space_.dimension())) continue;
+      std::vector<int> rest;
+      for (const int place : space_.entities()[e].unknowns)
+        if (!choice_.alone[place]) rest.push_back(place);
+      const Matrix modes = orthonormalBasis(rigidMotionsOf(space_, rest, true), kFelt);
+      if (modes.cols() == rigidMotions(space_.dimension()) && (modes - rows.transpose() * (rows * modes)).norm() < kFelt) return true;
+    }
+    return false;
   }
 
   /// Marks the point whose unknowns move most. \param unknowns  candidates; \param motions  their values, a row each

@@ -10,6 +10,7 @@
 #include <Tpetra_MultiVector.hpp>
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -22,6 +23,8 @@ using Crs = Tpetra::CrsMatrix<>;
 // Layers of neighbours in a patch. What is left out decays by a factor from layer to layer that depends on how much the stiffness jumps:
 // with jumps of 1e3 four layers keep the condition within 5 % of that with the whole matrix.
 constexpr int kFewLayers = 1, kManyLayers = 4;
+// A layer around a patch of a surface has several times the nodes of the patch: beyond this size there are no more.
+constexpr std::size_t kLargeInSpace = 60;
 constexpr double kJump = 10.0;
 
 /// Diagonals of the stiffness matrices, summed within the bodies, of each unknown of the overlap.
@@ -97,15 +100,16 @@ MortarAveraging::MortarAveraging(const InterfaceSpace& space, const InterfaceSpa
   double jump = 0.0;
   Teuchos::reduceAll(*torn.comm(), Teuchos::REDUCE_MAX, mineJump, Teuchos::outArg(jump));
   const int layers = jump > kJump ? kManyLayers : kFewLayers;
+  const std::size_t large = space.dimension() == 3 ? kLargeInSpace : std::numeric_limits<std::size_t>::max();
 
-  std::map<int, SparseRow> jumps;
+  std::map<int, SparseRow> jumpRows;
   for (const InterfaceRelation* relation : mine) {
     expressed_.push_back(torn.ownedRow(relation->unknown));
-    SparseRow& row = jumps[expressed_.back()];
+    SparseRow& row = jumpRows[expressed_.back()];
     row[torn.id(relation->unknown)] = 1.0;
     for (std::size_t k = 0; k < relation->others.size(); ++k) row[torn.id(relation->others[k])] = -relation->coefficients[k];
   }
-  jump_ = matrixOf(torn.map(), jumps);
+  jump_ = matrixOf(torn.map(), jumpRows);
   const Teuchos::RCP<const Crs> normal = matrixOf(torn.map(), normals);
 
   // The patch of each row grows by the neighbours of what it has.
@@ -119,6 +123,7 @@ MortarAveraging::MortarAveraging(const InterfaceSpace& space, const InterfaceSpa
     rows = rowsOf(*normal, wanted, torn.comm());
     if (layer == layers) break;
     for (auto& patch : patches) {
+      if (patch.size() > large) continue;
       std::set<GlobalId> grown = patch;
       for (const GlobalId id : patch)
         for (const auto& [column, value] : rows.at(id)) grown.insert(column);

@@ -42,6 +42,26 @@ Matrix momentsAlong(const InterfaceSpace& space, const std::vector<int>& unknown
   return moments;
 }
 
+/// Columns: one, and if asked for the places along the two directions in which a surface extends most.
+Matrix momentsOver(const InterfaceSpace& space, const std::vector<int>& unknowns, bool withFirst) {
+  const int n = static_cast<int>(unknowns.size());
+  if (!withFirst || n == 1) return Matrix::Ones(n, 1);
+  Matrix places(n, 3);
+  for (int i = 0; i < n; ++i)
+    for (int k = 0; k < 3; ++k) places(i, k) = space.point(unknowns[i])[k];
+  places.rowwise() -= places.colwise().mean().eval();
+  const Eigenpairs axes = symmetricEigenpairs(places.transpose() * places);  // ascending
+  Matrix moments(n, 3);
+  moments << Vector::Ones(n), places * axes.vectors.rightCols(2);
+  if (const double size = places.cwiseAbs().maxCoeff(); size > 0.0) moments.rightCols(2) /= size;
+  return moments;
+}
+
+/// Moments of the displacements along the normals of closed pairs.
+Matrix contactMoments(const InterfaceSpace& space, const std::vector<int>& unknowns, bool withFirst) {
+  return space.dimension() == 2 ? momentsAlong(space, unknowns, withFirst) : momentsOver(space, unknowns, withFirst);
+}
+
 }  // namespace
 
 std::vector<char> verticesAndEnds(const InterfaceSpace& space) {
@@ -71,26 +91,35 @@ PrimalChoice MomentConstraints::doChoose(const InterfaceSpace& space, const Loca
       choice.rows.emplace_back(0, 0);
       continue;
     }
+    const bool isSeam = entity.kind == (space.dimension() == 2 ? EntityKind::Edge : EntityKind::Face);
+    const bool withFirst = first_ == First::Everywhere || (first_ == First::OnSeams && isSeam);
     const Matrix modes =
-        entity.contact ? momentsAlong(space, entity.unknowns, withFirst_) : rigidMotionsOf(space, entity.unknowns, withFirst_);
+        entity.contact ? contactMoments(space, entity.unknowns, withFirst) : rigidMotionsOf(space, entity.unknowns, withFirst);
     choice.rows.push_back(orthonormalBasis(withFlux(space, entity.unknowns, modes), 1e-8).transpose());
   }
   return choice;
 }
 
-std::unique_ptr<PrimalConstraints> rigidModeConstraints() {
-  return std::make_unique<StiffTraces>(std::make_unique<MomentConstraints>(true));
+namespace {
+std::unique_ptr<PrimalConstraints> withMoments(MomentConstraints::First first) {
+  return std::make_unique<StiffTraces>(std::make_unique<MomentConstraints>(first));
 }
+}  // namespace
+
+std::unique_ptr<PrimalConstraints> automaticConstraints() { return withMoments(MomentConstraints::First::OnSeams); }
 
 void registerBuiltIns(Registry<PrimalConstraints>& registry) {
-  registry.add("None", Schema("Vertices and ends of edges only."), [](const Parameters&) { return std::make_unique<VertexConstraints>(); });
+  registry.add("Automatic", Schema("In the plane as Rigid Modes; in space averages on edges and all rigid motions on faces."),
+               [](const Parameters&) { return automaticConstraints(); });
+  registry.add("None", Schema("Vertices and ends of edges only. In space that leaves subdomains loose that meet few vertices."),
+               [](const Parameters&) { return std::make_unique<VertexConstraints>(); });
   registry.add(
       "Averages",
-      Schema("The average of each component; on contact lines of the normal displacement. With a Poisson ratio above 0.45 also the "
+      Schema("The average of each component; on contact surfaces of the normal displacement. With a Poisson ratio above 0.45 also the "
              "volume that flows through."),
-      [](const Parameters&) { return std::make_unique<StiffTraces>(std::make_unique<MomentConstraints>(false)); });
-  registry.add("Rigid Modes", Schema("Averages and the first moment: all rigid motions of the edge."),
-               [](const Parameters&) { return rigidModeConstraints(); });
+      [](const Parameters&) { return withMoments(MomentConstraints::First::Nowhere); });
+  registry.add("Rigid Modes", Schema("Averages and the first moments: all rigid motions of edges and faces."),
+               [](const Parameters&) { return withMoments(MomentConstraints::First::Everywhere); });
   registry.add("Adaptive", AdaptiveConstraints::schema(),
                [](const Parameters& own) { return std::make_unique<AdaptiveConstraints>(own.get<double>("Threshold")); });
 }

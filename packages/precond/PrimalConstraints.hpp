@@ -16,7 +16,7 @@ struct PrimalChoice {
 };
 
 /// Strategy that chooses the primal unknowns of BDDC: unknowns that are primal alone (vertices), and averages, moments or modes of the rest
-/// of each entity. Strategies: None, Averages, Rigid Modes, Adaptive; a user adds his own through Registry<PrimalConstraints>.
+/// of each entity. Strategies: Automatic, None, Averages, Rigid Modes, Adaptive; a user adds his own through Registry<PrimalConstraints>.
 class PrimalConstraints {
  public:
   static const char* kind() { return "edge constraints"; }
@@ -49,21 +49,26 @@ class VertexConstraints : public PrimalConstraints {
   PrimalChoice doChoose(const InterfaceSpace& space, const LocalProblems& locals, const Weighting& weighting) const override;
 };
 
-/// Vertices, ends of edges, and moments of the rest of each entity: the average of each displacement component, on a contact line of the
-/// normal displacement; and if asked for the first moment as well: all rigid motions of the entity. The flux through it where the space has
-/// one (InterfaceSpace::flux).
+/// Vertices, ends of edges, and moments of the rest of each entity: the average of each displacement component, on a contact of the normal
+/// displacement; and on entities for which they are asked for the first moments as well: all rigid motions of the entity. The flux through
+/// it where the space has one (InterfaceSpace::flux).
+///
+/// In space averages and moments on faces with averages on edges have a condition that does not grow with the number of subdomains and
+/// half as fast with their size as averages alone; moments on edges halve it again, for six unknowns more a subdomain.
 class MomentConstraints : public PrimalConstraints {
  public:
-  explicit MomentConstraints(bool withFirst) : withFirst_(withFirst) {}
+  enum class First { Nowhere, OnSeams, Everywhere };  ///< entities with first moments; seams are edges in the plane, faces in space
+  explicit MomentConstraints(First first) : first_(first) {}
 
  protected:
   PrimalChoice doChoose(const InterfaceSpace& space, const LocalProblems& locals, const Weighting& weighting) const override;
 
  private:
-  bool withFirst_;
+  First first_;
 };
 
-/// Rigid motions and the other stiff traces of nearly incompressible subdomains, see StiffTraces: what clusters of a coarse problem use.
-std::unique_ptr<PrimalConstraints> rigidModeConstraints();
+/// The default: rigid motions of seams, averages of edges in space, and the other stiff traces of nearly incompressible subdomains, see
+/// StiffTraces.
+std::unique_ptr<PrimalConstraints> automaticConstraints();
 
 }  // namespace suture

@@ -1,4 +1,5 @@
 #include <suture/base/Collective.hpp>
+#include <suture/mesh/CellGeometry.hpp>
 #include <suture/precond/DeluxeWeighting.hpp>
 #include <suture/precond/Weighting.hpp>
 
@@ -24,11 +25,8 @@ void DiagonalWeighting::doSetup(const InterfaceSpace& space, const LocalProblems
   collectively(*space.comm(), "weighting the interface", [&] {
     for (int k = 0; k < space.overlapSize(); ++k)
       if (!(sum(k, 0) > 0.0) && !weightless(k)) {
-        const Point& p = space.point(k);
-        std::ostringstream text;
-        text << "the interface unknown at (" << p[0] << ", " << p[1]
-             << ") has no positive weight: no local problem that takes part holds it";
-        throw NumericalError(text.str());
+        throw NumericalError("the interface unknown at " + placeText(space.point(k), space.dimension()) +
+                             " has no positive weight: no local problem that takes part holds it");
       }
   });
   for (std::size_t i = 0; i < locals.size(); ++i)

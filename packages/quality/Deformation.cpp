@@ -1,3 +1,4 @@
+#include <suture/algebra/dense/Decompositions.hpp>
 #include <suture/base/RigidValues.hpp>
 #include <suture/quality/Deformation.hpp>
 #include <suture/quality/Findings.hpp>
@@ -34,12 +35,37 @@ void forEachNode(const std::vector<SubdomainMesh>& meshes, const std::vector<Vec
     }
 }
 
+constexpr double kOnALine = 1e-12;    // part of the largest moment of inertia that is rounding: the nodes lie on the axis
 constexpr double kExplained = 100.0;  // ratio of a body's motion in a turn to the largest deformation of any body: levers have less
 
 struct Motion {
-  Point shift{0, 0, 0};
-  double turn = 0.0;
+  Point shift{0, 0, 0}, turn{0, 0, 0};
 };
+
+/// Sums over the arms from a centre to the nodes, in this order: inertia (xx, yy, zz, xy, yz, xz) of unit masses, moment of displacements,
+/// displacements.
+using TurnSums = std::array<double, 12>;
+
+void add(const Point& arm, const Point& displacement, TurnSums& sums) {
+  const double xx = arm[0] * arm[0], yy = arm[1] * arm[1], zz = arm[2] * arm[2];
+  const Point moment = cross(arm, displacement);
+  const TurnSums more{yy + zz,   xx + zz,   xx + yy,   -arm[0] * arm[1], -arm[1] * arm[2], -arm[0] * arm[2],
+                      moment[0], moment[1], moment[2], displacement[0],  displacement[1],  displacement[2]};
+  for (std::size_t k = 0; k < sums.size(); ++k) sums[k] += more[k];
+}
+
+/// Rotation vector that fits best: inertia x turn = moment; none about a line that holds all nodes. In the plane about the third axis only.
+Point turnOf(const TurnSums& sums, int dimension) {
+  if (dimension == 2) return {0, 0, sums[2] > 0.0 ? sums[8] / sums[2] : 0.0};
+  Matrix inertia(3, 3);
+  inertia << sums[0], sums[3], sums[5], sums[3], sums[1], sums[4], sums[5], sums[4], sums[2];
+  const Eigenpairs axes = symmetricEigenpairs(inertia);
+  Eigen::Vector3d turn = Eigen::Vector3d::Zero();
+  for (int k = 0; k < 3; ++k)
+    if (axes.values[k] > kOnALine * axes.values[2])
+      turn += axes.vectors.col(k) * (axes.vectors.col(k).dot(Eigen::Map<const Eigen::Vector3d>(&sums[6])) / axes.values[k]);
+  return {turn[0], turn[1], turn[2]};
+}
 
 }  // namespace
 
@@ -47,43 +73,42 @@ std::vector<Deformation> deformations(const Comm& comm, const std::vector<Subdom
                                       int bodies) {
   std::vector<Deformation> all(bodies);
   std::vector<Motion> motion(bodies);
-  Sums<5> means(bodies, {0, 0, 0, 0, 0});
+  Sums<7> means(bodies, {0, 0, 0, 0, 0, 0, 0});
   forEachNode(meshes, displacement, [&](int body, const Point& x, const Point& u) {
     auto& sum = means[body];
     sum[0] += 1.0;
-    for (int k = 0; k < 2; ++k) sum[1 + k] += x[k], sum[3 + k] += u[k];
+    for (int k = 0; k < 3; ++k) sum[1 + k] += x[k], sum[4 + k] += u[k];
   });
-  means = reduced<5>(comm, means, Teuchos::REDUCE_SUM);
-  Sums<1> revolved(1, {0.0});
-  for (const SubdomainMesh& mesh : meshes) revolved[0][0] = std::max(revolved[0][0], mesh.axisymmetric ? 1.0 : 0.0);
-  const bool axisymmetric = reduced<1>(comm, revolved, Teuchos::REDUCE_MAX)[0][0] > 0.0;
+  means = reduced<7>(comm, means, Teuchos::REDUCE_SUM);
+  Sums<2> kind(1, {2.0, 0.0});
+  for (const SubdomainMesh& mesh : meshes) kind[0] = {double(mesh.dimension), std::max(kind[0][1], mesh.axisymmetric ? 1.0 : 0.0)};
+  kind = reduced<2>(comm, kind, Teuchos::REDUCE_MAX);
+  const int dimension = int(kind[0][0]);
+  const bool axisymmetric = kind[0][1] > 0.0;
   for (int b = 0; b < bodies; ++b)
-    for (int k = 0; k < 2 && means[b][0] > 0.0; ++k) {
+    for (int k = 0; k < dimension && means[b][0] > 0.0; ++k) {
       all[b].centre[k] = means[b][1 + k] / means[b][0];
-      motion[b].shift[k] = axisymmetric && k == 0 ? 0.0 : means[b][3 + k] / means[b][0];
+      motion[b].shift[k] = axisymmetric && k == 0 ? 0.0 : means[b][4 + k] / means[b][0];
     }
   // A second pass corrects the mean: the first one has rounded as often as there are nodes.
-  Sums<4> turns(bodies, {0, 0, 0, 0});
+  Sums<12> turns(bodies, TurnSums{});
   forEachNode(meshes, displacement, [&](int body, const Point& x, const Point& u) {
-    const Point arm = minus(x, all[body].centre), rest = minus(u, motion[body].shift);
-    turns[body][0] += dot(arm, arm);
-    turns[body][1] += cross(arm, rest)[2];
-    for (int k = 0; k < 2; ++k) turns[body][2 + k] += rest[k];
+    add(minus(x, all[body].centre), minus(u, motion[body].shift), turns[body]);
   });
-  turns = reduced<4>(comm, turns, Teuchos::REDUCE_SUM);
+  turns = reduced<12>(comm, turns, Teuchos::REDUCE_SUM);
   for (int b = 0; b < bodies; ++b) {
-    for (int k = axisymmetric ? 1 : 0; k < 2 && means[b][0] > 0.0; ++k) motion[b].shift[k] += turns[b][2 + k] / means[b][0];
-    if (!axisymmetric && turns[b][0] > 0.0) motion[b].turn = turns[b][1] / turns[b][0];
+    for (int k = axisymmetric ? 1 : 0; k < dimension && means[b][0] > 0.0; ++k) motion[b].shift[k] += turns[b][9 + k] / means[b][0];
+    if (!axisymmetric) motion[b].turn = turnOf(turns[b], dimension);
   }
   Sums<4> largest(bodies, {0, 0, 0, 0});
   forEachNode(meshes, displacement, [&](int body, const Point& x, const Point& u) {
     const Point arm = minus(x, all[body].centre);
     const Motion& rigid = motion[body];
-    const Point rest = minus(minus(u, rigid.shift), rigidDisplacement<double>({0, 0, 0}, {0, 0, rigid.turn}, arm));
+    const Point rest = minus(minus(u, rigid.shift), rigidDisplacement<double>({0, 0, 0}, rigid.turn, arm));
     auto& own = largest[body];
-    own[0] = std::max(own[0], length(rest[0], rest[1]));
-    own[1] = std::max({own[1], std::abs(u[0]), std::abs(u[1])});
-    own[2] = std::max(own[2], length(arm[0], arm[1]));
+    own[0] = std::max(own[0], length(rest));
+    own[1] = std::max({own[1], std::abs(u[0]), std::abs(u[1]), std::abs(u[2])});
+    own[2] = std::max(own[2], length(arm));
   });
   for (const SubdomainMesh& mesh : meshes)
     for (const NodeRule& rule : mesh.rules)
@@ -95,7 +120,7 @@ std::vector<Deformation> deformations(const Comm& comm, const std::vector<Subdom
     all[b].moved = largest[b][1];
     all[b].extent = largest[b][2];
     all[b].isMoved = largest[b][3] > 0.0;
-    all[b].turn = std::abs(motion[b].turn);
+    all[b].turn = length(motion[b].turn);
   }
   return all;
 }

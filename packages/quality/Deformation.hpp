@@ -16,7 +16,7 @@ struct Deformation {
   Point centre{0, 0, 0};
 };
 
-/// Deformation of each body, in the plane. Collective. \param displacement  of each mesh of this rank, node-major, Cartesian
+/// Deformation of each body. Collective. \param displacement  of each mesh of this rank, node-major, Cartesian
 std::vector<Deformation> deformations(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const std::vector<Vector>& displacement,
                                       int bodies);
 

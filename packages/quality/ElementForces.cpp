@@ -2,167 +2,214 @@
 #include <suture/elasticity/ElementMap.hpp>
 #include <suture/elasticity/HookesLaw.hpp>
 #include <suture/elasticity/MixedPressure.hpp>
+#include <suture/elasticity/NodeCounts.hpp>
 #include <suture/quality/ElementForces.hpp>
 #include <suture/quality/Findings.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
-#include <type_traits>
 
 namespace suture {
 
 namespace {
 
-using ElementVector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, 2 * ReferenceElement::maxNodes, 1>;
-
 /// Displacements less those of the first node, as far as a translation costs nothing. Returns the largest of what was given.
-template <bool hoop, int count>
+template <int D, bool hoop, int count>
 double localDisplacement(const int* nodes, const Vector& displacement, double* u) {
-  const double first[2] = {hoop ? 0.0 : displacement[2 * nodes[0]], displacement[2 * nodes[0] + 1]};
+  double first[D];
+  for (int k = 0; k < D; ++k) first[k] = hoop && k == 0 ? 0.0 : displacement[D * nodes[0] + k];
   double largest = 0.0;
   for (int a = 0; a < count; ++a)
-    for (int k = 0; k < 2; ++k) {
-      const double value = displacement[2 * nodes[a] + k];
-      u[2 * a + k] = value - first[k];
+    for (int k = 0; k < D; ++k) {
+      const double value = displacement[D * nodes[a] + k];
+      u[D * a + k] = value - first[k];
       largest = std::max(largest, std::abs(value));
     }
   return largest;
 }
 
+/// Strain, one by one: the components stay in registers.
+struct Strain {
+  double xx = 0.0, yy = 0.0, zz = 0.0, xy = 0.0, yz = 0.0, xz = 0.0;
+  double steepness = 0.0;  ///< sum of the magnitudes of the gradients' components
+
+  /// Adds what a node's displacement does.
+  template <int D>
+  void add(const double* gradient, const double* u) {
+    const double ux = u[0], uy = u[1], gx = gradient[0], gy = gradient[1];
+    xx += gx * ux;
+    yy += gy * uy;
+    xy += gy * ux + gx * uy;
+    steepness += std::abs(gx) + std::abs(gy);
+    if constexpr (D == 3) {
+      const double uz = u[2], gz = gradient[2];
+      zz += gz * uz;
+      yz += gz * uy + gy * uz;
+      xz += gz * ux + gx * uz;
+      steepness += std::abs(gz);
+    }
+  }
+};
+
+/// Sum of the magnitudes of a gradient's components, and of their squares.
+template <int D>
+double slopeOf(const double* g) {
+  const double plane = std::abs(g[0]) + std::abs(g[1]);
+  if constexpr (D == 2) return plane;
+  return plane + std::abs(g[D - 1]);
+}
+template <int D>
+double squaresOf(const double* g) {
+  const double plane = g[0] * g[0] + g[1] * g[1];
+  if constexpr (D == 2) return plane;
+  return plane + g[D - 1] * g[D - 1];
+}
+
+/// Mean stiffness of a node along the axes over its squared gradient.
+template <int D>
+double meanStiffness(const HookesLaw<D>& law) {
+  return (law.normal() + (D - 1) * law.pointwise.diagonal().template tail<stressComponents<D> - 3>().maxCoeff()) / D;
+}
+
 /// \tparam count  nodes of the element: the compiler unrolls its loops
-template <bool hoop, int count>
-void addElement(const CellBlock& block, int element, const HookesLaw& law, const Vector& displacement, ElementForces& forces) {
-  const ReferenceElement& reference = referenceElement(block.cells[element], stiffnessRule(block));
+template <int D, bool hoop, int count>
+void addElement(const CellBlock& block, int element, const HookesLaw<D>& law, const Vector& displacement, ElementForces& forces) {
+  const ReferenceElement& reference = stiffnessElement(block, element);
   const int* nodes = block.nodesOf(element).begin();
-  double u[2 * count];
-  const double largest = localDisplacement<hoop, count>(nodes, displacement, u);
-  ElementMap map(block, element, reference);
-  std::optional<MixedPressure> pressure;
+  double u[D * count];
+  const double largest = localDisplacement<D, hoop, count>(nodes, displacement, u);
+  ElementMap<D> map(block, element, reference);
+  std::optional<MixedPressure<D>> pressure;
   if (law.projected != 0.0) pressure.emplace(block.cells[element], reference, map);
-  const double stiffest = law.normal() + law.projected, slip = law.pointwise(3, 3);
-  for (int a = 0; pressure && a < count; ++a)
-    forces.stiffness[nodes[a]] += 0.5 * law.projected * (pressure->diagonal(2 * a) + pressure->diagonal(2 * a + 1));
+  const double stiffest = law.normal() + law.projected, stiff = meanStiffness(law);
+  for (int a = 0; pressure && a < count; ++a) {
+    double sum = 0.0;
+    for (int k = 0; k < D; ++k) sum += pressure->diagonal(D * a + k);
+    forces.stiffness[nodes[a]] += law.projected * sum / D;
+  }
   for (int q = 0; q < reference.points; ++q) {
     map.at(q);
-    double xx = 0.0, yy = 0.0, zz = 0.0, xy = 0.0, steepness = 0.0;
+    Strain e;
     for (int a = 0; a < count; ++a) {
-      const double ux = u[2 * a], uy = u[2 * a + 1], gx = map.gradient(a)[0], gy = map.gradient(a)[1];
-      xx += gx * ux;
-      yy += gy * uy;
-      xy += gy * ux + gx * uy;
-      steepness += std::abs(gx) + std::abs(gy);
+      e.add<D>(map.gradient(a), u + D * a);
       if constexpr (hoop) {
-        zz += map.hoop(a) * ux;
-        steepness += map.hoop(a);
+        e.zz += map.hoop(a) * u[D * a];
+        e.steepness += map.hoop(a);
       }
     }
-    Eigen::Vector4d stress = law.pointwise.col(0) * xx + law.pointwise.col(1) * yy + law.pointwise.col(3) * xy;
-    if constexpr (hoop) stress += law.pointwise.col(2) * zz;
+    StressVector<D> stress = law.pointwise.col(0) * e.xx + law.pointwise.col(1) * e.yy + law.pointwise.col(3) * e.xy;
+    if constexpr (hoop || D == 3) stress += law.pointwise.col(2) * e.zz;
+    if constexpr (D == 3) stress += law.pointwise.col(4) * e.yz + law.pointwise.col(5) * e.xz;
     if (pressure)
-      stress.head<3>().array() += law.projected * pressure->dilatation(ElementVector(Eigen::Map<const Vector>(u, 2 * count)), map.place());
+      stress.template head<3>().array() +=
+          law.projected * pressure->dilatation(Eigen::Map<const Eigen::Matrix<double, D * count, 1>>(u), map.place());
     stress *= map.measure();
-    const double rounded = map.measure() * stiffest * unitRoundoff * steepness * largest;
+    const double rounded = map.measure() * stiffest * unitRoundoff * e.steepness * largest;
     for (int a = 0; a < count; ++a) {
-      const double gx = map.gradient(a)[0], gy = map.gradient(a)[1];
-      double fx = gx * stress[0] + gy * stress[3], slope = std::abs(gx) + std::abs(gy), squares = gx * gx + gy * gy;
+      const double* g = map.gradient(a);
+      Eigen::Matrix<double, D, 1> force = forceOfStress<D>(g, stress);
+      double slope = slopeOf<D>(g), squares = squaresOf<D>(g);
       if constexpr (hoop) {
         const double h = map.hoop(a);
-        fx += h * stress[2];
+        force[0] += h * stress[2];
         slope += h;
         squares += h * h;
       }
-      forces.internal[2 * nodes[a]] += fx;
-      forces.internal[2 * nodes[a] + 1] += gy * stress[1] + gx * stress[3];
+      for (int k = 0; k < D; ++k) forces.internal[D * nodes[a] + k] += force[k];
       forces.rounding[nodes[a]] += rounded * slope;
-      forces.stiffness[nodes[a]] += 0.5 * (law.normal() + slip) * map.measure() * squares;
+      forces.stiffness[nodes[a]] += stiff * map.measure() * squares;
     }
   }
 }
 
-/// Adds a plane 3-node triangle: its strain is constant, and the bulk of large meshes takes two thirds of the instructions. False: it is
-/// folded, which addElement() reports.
-bool addTriangle(const CellBlock& block, int element, const HookesLaw& law, const Vector& displacement, ElementForces& forces) {
-  const int* nodes = block.nodesOf(element).begin();
-  double u[6], x[3], y[3], gx[3], gy[3];
-  const double largest = localDisplacement<false, 3>(nodes, displacement, u);
+/// Gradients of the shape functions of a linear simplex. Returns its size; not above zero if it is folded.
+double simplexGradients(const CellBlock& block, const int* nodes, double (&g)[3][2]) {
+  double x[3], y[3];
   for (int a = 0; a < 3; ++a) {
     x[a] = block.coordinates[std::size_t(nodes[a]) * 2];
     y[a] = block.coordinates[std::size_t(nodes[a]) * 2 + 1];
   }
-  const double twice = (x[1] - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (y[1] - y[0]);
-  if (!(twice > 0.0)) return false;
-  const double inverse = 1.0 / twice, area = 0.5 * twice;
-  double xx = 0.0, yy = 0.0, xy = 0.0, steepness = 0.0;
+  const double twice = (x[1] - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (y[1] - y[0]), inverse = 1.0 / twice;
   for (int a = 0; a < 3; ++a) {
     const int b = (a + 1) % 3, c = (a + 2) % 3;
-    gx[a] = (y[b] - y[c]) * inverse;
-    gy[a] = (x[c] - x[b]) * inverse;
-    xx += gx[a] * u[2 * a];
-    yy += gy[a] * u[2 * a + 1];
-    xy += gy[a] * u[2 * a] + gx[a] * u[2 * a + 1];
-    steepness += std::abs(gx[a]) + std::abs(gy[a]);
+    g[a][0] = (y[b] - y[c]) * inverse;
+    g[a][1] = (x[c] - x[b]) * inverse;
   }
-  const Eigen::Matrix4d& hooke = law.pointwise;
-  const double sx = area * (hooke(0, 0) * xx + hooke(0, 1) * yy + hooke(0, 3) * xy),
-               sy = area * (hooke(1, 0) * xx + hooke(1, 1) * yy + hooke(1, 3) * xy),
-               sxy = area * (hooke(3, 0) * xx + hooke(3, 1) * yy + hooke(3, 3) * xy);
-  const double rounded = area * law.normal() * unitRoundoff * steepness * largest, stiff = 0.5 * (law.normal() + hooke(3, 3)) * area;
+  return 0.5 * twice;
+}
+
+double simplexGradients(const CellBlock& block, const int* nodes, double (&g)[4][3]) {
+  Point edges[3];
+  const Point first = block.point(nodes[0]);
+  for (int a = 0; a < 3; ++a) edges[a] = minus(block.point(nodes[a + 1]), first);
+  const double sixfold = dot(edges[0], cross(edges[1], edges[2])), inverse = 1.0 / sixfold;
+  for (int k = 0; k < 3; ++k) g[0][k] = 0.0;
   for (int a = 0; a < 3; ++a) {
-    forces.internal[2 * nodes[a]] += gx[a] * sx + gy[a] * sxy;
-    forces.internal[2 * nodes[a] + 1] += gy[a] * sy + gx[a] * sxy;
-    forces.rounding[nodes[a]] += rounded * (std::abs(gx[a]) + std::abs(gy[a]));
-    forces.stiffness[nodes[a]] += stiff * (gx[a] * gx[a] + gy[a] * gy[a]);
+    const Point normal = cross(edges[(a + 1) % 3], edges[(a + 2) % 3]);
+    for (int k = 0; k < 3; ++k) {
+      g[a + 1][k] = normal[k] * inverse;
+      g[0][k] -= g[a + 1][k];
+    }
+  }
+  return sixfold / 6.0;
+}
+
+/// Adds a linear triangle of the plane or a linear tetrahedron: the strain is constant, and the bulk of large meshes takes two thirds of
+/// the instructions. False: it is folded, which addElement() reports.
+template <int D>
+bool addSimplex(const CellBlock& block, int element, const HookesLaw<D>& law, const Vector& displacement, ElementForces& forces) {
+  const int* nodes = block.nodesOf(element).begin();
+  double u[D * (D + 1)], g[D + 1][D];
+  const double largest = localDisplacement<D, false, D + 1>(nodes, displacement, u), size = simplexGradients(block, nodes, g);
+  if (!(size > 0.0)) return false;
+  Strain e;
+  for (int a = 0; a <= D; ++a) e.add<D>(g[a], u + D * a);
+  StressVector<D> stress = law.pointwise.col(0) * e.xx + law.pointwise.col(1) * e.yy + law.pointwise.col(3) * e.xy;
+  if constexpr (D == 3) stress += law.pointwise.col(2) * e.zz + law.pointwise.col(4) * e.yz + law.pointwise.col(5) * e.xz;
+  stress *= size;
+  const double rounded = size * law.normal() * unitRoundoff * e.steepness * largest, stiff = meanStiffness(law) * size;
+  for (int a = 0; a <= D; ++a) {
+    const Eigen::Matrix<double, D, 1> force = forceOfStress<D>(g[a], stress);
+    for (int k = 0; k < D; ++k) forces.internal[D * nodes[a] + k] += force[k];
+    forces.rounding[nodes[a]] += rounded * slopeOf<D>(g[a]);
+    forces.stiffness[nodes[a]] += stiff * squaresOf<D>(g[a]);
   }
   return true;
 }
 
-/// call(n) with the number of an element's nodes as a constant.
-template <typename Call>
-void forNodes(int nodes, const Call& call) {
-  switch (nodes) {
-    case 3:
-      return call(std::integral_constant<int, 3>());
-    case 4:
-      return call(std::integral_constant<int, 4>());
-    case 6:
-      return call(std::integral_constant<int, 6>());
-    case 8:
-      return call(std::integral_constant<int, 8>());
-    case 9:
-      return call(std::integral_constant<int, 9>());
-    default:
-      throw InternalError("an element of " + std::to_string(nodes) + " nodes");
+template <int D>
+ElementForces forcesOf(const CellBlock& block, const std::function<const Material&(int element)>& materialOf, PlaneModel plane,
+                       const Vector& displacement) {
+  ElementForces forces;
+  forces.internal = Vector::Zero(displacement.size());
+  forces.rounding = forces.stiffness = Vector::Zero(block.nodes());
+  constexpr Cell simplex = D == 2 ? Cell::Triangle3 : Cell::Tetrahedron4;
+  const Material* last = nullptr;
+  HookesLaw<D> law;
+  for (int e = 0; e < block.elements(); ++e) {
+    const Material& material = materialOf(e);
+    if (&material != last) {
+      law = HookesLaw<D>(material, plane);
+      last = &material;
+    }
+    const bool simple = block.cells[e] == simplex && !block.axisymmetric && law.projected == 0.0;
+    if (simple && addSimplex<D>(block, e, law, displacement, forces)) continue;
+    forNodes<D>(cellInfo(block.cells[e]).nodes, [&](auto nodes) {
+      if (D == 2 && block.axisymmetric)
+        addElement<D, D == 2, nodes()>(block, e, law, displacement, forces);
+      else
+        addElement<D, false, nodes()>(block, e, law, displacement, forces);
+    });
   }
+  return forces;
 }
 
 }  // namespace
 
 ElementForces elementForces(const CellBlock& block, const std::function<const Material&(int element)>& materialOf, PlaneModel plane,
                             const Vector& displacement) {
-  ElementForces forces;
-  forces.internal = Vector::Zero(displacement.size());
-  forces.rounding = forces.stiffness = Vector::Zero(block.nodes());
-  const Material* last = nullptr;
-  HookesLaw law;
-  for (int e = 0; e < block.elements(); ++e) {
-    const Material& material = materialOf(e);
-    if (&material != last) {
-      law = HookesLaw(material, plane);
-      last = &material;
-    }
-    const bool simple = block.cells[e] == Cell::Triangle3 && !block.axisymmetric && law.projected == 0.0;
-    if (simple && addTriangle(block, e, law, displacement, forces)) continue;
-    const auto add = [&](auto nodes) {
-      if (block.axisymmetric)
-        addElement<true, nodes()>(block, e, law, displacement, forces);
-      else
-        addElement<false, nodes()>(block, e, law, displacement, forces);
-    };
-    forNodes(cellInfo(block.cells[e]).nodes, add);
-  }
-  return forces;
+  return block.dimension == 2 ? forcesOf<2>(block, materialOf, plane, displacement) : forcesOf<3>(block, materialOf, plane, displacement);
 }
 
 }  // namespace suture

@@ -12,7 +12,7 @@ struct ElementForces {
   Vector stiffness;  ///< force of each node when it alone moves by one, the order of its diagonal entry [force / length]
 };
 
-/// Internal forces from stresses at quadrature points: the same integrals as elementStiffnesses(), without any matrix. Two-dimensional.
+/// Internal forces from stresses at quadrature points: the same integrals as elementStiffnesses(), without any matrix.
 /// Displacements enter as differences within an element wherever a translation costs nothing: only their own rounding is left.
 /// Local. \param displacement  node-major, Cartesian. \throws InputError  an element is folded
 ElementForces elementForces(const CellBlock& block, const std::function<const Material&(int element)>& materialOf, PlaneModel plane,

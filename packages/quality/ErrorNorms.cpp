@@ -8,49 +8,67 @@ namespace suture {
 namespace {
 
 /// Stress across the plane, from the others: its strain is opposite to the initial one.
-double acrossPlane(const Eigen::Vector4d& s, const InitialState::Values& initial, const HookesLaw& law) {
+double acrossPlane(const StressVector<2>& s, const InitialState::Values<2>& initial, const HookesLaw<2>& law) {
   return law.across(s - initial.stress) + initial.stress[2] - initial.strain[2] / law.compliance(2, 2);
 }
 
-}  // namespace
+template <int D>
+StressVector<D> exactStress(const ExactFields& exact, const Point& place, PlaneModel plane, const ElementStress<D>& element,
+                            const HookesLaw<D>& law) {
+  const auto given = [&](int k) { return exact.stress[std::size_t(k)].at(place); };
+  StressVector<D> s;
+  if constexpr (D == 2) {
+    s << given(0), given(1), 0.0, given(2);
+    s[2] = exact.stress.size() > 3 ? given(3) : plane == PlaneModel::Strain ? acrossPlane(s, element.initial(), law) : 0.0;
+  } else {
+    for (int k = 0; k < stressComponents<D>; ++k) s[k] = given(k);
+  }
+  return s;
+}
 
-BodyErrors bodyErrors(const CellBlock& block, const ExactFields& exact, const std::function<const Material&(int element)>& materialOf,
-                      PlaneModel plane, const Vector& displacement, const InitialState& initial) {
+template <int D>
+BodyErrors errorsIn(const CellBlock& block, const ExactFields& exact, const std::function<const Material&(int element)>& materialOf,
+                    PlaneModel plane, const Vector& displacement, const InitialState& initial) {
   BodyErrors errors;
-  if (block.axisymmetric && exact.stress.size() == 3)
-    throw InputError("Exact Solution", "'Stress zz' is missing: in an axisymmetric scene the hoop stress does not follow from the others");
   const Material* last = nullptr;
-  HookesLaw law;
+  HookesLaw<D> law;
   for (int e = 0; e < block.elements(); ++e) {
     const Material& material = materialOf(e);
-    if (&material != last) law = HookesLaw(material, plane);
+    if (&material != last) law = HookesLaw<D>(material, plane);
     last = &material;
     const ReferenceElement& reference = referenceElement(block.cells[e], Rule::Data);
     const Span<const int> nodes = block.nodesOf(e);
-    ElementStress element(block, e, reference, law, displacement, initial);
-    const ElementMap& map = element.map();
+    ElementStress<D> element(block, e, reference, law, displacement, initial);
+    const ElementMap<D>& map = element.map();
     for (int q = 0; q < reference.points; ++q) {
       element.at(q);
       const Point place = map.place();
       for (std::size_t k = 0; k < exact.displacement.size(); ++k) {
         const double u = exact.displacement[k].at(place);
         double difference = -u;
-        for (int a = 0; a < reference.nodes; ++a) difference += reference.valuesAt(q)[a] * displacement[2 * nodes[a] + Eigen::Index(k)];
+        for (int a = 0; a < reference.nodes; ++a) difference += reference.valuesAt(q)[a] * displacement[D * nodes[a] + Eigen::Index(k)];
         errors.displacement.add({map.measure() * difference * difference, map.measure() * u * u});
       }
       if (exact.stress.empty()) continue;
-      const auto given = [&](int k) { return exact.stress[std::size_t(k)].at(place); };
-      Eigen::Vector4d s(given(0), given(1), 0.0, given(2));
-      s[2] = exact.stress.size() > 3 ? given(3) : plane == PlaneModel::Strain ? acrossPlane(s, element.initial(), law) : 0.0;
-      const Eigen::Vector4d difference = element.stress() - s;
+      const StressVector<D> s = exactStress<D>(exact, place, plane, element, law), difference = element.stress() - s;
       errors.energy.add({map.measure() * law.complementary(difference), map.measure() * law.complementary(s)});
     }
   }
   return errors;
 }
 
-Matrix sideMass(const std::vector<Point>& nodes, bool axisymmetric) {
-  SideMap map(nodes, Rule::Load, axisymmetric);
+}  // namespace
+
+BodyErrors bodyErrors(const CellBlock& block, const ExactFields& exact, const std::function<const Material&(int element)>& materialOf,
+                      PlaneModel plane, const Vector& displacement, const InitialState& initial) {
+  if (block.axisymmetric && exact.stress.size() == 3)
+    throw InputError("Exact Solution", "'Stress zz' is missing: in an axisymmetric scene the hoop stress does not follow from the others");
+  return block.dimension == 2 ? errorsIn<2>(block, exact, materialOf, plane, displacement, initial)
+                              : errorsIn<3>(block, exact, materialOf, plane, displacement, initial);
+}
+
+Matrix sideMass(const std::vector<Point>& nodes, int dimension, bool axisymmetric) {
+  SideMap map(nodes, dimension, Rule::Load, axisymmetric);
   const int count = map.reference().nodes;
   Matrix mass = Matrix::Zero(count, count);
   for (int q = 0; q < map.reference().points; ++q) {
@@ -61,8 +79,8 @@ Matrix sideMass(const std::vector<Point>& nodes, bool axisymmetric) {
   return mass;
 }
 
-SquaredNorms sideErrors(const std::vector<Point>& nodes, const Vector& values, const Expression& exact, bool axisymmetric) {
-  SideMap map(nodes, Rule::Data, axisymmetric);
+SquaredNorms sideErrors(const std::vector<Point>& nodes, int dimension, const Vector& values, const Expression& exact, bool axisymmetric) {
+  SideMap map(nodes, dimension, Rule::Data, axisymmetric);
   SquaredNorms errors;
   for (int q = 0; q < map.reference().points; ++q) {
     map.at(q);

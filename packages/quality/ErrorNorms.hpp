@@ -11,7 +11,7 @@ struct SquaredNorms {
 
 /// Errors of a body's displacement against its exact fields (zero for one that is not given). Local.
 struct BodyErrors {
-  SquaredNorms displacement;  ///< integral of |u_h - u|^2 [length^4 in the plane]
+  SquaredNorms displacement;  ///< integral of |u_h - u|^2 [length^4 in the plane, length^5 in space]
   SquaredNorms energy;        ///< integral of (s_h - s) : C (s_h - s), C the compliance of each element's material [force length]
 };
 
@@ -19,11 +19,12 @@ struct BodyErrors {
 BodyErrors bodyErrors(const CellBlock& block, const ExactFields& exact, const std::function<const Material&(int element)>& materialOf,
                       PlaneModel plane, const Vector& displacement, const InitialState& initial = InitialState());
 
-/// Integrals of products of the shape functions of a side of 2 or 3 nodes, end points first [length]; axisymmetric: of
-/// the side revolved [area]. Local.
-Matrix sideMass(const std::vector<Point>& nodes, bool axisymmetric = false);
+/// Integrals of products of the shape functions of a side, whose nodes are in the order of SideGeometry.hpp [length or area]; axisymmetric:
+/// of the side revolved [area]. Local.
+Matrix sideMass(const std::vector<Point>& nodes, int dimension, bool axisymmetric = false);
 
 /// Integral of (sum of values times shape functions - exact)^2 over a side. Local.
-SquaredNorms sideErrors(const std::vector<Point>& nodes, const Vector& values, const Expression& exact, bool axisymmetric = false);
+SquaredNorms sideErrors(const std::vector<Point>& nodes, int dimension, const Vector& values, const Expression& exact,
+                        bool axisymmetric = false);
 
 }  // namespace suture

@@ -21,15 +21,15 @@ BodyErrors errorsOf(const SubdomainMesh& mesh, const ElasticModel& model, const 
       displacement, InitialState(model, mesh.body));
 }
 
-SquaredNorms pressureErrors(const ContactSides& lines, const std::vector<PairResult>& pairs, const Expression& exact) {
+SquaredNorms pressureErrors(const ContactSides& contacts, const std::vector<PairResult>& pairs, const Expression& exact) {
   SquaredNorms all;
-  for (const auto& [line, sides] : lines.ofLine) {
-    const std::map<GlobalId, double> field = pressureField(sides, line, pairs, lines.heldPairs);
+  for (const auto& [contact, sides] : contacts.ofLine) {
+    const std::map<GlobalId, double> field = pressureField(sides, contact, pairs, contacts.heldPairs);
     for (const ContactSide& side : sides) {
       Vector values = Vector::Zero(Eigen::Index(side.nodes.size()));
       for (std::size_t i = 0; i < side.nodes.size(); ++i)
         if (const auto found = field.find(side.nodes[i]); found != field.end()) values[Eigen::Index(i)] = found->second;
-      all.add(sideErrors(side.points, values, exact, side.axisymmetric));
+      all.add(sideErrors(side.points, side.dimension, values, exact, side.axisymmetric));
     }
   }
   return all;
@@ -49,7 +49,7 @@ void checkExactSolution(const Comm& comm, const std::vector<SubdomainMesh>& mesh
     if (!model.exact.pressure) return;
     for (const std::string& line : sublistNames(contact))
       for (const ContactSide& side : contactSidesHere(meshes, groupNames(contact.sublist(line), "Side A")))
-        sideErrors(side.points, Vector::Zero(Eigen::Index(side.nodes.size())), *model.exact.pressure, side.axisymmetric);
+        sideErrors(side.points, side.dimension, Vector::Zero(Eigen::Index(side.nodes.size())), *model.exact.pressure, side.axisymmetric);
   });
 }
 

@@ -14,7 +14,7 @@ namespace suture {
 void checkExactSolution(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model, const Parameters& contact);
 
 /// Errors of a solution against the scene's exact one, as far as it gives it, under their names in summary.json: displacement_l2,
-/// energy_norm (that of the difference of stresses), pressure_l2 (of pressureField(), along all contact lines), and each `..._relative` to
+/// energy_norm (that of the difference of stresses), pressure_l2 (of pressureField(), along all contacts), and each `..._relative` to
 /// the same norm of the exact field unless that is zero. Empty for a scene without Exact Solution. The same on all ranks.
 /// Collective. \param contact  the scene's list `Contact`;  \param displacement  of each mesh, beside its lift, node-major, Cartesian;
 /// \param pairs  on rank 0: all

@@ -1,3 +1,4 @@
+#include <suture/mesh/CellGeometry.hpp>
 #include <suture/quality/Findings.hpp>
 
 #include <algorithm>
@@ -45,24 +46,23 @@ std::string nameOf(Quantity quantity) { return kNames[std::size_t(quantity)].nam
 
 std::string adviceOf(Quantity quantity) { return kNames[std::size_t(quantity)].advice; }
 
-std::string whereText(const Finding& finding, const std::vector<std::string>& bodies, const std::vector<ContactPiece>& pieces) {
+std::string whereText(const Finding& finding, const std::vector<std::string>& bodies, const std::vector<ContactPiece>& pieces,
+                      int dimension) {
   if (!finding.made) return "";
   std::ostringstream text;
   const auto body = [&](int b) { return b < 0 || b >= int(bodies.size()) ? std::string("no body") : "'" + bodies[b] + "'"; };
-  const auto place = [&] { text << "(" << finding.place[0] << ", " << finding.place[1] << ")"; };
+  const std::string place = placeText(finding.place, dimension);
   if (finding.pair >= 0) {
     text << "pair " << finding.pair;
     for (const ContactPiece& piece : pieces)
       if (std::find(piece.pairs.begin(), piece.pairs.end(), finding.pair) != piece.pairs.end()) text << " of '" << piece.name << "'";
-    text << ", ";
-    place();
-    text << (finding.other == finding.body ? ", body " + body(finding.body)
+    text << ", " << place
+         << (finding.other == finding.body ? ", body " + body(finding.body)
                                            : ", bodies " + body(finding.body) + " and " + body(finding.other));
   } else if (finding.body < 0) {
     text << "a contact force without a pair";
   } else {
-    text << "body " << body(finding.body) << ", ";
-    place();
+    text << "body " << body(finding.body) << ", " << place;
   }
   return text.str();
 }

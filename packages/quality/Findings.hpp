@@ -1,4 +1,5 @@
 #pragma once
+#include <suture/base/Point.hpp>
 #include <suture/constraints/Constraints.hpp>
 
 #include <algorithm>
@@ -13,7 +14,7 @@ namespace suture {
 constexpr double unitRoundoff = 0.5 * std::numeric_limits<double>::epsilon();
 
 /// Not std::hypot: that guards against overflow, at several times the cost, and loops over all nodes call it.
-inline double length(double x, double y) { return std::sqrt(x * x + y * y); }
+inline double length(const Point& p) { return std::sqrt(dot(p, p)); }
 
 /// The quantities of the verdict, in the order of summary.json.
 enum class Quantity : int {
@@ -53,7 +54,8 @@ struct Finding {
 std::string nameOf(Quantity quantity);
 std::string adviceOf(Quantity quantity);
 /// Body or pair, with place and names; empty when nothing was found.
-std::string whereText(const Finding& finding, const std::vector<std::string>& bodies, const std::vector<ContactPiece>& pieces);
+std::string whereText(const Finding& finding, const std::vector<std::string>& bodies, const std::vector<ContactPiece>& pieces,
+                      int dimension);
 
 /// The worst of each quantity.
 class Findings {

@@ -29,7 +29,8 @@ void addContact(const SubdomainMesh& mesh, const PairForces& forces, Matrix& nod
     const ContactPair& pair = *pairs.at(end.pair);
     const auto force = forces.find(end.pair);
     if (force == forces.end()) continue;  // verifyPairs() tells
-    for (int k = 0; k < 2; ++k) nodes(nodal::Contact + k, end.node) -= force->second * pair.ends[end.end].weight * pair.normal[k];
+    double* sum = nodes.col(end.node).data() + NodalRows{mesh.dimension}.contact();
+    for (int k = 0; k < mesh.dimension; ++k) sum[k] -= force->second * pair.ends[end.end].weight * pair.normal[k];
     if (end.end == 0) balance.addPair(pair, force->second);
   }
 }
@@ -92,22 +93,27 @@ NodalForces nodalForces(const Comm& comm, const Answer& answer, const SeamExchan
       const Vector& load = forces.load;
       all.balance.addSupports(forces.supports, mesh.dimension);
       all.balance.leaveOut(forces.initial);
-      Matrix& own = all.nodes.emplace_back(nodal::kRows, mesh.nodes());
-      own.middleRows<2>(nodal::Internal) = Eigen::Map<const Matrix>(elements.internal.data(), 2, mesh.nodes());
-      own.middleRows<2>(nodal::Applied) = Eigen::Map<const Matrix>(load.data(), 2, mesh.nodes());
-      own.middleRows<2>(nodal::Contact).setZero();
-      own.row(nodal::Rounding) = elements.rounding.transpose();
-      own.row(nodal::Stiffness) = elements.stiffness.transpose();
+      const int d = mesh.dimension;
+      const NodalRows rows{d};
+      Matrix& own = all.nodes.emplace_back(rows.count(), mesh.nodes());
+      own.middleRows(rows.internal(), d) = Eigen::Map<const Matrix>(elements.internal.data(), d, mesh.nodes());
+      own.middleRows(rows.applied(), d) = Eigen::Map<const Matrix>(load.data(), d, mesh.nodes());
+      own.middleRows(rows.contact(), d).setZero();
+      own.row(rows.rounding()) = elements.rounding.transpose();
+      own.row(rows.stiffness()) = elements.stiffness.transpose();
       addContact(mesh, pairs, own, all.balance);
     }
   });
   seams.sum(all.nodes);
-  for (std::size_t i = 0; i < answer.meshes.size(); ++i)
-    all.reactions.addSupports(answer.meshes[i], [&own = all.nodes[i]](int node) {
+  for (std::size_t i = 0; i < answer.meshes.size(); ++i) {
+    const NodalRows rows{answer.meshes[i].dimension};
+    all.reactions.addSupports(answer.meshes[i], [&](int node) {
+      const double* sums = all.nodes[i].col(node).data();
       Point force{0, 0, 0};
-      for (int k = 0; k < 2; ++k) force[k] = own(nodal::Internal + k, node) - own(nodal::Applied + k, node) - own(nodal::Contact + k, node);
+      for (int k = 0; k < rows.dimension; ++k) force[k] = sums[rows.internal() + k] - sums[rows.applied() + k] - sums[rows.contact() + k];
       return force;
     });
+  }
   return all;
 }
 

@@ -5,13 +5,20 @@
 namespace suture {
 
 /// Rows of the sums at the nodes of a mesh: K u, loads, contact forces (a row a component) [force]; ElementForces::rounding and stiffness.
-namespace nodal {
-enum Row { Internal = 0, Applied = 2, Contact = 4, Rounding = 6, Stiffness = 7, kRows = 8 };
-}
+struct NodalRows {
+  int dimension = 2;
+
+  int internal() const { return 0; }
+  int applied() const { return dimension; }
+  int contact() const { return 2 * dimension; }
+  int rounding() const { return 3 * dimension; }
+  int stiffness() const { return 3 * dimension + 1; }
+  int count() const { return 3 * dimension + 2; }
+};
 
 /// Forces at the nodes of a scene, and the first of their resultants.
 struct NodalForces {
-  std::vector<Matrix> nodes;  ///< by mesh: kRows x nodes, summed over subdomains
+  std::vector<Matrix> nodes;  ///< by mesh: NodalRows x nodes, summed over subdomains
   Balance balance;            ///< rigid obstacles, on the rank that counts a pair, elastic supports, and initial states, which are no loads
   Reactions reactions;        ///< sums over this rank
 };

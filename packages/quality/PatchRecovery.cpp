@@ -1,6 +1,7 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <suture/base/Errors.hpp>
+#include <suture/base/Point.hpp>
 #include <suture/elasticity/ElementStress.hpp>
 #include <suture/quality/PatchMoments.hpp>
 #include <suture/quality/PatchRecovery.hpp>
@@ -23,11 +24,12 @@ constexpr double mostAmplifiedJoined = 1.0;
 constexpr double kLeastNorm = 1e-16;
 
 /// The law of the material that elements have, one after the other.
+template <int D>
 class Laws {
  public:
   explicit Laws(PlaneModel plane) : plane_(plane) {}
-  const HookesLaw& of(const Material& material) {
-    if (&material != last_) law_ = HookesLaw(material, plane_);
+  const HookesLaw<D>& of(const Material& material) {
+    if (&material != last_) law_ = HookesLaw<D>(material, plane_);
     last_ = &material;
     return law_;
   }
@@ -35,8 +37,33 @@ class Laws {
  private:
   PlaneModel plane_;
   const Material* last_ = nullptr;
-  HookesLaw law_;
+  HookesLaw<D> law_;
 };
+
+/// Vertices at the other ends of the edges of each vertex of a cell.
+struct OtherEnds {
+  std::array<std::array<int, 4>, 8> of{};
+  std::array<int, 8> count{};
+};
+
+OtherEnds makeOtherEnds(const CellInfo& cell) {
+  OtherEnds ends;
+  for (const int from : {0, 1})
+    for (const auto& edge : cell.edges) {
+      const auto vertex = std::size_t(edge[from]);
+      ends.of[vertex][std::size_t(ends.count[vertex]++)] = edge[1 - from];
+    }
+  return ends;
+}
+
+const OtherEnds& otherEnds(Cell cell) {
+  static const std::array<OtherEnds, kCells> all = [] {
+    std::array<OtherEnds, kCells> made;
+    for (int c = 0; c < kCells; ++c) made[std::size_t(c)] = makeOtherEnds(cellInfo(static_cast<Cell>(c)));
+    return made;
+  }();
+  return all[static_cast<std::size_t>(cell)];
+}
 
 }  // namespace
 
@@ -48,7 +75,6 @@ PatchRecovery::PatchRecovery(const CellBlock& block, Materials materialOf, Plane
       plane_(plane),
       displacement_(std::move(displacement)),
       initial_(std::move(initial)) {
-  if (block.dimension != 2) throw InternalError("recovery of stresses in dimension " + std::to_string(block.dimension));
   std::vector<int> lastAt(block.nodes(), -1), before;  // patches of a node form a chain, of one link nearly everywhere
   for (int e = 0; e < block.elements(); ++e) {
     const Material& material = materialOf_(e);
@@ -74,50 +100,54 @@ PatchRecovery::PatchRecovery(const CellBlock& block, Materials materialOf, Plane
 
 int PatchRecovery::order() const {
   int most = 1;
-  for (const Cell cell : block_->cells) most = std::max(most, orderOf(cell));
+  for (const Cell cell : block_->cells) most = std::max(most, cellInfo(cell).order);
   return most;
 }
 
+template <int D>
 Matrix PatchRecovery::moments() const {
-  const Layout layout(order_);
+  const Layout<D> layout(order_);
   Matrix all = Matrix::Zero(layout.width(), static_cast<Eigen::Index>(patches_.size()));
-  Laws laws(plane_);
+  Laws<D> laws(plane_);
   for (int e = 0; e < block_->elements(); ++e) {
     const ReferenceElement& sampling = referenceElement(block_->cells[e], Rule::Sampling);
     const Span<const int> patches = patchesOf(e);
-    ElementStress element(*block_, e, sampling, laws.of(materialOf_(e)), displacement_, initial_);
+    ElementStress<D> element(*block_, e, sampling, laws.of(materialOf_(e)), displacement_, initial_);
     for (int q = 0; q < sampling.points; ++q) {
       element.at(q);
-      const Stress stress = element.stress();
+      const StressVector<D> stress = element.stress();
       const Point place = element.map().place();
       for (const int patch : patches) {
         const Point vertex = placeOf(patch);
-        layout.addPoint(monomials(place[0] - vertex[0], place[1] - vertex[1], order_), stress, all.col(patch).data());
+        layout.addPoint(monomials<D>(minus(place, vertex), order_), stress, all.col(patch).data());
       }
     }
-    for (const int patch : patches) all(layout.quadratic(), patch) += orderOf(block_->cells[e]) > 1;
+    for (const int patch : patches) all(layout.quadratic(), patch) += cellInfo(block_->cells[e]).order > 1;
   }
   return all;
 }
 
+template <int D>
 void PatchRecovery::fitAlone(const Matrix& moments) {
-  const Layout layout(order_);
-  polynomials_ = Matrix::Zero(layout.terms * components, moments.cols());
+  const Layout<D> layout(order_);
+  polynomials_ = Matrix::Zero(layout.terms * components<D>, moments.cols());
   for (Eigen::Index p = 0; p < moments.cols(); ++p) {
     const double* column = moments.col(p).data();
     if (fit(layout, column, column, layout.orderOfPatch(column), mostAmplified, polynomials_.col(p))) origin_[p] = Origin::Own;
   }
 }
 
-// Elements count, not sides and vertices: a side on a seam is seen from two subdomains, an element from one.
-Matrix PatchRecovery::acrossSides(const Matrix& moments) const {
-  const Layout layout(order_);
+// Elements count, not edges and vertices: an edge on a seam is seen from several subdomains, an element from one.
+template <int D>
+Matrix PatchRecovery::acrossEdges(const Matrix& moments) const {
+  const Layout<D> layout(order_);
   Matrix all = Matrix::Zero(moments.rows(), moments.cols());
   for (int e = 0; e < block_->elements(); ++e) {
     const Span<const int> patches = patchesOf(e);
+    const OtherEnds& ends = otherEnds(block_->cells[e]);
     for (std::size_t v = 0; v < patches.size(); ++v)
-      for (const std::size_t w : {v + 1, v + patches.size() - 1}) {
-        const int to = patches[v], from = patches[w % patches.size()];
+      for (int k = 0; k < ends.count[v]; ++k) {
+        const int to = patches[v], from = patches[std::size_t(ends.of[v][std::size_t(k)])];
         if (origin_[to] != Origin::None || origin_[from] != Origin::Own) continue;
         layout.addShifted(moments.col(from).data(), placeOf(from), placeOf(to), all.col(to).data());
       }
@@ -125,8 +155,9 @@ Matrix PatchRecovery::acrossSides(const Matrix& moments) const {
   return all;
 }
 
+template <int D>
 void PatchRecovery::fitJoined(const Matrix& moments, const Matrix& neighbours) {
-  const Layout layout(order_);
+  const Layout<D> layout(order_);
   for (Eigen::Index p = 0; p < moments.cols(); ++p) {
     if (neighbours(layout.points(), p) == 0.0) continue;
     for (const double weight : weights) {
@@ -141,8 +172,9 @@ void PatchRecovery::fitJoined(const Matrix& moments, const Matrix& neighbours) {
 }
 
 // Elements count here, too.
+template <int D>
 Matrix PatchRecovery::fromNeighbours() const {
-  const int terms = termsOf(order_), width = terms * components;
+  const int terms = termsOf<D>(order_), width = terms * components<D>;
   Matrix sums = Matrix::Zero(width + 1, polynomials_.cols());
   for (int e = 0; e < block_->elements(); ++e) {
     const Span<const int> patches = patchesOf(e);
@@ -150,10 +182,9 @@ Matrix PatchRecovery::fromNeighbours() const {
       if (origin_[to] != Origin::None) continue;
       for (const int from : patches) {
         if (origin_[from] == Origin::None) continue;
-        const Point a = placeOf(from), b = placeOf(to);
-        Eigen::Map<Matrix>(sums.col(to).data(), terms, components) +=
-            shift(b[0] - a[0], b[1] - a[1], order_).transpose() *
-            Eigen::Map<const Matrix>(polynomials_.col(from).data(), terms, components);
+        Eigen::Map<Matrix>(sums.col(to).data(), terms, components<D>) +=
+            shift<D>(minus(placeOf(to), placeOf(from)), order_).transpose() *
+            Eigen::Map<const Matrix>(polynomials_.col(from).data(), terms, components<D>);
         sums(width, to) += 1.0;
       }
     }
@@ -170,8 +201,9 @@ void PatchRecovery::takeFromNeighbours(const Matrix& sums) {
     }
 }
 
+template <int D>
 Matrix PatchRecovery::enlarged(const Matrix& moments) const {
-  const Layout layout(order_);
+  const Layout<D> layout(order_);
   Matrix all = Matrix::Zero(moments.rows(), moments.cols());
   for (int e = 0; e < block_->elements(); ++e)
     for (const int to : patchesOf(e)) {
@@ -181,8 +213,9 @@ Matrix PatchRecovery::enlarged(const Matrix& moments) const {
   return all;
 }
 
+template <int D>
 void PatchRecovery::fitEnlarged(const Matrix& moments) {
-  const Layout layout(order_);
+  const Layout<D> layout(order_);
   for (Eigen::Index p = 0; p < moments.cols(); ++p) {
     if (origin_[p] != Origin::None) continue;
     const double* column = moments.col(p).data();
@@ -194,67 +227,83 @@ void PatchRecovery::fitEnlarged(const Matrix& moments) {
 bool PatchRecovery::unfitted() const { return std::find(origin_.begin(), origin_.end(), Origin::None) != origin_.end(); }
 
 // Recovered stresses at the nodes of an element.
-void PatchRecovery::nodalOf(int e, Nodal& nodal) const {
-  const int terms = termsOf(order_);
-  const Cell cell = block_->cells[e];
+template <int D>
+void PatchRecovery::nodalOf(int e, Nodal<D>& nodal) const {
+  const int terms = termsOf<D>(order_);
+  const CellInfo& cell = cellInfo(block_->cells[e]);
   const Span<const int> nodes = block_->nodesOf(e), patches = patchesOf(e);
-  const auto valueAt = [&](int vertex, int node) -> Stress {
-    const Point from = placeOf(patches[vertex]), at = block_->point(nodes[node]);
-    return Eigen::Map<const Matrix>(polynomials_.col(patches[vertex]).data(), terms, components).transpose() *
-           monomials(at[0] - from[0], at[1] - from[1], order_);
+  for (int v = 0; v < cell.vertices; ++v)
+    for (int k = 0; k < components<D>; ++k) nodal(k, v) = polynomials_(k * terms, patches[v]);
+  if (cell.order == 1) return;
+  const auto setMean = [&](int node, const int* vertices, int count) {
+    const Point at = block_->point(nodes[node]);
+    StressVector<D> sum = StressVector<D>::Zero();
+    for (int i = 0; i < count; ++i) {
+      const int patch = patches[vertices[i]];
+      sum += Eigen::Map<const Matrix>(polynomials_.col(patch).data(), terms, components<D>).transpose() *
+             monomials<D>(minus(at, placeOf(patch)), order_);
+    }
+    nodal.col(node) = (1.0 / count) * sum;
   };
-  const int vertices = static_cast<int>(patches.size());
-  for (int v = 0; v < vertices; ++v)
-    for (int k = 0; k < components; ++k) nodal(k, v) = polynomials_(k * terms, patches[v]);
-  if (orderOf(cell) > 1)
-    for (const std::vector<int>& side : cellInfo(cell).sideNodes)
-      nodal.col(side[2]) = 0.5 * (valueAt(side[0], side[2]) + valueAt(side[1], side[2]));
-  if (cell == Cell::Quadrilateral9) nodal.col(8) = 0.25 * (valueAt(0, 8) + valueAt(1, 8) + valueAt(2, 8) + valueAt(3, 8));
+  int node = cell.vertices;
+  for (const auto& edge : cell.edges) setMean(node++, edge.data(), 2);
+  if (D == 3)
+    for (const std::vector<int>& side : cell.sideNodes)
+      if (side.size() == 9) setMean(side[8], side.data(), 4), ++node;
+  constexpr int all[] = {0, 1, 2, 3, 4, 5, 6, 7};
+  if (node < cell.nodes) setMean(node, all, cell.vertices);
 }
 
-Matrix PatchRecovery::nodalSums() const {
-  Matrix sums = Matrix::Zero(components + 1, block_->nodes());
-  Nodal nodal;
+template <int D>
+Matrix PatchRecovery::sumsAtNodes() const {
+  Matrix sums = Matrix::Zero(components<D> + 1, block_->nodes());
+  Nodal<D> nodal;
   for (int e = 0; e < block_->elements(); ++e) {
-    nodalOf(e, nodal);
+    nodalOf<D>(e, nodal);
     const Span<const int> nodes = block_->nodesOf(e);
     for (std::size_t a = 0; a < nodes.size(); ++a) {
-      sums.col(nodes[a]).head<components>() += nodal.col(a);
-      sums(components, nodes[a]) += 1.0;
+      sums.col(nodes[a]).template head<components<D>>() += nodal.col(a);
+      sums(components<D>, nodes[a]) += 1.0;
     }
   }
   return sums;
 }
 
-ElementErrors PatchRecovery::errors() const {
+Matrix PatchRecovery::nodalSums() const { return block_->dimension == 2 ? sumsAtNodes<2>() : sumsAtNodes<3>(); }
+
+ElementErrors PatchRecovery::errors() const { return block_->dimension == 2 ? errorsOfElements<2>() : errorsOfElements<3>(); }
+
+template <int D>
+ElementErrors PatchRecovery::errorsOfElements() const {
   ElementErrors all{Vector::Zero(block_->elements()), Vector::Zero(block_->elements())};
-  Laws laws(plane_);
-  Nodal nodal;
+  Laws<D> laws(plane_);
+  Nodal<D> nodal;
   for (int e = 0; e < block_->elements(); ++e) {
-    const HookesLaw& law = laws.of(materialOf_(e));
+    const HookesLaw<D>& law = laws.of(materialOf_(e));
     const Cell cell = block_->cells[e];
-    nodalOf(e, nodal);
-    if (cell == Cell::Triangle3 && !block_->axisymmetric && !initial_.isIn(e)) {  // a linear difference: its mass matrix is known
-      ElementStress element(*block_, e, referenceElement(cell, Rule::Sampling), law, displacement_, initial_);
+    nodalOf<D>(e, nodal);
+    if (isSimplex(cell) && cellInfo(cell).order == 1 && !block_->axisymmetric && !initial_.isIn(e)) {
+      // A linear difference: its mass matrix is known.
+      ElementStress<D> element(*block_, e, referenceElement(cell, Rule::Sampling), law, displacement_, initial_);
       element.at(0);
-      const Stress stress = element.stress();
-      Stress sum = Stress::Zero();
+      const StressVector<D> stress = element.stress();
+      StressVector<D> sum = StressVector<D>::Zero();
       double squares = 0.0;
-      for (int v = 0; v < 3; ++v) {
-        const Stress difference = nodal.col(v) - stress;
+      for (int v = 0; v <= D; ++v) {
+        const StressVector<D> difference = nodal.col(v) - stress;
         sum += difference;
         squares += law.complementary(difference);
       }
-      all.error[e] = element.map().measure() / 12.0 * (squares + law.complementary(sum));
+      all.error[e] = element.map().measure() / ((D + 1.0) * (D + 2.0)) * (squares + law.complementary(sum));
       all.norm[e] = element.map().measure() * law.complementary(stress);
       continue;
     }
     const ReferenceElement& reference = referenceElement(cell, Rule::Recovery);
-    ElementStress element(*block_, e, reference, law, displacement_, initial_);
+    ElementStress<D> element(*block_, e, reference, law, displacement_, initial_);
     for (int q = 0; q < reference.points; ++q) {
       element.at(q);
-      const Stress stress = element.stress();
-      Stress difference = -stress;
+      const StressVector<D> stress = element.stress();
+      StressVector<D> difference = -stress;
       for (int a = 0; a < reference.nodes; ++a) difference += reference.valuesAt(q)[a] * nodal.col(a);
       all.error[e] += element.map().measure() * law.complementary(difference);
       const double whole = law.complementary(stress);
@@ -265,7 +314,8 @@ ElementErrors PatchRecovery::errors() const {
   return all;
 }
 
-void recoverPatches(std::vector<PatchRecovery>& blocks, const PatchExchange& exchange) {
+template <int D>
+void PatchRecovery::recover(std::vector<PatchRecovery>& blocks, const PatchExchange& exchange) {
   int order = 1;
   for (const PatchRecovery& block : blocks) order = std::max(order, block.order());
   order = exchange.largest(order);
@@ -283,22 +333,27 @@ void recoverPatches(std::vector<PatchRecovery>& blocks, const PatchExchange& exc
   };
 
   for (PatchRecovery& block : blocks) block.order_ = order;
-  const std::vector<Matrix> moments = summed([](const PatchRecovery& block) { return block.moments(); });
-  for (std::size_t i = 0; i < blocks.size(); ++i) blocks[i].fitAlone(moments[i]);
+  const std::vector<Matrix> moments = summed([](const PatchRecovery& block) { return block.template moments<D>(); });
+  for (std::size_t i = 0; i < blocks.size(); ++i) blocks[i].template fitAlone<D>(moments[i]);
   if (unfitted()) {
     const std::vector<Matrix> sums =
-        summed([&](const PatchRecovery& block) { return block.acrossSides(moments[std::size_t(&block - blocks.data())]); });
-    for (std::size_t i = 0; i < blocks.size(); ++i) blocks[i].fitJoined(moments[i], sums[i]);
+        summed([&](const PatchRecovery& block) { return block.template acrossEdges<D>(moments[std::size_t(&block - blocks.data())]); });
+    for (std::size_t i = 0; i < blocks.size(); ++i) blocks[i].template fitJoined<D>(moments[i], sums[i]);
   }
   // Twice: a corner may have no neighbour that stands alone, but neighbours that have some.
   for (int pass = 0; pass < 2 && unfitted(); ++pass) {
-    const std::vector<Matrix> sums = summed([](const PatchRecovery& block) { return block.fromNeighbours(); });
+    const std::vector<Matrix> sums = summed([](const PatchRecovery& block) { return block.template fromNeighbours<D>(); });
     for (std::size_t i = 0; i < blocks.size(); ++i) blocks[i].takeFromNeighbours(sums[i]);
   }
   if (!unfitted()) return;
   const std::vector<Matrix> larger =
-      summed([&](const PatchRecovery& block) { return block.enlarged(moments[std::size_t(&block - blocks.data())]); });
-  for (std::size_t i = 0; i < blocks.size(); ++i) blocks[i].fitEnlarged(larger[i]);
+      summed([&](const PatchRecovery& block) { return block.template enlarged<D>(moments[std::size_t(&block - blocks.data())]); });
+  for (std::size_t i = 0; i < blocks.size(); ++i) blocks[i].template fitEnlarged<D>(larger[i]);
+}
+
+void recoverPatches(std::vector<PatchRecovery>& blocks, const PatchExchange& exchange) {
+  const bool inSpace = !blocks.empty() && blocks.front().block_->dimension == 3;
+  inSpace ? PatchRecovery::recover<3>(blocks, exchange) : PatchRecovery::recover<2>(blocks, exchange);
 }
 
 }  // namespace suture

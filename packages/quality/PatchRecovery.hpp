@@ -1,5 +1,6 @@
 #pragma once
 #include <suture/elasticity/ElasticModel.hpp>
+#include <suture/elasticity/StressVector.hpp>
 
 #include <vector>
 
@@ -28,17 +29,18 @@ struct ElementErrors {
 /// Superconvergent patch recovery of Zienkiewicz and Zhu (Int. J. Num. Meth. Eng. 33, 1331-1382, 1992) on one block of elements.
 ///
 /// The patch of a vertex is all elements of one material around it: stresses may jump where materials meet, and bodies share no nodes, so
-/// that contact lines end a patch, too. A polynomial of the cells' order in coordinates about the vertex is fitted to the stresses at the
+/// that contacts end a patch, too. A polynomial of the cells' order in coordinates about the vertex is fitted to the stresses at the
 /// superconvergent points (`Rule::Sampling`) of its elements, by least squares, if the points determine it well at the vertex. Else (on the
-/// boundary of the material, mostly) the points of the patches across its sides count, too, with the smallest weight that leaves the value
-/// at the vertex well determined: the patch stays one-sided, and takes from others only what it cannot know. (The mean of their
-/// polynomials, extrapolated, as in the paper, makes the error of quadratic quadrilaterals at the end of contact up to 1.6 times too
-/// large, and the recovered stress along smooth boundaries half as good.) A corner whose sides have no patch that stands alone takes the
-/// mean of the polynomials of the vertices that it shares elements with; where these have none either (thin strips) the patch is enlarged
-/// by theirs, and the order lowered until the polynomial is determined. The recovered stress s* has the cells' shape functions; at nodes in
-/// sides it is the mean of the ends' polynomials, at the centre that of all vertices'.
+/// boundary of the material, mostly) the points of the patches at the other ends of its edges count, too, with the smallest weight that
+/// leaves the value at the vertex well determined: the patch stays one-sided, and takes from others only what it cannot know. (The mean of
+/// their polynomials, extrapolated, as in the paper, makes the error of quadratic quadrilaterals at the end of contact up to 1.6 times too
+/// large, and the recovered stress along smooth boundaries half as good.) A corner, in space an edge of the body, too, whose edges lead to
+/// no patch that stands alone takes the mean of the polynomials of the vertices that it shares elements with; where these have none either
+/// (thin strips) the patch is enlarged by theirs, and the order lowered until the polynomial is determined. The recovered stress s* has the
+/// cells' shape functions; at nodes in edges it is the mean of the ends' polynomials, at the centres of sides and cells that of all their
+/// vertices'.
 ///
-/// All that a patch gathers are sums over elements: see recoverPatches(). Two-dimensional cells.
+/// All that a patch gathers are sums over elements: see recoverPatches().
 class PatchRecovery {
  public:
   using Materials = std::function<const Material&(int element)>;
@@ -66,20 +68,36 @@ class PatchRecovery {
   enum class Origin : char { None, Own, Neighbours };
 
   int order() const;  // largest of the cells
+  // D: dimension of the block
+  template <int D>
+  static void recover(std::vector<PatchRecovery>& blocks, const PatchExchange& exchange);
+  template <int D>
   Matrix moments() const;
+  template <int D>
   void fitAlone(const Matrix& moments);
-  Matrix acrossSides(const Matrix& moments) const;
+  template <int D>
+  Matrix acrossEdges(const Matrix& moments) const;
+  template <int D>
   void fitJoined(const Matrix& moments, const Matrix& neighbours);
+  template <int D>
   Matrix fromNeighbours() const;
   void takeFromNeighbours(const Matrix& sums);
+  template <int D>
   Matrix enlarged(const Matrix& moments) const;
+  template <int D>
   void fitEnlarged(const Matrix& moments);
   bool unfitted() const;
   Span<const int> patchesOf(int element) const {
     return {patchOf_.data() + first_[element], std::size_t(first_[element + 1] - first_[element])};
   }
-  using Nodal = Eigen::Matrix<double, 4, 9>;
-  void nodalOf(int element, Nodal& nodal) const;
+  template <int D>
+  using Nodal = Eigen::Matrix<double, stressComponents<D>, mostNodes<D>>;
+  template <int D>
+  void nodalOf(int element, Nodal<D>& nodal) const;
+  template <int D>
+  Matrix sumsAtNodes() const;
+  template <int D>
+  ElementErrors errorsOfElements() const;
   Point placeOf(int patch) const { return block_->point(patches_[patch].node); }
 
   const CellBlock* block_;

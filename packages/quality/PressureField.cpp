@@ -1,7 +1,10 @@
+#include <suture/algebra/dense/Decompositions.hpp>
 #include <suture/base/Collective.hpp>
 #include <suture/base/Errors.hpp>
 #include <suture/base/Gather.hpp>
+#include <suture/base/Point.hpp>
 #include <suture/base/scene/SceneReader.hpp>
+#include <suture/mesh/SideGeometry.hpp>
 #include <suture/quality/ErrorNorms.hpp>
 #include <suture/quality/PressureField.hpp>
 
@@ -9,6 +12,8 @@
 #include <Teuchos_ParameterList.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <set>
 
 namespace suture {
@@ -29,10 +34,13 @@ std::vector<int> heldPairs(const Comm& comm, const std::vector<SubdomainMesh>& m
   return unionOverRanks(comm, mine);
 }
 
-/// p_h at a held node from another side's nodes: weights of the other two, or of the other one.
+/// A nodal value as a combination of others.
+using Combination = std::vector<std::pair<GlobalId, double>>;
+
+/// p_h at a held node of a line from another side's nodes: weights of the other two, or of the other one.
 struct Continuation {
   GlobalId held;
-  std::vector<std::pair<GlobalId, double>> from;
+  Combination from;
 };
 
 std::vector<Continuation> continuationsOf(const ContactSide& side, const std::set<GlobalId>& held) {
@@ -43,6 +51,119 @@ std::vector<Continuation> continuationsOf(const ContactSide& side, const std::se
   const GlobalId middle = side.nodes[2];
   if (held.count(middle)) return {{middle, {{a, 0.5}, {b, 0.5}}}};
   return {held.count(a) ? Continuation{a, {{middle, 2.0}, {b, -1.0}}} : Continuation{b, {{middle, 2.0}, {a, -1.0}}}};
+}
+
+/// Where two sides of a line go on into a held node, their mean.
+std::map<GlobalId, Combination> continuedAlongLines(const std::vector<ContactSide>& sides, const std::set<GlobalId>& held) {
+  std::map<GlobalId, std::vector<Continuation>> continued;
+  for (const ContactSide& side : sides)
+    for (const Continuation& one : continuationsOf(side, held)) continued[one.held].push_back(one);
+  std::map<GlobalId, Combination> all;
+  for (const auto& [node, ways] : continued)
+    for (const Continuation& way : ways)
+      for (const auto& [from, weight] : way.from) all[node].push_back({from, weight / static_cast<double>(ways.size())});
+  return all;
+}
+
+/// Continuation on a surface: a polynomial fitted to the pressures at the nearest nodes.
+class SurfaceFit {
+ public:
+  /// \param nodes  that have pressures
+  SurfaceFit(const std::vector<ContactSide>& sides, const std::set<GlobalId>& nodes) : sides_(sides), nodes_(nodes) {
+    for (std::size_t s = 0; s < sides.size(); ++s)
+      for (std::size_t i = 0; i < sides[s].nodes.size(); ++i) {
+        around_[sides[s].nodes[i]].push_back(s);
+        points_[sides[s].nodes[i]] = sides[s].points[i];
+      }
+  }
+
+  Combination at(GlobalId node) const {
+    if (!around_.count(node)) return {};
+    std::set<GlobalId> reached{node};
+    Combination constant;
+    for (int ring = 0; ring < kRings; ++ring) {
+      reached = grown(reached);
+      const std::vector<GlobalId> from = withPressures(reached);
+      if (constant.empty())
+        for (const GlobalId one : from) constant.push_back({one, 1.0 / static_cast<double>(from.size())});
+      if (sides_.front().nodes.size() <= kMostSideVertices) return constant;
+      if (const Combination straight = fitted(node, from); !straight.empty()) return straight;
+    }
+    return constant;
+  }
+
+ private:
+  static constexpr int kRings = 3;             // of sides around the node
+  static constexpr double kDetermined = 1e-3;  // ratio of the extents of the nodes beside each other that tell a slope
+
+  std::set<GlobalId> grown(const std::set<GlobalId>& nodes) const {
+    std::set<GlobalId> all;
+    for (const GlobalId node : nodes)
+      for (const std::size_t s : around_.at(node)) all.insert(sides_[s].nodes.begin(), sides_[s].nodes.end());
+    return all;
+  }
+  std::vector<GlobalId> withPressures(const std::set<GlobalId>& reached) const {
+    std::vector<GlobalId> both;
+    std::set_intersection(reached.begin(), reached.end(), nodes_.begin(), nodes_.end(), std::back_inserter(both));
+    return both;
+  }
+  /// Value at a node of the linear function that fits others best; none where they do not determine it.
+  Combination fitted(GlobalId node, const std::vector<GlobalId>& from) const {
+    if (from.size() < 3) return {};
+    Matrix arms(static_cast<int>(from.size()), 3);
+    for (std::size_t i = 0; i < from.size(); ++i) {
+      const Point arm = minus(points_.at(from[i]), points_.at(node));
+      arms.row(Eigen::Index(i)) << arm[0], arm[1], arm[2];
+    }
+    const SingularValues axes = singularValues(arms);  // the third one is across the surface
+    Matrix terms(arms.rows(), 3);
+    terms.col(0).setConstant(axes.values[0] / std::sqrt(double(from.size())));
+    terms.rightCols(2) = arms * axes.v.leftCols(2);
+    const SingularValues fit = singularValues(terms);
+    if (fit.values[2] < kDetermined * fit.values[0]) return {};
+    const Vector weights = terms(0, 0) * fit.u * fit.values.cwiseInverse().asDiagonal() * fit.v.row(0).transpose();
+    Combination all;
+    for (std::size_t i = 0; i < from.size(); ++i) all.push_back({from[i], weights[Eigen::Index(i)]});
+    return all;
+  }
+
+  const std::vector<ContactSide>& sides_;
+  const std::set<GlobalId>& nodes_;
+  std::map<GlobalId, std::vector<std::size_t>> around_;
+  std::map<GlobalId, Point> points_;
+};
+
+/// p_h at the held nodes as combinations of the values at other nodes.
+std::map<GlobalId, Combination> continuedValues(const std::vector<ContactSide>& sides, const std::set<GlobalId>& carriers,
+                                                const std::set<GlobalId>& held) {
+  if (held.empty() || sides.empty()) return {};
+  if (sides.front().dimension == 2) return continuedAlongLines(sides, held);
+  std::set<GlobalId> others;
+  std::set_difference(carriers.begin(), carriers.end(), held.begin(), held.end(), std::inserter(others, others.end()));
+  const SurfaceFit fit(sides, others);
+  std::map<GlobalId, Combination> all;
+  for (const GlobalId node : held) all[node] = fit.at(node);
+  return all;
+}
+
+/// Middle and central nodes of sides in space whose pressures are those of linear functions of the vertices. None if one of them carries a
+/// pair.
+std::map<GlobalId, Combination> interpolatedNodes(const std::vector<ContactSide>& sides, const std::set<GlobalId>& carriers) {
+  std::map<GlobalId, Combination> all;
+  for (const ContactSide& side : sides) {
+    if (side.dimension == 2) continue;
+    const std::size_t vertices = std::size_t(sideVertices(int(side.nodes.size()), side.dimension));
+    for (std::size_t i = vertices; i < side.nodes.size(); ++i) {
+      if (carriers.count(side.nodes[i])) return {};
+      Combination& from = all[side.nodes[i]];
+      from.clear();
+      if (i < 2 * vertices)
+        from = {{side.nodes[i - vertices], 0.5}, {side.nodes[(i + 1) % vertices], 0.5}};
+      else
+        for (std::size_t v = 0; v < vertices; ++v) from.push_back({side.nodes[v], 1.0 / double(vertices)});
+    }
+  }
+  return all;
 }
 
 }  // namespace
@@ -56,6 +177,7 @@ std::vector<ContactSide> contactSidesHere(const std::vector<SubdomainMesh>& mesh
         all.back().nodes.push_back(mesh.globalNodes[node]);
         all.back().points.push_back(mesh.point(node));
       }
+      all.back().dimension = mesh.dimension;
     }
   return all;
 }
@@ -82,10 +204,11 @@ ContactSides contactSides(const Comm& comm, const std::vector<SubdomainMesh>& me
 std::map<GlobalId, double> pressureField(const std::vector<ContactSide>& sides, int line, const std::vector<PairResult>& pairs,
                                          const std::vector<int>& heldPairs) {
   std::map<GlobalId, int> number;  // unknowns
-  std::set<GlobalId> held;
+  std::set<GlobalId> held, carriers;
   std::vector<double> forces;
   for (const PairResult& pair : pairs) {
     if (pair.line != line) continue;
+    carriers.insert(pair.node);
     if (std::binary_search(heldPairs.begin(), heldPairs.end(), pair.id)) {
       held.insert(pair.node);
     } else if (pair.state.closed() && number.emplace(pair.node, static_cast<int>(forces.size())).second) {
@@ -94,29 +217,36 @@ std::map<GlobalId, double> pressureField(const std::vector<ContactSide>& sides, 
   }
   const int unknowns = static_cast<int>(forces.size());
   if (unknowns == 0) return {};
+  const std::map<GlobalId, Combination> interpolated = interpolatedNodes(sides, carriers),
+                                        continued = continuedValues(sides, carriers, held);
 
-  // p_h at each node as a combination of unknowns; where two sides go on into a held node, their mean.
-  std::map<GlobalId, std::vector<std::pair<int, double>>> combination;
-  for (const auto& [node, unknown] : number) combination[node] = {{unknown, 1.0}};
-  std::map<GlobalId, std::vector<Continuation>> continued;
-  for (const ContactSide& side : sides)
-    for (const Continuation& one : continuationsOf(side, held)) continued[one.held].push_back(one);
-  for (const auto& [node, ways] : continued)
-    for (const Continuation& way : ways)
-      for (const auto& [from, weight] : way.from)
-        if (const auto unknown = number.find(from); unknown != number.end())
-          combination[node].push_back({unknown->second, weight / static_cast<double>(ways.size())});
+  // p_h at each node, and the function that belongs to each unknown, as combinations of unknowns.
+  using Unknowns = std::vector<std::pair<int, double>>;
+  std::map<GlobalId, Unknowns> combination, functions;
+  const auto addTo = [](Unknowns& sum, const Unknowns& more, double weight) {
+    for (const auto& [unknown, own] : more) sum.push_back({unknown, weight * own});
+  };
+  for (const auto& [node, unknown] : number) combination[node] = functions[node] = {{unknown, 1.0}};
+  for (const auto& [node, way] : continued)
+    for (const auto& [from, weight] : way)
+      if (const auto unknown = number.find(from); unknown != number.end()) combination[node].push_back({unknown->second, weight});
+  for (const auto& [node, way] : interpolated)
+    for (const auto& [from, weight] : way) {
+      if (number.count(from)) functions[node].push_back({number.at(from), weight});
+      if (const auto vertex = combination.find(from); vertex != combination.end()) addTo(combination[node], vertex->second, weight);
+    }
 
   std::vector<Eigen::Triplet<double>> entries;
   for (const ContactSide& side : sides) {
-    const Matrix mass = sideMass(side.points, side.axisymmetric);
+    const Matrix mass = sideMass(side.points, side.dimension, side.axisymmetric);
     for (std::size_t i = 0; i < side.nodes.size(); ++i) {
-      const auto row = number.find(side.nodes[i]);
-      if (row == number.end()) continue;
+      const auto rows = functions.find(side.nodes[i]);
+      if (rows == functions.end()) continue;
       for (std::size_t j = 0; j < side.nodes.size(); ++j)
-        if (const auto column = combination.find(side.nodes[j]); column != combination.end())
-          for (const auto& [unknown, weight] : column->second)
-            entries.emplace_back(row->second, unknown, weight * mass(Eigen::Index(i), Eigen::Index(j)));
+        if (const auto columns = combination.find(side.nodes[j]); columns != combination.end())
+          for (const auto& [row, factor] : rows->second)
+            for (const auto& [unknown, weight] : columns->second)
+              entries.emplace_back(row, unknown, factor * weight * mass(Eigen::Index(i), Eigen::Index(j)));
     }
   }
   Eigen::SparseMatrix<double> matrix(unknowns, unknowns);

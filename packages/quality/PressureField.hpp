@@ -8,21 +8,22 @@
 
 namespace suture {
 
-/// A side of an element on a contact line.
+/// A side of an element on a contact line, in space on a contact surface.
 struct ContactSide {
-  std::vector<GlobalId> nodes;  ///< end points first
+  std::vector<GlobalId> nodes;  ///< in the order of SideGeometry.hpp
   std::vector<Point> points;
   bool axisymmetric = false;
+  int dimension = 2;
 
   template <typename Self, typename Each>
   static void forEachField(Self& self, const Each& each) {
-    each(self.nodes), each(self.points), each(self.axisymmetric);
+    each(self.nodes), each(self.points), each(self.axisymmetric), each(self.dimension);
   }
 };
 
-/// The contact lines as far as pressures need them: the sides that carry them, on rank 0. Small beside any mesh.
+/// The contacts as far as pressures need them: the sides that carry them, on rank 0. Small beside any mesh.
 struct ContactSides {
-  std::map<int, std::vector<ContactSide>> ofLine;  ///< by the number of the contact line
+  std::map<int, std::vector<ContactSide>> ofLine;  ///< by the number of the contact
   std::vector<int> heldPairs;                      ///< ids of pairs whose nodes are all held along the normal: their force says nothing
 };
 
@@ -34,10 +35,11 @@ ContactSides contactSides(const Comm& comm, const std::vector<SubdomainMesh>& me
                           const std::vector<PairResult>& pairs);
 
 /// The pressure that belongs to the contact forces: forces f_j are integrals of p phi_j, hence  p_h = sum of p_j phi_j  over the closed
-/// pairs with  sum over k of M_jk p_k = f_j,  M the mass matrix of the side's shape functions. At a node held along the normal the contact
-/// force cannot be told from that of the support: there p_h goes on from the side as a constant (2 nodes) or straight (3 nodes).
+/// pairs with  sum over k of M_jk p_k = f_j,  M the mass matrix of the functions. These are the sides' shape functions, or those of their
+/// vertices where no other node carries a pair. At a node held along the normal the contact force cannot be told from that of the support:
+/// there p_h goes on from the nodes beside it, as a constant (sides of the first order) or straight (second order).
 ///
-/// Values at the nodes of a line's sides; nodes without a closed pair have none: p_h is zero there. Local.
+/// Values at the nodes of a contact's sides; nodes without a closed pair have none: p_h is zero there. Local.
 /// \throws InternalError  the mass matrix is singular: sides of no length
 std::map<GlobalId, double> pressureField(const std::vector<ContactSide>& sides, int line, const std::vector<PairResult>& pairs,
                                          const std::vector<int>& heldPairs);

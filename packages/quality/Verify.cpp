@@ -16,17 +16,11 @@ namespace suture {
 
 namespace {
 
-using nodal::Applied;
-using nodal::Contact;
-using nodal::Internal;
-using nodal::Rounding;
-using nodal::Stiffness;
-
 /// Sums over the nodes of one body.
 struct BodySums {
-  double loads = 0.0, contact = 0.0, reactions = 0.0, residual = 0.0, rounding = 0.0, roundingSquared = 0.0, resultant[2] = {0, 0},
-         moment = 0.0;
-  static constexpr int count = 9;
+  double loads = 0.0, contact = 0.0, reactions = 0.0, residual = 0.0, rounding = 0.0, roundingSquared = 0.0;
+  Point resultant{0, 0, 0}, moment{0, 0, 0};
+  static constexpr int count = 12;
 };
 static_assert(sizeof(BodySums) == BodySums::count * sizeof(double));
 
@@ -43,10 +37,14 @@ class Verifier {
   void judgeSeams(const SeamExchange& seams);
   Verification conclude();
 
-  Point at(int mesh, int node, int row) const { return {nodes_[mesh](row, node), nodes_[mesh](row + 1, node), 0.0}; }
-  Point moved(int mesh, int node) const { return {answer_.displacement[mesh][2 * node], answer_.displacement[mesh][2 * node + 1], 0.0}; }
-  static double lifted(const SubdomainMesh& mesh, int node) {
-    return mesh.lift.motion.size() > 0 ? length(mesh.lift.motion[2 * node], mesh.lift.motion[2 * node + 1]) : 0.0;
+  /// A force at a node, from a row of NodalRows on.
+  Point at(int mesh, int node, int row) const { return pointOf(&nodes_[mesh](row, node), rows_.dimension); }
+  Point moved(int mesh, int node) const { return vectorAt(answer_.displacement[mesh], node); }
+  double lifted(const SubdomainMesh& mesh, int node) const {
+    return mesh.lift.motion.size() > 0 ? length(vectorAt(mesh.lift.motion, node)) : 0.0;
+  }
+  Point vectorAt(const Vector& values, int node) const {
+    return pointOf(values.data() + Eigen::Index(node) * rows_.dimension, rows_.dimension);
   }
   Finding place(int mesh, int node) const {
     Finding where;
@@ -62,7 +60,8 @@ class Verifier {
   const int bodies_;
   const double tolerance_;
   bool axisymmetric_ = false;
-  std::vector<Matrix> nodes_;                        // by mesh: rows as in nodal::Row x nodes, summed over subdomains
+  NodalRows rows_;
+  std::vector<Matrix> nodes_;                        // by mesh: NodalRows x nodes, summed over subdomains
   std::vector<std::vector<const NodeRule*>> rules_;  // of each mesh's nodes; null: free
   std::vector<PairEndShare> ends_;                   // on rank 0: of all ranks
   std::vector<Deformation> deformation_;
@@ -76,15 +75,16 @@ class Verifier {
 
 Verifier::Verifier(const Comm& comm, const Answer& answer)
     : comm_(comm), answer_(answer), bodies_(int(answer.model.bodies.size())), tolerance_(answer.tolerance) {
-  int revolved = 0, any = 0;
+  int mine[2] = {2, 0}, all[2];
   for (const SubdomainMesh& mesh : answer.meshes) {
-    if (mesh.dimension != 2) throw InternalError("verification in dimension " + std::to_string(mesh.dimension));
-    revolved = std::max(revolved, int(mesh.axisymmetric));
+    mine[0] = std::max(mine[0], mesh.dimension);
+    mine[1] = std::max(mine[1], int(mesh.axisymmetric));
     rules_.emplace_back(mesh.nodes(), nullptr);
     for (const NodeRule& rule : mesh.rules) rules_.back()[rule.node] = &rule;
   }
-  Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, revolved, Teuchos::outArg(any));
-  axisymmetric_ = any > 0;
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, 2, mine, all);
+  rows_.dimension = all[0];
+  axisymmetric_ = all[1] > 0;
 }
 
 void Verifier::gatherEnds() {
@@ -97,26 +97,22 @@ void Verifier::gatherEnds() {
       if (!counts(mesh, end.node)) continue;
       const ContactPair& pair = *pairs.at(end.pair);
       const Point u = moved(int(i), end.node);
-      const double weight = pair.ends[end.end].weight, along = u[0] * pair.normal[0] + u[1] * pair.normal[1];
-      mine.push_back({end.pair, end.end, mesh.body, weight * along, std::abs(weight) * length(u[0], u[1]),
-                      std::abs(weight) * lifted(mesh, end.node), weight, nodes_[i](Stiffness, end.node), nodes_[i](Rounding, end.node),
-                      pair.gap, pair.position});
+      const double weight = pair.ends[end.end].weight;
+      mine.push_back({end.pair, end.end, mesh.body, weight * dot(u, pair.normal), std::abs(weight) * length(u),
+                      std::abs(weight) * lifted(mesh, end.node), weight, nodes_[i](rows_.stiffness(), end.node),
+                      nodes_[i](rows_.rounding(), end.node), pair.gap, pair.position});
     }
   }
   ends_ = joinOnRoot(comm_, mine);
 }
 
 Point Verifier::residual(int mesh, int node, const NodeRule* rule) const {
-  Point rest{0, 0, 0};
-  for (int k = 0; k < 2; ++k)
-    rest[k] = nodes_[mesh](Applied + k, node) + nodes_[mesh](Contact + k, node) - nodes_[mesh](Internal + k, node);
+  const Point outer = plus(at(mesh, node, rows_.applied()), at(mesh, node, rows_.contact())),
+              rest = minus(outer, at(mesh, node, rows_.internal()));
   if (!rule) return rest;
   Point free{0, 0, 0};
-  for (int k = 0; k < 2; ++k) {
-    if (rule->fixed[k]) continue;
-    const double along = rest[0] * rule->axes[k][0] + rest[1] * rule->axes[k][1];
-    for (int c = 0; c < 2; ++c) free[c] += along * rule->axes[k][c];
-  }
+  for (int k = 0; k < rows_.dimension; ++k)
+    if (!rule->fixed[k]) free = plus(free, scaled(dot(rest, rule->axes[k]), rule->axes[k]));
   return free;
 }
 
@@ -132,23 +128,23 @@ void Verifier::sumBodies() {
     for (int node = 0; node < mesh.nodes(); ++node) {
       if (!counts(mesh, node)) continue;
       const NodeRule* rule = rules_[i][node];
-      const Point load = at(int(i), node, Applied), contact = at(int(i), node, Contact), internal = at(int(i), node, Internal);
-      const Point support{internal[0] - load[0] - contact[0], internal[1] - load[1] - contact[1], 0.0};
+      const Point load = at(int(i), node, rows_.applied()), contact = at(int(i), node, rows_.contact());
+      const Point support = minus(minus(at(int(i), node, rows_.internal()), load), contact);
       const Point rest = residual(int(i), node, rule), x = mesh.point(node);
-      balance_.addNode(load, support, rule, 2);
-      body.loads += length(load[0], load[1]);
-      body.contact += length(contact[0], contact[1]);
-      largestContact[mesh.body] = std::max(largestContact[mesh.body], length(contact[0], contact[1]));
-      if (rule) body.reactions += length(support[0] + rest[0], support[1] + rest[1]);
+      balance_.addNode(load, support, rule, rows_.dimension);
+      body.loads += length(load);
+      body.contact += length(contact);
+      largestContact[mesh.body] = std::max(largestContact[mesh.body], length(contact));
+      if (rule) body.reactions += length(plus(support, rest));
       if (rule)
-        for (int k = 0; k < 2; ++k)
+        for (int k = 0; k < rows_.dimension; ++k)
           if (rule->fixed[k]) prescribed[mesh.body] = std::max(prescribed[mesh.body], std::abs(rule->value[k]));
-      const double size = length(rest[0], rest[1]), rounding = nodes_[i](Rounding, node);
+      const double size = length(rest), rounding = nodes_[i](rows_.rounding(), node);
       body.residual += size;
       body.rounding += rounding;
       body.roundingSquared += rounding * rounding;
-      for (int k = 0; k < 2; ++k) body.resultant[k] += rest[k];
-      body.moment += cross(minus(x, deformation.centre), rest)[2];
+      body.resultant = plus(body.resultant, rest);
+      body.moment = plus(body.moment, cross(minus(x, deformation.centre), rest));
       if (!(size <= worstNode_[mesh.body].value)) {
         worstNode_[mesh.body] = place(int(i), node);
         worstNode_[mesh.body].value = size;
@@ -193,9 +189,8 @@ void Verifier::judgeBodies() {
     const double allowed = Bounds::resultant.at(tolerance_) * force + rounded;
     Finding where = worstNode_[b];
     where.body = b;
-    findings_.take(Quantity::Forces, axisymmetric_ ? std::abs(sums.resultant[1]) : length(sums.resultant[0], sums.resultant[1]), allowed,
-                   force, where);
-    if (!axisymmetric_) findings_.take(Quantity::Moments, std::abs(sums.moment), allowed * extent, force * extent, where);
+    findings_.take(Quantity::Forces, axisymmetric_ ? std::abs(sums.resultant[1]) : length(sums.resultant), allowed, force, where);
+    if (!axisymmetric_) findings_.take(Quantity::Moments, length(sums.moment), allowed * extent, force * extent, where);
     findings_.take(Quantity::Residual, sums.residual, Bounds::residual.at(tolerance_) * force + roundings * sums.rounding, force, where);
     if (force > 0.0 && !scales_[b].carriesNothing()) findings_.take(Quantity::Digits, rounded, Bounds::digits * force, force, where);
     if (const double turn = unexplainedTurn(deformation_, b); turn > 0.0)
@@ -216,27 +211,23 @@ void Verifier::judgeNodes() {
       if (!counts(mesh, node)) continue;
       const NodeRule* rule = rules_[i][node];
       const Point rest = residual(int(i), node, rule), u = moved(int(i), node);
-      const double stiffness = nodes_[i](Stiffness, node),
-                   rounded = body.roundings() * (body.carriesNothing() ? body.spread : nodes_[i](Rounding, node)) / stiffness;
+      const double stiffness = nodes_[i](rows_.stiffness(), node),
+                   rounded = body.roundings() * (body.carriesNothing() ? body.spread : nodes_[i](rows_.rounding(), node)) / stiffness;
       Point along = rest;  // less what contact takes: Contact and the pairs judge that, and forces of stiff neighbours round it
-      for (const Point& n : normals[node]) {
-        const double across = along[0] * n[0] + along[1] * n[1];
-        for (int k = 0; k < 2; ++k) along[k] -= across * n[k];
-      }
-      const double alone = length(along[0], along[1]) / stiffness,
+      for (const Point& n : normals[node]) along = minus(along, scaled(dot(along, n), n));
+      const double alone = length(along) / stiffness,
                    allowed = Bounds::node.at(tolerance_) * std::max(body.deformation, body.lent / stiffness) + rounded;
       if (findings_.isWorse(Quantity::Nodes, alone, allowed))
         findings_.take(Quantity::Nodes, alone, allowed, body.deformation, place(int(i), node));
       if (!normals[node].empty())
-        findings_.take(Quantity::Contact, length(rest[0], rest[1]), Bounds::contact.at(tolerance_) * contact + rounded * stiffness, contact,
+        findings_.take(Quantity::Contact, length(rest), Bounds::contact.at(tolerance_) * contact + rounded * stiffness, contact,
                        place(int(i), node));
       if (!rule) continue;
-      for (int k = 0; k < 2; ++k) {
+      for (int k = 0; k < rows_.dimension; ++k) {
         if (!rule->fixed[k]) continue;
-        const double off = std::abs(rule->axes[k][0] * u[0] + rule->axes[k][1] * u[1] - rule->value[k]);
-        findings_.take(Quantity::Prescribed, off,
-                       Bounds::geometry * body.deformation + 8 * unitRoundoff * (length(u[0], u[1]) + std::abs(rule->value[k])),
-                       body.deformation, place(int(i), node));
+        findings_.take(Quantity::Prescribed, std::abs(dot(rule->axes[k], u) - rule->value[k]),
+                       Bounds::geometry * body.deformation + 8 * unitRoundoff * (length(u) + std::abs(rule->value[k])), body.deformation,
+                       place(int(i), node));
       }
     }
   }
@@ -245,11 +236,11 @@ void Verifier::judgeNodes() {
 void Verifier::judgeSeams(const SeamExchange& seams) {
   std::vector<Matrix> displacement;
   for (std::size_t i = 0; i < answer_.meshes.size(); ++i)
-    displacement.emplace_back(Eigen::Map<const Matrix>(answer_.displacement[i].data(), 2, answer_.meshes[i].nodes()));
+    displacement.emplace_back(Eigen::Map<const Matrix>(answer_.displacement[i].data(), rows_.dimension, answer_.meshes[i].nodes()));
   for (const SeamExchange::Difference& difference : seams.differences(displacement)) {
     const double deformation = scales_[answer_.meshes[difference.mesh].body].deformation;
     const Point u = moved(difference.mesh, difference.node);
-    findings_.take(Quantity::Seams, difference.size, Bounds::geometry * deformation + 8 * unitRoundoff * length(u[0], u[1]), deformation,
+    findings_.take(Quantity::Seams, difference.size, Bounds::geometry * deformation + 8 * unitRoundoff * length(u), deformation,
                    place(difference.mesh, difference.node));
   }
 }
@@ -274,7 +265,7 @@ Verification Verifier::conclude() {
   for (int q = 0; q < kQuantities; ++q) {
     verdict.put(all.all[q].made ? all.all[q].value : 0.0);
     verdict.put(all.all[q].bound);
-    verdict.put(whereText(all.all[q], answer_.model.bodies, answer_.pieces));
+    verdict.put(whereText(all.all[q], answer_.model.bodies, answer_.pieces, rows_.dimension));
   }
   Unpacker unpacker(broadcast(comm_, verdict.bytes()));
   Verification result;

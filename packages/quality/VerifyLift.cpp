@@ -26,7 +26,9 @@ struct LiftedEnd {
   Point place;
 };
 
-Point motionOf(const SubdomainMesh& mesh, int node) { return {mesh.lift.motion[2 * node], mesh.lift.motion[2 * node + 1], 0.0}; }
+Point motionOf(const SubdomainMesh& mesh, int node) {
+  return pointOf(mesh.lift.motion.data() + Eigen::Index(node) * mesh.dimension, mesh.dimension);
+}
 
 Finding at(const SubdomainMesh& mesh, int node) {
   Finding where;
@@ -35,23 +37,45 @@ Finding at(const SubdomainMesh& mesh, int node) {
   return where;
 }
 
-/// The motion is rigid but for rounding: that of its first node and of the one farthest from it tell all others. Of a body of revolution it
-/// is a shift along the axis.
-void judgeMotion(const SubdomainMesh& mesh, Findings& findings) {
-  const Point origin = mesh.point(0), shift = mesh.axisymmetric ? Point{0.0, motionOf(mesh, 0)[1], 0.0} : motionOf(mesh, 0);
+double largestComponent(const Point& p) { return std::max({std::abs(p[0]), std::abs(p[1]), std::abs(p[2])}); }
+
+/// Rotation of a mesh's motion about its first node: the node farthest from that one tells the part across their line, and in space the
+/// node farthest from the line the part along it. None of a body of revolution.
+Point turnOf(const SubdomainMesh& mesh) {
+  if (mesh.axisymmetric) return {0, 0, 0};
+  const Point origin = mesh.point(0), shift = motionOf(mesh, 0);
   Point arm{0, 0, 0}, turned = shift;
-  double farthest = 0.0, largest = 0.0;
+  double farthest = 0.0;
   for (int node = 0; node < mesh.nodes(); ++node) {
-    const Point place = mesh.point(node), motion = motionOf(mesh, node), away{place[0] - origin[0], place[1] - origin[1], 0.0};
-    largest = std::max({largest, std::abs(motion[0]), std::abs(motion[1])});
-    if (const double squared = dot(away, away); squared > farthest) farthest = squared, arm = away, turned = motion;
+    const Point away = minus(mesh.point(node), origin);
+    if (const double squared = dot(away, away); squared > farthest) farthest = squared, arm = away, turned = motionOf(mesh, node);
   }
-  const double turn = mesh.axisymmetric || farthest == 0.0 ? 0.0 : cross(arm, minus(turned, shift))[2] / farthest;
-  const double allowed = kRounded * unitRoundoff * largest;
+  if (farthest == 0.0) return {0, 0, 0};
+  const Point across = scaled(1.0 / farthest, cross(arm, minus(turned, shift)));
+  if (mesh.dimension == 2) return across;
+  Point offLine{0, 0, 0}, rest{0, 0, 0};
+  double most = 0.0;
   for (int node = 0; node < mesh.nodes(); ++node) {
-    const Point place = mesh.point(node), motion = motionOf(mesh, node);
-    const Point rest = minus(minus(motion, shift), rigidDisplacement<double>({0, 0, 0}, {0, 0, turn}, minus(place, origin)));
-    const double size = std::max(std::abs(rest[0]), std::abs(rest[1]));
+    const Point away = minus(mesh.point(node), origin), off = minus(away, scaled(dot(away, arm) / farthest, arm));
+    if (const double squared = dot(off, off); squared > most) {
+      most = squared, offLine = off;
+      rest = minus(minus(motionOf(mesh, node), shift), cross(across, away));
+    }
+  }
+  return most == 0.0 ? across : plus(across, scaled(dot(arm, cross(offLine, rest)) / (most * farthest), arm));
+}
+
+/// The motion is rigid but for rounding: a few nodes tell that of all others. Of a body of revolution it is a shift along the axis.
+void judgeMotion(const SubdomainMesh& mesh, Findings& findings) {
+  const Point origin = mesh.point(0), turn = turnOf(mesh);
+  const Point shift = mesh.axisymmetric ? Point{0.0, motionOf(mesh, 0)[1], 0.0} : motionOf(mesh, 0);
+  double largest = 0.0;
+  for (int node = 0; node < mesh.nodes(); ++node) largest = std::max(largest, largestComponent(motionOf(mesh, node)));
+  const double allowed = kRounded * (mesh.dimension - 1) * unitRoundoff * largest;  // in space the turn is that of one node more
+  for (int node = 0; node < mesh.nodes(); ++node) {
+    const Point arm = minus(mesh.point(node), origin);
+    const Point rest = minus(minus(motionOf(mesh, node), shift), rigidDisplacement<double>({0, 0, 0}, turn, arm));
+    const double size = largestComponent(rest);
     if (size > 0.0 && findings.isWorse(Quantity::Prescribed, size, allowed))
       findings.take(Quantity::Prescribed, size, allowed, allowed, at(mesh, node));
   }
@@ -61,9 +85,9 @@ void judgeRules(const SubdomainMesh& mesh, Findings& findings) {
   for (std::size_t r = 0; r < mesh.rules.size(); ++r) {
     const NodeRule& rule = mesh.rules[r];
     const Point motion = motionOf(mesh, rule.node);
-    for (int k = 0; k < 2; ++k) {
+    for (int k = 0; k < mesh.dimension; ++k) {
       if (!rule.fixed[k]) continue;
-      const double before = mesh.lift.values.at(r)[k], size = length(motion[0], motion[1]) + std::abs(before);
+      const double before = mesh.lift.values.at(r)[k], size = length(motion) + std::abs(before);
       findings.take(Quantity::Prescribed, std::abs(dot(rule.axes[k], motion) + rule.value[k] - before), kRounded * unitRoundoff * size,
                     size, at(mesh, rule.node));
     }
@@ -78,7 +102,7 @@ void collectEnds(const SubdomainMesh& mesh, std::vector<LiftedEnd>& ends) {
     const ContactPair& pair = *pairs.at(end.pair);
     const Point motion = motionOf(mesh, end.node);
     const double weight = pair.ends[end.end].weight;
-    ends.push_back({end.pair, mesh.body, weight * dot(pair.normal, motion), std::abs(weight) * length(motion[0], motion[1]), weight,
+    ends.push_back({end.pair, mesh.body, weight * dot(pair.normal, motion), std::abs(weight) * length(motion), weight,
                     mesh.lift.gaps.at(end.pair), pair.gap, pair.position});
   }
 }
@@ -117,17 +141,16 @@ void verifyLift(const Comm& comm, const Answer& answer, const SeamExchange& seam
   std::vector<Matrix> motions;
   collectively(comm, "verifying the rigid motions", [&] {
     for (const SubdomainMesh& mesh : answer.meshes) {
-      if (mesh.lift.motion.size() != 2 * mesh.nodes()) throw InternalError("a lift of some subdomains only");
+      if (mesh.lift.motion.size() != Eigen::Index(mesh.coordinates.size())) throw InternalError("a lift of some subdomains only");
       judgeMotion(mesh, findings);
       judgeRules(mesh, findings);
       collectEnds(mesh, ends);
-      motions.emplace_back(Eigen::Map<const Matrix>(mesh.lift.motion.data(), 2, mesh.nodes()));
+      motions.emplace_back(Eigen::Map<const Matrix>(mesh.lift.motion.data(), mesh.dimension, mesh.nodes()));
     }
   });
   for (const SeamExchange::Difference& apart : seams.differences(motions)) {
     const SubdomainMesh& mesh = answer.meshes[apart.mesh];
-    const Point motion = motionOf(mesh, apart.node);
-    const double size = length(motion[0], motion[1]);
+    const double size = length(motionOf(mesh, apart.node));
     findings.take(Quantity::Seams, apart.size, kRounded * unitRoundoff * size, size, at(mesh, apart.node));
   }
   const std::vector<LiftedEnd> all = joinOnRoot(comm, ends);

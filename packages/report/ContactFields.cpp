@@ -99,8 +99,11 @@ void writeContactFields(const Run& run, const std::string& path) {
   const GridPiece grid = gridOf(all);
   VtkHdf file(run.comm, path, {GlobalId(grid.points.size() / 3), GlobalId(grid.types.size()), GlobalId(grid.connectivity.size())});
   collectively(run.comm, "writing " + path, [&] { file.append(grid); });
-  const std::string area = run.model.axisymmetric ? "force over tributary area" : "force over tributary length",
-                    circle = run.model.axisymmetric ? "of the pair, whole circle" : "of the pair, per unit thickness in 2D";
+  const bool hasArea = run.model.axisymmetric || run.model.dimension == 3;
+  const std::string area = hasArea ? "force over tributary area" : "force over tributary length",
+                    circle = run.model.axisymmetric     ? "of the pair, whole circle"
+                             : run.model.dimension == 3 ? "of the pair"
+                                                        : "of the pair, per unit thickness in 2D";
   const auto reals = [&](const char* name, const std::string& unit, const std::string& meaning, double Pair::*member) {
     file.pointData({name, 1, unit, meaning}, column<double>(pairs, [&](const Pair& pair) { return pair.*member; }));
   };

@@ -20,15 +20,15 @@ struct Piece {
   GridPiece grid;
   std::vector<double> displacement, nodalStress, nodalPrincipal, nodalVonMises;
   std::vector<GlobalId> nodeId;
-  std::vector<double> stress, principal, direction1, direction2, vonMises, young, error;
+  std::vector<double> stress, principal, firstDirection, lastDirection, vonMises, young, error;
   std::vector<int> subdomain, body, material;
   std::vector<GlobalId> elementId;
 
   bool isFull() const { return grid.types.size() >= kPieceElements; }
   // Keeps the memory.
   void clear() {
-    for (auto* values : {&grid.points, &displacement, &nodalStress, &nodalPrincipal, &nodalVonMises, &stress, &principal, &direction1,
-                         &direction2, &vonMises, &young, &error})
+    for (auto* values : {&grid.points, &displacement, &nodalStress, &nodalPrincipal, &nodalVonMises, &stress, &principal, &firstDirection,
+                         &lastDirection, &vonMises, &young, &error})
       values->clear();
     for (auto* values : {&grid.connectivity, &grid.ends, &nodeId, &elementId}) values->clear();
     for (auto* values : {&subdomain, &body, &material}) values->clear();
@@ -86,23 +86,37 @@ void addNodes(const SubdomainMesh& mesh, const PointNumbers& numbers, const Vect
   }
 }
 
+void append(std::vector<double>& values, std::initializer_list<double> more) { values.insert(values.end(), more); }
+
+/// A row of elementStresses() as the file has it: XX YY ZZ XY YZ XZ.
+void appendTensor(const Matrix& stresses, Eigen::Index row, std::vector<double>& values) {
+  for (Eigen::Index k = 0; k < 6; ++k) values.push_back(k < stresses.cols() ? stresses(row, k) : 0.0);
+}
+
 /// \param stresses  of the nodes, rows as elementStresses()
 void addNodalStresses(const SubdomainMesh& mesh, const PointNumbers& numbers, const Matrix& stresses, Piece& all) {
   const Matrix principal = principalStresses(stresses);
   const Vector mises = vonMises(stresses);
   for (int n = 0; n < mesh.nodes(); ++n) {
     if (!numbers.isNew(mesh, n)) continue;
-    const double zz = stresses(n, 2), larger = principal(n, 0), smaller = principal(n, 1);
-    for (const double component : {stresses(n, 0), stresses(n, 1), zz, stresses(n, 3), 0.0, 0.0}) all.nodalStress.push_back(component);
-    for (const double one : {std::max(larger, zz), std::max(smaller, std::min(larger, zz)), std::min(smaller, zz)})
-      all.nodalPrincipal.push_back(one);
+    appendTensor(stresses, n, all.nodalStress);
     all.nodalVonMises.push_back(mises[n]);
+    if (mesh.dimension == 3) {
+      append(all.nodalPrincipal, {principal(n, 0), principal(n, 1), principal(n, 2)});
+      continue;
+    }
+    const double zz = stresses(n, 2), larger = principal(n, 0), smaller = principal(n, 1);
+    append(all.nodalPrincipal, {std::max(larger, zz), std::max(smaller, std::min(larger, zz)), std::min(smaller, zz)});
   }
 }
 
 void addCells(const SubdomainMesh& mesh, const std::vector<GlobalId>& number, Piece& all) {
   for (int e = 0; e < mesh.elements(); ++e) {
-    for (const int n : mesh.nodesOf(e)) all.grid.connectivity.push_back(number[std::size_t(n)]);
+    const Span<const int> nodes = mesh.nodesOf(e);
+    if (mesh.cells[std::size_t(e)] == Cell::Wedge6)  // VTK sees the base from outside
+      for (const int k : {0, 2, 1, 3, 5, 4}) all.grid.connectivity.push_back(number[std::size_t(nodes[std::size_t(k)])]);
+    else
+      for (const int n : nodes) all.grid.connectivity.push_back(number[std::size_t(n)]);
     all.grid.ends.push_back(GlobalId(all.grid.connectivity.size()));
     all.grid.types.push_back(static_cast<unsigned char>(cellInfo(mesh.cells[std::size_t(e)]).vtkType));
     all.subdomain.push_back(mesh.id);
@@ -128,14 +142,18 @@ void addStresses(const SubdomainMesh& mesh, const ElasticModel& model, const Vec
   const Matrix stress = own ? *own : elementStresses(mesh, model, u);
   const Matrix principal = principalStresses(stress);
   const Vector mises = vonMises(stress);
-  const auto append = [](std::vector<double>& values, std::initializer_list<double> more) { values.insert(values.end(), more); };
   for (int e = 0; e < mesh.elements(); ++e) {
-    const double xx = stress(e, 0), yy = stress(e, 1), zz = stress(e, 2), xy = stress(e, 3);
-    const double c = std::cos(principal(e, 2)), s = std::sin(principal(e, 2));
-    append(all.stress, {xx, yy, zz, xy, 0.0, 0.0});
-    append(all.principal, {principal(e, 0), principal(e, 1), zz});
-    append(all.direction1, {c, s, 0.0});
-    append(all.direction2, {-s, c, 0.0});
+    appendTensor(stress, e, all.stress);
+    if (mesh.dimension == 3) {
+      append(all.principal, {principal(e, 0), principal(e, 1), principal(e, 2)});
+      append(all.firstDirection, {principal(e, 3), principal(e, 4), principal(e, 5)});
+      append(all.lastDirection, {principal(e, 6), principal(e, 7), principal(e, 8)});
+    } else {
+      const double c = std::cos(principal(e, 2)), s = std::sin(principal(e, 2));
+      append(all.principal, {principal(e, 0), principal(e, 1), stress(e, 2)});
+      append(all.firstDirection, {c, s, 0.0});
+      append(all.lastDirection, {-s, c, 0.0});
+    }
     if (!model.materialOfRegion.empty()) all.young.push_back(model.materialOf(mesh, e, mesh.body).young);
   }
   all.vonMises.insert(all.vonMises.end(), mises.data(), mises.data() + mises.size());
@@ -145,6 +163,13 @@ std::string stressMeaning(const ElasticModel& model, const std::string& where) {
   return (model.axisymmetric ? "XX radial, YY along the axis, ZZ hoop, XY; YZ XZ zero; " : "XX YY ZZ XY YZ XZ; ") + where +
          "; tension positive";
 }
+
+std::string principalMeaning(const ElasticModel& model) {
+  if (model.dimension == 3) return "largest, middle, smallest";
+  return model.axisymmetric ? "larger in the meridian plane, smaller, hoop" : "larger in-plane, smaller in-plane, out of plane";
+}
+
+bool isInSpace(const Run& run) { return run.model.dimension == 3; }
 
 constexpr const char* kRecovered = "recovered from the elements; NaN in bodies with physics of their own";
 
@@ -160,11 +185,13 @@ class FieldRows {
         displacement_(file.pointData<double>({"Displacement", 3, units_.length, "x, y, z; along the axes"})),
         nodeId_(file.pointData<GlobalId>({"NodeId", 1, "", "number of the node in the mesh, from 0"})),
         stress_(reals("Stress", 6, units_.stress, stressMeaning(run.model, "at the centroid"))),
-        principal_(reals("PrincipalStress", 3, units_.stress,
-                         run.model.axisymmetric ? "larger in the meridian plane, smaller, hoop; at the centroid; tension positive"
-                                                : "larger in-plane, smaller in-plane, out of plane; at the centroid; tension positive")),
-        direction1_(reals("PrincipalDirection1", 3, "", "unit vector of the larger in-plane principal stress")),
-        direction2_(reals("PrincipalDirection2", 3, "", "unit vector of the smaller in-plane principal stress")),
+        principal_(reals("PrincipalStress", 3, units_.stress, principalMeaning(run.model) + "; at the centroid; tension positive")),
+        firstDirection_(
+            reals("PrincipalDirection1", 3, "",
+                  isInSpace(run) ? "unit vector of the largest principal stress" : "unit vector of the larger in-plane principal stress")),
+        lastDirection_(reals(
+            isInSpace(run) ? "PrincipalDirection3" : "PrincipalDirection2", 3, "",
+            isInSpace(run) ? "unit vector of the smallest principal stress" : "unit vector of the smaller in-plane principal stress")),
         vonMises_(reals("VonMises", 1, units_.stress, "at the centroid; never negative")) {
     if (hasNodalStresses(run)) {
       const auto atNodes = [&](const char* name, int components, const std::string& meaning) {
@@ -191,8 +218,8 @@ class FieldRows {
     nodeId_.append(piece.nodeId);
     stress_.append(piece.stress);
     principal_.append(piece.principal);
-    direction1_.append(piece.direction1);
-    direction2_.append(piece.direction2);
+    firstDirection_.append(piece.firstDirection);
+    lastDirection_.append(piece.lastDirection);
     vonMises_.append(piece.vonMises);
     if (nodalStress_) {
       nodalStress_->append(piece.nodalStress);
@@ -220,7 +247,7 @@ class FieldRows {
   const Units units_;
   Hdf5Rows<double> displacement_;
   Hdf5Rows<GlobalId> nodeId_;
-  Hdf5Rows<double> stress_, principal_, direction1_, direction2_, vonMises_;
+  Hdf5Rows<double> stress_, principal_, firstDirection_, lastDirection_, vonMises_;
   std::optional<Hdf5Rows<double>> nodalStress_, nodalPrincipal_, nodalVonMises_, young_, error_;
   std::optional<Hdf5Rows<int>> subdomain_, body_, material_;
   std::optional<Hdf5Rows<GlobalId>> elementId_;

@@ -1,8 +1,8 @@
 #include <suture/base/Expression.hpp>
 #include <suture/constraints/BuildConstraints.hpp>
 #include <suture/elasticity/ElasticModel.hpp>
-#include <suture/mesh/MeshReader.hpp>
 #include <suture/partition/Partition.hpp>
+#include <suture/reader/MeshReader.hpp>
 #include <suture/report/OutputSchema.hpp>
 #include <suture/report/SceneSchema.hpp>
 #include <suture/solver/SolverSchema.hpp>

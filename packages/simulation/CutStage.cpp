@@ -3,7 +3,7 @@
 #include <suture/base/Errors.hpp>
 #include <suture/base/Timers.hpp>
 #include <suture/interface/Formulation.hpp>
-#include <suture/mesh/MeshReader.hpp>
+#include <suture/reader/MeshReader.hpp>
 #include <suture/simulation/CutStage.hpp>
 
 #include <Teuchos_ParameterList.hpp>

@@ -3,7 +3,7 @@
 #include <suture/constraints/BuildConstraints.hpp>
 #include <suture/constraints/ConditionForm.hpp>
 #include <suture/elasticity/loads/LoadList.hpp>
-#include <suture/mesh/MeshReader.hpp>
+#include <suture/reader/MeshReader.hpp>
 #include <suture/report/SceneSchema.hpp>
 #include <suture/report/Units.hpp>
 #include <suture/simulation/NestedLevels.hpp>

@@ -2,9 +2,9 @@
 #include <suture/base/scene/SceneReader.hpp>
 #include <suture/constraints/Conditions.hpp>
 #include <suture/constraints/Constraints.hpp>
-#include <suture/constraints/ContactSurface.hpp>
 #include <suture/elasticity/ElasticModel.hpp>
 #include <suture/mesh/Mesh.hpp>
+#include <suture/pairing/ContactSurface.hpp>
 #include <suture/solver/MakeSubdomains.hpp>
 
 #include <functional>

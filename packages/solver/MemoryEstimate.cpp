@@ -18,7 +18,8 @@ namespace {
 
 constexpr double kProgram = 55.0;  // megabytes that it has taken already when the estimate is made
 
-// Pairs of nodes that have an element in common. Those on a side have two, as nearly all sides do.
+// Pairs of nodes that have an element in common. Those on a side have two, as nearly all sides do; in space a pair of hexahedra has two
+// elements in the mean, one of tetrahedra four.
 double couplings(const SubdomainMesh& mesh) {
   const auto pairs = [](std::size_t nodes) { return 0.5 * static_cast<double>(nodes * (nodes - 1)); };
   std::map<Cell, double> elements;
@@ -29,7 +30,10 @@ double couplings(const SubdomainMesh& mesh) {
   double sum = 0.0;
   for (const auto& [cell, count] : elements) {
     const CellInfo& info = cellInfo(cell);
-    sum += count * (pairs(info.nodes) - 0.5 * static_cast<double>(info.sideNodes.size()) * pairs(info.sideNodes[0].size()));
+    if (info.dimension == 3)
+      sum += count * pairs(info.nodes) * (isSimplex(cell) ? 0.25 : 0.5);
+    else
+      sum += count * (pairs(info.nodes) - 0.5 * static_cast<double>(info.sideNodes.size()) * pairs(info.sideNodes[0].size()));
   }
   return sum;
 }
@@ -43,6 +47,10 @@ double estimatedMegabytes(const std::vector<SubdomainMesh>& meshes) {
     int shared = 0;
     for (int node = 0; node < mesh.nodes(); ++node) shared += !mesh.others(node).empty();
     const double b = shared * d + static_cast<double>(mesh.contactEnds.size()), c = couplings(mesh);
+    if (mesh.dimension == 3) {  // two sparse factors, and traces of some hundred primal unknowns
+      bytes += 130 * n + 12 * (9 * c + 6 * nodes) + 2 * CostModel(3).factorBytes(n, 10.0) + 1600 * b;
+      continue;
+    }
     bytes += 130 * n + 12 * (d * d * c + d * (d + 1) / 2 * nodes) + 6 * c * d * std::log2(n) + 6.6 * b * b + 200 * b;
   }
   return kProgram + bytes / (1 << 20);

@@ -1,5 +1,6 @@
 #include <suture/algebra/dense/Decompositions.hpp>
 #include <suture/base/Errors.hpp>
+#include <suture/mesh/CellGeometry.hpp>
 #include <suture/subdomain/ElasticSubdomain.hpp>
 #include <suture/subdomain/NodalAssembly.hpp>
 #include <suture/subdomain/Subdomain.hpp>
@@ -65,7 +66,7 @@ void Subdomain::assemble() {
     if (!(diagonal(i) > 0.0)) {
       const Point p = mesh_.point(nodeOf(i));
       std::ostringstream text;
-      text << "subdomain '" << mesh_.name << "': no stiffness at the node (" << p[0] << ", " << p[1] << ")";
+      text << "subdomain '" << mesh_.name << "': no stiffness at the node " << placeText(p, mesh_.dimension);
       throw NumericalError(text.str());
     }
 
@@ -118,8 +119,8 @@ Matrix Subdomain::springModes(const Matrix& modes) const {
 
 Matrix Subdomain::stresses(const Vector& displacement) const {
   Matrix found = doStresses(displacement);
-  if (found.rows() != mesh_.elements() || found.cols() != 4)
-    throw NumericalError("subdomain '" + mesh_.name + "': expected stresses xx, yy, zz, xy of every element");
+  if (found.rows() != mesh_.elements() || found.cols() != (mesh_.dimension == 2 ? 4 : 6))
+    throw NumericalError("subdomain '" + mesh_.name + "': expected stresses xx, yy, zz, xy (in space also yz, xz) of every element");
   return found;
 }
 

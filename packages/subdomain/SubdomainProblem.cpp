@@ -95,7 +95,8 @@ Matrix SubdomainProblem::schurBlock(const std::vector<int>& positions) const {
 }
 
 std::unique_ptr<LocalInverse> SubdomainProblem::sparseInverse(const Matrix& constraints) const {
-  return SparseConstrainedInverse::make(subdomain_.stiffness().full(), positions_, constraints, solver_, name());
+  return std::make_unique<SparseConstrainedInverse>(subdomain_.stiffness().full(), subdomain_.kernel(), positions_, constraints, solver_,
+                                                    name());
 }
 
 std::unique_ptr<LocalInverse> SubdomainProblem::inverse() const {

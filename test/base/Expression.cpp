@@ -161,3 +161,20 @@ TEUCHOS_UNIT_TEST(Expression, MayBeAFunctionOfTheProgram) {
 }
 
 }  // namespace
+
+// In space a function of three coordinates; in the plane z is a name as any other.
+TEUCHOS_UNIT_TEST(Expression, KnowsZInSpace) {
+  Constants space;
+  space.dimension = 3;
+  const Expression f("x + 10*y + 100*z", space);
+  TEST_EQUALITY(f.at({1, 2, 3}), 321.0);
+  TEST_EQUALITY(f.at({4, 5, 6}), 654.0);
+  TEST_THROW(Expression("x + z"), InputError);
+  TEST_EQUALITY(Expression("x + z", Constants{{"z", 5.0}}).at({1, 0, 3}), 6.0);
+  try {
+    Expression("1/z", space, "somewhere").at({1, 2, 0});
+    TEST_ASSERT(false);
+  } catch (const InputError& error) {
+    TEST_ASSERT(std::string(error.what()).find("'1/z' is infinite at (x, y, z) = (1, 2, 0)") != std::string::npos);
+  }
+}

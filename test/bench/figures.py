@@ -1,22 +1,31 @@
 """From repetitions to medians and ratios, and from those to the figures that the report compares."""
 import statistics
 
-from runs import GEOMETRY, is_bonded, is_reference
+from runs import GEOMETRY, PLANE, PRESS, SIZES, is_bonded, is_reference
 
-# What, size, quantity of the comparison, floor (-: at most), aim.
+# Scenes, what, size, quantity of the comparison, floor (-: at most), aim.
 FIGURES = [
-    ("all phases against the reference", "1M", "all_phases", 2.0, 3.0),
-    ("all phases against the reference, mesh cut beforehand", "1M", "all_phases_cut", 2.0, 3.0),
-    ("from assembled matrices against the reference", "1M", "from_assembled", 3.0, 5.0),
-    ("memory over all ranks against the reference", "1M", "memory", -0.8, -0.5),
-    ("bonded problem, seconds", "1M", "bonded_seconds", -2.0, -1.3),
-    ("a PCG iteration against reading its data", "1M", "iteration", -2.0, None),
-    ("all phases against the reference", "100k", "all_phases", 1.5, None),
-    ("all phases against the reference, mesh cut beforehand", "100k", "all_phases_cut", 1.5, None),
-    ("all phases against the reference", "10k", "all_phases", 1 / 1.5, None),
-    ("two ranks against one", "1M", "two_ranks", 1.7, None),
-    ("from assembled matrices against the reference", "4M", "from_assembled", 4.0, None),
-    ("memory over all ranks, GiB", "4M", "memory_gib", -20.0, None),
+    (PLANE, "all phases against the reference", "1M", "all_phases", 2.0, 3.0),
+    (PLANE, "all phases against the reference, mesh cut beforehand", "1M", "all_phases_cut", 2.0, 3.0),
+    (PLANE, "from assembled matrices against the reference", "1M", "from_assembled", 3.0, 5.0),
+    (PLANE, "memory over all ranks against the reference", "1M", "memory", -0.8, -0.5),
+    (PLANE, "bonded problem, seconds", "1M", "bonded_seconds", -2.0, -1.3),
+    (PLANE, "a PCG iteration against reading its data", "1M", "iteration", -2.0, None),
+    (PLANE, "all phases against the reference", "100k", "all_phases", 1.5, None),
+    (PLANE, "all phases against the reference, mesh cut beforehand", "100k", "all_phases_cut", 1.5, None),
+    (PLANE, "all phases against the reference", "10k", "all_phases", 1 / 1.5, None),
+    (PLANE, "two ranks against one", "1M", "two_ranks", 1.7, None),
+    (PLANE, "from assembled matrices against the reference", "4M", "from_assembled", 4.0, None),
+    (PLANE, "memory over all ranks, GiB", "4M", "memory_gib", -20.0, None),
+    (("press",), "all phases, seconds", "110k", "seconds", -4.0, -2.0),
+    (("press",), "all phases, seconds", "360k", "seconds", -15.0, -8.0),
+    (("press",), "all phases, seconds", "1M", "seconds", -40.0, -20.0),
+    (("press",), "memory over all ranks, GiB", "1M", "memory_gib", -3.26, -1.86),  # 3.5 and 2 GB
+    (("press",), "from assembled matrices against multigrid", "110k", "multigrid", 3.0, 6.0),
+    (("press",), "from assembled matrices against multigrid", "360k", "multigrid", 3.0, 6.0),
+    (("press",), "from assembled matrices against multigrid", "1M", "multigrid", 3.0, 6.0),
+    (("press",), "all phases against the reference", "360k", "all_phases", 10.0, None),
+    (("press",), "two ranks against one", "1M", "two_ranks", 1.7, None),
 ]
 GROWTH = ("60k", "1M", -1.3)  # growth of the time per unknown
 
@@ -28,7 +37,7 @@ def spread(values):
 def merged(results, run):
     """The repetitions of one run as one: every figure's median, smallest and largest value."""
     first = results[0]
-    text = ("unknowns", "elements", "pairs", "counts", "energy", "command")
+    text = ("unknowns", "elements", "pairs", "closed", "force", "counts", "energy", "command")
     figures = [key for key in first if key not in text + ("phases", "versions") and first[key] is not None]
     whole = {key: first[key] for key in text}
     whole["threads"] = run.get("threads", 1)
@@ -38,14 +47,17 @@ def merged(results, run):
 
 
 def fastest_reference(results):
-    """By the median of all phases, of those that were repeated to the end."""
+    """By the median of all phases, of those that were repeated to the end; None where there is none."""
+    if not any(is_reference(name) for name in results):
+        return None
     longest = max(len(results[name]) for name in results if is_reference(name))
     best = [name for name in results if is_reference(name) and len(results[name]) == longest]
     return min(best, key=lambda name: statistics.median(result["charged"] for result in results[name]))
 
 
-def compared(results):
-    """All ratios of one scene and size; their spread is that of the repetitions, each with its own neighbours in time."""
+def compared(results, multigrid=()):
+    """All ratios of one scene and size; their spread is that of the repetitions, each with its own neighbours in time. `multigrid`: results
+    of PETSc in the same repetitions, if any."""
     def values(name, key):
         return [result[key] for result in results[name]]
 
@@ -57,17 +69,25 @@ def compared(results):
     best = fastest_reference(results)
     ratios = {
         "reference": best,
-        "all_phases": ratio("charged", best, "suture_2"),
-        "from_assembled": ratio("from_assembled", best, "suture_2"),
-        "all_phases_cut": ratio("charged", best, "suture_cut_2"),
-        "memory": ratio("memory_mb", "suture_2", best),
         "two_ranks": ratio("charged", "suture_1", "suture_2"),
         "two_copies": ratio("charged", "suture_1", "copies_1", times=2),
         "two_ranks_from_assembled": ratio("from_assembled", "suture_1", "suture_2"),
-        "one_rank_all_phases": ratio("charged", best, "suture_1"),
-        "one_rank_from_assembled": ratio("from_assembled", best, "suture_1"),
-        "all_phases_as_run": ratio("seconds", best, "suture_2"),
     }
+    if best:
+        ratios.update({
+            "all_phases": ratio("charged", best, "suture_2"),
+            "from_assembled": ratio("from_assembled", best, "suture_2"),
+            "all_phases_cut": ratio("charged", best, "suture_cut_2"),
+            "memory": ratio("memory_mb", "suture_2", best),
+            "one_rank_all_phases": ratio("charged", best, "suture_1"),
+            "one_rank_from_assembled": ratio("from_assembled", best, "suture_1"),
+            "all_phases_as_run": ratio("seconds", best, "suture_2"),
+        })
+    if multigrid:
+        below = values("suture_2", "from_assembled")
+        each = [found["seconds"] / own for found, own in zip(multigrid, below)]
+        ratios["multigrid"] = {"ratio": statistics.median(found["seconds"] for found in multigrid) / statistics.median(below),
+                               "min": min(each), "max": max(each)}
     if "implicit_2" in results:
         ratios["explicit_gain"] = ratio("from_assembled", "implicit_2", "suture_2")
     return ratios
@@ -108,15 +128,28 @@ def disagreement(results):
     return (max(energies) - min(energies)) / largest if largest > 0 else 0.0
 
 
+def astray(scene, size, results, multigrid=()):
+    """One line for each run of the scene press whose closed pairs or force are not the known ones."""
+    if scene != "press":
+        return []
+    closed, force = PRESS[SIZES[size][scene]]
+    found = [(name, result) for name, repetitions in results.items() if not is_bonded(name) for result in repetitions]
+    found += [("multigrid", result) for result in multigrid]
+    return [f"{scene}/{size}, {name}: {result['closed']} pairs closed, force {result['force']:.6e}; expected {closed}, {force:.6e}"
+            for name, result in found if result["closed"] != closed or abs(result["force"] - force) > 1e-6 * force]
+
+
 def quantity(case, key):
     """Value of a figure of FIGURES: a ratio of medians, or a median itself; None where the programs do not tell."""
     if key == "bonded_seconds":
         return case["runs"]["bonded_2"]["from_assembled"]["median"]
+    if key == "seconds":
+        return case["runs"]["suture_2"]["seconds"]["median"]
     if key == "iteration":
         return (case["pcg_iteration"] or {}).get("multiple", {}).get("median")
     if key == "memory_gib":
         return case["runs"]["suture_2"]["memory_mb"]["median"] / 1024
-    return case["ratios"][key]["ratio"]
+    return case["ratios"].get(key, {}).get("ratio")
 
 
 def judged(what, value, floor, aim=None):
@@ -135,12 +168,12 @@ def judged(what, value, floor, aim=None):
 def verdict(bench):
     """One line for each figure that is compared."""
     lines, missing = [], []
-    for what, size, key, floor, aim in FIGURES:
-        found = {name: quantity(case, key) for name, case in bench["cases"].items() if name.endswith(f"/{size}")}
+    for scenes, what, size, key, floor, aim in FIGURES:
+        found = {name: quantity(bench["cases"][name], key) for name in (f"{scene}/{size}" for scene in scenes) if name in bench["cases"]}
         found = {name: value for name, value in found.items() if value is not None}
         lines += [judged(f"{name}, {what}", value, floor, aim) for name, value in found.items()]
         if not found:
-            missing.append(f"{what} at {size}")
+            missing.append(f"{what} at {size} ({', '.join(scenes)})")
     small, large, floor = GROWTH
     for scene, found in bench["growth"].items():
         lines.append(judged(f"{scene}, time per unknown, {large} against {small}", found["seconds"], floor))

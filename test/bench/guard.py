@@ -4,7 +4,7 @@ import re
 import shutil
 from pathlib import Path
 
-from runs import ROOT, command_of, configurations, execute, fail, measure, mesh_of
+from runs import ROOT, command_of, configurations, execute, fail, has_mesh, measure, mesh_of
 
 SIZES = ["10k", "100k"]
 COUNT = 2  # iterations more or less
@@ -28,7 +28,7 @@ def counts_now(options):
     runs = {name: run for name, run in configurations().items() if name.startswith("suture")}
     counts = {}
     for scene in options.scenes:
-        for size in options.sizes:
+        for size in (size for size in options.sizes if has_mesh(scene, size)):
             mesh = mesh_of(scene, size, options)
             for name, run in runs.items():
                 result = measure(name, run, scene, size, mesh, options)

@@ -6,10 +6,12 @@ from figures import verdict
 QUIET = 0.1  # cores that others may use
 PHASES = ["read", "partition", "assemble", "factor", "solve", "write"]
 RATIOS = ["all_phases", "all_phases_cut", "from_assembled", "memory", "two_ranks", "two_copies", "one_rank_all_phases", "one_rank_from_assembled",
-          "all_phases_as_run"]
+          "all_phases_as_run", "multigrid"]
 
 
 def shown(values, middle="median", scale=1.0):
+    if values is None:
+        return "-"
     return f"{scale * values[middle]:.2f} ({scale * values['min']:.2f}-{scale * values['max']:.2f})"
 
 
@@ -32,8 +34,8 @@ def tables(bench, markdown):
             times.append([f"{scene}, {run['unknowns']:,}, {run_name}", *[f"{run['phases'][phase]['median']:.2f}" for phase in PHASES],
                           shown(run["seconds"]), shown(run["from_assembled"]), f"{run['memory_mb']['median']:.0f}",
                           f"{run['memory_rank_mb']['median']:.0f}", f"{counts['outer']}, {counts['auxiliary']} + {counts['pcg']}"])
-        ratios.append([f"{scene}, {case['runs']['suture_2']['unknowns']:,}", case["ratios"]["reference"],
-                       *[shown(case["ratios"][key], "ratio") for key in RATIOS]])
+        ratios.append([f"{scene}, {case['runs']['suture_2']['unknowns']:,}", case["ratios"]["reference"] or "-",
+                       *[shown(case["ratios"].get(key), "ratio") for key in RATIOS]])
     return table(times, markdown) + "\n\n" + table(ratios, markdown)
 
 
@@ -61,6 +63,9 @@ def report(bench, options):
         print(iteration_line(name, case["pcg_iteration"]))
         ranks, copies = (shown(case["ratios"][key], "ratio") for key in ("two_ranks", "two_copies"))
         print(f"{name}: two ranks are {ranks} times as fast as one; two runs on one rank at once do {copies} times the work of one alone")
+        for found in case.get("multigrid", []):
+            print(f"{name}: multigrid takes {found['seconds']:.1f} s after {found['assembly_seconds']:.1f} s of assembly, "
+                  f"{found['sets']} sets, {sum(found['iterations'])} CG, {found['peak_memory_mb']:.0f} MB")
         if "explicit_gain" in case["ratios"]:
             gain = shown(case["ratios"]["explicit_gain"], "ratio")
             print(f"{name}: from assembled matrices {gain} times as fast as with implicit Schur complements")

@@ -57,18 +57,6 @@ Mesh stack(int count, int nx, Cell cell) {
   return boxes(all);
 }
 
-void move(Mesh& mesh, int body, const std::function<Point(Point)>& to) {
-  for (int i = 0; i < mesh.nodes(); ++i) {
-    if (mesh.bodyOfNode[i] != body) continue;
-    const Point p = to(mesh.point(i));
-    for (int k = 0; k < 2; ++k) mesh.coordinates[2 * i + k] = p[k];
-  }
-}
-
-void moveAll(Mesh& mesh, const std::function<Point(Point)>& to) {
-  for (std::size_t body = 0; body < mesh.bodies.size(); ++body) move(mesh, static_cast<int>(body), to);
-}
-
 int nodeAt(const Mesh& mesh, int body, double x, double y) {
   int best = -1;
   double least = 1e300;

@@ -1,21 +1,18 @@
 #pragma once
+#include <pairing/PairingTesting.hpp>
 #include <support/CheckSays.hpp>
 #include <suture/base/Errors.hpp>
 #include <suture/base/scene/SceneReader.hpp>
 #include <suture/constraints/BuildConstraints.hpp>
-#include <suture/mesh/Generators.hpp>
 
 #include <Teuchos_ParameterList.hpp>
 
 #include <cmath>
-#include <functional>
 #include <string>
 
 namespace constraintstesting {
 
-using namespace suture;
-
-constexpr double pi = 3.14159265358979323846;
+using namespace pairingtesting;
 
 /// A list of parameters `name`: entries as "name=value" with the type that the value looks like.
 std::string entry(const std::string& name, const std::vector<std::pair<std::string, std::string>>& parameters);
@@ -34,10 +31,6 @@ std::string said(const Mesh& mesh, const std::string& conditions, const std::str
 
 /// Blocks [0,4] x [k, k+1], k = 0, 1, ..., of nx x 2 cells, named b0, b1, ...
 Mesh stack(int count, int nx = 8, Cell cell = Cell::Triangle3);
-
-/// Moves every node of a body.
-void move(Mesh& mesh, int body, const std::function<Point(Point)>& to);
-void moveAll(Mesh& mesh, const std::function<Point(Point)>& to);
 
 /// The node of a body nearest to a place.
 int nodeAt(const Mesh& mesh, int body, double x, double y);

@@ -1,5 +1,5 @@
 // The constraints of the paper's model problem, against what its geometry says. Needs SUTURE_GMSH.
-#include <suture/mesh/gmsh/GmshReader.hpp>
+#include <suture/reader/gmsh/GmshReader.hpp>
 
 #include <Teuchos_UnitTestHarness.hpp>
 

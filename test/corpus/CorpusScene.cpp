@@ -1,6 +1,6 @@
 #include <corpus/CorpusScene.hpp>
 #include <corpus/Families.hpp>
-#include <suture/mesh/Hdf5Mesh.hpp>
+#include <suture/reader/Hdf5Mesh.hpp>
 #include <suture/report/SceneSchema.hpp>
 
 #include <Teuchos_Comm.hpp>

@@ -220,7 +220,7 @@ for name, cells in sources.items():
 for name, text, complaint in (
         ("bad.inp", "*NODE\n1, 0, x\n", "line 2: expected the number of a node and its coordinates, found '1, 0, x'"),
         ("part.inp", "*PART, NAME=a\n*NODE\n1, 0, 0\n", "noPartsInputFile"),
-        ("solid.inp", "*NODE\n1, 0, 0\n*ELEMENT, TYPE=C3D4\n1, 1, 1, 1, 1\n", "solid elements (C3D4)"),
+        ("solid.inp", "*NODE\n1, 0, 0\n*ELEMENT, TYPE=C3D15\n1, 1, 1, 1, 1\n", "solid elements of the type C3D15; known are C3D4, C3D5,"),
         ("node.inp", "*NODE\n1, 0, 0\n*ELEMENT, TYPE=CPS3\n1, 1, 2, 3\n", "element 1 has the node 2, which no *NODE before it defines"),
         ("set.inp", "*NODE\n1, 0, 0\n*NSET, NSET=a\nb\n", "no such NSET 'b' before this line"),
         ("empty.inp", "", "no surface elements"),

@@ -124,6 +124,29 @@ check("a group of all of it is the body", sorted(e.get("name") for e in sublists
 check("its parts are offered as regions", [f'name="Group" type="string" value="{part}"' in path.read_text() for part in "ab"], [True, True])
 check("sides without a name that face another body are told", "with sides in no curve group: name these" in text, True)
 
+# Two blocks in space, one on the other.
+geometry = options.work / "stack.geo"
+geometry.write_text("""
+SetFactory("OpenCASCADE");
+Box(1) = {0, 0, 0, 2, 1, 1}; Box(2) = {0, 0, 1.25, 2, 1, 1};
+MeshSize{:} = .5;
+Physical Volume("lower") = {1}; Physical Volume("upper") = {2};
+Physical Surface("lower_bottom") = {5}; Physical Surface("lower_top") = {6}; Physical Surface("upper_bottom") = {11};
+""")
+code, text, path = new(geometry, scene="stack.xml")
+check("a scene in space", (code, "2 bodies, 3 surface groups, 1 contact proposed" in text), (0, True))
+root = xml.parse(path).getroot()
+check("its model", parameter(root, "Model"), "Solid")
+check("its contact", [(parameter(e, "Side A"), parameter(e, "Side B")) for e in sublists(root, "Contact")], [("lower_top", "upper_bottom")])
+check("the gap is told", re.findall(r"least distance (\S+)", text), ["0.25"])
+held = [e for e in sublists(root, "Boundary Conditions") if parameter(e, "Type") == "Displacement"]
+check("its support", [(parameter(e, "Group"), parameter(e, "Value")) for e in held][:1], [("lower_bottom", "{0, 0, 0}")])
+check("its groups are listed", re.findall(r"surface +lower_top  on lower, from (.*) to (.*), .* area (\S+)", path.read_text()), [("(0, 0, 1)", "(2, 1, 1)", "2")])
+code, text, path = new(geometry, "--model", "Plane Strain", scene="flat.xml")
+check("a plane model in space is refused", (code, "expected Solid" in text, path.exists()), (3, True, False))
+code, text, path = new(INPUT / "pin" / "pin.geo", "--model", "Solid", scene="solid.xml")
+check("and the other way round", (code, "expected Plane Strain" in text, path.exists()), (3, True, False))
+
 
 # What no rule can do is said, and the scene has the place to fill in.
 BLOCKS = """

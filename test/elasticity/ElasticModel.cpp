@@ -154,6 +154,79 @@ TEUCHOS_UNIT_TEST(ElasticModel, ReadsElementsAndTheAxisymmetricModel) {
       says(problemsOf({"Materials/rock/Element=Mixed"})[0], "Materials/rock/Element", "Mixed in plane stress, where no element locks"));
 }
 
+TEUCHOS_UNIT_TEST(ElasticModel, ReadsSolidsWithThreeComponents) {
+  const std::vector<std::string> solid{"Model=Solid", "Boundary Conditions/wind/Value={3.0, -4.0, 5.0}",
+                                       "Boundary Conditions/weight/Value={0.0, 0.0, -2.6e4}", "Boundary Conditions/magnet/Value={1, 2, 3}"};
+  const auto with = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), solid.begin(), solid.end());
+    return more;
+  };
+  const std::string name = "Boundary Conditions/new/";
+  const ElasticModel model = modelOf(with({name + "Type=Moment", name + "Group=top", name + "Value={1.0, -2.0, 3.0}"}));
+  TEST_EQUALITY(model.dimension, 3);
+  TEST_EQUALITY(modelName(model), "Solid");
+  TEST_ASSERT(model.plane == PlaneModel::Strain && !model.axisymmetric);
+  TEST_ASSERT((model.loads[1].value == Point{3.0, -4.0, 5.0}));
+  TEST_ASSERT((model.loads[2].value == Point{0.0, 0.0, -2.6e4}));
+  TEST_ASSERT((model.loads.back().value == Point{1.0, -2.0, 3.0}));
+  const ElasticModel turning = modelOf(with({name + "Type=Rotation", name + "Value={0.0, 2.0, 1.0}", name + "Point={1.0, 2.0, 3.0}",
+                                             "Materials/rock/Density=2.0", "Materials/steel/Density=7.0"}));
+  TEST_ASSERT((turning.loads.back().value == Point{0.0, 2.0, 1.0} && turning.loads.back().place == Point{1.0, 2.0, 3.0}));
+  const ElasticModel strained = modelOf(with({name + "Type=Initial Strain", name + "Value={1.0, 2.0, 3.0, 4.0, 5.0, 6.0}"}));
+  TEST_ASSERT((strained.loads.back().tensor == std::array<double, 6>{1, 2, 3, 4, 5, 6}));
+  const ElasticModel moved =
+      modelOf(with({name + "Type=Mean Displacement", name + "Group=top", name + "Components=xz", name + "Value={0.5, 0.25}"}));
+  TEST_EQUALITY(moved.loads.size(), 6u);
+  TEST_ASSERT((moved.loads.back().axis == Point{0, 0, 1} && moved.loads.back().target == 0.25));
+  const ElasticModel bolt = modelOf(
+      with({name + "Type=Preload", name + "Body=upper", name + "Direction={0.0, 3.0, 4.0}", name + "Length=2.0", name + "Value={10.0}"}));
+  Load shortened = bolt.loads.back();
+  shortened.setAmount(0.5);  // -d/l n n^T with n = (0, .6, .8)
+  const double expected[] = {0.0, -0.25 * 0.36, -0.25 * 0.64, 0.0, -0.25 * 2 * 0.48, 0.0};
+  for (int k = 0; k < 6; ++k) TEST_COMPARE(std::abs(shortened.tensor[k] - expected[k]), <, 1e-15);
+
+  const std::vector<Problem> two = problemsOf({"Model=Solid"});  // values of the plane
+  TEST_EQUALITY(two.size(), 3u);
+  TEST_ASSERT(!two.empty() && says(two[0], "Boundary Conditions/wind/Value", "this Traction needs 3 values, as in {0.0, 0.0, 0.0}"));
+}
+
+TEUCHOS_UNIT_TEST(ElasticModel, AsksForAMeshOfItsDimension) {
+  CellBlock plane, space;
+  space.dimension = 3;
+  const auto messageOf = [](const CellBlock& mesh, const ElasticModel& model) {
+    try {
+      requireDimension(mesh, "x.msh", model);
+    } catch (const InputError& error) {
+      return error.problems().front().path + ": " + error.problems().front().message;
+    }
+    return std::string();
+  };
+  ElasticModel strain, solid;
+  solid.dimension = 3;
+  TEST_EQUALITY(messageOf(plane, strain) + messageOf(space, solid), "");
+  TEST_EQUALITY(messageOf(space, strain), "Model: 'Plane Strain' needs a plane mesh; the mesh x.msh has volume elements: expected 'Solid'");
+  TEST_EQUALITY(messageOf(plane, solid),
+                "Model: 'Solid' needs volume elements; the mesh x.msh is plane: expected 'Plane Strain', 'Plane Stress' or 'Axisymmetric'");
+  TEST_THROW(requireGeometry(space, strain), InternalError);
+}
+
+TEUCHOS_UNIT_TEST(ElasticModel, RefusesTetrahedraThatLock) {
+  CellBlock block;
+  block.dimension = 3;
+  block.cells = {Cell::Hexahedron8, Cell::Tetrahedron10, Cell::Tetrahedron4};
+  ElasticModel model;
+  model.dimension = 3;
+  model.bodies = {"seal"};
+  model.materialOfBody = {{"rubber", 1.0, 0.495, ElementForm::Mixed}};
+  Problems problems;
+  checkElements(
+      block, [](int) { return 0; }, model, problems);
+  TEST_ASSERT(
+      problems.list().size() == 1 &&
+      says(problems.list()[0], "Materials/rubber/Poisson Ratio", "with 4-node tetrahedra in the body 'seal': above 0.49 they lock") &&
+      says(problems.list()[0], "Materials/rubber/Poisson Ratio", "Mesh it with 10-node tetrahedra or hexahedra"));
+}
+
 TEUCHOS_UNIT_TEST(ElasticModel, RefusesTrianglesThatLockAndTellsWhatToChoose) {
   CellBlock block;
   block.cells = {Cell::Quadrilateral4, Cell::Triangle3, Cell::Triangle6, Cell::Triangle3};

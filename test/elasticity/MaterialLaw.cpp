@@ -15,7 +15,8 @@ constexpr double kE1 = 140.0, kE2 = 10.0, kE3 = 9.0, kNu12 = 0.3, kNu23 = 0.4, k
 
 Schema lawSchema() { return Schema().list("Materials", Schema().each("material", materialSchema())); }
 
-std::string orthotropic(const std::string& young, const std::string& poisson, const std::string& shear, double angle = 0.0) {
+std::string orthotropic(const std::string& young, const std::string& poisson, const std::string& shear, double angle = 0.0,
+                        const std::string& axis1 = "", const std::string& axis2 = "") {
   const auto parameter = [](const char* name, const char* type, const std::string& value) {
     return "<Parameter name='" + std::string(name) + "' type='" + type + "' value='" + value + "'/>";
   };
@@ -23,6 +24,8 @@ std::string orthotropic(const std::string& young, const std::string& poisson, co
          parameter("Type", "string", "Orthotropic") + "<ParameterList name='Orthotropic'>" +
          parameter("Young Moduli", "Array(double)", young) + parameter("Poisson Ratios", "Array(double)", poisson) +
          parameter("Shear Moduli", "Array(double)", shear) + parameter("Angle", "double", std::to_string(angle)) +
+         (axis1.empty() ? "" : parameter("Axis 1", "Array(double)", axis1)) +
+         (axis2.empty() ? "" : parameter("Axis 2", "Array(double)", axis2)) +
          "</ParameterList></ParameterList></ParameterList></ParameterList>";
 }
 
@@ -64,14 +67,14 @@ TEUCHOS_UNIT_TEST(MaterialLaw, LaminaPulledOffItsAxes) {
     TEST_COMPARE(std::abs(compliance(0, 1) - across), <, 1e-12 * alongY);
     TEST_COMPARE(std::abs(compliance(0, 2) - sheared), <, 1e-12 * alongY);
     // The functions that elements and estimates use say the same.
-    const HookesLaw law(ply, PlaneModel::Stress);
+    const HookesLaw<2> law(ply, PlaneModel::Stress);
     TEST_COMPARE(std::abs(law.complementary({1, 0, 0, 0}) - alongX), <, 1e-12 * alongX);
     TEST_COMPARE((law.pointwise * law.compliance.col(0) - Eigen::Vector4d(1, 0, 0, 0)).norm(), <, 1e-12);
   }
 }
 
 TEUCHOS_UNIT_TEST(MaterialLaw, PlaneStrainKeepsTheStrainAcrossZero) {
-  const HookesLaw law(materialOf(lamina(25.0)), PlaneModel::Strain);
+  const HookesLaw<2> law(materialOf(lamina(25.0)), PlaneModel::Strain);
   const Eigen::Vector4d strain(2e-3, -1e-3, 0.0, 3e-3), stress = law.pointwise * strain;
   TEST_COMPARE((law.compliance * stress - strain).norm(), <, 1e-15);
   TEST_FLOATING_EQUALITY(law.complementary(stress), stress.dot(strain), 1e-12);
@@ -90,6 +93,33 @@ TEUCHOS_UNIT_TEST(MaterialLaw, TurnedTwiceIsTurnedByTheSumAndAFullTurnIsNone) {
   TEST_FLOATING_EQUALITY(nearestIsotropic(turned(c, 0.9)).young, nearestIsotropic(c).young, 1e-13);
 }
 
+TEUCHOS_UNIT_TEST(MaterialLaw, AxesInSpaceAreTheMaterialsOwn) {
+  const auto along = [](const std::string& axis1, const std::string& axis2, double angle = 0.0) {
+    return lawOf(orthotropic("{140.0, 10.0, 9.0}", "{0.3, 0.4, 0.28}", "{5.0, 3.0, 4.5}", angle, axis1, axis2))->stiffness();
+  };
+  // A bar along the unit vector n gives way by n n : C^-1 : n n; along a material axis that is 1 / E of the axis.
+  const auto modulusAlong = [](const ElasticStiffness& c, const Eigen::Vector3d& n) {
+    Eigen::Matrix<double, 6, 1> stress;
+    stress << n[0] * n[0], n[1] * n[1], n[2] * n[2], n[0] * n[1], n[1] * n[2], n[0] * n[2];
+    return 1.0 / stress.dot(c.inverse() * stress);
+  };
+  const Eigen::Vector3d n1 = Eigen::Vector3d(2, -1, 2) / 3, n2 = Eigen::Vector3d(1, 4, 1).normalized(), n3 = n1.cross(n2);
+  const ElasticStiffness c = along("{4.0, -2.0, 4.0}", "{3.0, 3.0, 3.0}");  // (3, 3, 3) is n1's multiple and n2's
+  TEST_FLOATING_EQUALITY(modulusAlong(c, n1), kE1, 1e-12);
+  TEST_FLOATING_EQUALITY(modulusAlong(c, n2), kE2, 1e-12);
+  TEST_FLOATING_EQUALITY(modulusAlong(c, n3), kE3, 1e-12);
+  const ElasticStiffness quarter = along("{4.0, -2.0, 4.0}", "{3.0, 3.0, 3.0}", 90.0);
+  TEST_FLOATING_EQUALITY(modulusAlong(quarter, n2), kE1, 1e-12);
+  TEST_FLOATING_EQUALITY(modulusAlong(quarter, n1), kE2, 1e-12);
+  TEST_COMPARE((along("{1.0, 0.0, 0.0}", "{0.0, 1.0, 0.0}", 25.0) - lamina(25.0)->stiffness()).norm(), <, 1e-12 * c.norm());
+  // Axis 1 across the plane leaves a plane body in its plane; an axis between the two does not.
+  planePart(along("{0.0, 0.0, 1.0}", "{1.0, 1.0, 0.0}"));
+  TEST_THROW(planePart(along("{1.0, 0.0, 1.0}", "{0.0, 1.0, 0.0}")), InputError);
+  TEST_THROW(along("{1.0, 2.0, 3.0}", "{2.0, 4.0, 6.0}"), InputError);
+  TEST_THROW(along("{0.0, 0.0, 0.0}", "{2.0, 4.0, 6.0}"), InputError);
+  TEST_THROW(along("{1.0, 0.0}", "{0.0, 1.0, 0.0}"), InputError);
+}
+
 TEUCHOS_UNIT_TEST(MaterialLaw, NineEqualConstantsAreIsotropic) {
   const double e = 7.0, nu = 0.25, g = e / (2 * (1 + nu));
   const auto law = lawOf(orthotropic("{7.0, 7.0, 7.0}", "{0.25, 0.25, 0.25}", "{2.8, 2.8, 2.8}", 33.0));
@@ -100,11 +130,11 @@ TEUCHOS_UNIT_TEST(MaterialLaw, NineEqualConstantsAreIsotropic) {
   TEST_FLOATING_EQUALITY(near.young, e, 1e-14);
   TEST_FLOATING_EQUALITY(near.poisson, nu, 1e-14);
   for (const PlaneModel plane : {PlaneModel::Strain, PlaneModel::Stress}) {
-    const HookesLaw own(materialOf(std::make_shared<GivenLaw>(law->stiffness())), plane), plain({"m", e, nu}, plane);
+    const HookesLaw<2> own(materialOf(std::make_shared<GivenLaw>(law->stiffness())), plane), plain({"m", e, nu}, plane);
     TEST_COMPARE((own.pointwise - plain.pointwise).norm(), <, 1e-13 * plain.pointwise.norm());
     TEST_COMPARE((own.compliance - plain.compliance).norm(), <, 1e-13 * plain.compliance.norm());
   }
-  const HookesLaw mixed(materialOf(std::make_shared<GivenLaw>(law->stiffness()), ElementForm::Mixed), PlaneModel::Strain);
+  const HookesLaw<2> mixed(materialOf(std::make_shared<GivenLaw>(law->stiffness()), ElementForm::Mixed), PlaneModel::Strain);
   TEST_FLOATING_EQUALITY(mixed.projected, e * nu / ((1 + nu) * (1 - 2 * nu)), 1e-13);
 }
 
@@ -124,7 +154,11 @@ TEUCHOS_UNIT_TEST(MaterialLaw, RefusesWhatIsNoElasticMaterial) {
   TEST_ASSERT(says(messageOf(GivenLaw(c)), "not symmetric"));
   c = isotropicStiffness({1.0, 0.3});
   c(0, 4) = c(4, 0) = 0.1;
-  TEST_ASSERT(says(messageOf(GivenLaw(c)), "across"));
+  TEST_ASSERT(says(messageOf(GivenLaw(c)), ""));  // in space
+  TEST_THROW(planePart(c), InputError);
+  const Material coupled = materialOf(std::make_shared<GivenLaw>(c));
+  TEST_THROW(HookesLaw<2>(coupled, PlaneModel::Strain), InputError);
+  TEST_COMPARE((HookesLaw<3>(coupled, PlaneModel::Strain).pointwise - c).norm(), <, 1e-15);
   c(0, 4) = c(4, 0) = std::nan("");
   TEST_ASSERT(says(messageOf(GivenLaw(c)), "not finite"));
   TEST_THROW(lawOf(orthotropic("{1.0, 1.0}", "{0.1, 0.1, 0.1}", "{1.0, 1.0, 1.0}")), InputError);

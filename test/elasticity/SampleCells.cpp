@@ -1,4 +1,5 @@
 #include <elasticity/SampleCells.hpp>
+#include <suture/mesh/ShapeFunctions.hpp>
 
 namespace sample {
 
@@ -56,6 +57,57 @@ double polygonArea(const CellBlock& block, int vertices) {
     twice += p[0] * q[1] - p[1] * q[0];
   }
   return 0.5 * twice;
+}
+
+const std::vector<Cell>& solids() {
+  static const std::vector<Cell> all{Cell::Tetrahedron4, Cell::Tetrahedron10, Cell::Hexahedron8, Cell::Hexahedron20,
+                                     Cell::Hexahedron27, Cell::Wedge6,        Cell::Pyramid5};
+  return all;
+}
+
+CellBlock mapped(Cell cell, const std::function<suture::Point(const suture::Point&)>& map) {
+  CellBlock block;
+  block.dimension = 3;
+  block.cells = {cell};
+  const int nodes = suture::cellInfo(cell).nodes;
+  for (int i = 0; i < nodes; ++i) {
+    block.connectivity.push_back(i);
+    const suture::Point p = map(suture::referencePoint(cell, i));
+    block.coordinates.insert(block.coordinates.end(), p.begin(), p.end());
+  }
+  block.offsets = {0, nodes};
+  return block;
+}
+
+CellBlock brick(Cell cell, double a, double b, double c) {
+  const bool simplex = suture::isSimplex(cell), wedge = cell == Cell::Wedge6, pyramid = cell == Cell::Pyramid5;
+  return mapped(cell, [&](const suture::Point& p) -> suture::Point {
+    if (simplex) return {a * p[0], b * p[1], c * p[2]};
+    if (wedge) return {a * p[0], b * p[1], c * (1 + p[2]) / 2};
+    return {a * (1 + p[0]) / 2, b * (1 + p[1]) / 2, pyramid ? c * p[2] : c * (1 + p[2]) / 2};
+  });
+}
+
+CellBlock distortedSolid(Cell cell) {
+  const double bend = suture::isSimplex(cell) ? 0.0 : 1.0;  // products keep the edges of the other cells straight
+  return mapped(cell, [bend](const suture::Point& p) -> suture::Point {
+    const double x = p[0], y = p[1], z = p[2], xy = 0.1 * bend * x * y, yz = 0.12 * bend * y * z, xz = -0.08 * bend * x * z;
+    return {0.3 + 1.1 * x + 0.2 * y - 0.1 * z + xy + yz, -0.2 - 0.15 * x + 0.9 * y + 0.25 * z - yz + xz,
+            0.1 + 0.3 * x - 0.2 * y + 1.2 * z + xy - xz};
+  });
+}
+
+CellBlock curvedSolid(Cell cell) {
+  CellBlock block = distortedSolid(cell);
+  for (int i = suture::cellInfo(cell).vertices; i < block.nodes(); ++i)
+    for (int k = 0; k < 3; ++k) block.coordinates[3 * i + k] += 0.04 * std::sin(3.0 * i + 2.0 * k);
+  return block;
+}
+
+std::vector<suture::Side> sidesOfElement(const CellBlock& block) {
+  std::vector<suture::Side> sides;
+  for (std::size_t s = 0; s < suture::cellInfo(block.cells[0]).sideNodes.size(); ++s) sides.push_back({0, static_cast<int>(s)});
+  return sides;
 }
 
 }  // namespace sample

@@ -1,6 +1,7 @@
 #include <Teuchos_UnitTestHarness.hpp>
 #include <suture/elasticity/ElasticModel.hpp>
 
+#include <support/DenseAlgebra.hpp>
 #include "SampleCells.hpp"
 
 using namespace suture;
@@ -89,6 +90,60 @@ TEUCHOS_UNIT_TEST(Stresses, OfMixedElementsHaveTheMeanPressureOfTheElement) {
     const double lambda = 0.4999 / (1.4999 * 0.0002), mu = 1 / (2 * 1.4999);
     TEST_FLOATING_EQUALITY(s(0, 1), lambda, 1e-10);
     TEST_FLOATING_EQUALITY(s(0, 0), lambda + 2 * mu, 1e-10);
+  }
+}
+
+TEUCHOS_UNIT_TEST(Stresses, InSpaceFollowHookesLaw) {
+  const double e = steel.young, nu = steel.poisson;
+  Eigen::Matrix3d g;
+  g << 1e-3, 2e-4, -3e-4, 5e-4, -4e-4, 1e-4, 7e-4, -6e-4, 2e-4;
+  for (const ElementForm form : {ElementForm::Displacement, ElementForm::Mixed})
+    for (const Cell cell : sample::solids()) {
+      if (cell == Cell::Tetrahedron4 && form == ElementForm::Mixed) continue;
+      for (const CellBlock& block : {sample::distortedSolid(cell), sample::curvedSolid(cell)}) {
+        const Material material{"steel", e, nu, form};
+        Vector u(3 * block.nodes());
+        for (int i = 0; i < block.nodes(); ++i)
+          u.segment<3>(3 * i) = g * Eigen::Map<const Eigen::Vector3d>(block.coordinates.data() + 3 * i);
+        const Vector s = elementStresses(
+                             block, [&](int) -> const Material& { return material; }, PlaneModel::Strain, u)
+                             .row(0)
+                             .transpose();
+        TEST_EQUALITY(s.size(), 6);
+        for (int k = 0; k < 3; ++k)  // strains from stresses
+          TEST_COMPARE(std::abs(((1 + nu) * s[k] - nu * (s[0] + s[1] + s[2])) / e - g(k, k)), <, 1e-15);
+        TEST_COMPARE(std::abs(2 * (1 + nu) / e * s[3] - g(0, 1) - g(1, 0)), <, 1e-15);
+        TEST_COMPARE(std::abs(2 * (1 + nu) / e * s[4] - g(1, 2) - g(2, 1)), <, 1e-15);
+        TEST_COMPARE(std::abs(2 * (1 + nu) / e * s[5] - g(0, 2) - g(2, 0)), <, 1e-15);
+      }
+    }
+}
+
+TEUCHOS_UNIT_TEST(Stresses, HaveThePrincipalValuesOfTheCharacteristicPolynomial) {
+  const Matrix random = dense::random(50, 6, 3);
+  const Matrix principal = principalStresses(random);
+  TEST_EQUALITY(principal.cols(), 9);
+  for (int i = 0; i < random.rows(); ++i) {
+    Eigen::Matrix3d t;
+    t << random(i, 0), random(i, 3), random(i, 5), random(i, 3), random(i, 1), random(i, 4), random(i, 5), random(i, 4), random(i, 2);
+    const double first = t.trace(), second = 0.5 * (first * first - (t * t).trace()),
+                 third = t.row(0).cross(t.row(1)).dot(t.row(2));  // the invariants
+    for (int k = 0; k < 3; ++k) {
+      const double s = principal(i, k);
+      TEST_COMPARE(std::abs(((s - first) * s + second) * s - third), <, 1e-13);
+    }
+    TEST_COMPARE(principal(i, 0), >=, principal(i, 1));
+    TEST_COMPARE(principal(i, 1), >=, principal(i, 2));
+    TEST_COMPARE(std::abs(principal.row(i).head<3>().sum() - first), <, 1e-13);
+    for (const auto& [value, column] : {std::make_pair(0, 3), {2, 6}}) {
+      const Eigen::Vector3d axis = principal.row(i).segment<3>(column);
+      TEST_COMPARE((t * axis - principal(i, value) * axis).norm(), <, 1e-13);
+      TEST_FLOATING_EQUALITY(axis.norm(), 1.0, 1e-13);
+      TEST_FLOATING_EQUALITY(axis.cwiseAbs().maxCoeff(), axis.maxCoeff(), 1e-15);
+    }
+    // von Mises by the second invariant of the deviator.
+    const Eigen::Matrix3d deviator = t - first / 3.0 * Eigen::Matrix3d::Identity();
+    TEST_FLOATING_EQUALITY(vonMises(random.row(i))[0], std::sqrt(1.5) * deviator.norm(), 1e-13);
   }
 }
 

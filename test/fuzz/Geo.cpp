@@ -1,8 +1,8 @@
 // Statements of a .geo file, as they are checked before Gmsh sees them.
 #include "Fuzz.hpp"
 
-#include <suture/mesh/gmsh/GeoStatements.hpp>
-#include <suture/mesh/gmsh/GeoText.hpp>
+#include <suture/reader/gmsh/GeoStatements.hpp>
+#include <suture/reader/gmsh/GeoText.hpp>
 
 using namespace suture;
 

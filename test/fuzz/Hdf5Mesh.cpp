@@ -3,7 +3,7 @@
 #include "Hdf5.hpp"
 
 #include <suture/base/hdf5/Hdf5File.hpp>
-#include <suture/mesh/Hdf5Mesh.hpp>
+#include <suture/reader/Hdf5Mesh.hpp>
 
 using namespace suture;
 
@@ -13,7 +13,8 @@ void write(const std::string& path, fuzz::Bytes bytes) {
   Hdf5File file = Hdf5File::create(fuzz::alone(), path);
   file.addChecksums();
   file.attribute("/", "SutureMesh", std::string(bytes.byte() % 16 == 15 ? "2" : "1"));
-  file.write("/Dimension", std::vector<int>{bytes.byte() % 16 == 15 ? bytes.number() : 2});
+  const int dimension = bytes.byte() % 16;
+  file.write("/Dimension", std::vector<int>{dimension == 15 ? bytes.number() : dimension > 10 ? 3 : 2});
   std::vector<double> places(static_cast<std::size_t>(bytes.byte()));
   for (double& x : places) x = bytes.real();
   file.write("/Coordinates", places);
@@ -21,7 +22,8 @@ void write(const std::string& path, fuzz::Bytes bytes) {
   const std::vector<int> cells = bytes.numbers(), connectivity = bytes.numbers();
   std::vector<int> offsets{0};
   if (bytes.byte() % 2 == 0)
-    for (const int cell : cells) offsets.push_back(offsets.back() + (cell == 0 ? 3 : cell == 1 ? 6 : cell == 2 ? 4 : cell == 3 ? 8 : 9));
+    for (const int cell : cells)
+      offsets.push_back(offsets.back() + (cell >= 0 && cell < kCells ? cellInfo(static_cast<Cell>(cell)).nodes : 9));
   else
     offsets = bytes.numbers();
   file.write("/Cells", cells);

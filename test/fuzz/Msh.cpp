@@ -1,7 +1,7 @@
 // A mesh file of Gmsh, text or binary.
 #include "Fuzz.hpp"
 
-#include <suture/mesh/gmsh/GmshReader.hpp>
+#include <suture/reader/gmsh/GmshReader.hpp>
 
 using namespace suture;
 

@@ -1,8 +1,10 @@
+#include <suture/mesh/CellGeometry.hpp>
 #include <suture/mesh/Generators.hpp>
 
 #include <Teuchos_UnitTestHarness.hpp>
 
-#include "MeshTesting.hpp"
+#include <mesh/ReferenceCells.hpp>
+#include <reader/MeshTesting.hpp>
 
 using namespace suture;
 using meshtesting::problemsOf;
@@ -97,6 +99,57 @@ TEUCHOS_UNIT_TEST(AssignBodies, AcceptsSlivers) {
   Mesh mesh = twoSquares();
   for (std::size_t i = 1; i < mesh.coordinates.size(); i += 2) mesh.coordinates[i] *= 1e-7;
   TEST_EQUALITY(saidOf(mesh), "no error");
+}
+
+TEUCHOS_UNIT_TEST(AssignBodies, ChecksTheShapesOfCellsInSpace) {
+  for (const Cell cell : referencecells::solid) {
+    Box lower, upper;
+    lower.name = "lower", lower.cell = cell;
+    lower.nx = lower.ny = lower.nz = 2;
+    upper = lower;
+    upper.name = "upper", upper.z0 = 1, upper.z1 = 2;
+    const Mesh mesh = boxes({lower, upper});
+    TEST_EQUALITY(saidOf(mesh), "no error");
+    Mesh slivers = mesh;
+    for (std::size_t i = 2; i < slivers.coordinates.size(); i += 3) slivers.coordinates[i] *= 1e-7;
+    TEST_EQUALITY(saidOf(slivers), "no error");
+    Mesh mirrored = mesh;
+    for (std::size_t i = 1; i < mirrored.coordinates.size(); i += 3) mirrored.coordinates[i] *= -1;
+    SUTURE_CHECK_SAYS(saidOf(mirrored), std::to_string(mesh.elements()) + " inverted elements (the first at (");
+    SUTURE_CHECK_SAYS(saidOf(mirrored), "has the volume -0.");
+    Mesh flat = mesh;
+    for (std::size_t i = 2; i < flat.coordinates.size(); i += 3) flat.coordinates[i] = 0;
+    SUTURE_CHECK_SAYS(saidOf(flat), std::to_string(mesh.elements()) + " elements without volume (the first at (");
+  }
+}
+
+// Most elements are accepted without their least determinant, by a bound on it: never one whose least determinant is not positive.
+TEUCHOS_UNIT_TEST(AssignBodies, AcceptsExactlyThoseCellsInSpaceWhoseLeastDeterminantIsPositive) {
+  std::mt19937 random(11);
+  int accepted = 0, refused = 0;
+  for (const Cell cell : referencecells::solid)
+    for (int k = 0; k < 60; ++k) {
+      Mesh mesh;
+      static_cast<CellBlock&>(mesh) = referencecells::image(cell, {{1, 0, 0}, {0.3, 1, 0}, {0, 0.2, 1}});
+      mesh.elementGroups["lower"] = {0};
+      for (double& x : mesh.coordinates) x += 0.005 * k * (random() / 2147483648.0 - 1);
+      const bool isSound = saidOf(mesh, {"lower"}) == "no error";
+      TEST_EQUALITY(isSound, smallestJacobian(mesh, 0) > 1e-9);
+      ++(isSound ? accepted : refused);
+    }
+  TEST_COMPARE(accepted, >, 100);
+  TEST_COMPARE(refused, >, 20);
+}
+
+TEUCHOS_UNIT_TEST(AssignBodies, NamesTangledCellsInSpace) {
+  Mesh mesh;
+  static_cast<CellBlock&>(mesh) = referencecells::image(Cell::Hexahedron8, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {0, 0, 0});
+  mesh.elementGroups["lower"] = {0};
+  for (int k = 0; k < 3; ++k) mesh.coordinates[3 * 6 + k] = -0.5;
+  SUTURE_CHECK_SAYS(saidOf(mesh, {"lower"}), "1 tangled element (at (-0.5, -0.5, -0.5)); in element 0 (Hexahedron8) the determinant");
+  SUTURE_CHECK_SAYS(saidOf(mesh, {"lower"}), "its vertices are too far from those of a convex cell");
+  SUTURE_CHECK_SAYS(saidOf(mesh, {"lowr"}), "no such volume group 'lowr'. Did you mean 'lower'?");
+  SUTURE_CHECK_SAYS(saidOf(mesh, {}), "in none of the bodies (). Volume groups: lower");
 }
 
 TEUCHOS_UNIT_TEST(Mesh, HashSeesEveryChangeAndNothingElse) {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <set>
 
-#include "MeshTesting.hpp"
+#include <reader/MeshTesting.hpp>
 
 using namespace suture;
 
@@ -23,7 +23,7 @@ Box box(const std::string& name, double y0, double y1, Cell cell = Cell::Triangl
 
 double areaOf(const Mesh& mesh, const std::vector<int>& elements) {
   double sum = 0;
-  for (const int e : elements) sum += signedArea(mesh, e);
+  for (const int e : elements) sum += signedSize(mesh, e);
   return sum;
 }
 

@@ -4,7 +4,7 @@
 
 #include <Teuchos_UnitTestHarness.hpp>
 
-#include "MeshTesting.hpp"
+#include <reader/MeshTesting.hpp>
 
 using namespace suture;
 

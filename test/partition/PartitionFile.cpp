@@ -2,12 +2,12 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <mesh/MeshTesting.hpp>
+#include <reader/MeshTesting.hpp>
 #include <suture/base/Buffer.hpp>
 #include <suture/base/Collective.hpp>
-#include <suture/mesh/Hdf5Mesh.hpp>
 #include <suture/partition/PartitionFile.hpp>
 #include <suture/partition/SubdomainBytes.hpp>
+#include <suture/reader/Hdf5Mesh.hpp>
 
 #include "Scenes.hpp"
 

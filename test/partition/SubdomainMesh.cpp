@@ -65,8 +65,8 @@ TEUCHOS_UNIT_TEST(SubdomainMesh, CoversTheBodiesOnce) {
   double area = 0, moment = 0, nodesByShares = 0;
   for (const SubdomainMesh& part : scene.mine) {
     for (int e = 0; e < part.elements(); ++e) {
-      area += signedArea(part, e);
-      moment += signedArea(part, e) * centreOf(part, e)[1];
+      area += signedSize(part, e);
+      moment += signedSize(part, e) * centreOf(part, e)[1];
     }
     // A node counts 1 over the number of its holders.
     for (int i = 0; i < part.nodes(); ++i) nodesByShares += 1.0 / (1.0 + part.others(i).size());

@@ -106,7 +106,7 @@ TEUCHOS_UNIT_TEST(ClusterCoarse, IsSymmetricAndWithinItsAccuracyOnAnyNumberOfRan
 /// Average displacements of each edge, and how often they were asked for.
 class CountedAverages : public MomentConstraints {
  public:
-  explicit CountedAverages(int& calls) : MomentConstraints(false), calls_(calls) {}
+  explicit CountedAverages(int& calls) : MomentConstraints(First::Nowhere), calls_(calls) {}
 
  protected:
   PrimalChoice doChoose(const InterfaceSpace& space, const LocalProblems& locals, const Weighting& weighting) const override {

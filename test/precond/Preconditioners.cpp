@@ -66,6 +66,7 @@ Lanczos conjugateGradients(const Operator& s, const Operator& m, const Interface
   }
   const Vector values = eigenvalues(t);
   result.condition = values(n - 1) / values(0);
+  result.least = values(0);
   return result;
 }
 

@@ -19,9 +19,9 @@ Teuchos::RCP<Preconditioner> bddc(const Teuchos::RCP<const InterfaceOperator>& m
 
 struct Lanczos {
   int iterations = 0;
-  double condition = 0.0;
-  std::vector<Matrix> iterates;   // own unknowns after each step, from zero
-  std::vector<double> residuals;  // preconditioned ones after each step, relative to the first
+  double condition = 0.0, least = 0.0;  // and the smallest eigenvalue
+  std::vector<Matrix> iterates;         // own unknowns after each step, from zero
+  std::vector<double> residuals;        // preconditioned ones after each step, relative to the first
 };
 
 /// Conjugate gradients, written out, until the preconditioned residual has fallen by 1e-10; the condition of M^-1 S from their Lanczos

@@ -7,7 +7,7 @@ using namespace suture::blocks;
 
 TEUCHOS_UNIT_TEST(PrimalRows, PrimalUnknownsMoveWithRigidBodies) {
   const Interface one(clampedSquare(3, 4), world());
-  const PrimalChoice choice = rigidModeConstraints()->choose(*one.space, one.linearised.matrix->locals(),
+  const PrimalChoice choice = automaticConstraints()->choose(*one.space, one.linearised.matrix->locals(),
                                                              *Registry<Weighting>::instance().make("Multiplicity", Parameters()));
   const std::vector<PrimalRows> all = primalRows(*one.space, choice, true);
   const double translation[2] = {0.3, -0.7}, turn = 1.9;  // about the origin

@@ -130,8 +130,9 @@ TEUCHOS_UNIT_TEST(StiffTraces, AddNothingToScenesThatAreNotNearlyIncompressible)
   const InterfaceOperator& matrix = *one.linearised.matrix;
   const auto weighting = Registry<Weighting>::instance().make("Stiffness Diagonal", Parameters());
   weighting->setup(*one.space, matrix.locals());
-  const PrimalChoice plain = MomentConstraints(true).choose(*one.space, matrix.locals(), *weighting);
-  const PrimalChoice same = StiffTraces(std::make_unique<MomentConstraints>(true)).choose(*one.space, matrix.locals(), *weighting);
+  const PrimalChoice plain = MomentConstraints(MomentConstraints::First::Everywhere).choose(*one.space, matrix.locals(), *weighting);
+  const PrimalChoice same = StiffTraces(std::make_unique<MomentConstraints>(MomentConstraints::First::Everywhere))
+                                .choose(*one.space, matrix.locals(), *weighting);
   TEST_ASSERT(same.rows == plain.rows && same.alone == plain.alone);
   for (const auto& local : matrix.locals()) TEST_EQUALITY(stiffTraces(*local).cols(), 0);
 }

@@ -17,19 +17,21 @@ struct ForcesCase {
   ForcesCase(Cell cell, ElementForm form, PlaneModel model, bool revolved) : plane(model) {
     Box box;
     box.x1 = 2;
-    box.nx = 5;
-    box.ny = 3;
+    box.nx = dimensionOf(cell) == 2 ? 5 : 3;
+    box.ny = dimensionOf(cell) == 2 ? 3 : 2;
+    box.nz = 2;
     box.cell = cell;
     mesh = boxes({box});
     mesh.axisymmetric = revolved;
     material = {"rubber", 3.0, form == ElementForm::Mixed ? 0.4999 : 0.3, form};
     std::mt19937 random(7);
     std::uniform_real_distribution<double> any(-0.02, 0.02);
-    u = Vector::Zero(2 * mesh.nodes());
+    const int d = mesh.dimension;
+    u = Vector::Zero(d * mesh.nodes());
     for (int node = 0; node < mesh.nodes(); ++node)
-      for (int k = 0; k < 2; ++k) {
-        if (mesh.coordinates[2 * node] > 0.0) mesh.coordinates[2 * node + k] += any(random);
-        u[2 * node + k] = any(random);
+      for (int k = 0; k < d; ++k) {
+        if (mesh.coordinates[d * node] > 0.0) mesh.coordinates[d * node + k] += any(random);
+        u[d * node + k] = any(random);
       }
   }
   Vector byMatrices(const Vector& u, Vector* diagonal = nullptr) const {
@@ -37,9 +39,10 @@ struct ForcesCase {
     if (diagonal) *diagonal = f;
     elementStiffnesses(mesh, materialOf, plane, [&](int element, ConstLocalView k) {
       const Span<const int> nodes = mesh.nodesOf(element);
+      const int d = mesh.dimension;
       for (int i = 0; i < k.rows(); ++i) {
-        const int row = 2 * nodes[i / 2] + i % 2;
-        for (int j = 0; j < k.cols(); ++j) f[row] += k(i, j) * u[2 * nodes[j / 2] + j % 2];
+        const int row = d * nodes[i / d] + i % d;
+        for (int j = 0; j < k.cols(); ++j) f[row] += k(i, j) * u[d * nodes[j / d] + j % d];
         if (diagonal) (*diagonal)[row] += k(i, i);
       }
     });
@@ -48,10 +51,12 @@ struct ForcesCase {
 };
 
 void forAllCases(const std::function<void(ForcesCase&)>& each) {
-  for (const Cell cell : {Cell::Triangle3, Cell::Triangle6, Cell::Quadrilateral4, Cell::Quadrilateral8, Cell::Quadrilateral9})
+  for (int number = 0; number < kCells; ++number)
     for (const ElementForm form : {ElementForm::Displacement, ElementForm::Mixed})
       for (const bool revolved : {false, true}) {
-        if (form == ElementForm::Mixed && cell == Cell::Triangle3) continue;
+        const auto cell = static_cast<Cell>(number);
+        if (form == ElementForm::Mixed && (cell == Cell::Triangle3 || cell == Cell::Tetrahedron4)) continue;
+        if (revolved && dimensionOf(cell) == 3) continue;
         ForcesCase one(cell, form, PlaneModel::Strain, revolved);
         each(one);
       }
@@ -66,7 +71,7 @@ TEUCHOS_UNIT_TEST(ElementForces, AreThoseOfTheElementMatrices) {
     const ElementForces forces = elementForces(one.mesh, one.materialOf, one.plane, one.u);
     TEST_COMPARE((forces.internal - expected).norm(), <, 1e-12 * expected.norm());
     for (int node = 0; node < one.mesh.nodes(); ++node) {
-      const double mean = 0.5 * (diagonal[2 * node] + diagonal[2 * node + 1]);
+      const double mean = diagonal.segment(one.mesh.dimension * node, one.mesh.dimension).mean();
       TEST_COMPARE(forces.stiffness[node], <, 4 * mean);
       TEST_COMPARE(forces.stiffness[node], >, mean / 4);
     }
@@ -78,10 +83,9 @@ TEUCHOS_UNIT_TEST(ElementForces, ATranslationCostsNothing) {
     const ElementForces still = elementForces(one.mesh, one.materialOf, one.plane, one.u);
     // whole numbers carried by a power of two: nothing is rounded
     Vector u = (one.u * 1024).array().round().matrix(), moved = u;
-    for (int node = 0; node < one.mesh.nodes(); ++node) {
-      if (!one.mesh.axisymmetric) moved[2 * node] += std::ldexp(1.0, 40);
-      moved[2 * node + 1] -= std::ldexp(1.0, 40);
-    }
+    for (int node = 0; node < one.mesh.nodes(); ++node)
+      for (int k = one.mesh.axisymmetric ? 1 : 0; k < one.mesh.dimension; ++k)
+        moved[one.mesh.dimension * node + k] += k == 1 ? -std::ldexp(1.0, 40) : std::ldexp(1.0, 40);
     const ElementForces there = elementForces(one.mesh, one.materialOf, one.plane, moved);
     const Vector here = elementForces(one.mesh, one.materialOf, one.plane, u).internal;
     TEST_COMPARE((there.internal - here).norm(), <=, 1e-11 * here.norm());
@@ -101,7 +105,8 @@ TEUCHOS_UNIT_TEST(ElementForces, RoundingBoundsWhatRoundedDisplacementsDo) {
     const ElementForces rounded = elementForces(one.mesh, one.materialOf, one.plane, far);
     double worst = 0.0;
     for (int node = 0; node < one.mesh.nodes(); ++node)
-      worst = std::max(worst, (rounded.internal - exact).segment<2>(2 * node).norm() / rounded.rounding[node]);
+      worst = std::max(worst,
+                       (rounded.internal - exact).segment(one.mesh.dimension * node, one.mesh.dimension).norm() / rounded.rounding[node]);
     TEST_COMPARE(worst, <, 1.5);
     TEST_COMPARE(worst, >, 1e-3);  // nor is it a bound that says nothing
   });

@@ -88,7 +88,7 @@ double exactError(const Mesh& mesh, const Material& material, const Vector& u, c
   double square = 0.0;
   for (int e = 0; e < mesh.elements(); ++e) {
     const ReferenceElement& rule = referenceElement(mesh.cells[e], Rule::Data);
-    ElementMap map(mesh, e, rule);
+    ElementMap<2> map(mesh, e, rule);
     const auto nodes = mesh.nodesOf(e);
     for (int q = 0; q < rule.points; ++q) {
       map.at(q);

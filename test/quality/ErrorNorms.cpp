@@ -26,9 +26,9 @@ BodyErrors against(const ExactFields& exact, const Mesh& mesh, const Vector& dis
 
 const std::vector<Cell> allCells{Cell::Triangle3, Cell::Triangle6, Cell::Quadrilateral4, Cell::Quadrilateral8, Cell::Quadrilateral9};
 
-ExactSolution read(const std::vector<std::string>& settings, Problems& problems) {
+ExactSolution read(const std::vector<std::string>& settings, Problems& problems, int dimension = 2) {
   const auto file = parseScene("<ParameterList/>", "scene.xml", Schema().list("Exact Solution", exactSolutionSchema()), settings);
-  return readExactSolution(file.parameters->sublist("Exact Solution"), {"upper", "lower"}, {{"q", 3.0}}, problems);
+  return readExactSolution(file.parameters->sublist("Exact Solution"), {"upper", "lower"}, dimension, {{"q", 3.0}}, problems);
 }
 
 }  // namespace
@@ -86,18 +86,50 @@ TEUCHOS_UNIT_TEST(ErrorNorms, SideMassIsTheKnownMatrix) {
   two << 2, 1, 1, 2;
   three << 4, -1, 2, -1, 4, 2, 2, 2, 16;
   const double length = 5.0;  // length of (3, 4)
-  TEST_COMPARE((sideMass({{1, 1, 0}, {4, 5, 0}}) - length / 6 * two).norm(), <, 1e-13);
-  TEST_COMPARE((sideMass({{1, 1, 0}, {4, 5, 0}, {2.5, 3, 0}}) - length / 30 * three).norm(), <, 1e-13);
+  TEST_COMPARE((sideMass({{1, 1, 0}, {4, 5, 0}}, 2) - length / 6 * two).norm(), <, 1e-13);
+  TEST_COMPARE((sideMass({{1, 1, 0}, {4, 5, 0}, {2.5, 3, 0}}, 2) - length / 30 * three).norm(), <, 1e-13);
 }
 
 TEUCHOS_UNIT_TEST(ErrorNorms, AlongASideAreIntegralsOverItsLength) {
   // p = x on a side from (0, 0) to (3, 4), x = 3 s / 5: integral of x^2 ds = 15
-  const SquaredNorms zero = sideErrors({{0, 0, 0}, {3, 4, 0}}, Vector::Zero(2), Expression("x"));
+  const SquaredNorms zero = sideErrors({{0, 0, 0}, {3, 4, 0}}, 2, Vector::Zero(2), Expression("x"));
   TEST_FLOATING_EQUALITY(zero.error, 15.0, 1e-13);
   TEST_FLOATING_EQUALITY(zero.exact, 15.0, 1e-13);
   Vector values(2);
   values << 0, 3;
-  TEST_COMPARE(sideErrors({{0, 0, 0}, {3, 4, 0}}, values, Expression("x")).error, <, 1e-28);
+  TEST_COMPARE(sideErrors({{0, 0, 0}, {3, 4, 0}}, 2, values, Expression("x")).error, <, 1e-28);
+}
+
+TEUCHOS_UNIT_TEST(ErrorNorms, OverAFaceAreIntegralsOverItsArea) {
+  // p = x + y on the triangle (0, 0, 0), (1, 0, 1), (0, 1, 0), of which a unit of area in x and y has sqrt(2): integral of p^2 1/4 sqrt(2).
+  const std::vector<Point> triangle{{0, 0, 0}, {1, 0, 1}, {0, 1, 0}};
+  const SquaredNorms zero = sideErrors(triangle, 3, Vector::Zero(3), Expression("x + y"));
+  TEST_FLOATING_EQUALITY(zero.error, std::sqrt(2.0) / 4, 1e-13);
+  Matrix mass(3, 3);
+  mass << 2, 1, 1, 1, 2, 1, 1, 1, 2;
+  TEST_COMPARE((sideMass(triangle, 3) - std::sqrt(2.0) / 24 * mass).norm(), <, 1e-14);
+  Vector values(3);
+  values << 0, 1, 1;
+  TEST_COMPARE(sideErrors(triangle, 3, values, Expression("x + y")).error, <, 1e-28);
+}
+
+TEUCHOS_UNIT_TEST(ExactSolution, HasThreeAndSixComponentsInSpace) {
+  std::vector<std::string> settings;
+  for (const char* name :
+       {"Displacement x", "Displacement y", "Displacement z", "Stress xx", "Stress yy", "Stress zz", "Stress xy", "Stress yz", "Stress xz"})
+    settings.push_back("Exact Solution/" + std::string(name) + "=" + std::to_string(settings.size()) + "*x");
+  Problems problems;
+  const ExactSolution exact = read(settings, problems, 3);
+  problems.throwIfAny();
+  for (std::size_t k = 0; k < 3; ++k) TEST_EQUALITY(exact.ofBody[0].displacement.at(k).at({2, 0, 0}), 2.0 * double(k));
+  for (std::size_t k = 0; k < 6; ++k) TEST_EQUALITY(exact.ofBody[0].stress.at(k).at({1, 0, 0}), 3.0 + double(k));
+  Problems missing, plane;
+  settings.pop_back();
+  read(settings, missing, 3);
+  TEST_EQUALITY(missing.list().at(0).path, "Exact Solution/Stress xz");
+  read(settings, plane, 2);
+  TEST_EQUALITY(plane.list().at(0).path, "Exact Solution/Displacement z");
+  TEST_EQUALITY(plane.list().at(0).message, "is of a scene in space (Model = Solid); this one is plane");
 }
 
 TEUCHOS_UNIT_TEST(ExactSolution, MayDifferFromBodyToBody) {

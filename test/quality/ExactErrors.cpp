@@ -7,9 +7,9 @@
 #include <suture/base/Collective.hpp>
 #include <suture/constraints/BuildConstraints.hpp>
 #include <suture/interface/Formulation.hpp>
-#include <suture/mesh/MeshReader.hpp>
 #include <suture/quality/ExactErrors.hpp>
 #include <suture/quality/PressureField.hpp>
+#include <suture/reader/MeshReader.hpp>
 #include <suture/report/SceneSchema.hpp>
 #include <suture/solver/Method.hpp>
 

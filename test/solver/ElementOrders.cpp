@@ -72,7 +72,7 @@ BendingErrors errorsOf(Cell cell, int cells, double poisson = 0.3, ElementForm f
   };
   BendingErrors squares{0, 0};
   for (int e = 0; e < mesh.elements(); ++e) {
-    ElementMap map(mesh, e, rule);
+    ElementMap<2> map(mesh, e, rule);
     double area = 0;
     for (int q = 0; q < rule.points; ++q) {
       map.at(q);

@@ -1,7 +1,9 @@
 // A fine mesh that begins with a coarse one's answer.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <interface/DenseSpace.hpp>
+#include <quality/SolidScenes.hpp>
 #include <solver/ContactMethods.hpp>
+#include <suture/base/Point.hpp>
 #include <suture/solver/SolveInterface.hpp>
 #include <suture/solver/nested/NestedStart.hpp>
 
@@ -57,6 +59,28 @@ TEUCHOS_UNIT_TEST(NestedStart, InterpolatesLinearFieldsOfEachBodyExactly) {
     for (std::size_t i = 0; i < points.size(); ++i)
       for (int k = 0; k < 2; ++k) error = std::max(error, std::abs(values(int(i), k) - linear(bodies[i], points[i])[k]));
     TEST_COMPARE(error, <, 1e-12);
+  }
+}
+
+/// Between meshes of other cells in space; points just outside, too.
+TEUCHOS_UNIT_TEST(NestedStart, InterpolatesLinearFieldsInSpaceExactly) {
+  const auto field = [](const Point& p) { return Point{1 + p[0] - 2 * p[1] + p[2], 0.5 * p[0] + p[2], p[1] - 3 * p[2]}; };
+  const auto fine = solids::distributed(solids::fromBoxes({solids::cube(Cell::Hexahedron20, 4, 2)}, 1.0, 0.3));
+  std::vector<Point> points;
+  for (const SubdomainMesh& mesh : fine)
+    for (int node = 0; node < mesh.nodes(); ++node)
+      for (const double size : {1.0, 1.05}) points.push_back(scaled(size, mesh.point(node)));
+  for (const Cell cell : solids::cells()) {
+    scenes::Scene scene = solids::fromBoxes({solids::cube(cell, 3)}, 1.0, 0.3);
+    solids::distort(scene.mesh, 0.03);
+    CoarseAnswer coarse;
+    coarse.meshes = solids::distributed(scene);
+    coarse.solution.displacement = solids::atNodes(coarse.meshes, field);
+    const Matrix values = interpolate(*world(), coarse, points, std::vector<int>(points.size(), 0));
+    double error = 0.0;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      for (int k = 0; k < 3; ++k) error = std::max(error, std::abs(values(int(i), k) - field(points[i])[std::size_t(k)]));
+    TEST_COMPARE(error, <, 1e-11);
   }
 }
 

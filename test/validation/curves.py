@@ -5,9 +5,11 @@ import numpy as np
 
 
 def along(c, name):
-    """Coordinate of the points of a contact file: x, y, the angle about the origin in degrees, or the arc length."""
+    """Coordinate of the points of a contact file: x, y, the angle about the origin in degrees, the radius there, or the arc length."""
     if name == "angle":
         return np.degrees(np.arctan2(c.points[:, 1], c.points[:, 0]))
+    if name == "radius":
+        return np.hypot(c.points[:, 0], c.points[:, 1])
     return c.point["ArcLength"] if name == "arc" else c.points[:, "xy".index(name)]
 
 

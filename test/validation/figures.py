@@ -3,6 +3,7 @@
 figure("hertz.fittedPressure", folder) reads folder/fields_0000.vtkhdf and folder/contact_0000.vtkhdf. Signs as in the files: tension
 positive, contact pressure > 0 where it presses, gap > 0 where open.
 """
+import itertools
 import json
 import math
 import os
@@ -14,14 +15,18 @@ import numpy as np
 import curves
 
 
-class Fields:
-    """One VTKHDF file with the pieces of all ranks joined."""
+VTK_DIMENSIONS = {1: 0, 3: 1, 21: 1, 5: 2, 9: 2, 22: 2, 23: 2, 28: 2}  # of VTK's types of cells; all others are solids
 
-    def __init__(self, path):
+
+class Fields:
+    """One VTKHDF file with the pieces of all ranks joined. `dimension`: of the scene, that of the cells or, of contact, one more."""
+
+    def __init__(self, path, codimension=0):
         with h5py.File(path, "r") as file:
             root = file["VTKHDF"]
             counts = {name: np.asarray(root[name]) for name in ("NumberOfPoints", "NumberOfCells", "NumberOfConnectivityIds")}
-            self.points = np.asarray(root["Points"])[:, :2]
+            self.dimension = max([2, *(VTK_DIMENSIONS.get(t, 3) + codimension for t in np.unique(root["Types"]).tolist())])
+            self.points = np.asarray(root["Points"])[:, :self.dimension]
             self.point = {name: np.asarray(data) for name, data in root.get("PointData", {}).items()}
             self.cell = {name: np.asarray(data) for name, data in root.get("CellData", {}).items()}
             offsets, ids = np.asarray(root["Offsets"]), np.asarray(root["Connectivity"])
@@ -41,23 +46,40 @@ def fields(folder):
 
 
 def contact(folder):
-    return Fields(os.path.join(folder, "contact_0000.vtkhdf"))
+    return Fields(os.path.join(folder, "contact_0000.vtkhdf"), codimension=1)
 
 
-# --- V1: patch test of two blocks, the whole turned by `angle` degrees: sigma = -pressure n x n everywhere, n = (-sin, cos) ---
+def ofBodies(f, values):
+    """[(places, values)] of the nodes of each body; bodies share no node."""
+    body = f.cell["Body"].astype(int)
+    return [(f.points[nodes], values[nodes]) for nodes in
+            (np.unique(np.concatenate([f.cells[i] for i in np.flatnonzero(body == b)])) for b in np.unique(body))]
+
+
+# --- V1, V14: patch test of two blocks, the whole turned by `angle` degrees, in space about `axis`: sigma = -pressure n x n everywhere, n
+# the axis that was y, in space z ---
+
+def rotation(dimension, angle=0, axis=(0, 0, 1)):
+    """Matrix of a turn by so many degrees, in space about an axis of any length (Rodrigues)."""
+    c, s = math.cos(math.radians(angle)), math.sin(math.radians(angle))
+    if dimension == 2:
+        return np.array([[c, -s], [s, c]])
+    x, y, z = k = np.asarray(axis, dtype=float) / np.linalg.norm(axis)
+    return c * np.eye(3) + (1 - c) * np.outer(k, k) + s * np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
+
 
 def turned(angle):
     """Unit vectors along and across the joint."""
-    c, s = math.cos(math.radians(angle)), math.sin(math.radians(angle))
-    return np.array([c, s]), np.array([-s, c])
+    return rotation(2, angle).T
 
 
-def patch_stressError(folder, _, pressure=1e5, angle=0):
+def patch_stressError(folder, _, pressure=1e5, **turn):
     """Largest deviation of any stress component, over the pressure."""
-    stress = fields(folder).cell["Stress"]  # XX YY ZZ XY YZ XZ
-    _, n = turned(angle)
-    expected = np.array([-n[0] * n[0], -n[1] * n[1], 0, -n[0] * n[1], 0, 0]) * pressure
-    return float(np.abs(stress - expected).max() / pressure)
+    f = fields(folder)
+    n = np.zeros(3)
+    n[:f.dimension] = rotation(f.dimension, **turn)[:, -1]
+    expected = -pressure * np.array([n[i] * n[j] for i, j in ((0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (0, 2))])
+    return float(np.abs(f.cell["Stress"] - expected).max() / pressure)
 
 
 def patch_displacementError(folder, _, pressure=1e5, angle=0, youngBelow=2e6, youngAbove=2e6):
@@ -70,6 +92,20 @@ def patch_displacementError(folder, _, pressure=1e5, angle=0, youngBelow=2e6, yo
     onJoint = np.abs(eta) < 1e-9
     wrong = np.where(onJoint, np.minimum(np.abs(un - below), np.abs(un - above)), np.abs(un - np.where(eta < 0, below, above)))
     return float(max(np.abs(u @ t).max(), wrong.max()) / 0.1)
+
+
+def patch_contractionError(folder, _, pressure=1e5, below=2e6, above=2e6, poisson=0.3, depth=0.5, **turn):
+    """The same of blocks in space that stand on z = -depth, slide along x = 0 and y = 0 and are free elsewhere (before the turn): over the
+    largest u. `below`, `above`: Young's moduli."""
+    f, worst, largest = fields(folder), 0.0, 0.0
+    r = rotation(3, **turn)
+    for places, u in ofBodies(f, f.point["Displacement"]):
+        x = places @ r
+        young, under = (above, -pressure * depth / below) if x[:, 2].mean() > 0 else (below, -pressure * depth / below)
+        expected = np.stack([poisson * x[:, 0], poisson * x[:, 1], -x[:, 2]], axis=1) * pressure / young
+        expected[:, 2] += under
+        worst, largest = max(worst, np.abs(u @ r - expected).max()), max(largest, np.linalg.norm(expected, axis=1).max())
+    return float(worst / largest)
 
 
 def patch_pressureError(folder, _, pressure=1e5):
@@ -135,10 +171,15 @@ def rings_effectivity(folder, _):
 
 # --- V3: Hertz, fit of p^2 = p0^2 (1 - x^2 / a^2) over |x| < 0.8 a ---
 
+def fromTheMiddle(c):
+    """Distance of the points of a contact from x = 0, in space from the axis x = y = 0."""
+    return np.linalg.norm(c.points[:, :c.dimension - 1], axis=1)
+
+
 def hertzFit(folder, halfWidth=0.96277):
     c = contact(folder)
-    x, p = c.points[:, 0], c.point["ContactPressure"]
-    use = np.abs(x) < 0.8 * halfWidth
+    x, p = fromTheMiddle(c), c.point["ContactPressure"]
+    use = x < 0.8 * halfWidth
     slope, constant = np.polyfit(x[use] ** 2, p[use] ** 2, 1)
     return math.sqrt(constant), math.sqrt(-constant / slope)
 
@@ -153,7 +194,7 @@ def hertz_fittedHalfWidth(folder, _, **options):
 
 def hertz_centrePressure(folder, _):
     c = contact(folder)
-    return float(c.point["ContactPressure"][np.argmin(np.abs(c.points[:, 0]))])
+    return float(c.point["ContactPressure"][np.argmin(fromTheMiddle(c))])
 
 
 # The same with nu = 0.4999, which makes the bodies stiffer
@@ -168,12 +209,12 @@ def hertzRubber_fittedHalfWidth(folder, _):
 
 # The same of a sphere: p^2 = p0^2 (1 - r^2 / a^2), a = 1 in input/hertz_sphere
 
-def sphere_fittedPressure(folder, _):
-    return hertzFit(folder, 1.0)[0]
+def sphere_fittedPressure(folder, _, radius=1.0):
+    return hertzFit(folder, radius)[0]
 
 
-def sphere_fittedRadius(folder, _):
-    return hertzFit(folder, 1.0)[1]
+def sphere_fittedRadius(folder, _, radius=1.0):
+    return hertzFit(folder, radius)[1]
 
 
 def sphere_centrePressure(folder, _):
@@ -231,6 +272,13 @@ def statics_moment(folder, _):
     c = contact(folder)
     f = c.point["ContactForce"][:, None] * c.point["Normal"]
     return float(np.sum(c.points[:, 0] * f[:, 1] - c.points[:, 1] * f[:, 0]))
+
+
+def statics_force(folder, _, along, above=-math.inf, below=math.inf):
+    """Sum of the pair forces at points whose coordinate `along` (x, y, z) lies between two values."""
+    c = contact(folder)
+    at = c.points[:, "xyz".index(along)]
+    return float(c.point["ContactForce"][(at > above) & (at < below)].sum())
 
 
 # --- V8: the tunnel (centre (60, 39.5), radius 6, fault leaning 25 degrees) ---
@@ -379,22 +427,23 @@ def difference_status(folder, reference):
     return len(a.keys() ^ b.keys()) + sum(int(a[k] != b[k]) for k in a.keys() & b.keys())
 
 
-# --- V10: what a change of the scene does to its solution. A point x of the reference is now at length R(angle) x + shift. ---
+# --- V10: what a change of the scene does to its solution. A point x of the reference is now at length R(angle, axis) x + shift. ---
 
-def located(points, angle=0, length=1, shift=(0, 0)):
+def located(points, length=1, shift=0, **turn):
     """Places as keys: the points moved back to where the reference has them, rounded to 1e-6 of the scene."""
-    back = (points - np.asarray(shift)) / length @ np.column_stack(turned(angle))
+    back = (points - np.asarray(shift)) / length @ rotation(points.shape[1], **turn)
     step = 1e-6 * np.ptp(back, axis=0).max()
     return [tuple(k) for k in np.round(back / step).astype(int).tolist()]
 
 
-def matched(found, expected):
-    """Pairs of the values of both at the same keys, or none if the keys are not the same; a key stands for all values within a step of it."""
+def matched(found, expected, dimension):
+    """Pairs of the values of both at the same keys, or none if the keys are not the same; a key stands for all values within a step."""
     if len(found) != len(expected):
         return None
     pairs = []
+    steps = list(itertools.product((0, -1, 1), repeat=dimension))
     for key, value in expected.items():
-        near = [(key[0] + i, key[1] + j, *key[2:]) for i in (0, -1, 1) for j in (0, -1, 1)]
+        near = ((*(k + i for k, i in zip(key, step)), *key[dimension:]) for step in steps)
         other = next((found[k] for k in near if k in found), None)
         if other is None:
             return None
@@ -417,32 +466,32 @@ def byPlaceAndBody(f, values, **motion):
     return {(*place, *bodies[i]): values[i] for i, place in enumerate(located(f.points, **motion))}
 
 
-def metamorphic_displacement(folder, reference, times=1, angle=0, **motion):
+def metamorphic_displacement(folder, reference, times=1, length=1, shift=0, **turn):
     """Largest |u - times R u_reference| over the largest |times u_reference|."""
     a, b = fields(folder), fields(reference)
-    rotation = np.column_stack(turned(angle))
-    found = byPlaceAndBody(a, a.point["Displacement"][:, :2], angle=angle, **motion)
-    return worst(matched(found, byPlaceAndBody(b, times * b.point["Displacement"][:, :2] @ rotation.T)))
+    d = a.dimension
+    found = byPlaceAndBody(a, a.point["Displacement"][:, :d], length=length, shift=shift, **turn)
+    return worst(matched(found, byPlaceAndBody(b, times * b.point["Displacement"][:, :d] @ rotation(d, **turn).T), d))
 
 
 def metamorphic_principalStress(folder, reference, times=1, **motion):
     """The same of the principal stresses, by the elements' centres."""
     a, b = fields(folder), fields(reference)
     found = dict(zip(located(a.centroids(), **motion), a.cell["PrincipalStress"]))
-    return worst(matched(found, dict(zip(located(b.centroids()), times * b.cell["PrincipalStress"]))))
+    return worst(matched(found, dict(zip(located(b.centroids()), times * b.cell["PrincipalStress"])), a.dimension))
 
 
 def metamorphic_force(folder, reference, times=1, **motion):
     """The same of the pair forces."""
     a, b = contact(folder), contact(reference)
     found = dict(zip(located(a.points, **motion), a.point["ContactForce"]))
-    return worst(matched(found, dict(zip(located(b.points), times * b.point["ContactForce"]))))
+    return worst(matched(found, dict(zip(located(b.points), times * b.point["ContactForce"])), a.dimension))
 
 
 def metamorphic_status(folder, reference, **motion):
     """Number of pairs with another status."""
     a, b = contact(folder), contact(reference)
-    pairs = matched(dict(zip(located(a.points, **motion), a.point["Active"])), dict(zip(located(b.points), b.point["Active"])))
+    pairs = matched(dict(zip(located(a.points, **motion), a.point["Active"])), dict(zip(located(b.points), b.point["Active"])), a.dimension)
     return sum(int(x != y) for x, y in pairs) if pairs else max(len(a.points), len(b.points))
 
 

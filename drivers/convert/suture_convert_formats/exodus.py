@@ -3,11 +3,18 @@ import pathlib
 
 import numpy as np
 
+from .cells import vertices_of
 from .foreign import ConvertError, Foreign
 
-SHAPES = {("TRI", 3): "triangle", ("TRI", 6): "triangle6", ("QUA", 4): "quad", ("QUA", 8): "quad8", ("QUA", 9): "quad9", ("SHE", 4): "quad",
+SHAPES = {("TET", 4): "tetra", ("TET", 10): "tetra10", ("HEX", 8): "hexahedron", ("HEX", 20): "hexahedron20", ("HEX", 27): "hexahedron27",
+          ("WED", 6): "wedge", ("PYR", 5): "pyramid", ("TRI", 3): "triangle", ("TRI", 6): "triangle6", ("QUA", 4): "quad", ("QUA", 8): "quad8", ("QUA", 9): "quad9", ("SHE", 4): "quad",
           ("SHE", 3): "triangle", ("SHE", 8): "quad8", ("SHE", 9): "quad9", ("SHE", 6): "triangle6"}
 LINES = ("BAR", "BEA", "TRU", "EDG", "ROD")
+# Sides of solids by the first letters of their shape: vertices of side 1, 2, ...
+SIDES = {"tetra": [(0, 1, 3), (1, 2, 3), (0, 3, 2), (0, 2, 1)],
+         "hexahedron": [(0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (0, 4, 7, 3), (0, 3, 2, 1), (4, 5, 6, 7)],
+         "wedge": [(0, 1, 4, 3), (1, 2, 5, 4), (0, 3, 5, 2), (0, 2, 1), (3, 4, 5)],
+         "pyramid": [(0, 1, 4), (1, 2, 4), (2, 3, 4), (0, 4, 3), (0, 3, 2, 1)]}
 
 
 def names(file, what, ids, default):
@@ -39,7 +46,7 @@ def read(path):
         else:
             points = np.column_stack([data[name][:] for name in ("coordx", "coordy", "coordz") if name in data])
         mesh = Foreign(points)
-        corners, offset = [], []  # of the elements: nodes of a side to be, and the number that their first edge has
+        rows, sides, offset = [], [], []  # of the elements: nodes, vertices of each side, and the number that the first one has
         for number, name in enumerate(names(file, "eb", sizes["num_el_blk"], "block"), 1):
             if f"connect{number}" not in data:
                 continue
@@ -47,8 +54,9 @@ def read(path):
             shape, nodes = connect.elem_type.upper()[:3], connect[:] - 1
             kind = ("line" if nodes.shape[1] == 2 else "line3") if shape in LINES else SHAPES.get((shape, nodes.shape[1]), connect.elem_type)
             mesh.add_to(mesh.groups, name, mesh.add_block(kind, nodes))
-            vertices = {"triangle": 3, "triangle6": 3}.get(kind, 4 if kind.startswith("quad") else 0)
-            corners += [row[:vertices] for row in nodes]
+            edges = range(vertices_of(kind)) if kind.startswith(("triangle", "quad")) else ()
+            rows += list(nodes)
+            sides += [SIDES.get(kind.rstrip("0123456789"), [(k, (k + 1) % len(edges)) for k in edges])] * len(nodes)
             offset += [3 if shape == "SHE" or connect.elem_type.upper().startswith("TRISHELL") else 1] * len(nodes)
         for number, name in enumerate(names(file, "ns", sizes.get("num_node_sets", 0), "nodes"), 1):
             if f"node_ns{number}" in data:
@@ -56,12 +64,12 @@ def read(path):
         for number, name in enumerate(names(file, "ss", sizes.get("num_side_sets", 0), "sides"), 1):
             if f"elem_ss{number}" not in data:
                 continue
-            pairs = []
+            found = []
             for element, side in zip(data[f"elem_ss{number}"][:] - 1, data[f"side_ss{number}"][:]):
-                own = corners[element]
+                own = sides[element]
                 side -= offset[element]
                 if not 0 <= side < len(own):
-                    raise ConvertError(f"{path}: side set '{name}': element {element + 1} has no edge {side + offset[element]}")
-                pairs.append([own[side], own[(side + 1) % len(own)]])
-            mesh.side_sets[name] = np.array(pairs, dtype=np.int64).reshape(-1, 2)
+                    raise ConvertError(f"{path}: side set '{name}': element {element + 1} has no side {side + offset[element]}")
+                found.append(rows[element][list(own[side])])
+            mesh.side_sets[name] = found
     return mesh

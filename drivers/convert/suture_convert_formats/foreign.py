@@ -1,9 +1,6 @@
 """A mesh as another program describes it, before it is one of Suture's."""
 import numpy as np
 
-# Kinds of elements that become something, by meshio's names: dimension, nodes.
-KINDS = {"vertex": (0, 1), "line": (1, 2), "line3": (1, 3), "triangle": (2, 3), "triangle6": (2, 6), "quad": (2, 4), "quad8": (2, 8), "quad9": (2, 9)}
-
 
 class ConvertError(Exception):
     """Something wrong with the input: the message names the file, the place and the way out."""
@@ -16,7 +13,7 @@ class Foreign:
     blocks       list of (kind, elements x nodes): meshio's kind and order of nodes, numbers of points from 0
     groups       name -> numbers of elements of any dimension
     node_sets    name -> numbers of points
-    side_sets    name -> sides x 2: end points
+    side_sets    name -> vertices of each side: two, in space three or four
     remarks      what was left out
     """
 

@@ -2,15 +2,26 @@
 import pathlib
 import re
 
-import numpy as np
-
+from .cells import KINDS as SHAPES, vertices_of
 from .foreign import ConvertError, Foreign
 
+SOLID = r"(C3D|DC3D|AC3D|SC)"
 FAMILY = r"(CPS|CPE|CPEG|CAX|CGAX|M3D|R3D|SFM3D|S|STRI|DC2D|DCAX|AC2D)"  # plane, axisymmetric, membranes, shells, heat
-KINDS = [(r"(C3D|DC3D|AC3D|SC)\d", "solid"), (r"T[23]D2|R2D2|RAX2|SAX1|DC1D2|B[23][13](?!\d)", "line"), (r"T[23]D3|B[23]2|SAX2", "line3"),
+KINDS = [(SOLID + r"4(?!\d)", "tetra"), (SOLID + r"10(?!\d)", "tetra10"), (SOLID + r"8(?!\d)", "hexahedron"), (SOLID + r"20(?!\d)", "hexahedron20"),
+         (SOLID + r"27(?!\d)", "hexahedron27"), (SOLID + r"6(?!\d)", "wedge"), (SOLID + r"5(?!\d)", "pyramid"), (SOLID + r"\d", "solid"),
+         (r"T[23]D2|R2D2|RAX2|SAX1|DC1D2|B[23][13](?!\d)", "line"), (r"T[23]D3|B[23]2|SAX2", "line3"),
          (FAMILY + r"3(?!\d)", "triangle"), (FAMILY + r"6(?!\d)|STRI65", "triangle6"), (FAMILY + r"4(?!\d)", "quad"),
          (FAMILY + r"8(?!\d)", "quad8"), (FAMILY + r"9(?!\d)", "quad9")]
-NODES = {"triangle": 3, "triangle6": 6, "quad": 4, "quad8": 8, "quad9": 9, "line": 2, "line3": 3}
+# Vertices of the sides S1, S2, ... of solids.
+SIDES = {"tetra": [(0, 1, 2), (0, 3, 1), (1, 3, 2), (2, 3, 0)], "wedge": [(0, 1, 2), (3, 5, 4), (0, 3, 4, 1), (1, 4, 5, 2), (2, 5, 3, 0)],
+         "hexahedron": [(0, 1, 2, 3), (4, 7, 6, 5), (0, 4, 5, 1), (1, 5, 6, 2), (2, 6, 7, 3), (3, 7, 4, 0)],
+         "pyramid": [(0, 1, 2, 3), (0, 4, 1), (1, 4, 2), (2, 4, 3), (3, 4, 0)]}
+
+
+def sides_of(kind):
+    """Local vertices of each side of an element."""
+    edges = range(vertices_of(kind)) if kind.startswith(("triangle", "quad")) else ()
+    return SIDES.get(kind.rstrip("0123456789"), [(k, (k + 1) % len(edges)) for k in edges])
 
 
 def kind_of(name):
@@ -115,8 +126,8 @@ class Reader:
         for number, words in data:
             numbers += self.integers(number, words)
         if kind == "solid":
-            self.fail(place, f"solid elements ({name}); scenes are plane: export the surface mesh only")
-        each = 1 + NODES[kind]
+            self.fail(place, f"solid elements of the type {name}; known are C3D4, C3D5, C3D6, C3D8, C3D10, C3D20, C3D27 and their variants")
+        each = 1 + SHAPES[kind][1]
         if len(numbers) % each:
             self.fail(place, f"*ELEMENT, TYPE={name}: {len(numbers)} numbers; expected a multiple of {each}")
         for first in range(0, len(numbers), each):
@@ -161,14 +172,14 @@ class Reader:
             elements = [int(words[0])] if words[0].isdigit() else self.members("ELSET", words[0], number)
             face = re.fullmatch(r"S(\d)", words[1].upper()) if len(words) > 1 else None
             if not face:
-                self.fail(number, f"expected a side S1 to S4 of elements, found '{', '.join(words)}'")
+                self.fail(number, f"expected a side S1 to S6 of elements, found '{', '.join(words)}'")
             side = int(face[1]) - 1
             for label in elements:
                 kind, nodes = self.elements.get(label, (None, []))
-                corners = {"triangle": 3, "triangle6": 3, "quad": 4, "quad8": 4, "quad9": 4}.get(kind, 0)
-                if side >= corners:
+                sides = sides_of(kind) if kind else []
+                if side >= len(sides):
                     self.fail(number, f"element {label} has no side {words[1]}")
-                self.surfaces.setdefault(name, []).append((nodes[side], nodes[(side + 1) % corners]))
+                self.surfaces.setdefault(name, []).append([nodes[k] for k in sides[side]])
 
     def foreign(self):
         place = {label: at for at, label in enumerate(self.nodes)}
@@ -183,7 +194,7 @@ class Reader:
         for name, labels in self.sets["NSET"].items():
             mesh.add_to(mesh.node_sets, name, [place[label] for label in labels if label in place])
         for name, sides in self.surfaces.items():
-            mesh.side_sets[name] = np.array([[place[a], place[b]] for a, b in sides])
+            mesh.side_sets[name] = [[place[node] for node in side] for side in sides]
         mesh.remarks += [f"elements of the type {name} left out" for name in sorted(self.passed)]
         return mesh
 

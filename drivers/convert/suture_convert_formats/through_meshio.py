@@ -5,6 +5,7 @@ import pathlib
 
 import numpy as np
 
+from .cells import KINDS
 from .foreign import ConvertError, Foreign
 
 MOST_GROUPS = 1000  # an array with more values numbers elements, and names no groups
@@ -50,7 +51,7 @@ def take_families(mesh, rows, source):
 
 def take_arrays(mesh, rows, source):
     """Groups by whole numbers on elements, "<array> <number>", or "<array>" for one of zeros and ones; named ones where the file has names."""
-    dimensions = {"vertex": 0, "line": 1, "line3": 1}
+    called = ("point", "curve", "surface", "volume")
     names = {(int(tag), int(dimension)): name for name, (tag, dimension) in ((n, d[:2]) for n, d in source.field_data.items() if len(d) == 2)}
     for array, blocks in source.cell_data.items():
         if array in ("cell_tags", "gmsh:geometrical") or not all(np.issubdtype(np.asarray(b).dtype, np.integer) and np.ndim(b) == 1 for b in blocks):
@@ -61,9 +62,10 @@ def take_arrays(mesh, rows, source):
             continue
         for block, own, numbers in zip(source.cells, rows, blocks):
             for value in np.unique(numbers):
-                name = names.get((int(value), dimensions.get(block.type, 2)), array if set(values) <= {0, 1} else f"{array} {value}")
+                dimension = KINDS.get(block.type, (2,))[0]
+                name = names.get((int(value), dimension), array if set(values) <= {0, 1} else f"{array} {value}")
                 if value != 0 and name not in source.cell_sets:
-                    mesh.add_to(mesh.groups, name.replace("gmsh:physical", "surface" if block.type not in dimensions else "curve"), own[np.asarray(numbers) == value])
+                    mesh.add_to(mesh.groups, name.replace("gmsh:physical", called[dimension]), own[np.asarray(numbers) == value])
     for array, values in source.point_data.items():
         values = np.asarray(values)
         if array != "point_tags" and values.ndim == 1 and np.issubdtype(values.dtype, np.integer) and set(np.unique(values)) <= {0, 1}:

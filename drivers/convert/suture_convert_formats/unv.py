@@ -6,6 +6,9 @@ from .foreign import ConvertError, Foreign
 GROUPS = (2429, 2430, 2432, 2435, 2452, 2467, 2477)
 BEAMS = (11, 21, 22, 23, 24)
 SHAPES = {1: "triangle", 2: "triangle6", 4: "quad", 5: "quad8"}  # by the last digit of the descriptors 41 to 99
+SOLIDS = {111: "tetra", 112: "wedge", 115: "hexahedron", 116: "hexahedron20", 118: "tetra10"}
+# Vertices of parabolic solids, which run round as plane elements do, layer by layer.
+VERTICES = {"tetra10": (0, 2, 4, 9), "hexahedron20": (0, 2, 4, 6, 12, 14, 16, 18)}
 
 
 def datasets(path):
@@ -88,7 +91,9 @@ def element(descriptor, nodes):
         return "line", nodes[:2]
     if descriptor in BEAMS:
         return "line3", [nodes[0], nodes[2], nodes[1]]
-    kind = SHAPES.get(descriptor % 10) if 41 <= descriptor <= 99 else None
+    kind = SHAPES.get(descriptor % 10) if 41 <= descriptor <= 99 else SOLIDS.get(descriptor)
     if kind in ("triangle6", "quad8"):
         nodes = nodes[0::2] + nodes[1::2]
+    if kind in VERTICES:  # the order of those between them follows from the geometry
+        nodes = [nodes[i] for i in VERTICES[kind]] + [node for i, node in enumerate(nodes) if i not in VERTICES[kind]]
     return kind or f"descriptor {descriptor}", nodes

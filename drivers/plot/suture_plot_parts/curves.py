@@ -16,7 +16,7 @@ def probe_figure(run, path):
     length = run.length_unit
     stresses = np.abs([table["von_mises"], table["principal_1"], table["principal_3"]])
     stress_factor, stress_unit = scaled(run.stress_unit, np.nanmax(stresses, initial=0.0))
-    panels = [(f"displacement [{length}]", [("ux", 1.0, "along x"), ("uy", 1.0, "along y")]),
+    panels = [(f"displacement [{length}]", [(f"u{axis}", 1.0, f"along {axis}") for axis in "xyz"[:run.dimension]]),
               (f"stress [{stress_unit}]", [("von_mises", stress_factor, "von Mises"), ("principal_1", stress_factor, "largest principal"),
                                           ("principal_3", stress_factor, "smallest principal")])]
     if np.isfinite(table["pressure"]).any():

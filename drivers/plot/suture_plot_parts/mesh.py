@@ -14,16 +14,17 @@ MOST_NAMED_GROUPS = 40
 def subdomain_colours(grid):
     """A pale colour for each subdomain, different from its neighbours'."""
     number = grid.merged(None)
-    pairs = [np.column_stack([number[nodes].reshape(-1), np.repeat(grid.cell_data["Subdomain"][own], nodes.shape[1])])
-             for _, own, nodes in grid.blocks]
+    count = int(grid.cell_data["Subdomain"].max(initial=0)) + 1
+    pairs = [number[nodes] * count + grid.cell_data["Subdomain"][own].astype(np.int64)[:, None] for _, own, nodes in grid.blocks]
+    node, subdomain = np.divmod(np.unique(np.concatenate([pair.reshape(-1) for pair in pairs])), count)
+    shared = np.diff(node, prepend=-1) * np.diff(node, append=-1) == 0  # the neighbour in the list is of the same node
     at_point = {}
-    for node, s in np.unique(np.concatenate(pairs).astype(np.int64), axis=0).tolist():
-        at_point.setdefault(node, []).append(s)
+    for n, s in zip(node[shared].tolist(), subdomain[shared].tolist()):
+        at_point.setdefault(n, []).append(s)
     neighbours = {int(s): set() for s in np.unique(grid.cell_data["Subdomain"])}
     for met in at_point.values():
-        if len(met) > 1:
-            for s in met:
-                neighbours[s].update(t for t in met if t != s)
+        for s in met:
+            neighbours[s].update(t for t in met if t != s)
     chosen = {}
     usable = len(PALETTE) - 1  # not black
     use = [0] * usable

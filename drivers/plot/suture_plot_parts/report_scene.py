@@ -67,16 +67,16 @@ def reactions(run):
     if not found:
         return '<p class="soft">Not known: the run ended before.</p>\n'
     length, force, stress = run.units
-    thickness = "forces of the whole circle; the radial component is a sum of magnitudes" if run.model == "Axisymmetric" else "per unit thickness"
+    thickness = {"Axisymmetric": ", forces of the whole circle; the radial component is a sum of magnitudes", "Solid": ""}.get(run.model, ", per unit thickness")
     rows = [(esc(name), esc(c.get("kind", "")), vector(c.get("force")), vector(c.get("moment"))) for name, c in found.get("conditions", {}).items()]
     total = found.get("sum", {})
     rows.append(("<strong>sum</strong>", "", vector(total.get("force")), vector(total.get("moment"))))
     markup = table(("condition", "kind", f"force on the bodies [{force}]", f"moment [{force} {length}]"), rows,
-                   caption=f"In {force} and {force} {length}, {thickness}; moments about {given_vector(found.get('about', []))}.", long=(0,))
+                   caption=f"In {force} and {force} {length}{thickness}; moments about {given_vector(found.get('about', []))}.", long=(0,))
     rows = [(esc(name), names(c.get("bodies") or []), vector(c.get("force")), vector(c.get("moment")), vector(c.get("centre")), closed(c))
             for name, c in found.get("contacts", {}).items()]
     if rows:
-        size = f"{length}²" if run.model == "Axisymmetric" else length
+        size = f"{length}²" if run.model in ("Axisymmetric", "Solid") else length
         markup += table(("contact", "bodies", f"force on side B [{force}]", f"moment [{force} {length}]", f"centre [{length}]", f"closed [{size}]"), rows,
                         long=(0,), caption="Resultant of each contact, the centre of its forces and how much of it is closed.")
     balance = summary.get("equilibrium", {})

@@ -41,6 +41,7 @@ class RunFolder:
         self.units = ([part.strip() for part in str(self.summary.get("units", "")).split(",")] + ["", "", ""])[:3]
         self.length_unit, self.force_unit, self.stress_unit = self.units
         self.model = self.parameter("Model", default="Plane Strain")
+        self.dimension = self.summary.get("dimension", 2)
         self.axes = ("r", "axis y") if self.model == "Axisymmetric" else ("x", "y")
         # Suffix of every title: a picture of an unfinished iteration must say so itself.
         self.state = "" if self.good else f"  ({self.verdict})".replace("NOT ", "NOT\u00a0")

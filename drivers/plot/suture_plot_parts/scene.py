@@ -259,8 +259,8 @@ def thinned(anchors):
     return anchors[list(dict.fromkeys(order))]
 
 
-def legend(figure, axes, handles, texts):
-    """Below the axes, in one column, since names are long; it takes no room from the axes."""
+def legend(figure, axes, handles, texts, distance=30.0):
+    """Points below the axes, in one column, since names are long; it takes no room from the axes."""
     if not handles:
         return
     if len(texts) > MOST_ROWS:
@@ -269,6 +269,6 @@ def legend(figure, axes, handles, texts):
         texts = [*texts[:MOST_ROWS - 1], f"and {left} more, which report.html lists"]
     width = int(max(figure.get_figwidth(), 5.0) * 13.5)
     drawn = axes.legend(handles, [wrapped(text, width) for text in texts], handler_map={Sign: SignHandler()}, loc="upper left",
-                        bbox_to_anchor=(0.0, 0.0), bbox_transform=offset_copy(axes.transAxes, fig=figure, y=-30.0, units="points"), fontsize=8,
+                        bbox_to_anchor=(0.0, 0.0), bbox_transform=offset_copy(axes.transAxes, fig=figure, y=-distance, units="points"), fontsize=8,
                         borderaxespad=0.0, handlelength=1.8, labelspacing=0.35)
     drawn.set_in_layout(False)

@@ -9,7 +9,7 @@ EXTREME = {"value": NUMBER, "unit": TEXT, "body": TEXT, "contact": TEXT, "place"
 # Keys that every summary has are marked with an exclamation mark; "*" stands for any name.
 SHAPE = {
     "title": TEXT, "scene": TEXT, "units": TEXT, "failure": TEXT, "mesh_hash": TEXT, "converged!": FLAG, "verified": FLAG, "exit_code!": COUNT,
-    "elements!": COUNT, "nodes": COUNT, "dofs": COUNT, "ranks": COUNT, "subdomains": COUNT, "interface_dofs": COUNT, "seconds": NUMBER,
+    "elements!": COUNT, "dimension": COUNT, "nodes": COUNT, "dofs": COUNT, "ranks": COUNT, "subdomains": COUNT, "interface_dofs": COUNT, "seconds": NUMBER,
     "command_line": TEXTS, "notes": TEXTS, "parameters!": {}, "versions!": {"*": TEXT}, "phases!": {"*": RANGE},
     "outer!": {"solver": TEXT, "iterations": COUNT, "pcg_total": COUNT, "residual": NUMBER, "condition": NUMBER},
     "auxiliary": {"iterations": COUNT, "condition": NUMBER, "iteration_seconds": NUMBER},

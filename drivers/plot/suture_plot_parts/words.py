@@ -8,7 +8,8 @@ from .units import vector
 MODELS = {
     "Plane Strain": "plane strain: no strain across the plane (long bodies)",
     "Plane Stress": "plane stress: no stress across the plane (thin sheets)",
-    "Axisymmetric": "axisymmetric: bodies of revolution about the axis x = 0; forces are those of the whole circle"
+    "Axisymmetric": "axisymmetric: bodies of revolution about the axis x = 0; forces are those of the whole circle",
+    "Solid": "solid: three dimensions"
 }
 # Types of conditions that hold bodies; all others load them.
 SUPPORTS = ("Displacement", "Bilateral", "Elastic Support", "Mean Displacement")
@@ -42,16 +43,17 @@ class Condition:
 
     @property
     def direction(self):
-        """Vector in the plane, or None: where the values are functions, that of the resultant."""
-        if self.value is not None and len(self.value) >= 2:
-            found = self.value[:2]
-        elif self.components in ("x", "y") and self.value:
-            found = [self.value[0], 0.0] if self.components == "x" else [0.0, self.value[0]]
+        """Vector in the plane or in space, or None: where the values are functions, that of the resultant."""
+        dimension = self.run.dimension
+        if self.value is not None and len(self.value) >= dimension:
+            found = self.value
+        elif self.components in ("x", "y", "z") and self.value:
+            found = [self.value[0] if axis == self.components else 0.0 for axis in "xyz"]
         elif self.expressions and self.type != "Displacement":
             found = self.resultant
         else:
             return None
-        return None if found is None else np.array(found[:2], dtype=float)
+        return None if found is None else np.array(found[:dimension], dtype=float)
 
     @property
     def resultant(self):

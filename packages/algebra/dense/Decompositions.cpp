@@ -7,6 +7,7 @@
 #include <Eigen/SVD>
 #include <Teuchos_LAPACK.hpp>
 #include <algorithm>
+#include <limits>
 
 namespace suture {
 
@@ -86,6 +87,14 @@ Matrix solvePositive(const Matrix& matrix, const Matrix& rhs) {
   const Eigen::LLT<Matrix> llt(matrix);
   if (llt.info() != Eigen::Success) throw NumericalError("a dense matrix that should be positive definite is not");
   return llt.solve(rhs);
+}
+
+Matrix generalInverse(const Matrix& matrix, double& condition) {
+  const Eigen::PartialPivLU<Matrix> lu(matrix);
+  const Matrix inverse = lu.inverse();
+  const auto size = [](const Matrix& m) { return m.cwiseAbs().colwise().sum().maxCoeff(); };
+  condition = inverse.allFinite() ? size(matrix) * size(inverse) : std::numeric_limits<double>::infinity();
+  return inverse;
 }
 
 Matrix pick(const Matrix& matrix, const std::vector<int>& rows, const std::vector<int>& columns) {

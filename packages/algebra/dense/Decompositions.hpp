@@ -47,6 +47,10 @@ Matrix choleskySolve(const Matrix& lower, Matrix rhs);
 /// matrix^-1 rhs for a symmetric positive definite matrix. \throws NumericalError  it is not.
 Matrix solvePositive(const Matrix& matrix, const Matrix& rhs);
 
+/// matrix^-1 of any square matrix, by elimination with row pivots. \param condition  gets an estimate of |matrix| |matrix^-1| in the one
+/// norm; infinite, and the result is not to be used, where a pivot vanishes.
+Matrix generalInverse(const Matrix& matrix, double& condition);
+
 /// matrix(rows, columns).
 Matrix pick(const Matrix& matrix, const std::vector<int>& rows, const std::vector<int>& columns);
 

@@ -8,17 +8,20 @@ namespace suture {
 
 namespace {
 
-Matrix sideStiffness(const std::vector<Point>& points, bool axisymmetric, const ElasticSupport& support) {
-  SideMap map(points, Rule::Load, axisymmetric);
+Matrix sideStiffness(const std::vector<Point>& points, const CellBlock& block, const ElasticSupport& support) {
+  const int dimension = block.dimension;
+  SideMap map(points, dimension, Rule::Load, block.axisymmetric);
   const ReferenceElement& reference = map.reference();
-  Matrix all = Matrix::Zero(2 * reference.nodes, 2 * reference.nodes);
+  Matrix all = Matrix::Zero(dimension * reference.nodes, dimension * reference.nodes);
   for (int q = 0; q < reference.points; ++q) {
     map.at(q);
-    const Eigen::Vector2d normal = Eigen::Vector2d(map.tangent()[1], -map.tangent()[0]) / map.measure();
-    const Eigen::Matrix2d across = normal * normal.transpose(),
-                          here = map.measure() * (support.normal * across + support.tangential * (Eigen::Matrix2d::Identity() - across));
+    const Eigen::Vector3d normal = Eigen::Map<const Eigen::Vector3d>(map.normal().data()) / map.measure();
+    const Eigen::Matrix3d across = normal * normal.transpose(),
+                          here = map.measure() * (support.normal * across + support.tangential * (Eigen::Matrix3d::Identity() - across));
     for (int a = 0; a < reference.nodes; ++a)
-      for (int b = 0; b < reference.nodes; ++b) all.block<2, 2>(2 * a, 2 * b) += reference.valuesAt(q)[a] * reference.valuesAt(q)[b] * here;
+      for (int b = 0; b < reference.nodes; ++b)
+        all.block(dimension * a, dimension * b, dimension, dimension) +=
+            reference.valuesAt(q)[a] * reference.valuesAt(q)[b] * here.topLeftCorner(dimension, dimension);
   }
   return all;
 }
@@ -37,49 +40,55 @@ ElasticSupports::ElasticSupports(const CellBlock& block, const SideGroups& group
         points.push_back(block.point(node));
         own.places.push_back(static_cast<int>(std::find(ofElement.begin(), ofElement.end(), node) - ofElement.begin()));
       }
-      own.stiffness = sideStiffness(points, block.axisymmetric, model.supports[number]);
+      own.stiffness = sideStiffness(points, block, model.supports[number]);
       sides_.emplace(side.element, std::move(own));
     }
 }
 
 void ElasticSupports::addStiffness(int element, LocalView stiffness) const {
+  const int dimension = block_.dimension;
   const auto [begin, end] = sides_.equal_range(element);
   for (auto own = begin; own != end; ++own) {
     const OnSide& side = own->second;
     for (std::size_t a = 0; a < side.places.size(); ++a)
       for (std::size_t b = 0; b < side.places.size(); ++b)
-        stiffness.block<2, 2>(2 * side.places[a], 2 * side.places[b]) += side.stiffness.block<2, 2>(2 * a, 2 * b);
+        stiffness.block(dimension * side.places[a], dimension * side.places[b], dimension, dimension) +=
+            side.stiffness.block(dimension * a, dimension * b, dimension, dimension);
   }
 }
 
 Vector ElasticSupports::forceOf(const OnSide& side, const Vector& displacement) const {
-  Vector u(2 * side.nodes.size());
-  for (std::size_t a = 0; a < side.nodes.size(); ++a) u.segment<2>(2 * a) = displacement.segment<2>(2 * side.nodes[a]);
+  const int dimension = block_.dimension;
+  Vector u(dimension * side.nodes.size());
+  for (std::size_t a = 0; a < side.nodes.size(); ++a) u.segment(dimension * a, dimension) = ofNode(displacement, side.nodes[a]);
   return side.stiffness * u;
 }
 
 ElasticSupports::Forces ElasticSupports::forces(const Vector& displacement) const {
+  const int dimension = block_.dimension;
   Forces all{Vector::Zero(displacement.size()), Vector::Zero(block_.nodes()), Vector::Zero(block_.nodes())};
   for (const auto& [element, side] : sides_) {
     const Vector force = forceOf(side, displacement);
     double largest = 0.0;
-    for (const int node : side.nodes) largest = std::max(largest, displacement.segment<2>(2 * node).norm());
+    for (const int node : side.nodes) largest = std::max(largest, ofNode(displacement, node).norm());
     for (std::size_t a = 0; a < side.nodes.size(); ++a) {
       const int node = side.nodes[a];
-      all.nodal.segment<2>(2 * node) += force.segment<2>(2 * a);
-      all.stiffness[node] += 0.5 * (side.stiffness(2 * a, 2 * a) + side.stiffness(2 * a + 1, 2 * a + 1));
-      all.rounding[node] += std::numeric_limits<double>::epsilon() * side.stiffness.middleRows<2>(2 * a).cwiseAbs().sum() * largest;
+      ofNode(all.nodal, node) += force.segment(dimension * a, dimension);
+      all.stiffness[node] += side.stiffness.diagonal().segment(dimension * a, dimension).sum() / dimension;
+      all.rounding[node] +=
+          std::numeric_limits<double>::epsilon() * side.stiffness.middleRows(dimension * a, dimension).cwiseAbs().sum() * largest;
     }
   }
   return all;
 }
 
 void ElasticSupports::forEachSupport(const Vector& displacement, const std::function<void(int number, const Vector& forces)>& take) const {
+  const int dimension = block_.dimension;
   std::map<int, Vector> bySupport;
   for (const auto& [element, side] : sides_) {
     Vector& sum = bySupport.try_emplace(side.support, Vector::Zero(displacement.size())).first->second;
     const Vector force = forceOf(side, displacement);
-    for (std::size_t a = 0; a < side.nodes.size(); ++a) sum.segment<2>(2 * side.nodes[a]) -= force.segment<2>(2 * a);
+    for (std::size_t a = 0; a < side.nodes.size(); ++a) ofNode(sum, side.nodes[a]) -= force.segment(dimension * a, dimension);
   }
   for (const auto& [number, forces] : bySupport) take(number, forces);
 }

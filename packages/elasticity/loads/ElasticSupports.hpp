@@ -8,7 +8,7 @@
 
 namespace suture {
 
-/// The elastic supports on the sides of a block: integrals over each side of N_a N_b (normal n n^T + tangential (1 - n n^T)), n the outward
+/// Elastic supports on the sides of a block: integrals over each side of N_a N_b (normal n n^T + tangential (1 - n n^T)), n the outward
 /// normal at each point; per unit thickness in the plane, of the whole circle in axisymmetric blocks. Local.
 class ElasticSupports {
  public:
@@ -40,6 +40,11 @@ class ElasticSupports {
     Matrix stiffness;
   };
   Vector forceOf(const OnSide& side, const Vector& displacement) const;
+  // Components of a nodal vector at a node.
+  template <typename Nodal>
+  auto ofNode(Nodal& vector, int node) const {
+    return vector.segment(Eigen::Index(node) * block_.dimension, block_.dimension);
+  }
 
   const CellBlock& block_;
   std::multimap<int, OnSide> sides_;  // by element

@@ -18,15 +18,16 @@ InitialState::InitialState(const ElasticModel& model, std::function<int(int elem
 
 InitialState::InitialState(const ElasticModel& model, int body) : InitialState(model, [body](int) { return body; }) {}
 
-InitialState::Values InitialState::at(int element, const Point& place, const HookesLaw& law) const {
-  Values values;
+template <int D>
+InitialState::Values<D> InitialState::at(int element, const Point& place, const HookesLaw<D>& law) const {
+  Values<D> values;
   for (const Load* load : ofBody_[bodyOf_(element)]) {
     if (load->kind == Load::Kind::Temperature) {
-      values.strain.head<3>().array() += law.expansion * (load->at(place)[0] - load->reference);
+      values.strain.template head<3>().array() += law.expansion * (load->at(place)[0] - load->reference);
       continue;
     }
-    const std::array<double, 4> tensor = load->tensorAt(place);
-    const Eigen::Map<const Eigen::Vector4d> given(tensor.data());
+    const std::array<double, 6> tensor = load->tensorAt(place);
+    const Eigen::Map<const StressVector<D>> given(tensor.data());
     if (load->kind == Load::Kind::InitialStrain)
       values.strain += given;
     else if (law.isSheet() && given[2] != 0.0)
@@ -37,45 +38,60 @@ InitialState::Values InitialState::at(int element, const Point& place, const Hoo
   return values;
 }
 
-Vector initialForces(const CellBlock& block, const std::function<const Material&(int element)>& materialOf, PlaneModel plane,
-                     const InitialState& initial, Vector* sizes) {
-  if (initial.empty()) return {};
-  Vector forces = Vector::Zero(Eigen::Index(block.nodes()) * 2);
+template InitialState::Values<2> InitialState::at(int, const Point&, const HookesLaw<2>&) const;
+template InitialState::Values<3> InitialState::at(int, const Point&, const HookesLaw<3>&) const;
+
+namespace {
+
+template <int D>
+Vector forcesOf(const CellBlock& block, const std::function<const Material&(int element)>& materialOf, PlaneModel plane,
+                const InitialState& initial, Vector* sizes) {
+  Vector forces = Vector::Zero(Eigen::Index(block.nodes()) * D);
   if (sizes) *sizes = forces;
   const Material* last = nullptr;
-  HookesLaw law;
+  HookesLaw<D> law;
   for (int e = 0; e < block.elements(); ++e) {
     if (!initial.isIn(e)) continue;
     const Material& material = materialOf(e);
-    if (&material != last) law = HookesLaw(material, plane);
+    if (&material != last) law = HookesLaw<D>(material, plane);
     last = &material;
-    const ReferenceElement& reference = referenceElement(block.cells[e], stiffnessRule(block));
+    const ReferenceElement& reference = stiffnessElement(block, e);
     const Span<const int> nodes = block.nodesOf(e);
-    ElementMap map(block, e, reference);
-    Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, 2 * ReferenceElement::maxNodes> own(2 * reference.nodes);
+    ElementMap<D> map(block, e, reference);
+    Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, D * mostNodes<D>> own(D * reference.nodes);
     own.setZero();
     for (int q = 0; q < reference.points; ++q) {
       map.at(q);
-      const InitialState::Values here = initial.at(e, map.place(), law);
-      const Eigen::Vector4d stress = map.measure() * (law.pointwise * here.strain - here.stress);
+      const InitialState::Values<D> here = initial.at(e, map.place(), law);
+      const StressVector<D> stress = map.measure() * (law.pointwise * here.strain - here.stress);
       for (int a = 0; a < reference.nodes; ++a) {
-        own[2 * a] += map.gradient(a)[0] * stress[0] + map.gradient(a)[1] * stress[3] + map.hoop(a) * stress[2];
-        own[2 * a + 1] += map.gradient(a)[1] * stress[1] + map.gradient(a)[0] * stress[3];
+        Eigen::Matrix<double, D, 1> force = forceOfStress<D>(map.gradient(a), stress);
+        force[0] += map.hoop(a) * stress[2];
+        own.template segment<D>(D * a) += force;
       }
     }
     if (law.projected != 0.0) {
-      const MixedPressure pressure(block.cells[e], reference, map);
-      const auto dilatation =
-          pressure.projection(reference, map, [&](const Point& place) { return initial.at(e, place, law).strain.head<3>().sum(); });
+      const MixedPressure<D> pressure(block.cells[e], reference, map);
+      const auto dilatation = pressure.projection(
+          reference, map, [&](const Point& place) { return initial.at(e, place, law).strain.template head<3>().sum(); });
       for (int dof = 0; dof < own.size(); ++dof) own[dof] += law.projected * pressure.work(dilatation, dof);
     }
     for (int a = 0; a < reference.nodes; ++a)
-      for (int k = 0; k < 2; ++k) {
-        forces[2 * nodes[a] + k] += own[2 * a + k];
-        if (sizes) (*sizes)[2 * nodes[a] + k] += std::abs(own[2 * a + k]);
+      for (int k = 0; k < D; ++k) {
+        forces[D * nodes[a] + k] += own[D * a + k];
+        if (sizes) (*sizes)[D * nodes[a] + k] += std::abs(own[D * a + k]);
       }
   }
   return forces;
+}
+
+}  // namespace
+
+Vector initialForces(const CellBlock& block, const std::function<const Material&(int element)>& materialOf, PlaneModel plane,
+                     const InitialState& initial, Vector* sizes) {
+  if (initial.empty()) return {};
+  return block.dimension == 2 ? forcesOf<2>(block, materialOf, plane, initial, sizes)
+                              : forcesOf<3>(block, materialOf, plane, initial, sizes);
 }
 
 }  // namespace suture

@@ -1,21 +1,22 @@
 #pragma once
 #include <suture/base/Point.hpp>
 #include <suture/base/Types.hpp>
+#include <suture/elasticity/StressVector.hpp>
 
-#include <Eigen/Core>
 #include <functional>
 #include <vector>
 
 namespace suture {
 
 struct ElasticModel;
+template <int D>
 struct HookesLaw;
 struct Load;
 struct Material;
 struct CellBlock;
 enum class PlaneModel;
 
-/// The states of a block's elements before they deform: thermal strain, initial strain e_0 and initial stress s_0, so that s = D (e - e_0)
+/// States of a block's elements before they deform: thermal strain, initial strain e_0 and initial stress s_0, so that s = D (e - e_0)
 /// + s_0. One mechanism for temperature, shrinkage and swelling, a bolt's preload and stress in rock; most scenes have none.
 class InitialState {
  public:
@@ -29,12 +30,14 @@ class InitialState {
   bool empty() const { return ofBody_.empty(); }
   bool isIn(int element) const { return !empty() && !ofBody_[bodyOf_(element)].empty(); }
 
-  /// Strain and stress, each xx, yy, zz, xy (shear: 2 e_xy).
+  /// Strain and stress. \tparam D  dimension
+  template <int D>
   struct Values {
-    Eigen::Vector4d strain = Eigen::Vector4d::Zero(), stress = Eigen::Vector4d::Zero();
+    StressVector<D> strain = StressVector<D>::Zero(), stress = StressVector<D>::Zero();
   };
   /// \throws InputError  an expression is not finite there, or gives a sheet in plane stress a stress across
-  Values at(int element, const Point& place, const HookesLaw& law) const;
+  template <int D>
+  Values<D> at(int element, const Point& place, const HookesLaw<D>& law) const;
 
  private:
   std::vector<std::vector<const Load*>> ofBody_;  // empty: none at all

@@ -53,8 +53,8 @@ struct Load {
   double target = 0;    ///< value that the answer is to have, in the unit of the control
   Point axis{0, 0, 0};  ///< a unit vector; once a Force is resolved, over the area of its groups
   double length = 0;    ///< over which an InitialStrain shortens its body by the amount [length]
-  /// InitialStrain (shear: 2 e_xy) and InitialStress [stress], instead of value: xx, yy, zz, xy
-  std::array<double, 4> tensor{};
+  /// InitialStrain and InitialStress [stress], instead of value, as StressVector.hpp has them; in the plane the last two mean nothing
+  std::array<double, 6> tensor{};
 
   /// Makes a controlled load one of a known amount: a force along its axis [force], or a shortening [length].
   void setAmount(double amount);
@@ -67,8 +67,8 @@ struct Load {
     return varies() ? plus(here, cross(spin, minus(point, place))) : here;
   }
   /// The same of a kind with a tensor.
-  std::array<double, 4> tensorAt(const Point& point) const {
-    std::array<double, 4> here = tensor;
+  std::array<double, 6> tensorAt(const Point& point) const {
+    std::array<double, 6> here = tensor;
     for (std::size_t k = 0; k < expressions.size(); ++k) here[k] = expressions[k].at(point);
     return here;
   }
@@ -81,16 +81,17 @@ struct Load {
   /// Total force. [force]
   static Load force(const std::string& group, const Point& value) { return {Kind::Force, "", value, 0, {}, {group}}; }
   /// Total moment about the centroid, in the plane counterclockwise. [force x length]
-  static Load moment(const std::string& group, double value) { return {Kind::Moment, "", {0, 0, value}, 0, {}, {group}}; }
+  static Load moment(const std::string& group, double value) { return moment(group, Point{0, 0, value}); }
+  static Load moment(const std::string& group, const Point& value) { return {Kind::Moment, "", value, 0, {}, {group}}; }
   /// \param body  empty: all bodies
   static Load bodyForce(const Point& value, const std::string& body = "") { return {Kind::BodyForce, body, value}; }
   static Load gravity(const Point& acceleration, const std::string& body = "") { return {Kind::Gravity, body, acceleration}; }
-  /// \param velocity  angular velocity, along the axis: z in the plane, y in axisymmetric scenes [1 / time]
+  /// \param velocity  angular velocity, along the axis through `about`: z in the plane, y in axisymmetric scenes [1 / time]
   static Load rotation(const Point& velocity, const Point& about = {0, 0, 0}, const std::string& body = "");
   static Load temperature(double value, double reference, const std::string& body = "");
-  /// \param tensor  xx, yy, zz, xy
-  static Load initialStrain(const std::array<double, 4>& tensor, const std::string& body = "");
-  static Load initialStress(const std::array<double, 4>& tensor, const std::string& body = "");
+  /// \param tensor  xx, yy, zz, xy, yz, xz, the last two in space; shear: 2 e_xy
+  static Load initialStrain(const std::array<double, 6>& tensor, const std::string& body = "");
+  static Load initialStress(const std::array<double, 6>& tensor, const std::string& body = "");
   static Load pointForce(const Point& place, const Point& value, const std::string& body = "");
 
   /// Uniform traction at which the mean displacement of a group has this component. [length]

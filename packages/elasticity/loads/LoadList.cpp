@@ -1,6 +1,7 @@
 #include <suture/base/scene/SceneReader.hpp>
 #include <suture/constraints/ConditionData.hpp>
 #include <suture/constraints/ConditionForm.hpp>
+#include <suture/elasticity/StressVector.hpp>
 #include <suture/elasticity/loads/LoadList.hpp>
 #include <suture/mesh/SideGroups.hpp>
 
@@ -50,7 +51,17 @@ Point pointIn(const Parameters& list, const std::string& name) {
 }
 
 /// A single value stands along the axis of what turns: z in the plane, y in axisymmetric scenes.
-int firstComponent(Kind kind, bool axisymmetric) { return kind == Kind::Moment || kind == Kind::Rotation ? (axisymmetric ? 1 : 2) : 0; }
+int firstComponent(Kind kind, const ElasticModel& model) {
+  return model.dimension == 2 && (kind == Kind::Moment || kind == Kind::Rotation) ? (model.axisymmetric ? 1 : 2) : 0;
+}
+
+/// Numbers of the components that `Components` names: "All", "y", "xz".
+std::vector<std::size_t> componentsOf(const std::string& text, int dimension) {
+  std::vector<std::size_t> all;
+  for (const char letter : text == "All" || text.empty() ? std::string("xyz").substr(0, std::size_t(dimension)) : text)
+    all.push_back(std::size_t(letter - 'x'));
+  return all;
+}
 
 Load readLoad(Kind kind, const Parameters& condition, const ElasticModel& model, const Constants& constants, Problems& problems) {
   Load load;
@@ -72,10 +83,10 @@ Load readLoad(Kind kind, const Parameters& condition, const ElasticModel& model,
       problems.add(pathOf(condition, "Amplitude"), "is missing: a Random Load needs the largest force on a node's component");
     return load;
   }
-  ConditionData data = readConditionData(condition, constants, problems);
+  ConditionData data = readConditionData(condition, constants, problems, model.dimension);
   load.reference = numberIn(condition, "Reference Temperature", 0.0);
-  if (load.hasTensor() && data.values.size() == 4) std::copy(data.values.begin(), data.values.end(), load.tensor.begin());
-  const int first = firstComponent(kind, model.axisymmetric);
+  if (load.hasTensor()) std::copy_n(data.values.begin(), std::min(data.values.size(), load.tensor.size()), load.tensor.begin());
+  const int first = firstComponent(kind, model);
   for (std::size_t k = 0; !load.hasTensor() && k < data.values.size() && first + k < 3; ++k) load.value[first + k] = data.values[k];
   load.expressions = std::move(data.expressions);
   return load;
@@ -86,7 +97,7 @@ void readControlled(const Parameters& condition, ElasticModel& model, const Cons
   const std::string type = textIn(condition, "Type");
   if (type != "Mean Displacement" && type != "Preload") return;
   const std::size_t before = problems.list().size();
-  const ConditionData data = readConditionData(condition, constants, problems);
+  const ConditionData data = readConditionData(condition, constants, problems, model.dimension);
   std::vector<Load> loads;
   if (type == "Preload") {
     const Point direction = pointIn(condition, "Direction");
@@ -101,11 +112,11 @@ void readControlled(const Parameters& condition, ElasticModel& model, const Cons
                                                   ? "is missing: a Preload needs the body of its bolt. Bodies: " + joinNames(model.bodies)
                                                   : unknownName("body", body, model.bodies));
   } else {
-    const int first = textIn(condition, "Components") == "y" ? 1 : 0;
-    for (std::size_t k = 0; k < data.values.size(); ++k) {
-      loads.push_back(Load::meanDisplacement("", first + static_cast<int>(k), data.values[k]));
+    const std::vector<std::size_t> components = componentsOf(textIn(condition, "Components"), model.dimension);
+    for (std::size_t k = 0; k < std::min(components.size(), data.values.size()); ++k) {
+      loads.push_back(Load::meanDisplacement("", static_cast<int>(components[k]), data.values[k]));
       loads.back().groups = groupNames(condition, "Group");
-      if (model.axisymmetric && first + k == 0)
+      if (model.axisymmetric && components[k] == 0)
         problems.add(pathOf(condition, "Components"), "the mean displacement of a circle has no component x; expected y");
     }
   }
@@ -130,7 +141,7 @@ std::set<const Material*> materialsUnder(const Load& load, const ElasticModel& m
 void checkLoad(const Load& load, const std::string& path, const ElasticModel& model, Problems& problems) {
   const ConditionForm& form = formOf(load.kind);
   const std::string& name = form.name;
-  const std::size_t given = load.expressions.size(), wanted = form.components.size();
+  const std::size_t given = load.expressions.size(), wanted = form.componentsIn(model.dimension).size();
   if (given > 0 && (!form.varies || given != wanted))
     problems.add(path, std::to_string(given) + " expressions; expected " +
                            (load.kind == Kind::Random ? "none, the load is random"
@@ -173,7 +184,7 @@ const std::string& nameOf(Load::Kind kind) { return formOf(kind).name; }
 void Load::setAmount(double amount) {
   if (kind == Kind::InitialStrain) {
     const double strain = -amount / length;
-    tensor = {strain * axis[0] * axis[0], strain * axis[1] * axis[1], strain * axis[2] * axis[2], 2.0 * strain * axis[0] * axis[1]};
+    for (int c = 0; c < 6; ++c) tensor[c] = (c < 3 ? 1.0 : 2.0) * strain * axis[kStressAxes[c][0]] * axis[kStressAxes[c][1]];
   } else {
     value = scaled(amount, axis);
   }
@@ -188,7 +199,7 @@ Load Load::meanDisplacement(const std::string& group, int component, double valu
 }
 
 Load Load::preload(const std::string& body, const Point& direction, double length, double value) {
-  Load load = initialStrain({0, 0, 0, 0}, body);
+  Load load = initialStrain({}, body);
   load.control = Control::SectionForce;
   load.axis = unit(direction);
   load.length = length;
@@ -208,13 +219,13 @@ Load Load::temperature(double value, double reference, const std::string& body) 
   return load;
 }
 
-Load Load::initialStrain(const std::array<double, 4>& tensor, const std::string& body) {
+Load Load::initialStrain(const std::array<double, 6>& tensor, const std::string& body) {
   Load load{Kind::InitialStrain, body};
   load.tensor = tensor;
   return load;
 }
 
-Load Load::initialStress(const std::array<double, 4>& tensor, const std::string& body) {
+Load Load::initialStress(const std::array<double, 6>& tensor, const std::string& body) {
   Load load = initialStrain(tensor, body);
   load.kind = Kind::InitialStress;
   return load;

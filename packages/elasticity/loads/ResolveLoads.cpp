@@ -47,7 +47,7 @@ void forEachPoint(const Pieces& pieces, const Load& load, Rule rule, const Take&
     for (const Side& side : sidesOf(*piece.groups, load.groups)) {
       std::vector<Point> points;
       for (const int node : piece.block->nodesOf(side)) points.push_back(piece.block->point(node));
-      SideMap map(points, rule, piece.block->axisymmetric);
+      SideMap map(points, piece.block->dimension, rule, piece.block->axisymmetric);
       for (int q = 0; q < map.reference().points; ++q) {
         map.at(q);
         take(map.place(), map.measure());
@@ -130,15 +130,16 @@ void findNode(const Pieces& pieces, const ElasticModel& model, Load& load, Probl
   const std::vector<Candidate> found = nearest(pieces, model, load, kSame * extent);
   if (found.empty() || found.front().distance > tolerance) {
     std::ostringstream text;
-    text << "no node within " << tolerance << " of " << placeText(load.place);
+    text << "no node within " << tolerance << " of " << placeText(load.place, model.dimension);
     if (!found.empty())
-      text << "; the nearest one is " << placeText(found.front().place) << " of the body '" << model.bodies[found.front().body] << "', "
-           << found.front().distance << " away. Give the geometry a point there, or set Tolerance";
+      text << "; the nearest one is " << placeText(found.front().place, model.dimension) << " of the body '"
+           << model.bodies[found.front().body] << "', " << found.front().distance
+           << " away. Give the geometry a point there, or set Tolerance";
     problems.add(load.path + "/Point", text.str());
     return;
   }
   if (found.size() > 1 && found[1].distance <= found[0].distance + kSame * extent) {
-    problems.add(load.path + "/Body", "is missing: at " + placeText(load.place) + " there are nodes of the bodies '" +
+    problems.add(load.path + "/Body", "is missing: at " + placeText(load.place, model.dimension) + " there are nodes of the bodies '" +
                                           model.bodies[found[0].body] + "' and '" + model.bodies[found[1].body] + "'");
     return;
   }

@@ -38,11 +38,12 @@ std::vector<long long> expectedCosts(const Comm& comm, const CellBlock& mesh, co
   const std::vector<Size> all = joinOnRoot(comm, sizesOf(share, share.block(mesh).nodes()));
   std::vector<long long> costs;
   collectivelyOnRoot(comm, "partition", [&] {
+    const CostModel cost(mesh.dimension);
     std::vector<Size> sizes(subdomains, Size{0, 0, 0});
     for (const Size& size : all) sizes[size.subdomain] = size;
     for (std::size_t node = 0; node + 1 < contactHolders.offsets.size(); ++node)
       if (const auto holders = contactHolders.of(static_cast<int>(node)); holders.size() == 1) ++sizes[holders[0]].interfaceNodes;
-    for (const Size& size : sizes) costs.push_back(CostModel::work(size.nodes, size.interfaceNodes));
+    for (const Size& size : sizes) costs.push_back(cost.work(size.nodes, size.interfaceNodes));
   });
   return costs;
 }

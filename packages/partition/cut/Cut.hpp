@@ -41,5 +41,7 @@ Cut cutByNamedGroups(const Mesh& mesh, const Parameters& own);
 /// four ranks share evenly (Hertz at 100k on two ranks: 0.26 s in all with 12, 0.29 with 13). Up to six of 800 elements in small scenes, at
 /// least `pieces`, and at least `ranks` as long as each has 50 elements. Local.
 int automaticSubdomains(int elements, int pieces, int ranks);
+/// The same in space, where there is one for every CostModel::kNodesInSpace.
+int automaticSubdomainsInSpace(int nodes, int elements, int pieces, int ranks);
 
 }  // namespace suture

@@ -22,9 +22,14 @@ Schema metisSchema() {
   return Schema("Every body is cut on its own by METIS, in proportion to its elements; all subdomains are connected through element sides.")
       .wordOrNumber("Subdomains", "Automatic", {"Automatic"}, Range::atLeast(1),
                     "How many in all, at least one a body. Automatic: one for about 7200 elements, to a multiple of four, up to six of 800 "
-                    "in small scenes, and at least one a rank while each has 50 elements; only then does the cut depend on the number of "
-                    "ranks.")
+                    "in small scenes; in space one for about 700 nodes; and at least one a rank while each has 50 elements; only then does "
+                    "the cut depend on the number of ranks.")
       .integer("Seed", 1, "Seed of METIS' random numbers: the same one gives the same subdomains.", Range::atLeast(0));
+}
+
+int automaticSubdomainsInSpace(int nodes, int elements, int pieces, int ranks) {
+  const int enough = (nodes + CostModel::kNodesInSpace / 2) / CostModel::kNodesInSpace;
+  return std::max({pieces, enough > 6 ? (enough + 2) / 4 * 4 : enough, std::min(ranks, elements / 50)});
 }
 
 int automaticSubdomains(int elements, int pieces, int ranks) {
@@ -76,7 +81,9 @@ std::string describe(const std::vector<std::string>& bodies, const std::vector<P
 int wantedSubdomains(const Mesh& mesh, const std::vector<PartSize>& parts, const Parameters& own, int ranks) {
   const std::string text = own.get<std::string>("Subdomains");
   const int elements = mesh.elements(), least = static_cast<int>(parts.size());
-  if (text == "Automatic") return automaticSubdomains(elements, least, ranks);
+  if (text == "Automatic")
+    return mesh.dimension == 2 ? automaticSubdomains(elements, least, ranks)
+                               : automaticSubdomainsInSpace(mesh.nodes(), elements, least, ranks);
   const double number = std::stod(text);  // the reader has checked that it is one
   const std::string path = pathOf(own, "Subdomains");
   if (number != std::floor(number)) throw InputError(path, text + " is not a whole number");

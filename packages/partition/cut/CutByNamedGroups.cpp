@@ -12,7 +12,7 @@
 namespace suture {
 
 Schema namedGroupsSchema() {
-  return Schema("Every surface group of the mesh whose name matches the pattern is a subdomain.")
+  return Schema("Every surface group of the mesh, in space every volume group, whose name matches the pattern is a subdomain.")
       .text("Pattern", "subdomain_*", "Name in which * stands for any characters and ? for one.");
 }
 
@@ -35,7 +35,7 @@ void checkConnected(const Mesh& mesh, const Cut& cut, const std::string& path, P
     std::string places;
     for (std::size_t i = 0; i < std::min<std::size_t>(of[s].size(), 3); ++i)
       places += (i ? ", " : "") + placeText(centreOf(mesh, pieces.elements[of[s][i]].front()), mesh.dimension);
-    problems.add(path, "the surface group '" + cut.names[s] + "' falls into " + std::to_string(of[s].size()) +
+    problems.add(path, "the " + mesh.elementGroupKind() + " '" + cut.names[s] + "' falls into " + std::to_string(of[s].size()) +
                            " parts without a common side (at " + places + "); a subdomain must be connected");
   }
 }
@@ -51,7 +51,7 @@ Cut cutByNamedGroups(const Mesh& mesh, const Parameters& own) {
   for (const auto& [name, elements] : mesh.elementGroups) {
     if (!matchesPattern(name, pattern)) continue;
     if (elements.empty()) {
-      problems.add(path, "the surface group '" + name + "' has no elements");
+      problems.add(path, "the " + mesh.elementGroupKind() + " '" + name + "' has no elements");
       continue;
     }
     const int subdomain = static_cast<int>(cut.names.size());
@@ -67,12 +67,12 @@ Cut cutByNamedGroups(const Mesh& mesh, const Parameters& own) {
     if (bodies.size() > 1) {
       std::vector<std::string> names;
       for (int body : bodies) names.push_back(mesh.bodies[body]);
-      problems.add(path, "the surface group '" + name + "' lies in " + std::to_string(bodies.size()) + " bodies (" + joinNames(names) +
-                             "); a subdomain lies in one");
+      problems.add(path, "the " + mesh.elementGroupKind() + " '" + name + "' lies in " + std::to_string(bodies.size()) + " bodies (" +
+                             joinNames(names) + "); a subdomain lies in one");
     }
   }
   if (cut.names.empty()) {
-    problems.add(path, "no surface group of the mesh " + mesh.source + " matches '" + pattern + "'." +
+    problems.add(path, "no " + mesh.elementGroupKind() + " of the mesh " + mesh.source + " matches '" + pattern + "'." +
                            suggestion(pattern, mesh.elementGroupNames()));
     problems.throwIfAny();
   }
@@ -83,8 +83,8 @@ Cut cutByNamedGroups(const Mesh& mesh, const Parameters& own) {
   for (int e = 0; e < mesh.elements(); ++e)
     if (cut.subdomainOfElement[e] < 0) homeless.push_back(e);
   if (!homeless.empty())
-    problems.add(path, elementsAt(mesh, homeless.size(), homeless.front()) + " in no surface group that matches '" + pattern +
-                           "'; every element belongs to a subdomain. They match: " + joinNames(cut.names));
+    problems.add(path, elementsAt(mesh, homeless.size(), homeless.front()) + " in no " + mesh.elementGroupKind() + " that matches '" +
+                           pattern + "'; every element belongs to a subdomain. They match: " + joinNames(cut.names));
   if (problems.empty()) checkConnected(mesh, cut, path, problems);
   problems.throwIfAny();
   return cut;

@@ -8,19 +8,22 @@
 namespace suture {
 namespace {
 
-// A side by its end point of higher number, in the list of its lower one.
+// A side in the list of its lowest vertex.
 struct HalfSide {
-  int high;
-  int element;  // the first that has it; none once there is a second
+  long long rest;  // SideKey::rest
+  int element;     // the first that has it; none once there is a second
 };
 constexpr int none = -1;
 
-[[noreturn]] void refuse(const CellBlock& block, std::pair<int, int> ends) {
+[[noreturn]] void refuse(const CellBlock& block, const SideKey& key, const Side& side) {
   int elements = 0;
-  for (int e = 0; e < block.elements(); ++e)
-    forEachSide(block, e, [&](std::pair<int, int> other, const Side&) { elements += other == ends; });
-  throw InputError("Mesh", std::to_string(elements) + " elements share the side from " + placeText(block.point(ends.first)) + " to " +
-                               placeText(block.point(ends.second)) + "; at most two can");
+  for (int e = 0; e < block.elements(); ++e) forEachSide(block, e, [&](const SideKey& other, const Side&) { elements += other == key; });
+  std::string places;
+  const CellInfo& cell = cellInfo(block.cells[side.element]);
+  for (const int local : cell.sideNodes[side.side])
+    if (local < cell.vertices)
+      places += (places.empty() ? " from " : " to ") + placeText(block.point(block.nodesOf(side.element)[local]), block.dimension);
+  throw InputError("Mesh", std::to_string(elements) + " elements share the side" + places + "; at most two can");
 }
 
 }  // namespace
@@ -28,7 +31,7 @@ constexpr int none = -1;
 ElementGraph elementGraph(const CellBlock& block) {
   // Room for the sides of each lower end point, by counting: linear in the size of the mesh.
   std::vector<int> start(block.nodes() + 1, 0);
-  for (int e = 0; e < block.elements(); ++e) forEachSide(block, e, [&](std::pair<int, int> ends, const Side&) { ++start[ends.first + 1]; });
+  for (int e = 0; e < block.elements(); ++e) forEachSide(block, e, [&](const SideKey& key, const Side&) { ++start[key.low + 1]; });
   std::partial_sum(start.begin(), start.end(), start.begin());
   std::vector<HalfSide> sides(start.back());
   std::vector<int> stop(start.begin(), start.end() - 1);
@@ -40,15 +43,15 @@ ElementGraph elementGraph(const CellBlock& block) {
     graph.offsets[e + 1] = graph.offsets[e] + static_cast<int>(cellInfo(block.cells[e]).sideNodes.size());
   graph.neighbours.resize(graph.offsets.back());
   std::vector<int> end(graph.offsets.begin(), graph.offsets.end() - 1);
-  const auto match = [&](std::pair<int, int> ends, const Side& own) {
-    HalfSide *side = sides.data() + start[ends.first], *const last = sides.data() + stop[ends.first];
-    while (side != last && side->high != ends.second) ++side;
+  const auto match = [&](const SideKey& key, const Side& own) {
+    HalfSide *side = sides.data() + start[key.low], *const last = sides.data() + stop[key.low];
+    while (side != last && side->rest != key.rest) ++side;
     if (side == last) {
-      *side = {ends.second, own.element};
-      ++stop[ends.first];
+      *side = {key.rest, own.element};
+      ++stop[key.low];
       return;
     }
-    if (side->element == none) refuse(block, ends);
+    if (side->element == none) refuse(block, key, own);
     graph.neighbours[end[own.element]++] = side->element;
     graph.neighbours[end[side->element]++] = own.element;
     side->element = none;

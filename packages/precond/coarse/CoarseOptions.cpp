@@ -9,8 +9,8 @@ namespace suture {
 void CoarseOptions::addParameters(Schema& schema) {
   const CoarseOptions defaults;
   schema.choice("Weighting", "Stiffness Diagonal", Registry<Weighting>::instance().schemas(), "How subdomains share the interface, D_i.");
-  schema.choice("Edge Constraints", "Rigid Modes", Registry<PrimalConstraints>::instance().schemas(),
-                "Constraints that subdomains share on an edge, beside its end points.");
+  schema.choice("Edge Constraints", "Automatic", Registry<PrimalConstraints>::instance().schemas(),
+                "Constraints that subdomains share on an edge, beside its end points, and in space on a face.");
   addCoarseParameters(schema);
   schema.integer(
       "Coarse Level Above", defaults.above,

@@ -14,7 +14,7 @@ namespace suture {
 /// local problems.
 struct CoarseOptions {
   std::function<std::unique_ptr<Weighting>()> weighting = [] { return std::make_unique<StiffnessDiagonalWeighting>(); };
-  std::function<std::unique_ptr<PrimalConstraints>()> primal = rigidModeConstraints;
+  std::function<std::unique_ptr<PrimalConstraints>()> primal = automaticConstraints;
   LocalSolverMaker solver;  ///< solver of the last level
   int copies = 0;           ///< ranks that hold a factor; 0: all
   int above = 1000;         ///< local problems beyond which there is a level more; 0: always one, and no further

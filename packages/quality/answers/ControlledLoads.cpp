@@ -23,7 +23,7 @@ void addSides(const SubdomainMesh& mesh, const Vector& displacement, const Load&
     const std::vector<int> nodes = mesh.nodesOf(side);
     std::vector<Point> points;
     for (const int node : nodes) points.push_back(mesh.point(node));
-    SideMap map(points, Rule::Load, mesh.axisymmetric);
+    SideMap map(points, mesh.dimension, Rule::Load, mesh.axisymmetric);
     const ReferenceElement& reference = map.reference();
     for (int q = 0; q < reference.points; ++q) {
       map.at(q);
@@ -36,14 +36,19 @@ void addSides(const SubdomainMesh& mesh, const Vector& displacement, const Load&
 }
 
 /// Integral of axis . stress . axis over a mesh.
+template <int D>
 double axialStress(const SubdomainMesh& mesh, const ElasticModel& model, const Vector& displacement, const Load& load) {
   const InitialState initial(model, mesh.body);
-  const Eigen::Vector4d along(load.axis[0] * load.axis[0], load.axis[1] * load.axis[1], 0.0, 2.0 * load.axis[0] * load.axis[1]);
+  StressVector<D> along;  // of it every shear stress counts twice
+  for (int k = 0; k < stressComponents<D>; ++k) {
+    const auto [i, j] = kStressAxes[k];
+    along[k] = (i == j ? 1.0 : 2.0) * load.axis[std::size_t(i)] * load.axis[std::size_t(j)];
+  }
   double sum = 0.0;
   for (int e = 0; e < mesh.elements(); ++e) {
-    const HookesLaw law(model.materialOf(mesh, e, mesh.body), model.plane);
+    const HookesLaw<D> law(model.materialOf(mesh, e, mesh.body), model.plane);
     const ReferenceElement& reference = referenceElement(mesh.cells[e], stiffnessRule(mesh));
-    ElementStress element(mesh, e, reference, law, displacement, initial);
+    ElementStress<D> element(mesh, e, reference, law, displacement, initial);
     for (int q = 0; q < reference.points; ++q) {
       element.at(q);
       sum += element.map().measure() * along.dot(element.stress());
@@ -69,7 +74,7 @@ double controlledValue(const Comm& comm, const std::vector<SubdomainMesh>& meshe
       if (load.control == Load::Control::MeanDisplacement)
         addSides(meshes[i], displacement[i], load, mean);
       else if (load.actsOn(model.bodies[meshes[i].body]))
-        force += axialStress(meshes[i], model, displacement[i], load) / load.length;
+        force += (meshes[i].dimension == 2 ? axialStress<2> : axialStress<3>)(meshes[i], model, displacement[i], load) / load.length;
   });
   if (load.control == Load::Control::SectionForce) return overRanks(comm, Teuchos::REDUCE_SUM, force);
   return overRanks(comm, Teuchos::REDUCE_SUM, mean.integral) / overRanks(comm, Teuchos::REDUCE_SUM, mean.size);
@@ -77,14 +82,15 @@ double controlledValue(const Comm& comm, const std::vector<SubdomainMesh>& meshe
 
 double controlledSlope(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model, const Load& load) {
   std::vector<Vector> still;
-  double young = 0.0, box[4] = {-1e300, -1e300, -1e300, -1e300};
+  double young = 0.0;
+  Point high{-1e300, -1e300, -1e300}, low = high;  // low: times -1
   for (const SubdomainMesh& mesh : meshes) {
     still.push_back(Vector::Zero(Eigen::Index(mesh.nodes()) * mesh.dimension));
     for (int e = 0; e < mesh.elements(); ++e) young = std::max(young, model.materialOf(mesh, e, mesh.body).young);
     for (int node = 0; node < mesh.nodes(); ++node)
-      for (int k = 0; k < 2; ++k) {
-        box[k] = std::max(box[k], mesh.point(node)[k]);
-        box[2 + k] = std::max(box[2 + k], -mesh.point(node)[k]);
+      for (int k = 0; k < 3; ++k) {
+        high[k] = std::max(high[k], mesh.point(node)[k]);
+        low[k] = std::max(low[k], -mesh.point(node)[k]);
       }
   }
   if (load.control == Load::Control::SectionForce) {
@@ -93,8 +99,10 @@ double controlledSlope(const Comm& comm, const std::vector<SubdomainMesh>& meshe
     alone.loads[0].setAmount(1.0);
     return controlledValue(comm, meshes, alone, still, load);
   }
-  for (double& side : box) side = overRanks(comm, Teuchos::REDUCE_MAX, side);
-  const double thickness = model.axisymmetric ? std::max(box[0] + box[2], box[1] + box[3]) : 1.0;
+  double extent = 0.0;
+  for (int k = 0; k < 3; ++k)
+    extent = std::max(extent, overRanks(comm, Teuchos::REDUCE_MAX, high[k]) + overRanks(comm, Teuchos::REDUCE_MAX, low[k]));
+  const double thickness = model.axisymmetric || model.dimension == 3 ? extent : 1.0;
   return 1.0 / (overRanks(comm, Teuchos::REDUCE_MAX, young) * thickness);
 }
 

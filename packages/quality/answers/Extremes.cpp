@@ -3,6 +3,7 @@
 #include <suture/mesh/CellGeometry.hpp>
 #include <suture/quality/answers/Extremes.hpp>
 
+#include <Eigen/Eigenvalues>
 #include <Teuchos_Comm.hpp>
 
 #include <algorithm>
@@ -20,16 +21,39 @@ constexpr double kNothing = 1e-9;  // part of von Mises below which a principal 
 
 bool isBefore(const Extreme& a, const Extreme& b) { return std::tie(a.body, a.id) < std::tie(b.body, b.id); }
 
+/// A stress tensor: xx, yy, zz, xy, yz, xz.
+using Tensor = std::array<double, 6>;
+
+double vonMises(const Tensor& s) {
+  const double a = s[0] - s[1], b = s[1] - s[2], c = s[2] - s[0];
+  return std::sqrt(0.5 * (a * a + b * b + c * c) + 3.0 * s[3] * s[3] + 3.0 * s[4] * s[4] + 3.0 * s[5] * s[5]);
+}
+
+/// Smallest and largest principal stress.
+std::array<double, 2> principal(const Tensor& s) {
+  if (s[4] == 0.0 && s[5] == 0.0) {  // as in the plane: zz is one of them
+    const double mean = 0.5 * (s[0] + s[1]), radius = std::sqrt(0.25 * (s[0] - s[1]) * (s[0] - s[1]) + s[3] * s[3]);
+    return {std::min(mean - radius, s[2]), std::max(mean + radius, s[2])};
+  }
+  Eigen::Matrix3d tensor;
+  tensor << s[0], s[3], s[5], s[3], s[1], s[4], s[5], s[4], s[2];
+  const Eigen::Vector3d values = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(tensor, Eigen::EigenvaluesOnly).eigenvalues();
+  return {values[0], values[2]};
+}
+
 /// Searches of one rank, in the order of Extremes.
 class Search {
  public:
   template <typename Place>
-  void stress(double xx, double yy, double zz, double xy, int body, GlobalId id, const Place& place) {
-    const double mean = 0.5 * (xx + yy), radius = std::sqrt(0.25 * (xx - yy) * (xx - yy) + xy * xy);
-    const double a = xx - yy, b = yy - zz, c = zz - xx;
-    all_[0].take(std::sqrt(0.5 * (a * a + b * b + c * c) + 3.0 * xy * xy), body, id, place);
-    all_[1].take(std::max(mean + radius, zz), body, id, place);
-    all_[2].take(-std::min(mean - radius, zz), body, id, place);
+  void stress(const Tensor& s, int body, GlobalId id, const Place& place) {
+    const double equivalent = vonMises(s);
+    all_[0].take(equivalent, body, id, place);
+    // No principal stress is farther than this from the mean: few tensors need their eigenvalues.
+    const double mean = (s[0] + s[1] + s[2]) / 3.0, farthest = (2.0 / 3.0 + kEqual) * equivalent;
+    if (!all_[1].mayTake(mean + farthest) && !all_[2].mayTake(farthest - mean)) return;
+    const auto [smallest, largest] = principal(s);
+    all_[1].take(largest, body, id, place);
+    all_[2].take(-smallest, body, id, place);
   }
   template <typename Place>
   void displacement(double size, int body, GlobalId id, const Place& place) {
@@ -70,9 +94,12 @@ void searchDisplacements(const SubdomainMesh& mesh, const Vector& u, Search& sea
 
 /// \param stresses  rows as elementStresses(), of elements or, `atNodes`, of nodes
 void searchStresses(const SubdomainMesh& mesh, const Matrix& stresses, bool atNodes, Search& search) {
-  for (int i = 0; i < int(stresses.rows()); ++i)
-    search.stress(stresses(i, 0), stresses(i, 1), stresses(i, 2), stresses(i, 3), mesh.body,
-                  atNodes ? mesh.globalNodes[i] : mesh.globalElements[i], [&] { return atNodes ? mesh.point(i) : centreOf(mesh, i); });
+  Tensor s{};
+  for (int i = 0; i < int(stresses.rows()); ++i) {
+    for (int k = 0; k < int(stresses.cols()); ++k) s[std::size_t(k)] = stresses(i, k);
+    search.stress(s, mesh.body, atNodes ? mesh.globalNodes[i] : mesh.globalElements[i],
+                  [&] { return atNodes ? mesh.point(i) : centreOf(mesh, i); });
+  }
 }
 
 }  // namespace

@@ -25,8 +25,10 @@ class Largest {
   /// Local. \param place  called only if the value may be the largest
   template <typename Place>
   void take(double value, int body, GlobalId id, const Place& place) {
-    if (value >= least_ || front_.empty()) insert({value, id, place(), body, 0});
+    if (mayTake(value)) insert({value, id, place(), body, 0});
   }
+  /// False of values that take() would not look at.
+  bool mayTake(double value) const { return value >= least_ || front_.empty(); }
   /// Takes what another one has kept. Local.
   void take(const Largest& other) {
     for (const Extreme& one : other.front_) insert(one);
@@ -46,7 +48,7 @@ class Largest {
 };
 
 /// Extremes of a solution over all bodies. A principal stress that is mere rounding of others (uniaxial stress) is zero, and nowhere. The
-/// three-dimensional tensor counts: the stress across the plane is one of the principal ones.
+/// three-dimensional tensor counts: in plane scenes the stress across the plane is one of the principal ones.
 struct Extremes {
   Extreme vonMises;        ///< [stress]
   Extreme tension;         ///< largest principal stress [stress]

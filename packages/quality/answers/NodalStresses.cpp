@@ -13,8 +13,8 @@ std::vector<Matrix> nodalStresses(const Comm& comm, const std::vector<SubdomainM
   // In a body of one material a node has one stress, whoever computes it.
   if (!model.materialOfRegion.empty()) SeamExchange(comm, meshes).sum(all);
   for (Matrix& sums : all) {
-    const auto stresses = sums.topRows(4);
-    sums = (stresses.array().rowwise() / sums.row(4).array()).matrix().transpose().eval();
+    const Eigen::Index components = sums.rows() - 1;
+    sums = (sums.topRows(components).array().rowwise() / sums.row(components).array()).matrix().transpose().eval();
   }
   return all;
 }

@@ -17,7 +17,7 @@ struct SoughtPoint {
 struct PointInElement {
   int mesh = -1;  ///< place among the meshes of this rank; -1: another rank has it, or nobody
   int element = -1;
-  ReferencePoint at{0, 0};
+  ReferencePoint at{0, 0, 0};
 };
 
 /// Where points lie: each in one element of one rank.
@@ -31,7 +31,7 @@ struct FoundPoints {
 
 /// Finds the elements that hold points of the undeformed bodies. A point that is outside by less than a twentieth of an element counts as
 /// in it: a side of straight elements cuts the curve that it stands for. Where several elements have it the lowest body, then element, so
-/// that a point on a contact line is in the first body unless its body is given. Two-dimensional. Collective.
+/// that a point on a contact line or surface is in the first body unless its body is given. Collective.
 FoundPoints findPoints(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const std::vector<std::string>& bodies,
                        const std::vector<SoughtPoint>& points);
 

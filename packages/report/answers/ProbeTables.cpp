@@ -25,7 +25,7 @@ struct Row {
   int body = -1, unused = 0;
   double arc = 0.0;
   Point place{0, 0, 0}, displacement{0, 0, 0};
-  std::array<double, 4> stress{};
+  std::array<double, 6> stress{};  // as StressVector.hpp has them: in the plane the last two are zero
 };
 
 /// A side of a group, between two nodes of the mesh. Plain.
@@ -39,14 +39,16 @@ struct GroupSide {
 class Centroids {
  public:
   Centroids(const Run& run, int mesh) : run_(run), mesh_(mesh) {}
-  std::array<double, 4> at(int element) {
+  std::array<double, 6> at(int element) {
     if (!stresses_) {
       const SubdomainMesh& mesh = run_.subdomains[mesh_];
       const auto own = run_.solution.ownStresses.find(mesh_);
       stresses_ =
           own != run_.solution.ownStresses.end() ? own->second : elementStresses(mesh, run_.model, run_.solution.displacement[mesh_]);
     }
-    return {(*stresses_)(element, 0), (*stresses_)(element, 1), (*stresses_)(element, 2), (*stresses_)(element, 3)};
+    std::array<double, 6> stress{};
+    for (Eigen::Index k = 0; k < stresses_->cols(); ++k) stress[std::size_t(k)] = (*stresses_)(element, k);
+    return stress;
   }
 
  private:
@@ -74,7 +76,8 @@ class Values {
       row.place = plus(row.place, scaled(weights[a], mesh.point(nodes[a])));
       for (int k = 0; k < mesh.dimension; ++k)
         row.displacement[k] += weights[a] * mesh.total(run_.solution.displacement[m], Eigen::Index(nodes[a]) * mesh.dimension + k);
-      for (int k = 0; recovered && k < 4; ++k) row.stress[k] += weights[a] * run_.solution.nodalStresses[m](nodes[a], k);
+      for (Eigen::Index k = 0; recovered && k < run_.solution.nodalStresses[m].cols(); ++k)
+        row.stress[std::size_t(k)] += weights[a] * run_.solution.nodalStresses[m](nodes[a], k);
     }
     return row;
   }
@@ -102,7 +105,7 @@ std::vector<Row> rowsOfPoints(const Run& run, const Probe& probe, const FoundPoi
   return rows;
 }
 
-/// A row a node and side; the sides of the group that this rank has.
+/// A row a node and side; in the plane the sides of the group that this rank has.
 std::vector<Row> rowsOfGroup(const Run& run, const Probe& probe, Values& values, std::vector<GroupSide>& sides) {
   std::vector<Row> rows;
   for (std::size_t m = 0; m < run.subdomains.size(); ++m) {
@@ -113,7 +116,7 @@ std::vector<Row> rowsOfGroup(const Run& run, const Probe& probe, Values& values,
       const std::vector<int>& corners = cellInfo(mesh.cells[side.element]).sideNodes[side.side];
       const Span<const int> nodes = mesh.nodesOf(side.element);
       const auto global = [&](std::size_t k) { return k < corners.size() ? mesh.globalNodes[nodes[corners[k]]] : GlobalId(-1); };
-      sides.push_back({global(0), global(1), global(2)});
+      if (mesh.dimension == 2) sides.push_back({global(0), global(1), global(2)});
       for (std::size_t k = 0; k < corners.size(); ++k) {
         std::vector<double> weights(nodes.size(), 0.0);
         weights[corners[k]] = 1.0;
@@ -158,19 +161,23 @@ std::vector<GlobalId> ordered(std::vector<GroupSide> sides) {
   return nodes;
 }
 
-std::vector<Row> alongGroup(const std::vector<Row>& all, const std::vector<GroupSide>& sides) {
+/// A row a node: in the plane along the sides, on a surface by number.
+std::vector<Row> ofNodes(const std::vector<Row>& all, const std::vector<GroupSide>& sides) {
   std::map<GlobalId, std::pair<Row, int>> means;  // over the sides at a node
   for (const Row& row : all) {
     auto& [mean, count] = means.try_emplace(row.order, row, 0).first->second;
     if (count++ > 0)
-      for (int k = 0; k < 4; ++k) mean.stress[k] += row.stress[k];
+      for (std::size_t k = 0; k < row.stress.size(); ++k) mean.stress[k] += row.stress[k];
   }
+  std::vector<GlobalId> nodes = ordered(sides);
+  if (sides.empty())
+    for (const auto& entry : means) nodes.push_back(entry.first);
   std::vector<Row> rows;
-  for (const GlobalId node : ordered(sides)) {
+  for (const GlobalId node : nodes) {
     const auto& [mean, count] = means.at(node);
     rows.push_back(mean);
     for (double& one : rows.back().stress) one /= count;
-    if (rows.size() > 1) {
+    if (rows.size() > 1 && !sides.empty()) {
       const Row& before = rows[rows.size() - 2];
       rows.back().arc = before.arc + norm(minus(rows.back().place, before.place));
     }
@@ -195,17 +202,18 @@ std::string textOf(const Run& run, const std::vector<Row>& rows, bool ofGroup) {
     pressure = std::max(pressure, std::abs(pair.pressure));
   }
   for (const Row& row : rows) {
-    Matrix stress(1, 4);
-    for (int k = 0; k < 4; ++k) stress(0, k) = row.stress[k];
+    Matrix stress(1, run.model.dimension == 2 ? 4 : 6);
+    for (Eigen::Index k = 0; k < stress.cols(); ++k) stress(0, k) = row.stress[std::size_t(k)];
     const Matrix principal = principalStresses(stress);
+    const bool inPlane = run.model.dimension == 2;  // the stress across is one of them
+    const double most = inPlane ? std::max(principal(0, 0), row.stress[2]) : principal(0, 0),
+                 least = inPlane ? std::min(principal(0, 1), row.stress[2]) : principal(0, 2);
     text += csvNumber(row.arc, place).substr(1);
     for (const double one : row.place) text += csvNumber(one, place);
     text += "," + csvField(bodyName(run, row.body));
     for (const double one : row.displacement) text += csvNumber(one, displacement);
     for (const double one : row.stress) text += csvNumber(one, largest);
-    text += ",0,0";
-    for (const double one : {vonMises(stress)[0], std::max(principal(0, 0), row.stress[2]), std::min(principal(0, 1), row.stress[2])})
-      text += csvNumber(one, largest);
+    for (const double one : {vonMises(stress)[0], most, least}) text += csvNumber(one, largest);
     const auto pair = pairs.find(row.order);
     text += pair == pairs.end() ? ",,\n" : csvNumber(pair->second->gap, gap) + csvNumber(pair->second->pressure, pressure) + "\n";
   }
@@ -229,7 +237,7 @@ void writeProbes(const Run& run, const std::vector<Probe>& probes, const std::st
       if (probe.group.empty())
         std::sort(rows.begin(), rows.end(), [](const Row& a, const Row& b) { return a.order < b.order; });
       else
-        rows = alongGroup(rows, all);
+        rows = ofNodes(rows, all);
       writeTextFile((std::filesystem::path(folder) / probe.fileName()).string(), textOf(run, rows, !probe.group.empty()));
     });
   }

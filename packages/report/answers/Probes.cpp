@@ -24,8 +24,10 @@ const std::map<std::string, std::vector<std::string>>& parametersOf() {
 
 class Entry {
  public:
-  Entry(const Parameters& list, const std::vector<std::string>& bodies, Problems& problems)
-      : list_(list), bodies_(bodies), problems_(problems), type_(list.get<std::string>("Type")) {}
+  Entry(const Parameters& list, int dimension, const std::vector<std::string>& bodies, Problems& problems)
+      : list_(list), bodies_(bodies), problems_(problems), type_(list.get<std::string>("Type")) {
+    probe_.dimension = dimension;
+  }
 
   Probe read(const std::string& name) {
     probe_.name = name;
@@ -63,8 +65,11 @@ class Entry {
     Point point{0, 0, 0};
     if (!list_.isParameter(name)) return point;
     const auto given = list_.get<Teuchos::Array<double>>(name);
-    if (given.size() != 2) problems_.add(probe_.path + "/" + name, std::to_string(given.size()) + " coordinates; expected two, x and y");
-    std::copy_n(given.begin(), std::min<std::size_t>(2, given.size()), point.begin());
+    const auto expected = static_cast<std::size_t>(probe_.dimension);
+    if (static_cast<std::size_t>(given.size()) != expected)
+      problems_.add(probe_.path + "/" + name,
+                    std::to_string(given.size()) + " coordinates; expected " + (expected == 2 ? "two, x and y" : "three, x, y and z"));
+    std::copy_n(given.begin(), std::min<std::size_t>(expected, given.size()), point.begin());
     return point;
   }
 
@@ -107,7 +112,7 @@ std::string Probe::fileName() const {
 Schema probeSchema() {
   return Schema("a table probe_<name>.csv: displacement and stress, along sides of contact also gap and pressure")
       .oneOf("Type", std::nullopt, {"Point", "Line", "Group"},
-             "Point: one place; Line: places between two ends, at equal distances; Group: all nodes of a side group, along it")
+             "Point: one place; Line: places between two ends, at equal distances; Group: all nodes of a side group, in the plane along it")
       .reals("Place", std::nullopt, "Point: its coordinates on the undeformed body [length]", "length")
       .optional()
       .reals("From", std::nullopt, "Line: the first end [length]", "length")
@@ -116,7 +121,7 @@ Schema probeSchema() {
       .optional()
       .integer("Points", std::nullopt, "Line: number of points, the ends included; 101 if left out", Range::atLeast(2))
       .optional()
-      .text("Group", std::nullopt, "Group: a curve group of the mesh")
+      .text("Group", std::nullopt, "Group: a side group of the mesh")
       .optional()
       .text("Body", std::nullopt, "Point, Line: the body that is meant; if left out, the first that has the point")
       .optional();
@@ -129,7 +134,7 @@ std::vector<Probe> readProbes(const Parameters& scene, const std::vector<std::st
   Problems problems;
   std::map<std::string, std::string> files;
   for (const std::string& name : sublistNames(list)) {
-    probes.push_back(Entry(list.sublist(name), bodies, problems).read(name));
+    probes.push_back(Entry(list.sublist(name), sceneDimension(scene), bodies, problems).read(name));
     const auto [at, isNew] = files.emplace(probes.back().fileName(), name);
     if (!isNew) problems.add(probes.back().path, "has the file " + at->first + " of the probe '" + at->second + "'; give it another name");
   }
@@ -145,7 +150,7 @@ std::vector<FoundPoints> locateProbes(const Comm& comm, const std::vector<Subdom
   Problems problems;
   for (const Probe& probe : probes) {
     if (!probe.group.empty() && !std::count(groups.begin(), groups.end(), probe.group))
-      problems.add(probe.path + "/Group", unknownName("curve group", probe.group, groups));
+      problems.add(probe.path + "/Group", unknownName(probe.dimension == 2 ? "curve group" : "surface group", probe.group, groups));
     all.push_back(findPoints(comm, meshes, bodies, probe.points));
     const FoundPoints& found = all.back();
     if (found.outside.empty()) continue;
@@ -153,8 +158,8 @@ std::vector<FoundPoints> locateProbes(const Comm& comm, const std::vector<Subdom
     const SoughtPoint& first = probe.points[found.outside.front()];
     problems.add(
         probe.path,
-        "the point " + placeText(first.place) + " is outside " + (first.body < 0 ? "all bodies" : "the body '" + bodies[first.body] + "'") +
-            "; " + found.nearest.front() +
+        "the point " + placeText(first.place, probe.dimension) + " is outside " +
+            (first.body < 0 ? "all bodies" : "the body '" + bodies[first.body] + "'") + "; " + found.nearest.front() +
             (others > 0 ? " (and so " + std::to_string(others) + " more of " + std::to_string(probe.points.size()) + " points)" : ""));
   }
   problems.throwIfAny();

@@ -13,6 +13,7 @@ struct Probe {
   std::string name, path;           ///< path: "Output/Probes/<name>", for messages
   std::vector<SoughtPoint> points;  ///< none of a group
   std::string group;                ///< empty: points
+  int dimension = 2;                ///< of the scene
 
   std::string fileName() const;  ///< "probe_<name>.csv", all but letters, digits, - and _ of the name replaced by _
 };

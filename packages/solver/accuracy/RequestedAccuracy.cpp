@@ -21,7 +21,7 @@ AutomaticTolerance::Estimate discretisationErrorOf(const Comm& comm, const std::
   int order = 1, highest = 1;
   for (const auto& subdomain : subdomains) unknowns += subdomain->dofs();
   for (const SubdomainMesh& mesh : meshes)
-    for (const Cell cell : mesh.cells) order = std::max(order, static_cast<int>(cellInfo(cell).sideNodes.front().size()) - 1);
+    for (const Cell cell : mesh.cells) order = std::max(order, cellInfo(cell).order);
   Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, unknowns, Teuchos::outArg(all));
   Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, order, Teuchos::outArg(highest));
   const auto of = [&](const std::vector<Vector>& freeValues) {
@@ -29,8 +29,8 @@ AutomaticTolerance::Estimate discretisationErrorOf(const Comm& comm, const std::
     for (std::size_t i = 0; i < subdomains.size(); ++i) displacement.push_back(subdomains[i]->cartesian(freeValues[i]));
     return estimateError(comm, meshes, model, displacement);
   };
-  const double nodes = std::max(0.5 * all, 1.0);
-  return {of, highest == 1 ? 3.0 / std::sqrt(nodes) : 1.5 / nodes};
+  const double nodes = std::max(all / model.dimension, 1.0), size = std::pow(nodes, -1.0 / model.dimension);
+  return {of, highest == 1 ? 3.0 * size : 1.5 * size * size};
 }
 
 }  // namespace suture

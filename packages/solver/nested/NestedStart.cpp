@@ -2,14 +2,15 @@
 #include <suture/base/Collective.hpp>
 #include <suture/base/Point.hpp>
 #include <suture/mesh/BoxTree.hpp>
+#include <suture/mesh/CellSearch.hpp>
 #include <suture/partition/RigidLift.hpp>
 #include <suture/solver/nested/NestedStart.hpp>
-#include <suture/solver/nested/TriangleSearch.hpp>
 
 #include <Teuchos_Comm.hpp>
 
-#include <algorithm>
+#include <cmath>
 #include <map>
+#include <optional>
 
 namespace suture {
 
@@ -21,9 +22,69 @@ struct Query {
 };
 
 struct Answer {
-  double outside = 1e300;  // how far the point is from the cell, in the cell's size; none found: infinity
+  double outside = std::numeric_limits<double>::infinity();  // how far the point is outside the cell, in its size; none found: infinity
   Point value{0, 0, 0};
 };
+
+enum class Where { InACell, NearestCell };
+
+/// A coarse answer at points, as far as this rank's subdomains hold them.
+class Interpolation {
+ public:
+  explicit Interpolation(const CoarseAnswer& coarse) : coarse_(coarse) {
+    for (const SubdomainMesh& mesh : coarse.meshes) cells_.emplace_back(mesh);
+  }
+
+  Answer at(const Query& query, Where where) const {
+    Answer best;
+    for (std::size_t s = 0; s < cells_.size(); ++s) {
+      if (coarse_.meshes[s].body != query.body) continue;
+      const CellSearch::Place place = where == Where::InACell ? cells_[s].find(query.point) : cells_[s].nearest(query.point);
+      if (place.outside < best.outside) best = {place.outside, valueAt(s, place)};
+    }
+    return best;
+  }
+
+ private:
+  Point valueAt(std::size_t s, const CellSearch::Place& place) const {
+    const SubdomainMesh& mesh = coarse_.meshes[s];
+    const Span<const int> nodes = mesh.nodesOf(place.element);
+    Point value{0, 0, 0};
+    for (std::size_t a = 0; a < nodes.size(); ++a) {
+      const double weight = shapeFunction(mesh.cells[place.element], static_cast<int>(a), place.at);
+      for (int k = 0; k < mesh.dimension; ++k)
+        value[k] += weight * mesh.total(coarse_.solution.displacement[s], Eigen::Index(nodes[a]) * mesh.dimension + k);
+    }
+    return value;
+  }
+
+  const CoarseAnswer& coarse_;
+  std::vector<CellSearch> cells_;
+};
+
+/// Every rank answers everybody's queries from its own cells. The best answer to each query of this rank. Collective.
+std::vector<Answer> ask(const Comm& comm, const std::optional<Interpolation>& coarse, const std::vector<Query>& mine, Where where) {
+  Packer packer;
+  packer.put(mine);
+  const std::vector<std::string> queries = allGather(comm, packer.bytes());
+  std::map<int, std::string> answers;
+  collectively(comm, "interpolating the coarse solution", [&] {
+    for (std::size_t rank = 0; rank < queries.size(); ++rank) {
+      std::vector<Answer> found;
+      for (const Query& query : Unpacker(queries[rank]).get<std::vector<Query>>()) found.push_back(coarse->at(query, where));
+      Packer reply;
+      reply.put(found);
+      answers[static_cast<int>(rank)] = reply.bytes();
+    }
+  });
+  std::vector<Answer> best(mine.size());
+  for (const auto& [rank, bytes] : swapWithNeighbours(comm, answers)) {
+    const auto found = Unpacker(bytes).get<std::vector<Answer>>();
+    for (std::size_t k = 0; k < found.size(); ++k)
+      if (found[k].outside < best[k].outside) best[k] = found[k];
+  }
+  return best;
+}
 
 /// State at a place of a contact: that of the nearest pair of another mesh there.
 class NearestState {
@@ -59,53 +120,26 @@ std::vector<PairResult> onAllRanks(const Comm& comm, const std::vector<PairResul
 }  // namespace
 
 Matrix interpolate(const Comm& comm, const CoarseAnswer& coarse, const std::vector<Point>& points, const std::vector<int>& bodies) {
-  Packer packer;
-  std::vector<Query> mine;
+  std::vector<Query> mine, beside;
   for (std::size_t k = 0; k < points.size(); ++k) mine.push_back({points[k], bodies[k]});
-  packer.put(mine);
-  const std::vector<std::string> queries = allGather(comm, packer.bytes());
-
-  // Every rank answers everybody's queries from its own cells.
-  std::map<int, std::string> answers;
-  collectively(comm, "interpolating the coarse solution", [&] {
-    std::vector<TriangleSearch> search;
-    for (std::size_t s = 0; s < coarse.meshes.size(); ++s) search.emplace_back(coarse.meshes[s]);
-    for (std::size_t rank = 0; rank < queries.size(); ++rank) {
-      std::vector<Answer> found;
-      for (const Query& query : Unpacker(queries[rank]).get<std::vector<Query>>()) {
-        Answer best;
-        for (std::size_t s = 0; s < search.size(); ++s) {
-          if (coarse.meshes[s].body != query.body) continue;
-          const TriangleSearch::Place place = search[s].find(query.point);
-          if (place.outside >= best.outside) continue;
-          best.outside = place.outside;
-          best.value = {0, 0, 0};
-          for (int corner = 0; corner < 3; ++corner)
-            for (int k = 0; k < 2; ++k)
-              best.value[k] += place.weights[corner] * coarse.meshes[s].total(coarse.solution.displacement[s], place.nodes[corner] * 2 + k);
-        }
-        found.push_back(best);
-      }
-      Packer reply;
-      reply.put(found);
-      answers[static_cast<int>(rank)] = reply.bytes();
-    }
-  });
-  Matrix values = Matrix::Zero(static_cast<int>(points.size()), 2);
-  std::vector<double> best(points.size(), 1e300);
-  for (const auto& [rank, bytes] : swapWithNeighbours(comm, answers)) {
-    const auto found = Unpacker(bytes).get<std::vector<Answer>>();
-    for (std::size_t k = 0; k < found.size(); ++k)
-      if (found[k].outside < best[k]) {
-        best[k] = found[k].outside;
-        for (int c = 0; c < 2; ++c) values(static_cast<int>(k), c) = found[k].value[c];
-      }
+  std::optional<Interpolation> interpolation;
+  collectively(comm, "interpolating the coarse solution", [&] { interpolation.emplace(coarse); });
+  std::vector<Answer> answers = ask(comm, interpolation, mine, Where::InACell);
+  std::vector<std::size_t> missing;  // points that a curved side of the coarse mesh leaves outside
+  for (std::size_t k = 0; k < answers.size(); ++k)
+    if (!std::isfinite(answers[k].outside)) missing.push_back(k), beside.push_back(mine[k]);
+  if (!unionOverRanks(comm, std::vector<int>(missing.empty() ? 0 : 1)).empty()) {
+    const std::vector<Answer> nearest = ask(comm, interpolation, beside, Where::NearestCell);
+    for (std::size_t k = 0; k < missing.size(); ++k) answers[missing[k]] = nearest[k];
   }
+  Matrix values(static_cast<int>(points.size()), 3);
+  for (std::size_t k = 0; k < answers.size(); ++k)
+    for (int c = 0; c < 3; ++c) values(static_cast<int>(k), c) = answers[k].value[c];
   return values;
 }
 
 Start nestedStart(const Comm& comm, const CoarseAnswer& coarse, const std::vector<SubdomainMesh>& meshes) {
-  // The interface lies at nodes that several subdomains hold, and on contact lines; nothing else is asked for.
+  // The interface lies at nodes that several subdomains hold, and on contacts; nothing else is asked for.
   std::vector<Point> points;
   std::vector<int> bodies;
   std::vector<std::vector<int>> nodes(meshes.size());

@@ -2,6 +2,7 @@
 #include <suture/algebra/dense/NonnegativeLeastSquares.hpp>
 #include <suture/base/Errors.hpp>
 #include <suture/elasticity/loads/NodalLoads.hpp>
+#include <suture/mesh/CellGeometry.hpp>
 #include <suture/solver/solvability/Solvability.hpp>
 
 #include <algorithm>
@@ -95,9 +96,8 @@ void checkPrescribedPairs(const Mesh& mesh, const Constraints& constraints, Prob
     }
     if (free || bound >= -1e-10 * size) continue;
     std::ostringstream text;
-    text << "at (" << pair.position[0] << ", " << pair.position[1]
-         << ") the displacements of both sides are prescribed, into each other by " << -bound
-         << ". Prescribe them so that the gap stays positive, or leave one side free";
+    text << "at " << placeText(pair.position, mesh.dimension) << " the displacements of both sides are prescribed, into each other by "
+         << -bound << ". Prescribe them so that the gap stays positive, or leave one side free";
     problems.add("Contact", text.str());
     return;
   }

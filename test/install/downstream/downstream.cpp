@@ -4,8 +4,8 @@
 #include <suture/base/Version.hpp>
 #include <suture/base/scene/SceneReader.hpp>
 #include <suture/constraints/BuildConstraints.hpp>
-#include <suture/mesh/MeshReader.hpp>
 #include <suture/partition/Partition.hpp>
+#include <suture/reader/MeshReader.hpp>
 #include <suture/solver/SolveInterface.hpp>
 #include <suture/solver/SolverSchema.hpp>
 

@@ -1,0 +1,156 @@
+"""contact.png, contact_2.png, ...: pressure and gap on each contact surface."""
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.cm import ScalarMappable
+from matplotlib.collections import LineCollection
+from matplotlib.colors import LinearSegmentedColormap, Normalize
+from matplotlib.lines import Line2D
+from matplotlib.patches import Patch
+from matplotlib.ticker import MaxNLocator
+
+from ..style import GAP_COLOUR, PRESSURE_COLOUR, shortened, wrapped
+from ..units import scaled
+from . import level
+from .contact_surface import Chart, contact_surfaces
+from .image import FINER, coloured, picture
+from .page import bare, show
+from .raster import Raster
+from .ruler import axes_and_scale_beside
+
+PRESSURES = LinearSegmentedColormap.from_list("pressure", ["#dcebf5", "#7fb6dc", PRESSURE_COLOUR, "#00283f"])
+GAPS = LinearSegmentedColormap.from_list("gap", ["#fdeadf", "#f0a777", GAP_COLOUR, "#5e2a00"])
+PLAIN, STRIPE = np.array([0.93, 0.93, 0.93]), np.array([0.72, 0.72, 0.72])
+WIDTH = 10.0  # inches
+HIGHEST = 9.8  # inches of all panels of a page
+FLAT = 0.4  # height over width below which both panels have the whole width
+
+
+class Panels:
+    """A contact with its chart, and the inches that its panels take."""
+
+    def __init__(self, surface):
+        self.surface, self.chart = surface, Chart(surface)
+        self.low, self.high = (limit(self.chart.flat.reshape(-1, 2), axis=0) for limit in (np.min, np.max))
+        margin = 0.03 * max((self.high - self.low).max(), 1e-300)
+        self.low, self.high = self.low - margin, self.high + margin
+        aspect = (self.high - self.low)[1] / (self.high - self.low)[0]
+        self.stacked = aspect < FLAT
+        wide = 0.68 * WIDTH if self.stacked else 0.5 * WIDTH - 1.5
+        strip = 0.45 if self.chart.names else 0.8  # tick labels and their axis, or axes and scale
+        self.panel = min(wide * aspect, 3.6)  # inches of the picture
+        self.width = self.panel / aspect
+        self.height = (2 if self.stacked else 1) * (self.panel + strip + 0.45)
+
+
+def contact_figures(run):
+    """Pages of the picture: [(words on its part, figure)], drawn as they are asked for."""
+    pages, room = [], 0.0
+    for panels in map(Panels, contact_surfaces(run)):
+        if not pages or room + panels.height > HIGHEST:
+            pages.append([])
+            room = 0.0
+        pages[-1].append(panels)
+        room += panels.height
+    total, start = sum(map(len, pages)), 0
+    for number, page in enumerate(pages):
+        words = "" if len(pages) == 1 else f" Contacts {start + 1} to {start + len(page)} of {total}."
+        start += len(page)
+        yield words, contact_figure(run, page, f", part {number + 1} of {len(pages)}" if len(pages) > 1 else "")
+
+
+def contact_figure(run, page, part):
+    ratios = [share for panels in page for share in [panels.height / (1 + panels.stacked)] * (1 + panels.stacked)]
+    figure = plt.figure(figsize=(WIDTH, sum(ratios) + 0.5), constrained_layout=True)
+    figure.suptitle(wrapped(f"{run.title}: contact surfaces{part}{run.state}", 130), fontsize=10, x=0.01, ha="left")
+    places = figure.add_gridspec(len(ratios), 2, height_ratios=ratios)
+    row = 0
+    for panels in page:
+        if panels.stacked:
+            above, below = (figure.add_subplot(places[row + k, :]) for k in (0, 1))
+        else:
+            above, below = (figure.add_subplot(places[row, k]) for k in (0, 1))
+        row += 1 + panels.stacked
+        draw(run, panels, above, below)
+    handles = [Patch(facecolor=PLAIN, edgecolor=STRIPE, hatch="////", lw=0, label="open: no pressure"),
+               Patch(facecolor=PLAIN, lw=0, label="closed: no gap"),
+               Line2D([], [], color="black", lw=1.4, label="border of the closed part")]
+    figure.legend(handles=handles, loc="upper center", bbox_to_anchor=(0.5, 0.0), ncols=3)
+    return figure
+
+
+def draw(run, panels, above, below):
+    surface, order = panels.surface, anticlockwise(panels.chart.flat)
+    raster = raster_for(panels, order)
+    own = np.take_along_axis(surface.triangles, order, axis=1)
+    closed = raster.interpolate(surface.active[own]) >= 0.5
+    pairs_closed = surface.active[:surface.pairs] >= 0.5
+    panel(run, panels, above, raster, (surface.pressure, own, pairs_closed), closed, PRESSURES,
+          ("pressure", run.contact.units["ContactPressure"], shortened(surface.name, 40), True))
+    panel(run, panels, below, raster, (surface.gap, own, ~pairs_closed), ~closed, GAPS,
+          ("gap", run.contact.units["Gap"], f"{surface.open} of {surface.pairs} pairs open", False))
+
+
+def panel(run, panels, axes, raster, of, coloured_part, colours, words):
+    """One quantity on the surface. \param of  values, corners of the triangles, pairs whose largest value ends the colours"""
+    (values, own, pairs), (name, unit, above, striped) = of, words
+    top = max(np.nanmax(values[:panels.surface.pairs][pairs], initial=0.0), 0.0)
+    factor, unit = scaled(unit, top)
+    found = coloured(raster.interpolate(factor * values[own]), 0.0, factor * top or 1.0, colours)
+    found[~coloured_part] = ground(raster, ~coloured_part, striped)
+    axes.set(xlim=(panels.low[0], panels.high[0]), ylim=(panels.low[1], panels.high[1]), aspect="equal")
+    axes.set_title(f"{above}\n{name}, " + (f"largest {factor * top:.4g} {unit}" if top else "none"), loc="left", fontsize=9)
+    show(axes, picture(raster, found))
+    lines(axes, panels)
+    ruled(axes, panels.chart, run.length_unit)
+    if top:
+        bar(panels, axes, ScalarMappable(Normalize(0.0, factor * top), colours), f"{name} [{unit}]" if panels.panel > 1.2 else f"[{unit}]")
+
+
+def bar(panels, axes, colours, label):
+    """Colour bar as high as the picture beside it."""
+    drawn = axes.figure.colorbar(colours, cax=axes.inset_axes([1.0 + 0.12 / panels.width, 0.0, 0.14 / panels.width, 1.0]), format="%.4g")
+    drawn.locator = MaxNLocator(nbins=max(2, min(6, int(2 * panels.panel))))
+    drawn.update_ticks()
+    drawn.set_label(label)
+    drawn.outline.set_linewidth(0.4)
+
+
+def raster_for(panels, order):
+    """The chart's triangles, of which the nearer ones hide the others."""
+    columns = round(plt.rcParams["savefig.dpi"] * panels.width)
+    raster = Raster(panels.low, panels.high, (FINER * max(1, round(plt.rcParams["savefig.dpi"] * panels.panel)), FINER * columns))
+    corners = np.take_along_axis(panels.chart.flat, order[:, :, None], axis=1).reshape(-1, 2)
+    raster.draw(corners, np.take_along_axis(panels.chart.near, order, axis=1).reshape(-1), np.arange(len(corners)).reshape(-1, 3))
+    return raster
+
+
+def ground(raster, some, striped):
+    """Grey at some of the samples, with slanted stripes where pairs are open."""
+    row, column = np.divmod(raster.samples[some], raster.shape[1])
+    return np.where((striped & ((row + column) % (9 * FINER) < 2 * FINER))[:, None], STRIPE, PLAIN)
+
+
+def anticlockwise(flat):
+    """Order of the corners of each triangle in which it turns anticlockwise."""
+    turned = np.cross(flat[:, 1] - flat[:, 0], flat[:, 2] - flat[:, 0]) < 0
+    return np.where(turned[:, None], [0, 2, 1], [0, 1, 2])
+
+
+def lines(axes, panels):
+    """The border of the surface, and that of its closed part."""
+    surface, flat = panels.surface, panels.chart.flat
+    triangle, side = surface.border()
+    border = np.stack([flat[triangle, side], flat[triangle, (side + 1) % 3]], axis=1)
+    axes.add_collection(LineCollection(border, colors="#555555", linewidths=0.6, zorder=4))
+    corners = flat.reshape(-1, 2)
+    between, _ = level.lines(corners, np.arange(len(corners)).reshape(-1, 3), surface.active[surface.triangles].reshape(-1), 0.5)
+    axes.add_collection(LineCollection(between, colors="black", linewidths=1.4, capstyle="round", zorder=5))
+
+
+def ruled(axes, chart, unit):
+    if chart.names:
+        axes.set(xlabel=f"{chart.names[0]} [{unit}]{chart.words}", ylabel=f"{chart.names[1]} [{unit}]")
+        axes.locator_params(nbins=5)
+    else:
+        bare(axes)
+        axes_and_scale_beside(axes.figure, axes, chart.view, unit)

@@ -1,0 +1,100 @@
+"""A plane through the bodies and what is in it."""
+import argparse
+import re
+
+import numpy as np
+
+from ..style import PlotError
+from . import level
+from .cells import CELLS
+from .view import View
+
+INSIDE = 1e-7  # parts of the scene's extent by which a plane on its outside is moved inward: there would be nothing in it
+
+
+class Plane:
+    """All points whose coordinate `axis` (0, 1, 2) is `value`. The picture has the other two to the right and upward."""
+
+    def __init__(self, axis, value):
+        self.axis, self.value = axis, value
+        right, up = {0: (1, 2), 1: (0, 2), 2: (0, 1)}[axis]
+        self.names = ("xyz"[right], "xyz"[up])
+        toward = np.cross(np.eye(3)[right], np.eye(3)[up])
+        self.view = View(np.eye(3)[right], np.eye(3)[up], toward, tuple(toward))
+
+    def words(self, unit):
+        return f"{'xyz'[self.axis]} = {self.value:.4g} {unit}".rstrip().replace("-", "\u2212")
+
+
+def plane(text):
+    """For the command line: x=0.5."""
+    found = re.fullmatch(r"\s*([xyz])\s*=\s*(\S+)\s*", text)
+    try:
+        return "xyz".index(found.group(1)), float(found.group(2))
+    except (AttributeError, ValueError):
+        raise argparse.ArgumentTypeError(f"'{text}' is not of the form x=0.5 (or y=, z=)") from None
+
+
+def chosen_plane(run, wanted):
+    """That which is asked for, (axis, value); else through the largest pressure, or through the middle of the bodies, across their shorter
+    horizontal extent."""
+    points = run.fields.points
+    low, high = points.min(axis=0), points.max(axis=0)
+    if wanted:
+        axis, value = wanted
+        slack = 1e-9 * (high - low).max()
+        if not low[axis] - slack <= value <= high[axis] + slack:
+            name = "xyz"[axis]
+            raise PlotError(f"--cut {name}={value:g} passes beside the bodies, which reach from {name} = {low[axis]:g} to {high[axis]:g}")
+        return Plane(axis, value)
+    axis = int(np.argmin((high - low)[:2]))
+    value = 0.5 * (low + high)[axis]
+    if run.contact is not None and len(run.contact.points):
+        pressure = np.nan_to_num(run.contact.point_data["ContactPressure"])
+        if pressure.max() > 0:
+            value = run.contact.points[np.argmax(pressure), axis]
+    return Plane(axis, float(value))
+
+
+class Cut:
+    """Triangles in the plane: `corners` (triangles x 3 x 3), the fields `values` at them or in their cells, by name.
+
+    \\param fields  at the grid's nodes, by name
+    """
+
+    def __init__(self, grid, plane, fields):
+        self.plane, names = plane, list(fields)
+        low, high = grid.points[:, plane.axis].min(), grid.points[:, plane.axis].max()
+        inward = INSIDE * np.ptp(grid.points, axis=0).max()
+        self.at = np.clip(plane.value, low + inward, high - inward) if high - low > 2 * inward else plane.value
+        place = np.column_stack([grid.points, *fields.values()])
+        corners, cells = [np.zeros((0, 3, place.shape[1]))], [np.zeros(0, dtype=int)]
+        for kind, own, nodes in grid.blocks:
+            if kind not in CELLS:
+                continue
+            along = grid.points[nodes, plane.axis]
+            # Curved cells may bulge beyond their nodes.
+            reach = 0.3 * np.ptp(along, axis=1) if CELLS[kind].nodes > CELLS[kind].vertices else 0.0
+            near = np.flatnonzero((along.min(axis=1) - reach <= self.at) & (along.max(axis=1) + reach >= self.at))
+            weights, tetrahedra = CELLS[kind].tetrahedra
+            points = np.einsum("pn,cnk->cpk", weights, place[nodes[near]])
+            flat = points.reshape(-1, place.shape[1])
+            all_of_them = (np.arange(len(near))[:, None, None] * len(weights) + tetrahedra).reshape(-1, 4)
+            found, owner = level.section(flat, all_of_them, flat[:, plane.axis], self.at)
+            corners.append(found)
+            cells.append(own[near[owner // len(tetrahedra)]])
+        corners, self.cells = np.concatenate(corners), np.concatenate(cells)
+        flat = plane.view.flat(corners[:, :, :3])
+        turned = np.cross(flat[:, 1] - flat[:, 0], flat[:, 2] - flat[:, 0]) < 0
+        corners[turned] = corners[turned][:, ::-1]
+        self.corners = corners[:, :, :3]
+        self.values = {name: corners[:, :, 3 + k] for k, name in enumerate(names)}
+
+    @property
+    def flat(self):
+        return self.plane.view.flat(self.corners)
+
+    def lines(self, points, triangles):
+        """The lines in which a surface passes through the plane, in the picture, and the triangles of each."""
+        segments, crossed = level.lines(points, triangles, points[:, self.plane.axis], self.at)
+        return self.plane.view.flat(segments), crossed

@@ -1,0 +1,49 @@
+"""Colours of a raster's samples, and the image made of them."""
+import numpy as np
+
+FINER = 2  # samples along each side of a pixel
+LIGHT = np.array([-0.2, 0.35, 1.0]) / np.linalg.norm([-0.2, 0.35, 1.0])  # to the right, upward, toward the eye
+AMBIENT = 0.76
+SMOOTH = np.cos(np.radians(40.0))  # normals that differ by less are those of one smooth surface
+UNKNOWN = np.array([0.75, 0.75, 0.75])
+
+
+def brightness(view, points, triangles, normal):
+    """Brightness at the corners of the triangles under a lamp beside the eye, smooth where their normals nearly agree."""
+    order = np.argsort(triangles.reshape(-1), kind="stable")
+    vertex, owner = triangles.reshape(-1)[order], order // 3
+    starts = np.flatnonzero(np.concatenate([[True], vertex[1:] != vertex[:-1]])) if len(vertex) else np.zeros(0, dtype=int)
+    count = np.diff(np.append(starts, len(vertex)))
+    begin, many = np.repeat(starts, count), np.repeat(count, count)
+    total = normal[owner].copy()
+    for shift in range(1, int(count.max(initial=1))):
+        rows = np.flatnonzero(many > shift)
+        other = normal[owner[begin[rows] + (rows - begin[rows] + shift) % many[rows]]]
+        near = np.einsum("ij,ij->i", normal[owner[rows]], other) > SMOOTH
+        total[rows[near]] += other[near]
+    total /= np.maximum(np.linalg.norm(total, axis=1), 1e-300)[:, None]
+    lit = AMBIENT + (1 - AMBIENT) * np.clip(total @ (np.column_stack([view.right, view.up, view.toward]) @ LIGHT), 0, 1)
+    result = np.empty(len(order))
+    result[order] = lit
+    return result.reshape(-1, 3)
+
+
+def coloured(values, low, high, colours):
+    """Rows of red, green, blue for values between `low` and `high`; grey for NaN."""
+    table = np.vstack([colours(np.linspace(0, 1, 1024))[:, :3], UNKNOWN]).astype(np.float32)
+    part = np.clip((values - low) * (1023 / ((high - low) or 1.0)) + 0.5, 0, 1023)
+    return table[np.where(np.isfinite(part), part, 1024).astype(np.int16)]
+
+
+def picture(raster, colours, light=None):
+    """The image, red, green, blue and opacity: each pixel the mean of its samples. `colours`: at the raster's samples."""
+    bytes4 = np.full((len(colours), 4), 255, dtype=np.uint8)
+    bytes4[:, :3] = colours * (255 if light is None else 255 * light[:, None]) + 0.5
+    fine = np.zeros(raster.shape[0] * raster.shape[1], dtype=np.uint32)
+    fine[raster.samples] = bytes4.view(np.uint32)[:, 0]
+    fine = fine.view(np.uint8).reshape(raster.shape[0] // FINER, FINER, raster.shape[1] // FINER, FINER, 4)
+    total = sum(fine[:, i, :, j].astype(np.uint16) for i in range(FINER) for j in range(FINER)).astype(np.float32)
+    opacity = total[:, :, 3:]
+    total[:, :, :3] /= np.maximum(opacity, 1)
+    total[:, :, 3:] /= 255 * FINER**2
+    return total

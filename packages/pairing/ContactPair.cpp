@@ -1,0 +1,32 @@
+#include <suture/pairing/ContactPair.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace suture {
+
+std::vector<std::vector<int>> neighbourPairs(const std::vector<std::vector<int>>& cells, int pairs) {
+  std::vector<std::vector<int>> beside(pairs);
+  for (const std::vector<int>& cell : cells)
+    for (std::size_t i = 0; i < cell.size(); ++i) {
+      const int a = cell[i], b = cell[(i + 1) % cell.size()];
+      beside[a].push_back(b);
+      beside[b].push_back(a);
+    }
+  for (std::vector<int>& own : beside) {
+    std::sort(own.begin(), own.end());
+    own.erase(std::unique(own.begin(), own.end()), own.end());
+  }
+  return beside;
+}
+
+std::vector<PairEnd> matchingEnds(int nodeA, int nodeB) { return {{nodeA, 1.0}, {nodeB, -1.0}}; }
+
+Point obstacleForce(const ContactPair& pair, double force) {
+  double sum = 0.0, size = 0.0;
+  for (const PairEnd& end : pair.ends) sum += end.weight, size += std::abs(end.weight);
+  if (std::abs(sum) < 1e-9 * size) return {0, 0, 0};
+  return {-force * sum * pair.normal[0], -force * sum * pair.normal[1], -force * sum * pair.normal[2]};
+}
+
+}  // namespace suture

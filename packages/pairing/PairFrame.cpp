@@ -1,0 +1,24 @@
+#include <suture/base/Point.hpp>
+#include <suture/pairing/PairFrame.hpp>
+
+#include <cmath>
+
+namespace suture {
+
+namespace {
+constexpr double kTie = 1e-6;  // difference of two components that are one
+}
+
+std::vector<Point> pairFrame(const Point& normal, int dimension) {
+  if (dimension == 2) return {normal, turned(normal)};
+  // Beside the axis that is farthest from the normal: nothing cancels. Of two that are alike the first, whatever rounding says.
+  int least = 0;
+  for (int k = 1; k < 3; ++k)
+    if (std::abs(normal[k]) < std::abs(normal[least]) - kTie) least = k;
+  Point axis{0, 0, 0};
+  axis[least] = 1.0;
+  const Point across = cross(normal, axis), first = scaled(1.0 / norm(across), across);
+  return {normal, first, cross(normal, first)};
+}
+
+}  // namespace suture

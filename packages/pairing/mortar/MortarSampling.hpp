@@ -1,0 +1,64 @@
+#pragma once
+#include <suture/base/Types.hpp>
+#include <suture/mesh/ShapeFunctions.hpp>
+#include <suture/pairing/ContactSurface.hpp>
+
+#include <array>
+#include <memory>
+#include <vector>
+
+namespace suture {
+
+/// A point of both faces of a contact, on a line along the normal of one of its conditions.
+struct MortarSample {
+  ReferencePoint at{0, 0, 0};       ///< place on the side of the carrying face
+  double weight = 0.0;              ///< quadrature weight [length or area]; axisymmetric: times 2 pi r [area]
+  double gap = 0.0;                 ///< way to the other face along the normal [length]
+  double doubt = 0.0;               ///< estimated error of the gap by the shape of the elements [length]
+  int other = -1;                   ///< side of the other face; -1: a rigid obstacle
+  ReferencePoint otherAt{0, 0, 0};  ///< place on that side
+};
+
+/// Quadrature points of one side of the carrying face.
+struct MortarSamples {
+  std::vector<MortarSample> all;
+  double covered = 0.0;  ///< part of the side that the other face stands opposite to
+};
+
+/// Points at which the conditions of a mortar compare the face that carries them with the other, in the plane and in space. One for the two
+/// lines of a contact (LineSampling), for two surfaces (FaceSampling), for a surface and an obstacle (ObstacleSampling). Sides are numbered
+/// as those of the surfaces. Local.
+class MortarSampling {
+ public:
+  virtual ~MortarSampling() = default;
+
+  /// Number of the multiplier's functions on a side, one for each of its first nodes. \param whole  the other face covers all of the side
+  virtual int functions(int side, bool whole) const = 0;
+  /// Mean of the two faces' normals at a node of a side, outward there; its own where nothing stands opposite, or the other is parallel.
+  virtual Point meanNormal(int side, int node) const = 0;
+  /// Quadrature points of a side, seen along one direction. They are split wherever a side of the other face begins.
+  virtual MortarSamples sample(int side, const Point& normal) const = 0;
+  /// Integral of the multiplier's hat function at a node over the whole face. [length or area]
+  virtual double hat(int node) const = 0;
+
+  /// True if either face is curved anywhere and straight elements take part, whose shape cannot follow it.
+  virtual bool isFaceted() const { return false; }
+  /// True if the doubts of samples are estimates.
+  virtual bool estimatesDoubt() const { return false; }
+};
+
+/// Values of shape functions at a place on a side.
+using ShapeValues = std::array<double, 9>;
+
+/// Shape functions of a side of so many nodes. Local.
+ShapeValues sideValues(int nodes, int dimension, const ReferencePoint& at);
+
+/// Functions of the multiplier where a side has so many: its shape functions; of six and eight nodes in space, whose integrals at the
+/// vertices are zero and negative, combinations with positive ones: phi_c + alpha sum of phi_m beside it, (1 - 2 alpha) phi_m, alpha = 1/5
+/// (Popp, Wohlmuth, Gee and Wall 2012). Local.
+ShapeValues multiplierValues(int functions, int dimension, const ReferencePoint& at);
+
+/// The sampling of two faces. \param onA  face A carries the conditions. Local.
+std::unique_ptr<MortarSampling> samplingOf(const Mesh& mesh, const ContactSurface& contact, bool onA);
+
+}  // namespace suture

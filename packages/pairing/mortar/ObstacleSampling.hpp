@@ -1,0 +1,28 @@
+#pragma once
+#include <suture/pairing/mortar/MortarFace.hpp>
+#include <suture/pairing/mortar/MortarSampling.hpp>
+
+#include <map>
+#include <vector>
+
+namespace suture {
+
+/// A surface in space before a rigid obstacle: quadrature points of its sides, and the way from there to the obstacle. The multiplier has a
+/// function for each vertex, as that of FaceSampling. Local.
+class ObstacleSampling : public MortarSampling {
+ public:
+  explicit ObstacleSampling(const ContactSurface& contact);
+
+  int functions(int side, bool) const override { return own_[side].vertices(); }
+  /// Normal of the pairs there: the obstacle's, or the side's (Contact::Direction).
+  Point meanNormal(int side, int node) const override;
+  MortarSamples sample(int side, const Point& normal) const override;
+  double hat(int node) const override { return hats_.at(node); }
+
+ private:
+  const ContactSurface& contact_;
+  std::vector<MortarFace> own_;
+  std::map<int, double> hats_;
+};
+
+}  // namespace suture

@@ -1,0 +1,93 @@
+#include <suture/pairing/mortar/Segmentation.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace suture {
+
+namespace {
+
+constexpr double kSamePlace = 1e-10;  // relative to a side's reference interval
+constexpr double kFacing = 0.5;       // cosine of the angle up to which two normals are opposite
+
+/// Zero of a function on [-1, 1] that changes its sign there; nothing if it does not.
+template <typename Function>
+std::optional<double> zeroOf(const Function& f) {
+  double low = -1, high = 1;
+  const double atLow = f(low), atHigh = f(high);
+  if (atLow == 0) return low;
+  if (atHigh == 0) return high;
+  if ((atLow > 0) == (atHigh > 0)) return std::nullopt;
+  while (high - low > 1e-16) {
+    const double middle = (low + high) / 2;
+    if (middle == low || middle == high) break;
+    ((f(middle) > 0) == (atLow > 0) ? low : high) = middle;
+  }
+  return (low + high) / 2;
+}
+
+// A line that meets a side has one of its end points on each side: no more than these is searched.
+std::vector<std::vector<Point>> endsOf(const std::vector<MortarSegment>& sides) {
+  std::vector<std::vector<Point>> ends;
+  for (const MortarSegment& side : sides) ends.push_back({side.end(0), side.end(1)});
+  return ends;
+}
+
+}  // namespace
+
+Segmentation::Segmentation(const std::vector<MortarSegment>& others) : others_(others), search_(endsOf(others)) {}
+
+std::optional<Segmentation::Meeting> Segmentation::meet(const Point& from, const Point& direction, const MortarSegment& other) {
+  const auto eta = zeroOf([&](double t) { return cross(minus(other.at(t), from), direction)[2]; });
+  if (!eta) return std::nullopt;
+  const Point tangent = other.tangent(*eta);
+  if (dot(unit({tangent[1], -tangent[0], 0}), direction) > -kFacing) return std::nullopt;
+  return Meeting{&other, *eta, dot(minus(other.at(*eta), from), direction)};
+}
+
+/// Sides of other bodies that lines through a side's nodes may meet.
+std::vector<int> Segmentation::candidates(const std::vector<Point>& nodes, const Point& direction, int body) const {
+  std::vector<int> found = search_.along(nodes, direction);
+  found.erase(std::remove_if(found.begin(), found.end(), [&](int i) { return others_[i].body() == body; }), found.end());
+  return found;
+}
+
+std::optional<Segmentation::Meeting> Segmentation::nearest(const Point& from, const Point& direction, int body) const {
+  return nearest(from, direction, candidates({from}, direction, body));
+}
+
+std::optional<Segmentation::Meeting> Segmentation::nearest(const Point& from, const Point& direction,
+                                                           const std::vector<int>& candidates) const {
+  std::optional<Meeting> best;
+  double least = std::numeric_limits<double>::infinity();
+  for (const int i : candidates)
+    if (const auto met = meet(from, direction, others_[i]); met && std::abs(met->gap) < least) {
+      least = std::abs(met->gap);
+      best = met;
+    }
+  return best;
+}
+
+/// Reference coordinates where sides of the other surface begin or end, and the own ends.
+std::vector<double> Segmentation::breaks(const MortarSegment& own, const Point& direction, const std::vector<int>& candidates) const {
+  std::vector<double> all{-1, 1};
+  for (const int i : candidates)
+    for (int end = 0; end < 2; ++end)
+      if (const auto xi = zeroOf([&](double t) { return cross(minus(others_[i].end(end), own.at(t)), direction)[2]; })) all.push_back(*xi);
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end(), [](double a, double b) { return b - a < kSamePlace; }), all.end());
+  if (1 - all.back() < kSamePlace) all.back() = 1;
+  return all;
+}
+
+std::vector<Segmentation::Overlap> Segmentation::overlaps(const MortarSegment& own, const Point& direction) const {
+  const std::vector<int> opposite = candidates(own.points(), direction, own.body());
+  const std::vector<double> at = breaks(own, direction, opposite);
+  std::vector<Overlap> found;
+  for (std::size_t s = 0; s + 1 < at.size(); ++s)
+    if (const auto met = nearest(own.at((at[s] + at[s + 1]) / 2), direction, opposite)) found.push_back({at[s], at[s + 1], met->other});
+  return found;
+}
+
+}  // namespace suture

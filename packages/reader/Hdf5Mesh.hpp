@@ -1,0 +1,25 @@
+#pragma once
+#include <suture/base/hdf5/Hdf5File.hpp>
+#include <suture/mesh/Mesh.hpp>
+
+#include <functional>
+#include <string>
+
+namespace suture {
+
+/// Writes the mesh that rank 0 has (bodies are not part of it) as Suture's own file: attribute SutureMesh = "1" (the version of the form),
+/// and the datasets
+///     /Dimension    2 or 3                  /Cells  shape of each element (numbers of Cell)
+///     /Coordinates  nodes x dimension       /Offsets, /Connectivity   as in CellBlock
+///     `/ElementGroups/<i>`  elements        `/SideGroups/<i>`  (element, side)  both with the attribute Name
+/// Reading it back gives every bit. Collective.
+/// \param more  adds further content to the file; runs on rank 0
+/// \throws EnvironmentError  if the file cannot be written
+void writeHdf5Mesh(const Comm& comm, const Mesh& mesh, const std::string& path, const std::function<void(Hdf5File&)>& more = {});
+
+/// The mesh in such a file, on rank 0. Collective.
+/// \throws InputError  no such file, not HDF5, no mesh of Suture or of a later version, sizes that contradict each other, numbers out of
+///                     range, a coordinate that is not finite, a side inside the material: all that is wrong, with the dataset
+Mesh readHdf5Mesh(const Comm& comm, const std::string& path);
+
+}  // namespace suture

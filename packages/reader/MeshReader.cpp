@@ -1,0 +1,178 @@
+#include <suture/base/Collective.hpp>
+#include <suture/base/Errors.hpp>
+#include <suture/base/scene/SceneReader.hpp>
+#include <suture/mesh/Generators.hpp>
+#include <suture/reader/Hdf5Mesh.hpp>
+#include <suture/reader/MeshReader.hpp>
+#include <suture/reader/gmsh/GmshReader.hpp>
+
+#include <Teuchos_Array.hpp>
+#include <Teuchos_Comm.hpp>
+#include <Teuchos_ParameterList.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+
+namespace suture {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<std::string> cellNames() {
+  std::vector<std::string> names;
+  for (int cell = 0; cell < kCells; ++cell) names.push_back(cellInfo(static_cast<Cell>(cell)).name);
+  return names;
+}
+
+Schema boxSchema() {
+  return Schema(
+             "one box, a body of its own: element group <name>, side groups <name>_left, _right (in x), _bottom, _top (in y; in space in "
+             "z), "
+             "in space also _front, _back (in y). In space with three values where there are two in the plane")
+      .reals("X", std::vector<double>{0, 1}, "interval in x", "length")
+      .reals("Y", std::vector<double>{0, 1}, "interval in y", "length")
+      .reals("Z", std::vector<double>{0, 1}, "interval in z, of cells in space only", "length")
+      .integers("Cells", std::nullopt, "cells in x and in y, in space also in z; eight each if left out", Range::atLeast(1))
+      .optional()
+      .oneOf("Cell", "Triangle3", cellNames(),
+             "shape of elements. Triangles: each cell is cut in two, with alternating diagonals; tetrahedra: in six; wedges: in two; "
+             "pyramids: in six; the others as it is")
+      .integers("Blocks", std::nullopt,
+                "groups of elements subdomain_<name>_<i>_<j>, in space _<k>: equal blocks of cells in each direction; one if left out",
+                Range::atLeast(1))
+      .optional()
+      .integers("Bricks", std::nullopt,
+                "a chess board of bricks of so many cells in each direction, the last ones smaller if need be: groups of elements "
+                "<name>_bricks_even and <name>_bricks_odd, for the materials of Bodies/<name>/Regions; none if left out",
+                Range::atLeast(1))
+      .optional();
+}
+
+/// The values of a list, one a direction. \param values  their places; keep what they hold where the list is left out
+template <typename T>
+void readEach(const Parameters& list, const std::string& name, const std::vector<T*>& values, const char* directions, Problems& problems) {
+  if (!list.isParameter(name)) return;
+  const auto& given = list.get<Teuchos::Array<T>>(name);
+  if (given.size() == static_cast<int>(values.size())) {
+    for (std::size_t k = 0; k < values.size(); ++k) *values[k] = given[static_cast<int>(k)];
+    return;
+  }
+  problems.add(pathOf(list, name), std::to_string(given.size()) + " values; expected " + directions);
+}
+
+Mesh generateBoxes(const Parameters& list) {
+  Problems problems;
+  std::vector<Box> all;
+  for (const std::string& name : sublistNames(list)) {
+    const Parameters& own = list.sublist(name);
+    Box box;
+    box.name = name;
+    const std::string cell = own.get<std::string>("Cell");
+    for (int c = 0; c < kCells; ++c)
+      if (cellInfo(static_cast<Cell>(c)).name == cell) box.cell = static_cast<Cell>(c);
+    const bool inSpace = dimensionOf(box.cell) == 3;
+    const auto each = [inSpace](auto& x, auto& y, auto& z) {
+      std::vector values{&x, &y};
+      if (inSpace) values.push_back(&z);
+      return values;
+    };
+    const char* const directions = inSpace ? "three, for x, y and z" : "two, for x and y";
+    readEach<double>(own, "X", {&box.x0, &box.x1}, "two, its ends", problems);
+    readEach<double>(own, "Y", {&box.y0, &box.y1}, "two, its ends", problems);
+    readEach<double>(own, "Z", {&box.z0, &box.z1}, "two, its ends", problems);
+    readEach<int>(own, "Cells", each(box.nx, box.ny, box.nz), directions, problems);
+    readEach<int>(own, "Blocks", each(box.blocksX, box.blocksY, box.blocksZ), directions, problems);
+    readEach<int>(own, "Bricks", each(box.brickX, box.brickY, box.brickZ), directions, problems);
+    all.push_back(box);
+  }
+  if (all.empty()) problems.add(pathOf(list), "no boxes; expected a list for each, named as its body");
+  problems.throwIfAny();
+  return boxes(all);
+}
+
+std::map<std::string, double> constantsOf(const Parameters& mesh) {
+  std::map<std::string, double> constants;
+  if (!mesh.isSublist("Constants")) return constants;
+  const Parameters& list = mesh.sublist("Constants");
+  for (auto at = list.begin(); at != list.end(); ++at) constants[list.name(at)] = list.get<double>(list.name(at));
+  return constants;
+}
+
+// Source of the mesh, checked the same way on all ranks: nothing here needs the file.
+struct Source {
+  std::string path, extension;  ///< file and its extension; empty: a generator
+  std::map<std::string, double> constants;
+  double factor = 1;
+};
+
+Source sourceOf(const Parameters& mesh, const std::string& folder) {
+  Problems problems;
+  Source source;
+  const bool generated = mesh.get<std::string>("Generator") != "None";
+  const bool file = mesh.isParameter("File");
+  if (file == generated)
+    problems.add(pathOf(mesh), file ? "both a File and a Generator; expected one of them" : "neither File nor Generator; expected one");
+  if (file) {
+    const fs::path name = mesh.get<std::string>("File");
+    source.path = (name.is_absolute() ? name : fs::path(folder) / name).lexically_normal().string();
+    source.extension = name.extension().string();
+    const std::vector<std::string> known{".geo", ".msh", ".h5"};
+    if (std::find(known.begin(), known.end(), source.extension) == known.end())
+      problems.add(pathOf(mesh, "File"),
+                   "'" + name.string() + "' ends with '" + source.extension + "'; expected one of " + joinNames(known));
+  }
+  source.constants = constantsOf(mesh);
+  source.factor = mesh.get<double>("Mesh Size Factor");
+  if (source.extension != ".geo") {
+    const std::string why = "needs a .geo file: nothing else is meshed here";
+    if (!source.constants.empty()) problems.add(pathOf(mesh, "Constants"), why);
+    if (source.factor != 1) problems.add(pathOf(mesh, "Mesh Size Factor"), why);
+  }
+  problems.throwIfAny();
+  return source;
+}
+
+}  // namespace
+
+Schema meshSchema() {
+  return Schema("where the mesh comes from: a File or a Generator")
+      .text("File", std::nullopt, "mesh file, relative to the scene: .geo (meshed by Gmsh), .msh, or Suture's own .h5")
+      .optional()
+      .list("Constants",
+            Schema("constants of a .geo file").eachReal("constant", "value instead of that of DefineConstant in the .geo file"))
+      .boolean(
+          "Allow Programs", false,
+          "let a .geo file run programs (SystemCall), write files, read any other file and end Gmsh; false: such statements are refused")
+      .real("Time Limit", 600.0,
+            "seconds that Gmsh may take for a .geo file; a tenth of it for the statements of a .geo file before they are meshed",
+            Range::positive(), "s")
+      .real("Mesh Size Factor", 1.0, "multiplies all mesh sizes of a .geo file", Range::positive())
+      .choice("Generator", "None",
+              {{"None", Schema("the mesh is in File")},
+               {"Boxes", Schema("boxes that share no nodes, in the order of the file").each("body", boxSchema())}},
+              "makes the mesh instead of a File");
+}
+
+std::string meshFile(const Parameters& mesh, const std::string& folder) { return sourceOf(mesh, folder).path; }
+
+Mesh readMesh(const Comm& comm, const Parameters& mesh, const std::string& folder) {
+  Source source;
+  collectively(comm, "reading the scene's Mesh", [&] { source = sourceOf(mesh, folder); });
+  if (source.extension == ".h5") return readHdf5Mesh(comm, source.path);
+
+  Mesh made;
+  collectivelyOnRoot(comm, "reading the mesh", [&] {
+    if (source.path.empty()) {
+      made = generateBoxes(mesh.sublist(mesh.get<std::string>("Generator")));
+      return;
+    }
+    std::error_code failed;
+    if (!fs::is_regular_file(source.path, failed)) throw InputError(pathOf(mesh, "File"), "there is no file " + source.path);
+    made = readGmsh({source.path, source.constants, source.factor, mesh.get<double>("Time Limit"), mesh.get<bool>("Allow Programs")});
+  });
+  return made;
+}
+
+}  // namespace suture

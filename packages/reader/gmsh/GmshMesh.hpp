@@ -1,0 +1,114 @@
+#pragma once
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace suture {
+
+constexpr const char* kMeshFile = "Mesh/File";  ///< the parameter that errors of a mesh file are told of
+
+/// A mesh as Gmsh describes it: what suture_mesher makes of a .geo file, or a .msh file holds.
+struct GmshMesh {
+  /// Elements of one type in one of Gmsh's entities: volumes, surfaces and curves.
+  struct Block {
+    int dimension = 0, tag = 0;  ///< Gmsh's entity
+    int type = 0;                ///< Gmsh's number, see gmshType()
+    std::vector<int> nodes;      ///< positions in `tags` of the nodes of one element after the other, in Gmsh's order
+    std::vector<int> parts;      ///< part of each element, for groups; empty: they all are of the part `tag`
+    template <typename Self, typename Each>
+    static void forEachField(Self& self, Each each) {
+      each(self.dimension), each(self.tag), each(self.type), each(self.nodes), each(self.parts);
+    }
+  };
+  /// Elements that Suture does not have.
+  struct Foreign {
+    int type, dimension, part;
+    std::size_t count;
+  };
+  std::vector<std::size_t> tags;    ///< tags of nodes, ascending
+  std::vector<double> coordinates;  ///< x, y, z of each
+  std::vector<Block> blocks;        ///< by dimension, tag and type
+  std::vector<Foreign> foreign;
+  std::map<int, std::map<std::string, std::vector<int>>> groups;  ///< by dimension: name -> parts
+  std::vector<std::string> unnamed;                               ///< groups that have no name in the file, as addGroup() calls them
+  std::vector<std::string> problems;                              ///< problems of the mesh
+
+  /// Adds a part to a physical group. A group without a name is called "volume 2", "surface 7" or "curve 3"; another one of that name is a
+  /// problem.
+  void addGroup(int dimension, int tag, const std::string& name, int part) {
+    static const char* const kinds[] = {"point ", "curve ", "surface ", "volume "};
+    const std::string called = !name.empty() ? name : kinds[std::clamp(dimension, 0, 3)] + std::to_string(tag);
+    std::map<std::string, std::vector<int>>& all = groups[dimension];
+    if (all.count(called) > 0 && isUnnamed(called) != name.empty())
+      problems.push_back("the group '" + called + "' has the name that stands for the group " + std::to_string(tag) +
+                         ", which has none; rename it");
+    if (name.empty() && !isUnnamed(called)) unnamed.push_back(called);
+    all[called].push_back(part);
+  }
+  bool isUnnamed(const std::string& group) const { return std::find(unnamed.begin(), unnamed.end(), group) != unnamed.end(); }
+
+  void addForeign(int type, int dimension, int part, std::size_t count) {
+    auto at = std::find_if(foreign.begin(), foreign.end(), [&](const Foreign& f) { return f.type == type && f.part == part; });
+    if (at == foreign.end()) at = foreign.insert(at, {type, dimension, part, 0});
+    at->count += count;
+  }
+
+  template <typename Self, typename Each>
+  static void forEachField(Self& self, Each each) {
+    each(self.tags), each(self.coordinates), each(self.blocks), each(self.foreign), each(self.groups), each(self.unnamed),
+        each(self.problems);
+  }
+};
+
+/// Positions of nodes by their tags, which ascend: at once where the tags are dense, by bisection where they are not.
+class TagPositions {
+ public:
+  /// Keeps a reference to `tags`.
+  explicit TagPositions(const std::vector<std::size_t>& tags) : tags_(tags) {
+    if (tags.empty()) return;
+    const std::size_t range = tags.back() - tags.front();
+    if (range / 4 > tags.size()) return;
+    dense_.assign(range + 1, -1);
+    for (std::size_t i = 0; i < tags.size(); ++i) dense_[tags[i] - tags.front()] = static_cast<int>(i);
+  }
+  /// -1: there is no such tag.
+  int operator()(std::size_t tag) const {
+    if (!dense_.empty()) {
+      const std::size_t at = tag - tags_.front();  // a lower tag becomes a very large number
+      return at < dense_.size() ? dense_[at] : -1;
+    }
+    const auto at = std::lower_bound(tags_.begin(), tags_.end(), tag);
+    return at != tags_.end() && *at == tag ? static_cast<int>(at - tags_.begin()) : -1;
+  }
+
+ private:
+  const std::vector<std::size_t>& tags_;
+  std::vector<int> dense_;  ///< by the distance from the first tag
+};
+
+/// Sorts nodes by their tags. Local.
+inline void sortByTag(std::vector<std::size_t>& tags, std::vector<double>& coordinates) {
+  if (std::is_sorted(tags.begin(), tags.end())) return;
+  std::vector<std::pair<std::size_t, std::size_t>> order;  // tag, place
+  order.reserve(tags.size());
+  for (std::size_t i = 0; i < tags.size(); ++i) order.emplace_back(tags[i], i);
+  std::sort(order.begin(), order.end());
+  const std::vector<double> old = coordinates;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    tags[i] = order[i].first;
+    std::copy_n(old.begin() + static_cast<std::ptrdiff_t>(3 * order[i].second), 3,
+                coordinates.begin() + static_cast<std::ptrdiff_t>(3 * i));
+  }
+}
+
+/// Messages of suture_mesher to its parent through its file descriptor 3: one letter, the length in eight bytes, and the text.
+enum class MesherMessage : char {
+  Opened = 'O',  ///< all statements are read; meshing begins
+  Failed = 'F',  ///< text: Gmsh's complaints
+  Mesh = 'M'     ///< a packed GmshMesh: all went well
+};
+
+}  // namespace suture

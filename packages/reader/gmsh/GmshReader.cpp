@@ -1,0 +1,44 @@
+#include <suture/base/Errors.hpp>
+#include <suture/reader/HilbertOrder.hpp>
+#include <suture/reader/gmsh/GeoStatements.hpp>
+#include <suture/reader/gmsh/GeoText.hpp>
+#include <suture/reader/gmsh/GmshAssembly.hpp>
+#include <suture/reader/gmsh/GmshReader.hpp>
+#include <suture/reader/gmsh/MesherProcess.hpp>
+#include <suture/reader/gmsh/MshReader.hpp>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace suture {
+
+namespace {
+
+void checkConstants(const GmshInput& input, Problems& problems) {
+  const std::vector<std::string> known = geoConstants(input.path);
+  for (const auto& entry : input.constants)
+    if (!std::binary_search(known.begin(), known.end(), entry.first))
+      problems.add("Mesh/Constants/" + entry.first, "in " + input.path + ": " + unknownName("DefineConstant", entry.first, known));
+}
+
+Mesh meshGeometry(const GmshInput& input) {
+  Problems problems;
+  if (!input.allowPrograms) checkGeoStatements(input.path, problems);
+  problems.throwIfAny();  // the names of constants are looked up in a sound file only
+  checkConstants(input, problems);
+  problems.throwIfAny();
+  const GeoWrapper wrapper(input.path, input.constants);
+  Mesh mesh = assembleGmsh(runMesher({input.path, wrapper.path(), input.meshSizeFactor, input.seconds, input.allowPrograms}), input.path);
+  numberAlongHilbertCurve(mesh);
+  return mesh;
+}
+
+}  // namespace
+
+// Numbers of a .msh file are the user's; those of a mesh that is made here may still change.
+Mesh readGmsh(const GmshInput& input) {
+  if (std::filesystem::path(input.path).extension() == ".geo") return meshGeometry(input);
+  return assembleGmsh(readMsh(input.path), input.path);
+}
+
+}  // namespace suture

@@ -1,0 +1,26 @@
+#pragma once
+#include <suture/mesh/Cell.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace suture {
+
+/// A type of element in Gmsh's numbers.
+struct GmshType {
+  int number;
+  const char* name;  ///< as Gmsh names it
+  int dimension;
+  int nodes;
+  std::optional<Cell> cell;  ///< none: a line, a point, or an element that Suture does not have
+  std::vector<int> order;    ///< node i of the cell is node order[i] of Gmsh's; empty: the same order
+};
+
+/// Entry of the one table of Gmsh's types, or null for a number that it does not hold. Local.
+const GmshType* gmshType(int number);
+
+/// "Triangle 3, Quadrilateral 4, ...": the types that have a Cell.
+std::string knownGmshTypes();
+
+}  // namespace suture

@@ -1,0 +1,113 @@
+#!/usr/bin/python3
+"""Figures of scenes in space on files whose content is known: exact where the fields are, wrong by what was put in, unmoved by a turn."""
+import math
+import os
+import sys
+import tempfile
+
+import h5py
+import numpy as np
+
+import figures
+
+TETRAHEDRON, TRIANGLE = 10, 5
+AXIS, ANGLE = (1, 2, 3), 30.0
+wrong = []
+
+
+def check(name, found, expected, tolerance=1e-12):
+    if not (found == expected or abs(found - expected) <= tolerance):
+        wrong.append(f"{name}: {found!r} instead of {expected!r}")
+
+
+def write(path, kind, points, cells, point=None, cell=None):
+    """A file of one piece as suture_solve writes it."""
+    with h5py.File(path, "w") as file:
+        root = file.create_group("VTKHDF")
+        for name, value in (("NumberOfPoints", len(points)), ("NumberOfCells", len(cells)), ("NumberOfConnectivityIds", np.size(cells))):
+            root[name] = np.array([value])
+        root["Points"], root["Connectivity"], root["Types"] = points, np.ravel(cells), np.full(len(cells), kind, np.uint8)
+        root["Offsets"] = np.arange(len(cells) + 1) * np.shape(cells)[1]
+        for group, data in (("PointData", point), ("CellData", cell)):
+            for name, values in (data or {}).items():
+                root[f"{group}/{name}"] = values
+
+
+def blocks(random, per=40):
+    """Points and cells of two clouds of tetrahedra that share no point: the lower half of a column and the upper one."""
+    points = random.random((2 * per, 3)) * [1, 1, 0.5]
+    points[:per, 2] -= 0.5
+    cells = np.concatenate([np.arange(per).reshape(-1, 4), per + np.arange(per).reshape(-1, 4)])
+    return points, cells, np.repeat([0, 1], per // 4)
+
+
+def patch(folder, factor=1.0):
+    """Uniform contraction of both blocks, E = 2e6 below and 4e6 above, turned; stresses are wrong by `factor`."""
+    r = figures.rotation(3, ANGLE, AXIS)
+    points, cells, body = blocks(np.random.default_rng(1))
+    young = np.where(points[:, 2] > 0, 4e6, 2e6)
+    u = 1e5 / young[:, None] * np.stack([0.3 * points[:, 0], 0.3 * points[:, 1], -points[:, 2]], axis=1)
+    u[:, 2] -= 1e5 * 0.5 / 2e6
+    sigma = -1e5 * factor * np.outer(r[:, 2], r[:, 2])
+    stress = np.tile([sigma[i] for i in ((0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (0, 2))], (len(cells), 1))
+    write(os.path.join(folder, "fields_0000.vtkhdf"), TETRAHEDRON, points @ r.T, cells, {"Displacement": u @ r.T * factor},
+          {"Stress": stress, "Body": body})
+
+
+def moved(folder, order, length=1.0, times=1.0, shift=(0, 0, 0), angle=0.0):
+    """A solution by chance in an order of its own, turned, scaled and moved; forces on a piece of the surface."""
+    random = np.random.default_rng(2)
+    points, cells, body = blocks(random)
+    u, forces = random.standard_normal((len(points), 3)), random.random(len(points))
+    r = figures.rotation(3, angle, AXIS)
+    at = np.argsort(order.random(len(points)))
+    where = np.argsort(at)
+    placed = length * points @ r.T + shift
+    write(os.path.join(folder, "fields_0000.vtkhdf"), TETRAHEDRON, placed[at], where[cells], {"Displacement": (times * u @ r.T)[at]},
+          {"Body": body, "PrincipalStress": np.ones((len(cells), 3))})
+    triangles = where[np.arange(len(points) - 2)[:, None] + np.arange(3)]
+    write(os.path.join(folder, "contact_0000.vtkhdf"), TRIANGLE, placed[at], triangles,
+          {"ContactForce": (times * forces)[at], "Active": (forces > 0.5).astype(np.uint8)[at]})
+
+
+def hertz(folder, peak, radius):
+    """Pressures of Hertz on a quarter disc."""
+    x, y = (a.ravel() for a in np.meshgrid(*(np.linspace(0, 1.2 * radius, 21),) * 2))
+    pressure = peak * np.sqrt(np.maximum(0, 1 - (x * x + y * y) / radius ** 2))
+    triangles = np.arange(len(x) - 2)[:, None] + np.arange(3)
+    write(os.path.join(folder, "contact_0000.vtkhdf"), TRIANGLE, np.stack([x, y, 0 * x], axis=1), triangles,
+          {"ContactPressure": pressure, "ContactForce": np.ones(len(x))})
+
+
+with tempfile.TemporaryDirectory() as one, tempfile.TemporaryDirectory() as two:
+    turn = {"angle": ANGLE, "axis": AXIS}
+    patch(one)
+    check("exact stress", figures.figure("patch.stressError", one, **turn), 0)
+    check("exact displacement", figures.figure("patch.contractionError", one, below=2e6, above=4e6, **turn), 0)
+    patch(one, factor=1.01)
+    largest = np.abs(np.outer(*[figures.rotation(3, **turn)[:, 2]] * 2)).max()
+    check("stress wrong by a hundredth", figures.figure("patch.stressError", one, **turn), 0.01 * largest)
+    if not figures.figure("patch.contractionError", one, below=2e6, above=4e6, **turn) > 1e-3:
+        wrong.append("a displacement that is wrong by a hundredth passes")
+
+    moved(one, np.random.default_rng(3))
+    moved(two, np.random.default_rng(4), length=1000.0, times=7.0, shift=(1700, -500, 900), angle=ANGLE)
+    motion = {"length": 1000, "shift": (1700, -500, 900), **turn}
+    for name in ("displacement", "force"):
+        check(f"metamorphic {name}", figures.figure(f"metamorphic.{name}", two, one, times=7, **motion), 0, 1e-10)
+        if not figures.figure(f"metamorphic.{name}", two, one, times=7.001, **motion) > 1e-5:
+            wrong.append(f"metamorphic {name} does not see a thousandth")
+    check("metamorphic status", figures.figure("metamorphic.status", two, one, **motion), 0)
+    check("places that were not turned back", figures.figure("metamorphic.displacement", two, one, times=7, length=1000), math.inf)
+
+    hertz(one, 3.0, 0.1)
+    check("fitted pressure", figures.figure("sphere.fittedPressure", one, radius=0.1), 3.0, 1e-9)
+    check("fitted radius", figures.figure("sphere.fittedRadius", one, radius=0.1), 0.1, 1e-9)
+    check("pressure on the axis", figures.figure("sphere.centrePressure", one), 3.0)
+    check("forces of a half", figures.figure("statics.force", one, along="x", above=0.05), 21 * 12)
+
+    r = figures.rotation(3, 90, (0, 0, 2))
+    check("a quarter turn about z", float(np.abs(r - [[0, -1, 0], [1, 0, 0], [0, 0, 1]]).max()), 0)
+
+print("\n".join(wrong) or "figures in space as expected")
+sys.exit(bool(wrong))
