@@ -1,5 +1,6 @@
 #pragma once
 #include <cblas.h>
+#include <suture/base/Types.hpp>
 
 // BLAS and LAPACK in either precision, matrices by columns. For sources only.
 
@@ -50,6 +51,30 @@ inline void lauum(int n, double* a) {
 inline void lauum(int n, float* a) {
   int info = 0;
   slauum_("L", &n, a, &n, &info);
+}
+
+template <typename Real>
+using Dense = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
+
+/// c <- factor * a b + share * c, a transposed if told. Eigen's own products are compiled for the oldest processors.
+template <typename Real>
+void addProductTo(Real factor, CBLAS_TRANSPOSE transposed, const Dense<Real>& a, const Dense<Real>& b, Real share, Dense<Real>& c) {
+  const int rows = static_cast<int>(transposed == CblasTrans ? a.cols() : a.rows()), columns = static_cast<int>(b.cols());
+  if (share == Real(0)) c.resize(rows, columns);
+  if (c.size() == 0 || b.rows() == 0) {
+    if (share == Real(0)) c.setZero();
+    return;
+  }
+  gemm(transposed, rows, columns, static_cast<int>(b.rows()), factor, a.data(), static_cast<int>(a.rows()), b.data(),
+       static_cast<int>(b.rows()), share, c.data(), rows);
+}
+
+/// a b, or a^T b.
+template <typename Real>
+Dense<Real> product(CBLAS_TRANSPOSE transposed, const Dense<Real>& a, const Dense<Real>& b) {
+  Dense<Real> c;
+  addProductTo(Real(1), transposed, a, b, Real(0), c);
+  return c;
 }
 
 }  // namespace suture

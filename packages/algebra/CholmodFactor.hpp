@@ -7,6 +7,8 @@
 
 namespace suture {
 
+class SingleFactor;
+
 /// Order and storage of CholmodFactor. The defaults suit plane problems.
 struct CholmodOptions {
   /// Amd: of the leading block alone. Constrained Amd: of the whole graph, trailing dofs last, so that fill in their rows is weighed too.
@@ -66,6 +68,9 @@ class CholmodFactor {
   Matrix trailingSchur() const;
 
   const Statistics& statistics() const;
+
+  /// The factor of a matrix without trailing dofs in single precision; null if it has no supernodes.
+  std::unique_ptr<SingleFactor> inSinglePrecision() const;
 
   /// The last `trailing` entries of the diagonal: the shift for floating bodies.
   static Vector trailingDiagonal(const Eigen::SparseMatrix<double>& matrix, int trailing);

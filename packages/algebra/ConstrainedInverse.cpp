@@ -13,29 +13,6 @@ namespace suture {
 
 namespace {
 
-template <typename Real>
-using Dense = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
-
-/// c <- factor * a b + share * c, a transposed if told. By BLAS: Eigen's own is compiled for the oldest processors.
-template <typename Real>
-void addProductTo(Real factor, CBLAS_TRANSPOSE transposed, const Dense<Real>& a, const Dense<Real>& b, Real share, Dense<Real>& c) {
-  const int rows = static_cast<int>(transposed == CblasTrans ? a.cols() : a.rows()), columns = static_cast<int>(b.cols());
-  if (share == Real(0)) c.resize(rows, columns);
-  if (c.size() == 0 || b.rows() == 0) {
-    if (share == Real(0)) c.setZero();
-    return;
-  }
-  gemm(transposed, rows, columns, static_cast<int>(b.rows()), factor, a.data(), static_cast<int>(a.rows()), b.data(),
-       static_cast<int>(b.rows()), share, c.data(), rows);
-}
-
-template <typename Real>
-Dense<Real> product(CBLAS_TRANSPOSE transposed, const Dense<Real>& a, const Dense<Real>& b) {
-  Dense<Real> c;
-  addProductTo(Real(1), transposed, a, b, Real(0), c);
-  return c;
-}
-
 /// H = I - 2 v v^T, v zero off the support.
 struct Reflection {
   std::vector<int> support;

@@ -3,8 +3,9 @@
 // Vectors of numbers for the dense kernels: packed matrices, supernodes, fronts. For sources only.
 
 // One function for each generation of processors, chosen when the program is loaded: the baseline of x86-64 has vectors of two numbers.
+// "fma" has vectors of four and the fused product and sum.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
-#define SUTURE_FOR_EACH_PROCESSOR __attribute__((target_clones("avx512f", "avx2", "default")))
+#define SUTURE_FOR_EACH_PROCESSOR __attribute__((target_clones("avx512f", "fma", "default")))
 #else
 #define SUTURE_FOR_EACH_PROCESSOR
 #endif
@@ -55,33 +56,36 @@ __attribute__((always_inline)) inline void foldInto(const typename Line<Real>::T
   for (int k = 0; k < Line<Real>::count; k += 4) sum += Four<Real>::at(from + k);
 }
 
+/// What processors without vectors of 64 bytes keep in one register: of longer ones GCC keeps the halves in memory, and a scalar product
+/// of 170 numbers takes five times as long.
+template <typename Real>
+using Register = Lanes<Real, 32>;
+
 /// y -= x a, vectors of n numbers that do not overlap.
 template <typename Real>
 __attribute__((always_inline)) inline void subtractMultiple(int n, Real x, const Real* a, Real* y) {
+  constexpr int width = Register<Real>::count;
   int i = 0;
-  for (; i + Line<Real>::count <= n; i += Line<Real>::count) Line<Real>::at(y + i) -= x * Line<Real>::at(a + i);
-  for (; i + 4 <= n; i += 4) Four<Real>::at(y + i) -= x * Four<Real>::at(a + i);
+  for (; i + width <= n; i += width) Register<Real>::at(y + i) -= x * Register<Real>::at(a + i);
   for (; i < n; ++i) y[i] -= x * a[i];
 }
 
 /// a . b, of n numbers.
 template <typename Real>
 __attribute__((always_inline)) inline Real scalarProduct(int n, const Real* a, const Real* b) {
-  typename Line<Real>::Type line = {}, next = {};
-  typename Four<Real>::Type four = {};
+  constexpr int width = Register<Real>::count;
+  typename Register<Real>::Type s0 = {}, s1 = {}, s2 = {}, s3 = {};
   int i = 0;
-  for (; i + 2 * Line<Real>::count <= n; i += 2 * Line<Real>::count) {
-    line += Line<Real>::at(a + i) * Line<Real>::at(b + i);
-    next += Line<Real>::at(a + i + Line<Real>::count) * Line<Real>::at(b + i + Line<Real>::count);
+  for (; i + 4 * width <= n; i += 4 * width) {
+    s0 += Register<Real>::at(a + i) * Register<Real>::at(b + i);
+    s1 += Register<Real>::at(a + i + width) * Register<Real>::at(b + i + width);
+    s2 += Register<Real>::at(a + i + 2 * width) * Register<Real>::at(b + i + 2 * width);
+    s3 += Register<Real>::at(a + i + 3 * width) * Register<Real>::at(b + i + 3 * width);
   }
-  if (i + Line<Real>::count <= n) {
-    line += Line<Real>::at(a + i) * Line<Real>::at(b + i);
-    i += Line<Real>::count;
-  }
-  for (; i + 4 <= n; i += 4) four += Four<Real>::at(a + i) * Four<Real>::at(b + i);
-  line += next;
-  foldInto<Real>(line, four);
-  Real sum = (four[0] + four[1]) + (four[2] + four[3]);
+  for (; i + width <= n; i += width) s0 += Register<Real>::at(a + i) * Register<Real>::at(b + i);
+  s0 = (s0 + s1) + (s2 + s3);
+  Real sum = 0;
+  for (int k = 0; k < width; ++k) sum += s0[k];
   for (; i < n; ++i) sum += a[i] * b[i];
   return sum;
 }

@@ -1,4 +1,5 @@
 #include <suture/algebra/LocalSolver.hpp>
+#include <suture/algebra/elimination/SingleFactor.hpp>
 #include <suture/algebra/solvers/AmesosSolver.hpp>
 #include <suture/algebra/solvers/CholmodSolver.hpp>
 
@@ -18,6 +19,8 @@ void LocalSolver::solve(LocalView x) const {
   solves_ += x.cols();
   doSolve(x);
 }
+
+std::unique_ptr<SingleFactor> LocalSolver::inSinglePrecision() const { return nullptr; }
 
 void registerBuiltIns(Registry<LocalSolver>& registry) {
   registry.add("CHOLMOD", CholmodSolver::schema(), [](const Parameters& own) { return std::make_unique<CholmodSolver>(own); });

@@ -7,6 +7,8 @@
 
 namespace suture {
 
+class SingleFactor;
+
 /// Sparse direct solver for the symmetric positive definite matrices of one subdomain, group or coarse problem. Strategies: CHOLMOD,
 /// Amesos2; a user adds his own through Registry<LocalSolver>. Local: never communicates.
 class LocalSolver {
@@ -20,6 +22,9 @@ class LocalSolver {
 
   /// x <- matrix^-1 x, for any number of right-hand sides (columns).
   void solve(LocalView x) const;
+
+  /// The factor in single precision, for preconditioners; null where the method has none to give.
+  virtual std::unique_ptr<SingleFactor> inSinglePrecision() const;
 
   int size() const { return size_; }
   /// Right-hand sides solved so far.

@@ -1,6 +1,8 @@
+#include <suture/algebra/Blas.hpp>
 #include <suture/algebra/SparseConstrainedInverse.hpp>
 #include <suture/algebra/WorkSpace.hpp>
 #include <suture/algebra/dense/Decompositions.hpp>
+#include <suture/algebra/elimination/SingleFactor.hpp>
 #include <suture/base/Errors.hpp>
 
 #include <algorithm>
@@ -13,6 +15,9 @@ namespace {
 constexpr double kZeroEntry = 1e-14;     // entry of a constraint that counts as none
 constexpr double kMostCondition = 1e13;  // of the small matrix: beyond it a constraint follows from the others
 constexpr double kHeld = 1e-6;           // least that held unknowns tell of a motion of length one
+// Largest relative change of an image that single precision may make: conjugate gradients do not notice it.
+constexpr double kSingleAccuracy = 1e-4;
+constexpr double kMostJumpForSingle = 1e3;  // of stiffness within the matrix: what is soft would have no digits
 
 /// Entry of a row that has one only, or -1.
 int singleEntry(const Matrix& rows, int row) {
@@ -95,7 +100,7 @@ SparseConstrainedInverse::SparseConstrainedInverse(const SparseMatrix& stiffness
     if (kind[unknown] == 'e') apart_.emplace_back(k, placeOf[unknown]);
   }
   factor_ = solver();
-  factor_->factorise(block(stiffness, all.free, all.free));
+  factor_->factorise(principalBlock(stiffness, all.free));
 
   const int others = static_cast<int>(all.otherRows.size()), fixed = static_cast<int>(all.held.size());
   all.onFree = Matrix::Zero(unknowns_, others);
@@ -131,20 +136,21 @@ SparseConstrainedInverse::SparseConstrainedInverse(const SparseMatrix& stiffness
   }
 
   // Traces of least energy: x_H given, K_FF x_F + K_FE x_E + C_F^T m = -K_FH x_H and so on; -m are the energies.
-  const Matrix fromHeld = solved.rightCols(fixed) * values;  // K_FF^-1 K_FH x_H
+  const Matrix fromHeld = product<double>(CblasNoTrans, solved.rightCols(fixed), values);  // K_FF^-1 K_FH x_H
   Matrix right(motions_ + others, m);
   const SparseMatrix apartHeld = block(stiffness, all.apart, all.heldUnknowns);
-  right.topRows(motions_) = -(apartHeld * values) + columns.leftCols(motions_).transpose() * fromHeld;
+  const Matrix energies = product(CblasTrans, columns, fromHeld);
+  right.topRows(motions_) = energies.topRows(motions_) - apartHeld * values;
   Matrix wanted = Matrix::Zero(others, m);
   for (int k = 0; k < others; ++k) wanted(k, all.otherRows[k]) = 1.0;
-  right.bottomRows(others) = wanted - all.onHeld * values + all.onFree.transpose() * fromHeld;
-  const Matrix reduced = small_ * right;
-  const Matrix onFree = -fromHeld - images * reduced;
+  right.bottomRows(others) = wanted - product(CblasNoTrans, all.onHeld, values) + energies.bottomRows(others);
+  const Matrix reduced = product(CblasNoTrans, small_, right);
+  Matrix onFree = -fromHeld;
+  addProductTo(-1.0, CblasNoTrans, images, reduced, 1.0, onFree);
   Matrix basis = Matrix::Zero(size, m);
   for (const auto& [position, place] : places_) basis.row(position) = onFree.row(place);
   for (const auto& [position, place] : apart_) basis.row(position) = reduced.row(place);
   for (int j = 0; j < fixed; ++j) basis.row(all.held[j]) = values.row(j);
-  basis_ = PackedColumns(basis);
 
   Matrix energy(m, m);
   for (int k = 0; k < others; ++k) energy.row(all.otherRows[k]) = -reduced.row(motions_ + k);
@@ -157,11 +163,35 @@ SparseConstrainedInverse::SparseConstrainedInverse(const SparseMatrix& stiffness
   Matrix onTrace = Matrix::Zero(size, images.cols());
   for (const auto& [position, place] : places_) onTrace.row(position) = images.row(place);
   images_ = PackedColumns(onTrace);
+  const Vector diagonal = stiffness.diagonal();
+  tryInSinglePrecision(diagonal.maxCoeff() / diagonal.minCoeff());
+  const auto precision = single_ ? PackedSymmetric::Precision::Single : PackedSymmetric::Precision::Double;
+  basis_ = PackedColumns(basis, precision);
+  if (single_) images_ = PackedColumns(onTrace, precision);
 }
+
+SparseConstrainedInverse::~SparseConstrainedInverse() = default;
+
+void SparseConstrainedInverse::tryInSinglePrecision(double jump) {
+  if (unknowns_ == 0 || jump > kMostJumpForSingle) return;
+  std::unique_ptr<SingleFactor> made = factor_->inSinglePrecision();
+  if (!made) return;
+  Matrix flux(images_.rows(), 1), exact(flux.rows(), 1), rounded(flux.rows(), 1);
+  for (int i = 0; i < flux.rows(); ++i) flux(i) = std::sin(1.0 + 7.0 * i);
+  apply(flux, exact);
+  single_ = std::move(made);
+  apply(flux, rounded);
+  if ((rounded - exact).norm() <= kSingleAccuracy * exact.norm())
+    factor_.reset();
+  else
+    single_.reset();
+}
+
+double SparseConstrainedInverse::bytesRead() const { return single_ ? 2.0 * (single_->bytes() + images_.bytes()) : 0.0; }
 
 Matrix SparseConstrainedInverse::smallMatrix(const SparseMatrix& stiffness, const Unknowns& all, const Matrix& columns,
                                              const Matrix& images) const {
-  Matrix small = -(columns.transpose() * images);
+  Matrix small = -product(CblasTrans, columns, images);
   const int others = static_cast<int>(all.otherRows.size());
   small.topLeftCorner(motions_, motions_) += Matrix(block(stiffness, all.apart, all.apart));
   small.bottomLeftCorner(others, motions_) += all.onApart;
@@ -175,7 +205,10 @@ void SparseConstrainedInverse::apply(ConstLocalView flux, LocalView trace) const
   Eigen::Map<Matrix>& inside = space.values;
   inside.setZero();
   for (const auto& [position, place] : places_) inside.row(place) = flux.row(position);
-  if (unknowns_ > 0) factor_->solve(inside);
+  if (single_)
+    single_->apply(inside, inside);
+  else if (unknowns_ > 0)
+    factor_->solve(inside);
   trace.setZero();
   for (const auto& [position, place] : places_) trace.row(position) = inside.row(place);
   if (small_.rows() == 0) return;

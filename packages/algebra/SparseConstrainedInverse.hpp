@@ -17,7 +17,7 @@ namespace suture {
 ///     [ C_E - C_F W_E           - C_F W_C       ] * [ m ] = [   - W_C^T f_F  ],    x_F = K_FF^-1 f_F - W [x_E; m].
 ///
 /// An application is a back-substitution, which reads what the factor has: less than the dense inverse where the boundary is large against
-/// the interior, as in space. Local.
+/// the interior, as in space. The factor is kept in single precision where that changes little: that is tried. Local.
 class SparseConstrainedInverse : public InverseWithBasis {
  public:
   /// \param stiffness    symmetric, positive semidefinite, both triangles
@@ -28,13 +28,18 @@ class SparseConstrainedInverse : public InverseWithBasis {
   SparseConstrainedInverse(const SparseMatrix& stiffness, const Matrix& kernel, const std::vector<int>& boundary, const Matrix& constraints,
                            const LocalSolverMaker& solver, const std::string& what);
 
+  ~SparseConstrainedInverse() override;
+
   void apply(ConstLocalView flux, LocalView trace) const override;
+  double bytesRead() const override;
 
  private:
   struct Unknowns;
   Matrix smallMatrix(const SparseMatrix& stiffness, const Unknowns& all, const Matrix& columns, const Matrix& images) const;
+  void tryInSinglePrecision(double jump);
 
-  std::unique_ptr<LocalSolver> factor_;      // factor of F
+  std::unique_ptr<LocalSolver> factor_;      // factor of F, or
+  std::unique_ptr<SingleFactor> single_;     // the same in single precision
   int unknowns_ = 0;                         // number of F
   std::vector<std::pair<int, int>> places_;  // F on the trace: (position in the trace, among F)
   std::vector<std::pair<int, int>> apart_;   // E on the trace: (position in the trace, among E)

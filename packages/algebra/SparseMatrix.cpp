@@ -1,5 +1,7 @@
 #include <suture/algebra/SparseMatrix.hpp>
 
+#include <algorithm>
+
 namespace suture {
 
 SparseMatrix block(const SparseMatrix& matrix, const std::vector<int>& rows, const std::vector<int>& columns) {
@@ -22,6 +24,26 @@ SparseMatrix block(const SparseMatrix& matrix, const std::vector<int>& rows, con
     byRow.valuePtr()[next[row]++] = value;
   });
   return SparseMatrix(byRow);
+}
+
+SparseMatrix principalBlock(const SparseMatrix& matrix, const std::vector<int>& positions) {
+  const int size = static_cast<int>(positions.size()), *start = matrix.outerIndexPtr(), *row = matrix.innerIndexPtr();
+  std::vector<int> place(matrix.rows(), -1);
+  for (int i = 0; i < size; ++i) place[positions[i]] = i;
+  SparseMatrix made(size, size);
+  int* ends = made.outerIndexPtr();
+  for (int j = 0; j < size; ++j)
+    ends[j + 1] = ends[j] + static_cast<int>(std::count_if(row + start[positions[j]], row + start[positions[j] + 1],
+                                                           [&](int i) { return place[i] >= 0; }));
+  made.resizeNonZeros(ends[size]);
+  int to = 0;
+  for (const int column : positions)
+    for (int k = start[column]; k < start[column + 1]; ++k)
+      if (place[row[k]] >= 0) {
+        made.innerIndexPtr()[to] = place[row[k]];
+        made.valuePtr()[to++] = matrix.valuePtr()[k];
+      }
+  return made;
 }
 
 Matrix rowsAt(const Matrix& matrix, const std::vector<int>& positions) {

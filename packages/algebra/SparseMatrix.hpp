@@ -12,6 +12,9 @@ using SparseMatrix = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
 /// The block of rows and columns given by two lists of positions (each position at most once). Local.
 SparseMatrix block(const SparseMatrix& matrix, const std::vector<int>& rows, const std::vector<int>& columns);
 
+/// The rows and columns of a symmetric matrix at ascending positions: in one pass, which block() needs two for. Local.
+SparseMatrix principalBlock(const SparseMatrix& matrix, const std::vector<int>& positions);
+
 /// Rows of a dense matrix at some positions.
 Matrix rowsAt(const Matrix& matrix, const std::vector<int>& positions);
 

@@ -1,3 +1,4 @@
+#include <suture/algebra/Blas.hpp>
 #include <suture/algebra/UpdatedInverse.hpp>
 
 #include <Eigen/Eigenvalues>
@@ -46,10 +47,10 @@ struct Change {
       if (!(own.diagonal().minCoeff() > kLeastEigenvalue * energy.diagonal().maxCoeff())) return false;
       const Matrix root = inverseRoot(own);
       if (root.size() == 0) return false;
-      plus = columnsAt(basis, removed) * root;
-      const Matrix mixed = root.transpose() * blockAt(energy, removed, kept);
-      heldBasis -= plus * mixed;
-      heldEnergy -= mixed.transpose() * mixed;
+      plus = product(CblasNoTrans, columnsAt(basis, removed), root);
+      const Matrix mixed = product(CblasTrans, root, blockAt(energy, removed, kept));
+      addProductTo(-1.0, CblasNoTrans, plus, mixed, 1.0, heldBasis);
+      addProductTo(-1.0, CblasTrans, mixed, mixed, 1.0, heldEnergy);
     }
     basis = std::move(heldBasis);
     energy = std::move(heldEnergy);
@@ -61,16 +62,16 @@ struct Change {
     const Matrix across = d.transpose();
     Matrix w(across.rows(), across.cols());
     base.apply(across, w);
-    if (plus.size() > 0) w += plus * (plus.transpose() * across);
-    const Matrix product = d * w, root = inverseRoot(0.5 * (product + product.transpose()));
+    if (plus.size() > 0) addProductTo(1.0, CblasNoTrans, plus, product(CblasTrans, plus, across), 1.0, w);
+    const Matrix values = product(CblasNoTrans, d, w), root = inverseRoot(0.5 * (values + values.transpose()));
     if (root.size() == 0) return false;
-    minus = w * root;
-    const Matrix mixed = root.transpose() * (d * basis), between = -mixed.transpose() * root.transpose();
+    minus = product(CblasNoTrans, w, root);
+    const Matrix mixed = product(CblasTrans, root, product(CblasNoTrans, d, basis)), between = -(root * mixed).transpose();
     const Eigen::Index before = basis.cols(), more = d.rows(), after = before + more;
-    basis -= minus * mixed;
+    addProductTo(-1.0, CblasNoTrans, minus, mixed, 1.0, basis);
     basis.conservativeResize(Eigen::NoChange, after);
-    basis.rightCols(more) = minus * root.transpose();
-    energy += mixed.transpose() * mixed;
+    basis.rightCols(more) = product<double>(CblasNoTrans, minus, root.transpose());
+    addProductTo(1.0, CblasTrans, mixed, mixed, 1.0, energy);
     energy.conservativeResize(after, after);
     energy.topRightCorner(before, more) = between;
     energy.bottomLeftCorner(more, before) = between.transpose();
@@ -104,7 +105,7 @@ std::unique_ptr<UpdatedInverse> UpdatedInverse::make(std::shared_ptr<const Local
   const Matrix basis = columnsAt(change.basis, place);
   // A row that follows from others has left nothing but rounding.
   if (basis.cols() > 0) {
-    const Matrix error = constraints * basis - Matrix::Identity(basis.cols(), basis.cols());
+    const Matrix error = product(CblasNoTrans, constraints, basis) - Matrix::Identity(basis.cols(), basis.cols());
     if (!(error.cwiseAbs().maxCoeff() < kBasisAccuracy)) return nullptr;
   }
   std::unique_ptr<UpdatedInverse> made(new UpdatedInverse);

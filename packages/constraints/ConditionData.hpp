@@ -15,8 +15,8 @@ struct ConditionData {
 };
 
 /// Reads `Value`, or else the expressions of the type (ConditionForm: `Expression x`, `Expression y`, ..., or `Expression`), of one entry
-/// of `Boundary Conditions`; components that a Displacement leaves free have neither. For the types that have data. Local. \param problems
-/// gets: no data, both kinds of data, a wrong number of values, an expression too many or too few, one that cannot be read
+/// of `Boundary Conditions`; components that a Displacement leaves free have neither. For the types that have data. Local.
+/// \param problems  gets: no data, both kinds of data, a wrong number of values, an expression too many or too few, one that cannot be read
 ConditionData readConditionData(const Parameters& condition, const Constants& constants, Problems& problems, int dimension = 2);
 
 /// The names of the parameters that hold expressions, of all types.

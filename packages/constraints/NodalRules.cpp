@@ -189,7 +189,7 @@ int onlyComponent(const Point& direction) {
 double component(const Basis& basis, int k) {
   double sum = 0;
   for (std::size_t i = 0; i < basis.rows.size(); ++i) sum += basis.rows[i]->value * basis.adjugate(int(i))[k];
-  return sum / basis.det;
+  return sum / basis.det + 0.0;  // no negative zero
 }
 
 /// The rule of one direction: axis 0, unless the Cartesian axes have it.

@@ -87,16 +87,19 @@ class SolidStiffness {
     k_.resize(3 * reference.nodes, 3 * reference.nodes);
     ElementMap<3> map(block, element, reference);
     forNodes<3>(reference.nodes, [&](auto nodes) { addPointwise<nodes()>(reference, map); });
-    if (law_.projected != 0.0) MixedPressure<3>(block.cells[element], reference, map).addStiffness(law_.projected, k_);
-    mirror(k_);
+    if (law_.projected != 0.0) {
+      MixedPressure<3>(block.cells[element], reference, map).addStiffness(law_.projected, k_);
+      mirror(k_);
+    }
     take(element, k_);
   }
 
  private:
   template <int nodes>
   void addPointwise(const ReferenceElement& reference, ElementMap<3>& map) {
-    products_.resize(9 * nodes * nodes);
-    GradientProducts<nodes> products(products_.data());
+    using Products = GradientProducts<nodes>;
+    products_.resize(Products::rows * Products::n);
+    Products products(products_.data());
     for (int q = 0; q < reference.points; ++q) {
       map.at(q);
       products.add(map.measure(), map.gradient(0));

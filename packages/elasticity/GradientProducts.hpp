@@ -1,7 +1,7 @@
 #pragma once
 #include <suture/elasticity/StressVector.hpp>
 
-#include <array>
+#include <algorithm>
 
 namespace suture {
 
@@ -30,45 +30,57 @@ struct ProductWeights {
   }
 };
 
-/// Integrals over an element in space of the products of its shape functions' gradients, of which only the blocks a <= b are computed. In
-/// the integrals stands no law: 9 products a pair of nodes and point, a half of what B^T D B takes. \tparam nodes  of the element
+/// Integrals over an element in space of the products of its shape functions' gradients. In them stands no law: 9 products a pair of nodes
+/// and point, a half of what B^T D B takes. \tparam nodes  of the element
 template <int nodes>
 class GradientProducts {
  public:
   static constexpr int n = 3 * nodes;
+  static constexpr int rows = (n + 3) / 4 * 4;  ///< of the storage: whole packets of four
 
-  /// \param storage  room for n x n numbers
-  explicit GradientProducts(double* storage) : s_(storage) { std::fill_n(s_, n * n, 0.0); }
+  /// \param storage  room for rows x n numbers
+  explicit GradientProducts(double* storage) : s_(storage) { std::fill_n(s_, rows * n, 0.0); }
 
-  /// Adds those of a point. \param gradients  nodes x 3
+  /// Adds those of a point, in the blocks a <= b. \param gradients  nodes x 3
   void add(double measure, const double* gradients) {
-    for (int b = 0; b < nodes; ++b)
-      for (int j = 3 * b; j < 3 * b + 3; ++j) {
-        const double weighted = measure * gradients[j];
-        double* column = s_ + n * j;
-        for (int i = 0; i < 3 * b + 3; ++i) column[i] += weighted * gradients[i];
+    using Packet = Eigen::Matrix<double, 4, 1>;  // the compiler would take the numbers one by one
+    double g[rows];
+    std::copy_n(gradients, n, g);
+    std::fill(g + n, g + rows, 0.0);
+    for (int b = 0; b < nodes; ++b) {
+      const double x = measure * g[3 * b], y = measure * g[3 * b + 1], z = measure * g[3 * b + 2];
+      double* column = s_ + rows * 3 * b;
+      const double* const end = column + 3 * b + 3;  // the diagonal
+      for (const double* own = g; column < end; own += 4, column += 4) {
+        const Packet packet = Eigen::Map<const Packet>(own);
+        Eigen::Map<Packet>(column) += x * packet;
+        Eigen::Map<Packet>(column + rows) += y * packet;
+        Eigen::Map<Packet>(column + 2 * rows) += z * packet;
       }
+    }
   }
 
-  /// Sets the blocks a <= b of a stiffness matrix. \param k  n x n, column by column
+  /// Sets a stiffness matrix, exactly symmetric. \param k  n x n, column by column
   void contract(const ProductWeights& law, double* k) const {
+    using Products = Eigen::Map<const Eigen::Matrix3d, 0, Eigen::OuterStride<rows>>;
+    using Block = Eigen::Map<Eigen::Matrix3d, 0, Eigen::OuterStride<n>>;
     for (int b = 0; b < nodes; ++b)
       for (int a = 0; a <= b; ++a) {
-        const double* s = s_ + n * 3 * b + 3 * a;
-        double* own = k + n * 3 * b + 3 * a;
+        const Products s(s_ + rows * 3 * b + 3 * a);
+        Eigen::Matrix3d own;
         if (law.isotropic) {
-          const double trace = law.mu * (s[0] + s[n + 1] + s[2 * n + 2]);
-          for (int j = 0; j < 3; ++j)
-            for (int i = 0; i < 3; ++i) own[n * j + i] = law.lambda * s[n * j + i] + law.mu * s[n * i + j];
-          for (int i = 0; i < 3; ++i) own[n * i + i] += trace;
+          own = law.lambda * s + law.mu * s.transpose();
+          own.diagonal().array() += law.mu * s.trace();
         } else {
-          Eigen::Matrix<double, 9, 1> entries;
-          for (int j = 0; j < 3; ++j)
-            for (int i = 0; i < 3; ++i) entries[3 * j + i] = s[n * j + i];
-          const Eigen::Matrix<double, 9, 1> sum = law.general * entries;
-          for (int j = 0; j < 3; ++j)
-            for (int i = 0; i < 3; ++i) own[n * j + i] = sum[3 * j + i];
+          const Eigen::Matrix3d products = s;
+          Eigen::Map<Eigen::Matrix<double, 9, 1>>(own.data()) =
+              law.general * Eigen::Map<const Eigen::Matrix<double, 9, 1>>(products.data());
         }
+        Block(k + n * 3 * b + 3 * a) = own;
+        if (a == b)  // the rounding of the two halves differs
+          Block(k + n * 3 * b + 3 * b).template triangularView<Eigen::StrictlyLower>() = own.transpose();
+        else
+          Block(k + n * 3 * a + 3 * b) = own.transpose();
       }
   }
 

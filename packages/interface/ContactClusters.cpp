@@ -16,6 +16,7 @@ using Sparse = std::map<int, double>;  // place -> coefficient
 // remainders of others that cancelled; a larger one would be missing from the forces.
 constexpr double kDependent = 1e-10;
 constexpr double kRounding = 1e-14;
+constexpr std::size_t kTwoNodes = 6;  // unknowns in space
 
 void addTo(Sparse& row, const Sparse& other, double factor) {
   for (const auto& [place, value] : other) row[place] += factor * value;
@@ -72,6 +73,8 @@ std::vector<InterfaceRelation> ContactClusters::relations(const std::vector<Cont
       auto own = row.end();
       for (auto entry = row.begin(); entry != row.end(); ++entry)
         if (uses[entry->first] == 1 && (own == row.end() || smaller(*own, *entry))) own = entry;
+      // Rows of six- and eight-node sides name the nodes of others, but can be solved for their carrying nodes one after the other.
+      if (own == row.end() && rows_[number].places.size() > kTwoNodes) own = row.find(rows_[number].places.front());
       if (own != row.end() && std::abs(own->second) > 0.5 * std::abs(pivot->second)) pivot = own;
       if (pivot == row.end() || std::abs(pivot->second) < kDependent) continue;
       const int place = pivot->first;

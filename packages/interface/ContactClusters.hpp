@@ -13,7 +13,7 @@ namespace suture {
 class ContactClusters {
  public:
   struct Row {
-    std::vector<int> places;  ///< places of the unknowns in the overlap; none: nothing can change
+    std::vector<int> places;  ///< places of the unknowns in the overlap, a mortar's carrying one first; none: nothing can change
     std::vector<double> coefficients;
     double gap = 0.0;   ///< [length]
     int cluster = 0;    ///< any number that the rows of a cluster share

@@ -82,6 +82,22 @@ ContactInterfaceProblem::ContactInterfaceProblem(CommPtr comm, const Partition& 
   for (const auto& piecesOfGroup : partition.piecesOf) pieces_ += static_cast<int>(piecesOfGroup.size());
 }
 
+namespace {
+
+/// Puts the carrying node's unknown with the largest coefficient first.
+void carryingFirst(const ContactRow& from, const ContactRow::Equation& equation, int dimension, ContactClusters::Row& row) {
+  std::size_t best = equation.dofs.size();
+  for (std::size_t k = 0; k < equation.dofs.size(); ++k)
+    if (equation.dofs[k] / dimension == from.pair.node() &&
+        (best == equation.dofs.size() || std::abs(row.coefficients[k]) > std::abs(row.coefficients[best])))
+      best = k;
+  if (best == equation.dofs.size()) return;
+  std::swap(row.places[0], row.places[best]);
+  std::swap(row.coefficients[0], row.coefficients[best]);
+}
+
+}  // namespace
+
 void ContactInterfaceProblem::collectRows(const Vector& stiffness) {
   std::map<int, const ContactRow*> byPair;
   std::set<int> mine;
@@ -113,6 +129,7 @@ void ContactInterfaceProblem::collectRows(const Vector& stiffness) {
                       static_cast<int>(component),
                       rows_[i].pair.length});
       for (const GlobalId dof : equation.dofs) rows.back().places.push_back(space_->overlap()->getLocalElement(dof));
+      if (rows_[i].pair.ends.size() > 2) carryingFirst(rows_[i], equation, space_->dimension(), rows.back());
     }
   clusters_ = std::make_unique<ContactClusters>(std::move(rows), stiffness);
   Teuchos::reduceAll(*comm_, Teuchos::REDUCE_SUM, able, Teuchos::outArg(pairs_));

@@ -13,11 +13,7 @@ const Point cube[] = {{-1, -1, -1}, {1, -1, -1}, {1, 1, -1},  {-1, 1, -1}, {-1, 
 const Point wedge[] = {{0, 0, -1}, {1, 0, -1}, {0, 1, -1}, {0, 0, 1}, {1, 0, 1}, {0, 1, 1}};
 const Point pyramid[] = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}, {0, 0, 1}};
 
-/// A function of the place with its gradient.
-struct Jet {
-  double value = 0.0;
-  Point gradient{0, 0, 0};
-};
+using Jet = ShapeJet;
 
 /// The barycentric coordinate of a vertex of the triangle (dimension 2) or the tetrahedron.
 Jet barycentric(int dimension, int vertex, const Point& at) {
@@ -163,6 +159,26 @@ ReferencePoint referenceCentre(Cell cell) {
     for (int k = 0; k < 3; ++k) centre[k] += p[k] / vertices;
   }
   return centre;
+}
+
+void shapeJets(Cell cell, const ReferencePoint& at, ShapeJet* jets) {
+  const CellInfo& info = cellInfo(cell);
+  if (!isSimplex(cell)) {
+    for (int i = 0; i < info.nodes; ++i) jets[i] = jetOf(cell, i, at);
+    return;
+  }
+  Jet l[4];
+  for (int i = 0; i < info.vertices; ++i) jets[i] = l[i] = barycentric(info.dimension, i, at);
+  if (info.order == 1) return;
+  for (int i = 0; i < info.vertices; ++i) {
+    for (int k = 0; k < info.dimension; ++k) jets[i].gradient[k] *= 4 * l[i].value - 1;
+    jets[i].value *= 2 * l[i].value - 1;
+  }
+  for (int i = info.vertices; i < info.nodes; ++i) {
+    const Jet &a = l[info.edges[i - info.vertices][0]], &b = l[info.edges[i - info.vertices][1]];
+    jets[i].value = 4 * a.value * b.value;
+    for (int k = 0; k < 3; ++k) jets[i].gradient[k] = 4 * (a.value * b.gradient[k] + b.value * a.gradient[k]);
+  }
 }
 
 double shapeFunction(Cell cell, int i, const ReferencePoint& at) { return jetOf(cell, i, at).value; }

@@ -18,4 +18,12 @@ double shapeFunction(Cell cell, int node, const ReferencePoint& at);
 /// Its gradient in reference coordinates; at the apex of a pyramid, where it has none, its limit along the axis. Local.
 ReferencePoint shapeGradient(Cell cell, int node, const ReferencePoint& at);
 
+/// Value and gradient of a shape function.
+struct ShapeJet {
+  double value = 0.0;
+  ReferencePoint gradient{0, 0, 0};
+};
+/// Those of all nodes of a cell at a place, for less than one by one. \param jets  gets as many as the cell has nodes. Local.
+void shapeJets(Cell cell, const ReferencePoint& at, ShapeJet* jets);
+
 }  // namespace suture

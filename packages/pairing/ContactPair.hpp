@@ -14,8 +14,9 @@ struct PairEnd {
 
 /// One unilateral condition of a contact: sum over its ends of weight normal . u(node) <= gap, that is (u_A - u_B) . normal <= gap.
 /// One unit normal a pair, from side A to side B. The first end is the node that carries the pair (its contact force acts there), with
-/// weight 1 on side A, -1 on side B (others only where a mortar covers a quadratic element in part). Of matching sides a pair has one node
-/// of each; with mortar it has the mean of several on the other side; with a rigid obstacle none.
+/// weight 1 on side A, -1 on side B (others where a mortar has further nodes of its side: on quadratic elements covered in part, and in
+/// space at the middles of six- and eight-node sides). Of matching sides a pair has one node of each; with mortar it has the mean of
+/// several on the other side; with a rigid obstacle none.
 struct ContactPair {
   int id = -1;     ///< 0..pairs-1 over the whole scene, in the order of the contacts
   int line = -1;   ///< contact of the scene (place in the list `Contact`)
@@ -23,7 +24,7 @@ struct ContactPair {
   std::vector<PairEnd> ends;
   Point normal{0, 0, 0};
   double gap = 0.0;         ///< initial gap along the normal [length]; negative: interference
-  double length = 0.0;      ///< tributary length: integral of the carrying node's hat function [length]; axisymmetric: times 2 pi r [area]
+  double length = 0.0;      ///< tributary: integral of the carrying node's hat function [length or area]; axisymmetric: times 2 pi r [area]
   double arc = 0.0;         ///< in the plane: arc length from the first node of its run of the carrying side [length]; for output
   Point position{0, 0, 0};  ///< position of the carrying node
 

@@ -39,9 +39,11 @@ struct Contact {
   double tolerance = 1e-3;                    ///< tangential distance of partners, as a fraction of the local mesh size
   enum class Coupling { Automatic, MatchingNodes, Mortar } coupling = Coupling::Automatic;
   enum class Carrier { Automatic, SideA, SideB } carrier = Carrier::Automatic;  ///< face whose nodes carry a mortar's pairs
-  /// Functions of a mortar's stress on second-order sides in space: of the vertices, or of all nodes where the side is covered wholly.
-  enum class Multipliers { Linear, Quadratic } multipliers = Multipliers::Linear;
-  /// Between which curves the gap of a mortar is taken, where elements are straight and the faces are not.
+  /// Functions of a mortar's stress on second-order sides in space: one a node where the side is covered wholly, or one a vertex. Those of
+  /// the vertices alone leave no unknown that each condition could be solved for by itself: the displacements of the vertices have forces
+  /// that add up to none. For small contacts and comparisons.
+  enum class Multipliers { Quadratic, Linear } multipliers = Multipliers::Quadratic;
+  /// Between which curves or surfaces the gap of a mortar is taken, where elements are straight and the faces are not.
   enum class Geometry { Automatic, Smooth, Facets } geometry = Geometry::Automatic;
   std::optional<Obstacle> obstacle;  ///< instead of face b
   /// Normal of the pairs with an obstacle, along which their gap is measured: the obstacle's at the foot of the node, or that of the face.

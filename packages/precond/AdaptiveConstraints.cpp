@@ -7,6 +7,7 @@
 #include <Teuchos_CommHelpers.hpp>
 
 #include <algorithm>
+#include <numeric>
 #include <sstream>
 
 namespace suture {
@@ -36,31 +37,73 @@ struct Part {
   Matrix weights;  ///< the entity's block of D
 };
 
-/// The three of them side by side, the last two above.
-Matrix partOf(const EntitySide& side, const AloneRows& points, const LocalProblem& local, const Matrix& schur, const Weighting& weighting) {
-  const int n = static_cast<int>(side.rows.size()), c = static_cast<int>(points.rows.size());
-  std::vector<int> kept = side.rows;
-  kept.insert(kept.end(), points.rows.begin(), points.rows.end());
+/// One side of an entity as a sharer sees it: positions of its trace.
+struct SideOfLocal {
+  const EntitySide* side;
+  const AloneRows* points;
+  Matrix* part;  ///< to be made
+
+  std::vector<int> kept() const {
+    std::vector<int> all = side->rows;
+    all.insert(all.end(), points->rows.begin(), points->rows.end());
+    return all;
+  }
+};
+
+/// Schur complement of a semidefinite matrix onto some of its unknowns, in their order.
+Matrix reducedTo(const Matrix& matrix, const std::vector<int>& kept) {
   std::vector<int> sorted = kept;
   std::sort(sorted.begin(), sorted.end());
-  const std::vector<int> others = complement(local.size(), sorted);
-  Vector coefficients(n + c);
-  coefficients << side.coefficients, points.coefficients;
-  Matrix reduced = pick(schur, kept, kept);
-  if (!others.empty()) {
-    const Matrix across = pick(schur, others, kept);
-    // Contact edges hold one component only: the motions left free are a kernel that `across` does not feel.
-    reduced -= across.transpose() * solveSemidefinite(pick(schur, others, others), across);
+  const std::vector<int> others = complement(static_cast<int>(matrix.rows()), sorted);
+  Matrix reduced = pick(matrix, kept, kept);
+  if (others.empty()) return reduced;
+  const Matrix across = pick(matrix, others, kept);
+  // Contact edges hold one component only: the motions left free are a kernel that `across` does not feel.
+  reduced -= across.transpose() * solveSemidefinite(pick(matrix, others, others), across);
+  return reduced;
+}
+
+/// The parts of one local problem. All unknowns that none of `sides` needs are eliminated, then those of one half and of the other: an
+/// elimination for each side would cost more by half their number. \param schur  of the unknowns at `positions` of the trace, ascending
+void makeParts(const std::vector<SideOfLocal>& sides, const Matrix& whole, const Matrix& schur, const std::vector<int>& positions,
+               const Weighting& weighting) {
+  const auto placesOf = [&positions](const std::vector<int>& rows) {
+    std::vector<int> places;
+    for (const int row : rows)
+      places.push_back(static_cast<int>(std::lower_bound(positions.begin(), positions.end(), row) - positions.begin()));
+    return places;
+  };
+  if (sides.size() == 1) {
+    const EntitySide& side = *sides[0].side;
+    const int n = static_cast<int>(side.rows.size()), c = static_cast<int>(sides[0].points->rows.size());
+    Vector coefficients(n + c);
+    coefficients << side.coefficients, sides[0].points->coefficients;
+    Matrix weights = Matrix::Zero(whole.rows(), n);
+    for (int k = 0; k < n; ++k) weights(side.rows[k], k) = 1.0;
+    weighting.apply(side.local, weights);
+    Matrix& all = *sides[0].part;  // the three of them side by side, the last two above
+    all = Matrix::Zero(n + c, 3 * n + c);
+    const auto t = side.coefficients.asDiagonal();
+    all.leftCols(n + c) = coefficients.asDiagonal() * reducedTo(schur, placesOf(sides[0].kept())) * coefficients.asDiagonal();
+    all.block(0, n + c, n, n) = t * pick(whole, side.rows, side.rows) * t;
+    all.block(0, 2 * n + c, n, n) = t * rowsAt(weights, side.rows) * t;
+    return;
   }
-  Matrix weights = Matrix::Zero(local.size(), n);
-  for (int k = 0; k < n; ++k) weights(side.rows[k], k) = 1.0;
-  weighting.apply(side.local, weights);
-  Matrix all = Matrix::Zero(n + c, 3 * n + c);
-  const auto t = side.coefficients.asDiagonal();
-  all.leftCols(n + c) = coefficients.asDiagonal() * reduced * coefficients.asDiagonal();
-  all.block(0, n + c, n, n) = t * pick(schur, side.rows, side.rows) * t;
-  all.block(0, 2 * n + c, n, n) = t * rowsAt(weights, side.rows) * t;
-  return all;
+  std::size_t count = 0, most = 0, middle = 0;
+  for (const SideOfLocal& side : sides) most += side.side->rows.size();
+  while (middle + 1 < sides.size() && (middle == 0 || 2 * count < most)) count += sides[middle++].side->rows.size();
+  const std::vector<SideOfLocal> halves[2] = {{sides.begin(), sides.begin() + static_cast<std::ptrdiff_t>(middle)},
+                                              {sides.begin() + static_cast<std::ptrdiff_t>(middle), sides.end()}};
+  for (const std::vector<SideOfLocal>& half : halves) {
+    std::vector<int> kept;
+    for (const SideOfLocal& side : half) {
+      const std::vector<int> own = side.kept();
+      kept.insert(kept.end(), own.begin(), own.end());
+    }
+    std::sort(kept.begin(), kept.end());
+    kept.erase(std::unique(kept.begin(), kept.end()), kept.end());
+    makeParts(half, whole, half.size() == 1 ? schur : reducedTo(schur, placesOf(kept)), half.size() == 1 ? positions : kept, weighting);
+  }
 }
 
 Part split(const Matrix& all, int n) {
@@ -149,18 +192,16 @@ PrimalChoice AdaptiveConstraints::doChoose(const InterfaceSpace& space, const Lo
   const std::vector<InterfaceEntity> entities = withoutAlone(space, choice.alone);
   const std::vector<EntitySide> sides = entitySides(space, entities);
   const std::vector<AloneRows> points = aloneRows(space, entities, sides, choice.alone);
-  int last = -1;
-  Matrix schur;  // schur complement of the last local problem: its sides come one after the other
   std::vector<Matrix> own(sides.size());
   collectively(*space.comm(), "adaptive constraints", [&] {
-    std::vector<int> order(sides.size());
-    for (std::size_t k = 0; k < order.size(); ++k) order[k] = static_cast<int>(k);
-    std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return sides[a].local < sides[b].local; });
-    for (const int k : order) {
-      if (!locals[sides[k].local]) continue;  // does not take part
-      if (sides[k].local != last) schur = locals[sides[k].local]->schur();
-      last = sides[k].local;
-      own[k] = partOf(sides[k], points[k], *locals[last], schur, weighting);
+    std::vector<std::vector<SideOfLocal>> sidesOf(locals.size());
+    for (std::size_t k = 0; k < sides.size(); ++k) sidesOf[sides[k].local].push_back({&sides[k], &points[k], &own[k]});
+    for (std::size_t i = 0; i < locals.size(); ++i) {
+      if (!locals[i] || sidesOf[i].empty()) continue;  // does not take part
+      const Matrix schur = locals[i]->schur();
+      std::vector<int> positions(schur.rows());
+      std::iota(positions.begin(), positions.end(), 0);
+      makeParts(sidesOf[i], schur, schur, positions, weighting);
     }
   });
   const auto all = exchangeSides(space, entities, sides, [&](std::size_t k) { return own[k]; });

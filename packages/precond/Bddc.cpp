@@ -112,11 +112,13 @@ bool Bddc::computeTorn(int locals, bool isTornHere) {
   const MortarRows mortar(*space(), *torn_, choice);
   std::vector<PrimalRows> rows = primalRows(*torn_, choice, levels_.goesOn(locals), &mortar);
   int mine = 0, any = 0;
-  for (std::size_t i = 0; i < all.size(); ++i)
-    if (all[i] && all[i]->kernel().cols() > 0) {
-      const Matrix told = rows[i].rows * orthonormalBasis(all[i]->kernel(), kToldMotion);
-      mine = mine || nullSpace(told, kToldMotion).cols() > 0;
-    }
+  collectively(*space()->comm(), "looking for local problems that a mortar leaves loose", [&] {
+    for (std::size_t i = 0; i < all.size(); ++i)
+      if (all[i] && all[i]->kernel().cols() > 0) {
+        const Matrix told = rows[i].rows * orthonormalBasis(all[i]->kernel(), kToldMotion);
+        mine = mine || nullSpace(told, kToldMotion).cols() > 0;
+      }
+  });
   Teuchos::reduceAll(*space()->comm(), Teuchos::REDUCE_MAX, mine, Teuchos::outArg(any));
   if (any) return false;
   try {
@@ -161,15 +163,35 @@ std::string Bddc::remark() const {
   return text.str();
 }
 
+namespace {
+/// The sparse inverse; null where there is none, and where stiff and soft cells under one constraint leave it no digits: then C Phi is not
+/// the identity.
+std::unique_ptr<LocalInverse> accurate(const LocalProblem& local, const Matrix& rows) {
+  constexpr double kAccurate = 1e-4;
+  std::unique_ptr<LocalInverse> made;
+  try {
+    made = local.sparseInverse(rows);
+  } catch (const NumericalError&) {
+    return nullptr;  // the dense one names the reason, if it is the constraints
+  }
+  if (!made) return nullptr;
+  const Matrix basis = made->basis();
+  const Matrix error = rows * basis - Matrix::Identity(rows.rows(), rows.rows());
+  if (error.size() > 0 && !(error.cwiseAbs().maxCoeff() < kAccurate)) return nullptr;
+  return made;
+}
+}  // namespace
+
 std::unique_ptr<LocalInverse> Bddc::inverseOf(const LocalProblem& local, const Matrix& rows) const {
   // Iterations that the choice reckons with, as that of Schur complements does.
   constexpr double kApplications = 40.0;
   const CostModel cost(space()->dimension());
   const double b = local.size(), n = local.unknowns();
-  const double dense = cost.denseSeconds(b) + kApplications * cost.productSeconds(b);
+  double dense = cost.denseSeconds(b) + kApplications * cost.productSeconds(b);
+  if (space()->dimension() == 3 && !local.keepsSchur()) dense += b * cost.solveSeconds(n);
   const double sparse = cost.factorFlops(n) / CostModel::kFactorRate + kApplications * cost.solveSeconds(n);
   if (kind_ == Inverses::Sparse || (kind_ == Inverses::Automatic && sparse < dense))
-    if (auto made = local.sparseInverse(rows)) return made;
+    if (auto made = accurate(local, rows)) return made;
   return local.inverse(rows);
 }
 

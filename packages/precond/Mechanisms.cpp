@@ -1,4 +1,5 @@
 #include <suture/algebra/dense/Decompositions.hpp>
+#include <suture/base/Collective.hpp>
 #include <suture/base/RigidValues.hpp>
 #include <suture/precond/EntitySides.hpp>
 #include <suture/precond/Mechanisms.hpp>
@@ -71,7 +72,8 @@ class Mechanisms {
         }
       }
       for (auto& [other, pair] : shared)
-        if (pair.seam && locals_[i]->kernel().cols() > 0 && !pointsTellAll(pair.entities) && !rowsTellAll(pair.entities))
+        // Kernels last: those of contact groups are made when they are asked for.
+        if (pair.seam && !pointsTellAll(pair.entities) && !rowsTellAll(pair.entities) && locals_[i]->kernel().cols() > 0)
           pairs_.push_back(std::move(pair));
     }
     return !loose_.empty() || !pairs_.empty();
@@ -255,7 +257,12 @@ void stopMechanisms(const InterfaceSpace& space, const LocalProblems& locals, Pr
     return any > 0;
   };
   Mechanisms mechanisms(space, locals, choice);
-  while (anywhere(mechanisms.look()) && anywhere(mechanisms.mark())) mechanisms.add();
+  const auto look = [&] {
+    bool found = false;
+    collectively(*space.comm(), "looking for mechanisms of local problems", [&] { found = mechanisms.look(); });
+    return anywhere(found);
+  };
+  while (look() && anywhere(mechanisms.mark())) mechanisms.add();
 }
 
 }  // namespace suture

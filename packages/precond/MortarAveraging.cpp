@@ -1,5 +1,6 @@
+#include <suture/algebra/CholmodFactor.hpp>
 #include <suture/algebra/dense/Decompositions.hpp>
-#include <suture/base/Collective.hpp>
+#include <suture/base/Gather.hpp>
 #include <suture/precond/MortarAveraging.hpp>
 
 #include <Teuchos_Comm.hpp>
@@ -9,10 +10,10 @@
 #include <Tpetra_Map.hpp>
 #include <Tpetra_MultiVector.hpp>
 
+#include <Eigen/SparseCore>
 #include <algorithm>
 #include <limits>
-#include <map>
-#include <set>
+#include <unordered_map>
 
 namespace suture {
 
@@ -23,9 +24,14 @@ using Crs = Tpetra::CrsMatrix<>;
 // Layers of neighbours in a patch. What is left out decays by a factor from layer to layer that depends on how much the stiffness jumps:
 // with jumps of 1e3 four layers keep the condition within 5 % of that with the whole matrix.
 constexpr int kFewLayers = 1, kManyLayers = 4;
-// A layer around a patch of a surface has several times the nodes of the patch: beyond this size there are no more.
-constexpr std::size_t kLargeInSpace = 60;
+// A layer around a patch of a surface has several times the nodes of the patch: from this size on there are no more, nor layers beyond the
+// other.
+constexpr std::size_t kLargeInSpace = 60, kLargestInSpace = 240;
 constexpr double kJump = 10.0;
+// In space, up to so many unknowns are eliminated at once instead, for so many rows at a time; what is smaller than this part of a row's
+// largest entry is left out.
+constexpr std::size_t kFew = 6000, kAtOnce = 64;
+constexpr double kSmall = 1e-4;
 
 /// Diagonals of the stiffness matrices, summed within the bodies, of each unknown of the overlap.
 Vector stiffnessOf(const InterfaceSpace& torn, const LocalProblems& locals) {
@@ -36,114 +42,233 @@ Vector stiffnessOf(const InterfaceSpace& torn, const LocalProblems& locals) {
   return sum.col(0);
 }
 
-using SparseRow = std::map<GlobalId, double>;  // by the number of the unknown
+/// A row of a matrix, by its place on this rank; columns by the numbers of the unknowns.
+struct MatrixRow {
+  int place;
+  std::vector<GlobalId> columns;
+  std::vector<double> values;
+};
 
-/// A matrix of some rows, by their places on this rank. Collective.
-Teuchos::RCP<Crs> matrixOf(const MapPtr& map, const std::map<int, SparseRow>& rows) {
+/// A matrix of some rows. Collective.
+Teuchos::RCP<Crs> matrixOf(const MapPtr& map, const std::vector<MatrixRow>& rows) {
   std::vector<std::size_t> counts(map->getNodeNumElements(), 0);
-  for (const auto& [place, row] : rows) counts[std::size_t(place)] = row.size();
+  for (const MatrixRow& row : rows) counts[std::size_t(row.place)] = row.columns.size();
   const auto made = Teuchos::rcp(new Crs(map, Teuchos::ArrayView<const std::size_t>(counts.data(), counts.size())));
-  for (const auto& [place, row] : rows) {
-    std::vector<GlobalId> columns;
-    std::vector<double> values;
-    for (const auto& [column, value] : row) {
-      columns.push_back(column);
-      values.push_back(value);
-    }
-    made->insertGlobalValues(map->getGlobalElement(place), static_cast<int>(values.size()), values.data(), columns.data());
-  }
+  for (const MatrixRow& row : rows)
+    made->insertGlobalValues(map->getGlobalElement(row.place), static_cast<int>(row.values.size()), row.values.data(), row.columns.data());
   made->fillComplete(map, map);
   return made;
 }
 
-/// Rows that may belong to other ranks. Collective.
-std::map<GlobalId, SparseRow> rowsOf(const Crs& matrix, const std::set<GlobalId>& wanted, const CommPtr& comm) {
-  const std::vector<GlobalId> ids(wanted.begin(), wanted.end());
+using ByRows = Eigen::SparseMatrix<double, Eigen::RowMajor, int>;
+
+/// Owned rows of Delta_m + M^T Delta_s M: owners see all rows of M that name an unknown. \param m  rows x places of the overlap
+std::vector<MatrixRow> normalRows(const InterfaceSpace& torn, const ByRows& m, const Vector& weights, const Vector& stiffness) {
+  const ByRows weighted = weights.asDiagonal() * m, turned = m.transpose(), product = turned * weighted;
+  std::vector<MatrixRow> rows;
+  for (int place = 0; place < product.rows(); ++place) {
+    if (torn.ownedRow(place) < 0 || product.outerIndexPtr()[place + 1] == product.outerIndexPtr()[place]) continue;
+    rows.push_back({torn.ownedRow(place), {}, {}});
+    for (ByRows::InnerIterator entry(product, place); entry; ++entry) {
+      rows.back().columns.push_back(torn.id(static_cast<int>(entry.col())));
+      rows.back().values.push_back(entry.value() + (entry.col() == place ? stiffness(place) : 0.0));
+    }
+  }
+  return rows;
+}
+
+/// Rows that may belong to other ranks; their columns are numbered here, those of the rows first.
+struct Rows {
+  std::vector<GlobalId> ids;  // of the columns, by number
+  std::unordered_map<GlobalId, int> numberOf;
+  std::vector<int> start{0}, column;
+  std::vector<double> value;
+
+  int number(GlobalId id) {
+    const auto [known, isNew] = numberOf.emplace(id, static_cast<int>(ids.size()));
+    if (isNew) ids.push_back(id);
+    return known->second;
+  }
+};
+
+/// Collective. \param wanted  ascending
+Rows rowsOf(const Crs& matrix, const std::vector<GlobalId>& wanted, const CommPtr& comm) {
   const MapPtr here = Teuchos::rcp(new Map(Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid(),
-                                           Teuchos::ArrayView<const GlobalId>(ids.data(), ids.size()), 0, comm));
+                                           Teuchos::ArrayView<const GlobalId>(wanted.data(), wanted.size()), 0, comm));
   const Import import(matrix.getRowMap(), here);
   const auto copy =
       Tpetra::importAndFillCompleteCrsMatrix<Crs>(Teuchos::rcpFromRef(matrix), import, matrix.getDomainMap(), matrix.getRangeMap());
-  std::map<GlobalId, SparseRow> rows;
-  for (std::size_t r = 0; r < ids.size(); ++r) {
+  Rows rows;
+  for (const GlobalId id : wanted) rows.number(id);
+  for (std::size_t r = 0; r < wanted.size(); ++r) {
     Crs::local_inds_host_view_type columns;
     Crs::values_host_view_type values;
     copy->getLocalRowView(static_cast<int>(r), columns, values);
-    for (std::size_t k = 0; k < columns.extent(0); ++k) rows[ids[r]][copy->getColMap()->getGlobalElement(columns(k))] = values(k);
+    for (std::size_t k = 0; k < columns.extent(0); ++k) {
+      rows.column.push_back(rows.number(copy->getColMap()->getGlobalElement(columns(k))));
+      rows.value.push_back(values(k));
+    }
+    rows.start.push_back(static_cast<int>(rows.column.size()));
   }
   return rows;
+}
+
+/// The unknowns of a patch and all that their rows name, ascending.
+std::vector<GlobalId> grown(const std::vector<GlobalId>& patch, const Rows& rows) {
+  std::vector<char> isIn(rows.ids.size(), 0);
+  std::vector<GlobalId> all;
+  const auto add = [&](int number) {
+    if (!isIn[number]) all.push_back(rows.ids[number]);
+    isIn[number] = 1;
+  };
+  for (const GlobalId id : patch) {
+    const int row = rows.numberOf.at(id);
+    add(row);
+    for (int k = rows.start[row]; k < rows.start[row + 1]; ++k) add(rows.column[k]);
+  }
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+/// The rows and columns of a patch. \param placeOf  -1 for every column: work space, left as it was
+Matrix patchOf(const std::vector<GlobalId>& patch, const Rows& rows, std::vector<int>& placeOf) {
+  const auto n = static_cast<int>(patch.size());
+  Matrix matrix = Matrix::Zero(n, n);
+  for (int i = 0; i < n; ++i) placeOf[rows.numberOf.at(patch[i])] = i;
+  for (int i = 0; i < n; ++i) {
+    const int row = rows.numberOf.at(patch[i]);
+    for (int k = rows.start[row]; k < rows.start[row + 1]; ++k)
+      if (const int j = placeOf[rows.column[k]]; j >= 0) matrix(i, j) = rows.value[k];
+  }
+  for (const GlobalId id : patch) placeOf[rows.numberOf.at(id)] = -1;
+  return matrix;
+}
+
+/// All rows' unknowns of all ranks, ascending; none if there are too many to be eliminated at once. Collective.
+std::vector<GlobalId> fewUnknowns(const InterfaceSpace& torn, const std::vector<MatrixRow>& rows) {
+  std::vector<GlobalId> ids;
+  for (const MatrixRow& row : rows) ids.push_back(torn.map()->getGlobalElement(row.place));
+  std::vector<GlobalId> all = joinOnRoot(*torn.comm(), ids);
+  if (all.size() > kFew) all.clear();
+  broadcast(*torn.comm(), all);
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+/// Factor of a matrix of which all rows are here.
+CholmodFactor factorOf(const Rows& rows) {
+  const auto n = static_cast<int>(rows.ids.size());
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int row = 0; row < n; ++row)
+    for (int k = rows.start[row]; k < rows.start[row + 1]; ++k) entries.emplace_back(row, rows.column[k], rows.value[k]);
+  SparseMatrix matrix(n, n);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return CholmodFactor(matrix);
 }
 
 }  // namespace
 
 MortarAveraging::MortarAveraging(const InterfaceSpace& space, const InterfaceSpace& torn, const LocalProblems& locals) {
   const Vector stiffness = stiffnessOf(torn, locals);
-  std::vector<const InterfaceRelation*> mine;  // rows whose expressed unknown is owned here
-  std::map<int, SparseRow> normals;            // owned rows of Delta_m + M^T Delta_s M: owners see all rows that name an unknown
+  std::vector<const InterfaceRelation*> mine;   // rows whose expressed unknown is owned here
+  std::vector<Eigen::Triplet<double>> entries;  // of M
+  std::vector<double> weights;                  // Delta_s
   double least = 1e300, most = 0.0;
   for (const InterfaceRelation& relation : space.relations()) {
     if (!space.isTorn(relation)) continue;
     const double own = stiffness(relation.unknown);
     if (torn.ownedRow(relation.unknown) >= 0) mine.push_back(&relation);
     for (std::size_t k = 0; k < relation.others.size(); ++k) {
-      const int place = relation.others[k];
-      const double ratio = stiffness(place) / std::max(own, 1e-300);
+      const double ratio = stiffness(relation.others[k]) / std::max(own, 1e-300);
       least = std::min(least, ratio), most = std::max(most, ratio);
-      if (torn.ownedRow(place) < 0) continue;
-      SparseRow& row = normals[torn.ownedRow(place)];
-      row.emplace(torn.id(place), stiffness(place));
-      for (std::size_t l = 0; l < relation.others.size(); ++l)
-        row[torn.id(relation.others[l])] += own * relation.coefficients[k] * relation.coefficients[l];
+      entries.emplace_back(static_cast<int>(weights.size()), relation.others[k], relation.coefficients[k]);
     }
+    weights.push_back(own);
   }
+  ByRows m(static_cast<int>(weights.size()), torn.overlapSize());
+  m.setFromTriplets(entries.begin(), entries.end());
   const double mineJump = std::max(most, 1.0 / std::max(least, 1e-300));
   double jump = 0.0;
   Teuchos::reduceAll(*torn.comm(), Teuchos::REDUCE_MAX, mineJump, Teuchos::outArg(jump));
   const int layers = jump > kJump ? kManyLayers : kFewLayers;
-  const std::size_t large = space.dimension() == 3 ? kLargeInSpace : std::numeric_limits<std::size_t>::max();
+  const std::size_t unbounded = std::numeric_limits<std::size_t>::max(), large = space.dimension() == 3 ? kLargeInSpace : unbounded,
+                    largest = space.dimension() == 3 ? kLargestInSpace : unbounded;
 
-  std::map<int, SparseRow> jumpRows;
+  std::vector<MatrixRow> jumps;
   for (const InterfaceRelation* relation : mine) {
     expressed_.push_back(torn.ownedRow(relation->unknown));
-    SparseRow& row = jumpRows[expressed_.back()];
-    row[torn.id(relation->unknown)] = 1.0;
-    for (std::size_t k = 0; k < relation->others.size(); ++k) row[torn.id(relation->others[k])] = -relation->coefficients[k];
+    MatrixRow row{expressed_.back(), {torn.id(relation->unknown)}, {1.0}};
+    for (std::size_t k = 0; k < relation->others.size(); ++k) {
+      row.columns.push_back(torn.id(relation->others[k]));
+      row.values.push_back(-relation->coefficients[k]);
+    }
+    jumps.push_back(std::move(row));
   }
-  jump_ = matrixOf(torn.map(), jumpRows);
+  jump_ = matrixOf(torn.map(), jumps);
+  const std::vector<MatrixRow> normals = normalRows(torn, m, Eigen::Map<const Vector>(weights.data(), m.rows()), stiffness);
   const Teuchos::RCP<const Crs> normal = matrixOf(torn.map(), normals);
+  std::vector<MatrixRow> parts;
+  // Rows of a surface name many nodes: their patches would be nearly the whole.
+  if (const std::vector<GlobalId> few = space.dimension() == 3 ? fewUnknowns(torn, normals) : std::vector<GlobalId>(); !few.empty()) {
+    const Rows rows = rowsOf(*normal, few, torn.comm());
+    collectively(*torn.comm(), "sharing the jumps of a mortar", [&] {
+      const CholmodFactor factor = factorOf(rows);
+      for (std::size_t first = 0; first < mine.size(); first += kAtOnce) {
+        const std::size_t count = std::min(kAtOnce, mine.size() - first);
+        Matrix part = Matrix::Zero(static_cast<int>(few.size()), static_cast<int>(count));
+        for (std::size_t r = 0; r < count; ++r)
+          for (std::size_t k = 0; k < mine[first + r]->others.size(); ++k)
+            part(rows.numberOf.at(torn.id(mine[first + r]->others[k])), static_cast<int>(r)) =
+                mine[first + r]->coefficients[k] * stiffness(mine[first + r]->unknown);
+        factor.solve(part);
+        for (std::size_t r = 0; r < count; ++r) {
+          MatrixRow row{expressed_[first + r], {}, {}};
+          const auto column = part.col(static_cast<int>(r));
+          const double least = kSmall * column.cwiseAbs().maxCoeff();
+          for (int i = 0; i < column.size(); ++i)
+            if (std::abs(column(i)) > least) {
+              row.columns.push_back(few[i]);
+              row.values.push_back(column(i));
+            }
+          parts.push_back(std::move(row));
+        }
+      }
+    });
+    parts_ = matrixOf(torn.map(), parts);
+    return;
+  }
 
   // The patch of each row grows by the neighbours of what it has.
-  std::vector<std::set<GlobalId>> patches(mine.size());
-  for (std::size_t r = 0; r < mine.size(); ++r)
-    for (const int place : mine[r]->others) patches[r].insert(torn.id(place));
-  std::map<GlobalId, SparseRow> rows;
+  std::vector<std::vector<GlobalId>> patches(mine.size());
+  for (std::size_t r = 0; r < mine.size(); ++r) {
+    for (const int place : mine[r]->others) patches[r].push_back(torn.id(place));
+    std::sort(patches[r].begin(), patches[r].end());
+  }
+  Rows rows;
   for (int layer = 0; layer <= layers; ++layer) {
-    std::set<GlobalId> wanted;
-    for (const auto& patch : patches) wanted.insert(patch.begin(), patch.end());
+    std::vector<GlobalId> wanted;
+    for (const auto& patch : patches) wanted.insert(wanted.end(), patch.begin(), patch.end());
+    std::sort(wanted.begin(), wanted.end());
+    wanted.erase(std::unique(wanted.begin(), wanted.end()), wanted.end());
     rows = rowsOf(*normal, wanted, torn.comm());
     if (layer == layers) break;
     for (auto& patch : patches) {
       if (patch.size() > large) continue;
-      std::set<GlobalId> grown = patch;
-      for (const GlobalId id : patch)
-        for (const auto& [column, value] : rows.at(id)) grown.insert(column);
-      patch = std::move(grown);
+      std::vector<GlobalId> more = grown(patch, rows);
+      if (more.size() <= largest) patch = std::move(more);
     }
   }
-  std::map<int, SparseRow> parts;
   collectively(*torn.comm(), "sharing the jumps of a mortar", [&] {
+    std::vector<int> placeOf(rows.ids.size(), -1);
     for (std::size_t r = 0; r < mine.size(); ++r) {
-      const std::vector<GlobalId> ids(patches[r].begin(), patches[r].end());
+      const std::vector<GlobalId>& ids = patches[r];
       const auto n = static_cast<int>(ids.size());
       const auto at = [&](GlobalId id) { return static_cast<int>(std::lower_bound(ids.begin(), ids.end(), id) - ids.begin()); };
-      Matrix patch = Matrix::Zero(n, n), part = Matrix::Zero(n, 1);
-      for (int i = 0; i < n; ++i)
-        for (const auto& [column, value] : rows.at(ids[i]))
-          if (patches[r].count(column)) patch(i, at(column)) = value;
+      Matrix part = Matrix::Zero(n, 1);
       for (std::size_t k = 0; k < mine[r]->others.size(); ++k)
         part(at(torn.id(mine[r]->others[k])), 0) = mine[r]->coefficients[k] * stiffness(mine[r]->unknown);
-      const Matrix solved = solvePositive(patch, part);
-      for (int i = 0; i < n; ++i) parts[expressed_[r]][ids[i]] = solved(i, 0);
+      const Matrix solved = solvePositive(patchOf(ids, rows, placeOf), part);
+      parts.push_back({expressed_[r], ids, {solved.data(), solved.data() + n}});
     }
   });
   parts_ = matrixOf(torn.map(), parts);

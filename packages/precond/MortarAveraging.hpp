@@ -11,7 +11,8 @@ namespace suture {
 ///
 /// Delta the diagonals of the stiffness, summed within the bodies. B T = I whatever G is, so that BDDC stays symmetric with no eigenvalue
 /// below one; of matching nodes it is the weighting by the stiffness. Each column of G is found on a patch: the unknowns of its row and
-/// some layers of neighbours, more where stiffness jumps.
+/// some layers of neighbours, more where stiffness jumps; in space, where rows name many nodes, by one factor of the whole on each rank
+/// unless there are thousands of unknowns.
 class MortarAveraging {
  public:
   /// \param torn  the torn space, or the space itself where a rank has none; \param locals  in the order of its couplings. Collective.

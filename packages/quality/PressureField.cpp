@@ -5,6 +5,7 @@
 #include <suture/base/Point.hpp>
 #include <suture/base/scene/SceneReader.hpp>
 #include <suture/mesh/SideGeometry.hpp>
+#include <suture/pairing/mortar/ShapeValues.hpp>
 #include <suture/quality/ErrorNorms.hpp>
 #include <suture/quality/PressureField.hpp>
 
@@ -86,7 +87,9 @@ class SurfaceFit {
       const std::vector<GlobalId> from = withPressures(reached);
       if (constant.empty())
         for (const GlobalId one : from) constant.push_back({one, 1.0 / static_cast<double>(from.size())});
-      if (sides_.front().nodes.size() <= kMostSideVertices) return constant;
+      const bool isFirstOrder = sides_.front().nodes.size() <= kMostSideVertices;
+      if (isFirstOrder && constant.empty()) continue;  // a corner whose sides are held as a whole
+      if (isFirstOrder) return constant;
       if (const Combination straight = fitted(node, from); !straight.empty()) return straight;
     }
     return constant;
@@ -166,6 +169,17 @@ std::map<GlobalId, Combination> interpolatedNodes(const std::vector<ContactSide>
   return all;
 }
 
+/// The functions that belong to a side's nodes, by their values at the nodes (functions x nodes): those of the multiplier where middle
+/// nodes carry pairs, else the shape functions.
+Matrix functionsOf(const ContactSide& side, bool haveMiddlePairs) {
+  const int nodes = static_cast<int>(side.nodes.size());
+  Matrix values = Matrix::Identity(nodes, nodes);
+  if (side.dimension == 2 || !haveMiddlePairs) return values;
+  for (int i = 0; i < nodes; ++i)
+    values.col(i) = Eigen::Map<const Vector>(multiplierValues(nodes, 3, referencePoint(sideCell(nodes), i)).data(), nodes);
+  return values;
+}
+
 }  // namespace
 
 std::vector<ContactSide> contactSidesHere(const std::vector<SubdomainMesh>& meshes, const std::vector<std::string>& groups) {
@@ -220,7 +234,8 @@ std::map<GlobalId, double> pressureField(const std::vector<ContactSide>& sides, 
   const std::map<GlobalId, Combination> interpolated = interpolatedNodes(sides, carriers),
                                         continued = continuedValues(sides, carriers, held);
 
-  // p_h at each node, and the function that belongs to each unknown, as combinations of unknowns.
+  // The factor of each node's function in p_h, and the function that belongs to each unknown, as combinations of unknowns. Factors of a
+  // linear p_h are its values at the nodes.
   using Unknowns = std::vector<std::pair<int, double>>;
   std::map<GlobalId, Unknowns> combination, functions;
   const auto addTo = [](Unknowns& sum, const Unknowns& more, double weight) {
@@ -238,7 +253,8 @@ std::map<GlobalId, double> pressureField(const std::vector<ContactSide>& sides, 
 
   std::vector<Eigen::Triplet<double>> entries;
   for (const ContactSide& side : sides) {
-    const Matrix mass = sideMass(side.points, side.dimension, side.axisymmetric);
+    const Matrix own = functionsOf(side, interpolated.empty());
+    const Matrix mass = own * sideMass(side.points, side.dimension, side.axisymmetric) * own.transpose();
     for (std::size_t i = 0; i < side.nodes.size(); ++i) {
       const auto rows = functions.find(side.nodes[i]);
       if (rows == functions.end()) continue;
@@ -255,9 +271,18 @@ std::map<GlobalId, double> pressureField(const std::vector<ContactSide>& sides, 
   if (factor.info() != Eigen::Success) throw InternalError("the mass matrix of contact line " + std::to_string(line + 1) + " is singular");
   const Vector values = factor.solve(Eigen::Map<const Vector>(forces.data(), unknowns));
 
-  std::map<GlobalId, double> field;
+  std::map<GlobalId, double> factors, field;
   for (const auto& [node, from] : combination)
-    for (const auto& [unknown, weight] : from) field[node] += weight * values[unknown];
+    for (const auto& [unknown, weight] : from) factors[node] += weight * values[unknown];
+  for (const ContactSide& side : sides) {
+    const Matrix own = functionsOf(side, interpolated.empty());
+    std::map<GlobalId, double> here;
+    for (std::size_t j = 0; j < side.nodes.size(); ++j)
+      if (const auto factor = factors.find(side.nodes[j]); factor != factors.end())
+        for (std::size_t i = 0; i < side.nodes.size(); ++i)
+          if (const double value = own(Eigen::Index(j), Eigen::Index(i)); value != 0.0) here[side.nodes[i]] += value * factor->second;
+    for (const auto& [node, value] : here) field[node] = value;  // the same from each side
+  }
   return field;
 }
 

@@ -35,11 +35,12 @@ ContactSides contactSides(const Comm& comm, const std::vector<SubdomainMesh>& me
                           const std::vector<PairResult>& pairs);
 
 /// The pressure that belongs to the contact forces: forces f_j are integrals of p phi_j, hence  p_h = sum of p_j phi_j  over the closed
-/// pairs with  sum over k of M_jk p_k = f_j,  M the mass matrix of the functions. These are the sides' shape functions, or those of their
-/// vertices where no other node carries a pair. At a node held along the normal the contact force cannot be told from that of the support:
-/// there p_h goes on from the nodes beside it, as a constant (sides of the first order) or straight (second order).
+/// pairs with  sum over k of M_jk p_k = f_j,  M the mass matrix of the functions. These are the sides' shape functions; of six- and
+/// eight-node sides those of the multiplier (multiplierValues); those of the vertices where no other node carries a pair. At a node held
+/// along the normal the contact force cannot be told from that of the support: there p_h goes on from the nodes beside it, as a constant
+/// (sides of the first order) or straight (second order).
 ///
-/// Values at the nodes of a contact's sides; nodes without a closed pair have none: p_h is zero there. Local.
+/// Values at the nodes of a contact's sides; those that are missing are zero: no closed pair's function reaches there. Local.
 /// \throws InternalError  the mass matrix is singular: sides of no length
 std::map<GlobalId, double> pressureField(const std::vector<ContactSide>& sides, int line, const std::vector<PairResult>& pairs,
                                          const std::vector<int>& heldPairs);

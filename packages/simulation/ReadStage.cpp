@@ -11,6 +11,7 @@ namespace suture {
 Mesh readBodies(const Comm& comm, const Scene& scene) {
   Mesh mesh = scene.mesh(comm);
   collectivelyOnRoot(comm, "checking the mesh", [&] {
+    requireDimension(mesh, mesh.source, scene.model);
     assignBodies(mesh, scene.model.bodies);
     assignRegions(mesh, scene.settings().sublist("Bodies"));
     if (scene.model.axisymmetric) makeAxisymmetric(mesh);

@@ -47,8 +47,9 @@ double estimatedMegabytes(const std::vector<SubdomainMesh>& meshes) {
     int shared = 0;
     for (int node = 0; node < mesh.nodes(); ++node) shared += !mesh.others(node).empty();
     const double b = shared * d + static_cast<double>(mesh.contactEnds.size()), c = couplings(mesh);
-    if (mesh.dimension == 3) {  // two sparse factors, and traces of some hundred primal unknowns
-      bytes += 130 * n + 12 * (9 * c + 6 * nodes) + 2 * CostModel(3).factorBytes(n, 10.0) + 1600 * b;
+    if (mesh.dimension == 3) {
+      const CostModel cost(3);
+      bytes += 180 * n + 12 * (9 * c + 6 * nodes) + cost.factorBytes(std::max(2.0, n - b), 10.0) + cost.factorBytes(n, 4.0) + 800 * b;
       continue;
     }
     bytes += 130 * n + 12 * (d * d * c + d * (d + 1) / 2 * nodes) + 6 * c * d * std::log2(n) + 6.6 * b * b + 200 * b;

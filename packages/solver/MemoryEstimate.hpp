@@ -14,7 +14,11 @@ namespace suture {
 ///     130 n                          mesh, loads, fields
 /// and 55 MB for program and libraries. The terms but the last are fitted to eleven runs with explicit Schur complements, of all five
 /// shapes of elements, 94k to 983k unknowns, on one and two ranks; the last to those of the test drivers.memory since Gmsh is a program of
-/// its own: the estimate is 11 % below to 9 % above them. Local.
+/// its own: the estimate is 11 % below to 9 % above them. In space, with factors as CostModel has them,
+///     10 F(n - b) + 4 F(n)           entries of the interior factor, and of the sparse inverse in single precision
+///     800 b                          traces of some hundred primal unknowns, and what the contact search changes
+///     180 n                          mesh, loads, fields
+/// Local.
 double estimatedMegabytes(const std::vector<SubdomainMesh>& meshes);
 
 /// The same for Monolithic with n unknowns: 8 n log2(n) entries of the factor, and 500 bytes an unknown. Fitted to one run: tunnel with

@@ -88,9 +88,13 @@ Vector SetSolves::productsByPart(const MultiVector& r) const {
 }
 
 /// Largest ratio of what a cluster's residual was relative to and the energy norm that its solve found.
-double SetSolves::overestimate(const InterfaceState& state) const {
+double SetSolves::overestimate(const InterfaceState& state, double tolerance) const {
   if (run_.automatic.on()) return 1.0;
-  const Vector own = energies(state).cwiseSqrt().cwiseMax(kRounding * lift_);
+  Vector own = energies(state).cwiseSqrt().cwiseMax(kRounding * lift_);
+  // The solution of a set may have no energy (a body that moves as a whole): it is known well enough beside what others had.
+  Vector before = Vector::Zero(own.size());
+  for (std::size_t p = 0; p < clusterOf_.size(); ++p) before(clusterOf_[p]) += found_(static_cast<Eigen::Index>(p));
+  own = own.cwiseMax(tolerance * before.cwiseSqrt());
   if (!scaled_) return own.norm() > 0.0 ? reference_ / own.norm() : 1.0;
   double most = 1.0;
   for (Eigen::Index c = 0; c < size_.size(); ++c)

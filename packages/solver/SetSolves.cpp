@@ -21,7 +21,7 @@ constexpr double kOverestimate = 2.0;  // of the solution's energy norm, from wh
 
 SetSolves::SetSolves(OuterSolver::Run& run, double inner)
     : run_(run), sets_(*run.problem.sets()), inner_(std::max(inner, run.settings.tolerance)), step_(run.problem.space()->vector()) {
-  largest_ = Vector::Zero(static_cast<Eigen::Index>(sets_.bodies().parts().size()));
+  largest_ = found_ = Vector::Zero(static_cast<Eigen::Index>(sets_.bodies().parts().size()));
   if (!run.fromAuxiliary) return;
   // The auxiliary solve may be gone on with, if it was scaled as its cluster is.
   preconditioned_ = run.preconditioned;
@@ -136,7 +136,7 @@ bool SetSolves::oneSolve(InterfaceState& state, bool goOn, int level, InnerResul
   const EnergyCriterion criterion = run_.automatic.criterion(state, run_.lowest, false, level > 0);
   bool solved = solveLinear(state, goOn, tolerance, criterion, cost, applications);
   for (int again = 0; solved && again < kRescales; ++again) {
-    const double over = overestimate(state);
+    const double over = overestimate(state, tolerance);
     if (over * cost.residual <= tolerance || over < kOverestimate) break;
     InnerResult more;
     const bool continues = !scaled_ && run_.inner.canGoOn();
@@ -148,7 +148,10 @@ bool SetSolves::oneSolve(InterfaceState& state, bool goOn, int level, InnerResul
   // Without an iteration nothing new is known: the start was as accurate as is asked (a nested one is). More is asked then.
   if (solved && level + 1 < levels() && cost.steps.empty() && cost.residual > this->tolerance(levels() - 1))
     return oneSolve(state, goOn && run_.inner.canGoOn(), level + 1, cost, applications);
-  if (solved) return true;
+  if (solved) {
+    found_ = found_.cwiseMax(sets_.energies(state));
+    return true;
+  }
   run_.result.pcgTotal += cost.pcg + applications;
   run_.result.failure = "a linear solve did not reach its tolerance within " + std::to_string(run_.settings.maximumInnerIterations) +
                         " iterations; a Preconditioner/BDDC/Edge Constraints of Adaptive may help";

@@ -35,7 +35,7 @@ class SetSolves : public ContactOracle {
   Vector energies(const InterfaceState& state) const;
   Vector productsByPart(const MultiVector& r) const;
   void scaleBy(const InterfaceState& from, const InterfaceState& state, const MultiVector& load);
-  double overestimate(const InterfaceState& state) const;
+  double overestimate(const InterfaceState& state, double tolerance) const;
   void scale(MultiVector& x, bool inverse) const;
   double norm(const MultiVector& residual, const InterfaceState& state);
   double tolerance(int level) const;
@@ -58,6 +58,7 @@ class SetSolves : public ContactOracle {
   std::vector<int> clusterOf_;  // of each part
   Vector lift_;                 // energy norm of each cluster where the last solve began: rounding leaves a part of it
   Vector largest_;              // largest doubled energy that each part has had; sets what counts as rounding
+  Vector found_;                // the same of answers of solves, without what closing gaps took
   Vector size_;                 // of each cluster, that its residual was relative to
   std::vector<double> scale_;   // of each owned unknown, if scaled_
   bool scaled_ = false;         // several clusters, each by its own energy. The same on all ranks

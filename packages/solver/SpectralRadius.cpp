@@ -56,18 +56,20 @@ std::string whySingular(const InterfaceOperator& withoutContact) {
   const GlobalId untouched = withoutContact.untouched();
   if (untouched > 0) return std::to_string(untouched) + " interface unknowns are shared by contact groups only";
   // Null vectors of S_0 have traces in the kernels of all its terms that agree on the interface.
-  Packer packer;
-  std::size_t count = 0;
-  for (const auto& local : withoutContact.locals()) count += local != nullptr;
-  packer.put(count);
-  for (const auto& local : withoutContact.locals())
-    if (local) {
-      const Matrix& kernel = local->kernel();
-      packer.put(local->boundary());
-      packer.put(static_cast<std::size_t>(kernel.cols()));
-      packer.put(std::vector<double>(kernel.data(), kernel.data() + kernel.size()));
-    }
   const CommPtr& comm = withoutContact.space()->comm();
+  Packer packer;
+  collectively(*comm, "collecting motions without contact groups", [&] {
+    std::size_t count = 0;
+    for (const auto& local : withoutContact.locals()) count += local != nullptr;
+    packer.put(count);
+    for (const auto& local : withoutContact.locals())
+      if (local) {
+        const Matrix& kernel = local->kernel();
+        packer.put(local->boundary());
+        packer.put(static_cast<std::size_t>(kernel.cols()));
+        packer.put(std::vector<double>(kernel.data(), kernel.data() + kernel.size()));
+      }
+  });
   const std::vector<std::string> all = gatherOnRoot(*comm, packer.bytes());
   std::string why;
   collectivelyOnRoot(*comm, "looking for motions without contact groups", [&] {

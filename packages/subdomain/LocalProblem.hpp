@@ -53,6 +53,8 @@ class LocalProblem {
 
   /// S_loc as a dense matrix.
   virtual Matrix schur() const;
+  /// True if that is a copy, false if every column of it is a solution.
+  virtual bool keepsSchur() const { return true; }
   /// Dense block of it for some positions of the boundary.
   virtual Matrix schurBlock(const std::vector<int>& positions) const;
 

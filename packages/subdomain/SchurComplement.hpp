@@ -62,7 +62,8 @@ class SchurComplement {
 
 void registerBuiltIns(Registry<SchurComplement>& registry);
 
-/// The paper's: keeps A and a factor of A_II; an application is one back-substitution and two sparse products.
+/// The paper's: a factor of A_II beside the stiffness matrix A; an application is one back-substitution and two products with A, whose
+/// blocks are not kept a second time.
 class ImplicitSchurComplement : public SchurComplement {
  public:
   static Schema schema();
@@ -75,8 +76,8 @@ class ImplicitSchurComplement : public SchurComplement {
   void doApply(ConstLocalView trace, LocalView flux) const override;
 
  private:
+  const SymmetricMatrix* stiffness_ = nullptr;
   std::vector<int> interior_, boundary_;
-  SparseMatrix ib_, bb_;
   std::unique_ptr<LocalSolver> interiorSolver_;
   Vector condensedLoad_, interiorResponse_;
   double interiorEnergy_ = 0.0;

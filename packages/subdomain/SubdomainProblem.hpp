@@ -30,6 +30,7 @@ class SubdomainProblem : public LocalProblem {
   double bytesRead() const override { return schur_->bytesRead(); }
   std::string chosenSchur() const override { return schur_->chosen(); }
   Matrix schur() const override;
+  bool keepsSchur() const override { return schur_->dense() != nullptr; }
   Matrix schurBlock(const std::vector<int>& positions) const override;
 
   const Subdomain& subdomain() const { return subdomain_; }

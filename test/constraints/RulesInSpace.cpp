@@ -80,6 +80,7 @@ TEUCHOS_UNIT_TEST(RulesInSpace, GiveTheLeastSquaresSolutionOfOneToThreeObliqueDi
     const double value = 0.3;
     // The normals are the rows of the inverse: left is x = 0, front y = 0, bottom z = 0 before the shear.
     const Matrix normals = shape.inverse().rowwise().normalized();
+    if (normals.row(0).dot(normals.row(1)) > 0.7) continue;  // sides that meet at less than 45 degrees have one normal
     const Constraints constraints = buildConstraints(
         mesh, {Condition::displacement("b0_top", {value}, {given0}), Condition::bilateral("b0_left"), Condition::bilateral("b0_front")},
         {});

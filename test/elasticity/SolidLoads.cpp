@@ -45,6 +45,13 @@ Vector bodyForces(const CellBlock& block, const Load& load) {
   return forces;
 }
 
+// A function of x, y and z.
+Expression function(const std::string& text) {
+  Constants constants;
+  constants.dimension = 3;
+  return Expression(text, constants);
+}
+
 Load pressure(double value) { return Load::pressure("", value); }
 
 Mesh bar(Cell cell) {  // [0, 4] x [0, 1] x [0, 2]
@@ -91,6 +98,19 @@ TEUCHOS_UNIT_TEST(SolidLoads, PressureAroundAClosedBodyBalances) {
       TEST_COMPARE(forces.norm(), >, 1.0);
       TEST_COMPARE(resultant(block, forces).force.norm(), <, 1e-13 * forces.norm());
       TEST_COMPARE(resultant(block, forces).moment.norm(), <, 1e-13 * forces.norm());
+    }
+}
+
+TEUCHOS_UNIT_TEST(SolidLoads, PressureThatGrowsWithDepthLiftsByTheVolume) {  // Archimedes
+  Load depth = pressure(0.0);
+  depth.expressions = {function("5 - 2*z")};
+  for (const Cell cell : sample::solids())
+    for (const CellBlock& block : {sample::distortedSolid(cell), sample::curvedSolid(cell)}) {
+      const Vector lift = sideForces(block, sample::sidesOfElement(block), depth);
+      const Vector weight = bodyForces(block, Load::bodyForce({0, 0, -2}));
+      const Resultant sum = resultant(block, lift + weight);
+      TEST_COMPARE(sum.force.norm(), <, 1e-12 * weight.norm());
+      TEST_COMPARE(sum.moment.norm(), <, 1e-12 * weight.norm());
     }
 }
 
@@ -168,6 +188,26 @@ TEUCHOS_UNIT_TEST(SolidLoads, SpreadTractionOverAFlatSide) {
                             }()),
                    <, 1e-14);  // on no other node
     }
+  }
+}
+
+TEUCHOS_UNIT_TEST(SolidLoads, ThatDependOnThePlaceAreIntegratedAgainstTheShapeFunctions) {
+  for (const Cell cell : sample::solids()) {
+    const Mesh mesh = bar(cell);
+    Load force;
+    force.kind = Load::Kind::BodyForce;
+    force.expressions = {function("x*y*z"), function("x^2"), function("z")};
+    const Resultant b = resultant(mesh, bodyForces(mesh, force));  // over [0, 4] x [0, 1] x [0, 2]
+    TEST_FLOATING_EQUALITY(b.force[0], 8.0 * 0.5 * 2.0, 1e-12);
+    TEST_FLOATING_EQUALITY(b.force[1], 64.0 / 3 * 2, 1e-12);
+    TEST_FLOATING_EQUALITY(b.force[2], 4.0 * 2.0, 1e-12);
+    TEST_FLOATING_EQUALITY(b.moment[2], 64.0 * 2 - 8.0 / 3 * 2.0, 1e-12);  // x b_y - y b_x
+    Load traction;
+    traction.expressions = {function("y*z"), function("x*z"), function("y^2")};
+    const Resultant t = resultant(mesh, sideForces(mesh, mesh.sideGroups.at("bar_right"), traction));  // x = 4
+    TEST_FLOATING_EQUALITY(t.force[0], 0.5 * 2, 1e-12);
+    TEST_FLOATING_EQUALITY(t.force[1], 4.0 * 2, 1e-12);
+    TEST_FLOATING_EQUALITY(t.force[2], 2.0 / 3, 1e-12);
   }
 }
 

@@ -35,4 +35,18 @@ Scene brickBlocks(int rows) {
   return scene;
 }
 
+Scene cube(int k, int m, int bricks, Cell cell, double poisson) {
+  Box box;
+  box.x1 = box.y1 = box.z1 = k;
+  box.nx = box.ny = box.nz = k * m;
+  box.blocksX = box.blocksY = box.blocksZ = k;
+  box.brickX = box.brickY = box.brickZ = bricks;
+  box.cell = cell;
+  Scene scene = scenes::fromBoxes({box}, 1.0, poisson);
+  scene.model.dimension = 3;
+  if (bricks > 0) scene.region("body_bricks_odd", kHardJump);
+  for (int component = 0; component < 3; ++component) scene.hold("body_left", component, 0.0);
+  return scene;
+}
+
 }  // namespace suture::blocks

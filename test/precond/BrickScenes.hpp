@@ -11,4 +11,10 @@ Scene bricks(int blocksX, int blocksY, int cells, double jump = kBrickJump, int 
 /// Two blocks of bricks in contact along y = 0, the lower one fixed: edges along the line with jumps that both sides see.
 Scene brickBlocks(int rows = 1);
 
+/// A cube of side k, k^3 subdomains of m^3 cells, one side clamped. \param bricks  > 0: every other brick of so many cells each way is
+/// stiffer by kHardJump, across faces, edges and vertices of the subdomains
+Scene cube(int k, int m, int bricks = 0, Cell cell = Cell::Hexahedron8, double poisson = 0.3);
+
+constexpr double kHardJump = 1e6;
+
 }  // namespace suture::blocks

@@ -2,27 +2,14 @@
 // k^3 subdomains of m^3 cells; conjugate gradients from zero until the preconditioned residual has fallen by 1e-8.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <interface/ContactScenes.hpp>
+#include <precond/BrickScenes.hpp>
 #include <precond/Preconditioners.hpp>
 #include <support/Cases.hpp>
-
-#include <algorithm>
 
 namespace suture {
 namespace {
 
 using namespace blocks;
-
-Scene cube(int k, int m) {
-  Box box;
-  box.x1 = box.y1 = box.z1 = k;
-  box.nx = box.ny = box.nz = k * m;
-  box.blocksX = box.blocksY = box.blocksZ = k;
-  box.cell = Cell::Hexahedron8;
-  Scene scene = scenes::fromBoxes({box}, 1.0, 0.3);
-  scene.model.dimension = 3;
-  for (int component = 0; component < 3; ++component) scene.hold("body_left", component, 0.0);
-  return scene;
-}
 
 struct Reference {
   int k, m;
@@ -38,11 +25,6 @@ Lanczos solved(const Reference& reference, const std::vector<double>& young = {}
   return conjugateGradients(t.spread.matrix(), *m, *t.spread.space, *t.toSpread(random(t.size(), 1, 5)));
 }
 
-int iterationsTo(double tolerance, const Lanczos& run) {
-  const auto reached = [tolerance](double residual) { return residual <= tolerance; };
-  return 1 + static_cast<int>(std::find_if(run.residuals.begin(), run.residuals.end(), reached) - run.residuals.begin());
-}
-
 TEUCHOS_UNIT_TEST(BricksInSpace, HaveTheConditionsOfAnIndependentProgram) {
   for (const Reference& reference : casesOf<Reference>({{2, 4, "Averages", 12, 2.96},
                                                         {2, 4, "Automatic", 11, 2.15},
@@ -51,7 +33,7 @@ TEUCHOS_UNIT_TEST(BricksInSpace, HaveTheConditionsOfAnIndependentProgram) {
                                                         {3, 4, "Automatic", 11, 2.17},
                                                         {3, 4, "Rigid Modes", 8, 1.40}})) {
     const Lanczos run = solved(reference);
-    const int iterations = iterationsTo(1e-8, run);
+    const int iterations = run.iterationsTo(1e-8);
     out << reference.k << "^3 of " << reference.m << "^3, " << reference.constraints << ": " << iterations << " iterations, condition "
         << run.condition << " (" << reference.iterations << ", " << reference.condition << "), least " << run.least - 1.0 << " above 1\n";
     TEST_COMPARE(std::abs(iterations - reference.iterations), <=, 2);
@@ -67,8 +49,8 @@ TEUCHOS_UNIT_TEST(BricksInSpace, DoNotFeelJumpsFromBrickToBrick) {
       for (int k = 0; k < 2; ++k) young.push_back((i + j + k) % 2 == 0 ? 1.0 : 1e6);
   for (const char* constraints : {"Averages", "Automatic"}) {
     const Lanczos run = solved({2, 4, constraints, 0, 0}, young);
-    out << constraints << ": " << iterationsTo(1e-8, run) << " iterations, condition " << run.condition << "\n";
-    TEST_COMPARE(iterationsTo(1e-8, run), <=, 13);
+    out << constraints << ": " << run.iterationsTo(1e-8) << " iterations, condition " << run.condition << "\n";
+    TEST_COMPARE(run.iterationsTo(1e-8), <=, 13);
     TEST_COMPARE(run.condition, <, 3.3);
     TEST_COMPARE(run.least, >=, 1.0 - 1e-8);
   }

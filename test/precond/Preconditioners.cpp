@@ -1,3 +1,4 @@
+#include <interface/DenseSpace.hpp>
 #include <precond/Preconditioners.hpp>
 
 namespace suture::blocks {
@@ -68,6 +69,16 @@ Lanczos conjugateGradients(const Operator& s, const Operator& m, const Interface
   result.condition = values(n - 1) / values(0);
   result.least = values(0);
   return result;
+}
+
+Lanczos conjugateGradients(const InterfaceOperator& s, const Preconditioner& m) {
+  const DenseSpace all(*s.space());
+  return conjugateGradients(s, m, *s.space(), *all.vector(random(all.size(), 1, 5)));
+}
+
+int Lanczos::iterationsTo(double tolerance) const {
+  const auto reached = [tolerance](double residual) { return residual <= tolerance; };
+  return 1 + static_cast<int>(std::find_if(residuals.begin(), residuals.end(), reached) - residuals.begin());
 }
 
 Lanczos conditionOf(const Scene& scene, const std::string& coarse, const std::string& weighting, const std::vector<double>& youngOf) {

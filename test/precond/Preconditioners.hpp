@@ -22,11 +22,16 @@ struct Lanczos {
   double condition = 0.0, least = 0.0;  // and the smallest eigenvalue
   std::vector<Matrix> iterates;         // own unknowns after each step, from zero
   std::vector<double> residuals;        // preconditioned ones after each step, relative to the first
+
+  int iterationsTo(double tolerance) const;
 };
 
 /// Conjugate gradients, written out, until the preconditioned residual has fallen by 1e-10; the condition of M^-1 S from their Lanczos
 /// matrix. Collective.
 Lanczos conjugateGradients(const Operator& s, const Operator& m, const InterfaceSpace& space, const MultiVector& rhs);
+
+/// The same for a load drawn by lot, the same on any number of ranks. Collective.
+Lanczos conjugateGradients(const InterfaceOperator& s, const Preconditioner& m);
 
 Lanczos conditionOf(const Scene& scene, const std::string& coarse, const std::string& weighting = "Stiffness Diagonal",
                     const std::vector<double>& youngOf = {});

@@ -65,13 +65,8 @@ std::vector<double> vertexForces(const ContactSide& side, const std::function<do
   return forces;
 }
 
-/// Closed pairs at the vertices with the forces of a pressure.
-std::vector<PairResult> pairsAtVertices(const Sheet& sheet, const std::function<double(GlobalId)>& p) {
-  std::map<GlobalId, double> forces;
-  for (const ContactSide& side : sheet.sides) {
-    const std::vector<double> own = vertexForces(side, p);
-    for (std::size_t v = 0; v < own.size(); ++v) forces[side.nodes[v]] += own[v];
-  }
+/// Closed pairs with these forces.
+std::vector<PairResult> pairsWith(const std::map<GlobalId, double>& forces) {
   std::vector<PairResult> pairs;
   for (const auto& [node, force] : forces) {
     PairResult& pair = pairs.emplace_back();
@@ -82,6 +77,16 @@ std::vector<PairResult> pairsAtVertices(const Sheet& sheet, const std::function<
     pair.force = force;
   }
   return pairs;
+}
+
+/// Closed pairs at the vertices with the forces of a pressure.
+std::vector<PairResult> pairsAtVertices(const Sheet& sheet, const std::function<double(GlobalId)>& p) {
+  std::map<GlobalId, double> forces;
+  for (const ContactSide& side : sheet.sides) {
+    const std::vector<double> own = vertexForces(side, p);
+    for (std::size_t v = 0; v < own.size(); ++v) forces[side.nodes[v]] += own[v];
+  }
+  return pairsWith(forces);
 }
 
 TEUCHOS_UNIT_TEST(PressureSurfaces, GiveBackThePressureWhoseForcesAreGiven) {
@@ -101,6 +106,47 @@ TEUCHOS_UNIT_TEST(PressureSurfaces, GiveBackThePressureWhoseForcesAreGiven) {
   }
 }
 
+/// Forces of a linear p at all six or eight nodes of a side with multipliers of positive integrals, alpha = 1/5: integrals of p phi by hand
+/// (triangles: of barycentric monomials; rectangles: by Simpson's rule in both directions), then combined.
+std::vector<double> multiplierForces(const ContactSide& side, const std::function<double(GlobalId)>& p) {
+  const std::size_t nodes = side.nodes.size(), vertices = nodes / 2;
+  const double area = norm(cross(minus(side.points[1], side.points[0]), minus(side.points[vertices - 1], side.points[0])));
+  std::vector<double> q, forces(nodes);
+  for (const GlobalId node : side.nodes) q.push_back(p(node));
+  const double sum = q[0] + q[1] + q[2] + (vertices == 4 ? q[3] : 0.0);
+  for (std::size_t v = 0; v < vertices; ++v) {
+    forces[v] = vertices == 3 ? area / 2 * (3 * q[v] - sum) / 60 : area / 36 * (q[v] - sum);
+    forces[vertices + v] = vertices == 3 ? area / 2 * (sum + q[v] + q[(v + 1) % 3]) / 15 : area / 36 * (4 * q[4 + v] + 2 * sum);
+  }
+  for (std::size_t v = 0; v < vertices; ++v) forces[v] += 0.2 * (forces[vertices + v] + forces[vertices + (v + vertices - 1) % vertices]);
+  for (std::size_t m = vertices; m < nodes; ++m) forces[m] *= 0.6;
+  return forces;
+}
+
+TEUCHOS_UNIT_TEST(PressureSurfaces, HaveTheMultipliersFunctionsOfPairsAtMiddles) {
+  for (const int nodes : {6, 8}) {
+    const Sheet sheet(3, nodes);
+    const auto p = [&](GlobalId node) { return 2.0 + 3.0 * sheet.plane(node)[0] - 1.5 * sheet.plane(node)[1]; };
+    std::map<GlobalId, double> forces;
+    for (const ContactSide& side : sheet.sides) {
+      const std::vector<double> own = multiplierForces(side, p);
+      for (std::size_t i = 0; i < own.size(); ++i) forces[side.nodes[i]] += own[i];
+    }
+    std::vector<PairResult> pairs = pairsWith(forces);
+    const auto field = pressureField(sheet.sides, 0, pairs, {});
+    TEST_EQUALITY(field.size(), forces.size());
+    for (const auto& [node, value] : field) TEST_FLOATING_EQUALITY(value, p(node), 1e-12);
+
+    // One closed pair at a vertex inside: p_h is its function, a fifth at the middles beside it.
+    const GlobalId vertex = 2 * 7 + 2;
+    for (PairResult& pair : pairs)
+      if (pair.node != vertex) pair.state = PairStatus::Open, pair.force = 0.0;
+    const auto single = pressureField(sheet.sides, 0, pairs, {});
+    TEST_EQUALITY(single.size(), nodes == 6 ? 7u : 5u);
+    for (const auto& [node, value] : single) TEST_FLOATING_EQUALITY(value, single.at(vertex) * (node == vertex ? 1.0 : 0.2), 1e-12);
+  }
+}
+
 /// Pairs at all nodes of the sides: forces are those of their own functions. 9 nodes by Simpson's rule in both directions.
 TEUCHOS_UNIT_TEST(PressureSurfaces, HaveTheFunctionsOfNinePairsOnASide) {
   const Sheet sheet(2, 9);
@@ -108,15 +154,7 @@ TEUCHOS_UNIT_TEST(PressureSurfaces, HaveTheFunctionsOfNinePairsOnASide) {
   std::map<GlobalId, double> forces;
   for (const ContactSide& side : sheet.sides)
     for (std::size_t i = 0; i < 9; ++i) forces[side.nodes[i]] += q * 0.25 * (i < 4 ? 1.0 / 36 : i < 8 ? 4.0 / 36 : 16.0 / 36);
-  std::vector<PairResult> pairs;
-  for (const auto& [node, force] : forces) {
-    PairResult& pair = pairs.emplace_back();
-    pair.id = int(pairs.size()) - 1;
-    pair.line = 0;
-    pair.node = node;
-    pair.state = PairStatus::Slip;
-    pair.force = force;
-  }
+  const std::vector<PairResult> pairs = pairsWith(forces);
   const auto field = pressureField(sheet.sides, 0, pairs, {});
   TEST_EQUALITY(field.size(), 25u);
   for (const auto& entry : field) TEST_FLOATING_EQUALITY(entry.second, q, 1e-12);

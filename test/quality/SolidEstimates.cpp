@@ -184,7 +184,8 @@ TEUCHOS_UNIT_TEST(SolidEstimates, ApproachTheTrueErrorOfEveryCell) {
             << estimated / truth << ", order " << (last > 0 ? std::log(last / truth) / std::log(n == 8 ? 2.0 : 5.0 / 3) : 0.0) << "\n";
         TEST_COMPARE(estimated / truth, >, 0.8);
         TEST_COMPARE(estimated / truth, <, 1.2);
-        if (last > 0) TEST_COMPARE(std::abs(estimated / truth - 1), <, 0.12);
+        // The middles of distorted wedges are no points of superconvergence.
+        if (last > 0) TEST_COMPARE(std::abs(estimated / truth - 1), <, cell == Cell::Wedge6 && isDistorted ? 0.15 : 0.1);
         last = truth;
       }
     }

@@ -1,4 +1,5 @@
 #include <suture/algebra/Lanes.hpp>
+#include <suture/algebra/WorkSpace.hpp>
 #include <suture/algebra/elimination/SingleFactor.hpp>
 #include <suture/base/Errors.hpp>
 
@@ -10,8 +11,6 @@ namespace suture {
 
 namespace {
 
-using Singles = Eigen::VectorXf;
-
 constexpr double kAccuracy = 1e-15;  // accuracy of the recursion; the rounding left in the true residual is that of a direct solve
 constexpr double kSurely = 1e-4;     // by how much a residual that is only expected has to be below its square
 constexpr int kMost = 200;
@@ -22,20 +21,40 @@ double powerOfTwo(double value) { return std::ldexp(1.0, std::ilogb(value)); }
 // Most supernodes have some sixteen columns, which take less time than a call of BLAS: hertz at 1M unknowns 0.11 to 0.14 s in all, 0.20 to
 // 0.21 with four calls a supernode (three runs in alternation).
 
-/// x <- [L_11 0; L_21 I]^-1 x, columns of the supernode one after the other.
-SUTURE_FOR_EACH_PROCESSOR void eliminate(int columns, int rows, const float* values, float* x) {
-  for (int j = 0; j < columns; ++j) {
-    x[j] *= values[0];
-    subtractMultiple(rows - j - 1, x[j], values + 1, x + j + 1);
-    values += rows - j;
+/// x <- [L_11 0; L_21 I]^-1 x, columns of the supernode one after the other; one right-hand side, or as many as a register holds.
+template <int columns>
+SUTURE_FOR_EACH_PROCESSOR void eliminate(int width, int rows, const float* values, float* x) {
+  using Many = Register<float>;
+  for (int j = 0; j < width; ++j, values += rows - j + 1) {
+    if constexpr (columns == 1) {
+      x[j] *= values[0];
+      subtractMultiple(rows - j - 1, x[j], values + 1, x + j + 1);
+    } else {
+      const Many::Type own = Many::at(x + columns * j) * values[0];
+      Many::at(x + columns * j) = own;
+      for (int i = 1; i < rows - j; ++i) Many::at(x + columns * (j + i)) -= values[i] * own;
+    }
   }
 }
 
 /// x <- its transpose's inverse times x; `end` of the supernode's values.
-SUTURE_FOR_EACH_PROCESSOR void substituteBack(int columns, int rows, const float* end, float* x) {
-  for (int j = columns - 1; j >= 0; --j) {
+template <int columns>
+SUTURE_FOR_EACH_PROCESSOR void substituteBack(int width, int rows, const float* end, float* x) {
+  using Many = Register<float>;
+  for (int j = width - 1; j >= 0; --j) {
     end -= rows - j;
-    x[j] = (x[j] - scalarProduct(rows - j - 1, end + 1, x + j + 1)) * end[0];
+    if constexpr (columns == 1) {
+      x[j] = (x[j] - scalarProduct(rows - j - 1, end + 1, x + j + 1)) * end[0];
+    } else {
+      Many::Type own = Many::at(x + columns * j), other = {};
+      int i = 1;
+      for (; i + 1 < rows - j; i += 2) {
+        own -= end[i] * Many::at(x + columns * (j + i));
+        other += end[i + 1] * Many::at(x + columns * (j + i + 1));
+      }
+      if (i < rows - j) own -= end[i] * Many::at(x + columns * (j + i));
+      Many::at(x + columns * j) = (own - other) * end[0];
+    }
   }
 }
 
@@ -53,39 +72,75 @@ void SingleFactor::append(int first, int columns, const std::vector<int>& below,
   rows_.insert(rows_.end(), below.begin(), below.end());
   if (scale_ == 0.0) scale_ = powerOfTwo(values[0]);
   const double unscaled = 1.0 / scale_;
+  values_.resize(values_.size() + entries(columns, count));
+  float* to = values_.data() + supernodes_.back().values;
   for (int j = 0; j < columns; ++j) {
     const double* from = values + static_cast<std::ptrdiff_t>(j) * stride;
-    values_.push_back(static_cast<float>(scale_ / from[j]));
-    for (int i = j + 1; i < columns + count; ++i) values_.push_back(static_cast<float>(from[i] * unscaled));
+    *to++ = static_cast<float>(scale_ / from[j]);
+    for (int i = j + 1; i < columns + count; ++i) *to++ = static_cast<float>(from[i] * unscaled);
   }
   mostRows_ = std::max(mostRows_, columns + count);
 }
 
-void SingleFactor::precondition(const Vector& r, Vector& z) const {
-  Singles y(unknownOf_.size()), x(mostRows_);
-  // Single precision has a narrow range: residuals are brought to the size of one.
-  double largest = 0.0;
-  for (const int unknown : unknownOf_) largest = std::max(largest, std::abs(r(unknown)));
-  z.setZero();
-  if (largest == 0.0) return;
-  for (std::size_t j = 0; j < unknownOf_.size(); ++j) y(static_cast<int>(j)) = static_cast<float>(r(unknownOf_[j]) / largest);
+// Right-hand sides lie side by side, row by row.
+template <int columns>
+void SingleFactor::substitute(float* y, float* x) const {
+  const auto isZero = [](float value) { return value == 0.0F; };
+  const auto gather = [&](const int* rows, int count, float* to) {
+    for (int k = 0; k < count; ++k) std::copy_n(y + columns * rows[k], columns, to + columns * k);
+  };
   for (const Supernode& s : supernodes_) {
+    float* const own = y + columns * s.first;
+    if (std::all_of(own, own + columns * s.columns, isZero)) continue;
     const int* below = rows_.data() + s.rows;
-    std::copy_n(y.data() + s.first, s.columns, x.data());
-    std::fill_n(x.data() + s.columns, s.below, 0.0F);
-    eliminate(s.columns, s.columns + s.below, values_.data() + s.values, x.data());
-    std::copy_n(x.data(), s.columns, y.data() + s.first);
-    for (int k = 0; k < s.below; ++k) y(below[k]) += x(s.columns + k);
+    float* const rest = x + columns * s.columns;
+    std::copy_n(own, columns * s.columns, x);
+    std::fill_n(rest, columns * s.below, 0.0F);
+    eliminate<columns>(s.columns, s.columns + s.below, values_.data() + s.values, x);
+    std::copy_n(x, columns * s.columns, own);
+    for (int k = 0; k < s.below; ++k)
+      for (int c = 0; c < columns; ++c) y[columns * below[k] + c] += rest[columns * k + c];
   }
   for (auto s = supernodes_.rbegin(); s != supernodes_.rend(); ++s) {
-    const int* below = rows_.data() + s->rows;
-    std::copy_n(y.data() + s->first, s->columns, x.data());
-    for (int k = 0; k < s->below; ++k) x(s->columns + k) = y(below[k]);
-    substituteBack(s->columns, s->columns + s->below, values_.data() + s->values + entries(s->columns, s->below), x.data());
-    std::copy_n(x.data(), s->columns, y.data() + s->first);
+    float* const own = y + columns * s->first;
+    std::copy_n(own, columns * s->columns, x);
+    gather(rows_.data() + s->rows, s->below, x + columns * s->columns);
+    substituteBack<columns>(s->columns, s->columns + s->below, values_.data() + s->values + entries(s->columns, s->below), x);
+    std::copy_n(x, columns * s->columns, own);
   }
-  const double back = largest / scale_ / scale_;
-  for (std::size_t j = 0; j < unknownOf_.size(); ++j) z(unknownOf_[j]) = back * static_cast<double>(y(static_cast<int>(j)));
+}
+
+/// Of up to `columns` right-hand sides.
+template <int columns>
+void SingleFactor::applyTo(ConstLocalView r, LocalView z) const {
+  const std::size_t n = unknownOf_.size();
+  float* const y = kernelSpace<float>(columns * (n + mostRows_));
+  double largest[columns] = {};  // residuals are brought to the size of one: single precision has a narrow range
+  const int given = static_cast<int>(r.cols());
+  for (int c = 0; c < given; ++c) {
+    for (const int unknown : unknownOf_) largest[c] = std::max(largest[c], std::abs(r(unknown, c)));
+    const double scale = largest[c] > 0.0 ? largest[c] : 1.0;
+    for (std::size_t j = 0; j < n; ++j) y[columns * j + c] = static_cast<float>(r(unknownOf_[j], c) / scale);
+  }
+  for (int c = given; c < columns; ++c)
+    for (std::size_t j = 0; j < n; ++j) y[columns * j + c] = 0.0F;
+  substitute<columns>(y, y + columns * n);
+  for (int c = 0; c < given; ++c) {
+    if (static_cast<Eigen::Index>(n) < z.rows()) z.col(c).setZero();
+    const double back = largest[c] / scale_ / scale_;
+    for (std::size_t j = 0; j < n; ++j) z(unknownOf_[j], c) = back * static_cast<double>(y[columns * j + c]);
+  }
+}
+
+void SingleFactor::apply(ConstLocalView r, LocalView z) const {
+  constexpr int many = Register<float>::count;
+  for (Eigen::Index first = 0; first < r.cols(); first += many) {
+    const Eigen::Index count = std::min<Eigen::Index>(many, r.cols() - first);
+    if (count == 1)
+      applyTo<1>(r.middleCols(first, count), z.middleCols(first, count));
+    else
+      applyTo<many>(r.middleCols(first, count), z.middleCols(first, count));
+  }
 }
 
 void SingleFactor::solve(const SymmetricMatrix& matrix, Vector& x) const {
@@ -103,7 +158,7 @@ void SingleFactor::iterate(const SymmetricMatrix& matrix, Vector& r, Vector& x) 
   Vector z(x.size()), p, q;
   double rz = 0.0, target = 0.0;
   for (int step = 0; step <= kMost; ++step) {
-    precondition(r, z);
+    apply(r, z);
     const double now = r.dot(z);
     if (!std::isfinite(now)) break;
     if (step == 0) target = kAccuracy * kAccuracy * now;

@@ -31,11 +31,18 @@ class SingleFactor {
   /// Relative residual 1e-15 in the norm of the preconditioner. \throws NumericalError  not reached in 200 steps
   void solve(const SymmetricMatrix& matrix, Vector& x) const;
 
+  /// z <- A_II^-1 r as the factor has it, to single precision; entries of other unknowns are not read, and become zero. r and
+  /// z may be the same. Several right-hand sides share passes over the factor. For preconditioners.
+  void apply(ConstLocalView r, LocalView z) const;
+
   double bytes() const { return static_cast<double>(sizeof(float) * values_.size() + sizeof(int) * rows_.size()); }
 
  private:
-  void precondition(const Vector& r, Vector& z) const;
   void iterate(const SymmetricMatrix& matrix, Vector& r, Vector& x) const;
+  template <int columns>
+  void substitute(float* y, float* work) const;
+  template <int columns>
+  void applyTo(ConstLocalView r, LocalView z) const;
 
   struct Supernode {
     int first, columns, below;

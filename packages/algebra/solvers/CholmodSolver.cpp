@@ -1,4 +1,5 @@
 #include <suture/algebra/CholmodFactor.hpp>
+#include <suture/algebra/elimination/SingleFactor.hpp>
 #include <suture/algebra/solvers/CholmodSolver.hpp>
 
 #include <Teuchos_ParameterList.hpp>
@@ -14,6 +15,8 @@ Schema CholmodSolver::schema() {
 CholmodSolver::CholmodSolver(const Parameters& own) : ordering_(own.get<std::string>("Ordering")) {}
 
 CholmodSolver::~CholmodSolver() = default;
+
+std::unique_ptr<SingleFactor> CholmodSolver::inSinglePrecision() const { return factor_ ? factor_->inSinglePrecision() : nullptr; }
 
 void CholmodSolver::doFactorise(const SparseMatrix& matrix) {
   CholmodOptions options;

@@ -13,6 +13,7 @@ class CholmodSolver : public LocalSolver {
   static Schema schema();
   explicit CholmodSolver(const Parameters& own);
   ~CholmodSolver() override;
+  std::unique_ptr<SingleFactor> inSinglePrecision() const override;
 
  protected:
   void doFactorise(const SparseMatrix& matrix) override;

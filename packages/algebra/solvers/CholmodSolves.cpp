@@ -3,6 +3,7 @@
 #include <cholmod.h>
 #include <suture/algebra/Lanes.hpp>
 #include <suture/algebra/WorkSpace.hpp>
+#include <suture/algebra/elimination/SingleFactor.hpp>
 #include <suture/algebra/solvers/CholmodData.hpp>
 #include <suture/base/Errors.hpp>
 
@@ -133,6 +134,24 @@ void CholmodFactor::Data::backward(int upTo, Eigen::Ref<Matrix> x) const {
     cblas_dtrsm(CblasColMajor, CblasLeft, CblasLower, CblasTrans, CblasNonUnit, node.columns, x.cols(), 1.0, node.values, node.stride, y,
                 x.outerStride());
   }
+}
+
+std::unique_ptr<SingleFactor> CholmodFactor::inSinglePrecision() const {
+  if (!data_->statistics.supernodal || trailing() > 0) return nullptr;
+  auto single = std::make_unique<SingleFactor>(data_->permutation);
+  const auto supernodes = data_->factor->nsuper;
+  std::size_t rows = 0, entries = 0;
+  for (std::size_t s = 0; s < supernodes; ++s) {
+    const Data::Supernode node = data_->supernode(static_cast<int>(s), size());
+    rows += node.rows - node.columns;
+    entries += SingleFactor::entries(node.columns, node.rows - node.columns);
+  }
+  single->reserve(supernodes, rows, entries);
+  for (std::size_t s = 0; s < supernodes; ++s) {
+    const Data::Supernode node = data_->supernode(static_cast<int>(s), size());
+    single->append(node.first, node.columns, {node.below, node.below + node.rows - node.columns}, node.values, node.stride);
+  }
+  return single;
 }
 
 void CholmodFactor::Data::solve(int upTo, LocalView rhs) const {

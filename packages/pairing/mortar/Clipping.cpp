@@ -18,7 +18,8 @@ double turn(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c) {
 
 /// Distance of a point from the line through two others, positive on its left.
 double leftOf(const PlanePoint& a, const PlanePoint& b, const PlanePoint& point) {
-  return turn(a, b, point) / std::hypot(b[0] - a[0], b[1] - a[1]);
+  const double x = b[0] - a[0], y = b[1] - a[1];
+  return turn(a, b, point) / std::sqrt(x * x + y * y);
 }
 
 /// The part of a convex polygon on the left of a line.

@@ -22,18 +22,26 @@ std::vector<MortarFace> facesOf(const Mesh& mesh, const Surface& surface) {
   return all;
 }
 
-/// Integrals of the functions of all nodes. [area]
-std::map<int, double> nodeHats(const Surface& surface, const std::vector<MortarFace>& faces) {
-  std::map<int, double> hats;
-  for (int side = 0; side < surface.sides(); ++side) {
-    const std::vector<int>& nodes = surface.nodesOf(side);
-    for (const auto& [at, weight] : faces[side].quadrature()) {
-      const ShapeValues values = multiplierValues(static_cast<int>(nodes.size()), 3, at);
-      const double area = weight * norm(faces[side].density(at));
-      for (std::size_t k = 0; k < nodes.size(); ++k) hats[nodes[k]] += area * values[k];
-    }
+/// The first of its groups that each side of a face is in.
+std::vector<int> groupsOf(const Mesh& mesh, const ContactFace& face) {
+  std::map<std::pair<int, int>, int> groupOf;
+  for (std::size_t group = 0; group < face.groups.size(); ++group)
+    for (const Side& side : mesh.sideGroups.at(face.groups[group])) groupOf.emplace(std::make_pair(side.element, side.side), int(group));
+  std::vector<int> all;
+  for (const Side& side : sidesOf(mesh.sideGroups, face.groups)) all.push_back(groupOf.at({side.element, side.side}));
+  return all;
+}
+
+std::vector<SmoothFace> smoothOf(const Mesh& mesh, const ContactFace& face, const std::vector<MortarFace>& sides) {
+  const auto isCurved = [](const MortarFace& side) { return side.isCurved(); };
+  std::vector<SmoothFace> all;
+  if (cellInfo(sides.front().cell()).order == 1 && std::any_of(sides.begin(), sides.end(), isCurved)) {
+    const BoundarySurface surface(*face.surface, groupsOf(mesh, face));
+    for (std::size_t side = 0; side < sides.size(); ++side) all.emplace_back(sides[side], surface.jets(static_cast<int>(side)));
+  } else {
+    for (const MortarFace& side : sides) all.emplace_back(side, std::vector<BoundarySurface::Jet>{});
   }
-  return hats;
+  return all;
 }
 
 template <typename Facet>
@@ -83,11 +91,8 @@ std::vector<FaceSampling::Facet> FaceSampling::facetsOf(const std::vector<Mortar
   std::vector<Facet> all;
   for (std::size_t side = 0; side < sides.size(); ++side)
     for (const std::vector<int>& nodes : sides[side].facets()) {
-      Facet facet{static_cast<int>(side), {}, {0, 0, 0}, {0, 0, 0}};
-      for (const int node : nodes) {
-        facet.points.push_back(sides[side].points()[node]);
-        facet.middle = plus(facet.middle, scaled(1.0 / double(nodes.size()), referencePoint(sides[side].cell(), node)));
-      }
+      Facet facet{static_cast<int>(side), {}, nodes, {0, 0, 0}};
+      for (const int node : nodes) facet.points.push_back(sides[side].points()[node]);
       const std::vector<Point>& p = facet.points;
       facet.area = scaled(0.5, p.size() == 3 ? cross(minus(p[1], p[0]), minus(p[2], p[0])) : cross(minus(p[2], p[0]), minus(p[3], p[1])));
       all.push_back(std::move(facet));
@@ -97,21 +102,22 @@ std::vector<FaceSampling::Facet> FaceSampling::facetsOf(const std::vector<Mortar
 
 FaceSampling::FaceSampling(const Mesh& mesh, const ContactSurface& contact, bool onA)
     : contact_(contact),
+      share_(onA ? contact.shareOfA() : 1 - contact.shareOfA()),
       own_(facesOf(mesh, *(onA ? contact.a : contact.b).surface)),
       other_(facesOf(mesh, *(onA ? contact.b : contact.a).surface)),
+      ownSmooth_(smoothOf(mesh, onA ? contact.a : contact.b, own_)),
+      otherSmooth_(smoothOf(mesh, onA ? contact.b : contact.a, other_)),
       ownFacets_(facetsOf(own_)),
       facets_(facetsOf(other_)),
       firstFacet_(own_.size() + 1, 0),
       search_(pointsOf(facets_)),
-      hats_(contact.multipliers == Contact::Multipliers::Quadratic ? nodeHats(*(onA ? contact.a : contact.b).surface, own_)
-                                                                   : vertexHats(*(onA ? contact.a : contact.b).surface)) {
+      hats_(multiplierHats(*(onA ? contact.a : contact.b).surface, own_, contact.multipliers)) {
   for (const Facet& facet : ownFacets_) ++firstFacet_[facet.side + 1];
   for (std::size_t side = 0; side < own_.size(); ++side) firstFacet_[side + 1] += firstFacet_[side];
 }
 
 int FaceSampling::functions(int side, bool whole) const {
-  const bool all = whole && contact_.multipliers == Contact::Multipliers::Quadratic;
-  return all ? static_cast<int>(own_[side].points().size()) : own_[side].vertices();
+  return whole ? own_[side].multipliers(contact_.multipliers) : own_[side].vertices();
 }
 
 bool FaceSampling::isFaceted() const {
@@ -150,12 +156,12 @@ Point FaceSampling::meanNormal(int side, int node) const {
     const double beyond = kBeyond / kSnap * tolerance(*facet);
     if (std::none_of(parts.begin(), parts.end(), [&](const auto& corners) { return contains(part(polygon, corners), {0, 0}, beyond); }))
       continue;
-    const auto place = other_[facet->side].meet(from, projection, facet->middle);
+    const auto place = ProjectedFace(other_[facet->side], facet->nodes, projection).meet({0, 0});
     if (!place) continue;
-    const double gap = std::abs(dot(minus(other_[facet->side].at(*place), from), normal));
+    const double gap = std::abs(dot(minus(place->point, from), normal));
     if (nearest && gap >= least) continue;
     nearest = &other_[facet->side];
-    at = *place;
+    at = place->at;
     least = gap;
   }
   if (!nearest) return normal;
@@ -163,10 +169,11 @@ Point FaceSampling::meanNormal(int side, int node) const {
   return norm(cross(normal, facing)) > kAntiparallel ? unit(minus(normal, facing)) : normal;
 }
 
-/// Adds the common parts of a facet with those opposite. \return the area of its projection
-double FaceSampling::cut(const Facet& own, const Projection& projection, std::vector<Overlap>& overlaps) const {
+/// Adds the common parts of a facet with those opposite.
+FaceSampling::Areas FaceSampling::cut(const Facet& own, const Projection& projection, std::vector<Overlap>& overlaps) const {
   const std::vector<const Facet*> candidates = opposite(own.points, projection.along, own_[own.side].body());
   const Polygon whole = projection(own.points);
+  Areas areas{std::abs(areaOf(whole)), 0.0};
   for (const std::vector<int>& ownCorners : convexParts(whole)) {
     const Polygon convex = part(whole, ownCorners);
     if (areaOf(convex) <= 0) continue;  // seen from behind
@@ -175,11 +182,25 @@ double FaceSampling::cut(const Facet& own, const Projection& projection, std::ve
       std::reverse(polygon.begin(), polygon.end());
       for (const std::vector<int>& corners : convexParts(polygon)) {
         Polygon common = commonPart(part(polygon, corners), convex, tolerance(own));
-        if (!common.empty()) overlaps.push_back({&own, other, std::move(common)});
+        if (common.empty()) continue;
+        areas.common += areaOf(common);
+        overlaps.push_back({&own, other, std::move(common)});
       }
     }
   }
-  return std::abs(areaOf(whole));
+  return areas;
+}
+
+std::optional<double> FaceSampling::covered(int side, const Point& normal) const {
+  const Projection projection(normal, own_[side].points()[0]);
+  std::vector<Overlap> overlaps;
+  double whole = 0, common = 0;
+  for (int i = firstFacet_[side]; i < firstFacet_[side + 1]; ++i) {
+    const Areas areas = cut(ownFacets_[i], projection, overlaps);
+    whole += areas.whole;
+    common += std::min(areas.whole, areas.common);
+  }
+  return whole > 0 ? common / whole : 0.0;
 }
 
 MortarSamples FaceSampling::sample(int side, const Point& normal) const {
@@ -188,16 +209,14 @@ MortarSamples FaceSampling::sample(int side, const Point& normal) const {
   double whole = 0, common = 0;
   for (int i = firstFacet_[side]; i < firstFacet_[side + 1]; ++i) {
     std::vector<Overlap> overlaps;
-    const double area = cut(ownFacets_[i], projection, overlaps);
-    double sum = 0;
-    for (const Overlap& overlap : overlaps) sum += areaOf(overlap.polygon);
+    const Areas areas = cut(ownFacets_[i], projection, overlaps);
     // Where facets of the other face lie behind each other the nearest counts.
     std::vector<const Facet*> rivals;
-    if (sum > (1 + kLayered) * area)
+    if (areas.common > (1 + kLayered) * areas.whole)
       for (const Overlap& overlap : overlaps) rivals.push_back(overlap.other);
     for (const Overlap& overlap : overlaps) addSamples(overlap, projection, rivals, samples);
-    whole += area;
-    common += std::min(sum, area);
+    whole += areas.whole;
+    common += std::min(areas.whole, areas.common);
   }
   samples.covered = whole > 0 ? common / whole : 0.0;
   return samples;
@@ -212,18 +231,36 @@ bool FaceSampling::isNearest(const Facet& facet, double gap, const Point& from, 
     Polygon polygon = projection(rival->points);
     std::reverse(polygon.begin(), polygon.end());
     if (!contains(polygon, place, 0.0)) continue;
-    const auto at = other_[rival->side].meet(from, projection, rival->middle);
-    if (at && std::abs(dot(minus(other_[rival->side].at(*at), from), projection.along)) < std::abs(gap)) return false;
+    const auto at = ProjectedFace(other_[rival->side], rival->nodes, projection).meet(place);
+    if (at && std::abs(dot(minus(at->point, from), projection.along)) < std::abs(gap)) return false;
   }
   return true;
+}
+
+// Straight elements stay so. They approximate the shape of the faces in contact, which is one surface: of the curvature
+// (1 - share) x own - share x other, seen from the carrying side.
+void FaceSampling::addBulge(const MortarFace::Place& on, const SmoothFace& own, const MortarFace::Place& onOther, const SmoothFace& other,
+                            const Point& normal, MortarSample& to) const {
+  double mine = own.spread(on.values), its = other.spread(onOther.values);
+  if (contact_.geometry != Contact::Geometry::Smooth) {
+    const double itsOfMine = other.isLinear() && own.isCurved() ? other.spread(onOther.values, own.curvature(on.at)) : 0.0;
+    if (own.isLinear()) mine = (1 - share_) * mine - (other.isCurved() ? share_ * own.spread(on.values, other.curvature(onOther.at)) : 0.0);
+    if (other.isLinear()) its = share_ * its - (1 - share_) * itsOfMine;
+  }
+  const double way = own.way(on, mine, normal) + other.way(onOther, its, scaled(-1, normal));
+  if (contact_.geometry == Contact::Geometry::Facets)
+    to.doubt = way;
+  else
+    to.gap -= way, to.doubt = own.doubt(on.values) + other.doubt(onOther.values);
 }
 
 void FaceSampling::addSamples(const Overlap& overlap, const Projection& projection, const std::vector<const Facet*>& rivals,
                               MortarSamples& to) const {
   const MortarFace &own = own_[overlap.own->side], &other = other_[overlap.other->side];
+  const SmoothFace &ownSmooth = ownSmooth_[overlap.own->side], &otherSmooth = otherSmooth_[overlap.other->side];
   const TriangleRule& rule = triangleRule(degreeOf(own, other, contact_.multipliers));
+  const ProjectedFace ownShadow(own, overlap.own->nodes, projection), otherShadow(other, overlap.other->nodes, projection);
   const Polygon& polygon = overlap.polygon;
-  ReferencePoint start = overlap.own->middle, otherStart = overlap.other->middle;  // then the last point, which is near
   for (std::size_t i = 1; i + 1 < polygon.size(); ++i) {
     const Polygon triangle{polygon[0], polygon[i], polygon[i + 1]};
     const double area = areaOf(triangle);
@@ -231,18 +268,19 @@ void FaceSampling::addSamples(const Overlap& overlap, const Projection& projecti
       PlanePoint place{0, 0};
       for (int k = 0; k < 3; ++k)
         for (int c = 0; c < 2; ++c) place[c] += rule.points[q][k] * triangle[k][c];
-      const Point through = projection.at(place);
-      const auto at = own.meet(through, projection, start), otherAt = other.meet(through, projection, otherStart);
-      if (!at || !otherAt) continue;  // beyond the edge of a curved side: of no weight
-      start = *at, otherStart = *otherAt;
-      const Point from = own.at(*at), outward = own.density(*at);
+      const auto on = ownShadow.meet(place), onOther = otherShadow.meet(place);
+      if (!on || !onOther) continue;  // beyond the edge of a curved side: of no weight
       MortarSample sample;
-      sample.at = *at, sample.other = overlap.other->side, sample.otherAt = *otherAt;
+      sample.at = on->at, sample.own = on->values;
+      sample.other = overlap.other->side, sample.others = onOther->values;
       // A surface that leans against the plane has more area than its projection.
-      sample.weight = area * rule.weights[q] * norm(outward) / dot(outward, projection.along);
-      sample.gap = dot(minus(other.at(*otherAt), from), projection.along);
-      if (!rivals.empty() && !isNearest(*overlap.other, sample.gap, from, projection, rivals)) continue;
-      if (contact_.initialGap) sample.gap = contact_.initialGap->at(from);
+      sample.weight = area * rule.weights[q] * std::sqrt(dot(on->density, on->density)) / dot(on->density, projection.along);
+      sample.gap = dot(minus(onOther->point, on->point), projection.along);
+      if (!rivals.empty() && !isNearest(*overlap.other, sample.gap, on->point, projection, rivals)) continue;
+      if (contact_.initialGap)
+        sample.gap = contact_.initialGap->at(on->point);
+      else if (ownSmooth.hasBulge() || otherSmooth.hasBulge())
+        addBulge(*on, ownSmooth, *onOther, otherSmooth, projection.along, sample);
       to.all.push_back(sample);
     }
   }

@@ -102,8 +102,10 @@ MortarSamples LineSampling::sample(int side, const Point& normal) const {
       const Point from = own.at(xi);
       const auto met = Segmentation::meet(from, normal, other);
       if (!met) continue;  // beyond the element's end by rounding of its curve: of no weight
-      MortarSample point{{xi, 0, 0}, half * rule_.weights(q) * norm(own.tangent(xi)), met->gap,
-                         0,          static_cast<int>(&other - other_.data()),        {met->eta, 0, 0}};
+      MortarSample point{
+          {xi, 0, 0}, half * rule_.weights(q) * norm(own.tangent(xi)), met->gap, 0, static_cast<int>(&other - other_.data())};
+      point.own = sideValues(own.count(), 2, point.at);
+      point.others = sideValues(other.count(), 2, {met->eta, 0, 0});
       if (mesh_.axisymmetric) point.weight *= circumference(from[0]);
       if (contact_.initialGap)
         point.gap = contact_.initialGap->at(from);

@@ -13,8 +13,8 @@ namespace {
 
 constexpr double kStraightEdge = 1e-10;  // distance of an edge's middle node from the middle, relative to the element
 constexpr double kFlat = 1e-6;           // angle between the normals of a flat face
-constexpr double kSolved = 1e-9;         // last step of Newton's method in the reference cell: the error is of the order of its square
-constexpr double kLeft = 3.0;            // distance from the middle of the reference cell at which a search has left the element
+constexpr double kSolved = 1e-7;         // last step of Newton's method in the reference cell: the error is of the order of its square
+constexpr double kLeft = 4.0;            // coordinate in the reference cell at which a search has left the element
 constexpr int kSteps = 25;
 
 }  // namespace
@@ -34,8 +34,6 @@ Polygon Projection::operator()(const std::vector<Point>& points) const {
   for (const Point& point : points) polygon.push_back((*this)(point));
   return polygon;
 }
-
-Point Projection::at(const PlanePoint& place) const { return plus(origin_, plus(scaled(place[0], first), scaled(place[1], second))); }
 
 MortarFace::MortarFace(const Surface& surface, int side, int body)
     : cell_(sideCell(static_cast<int>(surface.nodesOf(side).size()))), body_(body) {
@@ -68,20 +66,22 @@ Point MortarFace::normalAt(const ReferencePoint& at) const {
   return unit(sum);
 }
 
-Point MortarFace::at(const ReferencePoint& at) const {
-  Point sum{0, 0, 0};
-  for (std::size_t i = 0; i < points_.size(); ++i) sum = plus(sum, scaled(shapeFunction(cell_, static_cast<int>(i), at), points_[i]));
-  return sum;
-}
-
-Point MortarFace::density(const ReferencePoint& at) const {
+MortarFace::Place MortarFace::place(const ReferencePoint& at) const {
+  Place place;
+  place.at = at;
+  ShapeJet shapes[9];
+  shapeJets(cell_, at, shapes);
   Point s{0, 0, 0}, t{0, 0, 0};
   for (std::size_t i = 0; i < points_.size(); ++i) {
-    const ReferencePoint g = shapeGradient(cell_, static_cast<int>(i), at);
-    s = plus(s, scaled(g[0], points_[i]));
-    t = plus(t, scaled(g[1], points_[i]));
+    place.values[i] = shapes[i].value;
+    for (int k = 0; k < 3; ++k) {
+      place.point[k] += shapes[i].value * points_[i][k];
+      s[k] += shapes[i].gradient[0] * points_[i][k];
+      t[k] += shapes[i].gradient[1] * points_[i][k];
+    }
   }
-  return cross(s, t);
+  place.density = cross(s, t);
+  return place;
 }
 
 std::vector<std::pair<ReferencePoint, double>> MortarFace::quadrature() const {
@@ -97,39 +97,51 @@ std::vector<std::pair<ReferencePoint, double>> MortarFace::quadrature() const {
   return all;
 }
 
-std::map<int, double> vertexHats(const Surface& surface) {
+std::map<int, double> multiplierHats(const Surface& surface, const std::vector<MortarFace>& sides, Contact::Multipliers choice) {
   std::map<int, double> hats;
   for (int side = 0; side < surface.sides(); ++side) {
-    const std::vector<int> corners(surface.nodesOf(side).begin(), surface.nodesOf(side).begin() + surface.facets(side));
-    std::vector<Point> points;
-    for (const int node : corners) points.push_back(surface.at(node).position);
-    std::vector<double> sizes(corners.size(), 0.0);
-    addTributarySizes(points, 3, false, sizes);
-    for (std::size_t k = 0; k < sizes.size(); ++k) hats[corners[k]] += sizes[k];
+    const int functions = sides[side].multipliers(choice);
+    for (const auto& [at, weight] : sides[side].quadrature()) {
+      const ShapeValues values = multiplierValues(functions, 3, at);
+      const double area = weight * norm(sides[side].place(at).density);
+      for (int k = 0; k < functions; ++k) hats[surface.nodesOf(side)[k]] += area * values[k];
+    }
   }
   return hats;
 }
 
-std::optional<ReferencePoint> MortarFace::meet(const Point& point, const Projection& projection, const ReferencePoint& start) const {
-  const ReferencePoint centre = referenceCentre(cell_);
-  ReferencePoint place = start;
+ProjectedFace::ProjectedFace(const MortarFace& face, const std::vector<int>& facet, const Projection& projection) : face_(face) {
+  for (std::size_t i = 0; i < face.points().size(); ++i) nodes_[i] = projection(face.points()[i]);
+  const int last = facet.back();
+  const PlanePoint &a = nodes_[facet[0]], &b = nodes_[facet[1]], &c = nodes_[last];
+  origin_ = a, start_ = referencePoint(face.cell(), facet[0]);
+  const ReferencePoint toB = minus(referencePoint(face.cell(), facet[1]), start_), toC = minus(referencePoint(face.cell(), last), start_);
+  const double b0 = b[0] - a[0], b1 = b[1] - a[1], c0 = c[0] - a[0], c1 = c[1] - a[1], det = b0 * c1 - b1 * c0;
+  for (int k = 0; k < 2; ++k) slope_[2 * k] = (toB[k] * c1 - toC[k] * b1) / det, slope_[2 * k + 1] = (toC[k] * b0 - toB[k] * c0) / det;
+}
+
+std::optional<MortarFace::Place> ProjectedFace::meet(const PlanePoint& point) const {
+  const double x = point[0] - origin_[0], y = point[1] - origin_[1];
+  ReferencePoint at{start_[0] + slope_[0] * x + slope_[1] * y, start_[1] + slope_[2] * x + slope_[3] * y, 0};
+  if (face_.isStraight() && face_.distortion() == 0) return face_.place(at);
+  const std::size_t count = face_.points().size();
+  ShapeJet shapes[9];
   for (int step = 0; step < kSteps; ++step) {
-    Point away{0, 0, 0}, s{0, 0, 0}, t{0, 0, 0};
-    for (std::size_t i = 0; i < points_.size(); ++i) {
-      const int node = static_cast<int>(i);
-      const Point arm = minus(points_[i], point);
-      const ReferencePoint g = shapeGradient(cell_, node, place);
-      away = plus(away, scaled(shapeFunction(cell_, node, place), arm));
-      s = plus(s, scaled(g[0], arm));
-      t = plus(t, scaled(g[1], arm));
-    }
-    const double r0 = dot(projection.first, away), r1 = dot(projection.second, away), s0 = dot(projection.first, s),
-                 s1 = dot(projection.second, s), t0 = dot(projection.first, t), t1 = dot(projection.second, t), det = s0 * t1 - s1 * t0;
+    shapeJets(face_.cell(), at, shapes);
+    double away[2] = {0, 0}, s[2] = {0, 0}, t[2] = {0, 0};
+    for (std::size_t i = 0; i < count; ++i)
+      for (int k = 0; k < 2; ++k) {
+        const double arm = nodes_[i][k] - point[k];
+        away[k] += shapes[i].value * arm;
+        s[k] += shapes[i].gradient[0] * arm;
+        t[k] += shapes[i].gradient[1] * arm;
+      }
+    const double det = s[0] * t[1] - s[1] * t[0];
     if (det == 0) return std::nullopt;
-    const double ds = (r0 * t1 - r1 * t0) / det, dt = (s0 * r1 - s1 * r0) / det;
-    place[0] -= ds, place[1] -= dt;
-    if (!(norm(minus(place, centre)) < kLeft)) return std::nullopt;
-    if (std::abs(ds) + std::abs(dt) <= kSolved) return place;
+    const double ds = (away[0] * t[1] - away[1] * t[0]) / det, dt = (s[0] * away[1] - s[1] * away[0]) / det;
+    at[0] -= ds, at[1] -= dt;
+    if (!(std::abs(at[0]) < kLeft && std::abs(at[1]) < kLeft)) return std::nullopt;
+    if (std::abs(ds) + std::abs(dt) <= kSolved) return face_.place(at);
   }
   return std::nullopt;
 }

@@ -2,8 +2,11 @@
 #include <suture/base/Point.hpp>
 #include <suture/mesh/ShapeFunctions.hpp>
 #include <suture/mesh/Surface.hpp>
+#include <suture/pairing/ContactSurface.hpp>
 #include <suture/pairing/mortar/Clipping.hpp>
+#include <suture/pairing/mortar/ShapeValues.hpp>
 
+#include <array>
 #include <map>
 #include <optional>
 #include <utility>
@@ -19,9 +22,6 @@ class Projection {
   /// Place in the plane, seen against the direction: what runs counter-clockwise about it does so in the plane.
   PlanePoint operator()(const Point& point) const;
   Polygon operator()(const std::vector<Point>& points) const;
-  /// Point of the plane in space.
-  Point at(const PlanePoint& place) const;
-
   Point along, first, second;  ///< right-handed and orthonormal
 
  private:
@@ -37,14 +37,15 @@ class MortarFace {
   Cell cell() const { return cell_; }
   int body() const { return body_; }
   int vertices() const { return cellInfo(cell_).vertices; }
+  /// Number of the multiplier's functions where the other face covers all of it.
+  int multipliers(Contact::Multipliers choice) const {
+    return choice == Contact::Multipliers::Quadratic ? static_cast<int>(points_.size()) : vertices();
+  }
   const std::vector<Point>& points() const { return points_; }
   /// Outward normal of the face at a node of the element, averaged over its sides.
   const Point& normal(int node) const { return normals_[node]; }
   /// The same at a place on the element, interpolated between its nodes.
   Point normalAt(const ReferencePoint& at) const;
-  Point at(const ReferencePoint& at) const;
-  /// Cross product of the derivatives of the place by the two reference coordinates: along the outward normal of the element itself.
-  Point density(const ReferencePoint& at) const;
 
   /// Flat facets between its nodes that stand for it where elements are cut by each other: itself where its edges are straight, else the
   /// linear parts between all of its nodes. By local numbers.
@@ -59,9 +60,14 @@ class MortarFace {
   /// Points in the reference cell with weights, exact for polynomials of degree ten.
   std::vector<std::pair<ReferencePoint, double>> quadrature() const;
 
-  /// Place where the line of a projection through a point meets the element, or its continuation beyond its edges. By Newton's method;
-  /// nothing if this does not end. \param start  where it begins
-  std::optional<ReferencePoint> meet(const Point& point, const Projection& projection, const ReferencePoint& start) const;
+  /// A place on the element.
+  struct Place {
+    ReferencePoint at{0, 0, 0};
+    ShapeValues values{};  ///< shape functions
+    Point point{0, 0, 0};
+    Point density{0, 0, 0};  ///< area of the element divided by that of the reference cell, along the outward normal
+  };
+  Place place(const ReferencePoint& at) const;
 
  private:
   Cell cell_;
@@ -72,7 +78,26 @@ class MortarFace {
   double distortion_ = 0.0;
 };
 
-/// Integrals over a surface of the linear functions of its vertices, by node. Local. [area]
-std::map<int, double> vertexHats(const Surface& surface);
+/// An element in the plane of a projection.
+class ProjectedFace {
+ public:
+  /// \param facet  one of the element's facets, on or beside which points are looked for
+  ProjectedFace(const MortarFace& face, const std::vector<int>& facet, const Projection& projection);
+
+  /// Place on the element, or its continuation beyond its edges, that is projected onto a point of the plane. By Newton's method, from the
+  /// place on the flat facet; nothing if this does not end.
+  std::optional<MortarFace::Place> meet(const PlanePoint& point) const;
+
+ private:
+  const MortarFace& face_;
+  std::array<PlanePoint, 9> nodes_;
+  PlanePoint origin_;            // first corner of the facet
+  ReferencePoint start_;         // its place in the reference cell
+  std::array<double, 4> slope_;  // of the place in the reference cell over the flat facet, row by row
+};
+
+/// Integrals of the multiplier's functions over a surface that is covered wholly, by node. \param sides  those of the surface. Local.
+/// [area]
+std::map<int, double> multiplierHats(const Surface& surface, const std::vector<MortarFace>& sides, Contact::Multipliers choice);
 
 }  // namespace suture

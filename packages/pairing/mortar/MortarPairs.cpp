@@ -32,18 +32,29 @@ class Mortar {
       for (int j = 0; j < carriers; ++j)
         if (const int node = surface_.nodesOf(side)[j]; !rowNormals_.count(node)) rowNormals_[node] = sampling_->meanNormal(side, j);
     }
-    for (int side = 0; side < surface_.sides(); ++side) integrate(side);
-    handOn();
   }
 
   std::size_t nodes() const { return rowNormals_.size(); }
   /// True if the other face stands opposite to all of this one.
-  bool coversAll() const { return coveredIntervals_ > (1 - 1e-6) * intervals_; }
+  bool coversAll() { return coveredIntervals() > (1 - 1e-6) * intervals_; }
   bool isFaceted() const { return sampling_->isFaceted(); }
   /// Number of intervals between nodes that the other side stands opposite to, in space of quadrilaterals.
-  double coveredIntervals() const { return coveredIntervals_; }
+  double coveredIntervals() {
+    if (integrated_) return coveredIntervals_;
+    double covered = 0;
+    for (int side = 0; side < surface_.sides(); ++side) {
+      const std::optional<double> part = sampling_->covered(side, rowNormals_.at(surface_.nodesOf(side)[0]));
+      if (!part) {
+        integrate();
+        return coveredIntervals_;
+      }
+      covered += intervalsOf(side) * *part;
+    }
+    return covered;
+  }
 
-  PairedSurface pairs() const {
+  PairedSurface pairs() {
+    integrate();
     PairedSurface result;
     for (const OrderedNode& own : inOrder(surface_, [this](int node) { return rows_.count(node) > 0; })) {
       const Row& row = rows_.at(own.node);
@@ -72,36 +83,31 @@ class Mortar {
     return surface_.dimension() == 2 ? double(surface_.nodesOf(side).size()) - 1 : (surface_.facets(side) - 2) / 2.0;
   }
 
-  /// Points of a side along one normal, with the values there of the multiplier's dual functions and of both sides' shape functions.
+  /// Points of a side along one normal, with the values there of the multiplier's dual functions.
   struct Points {
     std::vector<MortarSample> all;
     Matrix psi;  // functions x points, times the weights
-    std::vector<ShapeValues> own, others;
   };
-  Points evaluated(int side, int functions, std::vector<MortarSample> samples) const {
-    const int dimension = surface_.dimension(), count = static_cast<int>(surface_.nodesOf(side).size());
+  Points evaluated(int functions, std::vector<MortarSample> samples) const {
+    const int dimension = surface_.dimension();
     Points points;
     points.all = std::move(samples);
     Vector weights(points.all.size());
     Matrix shapes(functions, points.all.size());
     for (std::size_t q = 0; q < points.all.size(); ++q) {
-      const MortarSample& sample = points.all[q];
-      const ShapeValues values = multiplierValues(functions, dimension, sample.at);
+      const ShapeValues values = multiplierValues(functions, dimension, points.all[q].at);
       shapes.col(q) = Eigen::Map<const Vector>(values.data(), functions);
-      weights(q) = sample.weight;
-      points.own.push_back(sideValues(count, dimension, sample.at));
-      points.others.push_back(sample.other < 0 ? ShapeValues{} : sideValues(otherCount(sample.other), dimension, sample.otherAt));
+      weights(q) = points.all[q].weight;
     }
     const DualBasis dual(shapes, weights, dimension == 2 ? 0.0 : kDistinct);
     points.psi.resize(functions, Eigen::Index(points.all.size()));
     for (std::size_t q = 0; q < points.all.size(); ++q) points.psi.col(q) = points.all[q].weight * dual.at(shapes.col(q));
     return points;
   }
-  int otherCount(int side) const { return static_cast<int>(other_->nodesOf(side).size()); }
 
   // Each row has a constant normal: the way from a point of one side to that of the other is then parallel to the row's force, and moments
   // balance. On straight lines and flat faces one set of points serves all rows of an element.
-  void integrate(int side) {
+  void addRows(int side) {
     const std::vector<int>& nodes = surface_.nodesOf(side);
     const int carriers = sampling_->functions(side, true);
     std::vector<MortarSamples> sets;
@@ -119,7 +125,7 @@ class Mortar {
     const int functions = sampling_->functions(side, whole);
     for (std::size_t set = 0; set < sets.size(); ++set) {
       if (sets[set].all.empty()) continue;
-      const Points points = evaluated(side, functions, std::move(sets[set].all));
+      const Points points = evaluated(functions, std::move(sets[set].all));
       for (int j = 0; j < functions; ++j)
         if (setOf[j] == static_cast<int>(set)) addTo(rows_[nodes[j]], nodes, j, points);
     }
@@ -135,9 +141,9 @@ class Mortar {
       row.weight += psi;
       row.gap += psi * sample.gap;
       row.doubt += psi * sample.doubt;
-      for (std::size_t k = 0; k < own.size(); ++k) *own[k] += psi * points.own[q][k];
+      for (std::size_t k = 0; k < own.size(); ++k) *own[k] += psi * sample.own[k];
       if (sample.other != other) others = entriesOf(row.others, other_->nodesOf(other = sample.other));
-      for (std::size_t k = 0; k < others.size(); ++k) *others[k] += psi * points.others[q][k];
+      for (std::size_t k = 0; k < others.size(); ++k) *others[k] += psi * sample.others[k];
     }
   }
 
@@ -145,6 +151,13 @@ class Mortar {
     std::vector<double*> entries;
     for (const int node : nodes) entries.push_back(&sums[node]);
     return entries;
+  }
+
+  void integrate() {
+    if (integrated_) return;
+    integrated_ = true;
+    for (int side = 0; side < surface_.sides(); ++side) addRows(side);
+    handOn();
   }
 
   /// Nodes that carry next to nothing hand their share on, along the line to the neighbour that carries more, on a surface to the nearest
@@ -155,7 +168,7 @@ class Mortar {
     for (const auto& [node, heir] : heirs) rowNormals_[node] = rowNormals_.at(heir);
     rows_.clear();
     coveredIntervals_ = 0;
-    for (int side = 0; side < surface_.sides(); ++side) integrate(side);
+    for (int side = 0; side < surface_.sides(); ++side) addRows(side);
     for (const auto& [node, heir] : heirs) {
       const auto row = rows_.find(node);
       if (row == rows_.end()) continue;
@@ -214,9 +227,10 @@ class Mortar {
   std::map<int, Row> rows_;          // by the node that carries it
   std::map<int, Point> rowNormals_;  // by node
   double intervals_ = 0, coveredIntervals_ = 0;
+  bool integrated_ = false;
 };
 
-std::unique_ptr<const Mortar> mortarOn(bool onA, const Mesh& mesh, const ContactSurface& contact) {
+std::unique_ptr<Mortar> mortarOn(bool onA, const Mesh& mesh, const ContactSurface& contact) {
   const ContactFace &own = onA ? contact.a : contact.b, &other = onA ? contact.b : contact.a;
   return std::make_unique<Mortar>(contact, *own.surface, &*other.surface, onA ? 1.0 : -1.0, samplingOf(mesh, contact, onA));
 }
@@ -225,13 +239,13 @@ std::unique_ptr<const Mortar> mortarOn(bool onA, const Mesh& mesh, const Contact
 /// one would take what the other cannot follow for pressure. Else the side that the other covers wholly, where the stress ends with the
 /// side and not inside an element; of two or none such that with more nodes, which resolves the stress better and has a node of its own for
 /// each condition.
-bool carriesBetter(const Mortar& a, const Mortar& b) {
+bool carriesBetter(Mortar& a, Mortar& b) {
   if (a.isFaceted()) return a.coveredIntervals() <= b.coveredIntervals();
   if (a.coversAll() != b.coversAll()) return a.coversAll();
   return a.nodes() >= b.nodes();
 }
 
-std::unique_ptr<const Mortar> makeMortar(const Mesh& mesh, const ContactSurface& contact) {
+std::unique_ptr<Mortar> makeMortar(const Mesh& mesh, const ContactSurface& contact) {
   using Carrier = ContactSurface::Carrier;
   if (contact.carrier != Carrier::Automatic) return mortarOn(contact.carrier == Carrier::SideA, mesh, contact);
   auto a = mortarOn(true, mesh, contact), b = mortarOn(false, mesh, contact);
@@ -239,10 +253,10 @@ std::unique_ptr<const Mortar> makeMortar(const Mesh& mesh, const ContactSurface&
 }
 
 /// Notes that the side which the scene names to carry the stress is the finer one.
-void warnOfFinerCarrier(const Mesh& mesh, const ContactSurface& contact, const Mortar& mortar, std::vector<std::string>& notes) {
+void warnOfFinerCarrier(const Mesh& mesh, const ContactSurface& contact, Mortar& mortar, std::vector<std::string>& notes) {
   const bool onA = contact.carrier == ContactSurface::Carrier::SideA;
   if (contact.carrier == ContactSurface::Carrier::Automatic || !mortar.isFaceted()) return;
-  const std::unique_ptr<const Mortar> other = mortarOn(!onA, mesh, contact);
+  const std::unique_ptr<Mortar> other = mortarOn(!onA, mesh, contact);
   if (!(mortar.coveredIntervals() >= kMuchFiner * other->coveredIntervals())) return;
   std::ostringstream text;
   text << "warning: " << contact.path << "/Multipliers On: " << (onA ? "Side A" : "Side B") << " is curved and has " << std::setprecision(2)
@@ -259,7 +273,7 @@ PairedSurface mortarPairs(const ContactSurface& contact, std::unique_ptr<const M
 }
 
 PairedSurface mortarPairs(const Mesh& mesh, const ContactSurface& contact, Problems& problems, std::vector<std::string>& notes) {
-  const std::unique_ptr<const Mortar> mortar = makeMortar(mesh, contact);
+  const std::unique_ptr<Mortar> mortar = makeMortar(mesh, contact);
   PairedSurface result = mortar->pairs();
   if (result.pairs.empty())
     problems.add(contact.path,

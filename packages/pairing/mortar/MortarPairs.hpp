@@ -18,10 +18,10 @@ namespace suture {
 /// are split wherever an element of the other side begins (segments), so that constant stress passes exactly on straight lines and flat
 /// faces. Between straight elements on curved lines the gap is that of smooth curves (LineSampling).
 ///
-/// An element of three nodes that is covered in part carries a linear stress: a quadratic one is not positive there. In space second-order
-/// elements always do, with a function for each vertex (FaceSampling): a condition then has the nodes of the middles, too, on both sides. A
-/// node with less than a fifth of its hat function covered hands its psi on to its neighbour: the sum of all psi is one wherever the sides
-/// meet.
+/// An element of three nodes that is covered in part carries a linear stress: a quadratic one is not positive there; in space second-order
+/// sides likewise, and where they are covered wholly functions whose integrals are positive (FaceSampling): a condition may then have
+/// several nodes of the carrying side. A node with less than a fifth of its hat function covered hands its psi on to its neighbour: the sum
+/// of all psi is one wherever the sides meet.
 ///
 /// \param problems  gets sides that meet nowhere;  \param notes  a warning where the scene lets the finer of two curved sides carry
 /// \return pairs as pairSurface(), in the order of the carrying side's nodes. Local.

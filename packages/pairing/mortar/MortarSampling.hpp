@@ -1,22 +1,22 @@
 #pragma once
 #include <suture/base/Types.hpp>
-#include <suture/mesh/ShapeFunctions.hpp>
 #include <suture/pairing/ContactSurface.hpp>
+#include <suture/pairing/mortar/ShapeValues.hpp>
 
-#include <array>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace suture {
 
 /// A point of both faces of a contact, on a line along the normal of one of its conditions.
 struct MortarSample {
-  ReferencePoint at{0, 0, 0};       ///< place on the side of the carrying face
-  double weight = 0.0;              ///< quadrature weight [length or area]; axisymmetric: times 2 pi r [area]
-  double gap = 0.0;                 ///< way to the other face along the normal [length]
-  double doubt = 0.0;               ///< estimated error of the gap by the shape of the elements [length]
-  int other = -1;                   ///< side of the other face; -1: a rigid obstacle
-  ReferencePoint otherAt{0, 0, 0};  ///< place on that side
+  ReferencePoint at{0, 0, 0};   ///< place on the side of the carrying face
+  double weight = 0.0;          ///< quadrature weight [length or area]; axisymmetric: times 2 pi r [area]
+  double gap = 0.0;             ///< way to the other face along the normal [length]
+  double doubt = 0.0;           ///< estimated error of the gap by the shape of the elements [length]
+  int other = -1;               ///< side of the other face; -1: a rigid obstacle
+  ShapeValues own{}, others{};  ///< shape functions of both sides there
 };
 
 /// Quadrature points of one side of the carrying face.
@@ -38,6 +38,8 @@ class MortarSampling {
   virtual Point meanNormal(int side, int node) const = 0;
   /// Quadrature points of a side, seen along one direction. They are split wherever a side of the other face begins.
   virtual MortarSamples sample(int side, const Point& normal) const = 0;
+  /// Part of a side that the other face stands opposite to, where this is cheaper than sample(); nothing where it is not.
+  virtual std::optional<double> covered(int, const Point&) const { return std::nullopt; }
   /// Integral of the multiplier's hat function at a node over the whole face. [length or area]
   virtual double hat(int node) const = 0;
 
@@ -46,17 +48,6 @@ class MortarSampling {
   /// True if the doubts of samples are estimates.
   virtual bool estimatesDoubt() const { return false; }
 };
-
-/// Values of shape functions at a place on a side.
-using ShapeValues = std::array<double, 9>;
-
-/// Shape functions of a side of so many nodes. Local.
-ShapeValues sideValues(int nodes, int dimension, const ReferencePoint& at);
-
-/// Functions of the multiplier where a side has so many: its shape functions; of six and eight nodes in space, whose integrals at the
-/// vertices are zero and negative, combinations with positive ones: phi_c + alpha sum of phi_m beside it, (1 - 2 alpha) phi_m, alpha = 1/5
-/// (Popp, Wohlmuth, Gee and Wall 2012). Local.
-ShapeValues multiplierValues(int functions, int dimension, const ReferencePoint& at);
 
 /// The sampling of two faces. \param onA  face A carries the conditions. Local.
 std::unique_ptr<MortarSampling> samplingOf(const Mesh& mesh, const ContactSurface& contact, bool onA);

@@ -2,9 +2,12 @@
 
 namespace suture {
 
-ObstacleSampling::ObstacleSampling(const ContactSurface& contact) : contact_(contact), hats_(vertexHats(*contact.a.surface)) {
+ObstacleSampling::ObstacleSampling(const ContactSurface& contact) : contact_(contact) {
   for (int side = 0; side < contact.a.surface->sides(); ++side) own_.emplace_back(*contact.a.surface, side);
+  hats_ = multiplierHats(*contact.a.surface, own_, contact.multipliers);
 }
+
+int ObstacleSampling::functions(int side, bool) const { return own_[side].multipliers(contact_.multipliers); }
 
 Point ObstacleSampling::meanNormal(int side, int node) const {
   const MortarFace& own = own_[side];
@@ -17,9 +20,11 @@ MortarSamples ObstacleSampling::sample(int side, const Point& normal) const {
   samples.covered = 1.0;
   for (const auto& [at, weight] : own.quadrature()) {
     MortarSample sample;
+    const MortarFace::Place place = own.place(at);
+    const Point& from = place.point;
     sample.at = at;
-    const Point from = own.at(at);
-    sample.weight = weight * norm(own.density(at));
+    sample.own = place.values;
+    sample.weight = weight * norm(place.density);
     // Where the normal of the condition leads past the obstacle the distance is as good.
     sample.gap = contact_.initialGap ? contact_.initialGap->at(from)
                                      : contact_.obstacle->way(from, normal).value_or(contact_.obstacle->from(from).gap);

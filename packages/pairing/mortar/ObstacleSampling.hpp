@@ -7,13 +7,13 @@
 
 namespace suture {
 
-/// A surface in space before a rigid obstacle: quadrature points of its sides, and the way from there to the obstacle. The multiplier has a
-/// function for each vertex, as that of FaceSampling. Local.
+/// A surface in space before a rigid obstacle: quadrature points of its sides, and the way from there to the obstacle. The multiplier is
+/// that of FaceSampling. Local.
 class ObstacleSampling : public MortarSampling {
  public:
   explicit ObstacleSampling(const ContactSurface& contact);
 
-  int functions(int side, bool) const override { return own_[side].vertices(); }
+  int functions(int side, bool whole) const override;
   /// Normal of the pairs there: the obstacle's, or the side's (Contact::Direction).
   Point meanNormal(int side, int node) const override;
   MortarSamples sample(int side, const Point& normal) const override;

@@ -84,11 +84,13 @@ std::vector<BlockCut> cutBlocks(const Comm& comm, const std::vector<Block>& bloc
       [&](std::size_t i, Packer& packer) {
         packer.put(graphOf[i].offsets);
         packer.put(graphOf[i].neighbours);
+        packer.put(graphOf[i].centres);
         graphOf[i] = ElementGraph();
       },
       [&](std::size_t i, Unpacker& unpacker) {
         unpacker.get(graphOf[i].offsets);
         unpacker.get(graphOf[i].neighbours);
+        unpacker.get(graphOf[i].centres);
       });
   collectively(comm, cutting, [&] {
     for (std::size_t i = 0; i < blocks.size(); ++i) {

@@ -26,6 +26,13 @@ constexpr int none = -1;
   throw InputError("Mesh", std::to_string(elements) + " elements share the side" + places + "; at most two can");
 }
 
+Point centreOfVertices(const CellBlock& block, int element) {
+  Point centre{0, 0, 0};
+  const int vertices = cellInfo(block.cells[element]).vertices;
+  for (int k = 0; k < vertices; ++k) centre = plus(centre, scaled(1.0 / vertices, block.point(block.nodesOf(element)[k])));
+  return centre;
+}
+
 }  // namespace
 
 ElementGraph elementGraph(const CellBlock& block) {
@@ -67,6 +74,8 @@ ElementGraph elementGraph(const CellBlock& block) {
   graph.offsets.back() = to;
   graph.neighbours.resize(to);
   graph.neighbours.shrink_to_fit();
+  if (block.dimension == 3)
+    for (int e = 0; e < block.elements(); ++e) graph.centres.push_back(centreOfVertices(block, e));
   return graph;
 }
 
@@ -87,6 +96,7 @@ std::vector<ElementGraph> subgraphs(const ElementGraph& graph, const std::vector
     for (const int other : graph.of(e))
       if (partOf[other] == partOf[e]) own.neighbours.push_back(numberOf[other]);  // ascending, as numbers are
     own.offsets.push_back(static_cast<int>(own.neighbours.size()));
+    if (!graph.centres.empty()) own.centres.push_back(graph.centres[e]);
   }
   return of;
 }

@@ -1,4 +1,5 @@
 #pragma once
+#include <suture/base/Point.hpp>
 #include <suture/base/Types.hpp>
 #include <suture/mesh/CellBlock.hpp>
 
@@ -10,6 +11,7 @@ namespace suture {
 struct ElementGraph {
   std::vector<int> offsets{0};  ///< elements + 1
   std::vector<int> neighbours;
+  std::vector<Point> centres;  ///< of the elements of a mesh in space, which planes may cut [length]; else none
 
   int elements() const { return static_cast<int>(offsets.size()) - 1; }
   Span<const int> of(int element) const {
