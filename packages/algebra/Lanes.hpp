@@ -56,8 +56,8 @@ __attribute__((always_inline)) inline void foldInto(const typename Line<Real>::T
   for (int k = 0; k < Line<Real>::count; k += 4) sum += Four<Real>::at(from + k);
 }
 
-/// What processors without vectors of 64 bytes keep in one register: of longer ones GCC keeps the halves in memory, and a scalar product
-/// of 170 numbers takes five times as long.
+/// Numbers that fit one register of processors without vectors of 64 bytes. GCC keeps the halves of longer ones in memory: a scalar product
+/// of 170 numbers then takes five times as long.
 template <typename Real>
 using Register = Lanes<Real, 32>;
 

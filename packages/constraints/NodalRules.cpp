@@ -129,7 +129,7 @@ struct Basis {
   std::vector<const Row*> rows;
   /// Directions that complete those of the rows to three: unit vectors, across the rows' span. In the plane the last is across the plane.
   std::array<Point, 3> directions{};
-  double det = 1.0;  ///< of the three directions
+  double det = 1.0;  ///< determinant of the three directions
 
   Basis(const std::vector<Row>& all, int dimension) {
     for (const Row& row : all)

@@ -22,7 +22,7 @@ struct ProductWeights {
     same.diagonal().tail<3>().setConstant(mu);
     isotropic = (law - same).cwiseAbs().maxCoeff() <= 1e-15 * law.cwiseAbs().maxCoeff();
     if (isotropic) return;
-    constexpr int component[3][3] = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}};  // of a pair of axes
+    constexpr int component[3][3] = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}};  // stress component that a pair of axes names
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j)
         for (int k = 0; k < 3; ++k)
@@ -36,7 +36,7 @@ template <int nodes>
 class GradientProducts {
  public:
   static constexpr int n = 3 * nodes;
-  static constexpr int rows = (n + 3) / 4 * 4;  ///< of the storage: whole packets of four
+  static constexpr int rows = (n + 3) / 4 * 4;  ///< rows of the storage: whole packets of four
 
   /// \param storage  room for rows x n numbers
   explicit GradientProducts(double* storage) : s_(storage) { std::fill_n(s_, rows * n, 0.0); }

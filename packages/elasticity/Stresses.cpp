@@ -45,7 +45,7 @@ Matrix elementStresses(const SubdomainMesh& mesh, const ElasticModel& model, con
 
 namespace {
 
-// Of Mohr's circle.
+// Both principal stresses in the plane, by Mohr's circle.
 Matrix principalInPlane(const Matrix& stresses) {
   Matrix principal(stresses.rows(), 3);
   for (Eigen::Index i = 0; i < stresses.rows(); ++i) {

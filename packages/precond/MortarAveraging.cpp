@@ -79,7 +79,7 @@ std::vector<MatrixRow> normalRows(const InterfaceSpace& torn, const ByRows& m, c
 
 /// Rows that may belong to other ranks; their columns are numbered here, those of the rows first.
 struct Rows {
-  std::vector<GlobalId> ids;  // of the columns, by number
+  std::vector<GlobalId> ids;  // unknown of each column, by number
   std::unordered_map<GlobalId, int> numberOf;
   std::vector<int> start{0}, column;
   std::vector<double> value;
@@ -171,7 +171,7 @@ CholmodFactor factorOf(const Rows& rows) {
 MortarAveraging::MortarAveraging(const InterfaceSpace& space, const InterfaceSpace& torn, const LocalProblems& locals) {
   const Vector stiffness = stiffnessOf(torn, locals);
   std::vector<const InterfaceRelation*> mine;   // rows whose expressed unknown is owned here
-  std::vector<Eigen::Triplet<double>> entries;  // of M
+  std::vector<Eigen::Triplet<double>> entries;  // entries of M
   std::vector<double> weights;                  // Delta_s
   double least = 1e300, most = 0.0;
   for (const InterfaceRelation& relation : space.relations()) {

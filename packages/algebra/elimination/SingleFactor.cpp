@@ -110,7 +110,7 @@ void SingleFactor::substitute(float* y, float* x) const {
   }
 }
 
-/// Of up to `columns` right-hand sides.
+/// Applies the factor to up to `columns` right-hand sides.
 template <int columns>
 void SingleFactor::applyTo(ConstLocalView r, LocalView z) const {
   const std::size_t n = unknownOf_.size();

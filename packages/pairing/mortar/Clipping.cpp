@@ -9,7 +9,7 @@ namespace suture {
 
 namespace {
 
-constexpr double kNoArea = 1e-15;  // of two polygons' common part, relative to the smaller one
+constexpr double kNoArea = 1e-15;  // least common part of two polygons, relative to the smaller one
 
 /// Twice the area of a triangle, positive where its corners run counter-clockwise.
 double turn(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c) {

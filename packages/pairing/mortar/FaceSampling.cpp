@@ -13,7 +13,7 @@ constexpr double kSnap = 1e-12;         // distance of a corner from an edge on 
 constexpr double kRound = 1e-15;        // the same relative to the coordinates
 constexpr double kBeyond = 1e-9;        // distance beyond an edge at which a node still stands opposite to a facet, relative to the facet
 constexpr double kLayered = 1e-9;       // area of common parts beyond that of the facet, relative to it
-constexpr int kCurvedDegree = 5, kMostDegree = 10;  // of quadratures: over parts of curved faces, of distorted sides
+constexpr int kCurvedDegree = 5, kMostDegree = 10;  // degrees of quadratures: over parts of curved faces, of distorted sides
 constexpr double kDistorted = 1e-9;                 // terms of integrands left out
 
 std::vector<MortarFace> facesOf(const Mesh& mesh, const Surface& surface) {

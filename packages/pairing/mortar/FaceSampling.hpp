@@ -68,7 +68,7 @@ class FaceSampling : public MortarSampling {
   std::vector<MortarFace> own_, other_;
   std::vector<SmoothFace> ownSmooth_, otherSmooth_;
   std::vector<Facet> ownFacets_, facets_;  // facets_: of the other face
-  std::vector<int> firstFacet_;            // of each own side, and their number
+  std::vector<int> firstFacet_;            // first facet of each own side, and the number of all
   PairSearch search_;
   std::map<int, double> hats_;
 };

@@ -8,7 +8,7 @@
 namespace suture {
 namespace {
 
-constexpr double kWindow = 0.1;      // of the elements: how far a plane may be from the share that is wanted, to lie between two layers
+constexpr double kWindow = 0.1;      // part of the elements by which a plane may miss the wanted share, to lie between two layers
 constexpr double kParallel = 0.99;   // cosine of directions that are one
 constexpr double kPreferred = 1.05;  // more sides that a plane may cut than the other bisection: its parts have fewer neighbours
 

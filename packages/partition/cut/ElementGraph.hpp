@@ -11,7 +11,7 @@ namespace suture {
 struct ElementGraph {
   std::vector<int> offsets{0};  ///< elements + 1
   std::vector<int> neighbours;
-  std::vector<Point> centres;  ///< of the elements of a mesh in space, which planes may cut [length]; else none
+  std::vector<Point> centres;  ///< centres of the elements in space, by which planes cut [length]; none in the plane
 
   int elements() const { return static_cast<int>(offsets.size()) - 1; }
   Span<const int> of(int element) const {
