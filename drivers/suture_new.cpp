@@ -100,7 +100,7 @@ void tell(std::ostream& out, const NewScene& scene, const fs::path& output) {
   out << output.string() << ": " << (scene.bodies.names.size() == 1 ? "1 body" : std::to_string(scene.bodies.names.size()) + " bodies")
       << ", " << counted(scene.groups.size(), sides) << ", " << counted(scene.contacts.all.size(), "contact") << " proposed\n";
   for (const proposal::Contact& contact : scene.contacts.all)
-    out << "   contact: " << contact.sideA << " on " << joinNames(contact.sideB) << ", " << distanceText(contact) << "\n";
+    out << "   contact: " << joinNames(contact.sideA) << " on " << joinNames(contact.sideB) << ", " << distanceText(contact) << "\n";
   for (const proposal::Contact& contact : scene.contacts.all)
     for (const std::string& problem : contact.problems) out << "   note: left out of the scene: " << problem << "\n";
   for (const std::string& note : scene.contacts.notes) out << "   note: " << note << "\n";

@@ -113,11 +113,20 @@ std::map<int, std::vector<Side>> unnamedSides(const Mesh& mesh, const std::vecto
   return result;
 }
 
-bool strictlyWithin(const Group& small, const Group& large) {
-  if (small.all.size() >= large.all.size()) return false;
+bool within(const Group& small, const Group& large) {
+  if (small.all.size() > large.all.size() || small.bodies != large.bodies) return false;
   std::set<Key> keys;
   for (const Side& side : large.all) keys.insert(keyOf(side));
   return std::all_of(small.all.begin(), small.all.end(), [&](const Side& side) { return keys.count(keyOf(side)) > 0; });
+}
+bool strictlyWithin(const Group& small, const Group& large) { return small.all.size() < large.all.size() && within(small, large); }
+
+/// True of a group whose sides have a shorter name as well, which counts, as of bodies.
+bool isAnotherName(const Group& group, const std::vector<Group>& groups) {
+  const auto rank = [](const Group& one) { return std::make_pair(one.name.size(), one.name); };
+  return std::any_of(groups.begin(), groups.end(), [&](const Group& other) {
+    return other.all.size() == group.all.size() && rank(other) < rank(group) && within(group, other);
+  });
 }
 
 /// Asks the checks of suture_solve.
@@ -125,17 +134,42 @@ void check(const Mesh& mesh, std::vector<Contact>& proposed) {
   std::vector<suture::Contact> contacts;
   for (const Contact& contact : proposed) {
     suture::Contact one;
-    one.path = std::to_string(contacts.size());
-    one.groupsA = {contact.sideA};
+    one.path = nameOf(contact);
+    one.groupsA = contact.sideA;
     one.groupsB = contact.sideB;
     contacts.push_back(one);
   }
   Problems problems;
   contactsOn(mesh, contacts, problems);
-  for (const Problem& problem : problems.list()) proposed[std::stoul(problem.path)].problems.push_back(problem.message);
+  for (const Problem& problem : problems.list())
+    for (Contact& contact : proposed)
+      if ((problem.path + "/").rfind(nameOf(contact) + "/", 0) == 0) contact.problems.push_back(problem.message);
 }
 
+/// A contact that grows, one side after the other.
+struct Growing {
+  Contact contact;
+  int body;      // of Side A
+  Facing whole;  // of Side A
+
+  bool faces(const std::string& group) const { return std::find(contact.sideB.begin(), contact.sideB.end(), group) != contact.sideB.end(); }
+  void add(const std::string& group, const Facing& facing, double gap) {
+    if (!faces(group)) contact.sideB.push_back(group);
+    if (gap < contact.gap) {
+      contact.gap = gap;
+      contact.normal = facing.normal;
+    }
+    whole.nodes += facing.nodes;
+    whole.sum = plus(whole.sum, facing.sum);
+  }
+};
+
 }  // namespace
+
+std::string nameOf(const Contact& contact) {
+  const auto first = [](const std::vector<std::string>& side) { return side[0] + (side.size() > 1 ? " and others" : ""); };
+  return first(contact.sideA) + " on " + first(contact.sideB);
+}
 
 std::vector<Group> groupsOf(const Mesh& mesh) {
   std::vector<Group> result;
@@ -166,7 +200,8 @@ Contacts proposeContacts(const Mesh& mesh, const std::vector<Group>& groups) {
   const auto boxes = boxesOf(mesh);
   const auto reach = [&](int a, int b) { return kReach * std::min(diagonal(boxes[a]), diagonal(boxes[b])); };
   std::vector<std::unique_ptr<Face>> faces;
-  for (const Group& group : groups) faces.push_back(group.body >= 0 ? std::make_unique<Face>(mesh, group.all) : nullptr);
+  for (const Group& group : groups)
+    faces.push_back(group.body >= 0 && !isAnotherName(group, groups) ? std::make_unique<Face>(mesh, group.all) : nullptr);
 
   std::map<std::pair<int, int>, Facing> found;  // both ways
   for (std::size_t i = 0; i < groups.size(); ++i)
@@ -192,7 +227,7 @@ Contacts proposeContacts(const Mesh& mesh, const std::vector<Group>& groups) {
     pair = coarse ? found.erase(pair) : std::next(pair);
   }
 
-  Contacts result;
+  std::vector<Growing> growing;
   std::set<std::pair<int, int>> open;
   for (const auto& [pair, facing] : found)
     if (found.count({pair.second, pair.first})) open.insert(pair);
@@ -202,26 +237,29 @@ Contacts proposeContacts(const Mesh& mesh, const std::vector<Group>& groups) {
     int widest = open.begin()->first;
     for (const auto& [i, count] : partners)
       if (count > partners[widest]) widest = i;
-    Contact contact;
-    contact.sideA = groups[widest].name;
-    contact.gap = std::numeric_limits<double>::infinity();
-    Facing whole;
+    // A side is in one contact only: another group of the same body that faces the same sides joins it.
+    auto one = std::find_if(growing.begin(), growing.end(), [&, widest = widest](const Growing& other) {
+      return other.body == groups[widest].body && std::any_of(open.begin(), open.end(), [&](const std::pair<int, int>& pair) {
+               return pair.first == widest && other.faces(groups[pair.second].name);
+             });
+    });
+    if (one == growing.end()) {
+      one = growing.insert(growing.end(), {Contact(), groups[widest].body, Facing()});
+      one->contact.gap = std::numeric_limits<double>::infinity();
+    }
+    one->contact.sideA.push_back(groups[widest].name);
     for (const auto& [pair, facing] : found) {
       if (pair.first != widest || !open.count(pair)) continue;
-      contact.sideB.push_back(groups[pair.second].name);
       const double rounding = 1e-12 * reach(groups[widest].body, groups[pair.second].body) / kReach;
-      const double gap = std::abs(facing.gap) > rounding ? facing.gap : 0.0;
-      if (gap < contact.gap) {
-        contact.gap = gap;
-        contact.normal = facing.normal;
-      }
-      whole.nodes += facing.nodes;
-      whole.sum = plus(whole.sum, facing.sum);
+      one->add(groups[pair.second].name, facing, std::abs(facing.gap) > rounding ? facing.gap : 0.0);
       open.erase(pair);
       open.erase({pair.second, pair.first});
     }
-    if (norm(whole.sum) > kSense * whole.nodes) contact.normal = unit(whole.sum);
-    result.all.push_back(std::move(contact));
+  }
+  Contacts result;
+  for (Growing& one : growing) {
+    if (norm(one.whole.sum) > kSense * one.whole.nodes) one.contact.normal = unit(one.whole.sum);
+    result.all.push_back(std::move(one.contact));
   }
 
   check(mesh, result.all);

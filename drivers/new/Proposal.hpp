@@ -33,12 +33,14 @@ std::vector<Group> groupsOf(const Mesh& mesh);
 
 /// Sides of different bodies that face each other.
 struct Contact {
-  std::string sideA;                  ///< a side group
+  std::vector<std::string> sideA;     ///< side groups of one body
   std::vector<std::string> sideB;     ///< side groups of other bodies
   double gap = 0.0;                   ///< least distance between nodes of the two, along their normals; < 0: drawn to overlap [length]
   Point normal{0, 0, 0};              ///< mean outward normal of Side A where it faces Side B; of a side that faces all around, at the gap
   std::vector<std::string> problems;  ///< by which suture_solve would refuse it
 };
+/// The name of a contact in the scene.
+std::string nameOf(const Contact& contact);
 struct Contacts {
   std::vector<Contact> all;
   std::vector<std::string> notes;  ///< sides that face another body and belong to no group

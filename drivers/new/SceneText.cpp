@@ -247,7 +247,7 @@ void contacts(Writer& out, const NewScene& scene) {
   }
   out.open("Contact");
   for (const Contact& contact : scene.contacts.all) {
-    const std::string name = contact.sideA + " on " + (contact.sideB.size() == 1 ? contact.sideB[0] : contact.sideB[0] + " and others");
+    const std::string name = nameOf(contact);
     if (!contact.problems.empty()) {
       out.example("FILL IN: " + name + ", " + distanceText(contact) + ", is left out: " + joinNames(contact.problems),
                   {"<ParameterList name=\"" + inComment(escaped(name)) + "\">", "  " + entry("Side A", "string", "..."),
@@ -256,11 +256,8 @@ void contacts(Writer& out, const NewScene& scene) {
     }
     out.open(name);
     out.comment("proposed: " + distanceText(contact));
-    out.parameter("Side A", "string", contact.sideA);
-    if (contact.sideB.size() == 1)
-      out.parameter("Side B", "string", contact.sideB[0]);
-    else
-      out.parameter("Side B", "Array(string)", array(contact.sideB));
+    for (const auto& [side, names] : {std::make_pair("Side A", contact.sideA), std::make_pair("Side B", contact.sideB)})
+      out.parameter(side, names.size() == 1 ? "string" : "Array(string)", names.size() == 1 ? names[0] : array(names));
     out.close();
   }
   out.close();

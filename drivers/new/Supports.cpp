@@ -29,7 +29,8 @@ class Rule {
     for (const Contact& contact : contacts.all) {
       if (!contact.problems.empty()) continue;
       contacts_.push_back(contact);
-      std::vector<const Group*> sides{named(contact.sideA)};
+      std::vector<const Group*> sides;
+      for (const std::string& side : contact.sideA) sides.push_back(named(side));
       for (const std::string& side : contact.sideB) sides.push_back(named(side));
       sides_.push_back(sides);
     }

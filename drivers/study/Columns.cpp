@@ -35,7 +35,7 @@ bool isKnown(const std::string& path) {
 const std::vector<std::pair<std::string, std::string>>& namedColumns() {
   static const std::vector<std::pair<std::string, std::string>> named{
       {"dofs", "dofs"},
-      {"h", "1 / sqrt(elements)"},
+      {"h", "exp(0 - ln(elements) / dimension)"},
       {"subdomains", "subdomains"},
       {"interface_dofs", "interface_dofs"},
       {"coarse", "preconditioner.coarse_size"},

@@ -34,7 +34,7 @@ Schema bandsSchema() {
 
 Schema ordersSchema() {
   Schema order("The slope of log Y over log X, fitted by least squares; missed: exit code 4.");
-  order.text("X", "h", "A column, a path of summary.json, or a formula of them; h is 1 / sqrt(elements).");
+  order.text("X", "h", "A column, a path of summary.json, or a formula of them; h is elements^(-1 / dimension).");
   order.text("Y", std::nullopt, "An error: a column, a path of summary.json, or a formula of them.");
   order.texts("Where", std::vector<std::string>{}, "Rows that count, as sweep=label or sweep=label|label; by default all.");
   order.texts("By", std::vector<std::string>{}, "Sweeps: each combination of their labels is fitted by itself.");

@@ -16,7 +16,7 @@ constexpr double kZeroEntry = 1e-14;     // entry of a constraint that counts as
 constexpr double kMostCondition = 1e13;  // condition of the small matrix: beyond it a constraint follows from the others
 constexpr double kHeld = 1e-6;           // least that held unknowns tell of a motion of length one
 // Largest relative change of an image that single precision may make: conjugate gradients do not notice it.
-constexpr double kSingleAccuracy = 1e-4;
+constexpr double kSingleAccuracy = 1e-3;
 constexpr double kMostJumpForSingle = 1e3;  // largest by smallest diagonal: soft cells would have no digits
 
 /// Entry of a row that has one only, or -1.

@@ -39,20 +39,23 @@ void noteInterference(const ContactSurface& contact, const PairedSurface& paired
                       std::vector<std::string>& notes) {
   const std::vector<ContactPair>& pairs = paired.pairs;
   const std::vector<std::vector<int>> beside = neighbourPairs(paired.cells, static_cast<int>(pairs.size()));
-  double deepest = 0;
+  const int dimension = contact.a.surface->dimension();
+  const auto spacing = [&](std::size_t i) { return beside[i].empty() ? 0.0 : distance(pairs[i], pairs[beside[i].front()]); };
+  double deepest = 0, widest = 0;
+  for (std::size_t i = 0; i < pairs.size(); ++i) widest = std::max(widest, spacing(i));
   Point place{0, 0, 0};
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     const double depth = -pairs[i].gap, doubt = paired.gapDoubts.empty() ? 0.0 : std::abs(paired.gapDoubts[i]);
-    const double size = beside[i].empty() ? 0.0 : distance(pairs[i], pairs[beside[i].front()]);
-    // The linear function nearest to the gap of curves that touch lies below zero there.
-    const double touch = pairs[i].ends.size() > 2 ? std::abs(bendAt(pairs, beside, static_cast<int>(i))) / 8 : 0.0;
+    const double size = beside[i].empty() ? widest : spacing(i);
+    // The linear function nearest to the gap of sides that touch lies below zero there, by as much for each direction along them.
+    const double touch = pairs[i].ends.size() > 2 ? (dimension - 1) * std::abs(bendAt(pairs, beside, static_cast<int>(i))) / 8 : 0.0;
     if (depth > std::max({deepest, kNoInterference * size, 2 * doubt, touch})) deepest = depth, place = pairs[i].position;
   }
   if (deepest <= 0) return;
   char depth[60];
   std::snprintf(depth, sizeof depth, "%.1e%s%s", deepest, unit.empty() ? "" : " ", unit.c_str());
   notes.push_back("contact '" + contact.name + "': " + (contact.initialGap ? "given" : "drawn") + " interference " + depth +
-                  ", deepest at " + placeText(place, contact.a.surface->dimension()));
+                  ", deepest at " + placeText(place, dimension));
 }
 
 void estimatePressures(const std::vector<ContactSurface>& contacts, const std::vector<PairedSurface>& paired, Constraints& constraints) {

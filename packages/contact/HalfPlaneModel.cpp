@@ -45,6 +45,7 @@ ClosedSet solveWindow(const RigidContact& rigid, int first, int last, const Vect
 
 ClosedSet HalfPlaneModel::closedSet(const ClosedSet& closed, const ClosedSet& flipped, const Vector& force,
                                     const Vector& penetration) const {
+  if (rigid_.data().surfaces) return flipped;  // bodies in space are no half-planes
   const std::vector<int>& line = rigid_.data().line;
   const int pairs = rigid_.pairs();
   ClosedSet set = flipped;

@@ -28,6 +28,7 @@ class RigidContact {
     std::vector<int> line;  ///< contact line of each pair; successive pairs of one line are neighbours
     std::vector<std::vector<int>> bodies;  ///< bodies that each pair touches. Empty: all pairs belong together
     std::vector<char> able;                ///< pairs that can change; others have no free unknowns, and rows of zeros
+    bool surfaces = false;                 ///< pairs of one line lie on a surface, in no order
   };
 
   explicit RigidContact(Pairs pairs);
@@ -35,7 +36,8 @@ class RigidContact {
   int pairs() const { return static_cast<int>(pairs_.line.size()); }
   int motions() const { return static_cast<int>(pairs_.work.size()); }
   const Pairs& data() const { return pairs_; }
-  /// Compliance of each pad, as start() left it: max(2, closed pairs in a row) / k, that of a patch of contact. [length / force]
+  /// Compliance of each pad, as start() left it: that of a patch of contact: max(2, n) / k, n closed pairs in a row, or on a surface
+  /// max(2, 0.9 sqrt(n)) / k. [length / force]
   const Vector& compliance() const { return compliance_; }
 
   struct Equilibrium {
@@ -77,6 +79,7 @@ class RigidContact {
 
  private:
   void findComponents();
+  Vector patchLengths(const ClosedSet& set) const;
   int bodies() const;
   Vector scaleOf(DisjointSets sets, const ClosedSet& closed, const Vector& values, bool least) const;
 

@@ -115,6 +115,7 @@ RigidContact::Pairs ContactBodies::gatherPairs(const Comm& comm, const Meshes& m
   pairs.penetration = Vector::Zero(count);
   pairs.stiffness = Vector::Ones(count);
   pairs.line.assign(count, -1);
+  pairs.surfaces = dimension_ == 3;
   pairs.able.assign(count, 0);
   pairs.bodies.resize(count);
   for (const auto& [id, pair] : own) {

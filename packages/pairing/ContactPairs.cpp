@@ -30,6 +30,21 @@ PairedSurface pairsOf(const Mesh& mesh, const ContactSurface& contact, Problems&
   return mortar;
 }
 
+/// Triangles of a side in space that has pairs at all vertices and at some of its other nodes, around one of these.
+/// \param pairs  of the nodes of the side, -1 where there is none
+std::vector<std::vector<int>> trianglesAround(const std::vector<int>& pairs, int vertices) {
+  std::vector<int> ring;
+  for (int v = 0; v < vertices; ++v)
+    for (const int pair : {pairs[v], pairs[vertices + v]})
+      if (pair >= 0) ring.push_back(pair);
+  const bool fromCentre = static_cast<int>(pairs.size()) > 2 * vertices && pairs.back() >= 0;
+  const int apex = fromCentre ? pairs.back() : *std::find_if(pairs.begin() + vertices, pairs.end(), [](int pair) { return pair >= 0; });
+  std::vector<std::vector<int>> cells;
+  for (std::size_t i = 0; i < ring.size(); ++i)
+    if (const int next = ring[(i + 1) % ring.size()]; ring[i] != apex && next != apex) cells.push_back({apex, ring[i], next});
+  return cells;
+}
+
 }  // namespace
 
 PairedSurface pairSurface(const Mesh& mesh, const ContactSurface& contact, Problems& problems, std::vector<std::string>& notes) {
@@ -42,16 +57,26 @@ std::vector<std::vector<int>> cellsOf(const Surface& surface, const std::vector<
   for (const ContactPair& pair : pairs) pairAt[pair.node()] = pair.id;
   std::vector<std::vector<int>> cells;
   for (int side = 0; side < surface.sides(); ++side) {
-    const std::vector<int>& nodes = surface.nodesOf(side);
-    // A side whose vertices alone carry pairs is one cell.
-    const bool some =
-        surface.dimension() == 2 || std::any_of(nodes.begin() + surface.facets(side), nodes.end(), [&](int n) { return pairAt.count(n); });
-    const int count = some ? static_cast<int>(nodes.size()) : surface.facets(side);
-    for (const std::vector<int>& local : linearCells(count, surface.dimension())) {
+    std::vector<int> own;
+    for (const int node : surface.nodesOf(side)) {
+      const auto found = pairAt.find(node);
+      own.push_back(found == pairAt.end() ? -1 : found->second);
+    }
+    if (surface.dimension() == 3) {
+      const int vertices = surface.facets(side);
+      const auto others = own.begin() + vertices;
+      const bool whole = std::count(own.begin(), others, -1) == 0;
+      if (std::count(others, own.end(), -1) == own.end() - others) {
+        own.erase(others, own.end());  // a side whose vertices alone carry pairs is one cell
+      } else if (whole && std::count(others, own.end(), -1) > 0) {
+        for (std::vector<int>& cell : trianglesAround(own, vertices)) cells.push_back(std::move(cell));
+        continue;
+      }
+    }
+    for (const std::vector<int>& local : linearCells(static_cast<int>(own.size()), surface.dimension())) {
       std::vector<int> cell;
-      for (const int i : local)
-        if (const auto found = pairAt.find(nodes[i]); found != pairAt.end()) cell.push_back(found->second);
-      if (cell.size() == local.size()) cells.push_back(std::move(cell));
+      for (const int i : local) cell.push_back(own[i]);
+      if (std::count(cell.begin(), cell.end(), -1) == 0) cells.push_back(std::move(cell));
     }
   }
   if (surface.dimension() == 3) return cells;

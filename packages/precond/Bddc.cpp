@@ -89,7 +89,7 @@ void Bddc::doCompute() {
   if (isTornAnywhere && computeTorn(all, isTorn)) return;
   torn_ = space();
   const PrimalChoice choice = choose();
-  factor(primalRows(*torn_, choice, levels_.goesOn(all)), all);
+  factor(primalRows(*torn_, choice, levels_.goesOn(all, space()->dimension())), all);
   if (primal_->isAdaptive()) countConstraints(choice.rows);
 }
 
@@ -110,7 +110,7 @@ bool Bddc::computeTorn(int locals, bool isTornHere) {
   torn_ = isTornHere ? space()->torn() : space();
   const PrimalChoice choice = choose();
   const MortarRows mortar(*space(), *torn_, choice);
-  std::vector<PrimalRows> rows = primalRows(*torn_, choice, levels_.goesOn(locals), &mortar);
+  std::vector<PrimalRows> rows = primalRows(*torn_, choice, levels_.goesOn(locals, space()->dimension()), &mortar);
   int mine = 0, any = 0;
   collectively(*space()->comm(), "looking for local problems that a mortar leaves loose", [&] {
     for (std::size_t i = 0; i < all.size(); ++i)

@@ -23,7 +23,7 @@ void Bddc::assembleCoarse(std::vector<PrimalRows> constraints, int locals) {
   // Rows of several terms name unknowns that other local problems determine. A cluster without these has motions of which its constraints
   // to other clusters tell little: the condition grows to 1e3 and beyond.
   CoarseOptions levels = levels_;
-  exactInstead_ = any && levels.goesOn(locals);
+  exactInstead_ = any && levels.goesOn(locals, coarse.dimension);
   if (exactInstead_) levels.above = locals;
   coarse_ = makeCoarseSolve(space()->comm(), std::move(coarse), locals, levels);
 }

@@ -58,8 +58,10 @@ Json errors(const Solution& answer) {
 Json outer(const Solution& answer, const std::vector<OuterRow>& rows) {
   double condition = 0.0;
   for (const OuterRow& row : rows) condition = std::max(condition, row.condition);
-  return {{"solver", answer.outerSolver}, {"iterations", answer.iterations}, {"pcg_total", answer.pcgTotal},
-          {"condition", condition},       {"residual", answer.residual},     {"estimates", answer.estimates}};
+  return {{"solver", answer.outerSolver}, {"iterations", answer.iterations},
+          {"pcg_total", answer.pcgTotal}, {"other_applications", answer.otherApplications},
+          {"condition", condition},       {"residual", answer.residual},
+          {"estimates", answer.estimates}};
 }
 
 Json contact(const Run& run, int dimension) {

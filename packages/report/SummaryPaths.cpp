@@ -32,6 +32,7 @@ const std::vector<std::string>& summaryPaths() {
       "outer.solver",
       "outer.iterations",
       "outer.pcg_total",
+      "outer.other_applications",
       "outer.condition",
       "outer.residual",
       "outer.estimates.<name>",

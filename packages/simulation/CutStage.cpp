@@ -25,12 +25,9 @@ bool mayBeMortar(const Parameters& contact) {
 MadeFor madeFor(const Parameters& scene) {
   MadeFor lists;
   for (const char* name : {"Bodies", "Boundary Conditions", "Constants", "Contact", "Functions"}) lists[name] = toXml(scene.sublist(name));
-  lists["Model"] = isAxisymmetric(scene) ? "axisymmetric" : "plane";
+  lists["Model"] = scene.get<std::string>("Model");
   // The gap between curved sides depends on which of the bodies gives way more.
-  if (mayBeMortar(scene.sublist("Contact"))) {
-    lists["Materials"] = toXml(scene.sublist("Materials"));
-    lists["Model"] = scene.get<std::string>("Model");
-  }
+  if (mayBeMortar(scene.sublist("Contact"))) lists["Materials"] = toXml(scene.sublist("Materials"));
   return lists;
 }
 

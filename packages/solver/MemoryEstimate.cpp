@@ -49,7 +49,7 @@ double estimatedMegabytes(const std::vector<SubdomainMesh>& meshes) {
     const double b = shared * d + static_cast<double>(mesh.contactEnds.size()), c = couplings(mesh);
     if (mesh.dimension == 3) {
       const CostModel cost(3);
-      bytes += 180 * n + 12 * (9 * c + 6 * nodes) + cost.factorBytes(std::max(2.0, n - b), 10.0) + cost.factorBytes(n, 4.0) + 800 * b;
+      bytes += 180 * n + 12 * (9 * c + 6 * nodes) + cost.factorBytes(std::max(2.0, n - b), 5.0) + cost.factorBytes(n, 4.0) + 800 * b;
       continue;
     }
     bytes += 130 * n + 12 * (d * d * c + d * (d + 1) / 2 * nodes) + 6 * c * d * std::log2(n) + 6.6 * b * b + 200 * b;

@@ -15,6 +15,7 @@ struct OuterFigures {
   std::string failure;        ///< why not
   int iterations = 0;         ///< outer iterations
   int pcgTotal = 0;           ///< PCG steps of the outer iterations, failed ones included, without the auxiliary ones
+  int otherApplications = 0;  ///< applications among them that no step of conjugate gradients made: residuals, gaps closed
   double residual = 0.0;      ///< at the end, in the stopping norm
   double energyError = -1.0;  ///< algebraic error at the end in the energy norm, estimated; negative: not known
   std::optional<DiscretisationError> discretisation;  ///< estimated, if the scene or an automatic tolerance asks for it

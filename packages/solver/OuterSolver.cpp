@@ -231,6 +231,7 @@ OuterResult OuterSolver::solve(const InterfaceProblem& problem, const OuterSetti
   }
   run.evaluation = problem.evaluate(result.state, 10.0 * settings.tolerance);
   result.pcgTotal += run.evaluation.applications;
+  result.otherApplications += run.evaluation.applications;
   result.residual = run.norm(run.evaluation);
   result.state.status = run.evaluation.next;
   // The error of the auxiliary solution is known as long as all pairs stay closed.

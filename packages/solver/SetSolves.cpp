@@ -74,6 +74,7 @@ void SetSolves::evaluateStart() {
   run_.automatic.startsFrom(reference_);
   run_.evaluation = sets_.evaluateSet(state, finalResolution());
   run_.result.pcgTotal += applications + run_.evaluation.applications;
+  run_.result.otherApplications += applications + run_.evaluation.applications;
   run_.result.residual = norm(*run_.evaluation.residual, state);
   run_.result.state = state;
   run_.confirm();
@@ -153,6 +154,7 @@ bool SetSolves::oneSolve(InterfaceState& state, bool goOn, int level, InnerResul
     return true;
   }
   run_.result.pcgTotal += cost.pcg + applications;
+  run_.result.otherApplications += applications;
   run_.result.failure = "a linear solve did not reach its tolerance within " + std::to_string(run_.settings.maximumInnerIterations) +
                         " iterations; a Preconditioner/BDDC/Edge Constraints of Adaptive may help";
   return false;
@@ -202,6 +204,7 @@ ContactAnswer SetSolves::solve(const ClosedSet& closed, int level) {
       }
       if (!std::isfinite(residual)) throw NumericalError("a residual is not a number");
       cost.pcg += applications + at.applications;
+      run_.result.otherApplications += applications + at.applications;
       answer.force = at.force;
       answer.penetration = at.penetration;
       answer.forceTolerance = at.forceTolerance;
@@ -244,6 +247,7 @@ ContactOracle::Change SetSolves::redistribute(const ClosedSet& closed, const Vec
     const InnerResult cost =
         run_.inner.solve(linear.matrix, run_.preconditioner, *load, *step_, run_.settings.tolerance, 0.0, run_.monitor);
     run_.result.pcgTotal += cost.pcg + applications;
+    run_.result.otherApplications += applications;
     if (!cost.converged) return change;
     sets_.pairChanges(*step_, state.status, given, change.force, change.penetration);
   } catch (const NumericalError& error) {

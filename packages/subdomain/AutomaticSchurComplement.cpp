@@ -25,7 +25,9 @@ void AutomaticSchurComplement::doCompute(const SchurData& data) {
     own_ = std::make_unique<ExplicitSchurComplement>();
   } else {
     name_ = "Implicit";
-    own_ = std::make_unique<ImplicitSchurComplement>();
+    // In space factors are most of the memory; in the plane they are small.
+    own_ = std::make_unique<ImplicitSchurComplement>(data.dimension == 3 ? ImplicitSchurComplement::Precision::Single
+                                                                         : ImplicitSchurComplement::Precision::Double);
   }
   own_->compute(data);
 }

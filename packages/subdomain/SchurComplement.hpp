@@ -63,22 +63,37 @@ class SchurComplement {
 void registerBuiltIns(Registry<SchurComplement>& registry);
 
 /// The paper's: a factor of A_II beside the stiffness matrix A; an application is one back-substitution and two products with A, whose
-/// blocks are not kept a second time.
+/// blocks are not kept a second time. The factor may be kept in single precision, M, half the memory: with the extension
+/// E = [I; -M A_IB], nearly harmonic, an application is that of E^T A E, which is positive definite as S is and differs from it by the
+/// square of what rounding M did; it takes a second back-substitution and a third product. That is tried, and double precision stays where
+/// the difference can be seen.
 class ImplicitSchurComplement : public SchurComplement {
  public:
+  enum class Precision { Double, Single };
+
   static Schema schema();
+  explicit ImplicitSchurComplement(Precision precision = Precision::Double);
+  explicit ImplicitSchurComplement(const Parameters& own);
+  ~ImplicitSchurComplement() override;
+
   const Vector& condensedLoad() const override { return condensedLoad_; }
   Vector recover(const Vector& trace) const override;
   double interiorEnergy() const override { return interiorEnergy_; }
+  /// The precision of the factor that is kept.
+  Precision precision() const { return single_ ? Precision::Single : Precision::Double; }
 
  protected:
   void doCompute(const SchurData& data) override;
   void doApply(ConstLocalView trace, LocalView flux) const override;
 
  private:
+  void tryInSinglePrecision();
+
+  Precision wanted_;
   const SymmetricMatrix* stiffness_ = nullptr;
   std::vector<int> interior_, boundary_;
-  std::unique_ptr<LocalSolver> interiorSolver_;
+  std::unique_ptr<LocalSolver> interiorSolver_;  // factor of A_II, or
+  std::unique_ptr<SingleFactor> single_;         // the same in single precision, in the numbers of A
   Vector condensedLoad_, interiorResponse_;
   double interiorEnergy_ = 0.0;
 };

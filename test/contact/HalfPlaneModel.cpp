@@ -103,5 +103,18 @@ TEUCHOS_UNIT_TEST(HalfPlaneModel, LeavesLongStretchesToTheSigns) {
   }
 }
 
+// Bodies in space are no half-planes: the signs decide.
+TEUCHOS_UNIT_TEST(HalfPlaneModel, LeavesSurfacesToTheSigns) {
+  const Parabola scene(40, 0.02);
+  RigidContact::Pairs data = Parabola::data(40);
+  data.surfaces = true;
+  const ClosedSet closed(40, 1);
+  const auto [force, penetration] = scene.solve(closed);
+  ClosedSet flipped = closed;
+  for (int i = 0; i < 40; ++i) flipped[i] = force(i) > 0.0;
+  TEST_ASSERT(HalfPlaneModel(RigidContact(data)).closedSet(closed, flipped, force, penetration) == flipped);
+  TEST_ASSERT(HalfPlaneModel(scene.rigid).closedSet(closed, flipped, force, penetration) != flipped);
+}
+
 }  // namespace
 }  // namespace suture

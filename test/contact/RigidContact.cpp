@@ -147,5 +147,33 @@ TEUCHOS_UNIT_TEST(RigidContact, ScalesAreThoseOfTheOwnCluster) {
   TEST_EQUALITY(apart(1), 5.0);  // an open pair is measured by what it would join
 }
 
+// A ball falls on a plane: 400 pairs in any order give the same pads, as soft as a disc of as many nodes (Boussinesq).
+TEUCHOS_UNIT_TEST(RigidContact, PadsOnASurfaceDoNotDependOnTheOrderOfPairs) {
+  const int n = 20;
+  std::vector<int> order(n * n);
+  for (int i = 0; i < n * n; ++i) order[i] = (i * 161 + 7) % (n * n);
+  std::vector<ClosedSet> sets;
+  for (const bool mixed : {false, true}) {
+    RigidContact::Pairs pairs = onLines(Matrix::Ones(n * n, 1), Vector::Constant(1, 4.0), Vector::Zero(n * n));
+    pairs.line.assign(n * n, 0);
+    pairs.surfaces = true;
+    for (int i = 0; i < n * n; ++i) {
+      const int at = mixed ? order[i] : i;
+      const double x = at % n - 9.5, y = at / n - 9.5;
+      pairs.penetration(i) = -0.02 * (x * x + y * y);
+    }
+    RigidContact rigid(pairs);
+    const ClosedSet found = rigid.start();
+    ClosedSet set(found.size());
+    for (int i = 0; i < n * n; ++i) set[mixed ? order[i] : i] = found[i];
+    sets.push_back(set);
+    const double closed = static_cast<double>(std::count(set.begin(), set.end(), 1));
+    TEST_COMPARE(closed, >, 20.0);
+    TEST_COMPARE(closed, <, 300.0);
+    TEST_FLOATING_EQUALITY(rigid.compliance().maxCoeff(), 0.9 * std::sqrt(closed), 0.1);
+  }
+  TEST_ASSERT(sets[0] == sets[1]);
+}
+
 }  // namespace
 }  // namespace suture

@@ -55,16 +55,19 @@ def lookUp(summary, path):
 
 
 def evaluate(summary, key):
-    """The number that a key names."""
-    total = None
-    for term in key.split(" + "):
+    """The number that a key names: figures of the summary, added and subtracted."""
+    total, sign = None, 1
+    for term in re.split(r" ([+-]) ", key):
+        if term in "+-":
+            sign = 1 if term == "+" else -1
+            continue
         function, path = re.fullmatch(r"(?:(norm|abs)\()?([^()]+?)\)?", term.strip()).groups()
         value = lookUp(summary, path)
         if function == "norm":
             value = math.sqrt(sum(x * x for x in value))
         elif function == "abs":
             value = abs(value)
-        total = value if total is None else total + value
+        total = value if total is None else total + sign * value
     return total
 
 

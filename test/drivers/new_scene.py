@@ -1,8 +1,8 @@
 """suture_new, and the scene of suture_schema: scenes that run, bodies and contacts found from geometries, refusals. new_scene.py --new PROGRAM --solve PROGRAM
---mpirun "mpirun ..." --work DIR --input FOLDER [--full]
+--mpirun "mpirun ..." --work DIR --input FOLDER [--full | --space]
 
 Geometries become scenes that are solved and verified: those of several bodies with coarse meshes on two ranks, with --full all of the input folder with
-their own on one and two."""
+their own on one and two, with --space geometries in space."""
 import argparse
 import json
 import pathlib
@@ -13,11 +13,13 @@ from harness import arguments, check, finish, run, setting
 
 parser = argparse.ArgumentParser()
 parser.add_argument("--full", action="store_true")
+parser.add_argument("--space", action="store_true")
 options = arguments("--new", "--solve", "--input", "--schema", parser=parser)
 INPUT = pathlib.Path(options.input)
 HERE = pathlib.Path(__file__).resolve().parent
 # Constants that make meshes coarse.
 COARSE = {"arch": "h=.2", "bolted_joint": "h=2", "dovetail": "h=2", "layers": "scale=2", "roller_bearing": "fine=.2"}
+COARSE_IN_SPACE = {"bolted_joint_3d": "h=8", "fault_3d": "order=1", "sphere": "resolution=3", "spheres": "resolution=2"}
 AXISYMMETRIC = {"bolted_joint"}
 # Contacts that are drawn to overlap, and by how much.
 OVERLAPS = {"bolted_joint": {"lower_seat on nut_seat": 0.08}, "shrink_fit": {"bore of the outer on outside of the inner": 0.02}}
@@ -28,6 +30,14 @@ KNOWN = {
     "hertz": (["block", "cylinder"], {("block_contact", "cylinder_contact")}, 0.0),
     "pin": (["lug", "pin"], {("lug_hole", "pin_outside")}, 0.02),
     "rings": (["inner", "outer"], {("inner_contact", "outer_contact")}, 0.0),
+}
+KNOWN_IN_SPACE = {
+    "bolted_joint_3d": (["bolt", "lower", "nut", "upper"], {("bolt_shoulder", "nut_shoulder"), ("head_seat", "upper_seat"), ("lower_joint", "upper_joint"),
+                                                            ("lower_seat", "nut_top")}),
+    "fault_3d": (["left", "right"], {("fault_left", "fault_right")}),
+    "sphere": (["ball"], set()),
+    # The rims of the balls face each other within reach, too.
+    "spheres": (["lower", "upper"], {("{lower_contact, lower_flank}", "{upper_contact, upper_flank}")}),
 }
 
 
@@ -67,6 +77,45 @@ def runs(geometry, ranks, *words):
 if options.full:
     for geometry in sorted(INPUT.rglob("*.geo")):
         runs(geometry, (1, 2))
+    finish()
+
+# Two hexahedral blocks of elements of first and second order, one pressed on the other by a thousandth of its diagonal beyond the gap.
+HEXAHEDRA = """
+DefineConstant[ order = {1}, gap = {.01} ];
+name_0 = "lower"; name_1 = "upper";
+For k In {0:1}
+  p = newp; z = k * (1 + gap); n = 3 + k;
+  Point(p) = {0, 0, z}; Point(p+1) = {2, 0, z}; Point(p+2) = {2, 1, z}; Point(p+3) = {0, 1, z};
+  l = newl; Line(l) = {p, p+1}; Line(l+1) = {p+1, p+2}; Line(l+2) = {p+2, p+3}; Line(l+3) = {p+3, p};
+  c = newll; Curve Loop(c) = {l:l+3}; s = news; Plane Surface(s) = {c};
+  Transfinite Curve {l:l+3} = n + 1; Transfinite Surface {s}; Recombine Surface {s};
+  block() = Extrude {0, 0, 1} { Surface{s}; Layers{n}; Recombine; };
+  Physical Volume(StrCat(name~{k}, "")) = {block(1)};
+  Physical Surface(StrCat(name~{k}, "_bottom")) = {s}; Physical Surface(StrCat(name~{k}, "_top")) = {block(0)};
+  top[k] = block(0);
+EndFor
+Mesh.ElementOrder = order; Mesh.SecondOrderIncomplete = %d;
+"""
+
+if options.space:
+    for name, (bodies, contacts) in KNOWN_IN_SPACE.items():
+        runs(INPUT / name / f"{name}.geo", (2,), "--constant", COARSE_IN_SPACE[name])
+        root = xml.parse(options.work / f"{name}.xml").getroot()
+        check(f"{name}: model", parameter(root, "Model"), "Solid")
+        check(f"{name}: bodies", sorted(e.get("name") for e in sublists(root, "Bodies")), bodies)
+        check(f"{name}: contacts", {(parameter(e, "Side A"), parameter(e, "Side B")) for e in sublists(root, "Contact")}, contacts)
+    check("sides in a plane of symmetry are found", 'value="{lower_x, upper_x}"' in (options.work / "spheres.xml").read_text(), True)
+    geometry = options.work / "hexahedra.geo"
+    for incomplete, order in ((0, 1), (1, 2)):
+        geometry.write_text(HEXAHEDRA % incomplete)
+        runs(geometry, (2,), "--constant", f"order={order}")
+        push = json.loads((options.work / "hexahedra" / "summary.json").read_text())["parameters"]["Boundary Conditions"]["push upper"]["Value"]
+        check("the push closes the gap and presses by a thousandth", push, lambda u: u[:2] == [0, 0] and abs(u[2] + .01 + 1e-3 * 6 ** .5) < 1e-6)
+    # From a mesh whose sides have two names each, as Gmsh writes its .inp files.
+    geometry.write_text(HEXAHEDRA % 0 + 'Physical Surface("second name of it") = {top[0]};\n')
+    code, text, path = new(geometry, "--force", scene="named.xml")
+    check("a second name of a side makes no contact of its own", (code, "contact: lower_top on upper_bottom" in text, "1 contact proposed" in text),
+          (0, True, True))
     finish()
 
 # The documented scene runs as it is: a pressure of 1e6 on a width of 2 goes through the contact.

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """suture_study as a user runs it: a tiny study on some ranks against suture_solve, and studies that are wrong.
 
-study.py figures|ends|bad --ranks N --study PROGRAM --solve PROGRAM --mpirun "mpirun ..." --work DIR --source FOLDER
+study.py figures|ends|bad|space --ranks N --study PROGRAM --solve PROGRAM --mpirun "mpirun ..." --work DIR --source FOLDER
 """
 import argparse
 import csv
@@ -14,7 +14,7 @@ import sys
 from harness import arguments, check, finish, run
 
 parser = argparse.ArgumentParser()
-parser.add_argument("part", choices=["figures", "ends", "bad"])
+parser.add_argument("part", choices=["figures", "ends", "bad", "space"])
 parser.add_argument("--ranks", type=int, required=True)
 options = arguments("--study", "--solve", "--source", parser=parser)
 work = options.work
@@ -214,5 +214,21 @@ def bad(ranks):
     check("--set of the study: nearest", "Did you mean 'Repetitions'?" in text, True)
 
 
-{"figures": figures, "ends": ends, "bad": bad}[options.part](options.ranks)
+def space(ranks):
+    """A study in space: element sizes, and the orders of the theory (energy p, displacement p + 1)."""
+    folder = work / "space"
+    code, text = run(options.study, ranks, source / "test" / "drivers" / "study" / "in_space.xml", "--output", folder)
+    print(text)
+    check("in space: exit code", code, 0)
+    check("in space: all orders kept", (text.count("kept  "), "MISSED" in text), (4, False))
+    rows = table(folder)
+    check("in space: elements", [int(row["elements"]) for row in rows], [64, 512, 6 * 64, 6 * 512])
+    for row, count in zip(rows, (64, 512, 384, 3072)):
+        check(f"in space: size of one of {count} elements of a unit cube", row["h"], lambda h: close(h, count ** (-1 / 3), 1e-9))
+    # Nodes below the top and between the four sides; the bottom slides.
+    check("in space: unknowns", [int(row["dofs"]) for row in rows], [3 * (m - 1) ** 2 * m for m in (4, 8, 8, 16)])
+    check("in space: picture", (folder / "errors.png").stat().st_size if (folder / "errors.png").exists() else 0, lambda b: b > 10000)
+
+
+{"figures": figures, "ends": ends, "bad": bad, "space": space}[options.part](options.ranks)
 finish()

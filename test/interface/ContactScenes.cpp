@@ -3,7 +3,7 @@
 namespace suture::blocks {
 
 std::function<std::unique_ptr<SchurComplement>()> schurOf(const std::string& name) {
-  return [name] { return Registry<SchurComplement>::instance().make(name, Parameters()); };
+  return [name] { return schurComplement(name); };
 }
 
 std::vector<Vector> zeros(const Blocks& all) {

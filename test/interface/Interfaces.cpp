@@ -6,8 +6,7 @@ Interface::Interface(const Scene& given, const CommPtr& comm, const std::vector<
                      const std::string& schur)
     : scene(given),
       all(given, comm, youngOf),
-      problem(comm, all.partition, all.subdomains, localSolver(solver),
-              [schur] { return Registry<SchurComplement>::instance().make(schur, Parameters()); }),
+      problem(comm, all.partition, all.subdomains, localSolver(solver), [schur] { return schurComplement(schur); }),
       closed(problem.initialState()),
       linearised(problem.linearise(closed)),
       space(problem.space()) {

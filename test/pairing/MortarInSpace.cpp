@@ -339,3 +339,18 @@ TEUCHOS_UNIT_TEST(MortarInSpace, TakesTheNearerOfTwoSheets) {
   }
   TEST_FLOATING_EQUALITY(area, 1.0, 1e-12);
 }
+
+// Faces on both ends of both boxes: only those between the boxes meet, whatever lies behind a box is on its far end.
+TEUCHOS_UNIT_TEST(MortarInSpace, DoesNotPairFarEndsThroughTheBodies) {
+  for (const double gap : {0.125, 0.0, -0.125})
+    for (const Contact::Carrier carrier : {Contact::Carrier::SideA, Contact::Carrier::SideB})
+      for (const Cell cell : {Cell::Hexahedron8, Cell::Tetrahedron10}) {
+        const Mesh mesh = facing(cell, 3, 2, Cell::Hexahedron8, 4, 3, gap);
+        Contact contact = mortar(carrier);
+        const PairedSurface expected = pairsOf(mesh, contact);
+        contact.groupsA = {"lower_bottom", "lower_top"}, contact.groupsB = {"upper_bottom", "upper_top"};
+        const PairedSurface found = pairsOf(mesh, contact);
+        TEST_EQUALITY(found.pairs.size(), expected.pairs.size());
+        for (const ContactPair& pair : found.pairs) TEST_FLOATING_EQUALITY(pair.gap + 1.0, gap + 1.0, 1e-13);
+      }
+}

@@ -5,6 +5,7 @@
 #include <suture/pairing/ContactPairs.hpp>
 
 #include <algorithm>
+#include <set>
 
 #include "SpaceScenes.hpp"
 
@@ -65,6 +66,41 @@ TEUCHOS_UNIT_TEST(PairsInSpace, MeasureGapNormalAndAreaOfFacingBoxes) {
       const Point turn = cross(minus(paired.pairs[own[1]].position, paired.pairs[own[0]].position),
                                minus(paired.pairs[own[2]].position, paired.pairs[own[0]].position));
       TEST_COMPARE(turn[2], >, 0.0);
+    }
+  }
+}
+
+TEUCHOS_UNIT_TEST(PairsInSpace, CoverSidesOfWhichSomeMiddleNodesHaveNoPair) {
+  for (const Cell cell : {Cell::Tetrahedron10, Cell::Hexahedron20, Cell::Hexahedron27}) {
+    const Mesh mesh = facing(cell, 3, 2, cell, 3, 2, 0.0);
+    const Surface surface(mesh, mesh.sideGroups.at("lower_top"));
+    std::set<int> vertices;
+    for (int side = 0; side < surface.sides(); ++side)
+      for (int v = 0; v < surface.facets(side); ++v) vertices.insert(surface.nodesOf(side)[v]);
+    for (unsigned every = 1; every < 5; ++every) {  // all other nodes, every second, third, fourth
+      std::vector<ContactPair> pairs;
+      unsigned others = 0;
+      for (const auto& [node, own] : surface.nodes()) {
+        if (!vertices.count(node) && others++ % every != 0) continue;
+        ContactPair pair;
+        pair.id = static_cast<int>(pairs.size());
+        pair.position = own.position;
+        pair.ends = matchingEnds(node, node);
+        pairs.push_back(pair);
+      }
+      double area = 0;
+      std::set<int> covered;
+      for (const std::vector<int>& own : cellsOf(surface, pairs)) {
+        for (std::size_t k = 2; k < own.size(); ++k) {
+          const Point& a = pairs[own[0]].position;
+          const Point turn = cross(minus(pairs[own[k - 1]].position, a), minus(pairs[own[k]].position, a));
+          TEST_COMPARE(turn[2], >, 1e-3);
+          area += turn[2] / 2;
+        }
+        covered.insert(own.begin(), own.end());
+      }
+      TEST_FLOATING_EQUALITY(area, 2.0 * 1.5, 1e-13);
+      TEST_EQUALITY(covered.size(), pairs.size());
     }
   }
 }

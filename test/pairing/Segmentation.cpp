@@ -75,9 +75,11 @@ TEUCHOS_UNIT_TEST(Segmentation, MeetsTheNearestSideFaceToFaceOnly) {
   TEST_FLOATING_EQUALITY(met->gap, 0.25, 1e-14);
   TEST_FLOATING_EQUALITY(met->other->at(met->eta)[0], 0.5, 1e-14);
   TEST_ASSERT(!segmentation.nearest({5, 1, 0}, {0, 1, 0}, 0));
-  const auto behind = segmentation.nearest({0.5, 1, 0}, {0, -1, 0}, 0);  // the lower side of the upper body looks the same way
+  // The upper side looks the other way: it meets a point inside its body, but none below it, behind the body's own lower side.
+  const auto behind = segmentation.nearest({0.5, 1.5, 0}, {0, -1, 0}, 0);
   TEST_ASSERT(behind && behind->other == &upper[2]);
-  TEST_FLOATING_EQUALITY(behind->gap, -1.0, 1e-14);
+  TEST_FLOATING_EQUALITY(behind->gap, -0.5, 1e-14);
+  TEST_ASSERT(!segmentation.nearest({0.5, 1, 0}, {0, -1, 0}, 0));
   TEST_ASSERT(!segmentation.nearest({0.5, 1, 0}, {0, 1, 0}, 1));  // a body does not meet itself
 }
 

@@ -39,7 +39,7 @@ TEUCHOS_UNIT_TEST(ActiveSet, CountsEveryApplicationOfTheOperator) {
       const Blocks all(scene, world(), std::vector<double>(), false);
       std::vector<SchurComplement*> made;
       const auto schur = [&made] {
-        auto one = Registry<SchurComplement>::instance().make("Explicit", Parameters());
+        auto one = schurComplement("Explicit");
         made.push_back(one.get());
         return one;
       };

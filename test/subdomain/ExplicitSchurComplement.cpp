@@ -8,7 +8,7 @@ namespace {
 using namespace blocks;
 
 SubdomainProblem problemOf(const Subdomain& subdomain, const std::string& schur, const std::string& solver = "CHOLMOD") {
-  return {7, subdomain, sharedDofs(subdomain), localSolver(solver), Registry<SchurComplement>::instance().make(schur, Parameters())};
+  return {7, subdomain, sharedDofs(subdomain), localSolver(solver), schurComplement(schur)};
 }
 
 // 3 x 3 blocks of 6 x 6 cells, the left side moved, loaded: held and floating subdomains, one without a free side.
@@ -65,7 +65,7 @@ TEUCHOS_UNIT_TEST(ExplicitSchurComplement, VanishesOnRigidMotionsToRounding) {
 TEUCHOS_UNIT_TEST(ExplicitSchurComplement, CountsItsApplications) {
   const Scene scene = loaded(1.0);
   const Blocks all(scene, alone());
-  const auto schur = Registry<SchurComplement>::instance().make("Explicit", Parameters());
+  const auto schur = schurComplement("Explicit");
   const Subdomain& s = *all.subdomains[4];
   const std::vector<int> boundary = sharedDofs(s), nodes = nodesOfDofs(s);
   schur->compute({s.stiffness(), s.load(), boundary, nodes, placesOfDofs(s), localSolver(), "it"});

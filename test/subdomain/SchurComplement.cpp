@@ -17,16 +17,12 @@ Scene loadedSquare(double young = 2e3) {
   return scene;
 }
 
-Parameters defaultsOf(const std::string& name) { return resolved("Schur", Registry<SchurComplement>::instance().schemas().at(name)); }
-
 struct Case {
   const Subdomain& subdomain;
   std::vector<int> boundary;
   SubdomainProblem problem;
   explicit Case(const Subdomain& s, const std::string& solver = "CHOLMOD", const std::string& schur = "Implicit")
-      : subdomain(s),
-        boundary(sharedDofs(s)),
-        problem(7, s, boundary, localSolver(solver), Registry<SchurComplement>::instance().make(schur, defaultsOf(schur))) {}
+      : subdomain(s), boundary(sharedDofs(s)), problem(7, s, boundary, localSolver(solver), schurComplement(schur)) {}
   Matrix applied() const {
     Matrix flux(problem.size(), problem.size());
     problem.applySchur(Matrix::Identity(problem.size(), problem.size()), flux);
@@ -122,9 +118,41 @@ TEUCHOS_UNIT_TEST(SchurComplement, ASubdomainWithoutInteriorIsItsOwn) {
   const Scene scene = square(2, 1);  // four subdomains of two triangles; all unknowns of the blocks on the boundary
   const Blocks all(scene, alone());
   const Subdomain& s = *all.subdomains[0];
-  SubdomainProblem problem(0, s, range(s.dofs()), localSolver(), Registry<SchurComplement>::instance().make("Implicit", Parameters()));
+  SubdomainProblem problem(0, s, range(s.dofs()), localSolver(), schurComplement("Implicit"));
   TEST_COMPARE(difference(problem.schurBlock(range(s.dofs())), s.stiffness().dense()), <, 1e-14);
   TEST_EQUALITY(problem.constantEnergy(), 0.0);
+}
+
+// A factor in single precision changes neither fluxes nor interiors: their errors are squares of its own.
+TEUCHOS_UNIT_TEST(SchurComplement, IsTheSameByAFactorInSinglePrecision) {
+  using Precision = ImplicitSchurComplement::Precision;
+  Scene scene = square(1, 48, 2e11);
+  scene.hold("body_left", 0, 0.01);
+  scene.hold("body_left", 1, -0.02);
+  scene.pressure("body_top", 3e8);
+  const Blocks all(scene, alone());
+  const Subdomain& s = *all.subdomains[0];
+  std::vector<int> boundary;
+  for (int dof = 0; dof < s.dofs(); ++dof)
+    if (s.mesh().point(s.nodeOf(dof))[0] == 1.0) boundary.push_back(dof);
+  const std::vector<int> nodes = nodesOfDofs(s);
+  const std::vector<Point> places = placesOfDofs(s);
+  ImplicitSchurComplement exact(Precision::Double), single(Precision::Single);
+  for (SchurComplement* schur : {static_cast<SchurComplement*>(&exact), static_cast<SchurComplement*>(&single)})
+    schur->compute({s.stiffness(), s.load(), boundary, nodes, places, localSolver(), "it"});
+  TEST_ASSERT(exact.precision() == Precision::Double);
+  TEST_ASSERT(single.precision() == Precision::Single);
+  const int n = static_cast<int>(boundary.size());
+  Matrix a(n, n), b(n, n), column(n, 1);
+  exact.apply(Matrix::Identity(n, n), a);
+  single.apply(Matrix::Identity(n, n), b);
+  TEST_COMPARE(difference(b, a), <, 1e-12);
+  TEST_COMPARE((b - b.transpose()).norm(), <, 1e-12 * a.norm());
+  single.apply(Matrix::Identity(n, n).col(3), column);
+  TEST_COMPARE(difference(Vector(column.col(0)), Vector(a.col(3))), <, 1e-12);
+  const Vector trace = random(n, 1).col(0);
+  TEST_COMPARE(difference(single.recover(trace), exact.recover(trace)), <, 1e-11);
+  TEST_FLOATING_EQUALITY(single.interiorEnergy(), exact.interiorEnergy(), 1e-13);
 }
 
 }  // namespace

@@ -11,6 +11,11 @@ LocalSolverMaker localSolver(const std::string& name) {
   return localSolverMaker(resolved("Subdomain", subdomainSchema(), {"Local Solver=" + name}));
 }
 
+std::unique_ptr<SchurComplement> schurComplement(const std::string& name) {
+  const auto& registry = Registry<SchurComplement>::instance();
+  return registry.make(name, resolved("Schur", registry.schemas().at(name)));
+}
+
 Blocks::Blocks(const Scene& scene, const CommPtr& comm, const std::vector<double>& youngOf, bool keepGroupsWhole) : model(scene.model) {
   const Parameters cut = resolved("Partition", partitionSchema(), {"Type=Named Groups", "Named Groups/Pattern=subdomain_*"});
   build(scene, comm, cut, youngOf, keepGroupsWhole);

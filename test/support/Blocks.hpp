@@ -8,6 +8,7 @@
 #include <suture/partition/Partition.hpp>
 #include <suture/partition/SubdomainMesh.hpp>
 #include <suture/subdomain/ElasticSubdomain.hpp>
+#include <suture/subdomain/SchurComplement.hpp>
 
 #include <support/DenseAlgebra.hpp>
 
@@ -27,6 +28,8 @@ inline CommPtr alone() { return Teuchos::rcp(new Teuchos::SerialComm<int>()); }
 Parameters resolved(const std::string& list, const Schema& schema, std::vector<std::string> settings = {});
 
 LocalSolverMaker localSolver(const std::string& name = "CHOLMOD");
+/// A strategy with its defaults.
+std::unique_ptr<SchurComplement> schurComplement(const std::string& name);
 
 /// The named blocks of a scene's boxes (Box::blocksX, blocksY) as subdomains, assembled and spread over a communicator.
 struct Blocks {

@@ -35,6 +35,11 @@ class SingleFactor {
   /// z may be the same. Several right-hand sides share passes over the factor. For preconditioners.
   void apply(ConstLocalView r, LocalView z) const;
 
+  /// The factor of a block becomes one of the matrix that it was cut from. \param numbers  unknown of the block -> unknown of the matrix
+  void renumber(const std::vector<int>& numbers) {
+    for (int& unknown : unknownOf_) unknown = numbers[unknown];
+  }
+
   double bytes() const { return static_cast<double>(sizeof(float) * values_.size() + sizeof(int) * rows_.size()); }
 
  private:

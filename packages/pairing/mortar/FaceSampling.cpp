@@ -8,10 +8,12 @@ namespace suture {
 namespace {
 
 constexpr double kAcross = 0.5;         // cosine of the angle up to which two normals are opposite
+constexpr double kEdgeOn = 1e-6;        // cosine of the angle between a normal and a line up to which the line does not cross
 constexpr double kAntiparallel = 1e-9;  // sine of the angle up to which two sides are parallel
 constexpr double kSnap = 1e-12;         // distance of a corner from an edge on which it lies, relative to the facet
 constexpr double kRound = 1e-15;        // the same relative to the coordinates
 constexpr double kBeyond = 1e-9;        // distance beyond an edge at which a node still stands opposite to a facet, relative to the facet
+constexpr double kWithin = 1e-9;        // part of a way at whose ends a facet is not between them
 constexpr double kLayered = 1e-9;       // area of common parts beyond that of the facet, relative to it
 constexpr int kCurvedDegree = 5, kMostDegree = 10;  // degrees of quadratures: over parts of curved faces, of distorted sides
 constexpr double kDistorted = 1e-9;                 // terms of integrands left out
@@ -79,6 +81,13 @@ int degreeOf(const MortarFace& own, const MortarFace& other, Contact::Multiplier
   return std::max(degree, std::min(kMostDegree, degree + static_cast<int>(std::ceil(terms)) - 1));
 }
 
+PlanePoint middleOf(const Polygon& polygon) {
+  PlanePoint middle{0, 0};
+  for (const PlanePoint& corner : polygon)
+    for (int c = 0; c < 2; ++c) middle[c] += corner[c] / static_cast<double>(polygon.size());
+  return middle;
+}
+
 Polygon part(const Polygon& polygon, const std::vector<int>& corners) {
   Polygon some;
   for (const int corner : corners) some.push_back(polygon[corner]);
@@ -127,13 +136,34 @@ bool FaceSampling::isFaceted() const {
          (std::any_of(own_.begin(), own_.end(), isCurved) || std::any_of(other_.begin(), other_.end(), isCurved));
 }
 
-/// Facets of other bodies that face a normal and may meet the lines along it through some points.
-std::vector<const FaceSampling::Facet*> FaceSampling::opposite(const std::vector<Point>& points, const Point& normal, int body) const {
-  std::vector<const Facet*> some;
-  for (const int i : search_.along(points, normal))
-    if (other_[facets_[i].side].body() != body && dot(facets_[i].area, normal) < -kAcross * norm(facets_[i].area))
-      some.push_back(&facets_[i]);
+FaceSampling::Candidates FaceSampling::along(const std::vector<Point>& points, const Point& normal, int body) const {
+  Candidates some;
+  for (const int i : search_.along(points, normal)) {
+    if (other_[facets_[i].side].body() == body) continue;
+    const double across = dot(facets_[i].area, normal) / norm(facets_[i].area);
+    if (across < -kAcross) some.facing.push_back(&facets_[i]);
+    if (across > kEdgeOn) some.leaving.push_back(&facets_[i]);
+  }
   return some;
+}
+
+/// True if the way from a facet behind a point to the point leaves the facet's body again: it is no interference, the bodies lie beside
+/// each other, and the facet is on the far end of one. \param place, from  the point, over the plane of the projection
+bool FaceSampling::isThrough(const Facet& facet, const PlanePoint& place, double from, const Projection& projection,
+                             const std::vector<const Facet*>& leaving) const {
+  const auto wayTo = [&](const Facet& to) { return projection.wayTo(to.points[0], to.area, place) - from; };
+  const double gap = wayTo(facet);
+  if (gap >= 0.0) return false;
+  const int body = other_[facet.side].body();
+  return std::any_of(leaving.begin(), leaving.end(), [&](const Facet* other) {
+    if (other_[other->side].body() != body) return false;
+    const double way = wayTo(*other);
+    if (way >= kWithin * gap || way <= (1 - kWithin) * gap) return false;
+    const Polygon polygon = projection(other->points);
+    const auto parts = convexParts(polygon);
+    return std::any_of(parts.begin(), parts.end(),
+                       [&](const auto& corners) { return contains(part(polygon, corners), place, tolerance(*other)); });
+  });
 }
 
 double FaceSampling::tolerance(const Facet& facet) const {
@@ -149,7 +179,8 @@ Point FaceSampling::meanNormal(int side, int node) const {
   const MortarFace* nearest = nullptr;
   ReferencePoint at{0, 0, 0};
   double least = 0;
-  for (const Facet* facet : opposite({from}, normal, own.body())) {
+  const Candidates candidates = along({from}, normal, own.body());
+  for (const Facet* facet : candidates.facing) {
     Polygon polygon = projection(facet->points);
     std::reverse(polygon.begin(), polygon.end());
     const auto parts = convexParts(polygon);
@@ -159,7 +190,7 @@ Point FaceSampling::meanNormal(int side, int node) const {
     const auto place = ProjectedFace(other_[facet->side], facet->nodes, projection).meet({0, 0});
     if (!place) continue;
     const double gap = std::abs(dot(minus(place->point, from), normal));
-    if (nearest && gap >= least) continue;
+    if ((nearest && gap >= least) || isThrough(*facet, {0, 0}, 0.0, projection, candidates.leaving)) continue;
     nearest = &other_[facet->side];
     at = place->at;
     least = gap;
@@ -171,18 +202,20 @@ Point FaceSampling::meanNormal(int side, int node) const {
 
 /// Adds the common parts of a facet with those opposite.
 FaceSampling::Areas FaceSampling::cut(const Facet& own, const Projection& projection, std::vector<Overlap>& overlaps) const {
-  const std::vector<const Facet*> candidates = opposite(own.points, projection.along, own_[own.side].body());
+  const Candidates candidates = along(own.points, projection.along, own_[own.side].body());
   const Polygon whole = projection(own.points);
   Areas areas{std::abs(areaOf(whole)), 0.0};
   for (const std::vector<int>& ownCorners : convexParts(whole)) {
     const Polygon convex = part(whole, ownCorners);
     if (areaOf(convex) <= 0) continue;  // seen from behind
-    for (const Facet* other : candidates) {
+    for (const Facet* other : candidates.facing) {
       Polygon polygon = projection(other->points);
       std::reverse(polygon.begin(), polygon.end());
       for (const std::vector<int>& corners : convexParts(polygon)) {
         Polygon common = commonPart(part(polygon, corners), convex, tolerance(own));
         if (common.empty()) continue;
+        const PlanePoint middle = middleOf(common);
+        if (isThrough(*other, middle, projection.wayTo(own.points[0], own.area, middle), projection, candidates.leaving)) continue;
         areas.common += areaOf(common);
         overlaps.push_back({&own, other, std::move(common)});
       }

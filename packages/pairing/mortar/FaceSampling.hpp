@@ -52,7 +52,13 @@ class FaceSampling : public MortarSampling {
   void addBulge(const MortarFace::Place& on, const SmoothFace& own, const MortarFace::Place& onOther, const SmoothFace& other,
                 const Point& normal, MortarSample& to) const;
   static std::vector<Facet> facetsOf(const std::vector<MortarFace>& sides);
-  std::vector<const Facet*> opposite(const std::vector<Point>& points, const Point& normal, int body) const;
+  /// Facets of other bodies that lines may meet.
+  struct Candidates {
+    std::vector<const Facet*> facing, leaving;  ///< against the direction of the lines, and along it
+  };
+  Candidates along(const std::vector<Point>& points, const Point& normal, int body) const;
+  bool isThrough(const Facet& facet, const PlanePoint& place, double from, const Projection& projection,
+                 const std::vector<const Facet*>& leaving) const;
   double tolerance(const Facet& facet) const;
   /// Areas of the projection of a facet, and of its common parts.
   struct Areas {

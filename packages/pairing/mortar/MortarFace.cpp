@@ -35,6 +35,11 @@ Polygon Projection::operator()(const std::vector<Point>& points) const {
   return polygon;
 }
 
+double Projection::wayTo(const Point& on, const Point& area, const PlanePoint& place) const {
+  const Point arm = minus(minus(minus(on, origin_), scaled(place[0], first)), scaled(place[1], second));
+  return dot(arm, area) / dot(along, area);
+}
+
 MortarFace::MortarFace(const Surface& surface, int side, int body)
     : cell_(sideCell(static_cast<int>(surface.nodesOf(side).size()))), body_(body) {
   double size = 0;

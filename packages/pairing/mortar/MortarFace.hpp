@@ -22,6 +22,8 @@ class Projection {
   /// Place in the plane, seen against the direction: what runs counter-clockwise about it does so in the plane.
   PlanePoint operator()(const Point& point) const;
   Polygon operator()(const std::vector<Point>& points) const;
+  /// Way from a place in the plane along the direction to a flat surface. \param area  along its normal
+  double wayTo(const Point& on, const Point& area, const PlanePoint& place) const;
   Point along, first, second;  ///< right-handed and orthonormal
 
  private:

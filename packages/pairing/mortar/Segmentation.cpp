@@ -10,6 +10,8 @@ namespace {
 
 constexpr double kSamePlace = 1e-10;  // relative to a side's reference interval
 constexpr double kFacing = 0.5;       // cosine of the angle up to which two normals are opposite
+constexpr double kAlong = 1e-6;       // cosine of the angle between a normal and a line up to which the line does not cross
+constexpr double kBetween = 1e-9;     // part of a way at whose ends a side is not between them
 
 /// Zero of a function on [-1, 1] that changes its sign there; nothing if it does not.
 template <typename Function>
@@ -34,16 +36,37 @@ std::vector<std::vector<Point>> endsOf(const std::vector<MortarSegment>& sides) 
   return ends;
 }
 
+/// Zero along a side of what tells where it meets a line.
+std::optional<double> placeOn(const MortarSegment& side, const Point& from, const Point& direction) {
+  return zeroOf([&](double t) { return cross(minus(side.at(t), from), direction)[2]; });
+}
+
+Point normalAt(const MortarSegment& side, double eta) {
+  const Point tangent = side.tangent(eta);
+  return unit({tangent[1], -tangent[0], 0});
+}
+
 }  // namespace
 
 Segmentation::Segmentation(const std::vector<MortarSegment>& others) : others_(others), search_(endsOf(others)) {}
 
 std::optional<Segmentation::Meeting> Segmentation::meet(const Point& from, const Point& direction, const MortarSegment& other) {
-  const auto eta = zeroOf([&](double t) { return cross(minus(other.at(t), from), direction)[2]; });
-  if (!eta) return std::nullopt;
-  const Point tangent = other.tangent(*eta);
-  if (dot(unit({tangent[1], -tangent[0], 0}), direction) > -kFacing) return std::nullopt;
+  const auto eta = placeOn(other, from, direction);
+  if (!eta || dot(normalAt(other, *eta), direction) > -kFacing) return std::nullopt;
   return Meeting{&other, *eta, dot(minus(other.at(*eta), from), direction)};
+}
+
+/// True if the way from a side behind `from` to `from` leaves that side's body again: it is no interference, the bodies lie beside each
+/// other, and what it met is the far end of one.
+bool Segmentation::isThrough(const Meeting& met, const Point& from, const Point& direction, const std::vector<int>& candidates) const {
+  if (met.gap >= 0.0) return false;
+  return std::any_of(candidates.begin(), candidates.end(), [&](int i) {
+    if (others_[i].body() != met.other->body()) return false;
+    const auto eta = placeOn(others_[i], from, direction);
+    if (!eta || dot(normalAt(others_[i], *eta), direction) < kAlong) return false;
+    const double way = dot(minus(others_[i].at(*eta), from), direction);
+    return way < kBetween * met.gap && way > (1 - kBetween) * met.gap;
+  });
 }
 
 /// Sides of other bodies that lines through a side's nodes may meet.
@@ -62,7 +85,8 @@ std::optional<Segmentation::Meeting> Segmentation::nearest(const Point& from, co
   std::optional<Meeting> best;
   double least = std::numeric_limits<double>::infinity();
   for (const int i : candidates)
-    if (const auto met = meet(from, direction, others_[i]); met && std::abs(met->gap) < least) {
+    if (const auto met = meet(from, direction, others_[i]);
+        met && std::abs(met->gap) < least && !isThrough(*met, from, direction, candidates)) {
       least = std::abs(met->gap);
       best = met;
     }

@@ -22,7 +22,8 @@ class Segmentation {
   };
   /// The point on one side of the other surface; nothing if the line passes it, or the normals differ by less than 120 degrees.
   static std::optional<Meeting> meet(const Point& from, const Point& direction, const MortarSegment& other);
-  /// The nearest of these points on any side of the other surface, before or behind `from`. \param body  of `from`: it meets other bodies
+  /// The nearest of these points on any side of the other surface, before or behind `from`; not those behind a body, which the way there
+  /// leaves before it ends. \param body  of `from`: it meets other bodies
   std::optional<Meeting> nearest(const Point& from, const Point& direction, int body) const;
 
   /// Part of a side to which one side of the other surface is the nearest.
@@ -34,6 +35,7 @@ class Segmentation {
   std::vector<Overlap> overlaps(const MortarSegment& own, const Point& direction) const;
 
  private:
+  bool isThrough(const Meeting& met, const Point& from, const Point& direction, const std::vector<int>& candidates) const;
   std::vector<int> candidates(const std::vector<Point>& nodes, const Point& direction, int body) const;
   std::optional<Meeting> nearest(const Point& from, const Point& direction, const std::vector<int>& candidates) const;
   std::vector<double> breaks(const MortarSegment& own, const Point& direction, const std::vector<int>& candidates) const;

@@ -31,10 +31,11 @@ DirectCoarse::DirectCoarse(CommPtr comm, int size, std::vector<CoarseElement> el
   share_ = comm_->split(share, rank);
   const bool holder = share_->getRank() == 0;
 
-  const std::vector<CoarseElement> all = gatherCoarseElements(*comm_, std::move(elements), copies_ > 1);
+  std::vector<CoarseElement> all = gatherCoarseElements(*comm_, std::move(elements), copies_ > 1);
   collectively(*comm_, "factoring the coarse problem", [&] {
     if (!holder || size_ == 0) return;
     SparseMatrix matrix = assembleCoarseElements(size_, all);
+    all = {};  // before the factor, where a run takes most memory
     scale_ = Vector::Ones(size_);
     const Vector diagonal = matrix.diagonal();
     for (int i = 0; i < size_; ++i)
