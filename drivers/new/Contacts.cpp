@@ -149,8 +149,8 @@ void check(const Mesh& mesh, std::vector<Contact>& proposed) {
 /// A contact that grows, one side after the other.
 struct Growing {
   Contact contact;
-  int body;      // of Side A
-  Facing whole;  // of Side A
+  int body;      // body that Side A belongs to
+  Facing whole;  // nodes of Side A that face Side B
 
   bool faces(const std::string& group) const { return std::find(contact.sideB.begin(), contact.sideB.end(), group) != contact.sideB.end(); }
   void add(const std::string& group, const Facing& facing, double gap) {

@@ -1,5 +1,6 @@
 #include <suture/algebra/Blas.hpp>
 #include <suture/algebra/SparseConstrainedInverse.hpp>
+#include <suture/algebra/Trial.hpp>
 #include <suture/algebra/WorkSpace.hpp>
 #include <suture/algebra/dense/Decompositions.hpp>
 #include <suture/algebra/elimination/SingleFactor.hpp>
@@ -176,12 +177,8 @@ void SparseConstrainedInverse::tryInSinglePrecision(double jump) {
   if (unknowns_ == 0 || jump > kMostJumpForSingle) return;
   std::unique_ptr<SingleFactor> made = factor_->inSinglePrecision();
   if (!made) return;
-  Matrix flux(images_.rows(), 1), exact(flux.rows(), 1), rounded(flux.rows(), 1);
-  for (int i = 0; i < flux.rows(); ++i) flux(i) = std::sin(1.0 + 7.0 * i);
-  apply(flux, exact);
-  single_ = std::move(made);
-  apply(flux, rounded);
-  if ((rounded - exact).norm() <= kSingleAccuracy * exact.norm())
+  const auto applied = [this](ConstLocalView flux, LocalView trace) { apply(flux, trace); };
+  if (effectOf(static_cast<int>(images_.rows()), applied, [&] { single_ = std::move(made); }) <= kSingleAccuracy)
     factor_.reset();
   else
     single_.reset();

@@ -157,7 +157,11 @@ ContactCompliance::State ContactCompliance::solve(LocalView v, const std::vector
   data.work = work;
   data.penetration = -gap;
   data.stiffness = kPointCompliance * compliance_.diagonal().cwiseInverse();
-  for (int i = 0; i < pairs(); ++i) data.line.push_back(i > 0 && rows_.pairIds[i] == rows_.pairIds[i - 1] + 1 ? data.line.back() : i);
+  data.surfaces = rows_.surfaces;
+  for (int i = 0; i < pairs(); ++i) {
+    const bool goesOn = i > 0 && rows_.pairIds[i] == rows_.pairIds[i - 1] + 1;
+    data.line.push_back(rows_.surfaces ? rows_.lines[i] : goesOn ? data.line.back() : i);
+  }
   data.able.assign(pairs(), 1);
   RigidContact rigid(std::move(data));
   DelassusProblem problem(rigid, compliance_, open, {});

@@ -65,8 +65,10 @@ void ContactGroup::assemble() {
 
 void ContactGroup::collectRows(const ContactLaws& laws) {
   std::map<int, const ContactRow*> found;  // by pair, so that the order is the same however the body was cut
-  for (const Member& member : members_)
+  for (const Member& member : members_) {
+    rows_.surfaces = member.subdomain->mesh().dimension == 3;
     for (const ContactRow& row : member.subdomain->mesh().contactRows) found.emplace(row.pair.id, &row);
+  }
 
   std::vector<Eigen::Triplet<double>> entries;
   std::vector<double> gaps;
@@ -81,6 +83,7 @@ void ContactGroup::collectRows(const ContactLaws& laws) {
     gaps.push_back(normal.gap);
     pairs_.push_back(row->pair);
     rows_.pairIds.push_back(id);
+    rows_.lines.push_back(row->pair.line);
     rows_.pressed.push_back(laws.of(row->pair.line).pressed());
   }
   rows_.rows.resize(static_cast<int>(gaps.size()), dofs());

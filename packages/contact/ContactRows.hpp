@@ -13,6 +13,8 @@ struct ContactRows {
   SparseMatrix rows;                  ///< pairs x free unknowns
   Vector gap;                         ///< [length]
   std::vector<int> pairIds;           ///< numbers of the pairs in the scene
+  std::vector<int> lines;             ///< contact line or surface of each pair
+  bool surfaces = false;              ///< pairs of one line lie on a surface, in no order
   std::vector<ContactState> pressed;  ///< state of each pair where it is closed (ContactLaw::pressed)
   int size() const { return static_cast<int>(pairIds.size()); }
 };

@@ -81,6 +81,7 @@ CondensedContact condense(const Mesh& mesh, const Constraints& constraints, cons
       contact.blocks.push_back(i);
   contact.blocks.push_back(trailing);
   contact.kernel = looseMotions(mesh, system, rigid);
+  contact.surfaces = mesh.dimension == 3;
   contact.bounds.resize(Eigen::Index(system.rows().size()));
   for (std::size_t i = 0; i < system.rows().size(); ++i) {
     contact.dofs.push_back(system.rows()[i].dofs);

@@ -112,6 +112,7 @@ RigidContact Delassus::rigidContact() const {
   pairs.penetration = gapless_;
   pairs.stiffness = Vector::Ones(rows_);
   pairs.bodies = blocksOf_;
+  pairs.surfaces = problem_.surfaces;
   for (int i = 0; i < rows_; ++i) {
     pairs.able.push_back(!problem_.dofs[i].empty());
     if (pairs.able[i]) pairs.stiffness[i] = pointCompliance / h_(i, i);

@@ -22,6 +22,7 @@ struct CondensedContact {
   std::vector<std::vector<double>> coefficients;
   Vector bounds;
   std::vector<int> lines{};  ///< contact line of each row, successive rows of one being neighbours; empty: all of one
+  bool surfaces = false;     ///< rows of one line lie on a surface, in no order
 };
 
 /// Result of one step of the active set; Monitor::outer reports it.

@@ -1,4 +1,5 @@
 #include <suture/algebra/GeneralisedInverse.hpp>
+#include <suture/algebra/Trial.hpp>
 #include <suture/algebra/WorkSpace.hpp>
 #include <suture/algebra/elimination/SingleFactor.hpp>
 #include <suture/subdomain/AutomaticSchurComplement.hpp>
@@ -6,7 +7,6 @@
 #include <suture/subdomain/SchurComplement.hpp>
 
 #include <Teuchos_ParameterList.hpp>
-#include <cmath>
 
 namespace suture {
 
@@ -22,7 +22,7 @@ void registerBuiltIns(Registry<SchurComplement>& registry) {
 Schema ImplicitSchurComplement::schema() {
   Schema schema("Back-substitutions with a factor of the interior block (the paper's).");
   schema.oneOf("Precision", "Double", {"Double", "Single"},
-               "Of the factor. Single: half its memory, and two back-substitutions where one was; results do not depend on it.");
+               "Precision of the factor. Single: half its memory, and two back-substitutions where one was; results do not depend on it.");
   return schema;
 }
 
@@ -74,12 +74,8 @@ void ImplicitSchurComplement::tryInSinglePrecision() {
   std::unique_ptr<SingleFactor> made = interiorSolver_->inSinglePrecision();
   if (!made) return;
   made->renumber(interior_);
-  Matrix trace(boundary_.size(), 1), exact(trace.rows(), 1), rounded(trace.rows(), 1);
-  for (int i = 0; i < trace.rows(); ++i) trace(i) = std::sin(1.0 + 7.0 * i);
-  doApply(trace, exact);
-  single_ = std::move(made);
-  doApply(trace, rounded);
-  if ((rounded - exact).norm() <= kSingleAccuracy * exact.norm())
+  const auto applied = [this](ConstLocalView trace, LocalView flux) { doApply(trace, flux); };
+  if (effectOf(static_cast<int>(boundary_.size()), applied, [&] { single_ = std::move(made); }) <= kSingleAccuracy)
     interiorSolver_.reset();
   else
     single_.reset();

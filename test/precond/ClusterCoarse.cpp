@@ -222,3 +222,11 @@ TEUCHOS_UNIT_TEST(ClusterCoarse, APartThatTouchesNothingIsAClusterByItself) {
   TEST_COMPARE(difference(answer.tail(3), exact.tail(3)), <, 1e-14);
   TEST_COMPARE(difference(answer.head(first), exact.head(first)), <, 1e-6);
 }
+
+TEUCHOS_UNIT_TEST(ClusterCoarse, BeginsWhereAFactorTakesLonger) {
+  CoarseOptions options;
+  TEST_ASSERT(!options.goesOn(1000, 2) && options.goesOn(1001, 2));
+  TEST_ASSERT(!options.goesOn(600, 3) && options.goesOn(601, 3));
+  options.above = 8;
+  TEST_ASSERT(!options.goesOn(8, 3) && options.goesOn(9, 3) && options.goesOn(9, 2));
+}

@@ -81,6 +81,30 @@ class Starts : public Monitor {
   int count = 0;
 };
 
+/// Counts the steps of conjugate gradients.
+class Steps : public Monitor {
+ public:
+  void inner(int iteration, double) override { count += iteration > 0; }
+  bool wantsInner() const override { return true; }
+  int count = 0;
+};
+
+TEUCHOS_UNIT_TEST(ActiveSet, TellsApplicationsThatAreNoSteps) {
+  for (const Scene& scene : {pressedBlocks(), crossingBlocks()}) {
+    const OnInterface one(scene, world());
+    OuterSettings settings;
+    settings.tolerance = 1e-9;
+    settings.preconditioner = preconditioner("BDDC");
+    Parameters own;
+    own.set("Inner Tolerance", 1e-2);
+    Steps steps;
+    const OuterResult result = Registry<OuterSolver>::instance().make("Active Set", own)->solve(one.problem, settings, steps);
+    TEST_ASSERT(result.converged);
+    TEST_COMPARE(result.otherApplications, >, 0);
+    TEST_EQUALITY(result.auxiliary.pcg + result.pcgTotal - result.otherApplications, steps.count);
+  }
+}
+
 // All pairs stay closed: one linear problem from the auxiliary solution to the end, in both formulations.
 TEUCHOS_UNIT_TEST(ActiveSet, AndNewtonGoOnWithOneLinearSolveWhileNoPairChanges) {
   Scene touching = pressedBlocks();

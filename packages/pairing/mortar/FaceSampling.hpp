@@ -56,6 +56,7 @@ class FaceSampling : public MortarSampling {
   struct Candidates {
     std::vector<const Facet*> facing, leaving;  ///< against the direction of the lines, and along it
   };
+  /// Those that may meet the lines along a normal through some points.
   Candidates along(const std::vector<Point>& points, const Point& normal, int body) const;
   bool isThrough(const Facet& facet, const PlanePoint& place, double from, const Projection& projection,
                  const std::vector<const Facet*>& leaving) const;

@@ -36,11 +36,12 @@ std::vector<std::vector<Point>> endsOf(const std::vector<MortarSegment>& sides) 
   return ends;
 }
 
-/// Zero along a side of what tells where it meets a line.
+/// Reference coordinate at which a side meets a line; nothing if the line passes it.
 std::optional<double> placeOn(const MortarSegment& side, const Point& from, const Point& direction) {
   return zeroOf([&](double t) { return cross(minus(side.at(t), from), direction)[2]; });
 }
 
+/// Outward normal of a side.
 Point normalAt(const MortarSegment& side, double eta) {
   const Point tangent = side.tangent(eta);
   return unit({tangent[1], -tangent[0], 0});
