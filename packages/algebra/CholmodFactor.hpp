@@ -12,12 +12,14 @@ class SingleFactor;
 /// Order and storage of CholmodFactor. The defaults suit plane problems.
 struct CholmodOptions {
   /// Amd: of the leading block alone. Constrained Amd: of the whole graph, trailing dofs last, so that fill in their rows is weighed too.
-  /// Metis: nested dissection of the leading block; pays in 3D.
-  enum class Ordering { Amd, ConstrainedAmd, Metis };
+  /// Metis: nested dissection of the leading block; pays in space. Automatic: Metis where nodes have three unknowns, else Amd.
+  enum class Ordering { Automatic, Amd, ConstrainedAmd, Metis };
+  /// Of "AMD", "METIS", or "Automatic".
+  static Ordering orderingNamed(const std::string& name);
   /// Automatic: supernodal when the work per entry of the factor is large enough for dense blocks.
   enum class Form { Automatic, Simplicial, Supernodal };
 
-  Ordering ordering = Ordering::Amd;
+  Ordering ordering = Ordering::Automatic;
   Form form = Form::Automatic;
   int trailing = 0;  ///< this many of the last dofs stay last, in the order given
   Vector shift;      ///< added to the diagonal of the trailing dofs before factoring; one entry each, or empty for none

@@ -70,6 +70,17 @@ __attribute__((always_inline)) inline void subtractMultiple(int n, Real x, const
   for (; i < n; ++i) y[i] -= x * a[i];
 }
 
+/// y -= x[0] a + x[1] b + x[2] c + x[3] d: reads and writes y once for four.
+template <typename Real>
+__attribute__((always_inline)) inline void subtractMultiples(int n, const Real* x, const Real* a, const Real* b, const Real* c,
+                                                             const Real* d, Real* y) {
+  using Many = Register<Real>;
+  int i = 0;
+  for (; i + Many::count <= n; i += Many::count)
+    Many::at(y + i) -= (x[0] * Many::at(a + i) + x[1] * Many::at(b + i)) + (x[2] * Many::at(c + i) + x[3] * Many::at(d + i));
+  for (; i < n; ++i) y[i] -= (x[0] * a[i] + x[1] * b[i]) + (x[2] * c[i] + x[3] * d[i]);
+}
+
 /// a . b, of n numbers.
 template <typename Real>
 __attribute__((always_inline)) inline Real scalarProduct(int n, const Real* a, const Real* b) {

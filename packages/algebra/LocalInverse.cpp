@@ -12,4 +12,9 @@ void LocalInverse::addBasis(const Vector& values, Eigen::Ref<Vector> trace) cons
   if (values.size() > 0) trace += basis() * values;
 }
 
+void LocalInverse::applyWithBasis(ConstLocalView flux, const Vector&, const Vector& values, LocalView trace) const {
+  apply(flux, trace);
+  addBasis(values, trace.col(0));
+}
+
 }  // namespace suture

@@ -18,7 +18,9 @@ class LocalInverse {
   /// Products with Phi, as fast as memory is: values <- Phi^T flux, trace <- trace + Phi values. One flux, one trace.
   virtual void applyBasisTransposed(const Eigen::Ref<const Vector>& flux, Vector& values) const;
   virtual void addBasis(const Vector& values, Eigen::Ref<Vector> trace) const;
-  /// Bytes that apply() with one right-hand side, and one product each with Phi^T and Phi, read of memory; 0 if not known.
+  /// trace <- P flux + Phi values. \param told  Phi^T flux, as applyBasisTransposed() gives it. One flux, one trace.
+  virtual void applyWithBasis(ConstLocalView flux, const Vector& told, const Vector& values, LocalView trace) const;
+  /// Bytes of memory that apply() with one right-hand side reads beside Phi, and one product each with Phi^T and Phi; 0 if not known.
   virtual double bytesRead() const { return 0.0; }
   virtual double basisBytesRead() const { return 0.0; }
 

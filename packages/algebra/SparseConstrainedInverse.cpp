@@ -60,11 +60,12 @@ std::vector<int> fixing(const Matrix& kernel, const std::vector<int>& held, cons
 struct SparseConstrainedInverse::Unknowns {
   std::vector<int> held, heldRows, otherRows;  // positions in the trace that constraints hold alone, these constraints, the others
   std::vector<int> heldUnknowns, apart, free;  // H, E and F, in the numbers of the matrix
-  Matrix onFree, onApart, onHeld;              // C_2 on F (unknowns x constraints), on E and on H (constraints x unknowns)
+  Matrix onApart, onHeld;                      // C_2 on E and on H: constraints x unknowns
 };
 
 SparseConstrainedInverse::SparseConstrainedInverse(const SparseMatrix& stiffness, const Matrix& kernel, const std::vector<int>& boundary,
-                                                   const Matrix& constraints, const LocalSolverMaker& solver, const std::string& what) {
+                                                   const Matrix& constraints, const LocalSolverMaker& solver, const std::string& what)
+    : constraints_(constraints.transpose().sparseView(1.0, kZeroEntry)) {
   const int n = static_cast<int>(stiffness.rows()), m = static_cast<int>(constraints.rows()), size = static_cast<int>(boundary.size());
   Unknowns all;
   for (int row = 0; row < m; ++row) {
@@ -91,132 +92,163 @@ SparseConstrainedInverse::SparseConstrainedInverse(const SparseMatrix& stiffness
     if (kind[unknown] != 'e') all.free.push_back(unknown);
 
   unknowns_ = static_cast<int>(all.free.size());
-  motions_ = static_cast<int>(all.apart.size());
+  const int motions = static_cast<int>(all.apart.size());
   std::vector<int> placeOf(n, -1);
   for (std::size_t i = 0; i < all.free.size(); ++i) placeOf[all.free[i]] = static_cast<int>(i);
   for (std::size_t i = 0; i < all.apart.size(); ++i) placeOf[all.apart[i]] = static_cast<int>(i);
+  std::vector<std::pair<int, int>> apart;  // E on the trace: position in the trace, among E
   for (int k = 0; k < size; ++k) {
     const int unknown = boundary[k];
     if (kind[unknown] == 't') places_.emplace_back(k, placeOf[unknown]);
-    if (kind[unknown] == 'e') apart_.emplace_back(k, placeOf[unknown]);
+    if (kind[unknown] == 'e') apart.emplace_back(k, placeOf[unknown]);
   }
   factor_ = solver();
   factor_->factorise(principalBlock(stiffness, all.free));
 
-  const int others = static_cast<int>(all.otherRows.size()), fixed = static_cast<int>(all.held.size());
-  all.onFree = Matrix::Zero(unknowns_, others);
-  all.onApart = Matrix::Zero(others, motions_);
+  const int others = static_cast<int>(all.otherRows.size()), fixed = static_cast<int>(all.held.size()), more = motions + others;
+  all.onApart = Matrix::Zero(others, motions);
   all.onHeld = Matrix(others, fixed);
   for (int k = 0; k < others; ++k) {
-    for (const auto& [position, place] : places_) all.onFree(place, k) = constraints(all.otherRows[k], position);
-    for (const auto& [position, place] : apart_) all.onApart(k, place) = constraints(all.otherRows[k], position);
+    for (const auto& [position, place] : apart) all.onApart(k, place) = constraints(all.otherRows[k], position);
     for (int j = 0; j < fixed; ++j) all.onHeld(k, j) = constraints(all.otherRows[k], all.held[j]);
   }
-  // Right-hand sides of all that is needed: K_FE, C_F^T, and K_FH times the values of what is held.
-  Matrix values = Matrix::Zero(fixed, m);
-  for (int j = 0; j < fixed; ++j) values(j, all.heldRows[j]) = 1.0 / constraints(all.heldRows[j], all.held[j]);
-  Matrix columns(unknowns_, motions_ + others);
-  columns << Matrix(block(stiffness, all.free, all.apart)), all.onFree;
-  Matrix solved(unknowns_, columns.cols() + fixed);
+  // Right-hand sides of all that is needed: K_FE, C_F^T, and K_FH.
+  const SparseMatrix columns = columnsOf(block(stiffness, all.free, all.apart), all.otherRows);
   const SparseMatrix toHeld = block(stiffness, all.free, all.heldUnknowns);
-  solved << columns, Matrix(toHeld);
+  Matrix solved(unknowns_, more + fixed);
+  solved << Matrix(columns), Matrix(toHeld);
   if (solved.size() > 0) factor_->solve(solved);
-  const Matrix images = solved.leftCols(columns.cols());
-  const Matrix small = smallMatrix(stiffness, all, columns, images);
-  // Displacements and forces in the same units: then the matrix is of the order of one, but for jumps of the stiffness.
-  double stiff = 0.0;
-  for (const int unknown : all.free) stiff += stiffness.coeff(unknown, unknown) / unknowns_;
-  Vector scale(small.rows());
-  scale << Vector::Constant(motions_, 1.0 / std::sqrt(stiff)), Vector::Constant(others, std::sqrt(stiff));
-  if (small.rows() > 0) {
-    double condition = 0.0;
-    small_ = generalInverse(scale.asDiagonal() * small * scale.asDiagonal(), condition);
-    if (!(condition < kMostCondition)) throw NumericalError(what + ": a primal constraint follows from the others, or they leave a motion");
-    small_ = (scale.asDiagonal() * small_ * scale.asDiagonal()).eval();
-    small_ = 0.5 * (small_ + small_.transpose()).eval();
-  }
+  const auto images = solved.leftCols(more), fromHeld = solved.rightCols(fixed);
+  const Matrix small = invertedSmall(stiffness, all, columns.transpose() * images, what);
 
-  // Traces of least energy: x_H given, K_FF x_F + K_FE x_E + C_F^T m = -K_FH x_H and so on; -m are the energies.
-  const Matrix fromHeld = product<double>(CblasNoTrans, solved.rightCols(fixed), values);  // K_FF^-1 K_FH x_H
-  Matrix right(motions_ + others, m);
+  // Traces of least energy: x_H given, K_FF x_F + K_FE x_E + C_F^T m = -K_FH x_H and so on; -m are the energies. A constraint that holds an
+  // unknown alone gives one column of x_H: that unknown, scaled.
+  Vector scale(fixed);
+  for (int j = 0; j < fixed; ++j) scale(j) = 1.0 / constraints(all.heldRows[j], all.held[j]);
   const SparseMatrix apartHeld = block(stiffness, all.apart, all.heldUnknowns);
-  const Matrix energies = product(CblasTrans, columns, fromHeld);
-  right.topRows(motions_) = energies.topRows(motions_) - apartHeld * values;
-  Matrix wanted = Matrix::Zero(others, m);
-  for (int k = 0; k < others; ++k) wanted(k, all.otherRows[k]) = 1.0;
-  right.bottomRows(others) = wanted - product(CblasNoTrans, all.onHeld, values) + energies.bottomRows(others);
-  const Matrix reduced = product(CblasNoTrans, small_, right);
-  Matrix onFree = -fromHeld;
-  addProductTo(-1.0, CblasNoTrans, images, reduced, 1.0, onFree);
-  Matrix basis = Matrix::Zero(size, m);
-  for (const auto& [position, place] : places_) basis.row(position) = onFree.row(place);
-  for (const auto& [position, place] : apart_) basis.row(position) = reduced.row(place);
-  for (int j = 0; j < fixed; ++j) basis.row(all.held[j]) = values.row(j);
+  Matrix ofHeld = columns.transpose() * fromHeld;
+  ofHeld.topRows(motions) -= Matrix(apartHeld);
+  ofHeld.bottomRows(others) -= all.onHeld;
+  Matrix right = Matrix::Zero(more, m);
+  for (int k = 0; k < others; ++k) right(motions + k, all.otherRows[k]) = 1.0;
+  for (int j = 0; j < fixed; ++j) right.col(all.heldRows[j]) += scale(j) * ofHeld.col(j);
+  const Matrix reduced = product(CblasNoTrans, small, right);
+  Matrix onTrace = Matrix::Zero(size, more), basis = Matrix::Zero(size, m);
+  for (const auto& [position, place] : places_) {
+    onTrace.row(position) = images.row(place);
+    for (int j = 0; j < fixed; ++j) basis(position, all.heldRows[j]) = -scale(j) * fromHeld(place, j);
+  }
+  addProductTo(-1.0, CblasNoTrans, onTrace, reduced, 1.0, basis);
+  for (const auto& [position, place] : apart) basis.row(position) = reduced.row(place);
+  for (int j = 0; j < fixed; ++j) basis(all.held[j], all.heldRows[j]) = scale(j);
 
   Matrix energy(m, m);
-  for (int k = 0; k < others; ++k) energy.row(all.otherRows[k]) = -reduced.row(motions_ + k);
-  const SparseMatrix heldHeld = block(stiffness, all.heldUnknowns, all.heldUnknowns);
-  const Matrix onHeld = toHeld.transpose() * onFree + apartHeld.transpose() * reduced.topRows(motions_) + heldHeld * values +
-                        all.onHeld.transpose() * reduced.bottomRows(others);
-  for (int j = 0; j < fixed; ++j) energy.row(all.heldRows[j]) = values(j, all.heldRows[j]) * onHeld.row(j);
+  for (int k = 0; k < others; ++k) energy.row(all.otherRows[k]) = -reduced.row(motions + k);
+  const Matrix heldImages = toHeld.transpose() * images;
+  Matrix onHeld = apartHeld.transpose() * reduced.topRows(motions) + all.onHeld.transpose() * reduced.bottomRows(others);
+  addProductTo(-1.0, CblasNoTrans, heldImages, reduced, 1.0, onHeld);
+  const Matrix heldHeld = Matrix(block(stiffness, all.heldUnknowns, all.heldUnknowns)) - toHeld.transpose() * fromHeld;
+  for (int j = 0; j < fixed; ++j) onHeld.col(all.heldRows[j]) += scale(j) * heldHeld.col(j);
+  for (int j = 0; j < fixed; ++j) energy.row(all.heldRows[j]) = scale(j) * onHeld.row(j);
   energy_ = 0.5 * (energy + energy.transpose());
 
-  Matrix onTrace = Matrix::Zero(size, images.cols());
-  for (const auto& [position, place] : places_) onTrace.row(position) = images.row(place);
-  images_ = PackedColumns(onTrace);
   const Vector diagonal = stiffness.diagonal();
-  tryInSinglePrecision(diagonal.maxCoeff() / diagonal.minCoeff());
-  const auto precision = single_ ? PackedSymmetric::Precision::Single : PackedSymmetric::Precision::Double;
-  basis_ = PackedColumns(basis, precision);
-  if (single_) images_ = PackedColumns(onTrace, precision);
+  const bool isEven = diagonal.maxCoeff() <= kMostJumpForSingle * diagonal.minCoeff();
+  basis_ = PackedColumns(basis, isEven ? PackedSymmetric::Precision::Single : PackedSymmetric::Precision::Double);
+  if (isEven && !tryInSinglePrecision()) basis_ = PackedColumns(basis);
 }
 
 SparseConstrainedInverse::~SparseConstrainedInverse() = default;
 
-void SparseConstrainedInverse::tryInSinglePrecision(double jump) {
-  if (unknowns_ == 0 || jump > kMostJumpForSingle) return;
-  std::unique_ptr<SingleFactor> made = factor_->inSinglePrecision();
-  if (!made) return;
-  const auto applied = [this](ConstLocalView flux, LocalView trace) { apply(flux, trace); };
-  if (effectOf(static_cast<int>(images_.rows()), applied, [&] { single_ = std::move(made); }) <= kSingleAccuracy)
-    factor_.reset();
-  else
-    single_.reset();
+/// [K_FE, C_F^T]
+SparseMatrix SparseConstrainedInverse::columnsOf(const SparseMatrix& toApart, const std::vector<int>& rows) const {
+  std::vector<int> placeAt(constraints_.rows(), -1);
+  for (const auto& [position, place] : places_) placeAt[position] = place;
+  std::vector<Eigen::Triplet<double>> entries;
+  const int motions = static_cast<int>(toApart.cols());
+  for (int j = 0; j < motions; ++j)
+    for (SparseMatrix::InnerIterator it(toApart, j); it; ++it) entries.emplace_back(static_cast<int>(it.row()), j, it.value());
+  for (std::size_t k = 0; k < rows.size(); ++k)
+    for (SparseMatrix::InnerIterator it(constraints_, rows[k]); it; ++it)
+      if (placeAt[it.row()] >= 0) entries.emplace_back(placeAt[it.row()], motions + static_cast<int>(k), it.value());
+  SparseMatrix columns(unknowns_, motions + static_cast<int>(rows.size()));
+  columns.setFromTriplets(entries.begin(), entries.end());
+  return columns;
 }
 
-double SparseConstrainedInverse::bytesRead() const { return single_ ? 2.0 * (single_->bytes() + images_.bytes()) : 0.0; }
+bool SparseConstrainedInverse::tryInSinglePrecision() {
+  if (unknowns_ == 0) return false;
+  std::unique_ptr<SingleFactor> made = factor_->inSinglePrecision();
+  if (!made) return false;
+  const auto applied = [this](ConstLocalView flux, LocalView trace) { apply(flux, trace); };
+  if (effectOf(static_cast<int>(basis_.rows()), applied, [&] { single_ = std::move(made); }) <= kSingleAccuracy) {
+    factor_.reset();
+    return true;
+  }
+  single_.reset();
+  return false;
+}
 
-Matrix SparseConstrainedInverse::smallMatrix(const SparseMatrix& stiffness, const Unknowns& all, const Matrix& columns,
-                                             const Matrix& images) const {
-  Matrix small = -product(CblasTrans, columns, images);
-  const int others = static_cast<int>(all.otherRows.size());
-  small.topLeftCorner(motions_, motions_) += Matrix(block(stiffness, all.apart, all.apart));
-  small.bottomLeftCorner(others, motions_) += all.onApart;
-  small.topRightCorner(motions_, others) += all.onApart.transpose();
+double SparseConstrainedInverse::bytesRead() const {
+  return single_ ? 2.0 * (single_->bytes() + static_cast<double>(constraints_.nonZeros() * (sizeof(double) + sizeof(int)))) : 0.0;
+}
+
+/// The inverse of the small matrix. \param told  [K_FE, C_F^T]^T W
+Matrix SparseConstrainedInverse::invertedSmall(const SparseMatrix& stiffness, const Unknowns& all, const Matrix& told,
+                                               const std::string& what) const {
+  const int others = static_cast<int>(all.otherRows.size()), motions = static_cast<int>(all.apart.size());
+  Matrix small = -0.5 * (told + told.transpose());
+  if (small.rows() == 0) return small;
+  small.topLeftCorner(motions, motions) += Matrix(block(stiffness, all.apart, all.apart));
+  small.bottomLeftCorner(others, motions) += all.onApart;
+  small.topRightCorner(motions, others) += all.onApart.transpose();
+  // Displacements and forces in the same units: then the matrix is of the order of one, but for jumps of the stiffness.
+  double stiff = 0.0;
+  for (const int unknown : all.free) stiff += stiffness.coeff(unknown, unknown) / unknowns_;
+  Vector scale(small.rows());
+  scale << Vector::Constant(motions, 1.0 / std::sqrt(stiff)), Vector::Constant(others, std::sqrt(stiff));
+  double condition = 0.0;
+  const Matrix inverse = generalInverse(scale.asDiagonal() * small * scale.asDiagonal(), condition);
+  if (!(condition < kMostCondition)) throw NumericalError(what + ": a primal constraint follows from the others, or they leave a motion");
+  small = scale.asDiagonal() * inverse * scale.asDiagonal();
   return 0.5 * (small + small.transpose());
 }
 
 void SparseConstrainedInverse::apply(ConstLocalView flux, LocalView trace) const {
+  Matrix told(basis_.columns(), flux.cols());
+  Vector one;
+  for (Eigen::Index column = 0; column < flux.cols(); ++column) {
+    basis_.multiplyTransposed(flux.col(column), one);
+    told.col(column) = one;
+  }
+  const Vector none = Vector::Zero(basis_.columns());
+  applyTo(flux, told, none, trace);
+}
+
+void SparseConstrainedInverse::applyWithBasis(ConstLocalView flux, const Vector& told, const Vector& values, LocalView trace) const {
+  applyTo(flux, told, values, trace);
+}
+
+void SparseConstrainedInverse::applyTo(ConstLocalView flux, const Eigen::Ref<const Matrix>& told, const Vector& values,
+                                       LocalView trace) const {
   thread_local std::vector<double> kept;
   WorkSpace space(unknowns_, flux.cols(), kept);
   Eigen::Map<Matrix>& inside = space.values;
   inside.setZero();
-  for (const auto& [position, place] : places_) inside.row(place) = flux.row(position);
+  trace.noalias() = flux - constraints_ * told;
+  for (const auto& [position, place] : places_) inside.row(place) = trace.row(position);
   if (single_)
     single_->apply(inside, inside);
   else if (unknowns_ > 0)
     factor_->solve(inside);
   trace.setZero();
   for (const auto& [position, place] : places_) trace.row(position) = inside.row(place);
-  if (small_.rows() == 0) return;
-  Vector part;
+  if (basis_.columns() == 0) return;
+  Vector missing;
   for (Eigen::Index column = 0; column < flux.cols(); ++column) {
-    images_.multiplyTransposed(flux.col(column), part);
-    part = -part;
-    for (const auto& [position, place] : apart_) part(place) += flux(position, column);
-    const Vector reduced = small_ * part;
-    images_.addProduct(-reduced, trace.col(column));
-    for (const auto& [position, place] : apart_) trace(position, column) = reduced(place);
+    missing = values;
+    missing.noalias() -= constraints_.transpose() * trace.col(column);
+    basis_.addProduct(missing, trace.col(column));
   }
 }
 

@@ -16,8 +16,13 @@ namespace suture {
 ///     [ K_EE - K_EF W_E       (C_E - C_F W_E)^T ]   [x_E]   [f_E - W_E^T f_F]
 ///     [ C_E - C_F W_E           - C_F W_C       ] * [ m ] = [   - W_C^T f_F  ],    x_F = K_FF^-1 f_F - W [x_E; m].
 ///
-/// An application is a back-substitution, which reads what the factor has: less than the dense inverse where the boundary is large against
-/// the interior, as in space. The factor is kept in single precision where that changes little: that is tried. Local.
+/// gives the basis Phi, the traces of least energy. An application needs neither W nor m:
+///
+///     P f = (I - Phi C) [K_FF^-1 0; 0 0] (I - C^T Phi^T) f,
+///
+/// since f - C^T Phi^T f is in balance with every motion, and I - Phi C takes out those that E and H leave. It is a back-substitution,
+/// which reads what the factor has: less than the dense inverse where the boundary is large against the interior, as in space; and a pass
+/// over Phi each way, which BDDC makes anyway. Factor and Phi are kept in single precision where that changes little: that is tried. Local.
 class SparseConstrainedInverse : public InverseWithBasis {
  public:
   /// \param stiffness    symmetric, positive semidefinite, both triangles
@@ -31,21 +36,22 @@ class SparseConstrainedInverse : public InverseWithBasis {
   ~SparseConstrainedInverse() override;
 
   void apply(ConstLocalView flux, LocalView trace) const override;
+  void applyWithBasis(ConstLocalView flux, const Vector& told, const Vector& values, LocalView trace) const override;
   double bytesRead() const override;
 
  private:
   struct Unknowns;
-  Matrix smallMatrix(const SparseMatrix& stiffness, const Unknowns& all, const Matrix& columns, const Matrix& images) const;
-  void tryInSinglePrecision(double jump);
+  SparseMatrix columnsOf(const SparseMatrix& toApart, const std::vector<int>& rows) const;
+  Matrix invertedSmall(const SparseMatrix& stiffness, const Unknowns& all, const Matrix& told, const std::string& what) const;
+  /// trace <- P flux + Phi values, the values for every flux. \param told  Phi^T flux
+  void applyTo(ConstLocalView flux, const Eigen::Ref<const Matrix>& told, const Vector& values, LocalView trace) const;
+  bool tryInSinglePrecision();
 
+  SparseMatrix constraints_;                 // C^T: trace x constraints
   std::unique_ptr<LocalSolver> factor_;      // factor of F, or
   std::unique_ptr<SingleFactor> single_;     // the same in single precision
   int unknowns_ = 0;                         // number of F
   std::vector<std::pair<int, int>> places_;  // F on the trace: (position in the trace, among F)
-  std::vector<std::pair<int, int>> apart_;   // E on the trace: (position in the trace, among E)
-  int motions_ = 0;                          // number of E
-  PackedColumns images_;                     // W on the trace; rows of E and of what is held are zero
-  Matrix small_;                             // inverse of the small matrix
 };
 
 }  // namespace suture

@@ -5,12 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 namespace suture {
 
 namespace {
 
-using Sparse = std::map<int, double>;  // place -> coefficient
+using Sparse = std::vector<std::pair<int, double>>;  // place, coefficient; places ascend
 
 // Coefficients are those of unit normals. Rows whose largest one is below kDependent depend on others. Coefficients below kRounding are
 // remainders of others that cancelled; a larger one would be missing from the forces.
@@ -18,8 +19,25 @@ constexpr double kDependent = 1e-10;
 constexpr double kRounding = 1e-14;
 constexpr std::size_t kTwoNodes = 6;  // unknowns in space
 
-void addTo(Sparse& row, const Sparse& other, double factor) {
-  for (const auto& [place, value] : other) row[place] += factor * value;
+/// The entry at a place; the end if there is none.
+Sparse::iterator entryOf(Sparse& row, int place) {
+  const auto before = [](const std::pair<int, double>& entry, int at) { return entry.first < at; };
+  const auto found = std::lower_bound(row.begin(), row.end(), place, before);
+  return found != row.end() && found->first == place ? found : row.end();
+}
+
+/// row += factor other. \param space  work space
+void addTo(Sparse& row, const Sparse& other, double factor, Sparse& space) {
+  space.clear();
+  auto own = row.cbegin();
+  for (const auto& [place, value] : other) {
+    while (own != row.cend() && own->first < place) space.push_back(*own++);
+    const bool both = own != row.cend() && own->first == place;
+    space.emplace_back(place, both ? own->second + factor * value : factor * value);
+    own += both;
+  }
+  space.insert(space.end(), own, row.cend());
+  row.swap(space);
 }
 
 }  // namespace
@@ -59,14 +77,14 @@ std::vector<InterfaceRelation> ContactClusters::relations(const std::vector<Cont
       return std::abs(a.second) < std::abs(b.second) * (1.0 - 1e-9);  // of equal ones the first
     };
     for (const int number : closed) {
-      Sparse row;
+      Sparse row, space;
       for (std::size_t k = 0; k < rows_[number].places.size(); ++k) {
         const int place = rows_[number].places[k];
         const double value = rows_[number].coefficients[k];
         if (const auto known = solved.find(place); known != solved.end())
-          addTo(row, known->second, value);
+          addTo(row, known->second, value, space);
         else
-          row[place] += value;
+          addTo(row, {{place, 1.0}}, value, space);
       }
       auto pivot = std::max_element(row.begin(), row.end(), smaller);
       // Better one that no other row has, as each row of a mortar: then rows do not fill each other in.
@@ -74,21 +92,21 @@ std::vector<InterfaceRelation> ContactClusters::relations(const std::vector<Cont
       for (auto entry = row.begin(); entry != row.end(); ++entry)
         if (uses[entry->first] == 1 && (own == row.end() || smaller(*own, *entry))) own = entry;
       // Rows of six- and eight-node sides name the nodes of others, but can be solved for their carrying nodes one after the other.
-      if (own == row.end() && rows_[number].places.size() > kTwoNodes) own = row.find(rows_[number].places.front());
+      if (own == row.end() && rows_[number].places.size() > kTwoNodes) own = entryOf(row, rows_[number].places.front());
       if (own != row.end() && std::abs(own->second) > 0.5 * std::abs(pivot->second)) pivot = own;
       if (pivot == row.end() || std::abs(pivot->second) < kDependent) continue;
       const int place = pivot->first;
       Sparse by;
       for (const auto& [other, value] : row)
-        if (other != place && std::abs(value) > kRounding) by[other] = -value / pivot->second;
+        if (other != place && std::abs(value) > kRounding) by.emplace_back(other, -value / pivot->second);
       if (uses[place] > 1)
         for (auto& [earlier, expression] : solved)
-          if (const auto used = expression.find(place); used != expression.end()) {
+          if (const auto used = entryOf(expression, place); used != expression.end()) {
             const double factor = used->second;
             expression.erase(used);
-            addTo(expression, by, factor);
+            addTo(expression, by, factor, space);
           }
-      solved[place] = by;
+      solved[place] = std::move(by);
       sizes[place] = rows_[number].size;
     }
     for (const auto& [place, by] : solved) {

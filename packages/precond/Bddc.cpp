@@ -67,7 +67,8 @@ Bddc::Bddc(CoarseOptions levels, Inverses inverses)
 struct Bddc::Work {
   Matrix overlap;
   Matrix flux, trace;       // fluxes of all local problems, one after the other; the trace of one
-  std::vector<Vector> own;  // values of each local problem's primal unknowns
+  std::vector<Vector> own;  // Phi_i^T of each local problem's flux
+  Vector values;            // of one local problem's primal unknowns
   Vector primal;
   MultiVectorPtr averaged;
 };
@@ -175,8 +176,8 @@ std::unique_ptr<LocalInverse> accurate(const LocalProblem& local, const Matrix& 
     return nullptr;  // the dense one names the reason, if it is the constraints
   }
   if (!made) return nullptr;
-  const Matrix basis = made->basis();
-  const Matrix error = rows * basis - Matrix::Identity(rows.rows(), rows.rows());
+  const PrimalRows::Rows sparse = rows.sparseView();
+  const Matrix error = sparse * made->basis() - Matrix::Identity(rows.rows(), rows.rows());
   if (error.size() > 0 && !(error.cwiseAbs().maxCoeff() < kAccurate)) return nullptr;
   return made;
 }
@@ -258,11 +259,10 @@ void Bddc::doApply(const MultiVector& r, MultiVector& z) const {
       if (!locals_[i]) continue;
       const Coupling& coupling = torn_->coupling(static_cast<int>(i));
       auto trace = work.trace.topRows(coupling.rows());
-      present_[i].inverse->apply(work.flux.middleRows(begin, coupling.rows()), trace);
+      work.values.setZero(work.own[i].size());
+      for (const Value& value : valuesOf(i)) work.values(value.row) += value.coefficient * y(value.place);
+      present_[i].inverse->applyWithBasis(work.flux.middleRows(begin, coupling.rows()), work.own[i], work.values, trace);
       begin += room(coupling.rows());
-      work.own[i].setZero();
-      for (const Value& value : valuesOf(i)) work.own[i](value.row) += value.coefficient * y(value.place);
-      present_[i].inverse->addBasis(work.own[i], trace.col(0));
       weighting_->apply(static_cast<int>(i), trace);
       coupling.addTransposed(trace, work.overlap);
     }

@@ -88,13 +88,18 @@ CoarseElement Bddc::element(std::size_t i) const {
   places.erase(std::unique(places.begin(), places.end()), places.end());
   made.unknowns.reserve(places.size());
   for (const int place : places) made.unknowns.push_back(names_[place]);
+  // Most rows are one unknown: products of sparse matrices, a column for each value.
   const Matrix& energy = present_[i].inverse->energy();
-  Matrix a = Matrix::Zero(energy.rows(), static_cast<int>(places.size()));
-  for (const Value& value : valuesOf(i)) {
-    const auto at = std::lower_bound(places.begin(), places.end(), value.place) - places.begin();
-    a(value.row, at) += value.coefficient;
-  }
-  made.matrix = a.transpose() * energy * a;
+  const auto size = static_cast<Eigen::Index>(places.size());
+  const auto times = [&](const Matrix& columns) {
+    Matrix product = Matrix::Zero(columns.rows(), size);
+    for (const Value& value : valuesOf(i)) {
+      const auto at = std::lower_bound(places.begin(), places.end(), value.place) - places.begin();
+      product.col(at) += value.coefficient * columns.col(value.row);
+    }
+    return product;
+  };
+  made.matrix = times(times(energy).transpose());
   return made;
 }
 

@@ -69,6 +69,8 @@ std::vector<MatrixRow> normalRows(const InterfaceSpace& torn, const ByRows& m, c
   for (int place = 0; place < product.rows(); ++place) {
     if (torn.ownedRow(place) < 0 || product.outerIndexPtr()[place + 1] == product.outerIndexPtr()[place]) continue;
     rows.push_back({torn.ownedRow(place), {}, {}});
+    rows.back().columns.reserve(std::size_t(product.outerIndexPtr()[place + 1] - product.outerIndexPtr()[place]));
+    rows.back().values.reserve(rows.back().columns.capacity());
     for (ByRows::InnerIterator entry(product, place); entry; ++entry) {
       rows.back().columns.push_back(torn.id(static_cast<int>(entry.col())));
       rows.back().values.push_back(entry.value() + (entry.col() == place ? stiffness(place) : 0.0));
@@ -100,6 +102,8 @@ Rows rowsOf(const Crs& matrix, const std::vector<GlobalId>& wanted, const CommPt
       Tpetra::importAndFillCompleteCrsMatrix<Crs>(Teuchos::rcpFromRef(matrix), import, matrix.getDomainMap(), matrix.getRangeMap());
   Rows rows;
   for (const GlobalId id : wanted) rows.number(id);
+  rows.column.reserve(copy->getNodeNumEntries());
+  rows.value.reserve(copy->getNodeNumEntries());
   for (std::size_t r = 0; r < wanted.size(); ++r) {
     Crs::local_inds_host_view_type columns;
     Crs::values_host_view_type values;
@@ -144,26 +148,39 @@ Matrix patchOf(const std::vector<GlobalId>& patch, const Rows& rows, std::vector
   return matrix;
 }
 
-/// All rows' unknowns of all ranks, ascending; none if there are too many to be eliminated at once. Collective.
-std::vector<GlobalId> fewUnknowns(const InterfaceSpace& torn, const std::vector<MatrixRow>& rows) {
+/// A symmetric matrix of few unknowns, whole on each rank: unknowns ascending, the lower triangle between them.
+struct Whole {
   std::vector<GlobalId> ids;
-  for (const MatrixRow& row : rows) ids.push_back(torn.map()->getGlobalElement(row.place));
-  std::vector<GlobalId> all = joinOnRoot(*torn.comm(), ids);
-  if (all.size() > kFew) all.clear();
-  broadcast(*torn.comm(), all);
-  std::sort(all.begin(), all.end());
-  return all;
+  SparseMatrix lower;
+
+  int number(GlobalId id) const { return static_cast<int>(std::lower_bound(ids.begin(), ids.end(), id) - ids.begin()); }
+};
+
+/// The values of all ranks one after the other, everywhere. Collective.
+template <typename T>
+std::vector<T> joinEverywhere(const Comm& comm, const std::vector<T>& mine) {
+  Packer packer;
+  packer.put(mine);
+  return joined<T>(allGather(comm, packer.bytes()));
 }
 
-/// Factor of a matrix of which all rows are here.
-CholmodFactor factorOf(const Rows& rows) {
-  const auto n = static_cast<int>(rows.ids.size());
+/// The rows of all ranks, each once; no unknowns if there are too many to be eliminated at once. Collective.
+Whole wholeOf(const std::vector<MatrixRow>& rows, const Map& map, const Comm& comm) {
+  Whole whole;
+  std::vector<GlobalId> mine;
+  for (const MatrixRow& row : rows) mine.push_back(map.getGlobalElement(row.place));
+  whole.ids = joinEverywhere(comm, mine);
+  if (whole.ids.size() > kFew) return {};
+  std::sort(whole.ids.begin(), whole.ids.end());
   std::vector<Eigen::Triplet<double>> entries;
-  for (int row = 0; row < n; ++row)
-    for (int k = rows.start[row]; k < rows.start[row + 1]; ++k) entries.emplace_back(row, rows.column[k], rows.value[k]);
-  SparseMatrix matrix(n, n);
-  matrix.setFromTriplets(entries.begin(), entries.end());
-  return CholmodFactor(matrix);
+  for (std::size_t r = 0; r < rows.size(); ++r)
+    for (std::size_t k = 0; k < rows[r].columns.size(); ++k)
+      if (rows[r].columns[k] <= mine[r]) entries.emplace_back(whole.number(mine[r]), whole.number(rows[r].columns[k]), rows[r].values[k]);
+  entries = joinEverywhere(comm, entries);
+  const auto n = static_cast<Eigen::Index>(whole.ids.size());
+  whole.lower = SparseMatrix(n, n);
+  whole.lower.setFromTriplets(entries.begin(), entries.end());
+  return whole;
 }
 
 }  // namespace
@@ -205,26 +222,27 @@ MortarAveraging::MortarAveraging(const InterfaceSpace& space, const InterfaceSpa
     jumps.push_back(std::move(row));
   }
   jump_ = matrixOf(torn.map(), jumps);
-  const std::vector<MatrixRow> normals = normalRows(torn, m, Eigen::Map<const Vector>(weights.data(), m.rows()), stiffness);
-  const Teuchos::RCP<const Crs> normal = matrixOf(torn.map(), normals);
+  const std::vector<MatrixRow> normalOfMine = normalRows(torn, m, Eigen::Map<const Vector>(weights.data(), m.rows()), stiffness);
   std::vector<MatrixRow> parts;
   // Rows of a surface name many nodes: their patches would be nearly the whole.
-  if (const std::vector<GlobalId> few = space.dimension() == 3 ? fewUnknowns(torn, normals) : std::vector<GlobalId>(); !few.empty()) {
-    const Rows rows = rowsOf(*normal, few, torn.comm());
+  if (const Whole whole = space.dimension() == 3 ? wholeOf(normalOfMine, *torn.map(), *torn.comm()) : Whole(); !whole.ids.empty()) {
+    const std::vector<GlobalId>& few = whole.ids;
     collectively(*torn.comm(), "sharing the jumps of a mortar", [&] {
-      const CholmodFactor factor = factorOf(rows);
+      const CholmodFactor factor(whole.lower);
       for (std::size_t first = 0; first < mine.size(); first += kAtOnce) {
         const std::size_t count = std::min(kAtOnce, mine.size() - first);
         Matrix part = Matrix::Zero(static_cast<int>(few.size()), static_cast<int>(count));
         for (std::size_t r = 0; r < count; ++r)
           for (std::size_t k = 0; k < mine[first + r]->others.size(); ++k)
-            part(rows.numberOf.at(torn.id(mine[first + r]->others[k])), static_cast<int>(r)) =
+            part(whole.number(torn.id(mine[first + r]->others[k])), static_cast<int>(r)) =
                 mine[first + r]->coefficients[k] * stiffness(mine[first + r]->unknown);
         factor.solve(part);
         for (std::size_t r = 0; r < count; ++r) {
           MatrixRow row{expressed_[first + r], {}, {}};
           const auto column = part.col(static_cast<int>(r));
           const double least = kSmall * column.cwiseAbs().maxCoeff();
+          row.columns.reserve(std::size_t((column.array().abs() > least).count()));
+          row.values.reserve(row.columns.capacity());
           for (int i = 0; i < column.size(); ++i)
             if (std::abs(column(i)) > least) {
               row.columns.push_back(few[i]);
@@ -238,6 +256,7 @@ MortarAveraging::MortarAveraging(const InterfaceSpace& space, const InterfaceSpa
     return;
   }
 
+  const Teuchos::RCP<const Crs> normal = matrixOf(torn.map(), normalOfMine);
   // The patch of each row grows by the neighbours of what it has.
   std::vector<std::vector<GlobalId>> patches(mine.size());
   for (std::size_t r = 0; r < mine.size(); ++r) {

@@ -15,6 +15,7 @@ namespace suture {
 namespace {
 
 constexpr double kSameMotion = 1e-2;  // motions of a group that differ by less: a line that is nearly straight
+constexpr int kColumnsAtOnce = 32;    // columns of a sum over all ranks: vectors as long as the interface
 constexpr double kDependent = 1e-8;   // rest of a functional beside the others, relative to itself, below which it depends on them
 
 int largest(const Comm& comm, int mine) {
@@ -173,28 +174,38 @@ class MortarRows::Maker {
       std::sort(all.begin(), all.end(), [&](const Functional* a, const Functional* b) {
         return std::make_pair(space_.id(a->row), a->slot) < std::make_pair(space_.id(b->row), b->slot);
       });
-      std::vector<std::map<int, double>>& basis = basisOf_[id];
+      std::vector<int> places;
+      for (const Functional* functional : all)
+        for (const auto& entry : functional->coefficients) places.push_back(entry.first);
+      std::sort(places.begin(), places.end());
+      places.erase(std::unique(places.begin(), places.end()), places.end());
+      Matrix basis(static_cast<int>(places.size()), static_cast<int>(all.size()));
+      int count = 0;
       for (Functional* functional : all) {
-        std::map<int, double> left = functional->coefficients;
-        const double whole = norm(left);
+        Vector left = Vector::Zero(basis.rows());
+        for (const auto& [place, value] : functional->coefficients)
+          left(std::lower_bound(places.begin(), places.end(), place) - places.begin()) = value;
+        const double whole = left.norm();
         std::map<int, double> parts;
         for (int turn = 0; turn < 2; ++turn)
-          for (std::size_t q = 0; q < basis.size(); ++q) {
-            double product = 0.0;
-            for (const auto& [place, value] : basis[q])
-              if (const auto found = left.find(place); found != left.end()) product += value * found->second;
+          for (int q = 0; q < count; ++q) {
+            const double product = basis.col(q).dot(left);
             if (product == 0.0) continue;
-            for (const auto& [place, value] : basis[q]) left[place] -= product * value;
-            parts[static_cast<int>(q)] += product;
+            left -= product * basis.col(q);
+            parts[q] += product;
           }
-        if (const double rest = norm(left); rest > kDependent * whole) {
-          for (auto& entry : left) entry.second /= rest;
-          parts[static_cast<int>(basis.size())] = rest;
-          basis.push_back(std::move(left));
+        if (const double rest = left.norm(); rest > kDependent * whole) {
+          parts[count] = rest;
+          basis.col(count++) = left / rest;
         }
         functional->combined.assign(parts.begin(), parts.end());
       }
-      most = std::max(most, static_cast<int>(basis.size()));
+      for (int q = 0; q < count; ++q) {
+        basisOf_[id].emplace_back();
+        for (std::size_t k = 0; k < places.size(); ++k)
+          if (const double value = basis(static_cast<int>(k), q); value != 0.0) basisOf_[id].back()[places[k]] = value;
+      }
+      most = std::max(most, count);
     }
     most_ = largest(*space_.comm(), most);
   }
@@ -210,17 +221,22 @@ class MortarRows::Maker {
     int slots = 0;
     for (const Functional& functional : functionals_) slots = std::max(slots, functional.slot + 1);
     slots = largest(*space_.comm(), slots);
-    if (slots * most_ == 0) return;
-    Matrix values = Matrix::Zero(space_.overlapSize(), slots * most_);
-    for (const Functional& functional : functionals_)
-      for (const auto& [number, value] : functional.combined) values(functional.row, functional.slot * most_ + number) = value;
-    space_.sum(values);
-    for (Functional& functional : functionals_) {
-      functional.combined.clear();
-      for (int number = 0; number < most_; ++number)
-        if (const double value = values(functional.row, functional.slot * most_ + number); value != 0.0)
-          functional.combined.emplace_back(number, value);
+    std::vector<std::vector<std::pair<int, double>>> told(functionals_.size());
+    for (int first = 0; first < slots * most_; first += kColumnsAtOnce) {
+      Matrix values = Matrix::Zero(space_.overlapSize(), std::min(kColumnsAtOnce, slots * most_ - first));
+      const auto end = static_cast<int>(first + values.cols());
+      for (const Functional& functional : functionals_)
+        for (const auto& [number, value] : functional.combined)
+          if (const int column = functional.slot * most_ + number; first <= column && column < end)
+            values(functional.row, column - first) = value;
+      space_.sum(values);
+      for (std::size_t f = 0; f < functionals_.size(); ++f) {
+        const int begin = functionals_[f].slot * most_;
+        for (int column = std::max(begin, first); column < std::min(begin + most_, end); ++column)
+          if (const double value = values(functionals_[f].row, column - first); value != 0.0) told[f].emplace_back(column - begin, value);
+      }
     }
+    for (std::size_t f = 0; f < functionals_.size(); ++f) functionals_[f].combined = std::move(told[f]);
   }
 
   /// Keys after those of all unknowns and entities.

@@ -16,7 +16,7 @@ class MonolithicSystem;
 struct MonolithicOptions {
   int maximumIterations = 200;        ///< solves of the condensed contact problem with an active set
   std::vector<ContactState> start{};  ///< state of each pair; empty: all closed
-  CholmodOptions::Ordering ordering = CholmodOptions::Ordering::Amd;
+  CholmodOptions::Ordering ordering = CholmodOptions::Ordering::Automatic;
 };
 
 /// Solution for the whole mesh on one rank.

@@ -54,13 +54,14 @@ Schema Reference::schema() {
   return Schema(
              "The whole system on one rank, one factorisation with the contact unknowns last, active set: for small scenes and as a "
              "reference.")
-      .oneOf("Ordering", "AMD", {"AMD", "METIS"},
-             "Order of the unknowns that are not in contact: METIS leaves less fill than AMD and takes longer to find it.");
+      .oneOf("Ordering", "Automatic", {"AMD", "Automatic", "METIS"},
+             "Order of the unknowns that are not in contact: METIS leaves less fill than AMD and takes longer to find it. Automatic: METIS "
+             "in space.");
 }
 
 Reference::Reference(const Parameters& settings, const Parameters& own) {
   options_.maximumIterations = settings.sublist("Outer Solver").get<int>("Maximum Iterations");
-  if (own.get<std::string>("Ordering") == "METIS") options_.ordering = CholmodOptions::Ordering::Metis;
+  options_.ordering = CholmodOptions::orderingNamed(own.get<std::string>("Ordering"));
 }
 
 double Reference::megabytes(const Comm& comm, const std::vector<SubdomainMesh>& meshes, GlobalId unknowns) const {

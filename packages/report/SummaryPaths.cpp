@@ -38,6 +38,7 @@ const std::vector<std::string>& summaryPaths() {
       "outer.estimates.<name>",
       "preconditioner.coarse_size",
       "preconditioner.setup_seconds",
+      "preconditioner.lowest_eigenvalue",
       "contact.pieces",
       "contact.pairs",
       "contact.active",

@@ -11,6 +11,9 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <unordered_map>
+#include <unordered_set>
+#include <utility>
 
 namespace suture {
 
@@ -18,22 +21,68 @@ namespace {
 
 constexpr double kProgram = 55.0;  // megabytes that it has taken already when the estimate is made
 
-// Pairs of nodes that have an element in common. Those on a side have two, as nearly all sides do; in space a pair of hexahedra has two
-// elements in the mean, one of tetrahedra four.
+// Pairs of nodes of an element, each as the part of it that is this element's: pairs inside whole, those on a side half, those on an edge
+// in space what is usual inside of meshes of hexahedra and of tetrahedra.
+double pairsOf(Cell cell) {
+  const CellInfo& info = cellInfo(cell);
+  std::map<std::pair<int, int>, int> sides;  // of each pair that is on sides
+  for (const auto& nodes : info.sideNodes)
+    for (const int a : nodes)
+      for (const int b : nodes)
+        if (a < b) ++sides[{a, b}];
+  double sum = 0.5 * static_cast<double>(info.nodes * (info.nodes - 1));
+  for (const auto& entry : sides) sum -= entry.second == 1 ? 0.5 : isSimplex(cell) ? 0.8 : 0.75;
+  return sum;
+}
+
+// Pairs of nodes that have an element in common.
 double couplings(const SubdomainMesh& mesh) {
-  const auto pairs = [](std::size_t nodes) { return 0.5 * static_cast<double>(nodes * (nodes - 1)); };
-  std::map<Cell, double> elements;
+  double sum = 0.0;
   for (std::size_t begin = 0, end = 0; begin < mesh.cells.size(); begin = end) {  // of one shape, mostly
     while (end < mesh.cells.size() && mesh.cells[end] == mesh.cells[begin]) ++end;
-    elements[mesh.cells[begin]] += static_cast<double>(end - begin);
+    sum += static_cast<double>(end - begin) * pairsOf(mesh.cells[begin]);
   }
+  return sum;
+}
+
+/// Contact rows of a rank.
+struct Rows {
+  std::unordered_map<GlobalId, int> unknownsOf;  // number of unknowns that rows name, by node of the mesh
+  double bytes = 0.0;                            // of all subdomains: each has all rows of its clusters
+  double terms = 0.0, squares = 0.0;             // terms of all rows, and the sum of their squares, those of a mortar
+
+  explicit Rows(const std::vector<SubdomainMesh>& meshes) {
+    std::unordered_set<int> pairs;
+    std::unordered_set<GlobalId> unknowns;
+    for (const SubdomainMesh& mesh : meshes)
+      for (const ContactRow& row : mesh.contactRows) {
+        bytes += sizeof(ContactRow) + row.pair.ends.size() * sizeof(PairEnd);
+        const bool isNew = pairs.insert(row.pair.id).second;
+        for (const ContactRow::Equation& equation : row.equations) {
+          bytes += sizeof equation + equation.dofs.size() * (sizeof(GlobalId) + sizeof(double) + sizeof(Point));
+          if (!isNew) continue;
+          const auto size = static_cast<double>(equation.dofs.size());
+          if (size > 2) terms += size, squares += size * size;
+          for (const GlobalId unknown : equation.dofs)
+            if (unknowns.insert(unknown).second) ++unknownsOf[unknown / mesh.dimension];
+        }
+      }
+  }
+};
+
+/// Unknowns of a subdomain at seams, and those that contact rows name.
+double boundaryUnknowns(const SubdomainMesh& mesh, const Rows& rows) {
+  std::vector<char> counted(mesh.nodes(), 0);
   double sum = 0.0;
-  for (const auto& [cell, count] : elements) {
-    const CellInfo& info = cellInfo(cell);
-    if (info.dimension == 3)
-      sum += count * pairs(info.nodes) * (isSimplex(cell) ? 0.25 : 0.5);
-    else
-      sum += count * (pairs(info.nodes) - 0.5 * static_cast<double>(info.sideNodes.size()) * pairs(info.sideNodes[0].size()));
+  for (int node = 0; node < mesh.nodes(); ++node)
+    if (!mesh.others(node).empty()) {
+      counted[node] = 1;
+      sum += mesh.dimension;
+    }
+  for (const SubdomainMesh::ContactEnd& end : mesh.contactEnds) {
+    if (counted[end.node]) continue;
+    counted[end.node] = 1;
+    if (const auto found = rows.unknownsOf.find(mesh.globalNodes[end.node]); found != rows.unknownsOf.end()) sum += found->second;
   }
   return sum;
 }
@@ -41,19 +90,20 @@ double couplings(const SubdomainMesh& mesh) {
 }  // namespace
 
 double estimatedMegabytes(const std::vector<SubdomainMesh>& meshes) {
+  const Rows rows(meshes);
   double bytes = 0.0;
   for (const SubdomainMesh& mesh : meshes) {
     const double nodes = mesh.nodes(), d = mesh.dimension, n = std::max(2.0, nodes * d);
-    int shared = 0;
-    for (int node = 0; node < mesh.nodes(); ++node) shared += !mesh.others(node).empty();
-    const double b = shared * d + static_cast<double>(mesh.contactEnds.size()), c = couplings(mesh);
+    const double b = boundaryUnknowns(mesh, rows), c = couplings(mesh);
+    bytes += 12 * (d * d * c + d * (d + 1) / 2 * nodes);
     if (mesh.dimension == 3) {
       const CostModel cost(3);
-      bytes += 180 * n + 12 * (9 * c + 6 * nodes) + cost.factorBytes(std::max(2.0, n - b), 5.0) + cost.factorBytes(n, 4.0) + 800 * b;
+      bytes += cost.factorBytes(std::max(2.0, n - b), 2.2) + cost.factorBytes(n, 8.6);
       continue;
     }
-    bytes += 130 * n + 12 * (d * d * c + d * (d + 1) / 2 * nodes) + 6 * c * d * std::log2(n) + 6.6 * b * b + 200 * b;
+    bytes += 130 * n + 6 * c * d * std::log2(n) + 6.6 * b * b + 200 * b;
   }
+  if (!meshes.empty() && meshes.front().dimension == 3) bytes += rows.bytes + 100 * rows.terms + 19 * rows.squares;
   return kProgram + bytes / (1 << 20);
 }
 

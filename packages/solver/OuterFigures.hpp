@@ -21,6 +21,7 @@ struct OuterFigures {
   std::optional<DiscretisationError> discretisation;  ///< estimated, if the scene or an automatic tolerance asks for it
   AuxiliaryRow auxiliary;                             ///< all pairs closed, or the linear problem itself
   int coarseSize = 0;                                 ///< dimension of the preconditioner's coarse problem
+  double lowestEigenvalue = -1.0;                     ///< lowest Ritz value of M^-1 S in all linear solves; negative: none was made
   double setupSeconds = 0.0;                          ///< time that the preconditioner took on this rank before its first use
   double bytesRead = 0.0;                   ///< bytes of this rank's memory that one conjugate gradient iteration reads, as far as known
   std::map<std::string, int> chosenSchur;   ///< local problems over all ranks, by how Automatic keeps their Schur complements

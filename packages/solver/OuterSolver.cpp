@@ -43,6 +43,7 @@ bool OuterSolver::Run::done() const {
 
 void OuterSolver::Run::learn(const InnerResult& solve) {
   if (solve.smallestEigenvalue > 0.0) lowest = lowest > 0.0 ? std::min(lowest, solve.smallestEigenvalue) : solve.smallestEigenvalue;
+  if (lowest > 0.0) result.lowestEigenvalue = lowest;
 }
 
 double OuterSolver::Run::energyErrorByTangent(const InterfaceState& state, const InterfaceProblem::Evaluation& at, double residual,

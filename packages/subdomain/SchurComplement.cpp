@@ -51,8 +51,9 @@ void ImplicitSchurComplement::doCompute(const SchurData& data) {
   boundary_ = data.boundary;
   interior_ = complement(data.stiffness.rows(), boundary_);
   interiorSolver_ = data.solver();
+  const SparseMatrix stiffness = data.stiffness.full();
   try {
-    interiorSolver_->factorise(principalBlock(data.stiffness.full(), interior_));
+    interiorSolver_->factorise(principalBlock(stiffness, interior_));
   } catch (const NumericalError& error) {
     throw NumericalError(data.what + ", interior: " + error.what());
   }
@@ -67,18 +68,29 @@ void ImplicitSchurComplement::doCompute(const SchurData& data) {
   condensedLoad_ = Vector(boundary_.size());
   for (std::size_t i = 0; i < boundary_.size(); ++i) condensedLoad_(i) = data.load(boundary_[i]) - product(boundary_[i]);
   single_.reset();
-  if (wanted_ == Precision::Single) tryInSinglePrecision();
+  if (wanted_ == Precision::Single) tryInSinglePrecision(stiffness);
 }
 
-void ImplicitSchurComplement::tryInSinglePrecision() {
+void ImplicitSchurComplement::tryInSinglePrecision(const SparseMatrix& stiffness) {
   std::unique_ptr<SingleFactor> made = interiorSolver_->inSinglePrecision();
   if (!made) return;
   made->renumber(interior_);
+  coupling_ = SparseMatrix(stiffness.rows(), static_cast<int>(boundary_.size()));
+  std::vector<char> isInterior(stiffness.rows(), 0);
+  for (const int unknown : interior_) isInterior[unknown] = 1;
+  for (int j = 0; j < coupling_.cols(); ++j) {
+    coupling_.startVec(j);
+    for (SparseMatrix::InnerIterator it(stiffness, boundary_[j]); it; ++it)
+      if (isInterior[it.row()]) coupling_.insertBack(it.row(), j) = it.value();
+  }
+  coupling_.finalize();
+  coupling_.data().squeeze();
   const auto applied = [this](ConstLocalView trace, LocalView flux) { doApply(trace, flux); };
   if (effectOf(static_cast<int>(boundary_.size()), applied, [&] { single_ = std::move(made); }) <= kSingleAccuracy)
     interiorSolver_.reset();
   else
     single_.reset();
+  if (!single_) coupling_ = SparseMatrix();
 }
 
 void ImplicitSchurComplement::doApply(ConstLocalView trace, LocalView flux) const {
@@ -86,21 +98,22 @@ void ImplicitSchurComplement::doApply(ConstLocalView trace, LocalView flux) cons
   const Eigen::Index n = stiffness_->rows(), columns = trace.cols();
   WorkSpace all(n, columns, keptAll), product(n, columns, keptProduct);
   const auto multiply = [&] { product.values.noalias() = stiffness_->lower().selfadjointView<Eigen::Lower>() * all.values; };
-  all.values.setZero();
-  put(trace, boundary_, all.values);
-  multiply();
   if (single_) {
     // A E t, and with the residual that the extension leaves inside, E^T A E t.
     WorkSpace inside(n, columns, keptInterior);
+    product.values.noalias() = coupling_ * trace;
     single_->apply(product.values, inside.values);
-    all.values -= inside.values;
+    all.values = -inside.values;
+    put(trace, boundary_, all.values);
     multiply();
     take(product.values, boundary_, flux);
     single_->apply(product.values, all.values);
-    multiply();
-    for (std::size_t i = 0; i < boundary_.size(); ++i) flux.row(static_cast<Eigen::Index>(i)) -= product.values.row(boundary_[i]);
+    flux.noalias() -= coupling_.transpose() * all.values;
     return;
   }
+  all.values.setZero();
+  put(trace, boundary_, all.values);
+  multiply();
   WorkSpace interior(interior_.size(), columns, keptInterior);
   take(product.values, interior_, interior.values);
   interiorSolver_->solve(interior.values);

@@ -87,13 +87,14 @@ class ImplicitSchurComplement : public SchurComplement {
   void doApply(ConstLocalView trace, LocalView flux) const override;
 
  private:
-  void tryInSinglePrecision();
+  void tryInSinglePrecision(const SparseMatrix& stiffness);
 
   Precision wanted_;
   const SymmetricMatrix* stiffness_ = nullptr;
   std::vector<int> interior_, boundary_;
   std::unique_ptr<LocalSolver> interiorSolver_;  // factor of A_II, or
   std::unique_ptr<SingleFactor> single_;         // the same in single precision, in the numbers of A
+  SparseMatrix coupling_;                        // with it: A_IB, the rows in the numbers of A, which is read less often then
   Vector condensedLoad_, interiorResponse_;
   double interiorEnergy_ = 0.0;
 };

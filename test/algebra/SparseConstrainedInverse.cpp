@@ -75,6 +75,12 @@ TEUCHOS_UNIT_TEST(SparseConstrainedInverse, IsTheDenseOne) {
     sparse->addBasis(values, trace);
     dense.addBasis(expectedValues, expectedTrace);
     TEST_COMPARE((trace - expectedTrace).norm(), <, 1e-11 * expectedTrace.norm());
+    Matrix both(n, 1), expectedBoth(n, 1);
+    const Vector given = random(held + others, 1, 7).col(0);
+    sparse->applyWithBasis(flux, values, given, both);
+    dense.applyWithBasis(flux, expectedValues, given, expectedBoth);
+    TEST_COMPARE((both - expectedBoth).norm(), <, 1e-11 * expectedBoth.norm());
+    TEST_COMPARE((both - expected * flux - dense.basis() * given).norm(), <, 1e-11 * expectedBoth.norm());
   }
 }
 

@@ -121,7 +121,7 @@ else:
 # Too little address space: refused, never an endless request for it.
 for megabytes in () if SANITIZED else (500, 700, 900, 1200, 1600, 2400) if options.all else (500, 2400):
     size = megabytes << 20
-    code, text, seconds = run(1, OPEN, "--quiet", *setting("Mesh/Constants/scale", 0.35), "--output", work / "little",
+    code, text, seconds = run(1, OPEN, "--quiet", *setting("Mesh/Constants/scale", 0.35 if options.all else 0.6), "--output", work / "little",
                               limit=lambda: resource.setrlimit(resource.RLIMIT_AS, (size, size)))
     check(f"{megabytes} MB of address space: exit code", code, lambda c: c in (0, 5) and (megabytes < 2400 or c == 0))
     if code != 0:

@@ -13,14 +13,14 @@ from pathlib import Path
 
 from harness import arguments, check, finish, run
 
-SCENES = {"bracket": [], "tunnel": [], "hertz_sphere": [], "bolted_joint": [], "arch": ["--set", "Mesh/Constants/h=.2"], "roller_bearing": ["--set", "Mesh/Constants/fine=.2"]}
+SCENES = {"hertz_sphere": [], "bolted_joint": [], "arch": ["--set", "Mesh/Constants/h=.2"]}
 CROWDED = {"arch": {"joint *", "voussoir_*"}, "roller_bearing": {"inner *", "outer *", "pocket before *", "roller_*"}}  # families in scene.png
-OTHERS = ("pin", "layers", "rings", "linear_square")  # with --full
+OTHERS = {"roller_bearing": ["--set", "Mesh/Constants/fine=.2"], **{scene: [] for scene in ("bracket", "tunnel", "pin", "layers", "rings", "linear_square")}}  # --full
 parser = argparse.ArgumentParser()
 parser.add_argument("--full", action="store_true")
 options = arguments("--solve", "--plot", "--input", parser=parser)
 if options.full:
-    SCENES.update({scene: [] for scene in OTHERS})
+    SCENES.update(OTHERS)
 sys.path.insert(0, str(Path(options.plot).resolve().parent))
 
 import matplotlib.pyplot as plt  # noqa: E402

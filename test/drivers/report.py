@@ -187,6 +187,7 @@ for key in ("contacts", "conditions"):
     summary["reactions"][key] = {f"{name} {'long ' * 40}": of for name, of in summary["reactions"][key].items()}
 parameters = summary["parameters"]
 parameters["Contact"] = {f"{name} {'long ' * 40}": of for name, of in parameters["Contact"].items()}
+parameters["Output"]["Fields"] = False  # pictures of long names: picture_labels.py
 parameters["Boundary Conditions"]["unknown type <b>"] = {"Group": ["block_top"], "Type": "Magnet", "Value": [1.0]}
 (strange / "summary.json").write_text(json.dumps(summary))
 check("strange names: suture_plot", plot(strange)[0], 0)

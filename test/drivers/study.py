@@ -86,28 +86,31 @@ FAIL = ["--set", "Outer Solver/Maximum Inner Iterations=10", "--only", "large"]
 
 
 def ends(ranks):
-    """Ends of a study, and effects of its options."""
+    """Ends of a study, and effects of its options. Pictures are drawn where runs are refused; they take a second each."""
+    text = TINY.read_text()
+    plots = text[text.index('  <ParameterList name="Plots">'):text.rindex("</ParameterList>")]
+    plain = edited("plain", (plots, ""))
     # --check, --only, --quiet.
     code, text = run(options.study, ranks, TINY, "--output", work / "checked", "--check")
     check("--check: exit code", code, 0)
     check("--check: lists the runs", text.count("Mesh/Boxes/square/Cells="), 6)
     check("--check: runs nothing", (work / "checked").exists(), False)
-    code, text = run(options.study, ranks, TINY, "--output", work / "only", "--only", "small", "--only", "coarse space=Kernels", "--quiet")
+    code, text = run(options.study, ranks, plain, "--output", work / "only", "--only", "small", "--only", "coarse space=Kernels", "--quiet")
     check("--only: exit code", code, 0)
     check("--only: rows", [(row["size"], row["coarse space"]) for row in table(work / "only")], [("small", "Kernels")])
     check("--quiet: silent", text.strip(), "")
 
     # --continue takes over what is there, if it is what would be done, and is sound.
     folder = work / "continued"
-    code, text = run(options.study, ranks, TINY, "--output", folder, "--only", "small")
+    code, text = run(options.study, ranks, plain, "--output", folder, "--only", "small")
     check("before --continue: exit code", code, 0)
     (folder / "runs" / "002" / "finished.json").write_text('{"key": ')
-    code, text = run(options.study, ranks, TINY, "--output", folder, "--continue")
+    code, text = run(options.study, ranks, plain, "--output", folder, "--continue")
     check("--continue: exit code", code, 0)
     check("--continue: runs what is missing or damaged", (text.count("done before"), len(table(folder))), (2, 6))
-    code, text = run(options.study, ranks, TINY, "--output", folder, "--continue")
+    code, text = run(options.study, ranks, plain, "--output", folder, "--continue")
     check("--continue, nothing left: runs nothing", text.count("done before"), 6)
-    code, text = run(options.study, ranks, TINY, "--output", folder, "--continue", "--only", "small", "--set", "Outer Solver/Maximum Iterations=49")
+    code, text = run(options.study, ranks, plain, "--output", folder, "--continue", "--only", "small", "--set", "Outer Solver/Maximum Iterations=49")
     check("--continue, another scene: runs all", text.count("done before"), 0)
 
     # A program without its script draws nothing and does not mind.
@@ -119,7 +122,7 @@ def ends(ranks):
     check("without the script: says so", "no pictures: " in text, True)
 
     # Runs that do not converge are rows.
-    code, text = run(options.study, ranks, TINY, "--output", work / "failed", *FAIL)
+    code, text = run(options.study, ranks, plain, "--output", work / "failed", *FAIL)
     check("failed runs: exit code", code, 4)
     rows = table(work / "failed")
     check("failed runs: all rows are there", len(rows), 3)
@@ -129,7 +132,7 @@ def ends(ranks):
 
     bands = TINY.read_text()
     bands = bands[bands.index('  <ParameterList name="Bands">'):bands.index('  <ParameterList name="Plots">')].replace("../../../input", str(source / "input"))
-    lenient = edited("lenient", (bands, '  <Parameter name="Allow Failures" type="bool" value="true"/>\n'))
+    lenient = edited("lenient", (plots, ""), (bands, '  <Parameter name="Allow Failures" type="bool" value="true"/>\n'))
     code, text = run(options.study, ranks, lenient, "--output", work / "lenient", *FAIL)
     check("allowed failures: exit code", code, 0)
     check("allowed failures: rows", [bool(row["failure"]) for row in table(work / "lenient")], [True] * 3)
@@ -140,10 +143,11 @@ def ends(ranks):
     rows = table(work / "refused")
     check("refused runs: exit code", code, 4)
     check("refused runs: reason", ["Blocks" in row["failure"] for row in rows], [False] * 3 + [True] * 3)
+    check("refused runs: picture", (work / "refused" / "condition.png").exists(), True)
     check("refused runs: the others are solved", [row["pcg"] != "" for row in rows], [True] * 3 + [False] * 3)
 
     # A band that is missed.
-    missed = edited("missed", ('<Parameter name="At Most" type="double" value="3.5"/>', '<Parameter name="At Most" type="double" value="1.2"/>'))
+    missed = edited("missed", (plots, ""), ('<Parameter name="At Most" type="double" value="3.5"/>', '<Parameter name="At Most" type="double" value="1.2"/>'))
     code, text = run(options.study, ranks, missed, "--output", work / "missed", "--quiet")
     check("missed band: exit code", code, 4)
     check("missed band: says which", "MISSED   rigid modes are flat: condition: 1.5" in text and "at most 1.2" in text, True)

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 """suture_plot on the report of the test program Fields: every picture is made and is not blank; what cannot be drawn is named. Pictures are
-drawn of one run; those on other numbers of ranks are read as the same.
+drawn of one run; those on other numbers of ranks are read as the same. Regions and factors that the program chooses: drivers.report.
 
 check_plots.py PROGRAM FOLDER OTHERS...
 """
@@ -45,9 +45,6 @@ with tempfile.TemporaryDirectory() as out:
         ink = (image[..., :3].min(axis=2) < 0.9).mean()
         assert 0.01 < ink < 0.95, f"{name}.png has ink on {ink:.1%} of its area"
     assert Path(out, "report.html").stat().st_size > 100000
-
-with tempfile.TemporaryDirectory() as out:
-    assert run(folder, "--output", out)[0] == 0  # region and factor chosen by the program
 
 with tempfile.TemporaryDirectory() as copy:
     for name in ("summary.json", "history.csv"):

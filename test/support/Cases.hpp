@@ -9,12 +9,12 @@
 
 namespace suture::blocks {
 
-/// Cases of a test, the hardest first: all of them on one and two ranks and with SUTURE_ALL_CASES in the environment, as
-/// <package>.<Class>.all.np4 with the label long has it; `onFour` of them else. Four ranks on two cores take ten times as long as one.
+/// Cases of a test, the hardest first: all of them on one rank and with SUTURE_ALL_CASES in the environment, as <package>.<Class>.all.np4
+/// with the label long has it; `onSeveral` of them else. Two ranks take both cores as long as one takes one, four ten times as long.
 template <typename Case>
-std::vector<Case> casesOf(std::initializer_list<Case> all, std::size_t onFour = 1) {
-  const bool whole = Teuchos::DefaultComm<int>::getComm()->getSize() <= 2 || std::getenv("SUTURE_ALL_CASES");
-  return {all.begin(), all.begin() + (whole ? all.size() : std::min(onFour, all.size()))};
+std::vector<Case> casesOf(std::initializer_list<Case> all, std::size_t onSeveral = 1) {
+  const bool whole = Teuchos::DefaultComm<int>::getComm()->getSize() == 1 || std::getenv("SUTURE_ALL_CASES");
+  return {all.begin(), all.begin() + (whole ? all.size() : std::min(onSeveral, all.size()))};
 }
 
 }  // namespace suture::blocks

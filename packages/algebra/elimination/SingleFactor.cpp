@@ -25,7 +25,20 @@ double powerOfTwo(double value) { return std::ldexp(1.0, std::ilogb(value)); }
 template <int columns>
 SUTURE_FOR_EACH_PROCESSOR void eliminate(int width, int rows, const float* values, float* x) {
   using Many = Register<float>;
-  for (int j = 0; j < width; ++j, values += rows - j + 1) {
+  int j = 0;
+  if constexpr (columns == 1)
+    for (; j + 4 <= width; j += 4) {
+      const int below = rows - j - 4;
+      const float *a = values, *b = a + below + 4, *c = b + below + 3, *d = c + below + 2;
+      float* const own = x + j;
+      own[0] *= a[0];
+      own[1] = (own[1] - a[1] * own[0]) * b[0];
+      own[2] = (own[2] - a[2] * own[0] - b[1] * own[1]) * c[0];
+      own[3] = (own[3] - a[3] * own[0] - b[2] * own[1] - c[1] * own[2]) * d[0];
+      subtractMultiples(below, own, a + 4, b + 3, c + 2, d + 1, own + 4);
+      values = d + below + 1;
+    }
+  for (; j < width; ++j, values += rows - j + 1) {
     if constexpr (columns == 1) {
       x[j] *= values[0];
       subtractMultiple(rows - j - 1, x[j], values + 1, x + j + 1);

@@ -84,6 +84,7 @@ void CholmodFactor::Data::forward(int upTo, Eigen::Ref<Matrix> x) const {
       continue;
     }
     double* y = x.data() + node.first;
+    if (x.middleRows(node.first, node.columns).isZero(0.0)) continue;  // many where right-hand sides begin on the boundary
     cblas_dtrsm(CblasColMajor, CblasLeft, CblasLower, CblasNoTrans, CblasNonUnit, node.columns, x.cols(), 1.0, node.values, node.stride, y,
                 x.outerStride());
     if (m == 0) continue;
