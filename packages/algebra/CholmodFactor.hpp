@@ -14,7 +14,7 @@ struct CholmodOptions {
   /// Amd: of the leading block alone. Constrained Amd: of the whole graph, trailing dofs last, so that fill in their rows is weighed too.
   /// Metis: nested dissection of the leading block; pays in space. Automatic: Metis where nodes have three unknowns, else Amd.
   enum class Ordering { Automatic, Amd, ConstrainedAmd, Metis };
-  /// Of "AMD", "METIS", or "Automatic".
+  /// The ordering with this name: "AMD", "METIS", or "Automatic".
   static Ordering orderingNamed(const std::string& name);
   /// Automatic: supernodal when the work per entry of the factor is large enough for dense blocks.
   enum class Form { Automatic, Simplicial, Supernodal };

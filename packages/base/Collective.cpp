@@ -46,10 +46,7 @@ struct Failure {
     packer.put(code);
     packer.put(message);
     packer.put(problems.size());
-    for (const Problem& problem : problems) {
-      packer.put(problem.path);
-      packer.put(problem.message);
-    }
+    for (const Problem& problem : problems) packer.put(problem.path), packer.put(problem.message);
     return packer.bytes();
   }
 
@@ -59,10 +56,7 @@ struct Failure {
     unpacker.get(failure.code);
     unpacker.get(failure.message);
     failure.problems.resize(unpacker.get<std::size_t>());
-    for (Problem& problem : failure.problems) {
-      unpacker.get(problem.path);
-      unpacker.get(problem.message);
-    }
+    for (Problem& problem : failure.problems) unpacker.get(problem.path), unpacker.get(problem.message);
     return failure;
   }
 
@@ -312,9 +306,7 @@ std::map<int, std::string> swapWithNeighbours(const Comm& comm, const std::map<i
 }
 
 std::vector<int> unionOverRanks(const Comm& comm, const std::vector<int>& mine) {
-  Packer packer;
-  packer.put(mine);
-  std::vector<int> all = joined<int>(allGather(comm, packer.bytes()));
+  std::vector<int> all = joinEverywhere(comm, mine);
   std::sort(all.begin(), all.end());
   all.erase(std::unique(all.begin(), all.end()), all.end());
   return all;

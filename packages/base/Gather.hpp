@@ -2,7 +2,6 @@
 #include <suture/base/Buffer.hpp>
 #include <suture/base/Collective.hpp>
 
-#include <string>
 #include <vector>
 
 namespace suture {
@@ -11,10 +10,8 @@ namespace suture {
 template <typename T>
 std::vector<T> joined(const std::vector<std::string>& messages) {
   std::vector<T> all;
-  for (const std::string& bytes : messages) {
-    const auto own = Unpacker(bytes).get<std::vector<T>>();
-    all.insert(all.end(), own.begin(), own.end());
-  }
+  for (const std::string& bytes : messages)
+    for (const T& value : Unpacker(bytes).get<std::vector<T>>()) all.push_back(value);
   return all;
 }
 
@@ -24,6 +21,14 @@ std::vector<T> joinOnRoot(const Comm& comm, const std::vector<T>& mine) {
   Packer packer;
   packer.put(mine);
   return joined<T>(gatherOnRoot(comm, packer.bytes()));
+}
+
+/// The same on every rank. Collective.
+template <typename T>
+std::vector<T> joinEverywhere(const Comm& comm, const std::vector<T>& mine) {
+  Packer packer;
+  packer.put(mine);
+  return joined<T>(allGather(comm, packer.bytes()));
 }
 
 /// The values of a vector to another rank, which has room for as many and calls receive(). Without a copy: for long ones.

@@ -193,9 +193,7 @@ void Lifting::shiftGaps() {
       mine.push_back(own);
     }
   }
-  Packer packer;
-  packer.put(mine);
-  std::vector<End> ends = joined<End>(allGather(comm_, packer.bytes()));
+  std::vector<End> ends = joinEverywhere(comm_, mine);
   std::sort(ends.begin(), ends.end(), [](const End& a, const End& b) { return a.pair != b.pair ? a.pair < b.pair : a.end < b.end; });
 
   struct Shift {

@@ -67,8 +67,8 @@ Bddc::Bddc(CoarseOptions levels, Inverses inverses)
 struct Bddc::Work {
   Matrix overlap;
   Matrix flux, trace;       // fluxes of all local problems, one after the other; the trace of one
-  std::vector<Vector> own;  // Phi_i^T of each local problem's flux
-  Vector values;            // of one local problem's primal unknowns
+  std::vector<Vector> own;  // Phi_i^T times each local problem's flux
+  Vector values;            // values of one local problem's primal unknowns
   Vector primal;
   MultiVectorPtr averaged;
 };

@@ -156,14 +156,6 @@ struct Whole {
   int number(GlobalId id) const { return static_cast<int>(std::lower_bound(ids.begin(), ids.end(), id) - ids.begin()); }
 };
 
-/// The values of all ranks one after the other, everywhere. Collective.
-template <typename T>
-std::vector<T> joinEverywhere(const Comm& comm, const std::vector<T>& mine) {
-  Packer packer;
-  packer.put(mine);
-  return joined<T>(allGather(comm, packer.bytes()));
-}
-
 /// The rows of all ranks, each once; no unknowns if there are too many to be eliminated at once. Collective.
 Whole wholeOf(const std::vector<MatrixRow>& rows, const Map& map, const Comm& comm) {
   Whole whole;

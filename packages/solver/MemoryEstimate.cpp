@@ -25,7 +25,7 @@ constexpr double kProgram = 55.0;  // megabytes that it has taken already when t
 // in space what is usual inside of meshes of hexahedra and of tetrahedra.
 double pairsOf(Cell cell) {
   const CellInfo& info = cellInfo(cell);
-  std::map<std::pair<int, int>, int> sides;  // of each pair that is on sides
+  std::map<std::pair<int, int>, int> sides;  // pair of nodes -> number of sides that have both
   for (const auto& nodes : info.sideNodes)
     for (const int a : nodes)
       for (const int b : nodes)
@@ -47,8 +47,8 @@ double couplings(const SubdomainMesh& mesh) {
 
 /// Contact rows of a rank.
 struct Rows {
-  std::unordered_map<GlobalId, int> unknownsOf;  // number of unknowns that rows name, by node of the mesh
-  double bytes = 0.0;                            // of all subdomains: each has all rows of its clusters
+  std::unordered_map<GlobalId, int> unknownsOf;  // node of the mesh -> number of its unknowns that rows name
+  double bytes = 0.0;                            // bytes of the rows in all subdomains: each has all rows of its clusters
   double terms = 0.0, squares = 0.0;             // terms of all rows, and the sum of their squares, those of a mortar
 
   explicit Rows(const std::vector<SubdomainMesh>& meshes) {

@@ -33,7 +33,7 @@ struct NodeGrid {
 };
 
 TEUCHOS_UNIT_TEST(Supervariables, AreTheNodes) {
-  // Of two nodes one and two unknowns are missing; the third is missing whole.
+  // Two nodes lack one and two unknowns; a third is missing whole.
   const NodeGrid grid(4, 3, 3, 3, {10, 30, 31, 60, 61, 62});
   const Supervariables nodes(grid.matrix, static_cast<int>(grid.matrix.rows()));
   TEST_EQUALITY(nodes.count(), 4 * 3 * 3 - 1);

@@ -124,14 +124,28 @@ TEUCHOS_UNIT_TEST(Answers, BalanceEveryBodyOnItsOwn) {
     TEST_COMPARE(std::abs(ground.force[0] + guide.force[0]), <, 1e-7);
     if (blocks::world()->getRank() != 0) continue;
     const ContactResultant contact = contactResultants(solution.pairs, 1, false).front();
-    TEST_EQUALITY(contact.bodies[0], 0);
-    TEST_EQUALITY(contact.bodies[1], 1);
+    TEST_COMPARE_ARRAYS(contact.bodies[0], std::vector<int>{0});
+    TEST_COMPARE_ARRAYS(contact.bodies[1], std::vector<int>{1});
     TEST_FLOATING_EQUALITY(contact.onB.force[1], force, 1e-8);
     TEST_FLOATING_EQUALITY(contact.onB.moment[2], moment + guide.moment[2], 1e-8);  // the upper body in balance
     TEST_FLOATING_EQUALITY(contact.centre[0], contact.onB.moment[2] / force, 1e-10);
     TEST_FLOATING_EQUALITY(contact.whole, 2.0, 1e-12);
     TEST_ASSERT(contact.closed > 0.5 && contact.closed <= contact.whole);
   }
+}
+
+TEUCHOS_UNIT_TEST(Answers, NameAllBodiesOfASide) {
+  std::vector<PairResult> pairs(4);
+  for (const auto& [pair, bodies] : {std::pair(0, std::array<int, 2>{3, 1}), {1, {0, 1}}, {2, {3, 1}}, {3, {2, -1}}}) {
+    pairs[pair].line = pair == 3;
+    pairs[pair].bodies = bodies;
+  }
+  const std::vector<ContactResultant> found = contactResultants(pairs, 2, false);
+  const std::vector<int> ofSideA{0, 3}, ofSideB{1}, onObstacle{2};
+  TEST_COMPARE_ARRAYS(found[0].bodies[0], ofSideA);
+  TEST_COMPARE_ARRAYS(found[0].bodies[1], ofSideB);
+  TEST_COMPARE_ARRAYS(found[1].bodies[0], onObstacle);
+  TEST_ASSERT(found[1].bodies[1].empty());
 }
 
 TEUCHOS_UNIT_TEST(Answers, OfAnObstacleSumToNothing) {

@@ -24,7 +24,7 @@ class Supervariables {
  private:
   int size_;
   std::vector<int> first_;    // first unknown of each group, and the end
-  std::vector<int> groupOf_;  // of each unknown
+  std::vector<int> groupOf_;  // group that each unknown is in
 };
 
 /// The lower triangle of a symmetric matrix in another order. \param matrix  its lower triangle is read; \param order  position -> unknown

@@ -172,11 +172,7 @@ void resolveLoads(const Comm& comm, const std::vector<SubdomainMesh>& meshes, El
   };
   pieces.sum = reduce(Teuchos::REDUCE_SUM);
   pieces.most = reduce(Teuchos::REDUCE_MAX);
-  pieces.join = [&comm](const std::vector<Candidate>& mine) {
-    Packer packer;
-    packer.put(mine);
-    return joined<Candidate>(allGather(comm, packer.bytes()));
-  };
+  pieces.join = [&comm](const std::vector<Candidate>& mine) { return joinEverywhere(comm, mine); };
   resolve(pieces, model);
 }
 

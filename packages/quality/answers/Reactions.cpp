@@ -72,7 +72,11 @@ std::vector<ContactResultant> contactResultants(const std::vector<PairResult>& p
   for (const PairResult& pair : pairs) {
     if (pair.line < 0 || pair.line >= lines) continue;
     ContactResultant& line = all[pair.line];
-    line.bodies = pair.bodies;
+    for (int side = 0; side < 2; ++side) {
+      std::vector<int>& bodies = line.bodies[side];
+      const auto at = std::lower_bound(bodies.begin(), bodies.end(), pair.bodies[side]);
+      if (pair.bodies[side] >= 0 && (at == bodies.end() || *at != pair.bodies[side])) bodies.insert(at, pair.bodies[side]);
+    }
     line.pairs += 1;
     line.whole += pair.length;
     if (pair.state.closed()) line.active += 1, line.closed += pair.length;

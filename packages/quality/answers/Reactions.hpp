@@ -44,12 +44,12 @@ struct Reactions {
 
 /// Resultant of a contact line.
 struct ContactResultant {
-  std::array<int, 2> bodies{{-1, -1}};  ///< bodies of sides A and B; -1: a rigid obstacle
-  Resultant onB;                        ///< forces on side B
-  Point centre{0, 0, 0};                ///< mean of the pairs' places by their forces; without meaning where `pressing` is zero
-  double pressing = 0.0;                ///< sum of the pair forces [force]
-  double closed = 0.0;                  ///< length or, axisymmetric, area of the closed pairs
-  double whole = 0.0;                   ///< the same of all pairs
+  std::array<std::vector<int>, 2> bodies;  ///< bodies of sides A and B, ascending; none of a rigid obstacle
+  Resultant onB;                           ///< forces on side B
+  Point centre{0, 0, 0};                   ///< mean of the pairs' places by their forces; without meaning where `pressing` is zero
+  double pressing = 0.0;                   ///< sum of the pair forces [force]
+  double closed = 0.0;                     ///< length or, axisymmetric, area of the closed pairs
+  double whole = 0.0;                      ///< the same of all pairs
   int pairs = 0, active = 0;
 
   /// The centre is that of a circle if axisymmetric: its distance from the axis is a mean radius.

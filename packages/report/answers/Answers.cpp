@@ -40,10 +40,11 @@ std::string contactName(const Run& run, int line) {
   return line >= 0 && line < static_cast<int>(run.contacts.size()) ? run.contacts[line] : std::to_string(line + 1);
 }
 
-Json bodiesOf(const Run& run, const std::array<int, 2>& bodies) {
+Json bodiesOf(const Run& run, std::initializer_list<std::vector<int>> sides) {
   Json all = Json::array();
-  for (const int body : bodies)
-    if (body >= 0) all.push_back(bodyName(run, body));
+  for (const std::vector<int>& side : sides)
+    for (const int body : side)
+      if (body >= 0) all.push_back(bodyName(run, body));
   return all;
 }
 
@@ -91,7 +92,7 @@ Resultant sumOfResultants(const std::vector<ConditionResultant>& conditions, con
   Resultant sum;
   for (const ConditionResultant& condition : conditions) sum.add(condition.sum);
   for (const ContactResultant& contact : contacts)
-    if (contact.pairs > 0 && contact.bodies[1] < 0) sum.add(contact.onB, -1.0);  // an obstacle pushes back
+    if (contact.pairs > 0 && contact.bodies[1].empty()) sum.add(contact.onB, -1.0);  // an obstacle pushes back
   return sum;
 }
 
@@ -118,7 +119,7 @@ Json extremesJson(const Run& run, int dimension) {
     all["pressure"] = {{"value", pair->pressure},
                        {"unit", units.stress},
                        {"contact", contactName(run, pair->line)},
-                       {"bodies", bodiesOf(run, pair->bodies)},
+                       {"bodies", bodiesOf(run, {{pair->bodies[0], pair->bodies[1]}})},
                        {"place", componentsOf(pair->position, dimension)}};
   return all;
 }
@@ -134,7 +135,7 @@ Json reactionsJson(const Run& run, int dimension) {
   }
   for (std::size_t line = 0; line < contacts.size(); ++line) {
     const ContactResultant& contact = contacts[line];
-    Json row = {{"bodies", bodiesOf(run, contact.bodies)}};
+    Json row = {{"bodies", bodiesOf(run, {contact.bodies[0], contact.bodies[1]})}};
     row.update(resultantOf(contact.onB, dimension));
     row["centre"] = contact.presses() ? componentsOf(contact.centre, dimension) : Json();
     row["closed"] = contact.closed;

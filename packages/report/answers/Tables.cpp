@@ -64,6 +64,14 @@ void writeContactTable(const Run& run, const std::string& path) {
   writeTextFile(path, text);
 }
 
+namespace {
+std::string bodyNames(const Run& run, const std::vector<int>& bodies) {
+  std::vector<std::string> names;
+  for (const int body : bodies) names.push_back(bodyName(run, body));
+  return joinNames(names);
+}
+}  // namespace
+
 void writeReactionTable(const Run& run, const std::string& path) {
   const std::vector<ConditionResultant> conditions = conditionResultants(run);
   const std::vector<ContactResultant> contacts = contactResultants(run);
@@ -78,8 +86,8 @@ void writeReactionTable(const Run& run, const std::string& path) {
     text += csvField(condition.name) + "," + condition.kind + ",," + scales.fields(condition.sum) + ",,,,\n";
   for (std::size_t line = 0; line < contacts.size(); ++line) {
     const ContactResultant& contact = contacts[line];
-    text += csvField(run.contacts[line]) + ",contact," + csvField(bodyName(run, contact.bodies[0])) + "," +
-            csvField(bodyName(run, contact.bodies[1])) + scales.fields(contact.onB) +
+    text += csvField(run.contacts[line]) + ",contact," + csvField(bodyNames(run, contact.bodies[0])) + "," +
+            csvField(bodyNames(run, contact.bodies[1])) + scales.fields(contact.onB) +
             (contact.presses() ? vectorFields(contact.centre, place) : ",,,") + csvNumber(contact.closed, 0.0) + "\n";
   }
   text += "sum,sum,," + scales.fields(sum) + ",,,,\n";

@@ -50,9 +50,7 @@ std::vector<End> endsOf(const Comm& comm, const std::vector<SubdomainMesh>& mesh
       mine.push_back(own);
     }
   }
-  Packer packer;
-  packer.put(mine);
-  std::vector<End> all = joined<End>(allGather(comm, packer.bytes()));
+  std::vector<End> all = joinEverywhere(comm, mine);
   std::sort(all.begin(), all.end(), [](const End& a, const End& b) { return a.pair != b.pair ? a.pair < b.pair : a.end < b.end; });
   return all;
 }
