@@ -172,6 +172,12 @@ Constraints buildConstraints(const Mesh& mesh, const Parameters& conditionList, 
   return build(mesh, sound, readContact(mesh, contactList, known, problems), scales, problems);
 }
 
+void applyLaws(const ContactLaws& laws, Constraints& constraints) {
+  constraints.laws = laws;
+  for (ContactPair& pair : constraints.pairs)
+    if (laws.of(pair.line).ignoresGap()) pair.gap = 0.0;
+}
+
 Matrix axesOf(const NodeRule& rule, int dimension) {
   Matrix q(dimension, dimension);
   for (int row = 0; row < dimension; ++row)

@@ -38,7 +38,8 @@ struct SpringDirection {
 struct PairForce {
   int id = -1;
   ContactState state;
-  double force = 0.0;  ///< > 0 compressive [force]
+  double force = 0.0;         ///< > 0 compressive [force]
+  Point tangential{0, 0, 0};  ///< that side B feels of the sliding of A, Cartesian [force]
 };
 
 /// A connected component of Gamma_c.
@@ -72,6 +73,9 @@ struct Constraints {
   ContactLaws laws{};              ///< laws of the contact lines, given by the scene (simulation/Scene); empty: frictionless
   std::vector<std::string> notes;  ///< sentences for the user about choices made
 };
+
+/// Gives the constraints their laws. Pairs of a law that takes the sides as they stand have no gap.
+void applyLaws(const ContactLaws& laws, Constraints& constraints);
 
 /// u_local = Q u for one node: row k of Q is axis k. `dimension` x `dimension`.
 Matrix axesOf(const NodeRule& rule, int dimension);

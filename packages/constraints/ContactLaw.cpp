@@ -1,9 +1,11 @@
 #include <suture/base/Point.hpp>
 #include <suture/base/scene/SceneReader.hpp>
 #include <suture/constraints/ContactLaw.hpp>
+#include <suture/constraints/FrictionLaws.hpp>
 
 #include <Teuchos_ParameterList.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace suture {
@@ -38,11 +40,27 @@ ContactState Frictionless::doProject(const ContactTrial& trial, const ContactSta
 
 void registerBuiltIns(Registry<ContactLaw>& registry) {
   registry.add(Frictionless::kName, Schema("No tension, no penetration, free sliding."),
-               [](const Parameters&) { return std::make_unique<Frictionless>(); });
+               [](const Constants&, const Parameters&) { return std::make_unique<Frictionless>(); });
+  registry.add(Tresca::kName, Tresca::schema(),
+               [](const Constants& constants, const Parameters& own) { return std::make_unique<Tresca>(constants, own); });
+  registry.add(Coulomb::kName, Coulomb::schema(),
+               [](const Constants& constants, const Parameters& own) { return std::make_unique<Coulomb>(constants, own); });
+  registry.add(Tied::kName, Schema("Glued as the sides stand, whatever their meshes: no jump of displacements."),
+               [](const Constants&, const Parameters&) { return std::make_unique<Tied>(); });
+  registry.add(NoSeparation::kName, Schema("Free sliding, and sides that never part: no gap, tension allowed."),
+               [](const Constants&, const Parameters&) { return std::make_unique<NoSeparation>(); });
 }
 
-ContactLaws::ContactLaws(const Parameters& contact) {
-  for (const std::string& name : sublistNames(contact)) laws_.push_back(makeStrategy<ContactLaw>(contact.sublist(name), "Law"));
+ContactLaws::ContactLaws(const Parameters& contact, const Constants& constants) {
+  for (const std::string& name : sublistNames(contact)) laws_.push_back(makeStrategy<ContactLaw>(contact.sublist(name), "Law", constants));
+}
+
+bool ContactLaws::restrictSliding() const {
+  return std::any_of(laws_.begin(), laws_.end(), [](const auto& law) { return law->rows(2) > 1; });
+}
+
+bool ContactLaws::separate() const {
+  return std::any_of(laws_.begin(), laws_.end(), [](const auto& law) { return law->separates(); });
 }
 
 const ContactLaw& ContactLaws::of(int line) const {

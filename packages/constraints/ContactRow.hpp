@@ -1,6 +1,7 @@
 #pragma once
 #include <suture/constraints/Constraints.hpp>
 
+#include <functional>
 #include <vector>
 
 namespace suture {
@@ -26,18 +27,26 @@ struct ContactRow {
   };
   ContactPair pair;
   std::vector<Equation> equations;  ///< the normal one, then those of the tangents
+  bool separates = true;            ///< false of a law that never opens a pair (ContactLaw::separates)
   int cluster = -1;                 ///< rows that share a dof, and those that share one with them: lowest pair id among them
 
   const Equation& normal() const { return equations.front(); }
   Equation& normal() { return equations.front(); }
   /// True if the pair can open and close: some node of it can move along the normal.
   bool able() const { return !normal().dofs.empty(); }
+  /// True if the law restricts sliding.
+  bool restrictsSliding() const { return equations.size() > 1; }
 
   template <typename Self, typename Each>
   static void forEachField(Self& self, const Each& each) {
-    each(self.pair), each(self.equations), each(self.cluster);
+    each(self.pair), each(self.equations), each(self.separates), each(self.cluster);
   }
 };
+
+/// Directions of a pair's rows: its frame (PairFrame), whose tangents lose what both sides are held along alike, as on a plane of symmetry.
+/// There nothing slides across it; of a mortar, whose means reach to one side of the plane only, slip across would be no zero.
+/// \param ruleAt  rule of a node, or null
+std::vector<Point> rowDirections(const ContactPair& pair, int dimension, const std::function<const NodeRule*(int node)>& ruleAt);
 
 /// The rows of all pairs, in their order, as many of each as its law restricts. Cost in proportion to nodes and pairs. Local (rank 0).
 std::vector<ContactRow> contactRows(const Mesh& mesh, const Constraints& constraints);

@@ -1,5 +1,6 @@
 #pragma once
 #include <suture/base/Types.hpp>
+#include <suture/constraints/ContactState.hpp>
 
 #include <vector>
 
@@ -29,6 +30,8 @@ class RigidContact {
     std::vector<std::vector<int>> bodies;  ///< bodies that each pair touches. Empty: all pairs belong together
     std::vector<char> able;                ///< pairs that can change; others have no free unknowns, and rows of zeros
     bool surfaces = false;                 ///< pairs of one line lie on a surface, in no order
+    std::vector<Matrix> tangents = {};     ///< as `rows`, along each tangent; none without friction
+    std::vector<char> bound = {};          ///< pairs that never open (ContactLaw::separates), not able; motions keep them. Empty: none
   };
 
   explicit RigidContact(Pairs pairs);
@@ -57,6 +60,11 @@ class RigidContact {
 
   /// Orthonormal combinations of motions that leave all pairs of a set as they are: motions x k.
   Matrix loose(const ClosedSet& closed) const;
+  /// True if a pair never opens.
+  bool isBound(std::size_t pair) const { return !pairs_.bound.empty() && pairs_.bound[pair] != 0; }
+  /// The same of states of pairs with friction: they hold along the normals where they are closed, along the tangents where they stick, and
+  /// across the direction in which they slip.
+  Matrix loose(const std::vector<ContactState>& states) const;
   /// True if a set leaves a motion free that all pairs together would stop.
   bool loosens(const ClosedSet& closed) const;
   /// Open pairs that, closed beside a set with the loose motions Z, stop all that pairs can stop: one for each, the best determined.

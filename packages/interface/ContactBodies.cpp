@@ -1,3 +1,4 @@
+#include <suture/algebra/dense/Decompositions.hpp>
 #include <suture/base/Buffer.hpp>
 #include <suture/base/Collective.hpp>
 #include <suture/base/RigidValues.hpp>
@@ -10,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <tuple>
 
 namespace suture {
 
@@ -19,7 +21,7 @@ constexpr double kNoWork = 1e-12;  // of the sum of magnitudes: rounding of load
 
 /// A pair's coefficient of one unknown, by amplitudes of a part.
 struct Term {
-  int pair, part;
+  int pair, part, component;
   GlobalId dof;
   double amplitudes[6];
 };
@@ -27,28 +29,33 @@ struct Term {
 struct PairData {
   int pair, line;
   double gap, stiffness;
-  char able;
+  char able, bound;
 };
+
+using TermKey = std::tuple<int, int, GlobalId>;  // pair, component, unknown
+constexpr double kKept = 1e-9;                   // change of a bound pair, of motions of the order of one, that is none
 
 }  // namespace
 
 ContactBodies::ContactBodies(const Comm& comm, const std::vector<std::unique_ptr<Subdomain>>& subdomains,
-                             const std::map<int, double>& pairStiffness) {
+                             const std::map<int, double>& pairStiffness, const ContactLaws& laws) {
   Meshes meshes;
   for (const auto& subdomain : subdomains) meshes.push_back(&subdomain->mesh());
   findParts(comm, meshes);
-  RigidContact::Pairs pairs = gatherPairs(comm, meshes, pairStiffness);
+  RigidContact::Pairs pairs = gatherPairs(comm, meshes, pairStiffness, laws);
   pairs.work = work(comm, subdomains);
+  bind(pairs);
   rigid_ = std::make_unique<RigidContact>(std::move(pairs));
 }
 
-ContactBodies::ContactBodies(const Comm& comm, const Meshes& meshes) {
+ContactBodies::ContactBodies(const Comm& comm, const Meshes& meshes, const ContactLaws& laws) {
   findParts(comm, meshes);
   std::map<int, double> ones;
   for (const SubdomainMesh* mesh : meshes)
     for (const ContactRow& row : mesh->contactRows) ones[row.pair.id] = 1.0;
-  RigidContact::Pairs pairs = gatherPairs(comm, meshes, ones);
+  RigidContact::Pairs pairs = gatherPairs(comm, meshes, ones, laws);
   pairs.work = Vector::Zero(motions_);
+  bind(pairs);
   rigid_ = std::make_unique<RigidContact>(std::move(pairs));
 }
 
@@ -65,9 +72,34 @@ void ContactBodies::findParts(const Comm& comm, const Meshes& meshes) {
   }
 }
 
-RigidContact::Pairs ContactBodies::gatherPairs(const Comm& comm, const Meshes& meshes, const std::map<int, double>& pairStiffness) const {
+/// Bodies that pairs bind together have common motions only.
+void ContactBodies::bind(RigidContact::Pairs& pairs) {
+  if (pairs.bound.empty()) return;
+  std::vector<int> bound;
+  for (std::size_t i = 0; i < pairs.bound.size(); ++i)
+    if (pairs.bound[i]) bound.push_back(static_cast<int>(i));
+  const auto count = static_cast<Eigen::Index>(bound.size());
+  Matrix kept(count * static_cast<Eigen::Index>(1 + pairs.tangents.size()), motions_);
+  kept.topRows(count) = pairs.rows(bound, Eigen::all);
+  for (std::size_t t = 0; t < pairs.tangents.size(); ++t)
+    kept.middleRows(count * static_cast<Eigen::Index>(1 + t), count) = pairs.tangents[t](bound, Eigen::all);
+  if (motions_ > 0 && !kept.isZero(kKept)) {
+    areBound_ = true;
+    together_ = nullSpace(kept, kKept);
+    pairs.rows = pairs.rows * together_;
+    for (Matrix& tangent : pairs.tangents) tangent = tangent * together_;
+    pairs.work = together_.transpose() * pairs.work;
+  }
+  for (const int i : bound) {
+    pairs.rows.row(i).setZero();
+    for (Matrix& tangent : pairs.tangents) tangent.row(i).setZero();
+  }
+}
+
+RigidContact::Pairs ContactBodies::gatherPairs(const Comm& comm, const Meshes& meshes, const std::map<int, double>& pairStiffness,
+                                               const ContactLaws& laws) const {
   const int amplitudes = rigidMotions(dimension_);
-  std::map<std::pair<int, GlobalId>, Term> terms;
+  std::map<TermKey, Term> terms;
   std::map<int, PairData> own;
   for (std::size_t s = 0; s < meshes.size(); ++s) {
     const SubdomainMesh& mesh = *meshes[s];
@@ -80,18 +112,23 @@ RigidContact::Pairs ContactBodies::gatherPairs(const Comm& comm, const Meshes& m
       return axis;
     };
     for (const ContactRow& row : mesh.contactRows) {
-      if (const auto stiffness = pairStiffness.find(row.pair.id); stiffness != pairStiffness.end())
-        own.emplace(row.pair.id, PairData{row.pair.id, row.pair.line, row.normal().gap, stiffness->second, row.able()});
-      const ContactRow::Equation& normal = row.normal();
-      for (std::size_t i = 0; i < normal.dofs.size(); ++i) {
-        const auto at = std::lower_bound(mesh.globalNodes.begin(), mesh.globalNodes.end(), normal.dofs[i] / dimension_);
-        if (at == mesh.globalNodes.end() || *at != normal.dofs[i] / dimension_) continue;
-        const int node = static_cast<int>(at - mesh.globalNodes.begin());
-        Term term{row.pair.id, partOf_[s], normal.dofs[i], {}};
-        const Point axis = direction(node, static_cast<int>(normal.dofs[i] % dimension_));
-        const Vector moved = along(parts_[partOf_[s]], mesh.point(node), axis, dimension_);
-        for (int k = 0; k < amplitudes; ++k) term.amplitudes[k] = normal.coefficients[i] * moved(k);
-        terms.emplace(std::make_pair(row.pair.id, normal.dofs[i]), term);
+      if (const auto stiffness = pairStiffness.find(row.pair.id); stiffness != pairStiffness.end()) {
+        const bool separates = laws.of(row.pair.line).separates();
+        own.emplace(row.pair.id, PairData{row.pair.id, row.pair.line, row.normal().gap, stiffness->second, row.able() && separates,
+                                          row.able() && !separates});
+      }
+      for (std::size_t component = 0; component < row.equations.size(); ++component) {
+        const ContactRow::Equation& equation = row.equations[component];
+        for (std::size_t i = 0; i < equation.dofs.size(); ++i) {
+          const auto at = std::lower_bound(mesh.globalNodes.begin(), mesh.globalNodes.end(), equation.dofs[i] / dimension_);
+          if (at == mesh.globalNodes.end() || *at != equation.dofs[i] / dimension_) continue;
+          const int node = static_cast<int>(at - mesh.globalNodes.begin());
+          Term term{row.pair.id, partOf_[s], static_cast<int>(component), equation.dofs[i], {}};
+          const Point axis = direction(node, static_cast<int>(equation.dofs[i] % dimension_));
+          const Vector moved = along(parts_[partOf_[s]], mesh.point(node), axis, dimension_);
+          for (int k = 0; k < amplitudes; ++k) term.amplitudes[k] = equation.coefficients[i] * moved(k);
+          terms.emplace(TermKey(row.pair.id, term.component, equation.dofs[i]), term);
+        }
       }
     }
   }
@@ -106,7 +143,7 @@ RigidContact::Pairs ContactBodies::gatherPairs(const Comm& comm, const Meshes& m
   own.clear();
   for (const std::string& bytes : allGather(comm, packer.bytes())) {
     Unpacker unpacker(bytes);
-    for (const Term& term : unpacker.get<std::vector<Term>>()) terms.emplace(std::make_pair(term.pair, term.dof), term);
+    for (const Term& term : unpacker.get<std::vector<Term>>()) terms.emplace(TermKey(term.pair, term.component, term.dof), term);
     for (const PairData& pair : unpacker.get<std::vector<PairData>>()) own.emplace(pair.pair, pair);
   }
   const int count = own.empty() ? 0 : own.rbegin()->first + 1;
@@ -123,11 +160,20 @@ RigidContact::Pairs ContactBodies::gatherPairs(const Comm& comm, const Meshes& m
     pairs.stiffness(id) = pair.stiffness;
     pairs.line[id] = pair.line;
     pairs.able[id] = pair.able;
+    if (!pair.bound) continue;
+    pairs.bound.resize(count, 0);
+    pairs.bound[id] = 1;
   }
   for (const auto& entry : terms) {
     const Term& term = entry.second;
     const Eigen::Map<const Vector> row(term.amplitudes, amplitudes);
     const RigidPart& part = parts_[term.part];
+    if (term.component > 0) {
+      pairs.tangents.resize(std::size_t(dimension_ - 1), Matrix::Zero(count, motions_));
+      pairs.tangents[std::size_t(term.component - 1)].row(term.pair).segment(first_[term.part], part.free.cols()) +=
+          row.transpose() * part.free;
+      continue;
+    }
     pairs.rows.row(term.pair).segment(first_[term.part], part.free.cols()) += row.transpose() * part.free;
     pairs.penetration(term.pair) += row.dot(lift_[term.part]);
     std::vector<int>& bodies = pairs.bodies[term.pair];
@@ -158,7 +204,8 @@ Vector ContactBodies::work(const Comm& comm, const std::vector<std::unique_ptr<S
 }
 
 Vector ContactBodies::amplitudes(int part, const Vector& motion) const {
-  return parts_[part].free * motion.segment(first_[part], parts_[part].free.cols());
+  if (!areBound()) return parts_[part].free * motion.segment(first_[part], parts_[part].free.cols());
+  return parts_[part].free * (together_.middleRows(first_[part], parts_[part].free.cols()) * motion);
 }
 
 void ContactBodies::addMotion(int place, const Subdomain& subdomain, const Vector& motion, Vector& values) const {

@@ -1,5 +1,6 @@
 #pragma once
 #include <suture/base/Types.hpp>
+#include <suture/constraints/ContactLaw.hpp>
 #include <suture/constraints/RigidMotion.hpp>
 #include <suture/contact/RigidContact.hpp>
 #include <suture/subdomain/Subdomain.hpp>
@@ -15,10 +16,12 @@ class ContactBodies {
  public:
   /// \param subdomains     of this rank, assembled
   /// \param pairStiffness  by pair id, of those that this rank answers for: 1 / sum n^2 / K_nn [force / length]
+  /// \param laws  of the contacts: bodies whose pairs never open move together
   /// Collective.
-  ContactBodies(const Comm& comm, const std::vector<std::unique_ptr<Subdomain>>& subdomains, const std::map<int, double>& pairStiffness);
+  ContactBodies(const Comm& comm, const std::vector<std::unique_ptr<Subdomain>>& subdomains, const std::map<int, double>& pairStiffness,
+                const ContactLaws& laws = {});
   /// Geometry alone: no loads, pads of stiffness one, penetrations of the initial gaps less what supports close. Collective.
-  ContactBodies(const Comm& comm, const std::vector<const SubdomainMesh*>& meshes);
+  ContactBodies(const Comm& comm, const std::vector<const SubdomainMesh*>& meshes, const ContactLaws& laws = {});
 
   const RigidContact& rigid() const { return *rigid_; }
   RigidContact& rigid() { return *rigid_; }
@@ -28,8 +31,10 @@ class ContactBodies {
   int partOf(int subdomain) const { return partOf_[subdomain]; }
   /// The motions of one part among those of all, as amplitudes of the part.
   Vector amplitudes(int part, const Vector& motion) const;
-  /// Column of a part's first motion among those of all.
+  /// Column of a part's first motion among those of all; only of bodies that nothing binds together.
   int firstMotion(int part) const { return first_[part]; }
+  /// True if motions are those of bodies that pairs bind together, not of each part alone.
+  bool areBound() const { return areBound_; }
   /// Adds motions (empty: none) to the free values of a subdomain of this rank.
   /// \param place  of the subdomain
   void addMotion(int place, const Subdomain& subdomain, const Vector& motion, Vector& values) const;
@@ -37,14 +42,18 @@ class ContactBodies {
  private:
   using Meshes = std::vector<const SubdomainMesh*>;
   void findParts(const Comm& comm, const Meshes& meshes);
-  RigidContact::Pairs gatherPairs(const Comm& comm, const Meshes& meshes, const std::map<int, double>& pairStiffness) const;
+  RigidContact::Pairs gatherPairs(const Comm& comm, const Meshes& meshes, const std::map<int, double>& pairStiffness,
+                                  const ContactLaws& laws) const;
+  void bind(RigidContact::Pairs& pairs);
   Vector work(const Comm& comm, const std::vector<std::unique_ptr<Subdomain>>& subdomains) const;
 
   int dimension_ = 2;
   std::vector<RigidPart> parts_;
   std::vector<Vector> lift_;  // of each part: amplitudes that prescribed displacements ask for
   std::vector<int> first_;    // of each part: column of its first motion
-  int motions_ = 0;
+  int motions_ = 0;           // of all parts
+  bool areBound_ = false;
+  Matrix together_;  // if they are: columns, motions of parts that leave bound pairs as they are
   std::vector<int> partOf_;
   std::unique_ptr<RigidContact> rigid_;
 };

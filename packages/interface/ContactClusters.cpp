@@ -11,12 +11,14 @@ namespace suture {
 
 namespace {
 
-using Sparse = std::vector<std::pair<int, double>>;  // place, coefficient; places ascend
+using Sparse = std::vector<std::pair<int, double>>;
 
 // Coefficients are those of unit normals. Rows whose largest one is below kDependent depend on others. Coefficients below kRounding are
 // remainders of others that cancelled; a larger one would be missing from the forces.
 constexpr double kDependent = 1e-10;
 constexpr double kRounding = 1e-14;
+constexpr double kDragged = 0.1;      // of a dragged row's largest coefficient: by less it is not solved for that unknown
+constexpr double kShift = 1e-12;      // of the largest compliance of a row
 constexpr std::size_t kTwoNodes = 6;  // unknowns in space
 
 /// The entry at a place; the end if there is none.
@@ -55,7 +57,90 @@ ContactClusters::ContactClusters(std::vector<Row> rows, Vector stiffness) : rows
     rowStiffness_(i) = 1.0 / compliance;
   }
   for (auto& [number, members] : byNumber) clusters_.push_back(std::move(members));
+  for (int i = 0; i < size(); ++i) {
+    if (rows_[i].component == 0) continue;
+    const auto pair = static_cast<std::size_t>(rows_[i].pair);
+    if (tangentsOf_.size() <= pair) tangentsOf_.resize(pair + 1, {{-1, -1}});
+    tangentsOf_[pair][rows_[i].component - 1] = i;
+  }
 }
+
+int ContactClusters::rowOf(int pair, int component) const {
+  if (component == 0) return pair;
+  return pair < static_cast<int>(tangentsOf_.size()) ? tangentsOf_[pair][component - 1] : -1;
+}
+
+ContactClusters::Row ContactClusters::withDrag(int row, const std::vector<ContactState>& status) const {
+  Row result = rows_[row];
+  const ContactState& state = status[result.pair];
+  if (result.component != 0 || !state.drags()) return result;
+  for (int component = 1; component <= 2; ++component) {
+    const int tangent = rowOf(result.pair, component);
+    if (tangent < 0 || state.direction[component] == 0.0) continue;
+    const Row& along = rows_[tangent];
+    for (std::size_t k = 0; k < along.places.size(); ++k) {
+      const auto at = std::find(result.places.begin(), result.places.end(), along.places[k]);
+      const double value = state.friction * state.direction[component] * along.coefficients[k];
+      if (at == result.places.end()) {
+        result.places.push_back(along.places[k]);
+        result.coefficients.push_back(value);
+      } else {
+        result.coefficients[static_cast<std::size_t>(at - result.places.begin())] += value;
+      }
+    }
+  }
+  return result;
+}
+
+/// Rows of a cluster, solved one after the other for one unknown each.
+class ContactClusters::Elimination {
+ public:
+  /// A row with what is solved put in.
+  Sparse reduced(const Row& row) {
+    Sparse result;
+    for (std::size_t k = 0; k < row.places.size(); ++k) {
+      const int place = row.places[k];
+      if (const auto known = solved_.find(place); known != solved_.end())
+        addTo(result, known->second, row.coefficients[k], space_);
+      else
+        addTo(result, {{place, 1.0}}, row.coefficients[k], space_);
+    }
+    return result;
+  }
+
+  /// Solves a reduced row for an unknown. \param elsewhere  whether rows before may name it
+  void solve(const Sparse& row, int place, double value, double size, bool elsewhere) {
+    Sparse by;
+    for (const auto& [other, coefficient] : row)
+      if (other != place && std::abs(coefficient) > kRounding) by.emplace_back(other, -coefficient / value);
+    if (elsewhere)
+      for (auto& [earlier, expression] : solved_)
+        if (const auto used = entryOf(expression, place); used != expression.end()) {
+          const double factor = used->second;
+          expression.erase(used);
+          addTo(expression, by, factor, space_);
+        }
+    solved_[place] = std::move(by);
+    sizes_[place] = size;
+  }
+
+  void appendTo(std::vector<InterfaceRelation>& all) const {
+    for (const auto& [place, by] : solved_) {
+      InterfaceRelation relation{place, {}, {}, sizes_.at(place)};
+      for (const auto& [other, value] : by)
+        if (std::abs(value) > kRounding) {
+          relation.others.push_back(other);
+          relation.coefficients.push_back(value);
+        }
+      all.push_back(std::move(relation));
+    }
+  }
+
+ private:
+  std::map<int, Sparse> solved_;  // expressed unknown -> what expresses it
+  std::map<int, double> sizes_;   // expressed unknown -> size of the row
+  Sparse space_;
+};
 
 std::vector<int> ContactClusters::closedRows(const std::vector<int>& cluster, const std::vector<ContactState>& status) const {
   std::vector<int> closed;
@@ -64,11 +149,13 @@ std::vector<int> ContactClusters::closedRows(const std::vector<int>& cluster, co
   return closed;
 }
 
-std::vector<InterfaceRelation> ContactClusters::relations(const std::vector<ContactState>& status) const {
+std::vector<InterfaceRelation> ContactClusters::relations(const std::vector<ContactState>& status,
+                                                          std::vector<InterfaceRelation>* test) const {
   std::vector<InterfaceRelation> all;
+  const bool drags = test && std::any_of(status.begin(), status.end(), [](const ContactState& state) { return state.drags(); });
+  if (test) test->clear();
   for (const auto& cluster : clusters_) {
-    std::map<int, Sparse> solved;  // expressed unknown -> what expresses it
-    std::map<int, double> sizes;   // expressed unknown -> size of the row
+    Elimination trial, tested;
     const std::vector<int> closed = closedRows(cluster, status);
     std::map<int, int> uses;  // unknown -> number of rows
     for (const int number : closed)
@@ -77,47 +164,39 @@ std::vector<InterfaceRelation> ContactClusters::relations(const std::vector<Cont
       return std::abs(a.second) < std::abs(b.second) * (1.0 - 1e-9);  // of equal ones the first
     };
     for (const int number : closed) {
-      Sparse row, space;
-      for (std::size_t k = 0; k < rows_[number].places.size(); ++k) {
-        const int place = rows_[number].places[k];
-        const double value = rows_[number].coefficients[k];
-        if (const auto known = solved.find(place); known != solved.end())
-          addTo(row, known->second, value, space);
-        else
-          addTo(row, {{place, 1.0}}, value, space);
+      Sparse row = trial.reduced(rows_[number]), dragged;
+      const auto chosen = [&](Sparse& rank) {
+        auto pivot = std::max_element(rank.begin(), rank.end(), smaller);
+        // Better one that no other row has, as each row of a mortar: then rows do not fill each other in.
+        auto own = rank.end();
+        for (auto entry = rank.begin(); entry != rank.end(); ++entry)
+          if (uses[entry->first] == 1 && (own == rank.end() || smaller(*own, *entry))) own = entry;
+        // Rows of six- and eight-node sides name the nodes of others, but can be solved for their carrying nodes one after the other.
+        if (own == rank.end() && rows_[number].places.size() > kTwoNodes) own = entryOf(rank, rows_[number].places.front());
+        return own != rank.end() && std::abs(own->second) > 0.5 * std::abs(pivot->second) ? own : pivot;
+      };
+      auto pivot = chosen(row);
+      if (drags) {  // both rows are solved for the same unknown: that of the row itself, unless it nearly vanishes where forces drag
+        dragged = tested.reduced(withDrag(number, status));
+        const auto entry = pivot == row.end() ? dragged.end() : entryOf(dragged, pivot->first);
+        const auto largest = std::max_element(dragged.begin(), dragged.end(), smaller);
+        if (pivot != row.end() && (entry == dragged.end() || std::abs(entry->second) < kDragged * std::abs(largest->second))) {
+          Sparse both = row;
+          for (auto& [place, value] : both) {
+            const auto other = entryOf(dragged, place);
+            value = other == dragged.end() ? 0.0 : std::sqrt(std::abs(value * other->second));
+          }
+          pivot = entryOf(row, chosen(both)->first);
+        }
       }
-      auto pivot = std::max_element(row.begin(), row.end(), smaller);
-      // Better one that no other row has, as each row of a mortar: then rows do not fill each other in.
-      auto own = row.end();
-      for (auto entry = row.begin(); entry != row.end(); ++entry)
-        if (uses[entry->first] == 1 && (own == row.end() || smaller(*own, *entry))) own = entry;
-      // Rows of six- and eight-node sides name the nodes of others, but can be solved for their carrying nodes one after the other.
-      if (own == row.end() && rows_[number].places.size() > kTwoNodes) own = entryOf(row, rows_[number].places.front());
-      if (own != row.end() && std::abs(own->second) > 0.5 * std::abs(pivot->second)) pivot = own;
       if (pivot == row.end() || std::abs(pivot->second) < kDependent) continue;
       const int place = pivot->first;
-      Sparse by;
-      for (const auto& [other, value] : row)
-        if (other != place && std::abs(value) > kRounding) by.emplace_back(other, -value / pivot->second);
-      if (uses[place] > 1)
-        for (auto& [earlier, expression] : solved)
-          if (const auto used = entryOf(expression, place); used != expression.end()) {
-            const double factor = used->second;
-            expression.erase(used);
-            addTo(expression, by, factor, space);
-          }
-      solved[place] = std::move(by);
-      sizes[place] = rows_[number].size;
+      if (drags && (entryOf(dragged, place) == dragged.end() || std::abs(entryOf(dragged, place)->second) < kDependent)) continue;
+      trial.solve(row, place, entryOf(row, place)->second, rows_[number].size, uses[place] > 1);
+      if (drags) tested.solve(dragged, place, entryOf(dragged, place)->second, rows_[number].size, true);
     }
-    for (const auto& [place, by] : solved) {
-      InterfaceRelation relation{place, {}, {}, sizes[place]};
-      for (const auto& [other, value] : by)
-        if (std::abs(value) > kRounding) {
-          relation.others.push_back(other);
-          relation.coefficients.push_back(value);
-        }
-      all.push_back(std::move(relation));
-    }
+    trial.appendTo(all);
+    if (drags) tested.appendTo(*test);
   }
   return all;
 }
@@ -132,22 +211,28 @@ Vector ContactClusters::gaps(const Vector& trace, const Vector& moved) const {
 }
 
 // C K^-1 C^T is sparse along a line: a factorisation, unless rows depend on each other.
-Vector ContactClusters::solve(const std::vector<int>& rows, const Vector& rhs) const {
-  if (rows.size() == 1) return rhs * rowStiffness_(rows[0]);
+Vector ContactClusters::solve(const std::vector<const Row*>& rows, const Vector& rhs) const {
   std::map<int, int> columns;
   std::vector<Eigen::Triplet<double>> entries;
   for (std::size_t a = 0; a < rows.size(); ++a)
-    for (std::size_t k = 0; k < rows_[rows[a]].places.size(); ++k) {
-      const int place = rows_[rows[a]].places[k];
+    for (std::size_t k = 0; k < rows[a]->places.size(); ++k) {
+      const int place = rows[a]->places[k];
       const int column = columns.emplace(place, static_cast<int>(columns.size())).first->second;
-      entries.emplace_back(static_cast<int>(a), column, rows_[rows[a]].coefficients[k] / std::sqrt(stiffness_(place)));
+      entries.emplace_back(static_cast<int>(a), column, rows[a]->coefficients[k] / std::sqrt(stiffness_(place)));
     }
   Eigen::SparseMatrix<double> scaled(static_cast<int>(rows.size()), static_cast<int>(columns.size()));
   scaled.setFromTriplets(entries.begin(), entries.end());
   const Eigen::SparseMatrix<double> compliance = scaled * scaled.transpose();
   const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor(compliance);
   if (factor.info() == Eigen::Success && factor.vectorD().minCoeff() > kDependent * factor.vectorD().maxCoeff()) return factor.solve(rhs);
-  return leastSquares(Matrix(compliance), rhs);
+  // Rows that depend on each other: the least forces, by a shift that refinement takes out again where the rows determine them.
+  Eigen::SparseMatrix<double> shifted = compliance;
+  shifted.diagonal().array() += kShift * shifted.diagonal().maxCoeff();
+  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> regular(shifted);
+  if (regular.info() != Eigen::Success) return leastSquares(Matrix(compliance), rhs);
+  Vector x = regular.solve(rhs);
+  for (int pass = 0; pass < 2; ++pass) x += regular.solve(rhs - compliance * x);
+  return x;
 }
 
 Vector ContactClusters::forces(const std::vector<ContactState>& status, const Vector& imbalance) const {
@@ -155,13 +240,25 @@ Vector ContactClusters::forces(const std::vector<ContactState>& status, const Ve
   for (const auto& cluster : clusters_) {
     const std::vector<int> closed = closedRows(cluster, status);
     if (closed.empty()) continue;
+    const bool drags = std::any_of(closed.begin(), closed.end(), [&](int row) { return status[rows_[row].pair].drags(); });
+    std::vector<Row> dragged;
+    std::vector<const Row*> rows;
+    if (drags) {
+      dragged.reserve(closed.size());
+      for (const int row : closed) dragged.push_back(withDrag(row, status));
+    }
+    for (std::size_t a = 0; a < closed.size(); ++a) rows.push_back(drags ? &dragged[a] : &rows_[closed[a]]);
     Vector rhs = Vector::Zero(static_cast<int>(closed.size()));
     for (std::size_t a = 0; a < closed.size(); ++a)
-      for (std::size_t k = 0; k < rows_[closed[a]].places.size(); ++k) {
-        const int place = rows_[closed[a]].places[k];
-        rhs(static_cast<int>(a)) -= rows_[closed[a]].coefficients[k] * imbalance(place) / stiffness_(place);
+      for (std::size_t k = 0; k < rows[a]->places.size(); ++k) {
+        const int place = rows[a]->places[k];
+        rhs(static_cast<int>(a)) -= rows[a]->coefficients[k] * imbalance(place) / stiffness_(place);
       }
-    const Vector own = solve(closed, rhs);
+    if (closed.size() == 1 && !drags) {
+      force(closed[0]) = rhs(0) * rowStiffness_(closed[0]);
+      continue;
+    }
+    const Vector own = solve(rows, rhs);
     for (std::size_t a = 0; a < closed.size(); ++a) force(closed[a]) = own(static_cast<int>(a));
   }
   return force;
@@ -182,7 +279,9 @@ Vector ContactClusters::correction(const std::vector<ContactState>& status, cons
       any = any || std::abs(gap(closed[a])) > 1e-14 * scale;
     }
     if (!any) continue;
-    const Vector push = solve(closed, rhs);
+    std::vector<const Row*> rows;
+    for (const int row : closed) rows.push_back(&rows_[row]);
+    const Vector push = closed.size() == 1 ? Vector(rhs * rowStiffness_(closed[0])) : solve(rows, rhs);
     for (std::size_t a = 0; a < closed.size(); ++a)
       for (std::size_t k = 0; k < rows_[closed[a]].places.size(); ++k) {
         const int place = rows_[closed[a]].places[k];

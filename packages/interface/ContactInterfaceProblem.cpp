@@ -79,6 +79,8 @@ ContactInterfaceProblem::ContactInterfaceProblem(CommPtr comm, const Partition& 
   collectRows(stiffness);
   findNeighbours();
   if (pairs_ > 0) findBodies();
+  rubs_ = pairs_ > 0 && laws_.restrictSliding();
+  if (rubs_) findSites();
   for (const auto& piecesOfGroup : partition.piecesOf) pieces_ += static_cast<int>(piecesOfGroup.size());
 }
 
@@ -112,7 +114,7 @@ void ContactInterfaceProblem::collectRows(const Vector& stiffness) {
   int able = 0;
   for (const auto& [id, row] : byPair) {
     owned_.push_back(mine.count(id) > 0);
-    able += owned_.back() && row->able();
+    able += owned_.back() && row->able() && laws_.of(row->pair.line).separates();
     rows_.push_back(*row);
   }
   // The normal rows first, so that they have the numbers of their pairs.
@@ -159,8 +161,11 @@ void ContactInterfaceProblem::findNeighbours() {
   }
 }
 
+/// As a set of closed pairs has it: without friction, but for pairs that never open.
 ContactState ContactInterfaceProblem::pressed(const ContactRow& row) const {
-  return row.able() ? laws_.of(row.pair.line).pressed() : ContactState();
+  const ContactLaw& law = laws_.of(row.pair.line);
+  if (!row.able()) return law.separates() ? ContactState() : law.pressed();
+  return row.equations.size() > 1 && law.separates() ? ContactState(PairStatus::Slip) : law.pressed();
 }
 
 InterfaceState ContactInterfaceProblem::allClosed() const {
@@ -206,9 +211,10 @@ Matrix ContactInterfaceProblem::rememberedImbalance(const InterfaceState& state,
   return imbalance(*state.trace);
 }
 
-MultiVectorPtr ContactInterfaceProblem::residual(const Matrix& imbalance, const InterfaceSpace& space) const {
+MultiVectorPtr ContactInterfaceProblem::residual(const Matrix& imbalance, const InterfaceSpace& space,
+                                                 const FrictionTangent* friction) const {
   Matrix folded = -imbalance;
-  space.fold(folded);
+  space.fold(folded, friction && !friction->test.empty() ? &friction->test : nullptr);
   const MultiVectorPtr result = space_->vector();
   auto owned = localView(*result);
   for (int place = 0; place < space_->overlapSize(); ++place)
@@ -253,20 +259,38 @@ void ContactInterfaceProblem::update(InterfaceState& state, const MultiVector& s
 
 std::shared_ptr<const InterfaceSpace> ContactInterfaceProblem::spaceOf(const ContactStates& status) const {
   if (derived_ && status == spaceStatus_) return derived_;
-  const bool inSpace = space_->dimension() == 3;
-  std::vector<std::vector<int>> neighbours;
-  for (const auto& rows : neighbours_) {
-    neighbours.emplace_back();
-    for (const int row : rows) {
-      // A closed pair identifies its unknowns: any of them stands for it. A pair that is open, or held on one side, ends a stretch.
-      const bool joins = row >= 0 && status[0][row].closed() && clusters_->row(row).places.size() == 2;
-      if (joins || inSpace)
-        neighbours.back().push_back(joins ? clusters_->row(row).places[0] : -1);
-      else if (!neighbours.back().empty())
-        neighbours.emplace_back();
+  std::vector<InterfaceRelation> relations, test;
+  relations = clusters_->relations(status[0], rubs_ ? &test : nullptr);
+  if (rubs_) {
+    tangent_ = tangentOf(status, std::move(test));
+    // States that drag in other directions have the space of before, if they express the same unknowns.
+    const auto sameRows = [](const ContactState& a, const ContactState& b) { return a.holdsAs(b); };
+    std::vector<int> unknowns;
+    for (const InterfaceRelation& relation : relations) unknowns.push_back(relation.unknown);
+    const bool same =
+        derived_ && unknowns == spaceUnknowns_ && std::equal(status[0].begin(), status[0].end(), spaceStatus_[0].begin(), sameRows);
+    spaceUnknowns_ = std::move(unknowns);
+    if (same) {
+      spaceStatus_ = status;
+      return derived_;
     }
   }
-  derived_ = space_->related(clusters_->relations(status[0]), neighbours);
+  const bool inSpace = space_->dimension() == 3;
+  std::vector<std::vector<int>> neighbours;
+  for (int component = 0; component < (laws_.restrictSliding() ? space_->dimension() : 1); ++component)
+    for (const auto& rows : neighbours_) {
+      neighbours.emplace_back();
+      for (const int pair : rows) {
+        const int row = pair < 0 ? -1 : clusters_->rowOf(pair, component);
+        // A closed pair identifies its unknowns: any of them stands for it. A pair that is open, or held on one side, ends a stretch.
+        const bool joins = row >= 0 && status[0][pair].holds(component) && clusters_->row(row).places.size() == 2;
+        if (joins || inSpace)
+          neighbours.back().push_back(joins ? clusters_->row(row).places[0] : -1);
+        else if (!neighbours.back().empty())
+          neighbours.emplace_back();
+      }
+    }
+  derived_ = space_->related(std::move(relations), neighbours);
   spaceStatus_ = status;
   return derived_;
 }
@@ -274,9 +298,22 @@ std::shared_ptr<const InterfaceSpace> ContactInterfaceProblem::spaceOf(const Con
 InterfaceProblem::Linearisation ContactInterfaceProblem::linearise(const InterfaceState& state) const {
   const auto space = spaceOf(state.status);
   Linearisation result;
-  result.matrix = Teuchos::rcp(new InterfaceOperator(space, LocalProblems(locals_.begin(), locals_.end())));
+  auto friction = tangent_;
+  if (friction && reduce(*comm_, Teuchos::REDUCE_MAX, friction->symmetric ? 0.0 : 1.0) > 0.0 && friction->symmetric) {
+    auto elsewhere = std::make_shared<FrictionTangent>(*friction);
+    elsewhere->symmetric = false;
+    friction = elsewhere;
+  }
+  result.matrix = Teuchos::rcp(new InterfaceOperator(space, LocalProblems(locals_.begin(), locals_.end()), friction));
   int applications = 0;
-  result.load = residual(rememberedImbalance(state, applications), *space);
+  if (!friction) {
+    result.load = residual(rememberedImbalance(state, applications), *space);
+    return result;
+  }
+  Matrix out = rememberedImbalance(state, applications), trace;
+  space_->gather(*state.trace, trace);
+  addSlipForces(state, trace, out);
+  result.load = residual(out, *space, friction.get());
   return result;
 }
 
@@ -303,6 +340,8 @@ InterfaceProblem::Evaluation ContactInterfaceProblem::evaluateSet(const Interfac
     const ClosedSet closed = closedSet(state.status);
     result.force = all.col(0);
     result.penetration = all.col(1);
+    for (std::size_t i = 0; i < closed.size(); ++i)
+      if (bodies_->rigid().isBound(i)) result.force(static_cast<Eigen::Index>(i)) = 0.0;  // nothing is decided by it
     for (std::size_t i = 0; i < closed.size(); ++i) (closed[i] ? result.penetration : result.force)(static_cast<Eigen::Index>(i)) = 0.0;
     result.next = statusOf(plainFlips(bodies_->rigid(), laws_, closed, resolution, all.col(2), result));
   }
@@ -333,7 +372,10 @@ std::vector<Vector> ContactInterfaceProblem::interiors(const InterfaceState& sta
 InterfaceProblem::Recovered ContactInterfaceProblem::recover(const InterfaceState& state) const {
   Matrix trace;
   space_->gather(*state.trace, trace);
-  const Vector force = clusters_->forces(state.status[0], imbalance(*state.trace).col(0));
+  Matrix out = imbalance(*state.trace);
+  if (rubs_) addSlipForces(state, trace, out);
+  const Vector force = clusters_->forces(state.status[0], out.col(0));
+  const Vector gaps = laws_.restrictSliding() ? clusters_->gaps(trace.col(0), movedRows(state)) : Vector();
   Recovered result;
   InterfaceState deformed = state;
   deformed.rigid = Vector();
@@ -348,7 +390,10 @@ InterfaceProblem::Recovered ContactInterfaceProblem::recover(const InterfaceStat
     }
   });
   for (std::size_t i = 0; i < rows_.size(); ++i)
-    if (owned_[i]) result.pairs.push_back({rows_[i].pair.id, state.status[0][i], force(static_cast<int>(i))});
+    if (owned_[i]) {
+      result.pairs.push_back({rows_[i].pair.id, state.status[0][i], force(static_cast<int>(i))});
+      if (rows_[i].equations.size() > 1) result.pairs.back().tangential = tangentialForce(static_cast<int>(i), state, force, gaps);
+    }
   result.energy = reduce(*comm_, Teuchos::REDUCE_SUM, energy) - rigidWork(state);
   return result;
 }

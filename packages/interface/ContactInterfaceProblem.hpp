@@ -19,7 +19,7 @@ namespace suture {
 /// With N the contact rows, g the gaps and S = sum R_i^T S_i R_i over the subdomains: S U + N^T f = F, f >= 0, g - N U >= 0, f.(g - N U) =
 /// 0. For a set of closed pairs T spans the null space of their rows and the linear problem is T^T S T w = T^T (F - S U) from a U that
 /// meets the rows.
-class ContactInterfaceProblem : public InterfaceProblem, public ContactSets {
+class ContactInterfaceProblem : public InterfaceProblem, public ContactSets, public FrictionStates {
  public:
   using SchurMaker = std::function<std::unique_ptr<SchurComplement>()>;
 
@@ -58,7 +58,24 @@ class ContactInterfaceProblem : public InterfaceProblem, public ContactSets {
   int remember(InterfaceState& state) const override;
   Vector energies(const InterfaceState& state) const override;
 
+  const FrictionStates* friction() const override { return bodies_ && rubs_ ? this : nullptr; }
+  const ContactLaws& laws() const override { return laws_; }
+  ContactStates statusOf(const PairStates& pairs) const override;
+  PairStates statesOf(const ContactStates& status) const override;
+  PairValues valuesOf(const InterfaceState& state) const override;
+  InterfaceState stateWith(const PairStates& pairs) const override;
+  const std::vector<FrictionSite>& sites() const override { return sites_; }
+
  private:
+  void findSites();
+  /// Tangential jumps of a row's pair, by component.
+  Point slipOf(int row, const Vector& gaps) const;
+  /// Adds the known tangential forces of pairs that slip to an imbalance, and those of springs across.
+  void addSlipForces(const InterfaceState& state, const Matrix& trace, Matrix& imbalance) const;
+  /// As this rank sees it. Local.
+  std::shared_ptr<const FrictionTangent> tangentOf(const ContactStates& status, std::vector<InterfaceRelation> test) const;
+  /// Tangential force on side B of a row's pair, Cartesian. \param force  of all rows
+  Point tangentialForce(int row, const InterfaceState& state, const Vector& force, const Vector& gaps) const;
   ContactState pressed(const ContactRow& row) const;
   InterfaceState allClosed() const;
   void collectRows(const Vector& stiffness);
@@ -75,7 +92,7 @@ class ContactInterfaceProblem : public InterfaceProblem, public ContactSets {
   Matrix imbalance(const MultiVector& trace) const;
   Matrix rememberedImbalance(const InterfaceState& state, int& applications) const;
   /// T^T of it, with the sign of a residual.
-  MultiVectorPtr residual(const Matrix& imbalance, const InterfaceSpace& space) const;
+  MultiVectorPtr residual(const Matrix& imbalance, const InterfaceSpace& space, const FrictionTangent* friction = nullptr) const;
 
   CommPtr comm_;
   const std::vector<std::unique_ptr<Subdomain>>& subdomains_;
@@ -95,6 +112,10 @@ class ContactInterfaceProblem : public InterfaceProblem, public ContactSets {
   int pieces_ = 0, pairs_ = 0;
   mutable ContactStates spaceStatus_;  // that derived_ was made for
   mutable std::shared_ptr<const InterfaceSpace> derived_;
+  mutable std::vector<int> spaceUnknowns_;  // that it expresses, with friction
+  bool rubs_ = false;                       // some law restricts sliding. The same on all ranks
+  std::vector<FrictionSite> sites_;
+  mutable std::shared_ptr<const FrictionTangent> tangent_;  // for spaceStatus_; null without friction
 };
 
 }  // namespace suture

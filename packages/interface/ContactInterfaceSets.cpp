@@ -13,7 +13,7 @@ void ContactInterfaceProblem::findBodies() {
   std::map<int, double> stiffness;
   for (std::size_t i = 0; i < rows_.size(); ++i)
     if (owned_[i]) stiffness[rows_[i].pair.id] = !rows_[i].able() ? 1.0 : clusters_->stiffness()(static_cast<Eigen::Index>(i));
-  bodies_ = std::make_unique<ContactBodies>(*comm_, subdomains_, stiffness);
+  bodies_ = std::make_unique<ContactBodies>(*comm_, subdomains_, stiffness, laws_);
   partOfOwned_.assign(space_->map()->getNodeNumElements(), 0);
   for (std::size_t s = 0; s < locals_.size(); ++s)
     for (const int place : space_->coupling(static_cast<int>(s)).columns())
@@ -33,7 +33,7 @@ Matrix ContactInterfaceProblem::everywhere(const Matrix& ofRows) const {
 
 ContactStates ContactInterfaceProblem::statusOf(const ClosedSet& closed) const {
   ContactStates status(1);
-  for (const ContactRow& row : rows_) status[0].push_back(closed[row.pair.id] ? pressed(row) : ContactState());
+  for (const ContactRow& row : rows_) status[0].push_back(closed[row.pair.id] || row.separates == false ? pressed(row) : ContactState());
   return status;
 }
 
@@ -63,9 +63,15 @@ void ContactInterfaceProblem::move(InterfaceState& state, const Vector& motion) 
 
 Vector ContactInterfaceProblem::movedRows(const InterfaceState& state) const {
   if (state.rigid.size() == 0) return {};
-  const Vector all = bodies_->rigid().data().rows * state.rigid;
-  Vector mine(static_cast<Eigen::Index>(rows_.size()));
+  const RigidContact::Pairs& data = bodies_->rigid().data();
+  const Vector all = data.rows * state.rigid;
+  Vector mine = Vector::Zero(clusters_->size());
   for (std::size_t i = 0; i < rows_.size(); ++i) mine(static_cast<Eigen::Index>(i)) = all(rows_[i].pair.id);
+  for (std::size_t t = 0; t < data.tangents.size(); ++t) {
+    const Vector along = data.tangents[t] * state.rigid;
+    for (std::size_t i = 0; i < rows_.size(); ++i)
+      if (const int row = clusters_->rowOf(static_cast<int>(i), static_cast<int>(t) + 1); row >= 0) mine(row) = along(rows_[i].pair.id);
+  }
   return mine;
 }
 

@@ -38,6 +38,7 @@ class ContactOnTheInterface : public Formulation {
   }
   bool keepsGroupsWhole() const override { return false; }
   bool hidesContact() const override { return false; }
+  bool knowsFriction() const override { return true; }
   std::string outerSolver() const override { return "Active Set"; }
 
  protected:

@@ -32,6 +32,8 @@ class Formulation {
   /// True if contact is hidden in the local problems: the space is the same for every status of the pairs, and the flux is a function of
   /// the trace alone. Outer solvers ask for it.
   virtual bool hidesContact() const = 0;
+  /// True if its problems know laws that restrict sliding, and sides that never part.
+  virtual bool knowsFriction() const { return false; }
   /// Name of the outer solver that goes with it, for scenes that do not choose one.
   virtual std::string outerSolver() const = 0;
 

@@ -9,8 +9,9 @@
 
 namespace suture {
 
-InterfaceOperator::InterfaceOperator(std::shared_ptr<const InterfaceSpace> space, LocalProblems locals)
-    : space_(std::move(space)), locals_(std::move(locals)) {
+InterfaceOperator::InterfaceOperator(std::shared_ptr<const InterfaceSpace> space, LocalProblems locals,
+                                     std::shared_ptr<const FrictionTangent> friction)
+    : space_(std::move(space)), locals_(std::move(locals)), friction_(std::move(friction)) {
   if (static_cast<int>(locals_.size()) != space_->locals()) throw InternalError("an interface operator needs one entry a coupling");
   mostRows_ = space_->mostRows();
 }
@@ -30,13 +31,25 @@ void InterfaceOperator::apply(const MultiVector& x, MultiVector& y, Teuchos::ETr
     coupling.addTransposed(flux, sum_);
   }
   if (recording_) recorded_.push_back(sum_.col(0));
+  const std::vector<InterfaceRelation>* test = friction_ && !friction_->test.empty() ? &friction_->test : nullptr;
+  if (friction_)
+    for (const InterfaceSpring& spring : friction_->springs) addSpring(spring);
   if (beta == 0.0) {
-    space_->scatterAdd(sum_, y);
+    space_->scatterAdd(sum_, y, test);
     if (alpha != 1.0) y.scale(alpha);
   } else {
     const auto product = space_->vector(static_cast<int>(x.getNumVectors()));
-    space_->scatterAdd(sum_, *product);
+    space_->scatterAdd(sum_, *product, test);
     y.update(alpha, *product, beta);
+  }
+}
+
+void InterfaceOperator::addSpring(const InterfaceSpring& spring) const {
+  for (Eigen::Index column = 0; column < overlap_.cols(); ++column) {
+    double along = 0.0;
+    for (std::size_t k = 0; k < spring.places.size(); ++k) along += spring.coefficients[k] * overlap_(spring.places[k], column);
+    for (std::size_t k = 0; k < spring.places.size(); ++k)
+      sum_(spring.places[k], column) += spring.coefficients[k] * spring.stiffness * along;
   }
 }
 

@@ -13,17 +13,36 @@ namespace suture {
 /// sum over T only.
 using LocalProblems = std::vector<std::shared_ptr<const LocalProblem>>;
 
+/// A spring between interface unknowns: stiffness times (row . v)^2 / 2. Places in overlap().
+struct InterfaceSpring {
+  std::vector<int> places;
+  std::vector<double> coefficients;
+  double stiffness = 0.0;  ///< [force / length]
+};
+
+/// Part of contact with friction in the tangent of a set of states.
+struct FrictionTangent {
+  /// Relations of the virtual displacements where normal forces drag (Coulomb): T'^T S T is not symmetric. Empty: those of the space.
+  std::vector<InterfaceRelation> test;
+  std::vector<InterfaceSpring> springs;  ///< of this rank alone
+  bool symmetric = true;                 ///< nothing drags; of an operator's, on any rank
+};
+
 /// The linear operator sum_i R_i^T S_i R_i over any subset of the local problems: S of (21), S_0 of (17), a tangent S_0 + S_KON'.
 class InterfaceOperator : public Operator {
  public:
-  InterfaceOperator(std::shared_ptr<const InterfaceSpace> space, LocalProblems locals);
+  /// \param friction  or null
+  InterfaceOperator(std::shared_ptr<const InterfaceSpace> space, LocalProblems locals,
+                    std::shared_ptr<const FrictionTangent> friction = nullptr);
 
   Teuchos::RCP<const Map> getDomainMap() const override { return space_->map(); }
   Teuchos::RCP<const Map> getRangeMap() const override { return space_->map(); }
   /// y <- alpha * sum_i R_i^T S_i R_i x + beta * y. Collective.
   void apply(const MultiVector& x, MultiVector& y, Teuchos::ETransp mode = Teuchos::NO_TRANS, double alpha = 1.0,
              double beta = 0.0) const override;
-  bool hasTransposeApply() const override { return true; }  // symmetric
+  bool hasTransposeApply() const override { return symmetric(); }
+  /// True on all ranks or on none.
+  bool symmetric() const { return !friction_ || friction_->symmetric; }
 
   const std::shared_ptr<const InterfaceSpace>& space() const { return space_; }
   const LocalProblems& locals() const { return locals_; }
@@ -44,8 +63,11 @@ class InterfaceOperator : public Operator {
   GlobalId untouched() const;
 
  private:
+  void addSpring(const InterfaceSpring& spring) const;
+
   std::shared_ptr<const InterfaceSpace> space_;
   LocalProblems locals_;
+  std::shared_ptr<const FrictionTangent> friction_;
   mutable long long applications_ = 0;
   int mostRows_ = 0;  // of a coupling
   mutable bool recording_ = false;

@@ -1,6 +1,7 @@
 #pragma once
 #include <suture/base/Types.hpp>
 #include <suture/constraints/Constraints.hpp>
+#include <suture/contact/FrictionSearch.hpp>
 #include <suture/interface/ContactBodies.hpp>
 #include <suture/interface/InterfaceOperator.hpp>
 
@@ -78,6 +79,31 @@ class ContactSets {
   virtual Vector energies(const InterfaceState& state) const = 0;
 };
 
+/// Forces and jumps of all pairs at a state, in their frames (PairFrame). By pair id, the same on all ranks.
+struct PairValues {
+  Matrix force;             ///< pairs x components: that side B feels [force]
+  Matrix jump;              ///< pairs x components: penetration, and slip u_A - u_B of the step [length]
+  Vector digits;            ///< rounding of the jumps [length]
+  MultiVectorPtr residual;  ///< of the linear problem of the state's states
+  double energy = 0.0;
+  int applications = 0;
+};
+
+/// Contact states pair by pair, where laws restrict sliding: what a formulation offers to FrictionSearch. By pair id, the same on all
+/// ranks. Functions with a state are collective.
+class FrictionStates {
+ public:
+  virtual ~FrictionStates() = default;
+  virtual const ContactLaws& laws() const = 0;
+  virtual ContactStates statusOf(const PairStates& pairs) const = 0;
+  virtual PairStates statesOf(const ContactStates& status) const = 0;
+  virtual PairValues valuesOf(const InterfaceState& state) const = 0;
+  /// The state with a trace of zero and these states of pairs.
+  virtual InterfaceState stateWith(const PairStates& pairs) const = 0;
+
+  virtual const std::vector<FrictionSite>& sites() const = 0;
+};
+
 /// The non-linear problem that an outer solver sees: find the trace U with  grad J(U) = S_0 U + S_KON(U) - F = 0,  J the energy with
 /// interiors and contacts minimised out: convex, differentiable, with a semismooth gradient. All functions are collective.
 class InterfaceProblem {
@@ -108,6 +134,9 @@ class InterfaceProblem {
 
   /// Contact as sets of closed pairs; null where the formulation hides it.
   virtual const ContactSets* sets() const { return nullptr; }
+
+  /// Contact states pair by pair; null where no law restricts sliding, or the formulation knows no friction.
+  virtual const FrictionStates* friction() const { return nullptr; }
 
   /// S_0 and nothing else, for the splitting (18): null when the formulation has none.
   virtual Teuchos::RCP<InterfaceOperator> withoutContact() const { return Teuchos::null; }

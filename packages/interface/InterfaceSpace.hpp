@@ -89,7 +89,8 @@ class InterfaceSpace {
   /// overlap <- T owned. Collective.
   void gather(const MultiVector& owned, Matrix& overlap) const;
   /// owned <- T^T of the sums over ranks of the overlap's values. Collective.
-  void scatterAdd(const Matrix& overlap, MultiVector& owned) const;
+  /// \param test  relations of T in place of the space's own, of the same unknowns; null: its own
+  void scatterAdd(const Matrix& overlap, MultiVector& owned, const std::vector<InterfaceRelation>* test = nullptr) const;
   /// overlap <- T T^T of the sums over ranks of the overlap's values. Collective.
   void sum(Matrix& overlap) const;
   /// overlap <- for each unknown the sum, over ranks and over what is expressed by it alone, of values times squared coefficients; an
@@ -98,8 +99,8 @@ class InterfaceSpace {
 
   /// T on overlap values: fills the expressed ones. Local.
   void unfold(LocalView overlap) const;
-  /// T^T on overlap values: empties the expressed ones. Local.
-  void fold(LocalView overlap) const;
+  /// T^T on overlap values: empties the expressed ones. Local. \param test  as in scatterAdd()
+  void fold(LocalView overlap, const std::vector<InterfaceRelation>* test = nullptr) const;
 
   MultiVectorPtr vector(int columns = 1) const;  ///< a new one, zero
 

@@ -14,7 +14,7 @@ TraceMotions::TraceMotions(const InterfaceSpace& space, const ContactBodies& bod
                            const std::vector<std::unique_ptr<Subdomain>>& subdomains, const std::vector<int>& partOfOwned)
     : bodies_(bodies), comm_(space.comm()), partOfOwned_(partOfOwned) {
   const int all = bodies.rigid().motions();
-  if (all == 0) return;
+  if (all == 0 || bodies.areBound()) return;
   Eigen::Index most = 0;
   for (const RigidPart& part : bodies.parts()) most = std::max(most, part.free.cols());
   ofOwned_ = Matrix::Zero(static_cast<Eigen::Index>(partOfOwned.size()), most);

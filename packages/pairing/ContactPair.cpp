@@ -1,3 +1,4 @@
+#include <suture/base/Point.hpp>
 #include <suture/pairing/ContactPair.hpp>
 
 #include <algorithm>
@@ -22,11 +23,11 @@ std::vector<std::vector<int>> neighbourPairs(const std::vector<std::vector<int>>
 
 std::vector<PairEnd> matchingEnds(int nodeA, int nodeB) { return {{nodeA, 1.0}, {nodeB, -1.0}}; }
 
-Point obstacleForce(const ContactPair& pair, double force) {
+Point obstacleForce(const ContactPair& pair, const Point& onB) {
   double sum = 0.0, size = 0.0;
   for (const PairEnd& end : pair.ends) sum += end.weight, size += std::abs(end.weight);
   if (std::abs(sum) < 1e-9 * size) return {0, 0, 0};
-  return {-force * sum * pair.normal[0], -force * sum * pair.normal[1], -force * sum * pair.normal[2]};
+  return scaled(-sum, onB);
 }
 
 }  // namespace suture

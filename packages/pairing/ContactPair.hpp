@@ -40,9 +40,9 @@ struct ContactPair {
 /// A pair of two nodes that stand opposite to each other.
 std::vector<PairEnd> matchingEnds(int nodeA, int nodeB);
 
-/// Resultant of a pair with this contact force on the bodies as a whole: the force of a rigid obstacle on them; zero between bodies.
-/// [force]
-Point obstacleForce(const ContactPair& pair, double force);
+/// Resultant of a pair on the bodies as a whole: the force of a rigid obstacle on them; zero between bodies. [force]
+/// \param onB  contact force that side B feels
+Point obstacleForce(const ContactPair& pair, const Point& onB);
 
 /// The end of a second-order side on the axis of a body of revolution. Its shape function has no integral over the circle: no pressure has
 /// a force there, no pair stands for it, and nothing is decided by it. The values shown there follow from the two pairs beside it.

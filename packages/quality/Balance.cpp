@@ -32,9 +32,9 @@ void Balance::addSupports(const Vector& forces, int dimension) {
 
 void Balance::leaveOut(const Point& load) { applied = minus(applied, load); }
 
-void Balance::addPair(const ContactPair& pair, double force) {
-  const Point obstacle = obstacleForce(pair, force);
-  for (int k = 0; k < 3; ++k) reactions[k] += obstacle[k];
+void Balance::addPair(const ContactPair& pair, const Point& onB) {
+  const Point obstacle = obstacleForce(pair, onB);
+  reactions = plus(reactions, obstacle);
   absolute_ += norm(obstacle);
 }
 

@@ -17,8 +17,8 @@ class Balance {
   void addSupports(const Vector& forces, int dimension);
   /// A part of the loads that is none, as the nodal forces of initial stresses.
   void leaveOut(const Point& load);
-  /// One pair, once.
-  void addPair(const ContactPair& pair, double force);
+  /// One pair, once. \param onB  its whole contact force on side B
+  void addPair(const ContactPair& pair, const Point& onB);
   /// Sums over ranks, and sets `imbalance`. Collective.
   void finish(const Comm& comm, bool axisymmetric);
   /// The same of one rank alone. Local.

@@ -16,6 +16,8 @@ constexpr const char* kTighter = "Try a smaller Outer Solver/Tolerance, or anoth
 constexpr const char* kContact =
     "The contact iteration ended in a wrong state: try a smaller Outer Solver/Tolerance, another Formulation, or Outer Solver/Type = "
     "Monolithic";
+constexpr const char* kFriction =
+    "The iteration of friction ended in a wrong state: try a smaller Outer Solver/Tolerance, or Outer Solver/Type = Monolithic";
 constexpr const char* kDefect = "The fields contradict the scene's conditions: report this as a defect of the program";
 
 constexpr Name kNames[kQuantities] = {
@@ -38,6 +40,9 @@ constexpr Name kNames[kQuantities] = {
      "The body turns, and nothing but the shape of a contact holds it: rotations are taken for small ones, so its place means nothing. "
      "Hold "
      "it by a condition on one component (Boundary Conditions/<name>/Components)"},
+    {"friction", kFriction},
+    {"slip", kFriction},
+    {"dissipation", kFriction},
 };
 
 }  // namespace

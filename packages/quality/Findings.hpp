@@ -30,9 +30,12 @@ enum class Quantity : int {
   Complementarity,
   Status,
   Digits,
-  Rotation
+  Rotation,
+  Friction,  // from here on only where some contact restricts sliding
+  Slip,
+  Dissipation
 };
-constexpr int kQuantities = 13;
+constexpr int kQuantities = 16;
 
 /// One evaluation of a quantity. Plain: it travels as bytes.
 struct Finding {

@@ -1,4 +1,5 @@
 #include <suture/base/Collective.hpp>
+#include <suture/base/Point.hpp>
 #include <suture/elasticity/loads/ElasticSupports.hpp>
 #include <suture/elasticity/loads/NodalLoads.hpp>
 #include <suture/quality/Findings.hpp>
@@ -10,14 +11,14 @@ namespace suture {
 
 namespace {
 
-using PairForces = std::map<int, double>;
+using PairForces = std::map<int, PairForce>;
 
 PairForces forcesOfPairs(const Comm& comm, const std::vector<PairResult>& pairs) {
   std::vector<PairForce> forces;
-  for (const PairResult& pair : pairs) forces.push_back({pair.id, pair.state, pair.force});
+  for (const PairResult& pair : pairs) forces.push_back({pair.id, pair.state, pair.force, pair.tangential});
   broadcast(comm, forces);
   PairForces all;
-  for (const PairForce& pair : forces) all[pair.id] = pair.force;
+  for (const PairForce& pair : forces) all[pair.id] = pair;
   return all;
 }
 
@@ -27,11 +28,13 @@ void addContact(const SubdomainMesh& mesh, const PairForces& forces, Matrix& nod
   for (const SubdomainMesh::ContactEnd& end : mesh.contactEnds) {
     if (!counts(mesh, end.node)) continue;
     const ContactPair& pair = *pairs.at(end.pair);
-    const auto force = forces.find(end.pair);
-    if (force == forces.end()) continue;  // verifyPairs() tells
+    const auto found = forces.find(end.pair);
+    if (found == forces.end()) continue;  // verifyPairs() tells
+    const PairForce& said = found->second;
+    const double weight = pair.ends[end.end].weight;
     double* sum = nodes.col(end.node).data() + NodalRows{mesh.dimension}.contact();
-    for (int k = 0; k < mesh.dimension; ++k) sum[k] -= force->second * pair.ends[end.end].weight * pair.normal[k];
-    if (end.end == 0) balance.addPair(pair, force->second);
+    for (int k = 0; k < mesh.dimension; ++k) sum[k] -= said.force * weight * pair.normal[k] + weight * said.tangential[k];
+    if (end.end == 0) balance.addPair(pair, plus(scaled(said.force, pair.normal), said.tangential));
   }
 }
 

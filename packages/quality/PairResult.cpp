@@ -16,14 +16,15 @@ struct EndShare {
   Point motion;        // of the lift
 };
 
-/// A pair and its gap before anything was taken out of the scene.
+/// A pair, its gap before anything was taken out of the scene, and what its law does.
 struct Carried {
   ContactPair pair;
   double gap;
+  PairKind kind;
 
   template <typename Self, typename Each>
   static void forEachField(Self& self, const Each& each) {
-    each(self.pair), each(self.gap);
+    each(self.pair), each(self.gap), each(self.kind);
   }
 };
 
@@ -34,8 +35,27 @@ bool counts(const SubdomainMesh& mesh, int node) {
   return std::none_of(others.begin(), others.end(), [&](int other) { return other < mesh.id; });
 }
 
-PairResult pairResult(const ContactPair& pair, const PairForce& force, const std::vector<Point>& ofEnds) {
+void PairResult::open() {
+  state = PairStatus::Open;
+  force = pressure = bound = dissipated = 0.0;
+  tangential = {0, 0, 0};
+}
+
+Point slipOf(const ContactPair& pair, const std::vector<Point>& ofEnds) {
+  double sum = 0.0, size = 0.0;
+  for (const PairEnd& end : pair.ends) sum += end.weight, size += std::abs(end.weight);
+  const Point common = std::abs(sum) <= kBalanced * size ? ofEnds.front() : Point{0, 0, 0};
+  Point jump{0, 0, 0};
+  for (std::size_t end = 0; end < pair.ends.size(); ++end) jump = plus(jump, scaled(pair.ends[end].weight, minus(ofEnds[end], common)));
+  return minus(jump, scaled(dot(jump, pair.normal), pair.normal));
+}
+
+PairResult pairResult(const ContactPair& pair, const PairForce& force, const std::vector<Point>& ofEnds, const PairKind& kind,
+                      const std::vector<Point>& ofLift) {
   PairResult result;
+  result.kind = kind;
+  result.tangential = force.tangential;
+  result.slip = slipOf(pair, ofEnds);
   result.id = pair.id;
   result.node = pair.node();
   result.line = pair.line;
@@ -50,7 +70,13 @@ PairResult pairResult(const ContactPair& pair, const PairForce& force, const std
   result.arc = pair.arc;
   result.position = pair.position;
   result.displacement = ofEnds.front();
+  if (!ofLift.empty()) {
+    result.displacement = plus(result.displacement, ofLift.front());
+    result.slip = plus(result.slip, slipOf(pair, ofLift));
+  }
   result.normal = pair.normal;
+  if (result.isBounded()) result.bound = force.state.largest(force.force);
+  if (force.state.status == PairStatus::Slip) result.dissipated = dot(result.tangential, result.slip);
   return result;
 }
 
@@ -65,7 +91,8 @@ std::vector<PairResult> axisResults(const std::vector<ContactPiece>& pieces, con
       result.arc = point.arc;
       result.position = point.position;
       result.normal = point.normal;
-      result.force = 0.0;
+      result.force = result.dissipated = 0.0;
+      result.tangential = result.slip = {0, 0, 0};  // all radial directions are alike
       const bool bothClosed = near.state.closed() && far.state.closed();
       if (bothClosed) result.pressure = std::max(0.0, point.pressure[0] * near.pressure + point.pressure[1] * far.pressure);
       const auto at = [&](double a, double b) { return point.value[0] * a + point.value[1] * b; };
@@ -84,8 +111,8 @@ std::vector<PairResult> pairResults(const Comm& comm, const std::vector<const Su
   std::map<int, Carried> carried;  // the pairs whose carrying node this rank counts
   for (std::size_t i = 0; i < meshes.size(); ++i) {
     const SubdomainMesh& mesh = *meshes[i];
-    std::map<int, const ContactPair*> known;
-    for (const ContactRow& row : mesh.contactRows) known[row.pair.id] = &row.pair;
+    std::map<int, const ContactRow*> known;
+    for (const ContactRow& row : mesh.contactRows) known[row.pair.id] = &row;
     for (const SubdomainMesh::ContactEnd& end : mesh.contactEnds) {
       if (!counts(mesh, end.node)) continue;
       EndShare share{end.pair, end.end, mesh.body, {0, 0, 0}, {0, 0, 0}};
@@ -96,8 +123,9 @@ std::vector<PairResult> pairResults(const Comm& comm, const std::vector<const Su
       }
       ends.push_back(share);
       if (end.end != 0) continue;
+      const ContactRow& row = *known.at(end.pair);
       const auto before = mesh.lift.gaps.find(end.pair);
-      carried[end.pair] = {*known.at(end.pair), before == mesh.lift.gaps.end() ? known.at(end.pair)->gap : before->second};
+      carried[end.pair] = {row.pair, before == mesh.lift.gaps.end() ? row.pair.gap : before->second, PairKind(row)};
     }
   }
   Packer packer;
@@ -111,22 +139,26 @@ std::vector<PairResult> pairResults(const Comm& comm, const std::vector<const Su
   collectivelyOnRoot(comm, "gathering the contact pairs", [&] {
     std::sort(allForces.begin(), allForces.end(), [](const PairForce& a, const PairForce& b) { return a.id < b.id; });
     if (allForces.size() != pairs.size()) throw InternalError("the contact forces are not as many as the pairs");
-    std::map<int, std::vector<Point>> ofEnds;
-    std::map<int, Point> motion;                   // rigid motions of the carrying nodes
-    std::map<int, std::map<int, double>> weights;  // sum of each body's; single ones of a mortar may have either sign
+    std::map<int, std::vector<Point>> ofEnds, motions;  // beside the lift, and of the lift where there is one
+    std::map<int, std::map<int, double>> weights;       // sum of each body's; single ones of a mortar may have either sign
     for (const auto& [id, carrier] : pairs) ofEnds[id].resize(carrier.pair.ends.size());
     for (const EndShare& end : allEnds) {
       ofEnds.at(end.pair).at(end.end) = end.displacement;
       weights[end.pair][end.body] += pairs.at(end.pair).pair.ends.at(end.end).weight;
-      if (end.end == 0) motion[end.pair] = end.motion;
+      if (end.motion != Point{0, 0, 0}) {
+        std::vector<Point>& motion = motions[end.pair];
+        motion.resize(ofEnds.at(end.pair).size());
+        motion[end.end] = end.motion;
+      }
     }
     for (const PairForce& force : allForces) {
       const auto pair = pairs.find(force.id);
       if (pair == pairs.end()) throw InternalError("a contact force of a pair that does not exist");
-      PairResult& result = results.emplace_back(pairResult(pair->second.pair, force, ofEnds.at(force.id)));
+      const auto motion = motions.find(force.id);
+      PairResult& result = results.emplace_back(pairResult(pair->second.pair, force, ofEnds.at(force.id), pair->second.kind,
+                                                           motion == motions.end() ? std::vector<Point>() : motion->second));
       result.initialGap = pair->second.gap;
       for (const auto& [body, weight] : weights.at(force.id)) result.bodies[weight > 0.0 ? 0 : 1] = body;
-      for (int k = 0; k < 3; ++k) result.displacement[k] += motion.at(force.id)[k];
     }
   });
   return results;

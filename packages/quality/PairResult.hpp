@@ -1,4 +1,5 @@
 #pragma once
+#include <suture/base/Point.hpp>
 #include <suture/constraints/Constraints.hpp>
 #include <suture/partition/SubdomainMesh.hpp>
 
@@ -6,6 +7,19 @@
 #include <vector>
 
 namespace suture {
+
+/// Part of a pair's weights up to which their sum is zero but for rounding, as in takeOutRigidMotions().
+constexpr double kBalanced = 1e-12;
+
+/// What the law of a pair does to it, whatever its state.
+struct PairKind {
+  bool separates = true;          ///< ContactLaw::separates
+  bool restrictsSliding = false;  ///< ContactRow::restrictsSliding
+
+  PairKind() = default;
+  explicit PairKind(const ContactRow& row) : separates(row.separates), restrictsSliding(row.restrictsSliding()) {}
+  PairKind(const ContactLaw& law, int dimension) : separates(law.separates()), restrictsSliding(law.rows(dimension) > 1) {}
+};
 
 /// State of a contact pair at the end of a run: gap > 0 open, pressure and force > 0 compressive.
 struct PairResult {
@@ -25,10 +39,27 @@ struct PairResult {
   Point position{0, 0, 0};      ///< place of the node that carries it, undeformed
   Point displacement{0, 0, 0};  ///< displacement of the node that carries it
   Point normal{0, 0, 0};
+  PairKind kind;
+  Point tangential{0, 0, 0};  ///< force along the sides, on B [force]
+  Point slip{0, 0, 0};        ///< part of u_A - u_B along the sides, from the start of the step on [length]
+  double bound = 0.0;         ///< largest tangential force of the state; 0 where the law sets none [force]
+  double dissipated = 0.0;    ///< work of the tangential force of a pair that slips, in the step [energy]
+
+  /// The whole contact force on B.
+  Point onB() const { return plus(scaled(force, normal), tangential); }
+  /// True if a bound limits the tangential force of the pair as it is.
+  bool isBounded() const { return kind.restrictsSliding && state.closed() && (kind.separates || state.status == PairStatus::Slip); }
+  /// Opens the pair: it carries nothing.
+  void open();
 };
 
-/// The one place where a PairResult is made. \param ofEnds  displacement of each of the pair's ends, in their order. Local.
-PairResult pairResult(const ContactPair& pair, const PairForce& force, const std::vector<Point>& ofEnds);
+/// The one place where a PairResult is made. Local. \param ofEnds  displacement of each of the pair's ends, in their order
+/// \param ofLift  rigid motion of each that was taken out of `ofEnds` and the gap; empty: none
+PairResult pairResult(const ContactPair& pair, const PairForce& force, const std::vector<Point>& ofEnds, const PairKind& kind = {},
+                      const std::vector<Point>& ofLift = {});
+
+/// Jump u_A - u_B of a pair along its sides. Both sides moved alike make none, though weights of a mortar sum to zero but for rounding.
+Point slipOf(const ContactPair& pair, const std::vector<Point>& ofEnds);
 
 /// Values shown on the axis: pressures and gaps there from those of the pairs beside, without force; as open as the nearer pair. Local, on
 /// rank 0. \param pairs  all, by id

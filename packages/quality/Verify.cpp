@@ -1,4 +1,5 @@
 #include <suture/base/Gather.hpp>
+#include <suture/pairing/PairFrame.hpp>
 #include <suture/quality/Deformation.hpp>
 #include <suture/quality/NodalForces.hpp>
 #include <suture/quality/Verify.hpp>
@@ -91,16 +92,22 @@ void Verifier::gatherEnds() {
   std::vector<PairEndShare> mine;
   for (std::size_t i = 0; i < answer_.meshes.size(); ++i) {
     const SubdomainMesh& mesh = answer_.meshes[i];
-    std::map<int, const ContactPair*> pairs;
-    for (const ContactRow& row : mesh.contactRows) pairs[row.pair.id] = &row.pair;
+    std::map<int, const ContactRow*> rows;
+    for (const ContactRow& row : mesh.contactRows) rows[row.pair.id] = &row;
     for (const SubdomainMesh::ContactEnd& end : mesh.contactEnds) {
       if (!counts(mesh, end.node)) continue;
-      const ContactPair& pair = *pairs.at(end.pair);
+      const ContactRow& row = *rows.at(end.pair);
+      const ContactPair& pair = row.pair;
       const Point u = moved(int(i), end.node);
       const double weight = pair.ends[end.end].weight;
+      Point shift{0, 0, 0};
+      if (row.restrictsSliding()) {
+        shift = scaled(weight, u);
+        if (mesh.lift.motion.size() > 0) shift = plus(shift, scaled(weight, vectorAt(mesh.lift.motion, end.node)));
+      }
       mine.push_back({end.pair, end.end, mesh.body, weight * dot(u, pair.normal), std::abs(weight) * length(u),
                       std::abs(weight) * lifted(mesh, end.node), weight, nodes_[i](rows_.stiffness(), end.node),
-                      nodes_[i](rows_.rounding(), end.node), pair.gap, pair.position});
+                      nodes_[i](rows_.rounding(), end.node), pair.gap, pair.position, pair.normal, shift, PairKind(row)});
     }
   }
   ends_ = joinOnRoot(comm_, mine);
@@ -203,10 +210,18 @@ void Verifier::judgeNodes() {
     const SubdomainMesh& mesh = answer_.meshes[i];
     const BodyScale& body = scales_[mesh.body];
     const double contact = std::max(body.largestContact, Bounds::passive * body.force);
-    std::map<int, const ContactPair*> pairs;
-    for (const ContactRow& row : mesh.contactRows) pairs[row.pair.id] = &row.pair;
-    std::vector<std::vector<Point>> normals(mesh.nodes());
-    for (const SubdomainMesh::ContactEnd& end : mesh.contactEnds) normals[end.node].push_back(pairs.at(end.pair)->normal);
+    std::map<int, const ContactRow*> rows;
+    for (const ContactRow& row : mesh.contactRows) rows[row.pair.id] = &row;
+    std::vector<std::vector<Point>> taken(mesh.nodes());  // directions along which contact forces act
+    for (const SubdomainMesh::ContactEnd& end : mesh.contactEnds) {
+      const ContactRow& row = *rows.at(end.pair);
+      if (!row.restrictsSliding()) {
+        taken[end.node].push_back(row.pair.normal);
+        continue;
+      }
+      const std::vector<Point> frame = pairFrame(row.pair.normal, mesh.dimension);
+      taken[end.node].insert(taken[end.node].end(), frame.begin(), frame.end());
+    }
     for (int node = 0; node < mesh.nodes(); ++node) {
       if (!counts(mesh, node)) continue;
       const NodeRule* rule = rules_[i][node];
@@ -214,12 +229,12 @@ void Verifier::judgeNodes() {
       const double stiffness = nodes_[i](rows_.stiffness(), node),
                    rounded = body.roundings() * (body.carriesNothing() ? body.spread : nodes_[i](rows_.rounding(), node)) / stiffness;
       Point along = rest;  // less what contact takes: Contact and the pairs judge that, and forces of stiff neighbours round it
-      for (const Point& n : normals[node]) along = minus(along, scaled(dot(along, n), n));
+      for (const Point& n : taken[node]) along = minus(along, scaled(dot(along, n), n));
       const double alone = length(along) / stiffness,
                    allowed = Bounds::node.at(tolerance_) * std::max(body.deformation, body.lent / stiffness) + rounded;
       if (findings_.isWorse(Quantity::Nodes, alone, allowed))
         findings_.take(Quantity::Nodes, alone, allowed, body.deformation, place(int(i), node));
-      if (!normals[node].empty())
+      if (!taken[node].empty())
         findings_.take(Quantity::Contact, length(rest), Bounds::contact.at(tolerance_) * contact + rounded * stiffness, contact,
                        place(int(i), node));
       if (!rule) continue;
@@ -263,6 +278,7 @@ Verification Verifier::conclude() {
     if (Finding& finding = all.all[std::size_t(sum)]; finding.body >= 0) finding.place = worst[finding.body].place;
   Packer verdict;
   for (int q = 0; q < kQuantities; ++q) {
+    verdict.put(all.all[q].made);
     verdict.put(all.all[q].made ? all.all[q].value : 0.0);
     verdict.put(all.all[q].bound);
     verdict.put(whereText(all.all[q], answer_.model.bodies, answer_.pieces, rows_.dimension));
@@ -272,12 +288,14 @@ Verification Verifier::conclude() {
   result.balance = balance_;
   result.reactions = reactions_;
   for (int q = 0; q < kQuantities; ++q) {
-    Check& check = result.checks.emplace_back();
+    const auto made = unpacker.get<bool>();
+    Check check;
     check.name = nameOf(Quantity(q));
     check.advice = adviceOf(Quantity(q));
     unpacker.get(check.value);
     unpacker.get(check.bound);
     unpacker.get(check.where);
+    if (made || Quantity(q) < Quantity::Friction) result.checks.push_back(std::move(check));
   }
   return result;
 }

@@ -25,7 +25,7 @@ struct Answer {
   const std::vector<SubdomainMesh>& meshes;  ///< subdomains of this rank
   const ElasticModel& model;
   const std::vector<Vector>& displacement;  ///< displacements of each mesh, beside its lift: node-major, Cartesian [length]
-  const std::vector<PairResult>& pairs;     ///< on rank 0, all; only their ids, statuses and forces are used
+  const std::vector<PairResult>& pairs;     ///< on rank 0, all; only their ids, states and forces are used
   const std::vector<ContactPiece>& pieces;  ///< on rank 0, for names in messages; may be empty
   double tolerance = 1e-8;                  ///< relative algebraic error that was asked for
   /// Forces of a mesh of this rank with physics of its own. Null, or nothing for a mesh: loops over elements, loads and elastic

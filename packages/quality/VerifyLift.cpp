@@ -14,8 +14,7 @@ namespace suture {
 
 namespace {
 
-constexpr double kRounded = 8.0;     // times the rounding of what is compared
-constexpr double kBalanced = 1e-12;  // of weights: a sum that is zero but for rounding, as in takeOutRigidMotions()
+constexpr double kRounded = 8.0;  // times the rounding of what is compared
 
 /// End of a pair, at the rank that counts its node. Plain.
 struct LiftedEnd {

@@ -9,6 +9,37 @@ namespace suture {
 
 namespace {
 
+/// Distances of a pair from what its law says of sliding. [force]
+struct SlidingErrors {
+  double friction = 0.0, slip = 0.0, dissipation = 0.0;
+};
+
+/// \param slip  jump along the sides over the compliance of the nodes that meet [force]
+SlidingErrors slidingErrors(const PairResult& pair, const PairEndShare& carrier, const Point& slip) {
+  const Point& t = pair.tangential;
+  const double size = length(t);
+  SlidingErrors errors;
+  errors.friction = size;  // nothing holds the sides: no force, whatever they do
+  if (!carrier.kind.restrictsSliding || !pair.state.closed()) return errors;
+  const double bound = pair.state.largest(pair.force);
+  if (pair.state.status == PairStatus::Slip) {
+    // The force is the projection of itself plus the slip to the disc of the bound (Alart and Curnier 1991), and on the rim. A slip that is
+    // rounding has no direction, and no effect.
+    const Point trial = plus(t, slip);
+    const double reach = length(trial);
+    errors.friction = std::max(length(minus(t, scaled(reach > bound ? bound / reach : 1.0, trial))), std::abs(size - bound));
+  } else {
+    errors.slip = length(slip);
+    errors.friction = size - bound;
+    if (!carrier.kind.separates || errors.friction < 0.0) errors.friction = 0.0 * size;  // glued sides have no bound; NaN stays NaN
+  }
+  errors.friction += std::abs(dot(t, carrier.normal));
+  // The least change, of force or slip, after which the force does not push against the slip.
+  const double against = -dot(t, slip);
+  errors.dissipation = against > 0.0 ? std::min(size, against / size) : std::abs(0.0 * against);
+  return errors;
+}
+
 bool isPassive(const BodyScale& body) { return body.loads == 0.0 && body.prescribed == 0.0; }
 
 }  // namespace
@@ -49,11 +80,13 @@ void verifyPairs(std::vector<PairEndShare> ends, const std::vector<PairResult>& 
            force = bodies[ends[first].body].force;
     double roundings = Bounds::rounding;
     bool unloaded = false;
+    Point shift{0, 0, 0};
     for (last = first; last < ends.size() && ends[last].pair == where.pair; ++last) {
       const PairEndShare& end = ends[last];
       gap -= end.closing;
       moved += end.moved;
       lifted += end.lifted;
+      shift = plus(shift, end.shift);
       compliance += end.weight * end.weight / end.stiffness;
       rounding = std::max(rounding, end.rounding);
       force = std::min(force, bodies[end.body].force);
@@ -72,11 +105,24 @@ void verifyPairs(std::vector<PairEndShare> ends, const std::vector<PairResult>& 
     const double ways = unloaded ? Bounds::nothing * unitRoundoff * (lifted + norm(where.place)) / compliance : 0.0;
     const double slack = roundings * (rounding + unitRoundoff * moved / compliance) + ways, allowed = bound * force + slack;
     const bool open = !pair->second->state.closed();
-    // Zero unless the sign is wrong; NaN stays NaN.
-    findings.take(Quantity::Penetration, asForce > 0.0 ? 0.0 : -asForce, allowed, force, where);
-    findings.take(Quantity::Tension, pressing > 0.0 ? 0.0 : -pressing, allowed, force, where);
-    findings.take(Quantity::Complementarity, std::min(std::abs(pressing), std::abs(asForce)), allowed, force, where);
-    findings.take(Quantity::Status, std::abs(open ? pressing : asForce), allowed, force, where);
+    const PairEndShare& carrier = ends[first];
+    if (carrier.kind.separates) {
+      // Zero unless the sign is wrong; NaN stays NaN.
+      findings.take(Quantity::Penetration, asForce > 0.0 ? 0.0 : -asForce, allowed, force, where);
+      findings.take(Quantity::Tension, pressing > 0.0 ? 0.0 : -pressing, allowed, force, where);
+      findings.take(Quantity::Complementarity, std::min(std::abs(pressing), std::abs(asForce)), allowed, force, where);
+      findings.take(Quantity::Status, std::abs(open ? pressing : asForce), allowed, force, where);
+    } else {  // the gap is an equation, and no such pair is open
+      findings.take(Quantity::Status, open ? std::max(std::abs(asForce), force) : std::abs(asForce), allowed, force, where);
+    }
+    const double slideSlack = roundings * unitRoundoff * lifted / compliance;
+    const Point slip = scaled(1.0 / compliance, minus(shift, scaled(dot(shift, carrier.normal), carrier.normal)));
+    const SlidingErrors sliding = slidingErrors(*pair->second, carrier, slip);
+    if (carrier.kind.restrictsSliding || sliding.friction != 0.0)
+      findings.take(Quantity::Friction, sliding.friction, allowed + slideSlack, force, where);
+    if (!carrier.kind.restrictsSliding) continue;
+    findings.take(Quantity::Slip, sliding.slip, allowed + slideSlack, force, where);
+    findings.take(Quantity::Dissipation, sliding.dissipation, allowed + slideSlack, force, where);
   }
   if (found != pairs.size()) findings.take(Quantity::Status, std::numeric_limits<double>::quiet_NaN(), 0.0, 1.0, Finding());
 }

@@ -17,13 +17,17 @@ struct PairEndShare {
   double rounding;   ///< rounding of the node's internal force [force]
   double gap;        ///< initial [length]
   Point place;       ///< place of the node that carries the pair
+  Point normal;
+  Point shift;    ///< weight x displacement, whole where the law restricts sliding, else zero [length]
+  PairKind kind;  ///< what the law of the pair does
 };
 
 /// Makes bodies without data of their own known by a part of their neighbours' force. On rank 0.
 void lendForce(const std::vector<PairEndShare>& ends, std::vector<BodyScale>& bodies);
 
-/// Penetration, tension, complementarity and status of all pairs: gaps from the ends alone, and as forces, by the stiffness of the nodes
-/// that meet. On rank 0. \param ends  of all ranks;  \param pairs  what the run says;  \param bound  relative to the bodies' forces
+/// Penetration, tension, complementarity, status, friction, slip and dissipation of all pairs: gaps and slips from the ends alone, and as
+/// forces, by the stiffness of the nodes that meet. On rank 0. \param ends  of all ranks;  \param pairs  what the run says;  \param bound
+/// relative to the bodies' forces
 void verifyPairs(std::vector<PairEndShare> ends, const std::vector<PairResult>& pairs, const std::vector<BodyScale>& bodies, double bound,
                  Findings& findings);
 

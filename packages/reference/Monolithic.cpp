@@ -2,8 +2,11 @@
 #include <suture/algebra/dense/Decompositions.hpp>
 #include <suture/base/Errors.hpp>
 #include <suture/constraints/RigidMotion.hpp>
+#include <suture/mesh/CellGeometry.hpp>
+#include <suture/pairing/PairFrame.hpp>
 #include <suture/reference/Monolithic.hpp>
 #include <suture/reference/MonolithicContact.hpp>
+#include <suture/reference/MonolithicFriction.hpp>
 #include <suture/reference/MonolithicSystem.hpp>
 #include <suture/solver/solvability/Solvability.hpp>
 #include <suture/subdomain/SubdomainProblem.hpp>
@@ -68,8 +71,16 @@ struct Rest {
   Vector x, load, held;
 };
 
+/// True if a law decides about more than which pairs are closed: it restricts sliding, or never opens a pair.
+bool lawsDecide(const Constraints& constraints, int dimension) {
+  return std::any_of(constraints.pairs.begin(), constraints.pairs.end(), [&](const ContactPair& pair) {
+    const ContactLaw& law = constraints.laws.of(pair.line);
+    return law.rows(dimension) > 1 || !law.separates();
+  });
+}
+
 CondensedContact condense(const Mesh& mesh, const Constraints& constraints, const MonolithicSystem& system, const RigidParts& rigid,
-                          const CholmodFactor& factor, const Rest& rest) {
+                          const CholmodFactor& factor, const MonolithicOptions& options, const Rest& rest) {
   CondensedContact contact;
   contact.stiffness = factor.trailingSchur();
   const int trailing = system.contactDofs(), leading = system.dofs() - trailing;
@@ -90,7 +101,15 @@ CondensedContact condense(const Mesh& mesh, const Constraints& constraints, cons
     bound = system.rows()[i].bound;
     for (std::size_t k = 0; k < system.rows()[i].dofs.size(); ++k)
       bound -= system.rows()[i].coefficients[k] * rest.x[leading + system.rows()[i].dofs[k]];
-    contact.lines.push_back(constraints.pairs[i].line);
+    const int pair = system.rows()[i].pair, component = system.rows()[i].component;
+    if (component > 0 && !options.slipBefore.empty()) bound += options.slipBefore[pair][component];
+    contact.lines.push_back(constraints.pairs[pair].line);
+  }
+  if (!lawsDecide(constraints, mesh.dimension)) return contact;
+  for (std::size_t i = 0; i < system.rows().size(); ++i) {
+    const ContactPair& pair = constraints.pairs[system.rows()[i].pair];
+    if (system.rows()[i].component == 0) contact.pairs.push_back({int(i), 0, &constraints.laws.of(pair.line), pair.position, pair.length});
+    ++contact.pairs.back().rows;
   }
   return contact;
 }
@@ -99,7 +118,7 @@ CondensedContact condense(const Mesh& mesh, const Constraints& constraints, cons
 /// ones beside them feel it. One step of iterative refinement: the residual is formed from stresses, which know no rigid motions, and the
 /// contact problem of the residual is solved with the same factor.
 void refine(const Mesh& mesh, const Constraints& constraints, const MonolithicSystem& system, const RigidParts& rigid,
-            const CholmodFactor& factor, int most, Vector& x, ContactSolution& contact) {
+            const CholmodFactor& factor, const MonolithicOptions& options, Vector& x, ContactSolution& contact) {
   const Vector diagonal = system.stiffness().diagonal();
   if (diagonal.size() == 0 || diagonal.maxCoeff() <= kMuchStiffer * diagonal.minCoeff()) return;
   const int trailing = system.contactDofs(), leading = system.dofs() - trailing;
@@ -111,11 +130,14 @@ void refine(const Mesh& mesh, const Constraints& constraints, const MonolithicSy
     step = inner;
   } else {
     rest.held = inner;
-    const ContactSolution found =
-        solveCondensedContact(condense(mesh, constraints, system, rigid, factor, rest), contact.active, most, [](const ActiveSetStep&) {});
+    const CondensedContact problem = condense(mesh, constraints, system, rigid, factor, options, rest);
+    const auto quiet = [](const ActiveSetStep&) {};
+    const ContactSolution found = problem.pairs.empty() ? solveCondensedContact(problem, contact.active, options.maximumIterations, quiet)
+                                                        : solveFriction(problem, contact.states, options.maximumIterations, quiet);
     if (!found.converged) return;
     contact.force = found.force;
     contact.active = found.active;
+    contact.states = found.states;
     step.tail(trailing) = found.x;
     inner = rest.load.head(leading) - (system.stiffness() * step).head(leading);
     factor.solveLeading(inner);
@@ -131,11 +153,12 @@ void balance(const Mesh& mesh, const Constraints& constraints, const MonolithicS
   result.energy = 0.5 * result.displacement.dot(internal) - result.displacement.dot(system.nodalForces());
 
   Vector support = internal - system.nodalForces();
-  for (const PairResult& pair : result.pairs) {
+  for (const PairForce& pair : result.forces) {
     const ContactPair& condition = constraints.pairs[pair.id];
+    const Point force = plus(scaled(pair.force, condition.normal), pair.tangential);
     for (const PairEnd& end : condition.ends)
-      for (int k = 0; k < dimension; ++k) support[Eigen::Index(end.node) * dimension + k] += pair.force * end.weight * condition.normal[k];
-    result.balance.addPair(condition, pair.force);
+      for (int k = 0; k < dimension; ++k) support[Eigen::Index(end.node) * dimension + k] += end.weight * force[k];
+    result.balance.addPair(condition, force);
   }
   std::vector<const NodeRule*> ruleOf(mesh.nodes(), nullptr);
   for (const NodeRule& rule : constraints.rules) ruleOf[rule.node] = &rule;
@@ -145,16 +168,47 @@ void balance(const Mesh& mesh, const Constraints& constraints, const MonolithicS
   result.balance.finish(mesh.axisymmetric);
 }
 
-std::vector<PairResult> pairResults(const Mesh& mesh, const Constraints& constraints, const Vector& displacement, const Vector& force,
-                                    const std::vector<char>& active) {
+std::vector<PairForce> pairForces(const Mesh& mesh, const Constraints& constraints, const MonolithicSystem& system,
+                                  const ContactSolution& contact) {
+  std::vector<PairForce> forces;
+  for (std::size_t row = 0; row < system.rows().size(); ++row) {
+    const ContactPair& pair = constraints.pairs[system.rows()[row].pair];
+    const double force = contact.force[Eigen::Index(row)];
+    if (const int along = system.rows()[row].component; along > 0) {
+      Point& sum = forces.back().tangential;
+      sum = plus(sum, scaled(force, pairFrame(pair.normal, mesh.dimension)[along]));
+    } else if (contact.states.empty()) {
+      forces.push_back({pair.id, contact.active[row] ? constraints.laws.of(pair.line).pressed() : ContactState(), force});
+    } else {
+      forces.push_back({pair.id, contact.states[pair.id], force});
+    }
+  }
+  return forces;
+}
+
+std::vector<PairResult> pairResults(const Mesh& mesh, const Constraints& constraints, const MonolithicResult& result) {
   std::vector<PairResult> results;
-  for (const ContactPair& pair : constraints.pairs) {
+  for (const PairForce& force : result.forces) {
+    const ContactPair& pair = constraints.pairs[force.id];
     std::vector<Point> ofEnds;
-    for (const PairEnd& end : pair.ends) ofEnds.push_back(nodal(displacement, end.node, mesh.dimension));
-    results.push_back(
-        pairResult(pair, {pair.id, active[pair.id] ? constraints.laws.of(pair.line).pressed() : ContactState(), force[pair.id]}, ofEnds));
+    for (const PairEnd& end : pair.ends) ofEnds.push_back(nodal(result.displacement, end.node, mesh.dimension));
+    results.push_back(pairResult(pair, force, ofEnds, PairKind(constraints.laws.of(pair.line), mesh.dimension)));
   }
   return results;
+}
+
+/// \param motion  of the contact dofs
+[[noreturn]] void refuseSliding(const Mesh& mesh, const MonolithicSystem& system, const Vector& motion) {
+  Eigen::Index largest = 0;
+  motion.cwiseAbs().maxCoeff(&largest);
+  const int node = system.contactDof()[largest].node;
+  Point towards{0, 0, 0};
+  for (int i = 0; i < system.contactDofs(); ++i)
+    if (system.contactDof()[i].node == node) towards = plus(towards, scaled(motion[i], system.contactDof()[i].direction));
+  throw NumericalError("no equilibrium exists: body '" + mesh.bodies[mesh.bodyOfNode[node]] + "' slides away, at " +
+                       placeText(mesh.point(node), mesh.dimension) + " towards " + placeText(unit(towards), mesh.dimension) +
+                       ": friction, as large as its laws allow, does not carry the loads. Hold the body, load it less, or raise the "
+                       "bounds of friction");
 }
 
 }  // namespace
@@ -205,19 +259,23 @@ MonolithicResult solveMonolithic(const Mesh& mesh, const Constraints& constraint
       result.rows.push_back(row);
       monitor.outer(row);
     };
-    contact = solveCondensedContact(condense(mesh, constraints, system, rigid, factor, {x, system.load(), interior}), start,
-                                    options.maximumIterations, tell);
+    const CondensedContact problem = condense(mesh, constraints, system, rigid, factor, options, {x, system.load(), interior});
+    contact = problem.pairs.empty() ? solveCondensedContact(problem, start, options.maximumIterations, tell)
+                                    : solveFriction(problem, options.start, options.maximumIterations, tell);
+    if (contact.slides.size() > 0) refuseSliding(mesh, system, contact.slides);
     if (contact.x.size() == 0) throw NumericalError("monolithic solver: " + contact.failure);
     x.tail(trailing) = contact.x;
     interior = system.load().head(leading) - (system.stiffness() * x).head(leading);
     factor.solveLeading(interior);
     x.head(leading) = interior;
   }
-  if (contact.converged) refine(mesh, constraints, system, rigid, factor, options.maximumIterations, x, contact);
+  if (contact.converged) refine(mesh, constraints, system, rigid, factor, options, x, contact);
   result.converged = contact.converged;
   result.failure = contact.failure;
   result.displacement = system.expand(x);
-  result.pairs = pairResults(mesh, constraints, result.displacement, contact.force, contact.active);
+  result.contraction = contact.contraction;
+  result.forces = pairForces(mesh, constraints, system, contact);
+  result.pairs = pairResults(mesh, constraints, result);
   balance(mesh, constraints, system, result);
   return result;
 }

@@ -15,7 +15,9 @@ class MonolithicSystem;
 
 struct MonolithicOptions {
   int maximumIterations = 200;        ///< solves of the condensed contact problem with an active set
-  std::vector<ContactState> start{};  ///< state of each pair; empty: all closed
+  std::vector<ContactState> start{};  ///< state of each pair; empty: all closed, with friction its own start
+  /// Slip of each pair at the beginning of the step, in its frame (component 0 means nothing); empty: none. [length]
+  std::vector<Point> slipBefore{};
   CholmodOptions::Ordering ordering = CholmodOptions::Ordering::Automatic;
 };
 
@@ -25,9 +27,11 @@ struct MonolithicResult {
   std::string failure;            ///< why not
   Vector displacement;            ///< displacements of the whole mesh: node-major, Cartesian [length]
   std::vector<PairResult> pairs;  ///< by id
+  std::vector<PairForce> forces;  ///< by id
   int iterations = 0;             ///< 0 for a scene without unilateral contact
   double residual = 0.0;          ///< largest violation of the contact conditions over the size of the displacements
   double energy = 0.0;            ///< total potential energy
+  double contraction = 0.0;       ///< of the fixed point of friction, see ContactSolution; 0: it was not needed
   Balance balance;                ///< balance of forces
   std::vector<OuterRow> rows;     ///< the same that the monitor was told, for replay on other ranks
 
@@ -48,7 +52,7 @@ struct MonolithicResult {
 /// on all ranks.
 ///
 /// \throws InputError      the scene has no solution, or more than one (checkSolvability)
-/// \throws NumericalError  the factorisation broke down
+/// \throws NumericalError  the factorisation broke down; a body slides away, and the message names it
 MonolithicResult solveMonolithic(const Mesh& mesh, const Constraints& constraints, const ElasticModel& model,
                                  const MonolithicOptions& options, Monitor& monitor);
 

@@ -1,5 +1,6 @@
 #pragma once
-#include <suture/base/Types.hpp>
+#include <suture/base/Point.hpp>
+#include <suture/constraints/ContactLaw.hpp>
 
 #include <functional>
 #include <string>
@@ -23,6 +24,17 @@ struct CondensedContact {
   Vector bounds;
   std::vector<int> lines{};  ///< contact line of each row, successive rows of one being neighbours; empty: all of one
   bool surfaces = false;     ///< rows of one line lie on a surface, in no order
+
+  /// A contact pair whose law decides about its rows: the first of them is along the normal, the others along the tangents.
+  struct Pair {
+    int first, rows;
+    const ContactLaw* law;
+    Point place;
+    double size;  ///< tributary length or area
+  };
+  /// All pairs, in the order of the rows; bounds of tangential rows are slips at the beginning of the step. Empty: without friction, each
+  /// row is a pair.
+  std::vector<Pair> pairs{};
 };
 
 /// Result of one step of the active set; Monitor::outer reports it.
@@ -38,14 +50,17 @@ struct ContactSolution {
   bool converged = false;
   std::string failure;
   Vector x;
-  Vector force;  ///< multiplier of each row, >= 0
+  Vector force;  ///< multiplier of each row: what side B feels along it
   std::vector<char> active;
-  Matrix neutral;  ///< combinations of kernel columns along which no force changes: x is not determined there
+  std::vector<ContactState> states{};  ///< of the pairs; empty without friction
+  Matrix neutral;                      ///< combinations of kernel columns along which no force changes: x is not determined there
+  Vector slides{};                     ///< where no equilibrium was found: motion in which the loads outdo friction; else empty
+  double contraction = 0.0;            ///< of the fixed point of Tresca problems: ratio of successive changes of its bounds; 0: not needed
 };
 
 /// The exact solution by an active set on the compliance of the rows (Delassus matrix), H = C S^-1 C^T with the kernel as free unknowns a:
 ///     gap = H force - C Z a - h >= 0,   force >= 0,   gap . force = 0,   (C Z)^T force = Z^T f.
-/// By ContactSearch, on dense factorisations.
+/// By ContactSearch, on dense factorisations. Problems with `pairs` are those of solveFriction().
 ///
 /// Rows without dofs (all components prescribed) never carry a force; they are active when their bound is not positive.
 /// Equivalent solutions: a row with zero gap and zero force keeps the state it had. Local.

@@ -1,4 +1,5 @@
 #include <suture/base/Errors.hpp>
+#include <suture/constraints/ContactRow.hpp>
 #include <suture/elasticity/loads/ElasticSupports.hpp>
 #include <suture/elasticity/loads/NodalLoads.hpp>
 #include <suture/quality/ElementForces.hpp>
@@ -14,8 +15,8 @@ namespace {
 
 constexpr double negligible = 1e-14;  // a component of a unit normal that is rounding only
 
-Vector normalInAxes(const NodeRule* rule, const Point& normal, int dimension) {
-  const Eigen::Map<const Vector> n(normal.data(), dimension);
+Vector inAxes(const NodeRule* rule, const Point& direction, int dimension) {
+  const Eigen::Map<const Vector> n(direction.data(), dimension);
   if (rule == nullptr) return n;
   return axesOf(*rule, dimension) * n;
 }
@@ -51,22 +52,30 @@ void MonolithicSystem::number() {
     double coefficient;
   };
   std::vector<Entry> entries;
-  rows_.resize(constraints_.pairs.size());
-  for (std::size_t p = 0; p < constraints_.pairs.size(); ++p) {
-    const ContactPair& pair = constraints_.pairs[p];
-    rows_[p].bound = pair.gap;
+  rows_.reserve(constraints_.pairs.size());
+  const auto addRow = [&](const ContactPair& pair, int place, int along, const Point& towards) {
+    const int row = int(rows_.size());
+    rows_.push_back({{}, {}, along == 0 ? pair.gap : 0.0, place, along});
     for (const auto& [node, weight] : pair.ends) {
-      const Vector normal = normalInAxes(ruleAt(node), pair.normal, dimension);
+      const Vector direction = inAxes(ruleAt(node), towards, dimension);
       for (int k = 0; k < dimension; ++k) {
         const int c = component(node, k);
         if (fixed[c]) {
-          rows_[p].bound -= weight * normal[k] * prescribed_[c];
-        } else if (std::abs(normal[k]) > negligible) {
+          rows_[row].bound -= weight * direction[k] * prescribed_[c];
+        } else if (std::abs(direction[k]) > negligible) {
           inContact[c] = 1;
-          entries.push_back({int(p), c, weight * normal[k]});
+          entries.push_back({row, c, weight * direction[k]});
         }
       }
     }
+  };
+  for (std::size_t p = 0; p < constraints_.pairs.size(); ++p) {
+    const ContactPair& pair = constraints_.pairs[p];
+    addRow(pair, int(p), 0, pair.normal);
+    const int restricted = constraints_.laws.of(pair.line).rows(dimension);
+    if (restricted == 1) continue;
+    const std::vector<Point> frame = rowDirections(pair, dimension, ruleAt);
+    for (int k = 1; k < restricted; ++k) addRow(pair, int(p), k, frame[k]);
   }
 
   index_.assign(components, -1);

@@ -10,14 +10,16 @@
 namespace suture {
 
 /// The whole scene as one system of equations, numbered for one sparse factorisation: K x = f in the free components of the nodal axes,
-/// contact components last, prescribed ones moved to the right-hand side; and the contact rows C x <= g in the same unknowns. Local.
+/// contact components last, prescribed ones moved to the right-hand side; and the contact rows C x <= g in the same unknowns.
+/// Pairs whose law restricts sliding have rows along their tangents beside the normal one. Local.
 class MonolithicSystem {
  public:
   /// A contact row restricted to its free contact dofs (numbers from 0 among the trailing dofs); a row may have none.
   struct Row {
     std::vector<int> dofs;
     std::vector<double> coefficients;
-    double bound = 0.0;  ///< gap minus what the prescribed components contribute [length]
+    double bound = 0.0;           ///< gap (0 along tangents) minus what the prescribed components contribute [length]
+    int pair = 0, component = 0;  ///< place of the contact pair; 0: along its normal, else along a tangent (PairFrame)
   };
 
   MonolithicSystem(const Mesh& mesh, const Constraints& constraints, const ElasticModel& model);
@@ -26,7 +28,7 @@ class MonolithicSystem {
   int contactDofs() const { return contactDofs_; }  ///< the last of them, grouped by body
   const SymmetricMatrix& stiffness() const { return stiffness_; }
   const Vector& load() const { return load_; }
-  const std::vector<Row>& rows() const { return rows_; }  ///< one a contact pair, in their order
+  const std::vector<Row>& rows() const { return rows_; }  ///< of the contact pairs in their order, as many as their laws restrict
   double prescribedEnergy() const { return energy_; }     ///< energy when all free dofs are zero
   const Vector& nodalForces() const { return forces_; }   ///< forces of the loads: node-major, Cartesian
 

@@ -100,11 +100,9 @@ Solution Reference::doSolve(Monitor& monitor, const Start*, const Keep&) {
   solution.residual = figures.residual;
   solution.energy = figures.energy;
   solution.displacement = scatterToSubdomains(comm, result.displacement, unpacker.get<int>(), scene().meshes);
-  std::vector<PairForce> forces;
-  for (const PairResult& pair : result.pairs) forces.push_back({pair.id, pair.state, pair.force});
   std::vector<const SubdomainMesh*> pointers;
   for (const SubdomainMesh& mesh : scene().meshes) pointers.push_back(&mesh);
-  solution.pairs = pairResults(comm, pointers, solution.displacement, forces);
+  solution.pairs = pairResults(comm, pointers, solution.displacement, result.forces);
   return solution;
 }
 

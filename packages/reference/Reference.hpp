@@ -15,6 +15,7 @@ class Reference : public Method {
   Reference(const Parameters& settings, const Parameters& own);
 
   bool needsWholeMesh() const override { return true; }
+  bool knowsFriction(const Parameters&) const override { return true; }
   double megabytes(const Comm& comm, const std::vector<SubdomainMesh>& meshes, GlobalId unknowns) const override;
 
  protected:

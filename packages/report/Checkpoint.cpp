@@ -13,7 +13,8 @@ namespace suture {
 
 namespace {
 constexpr const char* kGroup = "/SutureCheckpoint";
-constexpr int kSliding = 4;  // components of a row of Sliding: direction, bound [force]
+constexpr std::size_t kSliding = 5;     // components of a row of Sliding: direction, bound [force], friction
+constexpr std::size_t kOldSliding = 4;  // earlier files have no friction
 std::string at(const char* name) { return std::string(kGroup) + "/" + name; }
 }  // namespace
 
@@ -33,13 +34,13 @@ void writeCheckpoint(const Comm& comm, const std::string& path, const std::strin
     }
   }
   std::vector<int> pairs, status;
-  std::vector<double> sliding;  // direction and bound of each pair
+  std::vector<double> sliding;  // of each pair
   int slides = 0, anySlides = 0;
   for (const PairResult& pair : solution.pairs) {
     pairs.push_back(pair.id);
     status.push_back(static_cast<int>(pair.state.status));
     sliding.insert(sliding.end(), pair.state.direction.begin(), pair.state.direction.end());
-    sliding.push_back(pair.state.bound);
+    sliding.insert(sliding.end(), {pair.state.bound, pair.state.friction});
     if (pair.state != ContactState(pair.state.status)) slides = 1;
   }
   Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, slides, Teuchos::outArg(anySlides));
@@ -55,7 +56,7 @@ void writeCheckpoint(const Comm& comm, const std::string& path, const std::strin
   if (any) file.write(at("Rest"), rests, dimension);
   file.write(at("Pairs"), pairs);
   file.write(at("Status"), status);
-  if (anySlides) file.write(at("Sliding"), sliding, kSliding);  // nothing without friction
+  if (anySlides) file.write(at("Sliding"), sliding, static_cast<int>(kSliding));  // nothing without friction
   file.close();
 }
 
@@ -94,16 +95,17 @@ Start readCheckpoint(const Comm& comm, const std::string& path, const std::strin
     }
     if (pairs.size() != status.size())
       throw InputError(path, "damaged: " + std::to_string(pairs.size()) + " pairs, " + std::to_string(status.size()) + " states");
-    if (sliding.size() != kSliding * status.size())
+    const std::size_t columns = sliding.size() == kOldSliding * status.size() ? kOldSliding : kSliding;
+    if (sliding.size() != columns * status.size())
       throw InputError(path,
                        "damaged: " + std::to_string(sliding.size()) + " numbers of sliding for " + std::to_string(pairs.size()) + " pairs");
     for (std::size_t i = 0; i < pairs.size(); ++i) {
       if (status[i] < 0 || status[i] > static_cast<int>(PairStatus::Stick))
         throw InputError(path, "damaged: pair " + std::to_string(pairs[i]) + " has the unknown status " + std::to_string(status[i]));
-      const double* row = sliding.data() + kSliding * i;
-      if (!std::all_of(row, row + kSliding, [](double value) { return std::isfinite(value); }))
-        throw InputError(path, "damaged: direction or bound of pair " + std::to_string(pairs[i]) + " is not finite");
-      start.status[pairs[i]] = {static_cast<PairStatus>(status[i]), {row[0], row[1], row[2]}, row[3]};
+      const double* row = sliding.data() + columns * i;
+      if (!std::all_of(row, row + columns, [](double value) { return std::isfinite(value); }))
+        throw InputError(path, "damaged: direction, bound or friction of pair " + std::to_string(pairs[i]) + " is not finite");
+      start.status[pairs[i]] = {static_cast<PairStatus>(status[i]), {row[0], row[1], row[2]}, row[3], columns > kOldSliding ? row[4] : 0.0};
     }
   });
   return start;

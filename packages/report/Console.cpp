@@ -33,6 +33,10 @@ std::string ending(const Run& run, double largestDisplacement) {
     const ContactFigures contact = contactFigures(answer, run.size.pieces);
     line += format("%d of %d pairs closed, largest gap %.3e %s, largest pressure %.2e %s", contact.active, contact.pairs, contact.maxGap,
                    units.length.c_str(), contact.maxPressure, units.stress.c_str());
+    if (const FrictionFigures& friction = contact.friction; friction.pairs > 0) {
+      line += format(", %d stick, %d slip", friction.sticking, friction.slipping);
+      if (friction.bound > 0.0) line += format(", friction mobilised up to %.0f %%", 100 * friction.maxMobilisation);
+    }
     if (contact.touching > 0)
       line += format(", %s without force", contact.touching == 1 ? "1 touches" : format("%d touch", contact.touching).c_str());
   } else {

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <suture/base/Collective.hpp>
 #include <suture/report/ContactFields.hpp>
+#include <suture/report/Figures.hpp>
 #include <suture/report/Provenance.hpp>
 #include <suture/report/Units.hpp>
 #include <suture/report/VtkHdf.hpp>
@@ -82,6 +83,33 @@ std::vector<double> vectors(const std::vector<PairResult>& pairs, Point PairResu
   return values;
 }
 
+/// A vector of each pair over its tributary size.
+std::vector<double> overSize(const std::vector<PairResult>& pairs, Point PairResult::*member) {
+  std::vector<double> values = vectors(pairs, member);
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = pairs[i / 3].length > 0.0 ? values[i] / pairs[i / 3].length : 0.0;
+  return values;
+}
+
+std::vector<double> overSize(const std::vector<PairResult>& pairs, double PairResult::*member) {
+  return column<double>(pairs, [&](const PairResult& pair) { return pair.length > 0.0 ? pair.*member / pair.length : 0.0; });
+}
+
+void writeFriction(const std::vector<PairResult>& pairs, const Units& units, const std::string& area, VtkHdf& file) {
+  file.pointData({"TangentialTraction", 3, units.stress, "tangential " + area + "; on side B, along the axes"},
+                 overSize(pairs, &PairResult::tangential));
+  file.pointData(
+      {"FrictionBound", 1, units.stress, "largest tangential " + area + " that the law allows; 0 where open, glued or without bound"},
+      overSize(pairs, &PairResult::bound));
+  file.pointData({"Slip", 3, units.length, "displacement of side A less that of side B along the sides, in the step; along the axes"},
+                 vectors(pairs, &PairResult::slip));
+  file.pointData({"Stick", 1, "", "1 sticks, 0 slips, -1 open; 0 of closed pairs without friction"},
+                 column<int>(pairs, [](const PairResult& pair) {
+                   return pair.state.status == PairStatus::Stick ? 1 : pair.state.closed() ? 0 : -1;
+                 }));
+  file.pointData({"DissipatedWork", 1, units.stress + " " + units.length, "work of the tangential traction on the slip in the step; >= 0"},
+                 overSize(pairs, &PairResult::dissipated));
+}
+
 std::string namesOf(const std::vector<ContactPiece>& pieces) {
   nlohmann::json names = nlohmann::json::array();
   for (const ContactPiece& piece : pieces) names.push_back(piece.name);
@@ -121,6 +149,9 @@ void writeContactFields(const Run& run, const std::string& path) {
   file.pointData({"Displacement", 3, units.length, "of the node that carries the pair; x, y, z; along the axes"},
                  vectors(pairs, &Pair::displacement));
   file.pointData({"Normal", 3, "", "unit vector from side A to side B, or into the obstacle"}, vectors(pairs, &Pair::normal));
+  std::vector<char> rubs(1, hasFriction(pairs));
+  broadcast(run.comm, rubs);
+  if (rubs.front()) writeFriction(pairs, units, area, file);
   integers("Pair", "number of the pair, from 0; -1 of a point on the axis, which follows from the pairs beside it", &Pair::id);
   integers("Line", "number of the contact line in the scene, from 0", &Pair::line);
   integers("Piece", "number of the contact piece, from 0; names in /Record/ContactPieces", &Pair::piece);

@@ -7,7 +7,8 @@ namespace suture {
 
 /// The contact surfaces as a VTKHDF grid: points are the nodes that carry pairs, undeformed, in the order of the pairs; cells are lines in
 /// the plane, triangles and quadrilaterals in space (ContactPiece::cells). Point data: Gap, InitialGap, ContactPressure, ContactForce,
-/// Active, ArcLength, Displacement (of the carrying node), Normal (A to B), Pair, Line, Piece; `unit` and `meaning` as in Fields.hpp.
+/// Active, ArcLength, Displacement (of the carrying node), Normal (A to B), Pair, Line, Piece; with friction TangentialTraction,
+/// FrictionBound, Slip, Stick, DissipatedWork; `unit` and `meaning` as in Fields.hpp.
 /// /Record with the names of the pieces. Collective.
 /// \throws EnvironmentError
 void writeContactFields(const Run& run, const std::string& path);

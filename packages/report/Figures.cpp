@@ -14,6 +14,24 @@
 
 namespace suture {
 
+void FrictionFigures::add(const PairResult& pair) {
+  if (!pair.kind.restrictsSliding) return;
+  pairs += 1;
+  sticking += pair.state.status == PairStatus::Stick;
+  slipping += pair.state.status == PairStatus::Slip;
+  dissipated += pair.dissipated;
+  onB = plus(onB, pair.tangential);
+  if (!(pair.bound > 0.0)) return;
+  const double size = norm(pair.tangential);
+  maxMobilisation = std::max(maxMobilisation, size / pair.bound);
+  tangential += size;
+  bound += pair.bound;
+}
+
+bool hasFriction(const std::vector<PairResult>& pairs) {
+  return std::any_of(pairs.begin(), pairs.end(), [](const PairResult& pair) { return pair.kind.restrictsSliding; });
+}
+
 ContactFigures contactFigures(const std::vector<PairResult>& pairs, int pieces) {
   ContactFigures all;
   all.pairs = int(pairs.size());
@@ -22,6 +40,7 @@ ContactFigures contactFigures(const std::vector<PairResult>& pairs, int pieces) 
   all.gapOf.assign(std::size_t(pieces), 0.0);
   all.pairsOf.assign(std::size_t(pieces), 0);
   all.activeOf.assign(std::size_t(pieces), 0);
+  all.frictionOf.assign(std::size_t(pieces), {});
   for (const PairResult& pair : pairs) {
     const bool closed = pair.state.closed();
     all.active += closed;
@@ -29,10 +48,11 @@ ContactFigures contactFigures(const std::vector<PairResult>& pairs, int pieces) 
     all.maxPressure = std::max(all.maxPressure, pair.pressure);
     all.maxGap = std::max(all.maxGap, pair.gap);
     all.maxPenetration = std::max(all.maxPenetration, -pair.gap);
+    all.friction.add(pair);
     if (pair.piece < 0 || pair.piece >= pieces) continue;
     const auto piece = std::size_t(pair.piece);
-    // The normal points from A to B, hence a compressive force pushes B along it.
-    for (int k = 0; k < 3; ++k) all.forceOnB[piece][std::size_t(k)] += pair.force * pair.normal[std::size_t(k)];
+    all.forceOnB[piece] = plus(all.forceOnB[piece], pair.onB());
+    all.frictionOf[piece].add(pair);
     all.pressureOf[piece] = std::max(all.pressureOf[piece], pair.pressure);
     all.gapOf[piece] = std::max(all.gapOf[piece], pair.gap);
     all.pairsOf[piece] += 1;
@@ -169,7 +189,8 @@ std::string openEndNotes(const std::vector<ContactPiece>& pieces, const std::vec
     double largest = 0.0;
     for (const int id : piece.pairs) largest = std::max(largest, byId.count(id) ? byId[id]->pressure : 0.0);
     for (const int id : piece.openEnds)
-      if (const auto at = byId.find(id); at != byId.end() && at->second->state.closed() && at->second->pressure > kCarries * largest) {
+      if (const auto at = byId.find(id);
+          at != byId.end() && at->second->kind.separates && at->second->state.closed() && at->second->pressure > kCarries * largest) {
         said += format(
             "warning: contact '%s' is closed up to its end at %s, where the boundary goes on smoothly: the bodies may "
             "touch beyond, where the scene has no contact. Let its sides reach further\n",

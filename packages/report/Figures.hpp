@@ -7,6 +7,20 @@
 
 namespace suture {
 
+/// Figures of friction: of pairs whose law restricts sliding.
+struct FrictionFigures {
+  int pairs = 0, sticking = 0, slipping = 0;
+  double maxMobilisation = 0.0;  ///< largest tangential force over its bound; of pairs that have one above zero
+  double tangential = 0.0;       ///< sum of magnitudes of these pairs [force]
+  double bound = 0.0;            ///< sum of their bounds [force]
+  double dissipated = 0.0;       ///< work of the pairs that slip [energy]
+  Point onB{0, 0, 0};            ///< sum of the tangential forces on side B [force]
+
+  void add(const PairResult& pair);
+  /// The mean over the pairs by their bounds.
+  double meanMobilisation() const { return bound > 0.0 ? tangential / bound : 0.0; }
+};
+
 /// Figures of all pairs of a run.
 struct ContactFigures {
   int pairs = 0, active = 0;
@@ -14,11 +28,16 @@ struct ContactFigures {
   double maxPressure = 0.0;            ///< [stress]; of a scene without pairs 0
   double maxGap = 0.0;                 ///< largest current gap [length]
   double maxPenetration = 0.0;         ///< largest -gap [length]
-  std::vector<Point> forceOnB;         ///< sum of each piece's pair forces on side B [force]
+  std::vector<Point> forceOnB;         ///< sum of each piece's pair forces on side B, tangential ones among them [force]
   std::vector<double> pressureOf;      ///< largest pressure of each piece
   std::vector<double> gapOf;           ///< largest gap of each piece
   std::vector<int> pairsOf, activeOf;  ///< pairs and closed pairs of each piece
+  FrictionFigures friction;
+  std::vector<FrictionFigures> frictionOf;  ///< by piece
 };
+
+/// True if some pair's law restricts sliding. Local.
+bool hasFriction(const std::vector<PairResult>& pairs);
 
 /// Local; \param pieces number of pieces
 ContactFigures contactFigures(const std::vector<PairResult>& pairs, int pieces);

@@ -64,6 +64,15 @@ Json outer(const Solution& answer, const std::vector<OuterRow>& rows) {
           {"estimates", answer.estimates}};
 }
 
+Json friction(const FrictionFigures& of, int dimension) {
+  return {{"sticking", of.sticking},
+          {"slipping", of.slipping},
+          {"max_mobilisation", of.maxMobilisation},
+          {"mean_mobilisation", of.meanMobilisation()},
+          {"dissipated_work", of.dissipated},
+          {"tangential_force", components(of.onB, dimension)}};
+}
+
 Json contact(const Run& run, int dimension) {
   const ContactFigures all = contactFigures(run.solution, run.size.pieces);
   Json contact = {
@@ -79,7 +88,9 @@ Json contact(const Run& run, int dimension) {
                                                {"max_gap", all.gapOf[p]},
                                                {"pressure_error_estimate", pressureError(run.pieces[p], all.pressureOf[p])},
                                                {"pressure_oscillation", all.pressureOf[p] > 0 ? oscillations[p] / all.pressureOf[p] : 0.0}};
+    if (all.frictionOf[p].pairs > 0) contact["by_piece"][run.pieces[p].name]["friction"] = friction(all.frictionOf[p], dimension);
   }
+  if (all.friction.pairs > 0) contact["friction"] = friction(all.friction, dimension);
   return contact;
 }
 

@@ -22,7 +22,7 @@ bool wantsNodalStresses(const Parameters& settings) { return settings.sublist("O
 
 void settleMotions(const Comm& comm, std::vector<SubdomainMesh>& meshes, const std::vector<ContactPiece>& pieces, const Scene& scene,
                    Solution& solution, Monitor& monitor) {
-  if (solution.converged) settleNeutralMotions(comm, meshes, scene.model, solution);
+  if (solution.converged) settleNeutralMotions(comm, meshes, scene.model, scene.laws, solution);
   if (comm.getRank() == 0) solution.onAxis = axisResults(pieces, solution.pairs);
   for (const NeutralMotion& motion : solution.neutral) monitor.note(inWords(motion));
   if (scene.settings().sublist("Outer Solver").get<std::string>("Neutral Motions") != "Least")

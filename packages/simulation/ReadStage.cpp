@@ -22,7 +22,7 @@ Mesh readBodies(const Comm& comm, const Scene& scene) {
 Constraints readConstraints(const Comm& comm, const Mesh& mesh, const Scene& scene) {
   return onRoot(comm, "building the constraints", [&] {
     Constraints constraints = scene.constraints(mesh);
-    constraints.laws = scene.laws;
+    applyLaws(scene.laws, constraints);
     return constraints;
   });
 }

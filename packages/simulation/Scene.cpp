@@ -112,7 +112,7 @@ Scene sceneOf(const SceneFile& file) {
   scene.model = makeElasticModel(*all);
   scene.kinds = subdomainKinds(all->sublist("Bodies"));
   scene.contacts = sublistNames(all->sublist("Contact"));
-  scene.laws = ContactLaws(all->sublist("Contact"));
+  scene.laws = ContactLaws(all->sublist("Contact"), sceneConstants(*all));
   scene.mesh = [all, folder = file.folder](const Comm& comm) { return readMesh(comm, all->sublist("Mesh"), folder); };
   scene.constraints = [all, scales = scalesOf(scene.model, *all)](const Mesh& mesh) {
     return buildConstraints(mesh, all->sublist("Boundary Conditions"), all->sublist("Contact"), sceneConstants(*all), scales);

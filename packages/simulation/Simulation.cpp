@@ -80,7 +80,9 @@ void Simulation::check() {
 
 void Simulation::prepare() {
   if (hasControlledLoads(scene_)) timed(timers_, "control", [&] { controlLoads(comm_, scene_, cut_.meshes, monitor_); });
-  liftWork_ = timed(timers_, "partition", [&] { return takeOutLift(*comm_, scene_.model, cut_.meshes, constraints_); });
+  // Ways that bodies slide are from where they stand in the scene.
+  if (!scene_.laws.restrictSliding())
+    liftWork_ = timed(timers_, "partition", [&] { return takeOutLift(*comm_, scene_.model, cut_.meshes, constraints_); });
   monitor_.shiftEnergy(-liftWork_);
   if (!method_->needsWholeMesh()) forget(mesh_, constraints_, cut_.partition);
   const bool needsLaw = !scene_.model.exact.empty() || wantsErrorEstimate(scene_.settings());

@@ -1,5 +1,6 @@
 #include <suture/base/Errors.hpp>
 #include <suture/solver/ActiveSet.hpp>
+#include <suture/solver/FrictionMethod.hpp>
 #include <suture/solver/SetSolves.hpp>
 
 #include <Teuchos_ParameterList.hpp>
@@ -20,6 +21,13 @@ Schema ActiveSet::schema() {
 ActiveSet::ActiveSet(const Parameters& own) : innerTolerance_(own.get<double>("Inner Tolerance")) {}
 
 double ActiveSet::auxiliaryTolerance(const OuterSettings& settings) const { return std::max(innerTolerance_, settings.tolerance); }
+
+void ActiveSet::doSolve(Run& run) const {
+  if (run.problem.friction())
+    searchFriction(run, innerTolerance_);
+  else
+    search(run, innerTolerance_);
+}
 
 void ActiveSet::search(Run& run, double innerTolerance) {
   if (!run.problem.sets()) throw InternalError("a method by sets needs a formulation whose contact states are sets of closed pairs");

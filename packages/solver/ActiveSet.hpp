@@ -13,6 +13,7 @@ class ActiveSet : public OuterSolver {
   static Schema schema();
   explicit ActiveSet(const Parameters& own);
   bool solves(const Formulation& formulation) const override { return !formulation.hidesContact(); }
+  bool knowsFriction() const override { return true; }
   /// ContactSearch from run.result.state, by conjugate gradients.
   /// \param innerTolerance  of linear solves until the set stays
   static void search(Run& run, double innerTolerance);
@@ -20,7 +21,7 @@ class ActiveSet : public OuterSolver {
  protected:
   bool worksBySets() const override { return true; }
   bool wantsAuxiliary() const override { return false; }
-  void doSolve(Run& run) const override { search(run, innerTolerance_); }
+  void doSolve(Run& run) const override;
   double auxiliaryTolerance(const OuterSettings& settings) const override;
 
  private:

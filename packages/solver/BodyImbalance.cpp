@@ -11,6 +11,7 @@ constexpr double kLent = 1e-3;  // share of a neighbour's forces that a body wit
 
 double bodyImbalance(const ContactBodies& bodies, const Vector& force, const Vector& energy, const Vector& largest) {
   const RigidContact::Pairs& data = bodies.rigid().data();
+  if (bodies.areBound()) return 0.0;  // forces between bound pairs are not known here
   const std::size_t parts = bodies.parts().size();
   std::vector<double> size(parts, 0.0), loads(parts, 0.0), stiffness(parts, 0.0);
   for (std::size_t p = 0; p < parts; ++p)

@@ -36,6 +36,10 @@ Solution Decomposition::doSolve(Monitor& monitor, const Start* start, const Keep
   return solutionOf(result);
 }
 
+bool Decomposition::knowsFriction(const Parameters& settings) const {
+  return formulationOf(settings)->knowsFriction() && makeStrategy<OuterSolver>(settings.sublist("Outer Solver"), "Type")->knowsFriction();
+}
+
 Subdomains Decomposition::takeSubdomains() {
   problem_.reset();
   releaseFollowers(subdomains_);

@@ -14,6 +14,7 @@ class Decomposition : public Method {
   GlobalId interfaceUnknowns() const override { return problem_->space()->size(); }
   bool takesStart() const override { return problem_->pairs() > 0; }
   Subdomains takeSubdomains() override;
+  bool knowsFriction(const Parameters& settings) const override;
 
  protected:
   void doAssemble(Subdomains subdomains) override;

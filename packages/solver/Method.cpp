@@ -13,14 +13,19 @@ double Method::megabytes(const Comm&, const std::vector<SubdomainMesh>& meshes, 
 
 namespace {
 
-// Sets of closed pairs decide about normals alone: nobody would decide which pairs of such a law stick.
-void checkLaws(const CutScene& scene) {
+// A method that knows normals alone would leave it to nobody which pairs stick.
+void checkLaws(const Method& method, const CutScene& scene) {
   Problems problems;
-  for (int line = 0; line < scene.laws.size(); ++line)
-    if (scene.laws.of(line).rows(2) > 1)
-      problems.add("Contact/" + scene.contacts.at(line) + "/Law",
-                   std::string("restricts sliding, which no outer solver looks for; expected a ") + "law of the normal direction, as " +
-                       Frictionless::kName);
+  for (int line = 0; line < scene.laws.size(); ++line) {
+    const ContactLaw& law = scene.laws.of(line);
+    if ((law.rows(2) == 1 && law.separates()) || method.knowsFriction(scene.settings)) continue;
+    problems.add(
+        "Contact/" + scene.contacts.at(line) + "/Law",
+        std::string(law.separates() ? "restricts sliding" : "never opens") +
+            ", which the outer solver or the formulation of this scene does not know; expected Formulation = Contact On The Interface "
+            "with Outer Solver/Type = Active Set, Outer Solver/Type = Monolithic, or the law " +
+            Frictionless::kName);
+  }
   problems.throwIfAny();
 }
 
@@ -32,7 +37,7 @@ void Method::prepare(const CutScene& scene, Timers& timers) {
     collectivelyOnRoot(*scene.comm, "preparing a method", [&] {
       if (scene.mesh.elements() == 0) throw InternalError("a method needs the whole mesh, but rank 0 does not hold it");
     });
-  checkLaws(scene);
+  checkLaws(*this, scene);
   scene_.emplace(scene);
   timed(timers, "assemble",
         [&] { doAssemble(makeSubdomains(*scene.comm, scene.meshes, scene.model, scene.kinds, scene.needsLaw || needsLaw())); });

@@ -53,6 +53,12 @@ class Method {
   /// Memory that this rank will take, estimated before anything is assembled. [MB] Local. \param unknowns  of the whole scene
   virtual double megabytes(const Comm& comm, const std::vector<SubdomainMesh>& meshes, GlobalId unknowns) const;
 
+  /// True if it solves contact with friction, and with sides that never part. Local. \param settings  of the scene
+  virtual bool knowsFriction(const Parameters& settings) const {
+    (void)settings;
+    return false;
+  }
+
   /// Assembles and factors. Once. Collective; phases "assemble" and "factor".
   /// \throws NumericalError;  InputError  physics of a subdomain's own where the scene or the method needs the law of a material; a law of
   /// a contact restricts sliding

@@ -164,8 +164,13 @@ OuterResult OuterSolver::solve(const InterfaceProblem& problem, const OuterSetti
           AutomaticTolerance(problem, settings.discretisationError)};
   const bool contact = problem.pairs() > 0;
   const bool bySets = contact && worksBySets() && problem.sets() != nullptr;
+  const bool rubs = contact && problem.friction() != nullptr;
+  if (rubs && !bySets)
+    throw InputError("Outer Solver/Type", "a method without friction, which a Law of this scene has; expected 'Active Set'");
   const bool startsItself = bySets && (given || settings.rigidStart || !wantsAuxiliary());
-  result.state = given && contact ? *given : startsItself && settings.rigidStart ? problem.sets()->padState() : problem.initialState();
+  result.state = given && contact                               ? *given
+                 : startsItself && settings.rigidStart && !rubs ? problem.sets()->padState()
+                                                                : problem.initialState();
   run.reported = result.state.status;
   run.given = given != nullptr;
   const int lifting = result.state.applications;

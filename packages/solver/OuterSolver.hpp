@@ -44,6 +44,9 @@ class OuterSolver {
   /// True if it can solve the problems of a formulation; of a user's own it is believed. Local.
   virtual bool solves(const Formulation&) const { return true; }
 
+  /// True if it finds the states of pairs with friction. Local.
+  virtual bool knowsFriction() const { return false; }
+
   /// \throws NumericalError  breakdown; not for a mere lack of convergence, which the result says.
   /// \param start  where to begin instead of the auxiliary solution (a restart), or null; a linear problem does not ask for it
   OuterResult solve(const InterfaceProblem& problem, const OuterSettings& settings, Monitor& monitor,

@@ -19,8 +19,12 @@ constexpr int kRescales = 4;
 constexpr double kOverestimate = 2.0;  // of the solution's energy norm, from which on a solve is taken up again
 }  // namespace
 
-SetSolves::SetSolves(OuterSolver::Run& run, double inner)
-    : run_(run), sets_(*run.problem.sets()), inner_(std::max(inner, run.settings.tolerance)), step_(run.problem.space()->vector()) {
+SetSolves::SetSolves(OuterSolver::Run& run, double inner, bool loose)
+    : run_(run),
+      sets_(*run.problem.sets()),
+      inner_(std::max(inner, run.settings.tolerance)),
+      levels_(loose ? 1 : kFinal + 1),
+      step_(run.problem.space()->vector()) {
   largest_ = found_ = Vector::Zero(static_cast<Eigen::Index>(sets_.bodies().parts().size()));
   if (!run.fromAuxiliary) return;
   // The auxiliary solve may be gone on with, if it was scaled as its cluster is.
@@ -186,7 +190,7 @@ ContactAnswer SetSolves::solve(const ClosedSet& closed, int level) {
       InterfaceProblem::Evaluation at = sets_.evaluateSet(state, {std::max(final, std::min(tolerance(level), cost.residual))});
       double residual = cost.residual;
       bool drifted = false, sharpened = false;
-      if (level == levels() - 1 ||
+      if (level == kFinal ||
           (at.settled && residual <= final)) {  // what the recursion of conjugate gradients says, confirmed by the operator itself
         state.memory.reset();
         sets_.separate(state);

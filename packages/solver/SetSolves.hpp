@@ -14,13 +14,13 @@ namespace suture {
 /// has as many digits as a strong one beside it. At the end the residual of each body must be small beside the energy of the body, too.
 class SetSolves : public ContactOracle {
  public:
-  /// \param inner  tolerance of the loosest solves
-  SetSolves(OuterSolver::Run& run, double inner);
+  /// \param inner  tolerance of the loosest solves;  \param loose  no others: the answer is a start for something else
+  SetSolves(OuterSolver::Run& run, double inner, bool loose = false);
 
   /// Evaluates the start that a run goes on from; run.done() tells whether it is the solution.
   void evaluateStart();
 
-  int levels() const override { return 3; }
+  int levels() const override { return levels_; }
   ContactAnswer solve(const ClosedSet& closed, int level) override;
   Change redistribute(const ClosedSet& closed, const Vector& given) override;
   void move(const Vector& motion) override;
@@ -45,11 +45,13 @@ class SetSolves : public ContactOracle {
   bool solveLinear(InterfaceState& state, bool goOn, double tolerance, const EnergyCriterion& criterion, InnerResult& cost,
                    int& applications);
 
+  static constexpr int kFinal = 2;         // level of the final tolerance
   static constexpr double kSharper = 0.7;  // factor on the tolerance that would do if all residuals fell alike
 
   OuterSolver::Run& run_;
   const ContactSets& sets_;
   const double inner_;
+  const int levels_;
   MultiVectorPtr step_;
   ClosedSet closed_;                // set of the last solve; empty if that cannot be resumed
   ContactStates preconditioned_;    // states that the preconditioner was made for

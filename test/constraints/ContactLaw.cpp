@@ -35,26 +35,26 @@ TEUCHOS_UNIT_TEST(ContactLaw, FrictionlessPairsAreClosedWhereTheProjectedForcePr
   TEST_THROW(law.project(trial(std::numeric_limits<double>::quiet_NaN(), 0.0), {}), NumericalError);
 }
 
-// Contract of every law: a pair that is pressed without slip is closed; its state is the projection of its own force; the decision does
-// not depend on the unit of force; rows are one or as many as the space has dimensions.
+// Contract of every law: a pair that is pressed without slip is closed; its state is the projection of its own force; one that is pulled
+// opens if the law lets it; the decision does not depend on the unit of force; rows are one or as many as the space has dimensions.
 TEUCHOS_UNIT_TEST(ContactLaw, EveryRegisteredLawKeepsTheContract) {
   TEST_ASSERT(Registry<ContactLaw>::instance().has(Frictionless::kName));
   for (const std::string& name : Registry<ContactLaw>::instance().names()) {
-    const auto law = Registry<ContactLaw>::instance().make(name, Parameters());
+    const auto law = Registry<ContactLaw>::instance().make(name, Constants(), Parameters());
     for (const int dimension : {2, 3}) TEST_ASSERT(law->rows(dimension) == 1 || law->rows(dimension) == dimension);
     const ContactState pressed = law->pressed();
     TEST_ASSERT(pressed.closed());
     TEST_ASSERT(law->project(trial(1.0, 0.0), pressed) == pressed);
-    TEST_ASSERT(!law->project(trial(0.0, -1.0), pressed).closed());
+    TEST_EQUALITY(law->project(trial(0.0, -1.0), pressed).closed(), !law->separates());
     for (const double unit : {1e-30, 1e30}) {
       TEST_EQUALITY(law->project(trial(unit, 0.0), {}).closed(), true);
-      TEST_EQUALITY(law->project(trial(-unit, 0.0), pressed).closed(), false);
+      TEST_EQUALITY(law->project(trial(-unit, 0.0), pressed).closed(), !law->separates());
     }
   }
 }
 
 const Registration<ContactLaw> rough("Rough", Schema("What is pressed sticks."),
-                                     [](const Parameters&) { return std::make_unique<RoughLaw>(); });
+                                     [](const Constants&, const Parameters&) { return std::make_unique<RoughLaw>(); });
 
 // A user's law is chosen by its name, contact by contact; a scene that names none is frictionless.
 TEUCHOS_UNIT_TEST(ContactLaw, IsChosenByItsNameInTheScene) {

@@ -2,6 +2,7 @@
 #include <random>
 #include <set>
 #include <suture/constraints/ContactRow.hpp>
+#include <suture/constraints/FrictionLaws.hpp>
 
 #include "ConstraintsTesting.hpp"
 #include "RoughLaw.hpp"
@@ -162,6 +163,29 @@ TEUCHOS_UNIT_TEST(ContactRow, HasTangentsWhereTheLawRestrictsSliding) {
       along.normal = {-row.pair.normal[1], row.pair.normal[0], 0};
       TEST_COMPARE(std::abs(motion.gap(row.equations[0]) - motion.gap(row.pair)), <, 1e-14);
       TEST_COMPARE(std::abs(motion.gap(row.equations[1]) - motion.gap(along)), <, 1e-14);
+    }
+  }
+}
+
+// Glued sides stand as they are meshed; sides that are guided or rub close the gap that the mesh has. Rows know which pairs can part.
+TEUCHOS_UNIT_TEST(ContactRow, HasNoGapWhereTheLawTakesTheSidesAsTheyStand) {
+  const Mesh mesh = stack(2);
+  Constraints before = build(mesh, bilateral("roller", "b0_left"), contact("line", "b0_top", "b1_bottom"));
+  for (ContactPair& pair : before.pairs) pair.gap = 0.25 - 0.5 * (pair.id % 2);
+  struct Case {
+    std::shared_ptr<const ContactLaw> law;
+    bool separates, ignoresGap;
+  };
+  for (const Case& of : {Case{std::make_shared<Tied>(), false, true}, Case{std::make_shared<NoSeparation>(), false, false},
+                         Case{std::make_shared<Frictionless>(), true, false}, Case{std::make_shared<RoughLaw>(), true, false}}) {
+    Constraints constraints = before;
+    applyLaws(ContactLaws({of.law}), constraints);
+    const std::vector<ContactRow> rows = contactRows(mesh, constraints);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      TEST_EQUALITY(rows[i].pair.gap, of.ignoresGap ? 0.0 : before.pairs[i].gap);
+      TEST_EQUALITY(rows[i].normal().gap, rows[i].pair.gap);
+      TEST_EQUALITY(rows[i].separates, of.separates);
+      TEST_EQUALITY(rows[i].restrictsSliding(), of.law->rows(2) > 1);
     }
   }
 }

@@ -3,6 +3,8 @@
 #include <quality/Judged.hpp>
 
 #include <limits>
+#include <suture/constraints/FrictionLaws.hpp>
+#include <suture/pairing/PairFrame.hpp>
 #include <suture/quality/Deformation.hpp>
 
 namespace suture {
@@ -216,6 +218,30 @@ TEUCHOS_UNIT_TEST(PlantedErrors, ATurnThatDeformationExplains) {
   arm.largest = 1e-3;
   arm.isMoved = true;
   TEST_EQUALITY(unexplainedTurn({roller, arm}, 0), 0.0);
+}
+
+/// A law of friction without a bound: the answers are those of frictionless scenes. No pair may have a tangential force.
+TEUCHOS_UNIT_TEST(PlantedErrors, ATangentialForceWhereNothingRubs) {
+  for (Scene scene : {looseBlock(), mortarBlock(), blockOnObstacle(), turned(looseBlock(), 0.5)}) {
+    scene.constraints.laws = ContactLaws({std::make_shared<DryFriction>(Expression("0"), Expression("0"))});
+    Judged answer(scene);
+    for (PairResult& pair : answer.pairs)
+      if (const double size = norm(pair.slip); pair.state.closed() && size > 0.0) {
+        const Point tangent = pairFrame(pair.normal, 2)[1];
+        pair.state = {PairStatus::Slip, {0, dot(pair.slip, tangent) > 0 ? 1.0 : -1.0, 0}, 0.0};
+      }
+    const Verification before = answer.verdict();
+    TEST_ASSERT(before.holds());
+    TEST_EQUALITY(before.checks.size(), 16);
+    out << before.failure() << "\n";
+    for (const bool isOpen : {false, true}) {
+      const int pair = isOpen ? answer.widest() : answer.strongest();
+      if (pair >= 0) answer.pairs[pair].tangential = scaled(1e-4 * answer.largestForce(), pairFrame(answer.pairs[pair].normal, 2)[1]);
+      const Verification after = answer.verdict();
+      TEST_ASSERT(!check(after, "friction").holds());
+      if (pair >= 0) answer.pairs[pair].tangential = {0, 0, 0};
+    }
+  }
 }
 
 /// A weak pair of bodies beside a strong one: its own forces are the measure.

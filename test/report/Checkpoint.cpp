@@ -15,8 +15,8 @@ void comesBack(sample::SampleRun& sample, const std::string& name, bool slides, 
   const std::string path = sample.folder_ + "/" + name;
   std::map<int, ContactState> expected{{0, PairStatus::Slip}, {1, PairStatus::Slip}, {2, PairStatus::Open}, {3, PairStatus::Slip}};
   if (slides) {
-    expected[0] = {PairStatus::Slip, {0.6, -0.8, 0.0}, 0.75};
-    expected[1] = {PairStatus::Stick, {0, 0, 0}, 1.0 / 3.0};
+    expected[0] = {PairStatus::Slip, {0.6, -0.8, 0.0}, 0.75, 0.3};
+    expected[1] = {PairStatus::Stick, {0, 0, 0}, 1.0 / 3.0, 0.6};
   }
   for (PairResult& pair : sample.solution_.pairs) pair.state = expected.at(pair.id);
   writeCheckpoint(*sample.comm_, path, "hash", sample.subdomains_, sample.solution_);
@@ -36,6 +36,49 @@ TEUCHOS_UNIT_TEST(Checkpoint, KeepsDisplacementsAndStates) {
 TEUCHOS_UNIT_TEST(Checkpoint, KeepsDirectionsAndBoundsOfPairsThatSlide) {
   sample::SampleRun sample(sample::folderOf("checkpoint_sliding"));
   comesBack(sample, "sliding.h5", true, success, out);
+}
+
+/// A file as it was written before laws had a slope: four numbers a pair.
+TEUCHOS_UNIT_TEST(Checkpoint, ReadsFilesWithoutTheSlopeOfTheLaw) {
+  sample::SampleRun sample(sample::folderOf("checkpoint_old"));
+  prepareFolder(*sample.comm_, sample.folder_);
+  const std::string path = sample.folder_ + "/old.h5", group = "/SutureCheckpoint";
+  for (PairResult& pair : sample.solution_.pairs) pair.state = {PairStatus::Slip, {0.6, -0.8, 0.0}, 0.75, 0.3};
+  for (const std::size_t columns : {4, 3}) {
+    {
+      std::vector<GlobalId> nodes;
+      std::vector<double> values, sliding;
+      std::vector<int> pairs, status;
+      for (std::size_t s = 0; s < sample.subdomains_.size(); ++s) {
+        const auto& ids = sample.subdomains_[s].globalNodes;
+        nodes.insert(nodes.end(), ids.begin(), ids.end());
+        const Vector& u = sample.solution_.displacement[s];
+        values.insert(values.end(), u.data(), u.data() + u.size());
+      }
+      for (const PairResult& pair : sample.solution_.pairs) {
+        pairs.push_back(pair.id);
+        status.push_back(1);
+        const double row[] = {0.6, -0.8, 0.0, 0.75};
+        sliding.insert(sliding.end(), row, row + columns);
+      }
+      Hdf5File file = Hdf5File::create(*sample.comm_, path);
+      file.group(group);
+      file.attribute(group, "MeshHash", std::string("hash"));
+      file.write(group + "/Nodes", nodes);
+      file.write(group + "/Displacement", values, 2);
+      file.write(group + "/Pairs", pairs);
+      file.write(group + "/Status", status);
+      file.write(group + "/Sliding", sliding, int(columns));
+      file.close();
+    }
+    if (columns == 3) {
+      TEST_THROW(readCheckpoint(*sample.comm_, path, "hash", sample.subdomains_), InputError);
+      continue;
+    }
+    const Start found = readCheckpoint(*sample.comm_, path, "hash", sample.subdomains_);
+    for (const auto& [pair, state] : found.status) TEST_ASSERT(state == ContactState(PairStatus::Slip, {0.6, -0.8, 0.0}, 0.75));
+    TEST_EQUALITY(found.status.size(), 4);
+  }
 }
 
 }  // namespace

@@ -33,6 +33,17 @@ TEUCHOS_UNIT_TEST(Console, FooterSaysHowItEnded) {
                                  "pressure 1.00e+01 Pa, forces balance to 3e-12\n") == 0);
 }
 
+TEUCHOS_UNIT_TEST(Console, FooterCountsThePairsThatStickAndSlip) {
+  sample::SampleRun sample("unused");
+  sample.rub();
+  std::ostringstream console;
+  const RunFigures figures = runFigures(sample.run());
+  if (sample.comm_->getRank() != 0) return;
+  printFooter(console, sample.run(), figures);
+  TEST_ASSERT(console.str().find("largest pressure 1.00e+01 Pa, 2 stick, 1 slip, friction mobilised up to 100 %, forces balance") !=
+              std::string::npos);
+}
+
 TEUCHOS_UNIT_TEST(Console, FooterTellsTheErrorsThatAreKnown) {
   sample::SampleRun sample("unused");
   sample.solution_.errors = {{"displacement_l2", 1.25e-5}, {"displacement_l2_relative", 0.00123}, {"pressure_l2", 2.0}};

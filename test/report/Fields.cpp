@@ -188,6 +188,27 @@ TEUCHOS_UNIT_TEST(ContactFields, JoinThePairsOfALineAndKeepALonelyOne) {
   TEST_EQUALITY(active[2], 0);
 }
 
+TEUCHOS_UNIT_TEST(ContactFields, TellForcesSlipsAndStatesOfPairsThatRub) {
+  const std::string folder = sample::folderOf("rubbing"), points = "/VTKHDF/PointData/";
+  sample::SampleRun sample(folder);
+  prepareFolder(*sample.comm_, folder);
+  sample.rub();
+  writeReport(sample.run(), ExitCode::Done);
+  const Hdf5File file = Hdf5File::open(*sample.comm_, folder + "/contact_0000.vtkhdf"), smooth = open("contact_0000.vtkhdf");
+  const std::vector<double> traction = file.readReals(points + "TangentialTraction"), bound = file.readReals(points + "FrictionBound"),
+                            slip = file.readReals(points + "Slip"), work = file.readReals(points + "DissipatedWork");
+  const std::vector<int> stick = file.readInts(points + "Stick");
+  TEST_COMPARE_ARRAYS(stick, (std::vector<int>{0, 1, -1, 1}));
+  TEST_COMPARE_ARRAYS(bound, (std::vector<double>{1.6, 2.4, 0.0, 4.0}));  // over tributary lengths of .5
+  TEST_COMPARE_ARRAYS(work, (std::vector<double>{3.2e-3, 0.0, 0.0, 0.0}));
+  TEST_COMPARE_ARRAYS(traction, (std::vector<double>{1.6, 0, 0, 1.2, 0, 0, 0, 0, 0, 1.6, -1.2, 0}));
+  TEST_COMPARE_ARRAYS(slip, (std::vector<double>{2e-3, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}));
+  TEST_EQUALITY(file.readTextAttribute(points + "DissipatedWork", "unit"), "Pa m");
+  TEST_ASSERT(file.readTextAttribute(points + "TangentialTraction", "meaning").find("on side B") != std::string::npos);
+  for (const char* name : {"TangentialTraction", "FrictionBound", "Slip", "Stick", "DissipatedWork"})
+    TEST_ASSERT(!smooth.has(points + name));
+}
+
 TEUCHOS_UNIT_TEST(Report, LeavesNothingBesideItsFiles) {
   const std::string folder = written();
   std::vector<std::string> names;

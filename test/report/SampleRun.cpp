@@ -149,4 +149,21 @@ void SampleRun::makeSolution() {
   }
 }
 
+void SampleRun::rub() {
+  using suture::PairStatus;
+  if (comm_->getRank() != 0) return;
+  for (suture::PairResult& pair : solution_.pairs) pair.kind.restrictsSliding = true;
+  const auto set = [&](int i, const suture::ContactState& state, const suture::Point& tangential, double bound) {
+    suture::PairResult& pair = solution_.pairs[std::size_t(i)];
+    pair.state = state;
+    pair.tangential = tangential;
+    pair.bound = bound;
+  };
+  set(0, {PairStatus::Slip, {0, -1, 0}, 0, 0.4}, {0.8, 0, 0}, 0.8);  // forces 2, 3, 0, 5
+  set(1, {PairStatus::Stick, {0, 0, 0}, 0, 0.4}, {0.6, 0, 0}, 1.2);
+  set(3, {PairStatus::Stick, {0, 0, 0}, 0, 0.4}, {0.8, -0.6, 0}, 2.0);
+  solution_.pairs[0].slip = {2e-3, 0, 0};
+  solution_.pairs[0].dissipated = 1.6e-3;
+}
+
 }  // namespace sample

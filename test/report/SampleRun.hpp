@@ -33,6 +33,9 @@ class SampleRun {
 
   suture::Run run();
 
+  /// Gives the pairs friction: the first slips, the second and the last stick, the third is open.
+  void rub();
+
   suture::CommPtr comm_;
   suture::SceneFile scene_;
   suture::ElasticModel model_;

@@ -104,6 +104,7 @@ TEUCHOS_UNIT_TEST(Summary, NamesEveryPathThatItWritesAndNoOther) {
   sample.solution_.chosenSchur["Explicit"] = 3;
   sample.solution_.errors["displacement_l2"] = 1e-5;
   sample.solution_.neutral = {{"left", "move (1, 0)", true, true}};
+  sample.rub();
   prepareFolder(*sample.comm_, sample.folder_);
   writeSummary(sample.run(), runFigures(sample.run()), ExitCode::Done, sample.folder_ + "/summary.json");
   std::vector<std::string> written;
@@ -152,6 +153,34 @@ TEUCHOS_UNIT_TEST(Summary, SumsUpContact) {
   TEST_FLOATING_EQUALITY(contact["force"]["joint"][1].get<double>(), 5.0, 1e-15);
   TEST_FLOATING_EQUALITY(contact["force"]["crack"][0].get<double>(), 3.0, 1e-15);
   TEST_FLOATING_EQUALITY(contact["force"]["crack"][1].get<double>(), 4.0, 1e-15);
+}
+
+TEUCHOS_UNIT_TEST(Summary, SumsUpFrictionWhereThereIsSome) {
+  sample::SampleRun sample(sample::folderOf("summary"));
+  prepareFolder(*sample.comm_, sample.folder_);
+  const std::string path = sample.folder_ + "/summary.json";
+  writeSummary(sample.run(), runFigures(sample.run()), ExitCode::Done, path);
+  const json smooth = readJson(path)["contact"];
+  TEST_ASSERT(!smooth.contains("friction") && !smooth["by_piece"]["joint"].contains("friction"));
+  sample.rub();
+  sample.comm_->barrier();  // all have read
+  writeSummary(sample.run(), runFigures(sample.run()), ExitCode::Done, path);
+  const json all = readJson(path), contact = all["contact"], friction = contact["friction"],
+             joint = contact["by_piece"]["joint"]["friction"];
+  TEST_EQUALITY(friction["sticking"].get<int>(), 2);
+  TEST_EQUALITY(friction["slipping"].get<int>(), 1);
+  TEST_EQUALITY(friction["max_mobilisation"].get<double>(), 1.0);
+  TEST_FLOATING_EQUALITY(friction["mean_mobilisation"].get<double>(), (0.8 + 0.6 + 1.0) / (0.8 + 1.2 + 2.0), 1e-15);
+  TEST_EQUALITY(friction["dissipated_work"].get<double>(), 1.6e-3);
+  TEST_FLOATING_EQUALITY(friction["tangential_force"][0].get<double>(), 2.2, 1e-15);
+  TEST_FLOATING_EQUALITY(friction["tangential_force"][1].get<double>(), -0.6, 1e-15);
+  TEST_EQUALITY(joint["sticking"].get<int>(), 1);
+  TEST_FLOATING_EQUALITY(joint["mean_mobilisation"].get<double>(), 1.4 / 2.0, 1e-15);
+  TEST_EQUALITY(contact["by_piece"]["crack"]["friction"]["max_mobilisation"].get<double>(), 0.5);
+  TEST_FLOATING_EQUALITY(contact["force"]["joint"][0].get<double>(), 1.4, 1e-15);  // whole forces, here as in `reactions`
+  TEST_FLOATING_EQUALITY(contact["force"]["joint"][1].get<double>(), 5.0, 1e-15);
+  TEST_FLOATING_EQUALITY(all["reactions"]["contacts"]["joint"]["force"][0].get<double>(), 1.4, 1e-15);
+  TEST_FLOATING_EQUALITY(all["reactions"]["contacts"]["joint"]["moment"][0].get<double>(), 1.5 - 1.4, 1e-13);  // at the height 1
 }
 
 // A linear field: all stresses are Hooke's, and the first node is told.
@@ -216,6 +245,21 @@ TEUCHOS_UNIT_TEST(Tables, HaveARowAPairAndAConditionWithNamesThatSpreadsheetsRea
   TEST_EQUALITY(commas(sums[0]), commas(sums[2]));
   TEST_EQUALITY(commas(sums[0]), commas(sums[4]));
   TEST_EQUALITY(csvField("a \"b\""), "\"a \"\"b\"\"\"");
+}
+
+TEUCHOS_UNIT_TEST(Tables, HaveColumnsOfFrictionAtTheEnd) {
+  sample::SampleRun sample(sample::folderOf("tables"));
+  prepareFolder(*sample.comm_, sample.folder_);
+  sample.rub();
+  if (sample.comm_->getRank() != 0) return;
+  writeContactTable(sample.run(), sample.folder_ + "/contact.csv");
+  std::ifstream file(sample.folder_ + "/contact.csv");
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(file, line);) lines.push_back(line);
+  TEST_EQUALITY(lines.at(0).substr(lines[0].find("status")), "status,tx,ty,tz,slip_x,slip_y,slip_z,bound,dissipated,sliding");
+  TEST_EQUALITY(lines.at(1), "0,joint,lower,upper,0,1,0,0,1,0,0,0.001,0,4,2,0.5,closed,0.8,0,0,0.002,0,0,0.8,0.0016,slip");
+  TEST_EQUALITY(lines.at(2).substr(lines[2].find("closed")), "closed,0.6,0,0,0,0,0,1.2,0,stick");
+  TEST_EQUALITY(lines.at(3).substr(lines[3].find("open")), "open,0,0,0,0,0,0,0,0,");
 }
 
 TEUCHOS_UNIT_TEST(Summary, MeasuresTheWholeMeshOverAllRanks) {

@@ -45,6 +45,16 @@ with tempfile.TemporaryDirectory() as out:
         ink = (image[..., :3].min(axis=2) < 0.9).mean()
         assert 0.01 < ink < 0.95, f"{name}.png has ink on {ink:.1%} of its area"
     assert Path(out, "report.html").stat().st_size > 100000
+    assert "mobilisation" not in Path(out, "report.html").read_text()
+    smooth = matplotlib.image.imread(f"{out}/contact.png").shape[0]
+
+# The same with friction: its pictures have more panels, its report a table of friction.
+rubbing = folder.parent / folder.name.replace("fields", "rubbing")
+with tempfile.TemporaryDirectory() as out:
+    assert run(rubbing, "--output", out)[0] == 0
+    height = matplotlib.image.imread(f"{out}/contact.png").shape[0]
+    assert height > 1.3 * smooth, f"no panel of friction: contact.png is {height} pixels high, without friction {smooth}"
+    assert "largest mobilisation" in Path(out, "report.html").read_text()
 
 with tempfile.TemporaryDirectory() as copy:
     for name in ("summary.json", "history.csv"):

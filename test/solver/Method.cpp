@@ -2,8 +2,10 @@
 #include <Teuchos_UnitTestHarness.hpp>
 #include <constraints/RoughLaw.hpp>
 #include <solver/SceneChoices.hpp>
+#include <support/CheckSays.hpp>
 #include <suture/base/Buffer.hpp>
 #include <suture/base/Collective.hpp>
+#include <suture/constraints/FrictionLaws.hpp>
 #include <suture/solver/Method.hpp>
 
 namespace suture {
@@ -70,20 +72,41 @@ TEUCHOS_UNIT_TEST(Method, DecompositionAndReferenceHaveOneSolution) {
   }
 }
 
-TEUCHOS_UNIT_TEST(Method, RefusesLawsThatRestrictSliding) {
-  for (const char* method : {"Active Set", "Monolithic"}) {
-    const Given given({std::string("Outer Solver/Type=") + method});
-    CutScene cut = given.cut();
-    cut.contacts = {"smooth", "rough"};
-    cut.laws = ContactLaws({std::make_shared<Frictionless>(), std::make_shared<RoughLaw>()});
-    Timers timers;
-    try {
-      makeMethod(given.settings, true)->prepare(cut, timers);
-      TEST_ASSERT(false);
-    } catch (const InputError& error) {
-      TEST_EQUALITY(error.problems().size(), 1u);
-      TEST_EQUALITY(error.problems().front().path, "Contact/rough/Law");
-    }
+/// Problems of a method with lines of these laws, each in words; none if it takes them.
+std::vector<std::string> refused(const std::vector<std::string>& settings, std::vector<std::shared_ptr<const ContactLaw>> laws) {
+  const Given given(settings);
+  CutScene cut = given.cut();
+  for (std::size_t k = 0; k < laws.size(); ++k) cut.contacts.push_back("line " + std::to_string(k));
+  cut.laws = ContactLaws(std::move(laws));
+  Timers timers;
+  std::vector<std::string> problems;
+  try {
+    makeMethod(given.settings, true)->prepare(cut, timers);
+  } catch (const InputError& error) {
+    for (const auto& problem : error.problems()) problems.push_back(problem.path + " " + problem.message);
+  }
+  return problems;
+}
+
+// Friction needs a method that knows states of pairs; so does a law that never opens one.
+TEUCHOS_UNIT_TEST(Method, RefusesFrictionWhereItKnowsNormalsAlone) {
+  const auto smooth = std::make_shared<Frictionless>();
+  const auto rough = std::make_shared<RoughLaw>();
+  const auto guided = std::make_shared<NoSeparation>();
+  const std::string onInterface = "Formulation=Contact On The Interface", groups = "Formulation=Condensed Groups";
+  const std::vector<std::vector<std::string>> know{{onInterface, "Outer Solver/Type=Active Set"}, {"Outer Solver/Type=Monolithic"}, {}};
+  for (const auto& settings : know) TEST_EQUALITY(refused(settings, {smooth, rough, guided}).size(), 0u);
+  const std::vector<std::vector<std::string>> knowNot{{groups, "Outer Solver/Type=Semismooth Newton"},
+                                                      {groups, "Outer Solver/Type=Chord"},
+                                                      {groups, "Outer Solver/Type=Successive Approximation"}};
+  for (const auto& settings : knowNot) {
+    TEST_EQUALITY(refused(settings, {smooth}).size(), 0u);
+    const std::vector<std::string> problems = refused(settings, {smooth, rough, guided});
+    TEST_EQUALITY(problems.size(), 2u);
+    if (problems.size() != 2u) continue;
+    SUTURE_CHECK_SAYS(problems[0], "Contact/line 1/Law restricts sliding");
+    SUTURE_CHECK_SAYS(problems[1], "Contact/line 2/Law never opens");
+    SUTURE_CHECK_SAYS(problems[0], "Contact On The Interface");
   }
 }
 

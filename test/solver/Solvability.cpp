@@ -1,21 +1,26 @@
 #include <Teuchos_UnitTestHarness.hpp>
 #include <suture/algebra/dense/NonnegativeLeastSquares.hpp>
 #include <suture/base/Errors.hpp>
+#include <suture/constraints/FrictionLaws.hpp>
 #include <suture/elasticity/loads/NodalLoads.hpp>
 #include <suture/mesh/Generators.hpp>
 #include <suture/reference/MonolithicSystem.hpp>
 #include <suture/solver/solvability/Solvability.hpp>
 
+#include <support/DryLaw.hpp>
 #include <support/SmallScenes.hpp>
 
 #include <cmath>
 #include <functional>
+#include <memory>
 #include <random>
 
 namespace suture {
 namespace {
 
+using scenes::dry;
 using scenes::Scene;
+using LawPtr = std::shared_ptr<const ContactLaw>;
 
 // Message of the check, or "" when it lets the scene pass.
 std::string verdict(const Scene& scene) {
@@ -164,6 +169,57 @@ TEUCHOS_UNIT_TEST(Solvability, NonnegativeLeastSquaresMeetsItsOptimalityConditio
     TEST_COMPARE(p.minCoeff(), >=, 0.0);
     TEST_COMPARE(pull.maxCoeff(), <, 1e-10);
     TEST_COMPARE(std::abs(pull.dot(p)), <, 1e-10 * (1 + p.norm()));
+  }
+}
+
+// The lower block is fixed, the upper one lies on it and is pulled to the right by so much of its weight.
+std::string verdictOfPull(double pull, const LawPtr& law, double weight = 1e4) {
+  Scene scene = scenes::twoBlocks(4, 2, 2);
+  scene.fixLower();
+  scene.pressure("upper_top", weight);
+  scene.traction("upper_top", {pull * std::abs(weight), 0, 0});
+  scene.constraints.laws = ContactLaws({law});
+  return verdict(scene);
+}
+
+TEUCHOS_UNIT_TEST(Solvability, FrictionHoldsUpToItsConeAndCohesionUpToWhatTheSolverFinds) {
+  TEST_ASSERT(says(verdictOfPull(0.3, std::make_shared<Frictionless>()), "move to the right"));
+  TEST_ASSERT(says(verdictOfPull(0.3, dry(0.0, 0.0)), "move to the right"));
+  TEST_EQUALITY(verdictOfPull(0.3, dry(0.0, 0.31)), "");
+  TEST_ASSERT(says(verdictOfPull(0.3, dry(0.0, 0.29)), "the loads push it there"));
+  TEST_EQUALITY(verdictOfPull(-0.3, dry(0.0, 0.31)), "");
+  TEST_EQUALITY(verdictOfPull(0.0, dry(0.0, 0.1)), "");  // its place along the seat is that of the beginning
+  TEST_EQUALITY(verdictOfPull(0.3, dry(1.0, 0.0)), "");
+  // pulled off: nothing but glue, or sides that never part, holds it
+  TEST_ASSERT(says(verdictOfPull(0.0, dry(1.0, 0.5), -1e4), "move upwards"));
+  TEST_EQUALITY(verdictOfPull(0.3, std::make_shared<Tied>(), -1e4), "");
+  TEST_ASSERT(says(verdictOfPull(0.0, std::make_shared<NoSeparation>(), -1e4), "without opening its contacts"));
+  TEST_ASSERT(says(verdictOfPull(0.3, std::make_shared<NoSeparation>(), -1e4), "move to the right"));
+}
+
+TEUCHOS_UNIT_TEST(Solvability, FrictionInSpaceHoldsInEveryDirection) {
+  Box box;
+  box.nx = box.ny = box.nz = 2;
+  box.cell = Cell::Hexahedron8;
+  const Scene block = scenes::fromBoxes({box});
+  for (const double mu : {0.29, 0.307}) {  // sixteen planes about the cone reach 2 % beyond it between two of its edges
+    for (int direction = 0; direction < 32; ++direction) {
+      Scene scene = block;
+      scene.model.dimension = 3;
+      for (const int node : scene.nodesOf("body_bottom")) {
+        ContactPair pair;
+        pair.id = int(scene.constraints.pairs.size());
+        pair.line = 0;
+        pair.ends = {{node, 1.0}};
+        pair.normal = {0, 0, -1};
+        pair.position = scene.mesh.point(node);
+        scene.constraints.pairs.push_back(pair);
+      }
+      const double angle = M_PI * direction / 16.0;
+      scene.model.loads.push_back(Load::bodyForce({0.3 * std::cos(angle), 0.3 * std::sin(angle), -1.0}));
+      scene.constraints.laws = ContactLaws({dry(0.0, mu)});
+      TEST_EQUALITY(verdict(scene).empty(), mu > 0.3);
+    }
   }
 }
 

@@ -207,6 +207,43 @@ def hertzRubber_fittedHalfWidth(folder, _):
     return hertzFit(folder, 0.874097)[1]
 
 
+# --- V18: Cattaneo's line contact of two bodies of one material, gap x^2 / (2 R), under the forces P and Q that the run found ---
+
+def cattaneo(folder, mu=0.3, modulus=1 / (2 * 0.91), radius=1.0, line="touch"):
+    """Places, tangential tractions, largest one mu p0, half widths of contact and stick."""
+    with open(os.path.join(folder, "summary.json")) as file:
+        tangential, normal = (abs(v) for v in json.load(file)["contact"]["force"][line])
+    a = math.sqrt(4 * normal * radius / (math.pi * modulus))
+    c = contact(folder)
+    return c.points[:, 0], np.abs(c.point["TangentialTraction"][:, 0]), mu * 2 * normal / (math.pi * a), a, a * math.sqrt(1 - tangential / (mu * normal))
+
+
+def cattaneo_halfWidth(folder, _, **options):
+    """Half width of the contact by Hertz."""
+    return cattaneo(folder, **options)[3]
+
+
+def cattaneo_stickRatio(folder, _, **options):
+    """c / a by the traction in the middle, q(0) = mu p0 (1 - c/a)."""
+    x, q, most, _, _ = cattaneo(folder, **options)
+    return float(1 - q[np.argmin(np.abs(x))] / most)
+
+
+def cattaneo_stickRatioError(folder, _, **options):
+    """Relative deviation of that from sqrt(1 - Q / (mu P))."""
+    _, _, _, a, c = cattaneo(folder, **options)
+    return abs(cattaneo_stickRatio(folder, None, **options) * a / c - 1)
+
+
+def cattaneo_tractionError(folder, _, beside=1.5, **options):
+    """Largest deviation of the traction over mu p0, but `beside` pairs from the ends of contact and stick, where its slope is infinite."""
+    x, q, most, a, c = cattaneo(folder, **options)
+    step = np.min(np.diff(np.sort(x)))
+    exact = most * (np.sqrt(np.maximum(0, 1 - (x / a) ** 2)) - c / a * np.sqrt(np.maximum(0, 1 - (x / c) ** 2)))
+    far = np.minimum(np.abs(np.abs(x) - a), np.abs(np.abs(x) - c)) > beside * step
+    return float(np.max(np.abs(q - exact)[far]) / most)
+
+
 # The same of a sphere: p^2 = p0^2 (1 - r^2 / a^2), a = 1 in input/hertz_sphere
 
 def sphere_fittedPressure(folder, _, radius=1.0):
@@ -492,6 +529,22 @@ def metamorphic_status(folder, reference, **motion):
     """Number of pairs with another status."""
     a, b = contact(folder), contact(reference)
     pairs = matched(dict(zip(located(a.points, **motion), a.point["Active"])), dict(zip(located(b.points), b.point["Active"])), a.dimension)
+    return sum(int(x != y) for x, y in pairs) if pairs else max(len(a.points), len(b.points))
+
+
+def metamorphic_tangential(folder, reference, times=1, length=1, shift=0, **turn):
+    """Largest |t - times R t_reference| of the tangential tractions, over the largest |times t_reference|."""
+    a, b = contact(folder), contact(reference)
+    d = a.dimension
+    found = dict(zip(located(a.points, length=length, shift=shift, **turn), a.point["TangentialTraction"][:, :d]))
+    expected = times * b.point["TangentialTraction"][:, :d] @ rotation(d, **turn).T
+    return worst(matched(found, dict(zip(located(b.points), expected)), d))
+
+
+def metamorphic_sticking(folder, reference, **motion):
+    """Number of pairs that stick in one of the runs and not in the other."""
+    a, b = contact(folder), contact(reference)
+    pairs = matched(dict(zip(located(a.points, **motion), a.point["Stick"])), dict(zip(located(b.points), b.point["Stick"])), a.dimension)
     return sum(int(x != y) for x, y in pairs) if pairs else max(len(a.points), len(b.points))
 
 

@@ -1,11 +1,12 @@
-"""contact.png, contact_2.png, ...: pressure and gap along each contact line."""
+"""contact.png, contact_2.png, ...: pressure and gap along each contact line, with friction the tangential traction, too."""
 import math
 
 import matplotlib.pyplot as plt
 import numpy as np
-from matplotlib.ticker import MaxNLocator
 
-from .style import GAP_COLOUR, GREY, PRESSURE_COLOUR, shortened, wrapped
+from .friction import draw_friction, friction_legend, has_friction
+from .line_panel import curve
+from .style import GAP_COLOUR, PRESSURE_COLOUR, shortened, wrapped
 from .units import scaled
 
 FEW = 6  # lines on one page of large panels; more of them are spread evenly over pages of small ones
@@ -30,16 +31,18 @@ def contact_figure(run, lines, small, part):
     gap_factor, gap_unit = scaled(grid.units["Gap"], max(np.nanmax(np.abs(data["Gap"])), 1e-12))
     columns = min(len(lines), 4 if small else 3)
     rows = math.ceil(len(lines) / columns)
-    width, height = (max(2.9 * columns, 6.5), 3.1 * rows) if small else (max(3.6 * columns, 6.5), 4.2 * rows)
-    figure, axes = plt.subplots(2 * rows, columns, figsize=(width, height + 0.5), squeeze=False, constrained_layout=True)
+    rubs = has_friction(grid)
+    panels = 3 if rubs else 2
+    width, height = (max(2.9 * columns, 6.5), 1.55 * panels * rows) if small else (max(3.6 * columns, 6.5), 2.1 * panels * rows)
+    figure, axes = plt.subplots(panels * rows, columns, figsize=(width, height + 0.5), squeeze=False, constrained_layout=True)
     figure.suptitle(wrapped(f"{run.title}: contact lines{part}; filled: closed, hollow on grey: open{run.state}", int(13 * width)), fontsize=10, x=0.01,
                     ha="left")
     for extra in range(len(lines), rows * columns):
-        for k in range(2):
-            axes[2 * (extra // columns) + k][extra % columns].set_visible(False)
+        for k in range(panels):
+            axes[panels * (extra // columns) + k][extra % columns].set_visible(False)
     for number, (piece, line) in enumerate(lines):
         row, column = divmod(number, columns)
-        above, below = axes[2 * row][column], axes[2 * row + 1][column]
+        above, below = axes[panels * row][column], axes[panels * row + panels - 1][column]
         own = np.flatnonzero((data["Piece"] == piece) & (data["Line"] == line))
         own = own[np.argsort(data["ArcLength"][own], kind="stable")]
         arc, active = data["ArcLength"][own], data["Active"][own].astype(bool)
@@ -49,6 +52,8 @@ def contact_figure(run, lines, small, part):
         above.set_title(f"{shortened(name, 20 if small else 26 if columns > 1 else 60)}: {pairs}", loc="left", fontsize=8 if small else 9)
         for axis, values, factor, colour in ((above, pressure, pressure_factor, PRESSURE_COLOUR), (below, gap, gap_factor, GAP_COLOUR)):
             curve(axis, arc, factor * values, active, colour, small)
+        if rubs:
+            draw_friction(axes[panels * row + 1][column], grid, own, small, not small or column == 0)
         if np.nanmax(np.abs(initial), initial=0.0) > 1e-9 * max(arc.max(), 1e-300):
             below.plot(arc, gap_factor * initial, ls="--", lw=0.9, color="#555555", label="initial gap")
             if not small or number == 0:
@@ -58,29 +63,6 @@ def contact_figure(run, lines, small, part):
         if not small or column == 0:
             above.set_ylabel(f"pressure [{pressure_unit}]")
             below.set_ylabel(f"gap [{gap_unit}]")
+    if rubs:
+        friction_legend(figure)
     return figure
-
-
-def curve(axis, arc, values, active, colour, small):
-    """One panel: values along the line, closed and open pairs told apart."""
-    for first, end in runs(~active):
-        # An open pair stands for its surroundings half way to its neighbours.
-        a = arc[first] if first == 0 else 0.5 * (arc[first - 1] + arc[first])
-        b = arc[end - 1] if end == len(arc) else 0.5 * (arc[end - 1] + arc[end])
-        axis.axvspan(a, b, color="#e9e9e9", lw=0, zorder=0)
-    axis.axhline(0.0, color=GREY, lw=0.6, zorder=1)
-    axis.plot(arc, values, color=colour, zorder=2)
-    axis.plot(arc[active], values[active], "o", ms=2 if small else 3, color=colour, zorder=3)
-    axis.plot(arc[~active], values[~active], "o", ms=2.5 if small else 3.5, mfc="white", mec=colour, zorder=4)
-    axis.margins(x=0.02)
-    axis.yaxis.set_major_locator(MaxNLocator(nbins=4 if small else 5))
-    axis.xaxis.set_major_locator(MaxNLocator(nbins=5 if small else 6))
-    # Rounding errors are not to be enlarged to the height of the picture.
-    if np.nanmax(np.abs(values), initial=0.0) < 1e-6:
-        axis.set_ylim(-1, 1)
-
-
-def runs(mask):
-    """(first, end) of each stretch of true values."""
-    edges = np.flatnonzero(np.diff(np.concatenate([[0], mask.astype(int), [0]])))
-    return list(zip(edges[::2], edges[1::2]))

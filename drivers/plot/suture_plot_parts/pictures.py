@@ -2,6 +2,7 @@
 from .contact import contact_figures
 from .curves import convergence_figure, probe_figure
 from .deformation import deformation_figure
+from .friction import friction_caption
 from .mesh import mesh_figure
 from .picture import Picture, told
 from .region import region_of_interest
@@ -60,7 +61,7 @@ def plane_pages(run, factor, zoom):
     if run.contact is not None and len(run.contact.points):
         for number, (part, figure) in enumerate(contact_figures(run)):
             yield Picture("contact" if number == 0 else f"contact_{number + 1}", "contact", "Contact pressure and gap along each contact line. "
-                          f"Filled: closed pairs; hollow on grey: open ones.{part}", figure)
+                          f"Filled: closed pairs; hollow on grey: open ones.{friction_caption(run)}{part}", figure)
 
 
 def missing(run):

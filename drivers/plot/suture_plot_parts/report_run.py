@@ -18,6 +18,9 @@ CHECKS = {
     "status": ("Open pairs carry nothing, closed ones have no gap", "force through the body"),
     "digits": ("Double precision holds the answer", "force through the body"),
     "rotation": ("No body turns beyond small rotations where nothing holds it", "radian"),
+    "friction": ("Tangential forces stay within their bounds; where sides slip they reach them, along the slip", "force through the body"),
+    "slip": ("Pairs that stick or are glued do not slip", "force through the body, by stiffness"),
+    "dissipation": ("No tangential force pushes against the slip", "force through the body"),
     "controlled_loads": ("Loads of unknown amount reach their targets", "target"),
 }
 ERRORS = {

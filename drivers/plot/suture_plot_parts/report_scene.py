@@ -98,4 +98,20 @@ def contact_pieces(run):
             for name, piece in contact.get("by_piece", {}).items()]
     if not rows:
         return ""
-    return table(("piece", "closed pairs", f"largest pressure [{run.stress_unit}]", f"largest gap [{run.length_unit}]"), rows, numeric=(1, 2, 3), long=(0,))
+    head = ("piece", "closed pairs", f"largest pressure [{run.stress_unit}]", f"largest gap [{run.length_unit}]")
+    return table(head, rows, numeric=(1, 2, 3), long=(0,)) + friction_of_pieces(run)
+
+
+def friction_of_pieces(run):
+    rows = []
+    for name, piece in run.summary["contact"]["by_piece"].items():
+        if friction := piece.get("friction"):
+            force = ", ".join(number(part) for part in friction["tangential_force"])
+            rows.append((esc(name), number(friction["sticking"]), number(friction["slipping"]), number(friction["max_mobilisation"], form=".3g"),
+                         number(friction["mean_mobilisation"], form=".3g"), number(friction["dissipated_work"]), force))
+    if not rows:
+        return ""
+    head = ("piece", "stick", "slip", "largest mobilisation", "mean", f"dissipated work [{run.force_unit} {run.length_unit}]",
+            f"tangential force on side B [{run.force_unit}]")
+    return table(head, rows, numeric=(1, 2, 3, 4, 5, 6), long=(0,),
+                 caption="Friction. Mobilisation: tangential force of a pair over the largest that its law allows; the mean by the bounds.")

@@ -80,7 +80,7 @@ std::vector<ContactResultant> contactResultants(const std::vector<PairResult>& p
     line.pairs += 1;
     line.whole += pair.length;
     if (pair.state.closed()) line.active += 1, line.closed += pair.length;
-    line.onB.add(pair.position, scaled(pair.force, pair.normal));  // the normal points from A to B
+    line.onB.add(pair.position, pair.onB());
     line.pressing += pair.force;
     line.centre = plus(line.centre, scaled(pair.force, pair.position));
   }

@@ -1,4 +1,5 @@
 #include <suture/base/Point.hpp>
+#include <suture/report/Figures.hpp>
 #include <suture/report/Format.hpp>
 #include <suture/report/OutputFolder.hpp>
 #include <suture/report/answers/Answers.hpp>
@@ -28,6 +29,11 @@ struct Scales {
   std::string fields(const Resultant& sum) const { return vectorFields(sum.force, force) + vectorFields(sum.moment, moment); }
 };
 
+const char* slidingOf(const PairResult& pair) {
+  if (!pair.kind.restrictsSliding || !pair.state.closed()) return "";
+  return pair.state.status == PairStatus::Stick ? "stick" : "slip";
+}
+
 const char* statusOf(const PairResult& pair) { return pair.state.closed() ? "closed" : pair.touching ? "touching" : "open"; }
 
 }  // namespace
@@ -46,7 +52,9 @@ std::string csvNumber(double value, double largest) {
 }
 
 void writeContactTable(const Run& run, const std::string& path) {
-  std::string text = "pair,contact,body_a,body_b,x,y,z,nx,ny,nz,arc_length,initial_gap,gap,pressure,force,length,status\n";
+  const bool rubs = hasFriction(run.solution.pairs);
+  std::string text = "pair,contact,body_a,body_b,x,y,z,nx,ny,nz,arc_length,initial_gap,gap,pressure,force,length,status";
+  text += rubs ? ",tx,ty,tz,slip_x,slip_y,slip_z,bound,dissipated,sliding\n" : "\n";
   double place = 0.0, gap = 0.0, pressure = 0.0, force = 0.0;
   for (const PairResult& pair : run.solution.pairs) {
     place = std::max(place, norm(pair.position));
@@ -59,7 +67,11 @@ void writeContactTable(const Run& run, const std::string& path) {
     text += std::to_string(pair.id) + "," + csvField(named ? run.contacts[pair.line] : "") + "," + csvField(bodyName(run, pair.bodies[0])) +
             "," + csvField(bodyName(run, pair.bodies[1])) + vectorFields(pair.position, place) + vectorFields(pair.normal, 1.0) +
             csvNumber(pair.arc, place) + csvNumber(pair.initialGap, gap) + csvNumber(pair.gap, gap) + csvNumber(pair.pressure, pressure) +
-            csvNumber(pair.force, force) + csvNumber(pair.length, 0.0) + "," + statusOf(pair) + "\n";
+            csvNumber(pair.force, force) + csvNumber(pair.length, 0.0) + "," + statusOf(pair);
+    if (rubs)
+      text += vectorFields(pair.tangential, force) + vectorFields(pair.slip, gap) + csvNumber(pair.bound, force) +
+              csvNumber(pair.dissipated, force * gap) + "," + slidingOf(pair);
+    text += "\n";
   }
   writeTextFile(path, text);
 }

@@ -179,28 +179,40 @@ void addMotions(const ContactBodies& bodies, const Matrix& motions, bool bothSen
   }
 }
 
+std::vector<ContactState> broadcastStates(const Comm& comm, const std::vector<PairResult>& pairs, int count) {
+  std::vector<ContactState> states(std::size_t(comm.getRank() == 0 ? count : 0));
+  if (comm.getRank() == 0)
+    for (const PairResult& pair : pairs)
+      if (pair.id < count) states[std::size_t(pair.id)] = pair.state;
+  broadcast(comm, states);
+  return states;
+}
+
 }  // namespace
 
-void settleNeutralMotions(const Comm& comm, std::vector<SubdomainMesh>& meshes, const ElasticModel& model, Solution& solution) {
+void settleNeutralMotions(const Comm& comm, std::vector<SubdomainMesh>& meshes, const ElasticModel& model, const ContactLaws& laws,
+                          Solution& solution) {
   std::vector<const SubdomainMesh*> all;
   for (const SubdomainMesh& mesh : meshes) all.push_back(&mesh);
-  const ContactBodies bodies(comm, all);
+  const ContactBodies bodies(comm, all, laws);
   const RigidContact& rigid = bodies.rigid();
   const int count = rigid.pairs();
   if (count == 0) return;
+  if (laws.restrictSliding()) {  // slip depends on the way there: nothing is moved afterwards
+    const Matrix free = rigid.motions() > 0 ? rigid.loose(broadcastStates(comm, solution.pairs, count)) : Matrix();
+    if (free.cols() > 0) addMotions(bodies, free, true, model, std::vector<char>(bodies.parts().size(), 1), solution.neutral);
+    return;
+  }
   PairsAtSolution pairs = broadcastPairs(comm, solution.pairs, count);
   const ForceScales scales = forceScales(comm, meshes, model, bodies);
   PairClasses classes = classify(bodies, pairs, scales);
   if (comm.getRank() == 0)
     for (PairResult& pair : solution.pairs)
-      if (classes.idle[pair.id]) {
-        pair.state = PairStatus::Open;
-        pair.force = pair.pressure = 0.0;  // rounding, which is not worth a note on pressures
-      }
+      if (classes.idle[pair.id] && pair.kind.separates) pair.open();  // rounding, which is not worth a note on pressures
 
   const auto take = [&] {  // the displacements have changed
     std::vector<PairForce> forces;
-    for (const PairResult& pair : solution.pairs) forces.push_back({pair.id, pair.state, pair.force});
+    for (const PairResult& pair : solution.pairs) forces.push_back({pair.id, pair.state, pair.force, pair.tangential});
     solution.pairs = pairResults(comm, all, solution.displacement, forces);
     pairs.gap = broadcastPairs(comm, solution.pairs, count).gap;
     classes.touching = classify(bodies, pairs, scales).touching;
@@ -213,10 +225,7 @@ void settleNeutralMotions(const Comm& comm, std::vector<SubdomainMesh>& meshes, 
       // PairsAtSolution that the motion has opened carry nothing: their forces were rounding of the moments of others.
       if (comm.getRank() == 0)
         for (PairResult& pair : solution.pairs)
-          if (pair.state.closed() && !classes.carrying[pair.id] && !classes.touching[pair.id]) {
-            pair.state = PairStatus::Open;
-            pair.force = pair.pressure = 0.0;
-          }
+          if (pair.state.closed() && !classes.carrying[pair.id] && !classes.touching[pair.id] && pair.kind.separates) pair.open();
     }
     const std::vector<char> loaded = loadedParts(comm, meshes, model, bodies, classes.carrying);
     ClosedSet holding = classes.carrying;

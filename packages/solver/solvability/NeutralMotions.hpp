@@ -18,7 +18,8 @@ namespace suture {
 /// A pair carries a force above 1e-12 of the largest on either of its bodies, and holds it above 1e-8; it touches where its gap is below
 /// 1e-6 of the most by which gaps of its bodies have changed. Collective.
 /// \param meshes  those of solution.displacement; their lifts, if they have any, take up the motions  \param model  whose loads act
-void settleNeutralMotions(const Comm& comm, std::vector<SubdomainMesh>& meshes, const ElasticModel& model, Solution& solution);
+void settleNeutralMotions(const Comm& comm, std::vector<SubdomainMesh>& meshes, const ElasticModel& model, const ContactLaws& laws,
+                          Solution& solution);
 
 /// A sentence a motion, for the user.
 std::string inWords(const NeutralMotion& motion);

@@ -3,6 +3,7 @@
 #include <suture/base/Errors.hpp>
 #include <suture/elasticity/loads/NodalLoads.hpp>
 #include <suture/mesh/CellGeometry.hpp>
+#include <suture/pairing/PairFrame.hpp>
 #include <suture/solver/solvability/Solvability.hpp>
 
 #include <algorithm>
@@ -43,17 +44,65 @@ struct Modes {
   int count = 0;
 };
 
-Matrix contactRows(const Mesh& mesh, const Constraints& constraints, const RigidParts& rigid, const Modes& modes) {
+/// Forces that pairs can give, as generators: nonnegative combinations of them are all that contact can do.
+struct ContactForces {
+  std::vector<int> pair;         // of each generator
+  std::vector<Point> direction;  // of the force that side B feels
+};
+
+/// What the law of a pair allows: its normal; the edges of the cone of friction, in space those of sixteen planes about it; tangents of any
+/// size where a pair that slides feels a force without pressure, whose bound is the solver's to find out; both senses where it is glued.
+void addForces(const ContactPair& pair, const ContactLaw& law, int dimension, ContactForces& forces) {
+  const auto add = [&](const Point& direction) {
+    forces.pair.push_back(pair.id);
+    forces.direction.push_back(direction);
+  };
+  if (!law.separates()) add(scaled(-1.0, pair.normal));
+  if (law.rows(dimension) == 1) {
+    add(pair.normal);
+    return;
+  }
+  const std::vector<Point> frame = pairFrame(pair.normal, dimension);
+  const int edges = dimension == 2 ? 2 : 16;
+  ContactTrial trial;
+  trial.force = {1.0, 0.0, 0.0};
+  trial.place = pair.position;
+  trial.size = pair.length;
+  bool inside = false;  // the normal is a combination of edges
+  for (int edge = 0; edge < edges; ++edge) {
+    const double angle = 2.0 * M_PI * edge / edges;
+    const double along = dimension == 2 ? (edge == 0 ? 1.0 : -1.0) : std::cos(angle), across = dimension == 2 ? 0.0 : std::sin(angle);
+    Point tangent = scaled(along, frame[1]);
+    if (dimension == 3) tangent = plus(tangent, scaled(across, frame[2]));
+    constexpr double beyond = 1e150;  // a jump that no finite bound holds
+    trial.jump = {0.0, beyond * along, beyond * across};
+    const ContactState state = law.project(trial, PairStatus::Slip);
+    if (state.status == PairStatus::Stick || (state.status == PairStatus::Slip && state.bound > 0.0)) add(tangent);
+    if (state.status != PairStatus::Slip || state.friction <= 0.0) continue;
+    add(plus(pair.normal, scaled(state.friction / (dimension == 2 ? 1.0 : std::cos(M_PI / edges)), tangent)));
+    inside = true;
+  }
+  if (!inside) add(pair.normal);
+}
+
+ContactForces contactForces(const Mesh& mesh, const Constraints& constraints) {
+  ContactForces forces;
+  for (const ContactPair& pair : constraints.pairs) addForces(pair, constraints.laws.of(pair.line), mesh.dimension, forces);
+  return forces;
+}
+
+/// Rows of the pairs' forces in the motions: work that they do on side A in each, negative.
+Matrix contactRows(const Mesh& mesh, const Constraints& constraints, const ContactForces& forces, const RigidParts& rigid,
+                   const Modes& modes) {
   const int dimension = mesh.dimension;
-  Matrix rows = Matrix::Zero(Eigen::Index(constraints.pairs.size()), modes.count);
-  for (std::size_t p = 0; p < constraints.pairs.size(); ++p) {
-    const ContactPair& pair = constraints.pairs[p];
-    for (const auto& [node, weight] : pair.ends) {
+  Matrix rows = Matrix::Zero(Eigen::Index(forces.pair.size()), modes.count);
+  for (std::size_t p = 0; p < forces.pair.size(); ++p) {
+    for (const auto& [node, weight] : constraints.pairs[forces.pair[p]].ends) {
       const int part = rigid.partOfNode[node];
       const RigidPart& r = rigid.parts[part];
       if (r.free.cols() == 0) continue;
       rows.row(Eigen::Index(p)).segment(modes.first[part], r.free.cols()) +=
-          weight * Eigen::Map<const Vector>(pair.normal.data(), dimension).transpose() * r.at(mesh.point(node), dimension) * r.free;
+          weight * Eigen::Map<const Vector>(forces.direction[p].data(), dimension).transpose() * r.at(mesh.point(node), dimension) * r.free;
     }
   }
   return rows;
@@ -146,14 +195,15 @@ void checkSolvability(const Mesh& mesh, const Constraints& constraints, const Ve
     force[part] += f.norm();
     work.segment(modes.first[part], r.free.cols()) += (f.transpose() * r.at(mesh.point(i), dimension) * r.free).transpose();
   }
-  Matrix rows = contactRows(mesh, constraints, rigid, modes);
+  const ContactForces generators = contactForces(mesh, constraints);
+  Matrix rows = contactRows(mesh, constraints, generators, rigid, modes);
   const Matrix sliding = slidingMotions(rows);
   const double loads = force.sum();
   if (loads > 0) {
     const Vector contact = nonnegativeLeastSquares(rows.transpose(), work / loads);
     const Vector escape = work / loads - rows.transpose() * contact;
-    for (std::size_t p = 0; p < constraints.pairs.size(); ++p)
-      for (const PairEnd& end : constraints.pairs[p].ends)
+    for (std::size_t p = 0; p < generators.pair.size(); ++p)
+      for (const PairEnd& end : constraints.pairs[generators.pair[p]].ends)
         force[rigid.partOfNode[end.node]] += loads * contact[Eigen::Index(p)] * std::abs(end.weight);
     for (int part = 0; part < parts; ++part) {
       const RigidPart& r = rigid.parts[part];

@@ -12,6 +12,8 @@ namespace suture {
 /// - A part with neither prescribed components nor contact is held by nothing.
 /// - A solution exists if and only if no z with B z <= 0 does positive work: equivalently (Farkas) if contact forces p >= 0 with B^T p = w
 ///   exist. The nonnegative least squares problem for p tells; its residual is the motion by which a body escapes.
+/// - Laws of friction add forces: edges of their cones, tangential forces of any size where a bound without pressure exists (cohesion,
+///   Tresca: the solver finds out whether it is enough), both senses where sides are glued or never part.
 /// - The solution is unique only if no z other than zero has B z = 0. Such a body keeps its contacts and slides: its place is not
 ///   determined. B z counts as zero up to the accuracy of mesh files: a round body turns in its round seat.
 /// - A motion with B z <= 0, not zero, that does no work (grazing contact; a body that rests on its seat without load) is legitimate:

@@ -1,4 +1,4 @@
-"""contact.png, contact_2.png, ...: pressure and gap on each contact surface."""
+"""contact.png, contact_2.png, ...: pressure and gap on each contact surface, with friction the tangential traction, too."""
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.cm import ScalarMappable
@@ -6,8 +6,10 @@ from matplotlib.collections import LineCollection
 from matplotlib.colors import LinearSegmentedColormap, Normalize
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
+from matplotlib.patheffects import withStroke
 from matplotlib.ticker import MaxNLocator
 
+from ..friction import TRACTION_COLOUR
 from ..style import GAP_COLOUR, PRESSURE_COLOUR, shortened, wrapped
 from ..units import scaled
 from . import level
@@ -19,6 +21,8 @@ from .ruler import axes_and_scale_beside
 
 PRESSURES = LinearSegmentedColormap.from_list("pressure", ["#dcebf5", "#7fb6dc", PRESSURE_COLOUR, "#00283f"])
 GAPS = LinearSegmentedColormap.from_list("gap", ["#fdeadf", "#f0a777", GAP_COLOUR, "#5e2a00"])
+TRACTIONS = LinearSegmentedColormap.from_list("traction", ["#f3e3ef", "#cf93bd", TRACTION_COLOUR, "#3d1231"])
+USED = LinearSegmentedColormap.from_list("used", ["#e3f1ea", "#8cc9ab", "#00694D", "#D55E00"])
 PLAIN, STRIPE = np.array([0.93, 0.93, 0.93]), np.array([0.72, 0.72, 0.72])
 WIDTH = 10.0  # inches
 HIGHEST = 9.8  # inches of all panels of a page
@@ -39,7 +43,8 @@ class Panels:
         strip = 0.45 if self.chart.names else 0.8  # tick labels and their axis, or axes and scale
         self.panel = min(wide * aspect, 3.6)  # inches of the picture
         self.width = self.panel / aspect
-        self.height = (2 if self.stacked else 1) * (self.panel + strip + 0.45)
+        self.rows = (2 if self.stacked else 1) * (2 if surface.rubs else 1)
+        self.height = self.rows * (self.panel + strip + 0.45)
 
 
 def contact_figures(run):
@@ -59,35 +64,45 @@ def contact_figures(run):
 
 
 def contact_figure(run, page, part):
-    ratios = [share for panels in page for share in [panels.height / (1 + panels.stacked)] * (1 + panels.stacked)]
+    ratios = [share for panels in page for share in [panels.height / panels.rows] * panels.rows]
     figure = plt.figure(figsize=(WIDTH, sum(ratios) + 0.5), constrained_layout=True)
     figure.suptitle(wrapped(f"{run.title}: contact surfaces{part}{run.state}", 130), fontsize=10, x=0.01, ha="left")
     places = figure.add_gridspec(len(ratios), 2, height_ratios=ratios)
     row = 0
     for panels in page:
         if panels.stacked:
-            above, below = (figure.add_subplot(places[row + k, :]) for k in (0, 1))
+            axes = [figure.add_subplot(places[row + k, :]) for k in range(panels.rows)]
         else:
-            above, below = (figure.add_subplot(places[row, k]) for k in (0, 1))
-        row += 1 + panels.stacked
-        draw(run, panels, above, below)
+            axes = [figure.add_subplot(places[row + k // 2, k % 2]) for k in range(2 * panels.rows)]
+        row += panels.rows
+        draw(run, panels, axes)
     handles = [Patch(facecolor=PLAIN, edgecolor=STRIPE, hatch="////", lw=0, label="open: no pressure"),
                Patch(facecolor=PLAIN, lw=0, label="closed: no gap"),
                Line2D([], [], color="black", lw=1.4, label="border of the closed part")]
-    figure.legend(handles=handles, loc="upper center", bbox_to_anchor=(0.5, 0.0), ncols=3)
+    if any(panels.surface.rubs for panels in page):
+        handles.append(Line2D([], [], color="white", lw=1.1, path_effects=[withStroke(linewidth=2.4, foreground="black")], label="border of the sticking part"))
+    figure.legend(handles=handles, loc="upper center", bbox_to_anchor=(0.5, 0.0), ncols=len(handles))
     return figure
 
 
-def draw(run, panels, above, below):
+def draw(run, panels, axes):
     surface, order = panels.surface, anticlockwise(panels.chart.flat)
     raster = raster_for(panels, order)
     own = np.take_along_axis(surface.triangles, order, axis=1)
     closed = raster.interpolate(surface.active[own]) >= 0.5
     pairs_closed = surface.active[:surface.pairs] >= 0.5
-    panel(run, panels, above, raster, (surface.pressure, own, pairs_closed), closed, PRESSURES,
+    panel(run, panels, axes[0], raster, (surface.pressure, own, pairs_closed), closed, PRESSURES,
           ("pressure", run.contact.units["ContactPressure"], shortened(surface.name, 40), True))
-    panel(run, panels, below, raster, (surface.gap, own, ~pairs_closed), ~closed, GAPS,
+    panel(run, panels, axes[1], raster, (surface.gap, own, ~pairs_closed), ~closed, GAPS,
           ("gap", run.contact.units["Gap"], f"{surface.open} of {surface.pairs} pairs open", False))
+    if not surface.rubs:
+        return
+    panel(run, panels, axes[2], raster, (surface.tangential, own, pairs_closed), closed, TRACTIONS,
+          ("tangential traction", run.contact.units["TangentialTraction"], f"{surface.sticking} stick, {surface.slipping} slip", True))
+    panel(run, panels, axes[3], raster, (surface.used, own, pairs_closed), closed, USED, ("traction over its bound", "", "friction mobilised", True))
+    for each in axes[2:]:
+        for colour, width in (("black", 2.4), ("white", 1.1)):
+            border_between(each, panels, surface.sticks, colors=colour, linewidths=width, capstyle="round")
 
 
 def panel(run, panels, axes, raster, of, coloured_part, colours, words):
@@ -98,12 +113,12 @@ def panel(run, panels, axes, raster, of, coloured_part, colours, words):
     found = coloured(raster.interpolate(factor * values[own]), 0.0, factor * top or 1.0, colours)
     found[~coloured_part] = ground(raster, ~coloured_part, striped)
     axes.set(xlim=(panels.low[0], panels.high[0]), ylim=(panels.low[1], panels.high[1]), aspect="equal")
-    axes.set_title(f"{above}\n{name}, " + (f"largest {factor * top:.4g} {unit}" if top else "none"), loc="left", fontsize=9)
+    axes.set_title(f"{above}\n{name}, " + (f"largest {factor * top:.4g} {unit}".rstrip() if top else "none"), loc="left", fontsize=9)
     show(axes, picture(raster, found))
     lines(axes, panels)
     ruled(axes, panels.chart, run.length_unit)
     if top:
-        bar(panels, axes, ScalarMappable(Normalize(0.0, factor * top), colours), f"{name} [{unit}]" if panels.panel > 1.2 else f"[{unit}]")
+        bar(panels, axes, ScalarMappable(Normalize(0.0, factor * top), colours), (f"{name} [{unit}]" if panels.panel > 1.2 else f"[{unit}]") if unit else "")
 
 
 def bar(panels, axes, colours, label):
@@ -142,9 +157,14 @@ def lines(axes, panels):
     triangle, side = surface.border()
     border = np.stack([flat[triangle, side], flat[triangle, (side + 1) % 3]], axis=1)
     axes.add_collection(LineCollection(border, colors="#555555", linewidths=0.6, zorder=4))
-    corners = flat.reshape(-1, 2)
-    between, _ = level.lines(corners, np.arange(len(corners)).reshape(-1, 3), surface.active[surface.triangles].reshape(-1), 0.5)
-    axes.add_collection(LineCollection(between, colors="black", linewidths=1.4, capstyle="round", zorder=5))
+    border_between(axes, panels, surface.active, colors="black", linewidths=1.4, capstyle="round")
+
+
+def border_between(axes, panels, share, **style):
+    """The line half way between pairs where `share` is 1 and where it is 0."""
+    corners = panels.chart.flat.reshape(-1, 2)
+    between, _ = level.lines(corners, np.arange(len(corners)).reshape(-1, 3), share[panels.surface.triangles].reshape(-1), 0.5)
+    axes.add_collection(LineCollection(between, zorder=5, **style))
 
 
 def ruled(axes, chart, unit):

@@ -1,6 +1,7 @@
 """Contact surfaces of a run in space, and how they are laid out flat."""
 import numpy as np
 
+from ..friction import has_friction
 from .cells import FACES, with_centres
 from .view import turned_to_eye, view_from
 
@@ -31,6 +32,13 @@ class ContactSurface:
             with_centres(values[own].astype(float), centres)
             for values in (grid.points, *(grid.point_data[name] for name in ("Active", "ContactPressure", "Gap", "Normal"))))
         self.open = int((self.active[:self.pairs] < 0.5).sum())
+        self.rubs = has_friction(grid)
+        if self.rubs:
+            size, bound = np.linalg.norm(grid.point_data["TangentialTraction"][own], axis=1), grid.point_data["FrictionBound"][own]
+            used = np.divide(size, bound, out=np.zeros(len(own)), where=bound > 0)
+            stick = grid.point_data["Stick"][own]
+            self.tangential, self.used, self.sticks = (with_centres(values, centres) for values in (size, used, (stick == 1).astype(float)))
+            self.sticking, self.slipping = np.count_nonzero(stick == 1), np.count_nonzero(stick == 0)
 
     def border(self):
         """(triangle, side) of the sides of triangles that no other has."""

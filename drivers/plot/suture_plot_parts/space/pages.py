@@ -1,5 +1,6 @@
 """All pictures of a run in space, with their captions."""
 from ..deformation import enlargement
+from ..friction import has_friction
 from ..picture import Picture, told
 from ..stresses import taken_at
 from .contact_page import contact_figures
@@ -35,9 +36,10 @@ def pages_in_space(run, factor, view, cut):
                   "red, compression blue. The rings mark the largest tension and compression of all, dashed where bodies hide them.",
                   principal_figure(scene))
     single = single_pairs(run)
+    rubbing = " Where it rubs: tangential traction, and its part of what the law allows." if run.contact is not None and has_friction(run.contact) else ""
     for number, (part, figure) in enumerate(contact_figures(run)):
         yield Picture("contact" if number == 0 else f"contact_{number + 1}", "contact", "Contact pressure and gap on each contact surface, "
-                      f"seen along its mean normal; a surface round an axis is unrolled.{part}{single}", figure)
+                      f"seen along its mean normal; a surface round an axis is unrolled.{rubbing}{part}{single}", figure)
 
 
 def single_pairs(run):

@@ -1,0 +1,105 @@
+#pragma once
+#include <suture/constraints/ContactLaw.hpp>
+#include <suture/contact/RigidContact.hpp>
+
+#include <string>
+#include <vector>
+
+namespace suture {
+
+/// States of all pairs, by id.
+using PairStates = std::vector<ContactState>;
+
+/// Data of a pair that its law and the search ask for.
+struct FrictionSite {
+  Point place{0, 0, 0};
+  double size = 1.0;        ///< tributary length or area
+  double tangential = 0.0;  ///< stiffness of both sides in series along the tangents [force / length]
+};
+
+/// Solution of the linear problem of given states: closed pairs glued along the normal, sticking ones along the tangents too, slipping
+/// ones under the tangential force of their state.
+struct FrictionAnswer {
+  Matrix force;           ///< pairs x 3, in the frames of the pairs: that side B feels [force]
+  Matrix jump;            ///< pairs x 3: penetration, and slip u_A - u_B of the step [length]
+  Vector forceTolerance;  ///< violation of each pair below which it is not believed [force]
+  Vector jumpTolerance;   ///< the same for penetrations [length]
+  bool solved = true;     ///< false: the linear solve failed, and says why elsewhere
+};
+
+/// The linear problems that FrictionSearch asks for. Collective where the implementation is; all ranks get the same numbers.
+class FrictionOracle {
+ public:
+  virtual ~FrictionOracle() = default;
+  /// Least and most accurate tolerance that it offers, of forces relative to the largest; both zero: a direct solver.
+  virtual double loosest() const { return 0.0; }
+  virtual double tightest() const { return 0.0; }
+  /// \param tolerance  between the two
+  virtual FrictionAnswer solve(const PairStates& states, double tolerance) = 0;
+  /// False ends the search after the step in hand.
+  virtual bool goesOn() { return true; }
+};
+
+/// Finds the states of contact with friction: semismooth Newton on normal and tangential forces together (Alart and Curnier 1991; Hueber,
+/// Stadler and Wohlmuth 2008), with a tenth of the local stiffness as its constant along the tangents: with all of it pairs alternate
+/// between stick and slip (measured; doc/numerics.md). In space the direction of a pair that slips turns with it, by the exact tangent.
+///
+/// All violated pairs change at a time. When that does not lower their number any more, only the last of them does (Murty's rule, as in
+/// block principal pivoting: Judice and Pires 1994), which ends wherever the problem has one solution. If even that takes too long, a fixed
+/// point of Tresca problems: bounds by the normal forces of the last one, each convex.
+///
+/// Sets never leave a body loose that pairs can hold: of the pairs that held it before one goes on to. If that is beyond its bound in the
+/// end there is no equilibrium: the body slides away.
+class FrictionSearch {
+ public:
+  struct Result {
+    bool converged = false;
+    bool slides = false;  ///< no equilibrium: a body is driven along `motion`
+    Vector motion;        ///< of RigidContact, if `slides`
+    std::string failure;
+    PairStates states;
+    int solves = 0;
+    double contraction = -1.0;     ///< of the fixed point of Tresca problems, estimated; negative: not known
+    std::vector<int> alternating;  ///< pairs whose states did not settle
+  };
+
+  /// All must outlive it. \param most  solves at most
+  FrictionSearch(const RigidContact& rigid, const ContactLaws& laws, const std::vector<FrictionSite>& sites, FrictionOracle& oracle,
+                 int most)
+      : rigid_(rigid), laws_(laws), sites_(sites), oracle_(oracle), left_(most) {}
+
+  /// \param normal  forces of a solution without friction, by which a first Tresca problem is made; empty: none
+  Result run(PairStates start, const Vector& normal = {});
+
+  /// States that laws answer with at given forces and jumps.
+  PairStates projected(const PairStates& now, const FrictionAnswer& at) const;
+
+ private:
+  enum class End { Settled, Slides, Exhausted, Failed };
+
+  ContactState project(std::size_t pair, const ContactState& now, const FrictionAnswer& at) const;
+  ContactState frozen(std::size_t pair, ContactState state, double normal, double first, double second) const;
+  bool differs(std::size_t pair, const ContactState& now, const ContactState& next) const;
+  PairStates guarded(PairStates next, const PairStates& before);
+  End settle(double last);
+  End fixedPoint();
+  double turn(std::size_t pair, const ContactState& next) const;
+  Vector bounds() const;
+  void thaw();
+  void stick();
+
+  const RigidContact& rigid_;
+  const ContactLaws& laws_;
+  const std::vector<FrictionSite>& sites_;
+  FrictionOracle& oracle_;
+  int left_, solves_ = 0;
+  double tolerance_ = 0.0;
+  PairStates states_;
+  FrictionAnswer answer_;
+  std::vector<char> holders_;  // pairs that hold a body against their law
+  Vector normal_;              // of Tresca problems: normal forces that bounds are made of; empty: those of the state itself
+  std::vector<int> violated_;
+  double contraction_ = -1.0;
+};
+
+}  // namespace suture

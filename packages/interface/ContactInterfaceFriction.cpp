@@ -1,0 +1,183 @@
+// ContactInterfaceProblem as states of pairs with friction (FrictionStates).
+#include <suture/base/Collective.hpp>
+#include <suture/base/Point.hpp>
+#include <suture/interface/ContactInterfaceProblem.hpp>
+#include <suture/pairing/PairFrame.hpp>
+
+#include <Teuchos_Comm.hpp>
+#include <Teuchos_CommHelpers.hpp>
+#include <Tpetra_Map.hpp>
+#include <Tpetra_MultiVector.hpp>
+
+#include <cmath>
+
+namespace suture {
+
+namespace {
+
+/// The direction across that of a pair that slips in space, in its frame.
+Point acrossOf(const ContactState& state) { return {0.0, -state.direction[2], state.direction[1]}; }
+
+}  // namespace
+
+void ContactInterfaceProblem::findSites() {
+  Matrix values = Matrix::Zero(static_cast<Eigen::Index>(rows_.size()), 5);
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    const auto at = static_cast<Eigen::Index>(i);
+    const ContactPair& pair = rows_[i].pair;
+    double stiffness = 0.0;
+    int count = 0;
+    for (int component = 1; component <= 2; ++component)
+      if (const int row = clusters_->rowOf(static_cast<int>(i), component); row >= 0 && !clusters_->row(row).places.empty()) {
+        stiffness += clusters_->stiffness()(row);
+        ++count;
+      }
+    values.row(at) << pair.position[0], pair.position[1], pair.position[2], pair.length, count > 0 ? stiffness / count : 0.0;
+  }
+  const Matrix all = everywhere(values);
+  for (Eigen::Index i = 0; i < all.rows(); ++i) sites_.push_back({{all(i, 0), all(i, 1), all(i, 2)}, all(i, 3), all(i, 4)});
+}
+
+ContactStates ContactInterfaceProblem::statusOf(const PairStates& pairs) const {
+  ContactStates status(1);
+  for (const ContactRow& row : rows_)
+    status[0].push_back(!row.able() || bodies_->rigid().isBound(row.pair.id) ? pressed(row) : pairs[row.pair.id]);
+  return status;
+}
+
+PairStates ContactInterfaceProblem::statesOf(const ContactStates& status) const {
+  Matrix values(static_cast<Eigen::Index>(rows_.size()), 7);
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    const ContactState& state = status[0][i];
+    values.row(static_cast<Eigen::Index>(i)) << static_cast<double>(state.status), state.direction[0], state.direction[1],
+        state.direction[2], state.bound, state.friction, state.across;
+  }
+  const Matrix all = everywhere(values);
+  PairStates states;
+  for (Eigen::Index i = 0; i < all.rows(); ++i) {
+    states.emplace_back(static_cast<PairStatus>(static_cast<int>(all(i, 0))), Point{all(i, 1), all(i, 2), all(i, 3)}, all(i, 4), all(i, 5));
+    states.back().across = all(i, 6);
+  }
+  return states;
+}
+
+InterfaceState ContactInterfaceProblem::stateWith(const PairStates& pairs) const {
+  InterfaceState state;
+  state.trace = space_->vector();
+  state.status = statusOf(pairs);
+  state.memory = std::make_shared<Matrix>(-load_);
+  return state;
+}
+
+Point ContactInterfaceProblem::slipOf(int row, const Vector& gaps) const {
+  Point slip{0, 0, 0};
+  for (int component = 1; component <= 2; ++component)
+    if (const int tangent = clusters_->rowOf(row, component); tangent >= 0) slip[component] = -gaps(tangent);
+  return slip;
+}
+
+void ContactInterfaceProblem::addSlipForces(const InterfaceState& state, const Matrix& trace, Matrix& imbalance) const {
+  const Vector gaps = clusters_->gaps(trace.col(0), movedRows(state));
+  for (int i = 0; i < static_cast<int>(rows_.size()); ++i) {
+    const ContactState& own = state.status[0][i];
+    if (own.status != PairStatus::Slip || (own.bound == 0.0 && own.across == 0.0)) continue;
+    const Point across = acrossOf(own);
+    const double spring = own.across * dot(across, slipOf(i, gaps));
+    for (int component = 1; component <= 2; ++component) {
+      const int tangent = clusters_->rowOf(i, component);
+      if (tangent < 0) continue;
+      const ContactClusters::Row& row = clusters_->row(tangent);
+      const double force = own.bound * own.direction[component] + spring * across[component];
+      for (std::size_t k = 0; k < row.places.size(); ++k) imbalance(row.places[k], 0) += row.coefficients[k] * force;
+    }
+  }
+}
+
+std::shared_ptr<const FrictionTangent> ContactInterfaceProblem::tangentOf(const ContactStates& status,
+                                                                          std::vector<InterfaceRelation> test) const {
+  auto tangent = std::make_shared<FrictionTangent>();
+  for (const ContactState& state : status[0]) tangent->symmetric = tangent->symmetric && !state.drags();
+  tangent->test = std::move(test);
+  for (int i = 0; i < static_cast<int>(rows_.size()); ++i) {
+    const ContactState& own = status[0][i];
+    if (!owned_[i] || own.across == 0.0) continue;
+    const Point across = acrossOf(own);
+    InterfaceSpring spring;
+    spring.stiffness = own.across;
+    for (int component = 1; component <= 2; ++component)
+      if (const int tangentRow = clusters_->rowOf(i, component); tangentRow >= 0) {
+        const ContactClusters::Row& row = clusters_->row(tangentRow);
+        for (std::size_t k = 0; k < row.places.size(); ++k) {
+          spring.places.push_back(row.places[k]);
+          spring.coefficients.push_back(across[component] * row.coefficients[k]);
+        }
+      }
+    tangent->springs.push_back(std::move(spring));
+  }
+  return tangent;
+}
+
+PairValues ContactInterfaceProblem::valuesOf(const InterfaceState& state) const {
+  PairValues result;
+  Matrix out = rememberedImbalance(state, result.applications), trace;
+  space_->gather(*state.trace, trace);
+  double work = 0.0;
+  for (int place = 0; place < space_->overlapSize(); ++place)
+    if (space_->ownedRow(place) >= 0) work += 0.5 * trace(place, 0) * (out(place, 0) - load_(place, 0));
+  Teuchos::reduceAll(*comm_, Teuchos::REDUCE_SUM, work, Teuchos::outArg(result.energy));
+  result.energy += constantEnergy_ - rigidWork(state);
+
+  addSlipForces(state, trace, out);
+  const Vector force = clusters_->forces(state.status[0], out.col(0)), moved = movedRows(state),
+               gaps = clusters_->gaps(trace.col(0), moved);
+  Matrix values = Matrix::Zero(static_cast<Eigen::Index>(rows_.size()), 7);
+  for (int i = 0; i < static_cast<int>(rows_.size()); ++i) {
+    if (!rows_[i].able()) continue;
+    const ContactState& own = state.status[0][i];
+    const Point slip = slipOf(i, gaps), across = acrossOf(own);
+    const double spring = own.across * dot(across, slip);
+    if (own.closed())
+      values(i, 0) = force(i);
+    else
+      values(i, 3) = -gaps(i);
+    for (int component = 1; component <= 2; ++component) {
+      const int tangent = clusters_->rowOf(i, component);
+      if (tangent < 0 || !own.closed()) continue;
+      values(i, component) = own.holds(component)
+                                 ? force(tangent)
+                                 : (own.bound + own.friction * force(i)) * own.direction[component] + spring * across[component];
+    }
+    for (int component = 1; component <= 2; ++component)
+      if (!own.holds(component)) values(i, 3 + component) = slip[component];
+    double digits = std::max(std::abs(clusters_->row(i).gap), moved.size() > 0 ? std::abs(moved(i)) : 0.0);
+    for (const int place : clusters_->row(i).places) digits = std::max(digits, std::abs(trace(place, 0)));
+    values(i, 6) = kGapDigits * digits;
+  }
+  const Matrix all = everywhere(values);
+  result.force = all.leftCols(3);
+  result.jump = all.middleCols(3, 3);
+  result.digits = all.col(6);
+  const std::shared_ptr<const InterfaceSpace> space = spaceOf(state.status);  // and its tangent
+  result.residual = residual(out, *space, tangent_.get());
+  return result;
+}
+
+Point ContactInterfaceProblem::tangentialForce(int row, const InterfaceState& state, const Vector& force, const Vector& gaps) const {
+  const ContactState& own = state.status[0][row];
+  Point sum{0, 0, 0};
+  if (!own.closed()) return sum;
+  const std::vector<Point> frame = pairFrame(rows_[row].pair.normal, space_->dimension());
+  const Point across = acrossOf(own);
+  const double spring = own.across * dot(across, slipOf(row, gaps));
+  for (int component = 1; component < space_->dimension(); ++component) {
+    const int tangent = clusters_->rowOf(row, component);
+    if (tangent < 0) continue;
+    const double along = own.holds(component)
+                             ? force(tangent)
+                             : (own.bound + own.friction * force(row)) * own.direction[component] + spring * across[component];
+    sum = plus(sum, scaled(along, frame[component]));
+  }
+  return sum;
+}
+
+}  // namespace suture

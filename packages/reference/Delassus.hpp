@@ -1,0 +1,41 @@
+#pragma once
+#include <suture/contact/RigidContact.hpp>
+#include <suture/reference/MonolithicContact.hpp>
+
+namespace suture {
+
+/// The Delassus matrix of a condensed contact problem, and what belongs to it: with forces f of the rows and amplitudes a of the kernel,
+///     C x - g = h - H f + (C Z) a.
+/// Dense factorisations of the bodies' blocks. Local.
+class Delassus {
+ public:
+  /// `problem` must outlive it.
+  explicit Delassus(const CondensedContact& problem);
+
+  RigidContact rigidContact() const;
+  /// x under forces of the rows, with the kernel at `place`.
+  Vector displacement(const Vector& force, const Vector& place) const;
+  /// x.S x / 2 - f.x where the forces do no work.
+  double energy(const Vector& force, const Vector& place) const {
+    return -0.5 * constant_ + 0.5 * gapless_.dot(force) - 0.5 * work_.dot(place);
+  }
+  const Matrix& compliance() const { return h_; }   ///< H
+  const Vector& open() const { return gapless_; }   ///< h: C S^-1 f - g
+  const Matrix& motions() const { return g_; }      ///< C Z, columns of Z of the order of one
+  const Vector& work() const { return work_; }      ///< Z^T f
+  const Matrix& kernel() const { return kernel_; }  ///< Z
+  /// Error of h at each row by rounding. [length]
+  Vector rounding() const;
+
+ private:
+  const CondensedContact& problem_;
+  const int rows_, modes_;
+  std::vector<Matrix> factors_;             // of S + stiffness of its own on the kernel, each block
+  std::vector<std::vector<int>> blocksOf_;  // of each row
+  Matrix h_;                                // compliance H of the rows
+  Matrix g_, kernel_;                       // rows times kernel; the kernel, columns of the order of one
+  Vector gapless_, work_;                   // h = C S^-1 f - bound;   Z^T f
+  double constant_ = 0.0;                   // f.S^-1 f
+};
+
+}  // namespace suture

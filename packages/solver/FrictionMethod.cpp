@@ -1,0 +1,136 @@
+#include <suture/contact/ContactSearch.hpp>
+#include <suture/solver/FrictionMethod.hpp>
+#include <suture/solver/FrictionSolves.hpp>
+#include <suture/solver/SetSolves.hpp>
+
+#include <algorithm>
+#include <sstream>
+
+namespace suture {
+
+namespace {
+
+constexpr int kFrictionless = 20;  // solves of the frictionless start at most: it is a guess
+
+/// True if rigid bodies are in equilibrium without friction, and in no place but one.
+bool holdsWithoutFriction(const RigidContact& rigid) {
+  if (rigid.loose(ClosedSet(static_cast<std::size_t>(rigid.pairs()), 1)).cols() > 0) return false;
+  return rigid.project(rigid.data().penetration).found;
+}
+
+/// Pairs that rigid bodies close on pads which hold them along the tangents, too: all stick.
+PairStates stickingStart(const RigidContact& rigid, const FrictionStates& friction) {
+  const RigidContact::Pairs& data = rigid.data();
+  const auto tangents = static_cast<Eigen::Index>(data.tangents.size());
+  const Eigen::Index pairs = rigid.pairs(), all = pairs * (1 + 2 * tangents);
+  RigidContact::Pairs held;
+  held.rows = Matrix::Zero(all, rigid.motions());
+  held.work = data.work;
+  held.penetration = Vector::Zero(all);
+  held.stiffness = Vector::Ones(all);
+  held.surfaces = data.surfaces;
+  held.rows.topRows(pairs) = data.rows;
+  held.penetration.head(pairs) = data.penetration;
+  held.stiffness.head(pairs) = data.stiffness;
+  held.line = data.line;
+  held.able = data.able;
+  for (Eigen::Index t = 0; t < tangents; ++t)
+    for (const double sign : {1.0, -1.0}) {
+      const auto first = static_cast<Eigen::Index>(held.line.size());
+      held.rows.middleRows(first, pairs) = sign * data.tangents[static_cast<std::size_t>(t)];
+      for (Eigen::Index i = 0; i < pairs; ++i) {
+        const double stiffness = friction.sites()[static_cast<std::size_t>(i)].tangential;
+        const bool holds = data.able[static_cast<std::size_t>(i)] && friction.laws().of(data.line[static_cast<std::size_t>(i)]).rows(2) > 1;
+        held.stiffness(first + i) = stiffness > 0.0 ? stiffness : 1.0;
+        held.line.push_back(-1 - static_cast<int>(first + i));
+        held.able.push_back(holds && stiffness > 0.0);
+      }
+    }
+  RigidContact model(std::move(held));
+  const ClosedSet set = model.start();
+  PairStates states(static_cast<std::size_t>(pairs));
+  for (std::size_t i = 0; i < states.size(); ++i)
+    if (set[i]) states[i] = friction.laws().of(data.line[i]).pressed();
+  return states;
+}
+
+/// States by the slips of a solution without friction: it takes about the force on a rigid body's pad to push each pair back.
+PairStates statesBySlip(const RigidContact& rigid, const FrictionStates& friction, PairStates states, const PairValues& values) {
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    const auto at = static_cast<Eigen::Index>(i);
+    if (!rigid.data().able[i] || !states[i].closed()) continue;
+    const FrictionSite& site = friction.sites()[i];
+    ContactTrial trial;
+    trial.place = site.place;
+    trial.size = site.size;
+    trial.force[0] = std::max(values.force(at, 0), 0.0);
+    const double pad = site.tangential / (rigid.data().stiffness(at) * rigid.compliance()(at));
+    for (int k = 1; k <= 2; ++k) trial.jump[k] = pad * values.jump(at, k);
+    states[i] = friction.laws().of(rigid.data().line[i]).project(trial, states[i]);
+  }
+  return states;
+}
+
+std::string slidesAway(const OuterSolver::Run& run, const Vector& motion) {
+  const ContactBodies& bodies = run.problem.sets()->bodies();
+  std::string text = "no equilibrium was found: friction does not hold";
+  for (std::size_t p = 0; p < bodies.parts().size(); ++p) {
+    if (bodies.parts()[p].free.cols() == 0) continue;
+    const Vector own = bodies.amplitudes(static_cast<int>(p), motion);
+    if (own.norm() < 1e-8) continue;
+    text += " part " + std::to_string(p + 1) + " (" + inWords(bodies.parts()[p], own, bodies.dimension()) + ")";
+  }
+  return text +
+         ": all pairs that could are at their bounds, and the loads drive it on. More friction, a prescribed displacement or an "
+         "Elastic Support holds it";
+}
+
+}  // namespace
+
+void searchFriction(OuterSolver::Run& run, double innerTolerance) {
+  const FrictionStates& friction = *run.problem.friction();
+  const ContactSets& sets = *run.problem.sets();
+  const RigidContact& rigid = sets.bodies().rigid();
+  PairStates start;
+  Vector normal;
+  FrictionSolves solves(run, innerTolerance);
+  FrictionSearch search(rigid, friction.laws(), friction.sites(), solves, run.settings.maximumIterations);
+  if (run.given) {
+    start = friction.statesOf(run.result.state.status);
+  } else if (holdsWithoutFriction(rigid)) {
+    run.result.state = sets.padState();
+    SetSolves loose(run, innerTolerance, true);
+    ContactSearch(rigid, loose, kFrictionless).run(sets.closedSet(run.result.state.status));
+    run.result.failure.clear();
+    const PairValues values = friction.valuesOf(run.result.state);
+    run.result.pcgTotal += values.applications;
+    run.result.otherApplications += values.applications;
+    normal = values.force.col(0).cwiseMax(0.0);
+    start = statesBySlip(rigid, friction, friction.statesOf(run.result.state.status), values);
+  } else {
+    start = stickingStart(rigid, friction);
+    run.result.state = friction.stateWith(start);
+  }
+  const FrictionSearch::Result found = search.run(start, normal);
+  run.result.state.status = friction.statusOf(found.states);
+  if (found.contraction >= 0.0) run.result.estimates["contraction"] = found.contraction;
+  if (found.converged) {
+    run.solved = run.result.residual <= run.settings.tolerance || run.atFloor;
+    if (run.atFloor) {
+      std::ostringstream text;
+      text.precision(2);
+      text << std::scientific << "rounding ends the iterations at a residual of " << run.result.residual << ", above the tolerance of "
+           << run.settings.tolerance << ": the precision of this run holds no more digits of this scene";
+      run.monitor.note(text.str());
+    }
+    if (found.contraction >= 1.0)
+      run.monitor.note("friction: the fixed point of Tresca problems contracts by " + std::to_string(found.contraction) +
+                       ": the solution may not be unique");
+    return;
+  }
+  if (run.result.failure.empty() && found.slides) run.result.failure = slidesAway(run, found.motion);
+  if (run.result.failure.empty()) run.result.failure = found.failure;
+  run.result.unsettled = found.alternating;
+}
+
+}  // namespace suture

@@ -1,0 +1,149 @@
+#include <suture/interface/PlainFlips.hpp>
+#include <suture/solver/FrictionSolves.hpp>
+#include <suture/solver/NonsymmetricSolver.hpp>
+
+#include <Teuchos_CommHelpers.hpp>
+#include <Tpetra_MultiVector.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace suture {
+
+namespace {
+constexpr int kTakenUp = 4;          // times that a solve is taken up again because its solution is smaller than was thought
+constexpr double kTooLarge = 2.0;    // of the solution's energy norm, from which on it is
+constexpr int kBegunAnew = 4;        // of a solve whose residual, found anew, is larger than it said
+constexpr double kNoProgress = 0.5;  // part of a residual that a new beginning leaves where rounding ends it
+}  // namespace
+
+FrictionSolves::FrictionSolves(OuterSolver::Run& run, double inner)
+    : run_(run), friction_(*run.problem.friction()), sets_(*run.problem.sets()), inner_(std::max(inner, run.settings.tolerance)) {}
+
+void FrictionSolves::precondition(const Teuchos::RCP<InterfaceOperator>& matrix) {
+  // The same rows may be solved for other unknowns, on some of the ranks.
+  const int mine = hasPreconditioner_ && run_.preconditioner->space() == matrix->space();
+  int all = 0;
+  Teuchos::reduceAll(*matrix->space()->comm(), Teuchos::REDUCE_MIN, mine, Teuchos::outArg(all));
+  if (all == 1) return;
+  run_.preconditioner->initialize(matrix->space());
+  run_.preconditioner->compute(matrix);
+  if (!hasPreconditioner_) run_.describe(*matrix);
+  hasPreconditioner_ = true;
+}
+
+double FrictionSolves::energyNorm(const InterfaceState& state) const {
+  return std::sqrt(std::max(sets_.energies(state).cwiseMax(0.0).sum(), 0.0));
+}
+
+bool FrictionSolves::linear(InterfaceState& state, double tolerance, InnerResult& cost, int& applications) {
+  applications += sets_.remember(state);
+  state.trace = Teuchos::rcp(new MultiVector(*state.trace, Teuchos::Copy));
+  applications += run_.problem.conform(state);
+  const InterfaceProblem::Linearisation linear = run_.problem.linearise(state);
+  precondition(linear.matrix);
+  if (reference_ == 0.0) reference_ = preconditionedNorm(*run_.preconditioner, *linear.load);
+  const MultiVectorPtr step = run_.problem.space()->vector();
+  InnerResult more;
+  if (linear.matrix->symmetric()) {
+    linear.matrix->record();
+    more = run_.inner.solve(linear.matrix, run_.preconditioner, *linear.load, *step, tolerance, reference_, run_.monitor);
+    run_.learn(more);
+    const Matrix image = linear.matrix->recorded(more.steps);
+    run_.problem.update(state, *step, 1.0, &image);
+  } else {
+    more = solveNonsymmetric(linear.matrix, run_.preconditioner, *linear.load, *step, tolerance, reference_,
+                             run_.settings.maximumInnerIterations);
+    run_.problem.update(state, *step, 1.0);
+  }
+  applications += sets_.remember(state);
+  cost.pcg += more.pcg;
+  cost.residual = more.residual;
+  cost.condition = more.condition;
+  cost.converged = more.converged;
+  return more.converged;
+}
+
+FrictionAnswer FrictionSolves::answerOf(const PairValues& values, const PairStates& states, double resolution) const {
+  FrictionAnswer answer;
+  answer.force = values.force;
+  answer.jump = values.jump;
+  const RigidContact& rigid = sets_.bodies().rigid();
+  ClosedSet closed;
+  for (const ContactState& state : states) closed.push_back(state.closed());
+  const Vector size = values.force.rowwise().norm();
+  answer.forceTolerance = std::max(resolution, kGapDigits) * rigid.clusterScale(closed, size);
+  answer.jumpTolerance = rigid.compliance().cwiseProduct(answer.forceTolerance) + values.digits;
+  return answer;
+}
+
+FrictionAnswer FrictionSolves::solve(const PairStates& states, double tolerance) {
+  const double final = tightest();
+  FrictionAnswer answer;
+  try {
+    InterfaceState state = run_.result.state;
+    state.status = friction_.statusOf(states);
+    InnerResult cost;
+    int applications = 0;
+    double residual = 0.0, before = 0.0;
+    PairValues values;
+    for (int pass = 0;; ++pass) {
+      bool solved = linear(state, tolerance, cost, applications);
+      for (int again = 0; solved && again < kTakenUp; ++again) {
+        // The solution of some states may have no energy (a body that moves as a whole): it is known well enough beside what others had.
+        const double found = energyNorm(state), own = std::max(found, tolerance * largest_);
+        largest_ = std::max(largest_, found);
+        if (!(own > 0.0)) break;
+        const double over = reference_ / own;
+        reference_ = own;
+        if (over < kTooLarge || over * cost.residual <= tolerance) break;
+        solved = linear(state, tolerance, cost, applications);
+      }
+      if (!solved) {
+        run_.result.pcgTotal += cost.pcg + applications;
+        run_.result.otherApplications += applications;
+        run_.result.failure = "a linear solve did not reach its tolerance within " + std::to_string(run_.settings.maximumInnerIterations) +
+                              " iterations; a Preconditioner/BDDC/Edge Constraints of Adaptive may help";
+        answer.solved = false;
+        return answer;
+      }
+      residual = cost.residual;
+      if (tolerance <= final) {  // confirmed by the operator itself
+        state.memory.reset();
+        sets_.separate(state);
+        applications += sets_.remember(state);
+      }
+      values = friction_.valuesOf(state);
+      applications += values.applications;
+      if (tolerance > final) break;
+      residual = reference_ > 0.0 ? preconditionedNorm(*run_.preconditioner, *values.residual) / reference_ : 0.0;
+      if (!std::isfinite(residual)) throw NumericalError("a residual is not a number");
+      if (residual <= final) break;
+      if (pass >= kBegunAnew || (pass > 0 && residual > kNoProgress * before)) {
+        run_.atFloor = true;
+        break;
+      }
+      before = residual;
+    }
+    answer = answerOf(values, states, std::max(final, std::min(tolerance, residual)));
+    InterfaceProblem::Evaluation at;
+    at.residual = values.residual;
+    at.energy = values.energy;
+    at.next = state.status;
+    at.settled = false;
+    for (std::size_t i = 0; i < states.size(); ++i) {
+      at.active += states[i].closed() && !sets_.bodies().rigid().isBound(i);
+      at.changed += last_.size() == states.size() && last_[i].status != states[i].status;
+    }
+    last_ = states;
+    cost.pcg += applications;
+    run_.result.otherApplications += applications;
+    run_.accept(std::move(state), std::move(at), residual, cost, 1.0, -1.0);
+  } catch (const NumericalError& error) {
+    run_.result.failure = error.what();
+    answer.solved = false;
+  }
+  return answer;
+}
+
+}  // namespace suture

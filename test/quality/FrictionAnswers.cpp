@@ -1,0 +1,171 @@
+// The results of pairs that rub, and the verdict on them: it holds for answers known by hand, and names what is planted.
+#include <Teuchos_UnitTestHarness.hpp>
+#include <quality/RubbingBlocks.hpp>
+#include <suture/base/Point.hpp>
+#include <suture/quality/answers/Reactions.hpp>
+
+#include <algorithm>
+#include <limits>
+
+namespace suture {
+namespace frictionanswers {
+
+using solids::operator*;
+using solids::RubbingBlocks;
+using solids::Rubs;
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+const Eigen::Matrix3d kFrame = solids::rotation({1, 2, -0.5}, 0.9);
+
+const Check* find(const Verification& verdict, const std::string& name) {
+  const auto at = std::find_if(verdict.checks.begin(), verdict.checks.end(), [&](const Check& one) { return one.name == name; });
+  return at == verdict.checks.end() ? nullptr : &*at;
+}
+
+RubbingBlocks blocks(Rubs way, int dimension, bool onObstacle = false) {
+  return {way, dimension, onObstacle, dimension == 3 ? kFrame : Eigen::Matrix3d::Identity().eval()};
+}
+
+TEUCHOS_UNIT_TEST(FrictionAnswers, HoldInPlaneAndSpaceOnBodiesAndObstacles) {
+  for (const Rubs way : {Rubs::Slip, Rubs::TrescaSlip, Rubs::Stick, Rubs::Glued, Rubs::Guided})
+    for (const int dimension : {2, 3})
+      for (const bool onObstacle : {false, true}) {
+        const RubbingBlocks answer = blocks(way, dimension, onObstacle);
+        const Verification verdict = answer.verdict();
+        out << int(way) << " " << dimension << " " << onObstacle << ": " << verdict.failure() << "\n";
+        TEST_ASSERT(verdict.holds());
+        TEST_COMPARE(verdict.balance.imbalance, <, 1e-11);
+        TEST_EQUALITY(verdict.checks.size(), way == Rubs::Guided ? 13 : 16);
+      }
+}
+
+TEUCHOS_UNIT_TEST(FrictionAnswers, HaveForcesSlipsBoundsAndWorkOfAUniformStress) {
+  for (const int dimension : {2, 3})
+    for (const bool onObstacle : {false, true})
+      for (const Rubs way : {Rubs::Slip, Rubs::TrescaSlip, Rubs::Stick, Rubs::Glued, Rubs::Guided}) {
+        const RubbingBlocks answer = blocks(way, dimension, onObstacle);
+        if (solids::world()->getRank() > 0) continue;
+        const Point slip = answer.frame * scaled(answer.slides() ? (onObstacle ? 1 : -1) * RubbingBlocks::slid : 0.0, answer.along);
+        double work = 0.0, bound = 0.0;
+        for (const PairResult& pair : answer.pairs) {
+          TEST_COMPARE(norm(minus(pair.slip, slip)), <, 1e-15);
+          TEST_COMPARE(norm(minus(pair.tangential, scaled(pair.length, answer.tangential()))), <, 1e-15);
+          TEST_EQUALITY(pair.kind.separates, way != Rubs::Glued && way != Rubs::Guided);
+          TEST_EQUALITY(pair.kind.restrictsSliding, way != Rubs::Guided);
+          work += pair.dissipated;
+          bound += pair.bound;
+        }
+        const bool rubs = way == Rubs::Slip || way == Rubs::TrescaSlip;
+        TEST_COMPARE(std::abs(work - (rubs ? answer.shear() * RubbingBlocks::slid : 0.0)), <, 1e-15);  // the joint has the size 1
+        TEST_COMPARE(std::abs(bound - (rubs ? 1 : way == Rubs::Stick ? 2 : 0) * answer.shear()), <, 1e-13);
+        const ContactResultant sum = contactResultants(answer.pairs, 1, false)[0];
+        const Point normal = answer.pairs.front().normal;
+        TEST_COMPARE(norm(minus(sum.onB.force, plus(scaled(answer.pressure(), normal), answer.tangential()))), <, 1e-13);
+      }
+}
+
+TEUCHOS_UNIT_TEST(FrictionAnswers, SeeTheSlipOfAMotionThatWasTakenOut) {
+  for (const int dimension : {2, 3}) {
+    RubbingBlocks answer = blocks(Rubs::Slip, dimension);
+    const std::vector<PairResult> before = answer.pairs;
+    answer.lift();
+    const Verification verdict = answer.verdict();
+    out << verdict.failure() << "\n";
+    TEST_ASSERT(verdict.holds());
+    for (std::size_t i = 0; i < before.size(); ++i) TEST_COMPARE(norm(minus(before[i].slip, answer.pairs[i].slip)), <, 1e-15);
+  }
+}
+
+TEUCHOS_UNIT_TEST(PairResult, OpensWithoutForceBoundOrWork) {
+  RubbingBlocks answer = blocks(Rubs::Slip, 2);
+  for (PairResult& pair : answer.pairs) {
+    pair.open();
+    TEST_ASSERT(!pair.state.closed() && !pair.isBounded());
+    TEST_EQUALITY(norm(pair.onB()) + pair.pressure + pair.bound + pair.dissipated, 0.0);
+  }
+}
+
+struct Plant {
+  const char* name;
+  Rubs way;
+  std::function<void(RubbingBlocks&)> plant;
+};
+
+/// One pair in the middle of the list, on rank 0.
+std::function<void(RubbingBlocks&)> inPair(const std::function<void(PairResult&)>& change) {
+  return [change](RubbingBlocks& a) {
+    if (!a.pairs.empty()) change(a.pairs[a.pairs.size() / 2]);
+  };
+}
+
+std::function<void(RubbingBlocks&)> shifted(double along, double up) {
+  return [=](RubbingBlocks& a) {
+    a.moveUpper([&](Point& u) {
+      u = plus(u, scaled(along, a.along));
+      u[std::size_t(a.dimension - 1)] += up;
+    });
+  };
+}
+
+const std::vector<Plant> plants{
+    {"friction", Rubs::Slip, inPair([](PairResult& pair) { pair.tangential = scaled(1.001, pair.tangential); })},
+    {"friction", Rubs::Slip, inPair([](PairResult& pair) { pair.tangential = scaled(0.999, pair.tangential); })},
+    {"friction", Rubs::Slip, inPair([](PairResult& pair) { pair.state.friction *= 0.999; })},
+    {"friction", Rubs::Slip, inPair([](PairResult& pair) { pair.tangential = plus(pair.tangential, scaled(1e-4, pair.normal)); })},
+    {"friction", Rubs::Slip, inPair([](PairResult& pair) { pair.tangential = scaled(kNaN, pair.tangential); })},
+    {"dissipation", Rubs::Slip, inPair([](PairResult& pair) { pair.tangential = scaled(-1.0, pair.tangential); })},
+    {"dissipation", Rubs::Slip, shifted(-2 * RubbingBlocks::slid, 0.0)},
+    {"dissipation", Rubs::Slip, inPair([](PairResult& pair) { pair.tangential = scaled(kNaN, pair.tangential); })},
+    {"slip", Rubs::Slip, inPair([](PairResult& pair) { pair.state.status = PairStatus::Stick; })},
+    {"friction", Rubs::TrescaSlip, inPair([](PairResult& pair) { pair.state.bound *= 1.001; })},
+    {"friction", Rubs::TrescaSlip, inPair([](PairResult& pair) { pair.state = PairStatus::Open; })},
+    {"slip", Rubs::Stick, shifted(1e-7, 0.0)},
+    {"status", Rubs::Stick, shifted(0.0, 1e-7)},
+    {"friction", Rubs::Stick, inPair([](PairResult& pair) { pair.state.friction *= 0.499; })},
+    {"friction", Rubs::Stick, inPair([](PairResult& pair) { pair.state.status = PairStatus::Slip; })},
+    {"residual", Rubs::Stick, inPair([](PairResult& pair) { pair.tangential = scaled(1.001, pair.tangential); })},
+    {"residual", Rubs::Glued, inPair([](PairResult& pair) { pair.tangential = scaled(1.001, pair.tangential); })},
+    {"slip", Rubs::Glued, shifted(1e-7, 0.0)},
+    {"status", Rubs::Glued, shifted(0.0, 1e-7)},
+    {"status", Rubs::Glued, shifted(0.0, -1e-7)},
+    {"status", Rubs::Glued, inPair([](PairResult& pair) { pair.state = PairStatus::Open; })},
+    {"forces", Rubs::Glued, inPair([](PairResult& pair) { pair.force *= 1.01; })},
+    {"status", Rubs::Guided, shifted(0.0, 1e-7)},
+    {"friction", Rubs::Guided, inPair([](PairResult& pair) {
+       pair.tangential = {1e-4, 0, 0};
+     })},
+};
+
+TEUCHOS_UNIT_TEST(FrictionAnswers, FailByTheCheckThatSeesWhatIsPlanted) {
+  for (const int dimension : {2, 3})
+    for (const bool onObstacle : {false, true})
+      for (std::size_t k = 0; k < plants.size(); ++k) {
+        RubbingBlocks answer = blocks(plants[k].way, dimension, onObstacle);
+        plants[k].plant(answer);
+        const Verification verdict = answer.verdict();
+        const Check* found = find(verdict, plants[k].name);
+        TEST_ASSERT(found != nullptr);
+        if (!found) continue;
+        out << dimension << " " << k << ": " << found->name << " " << found->value << " of " << found->bound << " at " << found->where
+            << "\n";
+        TEST_ASSERT(!found->holds());
+        TEST_ASSERT(!verdict.holds());
+        TEST_ASSERT(verdict.failure().find(plants[k].name) != std::string::npos);
+      }
+}
+
+/// A slip that is a thousand times smaller than what the bound allows has no direction that could contradict that of the force.
+TEUCHOS_UNIT_TEST(FrictionAnswers, TakeNoDirectionFromASlipThatIsRounding) {
+  for (const int dimension : {2, 3}) {
+    RubbingBlocks answer = blocks(Rubs::Slip, dimension);
+    shifted(-RubbingBlocks::slid - 1e-12, 0.0)(answer);
+    const Verification verdict = answer.verdict();
+    for (const char* name : {"friction", "dissipation"}) {
+      const Check* found = find(verdict, name);
+      TEST_ASSERT(found && found->holds());
+    }
+  }
+}
+
+}  // namespace frictionanswers
+}  // namespace suture
