@@ -31,6 +31,12 @@ std::vector<std::string> namesOf(const Map& map) {
 
 double zero(const double*, int) { return 0.0; }
 
+// By Constants::dimension: variables, formulas in them, their values.
+const std::string kVariables[] = {"", "t", "xy", "xyz"};
+const char* const kFormula[] = {"", "t, such as min(t, 1)", "x and y, such as 0.1 * x^2 + sin(pi * y)",
+                                "x, y and z, such as 0.1 * x^2 + z"};
+const char* const kPlace[] = {"", "t = %.10g", "(x, y) = (%.10g, %.10g)", "(x, y, z) = (%.10g, %.10g, %.10g)"};
+
 }  // namespace
 
 struct Expression::Compiled {
@@ -51,7 +57,7 @@ struct Expression::Compiled {
     parser.ClearConst();
     parser.DefineConst("pi", 3.14159265358979323846);
     for (const auto& [name, value] : constants.numbers) parser.DefineConst(name, value);
-    for (int k = 0; k < dimension; ++k) parser.DefineVar(std::string(1, "xyz"[k]), &place[k]);
+    for (int k = 0; k < dimension; ++k) parser.DefineVar(kVariables[dimension].substr(k, 1), &place[k]);
     for (const auto& [name, function] : constants.functions) {
       Used& use = used[name];
       use.function = function.compiled_;
@@ -129,7 +135,7 @@ struct Expression::Compiled {
     const std::size_t place = std::min(why.find(" found at position"), why.find(" at "));  // counted from 0: ours is from 1
     if (place != std::string::npos) why.resize(place);
     return (text.empty() ? "is empty" : "not an expression at character " + std::to_string(position + 1) + rest + ": " + why) +
-           "; expected a formula in x" + (dimension == 3 ? ", y and z" : " and y") + ", such as 0.1 * x^2 + sin(pi * y)";
+           "; expected a formula in " + kFormula[dimension];
   }
 };
 
@@ -149,10 +155,7 @@ double Expression::at(const Point& point) const {
   const double value = function_ ? function_(point) : c.at(point);
   if (!std::isfinite(value)) {
     char place[120];
-    if (c.dimension == 3)
-      std::snprintf(place, sizeof place, "(x, y, z) = (%.10g, %.10g, %.10g)", point[0], point[1], point[2]);
-    else
-      std::snprintf(place, sizeof place, "(x, y) = (%.10g, %.10g)", point[0], point[1]);
+    std::snprintf(place, sizeof place, kPlace[c.dimension], point[0], point[1], point[2]);
     throw InputError(c.path, "'" + c.text + "' is " + (std::isnan(value) ? "not a number (nan)" : "infinite") + " at " + place);
   }
   return value;

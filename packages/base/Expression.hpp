@@ -47,7 +47,7 @@ class Expression {
 struct Constants {
   std::map<std::string, double> numbers;
   std::map<std::string, Expression> functions;  ///< functions of the place: in another expression the name stands for its value there
-  int dimension = 2;                            ///< in space expressions know z
+  int dimension = 2;                            ///< in space expressions know z; 1: a time t and no place
 
   Constants() = default;
   Constants(std::initializer_list<std::pair<const std::string, double>> numbers) : numbers(numbers) {}

@@ -15,6 +15,7 @@ struct OuterRow {
   double energy = 0.0;        ///< total potential energy
   double step = 1.0;          ///< length of the step taken (relaxation, line search)
   double seconds = 0.0;       ///< since the outer solver began
+  int loadStep = 0;           ///< the load step, from 1 on; 0 in a scene without
   double energyError = -1.0;  ///< algebraic error in the energy norm, estimated [force x length]^(1/2); negative: not known
 };
 

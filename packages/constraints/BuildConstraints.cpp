@@ -128,7 +128,7 @@ Constraints build(const Mesh& mesh, const std::vector<Condition>& conditions, st
   checkRoles(mesh, conditions, contacts, problems);
 
   Constraints constraints;
-  constraints.rules = nodalRules(mesh, conditions, problems, constraints.supports);
+  constraints.rules = nodalRules(mesh, conditions, problems, constraints.supports, constraints.prescribed);
   for (const Condition& condition : conditions) constraints.conditions.push_back(condition.name);
   constraints.springs = springsOf(mesh, conditions);
   std::vector<PairedSurface> paired;
@@ -152,30 +152,77 @@ Constraints build(const Mesh& mesh, const std::vector<Condition>& conditions, st
   return constraints;
 }
 
+std::vector<Condition> withFactors(std::vector<Condition> conditions, const LoadSteps& steps) {
+  for (Condition& condition : conditions) condition.factor = steps.factorOf(condition.name);
+  return conditions;
+}
+
 }  // namespace
 
 Schema contactSchema() { return contactSchema(Frictionless::kName, Registry<ContactLaw>::instance().schemas()); }
 
 Constraints buildConstraints(const Mesh& mesh, const std::vector<Condition>& conditions, const std::vector<Contact>& contacts,
-                             const ContactScales& scales) {
+                             const ContactScales& scales, const LoadSteps& steps) {
   Problems problems;
-  const std::vector<Condition> sound = conditionsOn(mesh, conditions, problems);
+  const std::vector<Condition> sound = withFactors(conditionsOn(mesh, conditions, problems), steps);
   return build(mesh, sound, contactsOn(mesh, contacts, problems), scales, problems);
 }
 
 Constraints buildConstraints(const Mesh& mesh, const Parameters& conditionList, const Parameters& contactList, const Constants& constants,
-                             const ContactScales& scales) {
+                             const ContactScales& scales, const LoadSteps& steps) {
   Problems problems;
   Constants known = constants;
   known.dimension = mesh.dimension;
-  const std::vector<Condition> sound = readConditions(mesh, conditionList, known, problems);
+  const std::vector<Condition> sound = withFactors(readConditions(mesh, conditionList, known, problems), steps);
   return build(mesh, sound, readContact(mesh, contactList, known, problems), scales, problems);
 }
 
-void applyLaws(const ContactLaws& laws, Constraints& constraints) {
+namespace {
+
+constexpr double kParallel = 1e-9;  // one less the cosine between axes that are one
+constexpr double kTangent = 0.5;    // length of the tangential part of an axis that is none of the normal
+
+/// True if a rule fixes an axis at a value, whatever the axis's sense.
+bool fixes(const NodeRule& rule, const Point& axis, double value, int dimension) {
+  for (int k = 0; k < dimension; ++k) {
+    const double along = dot(rule.axes[k], axis);
+    if (rule.fixed[k] && std::abs(along) > 1.0 - kParallel && rule.value[k] == (along > 0.0 ? value : -value)) return true;
+  }
+  return false;
+}
+
+/// Tangents along which the carrying node and one of the other side are held alike. \param ofTime  values change with the time
+std::vector<Point> stillDirections(const ContactPair& pair, const std::vector<const NodeRule*>& ruleOf, int dimension, bool ofTime) {
+  std::vector<Point> still;
+  const NodeRule* own = ruleOf[pair.node()];
+  for (int k = 0; own && k < dimension; ++k) {
+    if (!own->fixed[k] || (ofTime && own->value[k] != 0.0)) continue;
+    Point held = minus(own->axes[k], scaled(dot(own->axes[k], pair.normal), pair.normal));
+    for (const Point& other : still) held = minus(held, scaled(dot(held, other), other));
+    if (norm(held) < kTangent) continue;
+    const auto alike = [&](const PairEnd& end) {
+      const NodeRule* other = end.weight * pair.ends.front().weight < 0.0 ? ruleOf[end.node] : nullptr;
+      return other && fixes(*other, own->axes[k], own->value[k], dimension);
+    };
+    if (std::any_of(pair.ends.begin(), pair.ends.end(), alike)) still.push_back(scaled(1.0 / norm(held), held));
+  }
+  return still;
+}
+
+}  // namespace
+
+void applyLaws(const ContactLaws& laws, const Mesh& mesh, Constraints& constraints) {
   constraints.laws = laws;
-  for (ContactPair& pair : constraints.pairs)
-    if (laws.of(pair.line).ignoresGap()) pair.gap = 0.0;
+  std::vector<const NodeRule*> ruleOf;
+  if (laws.restrictSliding()) {
+    ruleOf.assign(static_cast<std::size_t>(mesh.nodes()), nullptr);
+    for (const NodeRule& rule : constraints.rules) ruleOf[rule.node] = &rule;
+  }
+  for (ContactPair& pair : constraints.pairs) {
+    const ContactLaw& law = laws.of(pair.line);
+    if (law.ignoresGap()) pair.gap = 0.0;
+    if (law.rows(mesh.dimension) > 1) pair.still = stillDirections(pair, ruleOf, mesh.dimension, !constraints.prescribed.empty());
+  }
 }
 
 Matrix axesOf(const NodeRule& rule, int dimension) {

@@ -3,6 +3,7 @@
 #include <suture/base/scene/Schema.hpp>
 #include <suture/constraints/Conditions.hpp>
 #include <suture/constraints/Constraints.hpp>
+#include <suture/constraints/LoadSteps.hpp>
 #include <suture/mesh/Mesh.hpp>
 #include <suture/pairing/ContactSurface.hpp>
 
@@ -31,17 +32,18 @@ struct ContactScales {
 /// its pair if it is in exactly one; with a prescribed component its rule stays as it is (the contact row is then scaled, not rotated).
 ///
 /// \param scales  stiffer bodies keep more of their shape when pressed together
+/// \param steps  gives conditions their factors
 /// \throws InputError  all of: unknown group (nearest, known); a group used in contradictory roles (contact side and displacement on the
 ///                     whole of it, both sides of one contact the same group or the same body, a side in two contacts); sides that do
 ///                     not match (how many nodes on each, how many without partner, how far); a side that is not on the boundary;
 ///                     contradictory prescribed values (place, the two conditions); an expression that cannot be read, or has no finite
 ///                     value (place).
 Constraints buildConstraints(const Mesh& mesh, const std::vector<Condition>& conditions, const std::vector<Contact>& contacts,
-                             const ContactScales& scales = {});
+                             const ContactScales& scales = {}, const LoadSteps& steps = {});
 
 /// The same of a scene file. \param conditions  its list `Boundary Conditions` \param contact  its list `Contact` \param constants  for
 /// their expressions
 Constraints buildConstraints(const Mesh& mesh, const Parameters& conditions, const Parameters& contact, const Constants& constants = {},
-                             const ContactScales& scales = {});
+                             const ContactScales& scales = {}, const LoadSteps& steps = {});
 
 }  // namespace suture

@@ -36,6 +36,7 @@ struct Condition {
   std::vector<int> components;      ///< prescribed by a Displacement
   ConditionData data;               ///< data of each component, of loads as well; none for types without a value
   std::string body;                 ///< body of a load on bodies or at a point; empty: all bodies
+  int factor = 0;                   ///< number of its factor among those of LoadSteps
 
   double normal = 0.0, tangential = 0.0;  ///< stiffness of an ElasticSupport [stress / length]
 

@@ -10,6 +10,8 @@
 
 namespace suture {
 
+struct Mesh;
+
 /// A node whose displacement components are not simply the Cartesian ones, all free: prescribed values and axes.
 /// The local component k of the displacement u is axes[k] . u ; a fixed one has the given value. Axes are orthonormal.
 struct NodeRule {
@@ -17,6 +19,12 @@ struct NodeRule {
   std::array<Point, 3> axes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   std::array<bool, 3> fixed{{false, false, false}};
   Point value{0, 0, 0};  ///< values of the fixed components [length]
+};
+
+/// Part of the values of a node's rule that one factor of the load steps multiplies.
+struct RuleValue {
+  int node = -1;
+  Point value{0, 0, 0};  ///< as NodeRule::value [length]
 };
 
 /// Share of a boundary condition in the force that holds a node: along . force, in its direction. The shares of a node add up to the force
@@ -64,7 +72,9 @@ struct ContactPiece {
 /// All that restricts the displacements of a scene: Dirichlet and bilateral rows as nodal rules, contact pairs and pieces. On rank 0, for
 /// the whole mesh.
 struct Constraints {
-  std::vector<NodeRule> rules;             ///< at most one a node, sorted by node
+  std::vector<NodeRule> rules;  ///< at most one a node, sorted by node
+  /// Parts of the rules' values by factor of LoadSteps, those that are not zero, sorted by node; empty: nothing multiplies them.
+  std::vector<std::vector<RuleValue>> prescribed{};
   std::vector<Support> supports{};         ///< conditions behind the rules, sorted by node; none on the axis of symmetry
   std::vector<SpringDirection> springs{};  ///< directions held by elastic supports
   std::vector<std::string> conditions{};   ///< names of all boundary conditions of the scene, loads included, in its order
@@ -74,8 +84,9 @@ struct Constraints {
   std::vector<std::string> notes;  ///< sentences for the user about choices made
 };
 
-/// Gives the constraints their laws. Pairs of a law that takes the sides as they stand have no gap.
-void applyLaws(const ContactLaws& laws, Constraints& constraints);
+/// Gives the constraints their laws. Pairs of a law that takes the sides as they stand have no gap; those of a law that restricts sliding
+/// are told where nothing slides (ContactPair::still).
+void applyLaws(const ContactLaws& laws, const Mesh& mesh, Constraints& constraints);
 
 /// u_local = Q u for one node: row k of Q is axis k. `dimension` x `dimension`.
 Matrix axesOf(const NodeRule& rule, int dimension);

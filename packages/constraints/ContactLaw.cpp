@@ -59,10 +59,6 @@ bool ContactLaws::restrictSliding() const {
   return std::any_of(laws_.begin(), laws_.end(), [](const auto& law) { return law->rows(2) > 1; });
 }
 
-bool ContactLaws::separate() const {
-  return std::any_of(laws_.begin(), laws_.end(), [](const auto& law) { return law->separates(); });
-}
-
 const ContactLaw& ContactLaws::of(int line) const {
   static const Frictionless frictionless;
   return line >= 0 && line < size() ? *laws_[line] : frictionless;

@@ -14,8 +14,10 @@ namespace suture {
 struct ContactTrial {
   Point force{0, 0, 0};  ///< that side B feels; > 0 compressive along the normal [force]
   Point jump{0, 0, 0};   ///< penetration and slip u_A - u_B, times a stiffness of the pair [force]
-  Point place{0, 0, 0};  ///< of the node that carries the pair
-  double size = 1.0;     ///< tributary length or area of the pair: a stress times it is a force
+  Point place{0, 0, 0};  ///< position of the node that carries the pair
+  double size = 0.0;     ///< tributary length or area of the pair: a stress times it is a force. 0: nothing is known but the normal
+                         ///< direction, and nothing is decided about sliding
+  bool slipped = false;  ///< the pair has slid in an earlier load step
 };
 
 /// The law of a contact, of one pair at a time: which forces it allows, and the state that goes with them. Made by name,
@@ -74,9 +76,8 @@ class ContactLaws {
 
   const ContactLaw& of(int line) const;
   int size() const { return static_cast<int>(laws_.size()); }
-  /// True if some contact restricts sliding, and true if some contact can open.
+  /// True if some contact restricts sliding.
   bool restrictSliding() const;
-  bool separate() const;
 
  private:
   std::vector<std::shared_ptr<const ContactLaw>> laws_;

@@ -42,31 +42,9 @@ void findClusters(std::vector<ContactRow>& rows) {
 
 }  // namespace
 
-std::vector<Point> rowDirections(const ContactPair& pair, int dimension, const std::function<const NodeRule*(int node)>& ruleAt) {
-  std::vector<Point> directions = pairFrame(pair.normal, dimension);
-  const NodeRule* own = ruleAt(pair.node());
-  const double side = pair.ends.front().weight;
-  std::vector<Point> still;  // directions along which nothing slides
-  for (int k = 0; own && k < dimension; ++k) {
-    if (!own->fixed[k]) continue;
-    Point held = minus(own->axes[k], scaled(dot(own->axes[k], pair.normal), pair.normal));
-    for (const Point& other : still) held = minus(held, scaled(dot(held, other), other));
-    if (norm(held) < 0.5) continue;  // held along the normal
-    const bool alike = std::any_of(pair.ends.begin(), pair.ends.end(), [&](const PairEnd& end) {
-      const NodeRule* other = end.weight * side < 0.0 ? ruleAt(end.node) : nullptr;
-      for (int c = 0; other && c < dimension; ++c)
-        if (other->fixed[c] && std::abs(dot(other->axes[c], own->axes[k])) > 1.0 - 1e-9 &&
-            other->value[c] == dot(other->axes[c], own->axes[k]) * own->value[k])
-          return true;
-      return false;
-    });
-    if (!alike) continue;
-    still.push_back(scaled(1.0 / norm(held), held));
-  }
-  for (int t = 1; t < dimension; ++t) {
-    if (static_cast<int>(still.size()) == dimension - 1) directions[t] = {0, 0, 0};
-    for (const Point& across : still) directions[t] = minus(directions[t], scaled(dot(directions[t], across), across));
-  }
+std::vector<Point> rowDirections(const ContactPair& pair, int dimension) {
+  std::vector<Point> directions = pairFrame(pair, dimension);
+  for (int t = 1; t < dimension && !pair.still.empty(); ++t) directions[t] = slidingPart(pair, directions[t]);
   return directions;
 }
 
@@ -80,14 +58,13 @@ std::vector<ContactRow> contactRows(const Mesh& mesh, const Constraints& constra
     rows.emplace_back();
     ContactRow& row = rows.back();
     row.pair = pair;
-    const std::vector<Point> frame =
-        rowDirections(pair, mesh.dimension, [&](int node) { return ruleOf[node] < 0 ? nullptr : &constraints.rules[ruleOf[node]]; });
+    const std::vector<Point> frame = rowDirections(pair, mesh.dimension);
     const ContactLaw& law = constraints.laws.of(pair.line);
     row.equations.resize(law.rows(mesh.dimension));
     row.separates = law.separates();
     for (std::size_t component = 0; component < row.equations.size(); ++component) {
       ContactRow::Equation& equation = row.equations[component];
-      if (component == 0) equation.gap = pair.gap;
+      equation.gap = component == 0 ? pair.gap : dot(pair.past.slip, frame[component]);
       std::vector<Term> entries;
       for (const PairEnd& end : pair.ends)
         addEnd(end, ruleOf[end.node] < 0 ? free : constraints.rules[ruleOf[end.node]], frame[component], mesh.dimension, equation.gap,

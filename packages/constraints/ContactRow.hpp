@@ -1,7 +1,6 @@
 #pragma once
 #include <suture/constraints/Constraints.hpp>
 
-#include <functional>
 #include <vector>
 
 namespace suture {
@@ -17,8 +16,8 @@ struct ContactRow {
     std::vector<GlobalId> dofs;  ///< node of the mesh x dimension + component in the axes of the node (as Subdomain::globalDof), ascending;
                                  ///< none where all nodes are held along the row's direction: nothing can change there
     std::vector<double> coefficients;  ///< coefficient of each dof; mere rounding is left out
-    double gap = 0.0;                  ///< initial gap (0 along tangents) less the part closed by prescribed components [length]
-    std::vector<Point> points;         ///< coordinates of each dof's node
+    double gap = 0.0;  ///< initial gap, along tangents slip before the load step, less the part closed by prescribed components [length]
+    std::vector<Point> points;  ///< coordinates of each dof's node
 
     template <typename Self, typename Each>
     static void forEachField(Self& self, const Each& each) {
@@ -43,10 +42,8 @@ struct ContactRow {
   }
 };
 
-/// Directions of a pair's rows: its frame (PairFrame), whose tangents lose what both sides are held along alike, as on a plane of symmetry.
-/// There nothing slides across it; of a mortar, whose means reach to one side of the plane only, slip across would be no zero.
-/// \param ruleAt  rule of a node, or null
-std::vector<Point> rowDirections(const ContactPair& pair, int dimension, const std::function<const NodeRule*(int node)>& ruleAt);
+/// Directions of a pair's rows: its frame (PairFrame), the tangents less what is along directions in which nothing slides.
+std::vector<Point> rowDirections(const ContactPair& pair, int dimension);
 
 /// The rows of all pairs, in their order, as many of each as its law restricts. Cost in proportion to nodes and pairs. Local (rank 0).
 std::vector<ContactRow> contactRows(const Mesh& mesh, const Constraints& constraints);

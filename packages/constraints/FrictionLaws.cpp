@@ -1,39 +1,42 @@
 #include <suture/base/Errors.hpp>
 #include <suture/base/Point.hpp>
+#include <suture/base/scene/SceneReader.hpp>
 #include <suture/constraints/FrictionLaws.hpp>
 
 #include <Teuchos_ParameterList.hpp>
 
 #include <cmath>
+#include <sstream>
 
 namespace suture {
 
 namespace {
 
 /// A parameter that is a number or an expression. \throws InputError
-Expression readValue(const Parameters& own, const char* name, const Constants& constants) {
+DryFriction::Value readValue(const Parameters& own, const char* name, const Constants& constants) {
   Problems problems;
   std::optional<Expression> value = readExpression(own, name, constants, problems);
   problems.throwIfAny();
-  return value ? *std::move(value) : Expression("0");
-}
-
-double notNegative(const Expression& expression, const Point& place, const char* what) {
-  const double value = expression.at(place);
-  if (value < 0.0)
-    throw InputError(what, "'" + expression.text() + "' is " + std::to_string(value) + " at (" + std::to_string(place[0]) + ", " +
-                               std::to_string(place[1]) + ", " + std::to_string(place[2]) + "); expected >= 0");
-  return value;
+  return {value ? *std::move(value) : Expression("0"), pathOf(own, name)};
 }
 
 }  // namespace
+
+double DryFriction::Value::at(const Point& place) const {
+  const double value = expression.at(place);
+  if (value >= 0.0) return value;
+  std::ostringstream text;
+  text << "'" << expression.text() << "' is " << value << " at (" << place[0] << ", " << place[1] << ", " << place[2] << "); expected >= 0";
+  throw InputError(path, text.str());
+}
 
 ContactState DryFriction::doProject(const ContactTrial& trial, const ContactState& now) const {
   const Point z = plus(trial.force, trial.jump);
   if (z[0] < 0.0 || (z[0] == 0.0 && !now.closed())) return PairStatus::Open;
   ContactState state(PairStatus::Stick);
-  state.bound = trial.size * notNegative(cohesion_, trial.place, "a contact's bound or cohesion");
-  state.friction = notNegative(coefficient_, trial.place, "a contact's coefficient of friction");
+  if (trial.size == 0.0) return state;
+  state.bound = trial.slipped && losesCohesion_ ? 0.0 : trial.size * cohesion_.at(trial.place);
+  state.friction = coefficient_.at(trial.place);
   const double size = std::hypot(z[1], z[2]), largest = state.largest(z[0]);
   if (size < largest || size == 0.0) return state;
   state.status = PairStatus::Slip;
@@ -43,18 +46,21 @@ ContactState DryFriction::doProject(const ContactTrial& trial, const ContactStat
 
 Schema Tresca::schema() {
   return Schema("Tangential stress at most a given bound, whatever the pressure; no tension, no penetration.")
-      .text("Bound", "0", "largest tangential stress, a number or a function of the place [stress]");
+      .text("Bound", std::nullopt, "largest tangential stress, a number or a function of the place [stress]");
 }
 
-Tresca::Tresca(const Constants& constants, const Parameters& own) : DryFriction(readValue(own, "Bound", constants), Expression("0")) {}
+Tresca::Tresca(const Constants& constants, const Parameters& own)
+    : DryFriction(readValue(own, "Bound", constants), {Expression("0"), ""}) {}
 
 Schema Coulomb::schema() {
   return Schema("Tangential stress at most cohesion + coefficient x pressure; no tension, no penetration.")
-      .text("Coefficient", "0", "of friction, a number or a function of the place")
-      .text("Cohesion", "0", "tangential stress that slides the sides without pressure, a number or a function of the place [stress]");
+      .text("Coefficient", std::nullopt, "coefficient of friction, a number or a function of the place")
+      .text("Cohesion", "0", "tangential stress that slides the sides without pressure, a number or a function of the place [stress]")
+      .boolean("Cohesion Lost", false, "Where a pair has slid in a load step, it has no cohesion in the next ones.");
 }
 
 Coulomb::Coulomb(const Constants& constants, const Parameters& own)
-    : DryFriction(readValue(own, "Cohesion", constants), readValue(own, "Coefficient", constants)) {}
+    : DryFriction(readValue(own, "Cohesion", constants), readValue(own, "Coefficient", constants),
+                  own.isType<bool>("Cohesion Lost") && own.get<bool>("Cohesion Lost")) {}
 
 }  // namespace suture

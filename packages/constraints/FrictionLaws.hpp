@@ -7,18 +7,28 @@ namespace suture {
 /// sticks inside, and slips along the force on the rim. Base of Tresca's and Coulomb's laws.
 class DryFriction : public ContactLaw {
  public:
-  /// \param cohesion  [stress];  \param coefficient  of friction; both functions of the place, >= 0
-  DryFriction(Expression cohesion, Expression coefficient) : cohesion_(std::move(cohesion)), coefficient_(std::move(coefficient)) {}
+  /// A function of the place that is not negative, and the parameter that it comes from.
+  struct Value {
+    Expression expression;
+    std::string path = {};
+    double at(const Point& place) const;  ///< \throws InputError  it is negative there
+  };
+  /// \param cohesion  [stress];  \param coefficient  coefficient of friction;  \param losesCohesion  once a pair has slid in a load step
+  DryFriction(Value cohesion, Value coefficient, bool losesCohesion = false)
+      : cohesion_(std::move(cohesion)), coefficient_(std::move(coefficient)), losesCohesion_(losesCohesion) {}
+  DryFriction(Expression cohesion, Expression coefficient) : DryFriction(Value{std::move(cohesion)}, Value{std::move(coefficient)}) {}
 
  protected:
   bool doRestrictsSliding() const override { return true; }
   ContactState doProject(const ContactTrial& trial, const ContactState& now) const override;
 
  private:
-  Expression cohesion_, coefficient_;
+  Value cohesion_, coefficient_;
+  bool losesCohesion_ = false;
 };
 
-/// Tresca's law: the tangential stress is at most `Bound`, whatever the pressure. Symmetric: a convex problem with one solution.
+/// Tresca's law: the tangential stress is at most `Bound`, whatever the pressure, where the sides touch. As long as no pair opens or closes
+/// the problem is convex and has one solution; a pair that opens loses its bound at once, and there may be none.
 class Tresca : public DryFriction {
  public:
   static constexpr const char* kName = "Tresca";
@@ -26,7 +36,8 @@ class Tresca : public DryFriction {
   Tresca(const Constants& constants, const Parameters& own);
 };
 
-/// Coulomb's law with cohesion: the tangential stress is at most `Cohesion` + `Coefficient` times the pressure.
+/// Coulomb's law with cohesion: the tangential stress is at most `Cohesion` + `Coefficient` times the pressure. With `Cohesion Lost` a pair
+/// that has slid in a load step has no cohesion in the next ones.
 class Coulomb : public DryFriction {
  public:
   static constexpr const char* kName = "Coulomb";

@@ -24,6 +24,7 @@ struct Row {
   Point direction{0, 0, 0};
   double value = 0;
   int condition = -1;
+  int factor = 0;
 };
 using Rows = std::map<int, std::vector<Row>>;  // node -> rows
 
@@ -39,6 +40,7 @@ void addDisplacement(const Mesh& mesh, const std::vector<Condition>& conditions,
       row.direction[condition.components[i]] = 1;
       row.value = condition.data.at(i, mesh.point(node));
       row.condition = number;
+      row.factor = condition.factor;
       rows[node].push_back(row);
     }
 } catch (const InputError& error) {
@@ -92,7 +94,8 @@ void addAxis(const Mesh& mesh, std::vector<Condition>& conditions, Rows& rows) {
 /// Rows that contradict each other, told once for each pair of conditions.
 class Contradictions {
  public:
-  Contradictions(const Mesh& mesh, const std::vector<Condition>& conditions) : mesh_(mesh), conditions_(conditions) {}
+  Contradictions(const Mesh& mesh, const std::vector<Condition>& conditions, bool haveFactors)
+      : mesh_(mesh), conditions_(conditions), haveFactors_(haveFactors) {}
 
   void add(int node, const Row& kept, const Row& other) {
     Found& found = all_[std::minmax(kept.condition, other.condition)];
@@ -107,7 +110,7 @@ class Contradictions {
                     found.other.value, conditions_[found.kept.condition].name.c_str(), found.kept.value);
       problems.add(conditions_[found.other.condition].path,
                    std::string(text) + (found.nodes > 1 ? " (and so at " + std::to_string(found.nodes - 1) + " more nodes)" : "") +
-                       "; where conditions meet, their values must agree");
+                       "; where conditions meet, their values must agree" + (haveFactors_ ? ", and so must their Load Steps/Factors" : ""));
     }
   }
 
@@ -118,6 +121,7 @@ class Contradictions {
   };
   const Mesh& mesh_;
   const std::vector<Condition>& conditions_;
+  bool haveFactors_;
   std::map<std::pair<int, int>, Found> all_;
 };
 
@@ -249,10 +253,17 @@ void compare(const NodeRule& rule, const Basis& basis, const std::vector<Row>& r
   }
 }
 
+/// The rows with the values of one factor alone.
+std::vector<Row> partOf(std::vector<Row> rows, int factor) {
+  for (Row& row : rows)
+    if (row.factor != factor) row.value = 0.0;
+  return rows;
+}
+
 }  // namespace
 
-std::vector<NodeRule> nodalRules(const Mesh& mesh, const std::vector<Condition>& scene, Problems& problems,
-                                 std::vector<Support>& supports) {
+std::vector<NodeRule> nodalRules(const Mesh& mesh, const std::vector<Condition>& scene, Problems& problems, std::vector<Support>& supports,
+                                 std::vector<std::vector<RuleValue>>& prescribed) {
   Rows rows;
   std::vector<Condition> conditions = scene;
   if (mesh.axisymmetric) addAxis(mesh, conditions, rows);
@@ -261,12 +272,23 @@ std::vector<NodeRule> nodalRules(const Mesh& mesh, const std::vector<Condition>&
       addDisplacement(mesh, conditions, number, rows, problems);
   addBilateral(mesh, conditions, rows);
 
-  Contradictions contradictions(mesh, conditions);
+  int factors = 1;
+  for (const Condition& condition : conditions)
+    if (condition.type == Condition::Type::Displacement) factors = std::max(factors, condition.factor + 1);
+  prescribed.assign(factors > 1 ? factors : 0, {});
+  Contradictions contradictions(mesh, conditions, factors > 1);
   std::vector<NodeRule> rules;
   for (const auto& [node, here] : rows) {
     const Basis basis(here, mesh.dimension);
     rules.push_back(ruleOf(node, basis, mesh.dimension));
-    compare(rules.back(), basis, here, mesh.dimension, contradictions);
+    if (factors == 1) compare(rules.back(), basis, here, mesh.dimension, contradictions);
+    for (int factor = 0; factors > 1 && factor < factors; ++factor) {
+      const std::vector<Row> part = partOf(here, factor);
+      const Basis same(part, mesh.dimension);
+      const NodeRule rule = ruleOf(node, same, mesh.dimension);
+      compare(rule, same, part, mesh.dimension, contradictions);
+      if (rule.value != Point{0, 0, 0}) prescribed[factor].push_back({node, rule.value});
+    }
     addSupports(node, basis, here, int(scene.size()), supports);
   }
   contradictions.report(problems);

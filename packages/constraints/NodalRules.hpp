@@ -16,8 +16,10 @@ namespace suture {
 /// As many as components: the node is fixed, in Cartesian axes. Directions need not be orthogonal.
 /// Result sorted by node. Local.
 /// \param problems  gets rows that contradict each other: the two conditions, place, values, how many nodes
+/// Conditions that have factors (Condition::factor) must agree factor by factor.
 /// \param supports  gets the conditions behind the rules, sorted by node
+/// \param prescribed  gets the parts of the values by factor (Constraints::prescribed)
 std::vector<NodeRule> nodalRules(const Mesh& mesh, const std::vector<Condition>& conditions, Problems& problems,
-                                 std::vector<Support>& supports);
+                                 std::vector<Support>& supports, std::vector<std::vector<RuleValue>>& prescribed);
 
 }  // namespace suture

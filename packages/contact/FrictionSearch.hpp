@@ -2,7 +2,6 @@
 #include <suture/constraints/ContactLaw.hpp>
 #include <suture/contact/RigidContact.hpp>
 
-#include <string>
 #include <vector>
 
 namespace suture {
@@ -15,6 +14,7 @@ struct FrictionSite {
   Point place{0, 0, 0};
   double size = 1.0;        ///< tributary length or area
   double tangential = 0.0;  ///< stiffness of both sides in series along the tangents [force / length]
+  bool slipped = false;     ///< the pair has slid in an earlier load step
 };
 
 /// Solution of the linear problem of given states: closed pairs glued along the normal, sticking ones along the tangents too, slipping
@@ -44,22 +44,22 @@ class FrictionOracle {
 /// Stadler and Wohlmuth 2008), with a tenth of the local stiffness as its constant along the tangents: with all of it pairs alternate
 /// between stick and slip (measured; doc/numerics.md). In space the direction of a pair that slips turns with it, by the exact tangent.
 ///
-/// All violated pairs change at a time. When that does not lower their number any more, only the last of them does (Murty's rule, as in
-/// block principal pivoting: Judice and Pires 1994), which ends wherever the problem has one solution. If even that takes too long, a fixed
-/// point of Tresca problems: bounds by the normal forces of the last one, each convex.
+/// All violated pairs change at a time. When that does not lower their number any more, a line search between answers does (they are in
+/// balance with the loads, and so are their combinations): it lowers the distance of forces from their projections. Then only the last
+/// violated pair changes (Murty's rule, as in block principal pivoting: Judice and Pires 1994), which ends wherever the problem has one
+/// solution. If even that takes too long, a fixed point of Tresca problems: bounds by the normal forces of the last one, each convex as
+/// long as no pair opens or closes.
 ///
-/// Sets never leave a body loose that pairs can hold: of the pairs that held it before one goes on to. If that is beyond its bound in the
-/// end there is no equilibrium: the body slides away.
+/// Sets never leave a body loose that pairs can hold: of the pairs that held it before one goes on to. If that is beyond its bound others
+/// hold it, or those that it meets on its way; if none do the body slides away. Limit analysis tells where that is certain.
 class FrictionSearch {
  public:
   struct Result {
     bool converged = false;
-    bool slides = false;  ///< no equilibrium: a body is driven along `motion`
-    Vector motion;        ///< of RigidContact, if `slides`
-    std::string failure;
+    Vector slides;  ///< motion of bodies (RigidContact) along which they are driven where there is no equilibrium; else empty
     PairStates states;
     int solves = 0;
-    double contraction = -1.0;     ///< of the fixed point of Tresca problems, estimated; negative: not known
+    double contraction = -1.0;     ///< contraction of the fixed point of Tresca problems, estimated; negative: not known
     std::vector<int> alternating;  ///< pairs whose states did not settle
   };
 
@@ -76,15 +76,20 @@ class FrictionSearch {
 
  private:
   enum class End { Settled, Slides, Exhausted, Failed };
+  enum class Way { Block, Descent, Single };  // of changing states: all violated pairs, by a line search, one pair
 
   ContactState project(std::size_t pair, const ContactState& now, const FrictionAnswer& at) const;
-  ContactState frozen(std::size_t pair, ContactState state, double normal, double first, double second) const;
-  bool differs(std::size_t pair, const ContactState& now, const ContactState& next) const;
+  ContactState onto(std::size_t pair, const ContactState& now, const ContactTrial& trial) const;
+  double violation(const Matrix& force, const Matrix& jump, PairStates* states = nullptr) const;
+  bool descend(PairStates& next);
   PairStates guarded(PairStates next, const PairStates& before);
   End settle(double last);
   End fixedPoint();
+  bool relieve(const PairStates& next);
+  bool drag(const Vector& motion, int loose, PairStates& found);
+  Vector outdone() const;
   double turn(std::size_t pair, const ContactState& next) const;
-  Vector bounds() const;
+  Vector normalForces() const;
   void thaw();
   void stick();
 
@@ -92,13 +97,21 @@ class FrictionSearch {
   const ContactLaws& laws_;
   const std::vector<FrictionSite>& sites_;
   FrictionOracle& oracle_;
-  int left_, solves_ = 0;
+  int left_, solves_ = 0, patience_ = 0;
   double tolerance_ = 0.0;
   PairStates states_;
   FrictionAnswer answer_;
   std::vector<char> holders_;  // pairs that hold a body against their law
-  Vector normal_;              // of Tresca problems: normal forces that bounds are made of; empty: those of the state itself
+  std::vector<char> spent_;    // those that did so in vain
+  Vector normal_;              // normal forces that bounds of a Tresca problem are made of; empty: the law's own
   std::vector<int> violated_;
+  // Forces and jumps that are in balance, nearest to the laws so far; their distance.
+  Matrix force_, jump_;
+  double nearest_ = 0.0;
+  int rises_ = 0;
+  std::vector<PairStates> met_;  // states that driven bodies have met
+  Vector slides_;                // motion of a body that nothing holds
+  Vector outdone_;               // motion in which no forces of pairs balance the loads; empty: none is known
   double contraction_ = -1.0;
 };
 

@@ -29,6 +29,7 @@ class ContactClusters {
 
   int size() const { return static_cast<int>(rows_.size()); }
   const Row& row(int i) const { return rows_[i]; }
+  void setGap(int row, double gap) { rows_[row].gap = gap; }
 
   /// `status`: states of the pairs, here and below. Rows that their pair's state closes as equations solved for one unknown each, by
   /// elimination within the cluster; a row that follows from the others is left out.

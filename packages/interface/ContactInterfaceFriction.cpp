@@ -21,7 +21,7 @@ Point acrossOf(const ContactState& state) { return {0.0, -state.direction[2], st
 }  // namespace
 
 void ContactInterfaceProblem::findSites() {
-  Matrix values = Matrix::Zero(static_cast<Eigen::Index>(rows_.size()), 5);
+  Matrix values = Matrix::Zero(static_cast<Eigen::Index>(rows_.size()), 6);
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const auto at = static_cast<Eigen::Index>(i);
     const ContactPair& pair = rows_[i].pair;
@@ -32,10 +32,13 @@ void ContactInterfaceProblem::findSites() {
         stiffness += clusters_->stiffness()(row);
         ++count;
       }
-    values.row(at) << pair.position[0], pair.position[1], pair.position[2], pair.length, count > 0 ? stiffness / count : 0.0;
+    values.row(at) << pair.position[0], pair.position[1], pair.position[2], pair.length, count > 0 ? stiffness / count : 0.0,
+        static_cast<double>(pair.past.slipped);
   }
   const Matrix all = everywhere(values);
-  for (Eigen::Index i = 0; i < all.rows(); ++i) sites_.push_back({{all(i, 0), all(i, 1), all(i, 2)}, all(i, 3), all(i, 4)});
+  sites_.clear();
+  for (Eigen::Index i = 0; i < all.rows(); ++i)
+    sites_.push_back({{all(i, 0), all(i, 1), all(i, 2)}, all(i, 3), all(i, 4), all(i, 5) != 0.0});
 }
 
 ContactStates ContactInterfaceProblem::statusOf(const PairStates& pairs) const {
@@ -117,6 +120,37 @@ std::shared_ptr<const FrictionTangent> ContactInterfaceProblem::tangentOf(const 
   return tangent;
 }
 
+void ContactInterfaceProblem::addSpringMotions(const ContactStates& status, const InterfaceSpace& space, FrictionTangent& tangent) const {
+  const RigidContact::Pairs& data = bodies_->rigid().data();
+  if (data.tangents.size() < 2 || bodies_->rigid().motions() == 0) return;
+  PairStates states = statesOf(status);
+  Matrix springs(static_cast<Eigen::Index>(states.size()), bodies_->rigid().motions());
+  Eigen::Index count = 0;
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    if (!(states[i].across > 0.0)) continue;
+    const Point across = acrossOf(states[i]);
+    const auto at = static_cast<Eigen::Index>(i);
+    springs.row(count++) = std::sqrt(states[i].across) * (across[1] * data.tangents[0].row(at) + across[2] * data.tangents[1].row(at));
+    states[i].across = 0.0;
+  }
+  if (count == 0) return;
+  const Matrix loose = bodies_->rigid().loose(states);
+  if (loose.cols() == 0) return;
+  const Matrix held = springs.topRows(count) * loose;
+  tangent.motionEnergy = held.transpose() * held;
+  tangent.motions = space.vector(static_cast<int>(loose.cols()));
+  auto owned = localView(*tangent.motions);
+  for (int place = 0; place < space.overlapSize(); ++place) {
+    const int at = space.ownedRow(place);
+    if (at < 0 || space.relation(place)) continue;
+    const int part = partOfOwned_[at];
+    if (bodies_->parts()[part].free.cols() == 0) continue;
+    for (Eigen::Index k = 0; k < loose.cols(); ++k)
+      owned(at, k) =
+          dot(space.direction(place), bodies_->parts()[part].displacement(space.point(place), bodies_->amplitudes(part, loose.col(k)), 3));
+  }
+}
+
 PairValues ContactInterfaceProblem::valuesOf(const InterfaceState& state) const {
   PairValues result;
   Matrix out = rememberedImbalance(state, result.applications), trace;
@@ -166,7 +200,7 @@ Point ContactInterfaceProblem::tangentialForce(int row, const InterfaceState& st
   const ContactState& own = state.status[0][row];
   Point sum{0, 0, 0};
   if (!own.closed()) return sum;
-  const std::vector<Point> frame = pairFrame(rows_[row].pair.normal, space_->dimension());
+  const std::vector<Point> frame = pairFrame(rows_[row].pair, space_->dimension());
   const Point across = acrossOf(own);
   const double spring = own.across * dot(across, slipOf(row, gaps));
   for (int component = 1; component < space_->dimension(); ++component) {

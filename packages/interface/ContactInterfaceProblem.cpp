@@ -63,25 +63,48 @@ ContactInterfaceProblem::ContactInterfaceProblem(CommPtr comm, const Partition& 
   space_ = std::make_shared<InterfaceSpace>(comm_, layout);
   apart_ = Teuchos::rcp(new InterfaceOperator(space_, LocalProblems(locals_.begin(), locals_.end())));
 
-  load_ = Matrix::Zero(space_->overlapSize(), 1);
+  takeLoads();
   Matrix stiffness = Matrix::Zero(space_->overlapSize(), 1);
-  double energy = 0.0;
   for (std::size_t i = 0; i < locals_.size(); ++i) {
-    space_->coupling(static_cast<int>(i)).addTransposed(locals_[i]->condensedLoad(), load_);
     // A surface gives way to contact by change of shape, also where volume does not change.
     const Matrix& shear = locals_[i]->hint(Hint::kShearDiagonal);
     space_->coupling(static_cast<int>(i)).addTransposed(shear.cols() > 0 ? shear : Matrix(locals_[i]->stiffnessDiagonal()), stiffness);
-    energy += locals_[i]->constantEnergy();
   }
-  space_->sum(load_);
   space_->sum(stiffness);
-  constantEnergy_ = reduce(*comm_, Teuchos::REDUCE_SUM, energy);
   collectRows(stiffness);
   findNeighbours();
   if (pairs_ > 0) findBodies();
   rubs_ = pairs_ > 0 && laws_.restrictSliding();
   if (rubs_) findSites();
   for (const auto& piecesOfGroup : partition.piecesOf) pieces_ += static_cast<int>(piecesOfGroup.size());
+}
+
+void ContactInterfaceProblem::takeLoads() {
+  load_ = Matrix::Zero(space_->overlapSize(), 1);
+  double energy = 0.0;
+  for (std::size_t i = 0; i < locals_.size(); ++i) {
+    space_->coupling(static_cast<int>(i)).addTransposed(locals_[i]->condensedLoad(), load_);
+    energy += locals_[i]->constantEnergy();
+  }
+  space_->sum(load_);
+  constantEnergy_ = reduce(*comm_, Teuchos::REDUCE_SUM, energy);
+}
+
+void ContactInterfaceProblem::reload() {
+  collectively(*comm_, "loading the subdomains", [&] {
+    for (const auto& local : locals_) local->reload();
+  });
+  takeLoads();
+  std::map<int, const ContactRow*> byPair;
+  for (const auto& subdomain : subdomains_)
+    for (const ContactRow& row : subdomain->mesh().contactRows) byPair.emplace(row.pair.id, &row);
+  for (int i = 0; i < static_cast<int>(rows_.size()); ++i) {
+    rows_[i] = *byPair.at(rows_[i].pair.id);
+    for (int component = 0; component < static_cast<int>(rows_[i].equations.size()); ++component)
+      clusters_->setGap(clusters_->rowOf(i, component), rows_[i].equations[component].gap);
+  }
+  if (pairs_ > 0) findBodies();
+  if (rubs_) findSites();
 }
 
 namespace {
@@ -298,7 +321,12 @@ std::shared_ptr<const InterfaceSpace> ContactInterfaceProblem::spaceOf(const Con
 InterfaceProblem::Linearisation ContactInterfaceProblem::linearise(const InterfaceState& state) const {
   const auto space = spaceOf(state.status);
   Linearisation result;
-  auto friction = tangent_;
+  std::shared_ptr<const FrictionTangent> friction = tangent_;
+  if (friction && bodies_->dimension() == 3) {  // a rank without subdomains knows it, too
+    auto held = std::make_shared<FrictionTangent>(*friction);
+    addSpringMotions(state.status, *space, *held);
+    friction = held;
+  }
   if (friction && reduce(*comm_, Teuchos::REDUCE_MAX, friction->symmetric ? 0.0 : 1.0) > 0.0 && friction->symmetric) {
     auto elsewhere = std::make_shared<FrictionTangent>(*friction);
     elsewhere->symmetric = false;

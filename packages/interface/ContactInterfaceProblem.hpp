@@ -40,6 +40,8 @@ class ContactInterfaceProblem : public InterfaceProblem, public ContactSets, pub
   std::vector<int> differing(const ContactStates& a, const ContactStates& b) const override;
   Recovered recover(const InterfaceState& state) const override;
   std::vector<Vector> interiors(const InterfaceState& state) const override;
+  bool reloads() const override { return true; }
+  void reload() override;
   int pieces() const override { return pieces_; }
   int pairs() const override { return pairs_; }
 
@@ -74,10 +76,13 @@ class ContactInterfaceProblem : public InterfaceProblem, public ContactSets, pub
   void addSlipForces(const InterfaceState& state, const Matrix& trace, Matrix& imbalance) const;
   /// As this rank sees it. Local.
   std::shared_ptr<const FrictionTangent> tangentOf(const ContactStates& status, std::vector<InterfaceRelation> test) const;
+  /// Finds motions that springs across directions of slip alone hold, on all ranks. Collective.
+  void addSpringMotions(const ContactStates& status, const InterfaceSpace& space, FrictionTangent& tangent) const;
   /// Tangential force on side B of a row's pair, Cartesian. \param force  of all rows
   Point tangentialForce(int row, const InterfaceState& state, const Vector& force, const Vector& gaps) const;
   ContactState pressed(const ContactRow& row) const;
   InterfaceState allClosed() const;
+  void takeLoads();
   void collectRows(const Vector& stiffness);
   void findNeighbours();
   void findBodies();
@@ -97,7 +102,7 @@ class ContactInterfaceProblem : public InterfaceProblem, public ContactSets, pub
   CommPtr comm_;
   const std::vector<std::unique_ptr<Subdomain>>& subdomains_;
   ContactLaws laws_;
-  std::vector<std::shared_ptr<const SubdomainProblem>> locals_;
+  std::vector<std::shared_ptr<SubdomainProblem>> locals_;
   std::shared_ptr<const InterfaceSpace> space_;  // without relations
   Teuchos::RCP<InterfaceOperator> apart_;        // S on it: all pairs open
   std::vector<ContactRow> rows_;                 // those that this rank sees, by pair

@@ -82,6 +82,30 @@ std::shared_ptr<const InterfaceSpace> InterfaceSpace::related(std::vector<Interf
   return derived;
 }
 
+std::shared_ptr<const InterfaceSpace> InterfaceSpace::without(const std::vector<int>& places) const {
+  auto derived = std::make_shared<InterfaceSpace>(*this);
+  std::vector<char> leaves(ownedRows_->size(), 0);
+  for (const int place : places) leaves[place] = 1;
+  for (InterfaceRelation& relation : derived->relations_) {
+    std::size_t kept = 0;
+    for (std::size_t k = 0; k < relation.others.size(); ++k) {
+      if (leaves[relation.others[k]]) continue;
+      relation.others[kept] = relation.others[k];
+      relation.coefficients[kept++] = relation.coefficients[k];
+    }
+    relation.others.resize(kept);
+    relation.coefficients.resize(kept);
+  }
+  for (const int place : places) {
+    derived->relationOf_[place] = static_cast<int>(derived->relations_.size());
+    derived->relations_.push_back({place, {}, {}});
+    derived->sharers_.own()[place].clear();
+  }
+  derived->leaveEntities(leaves);
+  if (torn_) derived->torn_ = torn_->without(places);
+  return derived;
+}
+
 /// \param inRows  unknowns that other relations name: vertices, where one of these joins them to other local problems
 std::shared_ptr<InterfaceSpace> InterfaceSpace::withRelations(std::vector<InterfaceRelation> relations,
                                                               const std::vector<std::vector<int>>& neighbours,

@@ -26,6 +26,8 @@ struct FrictionTangent {
   std::vector<InterfaceRelation> test;
   std::vector<InterfaceSpring> springs;  ///< of this rank alone
   bool symmetric = true;                 ///< nothing drags; of an operator's, on any rank
+  MultiVectorPtr motions{};              ///< rigid motions that springs alone hold, in unknowns of the space; null: none, on all ranks
+  Matrix motionEnergy{};                 ///< of the springs in them: motions x motions
 };
 
 /// The linear operator sum_i R_i^T S_i R_i over any subset of the local problems: S of (21), S_0 of (17), a tangent S_0 + S_KON'.
@@ -46,6 +48,7 @@ class InterfaceOperator : public Operator {
 
   const std::shared_ptr<const InterfaceSpace>& space() const { return space_; }
   const LocalProblems& locals() const { return locals_; }
+  const FrictionTangent* friction() const { return friction_.get(); }  ///< null without friction
   /// Bytes that one application reads of this rank's memory, as far as the local problems know. Local.
   double bytesRead() const;
   /// Applications so far (each right-hand side counts one).

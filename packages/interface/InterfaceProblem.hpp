@@ -160,6 +160,11 @@ class InterfaceProblem {
   /// Its freeValues alone, which may be had for less.
   virtual std::vector<Vector> interiors(const InterfaceState& state) const { return recover(state).freeValues; }
 
+  /// True if reload() may be called.
+  virtual bool reloads() const { return false; }
+  /// Takes the loads of the subdomains, and gaps and histories of the pairs of their meshes, as they are now; what is factored stays.
+  virtual void reload() {}
+
   /// Number of contact pieces and of pairs that can change, over all ranks.
   virtual int pieces() const = 0;
   virtual int pairs() const = 0;

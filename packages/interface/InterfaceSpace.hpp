@@ -50,6 +50,9 @@ class InterfaceSpace {
   std::shared_ptr<const InterfaceSpace> related(std::vector<InterfaceRelation> relations,
                                                 const std::vector<std::vector<int>>& neighbours) const;
 
+  /// The space in which some unknowns vanish. Every rank that sees one of them names it; none is expressed. Local.
+  std::shared_ptr<const InterfaceSpace> without(const std::vector<int>& places) const;
+
   const MapPtr& map() const { return map_; }          ///< owned, one to one
   const MapPtr& overlap() const { return overlap_; }  ///< all that this rank's local problems touch, and their partners in relations
   const CommPtr& comm() const { return comm_; }

@@ -21,6 +21,12 @@ std::vector<std::vector<int>> neighbourPairs(const std::vector<std::vector<int>>
   return beside;
 }
 
+Point slidingPart(const ContactPair& pair, const Point& jump) {
+  Point along = minus(jump, scaled(dot(jump, pair.normal), pair.normal));
+  for (const Point& across : pair.still) along = minus(along, scaled(dot(along, across), across));
+  return along;
+}
+
 std::vector<PairEnd> matchingEnds(int nodeA, int nodeB) { return {{nodeA, 1.0}, {nodeB, -1.0}}; }
 
 Point obstacleForce(const ContactPair& pair, const Point& onB) {

@@ -27,15 +27,29 @@ struct ContactPair {
   double length = 0.0;      ///< tributary: integral of the carrying node's hat function [length or area]; axisymmetric: times 2 pi r [area]
   double arc = 0.0;         ///< in the plane: arc length from the first node of its run of the carrying side [length]; for output
   Point position{0, 0, 0};  ///< position of the carrying node
+  /// Tangents along which nothing slides, orthonormal: both sides are held there alike, as across a plane of symmetry. With mortar, whose
+  /// means reach to one side of such a plane only, the jump along them is no zero, and means nothing.
+  std::vector<Point> still = {};
+  /// History of the pair at the beginning of a load step.
+  struct Past {
+    Point slip{0, 0, 0};      ///< u_A - u_B along the sides, from which the step's slip counts [length]
+    bool slipped = false;     ///< it has slid under a bound
+    double dissipated = 0.0;  ///< work of its tangential force [energy]
+  };
+  Past past = {};
 
   int node() const { return ends.front().node; }  ///< carrying node
 
   template <typename Self, typename Each>
   static void forEachField(Self& self, const Each& each) {
     each(self.id), each(self.line), each(self.piece), each(self.ends), each(self.normal);
-    each(self.gap), each(self.length), each(self.arc), each(self.position);
+    each(self.gap), each(self.length), each(self.arc), each(self.position), each(self.still);
+    each(self.past);
   }
 };
+
+/// The part of a jump u_A - u_B, or of any vector, that is slip of a pair: less what is along its normal, and where nothing slides.
+Point slidingPart(const ContactPair& pair, const Point& jump);
 
 /// A pair of two nodes that stand opposite to each other.
 std::vector<PairEnd> matchingEnds(int nodeA, int nodeB);

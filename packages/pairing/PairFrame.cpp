@@ -21,4 +21,9 @@ std::vector<Point> pairFrame(const Point& normal, int dimension) {
   return {normal, first, cross(normal, first)};
 }
 
+std::vector<Point> pairFrame(const ContactPair& pair, int dimension) {
+  if (dimension == 2 || pair.still.size() != 1) return pairFrame(pair.normal, dimension);
+  return {pair.normal, cross(pair.still[0], pair.normal), pair.still[0]};
+}
+
 }  // namespace suture

@@ -3,12 +3,27 @@
 #include <suture/precond/NeumannNeumann.hpp>
 #include <suture/precond/Preconditioner.hpp>
 
+#include <Teuchos_Comm.hpp>
+#include <Teuchos_CommHelpers.hpp>
 #include <Teuchos_ParameterList.hpp>
 #include <Tpetra_MultiVector.hpp>
 
 namespace suture {
 
+namespace {
+
+bool onAllRanks(const Comm& comm, bool here) {
+  const int mine = here;
+  int all = 0;
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_MIN, mine, Teuchos::outArg(all));
+  return all != 0;
+}
+
+}  // namespace
+
 void Preconditioner::initialize(std::shared_ptr<const InterfaceSpace> space) {
+  if (isComputed_ && onAllRanks(*space->comm(), space == space_)) return;
+  isComputed_ = false;
   space_ = std::move(space);
   doInitialize();
 }
@@ -16,8 +31,14 @@ void Preconditioner::initialize(std::shared_ptr<const InterfaceSpace> space) {
 void Preconditioner::compute(Teuchos::RCP<const InterfaceOperator> matrix) {
   const double begin = Timers::now();
   if (matrix->space() != space_) throw InternalError("a preconditioner was given an operator on another space than its own");
+  const auto isHeldBySprings = [](const InterfaceOperator& of) { return of.friction() && !of.friction()->motions.is_null(); };
+  const bool same = isComputed_ && onAllRanks(*space_->comm(), matrix->locals() == matrix_->locals() && !isHeldBySprings(*matrix) &&
+                                                                   !isHeldBySprings(*matrix_));
   matrix_ = std::move(matrix);
+  if (same) return;
+  isComputed_ = false;
   doCompute();
+  isComputed_ = true;
   setupSeconds_ += Timers::now() - begin;
 }
 

@@ -46,6 +46,7 @@ class Preconditioner : public Operator {
  private:
   std::shared_ptr<const InterfaceSpace> space_;
   Teuchos::RCP<const InterfaceOperator> matrix_;
+  bool isComputed_ = false;  // for the space and the local problems of matrix_
   mutable long long applications_ = 0;
   double setupSeconds_ = 0.0;
 };

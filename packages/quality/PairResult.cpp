@@ -37,7 +37,8 @@ bool counts(const SubdomainMesh& mesh, int node) {
 
 void PairResult::open() {
   state = PairStatus::Open;
-  force = pressure = bound = dissipated = 0.0;
+  force = pressure = bound = 0.0;
+  dissipated = past.dissipated;
   tangential = {0, 0, 0};
 }
 
@@ -47,13 +48,14 @@ Point slipOf(const ContactPair& pair, const std::vector<Point>& ofEnds) {
   const Point common = std::abs(sum) <= kBalanced * size ? ofEnds.front() : Point{0, 0, 0};
   Point jump{0, 0, 0};
   for (std::size_t end = 0; end < pair.ends.size(); ++end) jump = plus(jump, scaled(pair.ends[end].weight, minus(ofEnds[end], common)));
-  return minus(jump, scaled(dot(jump, pair.normal), pair.normal));
+  return slidingPart(pair, jump);
 }
 
 PairResult pairResult(const ContactPair& pair, const PairForce& force, const std::vector<Point>& ofEnds, const PairKind& kind,
                       const std::vector<Point>& ofLift) {
   PairResult result;
   result.kind = kind;
+  result.past = pair.past;
   result.tangential = force.tangential;
   result.slip = slipOf(pair, ofEnds);
   result.id = pair.id;
@@ -76,7 +78,8 @@ PairResult pairResult(const ContactPair& pair, const PairForce& force, const std
   }
   result.normal = pair.normal;
   if (result.isBounded()) result.bound = force.state.largest(force.force);
-  if (force.state.status == PairStatus::Slip) result.dissipated = dot(result.tangential, result.slip);
+  result.dissipated = pair.past.dissipated;
+  if (force.state.status == PairStatus::Slip) result.dissipated += dot(result.tangential, result.stepSlip());
   return result;
 }
 

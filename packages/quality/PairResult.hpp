@@ -41,10 +41,13 @@ struct PairResult {
   Point normal{0, 0, 0};
   PairKind kind;
   Point tangential{0, 0, 0};  ///< force along the sides, on B [force]
-  Point slip{0, 0, 0};        ///< part of u_A - u_B along the sides, from the start of the step on [length]
+  Point slip{0, 0, 0};        ///< part of u_A - u_B along the sides [length]
+  ContactPair::Past past;     ///< at the beginning of the load step
   double bound = 0.0;         ///< largest tangential force of the state; 0 where the law sets none [force]
-  double dissipated = 0.0;    ///< work of the tangential force of a pair that slips, in the step [energy]
+  double dissipated = 0.0;    ///< work of the tangential force where the pair has slid, in all load steps [energy]
 
+  /// Slip of the load step.
+  Point stepSlip() const { return minus(slip, past.slip); }
   /// The whole contact force on B.
   Point onB() const { return plus(scaled(force, normal), tangential); }
   /// True if a bound limits the tangential force of the pair as it is.

@@ -104,10 +104,12 @@ void Verifier::gatherEnds() {
       if (row.restrictsSliding()) {
         shift = scaled(weight, u);
         if (mesh.lift.motion.size() > 0) shift = plus(shift, scaled(weight, vectorAt(mesh.lift.motion, end.node)));
+        if (end.end == 0) shift = minus(shift, pair.past.slip);
       }
       mine.push_back({end.pair, end.end, mesh.body, weight * dot(u, pair.normal), std::abs(weight) * length(u),
                       std::abs(weight) * lifted(mesh, end.node), weight, nodes_[i](rows_.stiffness(), end.node),
-                      nodes_[i](rows_.rounding(), end.node), pair.gap, pair.position, pair.normal, shift, PairKind(row)});
+                      nodes_[i](rows_.rounding(), end.node), pair.gap, pair.position, pair.normal, slidingPart(pair, shift),
+                      PairKind(row)});
     }
   }
   ends_ = joinOnRoot(comm_, mine);
@@ -219,7 +221,7 @@ void Verifier::judgeNodes() {
         taken[end.node].push_back(row.pair.normal);
         continue;
       }
-      const std::vector<Point> frame = pairFrame(row.pair.normal, mesh.dimension);
+      const std::vector<Point> frame = pairFrame(row.pair, mesh.dimension);
       taken[end.node].insert(taken[end.node].end(), frame.begin(), frame.end());
     }
     for (int node = 0; node < mesh.nodes(); ++node) {

@@ -116,7 +116,7 @@ void verifyPairs(std::vector<PairEndShare> ends, const std::vector<PairResult>& 
       findings.take(Quantity::Status, open ? std::max(std::abs(asForce), force) : std::abs(asForce), allowed, force, where);
     }
     const double slideSlack = roundings * unitRoundoff * lifted / compliance;
-    const Point slip = scaled(1.0 / compliance, minus(shift, scaled(dot(shift, carrier.normal), carrier.normal)));
+    const Point slip = scaled(1.0 / compliance, shift);
     const SlidingErrors sliding = slidingErrors(*pair->second, carrier, slip);
     if (carrier.kind.restrictsSliding || sliding.friction != 0.0)
       findings.take(Quantity::Friction, sliding.friction, allowed + slideSlack, force, where);

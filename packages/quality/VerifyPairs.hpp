@@ -18,7 +18,7 @@ struct PairEndShare {
   double gap;        ///< initial [length]
   Point place;       ///< place of the node that carries the pair
   Point normal;
-  Point shift;    ///< weight x displacement, whole where the law restricts sliding, else zero [length]
+  Point shift;    ///< weight x displacement, whole where the law restricts sliding, less what the pair had slid before, else zero [length]
   PairKind kind;  ///< what the law of the pair does
 };
 

@@ -73,6 +73,7 @@ ContactState FrictionConditions::project(std::size_t pair, const Point& force, c
   trial.jump = jump;
   trial.place = pairs_[pair].place;
   trial.size = pairs_[pair].size;
+  trial.slipped = pairs_[pair].slipped;
   if (able_[pair]) return pairs_[pair].law->project(trial, now);
   trial.force[0] = trial.jump[0] = 0.0;
   return pairs_[pair].law->project(trial, touches_[pair] ? PairStatus::Slip : PairStatus::Open);

@@ -8,7 +8,7 @@
 #include <suture/reference/MonolithicContact.hpp>
 #include <suture/reference/MonolithicFriction.hpp>
 #include <suture/reference/MonolithicSystem.hpp>
-#include <suture/solver/solvability/Solvability.hpp>
+#include <suture/solvability/Solvability.hpp>
 #include <suture/subdomain/SubdomainProblem.hpp>
 
 #include <algorithm>
@@ -80,7 +80,7 @@ bool lawsDecide(const Constraints& constraints, int dimension) {
 }
 
 CondensedContact condense(const Mesh& mesh, const Constraints& constraints, const MonolithicSystem& system, const RigidParts& rigid,
-                          const CholmodFactor& factor, const MonolithicOptions& options, const Rest& rest) {
+                          const CholmodFactor& factor, const Rest& rest) {
   CondensedContact contact;
   contact.stiffness = factor.trailingSchur();
   const int trailing = system.contactDofs(), leading = system.dofs() - trailing;
@@ -101,14 +101,13 @@ CondensedContact condense(const Mesh& mesh, const Constraints& constraints, cons
     bound = system.rows()[i].bound;
     for (std::size_t k = 0; k < system.rows()[i].dofs.size(); ++k)
       bound -= system.rows()[i].coefficients[k] * rest.x[leading + system.rows()[i].dofs[k]];
-    const int pair = system.rows()[i].pair, component = system.rows()[i].component;
-    if (component > 0 && !options.slipBefore.empty()) bound += options.slipBefore[pair][component];
-    contact.lines.push_back(constraints.pairs[pair].line);
+    contact.lines.push_back(constraints.pairs[system.rows()[i].pair].line);
   }
   if (!lawsDecide(constraints, mesh.dimension)) return contact;
   for (std::size_t i = 0; i < system.rows().size(); ++i) {
     const ContactPair& pair = constraints.pairs[system.rows()[i].pair];
-    if (system.rows()[i].component == 0) contact.pairs.push_back({int(i), 0, &constraints.laws.of(pair.line), pair.position, pair.length});
+    if (system.rows()[i].component == 0)
+      contact.pairs.push_back({int(i), 0, &constraints.laws.of(pair.line), pair.position, pair.length, pair.past.slipped});
     ++contact.pairs.back().rows;
   }
   return contact;
@@ -130,7 +129,7 @@ void refine(const Mesh& mesh, const Constraints& constraints, const MonolithicSy
     step = inner;
   } else {
     rest.held = inner;
-    const CondensedContact problem = condense(mesh, constraints, system, rigid, factor, options, rest);
+    const CondensedContact problem = condense(mesh, constraints, system, rigid, factor, rest);
     const auto quiet = [](const ActiveSetStep&) {};
     const ContactSolution found = problem.pairs.empty() ? solveCondensedContact(problem, contact.active, options.maximumIterations, quiet)
                                                         : solveFriction(problem, contact.states, options.maximumIterations, quiet);
@@ -176,7 +175,7 @@ std::vector<PairForce> pairForces(const Mesh& mesh, const Constraints& constrain
     const double force = contact.force[Eigen::Index(row)];
     if (const int along = system.rows()[row].component; along > 0) {
       Point& sum = forces.back().tangential;
-      sum = plus(sum, scaled(force, pairFrame(pair.normal, mesh.dimension)[along]));
+      sum = plus(sum, scaled(force, pairFrame(pair, mesh.dimension)[along]));
     } else if (contact.states.empty()) {
       forces.push_back({pair.id, contact.active[row] ? constraints.laws.of(pair.line).pressed() : ContactState(), force});
     } else {
@@ -259,7 +258,7 @@ MonolithicResult solveMonolithic(const Mesh& mesh, const Constraints& constraint
       result.rows.push_back(row);
       monitor.outer(row);
     };
-    const CondensedContact problem = condense(mesh, constraints, system, rigid, factor, options, {x, system.load(), interior});
+    const CondensedContact problem = condense(mesh, constraints, system, rigid, factor, {x, system.load(), interior});
     contact = problem.pairs.empty() ? solveCondensedContact(problem, start, options.maximumIterations, tell)
                                     : solveFriction(problem, options.start, options.maximumIterations, tell);
     if (contact.slides.size() > 0) refuseSliding(mesh, system, contact.slides);

@@ -16,8 +16,6 @@ class MonolithicSystem;
 struct MonolithicOptions {
   int maximumIterations = 200;        ///< solves of the condensed contact problem with an active set
   std::vector<ContactState> start{};  ///< state of each pair; empty: all closed, with friction its own start
-  /// Slip of each pair at the beginning of the step, in its frame (component 0 means nothing); empty: none. [length]
-  std::vector<Point> slipBefore{};
   CholmodOptions::Ordering ordering = CholmodOptions::Ordering::Automatic;
 };
 

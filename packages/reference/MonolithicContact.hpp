@@ -31,6 +31,7 @@ struct CondensedContact {
     const ContactLaw* law;
     Point place;
     double size;  ///< tributary length or area
+    bool slipped = false;
   };
   /// All pairs, in the order of the rows; bounds of tangential rows are slips at the beginning of the step. Empty: without friction, each
   /// row is a pair.

@@ -55,7 +55,7 @@ void MonolithicSystem::number() {
   rows_.reserve(constraints_.pairs.size());
   const auto addRow = [&](const ContactPair& pair, int place, int along, const Point& towards) {
     const int row = int(rows_.size());
-    rows_.push_back({{}, {}, along == 0 ? pair.gap : 0.0, place, along});
+    rows_.push_back({{}, {}, along == 0 ? pair.gap : dot(pair.past.slip, towards), place, along});
     for (const auto& [node, weight] : pair.ends) {
       const Vector direction = inAxes(ruleAt(node), towards, dimension);
       for (int k = 0; k < dimension; ++k) {
@@ -74,7 +74,7 @@ void MonolithicSystem::number() {
     addRow(pair, int(p), 0, pair.normal);
     const int restricted = constraints_.laws.of(pair.line).rows(dimension);
     if (restricted == 1) continue;
-    const std::vector<Point> frame = rowDirections(pair, dimension, ruleAt);
+    const std::vector<Point> frame = rowDirections(pair, dimension);
     for (int k = 1; k < restricted; ++k) addRow(pair, int(p), k, frame[k]);
   }
 

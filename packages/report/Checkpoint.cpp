@@ -15,11 +15,65 @@ namespace {
 constexpr const char* kGroup = "/SutureCheckpoint";
 constexpr std::size_t kSliding = 5;     // components of a row of Sliding: direction, bound [force], friction
 constexpr std::size_t kOldSliding = 4;  // earlier files have no friction
+constexpr std::size_t kStep = 19;       // components of a row of Steps
+constexpr std::size_t kPathPair = 9;    // of a row of PathPairs: slip, slipped, dissipated, force, tangential
 std::string at(const char* name) { return std::string(kGroup) + "/" + name; }
+
+/// Members of a StepRow as numbers: one list for both directions.
+template <typename Row, typename Each>
+void forEachNumber(Row& row, const Each& each) {
+  each(row.step), each(row.time), each(row.length), each(row.outer), each(row.pcg), each(row.givenUp), each(row.active), each(row.sticking);
+  each(row.slipping), each(row.changed), each(row.residual), each(row.energy), each(row.work.external), each(row.work.stored);
+  each(row.work.normal), each(row.work.tangential), each(row.work.dissipated), each(row.work.size), each(row.seconds);
+}
+
+void writePath(Hdf5File& file, const Comm& comm, const PathState& steps) {
+  std::vector<double> rows, pairs;
+  std::vector<double> forces;
+  if (comm.getRank() == 0)
+    for (const StepRow& row : steps.rows) {
+      forEachNumber(row, [&](const auto& value) { rows.push_back(static_cast<double>(value)); });
+      for (const Point& force : row.forceOnB) forces.insert(forces.end(), force.begin(), force.end());
+    }
+  for (const PathState::Pair& pair : steps.pairs) {
+    pairs.insert(pairs.end(), pair.past.slip.begin(), pair.past.slip.end());
+    pairs.insert(pairs.end(), {pair.past.slipped ? 1.0 : 0.0, pair.past.dissipated, pair.force});
+    pairs.insert(pairs.end(), pair.tangential.begin(), pair.tangential.end());
+  }
+  file.write(at("Steps"), rows, static_cast<int>(kStep));
+  file.write(at("StepForces"), forces, 3);
+  file.write(at("NextStep"), comm.getRank() == 0 ? std::vector<double>{steps.length} : std::vector<double>());
+  file.write(at("PathPairs"), pairs, static_cast<int>(kPathPair));
+}
+
+/// \param ids  of the pairs, in the order of the file
+PathState readPath(const Hdf5File& file, const std::string& path, const std::vector<int>& ids) {
+  PathState steps;
+  if (!file.has(at("Steps"))) return steps;
+  const std::vector<double> rows = file.readReals(at("Steps")), next = file.readReals(at("NextStep")),
+                            pairs = file.readReals(at("PathPairs"));
+  const auto finite = [](double value) { return std::isfinite(value); };
+  if (rows.size() % kStep != 0 || next.size() != 1 || pairs.size() != kPathPair * ids.size() ||
+      !std::all_of(rows.begin(), rows.end(), finite) || !std::all_of(pairs.begin(), pairs.end(), finite))
+    throw InputError(path, "damaged: its load steps are not complete");
+  for (auto at = rows.begin(); at != rows.end();)
+    forEachNumber(steps.rows.emplace_back(), [&](auto& value) { value = static_cast<std::decay_t<decltype(value)>>(*at++); });
+  const std::vector<double> forces = file.readReals(at("StepForces"));
+  const std::size_t lines = forces.size() / (3 * std::max<std::size_t>(steps.rows.size(), 1));
+  for (std::size_t i = 0; i < lines * steps.rows.size(); ++i)
+    steps.rows[i / lines].forceOnB.push_back({forces[3 * i], forces[3 * i + 1], forces[3 * i + 2]});
+  steps.length = next.front();
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    const double* row = pairs.data() + kPathPair * i;
+    steps.pairs.push_back({ids[i], {{row[0], row[1], row[2]}, row[3] != 0.0, row[4]}, row[5], {row[6], row[7], row[8]}});
+  }
+  return steps;
+}
+
 }  // namespace
 
 void writeCheckpoint(const Comm& comm, const std::string& path, const std::string& meshHash, const std::vector<SubdomainMesh>& meshes,
-                     const Solution& solution) {
+                     const Solution& solution, const PathState& steps) {
   int dimension = 1;
   const int mine = meshes.empty() ? 1 : meshes.front().dimension;
   Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, mine, Teuchos::outArg(dimension));
@@ -57,10 +111,12 @@ void writeCheckpoint(const Comm& comm, const std::string& path, const std::strin
   file.write(at("Pairs"), pairs);
   file.write(at("Status"), status);
   if (anySlides) file.write(at("Sliding"), sliding, static_cast<int>(kSliding));  // nothing without friction
+  if (!steps.empty()) writePath(file, comm, steps);
   file.close();
 }
 
-Start readCheckpoint(const Comm& comm, const std::string& path, const std::string& meshHash, const std::vector<SubdomainMesh>& meshes) {
+Start readCheckpoint(const Comm& comm, const std::string& path, const std::string& meshHash, const std::vector<SubdomainMesh>& meshes,
+                     PathState* steps) {
   const Hdf5File file = Hdf5File::open(comm, path);
   if (!file.has(kGroup)) throw InputError(path, "not a checkpoint of Suture: it has no group " + std::string(kGroup));
   const std::string expected = broadcast(comm, meshHash), found = file.readTextAttribute(kGroup, "MeshHash");
@@ -73,6 +129,7 @@ Start readCheckpoint(const Comm& comm, const std::string& path, const std::strin
       file.has(at("Sliding")) ? file.readReals(at("Sliding")) : std::vector<double>(kSliding * status.size(), 0.0);
 
   Start start;
+  if (steps) *steps = readPath(file, path, pairs);
   collectively(comm, "reading a checkpoint", [&] {
     std::map<GlobalId, std::size_t> rowOf;
     for (std::size_t i = 0; i < nodes.size(); ++i) rowOf.emplace(nodes[i], i);

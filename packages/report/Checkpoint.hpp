@@ -1,6 +1,7 @@
 #pragma once
 #include <suture/base/Types.hpp>
 #include <suture/partition/SubdomainMesh.hpp>
+#include <suture/report/Steps.hpp>
 #include <suture/solver/Method.hpp>
 #include <suture/solver/Solution.hpp>
 
@@ -9,14 +10,33 @@
 
 namespace suture {
 
+/// How far a path of load steps has come.
+struct PathState {
+  /// A pair at the end of the last step.
+  struct Pair {
+    int id;
+    ContactPair::Past past;  ///< at the beginning of the next step
+    double force;            ///< along the normal, on B [force]
+    Point tangential;        ///< on B [force]
+  };
+  std::vector<StepRow> rows;
+  double length = 0.0;        ///< of the next step
+  std::vector<Pair> pairs{};  ///< written from rank 0, read on all ranks
+
+  bool empty() const { return rows.empty(); }
+};
+
 /// Writes a checkpoint (HDF5) under a temporary name first: displacements of all nodes and the status of all contact pairs, in the mesh's
 /// numbers, so that any number of ranks and any partition can go on from it. Collective. \throws EnvironmentError
 /// \param meshHash  on rank 0: a checkpoint goes with one mesh
+/// \param steps  load steps that the solution is the end of
 void writeCheckpoint(const Comm& comm, const std::string& path, const std::string& meshHash, const std::vector<SubdomainMesh>& meshes,
-                     const Solution& solution);
+                     const Solution& solution, const PathState& steps = {});
 
 /// Reads one for this rank's subdomains, with the status of all pairs. Collective.
+/// \param steps  gets, if given, the load steps of the run that wrote it; empty if there were none
 /// \throws InputError  no checkpoint, damaged, or one of another mesh
-Start readCheckpoint(const Comm& comm, const std::string& path, const std::string& meshHash, const std::vector<SubdomainMesh>& meshes);
+Start readCheckpoint(const Comm& comm, const std::string& path, const std::string& meshHash, const std::vector<SubdomainMesh>& meshes,
+                     PathState* steps = nullptr);
 
 }  // namespace suture

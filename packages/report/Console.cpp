@@ -57,6 +57,16 @@ std::string verdict(const RunMonitor& monitor, const Verification& verification)
   return line + "\n";
 }
 
+// "   path: 12 load steps to t = 2; work of the loads 1.2e-03, stored 1.0e-03, of friction 2e-04 N m; error of the steps' length 0.4 %"
+std::string pathWork(const Run& run) {
+  if (run.steps.empty()) return "";
+  const StepRow& last = run.steps.back();
+  const Units units = unitsOf(*run.scene.parameters);
+  return format("   path: %s to t = %g; work of the loads %.3e, stored %.3e, of friction %.3e %s %s; error of the steps' length %.2g %%\n",
+                counted(last.step, "load step").c_str(), last.time, last.work.external, last.work.stored, last.work.dissipated,
+                units.force.c_str(), units.length.c_str(), 100 * last.work.stepError());
+}
+
 // "errors: displacement L2 1.234e-05 (0.012 %), energy norm ...": against the exact solution, where the scene has one.
 std::string exactErrors(const std::map<std::string, double>& errors) {
   std::string line;
@@ -108,14 +118,17 @@ std::string advice(const std::string& indent) {
 
 void printFooter(std::ostream& console, const Run& run, const RunFigures& figures) {
   console << ending(run, figures.largestDisplacement) << "\n"
-          << verdict(run.monitor, run.solution.verification) << (isAnswered(run.solution) ? "" : advice("   "))
+          << verdict(run.monitor, run.solution.verification) << (isAnswered(run.solution) ? "" : advice("   ")) << pathWork(run)
           << exactErrors(run.solution.errors) << estimatedErrors(run.solution) << extremesText(run, figures.dimension);
   for (const Timers::Statistics& phase : figures.phases) console << format("   %s %.2f s", phase.phase.c_str(), phase.max);
   console << format("   total %.2f s   peak %.0f MB a rank\n", run.timers.total(), figures.memory.max);
   std::string folder = run.folder;
   if (folder.empty() || folder.back() != '/') folder += '/';
   console << "   " << folder;
-  for (const char* name : {"fields_0000.vtkhdf", "contact_0000.vtkhdf", "contact.csv", "reactions.csv", "history.csv", "summary.json"})
+  std::vector<std::string> names{"fields_0000.vtkhdf", "contact_0000.vtkhdf"};
+  if (!run.steps.empty()) names = {"fields.vtkhdf.series", "contact.vtkhdf.series", "steps.csv", "checkpoint.h5"};
+  names.insert(names.end(), {"contact.csv", "reactions.csv", "history.csv", "summary.json"});
+  for (const std::string& name : names)
     if (std::filesystem::exists(std::filesystem::path(run.folder) / name)) console << "  " << name;
   console << std::endl;
 }

@@ -20,7 +20,7 @@ bool wants(const Parameters& scene, const char* choice) {
 }
 
 const char* const fieldFiles[] = {"fields_0000.vtkhdf", "contact_0000.vtkhdf"};
-const char* const tables[] = {"contact.csv", "reactions.csv"};
+const char* const tables[] = {"contact.csv", "reactions.csv", "steps.csv"};
 bool isProbe(const std::string& name) {
   return name.rfind("probe_", 0) == 0 && name.size() > 4 && name.compare(name.size() - 4, 4, ".csv") == 0;
 }
@@ -47,14 +47,19 @@ class Staging {
   const std::filesystem::path& path() const { return path_; }
 
   /// Puts the new files in the place of those of an earlier run, summary.json last. On rank 0.
-  void moveTo(const std::filesystem::path& folder) const {
+  /// \param inSteps  fields of load steps are in place, and stay
+  void moveTo(const std::filesystem::path& folder, bool inSteps) const {
     std::error_code error;
     std::filesystem::remove(folder / "summary.json", error);
     const auto move = [&](const std::string& name) {
       std::filesystem::rename(path_ / name, folder / name, error);
       if (error) throw EnvironmentError("cannot put '" + (folder / name).string() + "' in place: " + error.message());
     };
-    std::set<std::string> names{fieldFiles[0], fieldFiles[1], tables[0], tables[1]};
+    std::set<std::string> names{tables[0], tables[1], tables[2]};
+    if (!inSteps) {
+      names.insert({fieldFiles[0], fieldFiles[1]});
+      removeStepFields(folder.string(), 0);
+    }
     for (const std::filesystem::path& place : {folder, path_})  // probes of this run, and of an earlier one
       for (const auto& entry : std::filesystem::directory_iterator(place, error))
         if (isProbe(entry.path().filename().string())) names.insert(entry.path().filename().string());
@@ -81,12 +86,14 @@ class Staging {
 
 }  // namespace
 
+bool wantsFields(const Parameters& scene) { return wants(scene, "Fields"); }
+
 Written writeReport(const Run& run, ExitCode code) {
   const std::filesystem::path folder(run.folder);
   const Staging staging(run.comm, folder);
   {
     const Timers::Scope write(run.timers, "write");
-    if (wants(*run.scene.parameters, "Fields")) {
+    if (run.steps.empty() && wantsFields(*run.scene.parameters)) {
       writeFields(run, staging / fieldFiles[0]);
       if (run.size.pairs > 0) writeContactFields(run, staging / fieldFiles[1]);
     }
@@ -96,12 +103,15 @@ Written writeReport(const Run& run, ExitCode code) {
         writeReactionTable(run, staging / tables[1]);
       });
     writeProbes(run, readProbes(*run.scene.parameters, run.model.bodies), staging.path().string());
-    collectivelyOnRoot(run.comm, "writing history.csv", [&] { writeHistory(run.monitor.rows(), staging / "history.csv"); });
+    collectivelyOnRoot(run.comm, "writing history.csv", [&] {
+      writeHistory(run.monitor.rows(), staging / "history.csv");
+      if (!run.steps.empty()) writeSteps(run.steps, run.contacts, staging / tables[2]);
+    });
   }
   Written written{{}, runFigures(run)};
   written.summary = writeSummary(run, written.figures, code, staging / "summary.json");
   try {
-    collectivelyOnRoot(run.comm, "putting the results in place", [&] { staging.moveTo(folder); });
+    collectivelyOnRoot(run.comm, "putting the results in place", [&] { staging.moveTo(folder, !run.steps.empty()); });
   } catch (...) {
     staging.withdraw(folder);
     throw;

@@ -14,7 +14,11 @@ struct Written {
   RunFigures figures;
 };
 
-/// fields_0000.vtkhdf (and contact_0000.vtkhdf with contact lines), history.csv, summary.json. All of them are written into a folder `.new`
+/// True if the scene asks for fields. Local.
+bool wantsFields(const Parameters& scene);
+
+/// fields_0000.vtkhdf (and contact_0000.vtkhdf with contact lines), history.csv, summary.json, and steps.csv
+/// of a scene with load steps, whose fields are in place already (writeStepFields). All of them are written into a folder `.new`
 /// first; only when all are complete do they replace those of an earlier run, one rename each, summary.json last. The files are written
 /// also for a run that did not converge; summary.json says so. Files of an earlier run into the same folder that this one does not write
 /// are removed. Its time is the phase "write" of the run's timers. No rank has anything to do once the results are in place: a run that

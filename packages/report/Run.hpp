@@ -5,6 +5,7 @@
 #include <suture/elasticity/ElasticModel.hpp>
 #include <suture/partition/SubdomainMesh.hpp>
 #include <suture/report/RunMonitor.hpp>
+#include <suture/report/Steps.hpp>
 #include <suture/solver/ProblemSize.hpp>
 #include <suture/solver/Solution.hpp>
 
@@ -29,6 +30,7 @@ struct Run {
   std::string folder;                     ///< output folder
   std::vector<std::string> conditions{};  ///< names of boundary conditions as Support::condition numbers them, on rank 0
   std::vector<std::string> contacts{};    ///< names of contact lines
+  std::vector<StepRow> steps{};           ///< load steps so far; empty for a scene without
 };
 
 /// The run's number of space dimensions (a rank without subdomains does not see it alone). Collective.

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <ostream>
 #include <suture/base/Errors.hpp>
 #include <suture/report/Format.hpp>
@@ -19,7 +20,7 @@ bool isWarning(const std::string& note) { return note.rfind("warning: ", 0) == 0
 RunMonitor::RunMonitor(std::ostream* console, bool verbose, bool strict) : console_(console), verbose_(verbose), strict_(strict) {}
 
 void RunMonitor::auxiliary(const AuxiliaryRow& row) {
-  if (!console_) return;
+  if (!printsRows()) return;
   const char* what = row.contact ? "auxiliary problem (all pairs closed)" : "linear problem";
   if (row.pcg == 0)
     *console_ << format("%s   no interface iteration", what) << std::endl;
@@ -30,13 +31,23 @@ void RunMonitor::auxiliary(const AuxiliaryRow& row) {
 void RunMonitor::outer(const OuterRow& given) {
   OuterRow row = given;
   row.energy += energyShift_;
-  if (console_) {
+  row.loadStep = loadStep_;
+  if (printsRows()) {
     if (rows_.empty()) *console_ << "  k   PCG   condition   residual   active  changed         energy    seconds\n";
     *console_ << format("%3d%6d%12s%11.1e%9d%9d%15.4e%11.2f", row.iteration, row.pcg, condition(row.condition).c_str(), row.residual,
                         row.active, row.changed, row.energy, row.seconds)
               << std::endl;
   }
   rows_.push_back(row);
+}
+
+void RunMonitor::endStep(const StepRow& row) {
+  if (!console_) return;
+  if (row.step == 1 || verbose_)
+    *console_ << " step        time   outer   PCG   closed   stick    slip  changed         energy     dissipated    seconds\n";
+  *console_ << format("%5d%12.6g%8d%6d%9d%8d%8d%9d%15.4e%15.4e%11.2f", row.step, row.time, row.outer, row.pcg, row.active, row.sticking,
+                      row.slipping, row.changed, row.energy, row.work.dissipated, row.seconds)
+            << std::endl;
 }
 
 std::string RunMonitor::in(Colour colour, const std::string& text) const {
@@ -53,6 +64,7 @@ void RunMonitor::repeatWarnings() const {
 void RunMonitor::note(const std::string& text) {
   const bool warning = isWarning(text);
   if (warning && strict_) throw InputError("--strict", text);
+  if (loadStep_ > 0 && std::find(notes_.begin(), notes_.end(), text) != notes_.end()) return;
   notes_.push_back(text);
   if (console_) *console_ << (warning ? "   " + in(Colour::Warning, text) : "   note: " + text) << std::endl;
 }

@@ -1,5 +1,6 @@
 #pragma once
 #include <suture/base/Monitor.hpp>
+#include <suture/report/Steps.hpp>
 
 #include <functional>
 #include <iosfwd>
@@ -27,6 +28,11 @@ class RunMonitor : public Monitor {
   /// \param stop  asked after every outer iteration whether the user wants the run to end
   void stopWhen(std::function<bool()> stop) { stop_ = std::move(stop); }
 
+  /// Begins a load step: tables have a row a step instead of one an outer iteration, unless verbose, and a note is told once.
+  void beginStep(int step) { loadStep_ = step; }
+  /// Prints its row.
+  void endStep(const StepRow& row);
+
   /// Energy that the solver does not know of, added to that of every row.
   void shiftEnergy(double shift) { energyShift_ = shift; }
 
@@ -45,6 +51,9 @@ class RunMonitor : public Monitor {
  private:
   std::ostream* console_;
   bool verbose_, strict_, coloured_ = false;
+  bool printsRows() const { return console_ && (loadStep_ == 0 || verbose_); }
+
+  int loadStep_ = 0;
   double energyShift_ = 0.0;
   std::function<bool()> stop_;
   std::vector<OuterRow> rows_;

@@ -1,5 +1,6 @@
 #include <suture/base/Expression.hpp>
 #include <suture/constraints/BuildConstraints.hpp>
+#include <suture/constraints/LoadSteps.hpp>
 #include <suture/elasticity/ElasticModel.hpp>
 #include <suture/partition/Partition.hpp>
 #include <suture/reader/MeshReader.hpp>
@@ -28,6 +29,7 @@ Schema schemaOf(bool inFile) {
   scene.list("Materials", Schema("Materials, named by the user.").each("<material>", materialSchema(), least), inFile);
   scene.list("Boundary Conditions",
              Schema("Loads and supports, named by the user; several may meet at a node.").each("<condition>", boundaryConditionSchema()));
+  scene.list("Load Steps", LoadSteps::schema());
   scene.list("Contact", Schema("Contact lines, named by the user.").each("<line>", contactSchema()));
   scene.list("Exact Solution", exactSolutionSchema());
   scene.list("Partition", partitionSchema());

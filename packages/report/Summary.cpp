@@ -107,6 +107,43 @@ Json verification(const Verification& verdict) {
   return all;
 }
 
+Json loadSteps(const Run& run, int dimension) {
+  const std::vector<StepRow>& steps = run.steps;
+  const auto forces = [&](const StepRow& row) {
+    Json all = Json::object();
+    for (std::size_t line = 0; line < row.forceOnB.size(); ++line) all[run.contacts.at(line)] = components(row.forceOnB[line], dimension);
+    return all;
+  };
+  Json rows = Json::array();
+  for (const StepRow& row : steps)
+    rows.push_back({{"step", row.step},
+                    {"time", row.time},
+                    {"length", row.length},
+                    {"outer", row.outer},
+                    {"pcg", row.pcg},
+                    {"given_up", row.givenUp},
+                    {"active", row.active},
+                    {"sticking", row.sticking},
+                    {"slipping", row.slipping},
+                    {"changed", row.changed},
+                    {"residual", row.residual},
+                    {"energy", row.energy},
+                    {"dissipated_work", row.work.dissipated},
+                    {"contact_force", forces(row)}});
+  const PathWork& work = steps.back().work;
+  return {{"count", steps.size()},
+          {"time", steps.back().time},
+          {"work",
+           {{"external", work.external},
+            {"stored", work.stored},
+            {"normal", work.normal},
+            {"tangential", work.tangential},
+            {"dissipated", work.dissipated},
+            {"imbalance", work.imbalance()},
+            {"step_error", work.stepError()}}},
+          {"steps", rows}};
+}
+
 }  // namespace
 
 std::string writeSummary(const Run& run, const RunFigures& figures, ExitCode code, const std::string& path) {
@@ -125,7 +162,7 @@ std::string writeSummary(const Run& run, const RunFigures& figures, ExitCode cod
     Json versions = {{"suture", version()}, {"commit", commit()}};
     for (const auto& [library, number] : libraryVersions()) versions[library] = number;
 
-    const Json summary = {
+    Json summary = {
         {"title", textOf(parameters, "Title")},
         {"scene", run.scene.path},
         {"units", textOf(parameters, "Units")},
@@ -171,6 +208,7 @@ std::string writeSummary(const Run& run, const RunFigures& figures, ExitCode cod
         {"versions", versions},
         {"parameters", toJson(parameters)},
     };
+    if (!run.steps.empty()) summary["load_steps"] = loadSteps(run, dimension);
     // Text that is not UTF-8 (a title in Latin-1) must not lose the results of a run.
     text = summary.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
     writeTextFile(path, text);

@@ -25,6 +25,7 @@ bool mayBeMortar(const Parameters& contact) {
 MadeFor madeFor(const Parameters& scene) {
   MadeFor lists;
   for (const char* name : {"Bodies", "Boundary Conditions", "Constants", "Contact", "Functions"}) lists[name] = toXml(scene.sublist(name));
+  if (scene.sublist("Load Steps").sublist("Factors").numParams() > 0) lists["Load Steps"] = toXml(scene.sublist("Load Steps"));
   lists["Model"] = scene.get<std::string>("Model");
   // The gap between curved sides depends on which of the bodies gives way more.
   if (mayBeMortar(scene.sublist("Contact"))) lists["Materials"] = toXml(scene.sublist("Materials"));
@@ -37,7 +38,8 @@ bool isCut(const Scene& scene) { return scene.settings().sublist("Partition").ge
 
 Whole wholeOf(const Comm& comm, const Mesh& mesh, const Constraints& constraints, const Partition& partition) {
   return {problemSize(comm, mesh, constraints, partition), constraints.pieces,
-          onRoot(comm, "hashing the mesh", [&] { return mesh.hash(); }), constraints.conditions};
+          onRoot(comm, "hashing the mesh", [&] { return mesh.hash(); }), constraints.conditions,
+          onRoot(comm, "finding what load steps change", [&] { return prescribedParts(mesh, constraints); })};
 }
 
 namespace {
@@ -48,6 +50,7 @@ std::string bytesOf(const Whole& whole) {
   packer.put(whole.hash);
   packer.put(whole.pieces);
   packer.put(whole.conditions);
+  packer.put(whole.prescribed);
   return std::move(packer).bytes();
 }
 
@@ -58,6 +61,7 @@ Whole wholeFrom(const std::string& bytes) {
   unpacker.get(whole.hash);
   unpacker.get(whole.pieces);
   unpacker.get(whole.conditions);
+  unpacker.get(whole.prescribed);
   return whole;
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include <suture/constraints/PrescribedParts.hpp>
 #include <suture/partition/PartitionFile.hpp>
 #include <suture/simulation/Scene.hpp>
 #include <suture/solver/ProblemSize.hpp>
@@ -14,6 +15,7 @@ struct Whole {
   std::vector<ContactPiece> pieces;     ///< on rank 0
   std::string hash;                     ///< hash of the mesh, on rank 0
   std::vector<std::string> conditions;  ///< Constraints::conditions, on rank 0
+  PrescribedParts prescribed{};         ///< on rank 0
 };
 
 /// Collective.

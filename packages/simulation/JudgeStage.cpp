@@ -4,8 +4,8 @@
 #include <suture/quality/answers/NodalStresses.hpp>
 #include <suture/simulation/JudgeStage.hpp>
 #include <suture/simulation/LoadControl.hpp>
+#include <suture/solvability/NeutralMotions.hpp>
 #include <suture/solver/accuracy/RequestedAccuracy.hpp>
-#include <suture/solver/solvability/NeutralMotions.hpp>
 
 #include <Teuchos_Comm.hpp>
 #include <Teuchos_ParameterList.hpp>
@@ -53,17 +53,18 @@ void findAnswers(const Comm& comm, const std::vector<SubdomainMesh>& meshes, con
 }
 
 void verifySolution(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const std::vector<ContactPiece>& pieces,
-                    const Subdomains& subdomains, const Scene& scene, Solution& solution) {
+                    const Subdomains& subdomains, const Scene& scene, bool hasTargets, Solution& solution) {
   const auto own = [&](int mesh) -> std::optional<OwnForces> {
-    if (subdomains.empty() || !subdomains[mesh]) return std::nullopt;
+    if (subdomains.empty() || !subdomains[mesh] || subdomains[mesh]->followsModel()) return std::nullopt;
     return OwnForces{subdomains[mesh]->internalForces(solution.displacement[mesh]), subdomains[mesh]->nodalLoads()};
   };
   const double tolerance = requestedAccuracy(scene.settings(), solution);
   solution.verification = verify(comm, {meshes, scene.model, solution.displacement, solution.pairs, pieces, tolerance, own});
-  if (hasControlledLoads(scene)) solution.verification.checks.push_back(targetCheck(comm, scene, meshes, solution));
+  if (hasTargets && hasControlledLoads(scene)) solution.verification.checks.push_back(targetCheck(comm, scene, meshes, solution));
   collectively(comm, "finding the stresses", [&] {
     for (std::size_t i = 0; i < subdomains.size(); ++i)
-      if (subdomains[i]) solution.ownStresses[static_cast<int>(i)] = subdomains[i]->stresses(solution.displacement[i]);
+      if (subdomains[i] && !subdomains[i]->followsModel())
+        solution.ownStresses[static_cast<int>(i)] = subdomains[i]->stresses(solution.displacement[i]);
   });
   if (solution.converged && !solution.verification.holds())
     solution.failure = "the verdict does not hold: " + solution.verification.failure();

@@ -27,9 +27,9 @@ void findErrors(const Comm& comm, const std::vector<SubdomainMesh>& meshes, cons
 void findAnswers(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const Scene& scene, Solution& solution);
 
 /// Judges the solution by its displacements and contact forces alone. A verdict that does not hold is the run's failure, whatever the
-/// solver believed. Of `subdomains` those with physics of their own are asked for their forces and stresses; the others may be null.
-/// Collective.
+/// solver believed. Of `subdomains` those with physics of their own are asked for their forces and stresses; the others are not, and may be
+/// null. Collective. \param hasTargets  false: controlled loads keep the amounts that an earlier load step found
 void verifySolution(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const std::vector<ContactPiece>& pieces,
-                    const Subdomains& subdomains, const Scene& scene, Solution& solution);
+                    const Subdomains& subdomains, const Scene& scene, bool hasTargets, Solution& solution);
 
 }  // namespace suture

@@ -50,6 +50,7 @@ class Search {
   Search(const CommPtr& comm, Scene& scene, const std::vector<SubdomainMesh>& meshes)
       : comm_(comm), scene_(scene), trial_(scene), loads_(controlled(scene.model)), size_(Eigen::Index(loads_.size())) {
     trial_.levels.clear();
+    trial_.isOneStep = true;
     for (Load& load : trial_.model.loads) load.control = Control::None;
     amounts_ = largest_ = Vector::Zero(size_);
     slopes_ = Matrix::Zero(size_, size_);

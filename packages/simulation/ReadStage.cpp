@@ -2,7 +2,7 @@
 #include <suture/elasticity/loads/ResolveLoads.hpp>
 #include <suture/mesh/Regions.hpp>
 #include <suture/simulation/ReadStage.hpp>
-#include <suture/solver/solvability/Solvability.hpp>
+#include <suture/solvability/Solvability.hpp>
 
 #include <Teuchos_ParameterList.hpp>
 
@@ -22,7 +22,7 @@ Mesh readBodies(const Comm& comm, const Scene& scene) {
 Constraints readConstraints(const Comm& comm, const Mesh& mesh, const Scene& scene) {
   return onRoot(comm, "building the constraints", [&] {
     Constraints constraints = scene.constraints(mesh);
-    applyLaws(scene.laws, constraints);
+    applyLaws(scene.laws, mesh, constraints);
     return constraints;
   });
 }

@@ -99,8 +99,11 @@ Scene makeScene(const ElasticModel& model, const std::function<Mesh()>& mesh, co
   std::vector<Condition> all = conditions;
   for (std::size_t i = 0; i < model.loads.size(); ++i) all.push_back(conditionOf(model.loads[i], scene.model.loads[i].name));
   for (std::size_t i = 0; i < model.supports.size(); ++i) all.push_back(conditionOf(model.supports[i], scene.model.supports[i].name));
-  scene.constraints = [all, contacts, scales = scalesOf(model, scene.settings())](const Mesh& whole) {
-    return buildConstraints(whole, all, contacts, scales);
+  std::vector<LoadSteps::Named> named;
+  for (const Condition& condition : all) named.emplace_back(condition.name, formOf(condition.type).name);
+  scene.steps = LoadSteps(scene.settings().sublist("Load Steps"), named, {});
+  scene.constraints = [all, contacts, scales = scalesOf(model, scene.settings()), steps = scene.steps](const Mesh& whole) {
+    return buildConstraints(whole, all, contacts, scales, steps);
   };
   return scene;
 }
@@ -113,11 +116,18 @@ Scene sceneOf(const SceneFile& file) {
   scene.kinds = subdomainKinds(all->sublist("Bodies"));
   scene.contacts = sublistNames(all->sublist("Contact"));
   scene.laws = ContactLaws(all->sublist("Contact"), sceneConstants(*all));
+  std::vector<LoadSteps::Named> named;
+  for (const std::string& name : sublistNames(all->sublist("Boundary Conditions")))
+    named.emplace_back(name, all->sublist("Boundary Conditions").sublist(name).get<std::string>("Type"));
+  scene.steps = LoadSteps(all->sublist("Load Steps"), named, sceneConstants(*all));
   scene.mesh = [all, folder = file.folder](const Comm& comm) { return readMesh(comm, all->sublist("Mesh"), folder); };
-  scene.constraints = [all, scales = scalesOf(scene.model, *all)](const Mesh& mesh) {
-    return buildConstraints(mesh, all->sublist("Boundary Conditions"), all->sublist("Contact"), sceneConstants(*all), scales);
+  scene.constraints = [all, scales = scalesOf(scene.model, *all), steps = scene.steps](const Mesh& mesh) {
+    return buildConstraints(mesh, all->sublist("Boundary Conditions"), all->sublist("Contact"), sceneConstants(*all), scales, steps);
   };
-  for (const SceneFile& level : nestedLevels(file)) scene.levels.push_back(sceneOf(level));
+  for (const SceneFile& level : nestedLevels(file)) {
+    scene.levels.push_back(sceneOf(level));
+    scene.levels.back().isOneStep = true;
+  }
   return scene;
 }
 

@@ -2,6 +2,7 @@
 #include <suture/base/scene/SceneReader.hpp>
 #include <suture/constraints/Conditions.hpp>
 #include <suture/constraints/Constraints.hpp>
+#include <suture/constraints/LoadSteps.hpp>
 #include <suture/elasticity/ElasticModel.hpp>
 #include <suture/mesh/Mesh.hpp>
 #include <suture/pairing/ContactSurface.hpp>
@@ -22,6 +23,8 @@ struct Scene {
   ElasticModel model;
   std::vector<SubdomainKind> kinds;   ///< physics of each body; empty: all elastic
   std::vector<std::string> contacts;  ///< names of the contact lines
+  LoadSteps steps{};                  ///< steps of the loads; empty: all at once
+  bool isOneStep = false;             ///< the first of the steps alone is asked for
   ContactLaws laws;                   ///< laws of the contact lines; empty: frictionless
   SceneFile file;                     ///< settings of all packages, resolved, and where they come from, for the record of a run
   std::vector<Scene> levels;          ///< the scene on coarser meshes, the coarsest first, whose answers a nested start begins with

@@ -14,7 +14,7 @@
 #include <suture/simulation/Simulation.hpp>
 #include <suture/solver/MemoryEstimate.hpp>
 #include <suture/solver/SolverSchema.hpp>
-#include <suture/solver/solvability/TakeOutLift.hpp>
+#include <suture/solver/lift/TakeOutLift.hpp>
 
 #include <Teuchos_Comm.hpp>
 #include <Teuchos_ParameterList.hpp>
@@ -65,6 +65,9 @@ void Simulation::cut() {
   cut_ = timed(timers_, "partition", [&] { return cutMesh(*comm_, scene_, mesh_, constraints_); });
   size_ = cut_.whole.size;
   resolveLoads(*comm_, cut_.meshes, scene_.model);
+  if (scene_.steps.empty()) return;
+  path_ = std::make_unique<LoadPath>(*comm_, scene_.steps, cut_.whole.prescribed);
+  path_->setTime(scene_.steps.times().front(), scene_.model, cut_.meshes, constraints_);
 }
 
 void Simulation::check() {
@@ -81,15 +84,21 @@ void Simulation::check() {
 void Simulation::prepare() {
   if (hasControlledLoads(scene_)) timed(timers_, "control", [&] { controlLoads(comm_, scene_, cut_.meshes, monitor_); });
   // Ways that bodies slide are from where they stand in the scene.
-  if (!scene_.laws.restrictSliding())
+  if (!scene_.laws.restrictSliding() && !path_)
     liftWork_ = timed(timers_, "partition", [&] { return takeOutLift(*comm_, scene_.model, cut_.meshes, constraints_); });
   monitor_.shiftEnergy(-liftWork_);
   if (!method_->needsWholeMesh()) forget(mesh_, constraints_, cut_.partition);
-  const bool needsLaw = !scene_.model.exact.empty() || wantsErrorEstimate(scene_.settings());
-  method_->prepare({comm_, mesh_, constraints_, cut_.partition, cut_.meshes, scene_.model, scene_.settings(), scene_.kinds, scene_.contacts,
-                    scene_.laws, needsLaw},
-                   timers_);
+  method_ = preparedMethod();
   size_.interfaceDofs = method_->interfaceUnknowns();
+}
+
+std::unique_ptr<Method> Simulation::preparedMethod() {
+  std::unique_ptr<Method> method = method_ ? std::move(method_) : makeMethod(scene_.settings(), !scene_.contacts.empty());
+  const bool needsLaw = !scene_.model.exact.empty() || wantsErrorEstimate(scene_.settings());
+  method->prepare({comm_, mesh_, constraints_, cut_.partition, cut_.meshes, scene_.model, scene_.settings(), scene_.kinds, scene_.contacts,
+                   scene_.laws, needsLaw, followsPath()},
+                  timers_);
+  return method;
 }
 
 void Simulation::remark() {
@@ -101,7 +110,7 @@ void Simulation::remark() {
 
 void Simulation::start(const std::string& restart) {
   if (!restart.empty())
-    start_ = readCheckpoint(*comm_, restart, cut_.whole.hash, cut_.meshes);
+    start_ = readCheckpoint(*comm_, restart, cut_.whole.hash, cut_.meshes, &restart_);
   else if (!scene_.levels.empty() && method_->takesStart())
     start_ = startFromLevels(comm_, scene_, cut_.meshes, monitor_);
   else if (method_->takesStart() && scene_.settings().sublist("Outer Solver").get<std::string>("Start") == "Nested")
@@ -109,6 +118,10 @@ void Simulation::start(const std::string& restart) {
 }
 
 void Simulation::iterate() {
+  if (followsPath()) {
+    followPath();
+    return;
+  }
   solution_ = method_->solve(monitor_, timers_, start_ ? &*start_ : nullptr, checkpoints());
   solution_.energy -= liftWork_;
   start_.reset();
@@ -117,17 +130,23 @@ void Simulation::iterate() {
 void Simulation::judge() {
   const Subdomains subdomains = method_->takeSubdomains();
   method_.reset();
+  if (!followsPath() || path_->rows.empty()) judge(solution_, subdomains);
   const std::vector<ContactPiece>& pieces = cut_.whole.pieces;
-  timed(timers_, "verify", [&] { settleMotions(*comm_, cut_.meshes, pieces, scene_, solution_, monitor_); });
-  findErrors(*comm_, cut_.meshes, scene_, solution_, timers_);
-  timed(timers_, "verify", [&] { verifySolution(*comm_, cut_.meshes, pieces, subdomains, scene_, solution_); });
-  timed(timers_, "verify", [&] { findAnswers(*comm_, cut_.meshes, scene_, solution_); });
   for (const std::string& note : pressureNotes(*comm_, pieces, solution_)) monitor_.note(note);
   for (const std::string& note : plausibilityNotes(*comm_, cut_.meshes, pieces, solution_)) monitor_.note(note);
 }
 
+void Simulation::judge(Solution& solution, const Subdomains& subdomains) {
+  const std::vector<ContactPiece>& pieces = cut_.whole.pieces;
+  timed(timers_, "verify", [&] { settleMotions(*comm_, cut_.meshes, pieces, scene_, solution, monitor_); });
+  findErrors(*comm_, cut_.meshes, scene_, solution, timers_);
+  timed(timers_, "verify",
+        [&] { verifySolution(*comm_, cut_.meshes, pieces, subdomains, scene_, !path_ || path_->rows.empty(), solution); });
+  timed(timers_, "verify", [&] { findAnswers(*comm_, cut_.meshes, scene_, solution); });
+}
+
 ExitCode Simulation::ending() const {
-  const bool done = solution_.converged && solution_.undetermined.empty() && solution_.verification.holds();
+  const bool done = unfinished_.empty() && solution_.converged && solution_.undetermined.empty() && solution_.verification.holds();
   return done ? ExitCode::Done : solution_.stopped ? ExitCode::Stopped : ExitCode::Numerical;
 }
 
@@ -136,7 +155,8 @@ std::string checkpointIn(const std::string& folder) { return (std::filesystem::p
 }  // namespace
 
 void Simulation::writeState(const Solution& solution) const {
-  writeCheckpoint(*comm_, checkpointIn(folder_), cut_.whole.hash, cut_.meshes, solution);
+  writeCheckpoint(*comm_, checkpointIn(folder_), cut_.whole.hash, cut_.meshes, solution,
+                  followsPath() ? path_->state(solution.pairs) : PathState());
 }
 
 Method::Keep Simulation::checkpoints() {
@@ -151,17 +171,36 @@ Method::Keep Simulation::checkpoints() {
   };
 }
 
+Run Simulation::run(const Solution& solution, const std::vector<std::string>& commandLine) const {
+  return {*comm_,
+          scene_.file,
+          scene_.model,
+          cut_.whole.pieces,
+          cut_.meshes,
+          size_,
+          solution,
+          monitor_,
+          timers_,
+          cut_.whole.hash,
+          commandLine,
+          folder_,
+          cut_.whole.conditions,
+          scene_.contacts,
+          path_ ? path_->rows : std::vector<StepRow>()};
+}
+
 RunResult Simulation::report(const std::vector<std::string>& commandLine) {
   if (!output_) throw InternalError("a simulation reports without a folder: writeInto() comes first");
   giveBackFreedMemory();  // for the files
   const ExitCode code = ending();
   const Parameters& output = scene_.settings().sublist("Output");
   // First: who asked for the stop may not wait for the rest.
-  if (code != ExitCode::Done || output.get<bool>("Checkpoint")) writeState(solution_);
-  const Run run{*comm_,  scene_.file,     scene_.model, cut_.whole.pieces, cut_.meshes,           size_,          solution_, monitor_,
-                timers_, cut_.whole.hash, commandLine,  folder_,           cut_.whole.conditions, scene_.contacts};
+  const bool isKept = followsPath() && !path_->rows.empty();  // that of the last step
+  if (!isKept && (code != ExitCode::Done || output.get<bool>("Checkpoint"))) writeState(solution_);
+  const Run run = this->run(solution_, commandLine);
   const Written written = writeReport(run, code);
-  if (code == ExitCode::Done && !output.get<bool>("Checkpoint") && output.get<double>("Checkpoint Every") > 0.0 && comm_->getRank() == 0) {
+  if (!isKept && code == ExitCode::Done && !output.get<bool>("Checkpoint") && output.get<double>("Checkpoint Every") > 0.0 &&
+      comm_->getRank() == 0) {
     std::error_code ignored;
     std::filesystem::remove(checkpointIn(folder_), ignored);
   }

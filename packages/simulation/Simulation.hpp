@@ -1,8 +1,10 @@
 #pragma once
 #include <suture/base/Errors.hpp>
 #include <suture/report/OutputFolder.hpp>
+#include <suture/report/Run.hpp>
 #include <suture/report/RunMonitor.hpp>
 #include <suture/simulation/CutStage.hpp>
+#include <suture/simulation/LoadPath.hpp>
 #include <suture/simulation/Scene.hpp>
 #include <suture/solver/Method.hpp>
 
@@ -58,9 +60,9 @@ class Simulation {
   void start(const std::string& restart = "");
   /// Begins there instead.
   void startFrom(Start start) { start_ = std::move(start); }
-  /// Solves.
+  /// Solves; a scene with load steps step after step, each of them judged, its fields and a checkpoint written.
   void iterate();
-  /// Settles what the solution leaves free, measures its errors, verifies it.
+  /// Settles what the solution leaves free, measures its errors, verifies it. The last stage that computes: it frees what was factored.
   void judge();
   /// Writes the results, and the last lines of the monitor's console.
   /// \param commandLine  for the record
@@ -83,6 +85,15 @@ class Simulation {
   Simulation(const CommPtr& comm, Scene scene, std::unique_ptr<Silence> silence);
   Method::Keep checkpoints();
   void writeState(const Solution& solution) const;
+  std::unique_ptr<Method> preparedMethod();
+  void judge(Solution& solution, const Subdomains& subdomains);
+  Run run(const Solution& solution, const std::vector<std::string>& commandLine = {}) const;
+
+  bool followsPath() const { return path_ && !scene_.isOneStep; }
+  void followPath();
+  Solution solveStep(const Solution* before, bool isPrepared);
+  void goOnFromStart(Solution& before);
+  void acceptStep(Solution& solution, const Solution* before, StepRow row);
 
   CommPtr comm_;
   Scene scene_;
@@ -100,6 +111,11 @@ class Simulation {
   double megabytes_ = 0.0;
   double liftWork_ = 0.0;  // work of the loads in the motions taken out, which the method's energies lack
   std::optional<Start> start_;
+  std::unique_ptr<LoadPath> path_;    // null: no load steps
+  std::unique_ptr<WorkMeter> meter_;  // on a path
+  std::string unfinished_;            // why the path ended before its end; empty: it did not
+  bool brokeDown_ = false;            // the last trial of a step left nothing behind
+  PathState restart_;                 // of a checkpoint
   Solution solution_;
 };
 

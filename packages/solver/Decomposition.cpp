@@ -1,3 +1,4 @@
+#include <suture/base/Collective.hpp>
 #include <suture/solver/Decomposition.hpp>
 #include <suture/solver/SolveInterface.hpp>
 #include <suture/solver/accuracy/RequestedAccuracy.hpp>
@@ -29,11 +30,21 @@ Solution Decomposition::doSolve(Monitor& monitor, const Start* start, const Keep
       return solutionOf(result);
     });
   };
-  OuterResult result = solveInterface(*problem_, given.settings, monitor, from ? &*from : nullptr, discretisationError,
-                                      keep ? accepted : std::function<void(const InterfaceState&)>());
+  OuterResult result =
+      solveInterface(*problem_, given.settings, monitor, from ? &*from : nullptr, discretisationError,
+                     keep ? accepted : std::function<void(const InterfaceState&)>(), given.inSteps ? &preconditioner_ : nullptr);
+  if (!result.converged && result.slides.size() > 0)
+    result.failure = slidesAway(problem_->sets()->bodies(), result.slides, given.model.bodies);
   if (!result.converged && !result.unsettled.empty())
     result.failure += unsettled(*problem_->sets(), result.unsettled, given.contacts, given.model.bodies);
   return solutionOf(result);
+}
+
+void Decomposition::doReload() {
+  collectively(*scene().comm, "loading the subdomains", [&] {
+    for (const auto& subdomain : subdomains_) subdomain->reload();
+  });
+  problem_->reload();
 }
 
 bool Decomposition::knowsFriction(const Parameters& settings) const {
@@ -41,6 +52,7 @@ bool Decomposition::knowsFriction(const Parameters& settings) const {
 }
 
 Subdomains Decomposition::takeSubdomains() {
+  preconditioner_ = Teuchos::null;
   problem_.reset();
   releaseFollowers(subdomains_);
   return std::move(subdomains_);

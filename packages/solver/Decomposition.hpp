@@ -1,5 +1,6 @@
 #pragma once
 #include <suture/interface/InterfaceProblem.hpp>
+#include <suture/precond/Preconditioner.hpp>
 #include <suture/solver/Method.hpp>
 
 #include <memory>
@@ -13,6 +14,8 @@ class Decomposition : public Method {
   bool needsWholeMesh() const override { return false; }
   GlobalId interfaceUnknowns() const override { return problem_->space()->size(); }
   bool takesStart() const override { return problem_->pairs() > 0; }
+  bool reloads() const override { return problem_->reloads(); }
+  const Subdomains& subdomains() const override { return subdomains_; }
   Subdomains takeSubdomains() override;
   bool knowsFriction(const Parameters& settings) const override;
 
@@ -20,10 +23,12 @@ class Decomposition : public Method {
   void doAssemble(Subdomains subdomains) override;
   void doFactor() override;
   Solution doSolve(Monitor& monitor, const Start* start, const Keep& keep) override;
+  void doReload() override;
 
  private:
   Subdomains subdomains_;
   std::unique_ptr<InterfaceProblem> problem_;
+  Teuchos::RCP<Preconditioner> preconditioner_;  // of the last load step; null without
 };
 
 }  // namespace suture

@@ -10,7 +10,7 @@ namespace suture {
 
 namespace {
 
-constexpr int kFrictionless = 20;  // solves of the frictionless start at most: it is a guess
+constexpr int kFrictionless = 2;  // solves of the frictionless start at most: it is a guess
 
 /// True if rigid bodies are in equilibrium without friction, and in no place but one.
 bool holdsWithoutFriction(const RigidContact& rigid) {
@@ -50,7 +50,7 @@ PairStates stickingStart(const RigidContact& rigid, const FrictionStates& fricti
   const ClosedSet set = model.start();
   PairStates states(static_cast<std::size_t>(pairs));
   for (std::size_t i = 0; i < states.size(); ++i)
-    if (set[i]) states[i] = friction.laws().of(data.line[i]).pressed();
+    if (set[i]) states[i] = friction.laws().of(data.line[i]).rows(2) > 1 ? PairStatus::Stick : PairStatus::Slip;
   return states;
 }
 
@@ -63,26 +63,13 @@ PairStates statesBySlip(const RigidContact& rigid, const FrictionStates& frictio
     ContactTrial trial;
     trial.place = site.place;
     trial.size = site.size;
+    trial.slipped = site.slipped;
     trial.force[0] = std::max(values.force(at, 0), 0.0);
     const double pad = site.tangential / (rigid.data().stiffness(at) * rigid.compliance()(at));
     for (int k = 1; k <= 2; ++k) trial.jump[k] = pad * values.jump(at, k);
     states[i] = friction.laws().of(rigid.data().line[i]).project(trial, states[i]);
   }
   return states;
-}
-
-std::string slidesAway(const OuterSolver::Run& run, const Vector& motion) {
-  const ContactBodies& bodies = run.problem.sets()->bodies();
-  std::string text = "no equilibrium was found: friction does not hold";
-  for (std::size_t p = 0; p < bodies.parts().size(); ++p) {
-    if (bodies.parts()[p].free.cols() == 0) continue;
-    const Vector own = bodies.amplitudes(static_cast<int>(p), motion);
-    if (own.norm() < 1e-8) continue;
-    text += " part " + std::to_string(p + 1) + " (" + inWords(bodies.parts()[p], own, bodies.dimension()) + ")";
-  }
-  return text +
-         ": all pairs that could are at their bounds, and the loads drive it on. More friction, a prescribed displacement or an "
-         "Elastic Support holds it";
 }
 
 }  // namespace
@@ -113,6 +100,7 @@ void searchFriction(OuterSolver::Run& run, double innerTolerance) {
   }
   const FrictionSearch::Result found = search.run(start, normal);
   run.result.state.status = friction.statusOf(found.states);
+  if (found.converged || !found.alternating.empty()) run.result.failure.clear();  // of a try before
   if (found.contraction >= 0.0) run.result.estimates["contraction"] = found.contraction;
   if (found.converged) {
     run.solved = run.result.residual <= run.settings.tolerance || run.atFloor;
@@ -128,8 +116,7 @@ void searchFriction(OuterSolver::Run& run, double innerTolerance) {
                        ": the solution may not be unique");
     return;
   }
-  if (run.result.failure.empty() && found.slides) run.result.failure = slidesAway(run, found.motion);
-  if (run.result.failure.empty()) run.result.failure = found.failure;
+  run.result.slides = found.slides;
   run.result.unsettled = found.alternating;
 }
 

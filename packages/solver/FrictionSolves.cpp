@@ -1,8 +1,8 @@
 #include <suture/interface/PlainFlips.hpp>
 #include <suture/solver/FrictionSolves.hpp>
 #include <suture/solver/NonsymmetricSolver.hpp>
+#include <suture/solver/SpringPreconditioner.hpp>
 
-#include <Teuchos_CommHelpers.hpp>
 #include <Tpetra_MultiVector.hpp>
 
 #include <algorithm>
@@ -18,18 +18,14 @@ constexpr double kNoProgress = 0.5;  // part of a residual that a new beginning 
 }  // namespace
 
 FrictionSolves::FrictionSolves(OuterSolver::Run& run, double inner)
-    : run_(run), friction_(*run.problem.friction()), sets_(*run.problem.sets()), inner_(std::max(inner, run.settings.tolerance)) {}
+    : run_(run), friction_(*run.problem.friction()), sets_(*run.problem.sets()), inner_(std::max(inner, run.settings.tolerance)) {
+  run_.preconditioner = Teuchos::rcp(new SpringPreconditioner(run_.preconditioner));
+}
 
 void FrictionSolves::precondition(const Teuchos::RCP<InterfaceOperator>& matrix) {
-  // The same rows may be solved for other unknowns, on some of the ranks.
-  const int mine = hasPreconditioner_ && run_.preconditioner->space() == matrix->space();
-  int all = 0;
-  Teuchos::reduceAll(*matrix->space()->comm(), Teuchos::REDUCE_MIN, mine, Teuchos::outArg(all));
-  if (all == 1) return;
   run_.preconditioner->initialize(matrix->space());
   run_.preconditioner->compute(matrix);
-  if (!hasPreconditioner_) run_.describe(*matrix);
-  hasPreconditioner_ = true;
+  run_.describe(*matrix);
 }
 
 double FrictionSolves::energyNorm(const InterfaceState& state) const {

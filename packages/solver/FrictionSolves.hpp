@@ -27,7 +27,6 @@ class FrictionSolves : public FrictionOracle {
   const FrictionStates& friction_;
   const ContactSets& sets_;
   const double inner_;
-  bool hasPreconditioner_ = false;
   PairStates last_;
   double reference_ = 0.0, largest_ = 0.0;  // energy norms: of the last solution, the largest of all
 };

@@ -50,6 +50,16 @@ Solution Method::solve(Monitor& monitor, Timers& timers, const Start* start, con
   return timed(timers, "solve", [&] { return doSolve(monitor, start, keep); });
 }
 
+void Method::reload(Timers& timers) {
+  if (!isPrepared_ || !reloads()) throw InternalError("a method is given other loads that does not take them");
+  timed(timers, "load", [&] { doReload(); });
+}
+
+const Subdomains& Method::subdomains() const {
+  static const Subdomains none;
+  return none;
+}
+
 std::unique_ptr<Method> makeMethod(const Parameters& settings, bool contact) {
   const Parameters& outer = settings.sublist("Outer Solver");
   if (Registry<Method>::instance().has(outer.get<std::string>("Type"))) return makeStrategy<Method>(outer, "Type", settings);

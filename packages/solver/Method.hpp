@@ -29,6 +29,7 @@ struct CutScene {
   std::vector<std::string> contacts{};  ///< names of the contact lines, for messages
   ContactLaws laws{};                   ///< laws of the contact lines; empty: frictionless
   bool needsLaw = false;                ///< the scene asks for what needs the law of a material at every point
+  bool inSteps = false;                 ///< loads, prescribed displacements and histories of pairs change, see Method::reload()
 };
 
 /// A state to begin a solution from: an earlier one of the scene, or the answer on a coarser mesh.
@@ -64,6 +65,12 @@ class Method {
   /// a contact restricts sliding
   void prepare(const CutScene& scene, Timers& timers);
 
+  /// True if reload() may be called. After prepare().
+  virtual bool reloads() const { return false; }
+  /// Takes the loads of the model, values of the meshes' rules, and gaps and histories of their pairs as they are now: what was factored
+  /// stays. After solve(). Collective; phase "load".
+  void reload(Timers& timers);
+
   /// Unknowns of the interface problem, over all ranks; 0 for a method without one. After prepare().
   virtual GlobalId interfaceUnknowns() const { return 0; }
   /// True if it can begin at a given place; else solve() ignores the start. After prepare().
@@ -76,6 +83,8 @@ class Method {
   /// \throws NumericalError  breakdown
   Solution solve(Monitor& monitor, Timers& timers, const Start* start = nullptr, const Keep& keep = {});
 
+  /// Subdomains of this rank as they are; empty: the method has none. Local.
+  virtual const Subdomains& subdomains() const;
   /// Ends the method: frees all but the subdomains with physics of their own, which judge the answer. Null stands for one that follows the
   /// model; empty: all do. Local.
   virtual Subdomains takeSubdomains() { return {}; }
@@ -88,6 +97,7 @@ class Method {
   /// Nothing, for a method that factors as it solves.
   virtual void doFactor() {}
   virtual Solution doSolve(Monitor& monitor, const Start* start, const Keep& keep) = 0;
+  virtual void doReload() {}
   /// Known in all of them.
   const CutScene& scene() const { return *scene_; }
 

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <utility>
 
 namespace suture {
 
@@ -125,6 +126,7 @@ bool OuterSolver::Run::stopRequested() {
 bool OuterSolver::Run::goesOn() { return !done() && !stopRequested() && result.iterations < settings.maximumIterations; }
 
 void OuterSolver::Run::describe(const InterfaceOperator& matrix) {
+  if (std::exchange(described, true)) return;
   result.coarseSize = preconditioner->coarseSize();
   if (const std::string remark = preconditioner->remark(); !remark.empty()) monitor.note(remark);
   result.setupSeconds = preconditioner->setupSeconds();

@@ -20,7 +20,7 @@ struct OuterSettings {
   double tolerance = 1e-8;  ///< bound of sqrt(r.M r) relative to the residual of the lifted start, r = F - S_0 U - S_KON(U)
   int maximumIterations = 50;
   int maximumInnerIterations = 1000;
-  std::function<Teuchos::RCP<Preconditioner>()> preconditioner;  ///< makes a fresh one of the scene's kind
+  std::function<Teuchos::RCP<Preconditioner>()> preconditioner;  ///< makes one of the scene's kind, or gives that of a solution before
   bool rigidStart = true;  ///< methods that start themselves: from rigid bodies on pads; else with all pairs closed
   AutomaticTolerance::Estimate discretisationError = {};  ///< set: iterations may end before `tolerance`, see AutomaticTolerance
   /// Told the state of every outer iteration but the last, on all ranks: where a run could go on. Collective.
@@ -29,6 +29,7 @@ struct OuterSettings {
 
 struct OuterResult : OuterFigures {
   InterfaceState state;
+  Vector slides;                            ///< motion of bodies that friction does not hold, where it did not converge; else empty
   std::vector<int> unsettled;               ///< pairs that changed between the last two sets, where it did not converge
   AutomaticTolerance::Recovered recovered;  ///< from the state, where an automatic tolerance needed it; else null
 };
@@ -85,6 +86,7 @@ class OuterSolver {
     void confirm();
     /// Fills in what the result says of the preconditioner and the operator it was first made for. Collective.
     void describe(const InterfaceOperator& matrix);
+    bool described = false;  ///< that was done
     /// Remembers the smallest eigenvalue that a solve met.
     void learn(const InnerResult& solve);
     /// Estimate of the algebraic error in the energy norm from a residual: sqrt(r.M r / lowest). An upper bound where the operator at the

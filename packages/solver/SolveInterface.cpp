@@ -48,9 +48,24 @@ std::string unsettled(const ContactSets& sets, const std::vector<int>& pairs, co
          "them";
 }
 
+std::string slidesAway(const ContactBodies& parts, const Vector& motion, const std::vector<std::string>& bodies) {
+  constexpr double kNone = 1e-8;  // part of a unit motion
+  std::string text = "no equilibrium was found: friction does not hold";
+  for (std::size_t p = 0; p < parts.parts().size(); ++p) {
+    const RigidPart& part = parts.parts()[p];
+    if (part.free.cols() == 0) continue;
+    const Vector own = parts.amplitudes(static_cast<int>(p), motion);
+    if (own.norm() >= kNone) text += " body '" + bodies.at(part.body) + "', which can " + inWords(part, own, parts.dimension()) + ",";
+  }
+  text.back() = text.back() == ',' ? ':' : text.back();
+  return text +
+         " all pairs that could are at their bounds, and the loads drive it on. More friction, a prescribed displacement or an Elastic "
+         "Support holds it";
+}
+
 OuterResult solveInterface(const InterfaceProblem& problem, const Parameters& settings, Monitor& monitor, const InterfaceState* start,
                            const AutomaticTolerance::Estimate& discretisationError,
-                           const std::function<void(const InterfaceState&)>& accepted) {
+                           const std::function<void(const InterfaceState&)>& accepted, Teuchos::RCP<Preconditioner>* kept) {
   const Parameters& own = settings.sublist("Outer Solver");
   OuterSettings outer;
   if (isAutomatic(settings)) {
@@ -62,7 +77,12 @@ OuterResult solveInterface(const InterfaceProblem& problem, const Parameters& se
   outer.maximumIterations = own.get<int>("Maximum Iterations");
   outer.maximumInnerIterations = own.get<int>("Maximum Inner Iterations");
   outer.rigidStart = own.get<std::string>("Start") != "Bilateral";
-  outer.preconditioner = [&settings] { return makePreconditioner(settings.sublist("Preconditioner")); };
+  outer.preconditioner = [&settings, kept] {
+    if (kept && !kept->is_null()) return *kept;
+    const Teuchos::RCP<Preconditioner> made = makePreconditioner(settings.sublist("Preconditioner"));
+    if (kept) *kept = made;
+    return made;
+  };
   outer.accepted = accepted;
   return makeStrategy<OuterSolver>(own, "Type")->solve(problem, outer, monitor, start);
 }

@@ -23,15 +23,20 @@ InterfaceState stateOf(const Start& start, const InterfaceProblem& problem, cons
 /// Solves with the settings' outer solver and preconditioner, from `start` or, if it is null, from the auxiliary problem.
 /// \param discretisationError  for an automatic tolerance; not asked for another
 /// \param accepted  told the state of every outer iteration but the last, or empty
+/// \param kept  if given, the preconditioner: that of an earlier solution, null at first, from which it keeps what is the same
 /// \throws NumericalError
 OuterResult solveInterface(const InterfaceProblem& problem, const Parameters& settings, Monitor& monitor,
                            const InterfaceState* start = nullptr, const AutomaticTolerance::Estimate& discretisationError = {},
-                           const std::function<void(const InterfaceState&)>& accepted = {});
+                           const std::function<void(const InterfaceState&)>& accepted = {}, Teuchos::RCP<Preconditioner>* kept = nullptr);
 
 /// Why a search for the set of closed pairs did not end: "; pairs 3, 4 of contact 'joint' (bodies 'upper', 'lower') still open ...". Local.
 /// \param pairs  that changed last, not empty;  \param contacts, bodies  names
 std::string unsettled(const ContactSets& sets, const std::vector<int>& pairs, const std::vector<std::string>& contacts,
                       const std::vector<std::string>& bodies);
+
+/// Why there is no equilibrium: which bodies friction does not hold, and where they move. Local.
+/// \param motion  OuterResult::slides;  \param bodies  names
+std::string slidesAway(const ContactBodies& parts, const Vector& motion, const std::vector<std::string>& bodies);
 
 /// Interiors, contact and energy of the state that the outer solver ended with.
 Solution recover(const Comm& comm, const InterfaceProblem& problem, const OuterResult& result, const Subdomains& subdomains,

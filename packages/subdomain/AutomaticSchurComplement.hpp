@@ -26,6 +26,7 @@ class AutomaticSchurComplement : public SchurComplement {
 
  protected:
   void doCompute(const SchurData& data) override;
+  void doReload(const SchurData& data) override { own_->reload(data); }
   void doApply(ConstLocalView trace, LocalView flux) const override { own_->apply(trace, flux); }
 
  private:

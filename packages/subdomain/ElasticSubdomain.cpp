@@ -14,11 +14,15 @@ SparseMatrix ElasticSubdomain::assembleStiffness(const std::function<const Mater
 }
 
 void ElasticSubdomain::doAssemble(SparseMatrix& stiffness, Vector& load) {
-  const SubdomainMesh& m = mesh();
   SparseMatrix assembled = assembleStiffness([this](int element) -> const Material& { return materialOf(element); });
   stiffness.swap(assembled);  // Eigen would copy it
-  load = subdomainLoads(m, model_);
+  load = doLoad();
+}
+
+Vector ElasticSubdomain::doLoad() {
+  Vector load = subdomainLoads(mesh(), model_);
   toAxes(load);
+  return load;
 }
 
 Matrix ElasticSubdomain::doStresses(const Vector& displacement) const { return elementStresses(mesh(), model_, displacement); }

@@ -18,6 +18,7 @@ class ElasticSubdomain final : public Subdomain {
 
  protected:
   void doAssemble(SparseMatrix& stiffness, Vector& load) override;
+  Vector doLoad() override;
   Matrix doStresses(const Vector& displacement) const override;
   Matrix doRigidModes() const override;
   Hint doHint(const std::string& name) const override;

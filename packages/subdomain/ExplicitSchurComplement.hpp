@@ -18,6 +18,7 @@ class ExplicitSchurComplement : public SchurComplement {
 
  protected:
   void doCompute(const SchurData& data) override;
+  void doReload(const SchurData& data) override;
   void doApply(ConstLocalView trace, LocalView flux) const override;
 
  private:

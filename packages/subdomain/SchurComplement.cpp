@@ -57,18 +57,28 @@ void ImplicitSchurComplement::doCompute(const SchurData& data) {
   } catch (const NumericalError& error) {
     throw NumericalError(data.what + ", interior: " + error.what());
   }
+  single_.reset();
+  doReload(data);
+  if (wanted_ == Precision::Single) tryInSinglePrecision(stiffness);
+}
+
+void ImplicitSchurComplement::doReload(const SchurData& data) {
   interiorResponse_ = Vector(interior_.size());
-  for (std::size_t i = 0; i < interior_.size(); ++i) interiorResponse_(i) = data.load(interior_[i]);
+  take(data.load, interior_, interiorResponse_);
   const Vector load = interiorResponse_;
-  interiorSolver_->solve(interiorResponse_);
+  if (single_) {
+    Vector inside = data.load;
+    single_->solve(*stiffness_, inside);
+    take(inside, interior_, interiorResponse_);
+  } else {
+    interiorSolver_->solve(interiorResponse_);
+  }
   interiorEnergy_ = -0.5 * load.dot(interiorResponse_);
   Vector all = Vector::Zero(data.stiffness.rows());
   put(interiorResponse_, interior_, all);
   const Vector product = data.stiffness * all;
   condensedLoad_ = Vector(boundary_.size());
   for (std::size_t i = 0; i < boundary_.size(); ++i) condensedLoad_(i) = data.load(boundary_[i]) - product(boundary_[i]);
-  single_.reset();
-  if (wanted_ == Precision::Single) tryInSinglePrecision(stiffness);
 }
 
 void ImplicitSchurComplement::tryInSinglePrecision(const SparseMatrix& stiffness) {

@@ -31,6 +31,8 @@ class SchurComplement {
 
   /// Factors. Stiffness and load must outlive this object.
   void compute(const SchurData& data) { doCompute(data); }
+  /// Takes other loads. \param data  as for compute(), but for the loads
+  void reload(const SchurData& data) { doReload(data); }
   /// flux <- S trace, for several right-hand sides.
   void apply(ConstLocalView trace, LocalView flux) const {
     ++applications_;
@@ -54,6 +56,8 @@ class SchurComplement {
 
  protected:
   virtual void doCompute(const SchurData& data) = 0;
+  /// Optional: without factoring again.
+  virtual void doReload(const SchurData& data) { doCompute(data); }
   virtual void doApply(ConstLocalView trace, LocalView flux) const = 0;
 
  private:
@@ -84,6 +88,7 @@ class ImplicitSchurComplement : public SchurComplement {
 
  protected:
   void doCompute(const SchurData& data) override;
+  void doReload(const SchurData& data) override;
   void doApply(ConstLocalView trace, LocalView flux) const override;
 
  private:

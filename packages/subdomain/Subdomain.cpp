@@ -21,7 +21,6 @@ void registerBuiltIns(Registry<Subdomain>& registry) {
 
 Subdomain::Subdomain(const SubdomainMesh& mesh) : mesh_(mesh), numberOf_(mesh.nodes() * mesh.dimension, 0) {
   const int d = components();
-  prescribed_ = Vector::Zero(mesh.nodes() * d);
   for (const NodeRule& rule : mesh.rules) {
     const Matrix q = axesOf(rule, d);
     if (!q.isIdentity(0.0)) {
@@ -30,11 +29,9 @@ Subdomain::Subdomain(const SubdomainMesh& mesh) : mesh_(mesh), numberOf_(mesh.no
       axes_.push_back(q);
     }
     for (int k = 0; k < d; ++k)
-      if (rule.fixed[k]) {
-        numberOf_[rule.node * d + k] = -1;
-        prescribed_(rule.node * d + k) = rule.value[k];
-      }
+      if (rule.fixed[k]) numberOf_[rule.node * d + k] = -1;
   }
+  takePrescribed();
   for (std::size_t i = 0; i < numberOf_.size(); ++i) {
     if (numberOf_[i] < 0) {
       fixed_.push_back(static_cast<int>(i));
@@ -43,6 +40,38 @@ Subdomain::Subdomain(const SubdomainMesh& mesh) : mesh_(mesh), numberOf_(mesh.no
       free_.push_back(static_cast<int>(i));
     }
   }
+}
+
+void Subdomain::takePrescribed() {
+  const int d = components();
+  prescribed_ = Vector::Zero(mesh_.nodes() * d);
+  for (const NodeRule& rule : mesh_.rules)
+    for (int k = 0; k < d; ++k)
+      if (rule.fixed[k]) prescribed_(rule.node * d + k) = rule.value[k];
+}
+
+/// Loads of the free unknowns: those of the conditions less what prescribed displacements do.
+void Subdomain::liftLoad() {
+  const Vector given = rowsAt(prescribed_, fixed_);
+  const Vector held = held_ * given, lifted = fullLoad_ - held;
+  load_.resize(dofs());
+  for (int i = 0; i < dofs(); ++i) load_(i) = lifted(free_[i]);
+  constantEnergy_ = 0.5 * prescribed_.dot(held) - prescribed_.dot(fullLoad_);
+}
+
+void Subdomain::reload() {
+  takePrescribed();
+  fullLoad_ = doLoad();
+  if (fullLoad_.size() != Eigen::Index(numberOf_.size()))
+    throw NumericalError("subdomain '" + mesh_.name + "': the load has the wrong size");
+  liftLoad();
+}
+
+Vector Subdomain::doLoad() {
+  SparseMatrix stiffness;
+  Vector load = Vector::Zero(Eigen::Index(numberOf_.size()));
+  doAssemble(stiffness, load);
+  return load;
 }
 
 void Subdomain::assemble() {
@@ -70,11 +99,7 @@ void Subdomain::assemble() {
       throw NumericalError(text.str());
     }
 
-  const Vector given = rowsAt(prescribed_, fixed_);
-  const Vector held = held_ * given, lifted = fullLoad_ - held;
-  load_ = Vector(dofs());
-  for (int i = 0; i < dofs(); ++i) load_(i) = lifted(free_[i]);
-  constantEnergy_ = 0.5 * prescribed_.dot(held) - prescribed_.dot(fullLoad_);
+  liftLoad();
 
   const Matrix modes = doRigidModes(), onSprings = springModes(modes);
   heldModes_ = Matrix(onSprings.rows() + Eigen::Index(fixed_.size()), modes.cols());

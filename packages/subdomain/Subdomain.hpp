@@ -27,6 +27,8 @@ class Subdomain {
   /// \throws NumericalError  the matrix has the wrong size or a non-positive diagonal. \throws InputError  an elastic support on physics
   /// that do not follow the model
   void assemble();
+  /// Takes the loads of the model and the values of the mesh's rules as they are now; the stiffness stays. After assemble().
+  void reload();
 
   const SubdomainMesh& mesh() const { return mesh_; }
   int components() const { return mesh_.dimension; }
@@ -75,6 +77,8 @@ class Subdomain {
   /// Stiffness matrix and loads over ALL unknowns: nodes x components, in the axes of the nodes (see toAxes()). Of the matrix, which is
   /// symmetric, the lower triangle is read; compressed, rows ascending in each column.
   virtual void doAssemble(SparseMatrix& stiffness, Vector& load) = 0;
+  /// Optional: the loads of doAssemble() alone, for load steps.
+  virtual Vector doLoad();
   /// elements x 4 (xx, yy, zz, xy), tension positive, at centroids; `displacement`: node-major, Cartesian. [stress]
   virtual Matrix doStresses(const Vector& displacement) const = 0;
   /// All rigid modes over ALL unknowns, columns of the order of one, in the axes of the nodes.
@@ -91,6 +95,8 @@ class Subdomain {
   SparseMatrix assembled(const std::function<void(const std::function<void(int element, ConstLocalView stiffness)>& take)>& elements) const;
 
  private:
+  void takePrescribed();
+  void liftLoad();
   Matrix springModes(const Matrix& modes) const;
   Vector inAxes(const Vector& cartesian) const;
   Vector outOfAxes(Vector values) const;

@@ -66,10 +66,15 @@ SubdomainProblem::SubdomainProblem(int id, const Subdomain& subdomain, const std
       schur_(std::move(schur)),
       diagonal_(rowsAt(subdomain.stiffness().diagonal(), boundary)),
       kernel_(rowsAt(subdomain.kernel(), boundary)) {
-  schur_->compute({subdomain.stiffness(), subdomain.load(), positions_, nodesOfDofs(subdomain), placesOfDofs(subdomain), solver, name(),
-                   subdomain.components()});
+  schur_->compute(schurData(nodesOfDofs(subdomain), placesOfDofs(subdomain)));
   if (softest > 0.0 && kernel_.cols() > 0 && stiffnessOf(subdomain) > kMuchStiffer * softest) balanced_ = orthonormalBasis(kernel_, 1e-14);
 }
+
+SchurData SubdomainProblem::schurData(const std::vector<int>& nodes, const std::vector<Point>& places) const {
+  return {subdomain_.stiffness(), subdomain_.load(), positions_, nodes, places, solver_, name(), subdomain_.components()};
+}
+
+void SubdomainProblem::reload() { schur_->reload(schurData(nodesOfDofs(subdomain_), placesOfDofs(subdomain_))); }
 
 void SubdomainProblem::applySchur(ConstLocalView trace, LocalView flux) const {
   schur_->apply(trace, flux);

@@ -18,6 +18,9 @@ class SubdomainProblem : public LocalProblem {
   SubdomainProblem(int id, const Subdomain& subdomain, const std::vector<int>& boundary, const LocalSolverMaker& solver,
                    std::unique_ptr<SchurComplement> schur, double softest = 0.0);
 
+  /// Takes the loads that the subdomain has now.
+  void reload();
+
   void applySchur(ConstLocalView trace, LocalView flux) const override;
   Vector condensedLoad() const override { return schur_->condensedLoad(); }
   double constantEnergy() const override { return schur_->interiorEnergy() + subdomain_.constantEnergy(); }
@@ -41,6 +44,8 @@ class SubdomainProblem : public LocalProblem {
   Matrix doHint(const std::string& name) const override { return rowsAt(subdomain_.hint(name).values, positions_); }
 
  private:
+  SchurData schurData(const std::vector<int>& nodes, const std::vector<Point>& places) const;
+
   const Subdomain& subdomain_;
   std::vector<int> positions_;
   LocalSolverMaker solver_;

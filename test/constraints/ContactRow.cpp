@@ -167,6 +167,29 @@ TEUCHOS_UNIT_TEST(ContactRow, HasTangentsWhereTheLawRestrictsSliding) {
   }
 }
 
+// Both sides on one plane of symmetry: nothing slides across it. Held on one side only, the other rubs along it.
+TEUCHOS_UNIT_TEST(ContactRow, SlidesNowhereAcrossAPlaneOfSymmetry) {
+  const Mesh mesh = stack(2);
+  for (const bool both : {true, false}) {
+    Constraints constraints =
+        build(mesh, bilateral("low", "b0_left") + (both ? bilateral("high", "b1_left") : ""), contact("line", "b0_top", "b1_bottom"));
+    applyLaws(ContactLaws({std::make_shared<RoughLaw>()}), mesh, constraints);
+    int still = 0;
+    for (const ContactPair& pair : constraints.pairs) {
+      const Point tangent = rowDirections(pair, 2).at(1);
+      if (pair.still.empty()) {
+        TEST_FLOATING_EQUALITY(norm(tangent), 1.0, 1e-14);
+        continue;
+      }
+      ++still;
+      for (const ContactPair& other : constraints.pairs) TEST_COMPARE(pair.position[0], <=, other.position[0]);
+      TEST_COMPARE(norm(tangent), <, 1e-15);
+      TEST_COMPARE(norm(slidingPart(pair, {3.0, 4.0, 0.0})), <, 1e-14);
+    }
+    TEST_EQUALITY(still, both ? 1 : 0);
+  }
+}
+
 // Glued sides stand as they are meshed; sides that are guided or rub close the gap that the mesh has. Rows know which pairs can part.
 TEUCHOS_UNIT_TEST(ContactRow, HasNoGapWhereTheLawTakesTheSidesAsTheyStand) {
   const Mesh mesh = stack(2);
@@ -179,7 +202,7 @@ TEUCHOS_UNIT_TEST(ContactRow, HasNoGapWhereTheLawTakesTheSidesAsTheyStand) {
   for (const Case& of : {Case{std::make_shared<Tied>(), false, true}, Case{std::make_shared<NoSeparation>(), false, false},
                          Case{std::make_shared<Frictionless>(), true, false}, Case{std::make_shared<RoughLaw>(), true, false}}) {
     Constraints constraints = before;
-    applyLaws(ContactLaws({of.law}), constraints);
+    applyLaws(ContactLaws({of.law}), mesh, constraints);
     const std::vector<ContactRow> rows = contactRows(mesh, constraints);
     for (std::size_t i = 0; i < rows.size(); ++i) {
       TEST_EQUALITY(rows[i].pair.gap, of.ignoresGap ? 0.0 : before.pairs[i].gap);

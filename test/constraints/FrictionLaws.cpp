@@ -104,7 +104,7 @@ TEUCHOS_UNIT_TEST(FrictionLaws, TakeBoundsAndCoefficientsFromExpressions) {
 
 TEUCHOS_UNIT_TEST(FrictionLaws, RefuseNegativeCoefficientsAndBounds) {
   ContactTrial trial;
-  trial.force[0] = 1.0;
+  trial.force[0] = trial.size = 1.0;
   trial.place = {-2.0, 0.0, 0.0};
   const std::pair<const char*, std::vector<std::pair<std::string, std::string>>> wrong[] = {
       {"Tresca", {{"Bound", "3 * x"}}}, {"Coulomb", {{"Coefficient", "3 * x"}}}, {"Coulomb", {{"Cohesion", "3 * x"}}}};
@@ -125,11 +125,24 @@ TEUCHOS_UNIT_TEST(FrictionLaws, RefuseNegativeCoefficientsAndBounds) {
   TEST_THROW(lawNamed("Coulomb", {{"Coefficient", "mu"}}), InputError);
 }
 
+// A bound may be a function that the contact alone has values of: what knows no place does not ask for one.
+TEUCHOS_UNIT_TEST(FrictionLaws, AskForNoBoundWithoutAPlace) {
+  const auto law = lawNamed("Coulomb", {{"Coefficient", "sqrt(x - 1)"}});
+  TEST_ASSERT(law->pressed().status == PairStatus::Stick);
+  ContactTrial trial;
+  trial.force = {1.0, 0.5, 0.0};
+  TEST_ASSERT(law->project(trial, {}).closed());
+  trial.size = 2.0;
+  TEST_THROW(law->project(trial, {}), InputError);
+  trial.place[0] = 1.16;
+  TEST_FLOATING_EQUALITY(law->project(trial, {}).friction, 0.4, 1e-14);
+}
+
 // Without a bound nothing holds: a pair with any tangential trial force slips, in its direction, without force.
 TEUCHOS_UNIT_TEST(FrictionLaws, WithoutABoundEveryPushSlides) {
   const auto law = lawNamed("Coulomb", {});
   ContactTrial trial;
-  trial.force[0] = 1.0;
+  trial.force[0] = trial.size = 1.0;
   trial.jump = {0, 3e-9, -4e-9};
   const ContactState state = law->project(trial, PairStatus::Stick);
   TEST_ASSERT(state.status == PairStatus::Slip);
@@ -155,6 +168,24 @@ TEUCHOS_UNIT_TEST(FrictionLaws, TiedPairsStickAndGuidedOnesSlideWhateverPullsThe
   }
   TEST_ASSERT(!tied.separates() && !guided.separates());
   TEST_ASSERT(tied.ignoresGap() && !guided.ignoresGap());
+}
+
+TEUCHOS_UNIT_TEST(FrictionLaws, CohesionIsLostWhereAPairHasSlidIfAsked) {
+  Parameters own;
+  own.set("Coefficient", std::string("0.5")), own.set("Cohesion", std::string("0.25"));
+  for (const bool loses : {false, true}) {
+    own.set("Cohesion Lost", loses);
+    const auto law = Registry<ContactLaw>::instance().make("Coulomb", Constants(), own);
+    ContactTrial trial;
+    trial.force = {1.0, 3.0, 0.0};
+    trial.size = 2.0;
+    for (const bool slipped : {false, true}) {
+      trial.slipped = slipped;
+      const ContactState state = law->project(trial, PairStatus::Stick);
+      TEST_EQUALITY(state.bound, loses && slipped ? 0.0 : 0.5);
+      TEST_EQUALITY(state.friction, 0.5);
+    }
+  }
 }
 
 }  // namespace

@@ -157,6 +157,7 @@ struct CondensedBody : FrictionOracle {
         // The bound by a trial that slides without doubt.
         ContactTrial trial;
         trial.place = sites[i].place;
+        trial.size = sites[i].size;
         trial.force[0] = std::max(normal, 1e-300);
         trial.jump[1] = 1e10;
         bound = law.project(trial, PairStatus::Slip).largest(normal);
@@ -215,7 +216,7 @@ TEUCHOS_UNIT_TEST(FrictionSearch, SolvesRandomProblemsOfAllLaws) {
     TEST_ASSERT(!body.strange);
     solved += found.converged;
     if (!found.converged)
-      out << "trial " << trial << ": " << found.alternating.size() << " pairs alternate, slides " << found.slides << "\n";
+      out << "trial " << trial << ": " << found.alternating.size() << " pairs alternate, slides " << found.slides.size() << "\n";
     if (!found.converged) continue;
     worst = std::max(worst, body.violation());
     if (body.violation() > 1e-8) out << "trial " << trial << ": violates by " << body.violation() << "\n";
@@ -255,7 +256,7 @@ TEUCHOS_UNIT_TEST(FrictionSearch, HoldsLooseBodiesByFriction) {
     const FrictionSearch::Result found = search.run(body.all(PairStatus::Stick));
     solved += found.converged;
     if (!found.converged)
-      out << "trial " << trial << " mu " << mu << ": " << found.alternating.size() << " alternate, slides " << found.slides << "\n";
+      out << "trial " << trial << " mu " << mu << ": " << found.alternating.size() << " alternate, slides " << found.slides.size() << "\n";
     if (!found.converged) continue;
     worst = std::max(worst, body.violation());
   }
@@ -282,16 +283,100 @@ TEUCHOS_UNIT_TEST(FrictionSearch, SaysThatABodySlidesAway) {
           FrictionSearch search(*body.rigid, body.laws, body.sites, body, 200);
           const FrictionSearch::Result found = search.run(body.all(PairStatus::Stick));
           TEST_EQUALITY(found.converged, push < 0.6);
-          // In space the directions of pairs that slip do not settle while one holds the body: it ends without saying why.
-          if (dimension == 2) TEST_EQUALITY(found.slides, push > 0.6);
-          if (!found.slides) continue;
+          TEST_EQUALITY(found.slides.size() > 0, push > 0.6);
+          if (found.slides.size() == 0) continue;
           // Along the push: 3/5 and 4/5 in space, either sense.
-          TEST_EQUALITY(found.motion.size(), dimension);
-          const Vector way = found.motion.normalized();
+          TEST_EQUALITY(found.slides.size(), dimension);
+          const Vector way = found.slides.normalized();
           TEST_COMPARE(std::abs(way(0)), <, 1e-8);
           if (dimension == 2) TEST_FLOATING_EQUALITY(std::abs(way(1)), 1.0, 1e-8);
-          if (dimension == 3) TEST_FLOATING_EQUALITY(std::abs(0.8 * way(1) - 0.6 * way(2)), 1.0, 1e-6);
+          if (dimension == 3) TEST_COMPARE(std::abs(0.8 * way(1) - 0.6 * way(2)), >, 0.98);  // of a pyramid of 16 planes
         }
+}
+
+/// States of all pairs by digits of a number: open, stick, slip either way.
+PairStates statesOfNumber(int number, int pairs, double cohesion, double mu) {
+  PairStates states(pairs);
+  for (int i = 0; i < pairs; ++i, number /= 4) {
+    if (number % 4 == 1) states[i] = PairStatus::Stick;
+    if (number % 4 > 1) states[i] = {PairStatus::Slip, {0.0, number % 4 == 2 ? 1.0 : -1.0, 0.0}, cohesion, mu};
+  }
+  return states;
+}
+
+// A pair that opens loses its cohesion at once: there may be no solution. All 4^n states of n pairs are tried.
+TEUCHOS_UNIT_TEST(FrictionSearch, FindsASolutionWithCohesionWhereThereIsOne) {
+  std::mt19937 random(15);
+  const double cohesion = 0.4, mu = 0.3;
+  int solvable = 0, solved = 0, opens = 0;
+  for (int trial = 0; trial < 60; ++trial) {
+    CondensedBody body(2, 4);
+    body.random(random, false);
+    body.begin({dry(cohesion, mu)}, std::vector<int>(4, 0));
+    int solutions = 0;
+    for (int number = 0; number < 256; ++number)
+      solutions += body.solve(statesOfNumber(number, 4, cohesion, mu), 0).solved && body.violation() < 1e-8;
+    FrictionSearch search(*body.rigid, body.laws, body.sites, body, 300);
+    const FrictionSearch::Result found = search.run(body.all(PairStatus::Stick));
+    TEST_ASSERT(!found.converged || body.violation() < 1e-8);
+    TEST_ASSERT(!found.converged || solutions > 0);
+    solvable += solutions > 0;
+    solved += found.converged;
+    for (const ContactState& state : found.states) opens += !state.closed();
+  }
+  out << solvable << " of 60 have a solution, " << solved << " were found\n";
+  TEST_EQUALITY(solved, solvable);
+  TEST_COMPARE(solvable, >, 30);
+  TEST_COMPARE(opens, >, 30);
+}
+
+TEUCHOS_UNIT_TEST(FrictionSearch, KnowsTheBoundsOfPairsThatStickFromTheStart) {
+  std::mt19937 random(16);
+  CondensedBody body(2, 4);
+  body.random(random, false);
+  for (int i = 0; i < 4; ++i) body.load(2 * i) = 5.0, body.load(2 * i + 1) = 0.01, body.gap(i) = 0.0;
+  body.begin({dry(0.2, 0.9)}, std::vector<int>(4, 0));
+  FrictionSearch search(*body.rigid, body.laws, body.sites, body, 300);
+  const FrictionSearch::Result found = search.run(body.all(PairStatus::Stick));
+  TEST_EQUALITY(found.solves, 1);
+  for (const ContactState& state : found.states) {
+    TEST_ASSERT(state.status == PairStatus::Stick);
+    TEST_EQUALITY(state.bound, 0.2);
+    TEST_EQUALITY(state.friction, 0.9);
+  }
+}
+
+// One pair holds the body at first, where others would do; all 4^n states of n pairs tell whether any do.
+TEUCHOS_UNIT_TEST(FrictionSearch, LetsAnotherPairHoldABody) {
+  std::mt19937 random(17);
+  std::uniform_real_distribution<double> value(-1.0, 1.0);
+  int solvable = 0, solved = 0;
+  for (int trial = 0; trial < 60; ++trial) {
+    const double mu = 0.02 + 0.2 * std::abs(value(random));
+    CondensedBody body(2, 4);
+    body.random(random, true);
+    for (double& x : body.gap) x = 0.3 * std::abs(value(random));
+    const Vector sums = body.kernel.transpose() * body.load;
+    body.load -= body.kernel * sums / body.nodes;
+    for (int i = 0; i < body.nodes; ++i) {
+      body.load(2 * i) += 0.5;
+      body.load(2 * i + 1) += 0.45 * mu * value(random);
+    }
+    body.begin({dry(0.0, mu)}, std::vector<int>(body.nodes, 0));
+    int solutions = 0;
+    for (int number = 0; number < 256; ++number)
+      solutions += body.solve(statesOfNumber(number, 4, 0.0, mu), 0).solved && body.violation() < 1e-8;
+    PairStates start(body.nodes);
+    start[trial % 4] = PairStatus::Stick;
+    FrictionSearch search(*body.rigid, body.laws, body.sites, body, 300);
+    const FrictionSearch::Result found = search.run(start);
+    solved += found.converged;
+    solvable += solutions > 0;
+    TEST_ASSERT(!found.converged || body.violation() < 1e-8);
+  }
+  out << solvable << " of 60 have a solution, " << solved << " were found\n";
+  TEST_COMPARE(solvable - solved, <=, 4);  // known shortfall: four that have a solution are not found
+  TEST_COMPARE(solvable, >, 30);
 }
 
 TEUCHOS_UNIT_TEST(FrictionSearch, GoesOnFromItsOwnSolutionWithOneSolve) {

@@ -64,7 +64,7 @@ def page_of(name, folder):
         for key, value in element.attrib.items():
             if key == "src" and not value.startswith("data:image/png;base64,") or key == "href" and not value.startswith("#") or key.startswith("on"):
                 check(f"{name}: {element.tag} {key}", value[:60], "data: or #")
-    check(f"{name}: sections", [section.get("id") for section in tree.iter("section") if section.get("id") != "probes"], SECTIONS)
+    check(f"{name}: sections", [section.get("id") for section in tree.iter("section") if section.get("id") not in ("probes", "steps")], SECTIONS)
     check(f"{name}: every section has a heading and content", [s.get("id") for s in tree.iter("section") if s.find("h2") is None or len(s) < 2], [])
     linked = [a.get("href")[1:] for a in tree.iter("a")]
     check(f"{name}: links lead to sections", [key for key in linked if tree.find(f".//section[@id='{key}']") is None], [])
@@ -140,7 +140,7 @@ def said(tree, section):
 
 
 # Runs that ended well.
-for name, more, pictures in (("hertz_sphere", setting("Output/Error Estimate", "true"), 9), ("linear_square", [], 5)):
+for name, more, pictures in (("hertz_sphere", setting("Output/Error Estimate", "true"), 9), ("linear_square", [], 5), ("cattaneo", [], 10)):
     folder, summary = solved(name, scenes / name / f"{name}.xml", 0, *more)
     code, text = started(options.plot, folder)
     check(f"{name}: suture_plot", (code, "report.html" in text), (0, True))
@@ -154,6 +154,9 @@ for name, more, pictures in (("hertz_sphere", setting("Output/Error Estimate", "
                                           if word not in scene], [])
     check(f"{name}: provenance", [word for word in (summary["mesh_hash"], *summary["command_line"], *summary["versions"].values())
                                   if word not in said(tree, "provenance")], [])
+    if "load_steps" in summary:
+        check(f"{name}: load steps", (row(tree, "steps", "load steps"), row(tree, "steps", "end of the last one, in time")),
+              ([summary["load_steps"]["count"]], [summary["load_steps"]["time"]]))
     if more:
         check(f"{name}: error estimate", row(tree, "error", "of the mesh, estimated from recovered stresses, energy norm"),
               [summary["error"]["estimated_energy_norm"], summary["error"]["estimated_energy_norm_relative"]])

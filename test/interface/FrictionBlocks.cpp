@@ -42,7 +42,7 @@ Scene rubbedBlocks(int dimension, Sides sides, const std::shared_ptr<const Conta
   const Obstacle plane = Obstacle::plane({0, 0, 0}, turned(upwards));
   scene.constraints = buildConstraints(
       scene.mesh, {}, {sides == Sides::Obstacle ? Contact::with(plane, "upper_bottom") : Contact::between("upper_bottom", "lower_top")});
-  applyLaws(ContactLaws({law}), scene.constraints);
+  applyLaws(ContactLaws({law}), scene.mesh, scene.constraints);
   for (const int node : scene.nodesOf("upper_top")) {
     const Point p = straight.point(node);
     Point u{0.02, 0.0, 0.0};

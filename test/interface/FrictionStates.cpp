@@ -280,7 +280,7 @@ struct LooseStack {
     scene.model.dimension = dimension;
     scene.constraints = buildConstraints(
         scene.mesh, {}, {Contact::between("blocka_top", "blockb_bottom"), Contact::between("blockb_top", "blockc_bottom")});
-    applyLaws(ContactLaws(std::move(laws)), scene.constraints);
+    applyLaws(ContactLaws(std::move(laws)), scene.mesh, scene.constraints);
   }
   /// Motions that the pairs leave to the bodies as a whole.
   int motions() {

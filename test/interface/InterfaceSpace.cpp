@@ -45,6 +45,30 @@ TEUCHOS_UNIT_TEST(InterfaceSpace, GatherIsTheTransposeOfScatterAdd) {
   TEST_FLOATING_EQUALITY(dot(*x, *y), sum, 1e-12);
 }
 
+TEUCHOS_UNIT_TEST(InterfaceSpace, UnknownsThatVanishAreZeroForAll) {
+  const Twins t(loadedRectangle());
+  const InterfaceSpace& space = *t.spread.space;
+  std::vector<int> places;
+  for (int place = 0; place < space.overlapSize(); ++place)
+    if (space.id(place) % 7 == 0) places.push_back(place);
+  const auto without = space.without(places);
+  const MultiVectorPtr x = t.toSpread(random(t.size(), 1, 3));
+  Matrix all, seen;
+  space.gather(*x, all);
+  without->gather(*x, seen);
+  for (const int place : places) {
+    all(place, 0) = 0.0;
+    TEST_EQUALITY(without->sharers(place).size(), 0);
+    TEST_EQUALITY(without->entityOfPlaces()[place], -1);
+  }
+  TEST_EQUALITY((all - seen).norm(), 0.0);
+  const MultiVectorPtr y = without->vector();
+  without->scatterAdd(Matrix::Ones(space.overlapSize(), 1), *y);
+  const auto owned = localView(static_cast<const MultiVector&>(*y));
+  for (const int place : places)
+    if (space.ownedRow(place) >= 0) TEST_EQUALITY(owned(space.ownedRow(place), 0), 0.0);
+}
+
 TEUCHOS_UNIT_TEST(InterfaceSpace, SumsCountTheLocalProblemsThatMeet) {
   const Twins t(loadedRectangle());
   const InterfaceSpace& space = *t.spread.space;

@@ -30,7 +30,7 @@ TEUCHOS_UNIT_TEST(PairFrame, IsOrthonormalAndRightHanded) {
     TEST_COMPARE(worst, <, 1e-15);
     TEST_FLOATING_EQUALITY(triple, 1.0, 1e-14);
   }
-  const std::vector<Point> plane = pairFrame({0.6, 0.8, 0}, 2);
+  const std::vector<Point> plane = pairFrame(Point{0.6, 0.8, 0}, 2);
   TEST_EQUALITY(plane.size(), 2u);
   TEST_ASSERT((plane[1] == Point{-0.8, 0.6, 0}));
 }

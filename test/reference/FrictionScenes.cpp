@@ -328,13 +328,13 @@ TEUCHOS_UNIT_TEST(FrictionScenes, ASecondStepGoesOnFromTheSlipOfTheFirst) {
   // Solved again with its own slip as that before the step, nothing slides any further: the slipping pairs have come to rest.
   const Scene scene = with(pushedBlock(8), dry(0.0, 0.3));
   const MonolithicResult first = solved(scene);
-  MonolithicOptions options;
-  for (const ContactPair& pair : scene.constraints.pairs) {
+  Scene next = scene;
+  for (ContactPair& pair : next.constraints.pairs) {
     const Point tangent = pairFrame(pair.normal, 2)[1];
     const int node = pair.node();
-    options.slipBefore.push_back({0, first.displacement[2 * node] * tangent[0] + first.displacement[2 * node + 1] * tangent[1], 0});
+    pair.past.slip = scaled(first.displacement[2 * node] * tangent[0] + first.displacement[2 * node + 1] * tangent[1], tangent);
   }
-  const MonolithicResult second = solved(scene, options);
+  const MonolithicResult second = solved(next);
   TEST_ASSERT(second.converged);
   TEST_COMPARE(distance(second.displacement, first.displacement), <, 1e-9);
   for (std::size_t p = 0; p < first.forces.size(); ++p)

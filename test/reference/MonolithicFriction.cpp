@@ -119,6 +119,7 @@ double violation(const CondensedContact& problem, const ContactSolution& found) 
     }
     // The bound by a trial that slides without doubt, at the normal force found.
     ContactTrial trial;
+    trial.size = 1.0;
     trial.force[0] = normal;
     trial.jump[1] = 1e10;
     const double bound = state.closed() ? pair.law->project(trial, PairStatus::Slip).largest(normal) : 0.0;
@@ -158,6 +159,7 @@ bool canHold(const CondensedContact& problem) {
       for (std::size_t d = 0; d < problem.dofs[pair.first + k].size(); ++d)
         rows.row(k) += problem.coefficients[pair.first + k][d] * problem.kernel.row(problem.dofs[pair.first + k][d]);
     ContactTrial trial;
+    trial.size = 1.0;
     trial.force[0] = 1.0;
     trial.jump[1] = 1e10;
     const double mu = pair.law->project(trial, PairStatus::Slip).friction;
@@ -193,6 +195,7 @@ std::vector<Vector> enumeratedForces(const CondensedContact& problem) {
     for (int p = 0; p < m; ++p) {
       const int state = code >> (2 * p) & 3, normal = problem.pairs[p].first, tangent = normal + 1;
       ContactTrial trial;
+      trial.size = 1.0;
       trial.force[0] = 1.0;
       trial.jump[1] = 1e10;
       const ContactState slips = problem.pairs[p].law->project(trial, PairStatus::Slip);

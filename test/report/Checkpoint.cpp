@@ -81,4 +81,48 @@ TEUCHOS_UNIT_TEST(Checkpoint, ReadsFilesWithoutTheSlopeOfTheLaw) {
   }
 }
 
+// The path of load steps comes back to the last bit, on every rank; forces of lines on rank 0 were written, and all ranks read them.
+TEUCHOS_UNIT_TEST(Checkpoint, KeepsThePathOfLoadSteps) {
+  sample::SampleRun sample(sample::folderOf("checkpoint_path"));
+  prepareFolder(*sample.comm_, sample.folder_);
+  const std::string path = sample.folder_ + "/path.h5";
+  PathState written;
+  written.length = 0.125;
+  for (int step = 1; step <= 3; ++step) {
+    StepRow row;
+    row.step = step, row.time = step / 3.0, row.length = 1 / 3.0, row.outer = 4 * step, row.pcg = 50 + step, row.givenUp = step - 1;
+    row.active = 3, row.sticking = 2, row.slipping = 1, row.changed = step, row.residual = 1e-9 / step, row.energy = -1.0 / 7.0;
+    row.work = {1.0 / step, 0.3, 0.01, 0.2, 0.21, 1.5};
+    row.seconds = 0.1;
+    if (sample.comm_->getRank() == 0) row.forceOnB = {{1.0 / 3.0, step * 1.0, 0}, {0, 2.0, 0}};
+    written.rows.push_back(row);
+  }
+  for (const PairResult& pair : sample.solution_.pairs)
+    written.pairs.push_back({pair.id, {{0.1 * pair.id, 1.0 / 3.0, 0}, pair.id % 2 == 1, 0.7}, 2.0 + pair.id, {0, 0.25, 0.5}});
+  writeCheckpoint(*sample.comm_, path, "hash", sample.subdomains_, sample.solution_, written);
+  PathState read;
+  readCheckpoint(*sample.comm_, path, "hash", sample.subdomains_, &read);
+  TEST_EQUALITY(read.length, 0.125);
+  TEST_EQUALITY(read.rows.size(), 3u);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const StepRow &a = read.rows[i], &b = written.rows[i];
+    TEST_ASSERT(a.step == b.step && a.time == b.time && a.outer == b.outer && a.pcg == b.pcg && a.givenUp == b.givenUp);
+    TEST_ASSERT(a.slipping == b.slipping && a.changed == b.changed && a.residual == b.residual && a.energy == b.energy);
+    TEST_ASSERT(a.work.external == b.work.external && a.work.dissipated == b.work.dissipated && a.work.size == b.work.size);
+    TEST_EQUALITY(a.forceOnB.size(), 2u);
+    TEST_EQUALITY(a.forceOnB[0][1], 1.0 + double(i));
+  }
+  TEST_EQUALITY(read.pairs.size(), 4u);
+  for (const PathState::Pair& pair : read.pairs) {
+    TEST_EQUALITY(pair.past.slip[0], 0.1 * pair.id);
+    TEST_EQUALITY(pair.past.slipped, pair.id % 2 == 1);
+    TEST_EQUALITY(pair.past.dissipated, 0.7);
+    TEST_EQUALITY(pair.force, 2.0 + pair.id);
+    TEST_EQUALITY(pair.tangential[2], 0.5);
+  }
+  writeCheckpoint(*sample.comm_, path, "hash", sample.subdomains_, sample.solution_);
+  readCheckpoint(*sample.comm_, path, "hash", sample.subdomains_, &read);
+  TEST_ASSERT(read.empty());
+}
+
 }  // namespace

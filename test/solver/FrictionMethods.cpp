@@ -6,6 +6,7 @@
 #include <support/DryLaw.hpp>
 #include <suture/base/Point.hpp>
 #include <suture/pairing/PairFrame.hpp>
+#include <suture/solver/SolveInterface.hpp>
 
 namespace suture {
 namespace {
@@ -119,6 +120,16 @@ TEUCHOS_UNIT_TEST(FrictionMethods, HoldABodyByFrictionAlone) {
                  out);
 }
 
+// Nearly all pairs slip: nothing but the stiffness across their slip keeps the block from turning.
+TEUCHOS_UNIT_TEST(FrictionMethods, HoldABodyThatOnlySlidingPairsHold) {
+  int slide = 0, stick = 0;
+  for (const Sides sides : {Sides::Matching, Sides::Mortar, Sides::Obstacle}) {
+    const FarFromReference far = compared(heldByFriction(3, sides, dry(0.0, 0.3), 0.0058), nameOf(sides), success, out);
+    slide += far.slide, stick += far.stick;
+  }
+  TEST_COMPARE(slide, >, 3 * stick);
+}
+
 TEUCHOS_UNIT_TEST(FrictionMethods, SayThatABodySlidesAway) {
   const LawOfSides coulomb = dry(0.0, 0.3), bounded = dry(0.006, 0.0);
   for (const int dimension : {2, 3})
@@ -127,11 +138,13 @@ TEUCHOS_UNIT_TEST(FrictionMethods, SayThatABodySlidesAway) {
         const OnInterface one(heldByFriction(dimension, sides, law, 0.007), world());
         const OuterResult result = solveWith("Active Set", one.problem, 1e-10);
         TEST_ASSERT(!result.converged);
-        out << result.failure << "\n";
-        // Of the others it is known only that they do not end: FrictionSearch does not say why.
-        if (dimension == 3 || (sides == Sides::Matching && law == coulomb)) continue;
-        SUTURE_CHECK_SAYS(result.failure, "no equilibrium was found: friction does not hold");
-        SUTURE_CHECK_SAYS(result.failure, "(move ");
+        if (dimension == 3) continue;  // of which it is known only that they do not end
+        TEST_ASSERT(result.slides.size() > 0);
+        if (result.slides.size() == 0) continue;
+        const std::string said = slidesAway(one.problem.sets()->bodies(), result.slides, {"first", "second"});
+        out << said << "\n";
+        SUTURE_CHECK_SAYS(said, "no equilibrium was found: friction does not hold body '");
+        SUTURE_CHECK_SAYS(said, "', which can move ");
       }
 }
 
@@ -168,7 +181,7 @@ TEUCHOS_UNIT_TEST(FrictionMethods, GoOnFromASolution) {
     const InterfaceState start = one.problem.stateOf(one.problem.interiors(first.state), kept);
     const OuterResult again = solveWith("Active Set", one.problem, 1e-8, "BDDC", &start);
     TEST_ASSERT(again.converged);
-    TEST_COMPARE(again.iterations, <=, 2);
+    TEST_COMPARE(again.iterations, <=, dimension);  // in space directions of slip are settled at an accuracy between
     TEST_COMPARE(again.pcgTotal, <=, first.pcgTotal / 2);
     TEST_ASSERT(one.problem.differing(again.state.status, first.state.status).empty());
   }

@@ -22,7 +22,7 @@ Scene quarterRing(Cell cell, double a, double b, int nr, int nt, const Material&
     makeAxisymmetric(scene.mesh);
     scene.model.axisymmetric = true;
     Problems problems;
-    scene.constraints.rules = nodalRules(scene.mesh, {}, problems, scene.constraints.supports);
+    scene.constraints.rules = nodalRules(scene.mesh, {}, problems, scene.constraints.supports, scene.constraints.prescribed);
   } else {
     scene.hold("body_top", 0, 0.0);
   }

@@ -7,7 +7,7 @@
 #include <suture/quality/Verify.hpp>
 #include <suture/solver/Method.hpp>
 #include <suture/solver/SolverSchema.hpp>
-#include <suture/solver/solvability/TakeOutLift.hpp>
+#include <suture/solver/lift/TakeOutLift.hpp>
 
 #include <support/ExtendedReference.hpp>
 

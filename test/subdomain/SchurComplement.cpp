@@ -49,6 +49,36 @@ TEUCHOS_UNIT_TEST(SchurComplement, IsTheDenseOne) {
       }
 }
 
+// Other loads and prescribed displacements after factoring, against a dense elimination with them; single precision, too.
+TEUCHOS_UNIT_TEST(SchurComplement, TakesOtherLoads) {
+  const Scene scene = loadedSquare();
+  for (const std::string name : {"Explicit", "Implicit", "Single", "Automatic"}) {
+    Blocks all(scene, alone());
+    std::vector<std::unique_ptr<SubdomainProblem>> problems;
+    for (const auto& subdomain : all.subdomains) {
+      auto single = std::make_unique<ImplicitSchurComplement>(ImplicitSchurComplement::Precision::Single);
+      problems.push_back(std::make_unique<SubdomainProblem>(7, *subdomain, sharedDofs(*subdomain), localSolver("CHOLMOD"),
+                                                            name == "Single" ? std::move(single) : schurComplement(name)));
+    }
+    for (Load& load : all.model.loads) load.factor = load.kind == Load::Kind::BodyForce ? -3.0 : 0.25;
+    for (std::size_t i = 0; i < problems.size(); ++i) {
+      for (NodeRule& rule : all.meshes[i].rules) rule.value = scaled(-2.0, rule.value);
+      Subdomain& subdomain = *all.subdomains[i];
+      subdomain.reload();
+      problems[i]->reload();
+      Vector load;
+      const std::vector<int> boundary = sharedDofs(subdomain);
+      denseSchur(subdomain.stiffness().dense(), boundary, subdomain.load(), &load);
+      TEST_COMPARE(difference(problems[i]->condensedLoad(), load), <, 1e-11);
+      const Vector values = problems[i]->recover(Vector::Zero(problems[i]->size()));  // no motion of the boundary
+      Vector rest = subdomain.load() - subdomain.stiffness() * values;
+      for (const int dof : boundary) rest(dof) = 0.0;
+      TEST_COMPARE(rest.norm(), <, 1e-12 * subdomain.load().norm());
+      TEST_FLOATING_EQUALITY(problems[i]->constantEnergy(), subdomain.constantEnergy() - 0.5 * values.dot(subdomain.load()), 1e-11);
+    }
+  }
+}
+
 TEUCHOS_UNIT_TEST(SchurComplement, VanishesOnTracesOfRigidMotions) {
   const Scene scene = loadedSquare(2e11);
   const Blocks all(scene, alone());

@@ -105,6 +105,26 @@ TEUCHOS_UNIT_TEST(Subdomain, ABodyOnAnInclineCanSlide) {
   TEST_COMPARE(difference(found * (found.dot(expected) / found.squaredNorm()), expected), <, 1e-12);
 }
 
+// Loads and prescribed values changed after the assembly, against a subdomain assembled with them.
+TEUCHOS_UNIT_TEST(Subdomain, TakesOtherLoadsAsIfItWereAssembledWithThem) {
+  Plate plate(0.4), other(0.4);
+  other.scene.model.loads[0].factor = -2.5;
+  for (int node : other.scene.nodesOf("body_left")) other.scene.ruleOf(node).value[0] = 3.0 * Plate::shift;
+  Blocks body(plate.scene, alone(), 2);
+  const Blocks expected(other.scene, alone(), 2);
+  body.model.loads[0].factor = -2.5;
+  for (std::size_t i = 0; i < body.subdomains.size(); ++i) {
+    Subdomain& s = *body.subdomains[i];
+    const Subdomain& e = *expected.subdomains[i];
+    body.meshes[i].rules = e.mesh().rules;
+    s.reload();
+    TEST_COMPARE(difference(s.load(), e.load()), <, 1e-14);
+    TEST_COMPARE(difference(s.nodalLoads(), e.nodalLoads()), <, 1e-14);
+    TEST_COMPARE(std::abs(s.constantEnergy() - e.constantEnergy()), <, 1e-14);
+    TEST_COMPARE(difference(s.cartesian(s.freeValues(e.cartesian(e.load()))), e.cartesian(e.load())), <, 1e-14);
+  }
+}
+
 // By the matrix and by element loops: two ways to one force, in turned axes and with prescribed components.
 TEUCHOS_UNIT_TEST(Subdomain, ItsForcesAndLoadsAreThoseOfElementLoops) {
   const Plate plate(0.4);

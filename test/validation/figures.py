@@ -3,75 +3,21 @@
 figure("hertz.fittedPressure", folder) reads folder/fields_0000.vtkhdf and folder/contact_0000.vtkhdf. Signs as in the files: tension
 positive, contact pressure > 0 where it presses, gap > 0 where open.
 """
-import itertools
 import json
 import math
 import os
 import sys
 
-import h5py
 import numpy as np
 
+import comparisons
 import curves
-
-
-VTK_DIMENSIONS = {1: 0, 3: 1, 21: 1, 5: 2, 9: 2, 22: 2, 23: 2, 28: 2}  # of VTK's types of cells; all others are solids
-
-
-class Fields:
-    """One VTKHDF file with the pieces of all ranks joined. `dimension`: of the scene, that of the cells or, of contact, one more."""
-
-    def __init__(self, path, codimension=0):
-        with h5py.File(path, "r") as file:
-            root = file["VTKHDF"]
-            counts = {name: np.asarray(root[name]) for name in ("NumberOfPoints", "NumberOfCells", "NumberOfConnectivityIds")}
-            self.dimension = max([2, *(VTK_DIMENSIONS.get(t, 3) + codimension for t in np.unique(root["Types"]).tolist())])
-            self.points = np.asarray(root["Points"])[:, :self.dimension]
-            self.point = {name: np.asarray(data) for name, data in root.get("PointData", {}).items()}
-            self.cell = {name: np.asarray(data) for name, data in root.get("CellData", {}).items()}
-            offsets, ids = np.asarray(root["Offsets"]), np.asarray(root["Connectivity"])
-        self.cells = []
-        o = p = c = 0
-        for points, cells, entries in zip(*counts.values()):
-            for k in range(cells):
-                self.cells.append(ids[c + offsets[o + k]:c + offsets[o + k + 1]] + p)
-            o, p, c = o + cells + 1, p + points, c + entries
-
-    def centroids(self):
-        return np.array([self.points[cell].mean(axis=0) for cell in self.cells])
-
-
-def fields(folder):
-    return Fields(os.path.join(folder, "fields_0000.vtkhdf"))
-
-
-def contact(folder):
-    return Fields(os.path.join(folder, "contact_0000.vtkhdf"), codimension=1)
-
-
-def ofBodies(f, values):
-    """[(places, values)] of the nodes of each body; bodies share no node."""
-    body = f.cell["Body"].astype(int)
-    return [(f.points[nodes], values[nodes]) for nodes in
-            (np.unique(np.concatenate([f.cells[i] for i in np.flatnonzero(body == b)])) for b in np.unique(body))]
+import paths
+from runfiles import contact, fields, hooke, linearTriangles, ofBodies, rotation, summary, turned
 
 
 # --- V1, V14: patch test of two blocks, the whole turned by `angle` degrees, in space about `axis`: sigma = -pressure n x n everywhere, n
 # the axis that was y, in space z ---
-
-def rotation(dimension, angle=0, axis=(0, 0, 1)):
-    """Matrix of a turn by so many degrees, in space about an axis of any length (Rodrigues)."""
-    c, s = math.cos(math.radians(angle)), math.sin(math.radians(angle))
-    if dimension == 2:
-        return np.array([[c, -s], [s, c]])
-    x, y, z = k = np.asarray(axis, dtype=float) / np.linalg.norm(axis)
-    return c * np.eye(3) + (1 - c) * np.outer(k, k) + s * np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
-
-
-def turned(angle):
-    """Unit vectors along and across the joint."""
-    return rotation(2, angle).T
-
 
 def patch_stressError(folder, _, pressure=1e5, **turn):
     """Largest deviation of any stress component, over the pressure."""
@@ -350,204 +296,6 @@ def tunnel_openAboveFoot(folder, _):
     return int((y[~active] > lowestClosed).sum())
 
 
-# --- comparison of two runs: "against" in a case ---
-
-def byNode(folder):
-    """{node of the mesh: u}; ranks repeat the nodes of their seams, with the same u to solver tolerance."""
-    f = fields(folder)
-    return dict(zip(f.point["NodeId"].tolist(), f.point["Displacement"]))
-
-
-def difference_displacement(folder, reference):
-    """Largest |u - u_reference| over the largest |u_reference|."""
-    u, r = byNode(folder), byNode(reference)
-    if u.keys() != r.keys():
-        return math.inf
-    return float(max(np.linalg.norm(u[k] - r[k]) for k in r) / max(np.linalg.norm(v) for v in r.values()))
-
-
-def summary(folder):
-    with open(os.path.join(folder, "summary.json")) as file:
-        return json.load(file)
-
-
-def hooke(folder, f):
-    """Matrix D of every cell in plane strain or plane stress, from the scene's materials (Regions are not looked at)."""
-    scene = summary(folder)["parameters"]
-    sheet = scene["Model"] == "Plane Stress"
-    laws = []
-    for body in scene["Bodies"].values():
-        material = scene["Materials"][body["Material"]]
-        e, nu = material["Young Modulus"], material["Poisson Ratio"]
-        mu = e / (2 * (1 + nu))
-        lame = e * nu / (1 - nu * nu) if sheet else e * nu / ((1 + nu) * (1 - 2 * nu))
-        laws.append(np.array([[lame + 2 * mu, lame, 0], [lame, lame + 2 * mu, 0], [0, 0, mu]]))
-    return np.array(laws)[f.cell["Body"]]
-
-
-def linearTriangles(f, displacement):
-    """Area and strain (xx, yy, engineering xy) of every cell; cells are triangles of three nodes."""
-    cells = np.array(f.cells)
-    assert cells.shape[1] == 3, "cells of three nodes are expected"
-    x, u = f.points[cells], displacement[:, :2][cells]
-    turned = np.array([[0, 1], [-1, 0]])
-    edges = np.stack([x[:, 2] - x[:, 1], x[:, 0] - x[:, 2], x[:, 1] - x[:, 0]], axis=1)
-    area = 0.5 * (edges[:, 0, 0] * edges[:, 1, 1] - edges[:, 0, 1] * edges[:, 1, 0])
-    gradient = -edges @ turned.T / (2 * area[:, None, None])  # gradients of the shape functions
-    h = np.einsum("cak,cai->cik", gradient, u)
-    return area, np.stack([h[:, 0, 0], h[:, 1, 1], h[:, 0, 1] + h[:, 1, 0]], axis=1)
-
-
-def difference_energy(folder, reference):
-    """Energy norm of u - u_reference over the discretisation error that the reference estimates: 0.2 makes the whole error 2 % larger."""
-    f, r = fields(folder), byNode(reference)
-    difference = f.point["Displacement"] - np.array([r[node] for node in f.point["NodeId"].tolist()])
-    area, strain = linearTriangles(f, difference)
-    energy = np.einsum("c,ci,cij,cj->", area, strain, hooke(folder, f), strain)
-    return float(math.sqrt(energy) / summary(reference)["error"]["estimated_energy_norm"])
-
-
-def difference_effectivity(folder, reference):
-    """Estimated error over the difference of stresses from the nodal means of a reference on a finer mesh, body by body."""
-    from matplotlib.tri import Triangulation
-    f, r = fields(folder), fields(reference)
-    area, strain = linearTriangles(f, f.point["Displacement"])
-    weight, fineStrain = linearTriangles(r, r.point["Displacement"])
-    law, fineStress = hooke(folder, f), np.einsum("cij,cj->ci", hooke(reference, r), fineStrain)
-    computed, compliance = np.einsum("cij,cj->ci", law, strain), np.linalg.inv(law)
-    square = 0.0
-    for body in np.unique(f.cell["Body"]):
-        cells, ofBody = np.array(r.cells)[r.cell["Body"] == body], r.cell["Body"] == body
-        sums, weights = np.zeros((len(r.points), 3)), np.zeros(len(r.points))
-        for k in range(3):
-            np.add.at(sums, cells[:, k], weight[ofBody, None] * fineStress[ofBody])
-            np.add.at(weights, cells[:, k], weight[ofBody])
-        nodal = sums / np.maximum(weights, 1e-300)[:, None]
-        find = Triangulation(r.points[:, 0], r.points[:, 1], cells).get_trifinder()
-        mine = f.cell["Body"] == body
-        x = f.points[np.array(f.cells)[mine]]
-        for weightsOf in ((2 / 3, 1 / 6, 1 / 6), (1 / 6, 2 / 3, 1 / 6), (1 / 6, 1 / 6, 2 / 3)):
-            p = np.einsum("k,cki->ci", np.array(weightsOf), x)
-            at = find(p[:, 0], p[:, 1])
-            assert (at >= 0).all(), "points outside of the finer mesh"
-            corner = r.points[cells[at]]
-            a = np.stack([corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0]], axis=2)
-            local = np.linalg.solve(a, p - corner[:, 0])
-            shape = np.stack([1 - local.sum(axis=1), local[:, 0], local[:, 1]], axis=1)
-            e = np.einsum("ck,cki->ci", shape, nodal[cells[at]]) - computed[mine]
-            square += np.einsum("c,ci,cij,cj->", area[mine] / 3, e, compliance[mine], e)
-    return summary(folder)["error"]["estimated_energy_norm"] / math.sqrt(square)
-
-
-def difference_pcg(folder, reference):
-    """All PCG iterations over those of the reference."""
-    a, b = summary(folder), summary(reference)
-    return (a["outer"]["pcg_total"] + a["auxiliary"]["iterations"]) / (b["outer"]["pcg_total"] + b["auxiliary"]["iterations"])
-
-
-def byPair(folder, name):
-    c = contact(folder)
-    return dict(zip(c.point["Pair"].tolist(), c.point[name]))
-
-
-def difference_force(folder, reference):
-    """Largest difference of the pair forces over the largest force."""
-    a, b = byPair(folder, "ContactForce"), byPair(reference, "ContactForce")
-    if a.keys() != b.keys():
-        return math.inf
-    return float(max(abs(a[k] - b[k]) for k in b) / max(abs(v) for v in b.values()))
-
-
-def difference_status(folder, reference):
-    """Number of pairs with another status."""
-    a, b = byPair(folder, "Active"), byPair(reference, "Active")
-    return len(a.keys() ^ b.keys()) + sum(int(a[k] != b[k]) for k in a.keys() & b.keys())
-
-
-# --- V10: what a change of the scene does to its solution. A point x of the reference is now at length R(angle, axis) x + shift. ---
-
-def located(points, length=1, shift=0, **turn):
-    """Places as keys: the points moved back to where the reference has them, rounded to 1e-6 of the scene."""
-    back = (points - np.asarray(shift)) / length @ rotation(points.shape[1], **turn)
-    step = 1e-6 * np.ptp(back, axis=0).max()
-    return [tuple(k) for k in np.round(back / step).astype(int).tolist()]
-
-
-def matched(found, expected, dimension):
-    """Pairs of the values of both at the same keys, or none if the keys are not the same; a key stands for all values within a step."""
-    if len(found) != len(expected):
-        return None
-    pairs = []
-    steps = list(itertools.product((0, -1, 1), repeat=dimension))
-    for key, value in expected.items():
-        near = ((*(k + i for k, i in zip(key, step)), *key[dimension:]) for step in steps)
-        other = next((found[k] for k in near if k in found), None)
-        if other is None:
-            return None
-        pairs.append((other, value))
-    return pairs
-
-
-def worst(pairs):
-    if not pairs:
-        return math.inf
-    a, b = (np.array(x, dtype=float).reshape(len(pairs), -1) for x in zip(*pairs))
-    return float(np.linalg.norm(a - b, axis=1).max() / np.linalg.norm(b, axis=1).max())
-
-
-def byPlaceAndBody(f, values, **motion):
-    bodies = [set() for _ in f.points]
-    for cell, body in zip(f.cells, f.cell["Body"].tolist()):
-        for node in cell:
-            bodies[node].add(body)
-    return {(*place, *bodies[i]): values[i] for i, place in enumerate(located(f.points, **motion))}
-
-
-def metamorphic_displacement(folder, reference, times=1, length=1, shift=0, **turn):
-    """Largest |u - times R u_reference| over the largest |times u_reference|."""
-    a, b = fields(folder), fields(reference)
-    d = a.dimension
-    found = byPlaceAndBody(a, a.point["Displacement"][:, :d], length=length, shift=shift, **turn)
-    return worst(matched(found, byPlaceAndBody(b, times * b.point["Displacement"][:, :d] @ rotation(d, **turn).T), d))
-
-
-def metamorphic_principalStress(folder, reference, times=1, **motion):
-    """The same of the principal stresses, by the elements' centres."""
-    a, b = fields(folder), fields(reference)
-    found = dict(zip(located(a.centroids(), **motion), a.cell["PrincipalStress"]))
-    return worst(matched(found, dict(zip(located(b.centroids()), times * b.cell["PrincipalStress"])), a.dimension))
-
-
-def metamorphic_force(folder, reference, times=1, **motion):
-    """The same of the pair forces."""
-    a, b = contact(folder), contact(reference)
-    found = dict(zip(located(a.points, **motion), a.point["ContactForce"]))
-    return worst(matched(found, dict(zip(located(b.points), times * b.point["ContactForce"])), a.dimension))
-
-
-def metamorphic_status(folder, reference, **motion):
-    """Number of pairs with another status."""
-    a, b = contact(folder), contact(reference)
-    pairs = matched(dict(zip(located(a.points, **motion), a.point["Active"])), dict(zip(located(b.points), b.point["Active"])), a.dimension)
-    return sum(int(x != y) for x, y in pairs) if pairs else max(len(a.points), len(b.points))
-
-
-def metamorphic_tangential(folder, reference, times=1, length=1, shift=0, **turn):
-    """Largest |t - times R t_reference| of the tangential tractions, over the largest |times t_reference|."""
-    a, b = contact(folder), contact(reference)
-    d = a.dimension
-    found = dict(zip(located(a.points, length=length, shift=shift, **turn), a.point["TangentialTraction"][:, :d]))
-    expected = times * b.point["TangentialTraction"][:, :d] @ rotation(d, **turn).T
-    return worst(matched(found, dict(zip(located(b.points), expected)), d))
-
-
-def metamorphic_sticking(folder, reference, **motion):
-    """Number of pairs that stick in one of the runs and not in the other."""
-    a, b = contact(folder), contact(reference)
-    pairs = matched(dict(zip(located(a.points, **motion), a.point["Stick"])), dict(zip(located(b.points), b.point["Stick"])), a.dimension)
-    return sum(int(x != y) for x, y in pairs) if pairs else max(len(a.points), len(b.points))
-
-
 def history_energyIncrease(folder, _):
     """Largest increase of the energy from one outer iteration to the next, over |energy|; 0 or less when it never increases."""
     with open(os.path.join(folder, "history.csv")) as file:
@@ -572,36 +320,10 @@ def vtk_quadrilateralArea(folder, _):
     return total
 
 
-def iterations_overReference(folder, reference):
-    """PCG iterations of all, the auxiliary problem's included."""
-    both = []
-    for one in (folder, reference):
-        with open(os.path.join(one, "summary.json")) as file:
-            summary = json.load(file)
-        both.append(summary["auxiliary"]["iterations"] + summary["outer"]["pcg_total"])
-    return both[0] / both[1]
-
-
-# --- memory of a run on several ranks against that of one rank ---
-
-def peaks(folder):
-    with open(os.path.join(folder, "summary.json")) as file:
-        return json.load(file)["peak_memory_mb"]
-
-
-def memory_largestOverReference(folder, reference):
-    """Largest peak of a rank over that of the reference run (on one rank)."""
-    return peaks(folder)["max"] / peaks(reference)["max"]
-
-
-def memory_largestOverSmallest(folder, _):
-    """Largest peak of a rank over the smallest: rank 0, which read the mesh, against the others."""
-    return peaks(folder)["max"] / peaks(folder)["min"]
-
-
 def figure(name, folder, reference=None, **options):
     """The figure "case.name" of the run in `folder`."""
-    function = getattr(sys.modules[__name__], name.replace(".", "_"), None)
+    own = name.replace(".", "_")
+    function = getattr(sys.modules[__name__], own, None) or getattr(comparisons, own, None) or getattr(paths, own, None)
     if function is None:
-        raise KeyError(f"figures.py has no {name}")
+        raise KeyError(f"none of figures.py, comparisons.py and paths.py has {name}")
     return function(folder, reference, **options)

@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""Figures of scenes in space on files whose content is known: exact where the fields are, wrong by what was put in, unmoved by a turn."""
+"""Figures of scenes in space and of load steps on files whose content is known: exact where the fields are, wrong by what was put in, unmoved
+by a turn."""
 import math
 import os
 import sys
@@ -10,7 +11,7 @@ import numpy as np
 
 import figures
 
-TETRAHEDRON, TRIANGLE = 10, 5
+TETRAHEDRON, TRIANGLE, LINE = 10, 5, 3
 AXIS, ANGLE = (1, 2, 3), 30.0
 wrong = []
 
@@ -54,6 +55,25 @@ def patch(folder, factor=1.0):
           {"Stress": stress, "Body": body})
 
 
+def pushed(folder, factor=1.0):
+    """Half planes with a = 1, p0 = 1 and mu = 1, that is P = pi / 2 and all modulus / radius = 2: pushed to P / 2 at t = 1, and at t = 2 back to
+    -P / 2 and at t = 3 to P. Tractions are exact but for `factor`; the work is that of the full slip from 0 to P at t = 3."""
+    normal = math.pi / 2
+    x = np.linspace(-1.2, 1.2, 97)
+    c = math.sqrt(0.5)
+    half = np.sqrt(np.maximum(0, 1 - x ** 2)) - c * np.sqrt(np.maximum(0, 1 - (x / c) ** 2))
+    points, cells = np.stack([x, 0 * x, 0 * x], axis=1), np.stack([np.arange(96), np.arange(1, 97)], axis=1)
+    for place, traction in enumerate((half, half - 2 * half, np.sqrt(np.maximum(0, 1 - x ** 2)))):
+        write(os.path.join(folder, f"contact_{place:04d}.vtkhdf"), LINE, points, cells,
+              {"TangentialTraction": factor * np.stack([traction, 0 * x, 0 * x], axis=1)})
+    with open(os.path.join(folder, "steps.csv"), "w") as file:
+        file.write("step,time,active,sticking,slipping,external_work,stored_energy,dissipated_work,force touch x,force touch y,force touch z\n")
+        for time, force, work in ((1, normal / 2, 0.0), (2, -normal / 2, 1.0), (3, normal, math.pi / 16 * factor)):
+            file.write(f"{time},{time},3,2,1,{factor * 4.0!r},{factor * 3.0!r},{factor * work!r},{factor * force!r},{-normal!r},0\n")
+    with open(os.path.join(folder, "summary.json"), "w") as file:
+        file.write('{"parameters": {"Load Steps": {"Times": [1.0, 2.0, 3.0]}}}')
+
+
 def moved(folder, order, length=1.0, times=1.0, shift=(0, 0, 0), angle=0.0):
     """A solution by chance in an order of its own, turned, scaled and moved; forces on a piece of the surface."""
     random = np.random.default_rng(2)
@@ -78,6 +98,27 @@ def hertz(folder, peak, radius):
     write(os.path.join(folder, "contact_0000.vtkhdf"), TRIANGLE, np.stack([x, y, 0 * x], axis=1), triangles,
           {"ContactPressure": pressure, "ContactForce": np.ones(len(x))})
 
+
+with tempfile.TemporaryDirectory() as exact, tempfile.TemporaryDirectory() as wrongly:
+    pushed(exact)
+    pushed(wrongly, 0.9)
+    unit = {"mu": 1, "modulus": 2.0, "radius": 1.0}
+    check("traction of a push", figures.figure("path.mindlinError", exact, turns=[1], **unit), 0.0)
+    check("traction after a turn", figures.figure("path.mindlinError", exact, turns=[1, 2], **unit), 0.0)
+    check("traction in the middle", figures.figure("path.mindlinTraction", exact, turns=[1, 2], at=0, **unit), math.sqrt(0.5) - 1)
+    check("work of full slip", figures.figure("path.mindlinDissipation", exact, time=3, **unit), 1.0, 1e-6)
+    check("a value", figures.figure("path.value", exact, column="force touch x", time=2, since=1), -math.pi / 2)
+    check("a ratio", figures.figure("path.ratio", exact, column="external_work", over="stored_energy", time=2), 4 / 3)
+    for name in ("forceDifference", "stateDifference", "workDifference"):
+        check(f"{name} of a path to itself", figures.figure(f"path.{name}", exact, exact), 0)
+    check("a wrong traction is found", figures.figure("path.mindlinError", wrongly, turns=[1], **unit) > 0.01, True)
+    check("other forces are found", figures.figure("path.forceDifference", wrongly, exact), 0.1 / math.sqrt(2))
+    check("other works are found", figures.figure("path.workDifference", wrongly, exact), 0.1)
+    try:
+        figures.figure("path.value", exact, column="time", time=1.5)
+        wrong.append("a time at which no step ends has a value")
+    except ValueError:
+        pass
 
 with tempfile.TemporaryDirectory() as one, tempfile.TemporaryDirectory() as two:
     turn = {"angle": ANGLE, "axis": AXIS}
@@ -109,5 +150,5 @@ with tempfile.TemporaryDirectory() as one, tempfile.TemporaryDirectory() as two:
     r = figures.rotation(3, 90, (0, 0, 2))
     check("a quarter turn about z", float(np.abs(r - [[0, -1, 0], [1, 0, 0], [0, 0, 1]]).max()), 0)
 
-print("\n".join(wrong) or "figures in space as expected")
+print("\n".join(wrong) or "figures in space and of paths as expected")
 sys.exit(bool(wrong))

@@ -1,4 +1,6 @@
 """Curves: convergence.png, probe_*.png."""
+import math
+
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.ticker import MaxNLocator
@@ -6,6 +8,8 @@ from matplotlib.ticker import MaxNLocator
 from .run import probe_table
 from .style import GREY, PALETTE, wrapped
 from .units import scaled
+
+MOST_MARKS = 60  # outer iterations with marks of full size
 
 
 def probe_figure(run, path):
@@ -38,12 +42,20 @@ def probe_figure(run, path):
 
 
 def convergence_figure(run):
-    k = [row["iteration"] for row in run.history]
+    k = np.arange(1, len(run.history) + 1)
+    starts = np.flatnonzero(np.diff([row.get("load_step", 1) for row in run.history])) + 1  # of load steps, but the first
+
+    def parted(values):
+        """Values with gaps between load steps."""
+        return np.insert(np.asarray(values, dtype=float), starts, math.nan)
+
+    many = len(k) > MOST_MARKS
     figure, (above, below) = plt.subplots(2, 1, figsize=(6.5, 5.2), sharex=True, height_ratios=[2, 1], constrained_layout=True)
-    above.semilogy(k, [max(row["residual"], 1e-18) for row in run.history], "o-", ms=4, color=PALETTE[4], label="stopping norm")
+    above.semilogy(parted(k), parted([max(row["residual"], 1e-18) for row in run.history]), "o-", ms=2 if many else 4, color=PALETTE[4],
+                   label="stopping norm")
     euclidean = [row.get("euclidean", 0.0) for row in run.history]
     if max(euclidean) > 0:
-        above.semilogy(k, [max(e, 1e-18) for e in euclidean], "s--", ms=3, lw=0.9, color=GREY, label="Euclidean (decides nothing)")
+        above.semilogy(parted(k), parted([max(e, 1e-18) for e in euclidean]), "s--", ms=1.5 if many else 3, lw=0.9, color=GREY, label="Euclidean (decides nothing)")
     try:
         tolerance = float(run.parameter("Outer Solver", "Tolerance"))
         above.axhline(tolerance, color=PALETTE[5], lw=0.9, ls=":", label=f"tolerance {tolerance:g}")
@@ -57,6 +69,9 @@ def convergence_figure(run):
     after = f", after {first} of the auxiliary problem" if first else ""
     above.set_title(wrapped(f"{run.title}{run.state}", 60) + f"\n{outer.get('solver', '')}: {outer.get('pcg_total', 0)} PCG{after}", loc="left")
     below.bar(k, [row["pcg"] for row in run.history], width=0.6, color=PALETTE[1])
+    for axis in (above, below):
+        for start in starts:
+            axis.axvline(start + 0.5, color="#cccccc", lw=0.3 if many else 0.7, zorder=0)
     below.set_ylabel("PCG iterations", color="#1c6b9c")
     below.set_xlabel("outer iteration")
     below.xaxis.set_major_locator(MaxNLocator(integer=True, min_n_ticks=1, nbins=12))
@@ -64,7 +79,7 @@ def convergence_figure(run):
     below.set_xlim(min(k) - 0.6, max(k) + 0.6)
     changed = below.twinx()
     changed.spines["right"].set_visible(True)
-    changed.plot(k, [row["changed"] for row in run.history], "D-", ms=3.5, lw=0.9, color=PALETTE[5])
+    changed.plot(parted(k), parted([row["changed"] for row in run.history]), "D-", ms=1.5 if many else 3.5, lw=0.9, color=PALETTE[5])
     changed.set_ylabel("changed pairs", color=PALETTE[5])
     changed.yaxis.set_major_locator(MaxNLocator(integer=True, min_n_ticks=1, nbins=5))
     changed.set_ylim(0, max(1.0, 1.1 * max(row["changed"] for row in run.history)))

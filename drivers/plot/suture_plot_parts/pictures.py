@@ -8,6 +8,7 @@ from .picture import Picture, told
 from .region import region_of_interest
 from .scene import scene_figure
 from .space.pages import pages_in_space
+from .steps import steps_figure
 from .stresses import crosses_figure, principal_caption, von_mises_caption, von_mises_figure
 from .style import PlotError
 
@@ -24,11 +25,19 @@ def pictures(run, factor=None, zoom=None, view=None, cut=None):
     if not space and (view or cut):
         raise PlotError("--view and --cut are for runs in space; this one is plane")
     if run.fields is not None:
-        yield from pages_in_space(run, factor, view, cut) if space else plane_pages(run, factor, zoom)
+        for picture in pages_in_space(run, factor, view, cut) if space else plane_pages(run, factor, zoom):
+            if run.step is not None and picture.section != "mesh":
+                picture.caption += (f" At the end of {run.words_of_step}; rings at the extremes of the whole are left out, since summary.json has those "
+                                    "of the last step.")
+            yield picture
+    if run.steps:
+        figure, left_out = steps_figure(run)
+        yield Picture("steps", "steps", "Contact forces on side B, states of the pairs at the end of each load step, and work from the beginning on, over "
+                      "time." + told(left_out), figure)
     if run.history:
         yield Picture("convergence", "convergence", "Residual, conjugate gradient iterations (PCG) and pairs that changed between closed and open, "
-                      "in each outer iteration.", convergence_figure(run))
-    if run.fields is not None:
+                      "in each outer iteration." + (" Lines between them: ends of load steps." if run.steps else ""), convergence_figure(run))
+    if run.fields is not None and run.step is None:
         for path in run.probes():
             figure = probe_figure(run, path)
             if figure:

@@ -2,7 +2,7 @@
 import os
 
 from .html import esc, figure, number, page
-from .report_run import convergence, cost, error, provenance, verdict
+from .report_run import convergence, cost, error, load_steps, provenance, verdict
 from .report_scene import contact_pieces, reactions, scene_in_words
 from .stresses import taken_at
 from .units import scaled
@@ -20,6 +20,8 @@ def banner(run):
         words.append(esc(sentence(summary["failure"])))
     if not run.good:
         words.append("Every picture and number below is that of this unfinished or doubtful state.")
+    if run.step is not None:
+        words.append(f"Pictures of fields are those of {esc(run.words_of_step)}; the numbers are those of the last step.")
     notes = "".join(f"<br/>Note: {esc(note if note.endswith('.') else note + '.')}" for note in summary.get("notes", []))
     head = sentence(run.verdict).rstrip(".")
     return f'<div class="verdict{"" if run.good else " bad"}" id="banner"><strong>{esc(head)}</strong>{" ".join(words)}{notes}</div>\n'
@@ -77,6 +79,8 @@ def report(run, pictures, path):
         ("provenance", "Provenance", provenance(run))]
     if any(picture.section == "probes" for picture in pictures):
         sections.insert(7, ("probes", "Probes", drawn("probes", "")))
+    if run.steps:
+        sections.insert(7, ("steps", "Load steps", load_steps(run) + drawn("steps", "")))
     header = (f"<h1>{esc(run.title)}</h1>\n<p class=\"soft\">{esc(run.model)}, {number(run.summary['elements'])} elements, "
               f"{number(run.summary.get('dofs'))} unknowns, units {esc(run.summary.get('units', ''))}. Suture {esc(run.summary['versions'].get('suture', ''))}, "
               f"{run.written:%Y-%m-%d %H:%M}.</p>\n{banner(run)}{key_figures(run)}")

@@ -47,6 +47,20 @@ def convergence(run):
     return table(("", ""), rows)
 
 
+def load_steps(run):
+    found = run.summary["load_steps"]
+    given_up = sum(row.get("given_up") or 0 for row in found.get("steps") or [])
+    work = found.get("work") or {}
+    force, length = run.force_unit, run.length_unit
+    rows = [("load steps", number(found.get("count"))), ("end of the last one, in time", number(found.get("time"))),
+            ("trials that were too long and given up", number(given_up))]
+    rows += [(f"{words} [{esc(force)} {esc(length)}]", number(work[key])) for key, words in (
+        ("external", "external work"), ("stored", "stored energy"), ("dissipated", "work dissipated by friction")) if key in work]
+    if "step_error" in work:
+        rows.append(("error of the steps' length, of the external work", number(work["step_error"], form=".3g")))
+    return table(("", ""), rows, numeric=(1,))
+
+
 def verdict(run):
     checks = run.summary.get("verification")
     if not checks:

@@ -10,6 +10,8 @@ from .grid import Grid
 from .style import PlotError
 from .summary import read_summary
 
+STEP_COLUMNS = ("time", "length", "active", "sticking", "slipping", "external_work", "stored_energy", "dissipated_work")
+
 
 def last(folder, pattern):
     files = sorted(folder.glob(pattern))
@@ -22,19 +24,23 @@ class RunFolder:
     `fields` and `contact` are None where the run wrote no fields: the scene switched them off, or the run failed before.
     """
 
-    def __init__(self, folder):
+    def __init__(self, folder, step=None):
+        """\\param step  number of the load step whose fields are taken, from 1 on; those of the last one without it"""
         self.folder = Path(folder)
         self.summary = self._summary(folder)
+        self.steps = step_table(self.folder / "steps.csv") if self.summary.get("load_steps") else {}
+        self.step = self._step(step)
         # Fields of an earlier run may lie in the folder of a run without.
         wanted = self.parameter("Output", "Fields", default=True) is not False
-        fields = last(self.folder, "fields_*.vtkhdf") if wanted else None
+        place = "*" if self.step is None else f"{self.step - 1:04d}"
+        fields = last(self.folder, f"fields_{place}.vtkhdf") if wanted else None
         if fields is None and wanted and self.summary["exit_code"] == 0:
-            raise PlotError(f"'{folder}' has no fields_*.vtkhdf, although its run wrote fields (summary.json: Output/Fields is true)")
+            raise PlotError(f"'{folder}' has no fields_{place}.vtkhdf, although its run wrote fields (summary.json: Output/Fields is true)")
         self.fields = Grid(fields) if fields else None
         if fields and self.fields.mesh_hash and self.fields.mesh_hash != self.summary.get("mesh_hash", self.fields.mesh_hash):
             raise PlotError(f"{fields} is of another mesh than summary.json: its run has hash {self.fields.mesh_hash}, "
                             f"that of the summary {self.summary['mesh_hash']}")
-        contact = last(self.folder, "contact_*.vtkhdf")
+        contact = last(self.folder, f"contact_{place}.vtkhdf")
         self.contact = Grid(contact) if fields and contact else None
         self.history = self._history(self.folder / "history.csv")
         self.title = self.summary.get("title") or Path(self.summary.get("scene") or "").stem or "untitled"
@@ -44,7 +50,8 @@ class RunFolder:
         self.dimension = self.summary.get("dimension", 2)
         self.axes = ("r", "axis y") if self.model == "Axisymmetric" else ("x", "y")
         # Suffix of every title: a picture of an unfinished iteration must say so itself.
-        self.state = "" if self.good else f"  ({self.verdict})".replace("NOT ", "NOT\u00a0")
+        self.state_of_answer = "" if self.good else f"  ({self.verdict})".replace("NOT ", "NOT\u00a0")
+        self.state = self.state_of_answer + (f"  ({self.words_of_step})" if self.step is not None else "")
 
     def _summary(self, folder):
         if not self.folder.is_dir():
@@ -58,6 +65,27 @@ class RunFolder:
             raise PlotError(f"'{folder}' has no summary.json: is it the output folder of a finished run (suture_solve SCENE.xml --output DIR)?")
         self.written = datetime.datetime.fromtimestamp(path.stat().st_mtime)
         return read_summary(path)
+
+    def _step(self, step):
+        """The chosen step, None where its fields are those of the answer."""
+        if step is None:
+            return None
+        count = len(self.steps.get("time", []))
+        if count == 0:
+            raise PlotError(f"--step: the run of '{self.folder}' has no load steps")
+        if not 1 <= step <= count:
+            raise PlotError(f"--step {step}: the run of '{self.folder}' has the load steps 1 to {count}")
+        return step if step < count else None
+
+    @property
+    def words_of_step(self):
+        return f"load step {self.step} of {len(self.steps['time'])}, t = {self.steps['time'][self.step - 1]:g}"
+
+    @property
+    def extremes(self):
+        """Extremes of summary.json, which are those of the last load step."""
+        found = self.summary.get("extremes", {})
+        return found if self.step is None else {key: value for key, value in found.items() if key == "stresses"}
 
     @staticmethod
     def _history(path):
@@ -91,6 +119,22 @@ class RunFolder:
 
     def probes(self):
         return sorted(self.folder.glob("probe_*.csv"))
+
+
+def step_table(path):
+    """Columns of steps.csv; none where there is no such file."""
+    if not path.is_file():
+        return {}
+    try:
+        with open(path, newline="", encoding="utf-8") as file:
+            rows = list(csv.DictReader(file))
+        table = {name: np.array([float(row[name]) for row in rows]) for name in (rows[0] if rows else {})}
+        lacking = [name for name in STEP_COLUMNS if rows and name not in table]
+        if lacking:
+            raise PlotError(f"{path} has no column '{lacking[0]}'")
+        return table
+    except (TypeError, ValueError) as error:
+        raise PlotError(f"{path} is damaged: {error}") from error
 
 
 def probe_table(path):

@@ -16,14 +16,14 @@ CALLOUT = {"fontsize": 9, "zorder": 9, "bbox": {"boxstyle": "round,pad=0.25", "f
 
 def extreme(run, name):
     """(value, place) of summary.json, or None."""
-    found = run.summary.get("extremes", {}).get(name)
+    found = run.extremes.get(name)
     if not found or found.get("value") is None or not found.get("place"):
         return None
     return found["value"], np.array(found["place"][:2], dtype=float)
 
 
 def taken_at(run):
-    return run.summary.get("extremes", {}).get("stresses", "at centroids of elements")
+    return run.extremes.get("stresses", "at centroids of elements")
 
 
 def across(run):

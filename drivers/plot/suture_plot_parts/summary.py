@@ -20,6 +20,7 @@ SHAPE = {
                   "contacts": {"*": {"bodies": TEXTS, "force": NUMBERS, "moment": NUMBERS, "centre": NUMBERS, "closed": NUMBER, "whole": NUMBER}},
                   "sum": {"force": NUMBERS, "moment": NUMBERS}},
     "equilibrium": {"imbalance": NUMBER}, "verification": {"*": {"value": NUMBER, "bound": NUMBER, "where": TEXT}}, "error": {"*": NUMBER},
+    "load_steps": {"count": COUNT, "time": NUMBER, "work": {"external": NUMBER, "stored": NUMBER, "dissipated": NUMBER, "step_error": NUMBER}},
     "peak_memory_mb": RANGE, "solver_data_mb": RANGE, "preconditioner": {"coarse_size": COUNT}
 }
 

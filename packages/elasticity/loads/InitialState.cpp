@@ -23,11 +23,11 @@ InitialState::Values<D> InitialState::at(int element, const Point& place, const 
   Values<D> values;
   for (const Load* load : ofBody_[bodyOf_(element)]) {
     if (load->kind == Load::Kind::Temperature) {
-      values.strain.template head<3>().array() += law.expansion * (load->at(place)[0] - load->reference);
+      values.strain.template head<3>().array() += load->factor * law.expansion * (load->at(place)[0] - load->reference);
       continue;
     }
     const std::array<double, 6> tensor = load->tensorAt(place);
-    const Eigen::Map<const StressVector<D>> given(tensor.data());
+    const StressVector<D> given = load->factor * Eigen::Map<const StressVector<D>>(tensor.data());
     if (load->kind == Load::Kind::InitialStrain)
       values.strain += given;
     else if (law.isSheet() && given[2] != 0.0)

@@ -45,6 +45,7 @@ struct Load {
   GlobalId node = -1;                     ///< node of a PointForce, once resolved
   std::string path{};                     ///< place in the scene, for messages
   std::string name{};                     ///< name of the boundary condition
+  double factor = 1.0;                    ///< its forces are multiplied by (LoadSteps)
   double reference = 0;                   ///< temperature at which a body is free of thermal strain
   /// A load whose amount is unknown (setAmount()): it is the one at which the answer has the target. The mean displacement of its groups
   /// along its axis [length], of a Force; the force that its body carries along its axis [force], of an InitialStrain.
@@ -59,7 +60,8 @@ struct Load {
   /// Makes a controlled load one of a known amount: a force along its axis [force], or a shortening [length].
   void setAmount(double amount);
 
-  /// Value at a place: of a Gravity and a Rotation the force on a unit of mass. \throws InputError  an expression is not finite there
+  /// Value at a place, without the factor: of a Gravity and a Rotation the force on a unit of mass. \throws InputError  an expression is
+  /// not finite there
   Point at(const Point& point) const {
     if (kind == Kind::Rotation) return cross(cross(value, minus(point, place)), value);
     Point here = value;

@@ -17,7 +17,7 @@ void addSideLoad(const CellBlock& block, const std::vector<Side>& sides, const L
     const ReferenceElement& reference = map.reference();
     for (int q = 0; q < reference.points; ++q) {
       map.at(q);
-      const Point value = load.at(map.place());
+      const Point value = scaled(load.factor, load.at(map.place()));
       const bool pushes = load.kind == Load::Kind::Pressure;  // along the normal: a polynomial, integrated exactly on curved sides
       const Point force = pushes ? scaled(-value[0], map.normal()) : scaled(map.measure(), value);
       for (int a = 0; a < reference.nodes; ++a)
@@ -42,7 +42,7 @@ void addTo(const CellBlock& block, int element, const Load& load, double mass, V
   ElementMap<D> map(block, element, reference);
   for (int q = 0; q < reference.points; ++q) {
     map.at(q);
-    const Point value = load.usesDensity() ? scaled(mass, load.at(map.place())) : load.at(map.place());
+    const Point value = scaled(load.usesDensity() ? load.factor * mass : load.factor, load.at(map.place()));
     for (int a = 0; a < reference.nodes; ++a)
       for (int k = 0; k < D; ++k) forces[D * nodes[a] + k] += value[k] * reference.valuesAt(q)[a] * map.measure();
   }

@@ -20,13 +20,13 @@ double randomForce(const Load& load, GlobalId node, int component) {
   const std::uint64_t seed = scrambled(static_cast<std::uint64_t>(load.seed));
   const std::uint64_t bits = scrambled(scrambled(seed ^ static_cast<std::uint64_t>(node)) + static_cast<std::uint64_t>(component));
   const double unit = static_cast<double>(bits >> 11) * 0x1p-53;  // [0, 1), all 53 bits of a double
-  return load.value[1] + load.value[0] * (2.0 * unit - 1.0);
+  return load.factor * (load.value[1] + load.value[0] * (2.0 * unit - 1.0));
 }
 
 double nodeForce(const Load& load, GlobalId node, int component) {
   if (load.kind == Load::Kind::Random) return randomForce(load, node, component);
   if (load.node < 0) throw InternalError("a Point Force whose node was not found (resolveLoads)");
-  return node == load.node ? load.value[component] : 0.0;
+  return node == load.node ? load.factor * load.value[component] : 0.0;
 }
 
 }  // namespace suture

@@ -57,7 +57,7 @@ def stress(run, nodal, centroids):
 
 def extreme(run, name):
     """(value, place in space) of summary.json, or None."""
-    found = run.summary.get("extremes", {}).get(name)
+    found = run.extremes.get(name)
     if not found or found.get("value") is None or len(found.get("place") or []) < 3:
         return None
     return found["value"], np.array(found["place"], dtype=float)

@@ -5,7 +5,7 @@
 #include <suture/elasticity/loads/NodalLoads.hpp>
 #include <suture/mesh/Generators.hpp>
 #include <suture/reference/MonolithicSystem.hpp>
-#include <suture/solver/solvability/Solvability.hpp>
+#include <suture/solvability/Solvability.hpp>
 
 #include <support/DryLaw.hpp>
 #include <support/SmallScenes.hpp>
@@ -212,6 +212,7 @@ TEUCHOS_UNIT_TEST(Solvability, FrictionInSpaceHoldsInEveryDirection) {
         pair.line = 0;
         pair.ends = {{node, 1.0}};
         pair.normal = {0, 0, -1};
+        pair.length = 1.0 / 9.0;
         pair.position = scene.mesh.point(node);
         scene.constraints.pairs.push_back(pair);
       }

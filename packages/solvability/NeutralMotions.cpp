@@ -1,10 +1,11 @@
 #include <suture/algebra/dense/Decompositions.hpp>
 #include <suture/algebra/dense/NonnegativeLeastSquares.hpp>
 #include <suture/base/Buffer.hpp>
+#include <suture/base/Collective.hpp>
 #include <suture/elasticity/loads/NodalLoads.hpp>
 #include <suture/partition/RigidLift.hpp>
-#include <suture/solver/solvability/NeutralMotions.hpp>
-#include <suture/solver/solvability/PairClasses.hpp>
+#include <suture/solvability/NeutralMotions.hpp>
+#include <suture/solvability/PairClasses.hpp>
 
 #include <Teuchos_Comm.hpp>
 #include <Teuchos_CommHelpers.hpp>

@@ -1,7 +1,7 @@
 #include <suture/elasticity/loads/NodalLoads.hpp>
 #include <suture/partition/RigidLift.hpp>
-#include <suture/solver/solvability/CarriedBodies.hpp>
-#include <suture/solver/solvability/TakeOutLift.hpp>
+#include <suture/solver/lift/CarriedBodies.hpp>
+#include <suture/solver/lift/TakeOutLift.hpp>
 
 #include <Teuchos_Comm.hpp>
 #include <Teuchos_CommHelpers.hpp>

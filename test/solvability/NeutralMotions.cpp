@@ -1,6 +1,6 @@
 #include <support/Matrices.hpp>
 #include <suture/algebra/dense/NonnegativeLeastSquares.hpp>
-#include <suture/solver/solvability/NeutralMotions.hpp>
+#include <suture/solvability/NeutralMotions.hpp>
 
 #include <Teuchos_UnitTestHarness.hpp>
 

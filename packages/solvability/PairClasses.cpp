@@ -1,7 +1,7 @@
 #include <suture/algebra/DisjointSets.hpp>
 #include <suture/base/Collective.hpp>
 #include <suture/elasticity/loads/NodalLoads.hpp>
-#include <suture/solver/solvability/PairClasses.hpp>
+#include <suture/solvability/PairClasses.hpp>
 
 #include <Teuchos_Comm.hpp>
 #include <Teuchos_CommHelpers.hpp>

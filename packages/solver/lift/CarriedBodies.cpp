@@ -2,7 +2,7 @@
 #include <suture/contact/RigidContact.hpp>
 #include <suture/elasticity/loads/NodalLoads.hpp>
 #include <suture/quality/PairResult.hpp>
-#include <suture/solver/solvability/CarriedBodies.hpp>
+#include <suture/solver/lift/CarriedBodies.hpp>
 
 #include <Teuchos_Comm.hpp>
 #include <Teuchos_CommHelpers.hpp>

@@ -4,7 +4,7 @@
 #include <suture/elasticity/loads/NodalLoads.hpp>
 #include <suture/mesh/CellGeometry.hpp>
 #include <suture/pairing/PairFrame.hpp>
-#include <suture/solver/solvability/Solvability.hpp>
+#include <suture/solvability/Solvability.hpp>
 
 #include <algorithm>
 #include <cmath>

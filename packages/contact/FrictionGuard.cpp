@@ -1,0 +1,186 @@
+// FrictionSearch: bodies that pairs hold, in vain or not.
+#include <suture/algebra/dense/Decompositions.hpp>
+#include <suture/algebra/dense/NonnegativeLeastSquares.hpp>
+#include <suture/contact/FrictionSearch.hpp>
+#include <suture/contact/PadProblem.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace suture {
+
+namespace {
+
+constexpr std::size_t kMeetings = 20;  // places that driven bodies are dragged to
+constexpr double kLeastWay = 1e-2;     // of the shortest way after which something may change
+constexpr double kMostWay = 1e3;       // of the longest
+constexpr int kEdges = 16;             // of the pyramid about a cone of friction
+constexpr double kOutdone = 1e-7;      // least part of the loads that no forces balance
+
+}  // namespace
+
+/// Lets pairs that held a body before go on to, where the next states would leave it loose: one a motion, the best determined.
+PairStates FrictionSearch::guarded(PairStates next, const PairStates& before) {
+  holders_.assign(next.size(), 0);
+  Matrix free = rigid_.loose(next);
+  const RigidContact::Pairs& data = rigid_.data();
+  while (free.cols() > 0) {
+    std::size_t best = next.size();
+    bool sticks = false;
+    for (int round = 0; round < 3 && best == next.size(); ++round) {  // those that did so in vain, and then open ones, last
+      double most = kDependentRows;
+      for (std::size_t i = 0; i < next.size(); ++i) {
+        const auto at = static_cast<Eigen::Index>(i);
+        if (!data.able[i] || (before[i].closed() ? spent_[i] != 0 : 2) != round) continue;
+        if (!next[i].closed())
+          if (const double size = (data.rows.row(at) * free).norm(); size > most) most = size, best = i, sticks = false;
+        if (next[i].status != PairStatus::Stick)
+          for (const Matrix& tangent : data.tangents)
+            if (const double size = (tangent.row(at) * free).norm(); size > most) most = size, best = i, sticks = true;
+      }
+    }
+    if (best == next.size()) break;
+    if (sticks || before[best].status == PairStatus::Stick || !before[best].closed()) {
+      next[best].status = laws_.of(data.line[best]).rows(2) > 1 ? PairStatus::Stick : PairStatus::Slip;
+      next[best].direction = {0, 0, 0};
+      next[best].across = 0.0;
+    } else {
+      next[best] = before[best];
+    }
+    holders_[best] = 1;
+    const Matrix now = rigid_.loose(next);
+    if (now.cols() >= free.cols()) break;
+    free = now;
+  }
+  return next;
+}
+
+/// Lets pairs that hold a body in vain go: others hold it, or those that hold it further on its way, as far as the loads drive it. False
+/// where there are none: slides_ is that way.
+bool FrictionSearch::relieve(const PairStates& next) {
+  const RigidContact::Pairs& data = rigid_.data();
+  const std::vector<char> holders = holders_;
+  std::vector<std::size_t> driven;
+  for (std::size_t i = 0; i < next.size(); ++i)
+    if (holders[i] && next[i].status != states_[i].status) driven.push_back(i);
+  for (const std::size_t i : driven) spent_[i] = 1;
+  // The loads drive it along what holders feel beyond their laws.
+  const Matrix free = rigid_.loose(next);
+  Vector work = Vector::Zero(free.cols());
+  for (const std::size_t i : driven) {
+    const auto at = static_cast<Eigen::Index>(i);
+    work += answer_.force(at, 0) * (next[i].closed() ? 0.0 : 1.0) * (data.rows.row(at) * free).transpose();
+    for (std::size_t k = 0; k < data.tangents.size(); ++k) {
+      const auto component = static_cast<Eigen::Index>(k + 1);
+      const double allowed = next[i].closed() ? next[i].largest(answer_.force(at, 0)) * next[i].direction[k + 1] : 0.0;
+      work += (answer_.force(at, component) - allowed) * (data.tangents[k].row(at) * free).transpose();
+    }
+  }
+  slides_ = free * work;
+  const double length = slides_.norm();
+  if (length > 0.0)
+    slides_ /= length;
+  else
+    slides_ = Vector::Zero(rigid_.motions());
+  if (outdone_.size() > 0) return false;
+  PairStates other = guarded(next, states_);
+  bool inVain = false;
+  for (std::size_t i = 0; i < next.size(); ++i) inVain = inVain || (spent_[i] && holders_[i]);
+  if (inVain || rigid_.loose(other).cols() > 0) {
+    if (!(length > 0.0) || !drag(slides_, static_cast<int>(free.cols()), other)) {
+      holders_ = holders;
+      return false;
+    }
+  }
+  states_ = std::move(other);
+  return true;
+}
+
+/// Moves bodies rigidly until the laws answer with states that hold them better: forces stay in balance on the way. False where there are
+/// none, or none but those of a way before.
+/// \param loose  motions that are loose now;  \param found  gets the states
+bool FrictionSearch::drag(const Vector& motion, int loose, PairStates& found) {
+  const RigidContact::Pairs& data = rigid_.data();
+  Matrix way = Matrix::Zero(answer_.jump.rows(), 3);
+  way.col(0) = data.rows * motion;
+  for (std::size_t k = 0; k < data.tangents.size(); ++k) way.col(static_cast<Eigen::Index>(k + 1)) = data.tangents[k] * motion;
+  double least = std::numeric_limits<double>::infinity(), most = 0.0;  // ways after which something may change
+  for (std::size_t i = 0; i < states_.size(); ++i) {
+    const auto at = static_cast<Eigen::Index>(i);
+    if (!data.able[i] || !(way.row(at).norm() > kDependentRows)) continue;
+    const double length = states_[i].closed() ? answer_.force.row(at).norm() / data.stiffness(at) : std::abs(answer_.jump(at, 0));
+    if (length > 0.0) least = std::min(least, length);
+    most = std::max(most, length);
+  }
+  for (double length = kLeastWay * least; length <= kMostWay * most; length *= 2.0) {
+    violation(answer_.force, answer_.jump + length * way, &found);
+    if (rigid_.loose(found).cols() >= loose) continue;
+    const PairStates before = found;
+    found = guarded(before, before);
+    if (std::find(met_.begin(), met_.end(), found) != met_.end()) continue;
+    met_.push_back(found);
+    return met_.size() <= kMeetings;
+  }
+  return false;
+}
+
+/// Rigid motion in which the loads do more work than all that pairs can hold by their laws, those that are open, too (limit analysis,
+/// static theorem): then there is no equilibrium, wherever bodies come to rest on these pairs. Empty: forces of pairs can balance the
+/// loads, or nothing is known.
+Vector FrictionSearch::outdone() const {
+  constexpr double kBeyond = 1e150;  // slip, as a force, that no finite bound holds
+  const RigidContact::Pairs& data = rigid_.data();
+  const int motions = rigid_.motions();
+  const double size = data.work.norm();
+  if (size == 0.0) return {};
+  std::vector<std::vector<std::pair<int, double>>> columns;  // of each force that a pair can have: entries of motions, and of bounds
+  std::vector<double> bounds;
+  const auto column = [&](const Vector& ofMotions) {
+    columns.emplace_back();
+    for (int k = 0; k < motions; ++k)
+      if (ofMotions(k) != 0.0) columns.back().emplace_back(k, ofMotions(k));
+  };
+  const int edges = data.tangents.size() == 2 ? kEdges : 2;
+  for (std::size_t i = 0; i < states_.size(); ++i) {
+    if (!data.able[i]) continue;
+    const auto at = static_cast<Eigen::Index>(i);
+    const Vector normal = data.rows.row(at).transpose();
+    column(normal);
+    if (data.tangents.empty() || laws_.of(data.line[i]).rows(2) < 2) continue;
+    int bound = -1;
+    for (int edge = 0; edge < edges; ++edge) {
+      const double angle = 2.0 * M_PI * edge / edges;
+      ContactTrial trial;
+      trial.place = sites_[i].place;
+      trial.size = sites_[i].size;
+      trial.slipped = sites_[i].slipped;
+      trial.force[0] = 1.0;
+      trial.jump = {0.0, kBeyond * std::cos(angle), data.tangents.size() == 2 ? kBeyond * std::sin(angle) : 0.0};
+      const ContactState state = laws_.of(data.line[i]).project(trial, PairStatus::Slip);
+      if (state.status != PairStatus::Slip) return {};  // it may hold anything
+      Vector along = std::cos(angle) * data.tangents[0].row(at).transpose();
+      if (data.tangents.size() == 2) along += std::sin(angle) * data.tangents[1].row(at).transpose();
+      along /= std::cos(M_PI / (edges == 2 ? 1e300 : edges));  // planes about the cone
+      if (state.friction > 0.0) column(normal + state.friction * along);
+      if (!(state.bound > 0.0)) continue;
+      if (bound < 0) {
+        bound = motions + static_cast<int>(bounds.size());
+        bounds.push_back(state.bound);
+        columns.push_back({{bound, 1.0}});  // what it does not use
+      }
+      column(along);
+      columns.back().emplace_back(bound, 1.0);
+    }
+  }
+  Matrix all = Matrix::Zero(motions + static_cast<Eigen::Index>(bounds.size()), static_cast<Eigen::Index>(columns.size()));
+  for (std::size_t k = 0; k < columns.size(); ++k)
+    for (const auto& [row, value] : columns[k]) all(row, static_cast<Eigen::Index>(k)) += value;
+  Vector right(all.rows());
+  right.head(motions) = data.work / size;
+  for (std::size_t k = 0; k < bounds.size(); ++k) right(motions + static_cast<Eigen::Index>(k)) = bounds[k] / size;
+  const Vector rest = right - all * nonnegativeLeastSquares(all, right);
+  return rest.head(motions).norm() > kOutdone ? Vector(rest.head(motions).normalized()) : Vector();
+}
+
+}  // namespace suture

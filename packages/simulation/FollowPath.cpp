@@ -1,0 +1,221 @@
+// Simulation on a path of load steps.
+#include <suture/base/Buffer.hpp>
+#include <suture/base/Collective.hpp>
+#include <suture/report/Checkpoint.hpp>
+#include <suture/report/Figures.hpp>
+#include <suture/report/Report.hpp>
+#include <suture/report/answers/Answers.hpp>
+#include <suture/simulation/JudgeStage.hpp>
+#include <suture/simulation/Simulation.hpp>
+#include <suture/solver/accuracy/RequestedAccuracy.hpp>
+
+#include <Teuchos_Comm.hpp>
+#include <Teuchos_CommHelpers.hpp>
+#include <Teuchos_ParameterList.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <sstream>
+#include <utility>
+
+namespace suture {
+
+namespace {
+
+constexpr double kSameTime = 1e-9;  // of a step: what is nearer to its end is the end
+constexpr double kEasy = 0.5;       // of the largest change, below which the next step is longer
+constexpr double kSudden = 0.9;     // part of the changes of a step that are there in its half, where they come all at once
+constexpr double kWork = 100.0;     // accuracies of a solution that the balance of work may miss
+
+std::string timeText(double time) {
+  std::ostringstream text;
+  text << "t = " << time;
+  return text.str();
+}
+
+std::string stoppedAfter(double time) { return "stopped on request, after " + timeText(time); }
+
+/// Where a step begins: the solution of the one before.
+Start startOf(const Comm& comm, const Solution& solution) {
+  struct PairStatusOf {
+    int id;
+    ContactState state;
+  };
+  std::vector<PairStatusOf> states;
+  for (const PairResult& pair : solution.pairs) states.push_back({pair.id, pair.state});
+  broadcast(comm, states);
+  Start start{solution.displacement, {}};
+  for (const PairStatusOf& pair : states) start.status[pair.id] = pair.state;
+  return start;
+}
+
+}  // namespace
+
+/// The solution at the time that the path is set to; not converged with the reason, whatever it is.
+/// \param isPrepared  the method is prepared for that time
+Solution Simulation::solveStep(const Solution* before, bool isPrepared) {
+  Solution solution;
+  brokeDown_ = false;
+  try {
+    if (!isPrepared && method_->reloads()) {
+      method_->reload(timers_);
+    } else if (!isPrepared) {
+      method_.reset();
+      method_ = preparedMethod();
+    }
+    std::optional<Start> start;
+    if (before)
+      start = startOf(*comm_, *before);
+    else
+      start = start_;
+    solution = method_->solve(monitor_, timers_, start && method_->takesStart() ? &*start : nullptr);
+    if (solution.converged) judge(solution, method_->subdomains());
+  } catch (const NumericalError& error) {
+    brokeDown_ = true;
+    solution.converged = false;
+    solution.failure = error.what();
+  }
+  return solution;
+}
+
+/// Takes up the path of a checkpoint. \param before  gets the solution of its last step
+void Simulation::goOnFromStart(Solution& before) {
+  path_->goOnFrom(restart_);
+  before.displacement = start_->displacement;
+  before.converged = true;
+  std::vector<PairForce> forces;
+  if (comm_->getRank() == 0)
+    for (const PathState::Pair& pair : restart_.pairs) forces.push_back({pair.id, start_->status[pair.id], pair.force, pair.tangential});
+  path_->setTime(path_->time(), scene_.model, cut_.meshes, constraints_);
+  std::vector<const SubdomainMesh*> meshes;
+  for (const SubdomainMesh& mesh : cut_.meshes) meshes.push_back(&mesh);
+  before.pairs = pairResults(*comm_, meshes, before.displacement, forces);
+  before.energy = path_->rows.back().energy;
+  const double tolerance = requestedAccuracy(scene_.settings(), before);
+  meter_->goOnFrom({cut_.meshes, scene_.model, before.displacement, before.pairs, cut_.whole.pieces, tolerance}, path_->rows.back().work);
+  monitor_.note("goes on at " + timeText(path_->time()) + ", after load step " + std::to_string(path_->rows.size()));
+}
+
+/// Keeps a step: its row, work, fields and checkpoint.
+void Simulation::acceptStep(Solution& solution, const Solution* before, StepRow row) {
+  const double tolerance = requestedAccuracy(scene_.settings(), solution);
+  timed(timers_, "verify", [&] {
+    meter_->add({cut_.meshes, scene_.model, solution.displacement, solution.pairs, cut_.whole.pieces, tolerance});
+  });
+  row.work = meter_->work();
+  row.residual = solution.residual;
+  row.energy = solution.energy;
+  row.changed = before ? changedPairs(before->pairs, solution.pairs) : 0;
+  const ContactFigures figures = contactFigures(solution, size_.pieces);
+  int states[] = {row.changed, figures.active, figures.friction.sticking, figures.friction.slipping};
+  broadcastBytes(*comm_, states, sizeof states);
+  row.changed = states[0];
+  row.active = states[1];
+  row.sticking = states[2];
+  row.slipping = states[3];
+  if (comm_->getRank() == 0)
+    for (const ContactResultant& line :
+         contactResultants(solution.pairs, static_cast<int>(scene_.contacts.size()), scene_.model.axisymmetric))
+      row.forceOnB.push_back(line.onB.force);
+  solution.verification.checks.push_back(
+      {"work", row.work.imbalance(), kWork * tolerance, "on the path to " + timeText(row.time), "a smaller Outer Solver/Tolerance"});
+  path_->accept(solution.pairs);
+  path_->rows.push_back(row);
+  monitor_.endStep(row);
+  if (!output_) return;
+  timed(timers_, "write", [&] {
+    if (wantsFields(scene_.settings())) writeStepFields(run(solution), path_->rows);
+    collectivelyOnRoot(*comm_, "writing steps.csv",
+                       [&] { writeSteps(path_->rows, scene_.contacts, (std::filesystem::path(folder_) / "steps.csv").string()); });
+    writeState(solution);
+  });
+}
+
+void Simulation::followPath() {
+  const std::vector<double>& times = scene_.steps.times();
+  meter_ = std::make_unique<WorkMeter>(*comm_);
+  Solution before;
+  bool hasBefore = !restart_.empty();
+  path_->length = std::numeric_limits<double>::infinity();
+  if (hasBefore) goOnFromStart(before);
+  if (path_->time() >= times.back())
+    throw InputError("Load Steps/Times", "the checkpoint is at " + timeText(path_->time()) + ", and the last step ends at " +
+                                             timeText(times.back()) + "; expected a time after that");
+  if (output_) collectivelyOnRoot(*comm_, "removing fields of an earlier run", [&] { removeStepFields(folder_, path_->rows.size()); });
+  Solution total;  // counts of all steps
+  StepRow row;
+  bool isPrepared = !hasBefore;
+  int changedFirst = 0, changedBefore = 0;  // pairs, in the last two trials of the step
+  double began = Timers::now();
+  for (auto target = std::upper_bound(times.begin(), times.end(), path_->time()); target != times.end();) {
+    const double whole = *target - (target == times.begin() ? 0.0 : *(target - 1)), begin = path_->time();
+    const bool isLast = begin + path_->length >= *target - kSameTime * whole;
+    const double time = isLast ? *target : begin + path_->length, length = time - begin;
+    monitor_.beginStep(static_cast<int>(path_->rows.size()) + 1);
+    path_->setTime(time, scene_.model, cut_.meshes, constraints_);
+    Solution solution = solveStep(hasBefore ? &before : nullptr, isPrepared);
+    isPrepared = false;
+    row.outer += solution.iterations;
+    row.pcg += solution.pcgTotal + solution.auxiliary.pcg;
+    const bool isSolved = solution.converged && solution.undetermined.empty() && solution.verification.holds();
+    const int stop = solution.stopped || monitor_.stopRequested();
+    int anyStop = 0, changed = isSolved && hasBefore ? changedPairs(before.pairs, solution.pairs) : 0;
+    Teuchos::reduceAll(*comm_, Teuchos::REDUCE_MAX, stop, Teuchos::outArg(anyStop));
+    broadcastBytes(*comm_, &changed, sizeof changed);
+    const double allowed = scene_.laws.restrictSliding() ? scene_.steps.largestChange() * size_.pairs : size_.pairs;
+    // Where half the step changes as many (a sense that turns), they change at once, and no step is short enough.
+    const bool isSudden = isSolved && changed >= kSudden * changedBefore && changedBefore >= kSudden * changedFirst && changedFirst > 0;
+    const bool isTooLong = (!isSolved && anyStop == 0) || (changed > allowed && !isSudden);
+    changedFirst = std::exchange(changedBefore, changed);
+    if (isTooLong && length / 2 >= whole * std::pow(0.5, scene_.steps.halvings()) * (1.0 - kSameTime)) {
+      path_->length = length / 2;
+      ++row.givenUp;
+      continue;
+    }
+    if (!isSolved) {
+      unfinished_ = anyStop ? stoppedAfter(begin)
+                            : "load step " + std::to_string(path_->rows.size() + 1) + ", to " + timeText(time) + ": " + solution.failure;
+      if (!hasBefore && brokeDown_) throw NumericalError(unfinished_);  // there is nothing to show
+      if (!hasBefore) before = std::move(solution);
+      break;
+    }
+    row.step = static_cast<int>(path_->rows.size()) + 1;
+    row.time = time;
+    row.length = length;
+    row.seconds = Timers::now() - began;
+    began = Timers::now();
+    if (changed <= kEasy * allowed) path_->length *= 2;
+    if (path_->length >= whole) path_->length = std::numeric_limits<double>::infinity();
+    acceptStep(solution, hasBefore ? &before : nullptr, row);
+    total.iterations += row.outer;
+    total.pcgTotal += row.pcg;
+    total.otherApplications += solution.otherApplications;
+    row = StepRow();
+    changedFirst = changedBefore = 0;
+    before = std::move(solution);
+    hasBefore = true;
+    if (isLast) ++target;
+    if (anyStop && target != times.end()) {
+      unfinished_ = stoppedAfter(time);
+      break;
+    }
+  }
+  solution_ = std::move(before);
+  start_.reset();
+  if (!path_->rows.empty()) {
+    solution_.iterations = total.iterations;
+    solution_.pcgTotal = total.pcgTotal;
+    solution_.otherApplications = total.otherApplications;
+    path_->setTime(path_->time(), scene_.model, cut_.meshes, constraints_);
+  }
+  if (unfinished_.empty() && !solution_.verification.holds())
+    solution_.failure = "the verdict does not hold: " + solution_.verification.failure();
+  if (unfinished_.empty()) return;
+  solution_.stopped = unfinished_.rfind("stopped", 0) == 0;
+  solution_.converged = false;
+  solution_.failure = unfinished_;
+}
+
+}  // namespace suture

@@ -1,0 +1,101 @@
+#include <suture/base/Buffer.hpp>
+#include <suture/base/Collective.hpp>
+#include <suture/base/Point.hpp>
+#include <suture/simulation/LoadPath.hpp>
+
+#include <Teuchos_Comm.hpp>
+
+#include <array>
+
+namespace suture {
+
+namespace {
+
+struct PairPast {
+  int pair;
+  ContactPair::Past past;
+};
+
+}  // namespace
+
+LoadPath::LoadPath(const Comm& comm, const LoadSteps& steps, const PrescribedParts& parts) : comm_(comm), steps_(steps) {
+  Packer packer;
+  packer.put(parts);
+  Unpacker(broadcast(comm, packer.bytes())).get(parts_);
+}
+
+void LoadPath::setTime(double time, ElasticModel& model, std::vector<SubdomainMesh>& meshes, Constraints& constraints) const {
+  const std::vector<double> factors = steps_.at(time);
+  for (Load& load : model.loads) load.factor = factors[static_cast<std::size_t>(steps_.factorOf(load.name))];
+
+  std::map<GlobalId, Point> values;
+  std::map<int, std::array<double, 3>> closed;
+  for (std::size_t f = 0; f < parts_.rules.size(); ++f) {
+    for (const RuleValue& rule : parts_.rules[f]) {
+      Point& sum = values.try_emplace(rule.node, Point{0, 0, 0}).first->second;
+      sum = plus(sum, scaled(factors[f], rule.value));
+    }
+    for (const PrescribedParts::Closing& gap : parts_.gaps[f])
+      closed[gap.pair][static_cast<std::size_t>(gap.equation)] += factors[f] * gap.value;
+  }
+  const auto valueAt = [&](GlobalId node) {
+    const auto found = values.find(node);
+    return found == values.end() ? Point{0, 0, 0} : found->second;
+  };
+  const auto pastOf = [&](int pair) {
+    const auto found = past_.find(pair);
+    return found == past_.end() ? ContactPair::Past() : found->second;
+  };
+  for (SubdomainMesh& mesh : meshes) {
+    if (!parts_.empty())
+      for (NodeRule& rule : mesh.rules) rule.value = valueAt(mesh.globalNodes[rule.node]);
+    for (ContactRow& row : mesh.contactRows) {
+      row.pair.past = pastOf(row.pair.id);
+      const std::vector<Point> directions = rowDirections(row.pair, mesh.dimension);
+      const auto closing = closed.find(row.pair.id);
+      for (std::size_t k = 0; k < row.equations.size(); ++k) {
+        if (parts_.empty() && k == 0) continue;
+        double& gap = row.equations[k].gap;
+        if (!parts_.empty() || k > 0) gap = k == 0 ? row.pair.gap : dot(row.pair.past.slip, directions[k]);
+        if (closing != closed.end()) gap -= closing->second[k];
+      }
+    }
+  }
+  if (!parts_.empty())
+    for (NodeRule& rule : constraints.rules) rule.value = valueAt(rule.node);
+  for (ContactPair& pair : constraints.pairs) pair.past = pastOf(pair.id);
+}
+
+void LoadPath::accept(const std::vector<PairResult>& pairs) {
+  std::vector<PairPast> now;
+  for (const PairResult& pair : pairs) {
+    if (!pair.kind.restrictsSliding || !pair.kind.separates) continue;
+    const bool slides = pair.state.status == PairStatus::Slip && norm(pair.stepSlip()) > 0.0;
+    now.push_back({pair.id, {pair.slip, pair.past.slipped || slides, pair.dissipated}});
+  }
+  broadcast(comm_, now);
+  for (const PairPast& pair : now) past_[pair.pair] = pair.past;
+}
+
+void LoadPath::goOnFrom(PathState state) {
+  rows = std::move(state.rows);
+  length = state.length;
+  for (const PathState::Pair& pair : state.pairs) past_[pair.id] = pair.past;
+}
+
+PathState LoadPath::state(const std::vector<PairResult>& pairs) const {
+  PathState state{rows, length, {}};
+  for (const PairResult& pair : pairs) {
+    const auto past = past_.find(pair.id);
+    state.pairs.push_back({pair.id, past == past_.end() ? ContactPair::Past() : past->second, pair.force, pair.tangential});
+  }
+  return state;
+}
+
+int changedPairs(const std::vector<PairResult>& before, const std::vector<PairResult>& now) {
+  int changed = 0;
+  for (std::size_t i = 0; i < now.size() && i < before.size(); ++i) changed += before[i].state.status != now[i].state.status;
+  return changed;
+}
+
+}  // namespace suture

@@ -1,0 +1,34 @@
+#pragma once
+#include <suture/precond/Preconditioner.hpp>
+
+#include <vector>
+
+namespace suture {
+
+/// Preconditioner of operators in which springs alone hold some rigid motions Z (FrictionTangent::motions), with another one that knows no
+/// springs: M^-1 = M_0^-1 + Z E^-1 Z^T, E the energy of the springs in them and M_0 the other one, of the space in which as many unknowns
+/// vanish as there are motions: those that tell them best. Without such motions it is the other one. Made anew only if the space or these
+/// unknowns change.
+class SpringPreconditioner : public Preconditioner {
+ public:
+  explicit SpringPreconditioner(Teuchos::RCP<Preconditioner> other) : other_(std::move(other)) {}
+
+  int coarseSize() const override { return other_->coarseSize(); }
+  double bytesRead() const override { return other_->bytesRead(); }
+  std::string remark() const override { return other_->remark(); }
+
+ protected:
+  void doCompute() override;
+  void doApply(const MultiVector& r, MultiVector& z) const override;
+
+ private:
+  std::vector<GlobalId> telling(const MultiVector& motions) const;
+
+  Teuchos::RCP<Preconditioner> other_;
+  std::shared_ptr<const InterfaceSpace> madeFor_;
+  std::vector<GlobalId> vanishing_;
+  MultiVectorPtr motions_;  // null: none
+  Matrix inverse_;          // of the energy
+};
+
+}  // namespace suture
