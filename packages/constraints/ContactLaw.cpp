@@ -28,6 +28,7 @@ ContactState ContactLaw::project(const ContactTrial& trial, const ContactState& 
 
 ContactState ContactLaw::pressed() const {
   ContactTrial trial;
+  trial.normalOnly = true;
   trial.force[0] = 1.0;
   return project(trial, {});
 }

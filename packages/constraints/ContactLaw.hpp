@@ -12,12 +12,12 @@ namespace suture {
 /// Forces of a pair and how far it is from where it should be, both in the pair's frame: component 0 along the normal, the others along
 /// the tangents (PairFrame). A solver's guess of what its law allows.
 struct ContactTrial {
-  Point force{0, 0, 0};  ///< that side B feels; > 0 compressive along the normal [force]
-  Point jump{0, 0, 0};   ///< penetration and slip u_A - u_B, times a stiffness of the pair [force]
-  Point place{0, 0, 0};  ///< position of the node that carries the pair
-  double size = 0.0;     ///< tributary length or area of the pair: a stress times it is a force. 0: nothing is known but the normal
-                         ///< direction, and nothing is decided about sliding
-  bool slipped = false;  ///< the pair has slid in an earlier load step
+  Point force{0, 0, 0};     ///< that side B feels; > 0 compressive along the normal [force]
+  Point jump{0, 0, 0};      ///< penetration and slip u_A - u_B, times a stiffness of the pair [force]
+  Point place{0, 0, 0};     ///< position of the node that carries the pair
+  double size = 0.0;        ///< tributary length or area of the pair: a stress times it is a force
+  bool normalOnly = false;  ///< nothing but the normal components is known: the law is asked whether the pair is closed
+  bool slipped = false;     ///< the pair has slid in an earlier load step
 };
 
 /// The law of a contact, of one pair at a time: which forces it allows, and the state that goes with them. Made by name,

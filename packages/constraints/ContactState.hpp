@@ -41,4 +41,7 @@ struct ContactState {
   friend bool operator!=(const ContactState& a, const ContactState& b) { return !(a == b); }
 };
 
+/// The direction across that in which a pair slips in space, in its frame.
+inline Point acrossSlip(const ContactState& state) { return {0.0, -state.direction[2], state.direction[1]}; }
+
 }  // namespace suture

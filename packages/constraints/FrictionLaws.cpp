@@ -34,7 +34,7 @@ ContactState DryFriction::doProject(const ContactTrial& trial, const ContactStat
   const Point z = plus(trial.force, trial.jump);
   if (z[0] < 0.0 || (z[0] == 0.0 && !now.closed())) return PairStatus::Open;
   ContactState state(PairStatus::Stick);
-  if (trial.size == 0.0) return state;
+  if (trial.normalOnly) return state;
   state.bound = trial.slipped && losesCohesion_ ? 0.0 : trial.size * cohesion_.at(trial.place);
   state.friction = coefficient_.at(trial.place);
   const double size = std::hypot(z[1], z[2]), largest = state.largest(z[0]);

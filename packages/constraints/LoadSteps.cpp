@@ -15,7 +15,7 @@ namespace {
 
 constexpr const char* kTimes = "Times";
 constexpr const char* kFactors = "Factors";
-constexpr double kLargestChange = 0.2;  // of the pairs: more of them in one step may have come in another order
+constexpr double kLargestChange = 0.2;  // part of the pairs: more of them in one step may have come in another order
 constexpr int kHalvings = 6;
 
 /// Types of conditions that have nothing to multiply, or an amount that the answer decides.

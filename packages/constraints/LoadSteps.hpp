@@ -37,7 +37,7 @@ class LoadSteps {
   std::vector<double> at(double time) const;
 
   double largestChange() const { return largestChange_; }  ///< part of the pairs that may change in a step
-  int halvings() const { return halvings_; }               ///< of a step of the scene, at most
+  int halvings() const { return halvings_; }               ///< most halvings of a step of the scene
 
  private:
   /// An expression in t, or values at the times.

@@ -6,7 +6,7 @@
 namespace suture {
 
 /// Prescribed displacements of a scene with load steps, as sums over the factors of LoadSteps: what they are in all, and what of the gaps
-/// of contact rows they close. By factor; none where no factor multiplies a displacement.
+/// of contact rows they close. Lists by factor; none where no factor multiplies a displacement.
 struct PrescribedParts {
   struct Closing {
     int pair, equation;  ///< id, and place among the equations of its row
@@ -23,7 +23,7 @@ struct PrescribedParts {
   }
 };
 
-/// Of the whole mesh. Local (rank 0).
+/// Finds those of the whole mesh. Local (rank 0).
 PrescribedParts prescribedParts(const Mesh& mesh, const Constraints& constraints);
 
 }  // namespace suture

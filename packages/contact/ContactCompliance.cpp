@@ -15,20 +15,6 @@ namespace {
 constexpr double kPointCompliance = 2.0;
 constexpr int kMostSolves = 1000;
 
-std::vector<int> closedOnes(const std::vector<ContactState>& status) {
-  std::vector<int> closed;
-  for (std::size_t i = 0; i < status.size(); ++i)
-    if (status[i].closed()) closed.push_back(static_cast<int>(i));
-  return closed;
-}
-
-Matrix blockAt(const Matrix& matrix, const std::vector<int>& at) {
-  Matrix result(at.size(), at.size());
-  for (std::size_t j = 0; j < at.size(); ++j)
-    for (std::size_t i = 0; i < at.size(); ++i) result(i, j) = matrix(at[i], at[j]);
-  return result;
-}
-
 /// Lower Cholesky factor; rows that repeat others (two pairs that say the same) are kept definite by a shift of the size of rounding.
 Matrix shiftedCholeskyFactor(const Matrix& matrix) {
   if (matrix.rows() == 0) return matrix;
@@ -62,11 +48,11 @@ Matrix solveWith(const Matrix& lower, Matrix b) {
 }  // namespace
 
 ContactCompliance::ContactCompliance(const GeneralisedInverse& inverse, const ContactRows& rows)
-    : inverse_(inverse), rows_(rows), compliance_(rows.size(), rows.size()), rigidRows_(rows.rows * inverse.kernel()) {
+    : inverse_(inverse), rows_(rows), compliance_(rows.rows.rows(), rows.rows.rows()), rigidRows_(rows.rows * inverse.kernel()) {
   constexpr int kBatch = 64;  // right-hand sides at once: the responses themselves are not kept
   const SparseMatrix transposed = rows.rows.transpose();
-  for (int first = 0; first < rows.size(); first += kBatch) {
-    const int count = std::min(kBatch, rows.size() - first);
+  for (int first = 0; first < this->rows(); first += kBatch) {
+    const int count = std::min(kBatch, this->rows() - first);
     Matrix response = transposed.middleCols(first, count);
     inverse.apply(response);
     compliance_.middleCols(first, count) = rows.rows * response;
@@ -75,15 +61,67 @@ ContactCompliance::ContactCompliance(const GeneralisedInverse& inverse, const Co
 }
 
 ContactCompliance::Closed::Closed(const ContactCompliance& contact, const std::vector<ContactState>& status)
-    : contact_(contact), status_(status), closed_(closedOnes(status)) {
-  const Matrix g = rowsAt(contact.rigidRows_, closed_);
+    : contact_(contact), status_(status) {
+  const ContactRows& rows = contact.rows_;
+  const auto isNone = [&](int row) { return row < 0 || contact.compliance_(row, row) == 0.0; };
+  for (int component = 0; component <= (rows.tangents.empty() ? 0 : 2); ++component)
+    for (int pair = 0; pair < contact.pairs(); ++pair)
+      if (const int row = rows.rowOf(pair, component); status[pair].holds(component) && !isNone(row)) rows_.push_back(row);
+  for (int pair = 0; pair < contact.pairs() && !rows.tangents.empty(); ++pair) {
+    const ContactState& own = status[pair];
+    if (own.status != PairStatus::Slip) continue;
+    Spring spring{{-1, -1}, {0.0, 0.0}, own.across > 0.0 ? 1.0 / own.across : 0.0};
+    const Point across = acrossSlip(own);
+    for (int component = 1; component <= 2; ++component) {
+      const int row = rows.rowOf(pair, component);
+      if (isNone(row)) continue;
+      spring.rows[component - 1] = row;
+      spring.coefficients[component - 1] = across[component];
+      if (own.bound == 0.0) continue;
+      if (slipping_.size() == 0) slipping_ = Vector::Zero(contact.rows());
+      slipping_(row) = own.bound * own.direction[component];
+    }
+    if (own.across > 0.0 && (spring.rows[0] >= 0 || spring.rows[1] >= 0)) springs_.push_back(spring);
+  }
+  Matrix g(size(), contact.rigidRows_.cols());
+  pick(contact.rigidRows_, g);
   loose_ = nullSpace(g);
   held_ = nullSpace(loose_.transpose());
   if (loose_.cols() == 0) held_ = Matrix::Identity(g.cols(), g.cols());
-  factor_ = shiftedCholeskyFactor(blockAt(contact.compliance_, closed_));
+  factor_ = shiftedCholeskyFactor(compliance());
   gHeld_ = g * held_;
   rigidFactor_ = shiftedCholeskyFactor(gHeld_.transpose() * solveWith(factor_, gHeld_));
   kernel_ = contact.inverse_.kernel() * loose_;
+}
+
+void ContactCompliance::Closed::pick(ConstLocalView all, LocalView held) const {
+  for (std::size_t i = 0; i < rows_.size(); ++i) held.row(static_cast<Eigen::Index>(i)) = all.row(rows_[i]);
+  for (std::size_t s = 0; s < springs_.size(); ++s) {
+    auto own = held.row(static_cast<Eigen::Index>(rows_.size() + s));
+    own.setZero();
+    for (int k = 0; k < 2; ++k)
+      if (springs_[s].rows[k] >= 0) own += springs_[s].coefficients[k] * all.row(springs_[s].rows[k]);
+  }
+}
+
+void ContactCompliance::Closed::spread(ConstLocalView held, LocalView all) const {
+  all.setZero();
+  for (std::size_t i = 0; i < rows_.size(); ++i) all.row(rows_[i]) = held.row(static_cast<Eigen::Index>(i));
+  for (std::size_t s = 0; s < springs_.size(); ++s)
+    for (int k = 0; k < 2; ++k)
+      if (springs_[s].rows[k] >= 0)
+        all.row(springs_[s].rows[k]) += springs_[s].coefficients[k] * held.row(static_cast<Eigen::Index>(rows_.size() + s));
+}
+
+Matrix ContactCompliance::Closed::compliance() const {
+  Matrix half(size(), contact_.rows()), result(size(), size());
+  pick(contact_.compliance_, half);
+  pick(Matrix(half.transpose()), result);
+  for (std::size_t s = 0; s < springs_.size(); ++s) {
+    const auto at = static_cast<Eigen::Index>(rows_.size() + s);
+    result(at, at) += springs_[s].compliance;
+  }
+  return result;
 }
 
 void ContactCompliance::Closed::forces(LocalView force, const Matrix& e, Matrix& rigid) const {
@@ -101,7 +139,7 @@ void ContactCompliance::Closed::forces(LocalView force, const Matrix& e, Matrix&
 
 void ContactCompliance::Closed::refinedForces(LocalView force, const Matrix& e, Matrix& rigid) const {
   constexpr int kPasses = 2;
-  const Matrix gaps = force, compliance = blockAt(contact_.compliance_, closed_);
+  const Matrix gaps = force, compliance = this->compliance();
   forces(force, e, rigid);
   for (int pass = 0; pass < kPasses; ++pass) {
     const Matrix held = held_.transpose() * rigid;
@@ -115,27 +153,26 @@ void ContactCompliance::Closed::refinedForces(LocalView force, const Matrix& e, 
 
 void ContactCompliance::Closed::solve(LocalView v, double gaps, Matrix* pairForce, const Vector& moved) const {
   const Matrix& kernel = contact_.inverse_.kernel();
+  if (gaps != 0.0 && slipping_.size() > 0) v.colwise() -= gaps * (contact_.rows_.rows.transpose() * slipping_);
   const Matrix e = kernel.transpose() * v;
   contact_.inverse_.apply(v);
   thread_local std::vector<double> keptGap, keptForce, keptCorrection;
-  WorkSpace gapSpace(contact_.pairs(), v.cols(), keptGap), forceSpace(static_cast<int>(closed_.size()), v.cols(), keptForce);
+  WorkSpace gapSpace(contact_.rows(), v.cols(), keptGap), forceSpace(size(), v.cols(), keptForce);
   LocalView gap = gapSpace.values, closedForce = forceSpace.values;
   gap.setZero();
   gap.noalias() += contact_.rows_.rows * v;
-  for (std::size_t i = 0; i < closed_.size(); ++i) closedForce.row(i) = gap.row(closed_[i]);
-  if (gaps != 0.0)
-    for (std::size_t i = 0; i < closed_.size(); ++i) {
-      const int row = closed_[i];
-      closedForce.row(i).array() -= gaps * (contact_.rows_.gap(row) - (moved.size() > 0 ? moved(row) : 0.0));
-    }
+  if (gaps != 0.0) {
+    gap.colwise() -= gaps * contact_.rows_.gap;
+    if (moved.size() > 0) gap.colwise() += gaps * moved;
+  }
+  pick(gap, closedForce);
   Matrix rigid;
   if (pairForce)
     refinedForces(closedForce, e, rigid);
   else
     forces(closedForce, e, rigid);
-  LocalView force = gap;  // forces of all pairs, in the same place
-  force.setZero();
-  for (std::size_t i = 0; i < closed_.size(); ++i) force.row(closed_[i]) = closedForce.row(i);
+  LocalView force = gap;  // forces of all rows, in the same place
+  spread(closedForce, force);
   WorkSpace correctionSpace(v.rows(), v.cols(), keptCorrection);
   LocalView correction = correctionSpace.values;
   correction.setZero();
@@ -143,10 +180,13 @@ void ContactCompliance::Closed::solve(LocalView v, double gaps, Matrix* pairForc
   contact_.inverse_.apply(correction);
   v -= correction;
   if (kernel.cols() > 0) v.noalias() += kernel * rigid;
-  if (pairForce) *pairForce = force;
+  if (!pairForce) return;
+  *pairForce = force;
+  if (gaps != 0.0 && slipping_.size() > 0) pairForce->colwise() += gaps * slipping_;
 }
 
 ContactCompliance::State ContactCompliance::solve(LocalView v, const std::vector<ContactState>& start, const Vector& moved) const {
+  if (rows() != pairs()) throw InternalError("the unilateral problem of a contact group knows no friction");
   const Matrix& kernel = inverse_.kernel();
   const Vector work = kernel.transpose() * v.col(0);
   inverse_.apply(v);

@@ -72,20 +72,30 @@ void ContactGroup::collectRows(const ContactLaws& laws) {
 
   std::vector<Eigen::Triplet<double>> entries;
   std::vector<double> gaps;
+  const auto add = [&](const ContactRow::Equation& equation) {
+    for (std::size_t i = 0; i < equation.dofs.size(); ++i)
+      entries.emplace_back(static_cast<int>(gaps.size()), placeOf(equation.dofs[i]), equation.coefficients[i]);
+    gaps.push_back(equation.gap);
+    return static_cast<int>(gaps.size()) - 1;
+  };
+  std::vector<const ContactRow*> able;
   for (const auto& [id, row] : found) {
-    if (!row->able()) {
+    const ContactLaw& law = laws.of(row->pair.line);
+    if (!row->able() && law.separates()) {
       idlePairs_.push_back(row->pair);
       continue;
     }
-    const ContactRow::Equation& normal = row->normal();
-    for (std::size_t i = 0; i < normal.dofs.size(); ++i)
-      entries.emplace_back(static_cast<int>(gaps.size()), placeOf(normal.dofs[i]), normal.coefficients[i]);
-    gaps.push_back(normal.gap);
+    add(row->normal());
+    able.push_back(row);
     pairs_.push_back(row->pair);
     rows_.pairIds.push_back(id);
     rows_.lines.push_back(row->pair.line);
-    rows_.pressed.push_back(laws.of(row->pair.line).pressed());
+    rows_.pressed.push_back(row->restrictsSliding() && law.separates() ? ContactState(PairStatus::Slip) : law.pressed());
   }
+  if (std::any_of(able.begin(), able.end(), [](const ContactRow* row) { return row->restrictsSliding(); }))
+    rows_.tangents.assign(able.size(), {-1, -1});
+  for (std::size_t i = 0; i < able.size(); ++i)
+    for (std::size_t k = 1; k < able[i]->equations.size(); ++k) rows_.tangents[i][k - 1] = add(able[i]->equations[k]);
   rows_.rows.resize(static_cast<int>(gaps.size()), dofs());
   rows_.rows.setFromTriplets(entries.begin(), entries.end());
   rows_.gap = Eigen::Map<const Vector>(gaps.data(), static_cast<int>(gaps.size()));
@@ -180,12 +190,14 @@ ContactGroup::Response ContactGroup::changeLinear(const Vector& trace, const Con
                                                   const Vector& pairForces) const {
   Matrix v(static_cast<int>(interiorPositions_.size()), 1), force, flux(trace.size(), 1);
   interiorLoad(trace, v);
-  v.col(0) -= interiorRows_.rows.transpose() * pairForces;
+  Vector all = Vector::Zero(rows_.rows.rows());
+  all.head(rows_.size()) = pairForces;
+  v.col(0) -= interiorRows_.rows.transpose() * all;
   closed.solve(v, 0.0, &force);
   this->flux(trace, v, flux);
   Response response;
   response.status = closed.status();
-  response.force = force.col(0) + pairForces;
+  response.force = force.col(0) + all;
   response.flux = flux.col(0);
   place(trace, v.col(0), response);
   return response;

@@ -42,7 +42,7 @@ class ContactGroup {
   struct Response {
     Vector flux;                       ///< gradient of the least energy with respect to the trace, loads included [force]
     double energy = 0.0;               ///< least energy, prescribed displacements' part included
-    std::vector<ContactState> status;  ///< status of each row
+    std::vector<ContactState> status;  ///< status of each pair
     Vector force;                      ///< force of each row [force]
     Vector displacement;               ///< all unknowns of the group
   };
@@ -50,7 +50,8 @@ class ContactGroup {
   /// \param moved  addition of the bodies' rigid motions, beside the trace, to the rows; empty: none [length]
   Response respond(const Vector& trace, const std::vector<ContactState>& start, const Vector& moved = {}) const;
 
-  /// Response with some pairs glued in the normal direction (at their gaps), the others free: the linear problem (11).
+  /// Response with some pairs glued in the normal direction (at their gaps), those that stick along the tangents too, the others free but
+  /// for the forces of those that slip: the linear problem (11).
   /// \param closed  pairs, made by held()
   Response respondLinear(const Vector& trace, const ContactCompliance::Closed& closed, const Vector& moved = {}) const;
   /// Its change with the trace and with forces of pairs, > 0 compressive, that act beside those of the closed ones: without loads and gaps.

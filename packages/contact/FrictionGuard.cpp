@@ -13,9 +13,9 @@ namespace suture {
 namespace {
 
 constexpr std::size_t kMeetings = 20;  // places that driven bodies are dragged to
-constexpr double kLeastWay = 1e-2;     // of the shortest way after which something may change
-constexpr double kMostWay = 1e3;       // of the longest
-constexpr int kEdges = 16;             // of the pyramid about a cone of friction
+constexpr double kLeastWay = 1e-2;     // first way tried, in parts of the shortest one after which something may change
+constexpr double kMostWay = 1e3;       // last way tried, in parts of the longest such one
+constexpr int kEdges = 16;             // planes of the pyramid about a cone of friction
 constexpr double kOutdone = 1e-7;      // least part of the loads that no forces balance
 
 }  // namespace
@@ -134,7 +134,7 @@ Vector FrictionSearch::outdone() const {
   const int motions = rigid_.motions();
   const double size = data.work.norm();
   if (size == 0.0) return {};
-  std::vector<std::vector<std::pair<int, double>>> columns;  // of each force that a pair can have: entries of motions, and of bounds
+  std::vector<std::vector<std::pair<int, double>>> columns;  // entries of motions, and of bounds, of each force that a pair can have
   std::vector<double> bounds;
   const auto column = [&](const Vector& ofMotions) {
     columns.emplace_back();
@@ -167,7 +167,7 @@ Vector FrictionSearch::outdone() const {
       if (bound < 0) {
         bound = motions + static_cast<int>(bounds.size());
         bounds.push_back(state.bound);
-        columns.push_back({{bound, 1.0}});  // what it does not use
+        columns.push_back({{bound, 1.0}});  // the unused part of the bound
       }
       column(along);
       columns.back().emplace_back(bound, 1.0);

@@ -10,143 +10,35 @@ namespace suture {
 
 namespace {
 
-constexpr double kConstant = 0.05;    // constant, in parts of the stiffness of a pair's nodes: a tenth of the local one, half of it
-constexpr double kAcross = 200.0;     // times that constant: largest stiffness across the direction of slip; it only guides the way there
 constexpr int kBlockSteps = 3;        // steps that change all violated pairs without lowering their number
 constexpr double kTurned = 1.0;       // turn that is none, in parts of the tolerance of forces
 constexpr double kSharper = 0.1;      // accuracy of the next solve, in parts of the turn that it makes
-constexpr int kMoreBlockSteps = 10;   // the same in a second try
 constexpr double kForcing = 0.1;      // accuracy of the next solve, in parts of the distance from the laws
-constexpr int kHalvings = 8;          // of a step of descent
+constexpr double kNearer = 0.25;      // part of that distance, squared, at which the search has come nearer whatever the number of pairs
+constexpr double kMuchSharper = 0.5;  // change of the accuracy from which on answers of before are not compared with
+constexpr int kHalvings = 8;          // most halvings of a step of descent
 constexpr int kRises = 3;             // steps of descent that do not lower the distance from the laws
-constexpr double kLeastFall = 1e-4;   // of that distance, in parts of it and of the step
-constexpr int kNewtonSolves = 60;     // solves before the fixed point of Tresca problems
+constexpr double kLeastFall = 1e-4;   // least fall of that distance, in parts of it and of the step
+constexpr int kNewtonSolves = 30;     // solves before other ways are tried
 constexpr int kTrescaSolves = 1;      // solves of the first Tresca problem: it is a guess
-constexpr double kLeastPart = 0.1;    // smallest part of a change of normal forces that is taken
-constexpr double kSameForces = 1e-9;  // relative change of normal forces at which a fixed point has been reached
-
-double tangentialSize(const Matrix& values, Eigen::Index pair) { return std::hypot(values(pair, 1), values(pair, 2)); }
-
-/// The state with a bound by a given normal force in place of its own: that of a Tresca problem. `first` and `second` are the tangential
-/// trial force.
-ContactState frozen(ContactState state, double normal, double first, double second) {
-  if (!state.closed()) return state;
-  state.bound = state.largest(normal);
-  state.friction = 0.0;
-  const double size = std::hypot(first, second);
-  state.status = size < state.bound || size == 0.0 ? PairStatus::Stick : PairStatus::Slip;
-  state.direction = {0, 0, 0};
-  if (state.status == PairStatus::Slip) state.direction = {0.0, first / size, second / size};
-  return state;
-}
 
 }  // namespace
-
-ContactState FrictionSearch::project(std::size_t pair, const ContactState& now, const FrictionAnswer& at) const {
-  const auto i = static_cast<Eigen::Index>(pair);
-  const FrictionSite& site = sites_[pair];
-  const double constant = kConstant * site.tangential, tolerance = at.forceTolerance(i);
-  ContactTrial trial;
-  trial.place = site.place;
-  trial.size = site.size;
-  trial.slipped = site.slipped;
-  // The tolerance goes to the state that the pair has.
-  if (now.closed())
-    trial.force[0] = at.force(i, 0) + tolerance;
-  else
-    trial.jump[0] = (at.jump(i, 0) - at.jumpTolerance(i)) * rigid_.data().stiffness(i);
-  for (int k = 1; k <= 2; ++k) {
-    trial.force[k] = at.force(i, k);
-    if (now.status != PairStatus::Stick) trial.jump[k] = constant * at.jump(i, k);
-  }
-  if (now.status == PairStatus::Stick) {
-    const double size = tangentialSize(at.force, i), less = size > 0.0 ? std::max(0.0, 1.0 - tolerance / size) : 0.0;
-    for (int k = 1; k <= 2; ++k) trial.force[k] *= less;
-  } else if (now.status == PairStatus::Slip) {
-    for (int k = 1; k <= 2; ++k) trial.force[k] += tolerance * now.direction[k];
-  }
-  const ContactState next = onto(pair, now, trial);
-  // Between slip one way and slip the other lies stick: pairs that jump over it cycle where little beside friction holds a body.
-  if (now.status == PairStatus::Slip && next.status == PairStatus::Slip &&
-      now.direction[1] * next.direction[1] + now.direction[2] * next.direction[2] < 0.0) {
-    ContactState between = next;
-    between.status = PairStatus::Stick;
-    between.direction = {0, 0, 0};
-    between.across = 0.0;
-    return between;
-  }
-  return next;
-}
-
-/// State of a trial, with the stiffness across its direction.
-ContactState FrictionSearch::onto(std::size_t pair, const ContactState& now, const ContactTrial& trial) const {
-  ContactState next = laws_.of(rigid_.data().line[pair]).project(trial, now);
-  const double first = trial.force[1] + trial.jump[1], second = trial.force[2] + trial.jump[2];
-  if (normal_.size() > 0) next = frozen(next, normal_(static_cast<Eigen::Index>(pair)), first, second);
-  if (next.status == PairStatus::Slip && rigid_.data().tangents.size() == 2 && next.direction != Point{0, 0, 0}) {
-    const double constant = kConstant * sites_[pair].tangential, bound = next.largest(trial.force[0] + trial.jump[0]),
-                 beyond = std::hypot(first, second) - bound;
-    next.across = constant * (beyond * kAcross > bound ? bound / beyond : kAcross);
-  }
-  return next;
-}
-
-/// Distance of forces from those that the laws project them onto, with jumps that are in balance with them, squared.
-/// \param states  gets the states of the projection, or null
-double FrictionSearch::violation(const Matrix& force, const Matrix& jump, PairStates* states) const {
-  double sum = 0.0;
-  if (states) *states = states_;
-  for (std::size_t i = 0; i < states_.size(); ++i) {
-    if (!rigid_.data().able[i]) continue;
-    const auto at = static_cast<Eigen::Index>(i);
-    ContactTrial trial;
-    trial.place = sites_[i].place;
-    trial.size = sites_[i].size;
-    trial.slipped = sites_[i].slipped;
-    for (int k = 0; k <= 2; ++k) {
-      trial.force[k] = force(at, k);
-      trial.jump[k] = kConstant * (k == 0 ? rigid_.data().stiffness(at) : sites_[i].tangential) * jump(at, k);
-    }
-    const ContactState next = onto(i, states_[i], trial);
-    const double normal = trial.force[0] + trial.jump[0];
-    Point allowed{0, 0, 0};
-    if (next.closed()) allowed[0] = normal;
-    for (int k = 1; k <= 2; ++k)
-      if (next.status == PairStatus::Stick)
-        allowed[k] = trial.force[k] + trial.jump[k];
-      else if (next.status == PairStatus::Slip)
-        allowed[k] = next.largest(normal) * next.direction[k];
-    for (int k = 0; k <= 2; ++k) sum += (trial.force[k] - allowed[k]) * (trial.force[k] - allowed[k]);
-    if (states) (*states)[i] = next;
-  }
-  return sum;
-}
-
-PairStates FrictionSearch::projected(const PairStates& now, const FrictionAnswer& at) const {
-  PairStates next = now;
-  for (std::size_t i = 0; i < now.size(); ++i)
-    if (rigid_.data().able[i]) next[i] = project(i, now[i], at);
-  return next;
-}
-
-/// Deviation of the force of a pair that slips from the direction of its slip, relative to what is believed of forces.
-double FrictionSearch::turn(std::size_t pair, const ContactState& next) const {
-  const auto at = static_cast<Eigen::Index>(pair);
-  if (next.status != PairStatus::Slip || !(answer_.forceTolerance(at) > 0.0)) return 0.0;
-  const double bound = next.largest(answer_.force(at, 0));
-  return std::hypot(answer_.force(at, 1) - bound * next.direction[1], answer_.force(at, 2) - bound * next.direction[2]) /
-         answer_.forceTolerance(at);
-}
 
 /// Newton's steps from states_ until the laws agree with the answer to the tolerance `last`. States that do not change are solved for more
 /// accurately; some that change in an accurate answer, half way back.
 FrictionSearch::End FrictionSearch::settle(double last) {
   constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
-  std::size_t fewest = kNone;
+  std::size_t fewest = kNone;  // pairs that were violated at a time
   int patience = patience_;
   Way way = Way::Block;
-  nearest_ = std::numeric_limits<double>::infinity();
   std::vector<PairStates> seen;
+  const auto progress = [&](std::size_t violated) {  // the search has come nearer: all may change at a time
+    fewest = violated;
+    patience = patience_;
+    way = Way::Block;
+    seen.clear();
+  };
+  nearest_ = std::numeric_limits<double>::infinity();
   while (true) {
     if (left_-- <= 0 || !oracle_.goesOn()) return End::Exhausted;
     ++solves_;
@@ -172,11 +64,8 @@ FrictionSearch::End FrictionSearch::settle(double last) {
         if (outdone_.size() == 0) outdone_ = outdone();
         if (!relieve(next)) return End::Slides;
         tolerance_ = oracle_.loosest();
-        fewest = kNone;
-        patience = patience_;
-        way = Way::Block;
         nearest_ = std::numeric_limits<double>::infinity();
-        seen.clear();
+        progress(kNone);
         continue;
       }
       if (tolerance_ <= last) return End::Settled;
@@ -185,13 +74,11 @@ FrictionSearch::End FrictionSearch::settle(double last) {
       const bool turning = std::any_of(states_.begin(), states_.end(), [](const ContactState& state) { return state.across > 0.0; });
       tolerance_ = turning && tolerance_ > between ? between : last;
       ++left_;
-      fewest = kNone;
-      patience = patience_;
-      way = Way::Block;
-      seen.clear();
+      progress(kNone);
       continue;
     }
     const double own = violation(answer_.force, answer_.jump);
+    const bool nearer = own < kNearer * nearest_;
     if (way != Way::Descent && own < nearest_) {
       nearest_ = own;
       force_ = answer_.force;
@@ -202,7 +89,7 @@ FrictionSearch::End FrictionSearch::settle(double last) {
       tolerance_ = std::max(last, std::min(tolerance_, kSharper * turns * tolerance_));
     } else {
       // States are as good as the distance from the laws: accuracy follows it.
-      const double between = std::max(last, std::sqrt(last * oracle_.loosest()));
+      const double between = std::max(last, std::sqrt(last * oracle_.loosest())), before = tolerance_;
       if (const double size = answer_.force.norm(); size > 0.0 && tolerance_ > between)
         tolerance_ = std::clamp(kForcing * std::sqrt(own) / size, between, tolerance_);
       if (tolerance_ <= last) tolerance_ = between;
@@ -211,11 +98,8 @@ FrictionSearch::End FrictionSearch::settle(double last) {
           way = Way::Single;
           seen.clear();
         }
-      } else if (violated_.size() < fewest) {
-        fewest = violated_.size();
-        patience = patience_;
-        way = Way::Block;
-        seen.clear();
+      } else if (violated_.size() < fewest || (way == Way::Block && nearer)) {
+        progress(std::min(fewest, violated_.size()));
       } else if (const bool again = std::find(seen.begin(), seen.end(), states_) != seen.end(); again || --patience <= 0) {
         if (way == Way::Single && again) return End::Exhausted;  // they would go round for ever
         if (way == Way::Block) {
@@ -227,6 +111,10 @@ FrictionSearch::End FrictionSearch::settle(double last) {
       seen.push_back(states_);
       if (way == Way::Single)
         for (std::size_t k = 0; k + 1 < violated_.size(); ++k) next[violated_[k]] = states_[violated_[k]];
+      if (way == Way::Block && tolerance_ < kMuchSharper * before) {  // what was nearer, by an answer that was no balance yet?
+        progress(kNone);
+        nearest_ = std::numeric_limits<double>::infinity();
+      }
     }
     states_ = guarded(std::move(next), states_);
   }
@@ -265,66 +153,19 @@ Vector FrictionSearch::normalForces() const {
   return all;
 }
 
-/// Solves Tresca problems, each with the bounds that the one before gives: by all of the change of normal forces, or the part of it at
-/// which two successive changes would end each other (Aitken).
-FrictionSearch::End FrictionSearch::fixedPoint() {
-  normal_ = normalForces();
-  Vector before;
-  double part = 1.0;
-  while (true) {
-    tolerance_ = oracle_.tightest();
-    if (const End end = settle(oracle_.tightest()); end != End::Settled) return end;
-    const Vector change = normalForces() - normal_;
-    if (before.size() > 0) {
-      if (const double squared = before.squaredNorm(); squared > 0.0)
-        contraction_ = std::abs((change.dot(before) / squared - (1.0 - part)) / part);
-      const Vector difference = change - before;
-      if (const double squared = difference.squaredNorm(); squared > 0.0)
-        part = std::clamp(-part * before.dot(difference) / squared, kLeastPart, 1.0);
-    }
-    if (change.norm() <= kSameForces * (normal_ + change).norm()) return End::Settled;
-    before = change;
-    normal_ += part * change;
-  }
+FrictionSearch::End FrictionSearch::limited(int most, double last) {
+  const int left = left_;
+  left_ = std::min(left_, most);
+  const int given = left_;
+  const End found = settle(last);
+  left_ = left - (given - left_);
+  return found;
 }
 
-/// Puts the bounds of the laws themselves in place of those of a Tresca problem.
-void FrictionSearch::thaw() {
-  if (normal_.size() == 0 || answer_.force.size() == 0) return;
-  normal_ = Vector();
-  const PairStates own = projected(states_, answer_);
-  for (std::size_t i = 0; i < states_.size(); ++i) {
-    if (!states_[i].closed() || !own[i].closed()) continue;
-    states_[i].bound = own[i].bound;
-    states_[i].friction = own[i].friction;
-  }
-}
-
-/// Closes all pairs, and lets those stick whose laws restrict sliding.
-void FrictionSearch::stick() {
-  for (std::size_t i = 0; i < states_.size(); ++i)
-    if (rigid_.data().able[i]) states_[i] = laws_.of(rigid_.data().line[i]).rows(2) > 1 ? PairStatus::Stick : PairStatus::Slip;
-  holders_.assign(states_.size(), 0);
-  spent_ = holders_;
-  met_.clear();
-}
-
-FrictionSearch::Result FrictionSearch::run(PairStates start, const Vector& normal) {
-  holders_.assign(start.size(), 0);
-  spent_ = holders_;
-  states_ = guarded(start, start);
-  patience_ = kBlockSteps;
-  tolerance_ = oracle_.loosest();
+/// Newton's steps by the laws, from a Tresca problem; from the other side if they fail; by the fixed point if they do not end.
+FrictionSearch::End FrictionSearch::solveByNewton(const Vector& normal) {
   End end = End::Settled;
   Vector tresca;
-  const auto limited = [&](int most, double last) {
-    const int left = left_;
-    left_ = std::min(left_, most);
-    const int given = left_;
-    const End found = settle(last);
-    left_ = left - (given - left_);
-    return found;
-  };
   if (normal.size() > 0) {
     normal_ = normal;
     end = limited(kTrescaSolves, oracle_.loosest());
@@ -339,23 +180,29 @@ FrictionSearch::Result FrictionSearch::run(PairStates start, const Vector& norma
     end = limited(kNewtonSolves, oracle_.tightest());
     if (end == End::Settled && tresca.size() > 0) {
       const Vector found = normalForces();
-      if (const double from = (normal - found).norm(); from > 0.0) contraction_ = (tresca - found).norm() / from;
+      const bool slips = std::any_of(states_.begin(), states_.end(), [](const ContactState& state) { return state.drags(); });
+      if (const double from = (normal - found).norm(); !slips)
+        contraction_ = 0.0;  // no bound matters near the solution
+      else if (from > 0.0)
+        contraction_ = (tresca - found).norm() / from;
     }
   }
-  const auto goesOn = [&] { return end != End::Settled && outdone_.size() == 0 && left_ > 0 && oracle_.goesOn(); };
-  if (goesOn()) outdone_ = outdone();
-  if (goesOn()) {  // from the other side, before it is said
-    const End first = end;
-    stick();
-    tolerance_ = oracle_.loosest();
-    patience_ = kMoreBlockSteps;
-    end = limited(kNewtonSolves, oracle_.tightest());
-    if (end != End::Settled && first == End::Slides) end = first;
-  }
+  if (end != End::Settled && outdone_.size() == 0) outdone_ = outdone();
+  if (end != End::Settled && goesOn()) end = tryAgain(end);  // before it is said
   if (end == End::Exhausted && goesOn()) {
-    end = fixedPoint();
+    end = fixedPoint(normalForces());
     thaw();
   }
+  return end;
+}
+
+FrictionSearch::Result FrictionSearch::run(PairStates start, const Vector& normal) {
+  holders_.assign(start.size(), 0);
+  spent_ = holders_;
+  states_ = guarded(start, start);
+  patience_ = kBlockSteps;
+  tolerance_ = oracle_.loosest();
+  const End end = oracle_.drags() ? solveByNewton(normal) : solveAsTresca(normal);
   Result result;
   result.converged = end == End::Settled;
   result.states = states_;

@@ -34,6 +34,8 @@ class FrictionOracle {
   /// Least and most accurate tolerance that it offers, of forces relative to the largest; both zero: a direct solver.
   virtual double loosest() const { return 0.0; }
   virtual double tightest() const { return 0.0; }
+  /// True if the linear problems are those of pairs that normal forces drag (Coulomb); false if bounds must be given.
+  virtual bool drags() const { return true; }
   /// \param tolerance  between the two
   virtual FrictionAnswer solve(const PairStates& states, double tolerance) = 0;
   /// False ends the search after the step in hand.
@@ -47,8 +49,8 @@ class FrictionOracle {
 /// All violated pairs change at a time. When that does not lower their number any more, a line search between answers does (they are in
 /// balance with the loads, and so are their combinations): it lowers the distance of forces from their projections. Then only the last
 /// violated pair changes (Murty's rule, as in block principal pivoting: Judice and Pires 1994), which ends wherever the problem has one
-/// solution. If even that takes too long, a fixed point of Tresca problems: bounds by the normal forces of the last one, each convex as
-/// long as no pair opens or closes.
+/// solution. If even that takes too long, or an oracle knows no drag, a fixed point of Tresca problems: bounds by the normal forces of the
+/// last one, each convex as long as no pair opens or closes.
 ///
 /// Sets never leave a body loose that pairs can hold: of the pairs that held it before one goes on to. If that is beyond its bound others
 /// hold it, or those that it meets on its way; if none do the body slides away. Limit analysis tells where that is certain.
@@ -76,7 +78,7 @@ class FrictionSearch {
 
  private:
   enum class End { Settled, Slides, Exhausted, Failed };
-  enum class Way { Block, Descent, Single };  // of changing states: all violated pairs, by a line search, one pair
+  enum class Way { Block, Descent, Single };  // ways of changing states: all violated pairs, by a line search, one pair
 
   ContactState project(std::size_t pair, const ContactState& now, const FrictionAnswer& at) const;
   ContactState onto(std::size_t pair, const ContactState& now, const ContactTrial& trial) const;
@@ -84,12 +86,21 @@ class FrictionSearch {
   bool descend(PairStates& next);
   PairStates guarded(PairStates next, const PairStates& before);
   End settle(double last);
-  End fixedPoint();
+  End fixedPoint(const Vector& start);
+  End solveAsTresca(const Vector& normal);
+  End limited(int most, double last);
+  double mobilisation();
+  End tryAgain(End first);
+  End lowerFriction();
+  /// False once limit analysis, the number of solves or a request ends the search.
+  bool goesOn() { return outdone_.size() == 0 && left_ > 0 && oracle_.goesOn(); }
+  End solveByNewton(const Vector& normal);
   bool relieve(const PairStates& next);
   bool drag(const Vector& motion, int loose, PairStates& found);
   Vector outdone() const;
   double turn(std::size_t pair, const ContactState& next) const;
   Vector normalForces() const;
+  bool dependOnNormals();
   void thaw();
   void stick();
 
@@ -104,6 +115,9 @@ class FrictionSearch {
   std::vector<char> holders_;  // pairs that hold a body against their law
   std::vector<char> spent_;    // those that did so in vain
   Vector normal_;              // normal forces that bounds of a Tresca problem are made of; empty: the law's own
+  /// Constant along the normal, in parts of the pair's stiffness, where force and jump of a combination of answers are both there.
+  double normalConstant_ = 0.2;
+  double scale_ = 1.0;  // multiple of the friction of all laws
   std::vector<int> violated_;
   // Forces and jumps that are in balance, nearest to the laws so far; their distance.
   Matrix force_, jump_;

@@ -2,6 +2,7 @@
 #include <suture/contact/GroupMemory.hpp>
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 namespace suture {
@@ -15,7 +16,8 @@ double GroupMemory::megabytes() const {
 }
 
 GroupMemory groupMemory(const std::vector<const Subdomain*>& members) {
-  std::set<int> ids, pairs;
+  std::set<int> ids;
+  std::map<int, std::size_t> rowsOf;
   for (const Subdomain* member : members) ids.insert(member->mesh().id);
   GroupMemory memory;
   if (!members.empty()) memory.dimension = members.front()->components();
@@ -28,9 +30,9 @@ GroupMemory groupMemory(const std::vector<const Subdomain*>& members) {
       memory.unknowns += !counted;
     }
     for (const ContactRow& row : mesh.contactRows)
-      if (row.able()) pairs.insert(row.pair.id);
+      if (row.able()) rowsOf[row.pair.id] = row.equations.size();
   }
-  memory.rows = static_cast<int>(pairs.size());
+  for (const auto& [pair, rows] : rowsOf) memory.rows += static_cast<int>(rows);
   return memory;
 }
 

@@ -1,6 +1,7 @@
 #include <suture/base/Collective.hpp>
 #include <suture/base/Progress.hpp>
 #include <suture/interface/CondensedProblem.hpp>
+#include <suture/interface/GroupPairs.hpp>
 #include <suture/interface/SeamLayout.hpp>
 
 #include <Teuchos_Comm.hpp>
@@ -50,6 +51,16 @@ int closedPairs(const std::vector<ContactState>& status) {
   return static_cast<int>(std::count_if(status.begin(), status.end(), [](const ContactState& s) { return s.closed(); }));
 }
 
+/// To the last pairs of the list, those of the group.
+void addTangentialForces(const ContactGroup& group, const ContactGroup::Response& response, const Vector& moved,
+                         std::vector<PairForce>& pairs) {
+  const std::vector<PairForces> own = pairForces(group, response, moved);
+  const std::size_t first = pairs.size() - own.size();
+  for (std::size_t p = 0; p < own.size(); ++p)
+    pairs[first + p].tangential =
+        cartesian(group.pairs()[p], group.members().front().subdomain->components(), own[p].tangential(response.status[p]));
+}
+
 }  // namespace
 
 CondensedProblem::CondensedProblem(CommPtr comm, const Partition& partition, const std::vector<std::unique_ptr<Subdomain>>& subdomains,
@@ -94,12 +105,15 @@ CondensedProblem::CondensedProblem(CommPtr comm, const Partition& partition, con
         subdomains, [&](int subdomain) { return problemOf(partition, subdomain); }, layout);
   });
   space_ = std::make_shared<InterfaceSpace>(comm_, layout);
+  for (int line = 0; line < laws_.size(); ++line) allSeparate_ = allSeparate_ && laws_.of(line).separates();
   int mine = 0;
-  for (const auto& group : groups_) mine += group->rows().size();
+  for (const auto& group : groups_)
+    for (const int line : group->rows().lines) mine += laws_.of(line).separates();
   pairs_ = sumOver(*comm_, mine);
   for (const auto& pieces : partition.piecesOf) pieces_ += static_cast<int>(pieces.size());
   linearised_.resize(groups_.size());
   if (pairs_ > 0) sets_ = std::make_unique<CondensedSets>(*comm_, *this, subdomains_);
+  if (pairs_ > 0 && laws_.restrictSliding()) friction_ = std::make_unique<CondensedFriction>(*comm_, *this);
 }
 
 Vector CondensedProblem::movedRows(int group, const InterfaceState& state) const {
@@ -122,6 +136,23 @@ double CondensedProblem::addPlain(const std::vector<Vector>& trace, Matrix& forc
       const Vector load = plain_[i]->condensedLoad();
       energy += plain_[i]->constantEnergy() + trace[i].dot(0.5 * flux.col(0) - load);
       space_->coupling(static_cast<int>(i)).addTransposed(load - flux.col(0), force);
+    }
+  });
+  return energy;
+}
+
+double CondensedProblem::addLinear(const InterfaceState& state, const std::vector<Vector>& trace, Matrix& force,
+                                   const EachGroup& each) const {
+  double energy = addPlain(trace, force);
+  collectively(*comm_, "solving the contact groups with given states of their pairs", [&] {
+    for (std::size_t g = 0; g < groups_.size(); ++g) {
+      const int number = static_cast<int>(g), place = placeOfGroup(number);
+      const Vector moved = movedRows(number, state);
+      const auto group = linearised(number, state.status[place]);
+      const ContactGroup::Response response = groups_[g]->respondLinear(trace[place], group->held(), moved);
+      energy += response.energy;
+      space_->coupling(place).addTransposed(-response.flux, force);
+      if (each) each(number, response, moved);
     }
   });
   return energy;
@@ -212,14 +243,8 @@ InterfaceProblem::Linearisation CondensedProblem::linearise(const InterfaceState
   });
   Linearisation result;
   result.matrix = Teuchos::rcp(new InterfaceOperator(space_, locals));
-  const std::vector<Vector> trace = traces(*state.trace);
   Matrix force = Matrix::Zero(space_->overlapSize(), 1);
-  addPlain(trace, force);
-  for (std::size_t g = 0; g < groups_.size(); ++g) {
-    const int number = static_cast<int>(g), place = placeOfGroup(number);
-    const auto group = linearised(number, state.status[place]);
-    space_->coupling(place).addTransposed(-groups_[g]->respondLinear(trace[place], group->held(), movedRows(number, state)).flux, force);
-  }
+  addLinear(state, traces(*state.trace), force);
   result.load = space_->vector();
   space_->scatterAdd(force, *result.load);
   return result;
@@ -247,7 +272,10 @@ InterfaceProblem::Recovered CondensedProblem::recover(const InterfaceState& stat
     for (std::size_t g = 0; g < groups_.size(); ++g) {
       const ContactGroup& group = *groups_[g];
       const std::size_t i = plain_.size() + g;
-      const ContactGroup::Response response = group.respond(trace[i], state.status[i], movedRows(static_cast<int>(g), state));
+      const int number = static_cast<int>(g);
+      const Vector moved = movedRows(number, state);
+      const ContactGroup::Response response = isGiven() ? group.respondLinear(trace[i], linearised(number, state.status[i])->held(), moved)
+                                                        : group.respond(trace[i], state.status[i], moved);
       energy += response.energy;
       for (std::size_t m = 0; m < group.members().size(); ++m) {
         const Subdomain& subdomain = *group.members()[m].subdomain;
@@ -258,6 +286,7 @@ InterfaceProblem::Recovered CondensedProblem::recover(const InterfaceState& stat
       }
       for (std::size_t p = 0; p < group.pairs().size(); ++p)
         result.pairs.push_back({group.pairs()[p].id, response.status[p], response.force(p)});
+      if (laws_.restrictSliding()) addTangentialForces(group, response, moved, result.pairs);
       for (const ContactPair& pair : group.idlePairs()) result.pairs.push_back({pair.id, PairStatus::Open, 0.0});
     }
   });

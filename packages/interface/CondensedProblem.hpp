@@ -1,6 +1,7 @@
 #pragma once
 #include <suture/contact/ContactGroup.hpp>
 #include <suture/contact/LinearisedGroup.hpp>
+#include <suture/interface/CondensedFriction.hpp>
 #include <suture/interface/CondensedSets.hpp>
 #include <suture/interface/InterfaceProblem.hpp>
 #include <suture/partition/Partition.hpp>
@@ -37,12 +38,16 @@ class CondensedProblem : public InterfaceProblem {
 
   /// Null without pairs that can change.
   const ContactSets* sets() const override { return sets_.get(); }
+  const FrictionStates* friction() const override { return friction_.get(); }
 
   const std::vector<std::unique_ptr<ContactGroup>>& groups() const { return groups_; }
   const ContactLaws& laws() const { return laws_; }
 
  private:
   friend class CondensedSets;
+  friend class CondensedFriction;
+  /// True if groups cannot solve their contact problems by themselves, which are unilateral ones: a law of this scene is another.
+  bool isGiven() const { return laws_.restrictSliding() || !allSeparate_; }
   std::vector<Vector> traces(const MultiVector& trace) const;
   /// Place of a group among local problems and statuses.
   int placeOfGroup(int group) const { return static_cast<int>(plain_.size()) + group; }
@@ -52,6 +57,10 @@ class CondensedProblem : public InterfaceProblem {
   std::shared_ptr<const LinearisedGroup> linearised(int group, const std::vector<ContactState>& status) const;
   /// Adds F - S_0 U of the plain subdomains, this rank's part, and returns their energy. Collective.
   double addPlain(const std::vector<Vector>& trace, Matrix& force) const;
+  /// Adds F - S U with the pairs as the state has them, this rank's part, and returns the energy of that. Collective.
+  /// \param each  gets the answer of each group of this rank
+  using EachGroup = std::function<void(int group, const ContactGroup::Response& response, const Vector& moved)>;
+  double addLinear(const InterfaceState& state, const std::vector<Vector>& trace, Matrix& force, const EachGroup& each = {}) const;
   /// U.S U of each plain subdomain, by its place. Local.
   void addPlainEnergies(const std::vector<Vector>& trace, const std::function<void(int subdomain, double energy)>& add) const;
   Vector movedRows(int group, const InterfaceState& state) const;
@@ -66,7 +75,9 @@ class CondensedProblem : public InterfaceProblem {
   std::vector<std::vector<int>> groupMembers_;                  // and of each group's members
   std::shared_ptr<const InterfaceSpace> space_;
   int pieces_ = 0, pairs_ = 0;
+  bool allSeparate_ = true;  // no law keeps its pairs closed; the same on all ranks
   std::unique_ptr<CondensedSets> sets_;
+  std::unique_ptr<CondensedFriction> friction_;                             // null where no law restricts sliding
   mutable std::vector<std::shared_ptr<const LinearisedGroup>> linearised_;  // of each group
 };
 

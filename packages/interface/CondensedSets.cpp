@@ -1,6 +1,7 @@
 #include <suture/base/Collective.hpp>
 #include <suture/interface/CondensedProblem.hpp>
 #include <suture/interface/CondensedSets.hpp>
+#include <suture/interface/GroupPairs.hpp>
 #include <suture/interface/PlainFlips.hpp>
 
 #include <Teuchos_Comm.hpp>
@@ -17,15 +18,11 @@ CondensedSets::CondensedSets(const Comm& comm, const CondensedProblem& problem, 
     : comm_(comm), problem_(problem) {
   std::map<int, double> stiffness;
   for (const auto& group : problem.groups()) {
-    const Vector diagonal = group->stiffness().diagonal();
-    Vector compliance = Vector::Zero(group->rows().size());
-    for (int dof = 0; dof < group->dofs(); ++dof)
-      for (SparseMatrix::InnerIterator it(group->rows().rows, dof); it; ++it)
-        compliance(it.row()) += it.value() * it.value() / diagonal(dof);
-    for (int row = 0; row < group->rows().size(); ++row) stiffness[group->rows().pairIds[row]] = 1.0 / compliance(row);
+    const Vector own = rowStiffness(*group);
+    for (int row = 0; row < group->rows().size(); ++row) stiffness[group->rows().pairIds[row]] = own(row) > 0.0 ? own(row) : 1.0;
     for (const ContactPair& pair : group->idlePairs()) stiffness[pair.id] = 1.0;
   }
-  bodies_ = std::make_unique<ContactBodies>(comm, subdomains, stiffness);
+  bodies_ = std::make_unique<ContactBodies>(comm, subdomains, stiffness, problem.laws());
   const InterfaceSpace& space = *problem.space();
   partOfOwned_.assign(space.map()->getNodeNumElements(), 0);
   for (std::size_t s = 0; s < subdomains.size(); ++s)
@@ -53,7 +50,8 @@ ContactStates CondensedSets::statusOf(const ClosedSet& closed) const {
   for (std::size_t g = 0; g < problem_.groups().size(); ++g) {
     const ContactRows& rows = problem_.groups()[g]->rows();
     for (int row = 0; row < rows.size(); ++row)
-      status[problem_.placeOfGroup(static_cast<int>(g))][row] = closed[rows.pairIds[row]] ? rows.pressed[row] : ContactState();
+      status[problem_.placeOfGroup(static_cast<int>(g))][row] =
+          closed[rows.pairIds[row]] || !problem_.laws().of(rows.lines[row]).separates() ? rows.pressed[row] : ContactState();
   }
   return status;
 }
@@ -77,26 +75,16 @@ InterfaceEvaluation CondensedSets::evaluateSet(const InterfaceState& state, Pair
   Matrix out = Matrix::Zero(problem_.space()->overlapSize(), 1);
   Matrix mine = Matrix::Zero(pairs, 3);  // forces, penetrations, digits of the latter
   InterfaceEvaluation result;
-  double energy = problem_.addPlain(trace, out);
-  collectively(comm_, "solving the contact groups with a set of closed pairs", [&] {
-    for (std::size_t g = 0; g < problem_.groups().size(); ++g) {
-      const ContactGroup& group = *problem_.groups()[g];
-      const int number = static_cast<int>(g), place = problem_.placeOfGroup(number);
-      const Vector moved = movedRows(number, state);
-      const ContactGroup::Response response =
-          group.respondLinear(trace[place], problem_.linearised(number, state.status[place])->held(), moved);
-      energy += response.energy;
-      problem_.space()->coupling(place).addTransposed(-response.flux, out);
-      const ContactRows& rows = group.rows();
-      const Vector reached = rows.rows * response.displacement;
-      const Vector digits = rows.rows.cwiseAbs() * response.displacement.cwiseAbs();
-      for (int row = 0; row < rows.size(); ++row) {
-        const double lift = moved.size() > 0 ? moved(row) : 0.0;
-        const bool closed = state.status[place][row].closed();
-        mine(rows.pairIds[row], 0) = closed ? response.force(row) : 0.0;
-        mine(rows.pairIds[row], 1) = closed ? 0.0 : reached(row) + lift - rows.gap(row);
-        mine(rows.pairIds[row], 2) = kGapDigits * std::max({digits(row), std::abs(lift), std::abs(rows.gap(row))});
-      }
+  const double energy = problem_.addLinear(state, trace, out, [&](int group, const ContactGroup::Response& response, const Vector& moved) {
+    const ContactGroup& own = *problem_.groups()[group];
+    const std::vector<PairForces> pairs = pairForces(own, response, moved);
+    for (int row = 0; row < own.rows().size(); ++row) {
+      const PairForces& pair = pairs[row];
+      const bool closed = response.status[row].closed();
+      const int id = own.rows().pairIds[row];
+      mine(id, 0) = closed ? pair.normal : 0.0;
+      mine(id, 1) = closed ? 0.0 : -pair.gap;
+      mine(id, 2) = kGapDigits * pair.digits;
     }
   });
   const Matrix all = everywhere(mine);
@@ -114,6 +102,7 @@ InterfaceEvaluation CondensedSets::evaluateSet(const InterfaceState& state, Pair
 }
 
 ClosedSet CondensedSets::proposal(const InterfaceState& state) const {
+  if (problem_.isGiven()) return {};
   const std::vector<Vector> trace = problem_.traces(*state.trace);
   ContactStates next = state.status;
   double found = 1.0, all = 0.0;
@@ -149,7 +138,15 @@ void CondensedSets::separate(InterfaceState& state) const { move(state, motions_
 
 Vector CondensedSets::movedRows(int group, const InterfaceState& state) const {
   if (state.rigid.size() == 0) return {};
-  return ofGroup(group, bodies_->rigid().data().rows * state.rigid);
+  const RigidContact::Pairs& data = bodies_->rigid().data();
+  const ContactRows& rows = problem_.groups()[group]->rows();
+  Vector moved = Vector::Zero(rows.rows.rows());
+  for (std::size_t component = 0; component <= data.tangents.size(); ++component) {
+    const Vector along = ofGroup(group, (component == 0 ? data.rows : data.tangents[component - 1]) * state.rigid);
+    for (int pair = 0; pair < rows.size(); ++pair)
+      if (const int row = rows.rowOf(pair, static_cast<int>(component)); row >= 0) moved(row) = along(pair);
+  }
+  return moved;
 }
 
 double CondensedSets::rigidWork(const InterfaceState& state) const {

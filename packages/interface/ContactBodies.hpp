@@ -51,7 +51,7 @@ class ContactBodies {
   std::vector<RigidPart> parts_;
   std::vector<Vector> lift_;  // of each part: amplitudes that prescribed displacements ask for
   std::vector<int> first_;    // of each part: column of its first motion
-  int motions_ = 0;           // of all parts
+  int motions_ = 0;           // their number, for all parts
   bool areBound_ = false;
   Matrix together_;  // if they are: columns, motions of parts that leave bound pairs as they are
   std::vector<int> partOf_;

@@ -17,8 +17,8 @@ using Sparse = std::vector<std::pair<int, double>>;
 // remainders of others that cancelled; a larger one would be missing from the forces.
 constexpr double kDependent = 1e-10;
 constexpr double kRounding = 1e-14;
-constexpr double kDragged = 0.1;      // of a dragged row's largest coefficient: by less it is not solved for that unknown
-constexpr double kShift = 1e-12;      // of the largest compliance of a row
+constexpr double kDragged = 0.1;      // part of a dragged row's largest coefficient: by less it is not solved for that unknown
+constexpr double kShift = 1e-12;      // shift, in parts of the largest compliance of a row
 constexpr std::size_t kTwoNodes = 6;  // unknowns in space
 
 /// The entry at a place; the end if there is none.

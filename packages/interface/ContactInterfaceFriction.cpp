@@ -13,13 +13,6 @@
 
 namespace suture {
 
-namespace {
-
-/// The direction across that of a pair that slips in space, in its frame.
-Point acrossOf(const ContactState& state) { return {0.0, -state.direction[2], state.direction[1]}; }
-
-}  // namespace
-
 void ContactInterfaceProblem::findSites() {
   Matrix values = Matrix::Zero(static_cast<Eigen::Index>(rows_.size()), 6);
   for (std::size_t i = 0; i < rows_.size(); ++i) {
@@ -49,19 +42,9 @@ ContactStates ContactInterfaceProblem::statusOf(const PairStates& pairs) const {
 }
 
 PairStates ContactInterfaceProblem::statesOf(const ContactStates& status) const {
-  Matrix values(static_cast<Eigen::Index>(rows_.size()), 7);
-  for (std::size_t i = 0; i < rows_.size(); ++i) {
-    const ContactState& state = status[0][i];
-    values.row(static_cast<Eigen::Index>(i)) << static_cast<double>(state.status), state.direction[0], state.direction[1],
-        state.direction[2], state.bound, state.friction, state.across;
-  }
-  const Matrix all = everywhere(values);
-  PairStates states;
-  for (Eigen::Index i = 0; i < all.rows(); ++i) {
-    states.emplace_back(static_cast<PairStatus>(static_cast<int>(all(i, 0))), Point{all(i, 1), all(i, 2), all(i, 3)}, all(i, 4), all(i, 5));
-    states.back().across = all(i, 6);
-  }
-  return states;
+  Matrix values(static_cast<Eigen::Index>(rows_.size()), kPairColumns);
+  for (std::size_t i = 0; i < rows_.size(); ++i) putState(status[0][i], values, static_cast<Eigen::Index>(i));
+  return statesFrom(everywhere(values));
 }
 
 InterfaceState ContactInterfaceProblem::stateWith(const PairStates& pairs) const {
@@ -84,7 +67,7 @@ void ContactInterfaceProblem::addSlipForces(const InterfaceState& state, const M
   for (int i = 0; i < static_cast<int>(rows_.size()); ++i) {
     const ContactState& own = state.status[0][i];
     if (own.status != PairStatus::Slip || (own.bound == 0.0 && own.across == 0.0)) continue;
-    const Point across = acrossOf(own);
+    const Point across = acrossSlip(own);
     const double spring = own.across * dot(across, slipOf(i, gaps));
     for (int component = 1; component <= 2; ++component) {
       const int tangent = clusters_->rowOf(i, component);
@@ -104,7 +87,7 @@ std::shared_ptr<const FrictionTangent> ContactInterfaceProblem::tangentOf(const 
   for (int i = 0; i < static_cast<int>(rows_.size()); ++i) {
     const ContactState& own = status[0][i];
     if (!owned_[i] || own.across == 0.0) continue;
-    const Point across = acrossOf(own);
+    const Point across = acrossSlip(own);
     InterfaceSpring spring;
     spring.stiffness = own.across;
     for (int component = 1; component <= 2; ++component)
@@ -128,7 +111,7 @@ void ContactInterfaceProblem::addSpringMotions(const ContactStates& status, cons
   Eigen::Index count = 0;
   for (std::size_t i = 0; i < states.size(); ++i) {
     if (!(states[i].across > 0.0)) continue;
-    const Point across = acrossOf(states[i]);
+    const Point across = acrossSlip(states[i]);
     const auto at = static_cast<Eigen::Index>(i);
     springs.row(count++) = std::sqrt(states[i].across) * (across[1] * data.tangents[0].row(at) + across[2] * data.tangents[1].row(at));
     states[i].across = 0.0;
@@ -164,28 +147,13 @@ PairValues ContactInterfaceProblem::valuesOf(const InterfaceState& state) const 
   addSlipForces(state, trace, out);
   const Vector force = clusters_->forces(state.status[0], out.col(0)), moved = movedRows(state),
                gaps = clusters_->gaps(trace.col(0), moved);
-  Matrix values = Matrix::Zero(static_cast<Eigen::Index>(rows_.size()), 7);
+  Matrix values = Matrix::Zero(static_cast<Eigen::Index>(rows_.size()), kPairColumns);
   for (int i = 0; i < static_cast<int>(rows_.size()); ++i) {
     if (!rows_[i].able()) continue;
-    const ContactState& own = state.status[0][i];
-    const Point slip = slipOf(i, gaps), across = acrossOf(own);
-    const double spring = own.across * dot(across, slip);
-    if (own.closed())
-      values(i, 0) = force(i);
-    else
-      values(i, 3) = -gaps(i);
-    for (int component = 1; component <= 2; ++component) {
-      const int tangent = clusters_->rowOf(i, component);
-      if (tangent < 0 || !own.closed()) continue;
-      values(i, component) = own.holds(component)
-                                 ? force(tangent)
-                                 : (own.bound + own.friction * force(i)) * own.direction[component] + spring * across[component];
-    }
-    for (int component = 1; component <= 2; ++component)
-      if (!own.holds(component)) values(i, 3 + component) = slip[component];
-    double digits = std::max(std::abs(clusters_->row(i).gap), moved.size() > 0 ? std::abs(moved(i)) : 0.0);
-    for (const int place : clusters_->row(i).places) digits = std::max(digits, std::abs(trace(place, 0)));
-    values(i, 6) = kGapDigits * digits;
+    PairForces pair = pairForces(i, force, gaps);
+    pair.digits = std::max(std::abs(clusters_->row(i).gap), moved.size() > 0 ? std::abs(moved(i)) : 0.0);
+    for (const int place : clusters_->row(i).places) pair.digits = std::max(pair.digits, std::abs(trace(place, 0)));
+    putPair(state.status[0][i], pair, values, i);
   }
   const Matrix all = everywhere(values);
   result.force = all.leftCols(3);
@@ -196,22 +164,14 @@ PairValues ContactInterfaceProblem::valuesOf(const InterfaceState& state) const 
   return result;
 }
 
-Point ContactInterfaceProblem::tangentialForce(int row, const InterfaceState& state, const Vector& force, const Vector& gaps) const {
-  const ContactState& own = state.status[0][row];
-  Point sum{0, 0, 0};
-  if (!own.closed()) return sum;
-  const std::vector<Point> frame = pairFrame(rows_[row].pair, space_->dimension());
-  const Point across = acrossOf(own);
-  const double spring = own.across * dot(across, slipOf(row, gaps));
-  for (int component = 1; component < space_->dimension(); ++component) {
-    const int tangent = clusters_->rowOf(row, component);
-    if (tangent < 0) continue;
-    const double along = own.holds(component)
-                             ? force(tangent)
-                             : (own.bound + own.friction * force(row)) * own.direction[component] + spring * across[component];
-    sum = plus(sum, scaled(along, frame[component]));
-  }
-  return sum;
+PairForces ContactInterfaceProblem::pairForces(int row, const Vector& force, const Vector& gaps) const {
+  PairForces pair;
+  pair.normal = force(row);
+  pair.gap = gaps(row);
+  pair.slip = slipOf(row, gaps);
+  for (int component = 1; component <= 2; ++component)
+    if (const int tangent = clusters_->rowOf(row, component); tangent >= 0) pair.held[component] = force(tangent);
+  return pair;
 }
 
 }  // namespace suture

@@ -420,7 +420,9 @@ InterfaceProblem::Recovered ContactInterfaceProblem::recover(const InterfaceStat
   for (std::size_t i = 0; i < rows_.size(); ++i)
     if (owned_[i]) {
       result.pairs.push_back({rows_[i].pair.id, state.status[0][i], force(static_cast<int>(i))});
-      if (rows_[i].equations.size() > 1) result.pairs.back().tangential = tangentialForce(static_cast<int>(i), state, force, gaps);
+      if (rows_[i].restrictsSliding())
+        result.pairs.back().tangential =
+            cartesian(rows_[i].pair, space_->dimension(), pairForces(static_cast<int>(i), force, gaps).tangential(state.status[0][i]));
     }
   result.energy = reduce(*comm_, Teuchos::REDUCE_SUM, energy) - rigidWork(state);
   return result;

@@ -2,6 +2,7 @@
 #include <suture/constraints/ContactRow.hpp>
 #include <suture/interface/ContactClusters.hpp>
 #include <suture/interface/InterfaceProblem.hpp>
+#include <suture/interface/PairForces.hpp>
 #include <suture/interface/TraceMotions.hpp>
 #include <suture/partition/Partition.hpp>
 #include <suture/subdomain/SubdomainProblem.hpp>
@@ -78,8 +79,8 @@ class ContactInterfaceProblem : public InterfaceProblem, public ContactSets, pub
   std::shared_ptr<const FrictionTangent> tangentOf(const ContactStates& status, std::vector<InterfaceRelation> test) const;
   /// Finds motions that springs across directions of slip alone hold, on all ranks. Collective.
   void addSpringMotions(const ContactStates& status, const InterfaceSpace& space, FrictionTangent& tangent) const;
-  /// Tangential force on side B of a row's pair, Cartesian. \param force  of all rows
-  Point tangentialForce(int row, const InterfaceState& state, const Vector& force, const Vector& gaps) const;
+  /// \param force, gaps  of all rows
+  PairForces pairForces(int row, const Vector& force, const Vector& gaps) const;
   ContactState pressed(const ContactRow& row) const;
   InterfaceState allClosed() const;
   void takeLoads();

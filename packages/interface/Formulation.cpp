@@ -62,6 +62,7 @@ class CondensedGroups : public Formulation {
   explicit CondensedGroups(const Parameters& own) : own_(own), limit_(own.get<double>(kMemoryLimit)), path_(pathOf(own, kMemoryLimit)) {}
   bool keepsGroupsWhole() const override { return true; }
   bool hidesContact() const override { return true; }
+  bool knowsFriction() const override { return true; }
   std::string outerSolver() const override { return "Semismooth Newton"; }
 
  protected:
@@ -87,7 +88,7 @@ class CondensedGroups : public Formulation {
         std::ostringstream text;
         text << "contact group " << group + 1 << " of " << members.size() << " subdomains ('" << members.front()->mesh().name
              << "', ...) has " << memory.unknowns << " unknowns and " << memory.rows
-             << " pairs; factoring it, on one rank, is estimated to take " << std::fixed
+             << " contact rows; factoring it, on one rank, is estimated to take " << std::fixed
              << std::setprecision(memory.megabytes() < 10 ? 2 : 0) << memory.megabytes() << " MB, more than the limit of "
              << std::defaultfloat << std::setprecision(6) << limit_
              << " MB. Raise the limit if the rank has the memory, or choose Formulation '" << kOnTheInterface

@@ -24,10 +24,10 @@ struct InterfaceSpring {
 struct FrictionTangent {
   /// Relations of the virtual displacements where normal forces drag (Coulomb): T'^T S T is not symmetric. Empty: those of the space.
   std::vector<InterfaceRelation> test;
-  std::vector<InterfaceSpring> springs;  ///< of this rank alone
+  std::vector<InterfaceSpring> springs;  ///< springs of this rank alone
   bool symmetric = true;                 ///< nothing drags; of an operator's, on any rank
   MultiVectorPtr motions{};              ///< rigid motions that springs alone hold, in unknowns of the space; null: none, on all ranks
-  Matrix motionEnergy{};                 ///< of the springs in them: motions x motions
+  Matrix motionEnergy{};                 ///< energy of the springs in them: motions x motions
 };
 
 /// The linear operator sum_i R_i^T S_i R_i over any subset of the local problems: S of (21), S_0 of (17), a tangent S_0 + S_KON'.

@@ -84,7 +84,7 @@ struct PairValues {
   Matrix force;             ///< pairs x components: that side B feels [force]
   Matrix jump;              ///< pairs x components: penetration, and slip u_A - u_B of the step [length]
   Vector digits;            ///< rounding of the jumps [length]
-  MultiVectorPtr residual;  ///< of the linear problem of the state's states
+  MultiVectorPtr residual;  ///< residual of the linear problem of the state's states
   double energy = 0.0;
   int applications = 0;
 };
@@ -95,6 +95,8 @@ class FrictionStates {
  public:
   virtual ~FrictionStates() = default;
   virtual const ContactLaws& laws() const = 0;
+  /// False where normal forces cannot drag pairs that slip: bounds are given then, as those of Tresca problems.
+  virtual bool drags() const { return true; }
   virtual ContactStates statusOf(const PairStates& pairs) const = 0;
   virtual PairStates statesOf(const ContactStates& status) const = 0;
   virtual PairValues valuesOf(const InterfaceState& state) const = 0;

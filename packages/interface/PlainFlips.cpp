@@ -16,6 +16,7 @@ ClosedSet plainFlips(const RigidContact& rigid, const ContactLaws& laws, const C
     // The tolerance goes to the state that the pair has.
     const ContactLaw& law = laws.of(rigid.data().line[i]);
     ContactTrial trial;
+    trial.normalOnly = true;
     if (closed[i])
       trial.force[0] = found.force(pair) + found.forceTolerance(pair);
     else

@@ -11,7 +11,7 @@ namespace suture {
 /// Part of a pair's weights up to which their sum is zero but for rounding, as in takeOutRigidMotions().
 constexpr double kBalanced = 1e-12;
 
-/// What the law of a pair does to it, whatever its state.
+/// Effects of a pair's law on it, whatever its state.
 struct PairKind {
   bool separates = true;          ///< ContactLaw::separates
   bool restrictsSliding = false;  ///< ContactRow::restrictsSliding

@@ -17,7 +17,7 @@ struct PathWork {
 
   /// Work that is neither stored nor taken by contact, relative to the size: what equilibrium lacks on the way.
   double imbalance() const;
-  /// What the length of the steps may matter: the works that would vanish and agree if they were short, relative to the size.
+  /// Effect of the length of the steps: works that would vanish, or agree, if they were short, relative to the size.
   double stepError() const;
 };
 

@@ -19,7 +19,7 @@ struct PairEndShare {
   Point place;       ///< place of the node that carries the pair
   Point normal;
   Point shift;    ///< weight x displacement, whole where the law restricts sliding, less what the pair had slid before, else zero [length]
-  PairKind kind;  ///< what the law of the pair does
+  PairKind kind;  ///< effects of the pair's law
 };
 
 /// Makes bodies without data of their own known by a part of their neighbours' force. On rank 0.

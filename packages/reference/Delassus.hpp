@@ -30,8 +30,8 @@ class Delassus {
  private:
   const CondensedContact& problem_;
   const int rows_, modes_;
-  std::vector<Matrix> factors_;             // of S + stiffness of its own on the kernel, each block
-  std::vector<std::vector<int>> blocksOf_;  // of each row
+  std::vector<Matrix> factors_;             // factors of S + stiffness of its own on the kernel, block by block
+  std::vector<std::vector<int>> blocksOf_;  // blocks of each row
   Matrix h_;                                // compliance H of the rows
   Matrix g_, kernel_;                       // rows times kernel; the kernel, columns of the order of one
   Vector gapless_, work_;                   // h = C S^-1 f - bound;   Z^T f

@@ -10,10 +10,10 @@ namespace suture {
 namespace {
 
 constexpr double ofStiffness = 0.1;        // c over the local stiffness
-constexpr double accuracy = 1e-11;         // of forces, of the largest
+constexpr double accuracy = 1e-11;         // accuracy of forces, in parts of the largest
 constexpr double singular = 1e12;          // condition of scaled equations beyond which a step is not believed
-constexpr double givesWay = 1e-10;         // of the largest compliance: that of a tangential row whose nodes are all held
-constexpr double roundoff = 1e-15;         // of a jump, of the sizes of its terms
+constexpr double givesWay = 1e-10;         // compliance of a tangential row whose nodes are all held, in parts of the largest
+constexpr double roundoff = 1e-15;         // rounding of a jump, in parts of the sizes of its terms
 constexpr double beyondItsElements = 2.0;  // compliance of a row over that of its own elements (as in ContactCompliance)
 constexpr double infinite = std::numeric_limits<double>::infinity();
 

@@ -19,10 +19,10 @@ class FrictionConditions {
   struct Branch {
     bool pressed = false;  ///< the normal row is an equation
     Sliding sliding = Sliding::Free;
-    double bound = 0.0;                 ///< of a pair that slips: its tangential force at the trial
+    double bound = 0.0;                 ///< tangential force at the trial of a pair that slips
     double slope = 0.0;                 ///< by how much the normal force raises it
     double normal = 0.0, length = 0.0;  ///< trial forces: the normal one, size of the tangential one
-    Point direction{0, 0, 0};           ///< of slip, in the frame of the pair
+    Point direction{0, 0, 0};           ///< direction of slip, in the frame of the pair
 
     /// The same equations, but for a slip that turns a little.
     bool like(const Branch& other) const;

@@ -29,7 +29,7 @@ struct MonolithicResult {
   int iterations = 0;             ///< 0 for a scene without unilateral contact
   double residual = 0.0;          ///< largest violation of the contact conditions over the size of the displacements
   double energy = 0.0;            ///< total potential energy
-  double contraction = 0.0;       ///< of the fixed point of friction, see ContactSolution; 0: it was not needed
+  double contraction = 0.0;       ///< contraction of the fixed point of friction, see ContactSolution; 0: it was not needed
   Balance balance;                ///< balance of forces
   std::vector<OuterRow> rows;     ///< the same that the monitor was told, for replay on other ranks
 

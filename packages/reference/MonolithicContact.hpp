@@ -53,10 +53,10 @@ struct ContactSolution {
   Vector x;
   Vector force;  ///< multiplier of each row: what side B feels along it
   std::vector<char> active;
-  std::vector<ContactState> states{};  ///< of the pairs; empty without friction
+  std::vector<ContactState> states{};  ///< states of the pairs; empty without friction
   Matrix neutral;                      ///< combinations of kernel columns along which no force changes: x is not determined there
   Vector slides{};                     ///< where no equilibrium was found: motion in which the loads outdo friction; else empty
-  double contraction = 0.0;            ///< of the fixed point of Tresca problems: ratio of successive changes of its bounds; 0: not needed
+  double contraction = 0.0;  ///< ratio of successive changes of bounds in the fixed point of Tresca problems; 0: it was not needed
 };
 
 /// The exact solution by an active set on the compliance of the rows (Delassus matrix), H = C S^-1 C^T with the kernel as free unknowns a:

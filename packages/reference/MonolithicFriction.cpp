@@ -13,10 +13,10 @@ using Conditions = FrictionConditions;
 using Unknowns = FrictionConditions::Unknowns;
 using States = FrictionConditions::States;
 
-constexpr int newtonSteps = 60;      // of one call: it converges in few, or cycles
-constexpr int halvings = 8;          // of a step that does not lower the residual
+constexpr int newtonSteps = 60;      // most steps of one call: it converges in few, or cycles
+constexpr int halvings = 8;          // most halvings of a step that does not lower the residual
 constexpr int slidingSteps = 10;     // steps of a body that slides on, each sixteen times as long as the last, until it has met nothing
-constexpr int trescaProblems = 200;  // of the fixed point
+constexpr int trescaProblems = 200;  // most problems of the fixed point
 constexpr int sweepsOfBlocks = 200;
 
 /// Joint size of changes of bounds; bounds without limit are the same.

@@ -28,7 +28,7 @@ class MonolithicSystem {
   int contactDofs() const { return contactDofs_; }  ///< the last of them, grouped by body
   const SymmetricMatrix& stiffness() const { return stiffness_; }
   const Vector& load() const { return load_; }
-  const std::vector<Row>& rows() const { return rows_; }  ///< of the contact pairs in their order, as many as their laws restrict
+  const std::vector<Row>& rows() const { return rows_; }  ///< rows of the contact pairs in their order, as many as their laws restrict
   double prescribedEnergy() const { return energy_; }     ///< energy when all free dofs are zero
   const Vector& nodalForces() const { return forces_; }   ///< forces of the loads: node-major, Cartesian
 

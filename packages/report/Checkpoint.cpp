@@ -16,7 +16,7 @@ constexpr const char* kGroup = "/SutureCheckpoint";
 constexpr std::size_t kSliding = 5;     // components of a row of Sliding: direction, bound [force], friction
 constexpr std::size_t kOldSliding = 4;  // earlier files have no friction
 constexpr std::size_t kStep = 19;       // components of a row of Steps
-constexpr std::size_t kPathPair = 9;    // of a row of PathPairs: slip, slipped, dissipated, force, tangential
+constexpr std::size_t kPathPair = 9;    // components of a row of PathPairs: slip, slipped, dissipated, force, tangential
 std::string at(const char* name) { return std::string(kGroup) + "/" + name; }
 
 /// Members of a StepRow as numbers: one list for both directions.
@@ -88,7 +88,7 @@ void writeCheckpoint(const Comm& comm, const std::string& path, const std::strin
     }
   }
   std::vector<int> pairs, status;
-  std::vector<double> sliding;  // of each pair
+  std::vector<double> sliding;  // kSliding numbers of each pair
   int slides = 0, anySlides = 0;
   for (const PairResult& pair : solution.pairs) {
     pairs.push_back(pair.id);

@@ -20,7 +20,7 @@ struct PathState {
     Point tangential;        ///< on B [force]
   };
   std::vector<StepRow> rows;
-  double length = 0.0;        ///< of the next step
+  double length = 0.0;        ///< length of the next step
   std::vector<Pair> pairs{};  ///< written from rank 0, read on all ranks
 
   bool empty() const { return rows.empty(); }

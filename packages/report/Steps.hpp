@@ -12,7 +12,7 @@ struct Run;
 struct StepRow {
   int step = 0;            ///< from 1 on
   double time = 0.0;       ///< its end
-  double length = 0.0;     ///< of time
+  double length = 0.0;     ///< length of the step in time
   int outer = 0, pcg = 0;  ///< outer iterations and operator applications, those of given up trials included
   int givenUp = 0;         ///< trials that were too long
   int active = 0, sticking = 0, slipping = 0;

@@ -24,8 +24,8 @@ namespace suture {
 
 namespace {
 
-constexpr double kSameTime = 1e-9;  // of a step: what is nearer to its end is the end
-constexpr double kEasy = 0.5;       // of the largest change, below which the next step is longer
+constexpr double kSameTime = 1e-9;  // part of a step: a time nearer to its end is the end
+constexpr double kEasy = 0.5;       // part of the largest change, below which the next step is longer
 constexpr double kSudden = 0.9;     // part of the changes of a step that are there in its half, where they come all at once
 constexpr double kWork = 100.0;     // accuracies of a solution that the balance of work may miss
 
@@ -78,6 +78,14 @@ Solution Simulation::solveStep(const Solution* before, bool isPrepared) {
     solution.failure = error.what();
   }
   return solution;
+}
+
+/// States of the pairs where the last step ended, if there is friction: few that stick tell that a body begins to slide.
+std::string Simulation::lastStates() const {
+  if (path_->rows.empty() || !scene_.laws.restrictSliding()) return "";
+  const StepRow& last = path_->rows.back();
+  return "; at " + timeText(last.time) + " " + std::to_string(last.sticking) + " of " + std::to_string(last.active) +
+         " closed pairs stuck and " + std::to_string(last.slipping) + " slipped";
 }
 
 /// Takes up the path of a checkpoint. \param before  gets the solution of its last step
@@ -176,7 +184,8 @@ void Simulation::followPath() {
     }
     if (!isSolved) {
       unfinished_ = anyStop ? stoppedAfter(begin)
-                            : "load step " + std::to_string(path_->rows.size() + 1) + ", to " + timeText(time) + ": " + solution.failure;
+                            : "load step " + std::to_string(path_->rows.size() + 1) + ", to " + timeText(time) + ": " + solution.failure +
+                                  lastStates();
       if (!hasBefore && brokeDown_) throw NumericalError(unfinished_);  // there is nothing to show
       if (!hasBefore) before = std::move(solution);
       break;

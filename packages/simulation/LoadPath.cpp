@@ -54,9 +54,9 @@ void LoadPath::setTime(double time, ElasticModel& model, std::vector<SubdomainMe
       const std::vector<Point> directions = rowDirections(row.pair, mesh.dimension);
       const auto closing = closed.find(row.pair.id);
       for (std::size_t k = 0; k < row.equations.size(); ++k) {
-        if (parts_.empty() && k == 0) continue;
+        if (k == 0 && parts_.empty()) continue;
         double& gap = row.equations[k].gap;
-        if (!parts_.empty() || k > 0) gap = k == 0 ? row.pair.gap : dot(row.pair.past.slip, directions[k]);
+        gap = k == 0 ? row.pair.gap : dot(row.pair.past.slip, directions[k]);
         if (closing != closed.end()) gap -= closing->second[k];
       }
     }

@@ -33,8 +33,8 @@ class LoadPath {
   const LoadSteps& steps() const { return steps_; }
   double time() const { return rows.empty() ? 0.0 : rows.back().time; }
 
-  std::vector<StepRow> rows;  ///< of the steps so far
-  double length = 0.0;        ///< of the next step
+  std::vector<StepRow> rows;  ///< rows of the steps so far
+  double length = 0.0;        ///< length of the next step
 
  private:
   const Comm& comm_;

@@ -92,6 +92,7 @@ class Simulation {
   bool followsPath() const { return path_ && !scene_.isOneStep; }
   void followPath();
   Solution solveStep(const Solution* before, bool isPrepared);
+  std::string lastStates() const;
   void goOnFromStart(Solution& before);
   void acceptStep(Solution& solution, const Solution* before, StepRow row);
 
@@ -115,7 +116,7 @@ class Simulation {
   std::unique_ptr<WorkMeter> meter_;  // on a path
   std::string unfinished_;            // why the path ended before its end; empty: it did not
   bool brokeDown_ = false;            // the last trial of a step left nothing behind
-  PathState restart_;                 // of a checkpoint
+  PathState restart_;                 // path of a checkpoint, before it is taken up
   Solution solution_;
 };
 

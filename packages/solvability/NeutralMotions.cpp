@@ -180,11 +180,15 @@ void addMotions(const ContactBodies& bodies, const Matrix& motions, bool bothSen
   }
 }
 
+/// States of pairs as they hold bodies: one that slips under a force holds across its slip, too, whichever method found it.
 std::vector<ContactState> broadcastStates(const Comm& comm, const std::vector<PairResult>& pairs, int count) {
   std::vector<ContactState> states(std::size_t(comm.getRank() == 0 ? count : 0));
   if (comm.getRank() == 0)
-    for (const PairResult& pair : pairs)
-      if (pair.id < count) states[std::size_t(pair.id)] = pair.state;
+    for (const PairResult& pair : pairs) {
+      if (pair.id >= count) continue;
+      ContactState& state = states[std::size_t(pair.id)] = pair.state;
+      if (state.status == PairStatus::Slip && state.across == 0.0 && norm(pair.tangential) > 0.0) state.across = 1.0;
+    }
   broadcast(comm, states);
   return states;
 }
@@ -199,13 +203,8 @@ void settleNeutralMotions(const Comm& comm, std::vector<SubdomainMesh>& meshes, 
   const RigidContact& rigid = bodies.rigid();
   const int count = rigid.pairs();
   if (count == 0) return;
-  if (laws.restrictSliding()) {  // slip depends on the way there: nothing is moved afterwards
-    const Matrix free = rigid.motions() > 0 ? rigid.loose(broadcastStates(comm, solution.pairs, count)) : Matrix();
-    if (free.cols() > 0) addMotions(bodies, free, true, model, std::vector<char>(bodies.parts().size(), 1), solution.neutral);
-    return;
-  }
   PairsAtSolution pairs = broadcastPairs(comm, solution.pairs, count);
-  const ForceScales scales = forceScales(comm, meshes, model, bodies);
+  const ForceScales scales = forceScales(comm, meshes, model, bodies, solution.displacement);
   PairClasses classes = classify(bodies, pairs, scales);
   if (comm.getRank() == 0)
     for (PairResult& pair : solution.pairs)
@@ -219,6 +218,13 @@ void settleNeutralMotions(const Comm& comm, std::vector<SubdomainMesh>& meshes, 
     classes.touching = classify(bodies, pairs, scales).touching;
   };
   if (rigid.motions() > 0 && straighten(comm, meshes, model, bodies, classes.carrying, solution.displacement)) take();
+  if (laws.restrictSliding()) {  // slip depends on the way there: nothing is moved afterwards
+    const Matrix free = rigid.motions() > 0 ? rigid.loose(broadcastStates(comm, solution.pairs, count)) : Matrix();
+    if (free.cols() > 0)
+      addMotions(bodies, free, true, model, loadedParts(comm, meshes, model, bodies, classes.carrying), solution.neutral);
+    for (NeutralMotion& motion : solution.neutral) motion.least = false;
+    return;
+  }
   const Matrix neutral = rigid.motions() > 0 ? rigid.neutral(classes.carrying, classes.touching) : Matrix();
   if (neutral.cols() > 0) {
     if (Least(comm, meshes, bodies, neutral).settle(pairs, classes.carrying, solution.displacement)) {
@@ -244,7 +250,7 @@ void settleNeutralMotions(const Comm& comm, std::vector<SubdomainMesh>& meshes, 
 std::string inWords(const NeutralMotion& motion) {
   return "body '" + motion.body + "' can " + motion.words + (motion.bothSenses ? "" : ", in one sense at least,") +
          " without changing any contact force" + (motion.loaded ? "" : ", and no force acts on it") +
-         ": its place is not determined along that motion; the least displacement is kept";
+         ": its place is not determined along that motion" + (motion.least ? "; the least displacement is kept" : "");
 }
 
 std::string undetermined(const std::vector<NeutralMotion>& motions) {

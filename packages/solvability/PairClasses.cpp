@@ -61,7 +61,9 @@ PairsAtSolution broadcastPairs(const Comm& comm, const std::vector<PairResult>& 
   Matrix all = Matrix::Zero(count, 4);
   if (comm.getRank() == 0)
     for (const PairResult& pair : results)
-      if (pair.id < count) all.row(pair.id) << pair.force, pair.gap, pair.initialGap, pair.state.closed();
+      if (pair.id < count)
+        all.row(pair.id) << std::max(pair.kind.separates ? pair.force : std::abs(pair.force), norm(pair.tangential)), pair.gap,
+            pair.initialGap, pair.state.closed();
   broadcastBytes(comm, all.data(), sizeof(double) * static_cast<std::size_t>(all.size()));
   pairs.force = all.col(0).cwiseMax(0.0);
   pairs.gap = all.col(1);
@@ -70,14 +72,14 @@ PairsAtSolution broadcastPairs(const Comm& comm, const std::vector<PairResult>& 
   return pairs;
 }
 
-ForceScales forceScales(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model,
-                        const ContactBodies& bodies) {
+ForceScales forceScales(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model, const ContactBodies& bodies,
+                        const std::vector<Vector>& displacement) {
   const std::size_t parts = bodies.parts().size();
   ForceScales mine{std::vector<double>(parts, 0.0), std::vector<double>(parts, 0.0)}, all = mine;
   for (std::size_t s = 0; s < meshes.size(); ++s) {
     const std::size_t part = std::size_t(bodies.partOf(static_cast<int>(s)));
     mine.loads[part] += subdomainLoads(meshes[s], model).lpNorm<1>();
-    const Vector& motion = meshes[s].lift.motion;
+    const Vector& motion = meshes[s].lift.motion.size() > 0 ? meshes[s].lift.motion : displacement[s];
     if (motion.size() == 0) continue;
     double young = 0.0;
     for (int e = 0; e < meshes[s].elements(); ++e) young = std::max(young, model.materialOf(meshes[s], e, meshes[s].body).young);
@@ -98,6 +100,7 @@ PairClasses classify(const ContactBodies& bodies, const PairsAtSolution& pairs, 
   const std::vector<double> rounding = roundingOf(data, force, scales);
   PairClasses classes{ClosedSet(count, 0), ClosedSet(count, 0), ClosedSet(count, 0)};
   for (int i = 0; i < count; ++i) {
+    if (bodies.rigid().isBound(static_cast<std::size_t>(i))) classes.carrying[i] = 1;  // pairs that never open hold, whatever their force
     if (!data.able[i]) continue;
     double least = 0.0, moved = 0.0, none = 0.0;
     for (const int part : data.bodies[i]) {

@@ -11,7 +11,7 @@ namespace suture {
 
 /// Pairs at a solution, known to all ranks.
 struct PairsAtSolution {
-  Vector force, gap, change;  ///< change of the gap, its magnitude
+  Vector force, gap, change;  ///< the larger of normal and tangential force; change of the gap, its magnitude
   ClosedSet closed;
 };
 
@@ -21,11 +21,13 @@ PairsAtSolution broadcastPairs(const Comm& comm, const std::vector<PairResult>& 
 /// Magnitudes whose rounding appears in the forces on each part.
 struct ForceScales {
   std::vector<double> loads;  ///< sum of their magnitudes
-  std::vector<double> ways;   ///< force that the last digit of a prescribed way is worth: eps E |way|
+  std::vector<double> ways;   ///< force that the last digit of a way is worth: eps E |way|
 };
 
+/// \param displacement  by mesh. The ways of bodies are the rigid motions that were taken out; where none were, their displacements.
 /// Collective.
-ForceScales forceScales(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model, const ContactBodies& bodies);
+ForceScales forceScales(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model, const ContactBodies& bodies,
+                        const std::vector<Vector>& displacement);
 
 /// Classes of the pairs at a solution.
 struct PairClasses {

@@ -1,5 +1,9 @@
 #include <suture/solver/BodyImbalance.hpp>
 
+#include <Teuchos_Comm.hpp>
+#include <Teuchos_CommHelpers.hpp>
+#include <Tpetra_MultiVector.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -9,7 +13,7 @@ namespace {
 constexpr double kLent = 1e-3;  // share of a neighbour's forces that a body without loads counts as its own, as in the verdict
 }  // namespace
 
-double bodyImbalance(const ContactBodies& bodies, const Vector& force, const Vector& energy, const Vector& largest) {
+double bodyImbalance(const ContactBodies& bodies, const Matrix& force, const Vector& energy, const Vector& largest) {
   const RigidContact::Pairs& data = bodies.rigid().data();
   if (bodies.areBound()) return 0.0;  // forces between bound pairs are not known here
   const std::size_t parts = bodies.parts().size();
@@ -18,7 +22,7 @@ double bodyImbalance(const ContactBodies& bodies, const Vector& force, const Vec
     size[p] = loads[p] = data.work.segment(bodies.firstMotion(static_cast<int>(p)), bodies.parts()[p].free.cols()).norm();
   for (std::size_t i = 0; i < data.bodies.size(); ++i)
     for (const int p : data.bodies[i]) {
-      size[p] += std::abs(force(static_cast<Eigen::Index>(i)));
+      size[p] += force.row(static_cast<Eigen::Index>(i)).norm();
       stiffness[p] = std::max(stiffness[p], data.stiffness(static_cast<Eigen::Index>(i)));
     }
   const std::vector<double> own = size;
@@ -31,12 +35,37 @@ double bodyImbalance(const ContactBodies& bodies, const Vector& force, const Vec
     const auto at = static_cast<Eigen::Index>(p);
     const Eigen::Index first = bodies.firstMotion(static_cast<int>(p)), count = bodies.parts()[p].free.cols();
     if (count == 0) continue;
-    const Vector rest = data.rows.middleCols(first, count).transpose() * force - data.work.segment(first, count);
+    Vector rest = data.rows.middleCols(first, count).transpose() * force.col(0) - data.work.segment(first, count);
+    for (Eigen::Index k = 0; k < std::min(force.cols() - 1, static_cast<Eigen::Index>(data.tangents.size())); ++k)
+      rest += data.tangents[static_cast<std::size_t>(k)].middleCols(first, count).transpose() * force.col(k + 1);
     if (rest.norm() <= kNegligibleEnergyNorm * std::sqrt(largest(at) * stiffness[p])) continue;
     size[p] = std::max(size[p], kLent * std::sqrt(std::max(energy(at), 0.0) * stiffness[p]));
     most = std::max(most, rest.norm() / size[p]);
   }
   return most;
+}
+
+double bodyResidual(const Vector& own, const Vector& energy, const Vector& largest, const Vector& least) {
+  const Vector nothing = kNegligibleEnergyNorm * kNegligibleEnergyNorm * largest;
+  double most = 0.0;
+  for (Eigen::Index p = 0; p < own.size(); ++p) {
+    if (own(p) == 0.0 || (energy(p) <= nothing(p) && own(p) <= nothing(p))) continue;
+    const double scale = std::max(energy(p), least(p));
+    if (scale > 0.0) most = std::max(most, std::sqrt(std::abs(own(p)) / scale));
+  }
+  return most;
+}
+
+Vector productsByPart(const ContactSets& sets, const Preconditioner& preconditioner, const MultiVector& r) {
+  const MultiVectorPtr z = preconditioner.space()->vector();
+  preconditioner.apply(r, *z);
+  const std::vector<int>& partOf = sets.partOfOwned();
+  Vector mine = Vector::Zero(static_cast<Eigen::Index>(sets.bodies().parts().size())), all = mine;
+  const auto a = localView(r), b = localView(static_cast<const MultiVector&>(*z));
+  for (std::size_t k = 0; k < partOf.size(); ++k)
+    mine(partOf[k]) += a(static_cast<Eigen::Index>(k), 0) * b(static_cast<Eigen::Index>(k), 0);
+  Teuchos::reduceAll(*preconditioner.space()->comm(), Teuchos::REDUCE_SUM, static_cast<int>(mine.size()), mine.data(), all.data());
+  return all;
 }
 
 }  // namespace suture

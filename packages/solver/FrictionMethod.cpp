@@ -100,7 +100,7 @@ void searchFriction(OuterSolver::Run& run, double innerTolerance) {
   }
   const FrictionSearch::Result found = search.run(start, normal);
   run.result.state.status = friction.statusOf(found.states);
-  if (found.converged || !found.alternating.empty()) run.result.failure.clear();  // of a try before
+  if (found.converged || !found.alternating.empty()) run.result.failure.clear();  // failure of a try before
   if (found.contraction >= 0.0) run.result.estimates["contraction"] = found.contraction;
   if (found.converged) {
     run.solved = run.result.residual <= run.settings.tolerance || run.atFloor;

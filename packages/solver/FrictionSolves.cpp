@@ -1,4 +1,5 @@
 #include <suture/interface/PlainFlips.hpp>
+#include <suture/solver/BodyImbalance.hpp>
 #include <suture/solver/FrictionSolves.hpp>
 #include <suture/solver/NonsymmetricSolver.hpp>
 #include <suture/solver/SpringPreconditioner.hpp>
@@ -12,8 +13,9 @@ namespace suture {
 
 namespace {
 constexpr int kTakenUp = 4;          // times that a solve is taken up again because its solution is smaller than was thought
-constexpr double kTooLarge = 2.0;    // of the solution's energy norm, from which on it is
-constexpr int kBegunAnew = 4;        // of a solve whose residual, found anew, is larger than it said
+constexpr double kTooLarge = 2.0;    // ratio of the energy norm that was thought to that of the solution, from which on it is too large
+constexpr int kBegunAnew = 4;        // most new beginnings of a solve whose residual, found anew, is larger than it said
+constexpr double kBodies = 4.0;      // times the tolerance of the whole: residual of a body beside its own energy that is taken
 constexpr double kNoProgress = 0.5;  // part of a residual that a new beginning leaves where rounding ends it
 }  // namespace
 
@@ -38,7 +40,9 @@ bool FrictionSolves::linear(InterfaceState& state, double tolerance, InnerResult
   applications += run_.problem.conform(state);
   const InterfaceProblem::Linearisation linear = run_.problem.linearise(state);
   precondition(linear.matrix);
-  if (reference_ == 0.0) reference_ = preconditionedNorm(*run_.preconditioner, *linear.load);
+  // The energy norm of the solution is at least that of what is to be added to the trace, less the trace's own: the solution of before
+  // may have been nothing but rounding, as where all pairs stick and what is prescribed does all.
+  reference_ = std::max(reference_, preconditionedNorm(*run_.preconditioner, *linear.load) - energyNorm(state));
   const MultiVectorPtr step = run_.problem.space()->vector();
   InnerResult more;
   if (linear.matrix->symmetric()) {
@@ -68,9 +72,23 @@ FrictionAnswer FrictionSolves::answerOf(const PairValues& values, const PairStat
   ClosedSet closed;
   for (const ContactState& state : states) closed.push_back(state.closed());
   const Vector size = values.force.rowwise().norm();
-  answer.forceTolerance = std::max(resolution, kGapDigits) * rigid.clusterScale(closed, size);
+  // Where nothing acts, forces are rounding of displacements.
+  answer.forceTolerance =
+      (std::max(resolution, kGapDigits) * rigid.clusterScale(closed, size)).cwiseMax(values.digits.cwiseQuotient(rigid.compliance()));
   answer.jumpTolerance = rigid.compliance().cwiseProduct(answer.forceTolerance) + values.digits;
   return answer;
+}
+
+/// Residual of the whole; `largest` gets that of a body, or its imbalance, if that is larger beside what the body has of its own.
+double FrictionSolves::norm(const PairValues& values, const InterfaceState& state, double& largest) {
+  const Vector energy = sets_.energies(state).cwiseMax(0.0), own = productsByPart(sets_, *run_.preconditioner, *values.residual);
+  ofParts_ = ofParts_.size() > 0 ? Vector(ofParts_.cwiseMax(energy)) : energy;
+  const double whole = largest = reference_ > 0.0 ? std::sqrt(std::max(own.sum(), 0.0)) / reference_ : 0.0;
+  if (run_.automatic.on()) return whole;
+  largest =
+      std::max({whole, bodyResidual(own, energy, ofParts_, Vector::Constant(energy.size(), kPassive * reference_ * reference_)) / kBodies,
+                bodyImbalance(sets_.bodies(), values.force, energy, ofParts_) / kImbalance});
+  return whole;
 }
 
 FrictionAnswer FrictionSolves::solve(const PairStates& states, double tolerance) {
@@ -83,8 +101,9 @@ FrictionAnswer FrictionSolves::solve(const PairStates& states, double tolerance)
     int applications = 0;
     double residual = 0.0, before = 0.0;
     PairValues values;
+    double sharper = 1.0;  // part of the tolerance that makes the residual of each body small beside its own energy
     for (int pass = 0;; ++pass) {
-      bool solved = linear(state, tolerance, cost, applications);
+      bool solved = linear(state, sharper * tolerance, cost, applications);
       for (int again = 0; solved && again < kTakenUp; ++again) {
         // The solution of some states may have no energy (a body that moves as a whole): it is known well enough beside what others had.
         const double found = energyNorm(state), own = std::max(found, tolerance * largest_);
@@ -93,7 +112,7 @@ FrictionAnswer FrictionSolves::solve(const PairStates& states, double tolerance)
         const double over = reference_ / own;
         reference_ = own;
         if (over < kTooLarge || over * cost.residual <= tolerance) break;
-        solved = linear(state, tolerance, cost, applications);
+        solved = linear(state, sharper * tolerance, cost, applications);
       }
       if (!solved) {
         run_.result.pcgTotal += cost.pcg + applications;
@@ -112,9 +131,10 @@ FrictionAnswer FrictionSolves::solve(const PairStates& states, double tolerance)
       values = friction_.valuesOf(state);
       applications += values.applications;
       if (tolerance > final) break;
-      residual = reference_ > 0.0 ? preconditionedNorm(*run_.preconditioner, *values.residual) / reference_ : 0.0;
+      const double whole = norm(values, state, residual);
       if (!std::isfinite(residual)) throw NumericalError("a residual is not a number");
       if (residual <= final) break;
+      if (whole <= final) sharper = std::min(sharper, kSharper * whole / residual) * final / tolerance;
       if (pass >= kBegunAnew || (pass > 0 && residual > kNoProgress * before)) {
         run_.atFloor = true;
         break;

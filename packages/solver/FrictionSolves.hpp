@@ -13,6 +13,7 @@ class FrictionSolves : public FrictionOracle {
   FrictionSolves(OuterSolver::Run& run, double inner);
 
   double loosest() const override { return inner_; }
+  bool drags() const override { return friction_.drags(); }
   double tightest() const override { return run_.settings.tolerance; }
   FrictionAnswer solve(const PairStates& states, double tolerance) override;
   bool goesOn() override { return !run_.stopRequested(); }
@@ -21,6 +22,7 @@ class FrictionSolves : public FrictionOracle {
   void precondition(const Teuchos::RCP<InterfaceOperator>& matrix);
   bool linear(InterfaceState& state, double tolerance, InnerResult& cost, int& applications);
   double energyNorm(const InterfaceState& state) const;
+  double norm(const PairValues& values, const InterfaceState& state, double& largest);
   FrictionAnswer answerOf(const PairValues& values, const PairStates& states, double resolution) const;
 
   OuterSolver::Run& run_;
@@ -28,6 +30,7 @@ class FrictionSolves : public FrictionOracle {
   const ContactSets& sets_;
   const double inner_;
   PairStates last_;
+  Vector ofParts_;                          // largest energies of the parts, twice
   double reference_ = 0.0, largest_ = 0.0;  // energy norms: of the last solution, the largest of all
 };
 

@@ -23,7 +23,7 @@ void checkLaws(const Method& method, const CutScene& scene) {
         "Contact/" + scene.contacts.at(line) + "/Law",
         std::string(law.separates() ? "restricts sliding" : "never opens") +
             ", which the outer solver or the formulation of this scene does not know; expected Formulation = Contact On The Interface "
-            "with Outer Solver/Type = Active Set, Outer Solver/Type = Monolithic, or the law " +
+            "with Outer Solver/Type = Active Set, Condensed Groups with Semismooth Newton, Outer Solver/Type = Monolithic, or the law " +
             Frictionless::kName);
   }
   problems.throwIfAny();

@@ -168,7 +168,9 @@ OuterResult OuterSolver::solve(const InterfaceProblem& problem, const OuterSetti
   const bool bySets = contact && worksBySets() && problem.sets() != nullptr;
   const bool rubs = contact && problem.friction() != nullptr;
   if (rubs && !bySets)
-    throw InputError("Outer Solver/Type", "a method without friction, which a Law of this scene has; expected 'Active Set'");
+    throw InputError(
+        "Outer Solver/Type",
+        "a method without friction, which a Law of this scene has; expected 'Active Set', or 'Semismooth Newton' with Condensed Groups");
   const bool startsItself = bySets && (given || settings.rigidStart || !wantsAuxiliary());
   result.state = given && contact                               ? *given
                  : startsItself && settings.rigidStart && !rubs ? problem.sets()->padState()
@@ -176,7 +178,7 @@ OuterResult OuterSolver::solve(const InterfaceProblem& problem, const OuterSetti
   run.reported = result.state.status;
   run.given = given != nullptr;
   const int lifting = result.state.applications;
-  if (problem.space()->size() == 0) {  // one subdomain a body: the local problems are the whole problem
+  if (problem.space()->size() == 0 && !rubs) {  // one subdomain a body: the local problems are the whole problem
     result.converged = true;
     return result;
   }

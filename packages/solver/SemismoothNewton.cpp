@@ -1,4 +1,5 @@
 #include <suture/solver/ActiveSet.hpp>
+#include <suture/solver/FrictionMethod.hpp>
 #include <suture/solver/SemismoothNewton.hpp>
 
 #include <Teuchos_ParameterList.hpp>
@@ -20,6 +21,11 @@ SemismoothNewton::SemismoothNewton(const Parameters& own) : innerTolerance_(own.
 
 double SemismoothNewton::auxiliaryTolerance(const OuterSettings& settings) const { return std::max(innerTolerance_, settings.tolerance); }
 
-void SemismoothNewton::doSolve(Run& run) const { ActiveSet::search(run, innerTolerance_); }
+void SemismoothNewton::doSolve(Run& run) const {
+  if (run.problem.friction())
+    searchFriction(run, innerTolerance_);
+  else
+    ActiveSet::search(run, innerTolerance_);
+}
 
 }  // namespace suture

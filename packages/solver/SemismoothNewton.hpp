@@ -12,6 +12,7 @@ class SemismoothNewton : public OuterSolver {
   static Schema schema();
   explicit SemismoothNewton(const Parameters& own);
   bool solves(const Formulation& formulation) const override { return formulation.hidesContact(); }
+  bool knowsFriction() const override { return true; }
 
  protected:
   bool worksBySets() const override { return true; }

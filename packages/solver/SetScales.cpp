@@ -13,7 +13,6 @@
 namespace suture {
 
 namespace {
-constexpr double kPassive = 1e-12;   // part of its cluster's energy below which a body has none of its own
 constexpr double kRounding = 1e-14;  // part of the energy norm at the start of a solve that rounding leaves in its answer
 }  // namespace
 
@@ -74,18 +73,7 @@ void SetSolves::scaleBy(const InterfaceState& from, const InterfaceState& state,
   reference_ = 1.0;
 }
 
-/// r.M r, summed by part.
-Vector SetSolves::productsByPart(const MultiVector& r) const {
-  const MultiVectorPtr z = run_.problem.space()->vector();
-  run_.preconditioner->apply(r, *z);
-  const std::vector<int>& partOf = sets_.partOfOwned();
-  Vector mine = Vector::Zero(static_cast<Eigen::Index>(clusterOf_.size())), all = mine;
-  const auto a = localView(r), b = localView(static_cast<const MultiVector&>(*z));
-  for (std::size_t k = 0; k < partOf.size(); ++k)
-    mine(partOf[k]) += a(static_cast<Eigen::Index>(k), 0) * b(static_cast<Eigen::Index>(k), 0);
-  Teuchos::reduceAll(*run_.problem.space()->comm(), Teuchos::REDUCE_SUM, static_cast<int>(mine.size()), mine.data(), all.data());
-  return all;
-}
+Vector SetSolves::productsByPart(const MultiVector& r) const { return suture::productsByPart(sets_, *run_.preconditioner, r); }
 
 /// Largest ratio of what a cluster's residual was relative to and the energy norm that its solve found.
 double SetSolves::overestimate(const InterfaceState& state, double tolerance) const {
@@ -114,15 +102,16 @@ double SetSolves::norm(const MultiVector& residual, const InterfaceState& state)
   const Vector energy = sets_.energies(state), own = productsByPart(residual);
   largest_ = largest_.cwiseMax(energy);
   const Vector nothing = kNegligibleEnergyNorm * kNegligibleEnergyNorm * largest_;
-  double sum = 0.0, bodies = 0.0;
+  Vector least = Vector::Zero(energy.size());
+  double sum = 0.0;
   for (std::size_t p = 0; p < clusterOf_.size(); ++p) {
     const auto at = static_cast<Eigen::Index>(p), cluster = static_cast<Eigen::Index>(clusterOf_[p]);
     const double size = scaled_ ? size_(cluster) : reference_, lift = kRounding * lift_(cluster);
+    least(at) = std::max(kPassive * size * size, lift * lift);
     if (own(at) == 0.0 || (energy(at) <= nothing(at) && own(at) <= nothing(at))) continue;
     sum += own(at) / (size > 0.0 ? size * size : std::abs(own(at)));
-    const double scale = std::max({energy(at), kPassive * size * size, lift * lift});
-    if (scale > 0.0) bodies = std::max(bodies, std::sqrt(std::abs(own(at)) / scale));
   }
+  const double bodies = bodyResidual(own, energy, largest_, least);
   const double whole = whole_ = std::sqrt(std::max(sum, 0.0));
   if (run_.automatic.on() || bodies <= whole) return whole;
   const double final = run_.settings.tolerance;

@@ -13,7 +13,6 @@ namespace suture {
 namespace {
 constexpr int kRestarts = 6;      // number of new beginnings of conjugate gradients whose recursion has lost the residual
 constexpr double kStalled = 0.5;  // part of the residuals, of the whole and of bodies, that a new beginning leaves where rounding ends it
-constexpr double kImbalance = 10.0;    // times the tolerance: a tenth of what the verdict allows the forces on a body
 constexpr double kPairDigits = 1e-12;  // rounding of a pair's force, in parts of the largest in its cluster
 constexpr int kRescales = 4;
 constexpr double kOverestimate = 2.0;  // of the solution's energy norm, from which on a solve is taken up again

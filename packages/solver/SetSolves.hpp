@@ -45,8 +45,7 @@ class SetSolves : public ContactOracle {
   bool solveLinear(InterfaceState& state, bool goOn, double tolerance, const EnergyCriterion& criterion, InnerResult& cost,
                    int& applications);
 
-  static constexpr int kFinal = 2;         // level of the final tolerance
-  static constexpr double kSharper = 0.7;  // factor on the tolerance that would do if all residuals fell alike
+  static constexpr int kFinal = 2;  // level of the final tolerance
 
   OuterSolver::Run& run_;
   const ContactSets& sets_;

@@ -17,6 +17,7 @@ struct NeutralMotion {
   std::string words;        ///< "turn about (3, 4), clockwise"
   bool loaded = false;      ///< forces act on the body: its place matters
   bool bothSenses = false;  ///< free forwards and backwards; else only away from pairs that touch
+  bool least = true;        ///< the least displacement is kept; with friction, where the way there tells, it stays as it was found
 };
 
 /// The answer of a run and the figures that summary.json reports.

@@ -12,7 +12,7 @@
 namespace suture {
 
 namespace {
-constexpr double kNearlyBest = 0.9;  // of the motion that an unknown tells, from which on it is as good as the best: the lowest is taken
+constexpr double kNearlyBest = 0.9;  // part of the best-told motion from which on an unknown is as good as the best: the lowest is taken
 constexpr double kTellsNone = 1e-8;  // motion of an unknown that is none
 }  // namespace
 
@@ -62,7 +62,7 @@ void SpringPreconditioner::doCompute() {
     inverse_ = pairs.vectors * pairs.values.cwiseInverse().asDiagonal() * pairs.vectors.transpose();
   }
   // The same rows may be solved for other unknowns, on some of the ranks.
-  const int mine = madeFor_ == space() && vanishing == vanishing_;
+  const int mine = madeFor_ == space() && madeOf_ == matrix()->locals() && vanishing == vanishing_;
   int all = 0;
   Teuchos::reduceAll(*space()->comm(), Teuchos::REDUCE_MIN, mine, Teuchos::outArg(all));
   if (all == 1) return;
@@ -79,6 +79,7 @@ void SpringPreconditioner::doCompute() {
     other_->compute(Teuchos::rcp(new InterfaceOperator(held, matrix()->locals())));
   }
   madeFor_ = space();
+  madeOf_ = matrix()->locals();
   vanishing_ = std::move(vanishing);
 }
 

@@ -7,8 +7,8 @@ namespace suture {
 
 /// Preconditioner of operators in which springs alone hold some rigid motions Z (FrictionTangent::motions), with another one that knows no
 /// springs: M^-1 = M_0^-1 + Z E^-1 Z^T, E the energy of the springs in them and M_0 the other one, of the space in which as many unknowns
-/// vanish as there are motions: those that tell them best. Without such motions it is the other one. Made anew only if the space or these
-/// unknowns change.
+/// vanish as there are motions: those that tell them best. Without such motions it is the other one. Made anew only if the space, its
+/// local problems or these unknowns change.
 class SpringPreconditioner : public Preconditioner {
  public:
   explicit SpringPreconditioner(Teuchos::RCP<Preconditioner> other) : other_(std::move(other)) {}
@@ -26,9 +26,10 @@ class SpringPreconditioner : public Preconditioner {
 
   Teuchos::RCP<Preconditioner> other_;
   std::shared_ptr<const InterfaceSpace> madeFor_;
+  LocalProblems madeOf_;
   std::vector<GlobalId> vanishing_;
   MultiVectorPtr motions_;  // null: none
-  Matrix inverse_;          // of the energy
+  Matrix inverse_;          // inverse of the energy
 };
 
 }  // namespace suture

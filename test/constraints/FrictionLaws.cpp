@@ -125,14 +125,16 @@ TEUCHOS_UNIT_TEST(FrictionLaws, RefuseNegativeCoefficientsAndBounds) {
   TEST_THROW(lawNamed("Coulomb", {{"Coefficient", "mu"}}), InputError);
 }
 
-// A bound may be a function that the contact alone has values of: what knows no place does not ask for one.
+// A bound may be a function that the contact alone has values of: who asks for the normal direction alone does not need one.
 TEUCHOS_UNIT_TEST(FrictionLaws, AskForNoBoundWithoutAPlace) {
   const auto law = lawNamed("Coulomb", {{"Coefficient", "sqrt(x - 1)"}});
   TEST_ASSERT(law->pressed().status == PairStatus::Stick);
   ContactTrial trial;
   trial.force = {1.0, 0.5, 0.0};
-  TEST_ASSERT(law->project(trial, {}).closed());
   trial.size = 2.0;
+  trial.normalOnly = true;
+  TEST_ASSERT(law->project(trial, {}).closed());
+  trial.normalOnly = false;
   TEST_THROW(law->project(trial, {}), InputError);
   trial.place[0] = 1.16;
   TEST_FLOATING_EQUALITY(law->project(trial, {}).friction, 0.4, 1e-14);

@@ -23,7 +23,7 @@ struct CondensedBody : FrictionOracle {
   std::unique_ptr<RigidContact> rigid;
   int solves = 0;
   bool strange = false;  // a pair was given a state that its law does not have
-  Vector u;              // of the last solve
+  Vector u;              // solution of the last solve
 
   CondensedBody(int dims, int count) : dimension(dims), nodes(count), gap(Vector::Zero(count)) {
     stiffness = Matrix::Zero(dims * count, dims * count);
@@ -290,7 +290,7 @@ TEUCHOS_UNIT_TEST(FrictionSearch, SaysThatABodySlidesAway) {
           const Vector way = found.slides.normalized();
           TEST_COMPARE(std::abs(way(0)), <, 1e-8);
           if (dimension == 2) TEST_FLOATING_EQUALITY(std::abs(way(1)), 1.0, 1e-8);
-          if (dimension == 3) TEST_COMPARE(std::abs(0.8 * way(1) - 0.6 * way(2)), >, 0.98);  // of a pyramid of 16 planes
+          if (dimension == 3) TEST_COMPARE(std::abs(0.8 * way(1) - 0.6 * way(2)), >, 0.98);  // direction by a pyramid of 16 planes
         }
 }
 

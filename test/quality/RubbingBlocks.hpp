@@ -4,7 +4,7 @@
 /// Answers with friction that are known by hand, in the plane and in space. Nothing is solved.
 namespace suture::solids {
 
-/// What the sides of a contact do to each other.
+/// Effects of the sides of a contact on each other.
 enum class Rubs { Slip, TrescaSlip, Stick, Glued, Guided };
 
 /// Two blocks on each other, or one on a rigid obstacle, of a material without Poisson's effect, pressed together and sheared by a traction

@@ -94,10 +94,10 @@ TEUCHOS_UNIT_TEST(Method, RefusesFrictionWhereItKnowsNormalsAlone) {
   const auto rough = std::make_shared<RoughLaw>();
   const auto guided = std::make_shared<NoSeparation>();
   const std::string onInterface = "Formulation=Contact On The Interface", groups = "Formulation=Condensed Groups";
-  const std::vector<std::vector<std::string>> know{{onInterface, "Outer Solver/Type=Active Set"}, {"Outer Solver/Type=Monolithic"}, {}};
+  const std::vector<std::vector<std::string>> know{
+      {onInterface, "Outer Solver/Type=Active Set"}, {groups, "Outer Solver/Type=Semismooth Newton"}, {"Outer Solver/Type=Monolithic"}, {}};
   for (const auto& settings : know) TEST_EQUALITY(refused(settings, {smooth, rough, guided}).size(), 0u);
-  const std::vector<std::vector<std::string>> knowNot{{groups, "Outer Solver/Type=Semismooth Newton"},
-                                                      {groups, "Outer Solver/Type=Chord"},
+  const std::vector<std::vector<std::string>> knowNot{{groups, "Outer Solver/Type=Chord"},
                                                       {groups, "Outer Solver/Type=Successive Approximation"}};
   for (const auto& settings : knowNot) {
     TEST_EQUALITY(refused(settings, {smooth}).size(), 0u);

@@ -57,59 +57,112 @@ def path_workDifference(folder, reference, times=1):
                  / np.abs(times * b["external_work"][there]).max())
 
 
-# --- Cattaneo's line contact, pressed, then pushed to and fro (Mindlin and Deresiewicz 1953; Johnson, section 7.4) ---
+# --- Cattaneo's contact of half planes of one material, pressed, then pushed to and fro (Mindlin and Deresiewicz 1953; Johnson, sections
+# 7.2 and 7.4). With `balls` of half spaces, of which the half y >= 0 is modelled. The gap is x^2 / (2 radius), of balls r^2 / that. ---
 
-def touching(table, place, mu, radius, modulus, line):
-    """Forces P and Q, half width a and mu p0."""
-    normal, tangential = -table[f"force {line} y"][place], table[f"force {line} x"][place]
+def touching(table, place, mu=0.3, modulus=1 / (2 * 0.91), radius=1.0, line="touch", balls=False):
+    """Forces P and Q, half width or radius a of the contact, and mu p0."""
+    normal, tangential = -table[f"force {line} {'z' if balls else 'y'}"][place], table[f"force {line} x"][place]
+    if balls:
+        a = (3 * 2 * normal * radius / (4 * modulus)) ** (1 / 3)
+        return 2 * normal, 2 * tangential, a, mu * 3 * 2 * normal / (2 * math.pi * a ** 2)
     a = math.sqrt(4 * normal * radius / (math.pi * modulus))
     return normal, tangential, a, mu * 2 * normal / (math.pi * a)
 
 
-def mindlin(folder, turns, mu=0.3, modulus=1 / (2 * 0.91), radius=1.0, line="touch"):
-    """Places x/a, tractions over mu p0, exact ones, and half widths of stick over a. The last of the turns is the time that is looked at."""
-    table = steps(folder)
-    place = placeAt(table, turns[-1])
-    normal, _, a, most = touching(table, place, mu, radius, modulus, line)
-    c = contact(folder, place)
-    order = np.argsort(c.points[:, 0])
-    x, found = c.points[order, 0] / a, c.point["TangentialTraction"][order, 0] / most
-    exact, widths, last = np.zeros(len(x)), [], 0.0
-    for turn in turns:
-        tangential = table[f"force {line} x"][placeAt(table, turn)]
-        times = 2 if widths else 1  # after a turn slip goes against the slip before: twice the traction
-        change, last = (tangential - last) / times, tangential
-        widths.append(math.sqrt(1 - abs(change) / (mu * normal)))
-        exact += times * math.copysign(1, change) * (np.sqrt(np.maximum(0, 1 - x ** 2)) -
-                                                     widths[-1] * np.sqrt(np.maximum(0, 1 - (x / widths[-1]) ** 2)))
-    return x, found, exact, widths
+def stuck(share, balls=False):
+    """c/a at a share Q / (mu P)."""
+    return (1 - abs(share)) ** (1 / 3 if balls else 1 / 2)
+
+
+class Mindlin:
+    """Traction over mu p0 after pushes, in order of x: `x` and `r` over a, `found` along x and y, `exact`, `widths` of stick over a.
+
+    \\param turns  ends of the pushes, one after the other in opposite directions; the last is the time that is looked at
+    """
+
+    def __init__(self, folder, turns, mu=0.3, balls=False, **options):
+        table = steps(folder)
+        place = placeAt(table, turns[-1])
+        normal, _, a, most = touching(table, place, mu=mu, balls=balls, **options)
+        c = contact(folder, place)
+        order = np.argsort(c.points[:, 0], kind="stable")
+        places = c.points[order, :c.dimension - 1] / a
+        self.x, self.r, self.found = places[:, 0], np.linalg.norm(places, axis=1), c.point["TangentialTraction"][order] / most
+        self.middle = np.abs(places[:, 1:]).sum(axis=1) < 1e-9  # on the line of the push
+        self.exact, self.widths, last = np.zeros(len(order)), [], 0.0
+        for turn in turns:
+            tangential = touching(table, placeAt(table, turn), mu=mu, balls=balls, **options)[1]
+            times = 2 if self.widths else 1  # after a turn slip goes against the slip before: twice the traction
+            change, last = (tangential - last) / times, tangential
+            k = stuck(change / (mu * normal), balls)
+            self.widths.append(k)
+            self.exact += times * math.copysign(1, change) * (np.sqrt(np.maximum(0, 1 - self.r ** 2)) -
+                                                              k * np.sqrt(np.maximum(0, 1 - (self.r / k) ** 2)))
 
 
 def path_mindlinError(folder, _, turns, beside=1.5, **options):
-    """Largest deviation of the traction over mu p0, but `beside` pairs from the ends of contact and stick, where its slope is infinite.
-    \\param turns  ends of the pushes, one after the other in opposite directions"""
-    x, found, exact, widths = mindlin(folder, turns, **options)
-    step = np.min(np.diff(x))
-    far = np.all([np.abs(np.abs(x) - end) > beside * step for end in (1.0, *widths)], axis=0)
-    return float(np.abs(found - exact)[far].max())
+    """Largest deviation of the traction along x over mu p0, but `beside` pairs from the ends of contact and stick, where its slope is
+    infinite."""
+    m = Mindlin(folder, turns, **options)
+    step = np.min(np.diff(m.x[m.middle]))
+    far = np.all([np.abs(m.r - end) > beside * step for end in (1.0, *m.widths)], axis=0)
+    return float(np.abs(m.found[:, 0] - m.exact)[far].max())
+
+
+def path_mindlinAcross(folder, _, turns, **options):
+    """Largest traction across the push over mu p0, which Cattaneo neglects."""
+    return float(np.abs(Mindlin(folder, turns, **options).found[:, 1]).max())
 
 
 def path_mindlinTraction(folder, _, turns, at, **options):
-    """Traction over mu p0 at a place x/a, linear between pairs."""
-    x, found, _, _ = mindlin(folder, turns, **options)
-    return float(np.interp(at, x, found))
+    """Traction over mu p0 at a place x/a on the line of the push, linear between pairs."""
+    m = Mindlin(folder, turns, **options)
+    return float(np.interp(at, m.x[m.middle], m.found[m.middle, 0]))
 
 
-def path_mindlinDissipation(folder, _, time, since=None, mu=0.3, modulus=1 / (2 * 0.91), radius=1.0, line="touch"):
-    """Dissipated work over the integral of mu p times the slip. Slip of a virgin contact where it slips, from the half planes' integral
-    equation: (mu / R) (x sqrt(x^2 - c^2) - c^2 arcosh(x / c)) / 2; twice that, of half the change of force, after a turn."""
+def path_mindlinStick(folder, _, turn, **options):
+    """c/a after the first push by the traction in the middle, q(0) = mu p0 (1 - c/a), over that of the formula at the forces found."""
+    m = Mindlin(folder, [turn], **options)
+    return float((1 - m.found[np.argmin(m.r), 0]) / m.widths[0])
+
+
+def path_mindlinDissipation(folder, _, time, since=None, mu=0.3, balls=False, shear=1 / 2.6, poisson=0.3, radius=1.0, **options):
+    """Dissipated work over the integral of mu p times the slip. Slip of a virgin contact where it slips: of half planes, from their
+    integral equation, (mu / R) (x sqrt(x^2 - c^2) - c^2 arcosh(x / c)) / 2; of half spaces, its mean round a circle, from the superposition
+    of two contacts that slip wholly. Twice that, of half the change of force, after a turn."""
     table = steps(folder)
     place = placeAt(table, time)
-    normal, tangential, a, most = touching(table, place, mu, radius, modulus, line)
-    before = table[f"force {line} x"][placeAt(table, since)] if since is not None else 0.0
+    normal, tangential, a, most = touching(table, place, mu=mu, balls=balls, radius=radius, **options)
+    before = touching(table, placeAt(table, since), mu=mu, balls=balls, radius=radius, **options)[1] if since is not None else 0.0
     times = 2 if since is not None else 1
-    c = a * math.sqrt(max(1 - abs(tangential - before) / times / (mu * normal), 1e-24))
+    c = a * stuck(min(abs(tangential - before) / times / (mu * normal), 1 - 1e-12), balls)
     x = c + (a - c) * 0.5 * (1 - np.cos(np.linspace(0, math.pi, 20001)))
-    slip = mu / radius * (x * np.sqrt(np.maximum(0, x ** 2 - c ** 2)) - c ** 2 * np.arccosh(np.maximum(1, x / c))) / 2
-    exact = 2 * times * np.trapz(most * np.sqrt(np.maximum(0, 1 - (x / a) ** 2)) * slip, x)
+    root = np.sqrt(np.maximum(0, x ** 2 - c ** 2))
+    if balls:
+        inside = np.arcsin(np.minimum(1, c / x))
+        slip = 3 * mu * normal * (2 - poisson) / (16 * shear * a ** 3) * (
+            (x ** 2 - 2 * c ** 2) * (1 - 2 / math.pi * inside) + 2 / math.pi * c * root)
+        around = math.pi * x / 2  # half of the circle is modelled
+    else:
+        slip = mu / radius * (x * root - c ** 2 * np.arccosh(np.maximum(1, x / c))) / 2
+        around = 1
+    exact = 2 * times * np.trapz(around * most * np.sqrt(np.maximum(0, 1 - (x / a) ** 2)) * slip, x)
     return path_value(folder, None, "dissipated_work", time, since) / exact
+
+
+def path_mindlinApproach(folder, _, times, mu=0.3, balls=True, shear=1 / 2.6, poisson=0.3, **options):
+    """Largest deviation of the approach of two balls along the push from Mindlin's over that, for first pushes: 3 mu P (2 - nu) / (8 G a)
+    (1 - (1 - Q / mu P)^(2/3)). The grip's way has one more part, in proportion to Q, since bodies are finite: the least squares find it."""
+    table = steps(folder)
+    places = [placeAt(table, time) for time in times]
+    forces, expected, ways = [], [], []
+    for place in places:
+        normal, tangential, a, _ = touching(table, place, mu=mu, balls=balls, **options)
+        forces.append(tangential)
+        expected.append(3 * mu * normal * (2 - poisson) / (8 * shear * a) * (1 - stuck(tangential / (mu * normal), balls) ** 2))
+        f = fields(folder, place)
+        ways.append(f.point["Displacement"][f.points[:, 2] > f.points[:, 2].max() * (1 - 1e-6), 0].mean())
+    forces, expected, ways = np.array(forces), np.array(expected), np.array(ways)
+    part = np.dot(forces / expected, ways / expected - 1) / np.dot(forces / expected, forces / expected)
+    return float(np.abs((ways - part * forces) / expected - 1).max())

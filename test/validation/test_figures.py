@@ -74,6 +74,29 @@ def pushed(folder, factor=1.0):
         file.write('{"parameters": {"Load Steps": {"Times": [1.0, 2.0, 3.0]}}}')
 
 
+def pushedBalls(folder, factor=1.0):
+    """The half of half spaces with a = 1, p0 = 1 and mu = 1, that is P = 2 pi / 3 and radius / modulus = 2 / pi; G = 1, nu = 0. Pushed to
+    7/8 P at t = 1 (c = 1/2), at t = 2 back to -7/8 P and at t = 3 to P, by a grip that yields by a tenth of the force. Exact but for
+    `factor`; the work is that of the full slip, r^2 / 2 of the approach."""
+    normal = 2 * math.pi / 3
+    approach = 3 * normal * 2 / 8
+    x, y = (a.ravel() for a in np.meshgrid(np.linspace(-1.2, 1.2, 97), np.linspace(0, 1.2, 49)))
+    r = np.hypot(x, y)
+    half = np.sqrt(np.maximum(0, 1 - r ** 2)) - 0.5 * np.sqrt(np.maximum(0, 1 - (2 * r) ** 2))
+    points, triangles = np.stack([x, y, 0 * x], axis=1), np.arange(len(x) - 2)[:, None] + np.arange(3)
+    corners = np.array([[0, 0, 1], [1, 0, 1], [0, 1, 1], [0, 0, 0]], dtype=float)
+    with open(os.path.join(folder, "steps.csv"), "w") as file:
+        file.write("time,dissipated_work,force touch x,force touch y,force touch z\n")
+        whole = np.sqrt(np.maximum(0, 1 - r ** 2))
+        for place, (share, traction, way) in enumerate(((7 / 8, half, 0.75), (-7 / 8, -half, 0), (1, whole, 1))):
+            write(os.path.join(folder, f"contact_{place:04d}.vtkhdf"), TRIANGLE, points, triangles,
+                  {"TangentialTraction": factor * np.stack([traction, 0.01 * (r < 1), 0 * x], axis=1)})
+            grip = approach * way * factor + 0.1 * share * normal
+            write(os.path.join(folder, f"fields_{place:04d}.vtkhdf"), TETRAHEDRON, corners, np.arange(4)[None],
+                  {"Displacement": np.array([grip, 0, 0]) * corners[:, 2:]})
+            file.write(f"{place + 1},{factor * approach * math.pi / 15!r},{share * normal / 2!r},0,{-normal / 2!r}\n")
+
+
 def moved(folder, order, length=1.0, times=1.0, shift=(0, 0, 0), angle=0.0):
     """A solution by chance in an order of its own, turned, scaled and moved; forces on a piece of the surface."""
     random = np.random.default_rng(2)
@@ -119,6 +142,20 @@ with tempfile.TemporaryDirectory() as exact, tempfile.TemporaryDirectory() as wr
         wrong.append("a time at which no step ends has a value")
     except ValueError:
         pass
+
+with tempfile.TemporaryDirectory() as exact, tempfile.TemporaryDirectory() as wrongly:
+    pushedBalls(exact)
+    pushedBalls(wrongly, 0.9)
+    unit = {"mu": 1, "modulus": 1.0, "radius": 2 / math.pi, "balls": True}
+    check("traction of balls", figures.figure("path.mindlinError", exact, turns=[1], beside=0, **unit), 0.0, 1e-7)
+    check("traction of balls after a turn", figures.figure("path.mindlinError", exact, turns=[1, 2], beside=0, **unit), 0.0, 1e-7)
+    check("traction across", figures.figure("path.mindlinAcross", exact, turns=[1], **unit), 0.01)
+    check("stick of balls", figures.figure("path.mindlinStick", exact, turn=1, **unit), 1.0)
+    elastic = {"shear": 1, "poisson": 0}
+    check("work of full slip of balls", figures.figure("path.mindlinDissipation", exact, time=3, **elastic, **unit), 1.0, 1e-6)
+    check("approach of balls", figures.figure("path.mindlinApproach", exact, times=[1, 3], **elastic, **unit), 0.0)
+    check("a wrong stick is found", figures.figure("path.mindlinStick", wrongly, turn=1, **unit), 1.1)
+    check("a wrong approach is found", figures.figure("path.mindlinApproach", wrongly, times=[1, 3], **elastic, **unit) > 5e-3, True)
 
 with tempfile.TemporaryDirectory() as one, tempfile.TemporaryDirectory() as two:
     turn = {"angle": ANGLE, "axis": AXIS}

@@ -27,7 +27,7 @@ class FadingFriction : public ContactLaw {
   ContactState doProject(const ContactTrial& trial, const ContactState& now) const override {
     const Point z = plus(trial.force, trial.jump);
     if (z[0] < 0.0 || (z[0] == 0.0 && !now.closed())) return PairStatus::Open;
-    if (trial.size == 0.0) return PairStatus::Stick;  // the trial knows no place: nothing is asked about sliding
+    if (trial.normalOnly) return PairStatus::Stick;
     // The bound t(f) = mu0 f / (1 + f / f0) of the normal force f by its tangent at z: t(z) + t'(z) (f - z), t' = mu0 / (1 + z / f0)^2.
     const double full = half_ * trial.size, more = 1.0 + z[0] / full;
     ContactState state(PairStatus::Stick);

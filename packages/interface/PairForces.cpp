@@ -1,0 +1,52 @@
+#include <suture/base/Point.hpp>
+#include <suture/interface/PairForces.hpp>
+#include <suture/interface/PlainFlips.hpp>
+#include <suture/pairing/PairFrame.hpp>
+
+namespace suture {
+
+Point PairForces::tangential(const ContactState& state) const {
+  Point force{0, 0, 0};
+  if (!state.closed()) return force;
+  const Point across = acrossSlip(state);
+  const double spring = state.across * dot(across, slip);
+  for (int component = 1; component <= 2; ++component)
+    force[component] = state.holds(component)
+                           ? held[component]
+                           : (state.bound + state.friction * normal) * state.direction[component] + spring * across[component];
+  return force;
+}
+
+Point cartesian(const ContactPair& pair, int dimension, const Point& tangential) {
+  const std::vector<Point> frame = pairFrame(pair, dimension);
+  Point sum{0, 0, 0};
+  for (int component = 1; component < dimension; ++component) sum = plus(sum, scaled(tangential[component], frame[component]));
+  return sum;
+}
+
+void putPair(const ContactState& state, const PairForces& pair, Matrix& all, Eigen::Index row) {
+  const Point force = pair.tangential(state);
+  (state.closed() ? all(row, 0) : all(row, 3)) = state.closed() ? pair.normal : -pair.gap;
+  for (int component = 1; component <= 2; ++component) {
+    all(row, component) = force[component];
+    if (!state.holds(component)) all(row, 3 + component) = pair.slip[component];
+  }
+  all(row, 6) = kGapDigits * pair.digits;
+}
+
+void putState(const ContactState& state, Matrix& all, Eigen::Index row) {
+  all.row(row) << static_cast<double>(state.status), state.direction[0], state.direction[1], state.direction[2], state.bound,
+      state.friction, state.across;
+}
+
+PairStates statesFrom(const Matrix& rows) {
+  PairStates states;
+  for (Eigen::Index i = 0; i < rows.rows(); ++i) {
+    states.emplace_back(static_cast<PairStatus>(static_cast<int>(rows(i, 0))), Point{rows(i, 1), rows(i, 2), rows(i, 3)}, rows(i, 4),
+                        rows(i, 5));
+    states.back().across = rows(i, 6);
+  }
+  return states;
+}
+
+}  // namespace suture
