@@ -85,7 +85,8 @@ class ContactGroup {
   Matrix rigidKernel(bool boundaryHeld) const;
 
  protected:
-  /// The unilateral problem with the boundary held: forces and gaps >= 0, their product zero.
+  /// The unilateral problem with the boundary held: forces and gaps >= 0, their product zero. Not asked for where a law of the scene
+  /// restricts sliding or never opens a pair: states of pairs are given then (respondLinear).
   /// \param v  in: loads of the interior, one column; out: its displacements
   /// \param start  a status to start with
   /// \param moved  addition to the rows, which makes their gaps smaller; empty: none [length]

@@ -9,7 +9,8 @@ namespace suture {
 struct GroupMemory {
   GlobalId unknowns = 0;          ///< free ones, those that several members hold once
   double stiffnessEntries = 0.0;  ///< entries of all members together
-  int rows = 0;                   ///< contact rows of pairs that can move, along normals and tangents
+  int pairs = 0;                  ///< pairs that can move
+  int rows = 0;                   ///< their rows, along normals and tangents
   int dimension = 2;              ///< 2 or 3
 
   /// Estimate, on the safe side, of the memory of a ContactGroup and its linearisation, in 2^20 bytes:

@@ -87,8 +87,8 @@ class CondensedGroups : public Formulation {
         if (memory.megabytes() <= limit_) continue;
         std::ostringstream text;
         text << "contact group " << group + 1 << " of " << members.size() << " subdomains ('" << members.front()->mesh().name
-             << "', ...) has " << memory.unknowns << " unknowns and " << memory.rows
-             << " contact rows; factoring it, on one rank, is estimated to take " << std::fixed
+             << "', ...) has " << memory.unknowns << " unknowns and " << memory.pairs
+             << " pairs; factoring it, on one rank, is estimated to take " << std::fixed
              << std::setprecision(memory.megabytes() < 10 ? 2 : 0) << memory.megabytes() << " MB, more than the limit of "
              << std::defaultfloat << std::setprecision(6) << limit_
              << " MB. Raise the limit if the rank has the memory, or choose Formulation '" << kOnTheInterface
