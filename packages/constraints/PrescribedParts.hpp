@@ -5,8 +5,8 @@
 
 namespace suture {
 
-/// Prescribed displacements of a scene with load steps, as sums over the factors of LoadSteps: what they are in all, and what of the gaps
-/// of contact rows they close. Lists by factor; none where no factor multiplies a displacement.
+/// Prescribed displacements of a scene with load steps, as sums over the factors of LoadSteps: the displacements themselves, and the parts
+/// that they close in the gaps of contact rows. Lists by factor; none where no factor multiplies a displacement.
 struct PrescribedParts {
   struct Closing {
     int pair, equation;  ///< id, and place among the equations of its row

@@ -45,7 +45,7 @@ class ContactCompliance {
     friend class ContactCompliance;
     /// A spring across the slip of a pair: a row that gives way.
     struct Spring {
-      int rows[2];  // along the tangents; -1: none
+      int rows[2];  // rows along the tangents; -1: none
       double coefficients[2];
       double compliance;
     };
@@ -53,7 +53,7 @@ class ContactCompliance {
     // Values of the held rows, those of springs last, from values of all rows; and forces of all from those of the held ones.
     void pick(ConstLocalView all, LocalView held) const;
     void spread(ConstLocalView held, LocalView all) const;
-    Matrix compliance() const;  // of the held rows, with that of springs
+    Matrix compliance() const;  // compliance of the held rows, with that of springs
     // force, in: gaps of the held rows without forces; out: their forces.
     void forces(LocalView force, const Matrix& e, Matrix& rigid) const;
     // The same, refined against the matrix itself: the factor's shift leaves no trace.
@@ -72,7 +72,7 @@ class ContactCompliance {
   };
 
   /// The unilateral problem: forces and gaps >= 0, their product zero, by ContactSearch from `start`, or from rigid bodies on pads where
-  /// that set leaves a body loose. Normal rows alone.
+  /// that set leaves a body loose. Knows normal rows alone: without friction.
   /// \param v  in: loads b; out: displacements
   /// \param moved  as in Closed::solve
   /// \throws NumericalError  no equilibrium (a body is pushed away from its contacts)

@@ -9,7 +9,7 @@
 namespace suture {
 
 /// The unilateral conditions of a group in its free unknowns v: row . v <= gap, a row (u_A - u_B) . n a pair, then rows along the tangents
-/// of pairs whose laws restrict sliding. What prescribed components contribute is in the gap; along a tangent it is the slip before the
+/// of pairs whose laws restrict sliding. The gap contains the part of prescribed components; along a tangent it is the slip before the
 /// load step. A row may be empty (both nodes held): it cannot change.
 struct ContactRows {
   SparseMatrix rows;                  ///< rows x free unknowns: the normal rows of all pairs, then those of tangents

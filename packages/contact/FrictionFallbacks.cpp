@@ -13,12 +13,12 @@ constexpr double kSameForces = 1e-9;     // relative change of normal forces at 
 constexpr Eigen::Index kMixed = 5;       // problems before the last one that the next bounds are mixed with
 constexpr double kGrown = 2.0;           // growth of the change from which on those before tell nothing
 constexpr double kSameAsSolved = 0.1;    // part of the accuracy of solves that no change need fall below
-constexpr double kOtherConstant = 0.05;  // constant along normals of that try: other combinations are nearest
+constexpr double kOtherConstant = 0.05;  // constant along normals of the second try: other combinations are nearest
 constexpr int kSecondTry = 30;           // solves from pairs that all stick
-constexpr int kMoreBlockSteps = 10;      // steps in that try that change all violated pairs without lowering their number
+constexpr int kMoreBlockSteps = 10;      // steps of the second try that change all violated pairs without lowering their number
 constexpr int kFewBlockSteps = 3;        // the same along the path of falling friction
 constexpr int kPathSolves = 12;          // solves of a step along the path of falling friction
-constexpr int kLastSolves = 30;          // solves of its last step, to the final accuracy
+constexpr int kLastSolves = 30;          // solves of the last step along that path, to the final accuracy
 constexpr double kRough = 1e6;           // multiple of friction with which all closed pairs stick
 constexpr double kShortStep = 1e-3;      // relative change of friction of the shortest step along that path
 
@@ -33,7 +33,7 @@ void FrictionSearch::stick() {
   met_.clear();
 }
 
-/// From the other side: from pairs that all stick, and along the path of falling friction. \param first  how the first try ended
+/// Tries from the other side: from pairs that all stick, and along the path of falling friction. \param first  how the first try ended
 FrictionSearch::End FrictionSearch::tryAgain(End first) {
   stick();
   normalConstant_ = kOtherConstant;
@@ -57,8 +57,8 @@ double FrictionSearch::mobilisation() {
   return most;
 }
 
-/// From pairs that all stick, under a multiple of their friction, along the path on which it falls: few pairs change in each step. A step
-/// that does not end is halved.
+/// Follows a path of falling friction: begins with a multiple of it, under which all pairs stick, and lowers that to one. Few pairs change
+/// in each step; one that does not end is halved.
 FrictionSearch::End FrictionSearch::lowerFriction() {
   stick();
   scale_ = kRough;
@@ -102,7 +102,7 @@ FrictionSearch::End FrictionSearch::lowerFriction() {
 FrictionSearch::End FrictionSearch::fixedPoint(const Vector& start) {
   const double same = std::max(kSameForces, kSameAsSolved * oracle_.tightest());
   normal_ = start;
-  Matrix bounds(start.size(), 0), changes = bounds;  // of the last problems
+  Matrix bounds(start.size(), 0), changes = bounds;  // one column for each of the last problems
   const auto remember = [](Matrix& all, const Vector& last) {
     const Eigen::Index kept = std::min<Eigen::Index>(all.cols(), kMixed);
     Matrix next(last.size(), kept + 1);
@@ -153,7 +153,7 @@ void FrictionSearch::thaw() {
   }
 }
 
-/// The fixed point from the start; from normal forces of pairs that all stick where none are given.
+/// Solves by the fixed point alone, from given normal forces; where none are given, from those of the start's states.
 FrictionSearch::End FrictionSearch::solveAsTresca(const Vector& normal) {
   for (ContactState& state : states_) state.friction = 0.0;
   Vector bounds = normal;

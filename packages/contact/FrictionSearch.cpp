@@ -111,7 +111,7 @@ FrictionSearch::End FrictionSearch::settle(double last) {
       seen.push_back(states_);
       if (way == Way::Single)
         for (std::size_t k = 0; k + 1 < violated_.size(); ++k) next[violated_[k]] = states_[violated_[k]];
-      if (way == Way::Block && tolerance_ < kMuchSharper * before) {  // what was nearer, by an answer that was no balance yet?
+      if (way == Way::Block && tolerance_ < kMuchSharper * before) {  // answers of before were no balances yet: they do not compare
         progress(kNone);
         nearest_ = std::numeric_limits<double>::infinity();
       }
@@ -162,7 +162,7 @@ FrictionSearch::End FrictionSearch::limited(int most, double last) {
   return found;
 }
 
-/// Newton's steps by the laws, from a Tresca problem; from the other side if they fail; by the fixed point if they do not end.
+/// Takes Newton's steps by the laws, from a Tresca problem; begins from the other side if they fail; ends with the fixed point.
 FrictionSearch::End FrictionSearch::solveByNewton(const Vector& normal) {
   End end = End::Settled;
   Vector tresca;

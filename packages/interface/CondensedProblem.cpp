@@ -51,7 +51,7 @@ int closedPairs(const std::vector<ContactState>& status) {
   return static_cast<int>(std::count_if(status.begin(), status.end(), [](const ContactState& s) { return s.closed(); }));
 }
 
-/// To the last pairs of the list, those of the group.
+/// Adds tangential forces to the last pairs of the list, which are those of the group.
 void addTangentialForces(const ContactGroup& group, const ContactGroup::Response& response, const Vector& moved,
                          std::vector<PairForce>& pairs) {
   const std::vector<PairForces> own = pairForces(group, response, moved);

@@ -4,22 +4,23 @@
 
 namespace suture {
 
-/// Pair of a formulation at a state: what friction is made of, in the pair's frame.
+/// Forces and displacements of a pair at a state of a formulation, in the pair's frame (PairFrame).
 struct PairForces {
   double normal = 0.0;  ///< normal force of a closed pair [force]
   Point held{0, 0, 0};  ///< forces of the tangential rows that hold a pair which sticks [force]
-  double gap = 0.0;     ///< of an open pair [length]
+  double gap = 0.0;     ///< gap of an open pair [length]
   Point slip{0, 0, 0};  ///< u_A - u_B of the step along the tangents [length]
   double digits = 0.0;  ///< displacements that the gap is the difference of [length]
 
-  /// Tangential force that side B feels: what holds a pair that sticks; of one that slips its bound along the slip, and the spring across.
+  /// Tangential force that side B feels: that of the rows which hold a pair that sticks; its bound along the slip of one that slips, and
+  /// the force of the spring across. [force]
   Point tangential(const ContactState& state) const;
 };
 
 /// Components along a pair's tangents as a Cartesian vector.
 Point cartesian(const ContactPair& pair, int dimension, const Point& tangential);
 
-/// Columns of a matrix with one row a pair that all ranks sum, each pair being known to one of them (the others have zeros).
+/// Number of columns of a matrix with one row a pair that all ranks sum: each pair is known to one of them, the others have zeros.
 constexpr Eigen::Index kPairColumns = 7;
 /// Puts force, jump, and rounding of the jump into a row.
 void putPair(const ContactState& state, const PairForces& pair, Matrix& all, Eigen::Index row);

@@ -50,9 +50,9 @@ struct ContactForces {
   std::vector<Point> direction;  // direction of the force that side B feels
 };
 
-/// Forces that the law of a pair allows: its normal; the edges of the cone of friction, in space those of sixteen planes about it; tangents
-/// of any size where a pair that slides feels a force without pressure, whose bound is the solver's to find out; both senses where it is
-/// glued.
+/// Adds forces that the law of a pair allows: its normal; the edges of the cone of friction, in space those of sixteen planes about it;
+/// tangents whatever their size where a pair that slides feels a force without pressure, whose bound is the solver's to find out; both
+/// senses where it is glued.
 void addForces(const ContactPair& pair, const ContactLaw& law, int dimension, ContactForces& forces) {
   const auto add = [&](const Point& direction) {
     forces.pair.push_back(pair.id);
