@@ -90,7 +90,7 @@ void ContactGroup::collectRows(const ContactLaws& laws) {
     pairs_.push_back(row->pair);
     rows_.pairIds.push_back(id);
     rows_.lines.push_back(row->pair.line);
-    rows_.pressed.push_back(row->restrictsSliding() && law.separates() ? ContactState(PairStatus::Slip) : law.pressed());
+    rows_.pressed.push_back(pressedState(*row, law));
   }
   if (std::any_of(able.begin(), able.end(), [](const ContactRow* row) { return row->restrictsSliding(); }))
     rows_.tangents.assign(able.size(), {-1, -1});

@@ -1,7 +1,8 @@
 #pragma once
 #include <suture/algebra/SparseMatrix.hpp>
 #include <suture/base/Types.hpp>
-#include <suture/constraints/ContactState.hpp>
+#include <suture/constraints/ContactLaw.hpp>
+#include <suture/constraints/ContactRow.hpp>
 
 #include <array>
 #include <vector>
@@ -27,5 +28,12 @@ struct ContactRows {
                               : tangents[static_cast<std::size_t>(pair)][static_cast<std::size_t>(component - 1)];
   }
 };
+
+/// State of a row's pair in a set of closed pairs: without friction, but for pairs that never open; open where nothing can change.
+inline ContactState pressedState(const ContactRow& row, const ContactLaw& law) {
+  if (!law.separates()) return law.pressed();
+  if (!row.able()) return {};
+  return row.restrictsSliding() ? ContactState(PairStatus::Slip) : law.pressed();
+}
 
 }  // namespace suture

@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kSameForces = 1e-9;     // relative change of normal forces at which a fixed point has been reached
 constexpr Eigen::Index kMixed = 5;       // problems before the last one that the next bounds are mixed with
+constexpr double kTelling = 1e-4;        // relative change of bounds from which on they tell the contraction
 constexpr double kGrown = 2.0;           // growth of the change from which on those before tell nothing
 constexpr double kSameAsSolved = 0.1;    // part of the accuracy of solves that no change need fall below
 constexpr double kOtherConstant = 0.05;  // constant along normals of the second try: other combinations are nearest
@@ -124,7 +125,9 @@ FrictionSearch::End FrictionSearch::fixedPoint(const Vector& start) {
     if (before > 0) {
       const Matrix ofBounds = bounds.rightCols(before) - bounds.leftCols(before),
                    ofChanges = changes.rightCols(before) - changes.leftCols(before);
-      if (const double size = ofBounds.rightCols(1).norm(); size > 0.0) contraction_ = (ofBounds + ofChanges).rightCols(1).norm() / size;
+      // Small changes are those of mixed bounds and of rounding: they tell nothing of the map.
+      if (const double size = ofBounds.rightCols(1).norm(); size > kTelling * normal_.norm())
+        contraction_ = std::max(contraction_, (ofBounds + ofChanges).rightCols(1).norm() / size);
       step -= (ofBounds + ofChanges) * leastSquares(ofChanges, change);
     }
     if (change.norm() <= same * (normal_ + change).norm()) return End::Settled;

@@ -8,32 +8,22 @@
 
 namespace suture {
 
-CondensedFriction::CondensedFriction(const Comm& comm, const CondensedProblem& problem) : comm_(comm), problem_(problem) {
-  Matrix mine = Matrix::Zero(problem.sets()->bodies().rigid().pairs(), 6);
+CondensedFriction::CondensedFriction(const Comm& comm, const CondensedProblem& problem, const CondensedSets& sets)
+    : comm_(comm), problem_(problem), sets_(sets) {
+  Matrix mine = Matrix::Zero(sets.bodies().rigid().pairs(), kPairColumns);
   for (const auto& group : problem.groups()) {
-    const Vector stiffness = rowStiffness(*group);
+    const Vector rows = rowStiffness(*group);
     for (int i = 0; i < group->rows().size(); ++i) {
-      const ContactPair& pair = group->pairs()[i];
-      double sum = 0.0;
-      int count = 0;
+      std::array<double, 2> stiffness{0.0, 0.0};
       for (int component = 1; component <= 2; ++component)
-        if (const int row = group->rows().rowOf(i, component); row >= 0 && stiffness(row) > 0.0) sum += stiffness(row), ++count;
-      mine.row(pair.id) << pair.position[0], pair.position[1], pair.position[2], pair.length, count > 0 ? sum / count : 0.0,
-          static_cast<double>(pair.past.slipped);
+        if (const int row = group->rows().rowOf(i, component); row >= 0) stiffness[component - 1] = rows(row);
+      putSite(group->pairs()[i], stiffness, mine, group->pairs()[i].id);
     }
   }
-  const Matrix all = everywhere(mine);
-  for (Eigen::Index i = 0; i < all.rows(); ++i)
-    sites_.push_back({{all(i, 0), all(i, 1), all(i, 2)}, all(i, 3), all(i, 4), all(i, 5) != 0.0});
+  sites_ = sitesFrom(sets.everywhere(mine));
 }
 
 const ContactLaws& CondensedFriction::laws() const { return problem_.laws(); }
-
-Matrix CondensedFriction::everywhere(const Matrix& mine) const {
-  Matrix all = mine;
-  Teuchos::reduceAll(comm_, Teuchos::REDUCE_SUM, static_cast<int>(mine.size()), mine.data(), all.data());
-  return all;
-}
 
 ContactStates CondensedFriction::statusOf(const PairStates& pairs) const {
   ContactStates status(problem_.plain_.size());
@@ -52,7 +42,7 @@ PairStates CondensedFriction::statesOf(const ContactStates& status) const {
     const std::vector<int>& ids = problem_.groups()[g]->rows().pairIds;
     for (std::size_t i = 0; i < ids.size(); ++i) putState(status[problem_.placeOfGroup(static_cast<int>(g))][i], mine, ids[i]);
   }
-  return statesFrom(everywhere(mine));
+  return statesFrom(sets_.everywhere(mine));
 }
 
 InterfaceState CondensedFriction::stateWith(const PairStates& pairs) const {
@@ -72,7 +62,7 @@ PairValues CondensedFriction::valuesOf(const InterfaceState& state) const {
                                              for (std::size_t i = 0; i < pairs.size(); ++i)
                                                putPair(response.status[i], pairs[i], mine, own.rows().pairIds[i]);
                                            });
-  const Matrix all = everywhere(mine);
+  const Matrix all = sets_.everywhere(mine);
   PairValues result;
   result.force = all.leftCols(3);
   result.jump = all.middleCols(3, 3);
@@ -80,7 +70,7 @@ PairValues CondensedFriction::valuesOf(const InterfaceState& state) const {
   result.residual = problem_.space()->vector();
   problem_.space()->scatterAdd(out, *result.residual);
   Teuchos::reduceAll(comm_, Teuchos::REDUCE_SUM, energy, Teuchos::outArg(result.energy));
-  result.energy -= problem_.sets_->rigidWork(state);
+  result.energy -= sets_.rigidWork(state);
   return result;
 }
 

@@ -6,14 +6,15 @@
 namespace suture {
 
 class CondensedProblem;
+class CondensedSets;
 
 /// Condensed Groups as states of pairs with friction. States make the groups linear: pairs that stick are glued along their tangents too,
 /// those that slip feel the bound of a Tresca problem. Normal forces do not drag, so that the condensed operator stays symmetric: Coulomb's
 /// law is the fixed point of such problems (FrictionOracle::drags).
 class CondensedFriction : public FrictionStates {
  public:
-  /// `problem`, whose groups and sets are made, must outlive it. Collective.
-  CondensedFriction(const Comm& comm, const CondensedProblem& problem);
+  /// `problem`, whose groups are made, and its sets must outlive it. Collective.
+  CondensedFriction(const Comm& comm, const CondensedProblem& problem, const CondensedSets& sets);
 
   const ContactLaws& laws() const override;
   bool drags() const override { return false; }
@@ -24,11 +25,9 @@ class CondensedFriction : public FrictionStates {
   const std::vector<FrictionSite>& sites() const override { return sites_; }
 
  private:
-  /// Rows of pairs that one rank each knows, made known to all.
-  Matrix everywhere(const Matrix& mine) const;
-
   const Comm& comm_;
   const CondensedProblem& problem_;
+  const CondensedSets& sets_;
   std::vector<FrictionSite> sites_;
 };
 

@@ -113,7 +113,7 @@ CondensedProblem::CondensedProblem(CommPtr comm, const Partition& partition, con
   for (const auto& pieces : partition.piecesOf) pieces_ += static_cast<int>(pieces.size());
   linearised_.resize(groups_.size());
   if (pairs_ > 0) sets_ = std::make_unique<CondensedSets>(*comm_, *this, subdomains_);
-  if (pairs_ > 0 && laws_.restrictSliding()) friction_ = std::make_unique<CondensedFriction>(*comm_, *this);
+  if (pairs_ > 0 && laws_.restrictSliding()) friction_ = std::make_unique<CondensedFriction>(*comm_, *this, *sets_);
 }
 
 Vector CondensedProblem::movedRows(int group, const InterfaceState& state) const {

@@ -36,10 +36,10 @@ class CondensedSets : public ContactSets {
   Vector movedRows(int group, const InterfaceState& state) const;
   /// Work of the loads in them.
   double rigidWork(const InterfaceState& state) const;
+  /// Values by pair that one rank each knows, made known to all. Collective.
+  Matrix everywhere(const Matrix& mine) const;
 
  private:
-  /// Values that one rank each knows, made known to all.
-  Matrix everywhere(const Matrix& mine) const;
   Vector ofGroup(int group, const Vector& ofPairs) const;
 
   const Comm& comm_;

@@ -14,24 +14,15 @@
 namespace suture {
 
 void ContactInterfaceProblem::findSites() {
-  Matrix values = Matrix::Zero(static_cast<Eigen::Index>(rows_.size()), 6);
+  Matrix values = Matrix::Zero(static_cast<Eigen::Index>(rows_.size()), kPairColumns);
   for (std::size_t i = 0; i < rows_.size(); ++i) {
-    const auto at = static_cast<Eigen::Index>(i);
-    const ContactPair& pair = rows_[i].pair;
-    double stiffness = 0.0;
-    int count = 0;
+    std::array<double, 2> stiffness{0.0, 0.0};
     for (int component = 1; component <= 2; ++component)
-      if (const int row = clusters_->rowOf(static_cast<int>(i), component); row >= 0 && !clusters_->row(row).places.empty()) {
-        stiffness += clusters_->stiffness()(row);
-        ++count;
-      }
-    values.row(at) << pair.position[0], pair.position[1], pair.position[2], pair.length, count > 0 ? stiffness / count : 0.0,
-        static_cast<double>(pair.past.slipped);
+      if (const int row = clusters_->rowOf(static_cast<int>(i), component); row >= 0 && !clusters_->row(row).places.empty())
+        stiffness[component - 1] = clusters_->stiffness()(row);
+    putSite(rows_[i].pair, stiffness, values, static_cast<Eigen::Index>(i));
   }
-  const Matrix all = everywhere(values);
-  sites_.clear();
-  for (Eigen::Index i = 0; i < all.rows(); ++i)
-    sites_.push_back({{all(i, 0), all(i, 1), all(i, 2)}, all(i, 3), all(i, 4), all(i, 5) != 0.0});
+  sites_ = sitesFrom(everywhere(values));
 }
 
 ContactStates ContactInterfaceProblem::statusOf(const PairStates& pairs) const {

@@ -1,5 +1,6 @@
 #include <suture/base/Collective.hpp>
 #include <suture/base/Progress.hpp>
+#include <suture/contact/ContactRows.hpp>
 #include <suture/interface/ContactInterfaceProblem.hpp>
 #include <suture/interface/PlainFlips.hpp>
 #include <suture/interface/SeamLayout.hpp>
@@ -184,12 +185,7 @@ void ContactInterfaceProblem::findNeighbours() {
   }
 }
 
-/// As a set of closed pairs has it: without friction, but for pairs that never open.
-ContactState ContactInterfaceProblem::pressed(const ContactRow& row) const {
-  const ContactLaw& law = laws_.of(row.pair.line);
-  if (!row.able()) return law.separates() ? ContactState() : law.pressed();
-  return row.equations.size() > 1 && law.separates() ? ContactState(PairStatus::Slip) : law.pressed();
-}
+ContactState ContactInterfaceProblem::pressed(const ContactRow& row) const { return pressedState(row, laws_.of(row.pair.line)); }
 
 InterfaceState ContactInterfaceProblem::allClosed() const {
   InterfaceState state;

@@ -49,4 +49,17 @@ PairStates statesFrom(const Matrix& rows) {
   return states;
 }
 
+void putSite(const ContactPair& pair, const std::array<double, 2>& stiffness, Matrix& all, Eigen::Index row) {
+  const int count = (stiffness[0] > 0.0) + (stiffness[1] > 0.0);
+  all.row(row) << pair.position[0], pair.position[1], pair.position[2], pair.length,
+      count > 0 ? (stiffness[0] + stiffness[1]) / count : 0.0, static_cast<double>(pair.past.slipped), 0.0;
+}
+
+std::vector<FrictionSite> sitesFrom(const Matrix& rows) {
+  std::vector<FrictionSite> sites;
+  for (Eigen::Index i = 0; i < rows.rows(); ++i)
+    sites.push_back({{rows(i, 0), rows(i, 1), rows(i, 2)}, rows(i, 3), rows(i, 4), rows(i, 5) != 0.0});
+  return sites;
+}
+
 }  // namespace suture

@@ -2,6 +2,8 @@
 #include <suture/constraints/Constraints.hpp>
 #include <suture/contact/FrictionSearch.hpp>
 
+#include <array>
+
 namespace suture {
 
 /// Forces and displacements of a pair at a state of a formulation, in the pair's frame (PairFrame).
@@ -27,5 +29,9 @@ void putPair(const ContactState& state, const PairForces& pair, Matrix& all, Eig
 /// Puts the state of a pair into a row; and takes them from all rows.
 void putState(const ContactState& state, Matrix& all, Eigen::Index row);
 PairStates statesFrom(const Matrix& rows);
+/// Puts place, size, history and tangential stiffness of a pair into a row, and takes them from all rows.
+/// \param stiffness  stiffness of its rows along the tangents, in series; zero for one that cannot change [force / length]
+void putSite(const ContactPair& pair, const std::array<double, 2>& stiffness, Matrix& all, Eigen::Index row);
+std::vector<FrictionSite> sitesFrom(const Matrix& rows);
 
 }  // namespace suture
