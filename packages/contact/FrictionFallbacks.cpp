@@ -3,6 +3,7 @@
 #include <suture/contact/FrictionSearch.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace suture {
@@ -21,7 +22,9 @@ constexpr int kFewBlockSteps = 3;        // the same along the path of falling f
 constexpr int kPathSolves = 12;          // solves of a step along the path of falling friction
 constexpr int kLastSolves = 30;          // solves of the last step along that path, to the final accuracy
 constexpr double kRough = 1e6;           // multiple of friction with which all closed pairs stick
-constexpr double kShortStep = 1e-3;      // relative change of friction of the shortest step along that path
+/// First multiples along that path, until one settles: where a body hangs on friction alone, it needs little of it.
+constexpr std::array<double, 5> kMultiples{kRough, 4.0, 2.0, 1.4, 1.2};
+constexpr double kShortStep = 1e-3;  // relative change of friction of the shortest step along that path
 
 }  // namespace
 
@@ -34,14 +37,17 @@ void FrictionSearch::stick() {
   met_.clear();
 }
 
-/// Tries from the other side: from pairs that all stick, and along the path of falling friction. \param first  how the first try ended
+/// Tries from the other side, from pairs that all stick; by pivots, where pairs are few; and along the path of falling friction. \param
+/// first  how the first try ended
 FrictionSearch::End FrictionSearch::tryAgain(End first) {
   stick();
   normalConstant_ = kOtherConstant;
   tolerance_ = oracle_.loosest();
   patience_ = kMoreBlockSteps;
   End end = limited(kSecondTry, oracle_.tightest());
+  if (end != End::Settled && goesOn() && oracle_.drags()) end = solveByPivots();
   if (end != End::Settled && goesOn()) end = lowerFriction();
+  if (end == End::Failed) end = End::Exhausted;  // the fixed point may have other linear problems
   return end != End::Settled && first == End::Slides ? first : end;
 }
 
@@ -58,20 +64,22 @@ double FrictionSearch::mobilisation() {
   return most;
 }
 
-/// Follows a path of falling friction: begins with a multiple of it, under which all pairs stick, and lowers that to one. Few pairs change
-/// in each step; one that does not end is halved.
+/// Follows a path of falling friction: begins with a multiple of it, the first of some that settles, and lowers that to one. Few pairs
+/// change in each step; one that does not end is halved.
 FrictionSearch::End FrictionSearch::lowerFriction() {
-  stick();
-  scale_ = kRough;
-  tolerance_ = oracle_.loosest();
-  patience_ = kFewBlockSteps;
-  End end = limited(kPathSolves, oracle_.loosest());
-  if (end != End::Settled) {
-    scale_ = 1.0;
-    return end;
+  End end = End::Exhausted;
+  double from = kRough;
+  for (const double multiple : kMultiples) {
+    stick();
+    from = scale_ = multiple;
+    tolerance_ = oracle_.loosest();
+    patience_ = kFewBlockSteps;
+    end = limited(kPathSolves, oracle_.loosest());
+    if (end == End::Settled || end == End::Failed || !goesOn()) break;
   }
   scale_ = 1.0;
-  double reached = std::log(std::clamp(mobilisation(), 1.0, kRough)), step = reached;
+  if (end != End::Settled) return end;
+  double reached = std::log(std::clamp(mobilisation(), 1.0, from)), step = reached;
   PairStates kept = states_;
   while (true) {
     const double next = std::max(0.0, reached - step);

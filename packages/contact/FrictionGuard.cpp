@@ -56,19 +56,13 @@ PairStates FrictionSearch::guarded(PairStates next, const PairStates& before) {
   return next;
 }
 
-/// Lets pairs that hold a body in vain go: others hold it, or those that hold it further on its way, as far as the loads drive it. False
-/// where there are none: slides_ is that way.
-bool FrictionSearch::relieve(const PairStates& next) {
+/// Motion, among those that states leave loose, along which the loads drive bodies: that of what pairs felt beyond their laws before they
+/// got these states. Zero where nothing drives them. \param changed  those pairs
+Vector FrictionSearch::drivenMotion(const PairStates& next, const std::vector<std::size_t>& changed) const {
   const RigidContact::Pairs& data = rigid_.data();
-  const std::vector<char> holders = holders_;
-  std::vector<std::size_t> driven;
-  for (std::size_t i = 0; i < next.size(); ++i)
-    if (holders[i] && next[i].status != states_[i].status) driven.push_back(i);
-  for (const std::size_t i : driven) spent_[i] = 1;
-  // The loads drive it along what holders feel beyond their laws.
   const Matrix free = rigid_.loose(next);
   Vector work = Vector::Zero(free.cols());
-  for (const std::size_t i : driven) {
+  for (const std::size_t i : changed) {
     const auto at = static_cast<Eigen::Index>(i);
     work += answer_.force(at, 0) * (next[i].closed() ? 0.0 : 1.0) * (data.rows.row(at) * free).transpose();
     for (std::size_t k = 0; k < data.tangents.size(); ++k) {
@@ -77,18 +71,39 @@ bool FrictionSearch::relieve(const PairStates& next) {
       work += (answer_.force(at, component) - allowed) * (data.tangents[k].row(at) * free).transpose();
     }
   }
-  slides_ = free * work;
-  const double length = slides_.norm();
-  if (length > 0.0)
-    slides_ /= length;
-  else
-    slides_ = Vector::Zero(rigid_.motions());
+  const Vector motion = free * work;
+  const double length = motion.norm();
+  return length > 0.0 ? Vector(motion / length) : Vector::Zero(rigid_.motions());
+}
+
+/// Drags bodies that the next states leave loose along the loads, to the states that they meet. False where none are loose, or none are
+/// met.
+bool FrictionSearch::follow(PairStates& next) {
+  const auto loose = static_cast<int>(rigid_.loose(next).cols());
+  if (loose == 0) return false;
+  std::vector<std::size_t> changed;
+  for (std::size_t i = 0; i < next.size(); ++i)
+    if (rigid_.data().able[i] && next[i].status != states_[i].status) changed.push_back(i);
+  const Vector motion = drivenMotion(next, changed);
+  return motion.squaredNorm() > 0.0 && drag(motion, loose, next);
+}
+
+/// Lets pairs that hold a body in vain go: others hold it, or those that hold it further on its way, as far as the loads drive it. False
+/// where there are none: slides_ is that way.
+bool FrictionSearch::relieve(const PairStates& next) {
+  const std::vector<char> holders = holders_;
+  std::vector<std::size_t> driven;
+  for (std::size_t i = 0; i < next.size(); ++i)
+    if (holders[i] && next[i].status != states_[i].status) driven.push_back(i);
+  for (const std::size_t i : driven) spent_[i] = 1;
+  slides_ = drivenMotion(next, driven);
   if (outdone_.size() > 0) return false;
+  const auto loose = static_cast<int>(rigid_.loose(next).cols());
   PairStates other = guarded(next, states_);
   bool inVain = false;
   for (std::size_t i = 0; i < next.size(); ++i) inVain = inVain || (spent_[i] && holders_[i]);
   if (inVain || rigid_.loose(other).cols() > 0) {
-    if (!(length > 0.0) || !drag(slides_, static_cast<int>(free.cols()), other)) {
+    if (!(slides_.squaredNorm() > 0.0) || !drag(slides_, loose, other)) {
       holders_ = holders;
       return false;
     }

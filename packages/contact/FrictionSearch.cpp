@@ -42,8 +42,10 @@ FrictionSearch::End FrictionSearch::settle(double last) {
   while (true) {
     if (left_-- <= 0 || !oracle_.goesOn()) return End::Exhausted;
     ++solves_;
-    answer_ = oracle_.solve(states_, tolerance_);
-    if (!answer_.solved) return End::Failed;
+    FrictionAnswer answer = oracle_.solve(states_, tolerance_);
+    if (!answer.solved) return End::Failed;
+    answer_ = std::move(answer);
+    ++answers_;
     PairStates next = projected(states_, answer_);
     violated_.clear();
     double turns = 0.0;
@@ -116,7 +118,7 @@ FrictionSearch::End FrictionSearch::settle(double last) {
         nearest_ = std::numeric_limits<double>::infinity();
       }
     }
-    states_ = guarded(std::move(next), states_);
+    states_ = follow(next) ? std::move(next) : guarded(std::move(next), states_);
   }
 }
 
@@ -170,7 +172,7 @@ FrictionSearch::End FrictionSearch::solveByNewton(const Vector& normal) {
     normal_ = normal;
     end = limited(kTrescaSolves, oracle_.loosest());
     normal_ = Vector();
-    if (end != End::Failed) {
+    if (end != End::Failed && answer_.force.size() > 0) {
       tresca = normalForces();
       states_ = guarded(projected(states_, answer_), states_);
     }
@@ -187,13 +189,16 @@ FrictionSearch::End FrictionSearch::solveByNewton(const Vector& normal) {
         contraction_ = (tresca - found).norm() / from;
     }
   }
-  if (end != End::Settled && outdone_.size() == 0) outdone_ = outdone();
-  if (end != End::Settled && goesOn()) end = tryAgain(end);  // before it is said
-  if (end == End::Exhausted && goesOn()) {
+  if (end == End::Settled) return end;
+  if (outdone_.size() == 0) outdone_ = outdone();
+  const int answers = end == End::Failed ? answers_ : -1;
+  if (goesOn()) end = tryAgain(end);  // before it is said
+  if (end == End::Exhausted && goesOn() && answer_.force.size() > 0) {
     end = fixedPoint(normalForces());
     thaw();
   }
-  return end;
+  // Single linear problems without a solution say nothing of the scene.
+  return end == End::Failed && answers_ > answers ? End::Exhausted : end;
 }
 
 FrictionSearch::Result FrictionSearch::run(PairStates start, const Vector& normal) {

@@ -6,6 +6,8 @@
 
 namespace suture {
 
+class PairResponse;
+
 /// States of all pairs, by id.
 using PairStates = std::vector<ContactState>;
 
@@ -49,11 +51,12 @@ class FrictionOracle {
 /// All violated pairs change at a time. When that does not lower their number any more, a line search between answers does (they are in
 /// balance with the loads, and so are their combinations): it lowers the distance of forces from their projections. Then only the last
 /// violated pair changes (Murty's rule, as in block principal pivoting: Judice and Pires 1994), which ends wherever the problem has one
-/// solution. If even that takes too long, or an oracle knows no drag, a fixed point of Tresca problems: bounds by the normal forces of the
+/// solution. If even that takes too long: where pairs are few, Lemke's pivots on their problem as a whole (PairResponse); a path along
+/// which friction falls; and, where an oracle knows no drag at once, a fixed point of Tresca problems: bounds by the normal forces of the
 /// last one, each convex as long as no pair opens or closes.
 ///
-/// Sets never leave a body loose that pairs can hold: of the pairs that held it before one goes on to. If that is beyond its bound others
-/// hold it, or those that it meets on its way; if none do the body slides away. Limit analysis tells where that is certain.
+/// Sets never leave a body loose that pairs can hold: it is dragged along the loads to the pairs that it meets, or one of those that held
+/// it goes on to. If that is beyond its bound others hold it; if none do the body slides away. Limit analysis tells where that is certain.
 class FrictionSearch {
  public:
   struct Result {
@@ -92,9 +95,13 @@ class FrictionSearch {
   double mobilisation();
   End tryAgain(End first);
   End lowerFriction();
+  bool pivot(const PairResponse& response, double softness, FrictionAnswer& found) const;
+  End solveByPivots();
   /// False once limit analysis, the number of solves or a request ends the search.
   bool goesOn() { return outdone_.size() == 0 && left_ > 0 && oracle_.goesOn(); }
   End solveByNewton(const Vector& normal);
+  Vector drivenMotion(const PairStates& next, const std::vector<std::size_t>& changed) const;
+  bool follow(PairStates& next);
   bool relieve(const PairStates& next);
   bool drag(const Vector& motion, int loose, PairStates& found);
   Vector outdone() const;
@@ -108,7 +115,7 @@ class FrictionSearch {
   const ContactLaws& laws_;
   const std::vector<FrictionSite>& sites_;
   FrictionOracle& oracle_;
-  int left_, solves_ = 0, patience_ = 0;
+  int left_, solves_ = 0, answers_ = 0, patience_ = 0;  // solves; those with an answer
   double tolerance_ = 0.0;
   PairStates states_;
   FrictionAnswer answer_;

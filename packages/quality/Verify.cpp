@@ -211,7 +211,7 @@ void Verifier::judgeNodes() {
   for (std::size_t i = 0; i < answer_.meshes.size(); ++i) {
     const SubdomainMesh& mesh = answer_.meshes[i];
     const BodyScale& body = scales_[mesh.body];
-    const double contact = std::max(body.largestContact, Bounds::passive * body.force);
+    const double contact = std::max(body.largestContact, Bounds::idle * body.force);
     std::map<int, const ContactRow*> rows;
     for (const ContactRow& row : mesh.contactRows) rows[row.pair.id] = &row;
     std::vector<std::vector<Point>> taken(mesh.nodes());  // directions along which contact forces act

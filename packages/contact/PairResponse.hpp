@@ -1,0 +1,48 @@
+#pragma once
+#include <suture/contact/FrictionSearch.hpp>
+
+namespace suture {
+
+/// How the forces of all pairs that can change depend on their jumps:  f = stuck - stiffness j,  f what side B feels, j = u_A - u_B along
+/// the tangents and the penetration along the normal. Found by opening and sliding one pair after the other while all others stick: a solve
+/// for each row. The same on all ranks.
+class PairResponse {
+ public:
+  struct Row {
+    std::size_t pair;
+    int component;  ///< 0: normal; 1, 2: tangents, of pairs that can stick
+  };
+
+  /// Collective where the oracle is. \param stuck  states in which no pair has a jump;  \param most  rows at most
+  /// \return false: there are more rows, a pair holds a body alone, a solve failed, or there are no forces
+  bool measure(const RigidContact& rigid, FrictionOracle& oracle, const PairStates& stuck, std::size_t most);
+
+  /// Rows of a pair follow each other, the normal one first.
+  const std::vector<Row>& rows() const { return rows_; }
+  /// Forces without a jump. [force]
+  const Vector& stuck() const { return force_; }
+  /// Symmetric, positive semidefinite: its null space are jumps of rigid motions. [force / length]
+  const Matrix& stiffness() const { return stiffness_; }
+  int solves() const { return solves_; }
+
+  /// Values of all pairs (pairs x 3) row by row, and back.
+  Vector gather(const Matrix& values) const;
+  Matrix spread(const Vector& values, Eigen::Index pairs) const;
+
+ private:
+  bool solve(FrictionOracle& oracle, const PairStates& states, Vector& force, Vector& jump);
+  ContactState sliding(Eigen::Index row, double force) const;
+  bool slide(const RigidContact& rigid, FrictionOracle& oracle, const PairStates& stuck);
+  bool open(const RigidContact& rigid, FrictionOracle& oracle, const PairStates& stuck);
+  Eigen::Index press(const RigidContact& rigid, Eigen::Index row, const PairStates& stuck) const;
+
+  std::vector<Row> rows_;
+  Vector force_;
+  Matrix stiffness_;
+  Matrix changes_;        // of forces, when the pair of a row slides along it
+  double scale_ = 0.0;    // largest force
+  double softest_ = 0.0;  // largest jump under a force, of the order of one [length / force]
+  int solves_ = 0;
+};
+
+}  // namespace suture
