@@ -30,6 +30,7 @@ packages="g++ cmake ninja-build ccache git pkg-config openmpi-bin libopenmpi-dev
   libmuparser-dev
   python3 python3-numpy python3-h5py python3-matplotlib python3-vtk9
   python3-meshio python3-netcdf4
+  python3-dev pybind11-dev python3-mpi4py
   cmark-gfm"
 [ "$1" != doc ] || packages="python3 cmark-gfm"
 

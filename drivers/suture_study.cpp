@@ -1,5 +1,6 @@
 // Runs a scene with many values of some of its parameters and writes one table: speed against error, iterations against size, and whether
-// the figures lie in the bands that the study asserts.
+// the figures lie in the bands that the study asserts. The program's main is in study/StudyMain.cpp: the Python package runs this function,
+// too.
 #include <Teuchos_Comm.hpp>
 #include <suture/report/OutputFolder.hpp>
 
@@ -27,9 +28,3 @@ ExitCode run(const CommPtr& comm, const Options& options) {
 }
 
 }  // namespace suture::study
-
-int main(int argc, char* argv[]) {
-  suture::study::Options options;
-  if (const auto end = options.parse(argc, argv)) return *end;
-  return suture::runProgram("suture_study", options.study, [&](const suture::CommPtr& comm) { return suture::study::run(comm, options); });
-}

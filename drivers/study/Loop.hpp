@@ -8,6 +8,9 @@
 
 namespace suture::study {
 
+/// The whole of suture_study. Collective. \throws Error  of any kind
+ExitCode run(const CommPtr& comm, const Options& options);
+
 /// Results of the runs of a study.
 struct Rows {
   std::vector<Row> rows;  ///< on rank 0

@@ -23,9 +23,7 @@ struct MakerOf<Base, std::void_t<typename Base::Maker>> {
 
 /// Open table of the strategies of one kind: name -> how to make it, and the schema of its own parameters. A user's shared library adds
 /// its own from a static object:
-///
 ///     static const suture::Registration<suture::Weighting> mine("Mine", schema, [](const Parameters& p) { return ...; });
-///
 /// `Base::kind()` names the kind in messages ("weighting"). Our own strategies are added by `registerBuiltIns` of their package, which
 /// the table calls when it is first used, so that no linker drops them.
 template <typename Base>
@@ -40,10 +38,15 @@ class Registry {
     return registry;
   }
 
-  /// \throws InternalError  if the name is taken.
-  void add(const std::string& name, const Schema& schema, Maker maker) {
-    if (!entries_.emplace(name, Entry{schema, std::move(maker)}).second)
+  /// \param schema  of its parameters; a function where they name further strategies, which may come later. \throws InternalError  if the
+  /// name is taken
+  void add(const std::string& name, std::function<Schema()> schema, Maker maker) {
+    if (!entries_.emplace(name, Entry{std::move(schema), std::move(maker)}).second)
       throw InternalError(std::string("two strategies of the kind '") + Base::kind() + "' are named '" + name + "'");
+  }
+  void add(const std::string& name, const Schema& schema, Maker maker) {
+    add(
+        name, [schema] { return schema; }, std::move(maker));
   }
 
   bool has(const std::string& name) const { return entries_.count(name) > 0; }
@@ -66,13 +69,13 @@ class Registry {
   /// name -> schema, as Schema::choice takes it.
   std::map<std::string, Schema> schemas() const {
     std::map<std::string, Schema> all;
-    for (const auto& [name, entry] : entries_) all.emplace(name, entry.schema);
+    for (const auto& [name, entry] : entries_) all.emplace(name, entry.schema());
     return all;
   }
 
  private:
   struct Entry {
-    Schema schema;
+    std::function<Schema()> schema;
     Maker maker;
   };
   // Found by argument-dependent lookup in the package of Base: void registerBuiltIns(Registry<Base>&).

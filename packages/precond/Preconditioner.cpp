@@ -54,8 +54,8 @@ void Preconditioner::apply(const MultiVector& r, MultiVector& z, Teuchos::ETrans
 }
 
 void registerBuiltIns(Registry<Preconditioner>& registry) {
-  registry.add("BDDC", Bddc::schema(), [](const Parameters& own) { return std::make_unique<Bddc>(own); });
-  registry.add("Neumann-Neumann", NeumannNeumann::schema(), [](const Parameters& own) { return std::make_unique<NeumannNeumann>(own); });
+  registry.add("BDDC", Bddc::schema, [](const Parameters& own) { return std::make_unique<Bddc>(own); });
+  registry.add("Neumann-Neumann", NeumannNeumann::schema, [](const Parameters& own) { return std::make_unique<NeumannNeumann>(own); });
 }
 
 Schema preconditionerSchema() {

@@ -146,14 +146,14 @@ Json loadSteps(const Run& run, int dimension) {
 
 }  // namespace
 
-std::string writeSummary(const Run& run, const RunFigures& figures, ExitCode code, const std::string& path) {
+std::string summaryText(const Run& run, const RunFigures& figures, ExitCode code) {
   const int dimension = dimensionOf(run);
   const Memory& memory = figures.memory;
   const Memory read = memoryFigures(run.comm, run.solution.bytesRead / (1 << 20));
   const ElementsByRank elements = elementsByRank(run);
   std::string text;
 
-  collectivelyOnRoot(run.comm, "writing summary.json", [&] {
+  collectivelyOnRoot(run.comm, "making summary.json", [&] {
     const Solution& answer = run.solution;
     const Parameters& parameters = *run.scene.parameters;
     Json phases = Json::object();
@@ -211,8 +211,13 @@ std::string writeSummary(const Run& run, const RunFigures& figures, ExitCode cod
     if (!run.steps.empty()) summary["load_steps"] = loadSteps(run, dimension);
     // Text that is not UTF-8 (a title in Latin-1) must not lose the results of a run.
     text = summary.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
-    writeTextFile(path, text);
   });
+  return text;
+}
+
+std::string writeSummary(const Run& run, const RunFigures& figures, ExitCode code, const std::string& path) {
+  const std::string text = summaryText(run, figures, code);
+  collectivelyOnRoot(run.comm, "writing summary.json", [&] { writeTextFile(path, text); });
   return text;
 }
 

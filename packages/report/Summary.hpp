@@ -7,8 +7,11 @@
 
 namespace suture {
 
-/// summary.json: the figures of a run under the names of doc/output.md, quantities in the units of the scene, vectors with as many
-/// components as the scene has dimensions. A number that is not finite is null. Collective; rank 0 writes.
+/// Text of summary.json: the figures of a run under the names of doc/output.md, quantities in the units of the scene, vectors with as many
+/// components as the scene has dimensions. A number that is not finite is null. On rank 0, elsewhere nothing. Collective.
+std::string summaryText(const Run& run, const RunFigures& figures, ExitCode code);
+
+/// Writes it. Collective; rank 0 writes.
 /// \return on rank 0 the text written, elsewhere nothing
 /// \throws EnvironmentError
 std::string writeSummary(const Run& run, const RunFigures& figures, ExitCode code, const std::string& path);

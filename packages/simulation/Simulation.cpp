@@ -6,6 +6,7 @@
 #include <suture/quality/ExactErrors.hpp>
 #include <suture/report/Checkpoint.hpp>
 #include <suture/report/Report.hpp>
+#include <suture/report/Summary.hpp>
 #include <suture/report/answers/Probes.hpp>
 #include <suture/simulation/JudgeStage.hpp>
 #include <suture/simulation/LoadControl.hpp>
@@ -187,6 +188,11 @@ Run Simulation::run(const Solution& solution, const std::vector<std::string>& co
           cut_.whole.conditions,
           scene_.contacts,
           path_ ? path_->rows : std::vector<StepRow>()};
+}
+
+std::string Simulation::summary(const std::vector<std::string>& commandLine) const {
+  const Run run = this->run(solution_, commandLine);
+  return summaryText(run, runFigures(run), ending());
 }
 
 RunResult Simulation::report(const std::vector<std::string>& commandLine) {

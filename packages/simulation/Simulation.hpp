@@ -67,6 +67,8 @@ class Simulation {
   /// Writes the results, and the last lines of the monitor's console.
   /// \param commandLine  for the record
   RunResult report(const std::vector<std::string>& commandLine = {});
+  /// Text of summary.json on rank 0, elsewhere nothing; after judge(). Nothing is written.
+  std::string summary(const std::vector<std::string>& commandLine = {}) const;
 
   const Scene& scene() const { return scene_; }
   const Mesh& mesh() const { return mesh_; }                                ///< on rank 0, from read() to prepare()

@@ -1,0 +1,164 @@
+// Runs and their answers: numpy arrays that show what the library holds.
+#include <pybind11/eigen.h>
+#include <pybind11/stl.h>
+#include <Teuchos_ParameterList.hpp>
+
+#include "PythonRun.hpp"
+
+namespace suture::python {
+
+namespace {
+
+/// A subdomain of this rank in a run.
+class Subdomain {
+ public:
+  Subdomain(py::object run, std::size_t place) : run_(std::move(run)), place_(place) {}
+
+  const SubdomainMesh& mesh() const { return simulation().meshes()[place_]; }
+  const std::string& body() const { return simulation().scene().model.bodies[static_cast<std::size_t>(mesh().body)]; }
+
+  py::array nodes() const { return view(mesh().globalNodes.data(), {mesh().nodes()}, run_); }
+  py::array elementNumbers() const { return view(mesh().globalElements.data(), {mesh().elements()}, run_); }
+  py::array coordinates() const { return view(mesh().coordinates.data(), {mesh().nodes(), mesh().dimension}, run_); }
+  py::array connectivity() const { return view(mesh().connectivity.data(), {size(mesh().connectivity)}, run_); }
+  py::array offsets() const { return view(mesh().offsets.data(), {size(mesh().offsets)}, run_); }
+
+  /// Without a copy, unless the rigid motion of a body has been taken out of it.
+  py::array displacement() const {
+    const Vector& own = simulation().solution().displacement[place_];
+    if (mesh().lift.motion.size() == 0) return view(own.data(), {mesh().nodes(), mesh().dimension}, run_);
+    py::array_t<double> all({mesh().nodes(), mesh().dimension});
+    Eigen::Map<Vector>(all.mutable_data(), own.size()) = own + mesh().lift.motion;
+    return all;
+  }
+  Matrix stress() const {
+    const std::map<int, Matrix>& own = simulation().solution().ownStresses;
+    if (const auto found = own.find(static_cast<int>(place_)); found != own.end()) return found->second;
+    return elementStresses(mesh(), simulation().scene().model, simulation().solution().displacement[place_]);
+  }
+  Vector vonMises() const { return suture::vonMises(stress()); }
+
+ private:
+  template <typename T>
+  static py::ssize_t size(const std::vector<T>& all) {
+    return static_cast<py::ssize_t>(all.size());
+  }
+  const Simulation& simulation() const { return run_.cast<const PythonRun&>().simulation(); }
+
+  py::object run_;
+  std::size_t place_;
+};
+
+/// The pairs of a run: one array for each value of a pair.
+class Pairs {
+ public:
+  Pairs(py::object run, const std::vector<PairResult>& all) : run_(std::move(run)), all_(all) {}
+
+  template <typename T>
+  py::array of(const T PairResult::*value) const {
+    return view(all_.empty() ? nullptr : &(all_.front().*value), {count()}, {stride()}, run_);
+  }
+  py::array of(const Point PairResult::*value) const {
+    const double* first = all_.empty() ? nullptr : (all_.front().*value).data();
+    return view(first, {count(), 3}, {stride(), sizeof(double)}, run_);
+  }
+  py::array status() const {
+    static_assert(sizeof(PairStatus) == sizeof(int), "shown as an int");
+    return view(all_.empty() ? nullptr : reinterpret_cast<const int*>(&all_.front().state.status), {count()}, {stride()}, run_);
+  }
+  py::ssize_t count() const { return static_cast<py::ssize_t>(all_.size()); }
+
+ private:
+  static constexpr py::ssize_t stride() { return sizeof(PairResult); }
+
+  py::object run_;
+  const std::vector<PairResult>& all_;
+};
+
+std::vector<Subdomain> subdomainsOf(const py::object& run) {
+  std::vector<Subdomain> all;
+  for (std::size_t i = 0; i < run.cast<const PythonRun&>().simulation().solution().displacement.size(); ++i) all.emplace_back(run, i);
+  return all;
+}
+
+void bindPairs(py::module_& module) {
+  py::class_<Pairs> pairs(module, "Pairs", "State of all contact pairs, on rank 0; elsewhere none. Arrays show the library's own values.");
+  pairs.def("__len__", &Pairs::count);
+  const auto add = [&pairs](const char* name, auto value, const char* doc) {
+    pairs.def_property_readonly(
+        name, [value](const Pairs& self) { return self.of(value); }, doc);
+  };
+  pairs.def_property_readonly("status", &Pairs::status, "0 open, 1 closed and sliding, 2 closed and stuck");
+  add("pair", &PairResult::id, "number of the pair");
+  add("node", &PairResult::node, "number in the mesh of the node that carries the pair");
+  add("contact", &PairResult::line, "number of the contact in Result.contacts");
+  add("piece", &PairResult::piece, "number of the connected piece of contact");
+  add("initial_gap", &PairResult::initialGap, "gap of the undeformed bodies [length]");
+  add("gap", &PairResult::gap, "gap, positive where the pair is open [length]");
+  add("force", &PairResult::force, "normal force, positive where it presses [force]");
+  add("pressure", &PairResult::pressure, "force by tributary length or area [stress]");
+  add("tributary", &PairResult::length, "tributary length or area of the pair");
+  add("arc_length", &PairResult::arc, "arc length along the contact [length]");
+  add("dissipated_work", &PairResult::dissipated, "work of friction [energy]");
+  add("bound", &PairResult::bound, "largest tangential force; 0 where the law sets none [force]");
+  add("position", &PairResult::position, "place of the undeformed node [length]");
+  add("displacement", &PairResult::displacement, "displacement of the node [length]");
+  add("normal", &PairResult::normal, "unit normal from side A to side B");
+  add("tangential_force", &PairResult::tangential, "tangential force on side B [force]");
+  add("slip", &PairResult::slip, "part of u_A - u_B along the sides [length]");
+}
+
+void bindSubdomain(py::module_& module) {
+  py::class_<Subdomain>(module, "Subdomain", "A subdomain of this rank: its mesh and the answer on it.")
+      .def_property_readonly("id", [](const Subdomain& self) { return self.mesh().id; })
+      .def_property_readonly("name", [](const Subdomain& self) { return self.mesh().name; })
+      .def_property_readonly("body", &Subdomain::body, "name of its body")
+      .def_property_readonly("dimension", [](const Subdomain& self) { return self.mesh().dimension; })
+      .def_property_readonly("nodes", &Subdomain::nodes, "numbers of its nodes in the mesh")
+      .def_property_readonly("coordinates", &Subdomain::coordinates, "nodes x dimension [length]")
+      .def_property_readonly("elements", &Subdomain::elementNumbers, "numbers of its elements in the mesh")
+      .def_property_readonly("connectivity", &Subdomain::connectivity,
+                             "nodes of element e, numbered here: connectivity[offsets[e]:offsets[e + 1]]")
+      .def_property_readonly("offsets", &Subdomain::offsets, "elements + 1")
+      .def_property_readonly("displacement", &Subdomain::displacement, "nodes x dimension [length]")
+      .def_property_readonly("stress", &Subdomain::stress,
+                             "at centroids: elements x 4 (xx, yy, zz, xy), in space x 6 (xx, yy, zz, xy, yz, xz) [stress]")
+      .def_property_readonly("von_mises", &Subdomain::vonMises, "of each element [stress]");
+}
+
+void bindHistory(py::module_& module) {
+  py::class_<OuterRow>(module, "OuterRow", "An outer iteration, a row of history.csv.")
+      .def_readonly("iteration", &OuterRow::iteration)
+      .def_readonly("pcg", &OuterRow::pcg)
+      .def_readonly("condition", &OuterRow::condition)
+      .def_readonly("residual", &OuterRow::residual)
+      .def_readonly("active", &OuterRow::active)
+      .def_readonly("changed", &OuterRow::changed)
+      .def_readonly("energy", &OuterRow::energy)
+      .def_readonly("seconds", &OuterRow::seconds)
+      .def_readonly("load_step", &OuterRow::loadStep);
+}
+
+}  // namespace
+
+void bindRuns(py::module_& module) {
+  bindHistory(module);
+  bindPairs(module);
+  bindSubdomain(module);
+  py::class_<PythonRun, std::shared_ptr<PythonRun>>(module, "Run")
+      .def(py::init<const py::object&, const std::string&, const std::string&, const std::string&, const std::vector<std::string>&, bool>())
+      .def("solve", &PythonRun::solve)
+      .def_property_readonly("is_done", &PythonRun::isDone)
+      .def_property_readonly("exit_code", &PythonRun::exitCode)
+      .def_property_readonly("failure", &PythonRun::failure)
+      .def_property_readonly("summary_text", &PythonRun::summary)
+      .def_property_readonly("notes", &PythonRun::notes)
+      .def_property_readonly("history", &PythonRun::history)
+      .def_property_readonly("energy", [](const PythonRun& self) { return self.simulation().solution().energy; })
+      .def_property_readonly("contacts", [](const PythonRun& self) { return self.simulation().scene().contacts; })
+      .def_property_readonly("subdomains", [](const py::object& self) { return subdomainsOf(self); })
+      .def_property_readonly(
+          "pairs", [](const py::object& self) { return Pairs(self, self.cast<const PythonRun&>().simulation().solution().pairs); });
+}
+
+}  // namespace suture::python
