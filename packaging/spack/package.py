@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Recipe of Spack. There is no public archive yet: build a checkout, from its top, by
-    spack repo add packaging/spack/repo   (README.md says how to make it)
-    spack dev-build suture@0.1.0
+"""Recipe of Spack, as packages/suture/package.py of a repository of your own. There is no public archive to fetch yet: `spack dev-build suture@0.1.0`
+builds a checkout from its top.
 """
 from spack.package import *
 

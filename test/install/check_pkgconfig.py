@@ -41,11 +41,13 @@ def main():
     def pkgConfig(*words):
         return run(["pkg-config", *words, "suture"], env=environment).strip()
 
-    flags = pkgConfig("--cflags", "--libs").split() + ["-Wl,-rpath," + pkgConfig("--variable=libdir")]
+    headers = pkgConfig("--cflags").split()
+    libraries = pkgConfig("--libs").split() + ["-Wl,-rpath," + pkgConfig("--variable=libdir")]
 
     def compiled(file):
         program = options.work / file.stem
-        run([*options.compiler.split(), "-std=c++17", file, "-o", program, *flags])
+        run([*options.compiler.split(), "-std=c++17", "-c", file, "-o", f"{program}.o", *headers])
+        run([*options.compiler.split(), f"{program}.o", "-o", program, *libraries])
         return run([program])
 
     numbers, text, library = compiled(options.source / "test/install/pkgconfig/versions.cpp").split()
