@@ -1,4 +1,4 @@
-# cmake -DSOURCE=<root> -DOUTPUT=<folder> -DDOC=<share/doc/suture> -DSHARE=<share/suture> -P Documents.cmake: writes what is installed for reading
+# cmake -DSOURCE=<root> -DOUTPUT=<folder> -DDOC=<share/doc/suture> -DSHARE=<share/suture> -P AdaptLinks.cmake: writes what is installed for reading
 # into OUTPUT/doc and OUTPUT/share, and makes the links of its Markdown files lead to where their targets are installed. A link to a header
 # becomes the name that a program includes; one to a file that is not installed (a test, a source) becomes its text.
 cmake_minimum_required(VERSION 3.25)
