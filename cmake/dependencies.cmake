@@ -7,17 +7,22 @@ find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(CLI11 REQUIRED)
 find_package(nlohmann_json REQUIRED)
 
-# Debian's imported targets of Trilinos carry no include directories.
+# Libraries of Trilinos whose symbols headers of Suture use. Debian's targets are named trilinos_<library>, those of a Trilinos built from its
+# sources <library>. Debian's carry no include directories.
+set(SUTURE_TRILINOS_LIBRARIES belostpetra belos amesos2 tpetra kokkoscore teuchosparameterlist teuchosparser teuchosnumerics teuchoscomm teuchoscore)
+set(intrepid2 intrepid2 shards)
+if(TARGET trilinos_tpetra)
+  list(TRANSFORM SUTURE_TRILINOS_LIBRARIES PREPEND trilinos_)
+  list(TRANSFORM intrepid2 PREPEND trilinos_)
+endif()
 add_library(suture_trilinos INTERFACE)
 add_library(suture::trilinos ALIAS suture_trilinos)
 target_include_directories(suture_trilinos SYSTEM INTERFACE ${Trilinos_INCLUDE_DIRS} ${MPI_CXX_INCLUDE_DIRS})
-target_link_libraries(suture_trilinos INTERFACE trilinos_belostpetra trilinos_belos trilinos_amesos2
-  trilinos_tpetra trilinos_kokkoscore trilinos_teuchosparameterlist trilinos_teuchosparser trilinos_teuchosnumerics trilinos_teuchoscomm
-  trilinos_teuchoscore MPI::MPI_CXX)
+target_link_libraries(suture_trilinos INTERFACE ${SUTURE_TRILINOS_LIBRARIES} MPI::MPI_CXX)
 
 add_library(suture_intrepid2 INTERFACE)
 add_library(suture::intrepid2 ALIAS suture_intrepid2)
-target_link_libraries(suture_intrepid2 INTERFACE suture_trilinos trilinos_intrepid2 trilinos_shards)
+target_link_libraries(suture_intrepid2 INTERFACE suture_trilinos ${intrepid2})
 
 function(suture_find_library target)
   cmake_parse_arguments(ARG "" "HEADER" "LIBRARIES;SUFFIXES" ${ARGN})

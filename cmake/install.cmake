@@ -1,14 +1,22 @@
-# Installation: libsuture.so with its headers, the programs, and what find_package(Suture) needs. A project downstream links Suture::suture
-# and gets Trilinos, MPI and Eigen with it.
+# Installation in components. runtime: libsuture.so, the programs, guide and scenes; dev: headers and what find_package(Suture) and pkg-config
+# need; python: what python/ installs with COMPONENT python. A project downstream links Suture::suture and gets Trilinos, MPI and Eigen with it.
 include(CMakePackageConfigHelpers)
+
+if(CMAKE_INSTALL_DOCDIR STREQUAL "${CMAKE_INSTALL_DATAROOTDIR}/doc/${PROJECT_NAME}")
+  set(CMAKE_INSTALL_DOCDIR ${CMAKE_INSTALL_DATAROOTDIR}/doc/suture)
+endif()
+set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME runtime)
 
 set(SUTURE_CONFIG_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/Suture)
 foreach(target options trilinos eigen)
   set_target_properties(suture_${target} PROPERTIES EXPORT_NAME ${target})
 endforeach()
-install(TARGETS suture suture_options suture_trilinos suture_eigen EXPORT SutureTargets)
-install(EXPORT SutureTargets NAMESPACE Suture:: DESTINATION ${SUTURE_CONFIG_DIR})
-install(DIRECTORY ${CMAKE_SOURCE_DIR}/packages/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/suture FILES_MATCHING PATTERN "*.hpp")
+install(TARGETS suture suture_options suture_trilinos suture_eigen EXPORT SutureTargets LIBRARY COMPONENT runtime NAMELINK_COMPONENT dev)
+install(EXPORT SutureTargets NAMESPACE Suture:: DESTINATION ${SUTURE_CONFIG_DIR} COMPONENT dev)
+# Beside the headers of base, so that sources of this tree include it in the same way.
+configure_file(${CMAKE_SOURCE_DIR}/cmake/Version.hpp.in ${CMAKE_BINARY_DIR}/include/base/suture/Version.hpp @ONLY)
+install(FILES ${CMAKE_BINARY_DIR}/include/base/suture/Version.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/suture COMPONENT dev)
+install(DIRECTORY ${CMAKE_SOURCE_DIR}/packages/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/suture COMPONENT dev FILES_MATCHING PATTERN "*.hpp")
 
 # The programs find the library beside themselves, wherever the folder is moved to.
 file(RELATIVE_PATH suture_bin_to_lib /${CMAKE_INSTALL_BINDIR} /${CMAKE_INSTALL_LIBDIR})
@@ -31,9 +39,12 @@ endif()
 foreach(program suture_solve suture_study suture_partition suture_schema suture_new suture_plot suture_study_plot suture_convert)
   install(FILES ${CMAKE_SOURCE_DIR}/drivers/completion/suture.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME ${program})
 endforeach()
-install(FILES ${CMAKE_SOURCE_DIR}/LICENSE ${CMAKE_SOURCE_DIR}/README.md ${CMAKE_SOURCE_DIR}/CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 configure_package_config_file(${CMAKE_SOURCE_DIR}/cmake/SutureConfig.cmake.in ${CMAKE_BINARY_DIR}/SutureConfig.cmake
   INSTALL_DESTINATION ${SUTURE_CONFIG_DIR} NO_SET_AND_CHECK_MACRO)
 write_basic_package_version_file(${CMAKE_BINARY_DIR}/SutureConfigVersion.cmake COMPATIBILITY SameMinorVersion)
-install(FILES ${CMAKE_BINARY_DIR}/SutureConfig.cmake ${CMAKE_BINARY_DIR}/SutureConfigVersion.cmake DESTINATION ${SUTURE_CONFIG_DIR})
+install(FILES ${CMAKE_BINARY_DIR}/SutureConfig.cmake ${CMAKE_BINARY_DIR}/SutureConfigVersion.cmake DESTINATION ${SUTURE_CONFIG_DIR} COMPONENT dev)
+
+include(cmake/pkgconfig.cmake)
+include(cmake/documents.cmake)
+include(cmake/cpack.cmake)

@@ -1,0 +1,68 @@
+#!/bin/sh
+# The packages on a bare Debian 12: install, solve and draw the tunnel, build projects of others from the packages alone, remove.
+#   sudo sh packaging/deb/check.sh PACKAGES ROOT
+# PACKAGES is the folder of the .deb files (build/packages_deb), ROOT a folder for the bare system, made by debootstrap if it does not exist.
+# Needs root, debootstrap and the archive of Debian (MIRROR, http://deb.debian.org/debian). Prints the commands inside the bare system; leaves
+# the pictures in ROOT/root/tunnel_out.
+set -eu
+[ $# -eq 2 ] && [ -d "$1" ] || { echo "usage: sh packaging/deb/check.sh PACKAGES ROOT" >&2; exit 2; }
+[ "$(id -u)" -eq 0 ] || { echo "check.sh: debootstrap and chroot need root" >&2; exit 5; }
+source=$(CDPATH='' cd -- "$(dirname -- "$0")/../.." && pwd)
+packages=$1
+root=$2
+
+if [ ! -d "$root" ]; then
+  debootstrap --variant=minbase bookworm "$root" "${MIRROR:-http://deb.debian.org/debian}" >"$root.log" || { tail "$root.log" >&2; exit 5; }
+  rm -f "$root/etc/apt/sources.list" # those of this machine, not twice
+  cp -a /etc/apt/. "$root/etc/apt/"
+  cp /etc/resolv.conf "$root/etc/"
+fi
+if [ ! -r "$root/proc/self" ]; then
+  mount -t proc proc "$root/proc"
+  trap 'umount "$root/proc"' EXIT
+fi
+
+# The command as somebody would type it, its output, and a failure where it fails.
+inside() {
+  echo "# $1"
+  chroot "$root" /usr/bin/env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LANG=C.UTF-8 DEBIAN_FRONTEND=noninteractive \
+    OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 HWLOC_HIDE_ERRORS=2 sh -c "cd /root && $1" </dev/null
+}
+# The same for a command that must print something.
+prints() {
+  inside "$1" >"$root/root/printed" 2>&1 || { cat "$root/root/printed"; exit 1; }
+  cat "$root/root/printed"
+  grep -q "$2" "$root/root/printed" || { echo "check.sh: expected '$2'" >&2; exit 1; }
+}
+
+rm -rf "$root/root/tunnel_out" "$root/root/projects"
+cp "$packages"/suture*.deb "$root/root/"
+inside "apt-get update -q"
+
+echo "== Two commands to a picture"
+inside "apt-get install -y -q --no-install-recommends ./suture_*.deb"
+prints "suture_solve /usr/share/suture/input/tunnel/tunnel.xml --output tunnel_out && suture_plot tunnel_out" "87 of 89 pairs closed"
+[ -s "$root/root/tunnel_out/principal_stress.png" ] || { echo "check.sh: there is no picture of the stresses" >&2; exit 1; }
+prints "mpirun --oversubscribe -np 2 suture_solve /usr/share/suture/input/tunnel/tunnel.xml --output tunnel_2_out" "87 of 89 pairs closed"
+prints "ldd /usr/bin/suture_solve /usr/lib/suture/suture_mesher | grep -c 'not found' || true" "^0$"
+
+echo "== Projects of others, from the packages alone"
+inside "apt-get install -y -q --no-install-recommends ./suture-dev_*.deb g++ cmake make pkg-config"
+mkdir -p "$root/root/projects"
+cp -R "$source/test/install/downstream" "$source/test/install/pkgconfig" "$root/root/projects/"
+for project in projects/downstream /usr/share/suture/drivers/examples/weighting; do
+  name=$(basename "$project")
+  inside "cmake -S $project -B projects/build_$name >projects/$name.log && cmake --build projects/build_$name"
+done
+prints "projects/build_downstream/downstream" "largest relative error of the contact pressure"
+prints "suture_solve /usr/share/suture/input/tunnel/tunnel.xml --output weighted_out --plugin projects/build_weighting/tempered_weighting.so \
+--set 'Preconditioner/Neumann-Neumann/Weighting=Tempered Stiffness' --set 'Preconditioner/Type=Neumann-Neumann' --set 'Formulation=Condensed Groups'" "87 of 89 pairs closed"
+inside 'c++ -std=c++17 projects/pkgconfig/versions.cpp -o projects/versions $(pkg-config --cflags --libs suture)'
+prints "projects/versions" "^0"
+inside 'c++ -std=c++17 /usr/share/suture/drivers/examples/embedding/TwoBlocks.cpp -o projects/two_blocks $(pkg-config --cflags --libs suture)'
+prints "mpirun --oversubscribe -np 2 projects/two_blocks" "17 pairs, pressures from 100000 to 100000 Pa"
+
+echo "== Removed"
+inside "apt-get purge -y -q suture suture-dev"
+prints "find /usr /etc /opt -name '*suture*' | grep -c . || true" "^0$"
+echo "check.sh: all of it holds; pictures in $root/root/tunnel_out"
