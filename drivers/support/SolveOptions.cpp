@@ -28,9 +28,10 @@ std::optional<int> SolveOptions::parse(int argc, char* argv[]) {
                                          "Make the run of a summary.json again, in place of SCENE, and compare the results; --output is by "
                                          "default its folder with '_again'")
                               ->type_name("FILE");
-    for (CLI::Option* other : {file, set, from, look, print, plugin, severe}) repeat->excludes(other);
-    app.callback([this] {
+    app.callback([=] {
       if (scene.empty() && again.empty()) throw CLI::RequiredError("SCENE");
+      for (const CLI::Option* other : {file, set, from, look, print, plugin, severe})
+        if (!again.empty() && other->count() > 0) throw CLI::ExcludesError(other->get_name(), repeat->get_name());
     });
   };
   const auto end = parseCommandLine(argc, argv, "suture_solve",

@@ -1,4 +1,5 @@
 #include <suture/base/Errors.hpp>
+#include <suture/base/Numbers.hpp>
 #include <suture/quality/Findings.hpp>
 #include <suture/report/Comparison.hpp>
 #include <suture/report/Format.hpp>
@@ -38,6 +39,12 @@ double normOf(const std::vector<double>& vector) {
 /// The larger of what is known.
 double larger(double a, double b) { return std::isnan(a) ? b : std::isnan(b) ? a : std::max(a, b); }
 
+/// Outer Solver/Tolerance: a number, in files a word or a number; NaN where it is automatic.
+double askedTolerance(const Json& run) {
+  const Json value = run.at("parameters").value("Outer Solver", Json::object()).value("Tolerance", Json());
+  return value.is_string() ? parseReal(value.get<std::string>()).value_or(kUnknown) : numberOf(value);
+}
+
 /// Figures of a summary that are scales of others.
 struct SummaryScales {
   double force = 0.0, displacement = 0.0, gap = 0.0, stress = 0.0, tolerance = 0.0;
@@ -49,11 +56,9 @@ struct SummaryScales {
     gap = larger(displacement, numberOf(run.at("contact").at("max_gap")));
     stress =
         larger(larger(stress, numberOf(run.at("extremes").at("von_mises").at("value"))), numberOf(run.at("contact").at("max_pressure")));
-    const Json& solver = run.at("parameters").value("Outer Solver", Json::object());
-    tolerance = larger(tolerance, numberOf(solver.value("Tolerance", Json())));
-    tolerance = larger(tolerance, numberOf(run.at("outer").at("residual")));
-    if (!solver.value("Tolerance", Json()).is_number())
-      tolerance = larger(tolerance, numberOf(run.at("error").value("algebraic_energy_norm_relative", Json())));
+    const double asked = askedTolerance(run);
+    tolerance = larger(larger(tolerance, asked), numberOf(run.at("outer").at("residual")));
+    if (std::isnan(asked)) tolerance = larger(tolerance, numberOf(run.at("error").value("algebraic_energy_norm_relative", Json())));
   }
   SummaryScales(const SummaryScales& a, const SummaryScales& b)
       : force(larger(a.force, b.force)),

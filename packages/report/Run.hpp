@@ -4,8 +4,8 @@
 #include <suture/constraints/Constraints.hpp>
 #include <suture/elasticity/ElasticModel.hpp>
 #include <suture/partition/SubdomainMesh.hpp>
+#include <suture/report/Invocation.hpp>
 #include <suture/report/RunMonitor.hpp>
-#include <suture/report/RunRecord.hpp>
 #include <suture/report/Steps.hpp>
 #include <suture/solver/ProblemSize.hpp>
 #include <suture/solver/Solution.hpp>

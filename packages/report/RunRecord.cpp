@@ -8,12 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cerrno>
-#include <cstdint>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
@@ -24,23 +19,6 @@ namespace {
 
 constexpr std::uintmax_t kLargestSummary = 1u << 30;
 constexpr std::size_t kMostDifferences = 20;
-
-std::string bytesOfFile(const std::string& path, const std::string& expected) {
-  std::error_code ignored;
-  if (fs::exists(path, ignored) && !fs::is_regular_file(path, ignored)) throw InputError(path, "is no regular file; expected " + expected);
-  errno = 0;
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream bytes;
-  if (file) bytes << file.rdbuf();
-  if (!file) throw InputError(path, std::string("cannot be read: ") + std::strerror(errno != 0 ? errno : ENOENT));
-  return bytes.str();
-}
-
-std::string absolutePath(const std::string& path) {
-  std::error_code error;
-  const fs::path found = fs::absolute(path, error);
-  return error ? path : found.lexically_normal().string();
-}
 
 Json jsonOf(const UsedFile& file) { return file.path.empty() ? Json() : Json{{"path", file.path}, {"hash", file.hash}}; }
 
@@ -113,14 +91,6 @@ RunRecord recordOf(const std::string& path, const std::string& text) {
 }
 
 }  // namespace
-
-std::string hashOf(const std::string& bytes) {
-  std::uint64_t hash = 14695981039346656037u;
-  for (const char byte : bytes) hash = (hash ^ static_cast<unsigned char>(byte)) * 1099511628211u;
-  return format("%016llx", static_cast<unsigned long long>(hash));
-}
-
-UsedFile usedFile(const std::string& path) { return {absolutePath(path), hashOf(bytesOfFile(path, "a file"))}; }
 
 Json recordJson(const SceneFile& scene, const Invocation& invocation) {
   std::error_code ignored;

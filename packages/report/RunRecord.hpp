@@ -1,6 +1,7 @@
 #pragma once
 #include <suture/base/Types.hpp>
 #include <suture/base/scene/SceneReader.hpp>
+#include <suture/report/Invocation.hpp>
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -8,26 +9,6 @@
 #include <vector>
 
 namespace suture {
-
-/// A file that a run used beside its scene.
-struct UsedFile {
-  std::string path;  ///< absolute; empty: none
-  std::string hash;  ///< hexadecimal, of its bytes
-};
-
-/// How a run was started, beside its scene file and the assignments in it.
-struct Invocation {
-  std::vector<std::string> commandLine{};
-  std::vector<UsedFile> plugins{};
-  UsedFile restart{};  ///< checkpoint that it went on from
-  bool strict = false;
-};
-
-/// Hexadecimal hash of bytes (FNV-1a, 64 bits): tells whether a file has changed, and withstands no forger. Local.
-std::string hashOf(const std::string& bytes);
-
-/// A file with the hash of its bytes. Local. \throws InputError  it cannot be read
-UsedFile usedFile(const std::string& path);
 
 /// `record` of summary.json: what starts the run once more. A scene that is no file is null. Local.
 nlohmann::ordered_json recordJson(const SceneFile& scene, const Invocation& invocation);

@@ -8,6 +8,7 @@
 #include <suture/report/Figures.hpp>
 #include <suture/report/OutputFolder.hpp>
 #include <suture/report/ParametersJson.hpp>
+#include <suture/report/RunRecord.hpp>
 #include <suture/report/Summary.hpp>
 #include <suture/report/answers/Answers.hpp>
 
