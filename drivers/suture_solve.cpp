@@ -9,6 +9,7 @@
 #include "support/Heartbeat.hpp"
 #include "support/Print.hpp"
 #include "support/Program.hpp"
+#include "support/SolveAgain.hpp"
 #include "support/SolveScene.hpp"
 #include "support/StopSignals.hpp"
 
@@ -22,10 +23,13 @@ RunResult solveScene(const CommPtr& comm, const SolveOptions& options) {
   listenForStop(monitor);
   const SceneFile file = timed(timers, "read", [&] { return readScene(*comm, options.scene, sceneSchema(), options.overrides); });
   if (options.printDefaults) return printDefaults(*comm, file);
+  sameScene(options, file, monitor);
+  const Invocation invocation = options.invocation(*comm);
   Simulation simulation(comm, sceneOf(file), monitor, timers);
   if (!options.check) simulation.writeInto(outputFolder(file));
   simulation.read();
   simulation.cut();
+  sameMesh(*comm, options, simulation);
   simulation.check();
   simulation.prepare();
   printSizes(*comm, simulation, options);
@@ -40,7 +44,7 @@ RunResult solveScene(const CommPtr& comm, const SolveOptions& options) {
   if (simulation.solution().stopped) stopIsHeard();
   simulation.judge();
   stopIsHeard();
-  const RunResult result = simulation.report(options.commandLine);
+  const RunResult result = simulation.report(invocation);
   monitor.repeatWarnings();
   printFailure(*comm, simulation, options);
   return result;

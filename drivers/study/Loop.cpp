@@ -47,6 +47,7 @@ SolveOptions optionsOf(const Combination& run, const Options& options) {
   own.scene = run.scene;
   own.overrides = run.overrides;
   own.overrides.push_back("Output/Folder=" + folderOf(run, options));
+  own.plugins = options.plugins;
   own.quiet = true;
   own.commandLine = options.commandLine;
   return own;

@@ -48,8 +48,8 @@ std::optional<int> parseCommandLine(int argc, char* argv[], const std::string& n
   return 0;
 }
 
-void addSetOption(CLI::App& app, std::vector<std::string>& assignments, const std::string& meaning) {
-  app.add_option("--set", assignments, meaning + "; may be repeated")
+CLI::Option* addSetOption(CLI::App& app, std::vector<std::string>& assignments, const std::string& meaning) {
+  return app.add_option("--set", assignments, meaning + "; may be repeated")
       ->type_name("PATH=VALUE")
       ->allow_extra_args(false)
       ->check([](const std::string& text) {
@@ -57,8 +57,8 @@ void addSetOption(CLI::App& app, std::vector<std::string>& assignments, const st
       });
 }
 
-void addPluginOption(CLI::App& app, std::vector<std::string>& plugins) {
-  app.add_option("--plugin", plugins, "Load a library with strategies of your own; may be repeated")
+CLI::Option* addPluginOption(CLI::App& app, std::vector<std::string>& plugins) {
+  return app.add_option("--plugin", plugins, "Load a library with strategies of your own; may be repeated")
       ->type_name("LIB.so")
       ->allow_extra_args(false);
 }

@@ -7,6 +7,7 @@
 // CLI11 is expensive: only the sources that name options include it.
 namespace CLI {
 class App;
+class Option;
 }
 
 namespace suture {
@@ -20,9 +21,9 @@ std::optional<int> parseCommandLine(int argc, char* argv[], const std::string& n
 
 /// `--set PATH=VALUE`, as often as one likes. Without '=' it is refused.
 /// \param meaning  for --help: what the values change
-void addSetOption(CLI::App& app, std::vector<std::string>& assignments, const std::string& meaning);
+CLI::Option* addSetOption(CLI::App& app, std::vector<std::string>& assignments, const std::string& meaning);
 
 /// `--plugin LIB.so`, as often as one likes: for loadPlugins().
-void addPluginOption(CLI::App& app, std::vector<std::string>& plugins);
+CLI::Option* addPluginOption(CLI::App& app, std::vector<std::string>& plugins);
 
 }  // namespace suture

@@ -2,6 +2,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include <suture/base/Collective.hpp>
+
 #include "CommandLine.hpp"
 
 namespace suture {
@@ -10,23 +12,43 @@ std::optional<int> SolveOptions::parse(int argc, char* argv[]) {
   commandLine.assign(argv, argv + argc);
   std::string output;
   const auto describe = [&](CLI::App& app) {
-    app.add_option("SCENE", scene, "Scene file (XML); 'suture_schema' documents it")->required()->type_name("FILE");
-    addSetOption(app, overrides, "Change a parameter, e.g. --set \"Outer Solver/Tolerance=1e-9\"");
+    CLI::Option* file = app.add_option("SCENE", scene, "Scene file (XML); 'suture_schema' documents it")->type_name("FILE");
+    CLI::Option* set = addSetOption(app, overrides, "Change a parameter, e.g. --set \"Outer Solver/Tolerance=1e-9\"");
     app.add_option("--output", output, "Output folder, instead of the scene's Output/Folder")->type_name("DIR");
-    app.add_option("--restart", restart,
-                   "Start from the checkpoint.h5 of a run of this mesh: one that did not end, or an earlier load step")
-        ->type_name("FILE");
-    app.add_flag("--check", check, "Read everything, cut the mesh, print the sizes, solve nothing");
-    app.add_flag("--print-defaults", printDefaults, "Print the scene with all defaults filled in and stop");
+    CLI::Option* from = app.add_option("--restart", restart,
+                                       "Start from the checkpoint.h5 of a run of this mesh: one that did not end, or an earlier load step")
+                            ->type_name("FILE");
+    CLI::Option* look = app.add_flag("--check", check, "Read everything, cut the mesh, print the sizes, solve nothing");
+    CLI::Option* print = app.add_flag("--print-defaults", printDefaults, "Print the scene with all defaults filled in and stop");
     CLI::Option* silent = app.add_flag("--quiet", quiet, "Print errors only");
     app.add_flag("--verbose", verbose, "Print the inner iterations, too")->excludes(silent);
-    addPluginOption(app, plugins);
-    app.add_flag("--strict", strict, "Treat warnings (something repaired or assumed for you) as errors");
+    CLI::Option* plugin = addPluginOption(app, plugins);
+    CLI::Option* severe = app.add_flag("--strict", strict, "Treat warnings (something repaired or assumed for you) as errors");
+    CLI::Option* repeat = app.add_option("--again", again,
+                                         "Make the run of a summary.json again, in place of SCENE, and compare the results; --output is by "
+                                         "default its folder with '_again'")
+                              ->type_name("FILE");
+    app.callback([=] {
+      if (scene.empty() && again.empty()) throw CLI::RequiredError("SCENE");
+      for (const CLI::Option* other : {file, set, from, look, print, plugin, severe})
+        if (!again.empty() && other->count() > 0) throw CLI::ExcludesError(other->get_name(), repeat->get_name());
+    });
   };
   const auto end = parseCommandLine(argc, argv, "suture_solve",
                                     "Equilibrium of elastic bodies in unilateral contact, by domain decomposition.", describe);
   if (!output.empty()) overrides.push_back("Output/Folder=" + output);
   return end;
+}
+
+Invocation SolveOptions::invocation(const Comm& comm) const {
+  const auto used = [&](const std::string& path) {
+    const UsedFile file = onRoot(comm, "reading " + path, [&] { return usedFile(path); });
+    return UsedFile{broadcast(comm, file.path), broadcast(comm, file.hash)};
+  };
+  Invocation all{commandLine, {}, {}, strict};
+  for (const std::string& plugin : plugins) all.plugins.push_back(used(plugin));
+  if (!restart.empty()) all.restart = used(restart);
+  return all;
 }
 
 }  // namespace suture

@@ -66,7 +66,7 @@ void writeProvenance(const Run& run, Hdf5File& file) {
   file.write("/Record/Version", version());
   file.write("/Record/Commit", commit());
   file.write("/Record/Libraries", libraries.dump());
-  file.write("/Record/CommandLine", joined(run.commandLine));
+  file.write("/Record/CommandLine", joined(run.invocation.commandLine));
 }
 
 std::vector<std::string> materialNames(const ElasticModel& model) {

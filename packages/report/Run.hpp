@@ -4,6 +4,7 @@
 #include <suture/constraints/Constraints.hpp>
 #include <suture/elasticity/ElasticModel.hpp>
 #include <suture/partition/SubdomainMesh.hpp>
+#include <suture/report/Invocation.hpp>
 #include <suture/report/RunMonitor.hpp>
 #include <suture/report/Steps.hpp>
 #include <suture/solver/ProblemSize.hpp>
@@ -26,7 +27,7 @@ struct Run {
   const RunMonitor& monitor;
   Timers& timers;
   std::string meshHash;  ///< on rank 0
-  std::vector<std::string> commandLine;
+  Invocation invocation;
   std::string folder;                     ///< output folder
   std::vector<std::string> conditions{};  ///< names of boundary conditions as Support::condition numbers them, on rank 0
   std::vector<std::string> contacts{};    ///< names of contact lines

@@ -8,6 +8,7 @@
 #include <suture/report/Figures.hpp>
 #include <suture/report/OutputFolder.hpp>
 #include <suture/report/ParametersJson.hpp>
+#include <suture/report/RunRecord.hpp>
 #include <suture/report/Summary.hpp>
 #include <suture/report/answers/Answers.hpp>
 
@@ -15,6 +16,9 @@ using Json = nlohmann::ordered_json;
 
 namespace suture {
 namespace {
+
+// Version of the columns of all tables; each has its own in summary.json, and in doc/schema.
+constexpr int kTableVersion = 1;
 
 Json components(const Point& vector, int dimension) {
   Json all = Json::array();
@@ -162,7 +166,10 @@ std::string summaryText(const Run& run, const RunFigures& figures, ExitCode code
     Json versions = {{"suture", version()}, {"commit", commit()}};
     for (const auto& [library, number] : libraryVersions()) versions[library] = number;
 
+    Json tables = Json::object();
+    for (const char* table : {"history", "steps", "contact", "reactions", "probe"}) tables[table] = kTableVersion;
     Json summary = {
+        {"format", {{"name", RunRecord::kName}, {"version", RunRecord::kVersion}, {"tables", tables}}},
         {"title", textOf(parameters, "Title")},
         {"scene", run.scene.path},
         {"units", textOf(parameters, "Units")},
@@ -204,7 +211,8 @@ std::string summaryText(const Run& run, const RunFigures& figures, ExitCode code
         {"schur_complements", answer.chosenSchur},
         {"peak_memory_mb", {{"min", memory.min}, {"avg", memory.avg}, {"max", memory.max}, {"sum", memory.sum}}},
         {"mesh_hash", run.meshHash},
-        {"command_line", run.commandLine},
+        {"command_line", run.invocation.commandLine},
+        {"record", recordJson(run.scene, run.invocation)},
         {"versions", versions},
         {"parameters", toJson(parameters)},
     };

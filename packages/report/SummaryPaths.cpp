@@ -5,6 +5,9 @@ namespace suture {
 // Beside the writer, not taken from it: a study must know its columns before the first run. A test compares the two.
 const std::vector<std::string>& summaryPaths() {
   static const std::vector<std::string> paths{
+      "format.name",
+      "format.version",
+      "format.tables.<table>",
       "title",
       "scene",
       "units",
@@ -129,6 +132,14 @@ const std::vector<std::string>& summaryPaths() {
       "peak_memory_mb.sum",
       "mesh_hash",
       "command_line.<number>",
+      "record.scene.path",
+      "record.scene.hash",
+      "record.overrides.<number>",
+      "record.plugins.<number>.path",
+      "record.plugins.<number>.hash",
+      "record.restart.path",
+      "record.restart.hash",
+      "record.strict",
       "versions.<name>",
       "parameters.<path>",
   };

@@ -172,7 +172,7 @@ Method::Keep Simulation::checkpoints() {
   };
 }
 
-Run Simulation::run(const Solution& solution, const std::vector<std::string>& commandLine) const {
+Run Simulation::run(const Solution& solution, const Invocation& invocation) const {
   return {*comm_,
           scene_.file,
           scene_.model,
@@ -183,19 +183,19 @@ Run Simulation::run(const Solution& solution, const std::vector<std::string>& co
           monitor_,
           timers_,
           cut_.whole.hash,
-          commandLine,
+          invocation,
           folder_,
           cut_.whole.conditions,
           scene_.contacts,
           path_ ? path_->rows : std::vector<StepRow>()};
 }
 
-std::string Simulation::summary(const std::vector<std::string>& commandLine) const {
-  const Run run = this->run(solution_, commandLine);
+std::string Simulation::summary(const Invocation& invocation) const {
+  const Run run = this->run(solution_, invocation);
   return summaryText(run, runFigures(run), ending());
 }
 
-RunResult Simulation::report(const std::vector<std::string>& commandLine) {
+RunResult Simulation::report(const Invocation& invocation) {
   if (!output_) throw InternalError("a simulation reports without a folder: writeInto() comes first");
   giveBackFreedMemory();  // for the files
   const ExitCode code = ending();
@@ -203,7 +203,7 @@ RunResult Simulation::report(const std::vector<std::string>& commandLine) {
   // First: who asked for the stop may not wait for the rest.
   const bool isKept = followsPath() && !path_->rows.empty();  // that of the last step
   if (!isKept && (code != ExitCode::Done || output.get<bool>("Checkpoint"))) writeState(solution_);
-  const Run run = this->run(solution_, commandLine);
+  const Run run = this->run(solution_, invocation);
   const Written written = writeReport(run, code);
   if (!isKept && code == ExitCode::Done && !output.get<bool>("Checkpoint") && output.get<double>("Checkpoint Every") > 0.0 &&
       comm_->getRank() == 0) {

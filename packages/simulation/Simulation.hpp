@@ -65,15 +65,16 @@ class Simulation {
   /// Settles what the solution leaves free, measures its errors, verifies it. The last stage that computes: it frees what was factored.
   void judge();
   /// Writes the results, and the last lines of the monitor's console.
-  /// \param commandLine  for the record
-  RunResult report(const std::vector<std::string>& commandLine = {});
+  /// \param invocation  for the record
+  RunResult report(const Invocation& invocation = {});
   /// Text of summary.json on rank 0, elsewhere nothing; after judge(). Nothing is written.
-  std::string summary(const std::vector<std::string>& commandLine = {}) const;
+  std::string summary(const Invocation& invocation = {}) const;
 
   const Scene& scene() const { return scene_; }
   const Mesh& mesh() const { return mesh_; }                                ///< on rank 0, from read() to prepare()
   const Constraints& constraints() const { return constraints_; }           ///< likewise
   const std::vector<SubdomainMesh>& meshes() const { return cut_.meshes; }  ///< subdomains of this rank, after cut()
+  const std::string& meshHash() const { return cut_.whole.hash; }           ///< on rank 0, after cut()
   const ProblemSize& size() const { return size_; }                         ///< after prepare()
   double megabytes() const { return megabytes_; }                           ///< memory for all ranks, estimated; after check()
   const Solution& solution() const { return solution_; }                    ///< after iterate()
@@ -89,7 +90,7 @@ class Simulation {
   void writeState(const Solution& solution) const;
   std::unique_ptr<Method> preparedMethod();
   void judge(Solution& solution, const Subdomains& subdomains);
-  Run run(const Solution& solution, const std::vector<std::string>& commandLine = {}) const;
+  Run run(const Solution& solution, const Invocation& invocation = {}) const;
 
   bool followsPath() const { return path_ && !scene_.isOneStep; }
   void followPath();

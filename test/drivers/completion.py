@@ -26,6 +26,8 @@ def expect(words, found):
 
 expect(("suture_solve", "--qu"), ["--quiet"])
 expect(("suture_solve", "scene.xml", "--re"), ["--restart"])
+expect(("suture_solve", "--ag"), ["--again"])
+expect(("suture_solve", "--again", "sut"), ["suture.bash"])
 expect(("suture_partition", "--no"), ["--no-cut"])
 expect(("suture_schema", "--format", "m"), ["markdown"])
 expect(("suture_schema", "--format", ""), ["text", "xml", "markdown"])

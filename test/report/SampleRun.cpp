@@ -46,7 +46,7 @@ suture::Run SampleRun::run() {
           monitor_,
           timers_,
           "abcd",
-          {"suture_solve", "scene.xml", "--set", "Outer Solver/Type=Chord"},
+          {{"suture_solve", "scene.xml", "--set", "Outer Solver/Type=Chord"}},
           folder_,
           {"floor, below"},
           {"joint", "crack"}};

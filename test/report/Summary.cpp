@@ -105,8 +105,13 @@ TEUCHOS_UNIT_TEST(Summary, NamesEveryPathThatItWritesAndNoOther) {
   sample.solution_.errors["displacement_l2"] = 1e-5;
   sample.solution_.neutral = {{"left", "move (1, 0)", true, true}};
   sample.rub();
+  sample.scene_.path = SUTURE_SOURCE_DIR "/README.md";  // any file: the record of a scene that is none is null
+  sample.scene_.overrides = {"Title=other"};
   prepareFolder(*sample.comm_, sample.folder_);
-  writeSummary(sample.run(), runFigures(sample.run()), ExitCode::Done, sample.folder_ + "/summary.json");
+  Run run = sample.run();
+  run.invocation.plugins = {{"/some/plugin.so", "0123456789abcdef"}};
+  run.invocation.restart = {"/some/checkpoint.h5", "0123456789abcdef"};
+  writeSummary(run, runFigures(run), ExitCode::Done, sample.folder_ + "/summary.json");
   std::vector<std::string> written;
   leaves(readJson(sample.folder_ + "/summary.json"), "", written);
   const std::set<std::string> mayBeAbsent{"notes.<number>"};  // empty in this run

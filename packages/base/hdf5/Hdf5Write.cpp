@@ -15,7 +15,6 @@ namespace suture {
 using namespace hdf5;
 
 namespace {
-
 // Ranks write their rows in pieces, each when it is ready. Linux caches a large write in large pages, whose first touch is slow on virtual
 // machines that give free memory back to their host: 190 MB take 0.05 s in pieces of 1 MiB, 0.7 s in pieces of 16.
 constexpr std::size_t kPieceBytes = 1 << 20;
@@ -23,6 +22,13 @@ constexpr std::size_t kPieceBytes = 1 << 20;
 Id createGroupsOnTheWay() {
   const Id list = H5Pcreate(H5P_LINK_CREATE);
   H5Pset_create_intermediate_group(list, 1);
+  return list;
+}
+
+// Without the time at which it is made: two equal runs write equal files.
+Id datasetWithoutTime() {
+  const Id list = H5Pcreate(H5P_DATASET_CREATE);
+  H5Pset_obj_track_times(list, false);
   return list;
 }
 
@@ -202,7 +208,7 @@ Hdf5Rows<T> Hdf5File::rows(const std::string& path, GlobalId mine, int component
   my.writeOnRoot(path, [&] {
     const hsize_t all[2] = {place.second, static_cast<hsize_t>(components)};
     const Handle space(H5Screate_simple(components == 1 ? 1 : 2, all, nullptr), H5Sclose), links(createGroupsOnTheWay(), H5Pclose);
-    const Handle layout(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+    const Handle layout(datasetWithoutTime(), H5Pclose);
     // Contiguous, at a place that is known now, and not filled by HDF5: ranks write there themselves.
     checked(H5Pset_alloc_time(layout, H5D_ALLOC_TIME_EARLY));
     checked(H5Pset_fill_time(layout, H5D_FILL_TIME_NEVER));
@@ -237,11 +243,8 @@ template Hdf5Rows<GlobalId> Hdf5File::rows(const std::string&, GlobalId, int);
 template Hdf5Rows<unsigned char> Hdf5File::rows(const std::string&, GlobalId, int);
 
 void Hdf5File::write(const std::string& path, const std::vector<double>& values, int components) { writeAll(path, values, components); }
-
 void Hdf5File::write(const std::string& path, const std::vector<int>& values, int components) { writeAll(path, values, components); }
-
 void Hdf5File::write(const std::string& path, const std::vector<GlobalId>& values, int components) { writeAll(path, values, components); }
-
 void Hdf5File::write(const std::string& path, const std::vector<unsigned char>& values, int components) {
   writeAll(path, values, components);
 }
@@ -250,10 +253,9 @@ void Hdf5File::write(const std::string& path, const std::string& text) {
   impl_->claim(path, true);
   impl_->keep(
       [path, text](hid_t file) {
-        const Handle links(createGroupsOnTheWay(), H5Pclose);
-        const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
-        const Handle type(variableText(), H5Tclose);
-        const Handle set(H5Dcreate2(file, path.c_str(), type, space, links, H5P_DEFAULT, H5P_DEFAULT), H5Dclose);
+        const Handle links(createGroupsOnTheWay(), H5Pclose), space(H5Screate(H5S_SCALAR), H5Sclose);
+        const Handle type(variableText(), H5Tclose), layout(datasetWithoutTime(), H5Pclose);
+        const Handle set(H5Dcreate2(file, path.c_str(), type, space, links, layout, H5P_DEFAULT), H5Dclose);
         const char* data = text.c_str();
         checked(H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, &data));
       },
@@ -270,9 +272,9 @@ void Hdf5File::write(const std::string& path, const std::vector<std::string>& te
         for (const std::string& text : texts) data.push_back(text.c_str());
         const hsize_t count = data.size();
         const Handle links(createGroupsOnTheWay(), H5Pclose), space(H5Screate_simple(1, &count, nullptr), H5Sclose);
-        const Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
+        const Handle type(H5Tcopy(H5T_C_S1), H5Tclose), layout(datasetWithoutTime(), H5Pclose);
         checked(H5Tset_size(type, H5T_VARIABLE));
-        const Handle set(H5Dcreate2(file, path.c_str(), type, space, links, H5P_DEFAULT, H5P_DEFAULT), H5Dclose);
+        const Handle set(H5Dcreate2(file, path.c_str(), type, space, links, layout, H5P_DEFAULT), H5Dclose);
         // Texts are converted in a buffer, which HDF5 fills with zeros: a megabyte of them, unless it is told how much it needs.
         const Handle transfer(H5Pcreate(H5P_DATASET_XFER), H5Pclose);
         checked(H5Pset_buffer(transfer, 1024, nullptr, nullptr));
@@ -283,8 +285,7 @@ void Hdf5File::write(const std::string& path, const std::vector<std::string>& te
 
 void Hdf5File::attribute(const std::string& path, const std::string& name, const std::string& text) {
   impl_->addAttribute(path, name, text.size(), [name, text](hid_t object) {
-    const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
-    const Handle type(variableText(), H5Tclose);
+    const Handle space(H5Screate(H5S_SCALAR), H5Sclose), type(variableText(), H5Tclose);
     const Handle attribute(H5Acreate2(object, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
     const char* data = text.c_str();
     checked(H5Awrite(attribute, type, &data));
@@ -293,8 +294,7 @@ void Hdf5File::attribute(const std::string& path, const std::string& name, const
 
 void Hdf5File::fixedAttribute(const std::string& path, const std::string& name, const std::string& text) {
   impl_->addAttribute(path, name, text.size(), [name, text](hid_t object) {
-    const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
-    const Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
+    const Handle space(H5Screate(H5S_SCALAR), H5Sclose), type(H5Tcopy(H5T_C_S1), H5Tclose);
     checked(H5Tset_size(type, std::max<std::size_t>(1, text.size())));
     checked(H5Tset_strpad(type, H5T_STR_NULLPAD));
     const Handle attribute(H5Acreate2(object, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);

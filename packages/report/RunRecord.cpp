@@ -1,0 +1,168 @@
+#include <suture/base/Collective.hpp>
+#include <suture/base/Errors.hpp>
+#include <suture/base/Version.hpp>
+#include <suture/report/Format.hpp>
+#include <suture/report/ParametersJson.hpp>
+#include <suture/report/RunRecord.hpp>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+namespace suture {
+
+namespace {
+
+constexpr std::uintmax_t kLargestSummary = 1u << 30;
+constexpr std::size_t kMostDifferences = 20;
+
+Json jsonOf(const UsedFile& file) { return file.path.empty() ? Json() : Json{{"path", file.path}, {"hash", file.hash}}; }
+
+UsedFile usedFileOf(const Json& json) {
+  if (json.is_null()) return {};
+  return {json.at("path").get<std::string>(), json.at("hash").get<std::string>()};
+}
+
+bool isOutputFolder(const std::string& assignment) {
+  std::string path = assignment.substr(0, assignment.find('='));
+  path.erase(std::remove(path.begin(), path.end(), ' '), path.end());
+  return path == "Output/Folder";
+}
+
+/// Parameters of a run that are not those of another: "Path/To/Parameter" and both values.
+void differences(const Json& then, const Json& now, const std::string& path, Problems& problems) {
+  if (path == "Output/Folder" || then == now || problems.list().size() >= kMostDifferences) return;
+  if (!then.is_object() || !now.is_object()) {
+    const auto told = [](const Json& value) {
+      return value.is_discarded() ? std::string("none") : value.dump(-1, ' ', false, Json::error_handler_t::replace);
+    };
+    problems.add(path, told(now) + " in the scene now, " + told(then) + " when the run was made");
+    return;
+  }
+  const Json none(Json::value_t::discarded);
+  const auto below = [&](const std::string& name) { return path.empty() ? name : path + "/" + name; };
+  for (const auto& [name, value] : then.items()) differences(value, now.contains(name) ? now.at(name) : none, below(name), problems);
+  for (const auto& [name, value] : now.items())
+    if (!then.contains(name)) differences(none, value, below(name), problems);
+}
+
+/// \throws InputError  of a summary that cannot be made again
+RunRecord recordOf(const std::string& path, const std::string& text) {
+  const Json all = Json::parse(text, nullptr, false);
+  if (all.is_discarded()) throw InputError(path, "is no JSON; expected the summary.json of a run");
+  const Json format = all.is_object() && all.contains("format") ? all.at("format") : Json();
+  if (!format.is_object() || format.value("name", Json()) != RunRecord::kName) {
+    const bool isOld = all.is_object() && all.contains("converged") && all.contains("mesh_hash") && !all.contains("format");
+    throw InputError(path, isOld ? "the summary of an earlier version of Suture, which does not keep how the run was started; run the "
+                                   "scene anew with this version, then the new summary can be run again"
+                                 : "is no summary of Suture; expected the summary.json of a run");
+  }
+  const Json version = format.value("version", Json());
+  if (version != RunRecord::kVersion)
+    throw InputError(path, "has the format " + version.dump() + "; this version of Suture (" + suture::version() + ") reads the format " +
+                               std::to_string(RunRecord::kVersion) + ": run it again with the Suture that wrote it (" +
+                               all.value("versions", Json::object()).value("suture", "unknown") + ")");
+  RunRecord run;
+  try {
+    const Json& record = all.at("record");
+    if (all.at("exit_code") == int(ExitCode::Stopped))
+      throw InputError(path,
+                       "the run was stopped on request, at a moment that cannot be met again; go on from its checkpoint.h5 with "
+                       "--restart");
+    if (record.at("scene").is_null())
+      throw InputError(path, "the scene of this run, '" + all.at("scene").get<std::string>() +
+                                 "', is no file; the program that made it can run it again");
+    run.scene = usedFileOf(record.at("scene"));
+    for (const Json& assignment : record.at("overrides"))
+      if (!isOutputFolder(assignment.get<std::string>())) run.overrides.push_back(assignment.get<std::string>());
+    for (const Json& plugin : record.at("plugins")) run.plugins.push_back(usedFileOf(plugin));
+    run.restart = usedFileOf(record.at("restart"));
+    run.strict = record.at("strict").get<bool>();
+    run.meshHash = all.at("mesh_hash").get<std::string>();
+    if (!all.at("parameters").is_object()) throw InputError(path, "'parameters' is no object");
+  } catch (const Json::exception& error) {
+    throw InputError(path, std::string("is damaged: ") + error.what());
+  }
+  return run;
+}
+
+}  // namespace
+
+Json recordJson(const SceneFile& scene, const Invocation& invocation) {
+  std::error_code ignored;
+  const bool isFile = fs::is_regular_file(scene.path, ignored);
+  Json plugins = Json::array();
+  for (const UsedFile& plugin : invocation.plugins) plugins.push_back(jsonOf(plugin));
+  return {{"scene", isFile ? jsonOf({absolutePath(scene.path), hashOf(scene.text)}) : Json()},
+          {"overrides", scene.overrides},
+          {"plugins", plugins},
+          {"restart", jsonOf(invocation.restart)},
+          {"strict", invocation.strict}};
+}
+
+std::string RunRecord::folderOfAgain() const { return fs::path(absolutePath(path)).parent_path().string() + "_again"; }
+
+std::vector<std::string> RunRecord::checkFiles() const {
+  std::vector<std::string> notes;
+  Problems problems;
+  const auto hashNow = [&](const UsedFile& file, const std::string& what) {
+    try {
+      return usedFile(file.path).hash;
+    } catch (const InputError& error) {
+      problems.add(what, "'" + file.path + "' " + error.problems().front().message);
+      return file.hash;
+    }
+  };
+  for (const UsedFile& plugin : plugins)
+    if (hashNow(plugin, "--plugin") != plugin.hash) notes.push_back("the plugin '" + plugin.path + "' has changed since the run");
+  if (!restart.path.empty() && hashNow(restart, "--restart") != restart.hash)
+    problems.add("--restart", "'" + restart.path +
+                                  "' has changed since the run began with it; a run writes its own checkpoint.h5 into its "
+                                  "folder: give each run a folder of its own");
+  problems.throwIfAny();
+  return notes;
+}
+
+std::vector<std::string> RunRecord::checkScene(const SceneFile& file) const {
+  if (hashOf(file.text) == scene.hash) return {};
+  Problems problems;
+  differences(Json::parse(text).at("parameters"), toJson(*file.parameters), "", problems);
+  problems.throwIfAny();
+  return {"the scene file has changed since the run, but none of its parameters"};
+}
+
+void RunRecord::checkMesh(const std::string& hash) const {
+  if (hash == meshHash) return;
+  const Json all = Json::parse(text);
+  const Json& mesh = all.at("parameters").value("Mesh", Json::object());
+  const std::string file = mesh.value("File", Json("")).is_string() ? mesh.value("File", "") : "";
+  const std::string gmsh = all.value("versions", Json::object()).value("Gmsh", ""), gmshNow = libraryVersions()["Gmsh"];
+  std::string why = "; the run's mesh cannot be made again";
+  if (!file.empty())
+    why = gmsh != gmshNow ? "; '" + file + "' was read with Gmsh " + gmsh + " then, with " + gmshNow + " now"
+                          : "; '" + file + "', or a file that it includes, has changed";
+  throw InputError("Mesh", "is another mesh than that of the run (hash " + hash + " now, " + meshHash + " then)" + why);
+}
+
+RunRecord readRunRecord(const Comm& comm, const std::string& path) {
+  std::string text, file = path;
+  collectivelyOnRoot(comm, "reading " + path, [&] {
+    std::error_code ignored;
+    if (fs::is_directory(path, ignored)) file = (fs::path(path) / "summary.json").string();
+    if (const auto size = fs::file_size(file, ignored); !ignored && size > kLargestSummary)
+      throw InputError(file, "has " + std::to_string(size) + " bytes; expected the summary.json of a run");
+    text = bytesOfFile(file, "the summary.json of a run");
+  });
+  text = broadcast(comm, text);
+  file = broadcast(comm, file);
+  RunRecord record = recordOf(file, text);  // throws the same on all ranks
+  record.path = file;
+  record.text = text;
+  return record;
+}
+
+}  // namespace suture
