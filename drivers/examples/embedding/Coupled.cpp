@@ -3,8 +3,8 @@
 //
 //        chamber of height 0.05, p = gas / height        the other program: GasChamber
 //     ---------------------------------------------      forces down, displacements up
-//     |  upper, on springs of 2e5 Pa/m            |
-//     ---------------------------------------------      gap 0.01: contact opens and closes
+//     |  upper                                    |
+//     ---------------------------------------------      on springs of 2e5 Pa/m; gap 0.01: contact closes and opens
 //     |  lower, on the ground                     |      Suture
 #include <Teuchos_CommHelpers.hpp>
 #include <Teuchos_DefaultMpiComm.hpp>
@@ -31,12 +31,14 @@ struct GasChamber {
   double pressure(double down) const { return content / (height + down) - air; }
 };
 
-/// Where gas and blocks are in balance, by bisection: the springs, and from the gap on two columns of height 1 in a row.
+/// Where gas and blocks are in balance, by bisection: the upper block is pressed together, its underside goes down on the springs and, from
+/// the gap on, on the lower block.
 double exactWay(const GasChamber& gas) {
   double low = 0.0, high = 1.0;
   for (int i = 0; i < 100; ++i) {
-    const double way = 0.5 * (low + high);
-    (gas.pressure(way) > kSprings * way + 0.5 * kYoung * std::max(0.0, way - kGap) ? low : high) = way;
+    const double way = 0.5 * (low + high), underside = way - gas.pressure(way) / kYoung;
+    const double held = kSprings * underside + kYoung * std::max(0.0, underside - kGap);
+    (gas.pressure(way) > held ? low : high) = way;
   }
   return low;
 }
@@ -46,7 +48,7 @@ Scene blocks(int cells) {
   const auto rubber = std::make_shared<IsotropicLaw>(IsotropicModuli{kYoung, 0.0});
   model.addBody("upper", rubber);
   model.addBody("lower", rubber);
-  model.supports = {{{"upper_top"}, kSprings, 0.0}};
+  model.supports = {{{"upper_bottom"}, kSprings, 0.0}};
   const auto mesh = [cells] {
     return boxes({{"upper", 0, kWidth, kGap, 1 + kGap, cells, cells}, {"lower", 0, kWidth, -1, 0, cells * 3 / 4, cells * 3 / 4}});
   };
@@ -109,7 +111,10 @@ int main(int argc, char* argv[]) {
       if (prints)
         std::printf("%4d  %.2f  %8.1f  %.6f  %6d  %6d  %5d  %3d  %.3f\n", ++step, amount, pressure, way, closed, solves, outer, pcg,
                     seconds / first);
-      if (simulation.ending() != ExitCode::Done) return static_cast<int>(simulation.ending());
+      if (simulation.ending() != ExitCode::Done) {
+        if (prints) std::fprintf(stderr, "%s\n", simulation.solution().failure.c_str());
+        return static_cast<int>(simulation.ending());
+      }
     }
     if (prints) std::printf("largest error of the way: %.1e\n", worst);
     return worst < 1e-5 ? 0 : static_cast<int>(ExitCode::Internal);
