@@ -53,24 +53,29 @@ Start startOf(const Comm& comm, const Solution& solution) {
 
 }  // namespace
 
-/// The solution at the time that the path is set to; not converged with the reason, whatever it is.
-/// \param isPrepared  the method is prepared for that time
+/// The solution for the loads as they are. \param before  where to begin; null: where start() has found \param isPrepared  the method is
+/// prepared for these loads
+Solution Simulation::solveFrom(const Solution* before, bool isPrepared) {
+  if (!isPrepared && method_->reloads()) {
+    method_->reload(timers_);
+  } else if (!isPrepared) {
+    method_.reset();
+    method_ = preparedMethod();
+  }
+  std::optional<Start> start;
+  if (before)
+    start = startOf(*comm_, *before);
+  else
+    start = start_;
+  return method_->solve(monitor_, timers_, start && method_->takesStart() ? &*start : nullptr);
+}
+
+/// The solution at the time that the path is set to, judged; not converged with the reason, whatever it is. Parameters as of solveFrom().
 Solution Simulation::solveStep(const Solution* before, bool isPrepared) {
   Solution solution;
   brokeDown_ = false;
   try {
-    if (!isPrepared && method_->reloads()) {
-      method_->reload(timers_);
-    } else if (!isPrepared) {
-      method_.reset();
-      method_ = preparedMethod();
-    }
-    std::optional<Start> start;
-    if (before)
-      start = startOf(*comm_, *before);
-    else
-      start = start_;
-    solution = method_->solve(monitor_, timers_, start && method_->takesStart() ? &*start : nullptr);
+    solution = solveFrom(before, isPrepared);
     if (solution.converged) judge(solution, method_->subdomains());
   } catch (const NumericalError& error) {
     brokeDown_ = true;

@@ -63,6 +63,7 @@ void Simulation::read() {
 }
 
 void Simulation::cut() {
+  isCut_ = true;
   cut_ = timed(timers_, "partition", [&] { return cutMesh(*comm_, scene_, mesh_, constraints_); });
   size_ = cut_.whole.size;
   resolveLoads(*comm_, cut_.meshes, scene_.model);
@@ -83,6 +84,7 @@ void Simulation::check() {
 }
 
 void Simulation::prepare() {
+  isPrepared_ = true;
   if (hasControlledLoads(scene_)) timed(timers_, "control", [&] { controlLoads(comm_, scene_, cut_.meshes, monitor_); });
   // Ways that bodies slide are from where they stand in the scene.
   if (!scene_.laws.restrictSliding() && !path_)
@@ -97,7 +99,7 @@ std::unique_ptr<Method> Simulation::preparedMethod() {
   std::unique_ptr<Method> method = method_ ? std::move(method_) : makeMethod(scene_.settings(), !scene_.contacts.empty());
   const bool needsLaw = !scene_.model.exact.empty() || wantsErrorEstimate(scene_.settings());
   method->prepare({comm_, mesh_, constraints_, cut_.partition, cut_.meshes, scene_.model, scene_.settings(), scene_.kinds, scene_.contacts,
-                   scene_.laws, needsLaw, followsPath()},
+                   scene_.laws, needsLaw, followsPath() || isCoupled()},
                   timers_);
   return method;
 }
@@ -125,13 +127,14 @@ void Simulation::iterate() {
   }
   solution_ = method_->solve(monitor_, timers_, start_ ? &*start_ : nullptr, checkpoints());
   solution_.energy -= liftWork_;
+  isSolved_ = true;
   start_.reset();
 }
 
 void Simulation::judge() {
   const Subdomains subdomains = method_->takeSubdomains();
   method_.reset();
-  if (!followsPath() || path_->rows.empty()) judge(solution_, subdomains);
+  if (!isJudged_ && (!followsPath() || path_->rows.empty())) judge(solution_, subdomains);
   const std::vector<ContactPiece>& pieces = cut_.whole.pieces;
   for (const std::string& note : pressureNotes(*comm_, pieces, solution_)) monitor_.note(note);
   for (const std::string& note : plausibilityNotes(*comm_, cut_.meshes, pieces, solution_)) monitor_.note(note);

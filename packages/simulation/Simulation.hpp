@@ -3,6 +3,7 @@
 #include <suture/report/OutputFolder.hpp>
 #include <suture/report/Run.hpp>
 #include <suture/report/RunMonitor.hpp>
+#include <suture/simulation/CouplingSurface.hpp>
 #include <suture/simulation/CutStage.hpp>
 #include <suture/simulation/LoadPath.hpp>
 #include <suture/simulation/Scene.hpp>
@@ -70,6 +71,36 @@ class Simulation {
   /// Text of summary.json on rank 0, elsewhere nothing; after judge(). Nothing is written.
   std::string summary(const Invocation& invocation = {}) const;
 
+  /// Couples the scene to another program, which loads a side group or moves it, and changes that from solve to solve:
+  ///
+  ///     const CouplingSurface surface = simulation.coupling("block_top");
+  ///     for (...) {
+  ///       simulation.setForces(surface, forces);
+  ///       simulation.solveAgain();
+  ///       displacements = simulation.displacements(surface);
+  ///     }
+  ///
+  /// Reads and cuts the scene, unless that was done. Before prepare(); for as many groups as there are. Rigid motions are not taken out of
+  /// a coupled scene, as of one with load steps.
+  /// 	hrows InputError  an unknown group (nearest name); a scene with load steps or controlled loads
+  CouplingSurface coupling(const std::string& group);
+  /// Forces on the surface's nodes from now on: nodes x dimension, node-major, Cartesian [force]; at first zero. They add to the loads of
+  /// the scene. 	hrows InputError  a wrong number of values, or one that is not finite
+  void setForces(const CouplingSurface& surface, const std::vector<double>& forces);
+  /// The same from tractions at the nodes, interpolated by the shape functions [stress].
+  void setTractions(const CouplingSurface& surface, const std::vector<double>& tractions);
+  /// Displacements of the surface's nodes from now on, along the components that a condition of the scene prescribes there: others stay
+  /// free [length]. 	hrows InputError  as for forces; nodes in a contact
+  void setDisplacements(const CouplingSurface& surface, const std::vector<double>& displacements);
+  /// Solves with the loads as they are now; the first time after all stages that come before. What was factored stays, but of methods that
+  /// cannot reload (Condensed Groups, Monolithic), and the last answer is the start.
+  /// \param verified  judges the answer: motions that it leaves free, errors, verdict, extremes
+  const Solution& solveAgain(bool verified = true);
+  /// Takes the last answer as the end of a step: with friction, pairs slip on from there. Without friction it changes nothing.
+  void advance();
+  /// Displacements of the surface's nodes at the last answer, in the order of forces; zero before it [length]. Local.
+  std::vector<double> displacements(const CouplingSurface& surface) const;
+
   const Scene& scene() const { return scene_; }
   const Mesh& mesh() const { return mesh_; }                                ///< on rank 0, from read() to prepare()
   const Constraints& constraints() const { return constraints_; }           ///< likewise
@@ -92,8 +123,10 @@ class Simulation {
   void judge(Solution& solution, const Subdomains& subdomains);
   Run run(const Solution& solution, const Invocation& invocation = {}) const;
 
-  bool followsPath() const { return path_ && !scene_.isOneStep; }
+  bool followsPath() const { return !scene_.steps.empty() && path_ && !scene_.isOneStep; }
+  bool isCoupled() const { return scene_.steps.empty() && path_; }
   void followPath();
+  Solution solveFrom(const Solution* before, bool isPrepared);
   Solution solveStep(const Solution* before, bool isPrepared);
   std::string lastStates() const;
   void goOnFromStart(Solution& before);
@@ -115,12 +148,15 @@ class Simulation {
   double megabytes_ = 0.0;
   double liftWork_ = 0.0;  // work of the loads in the motions taken out, which the method's energies lack
   std::optional<Start> start_;
-  std::unique_ptr<LoadPath> path_;    // null: no load steps
+  std::unique_ptr<LoadPath> path_;    // null: neither load steps nor a coupling
   std::unique_ptr<WorkMeter> meter_;  // on a path
   std::string unfinished_;            // why the path ended before its end; empty: it did not
   bool brokeDown_ = false;            // the last trial of a step left nothing behind
   PathState restart_;                 // path of a checkpoint, before it is taken up
   Solution solution_;
+  bool isCut_ = false, isPrepared_ = false;  // stages that were done
+  bool isSolved_ = false;                    // there is an answer to begin the next solve with
+  bool isJudged_ = false;                    // by solveAgain()
 };
 
 }  // namespace suture

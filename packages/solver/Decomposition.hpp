@@ -13,7 +13,7 @@ class Decomposition : public Method {
  public:
   bool needsWholeMesh() const override { return false; }
   GlobalId interfaceUnknowns() const override { return problem_->space()->size(); }
-  bool takesStart() const override { return problem_->pairs() > 0; }
+  bool takesStart() const override { return problem_->pairs() > 0 || scene().inSteps; }
   bool reloads() const override { return problem_->reloads(); }
   const Subdomains& subdomains() const override { return subdomains_; }
   Subdomains takeSubdomains() override;

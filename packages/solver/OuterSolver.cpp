@@ -20,6 +20,19 @@ constexpr double kTangentTolerance = 0.1;
 
 double euclidean(const MultiVector& x) { return std::sqrt(dot(x, x)); }
 
+/// Moves the lifted start of a linear problem along the way to an earlier solution, to where the energy on it is least: loads that grow
+/// together are solved then. Returns the residual there. \param lifted  linearisation at the state; of one application of its operator
+MultiVectorPtr startOnTheWayTo(const InterfaceState& earlier, const InterfaceProblem& problem,
+                               const InterfaceProblem::Linearisation& lifted, InterfaceState& state) {
+  const MultiVectorPtr way = problem.space()->vector(), image = problem.space()->vector(), residual = problem.space()->vector();
+  way->update(1.0, *earlier.trace, -1.0, *state.trace, 0.0);
+  lifted.matrix->apply(*way, *image);
+  const double twice = dot(*way, *image), length = twice > 0.0 ? dot(*way, *lifted.load) / twice : 0.0;
+  problem.update(state, *way, length);
+  residual->update(1.0, *lifted.load, -length, *image, 0.0);
+  return residual;
+}
+
 std::map<std::string, int> chosenSchur(const InterfaceOperator& matrix) {
   std::map<std::string, int> counts;
   for (const std::string name : {"Explicit", "Implicit"}) {
@@ -204,13 +217,16 @@ OuterResult OuterSolver::solve(const InterfaceProblem& problem, const OuterSetti
   } else {
     const double tolerance = contact ? auxiliaryTolerance(settings) : settings.tolerance;
     const MultiVectorPtr step = problem.space()->vector();
+    const bool continues = given && run.reference > 0.0 && !run.automatic.on();
+    const MultiVectorPtr load = continues ? startOnTheWayTo(*given, problem, start, result.state) : start.load;
     start.matrix->record();
-    const InnerResult auxiliary = run.inner.solve(start.matrix, run.preconditioner, *start.load, *step, tolerance, 0.0, monitor,
-                                                  run.automatic.criterion(result.state, 0.0, true, !contact));
+    const InnerResult auxiliary =
+        run.inner.solve(start.matrix, run.preconditioner, *load, *step, tolerance, continues ? run.reference : 0.0, monitor,
+                        run.automatic.criterion(result.state, 0.0, true, !contact));
     run.learn(auxiliary);
     const Matrix image = start.matrix->recorded(auxiliary.steps);
     problem.update(result.state, *step, 1.0, &image);
-    result.auxiliary = {auxiliary.pcg + lifting, auxiliary.condition, tolerance, auxiliary.residual, contact};
+    result.auxiliary = {auxiliary.pcg + lifting + continues, auxiliary.condition, tolerance, auxiliary.residual, contact};
     if (auxiliary.pcg > 0) result.auxiliary.iterationSeconds = auxiliary.seconds / auxiliary.pcg;
     if (!auxiliary.energyErrors.empty()) result.energyError = result.auxiliary.energyError = auxiliary.energyErrors.back();
     monitor.auxiliary(result.auxiliary);

@@ -49,7 +49,7 @@ class OuterSolver {
   virtual bool knowsFriction() const { return false; }
 
   /// \throws NumericalError  breakdown; not for a mere lack of convergence, which the result says.
-  /// \param start  where to begin instead of the auxiliary solution (a restart), or null; a linear problem does not ask for it
+  /// \param start  where to begin instead of the auxiliary solution (a restart), or null; a linear problem begins on the way to it
   OuterResult solve(const InterfaceProblem& problem, const OuterSettings& settings, Monitor& monitor,
                     const InterfaceState* start = nullptr) const;
 

@@ -88,5 +88,41 @@ TEUCHOS_UNIT_TEST(ReusedFactors, ALinearPathFactorsOnce) {
   }
 }
 
+/// Blocks in contact, of 6 subdomains.
+Scene pressedBlocks() {
+  ElasticModel model;
+  for (const char* body : {"upper", "lower"}) model.addBody(body, std::make_shared<IsotropicLaw>(IsotropicModuli{2e6, 0.3}));
+  model.loads = {Load::bodyForce({0, -1e4, 0}, "upper")};
+  return makeScene(model,
+                   [] {
+                     return boxes({{"upper", 0, 2, 0, 1, 24, 12}, {"lower", 0, 2, -1, 0, 24, 12}});
+                   },
+                   {Condition::displacement("lower_bottom", {0, 0}), Condition::displacement("upper_left", {0}, {0})},
+                   {Contact::between("upper_bottom", "lower_top")},
+                   {"Partition/METIS/Subdomains=6", "Subdomain/Schur Complement=Counting", "Preconditioner/Type=Counting"});
+}
+
+TEUCHOS_UNIT_TEST(ReusedFactors, ACoupledSceneFactorsOnce) {
+  for (const bool contact : {false, true}) {
+    factored = reloaded = preconditioned = 0;
+    Simulation simulation(blocks::world(), contact ? pressedBlocks() : beam({}));
+    const CouplingSurface surface = simulation.coupling(contact ? "upper_top" : "beam_top");
+    const int solves = 4;
+    int first = 0;
+    for (int solve = 0; solve < solves; ++solve) {
+      std::vector<double> forces;
+      for (const double area : surface.areas) forces.insert(forces.end(), {10.0 * solve * area, -300.0 * area});
+      simulation.setForces(surface, forces);
+      simulation.solveAgain();
+      TEST_ASSERT(simulation.ending() == ExitCode::Done);
+      if (solve == 0) first = preconditioned;
+    }
+    TEST_EQUALITY(over(factored), 6);
+    TEST_EQUALITY(over(reloaded), (solves - 1) * 6);
+    TEST_COMPARE(first, >=, 1);
+    TEST_EQUALITY(preconditioned, first);  // as many as the sets of the first solve asked for: none of the others changed them
+  }
+}
+
 }  // namespace
 }  // namespace suture

@@ -5,6 +5,7 @@
 #include <suture/elasticity/ReferenceElement.hpp>
 
 #include <array>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -12,7 +13,8 @@ namespace suture {
 
 struct ConditionForm;
 
-/// A load of the scene: on named side groups, at a point, on the volume of a body, or on its nodes (random, for studies of solvers).
+/// A load of the scene: on named side groups, at a point, on the volume of a body, or on its nodes (random, for studies of solvers; given
+/// by another program).
 ///
 /// Force, Moment and PointForce are known on a mesh only: resolveLoads() makes tractions of the first two and finds the node of the third.
 struct Load {
@@ -28,7 +30,8 @@ struct Load {
     PointForce,
     Temperature,
     InitialStrain,
-    InitialStress
+    InitialStress,
+    NodalForces
   };
   Kind kind = Kind::Traction;
   std::string body;  ///< body of a load on bodies or at a point; "": all bodies
@@ -56,6 +59,9 @@ struct Load {
   double length = 0;    ///< over which an InitialStrain shortens its body by the amount [length]
   /// InitialStrain and InitialStress [stress], instead of value, as StressVector.hpp has them; in the plane the last two mean nothing
   std::array<double, 6> tensor{};
+  /// NodalForces: forces on nodes of the mesh, those of all ranks on every rank [force]. No boundary condition of a scene file has this
+  /// kind: another program gives and changes them (Simulation::coupling()).
+  std::map<GlobalId, Point> forces{};
 
   /// Makes a controlled load one of a known amount: a force along its axis [force], or a shortening [length].
   void setAmount(double amount);
@@ -111,7 +117,7 @@ struct Load {
   bool onElements() const { return kind == Kind::BodyForce || usesDensity(); }
   /// Acts on the mass of bodies.
   bool usesDensity() const { return kind == Kind::Gravity || kind == Kind::Rotation; }
-  bool onNodes() const { return kind == Kind::Random || kind == Kind::PointForce; }
+  bool onNodes() const { return kind == Kind::Random || kind == Kind::PointForce || kind == Kind::NodalForces; }
   /// True if a load on bodies acts on the body of this name.
   bool actsOn(const std::string& name) const { return body.empty() || body == name; }
 };

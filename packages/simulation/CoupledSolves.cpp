@@ -1,0 +1,104 @@
+// Simulation coupled to another program: loads from outside, solved again and again.
+#include <suture/base/Gather.hpp>
+#include <suture/simulation/LoadControl.hpp>
+#include <suture/simulation/Simulation.hpp>
+
+#include <Teuchos_Comm.hpp>
+
+#include <algorithm>
+
+namespace suture {
+
+CouplingSurface Simulation::coupling(const std::string& group) {
+  if (isPrepared_) throw InternalError("coupling() after prepare(): a scene is coupled before it is prepared");
+  if (!scene_.steps.empty())
+    throw InputError("Load Steps", "in a scene that another program loads; expected a scene without: the program has the steps");
+  if (hasControlledLoads(scene_))
+    throw InputError("coupling '" + group + "'",
+                     "in a scene with a Mean Displacement or a Preload, whose amounts are found for one set of loads only");
+  if (!isCut_) {
+    read();
+    cut();
+  }
+  CouplingSurface surface = couplingSurface(*comm_, cut_.meshes, group);
+  std::vector<Load>& loads = scene_.model.loads;
+  const std::string name = "coupling " + group;
+  const auto known = std::find_if(loads.begin(), loads.end(), [&](const Load& load) { return load.name == name; });
+  surface.load = static_cast<std::size_t>(known - loads.begin());
+  if (known == loads.end()) {
+    loads.emplace_back();
+    loads.back().kind = Load::Kind::NodalForces;
+    loads.back().name = name;
+  }
+  if (!path_) path_ = std::make_unique<LoadPath>(*comm_, scene_.steps, cut_.whole.prescribed);
+  return surface;
+}
+
+void Simulation::setForces(const CouplingSurface& surface, const std::vector<double>& forces) {
+  scene_.model.loads.at(surface.load).forces = valuesByNode(*comm_, surface, forces, "forces");
+}
+
+void Simulation::setTractions(const CouplingSurface& surface, const std::vector<double>& tractions) {
+  scene_.model.loads.at(surface.load).forces =
+      consistentForces(*comm_, cut_.meshes, surface.group, valuesByNode(*comm_, surface, tractions, "tractions"));
+}
+
+void Simulation::setDisplacements(const CouplingSurface& surface, const std::vector<double>& displacements) {
+  const std::map<GlobalId, Point> values = valuesByNode(*comm_, surface, displacements, "displacements");
+  const std::string path = "coupling '" + surface.group + "'";
+  const auto take = [&](NodeRule& rule, GlobalId node) {
+    const auto given = values.find(node);
+    if (given == values.end()) return;
+    for (int k = 0; k < 3; ++k)
+      if (rule.fixed[k]) rule.value[k] = dot(rule.axes[k], given->second);
+  };
+  collectively(*comm_, "taking displacements", [&] {
+    for (SubdomainMesh& mesh : cut_.meshes) {
+      std::vector<char> inContact(mesh.nodes(), 0);
+      for (const SubdomainMesh::ContactEnd& end : mesh.contactEnds) inContact[end.node] = 1;
+      for (NodeRule& rule : mesh.rules) {
+        if (inContact[rule.node] && values.count(mesh.globalNodes[rule.node]))
+          throw InputError(path,
+                           "displacements of nodes in a contact, whose gaps they would change; expected a group away from all contacts");
+        take(rule, mesh.globalNodes[rule.node]);
+      }
+    }
+    for (NodeRule& rule : constraints_.rules) take(rule, rule.node);
+  });
+}
+
+const Solution& Simulation::solveAgain(bool verified) {
+  if (!isCoupled()) throw InternalError("solveAgain() without coupling()");
+  const bool isFirst = !isPrepared_;
+  if (isFirst) {
+    check();
+    prepare();
+    remark();
+    start();
+  } else if (!method_) {
+    throw InternalError("solveAgain() after judge(), which frees what was factored");
+  }
+  path_->setTime(0.0, scene_.model, cut_.meshes, constraints_);
+  solution_ = solveFrom(isSolved_ && solution_.converged ? &solution_ : nullptr, isFirst);
+  isSolved_ = true;
+  isJudged_ = verified;
+  if (verified) judge(solution_, method_->subdomains());
+  return solution_;
+}
+
+void Simulation::advance() {
+  if (!isCoupled() || !isSolved_) throw InternalError("advance() before solveAgain()");
+  path_->accept(solution_.pairs);
+}
+
+std::vector<double> Simulation::displacements(const CouplingSurface& surface) const {
+  std::vector<double> all;
+  for (const CouplingSurface::Place& place : surface.places)
+    for (int k = 0; k < surface.dimension; ++k)
+      all.push_back(
+          isSolved_ ? cut_.meshes[place.mesh].total(solution_.displacement[place.mesh], Eigen::Index(place.node) * surface.dimension + k)
+                    : 0.0);
+  return all;
+}
+
+}  // namespace suture
