@@ -82,15 +82,15 @@ class Simulation {
   ///
   /// Reads and cuts the scene, unless that was done. Before prepare(); for as many groups as there are. Rigid motions are not taken out of
   /// a coupled scene, as of one with load steps.
-  /// 	hrows InputError  an unknown group (nearest name); a scene with load steps or controlled loads
+  /// \throws InputError  an unknown group (nearest name); a scene with load steps or controlled loads
   CouplingSurface coupling(const std::string& group);
   /// Forces on the surface's nodes from now on: nodes x dimension, node-major, Cartesian [force]; at first zero. They add to the loads of
-  /// the scene. 	hrows InputError  a wrong number of values, or one that is not finite
+  /// the scene. \throws InputError  a wrong number of values, or one that is not finite
   void setForces(const CouplingSurface& surface, const std::vector<double>& forces);
   /// The same from tractions at the nodes, interpolated by the shape functions [stress].
   void setTractions(const CouplingSurface& surface, const std::vector<double>& tractions);
   /// Displacements of the surface's nodes from now on, along the components that a condition of the scene prescribes there: others stay
-  /// free [length]. 	hrows InputError  as for forces; nodes in a contact
+  /// free [length]. \throws InputError  as for forces; nodes in a contact
   void setDisplacements(const CouplingSurface& surface, const std::vector<double>& displacements);
   /// Solves with the loads as they are now; the first time after all stages that come before. What was factored stays, but of methods that
   /// cannot reload (Condensed Groups, Monolithic), and the last answer is the start.

@@ -35,22 +35,40 @@ std::string PythonRun::failure() const {
   return solution.stopped ? "stopped on request" : "the verdict does not hold";
 }
 
-void PythonRun::solve(const std::optional<std::string>& output, const std::string& restart) {
+template <typename Way>
+void PythonRun::go(const Way& way) {
   const py::scoped_ostream_redirect toPython;  // sys.stdout, wherever that goes
   bool interrupted = false;
   monitor_.stopWhen([&] { return interrupted = interrupted || PyErr_CheckSignals() != 0; });
-  if (output) simulation_.writeInto(*output);
-  simulation_.read();
-  simulation_.cut();
-  simulation_.check();
-  simulation_.prepare();
-  simulation_.remark();
-  simulation_.start(restart);
-  simulation_.iterate();
-  simulation_.judge();
+  try {
+    way();
+  } catch (...) {
+    monitor_.stopWhen(nullptr);
+    throw;
+  }
   monitor_.stopWhen(nullptr);
-  summary_ = output ? simulation_.report().summary : simulation_.summary();
   if (PyErr_Occurred()) throw py::error_already_set();
+}
+
+void PythonRun::solve(const std::optional<std::string>& output, const std::string& restart) {
+  go([&] {
+    if (output) simulation_.writeInto(*output);
+    simulation_.read();
+    simulation_.cut();
+    simulation_.check();
+    simulation_.prepare();
+    simulation_.remark();
+    simulation_.start(restart);
+    simulation_.iterate();
+    simulation_.judge();
+    Invocation invocation;
+    if (!restart.empty()) invocation.restart = usedFile(restart);
+    summary_ = output ? simulation_.report(invocation).summary : simulation_.summary(invocation);
+  });
+}
+
+void PythonRun::solveAgain(bool verified) {
+  go([&] { simulation_.solveAgain(verified); });
 }
 
 }  // namespace suture::python

@@ -22,6 +22,10 @@ class PythonRun {
   /// The whole way. Collective. \param output  folder of the files; none without one  \param restart  a checkpoint to begin with, or ""
   void solve(const std::optional<std::string>& output, const std::string& restart);
 
+  /// Solves with loads as they are now (Simulation::coupling). Collective. \param verified  judges the answer
+  void solveAgain(bool verified);
+
+  Simulation& simulation() { return simulation_; }
   const Simulation& simulation() const { return simulation_; }
   int rank() const;
   bool isDone() const { return simulation_.ending() == ExitCode::Done; }
@@ -33,6 +37,10 @@ class PythonRun {
   std::vector<OuterRow> history() const { return monitor_.rows(); }
 
  private:
+  /// Goes a way that Ctrl-C ends after the iteration in hand.
+  template <typename Way>
+  void go(const Way& way);
+
   py::object held_;  // mpi4py's communicator
   CommPtr comm_;
   Timers timers_;

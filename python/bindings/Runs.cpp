@@ -139,15 +139,69 @@ void bindHistory(py::module_& module) {
       .def_readonly("load_step", &OuterRow::loadStep);
 }
 
+using Values = py::array_t<double, py::array::c_style | py::array::forcecast>;
+
+/// Values as Simulation takes them: of any shape, node by node.
+std::vector<double> listOf(const Values& values) { return {values.data(), values.data() + values.size()}; }
+
+void bindSurface(py::module_& module) {
+  const auto matrix = [](const py::object& self, const std::vector<double>& values) {
+    const auto dimension = static_cast<py::ssize_t>(self.cast<const CouplingSurface&>().dimension);
+    return view(values.data(), {static_cast<py::ssize_t>(values.size()) / dimension, dimension}, self);
+  };
+  py::class_<CouplingSurface>(module, "Surface",
+                              "Nodes of a side group at which another program acts on a scene: those that this rank owns.")
+      .def_readonly("group", &CouplingSurface::group)
+      .def_property_readonly(
+          "nodes",
+          [](const py::object& self) {
+            const auto& nodes = self.cast<const CouplingSurface&>().nodes;
+            return view(nodes.data(), {static_cast<py::ssize_t>(nodes.size())}, self);
+          },
+          "numbers in the mesh, ascending")
+      .def_property_readonly(
+          "areas",
+          [](const py::object& self) {
+            const auto& areas = self.cast<const CouplingSurface&>().areas;
+            return view(areas.data(), {static_cast<py::ssize_t>(areas.size())}, self);
+          },
+          "integrals of the shape functions: forces of a unit traction")
+      .def_property_readonly(
+          "coordinates", [matrix](const py::object& self) { return matrix(self, self.cast<const CouplingSurface&>().coordinates); },
+          "nodes x dimension [length]")
+      .def_property_readonly(
+          "normals", [matrix](const py::object& self) { return matrix(self, self.cast<const CouplingSurface&>().normals); },
+          "integrals of the shape functions times the outward normal: a pressure p pushes with -p times these");
+}
+
+/// Displacements of a surface's nodes, nodes x dimension.
+py::array displacementsOf(const PythonRun& run, const CouplingSurface& surface) {
+  const std::vector<double> values = run.simulation().displacements(surface);
+  py::array_t<double> all({static_cast<py::ssize_t>(values.size()) / surface.dimension, static_cast<py::ssize_t>(surface.dimension)});
+  std::copy(values.begin(), values.end(), all.mutable_data());
+  return std::move(all);
+}
+
 }  // namespace
 
 void bindRuns(py::module_& module) {
   bindHistory(module);
   bindPairs(module);
   bindSubdomain(module);
+  bindSurface(module);
   py::class_<PythonRun, std::shared_ptr<PythonRun>>(module, "Run")
       .def(py::init<const py::object&, const std::string&, const std::string&, const std::string&, const std::vector<std::string>&, bool>())
       .def("solve", &PythonRun::solve)
+      .def("coupling", [](PythonRun& self, const std::string& group) { return self.simulation().coupling(group); })
+      .def("set_forces",
+           [](PythonRun& self, const CouplingSurface& at, const Values& values) { self.simulation().setForces(at, listOf(values)); })
+      .def("set_tractions",
+           [](PythonRun& self, const CouplingSurface& at, const Values& values) { self.simulation().setTractions(at, listOf(values)); })
+      .def("set_displacements",
+           [](PythonRun& self, const CouplingSurface& at, const Values& values) { self.simulation().setDisplacements(at, listOf(values)); })
+      .def("solve_again", &PythonRun::solveAgain)
+      .def("advance", [](PythonRun& self) { self.simulation().advance(); })
+      .def("displacements", &displacementsOf)
       .def_property_readonly("is_done", &PythonRun::isDone)
       .def_property_readonly("exit_code", &PythonRun::exitCode)
       .def_property_readonly("failure", &PythonRun::failure)

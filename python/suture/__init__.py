@@ -17,7 +17,7 @@ from .fields import Fields, gather
 from .scenes import assignments, to_xml
 
 __version__ = _suture.version
-__all__ = ["solve", "study", "material", "weighting", "load_plugins", "gather", "to_xml", "Result", "Fields", "NotConverged", "Error",
+__all__ = ["solve", "study", "material", "weighting", "load_plugins", "gather", "to_xml", "Result", "Coupling", "Fields", "NotConverged", "Error",
            "InputError", "NumericalError", "EnvironmentError", "InternalError", "OPEN", "SLIP", "STICK"]
 
 OPEN, SLIP, STICK = 0, 1, 2  # Pairs.status; closed pairs without friction slip
@@ -84,6 +84,67 @@ def solve(scene, comm=None, set=None, output=None, restart="", show=False, check
     if check and not result.converged:
         raise NotConverged(result)
     return result
+
+
+class Coupling:
+    """A scene that another program loads or moves at side groups, and solves again and again: every factor is kept, and the last answer is
+    the start of the next.
+
+        coupling = suture.Coupling("block.xml")
+        surface = coupling.surface("block_top")     # nodes of this rank: nodes, coordinates, areas, normals
+        for step in range(10):
+            coupling.set_forces(surface, forces)    # nodes x dimension
+            coupling.solve()
+            u = coupling.displacements(surface)
+    """
+
+    def __init__(self, scene, comm=None, set=None, show=False):  # noqa: A002
+        self.comm = MPI.COMM_WORLD if comm is None else comm
+        self._run = _suture.Run(self.comm, *_scene(scene, self.comm), assignments(set), show)
+
+    def surface(self, group):
+        """Nodes of a side group. Before the first solve; for as many groups as there are. Collective, as all that follow."""
+        return self._run.coupling(group)
+
+    def set_forces(self, surface, forces):
+        """Forces on the nodes from now on, beside the loads of the scene: nodes x dimension [force]."""
+        self._run.set_forces(surface, forces)
+
+    def set_tractions(self, surface, tractions):
+        """The same from tractions at the nodes [stress]."""
+        self._run.set_tractions(surface, tractions)
+
+    def set_displacements(self, surface, displacements):
+        """Displacements of the nodes from now on, along what a condition of the scene prescribes there [length]."""
+        self._run.set_displacements(surface, displacements)
+
+    def solve(self, verified=True, check=True):
+        """Solves with the loads as they are now. Raises NumericalError where the answer does not hold, unless check is False."""
+        self._run.solve_again(verified)
+        if check and verified and not self._run.is_done:
+            error = NumericalError(self._run.failure)
+            error.code = self._run.exit_code
+            raise error
+
+    def advance(self):
+        """Takes the last answer as the end of a step: with friction, pairs slip on from there."""
+        self._run.advance()
+
+    def displacements(self, surface):
+        """Displacements of the nodes at the last answer: nodes x dimension [length]."""
+        return self._run.displacements(surface)
+
+    @property
+    def energy(self):
+        return self._run.energy
+
+    @property
+    def subdomains(self):
+        return self._run.subdomains
+
+    @property
+    def pairs(self):
+        return self._run.pairs
 
 
 def study(file, comm=None, set=None, only=(), output="", show=False):  # noqa: A002

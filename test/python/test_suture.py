@@ -194,6 +194,23 @@ class Strategies(unittest.TestCase):
         self.assertRaisesRegex(suture.InputError, "5 x 5; a stiffness is 6 x 6", suture.solve, blocks(law={"Type": "By Function"}))
 
 
+class Couplings(unittest.TestCase):
+    def test_forces_from_outside_are_those_of_a_traction(self):
+        scene = blocks()
+        scene["Boundary Conditions"]["press"] = {"Group": "upper_left", "Type": "Bilateral"}
+        coupling = suture.Coupling(scene)
+        surface = coupling.surface("upper_top")
+        self.assertAlmostEqual(WORLD.allreduce(surface.areas.sum()), 2.0, places=12)
+        for pressure in (1e5, 2e5, 0.5e5):
+            coupling.set_forces(surface, -pressure * surface.normals)
+            coupling.solve()
+            # strain p / E on a height of two
+            numpy.testing.assert_allclose(coupling.displacements(surface)[:, 1], -2 * pressure / 2e6, rtol=1e-6)
+            if WORLD.rank == 0:
+                numpy.testing.assert_allclose(coupling.pairs.pressure, pressure, rtol=1e-6)
+        self.assertRaisesRegex(suture.InputError, "", coupling.set_forces, surface, numpy.zeros(3 + 2 * len(surface.nodes)))
+
+
 class Studies(unittest.TestCase):
     def test_rows_are_those_of_the_table(self):
         folder = WORLD.bcast(tempfile.mkdtemp() if WORLD.rank == 0 else None)
