@@ -1,9 +1,10 @@
 #!/usr/bin/python3
 """The steps of the Dockerfile beside this file, without Docker.
 
-sudo python3 run_steps.py ROOT: for each stage a bare Debian 12 in ROOT/<number> (debootstrap, the sources of apt of this machine), in which the lines COPY, RUN, ENV,
+sudo python3 run_steps.py ROOT [PACKAGES]: for each stage a bare Debian 12 in ROOT/<number> (debootstrap, the sources of apt of this machine), in which the lines COPY, RUN, ENV,
 WORKDIR and USER are carried out in their order; the sources are those of the last commit. Prints each step and its seconds, fails with the first that fails. At the end
-the tunnel is solved and drawn in the last stage as its user; the pictures are in ROOT/<number>/work/out. Needs root, debootstrap and git.
+the tunnel is solved and drawn in the last stage as its user; the pictures are in ROOT/<number>/work/out. With PACKAGES, a folder of .deb files, the first stage is
+not carried out: what others copy from it comes from there. Needs root, debootstrap and git.
 """
 import glob
 import os
@@ -33,7 +34,8 @@ class Stage:
             shutil.copy("/etc/resolv.conf", root / "etc/resolv.conf")
 
     def run(self, command):
-        variables = {"PATH": "/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin", "DEBIAN_FRONTEND": "noninteractive", **self.environment}
+        home = "/root" if self.user == "root" else f"/home/{self.user}"  # as Docker has it
+        variables = {"HOME": home, "PATH": "/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin", "DEBIAN_FRONTEND": "noninteractive", **self.environment}
         words = [f"{name}={value}" for name, value in variables.items()]
         log = self.root.parent / "last_step.log"
         with open(log, "w") as output:
@@ -68,21 +70,30 @@ def instructions(text):
 
 def main():
     root = pathlib.Path(sys.argv[1]).resolve()
+    packages = pathlib.Path(sys.argv[2]).resolve() if len(sys.argv) > 2 else None
     root.mkdir(parents=True, exist_ok=True)
     stages, names = [], {}
     for word, rest in instructions((HERE / "Dockerfile").read_text()):
         begin = time.time()
-        print(f"{word} {rest}", flush=True)
+        skipped = packages and len(stages) == (0 if word == "FROM" else 1)
+        print(f"{word} {rest}" + ("    skipped" if skipped else ""), flush=True)
         if word == "FROM":
             image, *name = rest.split()
+            if skipped:
+                stages.append(None)
+                names[name[1]] = None
+                continue
             stages.append(Stage(root / str(len(stages)), image))
             names[name[1] if name else str(len(stages) - 1)] = stages[-1]
+            continue
+        if skipped:
             continue
         stage = stages[-1]
         if word == "COPY":
             *sources, target = shlex.split(rest)
             if sources[0].startswith("--from="):
-                stage.copy([names[sources[0][7:]].place(path) for path in sources[1:]], target)
+                made = names[sources[0][7:]]
+                stage.copy([made.place(path) if made else packages / pathlib.Path(path).name for path in sources[1:]], target)
             elif sources == ["."]:
                 shutil.rmtree(stage.place(target), ignore_errors=True)
                 subprocess.run(["git", "clone", "-q", "--no-hardlinks", SOURCE, stage.place(target)], check=True)
