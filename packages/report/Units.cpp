@@ -1,16 +1,9 @@
 #include <Teuchos_ParameterList.hpp>
 #include <sstream>
+#include <suture/base/Numbers.hpp>
 #include <suture/report/Units.hpp>
 
 namespace suture {
-namespace {
-
-std::string trimmed(const std::string& text) {
-  const auto first = text.find_first_not_of(" \t\n");
-  return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(" \t\n") - first + 1);
-}
-
-}  // namespace
 
 Units unitsOf(const Parameters& scene) {
   Units units;
