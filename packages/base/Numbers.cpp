@@ -6,15 +6,10 @@
 namespace suture {
 namespace {
 
-/// from_chars takes no plus sign, people do write one.
-std::string withoutPlus(std::string text) {
-  if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.erase(0, 1);
-  return text;
-}
-
 template <typename T>
 std::optional<T> parseWhole(const std::string& raw) {
-  const std::string text = withoutPlus(trimmed(raw));
+  std::string text = trimmed(raw);
+  if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.erase(0, 1);  // from_chars takes no plus sign, people do write one
   T value{};
   const char* end = text.data() + text.size();
   const auto [stopped, error] = std::from_chars(text.data(), end, value);
