@@ -2,12 +2,14 @@
 #include <sys/resource.h>
 #include <Teuchos_DefaultSerialComm.hpp>
 #include <Teuchos_UnitTestHarness.hpp>
+#include <chrono>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <limits>
 #include <numeric>
+#include <thread>
 
 #include "Hdf5Testing.hpp"
 
@@ -101,6 +103,30 @@ TEUCHOS_UNIT_TEST(Hdf5File, TextsAndAttributesComeBack) {
   TEST_ASSERT((file.members("/") == std::vector<std::string>{"Record", "VTKHDF"}));
   TEST_ASSERT((file.members("/Record") == std::vector<std::string>{"Nothing", "Scene"}));
   TEST_ASSERT(file.has("/Record/Scene") && file.has("/") && !file.has("/Record/Other") && !file.has("/No/Such"));
+  removeOnRoot(path);
+}
+
+TEUCHOS_UNIT_TEST(Hdf5File, HasNoTimeOfItsMaking) {
+  const CommPtr comm = world();
+  const std::string path = nameOf("untimed");
+  const auto written = [&] {
+    Hdf5File file = Hdf5File::create(*comm, path);
+    file.group("/Group/Of/Groups");
+    file.write("/Group/Reals", std::vector<double>{0.5, 0.25}, 2);
+    file.write("/Group/Text", std::string("text"));
+    file.write("/Group/Texts", std::vector<std::string>{"a", "bc"});
+    file.attribute("/Group/Reals", "unit", "m");
+    file.close();
+    comm->barrier();
+    std::ifstream bytes(path, std::ios::binary);
+    return std::string(std::istreambuf_iterator<char>(bytes), {});
+  };
+  const std::string first = written();
+  std::this_thread::sleep_for(std::chrono::milliseconds(1100));  // HDF5 counts seconds
+  comm->barrier();
+  TEST_ASSERT(!first.empty());
+  TEST_ASSERT(written() == first);
+  comm->barrier();
   removeOnRoot(path);
 }
 
