@@ -126,7 +126,7 @@ void addSideFlux(const CellBlock& block, const Side& side, double factor, Vector
 void addBodyForce(const CellBlock& block, const std::vector<int>& elements, const Load& load, Vector& forces,
                   const std::function<double(int element)>& density = {});
 
-/// Force of a load on nodes (Random, NodalForces or resolved PointForce) on a component of a node of the mesh: a pure function of (load, node,
+/// Force of a load on nodes (Random or resolved PointForce) on a component of a node of the mesh: a pure function of (load, node,
 /// component), and so the same however the mesh is cut. Cartesian. Local. \throws InternalError  a PointForce that is not resolved
 double nodeForce(const Load& load, GlobalId node, int component);
 /// The same of a Random load: uniform in value[1] + [-value[0], value[0]).

@@ -81,8 +81,14 @@ const Solution& Simulation::solveAgain(bool verified) {
   path_->setTime(0.0, scene_.model, cut_.meshes, constraints_);
   solution_ = solveFrom(isSolved_ && solution_.converged ? &solution_ : nullptr, isFirst);
   isSolved_ = true;
-  isJudged_ = verified;
-  if (verified) judge(solution_, method_->subdomains());
+  isJudged_ = false;
+  return verified ? verify() : solution_;
+}
+
+const Solution& Simulation::verify() {
+  if (!isSolved_ || !method_) throw InternalError("verify() without an answer, or after judge()");
+  if (!isJudged_) judge(solution_, method_->subdomains());
+  isJudged_ = true;
   return solution_;
 }
 

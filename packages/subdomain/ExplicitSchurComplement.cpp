@@ -25,7 +25,9 @@ void ExplicitSchurComplement::doCompute(const SchurData& data) {
 
 void ExplicitSchurComplement::doReload(const SchurData& data) {
   load_ = &data.load;
-  const Vector inside = recover(Vector::Zero(static_cast<Eigen::Index>(boundary_.size()))), rest = *load_ - *stiffness_ * inside;
+  Vector inside = *load_;
+  factor_.solve(*stiffness_, inside);
+  const Vector rest = *load_ - *stiffness_ * inside;
   for (std::size_t i = 0; i < boundary_.size(); ++i) condensedLoad_(static_cast<Eigen::Index>(i)) = rest(boundary_[i]);
   interiorEnergy_ = -0.5 * load_->dot(inside);
 }

@@ -64,7 +64,9 @@ void Subdomain::reload() {
   fullLoad_ = doLoad();
   if (fullLoad_.size() != Eigen::Index(numberOf_.size()))
     throw NumericalError("subdomain '" + mesh_.name + "': the load has the wrong size");
+  const Vector before = load_;
   liftLoad();
+  loadChanges_ += load_ != before;
 }
 
 Vector Subdomain::doLoad() {

@@ -29,6 +29,8 @@ class Subdomain {
   void assemble();
   /// Takes the loads of the model and the values of the mesh's rules as they are now; the stiffness stays. After assemble().
   void reload();
+  /// Number of times that reload() changed load(): whoever keeps what follows from it need not find it anew where that stays.
+  int loadChanges() const { return loadChanges_; }
 
   const SubdomainMesh& mesh() const { return mesh_; }
   int components() const { return mesh_.dimension; }
@@ -110,6 +112,7 @@ class Subdomain {
   SparseMatrix held_;  // all unknowns x prescribed components
   Vector fullLoad_, load_;
   double constantEnergy_ = 0.0;
+  int loadChanges_ = 0;
   Matrix heldModes_, freeMotions_;  // rigid modes where prescribed or on springs, and combinations of them that vanish there
 };
 

@@ -74,7 +74,11 @@ SchurData SubdomainProblem::schurData(const std::vector<int>& nodes, const std::
   return {subdomain_.stiffness(), subdomain_.load(), positions_, nodes, places, solver_, name(), subdomain_.components()};
 }
 
-void SubdomainProblem::reload() { schur_->reload(schurData(nodesOfDofs(subdomain_), placesOfDofs(subdomain_))); }
+void SubdomainProblem::reload() {
+  if (loadChanges_ == subdomain_.loadChanges()) return;
+  loadChanges_ = subdomain_.loadChanges();
+  schur_->reload(schurData(nodesOfDofs(subdomain_), placesOfDofs(subdomain_)));
+}
 
 void SubdomainProblem::applySchur(ConstLocalView trace, LocalView flux) const {
   schur_->apply(trace, flux);

@@ -52,7 +52,8 @@ class SubdomainProblem : public LocalProblem {
   std::unique_ptr<SchurComplement> schur_;
   Vector diagonal_;
   Matrix kernel_;
-  Matrix balanced_;  // orthonormal basis of the kernel; empty where fluxes stay as they are
+  int loadChanges_ = 0;  // Subdomain::loadChanges() that the Schur complement knows of
+  Matrix balanced_;      // orthonormal basis of the kernel; empty where fluxes stay as they are
 };
 
 /// Ratio of stiffnesses up to which rounding of the stiffest, 1e-16 of it, is 1e-12 of the softest: four digits more than are asked for.

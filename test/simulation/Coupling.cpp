@@ -182,7 +182,9 @@ TEUCHOS_UNIT_TEST(Coupling, EverySolveIsThatOfASceneWithTheseLoads) {
     std::vector<int> closed;
     for (const double amount : {0.0, 7.0, -7.0, 0.5}) {
       coupled.setTractions(surface, at(surface, tipping(amount)));
-      const Solution& solution = coupled.solveAgain();
+      const Solution& solution = coupled.solveAgain(false);
+      TEST_ASSERT(solution.verification.checks.empty());
+      coupled.verify();
       closed.push_back(closedPairs(solution));
       TEST_ASSERT(coupled.ending() == ExitCode::Done);
       Simulation fresh(blocks::world(), blocksWith({along("upper_top", 2, tipping(amount))}, settings));
@@ -341,6 +343,7 @@ TEUCHOS_UNIT_TEST(Coupling, IsRefusedTheSameOnAllRanks) {
   says(complaint([&] { simulation.setDisplacements(ground, std::vector<double>(2 * ground.nodes.size(), 0.0)); }),
        {"displacements of nodes in a contact"});
   TEST_THROW(simulation.advance(), InternalError);
+  TEST_THROW(simulation.verify(), InternalError);
   simulation.solveAgain();
   TEST_THROW(simulation.coupling("upper_right"), InternalError);
   simulation.judge();

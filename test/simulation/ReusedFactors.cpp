@@ -106,7 +106,7 @@ TEUCHOS_UNIT_TEST(ReusedFactors, ACoupledSceneFactorsOnce) {
   for (const bool contact : {false, true}) {
     factored = reloaded = preconditioned = 0;
     Simulation simulation(blocks::world(), contact ? pressedBlocks() : beam({}));
-    const CouplingSurface surface = simulation.coupling(contact ? "upper_top" : "beam_top");
+    const CouplingSurface surface = simulation.coupling(contact ? "upper_top" : "beam_right");
     const int solves = 4;
     int first = 0;
     for (int solve = 0; solve < solves; ++solve) {
@@ -118,7 +118,8 @@ TEUCHOS_UNIT_TEST(ReusedFactors, ACoupledSceneFactorsOnce) {
       if (solve == 0) first = preconditioned;
     }
     TEST_EQUALITY(over(factored), 6);
-    TEST_EQUALITY(over(reloaded), (solves - 1) * 6);
+    TEST_COMPARE(over(reloaded), >=, solves - 1);  // subdomains whose loads changed
+    TEST_COMPARE(over(reloaded), <, (solves - 1) * 6);
     TEST_COMPARE(first, >=, 1);
     TEST_EQUALITY(preconditioned, first);  // as many as the sets of the first solve asked for: none of the others changed them
   }

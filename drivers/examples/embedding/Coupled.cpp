@@ -73,7 +73,7 @@ int main(int argc, char* argv[]) {
       std::vector<double> forces;
       for (const double normal : surface.normals) forces.push_back(-pressure * normal);
       simulation.setForces(surface, forces);
-      simulation.solveAgain();
+      simulation.solveAgain(false);
       const std::vector<double> u = simulation.displacements(surface);
       double mine = 0.0, sum = 0.0;
       for (std::size_t i = 0; i < surface.nodes.size(); ++i) mine -= surface.areas[i] * u[2 * i + 1];
@@ -105,6 +105,7 @@ int main(int argc, char* argv[]) {
         before = misfit;
         pressure += relaxation * misfit;
       }
+      simulation.verify();
       worst = std::max(worst, std::abs(way - exactWay(gas)) / exactWay(gas));
       int closed = 0;
       for (const PairResult& pair : simulation.solution().pairs) closed += pair.state.closed();

@@ -117,7 +117,7 @@ struct Load {
   bool onElements() const { return kind == Kind::BodyForce || usesDensity(); }
   /// Acts on the mass of bodies.
   bool usesDensity() const { return kind == Kind::Gravity || kind == Kind::Rotation; }
-  bool onNodes() const { return kind == Kind::Random || kind == Kind::PointForce || kind == Kind::NodalForces; }
+  bool onNodes() const { return kind == Kind::Random || kind == Kind::PointForce; }
   /// True if a load on bodies acts on the body of this name.
   bool actsOn(const std::string& name) const { return body.empty() || body == name; }
 };

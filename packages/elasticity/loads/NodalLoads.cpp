@@ -32,6 +32,15 @@ bool addElementLoad(const Loaded& on, const ElasticModel& model, const Load& loa
   return true;
 }
 
+void addGivenForces(const Loaded& on, const Load& load, Vector& forces) {
+  const int dimension = on.block.dimension;
+  for (int node = 0; node < on.block.nodes(); ++node) {
+    const auto given = load.forces.find(on.numberOf(node));
+    if (given == load.forces.end() || !on.counts(node)) continue;
+    for (int k = 0; k < dimension; ++k) forces[Eigen::Index(node) * dimension + k] += load.factor * given->second[k];
+  }
+}
+
 bool addNodeLoad(const Loaded& on, const ElasticModel& model, const Load& load, Vector& forces) {
   const int dimension = on.block.dimension;
   bool acts = false;
@@ -52,6 +61,7 @@ bool addSidesLoad(const Loaded& on, const Load& load, Vector& forces) {
 /// Adds the forces of one load; false if it does not act here, or is an initial state.
 bool addLoad(const Loaded& on, const ElasticModel& model, const Load& load, Vector& forces) {
   if (load.isInitial()) return false;
+  if (load.kind == Load::Kind::NodalForces) return addGivenForces(on, load, forces), true;
   if (load.onNodes()) return addNodeLoad(on, model, load, forces);
   return load.onElements() ? addElementLoad(on, model, load, forces) : addSidesLoad(on, load, forces);
 }

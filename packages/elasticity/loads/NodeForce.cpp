@@ -25,10 +25,6 @@ double randomForce(const Load& load, GlobalId node, int component) {
 
 double nodeForce(const Load& load, GlobalId node, int component) {
   if (load.kind == Load::Kind::Random) return randomForce(load, node, component);
-  if (load.kind == Load::Kind::NodalForces) {
-    const auto found = load.forces.find(node);
-    return found == load.forces.end() ? 0.0 : load.factor * found->second[component];
-  }
   if (load.node < 0) throw InternalError("a Point Force whose node was not found (resolveLoads)");
   return node == load.node ? load.factor * load.value[component] : 0.0;
 }

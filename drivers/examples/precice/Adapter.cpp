@@ -1,0 +1,50 @@
+// A scene of Suture as a participant of preCICE: forces on a side group in, displacements of its nodes out.
+//
+//   suture_precice SCENE.xml PRECICE-CONFIG.xml PARTICIPANT MESH GROUP ["Path/To/Parameter=value"]...
+#include <Teuchos_DefaultMpiComm.hpp>
+#include <Tpetra_Core.hpp>
+#include <precice/precice.hpp>
+#include <suture/report/SceneSchema.hpp>
+#include <suture/simulation/Simulation.hpp>
+
+#include <cstdio>
+
+using namespace suture;
+
+int main(int argc, char* argv[]) {
+  const Tpetra::ScopeGuard mpi(&argc, &argv);
+  const CommPtr comm = Teuchos::rcp(new Teuchos::MpiComm<int>(MPI_COMM_WORLD));
+  if (argc < 6) {
+    std::fprintf(stderr, "usage: %s SCENE.xml PRECICE-CONFIG.xml PARTICIPANT MESH GROUP [SETTING]...\n", argv[0]);
+    return static_cast<int>(ExitCode::CommandLine);
+  }
+  const std::string mesh = argv[4];
+  try {
+    Simulation simulation(comm, sceneOf(readScene(*comm, argv[1], sceneSchema(), {argv + 6, argv + argc})));
+    precice::Participant participant(argv[3], argv[2], comm->getRank(), comm->getSize());
+
+    const CouplingSurface surface = simulation.coupling(argv[5]);
+    std::vector<precice::VertexID> ids(surface.nodes.size());
+    participant.setMeshVertices(mesh, surface.coordinates, ids);
+    if (participant.requiresInitialData()) participant.writeData(mesh, "Displacement", ids, simulation.displacements(surface));
+    participant.initialize();
+
+    std::vector<double> forces(surface.coordinates.size());
+    while (participant.isCouplingOngoing()) {
+      participant.requiresWritingCheckpoint();  // nothing to keep: what a trial leaves behind is only where the next one begins
+      const double step = participant.getMaxTimeStepSize();
+      participant.readData(mesh, "Force", ids, step, forces);
+      simulation.setForces(surface, forces);
+      simulation.solveAgain();
+      if (simulation.ending() != ExitCode::Done) throw NumericalError(simulation.solution().failure);
+      participant.writeData(mesh, "Displacement", ids, simulation.displacements(surface));
+      participant.advance(step);
+      if (!participant.requiresReadingCheckpoint()) simulation.advance();  // the window is done: slip of friction stays
+    }
+    participant.finalize();
+    return static_cast<int>(simulation.ending());
+  } catch (const Error& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return static_cast<int>(error.code());
+  }
+}
