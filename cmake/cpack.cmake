@@ -51,9 +51,9 @@ For programs and plugins in C++17, by find_package(Suture) of CMake or by pkg-co
 
 set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-suture)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
-set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "suture (= ${PROJECT_VERSION}), python3, python3-numpy")
-set(CPACK_DEBIAN_PYTHON_DESCRIPTION "contact of elastic bodies: Suture as a module of Python
-Scenes built, solved and read in Python.")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "suture (= ${PROJECT_VERSION}), python3, python3-numpy, python3-mpi4py")
+set(CPACK_DEBIAN_PYTHON_DESCRIPTION "contact of elastic bodies: Suture from Python
+Scenes from files or dictionaries, solved on an mpi4py communicator, answers as numpy arrays.")
 
 # Each package has its copyright; a plain `cmake --install` has LICENSE.
 file(READ ${CMAKE_SOURCE_DIR}/LICENSE text)

@@ -36,7 +36,7 @@ prints() {
 }
 
 rm -rf "$root/root/tunnel_out" "$root/root/projects"
-cp "$packages"/suture*.deb "$root/root/"
+cp "$packages"/*suture*.deb "$root/root/"
 inside "apt-get update -q"
 
 echo "== Two commands to a picture"
@@ -45,6 +45,12 @@ prints "suture_solve /usr/share/suture/input/tunnel/tunnel.xml --output tunnel_o
 [ -s "$root/root/tunnel_out/principal_stress.png" ] || { echo "check.sh: there is no picture of the stresses" >&2; exit 1; }
 prints "mpirun --oversubscribe -np 2 suture_solve /usr/share/suture/input/tunnel/tunnel.xml --output tunnel_2_out" "87 of 89 pairs closed"
 prints "ldd /usr/bin/suture_solve /usr/lib/suture/suture_mesher | grep -c 'not found' || true" "^0$"
+
+echo "== Python"
+inside "apt-get install -y -q --no-install-recommends ./python3-suture_*.deb"
+prints "mpirun --oversubscribe -np 2 python3 -c 'import suture; print(repr(suture.solve(\"/usr/share/suture/input/tunnel/tunnel.xml\").energy))'" "^-"
+energy=$(tail -n 1 "$root/root/printed")
+inside "grep -qxF '  \"energy\": $energy,' tunnel_2_out/summary.json"  # to the last bit
 
 echo "== Projects of others, from the packages alone"
 inside "apt-get install -y -q --no-install-recommends ./suture-dev_*.deb g++ cmake make pkg-config"
@@ -63,6 +69,6 @@ inside 'c++ -std=c++17 /usr/share/suture/drivers/examples/embedding/TwoBlocks.cp
 prints "mpirun --oversubscribe -np 2 projects/two_blocks" "17 pairs, pressures from 100000 to 100000 Pa"
 
 echo "== Removed"
-inside "apt-get purge -y -q suture suture-dev"
+inside "apt-get purge -y -q suture suture-dev python3-suture"
 prints "find /usr /etc /opt -name '*suture*' | grep -c . || true" "^0$"
 echo "check.sh: all of it holds; pictures in $root/root/tunnel_out"

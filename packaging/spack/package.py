@@ -47,6 +47,7 @@ class Suture(CMakePackage):
             self.define_from_variant("SUTURE_GMSH", "gmsh"),
             self.define_from_variant("SUTURE_TESTS", "tests"),
             self.define("SUTURE_UNITY", True),
+            self.define("SUTURE_PYTHON_PACKAGE", "OFF"),
         ]
 
     def test_two_blocks(self):

@@ -16,7 +16,8 @@ import sys
 FIELDS = ["Package", "Version", "Architecture", "Maintainer", "Section", "Priority", "Description", "Depends", "Installed-Size"]
 # What the programs start, and the libraries that they were linked to.
 NEEDS = {"suture": ["openmpi-bin", "python3", "python3-numpy", "python3-h5py", "python3-matplotlib", "libc6", "libgmsh4.8", "libcholmod3", "libtrilinos-tpetra-13.2"],
-         "suture-dev": ["suture", "libopenmpi-dev", "libeigen3-dev", "libtrilinos-tpetra-dev", "libtrilinos-intrepid2-dev", "libptscotch-dev", "libmumps-dev"]}
+         "suture-dev": ["suture", "libopenmpi-dev", "libeigen3-dev", "libtrilinos-tpetra-dev", "libtrilinos-intrepid2-dev", "libptscotch-dev", "libmumps-dev"],
+         "python3-suture": ["suture", "python3", "python3-numpy", "python3-mpi4py"]}
 
 
 def run(*command):
