@@ -324,6 +324,23 @@ TEUCHOS_UNIT_TEST(Coupling, WithFrictionAdvanceEndsAStep) {
   TEST_COMPARE(distanceBetween(coupled, path), <, 1e-7);
 }
 
+// Glued sides leave a linear problem whose unknowns depend on each other.
+TEUCHOS_UNIT_TEST(Coupling, OfGluedBlocksBeginsOnTheWayToTheLastAnswer) {
+  const std::vector<std::string> glued{"Contact/joint/Law=Tied"};
+  Simulation coupled(blocks::world(), rubbingScene(glued));
+  const CouplingSurface surface = coupled.coupling("upper_right");
+  for (const double pressure : {1000.0, 3000.0, -2000.0}) {
+    coupled.setTractions(surface, at(surface, [=](const Point&) { return Point{-pressure, 0, 0}; }));
+    coupled.solveAgain();
+    TEST_ASSERT(coupled.ending() == ExitCode::Done);
+    std::vector<std::string> settings = glued;
+    settings.push_back("Boundary Conditions/push/Value={" + std::to_string(pressure) + "}");
+    Simulation fresh(blocks::world(), rubbingScene(settings));
+    fresh.solve();
+    TEST_COMPARE(distanceBetween(coupled, fresh), <, 1e-9);
+  }
+}
+
 TEUCHOS_UNIT_TEST(Coupling, IsRefusedTheSameOnAllRanks) {
   const auto says = [&](const std::string& text, const std::vector<std::string>& wanted) {
     for (const std::string& one : wanted) {
