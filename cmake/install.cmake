@@ -44,9 +44,6 @@ configure_package_config_file(${CMAKE_SOURCE_DIR}/cmake/SutureConfig.cmake.in ${
   INSTALL_DESTINATION ${SUTURE_CONFIG_DIR} NO_SET_AND_CHECK_MACRO)
 write_basic_package_version_file(${CMAKE_BINARY_DIR}/SutureConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${CMAKE_BINARY_DIR}/SutureConfig.cmake ${CMAKE_BINARY_DIR}/SutureConfigVersion.cmake DESTINATION ${SUTURE_CONFIG_DIR} COMPONENT dev)
-# Formats of summary.json and of the tables, for programs that read them (doc/contract.md).
-install(DIRECTORY ${CMAKE_SOURCE_DIR}/doc/schema DESTINATION ${CMAKE_INSTALL_DATADIR}/suture FILES_MATCHING PATTERN "*.schema.json")
-
 include(cmake/pkgconfig.cmake)
 include(cmake/documents.cmake)
 include(cmake/cpack.cmake)

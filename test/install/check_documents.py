@@ -45,7 +45,7 @@ def commands(prefix):
     for page in sorted((prefix / "share/doc/suture/doc").rglob("*.md")):
         for path in re.findall(r'\$SUTURE/([\w./-]+)', page.read_text()):
             paths += 1
-            if not (share / path).exists():
+            if not path.startswith("build/") and not (share / path).exists():  # what a checkout builds is installed elsewhere
                 problems.append(f"{page.relative_to(prefix)}: $SUTURE/{path} does not exist in share/suture")
     return problems if paths > 20 else problems + [f"the installed guide has {paths} paths $SUTURE/..., more were expected"]
 
