@@ -9,7 +9,9 @@ All functions are collective over the communicator. What is wrong is an exceptio
 import json
 import os
 
-from mpi4py import MPI
+os.environ.setdefault("HWLOC_HIDE_ERRORS", "2")  # MPI asks hwloc, which prints where a machine has no /sys
+
+from mpi4py import MPI  # noqa: E402
 
 from . import _suture
 from ._suture import EnvironmentError, Error, InputError, InternalError, NumericalError  # noqa: A004
