@@ -17,7 +17,7 @@ struct SolveOptions {
   bool check = false, printDefaults = false, quiet = false, verbose = false, strict = false;
   std::vector<std::string> commandLine;  ///< as given, for provenance
 
-  std::optional<RunRecord> record;  ///< of the run that is made again
+  std::optional<RunRecord> record;  ///< run that is made again
 
   /// \return the exit code when the program ends here (--help, --version, a wrong option)
   std::optional<int> parse(int argc, char* argv[]);

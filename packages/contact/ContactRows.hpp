@@ -9,9 +9,9 @@
 
 namespace suture {
 
-/// The unilateral conditions of a group in its free unknowns v: row . v <= gap, a row (u_A - u_B) . n a pair, then rows along the tangents
-/// of pairs whose laws restrict sliding. The gap contains the part of prescribed components; along a tangent it is the slip before the
-/// load step. A row may be empty (both nodes held): it cannot change.
+/// The unilateral conditions of a group in its free unknowns v: row . v <= gap, a row (u_A - u_B) . n a pair. Rows along the tangents
+/// follow, for pairs whose laws restrict sliding. The gap contains the part of prescribed components; along a tangent it is the slip before
+/// the load step. A row may be empty (both nodes held): it cannot change.
 struct ContactRows {
   SparseMatrix rows;                  ///< rows x free unknowns: the normal rows of all pairs, then those of tangents
   Vector gap;                         ///< gap of each row [length]

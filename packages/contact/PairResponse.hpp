@@ -3,9 +3,9 @@
 
 namespace suture {
 
-/// How the forces of all pairs that can change depend on their jumps:  f = stuck - stiffness j,  f what side B feels, j = u_A - u_B along
-/// the tangents and the penetration along the normal. Found by opening and sliding one pair after the other while all others stick: a solve
-/// for each row. The same on all ranks.
+/// Forces of all pairs that can change as a function of their jumps:  f = stuck - stiffness j,  with f the force on side B, j = u_A - u_B
+/// along the tangents and the penetration along the normal. Found by opening and sliding one pair after the other while all others stick: a
+/// solve for each row. The same on all ranks.
 class PairResponse {
  public:
   struct Row {
@@ -39,7 +39,7 @@ class PairResponse {
   std::vector<Row> rows_;
   Vector force_;
   Matrix stiffness_;
-  Matrix changes_;        // of forces, when the pair of a row slides along it
+  Matrix changes_;        // change of all forces (rows) when the pair of a row (column) slides along it
   double scale_ = 0.0;    // largest force
   double softest_ = 0.0;  // largest jump under a force, of the order of one [length / force]
   int solves_ = 0;

@@ -18,7 +18,7 @@ struct ComparedFigure {
 /// Results of two runs of one scene, figure by figure.
 struct Comparison {
   std::vector<ComparedFigure> figures;
-  double tolerance = 0.0;  ///< of the outer iteration, or what was reached instead
+  double tolerance = 0.0;  ///< tolerance of the outer iteration, or the residual reached, if that is larger
   int ranksThen = 1, ranksNow = 1;
   std::vector<std::string> notes;  ///< libraries of other versions
 

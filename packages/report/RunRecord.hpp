@@ -19,9 +19,9 @@ struct RunRecord {
   static constexpr int kVersion = 1;
   static constexpr const char* kName = "suture summary";
 
-  std::string path, text;  ///< of summary.json
+  std::string path, text;  ///< place and content of summary.json
   UsedFile scene;
-  std::vector<std::string> overrides;  ///< those of the run, without Output/Folder
+  std::vector<std::string> overrides;  ///< assignments of the run, without Output/Folder
   std::vector<UsedFile> plugins;
   UsedFile restart;
   bool strict = false;

@@ -15,8 +15,8 @@ struct CouplingSurface {
   int dimension = 2;
   std::vector<GlobalId> nodes;      ///< numbers in the mesh, ascending
   std::vector<double> coordinates;  ///< [length]
-  /// Integrals of the shape functions over the group, the forces of a unit traction: their sum over all ranks is the group's size. Of sides
-  /// of second order some are zero or negative. [length, area in space and of revolved sides]
+  /// Integrals of the shape functions over the group, the forces of a unit traction: their sum over all ranks is the group's size. Some are
+  /// zero or negative on sides of second order. [length, area in space and of revolved sides]
   std::vector<double> areas;
   /// Integrals of the shape functions times the outward normal: a pressure p pushes with the forces -p x these. [as areas]
   std::vector<double> normals;

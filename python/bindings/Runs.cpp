@@ -149,29 +149,21 @@ void bindSurface(py::module_& module) {
     const auto dimension = static_cast<py::ssize_t>(self.cast<const CouplingSurface&>().dimension);
     return view(values.data(), {static_cast<py::ssize_t>(values.size()) / dimension, dimension}, self);
   };
-  py::class_<CouplingSurface>(module, "Surface",
-                              "Nodes of a side group at which another program acts on a scene: those that this rank owns.")
-      .def_readonly("group", &CouplingSurface::group)
-      .def_property_readonly(
-          "nodes",
-          [](const py::object& self) {
-            const auto& nodes = self.cast<const CouplingSurface&>().nodes;
-            return view(nodes.data(), {static_cast<py::ssize_t>(nodes.size())}, self);
-          },
-          "numbers in the mesh, ascending")
-      .def_property_readonly(
-          "areas",
-          [](const py::object& self) {
-            const auto& areas = self.cast<const CouplingSurface&>().areas;
-            return view(areas.data(), {static_cast<py::ssize_t>(areas.size())}, self);
-          },
-          "integrals of the shape functions: forces of a unit traction")
-      .def_property_readonly(
-          "coordinates", [matrix](const py::object& self) { return matrix(self, self.cast<const CouplingSurface&>().coordinates); },
-          "nodes x dimension [length]")
-      .def_property_readonly(
-          "normals", [matrix](const py::object& self) { return matrix(self, self.cast<const CouplingSurface&>().normals); },
-          "integrals of the shape functions times the outward normal: a pressure p pushes with -p times these");
+  const auto list = [](const py::object& self, const auto& values) {
+    return view(values.data(), {static_cast<py::ssize_t>(values.size())}, self);
+  };
+  py::class_<CouplingSurface> surface(module, "Surface",
+                                      "Nodes of a side group at which another program acts on a scene: those that this rank owns.");
+  surface.def_readonly("group", &CouplingSurface::group);
+  const auto add = [&surface](const char* name, auto member, auto shape, const char* doc) {
+    surface.def_property_readonly(
+        name, [=](const py::object& self) { return shape(self, self.cast<const CouplingSurface&>().*member); }, doc);
+  };
+  add("nodes", &CouplingSurface::nodes, list, "numbers in the mesh, ascending");
+  add("areas", &CouplingSurface::areas, list, "integrals of the shape functions: forces of a unit traction");
+  add("coordinates", &CouplingSurface::coordinates, matrix, "nodes x dimension [length]");
+  add("normals", &CouplingSurface::normals, matrix,
+      "integrals of the shape functions times the outward normal: a pressure p pushes with -p times these");
 }
 
 /// Displacements of a surface's nodes, nodes x dimension.

@@ -22,7 +22,7 @@ std::optional<Vector> linearComplementarity(const Matrix& m, const Vector& q) {
   if (n == 0 || q.minCoeff() >= 0.0) return Vector::Zero(n);
   // A generic covering vector: along its path no two of the values reach zero together, other than by rounding.
   std::mt19937 engine(1);
-  Matrix tableau(n, right + 1);  // of w, z, the artificial unknown and the right-hand side
+  Matrix tableau(n, right + 1);  // columns of w, z, the artificial unknown, the right-hand side
   tableau.leftCols(n).setIdentity();
   tableau.middleCols(n, n) = -m;
   for (Eigen::Index i = 0; i < n; ++i)
