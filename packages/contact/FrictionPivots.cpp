@@ -71,11 +71,12 @@ bool FrictionSearch::pivot(const PairResponse& response, double softness, Fricti
   }
   Matrix m = Matrix::Zero(all, all);
   m.topLeftCorner(forces, forces) = stiff * directions.transpose() * compliance * directions;
-  Vector q = Vector::Zero(all), last = q;
+  Vector q = Vector::Zero(all);
   q.head(forces) = -stiff / force * (directions.transpose() * (compliance * response.stuck()));
   Vector normals = response.stuck().cwiseMax(0.0);
   std::vector<char> isOpen(static_cast<std::size_t>(n), 0);
   for (int round = 0; round < kRounds; ++round) {
+    bool changes = round == 0;
     for (std::size_t k = 0; k < rubs.size(); ++k) {
       const Eigen::Index spin = forces + static_cast<Eigen::Index>(k), row = rubs[k];
       const std::size_t pair = rows[row].pair;
@@ -88,15 +89,20 @@ bool FrictionSearch::pivot(const PairResponse& response, double softness, Fricti
       const ContactState state = laws_.of(data.line[pair]).project(trial, PairStatus::Slip);
       const bool slips = state.status == PairStatus::Slip;
       // A pair that has opened holds nothing beside its normal force: the bound of its law is that of one which is closed.
-      q(spin) = isOpen[static_cast<std::size_t>(row)] ? 0.0 : slips ? state.bound / force : kHoldsAnything;
+      const double bound = isOpen[static_cast<std::size_t>(row)] ? 0.0
+                           : slips                               ? state.bound / force
+                                                                 : kHoldsAnything,
+                   slope = slips ? state.friction : 0.0;
+      changes = changes || q(spin) != bound;
+      q(spin) = bound;
       for (Eigen::Index c = 0; c < forces; ++c) {
         if (columns[c].first != row) continue;
-        m(spin, c) = columns[c].second < 0 ? (slips ? state.friction : 0.0) : -1.0;
+        if (columns[c].second < 0) changes = changes || m(spin, c) != slope;
+        m(spin, c) = columns[c].second < 0 ? slope : -1.0;
         if (columns[c].second >= 0) m(c, spin) = 1.0;
       }
     }
-    if (round > 0 && (q - last).isZero(0.0)) break;
-    last = q;
+    if (!changes) break;
     const std::optional<Vector> solution = linearComplementarity(m, q);
     if (!solution) return false;
     const Vector felt = force * (directions * solution->head(forces)), jump = compliance * (response.stuck() - felt);
@@ -109,7 +115,7 @@ bool FrictionSearch::pivot(const PairResponse& response, double softness, Fricti
   return true;
 }
 
-/// Where pairs are few: takes the states of their complementarity problem, and goes on from them by Newton's steps.
+/// Takes the states of the pairs' complementarity problem, where they are few, and goes on from them by Newton's steps.
 FrictionSearch::End FrictionSearch::solveByPivots() {
   stick();
   PairResponse response;
