@@ -7,6 +7,7 @@ check_doc.py ROOT: prints, and fails for,
 - relative links of Markdown files that lead to no file, and parts `#...` of links that no heading of the file has.
 """
 import json
+import os
 import pathlib
 import re
 import sys
@@ -156,14 +157,21 @@ def anchors(text):
     return {re.sub(r"\s", "-", re.sub(r"[^\w\s-]", "", heading.lower())) for heading in headings}
 
 
-def checkLinks(root):
-    """Problems of relative links in Markdown files. Hidden folders and those that a build has made are not the project's."""
-    problems = []
+def pages(root):
+    """Markdown files below a folder. Hidden folders and those that a build has made are not the project's, nor is their content looked at:
+    other tests remove files there meanwhile."""
     made = {path.parent.name for path in root.glob("*/CMakeCache.txt")} | {path.parent.name for path in root.glob("*/CTestTestfile.cmake")}
-    for page in sorted(root.rglob("*.md")):
+    for folder, inner, names in os.walk(root):
+        folder = pathlib.Path(folder)
+        inner[:] = [name for name in inner if not name.startswith(".") and not (folder == root and name in made)]
+        yield from (folder / name for name in names if name.endswith(".md"))
+
+
+def checkLinks(root):
+    """Problems of relative links in Markdown files."""
+    problems = []
+    for page in sorted(pages(root)):
         inside = page.relative_to(root)
-        if any(part.startswith(".") for part in inside.parts[:-1]) or inside.parts[0] in made:
-            continue
         text = re.sub(r"^```.*?^```", lambda found: "\n" * found[0].count("\n"), page.read_text(), flags=re.S | re.M)
         for number, line in enumerate(text.splitlines(), 1):
             for target in re.findall(r"\]\(([^)\s]+)(?: \"[^\"]*\")?\)", re.sub(r"`[^`]*`", "", line)):
