@@ -16,6 +16,8 @@ constexpr int kPatience = 25;        // solves without a better state before a s
 constexpr double kIdle = 1e-10;      // forces below this part of the largest on the less loaded body are those of pairs that only touch
 constexpr double kProgress = 1e-13;  // energies that differ by less are equal
 constexpr std::size_t kMemory = 30;  // solves that the model learns from
+constexpr double kFarther = 2.0;     // distance from the laws, in parts of the nearest balance's, from which on a line search pays
+constexpr int kHalvings = 12;        // of a step on that line
 
 }  // namespace
 
@@ -99,11 +101,17 @@ ClosedSet ContactSearch::flipped() const {
   return next;
 }
 
+/// Penetrations of pads that carry given forces.
+Vector ContactSearch::padPenetration(const Vector& force, const Vector& penetration) const {
+  return rigid_.compliance().cwiseProduct(force) + penetration;
+}
+
+ClosedSet ContactSearch::guarded(ClosedSet set) const { return guarded(std::move(set), answer_.force, answer_.penetration); }
+
 /// A set that would leave a body loose gives way to that of the equilibrium on pads.
-ClosedSet ContactSearch::guarded(ClosedSet set) const {
+ClosedSet ContactSearch::guarded(ClosedSet set, const Vector& force, const Vector& penetration) const {
   if (rigid_.motions() == 0 || !rigid_.loosens(set)) return set;
-  const Vector t = rigid_.compliance().cwiseProduct(answer_.force) + answer_.penetration;
-  const RigidContact::Equilibrium pads = rigid_.project(t);
+  const RigidContact::Equilibrium pads = rigid_.project(padPenetration(force, penetration));
   if (!pads.found) return joined(set, set_);
   for (std::size_t i = 0; i < set.size(); ++i) set[i] = pads.force(static_cast<Eigen::Index>(i)) > 0.0;
   return set;
@@ -154,8 +162,50 @@ bool ContactSearch::done() {
   return false;
 }
 
+/// Distance of forces and penetrations from the laws: sum c (l - (l + w / c)_+)^2.
+double ContactSearch::distance(const Vector& force, const Vector& penetration) const {
+  const Vector& c = rigid_.compliance();
+  double sum = 0.0;
+  for (Eigen::Index i = 0; i < force.size(); ++i) {
+    if (!rigid_.data().able[static_cast<std::size_t>(i)]) continue;
+    const double apart = force(i) - std::max(force(i) + penetration(i) / c(i), 0.0);
+    sum += c(i) * apart * apart;
+  }
+  return sum;
+}
+
+/// Where the answer is much farther from the laws than the nearest balance: the set of the best balance between the two, if it is new.
+bool ContactSearch::searchLine(ClosedSet& next) {
+  if (!learns_ || driven_) return false;
+  const double own = distance(answer_.force, answer_.penetration);
+  if (level_ == oracle_.levels() - 1 && own < nearestAnswer_.distance) nearestAnswer_ = {answer_.force, answer_.penetration, own};
+  if (own < nearest_.distance) {
+    nearest_ = {answer_.force, answer_.penetration, own};
+    return false;
+  }
+  if (own < kFarther * nearest_.distance) return false;
+  const Vector force = answer_.force - nearest_.force, penetration = answer_.penetration - nearest_.penetration;
+  double part = 1.0;
+  Balance best = nearest_;
+  for (int halving = 0; halving < kHalvings; ++halving) {
+    part *= 0.5;
+    Balance at{nearest_.force + part * force, nearest_.penetration + part * penetration};
+    at.distance = distance(at.force, at.penetration);
+    if (at.distance < best.distance) best = std::move(at);
+  }
+  if (!(best.distance < nearest_.distance)) return false;
+  nearest_ = std::move(best);
+  const Vector t = padPenetration(nearest_.force, nearest_.penetration);
+  next = set_;
+  for (std::size_t i = 0; i < next.size(); ++i)
+    if (rigid_.data().able[i]) next[i] = t(static_cast<Eigen::Index>(i)) > 0.0;
+  next = guarded(next, nearest_.force, nearest_.penetration);
+  return !proposed(next);
+}
+
 /// The next set, not met before, without a safe step; false if there is none.
 bool ContactSearch::propose(ClosedSet& next) {
+  if (searchLine(next)) return true;
   if (plain_ <= kPlainSolves) {
     if (const ClosedSet own = oracle_.proposal(); !own.empty()) {
       next = guarded(own);

@@ -30,6 +30,19 @@ bool ContactSearch::staticStart() {
   return haveBest_ = true;
 }
 
+/// From the equilibrium on pads beside the nearest accurate answer: admissible forces that keep what the search has learnt.
+bool ContactSearch::nearestStart() {
+  if (nearestAnswer_.force.size() != rigid_.pairs()) return false;
+  const RigidContact::Equilibrium pads = rigid_.project(padPenetration(nearestAnswer_.force, nearestAnswer_.penetration));
+  if (!pads.found) return false;
+  State from;
+  from.force = pads.force;
+  from.penetration = from.penetrationTolerance = Vector::Zero(rigid_.pairs());
+  from.closed.assign(rigid_.pairs(), 0);
+  for (int i = 0; i < rigid_.pairs(); ++i) from.closed[i] = pads.force(i) > 0.0;
+  return haveBest_ = descend(from, false, best_);
+}
+
 /// From a face minimiser with l >= 0 to a better one. One solve a loop.
 /// \param pushFirst  begins with forces w / c on the penetrating pairs instead of closing them
 bool ContactSearch::descend(const State& from, bool pushFirst, State& to) {
@@ -111,12 +124,18 @@ bool ContactSearch::descend(const State& from, bool pushFirst, State& to) {
 
 bool ContactSearch::safeStep(ClosedSet& next) {
   level_ = oracle_.levels() - 1;
-  if (!haveBest_ && !staticStart()) return false;
+  if (!haveBest_ && nearestStart()) return takeBest(next);
+  if (failed_ || stopped_ || (!haveBest_ && !staticStart())) return false;
   State better;
   const State from = best_;
   const auto rises = [&] { return better.energy > from.energy + 1e-14 * std::abs(from.energy); };
   if (!(descend(from, false, better) && rises()) && (failed_ || stopped_ || !(descend(from, true, better) && rises()))) return false;
   best_ = better;
+  return takeBest(next);
+}
+
+/// The set after that of the best state.
+bool ContactSearch::takeBest(ClosedSet& next) {
   sinceBest_ = 0;
   seen_.assign(1, best_.closed);
   remember(best_.force, best_.penetration);

@@ -1,4 +1,5 @@
 #include <suture/contact/ContactSearch.hpp>
+#include <suture/contact/StateSearch.hpp>
 #include <suture/solver/FrictionMethod.hpp>
 #include <suture/solver/FrictionSolves.hpp>
 #include <suture/solver/SetSolves.hpp>
@@ -72,16 +73,15 @@ PairStates statesBySlip(const RigidContact& rigid, const FrictionStates& frictio
   return states;
 }
 
-}  // namespace
-
-void searchFriction(OuterSolver::Run& run, double innerTolerance) {
+/// Search by the ways of FrictionSearch: of problems that take bounds in place of a law, and of few pairs whose law jumps (cohesion is
+/// lost where a pair opens), by pivots.
+FrictionSearch::Result searchOtherwise(OuterSolver::Run& run, FrictionSolves& solves, double innerTolerance, int most) {
   const FrictionStates& friction = *run.problem.friction();
   const ContactSets& sets = *run.problem.sets();
   const RigidContact& rigid = sets.bodies().rigid();
   PairStates start;
   Vector normal;
-  FrictionSolves solves(run, innerTolerance);
-  FrictionSearch search(rigid, friction.laws(), friction.sites(), solves, run.settings.maximumIterations);
+  FrictionSearch search(rigid, friction.laws(), friction.sites(), solves, most);
   if (run.given) {
     start = friction.statesOf(run.result.state.status);
   } else if (holdsWithoutFriction(rigid)) {
@@ -98,7 +98,35 @@ void searchFriction(OuterSolver::Run& run, double innerTolerance) {
     start = stickingStart(rigid, friction);
     run.result.state = friction.stateWith(start);
   }
-  const FrictionSearch::Result found = search.run(start, normal);
+  return search.run(start, normal);
+}
+
+}  // namespace
+
+void searchFriction(OuterSolver::Run& run, double innerTolerance) {
+  const FrictionStates& friction = *run.problem.friction();
+  const RigidContact& rigid = run.problem.sets()->bodies().rigid();
+  FrictionSolves solves(run, innerTolerance);
+  FrictionSearch::Result found;
+  if (solves.drags()) {
+    StateSearch search(rigid, friction.laws(), friction.sites(), solves, run.settings.maximumIterations);
+    PairStates start;
+    if (run.given) {
+      start = friction.statesOf(run.result.state.status);
+    } else {
+      start = search.start();
+      run.result.state = friction.stateWith(start);
+    }
+    const StateSearch::Result own = search.run(start);
+    found.converged = own.converged;
+    found.slides = own.slides;
+    found.states = own.states;
+    found.solves = own.solves;
+    found.contraction = own.contraction;
+    found.alternating = own.alternating;
+  }
+  if (!found.converged && found.slides.size() == 0 && solves.goesOn() && found.solves < run.settings.maximumIterations)
+    found = searchOtherwise(run, solves, innerTolerance, run.settings.maximumIterations);
   run.result.state.status = friction.statusOf(found.states);
   if (found.converged || !found.alternating.empty()) run.result.failure.clear();  // failure of a try before
   if (found.contraction >= 0.0) run.result.estimates["contraction"] = found.contraction;

@@ -15,6 +15,7 @@ constexpr int kRestarts = 6;      // number of new beginnings of conjugate gradi
 constexpr double kStalled = 0.5;  // part of the residuals, of the whole and of bodies, that a new beginning leaves where rounding ends it
 constexpr double kPairDigits = 1e-12;  // rounding of a pair's force, in parts of the largest in its cluster
 constexpr int kRescales = 4;
+constexpr double kKept = 0.02;  // least accuracy that a final set inherits from the one before: a body that needs more may be free in it
 constexpr double kOverestimate = 2.0;  // of the solution's energy norm, from which on a solve is taken up again
 }  // namespace
 
@@ -169,7 +170,7 @@ ContactAnswer SetSolves::solve(const ClosedSet& closed, int level) {
   bool goOn = closed == closed_ && run_.inner.canGoOn();
   if (!goOn) {
     findClusters(closed);
-    sharper_ = 1.0;
+    sharper_ = level == kFinal ? std::max(sharper_, kKept) : 1.0;  // bodies that needed more digits in the last set do in the next one
   }
   closed_ = closed;
   double before = 0.0, wholeBefore = 0.0;

@@ -26,13 +26,14 @@ FAILED = ("WRONG", "hang", "crash", "input", "default fails", "Monolithic fails"
 
 
 class Run:
-    def __init__(self, program, folder, name, more=(), limit=LIMIT):
+    def __init__(self, program, folder, name, more=(), limit=LIMIT, variables=None):
         self.folder, self.summary, self.pairs = os.path.join(folder, name), {}, []
         shutil.rmtree(self.folder, ignore_errors=True)
         sets = [word for each in ["Output/Fields=false", *more] for word in ("--set", each)]
         try:
             done = subprocess.run([program, os.path.join(folder, "scene.xml"), "--output", self.folder, *sets], stdout=subprocess.PIPE,
-                                  stderr=subprocess.STDOUT, stdin=subprocess.DEVNULL, text=True, timeout=limit)
+                                  stderr=subprocess.STDOUT, stdin=subprocess.DEVNULL, text=True, timeout=limit,
+                                  env={**os.environ, **(variables or {})})
             self.code, self.text = done.returncode, done.stdout
         except subprocess.TimeoutExpired as expired:
             self.code, self.text = "hang", (expired.stdout or b"").decode(errors="replace")
