@@ -1,4 +1,5 @@
 #include <suture/algebra/dense/Decompositions.hpp>
+#include <suture/base/AgreedDimension.hpp>
 #include <suture/base/Buffer.hpp>
 #include <suture/base/Collective.hpp>
 #include <suture/base/RigidValues.hpp>
@@ -60,8 +61,7 @@ ContactBodies::ContactBodies(const Comm& comm, const Meshes& meshes, const Conta
 }
 
 void ContactBodies::findParts(const Comm& comm, const Meshes& meshes) {
-  int mine = meshes.empty() ? 0 : meshes.front()->dimension;
-  Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, mine, Teuchos::outArg(dimension_));
+  dimension_ = agreedDimensionOf(comm, meshes);
   BodyParts found(comm, meshes, dimension_);
   parts_ = std::move(found.parts);
   lift_ = std::move(found.lift);

@@ -26,8 +26,8 @@ struct InterfaceLayout {
     std::vector<GlobalId> ends;      ///< those of an edge's unknowns where it ends at no vertex
   };
 
-  int dimension = 2;
-  std::vector<int> locals;                        ///< ids of the local problems of this rank, of all local problems of the scene
+  int dimension = 0;        ///< of the scene: 2 or 3; a rank without local problems leaves 0, the space knows it everywhere
+  std::vector<int> locals;  ///< ids of the local problems of this rank, of all local problems of the scene
   std::vector<std::vector<GlobalId>> boundaries;  ///< unknowns of each of them
   std::vector<Unknown> unknowns;                  ///< those in `boundaries`; each at least once over all ranks, in any order
   std::vector<GlobalId> partners;                 ///< unknowns of other ranks' boundaries that relations may name here

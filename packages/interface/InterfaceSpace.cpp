@@ -1,3 +1,5 @@
+#include <suture/base/AgreedDimension.hpp>
+#include <suture/base/Errors.hpp>
 #include <suture/interface/Directory.hpp>
 #include <suture/interface/InterfaceSpace.hpp>
 
@@ -11,7 +13,8 @@
 namespace suture {
 
 InterfaceSpace::InterfaceSpace(CommPtr comm, const InterfaceLayout& layout)
-    : comm_(std::move(comm)), localIds_(layout.locals), dimension_(layout.dimension) {
+    : comm_(std::move(comm)), localIds_(layout.locals), dimension_(agreedDimension(*comm_, layout.dimension)) {
+  if (dimension_ == 0) throw InternalError("no rank knows the dimension of the interface");
   std::vector<GlobalId> touched;
   for (const auto& boundary : layout.boundaries) touched.insert(touched.end(), boundary.begin(), boundary.end());
   // Owners are found among those whose local problems hold the unknown, not among its partners.

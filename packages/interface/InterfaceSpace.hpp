@@ -56,8 +56,8 @@ class InterfaceSpace {
   const MapPtr& map() const { return map_; }          ///< owned, one to one
   const MapPtr& overlap() const { return overlap_; }  ///< all that this rank's local problems touch, and their partners in relations
   const CommPtr& comm() const { return comm_; }
-  int dimension() const { return dimension_; }
-  GlobalId size() const;  ///< over all ranks, idle ones included
+  int dimension() const { return dimension_; }  ///< of the scene, also on a rank without local problems
+  GlobalId size() const;                        ///< over all ranks, idle ones included
   int overlapSize() const { return static_cast<int>(ownedRows_->size()); }
   int locals() const { return static_cast<int>(couplings_->size()); }
   int localId(int local) const { return (*localIds_)[local]; }

@@ -6,36 +6,41 @@ namespace suture {
 
 namespace {
 
-// Every row of a cluster goes to all subdomains that hold a node of any pair in it. Subdomain -> pairs, ascending.
-std::vector<std::vector<int>> shareRows(const std::vector<ContactRow>& rows, const NodeSubdomains& holdersOfNodes, int subdomains) {
-  std::vector<std::vector<int>> members(rows.size()), holders(rows.size());  // by the cluster's lowest pair
+/// Who gets the rows of contact: every row of a cluster goes to all subdomains that hold a node of any pair in it.
+struct SharedRows {
+  std::vector<std::vector<int>> holders;  ///< subdomains by cluster (its lowest pair), ascending
+  std::vector<std::vector<int>> pairs;    ///< by subdomain, ascending
+};
+
+SharedRows shareRows(const std::vector<ContactRow>& rows, const NodeSubdomains& holdersOfNodes, int subdomains) {
+  SharedRows shared{std::vector<std::vector<int>>(rows.size()), std::vector<std::vector<int>>(subdomains)};
+  std::vector<std::vector<int>> members(rows.size());
   for (std::size_t p = 0; p < rows.size(); ++p) {
     const int cluster = rows[p].cluster;
     members[cluster].push_back(static_cast<int>(p));
     for (const PairEnd& end : rows[p].pair.ends) {
       const auto own = holdersOfNodes.of(end.node);
-      holders[cluster].insert(holders[cluster].end(), own.begin(), own.end());
+      shared.holders[cluster].insert(shared.holders[cluster].end(), own.begin(), own.end());
     }
   }
-  std::vector<std::vector<int>> pairs(subdomains);
   for (std::size_t cluster = 0; cluster < rows.size(); ++cluster) {
-    std::vector<int>& all = holders[cluster];
+    std::vector<int>& all = shared.holders[cluster];
     std::sort(all.begin(), all.end());
     all.erase(std::unique(all.begin(), all.end()), all.end());
-    for (int s : all) pairs[s].insert(pairs[s].end(), members[cluster].begin(), members[cluster].end());
+    for (int s : all) shared.pairs[s].insert(shared.pairs[s].end(), members[cluster].begin(), members[cluster].end());
   }
-  for (std::vector<int>& own : pairs) std::sort(own.begin(), own.end());
-  return pairs;
+  for (std::vector<int>& own : shared.pairs) std::sort(own.begin(), own.end());
+  return shared;
 }
 
-/// The subdomains that hold a node of a pair of a cell, ascending.
-std::vector<int> holdersOf(const std::vector<int>& cell, const Constraints& constraints, const NodeSubdomains& holdersOfNodes) {
+/// The subdomains that have the row of a pair of a cell, ascending: all that share its unknown must see the same cells around it. A
+/// subdomain without a node of the cell may share an unknown of it, through another pair of the cluster.
+std::vector<int> holdersOf(const std::vector<int>& cell, const std::vector<ContactRow>& rows, const SharedRows& shared) {
   std::vector<int> all;
-  for (const int pair : cell)
-    for (const PairEnd& end : constraints.pairs[pair].ends) {
-      const auto own = holdersOfNodes.of(end.node);
-      all.insert(all.end(), own.begin(), own.end());
-    }
+  for (const int pair : cell) {
+    const std::vector<int>& own = shared.holders[rows[pair].cluster];
+    all.insert(all.end(), own.begin(), own.end());
+  }
   std::sort(all.begin(), all.end());
   all.erase(std::unique(all.begin(), all.end()), all.end());
   return all;
@@ -68,13 +73,13 @@ std::vector<Attachments> attachmentsOf(const Mesh& mesh, const Constraints& cons
     }
 
   const std::vector<ContactRow> rows = contactRows(mesh, constraints);
-  const std::vector<std::vector<int>> pairsOf = shareRows(rows, contactHolders, partition.subdomains());
+  const SharedRows shared = shareRows(rows, contactHolders, partition.subdomains());
   std::vector<std::map<int, int>> placeOf(ranks);  // pair -> place in the rank's rows
   for (int s = 0; s < partition.subdomains(); ++s) {
-    if (pairsOf[s].empty()) continue;
+    if (shared.pairs[s].empty()) continue;
     const int rank = share.rankOfBody(partition.bodyOf[s]);
     std::vector<int>& places = all[rank].rowsOf[s];
-    for (const int pair : pairsOf[s]) {
+    for (const int pair : shared.pairs[s]) {
       const auto [at, isNew] = placeOf[rank].emplace(pair, static_cast<int>(all[rank].rows.size()));
       if (isNew) all[rank].rows.push_back(rows[pair]);
       places.push_back(at->second);
@@ -84,7 +89,7 @@ std::vector<Attachments> attachmentsOf(const Mesh& mesh, const Constraints& cons
   for (const ContactPiece& piece : constraints.pieces)
     for (const std::vector<int>& cell : piece.cells) {
       std::map<int, int> placeAt;  // by rank
-      for (const int s : holdersOf(cell, constraints, contactHolders)) {
+      for (const int s : holdersOf(cell, rows, shared)) {
         Attachments& own = all[share.rankOfBody(partition.bodyOf[s])];
         const auto [at, isNew] = placeAt.emplace(share.rankOfBody(partition.bodyOf[s]), static_cast<int>(own.cells.size()));
         if (isNew) own.cells.push_back(cell);

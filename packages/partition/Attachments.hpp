@@ -19,7 +19,7 @@ struct Attachments {
   std::vector<SubdomainMesh::ContactEnd> contactEnds;  ///< by pair, then end
   std::vector<ContactRow> rows;                        ///< those that any subdomain of these bodies needs
   std::map<int, std::vector<int>> rowsOf;              ///< subdomain -> places in rows, by pair
-  std::vector<std::vector<int>> cells;                 ///< in space: cells between pairs that any of these subdomains has a node of
+  std::vector<std::vector<int>> cells;                 ///< in 3D: cells with a pair whose row any of these subdomains has
   std::map<int, std::vector<int>> cellsOf;             ///< subdomain -> places in cells, ascending
 
   template <typename Self, typename Each>

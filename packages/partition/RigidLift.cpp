@@ -1,3 +1,4 @@
+#include <suture/base/AgreedDimension.hpp>
 #include <suture/base/Gather.hpp>
 #include <suture/base/RigidValues.hpp>
 #include <suture/partition/BodyParts.hpp>
@@ -227,8 +228,7 @@ void Lifting::shiftGaps() {
 }
 
 void Lifting::findParts() {
-  int mine = meshes_.empty() ? 0 : meshes_.front().dimension;
-  Teuchos::reduceAll(comm_, Teuchos::REDUCE_MAX, mine, Teuchos::outArg(dimension_));
+  dimension_ = agreedDimensionOf(comm_, meshes_);
   std::vector<const SubdomainMesh*> pointers;
   for (const SubdomainMesh& mesh : meshes_) pointers.push_back(&mesh);
   parts_ = std::make_unique<BodyParts>(comm_, pointers, dimension_);

@@ -57,7 +57,7 @@ struct SubdomainMesh : CellBlock {
   };
   std::vector<SeamEdge> seamEdges;  ///< by vertices in the numbers of the mesh
 
-  /// Cells between pairs in space (ContactPiece::cells) that have a pair with a node here, by ids of the pairs.
+  /// Cells between pairs in 3D (ContactPiece::cells) with a pair whose row is here, by ids of the pairs.
   std::vector<std::vector<int>> contactCells;
 
   /// Rigid motion that takeOutRigidMotions() took out of rules and gaps. The displacements that solvers find are those beside it.

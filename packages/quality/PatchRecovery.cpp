@@ -352,7 +352,8 @@ void PatchRecovery::recover(std::vector<PatchRecovery>& blocks, const PatchExcha
 }
 
 void recoverPatches(std::vector<PatchRecovery>& blocks, const PatchExchange& exchange) {
-  const bool inSpace = !blocks.empty() && blocks.front().block_->dimension == 3;
+  // A rank without blocks takes part in the exchanges of the others.
+  const bool inSpace = exchange.largest(blocks.empty() ? 0 : blocks.front().block_->dimension) == 3;
   inSpace ? PatchRecovery::recover<3>(blocks, exchange) : PatchRecovery::recover<2>(blocks, exchange);
 }
 

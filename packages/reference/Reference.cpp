@@ -1,3 +1,4 @@
+#include <suture/base/AgreedDimension.hpp>
 #include <suture/base/Buffer.hpp>
 #include <suture/base/Collective.hpp>
 #include <suture/reference/Reference.hpp>
@@ -65,7 +66,7 @@ Reference::Reference(const Parameters& settings, const Parameters& own) {
 }
 
 double Reference::megabytes(const Comm& comm, const std::vector<SubdomainMesh>& meshes, GlobalId unknowns) const {
-  const int dimension = meshes.empty() ? 2 : meshes.front().dimension;
+  const int dimension = agreedDimensionOf(comm, meshes);
   return comm.getRank() == 0 ? estimatedMonolithicMegabytes(unknowns, dimension) : programMegabytes();
 }
 

@@ -1,13 +1,8 @@
-#include <Teuchos_CommHelpers.hpp>
+#include <suture/base/AgreedDimension.hpp>
 #include <suture/report/Run.hpp>
 
 namespace suture {
 
-int dimensionOf(const Run& run) {
-  const int mine = run.subdomains.empty() ? 0 : run.subdomains.front().dimension;
-  int all = 0;
-  Teuchos::reduceAll(run.comm, Teuchos::REDUCE_MAX, mine, Teuchos::outArg(all));
-  return all;
-}
+int dimensionOf(const Run& run) { return agreedDimensionOf(run.comm, run.subdomains); }
 
 }  // namespace suture

@@ -51,7 +51,7 @@ class Method {
 
   /// True if rank 0 must keep the whole mesh with its constraints.
   virtual bool needsWholeMesh() const = 0;
-  /// Memory that this rank will take, estimated before anything is assembled. [MB] Local. \param unknowns  of the whole scene
+  /// Memory that this rank will take, estimated before anything is assembled. [MB] Collective. \param unknowns  of the whole scene
   virtual double megabytes(const Comm& comm, const std::vector<SubdomainMesh>& meshes, GlobalId unknowns) const;
 
   /// True if it solves contact with friction, and with sides that never part. Local. \param settings  of the scene

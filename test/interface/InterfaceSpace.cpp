@@ -137,8 +137,9 @@ TEUCHOS_UNIT_TEST(InterfaceSpace, KnowsEntitiesAndSharersOfAGrid) {
 struct ByHand {
   InterfaceLayout layout;
   std::shared_ptr<const InterfaceSpace> space;
-  ByHand(const std::vector<std::vector<GlobalId>>& boundaries, const std::vector<GlobalId>& partners) {
+  ByHand(const std::vector<std::vector<GlobalId>>& boundaries, const std::vector<GlobalId>& partners, int dimension = 2) {
     for (int i = world()->getRank(); i < int(boundaries.size()); i += world()->getSize()) {
+      layout.dimension = dimension;  // other ranks do not know it
       layout.locals.push_back(i);
       layout.boundaries.push_back(boundaries[i]);
       for (const GlobalId id : boundaries[i]) layout.unknowns.push_back({id, {double(id), 0, 0}, {1, 0, 0}});
@@ -164,6 +165,12 @@ struct Related : ByHand {
     return t;
   }
 };
+
+TEUCHOS_UNIT_TEST(InterfaceSpace, KnowsItsDimensionOnRanksWithoutLocalProblems) {
+  const ByHand one({{1, 2}}, {}, 3);  // on rank 0 alone
+  TEST_EQUALITY(one.space->dimension(), 3);
+  TEST_EQUALITY(one.space->related({}, {})->dimension(), 3);
+}
 
 TEUCHOS_UNIT_TEST(InterfaceSpace, GathersAndScattersWithRelations) {
   const Related r;

@@ -58,6 +58,7 @@ Sheets::Sheets(const CommPtr& comm, double jump, const std::vector<double>& stif
   }
   LocalProblems locals;
   for (int sheet = comm->getRank(); sheet < 3; sheet += comm->getSize()) {
+    layout.dimension = 2;
     layout.locals.push_back(sheet);
     layout.boundaries.push_back(line);
     layout.unknowns = unknowns;

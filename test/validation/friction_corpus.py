@@ -10,10 +10,11 @@ import json
 import os
 import shutil
 import statistics
-import subprocess
 import sys
 
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "drivers"))
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import check_run  # noqa: E402
 import friction_scenes  # noqa: E402
 
 LIMIT = 60       # seconds of a run
@@ -26,17 +27,12 @@ FAILED = ("WRONG", "hang", "crash", "input", "default fails", "Monolithic fails"
 
 
 class Run:
-    def __init__(self, program, folder, name, more=(), limit=LIMIT, variables=None):
+    def __init__(self, program, folder, name, more=(), limit=LIMIT):
         self.folder, self.summary, self.pairs = os.path.join(folder, name), {}, []
         shutil.rmtree(self.folder, ignore_errors=True)
         sets = [word for each in ["Output/Fields=false", *more] for word in ("--set", each)]
-        try:
-            done = subprocess.run([program, os.path.join(folder, "scene.xml"), "--output", self.folder, *sets], stdout=subprocess.PIPE,
-                                  stderr=subprocess.STDOUT, stdin=subprocess.DEVNULL, text=True, timeout=limit,
-                                  env={**os.environ, **(variables or {})})
-            self.code, self.text = done.returncode, done.stdout
-        except subprocess.TimeoutExpired as expired:
-            self.code, self.text = "hang", (expired.stdout or b"").decode(errors="replace")
+        self.text, code = check_run.run([*program, os.path.join(folder, "scene.xml"), "--output", self.folder, *sets], limit)
+        self.code = "hang" if code is None else code
         try:
             with open(os.path.join(self.folder, "summary.json")) as file:
                 self.summary = json.load(file)
@@ -128,7 +124,7 @@ def play(program, output, seed, family=None, dimension=None, cost=True):
     scene = friction_scenes.scene(seed, family, dimension)
     folder = os.path.join(output, "s%d" % seed)
     scene.write(folder)
-    one, two = Run(program, folder, "default"), Run(program, folder, "monolithic", ["Outer Solver/Type=Monolithic"])
+    one, two = Run([program], folder, "default"), Run([program], folder, "monolithic", ["Outer Solver/Type=Monolithic"])
     kind, remark = judge(scene, one, two)
     result = {"seed": seed, "family": scene.family, "dimension": scene.d, "cell": scene.cell, "expected": scene.expected,
               "title": scene.title, "class": kind, "remark": remark, "dofs": one.summary.get("dofs"),
@@ -138,7 +134,7 @@ def play(program, output, seed, family=None, dimension=None, cost=True):
         result["cost"] = [one.outer["iterations"], one.outer["pcg_total"]]
     if cost and kind == "solved" and any(c["law"].kind in ("Coulomb", "Tresca") for c in scene.contacts):
         free = ["Contact/k%d/Law=Frictionless" % k for k, c in enumerate(scene.contacts) if c["law"].kind in ("Coulomb", "Tresca")]
-        without = Run(program, folder, "frictionless", free)
+        without = Run([program], folder, "frictionless", free)
         if without.solved:
             result["free"] = [without.outer["iterations"], without.outer["pcg_total"]]
             result["mu"] = max(c["law"].mu for c in scene.contacts)

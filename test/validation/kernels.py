@@ -38,7 +38,7 @@ def play(program, output, seed, kernels):
     scene = friction_scenes.scene(seed)
     folder = os.path.join(output, "s%d" % seed)
     scene.write(folder)
-    runs = {kernel: friction_corpus.Run(program, folder, kernel, variables={"OPENBLAS_CORETYPE": kernel}) for kernel in kernels}
+    runs = {kernel: friction_corpus.Run(["env", "OPENBLAS_CORETYPE=" + kernel, program], folder, kernel) for kernel in kernels}
     codes = {kernel: run.code for kernel, run in runs.items()}
     if len(set(codes.values())) > 1:
         return "exit codes differ: %s" % codes

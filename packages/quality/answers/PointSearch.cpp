@@ -1,3 +1,4 @@
+#include <suture/base/AgreedDimension.hpp>
 #include <suture/base/Buffer.hpp>
 #include <suture/base/Collective.hpp>
 #include <suture/mesh/CellGeometry.hpp>
@@ -67,11 +68,6 @@ class PointSearch {
   std::vector<CellSearch> cells_;
 };
 
-/// Dimension of the scene, also on ranks without a mesh.
-int dimensionOf(const Comm& comm, const std::vector<SubdomainMesh>& meshes) {
-  return unionOverRanks(comm, {meshes.empty() ? 2 : meshes.front().dimension}).back();
-}
-
 /// The best of all ranks, for each point.
 std::vector<Candidate> bestOf(const Comm& comm, const std::vector<Candidate>& mine) {
   Packer packer;
@@ -106,7 +102,7 @@ FoundPoints findPoints(const Comm& comm, const std::vector<SubdomainMesh>& meshe
     nearest.push_back(search[0].nearest(points[i]));
   }
   if (found.outside.empty()) return found;
-  const int dimension = dimensionOf(comm, meshes);
+  const int dimension = agreedDimensionOf(comm, meshes);
   for (const Candidate& one : bestOf(comm, nearest)) {
     char text[300];
     std::snprintf(text, sizeof text, "'%s' is nearest, %.6g away at %s", one.body < 0 ? "" : bodies[one.body].c_str(), one.off,

@@ -1,0 +1,9 @@
+#pragma once
+
+namespace mpiorder {
+
+/// Starts a thread that ends the job with each rank's place once all of them have waited in MPI functions for some seconds
+/// (MPI_ORDER_PATIENCE, 20) and none has moved: what the order on one communicator cannot show. Once for each process.
+void watch();
+
+}  // namespace mpiorder

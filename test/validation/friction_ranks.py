@@ -1,0 +1,93 @@
+"""Random scenes with friction on several numbers of ranks: the same exit code, no bug (70), no hang, the same answer. Every second scene has no
+more subdomains than bodies, so that there are ranks without a subdomain. Run with the library of test/mpi, as the tests do, it also shows where
+ranks part.
+
+  friction_ranks.py --solve build/drivers/suture_solve --output out --count 40 --first 1 --mpirun "mpirun --oversubscribe"
+"""
+import argparse
+import collections
+import json
+import os
+import shutil
+import sys
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import friction_corpus  # noqa: E402
+import friction_scenes  # noqa: E402
+
+RANKS = (1, 2, 3, 5)
+ENDS = (0, 3, 4)  # exit codes of sound runs
+
+
+def several(run):
+    """True if the scene may have several solutions: then runs may find different ones."""
+    return run.summary["outer"].get("estimates", {}).get("contraction", 0.0) >= 1.0
+
+
+def judge(scene, runs):
+    """What is wrong with the runs of a scene, by number of ranks; and a remark."""
+    codes = {ranks: run.code for ranks, run in runs.items()}
+    if "hang" in codes.values():
+        return "hang", str(codes)
+    if bad := [ranks for ranks, code in codes.items() if code not in ENDS]:
+        return "bug", "%s: %s" % (codes, runs[bad[0]].text[-2500:])
+    if len(set(codes.values())) > 1:
+        return "exit codes differ", "%s: %s" % (codes, " | ".join(runs[ranks].failure[:200] for ranks, code in codes.items() if code != 0))
+    solved = [run for run in runs.values() if run.solved]
+    if not solved:
+        return "not solved", codes[1]
+    rounding = 1e-9 * scene.load * scene.stress * scene.length ** (scene.d - 1)
+    energy, contacts, pairs = (max(values) for values in zip(*(friction_corpus.apart(solved[0], other, rounding) for other in solved[1:])))
+    remark = "energy %.1e, contacts %.1e, pairs %.1e" % (energy, contacts, pairs)
+    if energy > friction_corpus.SAME or contacts > friction_corpus.SAME:
+        return ("two solutions" if any(map(several, solved)) else "answers differ"), remark
+    return "same", remark
+
+
+def play(options, seed):
+    scene = friction_scenes.scene(seed, options.family, options.dimension)
+    folder = os.path.join(options.output, "s%d" % seed)
+    scene.write(folder)
+    more = ["Partition/METIS/Subdomains=%d" % len(scene.bodies)] if seed % 2 else []
+    runs = {}
+    for ranks in options.ranks:
+        program = [*(options.mpirun.split() + ["-np", str(ranks)] if ranks > 1 else []), options.solve]
+        runs[ranks] = friction_corpus.Run(program, folder, "ranks%d" % ranks, more)
+    kind, remark = judge(scene, runs)
+    result = {"seed": seed, "family": scene.family, "dimension": scene.d, "cell": scene.cell, "class": kind, "remark": remark,
+              "codes": {str(ranks): run.code for ranks, run in runs.items()},
+              "outer": {str(ranks): run.summary.get("outer", {}).get("iterations") for ranks, run in runs.items()},
+              "subdomains": next((run.summary["subdomains"] for run in runs.values() if "subdomains" in run.summary), None)}
+    if kind in ("same", "not solved", "two solutions"):
+        shutil.rmtree(folder)
+    return result
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("--solve", required=True)
+    parser.add_argument("--output", required=True)
+    parser.add_argument("--mpirun", default="mpirun --oversubscribe")
+    parser.add_argument("--count", type=int, default=40)
+    parser.add_argument("--first", type=int, default=1)
+    parser.add_argument("--seeds", type=int, nargs="*", help="these scenes only")
+    parser.add_argument("--ranks", type=int, nargs="*", default=RANKS)
+    parser.add_argument("--family")
+    parser.add_argument("--dimension", type=int)
+    options = parser.parse_args()
+    os.makedirs(options.output, exist_ok=True)
+    results = []
+    with open(os.path.join(options.output, "results.jsonl"), "w") as file:
+        for seed in options.seeds or range(options.first, options.first + options.count):
+            result = play(options, seed)
+            results.append(result)
+            file.write(json.dumps(result) + "\n")
+            file.flush()
+            print("{seed} {family} {dimension}D {cell}, {subdomains} subdomains: {class}, outer {outer}, {remark}".format(**result), flush=True)
+    classes = collections.Counter(result["class"] for result in results)
+    print(", ".join("%d %s" % (count, kind) for kind, count in classes.most_common()))
+    return 1 if any(kind not in ("same", "not solved", "two solutions") for kind in classes) else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
