@@ -240,6 +240,23 @@ for plotted, crosses, words in ((plots[0], 2, "no solution: 2 of 4 runs"), (plot
     panel = study_figure(Table(study / "study.json"), plotted).axes[0]
     check(f"study {plotted['name']}: crosses", sum(line.get_gid() == "failed" for line in panel.lines), crosses)
     check(f"study {plotted['name']}: legend", words in [text.get_text() for text in panel.get_legend().get_texts()], True)
+
+
+def numbers(axis):
+    """Numbers that stand at an axis within its ends."""
+    low, high = axis.get_view_interval()
+    return [tick.label1.get_text() for tick in axis.get_major_ticks() if tick.label1.get_text() and low <= tick.get_loc() <= high]
+
+
+# A logarithmic axis has numbers, also where no power of ten lies within it.
+for least, most in ((2, 9), (2, 60), (2, 900), (101, 109), (15, 17), (0.003, 0.005)):
+    ramp = [least * (most / least)**(i / 11) for i in range(12)]
+    (study / "ramp.json").write_text(json.dumps({**planted, "sweeps": [], "columns": ["x", "y"], "rows": [
+        {"labels": [], "cells": [value, value], "exit_code": 0, "failure": ""} for value in ramp]}))
+    figure = study_figure(Table(study / "ramp.json"), {**plots[1], "x": "x", "y": ["y"], "by": []})
+    figure.canvas.draw()
+    for name, axis in (("x", figure.axes[0].xaxis), ("y", figure.axes[0].yaxis)):
+        check(f"study, {name} from {least} to {most}: numbers at the axis", numbers(axis), lambda found: len(found) >= 3)
 code, text = started(Path(options.plot).with_name("suture_study_plot"), study)
 check("study: suture_study_plot", (code, sorted(path.name for path in study.glob("*.png"))), (0, ["by_column.png", "by_sweep.png"]))
 tree = ElementTree.fromstring((study / "report.html").read_text(encoding="utf-8").split("\n", 1)[1])

@@ -123,7 +123,16 @@ def ticks_of(panel, plot, place, ticks, width):
         panel.set_xticks(values, [f"{x:g}" for x in values])
         panel.minorticks_off()
     else:
-        panel.xaxis.set_minor_formatter(NullFormatter())
+        logarithmic_ticks(panel.xaxis)
+
+
+def logarithmic_ticks(axis):
+    """Numbers at a logarithmic axis, also where it spans less than two powers of ten."""
+    low, high = axis.get_view_interval()
+    axis.set_minor_formatter(NullFormatter())
+    if high < 100 * low:
+        axis.set_major_locator(LogLocator(subs=(1, 2, 5)) if high > 10 * low else LogLocator(subs=(1, 2, 3, 5)) if high > 3 * low else MaxNLocator(nbins=5))
+        axis.set_major_formatter(FormatStrFormatter("%g"))
 
 
 def study_figure(table, plot):
@@ -149,11 +158,7 @@ def study_figure(table, plot):
         ticks_of(panel, plot, place, ticks, width)
         if plot["logarithmic_y"] and any(drawn.values()):
             panel.set_yscale("log")
-            panel.yaxis.set_minor_formatter(NullFormatter())
-            low, high = panel.get_ylim()
-            if high < 20 * low:  # less than two powers of ten lie in it
-                panel.yaxis.set_major_locator(LogLocator(subs=(1, 2, 3, 5)) if high > 3 * low else MaxNLocator(nbins=5))
-                panel.yaxis.set_major_formatter(FormatStrFormatter("%g"))
+            logarithmic_ticks(panel.yaxis)
         else:
             values = [p[1] for points in drawn.values() for p in points]
             largest = max((p[3] for points in drawn.values() for p in points), default=0.0)
