@@ -1,7 +1,7 @@
 #!/bin/sh
 # Everything from a bare Debian 12 to a result, in one command, from any folder and without a terminal:
 #   sh cmake/bootstrap.sh run     install what is missing, build, solve the tunnel scene on two ranks and draw it
-#   sh cmake/bootstrap.sh build   install what is missing and build library and programs into build/
+#   sh cmake/bootstrap.sh build   install what is missing and build library, programs and Python package into build/: all that cmake --install needs
 #   sh cmake/bootstrap.sh test    build and run all tests but those labelled long
 #   sh cmake/bootstrap.sh validate  build, run all validation cases and 5,000 random scenes, write build/validation/validation.md; half an hour
 #   sh cmake/bootstrap.sh doc     write the documentation as HTML into build/doc/html; compiles nothing
@@ -87,7 +87,7 @@ export HWLOC_HIDE_ERRORS=2                                       # Open MPI comp
 installMissing
 # shellcheck disable=SC2086  # a list of words
 case $1 in
-  build) configureAndBuild $programs ;;
+  build) configureAndBuild --target suture_installed ;;
   run)
     configureAndBuild $programs
     out=$build/tunnel_out

@@ -25,7 +25,7 @@ namespace {
 const std::vector<std::string> models{"Plane Strain", "Plane Stress", "Axisymmetric", "Solid"};
 
 struct Options {
-  std::string geometry, output, model;
+  std::string geometry, output, model, units = "m, N, Pa";
   std::vector<std::string> constants;
   bool force = false;
 
@@ -41,6 +41,9 @@ struct Options {
           ->check([](const std::string& text) {
             return text.find('=') == std::string::npos ? "found '" + text + "', expected NAME=VALUE" : std::string();
           });
+      app.add_option("--units", units, "Names of the units: length, force, stress; they are printed, and numbers are never converted")
+          ->type_name("NAMES")
+          ->capture_default_str();
       app.add_flag("--force", force, "Overwrite the scene file if there is one");
     };
     return parseCommandLine(argc, argv, "suture_new", "Begins a scene: one that runs, with what a geometry holds.", describe);
@@ -83,7 +86,8 @@ NewScene propose(Mesh& mesh, const Options& options, const fs::path& output) {
   scene.groups = groupsOf(mesh);
   scene.contacts = proposeContacts(mesh, scene.groups);
   scene.dimension = mesh.dimension;
-  scene.supports = proposeSupports(mesh, scene.groups, scene.contacts);
+  scene.units = ExampleUnits(options.units);
+  scene.supports = proposeSupports(mesh, scene.groups, scene.contacts, scene.units.youngModulus());
   return scene;
 }
 

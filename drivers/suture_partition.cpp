@@ -75,7 +75,7 @@ ExitCode run(const CommPtr& comm, const Options& options) {
   std::ostream* const console = consoleOf(*comm, options.quiet);
   const Heartbeat heartbeat(console);
   Timers timers;
-  const Scene scene = sceneOf(readScene(*comm, options.scene, sceneSchema(), options.overrides));
+  const Scene scene = sceneOf(*comm, readScene(*comm, options.scene, sceneSchema(), options.overrides));
   Mesh mesh = timed(timers, "read", [&] { return readBodies(*comm, scene); });
   const int elements = int(mesh.elements());
   if (!options.noCut) {

@@ -50,9 +50,7 @@ int main(int argc, char* argv[]) {
   if (const auto end = suture::parseCommandLine(argc, argv, name, "The documented parameters of a Suture scene.", describe)) return *end;
   try {
     suture::loadPlugins(plugins);
-    if (suture::isFirstProcess())
-      std::cout << (study ? suture::study::studySchema().document(format) : suture::sceneSchema().document(format, scene)) << std::flush;
-    return std::cout.good() ? 0 : int(suture::ExitCode::Environment);
+    return suture::printed(name, study ? suture::study::studySchema().document(format) : suture::sceneSchema().document(format, scene));
   } catch (const std::exception& error) {
     const suture::Explanation end = suture::explain(name, "", error);
     std::cerr << end.message;

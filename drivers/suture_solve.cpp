@@ -25,7 +25,7 @@ RunResult solveScene(const CommPtr& comm, const SolveOptions& options) {
   if (options.printDefaults) return printDefaults(*comm, file);
   sameScene(options, file, monitor);
   const Invocation invocation = options.invocation(*comm);
-  Simulation simulation(comm, sceneOf(file), monitor, timers);
+  Simulation simulation(comm, sceneOf(*comm, file), monitor, timers);
   if (!options.check) simulation.writeInto(outputFolder(file));
   simulation.read();
   simulation.cut();
@@ -36,7 +36,7 @@ RunResult solveScene(const CommPtr& comm, const SolveOptions& options) {
   simulation.remark();
   if (options.check) {
     printChecked(*comm, simulation);
-    monitor.repeatWarnings();
+    monitor.countWarnings();
     return {};
   }
   simulation.start(options.restart);
@@ -45,7 +45,7 @@ RunResult solveScene(const CommPtr& comm, const SolveOptions& options) {
   simulation.judge();
   stopIsHeard();
   const RunResult result = simulation.report(invocation);
-  monitor.repeatWarnings();
+  monitor.countWarnings();
   printFailure(*comm, simulation, options);
   return result;
 }

@@ -19,7 +19,7 @@ def scene(mu):
             "wall": {"Group": "bar_left", "Type": "Displacement", "Value": [0, 0]},
             "weight": {"Group": "block_top", "Type": "Traction", "Value": [0, -1]},
             "push": {"Group": "block_right", "Type": "Traction", "Value": [0.3, 0]}},
-        "Contact": {"seat": {"Side A": "bar_top", "Side B": "block_bottom", "Law": "Coulomb", "Coulomb": {"Coefficient": str(mu)}}},
+        "Contact": {"seat": {"Side A": "bar_top", "Side B": "block_bottom", "Law": "Coulomb", "Coulomb": {"Coefficient": mu}}},
     }
 
 

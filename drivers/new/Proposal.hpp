@@ -66,10 +66,8 @@ struct Supports {
   double stiffness = 0.0;                     ///< normal and tangential, of the elastic supports [stress / length]
   std::vector<std::string> loose;             ///< bodies with no side group at all: nothing can hold them
 };
-/// Young modulus of the example material [stress].
-constexpr double kYoungModulus = 2.1e11;
-/// `groups`, `contacts` as proposed. Local.
-Supports proposeSupports(const Mesh& mesh, const std::vector<Group>& groups, const Contacts& contacts);
+/// `groups`, `contacts` as proposed. Local. \param youngModulus  of the example material [stress]
+Supports proposeSupports(const Mesh& mesh, const std::vector<Group>& groups, const Contacts& contacts, double youngModulus);
 
 /// Lowest and highest coordinates of each body. Local.
 std::vector<std::pair<Point, Point>> boxesOf(const Mesh& mesh);

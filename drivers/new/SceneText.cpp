@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <set>
 #include <sstream>
 #include <suture/base/Errors.hpp>
@@ -27,18 +28,32 @@ std::string number(double value) {
   return text.str();
 }
 
-std::string point(const Point& p, int dimension) {
-  std::string text = "(";
-  for (int k = 0; k < dimension; ++k) text += (k > 0 ? ", " : "") + number(p[k]);
-  return text + ")";
+/// Components without the digits that rounding has made. \param scale  of the numbers that they were computed from
+std::string components(const Point& p, int dimension, double scale) {
+  constexpr double kRounding = 1e-12;
+  std::string text;
+  for (int k = 0; k < dimension; ++k) text += (k > 0 ? ", " : "") + number(std::abs(p[k]) > kRounding * scale ? p[k] : 0.0);
+  return text;
 }
 
 /// The value of an Array(double).
-std::string vector(const Point& p, int dimension) {
-  std::string text = "{";
-  for (int k = 0; k < dimension; ++k) text += (k > 0 ? ", " : "") + number(p[k]);
-  return text + "}";
-}
+std::string vector(const Point& p, int dimension) { return "{" + components(p, dimension, norm(p)) + "}"; }
+
+/// Names of lists that stand beside each other, also of those in comments: each may be uncommented.
+class Names {
+ public:
+  /// The name, with a number behind it where it was given before; without the marks that separate names in a path.
+  std::string unique(std::string name) {
+    for (const char* mark : {"->", "/", "="})
+      for (std::size_t at = name.find(mark); at != std::string::npos; at = name.find(mark, at)) name.replace(at, std::strlen(mark), "_");
+    std::string own = name;
+    for (int i = 2; !taken_.insert(own).second; ++i) own = name + " " + std::to_string(i);
+    return own;
+  }
+
+ private:
+  std::set<std::string> taken_;
+};
 
 std::string array(const std::vector<std::string>& names) {
   std::string text = "{";
@@ -98,7 +113,9 @@ std::string sideWord(const NewScene& scene) { return scene.dimension == 2 ? "cur
 std::string physicalSide(const NewScene& scene) { return scene.dimension == 2 ? "Physical Curve" : "Physical Surface"; }
 
 void listGroups(Writer& out, const NewScene& scene) {
-  const auto place = [&](const Point& p) { return point(p, scene.dimension); };
+  double scale = 0.0;
+  for (const auto& [low, high] : scene.boxes) scale = std::max({scale, norm(low), norm(high)});
+  const auto place = [&](const Point& p) { return "(" + components(p, scene.dimension, scale) + ")"; };
   out.line(std::string("<!-- ") + (scene.dimension == 2 ? "Surface" : "Volume") + " groups (bodies and their parts), " + sideWord(scene) +
            " groups (places for conditions and contact):");
   for (std::size_t b = 0; b < scene.bodies.names.size(); ++b)
@@ -137,7 +154,7 @@ void materials(Writer& out, const NewScene& scene) {
   out.close();
   out.open("Materials");
   out.open("steel");
-  out.parameter("Young Modulus", "double", "2.1e11", "FILL IN: in units of stress");
+  out.parameter("Young Modulus", "double", number(scene.units.youngModulus()), "FILL IN: in units of stress");
   out.parameter("Poisson Ratio", "double", "0.3", "FILL IN");
   out.close();
   out.close();
@@ -145,7 +162,7 @@ void materials(Writer& out, const NewScene& scene) {
 
 /// Groups on one straight edge, or plane face, of the whole geometry, on several bodies: perhaps a plane of symmetry. An example for each
 /// edge.
-void symmetries(Writer& out, const NewScene& scene) {
+void symmetries(Writer& out, const NewScene& scene, Names& given) {
   Point low = scene.boxes[0].first, high = scene.boxes[0].second;
   for (const auto& [least, most] : scene.boxes)
     for (int k = 0; k < scene.dimension; ++k) {
@@ -164,26 +181,28 @@ void symmetries(Writer& out, const NewScene& scene) {
         }
       if (bodies.size() < 2) continue;
       const std::string list = names.size() == 1 ? escaped(names[0]) : escaped(array(names));
-      out.example(
-          std::string("if ") + "xyz"[k] + " = " + number(edge) + " is a plane of symmetry:",
-          {"<ParameterList name=\"symmetry\">", "  " + inComment(entry("Group", names.size() == 1 ? "string" : "Array(string)", list)),
-           "  " + entry("Type", "string", "Bilateral"), "</ParameterList>"});
+      out.example(std::string("if ") + "xyz"[k] + " = " + number(edge) + " is a plane of symmetry:",
+                  {"<ParameterList name=\"" + given.unique(std::string("symmetry ") + "xyz"[k]) + "\">",
+                   "  " + inComment(entry("Group", names.size() == 1 ? "string" : "Array(string)", list)),
+                   "  " + entry("Type", "string", "Bilateral"), "</ParameterList>"});
     }
 }
 
 void conditions(Writer& out, const NewScene& scene) {
   out.open("Boundary Conditions");
+  Names given;
   const Supports& supports = scene.supports;
   if (supports.held.empty() && supports.soft.empty())
     out.example("FILL IN: the geometry has no " + sideWord(scene) + " group; name one (in Gmsh: " + physicalSide(scene) +
                     "), by which a body is held:",
-                {"<ParameterList name=\"hold\">", "  " + entry("Group", "string", "..."), "  " + entry("Type", "string", "Displacement"),
-                 "  " + entry("Value", "Array(double)", vector({0, 0, 0}, scene.dimension)), "</ParameterList>"});
+                {"<ParameterList name=\"" + given.unique("hold") + "\">", "  " + entry("Group", "string", "..."),
+                 "  " + entry("Type", "string", "Displacement"), "  " + entry("Value", "Array(double)", vector({0, 0, 0}, scene.dimension)),
+                 "</ParameterList>"});
   else if (supports.held.empty())
     out.comment("FILL IN: no group is free to be held, since all are in contact or reach both sides of one; springs hold all bodies.");
   else {
     out.comment("FILL IN: a stand-in for the supports. It holds the lowest body at its lowest side.");
-    out.open("hold " + supports.heldBody);
+    out.open(given.unique("hold " + supports.heldBody));
     out.parameter("Group", "string", supports.held);
     out.parameter("Type", "string", "Displacement");
     out.parameter("Value", "Array(double)", vector({0, 0, 0}, scene.dimension));
@@ -194,7 +213,7 @@ void conditions(Writer& out, const NewScene& scene) {
                 (supports.pushedBody == supports.heldBody ? "presses the body together by a thousandth of its size."
                  : supports.byForce                       ? "pushes the body into contact, by a force, since all its sides may touch."
                                                           : "pushes the body into contact, by the gap and a thousandth of its size."));
-    out.open("push " + supports.pushedBody);
+    out.open(given.unique("push " + supports.pushedBody));
     out.parameter("Group", "string", supports.pushed);
     out.parameter("Type", "string", supports.byForce ? "Force" : "Displacement");
     out.parameter("Value", "Array(double)", vector(supports.push, scene.dimension));
@@ -206,7 +225,7 @@ void conditions(Writer& out, const NewScene& scene) {
         " besides contact, which holds no body in every direction: springs at all their sides, a thousandth as stiff as the bodies. "
         "Take out the groups of a body that has conditions of its own. Keep springs where only contact holds a body: they decide "
         "where it slides to.");
-    out.open("soft springs");
+    out.open(given.unique("soft springs"));
     if (supports.soft.size() == 1)
       out.parameter("Group", "string", supports.soft[0]);
     else
@@ -218,23 +237,28 @@ void conditions(Writer& out, const NewScene& scene) {
     out.close();
   }
   for (const std::string& body : supports.loose)
-    out.example("FILL IN: body '" + body + "' has no " + sideWord(scene) +
-                    " group, so that nothing can hold it. Name a side of it in the geometry, then:",
-                {"<ParameterList name=\"keep " + escaped(body) + "\">", "  " + entry("Group", "string", "..."),
-                 "  " + entry("Type", "string", "Elastic Support"), "  " + entry("Normal Stiffness", "double", number(supports.stiffness)),
-                 "  " + entry("Tangential Stiffness", "double", number(supports.stiffness)), "</ParameterList>"});
-  symmetries(out, scene);
-  out.example("the other kinds, each with the Group it acts on:",
-              {"<ParameterList name=\"roller\">", "  " + entry("Group", "string", "..."),
-               "  " + entry("Type", "string", "Bilateral") + "   normal displacement zero, free to slide", "</ParameterList>",
-               "<ParameterList name=\"pressure\">", "  " + entry("Group", "string", "..."), "  " + entry("Type", "string", "Pressure"),
-               "  " + entry("Value", "Array(double)", "{1e6}") + "   positive pushes into the body", "</ParameterList>",
-               "<ParameterList name=\"traction\">", "  " + entry("Group", "string", "..."), "  " + entry("Type", "string", "Traction"),
-               "  " + entry("Value", "Array(double)", scene.dimension == 2 ? "{0, 1e6}" : "{0, 0, 1e6}") + "   force on an area",
-               "</ParameterList>", "<ParameterList name=\"weight\">", "  " + entry("Type", "string", "Body Force"),
-               "  " + entry("Value", "Array(double)", scene.dimension == 2 ? "{0, -7.7e4}" : "{0, 0, -7.7e4}") +
-                   "   force on a volume; on one body with a Body",
-               "</ParameterList>"});
+    out.example(
+        "FILL IN: body '" + body + "' has no " + sideWord(scene) +
+            " group, so that nothing can hold it. Name a side of it in the geometry, then:",
+        {"<ParameterList name=\"" + inComment(escaped(given.unique("keep " + body))) + "\">", "  " + entry("Group", "string", "..."),
+         "  " + entry("Type", "string", "Elastic Support"), "  " + entry("Normal Stiffness", "double", number(supports.stiffness)),
+         "  " + entry("Tangential Stiffness", "double", number(supports.stiffness)), "</ParameterList>"});
+  symmetries(out, scene, given);
+  const auto kind = [&](const std::string& name, const std::string& words, const std::vector<std::string>& lines) {
+    std::vector<std::string> all{"<ParameterList name=\"" + given.unique(name) + "\">"};
+    for (const std::string& text : lines) all.push_back("  " + text);
+    all.emplace_back("</ParameterList>");
+    out.example(words, all);
+  };
+  const auto down = [&](double value) { return vector({0, scene.dimension == 2 ? value : 0, value}, scene.dimension); };
+  const std::string group = entry("Group", "string", "..."), value = "Value", reals = "Array(double)";
+  kind("roller", "another kind, a roller: normal displacement zero, free to slide", {group, entry("Type", "string", "Bilateral")});
+  kind("pressure", "another kind, a pressure: positive pushes into the body",
+       {group, entry("Type", "string", "Pressure"), entry(value, reals, "{" + number(scene.units.pressure()) + "}")});
+  kind("traction", "another kind, a traction: force on an area",
+       {group, entry("Type", "string", "Traction"), entry(value, reals, down(scene.units.pressure()))});
+  kind("weight", "another kind, a weight: force on a volume; on one body with a Body",
+       {entry("Type", "string", "Body Force"), entry(value, reals, down(-scene.units.weight()))});
   out.close();
 }
 
@@ -246,8 +270,9 @@ void contacts(Writer& out, const NewScene& scene) {
     return;
   }
   out.open("Contact");
+  Names given;
   for (const Contact& contact : scene.contacts.all) {
-    const std::string name = nameOf(contact);
+    const std::string name = given.unique(nameOf(contact));
     if (!contact.problems.empty()) {
       out.example("FILL IN: " + name + ", " + distanceText(contact) + ", is left out: " + joinNames(contact.problems),
                   {"<ParameterList name=\"" + inComment(escaped(name)) + "\">", "  " + entry("Side A", "string", "..."),
@@ -283,7 +308,7 @@ std::string sceneText(const NewScene& scene) {
   out.space();
   out.parameter("Title", "string", scene.title);
   out.parameter("Model", "string", scene.model, scene.dimension == 2 ? "Plane Strain | Plane Stress | Axisymmetric" : "");
-  out.parameter("Units", "string", "m, N, Pa", "FILL IN: printed, never converted; all numbers of the scene are in these");
+  out.parameter("Units", "string", scene.units.names(), "FILL IN: printed, never converted; all numbers of the scene are in these");
   out.space();
   out.open("Mesh");
   out.parameter("File", "string", scene.file);

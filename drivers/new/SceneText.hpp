@@ -1,6 +1,7 @@
 #pragma once
 #include <string>
 
+#include "ExampleUnits.hpp"
 #include "Proposal.hpp"
 
 namespace suture::proposal {
@@ -15,6 +16,7 @@ struct NewScene {
   std::vector<Group> groups;
   Contacts contacts;
   Supports supports;
+  ExampleUnits units{"m, N, Pa"};
   int dimension = 2;
 };
 

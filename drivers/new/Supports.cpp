@@ -19,8 +19,8 @@ constexpr double kPush = 1e-3;  // displacement beyond a gap / extent of the pus
 /// The rule of Supports, step by step.
 class Rule {
  public:
-  Rule(const Mesh& mesh, const std::vector<Group>& groups, const Contacts& contacts)
-      : mesh_(mesh), groups_(groups), boxes_(boxesOf(mesh)), up_(mesh.dimension - 1) {
+  Rule(const Mesh& mesh, const std::vector<Group>& groups, const Contacts& contacts, double youngModulus)
+      : mesh_(mesh), groups_(groups), youngModulus_(youngModulus), boxes_(boxesOf(mesh)), up_(mesh.dimension - 1) {
     for (const std::pair<Point, Point>& box : boxes_)
       for (int k = 0; k < 3; ++k) {
         low_[k] = std::min(low_[k], box.first[k]);
@@ -210,7 +210,7 @@ class Rule {
     result_.byForce = byForce;
   }
 
-  double stiffness() const { return kSoft * kYoungModulus / extent(); }
+  double stiffness() const { return kSoft * youngModulus_ / extent(); }
   /// Size of all sides of a body that are in groups of its own.
   double lengthOf(int body) const {
     double length = 0.0;
@@ -239,6 +239,7 @@ class Rule {
 
   const Mesh& mesh_;
   const std::vector<Group>& groups_;
+  const double youngModulus_;
   std::vector<Contact> contacts_;
   const std::vector<std::pair<Point, Point>> boxes_;
   const int up_;
@@ -249,8 +250,8 @@ class Rule {
 
 }  // namespace
 
-Supports proposeSupports(const Mesh& mesh, const std::vector<Group>& groups, const Contacts& contacts) {
-  return Rule(mesh, groups, contacts).propose();
+Supports proposeSupports(const Mesh& mesh, const std::vector<Group>& groups, const Contacts& contacts, double youngModulus) {
+  return Rule(mesh, groups, contacts, youngModulus).propose();
 }
 
 }  // namespace suture::proposal

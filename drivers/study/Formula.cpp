@@ -1,6 +1,7 @@
 #include "Formula.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <suture/base/Errors.hpp>
@@ -33,14 +34,25 @@ TableCell norm(const Json* vector) {
   return finite(std::sqrt(squares), false);
 }
 
-// A sign is an operator only with a blank or a parenthesis on both sides; otherwise it belongs to a name or a number.
-bool isOperator(const std::string& text, std::size_t at) {
-  return std::string("+-*/").find(text[at]) != std::string::npos && at > 0 && (text[at - 1] == ' ' || text[at - 1] == ')') &&
-         (at + 1 == text.size() || text[at + 1] == ' ' || text[at + 1] == '(');
+// True of a sign between two operands. No name has a * or a /. A + or - may belong to a number (1e-5, -1), and a - to a name (left-side): a
+// minus behind a name is an operator with a blank or a parenthesis on both sides. `word`: what stands before the sign, back to the last
+// mark.
+bool isOperator(const std::string& text, std::size_t at, const std::string& word) {
+  const char sign = text[at];
+  if (sign == '*' || sign == '/') return true;
+  if (sign != '+' && sign != '-') return false;
+  const std::size_t before = at == 0 ? std::string::npos : text.find_last_not_of(' ', at - 1);
+  if (before != std::string::npos && text[before] == ')') return true;
+  if (trimmed(word).empty()) return false;  // the sign of a number
+  if (parseReal(word)) return true;
+  const bool isExponent = std::tolower(word.back()) == 'e' && parseReal(word.substr(0, word.size() - 1)).has_value();
+  if (sign == '+') return !isExponent;
+  const char next = at + 1 < text.size() ? text[at + 1] : ' ';
+  return next == '(' || (word.back() == ' ' && next == ' ');
 }
 
-bool isMark(const std::string& text, std::size_t at) {
-  return std::string("(),").find(text[at]) != std::string::npos || isOperator(text, at);
+bool isMark(const std::string& text, std::size_t at, const std::string& word) {
+  return std::string("(),").find(text[at]) != std::string::npos || isOperator(text, at, word);
 }
 
 // Stands for a figure where Expression calculates.
@@ -71,9 +83,11 @@ Formula::Formula(const std::string& text) {
   std::vector<std::string> functions = Expression::functions();
   functions.emplace_back("norm");
   bool inNorm = false;
-  int open = 0;  // parentheses
+  int open = 0;               // parentheses
+  bool isBehindWord = false;  // a word ends at a mark
   for (std::size_t at = 0; at < text.size();) {
-    if (isMark(text, at)) {
+    if (isBehindWord || isMark(text, at, "")) {
+      isBehindWord = false;
       integer_ = integer_ && text[at] != '/';
       inNorm = inNorm && text[at] == '(';
       open += text[at] == '(' ? 1 : text[at] == ')' ? -1 : 0;
@@ -82,9 +96,10 @@ Formula::Formula(const std::string& text) {
       continue;
     }
     std::size_t end = at;
-    while (end < text.size() && !isMark(text, end)) ++end;
+    while (end < text.size() && !isMark(text, end, text.substr(at, end - at))) ++end;
     const std::string word = trimmed(text.substr(at, end - at));
     at = end;
+    isBehindWord = true;
     if (word.empty()) continue;
     if (at < text.size() && text[at] == '(') {
       if (std::find(functions.begin(), functions.end(), word) == functions.end()) throw wrong(unknownName("function", word, functions));
@@ -113,7 +128,9 @@ Formula::Formula(const std::string& text) {
     Expression(form, ones);
   } catch (const InputError&) {
     throw wrong(
-        "is no formula; expected numbers and figures of summary.json, operators with a blank on both sides, as in 2 * outer.pcg_total + 1");
+        "is no formula; expected numbers and figures of summary.json with + - * /, as in 2*outer.pcg_total + 1 (a minus behind a name "
+        "needs "
+        "a blank on both sides)");
   }
 }
 

@@ -13,9 +13,9 @@ struct TableCell {
   bool isNumber() const { return kind == Kind::Integer || kind == Kind::Real; }
 };
 
-/// A formula over the figures of summary.json: numbers, paths with dots ("outer.pcg_total"), the operators + - * / with a blank on both
-/// sides (names may contain hyphens and blanks), parentheses, norm(path of a vector), and the functions of base/Expression, which
-/// calculates: abs(x), max(x, y, ...), sqrt(x), ...
+/// A formula over the figures of summary.json: numbers, paths with dots ("outer.pcg_total"), the operators + - * / (a minus behind a name
+/// has a blank on both sides, since names may contain hyphens and blanks), parentheses, norm(path of a vector), and the functions of
+/// base/Expression, which calculates: abs(x), max(x, y, ...), sqrt(x), ...
 class Formula {
  public:
   /// \throws InputError  says what was expected where; the path of the problem is empty. Local.

@@ -3,6 +3,7 @@
 #include <Teuchos_CommHelpers.hpp>
 #include <filesystem>
 #include <iostream>
+#include <new>
 #include <suture/base/Timers.hpp>
 #include <suture/report/Format.hpp>
 
@@ -20,7 +21,7 @@ struct Outcome {
   std::string summary;
 };
 
-// One run; what it throws is its outcome. Only a bug ends the study.
+// One run; what it throws is its outcome: whatever ends one run, the others are run, and those that are done are kept.
 Outcome attempt(const CommPtr& comm, const MeetingPoint& meeting, const SolveOptions& options) {
   Outcome outcome;
   try {
@@ -32,9 +33,12 @@ Outcome attempt(const CommPtr& comm, const MeetingPoint& meeting, const SolveOpt
       outcome.end.message += (outcome.end.message.empty() ? "" : "; ") + problem.path + ": " + problem.message;
   } catch (const Error& error) {
     outcome.end = {error.code(), error.what()};
+  } catch (const std::bad_alloc&) {
+    outcome.end = {ExitCode::Environment, "out of memory"};
+  } catch (const std::exception& error) {
+    outcome.end = {ExitCode::Internal, error.what()};
   }
   outcome.end = meeting.settle(outcome.end);
-  if (outcome.end.code == ExitCode::Internal) throw InternalError(outcome.end.message);
   return outcome;
 }
 
@@ -114,8 +118,12 @@ Rows runAll(const CommPtr& comm, const Study& study, const std::vector<Combinati
                  << figures(study, all.rows.back()) << (known[0] != 0 ? "  done before" : format("  %.2f s", Timers::now() - begin))
                  << (own.exitCode != 0 ? "  exit code " + std::to_string(own.exitCode) + ": " + all.rows.back().failure : "") << std::endl;
     }
+    // What is done is on the disk, however the next run ends.
+    collectivelyOnRoot(*comm, "writing the tables of the study", [&] { writeTables(*comm, study, all.rows, options.folder()); });
     if (known[0] != 0) continue;
-    if (own.exitCode != int(ExitCode::Stopped))
+    // Another attempt may fare better where a run was stopped, the machine failed it, or Suture did.
+    const auto end = static_cast<ExitCode>(own.exitCode);
+    if (end == ExitCode::Done || end == ExitCode::Numerical || end == ExitCode::Input)
       collectivelyOnRoot(*comm, "keeping what a run of the study gave", [&] {
         std::filesystem::create_directories(folder);  // a run that was refused has none
         keepRun(folder, run, study.repetitions, ranks, own);

@@ -18,8 +18,12 @@ struct Rows {
 };
 
 /// Runs every combination, as suture_solve would, into folder/runs/<number>; a line each on the console. A run that does not converge, or
-/// is refused when its mesh is known, is a row with exit code and reason. \throws Error  for an internal error only. Collective.
+/// is refused when its mesh is known, for which there is no memory, or that meets a bug, is a row with exit code and reason. The tables are
+/// written after each run. \throws EnvironmentError  the folder cannot be written. Collective.
 Rows runAll(const CommPtr& comm, const Study& study, const std::vector<Combination>& runs, const Options& options);
+
+/// table.csv, table.md and study.json of the rows so far. Local (rank 0). \throws EnvironmentError
+void writeTables(const Comm& comm, const Study& study, const std::vector<Row>& rows, const std::string& folder);
 
 /// --check: the runs and what they change, on the console.
 void listRuns(const Comm& comm, const Study& study, const std::vector<Combination>& runs);

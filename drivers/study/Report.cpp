@@ -4,6 +4,7 @@
 #include <Teuchos_Comm.hpp>
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <iostream>
 #include <suture/base/Collective.hpp>
 #include <suture/base/Version.hpp>
@@ -35,13 +36,15 @@ std::string draw(const std::string& folder) {
   return WIFEXITED(status) && WEXITSTATUS(status) == 0 ? "" : script + " failed (its message stands above)";
 }
 
-void writeTables(const Comm& comm, const Study& study, const Rows& all, const std::vector<Verdict>& verdicts, const std::string& folder) {
-  std::string text = "# " + study.title + "\n\n`" + study.name + ".xml`, " + counted(comm.getSize(), "rank") + ", Suture " + version() +
-                     " (" + commit() + ")\n\n" + tableMarkdown(study, all.rows);
-  if (!verdicts.empty()) text += "\n" + bandsMarkdown(verdicts);
-  writeTextFile((fs::path(folder) / "table.csv").string(), tableCsv(study, all.rows));
-  writeTextFile((fs::path(folder) / "table.md").string(), text);
-  writeTextFile((fs::path(folder) / "study.json").string(), tableJson(study, all.rows));
+std::vector<Verdict> judge(const Study& study, const std::vector<Row>& rows) {
+  std::vector<Verdict> verdicts = judgeBands(study, rows);
+  const std::vector<Verdict> orders = judgeOrders(study, rows);
+  verdicts.insert(verdicts.end(), orders.begin(), orders.end());
+  return verdicts;
+}
+
+int countOf(const std::vector<Row>& rows, const std::function<bool(ExitCode)>& is) {
+  return static_cast<int>(std::count_if(rows.begin(), rows.end(), [&](const Row& row) { return is(static_cast<ExitCode>(row.exitCode)); }));
 }
 
 void printVerdicts(const std::vector<Verdict>& verdicts, bool quiet) {
@@ -58,14 +61,22 @@ void printVerdicts(const std::vector<Verdict>& verdicts, bool quiet) {
 
 }  // namespace
 
+void writeTables(const Comm& comm, const Study& study, const std::vector<Row>& rows, const std::string& folder) {
+  const std::vector<Verdict> verdicts = judge(study, rows);
+  std::string text = "# " + study.title + "\n\n`" + study.name + ".xml`, " + counted(comm.getSize(), "rank") + ", Suture " + version() +
+                     " (" + commit() + ")\n\n" + tableMarkdown(study, rows);
+  if (!verdicts.empty()) text += "\n" + bandsMarkdown(verdicts);
+  writeTextFile((fs::path(folder) / "table.csv").string(), tableCsv(study, rows));
+  writeTextFile((fs::path(folder) / "table.md").string(), text);
+  writeTextFile((fs::path(folder) / "study.json").string(), tableJson(study, rows));
+}
+
 ExitCode reportStudy(const Comm& comm, const Study& study, const Rows& all, const Options& options) {
   const std::string folder = options.folder();
-  int missed = 0, failed = 0;
+  int missed = 0, failed = 0, bugs = 0;
   collectivelyOnRoot(comm, "writing the tables of the study", [&] {
-    std::vector<Verdict> verdicts = judgeBands(study, all.rows);
-    const std::vector<Verdict> orders = judgeOrders(study, all.rows);
-    verdicts.insert(verdicts.end(), orders.begin(), orders.end());
-    writeTables(comm, study, all, verdicts, folder);
+    const std::vector<Verdict> verdicts = judge(study, all.rows);
+    writeTables(comm, study, all.rows, folder);
     const std::string noPictures = study.plots.empty() ? "" : draw(folder);
     if (!options.quiet) {
       std::cout << "  " << folder << "/  table.csv  table.md  study.json" << (study.plots.empty() || !noPictures.empty() ? "" : "  *.png")
@@ -74,15 +85,19 @@ ExitCode reportStudy(const Comm& comm, const Study& study, const Rows& all, cons
     }
     printVerdicts(verdicts, options.quiet);
     missed = static_cast<int>(std::count_if(verdicts.begin(), verdicts.end(), [](const Verdict& one) { return one.judged && !one.kept; }));
-    failed = static_cast<int>(std::count_if(all.rows.begin(), all.rows.end(), [](const Row& row) { return row.exitCode != 0; }));
+    failed = countOf(all.rows, [](ExitCode code) { return code != ExitCode::Done; });
+    bugs = countOf(all.rows, [](ExitCode code) { return code == ExitCode::Internal; });
     if (missed > 0)
       std::cerr << "suture_study: " << missed << (missed == 1 ? " band or order" : " bands or orders") << " missed" << std::endl;
     if (failed > 0 && (!study.allowFailures || !options.quiet))
       (study.allowFailures ? std::cout : std::cerr) << "suture_study: " << counted(failed, "run") << " without a solution" << std::endl;
+    if (bugs > 0)
+      std::cerr << "suture_study: " << counted(bugs, "run") << " met a bug of Suture: please report it with the scene" << std::endl;
   });
-  std::vector<int> counts{missed, failed};
+  std::vector<int> counts{missed, failed, bugs};
   broadcast(comm, counts);
   if (all.stopped) return ExitCode::Stopped;
+  if (counts[2] > 0) return ExitCode::Internal;
   return counts[0] > 0 || (counts[1] > 0 && !study.allowFailures) ? ExitCode::Numerical : ExitCode::Done;
 }
 

@@ -1,6 +1,7 @@
 #include "CommandLine.hpp"
 
 #include <CLI/CLI.hpp>
+#include <cerrno>
 #include <iostream>
 #include <suture/base/Errors.hpp>
 #include <suture/base/Version.hpp>
@@ -29,6 +30,7 @@ std::string complaint(const CLI::App& app, const CLI::ParseError& error) {
 
 std::optional<int> parseCommandLine(int argc, char* argv[], const std::string& name, const std::string& purpose,
                                     const std::function<void(CLI::App&)>& describe) {
+  openStandardFiles();
   CLI::App app(purpose, name);
   app.set_version_flag("--version", name + " " + version() + " (" + commit() + ")", "Print version and commit");
   app.get_formatter()->column_width(34);
@@ -37,15 +39,23 @@ std::optional<int> parseCommandLine(int argc, char* argv[], const std::string& n
     app.parse(argc, argv);
     return std::nullopt;
   } catch (const CLI::CallForHelp&) {
-    if (isFirstProcess()) std::cout << app.help() << std::flush;
+    return printed(name, app.help());
   } catch (const CLI::CallForVersion& text) {
-    if (isFirstProcess()) std::cout << text.what() << std::endl;
+    return printed(name, std::string(text.what()) + "\n");
   } catch (const CLI::ParseError& error) {
     // Not before MPI: mpirun ends all ranks with the first that fails, before rank 0 may have spoken.
     const std::string text = complaint(app, error);
     return runProgram(name, "", [&](const CommPtr&) -> ExitCode { throw CommandLineError(text); });
   }
-  return 0;
+}
+
+int printed(const std::string& name, const std::string& text) {
+  if (!isFirstProcess()) return 0;
+  errno = 0;
+  std::cout << text << std::flush;
+  if (std::cout.good()) return 0;
+  std::cerr << outputFailure(name, errno != 0 ? errno : EIO);
+  return int(ExitCode::Environment);
 }
 
 CLI::Option* addSetOption(CLI::App& app, std::vector<std::string>& assignments, const std::string& meaning) {

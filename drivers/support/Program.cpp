@@ -1,5 +1,6 @@
 #include "Program.hpp"
 
+#include <fcntl.h>
 #include <mpi.h>
 #include <unistd.h>
 #ifdef __GLIBC__
@@ -12,8 +13,10 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <iostream>
 #include <new>
+#include <optional>
 #include <suture/base/Collective.hpp>
 #include <suture/base/Memory.hpp>
 #include <suture/base/hdf5/Hdf5File.hpp>
@@ -21,6 +24,7 @@
 #include <thread>
 #include <vector>
 
+#include "MpiStart.hpp"
 #include "StoppableOutput.hpp"
 
 // OpenBLAS and OpenMP read their environment when they are loaded, before main; the symbol of one that is not in the program is absent.
@@ -104,6 +108,16 @@ std::string inputErrors(const std::string& name, const std::string& subject, con
 
 }  // namespace
 
+void openStandardFiles() {
+  for (const int file : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    // open() takes the least number that is free: this one.
+    if (fcntl(file, F_GETFD) == -1 && open("/dev/null", file == STDIN_FILENO ? O_RDONLY : O_WRONLY) != file) std::_Exit(5);
+}
+
+std::string outputFailure(const std::string& name, int error) {
+  return name + ": standard output cannot be written: " + std::strerror(error) + "\n";
+}
+
 Explanation explain(const std::string& name, const std::string& subject, const std::exception& error) {
   const std::string begin = name + ": ", of = subject.empty() ? "" : " " + subject;
   if (const auto* input = dynamic_cast<const InputError*>(&error)) return {input->code(), inputErrors(name, subject, input->problems())};
@@ -163,14 +177,16 @@ int runProgram(const std::string& name, const std::string& subject, const std::f
   oneThreadARank();
   keepFreedMemory();
   setenv("HWLOC_HIDE_ERRORS", "2", 0);  // MPI asks hwloc, which prints where a machine has no /sys
-  const StoppableOutput output;
+  StoppableOutput output;
   Hdf5File::withoutExitHandler();
   // Kokkos would look for options of its own in ours.
   int argc = 1;
   std::string program = name;
   char* arguments[] = {program.data(), nullptr};
   char** argv = arguments;
+  std::optional<MpiStart> start(std::in_place);
   const Tpetra::ScopeGuard scope(&argc, &argv);
+  start.reset();
   const MeetingPoint meeting(*Tpetra::getDefaultComm());
   std::set_terminate([] { abortAll("suture: terminated by an exception that nobody caught\n"); });
 
@@ -183,20 +199,16 @@ int runProgram(const std::string& name, const std::string& subject, const std::f
   } catch (...) {
     end = {ExitCode::Internal, name + ": internal error: an exception of unknown type\n"};
   }
+  std::cout.flush();
+  if (const int error = output.failure(); error != 0) {
+    if (end.code == ExitCode::Done) end.code = ExitCode::Environment;
+    end.message += outputFailure(name, error);
+  }
   end = meeting.settle(end);
   if (!end.message.empty() && Tpetra::getDefaultComm()->getRank() == 0) print(end.message);
   meeting.wait();
   return int(end.code);
 }
-
-namespace {
-/// Rank that a launcher (mpirun, srun) gave this process; null without one.
-const char* launchedRank() {
-  for (const char* variable : {"OMPI_COMM_WORLD_RANK", "PMIX_RANK", "PMI_RANK", "SLURM_PROCID"})
-    if (const char* rank = std::getenv(variable)) return rank;
-  return nullptr;
-}
-}  // namespace
 
 bool isFirstProcess() {
   const char* rank = launchedRank();

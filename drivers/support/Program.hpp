@@ -11,10 +11,18 @@
 namespace suture {
 
 /// Runs the work of a driver between the beginning and the end of MPI and returns the exit code of the program, the same on all ranks.
-/// Errors of the work are printed once (see explain()). When a rank fails alone, while the others wait for it in a collective, the last
+/// Errors of the work are printed once (see explain()). Where the work ended well and its text could not be written to standard output,
+/// the code is Environment. When a rank fails alone, while the others wait for it in a collective, the last
 /// resort after two seconds is its message and MPI_Abort with its exit code. One thread a rank, unless the environment says otherwise.
 /// \param name     of the program, for messages;  \param subject  the file it works on
 int runProgram(const std::string& name, const std::string& subject, const std::function<ExitCode(const CommPtr& comm)>& work);
+
+/// Opens /dev/null in the place of standard input, output and error where the caller has closed them: the next file that is opened, a
+/// socket of MPI or a file of results, would be taken for them. Before anything is opened. Local.
+void openStandardFiles();
+
+/// The message of a program whose standard output failed with an error number: what it should have printed is lost. Local.
+std::string outputFailure(const std::string& name, int error);
 
 /// The exit code of an exception, and the message for the user in the form of doc/style.md: "suture_solve: 3 errors in scene.xml", then a
 /// line "  path: message" each. Local.

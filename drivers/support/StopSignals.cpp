@@ -13,6 +13,7 @@ namespace {
 constexpr unsigned secondsToStop = 4;  // seconds
 
 volatile std::sig_atomic_t stopAsked = 0;
+std::function<bool()> host;  // empty: there is none
 
 // All of these may be called by a handler of signals.
 void say(const char* text, std::size_t length) {
@@ -39,16 +40,22 @@ void askInAHurry(int number) {
 
 }  // namespace
 
+StopsByHost::StopsByHost(std::function<bool()> isAsked) { host = std::move(isAsked); }
+StopsByHost::~StopsByHost() { host = nullptr; }
+
 void listenForStop(RunMonitor& monitor) {
+  monitor.stopWhen(stopWasAsked);
+  if (host) return;
   std::signal(SIGUSR1, ask);
   std::signal(SIGTERM, askInAHurry);
   std::signal(SIGINT, askInAHurry);
-  monitor.stopWhen(stopWasAsked);
 }
 
-bool stopWasAsked() { return stopAsked != 0; }
+bool stopWasAsked() { return host ? host() : stopAsked != 0; }
 
-void stopIsHeard() { alarm(0); }
+void stopIsHeard() {
+  if (!host) alarm(0);
+}
 
 bool takesText(int file, int milliseconds) {
   pollfd reader{file, POLLOUT, 0};

@@ -45,6 +45,11 @@ int StoppableOutput::sync() {
   return send();
 }
 
+int StoppableOutput::failure() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return failure_;
+}
+
 void StoppableOutput::wipe() {
   if (!isWiped_) text_.insert(0, "\r\033[K");
   isWiped_ = true;
@@ -77,7 +82,10 @@ int StoppableOutput::send() {
       continue;
     }
     const ssize_t count = write(STDOUT_FILENO, text.data() + sent, std::min(piece, text.size() - sent));
-    if (count < 0 && errno != EINTR && errno != EAGAIN) return -1;
+    if (count < 0 && errno != EINTR && errno != EAGAIN) {
+      if (failure_ == 0) failure_ = errno;
+      return -1;
+    }
     sent += static_cast<std::size_t>(std::max<ssize_t>(0, count));
   }
   return 0;

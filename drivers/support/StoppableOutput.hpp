@@ -15,6 +15,8 @@ class StoppableOutput : public std::streambuf {
   StoppableOutput& operator=(const StoppableOutput&) = delete;
 
   bool isTerminal() const { return terminal_; }
+  /// Error number of the first text that could not be written (a full disk, a device without room); 0: none. Local.
+  int failure();
   /// A line of another thread, between two lines of the program: on a terminal until the next text, else for good on standard error, where
   /// it is in nobody's way who reads the output. Nothing happens while the program is within a line of its own.
   void between(const std::string& line);
@@ -31,6 +33,7 @@ class StoppableOutput : public std::streambuf {
   std::mutex mutex_;
   std::string text_;      // written, and not yet sent
   bool endsLine_ = true;  // the text sent before did
+  int failure_ = 0;       // of the first write that failed
   bool isWiped_ = true;   // no line of between() stands on the terminal
 };
 

@@ -12,6 +12,10 @@ namespace suture {
 
 namespace {
 
+/// Largest rotation over the translation that is called a shift: the axis is then more than twenty radii of the part away, and no user
+/// recognises the motion as a turn about it.
+constexpr double kShift = 0.05;
+
 std::string number(double value, double scale) {
   std::ostringstream text;
   text.precision(4);
@@ -66,14 +70,14 @@ Point RigidPart::displacement(const Point& point, const Vector& amplitudes, int 
 
 std::string inWords(const RigidPart& part, const Vector& amplitudes, int dimension) {
   const Vector translation = amplitudes.head(dimension), rotation = amplitudes.tail(amplitudes.size() - dimension);
-  if (rotation.norm() < 1e-6 * translation.norm()) {
+  if (rotation.norm() < kShift * translation.norm()) {
     const Vector direction = translation.normalized();
     std::string text = "move";
     if (std::abs(direction[dimension - 1]) > 1 - 1e-6) text += direction[dimension - 1] > 0 ? " upwards" : " downwards";
     if (std::abs(direction[0]) > 1 - 1e-6) text += direction[0] > 0 ? " to the right" : " to the left";
     text += " (";
     for (int k = 0; k < dimension; ++k) text += (k > 0 ? ", " : "") + number(direction[k], 1.0);
-    return text + ")";
+    return text + (rotation.norm() < 1e-6 * translation.norm() ? ")" : "), turning slightly");
   }
   if (dimension == 2) {
     // The centre of the rotation, where the displacement t + w x arm vanishes: arm = w x t / w^2.

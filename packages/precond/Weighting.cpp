@@ -14,11 +14,13 @@ void Weighting::setup(const InterfaceSpace& space, const LocalProblems& locals) 
 void DiagonalWeighting::doSetup(const InterfaceSpace& space, const LocalProblems& locals) {
   weights_.assign(locals.size(), Vector());
   Matrix sum = Matrix::Zero(space.overlapSize(), 1);
-  for (std::size_t i = 0; i < locals.size(); ++i)
-    if (locals[i]) {
-      weights_[i] = density(*locals[i]);
-      space.coupling(static_cast<int>(i)).addTransposed(weights_[i], sum);
-    }
+  collectively(*space.comm(), "weighting the interface", [&] {
+    for (std::size_t i = 0; i < locals.size(); ++i)
+      if (locals[i]) {
+        weights_[i] = density(*locals[i]);
+        space.coupling(static_cast<int>(i)).addTransposed(weights_[i], sum);
+      }
+  });
   space.sumDensities(sum);
   // An unknown that several others express, or none, has no weight of its own: they have it all.
   const auto weightless = [&](int place) { return space.relation(place) && space.relation(place)->others.size() != 1; };

@@ -21,7 +21,7 @@ std::string number(double value) {
 }  // namespace
 
 bool Verification::holds() const {
-  return std::all_of(checks.begin(), checks.end(), [](const Check& check) { return check.holds(); });
+  return !checks.empty() && std::all_of(checks.begin(), checks.end(), [](const Check& check) { return check.holds(); });
 }
 
 const Check* Verification::worst() const {
@@ -34,7 +34,8 @@ std::string Verification::failure() const {
   std::vector<std::string> advice;
   for (const Check& check : checks) {
     if (check.holds()) continue;
-    text += (text.empty() ? "" : "; ") + check.name + " " + number(check.value) + " exceeds " + number(check.bound) + " at " + check.where;
+    text += (text.empty() ? "" : "; ") + check.name + " " + number(check.value) + " exceeds " + number(check.bound) +
+            (check.where.empty() ? "" : " (" + check.where + ")");
     if (std::find(advice.begin(), advice.end(), check.advice) == advice.end()) advice.push_back(check.advice);
   }
   for (const std::string& sentence : advice) text += ". " + sentence;

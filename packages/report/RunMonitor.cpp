@@ -54,17 +54,16 @@ std::string RunMonitor::in(Colour colour, const std::string& text) const {
   return coloured_ ? format("\033[%dm", int(colour)) + text + "\033[0m" : text;
 }
 
-void RunMonitor::repeatWarnings() const {
-  if (!console_) return;
-  for (const std::string& note : notes_)
-    if (isWarning(note)) *console_ << "   " + in(Colour::Warning, note) + "\n";
-  *console_ << std::flush;
+void RunMonitor::countWarnings() const {
+  const auto count = std::count_if(notes_.begin(), notes_.end(), isWarning);
+  if (!console_ || count == 0) return;
+  *console_ << "   " + in(Colour::Warning, count == 1 ? "1 warning, see above" : format("%d warnings, see above", int(count))) << std::endl;
 }
 
 void RunMonitor::note(const std::string& text) {
   const bool warning = isWarning(text);
   if (warning && strict_) throw InputError("--strict", text);
-  if (loadStep_ > 0 && std::find(notes_.begin(), notes_.end(), text) != notes_.end()) return;
+  if (std::find(notes_.begin(), notes_.end(), text) != notes_.end()) return;
   notes_.push_back(text);
   if (console_) *console_ << (warning ? "   " + in(Colour::Warning, text) : "   note: " + text) << std::endl;
 }

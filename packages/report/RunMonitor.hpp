@@ -20,6 +20,7 @@ class RunMonitor : public Monitor {
   RunMonitor(std::ostream* console, bool verbose, bool strict = false);
   void auxiliary(const AuxiliaryRow& row) override;
   void outer(const OuterRow& row) override;
+  /// Keeps and prints a note, once: the same text again is dropped.
   /// \throws InputError  for a warning, when strict; on every rank, since every rank is told the same
   void note(const std::string& text) override;
   void inner(int iteration, double relativeResidual) override;
@@ -28,7 +29,7 @@ class RunMonitor : public Monitor {
   /// \param stop  asked after every outer iteration whether the user wants the run to end
   void stopWhen(std::function<bool()> stop) { stop_ = std::move(stop); }
 
-  /// Begins a load step: tables have a row a step instead of one an outer iteration, unless verbose, and a note is told once.
+  /// Begins a load step: tables have a row per step instead of one per outer iteration, unless verbose.
   void beginStep(int step) { loadStep_ = step; }
   /// Prints its row.
   void endStep(const StepRow& row);
@@ -45,8 +46,8 @@ class RunMonitor : public Monitor {
   std::ostream* console() const { return console_; }  ///< null: silent
   const std::vector<OuterRow>& rows() const { return rows_; }
   const std::vector<std::string>& notes() const { return notes_; }
-  /// Prints the warnings again: the last lines are those that are read.
-  void repeatWarnings() const;
+  /// Prints how many warnings stand above: the last lines are those that are read.
+  void countWarnings() const;
 
  private:
   std::ostream* console_;

@@ -3,23 +3,21 @@
 #include <suture/simulation/LoadControl.hpp>
 #include <suture/simulation/Simulation.hpp>
 
-#include <Teuchos_Comm.hpp>
+#include <Teuchos_CommHelpers.hpp>
 
 #include <algorithm>
 
 namespace suture {
 
 CouplingSurface Simulation::coupling(const std::string& group) {
-  if (isPrepared_) throw InternalError("coupling() after prepare(): a scene is coupled before it is prepared");
+  order_.require(StageOrder::Nothing, StageOrder::Checked, "coupling");
   if (!scene_.steps.empty())
     throw InputError("Load Steps", "in a scene that another program loads; expected a scene without: the program has the steps");
   if (hasControlledLoads(scene_))
     throw InputError("coupling '" + group + "'",
                      "in a scene with a Mean Displacement or a Preload, whose amounts are found for one set of loads only");
-  if (!isCut_) {
-    read();
-    cut();
-  }
+  if (!order_.has(StageOrder::Read)) read();
+  if (!order_.has(StageOrder::Cut)) cut();
   CouplingSurface surface = couplingSurface(*comm_, cut_.meshes, group);
   std::vector<Load>& loads = scene_.model.loads;
   const std::string name = "coupling " + group;
@@ -34,16 +32,30 @@ CouplingSurface Simulation::coupling(const std::string& group) {
   return surface;
 }
 
+/// Forces on a surface, among the loads of the scene. \throws InternalError  coupling() of this simulation has not made the surface
+Load& Simulation::loadOf(const CouplingSurface& surface, const std::string& function) {
+  std::vector<Load>& loads = scene_.model.loads;
+  bool isOwn = surface.load < loads.size() && loads[surface.load].name == "coupling " + surface.group;
+  for (const CouplingSurface::Place& place : surface.places)
+    isOwn = isOwn && place.mesh < static_cast<int>(cut_.meshes.size()) && place.node < cut_.meshes[place.mesh].nodes();
+  const int mine = isOwn;
+  int all = 0;
+  Teuchos::reduceAll(*comm_, Teuchos::REDUCE_MIN, mine, Teuchos::outArg(all));
+  if (all == 0) throw InternalError(function + "() on a surface that coupling() of this simulation has not made");
+  return loads[surface.load];
+}
+
 void Simulation::setForces(const CouplingSurface& surface, const std::vector<double>& forces) {
-  scene_.model.loads.at(surface.load).forces = valuesByNode(*comm_, surface, forces, "forces");
+  loadOf(surface, "setForces").forces = valuesByNode(*comm_, surface, forces, "forces");
 }
 
 void Simulation::setTractions(const CouplingSurface& surface, const std::vector<double>& tractions) {
-  scene_.model.loads.at(surface.load).forces =
+  loadOf(surface, "setTractions").forces =
       consistentForces(*comm_, cut_.meshes, surface.group, valuesByNode(*comm_, surface, tractions, "tractions"));
 }
 
 void Simulation::setDisplacements(const CouplingSurface& surface, const std::vector<double>& displacements) {
+  loadOf(surface, "setDisplacements");
   const std::map<GlobalId, Point> values = valuesByNode(*comm_, surface, displacements, "displacements");
   const std::string path = "coupling '" + surface.group + "'";
   const auto take = [&](NodeRule& rule, GlobalId node) {
@@ -69,41 +81,42 @@ void Simulation::setDisplacements(const CouplingSurface& surface, const std::vec
 
 const Solution& Simulation::solveAgain(bool verified) {
   if (!isCoupled()) throw InternalError("solveAgain() without coupling()");
-  const bool isFirst = !isPrepared_;
+  order_.require(StageOrder::Cut, StageOrder::Solved, "solveAgain");
+  const bool isFirst = !order_.has(StageOrder::Prepared);
   if (isFirst) {
-    check();
+    if (!order_.has(StageOrder::Checked)) check();
     prepare();
     remark();
     start();
-  } else if (!method_) {
-    throw InternalError("solveAgain() after judge(), which frees what was factored");
   }
   path_->setTime(0.0, scene_.model, cut_.meshes, constraints_);
-  solution_ = solveFrom(isSolved_ && solution_.converged ? &solution_ : nullptr, isFirst);
-  isSolved_ = true;
+  solution_ = solveFrom(order_.has(StageOrder::Solved) && solution_.converged ? &solution_ : nullptr, isFirst);
+  order_.reach(StageOrder::Solved);
   isJudged_ = false;
   return verified ? verify() : solution_;
 }
 
 const Solution& Simulation::verify() {
-  if (!isSolved_ || !method_) throw InternalError("verify() without an answer, or after judge()");
+  order_.require(StageOrder::Solved, StageOrder::Solved, "verify");
   if (!isJudged_) judge(solution_, method_->subdomains());
   isJudged_ = true;
   return solution_;
 }
 
 void Simulation::advance() {
-  if (!isCoupled() || !isSolved_) throw InternalError("advance() before solveAgain()");
+  if (!isCoupled()) throw InternalError("advance() without coupling()");
+  order_.require(StageOrder::Solved, StageOrder::Solved, "advance");
   path_->accept(solution_.pairs);
 }
 
 std::vector<double> Simulation::displacements(const CouplingSurface& surface) const {
   std::vector<double> all;
+  const bool isSolved = order_.has(StageOrder::Solved);
   for (const CouplingSurface::Place& place : surface.places)
     for (int k = 0; k < surface.dimension; ++k)
       all.push_back(
-          isSolved_ ? cut_.meshes[place.mesh].total(solution_.displacement[place.mesh], Eigen::Index(place.node) * surface.dimension + k)
-                    : 0.0);
+          isSolved ? cut_.meshes[place.mesh].total(solution_.displacement[place.mesh], Eigen::Index(place.node) * surface.dimension + k)
+                   : 0.0);
   return all;
 }
 

@@ -131,4 +131,10 @@ Scene sceneOf(const SceneFile& file) {
   return scene;
 }
 
+Scene sceneOf(const Comm& comm, const SceneFile& file) {
+  Scene scene;
+  collectively(comm, "making the scene", [&] { scene = sceneOf(file); });
+  return scene;
+}
+
 }  // namespace suture

@@ -36,6 +36,9 @@ struct Scene {
 /// \throws InputError  all that is wrong with materials, loads and levels of a nested start
 Scene sceneOf(const SceneFile& file);
 
+/// The same on several ranks, where a strategy of the user may fail on some of them: the error is the same on all. Collective.
+Scene sceneOf(const Comm& comm, const SceneFile& file);
+
 /// A scene made in C++. Local, the same on all ranks.
 /// \param model  plane model, bodies and materials (addBody), loads, exact solution
 /// \param mesh  called on rank 0; its element groups are the bodies, its side groups carry conditions, loads and contacts

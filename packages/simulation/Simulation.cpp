@@ -45,6 +45,8 @@ void Simulation::writeInto(const std::string& folder) {
 }
 
 const Solution& Simulation::solve() {
+  if (order_.has(StageOrder::Judged)) return solution_;
+  if (isCoupled()) throw InternalError("solve() of a coupled scene: solveAgain() solves it");
   read();
   cut();
   check();
@@ -57,13 +59,18 @@ const Solution& Simulation::solve() {
 }
 
 void Simulation::read() {
-  if (!isWhole_) return;
-  mesh_ = timed(timers_, "read", [&] { return readBodies(*comm_, scene_); });
-  constraints_ = timed(timers_, "read", [&] { return readConstraints(*comm_, mesh_, scene_); });
+  order_.make(StageOrder::Nothing, StageOrder::Read, "read", [&] {
+    if (!isWhole_) return;
+    mesh_ = timed(timers_, "read", [&] { return readBodies(*comm_, scene_); });
+    constraints_ = timed(timers_, "read", [&] { return readConstraints(*comm_, mesh_, scene_); });
+  });
 }
 
 void Simulation::cut() {
-  isCut_ = true;
+  order_.make(StageOrder::Read, StageOrder::Cut, "cut", [&] { cutScene(); });
+}
+
+void Simulation::cutScene() {
   cut_ = timed(timers_, "partition", [&] { return cutMesh(*comm_, scene_, mesh_, constraints_); });
   size_ = cut_.whole.size;
   resolveLoads(*comm_, cut_.meshes, scene_.model);
@@ -73,6 +80,10 @@ void Simulation::cut() {
 }
 
 void Simulation::check() {
+  order_.make(StageOrder::Cut, StageOrder::Checked, "check", [&] { checkScene(); });
+}
+
+void Simulation::checkScene() {
   timed(timers_, "partition", [&] {
     checkElements(*comm_, cut_.meshes, scene_.model);
     if (isWhole_) checkSolvability(*comm_, mesh_, constraints_, scene_.model, cut_.partition);
@@ -84,7 +95,10 @@ void Simulation::check() {
 }
 
 void Simulation::prepare() {
-  isPrepared_ = true;
+  order_.make(StageOrder::Checked, StageOrder::Prepared, "prepare", [&] { prepareMethod(); });
+}
+
+void Simulation::prepareMethod() {
   if (hasControlledLoads(scene_)) timed(timers_, "control", [&] { controlLoads(comm_, scene_, cut_.meshes, monitor_); });
   // Ways that bodies slide are from where they stand in the scene.
   if (!scene_.laws.restrictSliding() && !path_)
@@ -105,13 +119,21 @@ std::unique_ptr<Method> Simulation::preparedMethod() {
 }
 
 void Simulation::remark() {
+  order_.require(StageOrder::Cut, StageOrder::Judged, "remark");
+  for (const std::string& note : scene_.file.notes) monitor_.note(note);
   for (const std::string& note : cut_.partition.notes) monitor_.note(note);
   for (const std::string& note : lockingNotes(scene_.model)) monitor_.note(note);
   for (const std::string& note : loadNotes(scene_.model)) monitor_.note(note);
   for (const std::string& note : looseTolerances(scene_.settings())) monitor_.note(note);
 }
 
+void Simulation::startFrom(Start start) {
+  order_.require(StageOrder::Prepared, StageOrder::Prepared, "startFrom");
+  start_ = std::move(start);
+}
+
 void Simulation::start(const std::string& restart) {
+  order_.require(StageOrder::Prepared, StageOrder::Prepared, "start");
   if (!restart.empty())
     start_ = readCheckpoint(*comm_, restart, cut_.whole.hash, cut_.meshes, &restart_);
   else if (!scene_.levels.empty() && method_->takesStart())
@@ -121,17 +143,28 @@ void Simulation::start(const std::string& restart) {
 }
 
 void Simulation::iterate() {
-  if (followsPath()) {
-    followPath();
-    return;
-  }
-  solution_ = method_->solve(monitor_, timers_, start_ ? &*start_ : nullptr, checkpoints());
-  solution_.energy -= liftWork_;
-  isSolved_ = true;
-  start_.reset();
+  if (isCoupled()) throw InternalError("iterate() of a coupled scene: solveAgain() solves it");
+  order_.make(StageOrder::Prepared, StageOrder::Solved, "iterate", [&] {
+    if (followsPath()) {
+      followPath();
+      return;
+    }
+    solution_ = method_->solve(monitor_, timers_, start_ ? &*start_ : nullptr, checkpoints());
+    solution_.energy -= liftWork_;
+    start_.reset();
+  });
+}
+
+const Solution& Simulation::solution() const {
+  if (!order_.has(StageOrder::Solved)) throw InternalError("solution() before iterate(): there is none");
+  return solution_;
 }
 
 void Simulation::judge() {
+  order_.make(StageOrder::Solved, StageOrder::Judged, "judge", [&] { judgeSolution(); });
+}
+
+void Simulation::judgeSolution() {
   const Subdomains subdomains = method_->takeSubdomains();
   method_.reset();
   if (!isJudged_ && (!followsPath() || path_->rows.empty())) judge(solution_, subdomains);
@@ -194,12 +227,14 @@ Run Simulation::run(const Solution& solution, const Invocation& invocation) cons
 }
 
 std::string Simulation::summary(const Invocation& invocation) const {
+  if (!isJudged_) order_.require(StageOrder::Judged, StageOrder::Judged, "summary");
   const Run run = this->run(solution_, invocation);
   return summaryText(run, runFigures(run), ending());
 }
 
 RunResult Simulation::report(const Invocation& invocation) {
   if (!output_) throw InternalError("a simulation reports without a folder: writeInto() comes first");
+  if (!isJudged_) order_.require(StageOrder::Judged, StageOrder::Judged, "report");
   giveBackFreedMemory();  // for the files
   const ExitCode code = ending();
   const Parameters& output = scene_.settings().sublist("Output");

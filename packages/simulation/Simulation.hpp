@@ -7,6 +7,7 @@
 #include <suture/simulation/CutStage.hpp>
 #include <suture/simulation/LoadPath.hpp>
 #include <suture/simulation/Scene.hpp>
+#include <suture/simulation/StageOrder.hpp>
 #include <suture/solver/Method.hpp>
 
 #include <memory>
@@ -27,8 +28,9 @@ struct RunResult {
 ///
 ///     const Solution solution = Simulation(comm, scene).solve();
 ///
-/// Programs that do something between the stages call these one by one, in the order in which they stand here. Nothing is printed but what
-/// a monitor prints, and nothing is written without writeInto(). All functions are collective, but for those that return what is known.
+/// Programs that do something between the stages call these one by one, in the order in which they stand here: read(), cut(), check(),
+/// prepare(), iterate(), judge(), each of them once; another order is an InternalError. Nothing is printed but what a monitor prints, and
+/// nothing is written without writeInto(). All functions are collective, but for those that return what is known.
 /// \throws Error  of any kind, the same on all ranks
 class Simulation {
  public:
@@ -43,7 +45,7 @@ class Simulation {
   /// \throws EnvironmentError
   void writeInto(const std::string& folder);
 
-  /// All stages but report().
+  /// All stages but report(). Called again, it returns the same solution.
   const Solution& solve();
 
   /// Mesh and constraints, if a later stage needs them whole.
@@ -60,7 +62,7 @@ class Simulation {
   /// Finds where to begin: the checkpoint of an earlier run of this mesh, or, if `restart` is empty, the answers of the scene's levels.
   void start(const std::string& restart = "");
   /// Begins there instead.
-  void startFrom(Start start) { start_ = std::move(start); }
+  void startFrom(Start start);
   /// Solves; a scene with load steps step after step, each of them judged, its fields and a checkpoint written.
   void iterate();
   /// Settles what the solution leaves free, measures its errors, verifies it. The last stage that computes: it frees what was factored.
@@ -110,7 +112,7 @@ class Simulation {
   const std::string& meshHash() const { return cut_.whole.hash; }           ///< on rank 0, after cut()
   const ProblemSize& size() const { return size_; }                         ///< after prepare()
   double megabytes() const { return megabytes_; }                           ///< memory for all ranks, estimated; after check()
-  const Solution& solution() const { return solution_; }                    ///< after iterate()
+  const Solution& solution() const;                                         ///< after iterate()
   ExitCode ending() const;                                                  ///< after judge()
 
  private:
@@ -119,11 +121,16 @@ class Simulation {
     Timers timers;
   };
   Simulation(const CommPtr& comm, Scene scene, std::unique_ptr<Silence> silence);
+  void cutScene();
+  void checkScene();
+  void prepareMethod();
+  void judgeSolution();
   Method::Keep checkpoints();
   void writeState(const Solution& solution) const;
   std::unique_ptr<Method> preparedMethod();
   void judge(Solution& solution, const Subdomains& subdomains);
   Run run(const Solution& solution, const Invocation& invocation = {}) const;
+  Load& loadOf(const CouplingSurface& surface, const std::string& function);
 
   bool followsPath() const { return !scene_.steps.empty() && path_ && !scene_.isOneStep; }
   bool isCoupled() const { return scene_.steps.empty() && path_; }
@@ -156,9 +163,8 @@ class Simulation {
   bool brokeDown_ = false;            // the last trial of a step left nothing behind
   PathState restart_;                 // path of a checkpoint, before it is taken up
   Solution solution_;
-  bool isCut_ = false, isPrepared_ = false;  // stages that were done
-  bool isSolved_ = false;                    // there is an answer to begin the next solve with
-  bool isJudged_ = false;                    // by solveAgain()
+  StageOrder order_;
+  bool isJudged_ = false;  // by solveAgain()
 };
 
 }  // namespace suture

@@ -7,7 +7,8 @@
 #include <suture/base/Version.hpp>
 #include <suture/base/hdf5/Hdf5File.hpp>
 
-#include "Bindings.hpp"
+#include "../../drivers/support/MpiStart.hpp"
+#include "Together.hpp"
 
 // The symbol of a library that is not in the process is absent.
 extern "C" {
@@ -34,20 +35,28 @@ void begin() {
   char name[] = "python", *arguments[] = {name, nullptr}, **argv = arguments;
   Tpetra::initialize(&argc, &argv);
   // Before mpi4py ends MPI.
-  py::module_::import("atexit").attr("register")(py::cpp_function([] { Tpetra::finalize(); }));
+  py::module_::import("atexit").attr("register")(py::cpp_function([] {
+    interpreterEnds();
+    Tpetra::finalize();
+  }));
 }
 
 }  // namespace
 
 PYBIND11_MODULE(_suture, module) {
-  if (import_mpi4py() < 0) throw py::error_already_set();
-  begin();
+  {
+    // The import begins MPI, unless the user's program has done so before: then the settings come too late and change nothing.
+    const MpiStart start;
+    if (import_mpi4py() < 0) throw py::error_already_set();
+    begin();
+  }
   module.attr("version") = version();
   module.attr("commit") = commit();
   bindErrors(module);
   bindRuns(module);
   bindStrategies(module);
   bindStudies(module);
+  bindTogether(module);
 }
 
 }  // namespace suture::python

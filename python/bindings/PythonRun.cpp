@@ -1,9 +1,9 @@
 #include "PythonRun.hpp"
 
-#include <pybind11/iostream.h>
 #include <Teuchos_Comm.hpp>
 #include <Teuchos_ParameterList.hpp>
 #include <iostream>
+#include <suture/base/Collective.hpp>
 #include <suture/report/SceneSchema.hpp>
 
 namespace suture::python {
@@ -18,57 +18,57 @@ SceneFile parsed(const std::string& text, const std::string& name, const std::st
 
 }  // namespace
 
+PythonRun::Parts::Parts(const CommPtr& ranks, bool shows)
+    : comm(ranks), meeting(*ranks), monitor(shows && ranks->getRank() == 0 ? &std::cout : nullptr, false) {
+  monitor.stopWhen(endIsWanted);  // Ctrl-C ends a run after the iteration in hand
+}
+
 PythonRun::PythonRun(const py::object& comm, const std::string& text, const std::string& name, const std::string& folder,
                      const std::vector<std::string>& overrides, bool shows)
-    : held_(comm),
-      comm_(commOf(comm)),
-      monitor_(shows && comm_->getRank() == 0 ? &std::cout : nullptr, false),
-      simulation_(comm_, sceneOf(parsed(text, name, folder, overrides)), monitor_, timers_) {}
+    : held_(comm), parts_(std::make_unique<Parts>(commOf(comm), shows)) {
+  together(*parts_->comm, parts_->meeting, [&] {
+    SceneFile file;
+    collectively(*parts_->comm, "reading the scene", [&] { file = parsed(text, name, folder, overrides); });
+    parts_->simulation = std::make_unique<Simulation>(parts_->comm, sceneOf(*parts_->comm, file), parts_->monitor, parts_->timers);
+  });
+}
 
-int PythonRun::rank() const { return comm_->getRank(); }
+PythonRun::~PythonRun() {
+  if (interpreterHasEnded()) static_cast<void>(parts_.release());
+}
+
+void PythonRun::doTogether(const std::function<void(Simulation&)>& way) {
+  const ToPythonsOutput output;
+  together(*parts_->comm, parts_->meeting, [&] { way(*parts_->simulation); });
+}
 
 std::string PythonRun::failure() const {
-  const Solution& solution = simulation_.solution();
+  const Solution& solution = simulation().solution();
   if (isDone()) return "";
   if (!solution.failure.empty()) return solution.failure;
   if (!solution.undetermined.empty()) return solution.undetermined;
   return solution.stopped ? "stopped on request" : "the verdict does not hold";
 }
 
-template <typename Way>
-void PythonRun::go(const Way& way) {
-  const py::scoped_ostream_redirect toPython;  // sys.stdout, wherever that goes
-  bool interrupted = false;
-  monitor_.stopWhen([&] { return interrupted = interrupted || PyErr_CheckSignals() != 0; });
-  try {
-    way();
-  } catch (...) {
-    monitor_.stopWhen(nullptr);
-    throw;
-  }
-  monitor_.stopWhen(nullptr);
-  if (PyErr_Occurred()) throw py::error_already_set();
-}
-
 void PythonRun::solve(const std::optional<std::string>& output, const std::string& restart) {
-  go([&] {
-    if (output) simulation_.writeInto(*output);
-    simulation_.read();
-    simulation_.cut();
-    simulation_.check();
-    simulation_.prepare();
-    simulation_.remark();
-    simulation_.start(restart);
-    simulation_.iterate();
-    simulation_.judge();
+  doTogether([&](Simulation& simulation) {
+    if (output) simulation.writeInto(*output);
+    simulation.read();
+    simulation.cut();
+    simulation.check();
+    simulation.prepare();
+    simulation.remark();
+    simulation.start(restart);
+    simulation.iterate();
+    simulation.judge();
     Invocation invocation;
-    if (!restart.empty()) invocation.restart = usedFile(restart);
-    summary_ = output ? simulation_.report(invocation).summary : simulation_.summary(invocation);
+    if (!restart.empty()) collectively(*parts_->comm, "reading " + restart, [&] { invocation.restart = usedFile(restart); });
+    summary_ = output ? simulation.report(invocation).summary : simulation.summary(invocation);
   });
 }
 
 void PythonRun::solveAgain(bool verified) {
-  go([&] { simulation_.solveAgain(verified); });
+  doTogether([&](Simulation& simulation) { simulation.solveAgain(verified); });
 }
 
 }  // namespace suture::python

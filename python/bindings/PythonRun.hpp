@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "Bindings.hpp"
+#include "Together.hpp"
 
 namespace suture {
 namespace SUTURE_HIDDEN python {
@@ -18,6 +18,10 @@ class PythonRun {
   /// \param shows  prints the table of the run
   PythonRun(const py::object& comm, const std::string& text, const std::string& name, const std::string& folder,
             const std::vector<std::string>& overrides, bool shows);
+  /// Leaves its vectors where they are once the interpreter has ended: an object in a global variable dies after all that could free them.
+  ~PythonRun();
+  PythonRun(const PythonRun&) = delete;
+  PythonRun& operator=(const PythonRun&) = delete;
 
   /// The whole way. Collective. \param output  folder of the files; none without one  \param restart  a checkpoint to begin with, or ""
   void solve(const std::optional<std::string>& output, const std::string& restart);
@@ -25,27 +29,32 @@ class PythonRun {
   /// Solves with loads as they are now (Simulation::coupling). Collective. \param verified  judges the answer
   void solveAgain(bool verified);
 
-  Simulation& simulation() { return simulation_; }
-  const Simulation& simulation() const { return simulation_; }
-  int rank() const;
-  bool isDone() const { return simulation_.ending() == ExitCode::Done; }
-  int exitCode() const { return static_cast<int>(simulation_.ending()); }
+  /// Something that all ranks do with the simulation: an exception of one is one of all (together()). Collective.
+  void doTogether(const std::function<void(Simulation&)>& way);
+
+  const Simulation& simulation() const { return *parts_->simulation; }
+  bool isDone() const { return simulation().ending() == ExitCode::Done; }
+  int exitCode() const { return static_cast<int>(simulation().ending()); }
   /// Why it is not done.
   std::string failure() const;
   const std::string& summary() const { return summary_; }  ///< text of summary.json, on rank 0
-  const std::vector<std::string>& notes() const { return monitor_.notes(); }
-  std::vector<OuterRow> history() const { return monitor_.rows(); }
+  const std::vector<std::string>& notes() const { return parts_->monitor.notes(); }
+  std::vector<OuterRow> history() const { return parts_->monitor.rows(); }
 
  private:
-  /// Goes a way that Ctrl-C ends after the iteration in hand.
-  template <typename Way>
-  void go(const Way& way);
+  /// What knows MPI and Kokkos.
+  struct Parts {
+    CommPtr comm;
+    MeetingPoint meeting;
+    Timers timers;
+    RunMonitor monitor;
+    std::unique_ptr<Simulation> simulation;
+
+    Parts(const CommPtr& ranks, bool shows);
+  };
 
   py::object held_;  // mpi4py's communicator
-  CommPtr comm_;
-  Timers timers_;
-  RunMonitor monitor_;
-  Simulation simulation_;
+  std::unique_ptr<Parts> parts_;
   std::string summary_;
 };
 

@@ -141,8 +141,11 @@ void bindHistory(py::module_& module) {
 
 using Values = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
-/// Values as Simulation takes them: of any shape, node by node.
-std::vector<double> listOf(const Values& values) { return {values.data(), values.data() + values.size()}; }
+/// Values as Simulation takes them: of any shape, node by node. \throws py::error_already_set  they are no numbers
+std::vector<double> listOf(const py::object& values) {
+  const Values all(values);
+  return {all.data(), all.data() + all.size()};
+}
 
 void bindSurface(py::module_& module) {
   const auto matrix = [](const py::object& self, const std::vector<double>& values) {
@@ -184,15 +187,26 @@ void bindRuns(py::module_& module) {
   py::class_<PythonRun, std::shared_ptr<PythonRun>>(module, "Run")
       .def(py::init<const py::object&, const std::string&, const std::string&, const std::string&, const std::vector<std::string>&, bool>())
       .def("solve", &PythonRun::solve)
-      .def("coupling", [](PythonRun& self, const std::string& group) { return self.simulation().coupling(group); })
+      .def("coupling",
+           [](PythonRun& self, const std::string& group) {
+             CouplingSurface surface;
+             self.doTogether([&](Simulation& simulation) { surface = simulation.coupling(group); });
+             return surface;
+           })
       .def("set_forces",
-           [](PythonRun& self, const CouplingSurface& at, const Values& values) { self.simulation().setForces(at, listOf(values)); })
+           [](PythonRun& self, const CouplingSurface& at, const py::object& values) {
+             self.doTogether([&](Simulation& simulation) { simulation.setForces(at, listOf(values)); });
+           })
       .def("set_tractions",
-           [](PythonRun& self, const CouplingSurface& at, const Values& values) { self.simulation().setTractions(at, listOf(values)); })
+           [](PythonRun& self, const CouplingSurface& at, const py::object& values) {
+             self.doTogether([&](Simulation& simulation) { simulation.setTractions(at, listOf(values)); });
+           })
       .def("set_displacements",
-           [](PythonRun& self, const CouplingSurface& at, const Values& values) { self.simulation().setDisplacements(at, listOf(values)); })
+           [](PythonRun& self, const CouplingSurface& at, const py::object& values) {
+             self.doTogether([&](Simulation& simulation) { simulation.setDisplacements(at, listOf(values)); });
+           })
       .def("solve_again", &PythonRun::solveAgain)
-      .def("advance", [](PythonRun& self) { self.simulation().advance(); })
+      .def("advance", [](PythonRun& self) { self.doTogether([](Simulation& simulation) { simulation.advance(); }); })
       .def("displacements", &displacementsOf)
       .def_property_readonly("is_done", &PythonRun::isDone)
       .def_property_readonly("exit_code", &PythonRun::exitCode)

@@ -6,7 +6,7 @@
 #include <suture/elasticity/MaterialLaw.hpp>
 #include <suture/precond/Weighting.hpp>
 
-#include "Bindings.hpp"
+#include "Together.hpp"
 
 namespace suture::python {
 
@@ -32,6 +32,19 @@ py::dict valuesOf(const Parameters& own, const Defaults& defaults) {
   return values;
 }
 
+/// What a function returned, as numbers. \throws InputError  it is not that: says what it is
+template <typename Numbers>
+Numbers numbersOf(const py::object& found, const std::string& kind, const std::string& expected) {
+  try {
+    return found.cast<Numbers>();
+  } catch (const py::cast_error&) {
+    throw InputError(kind, "the Python function returned " +
+                               (found.is_none() ? std::string("None")
+                                                : "an object of the type " + std::string(py::str(py::type::of(found).attr("__name__")))) +
+                               "; expected " + expected);
+  }
+}
+
 class PythonWeighting : public DiagonalWeighting {
  public:
   PythonWeighting(py::object function, py::dict own) : function_(std::move(function)), own_(std::move(own)) {}
@@ -42,7 +55,9 @@ class PythonWeighting : public DiagonalWeighting {
         py::arg("size") = local.size(), py::arg("stiffness_diagonal") = local.stiffnessDiagonal(),
         py::arg("young_modulus") =
             local.hint(Hint::kYoungModulus).cols() > 0 ? py::cast(Vector(local.hint(Hint::kYoungModulus).col(0))) : py::none());
-    const auto found = function_(boundary, **own_).cast<Vector>();
+    const auto found = numbersOf<Vector>(called(function_, kind(), py::make_tuple(boundary), own_), kind(), "a weight for each unknown");
+    if (!found.allFinite() || (found.size() > 0 && found.minCoeff() < 0.0))
+      throw InputError(kind(), "the Python function returned weights that are negative or no numbers");
     if (found.size() != local.size())
       throw InputError(kind(), "the Python function returned " + std::to_string(found.size()) + " weights for " +
                                    std::to_string(local.size()) + " unknowns");
@@ -55,7 +70,8 @@ class PythonWeighting : public DiagonalWeighting {
 };
 
 std::unique_ptr<MaterialLaw> lawOf(const py::object& function, const py::dict& own) {
-  const auto stiffness = function(**own).cast<Matrix>();
+  const auto stiffness =
+      numbersOf<Matrix>(called(function, MaterialLaw::kind(), py::tuple(), own), MaterialLaw::kind(), "a matrix of 6 x 6");
   if (stiffness.rows() != 6 || stiffness.cols() != 6)
     throw InputError(MaterialLaw::kind(), "the Python function returned a matrix of " + std::to_string(stiffness.rows()) + " x " +
                                               std::to_string(stiffness.cols()) + "; a stiffness is 6 x 6 (xx, yy, zz, xy, yz, xz)");

@@ -1,18 +1,19 @@
 // Studies, as suture_study runs them.
-#include <pybind11/iostream.h>
 #include <pybind11/stl.h>
+#include <Teuchos_Comm.hpp>
 
 #include "../../drivers/study/Loop.hpp"
 #include "../../drivers/study/Options.hpp"
 #include "../../drivers/support/Plugins.hpp"
-#include "Bindings.hpp"
+#include "../../drivers/support/StopSignals.hpp"
+#include "Together.hpp"
 
 namespace suture::python {
 
 void bindStudies(py::module_& module) {
   module.def("run_study", [](const py::object& comm, const std::string& file, const std::string& output,
                              const std::vector<std::string>& overrides, const std::vector<std::string>& only, bool quiet) {
-    const py::scoped_ostream_redirect toPython;
+    const ToPythonsOutput toPython;
     study::Options options;
     options.study = file;
     options.output = output;
@@ -20,7 +21,13 @@ void bindStudies(py::module_& module) {
     options.only = only;
     options.quiet = quiet;
     options.commandLine = {"suture.study", file};
-    const ExitCode end = study::run(commOf(comm), options);
+    const CommPtr ranks = commOf(comm);
+    const StopsByHost stops(endIsWanted);
+    ExitCode end = ExitCode::Done;
+    together(*ranks, [&] {
+      end = study::run(ranks, options);
+      dropErrorsOfRuns();
+    });
     return std::make_pair(static_cast<int>(end), options.folder());
   });
   module.def("load_plugins", &loadPlugins);

@@ -11,9 +11,9 @@ import os
 
 os.environ.setdefault("HWLOC_HIDE_ERRORS", "2")  # MPI asks hwloc, which prints where a machine has no /sys
 
+from . import _suture  # noqa: E402  (begins MPI, if nobody has: before mpi4py)
 from mpi4py import MPI  # noqa: E402
 
-from . import _suture
 from ._suture import EnvironmentError, Error, InputError, InternalError, NumericalError  # noqa: A004
 from .fields import Fields, gather
 from .scenes import assignments, to_xml
@@ -53,9 +53,7 @@ class Result:
 
 
 def _scene(scene, comm):
-    """Text, name and folder of a scene, the same on all ranks. An error of one rank is one of all."""
-    if isinstance(scene, dict):
-        return to_xml(scene), "the scene", ""
+    """Text, name and folder of a scene that is no dictionary, the same on all ranks. An error of one rank is one of all."""
     if isinstance(scene, str) and scene.lstrip().startswith("<"):
         return scene, "the scene", ""
     path, text, problem = os.fspath(scene), None, None
@@ -73,6 +71,11 @@ def _scene(scene, comm):
     return text, path, os.path.dirname(path)
 
 
+def _run(scene, comm, changes, show):
+    text, changed = _suture.together(comm, lambda: (to_xml(scene) if isinstance(scene, dict) else scene, assignments(changes)))
+    return _suture.Run(comm, *((text, "the scene", "") if isinstance(scene, dict) else _scene(scene, comm)), changed, show)
+
+
 def solve(scene, comm=None, set=None, output=None, restart="", show=False, check=True):  # noqa: A002
     """Solves a scene: a file, the text of one, or a dictionary with its names. Collective.
 
@@ -80,7 +83,7 @@ def solve(scene, comm=None, set=None, output=None, restart="", show=False, check
     files of a run (none are written without one); restart: a checkpoint to begin with; show: prints the table of the run.
     Raises NotConverged where the answer does not hold, unless check is False; InputError, EnvironmentError, ... as they are met."""
     comm = MPI.COMM_WORLD if comm is None else comm
-    run = _suture.Run(comm, *_scene(scene, comm), assignments(set), show)
+    run = _run(scene, comm, set, show)
     run.solve(None if output is None else os.fspath(output), os.fspath(restart))
     result = Result(run, comm)
     if check and not result.converged:
@@ -102,7 +105,7 @@ class Coupling:
 
     def __init__(self, scene, comm=None, set=None, show=False):  # noqa: A002
         self.comm = MPI.COMM_WORLD if comm is None else comm
-        self._run = _suture.Run(self.comm, *_scene(scene, self.comm), assignments(set), show)
+        self._run = _run(scene, self.comm, set, show)
 
     def surface(self, group):
         """Nodes of a side group. Before the first solve; for as many groups as there are. Collective, as all that follow."""
@@ -155,12 +158,15 @@ def study(file, comm=None, set=None, only=(), output="", show=False):  # noqa: A
     Returns the rows of its table, as dictionaries, on all ranks, and the exit code: 0, or 4 where a run failed or a band is missed."""
     comm = MPI.COMM_WORLD if comm is None else comm
     code, folder = _suture.run_study(comm, os.fspath(file), os.fspath(output), assignments(set), list(only), not show)
-    rows = None
-    if comm.rank == 0:
+
+    def read():
+        if comm.rank != 0:
+            return None
         import csv
         with open(os.path.join(folder, "table.csv"), newline="", encoding="utf-8") as table:
-            rows = list(csv.DictReader(table))
-    return comm.bcast(rows, root=0), code
+            return list(csv.DictReader(table))
+
+    return comm.bcast(_suture.together(comm, read), root=0), code
 
 
 def load_plugins(*paths):

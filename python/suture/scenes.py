@@ -19,6 +19,8 @@ def _value(value, where):
         kinds = {kind for kind, _ in parts}
         if kinds == {"int", "double"}:
             kinds = {"double"}
+        if "string" in kinds and kinds <= {"string", "int", "double"}:
+            kinds = {"string"}  # expressions, some of which are constants
         if len(kinds) > 1 or kinds & {"bool"} or any(kind.startswith("Array") for kind in kinds):
             raise TypeError("%s: a list is one of numbers or one of texts" % where)
         return "Array(%s)" % (kinds.pop() if kinds else "string"), "{%s}" % ", ".join(text for _, text in parts)

@@ -78,7 +78,9 @@ TEUCHOS_UNIT_TEST(SceneErrors, RefusesAListForAParameterAndTheReverse) {
 TEUCHOS_UNIT_TEST(SceneErrors, RefusesAWrongType) {
   TEST_EQUALITY(errorOfSolver(parameter("Maximum Iterations", "double", "3")),
                 "Outer Solver/Maximum Iterations: is of type double ('3'), expected type int: an integer, >= 1");
-  TEST_ASSERT(contains(errorOf(scene(parameter("Title", "int", "3"))), "Title: is of type int ('3'), expected type string"));
+  TEST_ASSERT(contains(errorOf(scene(parameter("Title", "bool", "true"))), "Title: is of type bool ('true'), expected type string"));
+  TEST_ASSERT(contains(errorOf(scene(parameter("Model", "int", "3"))), "Model: is of type int ('3'), expected type string"));
+  TEST_ASSERT(contains(errorOf(scene(parameter("Title", "double", "3 x"))), "Title: '3 x' is not of its type double"));
   TEST_ASSERT(contains(errorOfSolver(parameter("Tolerance", "flaot", "3")), "Outer Solver/Tolerance: no such type 'flaot'"));
   TEST_ASSERT(contains(errorOf(scene(parameter("Check", "bool", "maybe"))), "Check: 'maybe' is not a truth value: expected true or false"));
   TEST_ASSERT(

@@ -69,6 +69,64 @@ TEUCHOS_UNIT_TEST(SceneReader, NeedsNoTypeAttribute) {
   TEST_EQUALITY(file.parameters->sublist("Outer Solver").get<int>("Maximum Iterations"), 7);
 }
 
+TEUCHOS_UNIT_TEST(SceneReader, TakesNumbersWhereATextIsWanted) {
+  for (const auto& [type, value] :
+       std::vector<std::pair<std::string, std::string>>{{"double", "0.5"}, {"int", "3"}, {"Array(double)", "{0, 1.5}"}})
+    TEST_EQUALITY(parse(scene(parameter("Title", type, value))).parameters->get<std::string>("Title"), value);
+  const auto groups = parse(scene(list("Load", parameter("Groups", "Array(int)", "{7, 8}")))).parameters->sublist("Load");
+  TEST_EQUALITY(groups.get<Teuchos::Array<std::string>>("Groups")[1], "8");
+}
+
+TEUCHOS_UNIT_TEST(SceneReader, NotesParametersOfChoicesThatAreNotTaken) {
+  const auto notes = [](const std::string& inside, const std::vector<std::string>& overrides = {}) {
+    std::string all;
+    for (const std::string& note : parse(scene(list("Outer Solver", inside)), overrides).notes) all += note + "\n";
+    return all;
+  };
+  const std::string depth = list("Chord", parameter("Depth", "int", "5")), chord = parameter("Type", "string", "Chord");
+  TEST_EQUALITY(notes(depth), "Outer Solver/Chord/Depth has no effect: Outer Solver/Type is 'Newton', not 'Chord'\n");
+  TEST_EQUALITY(notes(chord + depth), "");
+  TEST_EQUALITY(notes(depth, {"Outer Solver/Type=Chord"}), "");
+  TEST_EQUALITY(notes("", {"Outer Solver/Chord/Depth=5"}),
+                "Outer Solver/Chord/Depth has no effect: Outer Solver/Type is 'Newton', not 'Chord'\n");
+  // A default that is written out, as --print-defaults does, says nothing.
+  TEST_EQUALITY(notes(chord + depth + list("Newton", parameter("Inner Tolerance", "double", "0.01"))), "");
+  TEST_EQUALITY(notes(chord + depth + list("Newton", parameter("Inner Tolerance", "double", "0.02"))),
+                "Outer Solver/Newton/Inner Tolerance has no effect: Outer Solver/Type is 'Chord', not 'Newton'\n");
+}
+
+// The choice may be a default that fits the rest of the scene, its parameters may stand beside it, and it may be within another one.
+TEUCHOS_UNIT_TEST(SceneReader, NotesKnowChoicesThatFitAndStandBesideAndAreWithinOthers) {
+  Schema schema("a scene");
+  schema.boolean("Contact", true, "or none")
+      .choice("Method", "Direct",
+              {{"Direct", Schema("factors").choice(
+                              "Order", "Natural",
+                              {{"Natural", Schema("as it is")}, {"Nested", Schema("cuts").integer("Depth", 3, "levels")}}, "of unknowns")},
+               {"Iterative", Schema("steps").integer("Steps", 10, "at most")}},
+              "how")
+      .fittingDefault([](const Parameters& whole) { return whole.get<bool>("Contact") ? "Iterative" : "Direct"; })
+      .choice("Law", "Free", {{"Free", Schema("none").real("Mu", 0.0, "beside")}, {"Tied", Schema("glue").real("Strength", 1.0, "below")}},
+              "law", "Free");
+  const auto notes = [&](const std::string& inside) {
+    std::string all;
+    for (const std::string& note : parseScene("<ParameterList name=\"Suture\">" + inside + "</ParameterList>", "scene.xml", schema).notes)
+      all += note + "\n";
+    return all;
+  };
+  const std::string steps = list("Iterative", parameter("Steps", "int", "5"));
+  TEST_EQUALITY(notes(steps), "");
+  TEST_EQUALITY(notes(parameter("Contact", "bool", "false") + steps),
+                "Iterative/Steps has no effect: Method is 'Direct', not 'Iterative'\n");
+  TEST_EQUALITY(notes(list("Direct", list("Nested", parameter("Depth", "int", "5")))),
+                "Direct/Nested/Depth has no effect: Method is 'Iterative', not 'Direct'\n");
+  TEST_EQUALITY(notes(parameter("Method", "string", "Direct") + list("Direct", list("Nested", parameter("Depth", "int", "5")))),
+                "Direct/Nested/Depth has no effect: Direct/Order is 'Natural', not 'Nested'\n");
+  TEST_EQUALITY(notes(parameter("Mu", "double", "0.5")), "");
+  TEST_EQUALITY(notes(parameter("Law", "string", "Tied") + parameter("Mu", "double", "0.5")),
+                "Mu has no effect: Law is 'Tied', not 'Free'\n");
+}
+
 TEUCHOS_UNIT_TEST(SceneReader, WordOrNumberIsStoredAsText) {
   const auto relaxation = [](const std::string& type, const std::string& value) {
     return scene(list("Outer Solver", list("Successive Approximation", parameter("Relaxation", type, value))));
@@ -226,6 +284,23 @@ TEUCHOS_UNIT_TEST(SceneReader, RefusesWhatIsTooDeep) {
   for (int i = 0; i < 100; ++i)
     wide += "<ParameterList name=\"" + std::to_string(i) + "\"><Parameter name=\"a/>\" value='1'/></ParameterList>";
   TEST_ASSERT(!contains(errorOf(wide + "</ParameterList>"), "elements within"));
+}
+
+TEUCHOS_UNIT_TEST(SceneReader, SaysWhatToDoWithAGeometry) {
+  const std::string text = "Point(1) = {0, 0, 0, .3};";
+  const auto said = [&](const std::string& path) {
+    try {
+      parseScene(text, path, sceneSchema());
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  TEST_EQUALITY(
+      said("dir/part.geo"),
+      "dir/part.geo: is a geometry or a mesh, not a scene; 'suture_new dir/part.geo' writes a scene of it, which names it in Mesh/File");
+  TEST_ASSERT(contains(said("part.MSH"), "suture_new part.MSH"));
+  TEST_ASSERT(contains(said("part.xml"), "this is no XML"));
 }
 
 TEUCHOS_UNIT_TEST(SceneReader, ReadsRegularFilesOfASceneSizeOnly) {

@@ -44,6 +44,25 @@ TEUCHOS_UNIT_TEST(Formula, CalculatesInTheUsualOrder) {
   TEST_EQUALITY(number("1000 * dofs / subdomains"), 12500.0);
 }
 
+TEUCHOS_UNIT_TEST(Formula, NeedsNoBlanksButAroundAMinusBehindAName) {
+  TEST_EQUALITY(number("1000*dofs"), 1e5);
+  TEST_EQUALITY(number("dofs*1000/subdomains"), 12500.0);
+  TEST_EQUALITY(number("dofs/subdomains+1"), 13.5);
+  TEST_EQUALITY(number("dofs+subdomains"), 108.0);
+  TEST_EQUALITY(number("1-dofs"), -99.0);
+  TEST_EQUALITY(number("dofs - 1"), 99.0);
+  TEST_ASSERT(std::isnan(number("2e+1*dofs-1")));  // the name dofs-1, which no summary has
+  TEST_EQUALITY(number("(dofs)-1"), 99.0);
+  TEST_EQUALITY(number("dofs-(1)"), 99.0);
+  TEST_EQUALITY(number("2e+1*dofs"), 2000.0);
+  TEST_EQUALITY(number("dofs*2e-1"), 20.0);
+  TEST_EQUALITY(number("dofs*-1"), -100.0);
+  TEST_EQUALITY(number("2*(dofs+1)*(3-1)"), 404.0);
+  TEST_EQUALITY(number("max(dofs,subdomains)*2"), 200.0);
+  const Json hyphens = Json::parse(R"({"left-side": {"half-width": 3}})");
+  TEST_EQUALITY(Formula("2*left-side.half-width").evaluate(hyphens).number, 6.0);
+}
+
 TEUCHOS_UNIT_TEST(Formula, AMissingFigureMakesAnEmptyCell) {
   for (const char* text : {"nothing", "dofs + nothing", "contact.by_piece.fault above.max_gap", "1 / 0", "outer.solver + 1", "norm(outer)"})
     TEST_ASSERT(study::Formula(text).evaluate(summary).kind == study::TableCell::Kind::Empty);

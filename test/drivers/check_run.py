@@ -41,6 +41,8 @@ import subprocess
 import sys
 import time
 
+import sentences
+
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "validation"))
 
 
@@ -196,6 +198,7 @@ def perform(case, folder, work, program, ranks=1, references=None, others=None):
     expectedCode = case.get("exit_code", 0)
     if code != expectedCode:
         failures.append("no end within the time" if code is None else f"exit code {code}, expected {expectedCode}")
+    failures += [f"a sentence has {fault}" for fault in sentences.faults(text)]
     for fragment in case.get("message", []):
         if fill(fragment) not in text:
             failures.append(f"the output does not say: {fill(fragment)}")

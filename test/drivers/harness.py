@@ -16,6 +16,8 @@ import sys
 import tempfile
 import traceback
 
+import sentences
+
 SLOWER = float(os.environ.get("SUTURE_TIME_FACTOR", 1))  # limits of time are multiplied by it: the test presets set it
 SANITIZED = "ASAN_OPTIONS" in os.environ  # AddressSanitizer takes 20 TB of addresses: no limit of them then, no measure of memory
 failures = []
@@ -43,6 +45,8 @@ def command(program, ranks, *words):
 def run(program, ranks, *words, timeout=120):
     """Exit code and output, both streams."""
     done = subprocess.run(command(program, ranks, *words), capture_output=True, text=True, timeout=timeout * SLOWER)
+    for fault in sentences.faults(done.stdout + done.stderr):
+        check(f"{pathlib.Path(program).name} prints sentences", fault, "")
     return done.returncode, done.stdout + done.stderr
 
 

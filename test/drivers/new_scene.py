@@ -57,6 +57,18 @@ def new(geometry, *words, ranks=1, scene="scene.xml"):
     return code, text, path
 
 
+def uncommented(name, path):
+    """The scene with all of its examples in place: lists and parameters beside each other have different names, and nothing else is between them."""
+    text, count = re.subn(r"<!--[^<]*?\n((?:[ ]*<(?!!).*>\n)+)[ ]*-->", r"\1", path.read_text())
+    root = xml.fromstring(text)
+    for element in root.iter():
+        names = [child.get("name") for child in element]
+        check(f"{name}: names in '{element.get('name')}' differ", sorted(one for one in set(names) if names.count(one) > 1), [])
+        wrong = [part.strip() for part in (element.text, *(child.tail for child in element)) if part and part.strip()]
+        check(f"{name}: no words between the parameters of '{element.get('name')}'", wrong, [])
+    return root, count
+
+
 def runs(geometry, ranks, *words):
     """A geometry becomes a scene that is solved, verified, and in which something touches where contacts are proposed."""
     name = geometry.stem
@@ -105,6 +117,8 @@ if options.space:
         check(f"{name}: bodies", sorted(e.get("name") for e in sublists(root, "Bodies")), bodies)
         check(f"{name}: contacts", {(parameter(e, "Side A"), parameter(e, "Side B")) for e in sublists(root, "Contact")}, contacts)
     check("sides in a plane of symmetry are found", 'value="{lower_x, upper_x}"' in (options.work / "spheres.xml").read_text(), True)
+    root, count = uncommented("spheres", options.work / "spheres.xml")
+    check("examples are uncommented", (count >= 6, sum(e.get("name").startswith("symmetry") for e in sublists(root, "Boundary Conditions"))), (True, 2))
     geometry = options.work / "hexahedra.geo"
     for incomplete, order in ((0, 1), (1, 2)):
         geometry.write_text(HEXAHEDRA % incomplete)
@@ -196,6 +210,34 @@ check("a plane model in space is refused", (code, "expected Solid" in text, path
 code, text, path = new(INPUT / "pin" / "pin.geo", "--model", "Solid", scene="solid.xml")
 check("and the other way round", (code, "expected Plane Strain" in text, path.exists()), (3, True, False))
 
+
+# Coordinates that are rounding are zeros; units are the user's, and the numbers of the example fit them.
+geometry = options.work / "turned.geo"
+geometry.write_text("""
+SetFactory("OpenCASCADE");
+Rectangle(1) = {0, 0, 0, 100, 100}; Rectangle(2) = {0, 100, 0, 100, 100};
+Rotate {{0, 0, 1}, {33, 17, 0}, Pi/7} { Surface{1, 2}; } Rotate {{0, 0, 1}, {33, 17, 0}, -Pi/7} { Surface{1, 2}; }
+MeshSize{:} = 25;
+Physical Surface("low") = {1}; Physical Surface("up") = {2};
+a() = Boundary{ Surface{1}; }; b() = Boundary{ Surface{2}; };
+Physical Curve("low_bottom") = {a(0)}; Physical Curve("low_top") = {a(2)}; Physical Curve("up_bottom") = {b(0)}; Physical Curve("up_top") = {b(2)};
+Physical Curve("low_left") = {a(3)}; Physical Curve("up_left") = {b(3)}; Physical Curve("low_right") = {a(1)}; Physical Curve("up_right") = {b(1)};
+""")
+code, text, path = new(geometry, "--units", "mm, N, MPa", scene="turned.xml")
+check("a turned geometry: numbers of rounding", (code, re.findall(r"\S*e-1[0-9]\b", path.read_text() + text)), (0, []))
+root, count = uncommented("turned", path)
+check("a turned geometry: both planes of symmetry", sorted(e.get("name") for e in sublists(root, "Boundary Conditions") if "symmetry" in e.get("name")),
+      ["symmetry x", "symmetry x 2"])
+steel = [e for e in sublists(root, "Materials")][0]
+check("units", (parameter(root, "Units"), float(parameter(steel, "Young Modulus"))), ("mm, N, MPa", 2.1e5))
+weight = [e for e in sublists(root, "Boundary Conditions") if e.get("name") == "weight"][0]
+check("weight in N / mm^3", abs(float(parameter(weight, "Value").strip("{}").split(",")[1]) + 7.7e-5) < 1e-10, True)
+code, text = run(options.solve, 1, path, "--output", options.work / "turned")
+check("it runs", code, 0)
+summary = json.loads((options.work / "turned" / "summary.json").read_text())
+check("with these units", summary["units"], "mm, N, MPa")
+code, text = run(options.solve, 1, geometry)
+check("a geometry in place of a scene: what to do", (code, text.count(f"suture_new {geometry}")), (3, 1))
 
 # What no rule can do is said, and the scene has the place to fill in.
 BLOCKS = """

@@ -16,7 +16,7 @@ from harness import arguments, check, finish, run
 parser = argparse.ArgumentParser()
 parser.add_argument("part", choices=["figures", "ends", "bad", "space"])
 parser.add_argument("--ranks", type=int, required=True)
-options = arguments("--study", "--solve", "--source", parser=parser)
+options = arguments("--study", "--solve", "--source", "--fault", parser=parser)
 work = options.work
 source = pathlib.Path(options.source)
 TINY = source / "test" / "drivers" / "study" / "tiny.xml"
@@ -129,6 +129,19 @@ def ends(ranks):
     check("failed runs: reason", all("10 iterations" in row["failure"] for row in rows), True)
     check("failed runs: miss their band", "MISSED   every run converges" in text, True)
 
+
+    # A run that meets a bug, or finds no memory, is a row as well: what was done before is kept and what comes after is run.
+    plotted = edited("plotted")
+    for kind, expected, reason in (("other", 70, "injected fault"), ("memory", 4, "out of memory")):
+        code, text = run("env", ranks, "LD_PRELOAD=" + options.fault, f"SUTURE_TEST_FAULT=solve work 1 1 {kind}", options.study, plotted,
+                         "--output", work / kind, "--only", "small")
+        rows = table(work / kind)
+        check(f"{kind}: exit code", code, expected)
+        check(f"{kind}: the first run failed, the others have rows", [(reason in row["failure"], row["pcg"] != "") for row in rows],
+              [(True, False), (False, True), (False, True)])
+        check(f"{kind}: picture", (work / kind / "condition.png").exists(), True)
+    code, text = run(options.study, ranks, plotted, "--output", work / "other", "--only", "small", "--continue")
+    check("after the bug, --continue runs the one that failed", (code, text.count("done before"), len(table(work / "other"))), (0, 2, 3))
 
     bands = TINY.read_text()
     bands = bands[bands.index('  <ParameterList name="Bands">'):bands.index('  <ParameterList name="Plots">')].replace("../../../input", str(source / "input"))

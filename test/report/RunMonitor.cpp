@@ -67,13 +67,24 @@ TEUCHOS_UNIT_TEST(RunMonitor, ColoursOnRequestOnly) {
   TEST_EQUALITY(console.str(), "   note: a choice\n");
 }
 
-TEUCHOS_UNIT_TEST(RunMonitor, RepeatsWarningsButNotNotes) {
+TEUCHOS_UNIT_TEST(RunMonitor, PrintsEachWarningOnceAndCountsThemAtTheEnd) {
   std::ostringstream console;
   RunMonitor monitor(&console, false);
-  for (const char* note : {"warning: a subdomain was split", "relaxation 0.08 chosen", "warning: nu is near .5"}) monitor.note(note);
-  console.str("");
-  monitor.repeatWarnings();
-  TEST_EQUALITY(console.str(), "   warning: a subdomain was split\n   warning: nu is near .5\n");
+  for (const char* note :
+       {"warning: a subdomain was split", "relaxation 0.08 chosen", "warning: nu is near .5", "warning: a subdomain was split"})
+    monitor.note(note);
+  monitor.countWarnings();
+  TEST_EQUALITY(
+      console.str(),
+      "   warning: a subdomain was split\n   note: relaxation 0.08 chosen\n   warning: nu is near .5\n   2 warnings, see above\n");
+  TEST_EQUALITY(monitor.notes().size(), 3);
+  std::ostringstream one, none;
+  RunMonitor single(&one, false), silent(&none, false);
+  single.note("warning: nu is near .5");
+  single.countWarnings();
+  TEST_EQUALITY(one.str(), "   warning: nu is near .5\n   1 warning, see above\n");
+  silent.countWarnings();
+  TEST_EQUALITY(none.str(), "");
 }
 
 }  // namespace

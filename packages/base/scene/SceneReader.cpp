@@ -2,6 +2,8 @@
 
 #include <Teuchos_Comm.hpp>
 #include <Teuchos_ParameterList.hpp>
+#include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <cstdint>
 #include <cstring>
@@ -20,10 +22,21 @@ const char* const arrow = "->";  // between the names of nested lists, Teuchos' 
 
 constexpr std::uintmax_t largestFile = 16u << 20;  // bytes; the largest scene of ours has 9,000
 
+/// What to do with a file whose name is that of a geometry or a mesh; "" for another one.
+std::string hintFor(const std::string& path) {
+  std::string end = std::filesystem::path(path).extension().string();
+  std::transform(end.begin(), end.end(), end.begin(), [](unsigned char c) { return std::tolower(c); });
+  for (const char* known : {".geo", ".msh", ".h5"})
+    if (end == known)
+      return "is a geometry or a mesh, not a scene; 'suture_new " + path + "' writes a scene of it, which names it in Mesh/File";
+  return "";
+}
+
 std::string readFile(const std::string& path) {
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored)) throw InputError(path, "is a folder; expected an XML file");
   if (std::filesystem::exists(path, ignored)) {
+    if (const std::string hint = hintFor(path); !hint.empty()) throw InputError(path, hint);
     // A pipe may never end, a device neither.
     if (!std::filesystem::is_regular_file(path, ignored)) throw InputError(path, "is no regular file; expected an XML file");
     if (const auto size = std::filesystem::file_size(path, ignored); !ignored && size > largestFile)
@@ -51,7 +64,10 @@ SceneFile readScene(const Comm& comm, const std::string& path, const Schema& sch
 SceneFile parseScene(const std::string& text, const std::string& path, const Schema& schema, const std::vector<std::string>& overrides) {
   Problems problems;
   RawList tree = parseTree(text, path, problems);
-  if (tree.parameters.empty() && tree.lists.empty()) problems.throwIfAny();  // no XML: missing parameters are no news
+  if (tree.parameters.empty() && tree.lists.empty() && !problems.empty()) {  // no XML: missing parameters are no news
+    if (const std::string hint = hintFor(path); !hint.empty()) throw InputError(path, hint);
+    problems.throwIfAny();
+  }
   for (const std::string& assignment : overrides) applyOverride(tree, assignment, problems);
 
   SceneFile scene;
@@ -61,7 +77,7 @@ SceneFile parseScene(const std::string& text, const std::string& path, const Sch
   scene.text = text;
   scene.overrides = overrides;
   scene.parameters = Teuchos::rcp(new Parameters(tree.name.empty() ? "Suture" : tree.name));
-  resolve(tree, schema, *scene.parameters, problems);
+  scene.notes = resolve(tree, schema, *scene.parameters, problems);
   problems.throwIfAny();
   return scene;
 }

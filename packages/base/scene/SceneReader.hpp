@@ -12,6 +12,7 @@ struct SceneFile {
   std::string folder;                   ///< folder that relative names in the file start from
   std::string text;                     ///< verbatim
   std::vector<std::string> overrides;   ///< applied to it
+  std::vector<std::string> notes;       ///< for the user: parameters that have no effect
   Teuchos::RCP<Parameters> parameters;  ///< resolved; sublist names are full paths as Teuchos writes them
 };
 

@@ -32,6 +32,19 @@ std::string expectation(const Schema::Parameter& parameter) {
   return text;
 }
 
+/// A choice that decides whether parameters have an effect, and the value of it that they belong to.
+struct Owner {
+  std::string list, choice, value;  // path of the list; name of the choice in it
+};
+
+using Owners = std::vector<Owner>;  // the outermost first
+
+/// A parameter of the scene that belongs to choices: whether they are taken is known once the defaults fit the rest.
+struct Candidate {
+  std::string path;
+  Owners owners;
+};
+
 /// Complaint about a number outside its range: "0.5 is not below 0.5 (note)"; "" for one inside.
 std::string outside(double value, const std::string& written, const Range& range) {
   if (range.contains(value)) return "";
@@ -45,11 +58,13 @@ std::string outside(double value, const std::string& written, const Range& range
   return range.note.empty() ? text : text + " (" + range.note + ")";
 }
 
-/// The `type` attributes under which a value of a kind may be written; a whole number is a number, and one entry is an array of one.
+/// The `type` attributes under which a value of a kind may be written; a whole number is a number, one entry is an array of one, and a
+/// number is a text, unless the text is one of several names: an expression may be a constant.
 const std::vector<std::string>& typesFor(const Schema::Parameter& parameter) {
-  static const std::vector<std::string> integer{"int"}, real{"double", "int"}, boolean{"bool"}, text{"string"},
-      word{"string", "double", "int"}, reals{"Array(double)", "Array(int)", "double", "int"}, integers{"Array(int)", "int"},
-      texts{"Array(string)", "string"};
+  static const std::vector<std::string> integer{"int"}, real{"double", "int"}, boolean{"bool"}, name{"string"},
+      text{"string", "double", "int", "Array(double)", "Array(int)"}, word{"string", "double", "int"},
+      reals{"Array(double)", "Array(int)", "double", "int"}, integers{"Array(int)", "int"},
+      texts{"Array(string)", "string", "Array(double)", "Array(int)", "double", "int"};
   switch (parameter.kind) {
     case Kind::Integer:
       return integer;
@@ -58,7 +73,7 @@ const std::vector<std::string>& typesFor(const Schema::Parameter& parameter) {
     case Kind::Boolean:
       return boolean;
     case Kind::Text:
-      return parameter.numberToo ? word : text;
+      return parameter.numberToo ? word : parameter.allowed.empty() ? text : name;
     case Kind::Reals:
       return reals;
     case Kind::Integers:
@@ -73,8 +88,10 @@ class Resolver {
  public:
   explicit Resolver(Problems& problems) : problems_(problems) {}
 
-  /// `demanded`: parameters without a default must be given; not so inside a choice that is not taken.
-  void list(const RawList& raw, const Schema& schema, const std::string& path, bool demanded, Parameters& resolved) {
+  /// `demanded`: parameters without a default must be given; not so inside a choice that is not taken. `owners`: choices that the list
+  /// belongs to, taken or not.
+  void list(const RawList& raw, const Schema& schema, const std::string& path, bool demanded, Parameters& resolved,
+            const Owners& owners = {}) {
     refuseUnknown(raw, schema, path);
     for (const Schema::Parameter& parameter : schema.parameters()) {
       const std::string here = joinPath(path, parameter.name);
@@ -82,6 +99,9 @@ class Resolver {
         problems_.add(here, "is a parameter, not a list: expected " + expectation(parameter));
       } else if (const RawParameter* given = raw.parameter(parameter.name)) {
         value(*given, parameter, here, resolved);
+        Owners own = owners;
+        if (parameter.with) own.push_back({path, parameter.with->first, parameter.with->second});
+        if (!own.empty()) remember(parameter, here, resolved, own);
       } else if (parameter.fallback) {
         store(*parameter.fallback, parameter.name, true, resolved);
         if (parameter.fitting) fitting_.push_back({path, &parameter});
@@ -101,34 +121,60 @@ class Resolver {
         if (demanded) problems_.add(here, "this list is missing: " + inner.doc());
         list(RawList(), inner, here, false, resolved.sublist(name));
       } else {
-        const bool taken = demanded && isTaken(name, raw, schema);
-        list(given ? *given : RawList(), inner, here, taken, resolved.sublist(name));
+        const Schema::Parameter* choice = choiceOf(name, schema);
+        Owners own = owners;
+        if (choice) own.push_back({path, choice->name, name});
+        list(given ? *given : RawList(), inner, here, demanded && (!choice || hasValue(*choice, name, raw)), resolved.sublist(name), own);
       }
     }
-    if (schema.userLists()) userLists(raw, schema, path, demanded, resolved);
+    if (schema.userLists()) userLists(raw, schema, path, demanded, resolved, owners);
   }
 
   /// Defaults that fit the rest of the scene, after all of it.
   void fitDefaults(Parameters& whole) const {
-    for (const auto& [path, parameter] : fitting_) {
-      Parameters* list = &whole;
-      for (std::size_t begin = 0; begin < path.size();) {
-        const std::size_t end = std::min(path.find('/', begin), path.size());
-        list = &list->sublist(path.substr(begin, end - begin));
-        begin = end + 1;
+    for (const auto& [path, parameter] : fitting_) store(parameter->fitting(whole), parameter->name, true, listAt(whole, path));
+  }
+
+  /// Notes on parameters of choices that are not taken, after fitDefaults().
+  std::vector<std::string> unused(Parameters& whole) const {
+    std::vector<std::string> notes;
+    for (const auto& [path, owners] : candidates_)
+      for (const Owner& owner : owners) {
+        const Parameters& list = listAt(whole, owner.list);
+        const std::string taken = list.isParameter(owner.choice) ? list.get<std::string>(owner.choice) : "";
+        if (taken == owner.value) continue;
+        notes.push_back(path + " has no effect: " + joinPath(owner.list, owner.choice) + " is '" + taken + "', not '" + owner.value + "'");
+        break;
       }
-      store(parameter->fitting(whole), parameter->name, true, *list);
-    }
+    return notes;
   }
 
  private:
-  /// False for the list of a choice other than the one taken.
-  static bool isTaken(const std::string& name, const RawList& raw, const Schema& schema) {
-    for (const Schema::Parameter& parameter : schema.parameters()) {
-      if (!parameter.choice || std::find(parameter.allowed.begin(), parameter.allowed.end(), name) == parameter.allowed.end()) continue;
-      return hasValue(parameter, name, raw);
+  static Parameters& listAt(Parameters& whole, const std::string& path) {
+    Parameters* list = &whole;
+    for (std::size_t begin = 0; begin < path.size();) {
+      const std::size_t end = std::min(path.find('/', begin), path.size());
+      list = &list->sublist(path.substr(begin, end - begin));
+      begin = end + 1;
     }
-    return true;
+    return *list;
+  }
+
+  /// The choice whose names have a list of this name, or null.
+  static const Schema::Parameter* choiceOf(const std::string& name, const Schema& schema) {
+    for (const Schema::Parameter& parameter : schema.parameters())
+      if (parameter.choice && std::find(parameter.allowed.begin(), parameter.allowed.end(), name) != parameter.allowed.end())
+        return &parameter;
+    return nullptr;
+  }
+
+  /// A value that is the default has been written out (--print-defaults), and says nothing.
+  void remember(const Schema::Parameter& parameter, const std::string& path, const Parameters& resolved, const Owners& owners) {
+    Parameters fallback;
+    if (parameter.fallback) store(*parameter.fallback, parameter.name, true, fallback);
+    const Teuchos::ParameterEntry* given = resolved.getEntryPtr(parameter.name);
+    const Teuchos::ParameterEntry* usual = fallback.getEntryPtr(parameter.name);
+    if (given && !(usual && given->getAny() == usual->getAny())) candidates_.push_back({path, owners});
   }
 
   /// True if this is the value given, or, where none is given, the fallback.
@@ -144,12 +190,13 @@ class Resolver {
     }
   }
 
-  void userLists(const RawList& raw, const Schema& schema, const std::string& path, bool demanded, Parameters& resolved) {
+  void userLists(const RawList& raw, const Schema& schema, const std::string& path, bool demanded, Parameters& resolved,
+                 const Owners& owners) {
     int count = 0;
     for (const RawList& given : raw.lists) {
       if (schema.find(given.name) || schema.findList(given.name)) continue;
       ++count;
-      list(given, *schema.userLists(), joinPath(path, given.name), demanded, resolved.sublist(given.name));
+      list(given, *schema.userLists(), joinPath(path, given.name), demanded, resolved.sublist(given.name), owners);
     }
     if (demanded && count < schema.leastUserLists()) {
       problems_.add(path, "has " + std::to_string(count) + " lists <" + schema.userListPlaceholder() + ">, expected at least " +
@@ -229,12 +276,17 @@ class Resolver {
           path, "is of type " + given.type + " ('" + given.value + "'), expected type " + fitting.front() + ": " + expectation(parameter));
       return false;
     }
-    if (given.type != "int" && given.type != "Array(int)") return true;
+    const bool isText = parameter.kind == Kind::Text || parameter.kind == Kind::Texts;
+    const bool isWhole = given.type == "int" || given.type == "Array(int)",
+               isReal = given.type == "double" || given.type == "Array(double)";
+    // What is stored as a number is read as one below.
+    if (!isWhole && !(isReal && isText)) return true;
     const auto all = parseEntries(given.value);
-    const bool whole =
-        all && std::all_of(all->begin(), all->end(), [](const std::string& entry) { return parseInteger(entry).has_value(); });
-    if (!whole) problems_.add(path, "'" + given.value + "' is not of its type " + given.type);
-    return whole;
+    const bool fits = all && std::all_of(all->begin(), all->end(), [&](const std::string& entry) {
+                        return isWhole ? parseInteger(entry).has_value() : parseReal(entry).has_value();
+                      });
+    if (!fits) problems_.add(path, "'" + given.value + "' is not of its type " + given.type);
+    return fits;
   }
 
   std::optional<int> integer(const std::string& written, const Schema::Parameter& parameter, const std::string& path) {
@@ -324,14 +376,17 @@ class Resolver {
 
   Problems& problems_;
   std::vector<std::pair<std::string, const Schema::Parameter*>> fitting_;  // path of the list; parameter whose default fits the rest
+  std::vector<Candidate> candidates_;
 };
 
 }  // namespace
 
-void resolve(const RawList& tree, const Schema& schema, Parameters& resolved, Problems& problems) {
+std::vector<std::string> resolve(const RawList& tree, const Schema& schema, Parameters& resolved, Problems& problems) {
   Resolver resolver(problems);
   resolver.list(tree, schema, "", true, resolved);
-  if (problems.empty()) resolver.fitDefaults(resolved);
+  if (!problems.empty()) return {};
+  resolver.fitDefaults(resolved);
+  return resolver.unused(resolved);
 }
 
 }  // namespace suture
