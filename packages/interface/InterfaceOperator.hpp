@@ -57,6 +57,18 @@ class InterfaceOperator : public Operator {
   /// Keeps the fluxes of all following applications until recorded() is called: sum_i R_i^T S_i R_i x before contributions of related
   /// unknowns are added up, this rank's part. For one right-hand side at a time.
   void record() const;
+  /// Keeps applications from being recorded while it lives: those of a preconditioner are none of the solver's.
+  class Unrecorded {
+   public:
+    explicit Unrecorded(const InterfaceOperator& matrix) : matrix_(matrix), recording_(matrix.recording_) { matrix.recording_ = false; }
+    ~Unrecorded() { matrix_.recording_ = recording_; }
+    Unrecorded(const Unrecorded&) = delete;
+    Unrecorded& operator=(const Unrecorded&) = delete;
+
+   private:
+    const InterfaceOperator& matrix_;
+    const bool recording_;
+  };
   /// Their combination with these coefficients, one an application: overlap x 1. Local.
   Matrix recorded(const std::vector<double>& coefficients) const;
 

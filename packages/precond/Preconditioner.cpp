@@ -30,6 +30,7 @@ void Preconditioner::initialize(std::shared_ptr<const InterfaceSpace> space) {
 
 void Preconditioner::compute(Teuchos::RCP<const InterfaceOperator> matrix) {
   const double begin = Timers::now();
+  if (!space_) throw InternalError("compute() of a preconditioner before initialize()");
   if (matrix->space() != space_) throw InternalError("a preconditioner was given an operator on another space than its own");
   const auto isHeldBySprings = [](const InterfaceOperator& of) { return of.friction() && !of.friction()->motions.is_null(); };
   const bool same = isComputed_ && onAllRanks(*space_->comm(), matrix->locals() == matrix_->locals() && !isHeldBySprings(*matrix) &&
@@ -43,7 +44,9 @@ void Preconditioner::compute(Teuchos::RCP<const InterfaceOperator> matrix) {
 }
 
 void Preconditioner::apply(const MultiVector& r, MultiVector& z, Teuchos::ETransp, double alpha, double beta) const {
+  if (matrix_.is_null()) throw InternalError("a preconditioner is applied before compute()");
   ++applications_;
+  const InterfaceOperator::Unrecorded itsOwn(*matrix_);
   if (alpha == 1.0 && beta == 0.0) {
     doApply(r, z);
     return;

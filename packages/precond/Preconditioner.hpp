@@ -40,7 +40,7 @@ class Preconditioner : public Operator {
  protected:
   virtual void doInitialize() {}
   virtual void doCompute() = 0;
-  /// z <- M^-1 r
+  /// z <- M^-1 r. It may apply matrix().
   virtual void doApply(const MultiVector& r, MultiVector& z) const = 0;
 
  private:
