@@ -1,7 +1,6 @@
 #pragma once
 #include <suture/base/Errors.hpp>
 
-#include <array>
 #include <cstring>
 #include <map>
 #include <string>
@@ -22,36 +21,12 @@ struct AnyField {
 template <typename T>
 struct HasFields<T, std::void_t<decltype(T::forEachField(std::declval<T&>(), AnyField{}))>> : std::true_type {};
 
-/// True if the objects of a plain type may have bytes between their members: not numbers, nor arrays of them.
-template <typename T>
-struct MayHavePadding : std::is_class<T> {};
-template <typename T, std::size_t n>
-struct MayHavePadding<std::array<T, n>> : MayHavePadding<T> {};
-
-/// Sets the bytes between the members of plain objects to zero, which nobody else sets: what is sent and written is the same each time.
-/// With a compiler that cannot do it they stay. \param bytes  of `count` objects one after the other, aligned or not
-template <typename T>
-void clearPadding([[maybe_unused]] char* bytes, [[maybe_unused]] std::size_t count) {
-#ifdef __has_builtin
-#if __has_builtin(__builtin_clear_padding)
-  if constexpr (MayHavePadding<T>::value) {
-    alignas(T) char place[sizeof(T)];
-    for (; count > 0; --count, bytes += sizeof(T)) {
-      std::memcpy(place, bytes, sizeof(T));
-      __builtin_clear_padding(reinterpret_cast<T*>(place));
-      std::memcpy(bytes, place, sizeof(T));
-    }
-  }
-#endif
-#endif
-}
-
 /// Packs plain values, strings, vectors, maps and structs of them into bytes for a message; same order out as in.
 class Packer {
  public:
   template <typename T>
   std::enable_if_t<std::is_trivially_copyable_v<T>> put(const T& value) {
-    putPlain(&value, 1);
+    bytes_.append(reinterpret_cast<const char*>(&value), sizeof(T));
   }
   template <typename T>
   std::enable_if_t<HasFields<T>::value> put(const T& object) {
@@ -65,7 +40,7 @@ class Packer {
   void put(const std::vector<T>& values) {
     put(values.size());
     if constexpr (std::is_trivially_copyable_v<T>) {
-      putPlain(values.data(), values.size());
+      bytes_.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
     } else {
       for (const T& value : values) put(value);
     }
@@ -84,13 +59,6 @@ class Packer {
   std::string bytes() && { return std::move(bytes_); }  ///< without a copy: std::move(packer).bytes()
 
  private:
-  template <typename T>
-  void putPlain(const T* values, std::size_t count) {
-    const std::size_t begin = bytes_.size();
-    bytes_.append(reinterpret_cast<const char*>(values), count * sizeof(T));
-    clearPadding<T>(bytes_.data() + begin, count);
-  }
-
   std::string bytes_;
 };
 

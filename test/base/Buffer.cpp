@@ -38,33 +38,6 @@ TEUCHOS_UNIT_TEST(Buffer, GivesBackWhatWasPutInTheSameOrder) {
   TEST_ASSERT(unpacker.done());
 }
 
-#ifdef __has_builtin
-#if __has_builtin(__builtin_clear_padding)
-// What stood in the memory between the members does not come with them: messages and files are the same each time.
-TEUCHOS_UNIT_TEST(Buffer, BytesBetweenMembersAreZero) {
-  struct Padded {
-    char letter;
-    double number;
-    std::array<bool, 3> flags;
-  };
-  const auto packed = [](int filling) {
-    Packer packer;
-    std::vector<Padded> all(2);
-    std::memset(static_cast<void*>(all.data()), filling, 2 * sizeof(Padded));
-    for (Padded& one : all) one.letter = 'a', one.number = -2.5, one.flags = {true, false, true};
-    packer.put(all);
-    packer.put(all[1]);
-    packer.put(std::array<Padded, 2>{all[0], all[1]});
-    return packer.bytes();
-  };
-  TEST_ASSERT(packed(0x55) == packed(0xAA));
-  Unpacker unpacker(packed(0x55));
-  const auto back = unpacker.get<std::vector<Padded>>();
-  TEST_ASSERT(back[1].letter == 'a' && back[1].number == -2.5 && back[1].flags[2] && !back[1].flags[1]);
-}
-#endif
-#endif
-
 TEUCHOS_UNIT_TEST(Buffer, RefusesToReadBeyondTheEnd) {
   Packer packer;
   packer.put(std::int16_t(1));
