@@ -9,13 +9,13 @@ namespace suture {
 
 namespace {
 
-constexpr double kStateTurned = 1.0;      // turn that is none, in parts of the tolerance of forces
-constexpr double kStateSharper = 0.1;     // accuracy of the next solve, in parts of the turn that it makes
-constexpr double kStateForcing = 0.1;     // accuracy of the next solve, in parts of the distance from the laws
-constexpr double kComparable = 0.5;       // change of the accuracy up to which balances are compared with those before
-constexpr int kStateHalvings = 9;         // of a step
-constexpr double kStateLeastFall = 2e-4;  // of the squared distance, in parts of it and of the step
-constexpr double kStateProgress = 1e-6;
+constexpr double kStateTurned = 1.0;        // turn that is none, in parts of the tolerance of forces
+constexpr double kStateSharper = 0.1;       // accuracy of the next solve, in parts of the turn that it makes
+constexpr double kStateForcing = 0.1;       // accuracy of the next solve, in parts of the distance from the laws
+constexpr double kComparable = 0.5;         // change of the accuracy up to which balances are compared with those before
+constexpr int kStateHalvings = 9;           // of a step
+constexpr double kStateLeastFall = 2e-4;    // of the squared distance, in parts of it and of the step
+constexpr double kStateProgress = 1e-6;     // relative fall of the distance that is one
 constexpr int kStatePatience = 12;          // steps without a nearer balance, from the start
 constexpr std::size_t kStateMeetings = 20;  // states that bodies meet on their way
 constexpr double kStateLeastWay = 1e-2;     // first way tried, in parts of the shortest one after which something may change
@@ -50,9 +50,6 @@ StateSearch::StateSearch(const RigidContact& rigid, const ContactLaws& laws, con
 PairStates StateSearch::start() {
   Matrix t = Matrix::Zero(rigid_.pairs(), 3);
   t.col(0) = rigid_.data().penetration;
-  PairStates all(static_cast<std::size_t>(rigid_.pairs()));
-  for (std::size_t i = 0; i < all.size(); ++i)
-    if (rigid_.isBound(i)) all[i] = laws_.of(rigid_.data().line[i]).pressed();
   const PadModel::Equilibrium pads = pads_.coulomb(t, rigid_.compliance());
   guess_ = pads.force.col(0);
   return withHolders(padStates(pads));
