@@ -181,7 +181,7 @@ void symmetries(Writer& out, const NewScene& scene, Names& given) {
         }
       if (bodies.size() < 2) continue;
       const std::string list = names.size() == 1 ? escaped(names[0]) : escaped(array(names));
-      out.example(std::string("if ") + "xyz"[k] + " = " + number(edge) + " is a plane of symmetry:",
+      out.example(std::string("if ") + "xyz"[k] + " = " + number(std::abs(edge) > rounding ? edge : 0.0) + " is a plane of symmetry:",
                   {"<ParameterList name=\"" + given.unique(std::string("symmetry ") + "xyz"[k]) + "\">",
                    "  " + inComment(entry("Group", names.size() == 1 ? "string" : "Array(string)", list)),
                    "  " + entry("Type", "string", "Bilateral"), "</ParameterList>"});

@@ -132,7 +132,7 @@ def ends(ranks):
 
     # A run that meets a bug, or finds no memory, is a row as well: what was done before is kept and what comes after is run.
     plotted = edited("plotted")
-    for kind, expected, reason in (("other", 70, "injected fault"), ("memory", 4, "out of memory")):
+    for kind, expected, reason in (("other", 70, "injected fault"), ("memory", 4, "not enough memory")):
         code, text = run("env", ranks, "LD_PRELOAD=" + options.fault, f"SUTURE_TEST_FAULT=solve work 1 1 {kind}", options.study, plotted,
                          "--output", work / kind, "--only", "small")
         rows = table(work / kind)

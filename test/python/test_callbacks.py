@@ -153,7 +153,7 @@ class Processes(unittest.TestCase):
             result = suture.solve("input/two_blocks/two_blocks.xml")
             gap, u = result.pairs.gap, c.displacements(s)
             class Late:
-                def __del__(self): print(len(gap) > 0, abs(gap).max() >= 0)
+                def __del__(self): print(len(gap) > 0, gap[0] == gap[0])
             late = Late()
             """, 0, "True True"), "")
 

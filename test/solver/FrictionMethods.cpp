@@ -214,8 +214,8 @@ TEUCHOS_UNIT_TEST(FrictionMethods, GoOnFromASolution) {
     const InterfaceState start = one.problem.stateOf(one.problem.interiors(first.state), kept);
     const OuterResult again = solveWith("Active Set", one.problem, 1e-8, "BDDC", &start);
     TEST_ASSERT(again.converged);
-    TEST_COMPARE(again.iterations, <=, dimension);  // in space directions of slip are settled at an accuracy between
-    TEST_COMPARE(again.pcgTotal, <=, first.pcgTotal / 2);
+    TEST_COMPARE(again.iterations, <=, dimension);             // in space directions of slip are settled at an accuracy between
+    TEST_COMPARE(3 * again.pcgTotal, <=, 2 * first.pcgTotal);  // with the same states: what the search itself costs is saved
     TEST_ASSERT(one.problem.differing(again.state.status, first.state.status).empty());
   }
 }

@@ -123,15 +123,14 @@ def ticks_of(panel, plot, place, ticks, width):
         panel.set_xticks(values, [f"{x:g}" for x in values])
         panel.minorticks_off()
     else:
-        logarithmic_ticks(panel.xaxis)
+        logarithmic_ticks(panel.xaxis, low, high)
 
 
-def logarithmic_ticks(axis):
-    """Numbers at a logarithmic axis, also where it spans less than two powers of ten."""
-    low, high = axis.get_view_interval()
+def logarithmic_ticks(axis, low, high):
+    """Numbers at a logarithmic axis from `low` to `high`, also where it spans less than two powers of ten."""
     axis.set_minor_formatter(NullFormatter())
-    if high < 100 * low:
-        axis.set_major_locator(LogLocator(subs=(1, 2, 5)) if high > 10 * low else LogLocator(subs=(1, 2, 3, 5)) if high > 3 * low else MaxNLocator(nbins=5))
+    if high < 20 * low:
+        axis.set_major_locator(LogLocator(subs=(1, 2, 3, 5)) if high > 3 * low else MaxNLocator(nbins=5))
         axis.set_major_formatter(FormatStrFormatter("%g"))
 
 
@@ -158,7 +157,7 @@ def study_figure(table, plot):
         ticks_of(panel, plot, place, ticks, width)
         if plot["logarithmic_y"] and any(drawn.values()):
             panel.set_yscale("log")
-            logarithmic_ticks(panel.yaxis)
+            logarithmic_ticks(panel.yaxis, *panel.get_ylim())
         else:
             values = [p[1] for points in drawn.values() for p in points]
             largest = max((p[3] for points in drawn.values() for p in points), default=0.0)
