@@ -129,8 +129,9 @@ def ticks_of(panel, plot, place, ticks, width):
 def logarithmic_ticks(axis, low, high):
     """Numbers at a logarithmic axis from `low` to `high`, also where it spans less than two powers of ten."""
     axis.set_minor_formatter(NullFormatter())
-    if high < 20 * low:
-        axis.set_major_locator(LogLocator(subs=(1, 2, 3, 5)) if high > 3 * low else MaxNLocator(nbins=5))
+    if high < 100 * low:
+        subs = (1, 2, 5) if high >= 20 * low else (1, 2, 3, 5)
+        axis.set_major_locator(LogLocator(subs=subs) if high > 3 * low else MaxNLocator(nbins=5))
         axis.set_major_formatter(FormatStrFormatter("%g"))
 
 
