@@ -33,9 +33,11 @@ enum class Quantity : int {
   Rotation,
   Friction,  // from here on only where some contact restricts sliding
   Slip,
-  Dissipation
+  Dissipation,
+  Slide,  // from here on only where contact forces act
+  Offset
 };
-constexpr int kQuantities = 16;
+constexpr int kQuantities = 18;
 
 /// One evaluation of a quantity. Plain: it travels as bytes.
 struct Finding {
@@ -56,6 +58,8 @@ struct Finding {
 /// Name in summary.json, and what to try when the bound is exceeded.
 std::string nameOf(Quantity quantity);
 std::string adviceOf(Quantity quantity);
+/// Value from which on a run warns, though the quantity is within its bound; infinite: never.
+double doubtOf(Quantity quantity);
 /// Body or pair, with place and names; empty when nothing was found.
 std::string whereText(const Finding& finding, const std::vector<std::string>& bodies, const std::vector<ContactPiece>& pieces,
                       int dimension);
@@ -121,6 +125,10 @@ struct Bounds {
   static constexpr double rounding = 4.0;  ///< times eps |K| |u|
   static constexpr double nothing = 64.0;  ///< times eps |K| |u|: forces of a body that only moves
   static constexpr double digits = 1e-4;   ///< part of a body's forces or deformation that rounding may take
+  /// Cells by which the partners of a pair may have slid along each other: one, less what rounds a slide of just one.
+  static constexpr double slide = 0.99;
+  /// Part of a body's force times its extent that the moment of contact forces across a gap may be.
+  static constexpr double offset = 0.05;
   static constexpr double rotation = 0.3;  ///< [rad] of a body that hardly anything holds: a cosine of .955 is taken for 1
   static constexpr double passive = 1e-3;  ///< part of its neighbours' force that a body without data of its own is measured by
   /// Part of a body's force that its contact is measured by, where it hardly has one: forces at nodes of pairs that are open are as

@@ -5,6 +5,7 @@
 #include <suture/quality/Verify.hpp>
 #include <suture/quality/VerifyLift.hpp>
 #include <suture/quality/VerifyPairs.hpp>
+#include <suture/quality/VerifyPlaces.hpp>
 
 #include <Teuchos_Comm.hpp>
 #include <Teuchos_CommHelpers.hpp>
@@ -94,22 +95,23 @@ void Verifier::gatherEnds() {
     const SubdomainMesh& mesh = answer_.meshes[i];
     std::map<int, const ContactRow*> rows;
     for (const ContactRow& row : mesh.contactRows) rows[row.pair.id] = &row;
+    const std::vector<double> edges = edgesAlongContact(mesh);
     for (const SubdomainMesh::ContactEnd& end : mesh.contactEnds) {
       if (!counts(mesh, end.node)) continue;
       const ContactRow& row = *rows.at(end.pair);
       const ContactPair& pair = row.pair;
       const Point u = moved(int(i), end.node);
       const double weight = pair.ends[end.end].weight;
+      const Point whole = mesh.lift.motion.size() > 0 ? plus(u, vectorAt(mesh.lift.motion, end.node)) : u;
       Point shift{0, 0, 0};
       if (row.restrictsSliding()) {
-        shift = scaled(weight, u);
-        if (mesh.lift.motion.size() > 0) shift = plus(shift, scaled(weight, vectorAt(mesh.lift.motion, end.node)));
+        shift = scaled(weight, whole);
         if (end.end == 0) shift = minus(shift, pair.past.slip);
       }
       mine.push_back({end.pair, end.end, mesh.body, weight * dot(u, pair.normal), std::abs(weight) * length(u),
                       std::abs(weight) * lifted(mesh, end.node), weight, nodes_[i](rows_.stiffness(), end.node),
-                      nodes_[i](rows_.rounding(), end.node), pair.gap, pair.position, pair.normal, slidingPart(pair, shift),
-                      PairKind(row)});
+                      nodes_[i](rows_.rounding(), end.node), pair.gap, pair.position, pair.normal, slidingPart(pair, shift), PairKind(row),
+                      scaled(weight, whole), scaled(weight, mesh.point(end.node)), edges[end.node]});
     }
   }
   ends_ = joinOnRoot(comm_, mine);
@@ -315,7 +317,11 @@ Verification Verifier::run() {
   judgeNodes();
   judgeSeams(seams);
   verifyLift(comm_, answer_, seams, findings_);
-  if (comm_.getRank() == 0) verifyPairs(ends_, answer_.pairs, scales_, Bounds::pair.at(tolerance_), findings_);
+  const std::vector<Deformation> motions = wholeMotions(comm_, answer_, deformation_);
+  if (comm_.getRank() == 0) {
+    verifyPairs(ends_, answer_.pairs, scales_, Bounds::pair.at(tolerance_), findings_);
+    verifyPlaces({ends_, answer_.pairs, answer_.pieces, scales_, motions, Bounds::pair.at(tolerance_)}, findings_);
+  }
   return conclude();
 }
 

@@ -20,6 +20,9 @@ struct PairEndShare {
   Point normal;
   Point shift;    ///< weight x displacement, whole where the law restricts sliding, less what the pair had slid before, else zero [length]
   PairKind kind;  ///< effects of the pair's law
+  Point jump;     ///< weight x displacement, the rigid motion that was taken out included [length]
+  Point arm;      ///< weight x place of the node [length]
+  double cell;    ///< longest edge along the sides of the elements at the node [length]
 };
 
 /// Makes bodies without data of their own known by a part of their neighbours' force. On rank 0.

@@ -132,6 +132,7 @@ void Simulation::acceptStep(Solution& solution, const Solution* before, StepRow 
     for (const ContactResultant& line :
          contactResultants(solution.pairs, static_cast<int>(scene_.contacts.size()), scene_.model.axisymmetric))
       row.forceOnB.push_back(line.onB.force);
+  doubts_.add(solution.verification, ", " + timeText(row.time));
   solution.verification.checks.push_back(
       {"work", row.work.imbalance(), kWork * tolerance, "on the path to " + timeText(row.time), "a smaller Outer Solver/Tolerance"});
   path_->accept(solution.pairs);
