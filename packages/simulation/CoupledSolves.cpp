@@ -94,7 +94,7 @@ const Solution& Simulation::verify() {
 
 void Simulation::advance() {
   if (!isCoupled() || !isSolved_) throw InternalError("advance() before solveAgain()");
-  path_->accept(solution_.pairs);
+  path_->accept(solution_.pairs, solution_.verification.forces);
 }
 
 std::vector<double> Simulation::displacements(const CouplingSurface& surface) const {
