@@ -18,6 +18,7 @@ constexpr const char* kContact =
     "Monolithic";
 constexpr const char* kFriction =
     "The iteration of friction ended in a wrong state: try a smaller Outer Solver/Tolerance, or Outer Solver/Type = Monolithic";
+constexpr const char* kOther = "Try the default Outer Solver/Type, with a Tolerance below 1e-8: Monolithic has failed";
 constexpr const char* kDefect = "The fields contradict the scene's conditions: report this as a defect of the program";
 
 constexpr Name kNames[kQuantities] = {
@@ -55,7 +56,10 @@ constexpr Name kNames[kQuantities] = {
 
 std::string nameOf(Quantity quantity) { return kNames[std::size_t(quantity)].name; }
 
-std::string adviceOf(Quantity quantity) { return kNames[std::size_t(quantity)].advice; }
+std::string adviceOf(Quantity quantity, bool byMonolithic) {
+  const char* advice = kNames[std::size_t(quantity)].advice;
+  return byMonolithic && (advice == kTighter || advice == kContact || advice == kFriction) ? kOther : advice;
+}
 
 double doubtOf(Quantity quantity) {
   if (quantity == Quantity::Slide) return 0.5 * Bounds::slide;
