@@ -17,7 +17,7 @@ constexpr double kIdle = 1e-10;      // forces below this part of the largest on
 constexpr double kProgress = 1e-13;  // energies that differ by less are equal
 constexpr std::size_t kMemory = 30;  // solves that the model learns from
 constexpr double kFarther = 2.0;     // distance from the laws, in parts of the nearest balance's, from which on a line search pays
-constexpr int kHalvings = 12;        // of a step on that line
+constexpr int kSetHalvings = 12;     // of a step on that line
 
 }  // namespace
 
@@ -187,7 +187,7 @@ bool ContactSearch::searchLine(ClosedSet& next) {
   const Vector force = answer_.force - nearest_.force, penetration = answer_.penetration - nearest_.penetration;
   double part = 1.0;
   Balance best = nearest_;
-  for (int halving = 0; halving < kHalvings; ++halving) {
+  for (int halving = 0; halving < kSetHalvings; ++halving) {
     part *= 0.5;
     Balance at{nearest_.force + part * force, nearest_.penetration + part * penetration};
     at.distance = distance(at.force, at.penetration);

@@ -8,10 +8,10 @@ namespace suture {
 
 namespace {
 
-constexpr double kNormal = 0.2;    // part of the normal stiffness in R
-constexpr double kAcross = 200.0;  // times R: largest stiffness across the direction of slip; it only guides the way there
-constexpr double kPushed = 1e150;  // slip, as a force, that no finite bound holds
-constexpr int kDirections = 16;    // in which a law is asked for its bound
+constexpr double kNormal = 0.2;       // part of the normal stiffness in R
+constexpr double kLawAcross = 200.0;  // times R: largest stiffness across the direction of slip; it only guides the way there
+constexpr double kLawPushed = 1e150;  // slip, as a force, that no finite bound holds
+constexpr int kDirections = 16;       // in which a law is asked for its bound
 
 /// The state with a bound by a given normal force in place of its own. `first` and `second` are the tangential trial force.
 ContactState frozen(ContactState state, double normal, double first, double second) {
@@ -50,7 +50,7 @@ ContactState LawProjection::state(std::size_t pair, const ContactState& now, con
   if (rubs(pair) && isFrozen()) next = frozen(next, normal_(static_cast<Eigen::Index>(pair)), first, second);
   if (next.status == PairStatus::Slip && rigid_.data().tangents.size() == 2 && next.direction != Point{0, 0, 0}) {
     const double bound = next.largest(force[0] + jump[0]), beyond = std::hypot(first, second) - bound;
-    next.across = tangential_ * sites_[pair].tangential * (beyond * kAcross > bound ? bound / beyond : kAcross);
+    next.across = tangential_ * sites_[pair].tangential * (beyond * kLawAcross > bound ? bound / beyond : kLawAcross);
   }
   return next;
 }
@@ -135,7 +135,7 @@ FrictionCone LawProjection::cone(std::size_t pair) const {
     const double angle = 2.0 * M_PI * k / directions;
     ContactTrial trial = trialOf(pair);
     trial.force[0] = 1.0;
-    trial.jump = {0.0, kPushed * std::cos(angle), directions > 2 ? kPushed * std::sin(angle) : 0.0};
+    trial.jump = {0.0, kLawPushed * std::cos(angle), directions > 2 ? kLawPushed * std::sin(angle) : 0.0};
     const ContactState state = laws_.of(rigid_.data().line[pair]).project(trial, PairStatus::Slip);
     if (state.status != PairStatus::Slip) {
       cone.bound = std::numeric_limits<double>::infinity();  // it may hold anything

@@ -10,25 +10,25 @@ namespace suture {
 
 namespace {
 
-constexpr int kSteps = 40;            // of Newton's method before softened pads show the way
-constexpr int kManySteps = 300;       // from where they have shown it
-constexpr double kTolerance = 1e-10;  // imbalance beside the sum of forces that is none
-constexpr double kRoughly = 1e-4;     // the same on softened pads
-constexpr double kAcceptable = 1e-6;  // imbalance at which a search that can do no better has found the equilibrium
-constexpr double kRounding = 8e-16;   // of a pad's penetration
-constexpr double kSpring = 1e-8;      // of motions that no pad stops yet, in parts of their reference stiffness
-constexpr double kStiffer = 0.1;      // from one softness to the next
-constexpr double kFlat = 1e-9;        // slope along a line that is none, in parts of the first
-constexpr double kFlatter = 1e-3;     // slope at which a line search ends
-constexpr int kCoulombRounds = 20;    // convex problems of the fixed point
-constexpr int kDamped = 6;            // rounds after which its steps are halved
-constexpr double kSameSlip = 1e-4;    // relative change of slips at which the fixed point has been reached
-constexpr double kRigid = 1e-9;       // compliance of limit analysis' pads: bodies move by springs only
-constexpr double kUnbalanced = 1e-4;  // least part of the loads that cones leave to the springs. Measured: at most 3e-6 where there is
-                                      // an equilibrium, at least 3e-3 where there is none
-constexpr double kBalanced = 1e-9;    // imbalance of limit analysis beside the loads
-constexpr double kWeakSpring = 1e-9;  // springs beside given rays
-constexpr int kBrackets = 60;         // steps of a line search
+constexpr int kSteps = 40;              // of Newton's method before softened pads show the way
+constexpr int kManySteps = 300;         // from where they have shown it
+constexpr double kTolerance = 1e-10;    // imbalance beside the sum of forces that is none
+constexpr double kRoughly = 1e-4;       // the same on softened pads
+constexpr double kAcceptable = 1e-6;    // imbalance at which a search that can do no better has found the equilibrium
+constexpr double kPadRounding = 8e-16;  // of a pad's penetration
+constexpr double kSpring = 1e-8;        // of motions that no pad stops yet, in parts of their reference stiffness
+constexpr double kStiffer = 0.1;        // from one softness to the next
+constexpr double kPadFlat = 1e-9;       // slope along a line that is none, in parts of the first
+constexpr double kFlatter = 1e-3;       // slope at which a line search ends
+constexpr int kCoulombRounds = 20;      // convex problems of the fixed point
+constexpr int kDamped = 6;              // rounds after which its steps are halved
+constexpr double kSameSlip = 1e-4;      // relative change of slips at which the fixed point has been reached
+constexpr double kRigid = 1e-9;         // compliance of limit analysis' pads: bodies move by springs only
+constexpr double kUnbalanced = 1e-4;    // least part of the loads that cones leave to the springs. Measured: at most 3e-6 where there is
+                                        // an equilibrium, at least 3e-3 where there is none
+constexpr double kBalanced = 1e-9;      // imbalance of limit analysis beside the loads
+constexpr double kWeakSpring = 1e-9;    // springs beside given rays
+constexpr int kBrackets = 60;           // steps of a line search
 
 }  // namespace
 
@@ -135,7 +135,7 @@ bool PadModel::newton(Point& at, const Vector& stiffness, const Vector& spring, 
       }
     }
     imbalance = rest.cwiseQuotient(scale).norm();
-    rounding = kRounding * digits.cwiseQuotient(scale).norm();
+    rounding = kPadRounding * digits.cwiseQuotient(scale).norm();
     if (imbalance <= tolerance * (size + sum.cwiseQuotient(scale).norm()) + rounding) return true;
     if (step == steps) break;
 
@@ -147,7 +147,7 @@ bool PadModel::newton(Point& at, const Vector& stiffness, const Vector& spring, 
       const Matrix own = forces(at.y + length * along, stiffness, nullptr);
       return own.cwiseProduct(along).sum() - constant + pull(at.motion + length * direction).dot(direction);
     };
-    const double first = slope(0.0), flat = kFlat * std::abs(first);
+    const double first = slope(0.0), flat = kPadFlat * std::abs(first);
     double low = 0.0, atLow = first, high = 1.0, atHigh = slope(high), length = high;
     for (int n = 0; atHigh < -flat; ++n) {
       if (n == kBrackets) return false;  // nothing stops this motion

@@ -9,19 +9,19 @@ namespace suture {
 
 namespace {
 
-constexpr double kTurned = 1.0;      // turn that is none, in parts of the tolerance of forces
-constexpr double kSharper = 0.1;     // accuracy of the next solve, in parts of the turn that it makes
-constexpr double kForcing = 0.1;     // accuracy of the next solve, in parts of the distance from the laws
-constexpr double kComparable = 0.5;  // change of the accuracy up to which balances are compared with those before
-constexpr int kHalvings = 9;         // of a step
-constexpr double kLeastFall = 2e-4;  // of the squared distance, in parts of it and of the step
-constexpr double kProgress = 1e-6;
-constexpr int kPatience = 12;          // steps without a nearer balance, from the start
-constexpr std::size_t kMeetings = 20;  // states that bodies meet on their way
-constexpr double kLeastWay = 1e-2;     // first way tried, in parts of the shortest one after which something may change
-constexpr double kMostWay = 1e3;       // last way tried, in parts of the longest such one
-constexpr int kShortPatience = 3;      // from states of the pads
-constexpr int kShort = 7;              // solves from there
+constexpr double kStateTurned = 1.0;      // turn that is none, in parts of the tolerance of forces
+constexpr double kStateSharper = 0.1;     // accuracy of the next solve, in parts of the turn that it makes
+constexpr double kStateForcing = 0.1;     // accuracy of the next solve, in parts of the distance from the laws
+constexpr double kComparable = 0.5;       // change of the accuracy up to which balances are compared with those before
+constexpr int kStateHalvings = 9;         // of a step
+constexpr double kStateLeastFall = 2e-4;  // of the squared distance, in parts of it and of the step
+constexpr double kStateProgress = 1e-6;
+constexpr int kStatePatience = 12;          // steps without a nearer balance, from the start
+constexpr std::size_t kStateMeetings = 20;  // states that bodies meet on their way
+constexpr double kStateLeastWay = 1e-2;     // first way tried, in parts of the shortest one after which something may change
+constexpr double kStateMostWay = 1e3;       // last way tried, in parts of the longest such one
+constexpr int kShortPatience = 3;           // from states of the pads
+constexpr int kShort = 7;                   // solves from there
 
 struct Try {
   double tangential, softness;
@@ -149,13 +149,13 @@ bool StateSearch::drag(const PairStates& next, PairStates& found) {
     if (length > 0.0) least = std::min(least, length);
     most = std::max(most, length);
   }
-  for (double length = kLeastWay * least; length <= kMostWay * most; length *= 2.0) {
+  for (double length = kStateLeastWay * least; length <= kStateMostWay * most; length *= 2.0) {
     found = projection_.states(states_, at_.force, at_.jump + length * way);
     if (rigid_.loose(found).cols() >= free.cols()) continue;
     found = withHolders(std::move(found));
     if (std::find(met_.begin(), met_.end(), found) != met_.end()) continue;
     met_.push_back(found);
-    return met_.size() <= kMeetings;
+    return met_.size() <= kStateMeetings;
   }
   return false;
 }
@@ -204,12 +204,12 @@ bool StateSearch::solve(PairStates& next, double& turns) {
 void StateSearch::sharpen(double distance, double turns) {
   const double last = oracle_.tightest(), between = std::max(last, std::sqrt(last * oracle_.loosest()));
   if (violated_.empty()) {
-    tolerance_ = std::max(last, std::min(tolerance_, kSharper * turns * tolerance_));
+    tolerance_ = std::max(last, std::min(tolerance_, kStateSharper * turns * tolerance_));
     return;
   }
   double size = 0.0;
   for (Eigen::Index i = 0; i < answer_.force.rows(); ++i) size += answer_.force.row(i).squaredNorm() / rigid_.data().stiffness(i);
-  if (size > 0.0 && tolerance_ > between) tolerance_ = std::clamp(kForcing * std::sqrt(distance / size), between, tolerance_);
+  if (size > 0.0 && tolerance_ > between) tolerance_ = std::clamp(kStateForcing * std::sqrt(distance / size), between, tolerance_);
   if (tolerance_ <= last) tolerance_ = between;
 }
 
@@ -222,13 +222,13 @@ bool StateSearch::step(PairStates& next) {
   Balance to{answer_.force, answer_.jump, projection_.distance(states_, answer_.force, answer_.jump)};
   Balance nearest = to;
   double nearestPart = 1.0;
-  for (int halving = 0; halving < kHalvings && !lower; ++halving) {
+  for (int halving = 0; halving < kStateHalvings && !lower; ++halving) {
     if (halving > 0) {
       part *= 0.5;
       to = {at_.force + part * force, at_.jump + part * jump};
       to.distance = projection_.distance(states_, to.force, to.jump);
     }
-    lower = to.distance < (1.0 - kLeastFall * part) * at_.distance;
+    lower = to.distance < (1.0 - kStateLeastFall * part) * at_.distance;
     if (to.distance < nearest.distance) nearest = to, nearestPart = part;
   }
   const bool whole = !lower ? nearest.distance >= at_.distance : part == 1.0;
@@ -251,7 +251,7 @@ StateSearch::End StateSearch::newton(int most, int patience) {
     double turns = 0.0;
     if (!solve(next, turns)) return End::Failed;
     ++k;
-    if (violated_.empty() && turns <= kTurned) {
+    if (violated_.empty() && turns <= kStateTurned) {
       // A pair that sticks since the start knows no bound yet.
       for (std::size_t i = 0; i < next.size(); ++i)
         if (states_[i].status == PairStatus::Stick && next[i].status == PairStatus::Stick) states_[i] = next[i];
@@ -274,11 +274,11 @@ StateSearch::End StateSearch::newton(int most, int patience) {
     } else {
       PairStates stepped = next;
       bool moved = step(stepped);
-      for (int again = 0; !moved && again < kHalvings; ++again) moved = step(stepped);  // the same linear problem: no solve
+      for (int again = 0; !moved && again < kStateHalvings; ++again) moved = step(stepped);  // the same linear problem: no solve
       if (moved) next = stepped;
     }
     sharpen(at_.distance, turns);
-    if (at_.distance < (1.0 - kProgress) * best_.distance) {
+    if (at_.distance < (1.0 - kStateProgress) * best_.distance) {
       best_ = at_;
       since = 0;
     } else if (++since > patience) {
@@ -343,7 +343,7 @@ StateSearch::Result StateSearch::run(PairStates start) {
   if (result.slides.size() > 0) return result;
   tolerance_ = oracle_.loosest();
   solveByGuess();
-  End end = newton(std::numeric_limits<int>::max(), kPatience);
+  End end = newton(std::numeric_limits<int>::max(), kStatePatience);
   for (const Try& own : kTries) {
     projection_.setTangential(own.tangential);
     for (int k = 0; k < own.times && end != End::Settled && goesOn() && answer_.force.size() > 0; ++k) {

@@ -173,4 +173,14 @@ struct CondensedBody : FrictionOracle {
   Matrix force;
 };
 
+/// States of all pairs by digits of a number: open, stick, slip either way.
+inline PairStates statesOfNumber(int number, int pairs, double cohesion, double mu) {
+  PairStates states(pairs);
+  for (int i = 0; i < pairs; ++i, number /= 4) {
+    if (number % 4 == 1) states[i] = PairStatus::Stick;
+    if (number % 4 > 1) states[i] = {PairStatus::Slip, {0.0, number % 4 == 2 ? 1.0 : -1.0, 0.0}, cohesion, mu};
+  }
+  return states;
+}
+
 }  // namespace suture

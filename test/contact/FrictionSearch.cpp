@@ -128,16 +128,6 @@ TEUCHOS_UNIT_TEST(FrictionSearch, SaysThatABodySlidesAway) {
         }
 }
 
-/// States of all pairs by digits of a number: open, stick, slip either way.
-PairStates statesOfNumber(int number, int pairs, double cohesion, double mu) {
-  PairStates states(pairs);
-  for (int i = 0; i < pairs; ++i, number /= 4) {
-    if (number % 4 == 1) states[i] = PairStatus::Stick;
-    if (number % 4 > 1) states[i] = {PairStatus::Slip, {0.0, number % 4 == 2 ? 1.0 : -1.0, 0.0}, cohesion, mu};
-  }
-  return states;
-}
-
 // A pair that opens loses its cohesion at once: there may be no solution. All 4^n states of n pairs are tried.
 TEUCHOS_UNIT_TEST(FrictionSearch, FindsASolutionWithCohesionWhereThereIsOne) {
   std::mt19937 random(15);

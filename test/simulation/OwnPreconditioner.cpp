@@ -43,7 +43,7 @@ const Registration<Preconditioner> registration("Neumann Series", Schema("for th
                                                 [](const Parameters&) { return std::make_unique<NeumannSeries>(); });
 
 /// A block on a longer one, half of it pressed down: pairs open, and with friction some slip.
-Scene pressed(const std::vector<std::string>& settings) {
+Scene twoPressedBlocks(const std::vector<std::string>& settings) {
   ElasticModel model;
   const auto rubber = std::make_shared<IsotropicLaw>(IsotropicModuli{2e6, 0.3});
   model.addBody("upper", rubber);
@@ -60,10 +60,10 @@ TEUCHOS_UNIT_TEST(OwnPreconditioner, MayApplyTheOperator) {
         {"Contact/upper_bottom on lower_top/Law=Coulomb", "Contact/upper_bottom on lower_top/Coulomb/Coefficient=0.2"}}) {
     std::vector<std::string> settings{"Partition/METIS/Subdomains=6", "Outer Solver/Tolerance=1e-10"};
     settings.insert(settings.end(), law.begin(), law.end());
-    Simulation usual(blocks::world(), pressed(settings));
+    Simulation usual(blocks::world(), twoPressedBlocks(settings));
     const Solution& expected = usual.solve();
     settings.emplace_back("Preconditioner/Type=Neumann Series");
-    Simulation own(blocks::world(), pressed(settings));
+    Simulation own(blocks::world(), twoPressedBlocks(settings));
     const Solution& found = own.solve();
     TEST_ASSERT(usual.ending() == ExitCode::Done && own.ending() == ExitCode::Done);
     TEST_FLOATING_EQUALITY(found.energy, expected.energy, 1e-8);

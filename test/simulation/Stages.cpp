@@ -13,7 +13,7 @@ namespace {
 using Function = std::function<void(Simulation&)>;
 
 /// A block pressed on another one; a stiffness of 2e6 / 2 per area gives the energy.
-Scene pressed(const std::vector<std::string>& settings = {}) {
+Scene blockOnBlock(const std::vector<std::string>& settings = {}) {
   ElasticModel model;
   const auto rubber = std::make_shared<IsotropicLaw>(IsotropicModuli{2e6, 0.0});
   model.addBody("upper", rubber);
@@ -59,7 +59,7 @@ const std::vector<Named> functions{{"read", stages[0], {0}},
 TEUCHOS_UNIT_TEST(Stages, AWrongOrderIsAnInternalErrorAndARightOneIsNot) {
   for (int done = 0; done <= static_cast<int>(stages.size()); ++done)
     for (const Named& function : functions) {
-      Simulation simulation(blocks::world(), pressed());
+      Simulation simulation(blocks::world(), blockOnBlock());
       for (int stage = 0; stage < done; ++stage) stages[static_cast<std::size_t>(stage)](simulation);
       std::string thrown;
       try {
@@ -79,7 +79,7 @@ TEUCHOS_UNIT_TEST(Stages, AWrongOrderIsAnInternalErrorAndARightOneIsNot) {
 }
 
 TEUCHOS_UNIT_TEST(Stages, NamesTheStageThatIsMissing) {
-  Simulation simulation(blocks::world(), pressed());
+  Simulation simulation(blocks::world(), blockOnBlock());
   const auto said = [&](const Function& function) {
     try {
       function(simulation);
@@ -96,7 +96,7 @@ TEUCHOS_UNIT_TEST(Stages, NamesTheStageThatIsMissing) {
 // A verdict on nothing holds nothing.
 TEUCHOS_UNIT_TEST(Stages, AVerdictWithoutChecksDoesNotHold) {
   TEST_ASSERT(!Verification().holds());
-  Simulation simulation(blocks::world(), pressed());
+  Simulation simulation(blocks::world(), blockOnBlock());
   TEST_ASSERT(simulation.ending() != ExitCode::Done);
   for (int stage = 0; stage < 5; ++stage) stages[static_cast<std::size_t>(stage)](simulation);
   TEST_ASSERT(simulation.solution().converged);
@@ -104,7 +104,7 @@ TEUCHOS_UNIT_TEST(Stages, AVerdictWithoutChecksDoesNotHold) {
 }
 
 TEUCHOS_UNIT_TEST(Stages, SolveAgainAfterSolveIsTheSameSolution) {
-  Simulation simulation(blocks::world(), pressed());
+  Simulation simulation(blocks::world(), blockOnBlock());
   const Solution* first = &simulation.solve();
   TEST_FLOATING_EQUALITY(first->energy, kEnergy, 1e-9);
   TEST_EQUALITY(&simulation.solve(), first);
@@ -112,13 +112,13 @@ TEUCHOS_UNIT_TEST(Stages, SolveAgainAfterSolveIsTheSameSolution) {
 
 // A stage that failed leaves nothing that a later one could use.
 TEUCHOS_UNIT_TEST(Stages, NoneFollowsOneThatFailed) {
-  Simulation simulation(blocks::world(), pressed({"Output/Probes/far/Type=Point", "Output/Probes/far/Place={9, 9}"}));
+  Simulation simulation(blocks::world(), blockOnBlock({"Output/Probes/far/Type=Point", "Output/Probes/far/Place={9, 9}"}));
   TEST_THROW(simulation.solve(), InputError);
   for (const Named& function : functions) TEST_THROW(function.call(simulation), InternalError);
 }
 
 TEUCHOS_UNIT_TEST(Stages, ACoupledSceneIsSolvedBySolveAgainOnly) {
-  Simulation simulation(blocks::world(), pressed()), other(blocks::world(), pressed());
+  Simulation simulation(blocks::world(), blockOnBlock()), other(blocks::world(), blockOnBlock());
   const CouplingSurface surface = simulation.coupling("upper_right");
   TEST_THROW(simulation.solve(), InternalError);
   TEST_THROW(simulation.verify(), InternalError);
