@@ -1,6 +1,7 @@
 #include <suture/base/Errors.hpp>
 #include <suture/base/Numbers.hpp>
 #include <suture/base/scene/SceneReader.hpp>
+#include <suture/constraints/ConditionForm.hpp>
 #include <suture/constraints/LoadSteps.hpp>
 
 #include <Teuchos_Array.hpp>
