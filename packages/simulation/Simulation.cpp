@@ -136,8 +136,9 @@ void Simulation::judge() {
   method_.reset();
   if (!isJudged_ && (!followsPath() || path_->rows.empty())) judge(solution_, subdomains);
   const std::vector<ContactPiece>& pieces = cut_.whole.pieces;
+  for (const std::string& note : meshNotes(solution_)) monitor_.note(note);
   for (const std::string& note : pressureNotes(*comm_, pieces, solution_)) monitor_.note(note);
-  for (const std::string& note : plausibilityNotes(*comm_, cut_.meshes, pieces, solution_)) monitor_.note(note);
+  for (const std::string& note : plausibilityNotes(*comm_, cut_.meshes, scene_.model, pieces, solution_)) monitor_.note(note);
 }
 
 void Simulation::judge(Solution& solution, const Subdomains& subdomains) {
@@ -146,6 +147,7 @@ void Simulation::judge(Solution& solution, const Subdomains& subdomains) {
   findErrors(*comm_, cut_.meshes, scene_, solution, timers_);
   timed(timers_, "verify",
         [&] { verifySolution(*comm_, cut_.meshes, pieces, subdomains, scene_, !path_ || path_->rows.empty(), solution); });
+  estimateMesh(*comm_, cut_.meshes, subdomains, scene_, solution, timers_);
   timed(timers_, "verify", [&] { findAnswers(*comm_, cut_.meshes, scene_, solution); });
 }
 

@@ -1,6 +1,7 @@
 #include <quality/SolidScenes.hpp>
 #include <suture/base/Point.hpp>
 #include <suture/base/scene/SceneReader.hpp>
+#include <suture/mesh/ShapeFunctions.hpp>
 #include <suture/mesh/Surface.hpp>
 
 #include <Teuchos_ParameterList.hpp>
