@@ -8,6 +8,7 @@
 #include <suture/report/Report.hpp>
 #include <suture/report/Summary.hpp>
 #include <suture/report/answers/Probes.hpp>
+#include <suture/report/answers/SingularNotes.hpp>
 #include <suture/simulation/JudgeStage.hpp>
 #include <suture/simulation/LoadControl.hpp>
 #include <suture/simulation/NestedLevels.hpp>
@@ -138,6 +139,7 @@ void Simulation::judge() {
   const std::vector<ContactPiece>& pieces = cut_.whole.pieces;
   for (const std::string& note : pressureNotes(*comm_, pieces, solution_)) monitor_.note(note);
   for (const std::string& note : plausibilityNotes(*comm_, cut_.meshes, pieces, solution_)) monitor_.note(note);
+  for (const std::string& note : singularNotes(*comm_, cut_.meshes, solution_)) monitor_.note(note);
 }
 
 void Simulation::judge(Solution& solution, const Subdomains& subdomains) {
