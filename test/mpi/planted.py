@@ -24,7 +24,7 @@ CASES = {  # what the message must name
 
 
 def run(ranks, case):
-    return check_run.run(command(options.program, ranks, case), 20)
+    return check_run.run(command(options.program, ranks, case), 60)
 
 
 for ranks in (2, 5):
