@@ -1,3 +1,4 @@
+#include <suture/base/AgreedDimension.hpp>
 #include <suture/base/Gather.hpp>
 #include <suture/elasticity/SideMap.hpp>
 #include <suture/simulation/CouplingSurface.hpp>
@@ -89,7 +90,7 @@ CouplingSurface couplingSurface(const Comm& comm, const std::vector<SubdomainMes
     }
   CouplingSurface surface;
   surface.group = group;
-  for (const SubdomainMesh& mesh : meshes) surface.dimension = mesh.dimension;
+  surface.dimension = agreedDimensionOf(comm, meshes);
   for (const auto& [node, place] : mine) {
     const Point here = meshes[place.mesh].point(place.node);
     surface.nodes.push_back(node);

@@ -247,10 +247,11 @@ TEUCHOS_UNIT_TEST(Coupling, InSpaceTractionsAreThoseOfACondition) {
       box.nx = box.ny = box.nz = 3;
       box.cell = cell;
       return makeScene(model, [box] { return boxes({box}); }, {Condition::displacement("block_bottom", {0, 0, 0}, {0, 1, 2})}, {},
-                       {"Partition/METIS/Subdomains=4", "Outer Solver/Tolerance=1e-12"});
+                       {"Partition/METIS/Subdomains=3", "Outer Solver/Tolerance=1e-12"});
     };
     Simulation coupled(blocks::world(), scene({})), fresh(blocks::world(), scene({along("block_top", 3, field)}));
     const CouplingSurface surface = coupled.coupling("block_top");
+    TEST_EQUALITY(surface.dimension, 3);  // also on a rank without a subdomain
     TEST_FLOATING_EQUALITY(sumOf(surface.areas), 1.0, 1e-13);
     coupled.setTractions(surface, at(surface, field));
     const Solution& solution = coupled.solveAgain();
