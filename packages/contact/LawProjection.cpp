@@ -13,7 +13,7 @@ constexpr double kLawAcross = 200.0;  // times R: largest stiffness across the d
 constexpr double kLawPushed = 1e150;  // slip, as a force, that no finite bound holds
 constexpr int kDirections = 16;       // in which a law is asked for its bound
 
-/// The state with a bound by a given normal force in place of its own. `first` and `second` are the tangential trial force.
+/// The state with the bound that a given normal force makes, instead of the law's. `first` and `second` are the tangential trial force.
 ContactState frozen(ContactState state, double normal, double first, double second) {
   if (!state.closed()) return state;
   state.bound = state.largest(normal);

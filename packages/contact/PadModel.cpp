@@ -10,8 +10,8 @@ namespace suture {
 
 namespace {
 
-constexpr int kSteps = 40;              // of Newton's method before softened pads show the way
-constexpr int kManySteps = 300;         // from where they have shown it
+constexpr int kSteps = 40;              // steps of Newton's method before softened pads show the way
+constexpr int kManySteps = 300;         // steps of Newton's method from there
 constexpr double kTolerance = 1e-10;    // imbalance beside the sum of forces that is none
 constexpr double kRoughly = 1e-4;       // the same on softened pads
 constexpr double kAcceptable = 1e-6;    // imbalance at which a search that can do no better has found the equilibrium

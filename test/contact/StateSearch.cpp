@@ -107,12 +107,12 @@ TEUCHOS_UNIT_TEST(StateSearch, SaysThatABodySlidesAway) {
           TEST_EQUALITY(found.converged, push < 0.6);
           TEST_EQUALITY(found.slides.size() > 0, push > 0.6);
           if (found.slides.size() == 0) continue;
-          // Along the push: 3/5 and 4/5 in space, either sense.
+          // Along the push: 3/5 and 4/5 in 3D, either sense.
           TEST_EQUALITY(found.slides.size(), dimension);
           const Vector way = found.slides.normalized();
           TEST_COMPARE(std::abs(way(0)), <, 1e-8);
           if (dimension == 2) TEST_FLOATING_EQUALITY(std::abs(way(1)), 1.0, 1e-8);
-          if (dimension == 3) TEST_COMPARE(std::abs(0.8 * way(1) - 0.6 * way(2)), >, 0.98);  // direction by a pyramid of 16 planes
+          if (dimension == 3) TEST_COMPARE(std::abs(0.8 * way(1) - 0.6 * way(2)), >, 0.98);
         }
 }
 

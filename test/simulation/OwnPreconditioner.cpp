@@ -1,4 +1,4 @@
-// A preconditioner of the user that applies the operator: the solver records the applications of its own, which are others.
+// A user's preconditioner may apply the operator: the solver records its own applications only.
 #include <Teuchos_UnitTestHarness.hpp>
 #include <Tpetra_MultiVector.hpp>
 #include <support/Blocks.hpp>
