@@ -135,6 +135,7 @@ Constraints build(const Mesh& mesh, const std::vector<Condition>& conditions, st
   for (const ContactSurface& contact : contacts) {
     paired.push_back(pairSurface(mesh, contact, problems, constraints.notes));
     noteInterference(contact, paired.back(), scales.lengthUnit, constraints.notes);
+    noteDistance(contact, paired.back(), scales.lengthUnit, constraints.notes);
     const int base = static_cast<int>(constraints.pairs.size());
     for (ContactPair pair : paired.back().pairs) {
       pair.id += base;

@@ -1,5 +1,6 @@
 #include <suture/base/Point.hpp>
 #include <suture/constraints/FacetError.hpp>
+#include <suture/mesh/BoxTree.hpp>
 #include <suture/mesh/CellGeometry.hpp>
 
 #include <algorithm>
@@ -12,6 +13,12 @@ namespace {
 
 constexpr double kPressureOfGap = 2.4;  // nodal pressure error over E* (second difference of the gap) / h, measured on conforming pins
 constexpr double kNoInterference = 1e-6;
+
+std::string lengthText(double length, const std::string& unit) {
+  char text[60];
+  std::snprintf(text, sizeof text, "%.1e%s%s", length, unit.empty() ? "" : " ", unit.c_str());
+  return text;
+}
 
 double distance(const ContactPair& a, const ContactPair& b) { return norm(minus(a.position, b.position)); }
 
@@ -52,10 +59,25 @@ void noteInterference(const ContactSurface& contact, const PairedSurface& paired
     if (depth > std::max({deepest, kNoInterference * size, 2 * doubt, touch})) deepest = depth, place = pairs[i].position;
   }
   if (deepest <= 0) return;
-  char depth[60];
-  std::snprintf(depth, sizeof depth, "%.1e%s%s", deepest, unit.empty() ? "" : " ", unit.c_str());
-  notes.push_back("contact '" + contact.name + "': " + (contact.initialGap ? "given" : "drawn") + " interference " + depth +
-                  ", deepest at " + placeText(place, dimension));
+  const bool isDeep = !contact.obstacle && widest > 0 && deepest > widest;  // what is rigid may be given a way
+  notes.push_back((isDeep ? "warning: " : "") + ("contact '" + contact.name + "': ") + (contact.initialGap ? "given" : "drawn") +
+                  " interference " + lengthText(deepest, unit) + (isDeep ? ", deeper than an element is long" : "") + ", deepest at " +
+                  placeText(place, dimension));
+}
+
+void noteDistance(const ContactSurface& contact, const PairedSurface& paired, const std::string& unit, std::vector<std::string>& notes) {
+  if (paired.pairs.size() < 2) return;
+  BoundingBox box;
+  const ContactPair* nearest = &paired.pairs.front();
+  for (const ContactPair& pair : paired.pairs) {
+    box.include(pair.position);
+    if (pair.gap < nearest->gap) nearest = &pair;
+  }
+  const double length = norm(minus(box.high, box.low));
+  if (nearest->gap <= length) return;
+  notes.push_back("warning: contact '" + contact.name + "': its sides are " + lengthText(nearest->gap, unit) +
+                  " apart, more than the contact is long (" + lengthText(length, unit) + "), nearest at " +
+                  placeText(nearest->position, contact.a.surface->dimension()) + ". Are these the sides that shall meet?");
 }
 
 void estimatePressures(const std::vector<ContactSurface>& contacts, const std::vector<PairedSurface>& paired, Constraints& constraints) {

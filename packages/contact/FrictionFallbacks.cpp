@@ -1,5 +1,6 @@
 // FrictionSearch: ways to states where Newton's method by the laws does not end, or has no linear problems to ask for.
 #include <suture/algebra/dense/Decompositions.hpp>
+#include <suture/base/ForceScale.hpp>
 #include <suture/contact/FrictionSearch.hpp>
 
 #include <algorithm>
@@ -24,6 +25,7 @@ constexpr int kLastSolves = 30;          // solves of the last step along that p
 constexpr double kRough = 1e6;           // multiple of friction with which all closed pairs stick
 /// First multiples along that path, until one settles: where a body hangs on friction alone, it needs little of it.
 constexpr std::array<double, 5> kMultiples{kRough, 4.0, 2.0, 1.4, 1.2};
+constexpr double kUnloading = 0.1;   // part of the path's largest force, of which normal forces are less where bodies are unloaded
 constexpr double kShortStep = 1e-3;  // relative change of friction of the shortest step along that path
 
 }  // namespace
@@ -138,7 +140,7 @@ FrictionSearch::End FrictionSearch::fixedPoint(const Vector& start) {
         contraction_ = std::max(contraction_, (ofBounds + ofChanges).rightCols(1).norm() / size);
       step -= (ofBounds + ofChanges) * leastSquares(ofChanges, change);
     }
-    if (change.norm() <= same * (normal_ + change).norm()) return End::Settled;
+    if (change.norm() <= same * (normal_ + change).norm() + rigid_.rounding().norm()) return End::Settled;
     normal_ = (normal_ + step).cwiseMax(0.0);
   }
 }
@@ -174,8 +176,18 @@ FrictionSearch::End FrictionSearch::solveAsTresca(const Vector& normal) {
     if (!answer_.solved) return End::Failed;
     bounds = normalForces();
   }
+  // Bounds that fall to nothing with the loads do so by a part in each problem; without friction it is seen at once.
+  if (bounds.sum() * kRoundedForce <= kUnloading * rigid_.rounding().maxCoeff()) {
+    normal_ = Vector::Zero(bounds.size());
+    tolerance_ = oracle_.tightest();
+    if (settle(oracle_.tightest()) == End::Settled) {
+      bounds = normalForces();
+      if ((bounds - answer_.forceTolerance).maxCoeff() <= 0.0) return End::Settled;
+    }
+  }
   const End end = fixedPoint(bounds);
   if (end != End::Settled && outdone_.size() == 0) outdone_ = outdone();
+  if (end != End::Settled && outdone_.size() == 0 && collapses()) return End::Slides;
   return end;
 }
 

@@ -1,6 +1,7 @@
 // FrictionSearch: bodies that pairs hold, in vain or not.
 #include <suture/algebra/dense/Decompositions.hpp>
 #include <suture/algebra/dense/NonnegativeLeastSquares.hpp>
+#include <suture/contact/Collapse.hpp>
 #include <suture/contact/FrictionSearch.hpp>
 #include <suture/contact/PadProblem.hpp>
 
@@ -17,6 +18,8 @@ constexpr double kLeastWay = 1e-2;     // first way tried, in parts of the short
 constexpr double kMostWay = 1e3;       // last way tried, in parts of the longest such one
 constexpr int kEdges = 16;             // planes of the pyramid about a cone of friction
 constexpr double kOutdone = 1e-7;      // least part of the loads that no forces balance
+constexpr double kCollapsed = 1.02;    // multiple of friction at a limit of equilibrium from which on other states are not looked for
+constexpr int kCollapseSolves = 10;    // solves of its search
 
 }  // namespace
 
@@ -196,6 +199,17 @@ Vector FrictionSearch::outdone() const {
   for (std::size_t k = 0; k < bounds.size(); ++k) right(motions + static_cast<Eigen::Index>(k)) = bounds[k] / size;
   const Vector rest = right - all * nonnegativeLeastSquares(all, right);
   return rest.head(motions).norm() > kOutdone ? Vector(rest.head(motions).normalized()) : Vector();
+}
+
+/// Judges the last states by Collapse. True where bodies slide beyond doubt: other states would need other normal forces by far.
+bool FrictionSearch::collapses() {
+  if (answer_.force.size() == 0) return false;
+  const Collapse::Result found = Collapse(rigid_, laws_, sites_, oracle_).find(states_, normalForces(), std::min(left_, kCollapseSolves));
+  solves_ += found.solves;
+  left_ -= found.solves;
+  mechanism_ = found.motion;
+  multiple_ = found.multiple;
+  return multiple_ > kCollapsed;
 }
 
 }  // namespace suture

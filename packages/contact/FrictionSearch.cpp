@@ -191,6 +191,7 @@ FrictionSearch::End FrictionSearch::solveByNewton(const Vector& normal) {
   }
   if (end == End::Settled) return end;
   if (outdone_.size() == 0) outdone_ = outdone();
+  if (outdone_.size() == 0 && collapses()) return End::Slides;
   const int answers = end == End::Failed ? answers_ : -1;
   if (goesOn()) end = tryAgain(end);  // before it is said
   if (end == End::Exhausted && goesOn() && answer_.force.size() > 0) {
@@ -213,7 +214,10 @@ FrictionSearch::Result FrictionSearch::run(PairStates start, const Vector& norma
   result.states = states_;
   result.solves = solves_;
   result.contraction = contraction_;
-  if (end == End::Slides)
+  result.multiple = multiple_;
+  if (end != End::Settled && mechanism_.size() > 0)
+    result.slides = mechanism_;
+  else if (end == End::Slides)
     result.slides = slides_;
   else if (!result.converged && outdone_.size() > 0) {
     // The motion of the proof opens pairs as their cones are wide; that of a body that slides keeps them.

@@ -61,7 +61,8 @@ class FrictionSearch {
  public:
   struct Result {
     bool converged = false;
-    Vector slides;  ///< motion of bodies (RigidContact) along which they are driven where there is no equilibrium; else empty
+    Vector slides;          ///< motion of bodies (RigidContact) along which they are driven where there is no equilibrium; else empty
+    double multiple = 0.0;  ///< of friction, that would hold them (Collapse); 0: not known
     PairStates states;
     int solves = 0;
     double contraction = -1.0;     ///< contraction of the fixed point of Tresca problems, estimated; negative: not known
@@ -105,6 +106,7 @@ class FrictionSearch {
   bool relieve(const PairStates& next);
   bool drag(const Vector& motion, int loose, PairStates& found);
   Vector outdone() const;
+  bool collapses();
   double turn(std::size_t pair, const ContactState& next) const;
   Vector normalForces() const;
   bool dependOnNormals();
@@ -133,6 +135,8 @@ class FrictionSearch {
   std::vector<PairStates> met_;  // states that driven bodies have met
   Vector slides_;                // motion of a body that nothing holds
   Vector outdone_;               // motion in which no forces of pairs balance the loads; empty: none is known
+  Vector mechanism_;             // motion that Collapse has found, or empty
+  double multiple_ = 0.0;        // its multiple of friction
   double contraction_ = -1.0;
 };
 

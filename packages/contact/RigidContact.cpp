@@ -34,6 +34,7 @@ RigidContact::RigidContact(Pairs pairs) : pairs_(std::move(pairs)), norm_(pairs_
   if (pairs_.rows.rows() != this->pairs() || pairs_.penetration.size() != this->pairs() || pairs_.stiffness.size() != this->pairs())
     throw InternalError("rigid contact: data of different numbers of pairs");
   compliance_ = 2.0 * pairs_.stiffness.cwiseInverse();
+  rounding_ = Vector::Zero(this->pairs());
   for (int i = 0; i < this->pairs(); ++i)
     if (!pairs_.able[i]) compliance_(i) = 1.0;
   rank_ = motions() - static_cast<int>(loose(ClosedSet(this->pairs(), 1)).cols());

@@ -43,6 +43,10 @@ class RigidContact {
   /// max(2, 0.9 sqrt(n)) / k. [length / force]
   const Vector& compliance() const { return compliance_; }
 
+  /// Force of each pair below which it is rounding of forces on the path of load steps so far; zero unless set. [force]
+  const Vector& rounding() const { return rounding_; }
+  void setRounding(Vector ofPairs) { rounding_ = std::move(ofPairs); }
+
   struct Equilibrium {
     Vector force, motion;
     bool found = true;  ///< false: the loads drive a motion that no pad stops
@@ -92,7 +96,7 @@ class RigidContact {
   Vector scaleOf(DisjointSets sets, const ClosedSet& closed, const Vector& values, bool least) const;
 
   Pairs pairs_;
-  Vector compliance_;
+  Vector compliance_, rounding_;
   struct Component {
     std::vector<int> motions, pairs;
   };

@@ -127,6 +127,10 @@ std::shared_ptr<const LinearisedGroup> CondensedProblem::linearised(int group, c
   return kept;
 }
 
+void CondensedProblem::rememberPath(const std::vector<BodyForces>& carried) {
+  if (sets_) sets_->rememberPath(carried);
+}
+
 double CondensedProblem::addPlain(const std::vector<Vector>& trace, Matrix& force) const {
   double energy = 0.0;
   collectively(*comm_, "applying the subdomains without contact", [&] {

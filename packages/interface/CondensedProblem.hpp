@@ -38,6 +38,7 @@ class CondensedProblem : public InterfaceProblem {
 
   /// Null without pairs that can change.
   const ContactSets* sets() const override { return sets_.get(); }
+  void rememberPath(const std::vector<BodyForces>& carried) override;
   const FrictionStates* friction() const override { return friction_.get(); }
 
   const std::vector<std::unique_ptr<ContactGroup>>& groups() const { return groups_; }

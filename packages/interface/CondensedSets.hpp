@@ -17,6 +17,7 @@ class CondensedSets : public ContactSets {
   CondensedSets(const Comm& comm, const CondensedProblem& problem, const std::vector<std::unique_ptr<Subdomain>>& subdomains);
 
   const ContactBodies& bodies() const override { return *bodies_; }
+  void rememberPath(const std::vector<BodyForces>& carried) { bodies_->remember(carried); }
   ContactStates statusOf(const ClosedSet& closed) const override;
   ClosedSet closedSet(const ContactStates& status) const override;
   InterfaceEvaluation evaluateSet(const InterfaceState& state, PairResolution resolution) const override;

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <tuple>
 
 namespace suture {
@@ -47,6 +48,8 @@ ContactBodies::ContactBodies(const Comm& comm, const std::vector<std::unique_ptr
   pairs.work = work(comm, subdomains);
   bind(pairs);
   rigid_ = std::make_unique<RigidContact>(std::move(pairs));
+  findLoads(comm, subdomains);
+  remember({});
 }
 
 ContactBodies::ContactBodies(const Comm& comm, const Meshes& meshes, const ContactLaws& laws) {
@@ -201,6 +204,39 @@ Vector ContactBodies::work(const Comm& comm, const std::vector<std::unique_ptr<S
   for (int k = 0; k < motions_; ++k)
     if (std::abs(work(k)) <= kNoWork * all(k, 1)) work(k) = 0.0;
   return work;
+}
+
+void ContactBodies::findLoads(const Comm& comm, const std::vector<std::unique_ptr<Subdomain>>& subdomains) {
+  std::vector<double> mine(parts_.size(), 0.0);
+  loads_ = mine;
+  for (std::size_t s = 0; s < subdomains.size(); ++s) mine[partOf_[s]] += subdomains[s]->load().cwiseAbs().sum();
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, static_cast<int>(mine.size()), mine.data(), loads_.data());
+  std::set<std::pair<int, int>> joined;
+  for (const std::vector<int>& bodies : rigid_->data().bodies)
+    for (const int one : bodies)
+      for (const int other : bodies)
+        if (one < other) joined.emplace(one, other);
+  neighbours_.assign(joined.begin(), joined.end());
+}
+
+void ContactBodies::remember(const std::vector<BodyForces>& carried) {
+  std::vector<BodyForces> now(parts_.size()), past(parts_.size());
+  carriedEnergy_ = Vector::Zero(static_cast<Eigen::Index>(parts_.size()));
+  for (std::size_t p = 0; p < parts_.size(); ++p) {
+    now[p].loads = loads_[p];
+    if (carried.empty()) continue;
+    past[p] = carried.at(static_cast<std::size_t>(parts_[p].body));
+    carriedEnergy_(static_cast<Eigen::Index>(p)) = past[p].energy();
+  }
+  idle_ = idleBodies(now, past);
+  const std::vector<std::vector<int>>& bodies = rigid_->data().bodies;
+  Vector rounding = Vector::Zero(static_cast<Eigen::Index>(bodies.size()));
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    for (const int p : bodies[i]) {
+      double& own = rounding(static_cast<Eigen::Index>(i));
+      own = std::max(own, kRoundedForce * past[static_cast<std::size_t>(p)].force);
+    }
+  rigid_->setRounding(std::move(rounding));
 }
 
 Vector ContactBodies::amplitudes(int part, const Vector& motion) const {

@@ -1,4 +1,5 @@
 #pragma once
+#include <suture/base/ForceScale.hpp>
 #include <suture/base/Types.hpp>
 #include <suture/constraints/ContactLaw.hpp>
 #include <suture/constraints/RigidMotion.hpp>
@@ -35,6 +36,14 @@ class ContactBodies {
   int firstMotion(int part) const { return first_[part]; }
   /// True if motions are those of bodies that pairs bind together, not of each part alone.
   bool areBound() const { return areBound_; }
+  /// Parts that contact pairs join.
+  const std::vector<std::pair<int, int>>& neighbours() const { return neighbours_; }
+  /// Parts on which nothing acts but contact (idleBodies).
+  const std::vector<char>& idle() const { return idle_; }
+  /// Takes the largest forces on each body on the path of load steps so far: part of them is rounding. \param carried  empty: none
+  void remember(const std::vector<BodyForces>& carried);
+  /// Twice the energy that each part has had on that path, at most; zero if there is none. [force length]
+  const Vector& carriedEnergy() const { return carriedEnergy_; }
   /// Adds motions (empty: none) to the free values of a subdomain of this rank.
   /// \param place  of the subdomain
   void addMotion(int place, const Subdomain& subdomain, const Vector& motion, Vector& values) const;
@@ -46,6 +55,7 @@ class ContactBodies {
                                   const ContactLaws& laws) const;
   void bind(RigidContact::Pairs& pairs);
   Vector work(const Comm& comm, const std::vector<std::unique_ptr<Subdomain>>& subdomains) const;
+  void findLoads(const Comm& comm, const std::vector<std::unique_ptr<Subdomain>>& subdomains);
 
   int dimension_ = 2;
   std::vector<RigidPart> parts_;
@@ -56,6 +66,10 @@ class ContactBodies {
   Matrix together_;  // if they are: columns, motions of parts that leave bound pairs as they are
   std::vector<int> partOf_;
   std::unique_ptr<RigidContact> rigid_;
+  std::vector<double> loads_;  // of each part: sum of the magnitudes of what acts on its free unknowns
+  std::vector<char> idle_;
+  std::vector<std::pair<int, int>> neighbours_;
+  Vector carriedEnergy_;
 };
 
 }  // namespace suture

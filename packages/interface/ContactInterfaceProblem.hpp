@@ -43,6 +43,9 @@ class ContactInterfaceProblem : public InterfaceProblem, public ContactSets, pub
   std::vector<Vector> interiors(const InterfaceState& state) const override;
   bool reloads() const override { return true; }
   void reload() override;
+  void rememberPath(const std::vector<BodyForces>& carried) override {
+    if (bodies_) bodies_->remember(carried);
+  }
   int pieces() const override { return pieces_; }
   int pairs() const override { return pairs_; }
 

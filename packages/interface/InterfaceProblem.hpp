@@ -1,4 +1,5 @@
 #pragma once
+#include <suture/base/ForceScale.hpp>
 #include <suture/base/Types.hpp>
 #include <suture/constraints/Constraints.hpp>
 #include <suture/contact/FrictionSearch.hpp>
@@ -166,6 +167,9 @@ class InterfaceProblem {
   virtual bool reloads() const { return false; }
   /// Takes the loads of the subdomains, and gaps and histories of the pairs of their meshes, as they are now; what is factored stays.
   virtual void reload() {}
+
+  /// Takes the largest forces on each body on the path of load steps so far: part of them is rounding. \param carried  empty: none
+  virtual void rememberPath(const std::vector<BodyForces>& carried) { (void)carried; }
 
   /// Number of contact pieces and of pairs that can change, over all ranks.
   virtual int pieces() const = 0;

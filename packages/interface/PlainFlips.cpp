@@ -6,7 +6,8 @@ namespace suture {
 ClosedSet plainFlips(const RigidContact& rigid, const ContactLaws& laws, const ClosedSet& closed, PairResolution resolution,
                      const Vector& digits, InterfaceEvaluation& found) {
   found.forceTolerance = (std::max(resolution.ofCluster, kGapDigits) * rigid.clusterScale(closed, found.force))
-                             .cwiseMax(resolution.ofBody * rigid.bodyScale(closed, found.force));
+                             .cwiseMax(resolution.ofBody * rigid.bodyScale(closed, found.force))
+                             .cwiseMax(rigid.rounding());
   // A stiff pair among soft ones has the accuracy of its own compliance: a force that is much for it moves the soft ones by little.
   found.penetrationTolerance = rigid.compliance().cwiseProduct(found.forceTolerance) + digits;
   ClosedSet next = closed;

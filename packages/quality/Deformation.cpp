@@ -121,6 +121,7 @@ std::vector<Deformation> deformations(const Comm& comm, const std::vector<Subdom
     all[b].extent = largest[b][2];
     all[b].isMoved = largest[b][3] > 0.0;
     all[b].turn = length(motion[b].turn);
+    all[b].rotation = motion[b].turn;
   }
   return all;
 }

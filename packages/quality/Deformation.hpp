@@ -8,11 +8,12 @@ namespace suture {
 
 /// How far a body's nodes move beside its best rigid motion (least squares over its nodes; of a body of revolution a shift along the axis).
 struct Deformation {
-  double largest = 0.0;  ///< distance of a node from the rigid motion: the body's deformation scale [length]
-  double moved = 0.0;    ///< largest component of a node's displacement, the rigid motion included [length]
-  double extent = 0.0;   ///< largest distance of a node from the centre of the nodes [length]
-  double turn = 0.0;     ///< rigid rotation [rad]
-  bool isMoved = false;  ///< displacements other than zero are prescribed
+  double largest = 0.0;     ///< distance of a node from the rigid motion: the body's deformation scale [length]
+  double moved = 0.0;       ///< largest component of a node's displacement, the rigid motion included [length]
+  double extent = 0.0;      ///< largest distance of a node from the centre of the nodes [length]
+  double turn = 0.0;        ///< rigid rotation [rad]
+  Point rotation{0, 0, 0};  ///< the same, about its axis [rad]
+  bool isMoved = false;     ///< displacements other than zero are prescribed
   Point centre{0, 0, 0};
 };
 

@@ -18,6 +18,7 @@ constexpr const char* kContact =
     "Monolithic";
 constexpr const char* kFriction =
     "The iteration of friction ended in a wrong state: try a smaller Outer Solver/Tolerance, or Outer Solver/Type = Monolithic";
+constexpr const char* kOther = "Try the default Outer Solver/Type, with a Tolerance below 1e-8: Monolithic has failed";
 constexpr const char* kDefect = "The fields contradict the scene's conditions: report this as a defect of the program";
 
 constexpr Name kNames[kQuantities] = {
@@ -43,13 +44,28 @@ constexpr Name kNames[kQuantities] = {
     {"friction", kFriction},
     {"slip", kFriction},
     {"dissipation", kFriction},
+    {"slide",
+     "The sides slide, or roll, by that many elements, and their forces stay between the nodes that face each other in the mesh: place the "
+     "body in the mesh where it comes to lie, or move it less"},
+    {"offset",
+     "The contact holds its sides across a gap: its forces act at two places, and their moment is missing. Let the sides meet in the mesh, "
+     "or model what lies between them as a body"},
 };
 
 }  // namespace
 
 std::string nameOf(Quantity quantity) { return kNames[std::size_t(quantity)].name; }
 
-std::string adviceOf(Quantity quantity) { return kNames[std::size_t(quantity)].advice; }
+std::string adviceOf(Quantity quantity, bool byMonolithic) {
+  const char* advice = kNames[std::size_t(quantity)].advice;
+  return byMonolithic && (advice == kTighter || advice == kContact || advice == kFriction) ? kOther : advice;
+}
+
+double doubtOf(Quantity quantity) {
+  if (quantity == Quantity::Slide) return 0.5 * Bounds::slide;
+  if (quantity == Quantity::Offset) return 0.2 * Bounds::offset;
+  return std::numeric_limits<double>::infinity();
+}
 
 std::string whereText(const Finding& finding, const std::vector<std::string>& bodies, const std::vector<ContactPiece>& pieces,
                       int dimension) {

@@ -1,4 +1,5 @@
 #pragma once
+#include <suture/base/ForceScale.hpp>
 #include <suture/quality/Balance.hpp>
 #include <suture/quality/answers/Reactions.hpp>
 
@@ -23,6 +24,7 @@ struct Verification {
   std::vector<Check> checks;
   Balance balance;
   Reactions reactions;
+  std::vector<BodyForces> forces;  ///< what acts on each body
 
   bool holds() const;
   /// The check that uses most of its bound; null without checks.

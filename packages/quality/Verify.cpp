@@ -5,6 +5,7 @@
 #include <suture/quality/Verify.hpp>
 #include <suture/quality/VerifyLift.hpp>
 #include <suture/quality/VerifyPairs.hpp>
+#include <suture/quality/VerifyPlaces.hpp>
 
 #include <Teuchos_Comm.hpp>
 #include <Teuchos_CommHelpers.hpp>
@@ -68,6 +69,7 @@ class Verifier {
   std::vector<Deformation> deformation_;
   std::vector<BodySums> sums_;
   std::vector<BodyScale> scales_;
+  std::vector<BodyForces> now_;
   std::vector<Finding> worstNode_;  // of each body: where the residual is largest on this rank
   Findings findings_;
   Balance balance_;
@@ -94,22 +96,24 @@ void Verifier::gatherEnds() {
     const SubdomainMesh& mesh = answer_.meshes[i];
     std::map<int, const ContactRow*> rows;
     for (const ContactRow& row : mesh.contactRows) rows[row.pair.id] = &row;
+    const std::vector<double> edges = edgesAlongContact(mesh);
     for (const SubdomainMesh::ContactEnd& end : mesh.contactEnds) {
       if (!counts(mesh, end.node)) continue;
       const ContactRow& row = *rows.at(end.pair);
       const ContactPair& pair = row.pair;
       const Point u = moved(int(i), end.node);
       const double weight = pair.ends[end.end].weight;
+      const Point whole = mesh.lift.motion.size() > 0 ? plus(u, vectorAt(mesh.lift.motion, end.node)) : u;
       Point shift{0, 0, 0};
+      const double slidBefore = end.end == 0 ? norm(pair.past.slip) : 0.0;
       if (row.restrictsSliding()) {
-        shift = scaled(weight, u);
-        if (mesh.lift.motion.size() > 0) shift = plus(shift, scaled(weight, vectorAt(mesh.lift.motion, end.node)));
+        shift = scaled(weight, whole);
         if (end.end == 0) shift = minus(shift, pair.past.slip);
       }
       mine.push_back({end.pair, end.end, mesh.body, weight * dot(u, pair.normal), std::abs(weight) * length(u),
-                      std::abs(weight) * lifted(mesh, end.node), weight, nodes_[i](rows_.stiffness(), end.node),
-                      nodes_[i](rows_.rounding(), end.node), pair.gap, pair.position, pair.normal, slidingPart(pair, shift),
-                      PairKind(row)});
+                      std::abs(weight) * lifted(mesh, end.node) + slidBefore, weight, nodes_[i](rows_.stiffness(), end.node),
+                      nodes_[i](rows_.rounding(), end.node), pair.gap, pair.position, pair.normal, slidingPart(pair, shift), PairKind(row),
+                      scaled(weight, whole), scaled(weight, mesh.point(end.node)), edges[end.node]});
     }
   }
   ends_ = joinOnRoot(comm_, mine);
@@ -128,8 +132,9 @@ Point Verifier::residual(int mesh, int node, const NodeRule* rule) const {
 void Verifier::sumBodies() {
   sums_.assign(bodies_, {});
   scales_.assign(bodies_, {});
+  now_.assign(bodies_, {});
   worstNode_.assign(bodies_, {});
-  std::vector<double> prescribed(bodies_, 0.0), largestContact(bodies_, 0.0);
+  std::vector<double> prescribed(bodies_, 0.0), largestContact(bodies_, 0.0), largestNodal(bodies_, 0.0);
   for (std::size_t i = 0; i < answer_.meshes.size(); ++i) {
     const SubdomainMesh& mesh = answer_.meshes[i];
     BodySums& body = sums_[mesh.body];
@@ -144,6 +149,7 @@ void Verifier::sumBodies() {
       body.loads += length(load);
       body.contact += length(contact);
       largestContact[mesh.body] = std::max(largestContact[mesh.body], length(contact));
+      largestNodal[mesh.body] = std::max({largestNodal[mesh.body], length(load), length(contact)});
       if (rule) body.reactions += length(plus(support, rest));
       if (rule)
         for (int k = 0; k < rows_.dimension; ++k)
@@ -170,6 +176,7 @@ void Verifier::sumBodies() {
   };
   prescribed = largest(prescribed);
   largestContact = largest(largestContact);
+  largestNodal = largest(largestNodal);
   balance_.finish(comm_, axisymmetric_);
   reactions_.finish(comm_, axisymmetric_);
   for (int b = 0; b < bodies_; ++b) {
@@ -178,15 +185,19 @@ void Verifier::sumBodies() {
                   sums_[b].contact,
                   sums_[b].reactions,
                   largestContact[b],
+                  largestNodal[b],
                   prescribed[b],
                   force,
                   deformation_[b].largest,
                   0.0,
+                  0.0,
+                  0.0,
                   sums_[b].residual,
                   sums_[b].rounding,
                   std::sqrt(sums_[b].roundingSquared)};
+    now_[b] = {sums_[b].loads, prescribed[b], force, deformation_[b].largest};
   }
-  if (comm_.getRank() == 0) lendForce(ends_, scales_);
+  if (comm_.getRank() == 0) scaleForces(ends_, now_, answer_.past, scales_);
   broadcast(comm_, scales_);
 }
 
@@ -195,13 +206,15 @@ void Verifier::judgeBodies() {
     const BodySums& sums = sums_[b];
     const double force = scales_[b].force, extent = deformation_[b].extent, roundings = scales_[b].roundings();
     const double rounded = roundings * scales_[b].spread;
-    const double allowed = Bounds::resultant.at(tolerance_) * force + rounded;
+    const double allowed = Bounds::resultant.at(tolerance_) * force + rounded + Bounds::resultant.ofRounding(scales_[b]);
     Finding where = worstNode_[b];
     where.body = b;
     findings_.take(Quantity::Forces, axisymmetric_ ? std::abs(sums.resultant[1]) : length(sums.resultant), allowed, force, where);
     if (!axisymmetric_) findings_.take(Quantity::Moments, length(sums.moment), allowed * extent, force * extent, where);
-    findings_.take(Quantity::Residual, sums.residual, Bounds::residual.at(tolerance_) * force + roundings * sums.rounding, force, where);
-    if (force > 0.0 && !scales_[b].carriesNothing()) findings_.take(Quantity::Digits, rounded, Bounds::digits * force, force, where);
+    const double allowedSum = Bounds::residual.at(tolerance_) * force + roundings * sums.rounding + Bounds::residual.ofRounding(scales_[b]);
+    findings_.take(Quantity::Residual, sums.residual, allowedSum, force, where);
+    if (force > scales_[b].rounded + scales_[b].places && !scales_[b].carriesNothing())
+      findings_.take(Quantity::Digits, rounded, Bounds::digits * force, force, where);
     if (const double turn = unexplainedTurn(deformation_, b); turn > 0.0)
       findings_.take(Quantity::Rotation, turn, Bounds::rotation, 1.0, where);
   }
@@ -229,15 +242,19 @@ void Verifier::judgeNodes() {
       const NodeRule* rule = rules_[i][node];
       const Point rest = residual(int(i), node, rule), u = moved(int(i), node);
       const double stiffness = nodes_[i](rows_.stiffness(), node),
-                   rounded = body.roundings() * (body.carriesNothing() ? body.spread : nodes_[i](rows_.rounding(), node)) / stiffness;
+                   rounded = body.roundings() * (body.carriesNothing() ? body.spread : nodes_[i](rows_.rounding(), node)) / stiffness +
+                             Bounds::node.ofRounding(body) / stiffness;
       Point along = rest;  // less what contact takes: Contact and the pairs judge that, and forces of stiff neighbours round it
       for (const Point& n : taken[node]) along = minus(along, scaled(dot(along, n), n));
       const double alone = length(along) / stiffness,
-                   allowed = Bounds::node.at(tolerance_) * std::max(body.deformation, body.lent / stiffness) + rounded;
+                   allowed =
+                       Bounds::node.at(tolerance_) * std::max({body.deformation, body.lent / stiffness, body.largestNodal / stiffness}) +
+                       rounded;
       if (findings_.isWorse(Quantity::Nodes, alone, allowed))
         findings_.take(Quantity::Nodes, alone, allowed, body.deformation, place(int(i), node));
       if (!taken[node].empty())
-        findings_.take(Quantity::Contact, length(rest), Bounds::contact.at(tolerance_) * contact + rounded * stiffness, contact,
+        findings_.take(Quantity::Contact, length(rest),
+                       Bounds::contact.at(tolerance_) * contact + rounded * stiffness + Bounds::contact.ofRounding(body), contact,
                        place(int(i), node));
       if (!rule) continue;
       for (int k = 0; k < rows_.dimension; ++k) {
@@ -289,11 +306,12 @@ Verification Verifier::conclude() {
   Verification result;
   result.balance = balance_;
   result.reactions = reactions_;
+  result.forces = now_;
   for (int q = 0; q < kQuantities; ++q) {
     const auto made = unpacker.get<bool>();
     Check check;
     check.name = nameOf(Quantity(q));
-    check.advice = adviceOf(Quantity(q));
+    check.advice = adviceOf(Quantity(q), answer_.byMonolithic);
     unpacker.get(check.value);
     unpacker.get(check.bound);
     unpacker.get(check.where);
@@ -315,7 +333,11 @@ Verification Verifier::run() {
   judgeNodes();
   judgeSeams(seams);
   verifyLift(comm_, answer_, seams, findings_);
-  if (comm_.getRank() == 0) verifyPairs(ends_, answer_.pairs, scales_, Bounds::pair.at(tolerance_), findings_);
+  const std::vector<Deformation> motions = wholeMotions(comm_, answer_, deformation_);
+  if (comm_.getRank() == 0) {
+    verifyPairs(ends_, answer_.pairs, scales_, tolerance_, findings_);
+    verifyPlaces({ends_, answer_.pairs, answer_.pieces, scales_, motions, Bounds::pair.at(tolerance_)}, findings_);
+  }
   return conclude();
 }
 

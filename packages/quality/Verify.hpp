@@ -31,6 +31,8 @@ struct Answer {
   /// Forces of a mesh of this rank with physics of its own. Null, or nothing for a mesh: loops over elements, loads and elastic
   /// supports of the model.
   std::function<std::optional<OwnForces>(int mesh)> own{};
+  std::vector<BodyForces> past{};  ///< largest on the path of load steps before, of each body; empty: none
+  bool byMonolithic = false;       ///< which is then not what to try if the verdict does not hold
 };
 
 /// Judges an answer by loops over elements, conditions and pairs, with nothing that a solver made. See README.md for the quantities and

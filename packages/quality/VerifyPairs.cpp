@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <set>
 
 namespace suture {
 
@@ -40,32 +41,41 @@ SlidingErrors slidingErrors(const PairResult& pair, const PairEndShare& carrier,
   return errors;
 }
 
-bool isPassive(const BodyScale& body) { return body.loads == 0.0 && body.prescribed == 0.0; }
-
 }  // namespace
 
-void lendForce(const std::vector<PairEndShare>& ends, std::vector<BodyScale>& bodies) {
+void scaleForces(const std::vector<PairEndShare>& ends, const std::vector<BodyForces>& now, const std::vector<BodyForces>& past,
+                 std::vector<BodyScale>& bodies) {
   std::map<int, std::pair<int, int>> bodiesOf;  // lowest and highest of a pair
   for (const PairEndShare& end : ends) {
     auto& both = bodiesOf.try_emplace(end.pair, end.body, end.body).first->second;
     both.first = std::min(both.first, end.body);
     both.second = std::max(both.second, end.body);
   }
-  const std::vector<BodyScale> own = bodies;
-  const auto lend = [&](int from, int to) {
-    if (!isPassive(own[to])) return;
-    bodies[to].lent = std::max(bodies[to].lent, Bounds::passive * own[from].force);
-    bodies[to].force = std::max(bodies[to].force, bodies[to].lent);
-    bodies[to].largestContact = std::max(bodies[to].largestContact, Bounds::passive * own[from].largestContact);
-  };
-  for (const auto& [pair, both] : bodiesOf) {
-    lend(both.first, both.second);
-    lend(both.second, both.first);
+  std::set<std::pair<int, int>> joined;
+  for (const auto& [pair, both] : bodiesOf) joined.insert(both);
+  const std::vector<std::pair<int, int>> neighbours(joined.begin(), joined.end());
+  const std::vector<ForceScale> scales = ForceScale::of(now, past, neighbours);
+  const std::vector<char> idle = idleBodies(now, past);
+  std::vector<double> contact;
+  for (const BodyScale& body : bodies) contact.push_back(body.largestContact);
+  const std::vector<double> lent = lentValues(contact, idle, kLentForce, neighbours);
+  std::map<int, double> compliance;
+  for (const PairEndShare& end : ends) compliance[end.pair] += end.weight * end.weight / end.stiffness;
+  for (const PairEndShare& end : ends)
+    if (end.end == 0)
+      for (const int b : {bodiesOf.at(end.pair).first, bodiesOf.at(end.pair).second})
+        if (idle[b]) bodies[b].places += Bounds::places * unitRoundoff * norm(end.place) / compliance.at(end.pair);
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    bodies[b].force = scales[b].force;
+    bodies[b].lent = scales[b].lent;
+    bodies[b].rounded = scales[b].rounded;
+    bodies[b].largestContact = std::max(bodies[b].largestContact, lent[b]);
   }
 }
 
-void verifyPairs(std::vector<PairEndShare> ends, const std::vector<PairResult>& pairs, const std::vector<BodyScale>& bodies, double bound,
-                 Findings& findings) {
+void verifyPairs(std::vector<PairEndShare> ends, const std::vector<PairResult>& pairs, const std::vector<BodyScale>& bodies,
+                 double tolerance, Findings& findings) {
+  const double bound = Bounds::pair.at(tolerance);
   const auto before = [](const PairEndShare& a, const PairEndShare& b) { return a.pair != b.pair ? a.pair < b.pair : a.end < b.end; };
   std::sort(ends.begin(), ends.end(), before);
   std::map<int, const PairResult*> said;
@@ -77,7 +87,7 @@ void verifyPairs(std::vector<PairEndShare> ends, const std::vector<PairResult>& 
     where.place = ends[first].place;
     where.body = where.other = ends[first].body;
     double gap = ends[first].gap, moved = std::abs(gap), lifted = 0.0, compliance = 0.0, rounding = 0.0,
-           force = bodies[ends[first].body].force;
+           force = bodies[ends[first].body].force, rounded = 0.0;
     double roundings = Bounds::rounding;
     bool unloaded = false;
     Point shift{0, 0, 0};
@@ -92,6 +102,7 @@ void verifyPairs(std::vector<PairEndShare> ends, const std::vector<PairResult>& 
       force = std::min(force, bodies[end.body].force);
       roundings = std::max(roundings, bodies[end.body].roundings());
       unloaded = unloaded || bodies[end.body].isUnloaded();
+      rounded = std::max(rounded, Bounds::pair.ofRounding(bodies[end.body]));
       if (end.body != where.body) where.other = end.body;
     }
     const auto pair = said.find(where.pair);
@@ -101,9 +112,10 @@ void verifyPairs(std::vector<PairEndShare> ends, const std::vector<PairResult>& 
     }
     ++found;
     const double pressing = pair->second->force, asForce = gap / compliance;
-    // Where no force is to compare with, two bodies are as far apart as digits of their ways and places tell.
-    const double ways = unloaded ? Bounds::nothing * unitRoundoff * (lifted + norm(where.place)) / compliance : 0.0;
-    const double slack = roundings * (rounding + unitRoundoff * moved / compliance) + ways, allowed = bound * force + slack;
+    // Two bodies are as far apart as digits of their places tell, and where no force is to compare with, those of their ways.
+    const double ways =
+        (unloaded ? Bounds::nothing * (lifted + norm(where.place)) : Bounds::places * norm(where.place)) * unitRoundoff / compliance;
+    const double slack = roundings * (rounding + unitRoundoff * moved / compliance) + ways + rounded, allowed = bound * force + slack;
     const bool open = !pair->second->state.closed();
     const PairEndShare& carrier = ends[first];
     if (carrier.kind.separates) {

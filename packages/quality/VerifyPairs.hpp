@@ -20,15 +20,20 @@ struct PairEndShare {
   Point normal;
   Point shift;    ///< weight x displacement, whole where the law restricts sliding, less what the pair had slid before, else zero [length]
   PairKind kind;  ///< effects of the pair's law
+  Point jump;     ///< weight x displacement, the rigid motion that was taken out included [length]
+  Point arm;      ///< weight x place of the node [length]
+  double cell;    ///< longest edge along the sides of the elements at the node [length]
 };
 
-/// Makes bodies without data of their own known by a part of their neighbours' force. On rank 0.
-void lendForce(const std::vector<PairEndShare>& ends, std::vector<BodyScale>& bodies);
+/// Measures bodies by ForceScale: idle ones by a part of their neighbours' force, too. On rank 0.
+/// \param now  what acts on each body;  \param past  the largest of it on the path of load steps before, or empty
+void scaleForces(const std::vector<PairEndShare>& ends, const std::vector<BodyForces>& now, const std::vector<BodyForces>& past,
+                 std::vector<BodyScale>& bodies);
 
 /// Penetration, tension, complementarity, status, friction, slip and dissipation of all pairs: gaps and slips from the ends alone, and as
-/// forces, by the stiffness of the nodes that meet. On rank 0. \param ends  of all ranks;  \param pairs  what the run says;  \param bound
-/// relative to the bodies' forces
-void verifyPairs(std::vector<PairEndShare> ends, const std::vector<PairResult>& pairs, const std::vector<BodyScale>& bodies, double bound,
-                 Findings& findings);
+/// forces, by the stiffness of the nodes that meet. On rank 0. \param ends  of all ranks;  \param pairs  what the run says;  \param
+/// tolerance of the answer
+void verifyPairs(std::vector<PairEndShare> ends, const std::vector<PairResult>& pairs, const std::vector<BodyScale>& bodies,
+                 double tolerance, Findings& findings);
 
 }  // namespace suture

@@ -17,6 +17,7 @@ constexpr std::size_t kSliding = 5;     // components of a row of Sliding: direc
 constexpr std::size_t kOldSliding = 4;  // earlier files have no friction
 constexpr std::size_t kStep = 19;       // components of a row of Steps
 constexpr std::size_t kPathPair = 9;    // components of a row of PathPairs: slip, slipped, dissipated, force, tangential
+constexpr std::size_t kCarried = 4;     // components of a row of Carried: BodyForces
 std::string at(const char* name) { return std::string(kGroup) + "/" + name; }
 
 /// Members of a StepRow as numbers: one list for both directions.
@@ -44,6 +45,10 @@ void writePath(Hdf5File& file, const Comm& comm, const PathState& steps) {
   file.write(at("StepForces"), forces, 3);
   file.write(at("NextStep"), comm.getRank() == 0 ? std::vector<double>{steps.length} : std::vector<double>());
   file.write(at("PathPairs"), pairs, static_cast<int>(kPathPair));
+  std::vector<double> carried;
+  if (comm.getRank() == 0)
+    for (const BodyForces& body : steps.carried) carried.insert(carried.end(), {body.loads, body.prescribed, body.force, body.deformation});
+  file.write(at("Carried"), carried, static_cast<int>(kCarried));
 }
 
 /// \param ids  of the pairs, in the order of the file
@@ -67,6 +72,11 @@ PathState readPath(const Hdf5File& file, const std::string& path, const std::vec
     const double* row = pairs.data() + kPathPair * i;
     steps.pairs.push_back({ids[i], {{row[0], row[1], row[2]}, row[3] != 0.0, row[4]}, row[5], {row[6], row[7], row[8]}});
   }
+  if (!file.has(at("Carried"))) return steps;
+  const std::vector<double> carried = file.readReals(at("Carried"));
+  if (carried.size() % kCarried != 0 || !std::all_of(carried.begin(), carried.end(), finite))
+    throw InputError(path, "damaged: its load steps are not complete");
+  for (auto row = carried.begin(); row != carried.end(); row += kCarried) steps.carried.push_back({row[0], row[1], row[2], row[3]});
   return steps;
 }
 

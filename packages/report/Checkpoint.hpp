@@ -20,8 +20,9 @@ struct PathState {
     Point tangential;        ///< on B [force]
   };
   std::vector<StepRow> rows;
-  double length = 0.0;        ///< length of the next step
-  std::vector<Pair> pairs{};  ///< written from rank 0, read on all ranks
+  double length = 0.0;                ///< length of the next step
+  std::vector<Pair> pairs{};          ///< written from rank 0, read on all ranks
+  std::vector<BodyForces> carried{};  ///< largest of each body so far; empty: not known (earlier files)
 
   bool empty() const { return rows.empty(); }
 };

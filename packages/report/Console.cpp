@@ -1,5 +1,6 @@
 #include <Teuchos_Comm.hpp>
 #include <Teuchos_ParameterList.hpp>
+#include <algorithm>
 #include <filesystem>
 #include <ostream>
 #include <suture/base/Version.hpp>
@@ -99,6 +100,23 @@ bool isAnswered(const Solution& answer) {
   return answer.stopped || !answer.undetermined.empty() || (answer.converged && answer.verification.holds());
 }
 
+/// What to try for a run without an answer that holds: not the solver that it had, and none where it is known that there is no equilibrium.
+std::string whatToTry(const Run& run) {
+  std::string text;
+  const Solution& answer = run.solution;
+  const bool refused = answer.failure.find("no equilibrium") != std::string::npos;
+  const bool rubs =
+      std::any_of(answer.pairs.begin(), answer.pairs.end(), [](const PairResult& pair) { return pair.kind.restrictsSliding; });
+  if (!refused && run.scene.parameters->sublist("Outer Solver").get<std::string>("Type") != "Monolithic")
+    text +=
+        "   to try: --set \"Outer Solver/Type=Monolithic\", which needs neither subdomains nor iterations, tells whether the scene is at "
+        "fault\n";
+  const bool inSteps = !run.steps.empty() || answer.failure.rfind("load step", 0) == 0;
+  if (!answer.converged && !refused && rubs && !inSteps)
+    text += "   to try: Load Steps, so that each step begins near its solution: friction depends on the path of the loads\n";
+  return text + advice("   ");
+}
+
 }  // namespace
 
 void printHeader(std::ostream& console, const Comm& comm, const SceneFile& scene, const ProblemSize& size) {
@@ -110,15 +128,12 @@ void printHeader(std::ostream& console, const Comm& comm, const SceneFile& scene
 }
 
 std::string advice(const std::string& indent) {
-  return indent +
-         "to try: --set \"Outer Solver/Type=Monolithic\", which needs neither subdomains nor iterations, tells whether the scene is at "
-         "fault;\n" +
-         indent + "        scene.png of suture_plot shows what is held and what touches; doc/convergence.md goes through the causes\n";
+  return indent + "scene.png of suture_plot shows what is held and what touches; doc/convergence.md goes through the causes\n";
 }
 
 void printFooter(std::ostream& console, const Run& run, const RunFigures& figures) {
   console << ending(run, figures.largestDisplacement) << "\n"
-          << verdict(run.monitor, run.solution.verification) << (isAnswered(run.solution) ? "" : advice("   ")) << pathWork(run)
+          << verdict(run.monitor, run.solution.verification) << (isAnswered(run.solution) ? "" : whatToTry(run)) << pathWork(run)
           << exactErrors(run.solution.errors) << estimatedErrors(run.solution) << extremesText(run, figures.dimension);
   for (const Timers::Statistics& phase : figures.phases) console << format("   %s %.2f s", phase.phase.c_str(), phase.max);
   console << format("   total %.2f s   peak %.0f MB a rank\n", run.timers.total(), figures.memory.max);

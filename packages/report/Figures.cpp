@@ -6,6 +6,7 @@
 #include <set>
 #include <sstream>
 #include <suture/base/Collective.hpp>
+#include <suture/mesh/BoxTree.hpp>
 #include <suture/mesh/CellGeometry.hpp>
 #include <suture/partition/RigidLift.hpp>
 #include <suture/quality/PressureOscillation.hpp>
@@ -201,6 +202,33 @@ std::string openEndNotes(const std::vector<ContactPiece>& pieces, const std::vec
   return said;
 }
 
+/// A warning for each piece between bodies of which each pair has slid farther than the piece is long.
+std::string slidOffNotes(const std::vector<ContactPiece>& pieces, const std::vector<PairResult>& pairs) {
+  struct Slide {
+    BoundingBox box;
+    double least = std::numeric_limits<double>::infinity();
+    bool isRigid = false;
+  };
+  std::vector<Slide> slides(pieces.size());
+  for (const PairResult& pair : pairs) {
+    if (pair.piece < 0 || pair.piece >= int(pieces.size())) continue;
+    Slide& slide = slides[pair.piece];
+    slide.box.include(pair.position);
+    slide.least = std::min(slide.least, norm(pair.slip));
+    slide.isRigid = slide.isRigid || pair.bodies[0] < 0 || pair.bodies[1] < 0;
+  }
+  std::string said;
+  for (std::size_t p = 0; p < pieces.size(); ++p) {
+    const double length = norm(minus(slides[p].box.high, slides[p].box.low));
+    if (slides[p].isRigid || !std::isfinite(slides[p].least) || !(length > 0.0) || slides[p].least < length) continue;
+    said += format(
+        "warning: contact '%s': its sides have slid off each other: by %.3g or more, and the contact is %.3g long. Pairs keep the partners "
+        "that face them in the mesh\n",
+        pieces[p].name.c_str(), slides[p].least, length);
+  }
+  return said;
+}
+
 }  // namespace
 
 std::vector<std::string> plausibilityNotes(const Comm& comm, const std::vector<SubdomainMesh>& meshes,
@@ -213,8 +241,9 @@ std::vector<std::string> plausibilityNotes(const Comm& comm, const std::vector<S
                "and contact is sought where the bodies were drawn",
                largest / size));
   std::string said;
-  collectivelyOnRoot(comm, "looking at the contacts",
-                     [&] { said = patchNotes(pieces, solution.pairs) + openEndNotes(pieces, solution.pairs); });
+  collectivelyOnRoot(comm, "looking at the contacts", [&] {
+    said = patchNotes(pieces, solution.pairs) + openEndNotes(pieces, solution.pairs) + slidOffNotes(pieces, solution.pairs);
+  });
   std::istringstream lines(broadcast(comm, said));
   for (std::string line; std::getline(lines, line);) notes.push_back(line);
   return notes;

@@ -106,7 +106,7 @@ const Solution& Simulation::verify() {
 void Simulation::advance() {
   if (!isCoupled()) throw InternalError("advance() without coupling()");
   order_.require(StageOrder::Solved, StageOrder::Solved, "advance");
-  path_->accept(solution_.pairs);
+  path_->accept(solution_.pairs, solution_.verification.forces);
 }
 
 std::vector<double> Simulation::displacements(const CouplingSurface& surface) const {

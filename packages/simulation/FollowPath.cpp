@@ -67,6 +67,7 @@ Solution Simulation::solveFrom(const Solution* before, bool isPrepared) {
     start = startOf(*comm_, *before);
   else
     start = start_;
+  if (start && path_) start->carried = path_->carried();
   return method_->solve(monitor_, timers_, start && method_->takesStart() ? &*start : nullptr);
 }
 
@@ -132,9 +133,10 @@ void Simulation::acceptStep(Solution& solution, const Solution* before, StepRow 
     for (const ContactResultant& line :
          contactResultants(solution.pairs, static_cast<int>(scene_.contacts.size()), scene_.model.axisymmetric))
       row.forceOnB.push_back(line.onB.force);
+  doubts_.add(solution.verification, ", " + timeText(row.time));
   solution.verification.checks.push_back(
       {"work", row.work.imbalance(), kWork * tolerance, "on the path to " + timeText(row.time), "a smaller Outer Solver/Tolerance"});
-  path_->accept(solution.pairs);
+  path_->accept(solution.pairs, solution.verification.forces);
   path_->rows.push_back(row);
   monitor_.endStep(row);
   if (!output_) return;

@@ -4,6 +4,7 @@
 #include <suture/quality/answers/NodalStresses.hpp>
 #include <suture/simulation/JudgeStage.hpp>
 #include <suture/simulation/LoadControl.hpp>
+#include <suture/simulation/LoadPath.hpp>
 #include <suture/solvability/NeutralMotions.hpp>
 #include <suture/solver/accuracy/RequestedAccuracy.hpp>
 
@@ -53,14 +54,17 @@ void findAnswers(const Comm& comm, const std::vector<SubdomainMesh>& meshes, con
 }
 
 void verifySolution(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const std::vector<ContactPiece>& pieces,
-                    const Subdomains& subdomains, const Scene& scene, bool hasTargets, Solution& solution) {
+                    const Subdomains& subdomains, const Scene& scene, const LoadPath* path, Solution& solution) {
   const auto own = [&](int mesh) -> std::optional<OwnForces> {
     if (subdomains.empty() || !subdomains[mesh] || subdomains[mesh]->followsModel()) return std::nullopt;
     return OwnForces{subdomains[mesh]->internalForces(solution.displacement[mesh]), subdomains[mesh]->nodalLoads()};
   };
   const double tolerance = requestedAccuracy(scene.settings(), solution);
-  solution.verification = verify(comm, {meshes, scene.model, solution.displacement, solution.pairs, pieces, tolerance, own});
-  if (hasTargets && hasControlledLoads(scene)) solution.verification.checks.push_back(targetCheck(comm, scene, meshes, solution));
+  solution.verification = verify(comm, {meshes, scene.model, solution.displacement, solution.pairs, pieces, tolerance, own,
+                                        path ? path->carried() : std::vector<BodyForces>(),
+                                        scene.settings().sublist("Outer Solver").get<std::string>("Type") == "Monolithic"});
+  if ((!path || path->rows.empty()) && hasControlledLoads(scene))
+    solution.verification.checks.push_back(targetCheck(comm, scene, meshes, solution));
   collectively(comm, "finding the stresses", [&] {
     for (std::size_t i = 0; i < subdomains.size(); ++i)
       if (subdomains[i] && !subdomains[i]->followsModel())

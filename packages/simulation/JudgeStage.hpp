@@ -8,6 +8,8 @@
 
 namespace suture {
 
+class LoadPath;
+
 /// True if the settings ask for an estimate of the discretisation error: as a result, or for an automatic tolerance. Local.
 bool wantsErrorEstimate(const Parameters& settings);
 
@@ -28,8 +30,8 @@ void findAnswers(const Comm& comm, const std::vector<SubdomainMesh>& meshes, con
 
 /// Judges the solution by its displacements and contact forces alone. A verdict that does not hold is the run's failure, whatever the
 /// solver believed. Of `subdomains` those with physics of their own are asked for their forces and stresses; the others are not, and may be
-/// null. Collective. \param hasTargets  false: controlled loads keep the amounts that an earlier load step found
+/// null. Collective. \param path  the load steps so far, or null; after the first, controlled loads keep the amounts that it found
 void verifySolution(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const std::vector<ContactPiece>& pieces,
-                    const Subdomains& subdomains, const Scene& scene, bool hasTargets, Solution& solution);
+                    const Subdomains& subdomains, const Scene& scene, const LoadPath* path, Solution& solution);
 
 }  // namespace suture

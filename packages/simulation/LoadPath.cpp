@@ -66,7 +66,9 @@ void LoadPath::setTime(double time, ElasticModel& model, std::vector<SubdomainMe
   for (ContactPair& pair : constraints.pairs) pair.past = pastOf(pair.id);
 }
 
-void LoadPath::accept(const std::vector<PairResult>& pairs) {
+void LoadPath::accept(const std::vector<PairResult>& pairs, const std::vector<BodyForces>& forces) {
+  if (!forces.empty()) carried_.resize(forces.size());
+  for (std::size_t b = 0; b < forces.size(); ++b) carried_[b].take(forces[b]);
   std::vector<PairPast> now;
   for (const PairResult& pair : pairs) {
     if (!pair.kind.restrictsSliding || !pair.kind.separates) continue;
@@ -80,11 +82,12 @@ void LoadPath::accept(const std::vector<PairResult>& pairs) {
 void LoadPath::goOnFrom(PathState state) {
   rows = std::move(state.rows);
   length = state.length;
+  carried_ = state.carried;
   for (const PathState::Pair& pair : state.pairs) past_[pair.id] = pair.past;
 }
 
 PathState LoadPath::state(const std::vector<PairResult>& pairs) const {
-  PathState state{rows, length, {}};
+  PathState state{rows, length, {}, carried_};
   for (const PairResult& pair : pairs) {
     const auto past = past_.find(pair.id);
     state.pairs.push_back({pair.id, past == past_.end() ? ContactPair::Past() : past->second, pair.force, pair.tangential});

@@ -23,14 +23,17 @@ class LoadPath {
   /// \param constraints  the same for a method that needs the whole mesh; may be empty. Local.
   void setTime(double time, ElasticModel& model, std::vector<SubdomainMesh>& meshes, Constraints& constraints) const;
 
-  /// The next step begins where a solution ended. \param pairs  of the solution, on rank 0. Collective.
-  void accept(const std::vector<PairResult>& pairs);
+  /// The next step begins where a solution ended. \param pairs  of the solution, on rank 0;  \param forces  that act on each body then, or
+  /// empty. Collective.
+  void accept(const std::vector<PairResult>& pairs, const std::vector<BodyForces>& forces);
   /// Goes on from a checkpoint.
   void goOnFrom(PathState state);
   /// For a checkpoint.
   PathState state(const std::vector<PairResult>& pairs) const;
 
   const LoadSteps& steps() const { return steps_; }
+  /// Largest forces on each body, of the steps so far; empty: not known.
+  const std::vector<BodyForces>& carried() const { return carried_; }
   double time() const { return rows.empty() ? 0.0 : rows.back().time; }
 
   std::vector<StepRow> rows;  ///< rows of the steps so far
@@ -41,6 +44,7 @@ class LoadPath {
   const LoadSteps& steps_;
   PrescribedParts parts_;
   std::map<int, ContactPair::Past> past_;  // by id, of pairs that have one
+  std::vector<BodyForces> carried_;
 };
 
 /// Pairs whose status differs between the ends of two steps. On rank 0.

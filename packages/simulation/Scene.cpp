@@ -72,6 +72,7 @@ void record(const std::vector<Contact>& contacts, Parameters& list, Problems& pr
     Parameters& own = list.sublist(contact.name);
     own.set("Side A", Teuchos::Array<std::string>(contact.groupsA));
     if (!contact.groupsB.empty()) own.set("Side B", Teuchos::Array<std::string>(contact.groupsB));
+    if (contact.initialGap) own.set("Initial Gap", contact.initialGap->text());
   }
 }
 

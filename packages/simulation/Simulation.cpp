@@ -7,6 +7,7 @@
 #include <suture/report/Checkpoint.hpp>
 #include <suture/report/Report.hpp>
 #include <suture/report/Summary.hpp>
+#include <suture/report/Units.hpp>
 #include <suture/report/answers/Probes.hpp>
 #include <suture/simulation/JudgeStage.hpp>
 #include <suture/simulation/LoadControl.hpp>
@@ -21,6 +22,7 @@
 #include <Teuchos_ParameterList.hpp>
 
 #include <filesystem>
+#include <set>
 
 namespace suture {
 
@@ -79,6 +81,16 @@ void Simulation::cutScene() {
   path_->setTime(scene_.steps.times().front(), scene_.model, cut_.meshes, constraints_);
 }
 
+namespace {
+std::set<int> linesOfGivenGaps(const Scene& scene) {
+  std::set<int> lines;
+  const Parameters& contacts = scene.settings().sublist("Contact");
+  for (std::size_t line = 0; line < scene.contacts.size(); ++line)
+    if (contacts.sublist(scene.contacts[line]).isParameter("Initial Gap")) lines.insert(static_cast<int>(line));
+  return lines;
+}
+}  // namespace
+
 void Simulation::check() {
   order_.make(StageOrder::Cut, StageOrder::Checked, "check", [&] { checkScene(); });
 }
@@ -87,6 +99,12 @@ void Simulation::checkScene() {
   timed(timers_, "partition", [&] {
     checkElements(*comm_, cut_.meshes, scene_.model);
     if (isWhole_) checkSolvability(*comm_, mesh_, constraints_, scene_.model, cut_.partition);
+  });
+  overlapSearch_ = timed(timers_, "partition", [&] {
+    auto search =
+        std::make_unique<const OverlapSearch>(cut_.meshes, static_cast<int>(scene_.model.bodies.size()), linesOfGivenGaps(scene_));
+    drawnOverlaps_ = search->find(*comm_);
+    return search;
   });
   locateProbes(*comm_, cut_.meshes, scene_.model.bodies, readProbes(scene_.settings(), scene_.model.bodies));
   checkExactSolution(*comm_, cut_.meshes, scene_.model, scene_.settings().sublist("Contact"));
@@ -125,6 +143,25 @@ void Simulation::remark() {
   for (const std::string& note : lockingNotes(scene_.model)) monitor_.note(note);
   for (const std::string& note : loadNotes(scene_.model)) monitor_.note(note);
   for (const std::string& note : looseTolerances(scene_.settings())) monitor_.note(note);
+  for (const Overlap& overlap : drawnOverlaps_)
+    if (overlap.contact < 0) monitor_.note(inWords(overlap, true));  // contacts report their interference
+}
+
+std::string Simulation::inWords(const Overlap& overlap, bool drawn) const {
+  return suture::inWords(overlap, scene_.model.bodies, scene_.contacts, drawn, unitsOf(scene_.settings()).length);
+}
+
+/// Warns of overlaps that the solution has made, or made half as deep again.
+void Simulation::noteOverlaps() {
+  if (!solution_.converged || !overlapSearch_) return;
+  const std::vector<Overlap> found = timed(timers_, "verify", [&] { return overlapSearch_->find(*comm_, solution_.displacement); });
+  for (const Overlap& overlap : found) {
+    const auto isSame = [&](const Overlap& drawn) {
+      return std::minmax(drawn.body, drawn.into) == std::minmax(overlap.body, overlap.into) && drawn.contact == overlap.contact &&
+             overlap.depth < 1.5 * drawn.depth;
+    };
+    if (std::none_of(drawnOverlaps_.begin(), drawnOverlaps_.end(), isSame)) monitor_.note(inWords(overlap, false));
+  }
 }
 
 void Simulation::startFrom(Start start) {
@@ -171,14 +208,16 @@ void Simulation::judgeSolution() {
   const std::vector<ContactPiece>& pieces = cut_.whole.pieces;
   for (const std::string& note : pressureNotes(*comm_, pieces, solution_)) monitor_.note(note);
   for (const std::string& note : plausibilityNotes(*comm_, cut_.meshes, pieces, solution_)) monitor_.note(note);
+  if (!followsPath()) doubts_.add(solution_.verification);
+  for (const std::string& note : doubts_.warnings()) monitor_.note(note);
+  noteOverlaps();
 }
 
 void Simulation::judge(Solution& solution, const Subdomains& subdomains) {
   const std::vector<ContactPiece>& pieces = cut_.whole.pieces;
   timed(timers_, "verify", [&] { settleMotions(*comm_, cut_.meshes, pieces, scene_, solution, monitor_); });
   findErrors(*comm_, cut_.meshes, scene_, solution, timers_);
-  timed(timers_, "verify",
-        [&] { verifySolution(*comm_, cut_.meshes, pieces, subdomains, scene_, !path_ || path_->rows.empty(), solution); });
+  timed(timers_, "verify", [&] { verifySolution(*comm_, cut_.meshes, pieces, subdomains, scene_, path_.get(), solution); });
   timed(timers_, "verify", [&] { findAnswers(*comm_, cut_.meshes, scene_, solution); });
 }
 

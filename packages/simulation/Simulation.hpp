@@ -1,5 +1,7 @@
 #pragma once
 #include <suture/base/Errors.hpp>
+#include <suture/quality/Doubts.hpp>
+#include <suture/quality/Overlaps.hpp>
 #include <suture/report/OutputFolder.hpp>
 #include <suture/report/Run.hpp>
 #include <suture/report/RunMonitor.hpp>
@@ -134,6 +136,8 @@ class Simulation {
 
   bool followsPath() const { return !scene_.steps.empty() && path_ && !scene_.isOneStep; }
   bool isCoupled() const { return scene_.steps.empty() && path_; }
+  std::string inWords(const Overlap& overlap, bool drawn) const;
+  void noteOverlaps();
   void followPath();
   Solution solveFrom(const Solution* before, bool isPrepared);
   Solution solveStep(const Solution* before, bool isPrepared);
@@ -159,9 +163,12 @@ class Simulation {
   std::optional<Start> start_;
   std::unique_ptr<LoadPath> path_;    // null: neither load steps nor a coupling
   std::unique_ptr<WorkMeter> meter_;  // on a path
-  std::string unfinished_;            // why the path ended before its end; empty: it did not
-  bool brokeDown_ = false;            // the last trial of a step left nothing behind
-  PathState restart_;                 // path of a checkpoint, before it is taken up
+  std::unique_ptr<const OverlapSearch> overlapSearch_;
+  std::vector<Overlap> drawnOverlaps_;
+  Doubts doubts_;           // on a path: of its steps
+  std::string unfinished_;  // why the path ended before its end; empty: it did not
+  bool brokeDown_ = false;  // the last trial of a step left nothing behind
+  PathState restart_;       // path of a checkpoint, before it is taken up
   Solution solution_;
   StageOrder order_;
   bool isJudged_ = false;  // by solveAgain()

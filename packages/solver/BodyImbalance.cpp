@@ -9,27 +9,25 @@
 
 namespace suture {
 
-namespace {
-constexpr double kLent = 1e-3;  // share of a neighbour's forces that a body without loads counts as its own, as in the verdict
-}  // namespace
-
 double bodyImbalance(const ContactBodies& bodies, const Matrix& force, const Vector& energy, const Vector& largest) {
   const RigidContact::Pairs& data = bodies.rigid().data();
   if (bodies.areBound()) return 0.0;  // forces between bound pairs are not known here
   const std::size_t parts = bodies.parts().size();
-  std::vector<double> size(parts, 0.0), loads(parts, 0.0), stiffness(parts, 0.0);
-  for (std::size_t p = 0; p < parts; ++p)
-    size[p] = loads[p] = data.work.segment(bodies.firstMotion(static_cast<int>(p)), bodies.parts()[p].free.cols()).norm();
+  std::vector<double> size(parts, 0.0), stiffness(parts, 0.0);
+  std::vector<char> idle = bodies.idle();
+  for (std::size_t p = 0; p < parts; ++p) {
+    size[p] = data.work.segment(bodies.firstMotion(static_cast<int>(p)), bodies.parts()[p].free.cols()).norm();
+    idle[p] = idle[p] || size[p] == 0.0;
+  }
   for (std::size_t i = 0; i < data.bodies.size(); ++i)
     for (const int p : data.bodies[i]) {
       size[p] += force.row(static_cast<Eigen::Index>(i)).norm();
       stiffness[p] = std::max(stiffness[p], data.stiffness(static_cast<Eigen::Index>(i)));
     }
-  const std::vector<double> own = size;
-  for (const auto& two : data.bodies)
-    for (const int p : two)
-      for (const int other : two)
-        if (loads[p] == 0.0) size[p] = std::max(size[p], kLent * own[other]);
+  std::vector<double> own = size;
+  for (std::size_t p = 0; p < parts; ++p)
+    if (!bodies.idle()[p]) own[p] = std::max(own[p], std::sqrt(std::max(energy(static_cast<Eigen::Index>(p)), 0.0) * stiffness[p]));
+  const std::vector<double> lent = lentValues(own, idle, kLentForce, bodies.neighbours());
   double most = 0.0;
   for (std::size_t p = 0; p < parts; ++p) {
     const auto at = static_cast<Eigen::Index>(p);
@@ -39,7 +37,7 @@ double bodyImbalance(const ContactBodies& bodies, const Matrix& force, const Vec
     for (Eigen::Index k = 0; k < std::min(force.cols() - 1, static_cast<Eigen::Index>(data.tangents.size())); ++k)
       rest += data.tangents[static_cast<std::size_t>(k)].middleCols(first, count).transpose() * force.col(k + 1);
     if (rest.norm() <= kNegligibleEnergyNorm * std::sqrt(largest(at) * stiffness[p])) continue;
-    size[p] = std::max(size[p], kLent * std::sqrt(std::max(energy(at), 0.0) * stiffness[p]));
+    size[p] = std::max({size[p], lent[p], kLentForce * std::sqrt(std::max(energy(at), 0.0) * stiffness[p])});
     most = std::max(most, rest.norm() / size[p]);
   }
   return most;

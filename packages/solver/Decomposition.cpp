@@ -19,6 +19,7 @@ void Decomposition::doFactor() {
 Solution Decomposition::doSolve(Monitor& monitor, const Start* start, const Keep& keep) {
   const CutScene& given = scene();
   std::optional<InterfaceState> from;
+  problem_->rememberPath(start ? start->carried : std::vector<BodyForces>());
   if (start) from = stateOf(*start, *problem_, subdomains_);
   AutomaticTolerance::Estimate discretisationError;
   if (isAutomatic(given.settings)) discretisationError = discretisationErrorOf(*given.comm, given.meshes, given.model, subdomains_);
@@ -34,9 +35,10 @@ Solution Decomposition::doSolve(Monitor& monitor, const Start* start, const Keep
       solveInterface(*problem_, given.settings, monitor, from ? &*from : nullptr, discretisationError,
                      keep ? accepted : std::function<void(const InterfaceState&)>(), given.inSteps ? &preconditioner_ : nullptr);
   if (!result.converged && result.slides.size() > 0)
-    result.failure = slidesAway(problem_->sets()->bodies(), result.slides, given.model.bodies);
+    result.failure = slidesAway(problem_->sets()->bodies(), result.slides, given.model.bodies, result.multiple);
   if (!result.converged && !result.unsettled.empty())
-    result.failure += unsettled(*problem_->sets(), result.unsettled, given.contacts, given.model.bodies);
+    result.failure += unsettled(*problem_->sets(), result.unsettled, given.contacts, given.model.bodies,
+                                result.iterations >= given.settings.sublist("Outer Solver").get<int>("Maximum Iterations"));
   return solutionOf(result);
 }
 

@@ -145,6 +145,7 @@ void searchFriction(OuterSolver::Run& run, double innerTolerance) {
     return;
   }
   run.result.slides = found.slides;
+  run.result.multiple = found.multiple;
   run.result.unsettled = found.alternating;
 }
 

@@ -22,6 +22,8 @@ constexpr double kNoProgress = 0.5;  // part of a residual that a new beginning 
 FrictionSolves::FrictionSolves(OuterSolver::Run& run, double inner)
     : run_(run), friction_(*run.problem.friction()), sets_(*run.problem.sets()), inner_(std::max(inner, run.settings.tolerance)) {
   run_.preconditioner = Teuchos::rcp(new SpringPreconditioner(run_.preconditioner));
+  ofParts_ = sets_.bodies().carriedEnergy();
+  largest_ = std::sqrt(ofParts_.sum());
 }
 
 void FrictionSolves::precondition(const Teuchos::RCP<InterfaceOperator>& matrix) {
@@ -73,8 +75,9 @@ FrictionAnswer FrictionSolves::answerOf(const PairValues& values, const PairStat
   for (const ContactState& state : states) closed.push_back(state.closed());
   const Vector size = values.force.rowwise().norm();
   // Where nothing acts, forces are rounding of displacements.
-  answer.forceTolerance =
-      (std::max(resolution, kGapDigits) * rigid.clusterScale(closed, size)).cwiseMax(values.digits.cwiseQuotient(rigid.compliance()));
+  answer.forceTolerance = (std::max(resolution, kGapDigits) * rigid.clusterScale(closed, size))
+                              .cwiseMax(values.digits.cwiseQuotient(rigid.compliance()))
+                              .cwiseMax(std::max(1.0, nothing_ / kRoundedForce) * rigid.rounding());
   answer.jumpTolerance = rigid.compliance().cwiseProduct(answer.forceTolerance) + values.digits;
   return answer;
 }
@@ -106,7 +109,9 @@ FrictionAnswer FrictionSolves::solve(const PairStates& states, double tolerance)
       bool solved = linear(state, sharper * tolerance, cost, applications);
       for (int again = 0; solved && again < kTakenUp; ++again) {
         // The solution of some states may have no energy (a body that moves as a whole): it is known well enough beside what others had.
-        const double found = energyNorm(state), own = std::max(found, tolerance * largest_);
+        const double found = energyNorm(state), negligible = std::max(tolerance, kNegligibleEnergyNorm / final) * largest_,
+                     own = std::max(found, negligible);
+        nothing_ = found < negligible ? tolerance * negligible / largest_ : 0.0;
         largest_ = std::max(largest_, found);
         if (!(own > 0.0)) break;
         const double over = reference_ / own;

@@ -32,6 +32,7 @@ class FrictionSolves : public FrictionOracle {
   PairStates last_;
   Vector ofParts_;                          // largest energies of the parts, twice
   double reference_ = 0.0, largest_ = 0.0;  // energy norms: of the last solution, the largest of all
+  double nothing_ = 0.0;                    // part of the path's forces that the last solution's are known to, if it has no more
 };
 
 }  // namespace suture

@@ -36,6 +36,7 @@ struct CutScene {
 struct Start {
   std::vector<Vector> displacement;    ///< displacements of each subdomain of this rank: beside its lift, node-major, Cartesian [length]
   std::map<int, ContactState> status;  ///< pair id -> state, of this rank's pairs at least; one that is not named is closed
+  std::vector<BodyForces> carried{};   ///< largest forces on each body on the path of load steps before; empty: none
 };
 
 /// The way from a scene in subdomains to its solution: `Decomposition`, by an outer solver on the interface, or one that solves the scene

@@ -157,7 +157,9 @@ OuterResult OuterSolver::conclude(Run& run) {
   if (run.done() && result.residual > run.settings.tolerance) run.monitor.note(run.reason());
   if (result.stopped && !result.converged && result.failure.empty()) result.failure = "stopped on request";
   if (!result.converged && result.failure.empty())
-    result.failure = "the tolerance was not reached within " + std::to_string(result.iterations) + " outer iterations";
+    result.failure =
+        "the tolerance was not reached within " + std::to_string(result.iterations) + " outer iterations" +
+        (result.iterations < run.settings.maximumIterations ? ", fewer than allowed: no other contact states were left to try" : "");
   return std::move(result);
 }
 

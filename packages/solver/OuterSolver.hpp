@@ -30,6 +30,7 @@ struct OuterSettings {
 struct OuterResult : OuterFigures {
   InterfaceState state;
   Vector slides;                            ///< motion of bodies that friction does not hold, where it did not converge; else empty
+  double multiple = 0.0;                    ///< of friction, that would hold them; 0: not known
   std::vector<int> unsettled;               ///< pairs that changed between the last two sets, where it did not converge
   AutomaticTolerance::Recovered recovered;  ///< from the state, where an automatic tolerance needed it; else null
 };

@@ -64,6 +64,7 @@ void SetSolves::scaleBy(const InterfaceState& from, const InterfaceState& state,
   for (std::size_t p = 0; p < clusterOf_.size(); ++p) fresh(clusterOf_[p]) += ofParts(static_cast<Eigen::Index>(p));
   size_.resize(energy.size());
   for (Eigen::Index c = 0; c < size_.size(); ++c) size_(c) = std::sqrt(std::max(energy(c) > 0.0 ? energy(c) : fresh(c), 0.0));
+  size_ = size_.cwiseMax(lentNorms(size_));
   largestScale_ = size_.maxCoeff() > 0.0 ? size_.maxCoeff() : 1.0;
   for (const int part : sets_.partOfOwned()) {
     const double own = size_(clusterOf_[part]);
@@ -73,16 +74,32 @@ void SetSolves::scaleBy(const InterfaceState& from, const InterfaceState& state,
   reference_ = 1.0;
 }
 
+/// Part of the energy norms of clusters that idle bodies of others borrow, at the clusters' first parts.
+Vector SetSolves::lentNorms(const Vector& norms) const {
+  const ContactBodies& bodies = sets_.bodies();
+  std::vector<double> own;
+  for (const int cluster : clusterOf_) own.push_back(norms(cluster));
+  std::vector<char> idle = bodies.idle();
+  for (std::size_t p = 0; p < own.size(); ++p)  // a cluster with a body that is not has a scale of its own
+    if (!bodies.idle()[p])
+      for (std::size_t q = 0; q < own.size(); ++q) idle[q] = idle[q] && clusterOf_[q] != clusterOf_[p];
+  const std::vector<double> lent = lentValues(own, idle, kLentForce, bodies.neighbours());
+  Vector all = Vector::Zero(norms.size());
+  for (std::size_t p = 0; p < own.size(); ++p) all(clusterOf_[p]) = std::max(all(clusterOf_[p]), lent[p]);
+  return all;
+}
+
 Vector SetSolves::productsByPart(const MultiVector& r) const { return suture::productsByPart(sets_, *run_.preconditioner, r); }
 
 /// Largest ratio of what a cluster's residual was relative to and the energy norm that its solve found.
 double SetSolves::overestimate(const InterfaceState& state, double tolerance) const {
   if (run_.automatic.on()) return 1.0;
   Vector own = energies(state).cwiseSqrt().cwiseMax(kRounding * lift_);
+  own = own.cwiseMax(lentNorms(own));
   // The solution of a set may have no energy (a body that moves as a whole): it is known well enough beside what others had.
   Vector before = Vector::Zero(own.size());
   for (std::size_t p = 0; p < clusterOf_.size(); ++p) before(clusterOf_[p]) += found_(static_cast<Eigen::Index>(p));
-  own = own.cwiseMax(tolerance * before.cwiseSqrt());
+  own = own.cwiseMax(std::max(tolerance, kNegligibleEnergyNorm / tolerance) * before.cwiseSqrt());
   if (!scaled_) return own.norm() > 0.0 ? reference_ / own.norm() : 1.0;
   double most = 1.0;
   for (Eigen::Index c = 0; c < size_.size(); ++c)
@@ -103,11 +120,12 @@ double SetSolves::norm(const MultiVector& residual, const InterfaceState& state)
   largest_ = largest_.cwiseMax(energy);
   const Vector nothing = kNegligibleEnergyNorm * kNegligibleEnergyNorm * largest_;
   Vector least = Vector::Zero(energy.size());
+  const Vector lent = lentNorms(energies(state).cwiseSqrt());
   double sum = 0.0;
   for (std::size_t p = 0; p < clusterOf_.size(); ++p) {
     const auto at = static_cast<Eigen::Index>(p), cluster = static_cast<Eigen::Index>(clusterOf_[p]);
     const double size = scaled_ ? size_(cluster) : reference_, lift = kRounding * lift_(cluster);
-    least(at) = std::max(kPassive * size * size, lift * lift);
+    least(at) = std::max({kPassive * size * size, lift * lift, lent(cluster) * lent(cluster)});
     if (own(at) == 0.0 || (energy(at) <= nothing(at) && own(at) <= nothing(at))) continue;
     sum += own(at) / (size > 0.0 ? size * size : std::abs(own(at)));
   }

@@ -25,7 +25,7 @@ SetSolves::SetSolves(OuterSolver::Run& run, double inner, bool loose)
       inner_(std::max(inner, run.settings.tolerance)),
       levels_(loose ? 1 : kFinal + 1),
       step_(run.problem.space()->vector()) {
-  largest_ = found_ = Vector::Zero(static_cast<Eigen::Index>(sets_.bodies().parts().size()));
+  largest_ = found_ = sets_.bodies().carriedEnergy();
   if (!run.fromAuxiliary) return;
   // The auxiliary solve may be gone on with, if it was scaled as its cluster is.
   preconditioned_ = run.preconditioned;

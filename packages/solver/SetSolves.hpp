@@ -33,6 +33,7 @@ class SetSolves : public ContactOracle {
   void findClusters(const ClosedSet& closed);
   bool oneCluster() const;
   Vector energies(const InterfaceState& state) const;
+  Vector lentNorms(const Vector& norms) const;
   Vector productsByPart(const MultiVector& r) const;
   void scaleBy(const InterfaceState& from, const InterfaceState& state, const MultiVector& load);
   double overestimate(const InterfaceState& state, double tolerance) const;

@@ -8,6 +8,7 @@
 
 #include <map>
 #include <set>
+#include <sstream>
 
 namespace suture {
 
@@ -25,7 +26,7 @@ InterfaceState stateOf(const Start& start, const InterfaceProblem& problem, cons
 }
 
 std::string unsettled(const ContactSets& sets, const std::vector<int>& pairs, const std::vector<std::string>& contacts,
-                      const std::vector<std::string>& bodies) {
+                      const std::vector<std::string>& bodies, bool atLimit) {
   constexpr std::size_t kMost = 10;
   const RigidContact::Pairs& data = sets.bodies().rigid().data();
   std::map<int, std::vector<int>> byLine;
@@ -43,12 +44,12 @@ std::string unsettled(const ContactSets& sets, const std::vector<int>& pairs, co
     for (const std::string& name : names) text += (name == *names.begin() ? "" : ", ") + name;
     text += ")";
   }
-  return text +
-         " still open and close from step to step; more Outer Solver/Maximum Iterations, or Outer Solver/Type = Monolithic, may settle "
-         "them";
+  return text + " still open and close from step to step; " +
+         (atLimit ? "more Outer Solver/Maximum Iterations, Load Steps that load in parts" : "Load Steps that load in parts") +
+         ", or Outer Solver/Type = Monolithic, may settle them";
 }
 
-std::string slidesAway(const ContactBodies& parts, const Vector& motion, const std::vector<std::string>& bodies) {
+std::string slidesAway(const ContactBodies& parts, const Vector& motion, const std::vector<std::string>& bodies, double multiple) {
   constexpr double kNone = 1e-8;  // part of a unit motion
   std::string text = "no equilibrium was found: friction does not hold";
   for (std::size_t p = 0; p < parts.parts().size(); ++p) {
@@ -58,9 +59,12 @@ std::string slidesAway(const ContactBodies& parts, const Vector& motion, const s
     if (own.norm() >= kNone) text += " body '" + bodies.at(part.body) + "', which can " + inWords(part, own, parts.dimension()) + ",";
   }
   text.back() = text.back() == ',' ? ':' : text.back();
-  return text +
-         " all pairs that could are at their bounds, and the loads drive it on. More friction, a prescribed displacement or an Elastic "
-         "Support holds it";
+  std::ostringstream friction;
+  friction.precision(3);
+  friction << (multiple > 0.0 ? "At these loads, friction " : "More friction");
+  if (multiple > 0.0) friction << multiple << " times as large";
+  return text + " all pairs that could are at their bounds, and the loads drive it on. " + friction.str() +
+         ", a prescribed displacement or an Elastic Support holds it";
 }
 
 OuterResult solveInterface(const InterfaceProblem& problem, const Parameters& settings, Monitor& monitor, const InterfaceState* start,

@@ -30,13 +30,13 @@ OuterResult solveInterface(const InterfaceProblem& problem, const Parameters& se
                            const std::function<void(const InterfaceState&)>& accepted = {}, Teuchos::RCP<Preconditioner>* kept = nullptr);
 
 /// Why a search for the set of closed pairs did not end: "; pairs 3, 4 of contact 'joint' (bodies 'upper', 'lower') still open ...". Local.
-/// \param pairs  that changed last, not empty;  \param contacts, bodies  names
+/// \param pairs  that changed last, not empty;  \param contacts, bodies  names;  \param atLimit  it stopped at the limit of iterations
 std::string unsettled(const ContactSets& sets, const std::vector<int>& pairs, const std::vector<std::string>& contacts,
-                      const std::vector<std::string>& bodies);
+                      const std::vector<std::string>& bodies, bool atLimit = true);
 
 /// Why there is no equilibrium: which bodies friction does not hold, and where they move. Local.
-/// \param motion  OuterResult::slides;  \param bodies  names
-std::string slidesAway(const ContactBodies& parts, const Vector& motion, const std::vector<std::string>& bodies);
+/// \param motion  OuterResult::slides;  \param bodies  names;  \param multiple  of friction, that would hold them; 0: not known
+std::string slidesAway(const ContactBodies& parts, const Vector& motion, const std::vector<std::string>& bodies, double multiple = 0.0);
 
 /// Interiors, contact and energy of the state that the outer solver ended with.
 Solution recover(const Comm& comm, const InterfaceProblem& problem, const OuterResult& result, const Subdomains& subdomains,

@@ -2,6 +2,7 @@
 #include <Teuchos_UnitTestHarness.hpp>
 #include <quality/RubbingBlocks.hpp>
 #include <suture/base/Point.hpp>
+#include <suture/quality/Doubts.hpp>
 #include <suture/quality/answers/Reactions.hpp>
 
 #include <algorithm>
@@ -22,6 +23,12 @@ const Check* find(const Verification& verdict, const std::string& name) {
   return at == verdict.checks.end() ? nullptr : &*at;
 }
 
+std::size_t warningsOf(const Verification& verdict) {
+  Doubts doubts;
+  doubts.add(verdict);
+  return doubts.warnings().size();
+}
+
 RubbingBlocks blocks(Rubs way, int dimension, bool onObstacle = false) {
   return {way, dimension, onObstacle, dimension == 3 ? kFrame : Eigen::Matrix3d::Identity().eval()};
 }
@@ -35,7 +42,8 @@ TEUCHOS_UNIT_TEST(FrictionAnswers, HoldInPlaneAndSpaceOnBodiesAndObstacles) {
         out << int(way) << " " << dimension << " " << onObstacle << ": " << verdict.failure() << "\n";
         TEST_ASSERT(verdict.holds());
         TEST_COMPARE(verdict.balance.imbalance, <, 1e-11);
-        TEST_EQUALITY(verdict.checks.size(), way == Rubs::Guided ? 13 : 16);
+        const int offset = onObstacle ? 0 : 1;  // of laws that restrict sliding
+        TEST_EQUALITY(verdict.checks.size(), way == Rubs::Guided ? 14 : 17 + offset);
       }
 }
 
@@ -74,6 +82,61 @@ TEUCHOS_UNIT_TEST(FrictionAnswers, SeeTheSlipOfAMotionThatWasTakenOut) {
     TEST_ASSERT(verdict.holds());
     for (std::size_t i = 0; i < before.size(); ++i) TEST_COMPARE(norm(minus(before[i].slip, answer.pairs[i].slip)), <, 1e-15);
   }
+}
+
+/// Cells of the joint are a quarter long.
+TEUCHOS_UNIT_TEST(FrictionAnswers, SlideBesideTheirPartners) {
+  for (const bool isLifted : {false, true})
+    for (const int dimension : {2, 3})
+      for (const bool onObstacle : {false, true})
+        for (const double shift : {0.1, 0.15, 0.25}) {
+          RubbingBlocks answer = blocks(Rubs::Slip, dimension, onObstacle);
+          answer.moveUpper([&](Point& u) { u = plus(u, scaled(shift, answer.along)); });
+          if (isLifted) answer.lift();
+          const Verification verdict = answer.verdict();
+          const Check* slide = find(verdict, "slide");
+          TEST_ASSERT(slide);
+          if (!slide) continue;
+          out << dimension << " " << onObstacle << " " << shift << " " << slide->value << " " << slide->where << "\n";
+          const double slid = onObstacle ? 0.0 : (shift + RubbingBlocks::slid) / 0.25;  // the plane goes on
+          TEST_COMPARE(std::abs(slide->value - slid), <, 1e-10);
+          TEST_EQUALITY(slide->holds(), onObstacle || shift < 0.25);
+          TEST_EQUALITY(warningsOf(verdict), !onObstacle && shift == 0.15 ? 1 : 0);
+          if (slide->holds()) continue;
+          TEST_ASSERT(verdict.failure().find("slide 1.0e+00 exceeds 9.9e-01 at pair ") != std::string::npos);
+          TEST_ASSERT(verdict.failure().find("bodies 'lower' and 'upper'") != std::string::npos);
+        }
+}
+
+/// Glued blocks, the upper one drawn apart: the force of half a square's shear at two places.
+TEUCHOS_UNIT_TEST(FrictionAnswers, MissTheMomentAcrossAGap) {
+  for (const double gap : {0.01, 0.1, 0.2}) {
+    RubbingBlocks answer = blocks(Rubs::Glued, 2);
+    for (SubdomainMesh& mesh : answer.meshes)
+      for (int node = 0; mesh.body == answer.upper() && node < mesh.nodes(); ++node) mesh.coordinates[2 * std::size_t(node) + 1] += gap;
+    const Verification verdict = answer.verdict();
+    const Check* offset = find(verdict, "offset");
+    TEST_ASSERT(offset);
+    if (!offset) continue;
+    // Half of the sum of magnitudes: shear on two sides, the stress vector on top and on the joint.
+    const double stress = std::hypot(answer.pressure(), answer.shear()), force = 0.5 * (2 * answer.shear() + 2 * stress);
+    TEST_FLOATING_EQUALITY(offset->value, gap * answer.shear() / (force * std::sqrt(0.5)), 1e-6);
+    TEST_EQUALITY(offset->holds(), gap < 0.2);
+    TEST_EQUALITY(warningsOf(verdict), gap == 0.1 ? 1 : 0);
+  }
+}
+
+/// Normal forces that cancel but for what a solver leaves of them have no centre.
+TEUCHOS_UNIT_TEST(FrictionAnswers, HaveACentreOnlyWhereTheyPress) {
+  std::vector<PairResult> pairs(2);
+  for (PairResult& pair : pairs) pair.line = 0, pair.tangential = {1.0, 0, 0};
+  pairs[0].force = 0.5, pairs[1].force = -0.5 + 1e-12;
+  pairs[1].position = {1, 0, 0};
+  TEST_ASSERT(!contactResultants(pairs, 1, false)[0].presses());
+  pairs[1].force = 1.5;
+  const ContactResultant line = contactResultants(pairs, 1, false)[0];
+  TEST_ASSERT(line.presses());
+  TEST_FLOATING_EQUALITY(line.centre[0], 0.75, 1e-14);
 }
 
 TEUCHOS_UNIT_TEST(PairResult, OpensWithoutForceBoundOrWork) {

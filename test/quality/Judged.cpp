@@ -19,7 +19,7 @@ void Judged::take(const MonolithicResult& found) {
 }
 
 Verification Judged::verdict() const {
-  return verify(*world(), {all.meshes, all.model, displacement, pairs, scene.constraints.pieces, tolerance});
+  return verify(*world(), {all.meshes, all.model, displacement, pairs, scene.constraints.pieces, tolerance, {}, past});
 }
 
 double Judged::deformation(int body) const {

@@ -18,6 +18,7 @@ struct Judged {
   std::vector<Vector> displacement;
   std::vector<PairResult> pairs;  // on rank 0
   double tolerance = 1e-8;
+  std::vector<BodyForces> past{};  // on load steps before
 
   explicit Judged(const Scene& given);
   void take(const MonolithicResult& found);

@@ -21,6 +21,8 @@ CHECKS = {
     "friction": ("Tangential forces stay within their bounds; where sides slip they reach them, along the slip", "force through the body"),
     "slip": ("Pairs that stick or are glued do not slip", "force through the body, by stiffness"),
     "dissipation": ("No tangential force pushes against the slip", "force through the body"),
+    "slide": ("Sides still face the partners that they have in the mesh", "edge of an element"),
+    "offset": ("Contact forces act at one place, not across a gap", "force through the body times its size"),
     "controlled_loads": ("Loads of unknown amount reach their targets", "target"),
 }
 ERRORS = {

@@ -4,6 +4,7 @@
 #include <Teuchos_CommHelpers.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace suture {
 
@@ -67,8 +68,17 @@ void Reactions::finish(const Comm& comm, bool axisymmetric) {
   }
 }
 
+namespace {
+
+/// Part of the magnitudes of forces that is more than what the tolerance of a solver leaves of forces that cancel: a smaller resultant has
+/// no centre.
+constexpr double kPresses = 1e-6;
+
+}  // namespace
+
 std::vector<ContactResultant> contactResultants(const std::vector<PairResult>& pairs, int lines, bool axisymmetric) {
   std::vector<ContactResultant> all(lines);
+  std::vector<double> sizes(lines, 0.0);
   for (const PairResult& pair : pairs) {
     if (pair.line < 0 || pair.line >= lines) continue;
     ContactResultant& line = all[pair.line];
@@ -82,9 +92,12 @@ std::vector<ContactResultant> contactResultants(const std::vector<PairResult>& p
     if (pair.state.closed()) line.active += 1, line.closed += pair.length;
     line.onB.add(pair.position, pair.onB());
     line.pressing += pair.force;
+    sizes[pair.line] += norm(pair.onB());
     line.centre = plus(line.centre, scaled(pair.force, pair.position));
   }
-  for (ContactResultant& line : all) {
+  for (int i = 0; i < lines; ++i) {
+    ContactResultant& line = all[i];
+    if (std::abs(line.pressing) <= kPresses * sizes[i]) line.pressing = 0.0;
     if (line.presses()) line.centre = scaled(1.0 / line.pressing, line.centre);
     if (axisymmetric) line.onB.moment = {0, 0, 0};
   }
