@@ -133,16 +133,46 @@ Explanation explain(const std::string& name, const std::string& subject, const s
                                   "  This is a bug of Suture: please report it with the scene.\n"};
 }
 
+namespace {
+
+int freeMeeting(MPI_Comm parent, int, void* kept, void*) {
+  auto* meeting = static_cast<MPI_Comm*>(kept);
+  if (parent != MPI_COMM_WORLD && parent != MPI_COMM_SELF) MPI_Comm_free(meeting);  // those end in MPI_Finalize, and it with them
+  delete meeting;
+  return MPI_SUCCESS;
+}
+
+/// The communicator that `parent` keeps for its meetings, made where it has none. Collective.
+MPI_Comm meetingOf(MPI_Comm parent) {
+  static const int key = [] {
+    int made = MPI_KEYVAL_INVALID;
+    MPI_Comm_create_keyval(MPI_COMM_NULL_COPY_FN, freeMeeting, &made, nullptr);
+    return made;
+  }();
+  void* kept = nullptr;
+  int isKept = 0;
+  MPI_Comm_get_attr(parent, key, &kept, &isKept);
+  if (!isKept) {
+    auto made = std::make_unique<MPI_Comm>();
+    MPI_Comm_dup(parent, made.get());
+    MPI_Comm_set_attr(parent, key, made.get());
+    kept = made.release();
+  }
+  return *static_cast<MPI_Comm*>(kept);
+}
+
+}  // namespace
+
 struct MeetingPoint::Impl {
   MPI_Comm comm;
 };
 
 MeetingPoint::MeetingPoint(const Comm& comm) : impl_(std::make_unique<Impl>()) {
   const auto* mpi = dynamic_cast<const Teuchos::MpiComm<int>*>(&comm);
-  MPI_Comm_dup(mpi ? (*mpi->getRawMpiComm())() : MPI_COMM_SELF, &impl_->comm);
+  impl_->comm = meetingOf(mpi ? (*mpi->getRawMpiComm())() : MPI_COMM_SELF);
 }
 
-MeetingPoint::~MeetingPoint() { MPI_Comm_free(&impl_->comm); }
+MeetingPoint::~MeetingPoint() = default;
 
 Explanation MeetingPoint::settle(const Explanation& mine) const {
   const int code = int(mine.code);

@@ -33,7 +33,8 @@ struct Explanation {
 Explanation explain(const std::string& name, const std::string& subject, const std::exception& error);
 
 /// Where all ranks meet after a piece of work that may have thrown: on a communicator of its own, so that no message of work that was left
-/// behind can meet one of these. Construction and destruction are collective.
+/// behind can meet one of these. That communicator is kept by the given one and freed with it: Python destroys objects in another order on
+/// each rank. Construction is collective, destruction is local.
 class MeetingPoint {
  public:
   explicit MeetingPoint(const Comm& comm);

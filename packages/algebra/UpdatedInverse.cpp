@@ -133,4 +133,12 @@ double UpdatedInverse::bytesRead() const {
   return own > 0.0 ? own + 2.0 * (plus_.bytes() + minus_.bytes()) : 0.0;
 }
 
+std::shared_ptr<const LocalInverse> inverseUnder(const std::shared_ptr<const LocalInverse>& base, int rows, const std::vector<int>& from,
+                                                 const Matrix& constraints) {
+  bool isSame = static_cast<int>(from.size()) == rows;
+  for (std::size_t k = 0; k < from.size(); ++k) isSame = isSame && from[k] == static_cast<int>(k);
+  if (isSame) return base;
+  return UpdatedInverse::make(base, from, constraints);
+}
+
 }  // namespace suture

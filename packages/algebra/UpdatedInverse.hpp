@@ -33,4 +33,9 @@ class UpdatedInverse : public InverseWithBasis {
   mutable Vector gain_, loss_;  // work space
 };
 
+/// The inverse under other constraints: the base itself where they are the same in the same order, else UpdatedInverse::make(), with its
+/// null. Local. \param rows  number of the base's constraints;  \param from, constraints  as there
+std::shared_ptr<const LocalInverse> inverseUnder(const std::shared_ptr<const LocalInverse>& base, int rows, const std::vector<int>& from,
+                                                 const Matrix& constraints);
+
 }  // namespace suture

@@ -9,10 +9,7 @@ PrescribedParts prescribedParts(const Mesh& mesh, const Constraints& constraints
   parts.rules = constraints.prescribed;
   if (parts.empty()) return parts;
   Constraints alone = constraints;  // one part at a time closes gaps that are none
-  for (ContactPair& pair : alone.pairs) {
-    pair.gap = 0.0;
-    pair.past = {};
-  }
+  for (ContactPair& pair : alone.pairs) pair.gap = 0.0;
   for (const std::vector<RuleValue>& values : parts.rules) {
     for (NodeRule& rule : alone.rules) rule.value = {0, 0, 0};
     for (const RuleValue& value : values)

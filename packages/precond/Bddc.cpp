@@ -35,8 +35,7 @@ std::shared_ptr<const LocalInverse> updated(const std::shared_ptr<const LocalInv
   const auto kept = static_cast<int>(from.size() - std::count(from.begin(), from.end(), -1));
   const int changes = static_cast<int>(old.rows() + now.rows()) - 2 * kept;
   if (changes * kLeastSizeByChanges > now.cols()) return nullptr;
-  if (changes == 0 && std::is_sorted(from.begin(), from.end())) return base;
-  return UpdatedInverse::make(base, from, Matrix(now));
+  return inverseUnder(base, static_cast<int>(old.rows()), from, Matrix(now));
 }
 
 }  // namespace

@@ -1,9 +1,9 @@
 #include <suture/base/Gather.hpp>
 #include <suture/base/Point.hpp>
-#include <suture/mesh/BoxTree.hpp>
 #include <suture/mesh/CellGeometry.hpp>
 #include <suture/mesh/Outline.hpp>
 #include <suture/mesh/SideGeometry.hpp>
+#include <suture/quality/BodyOutline.hpp>
 #include <suture/quality/Overlaps.hpp>
 
 #include <Teuchos_CommHelpers.hpp>
@@ -18,140 +18,10 @@ namespace suture {
 
 namespace {
 
-constexpr double kInside = 0.01;     // part of a side that is a depth
-constexpr double kPassed = 0.5;      // part of a side by which sides of a contact have passed through each other
-constexpr double kSmooth = 0.8;      // between normals of sides that meet, from which on there is a corner: 46 degrees
-constexpr double kSafe = 0.25;       // times the turn to the next side and the length: twice what the side cuts off an arc
-constexpr double kSamePoint = 1e-9;  // part of a side
-
-/// A straight piece of an outline: a segment, in space a triangle.
-struct Facet {
-  int body = -1, group = -1;
-  std::array<Point, 3> corners{};
-  Point normal{0, 0, 0};
-  double size = 0.0;   // longest edge [length]
-  double bulge = 0.0;  // by which the curve of its nodes may lie beside it [length]
-  std::vector<int> contacts;
-
-  template <typename Self, typename Each>
-  static void forEachField(Self& self, const Each& each) {
-    each(self.body), each(self.group), each(self.corners), each(self.normal), each(self.size), each(self.bulge), each(self.contacts);
-  }
-};
-
-BoundingBox boxOf(const Facet& facet, int corners) {
-  BoundingBox box;
-  for (int k = 0; k < corners; ++k) box.include(facet.corners[k]);
-  return box;
-}
-
-bool meet(const BoundingBox& a, const BoundingBox& b) {
-  for (int k = 0; k < 3; ++k)
-    if (a.low[k] > b.high[k] || b.low[k] > a.high[k]) return false;
-  return true;
-}
-
-/// Nearest point of a facet, and the angle under which the facet is seen from there: what its normal counts in the sense of the nearest
-/// normal (Baerentzen and Aanaes 2005).
-struct Nearest {
-  Point point{0, 0, 0};
-  double angle = 0.0;
-  bool onRim = false;
-};
-
-constexpr double kHalfTurn = 3.14159265358979323846;
-
-Nearest onSegment(const Point& a, const Point& b, const Point& p) {
-  const Point along = minus(b, a);
-  const double t = dot(minus(p, a), along) / dot(along, along);
-  if (t <= 0.0) return {a, kHalfTurn, true};
-  if (t >= 1.0) return {b, kHalfTurn, true};
-  return {plus(a, scaled(t, along)), kHalfTurn, false};
-}
-
-Nearest onTriangle(const std::array<Point, 3>& corners, const Point& normal, const Point& p) {
-  bool inside = true;
-  Nearest best;
-  double least = std::numeric_limits<double>::infinity();
-  for (int k = 0; k < 3; ++k) {
-    const Point &a = corners[k], &b = corners[(k + 1) % 3], &c = corners[(k + 2) % 3];
-    if (dot(cross(minus(b, a), minus(p, a)), normal) > 0.0) continue;
-    inside = false;
-    Nearest found = onSegment(a, b, p);
-    if (found.point == a)
-      found.angle = angleBetween(minus(b, a), minus(c, a));
-    else if (found.point == b)
-      found.angle = angleBetween(minus(a, b), minus(c, b));
-    found.onRim = true;
-    const double away = norm(minus(found.point, p));
-    if (away < least) least = away, best = found;
-  }
-  if (!inside) return best;
-  return {minus(p, scaled(dot(minus(p, corners[0]), normal), normal)), 2.0 * kHalfTurn, false};
-}
-
-/// The facets of one body, all of them.
-class BodyOutline {
- public:
-  BodyOutline(int dimension, std::vector<const Facet*> facets) : dimension_(dimension), facets_(std::move(facets)), tree_(boxes()) {}
-
-  struct Depth {
-    double size = 0.0;  // negative outside [length]
-    const Facet* nearest = nullptr;
-  };
-  Depth depthAt(const Point& p) const {
-    const auto distance = [&](int i) { return norm(minus(nearestOn(i, p).point, p)); };
-    const int at = tree_.nearest(p, distance);
-    const Nearest nearest = nearestOn(at, p);
-    const Point way = minus(p, nearest.point);
-    Point sense = facets_[at]->normal;
-    if (nearest.onRim) {
-      const double reach = kSamePoint * facets_[at]->size;
-      sense = {0, 0, 0};
-      for (const int i : tree_.find([&](const BoundingBox& box) { return box.distance(nearest.point) <= reach; })) {
-        const Nearest other = nearestOn(i, nearest.point);
-        if (norm(minus(other.point, nearest.point)) <= reach) sense = plus(sense, scaled(other.angle, facets_[i]->normal));
-      }
-    }
-    return {dot(way, sense) < 0.0 ? norm(way) : -norm(way), facets_[at]};
-  }
-
-  /// Where a segment passes through facets: parts of its length, ascending.
-  std::vector<double> crossings(const Point& a, const Point& b) const {
-    BoundingBox box;
-    box.include(a);
-    box.include(b);
-    std::vector<double> all;
-    for (const int i : tree_.find([&](const BoundingBox& other) { return meet(box, other); }))
-      if (const double t = crossing(*facets_[i], a, b); t > 0.0 && t < 1.0) all.push_back(t);
-    std::sort(all.begin(), all.end());
-    return all;
-  }
-
- private:
-  std::vector<BoundingBox> boxes() const {
-    std::vector<BoundingBox> all;
-    for (const Facet* facet : facets_) all.push_back(boxOf(*facet, dimension_));
-    return all;
-  }
-  Nearest nearestOn(int i, const Point& p) const {
-    const Facet& facet = *facets_[i];
-    return dimension_ == 2 ? onSegment(facet.corners[0], facet.corners[1], p) : onTriangle(facet.corners, facet.normal, p);
-  }
-  /// Part of the way from a to b; negative: nowhere.
-  double crossing(const Facet& facet, const Point& a, const Point& b) const {
-    const double before = dot(minus(a, facet.corners[0]), facet.normal), after = dot(minus(b, facet.corners[0]), facet.normal);
-    if ((before > 0.0) == (after > 0.0) || before == after) return -1.0;
-    const double t = before / (before - after);
-    const Point p = plus(a, scaled(t, minus(b, a)));
-    const Nearest nearest = dimension_ == 2 ? onSegment(facet.corners[0], facet.corners[1], p) : onTriangle(facet.corners, facet.normal, p);
-    return norm(minus(nearest.point, p)) <= kSamePoint * facet.size ? t : -1.0;
-  }
-
-  int dimension_;
-  std::vector<const Facet*> facets_;
-  BoxTree tree_;
-};
+constexpr double kInside = 0.01;  // part of a side that is a depth
+constexpr double kPassed = 0.5;   // part of a side by which sides of a contact have passed through each other
+constexpr double kSmooth = 0.8;   // between normals of sides that meet, from which on there is a corner: 46 degrees
+constexpr double kSafe = 0.25;    // times the turn to the next side and the length: twice what the side cuts off an arc
 
 /// First number that both have, ascending; -1: none.
 int common(const std::vector<int>& a, const std::vector<int>& b) {

@@ -105,6 +105,13 @@ Json neutralMotions(const std::vector<NeutralMotion>& motions) {
   return all;
 }
 
+Json sharedForces(const std::vector<UndeterminedForces>& forces) {
+  Json all = Json::array();
+  for (const UndeterminedForces& one : forces)
+    all.push_back({{"contacts", one.contacts}, {"pairs", one.pairs}, {"determined_totals", one.totals}});
+  return all;
+}
+
 Json verification(const Verification& verdict) {
   Json all = Json::object();
   for (const Check& check : verdict.checks) all[check.name] = {{"value", check.value}, {"bound", check.bound}, {"where", check.where}};
@@ -193,6 +200,7 @@ std::string summaryText(const Run& run, const RunFigures& figures, ExitCode code
           {"lowest_eigenvalue", known(answer.lowestEigenvalue)}}},
         {"contact", contact(run, dimension)},
         {"neutral_motions", neutralMotions(answer.neutral)},
+        {"undetermined_forces", sharedForces(answer.sharedForces)},
         {"energy", answer.energy},
         {"max_displacement", figures.largestDisplacement},
         {"equilibrium",

@@ -6,6 +6,7 @@
 #include <suture/simulation/LoadControl.hpp>
 #include <suture/simulation/LoadPath.hpp>
 #include <suture/solvability/NeutralMotions.hpp>
+#include <suture/solvability/UndeterminedForces.hpp>
 #include <suture/solver/accuracy/RequestedAccuracy.hpp>
 
 #include <Teuchos_Comm.hpp>
@@ -24,6 +25,8 @@ bool wantsNodalStresses(const Parameters& settings) { return settings.sublist("O
 void settleMotions(const Comm& comm, std::vector<SubdomainMesh>& meshes, const std::vector<ContactPiece>& pieces, const Scene& scene,
                    Solution& solution, Monitor& monitor) {
   if (solution.converged) settleNeutralMotions(comm, meshes, scene.model, scene.laws, solution);
+  if (solution.converged) settleContactForces(comm, meshes, scene.laws, scene.contacts, solution);
+  for (const UndeterminedForces& forces : solution.sharedForces) monitor.note(inWords(forces));
   if (comm.getRank() == 0) solution.onAxis = axisResults(pieces, solution.pairs);
   for (const NeutralMotion& motion : solution.neutral) monitor.note(inWords(motion));
   if (scene.settings().sublist("Outer Solver").get<std::string>("Neutral Motions") != "Least")

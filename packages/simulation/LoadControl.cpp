@@ -19,7 +19,7 @@ namespace suture {
 namespace {
 
 constexpr int kMostSteps = 30;
-constexpr double kReached = 1e-8;     // least misfit over the target, or over the largest value on the way
+constexpr double kReached = 1e-8;     // least misfit over its size: sizeOf()
 constexpr double kAccuracy = 10.0;    // misfit over the accuracy of the solutions
 constexpr double kMissed = 100.0;     // misfit of a refused answer over that at which the search ends
 constexpr double kFirstPull = 1e-2;   // first step over that of a block of the stiffest material
@@ -43,6 +43,21 @@ std::string number(double value) {
 }
 
 std::string quantityOf(const Load& load) { return load.control == Control::SectionForce ? "the section force" : "the mean displacement"; }
+
+double largestDisplacement(const Comm& comm, const Solution& solution) {
+  double mine = 0.0, all = 0.0;
+  for (const Vector& u : solution.displacement)
+    if (u.size() > 0) mine = std::max(mine, u.lpNorm<Eigen::Infinity>());
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, mine, Teuchos::outArg(all));
+  return all;
+}
+
+/// Size by which a misfit is measured. Displacements are as accurate as the largest of them: a target of zero, or close to it beside
+/// another one, has no digits of its own.
+double sizeOf(const Load& load, double value, double displacement) {
+  if (load.control != Control::SectionForce) return std::max(std::abs(load.target), displacement);
+  return load.target != 0.0 ? std::abs(load.target) : std::abs(value);
+}
 
 /// The search for the amounts of a scene.
 class Search {
@@ -112,6 +127,7 @@ class Search {
     if (!solution.converged)
       throw NumericalError("step " + std::to_string(steps_) + " towards the target of " + nameOf(load(0)) + ": " + solution.failure);
     reached_ = std::max(kReached, kAccuracy * requestedAccuracy(scene_.settings(), solution));
+    displacement_ = largestDisplacement(*comm_, solution);
     Vector misfit(size_);
     for (Eigen::Index i = 0; i < size_; ++i) {
       const double value = controlledValue(*comm_, simulation.meshes(), scene_.model, solution.displacement, load(i));
@@ -129,10 +145,8 @@ class Search {
   }
 
   bool isReached(const Vector& misfit) const {
-    for (Eigen::Index i = 0; i < size_; ++i) {
-      const double size = load(i).target != 0.0 ? std::abs(load(i).target) : largest_[i];
-      if (!(std::abs(misfit[i]) <= reached_ * size)) return false;
-    }
+    for (Eigen::Index i = 0; i < size_; ++i)
+      if (!(std::abs(misfit[i]) <= reached_ * sizeOf(load(i), largest_[i], displacement_))) return false;
     return true;
   }
 
@@ -151,7 +165,7 @@ class Search {
   Eigen::Index size_;
   Vector amounts_, largest_, expected_;
   Matrix slopes_;  // derivatives of the values by the amounts
-  double reached_ = kReached;
+  double reached_ = kReached, displacement_ = 0.0;
   int steps_ = 0;
 };
 
@@ -166,15 +180,13 @@ void controlLoads(const CommPtr& comm, Scene& scene, const std::vector<Subdomain
 }
 
 Check targetCheck(const Comm& comm, const Scene& scene, const std::vector<SubdomainMesh>& meshes, const Solution& solution) {
-  double largest = 0.0, most = 0.0;
-  for (const Vector& u : solution.displacement) largest = std::max(largest, u.lpNorm<Eigen::Infinity>());
-  Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, largest, Teuchos::outArg(most));
+  const double most = largestDisplacement(comm, solution);
   Check check{"controlled_loads", 0.0, kMissed * std::max(kReached, kAccuracy * requestedAccuracy(scene.settings(), solution)), "",
               "a smaller Outer Solver/Tolerance"};
   for (const std::size_t l : controlled(scene.model)) {
     const Load& load = scene.model.loads[l];
     const double value = controlledValue(comm, meshes, scene.model, solution.displacement, load);
-    const double size = load.target != 0.0 ? std::abs(load.target) : load.control == Control::SectionForce ? std::abs(value) : most;
+    const double size = sizeOf(load, value, most);
     const double missed = size > 0.0 ? std::abs(value - load.target) / size : 0.0;
     if (missed <= check.value) continue;
     check.value = missed;

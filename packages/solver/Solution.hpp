@@ -20,10 +20,23 @@ struct NeutralMotion {
   bool least = true;        ///< the least displacement is kept; with friction, where the way there tells, it stays as it was found
 };
 
+/// Contact forces that equilibrium does not determine: pairs of these contacts can share their forces in several ways.
+struct UndeterminedForces {
+  std::vector<std::string> contacts;  ///< in the order of the scene
+  int pairs = 0;                      ///< whose forces are concerned
+  std::vector<std::string> totals;    ///< contacts among them whose total force is determined all the same
+
+  template <typename Self, typename Each>
+  static void forEachField(Self& self, const Each& each) {
+    each(self.contacts), each(self.pairs), each(self.totals);
+  }
+};
+
 /// The answer of a run and the figures that summary.json reports.
 struct Solution : OuterFigures {
   std::string undetermined;            ///< bodies that are free to move at the solution, where the scene does not allow that; else empty
   std::vector<NeutralMotion> neutral;  ///< see settleNeutralMotions()
+  std::vector<UndeterminedForces> sharedForces;  ///< see settleContactForces()
   /// One vector for each subdomain of this rank, in the order of distribute(), beside its lift: node-major, Cartesian [length].
   std::vector<Vector> displacement;
   std::map<int, Matrix> ownStresses;  ///< Subdomain::stresses() of those of this rank with physics of their own, by place

@@ -147,6 +147,14 @@ std::vector<double> listOf(const py::object& values) {
   return {all.data(), all.data() + all.size()};
 }
 
+/// Gives a run values at a surface. Those of all ranks are known to be numbers before any rank begins: what follows is collective.
+template <void (Simulation::*give)(const CouplingSurface&, const std::vector<double>&)>
+void given(PythonRun& run, const CouplingSurface& at, const py::object& values) {
+  std::vector<double> numbers;
+  run.doTogether([&](Simulation&) { numbers = listOf(values); });
+  run.doTogether([&](Simulation& simulation) { (simulation.*give)(at, numbers); });
+}
+
 void bindSurface(py::module_& module) {
   const auto matrix = [](const py::object& self, const std::vector<double>& values) {
     const auto dimension = static_cast<py::ssize_t>(self.cast<const CouplingSurface&>().dimension);
@@ -193,18 +201,9 @@ void bindRuns(py::module_& module) {
              self.doTogether([&](Simulation& simulation) { surface = simulation.coupling(group); });
              return surface;
            })
-      .def("set_forces",
-           [](PythonRun& self, const CouplingSurface& at, const py::object& values) {
-             self.doTogether([&](Simulation& simulation) { simulation.setForces(at, listOf(values)); });
-           })
-      .def("set_tractions",
-           [](PythonRun& self, const CouplingSurface& at, const py::object& values) {
-             self.doTogether([&](Simulation& simulation) { simulation.setTractions(at, listOf(values)); });
-           })
-      .def("set_displacements",
-           [](PythonRun& self, const CouplingSurface& at, const py::object& values) {
-             self.doTogether([&](Simulation& simulation) { simulation.setDisplacements(at, listOf(values)); });
-           })
+      .def("set_forces", given<&Simulation::setForces>)
+      .def("set_tractions", given<&Simulation::setTractions>)
+      .def("set_displacements", given<&Simulation::setDisplacements>)
       .def("solve_again", &PythonRun::solveAgain)
       .def("advance", [](PythonRun& self) { self.doTogether([](Simulation& simulation) { simulation.advance(); }); })
       .def("displacements", &displacementsOf)

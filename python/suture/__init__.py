@@ -54,9 +54,9 @@ class Result:
 
 def _scene(scene, comm):
     """Text, name and folder of a scene that is no dictionary, the same on all ranks. An error of one rank is one of all."""
-    if isinstance(scene, str) and scene.lstrip().startswith("<"):
+    if scene.lstrip().startswith("<"):
         return scene, "the scene", ""
-    path, text, problem = os.fspath(scene), None, None
+    path, text, problem = scene, None, None
     if comm.rank == 0:
         try:
             with open(path, encoding="utf-8", errors="surrogateescape") as file:
@@ -72,8 +72,8 @@ def _scene(scene, comm):
 
 
 def _run(scene, comm, changes, show):
-    text, changed = _suture.together(comm, lambda: (to_xml(scene) if isinstance(scene, dict) else scene, assignments(changes)))
-    return _suture.Run(comm, *((text, "the scene", "") if isinstance(scene, dict) else _scene(scene, comm)), changed, show)
+    given, changed = _suture.together(comm, lambda: (to_xml(scene) if isinstance(scene, dict) else os.fspath(scene), assignments(changes)))
+    return _suture.Run(comm, *((given, "the scene", "") if isinstance(scene, dict) else _scene(given, comm)), changed, show)
 
 
 def solve(scene, comm=None, set=None, output=None, restart="", show=False, check=True):  # noqa: A002
@@ -84,7 +84,7 @@ def solve(scene, comm=None, set=None, output=None, restart="", show=False, check
     Raises NotConverged where the answer does not hold, unless check is False; InputError, EnvironmentError, ... as they are met."""
     comm = MPI.COMM_WORLD if comm is None else comm
     run = _run(scene, comm, set, show)
-    run.solve(None if output is None else os.fspath(output), os.fspath(restart))
+    run.solve(*_suture.together(comm, lambda: (None if output is None else os.fspath(output), os.fspath(restart))))
     result = Result(run, comm)
     if check and not result.converged:
         raise NotConverged(result)
@@ -157,7 +157,8 @@ def study(file, comm=None, set=None, only=(), output="", show=False):  # noqa: A
 
     Returns the rows of its table, as dictionaries, on all ranks, and the exit code: 0, or 4 where a run failed or a band is missed."""
     comm = MPI.COMM_WORLD if comm is None else comm
-    code, folder = _suture.run_study(comm, os.fspath(file), os.fspath(output), assignments(set), list(only), not show)
+    given = _suture.together(comm, lambda: (os.fspath(file), os.fspath(output), assignments(set), list(only)))
+    code, folder = _suture.run_study(comm, *given, not show)
 
     def read():
         if comm.rank != 0:

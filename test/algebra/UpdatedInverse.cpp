@@ -77,6 +77,18 @@ TEUCHOS_UNIT_TEST(UpdatedInverse, OfAnUpdateIsOneToo) {
   TEST_COMPARE((applied(*twice, Matrix::Identity(n, n)) - expected.inverse).norm(), <, 1e-10 * expected.inverse.norm());
 }
 
+TEUCHOS_UNIT_TEST(UpdatedInverse, IsTheBaseForTheSameRowsInTheSameOrderOnly) {
+  const int n = 14;
+  const auto first = base(n, 1, 1.0);
+  TEST_ASSERT(inverseUnder(first, 5, {0, 1, 2, 3, 4}, changed(n, {0, 1, 2, 3, 4})) == first);
+  for (const std::vector<int>& from : {std::vector<int>{4, 2, 0, 1, 3}, {0, 1, 2, 3}, {0, 1, 2, 3, 4, -1}}) {
+    const Matrix c = changed(n, from);
+    const auto found = inverseUnder(first, 5, from, c);
+    TEST_ASSERT(found != nullptr && found != first);
+    if (found) TEST_COMPARE((found->basis() - Saddle(semidefinite(n, 1, 1.0), c).basis).norm(), <, 1e-9);
+  }
+}
+
 TEUCHOS_UNIT_TEST(UpdatedInverse, IsRefusedWhereItWouldBeInaccurate) {
   const int n = 14;
   // two rows hold no kernel of dimension three

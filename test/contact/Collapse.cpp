@@ -76,7 +76,7 @@ TEUCHOS_UNIT_TEST(Collapse, FindsTheMultipleOfFrictionThatHoldsAPressFit) {
       ++found;
       TEST_EQUALITY(result.motion.size(), 1);
       TEST_COMPARE(result.motion(0), >, 0.0);
-      TEST_FLOATING_EQUALITY(result.multiple, 1.15, 2e-3);
+      TEST_FLOATING_EQUALITY(result.multiple, 1.15, 5e-3);  // it ends when a step changes it by 1e-3; steps fall by .8 at least
     }
   TEST_EQUALITY(held, 20);
   TEST_COMPARE(found, >=, 18);

@@ -115,6 +115,12 @@ class Callbacks(unittest.TestCase):
             self.same_everywhere(lambda: coupling.set_forces(surface, given), kind, text)
         coupling.solve()
 
+    def test_paths_that_are_wrong_on_one_rank_are_wrong_on_all(self):
+        wrong = 1 if WORLD.rank == WORLD.size - 1 else None
+        self.same_everywhere(lambda: suture.solve(scene(), output=wrong), TypeError, "")
+        self.same_everywhere(lambda: suture.study("none.xml", output=wrong or ""), TypeError, "")
+        self.same_everywhere(lambda: suture.solve(wrong or "none.xml"), TypeError, "")
+
     def test_a_wrong_order_is_an_error(self):
         coupling = suture.Coupling(scene())
         surface = coupling.surface("a_right")

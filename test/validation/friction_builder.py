@@ -53,6 +53,7 @@ class Scene:
         self.model = "Solid" if self.d == 3 else r.choice(["Plane Strain", "Plane Strain", "Plane Stress"])
         self.jump = r.uniform(0, 4) if r.random() < 0.4 else 0.0
         self.subdomains = r.randint(4, 16)
+        self.times, self.factors = [], {}  # of load steps: factors by place of the condition
 
     # Bodies ----------------------------------------------------------------------------------------------------------------------------
     def cells(self, *numbers):
@@ -157,11 +158,11 @@ class Scene:
         text = lambda name, value: parameter(name, "string", value)
         reals = lambda name, values: parameter(name, "Array(double)", "{%s}" % ", ".join("%.17g" % v for v in values))
         inner = lambda name, lines: ['<ParameterList name="%s">' % name, *("  " + line for line in lines), "</ParameterList>"]
+        groups = lambda name, given: text(name, given) if isinstance(given, str) else parameter(name, "Array(string)", "{%s}" % ", ".join(given))
         scaled = lambda factor, vector: [factor * v for v in self.turned(vector)]
         lines = [text("Title", self.title), text("Model", self.model), *inner("Mesh", [text("File", "mesh.msh")])]
         lines += inner("Bodies", sum((inner(name, [text("Material", "m" + name)]) for name in self.bodies), []))
-        material = lambda young: [real("Young Modulus", young * self.stress), real("Poisson Ratio", self.poisson)]
-        lines += inner("Materials", sum((inner("m" + name, material(young)) for name, young in self.bodies.items()), []))
+        lines += inner("Materials", sum((inner("m" + name, self.material(name, young * self.stress)) for name, young in self.bodies.items()), []))
         conditions = []
         for k, (group, kind, value, linear) in enumerate(self.conditions):
             own = [text("Body" if kind == "Body Force" else "Group", group), text("Type", kind)]
@@ -171,6 +172,12 @@ class Scene:
                 own.append(reals("Value", scaled(self.length, value)))
             elif kind == "Pressure":
                 own.append(real("Value", self.stress * value))
+            elif kind == "Mean Displacement":
+                own += [reals("Value", scaled(self.length, value))]
+            elif kind == "Preload":
+                axis, length, force = value
+                own = [text("Body", group), text("Type", kind), reals("Direction", scaled(1.0, axis)), real("Length", length * self.length),
+                       reals("Value", [force * self.stress * self.length ** (self.d - 1)])]
             elif kind in ("Traction", "Body Force"):
                 own.append(reals("Value", scaled(self.stress / (self.length if kind == "Body Force" else 1.0), value)))
             conditions += inner("c%d" % k, own)
@@ -178,7 +185,7 @@ class Scene:
         contacts = []
         for k, c in enumerate(self.contacts):
             law = c["law"]
-            own = [text("Side A", c["a"]), text("Law", law.kind)]
+            own = [groups("Side A", c["a"]), text("Law", law.kind)]
             if law.kind == "Coulomb":
                 own += inner("Coulomb", [text("Coefficient", "%.17g" % law.mu)]
                              + ([text("Cohesion", "%.17g" % (law.cohesion * self.load * self.stress))] if law.cohesion else []))
@@ -187,7 +194,7 @@ class Scene:
             if c["gap"] is not None:
                 own.append(text("Initial Gap", "%.17g" % (c["gap"] * self.length)))
             if "b" in c:
-                own.append(text("Side B", c["b"]))
+                own.append(groups("Side B", c["b"]))
             else:
                 own.append(text("Obstacle", c["obstacle"]))
                 own += inner(c["obstacle"], [reals("Point", scaled(self.length, c["point"])), reals("Normal", scaled(1.0, c["normal"]))]
@@ -196,10 +203,18 @@ class Scene:
                               parameter("Hollow", "bool", str(c["hollow"]).lower())])
             contacts += inner("k%d" % k, own)
         lines += inner("Contact", contacts)
+        if self.times:
+            factors = [text("c%d" % k, "{%s}" % ", ".join("%.17g" % f for f in values)) for k, values in sorted(self.factors.items())]
+            lines += inner("Load Steps", [reals("Times", self.times), *inner("Factors", factors)])
         subdomains = max(len(self.bodies), min(self.subdomains, self.volumes() // 8))
         lines += inner("Partition", [text("Type", "METIS"), *inner("METIS", [text("Subdomains", "%d" % subdomains)])])
         with open(os.path.join(folder, "scene.xml"), "w") as file:
             file.write("\n".join(inner("Suture", lines)) + "\n")
+
+    def material(self, name, young):
+        """Lines of a body's material."""
+        return ['<Parameter name="Young Modulus" type="double" value="%.17g"/>' % young,
+                '<Parameter name="Poisson Ratio" type="double" value="%.17g"/>' % self.poisson]
 
     def volumes(self):
         names = {number for (dimension, _), number in self.mesh.groups.items() if dimension == self.d}

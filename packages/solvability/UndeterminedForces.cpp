@@ -1,0 +1,332 @@
+#include <suture/algebra/dense/Decompositions.hpp>
+#include <suture/base/Collective.hpp>
+#include <suture/base/Gather.hpp>
+#include <suture/base/Point.hpp>
+#include <suture/pairing/PairFrame.hpp>
+#include <suture/solvability/SharedForces.hpp>
+#include <suture/solvability/UndeterminedForces.hpp>
+
+#include <Teuchos_Comm.hpp>
+#include <Teuchos_CommHelpers.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <set>
+
+namespace suture {
+
+namespace {
+
+constexpr double kHoldsAlone = 1e-3;    // least singular value, relative, of a pair's rows at a node of its own
+constexpr double kAllowed = 1e-12;      // part of the largest force by which one may be outside its law
+constexpr double kSameTotal = 1e-9;     // part of a contact's total that a null vector may change it by
+constexpr double kPushedAside = 1e150;  // slip, as a force, that no finite bound holds
+
+using Rows = std::vector<const ContactRow*>;
+
+/// Rows without those that cannot share their forces. A node that only one pair has takes all forces of that pair, if its rows are
+/// independent there; the pair goes, and its other nodes have one pair less. All pairs are taken as stuck: with fewer rows there are no
+/// more null vectors.
+class Peeling {
+ public:
+  Peeling(const Rows& rows, int dimension) : rows_(rows), dimension_(dimension), isLeft_(rows.size(), 1) {
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      std::set<GlobalId> nodes;
+      for (const ContactRow::Equation& equation : rows[i]->equations)
+        for (const GlobalId dof : equation.dofs) nodes.insert(dof / dimension_);
+      for (const GlobalId node : nodes) at_[node].insert(i);
+    }
+  }
+
+  Rows run() {
+    std::vector<GlobalId> alone;
+    for (const auto& [node, pairs] : at_)
+      if (pairs.size() == 1) alone.push_back(node);
+    while (!alone.empty()) {
+      const GlobalId node = alone.back();
+      alone.pop_back();
+      if (at_[node].size() != 1) continue;
+      const std::size_t pair = *at_[node].begin();
+      if (!isHeldAt(*rows_[pair], node)) continue;
+      isLeft_[pair] = 0;
+      for (const ContactRow::Equation& equation : rows_[pair]->equations)
+        for (const GlobalId dof : equation.dofs) {
+          std::set<std::size_t>& others = at_[dof / dimension_];
+          if (others.erase(pair) > 0 && others.size() == 1) alone.push_back(dof / dimension_);
+        }
+    }
+    Rows left;
+    for (std::size_t i = 0; i < rows_.size(); ++i)
+      if (isLeft_[i]) left.push_back(rows_[i]);
+    return left;
+  }
+
+ private:
+  bool isHeldAt(const ContactRow& row, GlobalId node) const {
+    Matrix at = Matrix::Zero(Eigen::Index(row.equations.size()), dimension_);
+    double largest = 0.0;
+    for (std::size_t k = 0; k < row.equations.size(); ++k)
+      for (std::size_t i = 0; i < row.equations[k].dofs.size(); ++i) {
+        const double coefficient = row.equations[k].coefficients[i];
+        largest = std::max(largest, std::abs(coefficient));
+        if (row.equations[k].dofs[i] / dimension_ == node)
+          at(Eigen::Index(k), Eigen::Index(row.equations[k].dofs[i] % dimension_)) = coefficient;
+      }
+    if (at.rows() == 1) return at.norm() > kHoldsAlone * largest;
+    return singularValues(at).values.tail(1)(0) > kHoldsAlone * largest;
+  }
+
+  const Rows& rows_;
+  GlobalId dimension_;
+  std::vector<char> isLeft_;
+  std::map<GlobalId, std::set<std::size_t>> at_;  // node -> places of rows
+};
+
+/// Rows of this rank that may share their forces with others, each on one rank.
+std::vector<ContactRow> rowsInDoubt(const std::vector<SubdomainMesh>& meshes) {
+  std::map<int, const ContactRow*> all;
+  std::set<int> mine;
+  int dimension = 2;
+  for (const SubdomainMesh& mesh : meshes) {
+    dimension = mesh.dimension;
+    for (const ContactRow& row : mesh.contactRows) all.emplace(row.pair.id, &row);
+    for (const SubdomainMesh::ContactEnd& end : mesh.contactEnds)
+      if (end.end == 0 && counts(mesh, end.node)) mine.insert(end.pair);
+  }
+  Rows rows;
+  for (const auto& [id, row] : all) rows.push_back(row);
+  std::vector<ContactRow> found;
+  for (const ContactRow* row : Peeling(rows, dimension).run())
+    if (mine.count(row->pair.id)) found.push_back(*row);
+  return found;
+}
+
+/// The closed pairs of a solution whose rows are in doubt, on one rank.
+class ClosedPairs {
+ public:
+  ClosedPairs(const std::vector<ContactRow>& rows, int dimension, const ContactLaws& laws, std::vector<PairResult>& pairs)
+      : laws_(laws), pairs_(pairs) {
+    for (const ContactRow& row : rows) {
+      const PairResult& pair = pairs.at(std::size_t(row.pair.id));
+      if (!pair.state.closed()) continue;
+      const std::vector<Point> frame = pairFrame(row.pair, dimension);
+      frames_[pair.id] = frame;
+      slipped_[pair.id] = row.pair.past.slipped;
+      const double unit = pair.length > 0.0 ? std::sqrt(pair.length) : 1.0;
+      for (std::size_t k = 0; k < row.equations.size(); ++k) {
+        if (!pair.state.holds(static_cast<int>(k))) continue;
+        ForceColumn column{pair.id, {}};
+        Point direction = frame[k];
+        add(row.equations[k], unit, column);
+        if (k == 0 && pair.state.drags())
+          for (std::size_t t = 1; t < row.equations.size(); ++t) {
+            const double part = pair.state.friction * pair.state.direction[t];
+            add(row.equations[t], unit * part, column);
+            direction = plus(direction, scaled(part, frame[t]));
+          }
+        columns_.push_back(column);
+        amplitudes_.push_back((k == 0 ? pair.force : dot(pair.tangential, frame[k])) / unit);
+        places_.push_back({pair.id, static_cast<int>(k), unit, direction});
+      }
+    }
+  }
+
+  const std::vector<ForceColumn>& columns() const { return columns_; }
+
+  /// Gives the pairs of some columns their least forces. \return the same, as pairs and contacts
+  UndeterminedForces settle(const SharedForces& shared, const std::vector<std::string>& contacts) {
+    Vector amplitudes(Eigen::Index(shared.columns.size()));
+    for (std::size_t i = 0; i < shared.columns.size(); ++i) amplitudes(Eigen::Index(i)) = amplitudes_[std::size_t(shared.columns[i])];
+    const double largest = amplitudes.size() > 0 ? amplitudes.cwiseAbs().maxCoeff() : 0.0;
+    const Vector least = leastAmplitudes(shared, amplitudes, [&](const Vector& now) { return violated(shared, now, kAllowed * largest); });
+    UndeterminedForces found;
+    std::set<int> ids, lines;
+    bool isNormal = false;
+    for (std::size_t i = 0; i < shared.columns.size(); ++i) {
+      const Place& place = places_[std::size_t(shared.columns[i])];
+      take(place, least(Eigen::Index(i)));
+      if (shared.basis.row(Eigen::Index(i)).norm() <= kSameTotal) continue;
+      isNormal = isNormal || place.component == 0;
+      ids.insert(place.pair);
+      lines.insert(pairs_[std::size_t(place.pair)].line);
+    }
+    found.pairs = static_cast<int>(ids.size());
+    // A pair that is held along its sides on both of them, as in a plane of symmetry: its tangential force there is nothing to the user.
+    if (!isNormal && ids.size() < 2) return {};
+    for (const int line : lines) {
+      found.contacts.push_back(contacts.at(std::size_t(line)));
+      if (isTotalDetermined(shared, line)) found.totals.push_back(found.contacts.back());
+    }
+    return found;
+  }
+
+ private:
+  struct Place {
+    int pair, component;
+    double unit;      // of its amplitude [root of length or area]
+    Point direction;  // of the force on side B
+  };
+
+  static void add(const ContactRow::Equation& equation, double factor, ForceColumn& column) {
+    for (std::size_t i = 0; i < equation.dofs.size(); ++i) column.entries.emplace_back(equation.dofs[i], factor * equation.coefficients[i]);
+  }
+
+  void take(const Place& place, double amplitude) {
+    PairResult& pair = pairs_[std::size_t(place.pair)];
+    const double force = amplitude * place.unit;
+    const std::vector<Point>& frame = frames_.at(place.pair);
+    if (place.component > 0) {
+      pair.tangential = plus(
+          pair.tangential, scaled(force - dot(pair.tangential, frame[std::size_t(place.component)]), frame[std::size_t(place.component)]));
+      return;
+    }
+    if (pair.state.drags())
+      for (std::size_t t = 1; t < frame.size(); ++t)
+        pair.tangential = plus(pair.tangential, scaled((force - pair.force) * pair.state.friction * pair.state.direction[t], frame[t]));
+    pair.force = force;
+  }
+
+  bool isTotalDetermined(const SharedForces& shared, int line) const {
+    Matrix total = Matrix::Zero(3, Eigen::Index(shared.columns.size()));
+    for (std::size_t i = 0; i < shared.columns.size(); ++i) {
+      const Place& place = places_[std::size_t(shared.columns[i])];
+      if (pairs_[std::size_t(place.pair)].line != line) continue;
+      for (int c = 0; c < 3; ++c) total(c, Eigen::Index(i)) = place.unit * place.direction[std::size_t(c)];
+    }
+    return (total * shared.basis).norm() <= kSameTotal * total.norm();
+  }
+
+  std::vector<ForceCut> violated(const SharedForces& shared, const Vector& now, double slack) const {
+    std::map<int, std::array<int, 3>> columnsOf;  // of each pair: place of each component
+    for (std::size_t i = 0; i < shared.columns.size(); ++i) {
+      const Place& place = places_[std::size_t(shared.columns[i])];
+      columnsOf.try_emplace(place.pair, std::array<int, 3>{{-1, -1, -1}}).first->second[std::size_t(place.component)] = static_cast<int>(i);
+    }
+    std::vector<ForceCut> cuts;
+    for (const auto& [id, columns] : columnsOf) {
+      const PairResult& pair = pairs_[std::size_t(id)];
+      const double unit =
+          places_[std::size_t(shared.columns[std::size_t(columns[0] >= 0 ? columns[0] : std::max(columns[1], columns[2]))])].unit;
+      const double normal = columns[0] >= 0 ? now(columns[0]) * unit : pair.force;
+      if (pair.kind.separates && columns[0] >= 0 && normal < -slack * unit) cuts.push_back({{{columns[0], 1.0}}, 0.0});
+      if (pair.state.status != PairStatus::Stick || !pair.kind.restrictsSliding) continue;
+      const std::vector<Point>& frame = frames_.at(id);
+      Point along{0, 0, 0};
+      for (std::size_t t = 1; t < frame.size(); ++t) along[t] = columns[t] >= 0 ? now(columns[t]) * unit : dot(pair.tangential, frame[t]);
+      const double size = norm(along);
+      if (size == 0.0) continue;
+      ContactTrial trial;
+      trial.place = pair.position;
+      trial.size = pair.length;
+      trial.slipped = slipped_.at(id);
+      trial.force = {std::max(normal, 0.0), along[1], along[2]};
+      trial.jump = {0.0, kPushedAside * along[1] / size, kPushedAside * along[2] / size};
+      const ContactState state = laws_.of(pair.line).project(trial, pair.state);
+      if (state.status != PairStatus::Slip) continue;  // it holds anything, or nothing presses it
+      if (size <= state.largest(normal) + slack * unit) continue;
+      ForceCut cut;
+      double fixed = 0.0;
+      if (columns[0] >= 0)
+        cut.normal.emplace_back(columns[0], state.friction);
+      else
+        fixed += state.friction * pair.force / unit;
+      for (std::size_t t = 1; t < frame.size(); ++t) {
+        if (columns[t] >= 0)
+          cut.normal.emplace_back(columns[t], -along[t] / size);
+        else
+          fixed -= along[t] / size * along[t] / unit;
+      }
+      cut.bound = -state.bound / unit - fixed;
+      cuts.push_back(cut);
+    }
+    return cuts;
+  }
+
+  const ContactLaws& laws_;
+  std::vector<PairResult>& pairs_;
+  std::vector<ForceColumn> columns_;
+  std::vector<double> amplitudes_;
+  std::vector<Place> places_;
+  std::map<int, std::vector<Point>> frames_;
+  std::map<int, bool> slipped_;
+};
+
+/// Parts that concern the same contacts, as one. The total of a contact is determined if it is in all of them.
+std::vector<UndeterminedForces> byContacts(const std::vector<UndeterminedForces>& parts) {
+  std::map<std::vector<std::string>, UndeterminedForces> all;
+  for (const UndeterminedForces& part : parts) {
+    if (part.pairs == 0) continue;
+    const auto [at, isNew] = all.try_emplace(part.contacts, part);
+    if (isNew) continue;
+    UndeterminedForces& sum = at->second;
+    sum.pairs += part.pairs;
+    std::vector<std::string> both;
+    for (const std::string& name : sum.totals)
+      if (std::find(part.totals.begin(), part.totals.end(), name) != part.totals.end()) both.push_back(name);
+    sum.totals = both;
+  }
+  std::vector<UndeterminedForces> result;
+  for (const auto& [contacts, one] : all) result.push_back(one);
+  return result;
+}
+
+}  // namespace
+
+void settleContactForces(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ContactLaws& laws,
+                         const std::vector<std::string>& contacts, Solution& solution) {
+  std::vector<ContactRow> mine;
+  collectively(comm, "looking for contact forces that are not unique", [&] { mine = rowsInDoubt(meshes); });
+  const std::vector<ContactRow> rows = joinOnRoot(comm, mine);
+  int dimension = 2, any = 0;
+  for (const SubdomainMesh& mesh : meshes) dimension = mesh.dimension;
+  const int here[2] = {mine.empty() ? 0 : 1, dimension};
+  int most[2];
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, 2, here, most);
+  if (most[0] == 0) return;
+  std::vector<PairForce> forces;
+  std::string message;
+  collectivelyOnRoot(comm, "finding contact forces that are not unique", [&] {
+    std::vector<PairResult> settled = solution.pairs;
+    ClosedPairs closed(rows, most[1], laws, settled);
+    std::vector<UndeterminedForces> found;
+    for (const SharedForces& shared : sharedForces(closed.columns())) {
+      found.push_back(closed.settle(shared, contacts));
+      any = 1;
+    }
+    for (const PairResult& pair : settled) forces.push_back({pair.id, pair.state, pair.force, pair.tangential});
+    Packer packer;
+    packer.put(any);
+    packer.put(byContacts(found));
+    message = packer.bytes();
+  });
+  Unpacker unpacker(broadcast(comm, message));
+  unpacker.get(any);
+  unpacker.get(solution.sharedForces);
+  if (!any) return;
+  std::vector<const SubdomainMesh*> all;
+  for (const SubdomainMesh& mesh : meshes) all.push_back(&mesh);
+  const std::vector<PairResult> before = solution.pairs;
+  solution.pairs = pairResults(comm, all, solution.displacement, forces);
+  for (std::size_t i = 0; i < before.size(); ++i) solution.pairs[i].touching = before[i].touching;
+}
+
+std::string inWords(const UndeterminedForces& forces) {
+  const auto listed = [](const std::vector<std::string>& names) {
+    std::string text;
+    for (std::size_t i = 0; i < names.size(); ++i) text += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + ("'" + names[i] + "'");
+    return text;
+  };
+  std::string text = (forces.contacts.size() == 1 ? "contact " : "contacts ") + listed(forces.contacts) +
+                     ": equilibrium does not determine the forces of " + std::to_string(forces.pairs) +
+                     (forces.pairs == 1 ? " pair" : " pairs") +
+                     " at nodes that several pairs share or boundary conditions hold. The least forces are reported";
+  std::vector<std::string> open;
+  for (const std::string& name : forces.contacts)
+    if (std::find(forces.totals.begin(), forces.totals.end(), name) == forces.totals.end()) open.push_back(name);
+  if (open.empty()) return text + "; the total force of each contact is unique";
+  return text + "; the total force of " + listed(open) + " is not unique";
+}
+
+}  // namespace suture

@@ -1,0 +1,89 @@
+"""Random scenes of all kinds (wide_scenes.py) on one rank and on three, and by Monolithic: no hang, no bug, one exit code on any number of ranks,
+and the same energy and forces. A scene that one solver cannot solve is lost: counted, no failure.
+
+  wide_corpus.py --solve build/drivers/suture_solve --output out --count 40 --first 1 --mpirun "mpirun --oversubscribe"
+"""
+import argparse
+import collections
+import json
+import os
+import shutil
+import sys
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import friction_corpus  # noqa: E402
+import wide_scenes  # noqa: E402
+
+SAME = 1e-6   # relative: energy, forces of contacts and of pairs
+ENDS = (0, 3, 4)
+FAILED = ("hang", "bug", "exit codes differ", "WRONG")
+
+
+def judge(scene, one, three, reference):
+    """The class of a scene by its runs, and a remark."""
+    runs = {"1 rank": one, "3 ranks": three, "Monolithic": reference}
+    for name, run in runs.items():
+        if run.code == "hang":
+            return "hang", name
+        if run.code not in ENDS:
+            return "bug", "%s: %s: %s" % (name, run.code, run.text[-600:])
+    if one.code != three.code:
+        return "exit codes differ", "%s %s | %s %s" % (one.code, one.failure[:200], three.code, three.failure[:200])
+    solved = [run for run in runs.values() if run.solved]
+    if not solved:
+        return ("refused" if one.code == 3 else "not determined" if "NOT DETERMINED" in one.text else "no solver"), one.failure[:200]
+    rounding = 1e-9 * scene.load * scene.stress * scene.length ** (scene.d - 1)
+    worst = [max(values) for values in zip(*(friction_corpus.apart(solved[0], run, rounding) for run in solved))]
+    remark = "energy %.1e, contacts %.1e, pairs %.1e" % tuple(worst)
+    if max(worst) > SAME:
+        several = max(run.outer.get("estimates", {}).get("contraction", 0.0) for run in solved) >= 1.0
+        return ("two solutions" if several else "WRONG"), remark
+    if not one.solved:
+        return "default fails", "%s: %s" % (one.code, one.failure[:200])
+    return ("solved" if reference.solved else "Monolithic fails"), remark
+
+
+def play(options, seed):
+    scene = wide_scenes.scene(seed, options.family, options.dimension)
+    folder = os.path.join(options.output, "s%d" % seed)
+    scene.write(folder)
+    run = lambda name, ranks, more=(): friction_corpus.Run(
+        [*(options.mpirun.split() + ["-np", str(ranks)] if ranks > 1 else []), options.solve], folder, name, ["Outer Solver/Tolerance=1e-10", *more])
+    one, three = run("one", 1), run("three", 3)
+    reference = run("monolithic", 1, ["Outer Solver/Type=Monolithic"])
+    kind, remark = judge(scene, one, three, reference)
+    result = {"seed": seed, "family": scene.family, "dimension": scene.d, "cell": scene.cell, "class": kind, "remark": remark,
+              "outer": [each.summary.get("outer", {}).get("iterations") for each in (one, three, reference)],
+              "shared": len(one.summary.get("undetermined_forces", []))}
+    if kind in ("solved", "refused", "not determined"):
+        shutil.rmtree(folder)
+    return result
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("--solve", required=True)
+    parser.add_argument("--output", required=True)
+    parser.add_argument("--mpirun", default="mpirun --oversubscribe")
+    parser.add_argument("--count", type=int, default=40)
+    parser.add_argument("--first", type=int, default=1)
+    parser.add_argument("--seeds", type=int, nargs="*", help="these scenes only")
+    parser.add_argument("--family")
+    parser.add_argument("--dimension", type=int)
+    options = parser.parse_args()
+    os.makedirs(options.output, exist_ok=True)
+    counted = collections.Counter()
+    with open(os.path.join(options.output, "results.jsonl"), "w") as file:
+        for seed in options.seeds or range(options.first, options.first + options.count):
+            result = play(options, seed)
+            counted[result["class"]] += 1
+            file.write(json.dumps(result) + "\n")
+            file.flush()
+            if result["class"] != "solved":
+                print("%(seed)d %(family)s %(dimension)dD %(cell)s: %(class)s: %(remark)s" % result, flush=True)
+    print(", ".join("%s %d" % each for each in sorted(counted.items())))
+    return 1 if any(counted[kind] for kind in FAILED) else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
