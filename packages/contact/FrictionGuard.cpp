@@ -204,9 +204,10 @@ Vector FrictionSearch::outdone() const {
 /// Judges the last states by Collapse. True where bodies slide beyond doubt: other states would need other normal forces by far.
 bool FrictionSearch::collapses() {
   if (answer_.force.size() == 0) return false;
-  const Collapse::Result found = Collapse(rigid_, laws_, sites_, oracle_).find(states_, normalForces(), std::min(left_, kCollapseSolves));
+  // Also where no solve is left for the search: why it ends is worth as many.
+  const Collapse::Result found = Collapse(rigid_, laws_, sites_, oracle_).find(states_, normalForces(), kCollapseSolves);
   solves_ += found.solves;
-  left_ -= found.solves;
+  left_ = std::max(0, left_ - found.solves);
   mechanism_ = found.motion;
   multiple_ = found.multiple;
   return multiple_ > kCollapsed;

@@ -149,14 +149,14 @@ def bolt(scene):
 
 
 def wall(scene):
-    """Bricks in running bond, each on two others; their weight, and a little push."""
+    """Bricks in running bond, each of the upper row on two others; their weight, and a little push."""
     r = scene.random
-    rows, across, depth = r.randint(2, 4 if scene.d == 2 else 2), r.randint(2, 3), 0.8
+    rows, across, depth = 2, r.randint(2, 4), 0.8
     cells, layers = scene.cells(r.choice([4, 6]), r.randint(2, 3)), 2
     law = scene.law(["Coulomb"], mu=r.uniform(0.4, 0.9))
     bricks = {}
     for j in range(rows):
-        for i in range(across):
+        for i in range(across - j % 2):
             x = i + (0.5 if j % 2 else 0.0)
             name = bricks[j, i] = "b%d_%d" % (j, i)
             scene.box(name, (x, x + 1.0), (0.5 * j, 0.5 * j + 0.5), cells, depth=depth, layers=layers, young=1.0)
@@ -168,7 +168,7 @@ def wall(scene):
         if heads and (j, i + 1) in bricks:
             scene.contact(name + "_right", bricks[j, i + 1] + "_left", law)
     for j in range(1, rows):
-        scene.contact([bricks[j - 1, i] + "_top" for i in range(across)], [bricks[j, i] + "_bottom" for i in range(across)], law)
+        scene.contact([name + "_top" for (k, _), name in bricks.items() if k == j - 1], [name + "_bottom" for (k, _), name in bricks.items() if k == j], law)
     scene.traction(bricks[rows - 1, 0] + "_top", (r.uniform(-0.1, 0.1), -r.uniform(0, 0.3)))
 
 
