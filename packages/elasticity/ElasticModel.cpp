@@ -43,8 +43,10 @@ Schema materialSchema() {
       .choice("Type", IsotropicLaw::kName, Registry<MaterialLaw>::instance().schemas(),
               "The law, linear elastic; its parameters stand in the list of its name, those of Isotropic beside Type.", IsotropicLaw::kName)
       .oneOf("Element", kAutomatic, {kAutomatic, "Displacement", kMixed},
-             "Unknowns of the elements of this material. Automatic: Mixed with a Poisson ratio above 0.49 (but not in plane stress), else "
-             "Displacement. Mixed: also a pressure in each element, discontinuous and eliminated there, for "
+             "Elements of this material. Automatic: 4-node quadrilaterals and 8-node hexahedra have enhanced strains, which the element "
+             "eliminates, so that they neither lock in bending nor when nu tends to 0.5; the others are Mixed with a Poisson ratio above "
+             "0.49 (but not in plane stress), else Displacement. Displacement: the plain element of the displacements alone; with 4 or 8 "
+             "nodes it is much too stiff in bending. Mixed: also a pressure in each element, discontinuous and eliminated there, for "
              "nearly incompressible materials, where Displacement elements lock: linear in Quadrilateral9 and "
              "Hexahedron27, constant in the others; not for 3-node triangles and 4-node tetrahedra, and not in plane stress, where nothing "
              "locks.")
@@ -142,6 +144,7 @@ Material materialNamedIn(const Parameters& list, const Parameters& materials, co
   if (!readLaw(own, static_cast<int>(found - known.begin()) + 1, model.dimension, material, problems)) return material;
   const std::string element = textOf(own, "Element");
   material.named = !element.empty() && element != kAutomatic;
+  material.enhanced = !material.named;
   if (own.isType<double>("Density")) material.density = own.get<double>("Density");
   if (own.isType<double>("Thermal Expansion")) {
     material.expansion = own.get<double>("Thermal Expansion");
@@ -170,6 +173,7 @@ void ElasticModel::addBody(const std::string& body, std::shared_ptr<const Materi
   material.name = body;
   setLaw(material, std::move(law), int(bodies.size()) + 1, dimension);
   if (isMixedOfItself(material, plane)) material.element = ElementForm::Mixed;
+  material.enhanced = true;
   bodies.push_back(body);
   materialOfBody.push_back(material);
 }

@@ -22,12 +22,16 @@ struct SubdomainMesh;
 /// eliminated element by element, so that it does not lock when nu tends to 0.5.
 enum class ElementForm { Displacement, Mixed };
 
+/// True for the cells that enhanced strains are known for: Quadrilateral4 and Hexahedron8.
+constexpr bool mayBeEnhanced(Cell cell) { return cell == Cell::Quadrilateral4 || cell == Cell::Hexahedron8; }
+
 /// A linear elastic material: isotropic by its two moduli, or of another law.
 struct Material {
   std::string name;
   double young = 0.0;    ///< Young modulus [stress]; of another law that of nearestIsotropic()
   double poisson = 0.0;  ///< Poisson ratio [-]; likewise
   ElementForm element = ElementForm::Displacement;
+  bool enhanced = false;      ///< Quadrilateral4 and Hexahedron8 have enhanced strains instead of `element`: they bend without locking
   bool allowLocking = false;  ///< displacement elements, linear simplices among them, although nu is near 0.5
   bool named = false;         ///< the scene names the element; else it was chosen: one that does not lock
   int number =

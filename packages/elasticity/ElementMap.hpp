@@ -17,6 +17,10 @@ class ElementMap {
 
   /// Weight of the point times the determinant of the map [area or volume]; in axisymmetric blocks times 2 pi r [volume].
   double measure() const { return measure_; }
+  /// Determinant of the map at the point.
+  double determinant() const { return determinant_; }
+  /// Place of the point in the reference element.
+  const double* referencePlace() const { return reference_.placeAt(point_); }
   /// Gradient of shape function `a` in the mesh's coordinates [1 / length].
   const double* gradient(int a) const { return gradients_[a]; }
   /// Hoop strain of a unit radial displacement of node `a`: shape function over r [1 / length]; zero in the plane and in space.
@@ -31,6 +35,7 @@ class ElementMap {
     for (int k = 0; k < D; ++k) p[k] = x_[a][k];
     return p;
   }
+  double coordinate(int a, int k) const { return x_[a][k]; }
 
  private:
   void failFolded(double determinant) const;
@@ -41,7 +46,7 @@ class ElementMap {
   const ReferenceElement& reference_;
   double x_[mostNodes<D>][D];
   double gradients_[mostNodes<D>][D];
-  double measure_ = 0.0, radius_ = 0.0;
+  double measure_ = 0.0, determinant_ = 0.0, radius_ = 0.0;
   int point_ = 0;
 };
 
@@ -75,6 +80,7 @@ inline void ElementMap<2>::at(int point) {
   }
   const double determinant = xu * yv - xv * yu;
   if (!(determinant > 0.0)) failFolded(determinant);
+  determinant_ = determinant;
   const double inverse = 1.0 / determinant;
   for (int a = 0; a < reference_.nodes; ++a) {
     gradients_[a][0] = (yv * g[2 * a] - yu * g[2 * a + 1]) * inverse;
@@ -102,6 +108,7 @@ inline void ElementMap<3>::at(int point) {
   double ux = yv * zw - yw * zv, vx = yw * zu - yu * zw, wx = yu * zv - yv * zu;  // cofactors: determinant x du/dx, ...
   const double determinant = xu * ux + xv * vx + xw * wx;
   if (!(determinant > 0.0)) failFolded(determinant);
+  determinant_ = determinant;
   const double inverse = 1.0 / determinant;
   ux *= inverse, vx *= inverse, wx *= inverse;
   const double uy = (zv * xw - zw * xv) * inverse, vy = (zw * xu - zu * xw) * inverse, wy = (zu * xv - zv * xu) * inverse,

@@ -1,10 +1,13 @@
 #include <suture/base/Errors.hpp>
 #include <suture/elasticity/ElasticModel.hpp>
 #include <suture/elasticity/ElementMap.hpp>
+#include <suture/elasticity/EnhancedModes.hpp>
 #include <suture/elasticity/GradientProducts.hpp>
 #include <suture/elasticity/HookesLaw.hpp>
 #include <suture/elasticity/MixedPressure.hpp>
 #include <suture/elasticity/NodeCounts.hpp>
+
+#include <optional>
 
 namespace suture {
 namespace {
@@ -23,17 +26,31 @@ class PlaneStiffness {
  public:
   using Law = HookesLaw<2>;
 
-  void setLaw(const Law& law) { law_ = law; }
+  void setLaw(const Law& law) {
+    law_ = law.of(Cell::Triangle3);
+    enhanced_ = law.of(Cell::Quadrilateral4);
+  }
 
   void operator()(const CellBlock& block, int element, const TakeStiffness& take) {
     const ReferenceElement& reference = stiffnessElement(block, element);
     k_.setZero(2 * reference.nodes, 2 * reference.nodes);
     ElementMap<2> map(block, element, reference);
+    const bool isEnhanced = enhanced_.enhanced && mayBeEnhanced(block.cells[element]);
+    std::optional<EnhancedModes<2>> modes;
+    if (isEnhanced) modes.emplace(block, element, reference, map);
+    const auto visit = [&] {
+      if (modes) modes->add(map);
+    };
+    const StressMatrix<2>& law = isEnhanced ? enhanced_.pointwise : law_.pointwise;
     if (block.axisymmetric)
-      addPointwise<true>(reference, map);
+      addPointwise<true>(law, reference, map, visit);
     else
-      addPointwise<false>(reference, map);
-    if (law_.projected != 0.0) MixedPressure<2>(block.cells[element], reference, map).addStiffness(law_.projected, k_);
+      addPointwise<false>(law, reference, map, visit);
+    if (modes) {
+      modes->close(law);
+      modes->condense(k_);
+    } else if (law_.projected != 0.0)
+      MixedPressure<2>(block.cells[element], reference, map).addStiffness(law_.projected, k_);
     mirror(k_);
     take(element, k_);
   }
@@ -43,11 +60,13 @@ class PlaneStiffness {
 
   // K += sum over points of B^T D B, of which only the blocks a <= b are computed: exactly symmetric. B of node a (xx, yy, zz, xy) is
   // [gx 0; 0 gy; h 0; gy gx], h the hoop strain N / r, of axisymmetric blocks only.
-  template <bool hoop>
-  void addPointwise(const ReferenceElement& reference, ElementMap<2>& map) {
+  // visit() is called at every point.
+  template <bool hoop, typename Visit>
+  void addPointwise(const StressMatrix<2>& law, const ReferenceElement& reference, ElementMap<2>& map, const Visit& visit) {
     for (int q = 0; q < reference.points; ++q) {
       map.at(q);
-      const Eigen::Matrix4d scaled = map.measure() * law_.pointwise;
+      visit();
+      const Eigen::Matrix4d scaled = map.measure() * law;
       for (int b = 0; b < reference.nodes; ++b) {
         const double gx = map.gradient(b)[0], gy = map.gradient(b)[1];
         Eigen::Vector4d stressX = scaled.col(0) * gx + scaled.col(3) * gy;
@@ -68,7 +87,7 @@ class PlaneStiffness {
     }
   }
 
-  Law law_;
+  Law law_, enhanced_;
   Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, most, most> k_;
 };
 
@@ -78,15 +97,27 @@ class SolidStiffness {
   using Law = HookesLaw<3>;
 
   void setLaw(const Law& law) {
-    law_ = law;
-    weights_ = ProductWeights(law.pointwise);
+    law_ = law.of(Cell::Tetrahedron4);
+    weights_ = ProductWeights(law_.pointwise);
+    enhanced_ = law.of(Cell::Hexahedron8);
+    enhancedWeights_ = ProductWeights(enhanced_.pointwise);
   }
 
   void operator()(const CellBlock& block, int element, const TakeStiffness& take) {
     const ReferenceElement& reference = stiffnessElement(block, element);
     k_.resize(3 * reference.nodes, 3 * reference.nodes);
     ElementMap<3> map(block, element, reference);
-    forNodes<3>(reference.nodes, [&](auto nodes) { addPointwise<nodes()>(reference, map); });
+    if (enhanced_.enhanced && mayBeEnhanced(block.cells[element])) {
+      EnhancedModes<3> modes(block, element, reference, map);
+      addPointwise<EnhancedModes<3>::nodes>(enhancedWeights_, reference, map, [&] { modes.add(map); });
+      modes.close(enhanced_.pointwise);
+      Eigen::Map<Eigen::Matrix<double, 24, 24>> k(k_.data());
+      modes.condense(k);
+      mirror(k);
+      take(element, k_);
+      return;
+    }
+    forNodes<3>(reference.nodes, [&](auto nodes) { addPointwise<nodes()>(weights_, reference, map, [] {}); });
     if (law_.projected != 0.0) {
       MixedPressure<3>(block.cells[element], reference, map).addStiffness(law_.projected, k_);
       mirror(k_);
@@ -95,20 +126,21 @@ class SolidStiffness {
   }
 
  private:
-  template <int nodes>
-  void addPointwise(const ReferenceElement& reference, ElementMap<3>& map) {
+  template <int nodes, typename Visit>
+  void addPointwise(const ProductWeights& weights, const ReferenceElement& reference, ElementMap<3>& map, const Visit& visit) {
     using Products = GradientProducts<nodes>;
     products_.resize(Products::rows * Products::n);
     Products products(products_.data());
     for (int q = 0; q < reference.points; ++q) {
       map.at(q);
+      visit();
       products.add(map.measure(), map.gradient(0));
     }
-    products.contract(weights_, k_.data());
+    products.contract(weights, k_.data());
   }
 
-  Law law_;
-  ProductWeights weights_;
+  Law law_, enhanced_;
+  ProductWeights weights_, enhancedWeights_;
   std::vector<double> products_;
   Matrix k_;
 };

@@ -7,20 +7,44 @@ ElementStress<D>::ElementStress(const CellBlock& block, int element, const Refer
                                 const Vector& displacement, const InitialState& initial)
     : element_(element),
       initial_(initial.isIn(element) ? &initial : nullptr),
-      law_(law),
+      law_(law.of(block.cells[element])),
       map_(block, element, reference),
       u_(D * reference.nodes),
       axisymmetric_(block.axisymmetric) {
   const Span<const int> nodes = block.nodesOf(element);
   for (int a = 0; a < reference.nodes; ++a)
     for (int k = 0; k < D; ++k) u_[D * a + k] = displacement[D * nodes[a] + k];
-  if (law_.projected == 0.0) return;
-  const ReferenceElement& whole = stiffnessElement(block, element);
-  ElementMap<D> through(block, element, whole);
-  pressure_.emplace(block.cells[element], whole, through);
+  if (law_.projected != 0.0) findPressure(block);
+  if (law_.enhanced) findEnhancedStrain(block);
+}
+
+template <int D>
+void ElementStress<D>::findPressure(const CellBlock& block) {
+  const ReferenceElement& whole = stiffnessElement(block, element_);
+  ElementMap<D> through(block, element_, whole);
+  pressure_.emplace(block.cells[element_], whole, through);
   if (initial_)
     initialDilatation_ = pressure_->projection(
         whole, through, [&](const Point& place) { return initial_->at(element_, place, law_).strain.template head<3>().sum(); });
+}
+
+template <int D>
+void ElementStress<D>::findEnhancedStrain(const CellBlock& block) {
+  using Modes = EnhancedModes<D>;
+  const ReferenceElement& whole = stiffnessElement(block, element_);
+  ElementMap<D> through(block, element_, whole);
+  Modes modes(block, element_, whole, through);
+  typename Modes::Amplitudes forces = Modes::Amplitudes::Zero();
+  for (int q = 0; q < whole.points; ++q) {
+    through.at(q);
+    modes.add(through);
+    if (!initial_) continue;
+    const InitialState::Values<D> here = initial_->at(element_, through.place(), law_);
+    modes.addForces(through, law_.pointwise * here.strain - here.stress, forces);
+  }
+  modes.close(law_.pointwise);
+  enhanced_ = modes.strainOf(u_);
+  if (initial_) enhancedInitial_ = modes.strain(forces);
 }
 
 template <int D>
@@ -29,6 +53,7 @@ StressVector<D> ElementStress<D>::stress() const {
   if (!initial_) return stress;
   const InitialState::Values<D> here = initial();
   stress += here.stress - law_.pointwise * here.strain;
+  if (enhancedInitial_) stress += law_.pointwise * enhancedInitial_->at(map_);
   if (pressure_) stress.template head<3>().array() -= law_.projected * pressure_->at(initialDilatation_, map_.place());
   return stress;
 }
@@ -56,6 +81,7 @@ StressVector<D> ElementStress<D>::ofDisplacement() const {
     strain << xx, yy, zz, xy;
   else
     strain << xx, yy, zz, xy, yz, xz;
+  if (enhanced_) strain += enhanced_->at(map_);
   StressVector<D> stress = law_.pointwise * strain;
   if (pressure_) stress.template head<3>().array() += law_.projected * pressure_->dilatation(u_, map_.place());
   return stress;

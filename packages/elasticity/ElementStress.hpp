@@ -1,5 +1,6 @@
 #pragma once
 #include <suture/elasticity/ElementMap.hpp>
+#include <suture/elasticity/EnhancedModes.hpp>
 #include <suture/elasticity/HookesLaw.hpp>
 #include <suture/elasticity/MixedPressure.hpp>
 
@@ -29,6 +30,9 @@ class ElementStress {
   InitialState::Values<D> initial() const { return initial_ ? initial_->at(element_, map_.place(), law_) : InitialState::Values<D>(); }
 
  private:
+  void findPressure(const CellBlock& block);
+  void findEnhancedStrain(const CellBlock& block);
+
   using ElementVector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, D * mostNodes<D>, 1>;
 
   int element_;
@@ -38,6 +42,7 @@ class ElementStress {
   ElementVector u_;
   bool axisymmetric_;
   std::optional<MixedPressure<D>> pressure_;
+  std::optional<EnhancedStrain<D>> enhanced_, enhancedInitial_;  // of the displacement and of the initial state
   typename MixedPressure<D>::Projection initialDilatation_;
 };
 

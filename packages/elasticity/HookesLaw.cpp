@@ -8,6 +8,7 @@ template <int D>
 HookesLaw<D>::HookesLaw(const Material& material, PlaneModel plane) : HookesLaw() {
   constexpr int n = stressComponents<D>;
   expansion = material.expansion.value_or(0.0);
+  enhanced = material.enhanced;
   const ElasticStiffness c = material.stiffness();
   if (D == 2 && material.law) planePart(c);  // throws
   if (material.law) {
@@ -30,7 +31,19 @@ HookesLaw<D>::HookesLaw(const Material& material, PlaneModel plane) : HookesLaw(
   pointwise.template topLeftCorner<3, 3>().array() -= projected;
 }
 
+template <int D>
+HookesLaw<D> HookesLaw<D>::of(Cell cell) const {
+  HookesLaw<D> own = *this;
+  own.enhanced = enhanced && mayBeEnhanced(cell);
+  if (!own.enhanced || projected == 0.0) return own;
+  own.pointwise.template topLeftCorner<3, 3>().array() += projected;
+  own.projected = 0.0;
+  return own;
+}
+
 template HookesLaw<2>::HookesLaw(const Material&, PlaneModel);
 template HookesLaw<3>::HookesLaw(const Material&, PlaneModel);
+template HookesLaw<2> HookesLaw<2>::of(Cell) const;
+template HookesLaw<3> HookesLaw<3>::of(Cell) const;
 
 }  // namespace suture

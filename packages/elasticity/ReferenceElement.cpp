@@ -142,6 +142,7 @@ ReferenceElement tabulate(const Shape& shape, const Values& points, const Values
   table.dimension = dimension;
   for (int q = 0; q < count; ++q) {
     table.weights.push_back(weights(q));
+    for (int k = 0; k < dimension; ++k) table.places.push_back(points(q, k));
     for (const int a : numbers) {
       table.values.push_back(values(a, q));
       for (int k = 0; k < dimension; ++k) table.gradients.push_back(gradients(a, q, k));
@@ -202,11 +203,13 @@ ReferenceElement makeSide(int nodes, Rule rule) {
   side.dimension = 1;
   side.weights = whole.weights;
   const std::array<int, 3> onSide{0, 1, 4};
-  for (int q = 0; q < count; ++q)
+  for (int q = 0; q < count; ++q) {
+    side.places.push_back(points(q, 0));
     for (int a = 0; a < nodes; ++a) {
       side.values.push_back(whole.valuesAt(q)[onSide[a]]);
       side.gradients.push_back(whole.gradientsAt(q)[2 * onSide[a]]);
     }
+  }
   return side;
 }
 

@@ -16,9 +16,11 @@ struct ReferenceElement {
   int points = 0;
   int dimension = 2;
   std::vector<double> weights;    ///< points
+  std::vector<double> places;     ///< points x dimension: reference coordinates
   std::vector<double> values;     ///< points x nodes
   std::vector<double> gradients;  ///< points x nodes x dimension, with respect to reference coordinates
 
+  const double* placeAt(int point) const { return places.data() + std::size_t(point) * dimension; }
   const double* valuesAt(int point) const { return values.data() + std::size_t(point) * nodes; }
   const double* gradientsAt(int point) const { return gradients.data() + std::size_t(point) * nodes * dimension; }
 };

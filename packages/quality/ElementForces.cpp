@@ -1,5 +1,6 @@
 #include <suture/base/Errors.hpp>
 #include <suture/elasticity/ElementMap.hpp>
+#include <suture/elasticity/EnhancedModes.hpp>
 #include <suture/elasticity/HookesLaw.hpp>
 #include <suture/elasticity/MixedPressure.hpp>
 #include <suture/elasticity/NodeCounts.hpp>
@@ -33,6 +34,10 @@ double localDisplacement(const int* nodes, const Vector& displacement, double* u
 struct Strain {
   double xx = 0.0, yy = 0.0, zz = 0.0, xy = 0.0, yz = 0.0, xz = 0.0;
   double steepness = 0.0;  ///< sum of the magnitudes of the gradients' components
+
+  /// Adds another strain.
+  void add(const StressVector<2>& e) { xx += e[0], yy += e[1], zz += e[2], xy += e[3]; }
+  void add(const StressVector<3>& e) { xx += e[0], yy += e[1], zz += e[2], xy += e[3], yz += e[4], xz += e[5]; }
 
   /// Adds what a node's displacement does.
   template <int D>
@@ -72,6 +77,39 @@ double meanStiffness(const HookesLaw<D>& law) {
   return (law.normal() + (D - 1) * law.pointwise.diagonal().template tail<stressComponents<D> - 3>().maxCoeff()) / D;
 }
 
+/// Sum over the axes of twice the energies of unit displacements of one node. \param h  hoop strain of the radial one
+double stiffnessAt(const StressMatrix<2>& c, const double* g, double h) {
+  const double x = g[0], y = g[1];
+  return (c(0, 0) + c(3, 3)) * x * x + (c(1, 1) + c(3, 3)) * y * y + 2 * (c(0, 3) + c(1, 3)) * x * y +
+         (c(2, 2) * h + 2 * (c(0, 2) * x + c(2, 3) * y)) * h;
+}
+
+double stiffnessAt(const StressMatrix<3>& c, const double* g, double) {
+  const double x = g[0], y = g[1], z = g[2];
+  return (c(0, 0) + c(3, 3) + c(5, 5)) * x * x + (c(1, 1) + c(3, 3) + c(4, 4)) * y * y + (c(2, 2) + c(4, 4) + c(5, 5)) * z * z +
+         2 * ((c(0, 3) + c(1, 3) + c(4, 5)) * x * y + (c(1, 4) + c(2, 4) + c(3, 5)) * y * z + (c(0, 5) + c(2, 5) + c(3, 4)) * x * z);
+}
+
+/// Enhanced strain of an element; adds the mean stiffness of each node. \param map  left at the last point of the rule
+template <int D>
+EnhancedStrain<D> enhancedStrain(const CellBlock& block, int element, const ReferenceElement& reference, const HookesLaw<D>& law,
+                                 const double* u, ElementMap<D>& map, Vector& stiffness) {
+  using Modes = EnhancedModes<D>;
+  Modes modes(block, element, reference, map);
+  double sums[Modes::nodes] = {};
+  for (int q = 0; q < reference.points; ++q) {
+    map.at(q);
+    modes.add(map);
+    for (int a = 0; a < Modes::nodes; ++a)
+      sums[a] += map.measure() * stiffnessAt(law.pointwise, map.gradient(a), block.axisymmetric ? map.hoop(a) : 0.0);
+  }
+  modes.close(law.pointwise);
+  const auto softening = modes.softening();
+  const int* nodes = block.nodesOf(element).begin();
+  for (int a = 0; a < Modes::nodes; ++a) stiffness[nodes[a]] += (sums[a] - softening.template segment<D>(D * a).sum()) / D;
+  return modes.strainOf(Eigen::Map<const Eigen::Matrix<double, D * Modes::nodes, 1>>(u));
+}
+
 /// \tparam count  nodes of the element: the compiler unrolls its loops
 template <int D, bool hoop, int count>
 void addElement(const CellBlock& block, int element, const HookesLaw<D>& law, const Vector& displacement, ElementForces& forces) {
@@ -82,7 +120,10 @@ void addElement(const CellBlock& block, int element, const HookesLaw<D>& law, co
   ElementMap<D> map(block, element, reference);
   std::optional<MixedPressure<D>> pressure;
   if (law.projected != 0.0) pressure.emplace(block.cells[element], reference, map);
-  const double stiffest = law.normal() + law.projected, stiff = meanStiffness(law);
+  std::optional<EnhancedStrain<D>> enhanced;
+  if constexpr (count == EnhancedModes<D>::nodes)
+    if (law.enhanced) enhanced = enhancedStrain<D>(block, element, reference, law, u, map, forces.stiffness);
+  const double stiffest = law.normal() + law.projected, stiff = enhanced ? 0.0 : meanStiffness(law);
   for (int a = 0; pressure && a < count; ++a) {
     double sum = 0.0;
     for (int k = 0; k < D; ++k) sum += pressure->diagonal(D * a + k);
@@ -98,6 +139,7 @@ void addElement(const CellBlock& block, int element, const HookesLaw<D>& law, co
         e.steepness += map.hoop(a);
       }
     }
+    if (enhanced) e.add(enhanced->at(map));
     StressVector<D> stress = law.pointwise.col(0) * e.xx + law.pointwise.col(1) * e.yy + law.pointwise.col(3) * e.xy;
     if constexpr (hoop || D == 3) stress += law.pointwise.col(2) * e.zz;
     if constexpr (D == 3) stress += law.pointwise.col(4) * e.yz + law.pointwise.col(5) * e.xz;
@@ -186,12 +228,14 @@ ElementForces forcesOf(const CellBlock& block, const std::function<const Materia
   forces.rounding = forces.stiffness = Vector::Zero(block.nodes());
   constexpr Cell simplex = D == 2 ? Cell::Triangle3 : Cell::Tetrahedron4;
   const Material* last = nullptr;
+  std::optional<Cell> lastCell;
   HookesLaw<D> law;
   for (int e = 0; e < block.elements(); ++e) {
     const Material& material = materialOf(e);
-    if (&material != last) {
-      law = HookesLaw<D>(material, plane);
+    if (&material != last || block.cells[e] != lastCell) {
+      law = HookesLaw<D>(material, plane).of(block.cells[e]);
       last = &material;
+      lastCell = block.cells[e];
     }
     const bool simple = block.cells[e] == simplex && !block.axisymmetric && law.projected == 0.0;
     if (simple && addSimplex<D>(block, e, law, displacement, forces)) continue;

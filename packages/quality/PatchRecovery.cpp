@@ -67,35 +67,14 @@ const OtherEnds& otherEnds(Cell cell) {
 
 }  // namespace
 
-void PatchExchange::sum(std::vector<Matrix>&) const {}
-
 PatchRecovery::PatchRecovery(const CellBlock& block, Materials materialOf, PlaneModel plane, Vector displacement, InitialState initial)
     : block_(&block),
       materialOf_(std::move(materialOf)),
       plane_(plane),
       displacement_(std::move(displacement)),
-      initial_(std::move(initial)) {
-  std::vector<int> lastAt(block.nodes(), -1), before;  // patches of a node form a chain, of one link nearly everywhere
-  for (int e = 0; e < block.elements(); ++e) {
-    const Material& material = materialOf_(e);
-    const Span<const int> nodes = block.nodesOf(e);
-    for (int v = 0; v < cellInfo(block.cells[e]).vertices; ++v) {
-      int patch = lastAt[nodes[v]];
-      const auto ofAnother = [&](const Patch& p) {
-        return p.young != material.young || p.poisson != material.poisson || p.material != material.number;
-      };
-      while (patch >= 0 && ofAnother(patches_[patch])) patch = before[patch];
-      if (patch < 0) {
-        patch = static_cast<int>(patches_.size());
-        patches_.push_back({nodes[v], material.young, material.poisson, material.number});
-        before.push_back(lastAt[nodes[v]]);
-        lastAt[nodes[v]] = patch;
-      }
-      patchOf_.push_back(patch);
-    }
-    first_.push_back(static_cast<int>(patchOf_.size()));
-  }
-  origin_.assign(patches_.size(), Origin::None);
+      initial_(std::move(initial)),
+      patches_(block, materialOf_) {
+  origin_.assign(patches_.all.size(), Origin::None);
 }
 
 int PatchRecovery::order() const {
@@ -107,7 +86,7 @@ int PatchRecovery::order() const {
 template <int D>
 Matrix PatchRecovery::moments() const {
   const Layout<D> layout(order_);
-  Matrix all = Matrix::Zero(layout.width(), static_cast<Eigen::Index>(patches_.size()));
+  Matrix all = Matrix::Zero(layout.width(), patches_.count());
   Laws<D> laws(plane_);
   for (int e = 0; e < block_->elements(); ++e) {
     const ReferenceElement& sampling = referenceElement(block_->cells[e], Rule::Sampling);

@@ -1,24 +1,12 @@
 #pragma once
 #include <suture/elasticity/ElasticModel.hpp>
 #include <suture/elasticity/StressVector.hpp>
+#include <suture/quality/PatchExchange.hpp>
+#include <suture/quality/VertexPatches.hpp>
 
 #include <vector>
 
 namespace suture {
-
-/// Sums over the blocks of a cut mesh, so that a patch is the same on every rank that holds a part of it. As it stands here: for a
-/// mesh that was not cut.
-class PatchExchange {
- public:
-  virtual ~PatchExchange() = default;
-  /// Every column becomes the sum over all columns of the same patch (node of the mesh and material), in whatever block they are.
-  /// \param perBlock  one matrix a block, one column a patch
-  virtual void sum(std::vector<Matrix>& perBlock) const;
-  /// Does the work of one rank, so that an exception becomes that of all.
-  virtual void local(const std::function<void()>& work) const { work(); }
-  /// The largest of all ranks' numbers.
-  virtual int largest(int mine) const { return mine; }
-};
 
 /// Squares of energy norms, element by element. [force x length]
 struct ElementErrors {
@@ -45,17 +33,13 @@ class PatchRecovery {
  public:
   using Materials = std::function<const Material&(int element)>;
 
-  /// A vertex of the block and a material that it touches.
-  struct Patch {
-    int node;
-    double young, poisson;
-    int material;  ///< Material::number
-  };
+  using Patch = VertexPatches::Patch;
 
   /// Local. `block` must outlive it. A lambda for the materials must say `-> const Material&`. `displacement`: node-major, Cartesian.
   PatchRecovery(const CellBlock& block, Materials materialOf, PlaneModel plane, Vector displacement, InitialState initial = InitialState());
 
-  const std::vector<Patch>& patches() const { return patches_; }  ///< by node
+  const std::vector<Patch>& patches() const { return patches_.all; }
+  const VertexPatches& vertices() const { return patches_; }
   /// After recoverPatches(). \throws InputError  an element is folded
   ElementErrors errors() const;
   /// After recoverPatches(): the recovered stresses at all nodes, each element's with the shape functions of its cell, as sums over the
@@ -87,9 +71,7 @@ class PatchRecovery {
   template <int D>
   void fitEnlarged(const Matrix& moments);
   bool unfitted() const;
-  Span<const int> patchesOf(int element) const {
-    return {patchOf_.data() + first_[element], std::size_t(first_[element + 1] - first_[element])};
-  }
+  Span<const int> patchesOf(int element) const { return patches_.of(element); }
   template <int D>
   using Nodal = Eigen::Matrix<double, stressComponents<D>, mostNodes<D>>;
   template <int D>
@@ -98,18 +80,17 @@ class PatchRecovery {
   Matrix sumsAtNodes() const;
   template <int D>
   ElementErrors errorsOfElements() const;
-  Point placeOf(int patch) const { return block_->point(patches_[patch].node); }
+  Point placeOf(int patch) const { return block_->point(patches_.all[patch].node); }
 
   const CellBlock* block_;
   Materials materialOf_;
   PlaneModel plane_;
   Vector displacement_;
   InitialState initial_;
-  std::vector<Patch> patches_;
-  std::vector<int> first_{0}, patchOf_;  // the patch of every vertex of every element
-  std::vector<Origin> origin_;           // of each patch's polynomial
-  Matrix polynomials_;                   // (terms x components) x patches, about the patch's vertex
-  int order_ = 1;                        // of the polynomials, over all blocks
+  VertexPatches patches_;
+  std::vector<Origin> origin_;  // of each patch's polynomial
+  Matrix polynomials_;          // (terms x components) x patches, about the patch's vertex
+  int order_ = 1;               // of the polynomials, over all blocks
 };
 
 /// Fits the patches of all blocks; every rank calls it, with as many blocks as it has. Collective if the exchange is.

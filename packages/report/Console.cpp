@@ -58,6 +58,15 @@ std::string verdict(const RunMonitor& monitor, const Verification& verification)
   return line + "\n";
 }
 
+// "   error of the mesh about 4 % in the energy norm, from averaged stresses"
+std::string meshError(const Solution& answer) {
+  if (answer.discretisation || answer.meshError.value_or(0.0) == 0.0) return "";
+  const double share = 100 * *answer.meshError;
+  return format(share < 10 ? "   error of the mesh about %.2g %% in the energy norm, from averaged stresses\n"
+                           : "   error of the mesh about %.0f %% in the energy norm, from averaged stresses\n",
+                share);
+}
+
 // "   path: 12 load steps to t = 2; work of the loads 1.2e-03, stored 1.0e-03, of friction 2e-04 N m; error of the steps' length 0.4 %"
 std::string pathWork(const Run& run) {
   if (run.steps.empty()) return "";
@@ -133,8 +142,8 @@ std::string advice(const std::string& indent) {
 
 void printFooter(std::ostream& console, const Run& run, const RunFigures& figures) {
   console << ending(run, figures.largestDisplacement) << "\n"
-          << verdict(run.monitor, run.solution.verification) << (isAnswered(run.solution) ? "" : whatToTry(run)) << pathWork(run)
-          << exactErrors(run.solution.errors) << estimatedErrors(run.solution) << extremesText(run, figures.dimension);
+          << verdict(run.monitor, run.solution.verification) << meshError(run.solution) << (isAnswered(run.solution) ? "" : whatToTry(run))
+          << pathWork(run) << exactErrors(run.solution.errors) << estimatedErrors(run.solution) << extremesText(run, figures.dimension);
   for (const Timers::Statistics& phase : figures.phases) console << format("   %s %.2f s", phase.phase.c_str(), phase.max);
   console << format("   total %.2f s   peak %.0f MB a rank\n", run.timers.total(), figures.memory.max);
   std::string folder = run.folder;

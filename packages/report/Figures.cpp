@@ -9,6 +9,7 @@
 #include <suture/mesh/BoxTree.hpp>
 #include <suture/mesh/CellGeometry.hpp>
 #include <suture/partition/RigidLift.hpp>
+#include <suture/quality/LargestStrain.hpp>
 #include <suture/quality/PressureOscillation.hpp>
 #include <suture/report/Figures.hpp>
 #include <suture/report/Format.hpp>
@@ -75,6 +76,18 @@ ContactFigures contactFigures(const Solution& solution, int pieces) {
 
 double pressureError(const ContactPiece& piece, double largest) { return largest > 0 ? piece.pressureDoubt / largest : 0.0; }
 
+std::vector<std::string> meshNotes(const Solution& solution) {
+  constexpr double kCoarse = 0.25;
+  if (!solution.converged) return {};
+  const double error = solution.discretisation ? solution.discretisation->relative() : solution.meshError.value_or(0.0);
+  if (error <= kCoarse) return {};
+  return {
+      format("warning: the mesh is coarse: its estimated error is %.0f %% in the energy norm. Displacements, and contact forces that "
+             "depend on bending, may be wrong by as much or more. Finer elements, second order, or quadrilaterals and hexahedra in "
+             "place of 3-node triangles and 4-node tetrahedra reduce it",
+             100 * error)};
+}
+
 /// Share of the largest pressure above which an oscillation is said: triangles that are fine enough leave less.
 constexpr double kSeenOscillation = 0.03;
 
@@ -83,9 +96,13 @@ std::vector<std::string> pressureNotes(const Comm& comm, const std::vector<Conta
   collectivelyOnRoot(comm, "estimating contact pressures", [&] {
     const ContactFigures figures = contactFigures(solution, int(pieces.size()));
     const std::vector<double> oscillation = pressureOscillations(solution.pairs, pieces);
+    std::vector<double> magnitude(pieces.size(), 0.0);  // of glued contacts the largest may be a tension
+    for (const PairResult& pair : solution.pairs)
+      if (pair.piece >= 0 && pair.piece < int(pieces.size()))
+        magnitude[pair.piece] = std::max(magnitude[pair.piece], std::abs(pair.pressure));
     for (std::size_t p = 0; p < pieces.size(); ++p) {
-      if (oscillation[p] > kSeenOscillation * figures.pressureOf[p]) {
-        const double share = oscillation[p] / figures.pressureOf[p];
+      if (magnitude[p] > 0.0 && oscillation[p] > kSeenOscillation * magnitude[p]) {
+        const double share = oscillation[p] / magnitude[p];
         said += format(
             "%scontact '%s': pressures alternate from node to node by %.0f %% of the largest: the mesh does not resolve them. "
             "Finer elements, quadrilaterals or second order reduce it\n",
@@ -107,7 +124,7 @@ std::vector<std::string> pressureNotes(const Comm& comm, const std::vector<Conta
 
 namespace {
 
-constexpr double kLarge = 0.1;     // displacement relative to the scene's size
+constexpr double kLarge = 0.1;     // strain or rotation
 constexpr int kLong = 10;          // least number of pairs of a piece that could resolve a pressure
 constexpr int kFew = 4;            // number of closed pairs side by side from which on they resolve it roughly
 constexpr double kCarries = 1e-3;  // part of the largest pressure that is more than rounding
@@ -121,20 +138,6 @@ double largestDisplacement(const Comm& comm, const std::vector<SubdomainMesh>& m
   }
   Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, squared, Teuchos::outArg(all));
   return std::sqrt(all);
-}
-
-/// Diagonal of the box of all nodes.
-double sizeOfScene(const Comm& comm, const std::vector<SubdomainMesh>& meshes) {
-  constexpr double none = std::numeric_limits<double>::lowest();
-  double mine[6] = {none, none, none, none, none, none}, box[6];  // highest, and minus lowest
-  for (const SubdomainMesh& mesh : meshes)
-    for (int node = 0; node < mesh.nodes(); ++node)
-      for (int k = 0; k < 3; ++k) {
-        mine[k] = std::max(mine[k], mesh.point(node)[k]);
-        mine[3 + k] = std::max(mine[3 + k], -mesh.point(node)[k]);
-      }
-  Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, 6, mine, box);
-  return std::hypot(box[0] + box[3], box[1] + box[4], box[2] + box[5]);
 }
 
 /// A note for each long piece whose largest pressure is on a patch of few closed pairs.
@@ -231,15 +234,19 @@ std::string slidOffNotes(const std::vector<ContactPiece>& pieces, const std::vec
 
 }  // namespace
 
-std::vector<std::string> plausibilityNotes(const Comm& comm, const std::vector<SubdomainMesh>& meshes,
+std::vector<std::string> plausibilityNotes(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model,
                                            const std::vector<ContactPiece>& pieces, const Solution& solution) {
   std::vector<std::string> notes;
-  const double size = sizeOfScene(comm, meshes), largest = largestDisplacement(comm, meshes, solution.displacement);
-  if (largest > kLarge * size)
-    notes.push_back(
-        format("the largest displacement is %.2g of the scene's size: strains and rotations are taken for small ones here, "
-               "and contact is sought where the bodies were drawn",
-               largest / size));
+  const LargestStrain most = largestStrain(comm, meshes, solution.displacement);
+  const auto at = [&](const Extreme& found) {
+    return " at " + placeText(found.place, model.dimension) + " of '" + model.bodies[std::size_t(found.body)] + "'";
+  };
+  std::string large;
+  if (most.strain.value > kLarge) large = format("strains reach %.2g", most.strain.value) + at(most.strain);
+  if (most.rotation.value > kLarge)
+    large += (large.empty() ? "" : ", ") + format("rotations reach %.2g rad", most.rotation.value) + at(most.rotation);
+  if (!large.empty())
+    notes.push_back(large + ": small strains and rotations are assumed, and contact is searched for where the bodies were drawn");
   std::string said;
   collectivelyOnRoot(comm, "looking at the contacts", [&] {
     said = patchNotes(pieces, solution.pairs) + openEndNotes(pieces, solution.pairs) + slidOffNotes(pieces, solution.pairs);

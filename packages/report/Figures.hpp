@@ -49,14 +49,18 @@ ContactFigures contactFigures(const Solution& solution, int pieces);
 /// pressure. Local. \param largest  pressure of the piece [stress]
 double pressureError(const ContactPiece& piece, double largest);
 
+/// A warning where the estimated error of the mesh exceeds a quarter of the energy norm of a converged solution: by the estimate that was
+/// asked for, or else by the cheap one. Local, the same on all ranks.
+std::vector<std::string> meshNotes(const Solution& solution);
+
 /// Sentences on estimated errors of contact pressures, each piece above one per cent, and on pressures that alternate from node to node by
 /// more than three: beyond ten per cent warnings. Collective, the same on all ranks. \param pieces, solution  as in Run
 std::vector<std::string> pressureNotes(const Comm& comm, const std::vector<ContactPiece>& pieces, const Solution& solution);
 
-/// Sentences on solutions that a small-strain program should not be trusted with unseen: displacements beyond a tenth of the scene's size,
+/// Sentences on solutions that a small-strain program should not be trusted with unseen: strains or rotations of elements beyond a tenth,
 /// and long contacts (of at least ten pairs) of which one or two pairs alone are closed. Collective, the same on all ranks.
 /// \param meshes  those of solution.displacement;  \param pieces, solution  as in Run
-std::vector<std::string> plausibilityNotes(const Comm& comm, const std::vector<SubdomainMesh>& meshes,
+std::vector<std::string> plausibilityNotes(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model,
                                            const std::vector<ContactPiece>& pieces, const Solution& solution);
 
 /// Largest |u| over all nodes [length]. Collective.

@@ -13,6 +13,9 @@ Schema outputSchema() {
       .boolean("Error Estimate", false,
                "Estimate the discretisation error in the energy norm from recovered stresses, element by element (field ErrorEstimate; "
                "summary, console). An automatic tolerance does so anyway.")
+      .boolean("Mesh Error", true,
+               "Where no other estimate is made: estimate the discretisation error from averaged stresses, rougher and cheaper (summary, "
+               "console); a warning above 25 %.")
       .boolean("Nodal Stresses", false,
                "Recover the stresses at the nodes from those inside the elements (a tenth of the time of a large linear scene): fields "
                "NodalStress, NodalVonMises and NodalPrincipalStress, and the extremes of summary and console, which on boundaries are "

@@ -51,6 +51,7 @@ Json errors(const Solution& answer) {
     all["estimated_energy_norm"] = estimate->energyNorm;
     all["estimated_energy_norm_relative"] = estimate->relative();
   }
+  if (answer.meshError) all["averaged_energy_norm_relative"] = *answer.meshError;
   if (answer.energyError >= 0.0) {
     all["algebraic_energy_norm"] = answer.energyError;
     if (estimate && estimate->solutionNorm > 0.0) all["algebraic_energy_norm_relative"] = answer.energyError / estimate->solutionNorm;

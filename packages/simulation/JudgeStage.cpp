@@ -1,4 +1,5 @@
 #include <suture/base/Collective.hpp>
+#include <suture/quality/AveragedEstimate.hpp>
 #include <suture/quality/ExactErrors.hpp>
 #include <suture/quality/Verify.hpp>
 #include <suture/quality/answers/NodalStresses.hpp>
@@ -10,8 +11,10 @@
 #include <suture/solver/accuracy/RequestedAccuracy.hpp>
 
 #include <Teuchos_Comm.hpp>
+#include <Teuchos_CommHelpers.hpp>
 #include <Teuchos_ParameterList.hpp>
 
+#include <algorithm>
 #include <limits>
 
 namespace suture {
@@ -47,6 +50,17 @@ void findErrors(const Comm& comm, const std::vector<SubdomainMesh>& meshes, cons
   if (wantsErrorEstimate(scene.settings()) && !solution.discretisation)
     solution.discretisation = timed(timers, "estimate", [&] { return estimateError(comm, recovered); });
   if (nodal) solution.nodalStresses = timed(timers, "recover", [&] { return nodalStresses(comm, meshes, model, recovered); });
+}
+
+void estimateMesh(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const Subdomains& subdomains, const Scene& scene,
+                  Solution& solution, Timers& timers) {
+  if (solution.discretisation || !scene.settings().sublist("Output").get<bool>("Mesh Error")) return;
+  const int mine =
+      std::any_of(subdomains.begin(), subdomains.end(), [](const auto& subdomain) { return subdomain && !subdomain->followsModel(); });
+  int any = 0;
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, mine, Teuchos::outArg(any));
+  if (any != 0) return;
+  solution.meshError = timed(timers, "estimate", [&] { return averagedEstimate(comm, meshes, scene.model, solution.displacement); });
 }
 
 void findAnswers(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const Scene& scene, Solution& solution) {

@@ -25,6 +25,11 @@ void settleMotions(const Comm& comm, std::vector<SubdomainMesh>& meshes, const s
 /// recovered stresses, where they want these. Phases "errors", "estimate", "recover". Collective.
 void findErrors(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const Scene& scene, Solution& solution, Timers& timers);
 
+/// Adds a cheap estimate of the error of the mesh (averagedEstimate) where there is no other, if the settings want it. None of scenes with
+/// subdomains whose physics are their own: their stresses follow no law that is known. Phase "estimate". Collective.
+void estimateMesh(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const Subdomains& subdomains, const Scene& scene,
+                  Solution& solution, Timers& timers);
+
 /// Adds the extremes of the verified solution. Collective.
 void findAnswers(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const Scene& scene, Solution& solution);
 

@@ -206,8 +206,9 @@ void Simulation::judgeSolution() {
   method_.reset();
   if (!isJudged_ && (!followsPath() || path_->rows.empty())) judge(solution_, subdomains);
   const std::vector<ContactPiece>& pieces = cut_.whole.pieces;
+  for (const std::string& note : meshNotes(solution_)) monitor_.note(note);
   for (const std::string& note : pressureNotes(*comm_, pieces, solution_)) monitor_.note(note);
-  for (const std::string& note : plausibilityNotes(*comm_, cut_.meshes, pieces, solution_)) monitor_.note(note);
+  for (const std::string& note : plausibilityNotes(*comm_, cut_.meshes, scene_.model, pieces, solution_)) monitor_.note(note);
   if (!followsPath()) doubts_.add(solution_.verification);
   for (const std::string& note : doubts_.warnings()) monitor_.note(note);
   noteOverlaps();
@@ -218,6 +219,7 @@ void Simulation::judge(Solution& solution, const Subdomains& subdomains) {
   timed(timers_, "verify", [&] { settleMotions(*comm_, cut_.meshes, pieces, scene_, solution, monitor_); });
   findErrors(*comm_, cut_.meshes, scene_, solution, timers_);
   timed(timers_, "verify", [&] { verifySolution(*comm_, cut_.meshes, pieces, subdomains, scene_, path_.get(), solution); });
+  estimateMesh(*comm_, cut_.meshes, subdomains, scene_, solution, timers_);
   timed(timers_, "verify", [&] { findAnswers(*comm_, cut_.meshes, scene_, solution); });
 }
 

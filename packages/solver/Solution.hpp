@@ -39,6 +39,7 @@ struct Solution : OuterFigures {
   std::vector<UndeterminedForces> sharedForces;  ///< see settleContactForces()
   /// One vector for each subdomain of this rank, in the order of distribute(), beside its lift: node-major, Cartesian [length].
   std::vector<Vector> displacement;
+  std::optional<double> meshError;    ///< averagedEstimate(): relative error of the mesh in the energy norm, where nothing better is known
   std::map<int, Matrix> ownStresses;  ///< Subdomain::stresses() of those of this rank with physics of their own, by place
   std::vector<Matrix> nodalStresses;  ///< by subdomain: see nodalStresses(); empty if nobody asked for them
   std::vector<PairResult> pairs;      ///< on rank 0: all, by id

@@ -270,6 +270,17 @@ TEUCHOS_UNIT_TEST(ElasticModel, ChoosesElementsThatDoNotLock) {
   TEST_ASSERT(chosen("Plane Stress", "0.4999") == ElementForm::Displacement);
 }
 
+TEUCHOS_UNIT_TEST(ElasticModel, EnhancesElementsUnlessTheSceneNamesThem) {
+  const auto enhanced = [](const std::string& element) {
+    return modelOf({"Model=Plane Strain", "Materials/rock/Element=" + element}).materialOfBody[0].enhanced;
+  };
+  TEST_ASSERT(modelOf().materialOfBody[0].enhanced);
+  TEST_ASSERT(enhanced("Automatic") && !enhanced("Displacement") && !enhanced("Mixed"));
+  ElasticModel built;
+  built.addBody("body", std::make_shared<GivenLaw>(isotropicStiffness({1.0, 0.3})));
+  TEST_ASSERT(built.materialOfBody[0].enhanced);
+}
+
 TEUCHOS_UNIT_TEST(ElasticModel, WarnsOfDisplacementElementsNearIncompressibility) {
   const std::vector<std::string> nearly{"Model=Axisymmetric", "Materials/rock/Poisson Ratio=0.4999"};
   const auto notesWith = [&](const std::string& setting) {

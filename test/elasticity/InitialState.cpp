@@ -20,22 +20,26 @@ struct Case {
   ElasticModel model;
 };
 
-// Every cell with straight and with curved sides, each geometry and element form.
+// Every cell with straight and with curved sides, each geometry and element form, enhanced ones of each geometry.
 std::vector<Case> cases(const Load& load) {
   std::vector<Case> all;
   for (const Cell cell : sample::cells())
     for (const bool curved : {false, true})
-      for (const std::string geometry : {"strain", "stress", "revolution", "mixed"}) {
+      for (const std::string geometry : {"strain", "stress", "revolution", "mixed", "enhanced", "enhanced stress", "enhanced revolution"}) {
         if (geometry == "mixed" && cell == Cell::Triangle3) continue;
+        const bool enhanced = geometry.find("enhanced") == 0;
+        const auto is = [&](const std::string& what) { return geometry == what || geometry == "enhanced " + what; };
+        if (enhanced && !mayBeEnhanced(cell)) continue;
         Case one;
         one.name = std::to_string(int(cell)) + (curved ? " curved " : " straight ") + geometry;
         one.block = curved ? sample::curved(cell) : sample::distorted(cell);
         for (std::size_t i = 0; i < one.block.coordinates.size(); i += 2) one.block.coordinates[i] += 5.0;
-        one.block.axisymmetric = geometry == "revolution";
-        one.material = {"steel", 2e5, geometry == "mixed" ? 0.4999 : 0.3};
+        one.block.axisymmetric = is("revolution");
+        one.material = {"steel", 2e5, geometry == "mixed" || geometry == "enhanced" ? 0.4999 : 0.3};
+        one.material.enhanced = enhanced;
         one.material.expansion = expansion;
         if (geometry == "mixed") one.material.element = ElementForm::Mixed;
-        one.plane = geometry == "stress" ? PlaneModel::Stress : PlaneModel::Strain;
+        one.plane = is("stress") ? PlaneModel::Stress : PlaneModel::Strain;
         one.model.bodies = {"body"};
         one.model.loads = {load};
         all.push_back(one);

@@ -311,9 +311,11 @@ std::vector<Case> cases() {
   std::vector<Case> all;
   for (const Cell cell : sample::solids())
     for (const CellBlock& block : {sample::distortedSolid(cell), sample::curvedSolid(cell)})
-      for (const bool mixed : {false, true}) {
-        if (mixed && cell == Cell::Tetrahedron4) continue;
-        Case one{block, {"steel", 2e5, mixed ? 0.4999 : 0.3}};
+      for (const std::string form : {"displacement", "mixed", "enhanced", "enhanced nearly incompressible"}) {
+        const bool mixed = form == "mixed", enhanced = form.find("enhanced") == 0;
+        if ((mixed && cell == Cell::Tetrahedron4) || (enhanced && !mayBeEnhanced(cell))) continue;
+        Case one{block, {"steel", 2e5, mixed || form == "enhanced nearly incompressible" ? 0.4999 : 0.3}};
+        one.material.enhanced = enhanced;
         one.material.expansion = 1e-3;
         if (mixed) one.material.element = ElementForm::Mixed;
         all.push_back(one);

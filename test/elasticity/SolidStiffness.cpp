@@ -52,6 +52,12 @@ std::vector<Material> materials(Cell cell) {
   std::vector<Material> all{{"soft", 3.0, 0.3}, {"nearly", 3.0, 0.4999}};
   all.push_back({"skew", 3.0, 0.3});
   all.back().law = skewLaw();
+  if (mayBeEnhanced(cell))
+    for (std::size_t i = 0; i < 3; ++i) {
+      Material enhanced = all[i];
+      enhanced.enhanced = true;
+      all.push_back(enhanced);
+    }
   if (cell == Cell::Tetrahedron4) return all;
   for (std::size_t i = 0; i < 3; ++i) {
     Material mixed = all[i];

@@ -14,7 +14,7 @@ struct ForcesCase {
   Vector u;
   std::function<const Material&(int)> materialOf = [this](int) -> const Material& { return material; };
 
-  ForcesCase(Cell cell, ElementForm form, PlaneModel model, bool revolved) : plane(model) {
+  ForcesCase(Cell cell, ElementForm form, PlaneModel model, bool revolved, bool enhanced = false) : plane(model) {
     Box box;
     box.x1 = 2;
     box.nx = dimensionOf(cell) == 2 ? 5 : 3;
@@ -24,6 +24,7 @@ struct ForcesCase {
     mesh = boxes({box});
     mesh.axisymmetric = revolved;
     material = {"rubber", 3.0, form == ElementForm::Mixed ? 0.4999 : 0.3, form};
+    material.enhanced = enhanced;
     std::mt19937 random(7);
     std::uniform_real_distribution<double> any(-0.02, 0.02);
     const int d = mesh.dimension;
@@ -59,9 +60,14 @@ void forAllCases(const std::function<void(ForcesCase&)>& each) {
         if (revolved && dimensionOf(cell) == 3) continue;
         ForcesCase one(cell, form, PlaneModel::Strain, revolved);
         each(one);
+        if (!mayBeEnhanced(cell)) continue;
+        ForcesCase enhanced(cell, form, PlaneModel::Strain, revolved, true);
+        each(enhanced);
       }
-  ForcesCase sheet(Cell::Quadrilateral4, ElementForm::Displacement, PlaneModel::Stress, false);
-  each(sheet);
+  for (const bool enhanced : {false, true}) {
+    ForcesCase sheet(Cell::Quadrilateral4, ElementForm::Displacement, PlaneModel::Stress, false, enhanced);
+    each(sheet);
+  }
 }
 
 TEUCHOS_UNIT_TEST(ElementForces, AreThoseOfTheElementMatrices) {

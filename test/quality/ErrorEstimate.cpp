@@ -4,6 +4,7 @@
 #include <support/Blocks.hpp>
 #include <suture/algebra/dense/Decompositions.hpp>
 #include <suture/elasticity/ElementMap.hpp>
+#include <suture/quality/AveragedEstimate.hpp>
 #include <suture/quality/ErrorEstimate.hpp>
 #include <suture/quality/PatchRecovery.hpp>
 #include <suture/reference/Monolithic.hpp>
@@ -281,6 +282,72 @@ TEUCHOS_UNIT_TEST(ErrorEstimate, DoesNotDependOnTheCut) {
     agrees(blocks::Blocks(square(cell, 8, 8, 1.0, exponential()), blocks::world()));  // a cell each: no patch whole
     agrees(blocks::Blocks(whole, blocks::world(), 7));
   }
+}
+
+double averaged(const blocks::Blocks& all, const Vector& u) {
+  std::vector<Vector> displacement;
+  for (const SubdomainMesh& mesh : all.meshes) {
+    displacement.emplace_back(2 * mesh.nodes());
+    for (int node = 0; node < mesh.nodes(); ++node) displacement.back().segment<2>(2 * node) = u.segment<2>(2 * mesh.globalNodes[node]);
+  }
+  return averagedEstimate(*blocks::world(), all.meshes, all.model, displacement);
+}
+
+TEUCHOS_UNIT_TEST(AveragedEstimate, IsOfTheOrderOfTheExactErrorOfEveryCell) {
+  for (const double bend : {0.0, 1.0})
+    for (const Cell cell : estimatedCells)
+      for (const int n : {8, 32}) {
+        const Exact exact = exponential();
+        const scenes::Scene scene = square(cell, n, 2, bend, exact);
+        const Vector u = solve(scene);
+        const blocks::Blocks cut(scene, blocks::world());
+        const double truth = exactError(scene.mesh, scene.model.materialOfBody[0], u, exact) / estimate(cut, u).solutionNorm;
+        const double effectivity = averaged(cut, u) / truth;
+        out << cellInfo(cell).name << (bend > 0 ? " bent " : " straight ") << n << ": exact " << truth << ", effectivity " << effectivity
+            << "\n";
+        TEST_COMPARE(effectivity, >, 0.6);
+        TEST_COMPARE(effectivity, <, cellInfo(cell).order == 1 ? 1.3 : 3.0);
+      }
+}
+
+TEUCHOS_UNIT_TEST(AveragedEstimate, IsZeroForUniformStressAndForNone) {
+  for (const Cell cell : estimatedCells) {
+    const scenes::Scene scene = square(cell, 4, 2, 1.0, power(1));
+    TEST_COMPARE(averaged(blocks::Blocks(scene, blocks::world()), solve(scene)), <, 1e-10);
+    Vector moved(2 * scene.mesh.nodes());  // a translation and a turn: stresses are rounding
+    for (int node = 0; node < scene.mesh.nodes(); ++node)
+      moved.segment<2>(2 * node) << 1.7 - 0.3 * scene.mesh.point(node)[1], 2.9 + 0.3 * scene.mesh.point(node)[0];
+    TEST_EQUALITY(averaged(blocks::Blocks(scene, blocks::world()), moved), 0.0);
+  }
+}
+
+TEUCHOS_UNIT_TEST(AveragedEstimate, DoesNotDependOnTheCut) {
+  for (const Cell cell : estimatedCells) {
+    const scenes::Scene whole = square(cell, 8, 1, 1.0, exponential());
+    const Vector u = solve(whole);
+    const double reference = averaged(blocks::Blocks(whole, blocks::world()), u);
+    TEST_FLOATING_EQUALITY(averaged(blocks::Blocks(square(cell, 8, 4, 1.0, exponential()), blocks::world()), u), reference, 1e-11);
+    TEST_FLOATING_EQUALITY(averaged(blocks::Blocks(whole, blocks::world(), 7), u), reference, 1e-11);
+  }
+}
+
+// A slender beam, two triangles across it: what a warning is for.
+TEUCHOS_UNIT_TEST(AveragedEstimate, SeesTrianglesThatCannotBend) {
+  const auto bent = [](Cell cell) {
+    Box box;
+    box.x1 = 20.0;
+    box.nx = 20;
+    box.ny = 2;
+    box.cell = cell;
+    scenes::Scene scene = scenes::fromBoxes({box}, kYoung, kPoisson);
+    scene.model.materialOfBody[0].enhanced = true;
+    for (const int node : scene.nodesOf("body_left"))
+      for (int k = 0; k < 2; ++k) scene.holdNode(node, k, 0.0);
+    for (const int node : scene.nodesOf("body_right")) scene.holdNode(node, 1, 0.1);
+    return averaged(blocks::Blocks(scene, blocks::world()), solve(scene));
+  };
+  TEST_COMPARE(bent(Cell::Triangle3), >, 0.25);
+  TEST_COMPARE(bent(Cell::Quadrilateral4), <, 0.1);
 }
 
 }  // namespace

@@ -1,10 +1,12 @@
 #include <suture/base/Errors.hpp>
 #include <suture/elasticity/ElasticModel.hpp>
 #include <suture/elasticity/ElementMap.hpp>
+#include <suture/elasticity/EnhancedModes.hpp>
 #include <suture/elasticity/HookesLaw.hpp>
 #include <suture/elasticity/MixedPressure.hpp>
 
 #include <algorithm>
+#include <optional>
 
 namespace suture {
 
@@ -49,26 +51,38 @@ Vector forcesOf(const CellBlock& block, const std::function<const Material&(int 
   Vector forces = Vector::Zero(Eigen::Index(block.nodes()) * D);
   if (sizes) *sizes = forces;
   const Material* last = nullptr;
-  HookesLaw<D> law;
+  HookesLaw<D> ofMaterial;
   for (int e = 0; e < block.elements(); ++e) {
     if (!initial.isIn(e)) continue;
     const Material& material = materialOf(e);
-    if (&material != last) law = HookesLaw<D>(material, plane);
+    if (&material != last) ofMaterial = HookesLaw<D>(material, plane);
     last = &material;
+    const HookesLaw<D> law = ofMaterial.of(block.cells[e]);
     const ReferenceElement& reference = stiffnessElement(block, e);
     const Span<const int> nodes = block.nodesOf(e);
     ElementMap<D> map(block, e, reference);
     Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, D * mostNodes<D>> own(D * reference.nodes);
     own.setZero();
+    std::optional<EnhancedModes<D>> modes;
+    typename EnhancedModes<D>::Amplitudes onModes = EnhancedModes<D>::Amplitudes::Zero();
+    if (law.enhanced) modes.emplace(block, e, reference, map);
     for (int q = 0; q < reference.points; ++q) {
       map.at(q);
       const InitialState::Values<D> here = initial.at(e, map.place(), law);
-      const StressVector<D> stress = map.measure() * (law.pointwise * here.strain - here.stress);
+      const StressVector<D> whole = law.pointwise * here.strain - here.stress, stress = map.measure() * whole;
+      if (modes) {
+        modes->add(map);
+        modes->addForces(map, whole, onModes);
+      }
       for (int a = 0; a < reference.nodes; ++a) {
         Eigen::Matrix<double, D, 1> force = forceOfStress<D>(map.gradient(a), stress);
         force[0] += map.hoop(a) * stress[2];
         own.template segment<D>(D * a) += force;
       }
+    }
+    if (modes) {
+      modes->close(law.pointwise);
+      own += modes->condensed(onModes);
     }
     if (law.projected != 0.0) {
       const MixedPressure<D> pressure(block.cells[e], reference, map);

@@ -1,0 +1,119 @@
+#pragma once
+#include <suture/elasticity/ElementMap.hpp>
+#include <suture/elasticity/HookesLaw.hpp>
+
+#include <Eigen/Cholesky>
+
+namespace suture {
+
+/// Functions of the reference coordinates that enhanced strains are made of: xi, eta, xi eta in the plane; xi, eta, zeta, eta zeta,
+/// zeta xi, xi eta, xi eta zeta in 3D; less their means. \tparam D  dimension
+template <int D>
+struct EnhancedFunctions {
+  static constexpr int count = D == 2 ? 3 : 7;
+  double means[count] = {};  ///< other than zero in axisymmetric blocks only
+
+  /// \param x  reference coordinates
+  void at(const double* x, double (&f)[count]) const {
+    for (int k = 0; k < D; ++k) f[k] = x[k];
+    f[D] = x[D - 2] * x[D - 1];
+    if constexpr (D == 3) {
+      f[4] = x[2] * x[0];
+      f[5] = x[0] * x[1];
+      f[6] = x[0] * f[3];
+    }
+    for (int i = 0; i < count; ++i) f[i] -= means[i];
+  }
+};
+
+/// An enhanced strain of one element.
+template <int D>
+struct EnhancedStrain {
+  EnhancedFunctions<D> functions;
+  Eigen::Matrix<double, stressComponents<D>, EnhancedFunctions<D>::count> factors;  ///< of each function over the determinant of the map
+
+  /// Strain at the place of a map of the element.
+  StressVector<D> at(const ElementMap<D>& map) const {
+    double f[EnhancedFunctions<D>::count];
+    functions.at(map.referencePlace(), f);
+    StressVector<D> strain = factors.col(0) * f[0];
+    for (int i = 1; i < EnhancedFunctions<D>::count; ++i) strain += factors.col(i) * f[i];
+    return strain / map.determinant();
+  }
+};
+
+/// Enhanced strains of one Quadrilateral4 or Hexahedron8: strains that no displacement of its nodes gives, with amplitudes that the element
+/// itself determines (static condensation), so that it bends without locking (Simo and Rifai, Int. J. Num. Meth. Eng. 29, 1595-1638, 1990;
+/// on parallelograms the incompatible modes QM6 of Taylor, Beresford and Wilson, 1976).
+///
+/// The strain is e(u) + sum of alpha_m f_m / j E_m: f_m a function of the reference coordinates without mean, j the determinant of the
+/// element's map and E_m a constant tensor. So it is orthogonal to constant stresses, and the patch test holds on distorted elements. In
+/// axisymmetric blocks the mean has the weight of the radius.
+/// - D vectors along each reference direction i: f = xi_i, E = sym(vector x c_i), c_i the cofactors of the map at the centre.
+/// - What is left of the dilatation at the points of the rule, except its mean: f = eta zeta, zeta xi, xi eta, xi eta zeta and E = identity
+///   in 3D, f = xi eta and E = the hoop strain in axisymmetric blocks. So elements do not lock when nu tends to 0.5: one constraint is
+///   left, as in Mixed elements of constant pressure.
+///
+/// Use: add() at all points of the rule of the stiffness, then close(). \tparam D  dimension
+template <int D>
+class EnhancedModes {
+ public:
+  static constexpr int nodes = D == 2 ? 4 : 8;
+  static constexpr int count = D == 2 ? 5 : 13;  ///< modes; the last one in the plane is empty
+  using Amplitudes = Eigen::Matrix<double, count, 1>;
+
+  /// \param rule  stiffnessElement() of the element
+  EnhancedModes(const CellBlock& block, int element, const ReferenceElement& rule, const ElementMap<D>& map);
+
+  /// Adds the point of the rule at which the map is.
+  void add(const ElementMap<D>& map);
+  /// Factors the stiffness of the modes. \param law  on the strain at each point
+  void close(const StressMatrix<D>& law);
+
+  /// Takes from a stiffness matrix what the modes give way, upper triangle. \param k  D * nodes square
+  template <typename ElementMatrix>
+  void condense(ElementMatrix& k) const {
+    const Eigen::Matrix<double, count, D* nodes> root = factor_.matrixL().solve(coupling_);
+    for (int j = 0; j < D * nodes; ++j)
+      for (int i = 0; i <= j; ++i) k(i, j) -= root.col(i).dot(root.col(j));
+  }
+
+  /// What condense() takes from the diagonal.
+  Eigen::Matrix<double, D * nodes, 1> softening() const {
+    const Eigen::Matrix<double, count, D* nodes> root = factor_.matrixL().solve(coupling_);
+    return root.colwise().squaredNorm().transpose();
+  }
+
+  /// Adds the forces on the modes of a stress at the point of the rule at which the map is.
+  void addForces(const ElementMap<D>& map, const StressVector<D>& stress, Amplitudes& forces) const {
+    double f[Functions::count];
+    functions_.at(map.referencePlace(), f);
+    const double factor = map.measure() / map.determinant();
+    for (int m = 0; m < count; ++m) forces[m] += factor * f[functionOf(m)] * tensors_.col(m).dot(stress);
+  }
+  /// Strain of the modes under forces on them.
+  EnhancedStrain<D> strain(const Amplitudes& forces) const;
+  /// Strain of the modes for displacements of the nodes (node-major).
+  template <typename Displacement>
+  EnhancedStrain<D> strainOf(const Displacement& u) const {
+    return strain(-(coupling_ * u));
+  }
+  /// What forces on the modes are at the nodes, once the modes are eliminated (node-major).
+  Eigen::Matrix<double, D * nodes, 1> condensed(const Amplitudes& forces) const { return -(coupling_.transpose() * factor_.solve(forces)); }
+
+ private:
+  using Functions = EnhancedFunctions<D>;
+  static constexpr int functionOf(int mode) { return mode < D * D ? mode / D : mode - D * D + D; }
+  void setTensors(Cell cell, const ElementMap<D>& map);
+  void setMeans(const ReferenceElement& rule, const ElementMap<D>& map);
+
+  bool axisymmetric_;
+  Functions functions_;
+  double products_[Functions::count][Functions::count] = {};  // integrals of f_i f_j / j^2, upper triangle
+  double slopes_[Functions::count][nodes][3] = {};  // integrals of f_i / j times the gradient of a shape function; third: hoop in the plane
+  Eigen::Matrix<double, stressComponents<D>, count> tensors_;
+  Eigen::Matrix<double, count, D * nodes> coupling_;  // integrals of the modes' stress times the strain of each degree of freedom
+  Eigen::LLT<Eigen::Matrix<double, count, count>> factor_;
+};
+
+}  // namespace suture
