@@ -14,10 +14,10 @@ namespace suture {
 
 namespace {
 
-constexpr double kStraight = 1e-6;  // angle between neighbours' normals, up to which the sides are flat there [rad]
-constexpr double kTurned = 0.05;    // by which normals may turn on the way of a slide, so that it changes nothing but places [rad]
-constexpr double kExplained = 2.0;  // deformations that explain the rotation of a body
-constexpr double kInPlane = 1e-9;   // part of an obstacle's extent by which feet of its pairs may lie beside one plane
+constexpr double kStraight = 1e-6;      // angle between neighbours' normals, up to which the sides are flat there [rad]
+constexpr double kTurned = 0.05;        // by which normals may turn on the way of a slide, so that it changes nothing but places [rad]
+constexpr double kExplainedTurn = 2.0;  // deformations that explain the rotation of a body
+constexpr double kInPlane = 1e-9;       // part of an obstacle's extent by which feet of its pairs may lie beside one plane
 
 Point without(const Point& direction, const Point& vector) { return minus(vector, scaled(dot(vector, direction), direction)); }
 
@@ -207,7 +207,7 @@ class PlaceJudge {
     double radius = std::min(1.0 / pair.curvature, length(minus(pair.where.place, own.centre)));
     if (areTwo) radius = std::min(radius, length(minus(pair.where.place, other.centre)));
     const double turn = length(without(pair.normal, areTwo ? minus(own.rotation, other.rotation) : own.rotation));
-    return radius * std::max(0.0, turn - kExplained * (strainOf(own) + (areTwo ? strainOf(other) : 0.0)));
+    return radius * std::max(0.0, turn - kExplainedTurn * (strainOf(own) + (areTwo ? strainOf(other) : 0.0)));
   }
 
   /// How far a body is deformed, as an angle: its best rigid rotation may be that much, though nothing turned.
