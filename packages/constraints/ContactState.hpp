@@ -17,7 +17,7 @@ struct ContactState {
                   0};     ///< in which side A slides along side B, in the pair's frame, a unit vector; zero unless it slips with friction
   double bound = 0.0;     ///< largest tangential force without a normal one; 0 without friction [force]
   double friction = 0.0;  ///< by how much the normal force raises it: the slope of the law
-  double across = 0.0;    ///< in space: stiffness of a pair that slips against leaving its direction, see FrictionSearch [force / length]
+  double across = 0.0;    ///< stiffness along acrossSlip(): of pairs that slip (FrictionSearch), of open ones (StateSearch) [force/length]
 
   ContactState() = default;
   ContactState(PairStatus s) : status(s) {}

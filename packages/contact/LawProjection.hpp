@@ -24,6 +24,8 @@ class LawProjection {
 
   /// True if the law of a pair restricts sliding.
   bool rubs(std::size_t pair) const { return laws_.of(rigid_.data().line[pair]).rows(2) > 1; }
+  /// Stiffness of both sides of a pair along the tangents; zero where there is none. [force / length]
+  double tangentialStiffness(std::size_t pair) const { return sites_[pair].tangential; }
   /// State of a pair at a trial force. \param now  the state that it has;  \param force, jump  rows of the pair, the jump times R [force]
   ContactState state(std::size_t pair, const ContactState& now, const Point& force, const Point& jump) const;
   /// States of all pairs at forces and jumps, as they stand. \param jump  pairs x 3 [length]

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kTouching = 1e-12;    // penetration, relative to the gaps' own size, at which a pair touches
 constexpr double kNoWork = 1e-11;      // work of loads in a motion that is none, relative to the sum of its parts
-constexpr double kWeakSprings = 1e-2;  // singular value of springs across directions of slip below which they hold no motion
+constexpr double kWeakSprings = 1e-2;  // singular value of springs along tangents below which they hold no motion
 constexpr int kPatchRounds = 4;        // fixed point of compliance and patch lengths
 // Under a force on each of n nodes, h apart, the middle of a disc gives 3.5 sqrt(n) / (pi E* h) (Boussinesq, the sum of 1 / r); of two
 // bodies of trilinear cubes a node has k = 0.45 E h, E* = 0.55 E.
@@ -156,12 +156,16 @@ Matrix RigidContact::loose(const std::vector<ContactState>& states) const {
   Eigen::Index count = 0, across = 0;
   for (std::size_t i = 0; i < states.size(); ++i) {
     const auto at = static_cast<Eigen::Index>(i);
-    if (!states[i].closed()) continue;
-    rows.row(count++) = pairs_.rows.row(at);
-    if (states[i].status == PairStatus::Stick)
+    const ContactState& state = states[i];
+    if (state.closed()) rows.row(count++) = pairs_.rows.row(at);
+    if (state.status == PairStatus::Stick) {
       for (const Matrix& tangent : pairs_.tangents) rows.row(count++) = tangent.row(at);
-    else if (states[i].across > 0.0 && pairs_.tangents.size() == 2)
-      springs.row(across++) = states[i].direction[1] * pairs_.tangents[1].row(at) - states[i].direction[2] * pairs_.tangents[0].row(at);
+    } else if (state.across > 0.0 && !pairs_.tangents.empty()) {
+      const Point along = acrossSlip(state);
+      springs.row(across) = along[1] * pairs_.tangents[0].row(at);
+      if (pairs_.tangents.size() == 2) springs.row(across) += along[2] * pairs_.tangents[1].row(at);
+      ++across;
+    }
   }
   const Matrix free = count == 0 ? Matrix(Matrix::Identity(motions(), motions())) : nullSpace(rows.topRows(count), kDependentRows);
   return across == 0 || free.cols() == 0 ? free : Matrix(free * nullSpace(springs.topRows(across) * free, kWeakSprings));

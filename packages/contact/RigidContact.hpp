@@ -67,7 +67,7 @@ class RigidContact {
   /// True if a pair never opens.
   bool isBound(std::size_t pair) const { return !pairs_.bound.empty() && pairs_.bound[pair] != 0; }
   /// The same of states of pairs with friction: they hold along the normals where they are closed, along the tangents where they stick, and
-  /// across the direction in which they slip.
+  /// along the springs that they have (ContactState::across).
   Matrix loose(const std::vector<ContactState>& states) const;
   /// True if a set leaves a motion free that all pairs together would stop.
   bool loosens(const ClosedSet& closed) const;

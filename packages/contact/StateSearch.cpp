@@ -1,3 +1,4 @@
+#include <suture/algebra/dense/Decompositions.hpp>
 #include <suture/contact/PadProblem.hpp>
 #include <suture/contact/StateSearch.hpp>
 
@@ -20,6 +21,8 @@ constexpr int kStatePatience = 12;          // steps without a nearer balance, f
 constexpr std::size_t kStateMeetings = 20;  // states that bodies meet on their way
 constexpr double kStateLeastWay = 1e-2;     // first way tried, in parts of the shortest one after which something may change
 constexpr double kStateMostWay = 1e3;       // last way tried, in parts of the longest such one
+constexpr double kStateNoWork = 1e-11;      // work of forces in a motion that is none, relative to the largest
+constexpr double kStateHolds = 0.1;         // way along a tangent, in parts of the motion's own, from which on a spring there holds it
 constexpr int kShortPatience = 3;           // from states of the pads
 constexpr int kShort = 7;                   // solves from there
 
@@ -79,13 +82,68 @@ bool StateSearch::fromPads(const Balance& at, double softness, PairStates& found
   return pads.found;
 }
 
-/// Open or sliding pairs that stick where states leave a motion loose: linear problems are never singular. They are violated pairs like
-/// others if they carry what their laws do not allow; then others are tried first.
+/// True if neither loads nor pairs that slip do work in loose motions: nothing tells bodies where to go along them.
+bool StateSearch::isNeutral(const PairStates& next, const Matrix& free) const {
+  const RigidContact::Pairs& data = rigid_.data();
+  double size = data.work.size() > 0 ? data.work.cwiseAbs().maxCoeff() : 0.0;  // of forces: works may be rounding of loads that balance
+  if (guess_.size() > 0) size = std::max(size, guess_.cwiseAbs().maxCoeff());
+  if (at_.force.size() > 0) size = std::max(size, at_.force.cwiseAbs().maxCoeff());
+  if ((free.transpose() * data.work).cwiseAbs().maxCoeff() > kStateNoWork * size) return false;
+  for (std::size_t i = 0; i < next.size(); ++i) {
+    if (!data.able[i] || next[i].status != PairStatus::Slip || !projection_.rubs(i)) continue;
+    for (const Matrix& tangent : data.tangents)
+      if ((tangent.row(static_cast<Eigen::Index>(i)) * free).norm() > kDependentRows) return false;
+  }
+  return true;
+}
+
+/// Gives open pairs springs that hold loose motions, one along a tangent for each: as nothing does work in the motions they have no force
+/// in balance, and they close no gap, as pairs that are glued would.
+void StateSearch::holdBySprings(PairStates& next, Matrix free) const {
+  const RigidContact::Pairs& data = rigid_.data();
+  while (free.cols() > 0) {
+    double most = kStateHolds;
+    std::size_t best = next.size();
+    Matrix bestWay;
+    for (std::size_t i = 0; i < next.size(); ++i) {
+      if (!data.able[i] || next[i].closed() || next[i].across > 0.0 || !projection_.rubs(i) || !(projection_.tangentialStiffness(i) > 0.0))
+        continue;
+      Matrix way(static_cast<Eigen::Index>(data.tangents.size()), free.cols());
+      for (Eigen::Index k = 0; k < way.rows(); ++k)
+        way.row(k) = data.tangents[static_cast<std::size_t>(k)].row(static_cast<Eigen::Index>(i)) * free;
+      if (const double size = way.norm(); size > most) most = size, best = i, bestWay = way;
+    }
+    if (best == next.size()) return;
+    const Eigenpairs axes = symmetricEigenpairs(bestWay * bestWay.transpose());
+    const Vector along = axes.vectors.rightCols(1);
+    ContactState& state = next[best];
+    state.direction = {0.0, along.size() == 2 ? along(1) : 0.0, -along(0)};  // acrossSlip() is the tangent
+    state.across = projection_.tangentialStiffness(best);
+    free = (free * nullSpace(along.transpose() * bestWay, kDependentRows)).eval();
+  }
+}
+
+/// True if states are others than states_, springs of open pairs aside.
+bool StateSearch::differs(const PairStates& next) const {
+  for (std::size_t i = 0; i < next.size(); ++i)
+    if (next[i] != states_[i] && (next[i].closed() || states_[i].closed())) return true;
+  return false;
+}
+
+/// Open pairs with springs where a loose motion is neutral; else open or sliding pairs that stick where states leave a motion loose: linear
+/// problems are never singular. They are violated pairs like others if they carry what their laws do not allow; then others are tried
+/// first.
 PairStates StateSearch::withHolders(PairStates next) const {
   std::vector<char> inVain(next.size(), 0);
   for (const int i : violated_) inVain[static_cast<std::size_t>(i)] = 1;
   const RigidContact::Pairs& data = rigid_.data();
+  for (ContactState& state : next)
+    if (!state.closed()) state = PairStatus::Open;
   Matrix free = rigid_.loose(next);
+  if (free.cols() > 0 && isNeutral(next, free)) {
+    holdBySprings(next, free);
+    free = rigid_.loose(next);
+  }
   while (free.cols() > 0) {
     double most = kDependentRows;
     std::size_t best = next.size();
@@ -117,23 +175,27 @@ bool StateSearch::drag(const PairStates& next, PairStates& found) {
   const RigidContact::Pairs& data = rigid_.data();
   const Matrix free = rigid_.loose(next);
   if (free.cols() == 0) return false;
-  Vector beyond = Vector::Zero(rigid_.motions());
+  Vector beyond = Vector::Zero(rigid_.motions()), parts = beyond;
+  const auto add = [&](const Vector& forces) {
+    beyond += forces;
+    parts += forces.cwiseAbs();
+  };
   for (std::size_t i = 0; i < next.size(); ++i) {
     if (!data.able[i]) continue;
     const auto at = static_cast<Eigen::Index>(i);
     const ContactState& state = next[i];
-    if (!state.closed()) beyond += at_.force(at, 0) * data.rows.row(at).transpose();
+    if (!state.closed()) add(at_.force(at, 0) * data.rows.row(at).transpose());
     for (std::size_t k = 0; k < data.tangents.size(); ++k) {
       const auto component = static_cast<Eigen::Index>(k + 1);
       const double allowed = !state.closed() ? 0.0
                              : state.status == PairStatus::Stick && projection_.rubs(i)
                                  ? at_.force(at, component)
                                  : state.largest(at_.force(at, 0)) * state.direction[k + 1];
-      beyond += (at_.force(at, component) - allowed) * data.tangents[k].row(at).transpose();
+      add((at_.force(at, component) - allowed) * data.tangents[k].row(at).transpose());
     }
   }
   Vector motion = free * (free.transpose() * beyond);
-  if (!(motion.norm() > 0.0)) return false;
+  if (!(motion.norm() > kStateNoWork * parts.norm())) return false;
   motion.normalize();
   Matrix way = Matrix::Zero(at_.jump.rows(), 3);
   way.col(0) = data.rows * motion;
@@ -233,7 +295,7 @@ bool StateSearch::step(PairStates& next) {
   at_ = whole ? Balance{answer_.force, answer_.jump, projection_.distance(states_, answer_.force, answer_.jump)} : to;
   if (whole) return true;
   next = projection_.states(states_, at_.force, at_.jump);
-  return next != states_;
+  return differs(next);
 }
 
 /// Newton's steps from states_ until the laws agree with an answer of the final accuracy.
@@ -355,6 +417,8 @@ StateSearch::Result StateSearch::run(PairStates start) {
   result.converged = end == End::Settled;
   if (result.converged) result.contraction = contraction();
   result.states = states_;
+  for (ContactState& state : result.states)
+    if (!state.closed()) state = PairStatus::Open;  // without springs
   result.solves = solves_;
   if (!result.converged && end != End::Failed) result.alternating = violated_;
   return result;

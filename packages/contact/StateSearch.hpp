@@ -16,7 +16,9 @@ namespace suture {
 ///      balance, so that a line search on the distance from the laws costs no solve; where no step lowers it a full one is taken. Where
 ///      states cannot balance the loads, bodies are moved along the loads to states that hold them, or get those of the pads at t = c l +
 ///      w;
-///   4. where the distance has not fallen for some steps: the states of the pads at the present balance, and Newton from there, with other
+///   4. where the closed pairs of states leave bodies a motion in which no force does work (a ball between two plates turns about the line
+///      through its poles), a spring along a tangent of an open pair holds it: without force, at the place where the bodies are;
+///   5. where the distance has not fallen for some steps: the states of the pads at the present balance, and Newton from there, with other
 ///      constants.
 /// Accuracy of the solves follows the distance from the laws.
 class StateSearch {
@@ -54,6 +56,9 @@ class StateSearch {
   void sharpen(double distance, double turns);
   bool step(PairStates& next);
   bool drag(const PairStates& next, PairStates& found);
+  bool isNeutral(const PairStates& next, const Matrix& free) const;
+  void holdBySprings(PairStates& next, Matrix free) const;
+  bool differs(const PairStates& next) const;
   PairStates held(PairStates next);
   PairStates padStates(const PadModel::Equilibrium& pads) const;
   bool fromPads(const Balance& at, double softness, PairStates& found) const;

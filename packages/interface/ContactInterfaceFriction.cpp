@@ -57,14 +57,14 @@ void ContactInterfaceProblem::addSlipForces(const InterfaceState& state, const M
   const Vector gaps = clusters_->gaps(trace.col(0), movedRows(state));
   for (int i = 0; i < static_cast<int>(rows_.size()); ++i) {
     const ContactState& own = state.status[0][i];
-    if (own.status != PairStatus::Slip || (own.bound == 0.0 && own.across == 0.0)) continue;
+    if (own.status == PairStatus::Stick || (own.bound == 0.0 && own.across == 0.0)) continue;
     const Point across = acrossSlip(own);
     const double spring = own.across * dot(across, slipOf(i, gaps));
     for (int component = 1; component <= 2; ++component) {
       const int tangent = clusters_->rowOf(i, component);
       if (tangent < 0) continue;
       const ContactClusters::Row& row = clusters_->row(tangent);
-      const double force = own.bound * own.direction[component] + spring * across[component];
+      const double force = (own.closed() ? own.bound * own.direction[component] : 0.0) + spring * across[component];
       for (std::size_t k = 0; k < row.places.size(); ++k) imbalance(row.places[k], 0) += row.coefficients[k] * force;
     }
   }
@@ -96,7 +96,7 @@ std::shared_ptr<const FrictionTangent> ContactInterfaceProblem::tangentOf(const 
 
 void ContactInterfaceProblem::addSpringMotions(const ContactStates& status, const InterfaceSpace& space, FrictionTangent& tangent) const {
   const RigidContact::Pairs& data = bodies_->rigid().data();
-  if (data.tangents.size() < 2 || bodies_->rigid().motions() == 0) return;
+  if (data.tangents.empty() || bodies_->rigid().motions() == 0) return;
   PairStates states = statesOf(status);
   Matrix springs(static_cast<Eigen::Index>(states.size()), bodies_->rigid().motions());
   Eigen::Index count = 0;
@@ -104,7 +104,9 @@ void ContactInterfaceProblem::addSpringMotions(const ContactStates& status, cons
     if (!(states[i].across > 0.0)) continue;
     const Point across = acrossSlip(states[i]);
     const auto at = static_cast<Eigen::Index>(i);
-    springs.row(count++) = std::sqrt(states[i].across) * (across[1] * data.tangents[0].row(at) + across[2] * data.tangents[1].row(at));
+    springs.row(count) = std::sqrt(states[i].across) * across[1] * data.tangents[0].row(at);
+    if (data.tangents.size() == 2) springs.row(count) += std::sqrt(states[i].across) * across[2] * data.tangents[1].row(at);
+    ++count;
     states[i].across = 0.0;
   }
   if (count == 0) return;
@@ -120,8 +122,8 @@ void ContactInterfaceProblem::addSpringMotions(const ContactStates& status, cons
     const int part = partOfOwned_[at];
     if (bodies_->parts()[part].free.cols() == 0) continue;
     for (Eigen::Index k = 0; k < loose.cols(); ++k)
-      owned(at, k) =
-          dot(space.direction(place), bodies_->parts()[part].displacement(space.point(place), bodies_->amplitudes(part, loose.col(k)), 3));
+      owned(at, k) = dot(space.direction(place), bodies_->parts()[part].displacement(
+                                                     space.point(place), bodies_->amplitudes(part, loose.col(k)), bodies_->dimension()));
   }
 }
 

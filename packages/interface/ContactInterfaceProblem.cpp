@@ -318,7 +318,7 @@ InterfaceProblem::Linearisation ContactInterfaceProblem::linearise(const Interfa
   const auto space = spaceOf(state.status);
   Linearisation result;
   std::shared_ptr<const FrictionTangent> friction = tangent_;
-  if (friction && bodies_->dimension() == 3) {  // a rank without subdomains knows it, too
+  if (friction) {  // a rank without subdomains knows it, too
     auto held = std::make_shared<FrictionTangent>(*friction);
     addSpringMotions(state.status, *space, *held);
     friction = held;

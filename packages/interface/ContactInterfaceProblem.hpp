@@ -80,7 +80,7 @@ class ContactInterfaceProblem : public InterfaceProblem, public ContactSets, pub
   void addSlipForces(const InterfaceState& state, const Matrix& trace, Matrix& imbalance) const;
   /// As this rank sees it. Local.
   std::shared_ptr<const FrictionTangent> tangentOf(const ContactStates& status, std::vector<InterfaceRelation> test) const;
-  /// Finds motions that springs across directions of slip alone hold, on all ranks. Collective.
+  /// Finds motions that springs of pairs alone hold, on all ranks. Collective.
   void addSpringMotions(const ContactStates& status, const InterfaceSpace& space, FrictionTangent& tangent) const;
   /// \param force, gaps  of all rows
   PairForces pairForces(int row, const Vector& force, const Vector& gaps) const;

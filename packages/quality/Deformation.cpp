@@ -35,8 +35,9 @@ void forEachNode(const std::vector<SubdomainMesh>& meshes, const std::vector<Vec
     }
 }
 
-constexpr double kOnALine = 1e-12;    // part of the largest moment of inertia that is rounding: the nodes lie on the axis
-constexpr double kExplained = 100.0;  // ratio of a body's motion in a turn to the largest deformation of any body: levers have less
+constexpr double kOnALine = 1e-12;  // part of the largest moment of inertia that is rounding: the nodes lie on the axis
+// Ratio of a body's motion in a turn to the largest deformation or prescribed displacement of any body: levers have less.
+constexpr double kExplained = 100.0;
 
 struct Motion {
   Point shift{0, 0, 0}, turn{0, 0, 0};
@@ -111,15 +112,18 @@ std::vector<Deformation> deformations(const Comm& comm, const std::vector<Subdom
     own[2] = std::max(own[2], length(arm));
   });
   for (const SubdomainMesh& mesh : meshes)
-    for (const NodeRule& rule : mesh.rules)
+    for (const NodeRule& rule : mesh.rules) {
+      double squared = 0.0;
       for (int k = 0; k < mesh.dimension; ++k)
-        if (rule.fixed[k] && rule.value[k] != 0.0) largest[mesh.body][3] = 1.0;
+        if (rule.fixed[k]) squared += rule.value[k] * rule.value[k];
+      largest[mesh.body][3] = std::max(largest[mesh.body][3], std::sqrt(squared));
+    }
   largest = reduced<4>(comm, largest, Teuchos::REDUCE_MAX);
   for (int b = 0; b < bodies; ++b) {
     all[b].largest = largest[b][0];
     all[b].moved = largest[b][1];
     all[b].extent = largest[b][2];
-    all[b].isMoved = largest[b][3] > 0.0;
+    all[b].prescribed = largest[b][3];
     all[b].turn = length(motion[b].turn);
     all[b].rotation = motion[b].turn;
   }
@@ -128,10 +132,7 @@ std::vector<Deformation> deformations(const Comm& comm, const std::vector<Subdom
 
 double unexplainedTurn(const std::vector<Deformation>& all, int body) {
   double around = 0.0;
-  for (const Deformation& other : all) {
-    if (other.isMoved) return 0.0;
-    around = std::max(around, other.largest);
-  }
+  for (const Deformation& other : all) around = std::max({around, other.largest, other.prescribed});
   return all[body].turn * all[body].extent > kExplained * around ? all[body].turn : 0.0;
 }
 

@@ -13,7 +13,7 @@ struct Deformation {
   double extent = 0.0;      ///< largest distance of a node from the centre of the nodes [length]
   double turn = 0.0;        ///< rigid rotation [rad]
   Point rotation{0, 0, 0};  ///< the same, about its axis [rad]
-  bool isMoved = false;     ///< displacements other than zero are prescribed
+  double prescribed = 0.0;  ///< largest displacement that is prescribed at a node [length]
   Point centre{0, 0, 0};
 };
 
@@ -21,8 +21,8 @@ struct Deformation {
 std::vector<Deformation> deformations(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const std::vector<Vector>& displacement,
                                       int bodies);
 
-/// Rotation of a body that the deformation of no body explains: it moves its nodes a hundred times farther. Zero in any other case, and
-/// where displacements are prescribed. [rad]
+/// Rotation of a body that neither the deformation nor a prescribed displacement of any body explains: it moves its nodes a hundred times
+/// farther. Zero in any other case. [rad]
 double unexplainedTurn(const std::vector<Deformation>& all, int body);
 
 }  // namespace suture

@@ -101,9 +101,11 @@ struct CondensedBody : FrictionOracle {
           continue;
         }
         a(n + row, n + row) = 1.0;
-        if (k == 0 || !state.closed()) continue;
-        a(n + row, n + dimension * i) = -state.friction * state.direction[k];
-        b(n + row) = state.bound * state.direction[k];
+        if (k == 0) continue;
+        if (state.closed()) {
+          a(n + row, n + dimension * i) = -state.friction * state.direction[k];
+          b(n + row) = state.bound * state.direction[k];
+        }
         const Point across{0.0, -state.direction[2], state.direction[1]};
         for (int j = 1; j < dimension; ++j) a(n + row, dimension * i + j) -= state.across * across[k] * across[j];
       }

@@ -142,6 +142,39 @@ TEUCHOS_UNIT_TEST(StateSearch, FindsASolutionWithCohesionWhereThereIsOne) {
   TEST_COMPARE(opens, >, 30);
 }
 
+// A ball between two plates: the pairs at its poles stick, and feel nothing of its turn about the line through them. The others are open;
+// a turn of thousands of gaps would close them.
+TEUCHOS_UNIT_TEST(StateSearch, LeavesABodyThatCanTurnWhereItIs) {
+  std::mt19937 random(18);
+  for (int trial = 0; trial < 20; ++trial) {
+    const int dimension = 2 + trial % 2;
+    CondensedBody body(dimension, 6);
+    body.random(random, false);
+    body.kernel = Matrix::Zero(6 * dimension, 1);
+    for (int i = 2; i < 6; ++i) {
+      body.kernel(dimension * i, 0) = i % 2 == 0 ? 1e-3 : -1e-3;  // facets
+      body.kernel(dimension * i + 1, 0) = 1.0;
+      body.gap(i) = 10.0;
+    }
+    const Matrix away = Matrix::Identity(6 * dimension, 6 * dimension) - body.kernel * body.kernel.transpose() / body.kernel.squaredNorm();
+    body.stiffness = (away * body.stiffness * away).eval();
+    body.load = (away * body.load).eval();
+    for (int i = 0; i < 2; ++i) body.gap(i) = 0.0, body.load(dimension * i) = 50.0;
+    body.begin({dry(0.0, 0.8)}, std::vector<int>(6, 0));
+    StateSearch search(*body.rigid, body.laws, body.sites, body, 100);
+    const StateSearch::Result found = search.run(search.start());
+    TEST_ASSERT(found.converged);
+    TEST_COMPARE(body.violation(), <, 1e-8);
+    TEST_COMPARE(body.u.cwiseAbs().maxCoeff(), <, 50.0);  // 10,000 where an open pair is closed by a turn
+    for (int i = 0; i < 6; ++i) {
+      TEST_EQUALITY(found.states[i].closed(), i < 2);
+      TEST_ASSERT(found.states[i].closed() || found.states[i] == ContactState());
+    }
+    const PairStates own = found.states;
+    TEST_COMPARE(body.rigid->loose(own).cols(), ==, 1);
+  }
+}
+
 TEUCHOS_UNIT_TEST(StateSearch, KnowsTheBoundsOfPairsThatStickFromTheStart) {
   std::mt19937 random(16);
   CondensedBody body(2, 4);

@@ -232,7 +232,9 @@ TEUCHOS_UNIT_TEST(PlantedErrors, ATurnThatDeformationExplains) {
   arm.largest = 1e-2;  // bent by as much as the roller has turned
   TEST_EQUALITY(unexplainedTurn({roller, arm}, 0), 0.0);
   arm.largest = 1e-3;
-  arm.isMoved = true;
+  arm.prescribed = 3e-3;  // far less than the roller has turned
+  TEST_EQUALITY(unexplainedTurn({roller, arm}, 0), 0.4);
+  arm.prescribed = 1e-2;
   TEST_EQUALITY(unexplainedTurn({roller, arm}, 0), 0.0);
 }
 
