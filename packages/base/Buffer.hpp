@@ -21,11 +21,16 @@ struct AnyField {
 template <typename T>
 struct HasFields<T, std::void_t<decltype(T::forEachField(std::declval<T&>(), AnyField{}))>> : std::true_type {};
 
+/// True of values that travel as the bytes that they are. A struct with padding between its members needs forEachField, so that files do
+/// not hold bytes that nobody has set.
+template <typename T>
+constexpr bool isPlain = std::is_trivially_copyable_v<T> && !HasFields<T>::value;
+
 /// Packs plain values, strings, vectors, maps and structs of them into bytes for a message; same order out as in.
 class Packer {
  public:
   template <typename T>
-  std::enable_if_t<std::is_trivially_copyable_v<T>> put(const T& value) {
+  std::enable_if_t<isPlain<T>> put(const T& value) {
     bytes_.append(reinterpret_cast<const char*>(&value), sizeof(T));
   }
   template <typename T>
@@ -39,7 +44,7 @@ class Packer {
   template <typename T>
   void put(const std::vector<T>& values) {
     put(values.size());
-    if constexpr (std::is_trivially_copyable_v<T>) {
+    if constexpr (isPlain<T>) {
       bytes_.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
     } else {
       for (const T& value : values) put(value);
@@ -68,7 +73,7 @@ class Unpacker {
   explicit Unpacker(std::string bytes) : bytes_(std::move(bytes)) {}
 
   template <typename T>
-  std::enable_if_t<std::is_trivially_copyable_v<T>> get(T& value) {
+  std::enable_if_t<isPlain<T>> get(T& value) {
     std::memcpy(static_cast<void*>(&value), take(sizeof(T)), sizeof(T));
   }
   template <typename T>
@@ -81,9 +86,9 @@ class Unpacker {
   }
   template <typename T>
   void get(std::vector<T>& values) {
-    const std::size_t n = takeCount(std::is_trivially_copyable_v<T> ? sizeof(T) : 1);
+    const std::size_t n = takeCount(isPlain<T> ? sizeof(T) : 1);
     values.resize(n);
-    if constexpr (std::is_trivially_copyable_v<T>) {
+    if constexpr (isPlain<T>) {
       const char* from = take(n * sizeof(T));
       if (n > 0) std::memcpy(static_cast<void*>(values.data()), from, n * sizeof(T));
     } else {

@@ -19,12 +19,22 @@ struct NodeRule {
   std::array<Point, 3> axes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   std::array<bool, 3> fixed{{false, false, false}};
   Point value{0, 0, 0};  ///< values of the fixed components [length]
+
+  template <typename Self, typename Each>
+  static void forEachField(Self& self, const Each& each) {
+    each(self.node), each(self.axes), each(self.fixed), each(self.value);
+  }
 };
 
 /// Part of the values of a node's rule that one factor of the load steps multiplies.
 struct RuleValue {
   int node = -1;
   Point value{0, 0, 0};  ///< as NodeRule::value [length]
+
+  template <typename Self, typename Each>
+  static void forEachField(Self& self, const Each& each) {
+    each(self.node), each(self.value);
+  }
 };
 
 /// Share of a boundary condition in the force that holds a node: along . force, in its direction. The shares of a node add up to the force

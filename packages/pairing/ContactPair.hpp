@@ -10,6 +10,11 @@ namespace suture {
 struct PairEnd {
   int node = -1;
   double weight = 0.0;  ///< weights of side A add up to a positive number, those of side B to a negative one
+
+  template <typename Self, typename Each>
+  static void forEachField(Self& self, const Each& each) {
+    each(self.node), each(self.weight);
+  }
 };
 
 /// One unilateral condition of a contact: sum over its ends of weight normal . u(node) <= gap, that is (u_A - u_B) . normal <= gap.
@@ -35,6 +40,11 @@ struct ContactPair {
     Point slip{0, 0, 0};      ///< u_A - u_B along the sides, from which the step's slip counts [length]
     bool slipped = false;     ///< it has slid under a bound
     double dissipated = 0.0;  ///< work of its tangential force [energy]
+
+    template <typename Self, typename Each>
+    static void forEachField(Self& self, const Each& each) {
+      each(self.slip), each(self.slipped), each(self.dissipated);
+    }
   };
   Past past = {};
 
