@@ -1,5 +1,7 @@
 #include <suture/elasticity/ElementStress.hpp>
 
+#include <algorithm>
+
 namespace suture {
 
 template <int D>
@@ -15,7 +17,13 @@ ElementStress<D>::ElementStress(const CellBlock& block, int element, const Refer
   for (int a = 0; a < reference.nodes; ++a)
     for (int k = 0; k < D; ++k) u_[D * a + k] = displacement[D * nodes[a] + k];
   if (law_.projected != 0.0) findPressure(block);
-  if (law_.enhanced) findEnhancedStrain(block);
+  if (law_.enhanced && !vanishAtCentre(reference)) findEnhancedStrain(block);
+}
+
+template <int D>
+bool ElementStress<D>::vanishAtCentre(const ReferenceElement& reference) const {
+  const auto& places = reference.places;
+  return !axisymmetric_ && std::all_of(places.begin(), places.end(), [](double x) { return x == 0.0; });
 }
 
 template <int D>

@@ -32,6 +32,8 @@ class ElementStress {
  private:
   void findPressure(const CellBlock& block);
   void findEnhancedStrain(const CellBlock& block);
+  /// True where the points of the rule are the element's centre alone, at which enhanced strains are zero.
+  bool vanishAtCentre(const ReferenceElement& reference) const;
 
   using ElementVector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, D * mostNodes<D>, 1>;
 

@@ -5,6 +5,8 @@ namespace suture {
 template <int D>
 EnhancedModes<D>::EnhancedModes(const CellBlock& block, int element, const ReferenceElement& rule, const ElementMap<D>& map)
     : axisymmetric_(block.axisymmetric) {
+  slopes_.setZero();
+  hoops_.setZero();
   setTensors(block.cells[element], map);
   if (axisymmetric_) setMeans(rule, map);
 }
@@ -60,14 +62,13 @@ void EnhancedModes<D>::add(const ElementMap<D>& map) {
   double f[Functions::count];
   functions_.at(map.referencePlace(), f);
   const double inverse = 1.0 / map.determinant(), weight = map.measure() * inverse;
+  const Eigen::Map<const Eigen::Matrix<double, D * nodes, 1>> gradients(map.gradient(0));
   for (int i = 0; i < Functions::count; ++i) {
     const double own = weight * f[i];
     for (int j = i; j < Functions::count; ++j) products_[i][j] += own * inverse * f[j];
-    for (int a = 0; a < nodes; ++a) {
-      const double* g = map.gradient(a);
-      for (int k = 0; k < D; ++k) slopes_[i][a][k] += own * g[k];
-      if (D == 2 && axisymmetric_) slopes_[i][a][2] += own * map.hoop(a);
-    }
+    slopes_.col(i) += own * gradients;
+    if (axisymmetric_)
+      for (int a = 0; a < nodes; ++a) hoops_(a, i) += own * map.hoop(a);
   }
 }
 
@@ -83,9 +84,8 @@ void EnhancedModes<D>::close(const StressMatrix<D>& law) {
   for (int m = 0; m < count; ++m) {
     const StressVector<D> stress = stresses.col(m);
     for (int a = 0; a < nodes; ++a) {
-      const double* slope = slopes_[functionOf(m)][a];
-      Eigen::Matrix<double, D, 1> force = forceOfStress<D>(slope, stress);
-      if constexpr (D == 2) force[0] += slope[2] * stress[2];
+      Eigen::Matrix<double, D, 1> force = forceOfStress<D>(&slopes_(D * a, functionOf(m)), stress);
+      if constexpr (D == 2) force[0] += hoops_(a, functionOf(m)) * stress[2];
       coupling_.template block<1, D>(m, D * a) = force.transpose();
     }
   }

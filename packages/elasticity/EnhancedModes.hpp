@@ -109,8 +109,9 @@ class EnhancedModes {
 
   bool axisymmetric_;
   Functions functions_;
-  double products_[Functions::count][Functions::count] = {};  // integrals of f_i f_j / j^2, upper triangle
-  double slopes_[Functions::count][nodes][3] = {};  // integrals of f_i / j times the gradient of a shape function; third: hoop in the plane
+  double products_[Functions::count][Functions::count] = {};   // integrals of f_i f_j / j^2, upper triangle
+  Eigen::Matrix<double, D * nodes, Functions::count> slopes_;  // integrals of f_i / j times the gradients of the shape functions
+  Eigen::Matrix<double, nodes, Functions::count> hoops_;       // likewise of the hoop strains, in axisymmetric blocks
   Eigen::Matrix<double, stressComponents<D>, count> tensors_;
   Eigen::Matrix<double, count, D * nodes> coupling_;  // integrals of the modes' stress times the strain of each degree of freedom
   Eigen::LLT<Eigen::Matrix<double, count, count>> factor_;

@@ -80,13 +80,15 @@ class SampledStresses {
       const Samples& samples = samplesOf(mesh_.cells[e]);
       const HookesLaw<D>& law = lawOf(e);
       ElementStress<D> element(mesh_, e, *samples.points, law, displacement, initial);
-      double size = 0.0;
+      double size = 0.0, largest = 0.0;
+      for (const int node : mesh_.nodesOf(e))
+        for (int k = 0; k < D; ++k) largest = std::max(largest, std::abs(displacement[D * node + k]));
       const std::size_t begin = samples_.size();
       for (int q = 0; q < samples.points->points; ++q) {
         element.at(q);
         const double measure = element.map().measure();
         const StressVector<D> stress = element.stress();
-        addNorms(element, law, stress, measure, displacement, e, norms);
+        addNorms(element, law, stress, measure, largest, norms);
         samples_.insert(samples_.end(), stress.data(), stress.data() + components);
         samples_.push_back(measure);
         size += measure;
@@ -96,7 +98,7 @@ class SampledStresses {
         for (const int patch : patches) add(&samples_[begin], size, sums.col(patch).data());
         continue;
       }
-      const Stresses own = stressesAt(begin, samples.points->points) * samples.toVertices;
+      const Stresses own = stressesAt(begin, samples.points->points).lazyProduct(samples.toVertices);
       for (int v = 0; v < samples.vertices; ++v) add(own.col(v).data(), size, sums.col(patches[v]).data());
     }
     return sums;
@@ -128,7 +130,8 @@ class SampledStresses {
         }
         norms.error += measure(0) / ((D + 1.0) * (D + 2.0)) * (squares + law.complementary(all));
       } else {
-        for (int q = 0; q < count; ++q) norms.error += measure(q) * law.complementary(averages * samples.shapes.col(q) - sample(q));
+        for (int q = 0; q < count; ++q)
+          norms.error += measure(q) * law.complementary(averages.lazyProduct(samples.shapes.col(q)) - sample(q));
       }
       at += std::size_t(count) * width;
     }
@@ -154,14 +157,12 @@ class SampledStresses {
   /// Stresses at an element's samples. \param begin  of them in samples_
   Columns stressesAt(std::size_t begin, int count) const { return Columns(&samples_[begin], components, count); }
 
-  /// Norms of the solution: without the stress of initial states, as far as displacements give one.
-  void addNorms(const ElementStress<D>& element, const HookesLaw<D>& law, const StressVector<D>& stress, double measure,
-                const Vector& displacement, int e, Norms& norms) const {
+  /// Norms of the solution: without the stress of initial states, as far as displacements give one. \param largest  displacement
+  static void addNorms(const ElementStress<D>& element, const HookesLaw<D>& law, const StressVector<D>& stress, double measure,
+                       double largest, Norms& norms) {
     const StressVector<D> own = element.isInitial() ? element.ofDisplacement() : stress;
     norms.solution += measure * law.complementary(own);
-    double largest = 0.0, steepness = 0.0;
-    for (const int node : mesh_.nodesOf(e))
-      for (int k = 0; k < D; ++k) largest = std::max(largest, std::abs(displacement[D * node + k]));
+    double steepness = 0.0;
     for (int k = 0; k < D; ++k) steepness += std::abs(element.map().gradient(0)[k]);
     const double strain = unitRoundoff * steepness * largest;
     norms.rounding += measure * law.normal() * strain * strain;
