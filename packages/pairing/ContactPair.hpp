@@ -31,7 +31,7 @@ struct ContactPair {
   double gap = 0.0;         ///< initial gap along the normal [length]; negative: interference
   double length = 0.0;      ///< tributary: integral of the carrying node's hat function [length or area]; axisymmetric: times 2 pi r [area]
   double arc = 0.0;         ///< in the plane: arc length from the first node of its run of the carrying side [length]; for output
-  Point position{0, 0, 0};  ///< position of the carrying node
+  Point position{0, 0, 0};  ///< where its force acts: carrying node, or beside it (MortarPairs)
   /// Tangents along which nothing slides, orthonormal: both sides are held there alike, as across a plane of symmetry. With mortar, whose
   /// means reach to one side of such a plane only, the jump along them is no zero, and means nothing.
   std::vector<Point> still = {};

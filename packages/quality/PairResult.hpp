@@ -36,7 +36,7 @@ struct PairResult {
   double pressure = 0.0;        ///< force / tributary length (axisymmetric: area) [stress]
   double length = 0.0;          ///< tributary length, axisymmetric: area [length or area]
   double arc = 0.0;             ///< arc length along the line [length]
-  Point position{0, 0, 0};      ///< place of the node that carries it, undeformed
+  Point position{0, 0, 0};      ///< where its force acts, undeformed
   Point displacement{0, 0, 0};  ///< displacement of the node that carries it
   Point normal{0, 0, 0};
   PairKind kind;

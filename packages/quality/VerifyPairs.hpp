@@ -16,7 +16,7 @@ struct PairEndShare {
   double stiffness;  ///< stiffness of the node, over all its subdomains [force / length]
   double rounding;   ///< rounding of the node's internal force [force]
   double gap;        ///< initial [length]
-  Point place;       ///< place of the node that carries the pair
+  Point place;       ///< ContactPair::position
   Point normal;
   Point shift;    ///< weight x displacement, whole where the law restricts sliding, less what the pair had slid before, else zero [length]
   PairKind kind;  ///< effects of the pair's law

@@ -9,6 +9,7 @@
 #include <suture/report/Summary.hpp>
 #include <suture/report/Units.hpp>
 #include <suture/report/answers/Probes.hpp>
+#include <suture/report/answers/SingularNotes.hpp>
 #include <suture/simulation/JudgeStage.hpp>
 #include <suture/simulation/LoadControl.hpp>
 #include <suture/simulation/NestedLevels.hpp>
@@ -212,6 +213,7 @@ void Simulation::judgeSolution() {
   if (!followsPath()) doubts_.add(solution_.verification);
   for (const std::string& note : doubts_.warnings()) monitor_.note(note);
   noteOverlaps();
+  for (const std::string& note : singularNotes(*comm_, cut_.meshes, solution_)) monitor_.note(note);
 }
 
 void Simulation::judge(Solution& solution, const Subdomains& subdomains) {

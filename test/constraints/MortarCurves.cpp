@@ -118,8 +118,9 @@ TEUCHOS_UNIT_TEST(MortarCurves, IsCarriedByTheCoarserSideWhereLinearElementsMeet
   TEST_EQUALITY(carrier(twoBoxes(0, 4, 12, 17, P1, P1)), 1);  // straight
   TEST_EQUALITY(carrier(twoRings(P1, P2, 0.1)), 0);           // linear elements against such that bend
   TEST_EQUALITY(carrier(twoRings(P2, P1, 0.1)), 1);
-  // A fine shoe that the coarse ring covers wholly.
-  TEST_EQUALITY(carrier(twoRings(P1, P1, 0.1, 0.5)), 1);  // 12 elements on half of 17
+  // A fine shoe that the coarse ring covers wholly: the pressure ends with the shoe, unless this is much finer.
+  TEST_EQUALITY(carrier(twoRings(P1, P1, 0.1, 0.5)), 0);   // 12 elements on half of 17
+  TEST_EQUALITY(carrier(twoRings(P1, P1, 0.1, 0.25)), 1);  // on a quarter
 }
 
 TEUCHOS_UNIT_TEST(MortarCurves, WarnsOfAFinerSideThatIsToldToCarryOnACurve) {

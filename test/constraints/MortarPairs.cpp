@@ -72,6 +72,41 @@ TEUCHOS_UNIT_TEST(MortarPairs, PassesAConstantPressureOnToBothSides) {
   }
 }
 
+// Forces act at the positions of their pairs, none of them beyond the end of the partner, and have the resultant and the moment of a
+// uniform pressure over what the sides share.
+TEUCHOS_UNIT_TEST(MortarPairs, HandsOnWhatThePartnerDoesNotReach) {
+  for (const Case& c : cases)
+    for (const std::string carrier : {"Side A", "Side B"}) {
+      const Mesh mesh = twoBoxes(c.x0, c.x1, c.upperCells, c.lowerCells, c.upper, c.lower);
+      const double begin = std::max(0.0, c.x0), end = std::min(4.0, c.x1);
+      const double size = carrier == "Side A" ? (c.x1 - c.x0) / c.upperCells : 4.0 / c.lowerCells;
+      const int body = carrier == "Side A" ? 0 : 1;
+      double moment = 0;
+      for (const ContactPair& pair : build(mesh, held, mortar(carrier)).pairs) {
+        TEST_COMPARE(pair.position[0], >, begin - 0.1 * size - 1e-12);
+        TEST_COMPARE(pair.position[0], <, end + 0.1 * size + 1e-12);
+        TEST_COMPARE(pair.length, >, 0.1 * size);
+        const double place = (body == 0 ? 1 : -1) * sum(mesh, pair, body, [](Point p) { return p[0]; });
+        TEST_FLOATING_EQUALITY(place + 10, pair.position[0] + 10, 1e-12);
+        moment += pair.length * pair.position[0];
+      }
+      TEST_FLOATING_EQUALITY(moment, (end * end - begin * begin) / 2, 1e-11);
+    }
+}
+
+TEUCHOS_UNIT_TEST(MortarPairs, WarnsOfSidesThatShareAPartOfOneElement) {
+  const auto warnings = [](double x0, double x1, const std::string& carrier) {
+    int count = 0;
+    for (const std::string& note : build(twoBoxes(x0, x1, 3, 2, P1, P1), held, mortar(carrier)).notes)
+      count += note.find("warning: contact 'joint': its sides share only a part of an element at (") == 0;
+    return count;
+  };
+  TEST_EQUALITY(warnings(0.8, 1.2, "Side B"), 1);  // within [0, 2]
+  TEST_EQUALITY(warnings(0.8, 1.2, "Side A"), 0);
+  TEST_EQUALITY(warnings(0.8, 1.2, "Automatic"), 0);
+  TEST_EQUALITY(warnings(0.8, 2.2, "Side B"), 0);  // the node at 2 takes over
+}
+
 TEUCHOS_UNIT_TEST(MortarPairs, IsThePairOfTwoNodesWhereTheyMatch) {
   for (const Cell cell : {P1, P2, Q8}) {
     const Mesh mesh = twoBoxes(0, 4, 8, 8, cell, cell);

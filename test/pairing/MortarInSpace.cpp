@@ -179,16 +179,20 @@ TEUCHOS_UNIT_TEST(MortarInSpace, CoversThePartThatBothFacesShare) {
         const double area = (2 - 0.61) * (1.5 - 0.43);
         const Point centre{(2 + 0.61) / 2, (1.5 - 0.43) / 2, 0};
         double sum = 0;
-        Point momentA{0, 0, 0}, momentB{0, 0, 0};
+        Point momentA{0, 0, 0}, momentB{0, 0, 0}, moment{0, 0, 0};
         for (const ContactPair& pair : paired.pairs) {
           sum += pair.length;
           TEST_COMPARE(pair.length, >, 0.0);
+          TEST_COMPARE(pair.position[0], >, 0.61 - 0.1 * 2.0 / 3);  // none beyond the end of the partner
+          TEST_COMPARE(pair.position[1], <, 1.5 - 0.43 + 0.1 * 1.5 / 2);
+          moment = plus(moment, scaled(pair.length, pair.position));
           momentA = plus(momentA, scaled(pair.length, meanPlace(mesh, pair, true)));
           momentB = plus(momentB, scaled(pair.length, meanPlace(mesh, pair, false)));
         }
         TEST_FLOATING_EQUALITY(sum, area, 1e-12);
         TEST_COMPARE(norm(minus(momentA, scaled(area, centre))), <, 1e-12);
         TEST_COMPARE(norm(minus(momentB, scaled(area, centre))), <, 1e-12);
+        TEST_COMPARE(norm(minus(moment, scaled(area, centre))), <, 1e-12);
       }
 }
 

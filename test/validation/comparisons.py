@@ -91,6 +91,42 @@ def difference_status(folder, reference):
     return len(a.keys() ^ b.keys()) + sum(int(a[k] != b[k]) for k in a.keys() & b.keys())
 
 
+# --- V24: sides that overlap in part, with either side carrying the pressure ---
+
+def overlap_difference(folder, reference, within):
+    """Largest deviation of the pressures at |x| < within from those that the reference, carried by the other side, has at the same places,
+    over these."""
+    a, b = contact(folder), contact(reference)
+    order = np.argsort(b.points[:, 0])
+    use = np.abs(a.points[:, 0]) < within
+    there = np.interp(a.points[use, 0], b.points[order, 0], b.point["ContactPressure"][order])
+    return float(np.abs(a.point["ContactPressure"][use] / there - 1).max())
+
+
+def onPin(folder, line):
+    """Places (angle about z, z) of the pairs of a contact, and their pressures."""
+    c = contact(folder)
+    use = c.point["Line"] == line
+    x, y, z = c.points[use].T
+    return np.stack([np.arctan2(y, x), z], axis=1), c.point["ContactPressure"][use]
+
+
+def overlap_differenceOnPin(folder, reference, line, least, begin, end):
+    """The same on a pin about z, begin < z < end, at places where the reference has a pressure above `least`: root mean square of the
+    deviation over that of the pressures."""
+    from scipy.interpolate import LinearNDInterpolator
+    places, pressures = onPin(folder, line)
+    others = LinearNDInterpolator(*onPin(reference, line))(places)
+    use = (places[:, 1] > begin) & (places[:, 1] < end) & (others > least)  # none of NaN, beyond the reference's pairs
+    return float(np.linalg.norm(pressures[use] - others[use]) / np.linalg.norm(others[use]))
+
+
+def overlap_beyond(folder, _, line, end):
+    """Largest z of a pair with pressure, less `end`."""
+    places, pressures = onPin(folder, line)
+    return float(places[pressures > 0, 1].max() - end)
+
+
 # --- V10: what a change of the scene does to its solution. A point x of the reference is now at length R(angle, axis) x + shift. ---
 
 def located(points, length=1, shift=0, **turn):

@@ -119,8 +119,7 @@ FaceSampling::FaceSampling(const Mesh& mesh, const ContactSurface& contact, bool
       ownFacets_(facetsOf(own_)),
       facets_(facetsOf(other_)),
       firstFacet_(own_.size() + 1, 0),
-      search_(pointsOf(facets_)),
-      hats_(multiplierHats(*(onA ? contact.a : contact.b).surface, own_, contact.multipliers)) {
+      search_(pointsOf(facets_)) {
   for (const Facet& facet : ownFacets_) ++firstFacet_[facet.side + 1];
   for (std::size_t side = 0; side < own_.size(); ++side) firstFacet_[side + 1] += firstFacet_[side];
 }
@@ -247,12 +246,27 @@ MortarSamples FaceSampling::sample(int side, const Point& normal) const {
     std::vector<const Facet*> rivals;
     if (areas.common > (1 + kLayered) * areas.whole)
       for (const Overlap& overlap : overlaps) rivals.push_back(overlap.other);
-    for (const Overlap& overlap : overlaps) addSamples(overlap, projection, rivals, samples);
+    for (const Overlap& overlap : overlaps) {
+      addSamples(overlap, projection, rivals, samples);
+      if (areas.common < areas.whole) addReach(overlap, projection, samples.reach);
+    }
+    if (areas.common >= areas.whole)
+      for (const int node : ownFacets_[i].nodes) samples.reach[node] = 1.0;
     whole += areas.whole;
     common += std::min(areas.whole, areas.common);
   }
   samples.covered = whole > 0 ? common / whole : 0.0;
   return samples;
+}
+
+void FaceSampling::addReach(const Overlap& overlap, const Projection& projection, ShapeValues& reach) const {
+  const MortarFace& own = own_[overlap.own->side];
+  const ProjectedFace shadow(own, overlap.own->nodes, projection);
+  for (const PlanePoint& corner : overlap.polygon)
+    if (const auto at = shadow.meet(corner)) {
+      const ShapeValues linear = sideValues(own.vertices(), 3, at->at);
+      for (int vertex = 0; vertex < own.vertices(); ++vertex) reach[vertex] = std::max(reach[vertex], linear[vertex]);
+    }
 }
 
 /// True if no other facet is nearer at a point.

@@ -4,7 +4,6 @@
 #include <suture/pairing/mortar/MortarSampling.hpp>
 #include <suture/pairing/mortar/SmoothFace.hpp>
 
-#include <map>
 #include <vector>
 
 namespace suture {
@@ -31,7 +30,6 @@ class FaceSampling : public MortarSampling {
   Point meanNormal(int side, int node) const override;
   MortarSamples sample(int side, const Point& normal) const override;
   std::optional<double> covered(int side, const Point& normal) const override;
-  double hat(int node) const override { return hats_.at(node); }
   bool isFaceted() const override;
   bool estimatesDoubt() const override { return isFaceted(); }
 
@@ -67,6 +65,8 @@ class FaceSampling : public MortarSampling {
   };
   Areas cut(const Facet& own, const Projection& projection, std::vector<Overlap>& overlaps) const;
   void addSamples(const Overlap& overlap, const Projection& projection, const std::vector<const Facet*>& rivals, MortarSamples& to) const;
+  /// Adds the values of the vertices' linear functions at the corners of a common part.
+  void addReach(const Overlap& overlap, const Projection& projection, ShapeValues& reach) const;
   bool isNearest(const Facet& facet, double gap, const Point& from, const Projection& projection,
                  const std::vector<const Facet*>& rivals) const;
 
@@ -77,7 +77,6 @@ class FaceSampling : public MortarSampling {
   std::vector<Facet> ownFacets_, facets_;  // facets_: of the other face
   std::vector<int> firstFacet_;            // first facet of each own side, and the number of all
   PairSearch search_;
-  std::map<int, double> hats_;
 };
 
 }  // namespace suture

@@ -97,6 +97,8 @@ MortarSamples LineSampling::sample(int side, const Point& normal) const {
     const double half = (overlap.end - overlap.begin) / 2, middle = (overlap.begin + overlap.end) / 2;
     const Segment& other = *overlap.other;
     result.covered += half;
+    result.reach[0] = std::max(result.reach[0], (1 - overlap.begin) / 2);
+    result.reach[1] = std::max(result.reach[1], (1 + overlap.end) / 2);
     for (int q = 0; q < rule_.points.size(); ++q) {
       const double xi = middle + half * rule_.points(q);
       const Point from = own.at(xi);

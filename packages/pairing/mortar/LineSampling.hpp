@@ -24,7 +24,6 @@ class LineSampling : public MortarSampling {
   int functions(int side, bool whole) const override { return whole ? own_[side].count() : 2; }
   Point meanNormal(int side, int node) const override;
   MortarSamples sample(int side, const Point& normal) const override;
-  double hat(int node) const override { return surface_.at(node).tributary; }
   bool isFaceted() const override;
   bool estimatesDoubt() const override { return true; }
 

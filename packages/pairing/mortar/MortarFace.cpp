@@ -102,19 +102,6 @@ std::vector<std::pair<ReferencePoint, double>> MortarFace::quadrature() const {
   return all;
 }
 
-std::map<int, double> multiplierHats(const Surface& surface, const std::vector<MortarFace>& sides, Contact::Multipliers choice) {
-  std::map<int, double> hats;
-  for (int side = 0; side < surface.sides(); ++side) {
-    const int functions = sides[side].multipliers(choice);
-    for (const auto& [at, weight] : sides[side].quadrature()) {
-      const ShapeValues values = multiplierValues(functions, 3, at);
-      const double area = weight * norm(sides[side].place(at).density);
-      for (int k = 0; k < functions; ++k) hats[surface.nodesOf(side)[k]] += area * values[k];
-    }
-  }
-  return hats;
-}
-
 ProjectedFace::ProjectedFace(const MortarFace& face, const std::vector<int>& facet, const Projection& projection) : face_(face) {
   for (std::size_t i = 0; i < face.points().size(); ++i) nodes_[i] = projection(face.points()[i]);
   const int last = facet.back();

@@ -7,7 +7,6 @@
 #include <suture/pairing/mortar/ShapeValues.hpp>
 
 #include <array>
-#include <map>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -97,9 +96,5 @@ class ProjectedFace {
   ReferencePoint start_;         // its place in the reference cell
   std::array<double, 4> slope_;  // of the place in the reference cell over the flat facet, row by row
 };
-
-/// Integrals of the multiplier's functions over a surface that is covered wholly, by node. \param sides  those of the surface. Local.
-/// [area]
-std::map<int, double> multiplierHats(const Surface& surface, const std::vector<MortarFace>& sides, Contact::Multipliers choice);
 
 }  // namespace suture

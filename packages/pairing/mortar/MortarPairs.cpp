@@ -1,4 +1,5 @@
 #include <suture/base/Point.hpp>
+#include <suture/mesh/CellGeometry.hpp>
 #include <suture/mesh/SurfaceOrder.hpp>
 #include <suture/pairing/mortar/DualBasis.hpp>
 #include <suture/pairing/mortar/MortarPairs.hpp>
@@ -9,6 +10,7 @@
 #include <iomanip>
 #include <map>
 #include <memory>
+#include <set>
 #include <sstream>
 
 namespace suture {
@@ -16,7 +18,11 @@ namespace suture {
 namespace {
 
 constexpr double kParallel = 1e-13;  // difference of two normals that are one
-constexpr double kCovered = 0.2;     // part of a hat function below which its node carries no condition of its own
+// Largest value of a node's hat function on the covered part below which the node carries no condition. The end of a side on a smooth
+// partner has the pressure r^-0.23 of like bodies: its mean weighted with the hat function of a node beyond the end is up to reach^-0.23
+// times that at a node on it (5 % here, 17 % at one half, without limit towards zero).
+constexpr double kReach = 0.9;
+constexpr double kCoversSide = 0.9;  // part of each side that is covered where the other face ends nowhere on this one
 constexpr double kDistinct = 1e-8;   // ratio of pivots up to which the shape functions differ on a covered part in space
 constexpr double kMuchFiner = 2.0;   // intervals of one side for each of the other
 
@@ -28,29 +34,37 @@ class Mortar {
       : contact_(contact), sign_(sign), surface_(own), other_(other), sampling_(std::move(sampling)) {
     for (int side = 0; side < surface_.sides(); ++side) {
       const int carriers = sampling_->functions(side, true);
-      intervals_ += intervalsOf(side);
       for (int j = 0; j < carriers; ++j)
         if (const int node = surface_.nodesOf(side)[j]; !rowNormals_.count(node)) rowNormals_[node] = sampling_->meanNormal(side, j);
     }
   }
 
   std::size_t nodes() const { return rowNormals_.size(); }
-  /// True if the other face stands opposite to all of this one.
-  bool coversAll() { return coveredIntervals() > (1 - 1e-6) * intervals_; }
+  /// True if the other face stands opposite to all of this one. Normals at the ends of curved faces may miss it by the size of the gap.
+  bool coversAll() { return coveredIntervals() > 0 && leastCovered_ > kCoversSide; }
   bool isFaceted() const { return sampling_->isFaceted(); }
   /// Number of intervals between nodes that the other side stands opposite to, in space of quadrilaterals.
   double coveredIntervals() {
-    if (integrated_) return coveredIntervals_;
-    double covered = 0;
+    if (coverageKnown_) return coveredIntervals_;
     for (int side = 0; side < surface_.sides(); ++side) {
       const std::optional<double> part = sampling_->covered(side, rowNormals_.at(surface_.nodesOf(side)[0]));
       if (!part) {
         integrate();
-        return coveredIntervals_;
+        break;
       }
-      covered += intervalsOf(side) * *part;
+      addCoverage(side, *part);
     }
-    return covered;
+    coverageKnown_ = true;
+    return coveredIntervals_;
+  }
+
+  /// Nodes that carry a condition though the other face does not come near, for want of a neighbour that it reaches.
+  std::vector<int> unreached() {
+    integrate();
+    std::vector<int> nodes;
+    for (const auto& entry : rows_)
+      if (!isReached(entry.first)) nodes.push_back(entry.first);
+    return nodes;
   }
 
   PairedSurface pairs() {
@@ -70,7 +84,9 @@ class Mortar {
   struct Row {
     std::map<int, double> own, others;
     double gap = 0, doubt = 0, weight = 0;
-    void add(const Row& row) {
+    bool tookOver = false;  // other nodes' psi
+    void takeOver(const Row& row) {
+      tookOver = true;
       for (const auto& [node, value] : row.own) own[node] += value;
       for (const auto& [node, value] : row.others) others[node] += value;
       gap += row.gap;
@@ -78,6 +94,11 @@ class Mortar {
       weight += row.weight;
     }
   };
+  void addCoverage(int side, double part) {
+    if (coverageKnown_) return;
+    coveredIntervals_ += intervalsOf(side) * part;
+    leastCovered_ = std::min(leastCovered_, part);
+  }
   // In space as many as a side has vertices on a large face: a triangle half a one, a quadrilateral one.
   double intervalsOf(int side) const {
     return surface_.dimension() == 2 ? double(surface_.nodesOf(side).size()) - 1 : (surface_.facets(side) - 2) / 2.0;
@@ -120,9 +141,14 @@ class Mortar {
       if (at == sets.size()) sets.push_back(sampling_->sample(side, normal)), normals.push_back(normal);
       setOf.push_back(static_cast<int>(at));
     }
-    coveredIntervals_ += intervalsOf(side) * sets.front().covered;
-    const bool whole = std::all_of(sets.begin(), sets.end(), [](const MortarSamples& set) { return set.covered > 1 - 1e-8; });
+    addCoverage(side, sets.front().covered);
+    const bool whole = std::all_of(sets.begin(), sets.end(), [](const MortarSamples& set) { return set.isWhole(); });
+    for (int j = 0; j < carriers; ++j) {
+      double& reach = reach_[nodes[j]];
+      reach = std::max(reach, whole ? 1.0 : sets[setOf[j]].reach[j]);
+    }
     const int functions = sampling_->functions(side, whole);
+    if (functions < carriers) linearSides_.insert(side);
     for (std::size_t set = 0; set < sets.size(); ++set) {
       if (sets[set].all.empty()) continue;
       const Points points = evaluated(functions, std::move(sets[set].all));
@@ -157,44 +183,51 @@ class Mortar {
     if (integrated_) return;
     integrated_ = true;
     for (int side = 0; side < surface_.sides(); ++side) addRows(side);
+    coverageKnown_ = true;
+    // Nodes between vertices have their functions on the sides alone that are covered wholly: beside a vertex that hands its own on they
+    // would carry a part of theirs.
+    for (const int side : linearSides_) {
+      const std::vector<int>& nodes = surface_.nodesOf(side);
+      const auto middle = nodes.begin() + sampling_->functions(side, false);
+      if (!std::all_of(nodes.begin(), middle, [&](int node) { return isReached(node); })) halved_.insert(middle, nodes.end());
+    }
     handOn();
   }
 
-  /// Nodes that carry next to nothing hand their share on, along the line to the neighbour that carries more, on a surface to the nearest
-  /// that carries enough: projected along its normal.
+  /// Nodes that the other face does not come near to hand their share on to the nearest that it does: projected along its normal, so that
+  /// forces and moments of both sides stay equal.
   void handOn() {
     const std::map<int, int> heirs = findHeirs();
     if (heirs.empty()) return;
     for (const auto& [node, heir] : heirs) rowNormals_[node] = rowNormals_.at(heir);
     rows_.clear();
-    coveredIntervals_ = 0;
     for (int side = 0; side < surface_.sides(); ++side) addRows(side);
     for (const auto& [node, heir] : heirs) {
       const auto row = rows_.find(node);
       if (row == rows_.end()) continue;
-      rows_[heir].add(row->second);
+      rows_[heir].takeOver(row->second);
       rows_.erase(node);
     }
   }
 
+  bool isReached(int node) const { return reach_.at(node) >= kReach && !halved_.count(node); }
+
   std::map<int, int> findHeirs() const {
     std::map<int, int> heirs;
-    const auto share = [&](int node) { return rows_.at(node).weight / sampling_->hat(node); };
-    const std::vector<OrderedNode> order = inOrder(surface_, [](int) { return true; });
-    std::map<int, int> placeOf;
-    for (std::size_t i = 0; i < order.size(); ++i) placeOf[order[i].node] = static_cast<int>(i);
-    for (const OrderedNode& own : order) {
-      if (!rows_.count(own.node) || share(own.node) >= kCovered) continue;
-      std::vector<int> near = surface_.nodesNear(own.node);  // two steps, for the vertices of quadratic elements
-      const auto away = [&](int x) { return norm(minus(surface_.at(x).position, surface_.at(own.node).position)); };
-      const bool onLine = surface_.dimension() == 2;
-      std::sort(near.begin(), near.end(), [&](int x, int y) { return onLine ? placeOf.at(x) < placeOf.at(y) : away(x) < away(y); });
-      int heir = -1;
-      for (const int other : near) {
-        if (!rows_.count(other) || share(other) < kCovered) continue;
-        if (heir < 0 || (onLine && share(other) > share(heir))) heir = other;
-      }
-      if (heir >= 0) heirs[own.node] = heir;
+    for (const auto& entry : rows_) {
+      const int node = entry.first;
+      if (isReached(node)) continue;
+      double least = 0;
+      const auto look = [&](int from) {
+        for (const int other : surface_.nodesNear(from)) {  // two steps, for the vertices of quadratic elements
+          if (!rows_.count(other) || !isReached(other)) continue;
+          const double away = norm(minus(surface_.at(other).position, surface_.at(node).position));
+          if (!heirs.count(node) || away < least) heirs[node] = other, least = away;
+        }
+      };
+      look(node);
+      if (!heirs.count(node))  // a corner of which a tip is covered
+        for (const int near : surface_.nodesNear(node)) look(near);
     }
     return heirs;
   }
@@ -209,6 +242,12 @@ class Mortar {
     pair.length = row.weight;
     pair.arc = arc;
     pair.position = surface_.at(node).position;
+    if (row.tookOver) {
+      Point way{0, 0, 0};
+      for (const auto& [at, value] : row.own) way = plus(way, scaled(value / row.weight, minus(surface_.at(at).position, pair.position)));
+      pair.position = plus(pair.position, way);
+      if (surface_.dimension() == 2) pair.arc += dot(way, {-normal[1], normal[0], 0});
+    }
     pair.ends.push_back({node, sign_ * row.own.at(node) / row.weight});
     const auto add = [&](int at, double weight) {
       if (std::abs(weight) > 1e-12) pair.ends.push_back({at, weight});
@@ -226,8 +265,11 @@ class Mortar {
   std::unique_ptr<const MortarSampling> sampling_;
   std::map<int, Row> rows_;          // by the node that carries it
   std::map<int, Point> rowNormals_;  // by node
-  double intervals_ = 0, coveredIntervals_ = 0;
-  bool integrated_ = false;
+  std::map<int, double> reach_;      // by node: largest value of its linear function on the covered part
+  std::set<int> linearSides_;        // covered in part: their functions are linear
+  std::set<int> halved_;             // nodes between vertices that hand their share on
+  double coveredIntervals_ = 0, leastCovered_ = 1;
+  bool coverageKnown_ = false, integrated_ = false;
 };
 
 std::unique_ptr<Mortar> mortarOn(bool onA, const Mesh& mesh, const ContactSurface& contact) {
@@ -235,14 +277,17 @@ std::unique_ptr<Mortar> mortarOn(bool onA, const Mesh& mesh, const ContactSurfac
   return std::make_unique<Mortar>(contact, *own.surface, &*other.surface, onA ? 1.0 : -1.0, samplingOf(mesh, contact, onA));
 }
 
-/// True if side A is the one to carry. Where elements of two nodes meet a curve, the side with fewer nodes on what both share: the finer
-/// one would take what the other cannot follow for pressure. Else the side that the other covers wholly, where the stress ends with the
-/// side and not inside an element; of two or none such that with more nodes, which resolves the stress better and has a node of its own for
-/// each condition.
+/// True if side A is the one to carry: the side that the other covers wholly, where the stress ends with the side and not inside an
+/// element. Not where elements of two nodes meet a curve and that side is much finer: it would take what the other cannot follow for
+/// pressure. Of two such sides or none, there that with fewer nodes on what both share, else that with more nodes, which resolves the
+/// stress better and has a node of its own for each condition.
 bool carriesBetter(Mortar& a, Mortar& b) {
-  if (a.isFaceted()) return a.coveredIntervals() <= b.coveredIntervals();
-  if (a.coversAll() != b.coversAll()) return a.coversAll();
-  return a.nodes() >= b.nodes();
+  const bool faceted = a.isFaceted();
+  if (a.coversAll() != b.coversAll()) {
+    Mortar &covered = a.coversAll() ? a : b, &other = a.coversAll() ? b : a;
+    if (!faceted || covered.coveredIntervals() < kMuchFiner * other.coveredIntervals()) return a.coversAll();
+  }
+  return faceted ? a.coveredIntervals() <= b.coveredIntervals() : a.nodes() >= b.nodes();
 }
 
 std::unique_ptr<Mortar> makeMortar(const Mesh& mesh, const ContactSurface& contact) {
@@ -266,6 +311,18 @@ void warnOfFinerCarrier(const Mesh& mesh, const ContactSurface& contact, Mortar&
   notes.push_back(text.str());
 }
 
+/// Warns of conditions whose covered part is a small part of an element.
+void warnOfSmallParts(const Mesh& mesh, const ContactSurface& contact, Mortar& mortar, std::vector<std::string>& notes) {
+  const std::vector<int> nodes = mortar.unreached();
+  if (nodes.empty()) return;
+  std::ostringstream text;
+  text << "warning: contact '" << contact.name << "': its sides share only a part of an element at "
+       << placeText(mesh.point(nodes.front()), mesh.dimension);
+  if (nodes.size() > 1) text << " and at " << nodes.size() - 1 << " more nodes";
+  text << ": pressures there are means over parts much smaller than the elements. Let the other side carry (Multipliers On), or refine";
+  notes.push_back(text.str());
+}
+
 }  // namespace
 
 PairedSurface mortarPairs(const ContactSurface& contact, std::unique_ptr<const MortarSampling> sampling) {
@@ -281,8 +338,10 @@ PairedSurface mortarPairs(const Mesh& mesh, const ContactSurface& contact, Probl
                      " overlap nowhere: no normal of one meets the other face to face. Do the bodies lie on opposite sides of "
                      "the " +
                      (mesh.dimension == 2 ? "line?" : "surface?"));
-  else
+  else {
     warnOfFinerCarrier(mesh, contact, *mortar, notes);
+    warnOfSmallParts(mesh, contact, *mortar, notes);
+  }
   return result;
 }
 

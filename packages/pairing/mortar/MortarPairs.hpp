@@ -20,10 +20,11 @@ namespace suture {
 ///
 /// An element of three nodes that is covered in part carries a linear stress: a quadratic one is not positive there; in space second-order
 /// sides likewise, and where they are covered wholly functions whose integrals are positive (FaceSampling): a condition may then have
-/// several nodes of the carrying side. A node with less than a fifth of its hat function covered hands its psi on to its neighbour: the sum
-/// of all psi is one wherever the sides meet.
+/// several nodes of the carrying side. A node beyond the end of the other side whose hat function stays below .9 on the covered part hands
+/// its psi on to the nearest node that the other side reaches: the sum of all psi is one wherever the sides meet.
 ///
-/// \param problems  gets sides that meet nowhere;  \param notes  a warning where the scene lets the finer of two curved sides carry
+/// \param problems  gets sides that meet nowhere;  \param notes  warnings where the scene lets the finer of two curved sides carry, and
+/// where the sides share a part of an element only
 /// \return pairs as pairSurface(), in the order of the carrying side's nodes. Local.
 PairedSurface mortarPairs(const Mesh& mesh, const ContactSurface& contact, Problems& problems, std::vector<std::string>& notes);
 

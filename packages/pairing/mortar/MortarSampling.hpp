@@ -23,6 +23,10 @@ struct MortarSample {
 struct MortarSamples {
   std::vector<MortarSample> all;
   double covered = 0.0;  ///< part of the side that the other face stands opposite to
+  /// Largest value of each vertex's linear function on this part: how near the other face comes to the vertex; 1 where it reaches it.
+  ShapeValues reach{};
+
+  bool isWhole() const { return covered > 1 - 1e-8; }
 };
 
 /// Points at which the conditions of a mortar compare the face that carries them with the other, in the plane and in space. One for the two
@@ -40,8 +44,6 @@ class MortarSampling {
   virtual MortarSamples sample(int side, const Point& normal) const = 0;
   /// Part of a side that the other face stands opposite to, where this is cheaper than sample(); nothing where it is not.
   virtual std::optional<double> covered(int, const Point&) const { return std::nullopt; }
-  /// Integral of the multiplier's hat function at a node over the whole face. [length or area]
-  virtual double hat(int node) const = 0;
 
   /// True if either face is curved anywhere and straight elements take part, whose shape cannot follow it.
   virtual bool isFaceted() const { return false; }

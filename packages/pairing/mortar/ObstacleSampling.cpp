@@ -4,7 +4,6 @@ namespace suture {
 
 ObstacleSampling::ObstacleSampling(const ContactSurface& contact) : contact_(contact) {
   for (int side = 0; side < contact.a.surface->sides(); ++side) own_.emplace_back(*contact.a.surface, side);
-  hats_ = multiplierHats(*contact.a.surface, own_, contact.multipliers);
 }
 
 int ObstacleSampling::functions(int side, bool) const { return own_[side].multipliers(contact_.multipliers); }
@@ -18,6 +17,7 @@ MortarSamples ObstacleSampling::sample(int side, const Point& normal) const {
   const MortarFace& own = own_[side];
   MortarSamples samples;
   samples.covered = 1.0;
+  samples.reach.fill(1.0);
   for (const auto& [at, weight] : own.quadrature()) {
     MortarSample sample;
     const MortarFace::Place place = own.place(at);

@@ -2,7 +2,6 @@
 #include <suture/pairing/mortar/MortarFace.hpp>
 #include <suture/pairing/mortar/MortarSampling.hpp>
 
-#include <map>
 #include <vector>
 
 namespace suture {
@@ -17,12 +16,10 @@ class ObstacleSampling : public MortarSampling {
   /// Normal of the pairs there: the obstacle's, or the side's (Contact::Direction).
   Point meanNormal(int side, int node) const override;
   MortarSamples sample(int side, const Point& normal) const override;
-  double hat(int node) const override { return hats_.at(node); }
 
  private:
   const ContactSurface& contact_;
   std::vector<MortarFace> own_;
-  std::map<int, double> hats_;
 };
 
 }  // namespace suture

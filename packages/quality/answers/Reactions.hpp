@@ -56,7 +56,7 @@ struct ContactResultant {
   bool presses() const { return pressing > 0.0; }
 };
 
-/// One resultant for each line of the scene, in its order. Pair forces act at the places of the carrying nodes. Local. \param lines  their
+/// One resultant for each line of the scene, in its order. Pair forces act at the positions of the pairs. Local. \param lines  their
 /// number
 std::vector<ContactResultant> contactResultants(const std::vector<PairResult>& pairs, int lines, bool axisymmetric);
 

@@ -1,0 +1,47 @@
+#pragma once
+#include <suture/partition/SubdomainMesh.hpp>
+#include <suture/quality/PairResult.hpp>
+
+#include <string>
+#include <vector>
+
+namespace suture {
+
+/// A side of an element on the boundary of its body, near a place in question.
+struct BoundarySide {
+  int body = -1;
+  std::vector<GlobalId> nodes;  ///< all of it
+  std::vector<Point> vertices;  ///< in the order of SideGeometry.hpp; their nodes come first in `nodes`
+  Point normal{0, 0, 0};        ///< unit outward normal, of a curved side at its middle
+
+  template <typename Self, typename Each>
+  static void forEachField(Self& self, const Each& each) {
+    each(self.body), each(self.nodes), each(self.vertices), each(self.normal);
+  }
+};
+
+/// The boundary sides that have one of these nodes; ordered, on rank 0, nothing elsewhere. Collective.
+/// \param nodes  ascending, the same on all ranks
+std::vector<BoundarySide> boundarySidesAt(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const std::vector<int>& nodes);
+
+/// True if two of the sides meet in an edge (in the plane a node) at which the body has more than 225 degrees: there stresses of linear
+/// elasticity have no bound. Local.
+bool haveReentrantEdge(const std::vector<BoundarySide>& sides, int dimension);
+
+/// True if a body ends at a corner within a pair while the partner's boundary goes on smoothly beyond: the edge of a punch, the end of a
+/// hub on a longer shaft. The pressure has no bound there. Local. \param sides  those at the pair's nodes
+bool endsOnPartner(const ContactPair& pair, const std::vector<BoundarySide>& sides, int dimension);
+
+/// Where a largest value sits, to be looked at.
+struct PlaceInQuestion {
+  std::vector<int> nodes;  ///< of the place: a node, or those of an element
+  int pair = -1;           ///< of a pressure: its id; else -1
+};
+
+/// What makes the exact value infinite at each place: "a re-entrant corner", "the end of a side on a partner that goes on"; empty: nothing.
+/// Looks at the elements around the place. The same on all ranks. Collective.
+/// \param places  the same on all ranks;  \param closed  ids of the closed pairs, ascending, on rank 0
+std::vector<std::string> singularities(const Comm& comm, const std::vector<SubdomainMesh>& meshes,
+                                       const std::vector<PlaceInQuestion>& places, const std::vector<int>& closed);
+
+}  // namespace suture
