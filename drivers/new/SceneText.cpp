@@ -210,9 +210,9 @@ void conditions(Writer& out, const NewScene& scene) {
   }
   if (!supports.pushed.empty()) {
     out.comment(std::string("FILL IN: a stand-in for the loads. It ") +
-                (supports.pushedBody == supports.heldBody ? "presses the body together by a thousandth of its size."
+                (supports.pushedBody == supports.heldBody ? "presses the body together by a ten-thousandth of its size."
                  : supports.byForce                       ? "pushes the body into contact, by a force, since all its sides may touch."
-                                                          : "pushes the body into contact, by the gap and a thousandth of its size."));
+                                                          : "pushes the body into contact, by the gap and a ten-thousandth of its size."));
     out.open(given.unique("push " + supports.pushedBody));
     out.parameter("Group", "string", supports.pushed);
     out.parameter("Type", "string", supports.byForce ? "Force" : "Displacement");

@@ -14,7 +14,7 @@ namespace suture::proposal {
 namespace {
 
 constexpr double kSoft = 1e-3;  // stiffness of an elastic support x extent of the geometry / Young modulus
-constexpr double kPush = 1e-3;  // displacement beyond a gap / extent of the pushed body
+constexpr double kPush = 1e-4;  // displacement beyond a gap / extent of the pushed body
 
 /// The rule of Supports, step by step.
 class Rule {

@@ -27,7 +27,7 @@ struct Verification {
   std::vector<BodyForces> forces;  ///< what acts on each body
 
   bool holds() const;
-  /// The check that uses most of its bound; null without checks.
+  /// The check that uses most of its bound, slides and offsets within theirs aside; null without checks.
   const Check* worst() const;
   /// "penetration 1.2e-03 exceeds 1.0e-06 at ...; try ..."; of all checks that do not hold; empty if all do.
   std::string failure() const;

@@ -74,6 +74,7 @@ solve("plugin", scene("two_blocks"), "--plugin", options.plugin)
 solve("groups", scene("two_blocks"), *setting("Formulation", "Condensed Groups"), *setting("Outer Solver/Type", "Successive Approximation"),
       *setting("Outer Solver/Maximum Iterations", 20), *setting("Preconditioner/Type", "Neumann-Neumann"))
 solve("bodies_loose", HERE.parent / "drivers" / "unloaded_pad.xml")
+solve("shared_forces", HERE.parent / "drivers" / "bond.xml")
 solve("not_converged", scene("friction_block"), *setting("Outer Solver/Maximum Iterations", 2))
 solve("refused_parameter", scene("two_blocks"), *setting("Outer Solver/Tolerence", "1e-8"))
 solve("refused_missing", work / "nothing.xml")

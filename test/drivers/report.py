@@ -110,7 +110,7 @@ def same_numbers(name, tree, summary):
     for key in ("von_mises", "tension", "compression", "displacement", "pressure"):
         known = summary["extremes"][key]
         card = tree.find(f".//div[@id='extreme_{key}']")
-        check(f"{name}: extreme {key}", numbers(card) if card is not None else None, [known["value"], *known["place"]] if known else None)
+        check(f"{name}: extreme {key}", numbers(card) if card is not None else None, [known["value"], *(known["place"] or [])] if known else None)
     for key, found in summary["verification"].items():
         check(f"{name}: check {key}", row(tree, "verdict", key), [found["value"], found["bound"]])
     for key, found in summary["phases"].items():
