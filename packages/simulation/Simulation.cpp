@@ -206,6 +206,8 @@ void Simulation::judgeSolution() {
   const Subdomains subdomains = method_->takeSubdomains();
   method_.reset();
   if (!isJudged_ && (!followsPath() || path_->rows.empty())) judge(solution_, subdomains);
+  // Once in a run: of load steps and coupled solves it is the same mesh.
+  estimateMesh(*comm_, cut_.meshes, subdomains, scene_, solution_, timers_);
   const std::vector<ContactPiece>& pieces = cut_.whole.pieces;
   for (const std::string& note : meshNotes(solution_)) monitor_.note(note);
   for (const std::string& note : pressureNotes(*comm_, pieces, solution_)) monitor_.note(note);
@@ -221,7 +223,6 @@ void Simulation::judge(Solution& solution, const Subdomains& subdomains) {
   timed(timers_, "verify", [&] { settleMotions(*comm_, cut_.meshes, pieces, scene_, solution, monitor_); });
   findErrors(*comm_, cut_.meshes, scene_, solution, timers_);
   timed(timers_, "verify", [&] { verifySolution(*comm_, cut_.meshes, pieces, subdomains, scene_, path_.get(), solution); });
-  estimateMesh(*comm_, cut_.meshes, subdomains, scene_, solution, timers_);
   timed(timers_, "verify", [&] { findAnswers(*comm_, cut_.meshes, scene_, solution); });
 }
 

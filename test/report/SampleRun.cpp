@@ -61,6 +61,7 @@ void SampleRun::makeScene() {
   Teuchos::ParameterList& solver = scene_.parameters->sublist("Outer Solver");
   solver.set("Tolerance", 1e-8);
   solver.set("Maximum Iterations", 50);
+  solver.set<std::string>("Type", "Active Set");
   solver.set("Values", Teuchos::Array<double>(2, -0.5));
   scene_.parameters->sublist("Partition").sublist("METIS").set("Seed", 7);
 }

@@ -104,6 +104,7 @@ TEUCHOS_UNIT_TEST(Summary, NamesEveryPathThatItWritesAndNoOther) {
   sample.solution_.chosenSchur["Explicit"] = 3;
   sample.solution_.errors["displacement_l2"] = 1e-5;
   sample.solution_.neutral = {{"left", "move (1, 0)", true, true}};
+  sample.solution_.sharedForces = {{{"joint", "seat"}, 3, {"joint"}}};
   sample.rub();
   sample.scene_.path = SUTURE_SOURCE_DIR "/README.md";  // any file: the record of a scene that is none is null
   sample.scene_.overrides = {"Title=other"};
