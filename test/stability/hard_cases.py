@@ -151,7 +151,7 @@ def cases():
             all[f"poisson_{ratio}_mixed_{cell}"] = {"set": poisson(ratio) + each("Element", "Mixed") + boxes("Cell", cell)}
     # Elements of aspect ratio 1e3: in blocks of ordinary shape, in columns, in strips so slender that they bend without resistance.
     all["slivers"] = {"set": boxes("Cells", "{4, 1000}")}
-    all["slivers_upright"] = {"set": boxes("X", "{0, 0.004}") + ["Boundary Conditions/press/Value=0.1"]}
+    all["slivers_upright"] = {"set": boxes("X", "{0, 0.004}") + ["Boundary Conditions/press/Value=0.1", "Boundary Conditions/lift/Value={0, 1e-4}"]}
     all["slivers_flat"] = {"set": boxes("X", "{0, 4000}")}
     all["quadrilaterals"] = {"set": QUADS, "ranks": [1, 2, 4]}
     all["quadrilaterals_random_load"] = {"set": QUADS + NOISE, "ranks": [1, 2, 4]}
