@@ -59,7 +59,7 @@ void noteInterference(const ContactSurface& contact, const PairedSurface& paired
     if (depth > std::max({deepest, kNoInterference * size, 2 * doubt, touch})) deepest = depth, place = pairs[i].position;
   }
   if (deepest <= 0) return;
-  const bool isDeep = !contact.obstacle && widest > 0 && deepest > widest;  // what is rigid may be given a way
+  const bool isDeep = !contact.obstacle && widest > 0 && deepest > widest;  // a rigid obstacle may be pushed in on purpose
   notes.push_back((isDeep ? "warning: " : "") + ("contact '" + contact.name + "': ") + (contact.initialGap ? "given" : "drawn") +
                   " interference " + lengthText(deepest, unit) + (isDeep ? ", deeper than an element is long" : "") + ", deepest at " +
                   placeText(place, dimension));

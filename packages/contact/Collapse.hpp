@@ -19,7 +19,7 @@ class Collapse {
 
   struct Result {
     Vector motion;          ///< along which bodies slide, of unit length; empty: no mechanism with a multiple above one was found
-    double multiple = 0.0;  ///< of friction, at which it would just hold
+    double multiple = 0.0;  ///< factor on friction at which it just holds the loads
     int solves = 0;
   };
   /// \param states  of the pairs, from which those that are closed are taken;  \param normal  their normal forces, as a start

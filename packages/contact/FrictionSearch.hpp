@@ -62,7 +62,7 @@ class FrictionSearch {
   struct Result {
     bool converged = false;
     Vector slides;          ///< motion of bodies (RigidContact) along which they are driven where there is no equilibrium; else empty
-    double multiple = 0.0;  ///< of friction, that would hold them (Collapse); 0: not known
+    double multiple = 0.0;  ///< factor on friction that would hold them (Collapse); 0: not known
     PairStates states;
     int solves = 0;
     double contraction = -1.0;     ///< contraction of the fixed point of Tresca problems, estimated; negative: not known

@@ -15,7 +15,7 @@ constexpr double kStateSharper = 0.1;       // accuracy of the next solve, in pa
 constexpr double kStateForcing = 0.1;       // accuracy of the next solve, in parts of the distance from the laws
 constexpr double kComparable = 0.5;         // change of the accuracy up to which balances are compared with those before
 constexpr int kStateHalvings = 9;           // halvings of a step
-constexpr double kStateLeastFall = 2e-4;    // of the squared distance, in parts of it and of the step
+constexpr double kStateLeastFall = 2e-4;    // least fall of the squared distance, relative to it and to the step
 constexpr double kStateProgress = 1e-6;     // relative fall of the distance that is one
 constexpr int kStatePatience = 12;          // steps without a nearer balance, from the start
 constexpr std::size_t kStateMeetings = 20;  // states that bodies meet on their way
@@ -85,7 +85,7 @@ bool StateSearch::fromPads(const Balance& at, double softness, PairStates& found
 /// True if neither loads nor pairs that slip do work in loose motions: nothing tells bodies where to go along them.
 bool StateSearch::isNeutral(const PairStates& next, const Matrix& free) const {
   const RigidContact::Pairs& data = rigid_.data();
-  double size = data.work.size() > 0 ? data.work.cwiseAbs().maxCoeff() : 0.0;  // of forces: works may be rounding of loads that balance
+  double size = data.work.size() > 0 ? data.work.cwiseAbs().maxCoeff() : 0.0;  // largest force: the work of loads that balance is round-off
   if (guess_.size() > 0) size = std::max(size, guess_.cwiseAbs().maxCoeff());
   if (at_.force.size() > 0) size = std::max(size, at_.force.cwiseAbs().maxCoeff());
   if ((free.transpose() * data.work).cwiseAbs().maxCoeff() > kStateNoWork * size) return false;

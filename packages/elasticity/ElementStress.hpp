@@ -44,7 +44,7 @@ class ElementStress {
   ElementVector u_;
   bool axisymmetric_;
   std::optional<MixedPressure<D>> pressure_;
-  std::optional<EnhancedStrain<D>> enhanced_, enhancedInitial_;  // of the displacement and of the initial state
+  std::optional<EnhancedStrain<D>> enhanced_, enhancedInitial_;  // enhanced strains: due to the displacement, due to the initial state
   typename MixedPressure<D>::Projection initialDilatation_;
 };
 

@@ -30,7 +30,8 @@ struct EnhancedFunctions {
 template <int D>
 struct EnhancedStrain {
   EnhancedFunctions<D> functions;
-  Eigen::Matrix<double, stressComponents<D>, EnhancedFunctions<D>::count> factors;  ///< of each function over the determinant of the map
+  Eigen::Matrix<double, stressComponents<D>, EnhancedFunctions<D>::count>
+      factors;  ///< strain per function, times the determinant of the map
 
   /// Strain at the place of a map of the element.
   StressVector<D> at(const ElementMap<D>& map) const {
@@ -78,7 +79,7 @@ class EnhancedModes {
       for (int i = 0; i <= j; ++i) k(i, j) -= root.col(i).dot(root.col(j));
   }
 
-  /// What condense() takes from the diagonal.
+  /// Amount by which condense() reduces the diagonal.
   Eigen::Matrix<double, D * nodes, 1> softening() const {
     const Eigen::Matrix<double, count, D* nodes> root = factor_.matrixL().solve(coupling_);
     return root.colwise().squaredNorm().transpose();

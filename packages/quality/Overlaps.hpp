@@ -46,7 +46,7 @@ class OverlapSearch {
 
  private:
   struct LinearSide {
-    std::vector<int> nodes;  // two, in space three or four
+    std::vector<int> nodes;  // two, in 3D three or four
     int group;
   };
   struct MeshOutline {

@@ -31,7 +31,7 @@ SubdomainExchange::SubdomainExchange(const Comm& comm, const std::vector<Subdoma
   for (std::size_t i = 0; i < meshes.size(); ++i) {
     shared_.emplace_back();
     keys_.emplace_back();
-    std::set<int> ranks{comm.getRank()};  // a rank hears of its own, too: everybody then adds the same numbers in the same order
+    std::set<int> ranks{comm.getRank()};  // including this rank, so that all ranks add the same numbers in the same order
     for (std::size_t p = 0; p < patches[i]->all.size(); ++p) {
       const VertexPatches::Patch& patch = patches[i]->all[p];
       const auto others = meshes[i].others(patch.node);

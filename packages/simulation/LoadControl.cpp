@@ -52,8 +52,8 @@ double largestDisplacement(const Comm& comm, const Solution& solution) {
   return all;
 }
 
-/// Size by which a misfit is measured. Displacements are as accurate as the largest of them: a target of zero, or close to it beside
-/// another one, has no digits of its own.
+/// Size by which a misfit is measured. A displacement is as accurate as the largest displacement of the answer, so that a target close to
+/// zero cannot be met more accurately than that. [length or force]
 double sizeOf(const Load& load, double value, double displacement) {
   if (load.control != Control::SectionForce) return std::max(std::abs(load.target), displacement);
   return load.target != 0.0 ? std::abs(load.target) : std::abs(value);

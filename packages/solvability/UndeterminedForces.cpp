@@ -19,7 +19,7 @@ namespace suture {
 
 namespace {
 
-constexpr double kHoldsAlone = 1e-3;    // least singular value, relative, of a pair's rows at a node of its own
+constexpr double kHoldsAlone = 1e-3;    // least singular value, relative, of a pair's rows at a node that no other pair has
 constexpr double kAllowed = 1e-12;      // part of the largest force by which one may be outside its law
 constexpr double kSameTotal = 1e-9;     // part of a contact's total that a null vector may change it by
 constexpr double kPushedAside = 1e150;  // slip, as a force, that no finite bound holds

@@ -280,7 +280,7 @@ std::unique_ptr<Mortar> mortarOn(bool onA, const Mesh& mesh, const ContactSurfac
 /// True if side A is the one to carry: the side that the other covers wholly, where the stress ends with the side and not inside an
 /// element. Not where elements of two nodes meet a curve and that side is much finer: it would take what the other cannot follow for
 /// pressure. Of two such sides or none, there that with fewer nodes on what both share, else that with more nodes, which resolves the
-/// stress better and has a node of its own for each condition.
+/// stress better and has one node per condition.
 bool carriesBetter(Mortar& a, Mortar& b) {
   const bool faceted = a.isFaceted();
   if (a.coversAll() != b.coversAll()) {

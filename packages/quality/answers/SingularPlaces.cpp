@@ -14,7 +14,7 @@ namespace {
 constexpr double kSharp = 0.70709;  // cosine of 45.001 degrees between normals: a ring of eight sides is round
 constexpr double kBeyond = 0.05;    // way beyond an edge at which a partner goes on, relative to the side there
 
-/// A facet of a side: in the plane a vertex, in space an edge.
+/// A facet of a side: in 2D a vertex, in 3D an edge.
 struct SideFacet {
   const BoundarySide* side;
   Point middle;
