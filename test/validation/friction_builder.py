@@ -9,6 +9,16 @@ PLANE = ["Triangle3", "Triangle6", "Quadrilateral4", "Quadrilateral8", "Quadrila
 SPACE = ["Tetrahedron4", "Tetrahedron10", "Hexahedron8", "Hexahedron20", "Hexahedron27", "Wedge6"]
 
 
+def fill(scene, families, family=None):
+    """Fills an empty scene by one of the families, by chance if none is named. `families`: [(function, weight)]."""
+    chosen = scene.random.choices([f for f, _ in families], [w for _, w in families])[0]
+    if family:
+        chosen = next(f for f, _ in families if f.__name__ == family)
+    scene.family = chosen.__name__
+    chosen(scene)
+    return scene
+
+
 class Law:
     """A law of friction in units of the scene."""
 

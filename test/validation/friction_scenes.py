@@ -1,5 +1,5 @@
 """The scene of a seed: its family by chance, all else by the family."""
-from friction_builder import Scene
+from friction_builder import Scene, fill
 from friction_flat import clamp, floor, incline, layers, stack
 from friction_round import arch, ball, cylinder, dovetail, groove, pin, wave
 
@@ -9,10 +9,4 @@ FAMILIES = [(floor, 4), (stack, 5), (incline, 3), (groove, 3), (pin, 3), (cylind
 
 def scene(seed, family=None, dimension=None):
     """The scene of a seed."""
-    made = Scene(seed, dimension)
-    chosen = made.random.choices([f for f, _ in FAMILIES], [w for _, w in FAMILIES])[0]
-    if family:
-        chosen = next(f for f, _ in FAMILIES if f.__name__ == family)
-    made.family = chosen.__name__
-    chosen(made)
-    return made
+    return fill(Scene(seed, dimension), FAMILIES, family)

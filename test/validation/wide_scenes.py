@@ -3,7 +3,7 @@ import math
 
 import friction_flat
 import friction_round
-from friction_builder import Law, Scene
+from friction_builder import Law, Scene, fill
 
 LAWS = ["Coulomb"] * 5 + ["Frictionless"] * 4 + ["Coulomb cohesion", "Tresca", "Tied", "No Separation"]
 
@@ -217,10 +217,4 @@ FAMILIES = [(stack, 3), (cycle, 2), (table, 2), (shrink_fit, 2), (bolt, 2), (wal
 
 def scene(seed, family=None, dimension=None):
     """The scene of a seed."""
-    made = WideScene(seed, dimension)
-    chosen = made.random.choices([f for f, _ in FAMILIES], [w for _, w in FAMILIES])[0]
-    if family:
-        chosen = next(f for f, _ in FAMILIES if f.__name__ == family)
-    made.family = chosen.__name__
-    chosen(made)
-    return made
+    return fill(WideScene(seed, dimension), FAMILIES, family)
