@@ -4,14 +4,13 @@ ranks part.
 
   friction_ranks.py --solve build/drivers/suture_solve --output out --count 40 --first 1 --mpirun "mpirun --oversubscribe"
 """
-import argparse
 import collections
-import json
 import os
 import shutil
 import sys
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import corpus_runs  # noqa: E402
 import friction_corpus  # noqa: E402
 import friction_scenes  # noqa: E402
 
@@ -64,26 +63,12 @@ def play(options, seed):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-    parser.add_argument("--solve", required=True)
-    parser.add_argument("--output", required=True)
-    parser.add_argument("--mpirun", default="mpirun --oversubscribe")
-    parser.add_argument("--count", type=int, default=40)
-    parser.add_argument("--first", type=int, default=1)
-    parser.add_argument("--seeds", type=int, nargs="*", help="these scenes only")
+    parser = corpus_runs.parser(__doc__)
     parser.add_argument("--ranks", type=int, nargs="*", default=RANKS)
-    parser.add_argument("--family")
-    parser.add_argument("--dimension", type=int)
-    options = parser.parse_args()
-    os.makedirs(options.output, exist_ok=True)
     results = []
-    with open(os.path.join(options.output, "results.jsonl"), "w") as file:
-        for seed in options.seeds or range(options.first, options.first + options.count):
-            result = play(options, seed)
-            results.append(result)
-            file.write(json.dumps(result) + "\n")
-            file.flush()
-            print("{seed} {family} {dimension}D {cell}, {subdomains} subdomains: {class}, outer {outer}, {remark}".format(**result), flush=True)
+    for result in corpus_runs.results(parser.parse_args(), play):
+        results.append(result)
+        print("{seed} {family} {dimension}D {cell}, {subdomains} subdomains: {class}, outer {outer}, {remark}".format(**result), flush=True)
     classes = collections.Counter(result["class"] for result in results)
     print(", ".join("%d %s" % (count, kind) for kind, count in classes.most_common()))
     return 1 if any(kind not in ("same", "not solved", "two solutions") for kind in classes) else 0

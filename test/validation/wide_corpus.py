@@ -3,14 +3,13 @@ and the same energy and forces. A scene that one solver cannot solve is lost: co
 
   wide_corpus.py --solve build/drivers/suture_solve --output out --count 40 --first 1 --mpirun "mpirun --oversubscribe"
 """
-import argparse
 import collections
-import json
 import os
 import shutil
 import sys
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import corpus_runs  # noqa: E402
 import friction_corpus  # noqa: E402
 import wide_scenes  # noqa: E402
 
@@ -65,26 +64,11 @@ def play(options, seed):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-    parser.add_argument("--solve", required=True)
-    parser.add_argument("--output", required=True)
-    parser.add_argument("--mpirun", default="mpirun --oversubscribe")
-    parser.add_argument("--count", type=int, default=40)
-    parser.add_argument("--first", type=int, default=1)
-    parser.add_argument("--seeds", type=int, nargs="*", help="these scenes only")
-    parser.add_argument("--family")
-    parser.add_argument("--dimension", type=int)
-    options = parser.parse_args()
-    os.makedirs(options.output, exist_ok=True)
     counted = collections.Counter()
-    with open(os.path.join(options.output, "results.jsonl"), "w") as file:
-        for seed in options.seeds or range(options.first, options.first + options.count):
-            result = play(options, seed)
-            counted[result["class"]] += 1
-            file.write(json.dumps(result) + "\n")
-            file.flush()
-            if result["class"] != "solved":
-                print("%(seed)d %(family)s %(dimension)dD %(cell)s: %(class)s: %(remark)s" % result, flush=True)
+    for result in corpus_runs.results(corpus_runs.parser(__doc__).parse_args(), play):
+        counted[result["class"]] += 1
+        if result["class"] != "solved":
+            print("%(seed)d %(family)s %(dimension)dD %(cell)s: %(class)s: %(remark)s" % result, flush=True)
     print(", ".join("%s %d" % each for each in sorted(counted.items())))
     return 1 if any(counted[kind] for kind in FAILED) else 0
 
