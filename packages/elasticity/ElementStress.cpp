@@ -9,15 +9,17 @@ ElementStress<D>::ElementStress(const CellBlock& block, int element, const Refer
                                 const Vector& displacement, const InitialState& initial)
     : element_(element),
       initial_(initial.isIn(element) ? &initial : nullptr),
-      law_(law.of(block.cells[element])),
+      law_(law),
       map_(block, element, reference),
       u_(D * reference.nodes),
       axisymmetric_(block.axisymmetric) {
+  const bool isEnhanced = law.enhanced && mayBeEnhanced(block.cells[element]);
+  if (isEnhanced && law.projected != 0.0) own_.emplace(law.of(block.cells[element]));
   const Span<const int> nodes = block.nodesOf(element);
   for (int a = 0; a < reference.nodes; ++a)
     for (int k = 0; k < D; ++k) u_[D * a + k] = displacement[D * nodes[a] + k];
-  if (law_.projected != 0.0) findPressure(block);
-  if (law_.enhanced && !vanishAtCentre(reference)) findEnhancedStrain(block);
+  if (cellLaw().projected != 0.0) findPressure(block);
+  if (isEnhanced && !vanishAtCentre(reference)) findEnhancedStrain(block);
 }
 
 template <int D>
@@ -33,7 +35,7 @@ void ElementStress<D>::findPressure(const CellBlock& block) {
   pressure_.emplace(block.cells[element_], whole, through);
   if (initial_)
     initialDilatation_ = pressure_->projection(
-        whole, through, [&](const Point& place) { return initial_->at(element_, place, law_).strain.template head<3>().sum(); });
+        whole, through, [&](const Point& place) { return initial_->at(element_, place, cellLaw()).strain.template head<3>().sum(); });
 }
 
 template <int D>
@@ -47,10 +49,10 @@ void ElementStress<D>::findEnhancedStrain(const CellBlock& block) {
     through.at(q);
     modes.add(through);
     if (!initial_) continue;
-    const InitialState::Values<D> here = initial_->at(element_, through.place(), law_);
-    modes.addForces(through, law_.pointwise * here.strain - here.stress, forces);
+    const InitialState::Values<D> here = initial_->at(element_, through.place(), cellLaw());
+    modes.addForces(through, cellLaw().pointwise * here.strain - here.stress, forces);
   }
-  modes.close(law_.pointwise);
+  modes.close(cellLaw().pointwise);
   enhanced_ = modes.strainOf(u_);
   if (initial_) enhancedInitial_ = modes.strain(forces);
 }
@@ -60,9 +62,9 @@ StressVector<D> ElementStress<D>::stress() const {
   StressVector<D> stress = ofDisplacement();
   if (!initial_) return stress;
   const InitialState::Values<D> here = initial();
-  stress += here.stress - law_.pointwise * here.strain;
-  if (enhancedInitial_) stress += law_.pointwise * enhancedInitial_->at(map_);
-  if (pressure_) stress.template head<3>().array() -= law_.projected * pressure_->at(initialDilatation_, map_.place());
+  stress += here.stress - cellLaw().pointwise * here.strain;
+  if (enhancedInitial_) stress += cellLaw().pointwise * enhancedInitial_->at(map_);
+  if (pressure_) stress.template head<3>().array() -= cellLaw().projected * pressure_->at(initialDilatation_, map_.place());
   return stress;
 }
 
@@ -90,8 +92,8 @@ StressVector<D> ElementStress<D>::ofDisplacement() const {
   else
     strain << xx, yy, zz, xy, yz, xz;
   if (enhanced_) strain += enhanced_->at(map_);
-  StressVector<D> stress = law_.pointwise * strain;
-  if (pressure_) stress.template head<3>().array() += law_.projected * pressure_->dilatation(u_, map_.place());
+  StressVector<D> stress = cellLaw().pointwise * strain;
+  if (pressure_) stress.template head<3>().array() += cellLaw().projected * pressure_->dilatation(u_, map_.place());
   return stress;
 }
 

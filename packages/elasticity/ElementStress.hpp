@@ -13,7 +13,7 @@ namespace suture {
 template <int D>
 class ElementStress {
  public:
-  /// \param displacement  of the block's nodes, node-major, Cartesian;  all but `law` must outlive it
+  /// \param displacement  of the block's nodes, node-major, Cartesian;  all of them must outlive it
   ElementStress(const CellBlock& block, int element, const ReferenceElement& reference, const HookesLaw<D>& law, const Vector& displacement,
                 const InitialState& initial);
 
@@ -27,9 +27,10 @@ class ElementStress {
   /// True if there is another part.
   bool isInitial() const { return initial_ != nullptr; }
   /// Initial strain and stress at the point.
-  InitialState::Values<D> initial() const { return initial_ ? initial_->at(element_, map_.place(), law_) : InitialState::Values<D>(); }
+  InitialState::Values<D> initial() const { return initial_ ? initial_->at(element_, map_.place(), cellLaw()) : InitialState::Values<D>(); }
 
  private:
+  const HookesLaw<D>& cellLaw() const { return own_ ? *own_ : law_; }
   void findPressure(const CellBlock& block);
   void findEnhancedStrain(const CellBlock& block);
   /// True where the points of the rule are the element's centre alone, at which enhanced strains are zero.
@@ -39,7 +40,8 @@ class ElementStress {
 
   int element_;
   const InitialState* initial_;  // null: the element has none
-  HookesLaw<D> law_;
+  const HookesLaw<D>& law_;
+  std::optional<HookesLaw<D>> own_;  // where the cell's law has other values: a copy for each element would cost as much as its stress
   ElementMap<D> map_;
   ElementVector u_;
   bool axisymmetric_;

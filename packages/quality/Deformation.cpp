@@ -50,9 +50,13 @@ using TurnSums = std::array<double, 12>;
 void add(const Point& arm, const Point& displacement, TurnSums& sums) {
   const double xx = arm[0] * arm[0], yy = arm[1] * arm[1], zz = arm[2] * arm[2];
   const Point moment = cross(arm, displacement);
-  const TurnSums more{yy + zz,   xx + zz,   xx + yy,   -arm[0] * arm[1], -arm[1] * arm[2], -arm[0] * arm[2],
-                      moment[0], moment[1], moment[2], displacement[0],  displacement[1],  displacement[2]};
-  for (std::size_t k = 0; k < sums.size(); ++k) sums[k] += more[k];
+  sums[0] += yy + zz;
+  sums[1] += xx + zz;
+  sums[2] += xx + yy;
+  sums[3] -= arm[0] * arm[1];
+  sums[4] -= arm[1] * arm[2];
+  sums[5] -= arm[0] * arm[2];
+  for (int k = 0; k < 3; ++k) sums[6 + k] += moment[k], sums[9 + k] += displacement[k];
 }
 
 /// Rotation vector that fits best: inertia x turn = moment; none about a line that holds all nodes. In the plane about the third axis only.

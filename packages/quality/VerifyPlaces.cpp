@@ -228,9 +228,13 @@ std::vector<double> edgesAlongContact(const SubdomainMesh& mesh) {
   if (mesh.contactEnds.empty()) return longest;
   std::map<int, const ContactRow*> rows;
   for (const ContactRow& row : mesh.contactRows) rows[row.pair.id] = &row;
-  std::vector<Point> normals(mesh.nodes(), Point{0, 0, 0});  // zero: no end
-  for (const SubdomainMesh::ContactEnd& end : mesh.contactEnds) normals[end.node] = rows.at(end.pair)->pair.normal;
-  const auto isEnd = [&](int node) { return normals[node] != Point{0, 0, 0}; };
+  std::vector<Point> normals(mesh.nodes(), Point{0, 0, 0});
+  std::vector<char> isAtEnd(mesh.nodes(), 0);
+  for (const SubdomainMesh::ContactEnd& end : mesh.contactEnds) {
+    normals[end.node] = rows.at(end.pair)->pair.normal;
+    isAtEnd[end.node] = 1;
+  }
+  const auto isEnd = [&](int node) { return isAtEnd[node] != 0; };
   longest.resize(mesh.nodes(), 0.0);
   for (int element = 0; element < mesh.elements(); ++element) {
     const Span<const int> nodes = mesh.nodesOf(element);

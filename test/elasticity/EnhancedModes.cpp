@@ -213,8 +213,8 @@ TEUCHOS_UNIT_TEST(EnhancedModes, FollowATemperatureThatBendsThem) {
   });
   const Vector force = initialForces(block, materialOf, PlaneModel::Strain, initial);
   TEST_COMPARE((stiffness(block, material) * u - force).norm(), <, 1e-10 * force.norm());
-  ElementStress<3> stress(block, 0, referenceElement(Cell::Hexahedron8, Rule::Recovery), HookesLaw<3>(material, PlaneModel::Strain), u,
-                          initial);
+  const HookesLaw<3> law(material, PlaneModel::Strain);
+  ElementStress<3> stress(block, 0, referenceElement(Cell::Hexahedron8, Rule::Recovery), law, u, initial);
   for (int q = 0; q < 8; ++q) {
     stress.at(q);
     TEST_COMPARE(stress.stress().norm(), <, 1e-8 * 2e5 * 1e-3);
