@@ -43,8 +43,8 @@ TEUCHOS_UNIT_TEST(CouplingCost, OfASolveIsAFifthOfTheFirstAtMost) {
     simulation.verify();
     TEST_ASSERT(simulation.ending() == ExitCode::Done);
     const double seconds = processorSeconds() - before;
-    out << "solve " << step << ": " << solution.iterations << " outer, " << solution.pcgTotal << " PCG, " << solved << " s, with the verdict "
-        << seconds << " s\n";
+    out << "solve " << step << ": " << solution.iterations << " outer, " << solution.pcgTotal << " PCG, " << solved
+        << " s, with the verdict " << seconds << " s\n";
     if (step == 0) first = seconds;
     if (step > 0) solve = std::min(solve, solved), judged = std::min(judged, seconds);
   }
