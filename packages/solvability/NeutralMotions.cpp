@@ -218,11 +218,16 @@ void settleNeutralMotions(const Comm& comm, std::vector<SubdomainMesh>& meshes, 
     classes.touching = classify(bodies, pairs, scales).touching;
   };
   if (rigid.motions() > 0 && straighten(comm, meshes, model, bodies, classes.carrying, solution.displacement)) take();
+  const auto markTouching = [&] {
+    if (comm.getRank() == 0)
+      for (PairResult& pair : solution.pairs) pair.touching = !pair.state.closed() && classes.touching[pair.id];
+  };
   if (laws.restrictSliding()) {  // slip depends on the way there: nothing is moved afterwards
     const Matrix free = rigid.motions() > 0 ? rigid.loose(broadcastStates(comm, solution.pairs, count)) : Matrix();
     if (free.cols() > 0)
       addMotions(bodies, free, true, model, loadedParts(comm, meshes, model, bodies, classes.carrying), solution.neutral);
     for (NeutralMotion& motion : solution.neutral) motion.least = false;
+    markTouching();
     return;
   }
   const Matrix neutral = rigid.motions() > 0 ? rigid.neutral(classes.carrying, classes.touching) : Matrix();
@@ -243,8 +248,7 @@ void settleNeutralMotions(const Comm& comm, std::vector<SubdomainMesh>& meshes, 
       addMotions(bodies, orthonormalBasis(neutral - bothSenses * (bothSenses.transpose() * neutral), kNoMotion), false, model, loaded,
                  solution.neutral);
   }
-  if (comm.getRank() == 0)
-    for (PairResult& pair : solution.pairs) pair.touching = !pair.state.closed() && classes.touching[pair.id];
+  markTouching();
 }
 
 std::string inWords(const NeutralMotion& motion) {

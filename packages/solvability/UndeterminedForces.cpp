@@ -23,6 +23,7 @@ constexpr double kHoldsAlone = 1e-3;    // least singular value, relative, of a 
 constexpr double kAllowed = 1e-12;      // part of the largest force by which one may be outside its law
 constexpr double kSameTotal = 1e-9;     // part of a contact's total that a null vector may change it by
 constexpr double kPushedAside = 1e150;  // slip, as a force, that no finite bound holds
+constexpr double kNoSlip = 1e-6;        // part of a body's largest displacement at pairs: a slip below it is none, as NeutralMotions has it for gaps
 
 using Rows = std::vector<const ContactRow*>;
 
@@ -103,26 +104,31 @@ std::vector<ContactRow> rowsInDoubt(const std::vector<SubdomainMesh>& meshes) {
   return found;
 }
 
-/// The closed pairs of a solution whose rows are in doubt, on one rank.
+/// The pairs without a gap of a solution whose rows are in doubt, on one rank. Displacements alone decide what a pair may carry, not the
+/// states that a solver ended with: of a pair that touches without force, and of one at its bound that does not slide, these are any of two.
 class ClosedPairs {
  public:
   ClosedPairs(const std::vector<ContactRow>& rows, int dimension, const ContactLaws& laws, std::vector<PairResult>& pairs)
       : laws_(laws), pairs_(pairs) {
+    for (const PairResult& pair : pairs)
+      for (const int body : pair.bodies) moved_[body] = std::max(moved_[body], norm(pair.displacement));
     for (const ContactRow& row : rows) {
       const PairResult& pair = pairs.at(std::size_t(row.pair.id));
-      if (!pair.state.closed()) continue;
       const std::vector<Point> frame = pairFrame(row.pair, dimension);
+      const ContactState state = stateWithoutGap(pair, frame);
+      if (!state.closed()) continue;
+      states_[pair.id] = state;
       frames_[pair.id] = frame;
       slipped_[pair.id] = row.pair.past.slipped;
       const double unit = pair.length > 0.0 ? std::sqrt(pair.length) : 1.0;
       for (std::size_t k = 0; k < row.equations.size(); ++k) {
-        if (!pair.state.holds(static_cast<int>(k))) continue;
+        if (!state.holds(static_cast<int>(k))) continue;
         ForceColumn column{pair.id, {}};
         Point direction = frame[k];
         add(row.equations[k], unit, column);
-        if (k == 0 && pair.state.drags())
+        if (k == 0 && state.drags())
           for (std::size_t t = 1; t < row.equations.size(); ++t) {
-            const double part = pair.state.friction * pair.state.direction[t];
+            const double part = state.friction * state.direction[t];
             add(row.equations[t], unit * part, column);
             direction = plus(direction, scaled(part, frame[t]));
           }
@@ -148,6 +154,8 @@ class ClosedPairs {
       const Place& place = places_[std::size_t(shared.columns[i])];
       take(place, least(Eigen::Index(i)));
       if (shared.basis.row(Eigen::Index(i)).norm() <= kSameTotal) continue;
+      PairResult& pair = pairs_[std::size_t(place.pair)];
+      if (std::abs(least(Eigen::Index(i))) > kAllowed * largest) pair.state = states_.at(place.pair);
       isNormal = isNormal || place.component == 0;
       ids.insert(place.pair);
       lines.insert(pairs_[std::size_t(place.pair)].line);
@@ -169,6 +177,31 @@ class ClosedPairs {
     Point direction;  // of the force on side B
   };
 
+  /// The state in which the law holds the pair where it is: open only if there is a gap, slipping only if it slides.
+  ContactState stateWithoutGap(const PairResult& pair, const std::vector<Point>& frame) const {
+    const bool touches = pair.state.closed() || pair.touching;
+    if (!touches || !pair.kind.restrictsSliding) return touches ? PairStatus::Slip : PairStatus::Open;
+    if (pair.state.status == PairStatus::Stick) return pair.state;
+    const Point slip = pair.stepSlip();
+    const double moved = std::max(moved_.at(pair.bodies[0]), moved_.at(pair.bodies[1])), size = norm(slip);
+    const bool slides = size > kNoSlip * moved;
+    if (pair.state.closed()) {
+      ContactState state = pair.state;
+      if (!slides) {
+        state.status = PairStatus::Stick;
+        state.direction = {0, 0, 0};
+      }
+      return state;
+    }
+    ContactTrial trial;
+    trial.place = pair.position;
+    trial.size = pair.length;
+    trial.slipped = pair.past.slipped;
+    trial.force[0] = 1.0;
+    for (std::size_t t = 1; slides && t < frame.size(); ++t) trial.jump[t] = kPushedAside * dot(slip, frame[t]) / size;
+    return laws_.of(pair.line).project(trial, slides ? PairStatus::Slip : PairStatus::Stick);
+  }
+
   static void add(const ContactRow::Equation& equation, double factor, ForceColumn& column) {
     for (std::size_t i = 0; i < equation.dofs.size(); ++i) column.entries.emplace_back(equation.dofs[i], factor * equation.coefficients[i]);
   }
@@ -182,9 +215,10 @@ class ClosedPairs {
           pair.tangential, scaled(force - dot(pair.tangential, frame[std::size_t(place.component)]), frame[std::size_t(place.component)]));
       return;
     }
-    if (pair.state.drags())
+    const ContactState& state = states_.at(place.pair);
+    if (state.drags())
       for (std::size_t t = 1; t < frame.size(); ++t)
-        pair.tangential = plus(pair.tangential, scaled((force - pair.force) * pair.state.friction * pair.state.direction[t], frame[t]));
+        pair.tangential = plus(pair.tangential, scaled((force - pair.force) * state.friction * state.direction[t], frame[t]));
     pair.force = force;
   }
 
@@ -211,7 +245,8 @@ class ClosedPairs {
           places_[std::size_t(shared.columns[std::size_t(columns[0] >= 0 ? columns[0] : std::max(columns[1], columns[2]))])].unit;
       const double normal = columns[0] >= 0 ? now(columns[0]) * unit : pair.force;
       if (pair.kind.separates && columns[0] >= 0 && normal < -slack * unit) cuts.push_back({{{columns[0], 1.0}}, 0.0});
-      if (pair.state.status != PairStatus::Stick || !pair.kind.restrictsSliding) continue;
+      const ContactState& held = states_.at(id);
+      if (held.status != PairStatus::Stick || !pair.kind.restrictsSliding) continue;
       const std::vector<Point>& frame = frames_.at(id);
       Point along{0, 0, 0};
       for (std::size_t t = 1; t < frame.size(); ++t) along[t] = columns[t] >= 0 ? now(columns[t]) * unit : dot(pair.tangential, frame[t]);
@@ -223,7 +258,7 @@ class ClosedPairs {
       trial.slipped = slipped_.at(id);
       trial.force = {std::max(normal, 0.0), along[1], along[2]};
       trial.jump = {0.0, kPushedAside * along[1] / size, kPushedAside * along[2] / size};
-      const ContactState state = laws_.of(pair.line).project(trial, pair.state);
+      const ContactState state = laws_.of(pair.line).project(trial, held);
       if (state.status != PairStatus::Slip) continue;  // it holds anything, or nothing presses it
       if (size <= state.largest(normal) + slack * unit) continue;
       ForceCut cut;
@@ -249,6 +284,8 @@ class ClosedPairs {
   std::vector<ForceColumn> columns_;
   std::vector<double> amplitudes_;
   std::vector<Place> places_;
+  std::map<int, double> moved_;  // of each body: largest displacement at its pairs
+  std::map<int, ContactState> states_;
   std::map<int, std::vector<Point>> frames_;
   std::map<int, bool> slipped_;
 };
@@ -309,7 +346,7 @@ void settleContactForces(const Comm& comm, const std::vector<SubdomainMesh>& mes
   for (const SubdomainMesh& mesh : meshes) all.push_back(&mesh);
   const std::vector<PairResult> before = solution.pairs;
   solution.pairs = pairResults(comm, all, solution.displacement, forces);
-  for (std::size_t i = 0; i < before.size(); ++i) solution.pairs[i].touching = before[i].touching;
+  for (std::size_t i = 0; i < before.size(); ++i) solution.pairs[i].touching = before[i].touching && !solution.pairs[i].state.closed();
 }
 
 std::string inWords(const UndeterminedForces& forces) {

@@ -47,7 +47,7 @@ check("steps in the history", {int(row["load_step"]) for row in history}, set(ra
 # Stopped after some steps; three of them are there at least.
 with open(work / "stopped.log", "w") as log:
     process = subprocess.Popen(harness.command(options.solve, 2, SCENE, "--output", work / "stopped", *FINE,
-                                               *setting("Load Steps/Largest Change", "0.03")), stdout=log, stderr=log)
+                                               *setting("Load Steps/Largest Change", "0.06")), stdout=log, stderr=log)
     until = time.time() + 60 * SLOWER
     while time.time() < until and len(steps("stopped")) < 3:
         time.sleep(0.02)
@@ -57,7 +57,7 @@ stopped = json.loads((work / "stopped" / "summary.json").read_text())
 check("its summary says where", "stopped on request, after t = " in stopped["failure"], True)
 before = steps("stopped")
 check("it has not come to its end", float(before[-1]["time"]), lambda t: 0 < t < 1.25)
-code, text, rest = run(4, "stopped", "--restart", str(work / "stopped" / "checkpoint.h5"), *setting("Partition/METIS/Subdomains", 6))
+code, text, rest = run(3, "stopped", "--restart", str(work / "stopped" / "checkpoint.h5"), *setting("Partition/METIS/Subdomains", 6))
 check("exit code of the rest", code, 0)
 after = steps("stopped")
 check("rows before are kept", [row["time"] for row in after[:len(before)]], [row["time"] for row in before])
