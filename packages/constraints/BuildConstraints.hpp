@@ -16,7 +16,7 @@ namespace suture {
 Schema boundaryConditionSchema();
 Schema contactSchema();
 
-/// Properties of the bodies that contact needs besides their mesh.
+/// Properties of the bodies, in addition to their mesh, that contact needs.
 struct ContactScales {
   /// Compliance of an element's material under contact pressure: (1 - nu^2) / E, in plane stress 1 / E [1 / stress]. If the function is
   /// empty, all bodies count as equally compliant, and pressure errors are not estimated.

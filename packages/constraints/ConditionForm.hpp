@@ -37,9 +37,9 @@ const ConditionForm& formNamed(const std::string& name);
 
 /// Parameters that only some types take, except `Group`, `Body`, `Components`, `Value` and expressions.
 std::vector<std::string> specialParameters();
-/// "a Traction", "an Elastic Support".
+/// Name with its article: "a Traction", "an Elastic Support".
 std::string withArticle(const std::string& name);
-/// "a Random Load or a Rotation": the types that take a special parameter.
+/// Types that take a special parameter: "a Random Load or a Rotation".
 std::string takersOf(const std::string& parameter);
 
 }  // namespace suture

@@ -32,7 +32,7 @@ struct Condition {
   std::string name;
   std::string path;  ///< "Boundary Conditions/push", for messages
   Type type = Type::Bilateral;
-  std::vector<std::string> groups;  ///< side groups; none for loads on bodies and at points
+  std::vector<std::string> groups;  ///< side groups; none for body loads and point loads
   std::vector<int> components;      ///< prescribed by a Displacement
   ConditionData data;               ///< data of each component, also for loads; none for types without a value
   std::string body;                 ///< body of a body load or point load; empty: all bodies

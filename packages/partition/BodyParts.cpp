@@ -109,7 +109,7 @@ void BodyParts::findMotions(const Comm& comm, const std::vector<const SubdomainM
       add(along(part, mesh.point(spring.node), spring.direction, dimension), 0.0);
       sprung[partOf[s]] = 1;
     }
-    if (mesh.axisymmetric)  // neither away from the axis nor turning in the meridian plane
+    if (mesh.axisymmetric)  // no radial translation, no rotation in the meridian plane
       for (const int k : {0, 2}) add(Vector::Unit(amplitudes, k), 0.0);
   }
   Packer packer;

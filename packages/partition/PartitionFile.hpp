@@ -28,9 +28,9 @@ struct PartitionedMesh {
 void addPartition(Hdf5File& file, const Mesh& mesh, const Constraints& constraints, const Partition& partition, const MadeFor& madeFor,
                   const std::string& remarks);
 
-/// Reads a partitioned mesh on any number of ranks, independent of the number that wrote it: each rank reads its own subdomains.
-/// Collective. \throws InputError  no such file, no partition in it, another version or another scene (names the lists that differ),
-/// truncated,
+/// Reads a partitioned mesh on any number of ranks, independent of the number that wrote it. Each rank reads its own subdomains.
+/// Collective.
+/// \throws InputError  no such file, no partition in it, another version or another scene (names the lists that differ), truncated,
 ///                     damaged (by checksums)
 PartitionedMesh readPartitionedMesh(const Comm& comm, const std::string& path, const MadeFor& madeFor, bool keepGroupsWhole);
 

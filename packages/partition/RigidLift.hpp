@@ -26,7 +26,8 @@ using CarriedMotions = std::function<std::vector<Vector>(const BodyParts& parts)
 bool takeOutRigidMotions(const Comm& comm, std::vector<SubdomainMesh>& meshes, const CarriedMotions& carry = {});
 
 /// Moves the parts of a scene further, after their rigid-body motions have been removed: updates gaps, and rules, which such a motion
-/// should not change. Collective. \param motion  amplitudes of each part as BodyParts has them, the same on all ranks
+/// should not change. Collective.
+/// \param motion  amplitudes of each part as BodyParts has them, the same on all ranks
 void moveFurther(const Comm& comm, std::vector<SubdomainMesh>& meshes, const std::vector<Vector>& motion);
 
 /// Copies the remaining rules and gaps of the subdomains into rank 0's constraints of the whole mesh. Collective.

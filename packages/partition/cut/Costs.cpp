@@ -12,7 +12,7 @@ struct Size {
   int subdomain, nodes, interfaceNodes;
 };
 
-// Costs of the subdomains that this rank cuts, without contact.
+// Sizes of the subdomains that this rank cuts, without contact.
 std::vector<Size> sizesOf(const MeshShare& share, int nodes) {
   std::vector<Size> sizes;
   std::vector<int> place;  // index of each subdomain in sizes

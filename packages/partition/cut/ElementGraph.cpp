@@ -8,7 +8,7 @@
 namespace suture {
 namespace {
 
-// A side in the list of its lowest vertex.
+// A side, stored in the list of its lowest vertex.
 struct HalfSide {
   long long rest;  // SideKey::rest
   int element;     // the first element with this side; `none` after the second

@@ -76,7 +76,7 @@ class TagPositions {
   /// Position of a tag, or -1.
   int operator()(std::size_t tag) const {
     if (!dense_.empty()) {
-      const std::size_t at = tag - tags_.front();  // a lower tag becomes a very large number
+      const std::size_t at = tag - tags_.front();  // a lower tag wraps around to a very large number
       return at < dense_.size() ? dense_[at] : -1;
     }
     const auto at = std::lower_bound(tags_.begin(), tags_.end(), tag);
@@ -106,8 +106,8 @@ inline void sortByTag(std::vector<std::size_t>& tags, std::vector<double>& coord
 /// Messages of suture_mesher to its parent through its file descriptor 3: one letter, the length in eight bytes, and the text.
 enum class MesherMessage : char {
   Opened = 'O',  ///< all statements are read; meshing begins
-  Failed = 'F',  ///< text: Gmsh's complaints
-  Mesh = 'M'     ///< a packed GmshMesh: all went well
+  Failed = 'F',  ///< text: Gmsh's error message
+  Mesh = 'M'     ///< a packed GmshMesh: success
 };
 
 }  // namespace suture

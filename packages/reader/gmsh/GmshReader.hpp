@@ -18,8 +18,8 @@ struct GmshInput {
 /// Reads a .msh file (readMsh(), without Gmsh), or meshes a .geo file through libgmsh in a separate process (runMesher()). Physical
 /// volumes, surfaces and curves become groups; assembleGmsh() documents the rest of the conversion. Nodes of a .msh file keep the order of
 /// their numbers; numberAlongHilbertCurve() numbers the mesh of a .geo file. Local (rank 0).
-/// \throws InputError        all errors in the file or the mesh; Gmsh's own errors; unknown constants (with the nearest and all known
-/// names) \throws EnvironmentError  a .geo file, and Suture was built without Gmsh (SUTURE_GMSH=OFF)
+/// \throws InputError        all errors in the file or the mesh; Gmsh's own errors; unknown constants (with nearest and known names)
+/// \throws EnvironmentError  a .geo file, and Suture was built without Gmsh (SUTURE_GMSH=OFF)
 Mesh readGmsh(const GmshInput& input);
 
 }  // namespace suture

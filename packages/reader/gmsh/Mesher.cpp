@@ -82,7 +82,7 @@ void readGroups(GmshMesh& mesh) {
     gmsh::model::getPhysicalName(dimension, tag, name);
     std::vector<int> entities;
     gmsh::model::getEntitiesForPhysicalGroup(dimension, tag, entities);
-    for (const int entity : entities) mesh.addGroup(dimension, tag, name, std::abs(entity));  // a curve may be named against its direction
+    for (const int entity : entities) mesh.addGroup(dimension, tag, name, std::abs(entity));  // negative: a curve against its direction
   }
 }
 

@@ -117,7 +117,7 @@ class MshReader {
         }
         for (int k = 0; k < (dimension == 0 ? 3 : 6); ++k) in.real("a bound of an entity");
         for (std::size_t n = in.count(in.size("a number of groups"), sizeof(int), "groups"); n > 0; --n) {
-          const int group = std::abs(in.integer("a physical group"));  // a curve may be named against its direction
+          const int group = std::abs(in.integer("a physical group"));  // negative: a curve against its direction
           if (!between) groups.push_back(group);
         }
         if (dimension > 0) skipIntegers("bounding entities");
