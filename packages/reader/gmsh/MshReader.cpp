@@ -129,8 +129,8 @@ class MshReader {
     for (int k = 0; k < 3; ++k) {
       const double x = in.real("a coordinate");
       if (!(std::abs(x) <= largestCoordinate))
-        in_.fail("node " + std::to_string(tag) + " has the coordinate " + realText(x) + "; expected a number of magnitude at most " +
-                 realText(largestCoordinate));
+        in_.fail("node " + std::to_string(tag) + " has the coordinate " + realText(x) + "; expected a number of at most " +
+                 realText(largestCoordinate) + " in magnitude");
       mesh_.coordinates.push_back(x);
     }
   }
