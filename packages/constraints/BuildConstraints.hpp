@@ -28,10 +28,11 @@ struct ContactScales {
 ///
 /// Nodal rules: each condition gives rows (direction, value) at its nodes: Displacement one row per prescribed component, Bilateral the row
 /// (averaged outward normal, 0). At a node where several conditions meet, equal directions need equal values, a second independent
-/// direction fixes the node, and contradictions are errors. A contact node without prescribed component gets the axes (normal, tangent) of
-/// its pair if it is in exactly one pair; with a prescribed component its rule is unchanged (the contact row is then scaled, not rotated).
+/// direction (in 3D a third) fixes the node, and contradictions are errors. A contact node without prescribed component gets the axes
+/// (normal, tangent) of its pair, with mortar the mean of several, if it is in exactly one contact; with a prescribed component its rule is
+/// unchanged (the contact row is then scaled, not rotated).
 ///
-/// \param scales  used because stiffer bodies keep more of their shape under contact pressure
+/// \param scales  material data: stiffer bodies keep more of their shape when pressed together
 /// \param steps  gives conditions their factors
 /// \throws InputError  all of: unknown group (nearest, known); a group in contradictory roles (a contact side that a displacement holds as
 ///                     a whole, both sides of one contact the same group or the same body, a side in two contacts); sides that do not

@@ -8,7 +8,7 @@ namespace suture {
 
 enum class EntityKind : int { Vertex = 0, Edge = 1, Face = 2 };
 
-/// A maximal connected set of seam nodes that the same subdomains share. Seams within a body are edges in 2D and faces in 3D.
+/// A maximal connected set of seam nodes that the same subdomains share. Seams between subdomains are edges in 2D and faces in 3D.
 struct SeamEntity {
   EntityKind kind = EntityKind::Vertex;
   std::vector<int> sharers;     ///< ids of the subdomains, ascending; two or more
@@ -32,7 +32,7 @@ class EntityGraph {
   /// Adds a side that two (or more) subdomains share: a segment, a triangle or a quadrilateral. A repeated side counts once.
   /// \param nodes     added before: the vertices in their order around the side, then the mid-edge nodes in the same order (for a segment
   ///                  its midpoint), then an interior node
-  /// \param vertices  how many of them are vertices: 2, 3 or 4
+  /// \param vertices  number of vertices among them: 2, 3 or 4
   /// \param sharers   ascending
   void addSide(const std::vector<GlobalId>& nodes, int vertices, const std::vector<int>& sharers);
 
