@@ -31,7 +31,7 @@ bool holdsEverything(const Condition& condition, int dimension) {
          (condition.type == Condition::Type::Displacement && static_cast<int>(condition.components.size()) == dimension);
 }
 
-// A side that is held on its whole length can neither take part in contact nor feel a load: one of the two is a slip.
+// A side that is held on its whole length can neither take part in contact nor carry a load: one of the two is a mistake.
 void checkRoles(const Mesh& mesh, const std::vector<Condition>& conditions, const std::vector<ContactSurface>& contacts,
                 Problems& problems) {
   for (const Condition& holding : conditions) {
@@ -54,17 +54,17 @@ void checkRoles(const Mesh& mesh, const std::vector<Condition>& conditions, cons
       if (holding.type != Condition::Type::Displacement || load.holds()) continue;
       for (const std::string& group : heldAmong(load.groups))
         problems.add(load.path + "/Group",
-                     "all displacements of '" + group + "' are given by " + holding.path + ", so that no load can act there");
+                     "all displacements of '" + group + "' are prescribed by " + holding.path + ": no load can act there");
     }
   }
 }
 
-// Contact nodes in one contact, and with nothing prescribed, get the pair's axes, or the mean of several pairs (mortar).
+// Contact nodes in one contact and without prescribed components get the pair's axes, or the mean of several pairs (mortar).
 void addContactFrames(int dimension, const std::vector<ContactPair>& pairs, std::vector<NodeRule>& rules) {
   struct Use {
     int pairs = 0, contact = -1;
     bool oneContact = true;
-    Point last{0, 0, 0}, sum{0, 0, 0};  // normals: of the last pair; of all, each with its weight
+    Point last{0, 0, 0}, sum{0, 0, 0};  // normal of the last pair; weighted sum over all pairs
   };
   std::map<int, Use> uses;
   for (const ContactPair& pair : pairs)
@@ -108,10 +108,10 @@ std::vector<SpringDirection> springsOf(const Mesh& mesh, const std::vector<Condi
   return springs;
 }
 
-// A body that nothing touches can be anywhere.
+// Reports bodies that no condition and no contact holds.
 void checkHeld(const Mesh& mesh, const Constraints& constraints, Problems& problems) {
   std::vector<char> held(mesh.bodies.size(), 0);
-  for (const NodeRule& rule : constraints.rules) held[mesh.bodyOfNode[rule.node]] = 1;  // boundary conditions only, as yet
+  for (const NodeRule& rule : constraints.rules) held[mesh.bodyOfNode[rule.node]] = 1;  // so far from boundary conditions only
   for (const SpringDirection& spring : constraints.springs) held[mesh.bodyOfNode[spring.node]] = 1;
   for (const ContactPiece& piece : constraints.pieces)
     for (const int body : piece.bodies) held[body] = 1;
@@ -180,10 +180,10 @@ Constraints buildConstraints(const Mesh& mesh, const Parameters& conditionList, 
 
 namespace {
 
-constexpr double kParallel = 1e-9;  // one less the cosine between axes that are one
-constexpr double kTangent = 0.5;    // length of the tangential part of an axis that is none of the normal
+constexpr double kParallel = 1e-9;  // 1 - cosine of the angle between axes that count as the same
+constexpr double kTangent = 0.5;    // shortest tangential part of an axis that counts as tangential
 
-/// True if a rule fixes an axis at a value, whatever the axis's sense.
+/// True if a rule fixes an axis, in either sense, at a value.
 bool fixes(const NodeRule& rule, const Point& axis, double value, int dimension) {
   for (int k = 0; k < dimension; ++k) {
     const double along = dot(rule.axes[k], axis);
@@ -192,7 +192,7 @@ bool fixes(const NodeRule& rule, const Point& axis, double value, int dimension)
   return false;
 }
 
-/// Tangents along which the carrying node and one of the other side are held alike. \param ofTime  values change with the time
+/// Tangents along which the carrying node and a node of the other side are held alike. \param ofTime  values change with time
 std::vector<Point> stillDirections(const ContactPair& pair, const std::vector<const NodeRule*>& ruleOf, int dimension, bool ofTime) {
   std::vector<Point> still;
   const NodeRule* own = ruleOf[pair.node()];

@@ -12,37 +12,38 @@
 
 namespace suture {
 
-/// Schemas of the scene's lists `Boundary Conditions` (one condition, all types, loads included) and `Contact` (one line).
+/// Schemas of one entry of the scene's lists `Boundary Conditions` (all types, loads included) and `Contact`.
 Schema boundaryConditionSchema();
 Schema contactSchema();
 
-/// Properties of the bodies that contact needs besides their mesh.
+/// Properties of the bodies, in addition to their mesh, that contact needs.
 struct ContactScales {
-  /// Compliance of the material of an element under contact pressure: (1 - nu^2) / E, in plane stress 1 / E [1 / stress]. If it is empty
-  /// all bodies count as equally compliant, and pressure errors are not estimated.
+  /// Compliance of an element's material under contact pressure: (1 - nu^2) / E, in plane stress 1 / E [1 / stress]. If the function is
+  /// empty, all bodies count as equally compliant, and pressure errors are not estimated.
   std::function<double(const Mesh& mesh, int element)> compliance;
   std::string lengthUnit;  ///< for notes, as "mm"
 };
 
 /// Turns boundary conditions and contacts into nodal rules, pairs and pieces. Local (rank 0).
 ///
-/// Nodal rules: each condition gives rows (direction, value) at its nodes: Displacement a row a prescribed component, Bilateral the row
-/// (averaged outward normal, 0). At a node where several meet, equal directions with equal values pass; a second independent direction
-/// fixes the node; contradictory ones are an error. A contact node without prescribed component gets the axes (normal, tangent) of
-/// its pair if it is in exactly one; with a prescribed component its rule stays as it is (the contact row is then scaled, not rotated).
+/// Nodal rules: each condition gives rows (direction, value) at its nodes: Displacement one row per prescribed component, Bilateral the row
+/// (averaged outward normal, 0). At a node where several conditions meet, equal directions need equal values, a second independent
+/// direction (in 3D a third) fixes the node, and contradictions are errors. A contact node without prescribed component gets the axes
+/// (normal, tangent) of its pair, with mortar the mean of several, if it is in exactly one contact; with a prescribed component its rule is
+/// unchanged (the contact row is then scaled, not rotated).
 ///
-/// \param scales  stiffer bodies keep more of their shape when pressed together
+/// \param scales  material data: stiffer bodies keep more of their shape when pressed together
 /// \param steps  gives conditions their factors
-/// \throws InputError  all of: unknown group (nearest, known); a group used in contradictory roles (contact side and displacement on the
-///                     whole of it, both sides of one contact the same group or the same body, a side in two contacts); sides that do
-///                     not match (how many nodes on each, how many without partner, how far); a side that is not on the boundary;
-///                     contradictory prescribed values (place, the two conditions); an expression that cannot be read, or has no finite
-///                     value (place).
+/// \throws InputError  all of: unknown group (nearest, known); a group in contradictory roles (a contact side that a displacement holds as
+///                     a whole, both sides of one contact the same group or the same body, a side in two contacts); sides that do not
+///                     match (nodes on each, nodes without partner, distance); a side that is not on the boundary; contradictory
+///                     prescribed values (place, the two conditions); an expression that cannot be read, or has no finite value
+///                     (place).
 Constraints buildConstraints(const Mesh& mesh, const std::vector<Condition>& conditions, const std::vector<Contact>& contacts,
                              const ContactScales& scales = {}, const LoadSteps& steps = {});
 
-/// The same of a scene file. \param conditions  its list `Boundary Conditions` \param contact  its list `Contact` \param constants  for
-/// their expressions
+/// Reads conditions and contacts from a scene. \param conditions  its list `Boundary Conditions` \param contact  its list `Contact`
+/// \param constants  for their expressions
 Constraints buildConstraints(const Mesh& mesh, const Parameters& conditions, const Parameters& contact, const Constants& constants = {},
                              const ContactScales& scales = {}, const LoadSteps& steps = {});
 

@@ -37,7 +37,7 @@ ConditionData readConditionData(const Parameters& condition, const Constants& co
   const ConditionForm& form = formNamed(type);
   const std::string components = form.isPartial() ? condition.get<std::string>("Components") : "All";
   const std::vector<std::string> names = form.expressions(dimension, components);
-  if (names.empty()) return {};  // components of space in the plane, which readConditions() tells
+  if (names.empty()) return {};  // 3D components in 2D, which readConditions() reports
   const std::string alternative = form.varies ? ", or " + joined(names) : "";
   const bool valued = condition.isParameter("Value");
   ConditionData data;
@@ -46,17 +46,17 @@ ConditionData readConditionData(const Parameters& condition, const Constants& co
     if (!condition.isParameter(name)) continue;
     given.push_back(name);
     if (!form.varies)
-      problems.add(pathOf(condition, name), "this " + type + " does not have it: expected numbers in Value");
+      problems.add(pathOf(condition, name), "not a parameter of this " + type + ": expected numbers in Value");
     else if (std::find(names.begin(), names.end(), name) == names.end())
-      problems.add(pathOf(condition, name), "this " + type + " does not have it: expected " + joined(names));
+      problems.add(pathOf(condition, name), "not a parameter of this " + type + ": expected " + joined(names));
   }
   if (valued && !given.empty()) {
-    problems.add(pathOf(condition, "Value"), "'Value' and '" + given[0] + "' are both given: it is one or the other");
+    problems.add(pathOf(condition, "Value"), "'Value' and '" + given[0] + "' are both given; expected only one of them");
   } else if (!given.empty()) {
     if (!form.varies) return data;
     for (const std::string& name : names)
       if (!condition.isParameter(name))
-        problems.add(pathOf(condition, name), "is missing: this " + type + " needs " + joined(names) + "; a component that is zero is 0");
+        problems.add(pathOf(condition, name), "is missing: this " + type + " needs " + joined(names) + "; write 0 for a zero component");
       else if (const auto expression = readExpression(condition, name, constants, problems))
         data.expressions.push_back(*expression);
   } else {

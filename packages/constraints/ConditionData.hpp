@@ -5,7 +5,7 @@
 
 namespace suture {
 
-/// Value of a boundary condition for each of its components: a number, or a function of the place.
+/// Values of a boundary condition, one per component: a number, or a function of position.
 struct ConditionData {
   std::vector<double> values;
   std::vector<Expression> expressions;  ///< instead of values
@@ -15,11 +15,11 @@ struct ConditionData {
 };
 
 /// Reads `Value`, or else the expressions of the type (ConditionForm: `Expression x`, `Expression y`, ..., or `Expression`), of one entry
-/// of `Boundary Conditions`; components that a Displacement leaves free have neither. For the types that have data. Local.
-/// \param problems  gets: no data, both kinds of data, a wrong number of values, an expression too many or too few, one that cannot be read
+/// of `Boundary Conditions` that has data; components that a Displacement leaves free have neither. Local.
+/// \param problems  gets: no data, both kinds of data, a wrong number of values, a surplus, missing or unreadable expression
 ConditionData readConditionData(const Parameters& condition, const Constants& constants, Problems& problems, int dimension = 2);
 
-/// The names of the parameters that hold expressions, of all types.
+/// Names of all parameters that hold expressions, for all types.
 const std::vector<std::string>& expressionNames();
 
 }  // namespace suture

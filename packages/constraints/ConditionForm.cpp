@@ -53,13 +53,13 @@ const std::vector<ConditionForm>& conditionForms() {
 const ConditionForm& formOf(Condition::Type type) {
   for (const ConditionForm& form : conditionForms())
     if (form.type == type) return form;
-  throw InternalError("a type of boundary condition without a form");
+  throw InternalError("boundary condition type without a form");
 }
 
 const ConditionForm& formNamed(const std::string& name) {
   for (const ConditionForm& form : conditionForms())
     if (form.name == name) return form;
-  throw InternalError("no type of boundary condition is called '" + name + "'");
+  throw InternalError("there is no boundary condition type '" + name + "'");
 }
 
 std::vector<std::string> ConditionForm::expressions(int dimension, const std::string& which) const {
@@ -94,94 +94,94 @@ std::string takersOf(const std::string& parameter) {
 Schema boundaryConditionSchema() {
   std::vector<std::string> names;
   for (const ConditionForm& form : conditionForms()) names.push_back(form.name);
-  return Schema("one boundary condition; several may meet at a corner")
+  return Schema("a boundary condition; several may meet at a corner")
       .texts(
           "Group", std::nullopt,
-          "curve group of the mesh, in space surface group, on which it acts, or several as {left, right}; not for loads on bodies and at "
-          "points")
+          "curve group of the mesh (in 3D surface group) on which the condition acts, or several as {left, right}; not for body loads and "
+          "point loads")
       .orOne()
       .optional()
-      .oneOf("Type", std::nullopt, names,
-             "Displacement: given; Bilateral: normal displacement zero, free to slide; Traction: force vector on an area of the undeformed "
-             "body; Pressure: > 0 pushes into the body; Force: total force on a group, the same traction everywhere; Moment: total moment "
-             "on a group about its centroid, as a traction that grows linearly from there, counterclockwise > 0 in the plane; Point Force: "
-             "at a node, where stresses are then singular; Body Force: force on a volume; Gravity: acceleration, on the Density of the "
-             "materials; Rotation: centrifugal force of a body that turns about a point (in the plane), its axis (axisymmetric) or an axis "
-             "through a point (in space), by Density; Temperature: strain Thermal Expansion x (Temperature - Reference Temperature); "
-             "Initial Strain: of shrinkage, swelling, "
-             "or a "
-             "bolt's preload as the shortening of its shank; Initial Stress: of rock before it is cut; Mean Displacement: "
-             "of a group, by the uniform traction that gives it; Preload: shortening of a body, as of a bolt, at which it carries a force; "
-             "Elastic Support: springs on an area (Winkler); Random Load: forces on all nodes of a body, for studies of solvers")
+      .oneOf(
+          "Type", std::nullopt, names,
+          "Displacement: prescribed; Bilateral: zero normal displacement, free to slide; Traction: force vector per undeformed area; "
+          "Pressure: > 0 pushes into the body; Force: total force on a group, as a uniform traction; Moment: total moment "
+          "on a group about its centroid, as a traction that grows linearly from there, counterclockwise > 0 in 2D; Point Force: "
+          "at a node, where stresses are then singular; Body Force: force per volume; Gravity: acceleration, on the Density of the "
+          "materials; Rotation: centrifugal force of a body that turns about a point (2D), its axis (axisymmetric) or an axis "
+          "through a point (3D), by Density; Temperature: strain Thermal Expansion x (Temperature - Reference Temperature); "
+          "Initial Strain: of shrinkage, swelling, or a bolt's preload as the shortening of its shank; Initial Stress: of rock before it "
+          "is excavated; Mean Displacement: of a group, imposed by a uniform traction; Preload: shortening of a body, such as a bolt, "
+          "under which it carries a given force; Elastic Support: springs on an area (Winkler); Random Load: forces on all nodes of a "
+          "body, for studies of solvers")
       .reals(
           "Value", std::nullopt,
-          "Displacement: one entry a component [length]; Traction: one a direction [stress]; Pressure: one [stress]; Force: one a "
-          "direction "
-          "[force]; Moment: one, in space three [force x length]; Point Force: one a direction [force]; Body Force: one a direction [force "
-          "/ "
-          "volume]; Gravity: one a direction [length / time^2]; Rotation: the angular velocity, one, in space three along its axis [1 / "
-          "time]; Temperature: one; Initial Strain: xx, yy, zz, xy, in space also yz, xz, of which xy is 2 e_xy; Initial Stress: xx, yy, "
-          "zz, xy, in space also yz, xz [stress], tension positive; Mean Displacement: one entry a component [length]; Preload: one "
-          "[force], "
-          "tension positive; none for Bilateral, Elastic Support and Random Load. Per unit thickness in the plane, of the whole circle in "
-          "axisymmetric scenes")
+          "Displacement: one entry per component [length]; Traction: one per direction [stress]; Pressure: one [stress]; Force: one per "
+          "direction [force]; Moment: one, in 3D three [force x length]; Point Force: one per direction [force]; Body Force: one per "
+          "direction [force / volume]; Gravity: one per direction [length / time^2]; Rotation: the angular velocity, one, in 3D three "
+          "along "
+          "its axis [1 / time]; Temperature: one; Initial Strain: xx, yy, zz, xy, in 3D also yz, xz, where xy is 2 e_xy; Initial Stress: "
+          "xx, yy, zz, xy, in 3D also yz, xz [stress], tension positive; Mean Displacement: one entry per component [length]; Preload: one "
+          "[force], tension positive; none for Bilateral, Elastic Support and Random Load. In 2D per unit thickness, in axisymmetric "
+          "scenes "
+          "for the whole circle")
       .optional()
-      .text("Expression x", std::nullopt,
-            "instead of Value: the component along x as a function of x and y, in space of x, y and z, the place on the undeformed body. "
-            "Known "
-            "are the names in "
-            "Constants and Functions, pi, + - * / ^, comparisons, c ? a : b, and sqrt, sin, atan2, exp, ln, abs, min and others; in the "
-            "file < is written &lt;")
+      .text(
+          "Expression x", std::nullopt,
+          "instead of Value: the x component as a function of x and y, in 3D of x, y and z, the position on the undeformed body. "
+          "Available are the names in Constants and Functions, pi, + - * / ^, comparisons, c ? a : b, and sqrt, sin, atan2, exp, ln, abs, "
+          "min and others; in the file < is written &lt;")
       .optional()
-      .text("Expression y", std::nullopt, "the same of the component along y")
+      .text("Expression y", std::nullopt, "likewise, for the y component")
       .optional()
-      .text("Expression z", std::nullopt, "the same of the component along z, in space")
+      .text("Expression z", std::nullopt, "likewise, for the z component, in 3D")
       .optional()
-      .text("Expression", std::nullopt, "the same of a Pressure or Temperature")
+      .text("Expression", std::nullopt, "likewise, for a Pressure or Temperature")
       .optional()
-      .text("Expression xx", std::nullopt, "the same of an Initial Strain or Initial Stress, all four of which are given, in space all six")
+      .text("Expression xx", std::nullopt, "likewise, for an Initial Strain or Initial Stress: give all four expressions, in 3D all six")
       .optional()
       .text("Expression yy", std::nullopt, "likewise")
       .optional()
       .text("Expression zz", std::nullopt,
-            "likewise: across the plane, or along the hoop in axisymmetric scenes; 0 for a stress in plane stress")
+            "likewise: the out-of-plane component, in axisymmetric scenes the hoop component; 0 for a stress in plane stress")
       .optional()
-      .text("Expression xy", std::nullopt, "likewise; of a strain 2 e_xy")
+      .text("Expression xy", std::nullopt, "likewise; for a strain 2 e_xy")
       .optional()
-      .text("Expression yz", std::nullopt, "likewise, in space; of a strain 2 e_yz")
+      .text("Expression yz", std::nullopt, "likewise, in 3D; for a strain 2 e_yz")
       .optional()
-      .text("Expression xz", std::nullopt, "likewise, in space; of a strain 2 e_xz")
+      .text("Expression xz", std::nullopt, "likewise, in 3D; for a strain 2 e_xz")
       .optional()
       .oneOf("Components", "All", {"All", "x", "y", "z", "xy", "xz", "yz"},
              "components that a Displacement or Mean Displacement prescribes; the others are free")
-      .text("Body", std::nullopt, "body on which a load on bodies acts, all bodies if left out; body whose node a Point Force takes")
+      .text("Body", std::nullopt, "body on which a body load acts, by default all bodies; body whose node a Point Force acts on")
       .optional()
       .reals("Point", std::nullopt,
-             "place of a Point Force; point about which a Rotation turns in the plane, or of its axis in space, the origin if left out",
+             "position of a Point Force; point about which a Rotation turns in 2D, or a point of its axis in 3D, by default the origin",
              "length")
       .optional()
-      .real("Tolerance", std::nullopt, "Point Force: largest distance of the nearest node; 1e-6 of the bodies' extent if left out",
+      .real("Tolerance", std::nullopt, "Point Force: largest distance of the nearest node; by default 1e-6 of the bodies' extent",
             Range::positive(), "length")
       .optional()
-      .reals("Direction", std::nullopt, "Preload: the axis of its bolt, of any length")
+      .reals("Direction", std::nullopt, "Preload: the axis of the bolt, a vector of any length")
       .optional()
-      .real("Length", std::nullopt, "Preload: from where the force enters the body to where it leaves it, as between head and nut",
-            Range::positive(), "length")
+      .real("Length", std::nullopt,
+            "Preload: distance between the places where the force enters and leaves the body, as between head and nut", Range::positive(),
+            "length")
       .optional()
-      .real("Reference Temperature", std::nullopt, "Temperature: where a body has no thermal strain; 0 if left out", Range::any(),
+      .real("Reference Temperature", std::nullopt, "Temperature: temperature without thermal strain; 0 by default", Range::any(),
             "temperature")
       .optional()
-      .real("Normal Stiffness", std::nullopt, "Elastic Support: pressure per displacement along the normal; 0 if left out",
-            Range::atLeast(0.0), "stress / length")
-      .optional()
-      .real("Tangential Stiffness", std::nullopt, "Elastic Support: the same along the side; 0 if left out", Range::atLeast(0.0),
+      .real("Normal Stiffness", std::nullopt, "Elastic Support: pressure per normal displacement; 0 by default", Range::atLeast(0.0),
             "stress / length")
       .optional()
-      .integer("Seed", std::nullopt, "Random Load: forces depend on it, on the number of the node and on the component only; 0 if left out")
+      .real("Tangential Stiffness", std::nullopt, "Elastic Support: the same along the side; 0 by default", Range::atLeast(0.0),
+            "stress / length")
       .optional()
-      .real("Amplitude", std::nullopt, "Random Load: forces are uniform between minus and plus this", Range::positive(), "force")
+      .integer("Seed", std::nullopt, "Random Load: forces depend only on the seed, the node number and the component; 0 by default")
       .optional()
-      .real("Mean", std::nullopt, "Random Load: added to every component; 0 if left out", Range::any(), "force")
+      .real("Amplitude", std::nullopt, "Random Load: forces are uniformly distributed between -Amplitude and Amplitude", Range::positive(),
+            "force")
+      .optional()
+      .real("Mean", std::nullopt, "Random Load: value added to every component; 0 by default", Range::any(), "force")
       .optional();
 }
 

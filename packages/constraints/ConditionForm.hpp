@@ -6,7 +6,7 @@
 
 namespace suture {
 
-/// The form of one type of boundary condition: where it acts, and which parameters it takes. One table for the reader, its messages and
+/// Form of one type of boundary condition: where it acts, and which parameters it takes. One table serves the reader, its messages and
 /// the schema.
 struct ConditionForm {
   enum class Place { Sides, Body, Point };  ///< a side group, one body or all of them, a node
@@ -14,33 +14,32 @@ struct ConditionForm {
   std::string name;
   Condition::Type type;
   Place place;
-  std::vector<std::string>
-      components;                    ///< in the plane: endings of `Expression`, one for each entry of `Value`: " x", or ""; none: no value
-  std::vector<std::string> inSpace;  ///< the same in space
-  bool varies;                       ///< may be given by expressions
-  std::vector<std::string> needs;    ///< further parameters that it must have
-  std::vector<std::string> may;      ///< further parameters that it may have
-  std::string instead;               ///< words for messages of a type without a value: "it has Amplitude and Seed"
+  std::vector<std::string> components;  ///< in 2D: endings of `Expression`, one per entry of `Value`: " x", or ""; empty: no value
+  std::vector<std::string> inSpace;     ///< endings in 3D
+  bool varies;                          ///< may be given by expressions
+  std::vector<std::string> needs;       ///< further parameters that it must have
+  std::vector<std::string> may;         ///< further parameters that it may have
+  std::string instead;                  ///< text for messages about a type without a value: "it has Amplitude and Seed"
 
   const std::vector<std::string>& componentsIn(int dimension) const { return dimension == 3 ? inSpace : components; }
   /// Names of its expressions. \param which  components of a Displacement: "All", "x", "xz"
   std::vector<std::string> expressions(int dimension, const std::string& which = "All") const;
   bool takes(const std::string& parameter) const;
-  /// May have `Components`: some of its components, the others free.
+  /// True if it may have `Components`: it prescribes some components, the others are free.
   bool isPartial() const { return type == Condition::Type::Displacement || type == Condition::Type::MeanDisplacement; }
 };
 
-/// All types, in the order in which the schema lists them.
+/// All types, in the order of the schema.
 const std::vector<ConditionForm>& conditionForms();
 const ConditionForm& formOf(Condition::Type type);
-/// \throws InternalError  there is none of this name
+/// \throws InternalError  if no type has this name
 const ConditionForm& formNamed(const std::string& name);
 
-/// Parameters that some types take and others do not, but `Group`, `Body`, `Components`, `Value` and expressions.
+/// Parameters that only some types take, except `Group`, `Body`, `Components`, `Value` and expressions.
 std::vector<std::string> specialParameters();
-/// "a Traction", "an Elastic Support".
+/// Name with its article: "a Traction", "an Elastic Support".
 std::string withArticle(const std::string& name);
-/// "a Random Load or a Rotation": the types that take a special parameter.
+/// Types that take a special parameter: "a Random Load or a Rotation".
 std::string takersOf(const std::string& parameter);
 
 }  // namespace suture

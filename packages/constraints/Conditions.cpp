@@ -16,7 +16,7 @@ std::string capitalised(std::string text) {
   return text;
 }
 
-/// Groups and bodies of a condition, against those of the mesh.
+/// Checks that the mesh has the groups and bodies of a condition.
 void checkPlace(const Mesh& mesh, const Condition& condition, Problems& problems) {
   const auto wrong = [&](const std::string& parameter, const std::string& what) { problems.add(condition.path + "/" + parameter, what); };
   if (!condition.onSides()) {
@@ -31,7 +31,7 @@ void checkPlace(const Mesh& mesh, const Condition& condition, Problems& problems
     if (const std::string problem = sideGroupProblem(mesh, group); !problem.empty()) wrong("Group", problem);
 }
 
-/// Components and data of a displacement made in C++; a scene file has only sound ones.
+/// Checks components and data of a displacement made in C++; the schema already checks those of a scene file.
 void checkComponents(const Mesh& mesh, const Condition& condition, Problems& problems) {
   const std::size_t count = condition.components.size(),
                     given = condition.data.expressions.empty() ? condition.data.values.size() : condition.data.expressions.size();
@@ -71,11 +71,12 @@ class Entry {
     condition_.groups = groupNames(list_, "Group");
     const std::string subject = withArticle(form_->name);
     if (list_.isParameter("Group") && form_->place == ConditionForm::Place::Body)
-      wrong("Group", subject + " acts on a body, not on a " + mesh_.sideGroupKind() + "; name it in Body, or leave it out for all bodies");
+      wrong("Group",
+            subject + " acts on a body, not on a " + mesh_.sideGroupKind() + "; name the body in Body, or omit Body for all bodies");
     if (list_.isParameter("Group") && form_->place == ConditionForm::Place::Point)
-      wrong("Group", subject + " acts at a point, not on a " + mesh_.sideGroupKind() + "; name its place in Point");
+      wrong("Group", subject + " acts at a point, not on a " + mesh_.sideGroupKind() + "; give its position in Point");
     if (list_.isParameter("Body") && condition_.onSides())
-      wrong("Body", subject + " acts on a " + mesh_.sideGroupKind() + ", not on a body; name it in Group");
+      wrong("Body", subject + " acts on a " + mesh_.sideGroupKind() + ", not on a body; name the group in Group");
     else if (list_.isParameter("Body"))
       condition_.body = list_.get<std::string>("Body");
     checkPlace(mesh_, condition_, problems_);
@@ -84,9 +85,9 @@ class Entry {
   void readComponents() {
     const std::string components = list_.get<std::string>("Components");
     if (!form_->isPartial() && components != "All")
-      wrong("Components", "only a Displacement or a Mean Displacement has it; found in " + withArticle(form_->name));
+      wrong("Components", "only a Displacement or a Mean Displacement takes this parameter; found in " + withArticle(form_->name));
     if (form_->isPartial() && mesh_.dimension == 2 && components.find('z') != std::string::npos)
-      wrong("Components", "'" + components + "' in the plane; expected All, x or y");
+      wrong("Components", "'" + components + "' in 2D; expected All, x or y");
     if (condition_.type != Type::Displacement) return;
     for (int k = 0; k < mesh_.dimension; ++k)
       if (components == "All" || components.find("xyz"[k]) != std::string::npos) condition_.components.push_back(k);
@@ -116,7 +117,7 @@ class Entry {
   void checkSpecials() {
     for (const std::string& parameter : specialParameters())
       if (!form_->takes(parameter) && list_.isParameter(parameter))
-        wrong(parameter, "only " + takersOf(parameter) + " has it; found in " + withArticle(form_->name));
+        wrong(parameter, "only " + takersOf(parameter) + " takes this parameter; found in " + withArticle(form_->name));
     for (const std::string& parameter : form_->needs)
       if (!list_.isParameter(parameter)) wrong(parameter, "is missing: " + withArticle(form_->name) + " needs it");
     for (const char* vector : {"Point", "Direction"})

@@ -22,7 +22,7 @@ ContactState ContactLaw::project(const ContactTrial& trial, const ContactState& 
   const double length = norm(next.direction);
   const bool slides = next.status == PairStatus::Slip;
   if (!(next.bound >= 0.0) || !(length == 0.0 || (slides && std::abs(length - 1.0) < 1e-12)))
-    throw InternalError("a contact law answers with a bound below zero, or with a direction that is no unit vector of a pair that slips");
+    throw InternalError("a contact law returned a negative bound, or a direction that is not a unit vector of a slipping pair");
   return next;
 }
 
@@ -46,9 +46,9 @@ void registerBuiltIns(Registry<ContactLaw>& registry) {
                [](const Constants& constants, const Parameters& own) { return std::make_unique<Tresca>(constants, own); });
   registry.add(Coulomb::kName, Coulomb::schema(),
                [](const Constants& constants, const Parameters& own) { return std::make_unique<Coulomb>(constants, own); });
-  registry.add(Tied::kName, Schema("Glued as the sides stand, whatever their meshes: no jump of displacements."),
+  registry.add(Tied::kName, Schema("Sides glued in their drawn position, also with non-matching meshes: no jump of displacements."),
                [](const Constants&, const Parameters&) { return std::make_unique<Tied>(); });
-  registry.add(NoSeparation::kName, Schema("Free sliding, and sides that never part: no gap, tension allowed."),
+  registry.add(NoSeparation::kName, Schema("Free sliding of sides that never separate: no gap, tension allowed."),
                [](const Constants&, const Parameters&) { return std::make_unique<NoSeparation>(); });
 }
 

@@ -9,7 +9,7 @@ namespace suture {
 
 namespace {
 
-/// Bodies of a pair on side A and on side B; no body stands for a rigid obstacle.
+/// Bodies of a pair on side A and on side B; an empty set represents a rigid obstacle.
 struct PairBodies {
   std::set<int> a, b;
   bool operator<(const PairBodies& other) const { return a < other.a || (a == other.a && b < other.b); }
@@ -23,7 +23,7 @@ PairBodies bodiesOf(const Mesh& mesh, const ContactSurface& contact, const Conta
   return bodies;
 }
 
-/// The names of a piece's contacts, and a number where the same name stands for several pieces.
+/// Names pieces after their contacts, with a number if several pieces would have the same name.
 void nameThem(const std::vector<ContactSurface>& contacts, const std::vector<int>& contactOf, std::vector<ContactPiece>& pieces) {
   std::map<std::string, int> uses;
   for (ContactPiece& piece : pieces) {

@@ -18,19 +18,19 @@ struct Term {
   int node;
 };
 
-// A node without a rule is Cartesian and free.
+// Adds the terms of one end. A node without a rule is Cartesian and free.
 void addEnd(const PairEnd& end, const NodeRule& rule, const Point& direction, int dimension, double& gap, std::vector<Term>& entries) {
   for (int k = 0; k < dimension; ++k) {
     double along = 0.0;
     for (int c = 0; c < dimension; ++c) along += rule.axes[k][c] * direction[c];
     if (rule.fixed[k])
       gap -= end.weight * along * rule.value[k];
-    else if (std::abs(along) > 1e-12)  // the row of a unit vector: this is rounding of the axes
+    else if (std::abs(along) > 1e-12)  // smaller components of a unit vector are round-off
       entries.push_back({static_cast<GlobalId>(end.node) * dimension + k, end.weight * along, end.node});
   }
 }
 
-// Rows with an unknown in common are in one cluster, known by its lowest.
+// Rows with a common unknown are in one cluster, identified by its lowest pair.
 void findClusters(std::vector<ContactRow>& rows) {
   DisjointSets clusters(static_cast<int>(rows.size()));
   std::unordered_map<GlobalId, int> firstWith;

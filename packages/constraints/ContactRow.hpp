@@ -7,16 +7,16 @@ namespace suture {
 
 struct Mesh;
 
-/// The rows of one contact pair, a block: what its law restricts, in the frame of the pair (PairFrame). The first is the condition
+/// Block of rows of one contact pair: the restrictions of its law, in the frame of the pair (PairFrame). The first row is the condition
 /// (u_A - u_B) . normal <= gap; a law that restricts sliding adds (u_A - u_B) . tangent, which vanishes where the pair sticks.
 struct ContactRow {
-  /// A row in the free unknowns of the pair's nodes, whatever their axes: one coefficient on a node whose axes are the pair's, several on
-  /// another.
+  /// Row in the free unknowns of the pair's nodes: one coefficient per node whose axes are those of the pair, several for a node with other
+  /// axes.
   struct Equation {
     std::vector<GlobalId> dofs;  ///< node of the mesh x dimension + component in the axes of the node (as Subdomain::globalDof), ascending;
-                                 ///< none where all nodes are held along the row's direction: nothing can change there
-    std::vector<double> coefficients;  ///< coefficient of each dof; mere rounding is left out
-    double gap = 0.0;  ///< initial gap, along tangents slip before the load step, less the part closed by prescribed components [length]
+                                 ///< empty if all nodes are held along the row's direction: nothing can change there
+    std::vector<double> coefficients;  ///< coefficient of each dof, without those that are mere round-off
+    double gap = 0.0;  ///< initial gap (along tangents, slip before the load step) minus the part closed by prescribed components [length]
     std::vector<Point> points;  ///< coordinates of each dof's node
 
     template <typename Self, typename Each>
@@ -25,13 +25,13 @@ struct ContactRow {
     }
   };
   ContactPair pair;
-  std::vector<Equation> equations;  ///< the normal one, then those of the tangents
-  bool separates = true;            ///< false of a law that never opens a pair (ContactLaw::separates)
-  int cluster = -1;                 ///< rows that share a dof, and those that share one with them: lowest pair id among them
+  std::vector<Equation> equations;  ///< the normal one, then the tangential ones
+  bool separates = true;            ///< false for a law that never opens a pair (ContactLaw::separates)
+  int cluster = -1;                 ///< lowest pair id among the rows that are connected to this one by common dofs
 
   const Equation& normal() const { return equations.front(); }
   Equation& normal() { return equations.front(); }
-  /// True if the pair can open and close: some node of it can move along the normal.
+  /// True if the pair can open and close: at least one of its nodes can move along the normal.
   bool able() const { return !normal().dofs.empty(); }
   /// True if the law restricts sliding.
   bool restrictsSliding() const { return equations.size() > 1; }
@@ -42,10 +42,10 @@ struct ContactRow {
   }
 };
 
-/// Directions of a pair's rows: its frame (PairFrame), the tangents less what is along directions in which nothing slides.
+/// Directions of a pair's rows: its frame (PairFrame), with the tangents reduced to the directions in which the pair can slide.
 std::vector<Point> rowDirections(const ContactPair& pair, int dimension);
 
-/// The rows of all pairs, in their order, as many of each as its law restricts. Cost in proportion to nodes and pairs. Local (rank 0).
+/// Rows of all pairs, in their order, as many per pair as its law restricts. Cost proportional to nodes and pairs. Local (rank 0).
 std::vector<ContactRow> contactRows(const Mesh& mesh, const Constraints& constraints);
 
 }  // namespace suture

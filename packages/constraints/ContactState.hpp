@@ -5,19 +5,19 @@
 
 namespace suture {
 
-/// Status of a contact pair: apart, or pressed together and sliding or stuck. Frictionless pairs that are closed slip: nothing keeps them
-/// from sliding.
+/// Status of a contact pair: open, or closed and slipping or sticking. Closed frictionless pairs slip: nothing prevents them from
+/// sliding.
 enum class PairStatus : int { Open = 0, Slip = 1, Stick = 2 };
 
-/// State of a contact pair as its law decides it (ContactLaw::project): all that a solver, a checkpoint or a nested start need to go on
-/// from. A status alone is the state of a pair without friction.
+/// State of a contact pair as decided by its law (ContactLaw::project): all data that a solver, a checkpoint or a nested start needs to
+/// continue. A status alone is the state of a frictionless pair.
 struct ContactState {
   PairStatus status = PairStatus::Open;
   Point direction{0, 0,
-                  0};     ///< in which side A slides along side B, in the pair's frame, a unit vector; zero unless it slips with friction
-  double bound = 0.0;     ///< largest tangential force without a normal one; 0 without friction [force]
-  double friction = 0.0;  ///< by how much the normal force raises it: the slope of the law
-  double across = 0.0;    ///< stiffness along acrossSlip(): of pairs that slip (FrictionSearch), of open ones (StateSearch) [force/length]
+                  0};  ///< direction in which side A slides along side B, in the pair's frame, a unit vector; zero without frictional slip
+  double bound = 0.0;  ///< largest tangential force at zero normal force; 0 without friction [force]
+  double friction = 0.0;  ///< slope of the law: increase of the bound per normal force
+  double across = 0.0;    ///< stiffness along acrossSlip(), of slipping pairs (FrictionSearch) and open pairs (StateSearch) [force/length]
 
   ContactState() = default;
   ContactState(PairStatus s) : status(s) {}
@@ -25,14 +25,14 @@ struct ContactState {
       : status(s), direction(slides), bound(largest), friction(slope) {}
 
   bool closed() const { return status != PairStatus::Open; }
-  /// True if the state makes an equation of row `component` of a ContactRow: of the normal one (0) where the pair is closed, of the
-  /// tangential ones where it sticks.
+  /// True if the state turns row `component` of a ContactRow into an equation: the normal row (0) if the pair is closed, the tangential
+  /// rows if it sticks.
   bool holds(int component) const { return component == 0 ? closed() : status == PairStatus::Stick; }
-  /// True if another state makes equations of the same rows.
+  /// True if the other state makes equations of the same rows.
   bool holdsAs(const ContactState& other) const { return holds(0) == other.holds(0) && holds(1) == other.holds(1); }
-  /// Largest tangential force under a normal one.
+  /// Largest tangential force at a given normal force.
   double largest(double normal) const { return std::max(0.0, bound + friction * std::max(0.0, normal)); }
-  /// True if a normal force on the pair drags it along.
+  /// True if the normal force on the pair changes its tangential force.
   bool drags() const { return status == PairStatus::Slip && friction != 0.0; }
 
   friend bool operator==(const ContactState& a, const ContactState& b) {
@@ -41,7 +41,7 @@ struct ContactState {
   friend bool operator!=(const ContactState& a, const ContactState& b) { return !(a == b); }
 };
 
-/// The direction across that in which a pair slips in space, in its frame.
+/// Direction perpendicular to the slip of a pair in 3D, in its frame.
 inline Point acrossSlip(const ContactState& state) { return {0.0, -state.direction[2], state.direction[1]}; }
 
 }  // namespace suture

@@ -22,7 +22,7 @@ std::string lengthText(double length, const std::string& unit) {
 
 double distance(const ContactPair& a, const ContactPair& b) { return norm(minus(a.position, b.position)); }
 
-/// Second difference of the gaps at a pair, at the end of a line that of the next one.
+/// Second difference of the gaps at a pair; at the end of a line, that of the neighbouring pair.
 double bendAt(const std::vector<ContactPair>& pairs, const std::vector<std::vector<int>>& beside, int at) {
   if (beside[at].size() == 1) at = beside[at].front();
   const std::vector<int>& others = beside[at];
@@ -54,14 +54,14 @@ void noteInterference(const ContactSurface& contact, const PairedSurface& paired
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     const double depth = -pairs[i].gap, doubt = paired.gapDoubts.empty() ? 0.0 : std::abs(paired.gapDoubts[i]);
     const double size = beside[i].empty() ? widest : spacing(i);
-    // The linear function nearest to the gap of sides that touch lies below zero there, by as much for each direction along them.
+    // With mortar, the gap of touching sides is the best linear fit, which lies below zero by this much per direction along the sides.
     const double touch = pairs[i].ends.size() > 2 ? (dimension - 1) * std::abs(bendAt(pairs, beside, static_cast<int>(i))) / 8 : 0.0;
     if (depth > std::max({deepest, kNoInterference * size, 2 * doubt, touch})) deepest = depth, place = pairs[i].position;
   }
   if (deepest <= 0) return;
   const bool isDeep = !contact.obstacle && widest > 0 && deepest > widest;  // a rigid obstacle may be pushed in on purpose
   notes.push_back((isDeep ? "warning: " : "") + ("contact '" + contact.name + "': ") + (contact.initialGap ? "given" : "drawn") +
-                  " interference " + lengthText(deepest, unit) + (isDeep ? ", deeper than an element is long" : "") + ", deepest at " +
+                  " interference " + lengthText(deepest, unit) + (isDeep ? ", deeper than the element length" : "") + ", deepest at " +
                   placeText(place, dimension));
 }
 
@@ -76,8 +76,8 @@ void noteDistance(const ContactSurface& contact, const PairedSurface& paired, co
   const double length = norm(minus(box.high, box.low));
   if (nearest->gap <= length) return;
   notes.push_back("warning: contact '" + contact.name + "': its sides are " + lengthText(nearest->gap, unit) +
-                  " apart, more than the contact is long (" + lengthText(length, unit) + "), nearest at " +
-                  placeText(nearest->position, contact.a.surface->dimension()) + ". Are these the sides that shall meet?");
+                  " apart, more than the length of the contact (" + lengthText(length, unit) + "), nearest at " +
+                  placeText(nearest->position, contact.a.surface->dimension()) + ". Are these the sides that should meet?");
 }
 
 void estimatePressures(const std::vector<ContactSurface>& contacts, const std::vector<PairedSurface>& paired, Constraints& constraints) {

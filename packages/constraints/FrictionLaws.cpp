@@ -12,7 +12,7 @@ namespace suture {
 
 namespace {
 
-/// A parameter that is a number or an expression. \throws InputError
+/// Reads a parameter that is a number or an expression. \throws InputError
 DryFriction::Value readValue(const Parameters& own, const char* name, const Constants& constants) {
   Problems problems;
   std::optional<Expression> value = readExpression(own, name, constants, problems);
@@ -45,8 +45,8 @@ ContactState DryFriction::doProject(const ContactTrial& trial, const ContactStat
 }
 
 Schema Tresca::schema() {
-  return Schema("Tangential stress at most a given bound, whatever the pressure; no tension, no penetration.")
-      .text("Bound", std::nullopt, "largest tangential stress, a number or a function of the place [stress]");
+  return Schema("Tangential stress at most a given bound, independent of the pressure; no tension, no penetration.")
+      .text("Bound", std::nullopt, "largest tangential stress, a number or a function of position [stress]");
 }
 
 Tresca::Tresca(const Constants& constants, const Parameters& own)
@@ -54,9 +54,9 @@ Tresca::Tresca(const Constants& constants, const Parameters& own)
 
 Schema Coulomb::schema() {
   return Schema("Tangential stress at most cohesion + coefficient x pressure; no tension, no penetration.")
-      .text("Coefficient", std::nullopt, "coefficient of friction, a number or a function of the place")
-      .text("Cohesion", "0", "tangential stress that slides the sides without pressure, a number or a function of the place [stress]")
-      .boolean("Cohesion Lost", false, "Where a pair has slid in a load step, it has no cohesion in the next ones.");
+      .text("Coefficient", std::nullopt, "coefficient of friction, a number or a function of position")
+      .text("Cohesion", "0", "tangential strength at zero pressure, a number or a function of position [stress]")
+      .boolean("Cohesion Lost", false, "A pair that has slid in a load step has no cohesion in the following ones.");
 }
 
 Coulomb::Coulomb(const Constants& constants, const Parameters& own)

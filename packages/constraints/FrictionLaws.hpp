@@ -3,17 +3,17 @@
 
 namespace suture {
 
-/// A law with a cone, a disc or both for its tangential forces: |t| <= cohesion + coefficient normal force, in space a true disc. A pair
-/// sticks inside, and slips along the force on the rim. Base of Tresca's and Coulomb's laws.
+/// Law with a cone, a disc or both for its tangential forces: |t| <= cohesion + coefficient normal force, in 3D a true disc. A pair
+/// sticks in the interior, and slips along the force on the boundary. Base class of Tresca and Coulomb.
 class DryFriction : public ContactLaw {
  public:
-  /// A function of the place that is not negative, and the parameter that it comes from.
+  /// Function of position that must not be negative, and the parameter that it comes from.
   struct Value {
     Expression expression;
     std::string path = {};
-    double at(const Point& place) const;  ///< \throws InputError  it is negative there
+    double at(const Point& place) const;  ///< \throws InputError  if it is negative there
   };
-  /// \param cohesion  [stress];  \param coefficient  coefficient of friction;  \param losesCohesion  once a pair has slid in a load step
+  /// \param cohesion  [stress];  \param coefficient  of friction;  \param losesCohesion  after a pair has slid in a load step
   DryFriction(Value cohesion, Value coefficient, bool losesCohesion = false)
       : cohesion_(std::move(cohesion)), coefficient_(std::move(coefficient)), losesCohesion_(losesCohesion) {}
   DryFriction(Expression cohesion, Expression coefficient) : DryFriction(Value{std::move(cohesion)}, Value{std::move(coefficient)}) {}
@@ -27,8 +27,8 @@ class DryFriction : public ContactLaw {
   bool losesCohesion_ = false;
 };
 
-/// Tresca's law: the tangential stress is at most `Bound`, whatever the pressure, where the sides touch. As long as no pair opens or closes
-/// the problem is convex and has one solution; a pair that opens loses its bound at once, and there may be none.
+/// Tresca's law: where the sides touch, the tangential stress is at most `Bound`, independent of the pressure. As long as no pair opens or
+/// closes, the problem is convex and has one solution; a pair that opens loses its bound at once, and there may be no solution.
 class Tresca : public DryFriction {
  public:
   static constexpr const char* kName = "Tresca";
@@ -36,8 +36,8 @@ class Tresca : public DryFriction {
   Tresca(const Constants& constants, const Parameters& own);
 };
 
-/// Coulomb's law with cohesion: the tangential stress is at most `Cohesion` + `Coefficient` times the pressure. With `Cohesion Lost` a pair
-/// that has slid in a load step has no cohesion in the next ones.
+/// Coulomb's law with cohesion: the tangential stress is at most `Cohesion` + `Coefficient` times the pressure. With `Cohesion Lost`, a
+/// pair that has slid in a load step has no cohesion in the following ones.
 class Coulomb : public DryFriction {
  public:
   static constexpr const char* kName = "Coulomb";
@@ -45,7 +45,7 @@ class Coulomb : public DryFriction {
   Coulomb(const Constants& constants, const Parameters& own);
 };
 
-/// Two sides glued together as they stand, whatever their meshes: no jump of displacements, any forces.
+/// Two sides glued in their drawn position, also with non-matching meshes: no jump of displacements, arbitrary forces.
 class Tied : public ContactLaw {
  public:
   static constexpr const char* kName = "Tied";
@@ -57,7 +57,7 @@ class Tied : public ContactLaw {
   ContactState doProject(const ContactTrial&, const ContactState&) const override { return PairStatus::Stick; }
 };
 
-/// Two sides that slide freely and never part: no gap, no tangential force.
+/// Two sides that slide freely and never separate: no gap, no tangential force.
 class NoSeparation : public ContactLaw {
  public:
   static constexpr const char* kName = "No Separation";

@@ -16,26 +16,26 @@ namespace {
 
 constexpr const char* kTimes = "Times";
 constexpr const char* kFactors = "Factors";
-constexpr double kLargestChange = 0.2;  // part of the pairs: more of them in one step may have come in another order
+constexpr double kLargestChange = 0.2;  // fraction of the pairs: if more change in one step, their order may be wrong
 constexpr int kHalvings = 6;
 
-/// Types of conditions that have nothing to multiply, or an amount that the answer decides.
+/// Condition types that have nothing to multiply, or an amount that the solution determines.
 const std::set<std::string> kWithoutAmount = {"Bilateral", "Elastic Support", "Mean Displacement", "Preload"};
 
 }  // namespace
 
 Schema LoadSteps::schema() {
-  Schema steps("Steps in which the loads come, for contact whose answer depends on their order. Without Times: one step, without history.");
-  steps.reals(kTimes, std::vector<double>(), "Ends of the steps; the path begins at 0 with undeformed bodies.");
+  Schema steps("Load steps, for contact whose solution depends on the order of the loads. Without Times: one step, without history.");
+  steps.reals(kTimes, std::vector<double>(), "Ends of the steps; the path starts at 0 with undeformed bodies.");
   steps.real("Largest Change", kLargestChange,
-             "Part of the contact pairs that may open, close, stick or slip in one step with friction; if more do, the step is halved.",
+             "Fraction of the contact pairs that may open, close, stick or slip in one step with friction; if more do, the step is halved.",
              {0.0, 1.0, true, false, {}});
-  steps.integer("Halvings", kHalvings, "How often a step may be halved, because it was not solved or for Largest Change.",
+  steps.integer("Halvings", kHalvings, "How often a step may be halved, because it failed or because of Largest Change.",
                 {0.0, 30.0, false, false, {}});
-  steps.list(kFactors, Schema("Factors of boundary conditions, by their names; the others act in full from the first step on.")
+  steps.list(kFactors, Schema("Factors of boundary conditions, by name; all other conditions act in full from the first step on.")
                            .eachText("condition",
                                      "an expression in the time t, such as min(t, 1), or values at Times, {0.5, 1, 1}, linear between "
-                                     "them and from 0 at the time 0"));
+                                     "Times and from 0 at time 0"));
   return steps;
 }
 
@@ -47,10 +47,10 @@ LoadSteps::LoadSteps(const Parameters& list, const std::vector<Named>& condition
   for (std::size_t i = 0; i < times_.size(); ++i)
     if (const double before = i > 0 ? times_[i - 1] : 0.0; !(times_[i] > before))
       problems.add(pathOf(list, kTimes),
-                   "time " + realText(times_[i]) + " after " + realText(before) + "; expected times that ascend from 0");
+                   "time " + realText(times_[i]) + " after " + realText(before) + "; expected ascending times above 0");
   const Parameters& factors = list.sublist(kFactors);
   if (times_.empty() && factors.numParams() > 0)
-    problems.add(pathOf(list, kTimes), "is empty, but there are Factors; expected the ends of the load steps, such as {0.5, 1}");
+    problems.add(pathOf(list, kTimes), "is empty, but Factors are given; expected the ends of the load steps, such as {0.5, 1}");
   std::vector<std::string> names;
   for (const Named& condition : conditions) names.push_back(condition.first);
   std::map<std::string, int> known;  // texts of functions

@@ -10,37 +10,37 @@
 
 namespace suture {
 
-/// Steps in which the loads of a scene come, its list `Load Steps`: times, and for named boundary conditions factors that their loads or
-/// prescribed displacements are multiplied by, functions of the time. All other conditions act in full from the first step on. The path
-/// begins at the time 0 with undeformed bodies. Local.
+/// Load steps of a scene, its list `Load Steps`: times, and factors of named boundary conditions as functions of time, which multiply their
+/// loads or prescribed displacements. All other conditions act in full from the first step on. The path starts at time 0 with undeformed
+/// bodies. Local.
 class LoadSteps {
  public:
   /// Name and type of a boundary condition.
   using Named = std::pair<std::string, std::string>;
 
-  /// None: a scene is solved once, with all conditions in full.
+  /// No load steps: the scene is solved once, with all conditions in full.
   LoadSteps() = default;
   static Schema schema();
   /// \param list  resolved;  \param conditions  of the scene
   /// \throws InputError  all of: times that do not ascend, conditions that do not exist (nearest name) or have no amount, expressions,
-  /// tables of another length than the times
+  /// tables whose length differs from that of the times
   LoadSteps(const Parameters& list, const std::vector<Named>& conditions, const Constants& constants);
 
   bool empty() const { return times_.empty(); }
-  /// Ends of the steps that the scene names, ascending, above 0.
+  /// Ends of the steps given in the scene, ascending, above 0.
   const std::vector<double>& times() const { return times_; }
   /// Number of distinct factors. Number 0 is the constant one.
   int factors() const { return 1 + static_cast<int>(functions_.size()); }
-  /// Number of a condition's factor; 0 for one without.
+  /// Number of a condition's factor; 0 for a condition without one.
   int factorOf(const std::string& condition) const;
-  /// All factors at a time, by their numbers. \throws InputError  an expression is not finite then
+  /// All factors at a time, by their numbers. \throws InputError  an expression is not finite at that time
   std::vector<double> at(double time) const;
 
-  double largestChange() const { return largestChange_; }  ///< part of the pairs that may change in a step
-  int halvings() const { return halvings_; }               ///< most halvings of a step of the scene
+  double largestChange() const { return largestChange_; }  ///< fraction of the pairs that may change in a step
+  int halvings() const { return halvings_; }               ///< maximum number of halvings of a scene's step
 
  private:
-  /// An expression in t, or values at the times.
+  /// Expression in t, or values at the times.
   struct Function {
     std::vector<Expression> expression;  // one, or none
     std::vector<double> table;

@@ -16,7 +16,7 @@ namespace suture {
 
 namespace {
 
-const double sameDirection = 1e-6;  // sine, below which two directions are one
+const double sameDirection = 1e-6;  // sine of the angle below which two directions are equal
 const double sameValue = 1e-9;      // relative
 
 /// direction . u = value
@@ -47,7 +47,7 @@ void addDisplacement(const Mesh& mesh, const std::vector<Condition>& conditions,
   problems.add(error);
 }
 
-// All conditions together: a round wall named in two pieces must not get two nearly parallel rows where the pieces meet.
+// Treats all conditions together: a round wall named in two pieces must not get two nearly parallel rows where the pieces meet.
 void addBilateral(const Mesh& mesh, const std::vector<Condition>& conditions, Rows& rows) {
   struct Bundle {
     Point sum;  // sum of the normals, weighted by size
@@ -80,7 +80,7 @@ void addBilateral(const Mesh& mesh, const std::vector<Condition>& conditions, Ro
       for (const int condition : bundle.conditions) rows[node].push_back({unit(bundle.sum), 0.0, condition});
 }
 
-// u_r = 0 at r = 0, as if the scene said it: the last of the conditions, but the first row of its nodes.
+// u_r = 0 at r = 0, as if the scene prescribed it: the last of the conditions, but the first row of its nodes.
 void addAxis(const Mesh& mesh, std::vector<Condition>& conditions, Rows& rows) {
   Condition axis;
   axis.name = "the axis of symmetry";
@@ -91,7 +91,7 @@ void addAxis(const Mesh& mesh, std::vector<Condition>& conditions, Rows& rows) {
   conditions.push_back(axis);
 }
 
-/// Rows that contradict each other, told once for each pair of conditions.
+/// Contradictory rows, reported once per pair of conditions.
 class Contradictions {
  public:
   Contradictions(const Mesh& mesh, const std::vector<Condition>& conditions, bool haveFactors)
@@ -105,11 +105,11 @@ class Contradictions {
   void report(Problems& problems) const {
     for (const auto& [pair, found] : all_) {
       char text[300];
-      std::snprintf(text, sizeof text, "at %s the displacement along %s is to be %.6g, but '%s' makes it %.6g",
+      std::snprintf(text, sizeof text, "at %s the displacement along %s should be %.6g, but '%s' makes it %.6g",
                     placeText(mesh_.point(found.node), mesh_.dimension).c_str(), placeText(found.other.direction, mesh_.dimension).c_str(),
                     found.other.value, conditions_[found.kept.condition].name.c_str(), found.kept.value);
       problems.add(conditions_[found.other.condition].path,
-                   std::string(text) + (found.nodes > 1 ? " (and so at " + std::to_string(found.nodes - 1) + " more nodes)" : "") +
+                   std::string(text) + (found.nodes > 1 ? " (likewise at " + std::to_string(found.nodes - 1) + " more nodes)" : "") +
                        "; where conditions meet, their values must agree" + (haveFactors_ ? ", and so must their Load Steps/Factors" : ""));
     }
   }
@@ -127,11 +127,11 @@ class Contradictions {
 
 bool areParallel(const Row& a, const Row& b) { return norm(cross(a.direction, b.direction)) <= sameDirection; }
 
-/// The rows of a node that decide its displacement: each the first whose direction is independent of those before. With the basis that is
-/// dual to their directions.
+/// Rows of a node that determine its displacement, each the first whose direction is independent of the preceding ones, and the basis dual
+/// to their directions.
 struct Basis {
   std::vector<const Row*> rows;
-  /// Directions that complete those of the rows to three: unit vectors, across the rows' span. In the plane the last is across the plane.
+  /// Directions of the rows, completed to three by unit vectors perpendicular to the rows' span. In 2D the last is out of plane.
   std::array<Point, 3> directions{};
   double det = 1.0;  ///< determinant of the three directions
 
@@ -144,15 +144,15 @@ struct Basis {
     if (known >= 2) det = dot(cross(directions[0], directions[1]), directions[2]);
   }
 
-  /// det times the vector whose product with direction i is one, with the others zero.
+  /// det times the vector whose product with direction i is one, and with the others zero.
   Point adjugate(int i) const { return cross(directions[(i + 1) % 3], directions[(i + 2) % 3]); }
-  /// The vector in the span of the rows whose product with direction i is one, with those of the other rows zero.
+  /// Vector in the span of the rows whose product with direction i is one, and with those of the other rows zero.
   Point dual(int i) const {
     if (rows.size() == 1) return directions[0];
     const Point vector = adjugate(i);
     return {vector[0] / det, vector[1] / det, vector[2] / det};
   }
-  /// Unit vector across two rows.
+  /// Unit vector perpendicular to two rows.
   Point across() const {
     const Point normal = cross(rows[0]->direction, rows[1]->direction);
     return scaled(1 / norm(normal), normal);
@@ -166,7 +166,7 @@ struct Basis {
   }
 };
 
-/// \param last  conditions from this number on are none of the scene's
+/// \param last  number of conditions in the scene; higher numbers are added automatically
 void addSupports(int node, const Basis& basis, const std::vector<Row>& rows, int last, std::vector<Support>& supports) {
   for (int i = 0; i < int(basis.rows.size()); ++i) {
     const Row& held = *basis.rows[i];
@@ -178,7 +178,7 @@ void addSupports(int node, const Basis& basis, const std::vector<Row>& rows, int
   }
 }
 
-/// Place of the only component that is not zero; -1 where there are several.
+/// Index of the only nonzero component; -1 if there are several.
 int onlyComponent(const Point& direction) {
   int place = -1;
   for (int k = 0; k < 3; ++k) {
@@ -189,14 +189,14 @@ int onlyComponent(const Point& direction) {
   return place;
 }
 
-/// Value of one component of the vector in the span of the rows whose products with their directions are their values.
+/// Component k of the vector in the span of the rows whose products with their directions are their values.
 double component(const Basis& basis, int k) {
   double sum = 0;
   for (std::size_t i = 0; i < basis.rows.size(); ++i) sum += basis.rows[i]->value * basis.adjugate(int(i))[k];
   return sum / basis.det + 0.0;  // no negative zero
 }
 
-/// The rule of one direction: axis 0, unless the Cartesian axes have it.
+/// Rule of one direction: along axis 0, or along a Cartesian axis if the direction is Cartesian.
 void holdLine(const Row& row, int dimension, NodeRule& rule) {
   if (const int k = onlyComponent(row.direction); k >= 0) {
     rule.fixed[k] = true;
@@ -209,7 +209,7 @@ void holdLine(const Row& row, int dimension, NodeRule& rule) {
   rule.value[0] = row.value;
 }
 
-/// The rule of two directions in space: axis 0 along the first, axis 1 in their plane, unless this is a plane of Cartesian axes.
+/// Rule of two directions in 3D: axis 0 along the first, axis 1 in their plane; Cartesian axes if they span that plane.
 void holdPlane(const Basis& basis, NodeRule& rule) {
   const Row &first = *basis.rows[0], &second = *basis.rows[1];
   const Point normal = basis.directions[2];
@@ -253,7 +253,7 @@ void compare(const NodeRule& rule, const Basis& basis, const std::vector<Row>& r
   }
 }
 
-/// The rows with the values of one factor alone.
+/// Rows with the values of one factor only.
 std::vector<Row> partOf(std::vector<Row> rows, int factor) {
   for (Row& row : rows)
     if (row.factor != factor) row.value = 0.0;

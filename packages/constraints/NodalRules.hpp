@@ -6,16 +6,16 @@
 
 namespace suture {
 
-/// Dirichlet and bilateral rows of all conditions, brought together at each node.
+/// Nodal rules: Dirichlet and bilateral rows of all conditions, combined at each node.
 ///
-/// Displacement gives a row a prescribed component. Bilateral gives u.n = 0 with the outward normal averaged (by size) over all bilateral
-/// sides that meet at the node, whichever condition they come from; where they meet at more than 45 degrees, each has a row of its own.
-/// Axisymmetric meshes: u_x = 0 on the axis, said by no condition.
-/// The rows whose directions are independent of those before decide, at most one a component. One: it is axis 0 of the rule (Cartesian
-/// axes, if it is Cartesian). Two in space: axes 0 and 1 span their plane, the first along the first row (Cartesian axes, if they span it).
-/// As many as components: the node is fixed, in Cartesian axes. Directions need not be orthogonal.
+/// Displacement gives one row per prescribed component. Bilateral gives u.n = 0 with the outward normal averaged (by size) over all
+/// bilateral sides that meet at the node, regardless of their conditions; sides that meet at more than 45 degrees give separate rows.
+/// Axisymmetric meshes: u_x = 0 on the axis is imposed automatically.
+/// A row counts if its direction is independent of the preceding ones, up to the number of components. One row: axis 0 of the rule
+/// (Cartesian axes if the direction is Cartesian). Two rows in 3D: axes 0 and 1 span their plane, axis 0 along the first row (Cartesian
+/// axes if they span the plane). As many rows as components: the node is fixed, in Cartesian axes. Directions need not be orthogonal.
 /// Result sorted by node. Local.
-/// \param problems  gets rows that contradict each other: the two conditions, place, values, how many nodes
+/// \param problems  gets contradictory rows: the two conditions, place, values, number of nodes.
 /// Conditions that have factors (Condition::factor) must agree factor by factor.
 /// \param supports  gets the conditions behind the rules, sorted by node
 /// \param prescribed  gets the parts of the values by factor (Constraints::prescribed)

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kSmooth = 0.866;  // cosine of 30 degrees, between normals of sides: a circle of twelve sides is smooth
 
-/// Nodes of the facets (end points, in space edges) that only one side has.
+/// Nodes of the facets (end points, in 3D edges) that belong to only one side.
 std::set<int> rimNodes(const Surface& surface) {
   std::set<int> rim;
   for (int side = 0; side < surface.sides(); ++side)
@@ -30,7 +30,7 @@ std::set<int> rimNodes(const Surface& surface) {
   return rim;
 }
 
-/// Pairs of the facets that only one cell has.
+/// Pairs of the facets that belong to only one cell.
 std::set<int> rimPairs(const std::vector<std::vector<int>>& cells) {
   std::map<std::set<int>, int> uses;
   for (const std::vector<int>& cell : cells)
@@ -42,7 +42,7 @@ std::set<int> rimPairs(const std::vector<std::vector<int>>& cells) {
   return rim;
 }
 
-/// Vertices of a side, ascending: the same for both elements that share it.
+/// Vertices of a side, ascending: the same from both elements that share it.
 std::vector<int> verticesOf(const Mesh& mesh, const Side& side) {
   std::vector<int> vertices = mesh.nodesOf(side);
   vertices.resize(sideVertices(static_cast<int>(vertices.size()), mesh.dimension));
@@ -50,7 +50,7 @@ std::vector<int> verticesOf(const Mesh& mesh, const Side& side) {
   return vertices;
 }
 
-/// Normals at the given nodes of boundary sides that are in no contact and no condition.
+/// Normals, at the given nodes, of boundary sides that are in no contact and no condition.
 class FreeSides {
  public:
   FreeSides(const Mesh& mesh, const std::set<int>& nodes, const std::vector<Side>& taken) {
@@ -71,7 +71,7 @@ class FreeSides {
       if (sides.size() == 1) add(mesh, sides.front());
   }
 
-  /// Whether one of them at the node is within 30 degrees of a normal.
+  /// True if the normal of a free side at the node is within 30 degrees of `normal`.
   bool goOn(int node, const Point& normal) const {
     const auto at = normals_.find(node);
     return at != normals_.end() &&

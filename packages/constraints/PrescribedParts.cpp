@@ -8,7 +8,7 @@ PrescribedParts prescribedParts(const Mesh& mesh, const Constraints& constraints
   PrescribedParts parts;
   parts.rules = constraints.prescribed;
   if (parts.empty()) return parts;
-  Constraints alone = constraints;  // one part at a time closes gaps that are none
+  Constraints alone = constraints;  // without gaps: each row's gap is then the contribution of one factor alone
   for (ContactPair& pair : alone.pairs) pair.gap = 0.0;
   for (const std::vector<RuleValue>& values : parts.rules) {
     for (NodeRule& rule : alone.rules) rule.value = {0, 0, 0};

@@ -5,11 +5,11 @@
 
 namespace suture {
 
-/// Prescribed displacements of a scene with load steps, as sums over the factors of LoadSteps: the displacements themselves, and the parts
-/// that they close in the gaps of contact rows. Lists by factor; none where no factor multiplies a displacement.
+/// Prescribed displacements of a scene with load steps, as sums over the factors of LoadSteps: the displacements, and their contributions
+/// to the gaps of contact rows. Lists by factor; empty if no factor multiplies a displacement.
 struct PrescribedParts {
   struct Closing {
-    int pair, equation;  ///< id, and place among the equations of its row
+    int pair, equation;  ///< id, and index in the equations of its row
     double value;        ///< [length]
   };
   std::vector<std::vector<RuleValue>> rules;
@@ -23,7 +23,7 @@ struct PrescribedParts {
   }
 };
 
-/// Finds those of the whole mesh. Local (rank 0).
+/// Finds the prescribed parts of the whole mesh. Local (rank 0).
 PrescribedParts prescribedParts(const Mesh& mesh, const Constraints& constraints);
 
 }  // namespace suture

@@ -12,8 +12,8 @@ namespace suture {
 
 namespace {
 
-/// Largest rotation over the translation that is called a shift: the axis is then more than twenty radii of the part away, and no user
-/// recognises the motion as a turn about it.
+/// Largest ratio of rotation to translation that is called a shift: the axis is then more than twenty radii of the part away, too far to
+/// describe the motion as a turn about it.
 constexpr double kShift = 0.05;
 
 std::string number(double value, double scale) {
@@ -41,7 +41,7 @@ std::vector<int> components(const CellBlock& block) {
   return part;
 }
 
-/// Place of a point about the centre of the rotations, in radii.
+/// Position of a point relative to the centre of the rotations, in radii.
 Point armOf(const RigidPart& part, const Point& point) {
   Point arm = minus(point, part.centre);
   for (double& x : arm) x /= part.radius;
@@ -87,7 +87,7 @@ std::string inWords(const RigidPart& part, const Vector& amplitudes, int dimensi
            (rotation[0] > 0 ? "counterclockwise" : "clockwise");
   }
   const Vector axis = rotation.normalized();
-  // The point of the axis that is nearest to the centre, from the displacement of the centre across the axis.
+  // The point of the axis that is nearest to the centre, from the displacement of the centre perpendicular to the axis.
   const Point spin{rotation[0], rotation[1], rotation[2]}, shift{translation[0], translation[1], translation[2]};
   const Point arm = scaled(part.radius / rotation.squaredNorm(), cross(spin, shift)), through = plus(part.centre, arm);
   return "turn about the axis (" + number(axis[0], 1.0) + ", " + number(axis[1], 1.0) + ", " + number(axis[2], 1.0) + ") through (" +

@@ -6,7 +6,7 @@ namespace suture {
 
 namespace {
 
-/// Who gets the rows of contact: every row of a cluster goes to all subdomains that hold a node of any pair in it.
+/// Distribution of contact rows: every row of a cluster goes to all subdomains that hold a node of any pair in it.
 struct SharedRows {
   std::vector<std::vector<int>> holders;  ///< subdomains by cluster (its lowest pair), ascending
   std::vector<std::vector<int>> pairs;    ///< by subdomain, ascending
@@ -33,8 +33,8 @@ SharedRows shareRows(const std::vector<ContactRow>& rows, const NodeSubdomains& 
   return shared;
 }
 
-/// The subdomains that have the row of a pair of a cell, ascending: all that share its unknown must see the same cells around it. A
-/// subdomain without a node of the cell may share an unknown of it, through another pair of the cluster.
+/// Subdomains that have the row of a pair of a cell, ascending: all subdomains that share its unknown must see the same cells around it. A
+/// subdomain without a node of the cell may share an unknown of it through another pair of the cluster.
 std::vector<int> holdersOf(const std::vector<int>& cell, const std::vector<ContactRow>& rows, const SharedRows& shared) {
   std::vector<int> all;
   for (const int pair : cell) {
@@ -74,7 +74,7 @@ std::vector<Attachments> attachmentsOf(const Mesh& mesh, const Constraints& cons
 
   const std::vector<ContactRow> rows = contactRows(mesh, constraints);
   const SharedRows shared = shareRows(rows, contactHolders, partition.subdomains());
-  std::vector<std::map<int, int>> placeOf(ranks);  // pair -> place in the rank's rows
+  std::vector<std::map<int, int>> placeOf(ranks);  // pair -> index in the rank's rows
   for (int s = 0; s < partition.subdomains(); ++s) {
     if (shared.pairs[s].empty()) continue;
     const int rank = share.rankOfBody(partition.bodyOf[s]);
@@ -85,7 +85,7 @@ std::vector<Attachments> attachmentsOf(const Mesh& mesh, const Constraints& cons
       places.push_back(at->second);
     }
   }
-  if (mesh.dimension == 2) return all;  // along a line the numbers of pairs tell which are neighbours
+  if (mesh.dimension == 2) return all;  // along a line the numbers of pairs define the neighbours
   for (const ContactPiece& piece : constraints.pieces)
     for (const std::vector<int>& cell : piece.cells) {
       std::map<int, int> placeAt;  // by rank

@@ -9,18 +9,18 @@
 
 namespace suture {
 
-/// Named sides, rules and contact of the bodies that a rank cuts. Rank 0 has it in the numbers of the mesh; it is as large as
-/// boundaries and contact are.
+/// Named sides, rules and contact of the bodies that a rank cuts, in the numbers of the mesh, collected on rank 0. Its size is that of
+/// boundaries and contact.
 struct Attachments {
   SideGroups sideGroups;
   std::vector<NodeRule> rules;
   std::vector<Support> supports;
   std::vector<SpringDirection> springs;
   std::vector<SubdomainMesh::ContactEnd> contactEnds;  ///< by pair, then end
-  std::vector<ContactRow> rows;                        ///< those that any subdomain of these bodies needs
-  std::map<int, std::vector<int>> rowsOf;              ///< subdomain -> places in rows, by pair
+  std::vector<ContactRow> rows;                        ///< rows that any subdomain of these bodies needs
+  std::map<int, std::vector<int>> rowsOf;              ///< subdomain -> indices in rows, by pair
   std::vector<std::vector<int>> cells;                 ///< in 3D: cells with a pair whose row any of these subdomains has
-  std::map<int, std::vector<int>> cellsOf;             ///< subdomain -> places in cells, ascending
+  std::map<int, std::vector<int>> cellsOf;             ///< subdomain -> indices in cells, ascending
 
   template <typename Self, typename Each>
   static void forEachField(Self& self, const Each& each) {
@@ -30,7 +30,7 @@ struct Attachments {
 };
 
 /// Attachments of each rank. Local (rank 0).
-/// \param share           of rank 0, for who cuts which body
+/// \param share           of rank 0, which knows the rank of each body
 /// \param contactHolders  subdomains of the nodes of all pairs
 std::vector<Attachments> attachmentsOf(const Mesh& mesh, const Constraints& constraints, const Partition& partition, const MeshShare& share,
                                        int ranks, const NodeSubdomains& contactHolders);

@@ -30,7 +30,7 @@ BodyParts::BodyParts(const Comm& comm, const std::vector<const SubdomainMesh*>& 
   findMotions(comm, meshes, dimension);
 }
 
-/// Subdomains that share nodes make a part.
+/// Finds the parts: subdomains that share nodes belong to the same part.
 void BodyParts::findParts(const Comm& comm, const std::vector<const SubdomainMesh*>& meshes, int dimension) {
   Packer packer;
   for (const SubdomainMesh* given : meshes) {
@@ -89,7 +89,7 @@ void BodyParts::findParts(const Comm& comm, const std::vector<const SubdomainMes
   for (const SubdomainMesh* mesh : meshes) partOf.push_back(partOfSubdomain.at(mesh->id));
 }
 
-/// Each rank compresses the rows of prescribed components, and their values, to a triangle for each part.
+/// Each rank compresses the rows of prescribed components, with their values, to one triangle per part.
 void BodyParts::findMotions(const Comm& comm, const std::vector<const SubdomainMesh*>& meshes, int dimension) {
   const int amplitudes = rigidMotions(dimension);
   std::map<int, std::vector<Vector>> rows;
@@ -109,7 +109,7 @@ void BodyParts::findMotions(const Comm& comm, const std::vector<const SubdomainM
       add(along(part, mesh.point(spring.node), spring.direction, dimension), 0.0);
       sprung[partOf[s]] = 1;
     }
-    if (mesh.axisymmetric)  // neither away from the axis nor turning in the meridian plane
+    if (mesh.axisymmetric)  // no radial translation, no rotation in the meridian plane
       for (const int k : {0, 2}) add(Vector::Unit(amplitudes, k), 0.0);
   }
   Packer packer;
@@ -117,7 +117,7 @@ void BodyParts::findMotions(const Comm& comm, const std::vector<const SubdomainM
     if (all.empty()) continue;
     Matrix matrix(static_cast<Eigen::Index>(all.size()), amplitudes + 1);
     for (std::size_t i = 0; i < all.size(); ++i) matrix.row(static_cast<Eigen::Index>(i)) = all[i].transpose();
-    // Values scaled to the order of the motions: large ones would hide in rounding what holds a part.
+    // Scale values to the order of the motions: the round-off of large values would hide the constraints of a part.
     Matrix scaled = matrix;
     if (const double size = matrix.col(amplitudes).cwiseAbs().maxCoeff(); size > 0.0) scaled.col(amplitudes) /= size;
     const Matrix triangle = orthonormalBasis(scaled, 1e-15).transpose() * matrix;

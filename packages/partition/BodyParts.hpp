@@ -6,12 +6,12 @@
 
 namespace suture {
 
-/// The connected parts of all bodies (subdomains that share nodes) and what prescribed displacements say of their rigid motions.
+/// Connected parts of all bodies (subdomains that share nodes) and the constraints of prescribed displacements on their rigid-body motions.
 /// All ranks know all parts.
 struct BodyParts {
   std::vector<RigidPart> parts;
-  std::vector<Vector> lift;  ///< lift of each part: amplitudes of the motion that fits its prescribed values best; none along free motions
-  std::vector<char> sprung;  ///< true of a part on elastic supports: no rigid motion but the free ones leaves its forces alone
+  std::vector<Vector> lift;  ///< lift of each part: amplitudes of the motion that best fits its prescribed values; zero along free motions
+  std::vector<char> sprung;  ///< true for a part on elastic supports: rigid motions other than the free ones change its forces
   std::vector<int> partOf;   ///< part of each mesh of this rank
 
   /// \param meshes  of this rank. Collective.

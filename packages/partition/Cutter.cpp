@@ -49,7 +49,7 @@ Cutter::Cutter(const CellBlock& mesh, const MeshShare& share, const Attachments&
   if (block_.dimension == 3) findSeamEdges();
 }
 
-// Only sides all of whose vertices are shared can lie on a seam: work in proportion to the elements, memory to the seams.
+// Only sides whose vertices are all shared can lie on a seam: work proportional to the elements, memory to the seams.
 void Cutter::findSeamSides() {
   struct Candidate {
     SideKey key;
@@ -88,7 +88,7 @@ void Cutter::findSeamSides() {
     });
 }
 
-// A subdomain does not know the elements of those that it meets along an edge only: here all are known.
+// A subdomain does not know the elements of subdomains that it meets only along an edge; the share has all elements.
 void Cutter::findSeamEdges() {
   struct Candidate {
     int low, high, middle, subdomain;
@@ -130,7 +130,7 @@ void Cutter::findSeamEdges() {
     while (end < all.size() && all[end].low == all[begin].low && all[end].high == all[begin].high) ++end;
     const auto count = end - begin;
     if (count < 2) continue;
-    // Two subdomains that share a side with the edge know it as an edge of this side.
+    // Two subdomains that share a side containing the edge know it as an edge of this side.
     if (count == 2 && std::binary_search(onSides.begin(), onSides.end(), all[begin], before)) continue;
     SubdomainMesh::SeamEdge edge{{all[begin].low, all[begin].high}, all[begin].middle, {}};
     for (std::size_t i = begin; i < end; ++i) edge.sharers.push_back(all[i].subdomain);

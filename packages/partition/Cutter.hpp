@@ -7,15 +7,15 @@
 
 namespace suture {
 
-/// Cuts the subdomains out of a share of the mesh. Everything that hangs on elements, nodes or pairs is first sorted by subdomain, once, so
-/// that the work is linear in the share whatever the number of subdomains. Local; what it is made from must outlive it.
+/// Cuts the subdomains out of a share of the mesh. All data of elements, nodes or pairs are first sorted by subdomain, once: the work is
+/// linear in the share for any number of subdomains. Local; the constructor's arguments must outlive the Cutter.
 class Cutter {
  public:
-  /// \param mesh       what the share was made from; read only where the share is the whole of it
+  /// \param mesh       mesh that the share was made from; read only if the share is the whole mesh
   /// \param share      cut
-  /// \param partition  what all ranks know of it
+  /// \param partition  the data that all ranks have
   Cutter(const CellBlock& mesh, const MeshShare& share, const Attachments& attachments, const Partition& partition);
-  /// One of the share's subdomains, as its rank will know it.
+  /// One of the share's subdomains, as its rank receives it.
   SubdomainMesh cut(int subdomain);
 
  private:

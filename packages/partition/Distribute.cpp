@@ -35,7 +35,7 @@ Attachments shareAttachments(const Comm& comm, const Mesh& mesh, const Constrain
 
 std::vector<SubdomainMesh> distribute(const Comm& comm, const Mesh& mesh, const Constraints& constraints, const Partition& partition) {
   std::shared_ptr<const MeshShare> share = partition.share;
-  if (!share) {  // not of makePartition()
+  if (!share) {  // the partition was not made by makePartition()
     auto made = std::make_shared<MeshShare>(shareBodies(comm, mesh));
     shareSubdomains(comm, mesh, partition.subdomainOfElement, *made);
     share = made;
@@ -45,7 +45,7 @@ std::vector<SubdomainMesh> distribute(const Comm& comm, const Mesh& mesh, const 
   collectively(comm, what, [&] { cutter = std::make_unique<Cutter>(mesh, *share, attachments, partition); });
   const auto cutterOf = [&](int subdomain) { return share->rankOfBody(partition.bodyOf[subdomain]); };
 
-  // Rank by rank: beside its share no rank ever holds more than one other rank's part of it, and its own last.
+  // Rank by rank: besides its share, no rank ever holds more than one other rank's part of it, and its own part last.
   std::vector<SubdomainMesh> mine;
   const int me = comm.getRank();
   mine.reserve(std::count(partition.rankOf.begin(), partition.rankOf.end(), me));

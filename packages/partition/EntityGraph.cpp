@@ -22,7 +22,7 @@ void EntityGraph::addFace(EntityKind kind, std::vector<GlobalId> key, const std:
 
 void EntityGraph::addSide(const std::vector<GlobalId>& nodes, int vertices, const std::vector<int>& sharers) {
   const auto count = static_cast<int>(nodes.size());
-  if (vertices < 2 || vertices > 4 || count < vertices) throw InternalError("a side of a seam has a shape that is not known");
+  if (vertices < 2 || vertices > 4 || count < vertices) throw InternalError("a side of a seam has an unknown shape");
   const int edges = vertices == 2 ? 1 : vertices;
   for (int k = 0; k < edges; ++k) {
     const GlobalId a = nodes[k], b = nodes[(k + 1) % vertices];
@@ -37,7 +37,7 @@ void EntityGraph::addSet(std::vector<GlobalId> nodes, std::vector<int> sharers, 
   sets_.push_back({kind, false, std::move(nodes), std::move(sharers)});
 }
 
-/// Works with places of nodes and faces instead of their numbers.
+/// Works with positions of nodes and faces instead of their numbers.
 class EntityGraph::Finder {
  public:
   explicit Finder(const EntityGraph& graph);
@@ -58,11 +58,11 @@ class EntityGraph::Finder {
   std::vector<std::vector<int>> faceNodes_;
   std::vector<char> single_;
   std::vector<EntityKind> kind_;
-  std::vector<char> ordered_;             // neighbours along its edge are known
+  std::vector<char> ordered_;             // order along the edge is known
   std::vector<std::vector<int>> links_;   // neighbours along the edge that a node belongs to, bounding vertices included
   std::vector<int> entityOf_;             // entity of each node
   std::vector<std::array<int, 2>> ends_;  // nodes that bound each edge at front and back, -1: none
-  std::vector<GlobalId> first_;           // number that sorts entities of equal sharers
+  std::vector<GlobalId> first_;           // number by which entities of equal sharers are sorted
 };
 
 EntityGraph::Finder::Finder(const EntityGraph& graph) {
@@ -109,7 +109,7 @@ void EntityGraph::Finder::follow(int from, int at, std::vector<int>& way) const 
   }
 }
 
-/// The members of an edge in order.
+/// Members of an edge in order.
 std::vector<int> EntityGraph::Finder::wayAlong(const std::vector<int>& members) const {
   const auto isOwn = [&](int node) { return entityOf_[node] == entityOf_[members.front()]; };
   const auto ends = [&](int node) { return links_[node].size() < 2 || !isOwn(links_[node][0]) || !isOwn(links_[node][1]); };
@@ -138,7 +138,7 @@ void EntityGraph::Finder::order(const std::vector<int>& members, SeamEntity& ent
   if (way.size() == 1 && front.size() > 1) bounds[1] = front.back();
   const bool ring = way.size() > 1 && bounds[0] < 0 && bounds[1] < 0 && links_[way.front()].size() > 1;
 
-  std::vector<int> whole = way;  // with the vertices at its ends
+  std::vector<int> whole = way;  // including the vertices at its ends
   if (bounds[0] >= 0) whole.insert(whole.begin(), bounds[0]);
   if (bounds[1] >= 0) whole.push_back(bounds[1]);
   const std::size_t n = whole.size();

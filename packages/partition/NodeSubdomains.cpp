@@ -4,7 +4,7 @@
 
 namespace suture {
 
-// Most nodes are in one subdomain: lists are made for the others only, and elements are visited in the order of memory.
+// Most nodes are in one subdomain: lists are made only for the others, and elements are visited in memory order.
 NodeSubdomains nodeSubdomains(const CellBlock& block, const std::vector<int>& subdomainOfElement) {
   constexpr int none = -1, several = -2;
   std::vector<int> only(block.nodes(), none);

@@ -6,7 +6,7 @@
 
 namespace suture {
 
-/// Which subdomains hold each node of a mesh. Compressed rows, ascending.
+/// Subdomains that hold each node of a mesh. Compressed rows, ascending.
 struct NodeSubdomains {
   std::vector<int> offsets{0};  ///< nodes + 1
   std::vector<int> subdomains;

@@ -17,14 +17,15 @@ namespace suture {
 
 Schema partitionSchema() {
   return Schema("How the bodies are cut into subdomains.")
-      .choice(
-          "Type", "METIS", {{"METIS", metisSchema()}, {"Named Groups", namedGroupsSchema()}, {kPartitionedMesh, partitionedMeshSchema()}},
-          "METIS cuts automatically; Named Groups takes surface groups of the mesh; Partitioned Mesh takes what suture_partition has cut.");
+      .choice("Type", "METIS",
+              {{"METIS", metisSchema()}, {"Named Groups", namedGroupsSchema()}, {kPartitionedMesh, partitionedMeshSchema()}},
+              "METIS cuts automatically; Named Groups uses element groups of the mesh; Partitioned Mesh uses the subdomains made by "
+              "suture_partition.");
 }
 
 namespace {
 
-// The subdomains of a group are one unit where they must stay together, every other subdomain is one by itself.
+// Units of placement: a whole group if its subdomains must stay together, otherwise each subdomain.
 std::vector<int> placeSubdomains(const Partition& cut, bool keepGroupsWhole, int ranks) {
   std::vector<int> unitOf(cut.subdomains(), -1), unitOfGroup(cut.groups.size(), -1);
   std::vector<long long> weights;
@@ -103,9 +104,8 @@ Partition makePartition(const Comm& comm, const Mesh& mesh, const Constraints& c
   const std::string type = partition.get<std::string>("Type");
   const bool metis = type == "METIS";
   if (type == kPartitionedMesh)
-    throw InputError(
-        pathOf(partition, "Type"),
-        std::string(kPartitionedMesh) + " takes the subdomains from Mesh/File; here a mesh is to be cut, by METIS or Named Groups");
+    throw InputError(pathOf(partition, "Type"),
+                     std::string(kPartitionedMesh) + " takes the subdomains from Mesh/File; to cut a mesh, choose METIS or Named Groups");
   auto share = std::make_shared<MeshShare>(shareBodies(comm, mesh));
   Cut cut;
   if (metis) {

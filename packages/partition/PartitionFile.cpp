@@ -15,8 +15,8 @@ namespace {
 constexpr const char* kGroup = "/Partition";
 std::string at(const char* name) { return std::string(kGroup) + "/" + name; }
 
-/// The form of the file, the sizes of what is written as it lies in memory (another compiler may lay it out otherwise), and the bytes of a
-/// mesh with one contact row: a field that was added or taken away changes them.
+/// Version of the format, sizes of the types that are written in their memory layout (which depends on the compiler), and the bytes of a
+/// mesh with one contact row, which change when a field is added or removed.
 std::string version() {
   std::string text = "7";
   SubdomainMesh sample;
@@ -31,7 +31,7 @@ std::string version() {
   return text;
 }
 
-/// FNV-1a over words of eight bytes: not against malice, but against damage, at the speed of memory.
+/// FNV-1a over words of eight bytes: protects against damage, not against malice, at memory speed.
 GlobalId checksum(const std::string& bytes) {
   std::uint64_t state = 14695981039346656037ULL;
   for (std::size_t i = 0; i < bytes.size(); i += 8) {
@@ -52,7 +52,7 @@ void mustBeSound(const std::string& path, const std::string& what, const std::st
 }  // namespace
 
 Schema partitionedMeshSchema() {
-  return Schema("The subdomains that suture_partition has put into Mesh/File for this scene; each rank reads its own.");
+  return Schema("The subdomains that suture_partition has written to Mesh/File for this scene; each rank reads its own.");
 }
 
 void addPartition(Hdf5File& file, const Mesh& mesh, const Constraints& constraints, const Partition& partition, const MadeFor& madeFor,
@@ -87,10 +87,10 @@ PartitionedMesh readPartitionedMesh(const Comm& comm, const std::string& path, c
   {
     const Hdf5File file = Hdf5File::open(comm, path);
     if (!file.has(kGroup))
-      throw InputError("Mesh/File", path + ": a mesh that is not cut; make one with suture_partition, or choose another Partition/Type");
+      throw InputError("Mesh/File", path + ": the mesh is not partitioned; run suture_partition, or choose another Partition/Type");
     if (const std::string found = file.readTextAttribute(kGroup, "Version"); found != version())
       throw InputError("Mesh/File",
-                       path + ": cut in the form " + found + ", this Suture reads " + version() + "; run suture_partition again");
+                       path + ": format version " + found + "; this Suture reads " + version() + "; run suture_partition again");
     ends = file.readGlobalIds(at("Ends"));
     checksums = file.readGlobalIds(at("Checksums"));
     const std::string head = file.readBytes(at("Head"));
@@ -101,7 +101,7 @@ PartitionedMesh readPartitionedMesh(const Comm& comm, const std::string& path, c
     Problems problems;
     for (const auto& [list, text] : madeFor)
       if (const auto found = other.find(list); found == other.end() || found->second != text)
-        problems.add(list, "not as it was when " + path + " was cut; run suture_partition again");
+        problems.add(list, "changed since " + path + " was made; run suture_partition again");
     problems.throwIfAny();
     unpackInto(unpacker.get<std::string>(), result.partition);
     result.remarks = unpacker.get<std::string>();

@@ -18,15 +18,15 @@ namespace {
 
 using Extended = long double;
 
-constexpr double kRigid = 0.25;      // of the largest prescribed value: what a rigid motion may leave of it
-constexpr double kBalanced = 1e-12;  // of a pair's weights: a sum that is zero but for rounding
-constexpr double kNoGap = 5e-16;     // largest remainder of a gap that counts as closed, relative to gap and motion: rounding of both
-constexpr int kAmplitudeBits = 46;   // of the largest amplitude: smaller ones are rounding of the fit
+constexpr double kRigid = 0.25;      // largest remainder of a rigid fit, relative to the largest prescribed value
+constexpr double kBalanced = 1e-12;  // sum of a pair's weights that counts as zero, relative to the weights: round-off
+constexpr double kNoGap = 5e-16;     // largest remainder of a gap that counts as closed, relative to gap and motion: round-off of both
+constexpr int kAmplitudeBits = 46;   // bits of the largest amplitude that are kept: the rest is round-off of the fit
 
-/// End of a pair: how its node moves, and what its prescribed components contribute to the row.
+/// End of a pair: the motion of its node, and the contribution of its prescribed components to the row.
 struct End {
   int pair, end;
-  Extended given;  // weight normal . what remains of prescribed components
+  Extended given;  // weight normal . remainder of prescribed components
   Extended along;  // normal . motion
   double weight;
 };
@@ -50,7 +50,8 @@ Amplitudes extended(const Vector& amplitudes) {
   return all;
 }
 
-/// Rounding costs nothing (what remains is prescribed) and keeps translations exact: what remains of equal values is equal to the last bit.
+/// Rounding has no cost (the remainder is prescribed) and keeps translations exact: the remainders of equal values are equal to the last
+/// bit.
 void round(Vector& amplitudes) {
   const double largest = amplitudes.cwiseAbs().maxCoeff();
   if (!(largest > 0.0)) return;
@@ -63,7 +64,7 @@ class Lifting {
   Lifting(const Comm& comm, std::vector<SubdomainMesh>& meshes, const CarriedMotions& carry)
       : comm_(comm), meshes_(meshes), carry_(carry) {}
   bool run();
-  /// A lifted scene once more, by amplitudes of each part.
+  /// Moves a lifted scene again, by amplitudes of each part.
   void further(const std::vector<Vector>& motion);
 
  private:
@@ -86,11 +87,11 @@ class Lifting {
   std::vector<Amplitudes> amplitudes_;  // of each part
 };
 
-/// Translations by one prescribed value are this value to the last bit: nothing remains of it.
+/// Sets translations that belong to one prescribed value to this value, to the last bit: its remainder is zero.
 void Lifting::takeTranslationsAsPrescribed() {
   const std::size_t parts = parts_->parts.size(), d = std::size_t(dimension_);
   const double none = -std::numeric_limits<double>::infinity();
-  std::vector<double> mine(2 * d * parts, none), all(mine);  // of each part and component: the largest value, and minus the smallest
+  std::vector<double> mine(2 * d * parts, none), all(mine);  // for each part and component: largest value, and minus the smallest
   for (std::size_t s = 0; s < meshes_.size(); ++s)
     for (const NodeRule& rule : meshes_[s].rules)
       for (std::size_t k = 0; k < d; ++k) {
@@ -111,7 +112,7 @@ void Lifting::takeTranslationsAsPrescribed() {
   }
 }
 
-/// The motion of each part: the best fit, if it leaves little of what is prescribed, and what carries it.
+/// Chooses the motion of each part: the best fit, if it leaves a small remainder of the prescribed values, plus the motion of `carry`.
 bool Lifting::choose() {
   const std::size_t parts = parts_->parts.size();
   for (std::size_t p = 0; p < parts; ++p)
@@ -209,7 +210,7 @@ void Lifting::shiftGaps() {
       size += std::abs(ends[last].weight);
       shift.given += ends[last].given;
     }
-    // Both sides moved alike change no gap, also where weights of a mortar sum to zero but for rounding.
+    // Equal motion of both sides changes no gap, even if mortar weights sum to zero only up to round-off.
     const Extended common = std::abs(sum) <= kBalanced * size ? ends[first].along : 0;
     for (std::size_t e = first; e < last; ++e) {
       shift.moved += ends[e].weight * (ends[e].along - common);
@@ -220,7 +221,7 @@ void Lifting::shiftGaps() {
     for (ContactRow& row : mesh.contactRows) {
       const Shift& shift = shifts.at(row.pair.id);
       const double before = mesh.lift.gaps.emplace(row.pair.id, row.pair.gap).first->second;
-      // Bodies that were carried to where they touch do touch: rounding would press them together or hold them apart.
+      // Bodies that were moved into contact must touch: round-off would press them together or separate them.
       const Extended size = shift.size + std::abs(before), rest = before - shift.moved;
       row.pair.gap = shift.moved != 0 && std::abs(rest) <= kNoGap * size ? 0.0 : double(rest);
       row.normal().gap = double(row.pair.gap - shift.given);
@@ -245,7 +246,7 @@ bool Lifting::run() {
   return true;
 }
 
-/// From the values of the scene, not from what the last motion left of them: a motion that goes back leaves no rounding of the way there.
+/// Starts from the values of the scene, not from the remainders of the last motion: a motion that is undone leaves no round-off.
 void Lifting::further(const std::vector<Vector>& motion) {
   findParts();
   for (const Vector& amplitudes : motion) amplitudes_.push_back(extended(amplitudes));
@@ -301,8 +302,7 @@ void takeOver(const Comm& comm, const std::vector<SubdomainMesh>& meshes, Constr
   for (const Value& value : allValues) {
     const auto rule = std::lower_bound(constraints.rules.begin(), constraints.rules.end(), value.node,
                                        [](const NodeRule& one, GlobalId node) { return one.node < node; });
-    if (rule == constraints.rules.end() || rule->node != value.node)
-      throw InternalError("a rule of a subdomain that the mesh does not have");
+    if (rule == constraints.rules.end() || rule->node != value.node) throw InternalError("the mesh does not have a rule of a subdomain");
     rule->value = value.value;
   }
   for (const Gap& gap : allGaps) constraints.pairs.at(gap.pair).gap = gap.gap;

@@ -7,33 +7,33 @@
 
 namespace suture {
 
-/// True if a scene prescribes a displacement that is not zero. Collective.
+/// True if a scene prescribes a nonzero displacement. Collective.
 bool prescribesMotion(const Comm& comm, const std::vector<SubdomainMesh>& meshes);
 
-/// Amplitudes of each part beside its lift, or nothing.
+/// Returns amplitudes of each part relative to its lift, or nothing.
 using CarriedMotions = std::function<std::vector<Vector>(const BodyParts& parts)>;
 
-/// Takes large rigid motions out of a scene before it is solved, so that strains are no differences of large numbers: each connected part
-/// of a body whose prescribed displacements are those of a rigid motion, or nearly so, is described from where that motion takes it.
-/// Prescribed values and gaps are what remains of them; SubdomainMesh::lift keeps the motion and what stood there before.
+/// Removes large rigid-body motions from a scene before it is solved, because otherwise strains are differences of large numbers: each
+/// connected part of a body whose prescribed displacements are (nearly) those of a rigid-body motion is described relative to that motion.
+/// Prescribed values and gaps become the remainders; SubdomainMesh::lift stores the motion and the original values.
 ///
-/// Parts that prescribed displacements leave free may be carried, too: `carry` gets all parts and returns amplitudes beside their `lift`,
-/// the same on all ranks.
+/// Parts that prescribed displacements leave free may be moved, too: `carry` gets all parts and returns amplitudes relative to their
+/// `lift`, the same on all ranks.
 ///
-/// The motion is evaluated in extended precision, so that equal prescribed translations leave exactly equal remainders. A scene that
-/// prescribes nothing but zeros stays as it is, to the last bit. Collective. Returns true if there was anything to take out.
-/// \param meshes  of this rank; those of one scene only once
+/// The motion is evaluated in extended precision: equal prescribed translations leave exactly equal remainders. A scene with only zero
+/// prescribed values is unchanged, to the last bit. Collective. Returns true if a motion was removed.
+/// \param meshes  of this rank; call only once per scene
 bool takeOutRigidMotions(const Comm& comm, std::vector<SubdomainMesh>& meshes, const CarriedMotions& carry = {});
 
-/// Moves the parts of a scene further, whose rigid motions are out of it already: gaps follow, and rules, which such a motion should leave
-/// alone. Collective.
+/// Moves the parts of a scene further, after their rigid-body motions have been removed: updates gaps, and rules, which such a motion
+/// should not change. Collective.
 /// \param motion  amplitudes of each part as BodyParts has them, the same on all ranks
 void moveFurther(const Comm& comm, std::vector<SubdomainMesh>& meshes, const std::vector<Vector>& motion);
 
-/// The same rules and gaps for the whole mesh: rank 0's constraints get what remains in the subdomains. Collective.
+/// Copies the remaining rules and gaps of the subdomains into rank 0's constraints of the whole mesh. Collective.
 void takeOver(const Comm& comm, const std::vector<SubdomainMesh>& meshes, Constraints& constraints);
 
-/// Displacements of a mesh's nodes, the motion that was taken out included, and beside it. Node-major, Cartesian [length]. Local.
+/// Displacements of a mesh's nodes including the removed motion, and relative to it. Node-major, Cartesian [length]. Local.
 Vector withLift(const SubdomainMesh& mesh, Vector beside);
 Vector besideLift(const SubdomainMesh& mesh, Vector displacement);
 

@@ -31,7 +31,7 @@ std::vector<SeamEntity> findSeams(const std::vector<const SubdomainMesh*>& subdo
     }
   }
   std::vector<SeamEntity> all = graph.entities();
-  // In space an edge hangs on faces: it needs no points where it ends at the surface of the body.
+  // In 3D an edge is held by faces: it needs no points where it ends at the surface of the body.
   if (!subdomains.empty() && subdomains.front()->dimension == 3)
     for (SeamEntity& entity : all) entity.ends.clear();
   return all;

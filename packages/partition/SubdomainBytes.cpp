@@ -3,7 +3,7 @@
 namespace suture {
 namespace {
 
-// One list of fields for both directions: `each` puts or gets.
+// One list of fields for both directions: `each` packs or unpacks.
 template <typename SubdomainMeshRef, typename Each>
 void forEachField(SubdomainMeshRef& part, const Each& each) {
   each(part.dimension);

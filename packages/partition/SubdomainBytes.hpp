@@ -4,7 +4,7 @@
 
 namespace suture {
 
-/// A subdomain's mesh as bytes, for a message or a file, and back. Local. \throws InternalError  fewer bytes than it takes
+/// Converts a subdomain's mesh to bytes, for a message or a file, and back. Local. \throws InternalError  too few bytes
 void pack(const SubdomainMesh& part, Packer& packer);
 void unpack(Unpacker& unpacker, SubdomainMesh& part);
 

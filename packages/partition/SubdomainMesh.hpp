@@ -12,7 +12,7 @@
 
 namespace suture {
 
-/// All that a rank knows of one of its subdomains: elements, loaded sides, constraints, contact pairs and neighbours, in local numbers.
+/// All data that a rank has of one of its subdomains: elements, loaded sides, constraints, contact pairs and neighbours, in local numbers.
 struct SubdomainMesh : CellBlock {
   int id = -1;
   int body = -1;
@@ -20,23 +20,23 @@ struct SubdomainMesh : CellBlock {
   std::string name;
   std::vector<GlobalId> globalNodes;              ///< local -> node of the mesh, ascending
   std::vector<GlobalId> globalElements;           ///< local -> element of the mesh, ascending
-  SideGroups sideGroups;                          ///< the mesh's side groups as far as they lie here
+  SideGroups sideGroups;                          ///< the mesh's side groups, restricted to this subdomain
   std::vector<NodeRule> rules;                    ///< node: local
   std::vector<Support> supports;                  ///< likewise
-  std::vector<SpringDirection> springs;           ///< of sides here; element and node: local
-  std::vector<int> sharedOffsets{0}, sharedWith;  ///< nodes + 1; of each local node the other subdomains of its body that hold it
+  std::vector<SpringDirection> springs;           ///< of this subdomain's sides; element and node: local
+  std::vector<int> sharedOffsets{0}, sharedWith;  ///< nodes + 1; for each local node the other subdomains of its body that hold it
 
-  /// An end of a contact pair whose node is here.
+  /// An end of a contact pair whose node is in this subdomain.
   struct ContactEnd {
     int pair;  ///< id
-    int end;   ///< place in ContactPair::ends: 0 carries the pair
+    int end;   ///< index in ContactPair::ends: 0 carries the pair
     int node;  ///< local
   };
   std::vector<ContactEnd> contactEnds;
-  /// All rows of every cluster that has a pair with a node here, ascending: enough to eliminate the whole cluster without asking anyone.
+  /// All rows of every cluster that has a pair with a node here, ascending: enough to eliminate the whole cluster without communication.
   std::vector<ContactRow> contactRows;
 
-  /// A side of an element that is also a side of another subdomain (of the same body): the seam, side by side.
+  /// A side of an element that is also a side of another subdomain (of the same body). These sides form the seams.
   struct SeamSide {
     int element;    ///< local
     int side;       ///< number in cellInfo(...).sideNodes
@@ -44,7 +44,7 @@ struct SubdomainMesh : CellBlock {
   };
   std::vector<SeamSide> seamSides;  ///< by element, then side
 
-  /// An edge of elements in space where more than two subdomains (of the same body) meet, or two that have no side with it in common.
+  /// An edge of 3D elements where more than two subdomains (of the same body) meet, or two that have no side with it in common.
   struct SeamEdge {
     std::array<int, 2> vertices{{-1, -1}};  ///< local
     int middle = -1;                        ///< local; -1: the edge has none
@@ -57,18 +57,18 @@ struct SubdomainMesh : CellBlock {
   };
   std::vector<SeamEdge> seamEdges;  ///< by vertices in the numbers of the mesh
 
-  /// Cells between pairs in 3D (ContactPiece::cells) with a pair whose row is here, by ids of the pairs.
+  /// Cells between pairs in 3D (ContactPiece::cells) that have a pair whose row is here, by ids of the pairs.
   std::vector<std::vector<int>> contactCells;
 
-  /// Rigid motion that takeOutRigidMotions() took out of rules and gaps. The displacements that solvers find are those beside it.
+  /// Rigid-body motion that takeOutRigidMotions() removed from rules and gaps. Solvers find displacements relative to it.
   struct Lift {
     std::vector<long double> amplitudes;  ///< amplitudes of the part of the body that the subdomain belongs to; empty with `motion`
-    Vector motion;                        ///< motion of each node: node-major, Cartesian [length]; empty: nothing was taken out
-    std::vector<Point> values;            ///< values of the rules before
-    std::map<int, double> gaps;           ///< gaps of the contact rows' pairs before, by id
+    Vector motion;                        ///< motion of each node: node-major, Cartesian [length]; empty: no motion was removed
+    std::vector<Point> values;            ///< original values of the rules
+    std::map<int, double> gaps;           ///< original gaps of the contact rows' pairs, by id
   };
   Lift lift;
-  /// Component of a node's displacement, the lift included. \param i  node x dimension + component  \param u  beside the lift
+  /// Component of a node's displacement, the lift included. \param i  node x dimension + component  \param u  relative to the lift
   double total(const Vector& u, Eigen::Index i) const { return lift.motion.size() > 0 ? u[i] + lift.motion[i] : u[i]; }
 
   Span<const int> others(int node) const {
@@ -76,7 +76,7 @@ struct SubdomainMesh : CellBlock {
   }
 };
 
-/// Sends every subdomain to its rank. Collective. The result is in ascending order of ids.
+/// Sends every subdomain to its rank. Collective. Returns this rank's subdomains in ascending order of ids.
 std::vector<SubdomainMesh> distribute(const Comm& comm, const Mesh& mesh, const Constraints& constraints, const Partition& partition);
 
 }  // namespace suture

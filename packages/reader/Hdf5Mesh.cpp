@@ -18,10 +18,10 @@ namespace {
 const char* const versionName = "SutureMesh";
 const char* const versionNumber = "1";
 
-// Rank 0 alone in a communicator of its own: only it has, or wants, the mesh. The others get null.
+// Communicator of rank 0 alone, the only rank with a mesh. The other ranks get null.
 Teuchos::RCP<Comm> rootAlone(const Comm& comm) { return comm.split(comm.getRank() == 0 ? 0 : -1, 0); }
 
-// Names of groups are free, those of datasets are not: groups are numbered, and carry their names.
+// Group names are arbitrary, dataset names are not: groups are numbered and carry their names as attributes.
 std::string memberPath(const std::string& group, std::size_t number) {
   char text[32];
   std::snprintf(text, sizeof text, "/%06zu", number);
@@ -60,7 +60,7 @@ void writeFile(const Comm& alone, const Mesh& mesh, const std::string& path, con
   file.close();
 }
 
-/// Reads one file; everything that is wrong with its numbers goes to `problems`.
+/// Reads one file and collects all errors in `problems`.
 class Reader {
  public:
   Reader(const Comm& alone, const std::string& path) : path_(path), file_(Hdf5File::open(alone, path)) {}
@@ -68,7 +68,7 @@ class Reader {
   Mesh read() {
     checkVersion();
     readBlock();
-    problems_.throwIfAny();  // groups refer to elements: they are checked against sound ones only
+    problems_.throwIfAny();  // groups refer to elements: check groups only if the elements are sound
     readElementGroups();
     readSideGroups();
     problems_.throwIfAny();
@@ -83,11 +83,10 @@ class Reader {
     try {
       version = file_.readTextAttribute("/", versionName);
     } catch (const InputError&) {
-      throw InputError("Mesh/File", path_ + ": is an HDF5 file, but no mesh of Suture (it lacks the attribute " + versionName + ")");
+      throw InputError("Mesh/File", path_ + ": is an HDF5 file, but not a Suture mesh (it lacks the attribute " + versionName + ")");
     }
     if (version != versionNumber)
-      throw InputError("Mesh/File",
-                       path_ + ": is a mesh of the version " + version + "; this Suture knows version " + versionNumber + " only");
+      throw InputError("Mesh/File", path_ + ": is a mesh of version " + version + "; this Suture reads version " + versionNumber + " only");
   }
 
   void readBlock() {
@@ -99,16 +98,16 @@ class Reader {
     mesh_.connectivity = file_.readInts("/Connectivity");
 
     if (dimension.size() != 1 || (dimension[0] != 2 && dimension[0] != 3)) {
-      wrong("/Dimension", "expected 2 (plane meshes) or 3 (meshes in space)");
+      wrong("/Dimension", "expected 2 or 3");
       return;
     }
     mesh_.dimension = dimension[0];
     const auto width = static_cast<std::size_t>(mesh_.dimension);
     if (mesh_.coordinates.size() % width != 0)
-      wrong("/Coordinates", std::to_string(mesh_.coordinates.size()) + " values; expected " + std::to_string(width) + " a node");
+      wrong("/Coordinates", std::to_string(mesh_.coordinates.size()) + " values; expected " + std::to_string(width) + " per node");
     for (std::size_t i = 0; i < mesh_.coordinates.size(); ++i) {
       if (std::isfinite(mesh_.coordinates[i])) continue;
-      wrong("/Coordinates", "the place of node " + std::to_string(i / width) + " is not finite");
+      wrong("/Coordinates", "the coordinates of node " + std::to_string(i / width) + " are not finite");
       break;
     }
     if (cells.empty()) wrong("/Cells", "no elements");
@@ -122,14 +121,14 @@ class Reader {
     mesh_.cells.reserve(cells.size());
     for (std::size_t e = 0; e < cells.size(); ++e) {
       if (cells[e] < 0 || cells[e] >= kCells) {
-        wrong("/Cells", "element " + std::to_string(e) + " is of the unknown shape " + std::to_string(cells[e]) + "; known are 0 to " +
+        wrong("/Cells", "element " + std::to_string(e) + " has the unknown shape " + std::to_string(cells[e]) + "; expected 0 to " +
                             std::to_string(kCells - 1));
         return;
       }
       const Cell cell = static_cast<Cell>(cells[e]);
       if (dimensionOf(cell) != mesh_.dimension) {
-        wrong("/Cells", "element " + std::to_string(e) + " is a " + cellInfo(cell).name + "; expected one of dimension " +
-                            std::to_string(mesh_.dimension) + ", as /Dimension tells");
+        wrong("/Cells", "element " + std::to_string(e) + " is a " + cellInfo(cell).name + "; expected a shape of dimension " +
+                            std::to_string(mesh_.dimension) + ", as in /Dimension");
         return;
       }
       const int nodes = mesh_.offsets[e + 1] - mesh_.offsets[e];
@@ -142,7 +141,7 @@ class Reader {
     checkNumbers("/Connectivity", mesh_.connectivity, 1, 0, mesh_.nodes(), "node");
   }
 
-  // Entries at `offset`, `offset + stride`, ... lie in 0 .. limit - 1.
+  // Checks that the entries at `offset`, `offset + stride`, ... lie in 0 .. limit - 1.
   bool checkNumbers(const std::string& dataset, const std::vector<int>& values, std::size_t stride, std::size_t offset, int limit,
                     const std::string& what) {
     for (std::size_t i = offset; i < values.size(); i += stride) {

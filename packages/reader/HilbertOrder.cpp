@@ -8,13 +8,13 @@
 namespace suture {
 namespace {
 
-constexpr std::uint32_t kSteps = 1u << 16;  // squares or cubes in each direction; elements in the same one keep their order
+constexpr std::uint32_t kSteps = 1u << 16;  // squares or cubes in each direction; elements in the same cube keep their order
 
-using Cube = std::array<std::uint32_t, 3>;  // steps along each axis; in the plane two of them count
+using Cube = std::array<std::uint32_t, 3>;  // steps along each axis; in 2D only two are used
 
-// Place of a cube on the curve that starts in the lowest corner and ends at the far end of the x axis. From the largest cubes to the
-// smallest, the part of the curve in a cube is mirrored and its axes are exchanged so that it goes on; then the Gray code of the
-// coordinates is the way from cube to cube (Skilling's AxesToTranspose).
+// Position of a cube on the curve that starts in the lowest corner and ends at the far end of the x axis. From the largest cubes to the
+// smallest, the part of the curve in a cube is mirrored and its axes are exchanged to make the curve continuous; the Gray code of the
+// coordinates then gives the path from cube to cube (Skilling's AxesToTranspose).
 std::uint64_t placeOnCurve(Cube x, int dimension) {
   for (std::uint32_t half = kSteps / 2; half > 1; half /= 2)
     for (int k = 0; k < dimension; ++k) {
@@ -36,7 +36,7 @@ std::uint64_t placeOnCurve(Cube x, int dimension) {
   return place;
 }
 
-// The elements in their new order.
+// Elements in their new order.
 std::vector<int> alongCurve(const CellBlock& block) {
   const int dimension = block.dimension;
   double low[3], size = 0;
@@ -70,7 +70,7 @@ std::vector<int> alongCurve(const CellBlock& block) {
   return order;
 }
 
-// Values of each element or node, if there are any, to their new places.
+// Moves the values of each element or node, if any, to their new places.
 template <typename T>
 void renumber(const std::vector<int>& newOf, std::size_t width, std::vector<T>& values) {
   const std::vector<T> old = values;
@@ -93,7 +93,7 @@ void numberAlongHilbertCurve(Mesh& mesh) {
     offsets.push_back(static_cast<int>(connectivity.size()));
   }
   for (int& number : nodeOf)
-    if (number < 0) number = nodes++;  // a node of no element: the check of the mesh reports it
+    if (number < 0) number = nodes++;  // a node without elements: the check of the mesh reports it
   mesh.offsets = std::move(offsets);
   mesh.connectivity = std::move(connectivity);
   renumber(elementOf, 1, mesh.cells);

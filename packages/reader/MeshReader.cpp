@@ -28,29 +28,29 @@ std::vector<std::string> cellNames() {
 
 Schema boxSchema() {
   return Schema(
-             "one box, a body of its own: element group <name>, side groups <name>_left, _right (in x), _bottom, _top (in y; in space in "
-             "z), "
-             "in space also _front, _back (in y). In space with three values where there are two in the plane")
+             "one box, which is one body: element group <name>, side groups <name>_left, _right (in x), _bottom, _top (in y; in 3D in z), "
+             "in "
+             "3D also _front, _back (in y). Arrays have two values in 2D and three in 3D")
       .reals("X", std::vector<double>{0, 1}, "interval in x", "length")
       .reals("Y", std::vector<double>{0, 1}, "interval in y", "length")
-      .reals("Z", std::vector<double>{0, 1}, "interval in z, of cells in space only", "length")
-      .integers("Cells", std::nullopt, "cells in x and in y, in space also in z; eight each if left out", Range::atLeast(1))
+      .reals("Z", std::vector<double>{0, 1}, "interval in z, for 3D cells only", "length")
+      .integers("Cells", std::nullopt, "number of cells in x and y, in 3D also in z; eight each by default", Range::atLeast(1))
       .optional()
       .oneOf("Cell", "Triangle3", cellNames(),
-             "shape of elements. Triangles: each cell is cut in two, with alternating diagonals; tetrahedra: in six; wedges: in two; "
-             "pyramids: in six; the others as it is")
+             "element shape. Triangles: each cell is cut into two, with alternating diagonals; tetrahedra: into six; wedges: into two; "
+             "pyramids: into six; other shapes: cells are not cut")
       .integers("Blocks", std::nullopt,
-                "groups of elements subdomain_<name>_<i>_<j>, in space _<k>: equal blocks of cells in each direction; one if left out",
+                "element groups subdomain_<name>_<i>_<j>, in 3D also _<k>: equal blocks of cells in each direction; one by default",
                 Range::atLeast(1))
       .optional()
       .integers("Bricks", std::nullopt,
-                "a chess board of bricks of so many cells in each direction, the last ones smaller if need be: groups of elements "
-                "<name>_bricks_even and <name>_bricks_odd, for the materials of Bodies/<name>/Regions; none if left out",
+                "checkerboard of bricks with this many cells in each direction, the last ones smaller if necessary: element groups "
+                "<name>_bricks_even and <name>_bricks_odd, for the materials of Bodies/<name>/Regions; none by default",
                 Range::atLeast(1))
       .optional();
 }
 
-/// The values of a list, one a direction. \param values  their places; keep what they hold where the list is left out
+/// Reads a list with one value per direction. \param values  destinations; unchanged where the list is absent
 template <typename T>
 void readEach(const Parameters& list, const std::string& name, const std::vector<T*>& values, const char* directions, Problems& problems) {
   if (!list.isParameter(name)) return;
@@ -87,7 +87,7 @@ Mesh generateBoxes(const Parameters& list) {
     readEach<int>(own, "Bricks", each(box.brickX, box.brickY, box.brickZ), directions, problems);
     all.push_back(box);
   }
-  if (all.empty()) problems.add(pathOf(list), "no boxes; expected a list for each, named as its body");
+  if (all.empty()) problems.add(pathOf(list), "no boxes; expected one list per box, named after its body");
   problems.throwIfAny();
   return boxes(all);
 }
@@ -100,7 +100,7 @@ std::map<std::string, double> constantsOf(const Parameters& mesh) {
   return constants;
 }
 
-// Source of the mesh, checked the same way on all ranks: nothing here needs the file.
+// Source of the mesh, checked identically on all ranks; the check does not need the file.
 struct Source {
   std::string path, extension;  ///< file and its extension; empty: a generator
   std::map<std::string, double> constants;
@@ -126,7 +126,7 @@ Source sourceOf(const Parameters& mesh, const std::string& folder) {
   source.constants = constantsOf(mesh);
   source.factor = mesh.get<double>("Mesh Size Factor");
   if (source.extension != ".geo") {
-    const std::string why = "needs a .geo file: nothing else is meshed here";
+    const std::string why = "needs a .geo file: only .geo files are meshed";
     if (!source.constants.empty()) problems.add(pathOf(mesh, "Constants"), why);
     if (source.factor != 1) problems.add(pathOf(mesh, "Mesh Size Factor"), why);
   }
@@ -137,22 +137,22 @@ Source sourceOf(const Parameters& mesh, const std::string& folder) {
 }  // namespace
 
 Schema meshSchema() {
-  return Schema("where the mesh comes from: a File or a Generator")
+  return Schema("source of the mesh: a File or a Generator")
       .text("File", std::nullopt, "mesh file, relative to the scene: .geo (meshed by Gmsh), .msh, or Suture's own .h5")
       .optional()
       .list("Constants",
-            Schema("constants of a .geo file").eachReal("constant", "value instead of that of DefineConstant in the .geo file"))
+            Schema("constants of a .geo file").eachReal("constant", "value that replaces that of DefineConstant in the .geo file"))
       .boolean(
           "Allow Programs", false,
-          "let a .geo file run programs (SystemCall), write files, read any other file and end Gmsh; false: such statements are refused")
+          "permit a .geo file to run programs (SystemCall), write files, read any file and end Gmsh; false: such statements are refused")
       .real("Time Limit", 600.0,
-            "seconds that Gmsh may take for a .geo file; a tenth of it for the statements of a .geo file before they are meshed",
+            "time limit of Gmsh for a .geo file; the statements of the file, read before it is meshed, may take a tenth of it",
             Range::positive(), "s")
       .real("Mesh Size Factor", 1.0, "multiplies all mesh sizes of a .geo file", Range::positive())
       .choice("Generator", "None",
               {{"None", Schema("the mesh is in File")},
-               {"Boxes", Schema("boxes that share no nodes, in the order of the file").each("body", boxSchema())}},
-              "makes the mesh instead of a File");
+               {"Boxes", Schema("boxes that share no nodes, in the order of the scene file").each("body", boxSchema())}},
+              "generates the mesh, in place of a File");
 }
 
 std::string meshFile(const Parameters& mesh, const std::string& folder) { return sourceOf(mesh, folder).path; }

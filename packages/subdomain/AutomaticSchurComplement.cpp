@@ -7,9 +7,9 @@
 namespace suture {
 
 Schema AutomaticSchurComplement::schema() {
-  Schema schema("Explicit or Implicit, for each subdomain what takes less time; summary.json counts them.");
-  schema.integer("Expected Iterations", 40, "Applications of each S_i that the choice reckons with.", Range::atLeast(1));
-  schema.real("Memory Limit", 256.0, "For the dense matrix of one subdomain; above it, Implicit.", Range::positive(), "MB");
+  Schema schema("Explicit or Implicit, whichever is faster for each subdomain; summary.json counts the choices.");
+  schema.integer("Expected Iterations", 40, "Expected number of applications of each S_i, used by the choice.", Range::atLeast(1));
+  schema.real("Memory Limit", 256.0, "Limit for the dense matrix of one subdomain; above it, Implicit.", Range::positive(), "MB");
   return schema;
 }
 
@@ -25,7 +25,7 @@ void AutomaticSchurComplement::doCompute(const SchurData& data) {
     own_ = std::make_unique<ExplicitSchurComplement>();
   } else {
     name_ = "Implicit";
-    // In space factors are most of the memory; in the plane they are small.
+    // In 3D factors take most of the memory; in 2D they are small.
     own_ = std::make_unique<ImplicitSchurComplement>(data.dimension == 3 ? ImplicitSchurComplement::Precision::Single
                                                                          : ImplicitSchurComplement::Precision::Double);
   }

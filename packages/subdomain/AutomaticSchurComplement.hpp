@@ -3,17 +3,17 @@
 
 namespace suture {
 
-/// Explicit or Implicit, whichever is expected to take less time over a number of iterations, within a limit of memory. With n unknowns,
-/// b of them on the boundary, and a factor of f = 8 n log2(n) entries (inferred from the memory of a run with n = 3,600), in
-/// seconds at assumed rates, of which only ratios matter:
-///     Explicit  2/3 b^3 / 5e9 once, 4.4 b^2 / 8e9 an application       Implicit  16 f / 3e9 an application
-/// In the plane Explicit wins for nearly all subdomains; Implicit where nearly all unknowns are on the boundary, or for few applications.
+/// Chooses Explicit or Implicit, whichever should take less time for a number of iterations, within a memory limit. With n unknowns, b of
+/// them on the boundary, and a factor of f = 8 n log2(n) entries (inferred from the memory of a run with n = 3,600), the times in seconds
+/// at assumed rates, of which only ratios matter, are
+///     Explicit  2/3 b^3 / 5e9 once, 4.4 b^2 / 8e9 per application       Implicit  16 f / 3e9 per application
+/// In 2D Explicit is faster for nearly all subdomains; Implicit if nearly all unknowns are on the boundary, or for few applications.
 /// Local.
 class AutomaticSchurComplement : public SchurComplement {
  public:
   static Schema schema();
   explicit AutomaticSchurComplement(const Parameters& own);
-  /// \param iterations  applications to be expected
+  /// \param iterations  expected number of applications
   /// \param megabytes   limit for the dense matrix of one subdomain
   AutomaticSchurComplement(int iterations, double megabytes) : iterations_(iterations), megabytes_(megabytes) {}
 

@@ -15,7 +15,7 @@ SparseMatrix ElasticSubdomain::assembleStiffness(const std::function<const Mater
 
 void ElasticSubdomain::doAssemble(SparseMatrix& stiffness, Vector& load) {
   SparseMatrix assembled = assembleStiffness([this](int element) -> const Material& { return materialOf(element); });
-  stiffness.swap(assembled);  // Eigen would copy it
+  stiffness.swap(assembled);  // an assignment would copy
   load = doLoad();
 }
 
@@ -51,7 +51,7 @@ Vector ElasticSubdomain::seamFlux() const {
   Vector flux = Vector::Zero(Eigen::Index(m.nodes()) * components());
   for (const SubdomainMesh::SeamSide& seam : m.seamSides)
     addSideFlux(m, {seam.element, seam.side}, seam.neighbour > m.id ? 1.0 : -1.0, flux);
-  // psi_j sum to one: lengths times weights are integrals of each node's own shape function, on either side of a mortar, too.
+  // psi_j sum to one: lengths times weights are the integrals of each node's own shape function, also on both sides of a mortar.
   std::map<int, const ContactPair*> pairs;
   for (const ContactRow& row : m.contactRows) pairs[row.pair.id] = &row.pair;
   for (const SubdomainMesh::ContactEnd& end : m.contactEnds) {
@@ -64,7 +64,7 @@ Vector ElasticSubdomain::seamFlux() const {
 }
 
 Vector ElasticSubdomain::shearDiagonal() const {
-  std::map<const Material*, Material> withoutVolume;  // the same shear modulus, no Lame constant
+  std::map<const Material*, Material> withoutVolume;  // the same shear modulus, Lame constant zero
   return assembleStiffness([&](int element) -> const Material& {
            const Material& given = materialOf(element);
            return withoutVolume.try_emplace(&given, Material{given.name, given.young / (1 + given.poisson), 0.0}).first->second;

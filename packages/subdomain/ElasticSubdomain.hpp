@@ -6,11 +6,11 @@
 
 namespace suture {
 
-/// Linear elasticity of one subdomain: stiffness and loads of its elements, rotated into the axes of the nodes. Final, because it says that
-/// it follows the model; another law is a MaterialLaw, other physics a Subdomain of its own.
+/// Linear elasticity of one subdomain: stiffness and loads of its elements, rotated into the axes of the nodes. Final, because
+/// followsModel() is true; to use another law derive from MaterialLaw, for other physics derive from Subdomain.
 class ElasticSubdomain final : public Subdomain {
  public:
-  /// `mesh` and `model` must outlive it. \throws InternalError  an axisymmetric scene whose mesh was not told (makeAxisymmetric).
+  /// `mesh` and `model` must outlive it. \throws InternalError  an axisymmetric scene whose mesh is not axisymmetric (makeAxisymmetric).
   ElasticSubdomain(const SubdomainMesh& mesh, const ElasticModel& model) : Subdomain(mesh), model_(model) { requireGeometry(mesh, model); }
 
   bool followsModel() const override { return true; }

@@ -5,7 +5,7 @@
 namespace suture {
 
 Schema ExplicitSchurComplement::schema() {
-  return Schema("A dense matrix, from one multifrontal elimination of the interior (BLAS; nested dissection).");
+  return Schema("Dense matrix, from one multifrontal elimination of the interior (BLAS; nested dissection).");
 }
 
 void ExplicitSchurComplement::doCompute(const SchurData& data) {

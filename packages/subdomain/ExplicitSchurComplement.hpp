@@ -5,8 +5,8 @@
 namespace suture {
 
 /// S_i as a dense matrix from ONE elimination of the interior (StaticCondensation): an application is a product with a small dense matrix,
-/// and the same elimination gives condensed loads. Its factor is kept in single precision, for the recovery of interiors (SingleFactor).
-/// The local solver that is named has no part in it. Memory: that factor and n^2 / 2 numbers for n boundary unknowns. Local.
+/// and the same elimination gives condensed loads. The factor is kept in single precision, to recover interiors (SingleFactor). The local
+/// solver of the scene is not used. Memory: that factor and n^2 / 2 numbers for n boundary unknowns. Local.
 class ExplicitSchurComplement : public SchurComplement {
  public:
   static Schema schema();

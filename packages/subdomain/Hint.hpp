@@ -3,27 +3,28 @@
 
 namespace suture {
 
-/// Optional data about a subdomain or a local problem, asked for by name: what a preconditioner may use beside the matrix. Who has none of
-/// a name answers without columns, and whoever asks does without. A user's subdomain and preconditioner may agree on names of their own.
+/// Optional data about a subdomain or a local problem, requested by name: data that a preconditioner may use in addition to the matrix. If
+/// there are none, the hint has no columns, and the preconditioner works without it. A user's subdomain and preconditioner may use their
+/// own names.
 struct Hint {
-  /// How the values of subdomains that share an unknown become those of their group: added, the largest, or side by side, each subdomain's
-  /// columns on its own unknowns.
+  /// How the values of subdomains that share an unknown combine to those of their group: sum, maximum, or separate columns, those of each
+  /// subdomain on its own unknowns.
   enum class Join { Sum, Largest, Columns };
 
-  Matrix values{};  ///< a row an unknown
+  Matrix values{};  ///< one row per unknown
   Join join = Join::Sum;
 
   bool empty() const { return values.cols() == 0; }
 
-  /// Young modulus of what lies at each unknown; where several materials meet, the largest: for the weighting Young. [stress] Largest
+  /// Young modulus of the material at each unknown, the largest where several materials meet: for the weighting Young. [stress] Largest
   static constexpr const char* kYoungModulus = "Young modulus";
-  /// The diagonal of the stiffness against change of shape alone, where volume changes much less easily anywhere in the scene. [force /
-  /// length] Sum
+  /// Diagonal of the stiffness against change of shape alone, if anywhere in the scene volume changes much less easily. [force / length]
+  /// Sum
   static constexpr const char* kShearDiagonal = "shear diagonal";
-  /// Volume that a unit of each unknown carries through the seam out of the subdomain of lower number, or through a contact line out of
-  /// side A, where volume changes much less easily than shape. [area; axisymmetric: volume] Sum
+  /// Volume that a unit displacement of each unknown moves through the seam out of the subdomain of lower number, or through a contact line
+  /// out of side A, where volume changes much less easily than shape. [area; axisymmetric: volume] Sum
   static constexpr const char* kSeamFlux = "seam flux";
-  /// The motions that cost least, for coarse spaces: their span contains that of the rigid modes. Without the hint these are meant. Columns
+  /// Motions of lowest energy, for coarse spaces; their span contains the rigid-body modes, which are used if the hint is missing. Columns
   static constexpr const char* kCoarseModes = "coarse modes";
 };
 

@@ -7,7 +7,7 @@ namespace suture {
 
 namespace {
 
-/// Where a node occurs: in which element, and as which of its nodes.
+/// Occurrence of a node: an element, and the node's index in that element.
 struct Occurrence {
   int element, place;
 };
@@ -26,7 +26,7 @@ class Neighbourhoods {
   Span<const Occurrence> of(int node) const {
     return {occurrences_.data() + first_[node], static_cast<std::size_t>(first_[node + 1] - first_[node])};
   }
-  /// Appends the node, and those of higher number that share an element with it, in ascending order. Call it once a node.
+  /// Appends the node, and those of higher number that share an element with it, in ascending order. Call it once per node.
   void addNeighbours(int node, std::vector<int>& all) {
     const auto begin = static_cast<std::ptrdiff_t>(all.size());
     for (const Occurrence& here : of(node))
@@ -44,8 +44,8 @@ class Neighbourhoods {
   std::vector<Occurrence> occurrences_;
 };
 
-/// The number of components, known to the compiler where it is the usual one, since its loops are short: phase assemble 0.27 instead of
-/// 0.33 s (tunnel at 1M, one rank, medians of 5 in alternation).
+/// Number of components, known at compile time in the usual case because the loops over it are short: phase assemble 0.27 instead of 0.33 s
+/// (tunnel at 1M, one rank, medians of 5 in alternation).
 template <int Known>
 struct Components {
   int given;
@@ -73,8 +73,8 @@ SparseMatrix sumUp(const CellBlock& mesh, Components<Known> components, const El
   }
   sum.resizeNonZeros(outer[sum.cols()]);
 
-  std::vector<int> slot(mesh.nodes());                                       // of a neighbour, within the columns of the node at hand
-  std::vector<double> columns(static_cast<std::size_t>(most) * components);  // of that node, its own block whole
+  std::vector<int> slot(mesh.nodes());                                       // row of a neighbour in the columns of the current node
+  std::vector<double> columns(static_cast<std::size_t>(most) * components);  // of the current node, with its full diagonal block
   for (int node = 0; node < mesh.nodes(); ++node) {
     const Span<const int> here{neighbours.data() + firstNeighbour[node],
                                static_cast<std::size_t>(firstNeighbour[node + 1] - firstNeighbour[node])};

@@ -6,11 +6,11 @@
 
 namespace suture {
 
-/// Element matrices one behind the other: that of element e has components x its nodes rows and columns, node-major, by columns.
+/// Consecutive element matrices: that of element e has components x its nodes rows and columns, node-major, by columns.
 using ElementMatrices = std::vector<double>;
 
-/// The lower triangle of their sum over nodes x components; element matrices are symmetric. Node by node, from the elements around each:
-/// one pass for the pattern, one for the values, no list of entries to be sorted. Local.
+/// Lower triangle of the sum of the (symmetric) element matrices over nodes x components. Assembled node by node, from the elements around
+/// each: one pass for the pattern, one for the values, no sorting of entries. Local.
 SparseMatrix assembleNodal(const CellBlock& mesh, int components, const ElementMatrices& matrices);
 
 }  // namespace suture

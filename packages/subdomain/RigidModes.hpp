@@ -4,13 +4,13 @@
 
 namespace suture {
 
-/// Infinitesimal rigid motions of all nodes, (nodes x dimension) x modes, node-major, Cartesian: the translations, then the rotations about
-/// the centroid, divided by half the diameter so that all columns are of the order of one. Of bodies of revolution only the translation
-/// along the axis. Local.
+/// Infinitesimal rigid-body motions of all nodes, (nodes x dimension) x modes, node-major, Cartesian: the translations, then the rotations
+/// about the centroid, divided by half the diameter, which makes all columns of the order of one. For bodies of revolution only the axial
+/// translation. Local.
 Matrix rigidModes(const CellBlock& block);
 
-/// The rigid motions of the cross-section, seen as a plane body: rigidModes() but for axisymmetric blocks. There the radial translation and
-/// the rotation strain the body along the hoop only, by its size over its distance from the axis: the softest motions of a part of it.
+/// Rigid-body motions of the cross-section as a plane body. Equal to rigidModes(), except for axisymmetric blocks: there the radial
+/// translation and the rotation only cause hoop strain, of the order of size over distance from the axis: the softest motions of a part.
 Matrix sectionModes(const CellBlock& block);
 
 }  // namespace suture

@@ -20,9 +20,9 @@ void registerBuiltIns(Registry<SchurComplement>& registry) {
 }
 
 Schema ImplicitSchurComplement::schema() {
-  Schema schema("Back-substitutions with a factor of the interior block (the paper's).");
+  Schema schema("Back-substitutions with a factor of the interior block (as in the paper).");
   schema.oneOf("Precision", "Double", {"Double", "Single"},
-               "Precision of the factor. Single: half its memory, and two back-substitutions where one was; results do not depend on it.");
+               "Precision of the factor. Single: half the memory, two back-substitutions instead of one; results do not depend on it.");
   return schema;
 }
 
@@ -37,7 +37,7 @@ void put(ConstLocalView values, const std::vector<int>& positions, LocalView all
   for (std::size_t i = 0; i < positions.size(); ++i) all.row(positions[i]) = values.row(static_cast<Eigen::Index>(i));
 }
 
-// Largest relative difference that single precision may make to a flux: that of sums in double precision, some thousand of them.
+// Largest relative change of a flux by single precision that is accepted: the accuracy of sums of some thousand terms in double precision.
 constexpr double kSingleAccuracy = 1e-12;
 
 void take(ConstLocalView all, const std::vector<int>& positions, LocalView values) {
@@ -109,7 +109,7 @@ void ImplicitSchurComplement::doApply(ConstLocalView trace, LocalView flux) cons
   WorkSpace all(n, columns, keptAll), product(n, columns, keptProduct);
   const auto multiply = [&] { product.values.noalias() = stiffness_->lower().selfadjointView<Eigen::Lower>() * all.values; };
   if (single_) {
-    // A E t, and with the residual that the extension leaves inside, E^T A E t.
+    // A E t, then with the interior residual of the extension, E^T A E t.
     WorkSpace inside(n, columns, keptInterior);
     product.values.noalias() = coupling_ * trace;
     single_->apply(product.values, inside.values);

@@ -15,15 +15,15 @@ struct SchurData {
   const Vector& load;                ///< all unknowns
   const std::vector<int>& boundary;  ///< positions of B, in the order of traces
   const std::vector<int>& nodeOf;    ///< node of each unknown
-  const std::vector<Point>& places;  ///< place of the node of each unknown [length]
+  const std::vector<Point>& places;  ///< position of the node of each unknown [length]
   LocalSolverMaker solver;
   std::string what;   ///< for messages
   int dimension = 2;  ///< dimension of the problem: 2 or 3
 };
 
-/// S_i = A_BB - A_BI A_II^-1 A_IB of eq. (12)-(14), the energy of the discrete harmonic extension, without saying how it is kept.
-/// Strategies: Implicit (the paper: a back-substitution an application), Explicit (a dense matrix), Automatic (one of them); a user adds
-/// his own through Registry<SchurComplement>. A_II must be regular. Local.
+/// S_i = A_BB - A_BI A_II^-1 A_IB of eq. (12)-(14), the energy of the discrete harmonic extension, independent of its representation.
+/// Strategies: Implicit (as in the paper: one back-substitution per application), Explicit (a dense matrix), Automatic (one of them); users
+/// add strategies through Registry<SchurComplement>. A_II must be regular. Local.
 class SchurComplement {
  public:
   static const char* kind() { return "Schur complement"; }
@@ -31,7 +31,7 @@ class SchurComplement {
 
   /// Factors. Stiffness and load must outlive this object.
   void compute(const SchurData& data) { doCompute(data); }
-  /// Takes other loads. \param data  as for compute(), but for the loads
+  /// Sets other loads. \param data  as for compute(), except the loads
   void reload(const SchurData& data) { doReload(data); }
   /// flux <- S trace, for several right-hand sides.
   void apply(ConstLocalView trace, LocalView flux) const {
@@ -40,23 +40,23 @@ class SchurComplement {
   }
   /// f_B - A_BI A_II^-1 f_I. [force]
   virtual const Vector& condensedLoad() const = 0;
-  /// S itself, if it is kept; else null.
+  /// S itself, if it is stored; otherwise null.
   virtual const PackedSymmetric* dense() const { return nullptr; }
   /// All unknowns of the solution with the given trace: u_I = A_II^-1 (f_I - A_IB trace).
   virtual Vector recover(const Vector& trace) const = 0;
   /// Least energy with zero trace: -f_I A_II^-1 f_I / 2.
   virtual double interiorEnergy() const = 0;
 
-  /// Bytes that one application reads of memory; 0 if not known.
+  /// Bytes that one application reads from memory; 0 if not known.
   virtual double bytesRead() const { return 0.0; }
-  /// Name of the strategy that Automatic chose; empty where the user did.
+  /// Name of the strategy that Automatic chose; empty if the user chose it.
   virtual std::string chosen() const { return {}; }
 
   long long applications() const { return applications_; }
 
  protected:
   virtual void doCompute(const SchurData& data) = 0;
-  /// Optional: without factoring again.
+  /// Optional: avoids a new factorisation.
   virtual void doReload(const SchurData& data) { doCompute(data); }
   virtual void doApply(ConstLocalView trace, LocalView flux) const = 0;
 
@@ -66,11 +66,11 @@ class SchurComplement {
 
 void registerBuiltIns(Registry<SchurComplement>& registry);
 
-/// The paper's: a factor of A_II beside the stiffness matrix A; an application is one back-substitution and two products with A, whose
-/// blocks are not kept a second time. The factor may be kept in single precision, M, half the memory: with the extension
-/// E = [I; -M A_IB], nearly harmonic, an application is that of E^T A E, which is positive definite as S is and differs from it by the
-/// square of what rounding M did; it takes a second back-substitution and a third product. That is tried, and double precision stays where
-/// the difference can be seen.
+/// As in the paper: a factor of A_II in addition to the stiffness matrix A; an application is one back-substitution and two products with
+/// A, whose blocks are not stored a second time. The factor may be stored in single precision, M, which takes half the memory: with the
+/// nearly harmonic extension E = [I; -M A_IB], an application is that of E^T A E, which is positive definite like S and differs from S by
+/// the square of the round-off in M; it takes a second back-substitution and a third product. Single precision is tried; the factor stays
+/// in double precision if the difference is noticeable.
 class ImplicitSchurComplement : public SchurComplement {
  public:
   enum class Precision { Double, Single };
@@ -83,7 +83,7 @@ class ImplicitSchurComplement : public SchurComplement {
   const Vector& condensedLoad() const override { return condensedLoad_; }
   Vector recover(const Vector& trace) const override;
   double interiorEnergy() const override { return interiorEnergy_; }
-  /// The precision of the factor that is kept.
+  /// Precision of the stored factor.
   Precision precision() const { return single_ ? Precision::Single : Precision::Double; }
 
  protected:
@@ -98,8 +98,8 @@ class ImplicitSchurComplement : public SchurComplement {
   const SymmetricMatrix* stiffness_ = nullptr;
   std::vector<int> interior_, boundary_;
   std::unique_ptr<LocalSolver> interiorSolver_;  // factor of A_II, or
-  std::unique_ptr<SingleFactor> single_;         // the same in single precision, in the numbers of A
-  SparseMatrix coupling_;                        // with it: A_IB, the rows in the numbers of A, which is read less often then
+  std::unique_ptr<SingleFactor> single_;         // the same factor in single precision, in the numbers of A
+  SparseMatrix coupling_;                        // with single_: A_IB, rows in the numbers of A; saves reading A
   Vector condensedLoad_, interiorResponse_;
   double interiorEnergy_ = 0.0;
 };

@@ -50,7 +50,7 @@ void Subdomain::takePrescribed() {
       if (rule.fixed[k]) prescribed_(rule.node * d + k) = rule.value[k];
 }
 
-/// Loads of the free unknowns: those of the conditions less what prescribed displacements do.
+/// Loads of the free unknowns: those of the conditions minus the contribution of prescribed displacements.
 void Subdomain::liftLoad() {
   const Vector given = rowsAt(prescribed_, fixed_);
   const Vector held = held_ * given, lifted = fullLoad_ - held;
@@ -97,7 +97,7 @@ void Subdomain::assemble() {
     if (!(diagonal(i) > 0.0)) {
       const Point p = mesh_.point(nodeOf(i));
       std::ostringstream text;
-      text << "subdomain '" << mesh_.name << "': no stiffness at the node " << placeText(p, mesh_.dimension);
+      text << "subdomain '" << mesh_.name << "': no stiffness at node " << placeText(p, mesh_.dimension);
       throw NumericalError(text.str());
     }
 
@@ -131,8 +131,8 @@ SparseMatrix Subdomain::assembled(
 
 Matrix Subdomain::springModes(const Matrix& modes) const {
   if (!mesh_.springs.empty() && !followsModel())
-    throw InputError("Boundary Conditions", "an Elastic Support acts on bodies whose Subdomain is Elastic only; subdomain '" + mesh_.name +
-                                                "' has physics of its own");
+    throw InputError("Boundary Conditions", "an Elastic Support acts only on bodies whose Subdomain is Elastic; subdomain '" + mesh_.name +
+                                                "' has its own physics");
   const int d = components();
   Matrix rows(static_cast<Eigen::Index>(mesh_.springs.size()), modes.cols());
   for (std::size_t i = 0; i < mesh_.springs.size(); ++i) {
@@ -147,7 +147,7 @@ Matrix Subdomain::springModes(const Matrix& modes) const {
 Matrix Subdomain::stresses(const Vector& displacement) const {
   Matrix found = doStresses(displacement);
   if (found.rows() != mesh_.elements() || found.cols() != (mesh_.dimension == 2 ? 4 : 6))
-    throw NumericalError("subdomain '" + mesh_.name + "': expected stresses xx, yy, zz, xy (in space also yz, xz) of every element");
+    throw NumericalError("subdomain '" + mesh_.name + "': expected stresses xx, yy, zz, xy (in 3D also yz, xz) of every element");
   return found;
 }
 
@@ -155,7 +155,7 @@ ElementForces Subdomain::internalForces(const Vector& displacement) const {
   const int d = components(), n = static_cast<int>(numberOf_.size());
   const Vector u = inAxes(displacement), free = rowsAt(u, free_), given = rowsAt(u, fixed_);
   const auto product = [&](const Vector& onFree, const Vector& onFixed, auto&& times, auto&& held) {
-    Vector all = held * onFixed;  // rows of the free unknowns: what the prescribed ones do to them
+    Vector all = held * onFixed;  // rows of the free unknowns: contribution of the prescribed ones
     const Vector inside = times(onFree);
     for (int i = 0; i < dofs(); ++i) all(free_[i]) += inside(i);
     Vector whole = Vector::Zero(n);
@@ -191,7 +191,7 @@ Hint Subdomain::hint(const std::string& name) const {
   if (all.empty()) return {Matrix(dofs(), 0), all.join};
   if (all.values.rows() != Eigen::Index(numberOf_.size()))
     throw NumericalError("subdomain '" + mesh_.name + "': the hint '" + name + "' has " + std::to_string(all.values.rows()) +
-                         " rows, expected " + std::to_string(numberOf_.size()));
+                         " rows; expected " + std::to_string(numberOf_.size()));
   return {rowsAt(all.values, free_), all.join};
 }
 

@@ -15,7 +15,7 @@ namespace {
 
 double stiffnessOf(const Subdomain& subdomain) { return subdomain.dofs() > 0 ? subdomain.stiffness().diagonal().maxCoeff() : 0.0; }
 
-/// The Neumann problem of the whole subdomain, loaded on its boundary only.
+/// Neumann problem of the whole subdomain, loaded only on its boundary.
 class NeumannInverse : public LocalInverse {
  public:
   NeumannInverse(GeneralisedInverse&& inverse, std::vector<int> positions)
@@ -104,7 +104,7 @@ Matrix SubdomainProblem::schurBlock(const std::vector<int>& positions) const {
 }
 
 std::unique_ptr<LocalInverse> SubdomainProblem::sparseInverse(const Matrix& constraints) const {
-  // Where stiffness jumps within a subdomain, constraints on stiff and soft unknowns together need the changes of basis of the dense one:
+  // If stiffness jumps within a subdomain, constraints that couple stiff and soft unknowns need the changes of basis of the dense inverse:
   // cubes with bricks 1e6 times as stiff had negative eigenvalues.
   constexpr double kMostJump = 1e4;
   const Vector diagonal = subdomain_.stiffness().diagonal();

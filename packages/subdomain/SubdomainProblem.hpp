@@ -6,19 +6,18 @@
 
 namespace suture {
 
-/// The local problem of a single subdomain without contact: a member of T in the paper.
+/// Local problem of a single subdomain without contact: a member of the set T of the paper.
 class SubdomainProblem : public LocalProblem {
  public:
   /// \param boundary  free unknowns of the subdomain that lie on the interface
-  /// \param softest   stiffness of the softest subdomain of the scene (softestStiffness()): beside it a much stiffer floating subdomain
-  /// keeps
-  ///                  its fluxes in equilibrium to their own rounding, because what rounding leaves of a Schur complement on rigid modes
-  ///                  would hold it like springs to the ground
+  /// \param softest   stiffness of the softest subdomain of the scene (softestStiffness()): a much stiffer floating subdomain keeps its
+  ///                  fluxes in equilibrium up to their own round-off, because otherwise the round-off of its Schur complement on
+  ///                  rigid-body modes would hold it like springs to the ground
   /// `subdomain` must be assembled and outlive it.
   SubdomainProblem(int id, const Subdomain& subdomain, const std::vector<int>& boundary, const LocalSolverMaker& solver,
                    std::unique_ptr<SchurComplement> schur, double softest = 0.0);
 
-  /// Takes the loads that the subdomain has now.
+  /// Reads the current loads of the subdomain.
   void reload();
 
   void applySchur(ConstLocalView trace, LocalView flux) const override;
@@ -37,7 +36,7 @@ class SubdomainProblem : public LocalProblem {
   Matrix schurBlock(const std::vector<int>& positions) const override;
 
   const Subdomain& subdomain() const { return subdomain_; }
-  /// Free unknowns of the subdomain for a trace.
+  /// Values of the subdomain's free unknowns for a trace.
   Vector recover(const Vector& trace) const { return schur_->recover(trace); }
 
  protected:
@@ -52,22 +51,22 @@ class SubdomainProblem : public LocalProblem {
   std::unique_ptr<SchurComplement> schur_;
   Vector diagonal_;
   Matrix kernel_;
-  int loadChanges_ = 0;  // Subdomain::loadChanges() that the Schur complement knows of
-  Matrix balanced_;      // orthonormal basis of the kernel; empty where fluxes stay as they are
+  int loadChanges_ = 0;  // Subdomain::loadChanges() at the last load of the Schur complement
+  Matrix balanced_;      // orthonormal basis of the kernel; empty if fluxes are not balanced
 };
 
-/// Ratio of stiffnesses up to which rounding of the stiffest, 1e-16 of it, is 1e-12 of the softest: four digits more than are asked for.
-/// Beyond it, the digits that it takes from the softest are restored.
+/// Ratio of stiffnesses up to which the round-off of the stiffest, 1e-16 of it, is 1e-12 of the softest: four digits more than required.
+/// Beyond this ratio, the digits that the softest loses are restored.
 constexpr double kMuchStiffer = 1e4;
 
-/// Largest diagonal entry of a subdomain's stiffness matrix, the least of all subdomains. Collective. [force / length]
+/// Minimum over all subdomains of the largest diagonal entry of the stiffness matrix. Collective. [force / length]
 double softestStiffness(const Comm& comm, const std::vector<std::unique_ptr<Subdomain>>& subdomains);
 
 /// Global numbers of some free unknowns of a subdomain.
 std::vector<GlobalId> globalDofs(const Subdomain& subdomain, const std::vector<int>& dofs);
 /// Node of each free unknown.
 std::vector<int> nodesOfDofs(const Subdomain& subdomain);
-/// Where the node of each free unknown is.
+/// Position of the node of each free unknown.
 std::vector<Point> placesOfDofs(const Subdomain& subdomain);
 
 }  // namespace suture

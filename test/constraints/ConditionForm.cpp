@@ -20,10 +20,10 @@ TEUCHOS_UNIT_TEST(ConditionForm, TellsWhatLoadsLackOrHaveTooMuch) {
                      entry("bolt", {{"Type", "Preload"}, {"Value", "1"}, {"Body", "b1"}}) +
                      entry("mean", {{"Type", "Mean Displacement"}, {"Group", "b0_top"}, {"Value", "{1, 2}"}, {"Components", "x"}}));
   for (const std::string part : {"lost/Point: is missing: a Point Force needs it", "in space/Point: 3 coordinates; expected 2",
-                                 "on a side/Group: a Point Force acts at a point, not on a curve group; name its place in Point",
+                                 "on a side/Group: a Point Force acts at a point, not on a curve group; give its position in Point",
                                  "slack/Normal Stiffness: an Elastic Support needs a stiffness above zero, here or in Tangential Stiffness",
-                                 "stiff gravity/Normal Stiffness: only an Elastic Support has it; found in a Gravity",
-                                 "varying force/Expression x: this Force does not have it: expected numbers in Value",
+                                 "stiff gravity/Normal Stiffness: only an Elastic Support takes this parameter; found in a Gravity",
+                                 "varying force/Expression x: not a parameter of this Force: expected numbers in Value",
                                  "three strains/Value: 3 values; this Initial Strain needs 4 values",
                                  "bolt/Direction: is missing: a Preload needs it", "bolt/Length: is missing: a Preload needs it",
                                  "bolt/Body: no such body 'b1'", "mean/Value: 2 values; this Mean Displacement needs 1 value"})
@@ -84,7 +84,7 @@ TEUCHOS_UNIT_TEST(ConditionForm, HasAnEntryForEachDirectionInSpace) {
     TEST_EQUALITY(rule.value[0], 0.5);
     TEST_EQUALITY(rule.value[2], -1.0);
   }
-  SUTURE_CHECK_SAYS(said(stack(1), displacement("up", "b0_left", "1", "z")), "up/Components: 'z' in the plane; expected All, x or y");
+  SUTURE_CHECK_SAYS(said(stack(1), displacement("up", "b0_left", "1", "z")), "up/Components: 'z' in 2D; expected All, x or y");
 }
 
 TEUCHOS_UNIT_TEST(ConditionForm, HoldsABodyInSpaceByElasticSupportsAsFarAsTheyReach) {

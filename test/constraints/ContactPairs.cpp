@@ -223,7 +223,7 @@ TEUCHOS_UNIT_TEST(ContactPairs, RefuseSidesInContradictoryRoles) {
   SUTURE_CHECK_SAYS(
       said(mesh, displacement("d", "b0_bottom", "{0, 0}") + entry("p", {{"Type", "Pressure"}, {"Group", "b0_bottom"}, {"Value", "1"}}),
            joint),
-      "Boundary Conditions/p/Group: all displacements of 'b0_bottom' are given by Boundary Conditions/d");
+      "Boundary Conditions/p/Group: all displacements of 'b0_bottom' are prescribed by Boundary Conditions/d");
 }
 
 TEUCHOS_UNIT_TEST(ContactPairs, ReportAllProblemsAtOnce) {

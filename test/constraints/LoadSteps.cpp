@@ -61,7 +61,7 @@ TEUCHOS_UNIT_TEST(LoadSteps, NameAllThatIsWrong) {
     return [=] { steps(times, factors); };
   };
   const std::string all = saidBy(made({1, 1}, {{"pres", "t"}, {"wall", "t"}, {"push", "{1}"}, {"press", "x"}}));
-  for (const char* part : {"Times", "expected times that ascend from 0", "'pres'", "Did you mean 'press'?", "a Bilateral", "no amount",
+  for (const char* part : {"Times", "expected ascending times above 0", "'pres'", "Did you mean 'press'?", "a Bilateral", "no amount",
                            "expected a number for each of the 2", "unknown: 'x'", "Variables: t"})
     SUTURE_CHECK_SAYS(all, part);
   SUTURE_CHECK_SAYS(saidBy(made({}, {{"press", "t"}})), "is empty");

@@ -55,7 +55,7 @@ TEUCHOS_UNIT_TEST(NodalRules, HoldTheAxisOfBodiesOfRevolution) {
   // A condition that would open a hole along the axis.
   SUTURE_CHECK_SAYS(
       said(mesh, displacement("split", "b0_left", "0.1", "x") + displacement("floor", "b0_bottom", "0", "y")),
-      "Boundary Conditions/split: at (0, 0) the displacement along (1, 0) is to be 0.1, but 'the axis of symmetry' makes it 0 (and so "
+      "Boundary Conditions/split: at (0, 0) the displacement along (1, 0) should be 0.1, but 'the axis of symmetry' makes it 0 (likewise "
       "at 2 more nodes)");
   Mesh across = stack(1);
   moveAll(across, [](Point p) -> Point { return {p[0] - 0.5, p[1], 0}; });
@@ -153,10 +153,10 @@ TEUCHOS_UNIT_TEST(NodalRules, AcceptEqualValuesAndRefuseUnequalOnes) {
   const Mesh mesh = stack(1);
   TEST_EQUALITY(said(mesh, displacement("a", "b0_right", "{0.1, 0}") + displacement("b", "b0_bottom", "0", "y")), "no error");
   const std::string text = said(mesh, displacement("a", "b0_right", "{0.1, 0.2}") + displacement("b", "b0_bottom", "0", "y"));
-  SUTURE_CHECK_SAYS(text, "Boundary Conditions/b: at (4, 0) the displacement along (0, 1) is to be 0, but 'a' makes it 0.2");
+  SUTURE_CHECK_SAYS(text, "Boundary Conditions/b: at (4, 0) the displacement along (0, 1) should be 0, but 'a' makes it 0.2");
   const std::string roller = said(mesh, displacement("a", "b0_right", "{0.1, 0.2}") + bilateral("b", "b0_right"));
   SUTURE_CHECK_SAYS(roller, "Boundary Conditions/b: at (4, ");
-  SUTURE_CHECK_SAYS(roller, "(and so at 2 more nodes)");
+  SUTURE_CHECK_SAYS(roller, "(likewise at 2 more nodes)");
 }
 
 TEUCHOS_UNIT_TEST(NodalRules, WantTheFormOfEachType) {
@@ -182,11 +182,12 @@ TEUCHOS_UNIT_TEST(NodalRules, WantTheFormOfEachType) {
         "vector pressure/Value: 2 values; this Pressure needs 1 value",
         "no value/Value: is missing; this Pressure needs 1 value, or Expression",
         "two for x/Value: 2 values; this Displacement needs 1 value",
-        "x pressure/Components: only a Displacement or a Mean Displacement has it", "force on a curve/Group: a Body Force acts on a body",
-        "force on nobody/Body: no such body 'b1'",
-        "traction of a body/Body: a Traction acts on a curve group, not on a body; name it in Group",
-        "seeded traction/Seed: only a Random Load has it; found in a Traction", "noise on a curve/Group: a Random Load acts on a body",
-        "noise on a curve/Amplitude: is missing", "valued noise/Value: a Random Load has no value",
+        "x pressure/Components: only a Displacement or a Mean Displacement takes this parameter",
+        "force on a curve/Group: a Body Force acts on a body", "force on nobody/Body: no such body 'b1'",
+        "traction of a body/Body: a Traction acts on a curve group, not on a body; name the group in Group",
+        "seeded traction/Seed: only a Random Load takes this parameter; found in a Traction",
+        "noise on a curve/Group: a Random Load acts on a body", "noise on a curve/Amplitude: is missing",
+        "valued noise/Value: a Random Load has no value",
         "nowhere/Group: in the mesh boxes: no such curve group 'b0_topp'. Did you mean 'b0_top'?"})
     SUTURE_CHECK_SAYS(text, "Boundary Conditions/" + part);
 }
@@ -233,11 +234,11 @@ TEUCHOS_UNIT_TEST(NodalRules, WantExpressionsThatFitTheType) {
                 entry("noise", {{"Type", "Random Load"}, {"Amplitude", "1"}, {"Expression", "0"}}) +
                 entry("typo", {{"Type", "Pressure"}, {"Group", "b0_top"}, {"Expression", "B*x"}}));
   for (const std::string part :
-       {"both/Value: 'Value' and 'Expression x' are both given: it is one or the other",
-        "half/Expression y: is missing: this Traction needs Expression x and Expression y; a component that is zero is 0",
-        "vector pressure/Expression x: this Pressure does not have it: expected Expression", "vector pressure/Expression: is missing",
-        "scalar force/Expression: this Body Force does not have it: expected Expression x and Expression y",
-        "free/Expression y: this Displacement does not have it: expected Expression x",
+       {"both/Value: 'Value' and 'Expression x' are both given; expected only one of them",
+        "half/Expression y: is missing: this Traction needs Expression x and Expression y; write 0 for a zero component",
+        "vector pressure/Expression x: not a parameter of this Pressure: expected Expression", "vector pressure/Expression: is missing",
+        "scalar force/Expression: not a parameter of this Body Force: expected Expression x and Expression y",
+        "free/Expression y: not a parameter of this Displacement: expected Expression x",
         "roller/Expression x: a Bilateral condition has no value", "noise/Expression: a Random Load has no value",
         "typo/Expression: 'B*x': unknown: 'B'. Variables: x, y. Constants: A, pi. Functions: abs, "})
     SUTURE_CHECK_SAYS(text, "Boundary Conditions/" + part);

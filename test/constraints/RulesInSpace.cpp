@@ -192,7 +192,7 @@ TEUCHOS_UNIT_TEST(RulesInSpace, TellContradictionsWithThreeComponents) {
   Condition pull = Condition::displacement("b0_right", {0.1, 0, 0.2}, {0, 1, 2});
   TEST_EQUALITY(saidOf({pull, Condition::displacement("b0_front", {0.0}, {1})}), "no error");
   SUTURE_CHECK_SAYS(saidOf({pull, Condition::displacement("b0_bottom", {0.0}, {2})}),
-                    "at (1, 0, 0) the displacement along (0, 0, 1) is to be 0, but 'b0_right' makes it 0.2 (and so at 2 more nodes)");
+                    "at (1, 0, 0) the displacement along (0, 0, 1) should be 0, but 'b0_right' makes it 0.2 (likewise at 2 more nodes)");
   SUTURE_CHECK_SAYS(saidOf({pull, Condition::displacement("b0_front", {0.0}, {3})}), "expected components between 0 and 2");
 }
 

@@ -207,7 +207,7 @@ TEUCHOS_UNIT_TEST(Partition, RefusesWrongNamedGroups) {
     grid.elementGroups["mixed_x"] = diagonal;
     grid.elementGroups["empty_part"] = {};
   }
-  TEST_ASSERT(says(problemsOf(grid, named("part_*")), path, "'part_x' falls into 2 parts"));
+  TEST_ASSERT(says(problemsOf(grid, named("part_*")), path, "'part_x' consists of 2 parts"));
   const std::vector<Problem> several = problemsOf(grid, named("mixed_*"));
   TEST_EQUALITY(several.size(), 2u);
   TEST_ASSERT(says(several, path, "'mixed_w' lies in 2 bodies (a, b)"));
@@ -221,11 +221,11 @@ TEUCHOS_UNIT_TEST(Partition, RefusesABodyThatHangsTogetherInSingleNodes) {
   for (const PartitionParameters& own : {metis(2), metis(6), named("subdomain_*")}) {
     const std::vector<Problem> problems = problemsOf(grid, own);
     TEST_EQUALITY(problems.size(), 1u);
-    TEST_ASSERT(says(problems, "Bodies/all", "2 parts of this body hang together in a single node only ((0.5, 0.5))"));
+    TEST_ASSERT(says(problems, "Bodies/all", "2 parts of this body are connected only by a single node ((0.5, 0.5))"));
   }
   // As one subdomain it is refused by that name, too.
   const std::vector<Problem> whole = problemsOf(grid, named("a"));
-  TEST_ASSERT(says(whole, "Partition/Named Groups/Pattern", "'a' falls into 2 parts without a common side"));
+  TEST_ASSERT(says(whole, "Partition/Named Groups/Pattern", "'a' consists of 2 parts without a common side"));
   TEST_ASSERT(says(whole, "Bodies/all", "a single node"));
 }
 

@@ -168,7 +168,7 @@ TEUCHOS_UNIT_TEST(GmshReader, PassesOnWhatGmshSaysWithTheUsersFileName) {
   const Folder folder;
   const std::string path = folder.write("a.geo", "DefineConstant[ W = {1} ];\nx = bar;");  // no newline: Gmsh sees a copy
   const std::string said = problemsOf([&] { readGmsh({path, {{"W", 2}}, 1.0}); });
-  SUTURE_CHECK_SAYS(said, "Gmsh says: '" + path + "', line 2: Unknown variable 'bar'");
+  SUTURE_CHECK_SAYS(said, "Gmsh reports: '" + path + "', line 2: Unknown variable 'bar'");
 }
 
 TEUCHOS_UNIT_TEST(GmshReader, ReadsTheNextFileAfterABrokenOne) {
@@ -182,7 +182,7 @@ TEUCHOS_UNIT_TEST(GmshReader, ReadsTheNextFileAfterABrokenOne) {
 TEUCHOS_UNIT_TEST(GmshReader, RefusesAGeometryWithoutSurface) {
   const Folder folder;
   const std::string path = folder.write("a.geo", "Point(1) = {0, 0, 0};\n");
-  SUTURE_CHECK_SAYS(problemsOf([&] { readGmsh({path, {}, 1.0}); }), "holds no surface elements");
+  SUTURE_CHECK_SAYS(problemsOf([&] { readGmsh({path, {}, 1.0}); }), "contains no surface elements");
 }
 
 // Statements that do more than describe a mesh, each in the way that a file might hide it.
@@ -202,19 +202,19 @@ TEUCHOS_UNIT_TEST(GmshReader, RefusesWhatHasNoBusinessInAGeometry) {
       {"Printf(\"%g\", 1 > 0 ? 1 : 2) > \"" + mark + "\";", "'Printf' with '>' writes a file"},
       {"Printf(\"x\") >> \"" + mark + "\";", "'Printf' with '>' writes a file"},
       {"Merge StrCat(\"/etc\", \"/passwd\");", "'Merge' without the literal name of a file"},
-      {"Include \"/etc/passwd\";", "leads out of the folder"},
-      {"Merge \"../../etc/passwd\";", "leads out of the folder"},
+      {"Include \"/etc/passwd\";", "is outside the folder"},
+      {"Merge \"../../etc/passwd\";", "is outside the folder"},
       {"Include \"none.geo\";", "there is no such file"},
       {"Merge \"text.txt\";", "is neither a .geo file nor a mesh"},
       {"Merge \"text.msh\";", "is neither a .geo file nor a mesh"},
       {"Include \"deeper.geo\";", "deeper.geo, line 2: 'Exit' ends"},
       {"Plugin(Skin).Run;", "'Plugin' runs a plugin"},
       {"x = GetEnv(\"HOME\");", "'GetEnv' reads the environment"},
-      {"Systemcall \"touch " + mark + "\";", "'Systemcall' is no command that is known to be harmless"},
-      {"x = \"" + std::string(1100, 'a') + " ; SystemCall ...\";", "a text of 1117 letters"},
-      {"/* \nSystemCall \"x\";", "line 8: a comment that does not end"},
-      {"x = \"a", "a text that does not end"},
-      {std::string("x = 1;\0SystemCall", 17), "a byte 0"},
+      {"Systemcall \"touch " + mark + "\";", "'Systemcall' is not known to be a harmless command"},
+      {"x = \"" + std::string(1100, 'a') + " ; SystemCall ...\";", "a text of 1117 characters"},
+      {"/* \nSystemCall \"x\";", "line 8: an unterminated comment"},
+      {"x = \"a", "an unterminated text"},
+      {std::string("x = 1;\0SystemCall", 17), "a zero byte"},
   };
   folder.write("text.txt", "SystemCall \"touch " + mark + "\";\n");
   folder.write("text.msh", "SystemCall \"touch " + mark + "\";\n");
@@ -226,7 +226,7 @@ TEUCHOS_UNIT_TEST(GmshReader, RefusesWhatHasNoBusinessInAGeometry) {
     TEST_ASSERT(!std::filesystem::exists(mark));
   }
   // Gmsh runs a file as a .geo file unless it begins as a mesh, whatever its name.
-  SUTURE_CHECK_SAYS(problemsOf([&] { readGmsh({folder.path() + "/text.msh", {}, 1.0}); }), "is no mesh of Gmsh; expected $MeshFormat");
+  SUTURE_CHECK_SAYS(problemsOf([&] { readGmsh({folder.path() + "/text.msh", {}, 1.0}); }), "is not a Gmsh mesh; expected $MeshFormat");
   TEST_ASSERT(!std::filesystem::exists(mark));
 }
 
@@ -258,8 +258,8 @@ TEUCHOS_UNIT_TEST(GmshReader, EndsALoopWithoutEndAndAMacroThatCallsItself) {
   for (const std::string loop : {"For i In {1:1e12}\n x = i;\nEndFor\n", "Macro again\n x = 1;\n Call again;\nReturn\nCall again;\n"}) {
     const std::string path = folder.write("a.geo", rectangle + loop);
     const std::string said = problemsOf([&] { readGmsh({path, {}, 1.0, 20}); });
-    const bool ended = said.find("does it hold a loop without an end") != std::string::npos ||
-                       said.find("Gmsh gave no mesh: it crashed or reached a limit") != std::string::npos;
+    const bool ended = said.find("does the file contain an endless loop") != std::string::npos ||
+                       said.find("Gmsh produced no mesh: suture_mesher crashed or reached a limit") != std::string::npos;
     if (!ended) out << said;
     TEST_ASSERT(ended);
   }

@@ -103,19 +103,19 @@ TEUCHOS_UNIT_TEST(Hdf5Mesh, RefusesNumbersOutOfRange) {
   SUTURE_CHECK_SAYS(node, "/Connectivity: node 4711; there are");
   SUTURE_CHECK_SAYS(saidAbout([](Mesh& mesh) { mesh.connectivity[3] = -1; }), "/Connectivity: node -1; there are");
   SUTURE_CHECK_SAYS(saidAbout([](Mesh& mesh) { mesh.cells[1] = static_cast<Cell>(12); }),
-                    "/Cells: element 1 is of the unknown shape 12; known are 0 to 11");
+                    "/Cells: element 1 has the unknown shape 12; expected 0 to 11");
   SUTURE_CHECK_SAYS(saidAbout([](Mesh& mesh) { mesh.cells[1] = Cell::Wedge6; }),
-                    "/Cells: element 1 is a Wedge6; expected one of dimension 2, as /Dimension tells");
+                    "/Cells: element 1 is a Wedge6; expected a shape of dimension 2, as in /Dimension");
   const auto inSpace = [](Mesh& mesh) {
     mesh.dimension = 3;
     mesh.coordinates.resize(mesh.coordinates.size() / 2 * 3);
   };
-  SUTURE_CHECK_SAYS(saidAbout(inSpace), "/Cells: element 0 is a Triangle6; expected one of dimension 3");
-  SUTURE_CHECK_SAYS(saidAbout([](Mesh& mesh) { mesh.dimension = 4; }), "/Dimension: expected 2 (plane meshes) or 3 (meshes in space)");
+  SUTURE_CHECK_SAYS(saidAbout(inSpace), "/Cells: element 0 is a Triangle6; expected a shape of dimension 3");
+  SUTURE_CHECK_SAYS(saidAbout([](Mesh& mesh) { mesh.dimension = 4; }), "/Dimension: expected 2 or 3");
   SUTURE_CHECK_SAYS(saidAbout([](Mesh& mesh) { mesh.elementGroups["upper"][0] = 999; }), "element 999; there are 16");
   SUTURE_CHECK_SAYS(saidAbout([](Mesh& mesh) { mesh.sideGroups["upper_top"][0].side = 4; }), "side 4 of element");
   SUTURE_CHECK_SAYS(saidAbout([](Mesh& mesh) { mesh.coordinates[2] = std::numeric_limits<double>::quiet_NaN(); }),
-                    "/Coordinates: the place of node 1 is not finite");
+                    "/Coordinates: the coordinates of node 1 are not finite");
 }
 
 TEUCHOS_UNIT_TEST(Hdf5Mesh, RefusesSizesThatContradictEachOther) {
@@ -145,13 +145,13 @@ TEUCHOS_UNIT_TEST(Hdf5Mesh, RefusesForeignAndDamagedFiles) {
   Hdf5File file = Hdf5File::create(*world(), foreign);
   file.write("/Coordinates", std::vector<double>{});
   file.close();
-  SUTURE_CHECK_SAYS(said(foreign), "is an HDF5 file, but no mesh of Suture");
+  SUTURE_CHECK_SAYS(said(foreign), "is an HDF5 file, but not a Suture mesh");
 
   const std::string later = folder.path() + "/later.h5";
   Hdf5File newer = Hdf5File::create(*world(), later);
   newer.attribute("/", "SutureMesh", std::string("2"));
   newer.close();
-  SUTURE_CHECK_SAYS(said(later), "is a mesh of the version 2; this Suture knows version 1 only");
+  SUTURE_CHECK_SAYS(said(later), "is a mesh of version 2; this Suture reads version 1 only");
 
   const std::string bare = folder.path() + "/bare.h5";
   Hdf5File incomplete = Hdf5File::create(*world(), bare);

@@ -61,13 +61,12 @@ TEUCHOS_UNIT_TEST(MeshReader, SaysWhatItCannotRead) {
   SUTURE_CHECK_SAYS(said(fileParameter("none.h5"), folder.path()), "none.h5");
   SUTURE_CHECK_SAYS(said(fileParameter("a.h5"), folder.path()), "a.h5");
   SUTURE_CHECK_SAYS(said(fileParameter("garbage.msh"), folder.path()),
-                    "garbage.msh: is no mesh of Gmsh; expected $MeshFormat in its first line");
+                    "garbage.msh: is not a Gmsh mesh; expected $MeshFormat in the first line");
   SUTURE_CHECK_SAYS(said(fileParameter("broken.msh"), folder.path()),
-                    "broken.msh: $Nodes, line 5: 1 nodes are announced, but the file ends before");
+                    "broken.msh: $Nodes, line 5: 1 nodes are announced, but the file ends earlier");
 #ifdef SUTURE_TEST_GMSH
-  SUTURE_CHECK_SAYS(said(fileParameter("empty.geo"), folder.path()), "empty.geo: holds no surface elements");
-  SUTURE_CHECK_SAYS(said(fileParameter("command.geo"), folder.path()),
-                    "command.geo, line 1: 'Foo' is no command that is known to be harmless");
+  SUTURE_CHECK_SAYS(said(fileParameter("empty.geo"), folder.path()), "empty.geo: contains no surface elements");
+  SUTURE_CHECK_SAYS(said(fileParameter("command.geo"), folder.path()), "command.geo, line 1: 'Foo' is not known to be a harmless command");
   SUTURE_CHECK_SAYS(said(fileParameter("variable.geo"), folder.path()), "line 2: Unknown variable 'bar'");
 #else
   TEST_THROW(meshtesting::read(fileParameter("variable.geo"), folder.path()), EnvironmentError);

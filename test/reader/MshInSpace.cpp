@@ -280,17 +280,17 @@ TEUCHOS_UNIT_TEST(MshInSpace, RefusesSurfacesInsideTheMaterialAndOffIt) {
   SUTURE_CHECK_SAYS(
       saidAbout(twoTetrahedra({{2, 2, 2, {2, 3, 1}}})),
       "surface group 'skin': 1 of its elements lie inside the material, between two elements; if two bodies meet there, each must be "
-      "a shape of its own, never fragmented with the other (the first at (0.333333, 0.333333, 0))");
+      "a separate shape, never fragmented with the other (the first at (0.333333, 0.333333, 0))");
   SUTURE_CHECK_SAYS(saidAbout(twoTetrahedra({{2, 2, 2, {2, 4, 5}}, {2, 2, 2, {2, 3, 4}}})),
-                    "surface group 'skin': 1 of its elements are no side of any volume element (the first at (0.333333, 0, 0))");
+                    "surface group 'skin': 1 of its elements are not sides of any volume element (the first at (0.333333, 0, 0))");
   Sample beside = twoTetrahedra({{2, 2, 2, {1, 2, 6}}});
   beside.places.push_back({0, 0, 9});
-  SUTURE_CHECK_SAYS(saidAbout(beside), "are no side of any volume element (the first at (0.333333, 0, 3))");
+  SUTURE_CHECK_SAYS(saidAbout(beside), "are not sides of any volume element (the first at (0.333333, 0, 3))");
   // The key of a quadrilateral is made of three of its vertices: a triangle at these is another side.
   Sample cube;
   for (const Point& p : referencecells::places(Cell::Hexahedron8)) cube.places.push_back(p);
   cube.elements = {{3, 5, 1, {1, 2, 3, 4, 5, 6, 7, 8}}, {2, 2, 2, {1, 2, 3}}};
-  SUTURE_CHECK_SAYS(saidAbout(cube), "surface group 'skin': 1 of its elements are no side of any volume element");
+  SUTURE_CHECK_SAYS(saidAbout(cube), "surface group 'skin': 1 of its elements are not sides of any volume element");
 }
 
 TEUCHOS_UNIT_TEST(MshInSpace, LeavesOutSurfacesWithoutNameInsideTheMaterialAndNumbersTheOthers) {
@@ -319,8 +319,8 @@ TEUCHOS_UNIT_TEST(MshInSpace, TakesRepeatedElementsOfVersion2Once) {
 
 TEUCHOS_UNIT_TEST(MshInSpace, NamesElementsThatItDoesNotKnow) {
   Sample sample = twoTetrahedra({{3, 18, 1, {1, 2, 3, 4, 5, 1, 2, 3, 4, 5, 1, 2, 3, 4, 5}}});
-  SUTURE_CHECK_SAYS(saidAbout(sample), "1 elements of the kind 'Prism 15' (in the group 'body'); known are Triangle 3,");
+  SUTURE_CHECK_SAYS(saidAbout(sample), "1 elements of the kind 'Prism 15' (in the group 'body'); supported are Triangle 3,");
   SUTURE_CHECK_SAYS(saidAbout(sample),
                     "Hexahedron 27, Quadrilateral 8, Hexahedron 20: mesh with elements of order 1 or 2 (-order 2); prisms and "
-                    "pyramids, which come of recombined surfaces, with order 1");
+                    "pyramids, which result from recombined surfaces, with order 1");
 }

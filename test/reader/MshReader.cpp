@@ -85,7 +85,7 @@ TEUCHOS_UNIT_TEST(MshReader, RefusesCurvesInsideTheMaterialAndOffIt) {
   SUTURE_CHECK_SAYS(problemsOf([&] {
                       readGmsh({off, {}, 1.0});
                     }),
-                    "curve group 'odd': 1 of its elements are no side of any surface element (the first at (0.5, 0.5))");
+                    "curve group 'odd': 1 of its elements are not sides of any surface element (the first at (0.5, 0.5))");
 }
 
 // Found by the fuzzer: the table of sides was asked for a node that it does not have.
@@ -93,9 +93,9 @@ TEUCHOS_UNIT_TEST(MshReader, RefusesCurvesAtNodesOfNoElement) {
   const Folder folder;
   const std::string nodes = squareFile + "5 2 0 0\n6 4 0 0\n", triangleLines = "1 2 2 1 1 1 2 3\n2 2 2 1 1 1 3 4\n";
   const std::string one = folder.write("a.msh", msh2(nodes, triangleLines + "3 1 2 4 1 2 5\n", 6, 3));
-  SUTURE_CHECK_SAYS(problemsOf([&] { readGmsh({one, {}, 1.0}); }), "are no side of any surface element (the first at (1.5, 0))");
+  SUTURE_CHECK_SAYS(problemsOf([&] { readGmsh({one, {}, 1.0}); }), "are not sides of any surface element (the first at (1.5, 0))");
   const std::string both = folder.write("b.msh", msh2(nodes, triangleLines + "3 1 2 4 1 6 5\n", 6, 3));
-  SUTURE_CHECK_SAYS(problemsOf([&] { readGmsh({both, {}, 1.0}); }), "are no side of any surface element (the first at (3, 0))");
+  SUTURE_CHECK_SAYS(problemsOf([&] { readGmsh({both, {}, 1.0}); }), "are not sides of any surface element (the first at (3, 0))");
 }
 
 TEUCHOS_UNIT_TEST(MshReader, RefusesWhatIsNotPlane) {
@@ -104,7 +104,7 @@ TEUCHOS_UNIT_TEST(MshReader, RefusesWhatIsNotPlane) {
   SUTURE_CHECK_SAYS(problemsOf([&] {
                       readGmsh({lifted, {}, 1.0});
                     }),
-                    "away from the plane z = 0; expected a plane mesh, or one with volume elements");
+                    "away from the plane z = 0; expected a 2D mesh, or a mesh with volume elements");
 }
 
 TEUCHOS_UNIT_TEST(MshReader, LeavesSingleInvertedElementsToTheCheck) {
@@ -170,7 +170,7 @@ TEUCHOS_UNIT_TEST(MshReader, NamesElementsThatItDoesNotKnow) {
   const Folder folder;
   // 34: a polygon of any number of nodes; 222: a type that does not exist
   for (const auto& [type, complaint] :
-       {std::make_pair("34", "1 elements of the kind 'Gmsh type 34' (in the group 'body'); known are Triangle 3,"),
+       {std::make_pair("34", "1 elements of the kind 'Gmsh type 34' (in the group 'body'); supported are Triangle 3,"),
         std::make_pair("222", "1 elements of the kind 'Gmsh type 222'"),
         std::make_pair("21 2 1 1 3 4 1 2 3 4 1 2 3 4", "'Triangle 10' (in the group 'body')")}) {
     const std::string rest = std::string(type).size() > 3 ? "" : " 2 1 1 3 4";
@@ -194,26 +194,26 @@ TEUCHOS_UNIT_TEST(MshReader, TellsWhereAFileIsWrong) {
   SUTURE_CHECK_SAYS(saidWith("\n0 0 0\n", "\nnan 0 0\n"), "$Nodes, line 20: node 70 has the coordinate nan");
   SUTURE_CHECK_SAYS(saidWith("\n0 0 0\n", "\n1e999 0 0\n"), "node 70 has the coordinate inf");
   SUTURE_CHECK_SAYS(saidWith("\n0 0 0\n", "\n0 0x1 0\n"), "$Nodes, line 20: expected a coordinate, found '0x1'");
-  SUTURE_CHECK_SAYS(saidWith("\n0 0 0\n", "\n0 0\n"), "$Nodes, line 22: announces 4 nodes, and its blocks hold another number");
-  SUTURE_CHECK_SAYS(saidWith("3 70 1000000 9", "3 70 999 9"), "$Elements, line 39: element 3 has the node 999, which $Nodes does not hold");
+  SUTURE_CHECK_SAYS(saidWith("\n0 0 0\n", "\n0 0\n"), "$Nodes, line 22: announces 4 nodes, but its blocks hold a different number");
+  SUTURE_CHECK_SAYS(saidWith("3 70 1000000 9", "3 70 999 9"), "$Elements, line 39: element 3 has node 999, which $Nodes does not contain");
   SUTURE_CHECK_SAYS(saidWith("3 70 1000000 9", "3 70 99999999999999999999 9"), "'99999999999999999999', which is out of range");
-  SUTURE_CHECK_SAYS(saidWith("3 70 1000000 9", "3 70 9"), "$Elements, line 40: element 3 has the node 4, which $Nodes does not hold");
+  SUTURE_CHECK_SAYS(saidWith("3 70 1000000 9", "3 70 9"), "$Elements, line 40: element 3 has node 4, which $Nodes does not contain");
   SUTURE_CHECK_SAYS(saidWith("2 1 2 2\n", "1 1 2 2\n"), "elements of the kind 'Triangle 3' in an entity of dimension 1");
-  SUTURE_CHECK_SAYS(saidWith("3 4 5 1000000", "3 5 5 1000000"), "announces 5 nodes, and its blocks hold another number");
-  SUTURE_CHECK_SAYS(saidWith("3 4 5 1000000", "3 4000000 5 1000000"), "4000000 nodes are announced, but the file ends before");
+  SUTURE_CHECK_SAYS(saidWith("3 4 5 1000000", "3 5 5 1000000"), "announces 5 nodes, but its blocks hold a different number");
+  SUTURE_CHECK_SAYS(saidWith("3 4 5 1000000", "3 4000000 5 1000000"), "4000000 nodes are announced, but the file ends earlier");
   SUTURE_CHECK_SAYS(saidWith("4 5 1 5", "4 6 1 5"), "announces 6 elements");
-  SUTURE_CHECK_SAYS(saidWith("\n5\n1 1 0", "\n9\n1 1 0"), "the node 9 is there twice, at different places");
-  SUTURE_CHECK_SAYS(saidWith("\n5\n1 1 0", "\n0\n1 1 0"), "the node 0; expected tags from 1 on");
+  SUTURE_CHECK_SAYS(saidWith("\n5\n1 1 0", "\n9\n1 1 0"), "node 9 occurs twice, with different coordinates");
+  SUTURE_CHECK_SAYS(saidWith("\n5\n1 1 0", "\n0\n1 1 0"), "node 0; expected tags from 1 upwards");
   SUTURE_CHECK_SAYS(saidWith("4.1 0 8", "4 0 8"),
-                    "$MeshFormat, line 2: is of version 4 of Gmsh's format; known are 2.0 to 2.2 and 4.1: convert it");
-  SUTURE_CHECK_SAYS(saidWith("4.1 0 8", "4.1 0 4"), "numbers have not 8 bytes");
+                    "$MeshFormat, line 2: has version 4 of Gmsh's format; supported are 2.0 to 2.2 and 4.1: convert it");
+  SUTURE_CHECK_SAYS(saidWith("4.1 0 8", "4.1 0 4"), "numbers are not 8 bytes long");
   SUTURE_CHECK_SAYS(saidWith("\"body\"", "body"),
                     "$PhysicalNames, line 6: expected the name of a physical group in double quotes, found 'body'");
   SUTURE_CHECK_SAYS(saidWith("$EndElements", "$EndElement"), "expected $EndElements, found '$EndElement'");
   SUTURE_CHECK_SAYS(saidWith("$EndElements", "1 2 3"), "expected $EndElements, found '1'");
   SUTURE_CHECK_SAYS(saidWith("$Nodes\n", "$Node\n"), "the section does not end: there is no line $EndNode");
-  SUTURE_CHECK_SAYS(saidWith("\"bottom edge\"", "\"curve 4\""), "the group 'curve 4' has the name that stands for the group 4");
-  SUTURE_CHECK_SAYS(said(square41.substr(0, square41.find("$Elements"))), "holds no surface elements");
+  SUTURE_CHECK_SAYS(saidWith("\"bottom edge\"", "\"curve 4\""), "the group 'curve 4' has the default name of the unnamed group 4");
+  SUTURE_CHECK_SAYS(said(square41.substr(0, square41.find("$Elements"))), "contains no surface elements");
   SUTURE_CHECK_SAYS(said("$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Elements\n"), "expected $Nodes before $Elements");
   SUTURE_CHECK_SAYS(said(square41 + "1 2"), "expected a section such as $Nodes, found '1'");
 }
@@ -232,7 +232,7 @@ TEUCHOS_UNIT_TEST(MshReader, TellsWhereABinaryFileIsWrong) {
   const std::size_t element = sound.find("$Elements");
   SUTURE_CHECK_SAYS(
       said(replaced(sound, bytes(std::size_t(3), std::size_t(3), std::size_t(4)), bytes(std::size_t(3), std::size_t(9), std::size_t(4)))),
-      "$Elements, byte " + std::to_string(element + 10 + 32 + 20 + 24 + 20 + 24 + 20 + 16) + ": element 3 has the node 9");
+      "$Elements, byte " + std::to_string(element + 10 + 32 + 20 + 24 + 20 + 24 + 20 + 16) + ": element 3 has node 9");
   // Every truncated file is refused with a place.
   for (std::size_t length = sound.find("$Entities"); length + 12 < sound.size(); length += 5) {
     const std::string complaint = said(sound.substr(0, length));

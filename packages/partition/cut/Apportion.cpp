@@ -12,9 +12,7 @@ std::vector<int> apportion(const std::vector<int>& sizes, int total) {
   if (total < parties || total > sum) throw InternalError("cannot share " + std::to_string(total) + " among " + std::to_string(parties));
 
   std::vector<int> seats(parties);
-  const auto surplus = [&](int i) {
-    return double(sizes[i]) * total / double(sum) - seats[i];
-  };  // surplus of the exact share over the seats
+  const auto surplus = [&](int i) { return double(sizes[i]) * total / double(sum) - seats[i]; };  // exact share minus seats
   for (int i = 0; i < parties; ++i) seats[i] = std::max(1, static_cast<int>((long long)sizes[i] * total / sum));
   int given = std::accumulate(seats.begin(), seats.end(), 0);
   for (; given < total; ++given) {

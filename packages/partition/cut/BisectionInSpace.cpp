@@ -8,13 +8,13 @@
 namespace suture {
 namespace {
 
-constexpr double kWindow = 0.1;      // part of the elements by which a plane may miss the wanted share, to lie between two layers
-constexpr double kParallel = 0.99;   // cosine of directions that are one
-constexpr double kPreferred = 1.05;  // more sides that a plane may cut than the other bisection: its parts have fewer neighbours
+constexpr double kWindow = 0.1;      // fraction of the elements by which a plane may miss the wanted share, to lie between two layers
+constexpr double kParallel = 0.99;   // cosine of the angle between directions that count as equal
+constexpr double kPreferred = 1.05;  // a plane may cut this many times the sides of the other bisection: its parts have fewer neighbours
 
 struct Halves {
   std::vector<char> second;
-  int sides = 0;  // cut
+  int sides = 0;  // number of sides cut
 };
 
 int sidesCut(const ElementGraph& graph, const std::vector<char>& second) {
@@ -57,7 +57,7 @@ std::vector<Point> directions(const ElementGraph& graph) {
   return found;
 }
 
-/// The plane across a direction, near the wanted share, that cuts fewest sides; of equal ones the nearest.
+/// Plane normal to a direction, near the wanted share, that cuts the fewest sides; at a tie the one nearest to the share.
 Halves planeAcross(const ElementGraph& graph, const Point& direction, double share) {
   const int n = graph.elements();
   std::vector<double> height(n);

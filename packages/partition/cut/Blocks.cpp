@@ -6,11 +6,11 @@
 namespace suture {
 namespace {
 
-// Connected groups of neighbouring elements of a part: breadth first from the first element that is in none yet.
+// Connected groups of neighbouring elements of a part, made breadth first from the first element without a group.
 struct Groups {
   std::vector<int> offsets{0}, elements;
 
-  // groupOf: of all elements of the graph, -1 for those of the part; gets their groups.
+  // groupOf: group of every element of the graph, -1 for the elements of the part; the constructor sets it for the part.
   Groups(const ElementGraph& graph, const std::vector<int>& part, std::vector<int>& groupOf) {
     constexpr std::size_t most = 32;
     elements.reserve(part.size());
@@ -54,7 +54,7 @@ GroupGraph graphOf(const ElementGraph& graph, const Groups& groups, const std::v
   return of;
 }
 
-// Borders of groups have teeth, each of which is a node more on the seam.
+// Borders of groups are jagged; each tooth adds a node to the seam.
 void smoothBorders(const ElementGraph& graph, std::vector<int>& blockOf) {
   std::vector<int> border;
   for (int e = 0; e < graph.elements(); ++e)
@@ -80,7 +80,7 @@ void smoothBorders(const ElementGraph& graph, std::vector<int>& blockOf) {
 }  // namespace
 
 std::vector<int> subdomainsOfBlocks(int elements, int subdomains) {
-  constexpr int elementsOfBlock = 240000, leastSubdomains = 9;  // METIS' way with less takes longer (MetisCut.cpp)
+  constexpr int elementsOfBlock = 240000, leastSubdomains = 9;  // METIS' method for fewer parts is slower (MetisCut.cpp)
   const int blocks = std::max(1, std::min((elements + elementsOfBlock / 2) / elementsOfBlock, subdomains / leastSubdomains));
   std::vector<int> of(blocks, subdomains / blocks);
   for (int block = 0; block < subdomains % blocks; ++block) ++of[block];

@@ -6,7 +6,7 @@
 namespace suture {
 namespace {
 
-// Elements of a connected set in the order of a breadth-first search within it.
+// Elements of a connected set in breadth-first order.
 std::vector<int> breadthFirst(const ElementGraph& graph, const std::vector<int>& partOf, int seed) {
   std::vector<int> reached{seed};
   std::vector<char> seen(graph.elements(), 0);
@@ -31,7 +31,7 @@ int giveFragmentsToNeighbours(const ElementGraph& graph, int parts, std::vector<
   for (int c : keeper)
     if (c >= 0) settled[c] = 1;
 
-  // A fragment may touch only other fragments at first; the graph is connected, so every sweep settles at least one.
+  // A fragment may at first touch only other fragments; the graph is connected: every sweep settles at least one.
   for (bool waiting = true; waiting;) {
     waiting = false;
     bool progress = false;
@@ -61,8 +61,8 @@ void bisect(const ElementGraph& graph, int part, int fresh, std::vector<int>& pa
   const int any = static_cast<int>(std::find(partOf.begin(), partOf.end(), part) - partOf.begin());
   const int farthest = breadthFirst(graph, partOf, any).back();
   const std::vector<int> order = breadthFirst(graph, partOf, farthest);
-  // Beginnings of a breadth-first order are connected. The rest need not be: all but its largest component join the beginning, which
-  // every one of them touches because the part was connected.
+  // Every initial piece of a breadth-first order is connected. The rest may be disconnected: all its components except the largest join the
+  // initial piece, which each of them touches because the part was connected.
   for (std::size_t i = 0; i < (order.size() + 1) / 2; ++i) partOf[order[i]] = fresh;
   const std::vector<int> rest(order.begin() + (order.size() + 1) / 2, order.end());
   std::vector<char> seen(graph.elements(), 0);

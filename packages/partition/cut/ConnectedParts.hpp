@@ -5,10 +5,10 @@
 
 namespace suture {
 
-/// Turns any labelling of a connected graph into `parts` parts that are all connected and not empty, changing as little as it can: of every
-/// part its largest component stays, the others go to the neighbouring part with which they share most sides; then, while a part is
-/// empty, the largest one is cut in two. Labels outside 0..parts-1 are not allowed; needs parts <= elements. Deterministic. Local.
-/// \return how many repairs that took: components given away and empty parts filled
+/// Turns any labelling of a connected graph into `parts` connected, nonempty parts, with few changes: the largest component of every part
+/// stays, the others go to the neighbouring part with which they share most sides; then, while a part is empty, the largest one is cut in
+/// two. Labels must be in 0..parts-1; needs parts <= elements. Deterministic. Local.
+/// \return number of repairs: components given away and empty parts filled
 int makeConnected(const ElementGraph& graph, int parts, std::vector<int>& partOf);
 
 }  // namespace suture

@@ -6,7 +6,8 @@
 
 namespace suture {
 
-/// Contact groups: a group is all subdomains that hold a node of a contact piece; pieces whose groups share a subdomain make one group.
+/// Contact groups: a group consists of all subdomains that hold a node of a contact piece; pieces whose groups share a subdomain make one
+/// group.
 struct ContactGroups {
   std::vector<int> groupOf;                ///< subdomain -> group, or -1
   std::vector<std::vector<int>> groups;    ///< group -> its subdomains, ascending; groups in the order of their first pieces

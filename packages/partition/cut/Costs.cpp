@@ -12,10 +12,10 @@ struct Size {
   int subdomain, nodes, interfaceNodes;
 };
 
-// Costs of the subdomains that this rank cuts, without contact.
+// Sizes of the subdomains that this rank cuts, without contact.
 std::vector<Size> sizesOf(const MeshShare& share, int nodes) {
   std::vector<Size> sizes;
-  std::vector<int> place;  // place of each subdomain in sizes
+  std::vector<int> place;  // index of each subdomain in sizes
   for (int node = 0; node < nodes; ++node) {
     const auto holders = share.holders.of(node);
     for (const int s : holders) {

@@ -6,7 +6,7 @@
 namespace suture {
 
 /// Costs of every subdomain (CostModel::work), on rank 0. Interface nodes are those that several subdomains hold, and those in contact.
-/// Collective. \param subdomains      their number, on rank 0 \param contactHolders  holders of the nodes in contact, on rank 0
+/// Collective. \param subdomains      number of subdomains, on rank 0 \param contactHolders  holders of the nodes in contact, on rank 0
 std::vector<long long> expectedCosts(const Comm& comm, const CellBlock& mesh, const MeshShare& share, int subdomains,
                                      const NodeSubdomains& contactHolders);
 

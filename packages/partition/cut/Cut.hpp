@@ -21,27 +21,27 @@ struct Cut {
 Schema metisSchema();
 Schema namedGroupsSchema();
 
-/// Every body on its own, in proportion to its elements; a body of several disconnected parts, each part on its own. Every rank cuts the
-/// bodies of its share; the cut does not depend on the ranks. Subdomains = Automatic makes at least one a rank where the elements allow
-/// it. Collective.
+/// METIS cuts every body separately, in proportion to its elements; disconnected parts of a body are cut separately, too. Every rank cuts
+/// the bodies of its share; the cut does not depend on the ranks. Subdomains = Automatic makes at least one subdomain per rank if there are
+/// enough elements. Collective.
 /// \param mesh   mesh that the share was made from
-/// \param own    the list `METIS`
+/// \param own    the scene's list `METIS`
 /// \param share  gets its subdomains and their holders
-/// \return names, bodies and notes on rank 0, nothing elsewhere
+/// \return names, bodies and notes on rank 0, empty on other ranks
 /// \throws InputError  more subdomains than elements, fewer than connected parts of the bodies, a hinge (findHinges)
 Cut cutByMetis(const Comm& comm, const Mesh& mesh, const Parameters& own, MeshShare& share);
 
-/// Every element group that matches the pattern is a subdomain, in alphabetical order.
-/// \param own  the list `Named Groups`
-/// \throws InputError  all of: no group matches, an element in two of them or in none, a group without elements, in two bodies or not
+/// Makes a subdomain of every element group that matches the pattern, in alphabetical order.
+/// \param own  the scene's list `Named Groups`
+/// \throws InputError  all of: no group matches, an element in two groups or in none, a group without elements, in two bodies or not
 ///                     connected through sides; a hinge (findHinges). Local (rank 0).
 Cut cutByNamedGroups(const Mesh& mesh, const Parameters& own);
 
-/// The number of subdomains that Automatic stands for: one for every CostModel::kElements, to the nearest multiple of four, which two and
-/// four ranks share evenly (Hertz at 100k on two ranks: 0.26 s in all with 12, 0.29 with 13). Up to six of 800 elements in small scenes, at
-/// least `pieces`, and at least `ranks` as long as each has 50 elements. Local.
+/// Number of subdomains for Automatic: one per CostModel::kElements, rounded to the nearest multiple of four, which two and four ranks
+/// share evenly (Hertz at 100k on two ranks: 0.26 s in all with 12, 0.29 with 13). Up to six of 800 elements in small scenes, at
+/// least `pieces`, and at least `ranks` if each rank gets 50 elements. Local.
 int automaticSubdomains(int elements, int pieces, int ranks);
-/// The same in space, where there is one for every CostModel::kNodesInSpace.
+/// Number of subdomains for Automatic in 3D: one per CostModel::kNodesInSpace.
 int automaticSubdomainsInSpace(int nodes, int elements, int pieces, int ranks);
 
 }  // namespace suture

@@ -10,7 +10,7 @@ namespace {
 
 const char* const cutting = "partition";
 
-// Something of every block travels from the rank `from` of it to the rank `to`. Collective.
+// Sends data of every block from rank `from` to rank `to` of the block. Collective.
 template <typename From, typename To, typename Put, typename Take>
 void deliver(const Comm& comm, const std::vector<Block>& blocks, const From& from, const To& to, const Put& put, const Take& take) {
   const int me = comm.getRank();
@@ -42,7 +42,7 @@ void deliver(const Comm& comm, const std::vector<Block>& blocks, const From& fro
 }  // namespace
 
 void placeBlocks(const std::vector<int>& elements, int ranks, std::vector<Block>& blocks) {
-  constexpr double sent = 1.1;  // cost of a block that is sent there and back, by that of one that is not
+  constexpr double sent = 1.1;  // relative cost of a block that is sent to another rank and back
   std::vector<double> load(ranks, 0.0);
   for (std::size_t i = 0; i < blocks.size(); ++i) {
     blocks[i].cutter = blocks[i].owner;
@@ -51,7 +51,7 @@ void placeBlocks(const std::vector<int>& elements, int ranks, std::vector<Block>
   for (std::size_t moved = 0; moved < blocks.size(); ++moved) {
     const auto most = std::max_element(load.begin(), load.end()), least = std::min_element(load.begin(), load.end());
     const auto busiest = static_cast<int>(most - load.begin());
-    // The block that helps these two ranks most; blocks that were sent stay where they are.
+    // Find the block whose move helps these two ranks most; blocks that were moved stay where they are.
     std::size_t best = blocks.size();
     double after = *most;
     for (std::size_t i = 0; i < blocks.size(); ++i) {

@@ -19,12 +19,13 @@
 namespace suture {
 
 Schema metisSchema() {
-  return Schema("Every body is cut on its own by METIS, in proportion to its elements; all subdomains are connected through element sides.")
-      .wordOrNumber("Subdomains", "Automatic", {"Automatic"}, Range::atLeast(1),
-                    "How many in all, at least one a body. Automatic: one for about 7200 elements, to a multiple of four, up to six of 800 "
-                    "in small scenes; in space one for about 700 nodes; and at least one a rank while each has 50 elements; only then does "
-                    "the cut depend on the number of ranks.")
-      .integer("Seed", 1, "Seed of METIS' random numbers: the same one gives the same subdomains.", Range::atLeast(0));
+  return Schema("METIS cuts every body separately, in proportion to its elements; all subdomains are connected through element sides.")
+      .wordOrNumber(
+          "Subdomains", "Automatic", {"Automatic"}, Range::atLeast(1),
+          "Total number, at least one per body. Automatic: in 2D one per about 7200 elements, rounded to a multiple of four, up to "
+          "six of 800 elements in small scenes; in 3D one per about 700 nodes; and at least one per rank if each has 50 elements; "
+          "only this rule makes the cut depend on the number of ranks.")
+      .integer("Seed", 1, "Seed of METIS' random numbers: the same seed gives the same subdomains.", Range::atLeast(0));
 }
 
 int automaticSubdomainsInSpace(int nodes, int elements, int pieces, int ranks) {
@@ -34,18 +35,18 @@ int automaticSubdomainsInSpace(int nodes, int elements, int pieces, int ranks) {
 
 int automaticSubdomains(int elements, int pieces, int ranks) {
   const int enough = (elements + CostModel::kElements / 2) / CostModel::kElements, small = std::min((elements + 400) / 800, 6);
-  const int large = enough > 6 ? (enough + 2) / 4 * 4 : enough;  // seven and six are no fair shares of two ranks
+  const int large = enough > 6 ? (enough + 2) / 4 * 4 : enough;  // 13 subdomains on two ranks (seven and six) are not balanced
   return std::max({pieces, large, small, std::min(ranks, elements / 50)});
 }
 
 namespace {
 
-// A connected part of a body, as rank 0 knows it.
+// A connected part of a body, in rank 0's list of all parts.
 struct PartSize {
   int body, rank, elements;
 };
 
-// Body by body, so that the numbers of a body's subdomains follow each other.
+// Sorted by body: the numbers of a body's subdomains are consecutive.
 std::vector<std::vector<int>> partsOfBodies(const MeshShare& share, Components connected) {
   std::vector<std::vector<int>> parts = std::move(connected.elements);
   const auto bodyOf = [&](const std::vector<int>& elements) { return share.bodyOfElement[elements.front()]; };
@@ -53,7 +54,7 @@ std::vector<std::vector<int>> partsOfBodies(const MeshShare& share, Components c
   return parts;
 }
 
-// On rank 0, body by body.
+// Sizes of all parts on rank 0, sorted by body.
 std::vector<PartSize> gatherSizes(const Comm& comm, const MeshShare& share, const std::vector<std::vector<int>>& mine) {
   std::vector<PartSize> sizes;
   for (const std::vector<int>& elements : mine)
@@ -84,31 +85,31 @@ int wantedSubdomains(const Mesh& mesh, const std::vector<PartSize>& parts, const
   if (text == "Automatic")
     return mesh.dimension == 2 ? automaticSubdomains(elements, least, ranks)
                                : automaticSubdomainsInSpace(mesh.nodes(), elements, least, ranks);
-  const double number = std::stod(text);  // the reader has checked that it is one
+  const double number = std::stod(text);  // the reader has checked that it is a number
   const std::string path = pathOf(own, "Subdomains");
   if (number != std::floor(number)) throw InputError(path, text + " is not a whole number");
   if (number > elements)
-    throw InputError(
-        path, text + " subdomains are more than the " + std::to_string(elements) + " elements of the mesh; every subdomain needs one");
+    throw InputError(path, text + " subdomains are more than the " + std::to_string(elements) +
+                               " elements of the mesh; every subdomain needs one element");
   if (number < least)
     throw InputError(path, text + (number == 1 ? " subdomain is" : " subdomains are") + " too few for " + describe(mesh.bodies, parts) +
-                               ": a subdomain lies in one body and is connected, so at least " + std::to_string(least) + " are needed");
+                               ": a subdomain lies in one body and is connected; at least " + std::to_string(least) + " are needed");
   return static_cast<int>(number);
 }
 
 std::string repaired(const std::string& body, int repairs) {
-  return "METIS left subdomains of body '" + body + "' empty or hanging together by single nodes: " + std::to_string(repairs) +
-         (repairs == 1 ? " fragment was" : " fragments were") + " given to a neighbour, so that every subdomain is connected through sides";
+  return "METIS left subdomains of body '" + body + "' empty or connected by single nodes only: " + std::to_string(repairs) +
+         (repairs == 1 ? " fragment was" : " fragments were") + " moved to a neighbour; every subdomain is now connected through sides";
 }
 
-// In the order of their numbers; names and bodies of all subdomains go to `cut`.
+// Blocks in the order of their numbers; names and bodies of all subdomains are added to `cut`.
 std::vector<Block> makeBlocks(const std::vector<PartSize>& parts, const std::vector<std::string>& bodies, int wanted, int ranks, Cut& cut) {
   std::vector<int> sizes;
   for (const PartSize& part : parts) sizes.push_back(part.elements);
   const std::vector<int> subdomains = apportion(sizes, wanted);
   std::vector<int> partsOfRank(ranks, 0), numberInBody(bodies.size(), 0);
   std::vector<Block> blocks;
-  std::vector<int> elements;  // elements of each block, about
+  std::vector<int> elements;  // approximate number of elements of each block
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const int body = parts[i].body, part = partsOfRank[parts[i].rank]++;
     for (const int own : subdomainsOfBlocks(sizes[i], subdomains[i])) {
@@ -124,7 +125,7 @@ std::vector<Block> makeBlocks(const std::vector<PartSize>& parts, const std::vec
   return blocks;
 }
 
-// Those of a rank.
+// Blocks owned by a rank.
 std::vector<Block> blocksOf(int rank, const std::vector<Block>& all) {
   std::vector<Block> own;
   std::copy_if(all.begin(), all.end(), std::back_inserter(own), [rank](const Block& block) { return block.owner == rank; });
@@ -170,7 +171,7 @@ Cut cutByMetis(const Comm& comm, const Mesh& mesh, const Parameters& own, MeshSh
   const std::vector<BlockCut> cuts = cutBlocks(comm, blocks, std::move(graphs), seed);
   std::map<int, int> repairs;  // by body
   collectively(comm, what, [&] {
-    std::vector<std::size_t> next(mine.size(), 0);  // element of each block
+    std::vector<std::size_t> next(mine.size(), 0);  // next element of each block
     share.subdomainOfElement.reserve(blockOf.size());
     for (const int block : blockOf) share.subdomainOfElement.push_back(mine[block].first + cuts[block].partOf[next[block]++]);
     for (std::size_t block = 0; block < mine.size(); ++block)

@@ -12,8 +12,8 @@
 namespace suture {
 
 Schema namedGroupsSchema() {
-  return Schema("Every surface group of the mesh, in space every volume group, whose name matches the pattern is a subdomain.")
-      .text("Pattern", "subdomain_*", "Name in which * stands for any characters and ? for one.");
+  return Schema("Every surface group of the mesh (in 3D volume group) whose name matches the pattern is a subdomain.")
+      .text("Pattern", "subdomain_*", "Name pattern in which * matches any characters and ? exactly one.");
 }
 
 namespace {
@@ -23,7 +23,7 @@ std::string elementsAt(const Mesh& mesh, std::size_t count, int first) {
          placeText(centreOf(mesh, first), mesh.dimension) + ")";
 }
 
-// Only for groups without other faults: their connectedness would repeat those.
+// Called only if the groups have no other errors, which would show up again as missing connections.
 void checkConnected(const Mesh& mesh, const Cut& cut, const std::string& path, Problems& problems) {
   const ElementGraph graph = elementGraph(mesh);
   findHinges(mesh, mesh.bodyOfElement, mesh.bodies, components(graph, mesh.bodyOfElement), problems);
@@ -35,7 +35,7 @@ void checkConnected(const Mesh& mesh, const Cut& cut, const std::string& path, P
     std::string places;
     for (std::size_t i = 0; i < std::min<std::size_t>(of[s].size(), 3); ++i)
       places += (i ? ", " : "") + placeText(centreOf(mesh, pieces.elements[of[s][i]].front()), mesh.dimension);
-    problems.add(path, "the " + mesh.elementGroupKind() + " '" + cut.names[s] + "' falls into " + std::to_string(of[s].size()) +
+    problems.add(path, "the " + mesh.elementGroupKind() + " '" + cut.names[s] + "' consists of " + std::to_string(of[s].size()) +
                            " parts without a common side (at " + places + "); a subdomain must be connected");
   }
 }

@@ -8,10 +8,10 @@
 namespace suture {
 namespace {
 
-// A side in the list of its lowest vertex.
+// A side, stored in the list of its lowest vertex.
 struct HalfSide {
   long long rest;  // SideKey::rest
-  int element;     // the first that has it; none once there is a second
+  int element;     // the first element with this side; `none` after the second
 };
 constexpr int none = -1;
 
@@ -36,14 +36,14 @@ Point centreOfVertices(const CellBlock& block, int element) {
 }  // namespace
 
 ElementGraph elementGraph(const CellBlock& block) {
-  // Room for the sides of each lower end point, by counting: linear in the size of the mesh.
+  // Reserve space for the sides of each lowest vertex, by counting: linear in the size of the mesh.
   std::vector<int> start(block.nodes() + 1, 0);
   for (int e = 0; e < block.elements(); ++e) forEachSide(block, e, [&](const SideKey& key, const Side&) { ++start[key.low + 1]; });
   std::partial_sum(start.begin(), start.end(), start.begin());
   std::vector<HalfSide> sides(start.back());
   std::vector<int> stop(start.begin(), start.end() - 1);
 
-  // Room for a neighbour across each side, closed up at the end.
+  // Reserve space for a neighbour across each side; unused space is removed at the end.
   ElementGraph graph;
   graph.offsets.resize(block.elements() + 1);
   for (int e = 0; e < block.elements(); ++e)
@@ -94,7 +94,7 @@ std::vector<ElementGraph> subgraphs(const ElementGraph& graph, const std::vector
   for (int e = 0; e < graph.elements(); ++e) {
     ElementGraph& own = of[partOf[e]];
     for (const int other : graph.of(e))
-      if (partOf[other] == partOf[e]) own.neighbours.push_back(numberOf[other]);  // ascending, as numbers are
+      if (partOf[other] == partOf[e]) own.neighbours.push_back(numberOf[other]);  // ascending, because numbers are
     own.offsets.push_back(static_cast<int>(own.neighbours.size()));
     if (!graph.centres.empty()) own.centres.push_back(graph.centres[e]);
   }
@@ -102,7 +102,7 @@ std::vector<ElementGraph> subgraphs(const ElementGraph& graph, const std::vector
 }
 
 Components components(const ElementGraph& graph, const std::vector<int>& labels) {
-  // Not from neighbour to neighbour: elements are visited in the order of memory.
+  // Visit elements in memory order instead of following neighbours.
   DisjointSets sets(graph.elements());
   for (int e = 0; e < graph.elements(); ++e)
     for (const int other : graph.of(e))
@@ -121,7 +121,7 @@ Components components(const ElementGraph& graph, const std::vector<int>& labels)
   }
   found.elements.resize(sizes.size());
   for (std::size_t c = 0; c < sizes.size(); ++c) found.elements[c].reserve(sizes[c]);
-  for (int e = 0; e < graph.elements(); ++e) found.elements[found.of[e]].push_back(e);  // ascending, without sorting
+  for (int e = 0; e < graph.elements(); ++e) found.elements[found.of[e]].push_back(e);  // ascending without sorting
   return found;
 }
 

@@ -6,13 +6,13 @@ bool matchesPattern(const std::string& name, const std::string& pattern) {
   std::size_t n = 0, p = 0, star = std::string::npos, taken = 0;
   while (n < name.size()) {
     if (p < pattern.size() && pattern[p] == '*') {
-      star = p++;  // first try: it stands for nothing
+      star = p++;  // first try: the star matches nothing
       taken = n;
     } else if (p < pattern.size() && (pattern[p] == '?' || pattern[p] == name[n])) {
       ++p;
       ++n;
     } else if (star != std::string::npos) {
-      p = star + 1;  // the last star takes one character more
+      p = star + 1;  // the last star matches one more character
       n = ++taken;
     } else {
       return false;

@@ -31,9 +31,9 @@ void findHinges(const CellBlock& block, const std::vector<int>& bodyOfElement, c
       places += (told > 0 ? ", " : "") + placeText(block.point(*node), block.dimension);
     if (found.nodes.size() > told) places += ", ...";
     problems.add("Bodies/" + bodies[body],
-                 std::to_string(found.parts.size()) + " parts of this body hang together in " +
-                     (found.nodes.size() == 1 ? "a single node" : std::to_string(found.nodes.size()) + " single nodes") + " only (" +
-                     places + "): a hinge, in which they can turn. Let them have a side of an element in common, or make bodies of them");
+                 std::to_string(found.parts.size()) + " parts of this body are connected only by " +
+                     (found.nodes.size() == 1 ? "a single node" : std::to_string(found.nodes.size()) + " single nodes") + " (" + places +
+                     "): a hinge, about which they can rotate. Connect them by a common element side, or make them separate bodies");
   }
 }
 

@@ -5,12 +5,12 @@
 
 namespace suture {
 
-/// Bodies whose parts hang together in single nodes only: on either side of such a node the body is free to turn, and the solution around
-/// it depends on the mesh (the displacement of a point means nothing in plane elasticity). They are refused. A body that touches itself in
-/// a node but is connected through sides elsewhere has no hinge, nor has one whose parts have no node in common. Local.
-/// \param bodies    names of all
+/// Refuses bodies whose parts are connected by single nodes only: the parts can rotate about such a node, and the solution around it
+/// depends on the mesh (the displacement of a point is meaningless in plane elasticity). A body that touches itself in a node but is
+/// connected through sides elsewhere has no hinge, nor has a body whose parts have no common node. Local.
+/// \param bodies    names of all bodies
 /// \param parts     connected parts of the bodies
-/// \param problems  gets a line for each such body: how many parts, where they meet
+/// \param problems  gets a line for each such body: number of parts, common nodes
 void findHinges(const CellBlock& block, const std::vector<int>& bodyOfElement, const std::vector<std::string>& bodies,
                 const Components& parts, Problems& problems);
 

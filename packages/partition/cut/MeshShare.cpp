@@ -37,10 +37,10 @@ struct ShareSize {
   std::size_t nodes = 0, elements = 0, corners = 0;
 };
 
-// Owners of nodes and elements, in one pass for all ranks.
+// Nodes and elements by owner, in one pass for all ranks.
 struct ByRank {
   std::vector<std::vector<int>> nodes, elements;  // nodes and elements of each rank, ascending
-  std::vector<int> local;                         // number of each node of the mesh among those of its rank
+  std::vector<int> local;                         // local number of each mesh node on its rank
   std::vector<ShareSize> extents;                 // sizes of each rank's share
 
   ByRank(const Mesh& mesh, const std::vector<int>& rankOf, int ranks) : nodes(ranks), elements(ranks), local(mesh.nodes()), extents(ranks) {
@@ -61,7 +61,7 @@ struct ByRank {
   }
 };
 
-// Leaves the lists of the rank empty.
+// Fills the share of a rank; leaves the rank's lists in `all` empty.
 void takeBodiesOf(int rank, const Mesh& mesh, ByRank& all, MeshShare& share) {
   share.globalNodes = std::move(all.nodes[rank]);
   share.globalElements = std::move(all.elements[rank]);
@@ -86,7 +86,7 @@ void takeBodiesOf(int rank, const Mesh& mesh, ByRank& all, MeshShare& share) {
   }
 }
 
-// Properties that all shares have in common.
+// Properties common to all shares.
 struct Kind {
   int dimension = 0;
   bool axisymmetric = false, hasRegions = false;
@@ -105,7 +105,7 @@ void makeRoom(const Kind& kind, const ShareSize& extent, MeshShare& share) {
   share.bodyOfElement.resize(extent.elements);
 }
 
-// One list of vectors for both directions.
+// Vectors of a share, listed once for both directions.
 template <typename Share, typename Each>
 void forEachVector(Share& share, const Each& each) {
   each(share.own.coordinates), each(share.own.cells), each(share.own.offsets), each(share.own.connectivity), each(share.own.regions);
@@ -146,8 +146,7 @@ MeshShare shareBodies(const Comm& comm, const Mesh& mesh) {
   }
   const auto kind = unpacker.get<Kind>();
   const auto extents = unpacker.get<std::vector<ShareSize>>();
-  // Rank by rank: beside the mesh there is never more than one share on the way. Ranks make room while rank 0 prepares the share that they
-  // wait for.
+  // Rank by rank: besides the mesh, at most one share is in memory at a time. Each rank allocates its share while rank 0 prepares it.
   for (int to = 1; to < comm.getSize(); ++to) {
     MeshShare sent;
     collectively(comm, kSharing, [&] {
@@ -226,7 +225,7 @@ NodeSubdomains gatherHolders(const Comm& comm, const Mesh& mesh, const MeshShare
   std::vector<Holder> holders = joinOnRoot(comm, mine);
   NodeSubdomains found;
   collectivelyOnRoot(comm, kSharing, [&] {
-    // A node is in one share, where its subdomains are in order.
+    // A node is in one share, where its subdomains are already in order.
     std::stable_sort(holders.begin(), holders.end(), [](const Holder& a, const Holder& b) { return a.node < b.node; });
     found.offsets.assign(static_cast<std::size_t>(mesh.nodes()) + 1, 0);
     for (const Holder& holder : holders) {

@@ -10,10 +10,10 @@
 namespace suture {
 namespace {
 
-// Recursive bisection gives the better cut for few parts, as METIS' own manual says.
+// Recursive bisection gives the better cut for few parts, according to METIS' manual.
 bool isBisected(int parts) { return parts <= 8; }
 
-// Problem for METIS; null: every vertex and side weighs one, all parts are to be equal.
+// Problem for METIS; null: every vertex and side has weight one, all parts are equal.
 struct Question {
   const ElementGraph& graph;
   int parts;
@@ -65,15 +65,15 @@ std::vector<int> cutInSpace(const ElementGraph& graph, int parts, int seed) {
 
 std::vector<int> metisCut(const ElementGraph& graph, int parts, int seed, int* repairs) {
   std::vector<int> partOf(graph.elements(), 0);
-  // One part is a division by zero in METIS. With a handful of elements a part it leaves parts empty and prints messages of its own:
-  // there the bisection in makeConnected() does all the cutting.
+  // METIS divides by zero for one part. With few elements per part it leaves parts empty and prints its own messages: then the bisection in
+  // makeConnected() does all the cutting.
   constexpr int leastElementsAPart = 8;
   const bool byMetis = parts > 1 && graph.elements() >= leastElementsAPart * parts;
   const bool inSpace = !graph.centres.empty();
   if (byMetis) partOf = inSpace ? cutInSpace(graph, parts, seed) : metis({graph, parts}, seed, isBisected(parts), false);
   int changes = makeConnected(graph, parts, partOf);
   // METIS' own search for fragments takes a third of its time (466,000 elements in 66 parts: 0.35 instead of 0.23 s, the same cut), and
-  // large parts rarely have any. Where there are some, it balances better than giving them away.
+  // large parts rarely have any. If there are fragments, METIS balances better than giving them away.
   if (byMetis && changes > 0 && !isBisected(parts) && !inSpace) {
     partOf = metis({graph, parts}, seed, false, true);
     changes = makeConnected(graph, parts, partOf);

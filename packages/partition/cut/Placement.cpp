@@ -26,7 +26,7 @@ std::vector<int> heaviestFirst(const std::vector<long long>& weights, int ranks)
   return rankOf;
 }
 
-// Each to the rank in whose share of the total its middle lies. Ranks that get nothing come last.
+// Places each unit on the rank whose share of the total contains the unit's midpoint. Empty ranks come last.
 std::vector<int> inOrder(const std::vector<long long>& weights, int ranks) {
   const double total = static_cast<double>(std::accumulate(weights.begin(), weights.end(), 0LL));
   std::vector<int> rankOf;
@@ -51,7 +51,7 @@ long long largestLoad(const std::vector<long long>& weights, const std::vector<i
 }  // namespace
 
 std::vector<int> placeOnRanks(const std::vector<long long>& weights, int ranks) {
-  constexpr double worthIt = 1.01;  // no more than the weights, which are estimates, are good for
+  constexpr double worthIt = 1.01;  // the weights are estimates and no more accurate than this
   if (weights.empty()) return {};
   const std::vector<int> balanced = heaviestFirst(weights, ranks), near = inOrder(weights, ranks);
   return largestLoad(weights, near, ranks) <= worthIt * largestLoad(weights, balanced, ranks) ? near : balanced;

@@ -16,14 +16,14 @@ namespace {
 namespace fs = std::filesystem;
 
 const char* const path = "Mesh/File";
-constexpr std::size_t longestText = 1000;  // Gmsh cuts a text after 1,023 letters and reads on behind the cut
+constexpr std::size_t longestText = 1000;  // Gmsh cuts a text after 1,023 characters and continues reading behind the cut
 
 const char* const runs = "runs a program";
 const char* const ends = "ends or holds up the mesher";
 const char* const writes = "writes a file";
 const char* const asks = "reads the environment, the terminal or another file";
 
-/// Words that are refused wherever they stand.
+/// Words that are refused wherever they occur.
 const std::map<std::string, std::string> refused = {
     {"SystemCall", runs},
     {"System", runs},
@@ -53,7 +53,7 @@ std::set<std::string> wordsOf(const std::string& text) {
   return {std::istream_iterator<std::string>(in), std::istream_iterator<std::string>()};
 }
 
-/// Words that may begin a command, or stand before another word, a text or a number. Gmsh takes any other word there for the name of a
+/// Words that may begin a command, or precede another word, a text or a number. Gmsh takes any other word there for the name of a
 /// command.
 const std::set<std::string> harmless = wordsOf(
     "AdaptMesh Affine Alias AliasWithOptions Alternate Attractor BSpline Background Bezier Block BooleanCoherence "
@@ -71,7 +71,7 @@ const std::set<std::string> harmless = wordsOf(
     "ThickSolid ThruSections Torus TransfQuadTri Transfinite TransformMesh Translate UndefineConstant Unique Using Variables "
     "View Volume Warning Wedge Wire ");
 
-/// Files whose names end so are geometry or meshes to Gmsh; any other name it may run as a .geo file.
+/// Endings of files that Gmsh reads as geometry or meshes; Gmsh may run a file with any other name as a .geo file.
 const std::set<std::string> cadFiles = {".step", ".stp", ".iges", ".igs", ".brep", ".stl",
                                         ".STEP", ".STP", ".IGES", ".IGS", ".BREP", ".STL"};
 
@@ -85,7 +85,7 @@ std::string textOf(const fs::path& file) {
   return text.str();
 }
 
-/// Walks over the statements of one file and of those that it includes.
+/// Checks the statements of a file and of the files that it includes.
 class Checker {
  public:
   Checker(fs::path root, Problems& problems) : root_(std::move(root)), problems_(problems) {}
@@ -124,7 +124,7 @@ class Checker {
     const std::string& word = token.text;
     const std::string hint = "; refused unless Mesh/Allow Programs is true";
     if (const auto found = refused.find(word); found != refused.end()) {
-      const bool isOption = word == "Print" && isSign(tokens, i + 1, ".");  // how pictures look: nothing is written
+      const bool isOption = word == "Print" && isSign(tokens, i + 1, ".");  // an option of pictures: writes nothing
       if (!isOption) refuse(file, token, found->second + hint);
       return;
     }
@@ -138,7 +138,7 @@ class Checker {
     if (next.kind == GeoToken::Kind::Sign || (next.kind == GeoToken::Kind::Word && next.text == "In")) return;
     static const std::set<std::string> beforeName = {"Macro", "Function", "Call"};
     if (i > 0 && beforeName.count(tokens[i - 1].text) > 0) return;
-    refuse(file, token, "is no command that is known to be harmless" + suggestedCommand(word) + hint);
+    refuse(file, token, "is not known to be a harmless command" + suggestedCommand(word) + hint);
   }
 
   static std::string suggestedCommand(const std::string& word) {
@@ -146,7 +146,7 @@ class Checker {
     return near.empty() ? "" : " (did you mean '" + near + "'?)";
   }
 
-  // Printf("...") > "file": a sign > behind the bracket that closes the list.
+  // Printf("...") > "file": a sign > after the bracket that closes the list.
   void checkRedirection(const fs::path& file, const std::vector<GeoToken>& tokens, std::size_t i, const std::string& hint) {
     int depth = 0;
     for (std::size_t k = i + 1; k < tokens.size() && !(depth == 0 && isSign(tokens, k, ";")); ++k) {
@@ -175,7 +175,7 @@ class Checker {
     const fs::path real = fs::weakly_canonical(other, failed), inside = fs::weakly_canonical(root_, failed);
     const fs::path relative = real.lexically_relative(inside);
     if (name.is_absolute() || failed || relative.empty() || *relative.begin() == "..") {
-      refuse(file, token, "\"" + name.string() + "\" leads out of the folder " + root_.string() + hint);
+      refuse(file, token, "\"" + name.string() + "\" is outside the folder " + root_.string() + hint);
     } else if (!fs::is_regular_file(real, failed)) {
       refuse(file, token, "\"" + name.string() + "\": there is no such file");
     } else if (cadFiles.count(name.extension().string()) == 0 && !beginsAsMsh(real.string())) {
@@ -201,7 +201,7 @@ std::vector<GeoToken> geoTokens(const std::string& text, const std::string& file
   const auto wrong = [&](const std::string& what) { throw InputError(path, file + ", line " + std::to_string(line) + ": " + what); };
   if (const std::size_t zero = text.find('\0'); zero != std::string::npos) {
     line += static_cast<int>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(zero), '\n'));
-    wrong("a byte 0; expected a text file");
+    wrong("a zero byte; expected a text file");
   }
   for (std::size_t i = 0; i < text.size();) {
     const char c = text[i];
@@ -215,15 +215,15 @@ std::vector<GeoToken> geoTokens(const std::string& text, const std::string& file
       i = std::min(text.find('\n', i), text.size());
     } else if (text.compare(i, 2, "/*") == 0) {
       const std::size_t end = text.find("*/", i + 2);
-      if (end == std::string::npos) wrong("a comment that does not end; expected */");
+      if (end == std::string::npos) wrong("an unterminated comment; expected */");
       line += static_cast<int>(
           std::count(text.begin() + static_cast<std::ptrdiff_t>(i), text.begin() + static_cast<std::ptrdiff_t>(end), '\n'));
       i = end + 2;
     } else if (c == '"' || c == '\'') {
       const std::size_t end = text.find(c, i + 1);
-      if (end == std::string::npos) wrong(std::string("a text that does not end; expected ") + c);
+      if (end == std::string::npos) wrong(std::string("an unterminated text; expected ") + c);
       if (end - i > longestText)
-        wrong("a text of " + std::to_string(end - i - 1) + " letters; expected at most " + std::to_string(longestText));
+        wrong("a text of " + std::to_string(end - i - 1) + " characters; expected at most " + std::to_string(longestText));
       tokens.push_back({GeoToken::Kind::Text, text.substr(i + 1, end - i - 1), line});
       line += static_cast<int>(
           std::count(text.begin() + static_cast<std::ptrdiff_t>(i), text.begin() + static_cast<std::ptrdiff_t>(end), '\n'));

@@ -6,7 +6,7 @@
 
 namespace suture {
 
-/// A piece of a .geo file as Gmsh's own scanner sees it: a comment is none, a text in quotes is one.
+/// Token of a .geo file as Gmsh's own scanner sees it. A comment is no token; a quoted text is one token.
 struct GeoToken {
   enum class Kind { Word, Text, Number, Sign };
   Kind kind;
@@ -14,19 +14,19 @@ struct GeoToken {
   int line;          ///< counted from 1
 };
 
-/// Splits the text of a .geo file by the rules of Gmsh's scanner. Local.
-/// \throws InputError  where Gmsh's scanner would go astray and take the inside of a text or comment for statements: a text of more than
-///                     1,000 letters, an open text or comment, a byte 0
+/// Splits a .geo file into tokens by the rules of Gmsh's scanner. Local.
+/// \throws InputError  where Gmsh's scanner would take the inside of a text or comment for statements: a text of more than 1,000
+///                     characters, an unterminated text or comment, a zero byte
 std::vector<GeoToken> geoTokens(const std::string& text, const std::string& file);
 
-/// Refuses what a .geo file has no business to do when it is meshed for a scene: run programs (SystemCall, OnelabRun, a field
-/// ExternalProcess, ...), end or hold up the mesher (Exit, Abort, Sleep, ...), write files (Save, Print, Printf > "file"), read the
-/// environment or the terminal, and any command that is not known. Other files (Include, Merge, ShapeFromFile) must be named by a literal
-/// text, lie in the folder of the .geo file or below, and be CAD files, meshes, or .geo files that pass the same check. Local.
-/// \param path  path of the .geo file;  every finding goes to `problems` under "Mesh/File", with file and line
+/// Refuses statements that meshing a scene does not need: run programs (SystemCall, OnelabRun, a field ExternalProcess, ...), end or hold
+/// up the mesher (Exit, Abort, Sleep, ...), write files (Save, Print, Printf > "file"), read the environment or the terminal, and any
+/// unknown command. Other files (Include, Merge, ShapeFromFile) must be named by a literal text, lie in the folder of the .geo file or
+/// below, and be CAD files, meshes, or .geo files that pass the same check. Local.
+/// \param path  path of the .geo file; every finding is added to `problems` under "Mesh/File", with file and line
 void checkGeoStatements(const std::string& path, Problems& problems);
 
-/// True if Gmsh takes the file for a mesh; it runs any other file as a .geo file, whatever its name. Local.
+/// True if Gmsh reads the file as a mesh; Gmsh runs any other file as a .geo file, regardless of its name. Local.
 bool beginsAsMsh(const std::string& path);
 
 }  // namespace suture

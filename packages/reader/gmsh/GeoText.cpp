@@ -26,7 +26,7 @@ std::string readText(const std::string& path) {
   return text.str();
 }
 
-// Comments become blanks; texts in quotes stay (names of included files).
+// Replaces comments by blanks; quoted texts stay (names of included files).
 std::string withoutComments(const std::string& text) {
   std::string bare;
   bare.reserve(text.size());
@@ -61,7 +61,7 @@ std::string wordAt(const std::string& text, std::size_t at) {
   return text.substr(at, end - at);
 }
 
-// Place behind the next whole word `word` from `at` on, or npos.
+// Position after the next whole word `word` from `at` on, or npos.
 std::size_t behindWord(const std::string& text, const std::string& word, std::size_t at) {
   for (at = text.find(word, at); at != std::string::npos; at = text.find(word, at + 1)) {
     const std::size_t end = at + word.size();
@@ -70,7 +70,7 @@ std::size_t behindWord(const std::string& text, const std::string& word, std::si
   return std::string::npos;
 }
 
-// The names in the list behind one DefineConstant: "[ a = {1, Min 0}, b ]".
+// Names in the list after a DefineConstant: "[ a = {1, Min 0}, b ]".
 void namesInList(const std::string& text, std::size_t at, std::set<std::string>& names) {
   int depth = 0;
   bool atStart = false;
@@ -116,7 +116,7 @@ std::string writeTemporary(const std::string& text) {
   std::error_code failed;
   fs::path folder = fs::temp_directory_path(failed);
   if (failed) folder = "/tmp";
-  const std::string letters(6, 'X'), suffix = ".geo";  // mkstemps wants six X, and puts its own letters there
+  const std::string letters(6, 'X'), suffix = ".geo";  // mkstemps replaces these six X
   std::string path = (folder / ("suture-" + letters + suffix)).string();
   const int file = mkstemps(path.data(), static_cast<int>(suffix.size()));
   if (file < 0) throw EnvironmentError("cannot write a temporary file in " + folder.string() + " for Gmsh: " + std::strerror(errno));
@@ -144,7 +144,7 @@ GeoWrapper::GeoWrapper(const std::string& path, const std::map<std::string, doub
   const bool complete = !text.empty() && text.back() == '\n';
   if (complete && constants.empty()) return;
 
-  // All on the first line, so that the line numbers in Gmsh's messages stay those of the file where its text is copied.
+  // Constants go on the first line: where the text of the file is copied, the line numbers in Gmsh's messages stay correct.
   std::string wrapper;
   for (const auto& [name, value] : constants) {
     char number[40];

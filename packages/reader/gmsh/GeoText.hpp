@@ -5,17 +5,17 @@
 
 namespace suture {
 
-/// Names that DefineConstant gives in a .geo file and in the files that it includes by a literal name: those that a scene may override.
-/// Comments are skipped. Sorted. Local; an included file that cannot be read adds nothing.
+/// Names in DefineConstant in a .geo file and in the files that it includes by a literal name: the constants that a scene may override.
+/// Sorted. Comments are skipped. Local; an included file that cannot be read adds nothing.
 std::vector<std::string> geoConstants(const std::string& path);
 
-/// File that Gmsh opens instead of a .geo file: the file itself, or a temporary one around it that gives the constants first (a
-/// DefineConstant does not touch defined constants; Gmsh's own -setnumber would outlive this file) and ends with a newline (without
-/// one Gmsh 4.8 drops the last statements). The temporary file is removed with the object. Local.
+/// File that Gmsh opens for a .geo file: the file itself, or a temporary file that first sets the constants, then includes the .geo file (a
+/// DefineConstant leaves defined constants unchanged; Gmsh's own -setnumber would outlive this file) and ends with a newline (without
+/// one Gmsh 4.8 drops the last statements). The destructor removes the temporary file. Local.
 class GeoWrapper {
  public:
-  /// \throws InputError        if the file has no newline at its end, and includes others relative to its folder, so that a copy elsewhere
-  ///                           would not find them
+  /// \throws InputError        if the file does not end with a newline and includes other files relative to its folder, which a temporary
+  ///                           copy would not find
   /// \throws EnvironmentError  if no temporary file can be written
   GeoWrapper(const std::string& path, const std::map<std::string, double>& constants);
   ~GeoWrapper();

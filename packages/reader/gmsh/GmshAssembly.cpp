@@ -17,7 +17,7 @@ namespace {
 
 using Numbers = std::vector<int>;
 
-/// Node numbers of each cell in a mirror that exchanges the first two reference coordinates: the same shape, turned round.
+/// Node numbers of each cell under the reflection that exchanges the first two reference coordinates: the same shape, reversed.
 const std::array<Numbers, kCells>& mirrored() {
   static const auto made = [] {
     std::array<Numbers, kCells> all;
@@ -42,7 +42,7 @@ void turnRound(Cell cell, int* nodes) {
   for (std::size_t i = 0; i < from.size(); ++i) nodes[i] = old[static_cast<std::size_t>(from[i])];
 }
 
-/// Number of the nodes of an element, or a part of its boundary, that are vertices.
+/// Number of vertices among the nodes of an element or of a part of its boundary.
 int verticesOf(const GmshType& type) { return type.dimension == 1 ? 2 : cellInfo(*type.cell).vertices; }
 
 template <typename Less, typename T>
@@ -65,7 +65,8 @@ class Assembly {
     for (const GmshMesh::Foreign& elements : gmsh_.foreign) mesh_.dimension = std::max(mesh_.dimension, elements.dimension);
     for (const std::string& problem : gmsh_.problems) report(problem);
     reportForeign();
-    if (!holdsElements) report("holds no surface elements and no volume elements; is there a Surface or a Volume, and is it meshed?");
+    if (!holdsElements)
+      report("contains no surface elements and no volume elements; does it define a Surface or a Volume, and is it meshed?");
   }
 
   Mesh mesh() {
@@ -89,9 +90,9 @@ class Assembly {
       const GmshType* type = gmshType(elements.type);
       report(std::to_string(elements.count) + " elements of the kind '" +
              (type ? type->name : "Gmsh type " + std::to_string(elements.type)) + "' (" +
-             (names.empty() ? "in no group" : "in the group " + names) + "); known are " + knownGmshTypes() +
+             (names.empty() ? "in no group" : "in the group " + names) + "); supported are " + knownGmshTypes() +
              ": mesh with elements of order 1 or 2 (-order 2)" +
-             (mesh_.dimension == 2 ? "" : "; prisms and pyramids, which come of recombined surfaces, with order 1"));
+             (mesh_.dimension == 2 ? "" : "; prisms and pyramids, which result from recombined surfaces, with order 1"));
     }
   }
   const double* place(int node) const { return &gmsh_.coordinates[3 * static_cast<std::size_t>(node)]; }
@@ -134,17 +135,17 @@ class Assembly {
       away = std::max(away, std::abs(p[2]));
     }
     if (mesh_.dimension == 2 && away > 1e-9 * size)
-      report("nodes up to " + std::to_string(away) + " away from the plane z = 0; expected a plane mesh, or one with volume elements");
+      report("nodes up to " + std::to_string(away) + " away from the plane z = 0; expected a 2D mesh, or a mesh with volume elements");
   }
 
-  // The same nodes are the same element. Elements with the same least node are a chain, nearly always a short one.
+  // Elements with the same nodes are the same element. Elements with the same lowest node form a chain, nearly always a short one.
   void addElements() {
     const int nodes = mesh_.nodes();
     mesh_.cells.reserve(most_);
     mesh_.offsets.reserve(most_ + 1);
     mesh_.connectivity.reserve(entries_);
     Numbers head(static_cast<std::size_t>(nodes), -1), next;
-    std::vector<long long> sums;  // sum of each side's nodes: most others in a chain have another one
+    std::vector<long long> sums;  // sum of the node numbers of each element: differs for most other elements of a chain
     next.reserve(most_);
     sums.reserve(most_);
     forBlocks(mesh_.dimension, [&](std::size_t b, const GmshMesh::Block& block, const GmshType& type) {
@@ -180,8 +181,8 @@ class Assembly {
     return own.size() == static_cast<std::size_t>(count) && std::is_permutation(own.begin(), own.end(), nodes);
   }
 
-  // An entity meshed the wrong way round as a whole (a surface whose normal points down, a volume inside out) is sound; single inverted
-  // elements are not, and stay as they are.
+  // An entity meshed the wrong way round as a whole (a surface whose normal points down, a volume inside out) is valid and is reversed.
+  // Single inverted elements are not valid, and are left unchanged.
   void orient() {
     const auto isInverted = [&](int element) { return signedSize(mesh_, element) < 0; };
     for (std::size_t first = 0, end = 0; first < elementsOf_.size(); first = end) {
@@ -206,7 +207,7 @@ class Assembly {
 
   void addSideGroups() {
     const int dimension = mesh_.dimension - 1;
-    std::vector<char> among(static_cast<std::size_t>(mesh_.nodes()), 0);  // vertices of curve elements, in space of surface elements
+    std::vector<char> among(static_cast<std::size_t>(mesh_.nodes()), 0);  // vertices of curve elements (2D) or surface elements (3D)
     forBlocks(dimension, [&](std::size_t, const GmshMesh::Block& block, const GmshType&) {
       for (const int node : block.nodes)
         if (number_[node] >= 0) among[number_[node]] = 1;
@@ -214,7 +215,7 @@ class Assembly {
     const SideTable table(mesh_, among);
     for (const auto& [name, parts] : gmsh_.groups[dimension]) {
       std::vector<Side> sides;
-      std::vector<Point> outside, inside;  // middles of elements that are no side of the boundary
+      std::vector<Point> outside, inside;  // centres of elements that are not boundary sides
       forMembers(dimension, parts, [&](std::size_t b, std::size_t e, const GmshType& type) {
         const int* nodes = &gmsh_.blocks[b].nodes[e * static_cast<std::size_t>(type.nodes)];
         const int count = verticesOf(type);
@@ -229,23 +230,24 @@ class Assembly {
         (here.empty() ? outside : inside).push_back(scaled(1.0 / count, sum));
       });
       if (gmsh_.isUnnamed(name) && !(outside.empty() && inside.empty())) continue;
-      reportSides(name, outside, mesh_.dimension == 2 ? "are no side of any surface element" : "are no side of any volume element");
-      reportSides(name, inside,
-                  "lie inside the material, between two elements; if two bodies meet there, each must be a shape of its own, never "
-                  "fragmented with the other");
+      reportSides(name, outside, mesh_.dimension == 2 ? "are not sides of any surface element" : "are not sides of any volume element");
+      reportSides(
+          name, inside,
+          "lie inside the material, between two elements; if two bodies meet there, each must be a separate shape, never fragmented "
+          "with the other");
       makeSet(sides, [](const Side& x, const Side& y) { return std::make_pair(x.element, x.side) < std::make_pair(y.element, y.side); });
       mesh_.sideGroups[name] = std::move(sides);
     }
   }
-  /// Sides of the mesh with these vertices, by their places in gmsh_.
+  /// Sides of the mesh with these vertices, given as positions in gmsh_.
   std::vector<Side> sidesAt(const SideTable& table, const int* nodes, int count) const {
     int vertices[kMostSideVertices];
     for (int i = 0; i < count; ++i) {
       vertices[i] = number_[nodes[i]];
-      if (vertices[i] < 0) return {};  // no element has it
+      if (vertices[i] < 0) return {};  // no element has this vertex
     }
     std::vector<Side> found = table.of(sideKey(vertices, count));
-    const auto isOther = [&](const Side& side) {  // a key tells all vertices of a triangle, and three of a quadrilateral
+    const auto isOther = [&](const Side& side) {  // a key holds all vertices of a triangle, but only three of a quadrilateral
       const CellInfo& cell = cellInfo(mesh_.cells[side.element]);
       int own[kMostSideVertices], ownCount = 0;
       for (const int local : cell.sideNodes[side.side])
@@ -264,9 +266,9 @@ class Assembly {
   GmshMesh gmsh_;
   Mesh mesh_;
   Problems problems_;
-  std::size_t entries_ = 0, most_ = 0;  // nodes of all elements; number of elements, with those that are repeated
-  Numbers number_;                      // number of each node of Gmsh; -1: no element has it
-  std::vector<Numbers> elementsOf_;     // by block; empty where it holds sides
+  std::size_t entries_ = 0, most_ = 0;  // nodes of all elements; number of elements, including repeated ones
+  Numbers number_;                      // number of each Gmsh node; -1: no element has it
+  std::vector<Numbers> elementsOf_;     // by block; empty if the block holds sides
 };
 
 }  // namespace

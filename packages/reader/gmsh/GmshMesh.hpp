@@ -8,22 +8,22 @@
 
 namespace suture {
 
-constexpr const char* kMeshFile = "Mesh/File";  ///< the parameter that errors of a mesh file are told of
+constexpr const char* kMeshFile = "Mesh/File";  ///< parameter that errors in a mesh file refer to
 
-/// A mesh as Gmsh describes it: what suture_mesher makes of a .geo file, or a .msh file holds.
+/// Mesh in Gmsh's terms: the result of suture_mesher for a .geo file, or the content of a .msh file.
 struct GmshMesh {
-  /// Elements of one type in one of Gmsh's entities: volumes, surfaces and curves.
+  /// Elements of one type in one Gmsh entity (volume, surface or curve).
   struct Block {
     int dimension = 0, tag = 0;  ///< Gmsh's entity
     int type = 0;                ///< Gmsh's number, see gmshType()
-    std::vector<int> nodes;      ///< positions in `tags` of the nodes of one element after the other, in Gmsh's order
-    std::vector<int> parts;      ///< part of each element, for groups; empty: they all are of the part `tag`
+    std::vector<int> nodes;      ///< nodes as positions in `tags`, element by element, in Gmsh's order
+    std::vector<int> parts;      ///< part of each element, for groups; empty: all elements belong to the part `tag`
     template <typename Self, typename Each>
     static void forEachField(Self& self, Each each) {
       each(self.dimension), each(self.tag), each(self.type), each(self.nodes), each(self.parts);
     }
   };
-  /// Elements that Suture does not have.
+  /// Elements of a type that Suture does not support.
   struct Foreign {
     int type, dimension, part;
     std::size_t count;
@@ -33,18 +33,17 @@ struct GmshMesh {
   std::vector<Block> blocks;        ///< by dimension, tag and type
   std::vector<Foreign> foreign;
   std::map<int, std::map<std::string, std::vector<int>>> groups;  ///< by dimension: name -> parts
-  std::vector<std::string> unnamed;                               ///< groups that have no name in the file, as addGroup() calls them
-  std::vector<std::string> problems;                              ///< problems of the mesh
+  std::vector<std::string> unnamed;   ///< groups without a name in the file, under the names that addGroup() gives them
+  std::vector<std::string> problems;  ///< problems of the mesh
 
-  /// Adds a part to a physical group. A group without a name is called "volume 2", "surface 7" or "curve 3"; another one of that name is a
-  /// problem.
+  /// Adds a part to a physical group. A group without a name is called "volume 2", "surface 7" or "curve 3"; a named group of that name is
+  /// a problem.
   void addGroup(int dimension, int tag, const std::string& name, int part) {
     static const char* const kinds[] = {"point ", "curve ", "surface ", "volume "};
     const std::string called = !name.empty() ? name : kinds[std::clamp(dimension, 0, 3)] + std::to_string(tag);
     std::map<std::string, std::vector<int>>& all = groups[dimension];
     if (all.count(called) > 0 && isUnnamed(called) != name.empty())
-      problems.push_back("the group '" + called + "' has the name that stands for the group " + std::to_string(tag) +
-                         ", which has none; rename it");
+      problems.push_back("the group '" + called + "' has the default name of the unnamed group " + std::to_string(tag) + "; rename it");
     if (name.empty() && !isUnnamed(called)) unnamed.push_back(called);
     all[called].push_back(part);
   }
@@ -63,7 +62,7 @@ struct GmshMesh {
   }
 };
 
-/// Positions of nodes by their tags, which ascend: at once where the tags are dense, by bisection where they are not.
+/// Positions of nodes by their tags, which ascend: a table if the tags are dense, otherwise bisection.
 class TagPositions {
  public:
   /// Keeps a reference to `tags`.
@@ -74,10 +73,10 @@ class TagPositions {
     dense_.assign(range + 1, -1);
     for (std::size_t i = 0; i < tags.size(); ++i) dense_[tags[i] - tags.front()] = static_cast<int>(i);
   }
-  /// -1: there is no such tag.
+  /// Position of a tag, or -1.
   int operator()(std::size_t tag) const {
     if (!dense_.empty()) {
-      const std::size_t at = tag - tags_.front();  // a lower tag becomes a very large number
+      const std::size_t at = tag - tags_.front();  // a lower tag wraps around to a very large number
       return at < dense_.size() ? dense_[at] : -1;
     }
     const auto at = std::lower_bound(tags_.begin(), tags_.end(), tag);
@@ -107,8 +106,8 @@ inline void sortByTag(std::vector<std::size_t>& tags, std::vector<double>& coord
 /// Messages of suture_mesher to its parent through its file descriptor 3: one letter, the length in eight bytes, and the text.
 enum class MesherMessage : char {
   Opened = 'O',  ///< all statements are read; meshing begins
-  Failed = 'F',  ///< text: Gmsh's complaints
-  Mesh = 'M'     ///< a packed GmshMesh: all went well
+  Failed = 'F',  ///< text: Gmsh's error message
+  Mesh = 'M'     ///< a packed GmshMesh: success
 };
 
 }  // namespace suture

@@ -24,7 +24,7 @@ void checkConstants(const GmshInput& input, Problems& problems) {
 Mesh meshGeometry(const GmshInput& input) {
   Problems problems;
   if (!input.allowPrograms) checkGeoStatements(input.path, problems);
-  problems.throwIfAny();  // the names of constants are looked up in a sound file only
+  problems.throwIfAny();  // constants are looked up only if the statements are sound
   checkConstants(input, problems);
   problems.throwIfAny();
   const GeoWrapper wrapper(input.path, input.constants);
@@ -35,7 +35,7 @@ Mesh meshGeometry(const GmshInput& input) {
 
 }  // namespace
 
-// Numbers of a .msh file are the user's; those of a mesh that is made here may still change.
+// A .msh file keeps the user's numbering; a mesh generated here may be renumbered.
 Mesh readGmsh(const GmshInput& input) {
   if (std::filesystem::path(input.path).extension() == ".geo") return meshGeometry(input);
   return assembleGmsh(readMsh(input.path), input.path);

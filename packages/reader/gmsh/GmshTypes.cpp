@@ -7,10 +7,10 @@ namespace suture {
 
 namespace {
 
-// Sorted by number. A shape that Suture learns gets its Cell here, and every reader of Gmsh's meshes knows it. Elements of
-// order three and more are mostly left out: they are refused without their names.
+// Sorted by number. To support a further shape, enter its Cell here: all readers of Gmsh meshes use this table. Most elements of order
+// three and higher are omitted: they are refused by number, without a name.
 //
-// Source of the orders: Gmsh 4.8 Reference Manual, section 9.2, "Node ordering"; ours are VTK's (Cell.cpp).
+// Source of the node orders: Gmsh 4.8 Reference Manual, section 9.2, "Node ordering"; Suture uses VTK's (Cell.cpp).
 const std::vector<GmshType> types = {
     {1, "Line 2", 1, 2, {}, {}},
     {2, "Triangle 3", 2, 3, Cell::Triangle3, {}},

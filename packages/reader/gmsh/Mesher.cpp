@@ -1,5 +1,5 @@
-// suture_mesher: the only program that runs Gmsh. The library starts it for every .geo file (MesherProcess.hpp), so that a file that ends,
-// hangs or crashes Gmsh, or makes it run programs, harms only this process. Writes MesherMessages to its descriptor 3.
+// suture_mesher: the only program that runs Gmsh. The library starts it for every .geo file (MesherProcess.hpp): a file that ends, hangs or
+// crashes Gmsh, or makes it run programs, harms only this process. Writes MesherMessages to file descriptor 3.
 //     suture_mesher FILE MESH_SIZE_FACTOR BYTES SECONDS ALLOW_PROGRAMS(0|1)
 #include <suture/base/Buffer.hpp>
 #include <suture/reader/gmsh/GmshMesh.hpp>
@@ -82,7 +82,7 @@ void readGroups(GmshMesh& mesh) {
     gmsh::model::getPhysicalName(dimension, tag, name);
     std::vector<int> entities;
     gmsh::model::getEntitiesForPhysicalGroup(dimension, tag, entities);
-    for (const int entity : entities) mesh.addGroup(dimension, tag, name, std::abs(entity));  // a curve may be named against its direction
+    for (const int entity : entities) mesh.addGroup(dimension, tag, name, std::abs(entity));  // negative: a curve against its direction
   }
 }
 
@@ -94,14 +94,14 @@ GmshMesh readMesh() {
   return mesh;
 }
 
-/// Text of the exception in hand; libgmsh 4.8 throws texts and numbers, later ones exceptions.
+/// Text of the current exception; libgmsh 4.8 throws texts and numbers, later versions throw exceptions.
 std::string thrownText() {
   try {
     throw;
   } catch (const std::string& text) {
     return text;
   } catch (const std::bad_alloc&) {
-    return "out of memory: it asks for more than this machine has left";
+    return "out of memory: Gmsh needs more than this machine has left";
   } catch (const std::exception& error) {
     return error.what();
   } catch (...) {
@@ -109,7 +109,7 @@ std::string thrownText() {
   }
 }
 
-/// Runs a step; false, and the reason is sent, when it fails. Errors in a file may be in the log only, and the first one there says most.
+/// Runs a step. If it fails, sends the reason and returns false. Some errors are only logged; the first logged one is the most informative.
 template <typename Step>
 bool good(Step step) {
   std::string thrown;
@@ -132,12 +132,12 @@ int main(int argc, char* argv[]) {
   const bool allowPrograms = std::string(argv[5]) == "1";
   const std::string path = argv[1];
   const double factor = std::atof(argv[2]);
-  for (int open = 4; open < 1024; ++open) close(open);  // files of the parent
+  for (int open = 4; open < 1024; ++open) close(open);  // inherited from the parent
   limitThisProcess(std::strtoull(argv[3], nullptr, 10), std::atof(argv[4]));
   gmsh::initialize(0, nullptr, false);  // without the user's own configuration files
   gmsh::option::setNumber("General.Terminal", 0);
   gmsh::option::setNumber("General.NumThreads", 1);  // the same mesh every time
-  // By default an error leaves Gmsh's parser in the middle of the file. Let it go to the end.
+  // By default an error leaves Gmsh's parser in the middle of the file. Make it continue to the end.
   gmsh::option::setNumber("General.AbortOnError", 0);
   gmsh::logger::start();
   if (!allowPrograms) forbidProgramsAndFiles();

@@ -34,7 +34,7 @@ using Clock = std::chrono::steady_clock;
 std::string mesherProgram() {
   Dl_info info{};
   if (dladdr(reinterpret_cast<void*>(&runMesher), &info) == 0 || !info.dli_fname)
-    throw EnvironmentError("cannot find the folder of the library libsuture, and with it suture_mesher");
+    throw EnvironmentError("cannot find the folder of the library libsuture, which contains suture_mesher");
   std::error_code failed;
   const fs::path library = fs::canonical(info.dli_fname, failed);
   const fs::path program = (failed ? fs::path(info.dli_fname) : library).parent_path() / "suture" / "suture_mesher";
@@ -43,7 +43,7 @@ std::string mesherProgram() {
   return program.string();
 }
 
-/// A descriptor that is closed when it goes.
+/// File descriptor, closed by the destructor.
 class Descriptor {
  public:
   explicit Descriptor(int number) : number_(number) {}
@@ -60,7 +60,7 @@ class Descriptor {
   int number_;
 };
 
-/// A running suture_mesher; it is killed, and its end awaited, at the latest when this goes.
+/// A running suture_mesher; the destructor kills it and waits for its end.
 class Process {
  public:
   Process(const std::vector<std::string>& words, int pipe) {
@@ -89,7 +89,7 @@ class Process {
   Process(const Process&) = delete;
   Process& operator=(const Process&) = delete;
 
-  /// Waits for its end, a second at most, and tells how it ended; kills it and its children if it does not end.
+  /// Waits for its end, at most one second, and describes how it ended; kills it and its children if it does not end.
   std::string end() {
     if (id_ <= 0) return ended_;
     int status = 0;
@@ -104,9 +104,9 @@ class Process {
     kill(-id_, SIGKILL);
     id_ = 0;
     if (WIFSIGNALED(status) && !killed)
-      ended_ = std::string("it crashed or reached a limit: ") + strsignal(WTERMSIG(status));
+      ended_ = std::string("suture_mesher crashed or reached a limit: ") + strsignal(WTERMSIG(status));
     else
-      ended_ = "it ended without a mesh and without a message; does the file hold a statement such as Exit or Abort?";
+      ended_ = "suture_mesher ended without a mesh and without a message; does the file contain a statement such as Exit or Abort?";
     return ended_;
   }
   void terminate() {
@@ -125,14 +125,14 @@ class Messages {
   void setLimit(Clock::time_point begin, double seconds) { until_ = begin + std::chrono::duration_cast<Clock::duration>(limit(seconds)); }
   bool timedOut() const { return timedOut_; }
 
-  /// False at the end of the pipe or of the time.
+  /// Reads the next message; false at the end of the pipe or when the time is up.
   bool next(MesherMessage& message, std::string& text) {
     char letter = 0;
     std::uint64_t length = 0;
     if (!take(&letter, 1) || !take(reinterpret_cast<char*>(&length), sizeof length)) return false;
     message = static_cast<MesherMessage>(letter);
     text.clear();
-    // Memory grows with the bytes that have come, not with those announced.
+    // Memory grows with the bytes received, not with those announced.
     while (text.size() < length) {
       const std::size_t old = text.size(), more = std::min<std::uint64_t>(length - old, std::max<std::size_t>(1 << 20, old));
       text.resize(old + more);
@@ -169,14 +169,14 @@ class Messages {
   bool timedOut_ = false;
 };
 
-// Gmsh names the temporary wrapper where the user knows his own file.
+// Gmsh names the temporary wrapper; replace that name by the user's file.
 std::string withOwnName(std::string message, const MesherOrder& order) {
   for (std::size_t at = message.find(order.opened); at != std::string::npos; at = message.find(order.opened, at + order.file.size()))
     message.replace(at, order.opened.size(), order.file);
   return message;
 }
 
-// Numbers that refer to each other: Gmsh's output is not trusted.
+// Checks that all numbers are consistent: Gmsh's output is not trusted.
 void check(const GmshMesh& mesh, const std::string& file) {
   const int nodes = static_cast<int>(mesh.tags.size());
   const auto known = [&](int node) { return node >= 0 && node < nodes; };
@@ -186,10 +186,10 @@ void check(const GmshMesh& mesh, const std::string& file) {
     sound = sound && type && type->dimension == block.dimension && (block.dimension == 1 || type->cell) && block.parts.empty() &&
             block.nodes.size() % static_cast<std::size_t>(type->nodes) == 0 && std::all_of(block.nodes.begin(), block.nodes.end(), known);
   }
-  if (!sound) throw InputError(kMeshFile, file + ": is damaged: its elements have nodes that it does not hold");
+  if (!sound) throw InputError(kMeshFile, file + ": is damaged: elements refer to nodes that the file does not contain");
   for (std::size_t i = 0; i < mesh.coordinates.size(); ++i)
     if (!std::isfinite(mesh.coordinates[i]))
-      throw InputError(kMeshFile, file + ": the place of its node " + std::to_string(mesh.tags[i / 3]) + " is not finite");
+      throw InputError(kMeshFile, file + ": the coordinates of node " + std::to_string(mesh.tags[i / 3]) + " are not finite");
 }
 
 }  // namespace
@@ -209,7 +209,7 @@ GmshMesh runMesher(const MesherOrder& order) {
   Process mesher(words, out);
   out.close();
 
-  Messages messages(in, order.seconds / 10);  // statements may loop for ever, and need less time than the mesh
+  Messages messages(in, order.seconds / 10);  // statements may loop forever, and need less time than meshing
   MesherMessage message{};
   std::string text;
   bool opened = false;
@@ -218,7 +218,7 @@ GmshMesh runMesher(const MesherOrder& order) {
       opened = true;
       messages.setLimit(begin, order.seconds);
     } else if (message == MesherMessage::Failed) {
-      throw InputError(kMeshFile, order.file + ": Gmsh says: " + withOwnName(text, order));
+      throw InputError(kMeshFile, order.file + ": Gmsh reports: " + withOwnName(text, order));
     } else if (message == MesherMessage::Mesh) {
       GmshMesh mesh = Unpacker(std::move(text)).get<GmshMesh>();
       check(mesh, order.file);
@@ -231,11 +231,11 @@ GmshMesh runMesher(const MesherOrder& order) {
     mesher.terminate();
     const std::string limit = "Mesh/Time Limit (" + realText(order.seconds) + " s)";
     throw InputError(kMeshFile, order.file + ": Gmsh has not " +
-                                    (opened ? "ended within " + limit + "; a coarser mesh or a longer time may help"
-                                            : "read its statements within a tenth of " + limit +
-                                                  "; does it hold a loop without an end, or a macro that calls itself?"));
+                                    (opened ? "finished within " + limit + "; try a coarser mesh or a longer time limit"
+                                            : "read the statements within a tenth of " + limit +
+                                                  "; does the file contain an endless loop, or a macro that calls itself?"));
   }
-  throw InputError(kMeshFile, order.file + ": Gmsh gave no mesh: " + mesher.end());
+  throw InputError(kMeshFile, order.file + ": Gmsh produced no mesh: " + mesher.end());
 }
 
 }  // namespace suture

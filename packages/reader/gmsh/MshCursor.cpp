@@ -45,7 +45,7 @@ std::string MshCursor::enterSection() {
   const std::string head = word();
   if (head.size() < 2 || head[0] != '$') fail("expected a section such as $Nodes, found '" + head + "'");
   section_ = head.substr(1);
-  endLine();  // binary numbers begin right behind it
+  endLine();  // binary numbers begin right after the newline
   return section_;
 }
 
@@ -84,7 +84,7 @@ void MshCursor::endLine() {
   at_ = newline ? static_cast<const char*>(newline) + 1 : end_;
 }
 
-// A number that from_chars() refuses: a real too small for a double is zero, and one too large infinite, for the caller to judge.
+// Handles a number that from_chars() refuses: a real too small for a double becomes zero, one too large infinite; the caller checks it.
 template <typename Number>
 Number MshCursor::unusual(const char* what, bool outOfRange) {
   if (at_ == end_) fail(std::string("the file ends where ") + what + " is expected");

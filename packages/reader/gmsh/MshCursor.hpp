@@ -7,15 +7,15 @@
 
 namespace suture {
 
-/// The bytes of a .msh file, read into memory at once, and the place in them that is read next. Local.
+/// Bytes of a .msh file, read into memory at once, and the position that is read next. Local.
 ///
-/// Every error is an InputError with the file, the section and the place: the line of a text file, the byte of a binary one.
+/// Every error is an InputError with the file, the section and the position: the line of a text file, the byte of a binary file.
 class MshCursor {
  public:
   /// \throws InputError  if the file cannot be read
   explicit MshCursor(const std::string& path);
 
-  bool binary = false;  ///< sections hold binary numbers: errors tell the byte instead of the line
+  bool binary = false;  ///< sections hold binary numbers: errors name the byte instead of the line
 
   /// Enters the next section, past "$Name". \return its name, or "" at the end of the file
   std::string enterSection();
@@ -24,7 +24,7 @@ class MshCursor {
   /// Leaves the section from any place inside it.
   void skipSection();
 
-  /// A number in text, with blanks around it. \param what  what it stands for, as in "expected <what>"
+  /// Reads a number in text, surrounded by blanks. \param what  its meaning, as in "expected <what>"
   template <typename Number>
   Number text(const char* what) {
     skipBlanks();
@@ -35,7 +35,7 @@ class MshCursor {
     at_ = behind;
     return value;
   }
-  /// A number in this machine's own bytes.
+  /// Reads a number in this machine's byte order.
   template <typename Number>
   Number bytes(const char* what) {
     Number value{};
@@ -44,11 +44,11 @@ class MshCursor {
     at_ += sizeof value;
     return value;
   }
-  /// A text in double quotes, up to the last quote of its line.
+  /// Reads a text in double quotes, up to the last quote of its line.
   std::string quoted(const char* what);
-  /// Skips what is left of the line.
+  /// Skips the rest of the line.
   void endLine();
-  const char* rest() const { return at_; }  ///< bytes that are not read yet; a zero stands behind them
+  const char* rest() const { return at_; }  ///< bytes not read yet, followed by a zero
   std::size_t left() const { return static_cast<std::size_t>(end_ - at_); }
 
   [[noreturn]] void fail(const std::string& what) const;
@@ -57,7 +57,7 @@ class MshCursor {
   static bool isBlank(char c) { return c == ' ' || c == '\n' || c == '\r' || c == '\t'; }
   static bool endsWord(char c) { return isBlank(c) || c == '\0'; }
   void skipBlanks() {
-    while (isBlank(*at_)) ++at_;  // a zero stands behind the last byte
+    while (isBlank(*at_)) ++at_;  // a zero follows the last byte
   }
   std::string word() const;
   template <typename Number>
@@ -68,7 +68,7 @@ class MshCursor {
   const char *at_ = nullptr, *end_ = nullptr;
 };
 
-/// Numbers of a .msh file, in either form. Tags and counts of version 4 are sizes; all of version 2 are integers.
+/// Numbers of a .msh file, text or binary. Tags and counts are sizes in version 4, and integers in version 2.
 template <bool isBinary>
 struct MshNumbers {
   MshCursor& in;
@@ -76,10 +76,10 @@ struct MshNumbers {
   std::size_t size(const char* what) { return number<std::size_t>(what); }
   double real(const char* what) { return number<double>(what); }
 
-  /// How many of something follow, each of so many bytes at least in a binary file, and two in a text.
+  /// Checks an announced count against the bytes left: each item takes at least `leastBytes` in a binary file, and two in a text file.
   std::size_t count(std::size_t announced, std::size_t leastBytes, const char* what) {
     if (announced > in.left() / (isBinary ? leastBytes : 2))
-      in.fail(std::to_string(announced) + " " + what + " are announced, but the file ends before; is it complete?");
+      in.fail(std::to_string(announced) + " " + what + " are announced, but the file ends earlier; is it complete?");
     return announced;
   }
 

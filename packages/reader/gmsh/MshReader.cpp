@@ -36,27 +36,28 @@ class MshReader {
   using Entity = std::pair<int, int>;  // dimension, part
 
   void readFormat() {
-    const auto none = [&] { throw InputError(kMeshFile, path_ + ": is no mesh of Gmsh; expected $MeshFormat in its first line"); };
+    const auto none = [&] { throw InputError(kMeshFile, path_ + ": is not a Gmsh mesh; expected $MeshFormat in the first line"); };
     if (*in_.rest() != '$') none();
     std::string name = in_.enterSection();
     for (; name == "Comments"; name = in_.enterSection()) in_.skipSection();
     if (name != "MeshFormat") none();
     version_ = in_.text<double>("the version of the format");
     if (!(version_ >= 2 && version_ < 3) && !(version_ >= 4.1 && version_ < 4.2))
-      in_.fail("is of version " + realText(version_) +
-               " of Gmsh's format; known are 2.0 to 2.2 and 4.1: convert it (gmsh IN.msh -save -format msh41 -o OUT.msh)");
+      in_.fail("has version " + realText(version_) +
+               " of Gmsh's format; supported are 2.0 to 2.2 and 4.1: convert it (gmsh IN.msh -save -format msh41 -o OUT.msh)");
     in_.binary = in_.text<int>("0 (text) or 1 (binary)") != 0;
-    if (in_.text<int>("the size of a real number") != 8) in_.fail("its numbers have not 8 bytes; convert it on the machine that wrote it");
+    if (in_.text<int>("the size of a real number") != 8)
+      in_.fail("real numbers are not 8 bytes long; convert the file on the machine that wrote it");
     if (in_.binary) {
       in_.endLine();
       const int one = in_.bytes<int>("the number 1");
-      if (one == 1 << 24) in_.fail("is written in the byte order of another kind of machine; write it as text there");
+      if (one == 1 << 24) in_.fail("has the byte order of another kind of machine; write it as text on that machine");
       if (one != 1) in_.fail("expected the number 1 in four bytes, found " + std::to_string(one));
     }
     in_.leaveSection();
   }
 
-  /// False: the section is not one of a mesh.
+  /// False if the section does not belong to a mesh.
   bool readSection(const std::string& name) {
     if (name == "PhysicalNames")
       readNames();
@@ -79,7 +80,7 @@ class MshReader {
     else
       work(MshNumbers<false>{in_});
   }
-  /// Counts of version 2 are text in a binary file, too.
+  /// Reads a count of version 2, which is text also in a binary file.
   std::size_t textCount(const char* what) {
     const auto count = in_.text<std::size_t>(what);
     in_.endLine();
@@ -108,7 +109,7 @@ class MshReader {
     for (int dimension = 0; dimension < 4; ++dimension)
       for (std::size_t left = counts[dimension]; left > 0; --left) {
         std::vector<int>& groups = groupsOf_[{dimension, in.integer("the tag of an entity")}];
-        bool between = false;  // the curve between two parts of a surface has the groups of the surface, which are none of curves
+        bool between = false;  // a curve between two parts of a surface carries the surface's groups, which are not curve groups
         if (partitioned) {
           between = in.integer("the dimension of a parent") != dimension;
           in.integer("the tag of a parent");
@@ -116,7 +117,7 @@ class MshReader {
         }
         for (int k = 0; k < (dimension == 0 ? 3 : 6); ++k) in.real("a bound of an entity");
         for (std::size_t n = in.count(in.size("a number of groups"), sizeof(int), "groups"); n > 0; --n) {
-          const int group = std::abs(in.integer("a physical group"));  // a curve may be named against its direction
+          const int group = std::abs(in.integer("a physical group"));  // negative: a curve against its direction
           if (!between) groups.push_back(group);
         }
         if (dimension > 0) skipIntegers("bounding entities");
@@ -129,7 +130,7 @@ class MshReader {
       const double x = in.real("a coordinate");
       if (!(std::abs(x) <= largestCoordinate))
         in_.fail("node " + std::to_string(tag) + " has the coordinate " + realText(x) + "; expected a number of at most " +
-                 realText(largestCoordinate) + " in size");
+                 realText(largestCoordinate) + " in magnitude");
       mesh_.coordinates.push_back(x);
     }
   }
@@ -169,31 +170,31 @@ class MshReader {
     finishNodes();
   }
   [[noreturn]] void wrongTotal(const char* what, std::size_t announced) const {
-    in_.fail("announces " + std::to_string(announced) + " " + what + ", and its blocks hold another number");
+    in_.fail("announces " + std::to_string(announced) + " " + what + ", but its blocks hold a different number");
   }
   void reserveNodes(std::size_t count) {
-    if (position_) in_.fail("expected one section of nodes, found a second one");
+    if (position_) in_.fail("expected one section of nodes, found a second");
     if (count > INT_MAX) in_.fail(std::to_string(count) + " nodes; at most " + std::to_string(INT_MAX) + " can be read");
     mesh_.tags.reserve(count);
     mesh_.coordinates.reserve(3 * count);
   }
   template <typename Numbers, typename Tag>
   void addTag(Numbers, Tag tag) {
-    if (tag < Tag(1)) in_.fail("the node " + std::to_string(tag) + "; expected tags from 1 on");
+    if (tag < Tag(1)) in_.fail("node " + std::to_string(tag) + "; expected tags from 1 upwards");
     mesh_.tags.push_back(static_cast<std::size_t>(tag));
   }
-  /// A node that stands in several blocks is the same everywhere.
+  /// Checks that a node that occurs in several blocks is the same in all of them.
   void finishNodes() {
     const std::vector<std::size_t>& tags = mesh_.tags;
     const double* x = mesh_.coordinates.data();
     sortByTag(mesh_.tags, mesh_.coordinates);
     for (std::size_t n = 1; n < tags.size(); ++n)
       if (tags[n] == tags[n - 1] && !std::equal(x + 3 * n, x + 3 * n + 3, x + 3 * n - 3))
-        in_.fail("the node " + std::to_string(tags[n]) + " is there twice, at different places");
+        in_.fail("node " + std::to_string(tags[n]) + " occurs twice, with different coordinates");
     position_.emplace(tags);
   }
 
-  /// Where elements of one type in one entity go; null: they are not kept.
+  /// Destination of the elements of one type in one entity; null: these elements are not kept.
   GmshMesh::Block* blockOf(const GmshType& type, int entity, std::size_t expected) {
     if (type.dimension == 0 || (type.dimension > 1 && !type.cell)) return nullptr;
     GmshMesh::Block& block = blocks_[{type.dimension, entity, type.number}];
@@ -215,7 +216,7 @@ class MshReader {
       else
         tag = in.size("the node of an element");
       const int at = (*position_)(tag);
-      if (at < 0) in_.fail("element " + std::to_string(id) + " has the node " + std::to_string(Id(tag)) + ", which $Nodes does not hold");
+      if (at < 0) in_.fail("element " + std::to_string(id) + " has node " + std::to_string(Id(tag)) + ", which $Nodes does not contain");
       if (block) block->nodes.push_back(at);
     }
   }
@@ -252,7 +253,7 @@ class MshReader {
     const std::size_t all = in.count(textCount("a number of elements"), 2 * sizeof(int), "elements");
     std::size_t done = 0;
     while (done < all) {
-      // A binary file has a head for several elements, a text the same words in each.
+      // In a binary file one header serves several elements; in a text file each element repeats it.
       int id = 0, follow = 1;
       if (!in_.binary) id = in.integer("the tag of an element");
       const int number = in.integer("a type of elements");
@@ -279,7 +280,7 @@ class MshReader {
       }
     }
   }
-  /// Elements of one type, entity and group mostly follow each other.
+  /// Block of an element. Elements of one type, entity and group mostly follow each other.
   GmshMesh::Block* blockOf2(const GmshType& type, int entity, int group) {
     if (lastType_ != &type || lastEntity_ != entity || lastGroup_ != group) {
       last_ = blockOf(type, entity, 0);

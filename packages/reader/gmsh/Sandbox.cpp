@@ -55,7 +55,7 @@ bool forbidProgramsAndFiles() {
   const auto load = [&](std::size_t offset) { rules.push_back(BPF_STMT(BPF_LD | BPF_W | BPF_ABS, static_cast<unsigned>(offset))); };
   const auto answer = [&](unsigned value) { rules.push_back(BPF_STMT(BPF_RET | BPF_K, value)); };
   const auto number = [&] { load(offsetof(seccomp_data, nr)); };
-  // The number of the call is loaded before and after each of these.
+  // Each rule expects the number of the system call to be loaded, and leaves it loaded.
   const auto refuse = [&](long call, unsigned with) {
     rules.push_back(BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, static_cast<unsigned>(call), 0, 1));
     answer(with);
@@ -73,12 +73,12 @@ bool forbidProgramsAndFiles() {
   answer(no);
   number();
 #ifdef __x86_64__
-  rules.push_back(BPF_JUMP(BPF_JMP | BPF_JGE | BPF_K, 0x40000000u, 0, 1));  // the calls of the x32 interface
+  rules.push_back(BPF_JUMP(BPF_JMP | BPF_JGE | BPF_K, 0x40000000u, 0, 1));  // system calls of the x32 interface
   answer(no);
 #endif
   constexpr unsigned writing = O_WRONLY | O_RDWR | O_CREAT | O_TRUNC;
   refuseUnless(SYS_openat, 2, writing, false);
-  refuseUnless(SYS_clone, 0, CLONE_THREAD, true);  // threads are welcome
+  refuseUnless(SYS_clone, 0, CLONE_THREAD, true);  // threads are allowed
   for (const long call :
        {SYS_execve,    SYS_execveat,          SYS_unlinkat, SYS_renameat2, SYS_mkdirat,  SYS_linkat,        SYS_symlinkat, SYS_truncate,
         SYS_ftruncate, SYS_mknodat,           SYS_fchmod,   SYS_fchmodat,  SYS_fchownat, SYS_fchown,        SYS_socket,    SYS_kill,

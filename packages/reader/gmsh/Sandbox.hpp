@@ -3,12 +3,12 @@
 
 namespace suture {
 
-/// Limits of this process and its children: so many bytes of address space, so many seconds of processor time, no core file, and the
-/// end with its parent's.
+/// Limits address space and processor time of this process and its children, disables core files, and makes the process die with its
+/// parent.
 void limitThisProcess(std::size_t bytes, double seconds);
 
-/// Takes from this process, for good, the right to start programs, to write, make, rename or remove files, to open sockets and to signal
-/// other processes: the system answers such calls with "operation not permitted". \return false where the system cannot do so
+/// Permanently removes the right of this process to start programs, to write, make, rename or remove files, to open sockets and to signal
+/// other processes: such system calls fail with "operation not permitted". \return false if the system does not support this
 bool forbidProgramsAndFiles();
 
 }  // namespace suture

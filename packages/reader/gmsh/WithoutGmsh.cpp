@@ -1,4 +1,4 @@
-// Stands for MesherProcess.cpp when Suture is configured with SUTURE_GMSH=OFF.
+// Replaces MesherProcess.cpp when Suture is configured with SUTURE_GMSH=OFF.
 #include <suture/base/Errors.hpp>
 #include <suture/reader/gmsh/MesherProcess.hpp>
 
@@ -7,7 +7,7 @@ namespace suture {
 GmshMesh runMesher(const MesherOrder& order) {
   throw EnvironmentError(
       "cannot mesh " + order.file +
-      ": this Suture was built without Gmsh. Configure with -DSUTURE_GMSH=ON, or mesh it elsewhere and read the .msh file");
+      ": this Suture was built without Gmsh. Configure with -DSUTURE_GMSH=ON, or mesh the file elsewhere and read the .msh file");
 }
 
 }  // namespace suture
