@@ -1,5 +1,6 @@
 #include <suture/base/AgreedDimension.hpp>
 #include <suture/base/Gather.hpp>
+#include <suture/base/Point.hpp>
 #include <suture/base/RigidValues.hpp>
 #include <suture/partition/BodyParts.hpp>
 #include <suture/partition/RigidLift.hpp>
@@ -23,11 +24,12 @@ constexpr double kBalanced = 1e-12;  // sum of a pair's weights that counts as z
 constexpr double kNoGap = 5e-16;     // largest remainder of a gap that counts as closed, relative to gap and motion: round-off of both
 constexpr int kAmplitudeBits = 46;   // bits of the largest amplitude that are kept: the rest is round-off of the fit
 
-/// End of a pair: the motion of its node, and the contribution of its prescribed components to the row.
+/// End of a pair: the motion of its node, and the contribution of its prescribed components to the rows.
 struct End {
   int pair, end;
-  Extended given;  // weight normal . remainder of prescribed components
-  Extended along;  // normal . motion
+  Extended given[3];              // weight direction . remainder of prescribed components, for each row
+  std::array<Extended, 3> moved;  // motion
+  Extended along;                 // normal . motion
   double weight;
 };
 
@@ -72,7 +74,7 @@ class Lifting {
   bool choose();
   void takeTranslationsAsPrescribed();
   void shiftRules();
-  void shiftGaps();
+  void shiftRows();
 
   std::array<Extended, 3> at(std::size_t mesh, int node) const {
     const int part = parts_->partOf[mesh];
@@ -170,7 +172,8 @@ void Lifting::shiftRules() {
   }
 }
 
-void Lifting::shiftGaps() {
+/// Gaps, and the slips from which the pairs of a law with friction slide: the motion is part of both.
+void Lifting::shiftRows() {
   std::vector<End> mine;
   for (std::size_t s = 0; s < meshes_.size(); ++s) {
     const SubdomainMesh& mesh = meshes_[s];
@@ -183,15 +186,19 @@ void Lifting::shiftGaps() {
       if (std::any_of(others.begin(), others.end(), [&](int other) { return other < mesh.id; })) continue;
       const ContactPair& pair = *pairs.at(end.pair);
       const auto moved = at(s, end.node);
-      End own{end.pair, end.end, 0, dot(pair.normal, moved), pair.ends[end.end].weight};
-      if (const auto rule = rules.find(end.node); rule != rules.end())
+      End own{end.pair, end.end, {0, 0, 0}, moved, dot(pair.normal, moved), pair.ends[end.end].weight};
+      if (const auto rule = rules.find(end.node); rule != rules.end()) {
+        const std::vector<Point> directions = rowDirections(pair, dimension_);
         for (int k = 0; k < dimension_; ++k) {
           if (!rule->second->fixed[k]) continue;
           const Point& axis = rule->second->axes[k];
-          double across = 0.0;
-          for (int c = 0; c < dimension_; ++c) across += axis[c] * pair.normal[c];
-          own.given += Extended(own.weight) * across * rule->second->value[k];
+          for (std::size_t row = 0; row < directions.size(); ++row) {
+            double across = 0.0;
+            for (int c = 0; c < dimension_; ++c) across += axis[c] * directions[row][c];
+            own.given[row] += Extended(own.weight) * across * rule->second->value[k];
+          }
         }
+      }
       mine.push_back(own);
     }
   }
@@ -199,7 +206,8 @@ void Lifting::shiftGaps() {
   std::sort(ends.begin(), ends.end(), [](const End& a, const End& b) { return a.pair != b.pair ? a.pair < b.pair : a.end < b.end; });
 
   struct Shift {
-    Extended moved = 0, given = 0, size = 0;
+    Extended moved = 0, size = 0;
+    std::array<Extended, 3> given{0, 0, 0}, slid{0, 0, 0};
   };
   std::map<int, Shift> shifts;
   for (std::size_t first = 0, last = 0; first < ends.size(); first = last) {
@@ -208,11 +216,14 @@ void Lifting::shiftGaps() {
     for (last = first; last < ends.size() && ends[last].pair == ends[first].pair; ++last) {
       sum += ends[last].weight;
       size += std::abs(ends[last].weight);
-      shift.given += ends[last].given;
+      for (std::size_t row = 0; row < 3; ++row) shift.given[row] += ends[last].given[row];
     }
     // Equal motion of both sides changes no gap, even if mortar weights sum to zero only up to round-off.
-    const Extended common = std::abs(sum) <= kBalanced * size ? ends[first].along : 0;
+    const bool isBalanced = std::abs(sum) <= kBalanced * size;
+    const Extended common = isBalanced ? ends[first].along : 0;
+    const std::array<Extended, 3> commonMotion = isBalanced ? ends[first].moved : std::array<Extended, 3>{0, 0, 0};
     for (std::size_t e = first; e < last; ++e) {
+      for (std::size_t k = 0; k < 3; ++k) shift.slid[k] += ends[e].weight * (ends[e].moved[k] - commonMotion[k]);
       shift.moved += ends[e].weight * (ends[e].along - common);
       shift.size += std::abs(ends[e].weight * ends[e].along);
     }
@@ -224,7 +235,14 @@ void Lifting::shiftGaps() {
       // Bodies that were moved into contact must touch: round-off would press them together or separate them.
       const Extended size = shift.size + std::abs(before), rest = before - shift.moved;
       row.pair.gap = shift.moved != 0 && std::abs(rest) <= kNoGap * size ? 0.0 : double(rest);
-      row.normal().gap = double(row.pair.gap - shift.given);
+      row.normal().gap = double(row.pair.gap - shift.given[0]);
+      if (!row.restrictsSliding()) continue;
+      const Point slid = slidingPart(row.pair, {double(shift.slid[0]), double(shift.slid[1]), double(shift.slid[2])});
+      const Point slipped = mesh.lift.slips.emplace(row.pair.id, row.pair.past.slip).first->second;
+      row.pair.past.slip = minus(slipped, slid);
+      const std::vector<Point> directions = rowDirections(row.pair, dimension_);
+      for (std::size_t k = 1; k < row.equations.size(); ++k)
+        row.equations[k].gap = double(suture::dot(row.pair.past.slip, directions[k]) - shift.given[k]);
     }
 }
 
@@ -242,7 +260,7 @@ bool Lifting::run() {
   findParts();
   if (!choose()) return false;
   shiftRules();
-  shiftGaps();
+  shiftRows();
   return true;
 }
 
@@ -259,7 +277,7 @@ void Lifting::further(const std::vector<Vector>& motion) {
     for (std::size_t k = 0; k < before.size(); ++k) amplitudes_[part][k] += before[k];
   }
   shiftRules();
-  shiftGaps();
+  shiftRows();
 }
 
 }  // namespace
@@ -289,12 +307,13 @@ void takeOver(const Comm& comm, const std::vector<SubdomainMesh>& meshes, Constr
   struct Gap {
     int pair;
     double gap;
+    Point slip;
   };
   std::vector<Value> values;
   std::vector<Gap> gaps;
   for (const SubdomainMesh& mesh : meshes) {
     for (const NodeRule& rule : mesh.rules) values.push_back({mesh.globalNodes[rule.node], rule.value});
-    for (const ContactRow& row : mesh.contactRows) gaps.push_back({row.pair.id, row.pair.gap});
+    for (const ContactRow& row : mesh.contactRows) gaps.push_back({row.pair.id, row.pair.gap, row.pair.past.slip});
   }
   const std::vector<Value> allValues = joinOnRoot(comm, values);
   const std::vector<Gap> allGaps = joinOnRoot(comm, gaps);
@@ -305,7 +324,11 @@ void takeOver(const Comm& comm, const std::vector<SubdomainMesh>& meshes, Constr
     if (rule == constraints.rules.end() || rule->node != value.node) throw InternalError("the mesh does not have a rule of a subdomain");
     rule->value = value.value;
   }
-  for (const Gap& gap : allGaps) constraints.pairs.at(gap.pair).gap = gap.gap;
+  for (const Gap& gap : allGaps) {
+    ContactPair& pair = constraints.pairs.at(gap.pair);
+    pair.gap = gap.gap;
+    pair.past.slip = gap.slip;
+  }
 }
 
 Vector withLift(const SubdomainMesh& mesh, Vector beside) {

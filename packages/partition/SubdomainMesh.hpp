@@ -66,8 +66,14 @@ struct SubdomainMesh : CellBlock {
     Vector motion;                        ///< motion of each node: node-major, Cartesian [length]; empty: no motion was removed
     std::vector<Point> values;            ///< original values of the rules
     std::map<int, double> gaps;           ///< original gaps of the contact rows' pairs, by id
+    std::map<int, Point> slips;           ///< original ContactPair::past.slip of those that restrict sliding, by id
   };
   Lift lift;
+  /// Slip at the beginning of the load step, the lift included. [length]
+  Point pastSlip(const ContactPair& pair) const {
+    const auto original = lift.slips.find(pair.id);
+    return original == lift.slips.end() ? pair.past.slip : original->second;
+  }
   /// Component of a node's displacement, the lift included. \param i  node x dimension + component  \param u  relative to the lift
   double total(const Vector& u, Eigen::Index i) const { return lift.motion.size() > 0 ? u[i] + lift.motion[i] : u[i]; }
 

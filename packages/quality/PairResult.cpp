@@ -16,7 +16,7 @@ struct EndShare {
   Point motion;        // of the lift
 };
 
-/// A pair, its gap before anything was taken out of the scene, and what its law does.
+/// A pair with its past slip in the scene, its gap in the scene, and what its law does.
 struct Carried {
   ContactPair pair;
   double gap;
@@ -128,7 +128,8 @@ std::vector<PairResult> pairResults(const Comm& comm, const std::vector<const Su
       if (end.end != 0) continue;
       const ContactRow& row = *known.at(end.pair);
       const auto before = mesh.lift.gaps.find(end.pair);
-      carried[end.pair] = {row.pair, before == mesh.lift.gaps.end() ? row.pair.gap : before->second, PairKind(row)};
+      Carried& own = carried[end.pair] = {row.pair, before == mesh.lift.gaps.end() ? row.pair.gap : before->second, PairKind(row)};
+      own.pair.past.slip = mesh.pastSlip(row.pair);
     }
   }
   Packer packer;

@@ -105,10 +105,11 @@ void Verifier::gatherEnds() {
       const double weight = pair.ends[end.end].weight;
       const Point whole = mesh.lift.motion.size() > 0 ? plus(u, vectorAt(mesh.lift.motion, end.node)) : u;
       Point shift{0, 0, 0};
-      const double slidBefore = end.end == 0 ? norm(pair.past.slip) : 0.0;
+      const Point past = mesh.pastSlip(pair);
+      const double slidBefore = end.end == 0 ? norm(past) : 0.0;
       if (row.restrictsSliding()) {
         shift = scaled(weight, whole);
-        if (end.end == 0) shift = minus(shift, pair.past.slip);
+        if (end.end == 0) shift = minus(shift, past);
       }
       mine.push_back({end.pair, end.end, mesh.body, weight * dot(u, pair.normal), std::abs(weight) * length(u),
                       std::abs(weight) * lifted(mesh, end.node) + slidBefore, weight, nodes_[i](rows_.stiffness(), end.node),

@@ -22,6 +22,8 @@ struct LiftedEnd {
   double closing, size;  // weight x normal . motion, and of its magnitudes
   double weight;
   double before, gap;  // of the pair
+  Point slid;          // weight x motion, along the sides
+  Point slip;          // of the pair, before less now
   Point place;
 };
 
@@ -102,7 +104,8 @@ void collectEnds(const SubdomainMesh& mesh, std::vector<LiftedEnd>& ends) {
     const Point motion = motionOf(mesh, end.node);
     const double weight = pair.ends[end.end].weight;
     ends.push_back({end.pair, mesh.body, weight * dot(pair.normal, motion), std::abs(weight) * length(motion), weight,
-                    mesh.lift.gaps.at(end.pair), pair.gap, pair.position});
+                    mesh.lift.gaps.at(end.pair), pair.gap, slidingPart(pair, scaled(weight, motion)),
+                    minus(mesh.pastSlip(pair), pair.past.slip), pair.position});
   }
 }
 
@@ -110,12 +113,14 @@ void judgeGaps(std::vector<LiftedEnd> ends, Findings& findings) {
   std::stable_sort(ends.begin(), ends.end(), [](const LiftedEnd& a, const LiftedEnd& b) { return a.pair < b.pair; });
   for (std::size_t first = 0, last = 0; first < ends.size(); first = last) {
     double gap = ends[first].before, size = std::abs(gap), weights = 0.0, magnitudes = 0.0, far = 0.0;
+    Point slid = ends[first].slip;
     Finding where;
     where.pair = ends[first].pair;
     where.place = ends[first].place;
     where.body = where.other = ends[first].body;
     for (last = first; last < ends.size() && ends[last].pair == where.pair; ++last) {
       gap -= ends[last].closing;
+      slid = minus(slid, ends[last].slid);
       size += ends[last].size;
       weights += ends[last].weight;
       magnitudes += std::abs(ends[last].weight);
@@ -124,8 +129,10 @@ void judgeGaps(std::vector<LiftedEnd> ends, Findings& findings) {
     }
     // Both sides moved alike change no gap, though the weights of a mortar sum to zero but for rounding.
     const double unbalanced = std::abs(weights) <= kBalanced * magnitudes ? std::abs(weights) * far : 0.0;
-    if (size > 0.0)
-      findings.take(Quantity::Prescribed, std::abs(gap - ends[first].gap), kRounded * unitRoundoff * size + unbalanced, size, where);
+    if (!(size > 0.0)) continue;
+    findings.take(Quantity::Prescribed, std::abs(gap - ends[first].gap), kRounded * unitRoundoff * size + unbalanced, size, where);
+    if (ends[first].slip != Point{0, 0, 0})
+      findings.take(Quantity::Prescribed, length(slid), kRounded * unitRoundoff * size + unbalanced, size, where);
   }
 }
 
