@@ -186,7 +186,7 @@ void ContactCompliance::Closed::solve(LocalView v, double gaps, Matrix* pairForc
 }
 
 ContactCompliance::State ContactCompliance::solve(LocalView v, const std::vector<ContactState>& start, const Vector& moved) const {
-  if (rows() != pairs()) throw InternalError("the unilateral problem of a contact group knows no friction");
+  if (rows() != pairs()) throw InternalError("the unilateral problem of a contact group cannot have friction");
   const Matrix& kernel = inverse_.kernel();
   const Vector work = kernel.transpose() * v.col(0);
   inverse_.apply(v);

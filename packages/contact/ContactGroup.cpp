@@ -167,8 +167,8 @@ ContactGroup::Response ContactGroup::respond(const Vector& trace, const std::vec
   Matrix v = heldLoad(trace);
   ContactCompliance::State state = doSolve(v, start, moved);
   if (state.status.size() != pairs_.size() || state.force.size() != Eigen::Index(pairs_.size()))
-    throw InternalError("a contact group answers with " + std::to_string(state.status.size()) + " statuses and " +
-                        std::to_string(state.force.size()) + " forces of its " + std::to_string(pairs_.size()) + " pairs");
+    throw InternalError("a contact group returned " + std::to_string(state.status.size()) + " statuses and " +
+                        std::to_string(state.force.size()) + " forces for " + std::to_string(pairs_.size()) + " pairs");
   Response response;
   response.status = std::move(state.status);
   response.force = std::move(state.force);
@@ -235,7 +235,7 @@ class ExactGroup final : public ContactGroup {
 }  // namespace
 
 void registerBuiltIns(Registry<ContactGroup>& registry) {
-  registry.add("Exact", Schema("the closed pairs of each trace to the last one, whatever they were before"),
+  registry.add("Exact", Schema("Finds the closed pairs exactly, for any initial status."),
                [](const ContactGroup::Parts& parts, const Parameters&) { return std::make_unique<ExactGroup>(parts); });
 }
 

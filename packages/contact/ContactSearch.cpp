@@ -304,7 +304,7 @@ ContactSearch::Result ContactSearch::run(ClosedSet start) {
       if (stopped_ || failed_) return finish(false, stopped_ ? "" : "a linear solve failed");
       // Nothing rises any more: the best state is the solution as far as numbers can tell; the verdict decides.
       if (haveBest_ && solve(best_.closed)) return finish(true, "");
-      return finish(false, "no set of closed pairs was found that balances the loads without pulling");
+      return finish(false, "found no set of closed pairs that balances the loads without tensile forces");
     }
   }
 }

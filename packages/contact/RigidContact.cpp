@@ -32,7 +32,7 @@ std::vector<int> members(const ClosedSet& set, char value) {
 
 RigidContact::RigidContact(Pairs pairs) : pairs_(std::move(pairs)), norm_(pairs_.work.norm()) {
   if (pairs_.rows.rows() != this->pairs() || pairs_.penetration.size() != this->pairs() || pairs_.stiffness.size() != this->pairs())
-    throw InternalError("rigid contact: data of different numbers of pairs");
+    throw InternalError("rigid contact: the arrays differ in their number of pairs");
   compliance_ = 2.0 * pairs_.stiffness.cwiseInverse();
   rounding_ = Vector::Zero(this->pairs());
   for (int i = 0; i < this->pairs(); ++i)

@@ -92,7 +92,7 @@ CondensedProblem::CondensedProblem(CommPtr comm, const Partition& partition, con
         all.push_back({subdomains[s].get()});
         for (int dof : boundaryDofs(*subdomains[s], partition)) boundary.push_back(subdomains[s]->globalDof(dof));
       }
-      if (all.size() != partition.groups[group].size()) throw InternalError("a contact group does not live whole on one rank");
+      if (all.size() != partition.groups[group].size()) throw InternalError("a contact group is spread over several ranks");
       std::sort(boundary.begin(), boundary.end());
       boundary.erase(std::unique(boundary.begin(), boundary.end()), boundary.end());
       const ContactGroup::Parts parts{group, std::move(all), boundary, solver, laws_};

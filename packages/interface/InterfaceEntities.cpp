@@ -48,7 +48,7 @@ void InterfaceSpace::leaveEntities(const std::vector<char>& leaves) {
 
 std::shared_ptr<const InterfaceSpace> InterfaceSpace::related(std::vector<InterfaceRelation> relations,
                                                               const std::vector<std::vector<int>>& neighbours) const {
-  if (!relations_.empty()) throw InternalError("relations of a space that has some already");
+  if (!relations_.empty()) throw InternalError("the space has relations already");
   std::vector<InterfaceRelation> plain;
   std::vector<int> inRows;  // unknowns of the others
   std::vector<char> expressed(ownedRows_->size(), 0), named(ownedRows_->size(), 0);

@@ -12,7 +12,7 @@ namespace suture {
 InterfaceOperator::InterfaceOperator(std::shared_ptr<const InterfaceSpace> space, LocalProblems locals,
                                      std::shared_ptr<const FrictionTangent> friction)
     : space_(std::move(space)), locals_(std::move(locals)), friction_(std::move(friction)) {
-  if (static_cast<int>(locals_.size()) != space_->locals()) throw InternalError("an interface operator needs one entry a coupling");
+  if (static_cast<int>(locals_.size()) != space_->locals()) throw InternalError("an interface operator needs one entry per coupling");
   mostRows_ = space_->mostRows();
 }
 
@@ -66,7 +66,8 @@ void InterfaceOperator::record() const {
 }
 
 Matrix InterfaceOperator::recorded(const std::vector<double>& coefficients) const {
-  if (coefficients.size() != recorded_.size()) throw InternalError("an operator recorded another number of applications");
+  if (coefficients.size() != recorded_.size())
+    throw InternalError("the number of coefficients differs from that of the recorded applications");
   Matrix sum = Matrix::Zero(space_->overlapSize(), 1);
   for (std::size_t k = 0; k < recorded_.size(); ++k) sum.col(0) += coefficients[k] * recorded_[k];
   recording_ = false;

@@ -146,8 +146,8 @@ void checkPrescribedPairs(const Mesh& mesh, const Constraints& constraints, Prob
     }
     if (free || bound >= -1e-10 * size) continue;
     std::ostringstream text;
-    text << "at " << placeText(pair.position, mesh.dimension) << " the displacements of both sides are prescribed, into each other by "
-         << -bound << ". Prescribe them so that the gap stays positive, or leave one side free";
+    text << "at " << placeText(pair.position, mesh.dimension) << " the prescribed displacements of both sides overlap by " << -bound
+         << ". Prescribe them so that the gap stays positive, or leave one side free";
     problems.add("Contact", text.str());
     return;
   }
@@ -172,14 +172,13 @@ void checkSolvability(const Mesh& mesh, const Constraints& constraints, const Ve
     modes.count += int(rigid.parts[part].free.cols());
     const RigidPart& r = rigid.parts[part];
     if (inContact[part] || r.free.cols() == 0) continue;
-    problems.add(
-        path(part),
-        name(part) +
-            (r.free.cols() == r.free.rows()
-                 ? " is held by nothing: no displacement is prescribed on it, no Elastic Support carries it and it is in no contact"
-                 : " can " + inWords(r, r.free, dimension) +
-                       ": it is in no contact, and neither a prescribed displacement nor an Elastic Support holds it there") +
-            ". Prescribe displacements on it, make a side of it Bilateral or an Elastic Support, or put it in contact");
+    problems.add(path(part),
+                 name(part) +
+                     (r.free.cols() == r.free.rows()
+                          ? " is not held: it has no prescribed displacement, no Elastic Support and no contact"
+                          : " can " + inWords(r, r.free, dimension) +
+                                ": it has no contact, and no prescribed displacement or Elastic Support prevents this motion") +
+                     ". Prescribe displacements on it, make one of its sides Bilateral or an Elastic Support, or bring it into contact");
   }
   if (modes.count == 0 || !problems.empty()) {
     problems.throwIfAny();

@@ -321,7 +321,7 @@ std::string inWords(const UndeterminedForces& forces) {
   std::string text = (forces.contacts.size() == 1 ? "contact " : "contacts ") + listed(forces.contacts) +
                      ": equilibrium does not determine the forces of " + std::to_string(forces.pairs) +
                      (forces.pairs == 1 ? " pair" : " pairs") +
-                     " at nodes that several pairs share or boundary conditions hold. The least forces are reported";
+                     " at nodes that are shared by several pairs or held by boundary conditions. The least forces are reported";
   std::vector<std::string> open;
   for (const std::string& name : forces.contacts)
     if (std::find(forces.totals.begin(), forces.totals.end(), name) == forces.totals.end()) open.push_back(name);
