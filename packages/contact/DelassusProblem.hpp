@@ -15,7 +15,7 @@ class DelassusProblem : public ContactOracle {
 
   /// `rigid` and `compliance` must outlive it.
   /// \param open     d [length]
-  /// \param rounding  error of d at each pair; empty: only its own round-off [length]
+  /// \param rounding error of d at each pair; empty: only its own round-off [length]
   DelassusProblem(const RigidContact& rigid, const Matrix& compliance, const Vector& open, const Vector& rounding);
 
   ContactAnswer solve(const ClosedSet& closed, int level) override;
