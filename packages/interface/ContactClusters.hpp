@@ -25,7 +25,8 @@ class ContactClusters {
     double size = 1.0;  ///< tributary length or area of the pair
   };
 
-  /// \param stiffness  of each unknown of the overlap: diagonal of the assembled matrix. Elimination expresses unknowns of the softer side.
+  /// \param stiffness  of each unknown of the overlap: diagonal of the assembled matrix. Corrections of the trace move mainly the softer
+  /// side.
   ContactClusters(std::vector<Row> rows, Vector stiffness);
 
   int size() const { return static_cast<int>(rows_.size()); }

@@ -75,7 +75,7 @@ class CondensedGroups : public Formulation {
   }
 
  private:
-  /// Groups do not spread over ranks: one that cannot fit is refused before hours are spent on it, or the machine.
+  /// Groups are not distributed over ranks: one that does not fit is refused before time is lost or the machine runs out of memory.
   void checkMemory(const Comm& comm, const Partition& partition, const std::vector<std::unique_ptr<Subdomain>>& subdomains) const {
     collectively(comm, "estimating the memory of the contact groups", [&] {
       std::map<int, std::vector<const Subdomain*>> membersOf;

@@ -20,7 +20,7 @@ void InterfaceOperator::apply(const MultiVector& x, MultiVector& y, Teuchos::ETr
   applications_ += static_cast<long long>(x.getNumVectors());
   space_->gather(x, overlap_);
   sum_.setZero(overlap_.rows(), overlap_.cols());
-  trace_.resize(mostRows_, overlap_.cols());  // the same work space for all
+  trace_.resize(mostRows_, overlap_.cols());  // work space shared by all local problems
   flux_.resize(mostRows_, overlap_.cols());
   for (std::size_t i = 0; i < locals_.size(); ++i) {
     if (!locals_[i]) continue;
