@@ -15,8 +15,7 @@ namespace suture {
 class ContactClusters {
  public:
   struct Row {
-    std::vector<int>
-        places;  ///< places of the unknowns in the overlap, starting with that of the carrying node of a mortar; empty: nothing can change
+    std::vector<int> places;  ///< places of the unknowns in the overlap, the carrying one of a mortar first; empty: nothing can change
     std::vector<double> coefficients;
     double gap = 0.0;   ///< [length]
     int cluster = 0;    ///< any number that the rows of a cluster share

@@ -21,10 +21,10 @@ PairsAtSolution broadcastPairs(const Comm& comm, const std::vector<PairResult>& 
 /// Magnitudes whose round-off appears in the forces on each part.
 struct ForceScales {
   std::vector<double> loads;  ///< sum of their magnitudes
-  std::vector<double> ways;   ///< force equivalent to the last digit of the displacement: eps E |way|
+  std::vector<double> ways;   ///< force equivalent to the last digit of the displacement: eps E |displacement|
 };
 
-/// \param displacement  by mesh. The ways of bodies are the rigid motions that were taken out or, without these, their displacements.
+/// \param displacement  by mesh. Used for bodies from which no rigid motion was taken out.
 /// Collective.
 ForceScales forceScales(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model, const ContactBodies& bodies,
                         const std::vector<Vector>& displacement);
