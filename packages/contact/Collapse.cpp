@@ -10,12 +10,12 @@ namespace suture {
 
 namespace {
 
-constexpr double kBeyond = 1e150;  // slip, as a force, that no finite bound holds
-constexpr double kSame = 1e-3;     // relative change of the multiple at which it is known
-constexpr double kRound = 1e-6;    // slip, in parts of the largest, below which resistance is taken for linear in it
-constexpr int kReweighted = 60;    // problems of the steepest motion
-constexpr double kSettled = 1e-9;  // relative change of that motion at which it is found
-constexpr double kStart = 0.7;     // multiple from which on a mechanism by normal forces of other states is looked into
+constexpr double kBeyond = 1e150;  // slip, as a force, beyond any finite bound
+constexpr double kSame = 1e-3;     // relative change of the multiple at convergence
+constexpr double kRound = 1e-6;    // slip, relative to the largest, below which resistance is linear in slip
+constexpr int kReweighted = 60;    // maximum number of least squares problems for the steepest motion
+constexpr double kSettled = 1e-9;  // relative change of this motion at convergence
+constexpr double kStart = 0.7;     // least multiple for which a mechanism is examined while normal forces belong to other states
 
 }  // namespace
 
@@ -27,7 +27,7 @@ Vector Collapse::slipOf(std::size_t pair, const Vector& motion) const {
   return slip;
 }
 
-/// State of a closed pair that slides along a direction. Sticks, if its law holds any force.
+/// State of a closed pair that slides along a direction; sticks if its law admits any force.
 ContactState Collapse::slipping(std::size_t pair, const Vector& slip, double normal, double multiple) const {
   ContactTrial trial;
   trial.place = sites_[pair].place;
@@ -52,7 +52,7 @@ double Collapse::bound(std::size_t pair, const Vector& slip, double normal) cons
   return state.status == PairStatus::Stick ? std::numeric_limits<double>::infinity() : state.largest(normal);
 }
 
-/// Motions that leave the normal gaps of closed pairs as they are, and do not slide those whose law holds any force.
+/// Motions that keep the normal gaps of closed pairs and do not slide pairs whose law admits any force.
 Matrix Collapse::mechanisms(const ClosedSet& closed) const {
   PairStates states(closed.size());
   for (std::size_t i = 0; i < closed.size(); ++i) {
@@ -74,8 +74,8 @@ double Collapse::resistance(const ClosedSet& closed, const Vector& normal, const
   return sum;
 }
 
-/// The mechanism along which the loads exceed the resistance most, of unit length: the least of  resistance(m) - e.m + |e| |m|^2 / 2,
-/// convex, by reweighted squares.
+/// The mechanism along which the loads exceed the resistance most, of unit length: the minimiser of the convex function resistance(m) - e.m
+/// + |e| |m|^2 / 2, by iteratively reweighted least squares.
 Vector Collapse::steepest(const ClosedSet& closed, const Vector& normal, const Matrix& mechanisms) const {
   const Vector load = mechanisms.transpose() * rigid_.data().work;
   const double size = load.norm();
@@ -110,7 +110,7 @@ Vector Collapse::steepest(const ClosedSet& closed, const Vector& normal, const M
   return length > 0.0 && std::isfinite(length) ? Vector(mechanisms * z / length) : Vector::Zero(rigid_.motions());
 }
 
-/// True if open pairs may close on the way.
+/// True if open pairs may close along the motion.
 bool Collapse::meetsOthers(const ClosedSet& closed, const Vector& motion) const {
   for (std::size_t i = 0; i < closed.size(); ++i)
     if (!closed[i] && rigid_.data().able[i] && rigid_.data().rows.row(static_cast<Eigen::Index>(i)).dot(motion) > kDependentRows)
@@ -118,7 +118,8 @@ bool Collapse::meetsOthers(const ClosedSet& closed, const Vector& motion) const 
   return false;
 }
 
-/// Closed pairs slide along a motion, as far as it moves them; for each motion that is loose then, the pair that is pressed most holds it.
+/// Closed pairs slide along the motion where it moves them. Each motion that is still free is held by the pair with the largest normal
+/// force.
 PairStates Collapse::sliding(const ClosedSet& closed, const Vector& normal, const Vector& motion, double multiple,
                              const PairStates& now) const {
   PairStates states(closed.size());

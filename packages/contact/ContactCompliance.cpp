@@ -11,11 +11,11 @@ namespace suture {
 
 namespace {
 
-// A pair's stiffness on pads, from its compliance among all of a body: half of that is of the body beyond the pair's own elements.
+// Pad stiffness of a pair from its compliance: half of the compliance comes from the body beyond the pair's own elements.
 constexpr double kPointCompliance = 2.0;
 constexpr int kMostSolves = 1000;
 
-/// Lower Cholesky factor; rows that repeat others (two pairs that say the same) are kept definite by a shift of the size of rounding.
+/// Lower Cholesky factor. A shift of the order of round-off keeps it definite with linearly dependent rows.
 Matrix shiftedCholeskyFactor(const Matrix& matrix) {
   if (matrix.rows() == 0) return matrix;
   for (double shift = 0.0; shift < 1e-6; shift = std::max(1e-14, 100 * shift)) {
@@ -27,7 +27,7 @@ Matrix shiftedCholeskyFactor(const Matrix& matrix) {
   throw NumericalError("the compliance of the contact pairs is not positive definite");
 }
 
-// x <- (L L^T)^-1 x. One right-hand side without work space of Eigen's, which the inner loop would pay for.
+// x <- (L L^T)^-1 x. The case of one right-hand side avoids Eigen's temporary, which would be costly in the inner loop.
 void solveInPlace(const Matrix& lower, LocalView x) {
   const auto both = [&lower](auto&& values) {
     lower.triangularView<Eigen::Lower>().solveInPlace(values);
@@ -49,7 +49,7 @@ Matrix solveWith(const Matrix& lower, Matrix b) {
 
 ContactCompliance::ContactCompliance(const GeneralisedInverse& inverse, const ContactRows& rows)
     : inverse_(inverse), rows_(rows), compliance_(rows.rows.rows(), rows.rows.rows()), rigidRows_(rows.rows * inverse.kernel()) {
-  constexpr int kBatch = 64;  // right-hand sides at once: the responses themselves are not kept
+  constexpr int kBatch = 64;  // right-hand sides at once; the responses themselves are not kept
   const SparseMatrix transposed = rows.rows.transpose();
   for (int first = 0; first < this->rows(); first += kBatch) {
     const int count = std::min(kBatch, this->rows() - first);
@@ -171,7 +171,7 @@ void ContactCompliance::Closed::solve(LocalView v, double gaps, Matrix* pairForc
     refinedForces(closedForce, e, rigid);
   else
     forces(closedForce, e, rigid);
-  LocalView force = gap;  // forces of all rows, in the same place
+  LocalView force = gap;  // forces of all rows, stored in the same memory
   spread(closedForce, force);
   WorkSpace correctionSpace(v.rows(), v.cols(), keptCorrection);
   LocalView correction = correctionSpace.values;
@@ -186,7 +186,7 @@ void ContactCompliance::Closed::solve(LocalView v, double gaps, Matrix* pairForc
 }
 
 ContactCompliance::State ContactCompliance::solve(LocalView v, const std::vector<ContactState>& start, const Vector& moved) const {
-  if (rows() != pairs()) throw InternalError("the unilateral problem of a contact group knows no friction");
+  if (rows() != pairs()) throw InternalError("the unilateral problem of a contact group cannot have friction");
   const Matrix& kernel = inverse_.kernel();
   const Vector work = kernel.transpose() * v.col(0);
   inverse_.apply(v);

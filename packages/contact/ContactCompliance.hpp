@@ -8,11 +8,10 @@
 
 namespace suture {
 
-/// An elastic structure condensed to its contact rows. With K^+ a generalised inverse, R the kernel and N the contact rows, every
+/// An elastic structure condensed to its contact rows. With a generalised inverse K^+, the kernel R and the contact rows N, every
 /// equilibrium state under loads b and pair forces f is
 ///     v = K^+ (b - N^T f) + R a,   R^T (b - N^T f) = 0,
-/// so that the gaps are  g - N v = g - N K^+ b + W f - G a  with the compliance W = N K^+ N^T (dense, rows x rows) and G = N R.
-/// Local.
+/// and the gaps are  g - N v = g - N K^+ b + W f - G a  with the compliance W = N K^+ N^T (dense, rows x rows) and G = N R. Local.
 class ContactCompliance {
  public:
   /// `inverse` and `rows` must outlive it.
@@ -20,59 +19,61 @@ class ContactCompliance {
 
   /// State of the structure under loads b with some pairs closed or with unilateral contact.
   struct State {
-    Vector force;                      ///< a pair, >= 0 compressive; 0 for open pairs [force]
+    Vector force;                      ///< per pair, >= 0 compressive; 0 for open pairs [force]
     Vector rigid;                      ///< coefficients a of the kernel
-    std::vector<ContactState> status;  ///< a pair
+    std::vector<ContactState> status;  ///< per pair
     int steps = 0;                     ///< changes of the active set
   };
 
-  /// The pairs of one status closed as if glued in the normal direction (equality), those that stick along the tangents too, the others
-  /// without force but that of their state: a bound along the slip, and a spring across it. Factored once, for many right-hand sides.
+  /// The structure with given pair states: closed pairs are glued in the normal direction (equality), sticking pairs along the tangents
+  /// too. Slipping pairs have a known force along the slip and a transverse spring; open pairs have no force. Factored once for many
+  /// right-hand sides.
   class Closed {
    public:
     Closed(const ContactCompliance& contact, const std::vector<ContactState>& status);
-    /// v (unknowns x right-hand sides), in: loads b, out: solution with N v = gap on the rows that are held. With a kernel left (kernel()
-    /// has columns) b must be orthogonal to it, and the solution is one of many.
-    /// \param gaps  zero for the homogeneous problem (tangents), one for the gaps of the rows and the bounds of pairs that slip
-    /// \param force  forces, rows x right-hand sides, or null; where they are wanted they are refined
-    /// \param moved  addition of rigid motions beside v to the rows: their gaps are smaller by it; empty: none [length]
+    /// v (unknowns x right-hand sides), in: loads b, out: solution with N v = gap on the held rows. If a kernel is left (kernel() has
+    /// columns), b must be orthogonal to it, and the solution is not unique.
+    /// \param gaps  zero for the homogeneous problem (tangents), one to apply the gaps of the rows and the bounds of slipping pairs
+    /// \param force  forces, rows x right-hand sides, or null; requested forces are refined
+    /// \param moved  contribution of rigid motions that v does not contain: reduces the gaps of the rows; empty: none [length]
     void solve(LocalView v, double gaps, Matrix* force = nullptr, const Vector& moved = {}) const;
-    /// Kernel of the structure with these pairs closed: unknowns x k. By a singular value decomposition of N_A R.
+    /// Kernel of the structure with these pairs closed: unknowns x k, from a singular value decomposition of N_A R.
     const Matrix& kernel() const { return kernel_; }
     const std::vector<ContactState>& status() const { return status_; }
 
    private:
     friend class ContactCompliance;
-    /// A spring across the slip of a pair: a row that gives way.
+    /// Transverse spring of a slipping pair: a row with compliance.
     struct Spring {
       int rows[2];  // rows along the tangents; -1: none
       double coefficients[2];
       double compliance;
     };
     int size() const { return static_cast<int>(rows_.size() + springs_.size()); }
-    // Values of the held rows, those of springs last, from values of all rows; and forces of all from those of the held ones.
+    // pick: values of the held rows (those of springs last) from values of all rows. spread: forces of all rows from those of the held
+    // ones.
     void pick(ConstLocalView all, LocalView held) const;
     void spread(ConstLocalView held, LocalView all) const;
-    Matrix compliance() const;  // compliance of the held rows, with that of springs
-    // force, in: gaps of the held rows without forces; out: their forces.
+    Matrix compliance() const;  // compliance of the held rows, springs included
+    // force, in: gaps of the held rows without forces; out: forces of these rows.
     void forces(LocalView force, const Matrix& e, Matrix& rigid) const;
-    // The same, refined against the matrix itself: the factor's shift leaves no trace.
+    // The same, refined with the unshifted matrix: the shift of the factor does not affect the result.
     void refinedForces(LocalView force, const Matrix& e, Matrix& rigid) const;
 
     const ContactCompliance& contact_;
     std::vector<ContactState> status_;
     std::vector<int> rows_;  // rows that are equations
     std::vector<Spring> springs_;
-    Vector slipping_;      // forces of pairs that slip, of all rows; empty: none
+    Vector slipping_;      // forces of slipping pairs, for all rows; empty: none
     Matrix factor_;        // Cholesky factor of W on the held rows
-    Matrix held_, loose_;  // orthonormal combinations of the kernel that closed pairs hold, and that they do not
-    Matrix gHeld_;         // G restricted: held rows x held motions
+    Matrix held_, loose_;  // orthonormal combinations of the kernel that closed pairs hold (held_) or leave free (loose_)
+    Matrix gHeld_;         // G restricted to held rows x held motions
     Matrix rigidFactor_;   // Cholesky factor of gHeld^T W^-1 gHeld
     Matrix kernel_;
   };
 
-  /// The unilateral problem: forces and gaps >= 0, their product zero, by ContactSearch from `start`, or from rigid bodies on pads where
-  /// that set leaves a body loose. Knows normal rows alone: without friction.
+  /// Solves the unilateral problem (forces and gaps >= 0, their product zero) by ContactSearch from `start`, or from rigid bodies on pads
+  /// where that set leaves a body unconstrained. Uses normal rows only: without friction.
   /// \param v  in: loads b; out: displacements
   /// \param moved  as in Closed::solve
   /// \throws NumericalError  no equilibrium (a body is pushed away from its contacts)

@@ -64,7 +64,7 @@ void ContactGroup::assemble() {
 }
 
 void ContactGroup::collectRows(const ContactLaws& laws) {
-  std::map<int, const ContactRow*> found;  // by pair, so that the order is the same however the body was cut
+  std::map<int, const ContactRow*> found;  // by pair, so that the order does not depend on the partition
   for (const Member& member : members_) {
     rows_.surfaces = member.subdomain->mesh().dimension == 3;
     for (const ContactRow& row : member.subdomain->mesh().contactRows) found.emplace(row.pair.id, &row);
@@ -104,7 +104,7 @@ void ContactGroup::collectRows(const ContactLaws& laws) {
   std::vector<int> all(gaps.size());
   for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<int>(i);
   interiorRows_.rows = block(rows_.rows, all, interiorPositions_);
-  if (interiorRows_.rows.nonZeros() != rows_.rows.nonZeros()) throw InternalError("a contact node lies on the boundary of its own group");
+  if (interiorRows_.rows.nonZeros() != rows_.rows.nonZeros()) throw InternalError("a contact node lies on the boundary of its group");
 }
 
 Matrix ContactGroup::rigidKernel(bool boundaryHeld) const {
@@ -167,8 +167,8 @@ ContactGroup::Response ContactGroup::respond(const Vector& trace, const std::vec
   Matrix v = heldLoad(trace);
   ContactCompliance::State state = doSolve(v, start, moved);
   if (state.status.size() != pairs_.size() || state.force.size() != Eigen::Index(pairs_.size()))
-    throw InternalError("a contact group answers with " + std::to_string(state.status.size()) + " statuses and " +
-                        std::to_string(state.force.size()) + " forces of its " + std::to_string(pairs_.size()) + " pairs");
+    throw InternalError("a contact group returned " + std::to_string(state.status.size()) + " statuses and " +
+                        std::to_string(state.force.size()) + " forces for " + std::to_string(pairs_.size()) + " pairs");
   Response response;
   response.status = std::move(state.status);
   response.force = std::move(state.force);
@@ -221,7 +221,7 @@ ContactGroup::Response ContactGroup::finish(const Vector& trace, const Vector& i
 
 namespace {
 
-/// By ContactSearch.
+/// Solved by ContactSearch.
 class ExactGroup final : public ContactGroup {
  public:
   using ContactGroup::ContactGroup;
@@ -235,7 +235,7 @@ class ExactGroup final : public ContactGroup {
 }  // namespace
 
 void registerBuiltIns(Registry<ContactGroup>& registry) {
-  registry.add("Exact", Schema("the closed pairs of each trace to the last one, whatever they were before"),
+  registry.add("Exact", Schema("Finds the closed pairs exactly, for any initial status."),
                [](const ContactGroup::Parts& parts, const Parameters&) { return std::make_unique<ExactGroup>(parts); });
 }
 

@@ -12,11 +12,12 @@
 
 namespace suture {
 
-/// All subdomains that touch a contact piece (or pieces that share a subdomain), together, whole on one rank: seams inside are eliminated
-/// with the interior, the group's boundary are the unknowns shared with other subdomains. Given the trace U there, it solves its own small
-/// contact problem (8), and answers with the flux S_*j(U) of (15). Local.
+/// All subdomains that touch a contact piece (or pieces that share a subdomain), on one rank. Seams inside the group are eliminated with
+/// the interior; the group's boundary consists of the unknowns shared with other subdomains. For a trace U on this boundary, the group
+/// solves its own small contact problem (8) and returns the flux S_*j(U) of (15). Local.
 ///
-/// How the contact problem is solved is a strategy, `Condensed Groups/Contact Group`: Exact; a user's own derives, and writes doSolve().
+/// The solution method of the contact problem is a strategy, `Condensed Groups/Contact Group`: Exact is built in. To add your own, derive
+/// from this class and implement doSolve().
 class ContactGroup {
  public:
   static const char* kind() { return "contact group"; }
@@ -40,28 +41,30 @@ class ContactGroup {
   ContactGroup& operator=(const ContactGroup&) = delete;
 
   struct Response {
-    Vector flux;                       ///< gradient of the least energy with respect to the trace, loads included [force]
-    double energy = 0.0;               ///< least energy, prescribed displacements' part included
+    Vector flux;                       ///< gradient of the minimal energy with respect to the trace, loads included [force]
+    double energy = 0.0;               ///< minimal energy, including the part of prescribed displacements
     std::vector<ContactState> status;  ///< status of each pair
     Vector force;                      ///< force of each row [force]
     Vector displacement;               ///< all unknowns of the group
   };
-  /// Solves the group's contact problem for a trace, from a status to start with.
-  /// \param moved  addition of the bodies' rigid motions, beside the trace, to the rows; empty: none [length]
+  /// Solves the group's contact problem for a trace.
+  /// \param start  initial status
+  /// \param moved  contribution of the bodies' rigid motions, which the trace does not contain, to the rows; empty: none [length]
   Response respond(const Vector& trace, const std::vector<ContactState>& start, const Vector& moved = {}) const;
 
-  /// Response with some pairs glued in the normal direction (at their gaps), those that stick along the tangents too, the others free but
-  /// for the forces of those that slip: the linear problem (11).
+  /// Response with given pair states, the linear problem (11): closed pairs are glued in the normal direction (at their gaps), sticking
+  /// pairs along the tangents too, slipping pairs carry a given tangential force, open pairs none.
   /// \param closed  pairs, made by held()
   Response respondLinear(const Vector& trace, const ContactCompliance::Closed& closed, const Vector& moved = {}) const;
-  /// Its change with the trace and with forces of pairs, > 0 compressive, that act beside those of the closed ones: without loads and gaps.
+  /// Change of the response, without loads and gaps, due to the trace and to pair forces (> 0 compressive) that act in addition to those of
+  /// the closed pairs.
   Response changeLinear(const Vector& trace, const ContactCompliance::Closed& closed, const Vector& pairForces) const;
 
   int id() const { return id_; }
   const std::vector<Member>& members() const { return members_; }
   const ContactRows& rows() const { return rows_; }
   const std::vector<ContactPair>& pairs() const { return pairs_; }  ///< pair of each row
-  /// Pairs both of whose nodes are held in the normal direction: never part of the local problem.
+  /// Pairs with both nodes held in the normal direction; they never enter the local problem.
   const std::vector<ContactPair>& idlePairs() const { return idlePairs_; }
   const std::vector<GlobalId>& boundary() const { return boundary_; }
   const std::vector<int>& boundaryPositions() const { return boundaryPositions_; }
@@ -70,27 +73,27 @@ class ContactGroup {
   /// Unknowns of a member within the group: position of each of its free unknowns.
   const std::vector<int>& positionsOf(int member) const { return positions_[member]; }
 
-  /// The group with its boundary held (respond) and free (local Neumann problems; factored when first asked for).
+  /// The group with its boundary held (for respond) and free (local Neumann problems; factored on first use).
   const ContactCompliance& held() const { return *held_; }
   const ContactCompliance& floating() const;
 
-  /// flux <- K_BB trace + K_BI v: flux of the boundary for unknowns v of the interior.
+  /// flux <- K_BB trace + K_BI v: flux on the boundary for interior unknowns v.
   void flux(ConstLocalView trace, ConstLocalView interior, LocalView flux) const;
   /// load <- -K_IB trace
   void interiorLoad(ConstLocalView trace, LocalView load) const;
   const std::vector<int>& interiorPositions() const { return interiorPositions_; }
 
-  /// Rigid modes of the whole group, unknowns x k: combinations of members' modes that agree where members meet and vanish where
-  /// prescribed, and on the boundary if it is held. (A hinge between two members is found, too.)
+  /// Rigid modes of the whole group, unknowns x k: combinations of the members' modes that agree where members meet and vanish where
+  /// displacements are prescribed, and on the boundary if it is held. A hinge between two members is found as well.
   Matrix rigidKernel(bool boundaryHeld) const;
 
  protected:
-  /// The unilateral problem with the boundary held: forces and gaps >= 0, their product zero. Not asked for where a law of the scene
-  /// restricts sliding or never opens a pair: states of pairs are given then (respondLinear).
-  /// \param v  in: loads of the interior, one column; out: its displacements
-  /// \param start  a status to start with
-  /// \param moved  addition to the rows, which makes their gaps smaller; empty: none [length]
-  /// \throws NumericalError  there is no equilibrium, or none was found
+  /// Solves the unilateral problem with the boundary held: forces and gaps >= 0, their product zero. Not called if a law of the scene
+  /// restricts sliding or never lets a pair open: pair states are given then (respondLinear).
+  /// \param v  in: loads of the interior, one column; out: displacements of the interior
+  /// \param start  initial status
+  /// \param moved  contribution to the rows that reduces their gaps; empty: none [length]
+  /// \throws NumericalError  no equilibrium exists, or none was found
   virtual ContactCompliance::State doSolve(LocalView v, const std::vector<ContactState>& start, const Vector& moved) const = 0;
   /// The rows in the unknowns of the interior.
   const ContactRows& heldRows() const { return interiorRows_; }
@@ -108,7 +111,7 @@ class ContactGroup {
   std::vector<Member> members_;
   LocalSolverMaker solver_;
   std::vector<GlobalId> globalDofs_;         // ascending
-  std::vector<std::vector<int>> positions_;  // member -> its unknowns' places
+  std::vector<std::vector<int>> positions_;  // member -> places of its unknowns
   std::vector<GlobalId> boundary_;
   std::vector<int> boundaryPositions_, interiorPositions_, nodeOf_;
   SparseMatrix stiffness_, ib_, bb_;

@@ -10,14 +10,14 @@ namespace suture {
 
 namespace {
 
-constexpr int kPlainSolves = 12;     // solves of one accuracy before other sets than plain flips are tried
-constexpr int kModelSolves = 3;      // solves whose next set the half-planes propose: later ones differ by a pair, as a plain flip does
+constexpr int kPlainSolves = 12;     // solves at one accuracy before other sets than plain flips are tried
+constexpr int kModelSolves = 3;      // solves whose next set comes from half-planes; later sets differ by single pairs, as do plain flips
 constexpr int kPatience = 25;        // solves without a better state before a safe step
-constexpr double kIdle = 1e-10;      // forces below this part of the largest on the less loaded body are those of pairs that only touch
-constexpr double kProgress = 1e-13;  // energies that differ by less are equal
-constexpr std::size_t kMemory = 30;  // solves that the model learns from
-constexpr double kFarther = 2.0;     // distance from the laws, in parts of the nearest balance's, from which on a line search pays
-constexpr int kSetHalvings = 12;     // of a step on that line
+constexpr double kIdle = 1e-10;      // relative to the largest force on the less loaded body: pairs with smaller forces only touch
+constexpr double kProgress = 1e-13;  // relative difference of energies that counts as zero
+constexpr std::size_t kMemory = 30;  // solves used by the learnt model
+constexpr double kFarther = 2.0;     // ratio of the distance from the laws to that of the closest state above which a line search is tried
+constexpr int kSetHalvings = 12;     // halvings of a step on that line
 
 }  // namespace
 
@@ -33,8 +33,8 @@ void ContactSearch::remember(const Vector& force, const Vector& penetration) {
 
 ContactSearch::ContactSearch(const RigidContact& rigid, ContactOracle& oracle, int most) : rigid_(rigid), oracle_(oracle), left_(most) {}
 
-/// Solves a set and its holders, of which those that the loads press on belong to the set; afterwards what is loose stands where open pairs
-/// penetrate least.
+/// Solves for a set and its holders. Holders on which the loads press become part of the set. Motions that remain free are then chosen for
+/// the least penetration of open pairs.
 bool ContactSearch::solve(const ClosedSet& closed) {
   if (left_-- <= 0 || !oracle_.goesOn()) {
     stopped_ = true;
@@ -101,14 +101,14 @@ ClosedSet ContactSearch::flipped() const {
   return next;
 }
 
-/// Penetrations of pads that carry given forces.
+/// Pad penetrations for given forces.
 Vector ContactSearch::padPenetration(const Vector& force, const Vector& penetration) const {
   return rigid_.compliance().cwiseProduct(force) + penetration;
 }
 
 ClosedSet ContactSearch::guarded(ClosedSet set) const { return guarded(std::move(set), answer_.force, answer_.penetration); }
 
-/// A set that would leave a body loose gives way to that of the equilibrium on pads.
+/// Replaces a set that would leave a body unconstrained by that of the equilibrium on pads.
 ClosedSet ContactSearch::guarded(ClosedSet set, const Vector& force, const Vector& penetration) const {
   if (rigid_.motions() == 0 || !rigid_.loosens(set)) return set;
   const RigidContact::Equilibrium pads = rigid_.project(padPenetration(force, penetration));
@@ -119,7 +119,7 @@ ClosedSet ContactSearch::guarded(ClosedSet set, const Vector& force, const Vecto
 
 bool ContactSearch::proposed(const ClosedSet& set) const { return std::find(seen_.begin(), seen_.end(), set) != seen_.end(); }
 
-/// Takes pairs without force out of the equations for the bodies' places: they would fix them wrongly.
+/// Removes pairs without force from the closed set, because they would fix the bodies' positions incorrectly.
 void ContactSearch::dropIdle() {
   answer_.force = answer_.force.cwiseMax(0.0);
   const Vector scale = rigid_.bodyScale(set_, answer_.force);
@@ -141,7 +141,7 @@ void ContactSearch::dropIdle() {
   oracle_.move(motion);
 }
 
-/// After a solve at the final accuracy: true at the solution. Remembers the state if it is the best so far.
+/// After a solve at the final accuracy: true at the solution. Stores the state if it is the best so far.
 bool ContactSearch::done() {
   remember(answer_.force, answer_.penetration);
   if (driven_ || pulls()) {
@@ -174,7 +174,7 @@ double ContactSearch::distance(const Vector& force, const Vector& penetration) c
   return sum;
 }
 
-/// Where the answer is much farther from the laws than the nearest balance: the set of the best balance between the two, if it is new.
+/// If the solution is much farther from the laws than the closest state: the set of the best combination of the two, if it is new.
 bool ContactSearch::searchLine(ClosedSet& next) {
   if (!learns_ || driven_) return false;
   const double own = distance(answer_.force, answer_.penetration);
@@ -203,7 +203,7 @@ bool ContactSearch::searchLine(ClosedSet& next) {
   return !proposed(next);
 }
 
-/// The next set, not met before, without a safe step; false if there is none.
+/// A new set that needs no safe step; false if there is none.
 bool ContactSearch::propose(ClosedSet& next) {
   if (searchLine(next)) return true;
   if (plain_ <= kPlainSolves) {
@@ -228,7 +228,7 @@ bool ContactSearch::propose(ClosedSet& next) {
   return !proposed(next);
 }
 
-/// Holders have moved bodies to where their gaps close: along motions that change no force, back to the least.
+/// Holders have moved bodies until their gaps close. Moves the bodies back, along motions that change no force, to the least motion.
 void ContactSearch::moveLeast(const ClosedSet& carrying) {
   const Vector motion = oracle_.motion();
   if (motion.size() != rigid_.motions() || motion.size() == 0) return;
@@ -283,7 +283,7 @@ ContactSearch::Result ContactSearch::run(ClosedSet start) {
       }
       seen_.push_back(set_);
       if (propose(next)) continue;
-      level_ = last;  // sets return: nothing but accurate forces can tell
+      level_ = last;  // sets recur: only accurate forces can decide
       seen_.clear();
       plain_ = 0;
       next = set_;
@@ -292,7 +292,8 @@ ContactSearch::Result ContactSearch::run(ClosedSet start) {
     if (done()) return finish(true, "");
     seen_.push_back(set_);
     if (propose(next)) {
-      // A set that moves by a pair or two after a final solve may do so again: a looser one is enough to see it. Once: this must end.
+      // If a final solve changes the set by a pair or two, more such changes may follow, for which a looser accuracy is sufficient. Done
+      // once, so that the search terminates.
       if (last > 0 && !loosened_ && solves_ <= kPlainSolves) {
         loosened_ = true;
         level_ = last - 1;
@@ -302,9 +303,9 @@ ContactSearch::Result ContactSearch::run(ClosedSet start) {
     }
     if (!safeStep(next)) {
       if (stopped_ || failed_) return finish(false, stopped_ ? "" : "a linear solve failed");
-      // Nothing rises any more: the best state is the solution as far as numbers can tell; the verdict decides.
+      // The energy cannot rise any more: the best state is the solution to numerical accuracy, subject to verification.
       if (haveBest_ && solve(best_.closed)) return finish(true, "");
-      return finish(false, "no set of closed pairs was found that balances the loads without pulling");
+      return finish(false, "found no set of closed pairs that balances the loads without tensile forces");
     }
   }
 }

@@ -8,8 +8,8 @@ namespace suture {
 
 namespace {
 
-constexpr double kRounding = 1e-11;  // rounding of forces, and of deformations by them, in the dense solves
-constexpr double kRepeated = 1e-13;  // shift of the scaled diagonal that lets rows which repeat each other share their force
+constexpr double kRounding = 1e-11;  // round-off of forces, and of deformations by them, in the dense solves
+constexpr double kRepeated = 1e-13;  // shift of the scaled diagonal, by which linearly dependent rows share their force
 
 std::vector<int> closedOnes(const ClosedSet& set) {
   std::vector<int> closed;
@@ -41,7 +41,7 @@ void DelassusProblem::solveSaddle(const std::vector<int>& closed, const Vector& 
   force = Vector::Zero(rigid_.pairs());
   amplitude = Vector::Zero(rigid_.motions());
   if (closed.empty()) return;
-  // Pairs scaled to a unit diagonal, and the motions that they stop to unit columns.
+  // Scale pairs to a unit diagonal, and the motions that they stop to unit columns.
   const Vector scale = Vector(compliance_.diagonal()(closed)).cwiseSqrt().cwiseInverse();
   Matrix w = compliance_(closed, closed);
   w = (scale.asDiagonal() * w * scale.asDiagonal()).eval();
@@ -55,7 +55,7 @@ void DelassusProblem::solveSaddle(const std::vector<int>& closed, const Vector& 
   const Matrix middle = g.cols() > 0 ? factorOf(g.transpose() * inverse) : Matrix(0, 0);
   const Vector b = scale.cwiseProduct(right), e = columns.cwiseProduct(stopped.transpose() * balance);
   Vector f = Vector::Zero(b.size()), a = Vector::Zero(e.size());
-  for (int pass = 0; pass < 3; ++pass) {  // refined: the factor's shift leaves no trace
+  for (int pass = 0; pass < 3; ++pass) {  // refinement, so that the shift of the factor does not affect the result
     const Vector restB = b - w * f + g * a, restE = e - g.transpose() * f;
     const Vector y = choleskySolve(lower, restB);
     const Vector da = e.size() > 0 ? Vector(choleskySolve(middle, restE - g.transpose() * y)) : e;

@@ -4,18 +4,18 @@
 namespace suture {
 
 /// Elastic bodies condensed to their contact pairs (Delassus matrix): penetrations  w = d - W f + G a,  equilibrium  G^T f = e,  with the
-/// compliance W = N K^+ N^T, the penetrations d without forces, and rigid amplitudes a. Answers by dense factorisations. Local.
+/// compliance W = N K^+ N^T, the penetrations d without forces, and rigid amplitudes a. Solved by dense factorisations. Local.
 class DelassusProblem : public ContactOracle {
  public:
-  /// Result of a solve, for the recovery of displacements.
+  /// Result of a solve, from which displacements are recovered.
   struct State {
-    Vector force;      ///< forces of all pairs, holders' included
+    Vector force;      ///< forces of all pairs, including holders
     Vector amplitude;  ///< a
   };
 
   /// `rigid` and `compliance` must outlive it.
   /// \param open     d [length]
-  /// \param rounding  error of d at each pair; empty: none beyond that of its own digits [length]
+  /// \param rounding error of d at each pair; empty: only its own round-off [length]
   DelassusProblem(const RigidContact& rigid, const Matrix& compliance, const Vector& open, const Vector& rounding);
 
   ContactAnswer solve(const ClosedSet& closed, int level) override;
@@ -25,7 +25,7 @@ class DelassusProblem : public ContactOracle {
   const State& state() const { return state_; }
 
  private:
-  /// f, a of  W f - G a = right,  G^T f = balance  on closed pairs, with a in the motions that they stop.
+  /// Solves  W f - G a = right,  G^T f = balance  on closed pairs for f and a, with a in the motions that these pairs stop.
   void solveSaddle(const std::vector<int>& closed, const Vector& right, const Vector& balance, Vector& force, Vector& amplitude) const;
 
   const RigidContact& rigid_;

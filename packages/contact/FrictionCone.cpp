@@ -14,7 +14,7 @@ FrictionCone::Force FrictionCone::project(const Force& trial, Derivative* deriva
   }
   const Eigen::Vector2d along = size > 0.0 ? Eigen::Vector2d(trial.tail<2>() / size) : Eigen::Vector2d::Zero();
   const Eigen::Vector2d across(-along(1), along(0));
-  // On the mantle, beyond its end at l_n = 0 on the disc of forces without a normal one.
+  // The cone's lateral surface; it ends at l_n = 0 with the disc of forces without a normal component.
   const double beyond = (size - bound - friction * normal) / (1.0 + friction * friction);
   const double onNormal = normal + friction * beyond, onSize = bound + friction * onNormal;
   Force nearest = Force::Zero();

@@ -3,8 +3,8 @@
 
 namespace suture {
 
-/// Forces that a pair can have by a linear law of friction: { l : l_n >= 0, |l_t| <= bound + friction l_n }, component 0 along the normal.
-/// Convex. An infinite bound holds any tangential force.
+/// Admissible forces of a pair with a linear friction law: { l : l_n >= 0, |l_t| <= bound + friction l_n }, component 0 along the normal.
+/// Convex. An infinite bound admits any tangential force.
 struct FrictionCone {
   double bound = 0.0;     ///< [force]
   double friction = 0.0;  ///< slope
@@ -12,7 +12,7 @@ struct FrictionCone {
   using Force = Eigen::Vector3d;
   using Derivative = Eigen::Matrix3d;
 
-  /// Nearest point of the cone. \param derivative  of the projection (an element of its generalised Jacobian), or null. Local.
+  /// Nearest point of the cone. \param derivative  derivative of the projection (an element of its generalised Jacobian), or null. Local.
   Force project(const Force& trial, Derivative* derivative = nullptr) const;
 };
 

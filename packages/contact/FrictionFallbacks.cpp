@@ -1,4 +1,4 @@
-// FrictionSearch: ways to states where Newton's method by the laws does not end, or has no linear problems to ask for.
+// FrictionSearch: fallbacks for states where Newton's method does not converge or does not apply.
 #include <suture/algebra/dense/Decompositions.hpp>
 #include <suture/base/ForceScale.hpp>
 #include <suture/contact/FrictionSearch.hpp>
@@ -11,26 +11,26 @@ namespace suture {
 
 namespace {
 
-constexpr double kSameForces = 1e-9;     // relative change of normal forces at which a fixed point has been reached
-constexpr Eigen::Index kMixed = 5;       // problems before the last one that the next bounds are mixed with
-constexpr double kTelling = 1e-4;        // relative change of bounds from which on they tell the contraction
-constexpr double kGrown = 2.0;           // growth of the change from which on those before tell nothing
-constexpr double kSameAsSolved = 0.1;    // part of the accuracy of solves that no change need fall below
-constexpr double kOtherConstant = 0.05;  // constant along normals of the second try: other combinations are nearest
-constexpr int kSecondTry = 30;           // solves from pairs that all stick
-constexpr int kMoreBlockSteps = 10;      // steps of the second try that change all violated pairs without lowering their number
-constexpr int kFewBlockSteps = 3;        // the same along the path of falling friction
-constexpr int kPathSolves = 12;          // solves of a step along the path of falling friction
+constexpr double kSameForces = 1e-9;     // relative change of normal forces at which the fixed point has converged
+constexpr Eigen::Index kMixed = 5;       // number of previous problems mixed into the next bounds
+constexpr double kTelling = 1e-4;        // relative change of bounds above which the contraction is estimated
+constexpr double kGrown = 2.0;           // growth of the change above which earlier problems are discarded
+constexpr double kSameAsSolved = 0.1;    // fraction of the solver accuracy below which no change is required
+constexpr double kOtherConstant = 0.05;  // constant along normals in the second try, with which other combinations are closest
+constexpr int kSecondTry = 30;           // solves in the second try, which starts with all pairs sticking
+constexpr int kMoreBlockSteps = 10;      // steps of the second try that change all violated pairs without reducing their number
+constexpr int kFewBlockSteps = 3;        // the same along the path of decreasing friction
+constexpr int kPathSolves = 12;          // solves of a step along that path
 constexpr int kLastSolves = 30;          // solves of the last step along that path, to the final accuracy
-constexpr double kRough = 1e6;           // multiple of friction with which all closed pairs stick
-/// First multiples along that path, until one settles: where a body hangs on friction alone, it needs little of it.
+constexpr double kRough = 1e6;           // friction multiple with which all closed pairs stick
+/// First multiples along that path, tried until one settles. A body held by friction alone needs a small one.
 constexpr std::array<double, 5> kMultiples{kRough, 4.0, 2.0, 1.4, 1.2};
-constexpr double kUnloading = 0.1;   // part of the path's largest force, of which normal forces are less where bodies are unloaded
-constexpr double kShortStep = 1e-3;  // relative change of friction of the shortest step along that path
+constexpr double kUnloading = 0.1;   // fraction of the path's largest force; bodies with smaller normal forces count as unloaded
+constexpr double kShortStep = 1e-3;  // relative change of friction in the shortest step along that path
 
 }  // namespace
 
-/// Closes all pairs, and lets those stick whose laws restrict sliding.
+/// Closes all pairs; those whose laws restrict sliding stick.
 void FrictionSearch::stick() {
   for (std::size_t i = 0; i < states_.size(); ++i)
     if (rigid_.data().able[i]) states_[i] = laws_.of(rigid_.data().line[i]).rows(2) > 1 ? PairStatus::Stick : PairStatus::Slip;
@@ -39,8 +39,8 @@ void FrictionSearch::stick() {
   met_.clear();
 }
 
-/// Tries from the other side, from pairs that all stick; by pivots, where pairs are few; and along the path of falling friction. \param
-/// first  how the first try ended
+/// Tries again from the other side, with all pairs sticking; then by pivots if pairs are few; then along the path of decreasing friction.
+/// \param first  result of the first try
 FrictionSearch::End FrictionSearch::tryAgain(End first) {
   stick();
   normalConstant_ = kOtherConstant;
@@ -53,7 +53,7 @@ FrictionSearch::End FrictionSearch::tryAgain(End first) {
   return end != End::Settled && first == End::Slides ? first : end;
 }
 
-/// Largest tangential force of a closed pair, in parts of what its law allows.
+/// Largest ratio of a closed pair's tangential force to its bound.
 double FrictionSearch::mobilisation() {
   const PairStates own = projected(states_, answer_);
   double most = 0.0;
@@ -66,8 +66,8 @@ double FrictionSearch::mobilisation() {
   return most;
 }
 
-/// Follows a path of falling friction: begins with a multiple of it, the first of some that settles, and lowers that to one. Few pairs
-/// change in each step; one that does not end is halved.
+/// Follows a path of decreasing friction: starts with the first multiple of friction that settles and reduces it to one. Few pairs change
+/// in each step; a step that fails is halved.
 FrictionSearch::End FrictionSearch::lowerFriction() {
   End end = End::Exhausted;
   double from = kRough;
@@ -108,12 +108,12 @@ FrictionSearch::End FrictionSearch::lowerFriction() {
   return end;
 }
 
-/// Solves Tresca problems, each with the bounds that the one before gives, mixed with those of others before so that their changes cancel
-/// as far as they can (Anderson; Walker and Ni 2011): with states that stay the changes are linear in the bounds.
+/// Solves a sequence of Tresca problems with bounds from the previous solutions, accelerated by Anderson mixing (Walker and Ni 2011): as
+/// long as states do not change, the changes are linear in the bounds.
 FrictionSearch::End FrictionSearch::fixedPoint(const Vector& start) {
   const double same = std::max(kSameForces, kSameAsSolved * oracle_.tightest());
   normal_ = start;
-  Matrix bounds(start.size(), 0), changes = bounds;  // one column for each of the last problems
+  Matrix bounds(start.size(), 0), changes = bounds;  // one column per previous problem
   const auto remember = [](Matrix& all, const Vector& last) {
     const Eigen::Index kept = std::min<Eigen::Index>(all.cols(), kMixed);
     Matrix next(last.size(), kept + 1);
@@ -135,7 +135,7 @@ FrictionSearch::End FrictionSearch::fixedPoint(const Vector& start) {
     if (before > 0) {
       const Matrix ofBounds = bounds.rightCols(before) - bounds.leftCols(before),
                    ofChanges = changes.rightCols(before) - changes.leftCols(before);
-      // Small changes are those of mixed bounds and of rounding: they tell nothing of the map.
+      // Small changes are dominated by mixing and round-off and are not used to estimate the contraction.
       if (const double size = ofBounds.rightCols(1).norm(); size > kTelling * normal_.norm())
         contraction_ = std::max(contraction_, (ofBounds + ofChanges).rightCols(1).norm() / size);
       step -= (ofBounds + ofChanges) * leastSquares(ofChanges, change);
@@ -145,7 +145,7 @@ FrictionSearch::End FrictionSearch::fixedPoint(const Vector& start) {
   }
 }
 
-/// True if a bound by the law of some pair depends on its normal force.
+/// True if the bound of some pair depends on its normal force.
 bool FrictionSearch::dependOnNormals() {
   Vector none;
   normal_.swap(none);
@@ -154,7 +154,7 @@ bool FrictionSearch::dependOnNormals() {
   return std::any_of(own.begin(), own.end(), [](const ContactState& state) { return state.closed() && state.friction != 0.0; });
 }
 
-/// Puts the bounds of the laws themselves in place of those of a Tresca problem.
+/// Replaces the bounds of a Tresca problem by those of the laws.
 void FrictionSearch::thaw() {
   if (normal_.size() == 0 || answer_.force.size() == 0) return;
   normal_ = Vector();
@@ -166,7 +166,7 @@ void FrictionSearch::thaw() {
   }
 }
 
-/// Solves by the fixed point alone, from given normal forces; where none are given, from those of the start's states.
+/// Solves by the fixed point alone, from given normal forces or, without these, from those of the initial states.
 FrictionSearch::End FrictionSearch::solveAsTresca(const Vector& normal) {
   for (ContactState& state : states_) state.friction = 0.0;
   Vector bounds = normal;
@@ -176,7 +176,7 @@ FrictionSearch::End FrictionSearch::solveAsTresca(const Vector& normal) {
     if (!answer_.solved) return End::Failed;
     bounds = normalForces();
   }
-  // Bounds that fall to nothing with the loads do so by a part in each problem; without friction it is seen at once.
+  // Bounds that vanish with the loads decrease by a factor per problem; a frictionless solve finds this at once.
   if (bounds.sum() * kRoundedForce <= kUnloading * rigid_.rounding().maxCoeff()) {
     normal_ = Vector::Zero(bounds.size());
     tolerance_ = oracle_.tightest();

@@ -1,4 +1,4 @@
-// FrictionSearch: bodies that pairs hold, in vain or not.
+// FrictionSearch: pairs that keep bodies from being unconstrained.
 #include <suture/algebra/dense/Decompositions.hpp>
 #include <suture/algebra/dense/NonnegativeLeastSquares.hpp>
 #include <suture/contact/Collapse.hpp>
@@ -13,17 +13,18 @@ namespace suture {
 
 namespace {
 
-constexpr std::size_t kMeetings = 20;  // places that driven bodies are dragged to
-constexpr double kLeastWay = 1e-2;     // first way tried, in parts of the shortest one after which something may change
-constexpr double kMostWay = 1e3;       // last way tried, in parts of the longest such one
-constexpr int kEdges = 16;             // planes of the pyramid about a cone of friction
-constexpr double kOutdone = 1e-7;      // least part of the loads that no forces balance
-constexpr double kCollapsed = 1.02;    // multiple of friction at a limit of equilibrium from which on other states are not looked for
-constexpr int kCollapseSolves = 10;    // solves of its search
+constexpr std::size_t kMeetings = 20;  // number of states to which driven bodies are moved
+constexpr double kLeastWay = 1e-2;     // first displacement tried, relative to the shortest one after which something may change
+constexpr double kMostWay = 1e3;       // last displacement tried, relative to the longest such one
+constexpr int kEdges = 16;             // planes of the pyramid around a friction cone
+constexpr double kOutdone = 1e-7;      // least unbalanced fraction of the loads
+constexpr double kCollapsed = 1.02;    // friction multiple at a limit equilibrium above which no other states are tried
+constexpr int kCollapseSolves = 10;    // solves for this multiple
 
 }  // namespace
 
-/// Lets pairs that held a body before go on to, where the next states would leave it loose: one a motion, the best determined.
+/// If the next states would leave a body unconstrained, re-activates pairs that previously held it: one per free motion, chosen for the
+/// best conditioning.
 PairStates FrictionSearch::guarded(PairStates next, const PairStates& before) {
   holders_.assign(next.size(), 0);
   Matrix free = rigid_.loose(next);
@@ -31,7 +32,7 @@ PairStates FrictionSearch::guarded(PairStates next, const PairStates& before) {
   while (free.cols() > 0) {
     std::size_t best = next.size();
     bool sticks = false;
-    for (int round = 0; round < 3 && best == next.size(); ++round) {  // those that did so in vain, and then open ones, last
+    for (int round = 0; round < 3 && best == next.size(); ++round) {  // 1: pairs that held without success; 2: open pairs
       double most = kDependentRows;
       for (std::size_t i = 0; i < next.size(); ++i) {
         const auto at = static_cast<Eigen::Index>(i);
@@ -59,8 +60,8 @@ PairStates FrictionSearch::guarded(PairStates next, const PairStates& before) {
   return next;
 }
 
-/// Motion, among those that states leave loose, along which the loads drive bodies: that of what pairs felt beyond their laws before they
-/// got these states. Zero where nothing drives them. \param changed  those pairs
+/// Motion along which the loads drive bodies, among those that the states leave free: it follows from the forces by which pairs exceeded
+/// their laws before they got these states. Zero if nothing drives the bodies. \param changed  these pairs
 Vector FrictionSearch::drivenMotion(const PairStates& next, const std::vector<std::size_t>& changed) const {
   const RigidContact::Pairs& data = rigid_.data();
   const Matrix free = rigid_.loose(next);
@@ -79,8 +80,8 @@ Vector FrictionSearch::drivenMotion(const PairStates& next, const std::vector<st
   return length > 0.0 ? Vector(motion / length) : Vector::Zero(rigid_.motions());
 }
 
-/// Drags bodies that the next states leave loose along the loads, to the states that they meet. False where none are loose, or none are
-/// met.
+/// Moves bodies that the next states leave unconstrained along the loads to the states that they reach. False if no body is unconstrained,
+/// or no new state is reached.
 bool FrictionSearch::follow(PairStates& next) {
   const auto loose = static_cast<int>(rigid_.loose(next).cols());
   if (loose == 0) return false;
@@ -91,8 +92,8 @@ bool FrictionSearch::follow(PairStates& next) {
   return motion.squaredNorm() > 0.0 && drag(motion, loose, next);
 }
 
-/// Lets pairs that hold a body in vain go: others hold it, or those that hold it further on its way, as far as the loads drive it. False
-/// where there are none: slides_ is that way.
+/// Releases pairs that hold a body beyond their law: other pairs hold it, or those that it reaches when the loads drive it. False if there
+/// are none; slides_ is then the driven motion.
 bool FrictionSearch::relieve(const PairStates& next) {
   const std::vector<char> holders = holders_;
   std::vector<std::size_t> driven;
@@ -115,15 +116,15 @@ bool FrictionSearch::relieve(const PairStates& next) {
   return true;
 }
 
-/// Moves bodies rigidly until the laws answer with states that hold them better: forces stay in balance on the way. False where there are
-/// none, or none but those of a way before.
-/// \param loose  motions that are loose now;  \param found  gets the states
+/// Moves bodies rigidly until the laws give states that hold them better; forces stay in equilibrium. False if there are none, or only
+/// states reached before.
+/// \param loose  number of motions that are free now;  \param found  receives the states
 bool FrictionSearch::drag(const Vector& motion, int loose, PairStates& found) {
   const RigidContact::Pairs& data = rigid_.data();
   Matrix way = Matrix::Zero(answer_.jump.rows(), 3);
   way.col(0) = data.rows * motion;
   for (std::size_t k = 0; k < data.tangents.size(); ++k) way.col(static_cast<Eigen::Index>(k + 1)) = data.tangents[k] * motion;
-  double least = std::numeric_limits<double>::infinity(), most = 0.0;  // ways after which something may change
+  double least = std::numeric_limits<double>::infinity(), most = 0.0;  // displacements after which something may change
   for (std::size_t i = 0; i < states_.size(); ++i) {
     const auto at = static_cast<Eigen::Index>(i);
     if (!data.able[i] || !(way.row(at).norm() > kDependentRows)) continue;
@@ -143,16 +144,16 @@ bool FrictionSearch::drag(const Vector& motion, int loose, PairStates& found) {
   return false;
 }
 
-/// Rigid motion in which the loads do more work than all that pairs can hold by their laws, those that are open, too (limit analysis,
-/// static theorem): then there is no equilibrium, wherever bodies come to rest on these pairs. Empty: forces of pairs can balance the
-/// loads, or nothing is known.
+/// Rigid motion in which the loads do more work than all pairs, including open ones, can resist by their laws (limit analysis, static
+/// theorem): no equilibrium exists at any position of the bodies with these pairs. Empty: pair forces can balance the loads, or the result
+/// is unknown.
 Vector FrictionSearch::outdone() const {
-  constexpr double kBeyond = 1e150;  // slip, as a force, that no finite bound holds
+  constexpr double kBeyond = 1e150;  // slip, as a force, beyond any finite bound
   const RigidContact::Pairs& data = rigid_.data();
   const int motions = rigid_.motions();
   const double size = data.work.norm();
   if (size == 0.0) return {};
-  std::vector<std::vector<std::pair<int, double>>> columns;  // entries of motions, and of bounds, of each force that a pair can have
+  std::vector<std::vector<std::pair<int, double>>> columns;  // entries in motions and bounds, per possible force of a pair
   std::vector<double> bounds;
   const auto column = [&](const Vector& ofMotions) {
     columns.emplace_back();
@@ -176,10 +177,10 @@ Vector FrictionSearch::outdone() const {
       trial.force[0] = 1.0;
       trial.jump = {0.0, kBeyond * std::cos(angle), data.tangents.size() == 2 ? kBeyond * std::sin(angle) : 0.0};
       const ContactState state = laws_.of(data.line[i]).project(trial, PairStatus::Slip);
-      if (state.status != PairStatus::Slip) return {};  // it may hold anything
+      if (state.status != PairStatus::Slip) return {};  // it may hold any force
       Vector along = std::cos(angle) * data.tangents[0].row(at).transpose();
       if (data.tangents.size() == 2) along += std::sin(angle) * data.tangents[1].row(at).transpose();
-      along /= std::cos(M_PI / (edges == 2 ? 1e300 : edges));  // planes about the cone
+      along /= std::cos(M_PI / (edges == 2 ? 1e300 : edges));  // planes around the cone
       if (state.friction > 0.0) column(normal + state.friction * along);
       if (!(state.bound > 0.0)) continue;
       if (bound < 0) {
@@ -201,10 +202,10 @@ Vector FrictionSearch::outdone() const {
   return rest.head(motions).norm() > kOutdone ? Vector(rest.head(motions).normalized()) : Vector();
 }
 
-/// Judges the last states by Collapse. True where bodies slide beyond doubt: other states would need other normal forces by far.
+/// Applies Collapse to the last states. True if bodies slide beyond doubt: other states would need very different normal forces.
 bool FrictionSearch::collapses() {
   if (answer_.force.size() == 0) return false;
-  // Also where no solve is left for the search: why it ends is worth as many.
+  // Runs even if no solves are left for the search, because the reason of failure is worth them.
   const Collapse::Result found = Collapse(rigid_, laws_, sites_, oracle_).find(states_, normalForces(), kCollapseSolves);
   solves_ += found.solves;
   left_ = std::max(0, left_ - found.solves);

@@ -1,4 +1,4 @@
-// FrictionSearch: the problem of few pairs as a whole.
+// FrictionSearch: the complementarity problem of few pairs.
 #include <suture/algebra/dense/Decompositions.hpp>
 #include <suture/algebra/dense/LinearComplementarity.hpp>
 #include <suture/contact/FrictionSearch.hpp>
@@ -13,24 +13,24 @@ namespace suture {
 
 namespace {
 
-constexpr std::size_t kMostRows = 240;  // rows of pairs at most: each takes a solve
-constexpr int kSides = 8;               // sides of the pyramid in a cone of friction
+constexpr std::size_t kMostRows = 240;  // maximum number of rows; each takes a solve
+constexpr int kSides = 8;               // sides of the pyramid in a friction cone
 constexpr std::array<double, 3> kSoft{
-    1e-7, 1e-5, 1e-3};                   // springs of loose bodies, in parts of the mean stiffness of a row: as soft as rounding allows
-constexpr double kHeldBySprings = 1e-3;  // force of these springs, in parts of the loads, at which nothing else holds the bodies
-constexpr double kHoldsAnything = 1e3;   // bound of a pair that no force makes slip, in parts of the largest force
-constexpr double kTouches = 1e-12;       // normal force at which bounds of a pair without one are asked for, in parts of the largest force
-constexpr double kPushed = 1e150;        // slip, as a force, that no finite bound holds
-constexpr int kRounds = 6;               // problems at most, each with the bounds that the one before gives
-constexpr int kPivotPatience = 3;        // steps from its states that change all violated pairs without lowering their number
+    1e-7, 1e-5, 1e-3};                   // springs of unconstrained bodies, relative to the mean stiffness of a row; limited by round-off
+constexpr double kHeldBySprings = 1e-3;  // force of these springs, relative to the loads, above which nothing else holds the bodies
+constexpr double kHoldsAnything = 1e3;   // bound of a pair that no force makes slip, relative to the largest force
+constexpr double kTouches = 1e-12;       // normal force at which the bound of an unloaded pair is evaluated, relative to the largest force
+constexpr double kPushed = 1e150;        // slip, as a force, beyond any finite bound
+constexpr int kRounds = 6;               // maximum number of problems, each with bounds from the previous one
+constexpr int kPivotPatience = 3;        // steps from its states that change all violated pairs without reducing their number
 constexpr int kPivotSolves = 30;         // solves from its states
 
 }  // namespace
 
 /// Forces and jumps of the pairs' complementarity problem (Klarbring 1986; Anitescu and Potra 1997):
 ///     0 <= force along a direction  |  open + A force + spin >= 0,      0 <= spin  |  bound + mu normal - sum of tangential ones >= 0
-/// with A the compliance of the pairs and a pyramid for each cone of friction. Lemke's pivots find a solution wherever bodies are held,
-/// whatever the friction; loose ones get soft springs. False where there is none without them.
+/// with the compliance A of the pairs and a pyramid for each friction cone. Lemke's pivots find a solution for any friction if bodies are
+/// held; unconstrained ones get soft springs. False if no solution exists without these springs.
 bool FrictionSearch::pivot(const PairResponse& response, double softness, FrictionAnswer& found) const {
   const RigidContact::Pairs& data = rigid_.data();
   const std::vector<PairResponse::Row>& rows = response.rows();
@@ -49,10 +49,10 @@ bool FrictionSearch::pivot(const PairResponse& response, double softness, Fricti
   double condition = 0.0;
   const Matrix compliance = generalInverse(response.stiffness() + springs, condition);
   if (!std::isfinite(condition)) return false;
-  // Unknowns: forces along directions, and the spin of each pair that rubs, all in units of their own.
+  // Unknowns: forces along directions and the spin of each pair with friction, each scaled to its unit.
   const int sides = data.tangents.size() == 2 ? kSides : 2;
-  std::vector<Eigen::Index> rubs;                     // normal rows of pairs that rub
-  std::vector<std::pair<Eigen::Index, int>> columns;  // normal row of each direction's pair; its side, -1: the normal
+  std::vector<Eigen::Index> rubs;                     // normal rows of pairs with friction
+  std::vector<std::pair<Eigen::Index, int>> columns;  // normal row of each direction's pair, and its side; -1: the normal
   for (Eigen::Index r = 0; r < n; ++r) {
     if (rows[r].component > 0) continue;
     columns.emplace_back(r, -1);
@@ -88,7 +88,7 @@ bool FrictionSearch::pivot(const PairResponse& response, double softness, Fricti
       trial.jump = {0.0, kPushed, 0.0};
       const ContactState state = laws_.of(data.line[pair]).project(trial, PairStatus::Slip);
       const bool slips = state.status == PairStatus::Slip;
-      // A pair that has opened holds nothing beside its normal force: the bound of its law is that of one which is closed.
+      // A pair that has opened has no tangential force; the bound of its law is that of a closed pair.
       const double bound = isOpen[static_cast<std::size_t>(row)] ? 0.0
                            : slips                               ? state.bound / force
                                                                  : kHoldsAnything,
@@ -115,7 +115,7 @@ bool FrictionSearch::pivot(const PairResponse& response, double softness, Fricti
   return true;
 }
 
-/// Takes the states of the pairs' complementarity problem, where they are few, and goes on from them by Newton's steps.
+/// Solves the complementarity problem if pairs are few, and continues from its states by Newton steps.
 FrictionSearch::End FrictionSearch::solveByPivots() {
   stick();
   PairResponse response;

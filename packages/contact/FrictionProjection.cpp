@@ -1,4 +1,4 @@
-// FrictionSearch: answers of the laws at given forces and jumps.
+// FrictionSearch: states that the laws give for forces and jumps.
 #include <suture/contact/FrictionSearch.hpp>
 
 #include <algorithm>
@@ -8,11 +8,13 @@ namespace suture {
 
 namespace {
 
-constexpr double kConstant = 0.05;  // constant, in parts of the stiffness of a pair's nodes: a tenth of the local one, half of it
-constexpr double kAcross = 200.0;   // times that constant: largest stiffness across the direction of slip; it only guides the way there
+constexpr double kConstant =
+    0.05;  // constant relative to the stiffness of a pair's nodes: a tenth of the local stiffness, which is half of theirs
+constexpr double kAcross =
+    200.0;  // largest stiffness across the direction of slip, relative to that constant; affects only the path of the iteration
 
-/// The state with a bound by a given normal force in place of its own: that of a Tresca problem. `first` and `second` are the tangential
-/// trial force.
+/// The state with its bound computed from a given normal force, as in a Tresca problem. `first` and `second` are the tangential trial
+/// force.
 ContactState frozen(ContactState state, double normal, double scale, double first, double second) {
   if (!state.closed()) return state;
   state.bound = scale * state.largest(normal);
@@ -24,7 +26,7 @@ ContactState frozen(ContactState state, double normal, double scale, double firs
   return state;
 }
 
-/// The state of a law with a multiple of its friction.
+/// The state with the friction of its law scaled.
 ContactState scaled(ContactState state, double scale, double normal, double first, double second) {
   state.bound *= scale;
   state.friction *= scale;
@@ -45,7 +47,7 @@ ContactState FrictionSearch::project(std::size_t pair, const ContactState& now, 
   trial.place = site.place;
   trial.size = site.size;
   trial.slipped = site.slipped;
-  // The tolerance goes to the state that the pair has.
+  // The tolerance favours the current state of the pair.
   if (now.closed())
     trial.force[0] = at.force(i, 0) + tolerance;
   else
@@ -61,7 +63,7 @@ ContactState FrictionSearch::project(std::size_t pair, const ContactState& now, 
     for (int k = 1; k <= 2; ++k) trial.force[k] += tolerance * now.direction[k];
   }
   const ContactState next = onto(pair, now, trial);
-  // Between slip one way and slip the other lies stick: pairs that jump over it cycle where little beside friction holds a body.
+  // Slip reverses through stick: pairs that skip stick cycle if little except friction holds a body.
   if (now.status == PairStatus::Slip && next.status == PairStatus::Slip &&
       now.direction[1] * next.direction[1] + now.direction[2] * next.direction[2] < 0.0) {
     ContactState between = next;
@@ -73,7 +75,7 @@ ContactState FrictionSearch::project(std::size_t pair, const ContactState& now, 
   return next;
 }
 
-/// State of a trial, with the stiffness across its direction.
+/// State of a trial, with the transverse stiffness of slip.
 ContactState FrictionSearch::onto(std::size_t pair, const ContactState& now, const ContactTrial& trial) const {
   ContactState next = laws_.of(rigid_.data().line[pair]).project(trial, now);
   const double first = trial.force[1] + trial.jump[1], second = trial.force[2] + trial.jump[2];
@@ -90,8 +92,8 @@ ContactState FrictionSearch::onto(std::size_t pair, const ContactState& now, con
   return next;
 }
 
-/// Distance of forces from those that the laws project them onto, with jumps that are in balance with them, squared.
-/// \param states  gets the states of the projection, or null
+/// Squared distance of forces from their projections by the laws, for jumps in equilibrium with these forces.
+/// \param states  receives the states of the projection, or null
 double FrictionSearch::violation(const Matrix& force, const Matrix& jump, PairStates* states) const {
   double sum = 0.0;
   if (states) *states = states_;
@@ -128,7 +130,7 @@ PairStates FrictionSearch::projected(const PairStates& now, const FrictionAnswer
   return next;
 }
 
-/// Deviation of the force of a pair that slips from the direction of its slip, relative to what is believed of forces.
+/// Difference between a slipping pair's tangential force and its bound in the direction of slip, relative to the force tolerance.
 double FrictionSearch::turn(std::size_t pair, const ContactState& next) const {
   const auto at = static_cast<Eigen::Index>(pair);
   if (next.status != PairStatus::Slip || !(answer_.forceTolerance(at) > 0.0)) return 0.0;

@@ -10,29 +10,29 @@ namespace suture {
 
 namespace {
 
-constexpr int kBlockSteps = 3;        // steps that change all violated pairs without lowering their number
-constexpr double kTurned = 1.0;       // turn that is none, in parts of the tolerance of forces
-constexpr double kSharper = 0.1;      // accuracy of the next solve, in parts of the turn that it makes
-constexpr double kForcing = 0.1;      // accuracy of the next solve, in parts of the distance from the laws
-constexpr double kNearer = 0.25;      // part of that distance, squared, at which the search has come nearer whatever the number of pairs
-constexpr double kMuchSharper = 0.5;  // change of the accuracy from which on answers of before are not compared with
-constexpr int kHalvings = 8;          // most halvings of a step of descent
-constexpr int kRises = 3;             // steps of descent that do not lower the distance from the laws
-constexpr double kLeastFall = 1e-4;   // least fall of that distance, in parts of it and of the step
-constexpr int kNewtonSolves = 30;     // solves before other ways are tried
-constexpr int kTrescaSolves = 1;      // solves of the first Tresca problem: it is a guess
+constexpr int kBlockSteps = 3;        // steps that change all violated pairs without reducing their number
+constexpr double kTurned = 1.0;       // turn(), relative to the tolerance of forces, that counts as zero
+constexpr double kSharper = 0.1;      // accuracy of the next solve, relative to the turn in the current one
+constexpr double kForcing = 0.1;      // accuracy of the next solve, relative to the distance from the laws
+constexpr double kNearer = 0.25;      // factor on that squared distance that counts as progress for any number of violated pairs
+constexpr double kMuchSharper = 0.5;  // change of the accuracy after which earlier solutions are not comparable
+constexpr int kHalvings = 8;          // maximum number of halvings of a descent step
+constexpr int kRises = 3;             // descent steps that do not reduce the distance from the laws
+constexpr double kLeastFall = 1e-4;   // least relative decrease of that distance, per unit step
+constexpr int kNewtonSolves = 30;     // solves before the fallbacks
+constexpr int kTrescaSolves = 1;      // solves of the first Tresca problem, which is only a guess
 
 }  // namespace
 
-/// Newton's steps from states_ until the laws agree with the answer to the tolerance `last`. States that do not change are solved for more
-/// accurately; some that change in an accurate answer, half way back.
+/// Newton steps from states_ until the laws agree with the solution to the tolerance `last`. If states do not change, the next solve is
+/// more accurate; if states change in an accurate solution, the tolerance goes back to the geometric mean of the loosest one and `last`.
 FrictionSearch::End FrictionSearch::settle(double last) {
   constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
-  std::size_t fewest = kNone;  // pairs that were violated at a time
+  std::size_t fewest = kNone;  // least number of violated pairs
   int patience = patience_;
   Way way = Way::Block;
   std::vector<PairStates> seen;
-  const auto progress = [&](std::size_t violated) {  // the search has come nearer: all may change at a time
+  const auto progress = [&](std::size_t violated) {  // progress was made: all pairs may change at once
     fewest = violated;
     patience = patience_;
     way = Way::Block;
@@ -59,10 +59,10 @@ FrictionSearch::End FrictionSearch::settle(double last) {
         violated_.push_back(static_cast<int>(i));
     }
     if (violated_.empty() && turns <= kTurned) {
-      // A pair that sticks since the start knows no bound yet.
+      // A pair that has been sticking since the start does not have a bound yet.
       for (std::size_t i = 0; i < next.size(); ++i)
         if (states_[i].status == PairStatus::Stick && next[i].status == PairStatus::Stick) states_[i] = next[i];
-      if (driven && tolerance_ <= last) {  // others may hold the body
+      if (driven && tolerance_ <= last) {  // other pairs may hold the body
         if (outdone_.size() == 0) outdone_ = outdone();
         if (!relieve(next)) return End::Slides;
         tolerance_ = oracle_.loosest();
@@ -71,7 +71,7 @@ FrictionSearch::End FrictionSearch::settle(double last) {
         continue;
       }
       if (tolerance_ <= last) return End::Settled;
-      // Directions turn by Newton's steps from there on: not all of them need be accurate.
+      // The remaining Newton steps only turn directions: not all of them need be accurate.
       const double between = std::max(last, std::sqrt(last * oracle_.loosest()));
       const bool turning = std::any_of(states_.begin(), states_.end(), [](const ContactState& state) { return state.across > 0.0; });
       tolerance_ = turning && tolerance_ > between ? between : last;
@@ -87,10 +87,10 @@ FrictionSearch::End FrictionSearch::settle(double last) {
       jump_ = answer_.jump;
     }
     if (violated_.empty()) {
-      // Newton's steps turn pairs ever more exactly: each is worth an accurate solve only in the end.
+      // Newton steps turn directions with increasing accuracy; only the last needs an accurate solve.
       tolerance_ = std::max(last, std::min(tolerance_, kSharper * turns * tolerance_));
     } else {
-      // States are as good as the distance from the laws: accuracy follows it.
+      // The accuracy of states is limited by the distance from the laws, and that of solves follows it.
       const double between = std::max(last, std::sqrt(last * oracle_.loosest())), before = tolerance_;
       if (const double size = answer_.force.norm(); size > 0.0 && tolerance_ > between)
         tolerance_ = std::clamp(kForcing * std::sqrt(own) / size, between, tolerance_);
@@ -103,7 +103,7 @@ FrictionSearch::End FrictionSearch::settle(double last) {
       } else if (violated_.size() < fewest || (way == Way::Block && nearer)) {
         progress(std::min(fewest, violated_.size()));
       } else if (const bool again = std::find(seen.begin(), seen.end(), states_) != seen.end(); again || --patience <= 0) {
-        if (way == Way::Single && again) return End::Exhausted;  // they would go round for ever
+        if (way == Way::Single && again) return End::Exhausted;  // pairs cycle
         if (way == Way::Block) {
           way = Way::Descent;
           rises_ = 0;
@@ -113,7 +113,7 @@ FrictionSearch::End FrictionSearch::settle(double last) {
       seen.push_back(states_);
       if (way == Way::Single)
         for (std::size_t k = 0; k + 1 < violated_.size(); ++k) next[violated_[k]] = states_[violated_[k]];
-      if (way == Way::Block && tolerance_ < kMuchSharper * before) {  // answers of before were no balances yet: they do not compare
+      if (way == Way::Block && tolerance_ < kMuchSharper * before) {  // earlier solutions were not in equilibrium and are not comparable
         progress(kNone);
         nearest_ = std::numeric_limits<double>::infinity();
       }
@@ -122,9 +122,9 @@ FrictionSearch::End FrictionSearch::settle(double last) {
   }
 }
 
-/// Goes from the nearest balance towards the answer until the distance from the laws falls: combinations of balances are in balance, and
-/// cost no solve. False where it does not fall any more.
-/// \param next  gets the states there
+/// Moves from the closest state towards the solution until the distance from the laws decreases; combinations of solutions are in
+/// equilibrium and cost no solve. False if no decrease is possible.
+/// \param next  receives the states there
 bool FrictionSearch::descend(PairStates& next) {
   for (int repeated = 0; repeated < kHalvings; ++repeated) {
     const Matrix force = answer_.force - force_, jump = answer_.jump - jump_;
@@ -145,7 +145,7 @@ bool FrictionSearch::descend(PairStates& next) {
   return false;
 }
 
-/// Normal forces of the answer, by which a Tresca problem has its bounds.
+/// Normal forces of the solution, used as bounds of a Tresca problem.
 Vector FrictionSearch::normalForces() const {
   Vector all = Vector::Zero(static_cast<Eigen::Index>(states_.size()));
   for (std::size_t i = 0; i < states_.size(); ++i) {
@@ -164,7 +164,7 @@ FrictionSearch::End FrictionSearch::limited(int most, double last) {
   return found;
 }
 
-/// Takes Newton's steps by the laws, from a Tresca problem; begins from the other side if they fail; ends with the fixed point.
+/// Newton steps by the laws, starting from a Tresca problem; on failure from the other side; finally the fixed point.
 FrictionSearch::End FrictionSearch::solveByNewton(const Vector& normal) {
   End end = End::Settled;
   Vector tresca;
@@ -184,7 +184,7 @@ FrictionSearch::End FrictionSearch::solveByNewton(const Vector& normal) {
       const Vector found = normalForces();
       const bool slips = std::any_of(states_.begin(), states_.end(), [](const ContactState& state) { return state.drags(); });
       if (const double from = (normal - found).norm(); !slips)
-        contraction_ = 0.0;  // no bound matters near the solution
+        contraction_ = 0.0;  // no bound affects the solution
       else if (from > 0.0)
         contraction_ = (tresca - found).norm() / from;
     }
@@ -193,12 +193,12 @@ FrictionSearch::End FrictionSearch::solveByNewton(const Vector& normal) {
   if (outdone_.size() == 0) outdone_ = outdone();
   if (outdone_.size() == 0 && collapses()) return End::Slides;
   const int answers = end == End::Failed ? answers_ : -1;
-  if (goesOn()) end = tryAgain(end);  // before it is said
+  if (goesOn()) end = tryAgain(end);  // before failure is reported
   if (end == End::Exhausted && goesOn() && answer_.force.size() > 0) {
     end = fixedPoint(normalForces());
     thaw();
   }
-  // Single linear problems without a solution say nothing of the scene.
+  // Single linear problems without a solution do not imply that the scene has none.
   return end == End::Failed && answers_ > answers ? End::Exhausted : end;
 }
 
@@ -220,7 +220,7 @@ FrictionSearch::Result FrictionSearch::run(PairStates start, const Vector& norma
   else if (end == End::Slides)
     result.slides = slides_;
   else if (!result.converged && outdone_.size() > 0) {
-    // The motion of the proof opens pairs as their cones are wide; that of a body that slides keeps them.
+    // The motion of the proof opens pairs because of the widths of their cones; the motion of a sliding body keeps them closed.
     ClosedSet closed(states_.size(), 0);
     for (std::size_t i = 0; i < closed.size(); ++i) closed[i] = states_[i].closed() && rigid_.data().able[i];
     const Matrix kept = rigid_.loose(closed);

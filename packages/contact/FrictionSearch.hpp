@@ -11,78 +11,79 @@ class PairResponse;
 /// States of all pairs, by id.
 using PairStates = std::vector<ContactState>;
 
-/// Data of a pair that its law and the search ask for.
+/// Data of a pair that its law and the search need.
 struct FrictionSite {
   Point place{0, 0, 0};
   double size = 1.0;        ///< tributary length or area
-  double tangential = 0.0;  ///< stiffness of both sides in series along the tangents [force / length]
+  double tangential = 0.0;  ///< tangential stiffness of both sides in series [force / length]
   bool slipped = false;     ///< the pair has slid in an earlier load step
 };
 
-/// Solution of the linear problem of given states: closed pairs glued along the normal, sticking ones along the tangents too, slipping
-/// ones under the tangential force of their state.
+/// Solution of the linear problem for given states: closed pairs are glued along the normal, sticking ones along the tangents too; slipping
+/// ones carry the tangential force of their state.
 struct FrictionAnswer {
-  Matrix force;           ///< pairs x 3, in the frames of the pairs: that side B feels [force]
-  Matrix jump;            ///< pairs x 3: penetration, and slip u_A - u_B of the step [length]
-  Vector forceTolerance;  ///< violation of each pair below which it is not believed [force]
+  Matrix force;           ///< pairs x 3, in the frames of the pairs: force on side B [force]
+  Matrix jump;            ///< pairs x 3: penetration, and slip u_A - u_B of the load step [length]
+  Vector forceTolerance;  ///< violation of each pair below which it counts as zero [force]
   Vector jumpTolerance;   ///< the same for penetrations [length]
-  bool solved = true;     ///< false: the linear solve failed, and says why elsewhere
+  bool solved = true;     ///< false: the linear solve failed; the reason is reported elsewhere
 };
 
-/// The linear problems that FrictionSearch asks for. Collective where the implementation is; all ranks get the same numbers.
+/// The linear problems that FrictionSearch needs. Collective if the implementation is; all ranks get the same numbers.
 class FrictionOracle {
  public:
   virtual ~FrictionOracle() = default;
-  /// Least and most accurate tolerance that it offers, of forces relative to the largest; both zero: a direct solver.
+  /// Loosest and tightest available tolerance of forces, relative to the largest; both zero: a direct solver.
   virtual double loosest() const { return 0.0; }
   virtual double tightest() const { return 0.0; }
-  /// True if the linear problems are those of pairs that normal forces drag (Coulomb); false if bounds must be given.
+  /// True if tangential forces of slipping pairs follow the normal forces within a linear problem (Coulomb); false if bounds must be given.
   virtual bool drags() const { return true; }
-  /// \param tolerance  between the two
+  /// \param tolerance  between tightest() and loosest()
   virtual FrictionAnswer solve(const PairStates& states, double tolerance) = 0;
-  /// False ends the search after the step in hand.
+  /// False ends the search after the current step.
   virtual bool goesOn() { return true; }
 };
 
-/// Finds the states of contact with friction: semismooth Newton on normal and tangential forces together (Alart and Curnier 1991; Hueber,
-/// Stadler and Wohlmuth 2008), with a tenth of the local stiffness as its constant along the tangents: with all of it pairs alternate
-/// between stick and slip (measured; doc/numerics.md). In space the direction of a pair that slips turns with it, by the exact tangent.
+/// Finds the states of contact with friction by semismooth Newton on normal and tangential forces together (Alart and Curnier 1991; Hueber,
+/// Stadler and Wohlmuth 2008). Its constant along the tangents is a tenth of the local stiffness: with the full stiffness pairs alternate
+/// between stick and slip (measured; doc/numerics.md). In 3D the slip direction is updated with the exact tangent.
 ///
-/// All violated pairs change at a time. When that does not lower their number any more, a line search between answers does (they are in
-/// balance with the loads, and so are their combinations): it lowers the distance of forces from their projections. Then only the last
-/// violated pair changes (Murty's rule, as in block principal pivoting: Judice and Pires 1994), which ends wherever the problem has one
-/// solution. If even that takes too long: where pairs are few, Lemke's pivots on their problem as a whole (PairResponse); a path along
-/// which friction falls; and, where an oracle knows no drag at once, a fixed point of Tresca problems: bounds by the normal forces of the
-/// last one, each convex as long as no pair opens or closes.
+/// All violated pairs change at once. If that does not reduce their number any more, a line search between solutions (whose combinations
+/// are in equilibrium with the loads, too) reduces the distance of forces from their projections. After that, only the last violated pair
+/// changes (Murty's rule, as in block principal pivoting: Judice and Pires 1994), which terminates if the problem has one solution. If even
+/// that takes too long, the search tries: for few pairs, Lemke's pivots on the whole pair problem (PairResponse); a path along which
+/// friction decreases; and, for an oracle whose bounds must be given, a fixed point of Tresca problems with bounds from the last normal
+/// forces, each convex as long as no pair opens or closes.
 ///
-/// Sets never leave a body loose that pairs can hold: it is dragged along the loads to the pairs that it meets, or one of those that held
-/// it goes on to. If that is beyond its bound others hold it; if none do the body slides away. Limit analysis tells where that is certain.
+/// Sets never leave a body unconstrained if pairs can hold it: the body is moved along the loads to the next pairs that it meets, or a pair
+/// that held it before keeps holding it. If the force on such a pair exceeds its bound, others hold the body; if no pair can, the body
+/// slides away. Limit analysis detects this where it is certain.
 class FrictionSearch {
  public:
   struct Result {
     bool converged = false;
-    Vector slides;          ///< motion of bodies (RigidContact) along which they are driven where there is no equilibrium; else empty
-    double multiple = 0.0;  ///< factor on friction that would hold them (Collapse); 0: not known
+    Vector slides;          ///< rigid motion (RigidContact) of the driven bodies if there is no equilibrium; else empty
+    double multiple = 0.0;  ///< factor on friction that would hold them (Collapse); 0: unknown
     PairStates states;
     int solves = 0;
-    double contraction = -1.0;     ///< contraction of the fixed point of Tresca problems, estimated; negative: not known
+    double contraction = -1.0;     ///< contraction factor of the fixed point of Tresca problems, estimated; negative: unknown
     std::vector<int> alternating;  ///< pairs whose states did not settle
   };
 
-  /// All must outlive it. \param most  solves at most
+  /// All arguments must outlive it. \param most  maximum number of solves
   FrictionSearch(const RigidContact& rigid, const ContactLaws& laws, const std::vector<FrictionSite>& sites, FrictionOracle& oracle,
                  int most)
       : rigid_(rigid), laws_(laws), sites_(sites), oracle_(oracle), left_(most) {}
 
-  /// \param normal  forces of a solution without friction, by which a first Tresca problem is made; empty: none
+  /// \param normal  normal forces of a frictionless solution, for a first Tresca problem; empty: none
   Result run(PairStates start, const Vector& normal = {});
 
-  /// States that laws answer with at given forces and jumps.
+  /// States that the laws give at these forces and jumps.
   PairStates projected(const PairStates& now, const FrictionAnswer& at) const;
 
  private:
   enum class End { Settled, Slides, Exhausted, Failed };
-  enum class Way { Block, Descent, Single };  // ways of changing states: all violated pairs, by a line search, one pair
+  enum class Way { Block, Descent, Single };  // pairs that change: all violated ones, those of a line search, a single one
 
   ContactState project(std::size_t pair, const ContactState& now, const FrictionAnswer& at) const;
   ContactState onto(std::size_t pair, const ContactState& now, const ContactTrial& trial) const;
@@ -98,7 +99,7 @@ class FrictionSearch {
   End lowerFriction();
   bool pivot(const PairResponse& response, double softness, FrictionAnswer& found) const;
   End solveByPivots();
-  /// False once limit analysis, the number of solves or a request ends the search.
+  /// False once limit analysis, the number of solves or a stop request ends the search.
   bool goesOn() { return outdone_.size() == 0 && left_ > 0 && oracle_.goesOn(); }
   End solveByNewton(const Vector& normal);
   Vector drivenMotion(const PairStates& next, const std::vector<std::size_t>& changed) const;
@@ -117,26 +118,26 @@ class FrictionSearch {
   const ContactLaws& laws_;
   const std::vector<FrictionSite>& sites_;
   FrictionOracle& oracle_;
-  int left_, solves_ = 0, answers_ = 0, patience_ = 0;  // solves; those with an answer
+  int left_, solves_ = 0, answers_ = 0, patience_ = 0;  // solves_: all; answers_: successful ones
   double tolerance_ = 0.0;
   PairStates states_;
   FrictionAnswer answer_;
   std::vector<char> holders_;  // pairs that hold a body against their law
-  std::vector<char> spent_;    // those that did so in vain
-  Vector normal_;              // normal forces that bounds of a Tresca problem are made of; empty: the law's own
-  /// Constant along the normal, in parts of the pair's stiffness, where force and jump of a combination of answers are both there.
+  std::vector<char> spent_;    // pairs that did so without success
+  Vector normal_;              // normal forces for the bounds of a Tresca problem; empty: the law's own
+  /// Constant along the normal, relative to the pair's stiffness, used where a combination of solutions has both force and jump.
   double normalConstant_ = 0.2;
-  double scale_ = 1.0;  // multiple of the friction of all laws
+  double scale_ = 1.0;  // factor on the friction of all laws
   std::vector<int> violated_;
-  // Forces and jumps that are in balance, nearest to the laws so far; their distance.
+  // Forces and jumps in equilibrium that are closest to the laws so far, and their distance.
   Matrix force_, jump_;
   double nearest_ = 0.0;
   int rises_ = 0;
-  std::vector<PairStates> met_;  // states that driven bodies have met
+  std::vector<PairStates> met_;  // states reached while driven bodies were moved
   Vector slides_;                // motion of a body that nothing holds
-  Vector outdone_;               // motion in which no forces of pairs balance the loads; empty: none is known
-  Vector mechanism_;             // motion that Collapse has found, or empty
-  double multiple_ = 0.0;        // its multiple of friction
+  Vector outdone_;               // motion along which no pair forces balance the loads; empty: none known
+  Vector mechanism_;             // motion found by Collapse, or empty
+  double multiple_ = 0.0;        // its factor on friction
   double contraction_ = -1.0;
 };
 

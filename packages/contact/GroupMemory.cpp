@@ -8,7 +8,7 @@
 namespace suture {
 
 double GroupMemory::megabytes() const {
-  constexpr double kAnEntry = 17.1;  // bytes, so that both factors together have 154 n log2 n
+  constexpr double kAnEntry = 17.1;  // bytes; both factors together then have 154 n log2 n
   const double p = rows;
   const double factors = 2 * CostModel(dimension).factorBytes(unknowns, kAnEntry), stiffness = 5 * 12 * stiffnessEntries,
                compliance = 8 * 8 * p * p;

@@ -8,16 +8,16 @@
 namespace suture {
 
 namespace {
-constexpr int kReach = 24;  // pairs on each side of one that changes
+constexpr int kReach = 24;  // pairs on each side of a changing pair
 constexpr int kMostPadSolves = 60;
-constexpr double kSelf = 1.5;     // -ln of the distance, in mesh sizes, averaged over a hat of pressure around its middle
-constexpr double kShare = 0.8;    // 2 / (pi E*) times the stiffness of one node, measured: .5 to 1.2 do alike
+constexpr double kSelf = 1.5;     // -ln of the distance, in mesh sizes, averaged over a hat function of pressure around its centre
+constexpr double kShare = 0.8;    // 2 / (pi E*) times the stiffness of one node, measured: .5 to 1.2 work equally well
 constexpr double kLeast = 1e-11;  // relative to the largest force
-// Pairs of a window: where signs change along a longer stretch, no end of a contact zone is known yet, and the model's dense matrices take
-// longer than linear solves (2,000 pairs: 2 s).
+// Maximum number of pairs of a window. If signs change along a longer stretch, the ends of contact zones are not yet known, and the dense
+// matrices of the model take longer than linear solves (2,000 pairs: 2 s).
 constexpr int kMostPairs = 400;
 
-/// Pairs first..last-1 of one line, with the others of the scene left out.
+/// Solves for the pairs first..last-1 of one line, without the others of the scene.
 ClosedSet solveWindow(const RigidContact& rigid, int first, int last, const Vector& force, const Vector& penetration) {
   const int n = last - first;
   const Vector local = kShare * rigid.data().stiffness.segment(first, n).cwiseInverse();
@@ -45,7 +45,7 @@ ClosedSet solveWindow(const RigidContact& rigid, int first, int last, const Vect
 
 ClosedSet HalfPlaneModel::closedSet(const ClosedSet& closed, const ClosedSet& flipped, const Vector& force,
                                     const Vector& penetration) const {
-  if (rigid_.data().surfaces) return flipped;  // bodies in space are no half-planes
+  if (rigid_.data().surfaces) return flipped;  // the half-plane solution is 2D
   const std::vector<int>& line = rigid_.data().line;
   const int pairs = rigid_.pairs();
   ClosedSet set = flipped;

@@ -3,16 +3,16 @@
 
 namespace suture {
 
-/// Bodies near the ends of their contact zones as half-planes: normal displacements of a line of pairs under their forces fall with the
-/// logarithm of the distance (Johnson, Contact Mechanics, 2.3). The response of a small set of pairs on both sides of each end, when
-/// some of them change, is then known without a linear solve; forces farther away stay. Local.
+/// Half-plane model of bodies near the ends of their contact zones: normal displacements of a line of pairs under their forces decrease
+/// with the logarithm of the distance (Johnson, Contact Mechanics, 2.3). It predicts, without a linear solve, how a small set of pairs on
+/// both sides of each end responds if some of them change; forces farther away are kept. Local.
 class HalfPlaneModel {
  public:
   explicit HalfPlaneModel(const RigidContact& rigid) : rigid_(rigid) {}
-  /// The closed set that the model comes to from a state of the bodies; where signs change all along a stretch of some hundred pairs, the
-  /// set by these signs.
-  /// \param closed, flipped      the state's, and the set by its signs alone
-  /// \param force, penetration   the state's: forces of closed pairs, penetrations of open ones
+  /// Predicted closed set, starting from a state of the bodies. Along stretches of some hundred pairs whose signs change, the set given by
+  /// the signs is used.
+  /// \param closed, flipped      the set of the state, and the set given by the signs of its forces and penetrations
+  /// \param force, penetration   of the state: forces of closed pairs, penetrations of open ones
   ClosedSet closedSet(const ClosedSet& closed, const ClosedSet& flipped, const Vector& force, const Vector& penetration) const;
 
  private:

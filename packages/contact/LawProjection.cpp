@@ -8,12 +8,13 @@ namespace suture {
 
 namespace {
 
-constexpr double kNormal = 0.2;       // part of the normal stiffness in R
-constexpr double kLawAcross = 200.0;  // times R: largest stiffness across the direction of slip; it only guides the way there
-constexpr double kLawPushed = 1e150;  // slip, as a force, that no finite bound holds
-constexpr int kDirections = 16;       // in which a law is asked for its bound
+constexpr double kNormal = 0.2;  // fraction of the normal stiffness in R
+constexpr double kLawAcross =
+    200.0;  // largest stiffness across the direction of slip, relative to R; affects only the path of the iteration
+constexpr double kLawPushed = 1e150;  // slip, as a force, beyond any finite bound
+constexpr int kDirections = 16;       // directions in which the bound of a law is evaluated
 
-/// The state with the bound that a given normal force makes, instead of the law's. `first` and `second` are the tangential trial force.
+/// The state with its bound computed from a given normal force. `first` and `second` are the tangential trial force.
 ContactState frozen(ContactState state, double normal, double first, double second) {
   if (!state.closed()) return state;
   state.bound = state.largest(normal);
@@ -71,7 +72,7 @@ PairStates LawProjection::believed(const PairStates& now, const FrictionAnswer& 
     const auto at = static_cast<Eigen::Index>(i);
     const double tolerance = answer.forceTolerance(at);
     Point force{0, 0, 0}, jump = stiff(i, answer.jump);
-    // The tolerance goes to the state that the pair has.
+    // The tolerance favours the current state of the pair.
     jump[0] = 0.0;
     if (now[i].closed())
       force[0] = answer.force(at, 0) + tolerance;
@@ -85,7 +86,7 @@ PairStates LawProjection::believed(const PairStates& now, const FrictionAnswer& 
       for (int k = 1; k <= 2; ++k) force[k] += tolerance * now[i].direction[k];
     }
     ContactState next = state(i, now[i], force, jump);
-    // Between slip one way and slip the other lies stick: pairs that jump over it cycle where little beside friction holds a body.
+    // Slip reverses through stick: pairs that skip stick cycle if little except friction holds a body.
     if (now[i].status == PairStatus::Slip && next.status == PairStatus::Slip &&
         now[i].direction[1] * next.direction[1] + now[i].direction[2] * next.direction[2] < 0.0) {
       next.status = PairStatus::Stick;
@@ -138,7 +139,7 @@ FrictionCone LawProjection::cone(std::size_t pair) const {
     trial.jump = {0.0, kLawPushed * std::cos(angle), directions > 2 ? kLawPushed * std::sin(angle) : 0.0};
     const ContactState state = laws_.of(rigid_.data().line[pair]).project(trial, PairStatus::Slip);
     if (state.status != PairStatus::Slip) {
-      cone.bound = std::numeric_limits<double>::infinity();  // it may hold anything
+      cone.bound = std::numeric_limits<double>::infinity();  // it may hold any force
       return cone;
     }
     const double bound = isFrozen() ? state.largest(normal_(static_cast<Eigen::Index>(pair))) : state.bound;

@@ -13,7 +13,7 @@ LearntModel::LearntModel(const RigidContact& rigid, const std::vector<std::pair<
   const Eigen::Index n = force.size(), steps = static_cast<Eigen::Index>(history.size()) - 1;
   Vector diagonal = rigid.compliance();
   compliance_ = diagonal.asDiagonal();
-  // Rigid motions hide in the gaps' changes: directions are made free of them by least squares on the rows.
+  // Changes of gaps contain rigid motions: these are removed from the directions by least squares on the rows.
   Matrix change(n, steps), answer(n, steps);
   Eigen::Index kept = 0;
   const Matrix& rows = rigid.data().rows;

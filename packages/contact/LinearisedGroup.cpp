@@ -39,7 +39,8 @@ LinearisedGroup::LinearisedGroup(int id, const ContactGroup& group, const std::v
       diagonal_(size()) {
   if (held_.kernel().cols() > 0) {
     std::ostringstream text;
-    text << name() << ": " << held_.kernel().cols() << " rigid motion(s) are held neither by the group's boundary nor by its closed pairs";
+    text << name() << ": " << held_.kernel().cols()
+         << " rigid-body mode(s) are held neither by the group's boundary nor by its closed pairs";
     throw NumericalError(text.str());
   }
   atRest_ = group.respondLinear(Vector::Zero(size()), held_);

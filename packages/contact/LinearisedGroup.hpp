@@ -6,12 +6,12 @@
 
 namespace suture {
 
-/// A contact group with the status of its pairs given: S^0_*j of (11) with all pairs closed, the tangent S_*j' at a state otherwise. Open
-/// pairs carry nothing, closed ones are glued in the normal direction.
+/// A contact group with given pair states: S^0_*j of (11) if all pairs are closed, otherwise the tangent S_*j' at a state. Open pairs carry
+/// no force, closed ones are glued in the normal direction.
 class LinearisedGroup : public LocalProblem {
  public:
   /// `group` must outlive it.
-  /// \throws NumericalError  with these pairs a body of the group is held neither by its boundary nor by contact.
+  /// \throws NumericalError  neither the boundary nor contact holds a body of the group with these pairs closed
   LinearisedGroup(int id, const ContactGroup& group, const std::vector<ContactState>& status);
 
   void applySchur(ConstLocalView trace, LocalView flux) const override;
@@ -24,11 +24,11 @@ class LinearisedGroup : public LocalProblem {
 
   const std::vector<ContactState>& status() const { return status_; }
   const ContactGroup& group() const { return group_; }
-  /// The closed pairs with the group's boundary held.
+  /// The closed pairs, with the group's boundary held.
   const ContactCompliance::Closed& held() const { return held_; }
 
  protected:
-  /// Joined from the members' hints.
+  /// Assembled from the members' hints.
   Matrix doHint(const std::string& name) const override;
 
  private:

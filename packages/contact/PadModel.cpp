@@ -10,25 +10,25 @@ namespace suture {
 
 namespace {
 
-constexpr int kSteps = 40;              // steps of Newton's method before softened pads show the way
-constexpr int kManySteps = 300;         // steps of Newton's method from there
-constexpr double kTolerance = 1e-10;    // imbalance beside the sum of forces that is none
+constexpr int kSteps = 40;              // Newton steps before pads are softened
+constexpr int kManySteps = 300;         // Newton steps with the final stiffness after that
+constexpr double kTolerance = 1e-10;    // imbalance relative to the sum of forces at convergence
 constexpr double kRoughly = 1e-4;       // the same on softened pads
-constexpr double kAcceptable = 1e-6;    // imbalance at which a search that can do no better has found the equilibrium
-constexpr double kPadRounding = 8e-16;  // of a pad's penetration
-constexpr double kSpring = 1e-8;        // of motions that no pad stops yet, in parts of their reference stiffness
-constexpr double kStiffer = 0.1;        // from one softness to the next
-constexpr double kPadFlat = 1e-9;       // slope along a line that is none, in parts of the first
+constexpr double kAcceptable = 1e-6;    // imbalance that is accepted as equilibrium if it cannot be reduced further
+constexpr double kPadRounding = 8e-16;  // relative round-off of a pad's penetration
+constexpr double kSpring = 1e-8;        // spring on motions that no pad stops yet, relative to their reference stiffness
+constexpr double kStiffer = 0.1;        // ratio of successive softnesses
+constexpr double kPadFlat = 1e-9;       // slope along a line that counts as zero, relative to the first
 constexpr double kFlatter = 1e-3;       // slope at which a line search ends
-constexpr int kCoulombRounds = 20;      // convex problems of the fixed point
-constexpr int kDamped = 6;              // rounds after which its steps are halved
-constexpr double kSameSlip = 1e-4;      // relative change of slips at which the fixed point has been reached
-constexpr double kRigid = 1e-9;         // compliance of limit analysis' pads: bodies move by springs only
-constexpr double kUnbalanced = 1e-4;    // least part of the loads that cones leave to the springs. Measured: at most 3e-6 where there is
-                                        // an equilibrium, at least 3e-3 where there is none
-constexpr double kBalanced = 1e-9;      // imbalance of limit analysis beside the loads
-constexpr double kWeakSpring = 1e-9;    // springs beside given rays
-constexpr int kBrackets = 60;           // steps of a line search
+constexpr int kCoulombRounds = 20;      // maximum number of convex problems of the fixed point
+constexpr int kDamped = 6;              // rounds after which fixed-point steps are halved
+constexpr double kSameSlip = 1e-4;      // relative change of slips at which the fixed point has converged
+constexpr double kRigid = 1e-9;         // compliance of pads in limit analysis: bodies move almost by springs only
+constexpr double kUnbalanced = 1e-4;  // least fraction of the loads left to the springs by the cones if there is no equilibrium. Measured:
+                                      // at most 3e-6 with an equilibrium, at least 3e-3 without
+constexpr double kBalanced = 1e-9;    // imbalance of limit analysis relative to the loads
+constexpr double kWeakSpring = 1e-9;  // springs in addition to given rays
+constexpr int kBrackets = 60;         // maximum number of steps of a line search
 
 }  // namespace
 
@@ -63,7 +63,7 @@ Vector PadModel::work(const Matrix& force) const {
   return all;
 }
 
-/// Stiffness of each motion with all pads closed and stuck, by which motions and imbalances are measured.
+/// Stiffness of each motion with all pads closed and sticking; scale of motions and imbalances.
 Vector PadModel::reference(const Vector& stiffness) const {
   Vector all = Vector::Zero(motions_);
   for (std::size_t i = 0; i < rows_.size(); ++i)
@@ -110,7 +110,7 @@ Vector PadModel::solve(const std::vector<Eigen::Matrix3d>& blocks, const Vector&
   return x.col(0).cwiseQuotient(scale);
 }
 
-/// Newton's method with an exact line search. \param spring  of the motions, from zero [force / length]; empty: none
+/// Newton's method with an exact line search. \param spring  on the motions, relaxed at zero [force / length]; empty: none
 bool PadModel::newton(Point& at, const Vector& stiffness, const Vector& spring, int steps, double tolerance) const {
   const Vector reference = this->reference(stiffness), scale = reference.cwiseSqrt();
   const Vector& loads = data_.work;
@@ -157,7 +157,7 @@ bool PadModel::newton(Point& at, const Vector& stiffness, const Vector& spring, 
       length = high;
     }
     if (std::abs(atHigh) > flat) {
-      // Regula falsi on the monotone slope, with the kept end's value halved (Illinois), and halvings where that is slow.
+      // Regula falsi on the monotone slope, with the value at the kept end halved (Illinois), and bisection where that is slow.
       int side = 0;
       for (int n = 0; n < kBrackets; ++n) {
         length = atHigh != atLow && !(n > kBrackets / 3 && n % 3 == 0) ? low - atLow * (high - low) / (atHigh - atLow) : 0.5 * (low + high);
@@ -187,7 +187,7 @@ PadModel::Equilibrium PadModel::associated(const Matrix& t, const Vector& compli
   Equilibrium result;
   result.found = motions_ == 0 || newton(at, stiffness, {}, kSteps, kTolerance);
   if (!result.found) {
-    // Pads so soft that all touch; then ten times as stiff, and again.
+    // Soften the pads until all touch; then stiffen them in steps by a factor of ten.
     std::vector<double> sorted(stiffness.data(), stiffness.data() + stiffness.size());
     std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2), sorted.end());
     const double load = std::max(data_.work.norm() / std::sqrt(static_cast<double>(motions_)), 1e-300);

@@ -6,15 +6,15 @@
 
 namespace suture {
 
-/// A scene's bodies as rigid ones on elastic pads with friction, one pad for each contact pair: the cheap model of all contact searches. It
-/// gives a first guess of the states, states that hold a body where others would leave it loose, and the proof that nothing holds one.
+/// Rigid bodies on elastic pads with friction, one pad per contact pair: the cheap model of all contact searches. It gives an initial guess
+/// of the states, states that hold a body where others would leave it unconstrained, and the proof that no equilibrium exists.
 ///
-/// Rigid motions have amplitudes a (lengths); G are their effect on penetration and slip of the pairs. With pads of compliance c and
-/// penetrations and slips t at a = 0,
-///     min over a of  sum phi_i(t_i + G_i a) - e.a,      phi_i' = P_i(. / c_i),  P_i the projection on the pair's friction cone:
-/// convex. Newton's method with an exact line search; at most 12 entries a row of G, a sparse factor of G^T D G. Where plain steps do not
-/// settle (long ways between walls), pads are softened until all touch and then stiffened again.
-/// Local; the same arguments give the same answer on all ranks. Measured: cost grows like bodies^1.0 to 1.3 (doc/numerics.md).
+/// Rigid motions have amplitudes a (lengths); G is their effect on penetration and slip of the pairs. With pads of compliance c and
+/// penetrations and slips t at a = 0, the problem is convex:
+///     min over a of  sum phi_i(t_i + G_i a) - e.a,      phi_i' = P_i(. / c_i),  P_i the projection on the pair's friction cone.
+/// Solved by Newton's method with an exact line search; G has at most 12 entries per row, and G^T D G has a sparse factor. If plain steps
+/// do not converge (large motions between walls), the pads are softened until all touch and then stiffened again.
+/// Local; the same arguments give the same result on all ranks. Measured: cost grows like bodies^1.0 to 1.3 (doc/numerics.md).
 class PadModel {
  public:
   /// \param data   rows, tangents, loads; must outlive the model. Pairs that cannot change carry no force.
@@ -23,21 +23,21 @@ class PadModel {
 
   struct Equilibrium {
     Matrix force;   ///< pairs x 3 [force]
-    Matrix trial;   ///< pairs x 3: forces whose projections they are [force]
+    Matrix trial;   ///< pairs x 3: forces before projection [force]
     Vector motion;  ///< a [length]
     bool found = true;
   };
   /// Equilibrium of the convex problem. \param t  pairs x 3: penetration and slip [length];  \param compliance  one per pair
   Equilibrium associated(const Matrix& t, const Vector& compliance) const;
-  /// The same by Coulomb's law, whose slip does not open a pair: fixed point of convex problems with penetrations t_n - friction |slip|
-  /// (Acary et al. 2011). `trial` belongs to Coulomb's law. \param slip  |slip| of each pair to begin with, or empty
+  /// The same with Coulomb's law, whose slip does not open a pair: fixed point of convex problems with penetrations t_n - friction |slip|
+  /// (Acary et al. 2011). `trial` belongs to Coulomb's law. \param slip  initial guess of |slip| per pair, or empty
   Equilibrium coulomb(const Matrix& t, const Vector& compliance, const Vector& slip = {}) const;
 
-  /// Limit analysis (static theorem): a unit motion in which the loads do more work than all forces in the cones can resist; empty if the
-  /// cones can balance the loads. No equilibrium exists along such a motion, wherever the bodies come to rest on these pairs.
+  /// Limit analysis (static theorem): a unit motion in which the loads do more work than all forces in the cones can resist; empty if
+  /// forces in the cones can balance the loads. No equilibrium exists along such a motion, at any position of the bodies with these pairs.
   Vector unbalanced() const;
-  /// True if forces on given rays and planes balance the loads. \param active  pairs x 3, column blocks: directions in which each pair can
-  /// have a force, orthonormal or zero
+  /// True if forces on given rays and planes balance the loads. \param active  pairs x 3, column blocks: directions of the possible forces
+  /// of each pair, orthonormal or zero
   bool balances(const std::vector<Eigen::Matrix3d>& active) const;
 
  private:
@@ -47,7 +47,7 @@ class PadModel {
   };
   struct Point {
     Vector motion;
-    Matrix y;  // t + G a: moved with a, never computed from it, so that forces keep their digits on long ways
+    Matrix y;  // t + G a, updated by increments and never recomputed from a: forces keep their accuracy after large motions
   };
 
   Matrix effect(const Vector& motion) const;

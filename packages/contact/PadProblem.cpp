@@ -9,15 +9,15 @@ namespace suture {
 
 namespace {
 
-constexpr double kEquilibrium = 1e-12;  // imbalance of pad forces that is rounding
-constexpr double kFlat = 1e-12;         // slope of a line search that is rounding, relative to the first
-constexpr double kNoPadForce = 1e-14;   // pad force that is rounding, relative to those of the start
+constexpr double kEquilibrium = 1e-12;  // relative imbalance of pad forces at the level of round-off
+constexpr double kFlat = 1e-12;         // slope of a line search at the level of round-off, relative to the first
+constexpr double kNoPadForce = 1e-14;   // pad force at the level of round-off, relative to the initial ones
 constexpr int kMostSteps = 300;
-constexpr int kSoonSteps = 60;      // steps of the plain method before soft pads show the way
-constexpr int kSoftSteps = 12;      // at one softness
-constexpr double kSofter = 0.25;    // from one softness to the next
-constexpr double kSoftly = 1e-3;    // imbalance at which a softness is done with
-constexpr double kNotSoft = 1e-16;  // softness that is none, relative to the first
+constexpr int kSoonSteps = 60;      // steps of the plain method before soft pads are used
+constexpr int kSoftSteps = 12;      // steps at one softness
+constexpr double kSofter = 0.25;    // ratio of successive softnesses
+constexpr double kSoftly = 1e-3;    // imbalance at which a softness is finished
+constexpr double kNotSoft = 1e-16;  // softness that counts as zero, relative to the first
 
 }  // namespace
 
@@ -63,7 +63,7 @@ double PadProblem::lineSearch(const Vector& y, const Vector& v, double work) con
 
 Vector PadProblem::gradient(const Vector& y) const { return rows_.transpose() * y.cwiseMax(0.0).cwiseProduct(stiffness_) - work_; }
 
-/// Scales of the motions: roots of the diagonal of the Hessian; of a typical pad for those that no pad stops yet.
+/// Scales of the motions: square roots of the diagonal of the Hessian, or of a typical pad for motions that no pad stops yet.
 Vector PadProblem::scales(const Matrix& hessian) const {
   Vector scale = hessian.diagonal().cwiseMax(0.0).cwiseSqrt();
   const double big = scale.size() > 0 && scale.maxCoeff() > 0.0 ? scale.maxCoeff() : 0.0;
@@ -78,8 +78,8 @@ Vector PadProblem::scales(const Matrix& hessian) const {
   return scale;
 }
 
-/// Newton on the motions that closed pads stop, then down the gradient of the others until pads stop them: one line search for both would
-/// hold back the long ways of the loose bodies by the short ones of the others.
+/// Newton on the motions that closed pads stop, then along the gradient of the others until pads stop them. A common line search would
+/// limit the large motions of unconstrained bodies by the small ones of the others.
 PadProblem::End PadProblem::newton(Vector& x, Vector& y, int steps, double nothing) const {
   const Eigen::Index n = rows_.cols();
   const auto move = [&](const Vector& direction, double length) {
@@ -116,8 +116,8 @@ PadProblem::End PadProblem::newton(Vector& x, Vector& y, int steps, double nothi
   return gradient(y).norm() <= kNoPadEquilibrium * (y.cwiseMax(0.0).dot(stiffness_) + forceScale_) + nothing ? End::Found : End::Exhausted;
 }
 
-/// Newton's steps with pads that press a little before they are touched: forces k s log(1 + exp(y / s)). Bodies that would bounce between
-/// two walls on a long way see both.
+/// Newton steps with pads that press slightly before they are touched: forces k s log(1 + exp(y / s)). Bodies that would bounce between two
+/// distant walls then see both.
 void PadProblem::soften(Vector& x, Vector& y, double softness) const {
   Vector force(y.size()), tangent(y.size());
   const auto press = [&](const Vector& at) {
@@ -147,7 +147,7 @@ void PadProblem::soften(Vector& x, Vector& y, double softness) const {
 
 bool PadProblem::solve(Vector& x, Vector& y) const {
   const Vector from = x, open = y;
-  // Bodies that nothing loads move apart until no pad presses: their forces are measured by those that they began with.
+  // Bodies without loads move apart until no pad presses: the scale of their pad forces is that of the initial ones.
   const double nothing = kNoPadForce * y.cwiseMax(0.0).dot(stiffness_);
   End end = newton(x, y, kSoonSteps, nothing);
   if (end != End::Exhausted) return end == End::Found;

@@ -3,24 +3,25 @@
 
 namespace suture {
 
-constexpr double kDependentRows = 1e-9;     ///< singular value of rows of the order of one below which they leave a motion free
-constexpr double kNoPadEquilibrium = 1e-8;  ///< imbalance of pad forces, relative to their sum, that is no equilibrium
+constexpr double kDependentRows = 1e-9;     ///< singular value of rows (of order one) below which they leave a motion free
+constexpr double kNoPadEquilibrium = 1e-8;  ///< relative imbalance of pad forces above which there is no equilibrium
 
 /// Equilibrium of rigid bodies on unilateral pads:  min over x of  sum k (t + rows x)_+^2 / 2 - e.x.  Convex and piecewise quadratic in few
 /// unknowns: Newton's method with an exact line search. Holds references: its arguments must outlive it. Local.
 class PadProblem {
  public:
-  /// \param rows        pads x motions, of the order of one
+  /// \param rows        pads x motions, of order one
   /// \param stiffness   k >= 0 of the pads [force / length]
-  /// \param work        e, of the loads in each motion [force]
-  /// \param forceScale  by which, with the pad forces themselves, an imbalance is measured [force]
+  /// \param work        e: work of the loads in each motion [force]
+  /// \param forceScale  reference for an imbalance, together with the pad forces [force]
   PadProblem(const Matrix& rows, const Vector& stiffness, const Vector& work, double forceScale)
       : rows_(rows), stiffness_(stiffness), work_(work), forceScale_(forceScale) {}
 
-  /// From x to the equilibrium; where plain steps do not settle, over pads that press before they are touched and get harder.
+  /// Moves from x to the equilibrium. If plain steps do not converge, pads are used that press before they are touched and are then
+  /// stiffened.
   /// \param x  motions
-  /// \param y  penetrations t + rows x. They are moved with x, never computed from it: rounding of long ways changes the
-  ///           gaps by as little, and forces keep their digits.
+  /// \param y  penetrations t + rows x, updated with x and never recomputed from it: the round-off of large motions then changes gaps
+  /// equally little, and forces keep their accuracy
   /// \return false: the loads drive a motion that no pad stops
   bool solve(Vector& x, Vector& y) const;
 

@@ -8,9 +8,9 @@ namespace suture {
 
 namespace {
 
-constexpr double kTold = 0.05;       // normal force of a pair, in parts of the largest force, from which on opening it tells enough
-constexpr double kImmovable = 1e-5;  // compliance of a direction in which both sides are held, in parts of the largest one
-constexpr double kHeld = 1e-6;       // compliance that such a direction gets, in the same parts: it matters to nothing
+constexpr double kTold = 0.05;  // normal force of a pair, relative to the largest force, above which opening the pair is accurate enough
+constexpr double kImmovable = 1e-5;  // compliance of a direction in which both sides are held, relative to the largest one
+constexpr double kHeld = 1e-6;       // compliance assigned to such a direction, likewise relative; has no effect on the result
 
 }  // namespace
 
@@ -36,7 +36,7 @@ bool PairResponse::solve(FrictionOracle& oracle, const PairStates& states, Vecto
   return oracle.goesOn();
 }
 
-/// State of a pair that slides along a row's tangent under a force the other way than what it feels where it sticks.
+/// State of a pair that slides along a row's tangent under a force opposite to its sticking force.
 ContactState PairResponse::sliding(Eigen::Index row, double force) const {
   ContactState state(PairStatus::Slip);
   state.direction[rows_[row].component] = force_(row) > 0.0 ? -1.0 : 1.0;
@@ -44,7 +44,7 @@ ContactState PairResponse::sliding(Eigen::Index row, double force) const {
   return state;
 }
 
-/// Columns of tangents. A pair may slide along all of its tangents, along one of them, or (where both sides are held) along none.
+/// Columns of tangents. A pair may slide along all of its tangents, along one of them, or along none if both sides are held.
 bool PairResponse::slide(const RigidContact& rigid, FrictionOracle& oracle, const PairStates& stuck) {
   const auto n = static_cast<Eigen::Index>(rows_.size());
   const double force = scale_;
@@ -76,7 +76,8 @@ bool PairResponse::slide(const RigidContact& rigid, FrictionOracle& oracle, cons
   return true;
 }
 
-/// The row of a pair that, where it slides, presses on that of a normal row most, and leaves no body loose when that one is open; -1: none.
+/// The row that, when its pair slides, changes the force of a normal row most and leaves no body unconstrained when that row is open; -1:
+/// none.
 Eigen::Index PairResponse::press(const RigidContact& rigid, Eigen::Index row, const PairStates& stuck) const {
   Eigen::Index by = -1;
   double most = 0.0;
@@ -93,7 +94,7 @@ Eigen::Index PairResponse::press(const RigidContact& rigid, Eigen::Index row, co
   return by;
 }
 
-/// Columns of normals. A pair that opens slides, too; one that hardly feels a force hardly moves, unless another presses on it.
+/// Columns of normals. A pair that opens also slides. A pair with little force hardly opens unless another pair presses on it.
 bool PairResponse::open(const RigidContact& rigid, FrictionOracle& oracle, const PairStates& stuck) {
   const double scale = scale_;
   for (Eigen::Index row = 0; row < force_.size(); ++row) {

@@ -13,11 +13,11 @@ namespace suture {
 
 namespace {
 
-constexpr double kTouching = 1e-12;    // penetration, relative to the gaps' own size, at which a pair touches
-constexpr double kNoWork = 1e-11;      // work of loads in a motion that is none, relative to the sum of its parts
+constexpr double kTouching = 1e-12;    // penetration, relative to the size of the gaps, at which a pair touches
+constexpr double kNoWork = 1e-11;      // work of loads in a motion that counts as zero, relative to the sum of its parts
 constexpr double kWeakSprings = 1e-2;  // singular value of springs along tangents below which they hold no motion
-constexpr int kPatchRounds = 4;        // fixed point of compliance and patch lengths
-// Under a force on each of n nodes, h apart, the middle of a disc gives 3.5 sqrt(n) / (pi E* h) (Boussinesq, the sum of 1 / r); of two
+constexpr int kPatchRounds = 4;        // rounds of the fixed point of compliance and patch lengths
+// Centre of a disc with a force on each of n nodes at distance h: displacement 3.5 sqrt(n) / (pi E* h) (Boussinesq, sum of 1 / r). For two
 // bodies of trilinear cubes a node has k = 0.45 E h, E* = 0.55 E.
 constexpr double kSurface = 0.9;
 
@@ -32,7 +32,7 @@ std::vector<int> members(const ClosedSet& set, char value) {
 
 RigidContact::RigidContact(Pairs pairs) : pairs_(std::move(pairs)), norm_(pairs_.work.norm()) {
   if (pairs_.rows.rows() != this->pairs() || pairs_.penetration.size() != this->pairs() || pairs_.stiffness.size() != this->pairs())
-    throw InternalError("rigid contact: data of different numbers of pairs");
+    throw InternalError("rigid contact: the arrays differ in their number of pairs");
   compliance_ = 2.0 * pairs_.stiffness.cwiseInverse();
   rounding_ = Vector::Zero(this->pairs());
   for (int i = 0; i < this->pairs(); ++i)
@@ -43,7 +43,7 @@ RigidContact::RigidContact(Pairs pairs) : pairs_(std::move(pairs)), norm_(pairs_
 
 void RigidContact::findComponents() {
   DisjointSets sets(motions());
-  std::vector<int> any(pairs(), -1);  // a motion that the pair feels
+  std::vector<int> any(pairs(), -1);  // a motion that moves the pair
   for (int i = 0; i < pairs(); ++i) {
     if (!pairs_.able[i]) continue;
     for (int k = 0; k < motions(); ++k)
@@ -65,11 +65,11 @@ void RigidContact::findComponents() {
     if (any[i] >= 0) components_[number[sets.lowest(any[i])]].pairs.push_back(i);
 }
 
-/// Bodies that pads couple together at a time: those that carry little are no rounding of those that carry much.
+/// Bodies coupled by pads are solved separately, so that lightly loaded ones are not lost in the round-off of heavily loaded ones.
 RigidContact::Equilibrium RigidContact::project(const Vector& t) const {
   Equilibrium result;
   result.motion = Vector::Zero(motions());
-  // Pairs that can't change take no part.
+  // Pairs that cannot change are left out.
   Vector stiffness = compliance_.cwiseInverse();
   for (int i = 0; i < pairs(); ++i)
     if (!pairs_.able[i]) stiffness(i) = 0.0;
@@ -98,8 +98,8 @@ Vector RigidContact::leastMotion(const ClosedSet& carrying, const Vector& motion
   return motion + free * (leastDistance(-rows, -room - rows * along) - along);
 }
 
-/// A patch of n closed pairs in a row gives n times as much under a force on each of them, on a surface sqrt(n) times: pads are as soft as
-/// that. Open pairs are taken for those of the longest patch of their line.
+/// Under a force on each pair, a patch of n closed pairs on a line is n times as compliant as one pair, on a surface sqrt(n) times. Open
+/// pairs use the longest patch of their line.
 Vector RigidContact::patchLengths(const ClosedSet& set) const {
   Vector length = Vector::Zero(pairs());
   std::map<int, double> longest;
@@ -179,7 +179,7 @@ std::vector<int> RigidContact::holders(const ClosedSet& closed, const Matrix& lo
     if (pairs_.able[i]) open.push_back(i);
   std::vector<int> chosen;
   if (loose.cols() == 0 || open.empty()) return chosen;
-  // Pivoted Gram-Schmidt on the rows: each next one stops most of what is still loose.
+  // Pivoted Gram-Schmidt on the rows: each next row stops most of the remaining motion.
   Matrix rest = pairs_.rows(open, Eigen::all) * loose;
   for (Eigen::Index k = 0; k < loose.cols(); ++k) {
     Eigen::Index best = 0;
@@ -259,7 +259,7 @@ Vector RigidContact::bodyScale(const ClosedSet& closed, const Vector& values) co
   return scaleOf(DisjointSets(bodies()), closed, values, true);
 }
 
-/// Largest magnitude among the closed pairs of the sets that a pair's bodies belong to; of these the least or the most.
+/// Largest magnitude among the closed pairs of the sets that a pair's bodies belong to: minimum or maximum over these sets.
 Vector RigidContact::scaleOf(DisjointSets sets, const ClosedSet& closed, const Vector& values, bool least) const {
   Vector scale = Vector::Zero(pairs());
   if (pairs_.bodies.empty()) {

@@ -1,4 +1,4 @@
-// The end of a ContactSearch that plain flips and models do not end: steps along which the dual energy rises strictly.
+// ContactSearch: fallback if plain flips and models do not converge, by steps along which the dual energy increases strictly.
 #include <suture/contact/ContactSearch.hpp>
 
 #include <algorithm>
@@ -8,7 +8,7 @@ namespace suture {
 
 namespace {
 
-constexpr double kNoForce = 1e-13;  // forces by statics that are rounding
+constexpr double kNoForce = 1e-13;  // static forces at the level of round-off
 
 bool any(const ClosedSet& set) {
   return std::any_of(set.begin(), set.end(), [](char c) { return c != 0; });
@@ -16,7 +16,7 @@ bool any(const ClosedSet& set) {
 
 }  // namespace
 
-/// From forces that hold the bodies by statics alone: always a state with l >= 0.
+/// Starts from forces that hold the bodies by statics alone: always a state with l >= 0.
 bool ContactSearch::staticStart() {
   const Vector force = rigid_.staticForces();
   if (force.size() != rigid_.pairs()) return false;
@@ -30,7 +30,7 @@ bool ContactSearch::staticStart() {
   return haveBest_ = true;
 }
 
-/// From the equilibrium on pads beside the nearest accurate answer: admissible forces that keep what the search has learnt.
+/// Starts from the equilibrium on pads near the closest accurate solution: admissible forces that keep the progress of the search.
 bool ContactSearch::nearestStart() {
   if (nearestAnswer_.force.size() != rigid_.pairs()) return false;
   const RigidContact::Equilibrium pads = rigid_.project(padPenetration(nearestAnswer_.force, nearestAnswer_.penetration));
@@ -43,8 +43,8 @@ bool ContactSearch::nearestStart() {
   return haveBest_ = descend(from, false, best_);
 }
 
-/// From a face minimiser with l >= 0 to a better one. One solve a loop.
-/// \param pushFirst  begins with forces w / c on the penetrating pairs instead of closing them
+/// From a face minimiser with l >= 0 to a better one. One solve per loop.
+/// \param pushFirst  starts with forces w / c on the penetrating pairs instead of closing them
 bool ContactSearch::descend(const State& from, bool pushFirst, State& to) {
   const int n = rigid_.pairs();
   ClosedSet penetrating(n, 0), support(n, 0);
@@ -70,7 +70,7 @@ bool ContactSearch::descend(const State& from, bool pushFirst, State& to) {
         to = {answer_.force, answer_.penetration, answer_.penetrationTolerance, set_, answer_.energy};
         return true;
       }
-      if (!any(idle)) {  // to the first that would pull, which then opens
+      if (!any(idle)) {  // stop at the first pair in tension and open it
         double length = 1.0;
         for (int i = 0; i < n; ++i)
           if (blocking[i]) length = std::min(length, force(i) / (force(i) - found(i)));
@@ -109,7 +109,7 @@ bool ContactSearch::descend(const State& from, bool pushFirst, State& to) {
     const ContactOracle::Change step = oracle_.redistribute(held, push);
     const Vector& change = step.force;
     if (change.size() != n) return false;
-    // The dual energy l.C l / 2 - d.l along it: slope -w.change, curvature change.C change, the loss of the penetrations.
+    // Dual energy l.C l / 2 - d.l along the step: slope -w.change, curvature change.C change, the loss of the penetrations.
     const double curvature = -change.dot(step.penetration);
     double length = curvature > 0.0 ? from.penetration.dot(change) / curvature : 1.0;
     for (int i = 0; i < n; ++i)
@@ -134,7 +134,7 @@ bool ContactSearch::safeStep(ClosedSet& next) {
   return takeBest(next);
 }
 
-/// The set after that of the best state.
+/// The set that follows the best state.
 bool ContactSearch::takeBest(ClosedSet& next) {
   sinceBest_ = 0;
   seen_.assign(1, best_.closed);

@@ -10,27 +10,27 @@ namespace suture {
 
 namespace {
 
-constexpr double kStateTurned = 1.0;        // turn that is none, in parts of the tolerance of forces
-constexpr double kStateSharper = 0.1;       // accuracy of the next solve, in parts of the turn that it makes
-constexpr double kStateForcing = 0.1;       // accuracy of the next solve, in parts of the distance from the laws
-constexpr double kComparable = 0.5;         // change of the accuracy up to which balances are compared with those before
+constexpr double kStateTurned = 1.0;        // turn that counts as zero, relative to the tolerance of forces
+constexpr double kStateSharper = 0.1;       // accuracy of the next solve, relative to the turn in the current one
+constexpr double kStateForcing = 0.1;       // accuracy of the next solve, relative to the distance from the laws
+constexpr double kComparable = 0.5;         // change of the accuracy up to which solutions are comparable with earlier ones
 constexpr int kStateHalvings = 9;           // halvings of a step
-constexpr double kStateLeastFall = 2e-4;    // least fall of the squared distance, relative to it and to the step
-constexpr double kStateProgress = 1e-6;     // relative fall of the distance that is one
-constexpr int kStatePatience = 12;          // steps without a nearer balance, from the start
-constexpr std::size_t kStateMeetings = 20;  // states that bodies meet on their way
-constexpr double kStateLeastWay = 1e-2;     // first way tried, in parts of the shortest one after which something may change
-constexpr double kStateMostWay = 1e3;       // last way tried, in parts of the longest such one
-constexpr double kStateNoWork = 1e-11;      // work of forces in a motion that is none, relative to the largest
-constexpr double kStateHolds = 0.1;         // way along a tangent, in parts of the motion's own, from which on a spring there holds it
-constexpr int kShortPatience = 3;           // from states of the pads
-constexpr int kShort = 7;                   // solves from there
+constexpr double kStateLeastFall = 2e-4;    // least decrease of the squared distance, relative to it and to the step
+constexpr double kStateProgress = 1e-6;     // relative decrease of the distance that counts as progress
+constexpr int kStatePatience = 12;          // steps without progress, from the initial states
+constexpr std::size_t kStateMeetings = 20;  // maximum number of states to which bodies are moved
+constexpr double kStateLeastWay = 1e-2;     // first displacement tried, relative to the shortest one after which something may change
+constexpr double kStateMostWay = 1e3;       // last displacement tried, relative to the longest such one
+constexpr double kStateNoWork = 1e-11;      // work of forces in a motion that counts as zero, relative to the largest force
+constexpr double kStateHolds = 0.1;  // displacement along a tangent, relative to the motion, above which a spring there holds the motion
+constexpr int kShortPatience = 3;    // steps without progress, from states of the pads
+constexpr int kShort = 7;            // maximum number of solves from there
 
 struct Try {
   double tangential, softness;
   int times;
 };
-/// From the pads: the first constants, then others.
+/// Restarts from the pads: first with the initial constants, then with others.
 constexpr Try kTries[] = {{0.05, 1.0, 6}, {1.0, 0.5, 5}, {0.2, 2.0, 5}};
 
 std::vector<FrictionCone> cones(const RigidContact& rigid, const LawProjection& projection) {
@@ -58,7 +58,7 @@ PairStates StateSearch::start() {
   return withHolders(padStates(pads));
 }
 
-/// States that the forces of pads mean.
+/// States that correspond to forces of the pads.
 PairStates StateSearch::padStates(const PadModel::Equilibrium& pads) const {
   PairStates all = states_;
   all.resize(static_cast<std::size_t>(rigid_.pairs()));
@@ -73,7 +73,7 @@ PairStates StateSearch::padStates(const PadModel::Equilibrium& pads) const {
   return all;
 }
 
-/// States of the pads beside a balance: always such that the bodies are held. False where the pads know none.
+/// States of the pads near a solution; they always hold the bodies. False if the pads have no equilibrium.
 bool StateSearch::fromPads(const Balance& at, double softness, PairStates& found) const {
   const Vector compliance = softness * rigid_.compliance();
   const PadModel::Equilibrium pads =
@@ -82,7 +82,7 @@ bool StateSearch::fromPads(const Balance& at, double softness, PairStates& found
   return pads.found;
 }
 
-/// True if neither loads nor pairs that slip do work in loose motions: nothing tells bodies where to go along them.
+/// True if neither loads nor slipping pairs do work in free motions: the position of bodies along them is arbitrary.
 bool StateSearch::isNeutral(const PairStates& next, const Matrix& free) const {
   const RigidContact::Pairs& data = rigid_.data();
   double size = data.work.size() > 0 ? data.work.cwiseAbs().maxCoeff() : 0.0;  // largest force: the work of loads that balance is round-off
@@ -97,8 +97,8 @@ bool StateSearch::isNeutral(const PairStates& next, const Matrix& free) const {
   return true;
 }
 
-/// Gives open pairs springs that hold loose motions, one along a tangent for each: as nothing does work in the motions they have no force
-/// in balance, and they close no gap, as pairs that are glued would.
+/// Adds springs along tangents of open pairs, one per free motion. No force does work in these motions, so the springs have no force at
+/// equilibrium. In contrast to glued pairs, they close no gap.
 void StateSearch::holdBySprings(PairStates& next, Matrix free) const {
   const RigidContact::Pairs& data = rigid_.data();
   while (free.cols() > 0) {
@@ -123,16 +123,16 @@ void StateSearch::holdBySprings(PairStates& next, Matrix free) const {
   }
 }
 
-/// True if states are others than states_, springs of open pairs aside.
+/// True if states differ from states_, disregarding springs of open pairs.
 bool StateSearch::differs(const PairStates& next) const {
   for (std::size_t i = 0; i < next.size(); ++i)
     if (next[i] != states_[i] && (next[i].closed() || states_[i].closed())) return true;
   return false;
 }
 
-/// Open pairs with springs where a loose motion is neutral; else open or sliding pairs that stick where states leave a motion loose: linear
-/// problems are never singular. They are violated pairs like others if they carry what their laws do not allow; then others are tried
-/// first.
+/// Adds springs to open pairs if a free motion is neutral; otherwise lets open or sliding pairs stick until no motion is free. Linear
+/// problems are thus never singular. Pairs whose force then exceeds their law are violated like others, and in the next call other pairs
+/// are preferred.
 PairStates StateSearch::withHolders(PairStates next) const {
   std::vector<char> inVain(next.size(), 0);
   for (const int i : violated_) inVain[static_cast<std::size_t>(i)] = 1;
@@ -153,7 +153,7 @@ PairStates StateSearch::withHolders(PairStates next) const {
       double size = next[i].closed() ? 0.0 : (data.rows.row(at) * free).norm();
       if (next[i].status != PairStatus::Stick && projection_.rubs(i))
         for (const Matrix& tangent : data.tangents) size = std::max(size, (tangent.row(at) * free).norm());
-      // Closed pairs first: those that touch hold a body as they are.
+      // Closed pairs first: they hold a body where it is.
       if (!next[i].closed()) size *= 1e-3;
       if (inVain[i]) size *= 1e-2;
       if (size > most) most = size, best = i;
@@ -169,8 +169,8 @@ PairStates StateSearch::withHolders(PairStates next) const {
   return next;
 }
 
-/// Moves bodies that `next` leaves loose rigidly along what the loads have beyond its forces, until the laws answer with states that hold
-/// them better: forces stay in balance on the way. False where there are none, or none but those of a way before.
+/// Moves bodies that `next` leaves unconstrained rigidly along the excess of the loads over its forces, until the laws give states that
+/// hold them better; forces stay in equilibrium. False if there are none, or only states reached before.
 bool StateSearch::drag(const PairStates& next, PairStates& found) {
   const RigidContact::Pairs& data = rigid_.data();
   const Matrix free = rigid_.loose(next);
@@ -200,7 +200,7 @@ bool StateSearch::drag(const PairStates& next, PairStates& found) {
   Matrix way = Matrix::Zero(at_.jump.rows(), 3);
   way.col(0) = data.rows * motion;
   for (std::size_t k = 0; k < data.tangents.size(); ++k) way.col(static_cast<Eigen::Index>(k + 1)) = data.tangents[k] * motion;
-  double least = std::numeric_limits<double>::infinity(), most = 0.0;  // ways after which something may change
+  double least = std::numeric_limits<double>::infinity(), most = 0.0;  // displacements after which something may change
   for (std::size_t i = 0; i < next.size(); ++i) {
     const auto at = static_cast<Eigen::Index>(i);
     if (!data.able[i] || !(way.row(at).norm() > kDependentRows)) continue;
@@ -219,8 +219,8 @@ bool StateSearch::drag(const PairStates& next, PairStates& found) {
   return false;
 }
 
-/// States that hold the bodies: where the forces of `next` cannot balance the loads, those that bodies meet on their way, or those of the
-/// pads at the present balance.
+/// States that hold the bodies: if the forces of `next` cannot balance the loads, the states that driven bodies reach, or those of the pads
+/// at the current solution.
 PairStates StateSearch::held(PairStates next) {
   if (rigid_.motions() == 0) return next;
   std::vector<Eigen::Matrix3d> active(next.size(), Eigen::Matrix3d::Zero());
@@ -241,7 +241,7 @@ PairStates StateSearch::held(PairStates next) {
   return withHolders(std::move(next));
 }
 
-/// Solves for states_; the states that the laws answer with. False where the solve failed.
+/// Solves for states_; `next` receives the states that the laws give. False if the solve failed.
 bool StateSearch::solve(PairStates& next, double& turns) {
   --left_;
   ++solves_;
@@ -259,7 +259,8 @@ bool StateSearch::solve(PairStates& next, double& turns) {
   return true;
 }
 
-/// States are as good as the distance from the laws: accuracy follows it. Turns of slip need no more than a tenth of themselves.
+/// The accuracy of states is limited by the distance from the laws, and that of solves follows it. If only slip turns, a tenth of the turn
+/// is sufficient.
 void StateSearch::sharpen(double distance, double turns) {
   const double last = oracle_.tightest(), between = std::max(last, std::sqrt(last * oracle_.loosest()));
   if (violated_.empty()) {
@@ -272,8 +273,8 @@ void StateSearch::sharpen(double distance, double turns) {
   if (tolerance_ <= last) tolerance_ = between;
 }
 
-/// From the present balance towards the answer: the first halving that lowers the distance; the whole step where none does.
-/// \param next  gets the states there. False where they are those of the answer still.
+/// Step from the current state towards the solution: the first halving that reduces the distance, or the whole step if none does.
+/// \param next  receives the states there. False if they are still those of the last solve.
 bool StateSearch::step(PairStates& next) {
   const Matrix force = answer_.force - at_.force, jump = answer_.jump - at_.jump;
   double part = 1.0;
@@ -298,7 +299,7 @@ bool StateSearch::step(PairStates& next) {
   return differs(next);
 }
 
-/// Newton's steps from states_ until the laws agree with an answer of the final accuracy.
+/// Newton steps from states_ until the laws agree with a solution of the final accuracy.
 StateSearch::End StateSearch::newton(int most, int patience) {
   const double last = oracle_.tightest();
   int since = 0;
@@ -311,11 +312,11 @@ StateSearch::End StateSearch::newton(int most, int patience) {
     if (!solve(next, turns)) return End::Failed;
     ++k;
     if (violated_.empty() && turns <= kStateTurned) {
-      // A pair that sticks since the start knows no bound yet.
+      // A pair that has been sticking since the start does not have a bound yet.
       for (std::size_t i = 0; i < next.size(); ++i)
         if (states_[i].status == PairStatus::Stick && next[i].status == PairStatus::Stick) states_[i] = next[i];
       if (tolerance_ <= last) return End::Settled;
-      // Directions turn by Newton's steps from there on: not all of them need be accurate.
+      // The remaining Newton steps only turn directions: not all of them need be accurate.
       const double between = std::max(last, std::sqrt(last * oracle_.loosest()));
       const bool turning = std::any_of(states_.begin(), states_.end(), [](const ContactState& state) { return state.across > 0.0; });
       tolerance_ = turning && tolerance_ > between ? between : last;
@@ -350,8 +351,8 @@ StateSearch::End StateSearch::newton(int most, int patience) {
   return End::Stalled;
 }
 
-/// Motion in which the loads overcome all that pairs can hold. The proof's own motion opens pairs as their cones are wide; that of a body
-/// that slides keeps the closed ones.
+/// Motion in which the loads overcome the resistance of all pairs. The motion of the proof opens pairs because of the widths of their
+/// cones; the motion of a sliding body keeps closed pairs closed.
 Vector StateSearch::unbalanced() const {
   const Vector motion = pads_.unbalanced();
   if (motion.size() == 0) return motion;
@@ -362,8 +363,8 @@ Vector StateSearch::unbalanced() const {
   return slides.norm() > kDependentRows ? slides : motion;
 }
 
-/// The first problem is one of Tresca's, with bounds by the normal forces of the pads: as good as the law's for a guess, symmetric, and
-/// what its normal forces differ from those of the solution says how the fixed point of such problems contracts.
+/// The first problem is a Tresca problem with bounds from the normal forces of the pads: as good an initial guess as Coulomb's law, and
+/// symmetric. The difference of its normal forces from those of the solution measures the contraction of the Tresca fixed point.
 void StateSearch::solveByGuess() {
   const bool drags = std::any_of(states_.begin(), states_.end(), [](const ContactState& state) { return state.drags(); });
   if (guess_.size() == 0 || !drags || !goesOn()) return;
@@ -385,10 +386,10 @@ void StateSearch::solveByGuess() {
 
 Vector StateSearch::normalForces() const { return answer_.force.col(0).cwiseMax(0.0); }
 
-/// Contraction of the fixed point of Tresca problems; negative: not known.
+/// Contraction of the fixed point of Tresca problems; negative: unknown.
 double StateSearch::contraction() const {
   const bool slips = std::any_of(states_.begin(), states_.end(), [](const ContactState& state) { return state.drags(); });
-  if (!slips) return 0.0;  // no bound matters near the solution
+  if (!slips) return 0.0;  // no bound affects the solution
   if (tresca_.size() == 0) return -1.0;
   const Vector found = normalForces();
   const double from = (guess_ - found).norm();

@@ -9,39 +9,39 @@ namespace suture {
 
 /// Finds the states (open, slip, stick) of contact pairs, for all laws, in 2D and 3D: forces l and jumps w with l = P(l + R w).
 ///
-/// It knows linear problems of given states (FrictionOracle), the laws (LawProjection) and rigid bodies on pads (PadModel):
-///   1. limit analysis first: loads that no forces within the cones balance have no equilibrium;
-///   2. states of the pads to begin with, no solve;
-///   3. semismooth Newton: the states of P(l + R w) at the present balance give the next linear problem. Combinations of balances are in
-///      balance, so that a line search on the distance from the laws costs no solve; where no step lowers it a full one is taken. Where
-///      states cannot balance the loads, bodies are moved along the loads to states that hold them, or get those of the pads at t = c l +
-///      w;
-///   4. where the closed pairs of states leave bodies a motion in which no force does work (a ball between two plates turns about the line
-///      through its poles), a spring along a tangent of an open pair holds it: without force, at the place where the bodies are;
-///   5. where the distance has not fallen for some steps: the states of the pads at the present balance, and Newton from there, with other
+/// It uses linear problems of given states (FrictionOracle), the laws (LawProjection) and rigid bodies on pads (PadModel):
+///   1. Limit analysis first: loads that forces within the cones cannot balance have no equilibrium.
+///   2. The initial states are those of the pads, without a solve.
+///   3. Semismooth Newton: the states of P(l + R w) at the current solution define the next linear problem. Combinations of solutions are
+///      in equilibrium, so a line search on the distance from the laws costs no solve; if no step reduces it, a full step is taken. If
+///      states cannot balance the loads, bodies are moved along the loads to states that hold them, or the states of the pads at t = c l +
+///      w are used.
+///   4. If the closed pairs leave bodies a motion in which no force does work (a ball between two plates turns about the line through its
+///      poles), a spring along a tangent of an open pair holds it, without force, at the current position.
+///   5. If the distance has not decreased for some steps: the states of the pads at the current solution, and Newton from there with other
 ///      constants.
-/// Accuracy of the solves follows the distance from the laws.
+/// The accuracy of the solves is tied to the distance from the laws.
 class StateSearch {
  public:
   struct Result {
     bool converged = false;
-    Vector slides;  ///< motion of bodies (RigidContact) along which they are driven where there is no equilibrium; else empty
+    Vector slides;  ///< rigid motion (RigidContact) of the driven bodies if there is no equilibrium; else empty
     PairStates states;
     int solves = 0;
-    double contraction = -1.0;     ///< of the fixed point of Tresca problems, estimated; negative: not known
+    double contraction = -1.0;     ///< of the fixed point of Tresca problems, estimated; negative: unknown
     std::vector<int> alternating;  ///< pairs whose states did not settle
   };
 
-  /// All must outlive it. \param most  solves at most
+  /// All arguments must outlive it. \param most  maximum number of solves
   StateSearch(const RigidContact& rigid, const ContactLaws& laws, const std::vector<FrictionSite>& sites, FrictionOracle& oracle, int most);
 
-  /// States of the pads where nothing is known yet.
+  /// States of the pads, as initial guess.
   PairStates start();
   Result run(PairStates start);
 
  private:
   enum class End { Settled, Stalled, Exhausted, Failed };
-  /// Forces and jumps in balance with the loads, and the distance from the laws.
+  /// Forces and jumps in equilibrium with the loads, and their distance from the laws.
   struct Balance {
     Matrix force, jump;
     double distance = 0.0;
@@ -75,10 +75,10 @@ class StateSearch {
   PairStates states_;
   FrictionAnswer answer_;
   std::vector<int> violated_;
-  std::vector<PairStates> met_;  // by bodies on their way
-  Balance at_, best_, first_;    // present one, nearest and first one of a try
-  bool isNew_ = true;            // the next answer begins a line: those before do not compare
-  Vector guess_, tresca_;        // normal forces of the pads, and of the Tresca problem that they give
+  std::vector<PairStates> met_;  // states reached while bodies were moved
+  Balance at_, best_, first_;    // current, closest to the laws, and first one of a try
+  bool isNew_ = true;            // the next solution starts a new line: earlier ones are not comparable
+  Vector guess_, tresca_;        // normal forces of the pads, and of the Tresca problem with bounds from them
 };
 
 }  // namespace suture

@@ -8,12 +8,12 @@ namespace suture {
 class CondensedProblem;
 class CondensedSets;
 
-/// Condensed Groups as states of pairs with friction. States make the groups linear: pairs that stick are glued along their tangents too,
-/// those that slip feel the bound of a Tresca problem. Normal forces do not drag, so that the condensed operator stays symmetric: Coulomb's
-/// law is the fixed point of such problems (FrictionOracle::drags).
+/// Condensed Groups in terms of pair states with friction. Given states make the groups linear: sticking pairs are glued along their
+/// tangents too, slipping pairs carry the bound of a Tresca problem. Bounds do not depend on normal forces within a linear problem, so the
+/// condensed operator stays symmetric; Coulomb's law is the fixed point of such problems (FrictionOracle::drags).
 class CondensedFriction : public FrictionStates {
  public:
-  /// `problem`, whose groups are made, and its sets must outlive it. Collective.
+  /// `problem`, with its groups already made, and `sets` must outlive it. Collective.
   CondensedFriction(const Comm& comm, const CondensedProblem& problem, const CondensedSets& sets);
 
   const ContactLaws& laws() const override;

@@ -21,7 +21,7 @@ int problemOf(const Partition& partition, int subdomain) {
   return partition.groupOf[subdomain] < 0 ? subdomain : partition.subdomains() + partition.groupOf[subdomain];
 }
 
-/// Free unknowns of a subdomain at nodes that another local problem holds, too.
+/// Free unknowns of a subdomain at nodes shared with another local problem.
 std::vector<int> boundaryDofs(const Subdomain& subdomain, const Partition& partition) {
   const SubdomainMesh& mesh = subdomain.mesh();
   const int own = problemOf(partition, mesh.id);
@@ -51,7 +51,7 @@ int closedPairs(const std::vector<ContactState>& status) {
   return static_cast<int>(std::count_if(status.begin(), status.end(), [](const ContactState& s) { return s.closed(); }));
 }
 
-/// Adds tangential forces to the last pairs of the list, which are those of the group.
+/// Adds tangential forces to the pairs of the group, which are the last ones in the list.
 void addTangentialForces(const ContactGroup& group, const ContactGroup::Response& response, const Vector& moved,
                          std::vector<PairForce>& pairs) {
   const std::vector<PairForces> own = pairForces(group, response, moved);
@@ -92,7 +92,7 @@ CondensedProblem::CondensedProblem(CommPtr comm, const Partition& partition, con
         all.push_back({subdomains[s].get()});
         for (int dof : boundaryDofs(*subdomains[s], partition)) boundary.push_back(subdomains[s]->globalDof(dof));
       }
-      if (all.size() != partition.groups[group].size()) throw InternalError("a contact group does not live whole on one rank");
+      if (all.size() != partition.groups[group].size()) throw InternalError("a contact group is spread over several ranks");
       std::sort(boundary.begin(), boundary.end());
       boundary.erase(std::unique(boundary.begin(), boundary.end()), boundary.end());
       const ContactGroup::Parts parts{group, std::move(all), boundary, solver, laws_};

@@ -13,14 +13,14 @@
 
 namespace suture {
 
-/// The formulation Condensed Groups, the paper's: unknown is the trace on Gamma, contact is hidden inside the groups (17).
+/// The formulation Condensed Groups of the paper: the unknown is the trace on Gamma, and contact is condensed in the groups (17).
 class CondensedProblem : public InterfaceProblem {
  public:
   using SchurMaker = std::function<std::unique_ptr<SchurComplement>()>;
   using GroupMaker = std::function<std::unique_ptr<ContactGroup>(const ContactGroup::Parts&)>;
 
   /// \param subdomains  of this rank, assembled, in ascending order of ids; they must outlive the problem
-  /// \param group  how groups are made; empty: Exact
+  /// \param group  makes the groups; empty: Exact
   /// Collective. \throws NumericalError
   CondensedProblem(CommPtr comm, const Partition& partition, const std::vector<std::unique_ptr<Subdomain>>& subdomains,
                    const LocalSolverMaker& solver, const SchurMaker& schur, ContactLaws laws = {}, const GroupMaker& group = {});
@@ -36,7 +36,7 @@ class CondensedProblem : public InterfaceProblem {
   int pieces() const override { return pieces_; }
   int pairs() const override { return pairs_; }
 
-  /// Null without pairs that can change.
+  /// Null if no pair can change.
   const ContactSets* sets() const override { return sets_.get(); }
   void rememberPath(const std::vector<BodyForces>& carried) override;
   const FrictionStates* friction() const override { return friction_.get(); }
@@ -47,22 +47,22 @@ class CondensedProblem : public InterfaceProblem {
  private:
   friend class CondensedSets;
   friend class CondensedFriction;
-  /// True if groups cannot solve their contact problems by themselves, which are unilateral ones: a law of this scene is another.
+  /// True if a law of the scene is not unilateral, so that groups cannot solve their contact problems themselves and pair states are given.
   bool isGiven() const { return laws_.restrictSliding() || !allSeparate_; }
   std::vector<Vector> traces(const MultiVector& trace) const;
   /// Place of a group among local problems and statuses.
   int placeOfGroup(int group) const { return static_cast<int>(plain_.size()) + group; }
   /// Places of a group's members among the subdomains of this rank.
   const std::vector<int>& membersOf(int group) const { return groupMembers_[group]; }
-  /// A group with a status; the last one is kept. Local.
+  /// A group linearised at a status; the last result is cached. Local.
   std::shared_ptr<const LinearisedGroup> linearised(int group, const std::vector<ContactState>& status) const;
-  /// Adds F - S_0 U of the plain subdomains, this rank's part, and returns their energy. Collective.
+  /// Adds this rank's part of F - S_0 U of the plain subdomains and returns their energy. Collective.
   double addPlain(const std::vector<Vector>& trace, Matrix& force) const;
-  /// Adds F - S U with the pairs as the state has them, this rank's part, and returns the energy of that. Collective.
-  /// \param each  gets the answer of each group of this rank
+  /// Adds this rank's part of F - S U for the pair states of `state` and returns its energy. Collective.
+  /// \param each  called with the response of each group of this rank
   using EachGroup = std::function<void(int group, const ContactGroup::Response& response, const Vector& moved)>;
   double addLinear(const InterfaceState& state, const std::vector<Vector>& trace, Matrix& force, const EachGroup& each = {}) const;
-  /// U.S U of each plain subdomain, by its place. Local.
+  /// U.S U of each plain subdomain, identified by its place. Local.
   void addPlainEnergies(const std::vector<Vector>& trace, const std::function<void(int subdomain, double energy)>& add) const;
   Vector movedRows(int group, const InterfaceState& state) const;
 
@@ -70,10 +70,10 @@ class CondensedProblem : public InterfaceProblem {
   const std::vector<std::unique_ptr<Subdomain>>& subdomains_;
   ContactLaws laws_;
   int subdomainCount_;                                          // over all ranks
-  std::vector<std::shared_ptr<const SubdomainProblem>> plain_;  // members of T on this rank: local problems 0 ..
-  std::vector<std::unique_ptr<ContactGroup>> groups_;           // then the groups
+  std::vector<std::shared_ptr<const SubdomainProblem>> plain_;  // subdomains of T on this rank: local problems 0 ..
+  std::vector<std::unique_ptr<ContactGroup>> groups_;           // the following local problems
   std::vector<int> plainSubdomain_;                             // place of each plain problem's subdomain in subdomains_
-  std::vector<std::vector<int>> groupMembers_;                  // and of each group's members
+  std::vector<std::vector<int>> groupMembers_;                  // places of each group's members in subdomains_
   std::shared_ptr<const InterfaceSpace> space_;
   int pieces_ = 0, pairs_ = 0;
   bool allSeparate_ = true;  // no law keeps its pairs closed; the same on all ranks

@@ -73,7 +73,7 @@ InterfaceEvaluation CondensedSets::evaluateSet(const InterfaceState& state, Pair
   const int pairs = bodies_->rigid().pairs();
   const std::vector<Vector> trace = problem_.traces(*state.trace);
   Matrix out = Matrix::Zero(problem_.space()->overlapSize(), 1);
-  Matrix mine = Matrix::Zero(pairs, 3);  // forces, penetrations, digits of the latter
+  Matrix mine = Matrix::Zero(pairs, 3);  // forces, penetrations, round-off of penetrations
   InterfaceEvaluation result;
   const double energy = problem_.addLinear(state, trace, out, [&](int group, const ContactGroup::Response& response, const Vector& moved) {
     const ContactGroup& own = *problem_.groups()[group];
@@ -111,7 +111,7 @@ ClosedSet CondensedSets::proposal(const InterfaceState& state) const {
     try {
       next[place] = problem_.groups()[g]->respond(trace[place], state.status[place], movedRows(number, state)).status;
     } catch (const NumericalError&) {
-      found = 0.0;  // rounding, far from the solution: plain flips do
+      found = 0.0;  // round-off, far from the solution: use plain flips
     }
   }
   Teuchos::reduceAll(comm_, Teuchos::REDUCE_MIN, found, Teuchos::outArg(all));
@@ -192,7 +192,7 @@ void CondensedSets::pairChanges(const MultiVector& step, const ContactStates& st
   penetration = all.col(1);
 }
 
-/// Energies are what is remembered: they take a solve of every group.
+/// Stores the energies, because they need a solve in each group.
 int CondensedSets::remember(InterfaceState& state) const {
   if (!state.memory) state.memory = std::make_shared<Matrix>(energies(state));
   return 0;

@@ -9,11 +9,12 @@ namespace suture {
 
 class CondensedProblem;
 
-/// Condensed Groups as sets of closed pairs. A set makes the groups linear; their contact problems at the same trace propose the next set,
-/// which is Newton's method on (17). Rigid motions of bodies stand beside the trace: the groups feel them as gaps.
+/// Condensed Groups in terms of sets of closed pairs. A set makes the groups linear; the solution of their contact problems at the same
+/// trace is proposed as the next set, which is Newton's method on (17). Rigid motions of bodies are kept apart from the trace: for the
+/// groups they change the gaps.
 class CondensedSets : public ContactSets {
  public:
-  /// `problem`, whose groups are made, and its subdomains must outlive it. Collective.
+  /// `problem`, with its groups already made, and its subdomains must outlive it. Collective.
   CondensedSets(const Comm& comm, const CondensedProblem& problem, const std::vector<std::unique_ptr<Subdomain>>& subdomains);
 
   const ContactBodies& bodies() const override { return *bodies_; }
@@ -30,14 +31,14 @@ class CondensedSets : public ContactSets {
   const std::vector<int>& partOfOwned() const override { return partOfOwned_; }
   void separate(InterfaceState& state) const override;
   int remember(InterfaceState& state) const override;
-  /// For subdomains without contact that of the harmonic extension.
+  /// Subdomains without contact contribute the energy of the harmonic extension.
   Vector energies(const InterfaceState& state) const override;
 
-  /// Addition of a state's rigid motions to the rows of a group of this rank; empty if there is none.
+  /// Contribution of a state's rigid motions to the rows of a group of this rank; empty if there are none.
   Vector movedRows(int group, const InterfaceState& state) const;
-  /// Work of the loads in them.
+  /// Work of the loads in a state's rigid motions.
   double rigidWork(const InterfaceState& state) const;
-  /// Values by pair that one rank each knows, made known to all. Collective.
+  /// Sums values by pair, each known to one rank, over all ranks. Collective.
   Matrix everywhere(const Matrix& mine) const;
 
  private:

@@ -19,9 +19,9 @@ namespace suture {
 
 namespace {
 
-constexpr double kNoWork = 1e-12;  // of the sum of magnitudes: rounding of loads that balance
+constexpr double kNoWork = 1e-12;  // relative to the sum of magnitudes: round-off of loads in equilibrium
 
-/// A pair's coefficient of one unknown, by amplitudes of a part.
+/// Coefficient of one unknown in a pair's row, per amplitude of a part.
 struct Term {
   int pair, part, component;
   GlobalId dof;
@@ -35,7 +35,7 @@ struct PairData {
 };
 
 using TermKey = std::tuple<int, int, GlobalId>;  // pair, component, unknown
-constexpr double kKept = 1e-9;                   // change of a bound pair, of motions of the order of one, that is none
+constexpr double kKept = 1e-9;                   // change of a bound pair, for motions of order one, that counts as zero
 
 }  // namespace
 
@@ -75,7 +75,7 @@ void ContactBodies::findParts(const Comm& comm, const Meshes& meshes) {
   }
 }
 
-/// Bodies that pairs bind together have common motions only.
+/// Reduces the motions to those common to bodies bound together by pairs.
 void ContactBodies::bind(RigidContact::Pairs& pairs) {
   if (pairs.bound.empty()) return;
   std::vector<int> bound;
@@ -186,7 +186,7 @@ RigidContact::Pairs ContactBodies::gatherPairs(const Comm& comm, const Meshes& m
 }
 
 Vector ContactBodies::work(const Comm& comm, const std::vector<std::unique_ptr<Subdomain>>& subdomains) const {
-  Matrix mine = Matrix::Zero(motions_, 2), all = mine;  // work, and the magnitudes it is summed from
+  Matrix mine = Matrix::Zero(motions_, 2), all = mine;  // work, and the sum of magnitudes of its terms
   for (std::size_t s = 0; s < subdomains.size(); ++s) {
     const Subdomain& subdomain = *subdomains[s];
     const RigidPart& part = parts_[partOf_[s]];

@@ -11,40 +11,41 @@
 
 namespace suture {
 
-/// The rigid motions of the connected parts of all bodies, and what contact pairs feel of them: the rigid model of a distributed scene.
+/// The rigid motions of the connected parts of all bodies and their effect on contact pairs: the rigid model of a distributed scene.
 /// Replicated: all ranks know all parts and pairs.
 class ContactBodies {
  public:
   /// \param subdomains     of this rank, assembled
-  /// \param pairStiffness  by pair id, of those that this rank answers for: 1 / sum n^2 / K_nn [force / length]
+  /// \param pairStiffness  by pair id, of the pairs that this rank owns: 1 / sum n^2 / K_nn [force / length]
   /// \param laws  of the contacts: bodies whose pairs never open move together
   /// Collective.
   ContactBodies(const Comm& comm, const std::vector<std::unique_ptr<Subdomain>>& subdomains, const std::map<int, double>& pairStiffness,
                 const ContactLaws& laws = {});
-  /// Geometry alone: no loads, pads of stiffness one, penetrations of the initial gaps less what supports close. Collective.
+  /// Geometry only: no loads, pads of stiffness one, penetrations from the initial gaps minus what prescribed displacements close.
+  /// Collective.
   ContactBodies(const Comm& comm, const std::vector<const SubdomainMesh*>& meshes, const ContactLaws& laws = {});
 
   const RigidContact& rigid() const { return *rigid_; }
   RigidContact& rigid() { return *rigid_; }
   int dimension() const { return dimension_; }
   const std::vector<RigidPart>& parts() const { return parts_; }
-  /// Part of a subdomain of this rank, by its place.
+  /// Part of a subdomain of this rank, identified by its place.
   int partOf(int subdomain) const { return partOf_[subdomain]; }
-  /// The motions of one part among those of all, as amplitudes of the part.
+  /// Extracts one part's motion from that of all parts, as amplitudes of the part.
   Vector amplitudes(int part, const Vector& motion) const;
-  /// Column of a part's first motion among those of all; only of bodies that nothing binds together.
+  /// Column of a part's first motion; only for bodies that no pair binds together.
   int firstMotion(int part) const { return first_[part]; }
-  /// True if motions are those of bodies that pairs bind together, not of each part alone.
+  /// True if motions are those of bodies bound together by pairs, not of separate parts.
   bool areBound() const { return areBound_; }
-  /// Parts that contact pairs join.
+  /// Pairs of parts that are in contact.
   const std::vector<std::pair<int, int>>& neighbours() const { return neighbours_; }
-  /// Parts on which nothing acts but contact (idleBodies).
+  /// Parts on which only contact forces act (idleBodies).
   const std::vector<char>& idle() const { return idle_; }
-  /// Takes the largest forces on each body on the path of load steps so far: part of them is rounding. \param carried  empty: none
+  /// Sets the largest forces on each body on the path of load steps so far, from which round-off is estimated. \param carried  empty: none
   void remember(const std::vector<BodyForces>& carried);
-  /// Twice the energy that each part has had on that path, at most; zero if there is none. [force length]
+  /// Twice the largest energy that each part has had on that path; zero if unknown. [force length]
   const Vector& carriedEnergy() const { return carriedEnergy_; }
-  /// Adds motions (empty: none) to the free values of a subdomain of this rank.
+  /// Adds rigid motions (empty: none) to the free values of a subdomain of this rank.
   /// \param place  of the subdomain
   void addMotion(int place, const Subdomain& subdomain, const Vector& motion, Vector& values) const;
 
@@ -59,14 +60,14 @@ class ContactBodies {
 
   int dimension_ = 2;
   std::vector<RigidPart> parts_;
-  std::vector<Vector> lift_;  // of each part: amplitudes that prescribed displacements ask for
-  std::vector<int> first_;    // of each part: column of its first motion
-  int motions_ = 0;           // their number, for all parts
+  std::vector<Vector> lift_;  // per part: amplitudes required by prescribed displacements
+  std::vector<int> first_;    // per part: column of its first motion
+  int motions_ = 0;           // number of motions of all parts
   bool areBound_ = false;
-  Matrix together_;  // if they are: columns, motions of parts that leave bound pairs as they are
+  Matrix together_;  // if areBound_: motions (columns) of the parts that leave bound pairs unchanged
   std::vector<int> partOf_;
   std::unique_ptr<RigidContact> rigid_;
-  std::vector<double> loads_;  // of each part: sum of the magnitudes of what acts on its free unknowns
+  std::vector<double> loads_;  // per part: sum of the magnitudes of the forces on its free unknowns
   std::vector<char> idle_;
   std::vector<std::pair<int, int>> neighbours_;
   Vector carriedEnergy_;

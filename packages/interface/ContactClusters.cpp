@@ -13,22 +13,23 @@ namespace {
 
 using Sparse = std::vector<std::pair<int, double>>;
 
-// Coefficients are those of unit normals. Rows whose largest one is below kDependent depend on others. Coefficients below kRounding are
-// remainders of others that cancelled; a larger one would be missing from the forces.
+// Coefficients are those of unit normals. Rows whose largest coefficient is below kDependent are linearly dependent. Coefficients below
+// kRounding are remainders of cancellation; a larger threshold would lose forces.
 constexpr double kDependent = 1e-10;
 constexpr double kRounding = 1e-14;
-constexpr double kDragged = 0.1;      // part of a dragged row's largest coefficient: by less it is not solved for that unknown
-constexpr double kShift = 1e-12;      // shift, in parts of the largest compliance of a row
-constexpr std::size_t kTwoNodes = 6;  // unknowns in space
+constexpr double kDragged =
+    0.1;  // least coefficient, relative to the largest of a row with friction, of the unknown for which the row is solved
+constexpr double kShift = 1e-12;      // shift, relative to the largest compliance of a row
+constexpr std::size_t kTwoNodes = 6;  // number of unknowns in 3D
 
-/// The entry at a place; the end if there is none.
+/// The entry at a place, or end().
 Sparse::iterator entryOf(Sparse& row, int place) {
   const auto before = [](const std::pair<int, double>& entry, int at) { return entry.first < at; };
   const auto found = std::lower_bound(row.begin(), row.end(), place, before);
   return found != row.end() && found->first == place ? found : row.end();
 }
 
-/// row += factor other. \param space  work space
+/// row += factor * other. \param space  work space
 void addTo(Sparse& row, const Sparse& other, double factor, Sparse& space) {
   space.clear();
   auto own = row.cbegin();
@@ -92,10 +93,10 @@ ContactClusters::Row ContactClusters::withDrag(int row, const std::vector<Contac
   return result;
 }
 
-/// Rows of a cluster, solved one after the other for one unknown each.
+/// Rows of a cluster, each solved for one unknown in turn.
 class ContactClusters::Elimination {
  public:
-  /// A row with what is solved put in.
+  /// The row after substitution of the solved unknowns.
   Sparse reduced(const Row& row) {
     Sparse result;
     for (std::size_t k = 0; k < row.places.size(); ++k) {
@@ -108,7 +109,7 @@ class ContactClusters::Elimination {
     return result;
   }
 
-  /// Solves a reduced row for an unknown. \param elsewhere  whether rows before may name it
+  /// Solves a reduced row for an unknown. \param elsewhere  true if earlier rows may contain the unknown
   void solve(const Sparse& row, int place, double value, double size, bool elsewhere) {
     Sparse by;
     for (const auto& [other, coefficient] : row)
@@ -137,7 +138,7 @@ class ContactClusters::Elimination {
   }
 
  private:
-  std::map<int, Sparse> solved_;  // expressed unknown -> what expresses it
+  std::map<int, Sparse> solved_;  // expressed unknown -> its expression
   std::map<int, double> sizes_;   // expressed unknown -> size of the row
   Sparse space_;
 };
@@ -157,26 +158,27 @@ std::vector<InterfaceRelation> ContactClusters::relations(const std::vector<Cont
   for (const auto& cluster : clusters_) {
     Elimination trial, tested;
     const std::vector<int> closed = closedRows(cluster, status);
-    std::map<int, int> uses;  // unknown -> number of rows
+    std::map<int, int> uses;  // unknown -> number of rows that contain it
     for (const int number : closed)
       for (const int place : rows_[number].places) ++uses[place];
     const auto smaller = [](const auto& a, const auto& b) {
-      return std::abs(a.second) < std::abs(b.second) * (1.0 - 1e-9);  // of equal ones the first
+      return std::abs(a.second) < std::abs(b.second) * (1.0 - 1e-9);  // the first among equal ones
     };
     for (const int number : closed) {
       Sparse row = trial.reduced(rows_[number]), dragged;
       const auto chosen = [&](Sparse& rank) {
         auto pivot = std::max_element(rank.begin(), rank.end(), smaller);
-        // Better one that no other row has, as each row of a mortar: then rows do not fill each other in.
+        // Prefer an unknown that no other row contains, as in each row of a mortar: this avoids fill-in.
         auto own = rank.end();
         for (auto entry = rank.begin(); entry != rank.end(); ++entry)
           if (uses[entry->first] == 1 && (own == rank.end() || smaller(*own, *entry))) own = entry;
-        // Rows of six- and eight-node sides name the nodes of others, but can be solved for their carrying nodes one after the other.
+        // Rows of six- and eight-node sides contain nodes of other rows, but can be solved for their carrying nodes one after the other.
         if (own == rank.end() && rows_[number].places.size() > kTwoNodes) own = entryOf(rank, rows_[number].places.front());
         return own != rank.end() && std::abs(own->second) > 0.5 * std::abs(pivot->second) ? own : pivot;
       };
       auto pivot = chosen(row);
-      if (drags) {  // both rows are solved for the same unknown: that of the row itself, unless it nearly vanishes where forces drag
+      if (drags) {  // both rows are solved for the same unknown: the pivot of the row without friction, unless it nearly vanishes in the
+                    // row with friction
         dragged = tested.reduced(withDrag(number, status));
         const auto entry = pivot == row.end() ? dragged.end() : entryOf(dragged, pivot->first);
         const auto largest = std::max_element(dragged.begin(), dragged.end(), smaller);
@@ -210,7 +212,7 @@ Vector ContactClusters::gaps(const Vector& trace, const Vector& moved) const {
   return gap;
 }
 
-// C K^-1 C^T is sparse along a line: a factorisation, unless rows depend on each other.
+// C K^-1 C^T is sparse along a line: use a factorisation, unless rows are linearly dependent.
 Vector ContactClusters::solve(const std::vector<const Row*>& rows, const Vector& rhs) const {
   std::map<int, int> columns;
   std::vector<Eigen::Triplet<double>> entries;
@@ -225,7 +227,7 @@ Vector ContactClusters::solve(const std::vector<const Row*>& rows, const Vector&
   const Eigen::SparseMatrix<double> compliance = scaled * scaled.transpose();
   const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor(compliance);
   if (factor.info() == Eigen::Success && factor.vectorD().minCoeff() > kDependent * factor.vectorD().maxCoeff()) return factor.solve(rhs);
-  // Rows that depend on each other: the least forces, by a shift that refinement takes out again where the rows determine them.
+  // Linearly dependent rows: the least forces, by a shift whose effect iterative refinement removes where the rows determine the forces.
   Eigen::SparseMatrix<double> shifted = compliance;
   shifted.diagonal().array() += kShift * shifted.diagonal().maxCoeff();
   const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> regular(shifted);
@@ -273,7 +275,7 @@ Vector ContactClusters::correction(const std::vector<ContactState>& status, cons
     bool any = false;
     for (std::size_t a = 0; a < closed.size(); ++a) {
       rhs(static_cast<int>(a)) = gap(closed[a]);
-      // Rounding of the unknowns is no reason to move them.
+      // Do not move unknowns by their round-off.
       double scale = std::abs(rows_[closed[a]].gap);
       for (const int place : rows_[closed[a]].places) scale = std::max(scale, std::abs(trace(place)));
       any = any || std::abs(gap(closed[a])) > 1e-14 * scale;

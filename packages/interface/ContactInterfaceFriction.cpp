@@ -1,4 +1,4 @@
-// ContactInterfaceProblem as states of pairs with friction (FrictionStates).
+// ContactInterfaceProblem in terms of pair states with friction (FrictionStates).
 #include <suture/base/Collective.hpp>
 #include <suture/base/Point.hpp>
 #include <suture/interface/ContactInterfaceProblem.hpp>
@@ -152,7 +152,7 @@ PairValues ContactInterfaceProblem::valuesOf(const InterfaceState& state) const 
   result.force = all.leftCols(3);
   result.jump = all.middleCols(3, 3);
   result.digits = all.col(6);
-  const std::shared_ptr<const InterfaceSpace> space = spaceOf(state.status);  // and its tangent
+  const std::shared_ptr<const InterfaceSpace> space = spaceOf(state.status);  // also sets tangent_
   result.residual = residual(out, *space, tangent_.get());
   return result;
 }

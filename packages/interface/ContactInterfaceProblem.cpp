@@ -18,7 +18,7 @@ namespace suture {
 
 namespace {
 
-/// Free unknowns of a subdomain at seams, and those that its contact rows name.
+/// Free unknowns of a subdomain at seams and in its contact rows.
 std::vector<int> boundaryDofs(const Subdomain& subdomain) {
   const SubdomainMesh& mesh = subdomain.mesh();
   std::set<GlobalId> inContact;
@@ -67,7 +67,7 @@ ContactInterfaceProblem::ContactInterfaceProblem(CommPtr comm, const Partition& 
   takeLoads();
   Matrix stiffness = Matrix::Zero(space_->overlapSize(), 1);
   for (std::size_t i = 0; i < locals_.size(); ++i) {
-    // A surface gives way to contact by change of shape, also where volume does not change.
+    // Use the shear stiffness: contact deforms a surface by change of shape, even if the volume is constant.
     const Matrix& shear = locals_[i]->hint(Hint::kShearDiagonal);
     space_->coupling(static_cast<int>(i)).addTransposed(shear.cols() > 0 ? shear : Matrix(locals_[i]->stiffnessDiagonal()), stiffness);
   }
@@ -110,7 +110,7 @@ void ContactInterfaceProblem::reload() {
 
 namespace {
 
-/// Puts the carrying node's unknown with the largest coefficient first.
+/// Moves the carrying node's unknown with the largest coefficient to the front.
 void carryingFirst(const ContactRow& from, const ContactRow::Equation& equation, int dimension, ContactClusters::Row& row) {
   std::size_t best = equation.dofs.size();
   for (std::size_t k = 0; k < equation.dofs.size(); ++k)
@@ -141,7 +141,7 @@ void ContactInterfaceProblem::collectRows(const Vector& stiffness) {
     able += owned_.back() && row->able() && laws_.of(row->pair.line).separates();
     rows_.push_back(*row);
   }
-  // The normal rows first, so that they have the numbers of their pairs.
+  // Normal rows come first: their numbers are those of their pairs.
   std::vector<ContactClusters::Row> rows;
   for (std::size_t component = 0; component < 3; ++component)
     for (std::size_t i = 0; i < rows_.size(); ++i) {
@@ -161,8 +161,8 @@ void ContactInterfaceProblem::collectRows(const Vector& stiffness) {
   Teuchos::reduceAll(*comm_, Teuchos::REDUCE_SUM, able, Teuchos::outArg(pairs_));
 }
 
-/// In the plane pairs are numbered along their lines: neighbours are successors. In space cells tell, of which those with a pair of this
-/// rank are known here.
+/// In 2D pairs are numbered along their lines, and neighbours are consecutive. In 3D neighbours share a cell; only cells with a pair of
+/// this rank are known here.
 void ContactInterfaceProblem::findNeighbours() {
   if (space_->dimension() == 2) {
     for (int i = 0; i < static_cast<int>(rows_.size()); ++i) {
@@ -198,7 +198,7 @@ InterfaceState ContactInterfaceProblem::allClosed() const {
 InterfaceState ContactInterfaceProblem::initialState() const {
   InterfaceState state = allClosed();
   state.memory = std::make_shared<Matrix>(-load_);
-  state.applications = conform(state);  // gaps lift the trace
+  state.applications = conform(state);  // gaps change the trace
   return state;
 }
 
@@ -282,7 +282,7 @@ std::shared_ptr<const InterfaceSpace> ContactInterfaceProblem::spaceOf(const Con
   relations = clusters_->relations(status[0], rubs_ ? &test : nullptr);
   if (rubs_) {
     tangent_ = tangentOf(status, std::move(test));
-    // States that drag in other directions have the space of before, if they express the same unknowns.
+    // States that only change the direction of friction keep the space, if they express the same unknowns.
     const auto sameRows = [](const ContactState& a, const ContactState& b) { return a.holdsAs(b); };
     std::vector<int> unknowns;
     for (const InterfaceRelation& relation : relations) unknowns.push_back(relation.unknown);
@@ -301,7 +301,7 @@ std::shared_ptr<const InterfaceSpace> ContactInterfaceProblem::spaceOf(const Con
       neighbours.emplace_back();
       for (const int pair : rows) {
         const int row = pair < 0 ? -1 : clusters_->rowOf(pair, component);
-        // A closed pair identifies its unknowns: any of them stands for it. A pair that is open, or held on one side, ends a stretch.
+        // A closed pair identifies its unknowns, so any of them represents it. A pair that is open, or held on one side, ends a stretch.
         const bool joins = row >= 0 && status[0][pair].holds(component) && clusters_->row(row).places.size() == 2;
         if (joins || inSpace)
           neighbours.back().push_back(joins ? clusters_->row(row).places[0] : -1);
@@ -318,7 +318,7 @@ InterfaceProblem::Linearisation ContactInterfaceProblem::linearise(const Interfa
   const auto space = spaceOf(state.status);
   Linearisation result;
   std::shared_ptr<const FrictionTangent> friction = tangent_;
-  if (friction) {  // a rank without subdomains knows it, too
+  if (friction) {  // not null on a rank without subdomains either
     auto held = std::make_shared<FrictionTangent>(*friction);
     addSpringMotions(state.status, *space, *held);
     friction = held;
@@ -365,7 +365,7 @@ InterfaceProblem::Evaluation ContactInterfaceProblem::evaluateSet(const Interfac
     result.force = all.col(0);
     result.penetration = all.col(1);
     for (std::size_t i = 0; i < closed.size(); ++i)
-      if (bodies_->rigid().isBound(i)) result.force(static_cast<Eigen::Index>(i)) = 0.0;  // nothing is decided by it
+      if (bodies_->rigid().isBound(i)) result.force(static_cast<Eigen::Index>(i)) = 0.0;  // it affects no decision
     for (std::size_t i = 0; i < closed.size(); ++i) (closed[i] ? result.penetration : result.force)(static_cast<Eigen::Index>(i)) = 0.0;
     result.next = statusOf(plainFlips(bodies_->rigid(), laws_, closed, resolution, all.col(2), result));
   }

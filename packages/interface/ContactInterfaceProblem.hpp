@@ -13,13 +13,13 @@
 
 namespace suture {
 
-/// The formulation Contact On The Interface: no groups. The normal components of contact nodes are interface unknowns beside those of the
-/// seams; a closed pair identifies two of them (up to the gap), an open one does not. Contact is an interface that changes: no local
-/// problem ever does, and a contact line may be cut and spread over ranks like any other.
+/// The formulation Contact On The Interface, without groups. The normal components of contact nodes are interface unknowns in addition to
+/// those of the seams; a closed pair identifies two of them (up to the gap). Contact changes the interface but no local problem, and a
+/// contact line may be partitioned and distributed over ranks like any other line.
 ///
-/// With N the contact rows, g the gaps and S = sum R_i^T S_i R_i over the subdomains: S U + N^T f = F, f >= 0, g - N U >= 0, f.(g - N U) =
-/// 0. For a set of closed pairs T spans the null space of their rows and the linear problem is T^T S T w = T^T (F - S U) from a U that
-/// meets the rows.
+/// With the contact rows N, the gaps g and S = sum R_i^T S_i R_i over the subdomains: S U + N^T f = F, f >= 0, g - N U >= 0, f.(g - N U) =
+/// 0. For a set of closed pairs, T spans the null space of their rows, and the linear problem is T^T S T w = T^T (F - S U) starting from a
+/// U that satisfies the rows.
 class ContactInterfaceProblem : public InterfaceProblem, public ContactSets, public FrictionStates {
  public:
   using SchurMaker = std::function<std::unique_ptr<SchurComplement>()>;
@@ -32,8 +32,8 @@ class ContactInterfaceProblem : public InterfaceProblem, public ContactSets, pub
   const std::shared_ptr<const InterfaceSpace>& space() const override { return space_; }
   InterfaceState initialState() const override;
   InterfaceState stateOf(const std::vector<Vector>& freeValues, const std::map<int, ContactState>& status) const override;
-  /// A closed pair opens when its force pulls, an open one closes when it penetrates: semismooth Newton's choice of the next set. Forces
-  /// are those that the softer side feels.
+  /// The next set is that of semismooth Newton: a closed pair opens if its force is tensile, an open one closes if it penetrates. Forces
+  /// are those on the softer side.
   Evaluation evaluate(const InterfaceState& state, double resolution = 0.0) const override { return evaluateSet(state, {resolution}); }
   Linearisation linearise(const InterfaceState& state) const override;
   int conform(InterfaceState& state) const override;
@@ -76,11 +76,11 @@ class ContactInterfaceProblem : public InterfaceProblem, public ContactSets, pub
   void findSites();
   /// Tangential jumps of a row's pair, by component.
   Point slipOf(int row, const Vector& gaps) const;
-  /// Adds the known tangential forces of pairs that slip to an imbalance, and those of springs across.
+  /// Adds to an imbalance the known tangential forces of slipping pairs and the forces of transverse springs.
   void addSlipForces(const InterfaceState& state, const Matrix& trace, Matrix& imbalance) const;
-  /// As this rank sees it. Local.
+  /// Tangent as seen by this rank. Local.
   std::shared_ptr<const FrictionTangent> tangentOf(const ContactStates& status, std::vector<InterfaceRelation> test) const;
-  /// Finds motions that springs of pairs alone hold, on all ranks. Collective.
+  /// Finds on all ranks the motions that only springs of pairs hold. Collective.
   void addSpringMotions(const ContactStates& status, const InterfaceSpace& space, FrictionTangent& tangent) const;
   /// \param force, gaps  of all rows
   PairForces pairForces(int row, const Vector& force, const Vector& gaps) const;
@@ -90,17 +90,17 @@ class ContactInterfaceProblem : public InterfaceProblem, public ContactSets, pub
   void collectRows(const Vector& stiffness);
   void findNeighbours();
   void findBodies();
-  /// Addition of a state's rigid motions to the rows that this rank sees; empty if there is none.
+  /// Contribution of a state's rigid motions to the rows that this rank sees; empty if there are none.
   Vector movedRows(const InterfaceState& state) const;
-  /// Work of the loads in them.
+  /// Work of the loads in a state's rigid motions.
   double rigidWork(const InterfaceState& state) const;
-  /// Values of this rank's own rows, made known to all by pair id. Collective.
+  /// Sums values of this rank's own rows over all ranks, by pair id. Collective.
   Matrix everywhere(const Matrix& ofRows) const;
   std::shared_ptr<const InterfaceSpace> spaceOf(const ContactStates& status) const;
-  /// S U - F on the overlap, complete; `applications` counts. Collective.
+  /// S U - F on the overlap, complete; `applications` is incremented. Collective.
   Matrix imbalance(const MultiVector& trace) const;
   Matrix rememberedImbalance(const InterfaceState& state, int& applications) const;
-  /// T^T of it, with the sign of a residual.
+  /// T^T of an imbalance, with the sign of a residual.
   MultiVectorPtr residual(const Matrix& imbalance, const InterfaceSpace& space, const FrictionTangent* friction = nullptr) const;
 
   CommPtr comm_;
@@ -108,21 +108,21 @@ class ContactInterfaceProblem : public InterfaceProblem, public ContactSets, pub
   ContactLaws laws_;
   std::vector<std::shared_ptr<SubdomainProblem>> locals_;
   std::shared_ptr<const InterfaceSpace> space_;  // without relations
-  Teuchos::RCP<InterfaceOperator> apart_;        // S on it: all pairs open
-  std::vector<ContactRow> rows_;                 // those that this rank sees, by pair
-  std::vector<char> owned_;                      // each row by one rank
+  Teuchos::RCP<InterfaceOperator> apart_;        // S on space_: all pairs open
+  std::vector<ContactRow> rows_;                 // rows that this rank sees, by pair
+  std::vector<char> owned_;                      // marks the rows that this rank owns; each row has one owner
   std::unique_ptr<ContactClusters> clusters_;
-  std::unique_ptr<ContactBodies> bodies_;  // null without pairs that can change
+  std::unique_ptr<ContactBodies> bodies_;  // null if no pair can change
   std::vector<int> partOfOwned_;
   std::unique_ptr<TraceMotions> motions_;
-  std::vector<std::vector<int>> neighbours_;  // rows of neighbouring pairs: along the lines, or around the cells of surfaces (-1: unknown)
+  std::vector<std::vector<int>> neighbours_;  // rows of neighbouring pairs: along lines, or around the cells of surfaces (-1: unknown)
   Matrix load_;                               // F on the overlap, complete
   double constantEnergy_ = 0.0;               // over all ranks
   int pieces_ = 0, pairs_ = 0;
-  mutable ContactStates spaceStatus_;  // that derived_ was made for
+  mutable ContactStates spaceStatus_;  // status for which derived_ was made
   mutable std::shared_ptr<const InterfaceSpace> derived_;
-  mutable std::vector<int> spaceUnknowns_;  // that it expresses, with friction
-  bool rubs_ = false;                       // some law restricts sliding. The same on all ranks
+  mutable std::vector<int> spaceUnknowns_;  // unknowns expressed in derived_, with friction
+  bool rubs_ = false;                       // a law restricts sliding; the same on all ranks
   std::vector<FrictionSite> sites_;
   mutable std::shared_ptr<const FrictionTangent> tangent_;  // for spaceStatus_; null without friction
 };

@@ -1,4 +1,4 @@
-// ContactInterfaceProblem as sets of closed pairs (ContactSets), with the rigid motions that stand beside the trace.
+// ContactInterfaceProblem in terms of sets of closed pairs (ContactSets), with rigid motions kept apart from the trace.
 #include <suture/base/Collective.hpp>
 #include <suture/interface/ContactInterfaceProblem.hpp>
 
@@ -85,7 +85,7 @@ MultiVectorPtr ContactInterfaceProblem::loadOf(const Vector& pairForces, const C
     const auto& row = clusters_->row(static_cast<int>(i));
     for (std::size_t k = 0; k < row.places.size(); ++k) imbalance(row.places[k], 0) += row.coefficients[k] * pairForces(rows_[i].pair.id);
   }
-  // Every rank that sees an unknown sees all rows with it: nothing is to be summed.
+  // Each rank that sees an unknown sees all rows with it: no sum over ranks is needed.
   return residual(imbalance, *spaceOf(status));
 }
 

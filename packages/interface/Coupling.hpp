@@ -5,8 +5,8 @@
 
 namespace suture {
 
-/// R_i of one local problem, a boolean matrix: each row of its trace is one of the interface unknowns that this rank sees. What expresses
-/// an unknown by others (closed pairs) are relations of the InterfaceSpace. Local.
+/// R_i of one local problem, a boolean matrix: each row of its trace is one of the interface unknowns that this rank sees. Unknowns
+/// expressed by others (closed pairs) are relations of the InterfaceSpace. Local.
 class Coupling {
  public:
   Coupling() = default;

@@ -22,7 +22,7 @@ MapPtr mapOf(const CommPtr& comm, std::vector<GlobalId> ids) {
                               Teuchos::ArrayView<const GO>(sorted.data(), sorted.size()), 0, comm));
 }
 
-/// A sparse matrix with a row an id and a column a number goes from seen rows to owned ones and back.
+/// Exports a sparse matrix, with one row per id and one column per number, from seen rows to owned ones and imports it back.
 std::vector<std::vector<int>> joinNumbers(const MapPtr& seen, const MapPtr& owned, const std::vector<std::vector<int>>& mine) {
   using Crs = Tpetra::CrsMatrix<>;
   using GO = Map::global_ordinal_type;
@@ -96,7 +96,7 @@ std::vector<int> numberKeys(const CommPtr& comm, const std::vector<GlobalId>& ke
   int upToMine = 0;
   Teuchos::scan(*comm, Teuchos::REDUCE_SUM, mine, Teuchos::outArg(upToMine));
   count = static_cast<int>(owned->getGlobalNumElements());
-  MultiVector numbers(owned, 1), seen(used, 1);  // doubles hold them exactly
+  MultiVector numbers(owned, 1), seen(used, 1);  // doubles represent these numbers exactly
   auto values = localView(numbers);
   for (int i = 0; i < mine; ++i) values(i, 0) = upToMine - mine + i;
   seen.doImport(numbers, Import(owned, used), Tpetra::INSERT);

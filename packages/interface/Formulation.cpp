@@ -21,7 +21,7 @@ std::unique_ptr<InterfaceProblem> Formulation::make(const CommPtr& comm, const P
     for (const std::vector<int>& group : partition.groups)
       for (const int subdomain : group)
         if (partition.rankOf[subdomain] != partition.rankOf[group.front()])
-          throw InternalError("a formulation keeps contact groups whole, but the partition spreads one over ranks");
+          throw InternalError("the formulation needs each contact group on one rank, but the partition spreads one over several");
   return doMake(comm, partition, subdomains, algebra, laws);
 }
 
@@ -34,7 +34,7 @@ constexpr const char* kGroup = "Contact Group";
 class ContactOnTheInterface : public Formulation {
  public:
   static Schema schema() {
-    return Schema("Closed pairs identify unknowns of the interface; any partition, any length of contact line, on any ranks.");
+    return Schema("Closed pairs identify interface unknowns. Works for any partition and any size of contact, on any number of ranks.");
   }
   bool keepsGroupsWhole() const override { return false; }
   bool hidesContact() const override { return false; }
@@ -52,11 +52,11 @@ class ContactOnTheInterface : public Formulation {
 class CondensedGroups : public Formulation {
  public:
   static Schema schema() {
-    return Schema("The paper's: contact is hidden inside groups of subdomains, each whole on one rank.")
-        .real(kMemoryLimit, 4096.0,
-              "A group whose factors are estimated to take more is refused before it is factored: it lives on one rank, however many "
-              "there are.",
-              Range::positive(), "MB")
+    return Schema("Formulation of the paper: contact is condensed in groups of subdomains, each group on one rank.")
+        .real(
+            kMemoryLimit, 4096.0,
+            "Memory for the factors of one group, which are on one rank. A group with a larger estimate is refused before it is factored.",
+            Range::positive(), "MB")
         .choice(kGroup, "Exact", Registry<ContactGroup>::instance().schemas(), "How a group finds its closed pairs for a given trace.");
   }
   explicit CondensedGroups(const Parameters& own) : own_(own), limit_(own.get<double>(kMemoryLimit)), path_(pathOf(own, kMemoryLimit)) {}
@@ -75,9 +75,9 @@ class CondensedGroups : public Formulation {
   }
 
  private:
-  /// Groups do not spread over ranks: one that cannot fit is refused before hours are spent on it, or the machine.
+  /// Groups are not distributed over ranks: one that does not fit is refused before time is lost or the machine runs out of memory.
   void checkMemory(const Comm& comm, const Partition& partition, const std::vector<std::unique_ptr<Subdomain>>& subdomains) const {
-    collectively(comm, "measuring the contact groups", [&] {
+    collectively(comm, "estimating the memory of the contact groups", [&] {
       std::map<int, std::vector<const Subdomain*>> membersOf;
       for (const auto& subdomain : subdomains)
         if (const int group = partition.groupOf[subdomain->mesh().id]; group >= 0) membersOf[group].push_back(subdomain.get());

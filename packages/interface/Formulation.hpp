@@ -14,14 +14,14 @@
 
 namespace suture {
 
-/// How the unknowns inside subdomains and groups are eliminated.
+/// Elimination of the unknowns inside subdomains and groups.
 struct LocalAlgebra {
   LocalSolverMaker solver;
   std::function<std::unique_ptr<SchurComplement>()> schur;
 };
 
-/// The formulation of a scene: where contact enters the problem on the interface. It makes the InterfaceProblem from the subdomains.
-/// Strategies: Contact On The Interface, Condensed Groups; a user adds his own through Registry<Formulation>.
+/// The formulation of a scene determines where contact enters the interface problem. It makes the InterfaceProblem from the subdomains.
+/// Strategies: Contact On The Interface, Condensed Groups; add your own through Registry<Formulation>.
 class Formulation {
  public:
   static const char* kind() { return "formulation"; }
@@ -29,15 +29,15 @@ class Formulation {
 
   /// True if all subdomains of a contact group must be on one rank.
   virtual bool keepsGroupsWhole() const = 0;
-  /// True if contact is hidden in the local problems: the space is the same for every status of the pairs, and the flux is a function of
-  /// the trace alone. Outer solvers ask for it.
+  /// True if contact is condensed in the local problems: the space is the same for each status of the pairs, and the flux is a function of
+  /// the trace alone. Required by some outer solvers.
   virtual bool hidesContact() const = 0;
-  /// True if its problems know laws that restrict sliding, and sides that never part.
+  /// True if its problems support laws that restrict sliding and sides that never separate.
   virtual bool knowsFriction() const { return false; }
-  /// Name of the outer solver that goes with it, for scenes that do not choose one.
+  /// Default outer solver.
   virtual std::string outerSolver() const = 0;
 
-  /// The problem of these subdomains: of this rank, assembled, in ascending order of ids. They must outlive it. Collective.
+  /// Makes the problem of this rank's subdomains, which are assembled, in ascending order of ids, and must outlive it. Collective.
   /// \param laws  of the contact lines
   /// \throws NumericalError;  InputError  the formulation refuses the scene
   std::unique_ptr<InterfaceProblem> make(const CommPtr& comm, const Partition& partition,
@@ -52,7 +52,7 @@ class Formulation {
 
 void registerBuiltIns(Registry<Formulation>& registry);
 
-/// The formulation that a scene names. Local. \param settings  resolved: `Formulation`, and a list of that name
+/// The formulation selected by a scene. Local. \param settings  resolved: `Formulation`, and the list with its name
 std::unique_ptr<Formulation> formulationOf(const Parameters& settings);
 
 }  // namespace suture

@@ -4,10 +4,10 @@
 
 namespace suture {
 
-/// The pairs of a group at its answer. \param moved  addition of rigid motions to the rows; empty: none
+/// Forces and displacements of the pairs in a group's response. \param moved  contribution of rigid motions to the rows; empty: none
 std::vector<PairForces> pairForces(const ContactGroup& group, const ContactGroup::Response& response, const Vector& moved);
 
-/// Stiffness of each row: of both sides' own elements in series; zero for one that cannot change. [force / length]
+/// Stiffness of each row: both sides' own elements in series; zero if the row cannot change. [force / length]
 Vector rowStiffness(const ContactGroup& group);
 
 }  // namespace suture

@@ -8,7 +8,7 @@
 
 namespace suture {
 
-/// From the layout; an unknown of more than two local problems that the layout puts into no entity is a vertex.
+/// Takes the entities of the layout; an unknown of more than two local problems that is in none of them is a vertex.
 void InterfaceSpace::addEntities(const InterfaceLayout& layout) {
   const auto placesOf = [&](const std::vector<GlobalId>& ids) {
     std::vector<int> places;
@@ -34,7 +34,7 @@ std::vector<int> InterfaceSpace::entityOfPlaces() const {
   return entityOf;
 }
 
-/// Takes unknowns out of their entities.
+/// Removes unknowns from their entities.
 void InterfaceSpace::leaveEntities(const std::vector<char>& leaves) {
   if (std::find(leaves.begin(), leaves.end(), 1) == leaves.end()) return;
   const auto gone = [&](int place) { return leaves[place] != 0; };
@@ -48,15 +48,15 @@ void InterfaceSpace::leaveEntities(const std::vector<char>& leaves) {
 
 std::shared_ptr<const InterfaceSpace> InterfaceSpace::related(std::vector<InterfaceRelation> relations,
                                                               const std::vector<std::vector<int>>& neighbours) const {
-  if (!relations_.empty()) throw InternalError("relations of a space that has some already");
+  if (!relations_.empty()) throw InternalError("the space has relations already");
   std::vector<InterfaceRelation> plain;
-  std::vector<int> inRows;  // unknowns of the others
+  std::vector<int> inRows;  // unknowns of relations that are not plain
   std::vector<char> expressed(ownedRows_->size(), 0), named(ownedRows_->size(), 0);
   for (const InterfaceRelation& relation : relations)
     if (relation.others.size() > 1)
       for (const int other : relation.others) named[other] = 1;
   for (const InterfaceRelation& relation : relations) {
-    // On a mortar nodes that happen to be opposite to each other are rows like the others.
+    // On a mortar, rows of opposite nodes are rows like the others.
     if (relation.others.size() < 2 && (relation.others.empty() || !named[relation.others[0]])) {
       plain.push_back(relation);
       continue;
@@ -67,7 +67,7 @@ std::shared_ptr<const InterfaceSpace> InterfaceSpace::related(std::vector<Interf
   }
   const std::shared_ptr<InterfaceSpace> derived = withRelations(std::move(relations), neighbours);
   if (inRows.empty()) return derived;
-  std::vector<std::vector<int>> stretches;  // rows of several terms end them
+  std::vector<std::vector<int>> stretches;  // ended by rows of several terms
   for (const auto& chain : neighbours) {
     stretches.emplace_back();
     for (const int place : chain)
@@ -106,7 +106,7 @@ std::shared_ptr<const InterfaceSpace> InterfaceSpace::without(const std::vector<
   return derived;
 }
 
-/// \param inRows  unknowns that other relations name: vertices, where one of these joins them to other local problems
+/// \param inRows  unknowns of other relations: vertices if one of these relations joins them to other local problems
 std::shared_ptr<InterfaceSpace> InterfaceSpace::withRelations(std::vector<InterfaceRelation> relations,
                                                               const std::vector<std::vector<int>>& neighbours,
                                                               const std::vector<int>& inRows) const {
@@ -126,7 +126,7 @@ std::shared_ptr<InterfaceSpace> InterfaceSpace::withRelations(std::vector<Interf
       std::set_union(all.begin(), all.end(), sharers(relation.unknown).begin(), sharers(relation.unknown).end(), std::back_inserter(both));
       all = std::move(both);
       joined[other] = 1;
-      // Neighbours of one row of several terms do not share a single displacement.
+      // Neighbours in a row of several terms have no common displacement.
       if (relation.others.size() > 1 || (dimension_ == 2 && isPoint[relation.unknown])) single[other] = 1;
     }
   }
@@ -136,13 +136,13 @@ std::shared_ptr<InterfaceSpace> InterfaceSpace::withRelations(std::vector<Interf
   for (std::size_t place = 0; place < ownedRows_->size(); ++place) {
     if (!joined[place]) continue;
     const bool changed = derived->sharers(static_cast<int>(place)) != sharers(static_cast<int>(place));
-    if (dimension_ == 3) {  // cells tell which of them are on an edge or a face
+    if (dimension_ == 3) {  // cells determine which of them are on an edge or a face
       if (changed || single[place]) leaves[place] = 1;
       continue;
     }
-    // On a line local problems change where there are more than two.
+    // On a line, local problems change at unknowns with more than two of them.
     if ((isPoint[place] && changed) || derived->sharers(static_cast<int>(place)).size() > 2) single[place] = 1;
-    if (isPoint[place] && !changed) single[place] = 0;  // stays where it was
+    if (isPoint[place] && !changed) single[place] = 0;  // keeps its entity
     if (single[place]) leaves[place] = 1;
   }
   derived->leaveEntities(leaves);
@@ -150,7 +150,7 @@ std::shared_ptr<InterfaceSpace> InterfaceSpace::withRelations(std::vector<Interf
   return derived;
 }
 
-/// The unknown that expresses one that closed pairs name, or itself; -1: none, several, or one that its local problem has alone.
+/// The unknown that expresses an unknown of closed pairs, or that unknown itself; -1: none, several, or not shared between local problems.
 int InterfaceSpace::expressing(int named) const {
   if (named < 0) return -1;
   const InterfaceRelation* by = relation(named);
@@ -158,11 +158,11 @@ int InterfaceSpace::expressing(int named) const {
   return place >= 0 && sharers(place).size() > 1 ? place : -1;
 }
 
-/// Closed pairs with the same two sharers, neighbours along a line. \param apart  unknowns that belong to none
+/// Edges of closed pairs with the same two sharers that are neighbours along a line. \param apart  unknowns to leave out
 std::vector<InterfaceSpace::ContactPlaces> InterfaceSpace::contactEdges(const std::vector<std::vector<int>>& chains,
                                                                         const std::vector<char>& apart) const {
   EntityGraph graph;
-  std::vector<int> placeOf;  // place of each node of the graph, which are numbered along the lines
+  std::vector<int> placeOf;  // place of each node of the graph; nodes are numbered along the lines
   for (const auto& chain : chains) {
     int last = -1;
     for (const int named : chain) {
@@ -191,7 +191,7 @@ std::vector<InterfaceSpace::ContactPlaces> InterfaceSpace::contactEdges(const st
   return all;
 }
 
-/// Closed pairs with the same sharers, neighbours in the cells of a surface: faces of two local problems, edges of more.
+/// Closed pairs with the same sharers that are neighbours in the cells of a surface: faces of two local problems, edges of more.
 std::vector<InterfaceSpace::ContactPlaces> InterfaceSpace::contactFaces(const std::vector<std::vector<int>>& cells,
                                                                         const std::vector<char>& apart) const {
   EntityGraph graph;
@@ -229,7 +229,8 @@ std::vector<InterfaceSpace::ContactPlaces> InterfaceSpace::contactFaces(const st
   return all;
 }
 
-/// `single`, and all other unknowns whose sharers a relation has joined and that lie on no edge or face, are vertices.
+/// Adds edges or faces of contact. `single`, and all other unknowns whose sharers were joined by a relation and that are on no edge or
+/// face, become vertices.
 void InterfaceSpace::addContactEntities(const std::vector<std::vector<int>>& neighbours, std::vector<char> single) {
   const std::vector<int> entityOf = entityOfPlaces();
   std::vector<char> apart = single, grouped(ownedRows_->size(), 0);

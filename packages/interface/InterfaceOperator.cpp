@@ -12,7 +12,7 @@ namespace suture {
 InterfaceOperator::InterfaceOperator(std::shared_ptr<const InterfaceSpace> space, LocalProblems locals,
                                      std::shared_ptr<const FrictionTangent> friction)
     : space_(std::move(space)), locals_(std::move(locals)), friction_(std::move(friction)) {
-  if (static_cast<int>(locals_.size()) != space_->locals()) throw InternalError("an interface operator needs one entry a coupling");
+  if (static_cast<int>(locals_.size()) != space_->locals()) throw InternalError("an interface operator needs one entry per coupling");
   mostRows_ = space_->mostRows();
 }
 
@@ -20,7 +20,7 @@ void InterfaceOperator::apply(const MultiVector& x, MultiVector& y, Teuchos::ETr
   applications_ += static_cast<long long>(x.getNumVectors());
   space_->gather(x, overlap_);
   sum_.setZero(overlap_.rows(), overlap_.cols());
-  trace_.resize(mostRows_, overlap_.cols());  // the same work space for all
+  trace_.resize(mostRows_, overlap_.cols());  // work space shared by all local problems
   flux_.resize(mostRows_, overlap_.cols());
   for (std::size_t i = 0; i < locals_.size(); ++i) {
     if (!locals_[i]) continue;
@@ -66,7 +66,8 @@ void InterfaceOperator::record() const {
 }
 
 Matrix InterfaceOperator::recorded(const std::vector<double>& coefficients) const {
-  if (coefficients.size() != recorded_.size()) throw InternalError("an operator recorded another number of applications");
+  if (coefficients.size() != recorded_.size())
+    throw InternalError("the number of coefficients differs from that of the recorded applications");
   Matrix sum = Matrix::Zero(space_->overlapSize(), 1);
   for (std::size_t k = 0; k < recorded_.size(); ++k) sum.col(0) += coefficients[k] * recorded_[k];
   recording_ = false;

@@ -9,8 +9,8 @@
 
 namespace suture {
 
-/// Local problems of this rank, in the order of the space's couplings. A null entry is a local problem that does not take part: S_0 is the
-/// sum over T only.
+/// Local problems of this rank, in the order of the space's couplings. A null entry is a local problem that is left out: S_0 is the sum
+/// over T only.
 using LocalProblems = std::vector<std::shared_ptr<const LocalProblem>>;
 
 /// A spring between interface unknowns: stiffness times (row . v)^2 / 2. Places in overlap().
@@ -20,14 +20,15 @@ struct InterfaceSpring {
   double stiffness = 0.0;  ///< [force / length]
 };
 
-/// Part of contact with friction in the tangent of a set of states.
+/// Contribution of frictional contact to the tangent for given pair states.
 struct FrictionTangent {
-  /// Relations of the virtual displacements where normal forces drag (Coulomb): T'^T S T is not symmetric. Empty: those of the space.
+  /// Relations of the virtual displacements if friction depends on normal forces (Coulomb): T'^T S T is not symmetric. Empty: those of the
+  /// space.
   std::vector<InterfaceRelation> test;
-  std::vector<InterfaceSpring> springs;  ///< springs of this rank alone
-  bool symmetric = true;                 ///< nothing drags; of an operator's, on any rank
-  MultiVectorPtr motions{};              ///< rigid motions that springs alone hold, in unknowns of the space; null: none, on all ranks
-  Matrix motionEnergy{};                 ///< energy of the springs in them: motions x motions
+  std::vector<InterfaceSpring> springs;  ///< springs that only this rank adds
+  bool symmetric = true;                 ///< no friction depends on normal forces; in an operator: on no rank
+  MultiVectorPtr motions{};              ///< rigid motions held only by springs, in unknowns of the space; null on all ranks: none
+  Matrix motionEnergy{};                 ///< energy of the springs in these motions: motions x motions
 };
 
 /// The linear operator sum_i R_i^T S_i R_i over any subset of the local problems: S of (21), S_0 of (17), a tangent S_0 + S_KON'.
@@ -43,21 +44,21 @@ class InterfaceOperator : public Operator {
   void apply(const MultiVector& x, MultiVector& y, Teuchos::ETransp mode = Teuchos::NO_TRANS, double alpha = 1.0,
              double beta = 0.0) const override;
   bool hasTransposeApply() const override { return symmetric(); }
-  /// True on all ranks or on none.
+  /// The same on all ranks.
   bool symmetric() const { return !friction_ || friction_->symmetric; }
 
   const std::shared_ptr<const InterfaceSpace>& space() const { return space_; }
   const LocalProblems& locals() const { return locals_; }
   const FrictionTangent* friction() const { return friction_.get(); }  ///< null without friction
-  /// Bytes that one application reads of this rank's memory, as far as the local problems know. Local.
+  /// Bytes of this rank's memory read by one application, as far as the local problems know. Local.
   double bytesRead() const;
-  /// Applications so far (each right-hand side counts one).
+  /// Number of applications so far (one per right-hand side).
   long long applications() const { return applications_; }
 
-  /// Keeps the fluxes of all following applications until recorded() is called: sum_i R_i^T S_i R_i x before contributions of related
-  /// unknowns are added up, this rank's part. For one right-hand side at a time.
+  /// Records the fluxes of all following applications until recorded() is called: this rank's part of sum_i R_i^T S_i R_i x before
+  /// contributions of related unknowns are summed. For one right-hand side at a time.
   void record() const;
-  /// Keeps applications from being recorded while it lives: those of a preconditioner are none of the solver's.
+  /// Suspends recording during its lifetime: applications by a preconditioner do not belong to the solver.
   class Unrecorded {
    public:
     explicit Unrecorded(const InterfaceOperator& matrix) : matrix_(matrix), recording_(matrix.recording_) { matrix.recording_ = false; }
@@ -69,12 +70,12 @@ class InterfaceOperator : public Operator {
     const InterfaceOperator& matrix_;
     const bool recording_;
   };
-  /// Their combination with these coefficients, one an application: overlap x 1. Local.
+  /// Combination of the recorded fluxes with one coefficient per application: overlap x 1. Local.
   Matrix recorded(const std::vector<double>& coefficients) const;
 
-  /// sum_i R_i^T condensedLoad_i: the right-hand side that belongs to it. Collective.
+  /// sum_i R_i^T condensedLoad_i: right-hand side of the operator. Collective.
   MultiVectorPtr condensedLoad() const;
-  /// Unknowns that no local problem of the subset touches, over all ranks: the operator is singular there. Collective.
+  /// Number, over all ranks, of unknowns that no local problem of the subset touches: the operator is singular there. Collective.
   GlobalId untouched() const;
 
  private:
@@ -84,10 +85,10 @@ class InterfaceOperator : public Operator {
   LocalProblems locals_;
   std::shared_ptr<const FrictionTangent> friction_;
   mutable long long applications_ = 0;
-  int mostRows_ = 0;  // of a coupling
+  int mostRows_ = 0;  // of any coupling
   mutable bool recording_ = false;
   mutable std::vector<Vector> recorded_;
-  mutable Matrix overlap_, sum_, trace_, flux_;  // work space: an application allocates nothing
+  mutable Matrix overlap_, sum_, trace_, flux_;  // work space, so that an application allocates nothing
 };
 
 }  // namespace suture

@@ -17,7 +17,7 @@ InterfaceSpace::InterfaceSpace(CommPtr comm, const InterfaceLayout& layout)
   if (dimension_ == 0) throw InternalError("no rank knows the dimension of the interface");
   std::vector<GlobalId> touched;
   for (const auto& boundary : layout.boundaries) touched.insert(touched.end(), boundary.begin(), boundary.end());
-  // Owners are found among those whose local problems hold the unknown, not among its partners.
+  // The owner of an unknown must have a local problem with it, not only use it as a partner.
   map_ = Tpetra::createOneToOne(mapOf(comm_, touched));
   touched.insert(touched.end(), layout.partners.begin(), layout.partners.end());
   overlap_ = mapOf(comm_, std::move(touched));

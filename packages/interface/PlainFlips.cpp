@@ -8,13 +8,13 @@ ClosedSet plainFlips(const RigidContact& rigid, const ContactLaws& laws, const C
   found.forceTolerance = (std::max(resolution.ofCluster, kGapDigits) * rigid.clusterScale(closed, found.force))
                              .cwiseMax(resolution.ofBody * rigid.bodyScale(closed, found.force))
                              .cwiseMax(rigid.rounding());
-  // A stiff pair among soft ones has the accuracy of its own compliance: a force that is much for it moves the soft ones by little.
+  // The tolerance uses the compliance of the pair: a force that is large for a stiff pair hardly moves the soft ones around it.
   found.penetrationTolerance = rigid.compliance().cwiseProduct(found.forceTolerance) + digits;
   ClosedSet next = closed;
   for (std::size_t i = 0; i < closed.size(); ++i) {
     if (!rigid.data().able[i]) continue;
     const auto pair = static_cast<Eigen::Index>(i);
-    // The tolerance goes to the state that the pair has.
+    // The tolerance favours the current state of the pair.
     const ContactLaw& law = laws.of(rigid.data().line[i]);
     ContactTrial trial;
     trial.normalOnly = true;

@@ -5,14 +5,14 @@
 
 namespace suture {
 
-/// Digits of displacements that a gap can have: gaps are differences of them.
+/// Relative accuracy of a gap, as a difference of displacements.
 constexpr double kGapDigits = 1e-14;
 
-/// The set after an evaluation's forces and penetrations, as the laws project them: closed pairs that pull open, open ones that penetrate
-/// close, each by more than it must be believed by. Sets the evaluation's tolerances, and its counts of changed and closed pairs. Local;
-/// the same on all ranks.
+/// The next set given by forces and penetrations of an evaluation, as the laws project them: closed pairs in tension open, penetrating open
+/// pairs close, each if it exceeds its tolerance. Sets the evaluation's tolerances and its counts of changed and closed pairs. Local; the
+/// same on all ranks.
 /// \param laws        of the contact lines
-/// \param digits      rounding of each pair's penetration [length]
+/// \param digits      round-off of each pair's penetration [length]
 ClosedSet plainFlips(const RigidContact& rigid, const ContactLaws& laws, const ClosedSet& closed, PairResolution resolution,
                      const Vector& digits, InterfaceEvaluation& found);
 

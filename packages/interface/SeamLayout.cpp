@@ -7,7 +7,7 @@ namespace suture {
 
 namespace {
 
-/// Free unknowns at a node of the mesh, from the first subdomain of this rank that holds it.
+/// Free unknowns at a node of the mesh, from the first subdomain of this rank that contains the node.
 std::vector<GlobalId> unknownsAt(GlobalId node, const std::vector<const Subdomain*>& holders) {
   std::vector<GlobalId> ids;
   for (const Subdomain* subdomain : holders) {

@@ -8,8 +8,8 @@
 
 namespace suture {
 
-/// Adds the entities of the subdomains' seams to a layout, in unknowns. \param problemOf  local problem that answers for a subdomain:
-/// itself or its contact group; what lies inside one of them is no entity. Local.
+/// Adds the entities of the subdomains' seams, in unknowns, to a layout. Seams inside one local problem are not entities. Local.
+/// \param problemOf  local problem of a subdomain: itself or its contact group
 void addSeams(const std::vector<std::unique_ptr<Subdomain>>& subdomains, const std::function<int(int subdomain)>& problemOf,
               InterfaceLayout& layout);
 

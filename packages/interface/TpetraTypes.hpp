@@ -9,7 +9,7 @@
 
 namespace suture {
 
-// Distributed objects are Tpetra's, for double / int / long long only.
+// Distributed objects are those of Tpetra, for double / int / long long only.
 using Map = Tpetra::Map<>;
 using Import = Tpetra::Import<>;
 using MultiVector = Tpetra::MultiVector<>;

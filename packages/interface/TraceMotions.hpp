@@ -7,8 +7,8 @@
 
 namespace suture {
 
-/// The rigid motions of free parts of bodies in a trace: what a formulation keeps beside its trace, so that the rounding of forces is that
-/// of deformations and not of the ways that bodies go.
+/// The rigid motions of free parts contained in a trace. Formulations keep these motions apart from the trace, so that forces have the
+/// round-off of deformations and not that of large displacements.
 class TraceMotions {
  public:
   /// \param bodies       must outlive it
@@ -19,7 +19,7 @@ class TraceMotions {
                const std::vector<int>& partOfOwned);
 
   /// Subtracts from the trace each part's best rigid motion (least squares over its unknowns). Returns the amplitudes of all parts' motions
-  /// [length], as those of RigidContact; empty: no part is free. Collective.
+  /// [length], as for RigidContact; empty: no part is free. Collective.
   Vector takeOut(MultiVector& trace) const;
 
  private:
@@ -27,7 +27,7 @@ class TraceMotions {
   CommPtr comm_;
   std::vector<int> partOfOwned_;
   Matrix ofOwned_;  // owned unknowns x motions of their part
-  Matrix squared_;  // inner products over all ranks: motions of all parts, squared
+  Matrix squared_;  // inner products of all parts' motions, summed over ranks: motions x motions
 };
 
 }  // namespace suture

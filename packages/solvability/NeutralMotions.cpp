@@ -17,10 +17,10 @@ namespace suture {
 
 namespace {
 
-constexpr double kNoMotion = 1e-8;         // amplitude beside one that counts as none
-constexpr double kMotionRounding = 1e-14;  // rest of a displacement that was one motion alone, relative to it
-constexpr double kNothing = 1e-15;         // motion, relative to a body's size, that coordinates do not hold
-constexpr double kAsItIs = 1e-9;           // motion, relative to the displacements, that is not worth making
+constexpr double kNoMotion = 1e-8;         // amplitude, relative to one, that counts as zero
+constexpr double kMotionRounding = 1e-14;  // remainder of a displacement that consisted of one motion alone, relative to it
+constexpr double kNothing = 1e-15;         // motion, relative to a body's size, below the accuracy of coordinates
+constexpr double kAsItIs = 1e-9;           // motion, relative to the displacements, that is not applied
 
 std::vector<char> loadedParts(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model,
                               const ContactBodies& bodies, const ClosedSet& carrying) {
@@ -34,8 +34,9 @@ std::vector<char> loadedParts(const Comm& comm, const std::vector<SubdomainMesh>
   return {all.begin(), all.end()};
 }
 
-/// Parts on which nothing acts: no load, no pair force, no prescribed displacement but zero. They have moved as rigid bodies; what else the
-/// solver left in them is the error of its iterations, which is taken out. \return whether there are any
+/// Parts without load, pair force and nonzero prescribed displacement have moved as rigid bodies. Their deformation is an error of the
+/// iterative solver and is removed.
+/// \return whether there are such parts
 bool straighten(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model, const ContactBodies& bodies,
                 const ClosedSet& carrying, std::vector<Vector>& displacement) {
   const std::size_t parts = bodies.parts().size();
@@ -82,13 +83,13 @@ bool straighten(const Comm& comm, const std::vector<SubdomainMesh>& meshes, cons
   return any;
 }
 
-/// Motions of parts as columns of nodal displacements, and what solutions are of them.
+/// Motions of parts as columns of nodal displacements, and their contribution to solutions.
 class Least {
  public:
   Least(const Comm& comm, std::vector<SubdomainMesh>& meshes, const ContactBodies& bodies, const Matrix& motions)
       : comm_(comm), meshes_(meshes), bodies_(bodies), motions_(motions) {}
 
-  /// Moves the displacements to where they are least; false: they are there.
+  /// Moves the displacements to the least ones; false: nothing to change.
   bool settle(const PairsAtSolution& pairs, const ClosedSet& carrying, std::vector<Vector>& displacement) const {
     const Eigen::Index k = motions_.cols();
     Matrix mine = Matrix::Zero(k, k + 1), all = mine;  // Z^T Z, Z^T u
@@ -105,7 +106,7 @@ class Least {
     Teuchos::reduceAll(comm_, Teuchos::REDUCE_MAX, largest, Teuchos::outArg(overall));
     Matrix lower;
     if (!choleskyFactor(all.leftCols(k), lower)) return false;
-    // With y = L^-T (v - L^-1 b): the norm of v is what is to be least; gaps allow rows y <= gap.
+    // With y = L^-T (v - L^-1 b) the norm of v is minimised; gaps allow rows y <= gap.
     const Vector shift = lower.triangularView<Eigen::Lower>().solve(all.col(k));
     const auto back = [&](const Matrix& v) { return Matrix(lower.transpose().triangularView<Eigen::Upper>().solve(v)); };
     std::vector<int> open;
@@ -123,7 +124,7 @@ class Least {
     double size = 0.0;
     for (const RigidPart& part : bodies_.parts()) size = std::max(size, part.radius);
     if (!(most > std::max(kAsItIs * overall, kNothing * size))) return false;
-    if (isLifted()) {  // there it costs no digits
+    if (isLifted()) {  // the lift takes up the motion without loss of accuracy
       std::vector<Vector> further;
       const Vector motion = motions_ * y;
       for (std::size_t p = 0; p < bodies_.parts().size(); ++p) further.push_back(bodies_.amplitudes(static_cast<int>(p), motion));
@@ -136,7 +137,7 @@ class Least {
       auto u = displacement[s].segment(Eigen::Index(node) * d, d);
       u += shift;
       for (int c = 0; c < d; ++c)
-        if (std::abs(u(c)) <= kMotionRounding * shift.norm()) u(c) = 0.0;  // it was this motion alone
+        if (std::abs(u(c)) <= kMotionRounding * shift.norm()) u(c) = 0.0;  // it consisted of this motion alone
     });
     return true;
   }
@@ -180,7 +181,7 @@ void addMotions(const ContactBodies& bodies, const Matrix& motions, bool bothSen
   }
 }
 
-/// States of pairs as they hold bodies: one that slips under a force holds across its slip, too, whichever method found it.
+/// States of pairs as they hold bodies: a pair that slips under a force also holds transversely, for any solution method.
 std::vector<ContactState> broadcastStates(const Comm& comm, const std::vector<PairResult>& pairs, int count) {
   std::vector<ContactState> states(std::size_t(comm.getRank() == 0 ? count : 0));
   if (comm.getRank() == 0)
@@ -208,9 +209,9 @@ void settleNeutralMotions(const Comm& comm, std::vector<SubdomainMesh>& meshes, 
   PairClasses classes = classify(bodies, pairs, scales);
   if (comm.getRank() == 0)
     for (PairResult& pair : solution.pairs)
-      if (classes.idle[pair.id] && pair.kind.separates) pair.open();  // rounding, which is not worth a note on pressures
+      if (classes.idle[pair.id] && pair.kind.separates) pair.open();  // round-off; needs no note on pressures
 
-  const auto take = [&] {  // the displacements have changed
+  const auto take = [&] {  // update after a change of displacements
     std::vector<PairForce> forces;
     for (const PairResult& pair : solution.pairs) forces.push_back({pair.id, pair.state, pair.force, pair.tangential});
     solution.pairs = pairResults(comm, all, solution.displacement, forces);
@@ -222,7 +223,7 @@ void settleNeutralMotions(const Comm& comm, std::vector<SubdomainMesh>& meshes, 
     if (comm.getRank() == 0)
       for (PairResult& pair : solution.pairs) pair.touching = !pair.state.closed() && classes.touching[pair.id];
   };
-  if (laws.restrictSliding()) {  // slip depends on the way there: nothing is moved afterwards
+  if (laws.restrictSliding()) {  // slip depends on the path: nothing is moved afterwards
     const Matrix free = rigid.motions() > 0 ? rigid.loose(broadcastStates(comm, solution.pairs, count)) : Matrix();
     if (free.cols() > 0)
       addMotions(bodies, free, true, model, loadedParts(comm, meshes, model, bodies, classes.carrying), solution.neutral);
@@ -234,7 +235,7 @@ void settleNeutralMotions(const Comm& comm, std::vector<SubdomainMesh>& meshes, 
   if (neutral.cols() > 0) {
     if (Least(comm, meshes, bodies, neutral).settle(pairs, classes.carrying, solution.displacement)) {
       take();
-      // PairsAtSolution that the motion has opened carry nothing: their forces were rounding of the moments of others.
+      // Pairs opened by the motion carry nothing: their forces were round-off of the moments of other forces.
       if (comm.getRank() == 0)
         for (PairResult& pair : solution.pairs)
           if (pair.state.closed() && !classes.carrying[pair.id] && !classes.touching[pair.id] && pair.kind.separates) pair.open();

@@ -13,14 +13,14 @@ namespace suture {
 
 namespace {
 
-constexpr double kNoForce = 1e-12, kNoHold = 1e-8;  // of the largest pair force on a body
-constexpr double kNoCluster = 1e-13;                // of the largest pair force on bodies that pairs join: below it is nothing but rounding
-constexpr double kLastDigit = 16 * 1.1e-16;         // of a way, some roundings of it
-constexpr double kWholeCircle = 6.28;               // times the radius: what forces of axisymmetric scenes act on
-constexpr double kNoGap = 1e-6;                     // of the largest change of a gap on a body
-constexpr double kFlat = 1e-6;                      // of a body's size: a change of its gaps that is one
+constexpr double kNoForce = 1e-12, kNoHold = 1e-8;  // relative to the largest pair force on a body
+constexpr double kNoCluster = 1e-13;         // relative to the largest pair force on bodies joined by pairs: smaller forces are round-off
+constexpr double kLastDigit = 16 * 1.1e-16;  // relative to a displacement: a few round-off errors
+constexpr double kWholeCircle = 6.28;        // times the radius: width on which forces of axisymmetric scenes act
+constexpr double kNoGap = 1e-6;              // relative to the largest change of a gap on a body
+constexpr double kFlat = 1e-6;               // relative to a body's size: least scale of gap changes
 
-/// The largest value at pairs of each part.
+/// The largest value among the pairs of each part.
 std::vector<double> largestOf(const RigidContact::Pairs& data, std::size_t parts, const Vector& values) {
   std::vector<double> most(parts, 0.0);
   for (std::size_t i = 0; i < data.bodies.size(); ++i)
@@ -28,8 +28,8 @@ std::vector<double> largestOf(const RigidContact::Pairs& data, std::size_t parts
   return most;
 }
 
-/// Rounding of forces on each part, by the largest load or pair force on any that pairs, closed or open, connect with it; others do not
-/// touch it. Where no load is among them, all forces come from prescribed ways, and are as uncertain as their last digits.
+/// Round-off of forces on each part: from the largest load or pair force on any part that is connected with it by pairs, closed or open. If
+/// no load is among them, all forces come from prescribed displacements and have the uncertainty of their last digits.
 std::vector<double> roundingOf(const RigidContact::Pairs& data, const std::vector<double>& force, const ForceScales& scales) {
   const std::size_t parts = force.size();
   DisjointSets neighbours(static_cast<int>(parts));
@@ -100,7 +100,7 @@ PairClasses classify(const ContactBodies& bodies, const PairsAtSolution& pairs, 
   const std::vector<double> rounding = roundingOf(data, force, scales);
   PairClasses classes{ClosedSet(count, 0), ClosedSet(count, 0), ClosedSet(count, 0)};
   for (int i = 0; i < count; ++i) {
-    if (bodies.rigid().isBound(static_cast<std::size_t>(i))) classes.carrying[i] = 1;  // pairs that never open hold, whatever their force
+    if (bodies.rigid().isBound(static_cast<std::size_t>(i))) classes.carrying[i] = 1;  // pairs that never open hold at any force
     if (!data.able[i]) continue;
     double least = 0.0, moved = 0.0, none = 0.0;
     for (const int part : data.bodies[i]) {

@@ -7,33 +7,33 @@
 
 namespace suture {
 
-// Which pairs hold bodies, which touch them, and which are closed by rounding alone: for NeutralMotions.cpp.
+// Classification of pairs for NeutralMotions.cpp: those that hold bodies, touch them, or are closed by round-off alone.
 
 /// Pairs at a solution, known to all ranks.
 struct PairsAtSolution {
-  Vector force, gap, change;  ///< the larger of normal and tangential force; change of the gap, its magnitude
+  Vector force, gap, change;  ///< the larger of normal and tangential force; gap; magnitude of the change of the gap
   ClosedSet closed;
 };
 
-/// From rank 0. Collective.
+/// Broadcasts the pairs of rank 0. Collective.
 PairsAtSolution broadcastPairs(const Comm& comm, const std::vector<PairResult>& results, int count);
 
-/// Magnitudes whose rounding appears in the forces on each part.
+/// Magnitudes whose round-off appears in the forces on each part.
 struct ForceScales {
   std::vector<double> loads;  ///< sum of their magnitudes
-  std::vector<double> ways;   ///< force that the last digit of a way is worth: eps E |way|
+  std::vector<double> ways;   ///< force equivalent to the last digit of the displacement: eps E |displacement|
 };
 
-/// \param displacement  by mesh. The ways of bodies are the rigid motions that were taken out; where none were, their displacements.
+/// \param displacement  by mesh. Used for bodies from which no rigid motion was taken out.
 /// Collective.
 ForceScales forceScales(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model, const ContactBodies& bodies,
                         const std::vector<Vector>& displacement);
 
 /// Classes of the pairs at a solution.
 struct PairClasses {
-  ClosedSet carrying;  ///< with a force that holds its bodies
+  ClosedSet carrying;  ///< with a force that holds their bodies
   ClosedSet touching;  ///< without a gap, not carrying
-  ClosedSet idle;      ///< closed for the solver, without force
+  ClosedSet idle;      ///< closed in the solver, without force
 };
 
 /// Local.

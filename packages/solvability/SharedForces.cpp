@@ -13,13 +13,13 @@ namespace suture {
 
 namespace {
 
-constexpr double kRemainder = 1e-10;  // part of the largest column that an independent column keeps
-constexpr double kNoPart = 1e-9;      // part of a combination's largest amplitude that counts as zero
-constexpr int kCuts = 100;            // rounds of half spaces; those of a cone in 3D converge quadratically, in 2D each is exact
+constexpr double kRemainder = 1e-10;  // fraction of the largest column that remains of an independent column
+constexpr double kNoPart = 1e-9;      // amplitude, relative to the largest of a combination, that counts as zero
+constexpr int kCuts = 100;  // maximum number of rounds of half spaces; those of a cone in 3D converge quadratically, in 2D each is exact
 
 using SparseMatrix = Eigen::SparseMatrix<double>;
 
-/// Combinations of columns that vanish, as columns: not orthonormal, mostly sparse.
+/// Basis (columns) of the combinations of columns that vanish: not orthonormal, mostly sparse.
 Matrix vanishing(const SparseMatrix& matrix) {
   double largest = 0.0;
   for (int k = 0; k < matrix.outerSize(); ++k) largest = std::max(largest, matrix.col(k).norm());
@@ -47,14 +47,14 @@ std::vector<SharedForces> sharedForces(const std::vector<ForceColumn>& columns) 
   for (int k = 0; k < count; ++k)
     for (const auto& [unknown, value] : columns[k].entries)
       entries.emplace_back(rows.emplace(unknown, static_cast<int>(rows.size())).first->second, k, value);
-  // Not less rows than columns: the decomposition wants that.
+  // The decomposition needs at least as many rows as columns.
   SparseMatrix matrix(std::max(static_cast<int>(rows.size()), count), count);
   matrix.setFromTriplets(entries.begin(), entries.end());
   matrix.makeCompressed();
   Matrix all = vanishing(matrix);
   if (all.cols() == 0) return {};
 
-  std::map<int, int> first;  // column of each pair
+  std::map<int, int> first;  // first column of each pair
   DisjointSets parts(count);
   for (int k = 0; k < count; ++k) parts.join(first.emplace(columns[k].pair, k).first->second, k);
   for (Eigen::Index c = 0; c < all.cols(); ++c) {

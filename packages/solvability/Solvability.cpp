@@ -15,14 +15,13 @@ namespace suture {
 
 namespace {
 
-constexpr double noWork = 1e-9;    // of the forces on the part
-constexpr double noMotion = 1e-8;  // of a unit amplitude
-// Largest change of a gap, of the amplitude of the motion, that is none: what the coordinates of mesh files leave of the turning of a round
-// body in its seat (normals of nodes that Gmsh puts on circles are good to 1e-8).
+constexpr double noWork = 1e-9;    // relative to the forces on the part
+constexpr double noMotion = 1e-8;  // relative to a unit amplitude
+// Largest change of a gap, relative to the amplitude of the motion, that counts as zero: a round body that turns in its seat changes gaps
+// by the inaccuracy of mesh coordinates (normals of nodes that Gmsh puts on circles are accurate to 1e-8).
 constexpr double noOpening = 1e-6;
 
-// The motion in a space of amplitudes (orthonormal columns) that is easiest to say: a translation if there is one, along an axis if
-// possible.
+// The simplest motion in a space of amplitudes (orthonormal columns): a translation if there is one, along an axis if possible.
 std::string inWords(const RigidPart& part, const Matrix& space, int dimension) {
   const Matrix rotations = space.bottomRows(space.rows() - dimension);
   const Matrix translations = space * nullSpace(rotations, noMotion);
@@ -33,7 +32,7 @@ std::string inWords(const RigidPart& part, const Matrix& space, int dimension) {
   return inWords(part, Vector(translations * translations.row(axis).transpose()), dimension);
 }
 
-// A space of motions of one part, as found in columns over all parts: orthonormal basis of what is not negligible.
+// Orthonormal basis of the motions of one part, from columns over all parts, without negligible ones.
 Matrix spanOf(const Matrix& columns) {
   const SingularValues svd = singularValues(columns);
   return svd.u.leftCols((svd.values.array() > noMotion).count());
@@ -44,15 +43,14 @@ struct Modes {
   int count = 0;
 };
 
-/// Forces that pairs can give, as generators: nonnegative combinations of them are all that contact can do.
+/// Possible forces of pairs, as generators: contact can exert their nonnegative combinations.
 struct ContactForces {
   std::vector<int> pair;         // pair of each generator
-  std::vector<Point> direction;  // direction of the force that side B feels
+  std::vector<Point> direction;  // direction of the force on side B
 };
 
-/// Adds forces that the law of a pair allows: its normal; the edges of the cone of friction, in space those of sixteen planes about it;
-/// tangents whatever their size where a pair that slides feels a force without pressure, whose bound is the solver's to find out; both
-/// senses where it is glued.
+/// Adds the forces that a pair's law allows: the normal; the edges of the friction cone, in 3D of a pyramid of sixteen planes around it;
+/// tangents of unlimited size if slip has a bound without pressure (the solver checks the bound); both signs if the sides are glued.
 void addForces(const ContactPair& pair, const ContactLaw& law, int dimension, ContactForces& forces) {
   const auto add = [&](const Point& direction) {
     forces.pair.push_back(pair.id);
@@ -69,13 +67,13 @@ void addForces(const ContactPair& pair, const ContactLaw& law, int dimension, Co
   trial.force = {1.0, 0.0, 0.0};
   trial.place = pair.position;
   trial.size = pair.length;
-  bool inside = false;  // the normal is a combination of edges
+  bool inside = false;  // true if the normal is a combination of edges
   for (int edge = 0; edge < edges; ++edge) {
     const double angle = 2.0 * M_PI * edge / edges;
     const double along = dimension == 2 ? (edge == 0 ? 1.0 : -1.0) : std::cos(angle), across = dimension == 2 ? 0.0 : std::sin(angle);
     Point tangent = scaled(along, frame[1]);
     if (dimension == 3) tangent = plus(tangent, scaled(across, frame[2]));
-    constexpr double beyond = 1e150;  // a jump that no finite bound holds
+    constexpr double beyond = 1e150;  // a jump beyond any finite bound
     trial.jump = {0.0, beyond * along, beyond * across};
     const ContactState state = law.project(trial, PairStatus::Slip);
     if (state.status == PairStatus::Stick || (state.status == PairStatus::Slip && state.bound > 0.0)) add(tangent);
@@ -92,7 +90,7 @@ ContactForces contactForces(const Mesh& mesh, const Constraints& constraints) {
   return forces;
 }
 
-/// Rows of the pairs' forces in the motions: work that they do on side A in each, negative.
+/// Negative work of the pairs' forces on side A in each motion.
 Matrix contactRows(const Mesh& mesh, const Constraints& constraints, const ContactForces& forces, const RigidParts& rigid,
                    const Modes& modes) {
   const int dimension = mesh.dimension;
@@ -109,8 +107,8 @@ Matrix contactRows(const Mesh& mesh, const Constraints& constraints, const Conta
   return rows;
 }
 
-/// Motions that keep all gaps: orthonormal columns. They are taken out of the rows, in which they are nothing but inaccuracy of the mesh:
-/// forces of contact that balance loads along them do not exist.
+/// Motions that keep all gaps: orthonormal columns. Their part of the rows is mesh inaccuracy and is removed: no contact force balances
+/// loads along them.
 Matrix slidingMotions(Matrix& rows) {
   const SingularValues svd = singularValues(rows);
   Eigen::Index held = std::min(rows.rows(), rows.cols());
@@ -146,8 +144,8 @@ void checkPrescribedPairs(const Mesh& mesh, const Constraints& constraints, Prob
     }
     if (free || bound >= -1e-10 * size) continue;
     std::ostringstream text;
-    text << "at " << placeText(pair.position, mesh.dimension) << " the displacements of both sides are prescribed, into each other by "
-         << -bound << ". Prescribe them so that the gap stays positive, or leave one side free";
+    text << "at " << placeText(pair.position, mesh.dimension) << " the prescribed displacements of both sides overlap by " << -bound
+         << ". Prescribe them so that the gap stays positive, or leave one side free";
     problems.add("Contact", text.str());
     return;
   }
@@ -172,21 +170,20 @@ void checkSolvability(const Mesh& mesh, const Constraints& constraints, const Ve
     modes.count += int(rigid.parts[part].free.cols());
     const RigidPart& r = rigid.parts[part];
     if (inContact[part] || r.free.cols() == 0) continue;
-    problems.add(
-        path(part),
-        name(part) +
-            (r.free.cols() == r.free.rows()
-                 ? " is held by nothing: no displacement is prescribed on it, no Elastic Support carries it and it is in no contact"
-                 : " can " + inWords(r, r.free, dimension) +
-                       ": it is in no contact, and neither a prescribed displacement nor an Elastic Support holds it there") +
-            ". Prescribe displacements on it, make a side of it Bilateral or an Elastic Support, or put it in contact");
+    problems.add(path(part),
+                 name(part) +
+                     (r.free.cols() == r.free.rows()
+                          ? " is not held: it has no prescribed displacement, no Elastic Support and no contact"
+                          : " can " + inWords(r, r.free, dimension) +
+                                ": it has no contact, and no prescribed displacement or Elastic Support prevents this motion") +
+                     ". Prescribe displacements on it, make one of its sides Bilateral or an Elastic Support, or bring it into contact");
   }
   if (modes.count == 0 || !problems.empty()) {
     problems.throwIfAny();
     return;
   }
 
-  // Work of the loads in each motion, and the forces with which that work is compared.
+  // Work of the loads in each motion, and reference forces for this work.
   Vector work = Vector::Zero(modes.count), force = Vector::Zero(parts);
   for (int i = 0; i < mesh.nodes(); ++i) {
     const int part = rigid.partOfNode[i];

@@ -19,17 +19,18 @@ namespace suture {
 
 namespace {
 
-constexpr double kHoldsAlone = 1e-3;    // least singular value, relative, of a pair's rows at a node that no other pair has
-constexpr double kAllowed = 1e-12;      // part of the largest force by which one may be outside its law
-constexpr double kSameTotal = 1e-9;     // part of a contact's total that a null vector may change it by
-constexpr double kPushedAside = 1e150;  // slip, as a force, that no finite bound holds
-constexpr double kNoSlip = 1e-6;        // part of a body's largest displacement at pairs: a slip below it is none, as NeutralMotions has it for gaps
+constexpr double kHoldsAlone = 1e-3;    // least relative singular value of a pair's rows at a node without other pairs
+constexpr double kAllowed = 1e-12;      // violation of a law that is accepted, relative to the largest force
+constexpr double kSameTotal = 1e-9;     // relative change of a contact's total by a null vector that counts as zero
+constexpr double kPushedAside = 1e150;  // slip, as a force, beyond any finite bound
+constexpr double kNoSlip =
+    1e-6;  // slip that counts as zero, relative to a body's largest displacement at pairs; as for gaps in PairClasses
 
 using Rows = std::vector<const ContactRow*>;
 
-/// Rows without those that cannot share their forces. A node that only one pair has takes all forces of that pair, if its rows are
-/// independent there; the pair goes, and its other nodes have one pair less. All pairs are taken as stuck: with fewer rows there are no
-/// more null vectors.
+/// Removes rows that cannot share their forces. A node of a single pair takes all forces of that pair, if the pair's rows are independent
+/// there; the pair is removed, and its other nodes have one pair less. All pairs are treated as sticking: fewer rows cannot have more null
+/// vectors.
 class Peeling {
  public:
   Peeling(const Rows& rows, int dimension) : rows_(rows), dimension_(dimension), isLeft_(rows.size(), 1) {
@@ -85,7 +86,7 @@ class Peeling {
   std::map<GlobalId, std::set<std::size_t>> at_;  // node -> places of rows
 };
 
-/// Rows of this rank that may share their forces with others, each on one rank.
+/// Rows of this rank that may share their forces with others; each row is on one rank.
 std::vector<ContactRow> rowsInDoubt(const std::vector<SubdomainMesh>& meshes) {
   std::map<int, const ContactRow*> all;
   std::set<int> mine;
@@ -104,8 +105,9 @@ std::vector<ContactRow> rowsInDoubt(const std::vector<SubdomainMesh>& meshes) {
   return found;
 }
 
-/// The pairs without a gap of a solution whose rows are in doubt, on one rank. Displacements alone decide what a pair may carry, not the
-/// states that a solver ended with: of a pair that touches without force, and of one at its bound that does not slide, these are any of two.
+/// The pairs without a gap of a solution whose rows may share forces, on one rank. Displacements alone decide which forces a pair may
+/// carry. The states with which a solver ended do not: a pair that touches without force may be open or closed, and a pair at its bound
+/// that does not slide may stick or slip.
 class ClosedPairs {
  public:
   ClosedPairs(const std::vector<ContactRow>& rows, int dimension, const ContactLaws& laws, std::vector<PairResult>& pairs)
@@ -141,7 +143,7 @@ class ClosedPairs {
 
   const std::vector<ForceColumn>& columns() const { return columns_; }
 
-  /// Gives the pairs of some columns their least forces. \return the same, as pairs and contacts
+  /// Sets the least forces of the pairs of some columns. \return these pairs and contacts
   UndeterminedForces settle(const SharedForces& shared, const std::vector<std::string>& contacts) {
     Vector amplitudes(Eigen::Index(shared.columns.size()));
     for (std::size_t i = 0; i < shared.columns.size(); ++i) amplitudes(Eigen::Index(i)) = amplitudes_[std::size_t(shared.columns[i])];
@@ -161,7 +163,7 @@ class ClosedPairs {
       lines.insert(pairs_[std::size_t(place.pair)].line);
     }
     found.pairs = static_cast<int>(ids.size());
-    // A pair that is held along its sides on both of them, as in a plane of symmetry: its tangential force there is nothing to the user.
+    // A single pair whose tangential motion is prescribed on both sides, as in a plane of symmetry: its tangential force is of no interest.
     if (!isNormal && ids.size() < 2) return {};
     for (const int line : lines) {
       found.contacts.push_back(contacts.at(std::size_t(line)));
@@ -173,7 +175,7 @@ class ClosedPairs {
  private:
   struct Place {
     int pair, component;
-    double unit;      // of its amplitude [root of length or area]
+    double unit;      // scale of the amplitude [root of length or area]
     Point direction;  // of the force on side B
   };
 
@@ -259,7 +261,7 @@ class ClosedPairs {
       trial.force = {std::max(normal, 0.0), along[1], along[2]};
       trial.jump = {0.0, kPushedAside * along[1] / size, kPushedAside * along[2] / size};
       const ContactState state = laws_.of(pair.line).project(trial, held);
-      if (state.status != PairStatus::Slip) continue;  // it holds anything, or nothing presses it
+      if (state.status != PairStatus::Slip) continue;  // any force is admissible, or no pressure acts on the pair
       if (size <= state.largest(normal) + slack * unit) continue;
       ForceCut cut;
       double fixed = 0.0;
@@ -290,7 +292,7 @@ class ClosedPairs {
   std::map<int, bool> slipped_;
 };
 
-/// Parts that concern the same contacts, as one. The total of a contact is determined if it is in all of them.
+/// Joins parts that concern the same contacts. The total of a contact is determined if it is determined in all parts.
 std::vector<UndeterminedForces> byContacts(const std::vector<UndeterminedForces>& parts) {
   std::map<std::vector<std::string>, UndeterminedForces> all;
   for (const UndeterminedForces& part : parts) {
@@ -358,7 +360,7 @@ std::string inWords(const UndeterminedForces& forces) {
   std::string text = (forces.contacts.size() == 1 ? "contact " : "contacts ") + listed(forces.contacts) +
                      ": equilibrium does not determine the forces of " + std::to_string(forces.pairs) +
                      (forces.pairs == 1 ? " pair" : " pairs") +
-                     " at nodes that several pairs share or boundary conditions hold. The least forces are reported";
+                     " at nodes that are shared by several pairs or held by boundary conditions. The least forces are reported";
   std::vector<std::string> open;
   for (const std::string& name : forces.contacts)
     if (std::find(forces.totals.begin(), forces.totals.end(), name) == forces.totals.end()) open.push_back(name);
