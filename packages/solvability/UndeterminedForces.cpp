@@ -179,7 +179,7 @@ class ClosedPairs {
     Point direction;  // of the force on side B
   };
 
-  /// The state in which the law holds the pair where it is: open only if there is a gap, slipping only if it slides.
+  /// State of the pair by its displacements: open only with a gap, slipping only if it slides.
   ContactState stateWithoutGap(const PairResult& pair, const std::vector<Point>& frame) const {
     const bool touches = pair.state.closed() || pair.touching;
     if (!touches || !pair.kind.restrictsSliding) return touches ? PairStatus::Slip : PairStatus::Open;
