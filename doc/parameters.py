@@ -9,12 +9,17 @@ import sys
 
 HEAD = """# Parameters
 
-Every parameter of a scene and of a study, as `suture_schema --format markdown` and `suture_schema --study --format markdown` print them. A
-name such as Mesh/File is that of `--set "Mesh/File=mesh.msh"`. `suture_schema --format xml` prints a scene with all defaults.
+Every parameter of a scene and of a study, as `suture_schema --format markdown` and `suture_schema --study --format markdown` print them. The
+first part has what most scenes need, in the order in which a scene is written; the second part, [Advanced](#advanced), chooses methods and
+compares with exact solutions. A name such as Mesh/File is the one in `--set "Mesh/File=mesh.msh"`. `suture_schema --format xml` prints a scene
+with all defaults.
 
 `python3 doc/parameters.py build/drivers/suture_schema > doc/parameters.md` renews this page.
 
 """
+
+
+ADVANCED = ("Exact Solution", "Partition", "Condensed Groups", "Contact On The Interface", "Outer Solver", "Preconditioner", "Subdomain")
 
 
 def section(program, title, *options):
@@ -26,8 +31,18 @@ def section(program, title, *options):
     return f"## {title}\n\n" + re.sub(r"^## ", "### ", text, flags=re.M).strip() + "\n"
 
 
+def ordered(scene):
+    """The lists of ADVANCED in their own part, after all others."""
+    head, *lists = re.split(r"^(?=### )", scene, flags=re.M)
+    usual, advanced = [], []
+    for part in lists:
+        top = re.match(r"### ([^/\n]+)", part)[1]
+        (advanced if top in ADVANCED else usual).append(part.strip() + "\n")
+    return "\n".join([head.strip() + "\n", *usual, "## Advanced\n\nThe defaults suit most scenes.\n", *advanced])
+
+
 def main():
-    page = HEAD + section(sys.argv[1], "A scene") + "\n" + section(sys.argv[1], "A study", "--study")
+    page = HEAD + ordered(section(sys.argv[1], "A scene")) + "\n" + section(sys.argv[1], "A study", "--study")
     if "--check" not in sys.argv:
         sys.stdout.write(page)
         return 0
