@@ -296,9 +296,8 @@ TEUCHOS_UNIT_TEST(SceneReader, SaysWhatToDoWithAGeometry) {
     }
     return std::string();
   };
-  TEST_EQUALITY(
-      said("dir/part.geo"),
-      "dir/part.geo: is a geometry or a mesh, not a scene; 'suture_new dir/part.geo' writes a scene that names it in Mesh/File");
+  TEST_EQUALITY(said("dir/part.geo"),
+                "dir/part.geo: is a geometry or a mesh, not a scene; 'suture_new dir/part.geo' writes a scene that names it in Mesh/File");
   TEST_ASSERT(contains(said("part.MSH"), "suture_new part.MSH"));
   TEST_ASSERT(contains(said("part.xml"), "this is not valid XML"));
 }
