@@ -14,7 +14,7 @@ namespace suture {
 /// well-conditioned. No multiplier, no penalty; S may be singular. Local.
 class ConstrainedInverse : public InverseWithBasis {
  public:
-  /// \param what  for messages. \throws NumericalError  C is not of full rank, or leaves a mechanism.
+  /// \param what  for messages. \throws NumericalError  if C does not have full rank or leaves a mechanism.
   ConstrainedInverse(Matrix schur, const Matrix& constraints, const std::string& what);
 
   void apply(ConstLocalView flux, LocalView trace) const override { inverse_.multiply(flux, trace); }

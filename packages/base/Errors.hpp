@@ -45,13 +45,13 @@ class CommandLineError : public Error {
   explicit CommandLineError(const std::string& message) : Error(ExitCode::CommandLine, message) {}
 };
 
-/// Not converged, breakdown, singular where it must not be.
+/// No convergence, a breakdown, or an unexpectedly singular matrix.
 class NumericalError : public Error {
  public:
   explicit NumericalError(const std::string& message) : Error(ExitCode::Numerical, message) {}
 };
 
-/// The machine: no memory, an unwritable folder, a library without a feature.
+/// A problem of the machine: no memory, an unwritable folder, a library without a feature.
 class EnvironmentError : public Error {
  public:
   explicit EnvironmentError(const std::string& message) : Error(ExitCode::Environment, message) {}
@@ -70,7 +70,7 @@ class Problems {
   void add(const InputError& error) { list_.insert(list_.end(), error.problems().begin(), error.problems().end()); }
   bool empty() const { return list_.empty(); }
   const std::vector<Problem>& list() const { return list_; }
-  /// \throws InputError  with all of them, if there are any.
+  /// \throws InputError  with all problems, if there are any.
   void throwIfAny() const {
     if (!list_.empty()) throw InputError(list_);
   }

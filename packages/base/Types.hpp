@@ -17,7 +17,7 @@ namespace suture {
 
 using Comm = Teuchos::Comm<int>;
 using CommPtr = Teuchos::RCP<const Comm>;
-using Parameters = Teuchos::ParameterList;  ///< validated and with all defaults filled in; see base/SceneReader.hpp
+using Parameters = Teuchos::ParameterList;  ///< validated and with all defaults filled in; see base/scene/SceneReader.hpp
 using GlobalId = long long;
 
 /// Small dense algebra uses Eigen. The columns of a Matrix are right-hand sides.

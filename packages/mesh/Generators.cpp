@@ -98,7 +98,7 @@ void check(const std::vector<Box>& all) {
   for (const Box& box : all) {
     if (!names.insert(box.name).second) problems.add("Mesh/Boxes/" + box.name, "a second box of this name");
     if (dimensionOf(box.cell) != dimensionOf(all.front().cell))
-      problems.add("Mesh/Boxes/" + box.name + "/Cell", cellInfo(box.cell).name + " beside " + cellInfo(all.front().cell).name + " in '" +
+      problems.add("Mesh/Boxes/" + box.name + "/Cell", cellInfo(box.cell).name + ", but " + cellInfo(all.front().cell).name + " in '" +
                                                            all.front().name + "'; expected all boxes in 2D or all in 3D");
     checkBox(box, problems);
   }

@@ -34,7 +34,7 @@ std::string expectation(const Schema::Parameter& parameter) {
 
 /// A choice that decides whether parameters have an effect, and the value of the choice that they belong to.
 struct Owner {
-  std::string list, choice, value;  // path of the list; name of the choice in it
+  std::string list, choice, value;  // path of the list, name of its choice, value of the choice
 };
 
 using Owners = std::vector<Owner>;  // the outermost first

@@ -12,7 +12,7 @@
 
 namespace suture {
 
-/// The interval a number must lie in; an open end excludes its value.
+/// Allowed interval of a number; an open end excludes its value.
 struct Range {
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();
