@@ -2,14 +2,14 @@
 #include <cblas.h>
 #include <suture/base/Types.hpp>
 
-// BLAS and LAPACK in either precision, matrices by columns. For sources only.
+// BLAS and LAPACK in either precision, matrices stored by columns. For sources only.
 
 extern "C" void dlauum_(const char* uplo, const int* n, double* a, const int* lda, int* info);
 extern "C" void slauum_(const char* uplo, const int* n, float* a, const int* lda, int* info);
 
 namespace suture {
 
-/// c <- factor * a b + share * c, a transposed if told.
+/// c <- factor * a b + share * c; `transposed` applies to a.
 inline void gemm(CBLAS_TRANSPOSE transposed, int m, int n, int k, double factor, const double* a, int lda, const double* b, int ldb,
                  double share, double* c, int ldc) {
   cblas_dgemm(CblasColMajor, transposed, CblasNoTrans, m, n, k, factor, a, lda, b, ldb, share, c, ldc);
@@ -19,7 +19,7 @@ inline void gemm(CBLAS_TRANSPOSE transposed, int m, int n, int k, float factor, 
   cblas_sgemm(CblasColMajor, transposed, CblasNoTrans, m, n, k, factor, a, lda, b, ldb, share, c, ldc);
 }
 
-/// c <- a b, a symmetric, its lower triangle.
+/// c <- a b, a symmetric, of which the lower triangle is read.
 inline void symm(int m, int n, const double* a, const double* b, double* c) {
   cblas_dsymm(CblasColMajor, CblasLeft, CblasLower, m, n, 1.0, a, m, b, m, 0.0, c, m);
 }
@@ -56,7 +56,7 @@ inline void lauum(int n, float* a) {
 template <typename Real>
 using Dense = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
 
-/// c <- factor * a b + share * c, a transposed if told. Eigen's own products are compiled for the oldest processors.
+/// c <- factor * a b + share * c; `transposed` applies to a. Eigen's own products are compiled for the oldest processors.
 template <typename Real>
 void addProductTo(Real factor, CBLAS_TRANSPOSE transposed, const Dense<Real>& a, const Dense<Real>& b, Real share, Dense<Real>& c) {
   const int rows = static_cast<int>(transposed == CblasTrans ? a.cols() : a.rows()), columns = static_cast<int>(b.cols());

@@ -9,17 +9,17 @@
 #include <algorithm>
 #include <numeric>
 
-// LAPACK: upper <- U U^T in place, a third of the operations of a product that does not know of the zeros.
+// LAPACK: upper <- U U^T in place, with a third of the operations of a general product.
 extern "C" void dlauum_(const char* uplo, const int* n, double* a, const int* lda, int* info);
 
 namespace suture {
 
 namespace {
 
-constexpr int kLeastForMetis = 300;  // unknowns; METIS takes longer to begin with
-constexpr double kSpace = 2.5;       // least unknowns of a node: in the plane, where nodes have two, AMD has hardly more fill and is faster
+constexpr int kLeastForMetis = 300;  // unknowns; for fewer, METIS is slower
+constexpr double kSpace = 2.5;       // least unknowns per node: in 2D, where nodes have two, AMD has hardly more fill and is faster
 
-// CHOLMOD's view of an Eigen matrix, lower triangle; nothing is copied and CHOLMOD does not write to it.
+// CHOLMOD's view of the lower triangle of an Eigen matrix, without a copy; CHOLMOD does not write to it.
 cholmod_sparse viewOf(const Eigen::SparseMatrix<double>& matrix) {
   cholmod_sparse view{};
   view.nrow = matrix.rows();
@@ -49,8 +49,8 @@ void CholmodFactor::Data::order(const Eigen::SparseMatrix<double>& matrix, Cholm
   std::iota(permutation.begin(), permutation.end(), 0);
   statistics.ordering = "AMD";
   if (leading == 0) return;
-  // All three give a postordered elimination tree of the leading block, which stays one when the trailing dofs are appended: hence the
-  // analysis of the whole needs no postordering of its own, which would move the trailing dofs.
+  // All three give a postordered elimination tree of the leading block, which remains postordered when the trailing dofs are appended. The
+  // analysis of the whole matrix therefore needs no postordering, which would move the trailing dofs.
   if (ordering == CholmodOptions::Ordering::ConstrainedAmd) {
     statistics.ordering = "CAMD";
     cholmod_sparse whole = viewOf(matrix);
@@ -61,7 +61,7 @@ void CholmodFactor::Data::order(const Eigen::SparseMatrix<double>& matrix, Cholm
     std::iota(permutation.begin() + leading, permutation.end(), leading);
     return;
   }
-  // Unknowns of a node have one pattern: the graph of nodes has a ninth of the entries in space.
+  // The unknowns of a node have the same pattern: in 3D the graph of nodes has a ninth of the entries.
   const Supervariables groups(matrix, leading);
   const Eigen::SparseMatrix<double> graph = groups.graph(matrix);
   cholmod_sparse view = viewOf(graph);
@@ -83,7 +83,7 @@ void CholmodFactor::Data::factorise(const Eigen::SparseMatrix<double>& matrix, c
   const SerialSection alone;
   order(matrix, options.ordering);
 
-  // CHOLMOD would turn a matrix that it has to permute over twice, once for the analysis and once for the factor.
+  // Permuted here, because CHOLMOD would transpose a matrix that it has to permute twice: for the analysis and for the factor.
   Eigen::SparseMatrix<double> permuted = permutedLower(matrix, permutation);
   Vector diagonal = permuted.diagonal();
   if (shift.size() > 0) {
@@ -144,7 +144,7 @@ CholmodFactor::CholmodFactor(const Eigen::SparseMatrix<double>& matrix, const Ch
   if (matrix.rows() != matrix.cols()) throw InternalError("CholmodFactor: the matrix is not square");
   if (options.trailing < 0 || options.trailing > n) throw InternalError("CholmodFactor: more trailing dofs than dofs");
   if (options.shift.size() != 0 && options.shift.size() != options.trailing)
-    throw InternalError("CholmodFactor: one shift for each trailing dof");
+    throw InternalError("CholmodFactor: expected one shift per trailing dof");
   data_->statistics.size = n;
   data_->statistics.trailing = options.trailing;
   data_->shift = options.shift;
@@ -171,7 +171,7 @@ void CholmodFactor::solveLeading(LocalView rhs) const { data_->solve(size() - tr
 
 Matrix CholmodFactor::trailingSchur() const {
   const int n = size(), nb = trailing(), leading = n - nb;
-  // L turned by 180 degrees is upper triangular, U, and U U^T is L L^T turned.
+  // L rotated by 180 degrees is upper triangular, U, and U U^T is L L^T rotated.
   Matrix upper = Matrix::Zero(nb, nb);
   if (nb == 0) return upper;
   const auto turned = [&](int dof) { return n - 1 - dof; };

@@ -13,10 +13,10 @@ struct CholmodHandle {
   CholmodHandle(const CholmodHandle&) = delete;
   CholmodHandle& operator=(const CholmodHandle&) = delete;
 
-  /// After every call: CHOLMOD prints nothing and returns.
-  /// \param what  was being done
-  /// \throws EnvironmentError  out of memory, or more entries than 32-bit numbers count
-  /// \throws InternalError     anything else
+  /// Checks the status; call after every CHOLMOD function, which prints nothing and returns.
+  /// \param what  operation, for the message
+  /// \throws EnvironmentError  out of memory, or more entries than 32-bit integers can count
+  /// \throws InternalError     any other error
   void check(const char* what) const;
 
   const std::unique_ptr<cholmod_common_struct> common;

@@ -26,7 +26,7 @@ struct Reflection {
   }
 };
 
-/// Q = H_1 ... H_m = I - V T V^T, T an upper triangle (Schreiber and Van Loan 1989): products of matrices instead of vectors.
+/// Q = H_1 ... H_m = I - V T V^T, T upper triangular (Schreiber and Van Loan 1989): matrix products instead of vector operations.
 class Rotation {
  public:
   Rotation(int size, const std::vector<Reflection>& reflections)
@@ -65,8 +65,8 @@ class Rotation {
   Matrix v_, t_;
 };
 
-// a <- its inverse, lower triangle, in place. By halves, so that nearly all is products of matrices: LAPACK's dtrtri as OpenBLAS has it
-// goes column by column and takes three times as long as the factorisation before it (n = 350).
+// a <- its inverse, lower triangle, in place. By recursive halving, so that nearly all work is matrix products: OpenBLAS' dtrtri works
+// column by column and takes three times as long as the preceding factorisation (n = 350).
 template <typename Real>
 void invertLower(Real* a, int n, int stride) {
   constexpr int small = 24;
@@ -90,15 +90,16 @@ void invertLower(Real* a, int n, int stride) {
   trmm(CblasLeft, rest, half, Real(1), last, below, stride);
 }
 
-// Entries in single precision are off by 6e-8 of the matrix, so that its smallest eigenvalues are off by the condition times that: up to
-// this condition less than a thousandth, which conjugate gradients do not notice. So may be the factor that is inverted: its own condition
-// is the root.
+// Entries in single precision have errors of 6e-8 of the matrix, so the relative error of its smallest eigenvalues is the condition number
+// times that: below a thousandth up to this condition, which conjugate gradients do not notice. The factor that is inverted may be in
+// single precision, too: its condition number is the square root.
 constexpr double kConditionForSingle = 1e4;
-constexpr int kLeastForSingle = 192;  // memory is what it saves: smaller ones have little
+constexpr int kLeastForSingle = 192;  // single precision saves memory, which is small for smaller matrices
 constexpr double kZero = 1e-14;
 
-/// The inverse of L L^T, in the rows and columns `dual` of a matrix of size n that is zero elsewhere, and turned back: its lower triangle.
-/// \param largest  on return: its largest diagonal entry before it is turned
+/// The inverse of L L^T, placed in the rows and columns `dual` of a matrix of size n that is zero elsewhere, transformed back: its lower
+/// triangle.
+/// \param largest  on return: its largest diagonal entry before the transformation
 template <typename Real>
 Dense<Real> inverseOf(Dense<Real> factor, const std::vector<int>& dual, int n, const Rotation& rotation, double& largest) {
   const int d = static_cast<int>(dual.size());
@@ -122,7 +123,7 @@ ConstrainedInverse::ConstrainedInverse(Matrix schur, const Matrix& constraints, 
   std::vector<int> primal;
   std::vector<char> taken(n, 0);
   std::vector<Reflection> reflections;
-  // Rows with a single entry first: they take their unknown, whatever the others do.
+  // Rows with a single entry first: each takes its unknown, independently of the other rows.
   std::vector<int> order;
   const auto entries = [&](int row) { return (rows.row(row).array().abs() > kZero).count(); };
   for (const bool single : {true, false})
@@ -137,7 +138,7 @@ ConstrainedInverse::ConstrainedInverse(Matrix schur, const Matrix& constraints, 
         square += rows(row, j) * rows(row, j);
       }
     if (support.empty() || std::sqrt(square) < 1e-10 * constraints.row(row).norm())
-      throw NumericalError(what + ": a primal constraint follows from the others");
+      throw NumericalError(what + ": a primal constraint depends linearly on the others");
     const int pivot =
         *std::max_element(support.begin(), support.end(), [&](int a, int b) { return std::abs(rows(row, a)) < std::abs(rows(row, b)); });
     primal.push_back(pivot);
@@ -156,7 +157,7 @@ ConstrainedInverse::ConstrainedInverse(Matrix schur, const Matrix& constraints, 
   const Rotation rotation(n, reflections);
   rotation.to(schur);
 
-  // In the new coordinates: the constraints fix the primal ones, lower triangular in the order they were taken.
+  // In the new coordinates the constraints fix the primal ones; lower triangular in the order of processing.
   Matrix triangle(m, m);
   for (int a = 0; a < m; ++a)
     for (int b = 0; b < m; ++b) triangle(a, b) = b <= a ? rows(order[a], primal[b]) : 0.0;
@@ -166,7 +167,7 @@ ConstrainedInverse::ConstrainedInverse(Matrix schur, const Matrix& constraints, 
     return sorted;
   }());
   const int d = static_cast<int>(dual.size());
-  // The free coordinates' block, and below it those of the fixed ones: one elimination.
+  // Block of the free coordinates, and below it that of the fixed ones: one elimination.
   Matrix trapezoid(d + m, d), pp(m, m), dp(d, m);
   for (int j = 0; j < d; ++j) {
     for (int i = j; i < d; ++i) trapezoid(i, j) = schur(dual[i], dual[j]);  // `dual` ascends: the lower triangle
@@ -179,7 +180,7 @@ ConstrainedInverse::ConstrainedInverse(Matrix schur, const Matrix& constraints, 
   if (d > 0) {
     const int failed = partialCholesky(d, d + m, trapezoid.data(), d + m);
     for (int i = 0; failed == 0 && i < d; ++i) smallest = std::min(smallest, trapezoid(i, i) * trapezoid(i, i) / diagonal(i));
-    // A mechanism leaves rounding instead of a zero; legitimate pivots are small where stiffness jumps within the subdomain.
+    // A mechanism gives round-off instead of a zero; legitimate pivots are small if stiffness jumps within the subdomain.
     if (failed != 0 || !(smallest > 1e-14))
       throw NumericalError(what + ": its corners and edge constraints leave a mechanism (is it attached at single points only?)");
     if (m > 0) {
@@ -190,7 +191,7 @@ ConstrainedInverse::ConstrainedInverse(Matrix schur, const Matrix& constraints, 
   }
 
   Matrix basis = Matrix::Zero(n, m);
-  Matrix toPrimal = Matrix::Identity(m, m);  // to the order taken, from that of the rows given
+  Matrix toPrimal = Matrix::Identity(m, m);  // to the order of processing, from that of the given rows
   triangle.triangularView<Eigen::Lower>().solveInPlace(toPrimal);
   Matrix inOrder(m, m);
   for (int a = 0; a < m; ++a) inOrder.col(order[a]) = toPrimal.col(a);
@@ -201,12 +202,12 @@ ConstrainedInverse::ConstrainedInverse(Matrix schur, const Matrix& constraints, 
   energy_ = 0.5 * (energy + energy.transpose());
   rotation.fromColumns(basis);
 
-  // Its largest diagonal entries say how well it is conditioned; those of the factor alone may already say that it is not.
+  // The largest diagonal entries estimate the condition number; those of the factor alone may already show that it is too large.
   const double stiffest = diagonal.size() > 0 ? diagonal.maxCoeff() : 0.0;
   double softest = 0.0;
   for (int i = 0; i < d; ++i) softest = std::max(softest, 1.0 / (trapezoid(i, i) * trapezoid(i, i)));
   if (d >= kLeastForSingle && stiffest * softest < kConditionForSingle) {
-    // The matrix is scaled by its largest entry, so that nothing leaves the narrow range of single precision.
+    // Scaled by its largest entry, so that all values stay within the narrow range of single precision.
     Dense<float> inverse = inverseOf<float>((trapezoid.topRows(d) / std::sqrt(stiffest)).cast<float>(), dual, n, rotation, softest);
     if (softest < kConditionForSingle) {
       int power = 0;

@@ -7,10 +7,10 @@ namespace suture {
 
 namespace {
 
-// Entries of a factor that a solve passes twice, a second: columns of the plane, and dense blocks of factors in space.
+// Factor entries that a solve passes twice, per second: columns in 2D, dense blocks of factors in 3D.
 constexpr double kSolveRate = 1.05e8, kSolveRateInSpace = 4e8;
-constexpr double kProductRate = 8e9;      // bytes a second
-constexpr double kEliminationRate = 5e9;  // operations a second
+constexpr double kProductRate = 8e9;      // bytes per second
+constexpr double kEliminationRate = 5e9;  // operations per second
 constexpr double kPackedBytes = 4.4;      // bytes of a packed matrix over the square of its size
 
 }  // namespace

@@ -4,20 +4,20 @@
 
 namespace suture {
 
-/// Sets of the numbers 0, 1, ... that are joined one by one (union-find with path halving): connected components without searching from
-/// neighbour to neighbour. A set is known by its lowest member. Local.
+/// Union-find with path halving on the numbers 0, 1, ...: connected components without a graph search. A set is identified by its lowest
+/// member. Local.
 class DisjointSets {
  public:
   explicit DisjointSets(int count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
 
-  /// Lowest member of the set that i is in.
+  /// Lowest member of the set of i.
   int lowest(int i) {
     while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
     return i;
   }
-  /// Makes one set of those of i and j; returns its lowest member.
+  /// Unites the sets of i and j; returns the lowest member.
   int join(int i, int j) {
-    if (parent_[j] == i && parent_[i] == i) return i;  // most often, where a mesh is large and i what the last call returned
+    if (parent_[j] == i && parent_[i] == i) return i;  // the most frequent case on large meshes, with i returned by the last call
     const int a = lowest(i), b = lowest(j);
     return a < b ? parent_[b] = a : parent_[a] = b;
   }

@@ -9,7 +9,7 @@ namespace suture {
 
 namespace {
 
-/// Unknowns of a few nodes on which the kernel is well determined: the first pivots of a QR of its transpose, completed to whole nodes.
+/// Unknowns of a few nodes that determine the kernel well: the first pivots of a QR of its transpose, completed to whole nodes.
 std::vector<int> fixingDofs(const Matrix& kernel, const std::vector<int>& nodeOf) {
   std::vector<int> nodes;
   for (const int row : pivotRows(kernel)) nodes.push_back(nodeOf[row]);
@@ -51,7 +51,7 @@ GeneralisedInverse::GeneralisedInverse(const SparseMatrix& matrix, const Matrix&
     else
       solver_->factorise(regularised(matrix, kernel, fixingDofs(kernel, nodeOf)));
   } catch (const NumericalError& error) {
-    throw NumericalError(what + ": " + error.what() + " (is part of it held by less than its rigid modes say?)");
+    throw NumericalError(what + ": " + error.what() + " (does a part of it have a mechanism that is not a rigid mode?)");
   }
   verify(matrix, what);
 }
@@ -79,10 +79,10 @@ void GeneralisedInverse::verify(const SparseMatrix& matrix, const std::string& w
   Matrix x = load;
   solver_->solve(x);
   const double residual = (matrix * x.col(0) - load).norm() / std::max(load.norm(), 1e-300);
-  // Rounding alone gives about 1e-16 times the condition number, 1e-10 for 1e6; a forgotten mode gives the order of one.
+  // Round-off gives about 1e-16 times the condition number, 1e-10 for 1e6; a missing mode gives order one.
   if (load.norm() > 1e-8 && !(residual < 1e-5)) {
     std::ostringstream text;
-    text << what << ": the stiffness matrix has more mechanisms than the " << kernel_.cols() << " rigid modes known (relative residual "
+    text << what << ": the stiffness matrix has more mechanisms than the " << kernel_.cols() << " known rigid modes (relative residual "
          << residual << " of a balanced load)";
     throw NumericalError(text.str());
   }

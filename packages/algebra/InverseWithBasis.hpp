@@ -4,7 +4,7 @@
 
 namespace suture {
 
-/// A LocalInverse under constraints that keeps the basis Phi as a packed matrix, and its energies. Whoever derives fills both. Local.
+/// A LocalInverse under constraints that stores the basis Phi as a packed matrix, and its energies. Derived classes set both. Local.
 class InverseWithBasis : public LocalInverse {
  public:
   Matrix basis() const override { return basis_.full(); }

@@ -1,9 +1,9 @@
 #pragma once
 
-// Vectors of numbers for the dense kernels: packed matrices, supernodes, fronts. For sources only.
+// SIMD vectors for the dense kernels: packed matrices, supernodes, fronts. For sources only.
 
-// One function for each generation of processors, chosen when the program is loaded: the baseline of x86-64 has vectors of two numbers.
-// "fma" has vectors of four and the fused product and sum.
+// Compiles a function once per processor generation, selected when the program is loaded: baseline x86-64 has vectors of two doubles; "fma"
+// has vectors of four and fused multiply-add.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
 #define SUTURE_FOR_EACH_PROCESSOR __attribute__((target_clones("avx512f", "fma", "default")))
 #else
@@ -16,15 +16,15 @@
 
 namespace suture {
 
-constexpr int kWidth = 4;  ///< columns of a panel of a packed matrix, taken in one pass over x and y
+constexpr int kWidth = 4;  ///< columns of a panel of a packed matrix, processed in one pass over x and y
 
-/// `Bytes` of numbers that are added and multiplied at once (a vector extension of GCC and Clang), anywhere in memory.
+/// `Bytes` bytes of numbers that are added and multiplied together (a vector extension of GCC and Clang), at any address.
 template <typename Real, int Bytes>
 struct Lanes {
   static constexpr int count = Bytes / static_cast<int>(sizeof(Real));
 
 #ifdef __clang__
-  // Clang takes a vector behind a reference for aligned to its size, whatever its type says; a packed structure may lie anywhere.
+  // Clang assumes that a vector behind a reference is aligned to its size, even if its type has less; a packed structure may be unaligned.
   typedef Real Type __attribute__((vector_size(Bytes), may_alias));
   struct __attribute__((packed, may_alias)) Place {
     Type value;
@@ -43,20 +43,20 @@ struct Lanes {
 #endif
 };
 
-/// A line of the cache, and four numbers.
+/// A cache line, and four numbers.
 template <typename Real>
 using Line = Lanes<Real, 64>;
 template <typename Real>
 using Four = Lanes<Real, 4 * sizeof(Real)>;
 
-/// sum += the fours that a line is made of.
+/// sum += the groups of four of a line.
 template <typename Real>
 __attribute__((always_inline)) inline void foldInto(const typename Line<Real>::Type& line, typename Four<Real>::Type& sum) {
   const Real* from = reinterpret_cast<const Real*>(&line);
   for (int k = 0; k < Line<Real>::count; k += 4) sum += Four<Real>::at(from + k);
 }
 
-/// Numbers that fit one register of processors without vectors of 64 bytes. GCC keeps the halves of longer ones in memory: a scalar product
+/// Numbers that fit one register of processors without 64-byte vectors. GCC keeps the halves of longer vectors in memory: a scalar product
 /// of 170 numbers then takes five times as long.
 template <typename Real>
 using Register = Lanes<Real, 32>;
@@ -70,7 +70,7 @@ __attribute__((always_inline)) inline void subtractMultiple(int n, Real x, const
   for (; i < n; ++i) y[i] -= x * a[i];
 }
 
-/// y -= x[0] a + x[1] b + x[2] c + x[3] d: reads and writes y once for four.
+/// y -= x[0] a + x[1] b + x[2] c + x[3] d: reads and writes y once instead of four times.
 template <typename Real>
 __attribute__((always_inline)) inline void subtractMultiples(int n, const Real* x, const Real* a, const Real* b, const Real* c,
                                                              const Real* d, Real* y) {
@@ -81,7 +81,7 @@ __attribute__((always_inline)) inline void subtractMultiples(int n, const Real* 
   for (; i < n; ++i) y[i] -= (x[0] * a[i] + x[1] * b[i]) + (x[2] * c[i] + x[3] * d[i]);
 }
 
-/// a . b, of n numbers.
+/// a . b for n numbers.
 template <typename Real>
 __attribute__((always_inline)) inline Real scalarProduct(int n, const Real* a, const Real* b) {
   constexpr int width = Register<Real>::count;
@@ -104,8 +104,8 @@ __attribute__((always_inline)) inline Real scalarProduct(int n, const Real* a, c
 /// The next multiple of `width`.
 inline int padded(int size, int width) { return (size + width - 1) / width * width; }
 
-/// Scale of n numbers, applied before rounding to Real: brings a vector to the size of one, since the range of single precision is narrow.
-/// NaNs are skipped and stay NaN.
+/// Largest magnitude of n numbers, by which they are divided before conversion to Real, since the range of single precision is narrow; 1
+/// for double precision. NaNs are skipped and stay NaN.
 template <typename Real>
 __attribute__((always_inline)) inline double scaleOf(int n, const double* x) {
   if (sizeof(Real) == sizeof(double)) return 1.0;
@@ -136,7 +136,7 @@ __attribute__((always_inline)) inline void divide(int n, const double* x, double
   for (; i < n; ++i) to[i] = static_cast<Real>(x[i] / scale);
 }
 
-/// to <- share to + scale x, share 0 (to is not read) or 1.
+/// to <- share * to + scale * x; share is 0 (`to` is not read) or 1.
 template <int share, typename Real>
 __attribute__((always_inline)) inline void multiply(int n, double scale, const Real* x, double* to) {
   using Many = Line<double>;

@@ -28,13 +28,13 @@ void registerBuiltIns(Registry<LocalSolver>& registry) {
 }
 
 Schema subdomainSchema() {
-  Schema schema("How the problem of a single subdomain is solved.");
+  Schema schema("Solver of a single subdomain.");
   schema.choice("Local Solver", "CHOLMOD", Registry<LocalSolver>::instance().schemas(), "Sparse direct solver of the subdomains.");
   return schema;
 }
 
 LocalSolverMaker localSolverMaker(const Parameters& subdomain) {
-  // Every subdomain keeps a copy of the maker: the list is shared.
+  // Every subdomain holds a copy of the maker; the list is shared.
   return [own = std::make_shared<const Parameters>(subdomain)] { return makeStrategy<LocalSolver>(*own, "Local Solver"); };
 }
 

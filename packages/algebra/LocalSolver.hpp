@@ -10,20 +10,20 @@ namespace suture {
 class SingleFactor;
 
 /// Sparse direct solver for the symmetric positive definite matrices of one subdomain, group or coarse problem. Strategies: CHOLMOD,
-/// Amesos2; a user adds his own through Registry<LocalSolver>. Local: never communicates.
+/// Amesos2; users add their own through Registry<LocalSolver>. Local: never communicates.
 class LocalSolver {
  public:
   static const char* kind() { return "local solver"; }
   virtual ~LocalSolver() = default;
 
-  /// Factors a symmetric positive definite matrix, both triangles given. Forgets an earlier one.
-  /// \throws NumericalError  breakdown (not positive definite, as far as the method notices).
+  /// Factors a symmetric positive definite matrix, given with both triangles, and discards an earlier factor.
+  /// \throws NumericalError  if the factorisation breaks down (the matrix is not positive definite, if the method detects it).
   void factorise(const SparseMatrix& matrix);
 
   /// x <- matrix^-1 x, for any number of right-hand sides (columns).
   void solve(LocalView x) const;
 
-  /// The factor in single precision, for preconditioners; null where the method has none to give.
+  /// The factor in single precision, for preconditioners; null if the method does not provide one.
   virtual std::unique_ptr<SingleFactor> inSinglePrecision() const;
 
   int size() const { return size_; }
@@ -41,10 +41,10 @@ class LocalSolver {
 
 void registerBuiltIns(Registry<LocalSolver>& registry);
 
-/// Makes fresh local solvers of the kind that the scene asks for.
+/// Makes new local solvers of the kind that the scene requests.
 using LocalSolverMaker = std::function<std::unique_ptr<LocalSolver>()>;
 
-/// The scene's list `Subdomain`, and the maker it describes.
+/// Schema of the scene's list `Subdomain`, and the maker that such a list describes.
 Schema subdomainSchema();
 LocalSolverMaker localSolverMaker(const Parameters& subdomain);
 

@@ -2,8 +2,8 @@
 
 namespace suture {
 
-/// While one lives, OpenMP regions that this thread enters run on it alone. CHOLMOD asks for four threads in each supernode of some size,
-/// whatever OMP_NUM_THREADS says; ranks have their cores for themselves only if no rank does. Local.
+/// While an object exists, OpenMP regions entered by this thread run serially. CHOLMOD requests four threads for each larger supernode even
+/// if OMP_NUM_THREADS is smaller, which takes cores from other ranks. Local.
 class SerialSection {
  public:
   SerialSection();

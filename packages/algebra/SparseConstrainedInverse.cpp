@@ -13,14 +13,14 @@ namespace suture {
 
 namespace {
 
-constexpr double kZeroEntry = 1e-14;     // entry of a constraint that counts as none
-constexpr double kMostCondition = 1e13;  // condition of the small matrix: beyond it a constraint follows from the others
-constexpr double kHeld = 1e-6;           // least that held unknowns tell of a motion of length one
-// Largest relative change of an image that single precision may make: conjugate gradients do not notice it.
+constexpr double kZeroEntry = 1e-14;     // entries of a constraint below this are treated as zero
+constexpr double kMostCondition = 1e13;  // condition of the small matrix: beyond it a constraint depends linearly on the others
+constexpr double kHeld = 1e-6;           // smallest size at the held unknowns of a motion of length one
+// Largest relative change of an image by single precision that is accepted: conjugate gradients do not notice it.
 constexpr double kSingleAccuracy = 1e-3;
-constexpr double kMostJumpForSingle = 1e3;  // largest by smallest diagonal: soft cells would have no digits
+constexpr double kMostJumpForSingle = 1e3;  // largest by smallest diagonal: beyond it, soft cells would lose all digits
 
-/// Entry of a row that has one only, or -1.
+/// The only entry of a row with one entry, or -1.
 int singleEntry(const Matrix& rows, int row) {
   int found = -1, count = 0;
   for (int j = 0; j < rows.cols() && count < 2; ++j)
@@ -34,7 +34,7 @@ Matrix rowsOf(const Matrix& matrix, const std::vector<int>& rows) {
   return some;
 }
 
-/// Unknowns on which the motions that the held ones leave are determined best; inside, where no constraint is, if they are there.
+/// Unknowns that best determine the motions left by the held ones; inside, where there are no constraints, if possible.
 std::vector<int> fixing(const Matrix& kernel, const std::vector<int>& held, const std::vector<int>& inside, const std::vector<int>& free) {
   if (kernel.cols() == 0) return {};
   const Matrix motions = orthonormalBasis(kernel, 1e-12);
@@ -56,10 +56,10 @@ std::vector<int> fixing(const Matrix& kernel, const std::vector<int>& held, cons
 
 }  // namespace
 
-/// Kinds of unknowns and constraints: numbers in the stiffness matrix, and places in these lists.
+/// Kinds of unknowns and constraints: numbers in the stiffness matrix, and positions in these lists.
 struct SparseConstrainedInverse::Unknowns {
-  std::vector<int> held, heldRows, otherRows;  // positions in the trace that constraints hold alone, these constraints, the others
-  std::vector<int> heldUnknowns, apart, free;  // H, E and F, in the numbers of the matrix
+  std::vector<int> held, heldRows, otherRows;  // positions in the trace held by a single constraint, these constraints, the others
+  std::vector<int> heldUnknowns, apart, free;  // H, E and F, as numbers in the matrix
   Matrix onApart, onHeld;                      // C_2 on E and on H: constraints x unknowns
 };
 
@@ -71,7 +71,7 @@ SparseConstrainedInverse::SparseConstrainedInverse(const SparseMatrix& stiffness
   for (int row = 0; row < m; ++row) {
     const int single = singleEntry(constraints, row);
     if (single >= 0 && std::count(all.held.begin(), all.held.end(), single) > 0)
-      throw NumericalError(what + ": a primal constraint follows from the others");
+      throw NumericalError(what + ": a primal constraint depends linearly on the others");
     (single >= 0 ? all.heldRows : all.otherRows).push_back(row);
     if (single >= 0) all.held.push_back(single);
   }
@@ -112,7 +112,7 @@ SparseConstrainedInverse::SparseConstrainedInverse(const SparseMatrix& stiffness
     for (const auto& [position, place] : apart) all.onApart(k, place) = constraints(all.otherRows[k], position);
     for (int j = 0; j < fixed; ++j) all.onHeld(k, j) = constraints(all.otherRows[k], all.held[j]);
   }
-  // Right-hand sides of all that is needed: K_FE, C_F^T, and K_FH.
+  // Right-hand sides of all solves: K_FE, C_F^T, and K_FH.
   const SparseMatrix columns = columnsOf(block(stiffness, all.free, all.apart), all.otherRows);
   const SparseMatrix toHeld = block(stiffness, all.free, all.heldUnknowns);
   Matrix solved(unknowns_, more + fixed);
@@ -121,8 +121,8 @@ SparseConstrainedInverse::SparseConstrainedInverse(const SparseMatrix& stiffness
   const auto images = solved.leftCols(more), fromHeld = solved.rightCols(fixed);
   const Matrix small = invertedSmall(stiffness, all, columns.transpose() * images, what);
 
-  // Traces of least energy: x_H given, K_FF x_F + K_FE x_E + C_F^T m = -K_FH x_H and so on; -m are the energies. A constraint that holds an
-  // unknown alone gives one column of x_H: that unknown, scaled.
+  // Traces of least energy: x_H given, K_FF x_F + K_FE x_E + C_F^T m = -K_FH x_H and so on; -m are the energies. A constraint that holds a
+  // single unknown gives one column of x_H: that unknown, scaled.
   Vector scale(fixed);
   for (int j = 0; j < fixed; ++j) scale(j) = 1.0 / constraints(all.heldRows[j], all.held[j]);
   const SparseMatrix apartHeld = block(stiffness, all.apart, all.heldUnknowns);
@@ -193,7 +193,7 @@ double SparseConstrainedInverse::bytesRead() const {
   return single_ ? 2.0 * (single_->bytes() + static_cast<double>(constraints_.nonZeros() * (sizeof(double) + sizeof(int)))) : 0.0;
 }
 
-/// The inverse of the small matrix. \param told  [K_FE, C_F^T]^T W
+/// The inverse of the small matrix. The third argument is [K_FE, C_F^T]^T W.
 Matrix SparseConstrainedInverse::invertedSmall(const SparseMatrix& stiffness, const Unknowns& all, const Matrix& told,
                                                const std::string& what) const {
   const int others = static_cast<int>(all.otherRows.size()), motions = static_cast<int>(all.apart.size());
@@ -202,14 +202,15 @@ Matrix SparseConstrainedInverse::invertedSmall(const SparseMatrix& stiffness, co
   small.topLeftCorner(motions, motions) += Matrix(block(stiffness, all.apart, all.apart));
   small.bottomLeftCorner(others, motions) += all.onApart;
   small.topRightCorner(motions, others) += all.onApart.transpose();
-  // Displacements and forces in the same units: then the matrix is of the order of one, but for jumps of the stiffness.
+  // Scales displacements and forces to the same units: the matrix is then of order one, except for jumps of the stiffness.
   double stiff = 0.0;
   for (const int unknown : all.free) stiff += stiffness.coeff(unknown, unknown) / unknowns_;
   Vector scale(small.rows());
   scale << Vector::Constant(motions, 1.0 / std::sqrt(stiff)), Vector::Constant(others, std::sqrt(stiff));
   double condition = 0.0;
   const Matrix inverse = generalInverse(scale.asDiagonal() * small * scale.asDiagonal(), condition);
-  if (!(condition < kMostCondition)) throw NumericalError(what + ": a primal constraint follows from the others, or they leave a motion");
+  if (!(condition < kMostCondition))
+    throw NumericalError(what + ": a primal constraint depends linearly on the others, or the constraints leave a motion");
   small = scale.asDiagonal() * inverse * scale.asDiagonal();
   return 0.5 * (small + small.transpose());
 }

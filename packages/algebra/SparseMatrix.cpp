@@ -7,7 +7,7 @@ namespace suture {
 SparseMatrix block(const SparseMatrix& matrix, const std::vector<int>& rows, const std::vector<int>& columns) {
   std::vector<int> place(matrix.rows(), -1);
   for (std::size_t i = 0; i < rows.size(); ++i) place[rows[i]] = static_cast<int>(i);
-  // Filled by rows, columns ascending; Eigen turns it over into columns. Both steps are linear, and need no sort.
+  // Filled by rows with ascending columns; Eigen converts to columns. Both steps are linear and need no sort.
   Eigen::SparseMatrix<double, Eigen::RowMajor, int> byRow(static_cast<int>(rows.size()), static_cast<int>(columns.size()));
   int* first = byRow.outerIndexPtr();
   const auto eachEntry = [&](auto&& take) {

@@ -6,13 +6,14 @@
 
 namespace suture {
 
-/// Matrices that live on one rank; compressed columns. Symmetric ones hold both triangles; of those that last SymmetricMatrix keeps one.
+/// Matrices on one rank; compressed columns. Symmetric ones hold both triangles; long-lived ones are kept as SymmetricMatrix (one
+/// triangle).
 using SparseMatrix = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
 
 /// The block of rows and columns given by two lists of positions (each position at most once). Local.
 SparseMatrix block(const SparseMatrix& matrix, const std::vector<int>& rows, const std::vector<int>& columns);
 
-/// The rows and columns of a symmetric matrix at ascending positions: in one pass, which block() needs two for. Local.
+/// The rows and columns of a symmetric matrix at ascending positions, in one pass; block() needs two. Local.
 SparseMatrix principalBlock(const SparseMatrix& matrix, const std::vector<int>& positions);
 
 /// Rows of a dense matrix at some positions.

@@ -5,11 +5,11 @@
 
 namespace suture {
 
-/// Changes an operator and tells by how much that changed an image, relative to it. The vector that is applied has no symmetry, and all
-/// frequencies. An operator without rows: 0.
+/// Changes an operator and returns the relative change of its image of a vector without symmetry that contains all frequencies; 0 for an
+/// operator without rows.
 /// \param size    rows of the vector
-/// \param apply   apply(ConstLocalView, LocalView) of the operator, as it is when it is called
-/// \param change  replaces what apply uses
+/// \param apply   apply(ConstLocalView, LocalView) of the operator in its current state
+/// \param change  replaces the data used by `apply`
 template <typename Apply, typename Change>
 double effectOf(int size, const Apply& apply, const Change& change) {
   Matrix given(size, 1), before(size, 1), after(size, 1);

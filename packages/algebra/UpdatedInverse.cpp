@@ -9,11 +9,11 @@ namespace suture {
 
 namespace {
 
-// The base may be known to single precision only: a condition of this inverse loses a thousandth.
+// The base may be accurate to single precision only: this condition of the inverse loses a factor of a thousand.
 constexpr double kLeastEigenvalue = 1e-4;
 constexpr double kBasisAccuracy = 1e-4;  // relative accuracy of the values of the new basis in the new rows
 
-/// B with a^-1 = B B^T; empty if a, its diagonal scaled to one, has an eigenvalue that is too small.
+/// B with a^-1 = B B^T; empty if a, with its diagonal scaled to one, has an eigenvalue that is too small.
 Matrix inverseRoot(const Matrix& a) {
   const Vector diagonal = a.diagonal();
   if (!(diagonal.minCoeff() > 0.0)) return Matrix();
@@ -33,7 +33,7 @@ Matrix blockAt(const Matrix& matrix, const std::vector<int>& rows, const std::ve
   return rowsAt(columnsAt(matrix, columns), rows);
 }
 
-/// Update for the constraints held at present; the inverse is P + plus plus^T - minus minus^T, P that of the base.
+/// Update for the constraints currently held; the inverse is P + plus plus^T - minus minus^T with the base's P.
 struct Change {
   Matrix basis, energy;
   Matrix plus, minus;
@@ -43,7 +43,7 @@ struct Change {
     Matrix heldBasis = columnsAt(basis, kept), heldEnergy = blockAt(energy, kept, kept);
     if (!removed.empty()) {
       const Matrix own = blockAt(energy, removed, removed);
-      // Without them a motion may cost nothing.
+      // Without these rows a motion may have no energy.
       if (!(own.diagonal().minCoeff() > kLeastEigenvalue * energy.diagonal().maxCoeff())) return false;
       const Matrix root = inverseRoot(own);
       if (root.size() == 0) return false;
@@ -57,7 +57,7 @@ struct Change {
     return true;
   }
 
-  /// Adds rows D behind those that are held. \return false: inaccurate
+  /// Adds rows D after those held. \return false: inaccurate
   bool add(const Matrix& d, const LocalInverse& base) {
     const Matrix across = d.transpose();
     Matrix w(across.rows(), across.cols());
@@ -86,7 +86,7 @@ std::unique_ptr<UpdatedInverse> UpdatedInverse::make(std::shared_ptr<const Local
                                                      const Matrix& constraints) {
   Change change{base->basis(), base->energy(), {}, {}};
   const Eigen::Index held = change.basis.cols();
-  if (change.energy.rows() != held || change.energy.cols() != held) return nullptr;  // a user's, which need not tell
+  if (change.energy.rows() != held || change.energy.cols() != held) return nullptr;  // a user's strategy need not provide energies
   std::vector<int> kept, keptRows, addedRows;                                        // numbers in the base; new rows
   for (int row = 0; row < static_cast<int>(from.size()); ++row) {
     (from[row] < 0 ? addedRows : keptRows).push_back(row);
@@ -98,12 +98,12 @@ std::unique_ptr<UpdatedInverse> UpdatedInverse::make(std::shared_ptr<const Local
   if (!change.remove(removed, kept)) return nullptr;
   if (!addedRows.empty() && !change.add(rowsAt(constraints, addedRows), *base)) return nullptr;
 
-  // As the new rows are numbered.
+  // In the order of the new rows.
   std::vector<int> place(from.size());
   for (std::size_t k = 0; k < keptRows.size(); ++k) place[keptRows[k]] = static_cast<int>(k);
   for (std::size_t k = 0; k < addedRows.size(); ++k) place[addedRows[k]] = static_cast<int>(kept.size() + k);
   const Matrix basis = columnsAt(change.basis, place);
-  // A row that follows from others has left nothing but rounding.
+  // A row that depends on others leaves only round-off.
   if (basis.cols() > 0) {
     const Matrix error = product(CblasNoTrans, constraints, basis) - Matrix::Identity(basis.cols(), basis.cols());
     if (!(error.cwiseAbs().maxCoeff() < kBasisAccuracy)) return nullptr;

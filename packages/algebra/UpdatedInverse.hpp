@@ -7,18 +7,18 @@
 
 namespace suture {
 
-/// The inverse of BDDC under other constraints than those it was made for, some rows removed, some added, as in a contact search:
+/// BDDC's inverse for modified constraints, with some rows removed and some added, as in a contact search:
 ///     P' = P + Phi_R E_RR^-1 Phi_R^T - W G^-1 W^T,   W = (P + Phi_R E_RR^-1 Phi_R^T) D^T,   G = D W,
-/// R the rows removed, D those added, E = Phi^T S Phi the energies. The removal comes first: traces with no value in the rows left are
-/// those with none in all rows and the span of Phi_R, which is S-orthogonal to them. Exact, by a product with P for each row added instead
-/// of a factorisation, and P is not touched. Low-rank updates of an inverse in general: Hager, Updating the inverse of a matrix, SIAM
-/// Review 31 (1989). Local.
+/// where R are the rows removed, D those added, and E = Phi^T S Phi the energies. Rows are removed first: the traces that vanish in the
+/// remaining rows are those that vanish in all rows plus the span of Phi_R, which is S-orthogonal to them. Exact, at the cost of one
+/// product with P per row added instead of a factorisation; P is not modified. For low-rank updates of an inverse in general see Hager,
+/// Updating the inverse of a matrix, SIAM Review 31 (1989). Local.
 class UpdatedInverse : public InverseWithBasis {
  public:
   /// \param base         an inverse under constraints
-  /// \param from         row of `base` that each new row is, or -1
+  /// \param from         for each new row, the equal row of `base`, or -1
   /// \param constraints  the new rows x trace
-  /// \return null where P' would be inaccurate: the rows left hold the trace badly or not at all, or new rows nearly follow from others
+  /// \return null if P' would be inaccurate: the remaining rows hold the trace badly or not at all, or new rows nearly depend on others
   static std::unique_ptr<UpdatedInverse> make(std::shared_ptr<const LocalInverse> base, const std::vector<int>& from,
                                               const Matrix& constraints);
 
@@ -33,8 +33,8 @@ class UpdatedInverse : public InverseWithBasis {
   mutable Vector gain_, loss_;  // work space
 };
 
-/// The inverse under other constraints: the base itself where they are the same in the same order, else UpdatedInverse::make(), with its
-/// null. Local. \param rows  number of the base's constraints;  \param from, constraints  as there
+/// The inverse for other constraints: the base itself if they are the same in the same order, else UpdatedInverse::make(), which may return
+/// null. Local. \param rows  number of the base's constraints;  \param from, constraints  as for UpdatedInverse::make()
 std::shared_ptr<const LocalInverse> inverseUnder(const std::shared_ptr<const LocalInverse>& base, int rows, const std::vector<int>& from,
                                                  const Matrix& constraints);
 

@@ -8,11 +8,11 @@
 
 namespace suture {
 
-/// A matrix that a function needs until it returns, undefined at first. A single column lies in memory that the function's thread keeps for
-/// its next call: inner loops allocate nothing, and an object serves several threads. Several columns are given back.
+/// A temporary matrix of a function, uninitialised. A single column uses memory that the function's thread keeps for its next call: inner
+/// loops allocate nothing, and an object serves several threads. Memory for several columns is freed.
 class WorkSpace {
  public:
-  /// \param kept  thread_local, of one function only: functions that it calls may use work space of their own
+  /// \param kept  thread_local and used by one function only: functions that it calls may use their own work space
   WorkSpace(Eigen::Index rows, Eigen::Index columns, std::vector<double>& kept) : values(room(rows, columns, kept), rows, columns) {}
 
  private:
@@ -26,14 +26,14 @@ class WorkSpace {
     return kept.data();
   }
 
-  std::unique_ptr<double[]> own_;  // before `values`, which lie in it or in `kept`
+  std::unique_ptr<double[]> own_;  // declared before `values`, which refer to it or to `kept`
 
  public:
   Eigen::Map<Matrix> values;
 };
 
-/// Room for so many numbers, undefined at first, until this thread's next call: for kernels, which call nothing that may take it from them.
-/// One for all objects, so that it stays in the cache.
+/// Uninitialised memory for `size` numbers, valid until this thread's next call: for kernels that call no other user of it. Shared by all
+/// objects so that it stays in the cache.
 template <typename T>
 T* kernelSpace(std::size_t size) {
   thread_local AlignedVector<T> work;

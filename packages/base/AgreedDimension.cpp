@@ -8,7 +8,7 @@ namespace suture {
 
 int agreedDimension(const Comm& comm, int mine) {
   constexpr int kUnknown = 99;
-  const int own[] = {mine, mine == 0 ? -kUnknown : -mine};  // the largest, and minus the smallest of those that know it
+  const int own[] = {mine, mine == 0 ? -kUnknown : -mine};  // maximum, and minus the minimum over the ranks that know it
   int all[] = {0, 0};
   Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, 2, own, all);
   if (all[0] > 0 && all[0] != -all[1])

@@ -5,14 +5,14 @@
 
 namespace suture {
 
-/// The dimension of the scene on all ranks: a rank that owns no subdomain cannot know it by itself, and a default there would decide on
-/// collectives in another way than the other ranks do. Collective.
+/// Returns the dimension of the scene on all ranks. A rank without subdomains does not know it, and a default on such a rank would send it
+/// into other collectives than the other ranks. Collective.
 /// \param mine  2 or 3; 0: this rank does not know
-/// \return 2 or 3, the same on all ranks; 0: none knows
-/// \throws InternalError  on all ranks, if two know different ones
+/// \return 2 or 3, the same on all ranks; 0: no rank knows
+/// \throws InternalError  on all ranks, if two ranks disagree
 int agreedDimension(const Comm& comm, int mine);
 
-/// The same of what a rank has: subdomains, or pointers to them, with a member `dimension`.
+/// The same, from subdomains, or pointers to subdomains, that have a member `dimension`.
 template <typename Meshes>
 int agreedDimensionOf(const Comm& comm, const Meshes& meshes) {
   int mine = 0;

@@ -10,8 +10,8 @@
 
 namespace suture {
 
-/// True if T has a static forEachField(object, each) that calls each(member) for its members in order: how a struct whose members are not
-/// all plain bytes is packed and unpacked.
+/// True if T has a static forEachField(object, each) that calls each(member) for its members in order. Structs with members that are not
+/// plain bytes are packed and unpacked this way.
 template <typename T, typename = void>
 struct HasFields : std::false_type {};
 struct AnyField {
@@ -21,12 +21,12 @@ struct AnyField {
 template <typename T>
 struct HasFields<T, std::void_t<decltype(T::forEachField(std::declval<T&>(), AnyField{}))>> : std::true_type {};
 
-/// True of values that travel as the bytes that they are. A struct with padding between its members needs forEachField, so that files do
-/// not hold bytes that nobody has set.
+/// True for values that are copied bytewise. A struct with padding between its members needs forEachField, because files must not contain
+/// uninitialised bytes.
 template <typename T>
 constexpr bool isPlain = std::is_trivially_copyable_v<T> && !HasFields<T>::value;
 
-/// Packs plain values, strings, vectors, maps and structs of them into bytes for a message; same order out as in.
+/// Packs plain values, strings, vectors, maps and structs of them into the bytes of a message; Unpacker reads them in the same order.
 class Packer {
  public:
   template <typename T>
@@ -58,7 +58,7 @@ class Packer {
       put(value);
     }
   }
-  /// Makes room for so many bytes in all, where they are many and known.
+  /// Reserves room for `bytes` bytes in total, if they are many and their number is known.
   void reserve(std::size_t bytes) { bytes_.reserve(bytes); }
   const std::string& bytes() const& { return bytes_; }
   std::string bytes() && { return std::move(bytes_); }  ///< without a copy: std::move(packer).bytes()
@@ -67,7 +67,7 @@ class Packer {
   std::string bytes_;
 };
 
-/// Reads the bytes of a Packer. \throws InternalError when there is less than is asked for.
+/// Reads the bytes of a Packer. \throws InternalError  when fewer bytes are left than requested.
 class Unpacker {
  public:
   explicit Unpacker(std::string bytes) : bytes_(std::move(bytes)) {}
@@ -114,9 +114,9 @@ class Unpacker {
   bool done() const { return at_ == bytes_.size(); }
 
  private:
-  /// The next `n` bytes. In a source of its own: inlined, gcc 12 takes the bytes of a short string for uninitialised.
+  /// The next `n` bytes. Defined in its own source: inlined, gcc 12 reports the bytes of a short string as uninitialised.
   const char* take(std::size_t n);
-  /// A number of things of at least `size` bytes each, checked before memory is asked for them.
+  /// Reads a number of objects of at least `size` bytes each; checked against the remaining bytes before memory is allocated.
   std::size_t takeCount(std::size_t size);
 
   std::string bytes_;

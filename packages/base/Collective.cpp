@@ -15,12 +15,12 @@
 namespace suture {
 namespace {
 
-/// MPI counts in int: longer messages go in rounds of this many bytes a rank, so that all ranks' pieces together can still be counted.
+/// MPI counts in int: longer messages are sent in rounds of this many bytes per rank, so that the sum over all ranks fits an int.
 std::size_t roundBytes(int ranks) {
   return std::min<std::size_t>(std::size_t(1) << 26, std::numeric_limits<int>::max() / static_cast<std::size_t>(ranks));
 }
 
-/// Bytes that every rank sends in one round, and their places in the round's buffer.
+/// Bytes that every rank sends in one round, and their offsets in the round's buffer.
 struct Round {
   std::vector<int> counts, places;
   int total = 0;
@@ -35,7 +35,7 @@ struct Round {
   }
 };
 
-/// An exception on its way to the other ranks.
+/// An exception to be sent to the other ranks.
 struct Failure {
   int code = 0;
   std::string message;
@@ -78,7 +78,7 @@ struct Failure {
   }
 };
 
-/// Runs `work`; true and the error if it threw.
+/// Runs `work`; returns true and the error if it threw.
 bool fails(const std::string& what, const std::function<void()>& work, Failure& failure) {
   try {
     work();
@@ -97,7 +97,7 @@ bool fails(const std::string& what, const std::function<void()>& work, Failure& 
   return true;
 }
 
-/// A plain Error with the code of an InputError has no problems of its own to show: its message is the problem.
+/// A plain Error with the code of an InputError has no list of problems: its message becomes the problem.
 void completeProblems(Failure& failure) {
   if (failure.code == static_cast<int>(ExitCode::Input) && failure.problems.empty()) failure.problems.push_back({"", failure.message});
 }
@@ -157,7 +157,7 @@ void receiveMemory(const Comm& comm, void* to, std::size_t count, int from) {
 
 namespace {
 
-// From one rank to another, the length first.
+// Sends the length, then the bytes.
 void sendBytes(const Comm& comm, const std::string& bytes, int to) {
   const unsigned long long size = bytes.size();
   MPI_Send(&size, 1, MPI_UNSIGNED_LONG_LONG, to, 0, mpiComm(comm));

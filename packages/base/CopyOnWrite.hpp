@@ -4,7 +4,7 @@
 
 namespace suture {
 
-/// A value that copies share until one of them changes it. Local; a value that threads share is only read.
+/// A value that copies share until one of them changes it. Local; a value shared between threads must only be read.
 template <typename T>
 class CopyOnWrite {
  public:
@@ -13,7 +13,7 @@ class CopyOnWrite {
 
   const T& operator*() const { return *value_; }
   const T* operator->() const { return value_.get(); }
-  /// For changes: copies the value first if others share it.
+  /// Access for changes: copies the value first if others share it.
   T& own() {
     if (value_.use_count() > 1) value_ = std::make_shared<T>(*value_);
     return *value_;

@@ -11,7 +11,7 @@ std::string lower(std::string text) {
   return text;
 }
 
-/// Edit distance in which swapping two neighbours counts once: the commonest slip of a typing hand.
+/// Edit distance in which a swap of two adjacent letters, the most common typing error, counts once.
 std::size_t editDistance(const std::string& a, const std::string& b) {
   std::vector<std::size_t> before(b.size() + 1), last(b.size() + 1), now(b.size() + 1);
   for (std::size_t j = 0; j <= b.size(); ++j) last[j] = j;
@@ -34,13 +34,13 @@ bool endsWith(const std::string& text, const std::string& end) {
   return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
 
-// A text that was cut before stays as it is: a message may pass through several errors.
+// A text that is already cut stays as it is: a message may pass through several errors.
 std::string cut(const std::string& text, std::size_t most) {
   if (text.size() <= most || (text.size() <= most + 3 && endsWith(text, "...")) ||
       (text.size() <= most + 40 && endsWith(text, " characters)")))
     return text;
   std::size_t end = most;
-  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;  // not inside a letter of UTF-8
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;  // not inside a UTF-8 character
   return text.substr(0, end) + "... (" + std::to_string(text.size()) + " characters)";
 }
 
@@ -79,7 +79,7 @@ std::string shortened(const std::string& message) {
       ++i;
       continue;
     }
-    // A text in quotes begins behind a blank or a bracket; an apostrophe within a word begins none.
+    // A quotation begins after a blank or a bracket; an apostrophe within a word does not begin one.
     const bool opens = c == '\'' && (i == 0 || std::isspace(static_cast<unsigned char>(message[i - 1])) || message[i - 1] == '(');
     const std::size_t close = opens ? message.find('\'', i + 1) : std::string::npos;
     if (close != std::string::npos) {
@@ -102,7 +102,7 @@ std::string nearestName(const std::string& name, const std::vector<std::string>&
   const std::string wanted = lower(name);
   if (wanted.empty()) return "";
   std::string nearest;
-  std::size_t least = std::max<std::size_t>(1, wanted.size() / 3) + 1;  // one letter in three may be wrong, not more
+  std::size_t least = std::max<std::size_t>(1, wanted.size() / 3) + 1;  // at most one letter in three may be wrong
   for (const std::string& candidate : candidates) {
     const std::size_t distance = editDistance(wanted, lower(candidate));
     if (distance < least) {
@@ -111,7 +111,7 @@ std::string nearestName(const std::string& name, const std::vector<std::string>&
     }
   }
   if (!nearest.empty() || wanted.size() < 3) return nearest;
-  // "Young" is far from "Young Modulus" in letters, yet surely meant.
+  // "Young" is far from "Young Modulus" in edit distance but clearly meant.
   for (const std::string& candidate : candidates) {
     if (lower(candidate).compare(0, wanted.size(), wanted) == 0) return candidate;
   }

@@ -5,11 +5,11 @@
 
 namespace suture {
 
-/// Exit code of a program that meets the error; the contract with users' scripts.
+/// Exit code of a program that stops with the error. Users' scripts rely on these values.
 enum class ExitCode : int { Done = 0, CommandLine = 2, Input = 3, Numerical = 4, Environment = 5, Internal = 70, Stopped = 75 };
 
-/// A message for people: a word, or a text between single quotes, of more than 200 characters is cut, and says how long it was; so is a
-/// line of more than 4000. Every Error passes its message through here. Local.
+/// Shortens a message for people: a word or single-quoted text of more than 200 characters is cut and its length noted; so is a line of
+/// more than 4000. Every Error passes its message through here. Local.
 std::string shortened(const std::string& message);
 
 /// Base of all errors of Suture. The library throws; only drivers print and exit.
@@ -22,13 +22,13 @@ class Error : public std::runtime_error {
   ExitCode code_;
 };
 
-/// One thing wrong with the input: where (path in the scene file, or the file itself) and the value found against the one expected.
+/// One problem of the input: where (path in the scene file, or the file itself) and the value found against the one expected.
 struct Problem {
   std::string path;
   std::string message;
 };
 
-/// Everything that is wrong with a scene, its mesh or its groups: all problems at once.
+/// All problems of a scene, its mesh or its groups, reported together.
 class InputError : public Error {
  public:
   explicit InputError(std::vector<Problem> problems);
@@ -45,32 +45,32 @@ class CommandLineError : public Error {
   explicit CommandLineError(const std::string& message) : Error(ExitCode::CommandLine, message) {}
 };
 
-/// Not converged, breakdown, singular where it must not be.
+/// No convergence, a breakdown, or an unexpectedly singular matrix.
 class NumericalError : public Error {
  public:
   explicit NumericalError(const std::string& message) : Error(ExitCode::Numerical, message) {}
 };
 
-/// The machine: no memory, an unwritable folder, a library without a feature.
+/// A problem of the machine: no memory, an unwritable folder, a library without a feature.
 class EnvironmentError : public Error {
  public:
   explicit EnvironmentError(const std::string& message) : Error(ExitCode::Environment, message) {}
 };
 
-/// A bug of ours: a condition that the code itself should guarantee.
+/// A bug in Suture: a condition that the code itself should guarantee does not hold.
 class InternalError : public Error {
  public:
   explicit InternalError(const std::string& message) : Error(ExitCode::Internal, message) {}
 };
 
-/// Collects problems so that the user sees all of them at once.
+/// Collects problems so that the user sees all of them together.
 class Problems {
  public:
   void add(const std::string& path, const std::string& message) { list_.push_back({path, message}); }
   void add(const InputError& error) { list_.insert(list_.end(), error.problems().begin(), error.problems().end()); }
   bool empty() const { return list_.empty(); }
   const std::vector<Problem>& list() const { return list_; }
-  /// \throws InputError  with all of them, if there are any.
+  /// \throws InputError  with all problems, if there are any.
   void throwIfAny() const {
     if (!list_.empty()) throw InputError(list_);
   }
@@ -79,10 +79,10 @@ class Problems {
   std::vector<Problem> list_;
 };
 
-/// The candidate nearest to `name` (edit distance, case ignored), or "" if none is close enough to be meant.
+/// The candidate nearest to `name` (edit distance, case ignored), or "" if none is close enough.
 std::string nearestName(const std::string& name, const std::vector<std::string>& candidates);
 
-/// " Did you mean 'x'? Known here: a, b, c": the text after the full stop of any unknown name. Candidates are listed sorted.
+/// " Did you mean 'x'? Known here: a, b, c": appended to the message about an unknown name. Candidates are listed sorted.
 std::string suggestion(const std::string& name, std::vector<std::string> candidates);
 
 /// "no such <kind> 'name'. Did you mean 'x'? Known here: a, b, c": the sentence for every unknown name.

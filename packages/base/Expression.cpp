@@ -31,7 +31,7 @@ std::vector<std::string> namesOf(const Map& map) {
 
 double zero(const double*, int) { return 0.0; }
 
-// By Constants::dimension: variables, formulas in them, their values.
+// Indexed by Constants::dimension: variables, formulas in them, their values.
 const std::string kVariables[] = {"", "t", "xy", "xyz"};
 const char* const kFormula[] = {"", "t, such as min(t, 1)", "x and y, such as 0.1 * x^2 + sin(pi * y)",
                                 "x, y and z, such as 0.1 * x^2 + z"};
@@ -40,14 +40,14 @@ const char* const kPlace[] = {"", "t = %.10g", "(x, y) = (%.10g, %.10g)", "(x, y
 }  // namespace
 
 struct Expression::Compiled {
-  /// A function of the user that this one uses, and where the parser looks for its value.
+  /// A user's function that this one uses, and the storage from which the parser reads its value.
   struct Used {
     std::shared_ptr<const Compiled> function;
     mutable double value = 0.0;
   };
 
-  mutable Point place{0, 0, 0};  // variables that the parser reads: hence never copied
-  const int dimension;           // number of these that expressions know
+  mutable Point place{0, 0, 0};  // variables: the parser holds pointers to them, so the object is never copied
+  const int dimension;           // number of variables, or components of `place`
   std::map<std::string, Used> used;
   mu::Parser parser;
   std::string text, path;
@@ -75,13 +75,13 @@ struct Expression::Compiled {
     }
   }
 
-  /// May be nan or infinite: a function that is not defined somewhere may not be needed there.
+  /// May be nan or infinite: a function need not be defined at points where it is not used.
   double at(const Point& point) const {
     place = point;
     for (const auto& entry : used) entry.second.value = entry.second.function->at(point);
     try {
       return parser.Eval();
-    } catch (const mu::ParserError&) {  // a muParser built to throw where a function is not defined
+    } catch (const mu::ParserError&) {  // some builds of muParser throw where a function is undefined
       return std::nan("");
     }
   }
@@ -90,7 +90,7 @@ struct Expression::Compiled {
  private:
   [[noreturn]] void fail(const std::string& what) const { throw InputError(path, "'" + text + "': " + what); }
 
-  // An unknown name is given a meaning, so that the next one is found, too.
+  // Each unknown name is defined as a dummy, so that the remaining unknown names are found, too.
   void compile() {
     const std::vector<std::string> known[] = {namesOf(parser.GetVar()), namesOf(parser.GetConst()), namesOf(parser.GetFunDef())};
     std::vector<std::string> all;
@@ -105,7 +105,7 @@ struct Expression::Compiled {
         const std::string token = error.GetToken();
         if (error.GetCode() != mu::ecUNASSIGNABLE_TOKEN || !isName(token)) fail(syntax(error));
         if (parser.GetFunDef().count(token)) fail("the function " + token + " needs its arguments in parentheses");
-        const std::string nearest = token.size() > 1 ? nearestName(token, all) : "";  // any letter is near any other
+        const std::string nearest = token.size() > 1 ? nearestName(token, all) : "";  // any letter is close to any other
         unknown += (unknown.empty() ? "" : ", ") + ("'" + token + "'") + (nearest.empty() ? "" : " (did you mean '" + nearest + "'?)");
         const std::size_t next = text.find_first_not_of(' ', error.GetPos() + token.size());
         if (next != std::string::npos && text[next] == '(')
@@ -119,7 +119,7 @@ struct Expression::Compiled {
     if (parser.GetNumResults() != 1) fail("has " + std::to_string(parser.GetNumResults()) + " values separated by commas, expected one");
   }
 
-  // muParser would set the variable.
+  // muParser would assign to the variable.
   void refuseAssignment() const {
     for (std::size_t i = 0; i < text.size(); ++i) {
       if (text[i] != '=') continue;
@@ -132,7 +132,7 @@ struct Expression::Compiled {
     const std::size_t position = error.GetPos() < 0 ? text.size() : std::min<std::size_t>(error.GetPos(), text.size());
     const std::string rest = position < text.size() ? " ('" + text.substr(position) + "')" : " (the end)";
     std::string why = error.GetMsg();
-    const std::size_t place = std::min(why.find(" found at position"), why.find(" at "));  // counted from 0: ours is from 1
+    const std::size_t place = std::min(why.find(" found at position"), why.find(" at "));  // counted from 0; our message counts from 1
     if (place != std::string::npos) why.resize(place);
     return (text.empty() ? "is empty" : "not an expression at character " + std::to_string(position + 1) + rest + ": " + why) +
            "; expected a formula in " + kFormula[dimension];
@@ -168,14 +168,13 @@ std::vector<std::string> Expression::functions() { return namesOf(mu::Parser().G
 std::string Expression::libraryVersion() { return mu::Parser().GetVersion(mu::pviBRIEF); }
 
 Schema constantsSchema() {
-  return Schema("Numbers for the expressions of this scene, named by the user. pi is known without.")
+  return Schema("Numbers for the expressions of this scene, named by the user. pi is predefined.")
       .eachReal("constant", "value of the name in every expression");
 }
 
 Schema functionsSchema() {
-  return Schema("Functions of x and y (in space also z) for expressions, named by the user: r = sqrt(x^2 + y^2), or mu = E/(2*(1 + nu)).")
-      .eachText("function",
-                "an expression, in which Constants and the functions above it are known; its name stands for its value in others");
+  return Schema("Functions of x and y (in 3D also z) for expressions, named by the user: r = sqrt(x^2 + y^2), or mu = E/(2*(1 + nu)).")
+      .eachText("function", "an expression, which may use Constants and the functions above it; other expressions may use its name");
 }
 
 namespace {
@@ -183,10 +182,10 @@ namespace {
 bool isUsable(const Parameters& list, const std::string& name, const Constants& before, Problems& problems) {
   static const mu::Parser standard;
   if (!isName(name))
-    problems.add(pathOf(list, name), "'" + name + "' cannot stand in an expression: expected letters, digits and _, a letter first");
+    problems.add(pathOf(list, name), "'" + name + "' cannot be used in an expression: expected letters, digits and _, a letter first");
   else if (name == "x" || name == "y" || (name == "z" && before.dimension == 3) || name == "pi" || standard.GetFunDef().count(name) ||
            before.has(name))
-    problems.add(pathOf(list, name), "'" + name + "' has its meaning in expressions already: choose another name");
+    problems.add(pathOf(list, name), "'" + name + "' already has a meaning in expressions: choose another name");
   else
     return true;
   return false;

@@ -15,21 +15,21 @@ class Schema;
 
 struct Constants;
 
-/// A function of the point (x, y), in space (x, y, z), from a text such as "A * sqrt(x^2 + y^2)": operators + - * / ^ (-x^2 is -(x^2)),
-/// comparisons, && ||, c ? a : b, the functions of muParser (sin, atan2, sqrt, exp, ln, abs, min, ...), the constants given, and pi.
+/// A function of the point (x, y), in 3D (x, y, z), from a text such as "A * sqrt(x^2 + y^2)": operators + - * / ^ (-x^2 is -(x^2)),
+/// comparisons, && ||, c ? a : b, the functions of muParser (sin, atan2, sqrt, exp, ln, abs, min, ...), the given constants, and pi.
 ///
-/// Read once, then a byte code: an evaluation costs about as much as its operations and allocates nothing. Copies share it. Not to be
-/// evaluated from two threads at once.
+/// The text is compiled once to byte code: an evaluation costs about as much as its operations and allocates nothing. Copies share the
+/// byte code. Must not be evaluated by two threads at once.
 class Expression {
  public:
   /// \param path  parameter that holds the text, for messages
-  /// \throws InputError  all unknown names (nearest; those known), or where the text is not an expression. Local.
+  /// \throws InputError  all unknown names (with nearest and known names), or where the syntax is wrong. Local.
   Expression(const std::string& text, const Constants& constants, const std::string& path = "");
   explicit Expression(const std::string& text);
-  /// A function of a program in place of a text; not to be named in Constants.
+  /// A C++ function in place of a text; must not be used in Constants.
   explicit Expression(std::function<double(const Point&)> function);
 
-  /// \throws InputError  when the value is not finite: which expression, at which point. Local.
+  /// \throws InputError  if the value is not finite; names expression and point. Local.
   double at(const Point& point) const;
 
   const std::string& text() const;
@@ -43,11 +43,11 @@ class Expression {
   std::function<double(const Point&)> function_;
 };
 
-/// Constants and functions that the user named for the expressions of the scene.
+/// User-defined constants and functions for the expressions of the scene.
 struct Constants {
   std::map<std::string, double> numbers;
-  std::map<std::string, Expression> functions;  ///< functions of the place: in another expression the name stands for its value there
-  int dimension = 2;                            ///< in space expressions know z; 1: a time t and no place
+  std::map<std::string, Expression> functions;  ///< functions of the point: in another expression the name is the value there
+  int dimension = 2;                            ///< 3: expressions know z; 1: a time t and no coordinates
 
   Constants() = default;
   Constants(std::initializer_list<std::pair<const std::string, double>> numbers) : numbers(numbers) {}
@@ -58,17 +58,17 @@ struct Constants {
 Schema constantsSchema();
 Schema functionsSchema();
 
-/// The numbers of a list `Constants`. \param problems  gets names that an expression cannot use or that mean something else there. Local.
+/// The numbers of a list `Constants`. \param problems  gets names that an expression cannot use or that are already taken there. Local.
 Constants readConstants(const Parameters& list, Problems& problems, int dimension = 2);
 
-/// Adds the functions of a list `Functions`, each of which knows those above it. \param problems  the same, and unreadable ones. Local.
+/// Adds the functions of a list `Functions`; each may use those above it. \param problems  as above, and invalid expressions. Local.
 void readFunctions(const Parameters& list, Constants& constants, Problems& problems);
 
-/// Constants and Functions of a whole scene, if it has such lists, and its dimension, three where its `Model` is Solid. \throws InputError
-/// all of those problems. Local.
+/// Constants and Functions of a whole scene, if it has such lists, and its dimension (3 if its `Model` is Solid). \throws InputError with
+/// all of these problems. Local.
 Constants sceneConstants(const Parameters& scene);
 
-/// The expression in a text parameter of a list; nothing if the parameter is not there or (`problems` then knows) is no expression. Local.
+/// The expression in a text parameter of a list; nothing if the parameter is absent or invalid (then added to `problems`). Local.
 std::optional<Expression> readExpression(const Parameters& list, const std::string& parameter, const Constants& constants,
                                          Problems& problems);
 

@@ -6,7 +6,7 @@
 
 namespace suture {
 
-/// The vectors in messages that Packer made, one after the other. Local.
+/// Concatenates the vectors in messages made by Packer. Local.
 template <typename T>
 std::vector<T> joined(const std::vector<std::string>& messages) {
   std::vector<T> all;
@@ -15,7 +15,7 @@ std::vector<T> joined(const std::vector<std::string>& messages) {
   return all;
 }
 
-/// The values of all ranks one after the other on rank 0, in the order of ranks; nothing elsewhere. Collective.
+/// Concatenates the values of all ranks on rank 0, in the order of ranks; empty elsewhere. Collective.
 template <typename T>
 std::vector<T> joinOnRoot(const Comm& comm, const std::vector<T>& mine) {
   Packer packer;
@@ -31,7 +31,7 @@ std::vector<T> joinEverywhere(const Comm& comm, const std::vector<T>& mine) {
   return joined<T>(allGather(comm, packer.bytes()));
 }
 
-/// The values of a vector to another rank, which has room for as many and calls receive(). Without a copy: for long ones.
+/// Sends the values of a vector to another rank, which calls receive() with a vector of the same size. Without a copy, for long vectors.
 template <typename T>
 void send(const Comm& comm, const std::vector<T>& values, int to) {
   static_assert(std::is_trivially_copyable_v<T>);

@@ -32,7 +32,7 @@ double availableMegabytes() {
   std::ifstream file("/proc/meminfo");
   for (std::string line; std::getline(file, line);)
     if (line.compare(0, 13, "MemAvailable:") == 0) available = std::stod(line.substr(13)) / 1024;
-  // Control groups of version 2 and 1, as containers see them.
+  // Control groups of versions 2 and 1, as seen from inside a container.
   const double limits[] = {
       numberIn("/sys/fs/cgroup/memory.max") - numberIn("/sys/fs/cgroup/memory.current"),
       numberIn("/sys/fs/cgroup/memory/memory.limit_in_bytes") - numberIn("/sys/fs/cgroup/memory/memory.usage_in_bytes")};
@@ -44,7 +44,7 @@ double availableMegabytes() {
 double addressSpaceLeft() {
   rlimit limit{};
   if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return infinite;
-  double pages = numberIn("/proc/self/statm");  // the first number: all of the address space
+  double pages = numberIn("/proc/self/statm");  // the first number: total address space
   if (!std::isfinite(pages)) pages = 0.0;
   const double taken = pages * static_cast<double>(sysconf(_SC_PAGESIZE));
   return std::max(0.0, static_cast<double>(limit.rlim_cur) - taken) / megabyte;
@@ -53,7 +53,7 @@ double addressSpaceLeft() {
 void mustFit(double megabytes, const std::string& what) {
   const double have = std::min(availableMegabytes(), addressSpaceLeft());
   if (!(megabytes <= have))
-    throw EnvironmentError(what + " needs about " + gigabytes(megabytes) + " of memory; there are " + gigabytes(have) + " left");
+    throw EnvironmentError(what + " needs about " + gigabytes(megabytes) + " of memory; only " + gigabytes(have) + " is available");
 }
 
 std::string gigabytes(double megabytes) {

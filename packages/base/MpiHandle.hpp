@@ -4,8 +4,8 @@
 
 namespace suture {
 
-/// The MPI communicator inside a Teuchos one; that of this process alone when there is no MPI inside (Teuchos::SerialComm). Local.
-/// Only for sources that call MPI or a library that wants a communicator.
+/// The MPI communicator inside a Teuchos one; MPI_COMM_SELF if there is none inside (Teuchos::SerialComm). Local. Only for sources that
+/// call MPI or a library that takes an MPI communicator.
 MPI_Comm mpiComm(const Comm& comm);
 
 }  // namespace suture

@@ -9,7 +9,7 @@ namespace {
 template <typename T>
 std::optional<T> parseWhole(const std::string& raw) {
   std::string text = trimmed(raw);
-  if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.erase(0, 1);  // from_chars takes no plus sign, people do write one
+  if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.erase(0, 1);  // from_chars accepts no plus sign
   T value{};
   const char* end = text.data() + text.size();
   const auto [stopped, error] = std::from_chars(text.data(), end, value);
@@ -21,7 +21,7 @@ std::optional<T> parseWhole(const std::string& raw) {
 
 std::optional<double> parseReal(const std::string& text) {
   const std::optional<double> value = parseWhole<double>(text);
-  if (value && !std::isfinite(*value)) return std::nullopt;  // from_chars knows "nan" and "inf"
+  if (value && !std::isfinite(*value)) return std::nullopt;  // from_chars accepts "nan" and "inf"
   return value;
 }
 

@@ -34,7 +34,7 @@ Progress::Step::Step(const std::string& name) {
   if (!watched) return;
   watched->change([&](State& state) {
     state.step = name;
-    if (state.residual < 0.0) state.done = state.total = 0;  // within an iteration, that is what counts
+    if (state.residual < 0.0) state.done = state.total = 0;  // within an iteration, the counts are those of the iteration
   });
 }
 

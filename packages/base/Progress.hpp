@@ -4,23 +4,23 @@
 
 namespace suture {
 
-/// Where a run is, for another thread that tells its user: the phase, the step within it, how much of it is done. The program that wants to
-/// know makes one and watches; the library tells whoever watches the thread it runs on. Nobody watching costs one look at a pointer.
+/// State of a run (phase, step within it, how much is done) for another thread that reports it to the user. The program makes an object and
+/// watches a thread; the library reports to the object that watches the current thread. Without a watch, this costs one pointer test.
 class Progress {
  public:
   /// Plain.
   struct State {
     std::string phase, step;  ///< "factor", "factoring the subdomains"; empty: none
-    double since = 0.0;       ///< begin of the phase, by Timers::now() [s]
-    std::string unit;         ///< counted things: "subdomains"
-    long done = 0;            ///< number of things done, or of iterations
-    long total = 0;           ///< number of things to do; zero: not known
-    double residual = -1.0;   ///< residual of the last iteration, relative to the start; negative: none runs
-    double tolerance = 0.0;   ///< residual at which the iterations end
+    double since = 0.0;       ///< start of the phase, by Timers::now() [s]
+    std::string unit;         ///< the objects counted: "subdomains"
+    long done = 0;            ///< objects or iterations done
+    long total = 0;           ///< objects in total; zero: unknown
+    double residual = -1.0;   ///< residual of the last iteration, relative to the start; negative: no solver runs
+    double tolerance = 0.0;   ///< residual at which the iterations stop
   };
   State state() const;
 
-  /// Watches the thread that made it while it lives: what this thread does is told to `progress`.
+  /// While it exists, `progress` receives what the thread that made this object does.
   class Watch {
    public:
     explicit Watch(Progress& progress);
@@ -34,14 +34,14 @@ class Progress {
 
   /// Begins a phase; empty: ends it.
   static void phase(const std::string& name);
-  /// A step of the phase, while it lives.
+  /// A step of the phase, while the object exists.
   struct Step {
     explicit Step(const std::string& name);
     ~Step();
     Step(const Step&) = delete;
     Step& operator=(const Step&) = delete;
   };
-  /// Counts one more of `total` things.
+  /// Counts one more of `total` objects.
   static void count(const char* unit, long total);
   /// Counts an iteration.
   static void iteration(long number, double residual, double tolerance);

@@ -10,8 +10,8 @@
 
 namespace suture {
 
-/// Maker of the strategies of a kind: takes the parameters of their own sublist; a kind that needs more before them says so by a
-/// `Base::Maker` of its own.
+/// Maker of the strategies of one kind: takes the parameters of the strategy's own sublist. A kind that needs further arguments
+/// before them defines `Base::Maker`.
 template <typename Base, typename = void>
 struct MakerOf {
   using Type = std::function<std::unique_ptr<Base>(const Parameters&)>;
@@ -21,11 +21,11 @@ struct MakerOf<Base, std::void_t<typename Base::Maker>> {
   using Type = typename Base::Maker;
 };
 
-/// Open table of the strategies of one kind: name -> how to make it, and the schema of its own parameters. A user's shared library adds
-/// its own from a static object:
+/// Open table of the strategies of one kind: name -> maker and schema of the strategy's parameters. A user's shared library adds a strategy
+/// by a static object:
 ///     static const suture::Registration<suture::Weighting> mine("Mine", schema, [](const Parameters& p) { return ...; });
-/// `Base::kind()` names the kind in messages ("weighting"). Our own strategies are added by `registerBuiltIns` of their package, which
-/// the table calls when it is first used, so that no linker drops them.
+/// `Base::kind()` names the kind in messages ("weighting"). Built-in strategies are added by `registerBuiltIns` of their package, which
+/// the table calls at its first use, so no linker drops them.
 template <typename Base>
 class Registry {
  public:
@@ -38,8 +38,8 @@ class Registry {
     return registry;
   }
 
-  /// \param schema  of its parameters; a function where they name further strategies, which may come later. \throws InternalError  if the
-  /// name is taken
+  /// \param schema  of the strategy's parameters; a function, because they may name strategies that are registered later.
+  /// \throws InternalError  if the name is taken
   void add(const std::string& name, std::function<Schema()> schema, Maker maker) {
     if (!entries_.emplace(name, Entry{std::move(schema), std::move(maker)}).second)
       throw InternalError(std::string("two strategies of the kind '") + Base::kind() + "' are named '" + name + "'");
@@ -51,8 +51,8 @@ class Registry {
 
   bool has(const std::string& name) const { return entries_.count(name) > 0; }
 
-  /// \param inputs  what the maker takes, the parameters of the strategy's own sublist last
-  /// \throws InputError  for an unknown name, with the nearest and all known ones.
+  /// \param inputs  arguments of the maker; the last is the strategy's own sublist
+  /// \throws InputError  for an unknown name, with the nearest and all known names.
   template <typename... Inputs>
   std::unique_ptr<Base> make(const std::string& name, const Inputs&... inputs) const {
     const auto found = entries_.find(name);
@@ -82,14 +82,14 @@ class Registry {
   std::map<std::string, Entry> entries_;
 };
 
-/// The strategy that a resolved list names: the value of `parameter`, with the sublist of that name as its own parameters.
+/// Makes the strategy that a resolved list names: the value of `parameter`, with the sublist of that name as its parameters.
 template <typename Base, typename List = Parameters, typename... Inputs>
 std::unique_ptr<Base> makeStrategy(const List& list, const std::string& parameter, const Inputs&... inputs) {
   const auto name = list.template get<std::string>(parameter);
   return Registry<Base>::instance().make(name, inputs..., list.isSublist(name) ? list.sublist(name) : List());
 }
 
-/// Adds a strategy while the program or a plugin is loaded.
+/// Registers a strategy when the program or a plugin is loaded.
 template <typename Base>
 struct Registration {
   Registration(const std::string& name, const Schema& schema, typename Registry<Base>::Maker maker) {

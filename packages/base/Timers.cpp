@@ -47,7 +47,7 @@ std::vector<Timers::Statistics> Timers::statistics(const Comm& comm) const {
     packer.put(phase);
     packer.put(seconds(phase));
   }
-  // Phases in the order of the first rank that knows them. A few dozen numbers a rank: every rank adds them up itself.
+  // Phases in the order of the first rank that has them. Every rank computes the statistics itself: a few dozen numbers per rank.
   std::vector<std::string> phases;
   std::map<std::string, std::vector<double>> byPhase;
   for (const std::string& bytes : allGather(comm, packer.bytes())) {
@@ -61,7 +61,7 @@ std::vector<Timers::Statistics> Timers::statistics(const Comm& comm) const {
   std::vector<Statistics> all;
   for (const std::string& phase : phases) {
     std::vector<double>& values = byPhase[phase];
-    values.resize(comm.getSize(), 0.0);  // ranks that never entered it
+    values.resize(comm.getSize(), 0.0);  // ranks that never entered the phase
     const auto [least, most] = std::minmax_element(values.begin(), values.end());
     all.push_back({phase, *least, std::accumulate(values.begin(), values.end(), 0.0) / comm.getSize(), *most});
   }
@@ -71,7 +71,7 @@ std::vector<Timers::Statistics> Timers::statistics(const Comm& comm) const {
 double Timers::now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 double peakMemoryMb() {
-  // getrusage's ru_maxrss is inherited over exec from mpirun: the kernel's VmHWM is that of this program.
+  // ru_maxrss of getrusage is inherited over exec from mpirun; the kernel's VmHWM is that of this program.
   std::ifstream status("/proc/self/status");
   for (std::string line; std::getline(status, line);) {
     if (line.compare(0, 6, "VmHWM:") == 0) return std::stod(line.substr(6)) / 1024.0;
@@ -88,7 +88,7 @@ void giveBackFreedMemory() {
 }
 
 bool resetPeakMemory() {
-  giveBackFreedMemory();  // free memory that is kept would count as resident
+  giveBackFreedMemory();  // freed memory that malloc retains would count as resident
   std::ofstream request("/proc/self/clear_refs");
   request << "5" << std::flush;  // proc(5): resets the peak resident set size
   return request.good();

@@ -7,7 +7,8 @@
 
 namespace suture {
 
-/// Wall time of the named phases of a run, in the order in which they first began. One object a run, handed down; no global state.
+/// Wall time of the named phases of a run, in the order in which they first began. One object per run, passed as an argument; no global
+/// state.
 class Timers {
  public:
   /// Adds the time between construction and destruction to a phase; phases do not nest.
@@ -31,11 +32,11 @@ class Timers {
 
   void add(const std::string& phase, double seconds);
   double seconds(const std::string& phase) const;
-  /// Seconds since the object was made.
+  /// Seconds since construction.
   double total() const;
   Timers();
 
-  /// Over all ranks, the same on every rank; a rank that never entered a phase counts 0 there. Collective.
+  /// Statistics over all ranks, the same on every rank; a rank that never entered a phase counts as 0. Collective.
   std::vector<Statistics> statistics(const Comm& comm) const;
 
   /// Seconds of a monotonic clock.
@@ -47,23 +48,23 @@ class Timers {
   std::map<std::string, double> seconds_;
 };
 
-/// The result of `make`; the time it takes is added to a phase.
+/// Returns the result of `make` and adds its time to a phase.
 template <typename Make>
 auto timed(Timers& timers, const std::string& phase, const Make& make) {
   const Timers::Scope scope(timers, phase);
   return make();
 }
 
-/// Resident memory's high water mark of this process [MB of 1024 kB].
+/// High-water mark of this process's resident memory [MB of 1024 kB].
 double peakMemoryMb();
 
-/// Gives freed memory that malloc keeps back to the system: before a file is written, whose pages it can hold. Where the host of a virtual
-/// machine has taken back what it thought unused, other pages cost more than writing to them. Phase write at 1M unknowns on such a
+/// Returns freed memory that malloc retains to the system, before a file is written, so that its pages serve for the file. Where the host
+/// of a virtual machine has taken back unused memory, fresh pages cost more than writing to them. Phase write at 1M unknowns on such a
 /// machine, without and with, medians of 4 and 5: tunnel on two ranks 0.40 and 0.25 s, on one 0.51 and 0.47; hertz 0.19 and 0.26, 0.87 and
 /// 0.45. Local.
 void giveBackFreedMemory();
 
-/// Lets the high water mark fall to the memory resident now, for programs that run several scenes. False where the system does not let it.
+/// Resets the high-water mark to the memory resident now, for programs that run several scenes. False if the system does not support it.
 bool resetPeakMemory();
 
 }  // namespace suture

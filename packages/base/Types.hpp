@@ -17,10 +17,10 @@ namespace suture {
 
 using Comm = Teuchos::Comm<int>;
 using CommPtr = Teuchos::RCP<const Comm>;
-using Parameters = Teuchos::ParameterList;  ///< validated and with all defaults filled in; see base/SceneReader.hpp
+using Parameters = Teuchos::ParameterList;  ///< validated and with all defaults filled in; see base/scene/SceneReader.hpp
 using GlobalId = long long;
 
-/// Small dense work is Eigen's. Columns of a Matrix are right-hand sides.
+/// Small dense algebra uses Eigen. The columns of a Matrix are right-hand sides.
 using Vector = Eigen::VectorXd;
 using Matrix = Eigen::MatrixXd;
 using LocalView = Eigen::Ref<Matrix>;
@@ -29,7 +29,7 @@ using ConstLocalView = Eigen::Ref<const Matrix>;
 /// A point or direction; the third component is zero in 2D.
 using Point = std::array<double, 3>;
 
-/// A view of contiguous objects that someone else owns (std::span of C++20, as far as it is needed).
+/// A view of contiguous objects owned elsewhere (the needed part of C++20's std::span).
 template <typename T>
 class Span {
  public:

@@ -14,14 +14,14 @@ namespace suture {
 
 namespace {
 
-constexpr double kLeastJacobian = 1e-12;  // relative to the element's own size; a sliver of aspect ratio 1e8 still passes
+constexpr double kLeastJacobian = 1e-12;  // relative to the element's own size; a sliver of aspect ratio 1e8 is accepted
 
-/// Part of the largest size that an element of this diameter can have.
+/// Smallest accepted Jacobian determinant of an element of this diameter.
 double smallest(const Mesh& mesh, double diameter) { return kLeastJacobian * std::pow(diameter, mesh.dimension); }
 
-// The columns of the Jacobian in space are means of the edges along each direction, with weights that add up to one, and for curved edges
-// terms with the distances of middle nodes from the middles. Where the edges of each direction are nearly equal, no column is far from
-// their mean, and neither is the determinant. A million straight-sided hexahedra take .3 s instead of 4.
+// The columns of the Jacobian in 3D are weighted means of the edges along each direction, with weights that add up to one, plus, for curved
+// edges, terms with the distances of mid-edge nodes from the straight edges' middles. If the edges of each direction are nearly equal, each
+// column is close to their mean, and so is the determinant. A million straight-sided hexahedra take .3 s instead of 4.
 bool isSurelySound(const Mesh& mesh, int e) {
   const Cell cell = mesh.cells[e];
   const CellInfo& info = cellInfo(cell);
@@ -45,21 +45,22 @@ bool isSurelySound(const Mesh& mesh, int e) {
     for (std::size_t i = 0; i < edges.size(); ++i) away[k] = std::max(away[k], norm(minus(all[i], mean[k])));
     diameter += norm(mean[k]) + away[k];
   }
-  for (int i = info.vertices; i < info.nodes; ++i) {  // where straight sides have it
+  for (int i = info.vertices; i < info.nodes; ++i) {  // position in the element with straight sides
     Point straight{0, 0, 0};
     const ReferencePoint place = referencePoint(cell, i);
     const Cell linear = simplex ? Cell::Tetrahedron4 : Cell::Hexahedron8;
     for (int v = 0; v < info.vertices; ++v) straight = plus(straight, scaled(shapeFunction(linear, v, place), mesh.point(nodes[v])));
     bow += norm(minus(mesh.point(nodes[i]), straight));
   }
-  const double most = 4.0 * bow;  // 4 bounds the gradient of a function of a middle node; in cubes it is 2, of columns of half an edge
+  const double most =
+      4.0 * bow;  // 4 bounds the gradient of a mid-edge shape function; in cubes the bound is 2, for columns of half an edge
   double bound = 1, whole = 1;
   for (int k = 0; k < 3; ++k) bound *= norm(mean[k]) + away[k] + most, whole *= norm(mean[k]);
   return dot(mean[0], cross(mean[1], mean[2])) - (bound - whole) > 8 * kLeastJacobian * std::pow(diameter, 3);
 }
 
-// Most elements of most large meshes, without a call: the determinant of a bilinear map is least in a corner, where it is a quarter of the
-// product of the two edges. 935,000 triangles or 500,000 quadrilaterals take about 0.03 s instead of 0.1 and 0.25 s.
+// Accepts most elements of most large meshes without a call: the determinant of a bilinear map is smallest at a corner, where it is a
+// quarter of the product of the two edges. 935,000 triangles or 500,000 quadrilaterals take about 0.03 s instead of 0.1 and 0.25 s.
 bool isSound(const Mesh& mesh, int e) {
   const Cell cell = mesh.cells[e];
   if (mesh.dimension == 3) return isSurelySound(mesh, e);
@@ -114,7 +115,7 @@ void checkShapes(const Mesh& mesh, Problems& problems) {
                                           : "everywhere: its vertices are too far from those of a convex cell"));
 }
 
-// Nodes of no element. There are none where every node has a body; one without may still be of an element that has none either.
+// Reports nodes of no element. If every node has a body there are none; a node without a body may still belong to an element without one.
 void checkNodes(const Mesh& mesh, Problems& problems) {
   if (std::find(mesh.bodyOfNode.begin(), mesh.bodyOfNode.end(), -1) == mesh.bodyOfNode.end()) return;
   std::vector<char> used(mesh.nodes(), 0);
@@ -153,7 +154,7 @@ void assignBodies(Mesh& mesh, const std::vector<std::string>& names) {
                                                 " also in the body '" + names[other] + "'; an element belongs to one body");
   }
 
-  // With a body missing, its elements and nodes would only repeat that error.
+  // If a body is missing, its elements and nodes would only repeat that error.
   if (allKnown) {
     std::vector<int> homeless;
     std::map<std::pair<int, int>, std::vector<int>> shared;  // bodies -> nodes
@@ -183,7 +184,7 @@ void assignBodies(Mesh& mesh, const std::vector<std::string>& names) {
       problems.add("Bodies/" + names[pair.first],
                    "shares " + countAt(nodes.size(), "node", placeText(mesh.point(nodes[0]), mesh.dimension)) + " with the body '" +
                        names[pair.second] +
-                       "'; bodies share no nodes: mesh each as a shape of its own (in Gmsh: no BooleanFragments across)");
+                       "'; bodies must not share nodes: mesh each as a separate shape (in Gmsh: no BooleanFragments across bodies)");
   }
   checkNodes(mesh, problems);
   checkShapes(mesh, problems);

@@ -8,7 +8,7 @@
 namespace suture {
 
 namespace {
-constexpr int kLeaf = 2;  // boxes of a leaf, at most
+constexpr int kLeaf = 2;  // maximum number of boxes of a leaf
 }
 
 void BoundingBox::include(const Point& lowest, const Point& highest) {
@@ -34,7 +34,7 @@ int BoxTree::build(int first, int count) {
   const int at = static_cast<int>(nodes_.size());
   nodes_.emplace_back();
   BoundingBox whole, centres;
-  const auto centre = [this](int i, int k) { return boxes_[i].low[k] + boxes_[i].high[k]; };  // twice
+  const auto centre = [this](int i, int k) { return boxes_[i].low[k] + boxes_[i].high[k]; };  // twice the centre
   for (int k = first; k < first + count; ++k) {
     const int i = order_[k];
     whole.include(boxes_[i]);
@@ -55,7 +55,7 @@ int BoxTree::build(int first, int count) {
     return a < b || (a == b && i < j);
   });
   build(first, half);
-  const int second = build(first + half, count - half);  // moves nodes_
+  const int second = build(first + half, count - half);  // may reallocate nodes_
   nodes_[at].second = second;
   return at;
 }

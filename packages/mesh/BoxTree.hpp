@@ -7,7 +7,7 @@
 
 namespace suture {
 
-/// A box along the axes; empty before the first point. [length]
+/// A box aligned with the axes; empty before the first point. [length]
 struct BoundingBox {
   Point low{kFar, kFar, kFar}, high{-kFar, -kFar, -kFar};
 
@@ -21,23 +21,23 @@ struct BoundingBox {
   void include(const Point& lowest, const Point& highest);
 };
 
-/// A binary tree of bounding boxes, halved at the median of their centres along the longest extent. Building it takes n log n steps, a
-/// search that finds few boxes about log n box tests. In the plane and in space. Local.
+/// A binary tree of bounding boxes, halved at the median of their centres along the longest extent. Building takes n log n steps, a search
+/// that finds few boxes about log n box tests. 2D and 3D. Local.
 class BoxTree {
  public:
   explicit BoxTree(const std::vector<BoundingBox>& boxes);
 
-  /// Numbers of all boxes with touches(box), ascending. `touches` is true for every box that holds one for which it is true.
+  /// Numbers of all boxes with touches(box), ascending. `touches` must be true for every box that contains a box for which it is true.
   template <typename Touches>
   std::vector<int> find(const Touches& touches) const;
 
-  /// Number of the box whose object is nearest, -1 where there is none. Ties go to the lowest number.
-  /// \param distance  distance(i) of object i from the point; not below that of its box [length]
+  /// Number of the box whose object is nearest, or -1 if there are no boxes. The lowest number wins ties.
+  /// \param distance  distance(i) of object i from the point; must not be smaller than that of its box [length]
   template <typename Distance>
   int nearest(const Point& point, const Distance& distance) const;
 
  private:
-  /// A leaf has `count` entries of order_ from `first` on. The first child of another node follows it, `second` is the other one.
+  /// A leaf has `count` entries of order_ from `first` on. The first child of an inner node follows it; `second` is the other child.
   struct Node {
     BoundingBox box;
     int first = 0, count = 0, second = 0;
@@ -45,7 +45,7 @@ class BoxTree {
   int build(int first, int count);
   static void sort(std::vector<int>& numbers);
 
-  static constexpr int kDepth = 64;  ///< halving never leads deeper
+  static constexpr int kDepth = 64;  ///< bound of the depth reached by halving
   std::vector<BoundingBox> boxes_;
   std::vector<int> order_;
   std::vector<Node> nodes_;

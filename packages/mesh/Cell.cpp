@@ -20,7 +20,7 @@ const Sides cubeSides = {{0, 4, 7, 3}, {1, 2, 6, 5}, {0, 1, 5, 4}, {3, 7, 6, 2},
 const Sides wedgeSides = {{0, 2, 1}, {3, 4, 5}, {0, 1, 4, 3}, {1, 2, 5, 4}, {2, 0, 3, 5}};
 const Sides pyramidSides = {{0, 3, 2, 1}, {0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}};
 
-/// Sides of a cell of order 2 from those of the cell of its vertices: the middles of their edges follow the vertices.
+/// Sides of a cell of order 2 from those of the linear cell: the mid-edge nodes follow the vertices.
 Sides withMiddles(const Sides& sides, const Edges& edges, int vertices) {
   Sides all = sides;
   for (std::size_t s = 0; s < sides.size(); ++s)
@@ -33,7 +33,7 @@ Sides withMiddles(const Sides& sides, const Edges& edges, int vertices) {
   return all;
 }
 
-/// Sides that have a node in their centre, too. \param first  number of the first side's one
+/// Adds a centre node to each side. \param first  node number at the centre of the first side
 Sides withCentres(Sides sides, int first) {
   for (std::vector<int>& side : sides) side.push_back(first++);
   return sides;
@@ -41,8 +41,8 @@ Sides withCentres(Sides sides, int first) {
 
 }  // namespace
 
-// Node order as in VTK (and in the plane Gmsh and Intrepid2): vertices, then the middles of edges, then the centres of sides, then the
-// centre. The base of a wedge is seen anticlockwise from its top, as in Gmsh; VTK has it the other way round.
+// Node order as in VTK (in 2D also Gmsh and Intrepid2): vertices, then mid-edge nodes, then centres of sides, then the centre. The base of
+// a wedge is counter-clockwise seen from its top, as in Gmsh; VTK has the opposite order.
 const std::array<CellInfo, kCells> cells = {{
     {"Triangle3", 2, 1, 3, 3, triangle, {{0, 1}, {1, 2}, {2, 0}}, 5},
     {"Triangle6", 2, 2, 6, 3, triangle, {{0, 1, 3}, {1, 2, 4}, {2, 0, 5}}, 22},

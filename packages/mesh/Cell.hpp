@@ -31,9 +31,10 @@ struct CellInfo {
   int dimension;
   int order;  ///< of the polynomials on its edges
   int nodes;
-  int vertices;                             ///< the first nodes
-  std::vector<std::array<int, 2>> edges;    ///< their vertices; in cells of order 2 their middles follow the vertices in this order
-  std::vector<std::vector<int>> sideNodes;  ///< local nodes of each side, in the order that SideGeometry.hpp tells
+  int vertices;  ///< the first nodes
+  std::vector<std::array<int, 2>>
+      edges;  ///< vertices of the edges; in cells of order 2 the mid-edge nodes follow the vertices in this order
+  std::vector<std::vector<int>> sideNodes;  ///< local nodes of each side, in the order defined in SideGeometry.hpp
   int vtkType;
 };
 
@@ -42,14 +43,14 @@ extern const std::array<CellInfo, kCells> cells;
 [[noreturn]] void noSuchCell(int number);
 }  // namespace detail
 
-/// Topology of a shape; inline, since loops over elements ask for it. \throws InternalError  a number that is no shape
+/// Topology of a shape; inline, since loops over elements call it. \throws InternalError  for an invalid number
 inline const CellInfo& cellInfo(Cell cell) {
   const auto at = static_cast<unsigned>(cell);
   if (at >= detail::cells.size()) detail::noSuchCell(static_cast<int>(at));
   return detail::cells[at];
 }
 
-/// Dimension of a shape; cheaper than by cellInfo().
+/// Dimension of a shape; cheaper than cellInfo().
 constexpr int dimensionOf(Cell cell) { return cell < Cell::Tetrahedron4 ? 2 : 3; }
 /// True for triangles and tetrahedra.
 constexpr bool isSimplex(Cell cell) {

@@ -13,8 +13,8 @@ struct Side {
   int side;  ///< number in cellInfo(...).sideNodes
 };
 
-/// A side by its vertices, whatever the order in which an element lists them: in the plane the two end points; in space the three lowest
-/// vertices, which are enough in a mesh whose elements fit each other.
+/// Identifies a side by its vertices, in any order: in 2D by the two end points; in 3D by the three lowest vertices, which suffice in a
+/// conforming mesh.
 struct SideKey {
   int low = -1;         ///< the lowest
   long long rest = -1;  ///< the others
@@ -25,10 +25,10 @@ struct SideKey {
 
 inline SideKey sideKey(int a, int b) { return a < b ? SideKey{a, b} : SideKey{b, a}; }
 
-/// \param vertices  two, or in space three or four
+/// \param vertices  two; in 3D three or four
 inline SideKey sideKey(const int* vertices, int count) {
   if (count == 2) return sideKey(vertices[0], vertices[1]);
-  int a = vertices[0], b = vertices[1], c = vertices[2];  // the three lowest, to be ascending
+  int a = vertices[0], b = vertices[1], c = vertices[2];  // the three lowest, sorted below
   if (b < a) std::swap(a, b);
   if (c < b) std::swap(b, c);
   if (b < a) std::swap(a, b);
@@ -41,11 +41,11 @@ inline SideKey sideKey(const int* vertices, int count) {
   return {a, static_cast<long long>(b) << 32 | c};
 }
 
-/// 2 pi r: what a point of the meridian plane stands for in axisymmetric blocks.
+/// 2 pi r: length of the circle through a point of the meridian plane, for axisymmetric blocks.
 inline double circumference(double radius) { return 6.283185307179586476925286766559 * radius; }
 
-/// Elements and their nodes, numbered from 0: the part of a mesh that assembly needs. The whole mesh and the mesh of a subdomain are both
-/// made of one, so that elasticity serves both.
+/// Elements and their nodes, numbered from 0: the part of a mesh needed for assembly. Base of the whole mesh and of the mesh of a
+/// subdomain, so that elasticity serves both.
 struct CellBlock {
   int dimension = 2;
   std::vector<double> coordinates;  ///< nodes x dimension [length]
@@ -53,8 +53,8 @@ struct CellBlock {
   std::vector<int> offsets{0};      ///< elements + 1
   std::vector<int> connectivity;    ///< nodes of element e: connectivity[offsets[e] .. offsets[e+1])
 
-  /// A meridian half plane: x is the distance r >= 0 from the axis, y runs along it, and the body is the whole revolution. Set by
-  /// makeAxisymmetric(); whatever integrates over elements or sides then has the factor 2 pi r.
+  /// True for a meridian half plane: x is the distance r >= 0 from the axis, y runs along it, and the body is the full revolution. Set by
+  /// makeAxisymmetric(); all integrals over elements or sides then include the factor 2 pi r.
   bool axisymmetric = false;
 
   std::vector<int> regions;  ///< number of each element's region in the scene, or -1; empty: the scene has no regions
@@ -69,7 +69,7 @@ struct CellBlock {
     for (int k = 0; k < dimension; ++k) p[k] = coordinates[std::size_t(node) * dimension + k];
     return p;
   }
-  /// Nodes of a side, vertices first, in the order that SideGeometry.hpp tells.
+  /// Nodes of a side, vertices first, in the order defined in SideGeometry.hpp.
   std::vector<int> nodesOf(const Side& side) const;
   SideKey keyOf(const Side& side) const;
 };

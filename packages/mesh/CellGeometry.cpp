@@ -24,7 +24,7 @@ double smallestJacobian(const CellBlock& block, int element, Point* place) {
 
 namespace {
 
-/// Six times the volume of the cone from a point to a side, whose facets are triangles about its centre.
+/// Six times the volume of the cone from a point to a side; the side is split into triangles about its centre.
 double coneOver(const CellBlock& block, const Side& side, const Point& from) {
   const CellInfo& cell = cellInfo(block.cells[side.element]);
   std::vector<Point> corners;
@@ -41,7 +41,7 @@ double coneOver(const CellBlock& block, const Side& side, const Point& from) {
 
 double signedSize(const CellBlock& block, int element) {
   const Span<const int> nodes = block.nodesOf(element);
-  const Point o = block.point(nodes[0]);  // sizes about a vertex of the element itself: no cancellation far from the origin
+  const Point o = block.point(nodes[0]);  // relative to a vertex of the element: avoids cancellation far from the origin
   double sum = 0;
   if (block.dimension == 3) {
     const int sides = static_cast<int>(cellInfo(block.cells[element]).sideNodes.size());

@@ -9,12 +9,12 @@ namespace suture {
 
 namespace {
 
-constexpr double kInside = 1e-9;  // part of an element's size: rounding of a point on a side
-constexpr double kBulge = 0.125;  // part of the nodes' box by which a curved side may leave it
-constexpr double kFar = 1.0;      // elements' sizes: reference coordinates mean nothing farther outside
+constexpr double kInside = 1e-9;  // fraction of an element's size: round-off of a point on a side
+constexpr double kBulge = 0.125;  // fraction of the nodes' box by which a curved side may leave the box
+constexpr double kFar = 1.0;      // element sizes: farther outside, reference coordinates are meaningless
 constexpr int kNewtonSteps = 25;
 
-/// How far a reference point is outside its cell, whose edges are about one long.
+/// Distance of a reference point from its cell, whose edges have a length of about one.
 double outsideBy(Cell cell, const ReferencePoint& p) {
   const double beyond[3] = {0.5 * (std::abs(p[0]) - 1.0), 0.5 * (std::abs(p[1]) - 1.0), 0.5 * (std::abs(p[2]) - 1.0)};
   switch (cell) {
@@ -29,7 +29,7 @@ double outsideBy(Cell cell, const ReferencePoint& p) {
     case Cell::Pyramid5:
       return std::max({0.0, -p[2], beyond[0] + 0.5 * p[2], beyond[1] + 0.5 * p[2]});
     default:
-      return std::max({0.0, beyond[0], beyond[1], beyond[2]});  // in the plane the third is negative
+      return std::max({0.0, beyond[0], beyond[1], beyond[2]});  // in 2D the third is negative
   }
 }
 
@@ -49,7 +49,7 @@ std::vector<BoundingBox> boxesOf(const CellBlock& block) {
   return boxes;
 }
 
-/// x with a x = b, a given by its columns. False if they are linearly dependent.
+/// x with a x = b, a given by its columns. False if the columns are linearly dependent.
 bool solve(const std::array<Point, 3>& a, const Point& b, Point& x) {
   const Point cofactor = cross(a[1], a[2]);
   const double det = dot(a[0], cofactor);
@@ -58,7 +58,7 @@ bool solve(const std::array<Point, 3>& a, const Point& b, Point& x) {
   return true;
 }
 
-/// Weights of the corners of a segment or triangle in its point that is nearest to a place.
+/// Weights of the corners of a segment or triangle at its point nearest to a place.
 std::array<double, 3> nearestWeights(const Point* corners, int count, const Point& place) {
   const Point u = minus(corners[1], corners[0]), w = minus(place, corners[0]);
   if (count == 2) {
@@ -131,7 +131,7 @@ CellSearch::Nearest CellSearch::footOn(int element, const Point& place) const {
   best.element = element;
   for (const std::vector<int>& side : info.sideNodes) {
     const int vertices = static_cast<int>(std::count_if(side.begin(), side.end(), [&](int local) { return local < info.vertices; }));
-    const int corners = block_.dimension;  // of a facet: a segment, or one of the triangles that make the side
+    const int corners = block_.dimension;  // of a facet: a segment, or one of the triangles into which the side is split
     for (int k = 1; k + corners - 2 < vertices; ++k) {
       const int locals[3] = {side[0], side[k], corners == 3 ? side[k + 1] : 0};
       Point facet[3];

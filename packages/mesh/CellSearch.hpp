@@ -5,36 +5,36 @@
 
 namespace suture {
 
-/// Finds the element of a block that holds a point, or the one that is nearest to it: a tree of bounding boxes gives candidates, Newton's
-/// method their reference coordinates. All cells, straight and curved, in the plane and in space. Local.
+/// Finds the element of a block that contains a point, or the nearest element: a tree of bounding boxes gives candidates, Newton's method
+/// their reference coordinates. All cells, straight and curved, in 2D and 3D. Local.
 class CellSearch {
  public:
-  /// Part of an element's size: a point so far outside counts as in it, since a side of straight elements cuts the curve that it stands
-  /// for.
+  /// A point outside an element by up to this fraction of its size is treated as inside, since a straight side cuts off part of the curve
+  /// that it approximates.
   static constexpr double kNear = 0.05;
 
   /// `block` must outlive the search.
   explicit CellSearch(const CellBlock& block);
 
-  /// A point in an element, or beside it.
+  /// A point in an element, or close to it.
   struct Place {
     int element = -1;  ///< -1: there is none
     ReferencePoint at{0, 0, 0};
-    double outside = std::numeric_limits<double>::infinity();  ///< how far outside, as a part of the element's size; 0 inside
+    double outside = std::numeric_limits<double>::infinity();  ///< distance outside, relative to the element's size; 0 inside
   };
-  /// The element in which a point lies, or which it leaves by at most kNear; of several the one that it leaves least, then the lowest.
+  /// The element that contains a point, or that the point leaves by at most kNear; of several the one left least, then the lowest.
   Place find(const Point& point) const;
 
-  /// The nearest element of a point outside all of them.
-  struct Nearest : Place {      // `at`: extrapolated, or where the element's map does not reach so far of `foot`
+  /// The element nearest to a point outside all elements.
+  struct Nearest : Place {      // `at`: extrapolated, or that of `foot` where the element's map cannot be inverted
     Point foot{0, 0, 0};        ///< nearest point on the surface of the element's vertices
-    double distance = outside;  ///< of the point from it [length]
+    double distance = outside;  ///< of the point from `foot` [length]
   };
   Nearest nearest(const Point& point) const;
 
  private:
-  /// The reference point that an element maps to a place, and how far it is outside. False where Newton's method finds none that is less
-  /// than `most` outside.
+  /// The reference point that an element maps to `place`, and how far it is outside. False if Newton's method finds none less than `most`
+  /// outside.
   bool invert(int element, const Point& place, double most, Place& found) const;
   Nearest footOn(int element, const Point& place) const;
 

@@ -11,7 +11,7 @@ namespace suture {
 
 namespace {
 
-using Step = std::array<int, 3>;  // a place in steps of a lattice
+using Step = std::array<int, 3>;  // lattice indices
 
 Step cellsOf(const Box& box) { return dimensionOf(box.cell) == 2 ? Step{box.nx, box.ny, 0} : Step{box.nx, box.ny, box.nz}; }
 Step blocksOf(const Box& box) { return {box.blocksX, box.blocksY, dimensionOf(box.cell) == 2 ? 1 : box.blocksZ}; }
@@ -24,16 +24,16 @@ std::string textOf(const Step& values, int dimension) {
   return text + "}";
 }
 
-/// Intervals of the lattice a cell: nodes stand between vertices, or, in pyramids, in the middle of the cell.
+/// Lattice intervals per cell: two if nodes lie between vertices or, in pyramids, at the centre of the cell.
 int intervalsOf(Cell cell) { return cellInfo(cell).order == 2 || cell == Cell::Pyramid5 ? 2 : 1; }
 
-/// Elements that a cell of the box is cut into.
+/// Number of elements into which a cell of the box is split.
 int elementsOfCell(Cell cell) {
   if (isSimplex(cell)) return dimensionOf(cell) == 2 ? 2 : 6;
   return cell == Cell::Wedge6 ? 2 : cell == Cell::Pyramid5 ? 6 : 1;
 }
 
-/// The nodes of one box: a lattice of one or two intervals a cell, numbered row by row; the places that no element has are left out.
+/// The nodes of one box: a lattice of one or two intervals per cell, numbered row by row; lattice points without an element are omitted.
 class Lattice {
  public:
   Lattice(const Box& box, Mesh& mesh) : dimension_(dimensionOf(box.cell)), intervals_(intervalsOf(box.cell)) {
@@ -60,7 +60,7 @@ class Lattice {
     if (cell == Cell::Quadrilateral8 || cell == Cell::Hexahedron20) return odd < 2;
     return cell != Cell::Pyramid5 || odd == 0 || odd == 3;
   }
-  // Both ends exactly, so that boxes of equal ends have coinciding nodes there.
+  // Both ends are exact, so that boxes with equal ends have coinciding nodes there.
   static double between(double low, double high, int i, int n) { return i == n ? high : low + (high - low) * (static_cast<double>(i) / n); }
 
   int dimension_, intervals_;
@@ -83,13 +83,13 @@ void checkBox(const Box& box, Problems& problems) {
     isBoard = isBoard && bricks[k] >= 0 && (bricks[k] == 0) == (bricks[0] == 0);
   }
   if (!some)
-    problems.add(path + "/Cells", textOf(cells, dimension) + ": expected at least one each way");
+    problems.add(path + "/Cells", textOf(cells, dimension) + ": expected at least one in each direction");
   else if (!divides)
     problems.add(path + "/Blocks",
                  textOf(blocks, dimension) + " do not divide the cells " + textOf(cells, dimension) + " into equal blocks");
   if (!isBoard || !small)
-    problems.add(path + "/Bricks", textOf(bricks, dimension) + " make no board of the cells " + textOf(cells, dimension) +
-                                       "; expected at least one cell each way and two bricks");
+    problems.add(path + "/Bricks", textOf(bricks, dimension) + " do not form a board of the cells " + textOf(cells, dimension) +
+                                       "; expected at least one cell in each direction and two bricks");
 }
 
 void check(const std::vector<Box>& all) {
@@ -98,12 +98,12 @@ void check(const std::vector<Box>& all) {
   for (const Box& box : all) {
     if (!names.insert(box.name).second) problems.add("Mesh/Boxes/" + box.name, "a second box of this name");
     if (dimensionOf(box.cell) != dimensionOf(all.front().cell))
-      problems.add("Mesh/Boxes/" + box.name + "/Cell", cellInfo(box.cell).name + " beside " + cellInfo(all.front().cell).name + " in '" +
-                                                           all.front().name + "'; expected all boxes in the plane or all in space");
+      problems.add("Mesh/Boxes/" + box.name + "/Cell", cellInfo(box.cell).name + ", but " + cellInfo(all.front().cell).name + " in '" +
+                                                           all.front().name + "'; expected all boxes in 2D or all in 3D");
     checkBox(box, problems);
   }
   problems.throwIfAny();
-  // All that the mesh will take is known before any of it is.
+  // Checks the memory needed before any is allocated.
   double nodes = 0, elements = 0, entries = 0;
   for (const Box& box : all) {
     double cells = 1, places = 1;
@@ -118,8 +118,7 @@ void check(const std::vector<Box>& all) {
   }
   const double most = std::numeric_limits<int>::max();
   if (nodes > most || entries > most)
-    throw InputError("Mesh/Boxes",
-                     realText(elements) + " elements with " + realText(nodes) + " nodes; expected fewer than 2^31 of anything");
+    throw InputError("Mesh/Boxes", realText(elements) + " elements with " + realText(nodes) + " nodes; expected fewer than 2^31 of each");
   mustFit((24 * nodes + 4 * nodes + 4 * entries + 40 * elements) / (1 << 20), "Mesh/Boxes: a mesh of " + realText(elements) + " elements");
 }
 
@@ -135,7 +134,7 @@ class BoxMesher {
   }
 
  private:
-  /// A corner of the cell in steps of cells: bit d of `corner` is the step in direction d.
+  /// A corner of the cell, in cell indices: bit d of `corner` is the step in direction d.
   static Step cornerOf(const Step& cell, int corner) {
     return {cell[0] + (corner & 1), cell[1] + (corner >> 1 & 1), cell[2] + (corner >> 2 & 1)};
   }
@@ -159,15 +158,15 @@ class BoxMesher {
       case Cell::Pyramid5:
         for (const std::vector<int>& side :
              {std::vector<int>{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}})
-          put({side[3], side[2], side[1], side[0], -1});  // the base is seen from the apex
+          put({side[3], side[2], side[1], side[0], -1});  // orientation of the base: seen from the apex
         return;
       default:
         put(dimensionOf(box_.cell) == 2 ? std::vector<int>{0, 1, 3, 2} : std::vector<int>{0, 1, 3, 2, 4, 5, 7, 6});
     }
   }
 
-  // The six ways from a corner to the opposite one along the edges (Kuhn), from the corner at which all three steps are even: cells beside
-  // each other cut the side between them alike.
+  // The six paths from a corner to the opposite one along the edges (Kuhn), from the corner with three even indices: adjacent cells split
+  // their common side in the same way.
   template <typename Put>
   static void cutIntoTetrahedra(const Step& cell, const Put& put) {
     const int start = (cell[0] % 2) | (cell[1] % 2) << 1 | (cell[2] % 2) << 2;
@@ -181,11 +180,11 @@ class BoxMesher {
     }
   }
 
-  /// \param corners  of the cell, one a vertex of the element; -1: its middle
+  /// \param corners  of the cell, one per vertex of the element; -1: the cell's centre
   void add(const std::vector<int>& corners, const Step& cell) {
     const int element = mesh_.elements();
     const int n = lattice_.intervals();
-    std::vector<Step> places;  // vertices, in steps of the lattice
+    std::vector<Step> places;  // lattice indices of the vertices
     for (const int corner : corners) {
       const Step at = corner < 0 ? Step{2 * cell[0] + 1, 2 * cell[1] + 1, 2 * cell[2] + 1} : cornerOf(cell, corner);
       places.push_back(corner < 0 ? at : Step{n * at[0], n * at[1], n * at[2]});
@@ -223,7 +222,7 @@ class BoxMesher {
       if (bricks[d] > 0) brick += cell[d] / bricks[d];
     }
     mesh_.elementGroups[block].push_back(element);
-    if (bricks[0] > 0)  // the last bricks are smaller where the cells do not divide
+    if (bricks[0] > 0)  // the last bricks are smaller if the cells are not divisible
       mesh_.elementGroups[box_.name + (brick % 2 == 0 ? "_bricks_even" : "_bricks_odd")].push_back(element);
   }
 

@@ -9,13 +9,13 @@ namespace suture {
 
 namespace {
 
-constexpr double kNear = 1e-3;  // part of the largest coefficient to which the least value is found
-constexpr int kHalvings = 7;    // in each direction, at most
+constexpr double kNear = 1e-3;  // accuracy of the least value, relative to the largest coefficient
+constexpr int kHalvings = 7;    // maximum per direction
 constexpr int kMostDegree = 5;  // Hexahedron27: a product of three derivatives
 
 using Degrees = std::array<int, 3>;
 
-/// Degrees of the determinant on the cube that the reference cell is the image of.
+/// Degrees of the determinant on the cube from which the reference cell is mapped.
 Degrees degreesOf(Cell cell) {
   switch (cell) {
     case Cell::Triangle3:
@@ -43,7 +43,7 @@ Degrees degreesOf(Cell cell) {
   return {0, 0, 0};
 }
 
-/// The point of the reference cell that a point of [-1,1]^3 stands for.
+/// The point of the reference cell for a point of [-1,1]^3.
 ReferencePoint placeOf(Cell cell, const Point& p) {
   const double a = (1 + p[0]) / 2, b = (1 + p[1]) / 2, c = (1 + p[2]) / 2;
   switch (cell) {
@@ -62,7 +62,7 @@ ReferencePoint placeOf(Cell cell, const Point& p) {
   }
 }
 
-/// Points at which a polynomial is taken, and the matrix from its values there to Bernstein coefficients.
+/// Interpolation points of a polynomial, and the matrix from its values there to Bernstein coefficients.
 struct Interpolation {
   Vector points;
   Matrix toBernstein;
@@ -70,7 +70,7 @@ struct Interpolation {
   explicit Interpolation(int degree) : points(degree + 1) {
     Matrix values(degree + 1, degree + 1);
     for (int i = 0; i <= degree; ++i) {
-      points(i) = degree == 0 ? 0.0 : -std::cos((2 * i + 1) * std::acos(-1.0) / (2 * degree + 2));  // Chebyshev's: well conditioned
+      points(i) = degree == 0 ? 0.0 : -std::cos((2 * i + 1) * std::acos(-1.0) / (2 * degree + 2));  // Chebyshev points: well conditioned
       const double t = (1 + points(i)) / 2;
       double binomial = 1;
       for (int j = 0; j <= degree; ++j) {
@@ -88,7 +88,7 @@ const Interpolation& interpolation(int degree) {
   return all[degree];
 }
 
-/// A polynomial on a box of [-1,1]^3 by its Bernstein coefficients, the first direction running fastest.
+/// A polynomial on a box in [-1,1]^3 by its Bernstein coefficients; the first direction runs fastest.
 struct Piece {
   std::vector<double> coefficients;
   Point low{-1, -1, -1}, high{1, 1, 1};
@@ -123,7 +123,7 @@ class Search {
       });
     }
     for (const double c : whole.coefficients)
-      if (!std::isfinite(c)) return c;  // halving it leads to nothing
+      if (!std::isfinite(c)) return c;  // subdivision would not help
     least_ = std::numeric_limits<double>::infinity();
     visit(whole, 0);
     where = placeOf(cell_, place_);
@@ -172,7 +172,7 @@ class Search {
   }
 
   Cell cell_;
-  std::array<int, 3> count_{}, step_{};  // coefficients along each direction, and from one to the next
+  std::array<int, 3> count_{}, step_{};  // number of coefficients and stride in each direction
   int size_ = 1;
   double least_ = 0;
   Point place_{0, 0, 0};

@@ -17,12 +17,12 @@ std::vector<std::string> keys(const Map& map) {
   return names;
 }
 
-// As FNV-1a (Fowler, Noll, Vo), by words of 64 bits instead of bytes: not for secrets, but any single change shows. A product carries
-// upwards only: the shift brings high bits back down.
+// Similar to FNV-1a (Fowler, Noll, Vo), with words of 64 bits instead of bytes: not cryptographic, but any single change is detected. A
+// product carries upwards only: the shift brings high bits back down.
 class Hash {
  public:
   void number(std::int64_t value) { state_ = mixed(state_, wordOf(value)); }
-  /// All of them and how many. Every fourth on its own way, since a word waits for the product of the one before.
+  /// Hashes all values and their number. Four independent chains, since each step waits for the product of the one before in its chain.
   template <typename Number>
   void numbers(const std::vector<Number>& values) {
     constexpr std::size_t ways = 4;
@@ -49,7 +49,7 @@ class Hash {
   static std::uint64_t wordOf(int value) { return wordOf(std::int64_t(value)); }
   static std::uint64_t wordOf(Cell cell) { return wordOf(static_cast<int>(cell)); }
   static std::uint64_t wordOf(double value) {
-    if (value == 0) value = 0;  // -0.0 is the same place
+    if (value == 0) value = 0;  // -0.0 is the same coordinate as 0.0
     std::uint64_t bits = 0;
     std::memcpy(&bits, &value, sizeof bits);
     return bits;
@@ -79,7 +79,7 @@ std::string Mesh::hash() const {
   Hash hash;
   hash.number(std::int64_t(dimension));
   hash.numbers(coordinates);
-  hash.numbers(cells);  // how many nodes each has
+  hash.numbers(cells);  // determine the number of nodes of each element
   hash.numbers(connectivity);
   for (const auto& [name, members] : elementGroups) {
     hash.text(name);

@@ -7,7 +7,7 @@ namespace suture {
 
 namespace {
 
-/// Numbers of the nodes, as good as random (the mixing of splitmix64).
+/// Pseudo-random numbers for the nodes (the mixing function of splitmix64).
 std::vector<std::uint64_t> numbersOf(int nodes) {
   std::vector<std::uint64_t> numbers(nodes);
   for (int node = 0; node < nodes; ++node) {
@@ -19,10 +19,10 @@ std::vector<std::uint64_t> numbersOf(int nodes) {
   return numbers;
 }
 
-/// Of two neighbours of a vertex along a side; with the other sign if they change places.
+/// Value for the two neighbours of a vertex along a side; changes sign if they are swapped.
 std::uint64_t oriented(std::uint64_t next, std::uint64_t last) { return next * (last >> 7) - last * (next >> 7); }
 
-/// Sums over the sides at each node. The two elements that share a side go round it in opposite senses: its terms cancel.
+/// Sums over the sides at each node. Two elements traverse their common side in opposite senses, so its terms cancel.
 std::vector<std::uint64_t> signedSums(const CellBlock& block) {
   const std::vector<std::uint64_t> number = numbersOf(block.nodes());
   std::vector<std::uint64_t> sums(block.nodes(), 0);

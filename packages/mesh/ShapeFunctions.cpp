@@ -44,7 +44,7 @@ Jet simplexFunction(const CellInfo& cell, int i, const Point& at) {
   return product;
 }
 
-/// A product of functions of one coordinate each. \param factor  factor[k], slope[k]: those of coordinate k
+/// A product of functions of one coordinate each. \param factor  factor[k], slope[k]: value and derivative for coordinate k
 Jet productOf(int dimension, const double* factor, const double* slope) {
   Jet product;
   product.value = 1.0;
@@ -57,7 +57,7 @@ Jet productOf(int dimension, const double* factor, const double* slope) {
   return product;
 }
 
-/// Linear in each coordinate. \param p  place of the node
+/// Linear in each coordinate. \param p  reference point of the node
 Jet linearProduct(int dimension, const Point& p, const Point& at) {
   double factor[3], slope[3];
   for (int k = 0; k < dimension; ++k) factor[k] = (1 + p[k] * at[k]) / 2, slope[k] = p[k] / 2;

@@ -25,7 +25,7 @@ bool mayNotFit(const Mesh& mesh) {
          (mesh.cells[0] == Cell::Wedge6 || mesh.cells[0] == Cell::Pyramid5 || std::any_of(mesh.cells.begin(), mesh.cells.end(), isOther));
 }
 
-/// All sides, those with the same vertices beside each other.
+/// All sides, ordered so that sides with the same vertices are adjacent.
 std::vector<VertexSide> sidesByVertices(const Mesh& mesh) {
   std::vector<VertexSide> all;
   for (int e = 0; e < mesh.elements(); ++e) {
@@ -61,7 +61,7 @@ std::string elementText(const Mesh& mesh, const Side& side) {
   return "element " + std::to_string(side.element) + " (" + cellInfo(mesh.cells[side.element]).name + ")";
 }
 
-/// Two sides of different elements at one place.
+/// Two sides of different elements at the same place.
 using Pair = std::pair<VertexSide, VertexSide>;
 
 void report(const Mesh& mesh, const std::vector<Pair>& pairs, const std::string& what, const std::string& more, const std::string& expected,
@@ -72,7 +72,7 @@ void report(const Mesh& mesh, const std::vector<Pair>& pairs, const std::string&
                            ", there " + elementText(mesh, one.side) + " and " + elementText(mesh, other.side) + "; expected " + expected);
 }
 
-/// Triangles whose vertices are among those of a quadrilateral. Both lists hold sides on the boundary of the mesh only.
+/// Triangles whose vertices are among those of a quadrilateral. Both lists contain only sides on the boundary of the mesh.
 std::vector<Pair> trianglesOn(const std::vector<VertexSide>& quadrilaterals, const std::vector<VertexSide>& triangles) {
   std::vector<std::pair<Vertices, std::size_t>> corners;  // three vertices of a quadrilateral
   for (std::size_t q = 0; q < quadrilaterals.size(); ++q)

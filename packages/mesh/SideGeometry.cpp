@@ -11,7 +11,7 @@ namespace suture {
 
 namespace {
 
-constexpr int kPoints = 4;  // points of a Gauss rule in each direction of a side in space
+constexpr int kPoints = 4;  // Gauss points per direction of a 3D side
 
 [[noreturn]] void noSuchSide(int nodes, int dimension) {
   throw InternalError("a side of " + std::to_string(nodes) + " nodes in " + std::to_string(dimension) + " dimensions");
@@ -53,7 +53,7 @@ std::vector<NodeNormal> nodeNormalsInPlane(const std::vector<Point>& points) {
   return normals;
 }
 
-/// Cross product of the derivatives of the place by the two reference coordinates.
+/// Cross product of the derivatives of the position by the two reference coordinates.
 Point density(const std::vector<Point>& points, Cell cell, ReferencePoint at) {
   Point s{0, 0, 0}, t{0, 0, 0};
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -88,7 +88,7 @@ struct QuadraturePoint {
   double weight;
 };
 
-/// Products of Gauss rules; on triangles with one edge of the square drawn together to a vertex.
+/// Products of Gauss rules; on triangles with one edge of the square collapsed to a vertex.
 std::vector<QuadraturePoint> quadrature(Cell cell) {
   static const LineRule rule = gaussRule(kPoints);
   std::vector<QuadraturePoint> all;
@@ -111,7 +111,7 @@ void addSizesInSpace(const std::vector<Point>& points, std::vector<double>& size
   }
 }
 
-// The radius is one factor more than nodes as points can integrate: a node on the axis has an area, too. Exact for straight sides.
+// The radius adds a factor that the nodal quadrature cannot integrate: a node on the axis has an area, too. Exact for straight sides.
 void addSizesOfCircle(const std::vector<Point>& points, std::vector<double>& sizes) {
   static const LineRule rule = gaussRule(5);
   for (int q = 0; q < rule.points.size(); ++q) {

@@ -12,8 +12,8 @@ SideShape sideShape(int nodes, double xi) {
   throw InternalError("a side of " + std::to_string(nodes) + " nodes");
 }
 
-// Points are the eigenvalues of the Jacobi matrix of Legendre's polynomials, weights come from the first components of its eigenvectors
-// (Golub and Welsch 1969).
+// The points are the eigenvalues of the Jacobi matrix of the Legendre polynomials, the weights follow from the first components of its
+// eigenvectors (Golub and Welsch 1969).
 LineRule gaussRule(int points) {
   Vector diagonal = Vector::Zero(points), beside(points - 1);
   for (int i = 1; i < points; ++i) beside(i - 1) = i / std::sqrt(4.0 * i * i - 1.0);

@@ -21,7 +21,7 @@ std::vector<char> verticesOf(const CellBlock& block, const std::vector<Side>& si
 
 SideTable::SideTable(const CellBlock& block, const std::vector<Side>& some) : SideTable(block, verticesOf(block, some)) {}
 
-// By counting, not sorting: linear in the number of elements, which stay in ascending order.
+// Counting instead of sorting: linear in the number of elements, which stay in ascending order.
 SideTable::SideTable(const CellBlock& block, const std::vector<char>& among) : block_(block) {
   std::vector<int> elements;
   for (int e = 0; e < block.elements(); ++e) {

@@ -5,18 +5,18 @@
 
 namespace suture {
 
-/// Sides of elements by their vertices. Finds the owners of a segment or a face, and tells whether it lies on the boundary.
+/// Table of the sides of elements by their vertices. Finds the owners of a segment or a face, and whether it lies on the boundary.
 class SideTable {
  public:
-  /// Indexes only sides whose vertices are all marked: the fewer, the cheaper. \param among  by node
+  /// Indexes only sides whose vertices are all marked, to save time. \param among  by node
   SideTable(const CellBlock& block, const std::vector<char>& among);
-  /// Indexes only sides whose vertices occur in `some`.
+  /// Indexes only sides whose vertices all occur in `some`.
   SideTable(const CellBlock& block, const std::vector<Side>& some);
 
-  /// The sides (none, one, or two in a sound mesh) with these vertices, in ascending order of elements. Local.
+  /// The sides (none, one, or two in a valid mesh) with these vertices, in ascending order of elements. Local.
   std::vector<Side> of(const SideKey& key) const;
 
-  /// True if a side belongs to its element only. Local.
+  /// True if a side belongs to one element only. Local.
   bool onBoundary(const Side& side) const;
 
  private:

@@ -65,10 +65,10 @@ void Surface::addSide(const std::vector<Point>& points, bool axisymmetric, const
 
 void Surface::findNeighbours() {
   for (auto& entry : nodes_) sortUnique(entry.second.beside);
-  // Facets by their vertices, the lower one first; in the plane there is one vertex.
+  // Facets by their vertices, the lower one first; in 2D there is one vertex.
   struct Entry {
     int low, high;
-    bool forwards;  // begins a side in the plane, runs from the lower to the higher vertex in space
+    bool forwards;  // 2D: begins a side; 3D: runs from the lower to the higher vertex
     Facet facet;
     bool operator<(const Entry& other) const {
       return std::tie(low, high, facet.side, facet.facet) < std::tie(other.low, other.high, other.facet.side, other.facet.facet);
@@ -105,7 +105,7 @@ std::vector<int> Surface::parts() const {
   for (int side = 0; side < sides(); ++side)
     for (const Facet& neighbour : neighbours_[side])
       if (neighbour.side >= 0) sets.join(side, neighbour.side);
-  std::map<int, int> lowestNode;  // lowest node of the part that has this side as its lowest
+  std::map<int, int> lowestNode;  // lowest node of the part whose lowest side this is
   for (int side = 0; side < sides(); ++side) {
     const int lowest = *std::min_element(sides_[side].begin(), sides_[side].end());
     const auto [at, isNew] = lowestNode.emplace(sets.lowest(side), lowest);

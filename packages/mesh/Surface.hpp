@@ -8,11 +8,11 @@
 
 namespace suture {
 
-/// A part of the boundary of bodies: its sides, which of them are neighbours, and normals and sizes at its nodes. A line in the plane, a
-/// surface in space; for the order of a side's nodes see SideGeometry.hpp. Local.
+/// A part of the boundary of bodies: its sides, their neighbours, and normals and sizes at its nodes. A line in 2D, a surface in 3D; for
+/// the order of a side's nodes see SideGeometry.hpp. Local.
 ///
-/// Two sides are neighbours where they share a facet: an end point in the plane, an edge (by its two vertices) in space. Facet k of a side
-/// is its vertex k in the plane, the edge from vertex k to the next one in space.
+/// Two sides are neighbours if they share a facet: an end point in 2D, an edge (by its two vertices) in 3D. Facet k of a side is its vertex
+/// k in 2D, the edge from vertex k to the next vertex in 3D.
 class Surface {
  public:
   /// Sides of the elements of a mesh, in this order.
@@ -24,35 +24,35 @@ class Surface {
     Point position{0, 0, 0};
     Point weightedNormal{0, 0, 0};  ///< sum over sides of outward normal x share of the node [length or area]
     double tributary = 0.0;         ///< integral of the node's shape functions [length or area]; axisymmetric: [area]
-    double spacing = std::numeric_limits<double>::infinity();  ///< distance to the nearest of the nodes beside it [length]
-    std::vector<Point> sideNormals;                            ///< unit outward normals here of the sides that meet here
-    std::vector<int> beside;                                   ///< nodes next to it along edges of its sides, ascending
+    double spacing = std::numeric_limits<double>::infinity();  ///< distance to the nearest adjacent node [length]
+    std::vector<Point> sideNormals;                            ///< unit outward normals of the sides that meet at the node
+    std::vector<int> beside;                                   ///< adjacent nodes along edges of its sides, ascending
   };
-  /// By number.
+  /// Nodes by number.
   const std::map<int, Node>& nodes() const { return nodes_; }
   const Node& at(int node) const { return nodes_.at(node); }
-  /// Unit outward normal, averaged over the sides by their sizes.
+  /// Unit outward normal, averaged over the sides with their sizes as weights.
   Point normal(int node) const;
 
   int dimension() const { return dimension_; }
   int sides() const { return static_cast<int>(sides_.size()); }
   /// Nodes of a side.
   const std::vector<int>& nodesOf(int side) const { return sides_[side]; }
-  /// Number of a side's facets, which is that of its vertices.
+  /// Number of a side's facets, equal to that of its vertices.
   int facets(int side) const { return static_cast<int>(neighbours_[side].size()); }
 
   /// A facet of a side.
   struct Facet {
     int side = -1, facet = -1;
   };
-  /// The same facet as that of the neighbouring side. Its side is -1 on the rim, and where the surface branches.
+  /// The same facet as seen from the neighbouring side. Its side is -1 on the rim, and where the surface branches.
   const Facet& across(int side, int facet) const { return neighbours_[side][facet]; }
-  /// Vertices of facets that three or more sides share, or two of opposite orientation, ascending. Empty in sound surfaces.
+  /// Vertices of facets shared by three or more sides, or by two of opposite orientation, ascending. Empty for valid surfaces.
   const std::vector<int>& branchings() const { return branchings_; }
 
-  /// Number of the connected part, connected through facets, of each side. Parts are in the order of their lowest nodes.
+  /// For each side, the number of its connected part (connected through facets). Parts are numbered in the order of their lowest nodes.
   std::vector<int> parts() const;
-  /// Nodes that at most two steps along edges lead to, ascending, with the node itself.
+  /// Nodes within two steps along edges, ascending, including the node itself.
   std::vector<int> nodesNear(int node) const;
 
  private:

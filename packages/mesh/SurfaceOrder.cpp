@@ -11,12 +11,12 @@ namespace {
 
 using Ways = std::map<int, int>;  // node -> the next one
 
-/// The run through a node, which is its lowest. \param next, previous  the ways from every node
+/// The run through a node, which is its lowest. \param next, previous  successor and predecessor of every node
 SurfaceRun runThrough(int lowest, const Surface& surface, const Ways& next, const Ways& previous) {
   int first = lowest;
   for (auto at = previous.find(first); at != previous.end() && at->second != lowest; at = previous.find(first)) first = at->second;
   SurfaceRun run;
-  run.closed = previous.count(first) > 0;  // only a ring leads back to where the walk began
+  run.closed = previous.count(first) > 0;  // only in a ring does the first node have a predecessor
   if (run.closed) first = lowest;
   double arc = 0;
   for (int node = first;;) {
@@ -32,7 +32,7 @@ SurfaceRun runThrough(int lowest, const Surface& surface, const Ways& next, cons
 }  // namespace
 
 std::vector<SurfaceRun> runsOf(const Surface& surface) {
-  if (surface.dimension() != 2) throw InternalError("only a plane surface has runs");
+  if (surface.dimension() != 2) throw InternalError("only a 2D surface has runs");
   std::vector<SurfaceRun> runs;
   if (!surface.branchings().empty()) return runs;
   Ways next, previous;

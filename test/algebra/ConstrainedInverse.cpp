@@ -126,7 +126,7 @@ TEUCHOS_UNIT_TEST(ConstrainedInverse, RefusesRowsThatFollowFromOthers) {
   dependent << c, 2.0 * c.row(0) - c.row(1) + 0.5 * c.row(4);
   const std::string message = messageOf(s, dependent);
   TEST_ASSERT(message.find("subdomain 'left 3'") != std::string::npos);
-  TEST_ASSERT(message.find("follows from the others") != std::string::npos);
+  TEST_ASSERT(message.find("depends linearly on the others") != std::string::npos);
 }
 
 }  // namespace

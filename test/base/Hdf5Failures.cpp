@@ -36,7 +36,7 @@ TEUCHOS_UNIT_TEST(Hdf5Failures, RefusesWhatIsNoWholeHdf5File) {
   }
   comm->barrier();
   TEST_EQUALITY(inputErrorOf([&] { Hdf5File::open(*comm, foreign); }), foreign + ": is not an HDF5 file");
-  TEST_ASSERT(contains(inputErrorOf([&] { Hdf5File::open(*comm, cut); }), cut + ": is damaged or cut off"));
+  TEST_ASSERT(contains(inputErrorOf([&] { Hdf5File::open(*comm, cut); }), cut + ": is damaged or truncated"));
   removeOnRoot(foreign);
   removeOnRoot(cut);
 }

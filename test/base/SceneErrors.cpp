@@ -24,19 +24,19 @@ TEUCHOS_UNIT_TEST(SceneErrors, RefusesADoubleThatIsNone) {
 
 TEUCHOS_UNIT_TEST(SceneErrors, RefusesDuplicates) {
   const std::string twice = parameter("Tolerance", "double", "1e-6") + parameter("Tolerance", "double", "1e-8");
-  TEST_EQUALITY(errorOfSolver(twice), "Outer Solver/Tolerance: is given twice; one of the two must go");
-  TEST_EQUALITY(errorOf(scene(list("Load", "") + list("Load", ""))), "Load: is given twice; one of the two must go");
-  TEST_EQUALITY(errorOf(scene(body)), "Bodies: is given twice; one of the two must go");
+  TEST_EQUALITY(errorOfSolver(twice), "Outer Solver/Tolerance: is given twice; remove one of them");
+  TEST_EQUALITY(errorOf(scene(list("Load", "") + list("Load", ""))), "Load: is given twice; remove one of them");
+  TEST_EQUALITY(errorOf(scene(body)), "Bodies: is given twice; remove one of them");
   TEST_ASSERT(contains(errorOf(scene(list("Load", "") + parameter("Load", "int", "1"))), "Load: is given twice"));
 }
 
 TEUCHOS_UNIT_TEST(SceneErrors, RefusesMalformedXmlWithTheLine) {
-  TEST_ASSERT(contains(errorOf("<ParameterList name=\"Suture\">\n\n</Parameter>"), "dir/scene.xml: this is no XML: line 3: "));
+  TEST_ASSERT(contains(errorOf("<ParameterList name=\"Suture\">\n\n</Parameter>"), "dir/scene.xml: this is not valid XML: line 3: "));
   for (const char* bad :
        {"<ParameterList>", "<ParameterList", "</ParameterList>", "<ParameterList/></ParameterList>", "<ParameterList/><ParameterList/>",
         "<ParameterList a='1' a='2'/>", "<ParameterList name=\"a<b\"/>", "<ParameterList>&nosuch;</ParameterList>", "<ParameterList/> junk",
         "junk", "<!-- ", "<ParameterList><!-- </ParameterList>", "<", "<?xml", "<ParameterList name=\"x/>"})
-    TEST_ASSERT(contains(errorOf(bad), "dir/scene.xml: this is no XML: line 1: "));
+    TEST_ASSERT(contains(errorOf(bad), "dir/scene.xml: this is not valid XML: line 1: "));
 }
 
 TEUCHOS_UNIT_TEST(SceneErrors, RefusesAnEmptyFile) {
@@ -62,7 +62,7 @@ TEUCHOS_UNIT_TEST(SceneErrors, NamesTheNearestForAnUnknownParameter) {
 }
 
 TEUCHOS_UNIT_TEST(SceneErrors, SaysWhereAMisplacedParameterBelongs) {
-  TEST_ASSERT(contains(errorOfSolver(parameter("Inner Tolerance", "double", "1")), "One of this name belongs in Newton"));
+  TEST_ASSERT(contains(errorOfSolver(parameter("Inner Tolerance", "double", "1")), "A parameter of this name exists in Newton"));
 }
 
 TEUCHOS_UNIT_TEST(SceneErrors, NamesTheNearestForAnUnknownList) {
@@ -82,7 +82,7 @@ TEUCHOS_UNIT_TEST(SceneErrors, RefusesAWrongType) {
   TEST_ASSERT(contains(errorOf(scene(parameter("Model", "int", "3"))), "Model: is of type int ('3'), expected type string"));
   TEST_ASSERT(contains(errorOf(scene(parameter("Title", "double", "3 x"))), "Title: '3 x' is not of its type double"));
   TEST_ASSERT(contains(errorOfSolver(parameter("Tolerance", "flaot", "3")), "Outer Solver/Tolerance: no such type 'flaot'"));
-  TEST_ASSERT(contains(errorOf(scene(parameter("Check", "bool", "maybe"))), "Check: 'maybe' is not a truth value: expected true or false"));
+  TEST_ASSERT(contains(errorOf(scene(parameter("Check", "bool", "maybe"))), "Check: 'maybe' is not a boolean: expected true or false"));
   TEST_ASSERT(
       contains(errorOf(scene(list("Load", parameter("Value", "Array(double)", "{1, x}")))), "Load/Value: 'x' is not a (finite) number"));
   TEST_ASSERT(contains(errorOf(scene(list("Load", parameter("Value", "Array(double)", "{1, 2")))), "Load/Value: '{1, 2' cannot be read"));

@@ -137,7 +137,7 @@ TEUCHOS_UNIT_TEST(SceneReader, WordOrNumberIsStoredAsText) {
     TEST_EQUALITY(file.parameters->sublist("Outer Solver").sublist("Successive Approximation").get<std::string>("Relaxation"), value);
   }
   TEST_EQUALITY(errorOf(relaxation("string", "Non")),
-                "Outer Solver/Successive Approximation/Relaxation: 'Non' is neither a word known here nor a number: expected one of: None, "
+                "Outer Solver/Successive Approximation/Relaxation: 'Non' is neither a known word nor a number: expected one of: None, "
                 "Automatic, or a number > 0. Did you mean 'None'?");
   TEST_EQUALITY(errorOf(relaxation("", "-1")), "Outer Solver/Successive Approximation/Relaxation: -1 is not above 0");
 }
@@ -251,7 +251,7 @@ TEUCHOS_UNIT_TEST(SceneReader, EveryRankThrowsTheSameForABadFile) {
   const CommPtr comm = Teuchos::DefaultComm<int>::getComm();
   {
     const Written written(*comm, "<ParameterList>\n<Parameter name=");
-    TEST_ASSERT(contains(errorOfFile(*comm, written.path), written.path + ": this is no XML: line 2"));
+    TEST_ASSERT(contains(errorOfFile(*comm, written.path), written.path + ": this is not valid XML: line 2"));
   }
   {
     const Written written(*comm, "");
@@ -278,7 +278,7 @@ TEUCHOS_UNIT_TEST(SceneReader, RefusesWhatIsTooDeep) {
   for (const int depth : {51, 20000, 1000000}) {
     std::string text;
     for (int i = 0; i < depth; ++i) text += "<ParameterList name=\"a>b\">\n<!-- <x> -->";
-    TEST_ASSERT(contains(errorOf(text), "line 51: elements within more than 50 others"));
+    TEST_ASSERT(contains(errorOf(text), "line 51: elements are nested more than 50 deep"));
   }
   std::string wide = "<ParameterList>";
   for (int i = 0; i < 100; ++i)
@@ -296,16 +296,15 @@ TEUCHOS_UNIT_TEST(SceneReader, SaysWhatToDoWithAGeometry) {
     }
     return std::string();
   };
-  TEST_EQUALITY(
-      said("dir/part.geo"),
-      "dir/part.geo: is a geometry or a mesh, not a scene; 'suture_new dir/part.geo' writes a scene of it, which names it in Mesh/File");
+  TEST_EQUALITY(said("dir/part.geo"),
+                "dir/part.geo: is a geometry or a mesh, not a scene; 'suture_new dir/part.geo' writes a scene that names it in Mesh/File");
   TEST_ASSERT(contains(said("part.MSH"), "suture_new part.MSH"));
-  TEST_ASSERT(contains(said("part.xml"), "this is no XML"));
+  TEST_ASSERT(contains(said("part.xml"), "this is not valid XML"));
 }
 
 TEUCHOS_UNIT_TEST(SceneReader, ReadsRegularFilesOfASceneSizeOnly) {
   const CommPtr comm = Teuchos::DefaultComm<int>::getComm();
-  TEST_EQUALITY(errorOfFile(*comm, "/dev/zero"), "/dev/zero: is no regular file; expected an XML file");
+  TEST_EQUALITY(errorOfFile(*comm, "/dev/zero"), "/dev/zero: is not a regular file; expected an XML file");
   const Written large(*comm, std::string((16 << 20) + 1, ' '));
   TEST_EQUALITY(errorOfFile(*comm, large.path), large.path + ": has 16777217 bytes; expected an XML file of at most 16777216");
 }

@@ -134,9 +134,10 @@ TEUCHOS_UNIT_TEST(Generators, RefuseBadBoxesAllAtOnce) {
   single.brickY = 9;
   half.brickY = 2;
   const std::string said = meshtesting::problemsOf([&] { boxes({empty, uneven, none, none, single, half}); });
-  SUTURE_CHECK_SAYS(said,
-                    "Mesh/Boxes/single/Bricks: {6, 9} make no board of the cells {6, 4}; expected at least one cell each way and two");
-  SUTURE_CHECK_SAYS(said, "Mesh/Boxes/half/Bricks: {0, 2} make no board");
+  SUTURE_CHECK_SAYS(
+      said,
+      "Mesh/Boxes/single/Bricks: {6, 9} do not form a board of the cells {6, 4}; expected at least one cell in each direction and two");
+  SUTURE_CHECK_SAYS(said, "Mesh/Boxes/half/Bricks: {0, 2} do not form a board");
   SUTURE_CHECK_SAYS(said, "Mesh/Boxes/empty/Y: an empty interval");
   SUTURE_CHECK_SAYS(said, "Mesh/Boxes/uneven/Blocks: {4, 2} do not divide the cells {6, 4}");
   SUTURE_CHECK_SAYS(said, "Mesh/Boxes/none/Cells: {0, 4}");

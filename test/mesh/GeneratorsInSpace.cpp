@@ -209,7 +209,6 @@ TEUCHOS_UNIT_TEST(GeneratorsInSpace, RefuseBadBoxesAllAtOnce) {
   SUTURE_CHECK_SAYS(said, "Mesh/Boxes/empty/Z: an empty interval");
   SUTURE_CHECK_SAYS(said, "Mesh/Boxes/uneven/Blocks: {1, 1, 3} do not divide the cells {4, 3, 2}");
   SUTURE_CHECK_SAYS(said, "Mesh/Boxes/none/Cells: {4, 3, 0}");
-  SUTURE_CHECK_SAYS(said, "Mesh/Boxes/half/Bricks: {2, 2, 0} make no board of the cells {4, 3, 2}");
-  SUTURE_CHECK_SAYS(said,
-                    "Mesh/Boxes/plane/Cell: Triangle6 beside Hexahedron8 in 'empty'; expected all boxes in the plane or all in space");
+  SUTURE_CHECK_SAYS(said, "Mesh/Boxes/half/Bricks: {2, 2, 0} do not form a board of the cells {4, 3, 2}");
+  SUTURE_CHECK_SAYS(said, "Mesh/Boxes/plane/Cell: Triangle6, but Hexahedron8 in 'empty'; expected all boxes in 2D or all in 3D");
 }

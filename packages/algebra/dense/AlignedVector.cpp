@@ -14,15 +14,15 @@ namespace suture {
 namespace {
 
 constexpr std::size_t kCacheLine = 64, kPage = 4096, kHugePage = std::size_t(1) << 21;
-constexpr std::size_t kSmall = std::size_t(1) << 15;  // up to here memory is as good as any
+constexpr std::size_t kSmall = std::size_t(1) << 15;  // up to this size, ordinary memory is as fast
 constexpr std::size_t kChunk = std::size_t(1) << 25;
 
 std::size_t roundedUp(std::size_t size, std::size_t unit) { return (size + unit - 1) / unit * unit; }
 
 #if defined(__linux__)
 
-/// Chunks of the system's memory that are filled from one end to the other. Freed memory goes back to the system at once, by pages, and a
-/// chunk as a whole with its last piece.
+/// Chunks of system memory, filled from one end to the other. Freed memory is returned to the system immediately, by pages; a chunk is
+/// returned as a whole with its last piece.
 class HugePages {
  public:
   void* allocate(std::size_t bytes) {
@@ -61,7 +61,7 @@ class HugePages {
     }
   };
 
-  /// Begins at a huge page: memory mapped before and behind it goes back.
+  /// Starts at a huge page: memory mapped before and after the chunk is returned.
   Chunk& open(std::size_t size) {
     void* mapped = mmap(nullptr, size + kHugePage, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
     if (mapped == MAP_FAILED) throw std::bad_alloc();
@@ -69,16 +69,16 @@ class HugePages {
     if (begin > from) munmap(mapped, begin - from);
     munmap(reinterpret_cast<void*>(begin + size), from + kHugePage - begin);
     auto* const at = reinterpret_cast<char*>(begin);
-    madvise(at, size, MADV_HUGEPAGE);  // pages stay small where the system refuses
+    madvise(at, size, MADV_HUGEPAGE);  // pages stay small if the system refuses
     return chunks_.emplace(at, Chunk{at, size}).first->second;
   }
 
   std::mutex mutex_;
-  std::map<char*, Chunk> chunks_;  // by their begin
-  Chunk* current_ = nullptr;       // the one that is being filled
+  std::map<char*, Chunk> chunks_;  // by their start
+  Chunk* current_ = nullptr;       // the chunk being filled
 };
 
-/// Lives to the end of the process: objects of static duration may free theirs late.
+/// Never destroyed: objects of static duration may free their memory late.
 HugePages& hugePages() {
   static auto* const one = new HugePages;
   return *one;

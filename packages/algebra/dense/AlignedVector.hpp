@@ -6,14 +6,14 @@
 
 namespace suture {
 
-/// Memory that begins at a line of the cache, not cleared. Large pieces lie side by side in huge pages where the system has them
-/// (Linux: madvise): dense matrices are read from one end to the other, and pages of 4 kB slow that down. Two processes on an EPYC, 130
-/// matrices of 0.4 to 1.2 MB, GB/s of each, medians (smallest-largest) of eight: reading 17.0 (12.8-17.5), in huge pages 23.2
-/// (12.6-26.2); PackedSymmetric's products 14.2 (10.9-16.7) and 20.7 (14.4-22.7). Local, safe with threads. \throws std::bad_alloc
+/// Allocates memory that starts at a cache line, uninitialised. Large blocks lie next to each other in huge pages if the system provides
+/// them (Linux: madvise): dense matrices are read sequentially, which pages of 4 kB slow down. Two processes on an EPYC, 130 matrices of
+/// 0.4 to 1.2 MB, GB/s of each, medians (smallest-largest) of eight: reading 17.0 (12.8-17.5), in huge pages 23.2 (12.6-26.2);
+/// PackedSymmetric's products 14.2 (10.9-16.7) and 20.7 (14.4-22.7). Local, thread-safe. \throws std::bad_alloc
 void* allocateLines(std::size_t bytes);
 void freeLines(void* at, std::size_t bytes) noexcept;
 
-/// The same for containers.
+/// Allocator for containers that uses allocateLines().
 template <typename T>
 struct LineAllocator {
   using value_type = T;
@@ -35,7 +35,7 @@ struct LineAllocator {
   friend bool operator!=(const LineAllocator&, const LineAllocator&) { return false; }
 };
 
-/// Numbers for kernels. resize() leaves new ones undefined.
+/// Vector for kernels. resize() leaves new elements uninitialised.
 template <typename T>
 using AlignedVector = std::vector<T, LineAllocator<T>>;
 

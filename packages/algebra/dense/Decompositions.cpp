@@ -14,7 +14,7 @@ namespace suture {
 SingularValues singularValues(const Matrix& matrix) {
   const Eigen::Index m = matrix.cols();
   if (matrix.rows() == 0 || m == 0) return {Vector(0), Matrix(matrix.rows(), 0), Matrix::Identity(m, m)};
-  if (matrix.rows() > m) {  // the small triangle has the same values and right vectors
+  if (matrix.rows() > m) {  // the small triangle of a QR has the same values and right vectors
     const Eigen::HouseholderQR<Matrix> qr(matrix);
     SingularValues small = singularValues(qr.matrixQR().topRows(m).triangularView<Eigen::Upper>());
     Matrix u = Matrix::Zero(matrix.rows(), small.u.cols());
@@ -57,7 +57,7 @@ Eigenpairs symmetricEigenpairs(const Matrix& matrix) {
 std::vector<double> tridiagonalEigenvalues(const std::vector<double>& diagonal, const std::vector<double>& offDiagonal) {
   const int n = static_cast<int>(diagonal.size());
   if (n == 0) return {};
-  // LAPACK's: Eigen's gives up on the long Lanczos matrices of badly conditioned systems, and says so nowhere.
+  // LAPACK, because Eigen's solver silently fails on the long Lanczos matrices of badly conditioned systems.
   std::vector<double> values = diagonal, off = offDiagonal;
   off.resize(n);
   double none = 0.0;

@@ -10,17 +10,17 @@ namespace suture {
 
 namespace {
 
-constexpr double kPivot = 1e-10;      // least entry of a column, in parts of its largest, that a pivot may be
-constexpr double kTie = 1e-11;        // difference of two ratios, in parts of the largest value, up to which the larger pivot is taken
-constexpr double kHolds = 1e-9;       // violation of a condition that is rounding, in parts of the largest value
-constexpr Eigen::Index kPivots = 30;  // pivots for each unknown at most
+constexpr double kPivot = 1e-10;      // smallest pivot, relative to the largest entry of its column
+constexpr double kTie = 1e-11;        // difference of two ratios, relative to the largest value, up to which the larger pivot is taken
+constexpr double kHolds = 1e-9;       // violation of a condition treated as round-off, relative to the largest value
+constexpr Eigen::Index kPivots = 30;  // maximum number of pivots per unknown
 
 }  // namespace
 
 std::optional<Vector> linearComplementarity(const Matrix& m, const Vector& q) {
   const Eigen::Index n = q.size(), artificial = 2 * n, right = artificial + 1;
   if (n == 0 || q.minCoeff() >= 0.0) return Vector::Zero(n);
-  // A generic covering vector: along its path no two of the values reach zero together, other than by rounding.
+  // A generic covering vector: along its path no two values reach zero together, except by round-off.
   std::mt19937 engine(1);
   Matrix tableau(n, right + 1);  // columns of w, z, the artificial unknown, the right-hand side
   tableau.leftCols(n).setIdentity();
@@ -44,7 +44,7 @@ std::optional<Vector> linearComplementarity(const Matrix& m, const Vector& q) {
       std::vector<Eigen::Index> in;
       for (const Eigen::Index column : basic)
         if (column >= n) in.push_back(column - n);
-      // Once more from the data: pivots have left rounding behind.
+      // Recomputed from the data, because pivots accumulate round-off.
       Vector z = Vector::Zero(n);
       if (!in.empty()) z(in) = leastSquares(m(in, in), -q(in));
       const Vector w = m * z + q;

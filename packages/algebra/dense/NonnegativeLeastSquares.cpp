@@ -12,7 +12,8 @@ Vector nonnegativeLeastSquares(const Matrix& a, const Vector& b) {
   std::vector<int> passive;
   std::vector<char> isPassive(n, 0);
   const double size = a.size() > 0 ? a.colwise().norm().maxCoeff() : 0.0;
-  // Each round takes in the column that pulls hardest; every inner step drops at least one: the sets never repeat, as the residual falls.
+  // Each round adds the column with the largest gradient; every inner step drops at least one column. As the residual falls, no set of
+  // columns repeats.
   for (Eigen::Index round = 0; round < 3 * n + 30; ++round) {
     const Vector residual = b - a * p, pull = a.transpose() * residual;
     Eigen::Index best = -1;

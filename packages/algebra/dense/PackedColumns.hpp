@@ -3,8 +3,8 @@
 
 namespace suture {
 
-/// A dense matrix of more rows than columns that is only multiplied, by vectors, from either side: the bases of BDDC. Four columns side by
-/// side, line of the cache by line, so that a product reads memory in one direction. Local; const is safe with threads.
+/// A dense matrix with more rows than columns, used only for products with vectors from either side: the bases of BDDC. Four columns are
+/// stored next to each other, interleaved by cache lines, so that a product reads memory sequentially. Local; const access is thread-safe.
 class PackedColumns {
  public:
   using Precision = PackedSymmetric::Precision;

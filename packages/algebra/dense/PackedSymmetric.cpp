@@ -9,11 +9,11 @@ namespace suture {
 
 namespace {
 
-/// Begin of a panel.
+/// Offset of a panel.
 std::size_t begin(int panel, int rows) { return static_cast<std::size_t>(kWidth) * panel * (rows - kWidth * (panel - 1) / 2); }
 
-/// A panel is the diagonal block, then blocks of as many rows as a line of the cache has numbers, then, where fewer are left, of four.
-/// Calls take(column, row, height, place) for each block in the order of memory; a block has four columns.
+/// A panel consists of the diagonal block, then blocks with as many rows as a cache line has numbers, then, for the remaining rows, blocks
+/// of four. Calls take(column, row, height, place) for each block in memory order; a block has four columns.
 template <typename Real, typename Take>
 void eachBlock(int rows, const Take& take) {
   std::size_t place = 0;
@@ -38,10 +38,10 @@ __attribute__((always_inline)) inline void addBlock(const Real* a, const Real* x
   s3 += b3 * by;
 }
 
-/// y += A x, `rows` of them, a multiple of the panel's width. A comes from memory once and is used twice. In this order, from the begin of
-/// a line on, it is as fast as reading: 17 to 19 GB/s in a quiet minute (two processes on an EPYC, the case of AlignedVector in pages of
-/// 4 kB, either precision; whole columns one after the other, the next fetched by instructions, 13 to 15), 13 to 15 where others take of
-/// the memory (both). Fetching by instructions in this order: none to 1 kB ahead the same, 4 kB and more a quarter slower.
+/// y += A x for `rows` rows, a multiple of the panel's width. A is read from memory once and used twice. In this order, starting at a cache
+/// line, it is as fast as reading: 17 to 19 GB/s on an idle machine (two processes on an EPYC, the case of AlignedVector in pages of 4 kB,
+/// either precision; whole columns one after the other, with software prefetch of the next: 13 to 15), 13 to 15 if others use the memory
+/// (both). Software prefetch in this order: none to 1 kB ahead the same, 4 kB and more a quarter slower.
 template <typename Real>
 __attribute__((always_inline)) inline void addProduct(int rows, const Real* a, const Real* x, Real* y) {
   using Line = suture::Line<Real>;
@@ -71,7 +71,7 @@ __attribute__((always_inline)) inline void addProduct(int rows, const Real* a, c
   }
 }
 
-/// y <- factor A x. `padded` are two vectors of `rows` numbers, work space.
+/// y <- factor A x. `padded`: work space of two vectors of `rows` numbers.
 template <typename Real>
 SUTURE_FOR_EACH_PROCESSOR void product(int size, int rows, const Real* a, double factor, const double* x, double* y, Real* padded) {
   const double scale = scaleOf<Real>(size, x);
@@ -153,7 +153,7 @@ Matrix PackedSymmetric::full() const {
     copy(values_);
   else
     copy(singles_);
-  // By blocks: rows of a block stay in the cache while its columns are gone through.
+  // By blocks, so that the rows of a block stay in the cache while its columns are processed.
   constexpr int block = 32;
   for (int first = 0; first < size_; first += block)
     for (int row = first; row < size_; row += block)

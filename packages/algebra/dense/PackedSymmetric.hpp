@@ -6,10 +6,10 @@
 
 namespace suture {
 
-/// A dense symmetric matrix of which little more than the lower triangle is kept: panels of four columns each, from their diagonal block
-/// (whole) downwards, of which a line of the cache of each column follows the other. A product reads memory once, in one direction, and is
-/// as fast as memory is. In single precision half of that, for operators that need not be exact: preconditioners. Local; const is safe with
-/// threads.
+/// A dense symmetric matrix of which little more than the lower triangle is stored: panels of four columns each, from their diagonal block
+/// (stored in full) downwards, with the columns interleaved by cache lines. A product reads memory once, sequentially, and is limited only
+/// by memory bandwidth. Single precision halves that, for operators that need not be exact: preconditioners. Local; const access is
+/// thread-safe.
 class PackedSymmetric {
  public:
   enum class Precision { Double, Single };
@@ -17,8 +17,7 @@ class PackedSymmetric {
   PackedSymmetric() = default;
   /// \param matrix  its lower triangle is read
   explicit PackedSymmetric(const Matrix& matrix, Precision precision = Precision::Double);
-  /// From a matrix that is in single precision already. \param factor  times the matrix: a power of two beyond the range of single
-  /// precision
+  /// From a matrix already in single precision. \param factor  of the matrix: a power of two that may exceed the range of single precision
   explicit PackedSymmetric(const Eigen::MatrixXf& matrix, double factor = 1.0);
 
   int size() const { return size_; }

@@ -6,7 +6,7 @@ namespace suture {
 
 SymmetricMatrix::SymmetricMatrix(SparseMatrix&& matrix) {
   const int n = static_cast<int>(matrix.rows()), *start = matrix.outerIndexPtr(), *row = matrix.innerIndexPtr();
-  std::vector<int> from(n);  // begin of the triangle in each column
+  std::vector<int> from(n);  // start of the triangle in each column
   Eigen::Index onDiagonal = 0, below = 0;
   for (int j = 0; j < n; ++j) {
     from[j] = static_cast<int>(std::lower_bound(row + start[j], row + start[j + 1], j) - row);
@@ -40,7 +40,7 @@ SparseMatrix SymmetricMatrix::full() const {
     }
   for (int j = 0; j < n; ++j) ends[j + 1] += ends[j];
   both.resizeNonZeros(ends[n]);
-  // Column by column: when the turn comes to one, its entries above the diagonal have all been written, in order, by those before it.
+  // Column by column: the entries of a column above the diagonal have all been written, in order, by the columns before it.
   std::vector<int> next(ends, ends + n);
   for (int j = 0; j < n; ++j) {
     std::copy(row + start[j], row + start[j + 1], both.innerIndexPtr() + next[j]);

@@ -6,12 +6,12 @@
 
 namespace suture {
 
-/// A symmetric sparse matrix of which the lower triangle is kept: half the memory of a SparseMatrix. Stiffness matrices live until
-/// interiors are recovered: it is their lasting form. Local.
+/// A symmetric sparse matrix of which the lower triangle is stored: half the memory of a SparseMatrix. Used for stiffness matrices, which
+/// are kept until interiors are recovered. Local.
 class SymmetricMatrix {
  public:
   SymmetricMatrix() = default;
-  /// Keeps the lower triangle; entries above it are not read, and need not be there.
+  /// Keeps the lower triangle; entries above it are not read and may be absent.
   /// \param matrix  square, compressed, rows ascending in each column
   explicit SymmetricMatrix(SparseMatrix&& matrix);
   explicit SymmetricMatrix(const SparseMatrix& matrix) : SymmetricMatrix(SparseMatrix(matrix)) {}
@@ -32,11 +32,11 @@ class SymmetricMatrix {
   /// Entries of both triangles.
   Eigen::Index nonZeros() const { return nonZeros_; }
 
-  /// Both triangles, made anew at each call, for eliminations and for cutting blocks out.
+  /// Both triangles, rebuilt at each call, for eliminations and for extracting blocks.
   SparseMatrix full() const;
   Matrix dense() const { return Matrix(full()); }
 
-  /// A x, x a vector or several.
+  /// A x for one or several vectors x.
   template <typename Columns>
   auto operator*(const Eigen::MatrixBase<Columns>& x) const {
     return std::conditional_t<Columns::ColsAtCompileTime == 1, Vector, Matrix>(lower_.selfadjointView<Eigen::Lower>() * x);

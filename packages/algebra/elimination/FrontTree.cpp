@@ -8,11 +8,11 @@ namespace suture {
 
 namespace {
 
-// Groups of up to so many are eliminated in one dense front, zeros and all. 4 to 16 take the same time within noise;
-// 16 leaves a tenth more entries in the factor, 24 a third.
+// Up to this many groups are eliminated in one dense front, including zeros. 4 to 16 take the same time within noise; 16 gives a tenth more
+// entries in the factor, 24 a third.
 constexpr int kLeaf = 8;
 
-/// Unknowns in groups, in the order of the matrix, interior ones first.
+/// Groups of unknowns in the order of the matrix, interior ones first.
 struct Groups {
   std::vector<int> first;  // unknown
   std::vector<int> size;   // unknowns
@@ -22,8 +22,8 @@ struct Groups {
   int count() const { return static_cast<int>(first.size()); }
 };
 
-/// For each unknown, true if it has the pattern of the one before: both are in the same columns before theirs, and in their own the rows
-/// below are the same.
+/// For each unknown, true if it has the pattern of the previous one: both occur in the same earlier columns, and the rows below them are
+/// the same.
 std::vector<char> patternOfTheOneBefore(const SymmetricMatrix& matrix) {
   const int n = matrix.rows(), *first = matrix.lower().outerIndexPtr(), *rows = matrix.lower().innerIndexPtr();
   std::vector<char> same(n + 1, 1);
@@ -62,12 +62,12 @@ Groups groupsOf(const SymmetricMatrix& matrix, const std::vector<int>& boundary)
   return groups;
 }
 
-/// visit(g, h) for any two groups that are coupled, once. Unknowns of a group follow each other: the first one's column below the diagonal
-/// names those that come later.
+/// Calls visit(g, h) once for each pair of coupled groups. The unknowns of a group are consecutive: the first one's column below the
+/// diagonal lists the later groups.
 template <typename Visit>
 void forEachCouple(const SymmetricMatrix& matrix, const Groups& groups, const Visit& visit) {
   for (int g = 0; g < groups.count(); ++g) {
-    int known = g;  // rows ascend, and so do those of a group
+    int known = g;  // rows ascend, hence groups do, too
     for (SparseMatrix::InnerIterator it(matrix.lower(), groups.first[g]); it; ++it) {
       const int other = groups.of[it.row()];
       if (other == g || other == known) continue;
@@ -113,7 +113,7 @@ FrontTree::FrontTree(const SymmetricMatrix& matrix, const std::vector<int>& boun
     start.push_back(static_cast<int>(unknownAt.size()));
   }
 
-  // The rows of a front: couplings of its groups, and rows that its children leave.
+  // The rows of a front: couplings of its groups, and rows left by its children.
   const std::vector<int>& ends = dissection.ends;
   std::vector<std::vector<int>> children(ends.size());
   std::vector<int> seen(groups.count(), -1);

@@ -9,7 +9,7 @@ namespace suture {
 
 namespace {
 
-/// By one coordinate, then by the others.
+/// Orders by one coordinate, then by the others.
 struct Before {
   const std::vector<Point>& places;
   int axis;
@@ -46,7 +46,7 @@ class Dissector {
     }
     const int axis = longestAxis(begin, end), middle = begin + (end - begin) / 2;
     const auto at = [this](int position) { return vertices_.begin() + position; };
-    // Equal ones, as in regular meshes, along the line that they are on: in any other order it would be cut many times.
+    // Vertices with equal coordinates, as in regular meshes, are ordered along their line: any other order would cut the line many times.
     std::nth_element(at(begin), at(middle), at(end), Before{places_, axis});
     const int low = newMark(), high = newMark();
     mark(begin, middle, low);
@@ -57,7 +57,7 @@ class Dissector {
     const int first = fromLow ? begin : middle, last = fromLow ? middle : end;
     const auto isInside = [this, other = fromLow ? high : low](int vertex) { return !touches(vertex, other); };
     const int split = static_cast<int>(std::partition(at(first), at(last), isInside) - vertices_.begin());
-    // Along the line, so that the rows below a front have few gaps there.
+    // Along the separator, so that the rows below a front have few gaps.
     std::sort(at(split), at(last), Before{places_, axis == 0 ? 1 : 0});
     dissect(begin, fromLow ? split : middle);
     dissect(middle, fromLow ? end : split);
@@ -100,7 +100,7 @@ class Dissector {
   const std::vector<Point>& places_;
   const int leaf_;
   int marks_ = 0;
-  std::vector<int> half_;  // mark of the half that each vertex was in last; none for vertices that are not ordered
+  std::vector<int> half_;  // mark of each vertex's last half; none for vertices that are not ordered
   std::vector<int> vertices_;
   DissectionOrder result_;
 };

@@ -9,9 +9,9 @@ namespace suture {
 
 namespace {
 
-constexpr int kPanel = 12;    // columns that are eliminated one by one
-constexpr int kBlock = 96;    // columns whose panels are products of few columns, between products of many
-constexpr int kColumns = 24;  // columns of a product; the part above the diagonal is wasted
+constexpr int kPanel = 12;    // columns eliminated one by one
+constexpr int kBlock = 96;    // columns updated panel by panel; larger products between these blocks
+constexpr int kColumns = 24;  // columns of a product; its part above the diagonal is wasted work
 
 __attribute__((always_inline)) inline void scale(int n, double x, double* y) {
   int i = 0;
@@ -19,7 +19,7 @@ __attribute__((always_inline)) inline void scale(int n, double x, double* y) {
   for (; i < n; ++i) y[i] *= x;
 }
 
-/// Column by column; each is taken from those that follow.
+/// Column by column; each is subtracted from those that follow.
 SUTURE_FOR_EACH_PROCESSOR int factorPanel(int columns, int rows, double* values, std::ptrdiff_t stride) {
   for (int j = 0; j < columns; ++j) {
     double* own = values + j * stride;
@@ -31,14 +31,14 @@ SUTURE_FOR_EACH_PROCESSOR int factorPanel(int columns, int rows, double* values,
   return 0;
 }
 
-/// Subtracts the product of the columns before `first` from those from there on.
+/// Subtracts the product of the columns before `first` from the columns from `first` on.
 void subtractColumnsBefore(int first, int columns, int rows, double* values, int stride) {
   if (first > 0)
     cblas_dgemm(CblasColMajor, CblasNoTrans, CblasTrans, rows - first, columns, first, -1.0, values + first, stride, values + first, stride,
                 1.0, values + static_cast<std::ptrdiff_t>(first) * (stride + 1), stride);
 }
 
-/// Strips of `width` columns one after the other: subtraction of those before, then the strip itself.
+/// Processes strips of `width` columns in order: subtracts the columns before a strip, then factors it.
 template <typename Factor>
 int factorStrips(int width, int columns, int rows, double* values, int stride, const Factor& factor) {
   for (int first = 0; first < columns; first += width) {

@@ -13,8 +13,8 @@ std::string PivotCheck::brokeDown() const {
 }
 
 void PivotCheck::judge() const {
-  // Measured on floating squares: up to n eps / 10. A legitimate pivot can be small, too: (thickness / length)^3 of a beam, the ratio of
-  // Young's moduli around a stiff inclusion; hence the cap, which lets large singular matrices pass rather than refuse those.
+  // Measured on floating squares: up to n eps / 10. Legitimate pivots can be small, too: (thickness / length)^3 of a beam, the ratio of
+  // Young's moduli around a stiff inclusion. The cap therefore accepts large singular matrices rather than refuse such regular ones.
   const double rounding = std::min(1e-13, size_ * std::numeric_limits<double>::epsilon());
   if (smallest_ > rounding) return;
   std::ostringstream message;

@@ -4,12 +4,12 @@
 
 namespace suture {
 
-/// Watches the pivots of a Cholesky factorisation: a singular matrix leaves rounding instead of a zero, of either sign, and a factorisation
-/// stops at the negative half only. Local.
+/// Monitors the pivots of a Cholesky factorisation: a singular matrix gives round-off of either sign instead of a zero pivot, and the
+/// factorisation itself stops only for a negative sign. Local.
 class PivotCheck {
  public:
   /// \param size      unknowns of the matrix
-  /// \param trailing  number of those that are ordered last, for messages
+  /// \param trailing  number of unknowns ordered last, for messages
   PivotCheck(int size, int trailing) : size_(size), trailing_(trailing) {}
 
   /// \param pivot  l_jj^2
@@ -19,11 +19,11 @@ class PivotCheck {
     smallest_ = ratio;
     unknown_ = unknown;
   }
-  /// Smallest pivot by its diagonal entry, and where.
+  /// Smallest ratio of pivot to diagonal entry, and its unknown.
   double smallest() const { return smallest_; }
   int unknown() const { return unknown_; }
 
-  /// \throws NumericalError  the smallest pivot is nothing but rounding
+  /// \throws NumericalError  if the smallest pivot is only round-off
   void judge() const;
   /// \throws NumericalError  always: a pivot that is not positive
   [[noreturn]] void notPositive(int unknown, int step) const;

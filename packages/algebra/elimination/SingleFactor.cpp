@@ -11,17 +11,17 @@ namespace suture {
 
 namespace {
 
-constexpr double kAccuracy = 1e-15;  // accuracy of the recursion; the rounding left in the true residual is that of a direct solve
-constexpr double kSurely = 1e-4;     // by how much a residual that is only expected has to be below its square
+constexpr double kAccuracy = 1e-15;  // accuracy of the recursive residual; the true residual has the round-off of a direct solve
+constexpr double kSurely = 1e-4;     // safety factor on the squared target for a predicted residual
 constexpr int kMost = 200;
 
-/// Largest power of two that is not larger than a positive number.
+/// Largest power of two that does not exceed a positive number.
 double powerOfTwo(double value) { return std::ldexp(1.0, std::ilogb(value)); }
 
-// Most supernodes have some sixteen columns, which take less time than a call of BLAS: hertz at 1M unknowns 0.11 to 0.14 s in all, 0.20 to
-// 0.21 with four calls a supernode (three runs in alternation).
+// Most supernodes have about sixteen columns, for which these loops are faster than BLAS: hertz at 1M unknowns 0.11 to 0.14 s in total,
+// 0.20 to 0.21 with four BLAS calls per supernode (three runs in alternation).
 
-/// x <- [L_11 0; L_21 I]^-1 x, columns of the supernode one after the other; one right-hand side, or as many as a register holds.
+/// x <- [L_11 0; L_21 I]^-1 x, column by column of the supernode; one right-hand side, or as many as a register holds.
 template <int columns>
 SUTURE_FOR_EACH_PROCESSOR void eliminate(int width, int rows, const float* values, float* x) {
   using Many = Register<float>;
@@ -50,7 +50,7 @@ SUTURE_FOR_EACH_PROCESSOR void eliminate(int width, int rows, const float* value
   }
 }
 
-/// x <- its transpose's inverse times x; `end` of the supernode's values.
+/// x <- the transposed inverse times x; `end`: end of the supernode's values.
 template <int columns>
 SUTURE_FOR_EACH_PROCESSOR void substituteBack(int width, int rows, const float* end, float* x) {
   using Many = Register<float>;
@@ -95,7 +95,7 @@ void SingleFactor::append(int first, int columns, const std::vector<int>& below,
   mostRows_ = std::max(mostRows_, columns + count);
 }
 
-// Right-hand sides lie side by side, row by row.
+// The right-hand sides are interleaved row by row.
 template <int columns>
 void SingleFactor::substitute(float* y, float* x) const {
   const auto isZero = [](float value) { return value == 0.0F; };
@@ -128,7 +128,7 @@ template <int columns>
 void SingleFactor::applyTo(ConstLocalView r, LocalView z) const {
   const std::size_t n = unknownOf_.size();
   float* const y = kernelSpace<float>(columns * (n + mostRows_));
-  double largest[columns] = {};  // residuals are brought to the size of one: single precision has a narrow range
+  double largest[columns] = {};  // residuals are scaled to order one: single precision has a narrow range
   const int given = static_cast<int>(r.cols());
   for (int c = 0; c < given; ++c) {
     for (const int unknown : unknownOf_) largest[c] = std::max(largest[c], std::abs(r(unknown, c)));
@@ -176,7 +176,7 @@ void SingleFactor::iterate(const SymmetricMatrix& matrix, Vector& r, Vector& x) 
     if (!std::isfinite(now)) break;
     if (step == 0) target = kAccuracy * kAccuracy * now;
     if (now <= target) return;
-    // The next one will be smaller by the same factor: where that is far below the target, it need not be seen.
+    // The next residual is predicted to fall by the same factor; if the prediction is far below the target, it is not computed.
     const bool isLast = step > 0 && now * (now / rz) <= kSurely * target;
     p = step == 0 ? z : Vector(z + (now / rz) * p);
     rz = now;

@@ -12,12 +12,12 @@ namespace suture {
 
 namespace {
 
-/// Numbers that follow each other in one front and in the next: one loop of additions.
+/// Consecutive rows both in one front and in the next: one loop of additions.
 struct Run {
   int from, to, length;
 };
 
-/// Work space that grows without keeping or clearing its content.
+/// Work space that grows without preserving or clearing its content.
 class Block {
  public:
   double* reserve(std::size_t size) {
@@ -32,13 +32,13 @@ class Block {
   std::size_t size_ = 0;
 };
 
-/// Contribution of an elimination to its parent: the lower triangle, by columns, all rows long.
+/// Contribution of an elimination to its parent: the lower triangle, stored by columns of full length.
 struct Update {
   Block block;
   int size = 0;
 };
 
-/// Target of updates: the lower triangle of a block whose first row and column are number `origin` of the front.
+/// Target of updates: the lower triangle of a block whose first row and column have the number `origin` in the front.
 struct Target {
   double* values;
   int stride, origin;
@@ -46,7 +46,7 @@ struct Target {
   double* at(int row, int column) const { return values + static_cast<std::ptrdiff_t>(column - origin) * stride + (row - origin); }
 };
 
-/// The lower triangle of a matrix whose unknowns have been moved: entries by the position of their column, in any order.
+/// The lower triangle of a permuted matrix: entries by the position of their column, in any order.
 struct Moved {
   std::vector<int> start, rows;  // rows: positions
   std::vector<double> values;
@@ -71,7 +71,7 @@ struct Moved {
   }
 };
 
-/// Front by front, children before parents: a front's contribution waits for its parent, or goes to S.
+/// Processes the fronts, children before parents: a front's contribution is kept for its parent, or added to S.
 class Elimination {
  public:
   Elimination(const SymmetricMatrix& matrix, const std::vector<int>& boundary, const std::vector<Point>& places)
@@ -82,7 +82,7 @@ class Elimination {
         diagonal_(matrix.diagonal()),
         children_(tree_.fronts.size()),
         updates_(tree_.fronts.size()) {
-    std::vector<int> place(matrix.rows());  // place of each unknown
+    std::vector<int> place(matrix.rows());  // position of each unknown
     for (int g = 0; g < tree_.groups(); ++g)
       for (int p = tree_.start[g]; p < tree_.start[g + 1]; ++p) {
         place[tree_.unknownAt[p]] = p;
@@ -96,7 +96,7 @@ class Elimination {
   const FrontTree& tree() const { return tree_; }
   const PivotCheck& check() const { return check_; }
 
-  /// Eliminates the interior. `load`, in positions, becomes L^-1 f_I and the condensed load of the boundary.
+  /// Eliminates the interior. `load`, by positions, becomes L^-1 f_I and the condensed load of the boundary.
   SingleFactor run(Vector& load, Matrix& schur) {
     const int interior = tree_.interior(), size = static_cast<int>(groupOf_.size()) - interior;
     schur.setZero(size, size);
@@ -113,7 +113,7 @@ class Elimination {
  private:
   int groupSize(int g) const { return tree_.start[g + 1] - tree_.start[g]; }
 
-  /// Its contribution is then added to S at once, row by row.
+  /// True if the front's contribution can be added to S directly, row by row.
   bool isWholeBoundary(const FrontTree::Front& front) const {
     return front.parent < 0 && front.endRow - front.firstRow == tree_.groups() - tree_.interiorGroups;
   }
@@ -143,7 +143,7 @@ class Elimination {
     }
     const int below = size - columns;
 
-    // Pivot columns: entries of the matrix and contributions of children.
+    // Pivot columns: entries of the matrix and the children's contributions.
     panel_.assign(static_cast<std::size_t>(size) * columns, 0.0);
     for (int j = 0; j < columns; ++j) {
       double* column = panel_.data() + static_cast<std::size_t>(j) * size;
@@ -201,7 +201,7 @@ class Elimination {
     factor.append(first, columns, below_, panel_.data(), size);
   }
 
-  /// Adds the columns of a child's update that lie in [begin, end) of its parent, where its rows are at at_.
+  /// Adds the columns of a child's update within [begin, end) of its parent, in which its rows have positions at_.
   void add(int child, int begin, int end, Target target) {
     const FrontTree::Front& front = tree_.fronts[child];
     const Update& update = updates_[child];
@@ -239,7 +239,7 @@ class Elimination {
   PivotCheck check_;
   std::unique_ptr<const Moved> matrix_;
   std::vector<int> groupOf_;  // group of each position
-  std::vector<int> at_;       // group -> row of the present front
+  std::vector<int> at_;       // group -> row of the current front
   std::vector<int> below_;
   Vector diagonal_, moved_;
   std::vector<std::vector<int>> children_;
@@ -263,7 +263,7 @@ StaticCondensation::StaticCondensation(const SymmetricMatrix& matrix, const Vect
   elimination.check().judge();
 
   interiorEnergy_ = -0.5 * inOrder.head(interior).squaredNorm();
-  if (std::is_sorted(boundary.begin(), boundary.end())) {  // as the tree has it
+  if (std::is_sorted(boundary.begin(), boundary.end())) {  // the order of the tree
     condensedLoad_ = inOrder.tail(size);
     schur_ = std::move(ascending);
     return;

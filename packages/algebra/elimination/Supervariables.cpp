@@ -11,7 +11,8 @@ Supervariables::Supervariables(const SparseMatrix& matrix, int size) : size_(siz
     const int* const end = std::lower_bound(rows + start[column], rows + start[column + 1], size);
     return std::pair(std::lower_bound(rows + start[column], end, column), end);
   };
-  // A group begins where some column to the left has one of two neighbouring rows and not the other, or the two columns differ below.
+  // A group begins at a row if some column to the left contains only one of this row and the previous one, or if their two columns differ
+  // below.
   std::vector<char> begins(size + 1, 0);
   for (int column = 0; column < size; ++column) {
     const auto [from, end] = lower(column);
@@ -53,7 +54,7 @@ SparseMatrix permutedLower(const SparseMatrix& matrix, const std::vector<int>& o
   const int n = static_cast<int>(order.size());
   std::vector<int> place(n);
   for (int i = 0; i < n; ++i) place[order[i]] = i;
-  // Filled by rows; then by columns, of which the rows ascend.
+  // Filled by rows, then by columns, in which the rows ascend.
   std::vector<int> rowStart(n + 1, 0);
   SparseMatrix made(n, n);
   int* const start = made.outerIndexPtr();

@@ -5,8 +5,8 @@
 
 namespace suture {
 
-/// A direct solver of Amesos2 (KLU2), on a communicator of its own rank: KLU2 gave wrong answers, silently, on matrices distributed over
-/// several ranks, so the matrix never is (doc/numerics.md; a regression test checks the answers).
+/// A direct solver of Amesos2 (KLU2) on a single-rank communicator: KLU2 silently gave wrong results for matrices distributed over several
+/// ranks, so the matrix is never distributed (doc/numerics.md; a regression test checks the results).
 class AmesosSolver : public LocalSolver {
  public:
   static Schema schema();

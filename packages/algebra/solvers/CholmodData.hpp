@@ -7,7 +7,7 @@
 
 namespace suture {
 
-/// A factor of CHOLMOD, how it is made (CholmodFactor.cpp) and solved with (CholmodSolves.cpp).
+/// A CHOLMOD factor: factorisation in CholmodFactor.cpp, substitutions in CholmodSolves.cpp.
 struct CholmodFactor::Data : CholmodHandle {
   void order(const Eigen::SparseMatrix<double>& matrix, CholmodOptions::Ordering ordering);
   void factorise(const Eigen::SparseMatrix<double>& matrix, const CholmodOptions& options);
@@ -18,12 +18,12 @@ struct CholmodFactor::Data : CholmodHandle {
   void backward(int upTo, Eigen::Ref<Matrix> x) const;
   void solve(int upTo, LocalView rhs) const;
 
-  // Supernode s: its first column, its columns and rows below a limit, its dense block, its row numbers.
+  // Supernode s, restricted to columns and rows below a limit.
   struct Supernode {
     int first, columns, rows;
     const double* values;
     int stride;
-    const int* below;  // row numbers after the diagonal block's
+    const int* below;  // row numbers below the diagonal block
   };
   Supernode supernode(int s, int upTo) const;
 

@@ -10,8 +10,8 @@ Schema CholmodSolver::schema() {
   Schema schema("CHOLMOD of SuiteSparse.");
   schema.oneOf(
       "Ordering", "Automatic", {"AMD", "Automatic", "METIS"},
-      "Fill-reducing ordering. Automatic: METIS where nodes have three unknowns, as in space: a tenth less memory; else AMD, which "
-      "is the cheaper one.");
+      "Fill-reducing ordering. Automatic: METIS if nodes have three unknowns, as in 3D, for a tenth less memory; else AMD, which is "
+      "faster.");
   return schema;
 }
 

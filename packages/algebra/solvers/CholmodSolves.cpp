@@ -1,4 +1,4 @@
-// Substitutions with a factor of CHOLMOD: with its first columns alone, too, which CHOLMOD's own do not know.
+// Substitutions with a CHOLMOD factor, also restricted to its first columns, which CHOLMOD does not offer.
 #include <cblas.h>
 #include <cholmod.h>
 #include <suture/algebra/Lanes.hpp>
@@ -15,7 +15,7 @@ namespace {
 
 constexpr int columnsAtOnce = 32;  // right-hand sides that share one pass over L
 
-thread_local std::vector<double> keptUpdate;  // a supernode's part of x, forward and backward
+thread_local std::vector<double> keptUpdate;  // a supernode's part of x, in both substitutions
 
 /// x <- [L_11 0; L_21 I]^-1 x for a supernode, column by column.
 SUTURE_FOR_EACH_PROCESSOR void eliminate(int columns, int rows, const double* values, int stride, double* x) {
@@ -52,7 +52,7 @@ CholmodFactor::Data::Supernode CholmodFactor::Data::supernode(int s, int upTo) c
   return node;
 }
 
-// x <- L^-1 x for the first `upTo` columns and rows of L. Row numbers ascend within a column, so that the limit cuts off a tail.
+// x <- L^-1 x for the first `upTo` columns and rows of L. Row numbers ascend within a column, so the limit removes the end of each column.
 void CholmodFactor::Data::forward(int upTo, Eigen::Ref<Matrix> x) const {
   if (!statistics.supernodal) {
     const int *p = static_cast<const int*>(factor->p), *rows = static_cast<const int*>(factor->i),
@@ -84,7 +84,7 @@ void CholmodFactor::Data::forward(int upTo, Eigen::Ref<Matrix> x) const {
       continue;
     }
     double* y = x.data() + node.first;
-    if (x.middleRows(node.first, node.columns).isZero(0.0)) continue;  // many where right-hand sides begin on the boundary
+    if (x.middleRows(node.first, node.columns).isZero(0.0)) continue;  // frequent for right-hand sides that begin on the boundary
     cblas_dtrsm(CblasColMajor, CblasLeft, CblasLower, CblasNoTrans, CblasNonUnit, node.columns, x.cols(), 1.0, node.values, node.stride, y,
                 x.outerStride());
     if (m == 0) continue;
@@ -95,7 +95,7 @@ void CholmodFactor::Data::forward(int upTo, Eigen::Ref<Matrix> x) const {
   }
 }
 
-// x <- L^-T x, likewise.
+// x <- L^-T x for the first `upTo` columns and rows of L.
 void CholmodFactor::Data::backward(int upTo, Eigen::Ref<Matrix> x) const {
   if (!statistics.supernodal) {
     const int *p = static_cast<const int*>(factor->p), *rows = static_cast<const int*>(factor->i),

@@ -26,7 +26,7 @@ void Hdf5File::Impl::closeQuietly() noexcept {
   if (descriptor >= 0) ::close(std::exchange(descriptor, -1));
   if (file < 0) return;
   const Quiet quiet;
-  // HDF5 writes its data on the file when it closes it: a file that is thrown away anyway gives the room back first.
+  // H5Fclose flushes the data: a file that is discarded anyway is truncated first to release its disk space.
   if (writing) static_cast<void>(::truncate(temporary().c_str(), 0) == 0);
   H5Fclose(file);
   file = -1;
@@ -68,10 +68,10 @@ Hdf5File Hdf5File::open(const Comm& comm, const std::string& path) {
     if (std::error_code ignored; std::filesystem::is_directory(path, ignored)) throw InputError(path, "is a folder; expected an HDF5 file");
     if (::access(path.c_str(), R_OK) != 0) throw InputError(path, std::string("cannot be read: ") + std::strerror(errno));
     if (std::error_code ignored; !std::filesystem::is_regular_file(path, ignored))
-      throw InputError(path, "is no regular file; expected an HDF5 file");
+      throw InputError(path, "is not a regular file; expected an HDF5 file");
     if (H5Fis_hdf5(path.c_str()) <= 0) throw InputError(path, "is not an HDF5 file");
     impl->file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
-    if (impl->file < 0) throw InputError(path, "is damaged or cut off: " + complaint());
+    if (impl->file < 0) throw InputError(path, "is damaged or truncated: " + complaint());
   });
   return Hdf5File(std::move(impl));
 }
@@ -84,7 +84,7 @@ void Hdf5File::close() {
   }
   if (my.descriptor < 0) return;
   collectively(*my.comm, "writing " + my.path, [&] {
-    if (my.owed > 0) throw InternalError(my.path + ": " + std::to_string(my.owed) + " rows were promised and not given");
+    if (my.owed > 0) throw InternalError(my.path + ": " + std::to_string(my.owed) + " announced rows are missing");
   });
   my.keepChecksums();
   collectively(*my.comm, "writing " + my.path, [&] {
@@ -98,7 +98,7 @@ void Hdf5File::close() {
     hsize_t size = 0;
     checked(H5Fget_filesize(my.file, &size));
     checked(H5Fclose(std::exchange(my.file, -1)));
-    // HDF5 does not know of the room that was reserved behind its end.
+    // HDF5 does not know of the space reserved beyond its end of file.
     if (::truncate(my.temporary().c_str(), static_cast<off_t>(size)) != 0 || std::rename(my.temporary().c_str(), my.path.c_str()) != 0) {
       const std::string reason = std::strerror(errno);
       std::remove(my.temporary().c_str());

@@ -9,15 +9,15 @@ namespace suture {
 
 class Hdf5File;
 
-/// This rank's rows of a dataset that is being written, given piece by piece: the rows need never be in memory as a whole. It must
-/// go before the file is closed. T: double, int, GlobalId, unsigned char.
+/// This rank's rows of a dataset being written, given piece by piece: the rows are never in memory as a whole. Must be destroyed before the
+/// file is closed. T: double, int, GlobalId, unsigned char.
 template <typename T>
 class Hdf5Rows {
  public:
   Hdf5Rows(Hdf5Rows&&) noexcept;
   ~Hdf5Rows();
 
-  /// Local. \throws EnvironmentError  cannot be written; on this rank only: call it within collectively()
+  /// Local. \throws EnvironmentError  if writing fails; on this rank only: call it within collectively()
   void append(const std::vector<T>& values);
 
  private:
@@ -27,15 +27,15 @@ class Hdf5Rows {
   std::unique_ptr<Impl> impl_;
 };
 
-/// A file of HDF5, opened by all ranks of a communicator together; no other package includes HDF5.
+/// An HDF5 file, opened by all ranks of a communicator together; no other package includes HDF5.
 ///
-/// A file for writing is written under a temporary name in the same folder and renamed by close(), so that a reader never sees half a
-/// file; without close() (an exception) the temporary file is removed. Rank 0 alone speaks to HDF5; the other ranks write their numbers
-/// where it says, and disk space is reserved before anything is written there: a full disk is an error on all ranks. A
-/// file is read by rank 0 alone, which sends the content to the others. Paths are absolute within the file ("/VTKHDF/Points"), groups on
-/// the way are made. A file being written cannot be read. All functions are collective over the communicator, and throw on every rank;
-/// nothing is printed. Errors: EnvironmentError when the file cannot be written, InputError when it cannot be read, is not HDF5, is
-/// truncated, or lacks the object asked for (names file and path).
+/// A new file is written under a temporary name in the same folder and renamed by close(), so a reader never sees an incomplete file;
+/// without close() (an exception) the temporary file is removed. Only rank 0 calls HDF5; the other ranks write their numbers at the offsets
+/// it gives them. Disk space is reserved before anything is written there: a full disk is an error on all ranks. A file is read by rank 0
+/// alone, which sends the content to the others. Paths are absolute within the file ("/VTKHDF/Points"); missing groups along a path are
+/// created. A file being written cannot be read. All functions are collective over the communicator, and throw on every rank; nothing is
+/// printed. Errors: EnvironmentError if the file cannot be written; InputError if it cannot be read, is not HDF5, is truncated, or lacks
+/// the requested object (names file and path).
 class Hdf5File {
  public:
   static Hdf5File create(const Comm& comm, const std::string& path);
@@ -44,28 +44,28 @@ class Hdf5File {
   Hdf5File& operator=(Hdf5File&&) noexcept;
   ~Hdf5File();
 
-  /// From now on every dataset of numbers gets a checksum, which reading it as a whole compares: damage is blamed on the file.
+  /// Gives every dataset of numbers written from now on a checksum, verified when the dataset is read as a whole: detects damaged files.
   void addChecksums();
 
   void group(const std::string& path);
 
-  /// A dataset of `components` columns (1: a vector) whose rows are those of rank 0, then of rank 1, ...; `mine` are those of this rank,
-  /// all of which must be given before close().
+  /// A dataset of `components` columns (1: a vector) whose rows are those of rank 0, then of rank 1, ...; `mine`: number of rows of this
+  /// rank, all of which must be given before close().
   template <typename T>
   Hdf5Rows<T> rows(const std::string& path, GlobalId mine, int components = 1);
-  /// The same, given at once.
+  /// The same, given as a whole.
   void write(const std::string& path, const std::vector<double>& values, int components = 1);
   void write(const std::string& path, const std::vector<int>& values, int components = 1);
   void write(const std::string& path, const std::vector<GlobalId>& values, int components = 1);
   void write(const std::string& path, const std::vector<unsigned char>& values, int components = 1);
   /// One text, the same on all ranks (variable length UTF-8).
   void write(const std::string& path, const std::string& text);
-  /// Texts, the same on all ranks: variable length, and said to be ASCII whatever their bytes are, since VTK 9.1 reads no others.
+  /// Texts, the same on all ranks: variable length, declared as ASCII even if they are not, since VTK 9.1 reads no others.
   void write(const std::string& path, const std::vector<std::string>& texts);
 
-  /// Attributes of a group or dataset that exists; each name once.
+  /// Attributes of an existing group or dataset; each name once.
   void attribute(const std::string& path, const std::string& name, const std::string& text);
-  /// ASCII, fixed length, as VTKHDF wants it for its Type.
+  /// ASCII of fixed length, as VTKHDF requires for its Type.
   void fixedAttribute(const std::string& path, const std::string& name, const std::string& text);
   void attribute(const std::string& path, const std::string& name, const std::vector<GlobalId>& values);
   void attribute(const std::string& path, const std::string& name, double value);
@@ -74,7 +74,7 @@ class Hdf5File {
   std::vector<double> readReals(const std::string& path) const;
   std::vector<int> readInts(const std::string& path) const;
   std::vector<GlobalId> readGlobalIds(const std::string& path) const;
-  /// Bytes begin .. begin + count of a dataset of bytes; count < 0: all from there.
+  /// Bytes begin .. begin + count of a dataset of bytes; count < 0: all bytes from `begin` on.
   std::string readBytes(const std::string& path, GlobalId begin = 0, GlobalId count = -1) const;
   std::string readText(const std::string& path) const;
   std::string readTextAttribute(const std::string& path, const std::string& name) const;
@@ -82,14 +82,14 @@ class Hdf5File {
   /// Names of the members of a group, sorted.
   std::vector<std::string> members(const std::string& path) const;
 
-  /// Flushes and, for a file being written, renames it into place. \throws InternalError  rows that were promised are missing
+  /// Flushes and, for a file being written, renames it into place. \throws InternalError  if announced rows are missing
   void close();
 
-  /// Keeps HDF5 from cleaning up at the end of the program: it crashes there when a file could not be closed because the disk was full.
-  /// For programs, before anything else of HDF5. Local.
+  /// Disables HDF5's cleanup at program exit, which crashes if a file could not be closed because the disk was full. For programs,
+  /// before any other HDF5 call. Local.
   static void withoutExitHandler();
 
-  /// Version of the HDF5 library linked: "1.10.8". Local.
+  /// Version of the linked HDF5 library: "1.10.8". Local.
   static std::string libraryVersion();
 
  private:

@@ -24,8 +24,8 @@ Length number(const char* at, std::size_t bytes) {
   return value;
 }
 
-/// Walks through one heap as HDF5 will. "HDF5 File Format Specification", III.E: signature, version, 3 bytes, size of all; then objects of
-/// index (2 bytes), references (2), 4 bytes, size of the data; index 0 is free space, its size includes its header. All is padded to 8
+/// Traverses one heap as HDF5 will. "HDF5 File Format Specification", III.E: signature, version, 3 bytes, total size; then objects of index
+/// (2 bytes), references (2), 4 bytes, size of the data; index 0 is free space, whose size includes its header. Everything is padded to 8
 /// bytes.
 void checkHeap(std::ifstream& file, Length begin, Length fileSize, std::size_t lengthBytes) {
   const Length header = aligned(8 + lengthBytes);
@@ -36,18 +36,18 @@ void checkHeap(std::ifstream& file, Length begin, Length fileSize, std::size_t l
   const auto read = [&](std::vector<char>& into) {
     file.clear();
     file.seekg(static_cast<std::streamoff>(begin));
-    if (!file.read(into.data(), static_cast<std::streamsize>(into.size()))) throw damaged("it goes beyond the end of the file");
+    if (!file.read(into.data(), static_cast<std::streamsize>(into.size()))) throw damaged("it extends beyond the end of the file");
   };
   read(heap);
   const Length size = number(&heap[8], lengthBytes);
-  if (size < header || size > fileSize - begin) throw damaged("it goes beyond the end of the file");
+  if (size < header || size > fileSize - begin) throw damaged("it extends beyond the end of the file");
   heap.resize(size);
   read(heap);
   for (Length at = header; at + header <= size;) {
     const Length index = number(&heap[at], 2), data = number(&heap[at + 8], lengthBytes);
-    if (data > size) throw damaged("a text goes beyond its end");
+    if (data > size) throw damaged("a text extends beyond its end");
     const Length need = index == 0 ? data : header + aligned(data);
-    if (need < header || need > size - at) throw damaged(need < header ? "a piece has no size" : "a text goes beyond its end");
+    if (need < header || need > size - at) throw damaged(need < header ? "an object has size zero" : "a text extends beyond its end");
     at += need;
   }
 }
@@ -59,7 +59,7 @@ void checkHeaps(const std::string& path, std::size_t lengthBytes) {
   file.seekg(0, std::ios::end);
   if (!file) throw Failed{"it cannot be read"};
   const auto fileSize = static_cast<Length>(file.tellg());
-  // Pieces overlap, lest a signature that lies across two of them be missed.
+  // Pieces overlap, because a signature may lie across two of them.
   constexpr std::size_t overlap = sizeof kSignature - 1;
   std::vector<char> piece(kPiece + overlap);
   for (Length begin = 0; begin < fileSize; begin += kPiece) {

@@ -59,7 +59,7 @@ bool isThere(Id file, const std::string& path) {
     H5L_info_t link;
     if (H5Lexists(file, prefix.c_str(), H5P_DEFAULT) <= 0 || H5Lget_info(file, prefix.c_str(), &link, H5P_DEFAULT) < 0 ||
         link.type == H5L_TYPE_EXTERNAL || H5Oexists_by_name(file, prefix.c_str(), H5P_DEFAULT) <= 0)
-      return false;  // a link into another file is none of ours
+      return false;  // links into other files are not followed
   }
   return true;
 }

@@ -7,13 +7,13 @@
 #include <type_traits>
 #include <vector>
 
-// Types that reading and writing HDF5 have in common, without HDF5's own header. Inside this package only.
+// Types common to reading and writing HDF5, without HDF5's own header. Internal to this package.
 
 namespace suture::hdf5 {
 
 using Id = std::int64_t;  // hid_t
 
-/// Keeps HDF5 from printing its error stack while we look at it ourselves; the embedding program's setting comes back afterwards.
+/// Suppresses HDF5's error printing while errors are handled here; restores the embedding program's setting afterwards.
 class Quiet {
  public:
   Quiet();
@@ -26,10 +26,10 @@ class Quiet {
   void* data_ = nullptr;
 };
 
-/// The innermost complaint on HDF5's error stack: the cause, where the outer ones only say which function failed.
+/// The innermost entry of HDF5's error stack, which gives the cause; the outer ones only name the functions that failed.
 std::string complaint();
 
-/// Thrown on one rank by a failing HDF5 call; the public functions turn it into the error that the user sees.
+/// Thrown on one rank by a failing HDF5 call; the public functions convert it to the error that the user sees.
 struct Failed {
   std::string reason;
 };
@@ -40,7 +40,7 @@ Result checked(Result result) {
   return result;
 }
 
-/// An HDF5 object that is closed when it goes.
+/// An HDF5 object, closed by the destructor.
 class Handle {
  public:
   Handle(Id id, int (*close)(Id)) : id_(checked(id)), close_(close) {}
@@ -54,12 +54,12 @@ class Handle {
   int (*close_)(Id);
 };
 
-/// HDF5's type of the same numbers: double, int, GlobalId, unsigned char.
+/// HDF5's type of T: double, int, GlobalId, unsigned char.
 template <typename T>
 Id memoryType();
 
-/// Checksum of values that begin at the place `first` of a dataset. Sums of parts add up to that of the whole, on whatever ranks they are;
-/// integers of any width have the same.
+/// Checksum of values that begin at position `first` of a dataset. The sums of parts add up to the sum of the whole, for any distribution
+/// over ranks; integers of any width give the same sum.
 template <typename T>
 std::uint64_t checksum(const T* values, std::size_t count, std::uint64_t first) {
   std::uint64_t sum = 0;

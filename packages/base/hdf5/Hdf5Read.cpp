@@ -19,8 +19,8 @@ namespace {
 
 constexpr std::size_t longestText = std::size_t(1) << 30;
 
-/// One text from a dataset or an attribute, of fixed or of variable length; `read` reads into memory of a type, `check` comes before one of
-/// variable length is read.
+/// One text from a dataset or an attribute, of fixed or variable length; `read` reads into memory of a type, `check` is called before a
+/// text of variable length is read.
 std::string textOf(hid_t fileType, hid_t space, const std::function<void()>& check, const std::function<herr_t(hid_t, void*)>& read) {
   if (H5Tget_class(fileType) != H5T_STRING || H5Sget_simple_extent_npoints(space) != 1) throw Failed{"it is not a single text"};
   if (H5Tis_variable_str(fileType) > 0) {
@@ -39,19 +39,18 @@ std::string textOf(hid_t fileType, hid_t space, const std::function<void()>& che
   return text.substr(0, text.find('\0'));
 }
 
-/// Refuses a dataset whose header asks for more than the file can hold, before memory is taken: what the file does not hold is not there to
-/// be read. \throws Failed
+/// Refuses a dataset whose header claims more data than the file can hold, before memory is allocated. \throws Failed
 void mustBeStored(Id set, unsigned long long count, std::size_t size, unsigned long long fileSize) {
   const Handle list(H5Dget_create_plist(set), H5Pclose);
   if (H5Pget_layout(list) == H5D_VIRTUAL || H5Pget_external_count(list) > 0) throw Failed{"its values are in another file"};
   const unsigned long long stored = H5Dget_storage_size(set);
-  constexpr unsigned long long most = 1100;  // times, that a filter of HDF5 can have packed values
+  constexpr unsigned long long most = 1100;  // maximum compression ratio of HDF5's filters
   const unsigned long long limit = std::min(stored, fileSize) * (H5Pget_nfilters(list) > 0 ? most : 1);
   if (count > 0 && count > limit / size)
     throw Failed{"it claims to be larger than the file: " + std::to_string(count) + " values of " + std::to_string(size) + " bytes"};
 }
 
-/// Compares with the checksum that the dataset carries, if it does. \throws Failed
+/// Compares with the checksum stored with the dataset, if there is one. \throws Failed
 void mustHaveItsChecksum(Id set, std::uint64_t found) {
   if (H5Aexists(set, checksumName) <= 0) return;
   const Handle attribute(H5Aopen(set, checksumName, H5P_DEFAULT), H5Aclose), space(H5Aget_space(attribute), H5Sclose);
@@ -59,7 +58,7 @@ void mustHaveItsChecksum(Id set, std::uint64_t found) {
   const bool one = H5Sget_simple_extent_npoints(space) == 1;
   if (one) checked(H5Aread(attribute, H5T_NATIVE_LLONG, &expected));
   if (!one || static_cast<std::uint64_t>(expected) != found)
-    throw Failed{"it is damaged: its values do not have the checksum that it carries"};
+    throw Failed{"it is damaged: its values do not have the checksum stored with them"};
 }
 
 }  // namespace
@@ -83,7 +82,7 @@ std::string Hdf5File::Impl::missing(const std::string& at) const {
   std::vector<std::string> there;
   try {
     if (isThere(file, parent)) there = membersOf(file, parent);
-  } catch (const Failed&) {  // not a group: nothing is in it
+  } catch (const Failed&) {  // not a group: no members
   }
   return "has no '" + at + "'." + suggestion(at.substr(slash + 1), there);
 }
@@ -114,7 +113,7 @@ bool Hdf5File::Impl::fitsInt(const std::string& at) const {
   readOnRoot(at, [&] {
     const Handle set(H5Dopen2(file, at.c_str(), H5P_DEFAULT), H5Dclose);
     const Handle type(H5Dget_type(set), H5Tclose);
-    if (H5Tget_class(type) != H5T_INTEGER) return;  // is told by who reads it
+    if (H5Tget_class(type) != H5T_INTEGER) return;  // reported when the dataset is read
     const std::size_t size = H5Tget_size(type);
     fits = size < sizeof(int) || (size == sizeof(int) && H5Tget_sign(type) == H5T_SGN_2);
   });
@@ -143,7 +142,7 @@ std::vector<GlobalId> Hdf5File::readGlobalIds(const std::string& path) const { r
 
 std::vector<int> Hdf5File::readInts(const std::string& path) const {
   if (impl_->fitsInt(path)) return impl_->readNumbers<int>(path, true);
-  // HDF5 would cut numbers that do not fit to the nearest that do, silently.
+  // HDF5 would silently clip numbers that do not fit.
   const std::vector<GlobalId> wide = readGlobalIds(path);
   std::vector<int> values(wide.begin(), wide.end());
   for (std::size_t i = 0; i < wide.size(); ++i) {

@@ -15,8 +15,8 @@ namespace suture {
 using namespace hdf5;
 
 namespace {
-// Ranks write their rows in pieces, each when it is ready. Linux caches a large write in large pages, whose first touch is slow on virtual
-// machines that give free memory back to their host: 190 MB take 0.05 s in pieces of 1 MiB, 0.7 s in pieces of 16.
+// Ranks write their rows in pieces as soon as these are complete. Linux caches a large write in large pages, whose first touch is slow on
+// virtual machines that return free memory to their host: 190 MB take 0.05 s in pieces of 1 MiB, 0.7 s in pieces of 16.
 constexpr std::size_t kPieceBytes = 1 << 20;
 
 Id createGroupsOnTheWay() {
@@ -25,7 +25,7 @@ Id createGroupsOnTheWay() {
   return list;
 }
 
-// Without the time at which it is made: two equal runs write equal files.
+// Stores no creation time: two equal runs write equal files.
 Id datasetWithoutTime() {
   const Id list = H5Pcreate(H5P_DATASET_CREATE);
   H5Pset_obj_track_times(list, false);
@@ -39,7 +39,7 @@ Id variableText() {
   return type;
 }
 
-// Bytes beyond the numbers, for each object and for the file: reserved, so that HDF5 meets no full disk when it closes the file.
+// Bytes in addition to the numbers, per object and per file: reserved, so that HDF5 does not meet a full disk when it closes the file.
 constexpr std::size_t kObjectBytes = 1024, kHeadBytes = 16384;
 
 /// Writes an attribute of integers to an object.
@@ -52,7 +52,7 @@ std::function<void(Id)> integersAttribute(const std::string& name, const std::ve
   };
 }
 
-/// A file descriptor that is closed when it goes.
+/// A file descriptor, closed by the destructor.
 class Descriptor {
  public:
   explicit Descriptor(int number) : number_(number) {}
@@ -71,7 +71,8 @@ class Descriptor {
 
 void Hdf5File::Impl::claim(const std::string& at, bool isDataset) {
   mustBeOpen(true);
-  if (at.empty() || at[0] != '/' || (at.size() > 1 && at.back() == '/')) throw InternalError(path + ": '" + at + "' is no absolute path");
+  if (at.empty() || at[0] != '/' || (at.size() > 1 && at.back() == '/'))
+    throw InternalError(path + ": '" + at + "' is not an absolute path");
   if (isDataset && known.count(at)) throw InternalError(path + ": '" + at + "' is written twice");
   for (const std::string& prefix : prefixes(at)) {
     if (datasets.count(prefix)) throw InternalError(path + ": '" + prefix + "' is a dataset and cannot hold '" + at + "'");
@@ -123,7 +124,7 @@ void Hdf5File::Impl::reserve(unsigned long long more) const {
 
 void Hdf5File::Impl::keepChecksums() {
   if (!checksums) return;
-  std::vector<unsigned long long> all;  // datasets of numbers are the same on all ranks, in the same order
+  std::vector<unsigned long long> all;  // the datasets of numbers are the same on all ranks, in the same order
   for (const auto& [at, sum] : sums) all.push_back(sum);
   if (comm->getSize() > 1)
     MPI_Allreduce(MPI_IN_PLACE, all.data(), static_cast<int>(all.size()), MPI_UNSIGNED_LONG_LONG, MPI_SUM, mpiComm(*comm));
@@ -137,7 +138,7 @@ std::pair<unsigned long long, unsigned long long> Hdf5File::Impl::placeOf(unsign
   unsigned long long before = 0, total = 0;
   MPI_Exscan(&mine, &before, 1, MPI_UNSIGNED_LONG_LONG, MPI_SUM, mpiComm(*comm));
   MPI_Allreduce(&mine, &total, 1, MPI_UNSIGNED_LONG_LONG, MPI_SUM, mpiComm(*comm));
-  return {isRoot() ? 0 : before, total};  // MPI_Exscan leaves it undefined there
+  return {isRoot() ? 0 : before, total};  // MPI_Exscan leaves `before` undefined on rank 0
 }
 
 template <typename T>
@@ -166,7 +167,7 @@ struct Hdf5Rows<T>::Impl {
   const std::string at;
   const unsigned long long width;
   unsigned long long next, end;  ///< rows of this rank
-  unsigned long long offset;     ///< place of the dataset in the file, in bytes
+  unsigned long long offset;     ///< offset of the dataset in the file, in bytes
 };
 
 template <typename T>
@@ -209,7 +210,7 @@ Hdf5Rows<T> Hdf5File::rows(const std::string& path, GlobalId mine, int component
     const hsize_t all[2] = {place.second, static_cast<hsize_t>(components)};
     const Handle space(H5Screate_simple(components == 1 ? 1 : 2, all, nullptr), H5Sclose), links(createGroupsOnTheWay(), H5Pclose);
     const Handle layout(datasetWithoutTime(), H5Pclose);
-    // Contiguous, at a place that is known now, and not filled by HDF5: ranks write there themselves.
+    // Contiguous, allocated early and not filled by HDF5: ranks write there themselves.
     checked(H5Pset_alloc_time(layout, H5D_ALLOC_TIME_EARLY));
     checked(H5Pset_fill_time(layout, H5D_FILL_TIME_NEVER));
     const Handle set(H5Dcreate2(my.file, path.c_str(), memoryType<T>(), space, links, layout, H5P_DEFAULT), H5Dclose);
@@ -275,7 +276,7 @@ void Hdf5File::write(const std::string& path, const std::vector<std::string>& te
         const Handle type(H5Tcopy(H5T_C_S1), H5Tclose), layout(datasetWithoutTime(), H5Pclose);
         checked(H5Tset_size(type, H5T_VARIABLE));
         const Handle set(H5Dcreate2(file, path.c_str(), type, space, links, layout, H5P_DEFAULT), H5Dclose);
-        // Texts are converted in a buffer, which HDF5 fills with zeros: a megabyte of them, unless it is told how much it needs.
+        // HDF5 converts texts in a buffer that it fills with zeros; the default size is a megabyte.
         const Handle transfer(H5Pcreate(H5P_DATASET_XFER), H5Pclose);
         checked(H5Pset_buffer(transfer, 1024, nullptr, nullptr));
         if (count > 0) checked(H5Dwrite(set, type, H5S_ALL, H5S_ALL, transfer, data.data()));

@@ -18,17 +18,16 @@
 namespace suture {
 namespace {
 
-const char* const arrow = "->";  // between the names of nested lists, Teuchos' own
+const char* const arrow = "->";  // Teuchos' separator between the names of nested lists
 
-constexpr std::uintmax_t largestFile = 16u << 20;  // bytes; the largest scene of ours has 9,000
+constexpr std::uintmax_t largestFile = 16u << 20;  // bytes; Suture's largest scene has 9,000
 
-/// What to do with a file whose name is that of a geometry or a mesh; "" for another one.
+/// Hint for a file whose extension is that of a geometry or a mesh; "" for others.
 std::string hintFor(const std::string& path) {
   std::string end = std::filesystem::path(path).extension().string();
   std::transform(end.begin(), end.end(), end.begin(), [](unsigned char c) { return std::tolower(c); });
   for (const char* known : {".geo", ".msh", ".h5"})
-    if (end == known)
-      return "is a geometry or a mesh, not a scene; 'suture_new " + path + "' writes a scene of it, which names it in Mesh/File";
+    if (end == known) return "is a geometry or a mesh, not a scene; 'suture_new " + path + "' writes a scene that names it in Mesh/File";
   return "";
 }
 
@@ -37,8 +36,8 @@ std::string readFile(const std::string& path) {
   if (std::filesystem::is_directory(path, ignored)) throw InputError(path, "is a folder; expected an XML file");
   if (std::filesystem::exists(path, ignored)) {
     if (const std::string hint = hintFor(path); !hint.empty()) throw InputError(path, hint);
-    // A pipe may never end, a device neither.
-    if (!std::filesystem::is_regular_file(path, ignored)) throw InputError(path, "is no regular file; expected an XML file");
+    // A pipe or a device may never end.
+    if (!std::filesystem::is_regular_file(path, ignored)) throw InputError(path, "is not a regular file; expected an XML file");
     if (const auto size = std::filesystem::file_size(path, ignored); !ignored && size > largestFile)
       throw InputError(path, "has " + std::to_string(size) + " bytes; expected an XML file of at most " + std::to_string(largestFile));
   }
@@ -57,14 +56,14 @@ SceneFile readScene(const Comm& comm, const std::string& path, const Schema& sch
   std::string text;
   collectivelyOnRoot(comm, "reading " + path, [&] { text = readFile(path); });
   text = broadcast(comm, text);
-  // Every rank checks the same text: if it throws, it throws the same everywhere, and no rank waits.
+  // Every rank checks the same text: all ranks throw the same error, or none does, and no rank waits.
   return parseScene(text, path, schema, overrides);
 }
 
 SceneFile parseScene(const std::string& text, const std::string& path, const Schema& schema, const std::vector<std::string>& overrides) {
   Problems problems;
   RawList tree = parseTree(text, path, problems);
-  if (tree.parameters.empty() && tree.lists.empty() && !problems.empty()) {  // no XML: missing parameters are no news
+  if (tree.parameters.empty() && tree.lists.empty() && !problems.empty()) {  // not XML: do not report missing parameters as well
     if (const std::string hint = hintFor(path); !hint.empty()) throw InputError(path, hint);
     problems.throwIfAny();
   }
@@ -85,7 +84,7 @@ SceneFile parseScene(const std::string& text, const std::string& path, const Sch
 std::string pathOf(const Parameters& list, const std::string& parameter) {
   const std::string name = list.name();
   std::string path;
-  // The first name is that of the whole scene and says nothing.
+  // The first name is that of the whole scene and is left out.
   for (std::size_t at = name.find(arrow); at != std::string::npos;) {
     const std::size_t begin = at + 2;
     at = name.find(arrow, begin);

@@ -6,22 +6,22 @@
 
 namespace suture {
 
-/// A scene (or study) file as it was read: the text as found, and the parameters with all defaults filled in, the same on all ranks.
+/// A scene (or study) file as read: its text, and the parameters with all defaults filled in, the same on all ranks.
 struct SceneFile {
   std::string path;                     ///< as given
-  std::string folder;                   ///< folder that relative names in the file start from
+  std::string folder;                   ///< base folder of relative names in the file
   std::string text;                     ///< verbatim
-  std::vector<std::string> overrides;   ///< applied to it
-  std::vector<std::string> notes;       ///< for the user: parameters that have no effect
+  std::vector<std::string> overrides;   ///< as applied
+  std::vector<std::string> notes;       ///< for the user: parameters without effect
   Teuchos::RCP<Parameters> parameters;  ///< resolved; sublist names are full paths as Teuchos writes them
 };
 
-/// Reads an XML parameter file strictly: rank 0 reads, the text is broadcast, every rank parses and checks the same text. Every number is
-/// consumed entirely and finite, duplicates and unknown names are rejected, types and ranges are checked. A number written without a
-/// type attribute, or an int where a double is wanted, is taken when it fits.
+/// Reads an XML parameter file strictly: rank 0 reads, the text is broadcast, every rank parses and checks the same text. Every number must
+/// be complete and finite, duplicate and unknown names are rejected, types and ranges are checked. A number written without a type
+/// attribute, or an int where a double is expected, is accepted if it fits.
 ///
-/// \param overrides  "Path/To/Parameter=value", as in --set; they are applied before the check and obey the same rules. A user-named
-///                   list may be addressed and made this way.
+/// \param overrides  "Path/To/Parameter=value", as in --set; they are applied before the check and obey the same rules. An override may
+///                   also create a user-named list.
 /// \throws InputError        with all problems: path, found, expected, nearest name. The same on every rank; never hangs.
 /// Collective over `comm`.
 SceneFile readScene(const Comm& comm, const std::string& path, const Schema& schema, const std::vector<std::string>& overrides = {});

@@ -13,7 +13,7 @@ namespace {
 
 using Kind = Schema::Kind;
 
-/// Form of a value of this kind, with the names it may have or the range it must lie in.
+/// Expected form of a value of this kind, with its allowed names or its range.
 std::string expectation(const Schema::Parameter& parameter) {
   static const std::map<Kind, std::string> forms{{Kind::Integer, "an integer"},
                                                  {Kind::Real, "a number"},
@@ -32,20 +32,20 @@ std::string expectation(const Schema::Parameter& parameter) {
   return text;
 }
 
-/// A choice that decides whether parameters have an effect, and the value of it that they belong to.
+/// A choice that decides whether parameters have an effect, and the value of the choice that they belong to.
 struct Owner {
-  std::string list, choice, value;  // path of the list; name of the choice in it
+  std::string list, choice, value;  // path of the list, name of its choice, value of the choice
 };
 
 using Owners = std::vector<Owner>;  // the outermost first
 
-/// A parameter of the scene that belongs to choices: whether they are taken is known once the defaults fit the rest.
+/// A given parameter that belongs to choices. Whether these are taken is known only after fitDefaults().
 struct Candidate {
   std::string path;
   Owners owners;
 };
 
-/// Complaint about a number outside its range: "0.5 is not below 0.5 (note)"; "" for one inside.
+/// Message about a number outside its range: "0.5 is not below 0.5 (note)"; "" for a number inside.
 std::string outside(double value, const std::string& written, const Range& range) {
   if (range.contains(value)) return "";
   std::string text = written + " is not ";
@@ -58,8 +58,8 @@ std::string outside(double value, const std::string& written, const Range& range
   return range.note.empty() ? text : text + " (" + range.note + ")";
 }
 
-/// The `type` attributes under which a value of a kind may be written; a whole number is a number, one entry is an array of one, and a
-/// number is a text, unless the text is one of several names: an expression may be a constant.
+/// The `type` attributes accepted for a kind: an int is accepted as a double, a scalar as an array of one entry, and a number as a text (an
+/// expression may be a constant) unless the text is one of several names.
 const std::vector<std::string>& typesFor(const Schema::Parameter& parameter) {
   static const std::vector<std::string> integer{"int"}, real{"double", "int"}, boolean{"bool"}, name{"string"},
       text{"string", "double", "int", "Array(double)", "Array(int)"}, word{"string", "double", "int"},
@@ -81,14 +81,14 @@ const std::vector<std::string>& typesFor(const Schema::Parameter& parameter) {
     case Kind::Texts:
       return texts;
   }
-  throw InternalError("a parameter of no kind");
+  throw InternalError("a parameter without a kind");
 }
 
 class Resolver {
  public:
   explicit Resolver(Problems& problems) : problems_(problems) {}
 
-  /// `demanded`: parameters without a default must be given; not so inside a choice that is not taken. `owners`: choices that the list
+  /// `demanded`: parameters without a default must be given; false inside a choice that is not taken. `owners`: choices that the list
   /// belongs to, taken or not.
   void list(const RawList& raw, const Schema& schema, const std::string& path, bool demanded, Parameters& resolved,
             const Owners& owners = {}) {
@@ -117,7 +117,7 @@ class Resolver {
       if (raw.parameter(name)) {
         problems_.add(here, "is a list of parameters, not a parameter");
       } else if (!given && schema.requiredList(name)) {
-        // One message for the list, not one more for each entry it should have had.
+        // One message for the list, without further messages for its entries.
         if (demanded) problems_.add(here, "this list is missing: " + inner.doc());
         list(RawList(), inner, here, false, resolved.sublist(name));
       } else {
@@ -130,12 +130,12 @@ class Resolver {
     if (schema.userLists()) userLists(raw, schema, path, demanded, resolved, owners);
   }
 
-  /// Defaults that fit the rest of the scene, after all of it.
+  /// Sets the defaults that depend on the rest of the scene, after everything else.
   void fitDefaults(Parameters& whole) const {
     for (const auto& [path, parameter] : fitting_) store(parameter->fitting(whole), parameter->name, true, listAt(whole, path));
   }
 
-  /// Notes on parameters of choices that are not taken, after fitDefaults().
+  /// Notes on parameters of choices that are not taken; call after fitDefaults().
   std::vector<std::string> unused(Parameters& whole) const {
     std::vector<std::string> notes;
     for (const auto& [path, owners] : candidates_)
@@ -160,7 +160,7 @@ class Resolver {
     return *list;
   }
 
-  /// The choice whose names have a list of this name, or null.
+  /// The choice that has a list of this name, or null.
   static const Schema::Parameter* choiceOf(const std::string& name, const Schema& schema) {
     for (const Schema::Parameter& parameter : schema.parameters())
       if (parameter.choice && std::find(parameter.allowed.begin(), parameter.allowed.end(), name) != parameter.allowed.end())
@@ -168,7 +168,7 @@ class Resolver {
     return nullptr;
   }
 
-  /// A value that is the default has been written out (--print-defaults), and says nothing.
+  /// Adds a candidate, except for a value equal to the default, which may come from --print-defaults.
   void remember(const Schema::Parameter& parameter, const std::string& path, const Parameters& resolved, const Owners& owners) {
     Parameters fallback;
     if (parameter.fallback) store(*parameter.fallback, parameter.name, true, fallback);
@@ -177,7 +177,7 @@ class Resolver {
     if (given && !(usual && given->getAny() == usual->getAny())) candidates_.push_back({path, owners});
   }
 
-  /// True if this is the value given, or, where none is given, the fallback.
+  /// True if `value` is the given value or, if none is given, the default.
   static bool hasValue(const Schema::Parameter& choice, const std::string& value, const RawList& raw) {
     if (const RawParameter* given = raw.parameter(choice.name)) return given->value == value;
     return choice.fallback && std::get<std::string>(*choice.fallback) == value;
@@ -212,7 +212,7 @@ class Resolver {
       if (schema.find(given.name) || schema.findList(given.name) || schema.userParameter()) continue;
       std::string message = "no such parameter." + suggestion(given.name, parameters);
       const std::string home = homeOf(given.name, schema, "");
-      if (!home.empty()) message += ". One of this name belongs in " + home;
+      if (!home.empty()) message += ". A parameter of this name exists in " + home;
       problems_.add(joinPath(path, given.name), message);
     }
     for (const RawList& given : raw.lists) {
@@ -221,7 +221,7 @@ class Resolver {
     }
   }
 
-  /// List below this one that knows a parameter of the name: a right name at the wrong level is a common slip.
+  /// List below this one that has a parameter of this name: a correct name at the wrong level is a common mistake.
   static std::string homeOf(const std::string& name, const Schema& schema, const std::string& path) {
     for (const auto& [inner, below] : schema.lists()) {
       const std::string here = joinPath(path, inner);
@@ -262,7 +262,7 @@ class Resolver {
     }
   }
 
-  /// The `type` attribute must be one that exists, suit the parameter and, where it says int, the value, too.
+  /// Checks that the `type` attribute exists and suits the parameter and, if it is int, the value.
   bool typeFits(const RawParameter& given, const Schema::Parameter& parameter, const std::string& path) {
     if (given.type.empty()) return true;
     static const std::vector<std::string> known{"int", "double", "bool", "string", "Array(double)", "Array(int)", "Array(string)"};
@@ -279,7 +279,7 @@ class Resolver {
     const bool isText = parameter.kind == Kind::Text || parameter.kind == Kind::Texts;
     const bool isWhole = given.type == "int" || given.type == "Array(int)",
                isReal = given.type == "double" || given.type == "Array(double)";
-    // What is stored as a number is read as one below.
+    // Values stored as numbers are parsed later.
     if (!isWhole && !(isReal && isText)) return true;
     const auto all = parseEntries(given.value);
     const bool fits = all && std::all_of(all->begin(), all->end(), [&](const std::string& entry) {
@@ -331,7 +331,7 @@ class Resolver {
     if (written == "true" || written == "false")
       store(written == "true", given.name, false, resolved);
     else
-      problems_.add(path, "'" + given.value + "' is not a truth value: expected " + expectation(parameter));
+      problems_.add(path, "'" + given.value + "' is not a boolean: expected " + expectation(parameter));
   }
 
   void text(const RawParameter& given, const Schema::Parameter& parameter, const std::string& path, Parameters& resolved) {
@@ -343,7 +343,7 @@ class Resolver {
         store(trimmed(given.value), given.name, false, resolved);
         return;
       }
-      problems_.add(path, "'" + given.value + "' is neither a word known here nor a number: expected " + expectation(parameter) +
+      problems_.add(path, "'" + given.value + "' is neither a known word nor a number: expected " + expectation(parameter) +
                               didYouMean(given.value, names));
       return;
     }
@@ -375,7 +375,7 @@ class Resolver {
   }
 
   Problems& problems_;
-  std::vector<std::pair<std::string, const Schema::Parameter*>> fitting_;  // path of the list; parameter whose default fits the rest
+  std::vector<std::pair<std::string, const Schema::Parameter*>> fitting_;  // path of the list; parameter whose default depends on the scene
   std::vector<Candidate> candidates_;
 };
 

@@ -5,9 +5,8 @@
 
 namespace suture {
 
-/// Checks a tree against a schema and fills `resolved` with every value and default; all that is wrong goes to `problems`. Local.
-/// \return a note for each parameter that has another value than its default and belongs to a choice that is not taken; none where there
-/// are problems
+/// Checks a tree against a schema and fills `resolved` with all values and defaults; all errors go to `problems`. Local.
+/// \return a note for each parameter that differs from its default but belongs to a choice that is not taken; none if there are problems
 std::vector<std::string> resolve(const RawList& tree, const Schema& schema, Parameters& resolved, Problems& problems);
 
 }  // namespace suture

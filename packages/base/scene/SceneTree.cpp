@@ -10,17 +10,17 @@
 namespace suture {
 namespace {
 
-/// Teuchos' parser is strict and counts lines; of its message only "line N: what" concerns the user.
+/// Teuchos' parser is strict and counts lines; the user needs only "line N: what" of its message.
 std::string complaint(const std::string& what) {
   const std::string mark = "XML parse error at ";
   const std::size_t at = what.find(mark);
-  if (at == std::string::npos) return "this is no XML: " + trimmed(what.substr(what.find_last_of('\n', what.size() - 2) + 1));
-  return "this is no XML: " + trimmed(what.substr(at + mark.size(), what.find('\n', at) - at - mark.size()));
+  if (at == std::string::npos) return "this is not valid XML: " + trimmed(what.substr(what.find_last_of('\n', what.size() - 2) + 1));
+  return "this is not valid XML: " + trimmed(what.substr(at + mark.size(), what.find('\n', at) - at - mark.size()));
 }
 
-constexpr int deepest = 50;  // lists in lists; scenes have up to five
+constexpr int deepest = 50;  // nesting of lists; scenes have up to five levels
 
-/// Line of the first element that lies deeper than `deepest`, or 0. Parsers call themselves for each level: they must not see such a text.
+/// Line of the first element nested deeper than `deepest`, or 0. Parsers recurse once per level, so such a text must not reach them.
 int tooDeep(const std::string& text) {
   int depth = 0;
   std::size_t at = 0;
@@ -67,7 +67,7 @@ class TreeBuilder {
       if (!readName(child, path, name)) continue;
       const std::string here = joinPath(path, name);
       if (list.parameter(name) || list.list(name)) {
-        problems_.add(here, "is given twice; one of the two must go");
+        problems_.add(here, "is given twice; remove one of them");
       } else if (tag == "ParameterList") {
         list.lists.emplace_back().name = name;
         fill(child, here, list.lists.back());
@@ -89,10 +89,10 @@ class TreeBuilder {
       problems_.add(path, what + " whose name is empty");
       return false;
     }
-    // They would make paths inside ambiguous: in messages, in --set and in the names of Teuchos' lists.
+    // These would make paths ambiguous: in messages, in --set and in the names of Teuchos' lists.
     for (const char* taken : {"/", "=", "->"}) {
       if (name.find(taken) == std::string::npos) continue;
-      problems_.add(path, "the name '" + name + "' contains '" + taken + "', which paths need");
+      problems_.add(path, "the name '" + name + "' contains '" + taken + "', which is reserved for paths");
       return false;
     }
     return true;
@@ -100,11 +100,11 @@ class TreeBuilder {
 
   void readParameter(const Teuchos::XMLObject& xml, const std::string& path, const std::string& name, RawList& list) {
     refuseText(xml, path);
-    if (xml.numChildren() > 0) problems_.add(path, "a parameter has nothing inside, found <" + xml.getChild(0).getTag() + ">");
+    if (xml.numChildren() > 0) problems_.add(path, "a parameter must be an empty element, found <" + xml.getChild(0).getTag() + ">");
     RawParameter parameter;
     parameter.name = name;
     if (xml.hasAttribute("type")) parameter.type = xml.getAttribute("type");
-    // Without a value it is kept all the same, lest a second message say that it is missing.
+    // Kept even without a value, to avoid a second message that the parameter is missing.
     parameter.hasValue = xml.hasAttribute("value");
     if (parameter.hasValue)
       parameter.value = xml.getAttribute("value");
@@ -151,14 +151,14 @@ std::string joinPath(const std::string& list, const std::string& entry) {
 
 RawList parseTree(const std::string& text, const std::string& path, Problems& problems) {
   RawList top;
-  const std::string mark = "\xEF\xBB\xBF";  // some editors begin UTF-8 with it
+  const std::string mark = "\xEF\xBB\xBF";  // some editors begin UTF-8 files with it
   const std::string plain = text.compare(0, mark.size(), mark) == 0 ? text.substr(mark.size()) : text;
   if (trimmed(plain).empty()) {
     problems.add(path, "the file is empty");
     return top;
   }
   if (const int line = tooDeep(plain); line > 0) {
-    problems.add(path, "line " + std::to_string(line) + ": elements within more than " + std::to_string(deepest) + " others");
+    problems.add(path, "line " + std::to_string(line) + ": elements are nested more than " + std::to_string(deepest) + " deep");
     return top;
   }
   Teuchos::XMLObject xml;

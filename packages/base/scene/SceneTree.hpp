@@ -7,7 +7,7 @@
 
 namespace suture {
 
-/// A parameter as it stands in the file or behind --set, nothing converted yet.
+/// A parameter as written in the file or given by --set, not yet converted.
 struct RawParameter {
   std::string name;
   std::string type;  ///< the attribute `type`; empty: not given
@@ -16,7 +16,7 @@ struct RawParameter {
   bool isSet = false;  ///< by --set
 };
 
-/// A list as it stands in the file. Names are unique within a list, over parameters and lists together.
+/// A list as written in the file. Names are unique within a list, over parameters and lists together.
 struct RawList {
   std::string name;
   std::vector<RawParameter> parameters;
@@ -31,11 +31,11 @@ struct RawList {
 /// "Contact/fault above": the path of an entry of a list; `list` is empty for the top list. Local.
 std::string joinPath(const std::string& list, const std::string& entry);
 
-/// XML text to tree. Duplicates, foreign elements, stray text, missing names and values go to `problems`, and reading continues;
-/// text that is no XML ends it (the problem names the line) and gives an empty tree. Local.
+/// Parses XML text to a tree. Duplicates, unknown elements, stray text, missing names and values go to `problems` and reading continues;
+/// malformed XML ends it (the problem names the line) and gives an empty tree. Local.
 RawList parseTree(const std::string& text, const std::string& path, Problems& problems);
 
-/// Writes "Path/To/Parameter=value" into the tree; lists on the way are made. The path is checked with the tree. Local.
+/// Writes "Path/To/Parameter=value" into the tree; missing lists along the path are created. The path is checked with the tree. Local.
 void applyOverride(RawList& top, const std::string& assignment, Problems& problems);
 
 }  // namespace suture

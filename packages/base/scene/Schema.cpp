@@ -51,7 +51,7 @@ std::string typeName(Schema::Kind kind) {
     case Schema::Kind::Texts:
       return "Array(string)";
   }
-  throw InternalError("a parameter of no kind");
+  throw InternalError("a parameter without a kind");
 }
 
 std::string valueText(const Schema::Value& value) {
@@ -75,7 +75,7 @@ std::string valueText(const Schema::Value& value) {
 void Schema::claim(const std::string& name) const {
   if (find(name) || findList(name)) throw InternalError("a schema (" + doc_ + ") has two entries named '" + name + "'");
   if (name.empty() || name.find('/') != std::string::npos || name.find('=') != std::string::npos || name.find("->") != std::string::npos)
-    throw InternalError("'" + name + "' cannot be addressed by a path and is no name for a parameter");
+    throw InternalError("'" + name + "' is not a valid parameter name: a path cannot address it");
 }
 
 Schema::Parameter& Schema::add(const std::string& name, Kind kind, const std::string& doc) {
@@ -121,7 +121,7 @@ Schema& Schema::oneOf(const std::string& name, std::optional<std::string> fallba
   text(name, fallback, doc);
   parameters_.back().allowed = allowed;
   if (fallback && std::find(allowed.begin(), allowed.end(), *fallback) == allowed.end())
-    throw InternalError("the default '" + *fallback + "' of '" + name + "' is none of its names: " + joinNames(allowed));
+    throw InternalError("the default '" + *fallback + "' of '" + name + "' is not one of its names: " + joinNames(allowed));
   return *this;
 }
 
@@ -157,7 +157,7 @@ Schema& Schema::texts(const std::string& name, std::optional<std::vector<std::st
 }
 
 Schema& Schema::orOne() {
-  if (parameters_.empty() || parameters_.back().kind != Kind::Texts) throw InternalError("Schema::orOne() after no list of texts");
+  if (parameters_.empty() || parameters_.back().kind != Kind::Texts) throw InternalError("Schema::orOne() must follow texts()");
   parameters_.back().orOne = true;
   return *this;
 }
@@ -171,7 +171,7 @@ Schema& Schema::optional() {
 
 Schema& Schema::fittingDefault(std::function<std::string(const Parameters& whole)> find) {
   if (parameters_.empty() || parameters_.back().kind != Kind::Text || !parameters_.back().fallback)
-    throw InternalError("Schema::fittingDefault() not behind a text with a default");
+    throw InternalError("Schema::fittingDefault() must follow a text with a default");
   parameters_.back().fitting = std::move(find);
   return *this;
 }

@@ -12,7 +12,7 @@
 
 namespace suture {
 
-/// The interval a number must lie in; an open end excludes its value.
+/// Allowed interval of a number; an open end excludes its value.
 struct Range {
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();
@@ -27,8 +27,8 @@ struct Range {
   std::string text() const;  ///< "> 0", "in [0, 0.5)"
 };
 
-/// One description of a parameter list: the strict reader, the documentation (suture_schema), the defaults and the messages all come
-/// from it. A class that takes parameters has `static Schema schema()`; a package composes those of its classes.
+/// Description of a parameter list, from which the strict reader, the documentation (suture_schema), the defaults and the messages all
+/// follow. A class that takes parameters has `static Schema schema()`; a package composes those of its classes.
 ///
 /// Built by chaining:  Schema("what this list is").real("Tolerance", 1e-8, "...", Range::positive()).list("Amesos2", ...);
 class Schema {
@@ -40,7 +40,7 @@ class Schema {
     std::string name;
     Kind kind = Kind::Text;
     std::optional<Value> fallback;  ///< the default; without one the parameter is required (or optional, below)
-    bool optional = false;          ///< may be absent and then has no value
+    bool optional = false;          ///< may be absent, without a default
     std::string doc;
     std::string unit;                  ///< "length", "stress", "" for none
     Range range;                       ///< range of a number, and of each entry of Reals / Integers
@@ -49,9 +49,9 @@ class Schema {
     std::vector<std::string> words;  ///< Text that may also be a number in `range` ("None | Automatic | value"): the words
     bool numberToo = false;
     bool orOne = false;                                           ///< Texts that may be one text, see Schema::orOne
-    bool choice = false;                                          ///< Text whose allowed names have a sublist each, see Schema::choice
-    std::optional<std::pair<std::string, std::string>> with;      ///< belongs to this value of that choice, beside which it stands
-    std::function<std::string(const Parameters& whole)> fitting;  ///< finds the default of a Text from the rest; see fittingDefault()
+    bool choice = false;                                          ///< Text whose allowed names each have a sublist, see Schema::choice
+    std::optional<std::pair<std::string, std::string>> with;      ///< used only with this value of that choice in the same list
+    std::function<std::string(const Parameters& whole)> fitting;  ///< derives the default of a Text from the scene; see fittingDefault()
   };
 
   explicit Schema(std::string doc = "") : doc_(std::move(doc)) {}
@@ -70,30 +70,31 @@ class Schema {
                 Range range = Range::any());
   Schema& integers(const std::string& name, std::optional<std::vector<int>> fallback, const std::string& doc, Range range = Range::any());
   Schema& texts(const std::string& name, std::optional<std::vector<std::string>> fallback, const std::string& doc);
-  /// The parameter added last, Texts, may also be one text without braces, whatever it is made of: it stays one, of the type string.
+  /// The parameter added last, Texts, may also be a single text without braces, which is not parsed and keeps the type string.
   Schema& orOne();
   /// The parameter added last may be absent (has no default, is not required).
   Schema& optional();
-  /// The parameter added last, a Text with a default, gets its value from `find` where the scene does not give one. `find` sees the whole
+  /// The parameter added last, a Text with a default, takes its value from `find` if the scene does not give one. `find` gets the whole
   /// scene, resolved with the default; it is not called for a scene with problems.
   Schema& fittingDefault(std::function<std::string(const Parameters& whole)> find);
 
   /// A sublist with a fixed name. A required one must be present in the scene; the others are filled with defaults.
-  /// \throws InternalError  if the name is taken by a parameter or list already (as all the functions here that add a name).
+  /// \throws InternalError  if a parameter or list of this name exists (as all functions here that add a name).
   Schema& list(const std::string& name, Schema schema, bool required = false);
-  /// Sublists that the user names, all of the same form ("Bodies/<name>"); `least` of them must be there.
+  /// Sublists that the user names, all of the same form ("Bodies/<name>"), at least `least` of them.
   Schema& each(const std::string& placeholder, Schema schema, int least = 0);
   /// Parameters that the user names, all real ("Mesh/Constants/<name>").
   Schema& eachReal(const std::string& placeholder, const std::string& doc);
   /// The same, all texts ("Functions/<name>").
   Schema& eachText(const std::string& placeholder, const std::string& doc);
 
-  /// `Type` plus a sublist of the same name with that choice's own parameters. Sublists of choices not taken are checked, too.
-  /// Parameters without a default in a choice's list are demanded of the choice taken only.
+  /// `Type` plus a sublist of the same name with that choice's own parameters. Sublists of choices not taken are checked, too. A parameter
+  /// without a default in a choice's list is required only if that choice is taken.
   /// \param fallback  the default; "" makes the parameter required
   /// \param names  choice -> its schema (documentation in its doc)
-  /// \param beside  a choice whose parameters stand in this list, beside `parameter`, instead of a sublist of their own; they, too, are
-  ///                checked but not used when another is taken
+  /// \param beside  a choice whose parameters are in this list, next to `parameter`, instead of in a sublist; they, too, are checked
+  /// but not
+  ///                used if another choice is taken
   Schema& choice(const std::string& parameter, const std::string& fallback, const std::map<std::string, Schema>& names,
                  const std::string& doc, const std::string& beside = "");
 
@@ -110,9 +111,9 @@ class Schema {
   const Parameter* find(const std::string& name) const;
   const Schema* findList(const std::string& name) const;
 
-  /// Values of a scene, as XML has them, by path: "Bodies/block/Material" -> "steel".
+  /// Values of a scene, as in XML, by path: "Bodies/block/Material" -> "steel".
   using Example = std::map<std::string, std::string>;
-  /// The whole schema, documented. `format`: "text", "xml" (a scene with all defaults, but for what the example gives), "markdown".
+  /// The whole schema, documented. `format`: "text", "xml" (a scene with all defaults, except where the example gives values), "markdown".
   /// \throws CommandLineError  for another format.
   std::string document(const std::string& format, const Example& example = {}) const;
 
@@ -133,7 +134,7 @@ class Schema {
 /// "int", "double", "bool", "string", "Array(double)", ...: the `type` attribute of a parameter of this kind.
 std::string typeName(Schema::Kind kind);
 
-/// A default as it is written in the value attribute: "1e-08", "{1, 0}", "true". Numbers are the shortest that read back exactly.
+/// A default as it is written in the value attribute: "1e-08", "{1, 0}", "true". Numbers are the shortest text that reads back exactly.
 std::string valueText(const Schema::Value& value);
 
 }  // namespace suture

@@ -1,4 +1,4 @@
-// The schema for readers: a person at the console (text), a person in a browser (markdown), a person with a new scene (xml).
+// The schema as text (console), markdown (documentation) and xml (template of a scene).
 #include <algorithm>
 #include <suture/base/Errors.hpp>
 #include "Schema.hpp"
@@ -18,7 +18,7 @@ std::string defaultText(const Schema::Parameter& parameter) {
   return parameter.with ? "required with " + parameter.with->first + " " + parameter.with->second : "required";
 }
 
-/// Range or names of a value; "" when anything goes.
+/// Range or names of a value; "" if anything is allowed.
 std::string allowedText(const Schema::Parameter& parameter) {
   const std::string range = parameter.range.text() == "any" ? "" : parameter.range.text();
   const auto bars = [](const std::vector<std::string>& names) {
@@ -99,8 +99,8 @@ std::string commentable(std::string text) {
   return text;
 }
 
-/// A scene with every default, or what the example has instead. Names and values that the user must give, and the example does not have,
-/// stand in a comment, which holds no other comment.
+/// A scene with every default, or the example's value. Names and values that the user must give, and that the example lacks, are placed in
+/// a comment, which contains no other comment.
 class XmlScene {
  public:
   explicit XmlScene(const Schema::Example& example) : example_(example) {}
@@ -133,7 +133,7 @@ class XmlScene {
     out_ += inComment_ ? commentable(line) : line;
   }
 
-  /// The lists of the example below a path, in its order of names; none within a comment.
+  /// Names of the example's lists below a path, sorted; none within a comment.
   std::vector<std::string> examples(const std::string& path) const {
     std::vector<std::string> names;
     if (inComment_) return names;
@@ -165,10 +165,10 @@ class XmlScene {
       else if (parameter.fallback)
         element(depth, parameter.name, parameter.kind, valueText(*parameter.fallback));
       else
-        comment(depth, parameter.optional ? "may be given" : "to be given", [&] { element(depth, parameter.name, parameter.kind, ""); });
+        comment(depth, parameter.optional ? "optional" : "required", [&] { element(depth, parameter.name, parameter.kind, ""); });
     }
     if (const Schema::Parameter* any = schema.userParameter()) {
-      comment(depth, "as many as you like, " + any->doc, [&] { element(depth, placeholder(any->name), any->kind, "0"); });
+      comment(depth, "any number of entries, " + any->doc, [&] { element(depth, placeholder(any->name), any->kind, "0"); });
     }
     for (const auto& [name, inner] : schema.lists()) list(depth, name, inner, path);
     if (!schema.userLists()) return;
@@ -176,7 +176,7 @@ class XmlScene {
       if (std::none_of(schema.lists().begin(), schema.lists().end(), [&](const auto& list) { return list.first == name; }))
         list(depth, name, *schema.userLists(), path);
     {
-      comment(depth, "as many as you like, at least " + std::to_string(schema.leastUserLists()) + ", " + schema.userLists()->doc(),
+      comment(depth, "any number of lists, at least " + std::to_string(schema.leastUserLists()) + ", " + schema.userLists()->doc(),
               [&] { list(depth, placeholder(schema.userListPlaceholder()), *schema.userLists(), path); });
     }
   }

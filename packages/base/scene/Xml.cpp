@@ -26,7 +26,7 @@ std::string parameterLine(int depth, const std::string& name, const Teuchos::Par
   if (entry.isType<Teuchos::Array<double>>()) return line(Kind::Reals, entries<double>(entry));
   if (entry.isType<Teuchos::Array<int>>()) return line(Kind::Integers, entries<int>(entry));
   if (entry.isType<Teuchos::Array<std::string>>()) return line(Kind::Texts, entries<std::string>(entry));
-  throw InternalError("parameter '" + name + "' has a type that a scene file does not know");
+  throw InternalError("parameter '" + name + "' has a type that a scene file cannot represent");
 }
 
 void append(std::string& xml, int depth, const std::string& name, const Parameters& list) {

@@ -3,13 +3,13 @@
 
 namespace suture {
 
-/// A text as it may stand between double quotes in XML. Local.
+/// A text escaped for use between double quotes in XML. Local.
 std::string escaped(const std::string& text);
 
 /// `<Parameter name="..." type="..." value="..."/>` in one line, indented by `depth` steps. Local.
 std::string parameterElement(int depth, const std::string& name, const std::string& type, const std::string& value);
 
-/// The blanks before a line at a depth. Local.
+/// The blanks that indent a line by `depth` steps. Local.
 std::string indentation(int depth);
 
 }  // namespace suture
