@@ -1,7 +1,7 @@
 // Tunnel crossed by an inclined fault: input/tunnel in 3D. Lengths in m; x across the tunnel, y along it, z upwards.
 //
 //      +-------- \ ------------+  z = H      The section y = const is that of input/tunnel: a tunnel of radius R around (xc, zc), a fault
-//      |          \            |             inclined by `tilt` degrees from the vertical that meets the tunnel axis at y = D / 2. Seen from
+//      |          \            |             inclined by `tilt` degrees that meets the tunnel axis at y = D / 2. Seen from
 //      |  left     ( )  right  |             above it is at `strike` degrees to the axis of the tunnel: with 0 the scene is the 2D one,
 //      |             \         |             extruded, and the fault has two pieces; otherwise it is one piece with an elliptic hole.
 //      +------------- \ -------+  z = 0
