@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Spack recipe: install it as packages/suture/package.py of your own repository. There is no public archive to fetch yet:
+"""Spack recipe: install it as packages/suture/package.py in your repository. There is no public archive to fetch yet:
 `spack dev-build suture@0.1.0` builds a checkout from its top folder.
 """
 from spack.package import *
