@@ -1,4 +1,4 @@
-"""A block lies on a cantilever bar and is pushed towards its tip; friction alone holds it. How much of it slips?"""
+"""A block lies on a cantilever bar and is pushed towards its tip; only friction holds it. How many pairs slip?"""
 import numpy
 from mpi4py import MPI
 
@@ -6,7 +6,7 @@ import suture
 
 
 def scene(mu):
-    """The names and the nesting of a scene file; lengths in mm, stresses in MPa."""
+    """The names and nesting of a scene file; lengths in mm, stresses in MPa."""
     def box(x, y, cells):
         return {"X": x, "Y": y, "Cells": cells, "Cell": "Quadrilateral4"}
 
@@ -31,7 +31,7 @@ def say(*words):
 say("  mu   open  slip  stick   held [N]")
 for mu in (0.17, 0.2, 0.3, 0.6):
     result = suture.solve(scene(mu))
-    pairs = result.pairs  # on rank 0: its arrays show what the library holds
+    pairs = result.pairs  # on rank 0: its arrays are views of the library's data
     count = [numpy.count_nonzero(pairs.status == status) for status in (suture.OPEN, suture.SLIP, suture.STICK)]
     say("%5.2f %5d %5d %6d %10.4f" % (mu, *count, numpy.sum(pairs.tangential_force, axis=0)[0]))
 

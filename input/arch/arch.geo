@@ -1,12 +1,12 @@
 // A masonry arch of n voussoirs between two abutments. Lengths in m.
 //
-//          .-'"|"'-.                 Joint k, k = 0 .. n, has two sides: joint_<k>_right, of what lies to the right of it (below in the
-//        .'\   |   /'.               order of angles), and joint_<k>_left. It is a radius with a key: a tooth with flanks of 45 degrees in the
+//          .-'"|"'-.                 Joint k, k = 0 .. n, has two sides: joint_<k>_right, of the part to the right (below in the
+//        .'\   |   /'.               order of angles), and joint_<k>_left. It is radial with a key: a tooth with 45-degree flanks in the
 //       /   \  |  /   \              middle, since a plain radial joint without friction cannot carry shear.
 //  left |----'   '-----| right       Abutments are blocks behind joint 0 (right) and joint n (left), held at the base.
 //
 DefineConstant[ n = {21, Name "voussoirs"}, r1 = {4.5}, r2 = {5.5}, opening = {157.5}, key = {0.1}, h = {0.1, Name "size"}, loaded = {15} ];
-rm = (r1 + r2) / 2; ra = rm - 2*key; rb = rm + 2*key;  // the tooth: from ra to rb, its tip `key` out of the radius ...
+rm = (r1 + r2) / 2; ra = rm - 2*key; rb = rm + 2*key;  // the tooth: from ra to rb, its tip offset by `key` from the radius ...
 nj = Ceil((ra - r1) / h); nk = Ceil(2 * key / h) + 1;  // elements on the plain parts of a joint, on each flank of a tooth
 // ... with a flat tip of 2 key: rm - key .. rm + key
 
@@ -44,7 +44,7 @@ For v In {1:n}  // voussoir v between joint v - 1, its right side, and joint v
   EndIf
 EndFor
 
-// abutments: the arch goes on to y = 0 and below, as a block
+// abutments: the arch continues to y = 0 and below, as a block
 k = 0;
 Call Joint;
 a = newp; Point(a) = {r2 + 0.5, Sin(t)*r2, 0, 2*h}; Point(a + 1) = {r2 + 0.5, 0, 0, 3*h}; Point(a + 2) = {r1 - 0.5, 0, 0, 3*h}; Point(a + 3) = {r1 - 0.5, Sin(t)*r1, 0, 2*h};

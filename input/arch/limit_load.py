@@ -1,8 +1,8 @@
 #!/usr/bin/python3
-"""Limit analysis of the arch of arch.geo as rigid voussoirs, by linear programming: independent of Suture. Needs python3-scipy.
+"""Limit analysis of the arch of arch.geo as rigid voussoirs, by linear programming, independent of Suture. Needs python3-scipy.
 
 limit_load.py [PRESSURE]: prints the largest pressure on the loaded voussoir that equilibrium allows, and, for PRESSURE (200 kPa), the
-smallest and the largest horizontal thrust. Unknowns are forces >= 0 at both ends of the five faces of each joint, normal to the face.
+smallest and largest horizontal thrust. The unknowns are forces >= 0, normal to the face, at both ends of the five faces of each joint.
 """
 import math
 import sys
@@ -50,7 +50,7 @@ def unitForces(k):
 
 
 def equilibrium():
-    """Matrix and right-hand side: three equations a voussoir, moments about the origin."""
+    """Matrix and right-hand side: three equations per voussoir, moments about the origin."""
     matrix, rhs = numpy.zeros((3 * COUNT, UNKNOWNS)), numpy.zeros(3 * COUNT)
     for voussoir in range(1, COUNT + 1):
         begin, row = FIRST + (voussoir - 1) * STEP, 3 * (voussoir - 1)

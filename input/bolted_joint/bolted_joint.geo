@@ -1,4 +1,4 @@
-// Two round plates, and a bolt whose nut is one with its shank: bodies of revolution about x = 0. Lengths in mm; h: size of elements.
+// Two round plates, and a bolt in one piece with its nut: axisymmetric about x = 0. Lengths in mm; h: element size.
 //
 //      x = 0
 //      | head  |                         y = clamped + head
@@ -12,7 +12,7 @@
 //      | nut   |
 //      |_______|                         radii: shank, hole, head, plate
 DefineConstant[ h = {1, Name "size"}, shank = {5}, hole = {5.5}, head = {8}, plate = {25}, clamped = {30}, head_height = {7}, fillet = {0.4},
-  tighten = {0.08} ];  // how far the nut is screwed on after all has met: drawn inside the plate
+  tighten = {0.08} ];  // tightening of the nut beyond first contact: drawn inside the plate
 SetFactory("OpenCASCADE");
 fine = h / 4;  // at the seats
 q = clamped / 2; n = tighten;

@@ -1,4 +1,4 @@
-// A bolt and a nut clamp two rectangular plates: the quarter x >= 0, y >= 0. Lengths in mm; h: size of elements.
+// A bolt and a nut clamp two rectangular plates: the quarter x >= 0, y >= 0. Lengths in mm; h: element size.
 //
 //      x = 0
 //      | head  |                           hexagons of width `flats`
@@ -14,8 +14,8 @@
 //      |      || |
 //      |______||_|                         z = -nut. Radii: shank; hole in the plates; bore, thread and counterbore in the nut
 //
-// Each body has sides <body>_x and <body>_y on the planes of symmetry. Bodies share no node. The strain of a preload belongs between
-// z = -nut / 2 and z = clamped; elements of the bolt end at both planes.
+// Each body has sides <body>_x and <body>_y on the symmetry planes. Bodies share no nodes. Apply the strain of a preload between
+// z = -nut / 2 and z = clamped; both planes are element boundaries of the bolt.
 DefineConstant[ h = {4, Name "size"}, shank = {5}, hole = {5.5}, bore = {5.2}, thread = {6.6}, counterbore = {6.8}, flats = {18}, head = {7},
   nut = {10}, clamped = {30}, length = {40}, width = {25}, seat = {11}, order = {2} ];
 SetFactory("OpenCASCADE");
@@ -87,7 +87,7 @@ x0 = length; x1 = length; y1 = far; z0 = -far; z1 = far;
 k = 2; name = "lower_rim"; Call Side;
 k = 3; name = "upper_rim"; Call Side;
 
-// Elements of h / 2 at the seats, h / 4 about the shank, growing with the distance from the axis.
+// Elements of h / 2 at the seats, h / 4 about the shank, growing with distance from the axis.
 Field[1] = MathEval;
 Field[1].F = Sprintf("%g*Min(1.5,0.5+0.1*Max(0,Sqrt(x*x+y*y)-%g)-0.25*Max(0,1-0.5*Abs(Sqrt(x*x+y*y)-%g)))", h, seat, (shank + thread) / 2);
 Background Field = 1;

@@ -1,4 +1,4 @@
-// A bracket on a wall and a roller on its arm. Lengths in mm; h: size of elements.
+// A bracket on a wall and a roller on its arm. Lengths in mm; h: element size.
 DefineConstant[ h = {2, Name "size"} ];
 SetFactory("OpenCASCADE");
 fine = h / 40;  // where the roller touches the arm
@@ -21,7 +21,7 @@ Circle(21) = {21, 20, 22}; Circle(22) = {22, 20, 23}; Circle(23) = {23, 20, 25};
 Curve Loop(2) = {21, 22, 23, 24, 25};
 Plane Surface(2) = {2};
 
-// names: surfaces are bodies, curves are places for conditions and contact
+// names: surfaces are bodies, curves are sides for conditions and contact
 Physical Surface("bracket") = {1};
 Physical Surface("roller") = {2};
 Physical Curve("wall") = {9};

@@ -1,22 +1,22 @@
-// Two half spaces, cut off at the radius and the depth L = `size` * a, that face each other on the disc r < 1.25 a: the half y >= 0 of two
-// cylinders of hexahedra. Two balls are in the gap of the scene, not in the mesh.
+// Two half-spaces, truncated at radius and depth L = `size` * a, that face each other on the disc r < 1.25 a: the half y >= 0 of two
+// cylinders of hexahedra. The scene defines the spheres by its gap; they are not in the mesh.
 //
-//      a: radius of the contact by Hertz' theory      sides: upper_side, lower_side     the disc
-//      rings: elements on a, along the radius                upper_top, lower_bottom    z = L and z = -L
-//      around: elements on the half circle                   upper_y, lower_y           plane of symmetry y = 0
-//      growth: of elements with the distance from the disc
+//      a: contact radius by Hertz' theory             sides: upper_side, lower_side     the disc
+//      rings: elements along the radius a                    upper_top, lower_bottom    z = L and z = -L
+//      around: elements along the half circle                upper_y, lower_y           symmetry plane y = 0
+//      growth: growth of elements with distance from the disc
 //
 DefineConstant[ a = {0.0880442}, size = {20}, rings = {16}, around = {16}, growth = {1.4}, order = {1} ];
 L = size * a; q = Round(around / 4);
-d = 0.35 * a; radii[] = {0.7 * a, 1.25 * a, L};  // a square of half width d, circles about it, and elements between them
+d = 0.35 * a; radii[] = {0.7 * a, 1.25 * a, L};  // a square of half width d, circles around it, and elements between them
 n[] = {Round(0.3 * rings), Round(0.55 * rings), Round(Log(1 + (growth - 1) * (size - 1.25) * rings / growth) / Log(growth))};
-layers = Round(Log(1 + (growth - 1) * size * rings) / Log(growth));  // of the depth, the first a / rings
+layers = Round(Log(1 + (growth - 1) * size * rings) / Log(growth));  // layers over the depth, the first of thickness a / rings
 For i In {0:layers-1}
   one[i] = 1; depth[i] = (growth^(i+1) - 1) / (growth^layers - 1);
 EndFor
 
 For k In {0:1}  // 0: lower, 1: upper
-  s = 2*k - 1; z = k * a / 1000; p = newp;  // a hair between them, so that Gmsh keeps both discs; the scene has a gap of its own
+  s = 2*k - 1; z = k * a / 1000; p = newp;  // a tiny distance between them, so that Gmsh keeps both discs; the scene prescribes the gap
   Point(p) = {0, 0, z};
   Point(p+1) = {d, 0, z}; Point(p+2) = {d, d, z}; Point(p+3) = {-d, d, z}; Point(p+4) = {-d, 0, z};
   For j In {0:2}

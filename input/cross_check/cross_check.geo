@@ -1,6 +1,6 @@
-// Tunnel in the middle of a rectangle, crossed by a vertical fault: the scene on which other codes were compared. Units: m.
+// Tunnel in the middle of a rectangle, crossed by a vertical fault: the scene used for comparing codes. Units: m.
 //
-//      +--------- + ---------+      Two bodies that share no node. Contact sides: fault_upper_left / _right above the tunnel,
+//      +--------- + ---------+      Two bodies that share no nodes. Contact sides: fault_upper_left / _right above the tunnel,
 //      |          |          |      fault_lower_left / _right below it. Other sides: left_side, right_side, top, bottom,
 //      |  left   ( )  right  |      tunnel_wall.
 //      |          |          |
@@ -14,7 +14,7 @@ For k In {0:1}
   Point(p) = {xc, yc, 0};
   Point(p + 1) = {xc, yc + R, 0}; Point(p + 2) = {xc, H, 0}; Point(p + 3) = {x0, H, 0};
   Point(p + 4) = {x0, 0, 0}; Point(p + 5) = {xc, 0, 0}; Point(p + 6) = {xc, yc - R, 0}; Point(p + 7) = {xc + side*R, yc, 0};
-  l = newl;  // both bodies' fault lines run away from the tunnel, so that they are divided alike
+  l = newl;  // the fault lines of both bodies start at the tunnel, so that they are divided equally
   Line(l) = {p + 1, p + 2}; Line(l + 1) = {p + 2, p + 3}; Line(l + 2) = {p + 3, p + 4}; Line(l + 3) = {p + 4, p + 5};
   Line(l + 4) = {p + 6, p + 5};
   Circle(l + 5) = {p + 6, p, p + 7}; Circle(l + 6) = {p + 7, p, p + 1};

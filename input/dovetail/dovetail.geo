@@ -1,18 +1,18 @@
-// A blade root in the slot of a disc: one sector, pulled along y, the radius. Lengths in mm; h: size of elements.
+// A blade root in the slot of a disc: one sector, pulled along y, the radius. Lengths in mm; h: element size.
 //
 //              | blade |                y = 30: pull
 //              |       |
 //       rim ___|       |___             contact on the flanks only, with the rounded ends: root_left on slot_left, root_right on slot_right.
 //          / \ |       | / \            The sides lie on two radii of the disc, centre (0, -R), half_angle degrees from y.
-//         /   \         /   \           The flanks lean by `flank` degrees from y.
+//         /   \         /   \           The flanks are inclined by `flank` degrees from y.
 //        /   /   root    \   \          .
 DefineConstant[ h = {1, Name "size"}, flank = {45}, half_angle = {7.5}, R = {200} ];
 SetFactory("OpenCASCADE");
 fine = h / 6;  // along the flanks
-f = flank * Pi / 180; s = Sin(f); c = Cos(f); e = Tan(f / 2);  // a rounding of radius r begins r e before the corner
+f = flank * Pi / 180; s = Sin(f); c = Cos(f); e = Tan(f / 2);  // a fillet of radius r begins r e before the corner
 g = half_angle * Pi / 180;
 
-// Corners are rounded; the flank is the line through (10, 0) along (s, -c).
+// Corners have fillets; the flank is the line through (10, 0) along (s, -c).
 rn = 3; yn = 3 * c / s;        // root: neck x = 7, corner with the flank at y = yn
 rb = 2; yb = -5 * c / s;       // root: side x = 15, corner with the flank at y = yb
 rl = 1.5; yl = 1.5 * c / s;    // slot: lip x = 8.5

@@ -1,15 +1,15 @@
-// Tunnel crossed by an inclined fault: input/tunnel in space. Lengths in m; x across the tunnel, y along it, z upwards.
+// Tunnel crossed by an inclined fault: input/tunnel in 3D. Lengths in m; x across the tunnel, y along it, z upwards.
 //
-//      +-------- \ ------------+  z = H      The section y = const is that of input/tunnel: a tunnel of radius R about (xc, zc), a fault that
-//      |          \            |             leans by `tilt` degrees from the vertical and meets the axis of the tunnel in y = D / 2. Seen from
-//      |  left     ( )  right  |             above it runs at `strike` degrees to the axis of the tunnel: with 0 the scene is the plane one,
-//      |             \         |             extruded, and the fault is two pieces; else it is one piece with an elliptic hole.
+//      +-------- \ ------------+  z = H      The section y = const is that of input/tunnel: a tunnel of radius R around (xc, zc), a fault
+//      |          \            |             inclined by `tilt` degrees that meets the tunnel axis at y = D / 2. Seen from
+//      |  left     ( )  right  |             above it is at `strike` degrees to the axis of the tunnel: with 0 the scene is the 2D one,
+//      |             \         |             extruded, and the fault has two pieces; otherwise it is one piece with an elliptic hole.
 //      +------------- \ -------+  z = 0
 //     x = 0                  x = W           0 < y < D
 //
 // Bodies: left, right. Sides: fault_left, fault_right; left_side, right_side; of each body top_, bottom_, front_ (y = 0), back_ (y = D),
 // wall_ (of the tunnel). The bodies are never fragmented with each other; both have the same mesh on the fault. Elements of `hf` at the
-// fault about the tunnel, growing to `ho`.
+// fault around the tunnel, growing to `ho`.
 DefineConstant[ W = {120}, H = {80}, D = {60}, R = {6}, xc = {60}, zc = {39.5}, tilt = {-25}, strike = {30}, hf = {2.4}, ho = {14},
   growth = {0.3}, scale = {1}, order = {2} ];
 SetFactory("OpenCASCADE");
@@ -39,7 +39,7 @@ For k In {0:1}  // 0: left, 1: right
   body~{k}() = BooleanDifference{ Volume{v}; Delete; }{ Volume{v + 1}; Delete; };
 EndFor
 
-// Faces of a body within a box; what is left of its faces in the end is the fault.
+// Faces of a body within a box; the faces that remain at the end are the fault.
 Macro Side
   found() = rest~{k}(); others() = rest~{k}();
   others() -= {Surface In BoundingBox {x0 - e, y0 - e, z0 - e, x1 + e, y1 + e, z1 + e}};

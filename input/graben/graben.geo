@@ -1,17 +1,17 @@
-// Layered rock with two faults: a block that narrows downwards between two flanks. Lengths in m.
+// Layered rock with two faults: a block between two flanks that narrows downwards. Lengths in m.
 //
 //    _______ ________________ _______  60
 //   |       \   limestone    /       |      Bodies left, block, right: three layers each, surface groups <body>_<layer>.
-//   |________\______________/________| 40   Faults lean by `lean` degrees from the vertical: left_fault on block_left,
+//   |________\______________/________| 40   Faults are inclined by `lean` degrees: left_fault on block_left,
 //   |         \   shale    /         |      block_right on right_fault. The block has no ground below.
 //   |__________\__________/__________| 20
 //   |           \sandstone/          |
 //   |____________\_______/___________| 0
 //   0           50       70         120
-DefineConstant[ lean = {30}, size = {2}, throw = {6} ];  // throw: how much deeper the layers of the block lie
+DefineConstant[ lean = {30}, size = {2}, throw = {6} ];  // throw: how much deeper the layers of the block are
 t = Tan(lean * Pi / 180);
 
-// a body from four corner functions: at height y its left and right ends are xl + sl y and xr + sr y
+// a body: at height y its left and right ends are xl + sl y and xr + sr y
 For b In {0:2}
   If (b == 0)
     xl = 0; sl = 0; xr = 50; sr = -t; d = 0;

@@ -1,11 +1,11 @@
-// Elastic cylinder on an elastic plane (Hertz), the right half of it: x = 0 is a plane of symmetry. Lengths in units of the scene.
+// Elastic cylinder on an elastic plane (Hertz), right half: x = 0 is a symmetry plane. Lengths in units of the scene.
 //
-//      cylinder_top                The lower right quarter of a disc of radius R about (0, R), and a block of Lx x Ly below y = 0.
-//      +-----------+               The disc touches the block in the origin.
+//      cylinder_top                The lower right quarter of a disc of radius R around (0, R), and a block of Lx x Ly below y = 0.
+//      +-----------+               The disc touches the block at the origin.
 //      |          /
 //      | cylinder |                Contact sides: x = 0 .. reach * a, with nodes at the same x = 0, h, 2 h, ... on both, so that
-//      |         /                 every node of the arc stands exactly above one of the plane; h = a / resolution, a the half
-//      |       _/                  width that Hertz' theory gives. Away from the contact the elements grow linearly with the
+//      |         /                 every node of the arc is exactly above one of the plane; h = a / resolution, a the half
+//      |       _/                  width by Hertz' theory. Away from the contact the elements grow linearly with
 //      |____,-'  cylinder_contact  distance.
 //      +--------------------+
 //      |     block_contact  |      Sides at x = 0: cylinder_axis, block_axis.
@@ -13,8 +13,8 @@
 //      |                    |
 //      +--------------------+ block_bottom
 //
-// ratio: elements of the block's contact side over those of the cylinder's; nodes match with 1 only. order = 2: elements with middle nodes,
-// sides curved. block = 0: the cylinder alone. quads = 1: quadrilaterals.
+// ratio: elements of the block's contact side per element of the cylinder's; nodes match only with 1. order = 2: elements with middle
+// nodes, curved sides. block = 0: only the cylinder. quads = 1: quadrilaterals.
 DefineConstant[ R = {8}, Lx = {32}, Ly = {32}, a = {0.96277}, resolution = {16}, reach = {1.25}, ratio = {1}, order = {1}, block = {1}, quads = {0},
   growth = {0.12}, hmax = {2} ];
 h = a / resolution;

@@ -1,17 +1,17 @@
 // Layers of rock crossed by a fault. Units: m.
 //
-//      +------------------------------------------+ H            six bodies that never share a node; eight contact
-//      |                  top                     |              lines, each side a named curve of its own:
+//      +------------------------------------------+ H            six bodies that share no nodes; eight contact
+//      |                  top                     |              lines, each side a separate named curve:
 //      +-------------------.----------------------+ y3             base_left1, left1_base, ...: "<body>_<neighbour>"
 //      |      left2       /        right2         |
-//      +-----------------+------------------------+ y2           Three bodies meet at the foot and the head of the fault,
+//      +-----------------+------------------------+ y2           Three bodies meet at each end of the fault,
 //      |      left1     /          right1         |              four in the middle: points where contact pieces meet.
 //      +---------------'--------------------------+ y1
-//      |                  base                    |              Contact lines have equal nodes on both sides: so many
-//      +------------------------------------------+ 0            elements of equal length each (Transfinite).
+//      |                  base                    |              Contact lines have the same nodes on both sides:
+//      +------------------------------------------+ 0            elements of equal length (Transfinite).
 //      0              xf                          W
 //
-// The fault goes through (xf, y1) and leans by `tilt` degrees from the vertical (to the right at the top where tilt > 0).
+// The fault passes through (xf, y1), inclined by `tilt` degrees from the vertical (tilt > 0: to the right at the top).
 DefineConstant[ W = {120}, y1 = {20}, y2 = {35}, y3 = {50}, H = {60}, xf = {56}, tilt = {15}, a = {70}, b = {95}, h = {1.6}, scale = {1} ];
 size = scale*h;
 t = Tan(tilt*Pi/180);
@@ -22,7 +22,7 @@ n2l = Round(x2/size); n2r = Round((W - x2)/size);
 n3l = Round(x3/size); n3r = Round((W - x3)/size);
 nf1 = Round((y2 - y1)*c/size); nf2 = Round((y3 - y2)*c/size);  // and along the fault
 
-// A body is its corners in turn (counter-clockwise), one curve between each two; the curves' numbers start at 10, 20, ...
+// A body is its corners, counter-clockwise, with one curve between neighbours; curve numbers start at 10, 20, ...
 Point(10) = {0, 0, 0, size}; Point(11) = {W, 0, 0, size}; Point(12) = {W, y1, 0, size}; Point(13) = {x1, y1, 0, size}; Point(14) = {0, y1, 0, size};
 For i In {10:13}
   Line(i) = {i, i + 1};

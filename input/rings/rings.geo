@@ -1,4 +1,4 @@
-// Two concentric rings in contact, one quarter of them: x = 0 and y = 0 are planes of symmetry.
+// Two concentric rings in contact, a quarter: x = 0 and y = 0 are symmetry planes.
 //
 //   y
 //   |___
@@ -13,7 +13,7 @@
 //
 // Triangles, with quads = 1 quadrilaterals in the outer ring (and triangles in the inner one), with quads = 2 in both; order = 2: quadratic
 // elements, whose sides on the arcs are curved. Structured meshes. With ratio = 1 both have the same division along the arcs, so that the nodes on
-// r = r1 coincide; the bodies share none.
+// r = r1 coincide; the bodies share no nodes.
 DefineConstant[ r0 = {0.2}, r1 = {0.6}, r2 = {1.0}, division = {48}, ratio = {1}, order = {1}, quads = {0} ];
 nr = Round(division / 3);  // elements across a ring
 

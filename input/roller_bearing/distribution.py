@@ -1,8 +1,8 @@
 #!/usr/bin/python3
-"""Forces of the rollers by Sjoevall's method, independent of Suture: a rigid shaft sinks, each roller gives way by itself.
+"""Forces of the rollers by Sjoevall's method, independent of Suture: a rigid shaft sinks, each roller deforms independently.
 
 distribution.py [CLEARANCE]...: prints the forces of rollers 0 to 6 in N/mm for diametral clearances in mm.
-A roller between its raceways is pressed by the sum of K. L. Johnson, Contact Mechanics, eq. 5.56 (raceways) and 5.57 (roller).
+The compression of a roller and its raceways is the sum of K. L. Johnson, Contact Mechanics, eq. 5.56 (raceways) and 5.57 (roller).
 """
 import math
 import sys
@@ -20,12 +20,12 @@ def bisect(increasing, value, low, high):
 
 
 def approach(force):
-    """By how much a roller and its raceways shorten under a force [N/mm]."""
+    """Compression of a roller and its raceways under a force [N/mm]."""
     if force <= 0:
         return 0.0
     total = 0.0
     for curvature, depth in ((1 / ROLLER + 1 / INNER, INNER_DEPTH), (1 / ROLLER - 1 / OUTER, OUTER_DEPTH)):
-        width = math.sqrt(8 * force * COMPLIANCE / (math.pi * curvature))  # half of it: Hertz
+        width = math.sqrt(8 * force * COMPLIANCE / (math.pi * curvature))  # half width by Hertz
         raceway = math.log(2 * depth / width) - POISSON / (2 * (1 - POISSON))
         roller = math.log(4 * ROLLER / width) - 0.5
         total += 2 * force * COMPLIANCE / math.pi * (raceway + roller)

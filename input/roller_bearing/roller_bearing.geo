@@ -1,9 +1,9 @@
-// A cylindrical roller bearing, its half x > 0: x = 0 is a plane of symmetry. Lengths in mm.
+// A cylindrical roller bearing, half x > 0: x = 0 is a symmetry plane. Lengths in mm.
 //
 //        .-""""-.      13 rollers; roller 0 is at the bottom, under the load, and is cut in half; 1 .. 6 follow up to the top.
 //      .'  .--.  '.    Side groups: inner_<j> and outer_<j> on shaft and ring, roller_<j>_inner, roller_<j>_outer, and _before, _behind
 //     |   |    |   |   where a roller faces its pocket. Each is an arc of +-spot degrees of the roller, or as long on shaft and ring.
-//     |   |    |   |   The rollers are drawn against the outer ring; between them and the shaft is clearance / 2.
+//     |   |    |   |   The rollers are drawn in contact with the outer ring, at clearance / 2 from the shaft.
 //
 DefineConstant[ clearance = {0.02, Name "diametral"}, inner = {30}, roller = {5}, outside = {50}, spot = {5}, h = {1.5, Name "size"}, fine = {0.06} ];
 outer = inner + 2*roller + clearance/2;
@@ -22,7 +22,7 @@ For j In {0:6}
   fx = Cos(t); fy = Sin(t);      // along the pitch circle, upwards
   bi = a * roller / inner; bo = a * roller / outer;
 
-  // the raceways: arcs up to the spot, with larger elements half way, and the spot itself
+  // the raceways: arcs up to the spot, with larger elements half-way, and the spot itself
   If (j > 0)
     m = t - Pi/13;
     p = newp; Point(p) = {inner*Sin(m), -inner*Cos(m), 0, h}; l = newl; Circle(l) = {pi, O, p}; inner_way[] += {l}; pi = p;
@@ -73,7 +73,7 @@ For j In {0:6}
   Physical Surface(Sprintf("roller_%g", j)) = {s};
 EndFor
 
-// the shaft, whose surface is the inner raceway, and the outer ring; the raceways go on to the top
+// the shaft, whose surface is the inner raceway, and the outer ring; the raceways continue to the top
 p = newp; Point(p) = {0, inner, 0, h}; l = newl; Circle(l) = {pi, O, p}; inner_way[] += {l}; pi = p;
 p = newp; Point(p) = {0, outer, 0, h}; l = newl; Circle(l) = {po, O, p}; outer_way[] += {l}; po = p;
 l = newl; Line(l) = {pi, O}; Line(l + 1) = {O, pi0};

@@ -1,12 +1,12 @@
-// Lower quarter of a ball of radius R about (0, 0, R), cut by its planes of symmetry x = 0 and y = 0 and by z = R. Lengths in units of the scene.
+// Lower quarter of a sphere of radius R around (0, 0, R), cut by its symmetry planes x = 0 and y = 0 and by z = R. Scene units.
 //
-//        z                           sides: ball_contact  the cap r < reach * a about the origin
+//        z                           sides: ball_contact  the cap r < reach * a around the origin
 //        | ball_top                         ball_flank    the rest of the sphere
 //      R +-------+ C                        ball_top      z = R
-//        |       /                          ball_x, ball_y  planes of symmetry x = 0 and y = 0
+//        |       /                          ball_x, ball_y  symmetry planes x = 0 and y = 0
 //        | ball / ball_flank
-//        |    _/ A                   h = a / resolution on the cap, growing by `growth` with the distance from it;
-//      0 +--'  ball_contact          a: radius of the contact by Hertz' theory
+//        |    _/ A                   h = a / resolution on the cap, growing by `growth` with distance from it;
+//      0 +--'  ball_contact          a: contact radius by Hertz' theory
 //
 DefineConstant[ R = {1}, a = {0.1}, resolution = {8}, reach = {1.4}, growth = {0.3}, hmax = {0.25}, order = {2} ];
 h = a / resolution;

@@ -1,12 +1,12 @@
-// Two balls of radii R1 (above) and R2 (below) that touch in the origin: the quarter x >= 0, y >= 0 of the halves that face each other.
+// Two spheres of radii R1 (above) and R2 (below) that touch at the origin: the quarter x >= 0, y >= 0 of the halves that face each other.
 //
-//        +-------+ upper_top        sides: upper_contact, lower_contact  caps r < reach * a about the origin
+//        +-------+ upper_top        sides: upper_contact, lower_contact  caps r < reach * a around the origin
 //        | upper/                          upper_flank, lower_flank      the rest of the spheres
 //        |    _/                           upper_top, lower_bottom       z = R1 and z = -R2
-//      0 +--'                              upper_x, lower_x, upper_y, lower_y  planes of symmetry x = 0 and y = 0
+//      0 +--'                              upper_x, lower_x, upper_y, lower_y  symmetry planes x = 0 and y = 0
 //        |--._
-//        | lower\                   h = a / resolution on the upper cap, 1 / ratio of it on the lower one, growing by `growth` with the
-//        +-------+ lower_bottom     distance from there; a: radius of the contact by Hertz' theory. No node is shared.
+//        | lower\                   h = a / resolution on the upper cap, times 1 / ratio on the lower one, growing by `growth` with
+//        +-------+ lower_bottom     distance from the caps; a: contact radius by Hertz' theory. No node is shared.
 //
 DefineConstant[ R1 = {50}, R2 = {50}, a = {10}, resolution = {6}, ratio = {1.5}, reach = {1.4}, growth = {0.3}, hmax = {0.25}, order = {2} ];
 e = reach * a; h = a / resolution;
@@ -30,7 +30,7 @@ For k In {0:1}  // 0: upper, 1: lower
   Surface Loop(k+1) = {f+1:f+5}; Volume(k+1) = {k+1};
 EndFor
 
-For k In {0:1}  // each ball has the half space of its own
+For k In {0:1}  // each sphere has its own half-space
   s = 1 - 2*k; R = k == 0 ? R1 : R2;
   Field[k+1] = MathEval;
   Field[k+1].F = Sprintf("1e6*Max(0,(%g)*z)+Min(%g,%g+%g*Sqrt(Max(0,Sqrt(x*x+y*y)-%g)^2+(%g-Sqrt(x*x+y*y+(z-(%g))^2))^2))",

@@ -1,18 +1,18 @@
 #!/usr/bin/python3
-"""Runs studies and puts their tables into the pages of this folder.
+"""Runs studies and inserts their tables into the pages of this folder.
 
     input/studies/results.py [--ranks 2] [--program build/drivers/suture_study] [--no-run] [STUDY...]
 
-Without names: all studies of this folder. Results go to build/studies_out/<study>/. A page (*.md) holds each of them between a line
+Without names: all studies of this folder. Results go to build/studies_out/<study>/. A page (*.md) holds each table between a line
 
     <!-- results: STUDY -->                          all runs and bands (table.md)
     <!-- bands: STUDY -->                            bands only
-    <!-- matrix: STUDY ROWS x COLUMN: CELLS -->      a line for each combination of labels of the sweeps ROWS, a column for each label of the
+    <!-- matrix: STUDY ROWS x COLUMN: CELLS -->      one row per combination of labels of the sweeps ROWS, one column per label of the
                                                      sweep COLUMN, the columns CELLS of table.csv in each cell
-    <!-- matrix: STUDY SWEEP=LABEL|LABEL; ROWS x COLUMN: CELLS -->     the runs with these labels only
+    <!-- matrix: STUDY SWEEP=LABEL|LABEL; ROWS x COLUMN: CELLS -->     only the runs with these labels
 
-and a line "<!-- end -->". A picture NAME.png of a study is copied to STUDY_NAME.png of this folder if its page shows it. Returns 1 when a
-study missed a band, or has no page <study>.md.
+and a line "<!-- end -->". If a page shows the picture NAME.png of its study, it is copied to STUDY_NAME.png in this folder. Returns 1
+when a study missed a band or has no page <study>.md.
 """
 import argparse
 import csv
@@ -29,7 +29,7 @@ ENVIRONMENT = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": 
 
 
 def body(table):
-    """Text of a table.md without its title: the page has its own."""
+    """Text of a table.md without its title, since the page has one."""
     return table.split("\n", 2)[2].strip()
 
 
@@ -40,17 +40,17 @@ def bands(table):
 
 
 def figure(text):
-    """A count as it is, any other number with three digits."""
+    """Counts unchanged, other numbers with three digits."""
     return text if text.isdecimal() else f"{float(text):.3g}"
 
 
 def shown(row, cells):
-    """Figures of a run; '-' for a run without a solution."""
+    """Results of a run; '-' for a run without a solution."""
     return " / ".join(figure(row[cell]) for cell in cells) if row["exit_code"] == "0" else "-"
 
 
 def matrix(study, where, rows, column, cells):
-    """One line for each combination of the sweeps `rows`, one column for each label of the sweep `column`; runs with the labels `where`."""
+    """One row per combination of the sweeps `rows`, one column per label of the sweep `column`, for the runs with the labels `where`."""
     with open(study / "table.csv") as file:
         runs = list(csv.DictReader(file))
     if where:
@@ -98,7 +98,7 @@ def main():
     parser.add_argument("--ranks", type=int, default=2)
     parser.add_argument("--program", default=str(ROOT / "build" / "drivers" / "suture_study"))
     parser.add_argument("--results", default=str(ROOT / "build" / "studies_out"))
-    parser.add_argument("--no-run", action="store_true", help="only put the tables that exist into the pages")
+    parser.add_argument("--no-run", action="store_true", help="only insert existing tables into the pages")
     options = parser.parse_args()
     known = sorted(path.stem for path in HERE.glob("*.xml") if 'name="Study"' in path.read_text())
     unknown = sorted(set(options.studies) - set(known))

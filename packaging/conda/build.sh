@@ -1,5 +1,5 @@
 #!/bin/sh
-# Run by conda-build, in a copy of the checkout.
+# conda-build runs this script in a copy of the checkout.
 set -eu
 # shellcheck disable=SC2086  # a list of words
 cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release -DSUTURE_UNITY=ON -DSUTURE_TESTS=OFF -DSUTURE_PYTHON_PACKAGE=OFF -DCMAKE_INSTALL_LIBDIR=lib \

@@ -1,9 +1,9 @@
 #!/bin/sh
-# The packages on a bare Debian 12: install, solve and draw the tunnel, build projects of others from the packages alone, remove.
+# Checks the packages on a bare Debian 12: installs them, solves and plots the tunnel, builds downstream projects, removes the packages.
 #   sudo sh packaging/deb/check.sh PACKAGES ROOT
-# PACKAGES is the folder of the .deb files (build/packages_deb), ROOT a folder for the bare system, made by debootstrap if it does not exist.
-# Needs root, debootstrap and the archive of Debian (MIRROR, http://deb.debian.org/debian). Prints the commands inside the bare system; leaves
-# the pictures in ROOT/root/tunnel_out.
+# PACKAGES is the folder of the .deb files (build/packages_deb); ROOT holds the bare system, created by debootstrap if it does not exist.
+# Needs root, debootstrap and the Debian archive (MIRROR, http://deb.debian.org/debian). Prints the commands run in the bare system and
+# leaves the pictures in ROOT/root/tunnel_out.
 set -eu
 [ $# -eq 2 ] && [ -d "$1" ] || { echo "usage: sh packaging/deb/check.sh PACKAGES ROOT" >&2; exit 2; }
 [ "$(id -u)" -eq 0 ] || { echo "check.sh: debootstrap and chroot need root" >&2; exit 5; }
@@ -13,7 +13,7 @@ root=$2
 
 if [ ! -d "$root" ]; then
   debootstrap --variant=minbase bookworm "$root" "${MIRROR:-http://deb.debian.org/debian}" >"$root.log" || { tail "$root.log" >&2; exit 5; }
-  rm -f "$root/etc/apt/sources.list" # those of this machine, not twice
+  rm -f "$root/etc/apt/sources.list" # replaced by those of this machine
   cp -a /etc/apt/. "$root/etc/apt/"
   cp /etc/resolv.conf "$root/etc/"
 fi
@@ -22,13 +22,13 @@ if [ ! -r "$root/proc/self" ]; then
   trap 'umount "$root/proc"' EXIT
 fi
 
-# The command as somebody would type it, its output, and a failure where it fails.
+# Prints a command as typed, then runs it in the bare system; stops if it fails.
 inside() {
   echo "# $1"
   chroot "$root" /usr/bin/env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LANG=C.UTF-8 DEBIAN_FRONTEND=noninteractive \
     OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 HWLOC_HIDE_ERRORS=2 sh -c "cd /root && $1" </dev/null
 }
-# The same for a command that must print something.
+# Also checks that the output contains a pattern.
 prints() {
   inside "$1" >"$root/root/printed" 2>&1 || { cat "$root/root/printed"; exit 1; }
   cat "$root/root/printed"
@@ -42,7 +42,7 @@ inside "apt-get update -q"
 echo "== Two commands to a picture"
 inside "apt-get install -y -q --no-install-recommends ./suture_*.deb"
 prints "suture_solve /usr/share/suture/input/tunnel/tunnel.xml --output tunnel_out && suture_plot tunnel_out" "87 of 89 pairs closed"
-[ -s "$root/root/tunnel_out/principal_stress.png" ] || { echo "check.sh: there is no picture of the stresses" >&2; exit 1; }
+[ -s "$root/root/tunnel_out/principal_stress.png" ] || { echo "check.sh: no picture of the stresses" >&2; exit 1; }
 prints "mpirun --oversubscribe -np 2 suture_solve /usr/share/suture/input/tunnel/tunnel.xml --output tunnel_2_out" "87 of 89 pairs closed"
 prints "ldd /usr/bin/suture_solve /usr/lib/suture/suture_mesher | grep -c 'not found' || true" "^0$"
 
@@ -52,7 +52,7 @@ prints "mpirun --oversubscribe -np 2 python3 -c 'import suture; print(repr(sutur
 energy=$(tail -n 1 "$root/root/printed")
 inside "grep -qxF '  \"energy\": $energy,' tunnel_2_out/summary.json"  # to the last bit
 
-echo "== Projects of others, from the packages alone"
+echo "== Downstream projects, with the packages only"
 inside "apt-get install -y -q --no-install-recommends ./suture-dev_*.deb g++ cmake make pkg-config"
 mkdir -p "$root/root/projects"
 cp -R "$source/test/install/downstream" "$source/test/install/pkgconfig" "$root/root/projects/"

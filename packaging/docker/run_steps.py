@@ -1,10 +1,13 @@
 #!/usr/bin/python3
-"""The steps of the Dockerfile beside this file, without Docker.
+"""Executes the steps of the Dockerfile in this folder without Docker.
 
-sudo python3 run_steps.py ROOT [PACKAGES]: for each stage a bare Debian 12 in ROOT/<number> (debootstrap, the sources of apt of this machine), in which the lines COPY, RUN, ENV,
-WORKDIR and USER are carried out in their order; the sources are those of the last commit. Prints each step and its seconds, fails with the first that fails. At the end
-the tunnel is solved and drawn in the last stage as its user; the pictures are in ROOT/<number>/work/out. With PACKAGES, a folder of .deb files, the first stage is
-not carried out: what others copy from it comes from there. Needs root, debootstrap and git.
+sudo python3 run_steps.py ROOT [PACKAGES]
+
+Each stage is a bare Debian 12 in ROOT/<number> (debootstrap, with the apt sources of this machine), in which the lines COPY, RUN, ENV,
+WORKDIR and USER are executed in order on the sources of the last commit. Prints each step with its seconds and stops at the first one that
+fails. At the end the last stage solves and plots the tunnel as its user; the pictures are in ROOT/<number>/work/out. With PACKAGES, a
+folder of .deb files, the first stage is skipped, and files that other stages copy from it are taken from PACKAGES. Needs root, debootstrap
+and git.
 """
 import glob
 import os
@@ -34,7 +37,7 @@ class Stage:
             shutil.copy("/etc/resolv.conf", root / "etc/resolv.conf")
 
     def run(self, command):
-        home = "/root" if self.user == "root" else f"/home/{self.user}"  # as Docker has it
+        home = "/root" if self.user == "root" else f"/home/{self.user}"  # as in Docker
         variables = {"HOME": home, "PATH": "/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin", "DEBIAN_FRONTEND": "noninteractive", **self.environment}
         words = [f"{name}={value}" for name, value in variables.items()]
         log = self.root.parent / "last_step.log"
@@ -113,7 +116,7 @@ def main():
         if word in ("COPY", "RUN"):
             print(f"    {time.time() - begin:.0f} s", flush=True)
     stage = stages[-1]
-    stage.place(stage.folder).chmod(0o777)  # as a folder of the user's mounted there
+    stage.place(stage.folder).chmod(0o777)  # like a mounted folder of the user
     print(f"{stage.user}$ {FINAL}")
     print(stage.run(FINAL))
 

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Recipe of Spack, as packages/suture/package.py of a repository of your own. There is no public archive to fetch yet: `spack dev-build suture@0.1.0`
-builds a checkout from its top.
+"""Spack recipe: install it as packages/suture/package.py in your repository. There is no public archive to fetch yet:
+`spack dev-build suture@0.1.0` builds a checkout from its top folder.
 """
 from spack.package import *
 
 
 class Suture(CMakePackage):
-    """Elastic bodies in contact, solved by domain decomposition: plane, axisymmetric and in space, with and without friction, in parallel."""
+    """Parallel finite element solver for elastic bodies in contact: 2D, axisymmetric and 3D, with or without friction."""
 
     license("BSD-3-Clause")
 
@@ -22,7 +22,7 @@ class Suture(CMakePackage):
     depends_on("ninja", type="build")
     depends_on("pkgconfig", type="build")
     depends_on("mpi")
-    # Headers of Suture instantiate Tpetra with these ordinals; the version that Suture is tested with.
+    # Suture's headers instantiate Tpetra with these ordinals. This is the version that Suture is tested with.
     depends_on("trilinos@13.2 +mpi +tpetra +belos +amesos2 +intrepid2 +shards +sacado +kokkos gotype=long_long ~openmp")
     depends_on("eigen@3.4:")
     depends_on("suite-sparse")

@@ -42,7 +42,7 @@ def fail(message):
 
 
 def environment(threads=1):
-    """So many threads of OpenBLAS a rank, whatever the caller's environment says. One of OpenMP: CHOLMOD's gain nothing (CHANGELOG.md)."""
+    """So many threads of OpenBLAS a rank, whatever the caller's environment says. One of OpenMP: CHOLMOD's gain nothing (input/studies/README.md)."""
     fixed = {"OPENBLAS_NUM_THREADS": str(threads), "OMP_NUM_THREADS": "1"}
     return {**os.environ, **fixed, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
 

@@ -1,14 +1,14 @@
-// A plate on a block, turned by `angle` degrees about the origin, moved by (dx, dy), all lengths times `unit`.
+// A plate on a block, rotated by `angle` degrees about the origin, moved by (dx, dy), all lengths times `unit`.
 //
 //      left_top, right_top
 //      +---+-------+  y = 0.4      upper: its left third is pressed; upper_left slides along a wall
 //      |   upper   |               contact sides: upper_bottom with `division` elements, lower_top with `ratio` times as many
 //      +-----------+  y = 0
-//      |   lower   |               structured triangles: the mesh is the same wherever the scene stands
+//      |   lower   |               structured triangles: the mesh is the same after any motion
 //      +-----------+  y = -1: lower_bottom
 //     x = -1      x = 1
 //
-// reversed = 1: the bodies are made in the other order, and every line from its other end: other numbers for everything.
+// reversed = 1: the bodies are made in reverse order, and every line from its other end: everything is renumbered.
 DefineConstant[ angle = {0}, dx = {0}, dy = {0}, unit = {1}, division = {24}, ratio = {1}, reversed = {0} ];
 c = Cos(angle * Pi / 180) * unit; s = Sin(angle * Pi / 180) * unit;
 

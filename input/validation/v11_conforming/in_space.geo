@@ -2,7 +2,7 @@
 // Lengths in mm. A lug with a hole of radius R is pulled over a hollow pin with clearance.
 DefineConstant[ R = {10}, clearance = {0.02}, L = {60}, W = {20}, bore = {4}, hl = {1.0}, hp = {0.7}, order = {1} ];
 Rp = R - clearance;
-// lug: hole of radius R about the origin
+// lug: hole of radius R around the origin
 Point(1) = {0,0,0};
 Point(2) = {R,0,0,hl}; Point(3) = {0,R,0,hl}; Point(4) = {-R,0,0,hl};
 Point(5) = {-L,0,0,3*hl}; Point(6) = {-L,W,0,3*hl}; Point(7) = {0,W,0,2*hl}; Point(8) = {W,0,0,2*hl};

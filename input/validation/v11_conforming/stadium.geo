@@ -1,4 +1,4 @@
-// A quarter of a solid stadium (lines and arcs of radius 1) inside a layer of thickness 1: x = 0 and y = 0 are planes of symmetry.
+// A quarter of a solid stadium (lines and arcs of radius 1) inside a layer of thickness 1: x = 0 and y = 0 are symmetry planes.
 DefineConstant[ ho = {0.2}, hi = {0.14}, quads = {0}, order = {1} ];
 Point(1) = {0, 0, 0, hi}; Point(2) = {1, 0, 0, hi}; Point(3) = {2, 0, 0, hi}; Point(4) = {1, 1, 0, hi}; Point(5) = {0, 1, 0, hi};
 Line(1) = {1, 2}; Line(2) = {2, 3}; Circle(3) = {3, 2, 4}; Line(4) = {4, 5}; Line(5) = {5, 1};

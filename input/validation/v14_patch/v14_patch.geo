@@ -1,15 +1,15 @@
-// Two blocks [0, 1] x [0, 1] x [0, 1/2] (upper) and x [-1/2, 0] (lower), turned by `angle` degrees about the axis (ax, ay, az) through the origin,
+// Two blocks [0, 1] x [0, 1] x [0, 1/2] (upper) and x [-1/2, 0] (lower), rotated by `angle` degrees about (ax, ay, az) through the origin,
 // then moved by (dx, dy, dz), all lengths times `unit`.
 //
-//        upper_top                   Sides of each: <body>_left, _right (x), _front, _back (y), _bottom, _top (z) before the turn; contact:
+//        upper_top                   Sides of each: <body>_left, _right (x), _front, _back (y), _bottom, _top (z) before rotation; contact:
 //      +-----------+                 upper_bottom on lower_top. upper_corner: the quarter x < 1/2, y < 1/2 of upper_top. No node is shared.
 //     /   upper   /|
 //    +-----------+ |                 Each block is four columns with 2 n x 2 n x n elements in all, n = `upper` or `lower`; `skew` moves the
-//    |           | +                 inner edges, another way in each block and on its two ends, so that hexahedra are no parallelepipeds.
-//    |   lower   |/                  hexahedra = 0: tetrahedra. order = 2 with incomplete = 1: no middles of faces (Hexahedron20).
+//    |           | +                 inner edges, differently in each block and at its two ends, so that hexahedra are not parallelepipeds.
+//    |   lower   |/                  hexahedra = 0: tetrahedra. order = 2 with incomplete = 1: no face nodes (Hexahedron20).
 //    +-----------+                   Hexahedra match where upper = lower and skew = 0.
 //
-// reversed = 1: the bodies are made in the other order, each from the other corner: other numbers for everything.
+// reversed = 1: the bodies are made in reverse order, each from the other corner: everything is renumbered.
 DefineConstant[ angle = {0}, ax = {1}, ay = {2}, az = {3}, upper = {2}, lower = {3}, skew = {0.15}, hexahedra = {0}, order = {1}, incomplete = {0},
   dx = {0}, dy = {0}, dz = {0}, unit = {1}, reversed = {0} ];
 la = Sqrt(ax*ax + ay*ay + az*az); n1 = ax/la; n2 = ay/la; n3 = az/la;
@@ -17,7 +17,7 @@ c = Cos(angle*Pi/180); s = Sin(angle*Pi/180); w = 1 - c;
 
 For k In {0:1}  // 0: lower, 1: upper
   n = k == 0 ? lower : upper;
-  p = 100 * (reversed == 1 ? 1 - k : k);  // point of the place (a, b) of end j: p + 9 j + 3 b + a
+  p = 100 * (reversed == 1 ? 1 - k : k);  // point at position (a, b) of end j: p + 9 j + 3 b + a
   For j In {0:1}
     g = skew * (1 - 2*j) * (1 - 0.6*k);
     For b In {0:2}

@@ -1,11 +1,11 @@
-// A quarter of a half ball of radius L that stands for the half space z <= 0: x >= 0, y >= 0. Lengths in units of the scene.
+// A quarter of a half sphere of radius L that represents the half-space z <= 0: x >= 0, y >= 0. Lengths in units of the scene.
 //
 //      z = 0   footprint      free          sides: footprint  the disc r < b of the top
 //      +----------+-------------+                  free       the rest of the top
-//      |                       /                   far        the half ball
-//      |   half_space        _/ far                half_space_x, half_space_y  planes of symmetry x = 0 and y = 0
+//      |                       /                   far        the half sphere
+//      |   half_space        _/ far                half_space_x, half_space_y  symmetry planes x = 0 and y = 0
 //      |                  _-'
-//      +--------------''                    h_disc: size of elements on the disc, h_edge: at its edge; they grow by `growth` with the distance.
+//      +--------------''                    h_disc: element size on the disc, h_edge: at its edge, growing by `growth` with distance.
 //
 DefineConstant[ L = {8}, b = {1}, h_disc = {0.2}, h_edge = {0.05}, growth = {0.35}, hmax = {2}, order = {2} ];
 

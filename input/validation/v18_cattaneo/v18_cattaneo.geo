@@ -1,4 +1,4 @@
-// Two half planes, cut off at `size` on all sides, that face each other on |x| < `side`. Elements of size `h` there.
+// Two half-planes, truncated at `size` on all sides, that face each other on |x| < `side`. Elements of size `h` there.
 DefineConstant[ size = {2}, side = {0.15}, h = {0.00625} ];
 For k In {0:1}  // 0: lower, 1: upper
   s = 2*k - 1; p = 20*k;

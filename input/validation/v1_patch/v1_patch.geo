@@ -1,4 +1,4 @@
-// Two blocks of [-1, 1] x [0, 1] and [-1, 1] x [-1, 0], turned by `angle` degrees about the origin. Lengths in units of the scene.
+// Two blocks of [-1, 1] x [0, 1] and [-1, 1] x [-1, 0], rotated by `angle` degrees about the origin. Lengths in units of the scene.
 //
 //      upper_top                 Contact sides: upper_bottom with `upper` elements, lower_top with `lower`; no node is shared.
 //      +-----------+             Unstructured triangles of order `order`; with `recombine` = 1 quadrilaterals.

@@ -1,4 +1,4 @@
-// quarter of a fork joint: rod eye, pin, fork lug; mm
+// A quarter of a fork joint: rod eye, pin, fork lug. Lengths in mm.
 SetFactory("OpenCASCADE");
 DefineConstant[ order = 1, h = 2.5, hc = 1.0, cr = 0.05, cf = 0.02 ];
 R = 6;               // pin

@@ -1,4 +1,4 @@
-// Elastic block under a rigid flat punch of half width 1, the right half of it: x = 0 is a plane of symmetry. Lengths in half widths.
+// Elastic block under a rigid flat punch of half width 1, right half: x = 0 is a symmetry plane. Lengths in half widths.
 //
 //      under_punch, block_free
 //      +--+---------------+      0 < x < L, -L < y < 0. The elements are small at the edge of the punch, (1, 0), where the pressure is
@@ -14,7 +14,7 @@ Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 5}; Line(5) 
 Curve Loop(1) = {1:5};
 Plane Surface(1) = {1};
 
-Field[1] = MathEval;  // edge * h at the edge, h at a distance of 1, in proportion to it beyond
+Field[1] = MathEval;  // edge * h at the edge, h at a distance of 1, proportional to the distance beyond
 Field[1].F = Sprintf("%g*(%g+(%g)*Sqrt((x-1)^2+y*y))", h, edge, 1 - edge);
 Background Field = 1;
 Mesh.MeshSizeExtendFromBoundary = 0; Mesh.MeshSizeFromPoints = 0; Mesh.Algorithm = 6; Mesh.ElementOrder = order; Mesh.SecondOrderIncomplete = 0;
