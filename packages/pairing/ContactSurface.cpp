@@ -12,7 +12,7 @@ namespace suture {
 
 namespace {
 
-/// Finds contacts that name a side which another face has already.
+/// Finds contacts that name a side which another face already contains.
 class Taken {
  public:
   void claim(const Mesh& mesh, const ContactFace& face, const std::string& path, Problems& problems) {
@@ -30,7 +30,7 @@ class Taken {
   std::map<std::pair<int, int>, std::string> pathOf_;  // (element, side)
 };
 
-/// That each face has groups, or an obstacle stands instead of face B.
+/// Checks that each face has groups, or that an obstacle replaces face B.
 void checkGroups(const Contact& contact, const std::string& kind, Problems& problems) {
   const auto lacksName = [](const std::vector<std::string>& groups) { return std::count(groups.begin(), groups.end(), "") > 0; };
   const std::string pathA = contact.path + "/Side A", pathB = contact.path + "/Side B";
@@ -66,7 +66,7 @@ std::vector<Side> allSides(const Mesh& mesh, const std::vector<Contact>& contact
   return all;
 }
 
-/// A name that two lists have, or nothing.
+/// A name that occurs in both lists, or nothing.
 std::string inBoth(const std::vector<std::string>& a, const std::vector<std::string>& b) {
   const auto found = std::find_first_of(a.begin(), a.end(), b.begin(), b.end());
   return found == a.end() ? "" : *found;
@@ -77,7 +77,7 @@ Contact contactIn(const Parameters& list, const std::string& name, int dimension
   contact.name = name;
   contact.path = pathOf(list);
   contact.obstacle = Obstacle::read(list, dimension, constants, problems);
-  // One with a problem: what is said of the faces shall not depend on it.
+  // A placeholder for an invalid obstacle, so that messages about the faces do not depend on it.
   if (list.get<std::string>("Obstacle") != "None" && !contact.obstacle) contact.obstacle = Obstacle(nullptr);
   contact.initialGap = readExpression(list, "Initial Gap", constants, problems);
   readCoupling(list, contact);

@@ -11,7 +11,7 @@ namespace suture {
 
 namespace {
 
-/// The first corner of a surface that is too sharp.
+/// The sharpest corner of a surface.
 struct Turn {
   double angle = 0;
   int node = -1;
@@ -27,7 +27,7 @@ Turn sharpestTurn(const Surface& line) {
   return turn;
 }
 
-/// The same in space, between sides that share an edge.
+/// The same in 3D, between sides that share an edge.
 Turn sharpestEdge(const Surface& surface) {
   std::vector<std::vector<NodeNormal>> normals;
   for (int side = 0; side < surface.sides(); ++side) {
@@ -39,7 +39,7 @@ Turn sharpestEdge(const Surface& surface) {
     for (int facet = 0; facet < surface.facets(side); ++facet) {
       const Surface::Facet& other = surface.across(side, facet);
       if (other.side < side) continue;
-      // The edge runs from its facet's vertex to the next, of the other side the other way round.
+      // The edge runs from the facet's vertex to the next one, in the other side in the opposite order.
       const int next = (facet + 1) % surface.facets(side), otherNext = (other.facet + 1) % surface.facets(other.side);
       for (const auto& [own, its] : {std::make_pair(facet, otherNext), std::make_pair(next, other.facet)}) {
         const Turn turn{angleBetween(normals[side][own].density, normals[other.side][its].density), surface.nodesOf(side)[own]};

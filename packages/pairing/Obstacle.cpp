@@ -12,8 +12,8 @@ namespace suture {
 
 namespace {
 
-constexpr double kGrazing = 1e-3;   // cosine of the angle between a direction and the normal, below which it leads past the obstacle
-constexpr double kArrived = 1e-14;  // last step of Newton's method, relative to the way and the coordinates
+constexpr double kGrazing = 1e-3;   // cosine of the angle between a direction and the normal below which the direction misses the obstacle
+constexpr double kArrived = 1e-14;  // last step of Newton's method, relative to the distance and the coordinates
 constexpr int kMostSteps = 60;
 
 /// Reads the sublist of one obstacle.
@@ -75,7 +75,7 @@ class ObstacleList {
     return problems_.empty();
   }
 
-  // By central differences of fourth order. The step balances their error with rounding: eps^(1/5) of the scale.
+  // Central differences of fourth order. The step balances truncation and round-off: eps^(1/5) of the scale.
   static double slopeOf(const Expression& height, const Point& base, int k) {
     const double h = 7.4e-4 * std::max(1.0, std::abs(base[k]));
     const auto at = [&](double steps) {

@@ -13,8 +13,8 @@ const double averted = 3.14159265358979323846 / 3;  // between the side's normal
 
 /// How a point of a face sees the obstacle.
 struct View {
-  Obstacle::Foot foot;  // in the direction that the contact asks for
-  bool faces = false;   // along a normal at most 60 degrees from the face's
+  Obstacle::Foot foot;  // in the direction chosen by the contact
+  bool faces = false;   // along a normal at most 60 degrees from that of the face
 };
 
 View viewOf(const ContactSurface& contact, const Point& place, const Point& outward) {
