@@ -24,7 +24,7 @@ PairedSurface pairsOf(const Mesh& mesh, const ContactSurface& contact, Problems&
     const bool onA = contact.a.surface->nodes().count(mortar.pairs.front().node()) > 0;
     notes.push_back("contact '" + contact.name + "': " +
                     (contact.a.nodesCarryPressure() ? "the nodes of its sides do not match"
-                                                    : "a pressure on sides of six or eight nodes has no force at their vertices") +
+                                                    : "a pressure on six- or eight-node sides exerts no force at their vertices") +
                     "; mortar, carried by " + (onA ? contact.a : contact.b).name());
   }
   return mortar;

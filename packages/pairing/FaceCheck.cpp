@@ -76,7 +76,7 @@ class FaceCheck {
     }
     face.bodies.assign(bodies.begin(), bodies.end());
     if (orders.size() > 1) {
-      wrong(face.name() + (mesh_.dimension == 2 ? " has sides of two and of three nodes" : " has sides of first and of second order") +
+      wrong(face.name() + (mesh_.dimension == 2 ? " has two-node and three-node sides" : " has first-order and second-order sides") +
             "; expected elements of one order along a contact side");
       return face;
     }
@@ -99,8 +99,8 @@ class FaceCheck {
     const auto place = [&](int node) { return placeText(mesh_.point(node), mesh_.dimension); };
     if (!surface.branchings().empty()) {
       wrong(face.name() +
-            (inPlane ? " is no line: more than two of its elements meet at "
-                     : " is no surface: more than two of its sides meet along the edge at ") +
+            (inPlane ? " is not a line: more than two of its elements meet at "
+                     : " is not a surface: more than two of its sides meet along the edge at ") +
             place(surface.branchings()[0]));
       return false;
     }
@@ -108,9 +108,8 @@ class FaceCheck {
     if (turn.angle <= kSharpAngle) return true;
     char degrees[20];
     std::snprintf(degrees, sizeof degrees, "%.0f", turn.angle * 180 / 3.14159265358979);
-    wrong(face.name() + " turns by " + degrees + " degrees at " + place(turn.node) +
-          ", so that the contact has no normal there; make each " +
-          (inPlane ? "leg a contact line of its own" : "face a contact of its own"));
+    wrong(face.name() + " turns by " + degrees + " degrees at " + place(turn.node) + "; the contact has no normal there. Make each " +
+          (inPlane ? "leg a separate contact line" : "face a separate contact"));
     return false;
   }
 

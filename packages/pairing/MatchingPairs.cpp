@@ -79,16 +79,17 @@ class Matcher {
     if (!same && problems_)
       problems_->add(contact_.path, contact_.a.name() + " and " + contact_.b.name() + " have sides of " +
                                         std::to_string(a_.nodesOf(0).size()) + " and " + std::to_string(b_.nodesOf(0).size()) +
-                                        " nodes, which match nowhere; choose Coupling = Mortar");
+                                        " nodes and cannot match; choose Coupling = Mortar");
     return same;
   }
 
   bool nodesCarryPressure() const {
     const bool carry = contact_.a.nodesCarryPressure();
     if (!carry && problems_)
-      problems_->add(contact_.path, "a pressure on " + contact_.a.name() +
-                                        ", of sides of six or eight nodes, has no force at their vertices, or one against it: no pair of "
-                                        "nodes can carry it; choose Coupling = Mortar");
+      problems_->add(contact_.path,
+                     "a pressure on " + contact_.a.name() +
+                         ", which has six- or eight-node sides, exerts no force or an opposite force at the vertices: no pair of "
+                         "nodes can carry it; choose Coupling = Mortar");
     return carry;
   }
 
@@ -238,11 +239,11 @@ class Matcher {
 
   void reportMismatch(int lonelyA, int lonelyB, double worst, int node, const Point& place) {
     std::string text = "the sides do not match: " + sizes(contact_.a, facing_.partsOfA()) + ", " + sizes(contact_.b, facing_.partsOfB()) +
-                       "; " + std::to_string(lonelyA) + " and " + std::to_string(lonelyB) + " of them have no partner opposite";
+                       "; " + std::to_string(lonelyA) + " and " + std::to_string(lonelyB) + " of them have no partner on the other side";
     if (node >= 0) {
       const Surface& own = a_.nodes().count(node) > 0 ? a_ : b_;
       char far[120];
-      std::snprintf(far, sizeof far, ", %.3g away along the %s = %.3g of the mesh size there (Tolerance %.3g)",
+      std::snprintf(far, sizeof far, ", shifted by %.3g along the %s = %.3g of the local mesh size (Tolerance %.3g)",
                     worst * own.at(node).spacing, line().c_str(), worst, contact_.tolerance);
       text += "; the worst at " + placeText(place, mesh_.dimension) + far;
     }

@@ -77,13 +77,13 @@ PairedSurface obstaclePairs(const ContactSurface& contact, Problems& problems, s
   result.cells = cellsOf(own, result.pairs);
   if (wrong > 0 || result.pairs.empty())
     problems.add(contact.path, contact.a.name() +
-                                   " does not face the obstacle: its outward normal and the way into the obstacle differ by more "
+                                   " does not face the obstacle: its outward normal and the direction into the obstacle differ by more "
                                    "than 60 degrees at " +
                                    countAt(std::size_t(aside), "node", placed(where)));
   else if (aside > 0)
     notes.push_back("contact '" + contact.name + "': " + std::to_string(aside) + " of the " + std::to_string(carriers.size()) +
-                    " nodes of " + contact.a.name() + " see the obstacle more than 60 degrees aside and make no pair (the first at " +
-                    placed(where) + ")");
+                    " nodes of " + contact.a.name() +
+                    " see the obstacle more than 60 degrees off their normal and have no pair (the first at  " + placed(where) + ")");
   return result;
 }
 

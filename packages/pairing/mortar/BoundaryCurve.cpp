@@ -59,7 +59,7 @@ Bend bendOf(Curvature first, Curvature second, Curvature third, Curvature fourth
 }  // namespace
 
 BoundaryCurve::BoundaryCurve(const Surface& surface) {
-  if (surface.dimension() != 2) throw InternalError("a boundary curve of a surface in space");
+  if (surface.dimension() != 2) throw InternalError("BoundaryCurve needs a 2D surface");
   std::vector<Point> chords;
   for (int side = 0; side < surface.sides(); ++side) {
     const std::vector<int>& nodes = surface.nodesOf(side);

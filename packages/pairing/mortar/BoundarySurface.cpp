@@ -115,9 +115,9 @@ double BoundarySurface::Jet::curvature(const Point& arm) const {
 }
 
 BoundarySurface::BoundarySurface(const Surface& surface, const std::vector<int>& groupOf) : jets_(std::size_t(surface.sides())) {
-  if (surface.dimension() != 3) throw InternalError("a boundary surface of a line in the plane");
+  if (surface.dimension() != 3) throw InternalError("BoundarySurface needs a 3D surface");
   for (int side = 0; side < surface.sides(); ++side)
-    if (surface.nodesOf(side).size() > 4) throw InternalError("a boundary surface of sides of second order");
+    if (surface.nodesOf(side).size() > 4) throw InternalError("BoundarySurface needs first-order sides");
   const SmoothParts parts = smoothParts(surface, groupOf);
   std::map<int, std::vector<int>> curved;
   for (int side = 0; side < surface.sides(); ++side)

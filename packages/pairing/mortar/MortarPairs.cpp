@@ -306,8 +306,9 @@ void warnOfFinerCarrier(const Mesh& mesh, const ContactSurface& contact, Mortar&
   std::ostringstream text;
   text << "warning: " << contact.path << "/Multipliers On: " << (onA ? "Side A" : "Side B") << " is curved and has " << std::setprecision(2)
        << mortar.coveredIntervals() / other->coveredIntervals()
-       << " elements for each of the other side, whose straight elements cannot follow it: nodal pressures may alternate between zero and "
-          "twice the right ones; choose Automatic, which lets the coarser side carry";
+       << " elements per element of the other side, whose straight elements cannot follow it: nodal pressures may alternate between zero "
+          "and "
+          "twice the correct value; choose Automatic, which selects the coarser side";
   notes.push_back(text.str());
 }
 
@@ -316,10 +317,10 @@ void warnOfSmallParts(const Mesh& mesh, const ContactSurface& contact, Mortar& m
   const std::vector<int> nodes = mortar.unreached();
   if (nodes.empty()) return;
   std::ostringstream text;
-  text << "warning: contact '" << contact.name << "': its sides share only a part of an element at "
+  text << "warning: contact '" << contact.name << "': its sides share only part of an element at "
        << placeText(mesh.point(nodes.front()), mesh.dimension);
   if (nodes.size() > 1) text << " and at " << nodes.size() - 1 << " more nodes";
-  text << ": pressures there are means over parts much smaller than the elements. Let the other side carry (Multipliers On), or refine";
+  text << ": pressures there are means over parts much smaller than the elements. Select the other side in Multipliers On, or refine";
   notes.push_back(text.str());
 }
 
@@ -333,11 +334,10 @@ PairedSurface mortarPairs(const Mesh& mesh, const ContactSurface& contact, Probl
   const std::unique_ptr<Mortar> mortar = makeMortar(mesh, contact);
   PairedSurface result = mortar->pairs();
   if (result.pairs.empty())
-    problems.add(contact.path,
-                 "the sides " + contact.a.name() + " and " + contact.b.name() +
-                     " overlap nowhere: no normal of one meets the other face to face. Do the bodies lie on opposite sides of "
-                     "the " +
-                     (mesh.dimension == 2 ? "line?" : "surface?"));
+    problems.add(contact.path, "the sides " + contact.a.name() + " and " + contact.b.name() +
+                                   " overlap nowhere: no normal of one side meets the other. Do the bodies  lie on opposite sides of "
+                                   "the " +
+                                   (mesh.dimension == 2 ? "line?" : "surface?"));
   else {
     warnOfFinerCarrier(mesh, contact, *mortar, notes);
     warnOfSmallParts(mesh, contact, *mortar, notes);
