@@ -12,7 +12,7 @@ namespace suture {
 
 namespace {
 
-/// Finds contacts that name a side which another face already contains.
+/// Finds contacts with a side that another face already contains.
 class Taken {
  public:
   void claim(const Mesh& mesh, const ContactFace& face, const std::string& path, Problems& problems) {
@@ -168,16 +168,13 @@ Schema contactSchema(const std::string& law, const std::map<std::string, Schema>
              "with an Obstacle, normal along which contact acts and gaps are measured: that of the obstacle, or of Side A")
       .oneOf("Coupling", "Automatic", {"Automatic", "Matching Nodes", "Mortar"},
              "Matching Nodes: each node has one opposite node; Mortar: any two meshes, dual Lagrange multipliers; Automatic: Mortar where "
-             "nodes do "
-             "not match")
+             "nodes do not match")
       .oneOf("Multipliers On", "Automatic", {"Automatic", "Side A", "Side B"},
              "with Mortar, the side whose nodes carry the contact stress; Automatic: the side that the other covers entirely, otherwise "
-             "the one with more "
-             "nodes; for two-node elements on a curve the coarser one")
-      .oneOf(
-          "Multipliers", "Quadratic", {"Quadratic", "Linear"},
-          "with Mortar, on second-order sides in 3D, interpolation of the contact stress. Quadratic: one value per node, by functions with "
-          "positive integrals; Linear: one per vertex; all conditions are then coupled to each other, for small contacts")
+             "the one with more nodes; for two-node elements on a curve the coarser one")
+      .oneOf("Multipliers", "Quadratic", {"Quadratic", "Linear"},
+             "with Mortar, on second-order sides in 3D, interpolation of the contact stress. Quadratic: one value per node, by functions "
+             "with positive integrals; Linear: one per vertex; all conditions are then coupled to each other, for small contacts")
       .oneOf("Geometry", "Automatic", {"Automatic", "Smooth", "Facets"},
              "with Mortar, curve or surface that represents a side of first-order elements whose nodes lie on a curved one. Automatic: the "
              "common shape of both sides when pressed together, with a curvature weighted by the bodies' stiffnesses; Smooth: the drawn "

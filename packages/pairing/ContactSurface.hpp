@@ -24,7 +24,7 @@ struct ContactFace {
   double compliance = 0.0;  ///< mean over the elements along the face [1 / stress]; zero: rigid or unknown
 
   bool empty() const { return groups.empty(); }
-  /// True if a uniform pressure exerts a force of its own direction at every node. False for six- and eight-node sides in 3D: the shape
+  /// True if a uniform pressure exerts a force in its direction at every node. False for six- and eight-node sides in 3D: the shape
   /// functions of their vertices have zero and negative integrals.
   bool nodesCarryPressure() const;
   /// "'left' + 'right'", for messages.

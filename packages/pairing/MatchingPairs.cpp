@@ -86,10 +86,9 @@ class Matcher {
   bool nodesCarryPressure() const {
     const bool carry = contact_.a.nodesCarryPressure();
     if (!carry && problems_)
-      problems_->add(contact_.path,
-                     "a pressure on " + contact_.a.name() +
-                         ", which has six- or eight-node sides, exerts no force or an opposite force at the vertices: no pair of "
-                         "nodes can carry it; choose Coupling = Mortar");
+      problems_->add(contact_.path, "a pressure on " + contact_.a.name() +
+                                        ", which has six- or eight-node sides, exerts no force or an opposite force at the vertices: no "
+                                        "pair of nodes can carry it; choose Coupling = Mortar");
     return carry;
   }
 

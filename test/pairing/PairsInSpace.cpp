@@ -150,7 +150,7 @@ TEUCHOS_UNIT_TEST(PairsInSpace, PairSpheresAlongTheirRays) {
 TEUCHOS_UNIT_TEST(PairsInSpace, TellFacesWhoseNodesDoNotMatch) {
   const std::string text = saidOf(facing(Cell::Hexahedron8, 3, 2, Cell::Hexahedron8, 4, 2, 0.0), matching());
   SUTURE_CHECK_SAYS(text, "the sides do not match: 'lower_top' has 12 nodes, 'upper_bottom' has 15 nodes; 6 and 9 of them have no partner");
-  SUTURE_CHECK_SAYS(text, "away along the surface = ");
+  SUTURE_CHECK_SAYS(text, "along the surface = ");
   Mesh averted = facing(Cell::Hexahedron8, 3, 2, Cell::Hexahedron8, 3, 2, 0.0);
   Contact wrong = Contact::between("lower_top", "upper_top");
   wrong.coupling = Contact::Coupling::MatchingNodes;

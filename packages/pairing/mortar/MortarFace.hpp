@@ -18,7 +18,7 @@ class Projection {
  public:
   /// \param along  a unit vector
   Projection(const Point& along, const Point& origin);
-  /// Position in the plane, seen against the direction: counter-clockwise about the direction remains counter-clockwise in the plane.
+  /// Position in this plane, seen against the direction: counter-clockwise orientation about the direction is preserved.
   PlanePoint operator()(const Point& point) const;
   Polygon operator()(const std::vector<Point>& points) const;
   /// Distance along the direction from a point of the plane to a flat surface. \param area  area vector of the surface, along its normal

@@ -307,8 +307,7 @@ void warnOfFinerCarrier(const Mesh& mesh, const ContactSurface& contact, Mortar&
   text << "warning: " << contact.path << "/Multipliers On: " << (onA ? "Side A" : "Side B") << " is curved and has " << std::setprecision(2)
        << mortar.coveredIntervals() / other->coveredIntervals()
        << " elements per element of the other side, whose straight elements cannot follow it: nodal pressures may alternate between zero "
-          "and "
-          "twice the correct value; choose Automatic, which selects the coarser side";
+          "and twice the correct value; choose Automatic, which selects the coarser side";
   notes.push_back(text.str());
 }
 
@@ -335,8 +334,7 @@ PairedSurface mortarPairs(const Mesh& mesh, const ContactSurface& contact, Probl
   PairedSurface result = mortar->pairs();
   if (result.pairs.empty())
     problems.add(contact.path, "the sides " + contact.a.name() + " and " + contact.b.name() +
-                                   " overlap nowhere: no normal of one side meets the other. Do the bodies  lie on opposite sides of "
-                                   "the " +
+                                   " overlap nowhere: no normal of one side meets the other. Do the bodies lie on opposite sides of the " +
                                    (mesh.dimension == 2 ? "line?" : "surface?"));
   else {
     warnOfFinerCarrier(mesh, contact, *mortar, notes);
