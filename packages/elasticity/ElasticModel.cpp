@@ -72,7 +72,7 @@ Matrix elasticity(const Material& material, PlaneModel plane, int dimension) {
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) d(i, j) = c(inPlane[i], inPlane[j]);
   if (plane == PlaneModel::Strain) return d;
-  // The stress across is eliminated. In closed form where there is one: near nu = 0.5 the difference has few digits.
+  // Eliminates the out-of-plane stress, in closed form where one exists: near nu = 0.5 the difference loses digits.
   if (material.law) {
     const Eigen::Vector3d across(c(0, 2), c(1, 2), c(3, 2));
     return d - across * across.transpose() / c(2, 2);
@@ -89,7 +89,7 @@ std::string textOf(const Parameters& list, const std::string& name) {
   return list.isType<std::string>(name) ? list.get<std::string>(name) : std::string();
 }
 
-// \param number  of the law among those of the scene, from 1. \throws InputError  it is none, or none of a plane body
+// \param number  of the law in the scene, from 1. \throws InputError  if it is invalid or cannot be used in 2D
 void setLaw(Material& material, std::shared_ptr<const MaterialLaw> law, int number, int dimension) {
   const std::optional<IsotropicModuli> moduli = law->isotropic();
   if (!moduli && dimension == 2) planePart(law->stiffness());  // throws
@@ -101,7 +101,7 @@ void setLaw(Material& material, std::shared_ptr<const MaterialLaw> law, int numb
   material.number = number;
 }
 
-// Reads the law of an entry of Materials; false if there is something wrong with it. `number`: of the entry, from 1.
+// Reads the law of an entry of Materials; false if it is invalid. `number`: of the entry, from 1.
 bool readLaw(const Parameters& entry, int number, int dimension, Material& material, Problems& problems) {
   const std::string type = entry.get<std::string>("Type");
   try {
@@ -118,7 +118,7 @@ bool readLaw(const Parameters& entry, int number, int dimension, Material& mater
   }
 }
 
-// True if the law is positive definite without the couplings that Mixed elements replace by a pressure.
+// True if the law remains positive definite without the couplings that Mixed elements replace by a pressure.
 bool mayBeMixed(const Material& material) {
   Material mixed = material;
   mixed.element = ElementForm::Mixed;
@@ -129,7 +129,7 @@ bool isMixedOfItself(const Material& material, PlaneModel plane) {
   return plane == PlaneModel::Strain && material.poisson > kLockingPoisson && !material.allowLocking && mayBeMixed(material);
 }
 
-// The material that the parameter `Material` of a list names.
+// The material named by the parameter `Material` of a list.
 Material materialNamedIn(const Parameters& list, const Parameters& materials, const ElasticModel& model, Problems& problems) {
   const PlaneModel plane = model.plane;
   Material material;
@@ -148,7 +148,7 @@ Material materialNamedIn(const Parameters& list, const Parameters& materials, co
   if (own.isType<double>("Density")) material.density = own.get<double>("Density");
   if (own.isType<double>("Thermal Expansion")) {
     material.expansion = own.get<double>("Thermal Expansion");
-    material.number = static_cast<int>(found - known.begin()) + 1;  // stresses jump where it does
+    material.number = static_cast<int>(found - known.begin()) + 1;  // stresses jump where the expansion jumps
   }
   material.allowLocking = own.isType<bool>("Allow Locking") && own.get<bool>("Allow Locking");
   if (element == kMixed || (!material.named && isMixedOfItself(material, plane))) material.element = ElementForm::Mixed;

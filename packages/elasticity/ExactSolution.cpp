@@ -29,7 +29,7 @@ void addFields(Schema& schema) {
   }
 }
 
-// All of the names or none of them; `elsewhere` is what the field is where the list says nothing.
+// All of the names or none of them; `elsewhere`: default if the list does not define the field.
 std::vector<Expression> readField(const Parameters& list, const std::vector<std::string>& names, const Constants& constants,
                                   const std::vector<Expression>& elsewhere, Problems& problems) {
   const auto given = [&](const std::string& name) { return list.isParameter(name); };
@@ -57,7 +57,7 @@ std::vector<Expression> readStress(const Parameters& list, int dimension, const 
   return field;
 }
 
-// Fields of a list; what it does not say is as `elsewhere`.
+// Fields of a list; fields that it does not define are taken from `elsewhere`.
 ExactFields readFields(const Parameters& list, int dimension, const Constants& constants, const ExactFields& elsewhere,
                        Problems& problems) {
   if (dimension == 2)

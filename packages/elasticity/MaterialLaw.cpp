@@ -11,7 +11,7 @@ namespace suture {
 
 namespace {
 
-// Entries of a stiffness may differ by this share of the largest where they should be equal: laws are computed, with rounding.
+// Entries of a stiffness that should be equal may differ by this fraction of the largest, because computed laws have round-off.
 constexpr double kRounding = 1e-12;
 
 template <typename Law>
@@ -64,7 +64,7 @@ IsotropicModuli nearestIsotropic(const ElasticStiffness& c) {
 }
 
 double meanCoupling(const ElasticStiffness& c) {
-  // Three equal entries give exactly that value.
+  // Exact if the three entries are equal.
   return c(0, 1) + ((c(1, 2) - c(0, 1)) + (c(0, 2) - c(0, 1))) / 3.0;
 }
 

@@ -50,12 +50,12 @@ Point pointIn(const Parameters& list, const std::string& name) {
   return point;
 }
 
-/// A single value stands along the axis of what turns: z in the plane, y in axisymmetric scenes.
+/// A single value acts along the axis of rotation: z in 2D, y in axisymmetric scenes.
 int firstComponent(Kind kind, const ElasticModel& model) {
   return model.dimension == 2 && (kind == Kind::Moment || kind == Kind::Rotation) ? (model.axisymmetric ? 1 : 2) : 0;
 }
 
-/// Numbers of the components that `Components` names: "All", "y", "xz".
+/// Indices of the components named by `Components`: "All", "y", "xz".
 std::vector<std::size_t> componentsOf(const std::string& text, int dimension) {
   std::vector<std::size_t> all;
   for (const char letter : text == "All" || text.empty() ? std::string("xyz").substr(0, std::size_t(dimension)) : text)
@@ -92,7 +92,7 @@ Load readLoad(Kind kind, const Parameters& condition, const ElasticModel& model,
   return load;
 }
 
-/// Adds the loads of a Mean Displacement, one a component, or of a Preload.
+/// Adds the loads of a Mean Displacement, one per component, or of a Preload.
 void readControlled(const Parameters& condition, ElasticModel& model, const Constants& constants, Problems& problems) {
   const std::string type = textIn(condition, "Type");
   if (type != "Mean Displacement" && type != "Preload") return;
@@ -165,7 +165,7 @@ void checkLoad(const Load& load, const std::string& path, const ElasticModel& mo
   }
 }
 
-/// A body has one temperature.
+/// Checks that each body has at most one temperature.
 void checkTemperatures(const ElasticModel& model, Problems& problems) {
   for (std::size_t i = 0; i < model.loads.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) {
