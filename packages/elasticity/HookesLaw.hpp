@@ -29,7 +29,7 @@ struct HookesLaw {
 
   /// Out-of-plane stress for which the out-of-plane strain is zero, from the other components.
   double across(const StressVector<D>& s) const {
-    static_assert(D == 2, "in space no strain follows from the others");
+    static_assert(D == 2, "2D only: the out-of-plane stress follows from the others");
     return -(compliance(2, 0) * s[0] + compliance(2, 1) * s[1] + compliance(2, 3) * s[3]) / compliance(2, 2);
   }
 

@@ -92,7 +92,7 @@ int degreeOf(Cell cell, Rule rule) {
     case Rule::Revolution:
       return isSimplex(cell) ? 2 * order : 2 * order + 1;
   }
-  throw InternalError("no such quadrature rule");
+  throw InternalError("unknown quadrature rule");
 }
 
 struct Cubature {
@@ -108,7 +108,7 @@ Cubature cubatureOf(const shards::CellTopology& topology, int degree) {
 
 void requireKokkos() {
   if (!Kokkos::is_initialized())
-    throw InternalError("Kokkos is not initialised: a program that uses elements needs a Tpetra::ScopeGuard in its main()");
+    throw InternalError("Kokkos is not initialised: programs that use elements need a Tpetra::ScopeGuard in main()");
 }
 
 // Basis number of each of a cell's nodes. The basis numbers edges and faces differently, but provides the node positions.
@@ -125,7 +125,7 @@ std::vector<int> numbersIn(const Basis& basis, Cell cell) {
       if (distance < 1e-12) numbers.push_back(b);
     }
   }
-  if (static_cast<int>(numbers.size()) != nodes) throw InternalError("the basis of " + cellInfo(cell).name + " has its nodes elsewhere");
+  if (static_cast<int>(numbers.size()) != nodes) throw InternalError("the basis of " + cellInfo(cell).name + " has different nodes");
   return numbers;
 }
 

@@ -7,7 +7,7 @@ namespace suture {
 
 void addSideLoad(const CellBlock& block, const std::vector<Side>& sides, const Load& load, Vector& forces) {
   if (load.kind != Load::Kind::Traction && load.kind != Load::Kind::Pressure)
-    throw InternalError("a " + nameOf(load.kind) + " on sides: expected a Traction or a Pressure (resolveLoads() makes them)");
+    throw InternalError("a " + nameOf(load.kind) + " on sides: expected a Traction or a Pressure (call resolveLoads() first)");
   const int dimension = block.dimension;
   for (const Side& side : sides) {
     const std::vector<int> nodes = block.nodesOf(side);

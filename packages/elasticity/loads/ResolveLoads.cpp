@@ -134,7 +134,7 @@ void findNode(const Pieces& pieces, const ElasticModel& model, Load& load, Probl
     if (!found.empty())
       text << "; the nearest one is " << placeText(found.front().place, model.dimension) << " of the body '"
            << model.bodies[found.front().body] << "', " << found.front().distance
-           << " away. Give the geometry a point there, or set Tolerance";
+           << " away. Add a point to the geometry there, or set Tolerance";
     problems.add(load.path + "/Point", text.str());
     return;
   }
