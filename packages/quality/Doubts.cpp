@@ -7,7 +7,7 @@ namespace suture {
 
 void Doubts::add(const Verification& verdict, const std::string& when) {
   for (const Check& check : verdict.checks) {
-    if (!check.holds()) continue;  // the verdict reports it
+    if (!check.holds()) continue;  // reported by the verdict
     const auto [at, isNew] = worst_.try_emplace(check.name, check);
     if (!isNew && check.value <= at->second.value) continue;
     at->second = check;

@@ -7,7 +7,7 @@ namespace suture {
 
 namespace {
 
-/// Stress across the plane, from the others: its strain is opposite to the initial one.
+/// Out-of-plane stress from the in-plane stresses: its strain is opposite to the initial strain.
 double acrossPlane(const StressVector<2>& s, const InitialState::Values<2>& initial, const HookesLaw<2>& law) {
   return law.across(s - initial.stress) + initial.stress[2] - initial.strain[2] / law.compliance(2, 2);
 }
