@@ -34,7 +34,7 @@ Cell linearCell(Cell cell) {
     if (other.order == 1 && other.dimension == cellInfo(cell).dimension && other.vertices == cellInfo(cell).vertices)
       return static_cast<Cell>(c);
   }
-  throw InternalError("no cell of order 1 with the vertices of a " + cellInfo(cell).name);
+  throw InternalError("no first-order cell with the vertices of a " + cellInfo(cell).name);
 }
 
 Samples makeSamples(Cell cell) {

@@ -62,7 +62,8 @@ BodyErrors errorsIn(const CellBlock& block, const ExactFields& exact, const std:
 BodyErrors bodyErrors(const CellBlock& block, const ExactFields& exact, const std::function<const Material&(int element)>& materialOf,
                       PlaneModel plane, const Vector& displacement, const InitialState& initial) {
   if (block.axisymmetric && exact.stress.size() == 3)
-    throw InputError("Exact Solution", "'Stress zz' is missing: in an axisymmetric scene the hoop stress does not follow from the others");
+    throw InputError("Exact Solution",
+                     "'Stress zz' is missing: in an axisymmetric scene the hoop stress cannot be derived from the others");
   return block.dimension == 2 ? errorsIn<2>(block, exact, materialOf, plane, displacement, initial)
                               : errorsIn<3>(block, exact, materialOf, plane, displacement, initial);
 }

@@ -4,8 +4,8 @@
 
 namespace suture {
 
-/// Rows of the sums at the nodes of a mesh: K u, loads, contact forces (one row per component) [force]; ElementForces::rounding and
-/// stiffness.
+/// Rows of the sums at the nodes of a mesh: K u, loads, contact forces (one row per component) [force]; round-off and stiffness
+/// (ElementForces).
 struct NodalRows {
   int dimension = 2;
 

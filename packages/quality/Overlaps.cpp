@@ -318,7 +318,7 @@ std::string inWords(const Overlap& overlap, const std::vector<std::string>& bodi
                      bodies[overlap.into] + "', " + depth + (unit.empty() ? "" : " " + unit) + " deep at " +
                      placeText(overlap.place, overlap.dimension) + ", with " + side(overlap.group) + " behind " + side(overlap.nearest);
   if (overlap.contact < 0) return text + ": no contact is declared there";
-  return text + ": their contact '" + contacts[overlap.contact] + "' joins other places of these sides";
+  return text + ": their contact '" + contacts[overlap.contact] + "' joins other parts of these sides";
 }
 
 }  // namespace suture

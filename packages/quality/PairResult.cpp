@@ -141,7 +141,7 @@ std::vector<PairResult> pairResults(const Comm& comm, const std::vector<const Su
   std::vector<PairResult> results;
   collectivelyOnRoot(comm, "gathering the contact pairs", [&] {
     std::sort(allForces.begin(), allForces.end(), [](const PairForce& a, const PairForce& b) { return a.id < b.id; });
-    if (allForces.size() != pairs.size()) throw InternalError("the contact forces are not as many as the pairs");
+    if (allForces.size() != pairs.size()) throw InternalError("the numbers of contact forces and pairs differ");
     std::map<int, std::vector<Point>> ofEnds, motions;  // without the lift, and of the lift if there is one
     std::map<int, std::map<int, double>> weights;       // sum of each body's weights; individual mortar weights may have either sign
     for (const auto& [id, carrier] : pairs) ofEnds[id].resize(carrier.pair.ends.size());
@@ -156,7 +156,7 @@ std::vector<PairResult> pairResults(const Comm& comm, const std::vector<const Su
     }
     for (const PairForce& force : allForces) {
       const auto pair = pairs.find(force.id);
-      if (pair == pairs.end()) throw InternalError("a contact force of a pair that does not exist");
+      if (pair == pairs.end()) throw InternalError("a contact force for an unknown pair");
       const auto motion = motions.find(force.id);
       PairResult& result = results.emplace_back(pairResult(pair->second.pair, force, ofEnds.at(force.id), pair->second.kind,
                                                            motion == motions.end() ? std::vector<Point>() : motion->second));

@@ -141,7 +141,7 @@ void verifyLift(const Comm& comm, const Answer& answer, const SeamExchange& seam
   std::vector<Matrix> motions;
   collectively(comm, "verifying the rigid motions", [&] {
     for (const SubdomainMesh& mesh : answer.meshes) {
-      if (mesh.lift.motion.size() != Eigen::Index(mesh.coordinates.size())) throw InternalError("a lift of some subdomains only");
+      if (mesh.lift.motion.size() != Eigen::Index(mesh.coordinates.size())) throw InternalError("only some subdomains have a lift");
       judgeMotion(mesh, findings);
       judgeRules(mesh, findings);
       collectEnds(mesh, ends);

@@ -201,7 +201,7 @@ std::vector<std::string> singularities(const Comm& comm, const std::vector<Subdo
       if (haveReentrantEdge(near, dimension)) what = "a re-entrant corner";
       for (const auto& [id, pair] : pairs)
         if (what.empty() && std::binary_search(closed.begin(), closed.end(), id) && endsOnPartner(pair, sides, dimension))
-          what = "the end of a contact side on a partner that goes on";
+          what = "the end of a contact side on a partner that continues";
     });
     all.push_back(broadcast(comm, what));
   }

@@ -38,8 +38,8 @@ struct PlaceInQuestion {
   int pair = -1;           ///< for a pressure: pair id; else -1
 };
 
-/// Reason why the exact value is infinite at each place: "a re-entrant corner", "the end of a side on a partner that goes on"; empty:
-/// finite. Examines the elements around the place. The same on all ranks. Collective.
+/// Reason why the exact value is infinite at each place: "a re-entrant corner", "the end of a contact side on a partner that continues";
+/// empty: finite. Examines the elements around the place. The same on all ranks. Collective.
 /// \param places  the same on all ranks;  \param closed  ids of the closed pairs, ascending, on rank 0
 std::vector<std::string> singularities(const Comm& comm, const std::vector<SubdomainMesh>& meshes,
                                        const std::vector<PlaceInQuestion>& places, const std::vector<int>& closed);
