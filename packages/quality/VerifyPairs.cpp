@@ -35,7 +35,7 @@ SlidingErrors slidingErrors(const PairResult& pair, const PairEndShare& carrier,
     if (!carrier.kind.separates || errors.friction < 0.0) errors.friction = 0.0 * size;  // glued sides have no bound; NaN stays NaN
   }
   errors.friction += std::abs(dot(t, carrier.normal));
-  // The least change, of force or slip, after which the force no longer acts along the slip.
+  // The least change, of force or slip, after which the force does not act against the slip.
   const double against = -dot(t, slip);
   errors.dissipation = against > 0.0 ? std::min(size, against / size) : std::abs(0.0 * against);
   return errors;
