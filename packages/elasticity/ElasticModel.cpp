@@ -21,47 +21,44 @@ constexpr const char* kAutomatic = "Automatic";
 
 void addModelParameters(Schema& scene) {
   scene.oneOf("Model", kPlaneStrain, {kPlaneStrain, kPlaneStress, kAxisymmetric, kSolid},
-              "Solid: bodies in space, meshed by volume elements. Else how the third dimension is treated: no strain across the plane "
-              "(long bodies), "
-              "no stress across it (thin sheets), or bodies of revolution about the axis x = 0: x >= 0 is the radius and y runs along the "
-              "axis, on which u_x = 0 without being said. Forces "
-              "(loads on sides and bodies, reactions, contact) are those of the whole circle, not of a radian; the sums of their radial "
-              "components are sums of magnitudes round the circle.");
+              "Solid: 3D bodies, meshed by volume elements. The other models define the third dimension: no out-of-plane strain (long "
+              "bodies), no out-of-plane stress (thin sheets), or bodies of revolution about the axis x = 0: x >= 0 is the radius and y "
+              "runs along the axis, on which u_x = 0 is imposed automatically. Forces (loads on sides and bodies, reactions, contact) are "
+              "those of the whole circle, not per radian; the sums of their radial components are sums of magnitudes around the circle.");
 }
 
 Schema bodySchema() {
-  return Schema("A body: named like its surface group in the mesh, in space its volume group.")
+  return Schema("A body, with the name of its surface group (3D: volume group) in the mesh.")
       .text("Material", std::nullopt, "Name of its entry in the list Materials.")
-      .list("Regions", Schema("Parts of the body with a material of their own; the rest has the body's.")
+      .list("Regions", Schema("Parts of the body with a different material; the rest has the body's material.")
                            .each("region", Schema("A part of a body, named by the user.")
-                                               .text("Group", std::nullopt, "Its surface group in the mesh, in space its volume group.")
+                                               .text("Group", std::nullopt, "Its surface group (3D: volume group) in the mesh.")
                                                .text("Material", std::nullopt, "Name of its entry in the list Materials.")));
 }
 
 Schema materialSchema() {
   return Schema("A material, named by the user.")
       .choice("Type", IsotropicLaw::kName, Registry<MaterialLaw>::instance().schemas(),
-              "The law, linear elastic; its parameters stand in the list of its name, those of Isotropic beside Type.", IsotropicLaw::kName)
+              "The linear elastic law; its parameters are in the list of the same name, those of Isotropic next to Type.",
+              IsotropicLaw::kName)
       .oneOf("Element", kAutomatic, {kAutomatic, "Displacement", kMixed},
              "Elements of this material. Automatic: 4-node quadrilaterals and 8-node hexahedra have enhanced strains, which the element "
-             "eliminates, so that they neither lock in bending nor when nu tends to 0.5; the others are Mixed with a Poisson ratio above "
-             "0.49 (but not in plane stress), else Displacement. Displacement: the plain element of the displacements alone; with 4 or 8 "
-             "nodes it is much too stiff in bending. Mixed: also a pressure in each element, discontinuous and eliminated there, for "
-             "nearly incompressible materials, where Displacement elements lock: linear in Quadrilateral9 and "
-             "Hexahedron27, constant in the others; not for 3-node triangles and 4-node tetrahedra, and not in plane stress, where nothing "
-             "locks.")
+             "eliminates, so that they lock neither in bending nor as nu tends to 0.5; the others are Mixed with a Poisson ratio above "
+             "0.49 (not in plane stress), else Displacement. Displacement: the plain displacement element; with 4 or 8 nodes it is much "
+             "too stiff in bending. Mixed: adds a pressure in each element, discontinuous and eliminated there, for nearly incompressible "
+             "materials, where Displacement elements lock: linear in Quadrilateral9 and Hexahedron27, constant in the others; not "
+             "available for 3-node triangles and 4-node tetrahedra, nor in plane stress, where nothing locks.")
       .real("Density", std::nullopt,
-            "Mass per volume, for Gravity and Rotation: in units in which density x length / time^2 x length is a stress, as kg/m^3 with "
-            "N, m, "
-            "s or t/mm^3 with N, mm, s.",
+            "Mass per volume, for Gravity and Rotation, in units for which density x length / time^2 x length is a stress, e.g. kg/m^3 "
+            "with N, m, s or t/mm^3 with N, mm, s.",
             Range::atLeast(0.0), "mass / volume")
       .optional()
       .real("Thermal Expansion", std::nullopt, "Strain of a free body along any direction per unit of Temperature.", Range::any(),
             "1 / temperature")
       .optional()
       .boolean("Allow Locking", false,
-               "Accept 3-node triangles and 4-node tetrahedra with a Poisson ratio above 0.49 (but not in plane stress), as Displacement "
-               "elements: they are much too stiff there, and a warning says so.");
+               "Accept 3-node triangles and 4-node tetrahedra with a Poisson ratio above 0.49 (except in plane stress) as Displacement "
+               "elements. They are much too stiff there, and a warning is printed.");
 }
 
 Matrix elasticity(const Material& material, PlaneModel plane, int dimension) {
@@ -72,7 +69,7 @@ Matrix elasticity(const Material& material, PlaneModel plane, int dimension) {
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) d(i, j) = c(inPlane[i], inPlane[j]);
   if (plane == PlaneModel::Strain) return d;
-  // The stress across is eliminated. In closed form where there is one: near nu = 0.5 the difference has few digits.
+  // Eliminates the out-of-plane stress, in closed form where one exists: near nu = 0.5 the difference loses digits.
   if (material.law) {
     const Eigen::Vector3d across(c(0, 2), c(1, 2), c(3, 2));
     return d - across * across.transpose() / c(2, 2);
@@ -89,7 +86,7 @@ std::string textOf(const Parameters& list, const std::string& name) {
   return list.isType<std::string>(name) ? list.get<std::string>(name) : std::string();
 }
 
-// \param number  of the law among those of the scene, from 1. \throws InputError  it is none, or none of a plane body
+// \param number  of the law in the scene, from 1. \throws InputError  if it is invalid or cannot be used in 2D
 void setLaw(Material& material, std::shared_ptr<const MaterialLaw> law, int number, int dimension) {
   const std::optional<IsotropicModuli> moduli = law->isotropic();
   if (!moduli && dimension == 2) planePart(law->stiffness());  // throws
@@ -101,7 +98,7 @@ void setLaw(Material& material, std::shared_ptr<const MaterialLaw> law, int numb
   material.number = number;
 }
 
-// Reads the law of an entry of Materials; false if there is something wrong with it. `number`: of the entry, from 1.
+// Reads the law of an entry of Materials; false if it is invalid. `number`: of the entry, from 1.
 bool readLaw(const Parameters& entry, int number, int dimension, Material& material, Problems& problems) {
   const std::string type = entry.get<std::string>("Type");
   try {
@@ -118,7 +115,7 @@ bool readLaw(const Parameters& entry, int number, int dimension, Material& mater
   }
 }
 
-// True if the law is positive definite without the couplings that Mixed elements replace by a pressure.
+// True if the law remains positive definite without the couplings that Mixed elements replace by a pressure.
 bool mayBeMixed(const Material& material) {
   Material mixed = material;
   mixed.element = ElementForm::Mixed;
@@ -129,7 +126,7 @@ bool isMixedOfItself(const Material& material, PlaneModel plane) {
   return plane == PlaneModel::Strain && material.poisson > kLockingPoisson && !material.allowLocking && mayBeMixed(material);
 }
 
-// The material that the parameter `Material` of a list names.
+// The material named by the parameter `Material` of a list.
 Material materialNamedIn(const Parameters& list, const Parameters& materials, const ElasticModel& model, Problems& problems) {
   const PlaneModel plane = model.plane;
   Material material;
@@ -148,12 +145,12 @@ Material materialNamedIn(const Parameters& list, const Parameters& materials, co
   if (own.isType<double>("Density")) material.density = own.get<double>("Density");
   if (own.isType<double>("Thermal Expansion")) {
     material.expansion = own.get<double>("Thermal Expansion");
-    material.number = static_cast<int>(found - known.begin()) + 1;  // stresses jump where it does
+    material.number = static_cast<int>(found - known.begin()) + 1;  // stresses jump where the expansion jumps
   }
   material.allowLocking = own.isType<bool>("Allow Locking") && own.get<bool>("Allow Locking");
   if (element == kMixed || (!material.named && isMixedOfItself(material, plane))) material.element = ElementForm::Mixed;
   if (element == kMixed && plane == PlaneModel::Strain && !mayBeMixed(material))
-    problems.add(pathOf(own, "Element"), "Mixed, but without what couples its normal strains the law " + own.get<std::string>("Type") +
+    problems.add(pathOf(own, "Element"), "Mixed, but without the coupling of normal strains the law " + own.get<std::string>("Type") +
                                              " with these moduli is not positive definite. Choose Displacement");
   return material;
 }
@@ -162,7 +159,7 @@ Material materialNamedIn(const Parameters& list, const Parameters& materials, co
 
 const Material& ElasticModel::materialOf(const CellBlock& block, int element, int body) const {
   if (materialOfRegion.empty()) return materialOfBody[body];
-  if (block.regions.empty()) throw InternalError("the scene has regions, but the mesh does not know which element is in which");
+  if (block.regions.empty()) throw InternalError("the scene has regions, but the mesh has no region numbers (assignRegions)");
   const int region = block.regions[element];
   return region < 0 ? materialOfBody[body] : materialOfRegion[region];
 }
@@ -195,9 +192,9 @@ std::string modelName(const ElasticModel& model) {
 
 void requireGeometry(const CellBlock& block, const ElasticModel& model) {
   if (block.dimension != model.dimension)
-    throw InternalError("the model " + modelName(model) + " on a mesh of dimension " + std::to_string(block.dimension));
+    throw InternalError("the model is " + modelName(model) + ", but the mesh has dimension " + std::to_string(block.dimension));
   if (block.axisymmetric != model.axisymmetric)
-    throw InternalError(model.axisymmetric ? "the scene is axisymmetric, but the mesh was not told (makeAxisymmetric)"
+    throw InternalError(model.axisymmetric ? "the scene is axisymmetric, but makeAxisymmetric() was not called for the mesh"
                                            : "the mesh is axisymmetric, but the scene is not");
 }
 
@@ -222,14 +219,14 @@ void checkElements(const CellBlock& block, const std::function<int(int element)>
     if ((!mixed && !locks) || !seen.insert({&material, body}).second) continue;
     std::ostringstream text;
     if (mixed)
-      text << "Mixed, but the body '" << model.bodies[body] << "' has " << kind << ", for which there is no stable pressure";
+      text << "Mixed, but the body '" << model.bodies[body] << "' has " << kind << ", which have no stable pressure";
     else
       text << material.poisson << " with " << kind << " in the body '" << model.bodies[body] << "': above " << kLockingPoisson
            << " they lock (the body becomes far too stiff)";
     text << ". Mesh it with " << (block.dimension == 2 ? "6-node triangles or quadrilaterals" : "10-node tetrahedra or hexahedra");
     if (!mixed)
       text << ", for which Materials/" << material.name << "/Element = Mixed is chosen, or choose Displacement there, or set Materials/"
-           << material.name << "/Allow Locking, if locking is what you want to see";
+           << material.name << "/Allow Locking to accept locking";
     Problem found{"Materials/" + material.name + (mixed ? "/Element" : "/Poisson Ratio"), text.str()};
     const auto& all = problems.list();
     if (std::none_of(all.begin(), all.end(), [&](const Problem& p) { return p.path == found.path && p.message == found.message; }))
@@ -258,7 +255,7 @@ ElasticModel makeElasticModel(const Parameters& scene) {
     for (const std::string& name : sublistNames(materials))
       if (textOf(materials.sublist(name), "Element") == kMixed)
         problems.add(pathOf(materials.sublist(name), "Element"),
-                     "Mixed in plane stress, where no element locks: a sheet is free to change its thickness. Choose Displacement");
+                     "Mixed in plane stress, where no element locks, because the thickness is free to change. Choose Displacement");
 
   readLoads(scene, constants, model, problems);
   if (scene.isSublist("Exact Solution"))

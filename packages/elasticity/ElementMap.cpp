@@ -9,15 +9,15 @@ template <int D>
 void ElementMap<D>::failFolded(double determinant) const {
   std::ostringstream text;
   text << "element " << element_ << " of shape " << cellInfo(block_.cells[element_]).name << " is inverted or folded at "
-       << placeText(place(), D) << ": the determinant of its map is " << determinant << ", it must be positive";
+       << placeText(place(), D) << ": the determinant of its Jacobian is " << determinant << ", but must be positive";
   throw InputError("Mesh", text.str());
 }
 
 template <int D>
 void ElementMap<D>::failAcrossAxis() const {
   std::ostringstream text;
-  text << "element " << element_ << " of shape " << cellInfo(block_.cells[element_]).name << " reaches across the axis of the axisymmetric "
-       << "scene at " << placeText(place(), D) << ": x is the radius, it must be positive";
+  text << "element " << element_ << " of shape " << cellInfo(block_.cells[element_]).name << " crosses the axis of the axisymmetric "
+       << "scene at " << placeText(place(), D) << ": x is the radius and must be positive";
   throw InputError("Mesh", text.str());
 }
 

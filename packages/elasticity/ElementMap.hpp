@@ -4,31 +4,31 @@
 
 namespace suture {
 
-/// The map from the reference element to an element of the mesh, at the points of a rule. On the stack: the inner loops of assembly
-/// allocate nothing. \tparam D  dimension of the cells, 2 or 3
+/// Map from the reference element to an element of the mesh, at the points of a quadrature rule. Lives on the stack: the inner loops of
+/// assembly allocate nothing. \tparam D  dimension of the cells, 2 or 3
 template <int D>
 class ElementMap {
  public:
   ElementMap(const CellBlock& block, int element, const ReferenceElement& reference);
 
-  /// Moves to a quadrature point. \throws InputError  when the element is folded there (a curved element of a bad mesh), or crosses the
-  /// axis of an axisymmetric block; names element and place.
+  /// Moves to a quadrature point. \throws InputError  if the element is folded there (a curved element of a bad mesh), or crosses the axis
+  /// of an axisymmetric block; names element and position.
   void at(int point);
 
   /// Weight of the point times the determinant of the map [area or volume]; in axisymmetric blocks times 2 pi r [volume].
   double measure() const { return measure_; }
   /// Determinant of the map at the point.
   double determinant() const { return determinant_; }
-  /// Place of the point in the reference element.
+  /// Reference coordinates of the point.
   const double* referencePlace() const { return reference_.placeAt(point_); }
   /// Gradient of shape function `a` in the mesh's coordinates [1 / length].
   const double* gradient(int a) const { return gradients_[a]; }
-  /// Hoop strain of a unit radial displacement of node `a`: shape function over r [1 / length]; zero in the plane and in space.
+  /// Hoop strain of a unit radial displacement of node `a`: shape function over r [1 / length]; zero if not axisymmetric.
   double hoop(int a) const {
     if constexpr (D == 2) return block_.axisymmetric ? reference_.valuesAt(point_)[a] / radius_ : 0.0;
     return 0.0;
   }
-  /// Where the point is in the mesh.
+  /// Position of the point in the mesh.
   Point place() const;
   Point node(int a) const {
     Point p{0, 0, 0};

@@ -58,8 +58,8 @@ class PlaneStiffness {
  private:
   static constexpr int most = 2 * mostNodes<2>;
 
-  // K += sum over points of B^T D B, of which only the blocks a <= b are computed: exactly symmetric. B of node a (xx, yy, zz, xy) is
-  // [gx 0; 0 gy; h 0; gy gx], h the hoop strain N / r, of axisymmetric blocks only.
+  // K += sum over points of B^T D B; only the blocks a <= b are computed: exactly symmetric. B of node a (xx, yy, zz, xy) is [gx 0; 0 gy; h
+  // 0; gy gx], h the hoop strain N / r, in axisymmetric blocks only.
   // visit() is called at every point.
   template <bool hoop, typename Visit>
   void addPointwise(const StressMatrix<2>& law, const ReferenceElement& reference, ElementMap<2>& map, const Visit& visit) {
@@ -91,7 +91,7 @@ class PlaneStiffness {
   Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, most, most> k_;
 };
 
-/// Stiffness matrices of elements in space, from the products of gradients.
+/// Stiffness matrices of 3D elements, from the products of gradients.
 class SolidStiffness {
  public:
   using Law = HookesLaw<3>;

@@ -72,7 +72,7 @@ template <int D>
 StressVector<D> ElementStress<D>::ofDisplacement() const {
   const int nodes = static_cast<int>(u_.size()) / D;
   StressVector<D> strain;
-  double xx = 0.0, yy = 0.0, zz = 0.0, xy = 0.0, yz = 0.0, xz = 0.0;  // one by one: they stay in registers
+  double xx = 0.0, yy = 0.0, zz = 0.0, xy = 0.0, yz = 0.0, xz = 0.0;  // scalars, so that they stay in registers
   for (int a = 0; a < nodes; ++a) {
     const double ux = u_[D * a], uy = u_[D * a + 1], gx = map_.gradient(a)[0], gy = map_.gradient(a)[1];
     xx += gx * ux;

@@ -8,12 +8,12 @@
 
 namespace suture {
 
-/// The computed stress of one element at the points of a rule, whatever the element's form and the geometry: rows as elementStresses().
+/// The computed stress of one element at the points of a rule, for every element form and geometry; components as in elementStresses().
 /// \tparam D  dimension
 template <int D>
 class ElementStress {
  public:
-  /// \param displacement  of the block's nodes, node-major, Cartesian;  all of them must outlive it
+  /// \param displacement  of the block's nodes, node-major, Cartesian;  all arguments must outlive this object
   ElementStress(const CellBlock& block, int element, const ReferenceElement& reference, const HookesLaw<D>& law, const Vector& displacement,
                 const InitialState& initial);
 
@@ -22,9 +22,9 @@ class ElementStress {
   const ElementMap<D>& map() const { return map_; }
   /// Tension positive. [stress]
   StressVector<D> stress() const;
-  /// The part that follows from the displacement: without initial strain and stress.
+  /// Part of the stress due to the displacement: without initial strain and stress.
   StressVector<D> ofDisplacement() const;
-  /// True if there is another part.
+  /// True if the element has an initial state.
   bool isInitial() const { return initial_ != nullptr; }
   /// Initial strain and stress at the point.
   InitialState::Values<D> initial() const { return initial_ ? initial_->at(element_, map_.place(), cellLaw()) : InitialState::Values<D>(); }
@@ -33,7 +33,7 @@ class ElementStress {
   const HookesLaw<D>& cellLaw() const { return own_ ? *own_ : law_; }
   void findPressure(const CellBlock& block);
   void findEnhancedStrain(const CellBlock& block);
-  /// True where the points of the rule are the element's centre alone, at which enhanced strains are zero.
+  /// True if the only point of the rule is the element's centre, where enhanced strains are zero.
   bool vanishAtCentre(const ReferenceElement& reference) const;
 
   using ElementVector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, D * mostNodes<D>, 1>;
@@ -41,7 +41,7 @@ class ElementStress {
   int element_;
   const InitialState* initial_;  // null: the element has none
   const HookesLaw<D>& law_;
-  std::optional<HookesLaw<D>> own_;  // where the cell's law has other values: a copy for each element would cost as much as its stress
+  std::optional<HookesLaw<D>> own_;  // law of the cell where it differs; a copy for every element would cost as much as its stress
   ElementMap<D> map_;
   ElementVector u_;
   bool axisymmetric_;

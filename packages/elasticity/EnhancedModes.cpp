@@ -14,7 +14,7 @@ EnhancedModes<D>::EnhancedModes(const CellBlock& block, int element, const Refer
 template <int D>
 void EnhancedModes<D>::setTensors(Cell cell, const ElementMap<D>& map) {
   const double* g = referenceElement(cell, Rule::Centroid).gradientsAt(0);
-  double t[D][D];  // t[i]: derivative of the place along reference direction i at the centre
+  double t[D][D];  // t[i]: derivative of the position along reference direction i at the centre
   for (int i = 0; i < D; ++i)
     for (int k = 0; k < D; ++k) {
       t[i][k] = 0.0;
@@ -41,7 +41,7 @@ void EnhancedModes<D>::setTensors(Cell cell, const ElementMap<D>& map) {
   }
 }
 
-/// Means over the reference element with the weight of the radius.
+/// Means over the reference element, weighted with the radius.
 template <int D>
 void EnhancedModes<D>::setMeans(const ReferenceElement& rule, const ElementMap<D>& map) {
   Functions sums;

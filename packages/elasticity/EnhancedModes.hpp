@@ -6,12 +6,12 @@
 
 namespace suture {
 
-/// Functions of the reference coordinates that enhanced strains are made of: xi, eta, xi eta in the plane; xi, eta, zeta, eta zeta,
-/// zeta xi, xi eta, xi eta zeta in 3D; less their means. \tparam D  dimension
+/// Functions of the reference coordinates from which enhanced strains are built, minus their means: 2D: xi, eta, xi eta; 3D: xi, eta, zeta,
+/// eta zeta, zeta xi, xi eta, xi eta zeta. \tparam D  dimension
 template <int D>
 struct EnhancedFunctions {
   static constexpr int count = D == 2 ? 3 : 7;
-  double means[count] = {};  ///< other than zero in axisymmetric blocks only
+  double means[count] = {};  ///< nonzero in axisymmetric blocks only
 
   /// \param x  reference coordinates
   void at(const double* x, double (&f)[count]) const {
@@ -33,7 +33,7 @@ struct EnhancedStrain {
   Eigen::Matrix<double, stressComponents<D>, EnhancedFunctions<D>::count>
       factors;  ///< strain per function, times the determinant of the map
 
-  /// Strain at the place of a map of the element.
+  /// Strain at the current point of a map of the element.
   StressVector<D> at(const ElementMap<D>& map) const {
     double f[EnhancedFunctions<D>::count];
     functions.at(map.referencePlace(), f);
@@ -43,35 +43,35 @@ struct EnhancedStrain {
   }
 };
 
-/// Enhanced strains of one Quadrilateral4 or Hexahedron8: strains that no displacement of its nodes gives, with amplitudes that the element
-/// itself determines (static condensation), so that it bends without locking (Simo and Rifai, Int. J. Num. Meth. Eng. 29, 1595-1638, 1990;
-/// on parallelograms the incompatible modes QM6 of Taylor, Beresford and Wilson, 1976).
+/// Enhanced strains of one Quadrilateral4 or Hexahedron8: strains that nodal displacements cannot produce, with amplitudes eliminated
+/// within the element (static condensation), so that the element bends without locking (Simo and Rifai, Int. J. Num. Meth. Eng. 29,
+/// 1595-1638, 1990; on parallelograms the incompatible modes QM6 of Taylor, Beresford and Wilson, 1976).
 ///
-/// The strain is e(u) + sum of alpha_m f_m / j E_m: f_m a function of the reference coordinates without mean, j the determinant of the
-/// element's map and E_m a constant tensor. So it is orthogonal to constant stresses, and the patch test holds on distorted elements. In
-/// axisymmetric blocks the mean has the weight of the radius.
+/// The strain is e(u) + sum of alpha_m f_m / j E_m: f_m a function of the reference coordinates with zero mean, j the determinant of the
+/// element's map and E_m a constant tensor. It is therefore orthogonal to constant stresses, and the patch test holds on distorted
+/// elements. In axisymmetric blocks the mean is weighted with the radius.
 /// - D vectors along each reference direction i: f = xi_i, E = sym(vector x c_i), c_i the cofactors of the map at the centre.
-/// - What is left of the dilatation at the points of the rule, except its mean: f = eta zeta, zeta xi, xi eta, xi eta zeta and E = identity
-///   in 3D, f = xi eta and E = the hoop strain in axisymmetric blocks. So elements do not lock when nu tends to 0.5: one constraint is
-///   left, as in Mixed elements of constant pressure.
+/// - The remaining dilatation at the points of the rule, except its mean: f = eta zeta, zeta xi, xi eta, xi eta zeta and E = identity in
+/// 3D, f = xi eta and E = the hoop strain in axisymmetric blocks. Elements then do not lock as nu tends to 0.5: one constraint is left, as
+/// in Mixed elements of constant pressure.
 ///
-/// Use: add() at all points of the rule of the stiffness, then close(). \tparam D  dimension
+/// Usage: add() at all points of the stiffness rule, then close(). \tparam D  dimension
 template <int D>
 class EnhancedModes {
  public:
   static constexpr int nodes = D == 2 ? 4 : 8;
-  static constexpr int count = D == 2 ? 5 : 13;  ///< modes; the last one in the plane is empty
+  static constexpr int count = D == 2 ? 5 : 13;  ///< modes; the last one is empty in 2D
   using Amplitudes = Eigen::Matrix<double, count, 1>;
 
   /// \param rule  stiffnessElement() of the element
   EnhancedModes(const CellBlock& block, int element, const ReferenceElement& rule, const ElementMap<D>& map);
 
-  /// Adds the point of the rule at which the map is.
+  /// Adds the point at which the map currently is.
   void add(const ElementMap<D>& map);
-  /// Factors the stiffness of the modes. \param law  on the strain at each point
+  /// Factorises the stiffness of the modes. \param law  pointwise law for the strain
   void close(const StressMatrix<D>& law);
 
-  /// Takes from a stiffness matrix what the modes give way, upper triangle. \param k  D * nodes square
+  /// Subtracts the compliance of the modes from a stiffness matrix, upper triangle. \param k  D * nodes square
   template <typename ElementMatrix>
   void condense(ElementMatrix& k) const {
     const Eigen::Matrix<double, count, D* nodes> root = factor_.matrixL().solve(coupling_);
@@ -85,7 +85,7 @@ class EnhancedModes {
     return root.colwise().squaredNorm().transpose();
   }
 
-  /// Adds the forces on the modes of a stress at the point of the rule at which the map is.
+  /// Adds the forces that a stress at the current point of the map exerts on the modes.
   void addForces(const ElementMap<D>& map, const StressVector<D>& stress, Amplitudes& forces) const {
     double f[Functions::count];
     functions_.at(map.referencePlace(), f);
@@ -99,7 +99,7 @@ class EnhancedModes {
   EnhancedStrain<D> strainOf(const Displacement& u) const {
     return strain(-(coupling_ * u));
   }
-  /// What forces on the modes are at the nodes, once the modes are eliminated (node-major).
+  /// Nodal forces that replace forces on the modes once the modes are eliminated (node-major).
   Eigen::Matrix<double, D * nodes, 1> condensed(const Amplitudes& forces) const { return -(coupling_.transpose() * factor_.solve(forces)); }
 
  private:
@@ -112,7 +112,7 @@ class EnhancedModes {
   Functions functions_;
   double products_[Functions::count][Functions::count] = {};   // integrals of f_i f_j / j^2, upper triangle
   Eigen::Matrix<double, D * nodes, Functions::count> slopes_;  // integrals of f_i / j times the gradients of the shape functions
-  Eigen::Matrix<double, nodes, Functions::count> hoops_;       // likewise of the hoop strains, in axisymmetric blocks
+  Eigen::Matrix<double, nodes, Functions::count> hoops_;       // likewise for the hoop strains, in axisymmetric blocks
   Eigen::Matrix<double, stressComponents<D>, count> tensors_;
   Eigen::Matrix<double, count, D * nodes> coupling_;  // integrals of the modes' stress times the strain of each degree of freedom
   Eigen::LLT<Eigen::Matrix<double, count, count>> factor_;

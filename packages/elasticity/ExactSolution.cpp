@@ -15,21 +15,21 @@ void addFields(Schema& schema) {
   for (const std::string& name : inSpace)
     schema
         .text(name, std::nullopt,
-              name == inSpace.back() ? "the same, in space"
-                                     : "an expression in x and y, in space in x, y and z, the place on the undeformed body [length]")
+              name == inSpace.back() ? "the same, in 3D only"
+                                     : "an expression in x and y (3D: x, y and z), the position in the undeformed body [length]")
         .optional();
   for (const std::string& name : stressInSpace) {
     const bool across = name == "Stress zz", onlyInSpace = name == "Stress yz" || name == "Stress xz";
     schema
         .text(name, std::nullopt,
-              across        ? "in space, or the hoop stress of an axisymmetric scene; in the plane it follows from the Model"
-              : onlyInSpace ? "the same, in space"
-                            : "an expression in the place, tension positive [stress]")
+              across        ? "in 3D, or the hoop stress of an axisymmetric scene; in 2D it follows from the Model"
+              : onlyInSpace ? "the same, in 3D only"
+                            : "an expression of position, tension positive [stress]")
         .optional();
   }
 }
 
-// All of the names or none of them; `elsewhere` is what the field is where the list says nothing.
+// All of the names or none of them; `elsewhere`: default if the list does not define the field.
 std::vector<Expression> readField(const Parameters& list, const std::vector<std::string>& names, const Constants& constants,
                                   const std::vector<Expression>& elsewhere, Problems& problems) {
   const auto given = [&](const std::string& name) { return list.isParameter(name); };
@@ -57,12 +57,12 @@ std::vector<Expression> readStress(const Parameters& list, int dimension, const 
   return field;
 }
 
-// Fields of a list; what it does not say is as `elsewhere`.
+// Fields of a list; fields that it does not define are taken from `elsewhere`.
 ExactFields readFields(const Parameters& list, int dimension, const Constants& constants, const ExactFields& elsewhere,
                        Problems& problems) {
   if (dimension == 2)
     for (const char* name : {"Displacement z", "Stress yz", "Stress xz"})
-      if (list.isParameter(name)) problems.add(pathOf(list, name), "is of a scene in space (Model = Solid); this one is plane");
+      if (list.isParameter(name)) problems.add(pathOf(list, name), "needs a 3D scene (Model = Solid); this one is 2D");
   ExactFields fields;
   fields.displacement = readField(list, dimension == 2 ? inPlane : inSpace, constants, elsewhere.displacement, problems);
   fields.stress = readStress(list, dimension, constants, elsewhere.stress, problems);
@@ -75,23 +75,22 @@ void requireAllBodies(const ExactSolution& exact, std::vector<Expression> ExactF
   for (std::size_t body = 0; body < bodies.size(); ++body) ((exact.ofBody[body].*field).empty() ? unknown : known).push_back(bodies[body]);
   if (!known.empty() && !unknown.empty())
     problems.add(pathOf(list), "the exact " + what + " is given for " + joinNames(known) + " but not for " + joinNames(unknown) +
-                                   "; errors need it of every body");
+                                   "; errors need it for every body");
 }
 
 }  // namespace
 
 Schema exactSolutionSchema() {
   Schema schema(
-      "The exact solution, as far as it is known: errors are measured against it, in the norm of L2 and in the energy norm, and "
-      "reported.");
+      "The exact solution, as far as it is known. Errors against it are computed in the L2 norm and in the energy norm, and reported.");
   addFields(schema);
   schema
       .text("Pressure", std::nullopt,
-            "an expression in the place: the contact pressure on all contact lines, in space surfaces, > 0 compressive [stress]")
+            "an expression of position: the pressure on all contact lines (3D: surfaces), > 0 compressive [stress]")
       .optional();
-  Schema body("of one body: instead of those above");
+  Schema body("fields of one body, instead of those above");
   addFields(body);
-  return schema.list("Bodies", Schema("Where bodies differ.").each("<body>", body));
+  return schema.list("Bodies", Schema("Exact solutions that differ between bodies.").each("<body>", body));
 }
 
 ExactSolution readExactSolution(const Parameters& list, const std::vector<std::string>& bodies, int dimension, const Constants& constants,

@@ -8,14 +8,14 @@
 
 namespace suture {
 
-/// Exact solution of a body, as far as it is known, as functions of the place on the undeformed body.
+/// Known parts of the exact solution of a body, as functions of the position in the undeformed body.
 struct ExactFields {
-  std::vector<Expression> displacement;  ///< x, y, in space z; or none [length]
-  /// Tension positive, or none [stress]. In the plane xx, yy, xy, and zz, which there follows from the model; in space as StressVector<3>.
+  std::vector<Expression> displacement;  ///< x, y (3D: and z); or none [length]
+  /// Tension positive, or none [stress]. 2D: xx, yy, xy, and zz, which follows from the model; 3D: as StressVector<3>.
   std::vector<Expression> stress;
 };
 
-/// The scene's list `Exact Solution`: what a run's errors are measured against. Empty for most scenes.
+/// The scene's list `Exact Solution`, against which errors are measured. Empty for most scenes.
 struct ExactSolution {
   std::vector<ExactFields> ofBody;     ///< in the order of the scene's bodies
   std::optional<Expression> pressure;  ///< on contact lines or surfaces, > 0 compressive [stress]
@@ -29,8 +29,8 @@ struct ExactSolution {
 Schema exactSolutionSchema();
 
 /// Local, the same on all ranks.
-/// \param problems  gets expressions that cannot be read, a field of which only some components are given or that is known of some bodies
-///                  only, a component that a scene of this dimension does not have, an unknown body
+/// \param problems  receives invalid expressions, a field with missing components or given for some bodies only, a component that does not
+/// exist in this dimension, an unknown body
 ExactSolution readExactSolution(const Parameters& list, const std::vector<std::string>& bodies, int dimension, const Constants& constants,
                                 Problems& problems);
 

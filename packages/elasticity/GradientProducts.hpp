@@ -5,12 +5,12 @@
 
 namespace suture {
 
-/// Weights with which a law acts on products of gradients in space: block (a, b) of an element's stiffness is
+/// Weights with which a law acts on products of gradients in 3D: block (a, b) of an element's stiffness is
 /// K_ij = sum over k, l of C_ikjl S_kl, S = integral of grad N_a (grad N_b)^T, C the law as a tensor of fourth order.
 struct ProductWeights {
   bool isotropic = true;
   double lambda = 0.0, mu = 0.0;          ///< K = lambda S + mu S^T + mu tr(S) I
-  Eigen::Matrix<double, 9, 9> general{};  ///< rows: entries of K, columns: those of S, both column by column
+  Eigen::Matrix<double, 9, 9> general{};  ///< rows: entries of K, columns: entries of S, both column by column
 
   ProductWeights() = default;
   explicit ProductWeights(const StressMatrix<3>& law) {
@@ -22,7 +22,7 @@ struct ProductWeights {
     same.diagonal().tail<3>().setConstant(mu);
     isotropic = (law - same).cwiseAbs().maxCoeff() <= 1e-15 * law.cwiseAbs().maxCoeff();
     if (isotropic) return;
-    constexpr int component[3][3] = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}};  // stress component that a pair of axes names
+    constexpr int component[3][3] = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}};  // stress component of a pair of axes
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j)
         for (int k = 0; k < 3; ++k)
@@ -30,20 +30,20 @@ struct ProductWeights {
   }
 };
 
-/// Integrals over an element in space of the products of its shape functions' gradients. In them stands no law: 9 products a pair of nodes
-/// and point, a half of what B^T D B takes. \tparam nodes  of the element
+/// Integrals over a 3D element of the products of its shape functions' gradients, independent of the law: 9 products per pair of nodes and
+/// point, half of what B^T D B needs. \tparam nodes  of the element
 template <int nodes>
 class GradientProducts {
  public:
   static constexpr int n = 3 * nodes;
-  static constexpr int rows = (n + 3) / 4 * 4;  ///< rows of the storage: whole packets of four
+  static constexpr int rows = (n + 3) / 4 * 4;  ///< rows of the storage, padded to packets of four
 
   /// \param storage  room for rows x n numbers
   explicit GradientProducts(double* storage) : s_(storage) { std::fill_n(s_, rows * n, 0.0); }
 
-  /// Adds those of a point, in the blocks a <= b. \param gradients  nodes x 3
+  /// Adds the products at a point, in the blocks a <= b. \param gradients  nodes x 3
   void add(double measure, const double* gradients) {
-    using Packet = Eigen::Matrix<double, 4, 1>;  // the compiler would take the numbers one by one
+    using Packet = Eigen::Matrix<double, 4, 1>;  // explicit, because the compiler does not vectorise the scalar loop
     double g[rows];
     std::copy_n(gradients, n, g);
     std::fill(g + n, g + rows, 0.0);
@@ -77,7 +77,7 @@ class GradientProducts {
               law.general * Eigen::Map<const Eigen::Matrix<double, 9, 1>>(products.data());
         }
         Block(k + n * 3 * b + 3 * a) = own;
-        if (a == b)  // the rounding of the two halves differs
+        if (a == b)  // round-off of the two halves differs
           Block(k + n * 3 * b + 3 * b).template triangularView<Eigen::StrictlyLower>() = own.transpose();
         else
           Block(k + n * 3 * a + 3 * b) = own.transpose();

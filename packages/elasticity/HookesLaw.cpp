@@ -13,7 +13,7 @@ HookesLaw<D>::HookesLaw(const Material& material, PlaneModel plane) : HookesLaw(
   if (D == 2 && material.law) planePart(c);  // throws
   if (material.law) {
     compliance = c.inverse().topLeftCorner<n, n>();
-  } else {  // in closed form: near nu = 0.5 an inverse has few digits
+  } else {  // in closed form: near nu = 0.5 an inverse loses digits
     compliance.template topLeftCorner<3, 3>().setConstant(-material.poisson / material.young);
     compliance.diagonal().template head<3>().setConstant(1.0 / material.young);
     compliance.diagonal().template tail<n - 3>().setConstant(2.0 * (1.0 + material.poisson) / material.young);

@@ -9,10 +9,10 @@ Schema IsotropicLaw::schema() {
   poisson.low = -1.0;
   poisson.high = 0.5;
   poisson.lowOpen = poisson.highOpen = true;
-  poisson.note = "the elements Displacement and Mixed of Materials/<name>/Element go up to 0.4999 and further, not to 0.5 itself";
-  return Schema("the same in all directions; its parameters stand beside Type")
-      .real("Young Modulus", std::nullopt, "Stress over strain in a bar pulled along its axis.", Range::positive(), "stress")
-      .real("Poisson Ratio", std::nullopt, "Contraction across over extension along a bar.", poisson);
+  poisson.note = "Displacement and Mixed elements (Materials/<name>/Element) allow 0.4999 and more, but not 0.5";
+  return Schema("the same in all directions; its parameters are next to Type")
+      .real("Young Modulus", std::nullopt, "Stress over strain in a bar under tension.", Range::positive(), "stress")
+      .real("Poisson Ratio", std::nullopt, "Transverse contraction over axial extension of a bar.", poisson);
 }
 
 IsotropicLaw::IsotropicLaw(const Parameters& own) : moduli_{own.get<double>("Young Modulus"), own.get<double>("Poisson Ratio")} {}

@@ -3,7 +3,7 @@
 
 namespace suture {
 
-/// The same in all directions.
+/// Isotropic linear elastic law.
 class IsotropicLaw : public MaterialLaw {
  public:
   static constexpr const char* kName = "Isotropic";

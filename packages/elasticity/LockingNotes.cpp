@@ -14,9 +14,8 @@ std::vector<std::string> lockingNotes(const ElasticModel& model) {
     if (material.poisson <= kLockingPoisson || material.element == ElementForm::Mixed) continue;
     std::ostringstream text;
     text << "warning: Materials/" << material.name << ": Poisson ratio " << material.poisson
-         << " with Element = Displacement: linear elements lock (displacements come out too small, by factors), and the pressures of "
-            "quadratic ones "
-            "are far off; Element = Automatic or Mixed has neither";
+         << " with Element = Displacement: linear elements lock (displacements much too small), and the pressures of quadratic ones are "
+            "inaccurate; Element = Automatic or Mixed avoids both";
     if (std::find(notes.begin(), notes.end(), text.str()) == notes.end()) notes.push_back(text.str());
   }
   return notes;

@@ -3,8 +3,8 @@
 
 namespace suture {
 
-/// Warnings on materials above kLockingPoisson with displacement elements, which are there by the scene's word only (Element =
-/// Displacement, Allow Locking): one sentence a material. None in plane stress. Local.
+/// Warnings on materials above kLockingPoisson with displacement elements, which occur only if the scene requests them (Element =
+/// Displacement, Allow Locking): one sentence per material. None in plane stress. Local.
 std::vector<std::string> lockingNotes(const ElasticModel& model);
 
 }  // namespace suture

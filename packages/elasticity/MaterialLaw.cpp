@@ -11,7 +11,7 @@ namespace suture {
 
 namespace {
 
-// Entries of a stiffness may differ by this share of the largest where they should be equal: laws are computed, with rounding.
+// Entries of a stiffness that should be equal may differ by this fraction of the largest, because computed laws have round-off.
 constexpr double kRounding = 1e-12;
 
 template <typename Law>
@@ -36,15 +36,15 @@ ElasticStiffness MaterialLaw::stiffness() const {
   const ElasticStiffness c = doStiffness();
   if (!c.allFinite()) throw refuse("is not finite");
   const double largest = c.cwiseAbs().maxCoeff();
-  if ((c - c.transpose()).cwiseAbs().maxCoeff() > kRounding * largest) throw refuse("is not symmetric: no energy belongs to it");
+  if ((c - c.transpose()).cwiseAbs().maxCoeff() > kRounding * largest) throw refuse("is not symmetric: it has no strain energy");
   const Eigen::LLT<ElasticStiffness> factor(c);
-  if (factor.info() != Eigen::Success) throw refuse("is not positive definite: some strain would store no energy, or set energy free");
+  if (factor.info() != Eigen::Success) throw refuse("is not positive definite: some strain would have zero or negative energy");
   return 0.5 * (c + c.transpose());
 }
 
 Eigen::Matrix4d planePart(const ElasticStiffness& c) {
   if (c.topRightCorner<4, 2>().cwiseAbs().maxCoeff() > kRounding * c.cwiseAbs().maxCoeff())
-    throw refuse("couples strains in the plane with the shear across it (yz, xz): the bodies would leave their plane");
+    throw refuse("couples in-plane strains with out-of-plane shear (yz, xz): 2D bodies would not stay plane");
   return c.topLeftCorner<4, 4>();
 }
 
@@ -64,7 +64,7 @@ IsotropicModuli nearestIsotropic(const ElasticStiffness& c) {
 }
 
 double meanCoupling(const ElasticStiffness& c) {
-  // Three equal entries give exactly that value.
+  // Exact if the three entries are equal.
   return c(0, 1) + ((c(1, 2) - c(0, 1)) + (c(0, 2) - c(0, 1))) / 3.0;
 }
 

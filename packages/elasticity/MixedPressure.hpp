@@ -5,21 +5,22 @@
 
 namespace suture {
 
-/// The dilatation of one element, div u (with the hoop strain in axisymmetric blocks), projected in L2 onto the element's pressures: what
-/// the Lame constant lambda acts on in a Mixed element. The displacement-pressure form with the pressure p = lambda x projection eliminated
-/// is K = (terms of mu) + lambda C^T M^-1 C, M the mass matrix of the pressures and C their product with the dilatation.
+/// The dilatation of one element, div u (with the hoop strain in axisymmetric blocks), projected in L2 onto the element's pressures; the
+/// Lame constant lambda of a Mixed element acts on this projection. The displacement-pressure form with the pressure p = lambda x
+/// projection eliminated is K = (terms of mu) + lambda C^T M^-1 C, M the mass matrix of the pressures and C their product with the
+/// dilatation.
 ///
-/// lambda, not the bulk modulus: then the rest, 2 mu e : e, is definite by itself up to rigid motions. With the deviatoric strain in its
-/// place the bending of an axisymmetric plate one element thick (e = z I) would cost nothing in elements of constant pressure.
+/// lambda is used rather than the bulk modulus: the rest, 2 mu e : e, is then definite up to rigid motions. With the deviatoric strain
+/// instead, bending of an axisymmetric plate one element thick (e = z I) would have no energy in elements of constant pressure.
 ///
-/// Pressures: constant, but linear in Quadrilateral9 and Hexahedron27 (the stable pairs Q1/P0 - stable but for its chess boards, which are
-/// eliminated here -, Q2/P-1, P2/P0; see Boffi, Brezzi, Fortin, "Mixed Finite Element Methods and Applications", 2013, ch. 8). The linear
-/// ones are functions of the mesh's coordinates, not of the reference element's: those lose an order on distorted cells (Arnold, Boffi,
-/// Falk 2002). \tparam D  dimension
+/// Pressures: constant, except linear in Quadrilateral9 and Hexahedron27 (the stable pairs Q1/P0 - stable except for its checkerboard
+/// modes, which are eliminated here -, Q2/P-1, P2/P0; see Boffi, Brezzi, Fortin, "Mixed Finite Element Methods and Applications", 2013, ch.
+/// 8). The linear pressures are functions of the mesh coordinates, because functions of the reference coordinates lose an order on
+/// distorted cells (Arnold, Boffi, Falk 2002). \tparam D  dimension
 template <int D>
 class MixedPressure {
  public:
-  /// All of it at once: moves `map` through the points of the rule of `reference`.
+  /// Computes everything: moves `map` through the points of the rule of `reference`.
   MixedPressure(Cell cell, const ReferenceElement& reference, ElementMap<D>& map);
 
   /// K += lambda C^T M^-1 C, upper triangle.
@@ -30,9 +31,9 @@ class MixedPressure {
       for (int i = 0; i <= j; ++i) k(i, j) += lambda * rows_.col(i).dot(rows_.col(j));
   }
   static constexpr int most = D + 1;
-  /// A function's projection onto the pressures: its coefficients in the orthonormal basis.
+  /// Coefficients of a function's projection onto the pressures, in the orthonormal basis.
   using Projection = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, most, 1>;
-  /// \param function  its value at the map's place; all as in the constructor
+  /// \param function  its value at the map's point; other arguments as in the constructor
   template <typename Function>
   Projection projection(const ReferenceElement& reference, ElementMap<D>& map, const Function& function) const {
     Projection moments = Projection::Zero(count_);
@@ -48,9 +49,9 @@ class MixedPressure {
   }
   /// Integral of the projected dilatation of each unit displacement times a function.
   double work(const Projection& function, int dof) const { return rows_.col(dof).dot(function); }
-  /// Addition to the diagonal of K for each unit of lambda.
+  /// Addition to the diagonal of K per unit of lambda.
   double diagonal(int dof) const { return rows_.col(dof).squaredNorm(); }
-  /// Projected dilatation at a place, for displacements of the element's nodes (node-major).
+  /// Projected dilatation at a point, for displacements of the element's nodes (node-major).
   template <typename Displacement>
   double dilatation(const Displacement& u, const Point& place) const {
     return at(rows_ * u, place);

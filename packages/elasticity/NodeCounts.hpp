@@ -6,8 +6,8 @@
 
 namespace suture {
 
-/// Calls call(n) with the number of an element's nodes as a constant, so that the compiler knows the lengths of its loops.
-/// \tparam D  dimension of the cells \throws InternalError  no cell has so many nodes
+/// Calls call(n) with the number of an element's nodes as a compile-time constant, so that the compiler knows the loop lengths. \tparam D
+/// dimension of the cells \throws InternalError  if no cell has this number of nodes
 template <int D, typename Call>
 void forNodes(int nodes, const Call& call) {
   const auto with = [&](auto count) {

@@ -16,15 +16,14 @@ Schema OrthotropicLaw::schema() {
       .reals("Poisson Ratios", std::nullopt,
              "nu_12, nu_23, nu_13: contraction along the second axis over the extension of a bar along the first.")
       .reals("Shear Moduli", std::nullopt, "G_12, G_23, G_13.", "stress", Range::positive())
-      .real("Angle", 0.0,
-            "By which axes 1 and 2 are turned about axis 3, anticlockwise: in the plane from the x axis to axis 1; axisymmetric: from the "
-            "radius. [degrees]")
-      .reals("Axis 1", std::nullopt, "direction of axis 1 before it is turned, of any length; x if left out")
+      .real(
+          "Angle", 0.0,
+          "Anticlockwise rotation of axes 1 and 2 about axis 3: in 2D from the x axis to axis 1; axisymmetric: from the radius. [degrees]")
+      .reals("Axis 1", std::nullopt, "direction of axis 1 before the rotation by Angle, of any length; default: x")
       .optional()
-      .reals(
-          "Axis 2", std::nullopt,
-          "another direction in the plane of axes 1 and 2: axis 2 is its part at right angles to axis 1; y if left out. Axis 3 is across "
-          "both. In plane scenes one of the axes must be across the plane")
+      .reals("Axis 2", std::nullopt,
+             "another direction in the plane of axes 1 and 2; axis 2 is its component perpendicular to axis 1; default: y. Axis 3 is "
+             "perpendicular to both. In 2D scenes one of the axes must be perpendicular to the plane")
       .optional();
 }
 
@@ -34,7 +33,7 @@ std::array<double, 3> three(const Parameters& own, const std::string& name, Prob
   const auto& given = own.get<Teuchos::Array<double>>(name);
   std::array<double, 3> values{1.0, 1.0, 1.0};
   if (given.size() != 3)
-    problems.add(pathOf(own, name), "has " + std::to_string(given.size()) + " entries, expected 3, also in plane scenes");
+    problems.add(pathOf(own, name), "has " + std::to_string(given.size()) + " entries, expected 3, also in 2D scenes");
   else
     std::copy(given.begin(), given.end(), values.begin());
   return values;
@@ -56,7 +55,7 @@ Eigen::Matrix3d axesIn(const Parameters& own, Problems& problems) {
   axes.col(1) -= axes.col(0).dot(axes.col(1)) * axes.col(0);
   if (!(longest > 0.0) || !(axes.col(1).norm() > kParallel * given)) {
     problems.add(pathOf(own, own.isParameter("Axis 2") ? "Axis 2" : "Axis 1"),
-                 "the directions of axes 1 and 2 are zero or parallel; expected two that span a plane, y being axis 2 if it is left out");
+                 "the directions of axes 1 and 2 are zero or parallel; expected two that span a plane (default of axis 2: y)");
     return Eigen::Matrix3d::Identity();
   }
   axes.col(1).normalize();

@@ -31,7 +31,7 @@ using Values = Kokkos::DynRankView<double, Device>;
 struct Shape {
   Teuchos::RCP<Basis> basis;
   shards::CellTopology topology;
-  Cell whole;  // the cell that has all the basis' functions
+  Cell whole;  // the cell with the complete basis
 };
 
 template <typename OneBasis, typename Topology>
@@ -67,10 +67,10 @@ Shape shapeOf(Cell cell) {
   throw InternalError("no reference element for a cell of kind " + std::to_string(static_cast<int>(cell)));
 }
 
-// Degree of a rule of loads: on a shape function times the determinant of the map, in the plane times the radius.
+// Degree of a rule of loads: for a shape function times the determinant of the map, in 2D times the radius.
 int loadDegree(Cell cell, int order) {
   if (dimensionOf(cell) == 2) return isSimplex(cell) ? (order == 1 ? 2 : 6) : 2 * order + 1;
-  if (cell == Cell::Wedge6) return 4;  // 3 would do, but on triangles that rule has a weight below zero
+  if (cell == Cell::Wedge6) return 4;  // 3 would suffice, but that rule has a negative weight on triangles
   return isSimplex(cell) ? (order == 1 ? 2 : 5) : 4 * order - 1;
 }
 
@@ -83,7 +83,7 @@ int degreeOf(Cell cell, Rule rule) {
       return loadDegree(cell, order);
     case Rule::Centroid:
       return 1;
-    case Rule::Data:  // on tetrahedra the rules beyond degree 6 have weights below zero
+    case Rule::Data:  // rules beyond degree 6 have negative weights on tetrahedra
       return cell == Cell::Tetrahedron10 ? 6 : 2 * order + 4;
     case Rule::Sampling:
       return order == 1 ? 1 : isSimplex(cell) ? 2 : 3;
@@ -92,7 +92,7 @@ int degreeOf(Cell cell, Rule rule) {
     case Rule::Revolution:
       return isSimplex(cell) ? 2 * order : 2 * order + 1;
   }
-  throw InternalError("no such quadrature rule");
+  throw InternalError("unknown quadrature rule");
 }
 
 struct Cubature {
@@ -108,10 +108,10 @@ Cubature cubatureOf(const shards::CellTopology& topology, int degree) {
 
 void requireKokkos() {
   if (!Kokkos::is_initialized())
-    throw InternalError("Kokkos is not initialised: a program that uses elements needs a Tpetra::ScopeGuard in its main()");
+    throw InternalError("Kokkos is not initialised: programs that use elements need a Tpetra::ScopeGuard in main()");
 }
 
-// Number in the basis of each of a cell's nodes: the two number edges and faces in orders of their own, but know where the nodes are.
+// Basis number of each of a cell's nodes. The basis numbers edges and faces differently, but provides the node positions.
 std::vector<int> numbersIn(const Basis& basis, Cell cell) {
   const int nodes = basis.getCardinality(), dimension = cellInfo(cell).dimension;
   Values places("places", nodes, dimension);
@@ -125,7 +125,7 @@ std::vector<int> numbersIn(const Basis& basis, Cell cell) {
       if (distance < 1e-12) numbers.push_back(b);
     }
   }
-  if (static_cast<int>(numbers.size()) != nodes) throw InternalError("the basis of " + cellInfo(cell).name + " has its nodes elsewhere");
+  if (static_cast<int>(numbers.size()) != nodes) throw InternalError("the basis of " + cellInfo(cell).name + " has different nodes");
   return numbers;
 }
 
@@ -151,7 +151,7 @@ ReferenceElement tabulate(const Shape& shape, const Values& points, const Values
   return table;
 }
 
-// The serendipity functions of 8 and 20 nodes are in the space of the 9 and 27: S_a = N_a + sum of S_a(place of b) N_b over the nodes b
+// The serendipity functions of 8 and 20 nodes lie in the span of the 9 and 27: S_a = N_a + sum of S_a(position of b) N_b over the nodes b
 // that the cell lacks. (Intrepid2 13.2 has no serendipity basis.)
 ReferenceElement serendipity(const ReferenceElement& all, Cell whole, Cell cell) {
   ReferenceElement own = all;
@@ -182,12 +182,12 @@ ReferenceElement makeElement(Cell cell, int degree) {
   return shape.whole == cell ? table : serendipity(table, shape.whole, cell);
 }
 
-// In the plane all our cells have the same trace on a side: that of the square on its side y = -1, whose nodes are 0, 1 and, of order 2, 4.
+// In 2D all our cells have the same trace on a side: that of the square on its side y = -1, with nodes 0, 1 and, for order 2, 4.
 ReferenceElement makeSide(int nodes, Rule rule) {
   requireKokkos();
   if (nodes != 2 && nodes != 3) throw InternalError("a side of " + std::to_string(nodes) + " nodes");
   const Shape square = shapeOf(nodes == 2 ? Cell::Quadrilateral4 : Cell::Quadrilateral9);
-  // A constant traction on a curved side has the square root of a polynomial in its integrand: two points more than a straight one needs.
+  // A constant traction on a curved side has the square root of a polynomial in its integrand: uses two points more than a straight side.
   const int degree = (nodes == 2 ? 3 : 7) + (rule == Rule::Data ? 4 : 0);
   const Cubature cubature = cubatureOf(shards::CellTopology(shards::getCellTopologyData<shards::Line<2>>()), degree);
   const int count = static_cast<int>(cubature.weights.extent(0));
@@ -213,7 +213,7 @@ ReferenceElement makeSide(int nodes, Rule rule) {
   return side;
 }
 
-// In space a side is a plane cell. Squares are curved or warped as often as not: more points, as above.
+// A 3D side is a 2D cell. Squares are often curved or warped: uses more points, as above.
 ReferenceElement makeFace(int nodes, Rule rule) {
   const Cell cell = sideCell(nodes);
   const int straight = isSimplex(cell) ? (nodes == 3 ? 2 : 6) : (nodes == 4 ? 5 : 7);
@@ -221,7 +221,7 @@ ReferenceElement makeFace(int nodes, Rule rule) {
 }
 
 constexpr int kRules = 7;
-std::array<ReferenceElement, kCells * kRules> elementTables;  // without points: not made yet. Plain vectors: they outlive Kokkos
+std::array<ReferenceElement, kCells * kRules> elementTables;  // without points: not created yet. Plain vectors: they outlive Kokkos
 std::array<ReferenceElement, 2 * 2 * (kMostSideNodes + 1)> sideTables;
 
 }  // namespace

@@ -4,11 +4,11 @@
 
 namespace suture {
 
-/// The map from the reference side (an interval, in space a triangle or a square) to a side of an element, at the points of a rule: the
+/// Map from the reference side (2D: interval, 3D: triangle or square) to a side of an element, at the points of a quadrature rule: the
 /// counterpart of ElementMap.
 class SideMap {
  public:
-  /// \param nodes  coordinates of the side's nodes, in the order of SideGeometry.hpp; outlives the map
+  /// \param nodes  coordinates of the side's nodes, in the order of SideGeometry.hpp; must outlive the map
   /// \param axisymmetric  the side is revolved: weights have the factor 2 pi r
   SideMap(const std::vector<Point>& nodes, int dimension, Rule rule, bool axisymmetric = false)
       : nodes_(nodes), reference_(referenceSide(static_cast<int>(nodes.size()), dimension, rule)), axisymmetric_(axisymmetric) {}
@@ -27,17 +27,17 @@ class SideMap {
         tangents[0][k] += weight * gradients[directions * a] * nodes_[a][k];
         if (directions == 2) tangents[1][k] += gradients[2 * a + 1] * nodes_[a][k];
       }
-    // In the plane the body is on the left of the way along the side.
+    // In 2D the body is on the left when moving along the side.
     normal_ = directions == 1 ? Point{tangents[0][1], -tangents[0][0], 0} : cross(tangents[0], tangents[1]);
     if (axisymmetric_)
       for (double& n : normal_) n *= circumference(place_[0]);
   }
 
   const Point& place() const { return place_; }
-  /// Outward normal, times the weight of the point, times the size that the map gives to a piece of the reference side; a polynomial also
-  /// on curved sides. [length, area in space and of revolved sides]
+  /// Outward normal, times the weight of the point, times the size ratio of the side to the reference side; a polynomial also on curved
+  /// sides. [length; area in 3D and for revolved sides]
   const Point& normal() const { return normal_; }
-  /// Its length: the size of the side that belongs to the point.
+  /// Length of normal(): the size of the side that belongs to the point.
   double measure() const { return norm(normal_); }
 
  private:

@@ -3,8 +3,8 @@
 
 namespace suture {
 
-/// Stresses and strains as vectors, in the order (xx, yy, zz, xy, yz, xz), shear strains being those of the engineer (2 e_xy). Plane and
-/// axisymmetric scenes (D = 2) use the first four: zz is across the plane or along the hoop.
+/// Stresses and strains as vectors, in the order (xx, yy, zz, xy, yz, xz), with engineering shear strains (2 e_xy). 2D and axisymmetric
+/// scenes (D = 2) use the first four: zz is the out-of-plane or hoop component.
 template <int D>
 constexpr int stressComponents = D == 2 ? 4 : 6;
 
@@ -16,7 +16,7 @@ using StressMatrix = Eigen::Matrix<double, stressComponents<D>, stressComponents
 /// First and second axis of each component of a stress.
 constexpr int kStressAxes[6][2] = {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {1, 2}, {0, 2}};
 
-/// B^T s: force that a stress exerts through a shape function of the given gradient.
+/// B^T s: nodal force of a stress for a shape function with the given gradient.
 template <int D>
 inline Eigen::Matrix<double, D, 1> forceOfStress(const double* gradient, const StressVector<D>& s) {
   const double gx = gradient[0], gy = gradient[1];

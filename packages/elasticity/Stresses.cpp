@@ -45,7 +45,7 @@ Matrix elementStresses(const SubdomainMesh& mesh, const ElasticModel& model, con
 
 namespace {
 
-// Both principal stresses in the plane, by Mohr's circle.
+// Both in-plane principal stresses, by Mohr's circle.
 Matrix principalInPlane(const Matrix& stresses) {
   Matrix principal(stresses.rows(), 3);
   for (Eigen::Index i = 0; i < stresses.rows(); ++i) {
@@ -56,7 +56,7 @@ Matrix principalInPlane(const Matrix& stresses) {
   return principal;
 }
 
-// A direction with its largest component above zero: the same whatever the sign that an eigenvector comes with.
+// A direction with its largest component positive, independent of the sign of the computed eigenvector.
 Eigen::RowVector3d directed(const Eigen::Vector3d& direction) {
   Eigen::Index largest;
   direction.cwiseAbs().maxCoeff(&largest);

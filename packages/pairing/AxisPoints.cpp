@@ -8,10 +8,10 @@ namespace suture {
 
 namespace {
 
-constexpr double kWeightless = 1e-2;  // part of a neighbour's tributary area; on the axis a two-node side has a sixth of it
+constexpr double kWeightless = 1e-2;  // relative to a neighbour's tributary area; a two-node side on the axis has a sixth of it
 
-/// Means of r^2 over the circle with the shape functions of the first two nodes beside the axis, whose sides are (0, 1, 2) and, where there
-/// are as many, (2, 3, 4).
+/// Means of r^2 over the circle with the shape functions of the two nodes next to the axis, whose sides are (0, 1, 2) and, if there are
+/// enough nodes, (2, 3, 4).
 std::array<double, 2> meansOfSquaredRadius(const std::vector<Point>& nodes) {
   constexpr double places[] = {-0.906179845938664, -0.538469310105683, 0.0, 0.538469310105683, 0.906179845938664};
   constexpr double weights[] = {0.236926885056189, 0.478628670499366, 0.568888888888889, 0.478628670499366, 0.236926885056189};
@@ -28,7 +28,7 @@ std::array<double, 2> meansOfSquaredRadius(const std::vector<Point>& nodes) {
       }
       const double ring = weights[g] * r * std::hypot(along[0], along[1]);
       for (int node = 0; node < 2; ++node) {
-        const std::size_t i = static_cast<std::size_t>(node) + 1 - first;  // its place on the side
+        const std::size_t i = static_cast<std::size_t>(node) + 1 - first;  // local number on the side
         if (i > 2) continue;
         area[node] += ring * shape[i];
         moment[node] += ring * shape[i] * r * r;
@@ -37,10 +37,10 @@ std::array<double, 2> meansOfSquaredRadius(const std::vector<Point>& nodes) {
   return {moment[0] / area[0], moment[1] / area[1]};
 }
 
-/// Weights of two values for that of a + b q at q = 0.
+/// Weights of two values in the value of a + b q at q = 0.
 std::array<double, 2> weightsAtZero(double q0, double q1) { return {q1 / (q1 - q0), -q0 / (q1 - q0)}; }
 
-/// \param way  ids of the pair on the axis and of those behind it, up to five in all
+/// \param way  ids of the pair on the axis and of the pairs after it, up to five in total
 AxisPoint axisPoint(const PairedSurface& all, const std::vector<int>& way) {
   const ContactPair& end = all.pairs[way[0]];
   AxisPoint point;
@@ -57,7 +57,7 @@ AxisPoint axisPoint(const PairedSurface& all, const std::vector<int>& way) {
   return point;
 }
 
-/// Up to five pairs that follow each other from the end of a stretch.
+/// Up to five successive pairs from the end of a line.
 std::vector<int> wayFrom(int end, const std::vector<std::vector<int>>& beside) {
   std::vector<int> way{end};
   for (int next = beside[end].front(); next >= 0 && way.size() < 5;) {

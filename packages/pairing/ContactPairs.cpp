@@ -24,14 +24,14 @@ PairedSurface pairsOf(const Mesh& mesh, const ContactSurface& contact, Problems&
     const bool onA = contact.a.surface->nodes().count(mortar.pairs.front().node()) > 0;
     notes.push_back("contact '" + contact.name + "': " +
                     (contact.a.nodesCarryPressure() ? "the nodes of its sides do not match"
-                                                    : "a pressure on sides of six or eight nodes has no force at their vertices") +
+                                                    : "a pressure on six- or eight-node sides exerts no force at their vertices") +
                     "; mortar, carried by " + (onA ? contact.a : contact.b).name());
   }
   return mortar;
 }
 
-/// Triangles of a side in space that has pairs at all vertices and at some of its other nodes, around one of these.
-/// \param pairs  of the nodes of the side, -1 where there is none
+/// Triangles of a side in 3D that has pairs at all vertices and at some of its other nodes, as a fan around one of these.
+/// \param pairs  of the nodes of the side, -1 for none
 std::vector<std::vector<int>> trianglesAround(const std::vector<int>& pairs, int vertices) {
   std::vector<int> ring;
   for (int v = 0; v < vertices; ++v)
@@ -67,7 +67,7 @@ std::vector<std::vector<int>> cellsOf(const Surface& surface, const std::vector<
       const auto others = own.begin() + vertices;
       const bool whole = std::count(own.begin(), others, -1) == 0;
       if (std::count(others, own.end(), -1) == own.end() - others) {
-        own.erase(others, own.end());  // a side whose vertices alone carry pairs is one cell
+        own.erase(others, own.end());  // a side with pairs at its vertices only is one cell
       } else if (whole && std::count(others, own.end(), -1) > 0) {
         for (std::vector<int>& cell : trianglesAround(own, vertices)) cells.push_back(std::move(cell));
         continue;

@@ -12,7 +12,7 @@ namespace suture {
 
 namespace {
 
-/// Finds contacts that name a side which another face has already.
+/// Finds contacts with a side that another face already contains.
 class Taken {
  public:
   void claim(const Mesh& mesh, const ContactFace& face, const std::string& path, Problems& problems) {
@@ -22,22 +22,22 @@ class Taken {
       if (!isNew) other = at->second;
     }
     if (!other.empty())
-      problems.add(path, face.name() + (face.groups.size() > 1 ? " lie" : " lies") + ", in whole or in part, also in " + other +
-                             "; a side is in one contact only");
+      problems.add(path, face.name() + (face.groups.size() > 1 ? " lie" : " lies") + ", entirely or partly, also in " + other +
+                             "; a side may be in one contact only");
   }
 
  private:
   std::map<std::pair<int, int>, std::string> pathOf_;  // (element, side)
 };
 
-/// That each face has groups, or an obstacle stands instead of face B.
+/// Checks that each face has groups, or that an obstacle replaces face B.
 void checkGroups(const Contact& contact, const std::string& kind, Problems& problems) {
   const auto lacksName = [](const std::vector<std::string>& groups) { return std::count(groups.begin(), groups.end(), "") > 0; };
   const std::string pathA = contact.path + "/Side A", pathB = contact.path + "/Side B";
   const std::string several = ", or several as {left, right}";
   if (contact.groupsA.empty() || lacksName(contact.groupsA)) problems.add(pathA, "is empty; expected a " + kind + several);
   if (lacksName(contact.groupsB)) problems.add(pathB, "is empty; expected a " + kind + " on another body" + several);
-  if (!contact.groupsB.empty() && contact.obstacle) problems.add(pathB, "found beside an Obstacle; expected one of the two");
+  if (!contact.groupsB.empty() && contact.obstacle) problems.add(pathB, "found together with an Obstacle; expected only one of them");
   if (contact.groupsB.empty() && !contact.obstacle)
     problems.add(pathB, "is missing: expected a " + kind + " on another body, or an Obstacle");
 }
@@ -66,7 +66,7 @@ std::vector<Side> allSides(const Mesh& mesh, const std::vector<Contact>& contact
   return all;
 }
 
-/// A name that two lists have, or nothing.
+/// A name that occurs in both lists, or nothing.
 std::string inBoth(const std::vector<std::string>& a, const std::vector<std::string>& b) {
   const auto found = std::find_first_of(a.begin(), a.end(), b.begin(), b.end());
   return found == a.end() ? "" : *found;
@@ -77,7 +77,7 @@ Contact contactIn(const Parameters& list, const std::string& name, int dimension
   contact.name = name;
   contact.path = pathOf(list);
   contact.obstacle = Obstacle::read(list, dimension, constants, problems);
-  // One with a problem: what is said of the faces shall not depend on it.
+  // A placeholder for an invalid obstacle, so that messages about the faces do not depend on it.
   if (list.get<std::string>("Obstacle") != "None" && !contact.obstacle) contact.obstacle = Obstacle(nullptr);
   contact.initialGap = readExpression(list, "Initial Gap", constants, problems);
   readCoupling(list, contact);
@@ -127,9 +127,9 @@ std::vector<ContactSurface> contactsOn(const Mesh& mesh, const std::vector<Conta
     surface.b = readFace(mesh, table, surface.groupsB, pathB, problems);
     const std::vector<int>& bodies = surface.a.bodies;
     if (const std::string both = inBoth(surface.groupsA, surface.groupsB); !both.empty()) {
-      problems.add(pathB, "'" + both + "' is Side A, too; expected the group on the other body");
+      problems.add(pathB, "'" + both + "' is also Side A; expected the group on the other body");
     } else if (bodies.size() == 1 && bodies == surface.b.bodies) {
-      problems.add(pathB, surface.b.name() + " is on the body '" + mesh.bodies[bodies[0]] + "', as Side A; contact is between two bodies");
+      problems.add(pathB, surface.b.name() + " is on the body '" + mesh.bodies[bodies[0]] + "', like Side A; a contact needs two bodies");
     } else {
       taken.claim(mesh, surface.a, pathA, problems);
       taken.claim(mesh, surface.b, pathB, problems);
@@ -154,38 +154,34 @@ std::vector<ContactSurface> readContact(const Mesh& mesh, const Parameters& cont
 }
 
 Schema contactSchema(const std::string& law, const std::map<std::string, Schema>& laws) {
-  return Schema("one contact: two facing sides, or a side and a rigid obstacle")
-      .texts(
-          "Side A", std::nullopt,
-          "curve group of the mesh, in space surface group, or several as {left, right}, on one or several bodies; the normal points from "
-          "here to Side B or into the obstacle")
+  return Schema("one contact: two facing sides, or one side and a rigid obstacle")
+      .texts("Side A", std::nullopt,
+             "curve group (3D: surface group) of the mesh, or several as {left, right}, on one or several bodies; the normal points from "
+             "here to Side B or into the obstacle")
       .orOne()
-      .texts("Side B", std::nullopt, "curve group of the mesh, in space surface group, or several, on other bodies; none with an Obstacle")
+      .texts("Side B", std::nullopt, "curve group (3D: surface group) of the mesh, or several, on other bodies; none with an Obstacle")
       .orOne()
       .optional()
-      .choice("Law", law, laws, "which forces the two sides exert on each other")
-      .choice("Obstacle", "None", Obstacle::choices(), "what stands against Side A instead of a second body")
+      .choice("Law", law, laws, "forces that the two sides may exert on each other")
+      .choice("Obstacle", "None", Obstacle::choices(), "rigid obstacle for Side A instead of a second body")
       .oneOf("Direction", "Obstacle", {"Obstacle", "Side"},
-             "with an Obstacle, along which normal nodes are kept from it, and gaps are measured: that of the obstacle, or of Side A")
-      .oneOf(
-          "Coupling", "Automatic", {"Automatic", "Matching Nodes", "Mortar"},
-          "Matching Nodes: each node has one opposite; Mortar: any two meshes, dual Lagrange multipliers; Automatic: Mortar where nodes do "
-          "not match")
+             "with an Obstacle, normal along which contact acts and gaps are measured: that of the obstacle, or of Side A")
+      .oneOf("Coupling", "Automatic", {"Automatic", "Matching Nodes", "Mortar"},
+             "Matching Nodes: each node has one opposite node; Mortar: any two meshes, dual Lagrange multipliers; Automatic: Mortar where "
+             "nodes do not match")
       .oneOf("Multipliers On", "Automatic", {"Automatic", "Side A", "Side B"},
-             "with Mortar, the side whose nodes carry the contact stress; Automatic: one that the other covers wholly, or that with more "
-             "nodes; of two-node elements on a curve the coarser one")
-      .oneOf(
-          "Multipliers", "Quadratic", {"Quadratic", "Linear"},
-          "with Mortar, on second-order sides in space, the contact stress between nodes. Quadratic: one value a node, by functions with "
-          "positive integrals; Linear: one a vertex, whose conditions all depend on each other, for small contacts")
+             "with Mortar, the side whose nodes carry the contact stress; Automatic: the side that the other covers entirely, otherwise "
+             "the one with more nodes; for two-node elements on a curve the coarser one")
+      .oneOf("Multipliers", "Quadratic", {"Quadratic", "Linear"},
+             "with Mortar, on second-order sides in 3D, interpolation of the contact stress. Quadratic: one value per node, by functions "
+             "with positive integrals; Linear: one per vertex; all conditions are then coupled to each other, for small contacts")
       .oneOf("Geometry", "Automatic", {"Automatic", "Smooth", "Facets"},
-             "with Mortar, what curve or surface stands for a side of first-order elements whose nodes lie on a curved one. Automatic: the "
-             "shape that both sides have when pressed together, between their curvatures by the bodies' stiffnesses; Smooth: the drawn "
-             "shape, by the curvature through neighbouring nodes; Facets: the elements themselves")
-      .text("Initial Gap", std::nullopt,
-            "a function of x and y, in space of x, y and z, on Side A [length], instead of the distance in the mesh")
+             "with Mortar, curve or surface that represents a side of first-order elements whose nodes lie on a curved one. Automatic: the "
+             "common shape of both sides when pressed together, with a curvature weighted by the bodies' stiffnesses; Smooth: the drawn "
+             "shape, with the curvature through neighbouring nodes; Facets: the elements themselves")
+      .text("Initial Gap", std::nullopt, "a function of x and y (3D: x, y and z) on Side A [length], instead of the distance in the mesh")
       .optional()
-      .real("Tolerance", 1e-3, "how far apart along the line the two nodes of a pair may be, as a fraction of the local mesh size",
+      .real("Tolerance", 1e-3, "largest tangential distance between the two nodes of a pair, as a fraction of the local mesh size",
             Range::positive());
 }
 

@@ -11,7 +11,7 @@ namespace suture {
 
 namespace {
 
-/// The first corner of a surface that is too sharp.
+/// The sharpest corner of a surface.
 struct Turn {
   double angle = 0;
   int node = -1;
@@ -27,7 +27,7 @@ Turn sharpestTurn(const Surface& line) {
   return turn;
 }
 
-/// The same in space, between sides that share an edge.
+/// The same in 3D, between sides that share an edge.
 Turn sharpestEdge(const Surface& surface) {
   std::vector<std::vector<NodeNormal>> normals;
   for (int side = 0; side < surface.sides(); ++side) {
@@ -39,7 +39,7 @@ Turn sharpestEdge(const Surface& surface) {
     for (int facet = 0; facet < surface.facets(side); ++facet) {
       const Surface::Facet& other = surface.across(side, facet);
       if (other.side < side) continue;
-      // The edge runs from its facet's vertex to the next, of the other side the other way round.
+      // The edge runs from the facet's vertex to the next one, in the other side in the opposite order.
       const int next = (facet + 1) % surface.facets(side), otherNext = (other.facet + 1) % surface.facets(other.side);
       for (const auto& [own, its] : {std::make_pair(facet, otherNext), std::make_pair(next, other.facet)}) {
         const Turn turn{angleBetween(normals[side][own].density, normals[other.side][its].density), surface.nodesOf(side)[own]};
@@ -76,7 +76,7 @@ class FaceCheck {
     }
     face.bodies.assign(bodies.begin(), bodies.end());
     if (orders.size() > 1) {
-      wrong(face.name() + (mesh_.dimension == 2 ? " has sides of two and of three nodes" : " has sides of first and of second order") +
+      wrong(face.name() + (mesh_.dimension == 2 ? " has two-node and three-node sides" : " has first-order and second-order sides") +
             "; expected elements of one order along a contact side");
       return face;
     }
@@ -99,8 +99,8 @@ class FaceCheck {
     const auto place = [&](int node) { return placeText(mesh_.point(node), mesh_.dimension); };
     if (!surface.branchings().empty()) {
       wrong(face.name() +
-            (inPlane ? " is no line: more than two of its elements meet at "
-                     : " is no surface: more than two of its sides meet along the edge at ") +
+            (inPlane ? " is not a line: more than two of its elements meet at "
+                     : " is not a surface: more than two of its sides meet along the edge at ") +
             place(surface.branchings()[0]));
       return false;
     }
@@ -108,9 +108,8 @@ class FaceCheck {
     if (turn.angle <= kSharpAngle) return true;
     char degrees[20];
     std::snprintf(degrees, sizeof degrees, "%.0f", turn.angle * 180 / 3.14159265358979);
-    wrong(face.name() + " turns by " + degrees + " degrees at " + place(turn.node) +
-          ", so that the contact has no normal there; make each " +
-          (inPlane ? "leg a contact line of its own" : "face a contact of its own"));
+    wrong(face.name() + " turns by " + degrees + " degrees at " + place(turn.node) + "; the contact has no normal there. Make each " +
+          (inPlane ? "leg a separate contact line" : "face a separate contact"));
     return false;
   }
 

@@ -8,7 +8,7 @@ namespace suture {
 
 namespace {
 
-constexpr std::size_t kStarts = 7;  // ways to lay one part upon another that are tried
+constexpr std::size_t kStarts = 7;  // number of first placements of one part on another that are tried
 
 std::vector<std::vector<int>> sidesOfParts(const Surface& surface) {
   std::vector<std::vector<int>> sides;
@@ -20,7 +20,7 @@ std::vector<std::vector<int>> sidesOfParts(const Surface& surface) {
   return sides;
 }
 
-/// Local number of the node of the other side that lies on node i, of sides with so many vertices.
+/// Local number of the node of the other side that coincides with node i, for sides with this number of vertices.
 int partner(int i, int turn, int vertices) {
   const auto wrapped = [vertices](int k) { return ((k % vertices) + vertices) % vertices; };
   if (i < vertices) return wrapped(turn - i);
@@ -58,7 +58,7 @@ double FacingNodes::distance(const Partners& partners) const {
   return sum;
 }
 
-/// Adds the nodes of two sides. False if one of them has another partner.
+/// Adds the nodes of two sides. False if one of them already has a different partner.
 bool FacingNodes::lay(const Laid& laid, Partners& partners) const {
   const std::vector<int>&own = a_.nodesOf(laid.a), &other = b_.nodesOf(laid.b);
   const int nodes = static_cast<int>(own.size()), vertices = a_.facets(laid.a);
@@ -69,7 +69,7 @@ bool FacingNodes::lay(const Laid& laid, Partners& partners) const {
   return true;
 }
 
-/// Ways to lay the first side upon one of B: the side of A that has most of the rim, and sides of B with the same rim that are nearest.
+/// First placements: the side of A with most edges on the rim, on the nearest sides of B with the same rim.
 std::vector<FacingNodes::Laid> FacingNodes::starts(int partOfA, int partOfB) const {
   const auto rim = [this](int side) {
     int count = 0;
@@ -95,7 +95,7 @@ std::vector<FacingNodes::Laid> FacingNodes::starts(int partOfA, int partOfB) con
   return starts;
 }
 
-/// Walks over both parts at once, from side to neighbour.
+/// Walks over both parts simultaneously, from side to neighbour.
 std::optional<FacingNodes::Partners> FacingNodes::from(const Laid& start) const {
   Partners partners;
   std::map<int, std::pair<int, int>> seen{{start.a, {start.b, start.turn}}};

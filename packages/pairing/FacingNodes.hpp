@@ -7,11 +7,11 @@
 
 namespace suture {
 
-/// Finds the nodes of one surface that stand opposite to those of another, by the sides alone: two parts face each other where both have
-/// the same sides with the same neighbours, and opposite sides run against each other. In the plane and in space. Local.
+/// Finds the opposite nodes of two surfaces by topology alone: two parts face each other where both have the same sides with the same
+/// neighbours, and opposite sides have opposite orientation. 2D and 3D. Local.
 class FacingNodes {
  public:
-  /// \param a, b  sound surfaces; they outlive this
+  /// \param a, b  valid surfaces; must outlive this object
   FacingNodes(const Surface& a, const Surface& b);
 
   int partsOfA() const { return static_cast<int>(partsA_.size()); }
@@ -19,14 +19,14 @@ class FacingNodes {
 
   /// Node of A -> node of B.
   using Partners = std::map<int, int>;
-  /// Partners of the nodes of a part of A on a part of B; nothing if the parts differ. A part without a rim, and one that looks alike from
-  /// several sides, fits in several ways: that of those with near first sides which has the least sum of squared distances.
+  /// Partners of the nodes of a part of A on a part of B; nothing if the parts differ. A closed or symmetric part fits in several ways: of
+  /// the fits with nearby first sides, the one with the least sum of squared distances is taken.
   std::optional<Partners> between(int partOfA, int partOfB) const;
   /// Sum of the squared distances of partners. [length^2]
   double distance(const Partners& partners) const;
 
  private:
-  /// Two sides laid upon each other: vertex k of the side of A upon vertex turn - k of that of B, modulo their number.
+  /// Two sides placed on each other: vertex k of the side of A on vertex turn - k of the side of B, modulo the number of vertices.
   struct Laid {
     int a, b, turn;
   };

@@ -17,18 +17,18 @@ namespace suture {
 namespace {
 
 const double pi = 3.14159265358979323846;
-const double parallel = 1e-9;    // angle between the normals of sides that are straight
-const double coincident = 1e-9;  // relative to the mesh size: nodes nearer than this have no direction between them
+const double parallel = 1e-9;    // angle up to which the normals of sides count as equal: the sides are straight
+const double coincident = 1e-9;  // relative to the mesh size: nodes closer than this define no direction
 
 // Relative position of two nodes, one of each side.
 struct Standing {
   Point normal{0, 0, 0};
   double gap = 0;
-  double excess = 0;  ///< tangential distance beyond that by the curvature of the sides [length]
+  double excess = 0;  ///< tangential distance beyond the allowance for curved sides [length]
   bool facing = false;
 };
 
-/// Directions of the sides within two steps of each node: how much the normals turn there.
+/// Normals of the sides within two steps of each node: how much the normals vary there.
 class NormalsNear {
  public:
   explicit NormalsNear(const Surface& surface) {
@@ -72,14 +72,14 @@ class Matcher {
   }
 
  private:
-  // Nodes of sides of first and of second order may coincide, but their forces do not belong to each other.
+  // Nodes of first- and second-order sides may coincide, but their forces do not correspond.
   bool sameOrder() const {
     const auto isLinear = [](const Surface& surface) { return int(surface.nodesOf(0).size()) == surface.facets(0); };
     const bool same = isLinear(a_) == isLinear(b_);
     if (!same && problems_)
       problems_->add(contact_.path, contact_.a.name() + " and " + contact_.b.name() + " have sides of " +
                                         std::to_string(a_.nodesOf(0).size()) + " and " + std::to_string(b_.nodesOf(0).size()) +
-                                        " nodes, which match nowhere; choose Coupling = Mortar");
+                                        " nodes and cannot match; choose Coupling = Mortar");
     return same;
   }
 
@@ -87,12 +87,12 @@ class Matcher {
     const bool carry = contact_.a.nodesCarryPressure();
     if (!carry && problems_)
       problems_->add(contact_.path, "a pressure on " + contact_.a.name() +
-                                        ", of sides of six or eight nodes, has no force at their vertices, or one against it: no pair of "
-                                        "nodes can carry it; choose Coupling = Mortar");
+                                        ", which has six- or eight-node sides, exerts no force or an opposite force at the vertices: no "
+                                        "pair of nodes can carry it; choose Coupling = Mortar");
     return carry;
   }
 
-  /// Partners of all nodes of A: each part's on the nearest part of B that has the same sides and is not taken.
+  /// Partners of all nodes of A: each part is paired with the nearest unused part of B that has the same sides.
   std::optional<FacingNodes::Partners> partnersOfAll() const {
     if (facing_.partsOfA() != facing_.partsOfB()) return std::nullopt;
     std::vector<int> free(facing_.partsOfB());
@@ -132,7 +132,7 @@ class Matcher {
     for (const Point& n : nearA_.at(nodeA)) theta = std::max(theta, angleBetween(n, s.normal));
     for (const Point& n : nearB_.at(nodeB)) theta = std::max(theta, angleBetween(scaled(-1.0, n), s.normal));
     s.excess = std::max(0.0, norm(cross(d, s.normal)) - std::abs(s.gap) * std::tan(std::min(theta, pi / 3)));
-    // Between curved sides the nodes may stand opposite along any direction between the normals. Forces along it have no moment.
+    // Between curved sides the nodes may be opposite along any direction between the normals. Forces along d have no moment.
     if (theta > parallel && s.excess == 0 && norm(d) > coincident * meshSize(nodeA, nodeB)) {
       s.normal = unit(s.gap > 0 ? d : scaled(-1.0, d));
       s.gap = dot(d, s.normal);
@@ -189,7 +189,7 @@ class Matcher {
     int node = -1;
   };
 
-  /// Nodes of one face that no node of the other stands opposite to.
+  /// Nodes of one face that have no opposite node on the other.
   Lonely lonely(const Surface& own, const Surface& other, bool ownIsA) const {
     std::vector<std::vector<Point>> sides(other.sides());
     std::vector<BoundingBox> places;
@@ -212,7 +212,7 @@ class Matcher {
       double least = std::numeric_limits<double>::infinity();
       for (const int candidate : candidates) {
         const Standing s = ownIsA ? standing(node, candidate) : standing(candidate, node);
-        // Normals that differ too much to project: the whole way counts.
+        // Normals that differ too much for a projection: the full distance counts.
         const double away = s.facing ? s.excess : norm(minus(from, other.at(candidate).position));
         least = std::min(least, away / data.spacing);
       }
@@ -238,11 +238,11 @@ class Matcher {
 
   void reportMismatch(int lonelyA, int lonelyB, double worst, int node, const Point& place) {
     std::string text = "the sides do not match: " + sizes(contact_.a, facing_.partsOfA()) + ", " + sizes(contact_.b, facing_.partsOfB()) +
-                       "; " + std::to_string(lonelyA) + " and " + std::to_string(lonelyB) + " of them have no partner opposite";
+                       "; " + std::to_string(lonelyA) + " and " + std::to_string(lonelyB) + " of them have no partner on the other side";
     if (node >= 0) {
       const Surface& own = a_.nodes().count(node) > 0 ? a_ : b_;
       char far[120];
-      std::snprintf(far, sizeof far, ", %.3g away along the %s = %.3g of the mesh size there (Tolerance %.3g)",
+      std::snprintf(far, sizeof far, ", shifted by %.3g along the %s = %.3g of the local mesh size (Tolerance %.3g)",
                     worst * own.at(node).spacing, line().c_str(), worst, contact_.tolerance);
       text += "; the worst at " + placeText(place, mesh_.dimension) + far;
     }

@@ -12,8 +12,8 @@ namespace suture {
 
 namespace {
 
-constexpr double kGrazing = 1e-3;   // cosine of the angle between a direction and the normal, below which it leads past the obstacle
-constexpr double kArrived = 1e-14;  // last step of Newton's method, relative to the way and the coordinates
+constexpr double kGrazing = 1e-3;   // cosine of the angle between a direction and the normal below which the direction misses the obstacle
+constexpr double kArrived = 1e-14;  // last step of Newton's method, relative to the distance and the coordinates
 constexpr int kMostSteps = 60;
 
 /// Reads the sublist of one obstacle.
@@ -75,7 +75,7 @@ class ObstacleList {
     return problems_.empty();
   }
 
-  // By central differences of fourth order. The step balances their error with rounding: eps^(1/5) of the scale.
+  // Central differences of fourth order. The step balances truncation and round-off: eps^(1/5) of the scale.
   static double slopeOf(const Expression& height, const Point& base, int k) {
     const double h = 7.4e-4 * std::max(1.0, std::abs(base[k]));
     const auto at = [&](double steps) {
@@ -134,7 +134,7 @@ std::optional<double> Obstacle::way(const Point& point, const Point& direction) 
 std::map<std::string, Schema> Obstacle::choices() {
   const auto flat = [](const std::string& what, const std::string& place) {
     return Schema(what)
-        .reals("Point", std::nullopt, "on its surface: " + place, "length")
+        .reals("Point", std::nullopt, "a point on its surface: " + place, "length")
         .reals("Normal", std::nullopt, "out of the obstacle, towards the body; of any length");
   };
   const auto round = [](const std::string& what, const std::string& place, const std::string& name, const std::string& inside) {
@@ -147,18 +147,18 @@ std::map<std::string, Schema> Obstacle::choices() {
       {"None", Schema("the partner is Side B, on another body")},
       {"Line", flat("a half-plane", "x, y")},
       {"Plane", flat("a half-space", "x, y, z")},
-      {"Circle", round("a disc, or all but a disc", "x, y", "disc", "whether the body is inside the circle, and the obstacle around it")},
-      {"Ball", round("a ball, or all but a ball", "x, y, z", "ball", "whether the body is inside the sphere, and the obstacle around it")},
-      {"Cylinder", Schema("an endless cylinder, or all but that")
-                       .reals("Point", std::nullopt, "on its axis: x, y, z", "length")
+      {"Circle", round("a disc, or its exterior", "x, y", "disc", "true: the body is inside the circle, and the obstacle outside")},
+      {"Ball", round("a ball, or its exterior", "x, y, z", "ball", "true: the body is inside the sphere, and the obstacle outside")},
+      {"Cylinder", Schema("an infinite cylinder, or its exterior")
+                       .reals("Point", std::nullopt, "a point on its axis: x, y, z", "length")
                        .reals("Axis", std::nullopt, "direction of the axis, of any length")
                        .real("Radius", std::nullopt, "radius of the cylinder", Range::positive(), "length")
-                       .boolean("Hollow", false, "whether the body is inside the cylinder, and the obstacle around it")},
-      {"Height", Schema("what lies below the graph of a function")
-                     .text("Expression", std::nullopt, "height y of the surface, a function of x; in space height z, a function of x and y")
-                     .boolean("Body Below", false, "whether the body is below the graph, and the obstacle above it")
+                       .boolean("Hollow", false, "true: the body is inside the cylinder, and the obstacle outside")},
+      {"Height", Schema("the region below the graph of a function")
+                     .text("Expression", std::nullopt, "height y of the surface, a function of x; in 3D height z, a function of x and y")
+                     .boolean("Body Below", false, "true: the body is below the graph, and the obstacle above it")
                      .oneOf("Direction", "Normal", {"Normal", "Vertical"},
-                            "along which nodes are kept from crossing: the graph's normal above or below the node, or y, in space z")}};
+                            "direction in which contact acts: the normal of the graph above or below the node, or y (3D: z)")}};
 }
 
 std::optional<Obstacle> Obstacle::read(const Parameters& contact, int dimension, const Constants& constants, Problems& problems) {
@@ -166,9 +166,9 @@ std::optional<Obstacle> Obstacle::read(const Parameters& contact, int dimension,
   if (type == "None") return std::nullopt;
   const bool flat = type == "Line" || type == "Circle", inSpace = type == "Plane" || type == "Ball" || type == "Cylinder";
   if (dimension == 2 ? inSpace : flat) {
-    problems.add(pathOf(contact, "Obstacle"), "'" + type +
-                                                  (dimension == 2 ? "' is in space; expected Line, Circle or Height"
-                                                                  : "' is in the plane; expected Plane, Ball, Cylinder or Height"));
+    problems.add(
+        pathOf(contact, "Obstacle"),
+        "'" + type + (dimension == 2 ? "' is 3D; expected Line, Circle or Height" : "' is 2D; expected Plane, Ball, Cylinder or Height"));
     return std::nullopt;
   }
   Problems own;

@@ -13,8 +13,8 @@ const double averted = 3.14159265358979323846 / 3;  // between the side's normal
 
 /// How a point of a face sees the obstacle.
 struct View {
-  Obstacle::Foot foot;  // in the direction that the contact asks for
-  bool faces = false;   // along a normal at most 60 degrees from the face's
+  Obstacle::Foot foot;  // in the direction chosen by the contact
+  bool faces = false;   // along a normal at most 60 degrees from that of the face
 };
 
 View viewOf(const ContactSurface& contact, const Point& place, const Point& outward) {
@@ -76,14 +76,15 @@ PairedSurface obstaclePairs(const ContactSurface& contact, Problems& problems, s
   for (std::size_t i = 0; i < result.pairs.size(); ++i) result.pairs[i].id = static_cast<int>(i);
   result.cells = cellsOf(own, result.pairs);
   if (wrong > 0 || result.pairs.empty())
-    problems.add(contact.path, contact.a.name() +
-                                   " does not face the obstacle: its outward normal and the way into the obstacle differ by more "
-                                   "than 60 degrees at " +
-                                   countAt(std::size_t(aside), "node", placed(where)));
+    problems.add(
+        contact.path,
+        contact.a.name() +
+            " does not face the obstacle: its outward normal and the direction into the obstacle differ by more than 60 degrees at " +
+            countAt(std::size_t(aside), "node", placed(where)));
   else if (aside > 0)
     notes.push_back("contact '" + contact.name + "': " + std::to_string(aside) + " of the " + std::to_string(carriers.size()) +
-                    " nodes of " + contact.a.name() + " see the obstacle more than 60 degrees aside and make no pair (the first at " +
-                    placed(where) + ")");
+                    " nodes of " + contact.a.name() +
+                    " see the obstacle more than 60 degrees off their normal and have no pair (the first at " + placed(where) + ")");
   return result;
 }
 

@@ -6,12 +6,12 @@
 namespace suture {
 
 namespace {
-constexpr double kTie = 1e-6;  // difference of two components that are one
+constexpr double kTie = 1e-6;  // difference up to which two components count as equal
 }
 
 std::vector<Point> pairFrame(const Point& normal, int dimension) {
   if (dimension == 2) return {normal, turned(normal)};
-  // Beside the axis that is farthest from the normal: nothing cancels. Of two that are alike the first, whatever rounding says.
+  // Uses the axis farthest from the normal, to avoid cancellation; of equal components the first, independently of round-off.
   int least = 0;
   for (int k = 1; k < 3; ++k)
     if (std::abs(normal[k]) < std::abs(normal[least]) - kTie) least = k;

@@ -6,11 +6,11 @@
 
 namespace suture {
 
-/// The frame of a contact pair, or of any direction: the normal, then one tangent in the plane, the normal turned by a right angle
-/// anticlockwise, or two in space, right-handed. Orthonormal. Local. \param normal  a unit vector
+/// Orthonormal frame of a contact pair or of any direction: the normal, followed in 2D by one tangent, the normal rotated anticlockwise by
+/// a right angle, and in 3D by two tangents, right-handed. Local. \param normal  a unit vector
 std::vector<Point> pairFrame(const Point& normal, int dimension);
 
-/// The frame of a pair. In space one in which nothing slides along some tangent has that as its last, and the other beside it.
+/// Frame of a pair. In 3D, if sliding is blocked along a tangent, that tangent is the last vector.
 std::vector<Point> pairFrame(const ContactPair& pair, int dimension);
 
 }  // namespace suture

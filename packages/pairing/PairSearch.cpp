@@ -13,15 +13,15 @@ namespace {
 
 constexpr double kRounding = 1e-12;
 
-/// Largest sum of the magnitudes of a side's shape functions: no point of the side is farther from the middle of its nodes' box than so
-/// many half extents of the box.
+/// Largest sum of the magnitudes of a side's shape functions: every point of the side lies within this number of half extents of the box
+/// around its nodes.
 double overshoot(std::size_t nodes) {
   switch (nodes) {
     case 1:
     case 2:
     case 4:
       return 1.0;
-    case 3:  // for a line; a triangle has 1
+    case 3:  // for a line; it is 1 for a triangle
       return 1.25;
     case 6:
       return 5.0 / 3;
@@ -77,7 +77,7 @@ PairSearch::PairSearch(const std::vector<std::vector<Point>>& sides) : tree_(box
 }
 
 std::vector<int> PairSearch::along(const std::vector<Point>& nodes, const Point& direction) const {
-  // Not unit(): it rounds small components to zero, which would turn a line by that much.
+  // Not unit(), which rounds small components to zero and would rotate a line accordingly.
   const std::vector<Point> frame = pairFrame(scaled(1 / norm(direction), direction), 3);
   std::array<Interval, 2> shadow{Interval(frame[1]), Interval(frame[2])};
   double size = size_;

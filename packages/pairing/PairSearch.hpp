@@ -5,19 +5,19 @@
 
 namespace suture {
 
-/// Finds the sides of one surface that stand opposite to a side of another, whatever lies between them: all that lines along a direction,
-/// in both of its senses, lead to. By a tree of boxes, in the plane and in space. Local.
+/// Finds the sides of one surface that are opposite to a side of another: all that are met by lines along a direction, in either sense,
+/// including sides hidden behind others. Uses a bounding-box tree. 2D and 3D. Local.
 class PairSearch {
  public:
-  /// \param sides  for each side the points between which it lies
+  /// \param sides  points of each side, between which it lies
   explicit PairSearch(const std::vector<std::vector<Point>>& sides);
 
-  /// Numbers of the sides, ascending, whose boxes meet the lines along `direction` through a side. No side that such a line meets is
-  /// missing; some that none meets may be there.
-  /// \param nodes  of the side through which the lines go, or a single point;  \param direction  not zero, of any length
+  /// Indices of the sides, ascending, whose boxes meet the lines along `direction` through a side. Contains every side that such a line
+  /// meets, and possibly some that none meets.
+  /// \param nodes  nodes of the side through which the lines run, or a single point;  \param direction  any non-zero length
   std::vector<int> along(const std::vector<Point>& nodes, const Point& direction) const;
 
-  /// Number of boxes that all searches so far have looked at.
+  /// Number of boxes tested by all searches so far.
   long long boxTests() const { return boxTests_; }
 
  private:

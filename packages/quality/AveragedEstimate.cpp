@@ -17,10 +17,10 @@ namespace suture {
 
 namespace {
 
-// Stresses below this multiple of the displacements' rounding are no stresses.
+// Stresses below this multiple of the round-off of displacements count as zero.
 constexpr double kRounding = 1e3;
 
-/// Where the stress of a cell is sampled, and the multilinear field through the samples.
+/// Sampling points of the stress of a cell, and the multilinear field through the samples.
 struct Samples {
   const ReferenceElement* points = nullptr;
   int vertices = 0;
@@ -34,7 +34,7 @@ Cell linearCell(Cell cell) {
     if (other.order == 1 && other.dimension == cellInfo(cell).dimension && other.vertices == cellInfo(cell).vertices)
       return static_cast<Cell>(c);
   }
-  throw InternalError("no cell of order 1 with the vertices of a " + cellInfo(cell).name);
+  throw InternalError("no first-order cell with the vertices of a " + cellInfo(cell).name);
 }
 
 Samples makeSamples(Cell cell) {
@@ -62,17 +62,18 @@ const Samples& samplesOf(Cell cell) {
 /// Squares of energy norms.
 struct Norms {
   double error = 0.0, solution = 0.0;
-  double rounding = 0.0;  ///< that the displacements' rounding may give to the solution
+  double rounding = 0.0;  ///< possible contribution of the displacements' round-off to the solution
 };
 
-/// Stresses of one block, at the samples of its elements. \tparam D  dimension
+/// Stresses of one block at the sampling points of its elements. \tparam D  dimension
 template <int D>
 class SampledStresses {
  public:
   SampledStresses(const SubdomainMesh& mesh, const ElasticModel& model, const VertexPatches& patches)
       : mesh_(mesh), model_(model), patches_(patches) {}
 
-  /// Samples all elements. Returns their sums at the patches, weighted by the elements' sizes, and those sizes: (components + 1) x patches.
+  /// Samples all elements. Returns the sums at the patches, weighted by the elements' sizes, and the sums of these sizes: (components + 1)
+  /// x patches.
   Matrix sample(const Vector& displacement, Norms& norms) {
     const InitialState initial(model_, mesh_.body);
     Matrix sums = Matrix::Zero(components + 1, patches_.count());
@@ -104,7 +105,7 @@ class SampledStresses {
     return sums;
   }
 
-  /// Adds the norm of the samples less the averages, linear within an element. \param sums  of sample(), over all blocks
+  /// Adds the norm of the samples minus the averages, linear within an element. \param sums  of sample(), over all blocks
   void addErrors(const Matrix& sums, Norms& norms) {
     std::size_t at = 0;
     Stresses averages;
@@ -120,7 +121,7 @@ class SampledStresses {
       }
       const auto sample = [&](int q) { return Eigen::Map<const StressVector<D>>(&samples_[at + std::size_t(q * width)]); };
       const auto measure = [&](int q) { return samples_[at + std::size_t(q * width + components)]; };
-      if (count == 1) {  // a linear difference on a simplex: its mass matrix is known
+      if (count == 1) {  // a linear difference on a simplex: exact mass matrix
         StressVector<D> all = StressVector<D>::Zero();
         double squares = 0.0;
         for (int v = 0; v <= D; ++v) {
@@ -154,10 +155,10 @@ class SampledStresses {
     return law_;
   }
 
-  /// Stresses at an element's samples. \param begin  of them in samples_
+  /// Stresses at an element's sampling points. \param begin  their offset in samples_
   Columns stressesAt(std::size_t begin, int count) const { return Columns(&samples_[begin], components, count); }
 
-  /// Norms of the solution: without the stress of initial states, as far as displacements give one. \param largest  displacement
+  /// Norms of the solution, without the stress of initial states where displacements cause a stress. \param largest  displacement
   static void addNorms(const ElementStress<D>& element, const HookesLaw<D>& law, const StressVector<D>& stress, double measure,
                        double largest, Norms& norms) {
     const StressVector<D> own = element.isInitial() ? element.ofDisplacement() : stress;

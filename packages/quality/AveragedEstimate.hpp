@@ -6,13 +6,13 @@
 
 namespace suture {
 
-/// A cheap estimate of the discretisation error in the energy norm: the elements' stresses less their averages at the vertices of each
-/// material, weighted by the elements' sizes (Zienkiewicz and Zhu, Int. J. Num. Meth. Eng. 24, 337-357, 1987). It solves nothing and
-/// exchanges the averages at seams once. Less accurate than estimateError(), above all at boundaries, where the averages are one-sided; it
-/// tells meshes that are too coarse from others.
+/// A cheap estimate of the discretisation error in the energy norm: the elements' stresses minus their averages at the vertices of each
+/// material, weighted by the elements' sizes (Zienkiewicz and Zhu, Int. J. Num. Meth. Eng. 24, 337-357, 1987). Solves nothing and exchanges
+/// the averages at seams once. Less accurate than estimateError(), especially at boundaries, where the averages are one-sided; sufficient
+/// to detect meshes that are too coarse.
 ///
-/// Returns the error relative to the solution's energy norm [-]; 0 where all stresses are rounding. Independent of the cut and of the ranks
-/// except for rounding. Collective. \param displacement  of each mesh, node-major, Cartesian
+/// Returns the error relative to the solution's energy norm [-]; 0 if all stresses are round-off. Independent of partition and ranks up to
+/// round-off. Collective. \param displacement  of each mesh, node-major, Cartesian
 double averagedEstimate(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model,
                         const std::vector<Vector>& displacement);
 

@@ -51,7 +51,7 @@ void Balance::finish(const Comm& comm, bool axisymmetric) {
 }
 
 void Balance::finish(bool axisymmetric) {
-  // Radial forces of a body of revolution balance round the circle, whatever their magnitudes.
+  // Radial forces of a body of revolution balance around the circle, independent of their magnitudes.
   const Point sum{axisymmetric ? 0.0 : applied[0] + reactions[0], applied[1] + reactions[1], applied[2] + reactions[2]};
   imbalance = absolute_ > 0.0 ? norm(sum) / (0.5 * absolute_) : 0.0;
 }

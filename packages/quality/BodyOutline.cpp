@@ -8,7 +8,7 @@ namespace suture {
 
 namespace {
 
-constexpr double kSamePoint = 1e-9;  // part of a side
+constexpr double kSamePoint = 1e-9;  // fraction of a side
 constexpr double kHalfTurn = 3.14159265358979323846;
 
 }  // namespace

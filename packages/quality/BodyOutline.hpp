@@ -7,13 +7,13 @@
 
 namespace suture {
 
-/// A straight piece of an outline: a segment, in 3D a triangle.
+/// A straight piece of an outline: a segment (2D) or a triangle (3D).
 struct Facet {
   int body = -1, group = -1;
   std::array<Point, 3> corners{};
   Point normal{0, 0, 0};
   double size = 0.0;   ///< longest edge [length]
-  double bulge = 0.0;  ///< by which the curve of its nodes may lie beside it [length]
+  double bulge = 0.0;  ///< estimated distance of the curve through its nodes from the facet [length]
   std::vector<int> contacts;
 
   template <typename Self, typename Each>
@@ -22,11 +22,11 @@ struct Facet {
   }
 };
 
-/// True if boxes have a point in common.
+/// True if the boxes intersect.
 bool meet(const BoundingBox& a, const BoundingBox& b);
 
-/// All facets of one body, as a closed outline. A point is inside if it lies behind the nearest facet, or, where several are nearest,
-/// behind their mean weighted by the angles under which they are seen from there (Baerentzen and Aanaes 2005). Local.
+/// All facets of one body, as a closed outline. A point is inside if it lies behind the nearest facet, or, if several are nearest, behind
+/// their mean weighted by the angles under which they are seen from the point (Baerentzen and Aanaes 2005). Local.
 class BodyOutline {
  public:
   /// \param facets  of the body; must outlive it
@@ -38,7 +38,7 @@ class BodyOutline {
   };
   Depth depthAt(const Point& p) const;
 
-  /// Where a segment passes through facets: parts of its length, ascending.
+  /// Intersections of a segment with facets, as fractions of its length, ascending.
   std::vector<double> crossings(const Point& a, const Point& b) const;
 
  private:
@@ -50,7 +50,7 @@ class BodyOutline {
   static Nearest onSegment(const Point& a, const Point& b, const Point& p);
   static Nearest onTriangle(const std::array<Point, 3>& corners, const Point& normal, const Point& p);
   Nearest nearestOn(const Facet& facet, const Point& p) const;
-  /// Part of the way from a to b; negative: nowhere.
+  /// Fraction of the segment from a to b; negative if there is no intersection.
   double crossing(const Facet& facet, const Point& a, const Point& b) const;
   std::vector<BoundingBox> boxes() const;
 

@@ -23,7 +23,7 @@ Sums<width> reduced(const Comm& comm, const Sums<width>& mine, Teuchos::EReducti
   return all;
 }
 
-/// visit(body, place, displacement) at every node, once over all ranks.
+/// Calls visit(body, position, displacement) at every node, once over all ranks.
 template <typename Visit>
 void forEachNode(const std::vector<SubdomainMesh>& meshes, const std::vector<Vector>& displacement, const Visit& visit) {
   for (std::size_t i = 0; i < meshes.size(); ++i)
@@ -35,16 +35,16 @@ void forEachNode(const std::vector<SubdomainMesh>& meshes, const std::vector<Vec
     }
 }
 
-constexpr double kOnALine = 1e-12;  // part of the largest moment of inertia that is rounding: the nodes lie on the axis
-// Ratio of a body's motion in a turn to the largest deformation or prescribed displacement of any body: levers have less.
+constexpr double kOnALine = 1e-12;  // fraction of the largest moment of inertia that counts as round-off: the nodes lie on the axis
+// Ratio of a body's motion by rotation to the largest deformation or prescribed displacement of any body; levers have smaller ratios.
 constexpr double kExplained = 100.0;
 
 struct Motion {
   Point shift{0, 0, 0}, turn{0, 0, 0};
 };
 
-/// Sums over the arms from a centre to the nodes, in this order: inertia (xx, yy, zz, xy, yz, xz) of unit masses, moment of displacements,
-/// displacements.
+/// Sums over the vectors from a centre to the nodes, in this order: inertia (xx, yy, zz, xy, yz, xz) of unit masses, moment of
+/// displacements, displacements.
 using TurnSums = std::array<double, 12>;
 
 void add(const Point& arm, const Point& displacement, TurnSums& sums) {
@@ -59,7 +59,7 @@ void add(const Point& arm, const Point& displacement, TurnSums& sums) {
   for (int k = 0; k < 3; ++k) sums[6 + k] += moment[k], sums[9 + k] += displacement[k];
 }
 
-/// Rotation vector that fits best: inertia x turn = moment; none about a line that holds all nodes. In the plane about the third axis only.
+/// Best-fit rotation vector: inertia x turn = moment; none about a line that contains all nodes. In 2D about the third axis only.
 Point turnOf(const TurnSums& sums, int dimension) {
   if (dimension == 2) return {0, 0, sums[2] > 0.0 ? sums[8] / sums[2] : 0.0};
   Matrix inertia(3, 3);
@@ -95,7 +95,7 @@ std::vector<Deformation> deformations(const Comm& comm, const std::vector<Subdom
       all[b].centre[k] = means[b][1 + k] / means[b][0];
       motion[b].shift[k] = axisymmetric && k == 0 ? 0.0 : means[b][4 + k] / means[b][0];
     }
-  // A second pass corrects the mean: the first one has rounded as often as there are nodes.
+  // A second pass corrects the mean, because the first one accumulates one round-off per node.
   Sums<12> turns(bodies, TurnSums{});
   forEachNode(meshes, displacement, [&](int body, const Point& x, const Point& u) {
     add(minus(x, all[body].centre), minus(u, motion[body].shift), turns[body]);

@@ -7,7 +7,7 @@ namespace suture {
 
 void Doubts::add(const Verification& verdict, const std::string& when) {
   for (const Check& check : verdict.checks) {
-    if (!check.holds()) continue;  // the verdict reports it
+    if (!check.holds()) continue;  // reported by the verdict
     const auto [at, isNew] = worst_.try_emplace(check.name, check);
     if (!isNew && check.value <= at->second.value) continue;
     at->second = check;
@@ -22,7 +22,7 @@ std::vector<std::string> Doubts::warnings() const {
     if (at == worst_.end() || at->second.value < doubtOf(quantity)) continue;
     const Check& check = at->second;
     char numbers[60];
-    std::snprintf(numbers, sizeof numbers, " %.2g, of at most %.2g, at ", check.value, check.bound);
+    std::snprintf(numbers, sizeof numbers, " %.2g (limit %.2g) at ", check.value, check.bound);
     all.push_back("warning: " + check.name + numbers + check.where + ". " + check.advice);
   }
   return all;

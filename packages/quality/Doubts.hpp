@@ -7,13 +7,13 @@
 
 namespace suture {
 
-/// Quantities of the verdict that are within their bounds, and large enough for a warning: the worst of each in one or several answers. A
-/// path of load steps may end where nothing is seen of what happened on the way. Local, the same on all ranks.
+/// Quantities of the verdict that are within their bounds but large enough for a warning: the worst value of each over one or several
+/// solutions, because intermediate load steps may be worse than the last one. Local, the same on all ranks.
 class Doubts {
  public:
-  /// \param when  of the answer: ", t = 0.5"; empty: it is the only one
+  /// \param when  time of the solution: ", t = 0.5"; empty if there is only one
   void add(const Verification& verdict, const std::string& when = "");
-  /// A sentence for each that is beyond doubt.
+  /// One sentence for each quantity above its warning threshold.
   std::vector<std::string> warnings() const;
 
  private:

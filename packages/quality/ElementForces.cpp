@@ -15,7 +15,7 @@ namespace suture {
 
 namespace {
 
-/// Displacements less those of the first node, as far as a translation costs nothing. Returns the largest of what was given.
+/// Displacements minus those of the first node, in components where translations are free of energy. Returns the largest input value.
 template <int D, bool hoop, int count>
 double localDisplacement(const int* nodes, const Vector& displacement, double* u) {
   double first[D];
@@ -30,7 +30,7 @@ double localDisplacement(const int* nodes, const Vector& displacement, double* u
   return largest;
 }
 
-/// Strain, one by one: the components stay in registers.
+/// Strain as scalars, so that the components stay in registers.
 struct Strain {
   double xx = 0.0, yy = 0.0, zz = 0.0, xy = 0.0, yz = 0.0, xz = 0.0;
   double steepness = 0.0;  ///< sum of the magnitudes of the gradients' components
@@ -39,7 +39,7 @@ struct Strain {
   void add(const StressVector<2>& e) { xx += e[0], yy += e[1], zz += e[2], xy += e[3]; }
   void add(const StressVector<3>& e) { xx += e[0], yy += e[1], zz += e[2], xy += e[3], yz += e[4], xz += e[5]; }
 
-  /// Adds what a node's displacement does.
+  /// Adds the contribution of a node's displacement.
   template <int D>
   void add(const double* gradient, const double* u) {
     const double ux = u[0], uy = u[1], gx = gradient[0], gy = gradient[1];
@@ -57,7 +57,7 @@ struct Strain {
   }
 };
 
-/// Sum of the magnitudes of a gradient's components, and of their squares.
+/// Sum of the magnitudes of a gradient's components, and sum of their squares.
 template <int D>
 double slopeOf(const double* g) {
   const double plane = std::abs(g[0]) + std::abs(g[1]);
@@ -71,13 +71,13 @@ double squaresOf(const double* g) {
   return plane + g[D - 1] * g[D - 1];
 }
 
-/// Mean stiffness of a node along the axes over its squared gradient.
+/// Mean stiffness of a node along the axes, divided by its squared gradient.
 template <int D>
 double meanStiffness(const HookesLaw<D>& law) {
   return (law.normal() + (D - 1) * law.pointwise.diagonal().template tail<stressComponents<D> - 3>().maxCoeff()) / D;
 }
 
-/// Sum over the axes of twice the energies of unit displacements of one node. \param h  hoop strain of the radial one
+/// Sum over the axes of twice the energies of unit displacements of one node. \param h  hoop strain of the radial displacement
 double stiffnessAt(const StressMatrix<2>& c, const double* g, double h) {
   const double x = g[0], y = g[1];
   return (c(0, 0) + c(3, 3)) * x * x + (c(1, 1) + c(3, 3)) * y * y + 2 * (c(0, 3) + c(1, 3)) * x * y +
@@ -90,7 +90,7 @@ double stiffnessAt(const StressMatrix<3>& c, const double* g, double) {
          2 * ((c(0, 3) + c(1, 3) + c(4, 5)) * x * y + (c(1, 4) + c(2, 4) + c(3, 5)) * y * z + (c(0, 5) + c(2, 5) + c(3, 4)) * x * z);
 }
 
-/// Enhanced strain of an element; adds the mean stiffness of each node. \param map  left at the last point of the rule
+/// Enhanced strain of an element; adds the mean stiffness of each node. \param map  is left at the last point of the rule
 template <int D>
 EnhancedStrain<D> enhancedStrain(const CellBlock& block, int element, const ReferenceElement& reference, const HookesLaw<D>& law,
                                  const double* u, ElementMap<D>& map, Vector& stiffness) {
@@ -110,7 +110,7 @@ EnhancedStrain<D> enhancedStrain(const CellBlock& block, int element, const Refe
   return modes.strainOf(Eigen::Map<const Eigen::Matrix<double, D * Modes::nodes, 1>>(u));
 }
 
-/// \tparam count  nodes of the element: the compiler unrolls its loops
+/// \tparam count  number of nodes of the element, so that the compiler unrolls the loops
 template <int D, bool hoop, int count>
 void addElement(const CellBlock& block, int element, const HookesLaw<D>& law, const Vector& displacement, ElementForces& forces) {
   const ReferenceElement& reference = stiffnessElement(block, element);
@@ -165,7 +165,7 @@ void addElement(const CellBlock& block, int element, const HookesLaw<D>& law, co
   }
 }
 
-/// Gradients of the shape functions of a linear simplex. Returns its size; not above zero if it is folded.
+/// Gradients of the shape functions of a linear simplex. Returns its size; zero or negative if it is folded.
 double simplexGradients(const CellBlock& block, const int* nodes, double (&g)[3][2]) {
   double x[3], y[3];
   for (int a = 0; a < 3; ++a) {
@@ -197,8 +197,8 @@ double simplexGradients(const CellBlock& block, const int* nodes, double (&g)[4]
   return sixfold / 6.0;
 }
 
-/// Adds a linear triangle of the plane or a linear tetrahedron: the strain is constant, and the bulk of large meshes takes two thirds of
-/// the instructions. False: it is folded, which addElement() reports.
+/// Adds a linear 2D triangle or a linear tetrahedron: the strain is constant, and most elements of large meshes take two thirds of the
+/// instructions. False if it is folded, which addElement() reports.
 template <int D>
 bool addSimplex(const CellBlock& block, int element, const HookesLaw<D>& law, const Vector& displacement, ElementForces& forces) {
   const int* nodes = block.nodesOf(element).begin();

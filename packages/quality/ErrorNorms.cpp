@@ -7,7 +7,7 @@ namespace suture {
 
 namespace {
 
-/// Stress across the plane, from the others: its strain is opposite to the initial one.
+/// Out-of-plane stress from the in-plane stresses: its strain is opposite to the initial strain.
 double acrossPlane(const StressVector<2>& s, const InitialState::Values<2>& initial, const HookesLaw<2>& law) {
   return law.across(s - initial.stress) + initial.stress[2] - initial.strain[2] / law.compliance(2, 2);
 }
@@ -62,7 +62,8 @@ BodyErrors errorsIn(const CellBlock& block, const ExactFields& exact, const std:
 BodyErrors bodyErrors(const CellBlock& block, const ExactFields& exact, const std::function<const Material&(int element)>& materialOf,
                       PlaneModel plane, const Vector& displacement, const InitialState& initial) {
   if (block.axisymmetric && exact.stress.size() == 3)
-    throw InputError("Exact Solution", "'Stress zz' is missing: in an axisymmetric scene the hoop stress does not follow from the others");
+    throw InputError("Exact Solution",
+                     "'Stress zz' is missing: in an axisymmetric scene the hoop stress cannot be derived from the others");
   return block.dimension == 2 ? errorsIn<2>(block, exact, materialOf, plane, displacement, initial)
                               : errorsIn<3>(block, exact, materialOf, plane, displacement, initial);
 }

@@ -17,9 +17,9 @@ constexpr const char* kContact =
     "The contact iteration ended in a wrong state: try a smaller Outer Solver/Tolerance, another Formulation, or Outer Solver/Type = "
     "Monolithic";
 constexpr const char* kFriction =
-    "The iteration of friction ended in a wrong state: try a smaller Outer Solver/Tolerance, or Outer Solver/Type = Monolithic";
-constexpr const char* kOther = "Try the default Outer Solver/Type, with a Tolerance below 1e-8: Monolithic has failed";
-constexpr const char* kDefect = "The fields contradict the scene's conditions: report this as a defect of the program";
+    "The friction iteration ended in a wrong state: try a smaller Outer Solver/Tolerance, or Outer Solver/Type = Monolithic";
+constexpr const char* kOther = "Monolithic has failed: try the default Outer Solver/Type with a Tolerance below 1e-8";
+constexpr const char* kDefect = "The fields contradict the scene's conditions: please report this as a bug";
 
 constexpr Name kNames[kQuantities] = {
     {"forces", kTighter},
@@ -34,22 +34,20 @@ constexpr Name kNames[kQuantities] = {
     {"complementarity", kContact},
     {"status", kContact},
     {"digits",
-     "Double precision cannot hold the answer: the body's own forces drown in the rounding of its displacements. Take the large rigid "
-     "motion "
-     "or gap out of the scene, or bring the stiffnesses closer together"},
+     "Double precision is not sufficient: round-off of the body's displacements is too large for its forces. Remove the large rigid motion "
+     "or gap from the scene, or reduce the ratio of the stiffnesses"},
     {"rotation",
-     "The body turns, and nothing but the shape of a contact holds it: rotations are taken for small ones, so its place means nothing. "
-     "Hold "
-     "it by a condition on one component (Boundary Conditions/<name>/Components)"},
+     "The body rotates, and only the shape of a contact constrains it. Small rotations are assumed, so its position is meaningless. "
+     "Constrain one component of its displacement (Boundary Conditions/<name>/Components)"},
     {"friction", kFriction},
     {"slip", kFriction},
     {"dissipation", kFriction},
     {"slide",
-     "The sides slide, or roll, by that many elements, and their forces stay between the nodes that face each other in the mesh: place the "
-     "body in the mesh where it comes to lie, or move it less"},
+     "The sides slide or roll by this number of elements, but contact forces stay at the nodes that are opposite in the mesh: place the "
+     "body at its final position in the mesh, or move it less"},
     {"offset",
-     "The contact holds its sides across a gap: its forces act at two places, and their moment is missing. Let the sides meet in the mesh, "
-     "or model what lies between them as a body"},
+     "The contact acts across a gap: its forces act on two different lines, and their moment is missing. Let the sides touch in the mesh, "
+     "or model the layer between them as a body"},
 };
 
 }  // namespace

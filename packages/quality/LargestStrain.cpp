@@ -28,7 +28,7 @@ void search(const SubdomainMesh& mesh, const Vector& displacement, Largest& stra
         0.5 * Eigen::Vector3d(gradient(2, 1) - gradient(1, 2), gradient(0, 2) - gradient(2, 0), gradient(1, 0) - gradient(0, 1)).norm();
     const auto place = [&] { return map.place(); };
     if (rotation > kSmall) rotations.take(rotation, mesh.body, mesh.globalElements[e], place);
-    const double bound = strain.norm();  // no principal strain is larger
+    const double bound = strain.norm();  // upper bound of the principal strains
     if (bound <= kSmall || !strains.mayTake(bound)) continue;
     const double largest =
         Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(strain, Eigen::EigenvaluesOnly).eigenvalues().cwiseAbs().maxCoeff();

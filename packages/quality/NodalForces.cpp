@@ -29,7 +29,7 @@ void addContact(const SubdomainMesh& mesh, const PairForces& forces, Matrix& nod
     if (!counts(mesh, end.node)) continue;
     const ContactPair& pair = *pairs.at(end.pair);
     const auto found = forces.find(end.pair);
-    if (found == forces.end()) continue;  // verifyPairs() tells
+    if (found == forces.end()) continue;  // reported by verifyPairs()
     const PairForce& said = found->second;
     const double weight = pair.ends[end.end].weight;
     double* sum = nodes.col(end.node).data() + NodalRows{mesh.dimension}.contact();
@@ -49,7 +49,7 @@ void addSupports(const SubdomainMesh& mesh, const ElasticModel& model, const Vec
   supports.forEachSupport(displacement, [&](int number, const Vector& own) { reactions.addSpring(mesh, number, own); });
 }
 
-/// Initial states leave the rounding of their own forces, whatever the displacements are.
+/// Adds forces and round-off of initial states, which have round-off independent of the displacements.
 void addInitial(const SubdomainMesh& mesh, const ElasticModel& model, OwnForces& all) {
   Vector sizes;
   const Vector forces = initialForces(mesh, model, &sizes);

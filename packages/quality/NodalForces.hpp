@@ -4,7 +4,8 @@
 
 namespace suture {
 
-/// Rows of the sums at the nodes of a mesh: K u, loads, contact forces (a row a component) [force]; ElementForces::rounding and stiffness.
+/// Rows of the sums at the nodes of a mesh: K u, loads, contact forces (one row per component) [force]; round-off and stiffness
+/// (ElementForces).
 struct NodalRows {
   int dimension = 2;
 
@@ -16,14 +17,14 @@ struct NodalRows {
   int count() const { return 3 * dimension + 2; }
 };
 
-/// Forces at the nodes of a scene, and the first of their resultants.
+/// Forces at the nodes of a scene, and the first part of their resultants.
 struct NodalForces {
   std::vector<Matrix> nodes;  ///< by mesh: NodalRows x nodes, summed over subdomains
-  Balance balance;            ///< rigid obstacles, on the rank that counts a pair, elastic supports, and initial states, which are no loads
-  Reactions reactions;        ///< sums over this rank
+  Balance balance;      ///< of rigid obstacles, on the rank that counts a pair, elastic supports, and initial states, which are not loads
+  Reactions reactions;  ///< sums over this rank
 };
 
-/// Loops over elements, loads and pairs. Collective. \throws InputError  an element is folded
+/// Loops over elements, loads and pairs. Collective. \throws InputError  if an element is folded
 NodalForces nodalForces(const Comm& comm, const Answer& answer, const SeamExchange& seams);
 
 }  // namespace suture

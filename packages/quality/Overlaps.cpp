@@ -18,12 +18,12 @@ namespace suture {
 
 namespace {
 
-constexpr double kInside = 0.01;  // part of a side that is a depth
-constexpr double kPassed = 0.5;   // part of a side by which sides of a contact have passed through each other
-constexpr double kSmooth = 0.8;   // between normals of sides that meet, from which on there is a corner: 46 degrees
-constexpr double kSafe = 0.25;    // times the turn to the next side and the length: twice what the side cuts off an arc
+constexpr double kInside = 0.01;  // smallest depth, as a fraction of a side
+constexpr double kPassed = 0.5;   // fraction of a side by which sides of a contact have passed through each other
+constexpr double kSmooth = 0.8;   // distance between unit normals of adjacent sides from which there is a corner: 46 degrees
+constexpr double kSafe = 0.25;    // times the angle to the next side and the length: twice the distance between a side and its arc
 
-/// First number that both have, ascending; -1: none.
+/// First number that both ascending lists contain; -1: none.
 int common(const std::vector<int>& a, const std::vector<int>& b) {
   for (const int x : a)
     if (std::find(b.begin(), b.end(), x) != b.end()) return x;
@@ -74,7 +74,7 @@ OverlapSearch::OverlapSearch(const std::vector<SubdomainMesh>& meshes, int bodie
   }
 }
 
-/// One search, for bodies in one place.
+/// One search, for bodies at fixed positions.
 class OverlapSearch::Search {
  public:
   Search(const Comm& comm, const OverlapSearch& all, const std::vector<Vector>& displacement) : comm_(comm), all_(all) {
@@ -97,7 +97,7 @@ class OverlapSearch::Search {
   }
 
  private:
-  /// Places of a mesh's nodes on the outline, and its facets.
+  /// Positions of a mesh's nodes on the outline, and its facets.
   void place(std::size_t i, const std::vector<Vector>& displacement) {
     const SubdomainMesh& mesh = all_.meshes_[i];
     const MeshOutline& outline = all_.outlines_[i];
@@ -123,7 +123,7 @@ class OverlapSearch::Search {
         const Point along = minus(facet.corners[1], facet.corners[0]);
         const Point area = mesh.dimension == 2 ? Point{along[1], -along[0], 0} : cross(along, minus(facet.corners[2], facet.corners[0]));
         const double size = norm(area);
-        if (!(size > 0.0)) continue;  // folded to nothing
+        if (!(size > 0.0)) continue;  // degenerate
         facet.normal = scaled(1.0 / size, area);
         for (int a = 0; a < mesh.dimension; ++a)
           facet.size = std::max(facet.size, norm(minus(facet.corners[(a + 1) % mesh.dimension], facet.corners[a])));
@@ -142,7 +142,7 @@ class OverlapSearch::Search {
             facets[f].bulge = std::max(facets[f].bulge, kSafe * turn * facets[f].size);
   }
 
-  /// Boxes of the bodies, and which of them meet. False where none do.
+  /// Boxes of the bodies, and which of them intersect. False if none do.
   bool findNeighbours() {
     const int d = 3, count = all_.bodies_;
     const double far = std::numeric_limits<double>::infinity();
@@ -184,7 +184,7 @@ class OverlapSearch::Search {
     return any;
   }
 
-  /// Outlines of the bodies that meet others, on every rank.
+  /// Outlines of the bodies that intersect others, on every rank.
   void gather() {
     std::vector<Facet> mine;
     for (const std::vector<Facet>& facets : facets_)
@@ -262,7 +262,7 @@ class OverlapSearch::Search {
     }
   }
 
-  /// \param at  facets of `own` that meet at the place
+  /// \param at  facets of `own` that meet at this point
   void judge(const std::vector<Facet>& own, const std::vector<int>& at, const std::vector<int>& contacts, const Point& place,
              const BodyOutline& other, int body) {
     const BodyOutline::Depth depth = other.depthAt(place);
@@ -284,7 +284,7 @@ class OverlapSearch::Search {
   void keep(const Overlap& overlap) {
     const auto [low, high] = std::minmax(overlap.body, overlap.into);
     Overlap& kept = deepest_[{low, high, overlap.contact}];
-    // Of equal ones the same, whatever the number of ranks.
+    // Among equal ones a fixed choice, independent of the number of ranks.
     if (overlap.depth > (1.0 + kSamePoint) * kept.depth || (overlap.depth > (1.0 - kSamePoint) * kept.depth && overlap.place < kept.place))
       kept = overlap;
   }
@@ -298,7 +298,7 @@ class OverlapSearch::Search {
   std::vector<std::vector<std::vector<int>>> facetsAt_;  // by mesh and node
   std::vector<BoundingBox> boxes_;                       // of the bodies
   std::vector<std::vector<int>> neighbours_;             // bodies whose boxes overlap, by body
-  std::vector<Facet> everywhere_;                        // those that were gathered
+  std::vector<Facet> everywhere_;                        // gathered facets
   std::vector<std::string> names_;                       // their groups
   std::map<int, BodyOutline> bodies_;
   std::map<std::array<int, 3>, Overlap> deepest_;  // by bodies and contact
@@ -318,7 +318,7 @@ std::string inWords(const Overlap& overlap, const std::vector<std::string>& bodi
                      bodies[overlap.into] + "', " + depth + (unit.empty() ? "" : " " + unit) + " deep at " +
                      placeText(overlap.place, overlap.dimension) + ", with " + side(overlap.group) + " behind " + side(overlap.nearest);
   if (overlap.contact < 0) return text + ": no contact is declared there";
-  return text + ": their contact '" + contacts[overlap.contact] + "' joins other places of these sides";
+  return text + ": their contact '" + contacts[overlap.contact] + "' joins other parts of these sides";
 }
 
 }  // namespace suture

@@ -7,13 +7,13 @@
 
 namespace suture {
 
-/// Two bodies of which one reaches into the other.
+/// Two bodies of which one penetrates the other.
 struct Overlap {
-  int body = -1, into = -1;    ///< places in ElasticModel::bodies
-  std::string group, nearest;  ///< side group of `body` that is deepest inside, and of `into` nearest to it; empty: in none
+  int body = -1, into = -1;    ///< indices in ElasticModel::bodies
+  std::string group, nearest;  ///< deepest side group of `body`, and the side group of `into` nearest to it; empty: none
   double depth = 0.0;          ///< its distance from the surface of `into` [length]
-  Point place{0, 0, 0};        ///< where, as the body lies
-  int contact = -1;            ///< line of a contact between both there; -1: none is declared
+  Point place{0, 0, 0};        ///< deformed position
+  int contact = -1;            ///< line of a contact between both bodies there; -1: none is declared
   int dimension = 2;
 
   template <typename Self, typename Each>
@@ -23,25 +23,25 @@ struct Overlap {
   }
 };
 
-/// A warning about it. \param contacts  names of the contact lines  \param drawn  the bodies are as they are drawn
+/// Warning about an overlap. \param contacts  names of the contact lines  \param drawn  the bodies are undeformed
 std::string inWords(const Overlap& overlap, const std::vector<std::string>& bodies, const std::vector<std::string>& contacts, bool drawn,
                     const std::string& unit);
 
-/// Finds bodies that reach into each other, whatever the scene says of contact. The outlines of the bodies are sides whose nodes are joined
-/// by straight lines and triangles. A node of an outline, and each piece of its edges between two places where it passes through another
-/// outline, is inside a body by the sense of the nearest side's normal; trees of boxes find nearest sides.
+/// Finds bodies that penetrate each other, with or without a contact between them. The outlines of the bodies are sides whose nodes are
+/// joined by straight lines and triangles. A node of an outline, and each piece of its edges between two intersections with another
+/// outline, is inside a body according to the normal of the nearest side, which is found by bounding-box trees.
 ///
-/// Costs one pass over the elements, once; else only what outlines inside the boxes of other bodies do: n log n of their sides, which each
-/// rank has all of.
+/// Costs one pass over the elements, once; after that only the parts of outlines inside the boxes of other bodies count: O(n log n) for
+/// their n sides, all of which are on each rank.
 class OverlapSearch {
  public:
-  /// Local. \param meshes  of this rank; must outlive it  \param bodies  number of bodies  \param given  lines of contacts whose gap the
-  /// scene gives instead of the mesh: bodies that they join are not where they are drawn, and are left out
+  /// Local. \param meshes  of this rank; must outlive this object  \param bodies  number of bodies  \param given  lines of contacts with a
+  /// gap given by the scene instead of the mesh: the bodies that they join are not at their drawn positions and are left out
   OverlapSearch(const std::vector<SubdomainMesh>& meshes, int bodies, const std::set<int>& given = {});
 
-  /// For each two bodies the deepest place without a contact, by more than a hundredth of a side and what straight sides cut off curved
-  /// bodies; and the deepest with one, by more than half a side. The same on all ranks. Collective.
-  /// \param displacement  of each mesh, beside its lift, node-major; empty: bodies as they are drawn
+  /// For each pair of bodies the deepest point without a contact, if deeper than a hundredth of a side plus the distance between straight
+  /// sides and curved bodies; and the deepest point with a contact, if deeper than half a side. The same on all ranks. Collective.
+  /// \param displacement  of each mesh, without its lift, node-major; empty: undeformed bodies
   std::vector<Overlap> find(const Comm& comm, const std::vector<Vector>& displacement = {}) const;
 
  private:
@@ -51,7 +51,7 @@ class OverlapSearch {
   };
   struct MeshOutline {
     std::vector<LinearSide> sides;
-    std::vector<int> nodes;                  // of them, ascending
+    std::vector<int> nodes;                  // nodes of the sides, ascending
     std::vector<std::vector<int>> contacts;  // lines of the contacts at each of the mesh's nodes; empty: the mesh has none
   };
   class Search;

@@ -12,11 +12,11 @@ namespace {
 
 struct EndShare {
   int pair, end, body;
-  Point displacement;  // beside the lift
+  Point displacement;  // without the lift
   Point motion;        // of the lift
 };
 
-/// A pair with its past slip in the scene, its gap in the scene, and what its law does.
+/// A pair with its past slip and its gap as in the scene, without lift, and the properties of its law.
 struct Carried {
   ContactPair pair;
   double gap;
@@ -95,7 +95,7 @@ std::vector<PairResult> axisResults(const std::vector<ContactPiece>& pieces, con
       result.position = point.position;
       result.normal = point.normal;
       result.force = result.dissipated = 0.0;
-      result.tangential = result.slip = {0, 0, 0};  // all radial directions are alike
+      result.tangential = result.slip = {0, 0, 0};  // all radial directions are equivalent
       const bool bothClosed = near.state.closed() && far.state.closed();
       if (bothClosed) result.pressure = std::max(0.0, point.pressure[0] * near.pressure + point.pressure[1] * far.pressure);
       const auto at = [&](double a, double b) { return point.value[0] * a + point.value[1] * b; };
@@ -142,9 +142,9 @@ std::vector<PairResult> pairResults(const Comm& comm, const std::vector<const Su
   std::vector<PairResult> results;
   collectivelyOnRoot(comm, "gathering the contact pairs", [&] {
     std::sort(allForces.begin(), allForces.end(), [](const PairForce& a, const PairForce& b) { return a.id < b.id; });
-    if (allForces.size() != pairs.size()) throw InternalError("the contact forces are not as many as the pairs");
-    std::map<int, std::vector<Point>> ofEnds, motions;  // beside the lift, and of the lift where there is one
-    std::map<int, std::map<int, double>> weights;       // sum of each body's; single ones of a mortar may have either sign
+    if (allForces.size() != pairs.size()) throw InternalError("the numbers of contact forces and pairs differ");
+    std::map<int, std::vector<Point>> ofEnds, motions;  // without the lift, and of the lift if there is one
+    std::map<int, std::map<int, double>> weights;       // sum of each body's weights; individual mortar weights may have either sign
     for (const auto& [id, carrier] : pairs) ofEnds[id].resize(carrier.pair.ends.size());
     for (const EndShare& end : allEnds) {
       ofEnds.at(end.pair).at(end.end) = end.displacement;
@@ -157,7 +157,7 @@ std::vector<PairResult> pairResults(const Comm& comm, const std::vector<const Su
     }
     for (const PairForce& force : allForces) {
       const auto pair = pairs.find(force.id);
-      if (pair == pairs.end()) throw InternalError("a contact force of a pair that does not exist");
+      if (pair == pairs.end()) throw InternalError("a contact force for an unknown pair");
       const auto motion = motions.find(force.id);
       PairResult& result = results.emplace_back(pairResult(pair->second.pair, force, ofEnds.at(force.id), pair->second.kind,
                                                            motion == motions.end() ? std::vector<Point>() : motion->second));

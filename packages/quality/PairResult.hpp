@@ -8,10 +8,10 @@
 
 namespace suture {
 
-/// Part of a pair's weights up to which their sum is zero but for rounding, as in takeOutRigidMotions().
+/// Fraction of a pair's weights up to which their sum counts as zero up to round-off, as in takeOutRigidMotions().
 constexpr double kBalanced = 1e-12;
 
-/// Effects of a pair's law on it, whatever its state.
+/// Properties of a pair's law, independent of the pair's state.
 struct PairKind {
   bool separates = true;          ///< ContactLaw::separates
   bool restrictsSliding = false;  ///< ContactRow::restrictsSliding
@@ -24,58 +24,59 @@ struct PairKind {
 /// State of a contact pair at the end of a run: gap > 0 open, pressure and force > 0 compressive.
 struct PairResult {
   int id = -1;
-  GlobalId node = -1;  ///< that carries it: number in the mesh
+  GlobalId node = -1;  ///< carrying node: number in the mesh
   int line = -1;
   int piece = -1;
   std::array<int, 2> bodies{{-1, -1}};  ///< bodies of sides A and B; -1: a rigid obstacle
-  ContactState state;                   ///< as the law of its contact decided it
-  bool touching = false;                ///< open, and without a gap
+  ContactState state;                   ///< as determined by the law of its contact
+  bool touching = false;                ///< open with zero gap
   double initialGap = 0.0;              ///< [length]
   double gap = 0.0;                     ///< initial gap - (u_A - u_B).n [length]
-  double force = 0.0;           ///< along the normal, on B; per unit thickness in the plane, of the whole circle if axisymmetric [force]
-  double pressure = 0.0;        ///< force / tributary length (axisymmetric: area) [stress]
-  double length = 0.0;          ///< tributary length, axisymmetric: area [length or area]
-  double arc = 0.0;             ///< arc length along the line [length]
-  Point position{0, 0, 0};      ///< where its force acts, undeformed
-  Point displacement{0, 0, 0};  ///< displacement of the node that carries it
+  double force = 0.0;                   ///< along the normal, on B; per unit thickness in 2D, of the whole circle if axisymmetric [force]
+  double pressure = 0.0;                ///< force / tributary length (axisymmetric: area) [stress]
+  double length = 0.0;                  ///< tributary length, axisymmetric: area [length or area]
+  double arc = 0.0;                     ///< arc length along the line [length]
+  Point position{0, 0, 0};              ///< point where its force acts, undeformed
+  Point displacement{0, 0, 0};          ///< displacement of the carrying node
   Point normal{0, 0, 0};
   PairKind kind;
-  Point tangential{0, 0, 0};  ///< force along the sides, on B [force]
-  Point slip{0, 0, 0};        ///< part of u_A - u_B along the sides [length]
+  Point tangential{0, 0, 0};  ///< tangential force on B [force]
+  Point slip{0, 0, 0};        ///< tangential part of u_A - u_B [length]
   ContactPair::Past past;     ///< at the beginning of the load step
-  double bound = 0.0;         ///< largest tangential force of the state; 0 where the law sets none [force]
-  double dissipated = 0.0;    ///< work of the tangential force where the pair has slid, in all load steps [energy]
+  double bound = 0.0;         ///< largest tangential force of the state; 0 if the law has no limit [force]
+  double dissipated = 0.0;    ///< work of the tangential force during sliding, over all load steps [energy]
 
   /// Slip of the load step.
   Point stepSlip() const { return minus(slip, past.slip); }
   /// The whole contact force on B.
   Point onB() const { return plus(scaled(force, normal), tangential); }
-  /// True if a bound limits the tangential force of the pair as it is.
+  /// True if a bound limits the tangential force of the pair in its current state.
   bool isBounded() const { return kind.restrictsSliding && state.closed() && (kind.separates || state.status == PairStatus::Slip); }
-  /// Opens the pair: it carries nothing.
+  /// Opens the pair and clears its forces.
   void open();
 };
 
-/// The one place where a PairResult is made. Local. \param ofEnds  displacement of each of the pair's ends, in their order
-/// \param ofLift  rigid motion of each that was taken out of `ofEnds` and the gap; empty: none
+/// The only function that creates a PairResult. Local. \param ofEnds  displacement of each of the pair's ends, in their order
+/// \param ofLift  rigid motion of each end that was taken out of `ofEnds` and the gap; empty: none
 PairResult pairResult(const ContactPair& pair, const PairForce& force, const std::vector<Point>& ofEnds, const PairKind& kind = {},
                       const std::vector<Point>& ofLift = {});
 
-/// Jump u_A - u_B of a pair along its sides. Both sides moved alike make none, though weights of a mortar sum to zero but for rounding.
+/// Jump u_A - u_B of a pair along its sides. Zero if both sides move alike, although the weights of a mortar sum to zero only up to
+/// round-off.
 Point slipOf(const ContactPair& pair, const std::vector<Point>& ofEnds);
 
-/// Values shown on the axis: pressures and gaps there from those of the pairs beside, without force; as open as the nearer pair. Local, on
-/// rank 0. \param pairs  all, by id
+/// Values on the axis: pressures and gaps there from those of the nearest pairs, without force; the state is that of the nearest pair.
+/// Local, on rank 0. \param pairs  all, by id
 std::vector<PairResult> axisResults(const std::vector<ContactPiece>& pieces, const std::vector<PairResult>& pairs);
 
 /// All pairs on rank 0, by id. Collective.
-/// \param displacement  of each mesh of this rank, beside its lift, node-major, Cartesian
+/// \param displacement  of each mesh of this rank, without its lift, node-major, Cartesian
 /// \param forces  of this rank; each pair on one rank
-/// \throws InternalError  a pair without force, or a force without pair
+/// \throws InternalError  for a pair without force, or a force without pair
 std::vector<PairResult> pairResults(const Comm& comm, const std::vector<const SubdomainMesh*>& meshes,
                                     const std::vector<Vector>& displacement, const std::vector<PairForce>& forces);
 
-/// True in one of the subdomains that hold a node: the lowest.
+/// True in exactly one of the subdomains that share a node: the lowest.
 bool counts(const SubdomainMesh& mesh, int node);
 
 }  // namespace suture

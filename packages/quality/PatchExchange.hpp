@@ -7,24 +7,24 @@
 
 namespace suture {
 
-/// Sums over the blocks of a cut mesh, so that a patch is the same on every rank that holds a part of it. As it stands here: for a
-/// mesh that was not cut.
+/// Sums over the blocks of a partitioned mesh, so that a patch is the same on every rank that has a part of it. This base class is for an
+/// unpartitioned mesh.
 class PatchExchange {
  public:
   virtual ~PatchExchange() = default;
-  /// Every column becomes the sum over all columns of the same patch (node of the mesh and material), in whatever block they are.
-  /// \param perBlock  one matrix a block, one column a patch
+  /// Replaces every column by the sum over all columns of the same patch (node of the mesh and material), over all blocks.
+  /// \param perBlock  one matrix per block, one column per patch
   virtual void sum(std::vector<Matrix>& perBlock) const;
-  /// Does the work of one rank, so that an exception becomes that of all.
+  /// Runs the work of one rank; an exception is raised on all ranks.
   virtual void local(const std::function<void()>& work) const { work(); }
-  /// The largest of all ranks' numbers.
+  /// Maximum over all ranks.
   virtual int largest(int mine) const { return mine; }
 };
 
-/// Sums over the subdomains of a body that hold a node: each adds the same numbers in the same order.
+/// Sums over the subdomains of a body that share a node; all add the same numbers in the same order.
 class SubdomainExchange : public PatchExchange {
  public:
-  /// Collective. \param patches  of each mesh of this rank; they, the meshes and the communicator outlive it
+  /// Collective. \param patches  of each mesh of this rank; patches, meshes and communicator must outlive this object
   SubdomainExchange(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const std::vector<const VertexPatches*>& patches);
 
   void sum(std::vector<Matrix>& perBlock) const override;
@@ -32,14 +32,14 @@ class SubdomainExchange : public PatchExchange {
   int largest(int mine) const override;
 
  private:
-  /// A patch as all ranks know it.
+  /// Identifies a patch across ranks.
   struct Key {
     GlobalId node;
     double young, poisson;
-    GlobalId material;  // as wide as the others: no byte of what is sent is undefined
+    GlobalId material;  // as wide as the others, so that no padding bytes are sent
     bool operator<(const Key& other) const;
   };
-  /// A subdomain's part of the patches at nodes that it shares.
+  /// A subdomain's part of the patches at shared nodes.
   struct Share {
     int subdomain;
     std::vector<Key> patches;
@@ -49,7 +49,7 @@ class SubdomainExchange : public PatchExchange {
   const Comm& comm_;
   const std::vector<SubdomainMesh>& meshes_;
   std::vector<std::vector<int>> shared_;     // patches at shared nodes, of each block
-  std::vector<std::vector<Key>> keys_;       // of those
+  std::vector<std::vector<Key>> keys_;       // keys of the patches in shared_
   std::map<int, std::vector<int>> toRanks_;  // blocks that share a node with a rank
 };
 

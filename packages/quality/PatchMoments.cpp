@@ -7,8 +7,8 @@ namespace suture::patch {
 
 namespace {
 
-constexpr double leastPivot = 1e-10;      // smallest pivot accepted, of the matrix scaled to a unit diagonal
-constexpr double leastThickness = 1e-20;  // square of a patch's extent along an axis over that along all: less is rounding
+constexpr double leastPivot = 1e-10;      // smallest accepted pivot of the matrix scaled to a unit diagonal
+constexpr double leastThickness = 1e-20;  // least ratio of a patch's squared extent along an axis to the total; less is round-off
 
 template <int D>
 int degreeOf(int term) {

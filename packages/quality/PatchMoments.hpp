@@ -20,7 +20,7 @@ using Terms = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, maxTerms<D>, 1>;
 template <int D>
 using Polynomial = Eigen::Matrix<double, Eigen::Dynamic, components<D>, 0, maxTerms<D>, components<D>>;
 
-/// Number of the monomials of an order or less.
+/// Number of monomials up to an order.
 template <int D>
 constexpr int termsOf(int order) {
   return D == 2 ? (order + 1) * (order + 2) / 2 : (order + 1) * (order + 2) * (order + 3) / 6;
@@ -68,8 +68,8 @@ struct Layout {
   int orderOfPatch(const double* column) const { return column[quadratic()] > 0.0 ? order : 1; }
 };
 
-// Least squares by a polynomial of an order; false, and nothing is written, if the points do not determine it, or leave the value at the
-// vertex a variance above `most`. `variances`: as `column`, each point counted by the square of its weight.
+// Least-squares fit of a polynomial of an order; returns false without writing if the points do not determine it, or if the variance of the
+// value at the vertex exceeds `most`. `variances`: as `column`, with each point weighted by the square of its weight.
 template <int D>
 bool fit(const Layout<D>& layout, const double* column, const double* variances, int order, double most, Eigen::Ref<Vector> polynomial);
 

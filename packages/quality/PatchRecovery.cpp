@@ -12,18 +12,19 @@ using namespace patch;
 
 namespace {
 
-// Variance of the stress at the vertex where those at the points have a variance of one: (A^-1)_00. A few tenths in the middle of a body;
-// more than this is extrapolation. Boundary patches of quadratic triangles pass, those of other cells do not.
+// Largest variance of the stress at the vertex for unit variance at the points: (A^-1)_00. It is a few tenths in the interior of a body;
+// more than this value is extrapolation. Boundary patches of quadratic triangles pass, those of other cells do not.
 constexpr double mostAmplified = 2.0;
-// Where a patch alone is not enough, its neighbours' points count, too, but as little as possible: the first of these weights that leaves
-// the vertex's value no larger a variance than that of one point. Of quadratic quadrilaterals they then decide the curvature across the
-// boundary only. (Where the stress is not smooth, at the end of contact, the neighbours' polynomial is far from the stress at the vertex.)
+// Weights of the neighbours' points where a patch alone is not enough: the first of these weights for which the variance at the vertex does
+// not exceed that of one point. For quadratic quadrilaterals the neighbours then determine only the curvature across the boundary. (Where
+// the stress is not smooth, at the end of contact, the neighbours' polynomial is far from the stress at the vertex.)
 constexpr double weights[] = {0.001, 0.1, 1.0};
 constexpr double mostAmplifiedJoined = 1.0;
-// Part of the whole norm squared that stands for displacements without stress: an error of theirs is then told relative to that.
+// Fraction of the total squared norm that replaces a smaller norm of the computed stress: the error of displacements without stress is then
+// relative to it.
 constexpr double kLeastNorm = 1e-16;
 
-/// The law of the material that elements have, one after the other.
+/// Laws of the elements' materials, cached from one element to the next.
 template <int D>
 class Laws {
  public:
@@ -116,7 +117,7 @@ void PatchRecovery::fitAlone(const Matrix& moments) {
   }
 }
 
-// Elements count, not edges and vertices: an edge on a seam is seen from several subdomains, an element from one.
+// Counted by elements, not by edges and vertices: several subdomains share an edge on a seam, but only one has the element.
 template <int D>
 Matrix PatchRecovery::acrossEdges(const Matrix& moments) const {
   const Layout<D> layout(order_);
@@ -150,7 +151,7 @@ void PatchRecovery::fitJoined(const Matrix& moments, const Matrix& neighbours) {
   }
 }
 
-// Elements count here, too.
+// Counted by elements, too.
 template <int D>
 Matrix PatchRecovery::fromNeighbours() const {
   const int terms = termsOf<D>(order_), width = terms * components<D>;
@@ -262,7 +263,7 @@ ElementErrors PatchRecovery::errorsOfElements() const {
     const Cell cell = block_->cells[e];
     nodalOf<D>(e, nodal);
     if (isSimplex(cell) && cellInfo(cell).order == 1 && !block_->axisymmetric && !initial_.isIn(e)) {
-      // A linear difference: its mass matrix is known.
+      // A linear difference: exact mass matrix.
       ElementStress<D> element(*block_, e, referenceElement(cell, Rule::Sampling), law, displacement_, initial_);
       element.at(0);
       const StressVector<D> stress = element.stress();
@@ -319,7 +320,7 @@ void PatchRecovery::recover(std::vector<PatchRecovery>& blocks, const PatchExcha
         summed([&](const PatchRecovery& block) { return block.template acrossEdges<D>(moments[std::size_t(&block - blocks.data())]); });
     for (std::size_t i = 0; i < blocks.size(); ++i) blocks[i].template fitJoined<D>(moments[i], sums[i]);
   }
-  // Twice: a corner may have no neighbour that stands alone, but neighbours that have some.
+  // Two passes: a corner may have no neighbour with its own polynomial, but neighbours that get one in the first pass.
   for (int pass = 0; pass < 2 && unfitted(); ++pass) {
     const std::vector<Matrix> sums = summed([](const PatchRecovery& block) { return block.template fromNeighbours<D>(); });
     for (std::size_t i = 0; i < blocks.size(); ++i) blocks[i].takeFromNeighbours(sums[i]);

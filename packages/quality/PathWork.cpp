@@ -40,7 +40,7 @@ WorkMeter::End WorkMeter::endOf(const Answer& answer) const {
       for (int k = 0; rule && k < d; ++k) {
         if (!rule->fixed[k]) continue;
         const Eigen::Map<const Vector> axis(rule->axes[k].data(), d);
-        force.col(node) += axis.dot(lacking) * axis;  // force of whoever prescribes the displacement
+        force.col(node) += axis.dot(lacking) * axis;  // force of the prescribed displacement
       }
     }
     end.force.push_back(std::move(force));

@@ -5,30 +5,29 @@
 
 namespace suture {
 
-/// Work on a path of load steps, from the undeformed bodies on; between the ends of a step forces change linearly with the displacements.
-/// [energy]
+/// Work on a path of load steps, starting from the undeformed bodies; within a step forces change linearly with the displacements. [energy]
 struct PathWork {
   double external = 0.0;    ///< work of loads and prescribed displacements
-  double stored = 0.0;      ///< u.K u / 2, elastic supports included
-  double normal = 0.0;      ///< work that normal contact forces have taken, of pairs that open or close: none if steps are short
-  double tangential = 0.0;  ///< work that tangential contact forces have taken
-  double dissipated = 0.0;  ///< work of friction as PairResult has it: the force at the end of each step times the step's slip
+  double stored = 0.0;      ///< u.K u / 2, including elastic supports
+  double normal = 0.0;      ///< work absorbed by normal contact forces of pairs that open or close: tends to zero for short steps
+  double tangential = 0.0;  ///< work absorbed by tangential contact forces
+  double dissipated = 0.0;  ///< work of friction as in PairResult: force at the end of each step times the slip of the step
   double size = 0.0;        ///< sum of the magnitudes of the steps' works
 
-  /// Work that is neither stored nor taken by contact, relative to the size: what equilibrium lacks on the way.
+  /// Work that is neither stored nor absorbed by contact, relative to `size`: lack of equilibrium along the path.
   double imbalance() const;
-  /// Effect of the length of the steps: works that would vanish, or agree, if they were short, relative to the size.
+  /// Effect of the step length, relative to `size`: work terms that would vanish or agree for short steps.
   double stepError() const;
 };
 
-/// Adds the work of one step after the other, by loops over elements, loads and pairs, as verify() judges an answer.
+/// Adds up the work step by step, by loops over elements, loads and pairs like those of verify().
 class WorkMeter {
  public:
-  /// `comm` and the meshes of all answers outlive it.
+  /// `comm` and the meshes of all solutions must outlive this object.
   explicit WorkMeter(const Comm& comm) : comm_(comm) {}
-  /// Goes on from an answer. \param soFar  work up to it. Collective.
+  /// Continues from a solution. \param soFar  work up to it. Collective.
   void goOnFrom(const Answer& answer, const PathWork& soFar);
-  /// Adds the step that ends with an answer, under the loads of the answer's model. Collective.
+  /// Adds the step that ends with a solution, under the loads of its model. Collective.
   void add(const Answer& answer);
   const PathWork& work() const { return work_; }
 

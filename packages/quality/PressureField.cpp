@@ -38,7 +38,7 @@ std::vector<int> heldPairs(const Comm& comm, const std::vector<SubdomainMesh>& m
 /// A nodal value as a combination of others.
 using Combination = std::vector<std::pair<GlobalId, double>>;
 
-/// p_h at a held node of a line from another side's nodes: weights of the other two, or of the other one.
+/// p_h at a fixed node of a line, extrapolated from the nodes of a side: weights of the other two nodes, or of the other one.
 struct Continuation {
   GlobalId held;
   Combination from;
@@ -54,7 +54,7 @@ std::vector<Continuation> continuationsOf(const ContactSide& side, const std::se
   return {held.count(a) ? Continuation{a, {{middle, 2.0}, {b, -1.0}}} : Continuation{b, {{middle, 2.0}, {a, -1.0}}}};
 }
 
-/// Where two sides of a line go on into a held node, their mean.
+/// Extrapolation to fixed nodes; the mean if two sides of a line meet there.
 std::map<GlobalId, Combination> continuedAlongLines(const std::vector<ContactSide>& sides, const std::set<GlobalId>& held) {
   std::map<GlobalId, std::vector<Continuation>> continued;
   for (const ContactSide& side : sides)
@@ -66,10 +66,10 @@ std::map<GlobalId, Combination> continuedAlongLines(const std::vector<ContactSid
   return all;
 }
 
-/// Continuation on a surface: a polynomial fitted to the pressures at the nearest nodes.
+/// Extrapolation on a surface: a polynomial fitted to the pressures at the nearest nodes.
 class SurfaceFit {
  public:
-  /// \param nodes  that have pressures
+  /// \param nodes  nodes with pressures
   SurfaceFit(const std::vector<ContactSide>& sides, const std::set<GlobalId>& nodes) : sides_(sides), nodes_(nodes) {
     for (std::size_t s = 0; s < sides.size(); ++s)
       for (std::size_t i = 0; i < sides[s].nodes.size(); ++i) {
@@ -88,7 +88,7 @@ class SurfaceFit {
       if (constant.empty())
         for (const GlobalId one : from) constant.push_back({one, 1.0 / static_cast<double>(from.size())});
       const bool isFirstOrder = sides_.front().nodes.size() <= kMostSideVertices;
-      if (isFirstOrder && constant.empty()) continue;  // a corner whose sides are held as a whole
+      if (isFirstOrder && constant.empty()) continue;  // a corner with sides that are entirely fixed
       if (isFirstOrder) return constant;
       if (const Combination straight = fitted(node, from); !straight.empty()) return straight;
     }
@@ -97,7 +97,7 @@ class SurfaceFit {
 
  private:
   static constexpr int kRings = 3;             // of sides around the node
-  static constexpr double kDetermined = 1e-3;  // ratio of the extents of the nodes beside each other that tell a slope
+  static constexpr double kDetermined = 1e-3;  // ratio of the extents of the nodes from which a slope is determined
 
   std::set<GlobalId> grown(const std::set<GlobalId>& nodes) const {
     std::set<GlobalId> all;
@@ -110,7 +110,7 @@ class SurfaceFit {
     std::set_intersection(reached.begin(), reached.end(), nodes_.begin(), nodes_.end(), std::back_inserter(both));
     return both;
   }
-  /// Value at a node of the linear function that fits others best; none where they do not determine it.
+  /// Value at a node of the linear function that fits others best; none if they do not determine it.
   Combination fitted(GlobalId node, const std::vector<GlobalId>& from) const {
     if (from.size() < 3) return {};
     Matrix arms(static_cast<int>(from.size()), 3);
@@ -118,7 +118,7 @@ class SurfaceFit {
       const Point arm = minus(points_.at(from[i]), points_.at(node));
       arms.row(Eigen::Index(i)) << arm[0], arm[1], arm[2];
     }
-    const SingularValues axes = singularValues(arms);  // the third one is across the surface
+    const SingularValues axes = singularValues(arms);  // the third axis is normal to the surface
     Matrix terms(arms.rows(), 3);
     terms.col(0).setConstant(axes.values[0] / std::sqrt(double(from.size())));
     terms.rightCols(2) = arms * axes.v.leftCols(2);
@@ -136,7 +136,7 @@ class SurfaceFit {
   std::map<GlobalId, Point> points_;
 };
 
-/// p_h at the held nodes as combinations of the values at other nodes.
+/// p_h at the fixed nodes as combinations of the values at other nodes.
 std::map<GlobalId, Combination> continuedValues(const std::vector<ContactSide>& sides, const std::set<GlobalId>& carriers,
                                                 const std::set<GlobalId>& held) {
   if (held.empty() || sides.empty()) return {};
@@ -149,7 +149,7 @@ std::map<GlobalId, Combination> continuedValues(const std::vector<ContactSide>& 
   return all;
 }
 
-/// Middle and central nodes of sides in space whose pressures are those of linear functions of the vertices. None if one of them carries a
+/// Mid-side and central nodes of 3D sides with pressures interpolated linearly from the vertices. None if one of these nodes carries a
 /// pair.
 std::map<GlobalId, Combination> interpolatedNodes(const std::vector<ContactSide>& sides, const std::set<GlobalId>& carriers) {
   std::map<GlobalId, Combination> all;
@@ -169,8 +169,8 @@ std::map<GlobalId, Combination> interpolatedNodes(const std::vector<ContactSide>
   return all;
 }
 
-/// The functions that belong to a side's nodes, by their values at the nodes (functions x nodes): those of the multiplier where middle
-/// nodes carry pairs, else the shape functions.
+/// The functions of a side's nodes, by their values at the nodes (functions x nodes): those of the multiplier if mid-side nodes carry
+/// pairs, else the shape functions.
 Matrix functionsOf(const ContactSide& side, bool haveMiddlePairs) {
   const int nodes = static_cast<int>(side.nodes.size());
   Matrix values = Matrix::Identity(nodes, nodes);
@@ -234,8 +234,8 @@ std::map<GlobalId, double> pressureField(const std::vector<ContactSide>& sides, 
   const std::map<GlobalId, Combination> interpolated = interpolatedNodes(sides, carriers),
                                         continued = continuedValues(sides, carriers, held);
 
-  // The factor of each node's function in p_h, and the function that belongs to each unknown, as combinations of unknowns. Factors of a
-  // linear p_h are its values at the nodes.
+  // The factor of each node's function in p_h, and the function of each unknown, as combinations of unknowns. Factors of a linear p_h are
+  // its values at the nodes.
   using Unknowns = std::vector<std::pair<int, double>>;
   std::map<GlobalId, Unknowns> combination, functions;
   const auto addTo = [](Unknowns& sum, const Unknowns& more, double weight) {
@@ -281,7 +281,7 @@ std::map<GlobalId, double> pressureField(const std::vector<ContactSide>& sides, 
       if (const auto factor = factors.find(side.nodes[j]); factor != factors.end())
         for (std::size_t i = 0; i < side.nodes.size(); ++i)
           if (const double value = own(Eigen::Index(j), Eigen::Index(i)); value != 0.0) here[side.nodes[i]] += value * factor->second;
-    for (const auto& [node, value] : here) field[node] = value;  // the same from each side
+    for (const auto& [node, value] : here) field[node] = value;  // equal from all sides
   }
   return field;
 }

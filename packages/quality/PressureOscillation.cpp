@@ -8,9 +8,10 @@ namespace suture {
 
 namespace {
 
-constexpr int kAlternating = 4;  // pairs whose second differences alternate: a peak at one pair has three
+constexpr int kAlternating = 4;  // number of pairs with alternating second differences; a peak at one pair has three
 
-/// Second difference of the pressures at each pair of a piece; zero where the pair or one beside it is open, or nothing lies on two sides.
+/// Second difference of the pressures at each pair of a piece; zero if the pair or a neighbour is open, or if it has no neighbours on two
+/// sides.
 std::vector<double> secondDifferences(const std::vector<const PairResult*>& pairs, const std::vector<std::vector<int>>& beside) {
   std::vector<double> second(pairs.size(), 0.0);
   const auto isOpen = [&](int i) { return !pairs[std::size_t(i)]->state.closed(); };
@@ -24,10 +25,10 @@ std::vector<double> secondDifferences(const std::vector<const PairResult*>& pair
   return second;
 }
 
-/// Amplitude of what alternates in the pressures of a piece: the largest value that the second differences of so many neighbours reach
-/// whose signs alternate, by a fourth. [stress]
+/// Amplitude of the alternating part of the pressures of a piece: a quarter of the largest value that is reached by the second differences
+/// of kAlternating neighbours with alternating signs. [stress]
 double oscillation(const std::vector<double>& second, const std::vector<std::vector<int>>& beside) {
-  std::vector<int> order;  // from the largest magnitude downwards
+  std::vector<int> order;  // by descending magnitude
   for (std::size_t i = 0; i < second.size(); ++i)
     if (second[i] != 0.0) order.push_back(int(i));
   std::sort(order.begin(), order.end(), [&](int a, int b) {
@@ -35,7 +36,7 @@ double oscillation(const std::vector<double>& second, const std::vector<std::vec
     return x > y || (x == y && a < b);
   });
   DisjointSets sets(int(second.size()));
-  std::vector<int> members(second.size(), 0);  // number in the set that has this pair as its lowest
+  std::vector<int> members(second.size(), 0);  // size of the set with this pair as its lowest
   for (const int i : order) {
     members[std::size_t(i)] = 1;
     for (const int other : beside[std::size_t(i)]) {
@@ -49,7 +50,7 @@ double oscillation(const std::vector<double>& second, const std::vector<std::vec
   return 0.0;
 }
 
-/// The pairs of a piece by their places in it, and those beside each in cells.
+/// Neighbours of each pair of a piece in the cells, by indices within the piece.
 std::vector<std::vector<int>> neighboursIn(const ContactPiece& piece) {
   std::vector<std::vector<int>> cells = piece.cells;
   for (std::vector<int>& cell : cells)

@@ -6,7 +6,7 @@
 
 namespace suture {
 
-/// Sums at the nodes that several subdomains hold. Every rank adds in the same order, so that all subdomains at a node get the same number.
+/// Sums at nodes shared by several subdomains. Every rank adds in the same order, so that all subdomains at a node get the same number.
 class SeamExchange {
  public:
   /// Collective. `meshes` must outlive it.
@@ -18,11 +18,11 @@ class SeamExchange {
 
   /// A node whose values differ between two subdomains.
   struct Difference {
-    int mesh;  ///< place in `meshes`
+    int mesh;  ///< index in `meshes`
     int node;  ///< local
     double size;
   };
-  /// Distances of the columns of shared nodes from those of the lowest subdomain there, where they are not zero. Collective.
+  /// Distances, if nonzero, of the columns of shared nodes from those of the lowest subdomain there. Collective.
   std::vector<Difference> differences(const std::vector<Matrix>& values) const;
 
  private:
@@ -35,7 +35,7 @@ class SeamExchange {
 
   const Comm& comm_;
   const std::vector<SubdomainMesh>& meshes_;
-  std::vector<std::vector<int>> shared_;     // nodes of each mesh that others hold, too
+  std::vector<std::vector<int>> shared_;     // nodes of each mesh that other subdomains share
   std::map<int, std::vector<int>> toRanks_;  // meshes that share a node with a rank
 };
 

@@ -10,8 +10,7 @@ namespace {
 
 double share(const Check& check) {
   if (!check.holds()) return check.bound > 0.0 && check.value > check.bound ? check.value / check.bound : 1e300;
-  // How far sides slide is a property of the scene: a warning speaks of it early (Doubts), the accuracy of the answer does not depend on
-  // it.
+  // The slide is a property of the scene: Doubts warns of it early, and the accuracy of the solution does not depend on it.
   if (check.name == nameOf(Quantity::Slide) || check.name == nameOf(Quantity::Offset)) return 0.0;
   return check.bound > 0.0 ? check.value / check.bound : 0.0;
 }

@@ -39,7 +39,7 @@ class Verifier {
   void judgeSeams(const SeamExchange& seams);
   Verification conclude();
 
-  /// A force at a node, from a row of NodalRows on.
+  /// A force at a node, starting at a row of NodalRows.
   Point at(int mesh, int node, int row) const { return pointOf(&nodes_[mesh](row, node), rows_.dimension); }
   Point moved(int mesh, int node) const { return vectorAt(answer_.displacement[mesh], node); }
   double lifted(const SubdomainMesh& mesh, int node) const {
@@ -54,7 +54,7 @@ class Verifier {
     where.place = answer_.meshes[mesh].point(node);
     return where;
   }
-  /// Component of load + contact - internal forces along the free axes of a node. `support` gets what the node lacks in all axes.
+  /// Component of load + contact - internal forces along the free axes of a node. `support` receives the unbalanced force in all axes.
   Point residual(int mesh, int node, const NodeRule* rule) const;
 
   const Comm& comm_;
@@ -70,7 +70,7 @@ class Verifier {
   std::vector<BodySums> sums_;
   std::vector<BodyScale> scales_;
   std::vector<BodyForces> now_;
-  std::vector<Finding> worstNode_;  // of each body: where the residual is largest on this rank
+  std::vector<Finding> worstNode_;  // per body: where the residual is largest on this rank
   Findings findings_;
   Balance balance_;
   Reactions reactions_;
@@ -245,7 +245,7 @@ void Verifier::judgeNodes() {
       const double stiffness = nodes_[i](rows_.stiffness(), node),
                    rounded = body.roundings() * (body.carriesNothing() ? body.spread : nodes_[i](rows_.rounding(), node)) / stiffness +
                              Bounds::node.ofRounding(body) / stiffness;
-      Point along = rest;  // less what contact takes: Contact and the pairs judge that, and forces of stiff neighbours round it
+      Point along = rest;  // without directions of contact: checked by Contact and the pairs, and affected by round-off of stiff neighbours
       for (const Point& n : taken[node]) along = minus(along, scaled(dot(along, n), n));
       const double alone = length(along) / stiffness,
                    allowed =
@@ -293,7 +293,7 @@ Verification Verifier::conclude() {
     for (int b = 0; b < bodies_; ++b)
       if (!(other[b].value <= worst[b].value)) worst[b] = other[b];
   }
-  // Sums of a body are told at its worst node.
+  // Sums of a body are reported at its worst node.
   for (const Quantity sum : {Quantity::Forces, Quantity::Moments, Quantity::Residual, Quantity::Digits})
     if (Finding& finding = all.all[std::size_t(sum)]; finding.body >= 0) finding.place = worst[finding.body].place;
   Packer verdict;

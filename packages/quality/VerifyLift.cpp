@@ -14,16 +14,16 @@ namespace suture {
 
 namespace {
 
-constexpr double kRounded = 8.0;  // times the rounding of what is compared
+constexpr double kRounded = 8.0;  // times the round-off of the compared values
 
-/// End of a pair, at the rank that counts its node. Plain.
+/// End of a pair, on the rank that counts its node. Trivially copyable.
 struct LiftedEnd {
   int pair, body;
   double closing, size;  // weight x normal . motion, and of its magnitudes
   double weight;
-  double before, gap;  // of the pair
+  double before, gap;  // gap of the pair before and after the lift
   Point slid;          // weight x motion, along the sides
-  Point slip;          // of the pair, before less now
+  Point slip;          // past slip of the pair, before minus after the lift
   Point place;
 };
 
@@ -40,8 +40,8 @@ Finding at(const SubdomainMesh& mesh, int node) {
 
 double largestComponent(const Point& p) { return std::max({std::abs(p[0]), std::abs(p[1]), std::abs(p[2])}); }
 
-/// Rotation of a mesh's motion about its first node: the node farthest from that one tells the part across their line, and in space the
-/// node farthest from the line the part along it. None of a body of revolution.
+/// Rotation of a mesh's motion about its first node. The node farthest from it gives the rotation perpendicular to their line; in 3D the
+/// node farthest from this line gives the rotation along it. Zero for a body of revolution.
 Point turnOf(const SubdomainMesh& mesh) {
   if (mesh.axisymmetric) return {0, 0, 0};
   const Point origin = mesh.point(0), shift = motionOf(mesh, 0);
@@ -66,13 +66,14 @@ Point turnOf(const SubdomainMesh& mesh) {
   return most == 0.0 ? across : plus(across, scaled(dot(arm, cross(offLine, rest)) / (most * farthest), arm));
 }
 
-/// The motion is rigid but for rounding: a few nodes tell that of all others. Of a body of revolution it is a shift along the axis.
+/// Checks that the motion is rigid up to round-off: a few nodes determine the motion of all others. For a body of revolution it is a
+/// translation along the axis.
 void judgeMotion(const SubdomainMesh& mesh, Findings& findings) {
   const Point origin = mesh.point(0), turn = turnOf(mesh);
   const Point shift = mesh.axisymmetric ? Point{0.0, motionOf(mesh, 0)[1], 0.0} : motionOf(mesh, 0);
   double largest = 0.0;
   for (int node = 0; node < mesh.nodes(); ++node) largest = std::max(largest, largestComponent(motionOf(mesh, node)));
-  const double allowed = kRounded * (mesh.dimension - 1) * unitRoundoff * largest;  // in space the turn is that of one node more
+  const double allowed = kRounded * (mesh.dimension - 1) * unitRoundoff * largest;  // in 3D the rotation depends on one more node
   for (int node = 0; node < mesh.nodes(); ++node) {
     const Point arm = minus(mesh.point(node), origin);
     const Point rest = minus(minus(motionOf(mesh, node), shift), rigidDisplacement<double>({0, 0, 0}, turn, arm));
@@ -127,7 +128,7 @@ void judgeGaps(std::vector<LiftedEnd> ends, Findings& findings) {
       far = std::max(far, ends[last].size / std::abs(ends[last].weight));
       if (ends[last].body != where.body) where.other = ends[last].body;
     }
-    // Both sides moved alike change no gap, though the weights of a mortar sum to zero but for rounding.
+    // If both sides move alike, no gap changes, although the weights of a mortar sum to zero only up to round-off.
     const double unbalanced = std::abs(weights) <= kBalanced * magnitudes ? std::abs(weights) * far : 0.0;
     if (!(size > 0.0)) continue;
     findings.take(Quantity::Prescribed, std::abs(gap - ends[first].gap), kRounded * unitRoundoff * size + unbalanced, size, where);
@@ -147,7 +148,7 @@ void verifyLift(const Comm& comm, const Answer& answer, const SeamExchange& seam
   std::vector<Matrix> motions;
   collectively(comm, "verifying the rigid motions", [&] {
     for (const SubdomainMesh& mesh : answer.meshes) {
-      if (mesh.lift.motion.size() != Eigen::Index(mesh.coordinates.size())) throw InternalError("a lift of some subdomains only");
+      if (mesh.lift.motion.size() != Eigen::Index(mesh.coordinates.size())) throw InternalError("only some subdomains have a lift");
       judgeMotion(mesh, findings);
       judgeRules(mesh, findings);
       collectEnds(mesh, ends);

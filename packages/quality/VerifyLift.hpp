@@ -5,8 +5,9 @@
 
 namespace suture {
 
-/// Judges what was taken out of a scene (SubdomainMesh::lift): that it is a rigid motion, the same on both sides of seams, and that it and
-/// what remains make up the prescribed values and gaps of before. Found as `prescribed`. Collective; costs nothing without a lift.
+/// Verifies what was taken out of a scene (SubdomainMesh::lift): it must be a rigid motion, the same on both sides of seams, and together
+/// with the remaining values it must give the original prescribed values and gaps. Reported as `prescribed`. Collective; no cost without a
+/// lift.
 void verifyLift(const Comm& comm, const Answer& answer, const SeamExchange& seams, Findings& findings);
 
 }  // namespace suture

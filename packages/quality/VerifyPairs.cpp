@@ -10,22 +10,22 @@ namespace suture {
 
 namespace {
 
-/// Distances of a pair from what its law says of sliding. [force]
+/// Deviations of a pair from its friction law. [force]
 struct SlidingErrors {
   double friction = 0.0, slip = 0.0, dissipation = 0.0;
 };
 
-/// \param slip  jump along the sides over the compliance of the nodes that meet [force]
+/// \param slip  tangential jump divided by the compliance of the facing nodes [force]
 SlidingErrors slidingErrors(const PairResult& pair, const PairEndShare& carrier, const Point& slip) {
   const Point& t = pair.tangential;
   const double size = length(t);
   SlidingErrors errors;
-  errors.friction = size;  // nothing holds the sides: no force, whatever they do
+  errors.friction = size;  // without resistance the force must vanish
   if (!carrier.kind.restrictsSliding || !pair.state.closed()) return errors;
   const double bound = pair.state.largest(pair.force);
   if (pair.state.status == PairStatus::Slip) {
-    // The force is the projection of itself plus the slip to the disc of the bound (Alart and Curnier 1991), and on the rim. A slip that is
-    // rounding has no direction, and no effect.
+    // The force is the projection of itself plus the slip onto the disc of the bound (Alart and Curnier 1991), and lies on the rim. A slip
+    // at round-off level has no direction, and no effect.
     const Point trial = plus(t, slip);
     const double reach = length(trial);
     errors.friction = std::max(length(minus(t, scaled(reach > bound ? bound / reach : 1.0, trial))), std::abs(size - bound));
@@ -35,7 +35,7 @@ SlidingErrors slidingErrors(const PairResult& pair, const PairEndShare& carrier,
     if (!carrier.kind.separates || errors.friction < 0.0) errors.friction = 0.0 * size;  // glued sides have no bound; NaN stays NaN
   }
   errors.friction += std::abs(dot(t, carrier.normal));
-  // The least change, of force or slip, after which the force does not push against the slip.
+  // The least change, of force or slip, after which the force does not act against the slip.
   const double against = -dot(t, slip);
   errors.dissipation = against > 0.0 ? std::min(size, against / size) : std::abs(0.0 * against);
   return errors;
@@ -45,7 +45,7 @@ SlidingErrors slidingErrors(const PairResult& pair, const PairEndShare& carrier,
 
 void scaleForces(const std::vector<PairEndShare>& ends, const std::vector<BodyForces>& now, const std::vector<BodyForces>& past,
                  std::vector<BodyScale>& bodies) {
-  std::map<int, std::pair<int, int>> bodiesOf;  // lowest and highest of a pair
+  std::map<int, std::pair<int, int>> bodiesOf;  // lowest and highest body of a pair
   for (const PairEndShare& end : ends) {
     auto& both = bodiesOf.try_emplace(end.pair, end.body, end.body).first->second;
     both.first = std::min(both.first, end.body);
@@ -112,7 +112,7 @@ void verifyPairs(std::vector<PairEndShare> ends, const std::vector<PairResult>& 
     }
     ++found;
     const double pressing = pair->second->force, asForce = gap / compliance;
-    // Two bodies are as far apart as digits of their places tell, and where no force is to compare with, those of their ways.
+    // The gap has round-off of the positions, and of the rigid motions if there is no force to compare with.
     const double ways =
         (unloaded ? Bounds::nothing * (lifted + norm(where.place)) : Bounds::places * norm(where.place)) * unitRoundoff / compliance;
     const double slack = roundings * (rounding + unitRoundoff * moved / compliance) + ways + rounded, allowed = bound * force + slack;
@@ -124,7 +124,7 @@ void verifyPairs(std::vector<PairEndShare> ends, const std::vector<PairResult>& 
       findings.take(Quantity::Tension, pressing > 0.0 ? 0.0 : -pressing, allowed, force, where);
       findings.take(Quantity::Complementarity, std::min(std::abs(pressing), std::abs(asForce)), allowed, force, where);
       findings.take(Quantity::Status, std::abs(open ? pressing : asForce), allowed, force, where);
-    } else {  // the gap is an equation, and no such pair is open
+    } else {  // the gap is an equation, and such pairs are never open
       findings.take(Quantity::Status, open ? std::max(std::abs(asForce), force) : std::abs(asForce), allowed, force, where);
     }
     const double slideSlack = roundings * unitRoundoff * lifted / compliance;

@@ -14,19 +14,19 @@ namespace suture {
 
 namespace {
 
-constexpr double kStraight = 1e-6;      // angle between neighbours' normals, up to which the sides are flat there [rad]
-constexpr double kTurned = 0.05;        // by which normals may turn on the way of a slide, so that it changes nothing but places [rad]
-constexpr double kExplainedTurn = 2.0;  // deformations that explain the rotation of a body
-constexpr double kInPlane = 1e-9;       // part of an obstacle's extent by which feet of its pairs may lie beside one plane
+constexpr double kStraight = 1e-6;      // angle between neighbours' normals up to which the sides count as flat there [rad]
+constexpr double kTurned = 0.05;        // largest turn of the normals along a slide that only shifts positions [rad]
+constexpr double kExplainedTurn = 2.0;  // multiple of the deformations that explains the rotation of a body
+constexpr double kInPlane = 1e-9;       // distance of an obstacle's feet from one plane up to which it is plane, relative to its extent
 
 Point without(const Point& direction, const Point& vector) { return minus(vector, scaled(dot(vector, direction), direction)); }
 
-/// A pair, put together from its ends.
+/// A pair, assembled from its ends.
 struct PlacedPair {
   const PairResult* said = nullptr;
   Finding where;
   Point normal{0, 0, 0}, jump{0, 0, 0}, arm{0, 0, 0};
-  double gap = 0.0;                       // as it is now [length]
+  double gap = 0.0;                       // current gap [length]
   double cell = 0.0;                      // of the finer side [length]
   double weights = 0.0, magnitude = 0.0;  // sums over the ends
   double curvature = 0.0;                 // [1 / length]
@@ -35,7 +35,7 @@ struct PlacedPair {
   bool meetsObstacle() const { return std::abs(weights) > 1e-9 * magnitude; }
 };
 
-/// Directions along which an obstacle goes on unchanged: tangential to it at each of its pairs.
+/// Directions along which an obstacle is uniform: tangential to it at each of its pairs.
 class EndlessDirections {
  public:
   void add(const PlacedPair& pair) {
@@ -47,14 +47,14 @@ class EndlessDirections {
     beside_ = std::max(beside_, beside);
     extent_ = std::max(extent_, length(minus(foot, first_)) + std::abs(pair.said->initialGap));
   }
-  /// The part of a slide that meets another obstacle than at first.
+  /// The part of a slide along which the obstacle changes.
   Point rest(const Point& slide) const {
     const Eigenpairs axes = symmetricEigenpairs(normals_);
     std::vector<Point> endless;
     for (int k = 0; k < 3; ++k)
       if (axes.values[k] < count_ * kStraight * kStraight) endless.push_back({axes.vectors(0, k), axes.vectors(1, k), axes.vectors(2, k)});
     const bool isPlane = endless.size() == 2;
-    if (isPlane && beside_ > kInPlane * extent_) return slide;  // a gap that the scene gives, or one along the sides' normals
+    if (isPlane && beside_ > kInPlane * extent_) return slide;  // a gap given by the scene, or along the sides' normals
     Point left = slide;
     for (const Point& direction : endless) left = without(direction, left);
     return left;
@@ -115,7 +115,7 @@ class PlaceJudge {
  private:
   void take(const PlacedPair& pair, double slid, Findings& findings) const {
     double cell = pair.cell;
-    // Away from ends and bends a slide changes nothing but the places of forces: what counts is how far that is for the body.
+    // Away from ends and bends a slide only shifts the points where forces act: it is measured relative to the body.
     if (slid > 0.5 * Bounds::slide * cell && pair.curvature * slid < kTurned && !isNearEnd(pair, slid))
       cell = std::max(cell, Bounds::offset * std::min(places_.motions[pair.where.body].extent, places_.motions[pair.where.other].extent));
     findings.take(Quantity::Slide, slid, Bounds::slide * cell, cell, pair.where);
@@ -129,7 +129,7 @@ class PlaceJudge {
                        [&](const Point& end) { return length(minus(end, pair.where.place)) <= reach + pair.cell; });
   }
 
-  /// Places of the pairs on the rim of each piece: of facets that one cell has. A closed line or surface has none.
+  /// Positions of the pairs on the rim of each piece: on facets that belong to a single cell. A closed line or surface has none.
   void findRims() {
     for (std::size_t p = 0; p < places_.pieces.size(); ++p) {
       std::map<std::array<int, 2>, int> uses;
@@ -151,10 +151,10 @@ class PlaceJudge {
     for (const PairResult& pair : places_.pairs) said[pair.id] = &pair;
     const auto before = [](const PairEndShare& a, const PairEndShare& b) { return a.pair != b.pair ? a.pair < b.pair : a.end < b.end; };
     std::sort(places_.ends.begin(), places_.ends.end(), before);
-    std::map<int, std::map<int, double>> cells;  // of each pair's bodies
+    std::map<int, std::map<int, double>> cells;  // per pair and body
     for (const PairEndShare& end : places_.ends) {
       const auto found = said.find(end.pair);
-      if (found == said.end()) continue;  // verifyPairs() reports it
+      if (found == said.end()) continue;  // reported by verifyPairs()
       const auto [at, isNew] = pairs_.try_emplace(end.pair);
       PlacedPair& pair = at->second;
       if (isNew) {
@@ -181,7 +181,7 @@ class PlaceJudge {
     }
   }
 
-  /// Largest change of the normal on the way to a neighbour.
+  /// Largest change of the normal towards a neighbour.
   void findCurvatures() {
     for (const ContactPiece& piece : places_.pieces)
       for (const std::vector<int>& cell : piece.cells)
@@ -210,7 +210,7 @@ class PlaceJudge {
     return radius * std::max(0.0, turn - kExplainedTurn * (strainOf(own) + (areTwo ? strainOf(other) : 0.0)));
   }
 
-  /// How far a body is deformed, as an angle: its best rigid rotation may be that much, though nothing turned.
+  /// Deformation of a body as an angle: its best-fit rigid rotation may have this size without a rotation of the body.
   static double strainOf(const Deformation& body) { return body.extent > 0.0 ? body.largest / body.extent : 0.0; }
 
   double momentOf(int body) const { return places_.bodies[body].force * places_.motions[body].extent; }

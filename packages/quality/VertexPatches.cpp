@@ -3,7 +3,7 @@
 namespace suture {
 
 VertexPatches::VertexPatches(const CellBlock& block, const std::function<const Material&(int element)>& materialOf) {
-  std::vector<int> lastAt(block.nodes(), -1), before;  // patches of a node form a chain, of one link nearly everywhere
+  std::vector<int> lastAt(block.nodes(), -1), before;  // patches of a node form a chain, nearly always of one link
   first.reserve(block.elements() + 1);
   for (int e = 0; e < block.elements(); ++e) {
     const Material& material = materialOf(e);

@@ -6,7 +6,7 @@
 
 namespace suture {
 
-/// The vertices of a block, once for each material that its elements have there: stresses may jump where materials meet. By the order of
+/// The vertices of a block, one patch per material of the adjacent elements, because stresses may jump between materials. In the order of
 /// the elements.
 struct VertexPatches {
   struct Patch {
@@ -15,10 +15,10 @@ struct VertexPatches {
     int material;  ///< Material::number
   };
   std::vector<Patch> all;
-  std::vector<int> first{0}, ofVertices;  ///< the patch of each vertex of each element
+  std::vector<int> first{0}, ofVertices;  ///< patch of each vertex of each element
 
   VertexPatches() = default;
-  /// Local. A lambda for the materials must say `-> const Material&`.
+  /// Local. A lambda for the materials must declare `-> const Material&`.
   VertexPatches(const CellBlock& block, const std::function<const Material&(int element)>& materialOf);
 
   int count() const { return static_cast<int>(all.size()); }

@@ -175,7 +175,7 @@ TEUCHOS_UNIT_TEST(ContactPairs, CountAndLocateNodesWithoutPartner) {
   const std::string text = said(boxes(all), "", matching("joint", "b0_top", "b1_bottom"));
   SUTURE_CHECK_SAYS(
       text, "Contact/joint: the sides do not match: 'b0_top' has 9 nodes, 'b1_bottom' has 13 nodes; 4 and 8 of them have no partner");
-  SUTURE_CHECK_SAYS(text, "0.167 away along the line = 0.5 of the mesh size");
+  SUTURE_CHECK_SAYS(text, "shifted by 0.167 along the line = 0.5 of the local mesh size");
 }
 
 TEUCHOS_UNIT_TEST(ContactPairs, RefuseSidesThatAreShiftedAlongTheLine) {
@@ -183,7 +183,7 @@ TEUCHOS_UNIT_TEST(ContactPairs, RefuseSidesThatAreShiftedAlongTheLine) {
   move(mesh, 1, [](Point p) -> Point { return {p[0] + 0.01, p[1], 0}; });
   const std::string text = said(mesh, "", matching("joint", "b0_top", "b1_bottom"));
   SUTURE_CHECK_SAYS(text, "9 and 9 of them have no partner");
-  SUTURE_CHECK_SAYS(text, "0.01 away along the line = 0.02 of the mesh size there (Tolerance 0.001)");
+  SUTURE_CHECK_SAYS(text, "shifted by 0.01 along the line = 0.02 of the local mesh size (Tolerance 0.001)");
   TEST_EQUALITY(
       said(mesh, "",
            entry("joint", {{"Side A", "b0_top"}, {"Side B", "b1_bottom"}, {"Coupling", "Matching Nodes"}, {"Tolerance", "0.05"}})),
@@ -204,18 +204,18 @@ TEUCHOS_UNIT_TEST(ContactPairs, RefuseSidesInContradictoryRoles) {
 
   SUTURE_CHECK_SAYS(said(mesh, "", contact("c", "b0_topp", "b1_bottom")),
                     "Contact/c/Side A: in the mesh boxes: no such curve group 'b0_topp'. Did you mean 'b0_top'?");
-  SUTURE_CHECK_SAYS(said(mesh, "", contact("c", "b0_top", "b0_top")), "Contact/c/Side B: 'b0_top' is Side A, too");
+  SUTURE_CHECK_SAYS(said(mesh, "", contact("c", "b0_top", "b0_top")), "Contact/c/Side B: 'b0_top' is also Side A");
   SUTURE_CHECK_SAYS(said(mesh, "", contact("c", "b0_top", "b0_bottom")), "'b0_bottom' is on the body 'b0', as Side A");
   SUTURE_CHECK_SAYS(said(mesh, "", contact("c", "corner", "b1_bottom")), "'corner' turns by 90 degrees at (0, 1)");
   SUTURE_CHECK_SAYS(said(mesh, "", contact("c", "{b0_top, b0_left}", "b1_bottom")), "'b0_top' + 'b0_left' turns by 90 degrees at (0, 1)");
   SUTURE_CHECK_SAYS(said(mesh, "", contact("c", "{b0_top, b1_topp}", "b1_bottom")),
                     "no such curve group 'b1_topp'. Did you mean 'b1_top'?");
-  SUTURE_CHECK_SAYS(said(mesh, "", contact("c", "{b0_top, b1_top}", "{b2_bottom, b1_top}")), "'b1_top' is Side A, too");
+  SUTURE_CHECK_SAYS(said(mesh, "", contact("c", "{b0_top, b1_top}", "{b2_bottom, b1_top}")), "'b1_top' is also Side A");
   SUTURE_CHECK_SAYS(said(mesh, "", contact("c", "{}", "b1_bottom")), "Contact/c/Side A: is empty");
   SUTURE_CHECK_SAYS(said(mesh, "", contact("c", "inside", "b1_bottom")), "'inside' lies inside the material");
   SUTURE_CHECK_SAYS(said(mesh, "", contact("c", "nothing", "b1_bottom")), "is empty");
   SUTURE_CHECK_SAYS(said(mesh, "", joint + contact("again", "b2_bottom", "b1_bottom")),
-                    "Contact/again/Side B: 'b1_bottom' lies, in whole or in part, also in Contact/joint/Side B");
+                    "Contact/again/Side B: 'b1_bottom' lies, entirely or partly, also in Contact/joint/Side B");
   SUTURE_CHECK_SAYS(said(mesh, displacement("d", "b0_top", "{0, 0}"), joint),
                     "Contact/joint/Side A: 'b0_top' is held on its whole length by Boundary Conditions/d");
   SUTURE_CHECK_SAYS(said(mesh, bilateral("d", "b1_bottom"), joint),

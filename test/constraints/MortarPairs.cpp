@@ -98,7 +98,7 @@ TEUCHOS_UNIT_TEST(MortarPairs, WarnsOfSidesThatShareAPartOfOneElement) {
   const auto warnings = [](double x0, double x1, const std::string& carrier) {
     int count = 0;
     for (const std::string& note : build(twoBoxes(x0, x1, 3, 2, P1, P1), held, mortar(carrier)).notes)
-      count += note.find("warning: contact 'joint': its sides share only a part of an element at (") == 0;
+      count += note.find("warning: contact 'joint': its sides share only part of an element at (") == 0;
     return count;
   };
   TEST_EQUALITY(warnings(0.8, 1.2, "Side B"), 1);  // within [0, 2]
@@ -178,7 +178,7 @@ TEUCHOS_UNIT_TEST(MortarPairs, RefusesNodesOfAnotherOrderAsMatching) {
   const Mesh mesh = twoBoxes(0, 4, 8, 16, P2, P1);  // the same nodes
   const std::string text =
       said(mesh, held, entry("joint", {{"Side A", "upper_bottom"}, {"Side B", "lower_top"}, {"Coupling", "Matching Nodes"}}));
-  SUTURE_CHECK_SAYS(text, "have sides of 3 and 2 nodes, which match nowhere; choose Coupling = Mortar");
+  SUTURE_CHECK_SAYS(text, "have sides of 3 and 2 nodes and cannot match; choose Coupling = Mortar");
   TEST_ASSERT(!build(mesh, held, contact("joint", "upper_bottom", "lower_top")).notes.empty());
 }
 
@@ -197,7 +197,7 @@ TEUCHOS_UNIT_TEST(MortarPairs, RefusesASideOfTwoOrders) {
     side.insert(side.end(), mesh.sideGroups.at(piece).begin(), mesh.sideGroups.at(piece).end());
   assignBodies(mesh, {"both", "lower"});
   SUTURE_CHECK_SAYS(said(mesh, held, contact("joint", "both_bottom", "lower_top")),
-                    "Contact/joint/Side A: 'both_bottom' has sides of two and of three nodes");
+                    "Contact/joint/Side A: 'both_bottom' has two-node and three-node sides");
 }
 
 }  // namespace

@@ -133,7 +133,7 @@ TEUCHOS_UNIT_TEST(ObstaclePairs, SaysWhatIsWrong) {
   const Mesh mesh = box();
   const std::string ground = entry("Line", {{"Point", "{0.0, 0.0}"}, {"Normal", "{0.0, 1.0}"}});
   SUTURE_CHECK_SAYS(said(mesh, held, against("Line", ground, "<Parameter name=\"Side B\" value=\"b_left\"/>")),
-                    "Contact/ground/Side B: found beside an Obstacle; expected one of the two");
+                    "Contact/ground/Side B: found together with an Obstacle; expected only one of them");
   SUTURE_CHECK_SAYS(said(mesh, held, entry("ground", {{"Side A", "b_bottom"}})), "Contact/ground/Side B: is missing");
   SUTURE_CHECK_SAYS(said(mesh, held, against("Line", entry("Line", {{"Point", "{0.0, 0.0}"}, {"Normal", "{0.0, 0.0}"}}))),
                     "Contact/ground/Line/Normal: has no length");

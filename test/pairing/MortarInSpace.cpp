@@ -207,7 +207,7 @@ TEUCHOS_UNIT_TEST(MortarInSpace, IsChosenWhereNodesCannotCarryThePressure) {
     TEST_EQUALITY(paired.pairs.size(), integrals(mesh, "lower_top").size());
     if (second) {
       TEST_EQUALITY(paired.cells.size(), std::size_t(cell == Cell::Tetrahedron10 ? 12 * 4 : 6 * 5));
-      TEST_ASSERT(notes[0].find("a pressure on sides of six or eight nodes has no force at their vertices; mortar") != std::string::npos);
+      TEST_ASSERT(notes[0].find("a pressure on six- or eight-node sides exerts no force at their vertices; mortar") != std::string::npos);
     }
     for (const ContactPair& pair : paired.pairs) {
       TEST_COMPARE(pair.ends.front().weight, >, 0.0);

@@ -190,14 +190,14 @@ TEUCHOS_UNIT_TEST(ObstaclesInSpace, LeaveOutNodesThatSeeThemAside) {
   const PairedSurface bump = against(cube(), "Ball", {{"Centre", "{0.0, 0.0, -0.4}"}, {"Radius", "0.3"}}, {}, &notes);
   TEST_EQUALITY(bump.pairs.size(), std::size_t(5));  // within .4 tan 60 degrees = .693 of the middle: half a side, not the diagonal
   TEST_EQUALITY(notes.size(), std::size_t(1));
-  SUTURE_CHECK_SAYS(notes[0], "20 of the 25 nodes of 'b_bottom' see the obstacle more than 60 degrees aside");
+  SUTURE_CHECK_SAYS(notes[0], "20 of the 25 nodes of 'b_bottom' see the obstacle more than 60 degrees off their normal");
   SUTURE_CHECK_SAYS(notes[0], "(the first at (-1, -1, 0))");
 }
 
 TEUCHOS_UNIT_TEST(ObstaclesInSpace, SayWhatIsWrong) {
   const Mesh mesh = cube();
   SUTURE_CHECK_SAYS(saidOf(mesh, "Line", {{"Point", "{0.0, 0.0}"}, {"Normal", "{0.0, 1.0}"}}),
-                    "Contact/ground/Obstacle: 'Line' is in the plane; expected Plane, Ball, Cylinder or Height");
+                    "Contact/ground/Obstacle: 'Line' is 2D; expected Plane, Ball, Cylinder or Height");
   SUTURE_CHECK_SAYS(saidOf(mesh, "Plane", {{"Point", "{0.0, 0.0}"}, {"Normal", "{0.0, 0.0, 1.0}"}}),
                     "Contact/ground/Plane/Point: found 2 numbers; expected three, x, y and z");
   SUTURE_CHECK_SAYS(saidOf(mesh, "Plane", {{"Point", "{0.0, 0.0, 0.0}"}, {"Normal", "{0.0, 0.0, 0.0}"}}),

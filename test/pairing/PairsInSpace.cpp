@@ -150,7 +150,7 @@ TEUCHOS_UNIT_TEST(PairsInSpace, PairSpheresAlongTheirRays) {
 TEUCHOS_UNIT_TEST(PairsInSpace, TellFacesWhoseNodesDoNotMatch) {
   const std::string text = saidOf(facing(Cell::Hexahedron8, 3, 2, Cell::Hexahedron8, 4, 2, 0.0), matching());
   SUTURE_CHECK_SAYS(text, "the sides do not match: 'lower_top' has 12 nodes, 'upper_bottom' has 15 nodes; 6 and 9 of them have no partner");
-  SUTURE_CHECK_SAYS(text, "away along the surface = ");
+  SUTURE_CHECK_SAYS(text, "along the surface = ");
   Mesh averted = facing(Cell::Hexahedron8, 3, 2, Cell::Hexahedron8, 3, 2, 0.0);
   Contact wrong = Contact::between("lower_top", "upper_top");
   wrong.coupling = Contact::Coupling::MatchingNodes;
@@ -161,8 +161,9 @@ TEUCHOS_UNIT_TEST(PairsInSpace, TellFacesWhoseNodesDoNotMatch) {
 // The integrals of the shape functions at the vertices of six- and eight-node sides are not positive.
 TEUCHOS_UNIT_TEST(PairsInSpace, RefuseNodesThatCarryNoPressure) {
   for (const Cell cell : {Cell::Tetrahedron10, Cell::Hexahedron20})
-    SUTURE_CHECK_SAYS(saidOf(facing(cell, 3, 2, cell, 3, 2, 0.0), matching()),
-                      "a pressure on 'lower_top', of sides of six or eight nodes, has no force at their vertices");
+    SUTURE_CHECK_SAYS(
+        saidOf(facing(cell, 3, 2, cell, 3, 2, 0.0), matching()),
+        "a pressure on 'lower_top', which has six- or eight-node sides, exerts no force or an opposite force at the vertices");
 }
 
 TEUCHOS_UNIT_TEST(PairsInSpace, WantFacesThatAreSurfacesWithoutSharpEdges) {
@@ -170,7 +171,7 @@ TEUCHOS_UNIT_TEST(PairsInSpace, WantFacesThatAreSurfacesWithoutSharpEdges) {
   Contact contact = matching();
   contact.groupsA = {"lower_top", "lower_left"};
   SUTURE_CHECK_SAYS(saidOf(mesh, contact), "'lower_top' + 'lower_left' turns by 90 degrees at (0, ");
-  SUTURE_CHECK_SAYS(saidOf(mesh, contact), "make each face a contact of its own");
+  SUTURE_CHECK_SAYS(saidOf(mesh, contact), "Make each face a separate contact");
   contact.groupsA = {"lower_topp"};
   SUTURE_CHECK_SAYS(saidOf(mesh, contact), "no such surface group 'lower_topp'. Did you mean 'lower_top'?");
   contact.groupsA = {};
@@ -179,7 +180,7 @@ TEUCHOS_UNIT_TEST(PairsInSpace, WantFacesThatAreSurfacesWithoutSharpEdges) {
   Mesh orders = facing(Cell::Hexahedron8, 3, 2, Cell::Hexahedron27, 3, 2, 0.5);
   Contact both = matching();
   both.groupsA = {"lower_right", "upper_right"}, both.groupsB = {"lower_left"};
-  SUTURE_CHECK_SAYS(saidOf(orders, both), "'lower_right' + 'upper_right' has sides of first and of second order");
+  SUTURE_CHECK_SAYS(saidOf(orders, both), "'lower_right' + 'upper_right' has first-order and second-order sides");
   // Two of four cubes about an edge, one body: four of its sides meet there.
   Mesh chess;
   chess.dimension = 3;
@@ -196,5 +197,5 @@ TEUCHOS_UNIT_TEST(PairsInSpace, WantFacesThatAreSurfacesWithoutSharpEdges) {
   }
   chess.bodies = {"chess"}, chess.bodyOfElement = {0, 0}, chess.bodyOfNode.assign(18, 0);
   Contact branched = Contact::with(Obstacle::line({0, 0, 0}, {0, 1, 0}), "all");
-  SUTURE_CHECK_SAYS(saidOf(chess, branched), "'all' is no surface: more than two of its sides meet along the edge at (1, 1, 0)");
+  SUTURE_CHECK_SAYS(saidOf(chess, branched), "'all' is not a surface: more than two of its sides meet along the edge at (1, 1, 0)");
 }

@@ -129,7 +129,7 @@ TEUCHOS_UNIT_TEST(ExactSolution, HasThreeAndSixComponentsInSpace) {
   TEST_EQUALITY(missing.list().at(0).path, "Exact Solution/Stress xz");
   read(settings, plane, 2);
   TEST_EQUALITY(plane.list().at(0).path, "Exact Solution/Displacement z");
-  TEST_EQUALITY(plane.list().at(0).message, "is of a scene in space (Model = Solid); this one is plane");
+  TEST_EQUALITY(plane.list().at(0).message, "needs a 3D scene (Model = Solid); this one is 2D");
 }
 
 TEUCHOS_UNIT_TEST(ExactSolution, MayDifferFromBodyToBody) {
@@ -158,5 +158,5 @@ TEUCHOS_UNIT_TEST(ExactSolution, IsWholeOrNotThere) {
   Problems other;
   read({"Exact Solution/Bodies/lower/Displacement x=0", "Exact Solution/Bodies/lower/Displacement y=0"}, other);
   TEST_EQUALITY(other.list().size(), 1u);
-  TEST_EQUALITY(other.list()[0].message, "the exact displacement is given for lower but not for upper; errors need it of every body");
+  TEST_EQUALITY(other.list()[0].message, "the exact displacement is given for lower but not for upper; errors need it for every body");
 }

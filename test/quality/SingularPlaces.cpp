@@ -117,7 +117,7 @@ TEUCHOS_UNIT_TEST(SingularPlaces, AreFoundAroundNodesOnAnyNumberOfRanks) {
   const auto node = [&](int pair) { return PlaceInQuestion{{scene.constraints.pairs[std::size_t(pair)].node()}, -1}; };
   const std::vector<std::string> found =
       singularities(*blocks::world(), all.meshes, {{{}, inner}, {{}, outer}, {{}, middle}, node(inner), node(middle)}, closed);
-  const std::string end = "the end of a contact side on a partner that goes on";
+  const std::string end = "the end of a contact side on a partner that continues";
   for (const std::string& one : found) out << "found '" << one << "'\n";
   TEST_ASSERT(found == std::vector<std::string>({end, "", "", end, ""}));
   // An open pair says nothing.

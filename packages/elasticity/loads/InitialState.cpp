@@ -33,7 +33,7 @@ InitialState::Values<D> InitialState::at(int element, const Point& place, const 
     if (load->kind == Load::Kind::InitialStrain)
       values.strain += given;
     else if (law.isSheet() && given[2] != 0.0)
-      throw InputError(load->path, "an initial stress zz in plane stress, where there is none across the sheet; expected 0");
+      throw InputError(load->path, "an initial stress zz, which does not exist in plane stress; expected 0");
     else
       values.stress += given;
   }

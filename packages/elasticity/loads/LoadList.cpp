@@ -50,12 +50,12 @@ Point pointIn(const Parameters& list, const std::string& name) {
   return point;
 }
 
-/// A single value stands along the axis of what turns: z in the plane, y in axisymmetric scenes.
+/// A single value acts along the axis of rotation: z in 2D, y in axisymmetric scenes.
 int firstComponent(Kind kind, const ElasticModel& model) {
   return model.dimension == 2 && (kind == Kind::Moment || kind == Kind::Rotation) ? (model.axisymmetric ? 1 : 2) : 0;
 }
 
-/// Numbers of the components that `Components` names: "All", "y", "xz".
+/// Indices of the components named by `Components`: "All", "y", "xz".
 std::vector<std::size_t> componentsOf(const std::string& text, int dimension) {
   std::vector<std::size_t> all;
   for (const char letter : text == "All" || text.empty() ? std::string("xyz").substr(0, std::size_t(dimension)) : text)
@@ -74,13 +74,13 @@ Load readLoad(Kind kind, const Parameters& condition, const ElasticModel& model,
   load.place = pointIn(condition, "Point");
   load.tolerance = numberIn(condition, "Tolerance", 0.0);
   if (kind == Kind::Rotation && model.axisymmetric && condition.isParameter("Point"))
-    problems.add(pathOf(condition, "Point"), "an axisymmetric body turns about its axis x = 0; leave Point out");
+    problems.add(pathOf(condition, "Point"), "an axisymmetric body rotates about its axis x = 0; leave Point out");
 
   if (kind == Kind::Random) {
     if (condition.isType<int>("Seed")) load.seed = condition.get<int>("Seed");
     load.value = {numberIn(condition, "Amplitude", 0.0), numberIn(condition, "Mean", 0.0), 0.0};
     if (!condition.isType<double>("Amplitude"))
-      problems.add(pathOf(condition, "Amplitude"), "is missing: a Random Load needs the largest force on a node's component");
+      problems.add(pathOf(condition, "Amplitude"), "is missing: a Random Load needs the largest force per node and component");
     return load;
   }
   ConditionData data = readConditionData(condition, constants, problems, model.dimension);
@@ -92,7 +92,7 @@ Load readLoad(Kind kind, const Parameters& condition, const ElasticModel& model,
   return load;
 }
 
-/// Adds the loads of a Mean Displacement, one a component, or of a Preload.
+/// Adds the loads of a Mean Displacement, one per component, or of a Preload.
 void readControlled(const Parameters& condition, ElasticModel& model, const Constants& constants, Problems& problems) {
   const std::string type = textIn(condition, "Type");
   if (type != "Mean Displacement" && type != "Preload") return;
@@ -117,7 +117,7 @@ void readControlled(const Parameters& condition, ElasticModel& model, const Cons
       loads.push_back(Load::meanDisplacement("", static_cast<int>(components[k]), data.values[k]));
       loads.back().groups = groupNames(condition, "Group");
       if (model.axisymmetric && components[k] == 0)
-        problems.add(pathOf(condition, "Components"), "the mean displacement of a circle has no component x; expected y");
+        problems.add(pathOf(condition, "Components"), "an axisymmetric group has no mean displacement along x; expected y");
     }
   }
   if (problems.list().size() != before) return;
@@ -148,11 +148,11 @@ void checkLoad(const Load& load, const std::string& path, const ElasticModel& mo
                             : form.varies             ? std::to_string(wanted)
                                                       : "none, " + withArticle(name) + " is constant"));
   if (model.axisymmetric && load.kind == Kind::Moment)
-    problems.add(path, "a Moment cannot act on a body of revolution: round the circle it has no resultant");
+    problems.add(path, "a Moment cannot act on a body of revolution: it has no resultant around the circle");
   if (model.axisymmetric && load.kind == Kind::Gravity && load.value[0] != 0.0)
-    problems.add(path + "/Value", "gravity across the axis is not axisymmetric; expected {0, acceleration along the axis}");
+    problems.add(path + "/Value", "radial gravity is not axisymmetric; expected {0, acceleration along the axis}");
   if (model.plane == PlaneModel::Stress && load.kind == Kind::InitialStress && load.tensor[2] != 0.0)
-    problems.add(path + "/Value", "a stress zz in plane stress, where there is none across the sheet; expected 0 as the third entry");
+    problems.add(path + "/Value", "a stress zz, which does not exist in plane stress; expected 0 as the third entry");
   std::set<std::string> told;
   const auto demand = [&](const Material* material, const std::optional<double>& value, const std::string& parameter,
                           const std::string& why) {
@@ -165,14 +165,14 @@ void checkLoad(const Load& load, const std::string& path, const ElasticModel& mo
   }
 }
 
-/// A body has one temperature.
+/// Checks that each body has at most one temperature.
 void checkTemperatures(const ElasticModel& model, Problems& problems) {
   for (std::size_t i = 0; i < model.loads.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) {
       const Load &one = model.loads[j], &other = model.loads[i];
       if (one.kind != Kind::Temperature || other.kind != Kind::Temperature) continue;
       if (one.body.empty() || other.body.empty() || one.body == other.body)
-        problems.add(other.path + "/Body", "has a Temperature already, by " + one.path + "; a body has one");
+        problems.add(other.path + "/Body", "already has a Temperature, by " + one.path + "; a body has only one");
     }
 }
 
@@ -268,7 +268,7 @@ std::vector<std::string> loadNotes(const ElasticModel& model) {
   for (const Load& load : model.loads)
     if (load.kind == Kind::PointForce)
       notes.push_back("the Point Force of " + (load.path.empty() ? std::string("the scene") : load.path) +
-                      " makes stresses singular at its node: there they grow without bound as the mesh is refined");
+                      " makes the stresses at its node singular: they grow without bound as the mesh is refined");
   return notes;
 }
 

@@ -7,7 +7,7 @@ namespace suture {
 
 void addSideLoad(const CellBlock& block, const std::vector<Side>& sides, const Load& load, Vector& forces) {
   if (load.kind != Load::Kind::Traction && load.kind != Load::Kind::Pressure)
-    throw InternalError("a " + nameOf(load.kind) + " on sides: expected a Traction or a Pressure (resolveLoads() makes them)");
+    throw InternalError("a " + nameOf(load.kind) + " on sides: expected a Traction or a Pressure (call resolveLoads() first)");
   const int dimension = block.dimension;
   for (const Side& side : sides) {
     const std::vector<int> nodes = block.nodesOf(side);
@@ -18,7 +18,7 @@ void addSideLoad(const CellBlock& block, const std::vector<Side>& sides, const L
     for (int q = 0; q < reference.points; ++q) {
       map.at(q);
       const Point value = scaled(load.factor, load.at(map.place()));
-      const bool pushes = load.kind == Load::Kind::Pressure;  // along the normal: a polynomial, integrated exactly on curved sides
+      const bool pushes = load.kind == Load::Kind::Pressure;  // along the normal: a polynomial, integrated exactly also on curved sides
       const Point force = pushes ? scaled(-value[0], map.normal()) : scaled(map.measure(), value);
       for (int a = 0; a < reference.nodes; ++a)
         for (int k = 0; k < dimension; ++k) forces[Eigen::Index(nodes[a]) * dimension + k] += force[k] * reference.valuesAt(q)[a];
@@ -27,7 +27,7 @@ void addSideLoad(const CellBlock& block, const std::vector<Side>& sides, const L
 }
 
 void addSideFlux(const CellBlock& block, const Side& side, double factor, Vector& flux) {
-  Load inward;  // a pressure pushes into the body
+  Load inward;  // a pressure acts into the body
   inward.kind = Load::Kind::Pressure;
   inward.value[0] = -factor;
   addSideLoad(block, {side}, inward, flux);

@@ -8,7 +8,7 @@ namespace suture {
 
 namespace {
 
-/// A block of elements with the numbers that the loads need.
+/// A block of elements with the numbering that the loads need.
 struct Loaded {
   const CellBlock& block;
   const SideGroups& groups;

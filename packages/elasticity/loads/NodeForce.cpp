@@ -25,7 +25,7 @@ double randomForce(const Load& load, GlobalId node, int component) {
 
 double nodeForce(const Load& load, GlobalId node, int component) {
   if (load.kind == Load::Kind::Random) return randomForce(load, node, component);
-  if (load.node < 0) throw InternalError("a Point Force whose node was not found (resolveLoads)");
+  if (load.node < 0) throw InternalError("a Point Force without a node (call resolveLoads() first)");
   return node == load.node ? load.factor * load.value[component] : 0.0;
 }
 

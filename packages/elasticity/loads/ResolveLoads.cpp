@@ -16,10 +16,10 @@ namespace suture {
 
 namespace {
 
-constexpr double kNear = 1e-6;  // default of Tolerance over the bodies' extent
-constexpr double kSame = 1e-9;  // difference of equal distances over the extent
+constexpr double kNear = 1e-6;  // default of Tolerance, relative to the bodies' extent
+constexpr double kSame = 1e-9;  // difference up to which distances count as equal, relative to the extent
 
-/// Node of a body, and how far it is from a point. Plain.
+/// Node of a body, and its distance from a point. Trivially copyable.
 struct Candidate {
   double distance;
   GlobalId node;
@@ -27,7 +27,7 @@ struct Candidate {
   Point place;
 };
 
-/// The meshes of a scene, on however many ranks.
+/// The meshes of a scene, on any number of ranks.
 struct Pieces {
   struct Piece {
     const CellBlock* block;
@@ -40,7 +40,7 @@ struct Pieces {
   std::function<std::vector<Candidate>(const std::vector<Candidate>& mine)> join;  ///< candidates of all ranks
 };
 
-/// take(place, measure) at the quadrature points of all sides of a load.
+/// Calls take(position, measure) at the quadrature points of all sides of a load.
 template <typename Take>
 void forEachPoint(const Pieces& pieces, const Load& load, Rule rule, const Take& take) {
   for (const Pieces::Piece& piece : pieces.pieces)
@@ -87,7 +87,7 @@ void makeLinearTraction(const Pieces& pieces, Load& load) {
 
 double extentOf(const Pieces& pieces) {
   const double none = -std::numeric_limits<double>::infinity();
-  double box[6] = {none, none, none, none, none, none};  // largest coordinates, and minus the smallest
+  double box[6] = {none, none, none, none, none, none};  // largest coordinates, and negated smallest ones
   for (const Pieces::Piece& piece : pieces.pieces)
     for (int node = 0; node < piece.block->nodes(); ++node) {
       const Point place = piece.block->point(node);
@@ -100,7 +100,7 @@ double extentOf(const Pieces& pieces) {
   return norm({box[0] + box[3], box[1] + box[4], box[2] + box[5]});
 }
 
-/// The nearest node of each body that the load may take.
+/// The nearest node of each body on which the load may act.
 std::vector<Candidate> nearest(const Pieces& pieces, const ElasticModel& model, const Load& load, double same) {
   std::vector<Candidate> mine;
   const auto isBetter = [same](const Candidate& a, const Candidate& b) {
@@ -134,7 +134,7 @@ void findNode(const Pieces& pieces, const ElasticModel& model, Load& load, Probl
     if (!found.empty())
       text << "; the nearest one is " << placeText(found.front().place, model.dimension) << " of the body '"
            << model.bodies[found.front().body] << "', " << found.front().distance
-           << " away. Give the geometry a point there, or set Tolerance";
+           << " away. Add a point to the geometry there, or set Tolerance";
     problems.add(load.path + "/Point", text.str());
     return;
   }

@@ -7,15 +7,15 @@
 
 namespace suture {
 
-/// Makes loads that are known on a mesh only into ones that act element by element:
-/// - Force F: the traction F / A, A the area of its groups (length in the plane, of the whole circle in axisymmetric scenes);
+/// Converts loads that depend on the mesh into loads that act element by element:
+/// - Force F: the traction F / A, A the area of its groups (length in 2D, of the whole circle in axisymmetric scenes);
 /// - Moment M: the traction spin x (x - c), c the groups' centroid, J spin = M, J the integral of |r|^2 I - r r^T with r = x - c. It has no
-///   resultant, and on a straight side across a beam it is the linear stress of bending;
-/// - Point Force: the node nearest to its place, the lowest number of several of one body.
+/// resultant, and on a straight side across a beam it is the linear bending stress;
+/// - Point Force: the nearest node; among several equally near nodes of one body the lowest number.
 ///
 /// The meshes are those of one scene, before rigid motions are taken out. Collective; the model is the same on all ranks, before and after.
-/// \throws InputError  all of: no node within the tolerance of a point (the nearest one, its distance), nodes of several bodies there, an
-/// unknown body
+/// \throws InputError  lists all of: no node within the tolerance of a point (nearest node, its distance), nodes of several bodies there,
+/// an unknown body
 void resolveLoads(const Comm& comm, const std::vector<SubdomainMesh>& meshes, ElasticModel& model);
 
 /// The same on a whole mesh. Local.

@@ -10,9 +10,9 @@ namespace suture {
 
 namespace {
 
-constexpr double kStraight = 1e-9;  // sine of the angle between chords, below which they are one line
-constexpr double kAlike = 0.25;     // part of the larger curvature up to which a change along a side is smooth
-const double kCornerAngle = 45.001 * 3.14159265358979323846 / 180;  // a ring of eight sides is still round
+constexpr double kStraight = 1e-9;  // sine of the angle between chords below which they are collinear
+constexpr double kAlike = 0.25;     // fraction of the larger curvature up to which a change along a side is smooth
+const double kCornerAngle = 45.001 * 3.14159265358979323846 / 180;  // a ring of eight sides still counts as round
 
 using Curvature = std::optional<double>;
 
@@ -26,28 +26,28 @@ Curvature curvatureBetween(const Point& before, const Point& after) {
 
 using Bend = BoundaryCurve::Bend;
 
-/// Curvatures at four nodes that follow each other; the side lies between the second and the third.
+/// Curvature along the side between the second and third of four successive nodes.
 Bend bendOf(Curvature first, Curvature second, Curvature third, Curvature fourth) {
   if (!second && !third) return {};
   if (!second) return {*third, *third, fourth ? *fourth - *third : 0.0};
   if (!third) return {*second, *second, first ? *first - *second : 0.0};
   const double left = *second, right = *third, change = right - left;
-  // An unknown outer change is taken to be as the inner one.
+  // An unknown outer change is assumed equal to the inner one.
   const double before = first ? left - *first : change, after = fourth ? *fourth - right : change;
   const double most = std::max({std::abs(before), std::abs(change), std::abs(after)});
   const bool alike = most <= kAlike * std::max(std::abs(left), std::abs(right));
-  // Through an inflection the curvature may change by more than itself, but steadily.
+  // At an inflection the curvature may change by more than its own magnitude, but steadily.
   const bool steady = first && fourth && std::max({before, change, after}) - std::min({before, change, after}) <= most / 2;
   if (alike || steady) return {left, right, (after - before) / 2};
-  // An end without outer neighbour is like one: the end of a line has the value of the node beside it.
+  // An end without outer neighbour counts as agreeing: the end of a line has the value of the node next to it.
   const double toFirst = first ? before : 0.0, toFourth = fourth ? after : 0.0;
   const auto agree = [&](double at, Curvature outer, double difference) {
     return std::abs(difference) <= kAlike * std::max(std::abs(at), std::abs(outer.value_or(at)));
   };
   const bool leftAgrees = agree(left, first, toFirst), rightAgrees = agree(right, fourth, toFourth);
-  // The end whose neighbour is like it decides. If both ends have such a neighbour, or neither has, a straight end decides, because a line
-  // goes on straight beside a chamfer and on a polygon. Failing that, the end of smaller change decides if both have such a neighbour, and
-  // the more curved one if neither has: that is the middle of a fillet of two sides, whose other nodes are means of arc and line.
+  // The end that agrees with its neighbour decides. If both or neither agree, a straight end decides, because a line continues straight
+  // beside a chamfer and on a polygon. Otherwise the end with the smaller change decides if both agree, and the more curved one if neither
+  // does: that is the middle of a fillet of two sides, whose other nodes are means of arc and line.
   bool takeLeft = leftAgrees;
   if (leftAgrees == rightAgrees) {
     const bool more = leftAgrees ? std::abs(toFirst) < std::abs(toFourth) : std::abs(left) > std::abs(right);
@@ -59,7 +59,7 @@ Bend bendOf(Curvature first, Curvature second, Curvature third, Curvature fourth
 }  // namespace
 
 BoundaryCurve::BoundaryCurve(const Surface& surface) {
-  if (surface.dimension() != 2) throw InternalError("a boundary curve of a surface in space");
+  if (surface.dimension() != 2) throw InternalError("BoundaryCurve needs a 2D surface");
   std::vector<Point> chords;
   for (int side = 0; side < surface.sides(); ++side) {
     const std::vector<int>& nodes = surface.nodesOf(side);
@@ -73,7 +73,7 @@ BoundaryCurve::BoundaryCurve(const Surface& surface) {
   };
   for (int side = 0; side < surface.sides(); ++side) {
     const int previous = before(side), next = after(side);
-    // Nothing is seen across a corner.
+    // Neighbours across a corner are ignored.
     const Curvature atBegin = curvature(previous, side), atEnd = curvature(side, next);
     bends_.push_back(bendOf(atBegin ? curvature(before(previous), previous) : std::nullopt, atBegin, atEnd,
                             atEnd ? curvature(next, after(next)) : std::nullopt));

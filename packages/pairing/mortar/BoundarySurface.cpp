@@ -16,12 +16,12 @@ namespace suture {
 
 namespace {
 
-constexpr int kPasses = 20;           // at most, of tilting the normal
+constexpr int kPasses = 20;           // largest number of updates of the normal
 constexpr double kUpright = 1e-14;    // last tilt and change of k
-constexpr double kCurvatures = 1e-3;  // scale of curvatures: what neighbours in two rows leave open is tilt rather than curvature
+constexpr double kCurvatures = 1e-3;  // scale of curvatures: neighbours in two rows cannot separate tilt and curvature; tilt is preferred
 constexpr std::size_t kEnough = 6;    // neighbours for five coefficients
-constexpr double kDependent = 3e-5;   // ratio of pivots up to which neighbours do not tell coefficients apart: curvatures of two rows
-constexpr double kUncurved = 1e-9;    // trace of H over the distance of the neighbours
+constexpr double kDependent = 3e-5;   // ratio of pivots up to which neighbours cannot separate coefficients: curvatures of two rows
+constexpr double kUncurved = 1e-9;    // trace of H relative to the inverse distance of the neighbours
 
 using Jet = BoundarySurface::Jet;
 
@@ -48,7 +48,7 @@ Jet fit(Point normal, const std::vector<Point>& arms) {
     solver.setThreshold(kDependent);
     c = solver.compute(by).solve(heights);
     c.tail(3) *= kCurvatures;
-    // Of a saddle the trace may vanish: no curvature is above the norm of the tensor.
+    // For a saddle the trace may vanish: the norm of the tensor bounds every curvature.
     const double trace = c[2] + c[4], squares = c[2] * c[2] + 2 * c[3] * c[3] + c[4] * c[4], most = std::sqrt(squares);
     const double before = k;
     k = std::abs(trace) > kUncurved ? std::clamp(squares / trace, -most, most) : 0.0;
@@ -89,7 +89,7 @@ class Fitting {
       for (const int side : sidesAt_.at(node)) all.insert(surface_.nodesOf(side).begin(), surface_.nodesOf(side).end());
     return all;
   }
-  /// Mean over the corners here, exact for spheres whose nodes are all around (Max 1999).
+  /// Mean over the corners, exact for spheres if nodes surround this one (Max 1999).
   Point firstNormal(int node) const {
     Point sum{0, 0, 0};
     for (const int side : sidesAt_.at(node)) {
@@ -115,9 +115,9 @@ double BoundarySurface::Jet::curvature(const Point& arm) const {
 }
 
 BoundarySurface::BoundarySurface(const Surface& surface, const std::vector<int>& groupOf) : jets_(std::size_t(surface.sides())) {
-  if (surface.dimension() != 3) throw InternalError("a boundary surface of a line in the plane");
+  if (surface.dimension() != 3) throw InternalError("BoundarySurface needs a 3D surface");
   for (int side = 0; side < surface.sides(); ++side)
-    if (surface.nodesOf(side).size() > 4) throw InternalError("a boundary surface of sides of second order");
+    if (surface.nodesOf(side).size() > 4) throw InternalError("BoundarySurface needs first-order sides");
   const SmoothParts parts = smoothParts(surface, groupOf);
   std::map<int, std::vector<int>> curved;
   for (int side = 0; side < surface.sides(); ++side)

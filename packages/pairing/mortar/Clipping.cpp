@@ -9,9 +9,9 @@ namespace suture {
 
 namespace {
 
-constexpr double kNoArea = 1e-15;  // least common part of two polygons, relative to the smaller one
+constexpr double kNoArea = 1e-15;  // least intersection of two polygons, relative to the smaller one
 
-/// Twice the area of a triangle, positive where its corners run counter-clockwise.
+/// Twice the area of a triangle, positive if its corners run counter-clockwise.
 double turn(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c) {
   return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
 }

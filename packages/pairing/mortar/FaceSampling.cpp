@@ -10,13 +10,13 @@ namespace {
 constexpr double kAcross = 0.5;         // cosine of the angle up to which two normals are opposite
 constexpr double kEdgeOn = 1e-6;        // cosine of the angle between a normal and a line up to which the line does not cross
 constexpr double kAntiparallel = 1e-9;  // sine of the angle up to which two sides are parallel
-constexpr double kSnap = 1e-12;         // distance of a corner from an edge on which it lies, relative to the facet
+constexpr double kSnap = 1e-12;         // distance of a corner from an edge up to which it lies on the edge, relative to the facet
 constexpr double kRound = 1e-15;        // the same relative to the coordinates
-constexpr double kBeyond = 1e-9;        // distance beyond an edge at which a node still stands opposite to a facet, relative to the facet
-constexpr double kWithin = 1e-9;        // part of a way at whose ends a facet is not between them
-constexpr double kLayered = 1e-9;       // area of common parts beyond that of the facet, relative to it
-constexpr int kCurvedDegree = 5, kMostDegree = 10;  // degrees of quadratures: over parts of curved faces, of distorted sides
-constexpr double kDistorted = 1e-9;                 // terms of integrands left out
+constexpr double kBeyond = 1e-9;        // distance beyond an edge up to which a node counts as opposite to a facet, relative to the facet
+constexpr double kWithin = 1e-9;        // fraction of a distance at both of its ends where a facet does not count as between them
+constexpr double kLayered = 1e-9;       // area of intersections in excess of that of the facet, relative to it
+constexpr int kCurvedDegree = 5, kMostDegree = 10;  // quadrature degrees: on curved faces, on distorted sides
+constexpr double kDistorted = 1e-9;                 // relative size of the neglected terms of integrands
 
 std::vector<MortarFace> facesOf(const Mesh& mesh, const Surface& surface) {
   std::vector<MortarFace> all;
@@ -24,7 +24,7 @@ std::vector<MortarFace> facesOf(const Mesh& mesh, const Surface& surface) {
   return all;
 }
 
-/// The first of its groups that each side of a face is in.
+/// For each side of a face, the first of the face's groups that contains it.
 std::vector<int> groupsOf(const Mesh& mesh, const ContactFace& face) {
   std::map<std::pair<int, int>, int> groupOf;
   for (std::size_t group = 0; group < face.groups.size(); ++group)
@@ -67,9 +67,9 @@ int degreeOf(Cell cell) {
   }
 }
 
-/// Degree of the quadrature over the common part of two sides: that of shape functions times multiplier, where they are polynomials of the
-/// place in space. Of distorted quadrilaterals they are series whose terms of a higher degree have the distortion's powers as factors. Over
-/// curved faces the shape of the elements is the larger error.
+/// Quadrature degree over the intersection of two sides: shape functions times multiplier, as far as these are polynomials of the position.
+/// On distorted quadrilaterals they are series whose terms of higher degree have powers of the distortion as factors. On curved faces the
+/// element shape is the larger error.
 int degreeOf(const MortarFace& own, const MortarFace& other, Contact::Multipliers multipliers) {
   if (own.isCurved() || other.isCurved()) return kCurvedDegree;
   const int multiplier = multipliers == Contact::Multipliers::Quadratic ? degreeOf(own.cell()) : own.vertices() - 2;
@@ -146,8 +146,8 @@ FaceSampling::Candidates FaceSampling::along(const std::vector<Point>& points, c
   return some;
 }
 
-/// True if the way from a facet behind a point to the point leaves the facet's body again: it is no interference, the bodies lie beside
-/// each other, and the facet is on the far end of one. \param place, from  the point, over the plane of the projection
+/// True if the line from a facet behind a point to the point leaves the facet's body on the way: there is no interference, the bodies lie
+/// next to each other, and the facet is on the far side of its body. \param place, from  the point, over the plane of the projection
 bool FaceSampling::isThrough(const Facet& facet, const PlanePoint& place, double from, const Projection& projection,
                              const std::vector<const Facet*>& leaving) const {
   const auto wayTo = [&](const Facet& to) { return projection.wayTo(to.points[0], to.area, place) - from; };
@@ -199,7 +199,7 @@ Point FaceSampling::meanNormal(int side, int node) const {
   return norm(cross(normal, facing)) > kAntiparallel ? unit(minus(normal, facing)) : normal;
 }
 
-/// Adds the common parts of a facet with those opposite.
+/// Adds the intersections of a facet with the opposite facets.
 FaceSampling::Areas FaceSampling::cut(const Facet& own, const Projection& projection, std::vector<Overlap>& overlaps) const {
   const Candidates candidates = along(own.points, projection.along, own_[own.side].body());
   const Polygon whole = projection(own.points);
@@ -242,7 +242,7 @@ MortarSamples FaceSampling::sample(int side, const Point& normal) const {
   for (int i = firstFacet_[side]; i < firstFacet_[side + 1]; ++i) {
     std::vector<Overlap> overlaps;
     const Areas areas = cut(ownFacets_[i], projection, overlaps);
-    // Where facets of the other face lie behind each other the nearest counts.
+    // Where facets of the other face lie behind each other, the nearest counts.
     std::vector<const Facet*> rivals;
     if (areas.common > (1 + kLayered) * areas.whole)
       for (const Overlap& overlap : overlaps) rivals.push_back(overlap.other);
@@ -269,7 +269,7 @@ void FaceSampling::addReach(const Overlap& overlap, const Projection& projection
     }
 }
 
-/// True if no other facet is nearer at a point.
+/// True if no other facet is closer at a point.
 bool FaceSampling::isNearest(const Facet& facet, double gap, const Point& from, const Projection& projection,
                              const std::vector<const Facet*>& rivals) const {
   const PlanePoint place = projection(from);
@@ -284,8 +284,8 @@ bool FaceSampling::isNearest(const Facet& facet, double gap, const Point& from, 
   return true;
 }
 
-// Straight elements stay so. They approximate the shape of the faces in contact, which is one surface: of the curvature
-// (1 - share) x own - share x other, seen from the carrying side.
+// Straight elements stay straight. They approximate the shape of the faces in contact, which is one surface with the curvature (1 - share)
+// x own - share x other, seen from the carrying side.
 void FaceSampling::addBulge(const MortarFace::Place& on, const SmoothFace& own, const MortarFace::Place& onOther, const SmoothFace& other,
                             const Point& normal, MortarSample& to) const {
   double mine = own.spread(on.values), its = other.spread(onOther.values);
@@ -316,11 +316,11 @@ void FaceSampling::addSamples(const Overlap& overlap, const Projection& projecti
       for (int k = 0; k < 3; ++k)
         for (int c = 0; c < 2; ++c) place[c] += rule.points[q][k] * triangle[k][c];
       const auto on = ownShadow.meet(place), onOther = otherShadow.meet(place);
-      if (!on || !onOther) continue;  // beyond the edge of a curved side: of no weight
+      if (!on || !onOther) continue;  // beyond the edge of a curved side: negligible weight
       MortarSample sample;
       sample.at = on->at, sample.own = on->values;
       sample.other = overlap.other->side, sample.others = onOther->values;
-      // A surface that leans against the plane has more area than its projection.
+      // A surface inclined to the plane has a larger area than its projection.
       sample.weight = area * rule.weights[q] * std::sqrt(dot(on->density, on->density)) / dot(on->density, projection.along);
       sample.gap = dot(minus(onOther->point, on->point), projection.along);
       if (!rivals.empty() && !isNearest(*overlap.other, sample.gap, on->point, projection, rivals)) continue;

@@ -13,8 +13,8 @@ using Geometry = ContactSurface::Geometry;
 
 constexpr double kOpposite = 1e-9;  // sine of the angle up to which two sides are parallel
 
-/// Tells each second-order element how the curvature changes along it: from its neighbours' by the smaller of the two differences, which
-/// sees no change beside the joint of a line and an arc.
+/// Sets the change of curvature along each second-order element: the smaller of the differences to its neighbours, which is zero next to
+/// the joint of a line and an arc.
 void findChanges(const Surface& surface, std::vector<Segment>& all) {
   for (int side = 0; side < surface.sides(); ++side) {
     Segment& segment = all[side];
@@ -60,12 +60,12 @@ bool LineSampling::isFaceted() const {
          (std::any_of(own_.begin(), own_.end(), curved) || std::any_of(other_.begin(), other_.end(), curved));
 }
 
-// Distance by which the smooth sides are nearer than their elements at a point of both, and its estimated error.
+// Distance by which the smooth sides are closer than their elements at a point of both, and its estimated error.
 LineSampling::Nearer LineSampling::nearer(const Segment& own, double xi, const Segment& other, double eta, const Point& normal) const {
   Nearer result;
   const Point back{-normal[0], -normal[1], 0};
   const double mine = own.curvature(xi), its = other.curvature(eta);
-  // Straight elements of two nodes stay so. They approximate the shape of the sides in contact, which is one curve.
+  // Straight two-node elements stay straight. They approximate the shape of the sides in contact, which is one curve.
   const double common = contact_.geometry == Geometry::Smooth ? mine : (1 - share_) * mine - share_ * its;
   const double against = contact_.geometry == Geometry::Smooth ? its : -common;
   const auto add = [&](const Segment& segment, double drawn, double closed, double at, const Point& out) {
@@ -103,7 +103,7 @@ MortarSamples LineSampling::sample(int side, const Point& normal) const {
       const double xi = middle + half * rule_.points(q);
       const Point from = own.at(xi);
       const auto met = Segmentation::meet(from, normal, other);
-      if (!met) continue;  // beyond the element's end by rounding of its curve: of no weight
+      if (!met) continue;  // beyond the element's end due to round-off of its curve: negligible weight
       MortarSample point{
           {xi, 0, 0}, half * rule_.weights(q) * norm(own.tangent(xi)), met->gap, 0, static_cast<int>(&other - other_.data())};
       point.own = sideValues(own.count(), 2, point.at);

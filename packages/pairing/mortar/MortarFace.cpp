@@ -11,10 +11,10 @@ namespace suture {
 
 namespace {
 
-constexpr double kStraightEdge = 1e-10;  // distance of an edge's middle node from the middle, relative to the element
+constexpr double kStraightEdge = 1e-10;  // distance of a mid-side node from the middle of its edge, relative to the element
 constexpr double kFlat = 1e-6;           // angle between the normals of a flat face
 constexpr double kSolved = 1e-7;         // last step of Newton's method in the reference cell: the error is of the order of its square
-constexpr double kLeft = 4.0;            // coordinate in the reference cell at which a search has left the element
+constexpr double kLeft = 4.0;            // reference coordinate beyond which a search has left the element
 constexpr int kSteps = 25;
 
 }  // namespace

@@ -17,18 +17,18 @@ namespace suture {
 
 namespace {
 
-constexpr double kParallel = 1e-13;  // difference of two normals that are one
-// Largest value of a node's hat function on the covered part below which the node carries no condition. The end of a side on a smooth
-// partner has the pressure r^-0.23 of like bodies: its mean weighted with the hat function of a node beyond the end is up to reach^-0.23
-// times that at a node on it (5 % here, 17 % at one half, without limit towards zero).
+constexpr double kParallel = 1e-13;  // difference up to which two normals count as equal
+// Largest value of a node's hat function on the covered part below which the node carries no condition. At the end of a side on a smooth
+// partner the pressure of like bodies behaves as r^-0.23: its mean weighted with the hat function of a node beyond the end is up to
+// reach^-0.23 times the mean of a node at the end (5 % more here, 17 % more at one half, unbounded towards zero).
 constexpr double kReach = 0.9;
-constexpr double kCoversSide = 0.9;  // part of each side that is covered where the other face ends nowhere on this one
-constexpr double kDistinct = 1e-8;   // ratio of pivots up to which the shape functions differ on a covered part in space
-constexpr double kMuchFiner = 2.0;   // intervals of one side for each of the other
+constexpr double kCoversSide = 0.9;  // fraction of each side that is covered if the other face has no end on this one
+constexpr double kDistinct = 1e-8;   // ratio of pivots up to which the shape functions are distinct on a covered part in 3D
+constexpr double kMuchFiner = 2.0;   // intervals of one side per interval of the other
 
 class Mortar {
  public:
-  /// \param other  the other face; null: an obstacle
+  /// \param other  the other face; null for an obstacle
   Mortar(const ContactSurface& contact, const Surface& own, const Surface* other, double sign,
          std::unique_ptr<const MortarSampling> sampling)
       : contact_(contact), sign_(sign), surface_(own), other_(other), sampling_(std::move(sampling)) {
@@ -40,10 +40,10 @@ class Mortar {
   }
 
   std::size_t nodes() const { return rowNormals_.size(); }
-  /// True if the other face stands opposite to all of this one. Normals at the ends of curved faces may miss it by the size of the gap.
+  /// True if all of this face is opposite to the other one. Normals at the ends of curved faces may miss it by about the gap.
   bool coversAll() { return coveredIntervals() > 0 && leastCovered_ > kCoversSide; }
   bool isFaceted() const { return sampling_->isFaceted(); }
-  /// Number of intervals between nodes that the other side stands opposite to, in space of quadrilaterals.
+  /// Number of intervals between nodes that are opposite to the other side; in 3D number of quadrilaterals.
   double coveredIntervals() {
     if (coverageKnown_) return coveredIntervals_;
     for (int side = 0; side < surface_.sides(); ++side) {
@@ -58,7 +58,7 @@ class Mortar {
     return coveredIntervals_;
   }
 
-  /// Nodes that carry a condition though the other face does not come near, for want of a neighbour that it reaches.
+  /// Nodes that carry a condition although the other face does not come close, because no neighbour is reached by it.
   std::vector<int> unreached() {
     integrate();
     std::vector<int> nodes;
@@ -80,11 +80,11 @@ class Mortar {
   }
 
  private:
-  /// Integrals of psi_j with: the shape functions of both sides by node, the gap, one.
+  /// Integrals of psi_j times: the shape functions of both sides by node, the gap, one.
   struct Row {
     std::map<int, double> own, others;
     double gap = 0, doubt = 0, weight = 0;
-    bool tookOver = false;  // other nodes' psi
+    bool tookOver = false;  // has received psi of other nodes
     void takeOver(const Row& row) {
       tookOver = true;
       for (const auto& [node, value] : row.own) own[node] += value;
@@ -99,12 +99,12 @@ class Mortar {
     coveredIntervals_ += intervalsOf(side) * part;
     leastCovered_ = std::min(leastCovered_, part);
   }
-  // In space as many as a side has vertices on a large face: a triangle half a one, a quadrilateral one.
+  // 3D: the number of vertices per side on a large face: one half for a triangle, one for a quadrilateral.
   double intervalsOf(int side) const {
     return surface_.dimension() == 2 ? double(surface_.nodesOf(side).size()) - 1 : (surface_.facets(side) - 2) / 2.0;
   }
 
-  /// Points of a side along one normal, with the values there of the multiplier's dual functions.
+  /// Quadrature points of a side along one normal, with the values of the dual functions there.
   struct Points {
     std::vector<MortarSample> all;
     Matrix psi;  // functions x points, times the weights
@@ -126,7 +126,7 @@ class Mortar {
     return points;
   }
 
-  // Each row has a constant normal: the way from a point of one side to that of the other is then parallel to the row's force, and moments
+  // Each row has a constant normal: the line between matched points of the two sides is then parallel to the row's force, and moments
   // balance. On straight lines and flat faces one set of points serves all rows of an element.
   void addRows(int side) {
     const std::vector<int>& nodes = surface_.nodesOf(side);
@@ -184,8 +184,8 @@ class Mortar {
     integrated_ = true;
     for (int side = 0; side < surface_.sides(); ++side) addRows(side);
     coverageKnown_ = true;
-    // Nodes between vertices have their functions on the sides alone that are covered wholly: beside a vertex that hands its own on they
-    // would carry a part of theirs.
+    // Mid-side nodes have functions only on sides that are covered entirely: next to a vertex that transfers its share they would carry
+    // part of it.
     for (const int side : linearSides_) {
       const std::vector<int>& nodes = surface_.nodesOf(side);
       const auto middle = nodes.begin() + sampling_->functions(side, false);
@@ -194,8 +194,8 @@ class Mortar {
     handOn();
   }
 
-  /// Nodes that the other face does not come near to hand their share on to the nearest that it does: projected along its normal, so that
-  /// forces and moments of both sides stay equal.
+  /// Nodes that the other face does not reach transfer their share to the nearest node that it reaches, projected along the normal of that
+  /// node, so that forces and moments of both sides remain equal.
   void handOn() {
     const std::map<int, int> heirs = findHeirs();
     if (heirs.empty()) return;
@@ -226,7 +226,7 @@ class Mortar {
         }
       };
       look(node);
-      if (!heirs.count(node))  // a corner of which a tip is covered
+      if (!heirs.count(node))  // a corner that is covered at its tip only
         for (const int near : surface_.nodesNear(node)) look(near);
     }
     return heirs;
@@ -263,11 +263,11 @@ class Mortar {
   const Surface& surface_;
   const Surface* other_;
   std::unique_ptr<const MortarSampling> sampling_;
-  std::map<int, Row> rows_;          // by the node that carries it
+  std::map<int, Row> rows_;          // by carrying node
   std::map<int, Point> rowNormals_;  // by node
   std::map<int, double> reach_;      // by node: largest value of its linear function on the covered part
-  std::set<int> linearSides_;        // covered in part: their functions are linear
-  std::set<int> halved_;             // nodes between vertices that hand their share on
+  std::set<int> linearSides_;        // sides covered in part, with linear functions
+  std::set<int> halved_;             // mid-side nodes that transfer their share
   double coveredIntervals_ = 0, leastCovered_ = 1;
   bool coverageKnown_ = false, integrated_ = false;
 };
@@ -277,10 +277,10 @@ std::unique_ptr<Mortar> mortarOn(bool onA, const Mesh& mesh, const ContactSurfac
   return std::make_unique<Mortar>(contact, *own.surface, &*other.surface, onA ? 1.0 : -1.0, samplingOf(mesh, contact, onA));
 }
 
-/// True if side A is the one to carry: the side that the other covers wholly, where the stress ends with the side and not inside an
-/// element. Not where elements of two nodes meet a curve and that side is much finer: it would take what the other cannot follow for
-/// pressure. Of two such sides or none, there that with fewer nodes on what both share, else that with more nodes, which resolves the
-/// stress better and has one node per condition.
+/// True if side A should carry. This is the side that the other covers entirely, where the stress ends with the side and not inside an
+/// element, except where two-node elements meet a curve and that side is much finer: its pressures would then contain the shape error that
+/// the coarser side cannot follow. If both or neither are covered, it is there the side with fewer nodes on the common part, otherwise the
+/// side with more nodes, which resolves the stress better and has one node per condition.
 bool carriesBetter(Mortar& a, Mortar& b) {
   const bool faceted = a.isFaceted();
   if (a.coversAll() != b.coversAll()) {
@@ -297,7 +297,7 @@ std::unique_ptr<Mortar> makeMortar(const Mesh& mesh, const ContactSurface& conta
   return carriesBetter(*a, *b) ? std::move(a) : std::move(b);
 }
 
-/// Notes that the side which the scene names to carry the stress is the finer one.
+/// Warns if the side selected in the scene to carry the stress is the finer one.
 void warnOfFinerCarrier(const Mesh& mesh, const ContactSurface& contact, Mortar& mortar, std::vector<std::string>& notes) {
   const bool onA = contact.carrier == ContactSurface::Carrier::SideA;
   if (contact.carrier == ContactSurface::Carrier::Automatic || !mortar.isFaceted()) return;
@@ -306,8 +306,8 @@ void warnOfFinerCarrier(const Mesh& mesh, const ContactSurface& contact, Mortar&
   std::ostringstream text;
   text << "warning: " << contact.path << "/Multipliers On: " << (onA ? "Side A" : "Side B") << " is curved and has " << std::setprecision(2)
        << mortar.coveredIntervals() / other->coveredIntervals()
-       << " elements for each of the other side, whose straight elements cannot follow it: nodal pressures may alternate between zero and "
-          "twice the right ones; choose Automatic, which lets the coarser side carry";
+       << " elements per element of the other side, whose straight elements cannot follow it: nodal pressures may alternate between zero "
+          "and twice the correct value; choose Automatic, which selects the coarser side";
   notes.push_back(text.str());
 }
 
@@ -316,10 +316,10 @@ void warnOfSmallParts(const Mesh& mesh, const ContactSurface& contact, Mortar& m
   const std::vector<int> nodes = mortar.unreached();
   if (nodes.empty()) return;
   std::ostringstream text;
-  text << "warning: contact '" << contact.name << "': its sides share only a part of an element at "
+  text << "warning: contact '" << contact.name << "': its sides share only part of an element at "
        << placeText(mesh.point(nodes.front()), mesh.dimension);
   if (nodes.size() > 1) text << " and at " << nodes.size() - 1 << " more nodes";
-  text << ": pressures there are means over parts much smaller than the elements. Let the other side carry (Multipliers On), or refine";
+  text << ": pressures there are means over parts much smaller than the elements. Select the other side in Multipliers On, or refine";
   notes.push_back(text.str());
 }
 
@@ -333,11 +333,9 @@ PairedSurface mortarPairs(const Mesh& mesh, const ContactSurface& contact, Probl
   const std::unique_ptr<Mortar> mortar = makeMortar(mesh, contact);
   PairedSurface result = mortar->pairs();
   if (result.pairs.empty())
-    problems.add(contact.path,
-                 "the sides " + contact.a.name() + " and " + contact.b.name() +
-                     " overlap nowhere: no normal of one meets the other face to face. Do the bodies lie on opposite sides of "
-                     "the " +
-                     (mesh.dimension == 2 ? "line?" : "surface?"));
+    problems.add(contact.path, "the sides " + contact.a.name() + " and " + contact.b.name() +
+                                   " overlap nowhere: no normal of one side meets the other. Do the bodies lie on opposite sides of the " +
+                                   (mesh.dimension == 2 ? "line?" : "surface?"));
   else {
     warnOfFinerCarrier(mesh, contact, *mortar, notes);
     warnOfSmallParts(mesh, contact, *mortar, notes);

@@ -8,9 +8,9 @@ namespace suture {
 
 namespace {
 
-// Part of the cubic deviation of a line from a parabola that remains in the pressures. Neighbouring elements deviate nearly alike, and
-// displacements follow the rest. Calibrated on ellipses of axes 1.5 and 3 with 16:12 and 8:12 elements a quarter, where nodal pressures are
-// 1.5 to 13 % wrong.
+// Fraction of the cubic deviation of a line from a parabola that affects the pressures. Neighbouring elements deviate nearly alike, and
+// displacements compensate the rest. Calibrated on ellipses of axes 1.5 and 3 with 16:12 and 8:12 elements per quarter, where nodal
+// pressures are 1.5 to 13 % wrong.
 constexpr double kNotFollowed = 1.0 / 13;
 
 Point mix(const std::vector<Point>& points, const std::array<double, 3>& by) {
@@ -43,11 +43,12 @@ Point MortarSegment::normalAt(double xi) const { return unit(mix(normals_, sideS
 double MortarSegment::awayFromCurve(double xi) const {
   const double h = length();
   const double arc = std::abs(height_ * height_ * height_) / (h * h);  // next term of the arc's series
-  // A middle node that is not in the middle gives the parabola a cubic part of its own.
+  // A mid-side node off the middle gives the parabola its own cubic part.
   return arc + kNotFollowed * (change_ * h * h / 48 - 4 * height_ * skew_ / h) * xi * (1 - xi * xi);
 }
 
-// A step s along the direction leads from xi to the place u + s t.d on the chord, at the height s m.d: where the arc has that height.
+// A step s along the direction leads from xi to the position u + s t.d on the chord, at the height s m.d: finds s where the arc has this
+// height.
 double MortarSegment::wayToArc(double curvature, double xi, const Point& direction) const {
   if (curvature == 0) return 0.0;
   const Point t = unit(minus(points_[1], points_[0])), m{t[1], -t[0], 0};

@@ -25,7 +25,7 @@ MortarSamples ObstacleSampling::sample(int side, const Point& normal) const {
     sample.at = at;
     sample.own = place.values;
     sample.weight = weight * norm(place.density);
-    // Where the normal of the condition leads past the obstacle the distance is as good.
+    // If the normal of the condition misses the obstacle, the shortest distance serves as well.
     sample.gap = contact_.initialGap ? contact_.initialGap->at(from)
                                      : contact_.obstacle->way(from, normal).value_or(contact_.obstacle->from(from).gap);
     samples.all.push_back(sample);

@@ -6,14 +6,14 @@
 
 namespace suture {
 
-/// A surface in space before a rigid obstacle: quadrature points of its sides, and the way from there to the obstacle. The multiplier is
-/// that of FaceSampling. Local.
+/// A surface in 3D facing a rigid obstacle: quadrature points of its sides and their distances to the obstacle. The multiplier is that of
+/// FaceSampling. Local.
 class ObstacleSampling : public MortarSampling {
  public:
   explicit ObstacleSampling(const ContactSurface& contact);
 
   int functions(int side, bool whole) const override;
-  /// Normal of the pairs there: the obstacle's, or the side's (Contact::Direction).
+  /// Normal of the pairs at the node: that of the obstacle or of the side (Contact::Direction).
   Point meanNormal(int side, int node) const override;
   MortarSamples sample(int side, const Point& normal) const override;
 

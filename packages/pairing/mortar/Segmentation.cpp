@@ -11,9 +11,9 @@ namespace {
 constexpr double kSamePlace = 1e-10;  // relative to a side's reference interval
 constexpr double kFacing = 0.5;       // cosine of the angle up to which two normals are opposite
 constexpr double kAlong = 1e-6;       // cosine of the angle between a normal and a line up to which the line does not cross
-constexpr double kBetween = 1e-9;     // part of a way at whose ends a side is not between them
+constexpr double kBetween = 1e-9;     // fraction of a distance at both of its ends where a side does not count as between them
 
-/// Zero of a function on [-1, 1] that changes its sign there; nothing if it does not.
+/// Zero of a function on [-1, 1] that changes its sign there; nothing if it does not change sign.
 template <typename Function>
 std::optional<double> zeroOf(const Function& f) {
   double low = -1, high = 1;
@@ -29,14 +29,14 @@ std::optional<double> zeroOf(const Function& f) {
   return (low + high) / 2;
 }
 
-// A line that meets a side has one of its end points on each side: no more than these is searched.
+// A line that meets a side separates its end points, so the end points suffice for the search.
 std::vector<std::vector<Point>> endsOf(const std::vector<MortarSegment>& sides) {
   std::vector<std::vector<Point>> ends;
   for (const MortarSegment& side : sides) ends.push_back({side.end(0), side.end(1)});
   return ends;
 }
 
-/// Reference coordinate at which a side meets a line; nothing if the line passes it.
+/// Reference coordinate at which a line meets a side; nothing if it misses the side.
 std::optional<double> placeOn(const MortarSegment& side, const Point& from, const Point& direction) {
   return zeroOf([&](double t) { return cross(minus(side.at(t), from), direction)[2]; });
 }
@@ -57,8 +57,8 @@ std::optional<Segmentation::Meeting> Segmentation::meet(const Point& from, const
   return Meeting{&other, *eta, dot(minus(other.at(*eta), from), direction)};
 }
 
-/// True if the way from a side behind `from` to `from` leaves that side's body again: it is no interference, the bodies lie beside each
-/// other, and what it met is the far end of one.
+/// True if the line from a side behind `from` to `from` leaves that side's body on the way: there is no interference, the bodies lie next
+/// to each other, and the line has met the far side of one.
 bool Segmentation::isThrough(const Meeting& met, const Point& from, const Point& direction, const std::vector<int>& candidates) const {
   if (met.gap >= 0.0) return false;
   return std::any_of(candidates.begin(), candidates.end(), [&](int i) {
@@ -94,7 +94,7 @@ std::optional<Segmentation::Meeting> Segmentation::nearest(const Point& from, co
   return best;
 }
 
-/// Reference coordinates where sides of the other surface begin or end, and the own ends.
+/// Reference coordinates where sides of the other surface begin or end, and both ends of the side itself.
 std::vector<double> Segmentation::breaks(const MortarSegment& own, const Point& direction, const std::vector<int>& candidates) const {
   std::vector<double> all{-1, 1};
   for (const int i : candidates)

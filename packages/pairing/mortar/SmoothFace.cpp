@@ -9,13 +9,13 @@ namespace suture {
 
 namespace {
 
-constexpr double kAside = 0.2;  // least denominator of a way, of directions nearly along the surface
+constexpr double kAside = 0.2;  // least denominator of a distance, for directions nearly along the surface
 
 }  // namespace
 
 SmoothFace::SmoothFace(const MortarFace& face, const std::vector<BoundarySurface::Jet>& jets) : face_(face), jets_(jets) {}
 
-// Sum over pairs of nodes of the product of their shape functions times a function of both and the arm between them.
+// Sum over pairs of nodes of the product of their shape functions times a function of both nodes and the vector between them.
 template <typename Function>
 double SmoothFace::sumOverPairs(const ShapeValues& values, const Function& of) const {
   const std::vector<Point>& points = face_.points();
@@ -73,7 +73,7 @@ double SmoothFace::way(const MortarFace::Place& place, double height, const Poin
   Point normal = unit(place.density);
   double along = height / size;
   if (const double own = spread(place.values); own != 0) {
-    // The normal of a surface of another spread leans against the element in proportion.
+    // The normal of a surface with another spread is tilted against the element in proportion.
     const double part = std::clamp(height / own, -1.0, 1.0);
     Point smooth{0, 0, 0};
     along = 0;

@@ -11,9 +11,9 @@ namespace suture {
 
 namespace {
 
-constexpr double kCoplanar = 1e-6;                                 // angle up to which two sides lie in one plane
+constexpr double kCoplanar = 1e-6;                                 // angle up to which two sides are coplanar
 constexpr double kCreaseAngle = 5 * 3.14159265358979323846 / 180;  // least angle of a crease
-constexpr double kCreaseRatio = 3.0;                               // least ratio of the angle of a crease to others nearby
+constexpr double kCreaseRatio = 3.0;                               // least ratio of the angle of a crease to other angles nearby
 
 class Division {
  public:
@@ -30,7 +30,7 @@ class Division {
 
   SmoothParts find() {
     const std::vector<int> plane = flood([this](int a, int b) { return areCoplanar(a, b); });
-    // A plane goes on around a node, or is all there is.
+    // A region counts as a plane if it continues around a node or is the whole surface.
     std::vector<char> goesOn(plane.size(), 0), ends(plane.size(), 0);
     std::set<int> rim;
     for (int side = 0; side < surface_.sides(); ++side)
@@ -60,7 +60,7 @@ class Division {
   double angle(int a, int b) const { return angleBetween(normals_[a], normals_[b]); }
   bool areCoplanar(int a, int b) const { return planar_[a] && planar_[b] && group(a) == group(b) && angle(a, b) <= kCoplanar; }
 
-  /// Compares the angle at the edge of two sides with those at edges nearby that do not touch it.
+  /// Compares the angle at the edge of two sides with those at nearby edges that do not touch it.
   bool isCrease(int a, int b) const {
     const double own = angle(a, b);
     if (own <= kCreaseAngle) return false;
@@ -83,7 +83,7 @@ class Division {
     return found && own > kCreaseRatio * most;
   }
 
-  /// Numbers the regions that neighbours belong together in.
+  /// Numbers the connected regions of sides that satisfy `together`.
   std::vector<int> flood(const std::function<bool(int, int)>& together) const {
     std::vector<int> number(surface_.sides(), -1);
     int count = 0;

@@ -12,7 +12,7 @@ namespace suture {
 
 namespace {
 
-/// Displacement along an axis integrated over groups, and their size.
+/// Integral over groups of the displacement along an axis, and their size.
 struct Mean {
   double integral = 0.0, size = 0.0;
 };
@@ -39,7 +39,7 @@ void addSides(const SubdomainMesh& mesh, const Vector& displacement, const Load&
 template <int D>
 double axialStress(const SubdomainMesh& mesh, const ElasticModel& model, const Vector& displacement, const Load& load) {
   const InitialState initial(model, mesh.body);
-  StressVector<D> along;  // of it every shear stress counts twice
+  StressVector<D> along;  // every shear stress counts twice
   for (int k = 0; k < stressComponents<D>; ++k) {
     const auto [i, j] = kStressAxes[k];
     along[k] = (i == j ? 1.0 : 2.0) * load.axis[std::size_t(i)] * load.axis[std::size_t(j)];
@@ -83,7 +83,7 @@ double controlledValue(const Comm& comm, const std::vector<SubdomainMesh>& meshe
 double controlledSlope(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const ElasticModel& model, const Load& load) {
   std::vector<Vector> still;
   double young = 0.0;
-  Point high{-1e300, -1e300, -1e300}, low = high;  // low: times -1
+  Point high{-1e300, -1e300, -1e300}, low = high;  // low: negated
   for (const SubdomainMesh& mesh : meshes) {
     still.push_back(Vector::Zero(Eigen::Index(mesh.nodes()) * mesh.dimension));
     for (int e = 0; e < mesh.elements(); ++e) young = std::max(young, model.materialOf(mesh, e, mesh.body).young);

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kEqual = 1e-6;  // relative difference of values that count as equal
 
-constexpr double kNothing = 1e-9;  // part of von Mises below which a principal stress is rounding of others and its place means nothing
+constexpr double kNothing = 1e-9;  // relative to von Mises: a smaller principal stress is round-off of others, without location
 
 bool isBefore(const Extreme& a, const Extreme& b) { return std::tie(a.body, a.id) < std::tie(b.body, b.id); }
 
@@ -31,7 +31,7 @@ double vonMises(const Tensor& s) {
 
 /// Smallest and largest principal stress.
 std::array<double, 2> principal(const Tensor& s) {
-  if (s[4] == 0.0 && s[5] == 0.0) {  // as in the plane: zz is one of them
+  if (s[4] == 0.0 && s[5] == 0.0) {  // as in 2D: zz is a principal stress
     const double mean = 0.5 * (s[0] + s[1]), radius = std::sqrt(0.25 * (s[0] - s[1]) * (s[0] - s[1]) + s[3] * s[3]);
     return {std::min(mean - radius, s[2]), std::max(mean + radius, s[2])};
   }
@@ -48,7 +48,7 @@ class Search {
   void stress(const Tensor& s, int body, GlobalId id, const Place& place) {
     const double equivalent = vonMises(s);
     all_[0].take(equivalent, body, id, place);
-    // No principal stress is farther than this from the mean: few tensors need their eigenvalues.
+    // Bounds every principal stress: few tensors need their eigenvalues.
     const double mean = (s[0] + s[1] + s[2]) / 3.0, farthest = (2.0 / 3.0 + kEqual) * equivalent;
     if (!all_[1].mayTake(mean + farthest) && !all_[2].mayTake(farthest - mean)) return;
     const auto [smallest, largest] = principal(s);
@@ -92,7 +92,7 @@ void searchDisplacements(const SubdomainMesh& mesh, const Vector& u, Search& sea
   }
 }
 
-/// \param stresses  rows as elementStresses(), of elements or, `atNodes`, of nodes
+/// \param stresses  as elementStresses(), per element or, if `atNodes`, per node
 void searchStresses(const SubdomainMesh& mesh, const Matrix& stresses, bool atNodes, Search& search) {
   Tensor s{};
   for (int i = 0; i < int(stresses.rows()); ++i) {
@@ -106,7 +106,7 @@ void searchStresses(const SubdomainMesh& mesh, const Matrix& stresses, bool atNo
 
 void Largest::insert(const Extreme& one) {
   const auto at = std::lower_bound(front_.begin(), front_.end(), one, isBefore);
-  if (at != front_.begin() && !((at - 1)->value < one.value)) return;  // an earlier place has as much
+  if (at != front_.begin() && !((at - 1)->value < one.value)) return;  // an earlier location has the same value
   if (at != front_.end() && !isBefore(one, *at) && !(at->value < one.value)) return;
   const auto end = std::find_if(at, front_.end(), [&](const Extreme& later) { return later.value > one.value; });
   front_.insert(front_.erase(at, end), one);

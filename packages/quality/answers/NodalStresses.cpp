@@ -10,7 +10,7 @@ std::vector<Matrix> nodalStresses(const Comm& comm, const std::vector<SubdomainM
   collectively(comm, "recovering stresses", [&] {
     for (const PatchRecovery& block : recovered) all.push_back(block.nodalSums());
   });
-  // In a body of one material a node has one stress, whoever computes it.
+  // In a body of one material the stress at a node is the same on all subdomains.
   if (!model.materialOfRegion.empty()) SeamExchange(comm, meshes).sum(all);
   for (Matrix& sums : all) {
     const Eigen::Index components = sums.rows() - 1;

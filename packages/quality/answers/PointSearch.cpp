@@ -16,9 +16,9 @@ namespace suture {
 
 namespace {
 
-/// An element that holds a point, or the one nearest to it. Plain.
+/// An element that contains a point, or the one nearest to it. Trivially copyable.
 struct Candidate {
-  double off = std::numeric_limits<double>::infinity();  // how far outside: in reference coordinates, or [length]
+  double off = std::numeric_limits<double>::infinity();  // distance outside: in reference coordinates, or [length]
   GlobalId element = -1;                                 // number in the mesh
   int body = -1, rank = -1;
   Point place{0, 0, 0};
@@ -68,7 +68,7 @@ class PointSearch {
   std::vector<CellSearch> cells_;
 };
 
-/// The best of all ranks, for each point.
+/// The best candidate of all ranks, for each point.
 std::vector<Candidate> bestOf(const Comm& comm, const std::vector<Candidate>& mine) {
   Packer packer;
   packer.put(mine);

@@ -70,8 +70,8 @@ void Reactions::finish(const Comm& comm, bool axisymmetric) {
 
 namespace {
 
-/// Part of the magnitudes of forces that is more than what the tolerance of a solver leaves of forces that cancel: a smaller resultant has
-/// no centre.
+/// Ratio of a resultant to the sum of force magnitudes above which it exceeds the solver's residual of cancelling forces: a smaller
+/// resultant has no centre.
 constexpr double kPresses = 1e-6;
 
 }  // namespace

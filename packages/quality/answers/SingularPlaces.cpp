@@ -11,14 +11,14 @@ namespace suture {
 
 namespace {
 
-constexpr double kSharp = 0.70709;  // cosine of 45.001 degrees between normals: a ring of eight sides is round
-constexpr double kBeyond = 0.05;    // way beyond an edge at which a partner goes on, relative to the side there
+constexpr double kSharp = 0.70709;  // cosine of 45.001 degrees between normals: a ring of eight sides counts as round
+constexpr double kBeyond = 0.05;    // distance beyond an edge at which a partner continues, relative to the side there
 
 /// A facet of a side: in 2D a vertex, in 3D an edge.
 struct SideFacet {
   const BoundarySide* side;
   Point middle;
-  Point along;  // unit vector of the edge; zero in the plane
+  Point along;  // unit vector of the edge; zero in 2D
 };
 
 Point middleOf(const std::vector<Point>& points) {
@@ -29,7 +29,7 @@ Point middleOf(const std::vector<Point>& points) {
 
 double sizeOf(const BoundarySide& side) { return norm(minus(side.vertices[1], side.vertices[0])); }
 
-/// Calls visit(one, other) for each two sides of one body that share a facet.
+/// Calls visit(one, other) for each pair of sides of one body that share a facet.
 template <typename Visit>
 void forEachEdge(const std::vector<BoundarySide>& sides, int dimension, const Visit& visit) {
   std::map<std::vector<GlobalId>, std::vector<SideFacet>> facets;
@@ -51,14 +51,14 @@ void forEachEdge(const std::vector<BoundarySide>& sides, int dimension, const Vi
     if (meeting.size() == 2) visit(meeting[0], meeting[1]);
 }
 
-/// True if the middle of the second side is in front of the first: seen from outside the edge is hollow.
+/// True if the middle of the second side is in front of the first: the edge is concave.
 bool isHollow(const SideFacet& one, const SideFacet& other) {
   return dot(minus(middleOf(other.side->vertices), one.middle), one.side->normal) > 0;
 }
 
 bool isSharp(const SideFacet& one, const SideFacet& other) { return dot(one.side->normal, other.side->normal) < kSharp; }
 
-/// Whether a side that faces `normal` goes on beyond an edge, in the direction `out`.
+/// True if a side that faces `normal` continues beyond an edge, in the direction `out`.
 bool goesOn(const BoundarySide& side, const Point& normal, const Point& edge, const Point& out, double size) {
   if (dot(side.normal, normal) < kSharp) return false;
   return std::any_of(side.vertices.begin(), side.vertices.end(),
@@ -70,7 +70,7 @@ bool shares(const BoundarySide& side, const std::vector<int>& nodes) {
                      [&](GlobalId node) { return std::binary_search(nodes.begin(), nodes.end(), int(node)); });
 }
 
-/// Calls visit(element) for the elements that have one of some nodes. \param nodes  of the whole mesh, ascending
+/// Calls visit(element) for the elements that contain one of some nodes. \param nodes  of the whole mesh, ascending
 template <typename Visit>
 void forEachElementAt(const SubdomainMesh& mesh, const std::vector<int>& nodes, const Visit& visit) {
   std::vector<char> wanted;
@@ -86,7 +86,7 @@ void forEachElementAt(const SubdomainMesh& mesh, const std::vector<int>& nodes, 
   }
 }
 
-/// Pairs that have an end at one of some nodes, by id. The same on all ranks. Collective.
+/// Pairs with an end at one of some nodes, by id. The same on all ranks. Collective.
 std::map<int, ContactPair> pairsAt(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const std::vector<int>& nodes,
                                    const std::vector<int>& wanted) {
   std::vector<ContactPair> mine;
@@ -146,7 +146,7 @@ bool endsOnPartner(const ContactPair& pair, const std::vector<BoundarySide>& sid
   std::sort(nodes.begin(), nodes.end());
   const auto carrying = std::find_if(sides.begin(), sides.end(), [&](const BoundarySide& side) { return shares(side, {pair.node()}); });
   const int own = carrying == sides.end() ? -1 : carrying->body;
-  // The normal leads out of side A; it is the carrying node's outward normal where this is on side A.
+  // The normal points out of side A; it is the carrying node's outward normal if this node is on side A.
   const Point outOfOwn = pair.ends.front().weight > 0 ? pair.normal : scaled(-1, pair.normal);
   bool found = false;
   for (const bool ofOwn : {true, false}) {
@@ -201,7 +201,7 @@ std::vector<std::string> singularities(const Comm& comm, const std::vector<Subdo
       if (haveReentrantEdge(near, dimension)) what = "a re-entrant corner";
       for (const auto& [id, pair] : pairs)
         if (what.empty() && std::binary_search(closed.begin(), closed.end(), id) && endsOnPartner(pair, sides, dimension))
-          what = "the end of a contact side on a partner that goes on";
+          what = "the end of a contact side on a partner that continues";
     });
     all.push_back(broadcast(comm, what));
   }

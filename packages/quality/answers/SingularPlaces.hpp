@@ -10,9 +10,9 @@ namespace suture {
 /// A side of an element on the boundary of its body, near a place in question.
 struct BoundarySide {
   int body = -1;
-  std::vector<GlobalId> nodes;  ///< all of it
+  std::vector<GlobalId> nodes;  ///< all nodes of the side
   std::vector<Point> vertices;  ///< in the order of SideGeometry.hpp; their nodes come first in `nodes`
-  Point normal{0, 0, 0};        ///< unit outward normal, of a curved side at its middle
+  Point normal{0, 0, 0};        ///< unit outward normal, for a curved side at its middle
 
   template <typename Self, typename Each>
   static void forEachField(Self& self, const Each& each) {
@@ -20,26 +20,26 @@ struct BoundarySide {
   }
 };
 
-/// The boundary sides that have one of these nodes; ordered, on rank 0, nothing elsewhere. Collective.
+/// Boundary sides that contain one of these nodes; ordered, on rank 0, empty elsewhere. Collective.
 /// \param nodes  ascending, the same on all ranks
 std::vector<BoundarySide> boundarySidesAt(const Comm& comm, const std::vector<SubdomainMesh>& meshes, const std::vector<int>& nodes);
 
-/// True if two of the sides meet in an edge (in the plane a node) at which the body has more than 225 degrees: there stresses of linear
-/// elasticity have no bound. Local.
+/// True if two of the sides meet at an edge (2D: node) where the body has more than 225 degrees: stresses of linear elasticity are
+/// unbounded there. Local.
 bool haveReentrantEdge(const std::vector<BoundarySide>& sides, int dimension);
 
-/// True if a body ends at a corner within a pair while the partner's boundary goes on smoothly beyond: the edge of a punch, the end of a
-/// hub on a longer shaft. The pressure has no bound there. Local. \param sides  those at the pair's nodes
+/// True if a body ends at a corner within a pair while the partner's boundary continues smoothly beyond: the edge of a punch, the end of a
+/// hub on a longer shaft. The pressure is unbounded there. Local. \param sides  at the pair's nodes
 bool endsOnPartner(const ContactPair& pair, const std::vector<BoundarySide>& sides, int dimension);
 
-/// Where a largest value sits, to be looked at.
+/// Location of a largest value that is to be examined.
 struct PlaceInQuestion {
-  std::vector<int> nodes;  ///< of the place: a node, or those of an element
-  int pair = -1;           ///< of a pressure: its id; else -1
+  std::vector<int> nodes;  ///< nodes of the location: one node, or those of an element
+  int pair = -1;           ///< for a pressure: pair id; else -1
 };
 
-/// What makes the exact value infinite at each place: "a re-entrant corner", "the end of a side on a partner that goes on"; empty: nothing.
-/// Looks at the elements around the place. The same on all ranks. Collective.
+/// Reason why the exact value is infinite at each place: "a re-entrant corner", "the end of a contact side on a partner that continues";
+/// empty: finite. Examines the elements around the place. The same on all ranks. Collective.
 /// \param places  the same on all ranks;  \param closed  ids of the closed pairs, ascending, on rank 0
 std::vector<std::string> singularities(const Comm& comm, const std::vector<SubdomainMesh>& meshes,
                                        const std::vector<PlaceInQuestion>& places, const std::vector<int>& closed);
