@@ -3,7 +3,7 @@
 # becomes the name that a program includes; one to a file that is not installed (a test, a source) becomes its text.
 cmake_minimum_required(VERSION 3.25)
 file(REMOVE_RECURSE ${OUTPUT})
-file(GLOB pages RELATIVE ${SOURCE} ${SOURCE}/README.md ${SOURCE}/CHANGELOG.md ${SOURCE}/CITATION.cff ${SOURCE}/LICENSE ${SOURCE}/packages/*/README.md
+file(GLOB pages RELATIVE ${SOURCE} ${SOURCE}/README.md ${SOURCE}/CHANGELOG.md ${SOURCE}/CONTRIBUTING.md ${SOURCE}/CITATION.cff ${SOURCE}/LICENSE ${SOURCE}/packages/README.md ${SOURCE}/packages/*/README.md
   ${SOURCE}/packaging/README.md)
 file(GLOB_RECURSE more RELATIVE ${SOURCE} ${SOURCE}/doc/*.md ${SOURCE}/doc/schema/* ${SOURCE}/doc/tutorials/* ${SOURCE}/input/* ${SOURCE}/drivers/examples/*)
 list(APPEND pages ${more})
