@@ -30,7 +30,7 @@ int largest(const Comm& comm, int mine) {
 class MortarRows::Maker {
  public:
   Maker(const InterfaceSpace& space, const InterfaceSpace& torn, const PrimalChoice& choice, MortarRows& made) : space_(torn), made_(made) {
-    // A rank knows only the entities of its own local problems: owners send their flags to the others.
+    // A rank knows only the entities of its local problems: owners send their flags to the others.
     Matrix alone = Matrix::Zero(space_.overlapSize(), 1);
     for (int place = 0; place < space_.overlapSize(); ++place) alone(place, 0) = space_.ownedRow(place) >= 0 && choice.alone[place];
     space_.sum(alone);
