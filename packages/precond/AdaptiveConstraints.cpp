@@ -14,10 +14,11 @@ namespace suture {
 
 namespace {
 
-constexpr double kMostOfInterface = 0.5;  // beyond this a direct solver of the interface is meant
+constexpr double kMostOfInterface = 0.5;  // with more constraints a direct solver would be better
 
-/// matrix^+ rhs, for a right-hand side that the kernel does not feel: by a shift that rounding hides. Where that of the matrix itself is
-/// larger (a Schur complement of a nearly incompressible body is a small difference of large terms) the shift is what it takes.
+/// matrix^+ rhs for a right-hand side orthogonal to the kernel, by a shift at round-off level. The shift is increased until the
+/// factorisation succeeds, as round-off of the matrix itself may be larger: a Schur complement of a nearly incompressible body is a small
+/// difference of large terms.
 Matrix solveSemidefinite(const Matrix& matrix, const Matrix& rhs) {
   for (double shift = 1e-12; shift < 1e-4; shift *= 10) {
     Matrix shifted = matrix, lower;
@@ -30,18 +31,18 @@ Matrix solveSemidefinite(const Matrix& matrix, const Matrix& rhs) {
   throw NumericalError("the stiffness of an edge of the interface is not positive semidefinite");
 }
 
-/// One sharer's part of the eigenproblem of an entity: its n unknowns come first, then the c unknowns that are primal alone.
+/// One sharer's part of the eigenproblem of an entity: first the n unknowns of the entity, then the c unknowns that are primal alone.
 struct Part {
-  Matrix stored;   ///< Schur complement of the sharer onto both
+  Matrix stored;   ///< Schur complement of the sharer onto both groups
   Matrix block;    ///< the entity's block of S
   Matrix weights;  ///< the entity's block of D
 };
 
-/// One side of an entity as a sharer sees it: positions of its trace.
+/// One side of an entity in a sharer: rows of its trace.
 struct SideOfLocal {
   const EntitySide* side;
   const AloneRows* points;
-  Matrix* part;  ///< to be made
+  Matrix* part;  ///< output
 
   std::vector<int> kept() const {
     std::vector<int> all = side->rows;
@@ -58,13 +59,14 @@ Matrix reducedTo(const Matrix& matrix, const std::vector<int>& kept) {
   Matrix reduced = pick(matrix, kept, kept);
   if (others.empty()) return reduced;
   const Matrix across = pick(matrix, others, kept);
-  // Contact edges hold one component only: the motions left free are a kernel that `across` does not feel.
+  // Contact edges fix only one component: the free motions are a kernel, to which `across` is orthogonal.
   reduced -= across.transpose() * solveSemidefinite(pick(matrix, others, others), across);
   return reduced;
 }
 
-/// The parts of one local problem. All unknowns that none of `sides` needs are eliminated, then those of one half and of the other: an
-/// elimination for each side would cost more by half their number. \param schur  of the unknowns at `positions` of the trace, ascending
+/// The parts of one local problem. Unknowns not needed by any of `sides` are eliminated, then recursively for each half of the sides; a
+/// separate elimination for each side would cost more by half their number. \param schur of the unknowns at `positions` of the trace,
+/// ascending
 void makeParts(const std::vector<SideOfLocal>& sides, const Matrix& whole, const Matrix& schur, const std::vector<int>& positions,
                const Weighting& weighting) {
   const auto placesOf = [&positions](const std::vector<int>& rows) {
@@ -81,7 +83,7 @@ void makeParts(const std::vector<SideOfLocal>& sides, const Matrix& whole, const
     Matrix weights = Matrix::Zero(whole.rows(), n);
     for (int k = 0; k < n; ++k) weights(side.rows[k], k) = 1.0;
     weighting.apply(side.local, weights);
-    Matrix& all = *sides[0].part;  // the three of them side by side, the last two above
+    Matrix& all = *sides[0].part;  // stored, block and weights side by side, the last two in the upper rows
     all = Matrix::Zero(n + c, 3 * n + c);
     const auto t = side.coefficients.asDiagonal();
     all.leftCols(n + c) = coefficients.asDiagonal() * reducedTo(schur, placesOf(sides[0].kept())) * coefficients.asDiagonal();
@@ -113,17 +115,17 @@ Part split(const Matrix& all, int n) {
 
 Matrix symmetric(const Matrix& matrix) { return 0.5 * (matrix + matrix.transpose()); }
 
-/// A jump between two traces that vanishes at the points: its cost J after averaging, and the least energy E of such a jump. Rigid
-/// motions of both together are free.
+/// For a jump between two traces that vanishes at the points: its cost J after averaging, and its minimal energy E. Common rigid motions
+/// are free.
 void jumpOfTwo(const std::vector<Part>& parts, int n, Matrix& cost, Matrix& least) {
   const Part &a = parts[0], &b = parts[1];
   cost = b.weights.transpose() * a.block * b.weights + a.weights.transpose() * b.block * a.weights;
   least = (a.stored * solveSemidefinite(a.stored + b.stored, b.stored)).topLeftCorner(n, n);
 }
 
-/// The same for k traces: the jumps y_i = w_i - w_k, i < k, one below the other, w_k the trace of the stiffest sharer (the energy of the
-/// softer ones is then no difference of large numbers). Averaging leaves P_i y = y_i - sum D_j y_j on sharer i; the least energy is over
-/// the motion that all have in common.
+/// The same for k traces, with stacked jumps y_i = w_i - w_k, i < k, where w_k is the trace of the stiffest sharer (this avoids differences
+/// of large numbers in the energy of the softer ones). Averaging leaves P_i y = y_i - sum D_j y_j on sharer i; the energy is minimised over
+/// the common motion.
 void jumpOfSeveral(const std::vector<Part>& parts, int n, Matrix& cost, Matrix& least) {
   const int k = static_cast<int>(parts.size()), all = (k - 1) * n, common = static_cast<int>(parts[0].stored.rows());
   Matrix averaged(n, all);
@@ -144,13 +146,13 @@ void jumpOfSeveral(const std::vector<Part>& parts, int n, Matrix& cost, Matrix& 
   least -= across * solveSemidefinite(together, across.transpose());
 }
 
-/// Rows to demand of an entity of n unknowns, orthonormal. Where a sharer does not take part the others decide; one alone has no jump.
+/// Orthonormal constraint rows of an entity with n unknowns. Sharers that do not take part are ignored; a single sharer has no jump.
 Matrix chosenRows(const std::vector<Matrix>& sides, int n, double threshold) {
   std::vector<Part> parts;
   for (const Matrix& side : sides) {
     if (side.size() == 0) continue;
     if (side.rows() != sides[0].rows() && sides[0].size() > 0)
-      throw InternalError("the sides of an entity of the interface differ in the points that they share");
+      throw InternalError("the sides of an interface entity have different shared points");
     parts.push_back(split(side, n));
   }
   if (parts.size() < 2) return Matrix(0, n);
@@ -162,7 +164,7 @@ Matrix chosenRows(const std::vector<Matrix>& sides, int n, double threshold) {
   else
     jumpOfSeveral(parts, n, cost, least);
   if (!choleskyFactor(symmetric(cost), lower)) throw NumericalError("an entity of the interface has no stiffness");
-  // The inverse problem: the stored energy may vanish, that of a jump does not.
+  // Solve the inverse eigenproblem: the stored energy may vanish, the cost of a jump does not.
   least = symmetric(least);
   lower.triangularView<Eigen::Lower>().solveInPlace(least);
   least = least.transpose().eval();
@@ -170,7 +172,7 @@ Matrix chosenRows(const std::vector<Matrix>& sides, int n, double threshold) {
   const Eigenpairs pairs = symmetricEigenpairs(symmetric(least));
   int count = 0;
   while (count < pairs.values.size() && pairs.values(count) * threshold < 1.0) ++count;
-  // The demand of one eigenvector on the jumps holds for each of them: one column for two sharers, k - 1 for k.
+  // Each eigenvector constrains every jump: one column for two sharers, k - 1 for k.
   const Matrix demanded = lower * pairs.vectors.leftCols(count);
   const int jumps = static_cast<int>(parts.size()) - 1;
   Matrix columns(n, count * jumps);
@@ -181,8 +183,9 @@ Matrix chosenRows(const std::vector<Matrix>& sides, int n, double threshold) {
 }  // namespace
 
 Schema AdaptiveConstraints::schema() {
-  Schema schema("Eigenvectors of each edge's generalised problem, chosen by what they would cost: for jumps that no partition follows.");
-  schema.real("Threshold", 5.0, "Eigenvectors whose value is above become constraints; the condition stays below a multiple of it.",
+  Schema schema("Eigenvectors of a generalised eigenproblem on each edge and face, for coefficient jumps not aligned with the partition.");
+  schema.real("Threshold", 5.0,
+              "Eigenvectors with larger eigenvalues become constraints; the condition number stays below a multiple of it.",
               {1.0, 1e12, true, false, {}});
   return schema;
 }
@@ -215,7 +218,7 @@ PrimalChoice AdaptiveConstraints::doChoose(const InterfaceSpace& space, const Lo
   return choice;
 }
 
-/// An entity counts where its first sharer lives.
+/// An entity is counted on the rank of its first sharer.
 void AdaptiveConstraints::refuseTooMany(const InterfaceSpace& space, const std::vector<EntitySide>& sides,
                                         const PrimalChoice& choice) const {
   double mine[2] = {0.0, 0.0}, sums[2];
@@ -227,8 +230,8 @@ void AdaptiveConstraints::refuseTooMany(const InterfaceSpace& space, const std::
   Teuchos::reduceAll(*space.comm(), Teuchos::REDUCE_SUM, 2, mine, sums);
   if (sums[1] < 100.0 || sums[0] <= kMostOfInterface * sums[1]) return;
   std::ostringstream text;
-  text << "a threshold of " << threshold_ << " makes constraints of " << sums[0] << " of the " << sums[1]
-       << " unknowns on edges: the coarse problem would be as large as the interface. Thresholds of 3 to 100 are useful";
+  text << "a threshold of " << threshold_ << " selects " << sums[0] << " constraints for " << sums[1]
+       << " unknowns on edges: the coarse problem would be as large as the interface. Use a threshold of 3 to 100";
   throw InputError("Preconditioner/BDDC/Adaptive/Threshold", text.str());
 }
 

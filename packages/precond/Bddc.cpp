@@ -22,13 +22,13 @@ namespace suture {
 
 namespace {
 
-// A row that changes takes a product with a matrix of size n, and an application reads two vectors more for it; a factorisation is worth n
-// such products.
+// A changed row costs a product with a matrix of size n, and each application reads two more vectors for it; a factorisation costs n such
+// products.
 constexpr int kLeastSizeByChanges = 16;
 
-constexpr double kToldMotion = 1e-8;  // least that constraints tell of a motion of length one
+constexpr double kToldMotion = 1e-8;  // least value of the constraints for a motion of length one
 
-/// The inverse under other constraints; null where it is better made anew.
+/// The inverse under other constraints; null if a new factorisation is cheaper.
 std::shared_ptr<const LocalInverse> updated(const std::shared_ptr<const LocalInverse>& base, const PrimalRows::Rows& old,
                                             const PrimalRows::Rows& now) {
   const std::vector<int> from = rowsIn(old, now);
@@ -42,12 +42,13 @@ std::shared_ptr<const LocalInverse> updated(const std::shared_ptr<const LocalInv
 
 Schema Bddc::schema() {
   Schema schema(
-      "Balancing domain decomposition by constraints: local problems held at corners and edge constraints, and a coarse problem of these.");
+      "Balancing domain decomposition by constraints: local problems held at primal constraints (corners, edges), and their coarse "
+      "problem.");
   CoarseOptions::addParameters(schema);
   schema.oneOf(
       "Local Inverses", "Automatic", {"Automatic", "Dense", "Sparse"},
-      "How local problems are inverted. Dense: a matrix of the size of the boundary; Sparse: a factor of interior and boundary, the "
-      "constraints through a small matrix; Automatic: for each local problem what takes less time, in the plane Dense.");
+      "Inverses of the local problems. Dense: a matrix of the size of the boundary; Sparse: a factor of interior and boundary, with the "
+      "constraints through a small matrix; Automatic: the faster one for each local problem, in 2D Dense.");
   return schema;
 }
 
@@ -65,7 +66,7 @@ Bddc::Bddc(CoarseOptions levels, Inverses inverses)
 
 struct Bddc::Work {
   Matrix overlap;
-  Matrix flux, trace;       // fluxes of all local problems, one after the other; the trace of one
+  Matrix flux, trace;       // fluxes of all local problems, concatenated; the trace of one
   std::vector<Vector> own;  // Phi_i^T times each local problem's flux
   Vector values;            // values of one local problem's primal unknowns
   Vector primal;
@@ -81,8 +82,8 @@ void Bddc::doCompute() {
   for (const auto& local : matrix()->locals()) mine += local != nullptr;
   Teuchos::reduceAll(*space()->comm(), Teuchos::REDUCE_SUM, mine, Teuchos::outArg(all));
   averaging_.reset();
-  // Adaptive constraints bound the condition on entities, of which a mortar has none. Two local problems with all that they share as
-  // vertices are solved exactly.
+  // Not torn for adaptive constraints, which bound the condition number on entities, and a mortar has none; nor for two local problems,
+  // which are solved exactly with all shared unknowns as vertices.
   const int isTorn = space()->torn() && !primal_->isAdaptive() && all > 2;
   int isTornAnywhere = 0;
   Teuchos::reduceAll(*space()->comm(), Teuchos::REDUCE_MAX, isTorn, Teuchos::outArg(isTornAnywhere));
@@ -103,8 +104,8 @@ void Bddc::factor(std::vector<PrimalRows> rows, int locals) {
   assembleCoarse(std::move(rows), locals);
 }
 
-/// In the torn space. False where rows of the mortar leave something loose: a local problem, or bodies as a whole. Then every unknown that
-/// a relation of several terms names is primal.
+/// Sets up in the torn space. False if the mortar rows leave a local problem or the bodies as a whole loose; then every unknown named by a
+/// relation of several terms becomes primal.
 bool Bddc::computeTorn(int locals, bool isTornHere) {
   const LocalProblems& all = matrix()->locals();
   torn_ = isTornHere ? space()->torn() : space();
@@ -112,7 +113,7 @@ bool Bddc::computeTorn(int locals, bool isTornHere) {
   const MortarRows mortar(*space(), *torn_, choice);
   std::vector<PrimalRows> rows = primalRows(*torn_, choice, levels_.goesOn(locals, space()->dimension()), &mortar);
   int mine = 0, any = 0;
-  collectively(*space()->comm(), "looking for local problems that a mortar leaves loose", [&] {
+  collectively(*space()->comm(), "looking for local problems not held by mortar constraints", [&] {
     for (std::size_t i = 0; i < all.size(); ++i)
       if (all[i] && all[i]->kernel().cols() > 0) {
         const Matrix told = rows[i].rows * orthonormalBasis(all[i]->kernel(), kToldMotion);
@@ -131,7 +132,7 @@ bool Bddc::computeTorn(int locals, bool isTornHere) {
   return true;
 }
 
-/// Entities where their first local problem lives, unknowns where they are owned.
+/// An entity is counted on the rank of its first local problem, an unknown on its owner.
 void Bddc::countConstraints(const std::vector<Matrix>& rows) {
   std::map<int, int> here;
   for (int i = 0; i < torn_->locals(); ++i) here[torn_->localId(i)] = i;
@@ -154,7 +155,7 @@ double Bddc::bytesRead() const {
 std::string Bddc::remark() const {
   std::ostringstream text;
   text.precision(2);
-  if (exactInstead_) text << "closed pairs of more than two nodes: the coarse problem is solved exactly, without a level more";
+  if (exactInstead_) text << "closed pairs of more than two nodes: the coarse problem is solved exactly, without a further level";
   if (!primal_->isAdaptive()) return text.str();
   if (exactInstead_) text << "; ";
   text << "adaptive coarse space: " << entityConstraints_ << " edge constraints ("
@@ -164,15 +165,15 @@ std::string Bddc::remark() const {
 }
 
 namespace {
-/// The sparse inverse; null where there is none, and where stiff and soft cells under one constraint leave it no digits: then C Phi is not
-/// the identity.
+/// The sparse inverse; null if there is none, or if it is inaccurate (C Phi is not the identity), as with stiff and soft cells under one
+/// constraint.
 std::unique_ptr<LocalInverse> accurate(const LocalProblem& local, const Matrix& rows) {
   constexpr double kAccurate = 1e-4;
   std::unique_ptr<LocalInverse> made;
   try {
     made = local.sparseInverse(rows);
   } catch (const NumericalError&) {
-    return nullptr;  // the dense one names the reason, if it is the constraints
+    return nullptr;  // if the constraints are the reason, the dense inverse reports it
   }
   if (!made) return nullptr;
   const PrimalRows::Rows sparse = rows.sparseView();
@@ -183,7 +184,7 @@ std::unique_ptr<LocalInverse> accurate(const LocalProblem& local, const Matrix& 
 }  // namespace
 
 std::unique_ptr<LocalInverse> Bddc::inverseOf(const LocalProblem& local, const Matrix& rows) const {
-  // Iterations that the choice reckons with, as that of Schur complements does.
+  // Assumed number of iterations, as in the choice of Schur complements.
   constexpr double kApplications = 40.0;
   const CostModel cost(space()->dimension());
   const double b = local.size(), n = local.unknowns();
@@ -195,7 +196,7 @@ std::unique_ptr<LocalInverse> Bddc::inverseOf(const LocalProblem& local, const M
   return local.inverse(rows);
 }
 
-/// Takes the rows out of what it is given.
+/// Moves the rows out of `constraints`.
 void Bddc::factorLocals(std::vector<PrimalRows>& constraints) {
   const LocalProblems& locals = matrix()->locals();
   locals_.resize(locals.size());
@@ -206,7 +207,7 @@ void Bddc::factorLocals(std::vector<PrimalRows>& constraints) {
     Constrained& present = present_[i];
     const bool known = locals_[i] && locals_[i] == locals[i] && present.inverse;
     auto rows = std::make_shared<PrimalRows::Rows>();
-    rows->swap(constraints[i].rows);  // Eigen 3.4 copies sparse matrices where they could be moved
+    rows->swap(constraints[i].rows);  // Eigen 3.4 copies sparse matrices instead of moving them
     const bool same = known && present.rows->rows() == rows->rows() && present.rows->isApprox(*rows, 0.0);
     locals_[i] = locals[i];
     if (same) continue;
@@ -222,7 +223,9 @@ void Bddc::factorLocals(std::vector<PrimalRows>& constraints) {
 void Bddc::doApply(const MultiVector& r, MultiVector& z) const {
   if (!work_) work_ = std::make_unique<Work>();
   Work& work = *work_;
-  const auto room = [](int rows) { return rows + rows % 2; };  // each flux begins at a packet of Eigen's: sums do not depend on the others
+  const auto room = [](int rows) {
+    return rows + rows % 2;
+  };  // aligns each flux to Eigen's packets, so that sums do not depend on the others
   int rows = 0;
   for (std::size_t i = 0; i < locals_.size(); ++i)
     if (locals_[i]) rows += room(torn_->coupling(static_cast<int>(i)).rows());

@@ -9,19 +9,20 @@
 
 namespace suture {
 
-/// Balancing domain decomposition by constraints (Dohrmann, 2003), on the two sides of a mortar with MortarRows and MortarAveraging:
+/// Balancing domain decomposition by constraints (Dohrmann, 2003), with MortarRows and MortarAveraging across mortars:
 ///     M^-1 = sum_i R_i^T D_i x_i,   x_i = P_i f_i + Phi_i A_i y,   f_i = D_i^T R_i r,   (sum A_i^T Phi_i^T S_i Phi_i A_i) y = sum A_i^T
 ///     Phi_i^T f_i,
-/// P_i the inverse of S_i under the primal constraints C_i x = 0, Phi_i the traces of least energy with C_i Phi_i = I, A_i the values of
-/// the constraints in primal unknowns (PrimalConstraints). Additive: coarse and local problems see the
-/// same residual. Condition C (1 + log H/h)^2, with all eigenvalues at least one. Cost of an application: a dense symmetric product for
-/// every local problem and one coarse solve: exact, or for many local problems approximate by a level more (CoarseOptions). Local problems
-/// whose S_i and constraints did not change are not factored again; where a few constraints did, the inverse is updated (UpdatedInverse).
+/// with P_i the inverse of S_i under the primal constraints C_i x = 0, Phi_i the traces of minimal energy with C_i Phi_i = I, and A_i the
+/// map from primal unknowns to constraint values (PrimalConstraints). The method is additive: coarse and local problems see the same
+/// residual. The condition number is C (1 + log H/h)^2, and all eigenvalues are at least one. An application costs a dense symmetric
+/// product per local problem and one coarse solve, which is exact, or approximate with one more level for many local problems
+/// (CoarseOptions). Local problems whose S_i and constraints did not change are not factored again; if only a few constraints changed, the
+/// inverse is updated (UpdatedInverse).
 class Bddc : public Preconditioner {
  public:
   static Schema schema();
   explicit Bddc(const Parameters& own);
-  /// For programs that bring their own strategies.
+  /// For programs with their own strategies.
   enum class Inverses { Automatic, Dense, Sparse };
   explicit Bddc(CoarseOptions levels, Inverses inverses = Inverses::Automatic);
   ~Bddc() override;
@@ -51,30 +52,30 @@ class Bddc : public Preconditioner {
   std::unique_ptr<PrimalConstraints> primal_;
   CoarseOptions levels_;
   Inverses kind_;
-  std::shared_ptr<const InterfaceSpace> torn_;  // where local problems share unknowns: the space, or the torn one
-  std::unique_ptr<MortarAveraging> averaging_;  // null: the space is not torn
-  LocalProblems locals_;                        // those the inverses belong to
-  // An inverse, and the constraints that it is made for.
+  std::shared_ptr<const InterfaceSpace> torn_;  // space in which local problems share unknowns: the given one, or its torn one
+  std::unique_ptr<MortarAveraging> averaging_;  // null if the space is not torn
+  LocalProblems locals_;                        // local problems of the inverses
+  // An inverse and its constraints.
   struct Constrained {
     std::shared_ptr<const PrimalRows::Rows> rows;
     std::shared_ptr<const LocalInverse> inverse;
   };
   std::vector<Constrained> present_;
-  std::vector<Constrained> bases_;  // made by factoring; the present ones are these, or updates of them
+  std::vector<Constrained> bases_;  // factored inverses; present_ holds these or updates of them
   std::vector<int> names_;          // primal unknowns of this rank's local problems, as in CoarseSolve::solve
-  // A_i of all local problems, one entry after another; those of local problem i begin at valuesFrom_[i].
+  // A_i of all local problems, entry by entry; the entries of local problem i begin at valuesFrom_[i].
   struct Value {
     int row;    // constraint of the local problem
-    int place;  // primal unknown, among names_
+    int place;  // of the primal unknown in names_
     double coefficient;
   };
   std::vector<Value> values_;
   std::vector<std::size_t> valuesFrom_;
   Span<const Value> valuesOf(std::size_t i) const { return {values_.data() + valuesFrom_[i], valuesFrom_[i + 1] - valuesFrom_[i]}; }
   std::unique_ptr<CoarseSolve> coarse_;
-  bool exactInstead_ = false;  // of a level more, for rows of several terms
+  bool exactInstead_ = false;  // no further level, because of rows with several terms
   struct Work;
-  mutable std::unique_ptr<Work> work_;                   // work space of an application, which allocates nothing
+  mutable std::unique_ptr<Work> work_;                   // work space, so that an application does not allocate
   GlobalId entityConstraints_ = 0, sharedUnknowns_ = 0;  // over all ranks
 };
 

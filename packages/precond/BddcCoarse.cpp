@@ -10,7 +10,8 @@
 namespace suture {
 
 namespace {
-// Error of a coarse solve, in the energy of the diagonal: rounding times the scaled condition, which jumps of 1e8 leave below 1e8.
+// Error of a coarse solve in the energy of the diagonal: round-off times the scaled condition number, which stays below 1e8 for jumps of
+// 1e8.
 constexpr double kRegular = 1e-6;
 }  // namespace
 
@@ -20,16 +21,16 @@ void Bddc::assembleCoarse(std::vector<PrimalRows> constraints, int locals) {
   const int mine = numberPrimal(std::move(constraints), coarse);
   int any = 0;
   Teuchos::reduceAll(*space()->comm(), Teuchos::REDUCE_MAX, mine, Teuchos::outArg(any));
-  // Rows of several terms name unknowns that other local problems determine. A cluster without these has motions of which its constraints
-  // to other clusters tell little: the condition grows to 1e3 and beyond.
+  // Rows of several terms name unknowns that other local problems determine. A cluster without those local problems has motions that its
+  // constraints to other clusters hardly restrain: the condition number grows to 1e3 and beyond.
   CoarseOptions levels = levels_;
   exactInstead_ = any && levels.goesOn(locals, coarse.dimension);
   if (exactInstead_) levels.above = locals;
   coarse_ = makeCoarseSolve(space()->comm(), std::move(coarse), locals, levels);
 }
 
-/// Numbers the primal unknowns over all ranks, and makes the coarse elements. True if a local problem names more unknowns than it has rows.
-/// Frees terms and unknowns of the constraints as it goes: what it leaves is A_i.
+/// Numbers the primal unknowns over all ranks and makes the coarse elements. True if a local problem names more unknowns than it has rows.
+/// Frees the terms and unknowns of the constraints in passing; only A_i remains.
 bool Bddc::numberPrimal(std::vector<PrimalRows> constraints, CoarseElements& coarse) {
   std::vector<GlobalId> keys;
   std::size_t entries = 0, problems = 0;
@@ -88,7 +89,7 @@ CoarseElement Bddc::element(std::size_t i) const {
   places.erase(std::unique(places.begin(), places.end()), places.end());
   made.unknowns.reserve(places.size());
   for (const int place : places) made.unknowns.push_back(names_[place]);
-  // Most rows are one unknown: products of sparse matrices, a column for each value.
+  // Most rows have one unknown: sparse product, column by column.
   const Matrix& energy = present_[i].inverse->energy();
   const auto size = static_cast<Eigen::Index>(places.size());
   const auto times = [&](const Matrix& columns) {
@@ -103,8 +104,8 @@ CoarseElement Bddc::element(std::size_t i) const {
   return made;
 }
 
-/// True if the coarse problem gives a vector back that it was applied to: what is nothing but rounding beside the rest, and was factored
-/// all the same, does not. A coarse problem of several levels says so itself.
+/// True if solving the coarse problem reproduces a given vector. This fails if the factorisation accepted a pivot that is only round-off. A
+/// coarse problem with several levels reports this itself.
 bool Bddc::coarseIsRegular() const {
   if (coarse_->clusters() > 0 || coarse_->size() == 0) return true;
   Vector given(static_cast<int>(names_.size())), image = Vector::Zero(given.size()), diagonal = image;

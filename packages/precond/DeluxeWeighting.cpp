@@ -7,7 +7,7 @@ namespace suture {
 
 namespace {
 
-/// Entities to weigh whole: edges and faces without their ends, and vertices where no relation joins unknowns.
+/// Entities with dense weights: edges and faces without their ends, and vertices whose unknowns no relation joins.
 std::vector<InterfaceEntity> weighed(const InterfaceSpace& space) {
   std::vector<char> apart(space.overlapSize(), 0);
   for (const InterfaceEntity& entity : space.entities())
@@ -29,7 +29,7 @@ void DeluxeWeighting::doSetup(const InterfaceSpace& space, const LocalProblems& 
   blocks_.assign(locals.size(), {});
   const std::vector<InterfaceEntity> entities = weighed(space);
   const std::vector<EntitySide> sides = entitySides(space, entities);
-  // In unknowns of the entity: T S T, T the coefficients of the trace. A local problem that does not take part has no stiffness.
+  // In unknowns of the entity: T S T, with T the coefficients of the trace. Local problems that do not take part have zero stiffness.
   const auto stiffness = exchangeSides(space, entities, sides, [&](std::size_t k) {
     const EntitySide& side = sides[k];
     const int n = static_cast<int>(side.rows.size());

@@ -5,10 +5,10 @@
 
 namespace suture {
 
-/// Deluxe weights (Dohrmann and Widlund, 2013): on every vertex, edge and face D_i = (sum_j S_j)^-1 S_i with the blocks of the sharers'
-/// Schur complements there, a dense matrix, for any number of sharers. Elsewhere (ends of edges, unknowns that relations join in points) by
-/// the diagonal of the stiffness matrix. Robust for jumps within the entity that all sharers see. Cost: S_i as a matrix, a factorisation
-/// and a product for each sharer of each entity.
+/// Deluxe weights (Dohrmann and Widlund, 2013): on every vertex, edge and face D_i = (sum_j S_j)^-1 S_i, a dense matrix made of the blocks
+/// of the sharers' Schur complements there, for any number of sharers. All other unknowns (ends of edges, unknowns joined in points by
+/// relations) are weighted by the diagonal of the stiffness. Robust for jumps within an entity that all sharers see. Cost: S_i as a matrix,
+/// and a factorisation and a product per sharer of each entity.
 class DeluxeWeighting : public StiffnessDiagonalWeighting {
  protected:
   void doSetup(const InterfaceSpace& space, const LocalProblems& locals) override;

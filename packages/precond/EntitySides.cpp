@@ -15,7 +15,7 @@ namespace {
 
 using GO = Map::global_ordinal_type;
 
-/// Rank of each local problem that entities name.
+/// Rank of each local problem that shares an entity.
 std::map<int, int> ranksOfSharers(const InterfaceSpace& space, const std::vector<InterfaceEntity>& entities) {
   std::vector<GO> mine, wanted;
   for (int i = 0; i < space.locals(); ++i) mine.push_back(space.localId(i));
@@ -33,7 +33,7 @@ std::map<int, int> ranksOfSharers(const InterfaceSpace& space, const std::vector
   return all;
 }
 
-/// Where interface unknowns stand in the trace of one local problem.
+/// Trace rows of interface unknowns in one local problem.
 class Positions {
  public:
   struct Position {
@@ -79,7 +79,7 @@ std::vector<EntitySide> entitySides(const InterfaceSpace& space, const std::vect
   for (int i = 0; i < space.locals(); ++i) localOf[space.localId(i)] = i;
   struct Number {
     int entity, side;
-    std::size_t place;  // among all sides
+    std::size_t place;  // index among all sides
   };
   std::vector<std::vector<Number>> sidesOf(space.locals());
   std::size_t count = 0;
@@ -112,7 +112,7 @@ std::vector<AloneRows> aloneRows(const InterfaceSpace& space, const std::vector<
   Positions positions(space);
   for (int i = 0; i < space.locals(); ++i) {
     positions.setLocal(i);
-    std::vector<int> points;  // ascending, and so are ids
+    std::vector<int> points;  // ascending, hence ids ascend, too
     for (const int place : positions.places())
       if (alone[place]) points.push_back(place);
     std::sort(points.begin(), points.end());
@@ -165,16 +165,16 @@ std::vector<std::vector<Matrix>> exchangeSides(const InterfaceSpace& space, cons
     if (!entities[e].unknowns.empty()) touched.push_back(static_cast<int>(e));
   }
   std::map<int, Packer> packers;
-  std::map<int, std::vector<std::pair<int, int>>> expected;  // rank -> entities and sides in the order of the message
-  collectively(*space.comm(), "the sides of the entities", [&] {
+  std::map<int, std::vector<std::pair<int, int>>> expected;  // rank -> (entity, side) in the order of the message
+  collectively(*space.comm(), "exchanging the sides of the entities", [&] {
     for (std::size_t k = 0; k < sides.size(); ++k) all[sides[k].entity][sides[k].side] = own(k);
-    // Neighbours go through the entities that they share in the same order: by the number of their first unknown.
+    // Both ranks process their common entities in the same order: by the id of the first unknown.
     const auto number = [&](int e) { return space.id(entities[e].unknowns.front()); };
     std::sort(touched.begin(), touched.end(), [&](int a, int b) { return number(a) < number(b); });
     for (const int e : touched) {
       std::set<int> others;
       for (const int sharer : entities[e].sharers) others.insert(rankOf.at(sharer));
-      if (others.erase(here) == 0) continue;  // known by its place on a contact line only
+      if (others.erase(here) == 0) continue;  // known only from its place on a contact line
       for (std::size_t side = 0; side < entities[e].sharers.size(); ++side) {
         const int rank = rankOf.at(entities[e].sharers[side]);
         if (rank != here) {

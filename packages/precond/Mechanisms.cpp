@@ -35,9 +35,9 @@ Matrix rigidMotionsOf(const InterfaceSpace& space, const std::vector<int>& unkno
 
 namespace {
 
-constexpr double kFelt = 1e-3;   // motions that the seams between two subdomains feel: above this, relative to the one they feel best
-constexpr double kTold = 1e-6;   // least that constraints tell of a motion of length one; a mechanism leaves rounding
-constexpr double kAlone = 1e-8;  // the same for a local problem alone, whose points may be close to each other
+constexpr double kFelt = 1e-3;   // least trace of a motion on the seams of two subdomains, relative to the largest
+constexpr double kTold = 1e-6;   // least value of constraints for a motion of length one; a mechanism leaves round-off
+constexpr double kAlone = 1e-8;  // the same for a single local problem, whose points may be close together
 
 class Mechanisms {
  public:
@@ -51,7 +51,7 @@ class Mechanisms {
         if (const auto here = localOf.find(sharer); here != localOf.end()) entitiesOf_[here->second].push_back(static_cast<int>(e));
   }
 
-  /// Finds local problems, and pairs of neighbours, of which points alone do not tell all motions: few. Local.
+  /// Finds the few local problems and pairs of neighbours whose primal points do not determine all motions. Local.
   bool look() {
     loose_.clear();
     pairs_.clear();
@@ -67,21 +67,21 @@ class Mechanisms {
           if (other == space_.localId(i)) continue;
           Pair& pair = shared.emplace(other, Pair{space_.localId(i), other, {}, false}).first->second;
           pair.entities.push_back(e);
-          // In space neighbours hang together by faces; along edges and at vertices others hold them.
+          // In 3D neighbours are connected by faces; along edges and at vertices other subdomains hold them.
           pair.seam = pair.seam || (space_.dimension() == 2 ? !vertex : entity.kind == EntityKind::Face);
         }
       }
       for (auto& [other, pair] : shared)
-        // Kernels last: those of contact groups are made when they are asked for.
+        // Kernels last: those of contact groups are computed on demand.
         if (pair.seam && !pointsTellAll(pair.entities) && !rowsTellAll(pair.entities) && locals_[i]->kernel().cols() > 0)
           pairs_.push_back(std::move(pair));
     }
     return !loose_.empty() || !pairs_.empty();
   }
 
-  /// Marks points where these have motions left. Collective.
+  /// Marks points where loose_ and pairs_ have motions left. Collective.
   bool mark() {
-    if (!motionsMade_) findMotions();  // where there are no entities, too: the others wait
+    if (!motionsMade_) findMotions();  // collective: also on ranks without entities
     added_ = Matrix::Zero(space_.overlapSize(), 1);
     rows_.clear();
     for (const int i : loose_) holdAlone(i);
@@ -89,7 +89,7 @@ class Mechanisms {
     return added_.size() > 0 && added_.maxCoeff() > 0.0;
   }
 
-  /// Makes the marked points of all ranks primal alone; rows of their entities are about the rest. Collective.
+  /// Makes the marked points of all ranks primal alone and restricts the rows of their entities to the rest. Collective.
   void add() {
     const std::vector<InterfaceEntity> before = withoutAlone(space_, choice_.alone);
     space_.sum(added_);
@@ -107,12 +107,12 @@ class Mechanisms {
 
  private:
   struct Pair {
-    int one, other;             // ids; the first lives here and floats
-    std::vector<int> entities;  // that both share
+    int one, other;             // ids; the first is on this rank and floats
+    std::vector<int> entities;  // shared entities
     bool seam;                  // they share more than vertices
   };
 
-  /// Kernels of all sharers on each entity, in its unknowns.
+  /// Kernels of all sharers on each entity, in the unknowns of the entity.
   void findMotions() {
     motionsMade_ = true;
     const std::vector<EntitySide> sides = entitySides(space_, space_.entities());
@@ -127,7 +127,7 @@ class Mechanisms {
     });
   }
 
-  /// True if the unknowns that are primal alone tell all rigid motions by themselves: nearly always, and cheap.
+  /// True if the unknowns that are primal alone determine all rigid motions: nearly always the case, and cheap to test.
   bool pointsTellAll(const std::vector<int>& entities) const {
     const int motions = rigidMotions(space_.dimension());
     std::vector<int> alone;
@@ -144,7 +144,7 @@ class Mechanisms {
     return true;
   }
 
-  /// True if the rows of one entity tell all its rigid motions by themselves: of faces nearly always.
+  /// True if the rows of one entity determine all its rigid motions: nearly always the case for faces.
   bool rowsTellAll(const std::vector<int>& entities) const {
     for (const int e : entities) {
       const Matrix& rows = choice_.rows[e];
@@ -158,19 +158,19 @@ class Mechanisms {
     return false;
   }
 
-  /// Marks the point whose unknowns move most. \param unknowns  candidates; \param motions  their values, a row each
+  /// Marks the point whose unknowns move most. \param unknowns candidates; \param motions their values, one row per unknown
   void markLargest(const std::vector<int>& unknowns, const Matrix& motions) {
     std::map<Point, double> moved;
     for (std::size_t k = 0; k < unknowns.size(); ++k)
       if (!choice_.alone[unknowns[k]]) moved[space_.point(unknowns[k])] += motions.row(static_cast<int>(k)).squaredNorm();
     const auto least = [](const auto& a, const auto& b) { return a.second < b.second; };
     const auto best = std::max_element(moved.begin(), moved.end(), least);
-    if (best == moved.end() || !(best->second > 0.0)) return;  // factoring will tell
+    if (best == moved.end() || !(best->second > 0.0)) return;  // the factorisation reports it
     for (const int place : unknowns)
       if (space_.point(place) == best->first && !choice_.alone[place]) added_(place, 0) = 1.0;
   }
 
-  /// The first rule.
+  /// First rule of stopMechanisms().
   void holdAlone(int i) {
     const Matrix modes = orthonormalBasis(locals_[i]->kernel(), kAlone);
     if (rows_.empty()) rows_ = primalRows(space_, choice_, false);
@@ -187,7 +187,7 @@ class Mechanisms {
     markLargest(unknowns, rowsAt(Matrix(modes * left), rows));
   }
 
-  /// Motions of a sharer on some entities, one below the other, of the order of one; false if it does not take part.
+  /// Stacked motions of a sharer on some entities, scaled to one; false if the sharer does not take part.
   bool motionsOf(int sharer, const std::vector<int>& entities, Matrix& motions) const {
     motions.resize(0, 0);
     for (const int e : entities) {
@@ -202,7 +202,7 @@ class Mechanisms {
     return true;
   }
 
-  /// The second rule.
+  /// Second rule of stopMechanisms().
   void holdTogether(const Pair& pair) {
     Matrix one, other;
     if (!motionsOf(pair.one, pair.entities, one) || !motionsOf(pair.other, pair.entities, other)) return;
@@ -239,9 +239,9 @@ class Mechanisms {
   const LocalProblems& locals_;
   PrimalChoice& choice_;
   std::vector<std::vector<int>> entitiesOf_;  // entities of each local problem that takes part
-  std::vector<int> loose_;                    // local problems to look at
+  std::vector<int> loose_;                    // local problems to check
   std::vector<Pair> pairs_;
-  std::vector<std::vector<Matrix>> motions_;  // motions of each sharer of each entity; made when they are needed, as rows_
+  std::vector<std::vector<Matrix>> motions_;  // motions of each sharer of each entity; made on demand, like rows_
   bool motionsMade_ = false;
   std::vector<PrimalRows> rows_;
   Matrix added_;  // unknowns to add, by place

@@ -21,19 +21,19 @@ namespace {
 
 using Crs = Tpetra::CrsMatrix<>;
 
-// Layers of neighbours in a patch. What is left out decays by a factor from layer to layer that depends on how much the stiffness jumps:
-// with jumps of 1e3 four layers keep the condition within 5 % of that with the whole matrix.
+// Layers of neighbours in a patch. The truncated part decays from layer to layer by a factor that depends on the stiffness jumps: with
+// jumps of 1e3, four layers keep the condition number within 5 % of that with the whole matrix.
 constexpr int kFewLayers = 1, kManyLayers = 4;
-// A layer around a patch of a surface has several times the nodes of the patch: from this size on there are no more, nor layers beyond the
-// other.
+// A layer around a patch of a surface has several times the nodes of the patch. A patch larger than the first limit does not grow, and no
+// patch grows beyond the second.
 constexpr std::size_t kLargeInSpace = 60, kLargestInSpace = 240;
 constexpr double kJump = 10.0;
-// In space, up to so many unknowns are eliminated at once instead, for so many rows at a time; what is smaller than this part of a row's
-// largest entry is left out.
+// In 3D, up to kFew unknowns are eliminated at once instead, for kAtOnce rows at a time; entries smaller than kSmall times the largest of
+// their row are dropped.
 constexpr std::size_t kFew = 6000, kAtOnce = 64;
 constexpr double kSmall = 1e-4;
 
-/// Diagonals of the stiffness matrices, summed within the bodies, of each unknown of the overlap.
+/// Diagonal of the stiffness, summed within the bodies, for each unknown of the overlap.
 Vector stiffnessOf(const InterfaceSpace& torn, const LocalProblems& locals) {
   Matrix sum = Matrix::Zero(torn.overlapSize(), 1);
   for (int i = 0; i < torn.locals(); ++i)
@@ -42,14 +42,14 @@ Vector stiffnessOf(const InterfaceSpace& torn, const LocalProblems& locals) {
   return sum.col(0);
 }
 
-/// A row of a matrix, by its place on this rank; columns by the numbers of the unknowns.
+/// A matrix row: local row number; global ids of the columns.
 struct MatrixRow {
   int place;
   std::vector<GlobalId> columns;
   std::vector<double> values;
 };
 
-/// A matrix of some rows. Collective.
+/// A matrix with the given rows. Collective.
 Teuchos::RCP<Crs> matrixOf(const MapPtr& map, const std::vector<MatrixRow>& rows) {
   std::vector<std::size_t> counts(map->getNodeNumElements(), 0);
   for (const MatrixRow& row : rows) counts[std::size_t(row.place)] = row.columns.size();
@@ -62,7 +62,7 @@ Teuchos::RCP<Crs> matrixOf(const MapPtr& map, const std::vector<MatrixRow>& rows
 
 using ByRows = Eigen::SparseMatrix<double, Eigen::RowMajor, int>;
 
-/// Owned rows of Delta_m + M^T Delta_s M: owners see all rows of M that name an unknown. \param m  rows x places of the overlap
+/// Owned rows of Delta_m + M^T Delta_s M: the owner of an unknown has all rows of M that name it. \param m  rows x places of the overlap
 std::vector<MatrixRow> normalRows(const InterfaceSpace& torn, const ByRows& m, const Vector& weights, const Vector& stiffness) {
   const ByRows weighted = weights.asDiagonal() * m, turned = m.transpose(), product = turned * weighted;
   std::vector<MatrixRow> rows;
@@ -79,9 +79,9 @@ std::vector<MatrixRow> normalRows(const InterfaceSpace& torn, const ByRows& m, c
   return rows;
 }
 
-/// Rows that may belong to other ranks; their columns are numbered here, those of the rows first.
+/// Copies of rows, possibly of other ranks; columns have local numbers, the rows' own unknowns first.
 struct Rows {
-  std::vector<GlobalId> ids;  // unknown of each column, by number
+  std::vector<GlobalId> ids;  // global id of each column
   std::unordered_map<GlobalId, int> numberOf;
   std::vector<int> start{0}, column;
   std::vector<double> value;
@@ -117,7 +117,7 @@ Rows rowsOf(const Crs& matrix, const std::vector<GlobalId>& wanted, const CommPt
   return rows;
 }
 
-/// The unknowns of a patch and all that their rows name, ascending.
+/// The unknowns of a patch and all columns of their rows, ascending.
 std::vector<GlobalId> grown(const std::vector<GlobalId>& patch, const Rows& rows) {
   std::vector<char> isIn(rows.ids.size(), 0);
   std::vector<GlobalId> all;
@@ -134,7 +134,7 @@ std::vector<GlobalId> grown(const std::vector<GlobalId>& patch, const Rows& rows
   return all;
 }
 
-/// The rows and columns of a patch. \param placeOf  -1 for every column: work space, left as it was
+/// The submatrix of a patch. \param placeOf work space, -1 for every column on entry and exit
 Matrix patchOf(const std::vector<GlobalId>& patch, const Rows& rows, std::vector<int>& placeOf) {
   const auto n = static_cast<int>(patch.size());
   Matrix matrix = Matrix::Zero(n, n);
@@ -148,7 +148,7 @@ Matrix patchOf(const std::vector<GlobalId>& patch, const Rows& rows, std::vector
   return matrix;
 }
 
-/// A symmetric matrix of few unknowns, whole on each rank: unknowns ascending, the lower triangle between them.
+/// A small symmetric matrix, complete on each rank: ascending unknowns and the lower triangle.
 struct Whole {
   std::vector<GlobalId> ids;
   SparseMatrix lower;
@@ -156,7 +156,7 @@ struct Whole {
   int number(GlobalId id) const { return static_cast<int>(std::lower_bound(ids.begin(), ids.end(), id) - ids.begin()); }
 };
 
-/// The rows of all ranks, each once; no unknowns if there are too many to be eliminated at once. Collective.
+/// The rows of all ranks, each once; empty if there are too many unknowns to eliminate at once. Collective.
 Whole wholeOf(const std::vector<MatrixRow>& rows, const Map& map, const Comm& comm) {
   Whole whole;
   std::vector<GlobalId> mine;
@@ -179,7 +179,7 @@ Whole wholeOf(const std::vector<MatrixRow>& rows, const Map& map, const Comm& co
 
 MortarAveraging::MortarAveraging(const InterfaceSpace& space, const InterfaceSpace& torn, const LocalProblems& locals) {
   const Vector stiffness = stiffnessOf(torn, locals);
-  std::vector<const InterfaceRelation*> mine;   // rows whose expressed unknown is owned here
+  std::vector<const InterfaceRelation*> mine;   // rows whose expressed unknown this rank owns
   std::vector<Eigen::Triplet<double>> entries;  // entries of M
   std::vector<double> weights;                  // Delta_s
   double least = 1e300, most = 0.0;
@@ -216,7 +216,7 @@ MortarAveraging::MortarAveraging(const InterfaceSpace& space, const InterfaceSpa
   jump_ = matrixOf(torn.map(), jumps);
   const std::vector<MatrixRow> normalOfMine = normalRows(torn, m, Eigen::Map<const Vector>(weights.data(), m.rows()), stiffness);
   std::vector<MatrixRow> parts;
-  // Rows of a surface name many nodes: their patches would be nearly the whole.
+  // Rows of a surface name many nodes: their patches would be nearly the whole matrix.
   if (const Whole whole = space.dimension() == 3 ? wholeOf(normalOfMine, *torn.map(), *torn.comm()) : Whole(); !whole.ids.empty()) {
     const std::vector<GlobalId>& few = whole.ids;
     collectively(*torn.comm(), "sharing the jumps of a mortar", [&] {
@@ -249,7 +249,7 @@ MortarAveraging::MortarAveraging(const InterfaceSpace& space, const InterfaceSpa
   }
 
   const Teuchos::RCP<const Crs> normal = matrixOf(torn.map(), normalOfMine);
-  // The patch of each row grows by the neighbours of what it has.
+  // Each layer adds the neighbours of the patch.
   std::vector<std::vector<GlobalId>> patches(mine.size());
   for (std::size_t r = 0; r < mine.size(); ++r) {
     for (const int place : mine[r]->others) patches[r].push_back(torn.id(place));

@@ -14,9 +14,9 @@ namespace suture {
 
 namespace {
 
-constexpr double kSameMotion = 1e-2;  // motions of a group that differ by less: a line that is nearly straight
-constexpr int kColumnsAtOnce = 32;    // columns of a sum over all ranks: vectors as long as the interface
-constexpr double kDependent = 1e-8;   // rest of a functional beside the others, relative to itself, below which it depends on them
+constexpr double kSameMotion = 1e-2;  // tolerance for dependent motions of a group: a nearly straight line
+constexpr int kColumnsAtOnce = 32;    // columns per sum over all ranks, which are as long as the interface
+constexpr double kDependent = 1e-8;   // relative remainder below which a functional is linearly dependent on the others
 
 int largest(const Comm& comm, int mine) {
   int all = 0;
@@ -26,11 +26,11 @@ int largest(const Comm& comm, int mine) {
 
 }  // namespace
 
-/// All of it in the torn space.
+/// Works in the torn space.
 class MortarRows::Maker {
  public:
   Maker(const InterfaceSpace& space, const InterfaceSpace& torn, const PrimalChoice& choice, MortarRows& made) : space_(torn), made_(made) {
-    // A rank knows the entities of its own local problems only: owners tell the others.
+    // A rank knows only the entities of its local problems: owners send their flags to the others.
     Matrix alone = Matrix::Zero(space_.overlapSize(), 1);
     for (int place = 0; place < space_.overlapSize(); ++place) alone(place, 0) = space_.ownedRow(place) >= 0 && choice.alone[place];
     space_.sum(alone);
@@ -49,21 +49,21 @@ class MortarRows::Maker {
   }
 
  private:
-  /// A right-hand side on one local problem j: coefficients of its unknowns that are not primal alone. It is known by one of the rows that
-  /// it is made of and a number there, so that all ranks find it.
+  /// A right-hand side on one local problem j: coefficients of its unknowns that are not primal alone. All ranks identify it by one of its
+  /// rows and a number within that row.
   struct Functional {
-    int row;                                       // place of that row's expressed unknown
-    int slot;                                      // number there
+    int row;                                       // place of the row's expressed unknown
+    int slot;                                      // number within the row
     int on;                                        // id of j
     std::map<int, double> coefficients;            // by place
     std::vector<std::pair<int, double>> combined;  // private primal unknowns of j, by number
   };
-  /// A left-hand side, and the right-hand sides that it is the sum of.
+  /// A left-hand side, and the right-hand sides of which it is the sum.
   struct Side {
-    std::vector<std::pair<int, double>> entries;  // place, coefficient; of a group
+    std::vector<std::pair<int, double>> entries;  // (place, coefficient) of the group
     std::map<int, double> alone;                  // coefficients of unknowns that are primal alone, by place
     std::vector<int> functionals;
-    int on = -1;  // id of i; -1: the expressed unknown itself, in all local problems that have it
+    int on = -1;  // id of i; -1: the expressed unknown itself, in all its local problems
   };
 
   bool isOn(int place, int local) const {
@@ -71,7 +71,7 @@ class MortarRows::Maker {
     return std::binary_search(sharers.begin(), sharers.end(), local);
   }
 
-  /// Adds coefficients of unknowns that express a row or several.
+  /// Adds the coefficients of the unknowns that express one or several rows.
   void add(Side& side, const std::map<int, double>& masters, int row, int firstSlot, int on) {
     std::map<int, std::map<int, double>> byLocal;
     for (const auto& [place, value] : masters)
@@ -106,7 +106,7 @@ class MortarRows::Maker {
     }
     findUngrouped(groups);
     for (const auto& [pair, rows] : groups) {
-      // Ranks of other local problems see some of the rows only.
+      // Ranks of other local problems have only some of the rows.
       if (!localOf_.count(pair.first) && !localOf_.count(pair.second)) continue;
       std::vector<int> places;
       for (const InterfaceRelation* row : rows) places.push_back(row->unknown);
@@ -134,7 +134,7 @@ class MortarRows::Maker {
     }
   }
 
-  /// Local problems whose rows all straddle: these count one by one. Their ranks tell the others.
+  /// Flags the rows of local problems without any group: each becomes a constraint. Their ranks send the flags to the others.
   void findUngrouped(const std::map<std::pair<int, int>, std::vector<const InterfaceRelation*>>& groups) {
     std::set<int> grouped;
     for (const auto& entry : groups) grouped.insert(entry.first.first);
@@ -164,7 +164,7 @@ class MortarRows::Maker {
     }
   }
 
-  /// In the order of the rows, twice for the digits.
+  /// Gram-Schmidt in the order of the rows, two passes for accuracy.
   void orthonormalise() {
     std::map<int, std::vector<Functional*>> on;
     for (Functional& functional : functionals_)
@@ -216,7 +216,7 @@ class MortarRows::Maker {
     return std::sqrt(sum);
   }
 
-  /// Coefficients of a functional are found where j lives, and told to all who see its row.
+  /// Coefficients of a functional are computed on the rank of j and sent to all ranks that have its row.
   void exchange() {
     int slots = 0;
     for (const Functional& functional : functionals_) slots = std::max(slots, functional.slot + 1);
@@ -239,13 +239,13 @@ class MortarRows::Maker {
     for (std::size_t f = 0; f < functionals_.size(); ++f) functionals_[f].combined = std::move(told[f]);
   }
 
-  /// Keys after those of all unknowns and entities.
+  /// Keys beyond those of all unknowns and entities.
   GlobalId keyOf(int id, int number) const {
     return 2 * (space_.map()->getMaxAllGlobalIndex() + 1 + static_cast<GlobalId>(id) * most_ + number);
   }
 
   void write() {
-    // Place -> where it stands in the trace, and its value over that there: a pair of two nodes identifies it with another one.
+    // Place -> row of the trace, and unknown divided by trace value there: a pair of two nodes identifies an unknown with another one.
     std::vector<std::map<int, std::pair<int, double>>> positions(space_.locals());
     for (int i = 0; i < space_.locals(); ++i) {
       const std::vector<int>& places = space_.coupling(i).columns();
@@ -301,9 +301,9 @@ class MortarRows::Maker {
 
   const InterfaceSpace& space_;
   MortarRows& made_;
-  std::vector<char> counts_;                                // true for places of rows that count by themselves
+  std::vector<char> counts_;                                // true for places of rows that are constraints by themselves
   std::vector<char> alone_;                                 // true for places that are primal alone
-  std::map<int, int> localOf_;                              // id -> place among those of this rank
+  std::map<int, int> localOf_;                              // id -> index among the local problems of this rank
   std::map<GlobalId, const InterfaceRelation*> relations_;  // torn relations, by the unknown that they express
   std::vector<Functional> functionals_;
   std::vector<Side> sides_;

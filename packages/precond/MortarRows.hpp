@@ -8,28 +8,29 @@
 namespace suture {
 
 /// Constraints that local problems on the two sides of closed rows of several terms (a mortar) share in BDDC, without a primal unknown for
-/// every one of these rows: of a group of rows whose expressed unknowns lie inside one local problem i, and the unknowns that express them
-/// in one local problem j, the rigid motions of the line, as integrals against the rows' own functions. With q such a motion,
+/// every row. A group consists of the rows whose expressed unknowns lie inside one local problem i, and whose expressing unknowns lie in
+/// one local problem j. Its constraints are the rigid motions of the line, as integrals against the rows' own functions. With q such a
+/// motion,
 ///
 ///     sum_s q_s u_s  (on i)  =  sum_m (M^T q)_m u_m  (on j),
 ///
-/// where those u_m that are primal alone count by themselves. An expressed unknown that would be primal alone (at the end of a seam) is
-/// expressed in this way, too. On each j the right-hand sides are made orthonormal, because rows that share unknowns depend on each other,
-/// and what is left is private: primal unknowns that only j and the rows on i know. Rows that straddle two j are left out.
+/// where each u_m that is primal alone is a separate term. An expressed unknown that would be primal alone (at the end of a seam) is
+/// expressed in the same way. On each j the right-hand sides are orthonormalised, because rows that share unknowns are dependent; the
+/// resulting functionals are private primal unknowns, known only to j and the rows on i. Rows that straddle two j are omitted.
 class MortarRows {
  public:
-  /// \param torn  the torn space, or the space itself where a rank has none; \param choice  of that. Collective.
+  /// \param torn  the torn space, or the space itself on ranks without one; \param choice the choice in `torn`. Collective.
   MortarRows(const InterfaceSpace& space, const InterfaceSpace& torn, const PrimalChoice& choice);
 
   struct Row {
     std::vector<std::pair<int, double>> entries;  ///< position in the trace, coefficient
     std::vector<PrimalRows::Term> terms;
   };
-  /// Rows of a local problem beside those of its entities.
+  /// Rows of a local problem in addition to those of its entities.
   const std::vector<Row>& of(int local) const { return rows_[local]; }
-  /// Primal unknowns of a local problem that are private, as they move.
+  /// Private primal unknowns of a local problem, with their motions.
   const std::vector<InterfaceLayout::Unknown>& privateOf(int local) const { return private_[local]; }
-  /// Terms that stand for an expressed unknown that is primal alone, or null.
+  /// Terms that replace an expressed unknown that is primal alone, or null.
   const std::vector<PrimalRows::Term>* instead(int place) const {
     const auto found = instead_.find(place);
     return found == instead_.end() ? nullptr : &found->second;

@@ -11,10 +11,10 @@
 namespace suture {
 
 Schema NeumannNeumann::schema() {
-  Schema schema("Balancing Neumann-Neumann (eq. 28-31): local Neumann problems, weighted, and a coarse problem of rigid motions.");
-  schema.choice("Weighting", "Stiffness Diagonal", Registry<Weighting>::instance().schemas(), "How subdomains share the interface, D_i.");
-  schema.choice("Coarse Space", "Rigid Modes", Registry<CoarseSpace>::instance().schemas(),
-                "Traces that the coarse problem balances, Z_i.");
+  Schema schema("Balancing Neumann-Neumann (eq. 28-31): weighted local Neumann problems and a coarse problem of rigid-body modes.");
+  schema.choice("Weighting", "Stiffness Diagonal", Registry<Weighting>::instance().schemas(),
+                "Weights D_i of the subdomains at shared unknowns.");
+  schema.choice("Coarse Space", "Rigid Modes", Registry<CoarseSpace>::instance().schemas(), "Traces Z_i of the coarse problem.");
   addCoarseParameters(schema);
   return schema;
 }
@@ -29,7 +29,7 @@ NeumannNeumann::NeumannNeumann(std::unique_ptr<Weighting> weighting, std::unique
     : weighting_(std::move(weighting)), coarseSpace_(std::move(coarseSpace)), coarseSolver_(std::move(coarseSolver)), copies_(copies) {}
 
 void NeumannNeumann::doInitialize() {
-  coarse_.reset();  // inverses belong to local problems, whatever space these are in
+  coarse_.reset();  // inverses belong to local problems and are kept for any space
 }
 
 void NeumannNeumann::doCompute() {
@@ -50,8 +50,8 @@ void NeumannNeumann::doCompute() {
       locals_[i] = locals[i];
       Matrix z = coarseSpace_->columns(*locals[i]);
       weighting_->apply(static_cast<int>(i), z);
-      // Rigid modes are of the order of one, and where stiffness jumps the weights of all columns are small alike: what is below is
-      // dependent on the others.
+      // Rigid-body modes are of order one, and at a stiffness jump the weights of all columns are equally small, so a smaller column is
+      // linearly dependent on the others.
       columns[i] = orthonormalBasis(z, 1e-10);
     }
   });

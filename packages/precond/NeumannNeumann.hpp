@@ -11,14 +11,14 @@ namespace suture {
 
 /// Balancing Neumann-Neumann, eq. (28)-(31) for S and (37)-(38) for S_0 (an operator with null entries):
 ///     M^-1 = Q + (I - Q S) T (I - S Q),   T = sum_i R_i^T D_i S_i^+ D_i^T R_i,   Q = Z E^-1 Z^T,   E = Z^T S Z,
-/// Z the columns D_i Z_i. For a residual orthogonal to Z this is the paper's sum of D_i (phi_i + z_i) with z chosen so that the error in
-/// the S norm is smallest; written so, it is symmetric positive definite for every residual. S Z is kept: no application of S within.
-/// Condition C (1 + log H/h)^2. Cost of an application: a Neumann solve of every local problem and two coarse solves.
+/// with Z the columns D_i Z_i. For a residual orthogonal to Z this is the paper's sum of D_i (phi_i + z_i), with z chosen to minimise the
+/// error in the S norm; in this form it is symmetric positive definite for every residual. S Z is stored, so an application does not apply
+/// S. The condition number is C (1 + log H/h)^2. An application costs a Neumann solve per local problem and two coarse solves.
 class NeumannNeumann : public Preconditioner {
  public:
   static Schema schema();
   explicit NeumannNeumann(const Parameters& own);
-  /// For programs that bring their own strategies.
+  /// For programs with their own strategies.
   NeumannNeumann(std::unique_ptr<Weighting> weighting, std::unique_ptr<CoarseSpace> coarseSpace,
                  std::function<std::unique_ptr<LocalSolver>()> coarseSolver, int copies = 0);
 
@@ -34,10 +34,10 @@ class NeumannNeumann : public Preconditioner {
   std::unique_ptr<CoarseSpace> coarseSpace_;
   std::function<std::unique_ptr<LocalSolver>()> coarseSolver_;
   int copies_;
-  LocalProblems locals_;  // those the inverses belong to
+  LocalProblems locals_;  // local problems of the inverses
   std::vector<std::unique_ptr<LocalInverse>> inverses_;
   std::unique_ptr<BalancingCoarse> coarse_;
-  mutable Matrix residual_, whole_, sum_, flux_, trace_;  // work space: an application allocates nothing
+  mutable Matrix residual_, whole_, sum_, flux_, trace_;  // work space, so that an application does not allocate
   mutable Vector y_;
 };
 

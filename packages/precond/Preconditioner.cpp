@@ -31,7 +31,7 @@ void Preconditioner::initialize(std::shared_ptr<const InterfaceSpace> space) {
 void Preconditioner::compute(Teuchos::RCP<const InterfaceOperator> matrix) {
   const double begin = Timers::now();
   if (!space_) throw InternalError("compute() of a preconditioner before initialize()");
-  if (matrix->space() != space_) throw InternalError("a preconditioner was given an operator on another space than its own");
+  if (matrix->space() != space_) throw InternalError("the operator given to a preconditioner is on a different space");
   const auto isHeldBySprings = [](const InterfaceOperator& of) { return of.friction() && !of.friction()->motions.is_null(); };
   const bool same = isComputed_ && onAllRanks(*space_->comm(), matrix->locals() == matrix_->locals() && !isHeldBySprings(*matrix) &&
                                                                    !isHeldBySprings(*matrix_));

@@ -13,9 +13,9 @@ namespace suture {
 
 namespace {
 
-/// With the flux as another column, where it is anything: nearly incompressible bodies are as stiff as their bulk modulus against jumps
-/// that change the volume on one side, and averages of nodal values are no flux on edges that turn or whose nodes are of several kinds (Li,
-/// Widlund, "BDDC algorithms for incompressible Stokes equations", SIAM J. Numer. Anal. 2006).
+/// Adds the flux as a column, if it is nonzero. Nearly incompressible bodies are as stiff as their bulk modulus against jumps that change
+/// the volume on one side, and averages of nodal values are not the flux on edges that turn or with nodes of different kinds (Li, Widlund,
+/// "BDDC algorithms for incompressible Stokes equations", SIAM J. Numer. Anal. 2006).
 Matrix withFlux(const InterfaceSpace& space, const std::vector<int>& unknowns, const Matrix& modes) {
   Vector flux(modes.rows());
   for (int i = 0; i < flux.size(); ++i) flux(i) = space.flux(unknowns[i]);
@@ -26,7 +26,7 @@ Matrix withFlux(const InterfaceSpace& space, const std::vector<int>& unknowns, c
   return all;
 }
 
-/// Columns: one, and if asked for the place along the line.
+/// Columns: one, and optionally the coordinate along the line.
 Matrix momentsAlong(const InterfaceSpace& space, const std::vector<int>& unknowns, bool withFirst) {
   const int n = static_cast<int>(unknowns.size());
   Matrix moments = Matrix::Ones(n, withFirst && n > 1 ? 2 : 1);
@@ -42,7 +42,7 @@ Matrix momentsAlong(const InterfaceSpace& space, const std::vector<int>& unknown
   return moments;
 }
 
-/// Columns: one, and if asked for the places along the two directions in which a surface extends most.
+/// Columns: one, and optionally the coordinates along the two directions of largest extent of a surface.
 Matrix momentsOver(const InterfaceSpace& space, const std::vector<int>& unknowns, bool withFirst) {
   const int n = static_cast<int>(unknowns.size());
   if (!withFirst || n == 1) return Matrix::Ones(n, 1);
@@ -57,7 +57,7 @@ Matrix momentsOver(const InterfaceSpace& space, const std::vector<int>& unknowns
   return moments;
 }
 
-/// Moments of the displacements along the normals of closed pairs.
+/// Moments of the normal displacements of closed pairs.
 Matrix contactMoments(const InterfaceSpace& space, const std::vector<int>& unknowns, bool withFirst) {
   return space.dimension() == 2 ? momentsAlong(space, unknowns, withFirst) : momentsOver(space, unknowns, withFirst);
 }
@@ -109,16 +109,16 @@ std::unique_ptr<PrimalConstraints> withMoments(MomentConstraints::First first) {
 std::unique_ptr<PrimalConstraints> automaticConstraints() { return withMoments(MomentConstraints::First::OnSeams); }
 
 void registerBuiltIns(Registry<PrimalConstraints>& registry) {
-  registry.add("Automatic", Schema("In the plane as Rigid Modes; in space averages on edges and all rigid motions on faces."),
+  registry.add("Automatic", Schema("In 2D as Rigid Modes; in 3D averages on edges and all rigid motions on faces."),
                [](const Parameters&) { return automaticConstraints(); });
-  registry.add("None", Schema("Vertices and ends of edges only. In space that leaves subdomains loose that meet few vertices."),
+  registry.add("None", Schema("Vertices and ends of edges only. In 3D subdomains with few vertices are not held."),
                [](const Parameters&) { return std::make_unique<VertexConstraints>(); });
   registry.add(
       "Averages",
-      Schema("The average of each component; on contact surfaces of the normal displacement. With a Poisson ratio above 0.45 also the "
-             "volume that flows through."),
+      Schema("The average of each displacement component; on contact surfaces of the normal displacement. With a Poisson ratio above "
+             "0.45 also the volume flux."),
       [](const Parameters&) { return withMoments(MomentConstraints::First::Nowhere); });
-  registry.add("Rigid Modes", Schema("Averages and the first moments: all rigid motions of edges and faces."),
+  registry.add("Rigid Modes", Schema("Averages and first moments: all rigid motions of edges and faces."),
                [](const Parameters&) { return withMoments(MomentConstraints::First::Everywhere); });
   registry.add("Adaptive", AdaptiveConstraints::schema(),
                [](const Parameters& own) { return std::make_unique<AdaptiveConstraints>(own.get<double>("Threshold")); });

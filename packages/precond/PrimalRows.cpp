@@ -10,7 +10,7 @@ namespace suture {
 
 namespace {
 
-// Two primal unknowns may belong to one interface unknown: itself where it is alone, and the row of an entity that is numbered after it.
+// One interface unknown may have two primal unknowns: itself if it is alone, and the row of an entity that is numbered after it.
 GlobalId rowKey(const InterfaceSpace& space, int place) { return 2 * space.id(place) + 1; }
 
 InterfaceLayout::Unknown aloneUnknown(const InterfaceSpace& space, int place) {
@@ -84,13 +84,13 @@ std::vector<PrimalRows> primalRows(const InterfaceSpace& space, const PrimalChoi
     for (std::size_t k = 0; k < places.size(); ++k) {
       const InterfaceRelation* by = space.relation(places[k]);
       const std::size_t count = by ? by->others.size() : 1;
-      if (count == 0) {  // held: no value of its own, but the trace is known to be zero
+      if (count == 0) {  // fixed: no primal unknown, the trace is zero
         rows[i].push_back({{{static_cast<int>(k), 1.0}}, {}});
         continue;
       }
       const int first = by ? by->others[0] : places[k];
       if (count == 1 && !choice.alone[first]) {
-        // Two unknowns of one local problem (a node that slides along an oblique obstacle): it must know that they go together.
+        // Two unknowns of one local problem (a node that slides along an oblique obstacle): a row couples them.
         if (const auto own = by ? std::find(places.begin(), places.end(), first) : places.end(); own != places.end())
           rows[i].push_back({{{static_cast<int>(k), 1.0}, {static_cast<int>(own - places.begin()), -by->coefficients[0]}}, {}});
         continue;

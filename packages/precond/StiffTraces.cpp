@@ -13,22 +13,22 @@ namespace suture {
 
 namespace {
 
-// Thresholds in units of the stiffness against change of shape. A trace below them multiplies the condition by about a twentieth of its
-// stiffness.
+// Thresholds relative to the stiffness against change of shape. A trace below them multiplies the condition number by about a twentieth of
+// its stiffness.
 constexpr double kStiff = 20.0;         // threshold for a trace of a subdomain
-constexpr double kStiffOnEntity = 0.5;  // threshold for the part of it that weighting leaves on an entity
+constexpr double kStiffOnEntity = 0.5;  // threshold for the part of a trace that weighting leaves on an entity
 constexpr int kMostSteps = 10;
 
 Matrix randomColumns(int rows, int columns) {
-  std::mt19937 next;  // the same numbers everywhere, which std's distributions are not
+  std::mt19937 next;  // std distributions differ between platforms, this generator does not
   Matrix values(rows, columns);
   for (int j = 0; j < columns; ++j)
     for (int i = 0; i < rows; ++i) values(i, j) = static_cast<double>(next()) / 4294967295.0 - 0.5;
   return values;
 }
 
-/// One side of an entity, in its unknowns: the shear stiffness; (I - D_i)^T V_i for two sharers, the part of V_i that the other one's
-/// weights leave; for more of them V_i and D_i, which the others need.
+/// Columns of one side, in the unknowns of the entity: the shear stiffness; then for two sharers (I - D_i)^T V_i, the part of V_i that the
+/// weights of the other sharer leave; for more sharers V_i and D_i, which the others need.
 Matrix sideColumns(const EntitySide& side, int sharers, const LocalProblem& local, const Matrix& traces, const Weighting& weighting) {
   const Vector squares = side.coefficients.cwiseAbs2();
   const Matrix own = rowsAt(traces, side.rows);
@@ -51,7 +51,7 @@ Matrix sideColumns(const EntitySide& side, int sharers, const LocalProblem& loca
   return all;
 }
 
-/// D_j^T V_i for all pairs of sharers: averaging leaves sum_j D_j (w_i - w_j) on sharer i.
+/// D_j^T V_i for all pairs of sharers, because averaging leaves sum_j D_j (w_i - w_j) on sharer i.
 Matrix leftOver(const std::vector<Matrix>& sides) {
   const auto n = sides[0].rows();
   const bool several = sides.size() > 2;
@@ -76,7 +76,7 @@ Matrix withColumns(const Matrix& rows, const std::vector<Matrix>& sides) {
   if (sides.empty() || std::any_of(sides.begin(), sides.end(), [](const Matrix& side) { return side.size() == 0; })) return rows;
   Matrix columns = leftOver(sides);
   if (columns.cols() == 0) return rows;
-  // A jump meets the stiffness of springs in a row: the harmonic mean is that of two alike.
+  // A jump acts on springs in series: scale by the harmonic mean of the sides' stiffness.
   Vector give = Vector::Zero(columns.rows());
   for (const Matrix& side : sides) give += side.col(0).cwiseInverse();
   const Vector scale = (static_cast<double>(sides.size()) * give.cwiseInverse()).cwiseSqrt();
@@ -102,7 +102,7 @@ Matrix stiffTraces(const LocalProblem& local) {
   for (int block = std::min(8, n);; block = std::min(2 * block, n)) {
     Matrix basis = orthonormalBasis(randomColumns(n, block), 1e-12), image;
     for (int step = 0; step < kMostSteps; ++step) {
-      image.resize(n, basis.cols());  // fewer than before where S has a kernel
+      image.resize(n, basis.cols());  // fewer columns than before if S has a kernel
       local.applySchur(scale.cwiseInverse().asDiagonal() * basis, image);
       image = scale.cwiseInverse().asDiagonal() * image;
       const Eigenpairs pairs = symmetricEigenpairs(basis.transpose() * image);
@@ -112,9 +112,9 @@ Matrix stiffTraces(const LocalProblem& local) {
       const Vector values = pairs.values.tail(count);
       const Matrix found = basis * pairs.vectors.rightCols(count);
       const Matrix missed = image * pairs.vectors.rightCols(count) - found * values.asDiagonal();
-      // The missed part couples a direction with the rest: small against the stiffness there, which is of the order of one.
+      // The residual couples a direction with the rest: it must be small compared with the stiffness there, which is of order one.
       const bool settled = (missed.colwise().squaredNorm().array() < 1e-2).all() && (count > 0 || step > 2);
-      if (count == m && m < n) break;  // perhaps there are more of them
+      if (count == m && m < n) break;  // there may be more stiff directions
       if (settled || step + 1 == kMostSteps || m == n) return scale.asDiagonal() * found * values.cwiseSqrt().asDiagonal();
       basis = orthonormalBasis(image, 1e-14);
     }
@@ -130,7 +130,7 @@ PrimalChoice StiffTraces::doChoose(const InterfaceSpace& space, const LocalProbl
   if (!any) return choice;
   locals_.resize(locals.size());
   traces_.resize(locals.size());
-  collectively(*space.comm(), "what nearly incompressible subdomains are stiff against", [&] {
+  collectively(*space.comm(), "stiff traces of nearly incompressible subdomains", [&] {
     for (std::size_t i = 0; i < locals.size(); ++i) {
       if (incompressible(locals[i]) && locals_[i] != locals[i]) traces_[i] = stiffTraces(*locals[i]);
       locals_[i] = locals[i];

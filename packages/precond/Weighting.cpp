@@ -22,7 +22,7 @@ void DiagonalWeighting::doSetup(const InterfaceSpace& space, const LocalProblems
       }
   });
   space.sumDensities(sum);
-  // An unknown that several others express, or none, has no weight of its own: they have it all.
+  // An unknown that is expressed by several others, or by none, has no weight; the expressing unknowns carry it.
   const auto weightless = [&](int place) { return space.relation(place) && space.relation(place)->others.size() != 1; };
   collectively(*space.comm(), "weighting the interface", [&] {
     for (int k = 0; k < space.overlapSize(); ++k)
@@ -48,8 +48,8 @@ void addWeighting(Registry<Weighting>& registry, const char* name, const char* d
 
 void registerBuiltIns(Registry<Weighting>& registry) {
   addWeighting<DeluxeWeighting>(registry, "Deluxe",
-                                "By the Schur complements on each edge, dense; elsewhere by the diagonal of the stiffness.");
-  addWeighting<MultiplicityWeighting>(registry, "Multiplicity", "One over the number of subdomains that meet; not robust for jumps.");
+                                "By the dense Schur complements on each edge and face; elsewhere by the diagonal of the stiffness.");
+  addWeighting<MultiplicityWeighting>(registry, "Multiplicity", "One over the number of sharing subdomains; not robust for jumps.");
   addWeighting<YoungWeighting>(registry, "Young", "By Young's modulus, as in the paper; robust for jumps aligned with subdomains.");
   addWeighting<StiffnessDiagonalWeighting>(registry, "Stiffness Diagonal",
                                            "By the diagonal of the stiffness matrix; follows jumps and element sizes.");

@@ -7,21 +7,21 @@
 
 namespace suture {
 
-/// Partition of unity on the interface: how the local problems that meet at an unknown share it, D_i of eq. (22)-(25).
+/// Partition of unity on the interface, D_i of eq. (22)-(25): the share of each local problem in a common unknown.
 ///
-/// Invariant, tested for every implementation:  sum_i R_i^T D_i R_i = I.
-/// Strategies: Multiplicity, Young, Stiffness Diagonal, Deluxe; a user adds his own through Registry<Weighting>.
+/// Invariant, tested for every implementation:  sum_i R_i^T D_i R_i = I. Strategies: Multiplicity, Young, Stiffness Diagonal, Deluxe;
+/// Registry<Weighting> adds user strategies.
 class Weighting {
  public:
   static const char* kind() { return "weighting"; }
   virtual ~Weighting() = default;
 
-  /// Collective. `locals` are the local problems that share the interface, in the order of the space's couplings: all of them for S, those
-  /// of T^M only for S_0 (eq. 33-36: null entries do not share). \throws NumericalError  if an unknown has no positive weight; names its
+  /// Collective. `locals` are the local problems that share the interface, in the order of the space's couplings: all for S, only those of
+  /// T^M for S_0 (eq. 33-36; null entries do not share). \throws NumericalError if an unknown has no positive weight; the message gives its
   /// coordinates.
   void setup(const InterfaceSpace& space, const LocalProblems& locals);
 
-  /// trace <- D_i trace. Local. `trace`: unknowns of local problem i on the interface x right-hand sides; displacements [length].
+  /// trace <- D_i trace. Local. `trace`: displacements [length], unknowns of local problem i on the interface x right-hand sides.
   void apply(int i, LocalView trace) const { doApply(i, trace); }
 
   /// flux <- D_i^T flux. Local. `flux`: forces [force], same shape as in apply().
@@ -35,7 +35,7 @@ class Weighting {
 
 void registerBuiltIns(Registry<Weighting>& registry);
 
-/// Weights rho_i / sum of rho_j at each unknown. A user writes density(): rho_i > 0 on the boundary of a local problem.
+/// Weights rho_i / sum of rho_j at each unknown. Subclasses implement density(): rho_i > 0 on the boundary of a local problem.
 class DiagonalWeighting : public Weighting {
  protected:
   virtual Vector density(const LocalProblem& local) const = 0;
@@ -48,13 +48,13 @@ class DiagonalWeighting : public Weighting {
   std::vector<Vector> weights_;
 };
 
-/// One over the number of local problems that meet. Robust only without jumps of stiffness.
+/// One over the number of sharing local problems. Robust only without jumps in stiffness.
 class MultiplicityWeighting : public DiagonalWeighting {
  protected:
   Vector density(const LocalProblem& local) const override { return Vector::Ones(local.size()); }
 };
 
-/// By Young's modulus: the paper's. Of problems that know none, as Multiplicity.
+/// By Young's modulus, as in the paper; one for local problems without this hint.
 class YoungWeighting : public DiagonalWeighting {
  protected:
   Vector density(const LocalProblem& local) const override {
@@ -63,7 +63,7 @@ class YoungWeighting : public DiagonalWeighting {
   }
 };
 
-/// By the diagonal of the stiffness matrix: follows jumps and element sizes.
+/// By the diagonal of the stiffness matrix; follows jumps and element sizes.
 class StiffnessDiagonalWeighting : public DiagonalWeighting {
  protected:
   Vector density(const LocalProblem& local) const override { return local.stiffnessDiagonal(); }

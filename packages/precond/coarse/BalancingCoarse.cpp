@@ -19,7 +19,7 @@ namespace {
 using Crs = Tpetra::CrsMatrix<>;
 using GO = Map::global_ordinal_type;
 
-/// Interface unknowns that row k of a coupling is made of, relations resolved: calls take(place, coefficient).
+/// Calls take(place, coefficient) for each interface unknown of a coupling row, with relations resolved.
 template <typename Take>
 void eachUnknown(const InterfaceSpace& space, int place, const Take& take) {
   if (const InterfaceRelation* by = space.relation(place)) {
@@ -47,8 +47,8 @@ BalancingCoarse::BalancingCoarse(const InterfaceOperator& matrix, const std::vec
   assemble(matrix, std::move(solver), copies);
 }
 
-/// Every local problem learns the columns of its neighbours: a sparse matrix whose rows are interface unknowns goes from overlapping rows
-/// to owned ones and back.
+/// Gives every local problem the columns of its neighbours: a sparse matrix whose rows are interface unknowns is exported from overlapping
+/// to owned rows and imported back.
 void BalancingCoarse::exchange(const std::vector<Matrix>& columns) {
   const MapPtr& overlap = space_->overlap();
   const MapPtr coarse =

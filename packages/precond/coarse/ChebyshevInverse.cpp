@@ -12,10 +12,10 @@ namespace suture {
 namespace {
 
 constexpr int kLanczosSteps = 12;
-constexpr double kMargin = 1.05;     // Lanczos estimates from below
-constexpr int kMostChebyshev = 100;  // beyond a condition of 5000 the outer iteration has to help
+constexpr double kMargin = 1.05;     // the Lanczos estimate is a lower bound
+constexpr int kMostChebyshev = 100;  // above a condition number of 5000 the outer iteration does the rest
 
-/// A vector with a part in every eigenvector, the same on any number of ranks.
+/// A vector with a component in every eigenvector, independent of the number of ranks.
 void fillUneven(const InterfaceSpace& space, MultiVector& x) {
   auto values = localView(x);
   for (int row = 0; row < values.rows(); ++row) {
@@ -34,7 +34,7 @@ ChebyshevInverse::ChebyshevInverse(Teuchos::RCP<const InterfaceOperator> matrix,
   steps_ = std::clamp(steps_, 1, kMostChebyshev);
 }
 
-/// By the Lanczos matrix of conjugate gradients.
+/// Largest eigenvalue of the Lanczos matrix of conjugate gradients.
 double ChebyshevInverse::estimateLargest() const {
   const InterfaceSpace& space = *matrix_->space();
   const MultiVectorPtr r = space.vector(), z = space.vector(), p = space.vector(), q = space.vector();

@@ -5,11 +5,11 @@
 
 namespace suture {
 
-/// A preconditioned operator solved by a fixed number of Chebyshev steps: a linear, symmetric positive definite approximation P of S^-1,
-/// which may stand inside another preconditioner (conjugate gradients, which are not linear, may not).
+/// Chebyshev iteration with a fixed number of steps for a preconditioned operator: a linear, symmetric positive definite approximation P of
+/// S^-1. It may be used inside another preconditioner, unlike conjugate gradients, which are not linear.
 ///
-/// The eigenvalues of M^-1 S lie between 1 (BDDC's bound) and the largest, which Lanczos estimates. Steps are as many as bring those of
-/// P S into [1 - accuracy, 1 + accuracy]; P stays definite where the estimate is somewhat low.
+/// The eigenvalues of M^-1 S lie between 1 (BDDC's bound) and the largest, which Lanczos estimates. The number of steps is chosen such that
+/// the eigenvalues of P S lie in [1 - accuracy, 1 + accuracy]; P stays definite if the estimate is somewhat low.
 class ChebyshevInverse {
  public:
   /// Collective. \param preconditioner  computed for `matrix`, with M^-1 S >= 1
@@ -27,7 +27,7 @@ class ChebyshevInverse {
   Teuchos::RCP<const Preconditioner> preconditioner_;
   double largest_ = 1.0;
   int steps_ = 1;
-  mutable std::array<MultiVectorPtr, 4> work_;  // work space of apply(), which every iteration calls
+  mutable std::array<MultiVectorPtr, 4> work_;  // work space of apply()
 };
 
 }  // namespace suture

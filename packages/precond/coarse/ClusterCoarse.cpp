@@ -31,13 +31,13 @@ ClusterCoarse::ClusterCoarse(const CommPtr& comm, CoarseElements coarse, int loc
       interiors_.push_back(placesAmong(names, problems_.back()->interior()));
     }
   });
-  if (space_->size() == 0) return;  // clusters that do not touch
+  if (space_->size() == 0) return;  // the clusters share no unknowns
   for (int place = 0; place < space_->overlapSize(); ++place) boundary_.push_back(static_cast<int>(space_->id(place)));
   boundary_ = placesAmong(names, boundary_);
 
   CoarseOptions next = levels;
   next.clusters = 0;
-  // As deep as there is something to gain: clusters that are hardly fewer than their members, and a level forced upon few, end it.
+  // Recursion ends when it does not pay: the number of clusters exceeds half that of their members, or this level was forced.
   if (levels.above == 0 || 2 * count_ > locals) next.above = std::max(count_, 1);
   const auto matrix = Teuchos::rcp(new InterfaceOperator(space_, std::move(problems)));
   const auto bddc = Teuchos::rcp(new Bddc(next));

@@ -8,15 +8,15 @@
 
 namespace suture {
 
-/// The coarse problem of BDDC solved by domain decomposition once more (multilevel BDDC: Mandel, Sousedik and Dohrmann, 2008), with the
-/// same strategies.
+/// The coarse problem of BDDC, itself solved by domain decomposition with the same strategies (multilevel BDDC: Mandel, Sousedik and
+/// Dohrmann, 2008).
 ///
-/// Local problems are gathered into clusters (CoarseClusters), each of one rank's. Coarse unknowns inside a cluster are eliminated exactly;
-/// on those between clusters some Chebyshev steps with BDDC of the clusters, vertices and edges in their turn, come near to the inverse of
-/// the Schur complement. With  K = L diag(K_II, S) L^T  the answer is  L^-T diag(K_II^-1, P) L^-1 r,  P the steps: a fixed symmetric
-/// positive definite operator, with the spectrum of P S about one. Nothing is factored that grows with the number of local problems, but
-/// by the size of clusters and their number. A rank knows the coarse unknowns that its own local problems name, and messages carry those
-/// between clusters of different ranks.
+/// Local problems are gathered into clusters (CoarseClusters), each within one rank. Coarse unknowns inside a cluster are eliminated
+/// exactly. On the unknowns between clusters, Chebyshev steps with BDDC of the clusters, with their own vertices and edges, approximate the
+/// inverse of the Schur complement S. With K = L diag(K_II, S) L^T the answer is L^-T diag(K_II^-1, P) L^-1 r, where P represents the
+/// steps: a fixed symmetric positive definite operator, with the spectrum of P S around one. The sizes of the factors depend on the size
+/// and number of the clusters, not on the number of local problems. A rank stores only the coarse unknowns that its own local problems
+/// name, and exchanges those between clusters of different ranks.
 class ClusterCoarse : public CoarseSolve {
  public:
   /// \param locals  local problems over all ranks. Collective. \throws NumericalError
@@ -25,20 +25,20 @@ class ClusterCoarse : public CoarseSolve {
   int size() const override { return size_; }
   const Vector& solve(const Vector& mine) const override;
   int clusters() const override { return count_; }
-  /// Chebyshev steps an application; 0 where one cluster has it all.
+  /// Chebyshev steps per application; 0 for a single cluster.
   int steps() const { return inverse_ ? inverse_->steps() : 0; }
-  /// Largest eigenvalue of the clusters' preconditioned operator, 1 where one cluster has it all.
+  /// Largest eigenvalue of the clusters' preconditioned operator; 1 for a single cluster.
   double largest() const { return inverse_ ? inverse_->largest() : 1.0; }
 
  private:
   int size_, count_ = 0;
   std::vector<std::shared_ptr<const ClusterProblem>> problems_;
   std::vector<std::vector<int>> interiors_;  // inner unknowns of each cluster, as places in the arguments of solve()
-  std::vector<int> boundary_;                // unknowns of the space's overlap, in the same way
+  std::vector<int> boundary_;                // unknowns of the space's overlap, also as such places
   std::shared_ptr<const InterfaceSpace> space_;
   std::unique_ptr<ChebyshevInverse> inverse_;
   mutable Vector answer_;  // answer of the last solve
-  // Work space of solve(), which every iteration calls: it allocates nothing.
+  // Work space, so that solve() does not allocate.
   mutable Matrix overlap_;
   mutable std::vector<double> interior_, trace_;  // values of one cluster
   MultiVectorPtr right_, left_;

@@ -11,7 +11,7 @@ namespace suture {
 
 namespace {
 
-/// Do these values of a body tell all its rigid motions? Lengths by the extent of the unknowns.
+/// True if the values of these unknowns determine all rigid motions of a body. Rotations are scaled by the extent of the unknowns.
 bool fixesMotion(const ClusterGraph& graph, const std::vector<int>& shared) {
   constexpr double least = 1e-6;  // smallest over largest singular value, squared
   const int d = graph.dimension, count = rigidMotions(d);
@@ -36,7 +36,7 @@ double squareDistance(const Point& a, const Point& b) {
   return sum;
 }
 
-/// The two of these that are farthest apart, by unknown: the extremes of the longer direction of their bounding box.
+/// The two unknowns that are farthest apart, approximately: the farthest from the first one, and the farthest from that.
 std::pair<int, int> ends(const ClusterGraph& graph, const std::vector<int>& unknowns) {
   const auto farthestFrom = [&](int from) {
     return *std::max_element(unknowns.begin(), unknowns.end(), [&](int a, int b) {
@@ -60,7 +60,7 @@ ElementGraph fixedNeighbours(const ClusterGraph& graph) {
   const int n = static_cast<int>(graph.unknownsOf.size());
   std::vector<std::vector<int>> neighbours(n);
   for (int i = 0; i < n; ++i) {
-    std::map<int, std::vector<int>> shared;  // with local problems of higher number
+    std::map<int, std::vector<int>> shared;  // by the other local problem, of higher number
     for (const int unknown : graph.unknownsOf[i])
       for (const int other : graph.holders[unknown])
         if (other > i) shared[other].push_back(unknown);
@@ -81,7 +81,7 @@ ElementGraph fixedNeighbours(const ClusterGraph& graph) {
 
 std::vector<InterfaceLayout::Entity> clusterEntities(const ClusterGraph& graph, const std::vector<int>& clusterOf) {
   EntityGraph entities;
-  std::map<std::pair<int, int>, std::vector<GlobalId>> shared;  // local problems of two clusters -> unknowns they share
+  std::map<std::pair<int, int>, std::vector<GlobalId>> shared;  // two local problems in different clusters -> unknowns they share
   for (int u = 0; u < static_cast<int>(graph.unknowns.size()); ++u) {
     std::vector<int> sharers;
     for (const int local : graph.holders[u]) sharers.push_back(clusterOf[local]);

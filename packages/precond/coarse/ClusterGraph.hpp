@@ -6,24 +6,24 @@
 
 namespace suture {
 
-/// Local problems and the coarse unknowns they name, without the matrices. Unknowns are numbered 0, 1, ... in the order of their numbers
-/// over all ranks, so that ranks which know the same entity list it alike.
+/// Local problems and the coarse unknowns they name, without the matrices. Unknowns are numbered 0, 1, ... in the order of their global
+/// numbers, so all ranks that know an entity list its unknowns in the same order.
 struct ClusterGraph {
   int dimension = 2;
   std::vector<std::vector<int>> unknownsOf;        ///< unknowns of each local problem
   std::vector<InterfaceLayout::Unknown> unknowns;  ///< by number
   std::vector<std::vector<int>> holders;           ///< local problems that hold each unknown, ascending
 
-  /// From unknownsOf.
+  /// Sets `holders` from `unknownsOf`.
   void findHolders();
 };
 
-/// Local problems as vertices; neighbours share unknowns whose values under rigid motions determine the motion. Local.
+/// Graph of local problems; two are neighbours if the unknowns they share determine all rigid motions. Local.
 ElementGraph fixedNeighbours(const ClusterGraph& graph);
 
-/// Vertices and edges between clusters in coarse unknowns, those that the graph knows. Unknowns of two clusters hang together where two
-/// local problems, one in each, share both of them. The ends of an edge are its unknowns at the two places that are farthest apart, counted
-/// with the vertices that bound it. \param clusterOf  cluster of each local problem. Local.
+/// Vertices and edges between clusters, in the coarse unknowns of the graph. Unknowns of two clusters are connected if two local problems,
+/// one in each cluster, share both of them. The ends of an edge are its unknowns at the two points that are farthest apart, including the
+/// vertices that bound it. \param clusterOf cluster of each local problem. Local.
 std::vector<InterfaceLayout::Entity> clusterEntities(const ClusterGraph& graph, const std::vector<int>& clusterOf);
 
 }  // namespace suture

@@ -10,7 +10,7 @@ namespace suture {
 
 namespace {
 
-/// Null vectors of S are as small as the rounding of its largest entries; stiffness may jump by many orders between members.
+/// Relative eigenvalue of null vectors: round-off of the largest entries of S; stiffness may jump by many orders between members.
 constexpr double kNull = 1e-12;
 
 class SpectralInverse : public LocalInverse {
@@ -71,7 +71,7 @@ ClusterProblem::ClusterProblem(int id, std::vector<GlobalId> boundary, const std
 }
 
 Matrix ClusterProblem::withoutEnergy(const Matrix& motions) const {
-  constexpr double dependent = 1e-8;  // columns of the order of one
+  constexpr double dependent = 1e-8;  // columns are of order one
   if (size() == 0) return Matrix(0, 0);
   const Matrix basis = orthonormalBasis(motions, dependent);
   Matrix flux(basis.rows(), basis.cols());
@@ -83,7 +83,7 @@ Matrix ClusterProblem::withoutEnergy(const Matrix& motions) const {
   return basis * pairs.vectors.leftCols(nulls);
 }
 
-// Column by column: Eigen takes work space for a product of matrices.
+// Column by column: Eigen allocates work space for a product of matrices.
 void ClusterProblem::applySchur(ConstLocalView trace, LocalView flux) const {
   for (Eigen::Index c = 0; c < trace.cols(); ++c) flux.col(c).noalias() = schur_.selfadjointView<Eigen::Lower>() * trace.col(c);
 }

@@ -21,7 +21,7 @@ namespace {
 
 constexpr int kSeed = 1;
 
-/// Elements of this rank; unknowns by their places among those that it names.
+/// Graph of this rank's elements; unknowns are places in `names`.
 ClusterGraph ownGraph(const CoarseElements& coarse, const std::vector<int>& names, std::vector<InterfaceLayout::Unknown> unknowns) {
   ClusterGraph graph;
   graph.dimension = coarse.dimension;
@@ -31,7 +31,7 @@ ClusterGraph ownGraph(const CoarseElements& coarse, const std::vector<int>& name
   return graph;
 }
 
-/// Every connected part by itself.
+/// Cuts each connected part separately.
 std::vector<int> cut(const ElementGraph& graph, int wanted, int& count) {
   const Components parts = components(graph, std::vector<int>(graph.elements(), 0));
   std::vector<int> sizes;
@@ -50,7 +50,7 @@ std::vector<int> cut(const ElementGraph& graph, int wanted, int& count) {
   return clusterOf;
 }
 
-/// This rank's part of so many clusters. Collective.
+/// This rank's share of the clusters. Collective.
 int shareOf(const Comm& comm, int own, int locals, int clusters) {
   int upToOwn = 0;
   Teuchos::scan(comm, Teuchos::REDUCE_SUM, own, Teuchos::outArg(upToOwn));
@@ -58,9 +58,9 @@ int shareOf(const Comm& comm, int own, int locals, int clusters) {
   return clustersUpTo(upToOwn) - clustersUpTo(upToOwn - own);
 }
 
-/// Adds other ranks' elements that name unknowns of this one, without their other unknowns. Collective.
+/// Adds the elements of other ranks that share unknowns with this rank, reduced to these unknowns. Collective.
 /// \param ranksOf    ranks that name each unknown
-/// \param clusterOf  clusters, numbered over all ranks; of the added elements, too
+/// \param clusterOf  global cluster numbers; extended by the added elements
 void addNeighbours(const Comm& comm, const std::vector<int>& names, const std::vector<std::vector<int>>& ranksOf, ClusterGraph& graph,
                    std::vector<int>& clusterOf) {
   const int rank = comm.getRank();

@@ -63,7 +63,7 @@ std::vector<CoarseElement> gatherCoarseElements(const Comm& comm, std::vector<Co
 }
 
 SparseMatrix assembleCoarseElements(int size, const std::vector<CoarseElement>& elements) {
-  // Columns of elements by unknown, in the order of elements.
+  // Element columns of each unknown, in the order of elements.
   struct Column {
     int element, column;
   };
@@ -78,7 +78,7 @@ SparseMatrix assembleCoarseElements(int size, const std::vector<CoarseElement>& 
       columns[next[elements[e].unknowns[c]]++] = {static_cast<int>(e), static_cast<int>(c)};
 
   Vector sum = Vector::Zero(size);
-  std::vector<int> lastColumn(size, -1), rows;  // column in which a row was met last; rows of the column
+  std::vector<int> lastColumn(size, -1), rows;  // last column in which each row occurred; rows of the current column
   SparseMatrix matrix(size, size);
   Eigen::Index most = 0;
   for (const CoarseElement& element : elements) most += element.matrix.size();

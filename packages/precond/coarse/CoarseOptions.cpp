@@ -8,22 +8,24 @@ namespace suture {
 
 void CoarseOptions::addParameters(Schema& schema) {
   const CoarseOptions defaults;
-  schema.choice("Weighting", "Stiffness Diagonal", Registry<Weighting>::instance().schemas(), "How subdomains share the interface, D_i.");
+  schema.choice("Weighting", "Stiffness Diagonal", Registry<Weighting>::instance().schemas(),
+                "Weights D_i of the subdomains at shared unknowns.");
   schema.choice("Edge Constraints", "Automatic", Registry<PrimalConstraints>::instance().schemas(),
-                "Constraints that subdomains share on an edge, beside its end points, and in space on a face.");
+                "Primal constraints on edges, in addition to their end points, and in 3D on faces.");
   addCoarseParameters(schema);
   schema.wordOrNumber(
       "Coarse Level Above", "Automatic", {"Automatic"}, Range::atLeast(0),
-      "With more local problems than this the coarse problem is not factored but solved by BDDC on clusters of them, with the same "
-      "strategies; 0: always. Not where closed pairs have more than two nodes. Automatic: 1000, in space 600.");
+      "With more local problems than this, the coarse problem is solved by BDDC on clusters of local problems, with the same "
+      "strategies, instead of a factorisation; 0: always. Not available for closed pairs of more than two nodes. Automatic: 1000, in 3D "
+      "600.");
   schema.wordOrNumber(
       "Coarse Clusters", "Automatic", {"Automatic"}, Range::atLeast(1),
-      "Clusters of that level, each of local problems of one rank. Automatic: the square root of the number of local problems, "
-      "at least one for each rank.");
-  schema.real("Coarse Accuracy", defaults.accuracy,
-              "Accuracy of that level's solution; decides how many steps it makes. The coarse solution is within this part of the exact "
-              "one, in energy.",
-              Range{1e-12, 0.9, false, false, {}});
+      "Number of clusters on that level, each within one rank. Automatic: the square root of the number of local problems, at least "
+      "one per rank.");
+  schema.real(
+      "Coarse Accuracy", defaults.accuracy,
+      "Accuracy of the solution on that level, which determines the number of Chebyshev steps: the relative error in the energy norm.",
+      Range{1e-12, 0.9, false, false, {}});
 }
 
 CoarseOptions CoarseOptions::from(const Parameters& own) {
@@ -41,8 +43,8 @@ CoarseOptions CoarseOptions::from(const Parameters& own) {
 }
 
 bool CoarseOptions::goesOn(int locals, int dimension) const {
-  // From where a factor of the coarse problem takes longer than clusters: it has some 8 unknowns a local problem in the plane, 17 to 34 in
-  // space. 512 bricks with 8,589 unknowns: 5.2 s by a factor, 13.3 by clusters; 476 local problems with 16,267: 5.3 and 5.3 s, two ranks.
+  // Beyond this, factoring the coarse problem takes longer than clusters. It has about 8 unknowns per local problem in 2D, 17 to 34 in 3D.
+  // 512 bricks with 8,589 unknowns: 5.2 s by a factor, 13.3 by clusters; 476 local problems with 16,267: 5.3 and 5.3 s, two ranks.
   const int most = above != kAutomatic ? above : dimension == 3 ? 600 : 1000;
   return locals > most && locals > 1;
 }

@@ -3,17 +3,17 @@
 
 namespace suture {
 
-/// Solve of a preconditioner's coarse problem: a fixed symmetric positive definite linear operator, the inverse of the coarse
-/// matrix or near to it.
+/// Coarse solver of a preconditioner: a fixed symmetric positive definite linear operator, the exact or approximate inverse of the coarse
+/// matrix.
 class CoarseSolve {
  public:
   virtual ~CoarseSolve() = default;
   /// Number of coarse unknowns over all ranks.
   virtual int size() const = 0;
-  /// Answer to the sum over ranks of `mine`; it is kept until the next call. Both at the unknowns that this rank's elements name, in the
-  /// order of namesIn(). Collective.
+  /// Solution for the sum of `mine` over the ranks, valid until the next call. Both vectors hold the unknowns of this rank's elements, in
+  /// the order of namesIn(). Collective.
   virtual const Vector& solve(const Vector& mine) const = 0;
-  /// Local problems that the coarse unknowns are shared by on the next level; 0 where they are solved exactly.
+  /// Number of local problems on the next level; 0 if the coarse problem is solved exactly.
   virtual int clusters() const { return 0; }
 };
 

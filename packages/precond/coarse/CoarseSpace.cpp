@@ -11,9 +11,9 @@ void addSpace(Registry<CoarseSpace>& registry, const char* name, const char* doc
 
 void registerBuiltIns(Registry<CoarseSpace>& registry) {
   addSpace<NoCoarseSpace>(registry, "None", "No coarse problem.");
-  addSpace<KernelCoarseSpace>(registry, "Kernels", "Kernels of the Schur complements of subdomains and bilateral groups: the paper's Z.");
+  addSpace<KernelCoarseSpace>(registry, "Kernels", "Kernels of the Schur complements of subdomains and bilateral groups, the paper's Z.");
   addSpace<RigidModeCoarseSpace>(registry, "Rigid Modes",
-                                 "All rigid modes of every subdomain, floating or not, members of groups included.");
+                                 "All rigid-body modes of every subdomain, floating or not, including members of groups.");
 }
 
 }  // namespace suture

@@ -6,14 +6,14 @@
 
 namespace suture {
 
-/// Traces Z_i of a local problem that the balancing coarse problem holds (eq. 28-31: the columns D_i Z_i). The traces must contain the
-/// kernel of S_i if its Neumann problem is to see balanced loads only. Strategies: None, Kernels, Rigid Modes; a user adds his own through
-/// Registry<CoarseSpace>. Local.
+/// Traces Z_i of a local problem in the balancing coarse problem (eq. 28-31: the columns D_i Z_i). They must contain the kernel of S_i if
+/// its Neumann problem is to see only balanced loads. Strategies: None, Kernels, Rigid Modes; Registry<CoarseSpace> adds user strategies.
+/// Local.
 class CoarseSpace {
  public:
   static const char* kind() { return "coarse space"; }
   virtual ~CoarseSpace() = default;
-  /// size() x k; columns may depend on each other (dependent ones are left out).
+  /// size() x k; linearly dependent columns are allowed (and dropped).
   virtual Matrix columns(const LocalProblem& local) const = 0;
 };
 
@@ -25,13 +25,13 @@ class NoCoarseSpace : public CoarseSpace {
   Matrix columns(const LocalProblem& local) const override { return Matrix(local.size(), 0); }
 };
 
-/// Kernels of S_i and of S^0_j: the paper's Z. Subdomains that are held somewhere contribute nothing.
+/// Kernels of S_i and of S^0_j: the paper's Z. Subdomains with supports contribute nothing.
 class KernelCoarseSpace : public CoarseSpace {
  public:
   Matrix columns(const LocalProblem& local) const override { return local.kernel(); }
 };
 
-/// All rigid modes of every original subdomain, floating or not, members of groups included.
+/// All rigid-body modes of every original subdomain, floating or not, including members of groups.
 class RigidModeCoarseSpace : public CoarseSpace {
  public:
   Matrix columns(const LocalProblem& local) const override {

@@ -35,7 +35,7 @@ DirectCoarse::DirectCoarse(CommPtr comm, int size, std::vector<CoarseElement> el
   collectively(*comm_, "factoring the coarse problem", [&] {
     if (!holder || size_ == 0) return;
     SparseMatrix matrix = assembleCoarseElements(size_, all);
-    all = {};  // before the factor, where a run takes most memory
+    all = {};  // freed before the factorisation, the peak of memory use
     scale_ = Vector::Ones(size_);
     const Vector diagonal = matrix.diagonal();
     for (int i = 0; i < size_; ++i)
@@ -79,7 +79,8 @@ const Vector& DirectCoarse::solve(const Vector& mine) const {
 
 void addCoarseParameters(Schema& schema) {
   schema.choice("Coarse Solver", "CHOLMOD", Registry<LocalSolver>::instance().schemas(), "Sparse direct solver of the coarse problem.");
-  schema.integer("Coarse Copies", 0, "Ranks that hold a factor of the coarse problem, each for its share of all ranks; 0: every rank.",
+  schema.integer("Coarse Copies", 0,
+                 "Number of ranks that hold a factor of the coarse problem, each serving its share of the ranks; 0: every rank.",
                  Range::atLeast(0));
 }
 

@@ -8,18 +8,18 @@
 
 namespace suture {
 
-/// A sparse symmetric positive definite system that is small beside the rest: assembled from all ranks' contributions and factored on a
-/// chosen number of ranks, each of which answers for its share of the others. Few copies save memory and the work of factoring, many save
-/// messages; the answer is the same. A solve sums the whole coarse vector over the ranks: one number
-/// an unknown, where the factor has tens.
+/// A sparse symmetric positive definite system, small compared with the other work: assembled from the contributions of all ranks and
+/// factored on a given number of ranks, each of which solves for its share of the ranks. Few copies save memory and factorisation work,
+/// many save messages; the answer is the same. A solve sums the whole coarse vector over the ranks: one number per unknown, compared with
+/// tens in the factor.
 class DirectCoarse : public CoarseSolve {
  public:
   /// \param size      number of unknowns, the same on all ranks
   /// \param elements  matrices of this rank; those of all ranks are added up
   /// \param copies    ranks that hold a factor; 0: all
-  /// \param dependent  the system may be singular, and consistent: its diagonal, scaled to one, is shifted by 1e-11, and iterative
-  ///                   refinement takes the shift out again, but for the null space
-  /// Collective. \throws NumericalError  not positive definite
+  /// \param dependent  the system may be singular but consistent: its diagonal, scaled to one, is shifted by 1e-11, and iterative
+  ///                   refinement removes the effect of the shift, except in the null space
+  /// Collective. \throws NumericalError  if not positive definite
   DirectCoarse(CommPtr comm, int size, std::vector<CoarseElement> elements, std::unique_ptr<LocalSolver> solver, int copies,
                bool dependent);
 
@@ -29,15 +29,15 @@ class DirectCoarse : public CoarseSolve {
   const Vector& solve(const Vector& mine) const override;
 
  private:
-  CommPtr comm_, share_;  // all ranks; those that one copy answers for, its holder first
+  CommPtr comm_, share_;  // all ranks; the ranks served by one copy, its holder first
   int size_, copies_;
   std::vector<int> names_;
   bool dependent_;
   std::unique_ptr<LocalSolver> solver_;
-  SparseMatrix scaled_;  // kept for refinement only
+  SparseMatrix scaled_;  // only for refinement
   Vector scale_;
   mutable Vector answer_;
-  mutable Vector mine_, sum_;  // work space, of all unknowns: the inner loop allocates nothing
+  mutable Vector mine_, sum_;  // work space for all unknowns, so that solve() does not allocate
   mutable Matrix load_, solution_, correction_;
 };
 
