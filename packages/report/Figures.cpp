@@ -228,8 +228,8 @@ std::string slidOffNotes(const std::vector<ContactPiece>& pieces, const std::vec
     const double length = norm(minus(slides[p].box.high, slides[p].box.low));
     if (slides[p].isRigid || !std::isfinite(slides[p].least) || !(length > 0.0) || slides[p].least < length) continue;
     said += format(
-        "warning: contact '%s': its sides have slid off each other: by at least %.3g, but the contact is only %.3g long. Pairs keep their "
-        "partners from the undeformed mesh\n",
+        "warning: contact '%s': its sides have slid off each other: all pairs slid %.3g or more, but the contact is only %.3g long. "
+        "Pairs keep their partners from the undeformed mesh\n",
         pieces[p].name.c_str(), slides[p].least, length);
   }
   return said;
